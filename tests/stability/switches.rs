@@ -2,7 +2,7 @@
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::DiscreteField;
-use geoint_runtime::{Autonomous, Hamiltonian, Method};
+use geoint_runtime::{Autonomous, Hamiltonian, Method, Reason};
 use geoint_tests::grid::pairs;
 use geoint_tests::methods::{self, Visitor};
 
@@ -142,4 +142,70 @@ fn jumps_are_no_rounding() {
     check(ThreeKinks { m: 0.7 }, &starts);
     check(JumpAndKink { m: 1.0 }, &starts);
     check(JumpAndKink { m: 1.3 }, &starts);
+}
+
+#[hamiltonian]
+fn well(q: [f64; 2], p: [f64; 2], m: f64, k: f64, r: f64) -> f64 {
+    let depth = if q[0] * q[0] + q[1] * q[1] < r * r { -k } else { 0.0 };
+    (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) + depth
+}
+
+/// A spring that is cut where it ends.
+#[hamiltonian]
+fn cut(q: [f64; 2], p: [f64; 2], m: f64, k: f64, r: f64) -> f64 {
+    let square = q[0] * q[0] + q[1] * q[1];
+    (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) + if square < r * r { k / 2.0 * (square - r * r) } else { 0.0 }
+}
+
+/// At the edge of a square well there is no force on either side: a series, and an estimate of errors, see nothing, whatever the tolerance.
+#[test]
+fn steps_to_a_tolerance_end_where_the_energy_jumps() {
+    // In units of one, and of atoms.
+    for [length, mass, time] in [[1.0, 1.0, 1.0], [1e-10, 1e-26, 1e-13]] {
+        let [momentum, energy] = [mass * length / time, mass * length * length / (time * time)];
+        let system = Well { m: 1.3 * mass, k: 0.4 * energy, r: length };
+        let start = State::new([-3.0 * length, 0.6 * length], [momentum, 0.0]);
+        // After 2.2 lengths, with a velocity of 1/1.3.
+        let there = 2.2 * 1.3 * time;
+        let end = |outcome: Result<(), StepError>, state: State<[f64; 2]>| {
+            let Err(StepError::StepTooSmall { reason: Reason::OutsideDomain { what }, .. }) = outcome else {
+                panic!("{outcome:?} at {state:?}")
+            };
+            assert_eq!(what, "the energy jumps where a condition changes, by -k");
+            assert!((state.t / there - 1.0).abs() < 1e-12, "{state:?}");
+        };
+        let mut adaptive = system.adaptive(DOP853, 1e-9, start);
+        end(adaptive.advance_to(10.0 * time), adaptive.state());
+        let mut halved = system.adaptive(StormerVerlet, 1e-6, start);
+        end(halved.advance_to(10.0 * time), halved.state());
+        let mut series = system.taylor(Taylor { tolerance: 1e-12 }, start);
+        end(series.advance_to(10.0 * time), series.state());
+        // What keeps the energy goes on.
+        let mut secants = system.adaptive(DiscreteGradient, 1e-3, start);
+        secants.advance_to(10.0 * time).unwrap_or_else(|error| panic!("{error}"));
+        assert!((secants.energy() / system.energy(&start) - 1.0).abs() < 1e-12);
+    }
+    let fixed =
+        Well { m: 1.3, k: 0.4, r: 1.0 }.taylor(TaylorFixed::<12> { h: 0.5 }, State::new([-3.0, 0.6], [1.0, 0.0]));
+    let (mut sim, mut outcome) = (fixed, Ok(()));
+    while outcome.is_ok() && sim.state().t < 10.0 {
+        outcome = sim.step();
+    }
+    assert!(matches!(outcome, Err(StepError::OutsideDomain { .. })), "{outcome:?}");
+    assert!(Well::<f64>::REPORT.contains("Jumps\n- H may jump where q[0]² + q[1]² = r²"), "{}", Well::<f64>::REPORT);
+}
+
+/// A condition at which nothing jumps ends no step.
+#[test]
+fn steps_to_a_tolerance_pass_where_nothing_jumps() {
+    let (system, start) = (Cut { m: 1.3, k: 2.0, r: 1.1 }, State::new([-3.0, 0.6], [1.0, 0.0]));
+    let mut series = system.taylor(Taylor { tolerance: 1e-12 }, start);
+    let mut adaptive = system.adaptive(DOP853, 1e-9, start);
+    series.advance_to(10.0).unwrap_or_else(|error| panic!("{error}"));
+    adaptive.advance_to(10.0).unwrap_or_else(|error| panic!("{error}"));
+    let gap = (0..2).map(|i| (series.state().q[i] - adaptive.state().q[i]).abs()).fold(0.0, f64::max);
+    assert!(gap < 1e-6 && (series.energy() - system.energy(&start)).abs() < 1e-11, "{gap:e}");
+    for report in [Cut::<f64>::REPORT, Bent::<f64>::REPORT, Spring::<f64>::REPORT, ThreeKinks::<f64>::REPORT] {
+        assert!(!report.contains("Jumps"), "{report}");
+    }
 }

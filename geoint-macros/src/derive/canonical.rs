@@ -63,7 +63,7 @@ pub(crate) fn canonical(
         [&gradient.p, force].concat()
     });
     let forms: Vec<Vec<Id>> = forms.collect();
-    let jet = JetKernel::canonical(graph, &forms, degrees);
+    let jet = JetKernel::canonical(graph, &forms, (structure.energy, degrees));
     let system = System {
         proven: proven.into_iter().filter(|(holds, _)| *holds).map(|(_, name)| name).collect(),
         value: Some(Kernel::new(Levels::One, vec![structure.energy])),

@@ -32,7 +32,7 @@ pub(crate) fn contact(
         Some(rates) => vec![rates.clone()],
         None => all_rates(graph, energy, &gradient, legendre),
     };
-    let jet = JetKernel::canonical(graph, &followed, degrees);
+    let jet = JetKernel::canonical(graph, &followed, (energy, degrees));
     let rate = rates.map(|rates| Kernel::new(Levels::One, rates));
     let what = if lift { Followed::Lift } else { Followed::Contact };
     let pieces = pieces::kernels(graph, what, (found, NO_PIECES));

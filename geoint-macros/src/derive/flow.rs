@@ -240,7 +240,7 @@ pub(crate) fn flow(graph: &mut Graph, found: &Flow, partial: &[Partial], damping
         pieces: vec![],
         integrals: integrals(graph, kept, n),
         lagrangian: None,
-        jet: JetKernel::of_field(graph, field),
+        jet: JetKernel::of_field(graph, field, energy.as_ref().map(|(energy, _)| *energy)),
         domain: Domain::of(graph, Roots { all: &all, divided: &values }, *form, partial, (damping, &[])),
         implicit: Implicit::Field(FieldKernels {
             coordinates: collocation.unknowns.clone(),

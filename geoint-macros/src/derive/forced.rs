@@ -35,7 +35,7 @@ pub(crate) fn forced(
     let drag = damping.map(|damping| damping.drag(graph, &velocities));
     let applied = forces.iter().flat_map(|forces| [&forces.applied, &forces.friction]).flatten().flatten();
     let term = applied.chain(drag.iter().flatten()).copied().find(|force| !graph.is_zero(*force)).unwrap_or(energy);
-    let jet = JetKernel::canonical(graph, &[rates.clone()], degrees);
+    let jet = JetKernel::canonical(graph, &[rates.clone()], (energy, degrees));
     let system = System {
         proven: vec![],
         value: Some(Kernel::new(Levels::One, vec![energy])),

@@ -1,5 +1,6 @@
 //! The Taylor coefficients of a solution, of every form whose rates are nodes.
 
+use crate::analyze::crossings;
 use crate::diff::jet::{self, Jet};
 use crate::diff::{Gradient, by_velocities};
 use crate::ir::{Graph, Id, Symbol};
@@ -17,25 +18,28 @@ pub(crate) struct JetKernel<K = Kernel> {
 }
 
 impl JetKernel {
-    /// Of coordinates by their rates, in the form of them that takes the fewest sums.
-    fn new(graph: &mut Graph, forms: &[Vec<(Symbol, Id)>]) -> Option<JetKernel> {
-        let jets = forms.iter().map(|rates| jet::jet(graph, rates));
+    /// Of coordinates by their rates, in the form of them that takes the fewest sums. Steps end where the energy may jump, of which rates need
+    /// not know.
+    fn new(graph: &mut Graph, forms: &[Vec<(Symbol, Id)>], energy: Option<Id>) -> Option<JetKernel> {
+        let edges = energy.map_or_else(Vec::new, |energy| crossings::edges_of_jumps(graph, energy));
+        let watched: Vec<Id> = edges.iter().map(|edge| edge.difference).collect();
+        let jets = forms.iter().map(|rates| jet::jet(graph, rates, &watched));
         let jet = jets.min_by_key(Jet::half_convolutions)?;
         let start = Kernel::new(Levels::One, jet.values.clone());
         (jet.series.len() <= MOST_SERIES).then_some(JetKernel { jet, start })
     }
 
-    /// Of x' = f(x, t).
-    pub(super) fn of_field(graph: &mut Graph, field: &[Id]) -> Option<JetKernel> {
+    /// Of x' = f(x, t), which may have an energy.
+    pub(super) fn of_field(graph: &mut Graph, field: &[Id], energy: Option<Id>) -> Option<JetKernel> {
         let rates = (0..).map(Symbol::Q).zip(field.iter().copied()).collect();
-        JetKernel::new(graph, &[rates])
+        JetKernel::new(graph, &[rates], energy)
     }
 
     /// Of q' and p', and s' if there is an action, which are given one after the other.
-    pub(super) fn canonical(graph: &mut Graph, forms: &[Vec<Id>], degrees: u32) -> Option<JetKernel> {
+    pub(super) fn canonical(graph: &mut Graph, forms: &[Vec<Id>], (energy, degrees): (Id, u32)) -> Option<JetKernel> {
         let symbols = || (0..degrees).map(Symbol::Q).chain((0..degrees).map(Symbol::P)).chain([Symbol::S]);
         let forms: Vec<_> = forms.iter().map(|rates| symbols().zip(rates.iter().copied()).collect()).collect();
-        JetKernel::new(graph, &forms)
+        JetKernel::new(graph, &forms, Some(energy))
     }
 }
 

@@ -1,6 +1,6 @@
 //! Poles and conditions between the ends of a step: what the runtime asks of them.
 
-use crate::analyze::{self, Jump, Pole, Quick};
+use crate::analyze::{self, Jump, Pole, Quick, crossings};
 use crate::ir::{Graph, Id, Partial};
 use crate::parse::Form;
 use crate::schedule::{Kernel, Levels};
@@ -55,6 +55,8 @@ pub(crate) struct Jumps<K = Kernel> {
     pub(crate) sides: K,
     /// The side and the height: a routine a condition.
     pub(crate) heights: K,
+    /// What is equal where the energy was not proven not to jump.
+    pub(crate) edge: Option<[Id; 2]>,
 }
 
 /// Nodes, each once, and where they are.
@@ -176,6 +178,9 @@ impl Jumps {
         (!all.is_empty()).then(|| Jumps {
             sides: Kernel::new(Levels::One, all.iter().map(|jump| jump.side).collect()),
             heights: Kernel { levels: Levels::One, routines },
+            edge: energies
+                .iter()
+                .find_map(|energy| crossings::edges_of_jumps(graph, *energy).first().map(|edge| edge.equal)),
             all,
         })
     }
@@ -183,6 +188,6 @@ impl Jumps {
 
 impl<K> Jumps<K> {
     pub(super) fn map<L>(self, of: &mut impl FnMut(K) -> L) -> Jumps<L> {
-        Jumps { all: self.all, sides: of(self.sides), heights: of(self.heights) }
+        Jumps { all: self.all, sides: of(self.sides), heights: of(self.heights), edge: self.edge }
     }
 }

@@ -73,8 +73,10 @@ pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>,
     let form = context.energy.form;
     let flow = form.is_flow().then(|| flow::inherent(context, system));
     let constrained = matches!(system.implicit, Implicit::Constrained(_));
-    let inherent =
-        structure::inherent(context, (!form.is_flow() || system.value.is_some(), !constrained, flow), report);
+    let of_energy = !form.is_flow() || system.value.is_some();
+    let jumps = system.domain.jumps.as_ref().filter(|_| of_energy);
+    let report = report.to_owned() + &jumps.map_or_else(String::new, |jumps| report::jumps(context, graph, jumps));
+    let inherent = structure::inherent(context, (of_energy, !constrained, flow), &report);
     let space = system::phase_space(context, graph, system);
     let pieces = system.pieces.iter().map(|found| exact::pieces(context, graph, found));
     let flows = system.splitting.as_ref().map(|found| exact::splitting(context, graph, found));
@@ -89,7 +91,7 @@ pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>,
     let jets = system.jet.as_ref().map(|found| jet::jets(context, found));
     let around_it =
         quote!(#inherent #space #lagrangian #integrals #(#pieces)* #flows #parted #modified #implicit #jets);
-    around(context, report, &around_it)
+    around(context, &report, &around_it)
 }
 
 /// The same of rigid bodies.

@@ -142,13 +142,19 @@ fn enclosed(context: &Context<'_>, name: &str, count: usize, choices: &[Block]) 
 pub(super) fn jumps(context: &Context<'_>, graph: &Graph, jumps: &Jumps<Plan>) -> TokenStream {
     let printer = Printer::new(graph, |symbol| context.user_name(symbol));
     let height = |jump: &Jump| printer.excerpt(jump.height);
-    let what = jumps.all.iter().map(|jump| format!("the energy jumps at the end of the step, by {}", height(jump)));
+    let what = jumps.all.iter().map(|jump| format!("the energy jumps where a condition changes, by {}", height(jump)));
     let (phase, parts, action) = (context.phase(), context.parts(), context.action());
     let count = Literal::usize_unsuffixed(jumps.all.len());
+    let may_jump = jumps.edge.map(|_| {
+        quote!(
+            const CONTINUOUS: bool = false;
+        )
+    });
     let sides = context.values(&jumps.sides, |values| quote!([#(#values),*]));
     let heights = enclosed(context, "jump", 2, &jumps.heights.last);
     quote! {
         const JUMPS: &'static [&'static str] = &[#(#what),*];
+        #may_jump
 
         #[inline]
         fn same_sides(&self, t: R, z: [&#phase; 2], s: [&#action; 2]) -> bool {

@@ -15,7 +15,7 @@ fn sums(item: TokenStream, degrees: u32) -> (usize, Option<usize>) {
         let forces: Vec<Id> = gradient.q.iter().map(|slope| graph.neg(*slope)).collect();
         let velocities = (0..).map(Symbol::Q).zip(gradient.p.iter().copied());
         let rates: Vec<_> = velocities.chain((0..).map(Symbol::P).zip(forces)).collect();
-        jet::jet(graph, &rates).half_convolutions()
+        jet::jet(graph, &rates, &[]).half_convolutions()
     };
     let by_velocities = by_velocities::of_energy(graph, lowered.energy, &gradient);
     (sums(graph, &gradient), by_velocities.map(|gradient| sums(graph, &gradient)))
@@ -146,7 +146,7 @@ fn arrays_of_pairs_serve_all_sums() {
     let gradient = diff::gradient(graph, lowered.energy, 18);
     let forces: Vec<_> = gradient.q.iter().map(|slope| graph.neg(*slope)).collect();
     let rates: Vec<_> = (0..).map(Symbol::P).zip(forces).collect();
-    let lanes = jet::Lanes::of(&jet::jet(graph, &rates)).expect("there are many sums");
+    let lanes = jet::Lanes::of(&jet::jet(graph, &rates, &[])).expect("there are many sums");
     // Of 15 pairs r², r⁻³ and three differences; squares and products of three, and powers.
     assert_eq!([lanes.arrays.len(), lanes.groups.len()], [4 * 5, 4 * 7]);
 }

@@ -41,7 +41,7 @@ pub enum StepError {
     },
     /// A stage of the step left the domain of a function in the energy, or came to its edge, where a derivative is not a number; or it
     /// cannot be excluded that a pole of it lies on the straight line between the ends of an implicit step; or the energy jumps at the end of
-    /// a step that keeps it.
+    /// a step that keeps it, or on the way of a step of a Taylor series.
     OutsideDomain {
         /// Time of the last good state.
         t: f64,
@@ -164,7 +164,7 @@ pub enum Reason {
         /// The estimate, in units of what is tolerated.
         error: f64,
     },
-    /// It evaluates the energy where that is not defined, or a pole on its way cannot be excluded, or the energy jumps at its end.
+    /// It evaluates the energy where that is not defined, or a pole on its way cannot be excluded, or the energy jumps there.
     OutsideDomain {
         /// The function and the term.
         what: &'static str,

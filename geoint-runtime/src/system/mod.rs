@@ -29,7 +29,7 @@ pub(crate) use implicit::{
 };
 pub use integrals::{FirstIntegrals, FourthOrderField, Invariants, KeepsEnergy, KeptMomenta, SteadyIntegrals};
 pub use jets::Jets;
-pub(crate) use jumps::jump_between;
+pub(crate) use jumps::{jump_between, jump_on_way};
 pub use lagrangian::{Lagrangian, from_positions};
 pub use modified::ModifiedEnergy;
 pub use perturbed::{Perturbed, PerturbedGradient, unsuitable};
@@ -92,6 +92,9 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
 
     /// What is said of a jump of H at a condition that reads the state.
     const JUMPS: &'static [&'static str] = &[];
+
+    /// Whether H was proven not to jump where a condition changes.
+    const CONTINUOUS: bool = true;
 
     /// Whether no condition of H is decided differently at two points.
     #[inline(always)]

@@ -6,11 +6,22 @@ use crate::ir::substitute::{Substitution, replaced};
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
 
 /// Conditions and signs that change where two numbers are equal.
-struct Edge {
-    equal: [Id; 2],
-    difference: Id,
+#[derive(Clone, Debug)]
+pub(crate) struct Edge {
+    pub(crate) equal: [Id; 2],
+    pub(crate) difference: Id,
     /// Each with what it is where the difference is negative, and where it is positive.
     decided: Vec<(Id, [Id; 2])>,
+}
+
+/// Where a function may jump: there it was not proven that both its sides are equal.
+pub(crate) fn edges_of_jumps(graph: &mut Graph, function: Id) -> Vec<Edge> {
+    let mut edges = edges(graph, function);
+    edges.retain(|edge| {
+        let height = height(graph, function, edge);
+        !vanishes_on(graph, edge.difference, height)
+    });
+    edges
 }
 
 /// What is equal where a function may jump while a field is followed; nothing if it was proven not to.

@@ -18,9 +18,9 @@ pub(crate) use program::{Factor, Jet, Rate, Rule, Series, Source, Value};
 use crate::ir::{Graph, HashMap, Id, Node, Number, Symbol};
 use std::collections::{HashSet, VecDeque};
 
-/// The program for coordinates by their rates.
-pub(crate) fn jet(graph: &mut Graph, rates: &[(Symbol, Id)]) -> Jet {
-    let roots: Vec<Id> = rates.iter().map(|(_, rate)| *rate).collect();
+/// The program for coordinates by their rates; the signs of what is `watched` decide as conditions do.
+pub(crate) fn jet(graph: &mut Graph, rates: &[(Symbol, Id)], watched: &[Id]) -> Jet {
+    let roots: Vec<Id> = rates.iter().map(|(_, rate)| *rate).chain(watched.iter().copied()).collect();
     let resting = rates.iter().filter(|(_, rate)| graph.is_zero(*rate)).map(|(symbol, _)| *symbol).collect();
     let resting = Resting(resting);
     let mut builder = Builder {
@@ -38,6 +38,9 @@ pub(crate) fn jet(graph: &mut Graph, rates: &[(Symbol, Id)]) -> Jet {
     for (symbol, rate) in rates {
         let (value, source) = (builder.value(*rate), builder.source(*rate));
         builder.jet.rates.push(Rate { symbol: *symbol, value, source });
+    }
+    for id in watched {
+        builder.decides(*id);
     }
     builder.close();
     builder.jet

@@ -10,7 +10,10 @@ mod field;
 mod flow;
 mod lagrangian;
 
-use crate::schedule::Operations;
+use super::kernel::Context;
+use crate::derive::Jumps;
+use crate::ir::{Graph, print::Printer};
+use crate::schedule::{Operations, Plan};
 pub(crate) use bodies::bodies;
 pub(crate) use canonical::canonical;
 pub(crate) use constraints::constraints;
@@ -18,6 +21,19 @@ pub(crate) use contact::contact;
 pub(crate) use flow::{OfField, Source, flow};
 pub(crate) use forced::forced;
 pub(crate) use lagrangian::{herglotz, lagrangian, velocities};
+
+/// Where the energy was not proven not to jump: most steps know its derivatives alone, and pass.
+pub(crate) fn jumps(context: &Context<'_>, graph: &Graph, jumps: &Jumps<Plan>) -> String {
+    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
+    jumps.edge.map_or_else(String::new, |[a, b]| {
+        format!(
+            "\nJumps\n- H may jump where {} = {}: methods that keep the energy see that, adaptive steps and Taylor series end there, and \
+             all others pass as if nothing was there\n",
+            printer.excerpt(a),
+            printer.excerpt(b)
+        )
+    })
+}
 
 /// How much something costs.
 fn counted(operations: Operations) -> String {

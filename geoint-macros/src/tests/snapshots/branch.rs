@@ -177,7 +177,7 @@ const _: () = {
             ::core::option::Option::None
         }
         const JUMPS: &'static [&'static str] = &[
-            "the energy jumps at the end of the step, by cos(t)·abs(q)⁴",
+            "the energy jumps where a condition changes, by cos(t)·abs(q)⁴",
         ];
         #[inline]
         fn same_sides(&self, t: R, z: [&[[R; 1]; 2]; 2], s: [&(); 2]) -> bool {

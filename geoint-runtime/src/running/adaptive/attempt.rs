@@ -6,7 +6,7 @@ use crate::running::tolerance::{Judged, Tolerance};
 use crate::running::watch::{Found, Watch};
 use crate::scalar::Real;
 use crate::space::{Compensated, PerCoordinate, Point};
-use crate::system::{PhaseSpace, Rates};
+use crate::system::{PhaseSpace, Rates, jump_on_way};
 
 /// A point whose sums outlive a change of the step size.
 pub(super) type Carried<S, R> =
@@ -43,11 +43,32 @@ pub(super) struct Attempt<'a, S: PhaseSpace<R>, R: Real> {
     pub(super) tolerance: &'a Tolerance<S::Phase, S::Action>,
     /// What part of the time in which the state changes a step takes.
     pub(super) part: f64,
+    /// Whether the method keeps the energy, also where that jumps.
+    pub(super) keeps: bool,
 }
 
 impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
-    /// A step, and its estimated error in units of what is tolerated: the method's own estimate, or by two halves.
+    /// A step, and its estimated error in units of what is tolerated; none over a jump of the energy that the method does not see.
     pub(super) fn take<M: Method<S, R>, P: Probe<S, R>>(
+        &self,
+        prepared: &Prepared<M::Prepared>,
+        memory: &mut [M::Memory; 2],
+        probe: &mut P,
+    ) -> Result<(Carried<S, R>, f64), Reason> {
+        let (x, error) = self.estimated::<M, P>(prepared, memory, probe)?;
+        if self.keeps {
+            return Ok((x, error));
+        }
+        let end = self.clock.after(R::from_f64(prepared.h)) + x.ahead.value();
+        let ends = [(self.t, PerCoordinate::of(self.x)), (end, PerCoordinate::of(&x))];
+        match jump_on_way(self.system, &ends, self.tolerance.relative) {
+            Some(what) => Err(Reason::OutsideDomain { what }),
+            None => Ok((x, error)),
+        }
+    }
+
+    /// A step, and its error by the method's own estimate, or by two halves.
+    fn estimated<M: Method<S, R>, P: Probe<S, R>>(
         &self,
         prepared: &Prepared<M::Prepared>,
         memory: &mut [M::Memory; 2],

@@ -89,7 +89,8 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
     /// A step from here.
     fn attempt(&self) -> Attempt<'_, S, R> {
         let Self { system, clock, x, tolerance, .. } = self;
-        Attempt { system, t: self.time(), clock, x, tolerance, part: self.part() }
+        let keeps = self.method.claims().conserves_energy;
+        Attempt { system, t: self.time(), clock, x, tolerance, part: self.part(), keeps }
     }
 
     /// A step that is not longer than `left`.

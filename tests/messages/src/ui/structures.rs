@@ -104,7 +104,7 @@ mod structure_that_moves_nothing {
     }
 
     /// With friction it is a way downhill.
-    #[hamiltonian(structure = [[0.0, 0.0], [0.0, 0.0]], damping = k)]
+    #[hamiltonian(structure = |_, _| 0.0, damping = k)]
     fn downhill(x: [f64; 2], k: f64) -> f64 {
         x[1] * x[1] / 2.0 - x[0].cos()
     }

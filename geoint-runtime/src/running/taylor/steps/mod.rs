@@ -9,7 +9,7 @@ use crate::scalar::{Real, signed, zero};
 use crate::space::{Array, PerCoordinate};
 #[cfg(feature = "alloc")]
 use crate::space::{Record, Tape};
-use crate::system::Jets;
+use crate::system::{Jets, jump_on_way};
 use crate::taylor::{self, Estimate, TaylorMethod};
 use expansion::Expansion;
 use switches::{NEARLY, STUCK, Switch};
@@ -274,6 +274,9 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         {
             return Err(Reason::OutsideDomain { what });
         }
+        if let Some(what) = self.jump() {
+            return Err(Reason::OutsideDomain { what });
+        }
         if !here.is_finite() {
             return Err(self.outside_domain().map_or(Reason::Diverges, |what| Reason::OutsideDomain { what }));
         }
@@ -287,6 +290,17 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
     fn outside_domain(&self) -> Option<&'static str> {
         let end = self.start();
         self.system.outside_domain(end.time(), &end.x.z, &end.x.s)
+    }
+
+    /// A jump of the energy on the way to where an attempt led: series know nothing of it.
+    #[inline(always)]
+    fn jump(&self) -> Option<&'static str> {
+        let ends = [self.here(), self.start()].map(|end| (end.time(), PerCoordinate::of(&end.x)));
+        let part = match self.method.steps() {
+            taylor::Steps::Tolerance(tolerance) => tolerance,
+            taylor::Steps::Length(_) => 0.0,
+        };
+        jump_on_way(&self.system, &ends, part)
     }
 
     /// Whether the rates where an attempt led, in the unit of the coefficients at the present, are those of the polynomial that led there.
