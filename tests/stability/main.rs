@@ -16,6 +16,7 @@ mod long_steps;
 mod rest;
 mod rounding;
 mod time;
+mod end_of_time;
 mod names;
 mod tolerance;
 mod saved;

@@ -8,7 +8,7 @@ use geoint_tests::problems::*;
 use geoint_tests::scalars::Scalar;
 
 /// All lists.
-fn every<S, R: Scalar, V: Visitor<S, R>>(visitor: &mut V)
+pub(crate) fn every<S, R: Scalar, V: Visitor<S, R>>(visitor: &mut V)
 where
     S: DiscreteField<R>
         + Collocated<R, Stages = ByField>
@@ -30,7 +30,7 @@ where
 }
 
 /// A scalar of a few digits as a number.
-fn number(x: impl Scalar) -> f64 {
+pub(crate) fn number(x: impl Scalar) -> f64 {
     if x.any_below(0.0) { -x.magnitude() } else { x.magnitude() }
 }
 
@@ -146,6 +146,32 @@ fn scaled_steps_do_not_pass() {
         assert_ne!(next.t, sim.time() + h, "steps are scaled");
         all.step().unwrap();
         assert_eq!(all.state(), next, "what was tried and not taken leaves nothing behind");
+    }
+}
+
+/// Nor do those that adapt: what leads beyond is led back, and the run goes on in its direction.
+#[test]
+fn scaled_steps_that_adapt_do_not_pass() {
+    let system = Kepler { mass: 1.6, mu: 2.3 };
+    let run = || system.adaptive(Relaxation(RK4), 1e-6, State::new([1.3, 0.0], [0.0, 2.3]));
+    for dt in [0.37, -0.37] {
+        let mut sim = run();
+        for n in 1..=100 {
+            let (start, to) = (sim.time(), f64::from(n) * dt);
+            let times: Vec<f64> = sim.until(to).map(|state| state.unwrap().t).collect();
+            assert!(times.iter().all(|t| (t - start) * dt > 0.0 && (t - to) * dt <= 0.0), "to {to}: {times:?}");
+            assert_eq!(times.last(), Some(&to));
+            assert!(sim.step_size() * dt > 0.0 && sim.steps_backwards() == (dt < 0.0), "to {to}");
+        }
+        let now = sim.time();
+        sim.step().unwrap();
+        assert!((sim.time() - now) * dt > 0.0, "from {now} to {}", sim.time());
+        // A search that finds nothing ends there as well.
+        for n in 1..=100 {
+            let (mut sim, to) = (run(), f64::from(n) * dt);
+            assert!(sim.until_event(to, Direction::Any, |_| 1.0).unwrap().is_none());
+            assert_eq!(sim.time(), to);
+        }
     }
 }
 

@@ -1,8 +1,9 @@
 //! Adaptive steps: every coordinate is followed with the same relative accuracy, whatever the others are.
 
-use geoint_runtime::Method;
 use geoint_runtime::prelude::*;
+use geoint_runtime::{Method, Reason};
 use geoint_tests::measure::distance;
+use geoint_tests::methods::{self, Visitor};
 use geoint_tests::problems::flat;
 
 /// Two oscillators that know nothing of each other.
@@ -162,4 +163,60 @@ fn a_limit_of_steps() {
     let mut sim = sim.steps_at_most(u64::MAX);
     sim.advance_to(20.0).unwrap();
     assert_eq!(sim.time(), 20.0);
+}
+
+/// An estimate whose square overflows is a number none the less, and refuses the step.
+#[test]
+fn tolerances_that_nothing_meets() {
+    let system = TwoOscillators { m: [1.6, 0.5], k: [2.5, 32.0] };
+    for tolerance in [1e-200, 1e-300, 5e-324] {
+        let mut sim = system.adaptive(DOP853, tolerance, State::new([1.0, 0.5], [0.3, 0.2]));
+        for _ in 0..2 {
+            let error = sim.step().expect_err("nothing is as accurate");
+            let StepError::StepTooSmall { reason: Reason::Inaccurate { error }, .. } = error else { panic!("{error}") };
+            assert!(error > 1.0, "{tolerance:e}: {error}");
+        }
+        assert!(sim.steps() == 0 && sim.step_size() > 0.0, "{tolerance:e}: {}", sim.step_size());
+    }
+}
+
+/// A start that is none is forgotten with the next one.
+#[test]
+fn sizes_of_a_state_that_is_not_finite() {
+    let system = TwoOscillators { m: [1.6, 0.5], k: [2.5, 32.0] };
+    let (good, bad) = (State::new([1.0, 0.5], [0.3, 0.2]), State::new([f64::INFINITY, 0.5], [f64::NAN, 0.2]));
+    macro_rules! check {
+        ($run:expr) => {{
+            let run = $run;
+            let (mut right, mut sim) = (run(good), run(bad));
+            assert!(matches!(sim.step(), Err(StepError::NonFiniteState { .. })));
+            sim.set_state(good);
+            for sim in [&mut right, &mut sim] {
+                sim.advance_to(10.0).expect("steps");
+            }
+            assert_eq!((sim.state(), sim.steps()), (right.state(), right.steps()));
+        }};
+    }
+    check!(|start| system.adaptive(RK4, 1e-8, start));
+    check!(|start| system.taylor(Taylor { tolerance: 1e-8 }, start));
+}
+
+/// A first step that is much too short costs a few steps, by methods of every order.
+#[test]
+fn steps_grow_by_every_order() {
+    struct Grow;
+    impl Visitor<TwoOscillators> for Grow {
+        fn visit<M: Method<TwoOscillators> + 'static>(&mut self, method: M) {
+            let system = TwoOscillators { m: [1.6, 0.5], k: [2.5, 32.0] };
+            let run = || system.adaptive(method, 1e-3, State::new([1.0, 0.5], [0.3, 0.2]));
+            let (mut usual, mut short) = (run(), run().first_step(1e-12).steps_at_most(2000));
+            for sim in [&mut usual, &mut short] {
+                sim.advance_to(1.0).unwrap_or_else(|error| panic!("{}: {error}", method.name()));
+            }
+            assert!(short.steps() < usual.steps() + 200, "{}: {}, {}", method.name(), short.steps(), usual.steps());
+        }
+    }
+    methods::general(&mut Grow);
+    methods::separable(&mut Grow);
+    Grow.visit(Gauss::<6>);
 }

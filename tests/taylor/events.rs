@@ -63,6 +63,29 @@ fn one_event_after_the_other() {
     }
 }
 
+/// The same from many starts: what is left of a coordinate at an event is rounding, of either sign, and says nothing of how fast the state changes.
+#[test]
+fn events_are_found_once_whatever_their_rounding() {
+    macro_rules! check {
+        ($($method:expr),*) => { $( for k in 0..40 {
+            let start = State::new(0.1 + 0.02 * f64::from(k), 1.0);
+            let phase = start.q.atan2(start.p);
+            let mut sim = Oscillator.taylor($method, start);
+            for n in 1..=12 {
+                let found = sim.until_event(100.0, Direction::Any, |s| s.q).unwrap().unwrap();
+                let gap = found.state.t - (PI * f64::from(n) - phase);
+                assert!(gap.abs() < 1e-3, "{}, from {}: event {n} is off by {gap}", stringify!($method), start.q);
+            }
+        } )* };
+    }
+    check!(
+        Taylor::default(),
+        Taylor { tolerance: 1e-6 },
+        TaylorFixed::<12> { h: 0.1 },
+        Projection(Taylor::default(), Energy)
+    );
+}
+
 /// A zero at the end of one search is found once: not by none, and not by the next one, too.
 #[test]
 fn where_one_search_ends_and_the_next_begins() {

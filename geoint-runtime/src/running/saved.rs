@@ -61,7 +61,7 @@ pub enum ResumeError {
         /// That were saved.
         found: usize,
     },
-    /// A coordinate or the time is not a finite number.
+    /// One of its numbers, or the time that follows from them, is not finite.
     NonFinite,
 }
 
@@ -77,7 +77,7 @@ impl fmt::Display for ResumeError {
                     "the run has {expected} numbers, not {found}: its system, or the kind of its sums, is another one"
                 )
             }
-            ResumeError::NonFinite => f.write_str("a coordinate or the time is not a finite number"),
+            ResumeError::NonFinite => f.write_str("a number of the run, or its time, is not finite"),
         }
     }
 }
@@ -121,7 +121,7 @@ pub(super) trait Recorded: Clone {
     fn name(&self) -> crate::method::Name;
     /// Shows everything that changes from step to step.
     fn record(&mut self, tape: &mut impl Tape<Self::Real>);
-    /// What follows from that is computed anew; whether the state is finite.
+    /// What follows from that is computed anew; whether the state, the time too, is finite.
     fn complete(&mut self) -> bool;
 }
 
@@ -145,12 +145,12 @@ pub(super) fn resume<T: Recorded>(run: &mut T, saved: &Saved) -> Result<(), Resu
         return Err(ResumeError::Scalar(*bits));
     }
     let mut resumed = run.clone();
-    let mut reader = Reader { words, read: 0 };
+    let mut reader = Reader { words, read: 0, finite: true };
     resumed.record(&mut reader);
     if reader.read != words.len() {
         return Err(ResumeError::Words { expected: reader.read, found: words.len() });
     }
-    if !resumed.complete() {
+    if !(reader.finite && resumed.complete()) {
         return Err(ResumeError::NonFinite);
     }
     *run = resumed;
@@ -172,6 +172,8 @@ impl<R: Bits> Tape<R> for Writer {
 struct Reader<'a> {
     words: &'a [u64],
     read: usize,
+    /// Whether all numbers so far are: no run has others from its first step on.
+    finite: bool,
 }
 
 impl Reader<'_> {
@@ -185,11 +187,18 @@ impl<R: Bits> Tape<R> for Reader<'_> {
     fn scalar(&mut self, x: &mut R) {
         if let Some(word) = self.next() {
             *x = R::from_word(word);
+            self.finite &= x.magnitude() < f64::INFINITY;
         }
     }
     fn count(&mut self, n: &mut u64) {
         if let Some(word) = self.next() {
             *n = word;
+        }
+    }
+    fn number(&mut self, x: &mut f64) {
+        if let Some(word) = self.next() {
+            *x = f64::from_bits(word);
+            self.finite &= x.is_finite();
         }
     }
 }

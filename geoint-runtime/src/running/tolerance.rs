@@ -39,9 +39,14 @@ impl<A: Array, Z: Action<A::Real>> Record<A::Real> for Tolerance<A, Z> {
 impl<A: Array, Z: Action<A::Real>> Tolerance<A, Z> {
     pub(crate) fn new(relative: f64, x: &PerCoordinate<A, Z>) -> Self {
         let zero = PerCoordinate::zero();
-        let mut sizes = zero;
-        keep(&mut sizes, x);
-        Tolerance { relative, absolute: zero, sizes, caused: zero, longest: 0.0 }
+        let mut tolerance = Tolerance { relative, absolute: zero, sizes: zero, caused: zero, longest: 0.0 };
+        tolerance.start(x);
+        tolerance
+    }
+
+    /// Includes a point from which a run goes on.
+    pub(crate) fn start(&mut self, x: &PerCoordinate<A, Z>) {
+        keep(&mut self.sizes, x);
     }
 
     /// A tolerance that is none.
@@ -74,7 +79,7 @@ impl<A: Array, Z: Action<A::Real>> Tolerance<A, Z> {
             *x = A::Real::from_f64(self.size(i, x.magnitude(), part));
         }
         keep(&mut self.sizes, &reached);
-        let time = h.abs() / part;
+        let time = (h.abs() / part).min(f64::MAX);
         if time > self.longest {
             self.longest = time;
             self.cause(before, time, rates);
@@ -145,10 +150,10 @@ impl<A: Array, Z: Action<A::Real>> Tolerance<A, Z> {
     }
 }
 
-/// Includes a point in the largest magnitudes.
+/// Includes a point in the largest magnitudes: by a coordinate that is infinite nothing could be measured.
 fn keep<A: Array, Z: Action<A::Real>>(sizes: &mut PerCoordinate<A, Z>, x: &PerCoordinate<A, Z>) {
     for (size, x) in sizes.numbers_mut().zip(x.numbers()) {
-        if x.magnitude() > size.magnitude() {
+        if x.magnitude() > size.magnitude() && x.magnitude() < f64::INFINITY {
             *size = A::Real::from_f64(x.magnitude());
         }
     }

@@ -54,6 +54,13 @@ impl<X: Snapshot> Estimate<X> {
         Self::group(&self.sizes, i)[0].magnitude()
     }
 
+    /// Includes a point from which a run goes on. By one that is infinite nothing could be measured.
+    pub(crate) fn start(&mut self, x: &PerCoordinate<X::Phase, X::Action>) {
+        if x.is_finite() {
+            self.include(x);
+        }
+    }
+
     /// Includes a point.
     #[inline(always)]
     pub(crate) fn include(&mut self, x: &PerCoordinate<X::Phase, X::Action>) {
@@ -120,24 +127,33 @@ impl<X: Snapshot> Estimate<X> {
     /// In how long, roughly, the state changes, in the unit of its coefficients: until a term is as large as its group, or of a group that is
     /// zero so far, as its first term. Terms that have overflown, or are below the normal numbers, are not asked. Infinite if none tells.
     pub(crate) fn time(&self, jet: &[PerCoordinate<X::Phase, X::Action>]) -> f64 {
-        Self::time_of(&self.sizes, jet)
+        (0..Self::GROUPS).map(|i| Self::time_of_group(&self.sizes, jet, i)).fold(f64::INFINITY, f64::min)
     }
 
-    /// The same of a state, whatever has been before it.
+    /// The same of a state, whatever has been before it. Next to zero, where an event may be, a group tells by its rates.
     pub(crate) fn time_of(
         state: &PerCoordinate<X::Phase, X::Action>,
         jet: &[PerCoordinate<X::Phase, X::Action>],
     ) -> f64 {
-        let normal = |x: f64| x >= X::Real::smallest() && x < f64::INFINITY;
         let of_group = |i: usize| {
-            let mut terms = (1..).zip(jet.iter().map(|x| Self::magnitude(x, i))).filter(|(_, term)| normal(*term));
-            let first = Some((0, Self::magnitude(state, i))).filter(|(_, size)| normal(*size)).or_else(|| terms.next());
-            let time = |(k, term): (usize, f64)| {
-                first.map(|(j, size)| Real::exp2((Real::log2(size) - Real::log2(term)) / (k - j) as f64))
-            };
-            terms.filter_map(time).fold(f64::INFINITY, f64::min)
+            let [time, by_rates] = [state, &PerCoordinate::zero()].map(|x| Self::time_of_group(x, jet, i));
+            if by_rates < f64::INFINITY { f64::max(time, by_rates) } else { time }
         };
         (0..Self::GROUPS).map(of_group).fold(f64::INFINITY, f64::min)
+    }
+
+    fn time_of_group(
+        state: &PerCoordinate<X::Phase, X::Action>,
+        jet: &[PerCoordinate<X::Phase, X::Action>],
+        i: usize,
+    ) -> f64 {
+        let normal = |x: f64| x >= X::Real::smallest() && x < f64::INFINITY;
+        let mut terms = (1..).zip(jet.iter().map(|x| Self::magnitude(x, i))).filter(|(_, term)| normal(*term));
+        let first = Some((0, Self::magnitude(state, i))).filter(|(_, size)| normal(*size)).or_else(|| terms.next());
+        let time = |(k, term): (usize, f64)| {
+            first.map(|(j, size)| Real::exp2((Real::log2(size) - Real::log2(term)) / (k - j) as f64))
+        };
+        terms.filter_map(time).fold(f64::INFINITY, f64::min)
     }
 
     /// What part of a radius of convergence a step of this order has.

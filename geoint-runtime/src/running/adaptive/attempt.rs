@@ -84,19 +84,21 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
                 self.check(R::from_f64(prepared.h), &x)?;
                 let [before, after] = [self.x, &x].map(PerCoordinate::of);
                 let [higher, lower] = [higher, lower].map(|gap| self.judge(&before, &after, &gap));
-                let error = higher * higher / Real::sqrt(higher * higher + 0.01 * lower * lower);
-                // 0/0 is no error.
-                Ok((x, if higher == 0.0 { 0.0 } else { error }))
+                // Squares of errors overflow before their quotient does.
+                let ratio = if higher > 0.0 && higher < f64::INFINITY { lower / higher } else { 0.0 };
+                let error = higher / Real::sqrt(1.0 + 0.01 * ratio * ratio);
+                if error.is_nan() { Err(Reason::NonFinite) } else { Ok((x, error)) }
             }
         }
     }
 
-    /// Whether the point at which a step, or a half of it, ends is one: `h` after the start.
+    /// Whether the point at which a step, or a half of it, ends is one, and its time a number: `h` after the start.
     pub(super) fn check(&self, h: R, x: &Carried<S, R>) -> Result<(), Reason> {
-        if !x.is_finite() {
+        let t = self.t + h + x.ahead.value();
+        if !(x.is_finite() && t.magnitude() < f64::INFINITY) {
             return Err(Reason::NonFinite);
         }
-        match self.system.outside_domain(self.t + h + x.ahead.value(), &x.z, &x.s) {
+        match self.system.outside_domain(t, &x.z, &x.s) {
             Some(what) => Err(Reason::OutsideDomain { what }),
             None => Ok(()),
         }

@@ -127,14 +127,24 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
         if left.is_nan() {
             return Err(StepError::InvalidStepSize { h: left });
         }
-        self.steps.controller.turn(left < 0.0);
+        let backwards = left < 0.0;
+        self.steps.controller.turn(backwards);
         self.steps.take(left.abs())?;
-        // Methods that scale their steps end a little beside it, and take another one.
-        let gap = self.steps.clock.left(t).abs();
-        if gap < f64::INFINITY && gap <= R::epsilon() * (signed(t).abs() + self.step_size().abs()) {
-            self.steps.clock = Clock::new(t, zero());
+        loop {
+            let rest = self.steps.clock.left(t);
+            if rest.is_finite() && rest.abs() <= R::epsilon() * (signed(t).abs() + self.step_size().abs()) {
+                self.steps.clock = Clock::new(t, zero());
+                return Ok(true);
+            }
+            // Methods that scale their steps end a little beside it: before it, and the next step leads there, or beyond, and this one leads back.
+            if (rest < 0.0) == backwards {
+                return Ok(true);
+            }
+            self.steps.controller.turn(!backwards);
+            let outcome = self.steps.take(rest.abs());
+            self.steps.controller.turn(backwards);
+            outcome?;
         }
-        Ok(true)
     }
 
     /// The state after every step to the time `t`, before or after now: the last one is there.

@@ -57,6 +57,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
     pub(super) fn restart(&mut self, t: R, x: Carried<S, R>) {
         (self.clock, self.x, self.memory) = (Clock::new(t, zero()), x, [M::memory(), M::memory()]);
         (self.given, self.origin) = (self.taken, self.x.z);
+        self.tolerance.start(&PerCoordinate::of(&self.x));
         let backwards = self.size() < 0.0;
         self.controller.start(self.guess(), self.tolerance.relative);
         self.controller.turn(backwards);

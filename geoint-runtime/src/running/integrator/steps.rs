@@ -188,10 +188,12 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
         }
     }
 
-    /// Whether a state is finite, and the energy defined there.
+    /// Whether a state is finite, its time too, and the energy defined there. Where time is a number after the last step it was after all others.
     #[inline(always)]
     fn is_good(&self, steps: u64, x: &Point<S::Phase, C, S::Action>) -> bool {
-        x.is_finite() && ((!M::INNER && M::shows(&self.prepared)) || self.is_defined(steps, x))
+        x.is_finite()
+            && ((!M::INNER && M::shows(&self.prepared)) || self.is_defined(steps, x))
+            && self.end(steps, x).magnitude() < f64::INFINITY
     }
 
     /// The same of what the user sees: the way out of the method's coordinates may lead to no finite point.

@@ -49,7 +49,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
             taylor::Steps::Length(h) => (0.0, h < 0.0),
         };
         let mut estimate = Estimate::new(tolerance);
-        estimate.include(&PerCoordinate::of(&here.x));
+        estimate.start(&PerCoordinate::of(&here.x));
         Steps {
             system,
             method,
@@ -74,7 +74,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         let here = self.here_mut();
         *here = Expansion { unit, ..Expansion::new(t, x) };
         let x = PerCoordinate::of(&here.x);
-        self.estimate.include(&x);
+        self.estimate.start(&x);
         // There is no last step to look into.
         (self.known, self.within, self.given) = (false, false, self.taken);
         (self.stuck, self.turned) = (0, None);

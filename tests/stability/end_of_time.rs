@@ -1,0 +1,70 @@
+//! The largest numbers: no run comes to a time that is none.
+
+use super::time::{every, number};
+use geoint_runtime::prelude::*;
+use geoint_runtime::{Method, Reason};
+use geoint_tests::methods::Visitor;
+use geoint_tests::problems::*;
+use geoint_tests::scalars::Scalar;
+
+/// At rest nothing but time ends a run: at the largest numbers, with an error, whatever it is called by.
+struct EndOfTime {
+    from: f64,
+    h: f64,
+}
+
+/// A state at rest at the bottom of a potential.
+fn at_rest<R: Scalar>(t: f64) -> State<[R; 2]> {
+    let zeros = [R::from_f64(0.0); 2];
+    State { t: R::from_f64(t), ..State::new(zeros, zeros) }
+}
+
+impl<R: Scalar> Visitor<HenonHeiles<R>, R> for EndOfTime {
+    fn visit<M: Method<HenonHeiles<R>, R> + 'static>(&mut self, method: M) {
+        let name = format!("{} from {:.1e} by {:.1e}", method.name(), self.from, self.h);
+        let run = || HenonHeiles::system::<R>().integrator(method, R::from_f64(self.h), at_rest(self.from));
+        let (mut singly, mut at_once, mut towards) = (run(), run(), run());
+        let error = (0..2000).find_map(|_| singly.step().err()).unwrap_or_else(|| panic!("{name}: no end"));
+        assert_eq!(at_once.advance(2000), Err(error), "{name}");
+        let infinity = R::from_f64(f64::INFINITY * self.h.signum());
+        assert_eq!(towards.until(infinity).last(), Some(Err(error)), "{name}");
+        for sim in [singly, at_once, towards] {
+            assert!(sim.time().magnitude() < f64::INFINITY, "{name}");
+        }
+    }
+}
+
+#[test]
+fn no_step_ends_after_the_largest_time() {
+    let largest = f64::from(f32::MAX);
+    for (part, step) in [(1.0, 0.01), (0.5, 1e-3), (-0.5, -1e-3)] {
+        every::<HenonHeiles, f64, _>(&mut EndOfTime { from: part * f64::MAX, h: step * f64::MAX });
+        every::<HenonHeiles<f32>, f32, _>(&mut EndOfTime { from: part * largest, h: step * largest });
+    }
+    let mut sim = HenonHeiles::system().integrator(StormerVerlet, 1e-3 * f64::MAX, at_rest(0.5 * f64::MAX));
+    assert_eq!(sim.advance(2000), Err(StepError::NonFinite { t: sim.time() }));
+    assert!((499..=500).contains(&sim.steps()), "{} steps", sim.steps());
+}
+
+/// Steps that adapt become longer and longer there.
+#[test]
+fn steps_that_grow_without_end() {
+    fn check<R: Scalar, M: Method<HenonHeiles<R>, R>>(method: M, from: f64) {
+        let name = format!("{} from {from:.1e}, ε = {:.0e}", method.name(), R::epsilon());
+        let mut sim = HenonHeiles::system::<R>().adaptive(method, 1e-8, at_rest(from));
+        let error = sim.advance(10_000).expect_err(&name);
+        let StepError::StepTooSmall { reason: Reason::NonFinite, t, .. } = error else { panic!("{name}: {error}") };
+        assert_eq!(t, number(sim.time()), "{name}");
+        assert!(t.is_finite() && sim.state() == at_rest(t), "{name}: {:?}", sim.state());
+        assert_eq!(sim.step(), Err(error), "{name}");
+    }
+    for from in [0.0, f64::MAX] {
+        check::<f64, _>(BlanesMoan4, from);
+        check::<f64, _>(DOP853, from);
+        check::<f64, _>(Relaxation(RK4), from);
+    }
+    for from in [0.0, f64::from(f32::MAX)] {
+        check::<f32, _>(BlanesMoan4, from);
+        check::<f32, _>(DOP853, from);
+    }
+}
