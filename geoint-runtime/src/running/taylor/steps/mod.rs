@@ -1,15 +1,16 @@
-//! How long the next step is, where it leads, and whether it is taken.
+//! How long the next step is, and whether it is taken.
 
+mod attempt;
 mod expansion;
 mod switches;
 
 use crate::running::error::{Reason, StepError};
 use crate::running::step_size::Bounds;
-use crate::scalar::{Real, signed, zero};
+use crate::scalar::{Real, signed};
 use crate::space::{Array, PerCoordinate};
 #[cfg(feature = "alloc")]
 use crate::space::{Record, Tape};
-use crate::system::{Jets, jump_on_way};
+use crate::system::Jets;
 use crate::taylor::{self, Estimate, TaylorMethod};
 use expansion::Expansion;
 use switches::{NEARLY, STUCK, Switch};
@@ -242,83 +243,6 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
     /// A length in the direction of the run.
     fn towards(&self, h: f64) -> f64 {
         if self.backwards { -h } else { h }
-    }
-
-    /// Goes a step of length h, in place of a whole one, to the other end. The coefficients there are computed, and, if `compared`, their first
-    /// order with that of the polynomial.
-    #[inline(always)]
-    fn attempt(&mut self, h: f64, whole: f64, compared: bool) -> Result<(), Reason> {
-        let (order, [first, second]) = (self.method.order(), &mut self.ends);
-        let (from, to) = if self.second { (second, first) } else { (first, second) };
-        let (mut x, mut clock) = (from.x, from.clock);
-        let part = from.in_units(h);
-        for increment in taylor::increments(&from.jet.as_ref()[..order], part) {
-            x.add_everywhere(&increment);
-        }
-        if !x.is_finite() {
-            return Err(Reason::Diverges);
-        }
-        to.memory = from.memory;
-        if let Some(correction) = self.method.correction(&mut to.memory, &self.system, &from.x.z, &x.z)? {
-            x.add(&correction);
-        }
-        clock.pass_length(R::from_f64(h));
-        if clock.now(zero()).magnitude().is_nan() || clock.now(zero()).magnitude() == f64::INFINITY {
-            return Err(Reason::NonFinite);
-        }
-        (to.x, to.clock) = (x, clock);
-        to.expand(order, &self.system, whole);
-        let here = to.rates(from.unit);
-        if S::EXAMINED
-            && let Some(what) = self.outside_domain()
-        {
-            return Err(Reason::OutsideDomain { what });
-        }
-        if let Some(what) = self.jump() {
-            return Err(Reason::OutsideDomain { what });
-        }
-        if !here.is_finite() {
-            return Err(self.outside_domain().map_or(Reason::Diverges, |what| Reason::OutsideDomain { what }));
-        }
-        if compared && !self.is_fixed() && !self.agrees(part, &here) && !self.agrees_late(part, &here) {
-            return Err(Reason::Diverges);
-        }
-        Ok(())
-    }
-
-    /// What is not defined where an attempt led.
-    fn outside_domain(&self) -> Option<&'static str> {
-        let end = self.start();
-        self.system.outside_domain(end.time(), &end.x.z, &end.x.s)
-    }
-
-    /// A jump of the energy on the way to where an attempt led: series know nothing of it.
-    #[inline(always)]
-    fn jump(&self) -> Option<&'static str> {
-        let ends = [self.here(), self.start()].map(|end| (end.time(), PerCoordinate::of(&end.x)));
-        let part = match self.method.steps() {
-            taylor::Steps::Tolerance(tolerance) => tolerance,
-            taylor::Steps::Length(_) => 0.0,
-        };
-        jump_on_way(&self.system, &ends, part)
-    }
-
-    /// Whether the rates where an attempt led, in the unit of the coefficients at the present, are those of the polynomial that led there.
-    ///
-    /// Not inlined: together with other sums of the same coefficients this one is not vectorised well.
-    #[inline(never)]
-    fn agrees(&self, part: f64, rates: &PerCoordinate<S::Phase, S::Action>) -> bool {
-        let polynomial = taylor::rate(self.jet(), part);
-        self.estimate.agree(part, [&polynomial, rates], &self.jet()[0], &PerCoordinate::zero())
-    }
-
-    /// The same, but for what rates may be off because the time there is rounded: near a pole in time.
-    #[cold]
-    fn agrees_late(&self, part: f64, rates: &PerCoordinate<S::Phase, S::Action>) -> bool {
-        let (polynomial, [from, end]) = (taylor::rate(self.jet(), part), [self.here(), self.start()]);
-        let mut late = end.jet.as_ref()[1];
-        late.times(R::from_f64(2.0 * from.unit / end.unit * (2.0 * R::epsilon() * end.time().magnitude() / end.unit)));
-        self.estimate.agree(part, [&polynomial, rates], &self.jet()[0], &late)
     }
 
     /// Why a step is not shorter than the shortest: that changes no time, or is what the user allows.
