@@ -9,9 +9,8 @@ const RUNGS: [f64; 4] = [1.0, 1.189_207_115_002_721, core::f64::consts::SQRT_2, 
 /// How far errors stay below the tolerance, so that few steps are rejected.
 const SAFETY: f64 = 0.9;
 
-/// An error below this is counted as this one, where that lengthens steps at all: of high orders the bound is lower, by so many powers of 2 for
-/// every order. Two such errors in a row are then worth a rung.
-const LEAST: (f64, f64) = (1e-4, -1.4);
+/// The error of the step before is counted as this at least: after one that was far too short the next is judged by its own.
+const LEAST: f64 = 1e-4;
 
 /// Steps never become longer, or, after a rejection, shorter by more rungs than this.
 const LEAP: f64 = 8.0;
@@ -109,9 +108,8 @@ impl Controller {
 
     /// A step `h`, of the controller's length within bounds, had this error.
     pub(crate) fn accept(&mut self, h: f64, error: f64) {
-        let least = LEAST.0.min(Real::exp2(LEAST.1 * self.exponent));
-        let (error, before) = (error.max(least), self.before.max(least));
-        let wish = rungs(SAFETY) + (0.4 * rungs(before) - 0.7 * rungs(error)) / self.exponent;
+        // Without end where there is no error.
+        let wish = rungs(SAFETY) + (0.4 * rungs(self.before.max(LEAST)) - 0.7 * rungs(error)) / self.exponent;
         let most = if self.rejected { 0.0 } else { LEAP };
         self.rung = rung(h) + floor(wish).clamp(-LEAP, most);
         (self.before, self.rejected) = (error, false);
