@@ -53,6 +53,11 @@ impl Dual {
         Dual(self.0.recip())
     }
 
+    /// What lies between two bounds.
+    pub fn clamp(self, low: impl Into<Dual>, high: impl Into<Dual>) -> Self {
+        Real::min(Real::max(self, low.into()), high.into())
+    }
+
     /// x·a + b.
     pub fn mul_add(self, a: Self, b: Self) -> Self {
         Dual(DualNum::mul_add(&self.0, a.0, b.0))
