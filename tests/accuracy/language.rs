@@ -74,7 +74,7 @@ functions! {
     mul_add(q, p) in -2.0, 2.0: q.mul_add(p * q, q * p * p);
     min(q, p) in -2.0, 2.0: (q * q * q).min(p * p) * p;
     max(q, p) in -2.0, 2.0: (q * q * q).max(q * p) * p;
-    clamp(q, p) in -2.0, 2.0: (q * q * q).clamp(-1.5, 2.0) * p;
+    clamp(q, p) in -2.0, 2.0: (q.clamp(-3.0, -2.5) * q + p.clamp(2.5, 3.0) * q * q + q.clamp(-2.5, 2.5)) * p;
     signum(q, p) in 0.1, 2.0: (q - p - 3.0).signum() * q * q * p + (q + p).signum() * p;
     to_radians(q, p) in -180.0, 180.0: q.to_radians().sin() * p;
     to_degrees(q, p) in -0.01, 0.01: q.to_degrees().sin() + p.to_degrees() * q;
