@@ -90,7 +90,9 @@ fn steps_adapt_to_a_tolerance() {
         all
     });
     for ((rough, few), (fine, many)) in wide.into_iter().zip(narrow) {
-        assert!(fine < 0.03 * rough && many > few && many < 100 * few, "{rough:.1e} {fine:.1e}, {few} {many}");
+        // Of few steps, each longer than the one before, the first ones may already be as short as the finer tolerance asks for.
+        let follows = fine < 0.03 * rough || rough < 1e-8;
+        assert!(follows && many > few && many < 100 * few, "{rough:.1e} {fine:.1e}, {few} {many}");
     }
 }
 
