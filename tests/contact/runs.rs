@@ -76,7 +76,7 @@ fn steps_adapt_to_a_tolerance() {
         let (own, double) = (Coupled { a: 0.4 }, Coupled { a: exact(0.4) });
         let start = (COUPLED.0, &COUPLED.1[..]);
         all.extend([
-            adapted(own, double, BlanesMoanSrkn14a, tolerance, start, 4.0),
+            adapted(own, double, BlanesMoanSrkn14a, tolerance, start, 8.0),
             adapted(own, double, Suzuki4.of(ContactLeapfrog), tolerance, start, 4.0),
             adapted(own, double, Suzuki4.of(ContactDiscreteGradient), tolerance, start, 4.0),
         ]);
@@ -90,9 +90,7 @@ fn steps_adapt_to_a_tolerance() {
         all
     });
     for ((rough, few), (fine, many)) in wide.into_iter().zip(narrow) {
-        // Of few steps, each longer than the one before, the first ones may already be as short as the finer tolerance asks for.
-        let follows = fine < 0.03 * rough || rough < 1e-8;
-        assert!(follows && many > few && many < 100 * few, "{rough:.1e} {fine:.1e}, {few} {many}");
+        assert!(fine < 0.03 * rough && many > few && many < 100 * few, "{rough:.1e} {fine:.1e}, {few} {many}");
     }
 }
 
