@@ -28,11 +28,7 @@ pub(crate) fn edges_of_jumps(graph: &mut Graph, function: Id) -> Vec<Edge> {
 ///
 /// It does not jump where both its sides are equal, nor where no solution leads from one to the other.
 pub(crate) fn may_jump(graph: &mut Graph, x: &[Symbol], field: &[Id], function: Id) -> Option<[Id; 2]> {
-    edges(graph, function).into_iter().find_map(|edge| {
-        let height = height(graph, function, &edge);
-        if vanishes_on(graph, edge.difference, height) {
-            return None;
-        }
+    edges_of_jumps(graph, function).into_iter().find_map(|edge| {
         let crossing = claims::derivative_along(graph, x, field, edge.difference, None);
         let crossing = graph.sum(&crossing);
         (!vanishes_on(graph, edge.difference, crossing)).then_some(edge.equal)
