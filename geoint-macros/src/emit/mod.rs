@@ -17,6 +17,7 @@ mod missing;
 mod poles;
 pub(crate) mod report;
 mod straight_line;
+mod tokens;
 mod calls;
 mod structure;
 mod system;

@@ -8,10 +8,11 @@
 
 use super::kernel::Given;
 use super::loops::Output;
+use super::tokens::Tokens;
 use crate::ir::{Function, HashMap, Number, Relation, Symbol};
 use crate::schedule::{Block, Instruction, Operand, Register, Statement};
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
-use quote::{ToTokens, format_ident, quote};
+use quote::{ToTokens, format_ident};
 use std::cell::RefCell;
 
 /// The arrays in which routines find the slots of earlier levels.
@@ -27,29 +28,27 @@ pub(crate) struct Names<'a> {
 }
 
 /// The statements of a block, followed by what `finish` makes of its results.
-pub(crate) fn routine(
+pub(crate) fn routine<T: ToTokens>(
     block: &Block,
     names: Names<'_>,
-    finish: impl FnOnce(Vec<TokenStream>) -> TokenStream,
+    finish: impl FnOnce(Vec<Tokens>) -> T,
 ) -> TokenStream {
     let mut writer = Writer::new(names);
     let (results, alone) = writer.results(block, &[]);
     // Nothing is written by a loop where there are no targets.
-    let value = |output| if let Output::Value(value) = output { value } else { TokenStream::new() };
+    let value = |output| if let Output::Value(value) = output { value } else { Tokens::default() };
     let last = finish(results.into_iter().map(value).collect());
     writer.finished(&alone, last)
 }
 
 /// The statements of a block, and those that write its results to `targets`.
 pub(crate) fn assignments(block: &Block, names: Names<'_>, targets: &[Given]) -> TokenStream {
-    let write = |(target, output): (&Given, Output)| match output {
-        Output::Value(value) => quote!(#target = #value;),
-        Output::Loop(statement) => statement,
-        Output::Written => TokenStream::new(),
-    };
     let mut writer = Writer::new(names);
     let (results, alone) = writer.results(block, targets);
-    writer.finished(&alone, targets.iter().zip(results).map(write).collect())
+    for (target, output) in targets.iter().zip(results) {
+        writer.write(target, output);
+    }
+    writer.finished(&alone, Tokens::default())
 }
 
 pub(super) struct Writer<'a> {
@@ -90,27 +89,41 @@ impl<'a> Writer<'a> {
     }
 
     /// Names, statements, and what comes last.
-    fn finished(mut self, alone: &[Register], last: TokenStream) -> TokenStream {
+    fn finished(mut self, alone: &[Register], last: impl ToTokens) -> TokenStream {
         let mut tokens = self.declaration(alone);
         self.names.registers.replace(self.registers);
         tokens.extend(self.given);
         tokens.extend(self.tokens);
-        tokens.extend(last);
+        last.to_tokens(&mut tokens);
         tokens
     }
 }
 
 impl Writer<'_> {
     /// Writes the statements; returns the results.
-    fn block(&mut self, block: &Block) -> Vec<TokenStream> {
+    fn block(&mut self, block: &Block) -> Vec<Tokens> {
         for statement in &block.statements {
             self.statement(statement);
         }
         block.results.iter().map(|operand| self.result(operand)).collect()
     }
 
-    pub(super) fn result(&mut self, operand: &Operand) -> TokenStream {
-        self.inside(|writer| writer.operand(operand))
+    pub(super) fn result(&mut self, operand: &Operand) -> Tokens {
+        self.apart(|writer| writer.operand(operand)).into()
+    }
+
+    /// `target = result;`, if no loop writes it.
+    fn write(&mut self, target: &Given, output: Output) {
+        match output {
+            Output::Value(value) => {
+                target.tokens().push_to(&mut self.tokens);
+                self.punct("=");
+                value.push_to(&mut self.tokens);
+                self.punct(";");
+            }
+            Output::Loop(statement) => self.tokens.extend(statement),
+            Output::Written => {}
+        }
     }
 
     /// `let (names, registers,);` of a routine, or of a branch, which has no names of its own.
@@ -180,7 +193,7 @@ impl Writer<'_> {
             let results = writer.block(block);
             let list = writer.inside(|writer| {
                 for result in results {
-                    writer.tokens.extend(result);
+                    result.push_to(&mut writer.tokens);
                     writer.punct(",");
                 }
             });
@@ -293,7 +306,7 @@ impl Writer<'_> {
         self.tokens.push(name.clone().into());
         self.punct("=");
         match operand {
-            Operand::Input(symbol) => self.tokens.extend((self.names.input)(symbol).into_token_stream()),
+            Operand::Input(symbol) => (self.names.input)(symbol).tokens().push_to(&mut self.tokens),
             Operand::Slot(level, index) => {
                 self.word(SLOTS[level]);
                 let index = self.inside(|writer| writer.literal(index));
@@ -383,10 +396,14 @@ impl Writer<'_> {
         self.tokens.push(Group::new(delimiter, tokens).into());
     }
 
-    /// What `write` writes, apart from the rest.
+    /// What `write` writes, apart from the rest: what is in a group.
     pub(super) fn inside(&mut self, write: impl FnOnce(&mut Self)) -> TokenStream {
+        self.apart(write).into_iter().collect()
+    }
+
+    fn apart(&mut self, write: impl FnOnce(&mut Self)) -> Vec<TokenTree> {
         let outside = std::mem::take(&mut self.tokens);
         write(self);
-        std::mem::replace(&mut self.tokens, outside).into_iter().collect()
+        std::mem::replace(&mut self.tokens, outside)
     }
 }
