@@ -50,16 +50,16 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
         let start = (table.outer[0], table.gradients[0]);
         let last = (table.last != 0.0).then_some((table.last, table.gradients[0]));
         let merged = last.map_or(start, |last| (start.0 + last.0, start.1 + last.1));
-        let inner = core::array::from_fn(|i| (table.inner[i], table.gradients[i]));
-        let between = core::array::from_fn(|i| match i + 1 {
+        let inner = |(fraction, gradient)| O::prepare_inner(system, weight(fraction, gradient));
+        let between = |i| match i + 1 {
             next if next < K => (table.outer[next], table.gradients[next]),
             _ => merged,
-        });
+        };
         let first = outer(start);
         Sequence {
-            inner: mirrored(inner, K, |(fraction, gradient)| O::prepare_inner(system, weight(fraction, gradient))),
+            inner: mirrored(|i| (table.inner[i], table.gradients[i]), K, inner),
             outer: mirrored(between, K - 1, outer),
-            last: last.map(|last| if last == start { first.clone() } else { outer(last) }),
+            last: last.map(|last| if last == start { first } else { outer(last) }),
             first,
             inner_at,
             outer_at,
@@ -194,28 +194,30 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
 
 /// What is prepared with some weights, of which the first ones are a palindrome or not: what is there already is copied, because a matrix takes
 /// long to prepare.
-fn mirrored<W: Copy + PartialEq, T: Clone, const K: usize>(
-    weights: [W; K],
+fn mirrored<W: PartialEq, T: Copy, const K: usize>(
+    weight: impl Fn(usize) -> W,
     palindrome: usize,
     prepare: impl Fn(W) -> T,
 ) -> [T; K] {
-    let mut all = weights.map(|_| None);
-    for i in 0..K {
-        let mirror = palindrome.checked_sub(i + 1).filter(|j| *j < i && weights[*j] == weights[i]);
-        all[i] = mirror.and_then(|j| all[j].clone());
-        if all[i].is_none() {
-            all[i] = Some(prepare(weights[i]));
-        }
+    let mut all = [prepare(weight(0)); K];
+    for i in 1..K {
+        let before = i < palindrome && palindrome <= 2 * i;
+        all[i] = if before && weight(palindrome - 1 - i) == weight(i) {
+            all[palindrome - 1 - i]
+        } else {
+            prepare(weight(i))
+        };
     }
-    core::array::from_fn(|i| all[i].take().unwrap_or_else(|| prepare(weights[i])))
+    all
 }
 
-/// A flow under the eyes of a probe: a part of a drift that ends before its time is named.
+/// A flow under the eyes of a probe: a part of a drift that ends before its time is named. What is `Copy` is not dropped where something
+/// panics, for which every user would compile code.
 #[inline(always)]
 fn seen<S: Separable<R>, R: Real, C: Summation<S::Phase>, P: Probe<S, R>>(
     is_drift: bool,
     Step { system, t, x, probe, .. }: Step<'_, S, R, C, P>,
-    flow: impl FnOnce(Moving<'_, S, R, C>),
+    flow: impl FnOnce(Moving<'_, S, R, C>) + Copy,
 ) {
     probe.visit(t, &x.z, &x.s);
     // The constant first: nothing is compiled of what is not asked.
