@@ -1,36 +1,39 @@
 //! What routines are given: variables, and entries of arrays.
 
-use proc_macro2::{Delimiter, Group, Literal, TokenStream, TokenTree};
+use super::tokens::Tokens;
+use proc_macro2::TokenStream;
 use quote::ToTokens;
 
 /// `base[i][j]…`
-pub(crate) fn element(base: TokenStream, indices: &[usize]) -> TokenStream {
-    let indices = indices.iter().map(|i| TokenTree::Literal(Literal::usize_unsuffixed(*i)));
-    let indices = indices.map(|i| TokenTree::Group(Group::new(Delimiter::Bracket, i.into())));
-    base.into_iter().chain(indices).collect()
+pub(crate) fn element(base: impl Into<Tokens>, indices: &[usize]) -> Tokens {
+    base.into().at(indices)
 }
 
 /// What a routine is given: a variable, or an entry of an array.
 pub(crate) struct Given {
     /// Entries of one array have one number.
     pub(super) array: usize,
-    pub(super) base: TokenStream,
+    pub(super) base: Tokens,
     pub(super) indices: Vec<usize>,
 }
 
 impl Given {
-    pub(super) fn entry(array: usize, base: TokenStream, indices: Vec<usize>) -> Self {
-        Given { array, base, indices }
+    pub(super) fn entry(array: usize, base: impl Into<Tokens>, indices: Vec<usize>) -> Self {
+        Given { array, base: base.into(), indices }
     }
 
-    pub(super) fn alone(base: TokenStream) -> Self {
-        Given { array: 0, base, indices: vec![] }
+    pub(super) fn alone(base: impl Into<Tokens>) -> Self {
+        Given { array: 0, base: base.into(), indices: vec![] }
+    }
+
+    pub(super) fn tokens(&self) -> Tokens {
+        self.base.clone().at(&self.indices)
     }
 }
 
 impl ToTokens for Given {
     fn to_tokens(&self, tokens: &mut TokenStream) {
-        tokens.extend(element(self.base.clone(), &self.indices));
+        self.tokens().to_tokens(tokens);
     }
 }
 

@@ -102,17 +102,17 @@ fn positive(context: &Context<'_>, Margins { values, count, margins }: &Margins<
 fn enclosed(context: &Context<'_>, name: &str, count: usize, choices: &[Block]) -> TokenStream {
     let parameters = context.scalars();
     let input = |symbol: Symbol| match symbol {
-        Symbol::Q(i) => Given::entry(array::POSITIONS, quote!(z), vec![i as usize]),
-        Symbol::P(i) => Given::entry(array::POSITIONS, quote!(z), vec![(context.energy.degrees() + i) as usize]),
-        Symbol::S => Given::alone(quote!(s)),
+        Symbol::Q(i) => Given::entry(array::POSITIONS, "z", vec![i as usize]),
+        Symbol::P(i) => Given::entry(array::POSITIONS, "z", vec![(context.energy.degrees() + i) as usize]),
+        Symbol::S => Given::alone("s"),
         Symbol::Parameter(i) if (i as usize) < parameters.len() => {
-            Given::entry(array::PARAMETERS, quote!(parameters), vec![i as usize])
+            Given::entry(array::PARAMETERS, "parameters", vec![i as usize])
         }
         symbol => context.input(symbol),
     };
     let arms = choices.iter().enumerate().map(|(i, block)| {
         let body = straight_line::routine(block, context.names(&input), |values| match &values[..] {
-            [value] => value.clone(),
+            [value] => quote!(#value),
             _ => quote!([#(#values),*]),
         });
         let number = Literal::usize_unsuffixed(i);

@@ -5,35 +5,34 @@
 
 use super::given::Given;
 use super::loops::Output;
+use super::tokens::Tokens;
 use super::writer::{Names, Writer};
 use crate::schedule::{Block, Register};
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::ToTokens;
 
 /// The statements of a block, followed by what `finish` makes of its results.
-pub(crate) fn routine(
+pub(crate) fn routine<T: ToTokens>(
     block: &Block,
     names: Names<'_>,
-    finish: impl FnOnce(Vec<TokenStream>) -> TokenStream,
+    finish: impl FnOnce(Vec<Tokens>) -> T,
 ) -> TokenStream {
     let mut writer = Writer::new(names);
     let (results, alone) = writer.results(block, &[]);
     // Nothing is written by a loop where there are no targets.
-    let value = |output| if let Output::Value(value) = output { value } else { TokenStream::new() };
+    let value = |output| if let Output::Value(value) = output { value } else { Tokens::default() };
     let last = finish(results.into_iter().map(value).collect());
     writer.finished(&alone, last)
 }
 
 /// The statements of a block, and those that write its results to `targets`.
 pub(crate) fn assignments(block: &Block, names: Names<'_>, targets: &[Given]) -> TokenStream {
-    let write = |(target, output): (&Given, Output)| match output {
-        Output::Value(value) => quote!(#target = #value;),
-        Output::Loop(statement) => statement,
-        Output::Written => TokenStream::new(),
-    };
     let mut writer = Writer::new(names);
     let (results, alone) = writer.results(block, targets);
-    writer.finished(&alone, targets.iter().zip(results).map(write).collect())
+    for (target, output) in targets.iter().zip(results) {
+        writer.write(target, output);
+    }
+    writer.finished(&alone, Tokens::default())
 }
 
 impl Writer<'_> {
@@ -42,6 +41,20 @@ impl Writer<'_> {
         match self.families(block, targets) {
             Some(families) => self.with_loops(block, families),
             None => (self.block(block).into_iter().map(Output::Value).collect(), block.registers()),
+        }
+    }
+
+    /// `target = result;`, if no loop writes it.
+    fn write(&mut self, target: &Given, output: Output) {
+        match output {
+            Output::Value(value) => {
+                target.tokens().push_to(&mut self.tokens);
+                self.punct("=");
+                value.push_to(&mut self.tokens);
+                self.punct(";");
+            }
+            Output::Loop(statement) => self.tokens.extend(statement),
+            Output::Written => {}
         }
     }
 }

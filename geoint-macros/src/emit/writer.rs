@@ -4,6 +4,7 @@
 //! are, that is several times faster than quoting.
 
 use super::given::Given;
+use super::tokens::Tokens;
 use crate::ir::{Function, HashMap, Number, Relation, Symbol};
 use crate::schedule::{Block, Instruction, Operand, Register, Statement};
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
@@ -35,7 +36,7 @@ pub(super) struct Writer<'a> {
     registers: Vec<Ident>,
     /// Registers that are entries of arrays.
     pub(super) members: HashMap<Register, TokenStream>,
-    tokens: Vec<TokenTree>,
+    pub(super) tokens: Vec<TokenTree>,
 }
 
 impl<'a> Writer<'a> {
@@ -53,27 +54,27 @@ impl<'a> Writer<'a> {
     }
 
     /// Names, statements, and what comes last.
-    pub(super) fn finished(mut self, alone: &[Register], last: TokenStream) -> TokenStream {
+    pub(super) fn finished(mut self, alone: &[Register], last: impl ToTokens) -> TokenStream {
         let mut tokens = self.declaration(alone);
         self.names.registers.replace(self.registers);
         tokens.extend(self.given);
         tokens.extend(self.tokens);
-        tokens.extend(last);
+        last.to_tokens(&mut tokens);
         tokens
     }
 }
 
 impl Writer<'_> {
     /// Writes the statements; returns the results.
-    pub(super) fn block(&mut self, block: &Block) -> Vec<TokenStream> {
+    pub(super) fn block(&mut self, block: &Block) -> Vec<Tokens> {
         for statement in &block.statements {
             self.statement(statement);
         }
         block.results.iter().map(|operand| self.result(operand)).collect()
     }
 
-    pub(super) fn result(&mut self, operand: &Operand) -> TokenStream {
-        self.inside(|writer| writer.operand(operand))
+    pub(super) fn result(&mut self, operand: &Operand) -> Tokens {
+        self.apart(|writer| writer.operand(operand)).into()
     }
 
     /// `let (names, registers,);` of a routine, or of a branch, which has no names of its own.
@@ -143,7 +144,7 @@ impl Writer<'_> {
             let results = writer.block(block);
             let list = writer.inside(|writer| {
                 for result in results {
-                    writer.tokens.extend(result);
+                    result.push_to(&mut writer.tokens);
                     writer.punct(",");
                 }
             });
@@ -256,7 +257,7 @@ impl Writer<'_> {
         self.tokens.push(name.clone().into());
         self.punct("=");
         match operand {
-            Operand::Input(symbol) => self.tokens.extend((self.names.input)(symbol).into_token_stream()),
+            Operand::Input(symbol) => (self.names.input)(symbol).tokens().push_to(&mut self.tokens),
             Operand::Slot(level, index) => {
                 self.word(SLOTS[level]);
                 let index = self.inside(|writer| writer.literal(index));
@@ -346,10 +347,14 @@ impl Writer<'_> {
         self.tokens.push(Group::new(delimiter, tokens).into());
     }
 
-    /// What `write` writes, apart from the rest.
+    /// What `write` writes, apart from the rest: what is in a group.
     pub(super) fn inside(&mut self, write: impl FnOnce(&mut Self)) -> TokenStream {
+        self.apart(write).into_iter().collect()
+    }
+
+    fn apart(&mut self, write: impl FnOnce(&mut Self)) -> Vec<TokenTree> {
         let outside = std::mem::take(&mut self.tokens);
         write(self);
-        std::mem::replace(&mut self.tokens, outside).into_iter().collect()
+        std::mem::replace(&mut self.tokens, outside)
     }
 }

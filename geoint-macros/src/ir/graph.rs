@@ -13,7 +13,7 @@ use super::op::{Domain, Function, Symbol};
 use super::reads::{Reads, Symbols};
 use super::sign::{Sign, sign};
 use super::table::Table;
-use std::cell::RefCell;
+use std::cell::{RefCell, RefMut};
 
 /// A node that is not defined everywhere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,11 +51,21 @@ impl Graph {
 
     /// The symbols that a node reads, in order.
     pub(crate) fn symbols(&self, id: Id) -> Vec<Symbol> {
+        self.noted(id).of(id)
+    }
+
+    /// Whether a node reads a symbol that `counts`.
+    pub(crate) fn reads_any(&self, id: Id, counts: impl Fn(Symbol) -> bool) -> bool {
+        self.noted(id).any(id, counts)
+    }
+
+    /// The sets of symbols, with that of a node.
+    fn noted(&self, id: Id) -> RefMut<'_, Symbols> {
         let mut symbols = self.symbols.borrow_mut();
         for id in self.unknown(id, &symbols.of) {
             symbols.note(id, self.node(id));
         }
-        symbols.of(id)
+        symbols
     }
 
     /// What is known of the sign of a node from its form, whatever its symbols are.

@@ -11,6 +11,7 @@ mod rules;
 use super::given::element;
 use super::kernel::Context;
 use super::structure::{self_type, state};
+use super::tokens::Tokens;
 use crate::derive::JetKernel;
 use crate::diff::jet::{Jet, Lanes, Operand, Rate, Rule, Source, Value};
 use crate::ir::Symbol;
@@ -207,13 +208,13 @@ impl Writer<'_> {
     }
 
     /// Where a coordinate is in a point.
-    fn place(&self, symbol: Symbol) -> TokenStream {
+    fn place(&self, symbol: Symbol) -> Tokens {
         let flow = self.context.energy.form.is_flow();
         match symbol {
-            Symbol::Q(i) if flow => element(quote!(z), &self.context.coordinate(i)),
+            Symbol::Q(i) if flow => element("z", &self.context.coordinate(i)),
             Symbol::Q(i) => element(quote!(z[0]), &self.context.coordinate(i)),
             Symbol::P(i) => element(quote!(z[1]), &self.context.coordinate(i)),
-            _ => quote!(s),
+            _ => "s".into(),
         }
     }
 
@@ -225,7 +226,7 @@ impl Writer<'_> {
     }
 
     /// The values at the start, the coefficients of order 0, and all orders.
-    fn start(&self, values: &[TokenStream]) -> TokenStream {
+    fn start(&self, values: &[Tokens]) -> TokenStream {
         let numbers = self.numbers.iter().map(|number| prepared(*number, values));
         let masks = self.jet.conditions.iter().map(|value| &values[*value]);
         let mut first = TokenStream::new();

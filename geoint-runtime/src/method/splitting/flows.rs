@@ -29,7 +29,7 @@ pub trait Kicks<S: Separable<R>, R: Real>: Sealed + Copy + Debug {
     /// What it needs of the system; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// Coefficients of a kick.
-    type Kick: Clone;
+    type Kick: Copy;
     /// Prepares a kick.
     fn prepare(system: &S, weight: Weight<R>) -> Self::Kick;
     /// A kick.
@@ -122,9 +122,9 @@ pub trait Order<S: Separable<R>, R: Real>: Sealed + Copy {
     /// What it needs of the system; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// Coefficients of an outer flow.
-    type Outer: Clone;
+    type Outer: Copy;
     /// Coefficients of an inner flow.
-    type Inner: Clone;
+    type Inner: Copy;
     /// Prepares an outer flow.
     fn prepare_outer(system: &S, weight: Weight<R>) -> Self::Outer;
     /// Prepares an inner flow.
