@@ -19,7 +19,7 @@ const HIGH: u32 = 8;
 const ROUNDED: f64 = 0.75;
 /// What a property that is claimed may be off by, and one that is not must be off by, of a method of order 2 at most. Symmetry is measured in
 /// double-double arithmetic: there the rounding of tables to `f64` is left, and no rounding of steps.
-const SYMMETRIC: f64 = 1e-15;
+const SYMMETRIC: f64 = 1e-17;
 const FORM: f64 = 1e-12;
 const ENERGY: f64 = 2e-12;
 const SEEN: f64 = 1e-9;
