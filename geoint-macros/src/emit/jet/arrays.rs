@@ -1,7 +1,7 @@
 //! The arrays of coefficients, and their names.
 
 use super::Writer;
-use crate::diff::jet::{LANES, Operand, Rule, Source};
+use crate::diff::jet::{LANES, Operand, Source};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -58,7 +58,7 @@ impl Writer<'_> {
     pub(super) fn has_array(&self, source: Source) -> bool {
         let series = &self.jet.series[source];
         let in_sums = series.kept && self.is_read_alone(Operand { source, weighted: false });
-        in_sums || series.before || matches!(series.rule, Rule::State(_))
+        in_sums || series.before
     }
 
     pub(super) fn has_weighted_array(&self, source: Source) -> bool {

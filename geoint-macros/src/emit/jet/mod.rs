@@ -11,7 +11,7 @@ mod rules;
 use super::kernel::{Context, element};
 use super::structure::{self_type, state};
 use crate::derive::JetKernel;
-use crate::diff::jet::{Jet, Lanes, Operand, Rate, Rule, Source, Value};
+use crate::diff::jet::{Jet, Lanes, Operand, Rate, Source, Value};
 use crate::ir::Symbol;
 use crate::parse::over_scalar;
 use crate::schedule::Plan;
@@ -118,13 +118,15 @@ impl Writer<'_> {
         let unit = self.number(Prepared::Unit);
         let groups: Vec<_> = self.lanes.iter().flat_map(|lanes| lanes.groups.clone()).collect();
         for (i, group) in groups.iter().enumerate() {
-            let (name, sum) = (format_ident!("sums{i}"), self.sum_of(group.weight, group.operands.map(side_by_side)));
+            let (name, sum) = (format_ident!("sums{i}"), {
+                let arrays: Vec<Ident> = group.operands.iter().copied().map(side_by_side).collect();
+                self.sum_of(group.weight, &arrays)
+            });
             body.extend(quote!(#name = #sum;));
         }
         for source in &self.jet.order {
             let (name, value) = (coefficient(*source), self.coefficient(*source));
-            let state = matches!(self.jet.series[*source].rule, Rule::State(_));
-            let kept = (self.has_array(*source) && !state).then(|| {
+            let kept = self.has_array(*source).then(|| {
                 let array = kept(*source);
                 quote!(#array[n] = #name;)
             });
@@ -171,7 +173,7 @@ impl Writer<'_> {
                 #[inline(always)]
                 fn order(&mut self, n: usize) {
                     let Self { k, masks, #(#arrays,)* jet, switches } = self;
-                    let (whole, next) = (R::from_f64(n as f64), #unit * R::from_f64(1.0 / (n + 1) as f64));
+                    let (whole, next) = (recurrence::whole::<R>(n), #unit * recurrence::inverse::<R>(n + 1));
                     let (#(#names,)*);
                     #body
                 }
@@ -189,20 +191,7 @@ impl Writer<'_> {
             }
             None => quote!(R::from_f64(0.0)),
         };
-        match self.array_of(rate.symbol) {
-            Some(array) => quote! {
-                jet[n].#place = #value;
-                if n + 1 < P {
-                    #array[n + 1] = jet[n].#place;
-                }
-            },
-            None => quote!(jet[n].#place = #value;),
-        }
-    }
-
-    /// The array of a coordinate that something reads.
-    fn array_of(&self, symbol: Symbol) -> Option<Ident> {
-        self.jet.series.iter().position(|series| series.rule == Rule::State(symbol)).map(kept)
+        quote!(jet[n].#place = #value;)
     }
 
     /// Where a coordinate is in a point.
@@ -235,9 +224,6 @@ impl Writer<'_> {
         for rate in &self.jet.rates {
             let (place, value) = (self.place(rate.symbol), &values[rate.value]);
             first.extend(quote!(jet[0].#place = unit * (#value);));
-            if let Some(array) = self.array_of(rate.symbol) {
-                first.extend(quote!(if P > 1 { #array[1] = jet[0].#place; }));
-            }
         }
         for (i, (value, _)) in self.jet.switches.iter().enumerate() {
             let (i, value) = (Literal::usize_unsuffixed(i), &values[*value]);
