@@ -113,11 +113,14 @@ pub fn sum<A: Array, const P: usize>(u: &[A; P], w: &[A; P], n: usize) -> A {
 /// Σ uⱼuₙ₋ⱼ over 0 < j < n and over all u.
 #[inline(always)]
 pub fn sum_of_squares<A: Array, const P: usize, const K: usize>(all: [&[A; P]; K], n: usize) -> A {
-    let mut half = A::zero();
+    // Each begins in its own middle: what is known last comes last in all of them.
+    let mut half = A::nothing();
     for u in all {
+        let mut own = A::zero();
         for (uj, ui) in outward(u, n) {
-            half = fused(*uj, *ui, half);
+            own = fused(*uj, *ui, own);
         }
+        half = plus(half, own);
     }
     let mut double = plus(half, half);
     if n.is_multiple_of(2) {

@@ -165,7 +165,7 @@ impl Builder<'_> {
         let rules: Vec<Rule> = self.jet.series.iter().map(|series| series.rule.clone()).collect();
         for (source, rule) in rules.iter().enumerate() {
             let (kept, weighted) = rule.own();
-            self.jet.series[source].kept |= kept;
+            self.jet.series[source].kept |= kept || matches!(rule, Rule::State(_));
             self.jet.series[source].weighted |= weighted;
             rule.in_sums().into_iter().for_each(|read| self.jet.series[read].kept = true);
             if let Rule::Shift { of: read, .. } | Rule::Wave { by: read, .. } = rule {

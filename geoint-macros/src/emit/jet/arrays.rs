@@ -54,7 +54,8 @@ pub(super) fn coefficient(source: Source) -> Ident {
 }
 
 impl Writer<'_> {
-    /// Whether the coefficients of a series have an array of their own.
+    /// Whether the coefficients of a series have an array of their own: a coordinate has one also where orders are unrolled, and arrays
+    /// registers.
     pub(super) fn has_array(&self, source: Source) -> bool {
         let series = &self.jet.series[source];
         let in_sums = series.kept && self.is_read_alone(Operand { source, weighted: false });

@@ -11,7 +11,7 @@ mod rules;
 use super::kernel::{Context, element};
 use super::structure::{self_type, state};
 use crate::derive::JetKernel;
-use crate::diff::jet::{Jet, Lanes, Operand, Rate, Source, Value};
+use crate::diff::jet::{Jet, Lanes, Operand, Rate, Rule, Source, Value};
 use crate::ir::Symbol;
 use crate::parse::over_scalar;
 use crate::schedule::Plan;
@@ -126,7 +126,8 @@ impl Writer<'_> {
         }
         for source in &self.jet.order {
             let (name, value) = (coefficient(*source), self.coefficient(*source));
-            let kept = self.has_array(*source).then(|| {
+            let state = matches!(self.jet.series[*source].rule, Rule::State(_));
+            let kept = (self.has_array(*source) && !state).then(|| {
                 let array = kept(*source);
                 quote!(#array[n] = #name;)
             });
@@ -191,7 +192,21 @@ impl Writer<'_> {
             }
             None => quote!(R::from_f64(0.0)),
         };
-        quote!(jet[n].#place = #value;)
+        match self.array_of(rate.symbol) {
+            Some(array) => quote! {
+                jet[n].#place = #value;
+                if n + 1 < P {
+                    #array[n + 1] = jet[n].#place;
+                }
+            },
+            None => quote!(jet[n].#place = #value;),
+        }
+    }
+
+    /// The array of a coordinate that has one.
+    fn array_of(&self, symbol: Symbol) -> Option<Ident> {
+        let source = self.jet.series.iter().position(|series| series.rule == Rule::State(symbol))?;
+        self.has_array(source).then(|| kept(source))
     }
 
     /// Where a coordinate is in a point.
@@ -224,6 +239,9 @@ impl Writer<'_> {
         for rate in &self.jet.rates {
             let (place, value) = (self.place(rate.symbol), &values[rate.value]);
             first.extend(quote!(jet[0].#place = unit * (#value);));
+            if let Some(array) = self.array_of(rate.symbol) {
+                first.extend(quote!(if P > 1 { #array[1] = jet[0].#place; }));
+            }
         }
         for (i, (value, _)) in self.jet.switches.iter().enumerate() {
             let (i, value) = (Literal::usize_unsuffixed(i), &values[*value]);

@@ -12,6 +12,10 @@ impl Writer<'_> {
     pub(super) fn coefficient(&mut self, source: Source) -> TokenStream {
         let own = source;
         match self.jet.series[source].rule.clone() {
+            Rule::State(_) if self.has_array(source) => {
+                let array = kept(source);
+                quote!(#array[n])
+            }
             Rule::State(symbol) => {
                 let place = self.place(symbol);
                 quote!(jet[n - 1].#place)
