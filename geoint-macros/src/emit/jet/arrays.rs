@@ -1,7 +1,7 @@
 //! The arrays of coefficients, and their names.
 
 use super::Writer;
-use crate::diff::jet::{LANES, Operand, Rule, Source};
+use crate::diff::jet::{LANES, Operand, Source};
 use crate::emit::tokens::Tokens;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -55,11 +55,12 @@ pub(super) fn coefficient(source: Source) -> Ident {
 }
 
 impl Writer<'_> {
-    /// Whether the coefficients of a series have an array of their own.
+    /// Whether the coefficients of a series have an array of their own: a coordinate has one also where orders are unrolled, and arrays
+    /// registers.
     pub(super) fn has_array(&self, source: Source) -> bool {
         let series = &self.jet.series[source];
         let in_sums = series.kept && self.is_read_alone(Operand { source, weighted: false });
-        in_sums || series.before || matches!(series.rule, Rule::State(_))
+        in_sums || series.before
     }
 
     pub(super) fn has_weighted_array(&self, source: Source) -> bool {

@@ -120,7 +120,10 @@ impl Writer<'_> {
         let unit = self.number(Prepared::Unit);
         let groups: Vec<_> = self.lanes.iter().flat_map(|lanes| lanes.groups.clone()).collect();
         for (i, group) in groups.iter().enumerate() {
-            let (name, sum) = (format_ident!("sums{i}"), self.sum_of(group.weight, group.operands.map(side_by_side)));
+            let (name, sum) = (format_ident!("sums{i}"), {
+                let arrays: Vec<Ident> = group.operands.iter().copied().map(side_by_side).collect();
+                self.sum_of(group.weight, &arrays)
+            });
             body.extend(quote!(#name = #sum;));
         }
         for source in &self.jet.order {
@@ -173,7 +176,7 @@ impl Writer<'_> {
                 #[inline(always)]
                 fn order(&mut self, n: usize) {
                     let Self { k, masks, #(#arrays,)* jet, switches } = self;
-                    let (whole, next) = (R::from_f64(n as f64), #unit * R::from_f64(1.0 / (n + 1) as f64));
+                    let (whole, next) = (recurrence::whole::<R>(n), #unit * recurrence::inverse::<R>(n + 1));
                     let (#(#names,)*);
                     #body
                 }
@@ -202,9 +205,10 @@ impl Writer<'_> {
         }
     }
 
-    /// The array of a coordinate that something reads.
+    /// The array of a coordinate that has one.
     fn array_of(&self, symbol: Symbol) -> Option<Ident> {
-        self.jet.series.iter().position(|series| series.rule == Rule::State(symbol)).map(kept)
+        let source = self.jet.series.iter().position(|series| series.rule == Rule::State(symbol))?;
+        self.has_array(source).then(|| kept(source))
     }
 
     /// Where a coordinate is in a point.
