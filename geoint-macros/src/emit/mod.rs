@@ -10,6 +10,7 @@ mod exact;
 mod flow;
 mod implicit;
 mod jet;
+mod given;
 mod kernel;
 mod lagrangian;
 mod loops;
@@ -20,6 +21,7 @@ mod straight_line;
 mod calls;
 mod structure;
 mod system;
+mod writer;
 
 use crate::derive::{Bodies, Implicit, System};
 use crate::ir::Graph;
