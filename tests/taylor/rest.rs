@@ -81,7 +81,7 @@ fn what_comes_to_rest_is_refused() {
         let r = (1.0_f64 / 3.0).sqrt();
         let end = 2.0 + (1.0 / 1.5 + r / 0.5) / (1.0 - r);
         assert!(slides(&outcome), "{c}: {outcome:?} {}", sim.steps());
-        assert!((sim.state().x[0] - c).abs() < 1e-12 && (sim.time() - end).abs() < 1e-6, "{:?}, {end}", sim.state());
+        assert!((sim.state().x[0] - c).abs() < 1e-12 && (sim.time() - end).abs() < 1e-5, "{:?}, {end}", sim.state());
     }
     // What holds it, holds it at once.
     let mut sim =
@@ -96,15 +96,15 @@ fn what_comes_to_rest_is_refused() {
 /// Under friction like γp the n-th bounce takes a time like 1/n: for ever, but after many of them it is said, and who wants more goes on.
 #[test]
 fn low_bounces_end_a_run() {
-    let mut sim = Rubbed { k: 1.0, g: 3.0, c: 0.0 }
-        .taylor(TaylorOrder::<4> { tolerance: 1e-6 }, ContactState::new(1.0, 0.0, 0.0));
+    let mut sim =
+        Rubbed { k: 1.0, g: 3.0, c: 0.0 }.taylor(Taylor { tolerance: 1e-6 }, ContactState::new(1.0, 0.0, 0.0));
     let mut sim = {
         sim.advance_to(1.0).unwrap();
         sim.steps_at_most(2_000_000)
     };
     let outcome = sim.advance_to(100.0);
     assert!(slides(&outcome), "{outcome:?} after {} steps", sim.steps());
-    assert!(sim.state().q.abs() < 1e-8 && sim.time() < 10.0, "{:?}", sim.state());
+    assert!(sim.state().q.abs() < 1e-8 && sim.time() < 20.0, "{:?}", sim.state());
     let (t, steps) = (sim.time(), sim.steps());
     sim.advance(1000).unwrap();
     assert!(sim.time() > t && sim.steps() == steps + 1000);
