@@ -24,6 +24,15 @@ pub(super) fn domain(context: &Context<'_>, graph: &Graph, domain: &Domain<Plan>
             }
         }
     });
+    let powers = (!domain.powers.checks.is_empty()).then(|| {
+        let powers = powers(context, graph, (&domain.powers.checks, &domain.powers.arguments));
+        quote! {
+            fn powers(&self, t: R, z: &#phase, s: &#action, mut visit: impl ::core::ops::FnMut(&'static str, R)) {
+                #parts
+                #powers
+            }
+        }
+    });
     let poles = domain.poles.as_ref().map(|poles| poles::poles(context, graph, poles));
     let jumps = domain.jumps.as_ref().map(|jumps| poles::jumps(context, graph, jumps));
     let examined = domain.examined.then(|| {
@@ -39,10 +48,23 @@ pub(super) fn domain(context: &Context<'_>, graph: &Graph, domain: &Domain<Plan>
             #outside
         }
         #edge
+        #powers
         #examined
         #poles
         #jumps
     }
+}
+
+/// Shows every power with what it is a power of.
+fn powers(context: &Context<'_>, graph: &Graph, (checks, arguments): (&[Check], &Plan)) -> TokenStream {
+    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
+    context.values(arguments, |values| {
+        let shown = checks.iter().zip(values).map(|(check, value)| {
+            let message = format!("{}: {}", check.what, printer.excerpt(check.term));
+            quote!(visit(#message, #value);)
+        });
+        quote!(#(#shown)*)
+    })
 }
 
 /// The first condition that does not hold; `rest` tests the values that belong to none.

@@ -157,7 +157,7 @@ const _: () = {
             ::core::option::Option::None
         }
         const JUMPS: &'static [&'static str] = &[
-            "the energy jumps where a condition changes, by q⁴·cos(t)",
+            "the energy jumps where a condition changes, by q⁴·cos(t): shift one side so that both meet, or take a method that keeps the energy, such as `DiscreteGradient`",
         ];
         #[inline]
         fn same_sides(&self, t: R, z: [&[[R; 1]; 2]; 2], s: [&(); 2]) -> bool {
