@@ -96,8 +96,13 @@ fn equation(graph: &mut Graph, field: &Field, second_order: &SecondOrder) -> Vec
     roots
 }
 
-/// −weight·x, a sum term by term: the chain of dependent operations is shorter.
+/// −weight·x, a sum term by term: the chain of dependent operations is shorter. So is that of a multiple of a sum of products, each of which takes
+/// the factor in.
 fn subtract(graph: &mut Graph, weight: Id, x: Id, terms: &mut Vec<Id>) {
+    let (weight, x) = match multiple_of_products(graph, x) {
+        Some((factors, sum)) => (graph.product(&[&[weight], &factors[..]].concat()), sum),
+        None => (weight, x),
+    };
     let Node::Linear(constant, summands) = graph.node(x).clone() else {
         let product = graph.mul(weight, x);
         return terms.push(graph.neg(product));
@@ -107,6 +112,17 @@ fn subtract(graph: &mut Graph, weight: Id, x: Id, terms: &mut Vec<Id>) {
         let weight = graph.scale(c, weight);
         subtract(graph, weight, x, terms);
     }
+}
+
+/// What parameters alone decide, and the sum of products that it multiplies.
+fn multiple_of_products(graph: &Graph, x: Id) -> Option<(Vec<Id>, Id)> {
+    let Node::Product(factors) = graph.node(x) else { return None };
+    let is_known = |id: &Id| !graph.reads(*id).moves();
+    let (known, others): (Vec<Id>, Vec<Id>) = factors.iter().copied().partition(is_known);
+    let [sum] = others[..] else { return None };
+    let Node::Linear(_, summands) = graph.node(sum) else { return None };
+    let is_product = |(_, id): &(Number, Id)| matches!(graph.node(*id), Node::Product(_));
+    summands.iter().all(is_product).then_some((known, sum))
 }
 
 /// h ∂T/∂p as a function of what stands for the momenta.

@@ -390,20 +390,20 @@ const _: () = {
             a0 = self.m;
             a2 = self.g;
             k3 = R::from_f64(1.0);
-            k4 = R::from_f64(0.5);
+            k4 = R::from_f64(0.25);
             v0 = a1 * a0;
             v1 = v0 * a2;
             v2 = -v1;
             v3 = h * v1;
             v4 = -v3;
-            v5 = h * h;
-            v6 = a1 * a1;
-            v7 = a0 * v6;
-            v8 = k3 / v7;
-            v9 = k4 * v5;
+            v5 = a1 * a1;
+            v6 = a0 * v5;
+            v7 = k3 / v6;
+            v8 = h * h;
+            v9 = k4 * v8;
             v10 = v9 * v1;
-            v11 = v10 * v8;
-            v12 = h * v8;
+            v11 = v10 * v7;
+            v12 = h * v7;
             [v2, v4, v11, v12]
         }
         #[inline(always)]
@@ -493,7 +493,6 @@ const _: () = {
                 v9,
                 v10,
                 v11,
-                v12,
             );
             k0 = R::from_f64(0.5);
             dq0 = d[0];
@@ -508,13 +507,12 @@ const _: () = {
             (v4, v5) = v3.sin_cos();
             v6 = prepared_1 * v1;
             v7 = v6 * v4;
-            v8 = k0 * v4;
-            v9 = k0 * v1;
-            v10 = v8 * v2;
+            v8 = prepared_2 * v4;
+            v9 = prepared_2 * v1;
+            v10 = v8.multiply_add(v2, k5);
             v11 = v9.multiply_add(v5, v10);
-            v12 = prepared_2.multiply_add(v11, k5);
             image[0] = v7;
-            matrix[0][0] = v12;
+            matrix[0][0] = v11;
         }
         #[inline(always)]
         fn drift(&self, prepared: &[R; 4], p: &[R; 1]) -> [R; 1] {

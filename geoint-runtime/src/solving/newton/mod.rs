@@ -5,6 +5,7 @@ mod guess;
 mod iteration;
 mod left;
 mod predictor;
+mod reciprocal;
 
 use crate::solving::Refusal;
 use crate::solving::equation::{Observer, StepEquation};
@@ -15,6 +16,7 @@ use crate::space::{Array, Record, Tape};
 pub(crate) use iteration::compiled;
 use iteration::{Iteration, Start};
 use predictor::Predictor;
+use reciprocal::Reciprocal;
 
 /// With more unknowns than this, an elimination costs more than the evaluations that it saves. The compiler has the number: up to it,
 /// it emits a kernel for Newton's iteration.
@@ -28,6 +30,7 @@ const MOST_AGAIN: u32 = 2;
 pub struct Newton<A> {
     predictor: Predictor<A>,
     iteration: Iteration<A>,
+    reciprocal: Reciprocal<A>,
 }
 
 /// What a solver has found.
@@ -57,6 +60,14 @@ impl<A: Array> Found<A> {
         Found::solution(x, lost)
     }
 
+    /// x − delta, to which `missed` is to be added: it is carried with what is rounded off.
+    #[inline(always)]
+    fn corrected_nearly(x: A, delta: &A, missed: &A) -> Self {
+        let mut found = Found::corrected(x, delta);
+        found.lost = sum(&found.lost, missed);
+        found
+    }
+
     #[inline(always)]
     fn solution(x: A, lost: A) -> Self {
         Found { x, lost, outcome: Ok(()) }
@@ -67,6 +78,7 @@ impl<A: Array> Record<A::Real> for Newton<A> {
     fn record(&mut self, tape: &mut impl Tape<A::Real>) {
         self.predictor.record(tape);
         self.iteration.record(tape);
+        self.reciprocal.record(tape);
     }
 }
 
@@ -75,7 +87,7 @@ impl<A: Array> Newton<A> {
 
     /// Unknowns come in `kinds` of `n` that have one unit.
     pub(crate) fn new(n: usize, kinds: usize) -> Self {
-        Newton { predictor: Predictor::new(), iteration: Iteration::new(n, kinds) }
+        Newton { predictor: Predictor::new(), iteration: Iteration::new(n, kinds), reciprocal: Reciprocal::new() }
     }
 
     /// The next equation is that of a substep, and these are those of the two substeps before it, with the weights by which unknowns of
@@ -142,7 +154,18 @@ impl<A: Array> Newton<A> {
                 }
                 self.iteration.by_series = false;
             }
-            if !linear::solve_fast(&mut matrix, &mut delta) {
+            // Of one unknown the correction by the derivative of the step before is there first, and is taken as long as it misses the other one
+            // by a part of the last digit: which of them it is, a processor guesses, and goes on.
+            if E::SETTLED && Reciprocal::<A>::KNOWN {
+                let early = self.reciprocal.early(&delta);
+                if !self.reciprocal.solve(&matrix, &mut delta) {
+                    break 'start Start::at(Some(guess));
+                }
+                let missed = difference(&early, &delta);
+                if self.iteration.is_last(&delta) && self.iteration.is_last_term(&missed) {
+                    return Found::corrected_nearly(guess, &early, &missed);
+                }
+            } else if !linear::solve_fast(&mut matrix, &mut delta) {
                 break 'start Start::at(Some(guess));
             }
             if self.iteration.is_last(&delta) {
