@@ -1,7 +1,9 @@
 //! Functions of prepared coefficients and arrays: what routines read and write.
 
-use super::straight_line::{self, Names};
+use super::given::{Given, array, element};
+use super::straight_line;
 use super::tokens::{Tokens, bracketed};
+use super::writer::Names;
 use crate::ir::Symbol;
 use crate::lower::VELOCITY;
 use crate::parse::{Energy, Form, Role, Shape};
@@ -17,50 +19,6 @@ pub(crate) struct Context<'a> {
     constants: &'a [TokenStream],
     /// What registers are called in all routines.
     pub(super) registers: RefCell<Vec<Ident>>,
-}
-
-/// `base[i][j]…`
-pub(crate) fn element(base: impl Into<Tokens>, indices: &[usize]) -> Tokens {
-    base.into().at(indices)
-}
-
-/// What a routine is given: a variable, or an entry of an array.
-pub(crate) struct Given {
-    /// Entries of one array have one number.
-    pub(super) array: usize,
-    pub(super) base: Tokens,
-    pub(super) indices: Vec<usize>,
-}
-
-impl Given {
-    pub(super) fn entry(array: usize, base: impl Into<Tokens>, indices: Vec<usize>) -> Self {
-        Given { array, base: base.into(), indices }
-    }
-
-    pub(super) fn alone(base: impl Into<Tokens>) -> Self {
-        Given { array: 0, base: base.into(), indices: vec![] }
-    }
-
-    pub(super) fn tokens(&self) -> Tokens {
-        self.base.clone().at(&self.indices)
-    }
-}
-
-impl ToTokens for Given {
-    fn to_tokens(&self, tokens: &mut TokenStream) {
-        self.tokens().to_tokens(tokens);
-    }
-}
-
-/// Numbers of arrays that routines are given; those of parameters follow.
-pub(super) mod array {
-    pub(in crate::emit) const POSITIONS: usize = 0;
-    pub(super) const MOMENTA: usize = 1;
-    pub(super) const VELOCITIES: usize = 2;
-    pub(super) const KICKS: usize = 3;
-    pub(in crate::emit) const UNKNOWNS: usize = 4;
-    pub(in crate::emit) const INCREMENTS: usize = 5;
-    pub(in crate::emit) const PARAMETERS: usize = 6;
 }
 
 /// `base[i][j]… = value;` for every value.

@@ -1,8 +1,8 @@
 //! Alike statements as arrays: `let a0: [_; 63] = from_fn(|i| …);`
 
-use super::kernel::Given;
-use super::straight_line::{SLOTS, Writer};
+use super::given::Given;
 use super::tokens::Tokens;
+use super::writer::{SLOTS, Writer};
 use crate::ir::HashMap;
 use crate::schedule::{Block, Families, Family, Indices, Instruction, Item, Operand, Register, Run, Source, families};
 use proc_macro2::{Ident, Literal, Span, TokenStream};

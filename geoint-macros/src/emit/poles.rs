@@ -1,6 +1,7 @@
 //! Poles and conditions between the ends of a step: what the runtime asks of them.
 
-use super::kernel::{Context, Given, array};
+use super::given::{Given, array};
+use super::kernel::Context;
 use super::straight_line;
 use crate::analyze::Jump;
 use crate::derive::{Jumps, Margin, Margins, Poles, Signs};

@@ -1,9 +1,9 @@
 //! Which symbols a node reads.
 
-use super::graph::Node;
 use super::hash;
 use super::id::Id;
 use super::known::Known;
+use super::node::Node;
 use super::op::Symbol;
 use super::table::Table;
 

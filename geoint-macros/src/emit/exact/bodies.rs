@@ -3,7 +3,8 @@
 use super::{assign, flow, slots};
 use crate::derive::{Bodies, Shift, Turn};
 use crate::emit::domain::domain;
-use crate::emit::kernel::{Context, element};
+use crate::emit::given::element;
+use crate::emit::kernel::Context;
 use crate::emit::structure::{self_type, state_type};
 use crate::emit::system::halves;
 use crate::emit::tokens::Tokens;

@@ -3,7 +3,8 @@
 
 use super::{assign, increments};
 use crate::derive::{Missing, PieceKernel, PiecesOf};
-use crate::emit::kernel::{Context, Given, array, element};
+use crate::emit::given::{Given, array, element};
+use crate::emit::kernel::Context;
 use crate::emit::missing::unsatisfied;
 use crate::emit::straight_line;
 use crate::emit::structure::self_type;

@@ -3,7 +3,8 @@
 use super::prepared::Prepared;
 use super::write_field;
 use crate::derive::FieldKernels;
-use crate::emit::kernel::{Context, element, write};
+use crate::emit::given::element;
+use crate::emit::kernel::{Context, write};
 use crate::emit::structure::self_type;
 use crate::ir::Symbol;
 use crate::schedule::Plan;

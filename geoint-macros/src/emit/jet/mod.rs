@@ -8,7 +8,8 @@ mod arrays;
 mod numbers;
 mod rules;
 
-use super::kernel::{Context, element};
+use super::given::element;
+use super::kernel::Context;
 use super::structure::{self_type, state};
 use super::tokens::Tokens;
 use crate::derive::JetKernel;

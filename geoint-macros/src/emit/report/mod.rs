@@ -6,6 +6,7 @@ mod constraints;
 mod contact;
 mod forced;
 mod pieces;
+mod structure;
 mod field;
 mod flow;
 mod lagrangian;
@@ -18,7 +19,8 @@ pub(crate) use bodies::bodies;
 pub(crate) use canonical::canonical;
 pub(crate) use constraints::constraints;
 pub(crate) use contact::contact;
-pub(crate) use flow::{OfField, Source, flow};
+pub(crate) use field::OfField;
+pub(crate) use flow::{Source, flow};
 pub(crate) use forced::forced;
 pub(crate) use lagrangian::{herglotz, lagrangian, velocities};
 

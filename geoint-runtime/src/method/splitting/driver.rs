@@ -128,9 +128,7 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
             return self.step(Step::at(t, (system, x, &mut Unwatched)));
         };
         let one = R::from_f64(1.0);
-        // Without a branch for each entry.
-        let same = |here: bool, (a, b): (&R, &R)| here & (*a == *b);
-        if kick.q.as_slice().iter().zip(x.z[0].as_slice()).fold(kick.known, same) {
+        if kick.is_from(&x.z[0]) {
             x.z[1].add_scaled(one, &kick.impulse);
         } else {
             O::outer(&self.first, Times { own: t, other: t }, moving(system, x));
@@ -151,6 +149,57 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
         let at = Times { own: t, other: t };
         seen(O::DRIFT_IS_OUTER, Step::at(t, (system, x, probe)), |x| O::outer(&self.first, at, x));
         self.finish(Step::at(t, (system, x, probe)));
+    }
+
+    /// One step of kicks that do nothing but add: which they are, and what they add. The first one is taken over from the step before, as in
+    /// [`single`](Self::single).
+    #[inline]
+    pub(super) fn told<C: Summation<S::Phase>, P: Probe<S, R>>(
+        &self,
+        kick: &mut LastKick<S::Array>,
+        Step { system, t, x, probe, .. }: Step<'_, S, R, C, P>,
+        mut tell: impl FnMut(usize, &S::Array),
+    ) {
+        for n in 0..=K {
+            let start = Times { own: t, other: t };
+            let (outer, at) = match n.checked_sub(1) {
+                None => (Some(&self.first), start),
+                Some(before) if n < K => (Some(&self.outer[before]), self.times(t, before)[1]),
+                Some(before) => (self.last.as_ref(), self.times(t, before)[1]),
+            };
+            if let Some(outer) = outer {
+                let mut impulse = None;
+                let known = n == 0 && self.repeats && kick.is_from(&x.z[0]);
+                seen(O::DRIFT_IS_OUTER, Step::at(at.other, (system, x, probe)), |x| {
+                    if O::DRIFT_IS_OUTER {
+                        O::outer(outer, at, x);
+                    } else if known {
+                        impulse = Some(x.told(|x| x.p.add_scaled(R::from_f64(1.0), &kick.impulse)));
+                    } else {
+                        impulse = Some(x.told(|x| O::outer(outer, at, x)));
+                    }
+                });
+                if let Some(impulse) = impulse {
+                    tell(n, &impulse);
+                    if n == K {
+                        *kick = LastKick { known: true, q: x.z[0], impulse };
+                    }
+                }
+            }
+            if n < K {
+                let ([at, _], inner, mut impulse) = (self.times(t, n), &self.inner[n], None);
+                seen(!O::DRIFT_IS_OUTER, Step::at(at.other, (system, x, probe)), |x| {
+                    if O::DRIFT_IS_OUTER {
+                        impulse = Some(x.told(|x| O::inner(inner, at, x)));
+                    } else {
+                        O::inner(inner, at, x);
+                    }
+                });
+                if let Some(impulse) = impulse {
+                    tell(n, &impulse);
+                }
+            }
+        }
     }
 
     #[inline(always)]
@@ -211,13 +260,12 @@ fn mirrored<W: PartialEq, T: Copy, const K: usize>(
     all
 }
 
-/// A flow under the eyes of a probe: a part of a drift that ends before its time is named. What is `Copy` is not dropped where something
-/// panics, for which every user would compile code.
+/// A flow under the eyes of a probe: a part of a drift that ends before its time is named.
 #[inline(always)]
 fn seen<S: Separable<R>, R: Real, C: Summation<S::Phase>, P: Probe<S, R>>(
     is_drift: bool,
     Step { system, t, x, probe, .. }: Step<'_, S, R, C, P>,
-    flow: impl FnOnce(Moving<'_, S, R, C>) + Copy,
+    flow: impl FnOnce(Moving<'_, S, R, C>),
 ) {
     probe.visit(t, &x.z, &x.s);
     // The constant first: nothing is compiled of what is not asked.
