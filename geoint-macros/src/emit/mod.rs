@@ -10,6 +10,7 @@ mod exact;
 mod flow;
 mod implicit;
 mod jet;
+mod tokens;
 mod given;
 mod kernel;
 mod lagrangian;
@@ -18,7 +19,6 @@ mod missing;
 mod poles;
 pub(crate) mod report;
 mod straight_line;
-mod tokens;
 mod calls;
 mod structure;
 mod system;
@@ -27,7 +27,7 @@ mod writer;
 use crate::derive::{Bodies, Implicit, System};
 use crate::ir::Graph;
 use crate::lower::VELOCITY;
-use crate::parse::{Energy, Form, Role};
+use crate::parse::{Energy, Form, IMPORTED, Role};
 use crate::schedule::Plan;
 pub(crate) use kernel::Context;
 use proc_macro2::TokenStream;
@@ -120,6 +120,7 @@ fn around(context: &Context<'_>, report: &str, implementations: &TokenStream) ->
     });
     // No lint is allowed that nothing here needs: crates that forbid it could not have this.
     let old = attributes::is_deprecated(context.energy).then(|| quote!(deprecated,));
+    let imported = IMPORTED.iter().map(|name| format_ident!("{name}"));
     quote! {
         #structure
         #assertions
@@ -129,7 +130,7 @@ fn around(context: &Context<'_>, report: &str, implementations: &TokenStream) ->
             unused_mut, unused_variables, reason = "generated code"
         )]
         const _: () = {
-            use #runtime::private::imported::*;
+            use #runtime::private::{#(#imported),*};
 
             #used
 

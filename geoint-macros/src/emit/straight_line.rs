@@ -30,7 +30,11 @@ pub(crate) fn assignments(block: &Block, names: Names<'_>, targets: &[Given]) ->
     let mut writer = Writer::new(names);
     let (results, alone) = writer.results(block, targets);
     for (target, output) in targets.iter().zip(results) {
-        writer.write(target, output);
+        match output {
+            Output::Value(value) => writer.assign(target.tokens(), value),
+            Output::Loop(statement) => writer.extend(statement),
+            Output::Written => {}
+        }
     }
     writer.finished(&alone, Tokens::default())
 }
@@ -41,20 +45,6 @@ impl Writer<'_> {
         match self.families(block, targets) {
             Some(families) => self.with_loops(block, families),
             None => (self.block(block).into_iter().map(Output::Value).collect(), block.registers()),
-        }
-    }
-
-    /// `target = result;`, if no loop writes it.
-    fn write(&mut self, target: &Given, output: Output) {
-        match output {
-            Output::Value(value) => {
-                target.tokens().push_to(&mut self.tokens);
-                self.punct("=");
-                value.push_to(&mut self.tokens);
-                self.punct(";");
-            }
-            Output::Loop(statement) => self.tokens.extend(statement),
-            Output::Written => {}
         }
     }
 }

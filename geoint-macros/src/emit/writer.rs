@@ -36,7 +36,7 @@ pub(super) struct Writer<'a> {
     registers: Vec<Ident>,
     /// Registers that are entries of arrays.
     pub(super) members: HashMap<Register, TokenStream>,
-    pub(super) tokens: Vec<TokenTree>,
+    tokens: Vec<TokenTree>,
 }
 
 impl<'a> Writer<'a> {
@@ -75,6 +75,14 @@ impl Writer<'_> {
 
     pub(super) fn result(&mut self, operand: &Operand) -> Tokens {
         self.apart(|writer| writer.operand(operand)).into()
+    }
+
+    /// `target = value;`
+    pub(super) fn assign(&mut self, target: Tokens, value: Tokens) {
+        target.push_to(&mut self.tokens);
+        self.punct("=");
+        value.push_to(&mut self.tokens);
+        self.punct(";");
     }
 
     /// `let (names, registers,);` of a routine, or of a branch, which has no names of its own.

@@ -261,13 +261,12 @@ fn mirrored<W: PartialEq, T: Copy, const K: usize>(
     all
 }
 
-/// A flow under the eyes of a probe: a part of a drift that ends before its time is named. What is `Copy` is not dropped where something
-/// panics, for which every user would compile code.
+/// A flow under the eyes of a probe: a part of a drift that ends before its time is named.
 #[inline(always)]
-fn seen<S: Separable<R>, R: Real, C: Summation<S::Phase>, P: Probe<S, R>, T: Copy>(
+fn seen<S: Separable<R>, R: Real, C: Summation<S::Phase>, P: Probe<S, R>, T>(
     is_drift: bool,
     Step { system, t, x, probe, .. }: Step<'_, S, R, C, P>,
-    flow: impl FnOnce(Moving<'_, S, R, C>) -> T + Copy,
+    flow: impl FnOnce(Moving<'_, S, R, C>) -> T,
 ) -> T {
     probe.visit(t, &x.z, &x.s);
     // The constant first: nothing is compiled of what is not asked.
