@@ -117,18 +117,15 @@ pub fn sum_of_squares<A: Array, const P: usize, const K: usize>(all: [&[A; P]; K
     let mut half = A::nothing();
     for u in all {
         let mut own = A::zero();
+        if n.is_multiple_of(2) {
+            own = times(scaled(A::Real::from_f64(0.5), u[n / 2]), u[n / 2]);
+        }
         for (uj, ui) in outward(u, n) {
             own = fused(*uj, *ui, own);
         }
         half = plus(half, own);
     }
-    let mut double = plus(half, half);
-    if n.is_multiple_of(2) {
-        for u in all {
-            double = fused(u[n / 2], u[n / 2], double);
-        }
-    }
-    double
+    plus(half, half)
 }
 
 /// Σ (j(α + 1) − n)uⱼyₙ₋ⱼ over 0 < j < n, from α + 1.
