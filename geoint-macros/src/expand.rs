@@ -1,87 +1,271 @@
-//! What stands under an attribute, and what takes its place: the function as it is, and what the compiler makes of it.
+//! The compiler on one screen: from an annotated function to what is emitted beside it. A form is a column of stages.
 
+use crate::analyze::Forces;
+use crate::derive::{Flow, Parted, System, proof};
 use crate::diagnostics::Result;
-use crate::parse::{Form, Source};
-use crate::{compile, emit, link, parse};
-use proc_macro2::{Ident, TokenStream};
-use quote::{ToTokens, quote};
-use syn::parse::Parser;
+use crate::emit::report::{OfField, Source};
+use crate::ir::Id;
+use crate::legendre::{self, Friction, Legendre, Route};
+use crate::lower::{self, Lowered};
+use crate::parse::{Energy, Form};
+use crate::{analyze, check, derive, emit, split};
+use proc_macro2::TokenStream;
 
-/// The user's function, and all that is made from it; with messages in place of that if something is wrong.
-pub(crate) fn expand(form: Form, args: TokenStream, item: TokenStream) -> TokenStream {
-    let written = args.clone();
-    if let Err(errors) = parse::nesting(&quote!(#args #item)) {
-        let errors = errors.into_tokens();
-        return quote!(#item #errors);
-    }
-    match syn::parse2::<syn::ItemFn>(item.clone()) {
-        // The function comes first and as it is, so that rustc and editors see it whatever happens.
-        Ok(function) => match parse::energy(form, args, function) {
-            Ok(energy) => {
-                let function = emit::function(&energy, item.clone());
-                let read_by_attribute = energy.expressions().next().is_some() || energy.options.force.is_some();
-                match derived(energy, &Source { args: written, item: item.clone(), used: vec![] }) {
-                    Ok(derived) => quote!(#function #derived),
-                    Err(errors) => {
-                        // Without the expressions of the attribute, of which rustc would say the same again.
-                        let unread = read_by_attribute.then(|| quote!(#[allow(unused_variables)]));
-                        let errors = errors.into_tokens();
-                        quote!(#unread #item #errors)
-                    }
-                }
-            }
-            Err(errors) => {
-                let errors = errors.into_tokens();
-                quote!(#item #errors)
-            }
-        },
-        Err(_) => no_function(item),
+/// What is emitted beside the function.
+pub(crate) fn system(energy: &Energy) -> Result<TokenStream> {
+    match energy.form {
+        Form::Hamiltonian => hamiltonian(energy, lower::body(energy)?, None),
+        Form::Contact => contact_hamiltonian(energy, lower::body(energy)?, None),
+        Form::Lagrangian | Form::Herglotz | Form::FirstOrder => lagrangian(energy),
+        Form::Bodies => bodies(energy),
+        Form::Structured => structured_hamiltonian(energy),
+        Form::Field => vector_field(energy),
     }
 }
 
-/// What stands under an attribute and is no function, with a message.
-fn no_function(item: TokenStream) -> TokenStream {
-    match syn::parse2::<syn::Item>(item.clone()) {
-        Ok(other) => {
-            let message = syn::Error::new_spanned(other.to_token_stream(), "this attribute goes above a function");
-            let message = message.into_compile_error();
-            quote!(#item #message)
+/// L(q, v, s, t): the energy that belongs to it.
+fn lagrangian(energy: &Energy) -> Result<TokenStream> {
+    let mut lowered = lower::body(energy)?; // Rust to graph
+    let context = emit::Context::new(energy, &lowered.constants);
+    // Steps with constraints are derived from H, and so are rates with an action and forces beside it.
+    let forced = energy.form == Form::Herglotz && (lowered.force.is_some() || lowered.rayleigh.is_some());
+    let closed = energy.options.constraint.is_some() || forced;
+    let graph = &mut lowered.graph;
+    let found = legendre::transform(graph, lowered.energy, (energy.degrees(), closed), &lowered.partial); // H, or why not
+    if let (Form::Lagrangian, Err(legendre::Flaw::Linear(momenta))) = (energy.form, &found) {
+        return first_order(energy, lowered, momenta);
+    }
+    let friction = legendre::friction(graph, lowered.rayleigh.map(|(root, _)| root), energy.degrees());
+    let (mut legendre, friction) =
+        check::lagrangian(energy, (found, friction), graph, &lowered.places, |symbol| context.user_name(symbol))?;
+    match friction {
+        Some(Friction::Damping(matrix)) => {
+            legendre.friction = legendre::rate(graph, &matrix, &legendre);
+            lowered.damping = Some(matrix);
         }
-        // Not Rust at all: rustc says it better.
-        Err(_) => item,
+        Some(Friction::Slopes(slopes)) => lowered.friction = Some(slopes),
+        None => {}
+    }
+    let root = match legendre.route {
+        Route::Energy(root, _) => root,
+        Route::Velocities(long) if energy.form == Form::Herglotz => {
+            return herglotz(energy, lowered, (&legendre, long));
+        }
+        Route::Velocities(long) => return velocities(energy, lowered, (&legendre, long)),
+    };
+    lowered.energy = root;
+    lowered.partial.clone_from(&legendre.partial);
+    match energy.form {
+        Form::Herglotz if forced => forced_herglotz(energy, lowered, &legendre),
+        Form::Herglotz => contact_hamiltonian(energy, lowered, Some(&legendre)),
+        _ => hamiltonian(energy, lowered, Some(&legendre)),
     }
 }
 
-/// What is made from an energy, once the functions that it names are there; until then the question for the next one.
-fn derived(energy: parse::Energy, source: &Source) -> Result<TokenStream> {
-    if let Some(path) = energy.options.with.get(source.used.len()) {
-        return Ok(link::ask(&energy.runtime, energy.form.attribute(), path, source));
-    }
-    let energy = energy.with_functions(&source.used)?;
-    compile::system(&energy)
+/// L(q, v, t) with velocities as unknowns; `long` is why there is no H.
+fn velocities(energy: &Energy, mut lowered: Lowered, (legendre, long): (&Legendre, Id)) -> Result<TokenStream> {
+    let context = emit::Context::new(energy, &lowered.constants);
+    let graph = &mut lowered.graph;
+    let damping = analyze::damping(graph, lowered.damping);
+    let forces = Forces::of(graph, lowered.force, lowered.friction);
+    let friction = (damping.as_ref(), forces.as_ref());
+    check::velocities(energy, (long, friction), graph, &lowered.places, |symbol| context.user_name(symbol))?;
+    let system = derive::velocities(graph, legendre, (long, &energy.coordinates.shape), friction)
+        .of_lagrangian(legendre)
+        .scheduled(graph);
+    let graph = &*graph;
+    let report = emit::report::lagrangian(&context, graph, Some(legendre))
+        + &emit::report::velocities(&context, graph, (legendre, long), (&system, friction));
+    Ok(emit::items(&context, graph, &system, &report))
 }
 
-/// A function that energies may name, and the macro that hands it on.
-pub(crate) fn energy_function(args: TokenStream, item: TokenStream) -> TokenStream {
-    if let Err(errors) = parse::nesting(&quote!(#args #item)) {
-        let errors = errors.into_tokens();
-        return quote!(#item #errors);
-    }
-    let Ok(function) = syn::parse2::<syn::ItemFn>(item.clone()) else { return no_function(item) };
-    let source = Source { args, item: item.clone(), used: vec![] };
-    let offered = parse::energy_function(&function).and_then(|()| link::offered(&source));
-    let assertions = parse::function_options(source.args).map(|options| options.outside.assertions());
-    let offered = offered.unwrap_or_else(|errors| errors.into_tokens());
-    let assertions = assertions.unwrap_or_default();
-    quote!(#item #assertions #offered)
+/// L(q, v, s, t) with velocities as unknowns; `long` is why there is no H.
+fn herglotz(energy: &Energy, mut lowered: Lowered, (legendre, long): (&Legendre, Id)) -> Result<TokenStream> {
+    let context = emit::Context::new(energy, &lowered.constants);
+    let graph = &mut lowered.graph;
+    check::velocities(energy, (long, (None, None)), graph, &lowered.places, |symbol| context.user_name(symbol))?;
+    let dissipated = analyze::dissipated_by_velocities(graph, legendre.lagrangian, &energy.coordinates.shape);
+    let decay = analyze::decay(graph, legendre.lagrangian);
+    let system = derive::herglotz(graph, legendre, long).of_lagrangian(legendre).scheduled(graph);
+    let graph = &*graph;
+    let report = emit::report::lagrangian(&context, graph, Some(legendre))
+        + &emit::report::herglotz(&context, graph, (long, decay, dissipated.as_ref()), &system);
+    Ok(emit::items(&context, graph, &system, &report))
 }
 
-/// Goes on where [`link::ask`] stopped.
-pub(crate) fn resume(input: TokenStream) -> TokenStream {
-    let parser = |input: syn::parse::ParseStream<'_>| Ok((input.parse::<Ident>()?, input.parse::<Source>()?));
-    let resumed = parser.parse2(input).map_err(Into::into).and_then(|(attribute, source)| {
-        let Some(form) = Form::of_attribute(&attribute.to_string()) else { return link::offered(&source) };
-        derived(parse::energy(form, source.args.clone(), syn::parse2(source.item.clone())?)?, &source)
-    });
-    resumed.unwrap_or_else(|errors| errors.into_tokens())
+/// H(q, p, s, t) of a Lagrangian, with forces beside it: rates, and no contact map.
+fn forced_herglotz(energy: &Energy, mut lowered: Lowered, legendre: &Legendre) -> Result<TokenStream> {
+    let context = emit::Context::new(energy, &lowered.constants);
+    let graph = &mut lowered.graph;
+    let damping = analyze::damping(graph, lowered.damping.take());
+    let forces = Forces::of(graph, lowered.force.take(), lowered.friction.take());
+    if damping.is_none() && forces.is_none() {
+        return contact_hamiltonian(energy, lowered, Some(legendre)); // all are zero
+    }
+    check::forced_action(energy, damping.as_ref(), graph, |symbol| context.user_name(symbol))?;
+    let given = (damping.as_ref(), forces.as_ref());
+    let (derived, drag) = derive::forced(graph, lowered.energy, given, &lowered.partial, energy.degrees());
+    let system = derived.of_lagrangian(legendre).scheduled(graph);
+    let graph = &*graph;
+    let report = emit::report::lagrangian(&context, graph, Some(legendre))
+        + &emit::report::forced(&context, graph, (lowered.energy, forces.as_ref(), drag.as_deref()));
+    Ok(emit::items(&context, graph, &system, &report))
+}
+
+/// L(q, v, t) = ϑ(q)·v − H(q, t): x' = S ∇H for x = q, with the S that follows from the momenta ϑ.
+fn first_order(energy: &Energy, mut lowered: Lowered, momenta: &[Id]) -> Result<TokenStream> {
+    let energy = &Energy { form: Form::FirstOrder, ..energy.clone() };
+    let context = emit::Context::new(energy, &lowered.constants);
+    let graph = &mut lowered.graph;
+    let found = legendre::first_order(graph, lowered.energy, momenta, &lowered.partial);
+    let found = check::first_order(energy, found, graph, |symbol| context.user_name(symbol))?;
+    let flow = Flow::structured(graph, found.energy, &found.structure, None);
+    let parted = Parted::of_structure(found.energy, &found.structure, true);
+    let pieces = derive::parts(graph, &flow, Some(&parted), false); // by terms of H, and by planes
+    let system = derive::flow(graph, &flow, &found.partial, None).of_first_order(graph, &found);
+    let system = System { pieces, ..system }.scheduled(graph);
+    let graph = &*graph;
+    let report = emit::report::flow(&context, graph, (&flow, Source::Lagrangian(&found)), &system);
+    Ok(emit::items(&context, graph, &system, &report))
+}
+
+/// H(q, p, t), of a Lagrangian if there is one.
+fn hamiltonian(energy: &Energy, mut lowered: Lowered, legendre: Option<&Legendre>) -> Result<TokenStream> {
+    if energy.options.constraint.is_some() {
+        return constrained(energy, lowered, legendre);
+    }
+    let context = emit::Context::new(energy, &lowered.constants);
+    let graph = &mut lowered.graph;
+    let structure = analyze::structure(graph, lowered.energy, &energy.coordinates.shape); // facts, with witnesses
+    let forces = Forces::of(graph, lowered.force, lowered.friction);
+    let structure = structure.damped(graph, lowered.damping).forced(graph, forces);
+    let partial = legendre::at_points(graph, &lowered.partial);
+    let groups = lowered.groups.as_deref();
+    let division = split::divided(graph, &structure, energy, groups); // a part with an exact flow, and a rest
+    let pieces = split::coupled_pieces(graph, &structure, energy.degrees(), groups); // flows in closed form, beside kick and drift
+    let (derived, gradient) =
+        derive::canonical(graph, &structure, (&division, pieces.as_ref()), &partial, energy.degrees(), legendre); // nodes for every method
+    check::requests(energy, &structure, graph, &lowered.places, |symbol| context.user_name(symbol))?; // asked for = proven?
+    check::division(energy, &division, graph, &lowered.places, |symbol| context.user_name(symbol))?;
+    if let Some(pieces) = &pieces {
+        check::pieces(energy, (structure.energy, groups), pieces, graph, &lowered.places, |symbol| {
+            context.user_name(symbol)
+        })?;
+    }
+    let derived = legendre.into_iter().fold(derived, System::of_lagrangian);
+    let system = derived.scheduled(graph); // what is computed when
+    let graph = &*graph; // which nobody changes any more
+    let report = emit::report::canonical(&context, graph, &structure, (&system, &gradient));
+    let report = emit::report::lagrangian(&context, graph, legendre) + &report;
+    Ok(emit::items(&context, graph, &system, &report))
+}
+
+/// H(q, p, t) with constraints g(q) = 0.
+fn constrained(energy: &Energy, mut lowered: Lowered, legendre: Option<&Legendre>) -> Result<TokenStream> {
+    let context = emit::Context::new(energy, &lowered.constants);
+    let graph = &mut lowered.graph;
+    let structure = analyze::structure(graph, lowered.energy, &energy.coordinates.shape);
+    let structure = structure.damped(graph, lowered.damping.clone());
+    let found = (&lowered.constraints[..], structure.damping.as_ref(), lowered.friction.is_some());
+    check::constraints(energy, found, graph, |symbol| context.user_name(symbol))?;
+    check::requests(energy, &structure, graph, &lowered.places, |symbol| context.user_name(symbol))?;
+    let constraints: Vec<Id> = lowered.constraints.iter().map(|(constraint, _)| *constraint).collect();
+    let kept = analyze::bound(graph, lowered.energy, &constraints, &energy.coordinates.shape);
+    let kept = kept.damped(graph, lowered.damping);
+    let (derived, gradient) = derive::constrained(graph, &structure, &constraints, &lowered.partial, energy.degrees());
+    let derived = legendre.into_iter().fold(derived, System::of_lagrangian);
+    let system = derived.scheduled(graph);
+    let graph = &*graph;
+    let report = emit::report::constraints(&context, graph, (&structure, &kept), &constraints, (&system, &gradient));
+    let report = emit::report::lagrangian(&context, graph, legendre) + &report;
+    Ok(emit::items(&context, graph, &system, &report))
+}
+
+/// H(q, p, s, t), of a Lagrangian if there is one.
+fn contact_hamiltonian(energy: &Energy, mut lowered: Lowered, legendre: Option<&Legendre>) -> Result<TokenStream> {
+    let context = emit::Context::new(energy, &lowered.constants);
+    let (graph, root, degrees) = (&mut lowered.graph, lowered.energy, energy.degrees());
+    let groups = lowered.groups.as_deref();
+    let dissipated =
+        analyze::dissipated(graph, root, &energy.coordinates.shape).filter(|_| energy.options.lift.is_none());
+    let pieces = split::pieces(graph, root, split::Space { degrees, action: true }, groups); // flows in closed form
+    let mechanics = split::mechanics(graph, root, degrees);
+    let (derived, gradient) = derive::contact(
+        graph,
+        root,
+        (&pieces, &mechanics),
+        &lowered.partial,
+        (degrees, energy.options.lift.is_some()),
+        legendre,
+    );
+    check::of_action(energy, (root, &mechanics), graph, &lowered.places, |symbol| context.user_name(symbol))?;
+    check::pieces(energy, (root, groups), &pieces, graph, &lowered.places, |symbol| context.user_name(symbol))?;
+    let derived = legendre.into_iter().fold(derived, System::of_lagrangian);
+    let system = derived.scheduled(graph);
+    let graph = &*graph;
+    let report = emit::report::contact(&context, graph, (root, &gradient, dissipated.as_ref()), &system);
+    let report = emit::report::lagrangian(&context, graph, legendre) + &report;
+    Ok(emit::items(&context, graph, &system, &report))
+}
+
+/// H(x, t) with x' = S(x) ∇H.
+fn structured_hamiltonian(energy: &Energy) -> Result<TokenStream> {
+    let mut lowered = lower::body(energy)?;
+    let context = emit::Context::new(energy, &lowered.constants);
+    let graph = &mut lowered.graph;
+    let structure = proof::structure(graph, &lowered.structure);
+    let damping = analyze::damping(graph, lowered.damping);
+    check::structure(energy, (&structure, damping.as_ref()), graph, &lowered.places, |symbol| {
+        context.user_name(symbol)
+    })?;
+    let mut flow = Flow::structured(graph, lowered.energy, &structure.matrix, damping.as_ref());
+    flow.search_casimirs(graph, (&structure.matrix, structure.casimir), |symbol| context.user_name(symbol));
+    flow.search(graph, |symbol| context.user_name(symbol)); // what else is constant
+    let parted = Parted::of_structure(lowered.energy, &structure.matrix, structure.poisson.is_ok());
+    let pieces = derive::parts(graph, &flow, Some(&parted), damping.is_some()); // by terms of H, and by planes
+    let system = derive::flow(graph, &flow, &lowered.partial, damping.as_ref());
+    let system = System { pieces, ..system }.scheduled(graph);
+    let graph = &*graph;
+    let report = emit::report::flow(&context, graph, (&flow, Source::Structure(&structure)), &system);
+    Ok(emit::items(&context, graph, &system, &report))
+}
+
+/// f(x, t), and what it keeps.
+fn vector_field(energy: &Energy) -> Result<TokenStream> {
+    let mut lowered = lower::body(energy)?;
+    let context = emit::Context::new(energy, &lowered.constants);
+    let graph = &mut lowered.graph;
+    let mut flow = Flow::of_field(&lowered.field, energy.options.keeps.iter().zip(&lowered.keeps));
+    let found = proof::integrals(graph, &flow);
+    check::integrals(energy, &lowered.keeps, &found, graph, |symbol| context.user_name(symbol))?;
+    let liouville = derive::liouville(graph, &lowered.field, &lowered.partial); // is it that of an energy?
+    match liouville.kept() {
+        Some(energy) => flow.recovered(graph, energy, |symbol| context.user_name(symbol)),
+        None => flow.divergent = liouville.divergent(),
+    }
+    flow.search(graph, |symbol| context.user_name(symbol));
+    let parted = Parted::of_field(graph, &flow); // S, known or searched for
+    let pieces = derive::parts(graph, &flow, parted.as_ref(), false);
+    let system = System { pieces, ..derive::flow(graph, &flow, &lowered.partial, None) }.scheduled(graph);
+    let graph = &*graph;
+    let report = emit::report::flow(
+        &context,
+        graph,
+        (&flow, Source::Field(OfField { proofs: &found, liouville: &liouville, parted: parted.as_ref() })),
+        &system,
+    );
+    Ok(emit::items(&context, graph, &system, &report))
+}
+
+/// H(r, m, t) of rigid bodies.
+fn bodies(energy: &Energy) -> Result<TokenStream> {
+    let mut lowered = lower::body(energy)?;
+    let context = emit::Context::new(energy, &lowered.constants);
+    let graph = &mut lowered.graph;
+    let found = analyze::bodies(graph, lowered.energy, (energy.bodies(), energy.degrees() / 4)); // T and V, or the term in the way
+    let found = check::bodies(energy, found, graph, &lowered.places, |symbol| context.user_name(symbol))?;
+    let system = derive::bodies(graph, &found, &lowered.partial).scheduled(graph);
+    let graph = &*graph;
+    let report = emit::report::bodies(&context, graph, &found, &system);
+    Ok(emit::items_of_bodies(&context, graph, &system, &report))
 }

@@ -17,8 +17,8 @@ mod derive;
 mod check;
 mod emit;
 mod link;
-mod compile;
 mod expand;
+mod attribute;
 #[cfg(test)]
 mod tests;
 
@@ -29,7 +29,7 @@ use proc_macro::TokenStream;
 #[doc = include_str!("../docs/hamiltonian.md")]
 #[proc_macro_attribute]
 pub fn hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
-    expand::expand(parse::Form::Hamiltonian, args.into(), item.into()).into()
+    attribute::expand(parse::Form::Hamiltonian, args.into(), item.into()).into()
 }
 
 /// Makes an integrable system from a vector field, x' = f(x) or x' = f(x, t), and keeps the first integrals that are named.
@@ -37,7 +37,7 @@ pub fn hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
 #[doc = include_str!("../docs/vector_field.md")]
 #[proc_macro_attribute]
 pub fn vector_field(args: TokenStream, item: TokenStream) -> TokenStream {
-    expand::expand(parse::Form::Field, args.into(), item.into()).into()
+    attribute::expand(parse::Form::Field, args.into(), item.into()).into()
 }
 
 /// Makes an integrable system from a contact Hamiltonian H(q, p, s), or H(q, p, s, t): energy that is lost or driven.
@@ -45,7 +45,7 @@ pub fn vector_field(args: TokenStream, item: TokenStream) -> TokenStream {
 #[doc = include_str!("../docs/contact_hamiltonian.md")]
 #[proc_macro_attribute]
 pub fn contact_hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
-    expand::expand(parse::Form::Contact, args.into(), item.into()).into()
+    attribute::expand(parse::Form::Contact, args.into(), item.into()).into()
 }
 
 /// Makes an integrable system from a Lagrangian L(q, v) with the velocities v = q', or L(q, v, t), or L(q, v, s, t).
@@ -53,7 +53,7 @@ pub fn contact_hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream 
 #[doc = include_str!("../docs/lagrangian.md")]
 #[proc_macro_attribute]
 pub fn lagrangian(args: TokenStream, item: TokenStream) -> TokenStream {
-    expand::expand(parse::Form::Lagrangian, args.into(), item.into()).into()
+    attribute::expand(parse::Form::Lagrangian, args.into(), item.into()).into()
 }
 
 /// Makes a function one that energies may call: it is inlined, and differentiated with them.
@@ -61,7 +61,7 @@ pub fn lagrangian(args: TokenStream, item: TokenStream) -> TokenStream {
 #[doc = include_str!("../docs/energy_function.md")]
 #[proc_macro_attribute]
 pub fn energy_function(args: TokenStream, item: TokenStream) -> TokenStream {
-    expand::energy_function(args.into(), item.into()).into()
+    attribute::energy_function(args.into(), item.into()).into()
 }
 
 /// What asks for a function, by a name that says what to do if it is none under `#[energy_function]`.
@@ -75,7 +75,7 @@ pub fn put_energy_function_above_it(input: TokenStream) -> TokenStream {
 #[doc(hidden)]
 #[proc_macro]
 pub fn resume(input: TokenStream) -> TokenStream {
-    expand::resume(input.into()).into()
+    attribute::resume(input.into()).into()
 }
 
 /// The number of unknowns up to which Newton's iteration has a kernel of its own: for the runtime, which decides by the same.

@@ -1,38 +1,44 @@
 //! What emitted code may name. Not part of the public interface.
 
-pub use crate::method::constrained::Rattle;
-pub use crate::method::contact::{ContactDiscreteGradient, ContactMidpoint};
-pub use crate::method::corrected::invariants::{
-    CanonicalEnergy, EnergyAndMomenta, Integral, Integrals as KeptIntegrals, VelocityEnergy,
-};
-pub use crate::method::discrete_gradient::DiscreteGradient;
-pub use crate::method::discrete_gradient::canonical as fourth_order;
-pub use crate::method::pieces::{
-    ContactSplitting, PieceSplitting, PlanarDiscreteGradient, PlanarItohAbe, PlanarSplitting, PoissonSplitting,
-};
-pub use crate::method::{And as ProofAnd, Method};
-pub use crate::method::{gradient_kick, modified_verlet};
-pub use crate::running::{Adaptive, Integrator, StepError, TaylorIntegrator, state_on_constraint};
-pub use crate::scalar::Real;
-pub use crate::slope;
-pub use crate::solving::{Inverted, is_positive_semidefinite, planar_step};
-pub use crate::space::{
-    Array, BodyState, ContactState, Coordinates, FlowState, PerCoordinate, Placed, Snapshot, Square, State,
-};
-pub use crate::system::{
-    Autonomous, ByCanonical, ByConstraint, ByField, ByPolarisation, ByTree, ByVelocities, CanonicalForm,
-    Clock as PieceClock, Collocated, Collocation, Conformal as ConformalContact, Conservative,
-    Constrained as ConstrainedSystem, ConstrainedStep, Contact as ContactSystem, ContactCollocated, ContactGraded,
-    ContactPolarised, ContactStage, ContactStages, ContactVelocities, Cotangent as CotangentSpace, DiscreteField,
-    FirstIntegrals, FlowPart, ForceGradient, FourthOrderField, Graded, Gradients, Hamiltonian, ImplicitStep, Jets,
-    KeepsEnergy, KeptMomenta, Lagrangian as LagrangianSystem, MassForm, Mean, Mechanical as MechanicalContact,
-    ModifiedEnergy, NystromPieces, Perturbed as PerturbedSystem, PerturbedGradient, PhaseSpace, Piece as FlowPiece,
-    Pieces as FlowPieces, PolarisedForm, Pole, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable, Span,
-    SteadyIntegrals, Unmet, VectorField as DifferentialEquation, VelocityForm, canonical_rate, contact_gradient_of,
-    energy_of, from_positions, rate_of, unmet, unsuitable, velocity_of,
-};
-pub use crate::taylor::{TaylorMethod, recurrence};
+pub use crate::system::{FlowPart, Pole, unsuitable};
 pub use geoint_macros::{put_energy_function_above_it, resume};
+pub use imported::Real;
+
+/// What emitted code imports: users' structs have none of these names.
+pub mod imported {
+    pub use crate::method::constrained::Rattle;
+    pub use crate::method::contact::{ContactDiscreteGradient, ContactMidpoint};
+    pub use crate::method::corrected::invariants::{
+        CanonicalEnergy, EnergyAndMomenta, Integral, Integrals as KeptIntegrals, VelocityEnergy,
+    };
+    pub use crate::method::discrete_gradient::DiscreteGradient;
+    pub use crate::method::discrete_gradient::canonical as fourth_order;
+    pub use crate::method::pieces::{
+        ContactSplitting, PieceSplitting, PlanarDiscreteGradient, PlanarItohAbe, PlanarSplitting, PoissonSplitting,
+    };
+    pub use crate::method::{And as ProofAnd, Method};
+    pub use crate::method::{gradient_kick, modified_verlet};
+    pub use crate::running::{Adaptive, Integrator, StepError, TaylorIntegrator, state_on_constraint};
+    pub use crate::scalar::Real;
+    pub use crate::slope;
+    pub use crate::solving::{Inverted, is_positive_semidefinite, planar_step};
+    pub use crate::space::{
+        Array, BodyState, ContactState, Coordinates, FlowState, PerCoordinate, Placed, Snapshot, Square, State,
+    };
+    pub use crate::system::{
+        Autonomous, ByCanonical, ByConstraint, ByField, ByPolarisation, ByTree, ByVelocities, CanonicalForm,
+        Clock as PieceClock, Collocated, Collocation, Conformal as ConformalContact, Conservative,
+        Constrained as ConstrainedSystem, ConstrainedStep, Contact as ContactSystem, ContactCollocated, ContactGraded,
+        ContactPolarised, ContactStage, ContactStages, ContactVelocities, Cotangent as CotangentSpace, DiscreteField,
+        FirstIntegrals, ForceGradient, FourthOrderField, Graded, Gradients, Hamiltonian, ImplicitStep, Jets,
+        KeepsEnergy, KeptMomenta, Lagrangian as LagrangianSystem, MassForm, Mean, Mechanical as MechanicalContact,
+        ModifiedEnergy, NystromPieces, Perturbed as PerturbedSystem, PerturbedGradient, PhaseSpace, Piece as FlowPiece,
+        Pieces as FlowPieces, PolarisedForm, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable, Span,
+        SteadyIntegrals, Unmet, VectorField as DifferentialEquation, VelocityForm, canonical_rate, contact_gradient_of,
+        energy_of, from_positions, rate_of, unmet, velocity_of,
+    };
+    pub use crate::taylor::{TaylorMethod, recurrence};
+}
 
 /// What is seldom done is compiled with this crate, where it does not depend on the shape of unknowns, or for usual shapes. Programs take it
 /// from here, since it is never inlined. These are its addresses, because only what somebody names is compiled.

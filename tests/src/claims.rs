@@ -109,7 +109,7 @@ pub struct Symmetry<P>(pub Geometry<P>);
 impl<P: Scene> Visitor<P::Over<f64>, f64> for Symmetry<P> {
     fn visit<M: Method<P::Over<f64>, f64> + 'static>(&mut self, method: M) {
         let name = method.name().to_string();
-        let defect = symmetry_defect::<P, M>(method, self.0.h, 3);
+        let defect = symmetry_defect::<P, M, f64>(method, self.0.h, 3);
         self.0.judge(&name, method.claims().order, method.claims().symmetric, defect, 1e-13);
     }
 }

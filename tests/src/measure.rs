@@ -199,14 +199,24 @@ pub fn form_defect<P: Scene, M: Method<P::Over<Dual>, Dual>>(method: M, h: f64, 
     Ok(P::form_defect(&directions, &images, &before, &after))
 }
 
-/// |Φ(−h)ⁿ ∘ Φ(h)ⁿ − id| at the start, in `f64`, relative to the largest coordinate if that is above 1.
-pub fn symmetry_defect<P: Scene, M: Method<P::Over<f64>>>(method: M, h: f64, steps: u64) -> Result<f64, Refusal> {
+/// |Φ(−h)ⁿ ∘ Φ(h)ⁿ − id|, relative to the largest coordinate if that is above 1.
+///
+/// After a first step: the scene starts at numbers of `f64`, which a method for constraints or bodies leads to where states of its scalar are.
+pub fn symmetry_defect<P, M, R>(method: M, h: f64, steps: u64) -> Result<f64, Refusal>
+where
+    P: Scene,
+    M: Method<P::Over<R>, R>,
+    R: Scalar,
+{
     let (start, x) = P::start();
-    let mut sim = Bare::<P, M, f64>::new(method, h, start, &x);
+    let x: Vec<R> = x.into_iter().map(R::from_f64).collect();
+    let mut sim = Bare::<P, M, R>::new(method, R::from_f64(h), R::from_f64(start), &x);
+    sim.advance(1)?;
+    let x = sim.state();
     sim.advance(steps)?;
     let mut sim = sim.back();
     sim.advance(steps)?;
-    Ok(distance(&sim.state(), &x) / x.iter().fold(1.0, |max: f64, x| max.max(x.abs())))
+    Ok(distance(&sim.state(), &x) / x.iter().fold(1.0, |max: f64, x| max.max(x.magnitude())))
 }
 
 /// A straight line y = offset + slope·x by least squares.

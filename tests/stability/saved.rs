@@ -164,6 +164,63 @@ fn at_a_step_that_is_refused() {
     check(BlanesMoan4);
 }
 
+/// A state that a user gave, and that no step has examined yet, is examined where a run goes on, whatever that run has done before; and one that a
+/// step has led to is not asked for what states of users have to be.
+#[test]
+fn a_state_that_no_step_has_seen() {
+    macro_rules! check {
+        ($($run:expr),* $(,)?) => { $(
+            let run = $run;
+            // Bad from the beginning, or given later.
+            let mut given = run(State::new(1.0, 0.2));
+            given.advance(3).expect("steps");
+            given.set_state(State::new(-1.0, 0.0));
+            for bad in [run(State::new(-1.0, 0.0)), given] {
+                let mut other = run(State::new(1.0, 0.2));
+                other.advance(5).expect("steps");
+                other.set_state(State::new(1.1, 0.0));
+                let mut fresh = run(State::new(1.0, 0.2));
+                for other in [&mut other, &mut fresh] {
+                    other.resume(&written(&bad.saved())).expect("the same kind");
+                    let outcome = other.step();
+                    assert!(matches!(outcome, Err(StepError::OutsideDomain { .. })), "{outcome:?}: {}", stringify!($run));
+                }
+            }
+        )* };
+    }
+    let system = DownToTheEdge { m: 1.3 };
+    check!(
+        |start| system.integrator(StormerVerlet, 0.01, start),
+        |start| system.integrator(DiscreteGradient, 0.01, start),
+        |start| system.adaptive(DOP853, 1e-8, start),
+        |start| system.taylor(Taylor::default(), start),
+    );
+    // Off a constraint a step would go on from wherever it is led to.
+    let bob = Bob { m: 0.7, g: 9.81, l: 1.2 };
+    let mut other = bob.integrator(Rattle, 0.01, State::new([1.2, 0.0], [0.0, 0.0]));
+    other.advance(5).expect("steps");
+    other.set_state(State::new([0.0, 1.2], [0.0, 0.0]));
+    let off = bob.integrator(Rattle, 0.01, State::new([1.201, 0.0], [0.0, 0.0]));
+    other.resume(&written(&off.saved())).expect("the same kind");
+    let outcome = other.step();
+    assert!(matches!(outcome, Err(StepError::OffConstraint { .. })), "{outcome:?}");
+    // Momenta at an event within a step are tangent to a constraint to the rounding of positions over h.
+    let run = || bob.integrator(DiscreteGradient, 0.01, State::new([1.2, 0.0], [0.0, 0.0]));
+    let mut sim = run();
+    for _ in 0..9 {
+        sim.until_event(1e3, Direction::Any, |state| state.q[0]).expect("steps").expect("it swings");
+        let mut other = run();
+        other.resume(&written(&sim.saved())).expect("the same kind");
+        let outcome = other.advance(20);
+        assert!(outcome.is_ok(), "{outcome:?}");
+    }
+}
+
+#[hamiltonian(constraint = [q[0] * q[0] + q[1] * q[1] - l * l])]
+fn bob(q: [f64; 2], p: [f64; 2], m: f64, g: f64, l: f64) -> f64 {
+    (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) + m * g * q[1]
+}
+
 /// What does not belong to a run changes nothing, whatever it is.
 #[test]
 fn what_is_of_another_run_is_refused() {

@@ -151,6 +151,60 @@ fn absolute_errors() {
     }
 }
 
+#[hamiltonian]
+fn henon_heiles(q: [f64; 2], p: [f64; 2], m: [f64; 2], lambda: f64) -> f64 {
+    let [x, y] = q;
+    let kinetic = p[0] * p[0] / (2.0 * m[0]) + p[1] * p[1] / (2.0 * m[1]);
+    kinetic + (x * x + y * y) / 2.0 + lambda * (x * x * y - y * y * y / 3.0)
+}
+
+/// Steps over a small perturbation are long, and tell nothing of the time in which a state changes, nor of what errors cause in it: where they
+/// were thought to, steps had a hundred times the error that is tolerated.
+#[test]
+fn small_perturbations_do_not_loosen_the_tolerance() {
+    fn check<M: Method<HenonHeiles>>(method: M, tolerance: f64) {
+        let system = HenonHeiles { m: [1.7, 0.6], lambda: 0.8 };
+        let mut sim = system.adaptive(method, tolerance, State::new([0.3, -0.2], [0.35, 0.25]));
+        let mut worst = 0.0_f64;
+        while sim.time() < 20.0 {
+            let mut exact = system.taylor(Taylor::default(), sim.state());
+            sim.step_towards(20.0).unwrap();
+            exact.advance_to(sim.time()).unwrap();
+            worst = worst.max(distance(&flat(&sim.state()), &flat(&exact.state())));
+        }
+        // No coordinate is larger than 0.7.
+        println!("{}: {:.2} in {} steps", method.name(), worst / tolerance, sim.steps());
+        assert!(worst < 2.0 * tolerance, "{}: {:.1}", method.name(), worst / tolerance);
+    }
+    check(WisdomHolmanProcessed, 1e-7);
+    check(WisdomHolmanProcessed, 1e-5);
+    check(WisdomHolman, 1e-6);
+    check(WisdomHolmanGradient, 1e-6);
+}
+
+/// What is as large as a state is no tolerance of it: every kind of run says so.
+#[test]
+fn a_tolerance_is_a_part_of_the_state() {
+    let system = TwoOscillators { m: [1.6, 0.5], k: [2.5, 32.0] };
+    let start = State::new([1.0, 1e-6], [0.0, 0.0]);
+    for bad in [1.0, 3.0, 1e300, f64::INFINITY, 0.0, -1e-9, f64::NAN] {
+        let outcomes = [
+            system.adaptive(RK4, bad, start).step(),
+            system.adaptive(DOP853, bad, start).advance_to(1.0),
+            system.taylor(Taylor { tolerance: bad }, start).step(),
+            system.taylor(TaylorOrder::<8> { tolerance: bad }, start).advance_to(1.0),
+        ];
+        for outcome in outcomes {
+            let Err(error @ StepError::InvalidTolerance { .. }) = outcome else { panic!("{bad}: {outcome:?}") };
+            assert!(!(1.0..1e301).contains(&bad) || error.to_string().contains("below 1"), "{error}");
+        }
+    }
+    for loose in [0.5, 0.99] {
+        system.adaptive(DOP853, loose, start).step().unwrap();
+        system.taylor(Taylor { tolerance: loose }, start).step().unwrap();
+    }
+}
+
 /// A run that would take too long ends, and goes on if it is asked to.
 #[test]
 fn a_limit_of_steps() {

@@ -279,3 +279,18 @@ fn events_that_are_none_are_refused() {
         assert!(matches!(error, Some(Err(StepError::NoEvent { .. }))), "{error:?}");
     }
 }
+
+/// A function that is exactly zero at both ends of steps has a sign within them.
+#[test]
+fn zeros_at_both_ends_of_steps() {
+    let mut sim = Pendulum { m: 1.3 }.integrator(BlanesMoan4, 1.0, State::new(1.0, 0.0));
+    let g = |state: &State<f64>| (state.t - 2.0) * (state.t - 3.0) * (state.t - 4.0);
+    let found: Vec<_> = sim.crossings(Direction::Any, g).until(10.0).map(|crossing| crossing.unwrap()).collect();
+    let times: Vec<f64> = found.iter().map(|crossing| crossing.state.t).collect();
+    assert_eq!(times, [2.0, 3.0, 4.0]);
+    assert!(found[0].rises && !found[1].rises && found[2].rises);
+    // It touches zero at both ends of a step, and stays below.
+    let mut sim = Pendulum { m: 1.3 }.integrator(BlanesMoan4, 1.0, State::new(1.0, 0.0));
+    let g = |state: &State<f64>| -((state.t - 2.0) * (state.t - 3.0)).powi(2);
+    assert!(sim.crossings(Direction::Any, g).until(10.0).next().is_none());
+}

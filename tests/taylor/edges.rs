@@ -225,3 +225,59 @@ fn steps_that_are_not_short_enough() {
     );
     assert!(error.to_string().contains("times what is tolerated"), "{error}");
 }
+
+/// |q|^2.5 has two derivatives at q = 0, and (x² + y²)^1.5, and no series.
+#[hamiltonian]
+fn rough(q: f64, p: f64, m: f64) -> f64 {
+    p * p / (2.0 * m) + q.abs().powf(2.5)
+}
+
+#[hamiltonian]
+fn rough_centre(q: [f64; 2], p: [f64; 2], m: f64, w: f64) -> f64 {
+    (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) + (q[0] * q[0] + q[1] * q[1]).powf(w)
+}
+
+/// A series that ends where a power does says which.
+#[test]
+fn a_power_that_has_no_series_is_named() {
+    let named = |outcome: Result<(), StepError>, term: &str| match outcome {
+        Err(
+            StepError::StepTooSmall { reason: Reason::OutsideDomain { what }, .. }
+            | StepError::OutsideDomain { what, .. },
+        ) => {
+            assert!(
+                what.starts_with("a power has no Taylor series where it vanishes") && what.contains(term),
+                "{what}"
+            );
+        }
+        outcome => panic!("{outcome:?}"),
+    };
+    let system = Rough { m: 1.3 };
+    // At rest there, in motion, and on the way there.
+    for start in [State::new(0.0, 0.0), State::new(0.0, 0.3), State::new(1.0, 0.0), State::new(-1.0, 0.2)] {
+        let mut sim = system.taylor(Taylor::default(), start);
+        named(sim.advance_to(10.0), "abs(q)^(5/2)");
+        assert!(sim.state().q.abs() < 1e-12, "{:?}", sim.state());
+    }
+    named(system.taylor(TaylorFixed::<8> { h: 0.1 }, State::new(0.0, 0.3)).step(), "abs(q)^(5/2)");
+    let system = RoughCentre { m: 1.3, w: 1.6 };
+    named(system.taylor(Taylor::default(), State::new([0.0; 2], [0.0, 0.3])).step(), "q[0]²");
+    // Elsewhere series go on.
+    let mut sim = system.taylor(Taylor::default(), State::new([1.0, 0.0], [0.0, 0.3]));
+    let energy = sim.energy();
+    sim.advance_to(10.0).unwrap();
+    assert!((sim.energy() - energy).abs() < 1e-14);
+}
+
+/// The first term of a series says nothing of its error: with steps for that the lowest order crept away from where a momentum is zero.
+#[test]
+fn the_lowest_orders_go_on() {
+    let spring = TwoSprings.taylor(TaylorOrder::<2> { tolerance: 1e-6 }, State::new(1.0, 0.0));
+    let (mut second, mut third) =
+        (spring.steps_at_most(100_000), TwoSprings.taylor(TaylorOrder::<3> { tolerance: 1e-6 }, State::new(1.0, 0.0)));
+    for t in [0.1, 1.0] {
+        second.advance_to(t).unwrap_or_else(|error| panic!("{error}"));
+        third.advance_to(t).unwrap();
+        assert!((second.state().q - third.state().q).abs() < 1e-3, "{:?} {:?}", second.state(), third.state());
+    }
+}

@@ -9,5 +9,6 @@ mod events;
 mod going_on;
 mod output;
 mod recurrences;
+mod rest;
 mod scales;
 mod solutions;

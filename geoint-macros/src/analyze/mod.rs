@@ -189,7 +189,7 @@ pub(crate) fn bound(graph: &mut Graph, energy: Id, constraints: &[Id], coordinat
     }
     let sum = graph.sum(&terms);
     let mut structure = structure(graph, sum, coordinates);
-    let free = |value: Id| !graph.symbols(value).iter().any(|symbol| matches!(symbol, Symbol::Multiplier(_)));
+    let free = |value: Id| !graph.reads_any(value, |symbol| matches!(symbol, Symbol::Multiplier(_)));
     structure.momenta.retain(|momentum| free(momentum.value));
     structure
 }

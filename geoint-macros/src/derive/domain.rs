@@ -17,6 +17,8 @@ pub(crate) struct Domain<K = Kernel> {
     pub(crate) arguments: K,
     /// Where the energy is defined but not smooth: what explains a step that is refused there.
     pub(crate) edges: Edges<K>,
+    /// Powers that have so many derivatives alone where what they are powers of vanishes: no series goes on from there.
+    pub(crate) powers: Edges<K>,
     /// Whether the end of a step may lie outside the domain without a trace in later steps.
     pub(crate) examined: bool,
     pub(crate) poles: Option<Poles<K>>,
@@ -99,6 +101,7 @@ impl Domain {
             arguments: Kernel::new(Levels::One, arguments),
             checks,
             edges: Edges::of(graph, roots.all),
+            powers: Edges::powers(graph, roots.all),
             examined,
             poles: Poles::of(graph, (roots.divided, form), partial),
             jumps: Jumps::of(graph, roots.divided),
@@ -112,7 +115,8 @@ impl<K> Domain<K> {
         Domain {
             checks: self.checks,
             arguments: of(self.arguments),
-            edges: Edges { checks: self.edges.checks, arguments: of(self.edges.arguments) },
+            edges: self.edges.map(of),
+            powers: self.powers.map(of),
             examined: self.examined,
             poles: self.poles.map(|poles| poles.map(of)),
             jumps: self.jumps.map(|jumps| jumps.map(of)),
@@ -130,9 +134,35 @@ impl Edges {
                 checks.extend(edges_of(graph, id));
             }
         }
+        Edges::new(graph, checks)
+    }
+
+    /// Powers that are no whole numbers, and vanish with what they are powers of.
+    fn powers(graph: &mut Graph, roots: &[Id]) -> Edges {
+        let power = |id: Id| {
+            let base = match graph.node(id) {
+                Node::Power(base, exponent) if !exponent.is_integer() && exponent.numerator > 0 => *base,
+                Node::Call(Function::Powf, args) => args[0],
+                _ => return None,
+            };
+            Some(Check::new(base, Sign::Zero, "a power has no Taylor series where it vanishes".into(), id))
+        };
+        let checks = graph.reachable(roots).into_iter().filter_map(power).collect();
+        Edges::new(graph, checks)
+    }
+
+    /// Those that depend on where a system is.
+    fn new(graph: &mut Graph, mut checks: Vec<Check>) -> Edges {
         checks.retain(|check: &Check| graph.reads(check.argument).state());
         let arguments = checks.iter().map(|check| check.argument).collect();
         Edges { checks, arguments: Kernel::new(Levels::One, arguments) }
+    }
+}
+
+impl<K> Edges<K> {
+    /// The same with statements in place of nodes.
+    fn map<L>(self, of: &mut impl FnMut(K) -> L) -> Edges<L> {
+        Edges { checks: self.checks, arguments: of(self.arguments) }
     }
 }
 

@@ -3,6 +3,7 @@
 //! One value holds it for every form. It is a system of kernels; scheduled, the same is a system of plans. What a form does not have
 //! is `None`, and what an energy does not have is `Err` with the reason.
 
+pub(crate) mod proof;
 mod poles;
 mod domain;
 mod system;
@@ -16,7 +17,6 @@ mod bodies;
 mod flow;
 mod velocities;
 mod constraints;
-pub(crate) mod proof;
 
 pub(crate) use bodies::{Bodies, Shift, Turn, bodies};
 pub(crate) use canonical::canonical;
@@ -24,11 +24,12 @@ pub(crate) use constraints::constrained;
 pub(crate) use contact::contact;
 pub(crate) use domain::{Check, Domain, Sign};
 pub(crate) use exact::parts::{Parted, parts};
-pub(crate) use flow::{Flow, Named, Origin, flow};
+pub(crate) use flow::flow;
 pub(crate) use forced::forced;
 pub(crate) use implicit::MOST_UNKNOWNS;
 pub(crate) use jet::JetKernel;
 pub(crate) use poles::{Jumps, Margin, Margins, Poles, Signs};
+pub(crate) use proof::flow::{Flow, Named, Origin};
 pub(crate) use proof::liouville::{Liouville, Multiplier, Recovered, liouville};
 pub(crate) use system::{
     ConstraintKernels, ContactStages, FieldKernels, FlowKernel, GradientKick, HerglotzKernels, Implicit, Inner,

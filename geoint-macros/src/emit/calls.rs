@@ -1,6 +1,6 @@
 //! Statements with many results, each a call of the runtime: Kepler's motion, linear flows.
 
-use super::straight_line::{SLOTS, Writer};
+use super::writer::{SLOTS, Writer};
 use crate::schedule::{Operand, Register};
 use proc_macro2::{Delimiter, TokenStream};
 

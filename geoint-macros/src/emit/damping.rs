@@ -1,6 +1,7 @@
 //! What is emitted, and said, of damped systems alone.
 
 use super::kernel::Context;
+use super::tokens::Tokens;
 use crate::analyze::{Damping, Forces};
 use crate::ir::{Id, Symbol, print::Printer};
 use proc_macro2::TokenStream;
@@ -8,7 +9,7 @@ use quote::quote;
 use std::fmt::Write;
 
 /// The statement that tests a matrix of which it is not known yet whether it is positive semidefinite.
-pub(super) fn matrix_test(context: &Context<'_>, values: &[TokenStream]) -> TokenStream {
+pub(super) fn matrix_test(context: &Context<'_>, values: &[Tokens]) -> TokenStream {
     if values.is_empty() {
         return TokenStream::new();
     }

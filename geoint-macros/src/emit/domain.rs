@@ -3,6 +3,7 @@
 use super::damping;
 use super::kernel::Context;
 use super::poles;
+use super::tokens::Tokens;
 use crate::derive::{Check, Domain, Sign};
 use crate::ir::{Graph, print::Printer};
 use crate::schedule::Plan;
@@ -12,7 +13,7 @@ use quote::quote;
 /// The items of `PhaseSpace` that speak of the domain.
 pub(super) fn domain(context: &Context<'_>, graph: &Graph, domain: &Domain<Plan>) -> TokenStream {
     let (phase, parts, action) = (context.phase(), context.parts(), context.action());
-    let damped = |entries: &[TokenStream]| damping::matrix_test(context, entries);
+    let damped = |entries: &[Tokens]| damping::matrix_test(context, entries);
     let outside = first_of(context, graph, (&domain.checks, &domain.arguments), damped);
     let edge = (!domain.edges.checks.is_empty()).then(|| {
         let edge = first_of(context, graph, (&domain.edges.checks, &domain.edges.arguments), |_| TokenStream::new());
@@ -20,6 +21,15 @@ pub(super) fn domain(context: &Context<'_>, graph: &Graph, domain: &Domain<Plan>
             fn edge(&self, t: R, z: &#phase, s: &#action) -> ::core::option::Option<&'static str> {
                 #parts
                 #edge
+            }
+        }
+    });
+    let powers = (!domain.powers.checks.is_empty()).then(|| {
+        let powers = powers(context, graph, (&domain.powers.checks, &domain.powers.arguments));
+        quote! {
+            fn powers(&self, t: R, z: &#phase, s: &#action, mut visit: impl ::core::ops::FnMut(&'static str, R)) {
+                #parts
+                #powers
             }
         }
     });
@@ -38,10 +48,23 @@ pub(super) fn domain(context: &Context<'_>, graph: &Graph, domain: &Domain<Plan>
             #outside
         }
         #edge
+        #powers
         #examined
         #poles
         #jumps
     }
+}
+
+/// Shows every power with what it is a power of.
+fn powers(context: &Context<'_>, graph: &Graph, (checks, arguments): (&[Check], &Plan)) -> TokenStream {
+    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
+    context.values(arguments, |values| {
+        let shown = checks.iter().zip(values).map(|(check, value)| {
+            let message = format!("{}: {}", check.what, printer.excerpt(check.term));
+            quote!(visit(#message, #value);)
+        });
+        quote!(#(#shown)*)
+    })
 }
 
 /// The first condition that does not hold; `rest` tests the values that belong to none.
@@ -49,7 +72,7 @@ fn first_of(
     context: &Context<'_>,
     graph: &Graph,
     (checks, arguments): (&[Check], &Plan),
-    rest: impl Fn(&[TokenStream]) -> TokenStream,
+    rest: impl Fn(&[Tokens]) -> TokenStream,
 ) -> TokenStream {
     let printer = Printer::new(graph, |symbol| context.user_name(symbol));
     context.values(arguments, |mut values| {

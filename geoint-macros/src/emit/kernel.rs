@@ -1,6 +1,9 @@
 //! Functions of prepared coefficients and arrays: what routines read and write.
 
-use super::straight_line::{self, Names};
+use super::given::{Given, array, element};
+use super::straight_line;
+use super::tokens::{Tokens, bracketed};
+use super::writer::Names;
 use crate::ir::Symbol;
 use crate::lower::VELOCITY;
 use crate::parse::{Energy, Form, Role, Shape};
@@ -18,57 +21,14 @@ pub(crate) struct Context<'a> {
     pub(super) registers: RefCell<Vec<Ident>>,
 }
 
-/// `base[i][j]…`
-pub(crate) fn element(base: TokenStream, indices: &[usize]) -> TokenStream {
-    let indices = indices.iter().map(|i| TokenTree::Literal(Literal::usize_unsuffixed(*i)));
-    let indices = indices.map(|i| TokenTree::Group(Group::new(Delimiter::Bracket, i.into())));
-    base.into_iter().chain(indices).collect()
-}
-
-/// What a routine is given: a variable, or an entry of an array.
-pub(crate) struct Given {
-    /// Entries of one array have one number.
-    pub(super) array: usize,
-    pub(super) base: TokenStream,
-    pub(super) indices: Vec<usize>,
-}
-
-impl Given {
-    pub(super) fn entry(array: usize, base: TokenStream, indices: Vec<usize>) -> Self {
-        Given { array, base, indices }
-    }
-
-    pub(super) fn alone(base: TokenStream) -> Self {
-        Given { array: 0, base, indices: vec![] }
-    }
-}
-
-impl ToTokens for Given {
-    fn to_tokens(&self, tokens: &mut TokenStream) {
-        tokens.extend(element(self.base.clone(), &self.indices));
-    }
-}
-
-/// Numbers of arrays that routines are given; those of parameters follow.
-pub(super) mod array {
-    pub(in crate::emit) const POSITIONS: usize = 0;
-    pub(super) const MOMENTA: usize = 1;
-    pub(super) const VELOCITIES: usize = 2;
-    pub(super) const KICKS: usize = 3;
-    pub(in crate::emit) const UNKNOWNS: usize = 4;
-    pub(in crate::emit) const INCREMENTS: usize = 5;
-    pub(in crate::emit) const PARAMETERS: usize = 6;
-}
-
 /// `base[i][j]… = value;` for every value.
-pub(crate) fn write(base: &str, places: &[Vec<usize>], values: &[TokenStream]) -> TokenStream {
-    let base = format_ident!("{base}");
+pub(crate) fn write(base: &str, places: &[Vec<usize>], values: &[Tokens]) -> TokenStream {
     let punct = |c| TokenTree::Punct(Punct::new(c, Spacing::Alone));
     let mut tokens: Vec<TokenTree> = vec![];
     for (indices, value) in places.iter().zip(values) {
-        tokens.extend(element(base.to_token_stream(), indices));
+        element(base, indices).push_to(&mut tokens);
         tokens.push(punct('='));
-        tokens.extend(value.clone());
+        value.clone().push_to(&mut tokens);
         tokens.push(punct(';'));
     }
     tokens.into_iter().collect()
@@ -91,21 +51,21 @@ impl<'a> Context<'a> {
     }
 
     /// The array type of q and p.
-    pub(crate) fn array(&self) -> TokenStream {
+    pub(crate) fn array(&self) -> TokenTree {
         let extents = match &self.energy.coordinates.shape.extents[..] {
             [] => vec![1],
             extents => extents.to_vec(),
         };
-        extents.iter().rev().fold(quote!(R), |inner, extent| {
+        extents.iter().rev().fold(format_ident!("R").into(), |inner: TokenTree, extent| {
             let extent = Literal::usize_unsuffixed(*extent);
-            quote!([#inner; #extent])
+            bracketed(quote!(#inner; #extent))
         })
     }
 
     /// The array type of all coordinates.
-    pub(crate) fn phase(&self) -> TokenStream {
+    pub(crate) fn phase(&self) -> TokenTree {
         let array = self.array();
-        if self.energy.form.is_flow() { array } else { quote!([#array; 2]) }
+        if self.energy.form.is_flow() { array } else { bracketed(quote!(#array; 2)) }
     }
 
     /// The statement that gives parts of the point `z` the names that routines read.
@@ -114,14 +74,17 @@ impl<'a> Context<'a> {
     }
 
     /// The type of what phase space has beside positions and momenta.
-    pub(crate) fn action(&self) -> TokenStream {
-        if self.energy.form.has_action() { quote!(R) } else { quote!(()) }
+    pub(crate) fn action(&self) -> TokenTree {
+        match self.energy.form.has_action() {
+            true => format_ident!("R").into(),
+            false => Group::new(Delimiter::Parenthesis, TokenStream::new()).into(),
+        }
     }
 
     /// The type of a number for every coordinate.
-    pub(super) fn per_coordinate(&self) -> TokenStream {
+    pub(super) fn per_coordinate(&self) -> Tokens {
         let (phase, action) = (self.phase(), self.action());
-        quote!(PerCoordinate<#phase, #action>)
+        quote!(PerCoordinate<#phase, #action>).into()
     }
 
     /// Where the entries of an array of unknowns are: positions or momenta alone, or both, one array after the other; or, with an
@@ -138,14 +101,14 @@ impl<'a> Context<'a> {
     }
 
     /// The type of an array of unknowns.
-    pub(crate) fn unknown_type(&self, unknowns: usize) -> TokenStream {
+    pub(crate) fn unknown_type(&self, unknowns: usize) -> TokenTree {
         let degrees = self.energy.degrees() as usize;
         if unknowns == degrees {
             return self.array();
         }
         if unknowns != 2 * degrees {
             let unknowns = Literal::usize_unsuffixed(unknowns);
-            return quote!([R; #unknowns]);
+            return bracketed(quote!(R; #unknowns));
         }
         self.phase()
     }
@@ -162,7 +125,8 @@ impl<'a> Context<'a> {
         for (number, argument) in self.energy.parameters().enumerate() {
             if rest < argument.shape.len() {
                 let name = &argument.name;
-                return Given::entry(array::PARAMETERS + number, quote!(self.#name), argument.shape.indices(rest));
+                let field = Tokens::field("self", name);
+                return Given::entry(array::PARAMETERS + number, field, argument.shape.indices(rest));
             }
             rest -= argument.shape.len();
         }
@@ -174,20 +138,20 @@ impl<'a> Context<'a> {
     pub(crate) fn input(&self, symbol: Symbol) -> Given {
         let of = |array, base, i| Given::entry(array, base, self.coordinate(i));
         match symbol {
-            Symbol::Q(i) => of(array::POSITIONS, quote!(q), i),
-            Symbol::P(i) => of(array::MOMENTA, quote!(p), i),
-            Symbol::V(i) => of(array::VELOCITIES, quote!(v), i),
+            Symbol::Q(i) => of(array::POSITIONS, "q", i),
+            Symbol::P(i) => of(array::MOMENTA, "p", i),
+            Symbol::V(i) => of(array::VELOCITIES, "v", i),
             Symbol::S => Given::alone(quote!(*s)),
-            Symbol::T => Given::alone(quote!(t)),
-            Symbol::Start => Given::alone(quote!(start)),
-            Symbol::End => Given::alone(quote!(end)),
-            Symbol::H => Given::alone(quote!(h)),
-            Symbol::G => Given::alone(quote!(g)),
+            Symbol::T => Given::alone("t"),
+            Symbol::Start => Given::alone("start"),
+            Symbol::End => Given::alone("end"),
+            Symbol::H => Given::alone("h"),
+            Symbol::G => Given::alone("g"),
             Symbol::Parameter(i) => self.parameter(i),
             // What a kick adds before a flow.
-            Symbol::Dp(i) => of(array::KICKS, quote!(dp), i),
+            Symbol::Dp(i) => of(array::KICKS, "dp", i),
             // Other increments are unknowns wherever they are read.
-            Symbol::Dq(_) | Symbol::Ds | Symbol::Dv(_) | Symbol::Multiplier(_) => Given::alone(TokenStream::new()),
+            Symbol::Dq(_) | Symbol::Ds | Symbol::Dv(_) | Symbol::Multiplier(_) => Given::alone(Tokens::default()),
         }
     }
 
@@ -262,16 +226,13 @@ impl<'a> Context<'a> {
     /// What a symbol is called where `unknowns` are in the array `increment` or `y`.
     pub(crate) fn input_or_unknown(&self, unknowns: &[Symbol], array: &str, symbol: Symbol) -> Given {
         match unknowns.iter().position(|unknown| *unknown == symbol) {
-            Some(i) => {
-                let name = format_ident!("{array}");
-                Given::entry(array::UNKNOWNS, quote!(#name), self.unknown_places(unknowns.len()).swap_remove(i))
-            }
+            Some(i) => Given::entry(array::UNKNOWNS, array, self.unknown_places(unknowns.len()).swap_remove(i)),
             None => self.input(symbol),
         }
     }
 
     /// The values of a plan's only routine, or of its first.
-    pub(crate) fn values(&self, plan: &Plan, finish: impl FnOnce(Vec<TokenStream>) -> TokenStream) -> TokenStream {
+    pub(crate) fn values<T: ToTokens>(&self, plan: &Plan, finish: impl FnOnce(Vec<Tokens>) -> T) -> TokenStream {
         self.planned(&plan.last[0], (&[], ""), finish)
     }
 
@@ -302,22 +263,22 @@ impl<'a> Context<'a> {
     }
 
     /// A routine of a plan, in which `unknowns` are in the array `array`.
-    pub(crate) fn planned(
+    pub(crate) fn planned<T: ToTokens>(
         &self,
         block: &Block,
         (unknowns, array): (&[Symbol], &str),
-        finish: impl FnOnce(Vec<TokenStream>) -> TokenStream,
+        finish: impl FnOnce(Vec<Tokens>) -> T,
     ) -> TokenStream {
         let input = |symbol| self.input_or_unknown(unknowns, array, symbol);
         straight_line::routine(block, self.names(&input), finish)
     }
 
     /// The same in braces, as the body of a function: one token, where many would be copied one by one as they are quoted.
-    pub(super) fn body(
+    pub(super) fn body<T: ToTokens>(
         &self,
         block: &Block,
         unknowns: (&[Symbol], &str),
-        finish: impl FnOnce(Vec<TokenStream>) -> TokenStream,
+        finish: impl FnOnce(Vec<Tokens>) -> T,
     ) -> TokenTree {
         Group::new(Delimiter::Brace, self.planned(block, unknowns, finish)).into()
     }

@@ -1,7 +1,8 @@
 //! Alike statements as arrays: `let a0: [_; 63] = from_fn(|i| …);`
 
-use super::kernel::Given;
-use super::straight_line::{SLOTS, Writer};
+use super::given::Given;
+use super::tokens::Tokens;
+use super::writer::{SLOTS, Writer};
 use crate::ir::HashMap;
 use crate::schedule::{Block, Families, Family, Indices, Instruction, Item, Operand, Register, Run, Source, families};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
@@ -9,11 +10,11 @@ use quote::{format_ident, quote};
 use std::cell::RefCell;
 
 /// The arrays of a routine by their numbers, and how many indices they have.
-type Arrays = HashMap<usize, (TokenStream, usize)>;
+type Arrays = HashMap<usize, (Tokens, usize)>;
 
 /// A result of a routine.
 pub(super) enum Output {
-    Value(TokenStream),
+    Value(Tokens),
     /// The loop that writes this one and others.
     Loop(TokenStream),
     /// By the loop of another one.
@@ -124,7 +125,7 @@ impl Writer<'_> {
 }
 
 /// An entry of an array that the routine is given.
-fn given((base, indices): &(TokenStream, usize), at: impl Fn(usize) -> TokenStream) -> TokenStream {
+fn given((base, indices): &(Tokens, usize), at: impl Fn(usize) -> TokenStream) -> TokenStream {
     let indices = (0..*indices).rev().map(at);
     quote!(#base #([#indices])*)
 }

@@ -10,6 +10,7 @@ mod exact;
 mod flow;
 mod implicit;
 mod jet;
+mod given;
 mod kernel;
 mod lagrangian;
 mod loops;
@@ -17,14 +18,16 @@ mod missing;
 mod poles;
 pub(crate) mod report;
 mod straight_line;
+mod tokens;
 mod calls;
 mod structure;
 mod system;
+mod writer;
 
 use crate::derive::{Bodies, Implicit, System};
 use crate::ir::Graph;
 use crate::lower::VELOCITY;
-use crate::parse::{Energy, Form, IMPORTED, Role};
+use crate::parse::{Energy, Form, Role};
 use crate::schedule::Plan;
 pub(crate) use kernel::Context;
 use proc_macro2::TokenStream;
@@ -117,7 +120,6 @@ fn around(context: &Context<'_>, report: &str, implementations: &TokenStream) ->
     });
     // No lint is allowed that nothing here needs: crates that forbid it could not have this.
     let old = attributes::is_deprecated(context.energy).then(|| quote!(deprecated,));
-    let imported = IMPORTED.iter().map(|name| format_ident!("{name}"));
     quote! {
         #structure
         #assertions
@@ -127,7 +129,7 @@ fn around(context: &Context<'_>, report: &str, implementations: &TokenStream) ->
             unused_mut, unused_variables, reason = "generated code"
         )]
         const _: () = {
-            use #runtime::private::{#(#imported),*};
+            use #runtime::private::imported::*;
 
             #used
 

@@ -1,6 +1,7 @@
 //! Poles and conditions between the ends of a step: what the runtime asks of them.
 
-use super::kernel::{Context, Given, array};
+use super::given::{Given, array};
+use super::kernel::Context;
 use super::straight_line;
 use crate::analyze::Jump;
 use crate::derive::{Jumps, Margin, Margins, Poles, Signs};
@@ -101,17 +102,17 @@ fn positive(context: &Context<'_>, Margins { values, count, margins }: &Margins<
 fn enclosed(context: &Context<'_>, name: &str, count: usize, choices: &[Block]) -> TokenStream {
     let parameters = context.scalars();
     let input = |symbol: Symbol| match symbol {
-        Symbol::Q(i) => Given::entry(array::POSITIONS, quote!(z), vec![i as usize]),
-        Symbol::P(i) => Given::entry(array::POSITIONS, quote!(z), vec![(context.energy.degrees() + i) as usize]),
-        Symbol::S => Given::alone(quote!(s)),
+        Symbol::Q(i) => Given::entry(array::POSITIONS, "z", vec![i as usize]),
+        Symbol::P(i) => Given::entry(array::POSITIONS, "z", vec![(context.energy.degrees() + i) as usize]),
+        Symbol::S => Given::alone("s"),
         Symbol::Parameter(i) if (i as usize) < parameters.len() => {
-            Given::entry(array::PARAMETERS, quote!(parameters), vec![i as usize])
+            Given::entry(array::PARAMETERS, "parameters", vec![i as usize])
         }
         symbol => context.input(symbol),
     };
     let arms = choices.iter().enumerate().map(|(i, block)| {
         let body = straight_line::routine(block, context.names(&input), |values| match &values[..] {
-            [value] => value.clone(),
+            [value] => quote!(#value),
             _ => quote!([#(#values),*]),
         });
         let number = Literal::usize_unsuffixed(i);
@@ -142,7 +143,13 @@ fn enclosed(context: &Context<'_>, name: &str, count: usize, choices: &[Block]) 
 pub(super) fn jumps(context: &Context<'_>, graph: &Graph, jumps: &Jumps<Plan>) -> TokenStream {
     let printer = Printer::new(graph, |symbol| context.user_name(symbol));
     let height = |jump: &Jump| printer.excerpt(jump.shown);
-    let what = jumps.all.iter().map(|jump| format!("the energy jumps where a condition changes, by {}", height(jump)));
+    let what = jumps.all.iter().map(|jump| {
+        format!(
+            "the energy jumps where a condition changes, by {}: shift one side so that both meet, or take a method that keeps the energy, \
+             such as `DiscreteGradient`",
+            height(jump)
+        )
+    });
     let (phase, parts, action) = (context.phase(), context.parts(), context.action());
     let count = Literal::usize_unsuffixed(jumps.all.len());
     let may_jump = jumps.edge.map(|_| {

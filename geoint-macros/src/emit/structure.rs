@@ -2,6 +2,7 @@
 
 use super::attributes;
 use super::kernel::Context;
+use super::tokens::Tokens;
 use crate::parse::{Energy, Form, Leaf, over_scalar};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -129,7 +130,11 @@ pub(super) fn state_type(context: &Context<'_>, ty: impl Fn(&syn::Type) -> Token
 }
 
 /// `Name<R>`, or `Name` if there are no parameters.
-pub(super) fn self_type(context: &Context<'_>) -> TokenStream {
+pub(super) fn self_type(context: &Context<'_>) -> Tokens {
     let name = &context.energy.name;
-    if context.energy.parameters().next().is_some() { quote!(#name<R>) } else { quote!(#name) }
+    if context.energy.parameters().next().is_some() {
+        quote!(#name<R>).into()
+    } else {
+        Tokens::from(vec![name.clone().into()])
+    }
 }

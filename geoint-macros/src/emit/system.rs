@@ -3,6 +3,7 @@
 use super::domain::domain;
 use super::kernel::{Context, write};
 use super::structure::{self_type, state};
+use super::tokens::Tokens;
 use crate::derive::{Implicit, Modified, System};
 use crate::ir::Graph;
 use crate::parse::{Energy, Form, over_scalar};
@@ -151,7 +152,7 @@ fn gradient(context: &Context<'_>, system: &System<Plan>, slopes: &Plan) -> Toke
 }
 
 /// `slopes[0][i] = …; slopes[1][i] = …;`, and `*ds = …;` if there is one more value.
-pub(super) fn halves(context: &Context<'_>, values: &[TokenStream]) -> TokenStream {
+pub(super) fn halves(context: &Context<'_>, values: &[Tokens]) -> TokenStream {
     let places = context.coordinates();
     let (q, rest) = values.split_at(places.len());
     let (p, s) = rest.split_at(places.len());

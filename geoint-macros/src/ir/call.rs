@@ -1,7 +1,8 @@
 //! Functions, selections and conditions.
 
-use super::graph::{Graph, Node};
+use super::graph::Graph;
 use super::id::Id;
+use super::node::Node;
 use super::number::Number;
 use super::op::{Function, Parity, Relation};
 

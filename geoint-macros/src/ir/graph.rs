@@ -7,75 +7,13 @@
 use super::hash;
 use super::id::Id;
 use super::known::Known;
+use super::node::Node;
 use super::number::Number;
-use super::number::Ratio;
-use super::op::{Domain, Function, Relation, Symbol};
+use super::op::{Domain, Function, Symbol};
 use super::reads::{Reads, Symbols};
 use super::sign::{Sign, sign};
 use super::table::Table;
-use std::cell::RefCell;
-
-/// An expression in terms of smaller ones. A sum or product over an index that stays a loop would be one more kind of
-/// node, with a graph of its own as its body.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Node {
-    Number(Number),
-    Symbol(Symbol),
-    /// constant + Σ coefficient·term, terms in order of their ids; scaling and negation too.
-    Linear(Number, Vec<(Number, Id)>),
-    /// Π factors, at least two, in order of their ids; no numbers among them.
-    Product(Vec<Id>),
-    /// A base to an exponent that is an integer or half of one.
-    Power(Id, Ratio),
-    Call(Function, Vec<Id>),
-    /// `if condition { first } else { second }`.
-    Select(Id, Id, Id),
-    /// Conditions.
-    Compare(Relation, Id, Id),
-    And(Id, Id),
-    Or(Id, Id),
-    Not(Id),
-    Truth(bool),
-}
-
-impl Node {
-    pub(crate) fn for_each_child(&self, mut visit: impl FnMut(Id)) {
-        match self {
-            Node::Number(_) | Node::Symbol(_) | Node::Truth(_) => {}
-            Node::Linear(_, terms) => {
-                for (_, id) in terms {
-                    visit(*id);
-                }
-            }
-            Node::Product(ids) | Node::Call(_, ids) => {
-                for id in ids {
-                    visit(*id);
-                }
-            }
-            Node::Power(id, _) | Node::Not(id) => visit(*id),
-            Node::Select(condition, first, second) => {
-                visit(*condition);
-                visit(*first);
-                visit(*second);
-            }
-            Node::Compare(_, a, b) | Node::And(a, b) | Node::Or(a, b) => {
-                visit(*a);
-                visit(*b);
-            }
-        }
-    }
-
-    pub(crate) fn children(&self) -> Vec<Id> {
-        let mut children = vec![];
-        self.for_each_child(|child| children.push(child));
-        children
-    }
-
-    /// Whether the value is true or false in place of a number.
-    pub(crate) fn is_condition(&self) -> bool {
-        matches!(self, Node::Compare(..) | Node::And(..) | Node::Or(..) | Node::Not(_) | Node::Truth(_))
-    }
-}
+use std::cell::{RefCell, RefMut};
 
 /// A node that is not defined everywhere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -113,11 +51,21 @@ impl Graph {
 
     /// The symbols that a node reads, in order.
     pub(crate) fn symbols(&self, id: Id) -> Vec<Symbol> {
+        self.noted(id).of(id)
+    }
+
+    /// Whether a node reads a symbol that `counts`.
+    pub(crate) fn reads_any(&self, id: Id, counts: impl Fn(Symbol) -> bool) -> bool {
+        self.noted(id).any(id, counts)
+    }
+
+    /// The sets of symbols, with that of a node.
+    fn noted(&self, id: Id) -> RefMut<'_, Symbols> {
         let mut symbols = self.symbols.borrow_mut();
         for id in self.unknown(id, &symbols.of) {
             symbols.note(id, self.node(id));
         }
-        symbols.of(id)
+        symbols
     }
 
     /// What is known of the sign of a node from its form, whatever its symbols are.

@@ -1,6 +1,6 @@
 //! A hasher for interning: short keys, no adversary, and an unoptimised build, in which std's costs more than the rest.
 
-use super::graph::Node;
+use super::node::Node;
 use std::hash::{BuildHasherDefault, Hash, Hasher};
 
 /// A hash map with [`Fold`].

@@ -1,8 +1,9 @@
 //! Nodes as formulas: for messages, documentation and snapshots.
 
-use super::graph::{Graph, Node};
+use super::graph::Graph;
 use super::hash::HashMap;
 use super::id::Id;
+use super::node::Node;
 use super::number::{Number, Ratio};
 use super::op::{Function, Relation, Symbol};
 use std::cell::{Cell, RefCell};

@@ -1,7 +1,8 @@
 //! Products, quotients and powers: one node for every base, never expanded.
 
-use super::graph::{Graph, Node};
+use super::graph::Graph;
 use super::id::Id;
+use super::node::Node;
 use super::number::Number;
 use super::number::Ratio;
 

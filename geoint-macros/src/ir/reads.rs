@@ -1,9 +1,9 @@
 //! Which symbols a node reads.
 
-use super::graph::Node;
 use super::hash;
 use super::id::Id;
 use super::known::Known;
+use super::node::Node;
 use super::op::Symbol;
 use super::table::Table;
 
@@ -83,15 +83,29 @@ pub(super) struct Symbols {
 impl Symbols {
     /// What a node reads, in order.
     pub(super) fn of(&self, id: Id) -> Vec<Symbol> {
-        let bits = &self.sets[self.of[id] as usize];
         let mut symbols = vec![];
-        for (place, symbol) in self.all.iter().enumerate().take(64 * bits.len()) {
-            if bits[place / 64] >> (place % 64) & 1 == 1 {
-                symbols.push(*symbol);
-            }
-        }
+        self.for_each(id, |symbol| symbols.push(symbol));
         symbols.sort();
         symbols
+    }
+
+    /// Whether a node reads a symbol that `counts`.
+    pub(super) fn any(&self, id: Id, counts: impl Fn(Symbol) -> bool) -> bool {
+        let mut any = false;
+        self.for_each(id, |symbol| any = any || counts(symbol));
+        any
+    }
+
+    fn for_each(&self, id: Id, mut visit: impl FnMut(Symbol)) {
+        let mut first = 0;
+        for word in &self.sets[self.of[id] as usize] {
+            let mut bits = *word;
+            while bits > 0 {
+                visit(self.all[first + bits.trailing_zeros() as usize]);
+                bits &= bits - 1;
+            }
+            first += 64;
+        }
     }
 
     /// Notes what a node reads, whose operands are known.

@@ -1,7 +1,7 @@
 //! The sign of a node, from its form, whatever its symbols are.
 
-use super::graph::Node;
 use super::id::Id;
+use super::node::Node;
 use super::number::Number;
 use super::op::Function;
 use super::table::Table;

@@ -1,7 +1,8 @@
 //! Symbols replaced by expressions.
 
-use super::graph::{Graph, Node};
+use super::graph::Graph;
 use super::id::Id;
+use super::node::Node;
 use super::op::Symbol;
 use super::table::Table;
 

@@ -1,7 +1,8 @@
 //! Sums: a constant and terms with coefficients, equal terms merged.
 
-use super::graph::{Graph, Node};
+use super::graph::Graph;
 use super::id::Id;
+use super::node::Node;
 use super::number::Number;
 
 impl Graph {

@@ -5,8 +5,8 @@
 
 use super::Lowering;
 use super::language::compound;
-use super::scope::{Around, Refused};
-use super::value::{Value, axis};
+use super::scope::Refused;
+use super::value::{Around, Value, axis};
 use quote::ToTokens;
 use std::rc::Rc;
 use syn::visit::Visit;

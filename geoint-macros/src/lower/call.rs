@@ -1,8 +1,7 @@
 //! Calls: of closures and nested functions, which are inlined, and of the few others that are known.
 
-use super::scope::{Around, Scopes};
 use super::statement::simple_name;
-use super::value::{Callable, Value};
+use super::value::{Around, Callable, Scopes, Value};
 use super::{Lowering, method};
 use crate::ir::Number;
 use crate::parse::plain_path;

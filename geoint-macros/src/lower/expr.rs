@@ -1,8 +1,8 @@
 //! Expressions.
 
 use super::language::{EXPRESSIONS, POWER, THROUGH_REFERENCE, compound, is_arithmetic, is_comparison, other_macro};
-use super::scope::{Found, Item};
-use super::value::{Callable, Value, axis};
+use super::scope::Found;
+use super::value::{Callable, Item, Value, axis};
 use super::{Lowering, constants, quaternion};
 use crate::ir::Number;
 use quote::{ToTokens, quote};

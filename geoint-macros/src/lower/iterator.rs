@@ -1,8 +1,7 @@
 //! Methods of arrays and iterators, whose items are known one by one.
 
 use super::Lowering;
-use super::scope::Scopes;
-use super::value::{Callable, Value};
+use super::value::{Callable, Scopes, Value};
 use std::rc::Rc;
 use syn::{Expr, ExprMethodCall};
 

@@ -32,11 +32,10 @@ pub(crate) use force::VELOCITY;
 use loops::{Leaving, Loop};
 use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
-use scope::{Around, Scopes};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Display;
 use std::rc::Rc;
-use value::{Callable, Value};
+use value::{Around, Callable, Scopes, Value};
 
 /// A body as a graph.
 pub(crate) struct Lowered {

@@ -1,40 +1,8 @@
-//! Names and what they are bound to: variables and items, level by level, as rustc resolves them.
+//! How names are bound and found, level by level, as rustc resolves them.
 
-use super::value::{Callable, Constant, Value};
-use crate::ir::HashMap;
+use super::value::{Around, Callable, Item, Level, Scopes, Value};
 use crate::parse::{Function, Outside};
 use std::rc::Rc;
-
-/// Nested scopes of one function body. A clone shares its levels until one of both changes: that is how a closure
-/// captures what it sees.
-#[derive(Clone)]
-pub(super) struct Scopes {
-    levels: Vec<Rc<Level>>,
-    /// Variables of levels below this one may not be assigned to: they are outside of this branch or function.
-    closed_below: (usize, Around),
-    /// What is known of the file around the function.
-    outside: Rc<Outside>,
-    /// Whether that is another file, or module, than the energy's.
-    foreign: bool,
-}
-
-/// A block: variables are visible from their `let` on, items from its first line on.
-#[derive(Clone, Default)]
-struct Level {
-    variables: HashMap<String, Value>,
-    items: HashMap<String, Item>,
-}
-
-/// An item that can be named in an expression.
-#[derive(Clone)]
-pub(super) enum Item {
-    Function(Rc<Callable>),
-    /// A function from outside of the energy, and what it sees.
-    Outside(Rc<Callable>, Rc<Scopes>),
-    Constant(Rc<Constant>),
-    /// A constant of the standard library under the name that `use` gives it.
-    Import(Value),
-}
 
 /// What a name stands for.
 pub(super) enum Found {
@@ -48,13 +16,6 @@ impl Default for Scopes {
         let levels = vec![Rc::default()];
         Scopes { levels, closed_below: (0, Around::Function), outside: Rc::default(), foreign: false }
     }
-}
-
-/// What has variables of its own, and may not assign to others.
-#[derive(Clone, Copy)]
-pub(super) enum Around {
-    Branch,
-    Function,
 }
 
 /// Why a variable cannot be assigned to.

@@ -3,8 +3,7 @@
 use super::Lowering;
 use super::constants::imported;
 use super::language::{STATEMENTS, THROUGH_REFERENCE, other_macro};
-use super::scope::{self, Scopes};
-use super::value::{Callable, Constant, Progress, Value};
+use super::value::{self, Callable, Constant, Progress, Scopes, Value};
 use crate::ir::Number;
 use crate::parse::Outside;
 use quote::ToTokens;
@@ -42,17 +41,17 @@ impl Lowering {
         imports.sort_by_key(|(_, _, glob)| !*glob);
         for (name, value, _) in imports {
             let value = self.graph.number(Number::float(value));
-            self.scopes.declare(&name, scope::Item::Import(Value::Real(value)));
+            self.scopes.declare(&name, value::Item::Import(Value::Real(value)));
         }
         for statement in &block.stmts {
             match statement {
                 Stmt::Item(Item::Fn(item)) => {
                     let callable = Callable::of(item);
-                    self.scopes.declare(&item.sig.ident, scope::Item::Function(Rc::new(callable)));
+                    self.scopes.declare(&item.sig.ident, value::Item::Function(Rc::new(callable)));
                 }
                 Stmt::Item(Item::Const(item)) => {
                     let constant = Constant { expr: (*item.expr).clone(), value: RefCell::new(Progress::Untouched) };
-                    self.scopes.declare(&item.ident, scope::Item::Constant(Rc::new(constant)));
+                    self.scopes.declare(&item.ident, value::Item::Constant(Rc::new(constant)));
                 }
                 Stmt::Item(Item::Type(item)) => {
                     let named = Outside::clone(self.scopes.outside()).with_alias(&item.ident, &item.ty);

@@ -1,8 +1,7 @@
-//! What expressions evaluate to while a body is lowered.
+//! What expressions evaluate to while a body is lowered, and what the names in them stand for: values and scopes hold each other.
 
-use super::scope::Scopes;
-use crate::ir::Id;
-use crate::parse::{Leaf, Shape};
+use crate::ir::{HashMap, Id};
+use crate::parse::{Leaf, Outside, Shape};
 use proc_macro2::TokenStream;
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -61,6 +60,44 @@ impl Callable {
 pub(super) struct Constant {
     pub(super) expr: syn::Expr,
     pub(super) value: RefCell<Progress>,
+}
+
+/// Nested scopes of one function body. A clone shares its levels until one of both changes: that is how a closure
+/// captures what it sees.
+#[derive(Clone)]
+pub(super) struct Scopes {
+    pub(super) levels: Vec<Rc<Level>>,
+    /// Variables of levels below this one may not be assigned to: they are outside of this branch or function.
+    pub(super) closed_below: (usize, Around),
+    /// What is known of the file around the function.
+    pub(super) outside: Rc<Outside>,
+    /// Whether that is another file, or module, than the energy's.
+    pub(super) foreign: bool,
+}
+
+/// A block: variables are visible from their `let` on, items from its first line on.
+#[derive(Clone, Default)]
+pub(super) struct Level {
+    pub(super) variables: HashMap<String, Value>,
+    pub(super) items: HashMap<String, Item>,
+}
+
+/// An item that can be named in an expression.
+#[derive(Clone)]
+pub(super) enum Item {
+    Function(Rc<Callable>),
+    /// A function from outside of the energy, and what it sees.
+    Outside(Rc<Callable>, Rc<Scopes>),
+    Constant(Rc<Constant>),
+    /// A constant of the standard library under the name that `use` gives it.
+    Import(Value),
+}
+
+/// What has variables of its own, and may not assign to others.
+#[derive(Clone, Copy)]
+pub(super) enum Around {
+    Branch,
+    Function,
 }
 
 /// How far the evaluation of a constant is.

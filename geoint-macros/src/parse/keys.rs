@@ -7,20 +7,21 @@ use super::{Form, Role};
 use proc_macro2::Ident;
 use std::rc::Rc;
 use syn::Token;
+use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream};
 
 /// An argument of attributes.
-pub(super) struct Key {
+struct Key {
     name: &'static str,
     /// How messages say that it is written; nothing, if another argument names it.
     written: &'static str,
     attributes: &'static [Option<Form>],
-    pub(super) read: fn(&mut Options, &Ident, ParseStream<'_>) -> syn::Result<()>,
+    read: fn(&mut Options, &Ident, ParseStream<'_>) -> syn::Result<()>,
 }
 
 impl Key {
     /// The argument of that name, if the attribute takes it.
-    pub(super) fn of(attribute: Option<Form>, name: &Ident) -> syn::Result<&'static Key> {
+    fn of(attribute: Option<Form>, name: &Ident) -> syn::Result<&'static Key> {
         let of_attribute = |key: &&Key| name == key.name && key.attributes.contains(&attribute);
         KEYS.iter().find(of_attribute).ok_or_else(|| {
             let elsewhere = ELSEWHERE.iter().find(|(other, form, _)| name == other && Some(*form) == attribute);
@@ -30,8 +31,29 @@ impl Key {
     }
 
     /// Whether an attribute may have it several times.
-    pub(super) fn is_repeatable(&self) -> bool {
+    fn is_repeatable(&self) -> bool {
         ["require", "const", "type"].contains(&self.name)
+    }
+}
+
+impl Options {
+    /// Those of the attribute of a form, or of `#[energy_function]`.
+    pub(super) fn parse(attribute: Option<Form>, input: ParseStream<'_>) -> syn::Result<Self> {
+        let mut options = Options::default();
+        let mut given: Vec<Ident> = vec![];
+        while !input.is_empty() {
+            let name = input.call(Ident::parse_any)?;
+            let key = Key::of(attribute, &name)?;
+            if !key.is_repeatable() && given.contains(&name) {
+                return Err(syn::Error::new_spanned(&name, format!("`{name}` is given twice")));
+            }
+            (key.read)(&mut options, &name, input)?;
+            given.push(name);
+            if !input.is_empty() {
+                input.parse::<Token![,]>()?;
+            }
+        }
+        options.consistent()
     }
 }
 

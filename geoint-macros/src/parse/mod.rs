@@ -15,7 +15,6 @@ mod values;
 
 pub(crate) use flow::{Kept, StructureForm, StructureKind};
 pub(crate) use function::{Function, Source, energy_function, function_options, plain_path};
-pub(crate) use names::IMPORTED;
 pub(crate) use options::Options;
 pub(crate) use outside::Outside;
 pub(crate) use shape::{Leaf, Shape, over_scalar};

@@ -4,8 +4,8 @@ use proc_macro2::Ident;
 use quote::format_ident;
 use syn::ext::IdentExt;
 
-/// What emitted code imports: no struct can have such a name.
-pub(crate) const IMPORTED: &[&str] = &[
+/// What emitted code imports, all of `private::imported` of the runtime: no struct can have such a name.
+const IMPORTED: &[&str] = &[
     "Adaptive",
     "Array",
     "Autonomous",
@@ -133,5 +133,41 @@ pub(super) fn camel_case(name: &Ident) -> Ident {
     match camel.chars().next() {
         Some(first) if first.is_alphabetic() && camel != "Self" => Ident::new(&camel, name.span()),
         _ => format_ident!("Energy{camel}", span = name.span()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::IMPORTED;
+    use std::collections::BTreeSet;
+    use syn::UseTree;
+
+    fn leaves(tree: &UseTree, names: &mut BTreeSet<String>) {
+        match tree {
+            UseTree::Path(path) => leaves(&path.tree, names),
+            UseTree::Group(group) => group.items.iter().for_each(|tree| leaves(tree, names)),
+            UseTree::Name(name) => drop(names.insert(name.ident.to_string())),
+            UseTree::Rename(rename) => drop(names.insert(rename.rename.to_string())),
+            UseTree::Glob(_) => panic!("a list of names"),
+        }
+    }
+
+    /// A name that is missing here would be that of a struct, and of something else.
+    #[test]
+    fn all_that_is_imported_is_listed() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../geoint-runtime/src/private.rs");
+        let file = syn::parse_file(&std::fs::read_to_string(path).expect("the file")).expect("items");
+        let imported = file.items.into_iter().find_map(|item| match item {
+            syn::Item::Mod(module) if module.ident == "imported" => module.content,
+            _ => None,
+        });
+        let mut names = BTreeSet::new();
+        for item in imported.expect("the module").1 {
+            match item {
+                syn::Item::Use(item) => leaves(&item.tree, &mut names),
+                _ => panic!("imports alone"),
+            }
+        }
+        assert_eq!(names, IMPORTED.iter().map(ToString::to_string).collect());
     }
 }

@@ -1,16 +1,13 @@
 //! What the arguments of an attribute say.
 
+use super::Role;
 use super::flow::{Kept, StructureForm};
-use super::keys::Key;
 use super::outside::Outside;
 use super::values::{Coordinates, Requirement};
-use super::{Form, Role};
 use proc_macro2::{Ident, Span};
 use std::rc::Rc;
-use syn::ext::IdentExt;
-use syn::parse::ParseStream;
 use syn::spanned::Spanned;
-use syn::{Expr, Path, Token};
+use syn::{Expr, Path};
 
 /// What the arguments say; expressions are in terms of the arguments of the function.
 #[derive(Clone, Default)]
@@ -48,28 +45,9 @@ pub(crate) struct Options {
 }
 
 impl Options {
-    /// Those of the attribute of a form, or of `#[energy_function]`.
-    pub(super) fn parse(attribute: Option<Form>, input: ParseStream<'_>) -> syn::Result<Self> {
-        let mut options = Options::default();
-        let mut given: Vec<Ident> = vec![];
-        while !input.is_empty() {
-            let name = input.call(Ident::parse_any)?;
-            let key = Key::of(attribute, &name)?;
-            if !key.is_repeatable() && given.contains(&name) {
-                return Err(syn::Error::new_spanned(&name, format!("`{name}` is given twice")));
-            }
-            (key.read)(&mut options, &name, input)?;
-            given.push(name);
-            if !input.is_empty() {
-                input.parse::<Token![,]>()?;
-            }
-        }
-        options.consistent()
-    }
-
     /// With a structure there are neither momenta nor a kinetic part. Rigid bodies have an attitude and angular momenta, and
     /// are not damped.
-    fn consistent(self) -> syn::Result<Self> {
+    pub(super) fn consistent(self) -> syn::Result<Self> {
         let role = |role: Role| self.roles.iter().find(|(other, _)| *other == role).map(|(_, name)| name.span());
         let required = self.requirements.first().map(|(_, span)| *span);
         let damped = self.damping.as_ref().map(Spanned::span);

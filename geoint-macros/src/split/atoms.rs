@@ -11,19 +11,25 @@ use crate::ir::{Graph, Id, Reads};
 const MAX_ATOMS: usize = 7;
 
 /// The terms of H. Those that read positions alone, momenta alone or the action alone are never parted; without an action those that are
-/// quadratic are parted from the others, or all together where some of them couple.
-pub(super) fn atoms(graph: &mut Graph, energy: Id, space: Space) -> Vec<Id> {
+/// quadratic are parted from the others, or all together where some of them couple; or a term that is in no piece.
+pub(super) fn atoms(graph: &mut Graph, energy: Id, space: Space) -> Result<Vec<Id>, Id> {
     let mut open = analyze::terms(graph, energy);
     open.reverse();
     let mut classes = Classes(vec![]);
     while let Some(term) = open.pop() {
         let reads = Reads { t: false, ..graph.reads(term) };
-        if reads.kinds() > 1
-            && piece(graph, term, space).is_none()
-            && let Some(parts) = distributed(graph, term, space)
-        {
-            open.extend(parts);
-            continue;
+        if reads.kinds() > 1 && piece(graph, term, space).is_none() {
+            match distributed(graph, term, space) {
+                Some(parts) => {
+                    open.extend(parts);
+                    continue;
+                }
+                // Without an action no family needs a term that has no flow of its own, unless another one takes it away.
+                None if !space.action && !open.iter().any(|other| is_multiple(graph, term, *other)) => {
+                    return Err(term);
+                }
+                None => {}
+            }
         }
         // What moves nothing is in no piece.
         if space.action || reads.state() {
@@ -49,7 +55,12 @@ pub(super) fn atoms(graph: &mut Graph, energy: Id, space: Space) -> Vec<Id> {
             }
         }
     }
-    atoms
+    Ok(atoms)
+}
+
+/// Whether two terms differ by a number alone.
+fn is_multiple(graph: &Graph, term: Id, other: Id) -> bool {
+    graph.coefficient(term).1 == graph.coefficient(other).1
 }
 
 /// What each class of terms reads, and its terms.
@@ -66,7 +77,7 @@ impl Classes {
         };
         // What powers of sums were taken apart into meets again.
         let (_, terms) = &mut self.0[class];
-        match terms.iter_mut().find(|other| graph.coefficient(**other).1 == graph.coefficient(term).1) {
+        match terms.iter_mut().find(|other| is_multiple(graph, term, **other)) {
             Some(other) => *other = graph.add(*other, term),
             None => terms.push(term),
         }

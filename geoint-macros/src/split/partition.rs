@@ -57,7 +57,7 @@ pub(crate) fn pieces(graph: &mut Graph, energy: Id, space: Space, groups: Option
         given.nystrom = !space.action && is_nystrom(graph, &given.pieces, space.degrees);
         return Ok(given);
     }
-    let whole = atoms(graph, energy, space);
+    let whole = atoms(graph, energy, space)?;
     let mut search = Search::new(&whole, space);
     let fewest = search.best(graph, energy, Measure::Fewest)?;
     let mut found = vec![ordered(graph, fewest, Middle::Kick)];

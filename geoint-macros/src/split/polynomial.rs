@@ -133,7 +133,7 @@ fn is_one(graph: &Graph, id: Id) -> bool {
 
 /// Whether a node reads none of the symbols.
 pub(super) fn is_free(graph: &Graph, root: Id, counts: &impl Fn(Symbol) -> bool) -> bool {
-    !graph.symbols(root).iter().any(|symbol| counts(*symbol))
+    !graph.reads_any(root, counts)
 }
 
 /// coefficient·monomial.

@@ -1,7 +1,7 @@
 //! What the compiler costs, and how good its code is in operations.
 
 use crate::parse::Form;
-use crate::{analyze, diff, expand, lower, parse, schedule};
+use crate::{analyze, attribute, diff, lower, parse, schedule};
 use proc_macro2::TokenStream;
 use quote::quote;
 use std::time::Instant;
@@ -78,7 +78,7 @@ fn sparse_matrices_are_short() {
         }
     };
     let structure = quote!(structure = |i, j| if j == i + 1 { x[i] * x[j] } else { 0.0 });
-    let text = expand::expand(Form::Hamiltonian, structure, item).to_string();
+    let text = attribute::expand(Form::Hamiltonian, structure, item).to_string();
     let entries = text.matches("jacobian [").count();
     // Three diagonals, twice: for collocation and for discrete gradients.
     assert_eq!(entries, 2 * (20 + 2 * 19));
@@ -96,7 +96,7 @@ fn scopes_are_not_nested_by_statements() {
             syn::visit::visit_block(self, block);
         }
     }
-    let tokens = expand::expand(Form::Hamiltonian, quote!(), outer_solar_system());
+    let tokens = attribute::expand(Form::Hamiltonian, quote!(), outer_solar_system());
     let file = syn::parse2(tokens).expect("items");
     let mut deepest = Deepest(0);
     syn::visit::Visit::visit_file(&mut deepest, &file);
@@ -118,7 +118,7 @@ fn time_from_tokens_to_tokens() {
         for _ in 0..5 {
             let item = item.clone();
             let start = Instant::now();
-            let tokens = expand::expand(form, quote!(), item);
+            let tokens = attribute::expand(form, quote!(), item);
             best = best.min(start.elapsed().as_secs_f64() * 1e3);
             assert!(!tokens.to_string().contains("compile_error"));
         }

@@ -1,6 +1,6 @@
 //! What a routine of many alike parts is as long as.
 
-use crate::expand;
+use crate::attribute;
 use crate::parse::Form;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -22,7 +22,7 @@ fn kick(masses: usize) -> String {
         }
     };
     let args: TokenStream = quote!(const N = #n);
-    let all = expand::expand(Form::Hamiltonian, args, item).to_string();
+    let all = attribute::expand(Form::Hamiltonian, args, item).to_string();
     let begin = all.find("fn kick").expect("a kick");
     let end = all[begin..].find("fn drift").expect("a drift");
     all[begin..begin + end].to_string()

@@ -1,6 +1,7 @@
 //! How many sums of series a coefficient takes: as few as by hand.
 
 use super::lowered;
+use crate::diff::jet::Rule;
 use crate::diff::{self, by_velocities, jet};
 use crate::ir::{Graph, Id, Symbol};
 use proc_macro2::TokenStream;
@@ -147,6 +148,53 @@ fn arrays_of_pairs_serve_all_sums() {
     let forces: Vec<_> = gradient.q.iter().map(|slope| graph.neg(*slope)).collect();
     let rates: Vec<_> = (0..).map(Symbol::P).zip(forces).collect();
     let lanes = jet::Lanes::of(&jet::jet(graph, &rates, &[])).expect("there are many sums");
-    // Of 15 pairs r², r⁻³ and three differences; squares and products of three, and powers.
-    assert_eq!([lanes.arrays.len(), lanes.groups.len()], [4 * 5, 4 * 7]);
+    // Of 15 pairs r², r⁻³ and three differences; the squares of three at once, products of three, and powers.
+    assert_eq!([lanes.arrays.len(), lanes.groups.len()], [4 * 5, 4 * 5]);
+}
+
+/// The numbers of series whose squares are summed, of all such sums.
+fn squares(item: TokenStream, degrees: u32) -> Vec<usize> {
+    let (_, mut lowered) = lowered(item);
+    let graph = &mut lowered.graph;
+    let gradient = diff::gradient(graph, lowered.energy, degrees);
+    let rates: Vec<_> = (0..).map(Symbol::P).zip(gradient.q.iter().copied()).collect();
+    let program = jet::jet(graph, &rates, &[]);
+    let mut squares: Vec<usize> = program
+        .series
+        .iter()
+        .filter_map(|series| match &series.rule {
+            Rule::Squares(all) => Some(all.len()),
+            _ => None,
+        })
+        .collect();
+    squares.sort_unstable();
+    squares
+}
+
+/// The square of a distance is one sum, whatever stands beside it, also of a part of the squares and with another factor.
+#[test]
+fn a_sum_of_squares_is_one_sum() {
+    let softened = quote! {
+        fn softened(q: [f64; 3], p: [f64; 3], k: f64) -> f64 {
+            k / (1.0 + q[0] * q[0] + q[1] * q[1] + q[2] * q[2]).sqrt()
+        }
+    };
+    assert_eq!(squares(softened, 3), [3]);
+    let beside = quote! {
+        fn beside(q: [f64; 3], p: [f64; 3], k: f64) -> f64 {
+            k / (1.0 + 2.0 * q[0] * q[0] + 2.0 * q[1] * q[1] + q[2]).sqrt()
+        }
+    };
+    assert_eq!(squares(beside, 3), [2]);
+}
+
+/// A square that two sums read is a series of its own.
+#[test]
+fn a_square_that_is_shared_is_computed_once() {
+    let shared = quote! {
+        fn shared(q: [f64; 3], p: [f64; 3]) -> f64 {
+            (q[0] * q[0] + q[1] * q[1] + q[2] * q[2]).sqrt() + (1.0 + q[0] * q[0]).sqrt()
+        }
+    };
+    assert_eq!(squares(shared, 3), [1, 2]);
 }

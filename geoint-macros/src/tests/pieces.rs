@@ -209,7 +209,7 @@ fn terms_without_a_flow() {
 
 /// What is said of pieces that are given.
 fn said_of(split: &str, item: &TokenStream) -> String {
-    let tokens = crate::expand::expand(parse::Form::Contact, quote!(split = #split), item.clone()).to_string();
+    let tokens = crate::attribute::expand(parse::Form::Contact, quote!(split = #split), item.clone()).to_string();
     let message = tokens.split_once("compile_error ! {").map_or("", |(_, rest)| rest);
     message.split('"').nth(1).unwrap_or_default().to_string()
 }

@@ -135,7 +135,7 @@ fn kicks_show_what_they_divide_by() {
                 (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) + #potential
             }
         };
-        crate::expand::expand(crate::parse::Form::Hamiltonian, TokenStream::new(), item)
+        crate::attribute::expand(crate::parse::Form::Hamiltonian, TokenStream::new(), item)
             .to_string()
             .contains("KICKS_SHOW")
     };

@@ -1,14 +1,14 @@
 //! Input and pretty-printed expansion side by side. `UPDATE_EXPECT=1 cargo test -p geoint-macros` refreshes them; read the
 //! difference before committing it.
 
-use crate::expand;
+use crate::attribute;
 use crate::parse::Form;
 use expect_test::{ExpectFile, expect_file};
 use proc_macro2::TokenStream;
 use quote::quote;
 
 fn check(args: TokenStream, item: TokenStream, expected: &ExpectFile) {
-    let file = syn::parse2(expand::expand(Form::Hamiltonian, args, item)).expect("what is emitted is Rust");
+    let file = syn::parse2(attribute::expand(Form::Hamiltonian, args, item)).expect("what is emitted is Rust");
     expected.assert_eq(&prettyplease::unparse(&file));
 }
 
@@ -55,6 +55,6 @@ fn field() {
         }
     };
     let args = quote!(keeps(radius = x[0] * x[0] + x[1] * x[1]));
-    let file = syn::parse2(expand::expand(Form::Field, args, item)).expect("what is emitted is Rust");
+    let file = syn::parse2(attribute::expand(Form::Field, args, item)).expect("what is emitted is Rust");
     expect_file!["snapshots/field.rs"].assert_eq(&prettyplease::unparse(&file));
 }

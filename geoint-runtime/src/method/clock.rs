@@ -39,7 +39,7 @@ impl<R: Real> Clock<R> {
     /// When the `i`-th step from now starts and ends, for steps that are `ahead` of t₀ + n·h.
     #[inline(always)]
     pub(crate) fn ends(&self, i: u64, ahead: R) -> [R; 2] {
-        [i, i + 1].map(|i| self.at(i) + ahead)
+        [self.at(i) + ahead, self.at(i + 1) + ahead]
     }
 
     /// When a step of length `h` ends, whatever the length of the others.

@@ -93,7 +93,7 @@ pub enum StepError {
         /// The last correction, relative to what it corrects.
         correction: f64,
     },
-    /// The tolerance is not a finite positive number.
+    /// The relative tolerance is not between 0 and 1, or an absolute one is negative or not finite.
     InvalidTolerance {
         /// The tolerance as given.
         tolerance: f64,
@@ -189,7 +189,8 @@ pub enum Reason {
     NotConverged,
     /// The Taylor series of the solution does not converge in it: there is a pole of the solution, or a collision.
     Diverges,
-    /// A condition of the energy changes sides at both its ends: the solution does not leave the place where it does.
+    /// A condition of the energy has changed sides at the ends of many steps in a row, in no time to speak of, and does so at both its ends: the
+    /// solution does not leave the place where it does.
     Sliding,
 }
 
@@ -217,7 +218,10 @@ impl fmt::Display for Reason {
             Reason::Pole { piece } => write!(f, "the flow of the piece {piece} ends before it does"),
             Reason::NotConverged => write!(f, "its equation was not solved"),
             Reason::Diverges => write!(f, "the series of the solution does not converge in it"),
-            Reason::Sliding => write!(f, "a condition of the energy changes sides at both its ends"),
+            Reason::Sliding => write!(
+                f,
+                "a condition of the energy changes sides again and again: the solution does not leave the place where it does"
+            ),
         }
     }
 }
@@ -281,6 +285,9 @@ impl fmt::Display for StepError {
                  (last correction {correction:.1e}); try a smaller step",
                 if iterations == 1 { "" } else { "s" }
             ),
+            StepError::InvalidTolerance { tolerance } if tolerance >= 1.0 && tolerance < f64::INFINITY => {
+                write!(f, "the tolerance {tolerance} allows errors as large as the state is; take one below 1")
+            }
             StepError::InvalidTolerance { tolerance } => {
                 write!(f, "the tolerance {tolerance} is not a finite positive number")
             }

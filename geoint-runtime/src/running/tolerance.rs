@@ -16,6 +16,8 @@ pub(crate) struct Tolerance<A, Z> {
     caused: PerCoordinate<A, Z>,
     /// The longest time so far in which the state changes.
     longest: f64,
+    /// Whether errors are a small part of what the length of a step lets expect: long steps then say nothing of the time in which the state changes.
+    small: bool,
 }
 
 /// A step as its error is judged.
@@ -37,9 +39,9 @@ impl<A: Array, Z: Action<A::Real>> Record<A::Real> for Tolerance<A, Z> {
 }
 
 impl<A: Array, Z: Action<A::Real>> Tolerance<A, Z> {
-    pub(crate) fn new(relative: f64, x: &PerCoordinate<A, Z>) -> Self {
+    pub(crate) fn new(relative: f64, x: &PerCoordinate<A, Z>, small: bool) -> Self {
         let zero = PerCoordinate::zero();
-        let mut tolerance = Tolerance { relative, absolute: zero, sizes: zero, caused: zero, longest: 0.0 };
+        let mut tolerance = Tolerance { relative, absolute: zero, sizes: zero, caused: zero, longest: 0.0, small };
         tolerance.start(x);
         tolerance
     }
@@ -51,10 +53,9 @@ impl<A: Array, Z: Action<A::Real>> Tolerance<A, Z> {
 
     /// A tolerance that is none.
     pub(crate) fn unusable(&self) -> Option<f64> {
-        let positive = self.relative > 0.0 && self.relative < f64::INFINITY;
         let negative = |x: &A::Real| x.any_below(0.0) || !x.magnitude().is_finite();
         let absolute = self.absolute.numbers().find(negative).map(signed);
-        if positive { absolute } else { Some(self.relative) }
+        if is_part(self.relative) { absolute } else { Some(self.relative) }
     }
 
     /// The size by which a coordinate is measured in a step to `after`: one that was zero so far has the size that it reaches at this
@@ -82,8 +83,16 @@ impl<A: Array, Z: Action<A::Real>> Tolerance<A, Z> {
         let time = (h.abs() / part).min(f64::MAX);
         if time > self.longest {
             self.longest = time;
-            self.cause(before, time, rates);
+            let pace = if self.small { self.pace(&rates(before)) } else { f64::INFINITY };
+            self.cause(before, time.min(pace), rates);
         }
+    }
+
+    /// The time in which the coordinate that changes fastest does so by itself.
+    #[cold]
+    fn pace(&self, rates: &PerCoordinate<A, Z>) -> f64 {
+        let moving = (0..PerCoordinate::<A, Z>::LEN).filter(|i| self.sizes.at(*i).magnitude() > 0.0);
+        moving.map(|i| self.sizes.at(i).magnitude() / rates.at(i).magnitude()).fold(f64::INFINITY, f64::min)
     }
 
     /// What tolerated errors of some coordinates cause in others within the time in which the state changes is tolerated there as
@@ -148,6 +157,11 @@ impl<A: Array, Z: Action<A::Real>> Tolerance<A, Z> {
             gap / (self.relative * size + entry(&self.absolute, i))
         }))
     }
+}
+
+/// Whether a relative tolerance is a part of a state: errors as large as that are no result.
+pub(crate) fn is_part(tolerance: f64) -> bool {
+    tolerance > 0.0 && tolerance < 1.0
 }
 
 /// Includes a point in the largest magnitudes: by a coordinate that is infinite nothing could be measured.

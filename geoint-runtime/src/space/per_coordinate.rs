@@ -1,7 +1,6 @@
 //! A number for every coordinate of a point.
 
 use super::array::Array;
-use super::point::Point;
 use super::record::{Record, Tape};
 use super::state::Action;
 use crate::scalar::Real;
@@ -33,12 +32,6 @@ impl<Z: Array, S: Action<Z::Real>> PerCoordinate<Z, S> {
             *s = -*s;
         }
         PerCoordinate { z: Z::nothing(), s }
-    }
-
-    /// The coordinates of a point.
-    #[inline(always)]
-    pub(crate) fn of<C>(x: &Point<Z, C, S>) -> Self {
-        PerCoordinate { z: x.z, s: x.s }
     }
 
     /// The number of the coordinate `i`, the action last.

@@ -87,6 +87,14 @@ impl<Z: Array, C: Summation<Z>> Point<Z, C> {
     }
 }
 
+impl<Z: Array, S: Action<Z::Real>> PerCoordinate<Z, S> {
+    /// The coordinates of a point.
+    #[inline(always)]
+    pub(crate) fn of<C>(x: &Point<Z, C, S>) -> Self {
+        PerCoordinate { z: x.z, s: x.s }
+    }
+}
+
 /// s ← s + ds, if there is an action.
 #[inline(always)]
 pub(crate) fn add_action<Z: Array, C: Summation<Z>, S: Action<Z::Real>>(s: &mut S, compensation: &mut S, ds: S) {

@@ -3,6 +3,9 @@
 use super::array::Array;
 use crate::scalar::Real;
 
+/// A number of steps that no run reaches, though others may be added to it.
+pub(crate) const NEVER: u64 = 1 << 62;
+
 /// Writes the numbers down that it is shown, or puts those in their place that were written down.
 pub trait Tape<R> {
     /// The next scalar.
@@ -24,10 +27,10 @@ pub trait Tape<R> {
         *yes = n != 0;
     }
 
-    /// The next number of steps: of what is read it is at most one that no run reaches, so that others may be added to it.
+    /// The next number of steps: of what is read it is at most one that no run reaches.
     fn steps(&mut self, n: &mut u64) {
         self.count(n);
-        *n = (*n).min(1 << 62);
+        *n = (*n).min(NEVER);
     }
 
     /// What may be missing; where it was there and is not, `blank` takes its place first.

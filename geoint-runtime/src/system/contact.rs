@@ -44,9 +44,9 @@ pub trait Mechanical<R: Real = f64>: Contact<R> + Separable<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// What a kick of given length needs from the parameters.
-    type FreeKick: Clone;
+    type FreeKick: Copy;
     /// What a drift of given length needs from the parameters.
-    type FreeDrift: Clone;
+    type FreeDrift: Copy;
 
     /// Coefficients of a kick of length `h`.
     fn prepare_free_kick(&self, h: R) -> Self::FreeKick;

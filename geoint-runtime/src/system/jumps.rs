@@ -1,4 +1,4 @@
-//! Conditions of the energy that rounding decides, and those that a step without secants passes unseen.
+//! Conditions of the energy that rounding decides, and those that a step without secants would pass unseen.
 //!
 //! The equation of a step that keeps the energy decides every condition at the end of the step. The state that is returned has been rounded,
 //! and may lie on the other side: where the energy jumps there, the step has not kept it.

@@ -63,6 +63,10 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
         None
     }
 
+    /// Shows every power of H that has no Taylor series where it vanishes, with what it is a power of at a point. They are asked for when a series
+    /// ends.
+    fn powers(&self, _t: R, _z: &Self::Phase, _s: &Self::Action, _visit: impl FnMut(&'static str, R)) {}
+
     /// Whether momenta follow from velocities that the user gives: they are not finite where those have none.
     const OF_VELOCITIES: bool = false;
 

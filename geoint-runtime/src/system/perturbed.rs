@@ -16,11 +16,11 @@ pub trait Perturbed<R: Real = f64>: Cotangent<R, Action = ()> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// What the flow of A of given length needs from the parameters.
-    type Exact: Clone;
+    type Exact: Copy;
     /// What the flow of A after a kick needs from the parameters, if it is linear.
-    type After: Clone;
+    type After: Copy;
     /// What a kick by B of given length needs from the parameters.
-    type Rest: Clone;
+    type Rest: Copy;
     /// Whether the flow of A from t on is exact in its own time, or takes place at the frozen time t of the kicks.
     const EXACT_IN_TIME: bool = false;
     /// Whether a kick by B adds to p what positions alone decide.
@@ -116,7 +116,7 @@ pub trait PerturbedGradient<R: Real = f64>: Perturbed<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// What a kick of given weights needs from the parameters.
-    type GradientKick: Clone;
+    type GradientKick: Copy;
     /// Coefficients of a kick with `h` of the force and `g` of its gradient, both with their powers of the step size.
     fn prepare_gradient_kick(&self, h: R, g: R) -> Self::GradientKick;
     /// The flow of hB − g F·aF at frozen time: p ← p + hF + g ∇(F·aF).

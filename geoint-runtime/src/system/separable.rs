@@ -34,9 +34,9 @@ pub trait Separable<R: Real = f64>: Cotangent<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// What a kick of given length needs from the parameters.
-    type Kick: Clone;
+    type Kick: Copy;
     /// What a drift of given length needs from the parameters.
-    type Drift: Clone;
+    type Drift: Copy;
     /// Whether a drift from t on is exact in its own time, or takes place at the frozen time t of the kicks.
     const DRIFTS_ARE_EXACT_IN_TIME: bool = false;
     /// Whether a kick, with a force gradient too, adds to p what positions alone decide, and does nothing else.
@@ -126,7 +126,7 @@ pub trait QuadraticKinetic<R: Real = f64>: Separable<R> {
 )]
 pub trait ForceGradient<R: Real = f64>: QuadraticKinetic<R> {
     /// What a kick of given weights needs from the parameters.
-    type GradientKick: Clone;
+    type GradientKick: Copy;
 
     /// Coefficients of a kick with `h` of the force and `g` of its gradient, both with their powers of the step size.
     fn prepare_gradient_kick(&self, h: R, g: R) -> Self::GradientKick;

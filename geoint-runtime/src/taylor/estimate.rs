@@ -78,12 +78,13 @@ impl<X: Snapshot> Estimate<X> {
     /// The longest step at which the last two terms are within the tolerance, in every group; infinite for a polynomial of less than
     /// half the order.
     ///
-    /// Two terms, because every other one is zero where a solution is even or odd. Where both are, the last one that is not decides. A
-    /// group that is zero so far is measured by its first term that is not.
+    /// Two terms, because every other one is zero where a solution is even or odd; the first one is none of them, which says nothing of an error.
+    /// Where both are, the last one that is not decides. A group that is zero so far is measured by its first term that is not.
     #[inline(always)]
     pub(crate) fn length(&self, jet: &[PerCoordinate<X::Phase, X::Action>]) -> f64 {
         let order = jet.len();
-        let mut least = smaller(self.bound(jet, order), self.bound(jet, order - 1));
+        let before = if order > 2 { self.bound(jet, order - 1) } else { f64::INFINITY };
+        let mut least = smaller(self.bound(jet, order), before);
         let mut m = order - 1;
         while least == f64::INFINITY && m > order / 2 {
             m -= 1;

@@ -14,7 +14,7 @@ const LARGE: usize = 12;
 ///
 /// The error of a step is about `tolerance` times the size of the positions, in positions, and of the momenta, in momenta; steps are
 /// chosen from the last two coefficients, for an error 64 times smaller, because the energy would drift with what is truncated otherwise.
-/// Tolerances below the accuracy of the scalar count as that, those above 1/16 as 1/16. Nothing is kept exactly, everything to the tolerance: at the
+/// Tolerances below the accuracy of the scalar count as that, those above 1/16 as 1/16, and from 1 on they are none. Nothing is kept exactly, everything to the tolerance: at the
 /// default the energy of a Kepler orbit walks 1 to 6·10⁻¹⁴ in 10⁴ periods, by rounding; [projected](crate::Projection) it does not. The order
 /// is 20; of large systems 12 or 16 where the tolerance is above 10⁻⁸ or 10⁻¹².
 ///

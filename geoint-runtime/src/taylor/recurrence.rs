@@ -35,6 +35,18 @@ pub fn orders<const UNROLLED: usize, const P: usize>(series: &mut impl Series) {
     unrolled!(1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30 31);
 }
 
+/// An order as a scalar. Processors convert numbers with a sign in one operation.
+#[inline(always)]
+pub fn whole<R: Real>(n: usize) -> R {
+    R::from_f64(f64::from(n as i32))
+}
+
+/// One over an order.
+#[inline(always)]
+pub fn inverse<R: Real>(n: usize) -> R {
+    R::from_f64(1.0 / f64::from(n as i32))
+}
+
 /// a·b + c, entry by entry.
 #[inline(always)]
 fn fused<A: Array>(a: A, b: A, mut c: A) -> A {
@@ -98,30 +110,44 @@ pub fn sum<A: Array, const P: usize>(u: &[A; P], w: &[A; P], n: usize) -> A {
     plus(first, second)
 }
 
-/// Σ uⱼuₙ₋ⱼ over 0 < j < n.
+/// Σ uⱼuₙ₋ⱼ over 0 < j < n and over all u.
 #[inline(always)]
-pub fn sum_of_square<A: Array, const P: usize>(u: &[A; P], n: usize) -> A {
-    let mut half = A::zero();
-    for (uj, ui) in outward(u, n) {
-        half = fused(*uj, *ui, half);
+pub fn sum_of_squares<A: Array, const P: usize, const K: usize>(all: [&[A; P]; K], n: usize) -> A {
+    // Each begins in its own middle: what is known last comes last in all of them.
+    let mut half = A::nothing();
+    for u in all {
+        let mut own = A::zero();
+        for (uj, ui) in outward(u, n) {
+            own = fused(*uj, *ui, own);
+        }
+        half = plus(half, own);
     }
-    let double = plus(half, half);
-    if n.is_multiple_of(2) { fused(u[n / 2], u[n / 2], double) } else { double }
+    let mut double = plus(half, half);
+    if n.is_multiple_of(2) {
+        for u in all {
+            double = fused(u[n / 2], u[n / 2], double);
+        }
+    }
+    double
 }
 
 /// Σ (j(α + 1) − n)uⱼyₙ₋ⱼ over 0 < j < n, from α + 1.
 #[inline(always)]
 pub fn sum_of_power<A: Array, const P: usize>(u: &[A; P], y: &[A; P], next: A::Real, n: usize) -> A {
-    let (u, y) = (&u[..n], &y[..n]);
-    let whole = A::Real::from_f64(n as f64);
-    let factor = |j: usize| A::Real::from_f64(j as f64).multiply_add(next, -whole);
+    let (whole, one) = (whole::<A::Real>, A::Real::from_f64(1.0));
+    let factor = |j: A::Real| j.multiply_add(next, -whole(n));
     let (mut first, mut second) = (A::zero(), A::zero());
     if n.is_multiple_of(2) {
-        first = scaled(factor(n / 2), times(u[n / 2], y[n / 2]));
+        first = scaled(factor(whole(n / 2)), times(u[n / 2], y[n / 2]));
     }
-    for j in (1..n.div_ceil(2)).rev() {
-        first = fused(scaled(factor(j), u[j]), y[n - j], first);
-        second = fused(scaled(factor(n - j), u[n - j]), y[j], second);
+    // Orders are counted as scalars: each conversion would take as long as what it is for.
+    let mut low = whole(n.div_ceil(2)) - one;
+    let mut high = whole(n) - low;
+    for ((uj, ui), (yj, yi)) in outward(u, n).zip(outward(y, n)) {
+        first = fused(scaled(factor(low), *uj), *yi, first);
+        second = fused(scaled(factor(high), *ui), *yj, second);
+        low -= one;
+        high += one;
     }
     plus(first, second)
 }
@@ -138,10 +164,13 @@ pub fn product<R: Real>([u, w]: [R; 2], [un, wn]: [R; 2], sum: R) -> R {
     u.multiply_add(wn, un.multiply_add(w, sum))
 }
 
-/// u², from u₀, uₙ and the sum.
+/// Σ u², from all u₀, all uₙ and the sum.
 #[inline(always)]
-pub fn square<R: Real>(u: R, un: R, sum: R) -> R {
-    (u + u).multiply_add(un, sum)
+pub fn squares<R: Real, const K: usize>(u: [R; K], un: [R; K], mut sum: R) -> R {
+    for (u, un) in u.into_iter().zip(un) {
+        sum = (u + u).multiply_add(un, sum);
+    }
+    sum
 }
 
 /// y with y·w = u, from w₀, y₀, 1/w₀, uₙ, wₙ and the sum.
@@ -165,19 +194,19 @@ pub fn root<R: Real>([y, over]: [R; 2], un: R, sum: R) -> R {
 /// y with y'·u = α·y·u', from u₀, α·y₀/u₀, uₙ and the sum.
 #[inline(always)]
 pub fn power<R: Real>([u, ratio]: [R; 2], un: R, sum: R, n: usize) -> R {
-    un.multiply_add(ratio, sum / (R::from_f64(n as f64) * u))
+    un.multiply_add(ratio, sum / (whole::<R>(n) * u))
 }
 
 /// y with y' = d·u', from d₀, uₙ and the sum with j·uⱼ.
 #[inline(always)]
 pub fn integral<R: Real>(d: R, un: R, sum: R, n: usize) -> R {
-    un.multiply_add(d, sum * R::from_f64(1.0 / n as f64))
+    un.multiply_add(d, sum * inverse(n))
 }
 
 /// y with y'·d = u', from d₀, 1/d₀, uₙ and the sum with j·yⱼ.
 #[inline(always)]
 pub fn quadrature<R: Real>([d, over]: [R; 2], un: R, sum: R, n: usize) -> R {
-    un.multiply_add(over, -(sum / (R::from_f64(n as f64) * d)))
+    un.multiply_add(over, -(sum / (whole::<R>(n) * d)))
 }
 
 /// The angle a of the point (x, y), with r²a' = x·y' − y·x', from y₀, x₀, r₀², 1/r₀², yₙ, xₙ and the sums of j·yⱼ with x, of j·xⱼ with y and of
@@ -185,5 +214,5 @@ pub fn quadrature<R: Real>([d, over]: [R; 2], un: R, sum: R, n: usize) -> R {
 #[inline(always)]
 pub fn angle<R: Real>([y, x, square, over]: [R; 4], [yn, xn]: [R; 2], [first, second, third]: [R; 3], n: usize) -> R {
     let last = yn.multiply_add(x, -(xn * y));
-    last.multiply_add(over, (first - second - third) / (R::from_f64(n as f64) * square))
+    last.multiply_add(over, (first - second - third) / (whole::<R>(n) * square))
 }

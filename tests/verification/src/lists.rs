@@ -1,6 +1,6 @@
 //! Which list of the catalogue is measured on which scenes, over which time, with which step for what is kept.
 
-use crate::methods::{Forms, List, Orders, Runs};
+use crate::methods::{Forms, List, Orders, Runs, Symmetries};
 use geoint_runtime::method::{Visitor, catalogue};
 use geoint_runtime::prelude::*;
 use geoint_tests::problems::*;
@@ -14,6 +14,7 @@ macro_rules! measured {
         let mut list = List::new($name, $about, [<$First as Scene>::NAME, <$Second as Scene>::NAME]);
         $show!(Orders::<$First>::over(&mut list, $first));
         $show!(Orders::<$Second>::over(&mut list, $second));
+        $show!(Symmetries::<$First> { list: &mut list, h: $h, scene: PhantomData });
         $show!(Forms::<$First> { list: &mut list, h: $h, scene: PhantomData });
         $show!(Runs::<$First> { list: &mut list, h: $h, scene: PhantomData });
         eprintln!("{}: {}", list.name, list.rows.len());

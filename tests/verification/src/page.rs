@@ -1,4 +1,4 @@
-//! The page: sections of text and tables, what does not hold, and whether the page in the repository says the same.
+//! The page: sections of text and tables, and whether the page in the repository says the same.
 
 use crate::sources;
 use std::fmt::Display;
@@ -10,9 +10,6 @@ pub(crate) struct Page {
     before: String,
     text: String,
     failures: Vec<String>,
-    /// What is known not to hold, and is said on the page.
-    #[cfg(not(debug_assertions))]
-    open: Vec<String>,
 }
 
 const FILE: &str = "VERIFICATION.md";
@@ -23,28 +20,16 @@ const OPENING: &str = "# Verification\n\n\
     which fails if a claim does not hold, or if a method, a function of the language, a family of flows, an example or a sentence of a \
     report has no row here. `.ci/verification` writes it anew: digits may move, words may not.\n";
 
-/// Where what is measured begins and ends, and what does not hold.
+/// Where what is measured begins and ends.
 #[cfg(debug_assertions)]
 const METHODS: &str = "\n## Methods\n";
 #[cfg(debug_assertions)]
 const EXAMPLES: &str = "\n## Examples\n";
-#[cfg(debug_assertions)]
-const DOES_NOT_HOLD: &str = "\n## What does not hold\n";
-
-#[cfg(not(debug_assertions))]
-const OPEN: &str = "With constraints, what a position is rounded by, divided by the length of a step, is seen in the momentum, and compositions have \
-    short steps: the discrete gradient is symmetric to that.";
 
 impl Page {
     pub(crate) fn new() -> Self {
         let before = std::fs::read_to_string(sources::root().join(FILE)).unwrap_or_default();
-        Page {
-            before,
-            text: OPENING.into(),
-            failures: vec![],
-            #[cfg(not(debug_assertions))]
-            open: vec![],
-        }
+        Page { before, text: OPENING.into(), failures: vec![] }
     }
 
     /// What has been written so far.
@@ -86,31 +71,8 @@ impl Page {
         }
     }
 
-    /// Something does not hold, and the page says so.
-    #[cfg(not(debug_assertions))]
-    pub(crate) fn open(&mut self, what: impl Display) {
-        self.open.push(what.to_string());
-    }
-
-    /// What does not hold, from what was measured; and the page.
-    #[cfg(not(debug_assertions))]
-    fn close(&mut self) {
-        self.section(2, "What does not hold", OPEN);
-        let open = self.open.iter().map(|what| format!("- {what}\n")).collect::<String>();
-        self.text += &format!("\n{open}");
-        self.claim(!self.open.is_empty(), "all of it holds now: the section is to go");
-    }
-
-    /// What does not hold as it stands in the repository.
-    #[cfg(debug_assertions)]
-    fn close(&mut self) {
-        let open = self.before.split_once(DOES_NOT_HOLD).map_or("", |(_, open)| open);
-        self.text += &format!("{DOES_NOT_HOLD}{open}");
-    }
-
     /// Compares with the page in the repository, and writes it.
     pub(crate) fn finish(mut self) -> ExitCode {
-        self.close();
         self.claim(
             words(&self.before) == words(&self.text),
             format_args!("{FILE} had other words: it is to be committed anew"),

@@ -33,7 +33,7 @@ const SENTENCES: &[(&str, &str)] = &[
     ("A + B, an exact flow and a kick", "tests/accuracy::tables_have_the_order_of_h_that_they_claim"),
     ("a step of order 2", "tests/planets::compositions_have_their_order"),
     ("with force gradients keep their order", "tests/accuracy::tables_have_the_order_of_h_that_they_claim"),
-    ("H may jump where", "tests/stability::steps_to_a_tolerance_end_where_the_energy_jumps"),
+    ("H may jump where", "tests/stability::steps_of_one_length_end_where_the_energy_jumps"),
     // Bodies.
     ("H = T({momenta}) + V({places})", "tests/accuracy::a_drift_is_the_flow_of_a_free_body"),
     ("T is quadratic in {m}", "tests/accuracy::every_table_of_the_catalogue_has_its_order"),

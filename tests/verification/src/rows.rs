@@ -1,4 +1,5 @@
-//! Which rows there have to be: each list of the catalogue has its table, and each name that a method gives itself stands in one.
+//! Which rows there have to be: each list of the catalogue has its table, each name that a method gives itself stands in one, and so does each
+//! function that users may write.
 
 use crate::page::Page;
 use crate::sources;
@@ -18,6 +19,14 @@ pub(crate) fn complete(page: &mut Page) {
     }
     let rows = text.lines().filter_map(|line| Some(line.strip_prefix("| `")?.split_once('`')?.0));
     let words: Vec<&str> = rows.flat_map(|name| name.split(" of ")).collect();
+    // Those have a formula in the table of the compiler; helpers have none.
+    let functions = sources::read("geoint-macros/src/ir/op.rs");
+    let written = functions.lines().filter(|line| {
+        line.starts_with("    ") && line.ends_with(");") && (line.contains(", x.") || line.contains(", y."))
+    });
+    for name in written.filter_map(|line| line.split_whitespace().nth(1)?.split('(').next()) {
+        page.claim(words.contains(&name), format_args!("the function {name} has no row"));
+    }
     let folder = "geoint-runtime/src/method";
     for path in sources::below(folder) {
         let text = sources::read(&path);

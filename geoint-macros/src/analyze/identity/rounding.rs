@@ -4,10 +4,8 @@
 mod sized;
 
 use crate::ir::{Graph, Id, Ratio, Symbol};
+pub(super) use sized::State;
 use sized::{Evaluation, Sized};
-
-/// Values of symbols.
-pub(super) type State = Vec<(Symbol, Ratio)>;
 
 /// How positions change together.
 pub(crate) type Direction = Vec<(Symbol, Ratio)>;

@@ -58,20 +58,11 @@ fn states(symbols: &[Symbol]) -> impl Iterator<Item = State> + '_ {
     })
 }
 
-/// Whether a number was rounded while the graph was built: decimals have other denominators.
-pub(super) fn is_rounded(number: Number) -> bool {
-    match number {
-        Number::Float(_) => true,
-        Number::Root(..) => false,
-        Number::Exact(ratio) => ratio.denominator.count_ones() == 1 && ratio.denominator >= 1 << 30,
-    }
-}
-
 /// Whether a node has numbers in it that were rounded.
 pub(super) fn has_rounded(graph: &Graph, terms: &[Id]) -> bool {
     graph.reachable(terms).into_iter().any(|id| match graph.node(id) {
-        Node::Number(number) => is_rounded(*number),
-        Node::Linear(constant, terms) => is_rounded(*constant) || terms.iter().any(|(c, _)| is_rounded(*c)),
+        Node::Number(number) => number.is_rounded(),
+        Node::Linear(constant, terms) => constant.is_rounded() || terms.iter().any(|(c, _)| c.is_rounded()),
         _ => false,
     })
 }

@@ -51,7 +51,7 @@ pub(crate) fn poles(graph: &mut Graph, divided: &[Id], partial: &[Partial]) -> V
             let whole = vanishes == term && condition.is_none();
             if !(one_sided && whole && zeros.is_concave(graph, term)) {
                 // Divided differences have one time: that of the middle of the step.
-                let timed = graph.symbols(term).contains(&Symbol::T);
+                let timed = graph.reads_any(term, |symbol| symbol == Symbol::T);
                 let noticed = !timed
                     && whole
                     && computed.contains(&node)
@@ -123,8 +123,8 @@ impl Pole {
         }
         let vanishes = self.condition.map_or(self.vanishes, |condition| graph.select(condition, self.vanishes, one));
         self.enclosable = enclosable(graph, vanishes);
-        self.by_parameters = graph.symbols(self.enclosable).iter().any(|symbol| matches!(symbol, Symbol::Parameter(_)));
-        self.reads_state = graph.symbols(self.enclosable).iter().any(|symbol| symbol.is_coordinate());
+        self.by_parameters = graph.reads_any(self.enclosable, |symbol| matches!(symbol, Symbol::Parameter(_)));
+        self.reads_state = graph.reads_any(self.enclosable, |symbol| symbol.is_coordinate());
     }
 
     /// The same pole, met again.

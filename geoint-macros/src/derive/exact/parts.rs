@@ -1,9 +1,8 @@
 //! The pieces of x' = S(x) ∇H: by the terms of H, and by planes.
 
 use crate::analyze::{claims, search};
-use crate::derive::flow::Flow;
 use crate::derive::implicit;
-use crate::derive::proof::coordinates;
+use crate::derive::proof::flow::{Flow, coordinates};
 use crate::derive::system::{FlowKernel, Missing, PieceKernel, PiecesOf};
 use crate::ir::{Graph, Id, Symbol};
 use crate::messages::{AT_REST, DAMPED_FLOW, NO_STRUCTURE, NOT_PLANAR, NOT_POISSON, NOT_SOLVED};

@@ -1,12 +1,13 @@
 //! What is proven of a flow before methods rely on it: what it keeps, and what its structure S is. Witnesses, no messages.
 
+pub(super) mod flow;
 pub(super) mod liouville;
 
 use crate::analyze::{Identity, claims, crossings};
-use crate::derive::flow::{Flow, Named};
 use crate::diff;
-use crate::ir::{Graph, Id, Symbol};
+use crate::ir::{Graph, Id};
 use crate::lower::Skew;
+use flow::{Flow, Named, coordinates};
 
 /// What is known of the functions that a flow is said to keep.
 #[derive(Debug)]
@@ -31,11 +32,6 @@ pub(crate) fn integrals(graph: &mut Graph, flow: &Flow) -> Integrals {
     let functions: Vec<Id> = flow.kept.iter().map(|named| named.conserved.value).collect();
     let dependent = claims::dependent(graph, &x, &functions);
     Integrals { kept, jumps, dependent: dependent.and_then(|found| found.integrals.first().copied()) }
-}
-
-/// x, in order.
-pub(crate) fn coordinates(n: usize) -> Vec<Symbol> {
-    (0..n as u32).map(Symbol::Q).collect()
 }
 
 /// S of x' = S ∇H.

@@ -3,7 +3,7 @@
 //! The graph itself stays as it is: the order of its operations is that of the rates of every other method.
 
 use super::Builder;
-use crate::ir::{Id, Number, Ratio};
+use crate::ir::{Id, Node, Number, Ratio};
 
 /// What moves in a product, each factor as often as it occurs.
 type Factors = Vec<(Id, Ratio)>;
@@ -15,6 +15,46 @@ impl Builder<'_> {
             terms = next;
         }
         terms
+    }
+
+    /// Terms of a sum by their factors, with those squares together that nothing else reads and that have the same one: a sum of squares is
+    /// one sum over coefficients.
+    pub(super) fn with_squares_together(&mut self, terms: Vec<(Id, Id)>) -> Vec<(Id, Id)> {
+        let (mut rest, mut together): (Vec<(Id, Id)>, Vec<(Id, Vec<Id>)>) = (vec![], vec![]);
+        for (factor, moving) in terms {
+            if self.own_square(moving).is_none() {
+                rest.push((factor, moving));
+                continue;
+            }
+            match together.iter_mut().find(|(other, _)| *other == factor) {
+                Some((_, squares)) => squares.push(moving),
+                None => together.push((factor, vec![moving])),
+            }
+        }
+        rest.extend(together.into_iter().map(|(factor, squares)| (factor, self.graph.sum(&squares))));
+        rest
+    }
+
+    /// What is squared, of a square or a sum of squares that nothing else reads.
+    pub(super) fn own_squares(&mut self, id: Id) -> Option<Vec<Id>> {
+        match self.graph.node(id).clone() {
+            Node::Linear(_, terms) => {
+                let is_one = |(c, term): (Number, Id)| (c == Number::ONE).then_some(term);
+                terms.into_iter().map(|term| self.own_square(is_one(term)?)).collect()
+            }
+            _ => Some(vec![self.own_square(id)?]),
+        }
+    }
+
+    /// What is squared, of a square that nothing else reads.
+    fn own_square(&mut self, id: Id) -> Option<Id> {
+        let shared = self.uses.get(&id).is_some_and(|uses| *uses > 1) || self.sources.contains_key(&id);
+        match *self.graph.node(id) {
+            Node::Power(base, exponent) if exponent == Ratio::integer(2) && !shared => {
+                (!self.is_constant(base) && self.slope(base).is_none()).then_some(base)
+            }
+            _ => None,
+        }
     }
 
     /// Two terms or more as a product of what they have in common with the sum of the rest.

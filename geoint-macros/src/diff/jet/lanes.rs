@@ -34,27 +34,42 @@ impl Operand {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Weight {
     One,
-    /// 1, where both are the same: terms j and n − j are equal.
+    /// 1, where both are the same: terms j and n − j are equal. Of several operands the squares are added.
     Square,
     /// j(α + 1) − n.
     Power(Factor),
 }
 
 /// A sum over 0 < j < n.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Sum {
-    pub(crate) operands: [Operand; 2],
+    /// Both factors, or all that are squared.
+    pub(crate) operands: Vec<Operand>,
     pub(crate) weight: Weight,
 }
 
 impl Sum {
     fn new(u: Operand, w: Operand) -> Sum {
-        Sum { operands: [u, w], weight: if u == w { Weight::Square } else { Weight::One } }
+        if u == w { Sum::of_squares(vec![u]) } else { Sum { operands: vec![u, w], weight: Weight::One } }
+    }
+
+    fn of_squares(operands: Vec<Operand>) -> Sum {
+        Sum { operands, weight: Weight::Square }
     }
 
     /// What an operand is multiplied with.
     fn other(&self, operand: Operand) -> Operand {
         self.operands[usize::from(self.operands[0] == operand)]
+    }
+
+    /// One of the factors of a product, which a square is too.
+    fn factor(&self, k: usize) -> Operand {
+        self.operands[k.min(self.operands.len() - 1)]
+    }
+
+    /// Whether sums of both kinds are computed by the same operations.
+    fn is_like(&self, other: &Sum) -> bool {
+        self.weight == other.weight && self.operands.len() == other.operands.len()
     }
 }
 
@@ -69,11 +84,11 @@ pub(crate) fn sums(rule: &Rule, own: Source) -> Vec<Sum> {
         | Rule::Wave { .. }
         | Rule::Select(..) => vec![],
         Rule::Product(a, b) => vec![Sum::new(plain(a), plain(b))],
-        Rule::Square(a) => vec![Sum::new(plain(a), plain(a))],
+        Rule::Squares(ref all) => vec![Sum::of_squares(all.iter().copied().map(plain).collect())],
         Rule::Quotient(_, w) | Rule::Reciprocal(w) => vec![Sum::new(plain(w), plain(own))],
         Rule::Root(_) => vec![Sum::new(plain(own), plain(own))],
         Rule::Power(u, exponent) => {
-            vec![Sum { operands: [plain(u), plain(own)], weight: Weight::Power(exponent) }]
+            vec![Sum { operands: vec![plain(u), plain(own)], weight: Weight::Power(exponent) }]
         }
         Rule::Integral { by, of, .. } => vec![Sum::new(weighted(of), plain(by))],
         Rule::Quadrature { over, .. } => vec![Sum::new(weighted(own), plain(over))],
@@ -86,10 +101,10 @@ pub(crate) fn sums(rule: &Rule, own: Source) -> Vec<Sum> {
 }
 
 /// Sums of one kind side by side.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Group {
-    /// The places of both operands among the arrays.
-    pub(crate) operands: [usize; 2],
+    /// The places of the operands among the arrays.
+    pub(crate) operands: Vec<usize>,
     pub(crate) weight: Weight,
 }
 
@@ -111,29 +126,30 @@ impl Lanes {
         let mut known: HashSet<Sum> = HashSet::new();
         // In the order in which they are read: then those of a group are read, and their operands known, at nearly the same time.
         let all = jet.order.iter().flat_map(|own| sums(&jet.series[*own].rule, *own));
-        let all: Vec<Sum> = all.filter(|sum| known.insert(*sum)).collect();
+        let all: Vec<Sum> = all.filter(|sum| known.insert(sum.clone())).collect();
         if all.len() < FEWEST {
             return None;
         }
         let mut lanes = Lanes::default();
         lanes.along_powers(&all);
-        let mut kinds: Vec<(Weight, Vec<Sum>)> = vec![(Weight::One, vec![])];
+        let (mut common, mut kinds): (Vec<Sum>, Vec<Vec<Sum>>) = (vec![], vec![]);
         for sum in all.into_iter().filter(|sum| !lanes.places.contains_key(sum)) {
-            match kinds.iter_mut().find(|(weight, _)| *weight == sum.weight) {
-                Some((_, kind)) => kind.push(sum),
-                None => kinds.push((sum.weight, vec![sum])),
+            match kinds.iter_mut().find(|kind| kind[0].is_like(&sum)) {
+                _ if sum.weight == Weight::One => common.push(sum),
+                Some(kind) => kind.push(sum),
+                None => kinds.push(vec![sum]),
             }
         }
-        let mut common = std::mem::take(&mut kinds[0].1);
-        for (weight, kind) in kinds {
+        for kind in kinds {
+            let (weight, single) = (kind[0].weight, kind[0].operands.len() == 1);
             let (whole, rest) = kind.split_at(kind.len() - kind.len() % LANES);
             whole.chunks(LANES).for_each(|group| lanes.push(weight, group));
             let free = common.len().next_multiple_of(LANES) - common.len();
-            match (weight, rest.len()) {
+            match rest.len() {
+                0 => {}
                 // Few squares fill lanes of others.
-                (Weight::Square, 1) if free > 0 => common.extend(rest),
-                (Weight::Square, 2..LANES) if rest.len() < LANES - 1 => common.extend(rest),
-                (_, 0) => {}
+                1 if single && free > 0 => common.extend_from_slice(rest),
+                2..LANES if single && rest.len() < LANES - 1 => common.extend_from_slice(rest),
                 _ => lanes.push(weight, rest),
             }
         }
@@ -146,11 +162,11 @@ impl Lanes {
     fn along_powers(&mut self, all: &[Sum]) {
         let mut reading: HashMap<Operand, Vec<Sum>> = HashMap::default();
         for sum in all {
-            for operand in sum.operands {
-                reading.entry(operand).or_default().push(*sum);
+            for operand in &sum.operands {
+                reading.entry(*operand).or_default().push(sum.clone());
             }
         }
-        let powers: Vec<Sum> = all.iter().copied().filter(|sum| matches!(sum.weight, Weight::Power(_))).collect();
+        let powers: Vec<Sum> = all.iter().filter(|sum| matches!(sum.weight, Weight::Power(_))).cloned().collect();
         let mut open: VecDeque<Vec<Operand>> = VecDeque::new();
         let alike = powers.chunk_by(|a, b| a.weight == b.weight).flat_map(|alike| alike.chunks(LANES));
         for group in alike.filter(|group| group.len() + 1 >= LANES) {
@@ -160,12 +176,14 @@ impl Lanes {
         while let Some(operands) = open.pop_front() {
             for weight in [Weight::One, Weight::Square] {
                 while let Some(sums) = self.next_of_each(weight, &operands, &reading) {
+                    if weight == Weight::Square {
+                        self.push(weight, &sums);
+                        continue;
+                    }
                     let others: Vec<Operand> =
                         sums.iter().zip(&operands).map(|(sum, operand)| sum.other(*operand)).collect();
-                    self.group(weight, &sums, [&others, &operands]);
-                    if weight == Weight::One {
-                        open.push_back(others);
-                    }
+                    self.group(weight, &sums, &[others.clone(), operands.clone()]);
+                    open.push_back(others);
                 }
             }
         }
@@ -181,27 +199,29 @@ impl Lanes {
         let mut found: Vec<Sum> = vec![];
         for operand in operands {
             let free = |sum: &&Sum| sum.weight == weight && !self.places.contains_key(*sum) && !found.contains(sum);
-            found.push(*reading.get(operand)?.iter().find(free)?);
+            found.push(reading.get(operand)?.iter().find(free)?.clone());
         }
-        Some(found)
+        found.iter().all(|sum| sum.is_like(&found[0])).then_some(found)
     }
 
     fn push(&mut self, weight: Weight, sums: &[Sum]) {
         if let [sum] = sums {
-            self.alone.push(*sum);
+            self.alone.push(sum.clone());
             return;
         }
-        let operands = [0, 1].map(|k| sums.iter().map(|sum| sum.operands[k]).collect::<Vec<_>>());
-        self.group(weight, sums, [&operands[0], &operands[1]]);
+        let number = if weight == Weight::Square { sums[0].operands.len() } else { 2 };
+        let operands: Vec<Vec<_>> = (0..number).map(|k| sums.iter().map(|sum| sum.factor(k)).collect()).collect();
+        self.group(weight, sums, &operands);
     }
 
     /// A group of sums with these operands.
-    fn group(&mut self, weight: Weight, sums: &[Sum], operands: [&[Operand]; 2]) {
+    fn group(&mut self, weight: Weight, sums: &[Sum], operands: &[Vec<Operand>]) {
         let place = self.groups.len();
-        self.places.extend(sums.iter().enumerate().map(|(lane, sum)| (*sum, (place, lane))));
+        self.places.extend(sums.iter().enumerate().map(|(lane, sum)| (sum.clone(), (place, lane))));
         // Lanes that nothing needs repeat the last.
         let last = sums.len() - 1;
-        let operands = operands.map(|operands| self.array(std::array::from_fn(|lane| operands[lane.min(last)])));
+        let operands =
+            operands.iter().map(|operands| self.array(std::array::from_fn(|lane| operands[lane.min(last)]))).collect();
         self.groups.push(Group { operands, weight });
     }
 
@@ -219,7 +239,7 @@ impl Lanes {
     }
 
     /// The group of a sum, and the place in it.
-    pub(crate) fn place(&self, sum: Sum) -> Option<(usize, usize)> {
-        self.places.get(&sum).copied()
+    pub(crate) fn place(&self, sum: &Sum) -> Option<(usize, usize)> {
+        self.places.get(sum).copied()
     }
 }

@@ -27,12 +27,9 @@ pub(crate) enum Rule {
     /// Σ uⱼwₙ₋ⱼ; the second factor is known last.
     Product(Source, Source),
     /// (a + b·t)·u.
-    Shift {
-        start: Value,
-        slope: Value,
-        of: Source,
-    },
-    Square(Source),
+    Shift { start: Value, slope: Value, of: Source },
+    /// Σ u².
+    Squares(Vec<Source>),
     /// y·w = u.
     Quotient(Source, Source),
     /// y·w = 1.
@@ -42,29 +39,13 @@ pub(crate) enum Rule {
     /// y'·u = α·y·u'.
     Power(Source, Factor),
     /// y' = k·d·u', with d up to the order n − 1.
-    Integral {
-        factor: Number,
-        by: Source,
-        of: Source,
-    },
+    Integral { factor: Number, by: Source, of: Source },
     /// The same for u = a + b·t.
-    Wave {
-        factor: Number,
-        slope: Value,
-        by: Source,
-    },
+    Wave { factor: Number, slope: Value, by: Source },
     /// y'·d = k·u', with d up to the order n − 1.
-    Quadrature {
-        factor: Number,
-        of: Source,
-        over: Source,
-    },
+    Quadrature { factor: Number, of: Source, over: Source },
     /// r²·y' = x·y₂' − y₂·x': the angle of (x, y₂).
-    Angle {
-        y: Source,
-        x: Source,
-        square: Source,
-    },
+    Angle { y: Source, x: Source, square: Source },
     /// One of two, where nothing is zero, by a condition at the start.
     Select(Value, Option<Source>, Option<Source>),
 }
@@ -114,7 +95,8 @@ impl Rule {
             Rule::Linear(terms) => terms.iter().map(|(_, source)| *source).collect(),
             Rule::Product(a, b) | Rule::Quotient(a, b) => vec![*a, *b],
             Rule::Shift { of, .. } | Rule::Integral { of, .. } | Rule::Quadrature { of, .. } => vec![*of],
-            Rule::Square(a) | Rule::Reciprocal(a) | Rule::Root(a) | Rule::Power(a, _) => vec![*a],
+            Rule::Squares(all) => all.clone(),
+            Rule::Reciprocal(a) | Rule::Root(a) | Rule::Power(a, _) => vec![*a],
             Rule::Angle { y, x, square } => vec![*y, *x, *square],
             Rule::Select(_, a, b) => a.iter().chain(b).copied().collect(),
         }
@@ -126,7 +108,8 @@ impl Rule {
             Rule::State(_) | Rule::Affine(_) | Rule::Linear(_) | Rule::Select(..) | Rule::Root(_) => vec![],
             Rule::Product(a, b) => vec![*a, *b],
             Rule::Quotient(_, b) => vec![*b],
-            Rule::Square(a) | Rule::Reciprocal(a) | Rule::Power(a, _) => vec![*a],
+            Rule::Squares(all) => all.clone(),
+            Rule::Reciprocal(a) | Rule::Power(a, _) => vec![*a],
             Rule::Shift { .. } | Rule::Wave { .. } => vec![],
             Rule::Integral { by, .. } => vec![*by],
             Rule::Quadrature { over, .. } => vec![*over],
@@ -161,7 +144,8 @@ impl Rule {
             | Rule::Shift { .. }
             | Rule::Wave { .. }
             | Rule::Select(..) => 0,
-            Rule::Square(_) | Rule::Root(_) => 1,
+            Rule::Squares(all) => all.len(),
+            Rule::Root(_) => 1,
             Rule::Product(..)
             | Rule::Quotient(..)
             | Rule::Reciprocal(_)

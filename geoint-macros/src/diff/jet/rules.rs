@@ -86,6 +86,13 @@ impl Builder<'_> {
                 None => parts.push((factor, moving)),
             }
         }
+        let mut parts = self.with_squares_together(parts);
+        if let [(factor, moving)] = parts[..]
+            && self.graph.as_number(factor) == Some(Number::ONE)
+            && let Some(bases) = self.own_squares(moving)
+        {
+            return Rule::Squares(bases.into_iter().map(|base| self.series(base)).collect());
+        }
         // What is known last is added last.
         parts.sort_by_key(|(_, moving)| self.depth(*moving));
         let terms = parts.into_iter().filter_map(|(factor, moving)| {
@@ -173,7 +180,7 @@ impl Builder<'_> {
     /// a·b for series a and b, where b is known last.
     fn times(&mut self, a: Id, b: Id) -> Rule {
         if a == b {
-            return Rule::Square(self.series(a));
+            return Rule::Squares(vec![self.series(a)]);
         }
         for (affine, other) in [(a, b), (b, a)] {
             if let Some(slope) = self.slope(affine) {
@@ -206,7 +213,7 @@ impl Builder<'_> {
         // The square of a reciprocal stands beside other squares; the power rule has a sum of its own kind.
         if exponent == Ratio::integer(-2) {
             let reciprocal = self.graph.recip(base);
-            return Rule::Square(self.series(reciprocal));
+            return Rule::Squares(vec![self.series(reciprocal)]);
         }
         if !exponent.is_integer() || exponent.numerator < 0 && !self.has_lower(base, exponent) {
             let u = self.series(base);

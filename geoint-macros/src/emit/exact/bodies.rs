@@ -3,9 +3,11 @@
 use super::{assign, flow, slots};
 use crate::derive::{Bodies, Shift, Turn};
 use crate::emit::domain::domain;
-use crate::emit::kernel::{Context, element};
+use crate::emit::given::element;
+use crate::emit::kernel::Context;
 use crate::emit::structure::{self_type, state_type};
 use crate::emit::system::halves;
+use crate::emit::tokens::Tokens;
 use crate::ir::Graph;
 use crate::parse::over_scalar;
 use crate::schedule::Plan;
@@ -148,9 +150,8 @@ fn or_zero(place: Option<usize>) -> TokenStream {
 }
 
 /// `q[0][body]`, or `q[body]`
-fn row(half: &str, level: Option<usize>, body: usize) -> TokenStream {
-    let half = format_ident!("{half}");
-    element(quote!(#half), &level.into_iter().chain([body]).collect::<Vec<_>>())
+fn row(half: &str, level: Option<usize>, body: usize) -> Tokens {
+    element(half, &level.into_iter().chain([body]).collect::<Vec<_>>())
 }
 
 /// What a drift adds to a coordinate of a centre of mass.
@@ -164,7 +165,7 @@ fn shift(context: &Context<'_>, Shift { linear, constant }: &Shift) -> TokenStre
 }
 
 /// What a free rotation adds to the attitude and the momentum of a body.
-fn free_rotation(turn: &Turn, r: &TokenStream, m: &TokenStream) -> TokenStream {
+fn free_rotation(turn: &Turn, r: &Tokens, m: &Tokens) -> TokenStream {
     if let Some(axis) = turn.symmetry {
         let moments = [(axis + 1) % 3, axis].map(|i| or_zero(turn.linear[i][i]));
         let axis = Literal::usize_unsuffixed(axis);
@@ -193,7 +194,7 @@ fn rotations(context: &Context<'_>, bodies: &Bodies<Plan>) -> TokenStream {
         quote!(slope::five_rotations(&[#(#inverse),*], &mut #r, &mut #m);)
     });
     let shifts = bodies.shifts.iter().enumerate().map(|(i, each)| {
-        let (place, change) = (element(quote!(q), &[1, i / 3, i % 3]), shift(context, each));
+        let (place, change) = (element("q", &[1, i / 3, i % 3]), shift(context, each));
         quote!(#place = #place + (#change);)
     });
     quote! {

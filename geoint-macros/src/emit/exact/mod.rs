@@ -5,7 +5,8 @@ mod kick_drift;
 mod perturbed;
 mod pieces;
 
-use super::kernel::{Context, Given, array};
+use super::given::{Given, array};
+use super::kernel::Context;
 use crate::derive::FlowKernel;
 use crate::ir::Symbol;
 use crate::schedule::Plan;

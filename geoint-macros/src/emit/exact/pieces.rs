@@ -3,10 +3,12 @@
 
 use super::{assign, increments};
 use crate::derive::{Missing, PieceKernel, PiecesOf};
-use crate::emit::kernel::{Context, Given, array, element};
+use crate::emit::given::{Given, array, element};
+use crate::emit::kernel::Context;
 use crate::emit::missing::unsatisfied;
 use crate::emit::straight_line;
 use crate::emit::structure::self_type;
+use crate::emit::tokens::Tokens;
 use crate::ir::{Graph, Symbol, print::Printer};
 use crate::schedule::Plan;
 use crate::split::Clock;
@@ -132,7 +134,7 @@ fn solve(context: &Context<'_>, piece: &PieceKernel<Plan>, target: &TokenStream)
     let places = piece.flow.changes.iter().enumerate().map(|(i, symbol)| {
         let place = match symbol {
             Symbol::Q(index) => element(target.clone(), &context.coordinate(*index)),
-            _ => TokenStream::new(),
+            _ => Tokens::default(),
         };
         let i = Literal::usize_unsuffixed(i);
         quote!(#place = #place + step[#i];)
@@ -140,7 +142,7 @@ fn solve(context: &Context<'_>, piece: &PieceKernel<Plan>, target: &TokenStream)
     let unknown = |symbol: Symbol| {
         let moved =
             piece.flow.changes.iter().position(|x| matches!((x, symbol), (Symbol::Q(i), Symbol::Dq(j)) if *i == j));
-        moved.map_or_else(|| context.input(symbol), |i| Given::entry(array::UNKNOWNS, quote!(increment), vec![i]))
+        moved.map_or_else(|| context.input(symbol), |i| Given::entry(array::UNKNOWNS, "increment", vec![i]))
     };
     let equation = straight_line::routine(&piece.flow.kernel.last[0], context.names(&unknown), |values| {
         let [image, first, second] = [&values[..2], &values[2..4], &values[4..]];

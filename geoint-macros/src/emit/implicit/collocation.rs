@@ -3,7 +3,8 @@
 use super::prepared::Prepared;
 use super::write_field;
 use crate::derive::FieldKernels;
-use crate::emit::kernel::{Context, element, write};
+use crate::emit::given::element;
+use crate::emit::kernel::{Context, write};
 use crate::emit::structure::self_type;
 use crate::ir::Symbol;
 use crate::schedule::Plan;
@@ -22,13 +23,13 @@ pub(super) fn collocation(context: &Context<'_>, field: &FieldKernels<Plan>) -> 
     });
     let momenta = momenta(context.energy.degrees());
     let velocity = context.planned(&plan.last[1], (&momenta, "p"), |values| write("velocity", &places, &values));
-    let y: Vec<_> = places.iter().map(|indices| element(quote!(y), indices)).collect();
+    let y: Vec<_> = places.iter().map(|indices| element("y", indices)).collect();
     let [derivative, start, add, increments] = if field.second_order {
         let add =
             context.planned(&plan.last[2], (&momenta, "f"), |values| quote!(#(#y = w.multiply_add(#values, #y);)*));
         [quote!(2), quote!((z[0], z[1])), add, quote!([*change, *impulse])]
     } else {
-        let f = places.iter().map(|indices| element(quote!(f), indices));
+        let f = places.iter().map(|indices| element("f", indices));
         let add = quote!(#(#y = w.multiply_add(#f, #y);)*);
         [quote!(1), quote!((*z, *z)), add, quote!(*change)]
     };

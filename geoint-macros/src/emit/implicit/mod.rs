@@ -12,6 +12,7 @@ mod velocities;
 
 use super::kernel::{Context, write};
 use super::structure::self_type;
+use super::tokens::Tokens;
 use crate::derive::{ContactStages, FieldKernels, Implicit, MOST_UNKNOWNS, System};
 use crate::ir::{Graph, Number};
 use crate::schedule::{Block, Operand, Plan};
@@ -83,7 +84,7 @@ pub(super) fn square(places: &[Vec<usize>]) -> Vec<Vec<usize>> {
 pub(super) fn write_derivatives(
     places: &[Vec<usize>],
     (vectors, matrices): (&[&str], &[&str]),
-    values: &[TokenStream],
+    values: &[Tokens],
 ) -> TokenStream {
     let n = places.len();
     let (of_vectors, of_matrices) = values.split_at(vectors.len() * n);
@@ -95,12 +96,7 @@ pub(super) fn write_derivatives(
 
 /// The statements that write f and its derivative, the results of a block. Of many unknowns most depend on few others: entries that are
 /// zero are written all at once.
-pub(super) fn write_field(
-    context: &Context<'_>,
-    names: [&str; 2],
-    block: &Block,
-    values: &[TokenStream],
-) -> TokenStream {
+pub(super) fn write_field(context: &Context<'_>, names: [&str; 2], block: &Block, values: &[Tokens]) -> TokenStream {
     let unknowns = values.len().isqrt();
     let places = context.unknown_places(unknowns);
     let (f, jacobian) = values.split_at(unknowns);

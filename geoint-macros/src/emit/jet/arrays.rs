@@ -1,7 +1,8 @@
 //! The arrays of coefficients, and their names.
 
 use super::Writer;
-use crate::diff::jet::{LANES, Operand, Rule, Source};
+use crate::diff::jet::{LANES, Operand, Source};
+use crate::emit::tokens::Tokens;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -11,7 +12,7 @@ pub(super) struct Stored {
     /// Whether entries are coefficients side by side.
     pub(super) of_lanes: bool,
     /// The entry of order 0, if it is not zero.
-    pub(super) first: Option<TokenStream>,
+    pub(super) first: Option<Tokens>,
 }
 
 impl Stored {
@@ -54,11 +55,12 @@ pub(super) fn coefficient(source: Source) -> Ident {
 }
 
 impl Writer<'_> {
-    /// Whether the coefficients of a series have an array of their own.
+    /// Whether the coefficients of a series have an array of their own: a coordinate has one also where orders are unrolled, and arrays
+    /// registers.
     pub(super) fn has_array(&self, source: Source) -> bool {
         let series = &self.jet.series[source];
         let in_sums = series.kept && self.is_read_alone(Operand { source, weighted: false });
-        in_sums || series.before || matches!(series.rule, Rule::State(_))
+        in_sums || series.before
     }
 
     pub(super) fn has_weighted_array(&self, source: Source) -> bool {
@@ -71,7 +73,7 @@ impl Writer<'_> {
     }
 
     /// The arrays, in order, as the body of an order and its calls name them.
-    pub(super) fn arrays(&self, values: &[TokenStream]) -> Vec<Stored> {
+    pub(super) fn arrays(&self, values: &[Tokens]) -> Vec<Stored> {
         let value = |source: Source| values.get(self.value(source)).cloned();
         let mut arrays = vec![];
         for source in 0..self.jet.series.len() {
@@ -84,9 +86,9 @@ impl Writer<'_> {
         }
         for (i, operands) in self.lanes.iter().flat_map(|lanes| &lanes.arrays).enumerate() {
             let first = operands.map(|Operand { source, weighted }| {
-                value(source).filter(|_| !weighted).unwrap_or(quote!(R::from_f64(0.0)))
+                value(source).filter(|_| !weighted).unwrap_or(quote!(R::from_f64(0.0)).into())
             });
-            arrays.push(Stored { name: side_by_side(i), of_lanes: true, first: Some(quote!([#(#first),*])) });
+            arrays.push(Stored { name: side_by_side(i), of_lanes: true, first: Some(quote!([#(#first),*]).into()) });
         }
         arrays
     }

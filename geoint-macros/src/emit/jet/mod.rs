@@ -8,8 +8,10 @@ mod arrays;
 mod numbers;
 mod rules;
 
-use super::kernel::{Context, element};
+use super::given::element;
+use super::kernel::Context;
 use super::structure::{self_type, state};
+use super::tokens::Tokens;
 use crate::derive::JetKernel;
 use crate::diff::jet::{Jet, Lanes, Operand, Rate, Rule, Source, Value};
 use crate::ir::Symbol;
@@ -118,7 +120,10 @@ impl Writer<'_> {
         let unit = self.number(Prepared::Unit);
         let groups: Vec<_> = self.lanes.iter().flat_map(|lanes| lanes.groups.clone()).collect();
         for (i, group) in groups.iter().enumerate() {
-            let (name, sum) = (format_ident!("sums{i}"), self.sum_of(group.weight, group.operands.map(side_by_side)));
+            let (name, sum) = (format_ident!("sums{i}"), {
+                let arrays: Vec<Ident> = group.operands.iter().copied().map(side_by_side).collect();
+                self.sum_of(group.weight, &arrays)
+            });
             body.extend(quote!(#name = #sum;));
         }
         for source in &self.jet.order {
@@ -171,7 +176,7 @@ impl Writer<'_> {
                 #[inline(always)]
                 fn order(&mut self, n: usize) {
                     let Self { k, masks, #(#arrays,)* jet, switches } = self;
-                    let (whole, next) = (R::from_f64(n as f64), #unit * R::from_f64(1.0 / (n + 1) as f64));
+                    let (whole, next) = (recurrence::whole::<R>(n), #unit * recurrence::inverse::<R>(n + 1));
                     let (#(#names,)*);
                     #body
                 }
@@ -200,19 +205,20 @@ impl Writer<'_> {
         }
     }
 
-    /// The array of a coordinate that something reads.
+    /// The array of a coordinate that has one.
     fn array_of(&self, symbol: Symbol) -> Option<Ident> {
-        self.jet.series.iter().position(|series| series.rule == Rule::State(symbol)).map(kept)
+        let source = self.jet.series.iter().position(|series| series.rule == Rule::State(symbol))?;
+        self.has_array(source).then(|| kept(source))
     }
 
     /// Where a coordinate is in a point.
-    fn place(&self, symbol: Symbol) -> TokenStream {
+    fn place(&self, symbol: Symbol) -> Tokens {
         let flow = self.context.energy.form.is_flow();
         match symbol {
-            Symbol::Q(i) if flow => element(quote!(z), &self.context.coordinate(i)),
+            Symbol::Q(i) if flow => element("z", &self.context.coordinate(i)),
             Symbol::Q(i) => element(quote!(z[0]), &self.context.coordinate(i)),
             Symbol::P(i) => element(quote!(z[1]), &self.context.coordinate(i)),
-            _ => quote!(s),
+            _ => "s".into(),
         }
     }
 
@@ -224,7 +230,7 @@ impl Writer<'_> {
     }
 
     /// The values at the start, the coefficients of order 0, and all orders.
-    fn start(&self, values: &[TokenStream]) -> TokenStream {
+    fn start(&self, values: &[Tokens]) -> TokenStream {
         let numbers = self.numbers.iter().map(|number| prepared(*number, values));
         let masks = self.jet.conditions.iter().map(|value| &values[*value]);
         let mut first = TokenStream::new();

@@ -1,9 +1,10 @@
 //! Numbers in the coefficients: constants, and what is computed once a step.
 
 use crate::diff::jet::{Factor, Value};
+use crate::emit::tokens::Tokens;
 use crate::ir::Number;
 use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use quote::{ToTokens, quote};
 
 /// A number that is computed once a step.
 #[derive(Clone, Copy, PartialEq)]
@@ -24,13 +25,13 @@ pub(super) enum Prepared {
 }
 
 /// A number of the start, from the values there.
-pub(super) fn prepared(number: Prepared, values: &[TokenStream]) -> TokenStream {
+pub(super) fn prepared(number: Prepared, values: &[Tokens]) -> TokenStream {
     let factor = |factor: Factor| match factor {
         Factor::Number(number) => constant(number),
-        Factor::Value(value) => values[value].clone(),
+        Factor::Value(value) => values[value].to_token_stream(),
     };
     match number {
-        Prepared::Value(value) => values[value].clone(),
+        Prepared::Value(value) => values[value].to_token_stream(),
         Prepared::Reciprocal(value) => {
             let value = &values[value];
             quote!(R::from_f64(1.0) / #value)
@@ -49,7 +50,7 @@ pub(super) fn prepared(number: Prepared, values: &[TokenStream]) -> TokenStream 
             quote!(#exponent * #w / #u)
         }
         Prepared::Slope(c, value) => {
-            let slope = scaled(c, values[value].clone());
+            let slope = scaled(c, values[value].to_token_stream());
             quote!(unit * (#slope))
         }
         Prepared::Unit => quote!(unit),

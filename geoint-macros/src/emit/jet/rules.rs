@@ -12,9 +12,13 @@ impl Writer<'_> {
     pub(super) fn coefficient(&mut self, source: Source) -> TokenStream {
         let own = source;
         match self.jet.series[source].rule.clone() {
-            Rule::State(_) => {
+            Rule::State(_) if self.has_array(source) => {
                 let array = kept(source);
                 quote!(#array[n])
+            }
+            Rule::State(symbol) => {
+                let place = self.place(symbol);
+                quote!(jet[n - 1].#place)
             }
             Rule::Affine(slope) => {
                 let slope = self.number(Prepared::Slope(Number::ONE, slope));
@@ -32,9 +36,10 @@ impl Writer<'_> {
                 let (before, c) = (self.before(of), coefficient(of));
                 quote!(#start.multiply_add(#c, #slope * #before))
             }
-            Rule::Square(a) => {
-                let (start, c, sum) = (self.start_of(a), coefficient(a), self.sum(own, 0));
-                quote!(recurrence::square(#start, #c, #sum))
+            Rule::Squares(all) => {
+                let starts: Vec<TokenStream> = all.iter().map(|of| self.start_of(*of)).collect();
+                let (c, sum) = (all.iter().copied().map(coefficient), self.sum(own, 0));
+                quote!(recurrence::squares([#(#starts),*], [#(#c),*], #sum))
             }
             Rule::Quotient(a, w) => {
                 let over = self.number(Prepared::Reciprocal(self.value(w)));
@@ -62,7 +67,7 @@ impl Writer<'_> {
             }
             Rule::Wave { factor, slope, by } => {
                 let (slope, before) = (self.number(Prepared::Slope(factor, slope)), self.before(by));
-                quote!(#slope * #before * R::from_f64(1.0 / n as f64))
+                quote!(#slope * #before * recurrence::inverse::<R>(n))
             }
             Rule::Quadrature { factor, of, over } => {
                 let inverse = self.number(Prepared::Reciprocal(self.value(over)));
@@ -101,23 +106,23 @@ impl Writer<'_> {
 
     /// A sum in the coefficient of order n of a series.
     fn sum(&mut self, own: Source, i: usize) -> TokenStream {
-        let sum = sums(&self.jet.series[own].rule, own)[i];
-        if let Some((group, lane)) = self.lanes.as_ref().and_then(|lanes| lanes.place(sum)) {
+        let sum = sums(&self.jet.series[own].rule, own).swap_remove(i);
+        if let Some((group, lane)) = self.lanes.as_ref().and_then(|lanes| lanes.place(&sum)) {
             let (group, lane) = (format_ident!("sums{group}"), Literal::usize_unsuffixed(lane));
             return quote!(#group[#lane]);
         }
-        let arrays = sum.operands.map(array_of);
-        self.sum_of(sum.weight, arrays)
+        let arrays: Vec<Ident> = sum.operands.into_iter().map(array_of).collect();
+        self.sum_of(sum.weight, &arrays)
     }
 
     /// One sum, or many side by side.
-    pub(super) fn sum_of(&mut self, weight: Weight, [u, w]: [Ident; 2]) -> TokenStream {
+    pub(super) fn sum_of(&mut self, weight: Weight, arrays: &[Ident]) -> TokenStream {
         match weight {
-            Weight::One => quote!(recurrence::sum(#u, #w, n)),
-            Weight::Square => quote!(recurrence::sum_of_square(#u, n)),
+            Weight::One => quote!(recurrence::sum(#(#arrays,)* n)),
+            Weight::Square => quote!(recurrence::sum_of_squares([#(&*#arrays),*], n)),
             Weight::Power(exponent) => {
                 let next = self.number(Prepared::Next(exponent));
-                quote!(recurrence::sum_of_power(#u, #w, #next, n))
+                quote!(recurrence::sum_of_power(#(#arrays,)* #next, n))
             }
         }
     }

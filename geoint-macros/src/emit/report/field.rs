@@ -1,14 +1,25 @@
 //! What the divergence of a field says, and which structure was found, in words.
 
 use super::super::kernel::Context;
-use super::flow::{OfField, entries};
+use super::structure::brackets;
 use crate::analyze::Identity;
 use crate::analyze::liouville::{NoEnergy, Open};
 use crate::check::wording::{at_witness, open, proven};
+use crate::derive::proof::Integrals;
 use crate::derive::{Liouville, Multiplier, Parted, Recovered};
 use crate::ir::{Id, Symbol, print::Printer};
 use std::fmt::{Result as Written, Write};
 
+/// What is known of a field.
+#[derive(Clone, Copy)]
+pub(crate) struct OfField<'a> {
+    pub(crate) proofs: &'a Integrals,
+    pub(crate) liouville: &'a Liouville,
+    /// S of the planes, if one is known.
+    pub(crate) parted: Option<&'a Parted>,
+}
+
+/// The divergence, and S where one was found.
 pub(super) fn of_field<F: Fn(Symbol) -> String>(
     text: &mut String,
     context: &Context<'_>,
@@ -122,10 +133,7 @@ fn structure<F: Fn(Symbol) -> String>(
     let alone = if *unique == Some(true) { "" } else { ", one of many" };
     writeln!(text, "\nStructure")?;
     writeln!(text, "- x' = S ∇I with I = {} and skew S, found{alone}", printer.excerpt(*integral))?;
-    let name = |i: usize| context.user_name(Symbol::Q(i as u32));
-    for [i, j] in entries(printer.graph(), matrix) {
-        writeln!(text, "- {{{}, {}}} = {}", name(i), name(j), printer.excerpt(matrix[i][j]))?;
-    }
+    brackets(text, context, printer, matrix)?;
     let word =
         if *poisson { "a Poisson structure: Jacobi's identity holds" } else { "not proven to be a Poisson structure" };
     writeln!(text, "- {word}")

@@ -3,10 +3,12 @@
 use super::super::damping::coefficients;
 use super::super::kernel::Context;
 use super::counted;
+use super::field::{OfField, of_field};
+use super::structure::{brackets, entries};
 use crate::analyze::Identity;
 use crate::check::wording::proven;
-use crate::derive::proof::{Integrals, Structure};
-use crate::derive::{Flow, Implicit, Liouville, MOST_UNKNOWNS, Named, Origin, Parted, System};
+use crate::derive::proof::Structure;
+use crate::derive::{Flow, Implicit, MOST_UNKNOWNS, Named, Origin, System};
 use crate::ir::{Function, Graph, Id, Node, Symbol, print::Printer};
 use crate::legendre::FirstOrder;
 use crate::parse::Form;
@@ -22,15 +24,6 @@ pub(crate) enum Source<'a> {
     Field(OfField<'a>),
     /// S is the inverse of a skew matrix.
     Lagrangian(&'a FirstOrder),
-}
-
-/// What is known of a field.
-#[derive(Clone, Copy)]
-pub(crate) struct OfField<'a> {
-    pub(crate) proofs: &'a Integrals,
-    pub(crate) liouville: &'a Liouville,
-    /// S of the planes, if one is known.
-    pub(crate) parted: Option<&'a Parted>,
 }
 
 /// The report.
@@ -50,7 +43,7 @@ pub(crate) fn flow(
     .and_then(|()| equations(&mut text, context, &printer, flow))
     .and_then(|()| match source {
         Source::Structure(structure) => of_structure(&mut text, context, &printer, structure),
-        Source::Field(field) => super::field::of_field(&mut text, context, &printer, field),
+        Source::Field(field) => of_field(&mut text, context, &printer, field),
         Source::Lagrangian(found) => of_first_order(&mut text, context, &printer, found),
     })
     .and_then(|()| kept(&mut text, &printer, flow, source))
@@ -101,19 +94,6 @@ fn of_structure<F: Fn(Symbol) -> String>(
     }
 }
 
-/// {xᵢ, xⱼ} for i < j, where that is not zero.
-fn brackets<F: Fn(Symbol) -> String>(
-    text: &mut String,
-    context: &Context<'_>,
-    printer: &Printer<'_, F>,
-    matrix: &[Vec<Id>],
-) -> Written {
-    let name = |i: usize| context.user_name(Symbol::Q(i as u32));
-    entries(printer.graph(), matrix)
-        .into_iter()
-        .try_for_each(|[i, j]| writeln!(text, "- {{{}, {}}} = {}", name(i), name(j), printer.excerpt(matrix[i][j])))
-}
-
 /// L as it is understood.
 fn of_lagrangian<F: Fn(Symbol) -> String>(text: &mut String, printer: &Printer<'_, F>, found: &FirstOrder) -> Written {
     writeln!(text, "L = {}", printer.formula(found.lagrangian))?;
@@ -156,12 +136,6 @@ fn of_first_order<F: Fn(Symbol) -> String>(
         )?;
     }
     writeln!(text, "- `Gauss` and `ImplicitMidpoint` are those of canonical coordinates: symplectic")
-}
-
-/// The indices i < j of all entries that are not zero.
-pub(super) fn entries(graph: &Graph, matrix: &[Vec<Id>]) -> Vec<[usize; 2]> {
-    let pairs = (0..matrix.len()).flat_map(|i| (i + 1..matrix.len()).map(move |j| [i, j]));
-    pairs.filter(|[i, j]| !graph.is_zero(matrix[*i][*j])).collect()
 }
 
 fn kept<F: Fn(Symbol) -> String>(

@@ -6,6 +6,7 @@ mod constraints;
 mod contact;
 mod forced;
 mod pieces;
+mod structure;
 mod field;
 mod flow;
 mod lagrangian;
@@ -18,17 +19,17 @@ pub(crate) use bodies::bodies;
 pub(crate) use canonical::canonical;
 pub(crate) use constraints::constraints;
 pub(crate) use contact::contact;
-pub(crate) use flow::{OfField, Source, flow};
+pub(crate) use field::OfField;
+pub(crate) use flow::{Source, flow};
 pub(crate) use forced::forced;
 pub(crate) use lagrangian::{herglotz, lagrangian, velocities};
 
-/// Where the energy was not proven not to jump: most steps know its derivatives alone, and pass.
+/// Where the energy was not proven not to jump: most steps know its derivatives alone, and end there.
 pub(crate) fn jumps(context: &Context<'_>, graph: &Graph, jumps: &Jumps<Plan>) -> String {
     let printer = Printer::new(graph, |symbol| context.user_name(symbol));
     jumps.edge.map_or_else(String::new, |[a, b]| {
         format!(
-            "\nJumps\n- H may jump where {} = {}: methods that keep the energy see that, adaptive steps and Taylor series end there, and \
-             all others pass as if nothing was there\n",
+            "\nJumps\n- H may jump where {} = {}: methods that keep the energy take it along, and all other steps end there\n",
             printer.excerpt(a),
             printer.excerpt(b)
         )

@@ -80,6 +80,15 @@ impl Number {
         }
     }
 
+    /// Whether this was rounded while the graph was built: decimals have other denominators.
+    pub(crate) fn is_rounded(self) -> bool {
+        match self {
+            Number::Float(_) => true,
+            Number::Root(..) => false,
+            Number::Exact(ratio) => ratio.denominator.count_ones() == 1 && ratio.denominator >= 1 << 30,
+        }
+    }
+
     pub(crate) fn neg(self) -> Number {
         match self {
             Number::Exact(ratio) => Number::Exact(ratio.neg()),

@@ -3,7 +3,7 @@
 use crate::analyze::{self, Damping, Flaw};
 use crate::ir::{Reads, print::Printer};
 use crate::parse::Form;
-use crate::{emit, expand, lower, parse};
+use crate::{attribute, emit, lower, parse};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -128,6 +128,6 @@ fn the_body_is_not_seen() {
 fn nesting() {
     let deep = (0..5000).fold(quote!(1.0), |inner, _| quote!((#inner)));
     let item = quote! { fn f(q: f64, p: f64) -> f64 { q * p } };
-    let expanded = expand::expand(Form::Hamiltonian, quote!(damping = #deep), item).to_string();
+    let expanded = attribute::expand(Form::Hamiltonian, quote!(damping = #deep), item).to_string();
     assert!(expanded.contains("nested too deeply"));
 }

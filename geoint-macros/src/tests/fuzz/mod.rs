@@ -6,7 +6,7 @@ mod functions;
 mod stacks;
 mod written;
 
-use crate::expand;
+use crate::attribute;
 use crate::parse::Form;
 use proc_macro2::TokenStream;
 use proptest::prelude::*;
@@ -18,7 +18,7 @@ use functions::{LEAVES, arithmetic, function};
 
 /// What holds for all input.
 fn holds(form: Form, args: TokenStream, item: TokenStream) {
-    check(item.clone(), expand::expand(form, args, item));
+    check(item.clone(), attribute::expand(form, args, item));
 }
 
 /// What is emitted is Rust, and the function is the first of it.
@@ -69,8 +69,8 @@ proptest! {
     #[test]
     fn random_tokens(form in any_form(), args in token_text(), item in token_text()) {
         if let (Some(args), Some(item)) = (tokens(&args), tokens(&item)) {
-            check(item.clone(), expand::energy_function(args.clone(), item.clone()));
-            let _ = expand::resume(quote!(#args #item));
+            check(item.clone(), attribute::energy_function(args.clone(), item.clone()));
+            let _ = attribute::resume(quote!(#args #item));
             holds(form, args, item);
         }
     }

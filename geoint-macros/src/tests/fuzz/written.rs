@@ -2,7 +2,7 @@
 
 use super::config;
 use super::functions::arithmetic;
-use crate::expand;
+use crate::attribute;
 use crate::parse::Form;
 use proc_macro2::TokenStream;
 use proptest::prelude::*;
@@ -107,7 +107,7 @@ fn accepted(written: &Written, runner: &mut TestRunner) -> String {
             "fn energy({coordinates}, t: f64, a: f64, w: [f64; 2]) -> {returned} {{ const K: f64 = 1.5; {text} }}"
         );
         let Ok(tokens) = item.parse() else { continue };
-        let emitted = expand::expand(*form, arguments(attribute), tokens).to_string();
+        let emitted = attribute::expand(*form, arguments(attribute), tokens).to_string();
         if !emitted.contains("compile_error") {
             return item;
         }

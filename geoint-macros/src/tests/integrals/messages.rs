@@ -1,12 +1,12 @@
 //! What is said of what a field keeps.
 
-use crate::expand;
+use crate::attribute;
 use crate::parse::Form;
 use proc_macro2::TokenStream;
 use quote::quote;
 
 fn messages(args: TokenStream, item: TokenStream) -> String {
-    let expanded = expand::expand(Form::Field, args, item).to_string();
+    let expanded = attribute::expand(Form::Field, args, item).to_string();
     let marker = "compile_error ! {";
     expanded.split(marker).skip(1).filter_map(|rest| rest.split('}').next()).collect::<Vec<_>>().join("\n")
 }
@@ -60,7 +60,7 @@ fn what_remains_where_no_state_was_met() {
 /// H is that of both sides of a gate, and jumps there: solutions go through.
 #[test]
 fn an_energy_that_jumps_on_the_way_is_not_kept() {
-    let report = |item: TokenStream| expand::expand(Form::Field, quote!(), item).to_string();
+    let report = |item: TokenStream| attribute::expand(Form::Field, quote!(), item).to_string();
     let gate = report(quote!(
         fn f(x: [f64; 2]) -> [f64; 2] {
             [if x[0] > 0.0 { 1.0 } else { 2.0 }, 0.0]
@@ -88,7 +88,7 @@ fn what_a_splitting_keeps_is_named() {
                 [x[1], -x[0]]
             }
         );
-        expand::expand(Form::Field, quote!(#keeps), item).to_string()
+        attribute::expand(Form::Field, quote!(#keeps), item).to_string()
     };
     for unit in [quote!(0.1), quote!(1e200), quote!(1e-200)] {
         let found = report(quote!(keeps(radius = #unit * (x[0] * x[0] + x[1] * x[1]))));
@@ -170,7 +170,7 @@ fn what_is_assumed_is_never_called_kept() {
             [x[1], -x[0]]
         }
     );
-    let report = |keeps: TokenStream| expand::expand(Form::Field, quote!(keeps(#keeps)), item.clone()).to_string();
+    let report = |keeps: TokenStream| attribute::expand(Form::Field, quote!(keeps(#keeps)), item.clone()).to_string();
     let assumed = report(quote!(assume(size = x[0] * x[0] + x[1] * x[1])));
     assert!(assumed.contains(": assumed") && !assumed.contains("keep size"), "{assumed}");
     assert!(assumed.contains("levels of size, which the flow is assumed to do"), "{assumed}");
@@ -186,7 +186,7 @@ fn angles_come_round() {
         }
     );
     let args = quote!(keeps(phase = x[1].atan2(x[0]) - x[2]));
-    let found = expand::expand(Form::Field, args, item).to_string();
+    let found = attribute::expand(Form::Field, args, item).to_string();
     assert!(found.contains("kept, proven by multiplying out, but for turns of `atan2` by 2π"), "{found}");
 }
 
@@ -232,7 +232,7 @@ fn flows_at_rest() {
         ),
     ];
     for (form, args, item) in at_rest {
-        let found = expand::expand(form, args, item).to_string();
+        let found = attribute::expand(form, args, item).to_string();
         assert!(
             !found.contains("compile_error") && found.contains("nothing moves, so that there are no pieces"),
             "{found}"
@@ -269,7 +269,7 @@ fn the_function_of_nambu_is_a_casimir() {
             x[0] * x[1] + x[2] * x[2] / 2.0
         }
     );
-    let report = |args: TokenStream| expand::expand(Form::Hamiltonian, args, item.clone()).to_string();
+    let report = |args: TokenStream| attribute::expand(Form::Hamiltonian, args, item.clone()).to_string();
     let found = report(quote!(structure = nambu(x[0] + x[1] * x[1] / 2.0 - a * x[2].cos())));
     assert!(found.contains("x[0] + x[1]²/2 - a·cos(x[2]): kept, a Casimir"), "{found}");
     // The search finds its logarithm, which is defined at fewer states.
@@ -282,7 +282,7 @@ fn the_function_of_nambu_is_a_casimir() {
 
 #[test]
 fn an_energy_that_reads_time_is_not_said_to_be_kept() {
-    let report = |item: TokenStream| expand::expand(Form::Hamiltonian, quote!(structure = so3), item).to_string();
+    let report = |item: TokenStream| attribute::expand(Form::Hamiltonian, quote!(structure = so3), item).to_string();
     let driven = report(quote!(
         fn f(x: [f64; 3], t: f64) -> f64 {
             x[0] * x[0] + x[1] * x[1] * t.cos()

@@ -1,7 +1,7 @@
 //! Mass matrices: constant ones, what they do not read, pivots.
 
 use super::*;
-use crate::expand;
+use crate::attribute;
 use quote::ToTokens;
 
 /// Its derivatives are those of the energy that one writes, to the last operation.
@@ -52,7 +52,7 @@ fn constant_diagonal_masses_give_the_energy_as_it_is_written() {
 #[test]
 fn constant_diagonal_masses_give_the_code_of_the_energy() {
     let properties = |form, item| -> Vec<(String, String)> {
-        let file: syn::File = syn::parse2(expand::expand(form, quote!(), item)).expect("what is emitted is Rust");
+        let file: syn::File = syn::parse2(attribute::expand(form, quote!(), item)).expect("what is emitted is Rust");
         let hidden = file.items.into_iter().filter_map(|item| match item {
             syn::Item::Const(item) => Some(*item.expr),
             _ => None,

@@ -1,12 +1,12 @@
 //! What is said of Lagrangians that are none, and of what is asked for in vain.
 
-use crate::expand;
+use crate::attribute;
 use crate::parse::Form;
 use proc_macro2::TokenStream;
 use quote::quote;
 
 fn message(args: TokenStream, item: TokenStream) -> String {
-    let expanded = expand::expand(Form::Lagrangian, args, item).to_string();
+    let expanded = attribute::expand(Form::Lagrangian, args, item).to_string();
     let start = expanded.find("compile_error").unwrap_or_else(|| panic!("accepted: {expanded}"));
     expanded[start..].chars().take(400).collect()
 }
@@ -91,7 +91,7 @@ fn requirements_name_the_term() {
         (quote!(quadratic, regular, conservative), chain),
         (quote!(quadratic, regular), fading),
     ] {
-        let expanded = expand::expand(Form::Lagrangian, quote!(require(#required)), of).to_string();
+        let expanded = attribute::expand(Form::Lagrangian, quote!(require(#required)), of).to_string();
         assert!(!expanded.contains("compile_error"), "{required}: {expanded}");
     }
 }
@@ -116,7 +116,7 @@ fn branches_on_velocities_are_solved_for() {
             (if v > 0.0 { m * v * v } else { 2.0 * m * v * v }) - q * q
         }
     );
-    let expanded = expand::expand(Form::Lagrangian, quote!(), ratchet.clone()).to_string();
+    let expanded = attribute::expand(Form::Lagrangian, quote!(), ratchet.clone()).to_string();
     assert!(!expanded.contains("compile_error"), "{expanded}");
     assert!(expanded.contains("type Stages = ByVelocities"), "{expanded}");
     assert!(message(quote!(require(separable)), ratchet).contains("kick and drift do not exist"));

@@ -1,6 +1,6 @@
 //! Stages of a differential equation y' = f(y, t), or q'' = M⁻¹f(q, t): solved for the values of f.
 
-use super::prepared::Prepared;
+use super::prepared::{Prepared, PreparedFields};
 use super::stages::Stages;
 use super::{Gauss, GaussTableau};
 use crate::method::explicit::tableau::Tableau;
@@ -10,16 +10,6 @@ use crate::solving::newton::{Found, Newton};
 use crate::space::{Array, Snapshot, Summation};
 use crate::system::{ByField, Collocation};
 use core::array::from_fn;
-
-/// The coefficients of one step of a differential equation of first or second order.
-#[derive(Clone, Copy, Debug)]
-pub struct PreparedFields<P, R, const S: usize> {
-    pub(super) stages: Prepared<P, R, S>,
-    /// What stage j adds to stage i: h·A, or h²·A².
-    pub(super) coupling: [[R; S]; S],
-    /// What a stage adds to the end: h·b, or h²·b(1 − c).
-    pub(super) increments: [R; S],
-}
 
 impl<Y: Collocation<R>, R: Real, const S: usize> StepsOf<Gauss<S>, Y, R> for ByField
 where

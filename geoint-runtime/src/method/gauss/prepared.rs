@@ -36,3 +36,13 @@ where
         }
     }
 }
+
+/// The coefficients of one step of a differential equation of first or second order.
+#[derive(Clone, Copy, Debug)]
+pub struct PreparedFields<P, R, const S: usize> {
+    pub(super) stages: Prepared<P, R, S>,
+    /// What stage j adds to stage i: h·A, or h²·A².
+    pub(super) coupling: [[R; S]; S],
+    /// What a stage adds to the end: h·b, or h²·b(1 − c).
+    pub(super) increments: [R; S],
+}

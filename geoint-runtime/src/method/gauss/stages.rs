@@ -1,7 +1,6 @@
 //! The equation of the stages.
 
-use super::fields::PreparedFields;
-use super::prepared::Prepared;
+use super::prepared::{Prepared, PreparedFields};
 use crate::method::Probe;
 use crate::scalar::Real;
 use crate::solving::equation::StepEquation;

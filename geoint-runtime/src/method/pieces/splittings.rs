@@ -1,8 +1,7 @@
 //! The splittings, by what their pieces are.
 
 use super::driver::{self, Splitting, splitting};
-use super::table::PieceComposition;
-use crate::method::composition::{Composition, SymmetricMap, substeps};
+use crate::method::composition::substeps;
 use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::space::{Point, Summation};
@@ -132,12 +131,4 @@ named! {
     PoissonSplitting false;
     PlanarSplitting false;
     PlanarDiscreteGradient false;
-}
-
-impl SymmetricMap for PieceSplitting {
-    type Composed<const K: usize> = PieceComposition<K, PieceSplitting>;
-
-    fn compose<const K: usize>(self, composition: Composition<K>) -> PieceComposition<K, PieceSplitting> {
-        PieceComposition::of_steps(&composition)
-    }
 }

@@ -2,7 +2,7 @@
 
 use super::driver::{self, Splitting, merges, pass};
 use super::splittings::{ContactSplitting, PieceSplitting};
-use crate::method::composition::Composition;
+use crate::method::composition::{Composition, SymmetricMap};
 use crate::method::splitting::{DriftFirst, Nystrom, delegate};
 use crate::method::tables::total::adds_up;
 use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step, Unwatched};
@@ -51,6 +51,14 @@ impl<const K: usize, M: Splitting> PieceComposition<K, M> {
         let weights = composition.weights().map(|gamma| [0.5 * gamma; 2]);
         let name = composition.name().of(Name::new(M::NAME));
         PieceComposition { name, order: composition.order(), weights, splitting: PhantomData }
+    }
+}
+
+impl SymmetricMap for PieceSplitting {
+    type Composed<const K: usize> = PieceComposition<K, PieceSplitting>;
+
+    fn compose<const K: usize>(self, composition: Composition<K>) -> PieceComposition<K, PieceSplitting> {
+        PieceComposition::of_steps(&composition)
     }
 }
 

@@ -50,16 +50,16 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
         let start = (table.outer[0], table.gradients[0]);
         let last = (table.last != 0.0).then_some((table.last, table.gradients[0]));
         let merged = last.map_or(start, |last| (start.0 + last.0, start.1 + last.1));
-        let inner = core::array::from_fn(|i| (table.inner[i], table.gradients[i]));
-        let between = core::array::from_fn(|i| match i + 1 {
+        let inner = |(fraction, gradient)| O::prepare_inner(system, weight(fraction, gradient));
+        let between = |i| match i + 1 {
             next if next < K => (table.outer[next], table.gradients[next]),
             _ => merged,
-        });
+        };
         let first = outer(start);
         Sequence {
-            inner: mirrored(inner, K, |(fraction, gradient)| O::prepare_inner(system, weight(fraction, gradient))),
+            inner: mirrored(|i| (table.inner[i], table.gradients[i]), K, inner),
             outer: mirrored(between, K - 1, outer),
-            last: last.map(|last| if last == start { first.clone() } else { outer(last) }),
+            last: last.map(|last| if last == start { first } else { outer(last) }),
             first,
             inner_at,
             outer_at,
@@ -128,9 +128,7 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
             return self.step(Step::at(t, (system, x, &mut Unwatched)));
         };
         let one = R::from_f64(1.0);
-        // Without a branch for each entry.
-        let same = |here: bool, (a, b): (&R, &R)| here & (*a == *b);
-        if kick.q.as_slice().iter().zip(x.z[0].as_slice()).fold(kick.known, same) {
+        if kick.is_from(&x.z[0]) {
             x.z[1].add_scaled(one, &kick.impulse);
         } else {
             O::outer(&self.first, Times { own: t, other: t }, moving(system, x));
@@ -151,6 +149,58 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
         let at = Times { own: t, other: t };
         seen(O::DRIFT_IS_OUTER, Step::at(t, (system, x, probe)), |x| O::outer(&self.first, at, x));
         self.finish(Step::at(t, (system, x, probe)));
+    }
+
+    /// One step of kicks that do nothing but add: which they are, and what they add. The first one is taken over from the step before, as in
+    /// [`single`](Self::single).
+    #[inline]
+    pub(super) fn told<C: Summation<S::Phase>, P: Probe<S, R>>(
+        &self,
+        kick: &mut LastKick<S::Array>,
+        Step { system, t, x, probe, .. }: Step<'_, S, R, C, P>,
+        mut tell: impl FnMut(usize, &S::Array),
+    ) {
+        for n in 0..=K {
+            let start = Times { own: t, other: t };
+            let (outer, at) = match n.checked_sub(1) {
+                None => (Some(&self.first), start),
+                Some(before) if n < K => (Some(&self.outer[before]), self.times(t, before)[1]),
+                Some(before) => (self.last.as_ref(), self.times(t, before)[1]),
+            };
+            if let Some(outer) = outer {
+                let known = n == 0 && self.repeats && kick.is_from(&x.z[0]);
+                let added = &kick.impulse;
+                let impulse = seen(O::DRIFT_IS_OUTER, Step::at(at.other, (system, x, probe)), |x| {
+                    if O::DRIFT_IS_OUTER {
+                        O::outer(outer, at, x);
+                        return None;
+                    }
+                    Some(match known {
+                        true => x.told(|x| x.p.add_scaled(R::from_f64(1.0), added)),
+                        false => x.told(|x| O::outer(outer, at, x)),
+                    })
+                });
+                if let Some(impulse) = impulse {
+                    tell(n, &impulse);
+                    if n == K {
+                        *kick = LastKick { known: true, q: x.z[0], impulse };
+                    }
+                }
+            }
+            if n < K {
+                let ([at, _], inner) = (self.times(t, n), &self.inner[n]);
+                let impulse = seen(!O::DRIFT_IS_OUTER, Step::at(at.other, (system, x, probe)), |x| {
+                    if O::DRIFT_IS_OUTER {
+                        return Some(x.told(|x| O::inner(inner, at, x)));
+                    }
+                    O::inner(inner, at, x);
+                    None
+                });
+                if let Some(impulse) = impulse {
+                    tell(n, &impulse);
+                }
+            }
+        }
     }
 
     #[inline(always)]
@@ -194,38 +244,41 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
 
 /// What is prepared with some weights, of which the first ones are a palindrome or not: what is there already is copied, because a matrix takes
 /// long to prepare.
-fn mirrored<W: Copy + PartialEq, T: Clone, const K: usize>(
-    weights: [W; K],
+fn mirrored<W: PartialEq, T: Copy, const K: usize>(
+    weight: impl Fn(usize) -> W,
     palindrome: usize,
     prepare: impl Fn(W) -> T,
 ) -> [T; K] {
-    let mut all = weights.map(|_| None);
-    for i in 0..K {
-        let mirror = palindrome.checked_sub(i + 1).filter(|j| *j < i && weights[*j] == weights[i]);
-        all[i] = mirror.and_then(|j| all[j].clone());
-        if all[i].is_none() {
-            all[i] = Some(prepare(weights[i]));
-        }
+    let mut all = [prepare(weight(0)); K];
+    for i in 1..K {
+        let before = i < palindrome && palindrome <= 2 * i;
+        all[i] = if before && weight(palindrome - 1 - i) == weight(i) {
+            all[palindrome - 1 - i]
+        } else {
+            prepare(weight(i))
+        };
     }
-    core::array::from_fn(|i| all[i].take().unwrap_or_else(|| prepare(weights[i])))
+    all
 }
 
-/// A flow under the eyes of a probe: a part of a drift that ends before its time is named.
+/// A flow under the eyes of a probe: a part of a drift that ends before its time is named. What is `Copy` is not dropped where something
+/// panics, for which every user would compile code.
 #[inline(always)]
-fn seen<S: Separable<R>, R: Real, C: Summation<S::Phase>, P: Probe<S, R>>(
+fn seen<S: Separable<R>, R: Real, C: Summation<S::Phase>, P: Probe<S, R>, T: Copy>(
     is_drift: bool,
     Step { system, t, x, probe, .. }: Step<'_, S, R, C, P>,
-    flow: impl FnOnce(Moving<'_, S, R, C>),
-) {
+    flow: impl FnOnce(Moving<'_, S, R, C>) -> T + Copy,
+) -> T {
     probe.visit(t, &x.z, &x.s);
     // The constant first: nothing is compiled of what is not asked.
     let named = P::PATIENT && const { !S::DRIFT_PARTS.is_empty() } && is_drift && x.is_finite();
-    flow(moving(system, x));
+    let told = flow(moving(system, x));
     if P::PATIENT && const { !S::DRIFT_PARTS.is_empty() } && named {
         for part in S::DRIFT_PARTS {
             probe.flown(part.name, || part.is_finite(&x.z));
         }
     }
+    told
 }
 
 #[inline(always)]

@@ -2,7 +2,7 @@
 
 use crate::scalar::Real;
 use crate::sealed::Sealed;
-use crate::space::{Action, Array, PerCoordinate, Summation, add_action};
+use crate::space::{Action, Array, PerCoordinate, Plain, Summation, add_action};
 use crate::system::{Cotangent, ForceGradient, PhaseSpace, PrincipalAxes, QuadraticKinetic, Separable};
 use core::fmt::Debug;
 use core::marker::PhantomData;
@@ -29,7 +29,7 @@ pub trait Kicks<S: Separable<R>, R: Real>: Sealed + Copy + Debug {
     /// What it needs of the system; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// Coefficients of a kick.
-    type Kick: Clone;
+    type Kick: Copy;
     /// Prepares a kick.
     fn prepare(system: &S, weight: Weight<R>) -> Self::Kick;
     /// A kick.
@@ -122,9 +122,9 @@ pub trait Order<S: Separable<R>, R: Real>: Sealed + Copy {
     /// What it needs of the system; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// Coefficients of an outer flow.
-    type Outer: Clone;
+    type Outer: Copy;
     /// Coefficients of an inner flow.
-    type Inner: Clone;
+    type Inner: Copy;
     /// Prepares an outer flow.
     fn prepare_outer(system: &S, weight: Weight<R>) -> Self::Outer;
     /// Prepares an inner flow.
@@ -253,6 +253,17 @@ impl<S: Separable<R>, R: Real, C: Summation<S::Phase>> Moving<'_, S, R, C> {
             let d = F::increments(self.system, flow, at.other, &self.coordinates());
             self.add(&d);
         }
+    }
+
+    /// A kick that does nothing but add to the momenta, and what it adds.
+    #[inline(always)]
+    pub(super) fn told(self, kick: impl FnOnce(Moving<'_, S, R, Plain>)) -> S::Array {
+        let Moving { system, q, p, s, sums, compensation } = self;
+        // Acting on zero, the flow gives the increment.
+        let mut impulse = S::Array::nothing();
+        kick(Moving { system, q, p: &mut impulse, s, sums: &mut Plain, compensation });
+        sums.add_part(S::Array::LEN, p, |p| p.add_scaled(R::from_f64(1.0), &impulse));
+        impulse
     }
 
     /// q ← q + h ∂T/∂p, at the time that the kicks have reached; or from the time that the drifts have reached, if the drift is

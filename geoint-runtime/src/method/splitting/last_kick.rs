@@ -15,6 +15,13 @@ impl<A: Array> LastKick<A> {
     pub(super) fn unknown() -> Self {
         LastKick { known: false, q: A::zero(), impulse: A::zero() }
     }
+
+    /// Whether there was one from this place.
+    #[inline(always)]
+    pub(super) fn is_from(&self, q: &A) -> bool {
+        // Without a branch for each entry.
+        self.q.as_slice().iter().zip(q.as_slice()).fold(self.known, |same, (a, b)| same & (*a == *b))
+    }
 }
 
 impl<A: Array> Record<A::Real> for LastKick<A> {

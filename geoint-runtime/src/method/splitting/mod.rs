@@ -31,6 +31,7 @@
 //! A table of one's own is a constant, and checked when it is compiled: see [`Splitting`].
 
 mod driver;
+mod estimators;
 mod field;
 mod flows;
 mod last_kick;
@@ -41,6 +42,8 @@ mod table;
 mod verlet;
 
 pub use driver::Sequence;
+pub use estimators::Estimators;
+pub(in crate::method) use estimators::Mirrored;
 pub use field::{gradient_kick, modified_verlet};
 pub use flows::{DriftFirst, KickFirst, Kicks, Moving, Order, SomeKick, Times, Weight, WithGradient, WithoutGradient};
 pub use last_kick::LastKick;

@@ -1,22 +1,143 @@
 //! Tables for a quadratic T.
 
-use super::delegate;
-use super::flows::{KickFirst, Order};
+use super::driver::Sequence;
+use super::estimators::{Estimators, Mirrored};
+use super::flows::{DriftFirst, KickFirst, Order};
+use super::last_kick::LastKick;
+use super::steps_of;
 use super::table::Splitting;
-use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step};
+use crate::method::{Claims, Clock, Estimate, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
-use crate::space::{Point, Summation};
+use crate::space::{Action, Array, PerCoordinate, Point, Summation};
 use crate::system::QuadraticKinetic;
 
 /// A table of Runge–Kutta–Nyström type: its order conditions use \[V, \[V, \[V, T\]\]\] = 0, so T must be quadratic.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Nystrom<const K: usize, O = KickFirst>(pub(in crate::method) Splitting<K, O>);
+pub struct Nystrom<const K: usize, O = KickFirst> {
+    table: Splitting<K, O>,
+    estimators: Option<&'static Estimators<K>>,
+}
 
 impl<const K: usize, O> Nystrom<K, O> {
+    /// A table without an estimate of its errors.
+    pub(in crate::method) const fn new(table: Splitting<K, O>) -> Self {
+        Nystrom { table, estimators: None }
+    }
+
+    /// The same method with an estimate of the error of a step.
+    pub(in crate::method) const fn estimated(mut self, estimators: &'static Estimators<K>) -> Self {
+        self.estimators = Some(estimators);
+        self
+    }
+
     /// The table.
     pub const fn table(&self) -> &Splitting<K, O> {
-        &self.0
+        &self.table
     }
 }
 
-delegate!([const K: usize, O: Order<S, R>,] Nystrom<K, O>, QuadraticKinetic, Splitting<K, O>, |this| this.0, this.0.name());
+impl<const K: usize> Nystrom<K, KickFirst> {
+    /// The estimate of a table by the differences dᵢ, which [`Estimators`] explain.
+    pub(in crate::method) const fn estimators<const HALF: usize>(&self, d: [Mirrored<HALF>; 2]) -> Estimators<K> {
+        let (mut c, mut n) = ([0.0; K], 1);
+        while n < K {
+            c[n] = c[n - 1] + self.table.inner[n - 1];
+            n += 1;
+        }
+        Estimators::new((&self.table.outer, self.table.last, &c), d)
+    }
+}
+
+impl<const K: usize> Nystrom<K, DriftFirst> {
+    /// The estimate of a table by the differences dᵢ, which [`Estimators`] explain.
+    pub(in crate::method) const fn estimators<const HALF: usize>(&self, d: [Mirrored<HALF>; 2]) -> Estimators<K> {
+        let (mut c, mut n) = (self.table.outer, 1);
+        while n < K {
+            c[n] += c[n - 1];
+            n += 1;
+        }
+        Estimators::new((&self.table.inner, 0.0, &c), d)
+    }
+}
+
+/// A table multiplied by h, and what tells the errors of its steps.
+#[derive(Clone, Copy, Debug)]
+pub struct Prepared<T, R, const K: usize> {
+    sequence: T,
+    h: R,
+    estimators: Option<&'static Estimators<K>>,
+}
+
+/// Whether all that kicks do is to add to momenta, which drifts leave as they are: what kicks add is a force then.
+const fn adds<S: QuadraticKinetic<R>, R: Real>() -> bool {
+    S::Action::LEN == 0 && S::KICKS_ADD && S::DRIFTS_SHIFT
+}
+
+/// The error of a step over h from t on: of its momenta, and of its positions by a drift of what is late in them.
+fn error<S: QuadraticKinetic<R>, R: Real>(
+    system: &S,
+    [t, h]: [R; 2],
+    [momenta, late]: [S::Array; 2],
+) -> PerCoordinate<S::Phase, S::Action> {
+    let drift = system.prepare_drift(h);
+    let moved = |mut p: S::Array| {
+        let (mut q, mut s) = (S::Array::zero(), S::Action::zero());
+        system.drift(&drift, t, &mut q, &mut p, &mut s);
+        q
+    };
+    let mut positions = moved(late);
+    positions.add_scaled(R::from_f64(-1.0), &moved(S::Array::zero()));
+    PerCoordinate { z: [positions, momenta], s: S::Action::zero() }
+}
+
+impl<S: QuadraticKinetic<R>, R: Real, O: Order<S, R>, const K: usize> Method<S, R> for Nystrom<K, O> {
+    type Proof = <S as QuadraticKinetic<R>>::Proof;
+    type Prepared = Prepared<Sequence<S, R, O, K>, R, K>;
+    type Memory = LastKick<S::Array>;
+    const FORGETFUL: bool = true;
+
+    fn claims(&self) -> Claims {
+        self.table.claims()
+    }
+
+    fn name(&self) -> Name {
+        self.table.name()
+    }
+
+    fn prepare(&self, system: &S, h: R) -> Self::Prepared {
+        Prepared { sequence: Method::prepare(&self.table, system, h), h, estimators: self.estimators }
+    }
+
+    #[inline(always)]
+    fn shows(prepared: &Self::Prepared) -> bool {
+        <Splitting<K, O> as Method<S, R>>::shows(&prepared.sequence)
+    }
+
+    fn memory() -> Self::Memory {
+        LastKick::unknown()
+    }
+
+    steps_of!(Splitting<K, O>, |prepared| &prepared.sequence);
+
+    fn order_of_estimate(&self) -> Option<u32> {
+        self.estimators.filter(|_| const { adds::<S, R>() }).map(|_| self.table.claims().order)
+    }
+
+    #[inline]
+    fn estimated<C: Summation<S::Phase>, P: Probe<S, R>>(
+        prepared: &Self::Prepared,
+        kick: &mut Self::Memory,
+        mut step: Step<'_, S, R, C, P>,
+    ) -> Option<Result<Estimate<S, R>, Refusal>> {
+        let estimators = prepared.estimators.filter(|_| const { adds::<S, R>() })?;
+        let mut sums = [[S::Array::zero(); 2]; 2];
+        prepared.sequence.told(kick, step.part([step.t, step.end]), |n, impulse| {
+            for (sums, weights) in sums.iter_mut().zip(estimators.of_kick(n)) {
+                for (sum, weight) in sums.iter_mut().zip(weights) {
+                    sum.add_scaled(R::from_f64(weight), impulse);
+                }
+            }
+        });
+        Some(Ok(sums.map(|sums| error(step.system, [step.t, prepared.h], sums))))
+    }
+}

@@ -90,7 +90,7 @@ pub const Aba10_6_4: Perturbation<Splitting<8, DriftFirst>> = Perturbation(
 
 /// Orders (10, 8, 6), 12 forces, for an A of degree 2 in the momenta: oscillators with a small rest, from errors of 10⁻⁶ on. A.
 /// Escorihuela-Tomàs, S. Blanes & F. Casas; digits fixed by the order conditions.
-pub const Rnia10_8_6: Perturbation<Nystrom<12, DriftFirst>> = Perturbation(Nystrom(
+pub const Rnia10_8_6: Perturbation<Nystrom<12, DriftFirst>> = Perturbation(Nystrom::new(
     Splitting::palindrome(
         "Rnia10_8_6",
         6,

@@ -21,7 +21,8 @@ use steps::Steps;
 
 /// A system under a method whose steps adapt to a tolerance: a plain value, no borrow, no allocation.
 ///
-/// [`DOP853`](crate::DOP853) estimates the error of a step from what it evaluates. By every other method a step is done in two halves, which are
+/// [`DOP853`](crate::DOP853) estimates the error of a step from what it evaluates, and so do Runge–Kutta–Nyström tables
+/// ([`BlanesMoanSrkn14a`](crate::BlanesMoanSrkn14a) …) of canonical systems. By every other method a step is done in two halves, which are
 /// kept, and once as a whole: their difference is the error. In every coordinate it may be as large as
 /// `tolerance` times the largest magnitude that this coordinate has had so far, and as an absolute error beside that
 /// ([`absolute`](Self::absolute)): lengths and angles, large and small motions are each followed with the same relative accuracy,

@@ -34,6 +34,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Bits> Recorded for Adaptiv
         let steps = &mut self.steps;
         steps.clock.record(tape);
         tape.steps(&mut steps.taken);
+        tape.steps(&mut steps.given);
         tape.steps(&mut steps.rejections);
         if M::KEEPS {
             tape.array(&mut steps.origin);

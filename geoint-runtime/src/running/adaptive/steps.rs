@@ -28,18 +28,19 @@ pub(super) struct Steps<S: PhaseSpace<R>, M: Method<S, R>, R: Real> {
     pub(super) x: Carried<S, R>,
     pub(super) taken: u64,
     /// How many there were when the user gave a state.
-    given: u64,
+    pub(super) given: u64,
     pub(super) rejections: u64,
 }
 
 impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
     pub(super) fn new((system, method): (S, M), tolerance: f64, t: R, x: Carried<S, R>) -> Self {
+        let claims = method.claims();
         let mut steps = Steps {
             system,
             method,
-            tolerance: Tolerance::new(tolerance, &PerCoordinate::of(&x)),
+            tolerance: Tolerance::new(tolerance, &PerCoordinate::of(&x), !claims.perturbed.is_empty()),
             bounds: Bounds::default(),
-            controller: Controller::new(method.order_of_estimate().unwrap_or(method.claims().order)),
+            controller: Controller::new(method.order_of_estimate().unwrap_or(claims.order)),
             prepared: Prepared::new(&system, &method, 1.0),
             memory: [M::memory(), M::memory()],
             clock: Clock::new(t, zero()),

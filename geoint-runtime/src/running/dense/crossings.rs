@@ -124,8 +124,12 @@ impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Crossings<
     }
 
     /// The zeros of a function in the last step, at whose ends it has these values.
-    fn search(&mut self, i: usize, ends: [f64; 2]) -> Result<(), StepError> {
+    fn search(&mut self, i: usize, mut ends: [f64; 2]) -> Result<(), StepError> {
         let side = signed(self.sides.as_slice()[i]);
+        if side != 0.0 && ends == [0.0; 2] {
+            // It has a sign in between.
+            ends[1] = self.value(i, 0.5)?;
+        }
         // Where it has a side, and its value there.
         let (from, value) = match ends[0] {
             _ if side == 0.0 => self.leaving(i, ends)?,

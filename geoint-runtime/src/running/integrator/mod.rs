@@ -10,7 +10,7 @@ use crate::running::output::{Samples, Until};
 use crate::running::trajectory::Trajectory;
 use crate::scalar::{Real, signed, zero};
 use crate::space::Coordinates;
-use crate::space::{Action, Snapshot};
+use crate::space::{Action, NEVER, Snapshot};
 use crate::space::{Compensated, DoubleWord, Plain, Point, Summation, WithoutAction};
 use crate::system::{Conformal, FirstIntegrals, Lagrangian, PhaseSpace, StateOf};
 use core::fmt::{self, Debug, Formatter};
@@ -131,7 +131,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integra
     /// tangent to constraints to rounding.
     pub(in crate::running) fn restart_within(&mut self, state: StateOf<S, R>) {
         self.restart(state);
-        self.steps.given = u64::MAX;
+        self.steps.given = NEVER;
     }
 
     /// The step size.

@@ -54,6 +54,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Bits, C: Summation<S::Phase>> Recorde
         let steps = &mut self.steps;
         steps.clock.record(tape);
         tape.steps(&mut steps.taken);
+        tape.steps(&mut steps.given);
         tape.flag(&mut steps.inside);
         if M::KEEPS {
             tape.array(&mut steps.origin);

@@ -5,8 +5,8 @@ use crate::running::error::StepError;
 use crate::running::settle::{STEPS_BETWEEN_LOOKS, settled, settles};
 use crate::running::watch::Watch;
 use crate::scalar::{Real, signed};
-use crate::space::{Array, Point, Snapshot, Summation, wrong_length};
-use crate::system::{PhaseSpace, Unmet, singular_time};
+use crate::space::{Array, PerCoordinate, Point, Snapshot, Summation, wrong_length};
+use crate::system::{PhaseSpace, Unmet, jump_on_way, singular_time};
 
 /// A system under a method, and where it is.
 #[derive(Clone)]
@@ -73,16 +73,17 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
         (0..steps).try_for_each(|_| self.step_within(None).map(drop))
     }
 
-    /// So many steps from `x` on; whether their ends are good. Where one has to be examined that is every end, else the last one shows it.
+    /// So many steps from `x` on; whether they are good. Where one has to be examined that is every one, else the last end shows it.
     #[inline(always)]
     fn run(&self, steps: u64, memory: &mut M::Memory, x: &mut Point<S::Phase, C, S::Action>) -> bool {
         let (mut clock, mut taken) = (self.clock, 0);
-        let at_once = if S::EXAMINED { 1 } else { steps };
+        let at_once = if S::EXAMINED || !S::CONTINUOUS { 1 } else { steps };
         while taken < steps {
+            let before = *x;
             let outcome = M::advance(&self.prepared, memory, &self.system, &clock, at_once, x);
             taken += at_once;
             clock.pass(at_once);
-            if outcome.is_err() || !self.is_good(taken, x) {
+            if outcome.is_err() || !self.is_good(taken, x) || self.jump(taken, [&before, x]).is_some() {
                 return false;
             }
         }
@@ -111,10 +112,11 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
             self.enter(&mut x);
             self.x = x;
         }
+        let begun = self.x;
         let step = Step { system: &self.system, t, end, x: &mut self.x, probe: &mut Unwatched };
         let good = M::step(&self.prepared, &mut self.memory, step).is_ok()
             && self.is_good(1, &self.x)
-            && self.singular_time(1).is_none();
+            && self.passed([&begun, &self.x]).is_none();
         if good && self.ends_within(limit, &self.x, t) {
             self.inside = true;
             self.pass(1);
@@ -137,12 +139,13 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
         let (mut memory, mut x) = (M::memory(), self.x);
         let mut watch = Watch::new(&self.system, self.time(), &self.seen());
         self.enter(&mut x);
+        let begun = x;
         let [t, end] = self.clock.ends(0, x.ahead.value());
         let step = Step { system: &self.system, t, end, x: &mut x, probe: &mut watch };
         let outcome = M::step(&self.prepared, &mut memory, step);
-        let (t, singular) = (signed(self.time()), self.singular_time(1));
+        let t = signed(self.time());
         if outcome.is_ok() && self.is_good(1, &x) {
-            if let Some(what) = singular {
+            if let Some(what) = self.passed([&begun, &x]) {
                 return Err(StepError::OutsideDomain { t, what });
             }
             if !self.ends_within(limit, &x, self.time()) {
@@ -258,6 +261,25 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
     #[inline(always)]
     fn singular_time(&self, steps: u64) -> Option<&'static str> {
         singular_time(&self.system, [self.clock.at(0), self.clock.at(steps)])
+    }
+
+    /// A jump of the energy on the way of the last of so many steps, between two points of the method; one that keeps the energy takes it along.
+    #[inline(always)]
+    fn jump(&self, steps: u64, ends: [&Point<S::Phase, C, S::Action>; 2]) -> Option<&'static str> {
+        if S::CONTINUOUS || self.method.claims().conserves_energy {
+            return None;
+        }
+        let moment = |steps: u64, x: &Point<S::Phase, C, S::Action>| {
+            let t = self.end(steps, x);
+            (t, PerCoordinate { z: self.seen_as(x, t), s: x.s })
+        };
+        jump_on_way(&self.system, &[moment(steps - 1, ends[0]), moment(steps, ends[1])], 0.0)
+    }
+
+    /// What the next step, between two points, must not pass, if anything.
+    #[inline(always)]
+    fn passed(&self, ends: [&Point<S::Phase, C, S::Action>; 2]) -> Option<&'static str> {
+        self.singular_time(1).or_else(|| self.jump(1, ends))
     }
 
     #[inline(always)]

@@ -24,7 +24,8 @@ use steps::Steps;
 /// ([`TaylorFixed`](crate::TaylorFixed)). After each step the rates at its end are compared with those of its polynomial; where they
 /// differ by much more than the tolerance, at poles that the last coefficients do not show, the step is repeated with half the length.
 /// Where a condition of the energy changes sides the step ends, also one of given length; what decides a condition is followed no farther
-/// than its own series holds. A solution that both sides lead back to where a condition changes is refused: it slides along it. Sums of coordinates and of time are compensated.
+/// than its own series holds. A solution that both sides lead back to where a condition changes is refused, and so is one that bounces there ever
+/// lower: it slides along it, or rests there. Sums of coordinates and of time are compensated.
 ///
 /// ```
 /// use geoint_runtime::prelude::*;

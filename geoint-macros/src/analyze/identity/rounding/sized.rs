@@ -1,8 +1,9 @@
 //! Values in floating point, with a bound on what rounding does to them.
 
-use super::super::witness::is_rounded;
-use super::State;
-use crate::ir::{Function, Graph, Id, Node, Number, Table};
+use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol, Table};
+
+/// Values of symbols.
+pub(crate) type State = Vec<(Symbol, Ratio)>;
 
 /// What is smaller than this part of the terms may be rounding.
 const TOLERANCE: f64 = 1e-10;
@@ -116,7 +117,7 @@ fn sized(graph: &Graph, id: Id, values: &Table<Sized>, state: &State) -> Sized {
 /// What is left when rounded numbers cancel is as uncertain as they were.
 fn constant(number: Number) -> Sized {
     let value = number.to_f64();
-    let left_over = value.abs() < 1e-14 && is_rounded(number);
+    let left_over = value.abs() < 1e-14 && number.is_rounded();
     Sized { value, size: if left_over { 1.0 } else { value.abs() } }
 }
 

@@ -138,7 +138,9 @@ where
     fn zeros_of(&self, piece: &Piece<G>, i: usize) -> Zeros {
         let count = M::coefficients(&piece.values.as_slice()[i]).len();
         let g = self.in_parts(&piece.values, i, piece.to - piece.from);
-        let noise = if self.first && piece.from == 0.0 { 4.0 * self.noise(i, 0.0) } else { 0.0 };
+        let changes: f64 = g[1..].iter().map(|g| g.abs()).sum();
+        let rounding = || f64::max(4.0 * self.noise(i, 0.0), 8.0 * R::epsilon() * changes);
+        let noise = if self.first && piece.from == 0.0 { rounding() } else { 0.0 };
         let inner = taylor::roots(&g[..count.min(taylor::MOST)], noise);
         Zeros { inner, side: number::<S, M, R>(&self.sides.as_slice()[i]) }
     }

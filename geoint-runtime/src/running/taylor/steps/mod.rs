@@ -2,10 +2,13 @@
 
 mod attempt;
 mod expansion;
+mod progress;
+mod refused;
 mod switches;
 
 use crate::running::error::{Reason, StepError};
 use crate::running::step_size::Bounds;
+use crate::running::tolerance::is_part;
 use crate::scalar::{Real, signed};
 use crate::space::{Array, PerCoordinate};
 #[cfg(feature = "alloc")]
@@ -13,7 +16,8 @@ use crate::space::{Record, Tape};
 use crate::system::Jets;
 use crate::taylor::{self, Estimate, TaylorMethod};
 use expansion::Expansion;
-use switches::{NEARLY, STUCK, Switch};
+use progress::Progress;
+use switches::NEARLY;
 
 /// A system, and all that decides on the next step.
 #[derive(Clone)]
@@ -36,10 +40,8 @@ pub(in crate::running) struct Steps<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> 
     pub(in crate::running) step: f64,
     /// Whether the other end is where the last step began.
     within: bool,
-    /// Steps in a row that a switch has ended where they began, or that go back to the switch at which the one before has ended.
-    stuck: u32,
-    /// The switch at which the last step has ended.
-    turned: Option<usize>,
+    /// The steps in a row that switches have ended.
+    progress: Progress,
 }
 
 impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
@@ -64,8 +66,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
             known: false,
             step: 0.0,
             within: false,
-            stuck: 0,
-            turned: None,
+            progress: Progress::default(),
         }
     }
 
@@ -78,7 +79,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         self.estimate.start(&x);
         // There is no last step to look into.
         (self.known, self.within, self.given) = (false, false, self.taken);
-        (self.stuck, self.turned) = (0, None);
+        self.progress = Progress::default();
     }
 
     /// Everything but the coefficients.
@@ -94,12 +95,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         tape.flag(&mut self.backwards);
         self.estimate.record(tape);
         tape.number(&mut self.step);
-        let mut stuck = u64::from(self.stuck);
-        tape.count(&mut stuck);
-        self.stuck = stuck.min(u64::from(STUCK)) as u32;
-        let mut turned = self.turned.map_or(0, |place| place as u64 + 1);
-        tape.count(&mut turned);
-        self.turned = (turned > 0 && turned <= S::Switches::LEN as u64).then(|| turned as usize - 1);
+        self.progress.record(tape);
     }
 
     /// The coefficients are to be computed anew, and there is no last step to look into.
@@ -197,9 +193,11 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         let whole = if wish < f64::INFINITY { wish } else { self.endless() };
         let most = if S::Switches::LEN > 0 || left == f64::INFINITY { whole } else { wish };
         let (mut h, mut switch) = self.switch(self.towards(most.min(left)), bounds.shortest);
-        let mut beyond = 0.25 * R::epsilon() * h.abs();
+        let rounding = 0.25 * R::epsilon() * h.abs();
+        let (mut ends, mut beyond) = (h, rounding);
         if let Some(switch) = switch {
-            h = if switch.at == 0.0 { self.towards(beyond) } else { switch.at * h };
+            ends = switch.at * h;
+            h = if switch.at == 0.0 { self.towards(beyond) } else { ends };
         }
         self.within = false;
         loop {
@@ -219,12 +217,10 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
                 }
             }
         }
-        let turns = |switch: Switch| switch.at == 0.0 || switch.back && self.turned == Some(switch.place);
-        self.stuck = if switch.is_some_and(turns) { self.stuck + 1 } else { 0 };
-        if self.stuck > STUCK {
+        let ended = switch.map(|switch| (switch, (h - ends).abs() + rounding));
+        if S::Switches::LEN > 0 && !self.progress.include(h.abs(), ended, S::Switches::LEN) {
             return Err(self.refused(t, h.abs(), Reason::Sliding));
         }
-        self.turned = switch.map(|switch| switch.place);
         self.estimate.include(&PerCoordinate::of(&self.start().x));
         (self.second, self.step, self.taken, self.within) = (!self.second, h, self.taken + 1, true);
         Ok(())
@@ -245,27 +241,6 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         if self.backwards { -h } else { h }
     }
 
-    /// Why a step is not shorter than the shortest: that changes no time, or is what the user allows.
-    #[cold]
-    fn too_short(&self, wish: f64, bounds: &Bounds) -> Reason {
-        if wish < Bounds::default().at(signed(self.time()), R::epsilon()).shortest {
-            return Reason::Diverges;
-        }
-        Reason::Inaccurate { error: Real::powf(bounds.shortest / wish, self.order() as f64) }
-    }
-
-    /// Why there is no step.
-    #[cold]
-    fn refused(&self, t: f64, h: f64, reason: Reason) -> StepError {
-        let h = self.towards(h);
-        match reason {
-            _ if !self.is_fixed() || reason == Reason::Sliding => StepError::StepTooSmall { t, h, reason },
-            Reason::OutsideDomain { what } => StepError::OutsideDomain { t, what },
-            Reason::NotConverged | Reason::Singular => StepError::Singular { t },
-            _ => StepError::NonFinite { t },
-        }
-    }
-
     pub(in crate::running) fn check_start(&self) -> Result<(), StepError> {
         // Later states are good because the steps that led to them were.
         if self.taken != self.given {
@@ -275,7 +250,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
             return Err(StepError::InvalidOrder { order: self.order() });
         }
         match self.method.steps() {
-            taylor::Steps::Tolerance(tolerance) if !(tolerance > 0.0 && tolerance < f64::INFINITY) => {
+            taylor::Steps::Tolerance(tolerance) if !is_part(tolerance) => {
                 return Err(StepError::InvalidTolerance { tolerance });
             }
             taylor::Steps::Length(h) if !(h != 0.0 && h.is_finite()) => return Err(StepError::InvalidStepSize { h }),

@@ -19,9 +19,6 @@ pub(super) struct Switch {
     pub(super) back: bool,
 }
 
-/// So many steps in a row that a switch has ended where they began are no accident.
-pub(super) const STUCK: u32 = 16;
-
 /// Radii of convergence are estimates: what decides a condition has nearly that of the coordinates.
 pub(super) const NEARLY: f64 = 1.25;
 
