@@ -4,6 +4,7 @@ use super::Found;
 use super::iteration::{Iteration, Start, explicit};
 use crate::solving::equation::{Observer, StepEquation};
 use crate::solving::rounding::{Corrections, Verdict, is_rounding};
+use crate::solving::size::OUTGROWN;
 use crate::space::Array;
 use crate::space::vector::difference;
 
@@ -48,13 +49,14 @@ impl<A: Array> Iteration<A> {
             let next = equation.image(watch, &x);
             let delta = difference(&x, &next);
             x = next;
-            let correction = self.sizes.relative(&delta, &origin, &x);
             let before = corrections.last();
-            if corrections.judge::<A::Real>(correction) == Verdict::Solved {
+            let verdict = corrections.judge_of((&mut self.sizes, OUTGROWN), &delta, (&origin, &x));
+            let correction = corrections.last();
+            if verdict == Verdict::Solved {
                 self.sizes.include(&origin, &x);
                 return Some(x);
             }
-            if correction.is_nan() || correction > SHRINKING * before {
+            if correction.is_nan() || !corrections.of_now() && correction > SHRINKING * before {
                 return is_rounding::<A::Real>(correction).then_some(x);
             }
         }

@@ -11,6 +11,7 @@ use crate::solving::Refusal;
 use crate::solving::equation::{Observer, StepEquation};
 use crate::solving::linear;
 use crate::solving::rounding::{Corrections, Verdict};
+use crate::solving::size::OUTGROWN;
 use crate::space::vector::{difference, sum};
 use crate::space::{Array, Record, Tape};
 pub(crate) use iteration::compiled;
@@ -223,7 +224,12 @@ impl<A: Array> Newton<A> {
                 iteration.see(correction, corrections.last());
             }
             if corrections.judge::<A::Real>(correction) == Verdict::Solved {
-                return (found, true);
+                if !iteration.sizes.outgrown(&origin, &found.x, OUTGROWN) {
+                    return (found, true);
+                }
+                // The guess was good.
+                *start = Start::at(Some(found.x));
+                break;
             }
             *start = Start { guess: Some(x), correction: Some(delta), before };
         }
