@@ -1003,8 +1003,7 @@ const _: () = {
                         k[0] * recurrence::inverse::<R>(n + 1),
                     );
                     let (c2, c5, c3, c0, c8, c13, c11, c10, c9, c7, c4, c1, c6, c12);
-                    c2 = jet[n - 1].z[1][0];
-                    u2[n] = c2;
+                    c2 = u2[n];
                     c5 = recurrence::squares(
                         [k[1]],
                         [c2],
@@ -1023,8 +1022,7 @@ const _: () = {
                         [c2, c3],
                         recurrence::sum(u2, u3, n),
                     );
-                    c8 = jet[n - 1].z[0][0];
-                    u8[n] = c8;
+                    c8 = u8[n];
                     c13 = recurrence::squares(
                         [k[6]],
                         [c8],
@@ -1058,7 +1056,13 @@ const _: () = {
                     c12 = k[11] * u10[n - 1] * recurrence::inverse::<R>(n);
                     u12[n] = c12;
                     jet[n].z[0][0] = next * c0;
+                    if n + 1 < P {
+                        u8[n + 1] = jet[n].z[0][0];
+                    }
                     jet[n].z[1][0] = next * c1;
+                    if n + 1 < P {
+                        u2[n + 1] = jet[n].z[1][0];
+                    }
                     switches[n][0] = c6;
                 }
             }
@@ -1125,7 +1129,13 @@ const _: () = {
             u12[0] = v6;
             u13[0] = v8;
             jet[0].z[0][0] = unit * (v4);
+            if P > 1 {
+                u8[1] = jet[0].z[0][0];
+            }
             jet[0].z[1][0] = unit * (v13);
+            if P > 1 {
+                u2[1] = jet[0].z[1][0];
+            }
             switches[0][0] = v14;
             recurrence::orders::<
                 18,

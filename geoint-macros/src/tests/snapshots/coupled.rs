@@ -874,6 +874,8 @@ const _: () = {
             struct Coefficients<'a, R: Real, const P: usize> {
                 k: [R; 5],
                 masks: [R::Mask; 0],
+                u1: &'a mut [R; P],
+                u6: &'a mut [R; P],
                 u7: &'a mut [R; P],
                 u8: &'a mut [R; P],
                 u9: &'a mut [R; P],
@@ -884,29 +886,27 @@ const _: () = {
             impl<R: Real, const P: usize> recurrence::Series for Coefficients<'_, R, P> {
                 #[inline(always)]
                 fn order(&mut self, n: usize) {
-                    let Self { k, masks, u7, u8, u9, u10, jet, switches } = self;
+                    let Self { k, masks, u1, u6, u7, u8, u9, u10, jet, switches } = self;
                     let (whole, next) = (
                         recurrence::whole::<R>(n),
                         k[0] * recurrence::inverse::<R>(n + 1),
                     );
                     let (c9, c8, c7, c4, c0, c1, c10, c5, c2, c6, c3);
-                    c9 = jet[n - 1].z[0][0];
-                    u9[n] = c9;
+                    c9 = u9[n];
                     c8 = recurrence::squares(
                         [k[1]],
                         [c9],
                         recurrence::sum_of_squares([&*u9], n),
                     );
                     u8[n] = c8;
-                    c7 = jet[n - 1].z[1][0];
-                    u7[n] = c7;
+                    c7 = u7[n];
                     c4 = recurrence::product(
                         [k[2], k[3]],
                         [c7, c8],
                         recurrence::sum(u7, u8, n),
                     );
                     c0 = R::from_f64(2.0) * c4;
-                    c1 = jet[n - 1].z[0][1];
+                    c1 = u1[n];
                     c10 = recurrence::squares(
                         [k[2]],
                         [c7],
@@ -919,12 +919,24 @@ const _: () = {
                         recurrence::sum(u9, u10, n),
                     );
                     c2 = R::from_f64(-2.0) * c5;
-                    c6 = jet[n - 1].z[1][1];
+                    c6 = u6[n];
                     c3 = -c6;
                     jet[n].z[0][0] = next * c0;
+                    if n + 1 < P {
+                        u9[n + 1] = jet[n].z[0][0];
+                    }
                     jet[n].z[0][1] = next * c1;
+                    if n + 1 < P {
+                        u1[n + 1] = jet[n].z[0][1];
+                    }
                     jet[n].z[1][0] = next * c2;
+                    if n + 1 < P {
+                        u7[n + 1] = jet[n].z[1][0];
+                    }
                     jet[n].z[1][1] = next * c3;
+                    if n + 1 < P {
+                        u6[n + 1] = jet[n].z[1][1];
+                    }
                 }
             }
             let [q, p] = z;
@@ -946,20 +958,36 @@ const _: () = {
             v8 = -p1;
             v9 = p0 * v1;
             v10 = q0 * v4;
-            let (u7, u8, u9, u10) = (
+            let (u1, u6, u7, u8, u9, u10) = (
+                &mut [R::from_f64(0.0); P],
+                &mut [R::from_f64(0.0); P],
                 &mut [R::from_f64(0.0); P],
                 &mut [R::from_f64(0.0); P],
                 &mut [R::from_f64(0.0); P],
                 &mut [R::from_f64(0.0); P],
             );
+            u1[0] = q1;
+            u6[0] = p1;
             u7[0] = p0;
             u8[0] = v1;
             u9[0] = q0;
             u10[0] = v4;
             jet[0].z[0][0] = unit * (v3);
+            if P > 1 {
+                u9[1] = jet[0].z[0][0];
+            }
             jet[0].z[0][1] = unit * (q1);
+            if P > 1 {
+                u1[1] = jet[0].z[0][1];
+            }
             jet[0].z[1][0] = unit * (v7);
+            if P > 1 {
+                u7[1] = jet[0].z[1][0];
+            }
             jet[0].z[1][1] = unit * (v8);
+            if P > 1 {
+                u6[1] = jet[0].z[1][1];
+            }
             recurrence::orders::<
                 25,
                 P,
@@ -967,6 +995,8 @@ const _: () = {
                 &mut Coefficients {
                     k: [unit, q0, p0, v1, v4],
                     masks: [],
+                    u1,
+                    u6,
                     u7,
                     u8,
                     u9,

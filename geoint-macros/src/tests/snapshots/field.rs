@@ -1516,24 +1516,32 @@ const _: () = {
             struct Coefficients<'a, R: Real, const P: usize> {
                 k: [R; 3],
                 masks: [R::Mask; 0],
+                u2: &'a mut [R; P],
+                u3: &'a mut [R; P],
                 jet: &'a mut [PerCoordinate<[R; 2], ()>; P],
                 switches: &'a mut [[R; 0]; P],
             }
             impl<R: Real, const P: usize> recurrence::Series for Coefficients<'_, R, P> {
                 #[inline(always)]
                 fn order(&mut self, n: usize) {
-                    let Self { k, masks, jet, switches } = self;
+                    let Self { k, masks, u2, u3, jet, switches } = self;
                     let (whole, next) = (
                         recurrence::whole::<R>(n),
                         k[0] * recurrence::inverse::<R>(n + 1),
                     );
                     let (c2, c0, c3, c1);
-                    c2 = jet[n - 1].z[1];
+                    c2 = u2[n];
                     c0 = k[1] * c2;
-                    c3 = jet[n - 1].z[0];
+                    c3 = u3[n];
                     c1 = k[2] * c3;
                     jet[n].z[0] = next * c0;
+                    if n + 1 < P {
+                        u3[n + 1] = jet[n].z[0];
+                    }
                     jet[n].z[1] = next * c1;
+                    if n + 1 < P {
+                        u2[n + 1] = jet[n].z[1];
+                    }
                 }
             }
             let q = z;
@@ -1545,9 +1553,17 @@ const _: () = {
             v1 = -v0;
             v2 = q0 * a0;
             v3 = -a0;
-            let () = ();
+            let (u2, u3) = (&mut [R::from_f64(0.0); P], &mut [R::from_f64(0.0); P]);
+            u2[0] = q1;
+            u3[0] = q0;
             jet[0].z[0] = unit * (v1);
+            if P > 1 {
+                u3[1] = jet[0].z[0];
+            }
             jet[0].z[1] = unit * (v2);
+            if P > 1 {
+                u2[1] = jet[0].z[1];
+            }
             recurrence::orders::<
                 31,
                 P,
@@ -1555,6 +1571,8 @@ const _: () = {
                 &mut Coefficients {
                     k: [unit, v3, a0],
                     masks: [],
+                    u2,
+                    u3,
                     jet,
                     switches,
                 },

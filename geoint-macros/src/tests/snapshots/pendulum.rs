@@ -676,8 +676,10 @@ const _: () = {
             struct Coefficients<'a, R: Real, const P: usize> {
                 k: [R; 5],
                 masks: [R::Mask; 0],
+                u2: &'a mut [R; P],
                 u3: &'a mut [R; P],
                 u4: &'a mut [R; P],
+                u5: &'a mut [R; P],
                 ju5: &'a mut [R; P],
                 jet: &'a mut [PerCoordinate<[[R; 1]; 2], ()>; P],
                 switches: &'a mut [[R; 0]; P],
@@ -685,15 +687,15 @@ const _: () = {
             impl<R: Real, const P: usize> recurrence::Series for Coefficients<'_, R, P> {
                 #[inline(always)]
                 fn order(&mut self, n: usize) {
-                    let Self { k, masks, u3, u4, ju5, jet, switches } = self;
+                    let Self { k, masks, u2, u3, u4, u5, ju5, jet, switches } = self;
                     let (whole, next) = (
                         recurrence::whole::<R>(n),
                         k[0] * recurrence::inverse::<R>(n + 1),
                     );
                     let (c2, c0, c5, c3, c1, c4);
-                    c2 = jet[n - 1].z[1][0];
+                    c2 = u2[n];
                     c0 = k[1] * c2;
-                    c5 = jet[n - 1].z[0][0];
+                    c5 = u5[n];
                     ju5[n] = whole * c5;
                     c3 = recurrence::integral(k[2], c5, recurrence::sum(ju5, u4, n), n);
                     u3[n] = c3;
@@ -701,7 +703,13 @@ const _: () = {
                     c4 = -recurrence::integral(k[4], c5, recurrence::sum(ju5, u3, n), n);
                     u4[n] = c4;
                     jet[n].z[0][0] = next * c0;
+                    if n + 1 < P {
+                        u5[n + 1] = jet[n].z[0][0];
+                    }
                     jet[n].z[1][0] = next * c1;
+                    if n + 1 < P {
+                        u2[n + 1] = jet[n].z[1][0];
+                    }
                 }
             }
             let [q, p] = z;
@@ -722,15 +730,25 @@ const _: () = {
             v8 = v5 * v6;
             v9 = -v8;
             v10 = -v5;
-            let (u3, u4, ju5) = (
+            let (u2, u3, u4, u5, ju5) = (
+                &mut [R::from_f64(0.0); P],
+                &mut [R::from_f64(0.0); P],
                 &mut [R::from_f64(0.0); P],
                 &mut [R::from_f64(0.0); P],
                 &mut [R::from_f64(0.0); P],
             );
+            u2[0] = p0;
             u3[0] = v6;
             u4[0] = v7;
+            u5[0] = q0;
             jet[0].z[0][0] = unit * (v3);
+            if P > 1 {
+                u5[1] = jet[0].z[0][0];
+            }
             jet[0].z[1][0] = unit * (v9);
+            if P > 1 {
+                u2[1] = jet[0].z[1][0];
+            }
             recurrence::orders::<
                 31,
                 P,
@@ -738,8 +756,10 @@ const _: () = {
                 &mut Coefficients {
                     k: [unit, v2, v7, v10, v6],
                     masks: [],
+                    u2,
                     u3,
                     u4,
+                    u5,
                     ju5,
                     jet,
                     switches,
