@@ -176,6 +176,21 @@ const _: () = {
             }
             ::core::option::Option::None
         }
+        fn powers(
+            &self,
+            t: R,
+            z: &[[R; 1]; 2],
+            s: &(),
+            mut visit: impl ::core::ops::FnMut(&'static str, R),
+        ) {
+            let [q, p] = z;
+            let (p0, k1, v0, v1);
+            p0 = p[0];
+            k1 = R::from_f64(1.0);
+            v0 = p0 * p0;
+            v1 = k1 + v0;
+            visit("a power has no Taylor series where it vanishes: √(p² + 1)", v1);
+        }
         const JUMPS: &'static [&'static str] = &[
             "the energy jumps where a condition changes, by q⁴·cos(t): shift one side so that both meet, or take a method that keeps the energy, such as `DiscreteGradient`",
         ];
