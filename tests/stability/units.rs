@@ -177,11 +177,11 @@ fn adaptive_from_a_pericentre_in_all_units() {
     fn check<M: Method<Kepler, f64>>(method: M) {
         let run = |units: Units| {
             let at = State::new([0.5 * power(units.q), 0.0], [0.0, 1.6 * power(units.p)]);
-            let mut sim = Kepler::system(units).adaptive(method, 1e-7, at);
+            let mut sim = <Kepler as Measured>::system(units).adaptive(method, 1e-7, at);
             sim.advance(30).unwrap();
             (plain::<Kepler, _>(units, &sim.state()), (sim.time() * power(-units.t)).to_bits(), sim.rejections())
         };
-        for units in UNITS.map(Kepler::possible) {
+        for units in UNITS.map(<Kepler as Measured>::possible) {
             assert_eq!(run(units), run(PLAIN), "{} in {units:?}", method.name());
         }
         assert!(run(PLAIN).2 < 4, "the first step is not far too long: {} rejected", run(PLAIN).2);

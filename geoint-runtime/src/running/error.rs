@@ -303,7 +303,7 @@ impl fmt::Display for StepError {
                  (last correction {correction:.1e}); try a smaller step",
                 if iterations == 1 { "" } else { "s" }
             ),
-            StepError::InvalidTolerance { tolerance } if tolerance >= 1.0 && tolerance < f64::INFINITY => {
+            StepError::InvalidTolerance { tolerance } if (1.0..f64::INFINITY).contains(&tolerance) => {
                 write!(f, "the tolerance {tolerance} allows errors as large as the state is; take one below 1")
             }
             StepError::InvalidTolerance { tolerance } => {

@@ -20,7 +20,8 @@ impl Builder<'_> {
     /// Terms of a sum by their factors, with those squares together that nothing else reads and that have the same one: a sum of squares is
     /// one sum over coefficients.
     pub(super) fn with_squares_together(&mut self, terms: Vec<(Id, Id)>) -> Vec<(Id, Id)> {
-        let (mut rest, mut together): (Vec<(Id, Id)>, Vec<(Id, Vec<Id>)>) = (vec![], vec![]);
+        let mut rest: Vec<(Id, Id)> = vec![];
+        let mut together: Vec<(Id, Vec<Id>)> = vec![];
         for (factor, moving) in terms {
             if self.own_square(moving).is_none() {
                 rest.push((factor, moving));

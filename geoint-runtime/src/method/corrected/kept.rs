@@ -124,7 +124,7 @@ pub(crate) fn check_rounding<S: PhaseSpace<R>, R: Real, I: Invariants<S, R>>(
 ) -> Result<(), Refusal> {
     let (way, none) = (difference(end, start), S::Phase::zero());
     let mut gradients = [start, end].map(|z| invariants.gradients(system, z));
-    let [first, last] = gradients.each_mut().map(|gradients| I::Values::entries(gradients));
+    let [first, last] = gradients.each_mut().map(I::Values::entries);
     let is_rounded = first.iter().zip(last.iter()).any(|(first, last)| {
         let (first, last) = (first.as_slice(), last.as_slice());
         let [start, way, end, none] = [start, &way, end, &none].map(Array::as_slice);
