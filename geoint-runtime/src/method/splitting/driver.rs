@@ -14,16 +14,16 @@ const FEW: usize = 4;
 /// A table multiplied by h: the flows of a step and the times in it at which they happen.
 #[derive(Clone, Copy, Debug)]
 pub struct Sequence<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> {
-    first: O::Outer,
-    inner: [O::Inner; K],
+    pub(super) first: O::Outer,
+    pub(super) inner: [O::Inner; K],
     /// What follows each inner flow while the steps go on: the last flow of a step is merged with the first of the next.
-    outer: [O::Outer; K],
+    pub(super) outer: [O::Outer; K],
     /// What follows the last inner flow where the steps end.
-    last: Option<O::Outer>,
+    pub(super) last: Option<O::Outer>,
     inner_at: [R; K],
     outer_at: [R; K],
     /// A step begins with the flow that the one before ended with, and that is what it was.
-    repeats: bool,
+    pub(super) repeats: bool,
 }
 
 impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O, K> {
@@ -69,7 +69,7 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
 
     /// The times of the i-th inner flow of a step from `t`, and of the outer flow behind it.
     #[inline(always)]
-    fn times(&self, t: R, i: usize) -> [Times<R>; 2] {
+    pub(super) fn times(&self, t: R, i: usize) -> [Times<R>; 2] {
         let before = if i == 0 { t } else { t + self.outer_at[i - 1] };
         let (outers, inners) = (t + self.inner_at[i], t + self.outer_at[i]);
         [Times { own: before, other: outers }, Times { own: outers, other: inners }]
@@ -151,58 +151,6 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
         self.finish(Step::at(t, (system, x, probe)));
     }
 
-    /// One step of kicks that do nothing but add: which they are, and what they add. The first one is taken over from the step before, as in
-    /// [`single`](Self::single).
-    #[inline]
-    pub(super) fn told<C: Summation<S::Phase>, P: Probe<S, R>>(
-        &self,
-        kick: &mut LastKick<S::Array>,
-        Step { system, t, x, probe, .. }: Step<'_, S, R, C, P>,
-        mut tell: impl FnMut(usize, &S::Array),
-    ) {
-        for n in 0..=K {
-            let start = Times { own: t, other: t };
-            let (outer, at) = match n.checked_sub(1) {
-                None => (Some(&self.first), start),
-                Some(before) if n < K => (Some(&self.outer[before]), self.times(t, before)[1]),
-                Some(before) => (self.last.as_ref(), self.times(t, before)[1]),
-            };
-            if let Some(outer) = outer {
-                let known = n == 0 && self.repeats && kick.is_from(&x.z[0]);
-                let added = &kick.impulse;
-                let impulse = seen(O::DRIFT_IS_OUTER, Step::at(at.other, (system, x, probe)), |x| {
-                    if O::DRIFT_IS_OUTER {
-                        O::outer(outer, at, x);
-                        return None;
-                    }
-                    Some(match known {
-                        true => x.told(|x| x.p.add_scaled(R::from_f64(1.0), added)),
-                        false => x.told(|x| O::outer(outer, at, x)),
-                    })
-                });
-                if let Some(impulse) = impulse {
-                    tell(n, &impulse);
-                    if n == K {
-                        *kick = LastKick { known: true, q: x.z[0], impulse };
-                    }
-                }
-            }
-            if n < K {
-                let ([at, _], inner) = (self.times(t, n), &self.inner[n]);
-                let impulse = seen(!O::DRIFT_IS_OUTER, Step::at(at.other, (system, x, probe)), |x| {
-                    if O::DRIFT_IS_OUTER {
-                        return Some(x.told(|x| O::inner(inner, at, x)));
-                    }
-                    O::inner(inner, at, x);
-                    None
-                });
-                if let Some(impulse) = impulse {
-                    tell(n, &impulse);
-                }
-            }
-        }
-    }
-
     #[inline(always)]
     fn advance<C: Summation<S::Phase>>(
         &self,
@@ -263,7 +211,7 @@ fn mirrored<W: PartialEq, T: Copy, const K: usize>(
 
 /// A flow under the eyes of a probe: a part of a drift that ends before its time is named.
 #[inline(always)]
-fn seen<S: Separable<R>, R: Real, C: Summation<S::Phase>, P: Probe<S, R>, T>(
+pub(super) fn seen<S: Separable<R>, R: Real, C: Summation<S::Phase>, P: Probe<S, R>, T>(
     is_drift: bool,
     Step { system, t, x, probe, .. }: Step<'_, S, R, C, P>,
     flow: impl FnOnce(Moving<'_, S, R, C>) -> T,

@@ -39,6 +39,7 @@ mod nystrom;
 mod processed;
 mod rotations;
 mod table;
+mod told;
 mod verlet;
 
 pub use driver::Sequence;

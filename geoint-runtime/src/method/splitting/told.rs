@@ -1,0 +1,63 @@
+//! A step that tells what its kicks add: what estimates of its error are made of.
+
+use super::driver::{Sequence, seen};
+use super::flows::{Order, Times};
+use super::last_kick::LastKick;
+use crate::method::{Probe, Step};
+use crate::scalar::Real;
+use crate::space::{Array, Summation};
+use crate::system::Separable;
+
+impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O, K> {
+    /// One step of kicks that do nothing but add: which they are, and what they add. The first one is taken over from the step before, as in
+    /// [`single`](Self::single).
+    #[inline]
+    pub(super) fn told<C: Summation<S::Phase>, P: Probe<S, R>>(
+        &self,
+        kick: &mut LastKick<S::Array>,
+        Step { system, t, x, probe, .. }: Step<'_, S, R, C, P>,
+        mut tell: impl FnMut(usize, &S::Array),
+    ) {
+        for n in 0..=K {
+            let start = Times { own: t, other: t };
+            let (outer, at) = match n.checked_sub(1) {
+                None => (Some(&self.first), start),
+                Some(before) if n < K => (Some(&self.outer[before]), self.times(t, before)[1]),
+                Some(before) => (self.last.as_ref(), self.times(t, before)[1]),
+            };
+            if let Some(outer) = outer {
+                let known = n == 0 && self.repeats && kick.is_from(&x.z[0]);
+                let added = &kick.impulse;
+                let impulse = seen(O::DRIFT_IS_OUTER, Step::at(at.other, (system, x, probe)), |x| {
+                    if O::DRIFT_IS_OUTER {
+                        O::outer(outer, at, x);
+                        return None;
+                    }
+                    Some(match known {
+                        true => x.told(|x| x.p.add_scaled(R::from_f64(1.0), added)),
+                        false => x.told(|x| O::outer(outer, at, x)),
+                    })
+                });
+                if let Some(impulse) = impulse {
+                    tell(n, &impulse);
+                    if n == K {
+                        *kick = LastKick { known: true, q: x.z[0], impulse };
+                    }
+                }
+            }
+            if n < K {
+                let ([at, _], inner) = (self.times(t, n), &self.inner[n]);
+                let impulse = seen(!O::DRIFT_IS_OUTER, Step::at(at.other, (system, x, probe)), |x| {
+                    if O::DRIFT_IS_OUTER {
+                        return Some(x.told(|x| O::inner(inner, at, x)));
+                    }
+                    O::inner(inner, at, x);
+                    None
+                });
+                if let Some(impulse) = impulse {
+                    tell(n, &impulse);
+                }
+            }
+        }
+    }
+}
