@@ -138,8 +138,9 @@ fn figures<M: Method<RigidBody>>(method: M) -> ([f64; 2], [f64; 3]) {
 
 #[test]
 fn rows_of_another_program() {
-    // No more than this is rounding.
-    const KEPT: f64 = 2e-14;
+    // No more than this is rounding, relative to T and |m|²: of 200 starts the worst walks 8e-15 in 1000 steps.
+    const KEPT: f64 = 1e-14;
+    let sizes = [0.5 * invariant(&START, 1), invariant(&START, 2)];
     let midpoint = Some([1.02e-3, 2.54e-4, 6.36e-5]);
     let table = [
         ("DiscreteGradient", figures(DiscreteGradient), [0.0, 0.0], midpoint),
@@ -149,8 +150,11 @@ fn rows_of_another_program() {
     ];
     for (name, (drift, errors), lost, expected) in table {
         println!("{name:20} {drift:?} {errors:?}");
-        for (drift, lost) in drift.into_iter().zip(lost) {
-            assert!(if lost == 0.0 { drift <= KEPT } else { (drift / lost - 1.0).abs() < 0.05 }, "{name}: {drift:.2e}");
+        for ((drift, lost), size) in drift.into_iter().zip(lost).zip(sizes) {
+            assert!(
+                if lost == 0.0 { drift <= KEPT * size } else { (drift / lost - 1.0).abs() < 0.05 },
+                "{name}: {drift:.2e}"
+            );
         }
         let Some(expected) = expected else { continue };
         for (error, expected) in errors.iter().zip(expected) {
