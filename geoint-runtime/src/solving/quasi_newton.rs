@@ -4,7 +4,7 @@ use crate::scalar::Real;
 use crate::solving::Refusal;
 use crate::solving::equation::Observer;
 use crate::solving::rounding::{Corrections, MAX_ITERATIONS, Verdict, is_of_last_digits};
-use crate::solving::size::{OUTGROWN, Sizes, largest, sum};
+use crate::solving::size::{Sizes, largest, sum};
 use crate::solving::{damped, linear, noise};
 use crate::space::{Array, Record, Square, Tape};
 
@@ -90,8 +90,9 @@ impl<A: Array> QuasiNewton<A> {
             let positive = linear::solve(&mut matrix, &mut delta, scale).ok_or(Refusal::Singular)?;
             let before = x;
             x.add_scaled(A::Real::from_f64(-1.0), &delta);
+            let relative = self.sizes.relative(&delta, origin, &x);
             let mut solved = None;
-            match corrections.judge_of((&mut self.sizes, OUTGROWN), &delta, (origin, &x)) {
+            match corrections.judge::<A::Real>(relative) {
                 Verdict::Solved => solved = Some(x),
                 Verdict::Stuck => {
                     let (mut left, mut sizes) = (A::zero(), self.sizes);
@@ -122,7 +123,7 @@ impl<A: Array> QuasiNewton<A> {
                 self.sizes.include(origin, &x);
                 return if positive { Ok(x) } else { Err(Refusal::Singular) };
             }
-            if !corrections.last().is_finite() {
+            if !relative.is_finite() {
                 break;
             }
         }

@@ -66,8 +66,6 @@ pub(crate) struct Corrections {
     stuck: u32,
     slow: bool,
     looks: u32,
-    /// Corrections are relative to what coordinates are now.
-    now: bool,
     /// Of the points at which rounding is looked for, in units of a correction.
     distance: f64,
 }
@@ -82,7 +80,6 @@ impl Corrections {
             stuck: 0,
             slow: false,
             looks: 0,
-            now: false,
             distance: FARTHER,
         }
     }
@@ -133,48 +130,6 @@ impl Corrections {
         }
         self.slow = shrunk > SLOW;
         if self.stuck == MOST_STUCK && self.looks < MOST_LOOKS { Verdict::Stuck } else { Verdict::Continue }
-    }
-
-    /// The verdict on the next correction, relative to the sizes that coordinates have had lately. If one of them has become smaller by the factor
-    /// `most`, it is the last one only if it is so relative to what coordinates are now as well: an error that was rounding of one then may be as
-    /// large as it is now, and an integral that has grown steep in it would be lost. Sizes follow.
-    #[inline(always)]
-    pub(crate) fn judge_of<A: Array>(
-        &mut self,
-        (sizes, most): (&mut Sizes<A>, f64),
-        delta: &A,
-        (origin, x): (&A, &A),
-    ) -> Verdict {
-        if !self.now {
-            let verdict = self.judge::<A::Real>(sizes.relative(delta, origin, x));
-            if verdict != Verdict::Solved || !sizes.outgrown(origin, x, most) {
-                return verdict;
-            }
-        }
-        let (next, verdict) = self.relative_to_now(sizes, *delta, [*origin, *x]);
-        *self = next;
-        verdict
-    }
-
-    /// The same relative to what coordinates are now. Where corrections do not shrink so far something larger is rounded on the way to a coordinate,
-    /// and sizes stay. By value: of what is pointed at from here nothing would be kept in registers elsewhere.
-    #[cold]
-    #[inline(never)]
-    fn relative_to_now<A: Array>(mut self, sizes: &mut Sizes<A>, delta: A, [origin, x]: [A; 2]) -> (Self, Verdict) {
-        if !self.now {
-            self = Self { now: true, iterations: self.iterations, ..Self::of_order(self.order) };
-        }
-        let verdict = self.judge::<A::Real>(Sizes::new().relative(&delta, &origin, &x));
-        if verdict == Verdict::Solved {
-            sizes.shrink(&origin, &x);
-        }
-        (self, if self.stuck > 0 { Verdict::Solved } else { verdict })
-    }
-
-    /// Whether corrections are relative to what coordinates are now.
-    #[inline(always)]
-    pub(crate) fn of_now(&self) -> bool {
-        self.now
     }
 
     /// The refusal of an iteration that ends here without a solution.

@@ -7,12 +7,6 @@ use crate::space::{Array, Record, Square, Tape};
 /// What is left of a size after every point that is included: half after some fifty.
 const FADING: f64 = 1.0 - 1.0 / 64.0;
 
-/// A size of more than so many times what the coordinate is now is asked for: that may have become smaller for good.
-pub(crate) const OUTGROWN: f64 = 1024.0;
-
-/// So much is left of it if it has. At looks, which are seldom, more than this is asked for already.
-pub(crate) const LEFT: f64 = 64.0;
-
 /// Where a residual is larger than this part of the unknown the equation says nothing of it, however small the correction is.
 const RESOLVED: f64 = 1.0 / 16.0;
 
@@ -128,33 +122,15 @@ impl<A: Array> Sizes<A> {
         x.as_slice().iter().enumerate().map(square).sum()
     }
 
-    /// Whether every entry of `delta` is at most `bound` of its size. No squares: those of coordinates in large or tiny units are no numbers, or zero.
+    /// Whether the square of every entry of `delta` is at most `bound` of that of its size.
     #[inline(always)]
     pub(crate) fn exceed(&self, delta: &A, bound: f64) -> bool {
         let mut exceed = true;
         for i in 0..A::LEN {
             let (change, size) = (delta.as_slice()[i].magnitude(), self.of(i));
-            exceed &= change <= bound * size;
+            exceed &= change * change <= bound * (size * size);
         }
         exceed
-    }
-
-    /// Whether an entry of `origin + x` has become smaller than it has been lately, by so much that what is rounding of its size may be none of it.
-    #[inline(always)]
-    pub(crate) fn outgrown(&self, origin: &A, x: &A, most: f64) -> bool {
-        let mut outgrown = false;
-        for i in 0..A::LEN {
-            let end = origin.as_slice()[i] + x.as_slice()[i];
-            outgrown |= self.of(i) > most * end.magnitude();
-        }
-        outgrown
-    }
-
-    /// Sizes of coordinates that have become smaller for good.
-    pub(crate) fn shrink(&mut self, origin: &A, x: &A) {
-        for (i, size) in self.0.as_mut_slice().iter_mut().enumerate() {
-            *size = A::Real::from_f64(size.magnitude().min(LEFT * sum(origin, x, i)));
-        }
     }
 
     /// Whether every entry of a residual is small beside the entry of `origin + x`.

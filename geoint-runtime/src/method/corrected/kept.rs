@@ -1,7 +1,6 @@
 //! What steps keep to rounding, kept so for ever: what rounding adds up to is taken away now and then.
 
 use super::scales::STEPS;
-use crate::method::Refusal;
 use crate::scalar::Real;
 use crate::solving::rounding::ROUNDINGS;
 use crate::space::Array;
@@ -110,28 +109,6 @@ fn add<R: Real>(x: &mut [R], w: R, d: &[R]) {
     for (x, d) in x.iter_mut().zip(d) {
         *x = w.multiply_add(*d, *x);
     }
-}
-
-/// Refuses a step in which `invariants` become so steep that rounding of coordinates, as large as they are on the way from `start` to `end`, changes
-/// half of the digits of one.
-#[cold]
-#[inline(never)]
-pub(crate) fn check_rounding<S: PhaseSpace<R>, R: Real, I: Invariants<S, R>>(
-    system: &S,
-    invariants: &I,
-    start: &S::Phase,
-    end: &S::Phase,
-) -> Result<(), Refusal> {
-    let (way, none) = (difference(end, start), S::Phase::zero());
-    let mut gradients = [start, end].map(|z| invariants.gradients(system, z));
-    let [first, last] = gradients.each_mut().map(I::Values::entries);
-    let is_rounded = first.iter().zip(last.iter()).any(|(first, last)| {
-        let (first, last) = (first.as_slice(), last.as_slice());
-        let [start, way, end, none] = [start, &way, end, &none].map(Array::as_slice);
-        let whole = f64::max(steepness([start, none], first), steepness([end, none], last));
-        Real::sqrt(R::epsilon()) * steepness([start, way], last) > whole
-    });
-    if is_rounded { Err(Refusal::Rounded) } else { Ok(()) }
 }
 
 /// The address of what is compiled once for a scalar.

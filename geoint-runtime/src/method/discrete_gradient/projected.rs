@@ -171,9 +171,6 @@ impl<S: FourthOrderField<R>, R: Real> Method<S, R> for FourthOrder<DiscreteGradi
         let Deciding { probe, decided } = deciding;
         let before = start::<S, R, C>(x);
         x.add_with(sums, &d, &lost);
-        if P::PATIENT {
-            kept::check_rounding(system, &KeptBy::<S, R>::default(), &before.0, &x.z)?;
-        }
         check_conditions(system, span.middle, &decided, x)?;
         check_end(poles, &before, Step { system, t, end, x, probe })
     }

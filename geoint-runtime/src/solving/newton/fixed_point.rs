@@ -4,7 +4,6 @@ use super::Found;
 use super::iteration::{Iteration, Start, explicit};
 use crate::solving::equation::{Observer, StepEquation};
 use crate::solving::rounding::{Corrections, Verdict, is_rounding};
-use crate::solving::size::OUTGROWN;
 use crate::space::Array;
 use crate::space::vector::difference;
 
@@ -49,14 +48,13 @@ impl<A: Array> Iteration<A> {
             let next = equation.image(watch, &x);
             let delta = difference(&x, &next);
             x = next;
+            let correction = self.sizes.relative(&delta, &origin, &x);
             let before = corrections.last();
-            let verdict = corrections.judge_of((&mut self.sizes, OUTGROWN), &delta, (&origin, &x));
-            let correction = corrections.last();
-            if verdict == Verdict::Solved {
+            if corrections.judge::<A::Real>(correction) == Verdict::Solved {
                 self.sizes.include(&origin, &x);
                 return Some(x);
             }
-            if correction.is_nan() || !corrections.of_now() && correction > SHRINKING * before {
+            if correction.is_nan() || correction > SHRINKING * before {
                 return is_rounding::<A::Real>(correction).then_some(x);
             }
         }

@@ -9,7 +9,7 @@ use crate::solving::damped;
 use crate::solving::equation::{Distant, Observer, Residual, ResidualOf, StepEquation};
 use crate::solving::linear;
 use crate::solving::rounding::{Corrections, MAX_ITERATIONS, REMAINDER, Verdict};
-use crate::solving::size::{LEFT, OUTGROWN, Sizes};
+use crate::solving::size::Sizes;
 use crate::space::vector::difference;
 use crate::space::{Array, Record, Tape};
 
@@ -20,17 +20,16 @@ const LEAST_CURVATURE: f64 = 1e-3;
 /// shrink, some 10⁻² in a first-order equation at fifty steps a period, and 10⁻⁴ in one of second order.
 const LAST_TERM: f64 = 0.25;
 
-/// Of so many steps one looks a second time, to see that factor again; a power of two. Where a coordinate has become smaller one looks after so few.
+/// Of so many steps one looks a second time, to see that factor again.
 const SECOND_LOOK: u32 = 64;
-const SOONER: u32 = 8;
 
 /// Corrections of which in compositions no more is asked than whether they are the last one: their sizes cost a tenth of an iteration. Where
 /// they are not after so many, something is else than before.
 const UNJUDGED: u32 = 3;
 
-/// A correction, in units of the sizes of coordinates, that an extrapolated guess may need. What is farther off may lead to a solution of another
-/// branch.
-const FAR_OFF: f64 = 1.0 / 8.0;
+/// The square of a correction, in units of the sizes of coordinates, that an extrapolated guess may need. What is farther off may lead to a
+/// solution of another branch.
+const FAR_OFF: f64 = 1.0 / 64.0;
 
 /// What is known of the iteration from steps before.
 #[derive(Clone, Copy, Debug)]
@@ -39,7 +38,7 @@ pub(super) struct Iteration<A> {
     /// Of so many unknowns each of so many kinds has one unit.
     pub(super) kinds: [usize; 2],
     pub(super) guesses: Guesses,
-    /// A correction after which the next one is nothing, from C as last seen.
+    /// The square of a correction after which the next one is nothing, from C as last seen.
     reach: f64,
     pub(super) steps: u32,
     /// Two terms of a series are tried in place of an elimination: until they are not enough, and again where a step looks a second time. To ask
@@ -90,7 +89,7 @@ impl<A: Array> Iteration<A> {
             sizes: Sizes::new(),
             kinds: [n, kinds],
             guesses: Guesses::new(),
-            reach: Real::sqrt(A::Real::epsilon() * REMAINDER),
+            reach: A::Real::epsilon() * REMAINDER,
             steps: 0,
             by_series: false,
             stiff: A::LEN <= MOST_UNKNOWNS,
@@ -118,7 +117,8 @@ impl<A: Array> Iteration<A> {
     /// Whether nothing that counts is left after this term of a correction, where steps are settled.
     #[inline(always)]
     pub(super) fn is_last_term(&self, term: &A) -> bool {
-        self.sizes.exceed(term, LAST_TERM * A::Real::epsilon()) && !self.looks()
+        let part = LAST_TERM * A::Real::epsilon();
+        self.sizes.exceed(term, part * part) && !self.looks()
     }
 
     /// Whether this step looks at what others take as known.
@@ -169,11 +169,11 @@ impl<A: Array> Iteration<A> {
                     guess
                 }
             };
-            let (found, iterations, smaller) = self.iterate((guess, first.take()), &attempt, &scale, &equation, watch);
+            let (found, iterations) = self.iterate((guess, first.take()), &attempt, &scale, &equation, watch);
             if found.outcome.is_ok() {
                 let extrapolated = matches!(attempt, Attempt::Extrapolated(_));
                 self.guesses.count(before + iterations, extrapolated, self.looks());
-                return if smaller && !E::PATIENT { self.smaller(found.x, equation, watch) } else { found };
+                return found;
             }
             before = 0;
             attempt = match attempt {
@@ -208,15 +208,14 @@ impl<A: Array> Iteration<A> {
         scale: &Sizes<A>,
         equation: &E,
         watch: &mut W,
-    ) -> (Found<A>, u32, bool) {
+    ) -> (Found<A>, u32) {
         let origin = equation.origin();
         let mut x = guess;
         let mut matrix = A::fill(A::zero());
         let mut corrections = Corrections::of_order(2);
         let extrapolated = matches!(attempt, Attempt::Extrapolated(_));
         let unjudged = self.guesses.composed() && !self.looks() && !matches!(attempt, Attempt::Damped);
-        let (mut lost, mut stuck, mut iterations, mut smaller) = (A::zero(), None, 0, false);
-        let most = if self.looks() { LEFT } else { OUTGROWN };
+        let (mut lost, mut stuck, mut iterations) = (A::zero(), None, 0);
         // Whether the determinant is positive at the solution, if there is one. Numbers leave the loop by no `Result`: they would share its memory.
         let positive = loop {
             if iterations == MAX_ITERATIONS {
@@ -252,28 +251,18 @@ impl<A: Array> Iteration<A> {
             }
             lost = subtract(&mut x, &delta);
             if (if iterations == 1 { extrapolated } else { unjudged }) && self.is_last(&delta) {
-                smaller = self.sizes.outgrown(&origin, &x, most);
-                if !(E::PATIENT && smaller) {
-                    break Some(positive);
-                }
+                break Some(positive);
             }
             if iterations <= UNJUDGED && unjudged {
                 continue;
             }
-            let before_last = corrections.last();
-            let verdict = if E::PATIENT {
-                corrections.judge_of((&mut self.sizes, most), &delta, (&origin, &x))
-            } else {
-                corrections.judge::<A::Real>(self.sizes.relative(&delta, &origin, &x))
-            };
-            let correction = corrections.last();
-            if iterations == 2 && !corrections.of_now() {
-                self.see(correction, before_last);
+            let correction = self.sizes.relative(&delta, &origin, &x);
+            if iterations == 2 {
+                self.see(correction, corrections.last());
             }
-            match verdict {
+            match corrections.judge::<A::Real>(correction) {
                 // Where the matrix is large beyond measure, corrections are small wherever x is. Steps before have seen that it is not.
                 Verdict::Solved if extrapolated || self.sizes.resolve(&left, &origin, &before) => {
-                    smaller = self.sizes.outgrown(&origin, &x, most);
                     self.sizes.include(&origin, &x);
                     break Some(positive);
                 }
@@ -292,23 +281,7 @@ impl<A: Array> Iteration<A> {
             Some(false) => Err(Refusal::Singular),
             None => Err(corrections.not_converged()),
         };
-        (Found { x, lost, outcome }, iterations, smaller)
-    }
-
-    /// Goes on from a solution at which a coordinate has become much smaller than its size. What is kept there may be lost: only who watches looks.
-    #[cold]
-    #[inline(never)]
-    fn smaller<W: Observer + ?Sized, E: StepEquation<A, W>>(&mut self, x: A, equation: E, watch: &mut W) -> Found<A> {
-        let (origin, guesses) = (equation.origin(), self.guesses);
-        let mut found = self.patient(Some(x), equation, watch);
-        // It says nothing of the guess.
-        self.guesses = guesses;
-        // While it becomes smaller still, its size is looked at more often.
-        self.steps |= SECOND_LOOK - SOONER;
-        if E::SETTLED && found.outcome.is_ok() && vanishes(&origin, &found.x) {
-            found.outcome = Err(Refusal::Rounded);
-        }
-        found
+        (Found { x, lost, outcome }, iterations)
     }
 
     /// Two corrections that follow each other. The second may be nothing but rounding; then C is at most that.
@@ -317,7 +290,7 @@ impl<A: Array> Iteration<A> {
         // A margin, since C is not the same all along an orbit.
         let before = before.min(1.0);
         let curvature = 16.0 * correction / (before * before);
-        let reach = Real::sqrt(A::Real::epsilon() * REMAINDER / curvature.max(LEAST_CURVATURE));
+        let reach = A::Real::epsilon() * REMAINDER / curvature.max(LEAST_CURVATURE);
         if correction > 64.0 * A::Real::epsilon() || reach > self.reach {
             self.reach = reach;
         }
@@ -335,14 +308,6 @@ enum Attempt<A> {
     Explicit,
     /// From afar.
     Damped,
-}
-
-/// Whether a coordinate has lost half of its digits at the end of the step: it is then as large as rounding on the way there, times that.
-#[inline(always)]
-fn vanishes<A: Array>(origin: &A, x: &A) -> bool {
-    let digits = Real::sqrt(A::Real::epsilon());
-    let entries = origin.as_slice().iter().zip(x.as_slice());
-    entries.fold(false, |vanishes, (from, by)| vanishes | ((*from + *by).magnitude() < digits * from.magnitude()))
 }
 
 /// The explicit guess, if there is one.

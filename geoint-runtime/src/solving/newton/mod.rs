@@ -11,7 +11,6 @@ use crate::solving::Refusal;
 use crate::solving::equation::{Observer, StepEquation};
 use crate::solving::linear;
 use crate::solving::rounding::{Corrections, Verdict};
-use crate::solving::size::OUTGROWN;
 use crate::space::vector::{difference, sum};
 use crate::space::{Array, Record, Tape};
 pub(crate) use iteration::compiled;
@@ -224,12 +223,7 @@ impl<A: Array> Newton<A> {
                 iteration.see(correction, corrections.last());
             }
             if corrections.judge::<A::Real>(correction) == Verdict::Solved {
-                if !iteration.sizes.outgrown(&origin, &found.x, OUTGROWN) {
-                    return (found, true);
-                }
-                // The guess was good.
-                *start = Start::at(Some(found.x));
-                break;
+                return (found, true);
             }
             *start = Start { guess: Some(x), correction: Some(delta), before };
         }

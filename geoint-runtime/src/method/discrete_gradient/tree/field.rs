@@ -2,13 +2,12 @@
 
 use super::DiscreteGradient;
 use super::equation::{Coefficients, Equation};
-use crate::method::corrected::kept;
 use crate::method::{Deciding, Earlier, Probe, Refusal, Step, StepsOf, check_conditions, check_poles, start};
 use crate::scalar::Real;
 use crate::solving::Inverse;
 use crate::solving::newton::{Found, Newton};
 use crate::space::{Array, Compensated, Record, Snapshot, Summation, Tape};
-use crate::system::{ByTree, DiscreteField, KeptBy, Poles};
+use crate::system::{ByTree, DiscreteField, Poles};
 
 /// Coefficients of a step.
 #[derive(Clone, Debug)]
@@ -82,9 +81,6 @@ impl<S: DiscreteField<R>, R: Real> StepsOf<DiscreteGradient, S, R> for ByTree {
         let before = start::<S, R, C>(x);
         let increments = equation.increments(&impulse);
         x.add_with(sums, &increments, &equation.lost::<C>(&impulse, &lost));
-        if P::PATIENT {
-            kept::check_rounding(system, &KeptBy::<S, R>::default(), &before.0, &x.z)?;
-        }
         check_conditions(system, t + R::from_f64(0.5) * coefficients.h, &decided, x)?;
         check_poles(poles, true, &before, Step { system, t, end, x, probe })
     }
