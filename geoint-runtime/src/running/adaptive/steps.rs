@@ -73,39 +73,13 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
         self.controller.step(&self.bounds.at(signed(self.time()), R::epsilon()))
     }
 
-    /// In how long, roughly, the state changes by itself: the shortest of |x|/|x'| over all coordinates that move. Where each is zero or at rest,
-    /// as at a pericentre on an axis, it is the longest power of two in which rates do not change by more; infinite if none do.
+    /// In how long, roughly, the state changes by itself: the shortest of |x|/|x'| over all coordinates that move.
     fn guess(&self) -> f64 {
-        let (t, x) = (self.time(), PerCoordinate::of(&self.x));
-        let rates = self.system.rates(t, &x);
+        let x = PerCoordinate::of(&self.x);
         let time = |(x, rate): (R, R)| {
             if x.magnitude() > 0.0 { x.magnitude() / rate.magnitude() } else { f64::INFINITY }
         };
-        let time = x.numbers().zip(rates.numbers()).map(time).fold(f64::INFINITY, f64::min);
-        if time < f64::INFINITY || rates.numbers().all(|rate| rate.magnitude() == 0.0) {
-            return time;
-        }
-        let changes_little = |exponent: i32| {
-            let h = R::from_f64(Real::exp2(f64::from(exponent)));
-            let mut moved = x;
-            moved.add_scaled(h, &rates);
-            let later = self.system.rates(t + h, &moved);
-            let little = |((x, rate), later): ((R, R), R)| match x.magnitude() > 0.0 {
-                true => (h * later).magnitude() <= x.magnitude(),
-                false => rate.magnitude() == 0.0 || (later - rate).magnitude() <= rate.magnitude(),
-            };
-            x.numbers().zip(rates.numbers()).zip(later.numbers()).all(little)
-        };
-        // Bisected: at the shortest all hold, and infinite rates hold nowhere.
-        let (mut little, mut much) = (f64::MIN_EXP, f64::MAX_EXP - 1);
-        if changes_little(much) {
-            return f64::INFINITY;
-        }
-        while much - little > 1 {
-            let middle = little + (much - little) / 2;
-            if changes_little(middle) { little = middle } else { much = middle }
-        }
-        Real::exp2(f64::from(little))
+        x.numbers().zip(self.system.rates(self.time(), &x).numbers()).map(time).fold(f64::INFINITY, f64::min)
     }
 
     /// What part of the time in which the state changes a step takes.
