@@ -1,6 +1,7 @@
 //! Is right: derivatives, orders, symplecticity, symmetry, clocks, and the tables behind them.
 
 mod double;
+mod defects;
 mod estimates;
 mod families;
 mod kepler;

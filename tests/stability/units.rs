@@ -166,6 +166,8 @@ fn adaptive_in_all_units() {
         }
     }
     check::<Kepler, _>("DOP853", DOP853);
+    check::<Kepler, _>("Gauss<3>", Gauss::<3>);
+    check::<Polar, _>("Gauss<4>", Gauss::<4>);
     check::<Kepler, _>("DiscreteGradient", DiscreteGradient);
     check::<Polar, _>("DiscreteGradient", DiscreteGradient);
     check::<Polar, _>("Projection", Projection(RK4, Energy));

@@ -1,6 +1,6 @@
 //! Methods whose equation is posed in one way or another, as the system has it.
 
-use crate::method::{Earlier, Probe, Refusal, Step};
+use crate::method::{Earlier, Estimate, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::space::{Record, Summation};
 use crate::system::PhaseSpace;
@@ -36,4 +36,19 @@ pub trait StepsOf<M, S: PhaseSpace<R>, R: Real> {
         memory: &mut Self::Memory,
         step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal>;
+
+    /// See [`Method::order_of_estimate`](super::Method::order_of_estimate).
+    fn order_of_estimate() -> Option<u32> {
+        None
+    }
+
+    /// See [`Method::estimated`](super::Method::estimated).
+    #[inline(always)]
+    fn estimated<C: Summation<S::Phase>, P: Probe<S, R>>(
+        _prepared: &Self::Prepared,
+        _memory: &mut Self::Memory,
+        _step: Step<'_, S, R, C, P>,
+    ) -> Option<Result<Estimate<S, R>, Refusal>> {
+        None
+    }
 }

@@ -176,7 +176,7 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
     }
 
     /// One step with two estimates of its error, for steps that adapt; nothing, and no step, where the method has none of its own. The error is
-    /// e₅²/(e₅² + e₃²/100)½, e₅ and e₃ the largest entries of both in units of what is tolerated.
+    /// e₅²/(e₅² + e₃²/100)½, e₅ and e₃ the largest entries of both in units of what is tolerated; with e₃ = 0 it is e₅.
     #[inline(always)]
     fn estimated<C: Summation<S::Phase>, P: Probe<S, R>>(
         _prepared: &Self::Prepared,

@@ -22,6 +22,7 @@
 //! ```
 
 mod canonical;
+mod defect;
 mod fields;
 pub(crate) mod prepared;
 mod stages;
@@ -31,7 +32,7 @@ pub(in crate::method) mod velocities;
 pub use tableau::GaussTableau;
 
 use crate::method::composition::{Composed, Composition, SymmetricMap};
-use crate::method::{And, Claims, Earlier, Method, Name, Probe, Refusal, Step, StepsOf};
+use crate::method::{And, Claims, Earlier, Estimate, Method, Name, Probe, Refusal, Step, StepsOf};
 use crate::scalar::Real;
 use crate::space::Summation;
 use crate::system::Collocated;
@@ -43,6 +44,9 @@ use crate::system::Collocated;
 /// matrix is full is solved for stage velocities Vᵢ: Qᵢ = q₀ + h Σ aᵢⱼVⱼ, ∂L/∂v(Qᵢ, Vᵢ) = p₀ + h Σ aᵢⱼ ∂L/∂q(Qⱼ, Vⱼ), which is the same
 /// map with half of the unknowns. Of a Lagrangian that is linear in velocities, with momenta of which half may be zero, it is moved by
 /// canonical coordinates, positions and momenta ϑ(q), and solved for q: symplectic for Ω = dϑ.
+///
+/// Where it is solved for derivatives, with three and four stages of at most six unknowns, [adaptive](crate::Adaptive) steps estimate their errors
+/// by f between the stages: the estimate is of order 2S, and sees what is small beside other motions, however fast.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Gauss<const S: usize>;
 
@@ -91,6 +95,19 @@ where
     ) -> Result<(), Refusal> {
         <Y::Stages as StepsOf<Self, Y, R>>::step(prepared, memory, step)
     }
+
+    fn order_of_estimate(&self) -> Option<u32> {
+        <Y::Stages as StepsOf<Self, Y, R>>::order_of_estimate()
+    }
+
+    #[inline(always)]
+    fn estimated<C: Summation<Y::Phase>, P: Probe<Y, R>>(
+        prepared: &Self::Prepared,
+        memory: &mut Self::Memory,
+        step: Step<'_, Y, R, C, P>,
+    ) -> Option<Result<Estimate<Y, R>, Refusal>> {
+        <Y::Stages as StepsOf<Self, Y, R>>::estimated(prepared, memory, step)
+    }
 }
 
 impl<Y: Collocated<R>, R: Real> Method<Y, R> for ImplicitMidpoint
@@ -129,6 +146,19 @@ where
         step: Step<'_, Y, R, C, P>,
     ) -> Result<(), Refusal> {
         Gauss::<1>::step(prepared, memory, step)
+    }
+
+    fn order_of_estimate(&self) -> Option<u32> {
+        Method::<Y, R>::order_of_estimate(&Gauss::<1>)
+    }
+
+    #[inline(always)]
+    fn estimated<C: Summation<Y::Phase>, P: Probe<Y, R>>(
+        prepared: &Self::Prepared,
+        memory: &mut Self::Memory,
+        step: Step<'_, Y, R, C, P>,
+    ) -> Option<Result<Estimate<Y, R>, Refusal>> {
+        Gauss::<1>::estimated(prepared, memory, step)
     }
 }
 

@@ -28,7 +28,35 @@ impl<Y: Collocation<R>, R: Real, const S: usize> Clone for Stages<'_, Y, R, S> {
 
 impl<Y: Collocation<R>, R: Real, const S: usize> Copy for Stages<'_, Y, R, S> {}
 
-impl<Y: Collocation<R>, R: Real, const S: usize> Stages<'_, Y, R, S> {
+impl<'a, Y: Collocation<R>, R: Real, const S: usize> Stages<'a, Y, R, S> {
+    #[inline(always)]
+    pub(super) fn new(system: &'a Y, prepared: &'a PreparedFields<Y::Constants, R, S>, t: R, z: Y::Phase) -> Self {
+        let (y0, changed) = Y::start(&z);
+        let velocity = system.velocity(&prepared.stages.constants, &changed);
+        Stages { system, prepared, t, z, y0, changed, velocity }
+    }
+
+    /// f and f' where the polynomial of the step is after the time `x`, with these coefficients of k over h, or h² if f is y''.
+    #[inline(always)]
+    pub(super) fn at<P: Probe<Y, R>>(
+        &self,
+        probe: &mut P,
+        x: R,
+        k: &[Y::Unknown; S],
+        coefficients: &[f64; S],
+    ) -> (Y::Unknown, Square<Y::Unknown>) {
+        let Prepared { constants, h, .. } = &self.prepared.stages;
+        let power = if Y::DERIVATIVE == 1 { *h } else { *h * *h };
+        let mut change = scaled(x, &self.velocity);
+        for (coefficient, k) in coefficients.iter().zip(k) {
+            self.system.add(constants, R::from_f64(*coefficient) * power, k, &mut change);
+        }
+        let (mut f, mut slope) = (Y::Unknown::zero(), Y::Unknown::fill(Y::Unknown::zero()));
+        probe.visit(self.t + x, &self.point(&change), &());
+        self.system.field(constants, self.t + x, &sum(&self.y0, &change), &mut f, &mut slope);
+        (f, slope)
+    }
+
     /// Yᵢ − y₀.
     #[inline(always)]
     pub(super) fn change(&self, i: usize, k: &[Y::Unknown; S]) -> Y::Unknown {

@@ -22,8 +22,9 @@ use steps::Steps;
 /// A system under a method whose steps adapt to a tolerance: a plain value, no borrow, no allocation.
 ///
 /// [`DOP853`](crate::DOP853) estimates the error of a step from what it evaluates, and so do Runge–Kutta–Nyström tables
-/// ([`BlanesMoanSrkn14a`](crate::BlanesMoanSrkn14a) …) of canonical systems. By every other method a step is done in two halves, which are
-/// kept, and once as a whole: their difference is the error. In every coordinate it may be as large as
+/// ([`BlanesMoanSrkn14a`](crate::BlanesMoanSrkn14a) …) of canonical systems; [`Gauss`](crate::Gauss) with three and four stages of
+/// at most six unknowns looks at its polynomial between them. By every other method a step is done in two halves, which are kept, and once as a
+/// whole: their difference is the error. In every coordinate it may be as large as
 /// `tolerance` times the largest magnitude that this coordinate has had so far, and as an absolute error beside that
 /// ([`absolute`](Self::absolute)): lengths and angles, large and small motions are each followed with the same relative accuracy,
 /// in any units. A coordinate at rest at zero is measured by what it becomes. What the tolerated errors of other coordinates cause
@@ -31,8 +32,9 @@ use steps::Steps;
 /// node that is rounding, does not hold up the others; this is measured in the first steps, while they become longer.
 ///
 /// The difference is the error of the whole step; for a method of order p the error of the halves is a 2ᵖ-th part of it, which is
-/// not counted on, because it holds for short steps only. Likewise an estimate is that of a formula of lower order than the step's. A step that is
-/// too inaccurate, or that the method refuses, is repeated with a shorter one; after an error the last good state is still there.
+/// not counted on, because it holds for short steps only. Likewise an estimate is that of a formula of lower order than the step's, or, of Gauss's
+/// methods, 2ᵖ times the error that is found. A step that is too inaccurate, or that the method refuses, is repeated with a shorter one; after an
+/// error the last good state is still there.
 ///
 /// Steps come in lengths 2^(k/4), so that most have the length of the one before: coefficients are then at hand, and implicit
 /// methods know how to guess. Sums of coordinates and of time are compensated.

@@ -1,0 +1,271 @@
+//! What the polynomial of a step tells of its error.
+//!
+//! Collocation finds a polynomial u with u' = f(u) at the nodes cᵢ. Elsewhere there is a defect δ = f(u) − u', which is M(x) = Π (x − cᵢ) times something,
+//! and the error of the step is ∫ R δ, R what leads from there to the end. As M is orthogonal to all polynomials of lower degree, of the order h²ˢ⁺¹ of
+//! this error are, with R = 1 and with δ/M = const,
+//!
+//! h δ[c₁, …, c_s, x₀, …, x_s] ∫M² and (hJ)ˢ D (s!)³/((2s)!(2s+1)!), D = h δ/M at the ends:
+//!
+//! the first is the whole error where f depends on time alone, the second where f is linear. Both are taken by their magnitudes, so that they do not
+//! cancel. Where f is neither there are terms between the two, of the same order. No order is extrapolated from others: a vibration that is small beside a slow
+//! motion is seen by what f does with it.
+//!
+//! Where h is long beside the fastest motion, J = f' at the start would let a defect grow without bounds, that of Gauss's methods does not: hJ is
+//! hJ(1 − γhJ)⁻¹ in place of that, and defects are seen through (1 − γhJ)⁻¹, with γ = 1/2s, the mean eigenvalue of the coefficients A. E. Hairer &
+//! G. Wanner, *Solving Ordinary Differential Equations II* (1996), section IV.8, filter estimates in this way.
+
+use super::stages::Stages;
+use super::{Gauss, GaussTableau};
+use crate::method::Probe;
+use crate::method::explicit::tableau::Tableau;
+use crate::scalar::Real;
+use crate::solving::linear;
+use crate::solving::size::Sizes;
+use crate::space::vector::{difference, dot, scaled};
+use crate::space::{Array, Square};
+use crate::system::Collocation;
+
+/// A point of a step at which the defect is looked at.
+#[derive(Clone, Copy)]
+struct Look<const S: usize> {
+    /// As a fraction of the step.
+    at: f64,
+    /// u' = Σ rates·k.
+    rates: [f64; S],
+    /// u = y₀ + h Σ changes·k, and the same in place of y' where f is y'': q₀ + hx q'₀ + h² Σ changes·M⁻¹k.
+    changes: [[f64; S]; 2],
+    /// What δ counts in hδ[…]∫M², and in D.
+    weights: [f64; 2],
+}
+
+/// All of them, and the numbers of both parts of an error.
+struct Looks<const S: usize> {
+    start: Look<S>,
+    others: [Look<S>; S],
+    /// Of k, for the highest coefficient of the polynomial of p where f is y'': the defect of q' is that times M.
+    highest: [f64; S],
+    /// By what an error is multiplied, 4ˢ: so much less than what they are judged by is the error of the halves of a step. Of Kepler's, Hénon's and
+    /// Heiles's and other orbits errors are a tenth of the product at most, while h is shorter than a vibration (`tests/benches/README.md`).
+    margin: f64,
+    /// (s!)³/((2s)!(2s+1)!) for γhJ in place of hJ.
+    linear: f64,
+}
+
+impl<const S: usize> Looks<S> {
+    /// γ.
+    const GAMMA: f64 = 0.5 / S as f64;
+
+    const fn new(tableau: &Tableau<S>) -> Self {
+        // s!, (2s)! and (2s+1)!.
+        let (mut factorials, mut n) = ([1.0; 3], 1);
+        while n <= 2 * S + 1 {
+            let mut which = 0;
+            while which < 3 {
+                if n <= [S, 2 * S, 2 * S + 1][which] {
+                    factorials[which] *= n as f64;
+                }
+                which += 1;
+            }
+            n += 1;
+        }
+        let [s, twice, next] = factorials;
+        let square = s * s / twice * (s * s / next);
+        let start = Look::new(tableau, 0, square);
+        let (mut others, mut linear, mut margin, mut i) = ([start; S], s * s / twice * (s / next), 1.0, 0);
+        let mut highest = [1.0 / S as f64; S];
+        while i < S {
+            others[i] = Look::new(tableau, i + 1, square);
+            let mut n = 0;
+            while n < S {
+                if n != i {
+                    highest[i] /= tableau.c[i] - tableau.c[n];
+                }
+                n += 1;
+            }
+            linear /= Self::GAMMA;
+            margin *= 4.0;
+            i += 1;
+        }
+        Looks { start, others, highest, margin, linear }
+    }
+}
+
+impl<const S: usize> Look<S> {
+    /// The `i`-th point: the start, the middle between two nodes, or the end.
+    const fn place(c: &[f64; S], i: usize) -> f64 {
+        match i {
+            0 => 0.0,
+            _ if i == S => 1.0,
+            _ => 0.5 * (c[i - 1] + c[i]),
+        }
+    }
+
+    const fn new(Tableau { a, b, c }: &Tableau<S>, i: usize, square: f64) -> Self {
+        let at = Self::place(c, i);
+        let (mut rates, mut changes, mut monic, mut j) = ([0.0; S], [[0.0; S]; 2], 1.0, 0);
+        while j < S {
+            rates[j] = lagrange(c, j, at);
+            // The integral from 0 to x, by the method's own weights.
+            let mut n = 0;
+            while n < S {
+                changes[0][j] += at * b[n] * lagrange(c, j, at * c[n]);
+                n += 1;
+            }
+            monic *= at - c[j];
+            j += 1;
+        }
+        j = 0;
+        while j < S {
+            let mut n = 0;
+            while n < S {
+                changes[1][j] += changes[0][n] * a[n][j];
+                n += 1;
+            }
+            j += 1;
+        }
+        let (mut others, mut n) = (1.0, 0);
+        while n <= S {
+            if n != i {
+                others *= at - Self::place(c, n);
+            }
+            n += 1;
+        }
+        let end = if i == 0 || i == S { 0.5 / monic } else { 0.0 };
+        Look { at, rates, changes, weights: [square / (monic * others), end] }
+    }
+
+    /// Adds what hδ counts in both parts of the error; f' is computed where it is used.
+    #[inline(always)]
+    fn add<Y: Collocation<R>, R: Real, P: Probe<Y, R>>(
+        &self,
+        equation: &Stages<'_, Y, R, S>,
+        k: &[Y::Unknown; S],
+        probe: &mut P,
+        sums: &mut [Y::Unknown; 2],
+    ) -> Square<Y::Unknown> {
+        let h = equation.prepared.stages.h;
+        let (mut defect, slope) = equation.at(probe, R::from_f64(self.at) * h, k, &self.changes[Y::DERIVATIVE - 1]);
+        for (rate, k) in self.rates.iter().zip(k) {
+            defect.add_scaled(R::from_f64(-rate), k);
+        }
+        for (sum, weight) in sums.iter_mut().zip(self.weights) {
+            sum.add_scaled(R::from_f64(weight) * h, &defect);
+        }
+        slope
+    }
+}
+
+/// The polynomial that is 1 at the node `j` and 0 at the others.
+const fn lagrange<const S: usize>(c: &[f64; S], j: usize, x: f64) -> f64 {
+    let (mut value, mut n) = (1.0, 0);
+    while n < S {
+        if n != j {
+            value *= (x - c[n]) / (c[j] - c[n]);
+        }
+        n += 1;
+    }
+    value
+}
+
+/// Errors of y, and of momenta where y are positions alone.
+type Errors<Y, R> = [<Y as Collocation<R>>::Unknown; 2];
+
+/// (1 − γhJ)⁻¹.
+struct Filter<'a, Y: Collocation<R>, R: Real> {
+    system: &'a Y,
+    constants: &'a Y::Constants,
+    /// γh.
+    length: R,
+    slope: Square<Y::Unknown>,
+    sizes: Sizes<Y::Unknown>,
+}
+
+impl<Y: Collocation<R>, R: Real> Filter<'_, Y, R> {
+    /// `None` where the matrix is singular.
+    #[inline(always)]
+    fn times(&self, [y, p]: &Errors<Y, R>) -> Option<Errors<Y, R>> {
+        let mut matrix = Y::Unknown::fill(Y::Unknown::zero());
+        let w = if Y::DERIVATIVE == 1 { self.length } else { self.length * self.length };
+        let mut x = if Y::DERIVATIVE == 1 { *y } else { *p };
+        let rows = Y::Unknown::entries::<Y::Unknown>(&mut matrix).iter_mut();
+        for (i, (row, slope)) in rows.zip(Y::Unknown::entries_of::<Y::Unknown>(&self.slope)).enumerate() {
+            self.system.add(self.constants, -w, slope, row);
+            row.as_mut_slice()[i] += R::from_f64(1.0);
+            if Y::DERIVATIVE > 1 {
+                x.as_mut_slice()[i] += self.length * dot(slope, y);
+            }
+        }
+        linear::solve(&mut matrix, &mut x, &self.sizes)?;
+        if Y::DERIVATIVE == 1 {
+            return Some([x, *p]);
+        }
+        let mut position = *y;
+        self.system.add(self.constants, self.length, &x, &mut position);
+        Some([position, x])
+    }
+
+    /// What an error of that which f changes is in all coordinates.
+    #[inline(always)]
+    fn spread(&self, x: Y::Unknown) -> Errors<Y, R> {
+        let mut y = if Y::DERIVATIVE == 1 { x } else { Y::Unknown::zero() };
+        if Y::DERIVATIVE > 1 {
+            self.system.add(self.constants, self.length, &x, &mut y);
+        }
+        [y, x]
+    }
+}
+
+/// An estimate of the error of a step with the values `k` of f at its stages; `None` where a motion away from the solution is so fast that there is none.
+#[inline]
+pub(super) fn error<Y: Collocation<R>, R: Real, P: Probe<Y, R>, const S: usize>(
+    equation: &Stages<'_, Y, R, S>,
+    k: &[Y::Unknown; S],
+    probe: &mut P,
+) -> Option<Y::Phase>
+where
+    Gauss<S>: GaussTableau<S>,
+{
+    let looks = const { &Looks::<S>::new(&Gauss::<S>::TABLEAU) };
+    let (zero, number) = (Y::Unknown::zero(), R::from_f64);
+    let Stages { system, prepared, changed, .. } = equation;
+    let (constants, h) = (&prepared.stages.constants, prepared.stages.h);
+    let mut sums = [zero; 2];
+    let slope = looks.start.add(equation, k, probe, &mut sums);
+    for other in &looks.others {
+        other.add(equation, k, probe, &mut sums);
+    }
+    let [quadrature, ends] = sums;
+
+    let mut sizes = Sizes::new();
+    sizes.include(changed, &scaled(h, &k[0]));
+    let filter = Filter { system: *system, constants, length: number(Looks::<S>::GAMMA) * h, slope, sizes };
+    let first = filter.times(&if Y::DERIVATIVE == 1 { [quadrature, zero] } else { [zero, quadrature] })?;
+    let mut second = if Y::DERIVATIVE == 1 { [ends, zero] } else { [zero, ends] };
+    if Y::DERIVATIVE > 1 {
+        for (weight, k) in looks.highest.iter().zip(k) {
+            system.add(constants, number(*weight) * h * h, k, &mut second[0]);
+        }
+    }
+    for _ in 0..S {
+        // γhJ(1 − γhJ)⁻¹.
+        let filtered = filter.times(&second)?;
+        second = [difference(&filtered[0], &second[0]), difference(&filtered[1], &second[1])];
+    }
+    // What is found of h·k is found up to its last digit.
+    let mut digits = zero;
+    for k in k {
+        for (digit, k) in digits.as_mut_slice().iter_mut().zip(k.as_slice()) {
+            *digit = digit.max((*k * h).abs() * number(R::epsilon()));
+        }
+    }
+    let rounding = filter.spread(digits);
+    let [first, second, rounding] = [first, second, rounding].map(|[y, p]| Y::increments(&y, &p));
+    let mut error = Y::Phase::zero();
+    for (i, error) in error.as_mut_slice().iter_mut().enumerate() {
+        let [first, second, rounding] = [&first, &second, &rounding].map(|part| part.as_slice()[i].abs());
+        let found = first + number(looks.linear) * second - rounding;
+        // What is not a number stays none.
+        *error = if found.any_below(0.0) { number(0.0) } else { number(looks.margin) * found };
+    }
+    Some(error)
+}
