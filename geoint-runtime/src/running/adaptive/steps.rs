@@ -34,6 +34,10 @@ pub(super) struct Steps<S: PhaseSpace<R>, M: Method<S, R>, R: Real> {
     pub(super) rejections: u64,
 }
 
+/// A step that is about to be tried, what is prepared for it, and the memory of those before.
+type Parts<'a, S, M, R> =
+    (Attempt<'a, S, R>, &'a Prepared<<M as Method<S, R>>::Prepared>, &'a mut [<M as Method<S, R>>::Memory; 2]);
+
 impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
     pub(super) fn new((system, method): (S, M), tolerance: f64, t: R, x: Carried<S, R>) -> Self {
         let claims = method.claims();
@@ -92,7 +96,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
     }
 
     /// A step from here, what is prepared for it, and the memory of those before.
-    fn parts(&mut self) -> (Attempt<'_, S, R>, &Prepared<M::Prepared>, &mut [M::Memory; 2]) {
+    fn parts(&mut self) -> Parts<'_, S, M, R> {
         let t = self.time();
         let Self { system, method, clock, x, tolerance, part, prepared, memory, .. } = self;
         let keeps = method.claims().conserves_energy;
