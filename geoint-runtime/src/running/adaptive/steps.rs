@@ -19,8 +19,6 @@ pub(super) struct Steps<S: PhaseSpace<R>, M: Method<S, R>, R: Real> {
     pub(super) tolerance: Tolerance<S::Phase, S::Action>,
     pub(super) bounds: Bounds,
     pub(super) controller: Controller,
-    /// What part of the time in which the state changes a step takes.
-    part: f64,
     pub(super) prepared: Prepared<M::Prepared>,
     /// Of steps as a whole, and of their halves.
     pub(super) memory: [M::Memory; 2],
@@ -34,21 +32,15 @@ pub(super) struct Steps<S: PhaseSpace<R>, M: Method<S, R>, R: Real> {
     pub(super) rejections: u64,
 }
 
-/// A step that is about to be tried, what is prepared for it, and the memory of those before.
-type Parts<'a, S, M, R> =
-    (Attempt<'a, S, R>, &'a Prepared<<M as Method<S, R>>::Prepared>, &'a mut [<M as Method<S, R>>::Memory; 2]);
-
 impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
     pub(super) fn new((system, method): (S, M), tolerance: f64, t: R, x: Carried<S, R>) -> Self {
         let claims = method.claims();
-        let controller = Controller::new(method.order_of_estimate().unwrap_or(claims.order));
         let mut steps = Steps {
             system,
             method,
             tolerance: Tolerance::new(tolerance, &PerCoordinate::of(&x), !claims.perturbed.is_empty()),
             bounds: Bounds::default(),
-            controller,
-            part: controller.part(tolerance),
+            controller: Controller::new(method.order_of_estimate().unwrap_or(claims.order)),
             prepared: Prepared::new(&system, &method, 1.0),
             memory: [M::memory(), M::memory()],
             clock: Clock::new(t, zero()),
@@ -90,17 +82,16 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
         x.numbers().zip(self.system.rates(self.time(), &x).numbers()).map(time).fold(f64::INFINITY, f64::min)
     }
 
-    /// A step from here.
-    fn attempt(&mut self) -> Attempt<'_, S, R> {
-        self.parts().0
+    /// What part of the time in which the state changes a step takes.
+    fn part(&self) -> f64 {
+        self.controller.part(self.tolerance.relative)
     }
 
-    /// A step from here, what is prepared for it, and the memory of those before.
-    fn parts(&mut self) -> Parts<'_, S, M, R> {
-        let t = self.time();
-        let Self { system, method, clock, x, tolerance, part, prepared, memory, .. } = self;
-        let keeps = method.claims().conserves_energy;
-        (Attempt { system, t, clock, x, tolerance, part: *part, keeps }, prepared, memory)
+    /// A step from here.
+    fn attempt(&self) -> Attempt<'_, S, R> {
+        let Self { system, clock, x, tolerance, .. } = self;
+        let keeps = self.method.claims().conserves_energy;
+        Attempt { system, t: self.time(), clock, x, tolerance, part: self.part(), keeps }
     }
 
     /// A step that is not longer than `left`.
@@ -114,35 +105,33 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
                 self.prepared = Prepared::new(&self.system, &self.method, h);
                 self.memory = [M::memory(), M::memory()];
             }
-            let shorter = (h != regular).then(|| Prepared::new(&self.system, &self.method, h));
-            // Memory is written where it is, with a copy to go back to: as a value it would be copied several times a step. A step of another
-            // length finds nothing, and hands nothing on.
-            let copy = |[whole, halves]: &[M::Memory; 2]| [whole.clone(), halves.clone()];
-            let before = copy(&self.memory);
-            let nothing = || [M::memory(), M::memory()];
-            if shorter.is_some() {
-                self.memory = nothing();
-            }
-            let (attempt, prepared, memory) = self.parts();
-            let prepared = shorter.as_ref().unwrap_or(prepared);
-            let mut outcome = attempt.take::<M, _>(prepared, memory, &mut Unwatched);
+            let shorter;
+            let prepared = if h == regular {
+                &self.prepared
+            } else {
+                shorter = Prepared::new(&self.system, &self.method, h);
+                &shorter
+            };
+            // A step of another length hands nothing on.
+            let before = || if h == regular { self.memory.clone() } else { [M::memory(), M::memory()] };
+            let mut memory = before();
+            let attempt = self.attempt();
+            let mut outcome = attempt.take::<M, _>(prepared, &mut memory, &mut Unwatched);
             // Only a watched step searches for a solution that is hard to find.
             if matches!(outcome, Err(Reason::NotConverged)) {
-                *memory = if shorter.is_some() { nothing() } else { copy(&before) };
-                let mut watch = Watch::new(attempt.system, attempt.t, attempt.x);
-                outcome = attempt.take::<M, _>(prepared, memory, &mut watch);
+                memory = before();
+                let mut watch = Watch::new(&self.system, attempt.t, &self.x);
+                outcome = attempt.take::<M, _>(prepared, &mut memory, &mut watch);
             }
             let (x, error) = match outcome {
                 Ok((x, error)) if error <= 1.0 => (x, error),
                 outcome => {
-                    self.memory = before;
                     self.rejections += 1;
                     self.controller.reject(h, outcome.map_or(None, |(_, error)| Some(error)));
                     if h.abs() <= bounds.shortest {
                         // At the edge of a domain the shortest step may find no solution where longer ones find the edge.
-                        let method = self.method;
-                        let reason = match self.attempt().reason(&method, h) {
-                            Reason::NotConverged | Reason::Singular => self.attempt().reason(&method, 16.0 * h),
+                        let reason = match self.attempt().reason(&self.method, h) {
+                            Reason::NotConverged | Reason::Singular => self.attempt().reason(&self.method, 16.0 * h),
                             reason => reason,
                         };
                         return Err(StepError::StepTooSmall { t, h, reason });
@@ -150,12 +139,12 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
                     continue;
                 }
             };
-            match shorter {
-                Some(_) => self.memory = before,
-                None => self.controller.accept(h, error),
+            if h == regular {
+                self.memory = memory;
+                self.controller.accept(h, error);
             }
             self.clock.pass_step(R::from_f64(h), x.ahead);
-            let (part, ends) = (self.part, [&self.x, &x].map(PerCoordinate::of));
+            let (part, ends) = (self.part(), [&self.x, &x].map(PerCoordinate::of));
             let (system, t) = (&self.system, self.clock.now(zero()));
             self.tolerance.include(ends.each_ref(), h, part, |x| system.rates(t, x));
             self.x = x;
