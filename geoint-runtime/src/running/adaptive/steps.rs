@@ -123,9 +123,9 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
                 let mut watch = Watch::new(&self.system, attempt.t, &self.x);
                 outcome = attempt.take::<M, _>(prepared, &mut memory, &mut watch);
             }
-            // Where a force begins at once no step is short enough, and the shortest one is taken.
+            // Where a force begins no step is a part of the time in which it grows: one that is short beside the digits of time goes over that.
             if let Ok((x, error)) = &mut outcome
-                && h.abs() > bounds.shortest
+                && h.abs() > bounds.shortest.max(Real::sqrt(R::epsilon()) * t.abs())
                 && attempt.leaps_from_rest(h, x)
             {
                 *error = f64::INFINITY;
