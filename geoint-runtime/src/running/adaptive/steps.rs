@@ -1,11 +1,12 @@
 //! How long the next step is, whether it is taken, and what follows from that.
 
 use super::attempt::{Attempt, Carried, Prepared};
+use super::start;
 use crate::method::{Clock, Method, Unwatched};
 use crate::running::error::{Reason, StepError};
 use crate::running::settle::{STEPS_BETWEEN_LOOKS, settled, settles};
 use crate::running::step_size::{Bounds, Controller};
-use crate::running::tolerance::Tolerance;
+use crate::running::tolerance::{REACH, Tolerance};
 use crate::running::watch::Watch;
 use crate::scalar::{Real, signed, zero};
 use crate::space::{DoubleWord, PerCoordinate, Snapshot, wrong_length};
@@ -41,7 +42,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
         let mut steps = Steps {
             system,
             method,
-            tolerance: Tolerance::new(tolerance, &PerCoordinate::of(&x), !claims.perturbed.is_empty()),
+            tolerance: Tolerance::new(tolerance, !claims.perturbed.is_empty()),
             bounds: Bounds::default(),
             controller,
             part: controller.part(tolerance),
@@ -54,17 +55,25 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
             given: 0,
             rejections: 0,
         };
-        steps.controller.start(steps.guess(), tolerance);
+        steps.start();
         steps
+    }
+
+    /// The first step, and what is tolerated, by the time in which the present changes.
+    fn start(&mut self) {
+        let (system, t, x) = (&self.system, self.time(), PerCoordinate::of(&self.x));
+        self.tolerance.start(&x);
+        let time = start::time(system, t, &x, &self.tolerance.sizes);
+        self.tolerance.changes_in(REACH * time, &x, |x| system.rates(t, x));
+        self.controller.start(time, self.tolerance.relative);
     }
 
     /// Goes on from another point.
     pub(super) fn restart(&mut self, t: R, x: Carried<S, R>) {
         (self.clock, self.x, self.memory) = (Clock::new(t, zero()), x, [M::memory(), M::memory()]);
         (self.given, self.origin) = (self.taken, self.x.z);
-        self.tolerance.start(&PerCoordinate::of(&self.x));
         let backwards = self.size() < 0.0;
-        self.controller.start(self.guess(), self.tolerance.relative);
+        self.start();
         self.controller.turn(backwards);
     }
 
@@ -75,15 +84,6 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
     /// The length of the next step, if the tolerance allows it.
     pub(super) fn size(&self) -> f64 {
         self.controller.step(&self.bounds.at(signed(self.time()), R::epsilon()))
-    }
-
-    /// In how long, roughly, the state changes by itself: the shortest of |x|/|x'| over all coordinates that move.
-    fn guess(&self) -> f64 {
-        let x = PerCoordinate::of(&self.x);
-        let time = |(x, rate): (R, R)| {
-            if x.magnitude() > 0.0 { x.magnitude() / rate.magnitude() } else { f64::INFINITY }
-        };
-        x.numbers().zip(self.system.rates(self.time(), &x).numbers()).map(time).fold(f64::INFINITY, f64::min)
     }
 
     /// A step from here.
@@ -127,6 +127,13 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
                 *memory = if shorter.is_some() { nothing() } else { copy(&before) };
                 let mut watch = Watch::new(attempt.system, attempt.t, attempt.x);
                 outcome = attempt.take::<M, _>(prepared, memory, &mut watch);
+            }
+            // Where a force begins no step is a part of the time in which it grows: one that is short beside the digits of time goes over that.
+            if let Ok((x, error)) = &mut outcome
+                && h.abs() > bounds.shortest.max(Real::sqrt(R::epsilon()) * t.abs())
+                && attempt.leaps_from_rest(h, x)
+            {
+                *error = f64::INFINITY;
             }
             let (x, error) = match outcome {
                 Ok((x, error)) if error <= 1.0 => (x, error),
