@@ -307,3 +307,39 @@ fn projections_keep_what_is_steep_in_small_coordinates() {
         assert!(change < 1e-12, "h = {h}: {change:e}");
     }
 }
+
+/// Predators and prey that come near to dying out: what is kept is steep there.
+#[vector_field(keeps(wealth = d * x[0] - c * x[0].ln() + b * x[1] - a * x[1].ln()))]
+fn outbreaks(x: [f64; 2], a: f64, b: f64, c: f64, d: f64) -> [f64; 2] {
+    [x[0] * (a - b * x[1]), x[1] * (d * x[0] - c)]
+}
+
+/// exp x₀ sin bx₁: at h = 3 a step takes 30 orders of magnitude from x₁.
+#[vector_field(keeps(steep = x[0].exp() * (b * x[1]).sin()))]
+fn to_the_axis(x: [f64; 2], b: f64) -> [f64; 2] {
+    [b * (b * x[1]).cos(), -(b * x[1]).sin()]
+}
+
+/// An error that is small beside what a coordinate has been may be larger than the coordinate.
+#[test]
+fn steps_keep_what_is_steep_in_small_coordinates() {
+    fn keep<M: Method<Dying> + Method<Outbreaks> + Method<ToTheAxis>>(method: M) {
+        let ratio = moves(Dying { k: 1.3 }, method, (0.3, 60), [0.5, 0.3], Dying::ratio);
+        assert!(ratio < 2e-14, "{ratio:e}");
+        let system = Outbreaks { a: 1.1, b: 1.0, c: 0.9, d: 1.0 };
+        for (h, start) in [(0.003, 30.0), (0.02, 30.0), (0.02, 10.0)] {
+            let wealth = moves(system, method, (h, 5000), [start; 2], Outbreaks::wealth);
+            assert!(wealth < 1e-13, "h = {h}, from {start}: {wealth:e}");
+        }
+        for (h, bound) in [(0.3, 2e-15), (1.0, 2e-14), (3.0, 1e-12)] {
+            let steep = moves(ToTheAxis { b: 1.3 }, method, (h, 20), [0.5, 0.3], ToTheAxis::steep);
+            assert!(steep < bound, "h = {h}: {steep:e}");
+        }
+    }
+    keep(DiscreteGradient);
+    keep(FourthOrder(DiscreteGradient));
+    // Nothing is refused on the way.
+    let system = Outbreaks { a: 1.1, b: 1.0, c: 0.9, d: 1.0 };
+    let mut sim = system.integrator(DiscreteGradient, 0.02, FlowState::new([30.0; 2]));
+    sim.advance(5000).unwrap_or_else(|error| panic!("{error}"));
+}
