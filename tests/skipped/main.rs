@@ -1,4 +1,4 @@
-//! Twelve scenes with a structure that saves work, each beside the same scene with that structure hidden: by a term whose factor `z` is a
+//! Thirteen scenes with a structure that saves work, each beside the same scene with that structure hidden: by a term whose factor `z` is a
 //! parameter, which is zero when it runs and unknown when it is compiled; or by its spelling.
 
 mod costs;
@@ -101,6 +101,16 @@ fn swing_coupled(q: f64, p: f64, m: f64, z: f64) -> f64 {
 #[hamiltonian]
 fn swing_of_time(q: f64, p: f64, t: f64, m: f64, z: f64) -> f64 {
     p * p / (2.0 * m) - (1.0 + z * t.sin()) * q.cos()
+}
+
+#[hamiltonian]
+fn lit(q: f64, p: f64, m: f64, a: f64) -> f64 {
+    p * p / (2.0 * m) - (-a * m).exp() * q.cos()
+}
+
+#[hamiltonian]
+fn lit_in_time(q: f64, p: f64, t: f64, m: f64, a: f64, z: f64) -> f64 {
+    p * p / (2.0 * m) - (-a * m - z * t).exp() * q.cos()
 }
 
 #[hamiltonian]
@@ -218,6 +228,8 @@ pairs! {
         Swing { m: 1.3 } by StormerVerlet, SwingOfTime { m: 1.3, z: 0.0 } by StormerVerlet;
     "numbers in place of parameters", "products with 1", 0.05 from 0.0, [0.3, -0.2, 0.35, 0.25];
         Weighed { k: 1.0 } by DiscreteGradient, WeighedByParameters { m: 1.0, n: 1.0, k: 1.0, l: 1.0 } by DiscreteGradient;
+    "functions of parameters", "their operations: they are prepared once", 0.05 from 0.0, [1.1, 0.4];
+        Lit { m: 1.3, a: 0.4 } by StormerVerlet, LitInTime { m: 1.3, a: 0.4, z: 0.0 } by StormerVerlet;
     "H quadratic", "Newton's iteration: one product with an inverse", 0.05 from 0.0, [0.3, -0.2, 0.35, 0.25];
         Springs { m: 1.7, k: 0.8 } by DiscreteGradient, SpringsNotLinear { m: 1.7, k: 0.8, z: 0.0 } by DiscreteGradient;
     "∂H/∂s constant", "exponentials in the loop", 0.05 from 0.2, [1.1, 0.4, 0.3];
@@ -260,7 +272,7 @@ fn path() -> std::path::PathBuf {
 #[test]
 fn what_is_not_needed_is_not_executed() {
     let pairs = pairs(0);
-    assert_eq!(pairs.len(), 12);
+    assert_eq!(pairs.len(), 13);
     let mut failures = vec![];
     for Pair { found, absent, methods, operations, gap, .. } in &pairs {
         let [seen, hidden] = operations.map(Tally::weight);
