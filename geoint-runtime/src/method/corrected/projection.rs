@@ -198,7 +198,7 @@ fn is_unresolved<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
 ) -> bool {
     let end = sum(before, moved);
     let mut gradients = [before, &end].map(|z| invariants.gradients(system, z));
-    let [first, last] = gradients.each_mut().map(|gradients| I::Values::entries(gradients));
+    let [first, last] = gradients.each_mut().map(I::Values::entries);
     let terms = |gradient: &S::Phase, z: &S::Phase| -> f64 {
         gradient.as_slice().iter().zip(z.as_slice()).map(|(d, x)| d.magnitude() * x.magnitude()).sum()
     };
