@@ -109,6 +109,27 @@ fn waves_that_have_not_arrived() {
     waves(q, p);
 }
 
+/// How long the first step is decides nothing: one that was short left so little to be tolerated that steps stayed short.
+#[test]
+fn waves_after_a_short_step() {
+    let mut q = [0.0; 10];
+    q[3] = 0.4;
+    macro_rules! check {
+        ($system:expr, $($method:expr),*) => { $({
+            let steps = |first: f64| {
+                let sim = $system.adaptive($method, 1e-6, State::new(q, [0.0; 10])).first_step(first);
+                let mut sim = sim.steps_at_most(5_000);
+                sim.advance_to(6.0).unwrap();
+                sim.steps() + sim.rejections()
+            };
+            let [usual, short] = [1e-2, 1e-9].map(steps);
+            assert!(short < usual + usual / 4 + 20, "{}: {short} steps, {usual}", stringify!($system, $method));
+        })* };
+    }
+    check!(Chain { m: 1.3 }, RK4, DOP853, DiscreteGradient, BlanesMoanSrkn14a);
+    check!(TodaRing { m: 1.3 }, RK4, DOP853, DiscreteGradient, BlanesMoanSrkn14a);
+}
+
 /// A standing wave whose nodes are rounding.
 #[test]
 fn nodes_that_are_rounding() {
@@ -133,6 +154,53 @@ fn waves(q: [f64; 10], p: [f64; 10]) {
     }
     check!(Chain { m: 1.3 }, RK4, DOP853, DiscreteGradient, Gauss::<2>);
     check!(TodaRing { m: 1.3 }, RK4, DOP853, DiscreteGradient, Gauss::<2>);
+}
+
+/// Oscillators of which a moving one knows nothing of the one that a force moves from rest, which grows, and one that begins later.
+#[hamiltonian]
+fn driven(q: [f64; 2], p: [f64; 2], t: f64, m: [f64; 2], k: f64, omega: f64, late: f64) -> f64 {
+    let force = if t > late { (omega * (t - late)).sin() } else { 0.0 };
+    p[0] * p[0] / (2.0 * m[0]) + k * q[0].powi(4) + p[1] * p[1] / (2.0 * m[1]) + k * q[1] * q[1] / 2.0 - force * q[1]
+}
+
+/// What a force that is zero at first moves from rest: the first step, whose error nothing measures, is short, however long the others allow it to be.
+#[test]
+fn driven_from_rest() {
+    // What begins behind the last point at which a step looks is not seen by it: Gauss's points are inside.
+    fn check<M: Method<Driven>>(method: M, latest: f64) {
+        for (x, omega, late) in [(0.0, 1.0, 0.0), (0.0, 30.0, 0.0), (0.6, 30.0, 0.0), (0.0, 9.0, 1.0), (0.6, 9.0, 1.0)]
+        {
+            if late > latest {
+                continue;
+            }
+            let (system, start) = (Driven { m: [1.6, 0.7], k: 0.8, omega, late }, State::new([x, 0.0], [0.0, 0.0]));
+            let (mut sim, mut series) = (system.adaptive(method, 1e-7, start), system.taylor(Taylor::default(), start));
+            sim.advance_to(6.0).unwrap();
+            series.advance_to(6.0).unwrap();
+            let error = (sim.state().q[1] / series.state().q[1] - 1.0).abs();
+            println!("{}, {x}, {omega}, {late}: {error:.1e} in {} steps", method.name(), sim.steps());
+            assert!(error < 1e-4, "{}, {x}, {omega}, {late}: {error:.1e}", method.name());
+        }
+    }
+    check(RK4, 1.0);
+    check(DOP853, 1.0);
+    check(Gauss::<2>, 0.0);
+    check(BlanesMoanSrkn14a, 1.0);
+    check(KahanLi8_17a.of(StormerVerlet), 1.0);
+}
+
+/// Next to zero, where an event is, a coordinate is as large as it has been: steps go on as long as they were.
+#[test]
+fn events_do_not_shorten_steps() {
+    let system = TwoOscillators { m: [1.6, 0.5], k: [2.5, 32.0] };
+    let start = State::new([1.0, 0.3], [0.0, 0.2]);
+    let [mut sim, mut plain] = [(); 2].map(|()| system.adaptive(DOP853, 1e-8, start));
+    for _ in 0..40 {
+        sim.until_event(1e3, Direction::Any, |state| state.q[1]).unwrap().unwrap();
+    }
+    plain.advance_to(sim.time()).unwrap();
+    let [steps, without] = [&sim, &plain].map(|sim| sim.steps() + sim.rejections());
+    assert!(steps < without + 5 * 40, "{steps}, without events {without}");
 }
 
 /// An error that does not matter is not paid for.

@@ -173,6 +173,70 @@ fn adaptive_in_all_units() {
     check::<Polar, _>("Projection", Projection(RK4, Energy));
 }
 
+/// Three masses on springs, of which a force pushes one.
+#[hamiltonian]
+fn pushed(q: [f64; 3], p: [f64; 3], t: f64, m: f64, k: f64, f: f64, omega: f64) -> f64 {
+    let [a, b] = [q[1] - q[0], q[2] - q[1]];
+    (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / (2.0 * m) + k * (q[0] * q[0] + a * a + b * b) / 2.0
+        - f * q[0] * (omega * t).sin()
+        - f * q[0]
+}
+
+/// The same, from rest without a force at first.
+#[hamiltonian]
+fn shaken(q: [f64; 3], p: [f64; 3], t: f64, m: f64, k: f64, f: f64, omega: f64) -> f64 {
+    let [a, b] = [q[1] - q[0], q[2] - q[1]];
+    (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / (2.0 * m) + k * (q[0] * q[0] + a * a + b * b) / 2.0
+        - f * q[0] * (omega * t).sin()
+}
+
+macro_rules! springs {
+    ($($System:ident)*) => { $(
+        impl Measured for $System {
+            type System = $System;
+            fn system(Units { q, p, t }: Units) -> $System {
+                let (m, k) = (1.6 * power(p + t - q), 0.9 * power(p - q - t));
+                $System { m, k, f: 0.7 * power(p - t), omega: 2.1 * power(-t) }
+            }
+            fn coordinates(Units { q, p, .. }: Units) -> Vec<i32> {
+                vec![q, q, q, p, p, p]
+            }
+            const START: [&'static [f64]; 2] = [&[0.0; 3], &[0.0; 3]];
+            const STEP: f64 = 0.05;
+        }
+    )* };
+}
+
+springs!(Pushed Shaken);
+
+/// The first step is of no unit where every coordinate is zero, or at rest.
+#[test]
+fn adaptive_from_rest_in_all_units() {
+    fn check<P: Measured, M: Method<P::System, f64>>(
+        method: M,
+        start: impl Fn(Units) -> State<<P::System as geoint_runtime::Cotangent>::Coordinates>,
+    ) {
+        let run = |units: Units| {
+            let mut sim = P::system(units).adaptive(method, 1e-7, start(units));
+            sim.advance(30).unwrap();
+            (plain::<P, _>(units, &sim.state()), (sim.time() * power(-units.t)).to_bits(), sim.rejections())
+        };
+        for units in UNITS.map(P::possible) {
+            assert_eq!(run(units), run(PLAIN), "{} in {units:?}", method.name());
+        }
+        assert!(run(PLAIN).2 < 6, "the first step is not far too long: {} rejected", run(PLAIN).2);
+    }
+    let pericentre = |units: Units| State::new([0.5 * power(units.q), 0.0], [0.0, 1.6 * power(units.p)]);
+    macro_rules! all {
+        ($($method:expr),*) => { $(
+            check::<Kepler, _>($method, pericentre);
+            check::<Pushed, _>($method, start::<Pushed>);
+            check::<Shaken, _>($method, start::<Shaken>);
+        )* };
+    }
+    all!(DOP853, DiscreteGradient, BlanesMoanSrkn14a, StormerVerlet);
+}
+
 /// What roundings have added up to after 1024 steps is taken away alike.
 #[test]
 fn settled_in_all_units() {

@@ -177,6 +177,36 @@ fn backwards() {
     assert!(forth.len() > 4 && forth.iter().zip(&back).all(|(a, b)| (a - b).abs() < 1e-13));
 }
 
+/// The ends of the last step belong to it, whatever digits their times have lost.
+#[test]
+fn ends_of_steps_are_within_them() {
+    macro_rules! check {
+        ($($run:expr),*) => { $({
+            let mut sim = $run;
+            for _ in 0..200 {
+                let before = sim.state();
+                sim.step().unwrap();
+                let after = sim.state();
+                assert_eq!([sim.at(before.t), sim.at(after.t)], [Some(before), Some(after)], "{}", stringify!($run));
+                assert_eq!(sim.at(before.t - 0.1 * (after.t - before.t)), None);
+            }
+        })* };
+    }
+    let (first, single) =
+        (start([0.1, 0.0, 0.0, 0.5]), Single.taylor(Taylor { tolerance: 1e-5 }, State::new(0.3, 0.1)));
+    check!(
+        HenonHeiles.taylor(Taylor { tolerance: 1e-7 }, first),
+        HenonHeiles.taylor(TaylorFixed::<12> { h: -0.03 }, first)
+    );
+    check!(HenonHeiles.taylor(Projection(TaylorFixed::<12> { h: 0.03 }, Energy), first), single);
+}
+
+/// A pendulum in single precision.
+#[hamiltonian]
+fn single(q: f32, p: f32) -> f32 {
+    p * p / 2.0 - q.cos()
+}
+
 #[test]
 fn samples_do_not_change_a_run() {
     let (system, state) = (Pendulum { m: 1.7 }, State::new(1.0, 0.0));

@@ -49,7 +49,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let colours = [palette::BLUE, palette::VERMILION, palette::GREEN, palette::BLACK, palette::GREY];
     let (mut panels, mut off, mut energy_error, mut points) = (vec![], 0.0_f64, 0.0_f64, 0);
     for (energy, name) in ENERGIES {
-        let starts = (-4..=7).map(|k| (0.1 * f64::from(k), 0.0)).chain([0.1, 0.2, 0.3].map(|py| (0.0, py)));
+        // Backwards in time a section is its own picture in a mirror: islands that it takes to others are started as well.
+        let mirrored = [0.1, 0.2, 0.3, -0.1, -0.2, -0.3].map(|py| (0.0, py));
+        let starts = (-4..=7).map(|k| (0.1 * f64::from(k), 0.0)).chain(mirrored);
         let mut curves = vec![];
         for (k, state) in starts.filter_map(|(y, py)| start(energy, y, py)).enumerate() {
             let section = section(state)?;

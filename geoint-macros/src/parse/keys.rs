@@ -30,6 +30,18 @@ impl Key {
         })
     }
 
+    /// What was read is no such argument: the message of the parser, with what it should have been. Where nothing stands behind the name the
+    /// parser points at the whole attribute.
+    fn as_written(&self, name: &Ident, bare: bool, error: syn::Error) -> syn::Error {
+        let message = error.to_string();
+        let is_of_the_parser = ["expected ", "unexpected "].iter().any(|begin| message.starts_with(begin));
+        if self.written.is_empty() || !is_of_the_parser {
+            return error;
+        }
+        let span = if bare || message.starts_with("unexpected end") { name.span() } else { error.span() };
+        syn::Error::new(span, format!("{message}; this argument is written {}", self.written))
+    }
+
     /// Whether an attribute may have it several times.
     fn is_repeatable(&self) -> bool {
         ["require", "const", "type"].contains(&self.name)
@@ -47,7 +59,8 @@ impl Options {
             if !key.is_repeatable() && given.contains(&name) {
                 return Err(syn::Error::new_spanned(&name, format!("`{name}` is given twice")));
             }
-            (key.read)(&mut options, &name, input)?;
+            let bare = input.is_empty();
+            (key.read)(&mut options, &name, input).map_err(|error| key.as_written(&name, bare, error))?;
             given.push(name);
             if !input.is_empty() {
                 input.parse::<Token![,]>()?;

@@ -22,6 +22,9 @@ pub(crate) trait StepEquation<A: Array, W: Observer + ?Sized>: Copy {
     const PATIENT: bool;
     /// Whether what steps keep is settled now and then: then a solution may be off by a part of the last digit, which elsewhere adds up.
     const SETTLED: bool = false;
+    /// Whether coordinates count as large as they are where the step starts, not as they have been lately: what fields keep is often steep where
+    /// they become small, as a logarithm is. Forces that cancel need the other: a momentum is then rounded as they are.
+    const OF_NOW: bool = false;
 
     /// At this multiple of the origin nothing moves: the energy is defined there if it is at the start of the step.
     fn standstill(&self) -> f64 {

@@ -40,6 +40,16 @@ impl<A: Array> Sizes<A> {
         }
     }
 
+    /// Of a point alone.
+    #[inline(always)]
+    pub(crate) fn at(x: &A) -> Self {
+        let mut sizes = *x;
+        for size in sizes.as_mut_slice() {
+            *size = A::Real::from_f64(size.magnitude());
+        }
+        Sizes(sizes)
+    }
+
     /// Of these magnitudes.
     pub(crate) fn of_magnitudes(sizes: A) -> Self {
         Sizes(sizes)

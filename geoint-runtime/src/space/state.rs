@@ -87,6 +87,8 @@ pub trait Snapshot: Sealed + Copy + Debug + PartialEq {
     type Action: Action<Self::Real>;
     /// Coordinates come in groups of so many that have one unit: positions, momenta.
     const ALIKE: usize;
+    /// Whether half of them are momenta.
+    const MOMENTA: bool = true;
     /// Whether there are unit quaternions among them.
     const ATTITUDES: bool = false;
     /// Its time.
@@ -144,6 +146,7 @@ impl<X: Coordinates> Snapshot for FlowState<X> {
     type Phase = X::Array;
     type Action = ();
     const ALIKE: usize = 1;
+    const MOMENTA: bool = false;
     #[inline]
     fn time(&self) -> X::Real {
         self.t

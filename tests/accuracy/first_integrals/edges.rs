@@ -247,3 +247,99 @@ fn near_circles_steps_keep_all_or_are_refused() {
     }
     assert!(refused > 0);
 }
+
+/// x₁/x₀² stays where both die away.
+#[vector_field(keeps(ratio = x[1] / x[0].powi(2)))]
+fn dying(x: [f64; 2], k: f64) -> [f64; 2] {
+    [-k * x[0], -2.0 * k * x[1]]
+}
+
+/// Two of three species die out; their sum and a product of powers stay.
+#[vector_field(keeps(product = x[0].powf(a) * x[1].powf(b)))]
+fn dying_out(x: [f64; 3], a: f64, b: f64) -> [f64; 3] {
+    [-b * x[0] * x[2], a * x[1] * x[2], x[2] * (b * x[0] - a * x[1])]
+}
+
+/// To a pole: small over large is kept there.
+#[vector_field(keeps(ratio = x[0] / (1.0 + x[1] * x[1])))]
+fn rising(x: [f64; 2], k: f64) -> [f64; 2] {
+    [2.0 * k * x[0] * x[1], k * (1.0 + x[1] * x[1])]
+}
+
+/// The largest change of a function in so many steps, or until one is refused.
+fn moves<S, M, const N: usize>(
+    system: S,
+    method: M,
+    (h, steps): (f64, u32),
+    x: [f64; N],
+    f: fn(&S, &S::State) -> f64,
+) -> f64
+where
+    S: PhaseSpace<State = FlowState<[f64; N]>> + Copy,
+    M: Method<S>,
+{
+    let mut sim = Integrator::new(system, method, h, FlowState::new(x));
+    let (before, mut largest) = (f(&system, &sim.state()), 0.0_f64);
+    for _ in 0..steps {
+        if sim.step().is_err() {
+            break;
+        }
+        largest = largest.max((f(&system, &sim.state()) - before).abs());
+    }
+    largest
+}
+
+/// Digits are those that coordinates have now, also where they have become smaller by many orders of magnitude; and what has gone over a pole is not
+/// taken for solved because nothing is seen to have changed.
+#[test]
+fn projections_keep_what_is_steep_in_small_coordinates() {
+    for h in [0.3, 1.0] {
+        let change = moves(Dying { k: 1.3 }, Projection(RK4, Integrals), (h, 60), [0.5, 0.3], Dying::ratio);
+        assert!(change < 2e-14, "h = {h}: {change:e}");
+    }
+    for (h, bound) in [(0.3, 2e-15), (1.0, 2e-15), (2.0, 1e-10)] {
+        let (species, method) = (DyingOut { a: -0.7, b: 1.3 }, Projection(DOP853, Integrals));
+        let change = moves(species, method, (h, 60), [0.5, 0.3, 0.8], DyingOut::product);
+        assert!(change < bound, "h = {h}: {change:e}");
+    }
+    for h in [0.1, 0.02, -0.05] {
+        let change = moves(Rising { k: 1.0 }, Projection(RK4, Integrals), (h, 200), [0.7, 0.2], Rising::ratio);
+        assert!(change < 1e-12, "h = {h}: {change:e}");
+    }
+}
+
+/// Predators and prey that come near to dying out: what is kept is steep there.
+#[vector_field(keeps(wealth = d * x[0] - c * x[0].ln() + b * x[1] - a * x[1].ln()))]
+fn outbreaks(x: [f64; 2], a: f64, b: f64, c: f64, d: f64) -> [f64; 2] {
+    [x[0] * (a - b * x[1]), x[1] * (d * x[0] - c)]
+}
+
+/// exp x₀ sin bx₁: at h = 3 a step takes 30 orders of magnitude from x₁.
+#[vector_field(keeps(steep = x[0].exp() * (b * x[1]).sin()))]
+fn to_the_axis(x: [f64; 2], b: f64) -> [f64; 2] {
+    [b * (b * x[1]).cos(), -(b * x[1]).sin()]
+}
+
+/// An error that is small beside what a coordinate has been may be larger than the coordinate.
+#[test]
+fn steps_keep_what_is_steep_in_small_coordinates() {
+    fn keep<M: Method<Dying> + Method<Outbreaks> + Method<ToTheAxis>>(method: M) {
+        let ratio = moves(Dying { k: 1.3 }, method, (0.3, 60), [0.5, 0.3], Dying::ratio);
+        assert!(ratio < 2e-14, "{ratio:e}");
+        let system = Outbreaks { a: 1.1, b: 1.0, c: 0.9, d: 1.0 };
+        for (h, start) in [(0.003, 30.0), (0.02, 30.0), (0.02, 10.0)] {
+            let wealth = moves(system, method, (h, 5000), [start; 2], Outbreaks::wealth);
+            assert!(wealth < 1e-13, "h = {h}, from {start}: {wealth:e}");
+        }
+        for (h, bound) in [(0.3, 2e-15), (1.0, 2e-14), (3.0, 1e-12)] {
+            let steep = moves(ToTheAxis { b: 1.3 }, method, (h, 20), [0.5, 0.3], ToTheAxis::steep);
+            assert!(steep < bound, "h = {h}: {steep:e}");
+        }
+    }
+    keep(DiscreteGradient);
+    keep(FourthOrder(DiscreteGradient));
+    // Nothing is refused on the way.
+    let system = Outbreaks { a: 1.1, b: 1.0, c: 0.9, d: 1.0 };
+    let mut sim = system.integrator(DiscreteGradient, 0.02, FlowState::new([30.0; 2]));
+    sim.advance(5000).unwrap_or_else(|error| panic!("{error}"));
+}

@@ -25,10 +25,15 @@ pub(super) fn ends(graph: &mut Graph, rates: &[(Symbol, Id)]) -> Option<(Vec<(Sy
     if !matrix.iter().flatten().all(|entry| is_free(graph, *entry, &moves)) {
         return None;
     }
+    // Derivatives do not show that the other side of a condition is another field.
+    let conditions: Vec<Id> = velocity.iter().flat_map(|v| analyze::conditions(graph, *v)).collect();
+    if !conditions.iter().all(|condition| is_free(graph, *condition, &moves)) {
+        return None;
+    }
     // g is constant along Mx + b.
     let slopes = diff::jacobian(graph, &[g], &symbols);
     let change = times(graph, &slopes, &velocity)[0];
-    if !is_zero(graph, change) {
+    if !is_zero(graph, change) || analyze::crossings::may_jump(graph, &symbols, &velocity, g).is_some() {
         return None;
     }
     let h = graph.symbol(Symbol::H);

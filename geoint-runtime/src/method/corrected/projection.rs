@@ -8,6 +8,7 @@ use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_condi
 use crate::scalar::Real;
 use crate::solving::noise;
 use crate::solving::rounding::correct;
+use crate::solving::size::Sizes;
 use crate::space::vector::{difference, sum};
 use crate::space::{Array, Compensated, Record, Summation, Tape};
 use crate::system::{Poles, VectorField};
@@ -129,15 +130,17 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
     [before, end]: [&S::Phase; 2],
     moved: &S::Phase,
 ) -> Result<WayBack<S::Phase>, Refusal> {
+    // Coordinates are rounded as they are on the way of this step: what was large lately is exact now.
+    let mut sizes = Sizes::new();
+    sizes.include(before, moved);
     // The increments at whose end conditions of the energy were decided last.
     let decided = Cell::new(*moved);
     let changes = |increment: &S::Phase| {
         decided.set(*increment);
         invariants.changes(system, before, increment)
     };
-    let frame = |at: &S::Phase| {
-        Frame::<I::Values, S::Phase>::new(invariants.gradients(system, at), scales.units(), &scales.sizes)
-    };
+    let frame =
+        |at: &S::Phase| Frame::<I::Values, S::Phase>::new(invariants.gradients(system, at), scales.units(), &sizes);
     let at_end = frame(end);
     // A correction that does not shrink may be one from side to side of a jump.
     let jumps = I::KEEP_ENERGY && !S::JUMPS.is_empty();
@@ -152,7 +155,7 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
             let kinds = [I::Values::LEN, 1];
             let noise = noise::measure(&at_end.digits, multipliers, (delta, farther), kinds, rounding);
             // A coordinate that is rounded otherwise moves both ends of the step, and the gradient may vanish at one of them.
-            let digits = at_end.digits_with(invariants.gradients(system, before), &scales.sizes);
+            let digits = at_end.digits_with(invariants.gradients(system, before), &sizes);
             noise::explains(&noise, &correction(multipliers).0, &digits)
         }
     };
@@ -168,5 +171,39 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
             difference(&end.map_err(|_| refusal)?, moved)
         }
     };
+    let whole = sum(moved, &back);
+    if outgrows(before, &whole) && is_unresolved(system, invariants, before, &whole) {
+        return Err(Refusal::Singular);
+    }
     Ok(WayBack { back, decided: decided.get() })
+}
+
+/// Whether a coordinate becomes larger by so much that half of the digits of what it was are lost.
+#[inline(always)]
+fn outgrows<A: Array>(before: &A, moved: &A) -> bool {
+    let digits = Real::sqrt(A::Real::epsilon());
+    let entries = before.as_slice().iter().zip(moved.as_slice());
+    entries.fold(false, |outgrows, (from, by)| outgrows | (from.magnitude() < digits * by.magnitude()))
+}
+
+/// Whether an invariant is made of terms, at both ends, that are less than half of the digits of what it would change by along the gradient at the
+/// start. So it is where a step has gone over a pole: then nothing is left of its change that divided differences could show.
+#[cold]
+#[inline(never)]
+fn is_unresolved<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
+    system: &S,
+    invariants: &I,
+    before: &S::Phase,
+    moved: &S::Phase,
+) -> bool {
+    let end = sum(before, moved);
+    let mut gradients = [before, &end].map(|z| invariants.gradients(system, z));
+    let [first, last] = gradients.each_mut().map(I::Values::entries);
+    let terms = |gradient: &S::Phase, z: &S::Phase| -> f64 {
+        gradient.as_slice().iter().zip(z.as_slice()).map(|(d, x)| d.magnitude() * x.magnitude()).sum()
+    };
+    let unresolved = |(first, last): (&S::Phase, &S::Phase)| {
+        Real::sqrt(R::epsilon()) * terms(first, moved) > terms(first, before).max(terms(last, &end))
+    };
+    first.iter().zip(last.iter()).any(unresolved)
 }

@@ -7,7 +7,7 @@ use crate::space::{Array, Record, Tape};
 /// How large coordinates are, and how far steps have moved them lately.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Scales<A> {
-    pub(super) sizes: Sizes<A>,
+    sizes: Sizes<A>,
     moved: Sizes<A>,
 }
 

@@ -63,6 +63,7 @@ impl<S: FourthOrderField<R>, R: Real, P: Probe<S, R>> StepEquation<S::Phase, Dec
 {
     const PATIENT: bool = P::PATIENT;
     const SETTLED: bool = <KeptBy<S, R> as Invariants<S, R>>::Values::LEN > 0;
+    const OF_NOW: bool = !S::State::MOMENTA;
 
     #[inline(always)]
     fn origin(&self) -> S::Phase {

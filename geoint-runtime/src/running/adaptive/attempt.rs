@@ -1,5 +1,6 @@
 //! What one step of a given length leads to, and how wrong that is.
 
+use super::start::grows;
 use crate::method::{Clock, Method, Probe, Step, outer_step};
 use crate::running::error::Reason;
 use crate::running::tolerance::{Judged, Tolerance};
@@ -65,6 +66,13 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
             Some(what) => Err(Reason::OutsideDomain { what }),
             None => Ok((x, error)),
         }
+    }
+
+    /// Whether coordinates leave rest at zero that time alone drives, which are not measured in this step, and it is too long to be right in their
+    /// order of magnitude.
+    pub(super) fn leaps_from_rest(&self, h: f64, x: &Carried<S, R>) -> bool {
+        let [before, after] = [self.x, x].map(PerCoordinate::of);
+        self.tolerance.is_first_motion(&after) && grows(self.system, self.t, &before, h / self.part) == Some(false)
     }
 
     /// A step, and its error by the method's own estimate, or by two halves.

@@ -6,6 +6,7 @@
 mod attempt;
 #[cfg(feature = "alloc")]
 mod saved;
+mod start;
 mod steps;
 
 use crate::method::{Clock, Method};
@@ -29,7 +30,8 @@ use steps::Steps;
 /// ([`absolute`](Self::absolute)): lengths and angles, large and small motions are each followed with the same relative accuracy,
 /// in any units. A coordinate at rest at zero is measured by what it becomes. What the tolerated errors of other coordinates cause
 /// in a coordinate within the time in which the state changes is tolerated there as well, so that a wave that has not arrived, or a
-/// node that is rounding, does not hold up the others; this is measured in the first steps, while they become longer.
+/// node that is rounding, does not hold up the others; this is measured where a run begins, and in steps that are longer than all before. The first
+/// step is no longer than the state takes to change, and one by which time alone drives a coordinate from rest, too short for that to be seen.
 ///
 /// The difference is the error of the whole step; for a method of order p the error of the halves is a 2ᵖ-th part of it, which is
 /// not counted on, because it holds for short steps only. Likewise an estimate is that of a formula of lower order than the step's, or, of Gauss's

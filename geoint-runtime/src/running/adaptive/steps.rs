@@ -1,11 +1,12 @@
 //! How long the next step is, whether it is taken, and what follows from that.
 
 use super::attempt::{Attempt, Carried, Prepared};
+use super::start;
 use crate::method::{Clock, Method, Unwatched};
 use crate::running::error::{Reason, StepError};
 use crate::running::settle::{STEPS_BETWEEN_LOOKS, settled, settles};
 use crate::running::step_size::{Bounds, Controller};
-use crate::running::tolerance::Tolerance;
+use crate::running::tolerance::{REACH, Tolerance};
 use crate::running::watch::Watch;
 use crate::scalar::{Real, signed, zero};
 use crate::space::{DoubleWord, PerCoordinate, Snapshot, wrong_length};
@@ -19,6 +20,8 @@ pub(super) struct Steps<S: PhaseSpace<R>, M: Method<S, R>, R: Real> {
     pub(super) tolerance: Tolerance<S::Phase, S::Action>,
     pub(super) bounds: Bounds,
     pub(super) controller: Controller,
+    /// What part of the time in which the state changes a step takes.
+    part: f64,
     pub(super) prepared: Prepared<M::Prepared>,
     /// Of steps as a whole, and of their halves.
     pub(super) memory: [M::Memory; 2],
@@ -35,12 +38,14 @@ pub(super) struct Steps<S: PhaseSpace<R>, M: Method<S, R>, R: Real> {
 impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
     pub(super) fn new((system, method): (S, M), tolerance: f64, t: R, x: Carried<S, R>) -> Self {
         let claims = method.claims();
+        let controller = Controller::new(method.order_of_estimate().unwrap_or(claims.order));
         let mut steps = Steps {
             system,
             method,
-            tolerance: Tolerance::new(tolerance, &PerCoordinate::of(&x), !claims.perturbed.is_empty()),
+            tolerance: Tolerance::new(tolerance, !claims.perturbed.is_empty()),
             bounds: Bounds::default(),
-            controller: Controller::new(method.order_of_estimate().unwrap_or(claims.order)),
+            controller,
+            part: controller.part(tolerance),
             prepared: Prepared::new(&system, &method, 1.0),
             memory: [M::memory(), M::memory()],
             clock: Clock::new(t, zero()),
@@ -50,17 +55,25 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
             given: 0,
             rejections: 0,
         };
-        steps.controller.start(steps.guess(), tolerance);
+        steps.start();
         steps
+    }
+
+    /// The first step, and what is tolerated, by the time in which the present changes.
+    fn start(&mut self) {
+        let (system, t, x) = (&self.system, self.time(), PerCoordinate::of(&self.x));
+        self.tolerance.start(&x);
+        let time = start::time(system, t, &x, &self.tolerance.sizes);
+        self.tolerance.changes_in(REACH * time, &x, |x| system.rates(t, x));
+        self.controller.start(time, self.tolerance.relative);
     }
 
     /// Goes on from another point.
     pub(super) fn restart(&mut self, t: R, x: Carried<S, R>) {
         (self.clock, self.x, self.memory) = (Clock::new(t, zero()), x, [M::memory(), M::memory()]);
         (self.given, self.origin) = (self.taken, self.x.z);
-        self.tolerance.start(&PerCoordinate::of(&self.x));
         let backwards = self.size() < 0.0;
-        self.controller.start(self.guess(), self.tolerance.relative);
+        self.start();
         self.controller.turn(backwards);
     }
 
@@ -73,25 +86,11 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
         self.controller.step(&self.bounds.at(signed(self.time()), R::epsilon()))
     }
 
-    /// In how long, roughly, the state changes by itself: the shortest of |x|/|x'| over all coordinates that move.
-    fn guess(&self) -> f64 {
-        let x = PerCoordinate::of(&self.x);
-        let time = |(x, rate): (R, R)| {
-            if x.magnitude() > 0.0 { x.magnitude() / rate.magnitude() } else { f64::INFINITY }
-        };
-        x.numbers().zip(self.system.rates(self.time(), &x).numbers()).map(time).fold(f64::INFINITY, f64::min)
-    }
-
-    /// What part of the time in which the state changes a step takes.
-    fn part(&self) -> f64 {
-        self.controller.part(self.tolerance.relative)
-    }
-
     /// A step from here.
     fn attempt(&self) -> Attempt<'_, S, R> {
-        let Self { system, clock, x, tolerance, .. } = self;
+        let Self { system, clock, x, tolerance, part, .. } = self;
         let keeps = self.method.claims().conserves_energy;
-        Attempt { system, t: self.time(), clock, x, tolerance, part: self.part(), keeps }
+        Attempt { system, t: self.time(), clock, x, tolerance, part: *part, keeps }
     }
 
     /// A step that is not longer than `left`.
@@ -123,6 +122,13 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
                 let mut watch = Watch::new(&self.system, attempt.t, &self.x);
                 outcome = attempt.take::<M, _>(prepared, &mut memory, &mut watch);
             }
+            // Where a force begins no step is a part of the time in which it grows: one that is short beside the digits of time goes over that.
+            if let Ok((x, error)) = &mut outcome
+                && h.abs() > bounds.shortest.max(Real::sqrt(R::epsilon()) * t.abs())
+                && attempt.leaps_from_rest(h, x)
+            {
+                *error = f64::INFINITY;
+            }
             let (x, error) = match outcome {
                 Ok((x, error)) if error <= 1.0 => (x, error),
                 outcome => {
@@ -144,7 +150,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
                 self.controller.accept(h, error);
             }
             self.clock.pass_step(R::from_f64(h), x.ahead);
-            let (part, ends) = (self.part(), [&self.x, &x].map(PerCoordinate::of));
+            let (part, ends) = (self.part, [&self.x, &x].map(PerCoordinate::of));
             let (system, t) = (&self.system, self.clock.now(zero()));
             self.tolerance.include(ends.each_ref(), h, part, |x| system.rates(t, x));
             self.x = x;

@@ -11,6 +11,7 @@ use crate::solving::Refusal;
 use crate::solving::equation::{Observer, StepEquation};
 use crate::solving::linear;
 use crate::solving::rounding::{Corrections, Verdict};
+use crate::solving::size::Sizes;
 use crate::space::vector::{difference, sum};
 use crate::space::{Array, Record, Tape};
 pub(crate) use iteration::compiled;
@@ -126,6 +127,9 @@ impl<A: Array> Newton<A> {
     #[inline(always)]
     fn solution<W: Observer + ?Sized, E: StepEquation<A, W>>(&mut self, equation: &E, watch: &mut W) -> Found<A> {
         let guesses = self.iteration.guesses;
+        if E::OF_NOW {
+            self.iteration.sizes = Sizes::at(&equation.origin());
+        }
         if E::PATIENT || Self::MANY {
             let guess = guesses.extrapolated(&self.predictor);
             let found = if E::PATIENT {

@@ -112,3 +112,35 @@ fn there_may_be_any_number_of_planes() {
     assert!(x.iter().zip(y).all(|(x, y)| (x - y).abs() < 1e-7), "{x:?} {y:?}");
     assert!((sim.energy() - LongLattice.energy(&start)).abs() < 1e-14);
 }
+
+/// A weight that is drawn to the axis from both sides.
+#[vector_field(keeps(energy = x[1] * x[1] / (2.0 * m) + w * x[0].abs()))]
+fn drawn(x: [f64; 2], m: f64, w: f64) -> [f64; 2] {
+    [x[1] / m, -w * x[0].signum()]
+}
+
+/// Time goes faster on one side.
+#[hamiltonian(structure = |_, _| if x[0] > 0.0 { a } else { 1.0 })]
+fn two_rates(x: [f64; 2], a: f64) -> f64 {
+    x[0] * x[0] + 1.7 * x[1] * x[1]
+}
+
+/// The derivative of a velocity that jumps is that of a field without jump, whose flow is known; but it is another field.
+#[test]
+fn planes_with_jumps_are_solved_for() {
+    let system = Drawn { m: 1.3, w: 0.7 };
+    for (x, h) in [([0.5, 0.3], 0.05), ([0.5, 0.3], -0.1), ([-0.2, 0.4], 0.4)] {
+        let start = FlowState::new(x);
+        let mut sim = system.integrator(PlanarSplitting, h, start);
+        sim.advance(40).unwrap_or_else(|error| panic!("{error}"));
+        let there = sim.state();
+        assert!((system.energy(&there) - system.energy(&start)).abs() < 1e-14, "h = {h}: {there:?}");
+        let mut back = system.integrator(PlanarSplitting, -h, there);
+        back.advance(40).unwrap_or_else(|error| panic!("{error}"));
+        let missed = back.state().x.iter().zip(x).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(missed < 1e-11, "h = {h}: {missed:e}");
+    }
+    let report = TwoRates::<f64>::REPORT;
+    assert!(report.contains("none, because of 17·x[1]²/10"), "{report}");
+    assert!(report.contains("planar discrete gradient") && !report.contains("linear field"), "{report}");
+}

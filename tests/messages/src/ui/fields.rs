@@ -25,6 +25,34 @@ mod flow_of_another_shape {
     }
 }
 
+mod flow_of_two_numbers {
+    use geoint_runtime::prelude::*;
+
+    #[vector_field]
+    fn turning(x: [f64; 2]) -> (f64, f64) {
+        (x[1], -x[0])
+    }
+}
+
+mod flow_that_keeps_no_names {
+    use geoint_runtime::prelude::*;
+
+    #[vector_field(keeps(x[0] * x[0] + x[1] * x[1]))]
+    fn turning(x: [f64; 2]) -> [f64; 2] {
+        [x[1], -x[0]]
+    }
+
+    #[vector_field(keeps = x[0] * x[0] + x[1] * x[1])]
+    fn rotating(x: [f64; 2]) -> [f64; 2] {
+        [x[1], -x[0]]
+    }
+
+    #[vector_field(keeps)]
+    fn swinging(x: [f64; 2]) -> [f64; 2] {
+        [x[1], -x[0]]
+    }
+}
+
 mod flow_with_structure {
     use geoint_runtime::prelude::*;
 

@@ -7,7 +7,7 @@ use crate::method::{Deciding, Probe};
 use crate::scalar::{Real, exact_sum, zero};
 use crate::solving::equation::StepEquation;
 use crate::space::vector::{moved, scaled, sum};
-use crate::space::{Array, Compensated, Point, Square, Summation};
+use crate::space::{Array, Compensated, Point, Snapshot, Square, Summation};
 use crate::system::{DiscreteField, Invariants, KeptBy, Span};
 
 /// What depends on parameters and h.
@@ -162,6 +162,7 @@ impl<S: DiscreteField<R>, R: Real, P: Probe<S, R>> StepEquation<S::Unknown, Deci
 {
     const PATIENT: bool = P::PATIENT;
     const SETTLED: bool = <KeptBy<S, R> as Invariants<S, R>>::Values::LEN > 0;
+    const OF_NOW: bool = !S::State::MOMENTA;
 
     /// −2p as an impulse turns p round, and the mean of p is 0.
     fn standstill(&self) -> f64 {

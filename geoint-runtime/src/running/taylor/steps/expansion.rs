@@ -100,8 +100,9 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         if !self.within {
             return None;
         }
-        if t == self.time() {
-            return Some(S::State::of(t, self.here().x.z, self.here().x.s));
+        // The clock has digits that the time of an end does not show.
+        if let Some(end) = [self.here(), self.start()].into_iter().find(|end| t == end.time()) {
+            return Some(S::State::of(t, end.x.z, end.x.s));
         }
         // Between the ends, in the direction of the step.
         (after * h >= 0.0 && before * h <= 0.0 && h != 0.0).then(|| self.inside(after, t))
