@@ -134,6 +134,29 @@ fn integrals_of_fields() {
     stays((field, FourthOrder(DiscreteGradient), 0.1), FlowState::new([1.0, 0.5]), wealth, 8.0);
 }
 
+/// One coordinate grows, another one shrinks, and their product stays.
+#[vector_field(keeps(area = x[0] * x[1]))]
+fn stretched(x: [f64; 2], k: f64) -> [f64; 2] {
+    [k * x[0], -k * x[1]]
+}
+
+/// Far from where a run began, the way from there has the last digits of what was and what is largest: by these the area would change by 10⁻⁶.
+#[test]
+fn what_grows_beside_what_shrinks() {
+    fn check<M: Method<Stretched>>(method: M) {
+        let mut sim = Stretched { k: 0.001 }.integrator(method, 1.0, FlowState::new([1.3, 0.8]));
+        let first = sim.integrals()[0];
+        for _ in 0..14 {
+            sim.advance(2000).expect("steps");
+            let change = (sim.integrals()[0] / first - 1.0).abs();
+            assert!(change <= 1e-14, "{:?}: {change:e}", sim.state());
+        }
+    }
+    check(DiscreteGradient);
+    check(FourthOrder(DiscreteGradient));
+    check(Projection(RK4, Integrals));
+}
+
 #[test]
 fn single_precision() {
     let system = ShortPendulum { m: 1.3, l: 0.9, g: 2.0 };

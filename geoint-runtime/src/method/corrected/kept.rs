@@ -7,8 +7,9 @@ use crate::space::Array;
 use crate::space::vector::{difference, sum_of_products};
 use crate::system::{Invariants, PhaseSpace};
 
-/// Where an invariant changes so many times as much with the last digits of coordinates as where the run began, nothing is settled: near a
-/// collision the way from there to here has lost what decides.
+/// Where an invariant changes so many times as much with the last digits of the way from the origin as where the run began, or as with those of
+/// coordinates at both ends, nothing is settled: near a collision, or where one coordinate has grown and another one shrunk by orders of magnitude,
+/// the way from there to here has lost what decides.
 const STEEPER: f64 = 16.0;
 
 /// What leads from `z` back to where `invariants` are what they were at `origin`, along their gradients: none moves the ones before it (E. Schmidt,
@@ -40,7 +41,10 @@ pub(crate) fn way_back<S: PhaseSpace<R>, R: Real, I: Invariants<S, R>>(
 fn undo_all<R: Real>((gradients, first): (&mut [R], &[R]), changes: &[R], way: [&[R]; 2], back: &mut [R]) {
     let n = back.len();
     let mut both = gradients.chunks_exact(n).zip(first.chunks_exact(n));
-    if both.any(|(here, there)| steepness(way, here) > STEEPER * steepness(way, there)) {
+    let is_lost = |(here, there): (&[R], &[R])| {
+        steepness(way, here) > STEEPER * steepness(way, there).min(of_ends(way, [there, here]))
+    };
+    if both.any(is_lost) {
         return;
     }
     for (k, change) in changes.iter().enumerate() {
@@ -68,6 +72,14 @@ fn unit<R: Real>(way: [&[R]; 2], i: usize) -> f64 {
 /// How much an invariant changes with its coordinates, each by its size: times the last digit this is its rounding.
 fn steepness<R: Real>(way: [&[R]; 2], gradient: &[R]) -> f64 {
     gradient.iter().enumerate().map(|(i, slope)| size(way, i) * slope.magnitude()).sum()
+}
+
+/// The same with its coordinates at both ends alone: by this much an invariant is rounded itself.
+fn of_ends<R: Real>([origin, moved]: [&[R]; 2], [there, here]: [&[R]; 2]) -> f64 {
+    let at = |i: usize| {
+        origin[i].magnitude() * there[i].magnitude() + (origin[i] + moved[i]).magnitude() * here[i].magnitude()
+    };
+    (0..origin.len()).map(at).sum()
 }
 
 /// Adds to the way `back`, in units of coordinates, what undoes a change along its gradient, if the change is rounding. What is left of the gradient
