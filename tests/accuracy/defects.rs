@@ -196,7 +196,7 @@ fn local_errors_are_covered() {
     let stiff = Spring { m: 1.3, k: 1.3 * 9.81 * 2500.0, l: 1.0, g: 9.81 };
     check! {
         swing, State::new(0.0, 0.0001), 3.0 => Gauss::<3>, Gauss::<4>;
-        swing, State::new(3.1415, 0.0), 5.0 => Gauss::<3>, Gauss::<4>;
+        swing, State::new(std::f64::consts::PI - 1e-4, 0.0), 5.0 => Gauss::<3>, Gauss::<4>;
         stiff, State::new([0.8, -0.6], [0.0, 0.0]), 2.0 => Gauss::<3>, Gauss::<4>;
         Pushed { m: 0.7, a: 1e-3, w: 40.0 }, State::new(0.5, 0.2), 10.0 => Gauss::<3>, Gauss::<4>;
         Relaxing { epsilon: 100.0 }, FlowState::new([2.0, 0.0]), 150.0 => Gauss::<3>, Gauss::<4>;
