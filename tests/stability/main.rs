@@ -6,6 +6,7 @@ mod by_value;
 mod refusals;
 mod poles;
 mod walls;
+mod steep;
 mod switches;
 mod domains;
 mod forms;

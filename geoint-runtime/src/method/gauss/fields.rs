@@ -60,7 +60,8 @@ where
         newton: &mut Self::Memory,
         step: Step<'_, Y, R, C, P>,
     ) -> Result<(), Refusal> {
-        taken(prepared, newton, step).map(drop)
+        let equation = Stages::new(step.system, prepared, step.t, step.x.z);
+        taken(&equation, newton, step).map(drop)
     }
 
     fn order_of_estimate() -> Option<u32> {
@@ -77,7 +78,7 @@ where
             return None;
         }
         let equation = Stages::new(step.system, prepared, step.t, step.x.z);
-        let error = taken(prepared, newton, step.part([step.t, step.end])).and_then(|k| {
+        let error = taken(&equation, newton, step.part([step.t, step.end])).and_then(|k| {
             let z = defect::error(&equation, &k, step.probe).ok_or(Refusal::Singular)?;
             Ok([PerCoordinate { z, s: () }, PerCoordinate::zero()])
         });
@@ -85,20 +86,20 @@ where
     }
 }
 
-/// A step, and the values of f at its stages.
+/// A step by the solution of its equation: the values of f at its stages.
 #[inline(always)]
 fn taken<Y: Collocation<R>, R: Real, C: Summation<Y::Phase>, P: Probe<Y, R>, const S: usize>(
-    prepared: &PreparedFields<Y::Constants, R, S>,
+    equation: &Stages<'_, Y, R, S>,
     newton: &mut Newton<[Y::Unknown; S]>,
     Step { system, t, end, x, probe }: Step<'_, Y, R, C, P>,
 ) -> Result<[Y::Unknown; S], Refusal> {
     let zero = Y::Unknown::zero();
     probe.visit(t, &x.z, &());
-    let equation = Stages::new(system, prepared, t, x.z);
-    let Found { x: k, outcome, .. } = newton.solve(&equation, probe);
+    let Found { x: k, outcome, .. } = newton.solve(equation, probe);
     outcome?;
 
-    let PreparedFields { stages: Prepared { poles, constants, h, nodes, weights, .. }, increments, .. } = prepared;
+    let PreparedFields { stages: Prepared { poles, constants, h, nodes, weights, .. }, increments, .. } =
+        equation.prepared;
     for (i, node) in nodes.iter().enumerate() {
         let way = ([t, t + *node], [&equation.z, &equation.point(&equation.change(i, &k))], [&(), &()]);
         check_way::<Y, R, P>(poles, false, system, way, &mut x.doubtful)?;

@@ -147,19 +147,6 @@ where
     ) -> Result<(), Refusal> {
         Gauss::<1>::step(prepared, memory, step)
     }
-
-    fn order_of_estimate(&self) -> Option<u32> {
-        Method::<Y, R>::order_of_estimate(&Gauss::<1>)
-    }
-
-    #[inline(always)]
-    fn estimated<C: Summation<Y::Phase>, P: Probe<Y, R>>(
-        prepared: &Self::Prepared,
-        memory: &mut Self::Memory,
-        step: Step<'_, Y, R, C, P>,
-    ) -> Option<Result<Estimate<Y, R>, Refusal>> {
-        Gauss::<1>::estimated(prepared, memory, step)
-    }
 }
 
 impl SymmetricMap for ImplicitMidpoint {

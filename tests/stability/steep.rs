@@ -1,0 +1,83 @@
+//! Integrals that grow steep in a coordinate which becomes smaller by many orders of magnitude are kept, in steps in which it falls by a factor of up
+//! to twenty.
+
+use geoint_runtime::prelude::*;
+use geoint_runtime::system::StateOf;
+use geoint_runtime::{Method, PhaseSpace, Real};
+
+/// x₀ grows, x₁ falls like e^(−bx₀): the integral is steep in x₁ as that is small. Units of both coordinates are parameters.
+#[vector_field(keeps(i = (x[0] / u).exp() * (b * x[1] / v).sin()))]
+fn wave(x: [f64; 2], b: f64, u: f64, v: f64) -> [f64; 2] {
+    [u * b * (b * x[1] / v).cos(), -v * (b * x[1] / v).sin()]
+}
+
+/// The same in single precision.
+#[vector_field(keeps(i = x[0].exp() * (b * x[1]).sin()))]
+fn single(x: [f32; 2], b: f32) -> [f32; 2] {
+    [b * (b * x[1]).cos(), -(b * x[1]).sin()]
+}
+
+/// Two integrals of three coordinates.
+#[vector_field(keeps(i = x[0].powi(3) * x[1] * x[1], j = x[0].exp() * x[2]))]
+fn powers(x: [f64; 3], a: f64) -> [f64; 3] {
+    let g = a * (1.0 + x[1] * x[1]) / (1.0 + x[0] * x[0]);
+    [2.0 * g * x[0], -3.0 * g * x[1], -2.0 * g * x[0] * x[2]]
+}
+
+/// The largest change of integrals in `n` steps, relative to what they were, in units of ε: a coordinate that falls by a `factor` in a step is
+/// rounded by so many of its last digits.
+fn stays<S, M, R, const N: usize>(
+    (system, method, h): (S, M, R),
+    start: StateOf<S, R>,
+    value: impl Fn(&S, &StateOf<S, R>) -> [R; N],
+    (n, factor): (u32, f64),
+) where
+    S: PhaseSpace<R>,
+    M: Method<S, R>,
+    R: Real,
+{
+    let first = value(&system, &start);
+    let mut sim = Integrator::new(system, method, h, start);
+    let mut largest = 0.0;
+    for _ in 0..n {
+        sim.step().unwrap_or_else(|error| panic!("{}: {error}", method.name()));
+        for (now, first) in value(&system, &sim.state()).into_iter().zip(first) {
+            largest = f64::max(largest, (now - first).magnitude() / first.magnitude());
+        }
+    }
+    let roundings = largest / R::epsilon();
+    println!("{} h = {}: {roundings:.0} of {n} steps", method.name(), h.magnitude());
+    assert!(roundings <= 8.0 * f64::from(n) * factor, "{}: {roundings} roundings", method.name());
+}
+
+#[test]
+fn in_a_coordinate_that_falls_evenly() {
+    for (u, v) in [(1.0, 1.0), (1e20, 1e-9)] {
+        let (system, start) = (Wave { b: 1.0, u, v }, FlowState::new([0.0, v]));
+        for (h, n) in [(0.1, 1000), (0.3, 330), (1.0, 100), (3.0, 33)] {
+            let (steps, value) = ((n, f64::exp(h)), |system: &Wave, x: &_| [system.i(x)]);
+            stays((system, DiscreteGradient, h), start, value, steps);
+            stays((system, FourthOrder(DiscreteGradient), h), start, value, steps);
+            stays((system, Suzuki4.of(DiscreteGradient), h), start, value, steps);
+        }
+    }
+}
+
+#[test]
+fn in_single_precision() {
+    for (h, n) in [(0.3, 200), (1.0, 60), (3.0, 20)] {
+        let steps = (n, f64::exp(f64::from(h)));
+        let (system, start) = (Single { b: 1.0 }, FlowState::new([0.0, 1.0]));
+        stays((system, DiscreteGradient, h), start, |system: &Single<f32>, x| [system.i(x)], steps);
+        stays((system, FourthOrder(DiscreteGradient), h), start, |system: &Single<f32>, x| [system.i(x)], steps);
+    }
+}
+
+#[test]
+fn two_of_them() {
+    let start = FlowState::new([1.0, 0.9, 0.8]);
+    for (h, n) in [(0.1, 400), (0.6, 300), (2.0, 200)] {
+        let value = |system: &Powers, x: &_| [system.i(x), system.j(x)];
+        stays((Powers { a: 0.7 }, DiscreteGradient, h), start, value, (n, f64::exp(1.4 * h)));
+    }
+}
