@@ -1,5 +1,4 @@
-//! Integrals that grow steep in a coordinate which becomes smaller by many orders of magnitude are kept, in steps in which it falls by a factor of up
-//! to twenty.
+//! Integrals that grow steep in a coordinate which becomes smaller by many orders of magnitude: a step keeps them, or is refused.
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::StateOf;
@@ -15,6 +14,12 @@ fn wave(x: [f64; 2], b: f64, u: f64, v: f64) -> [f64; 2] {
 #[vector_field(keeps(i = x[0].exp() * (b * x[1]).sin()))]
 fn single(x: [f32; 2], b: f32) -> [f32; 2] {
     [b * (b * x[1]).cos(), -(b * x[1]).sin()]
+}
+
+/// x₁ falls faster and faster.
+#[vector_field(keeps(i = (x[0] * x[0]).exp() * x[1]))]
+fn bell(x: [f64; 2], a: f64) -> [f64; 2] {
+    [a, -2.0 * a * x[0] * x[1]]
 }
 
 /// Two integrals of three coordinates.
@@ -73,11 +78,42 @@ fn in_single_precision() {
     }
 }
 
+/// The squares of its last values are zero in double precision.
+#[test]
+fn in_a_coordinate_that_falls_faster_and_faster() {
+    let (system, start) = (Bell { a: 0.4 }, FlowState::new([0.0, 1.0]));
+    stays((system, DiscreteGradient, 0.15), start, |system: &Bell, x| [system.i(x)], (400, 18.0));
+    stays((system, FourthOrder(DiscreteGradient), 0.15), start, |system: &Bell, x| [system.i(x)], (400, 18.0));
+}
+
 #[test]
 fn two_of_them() {
     let start = FlowState::new([1.0, 0.9, 0.8]);
     for (h, n) in [(0.1, 400), (0.6, 300), (2.0, 200)] {
         let value = |system: &Powers, x: &_| [system.i(x), system.j(x)];
         stays((Powers { a: 0.7 }, DiscreteGradient, h), start, value, (n, f64::exp(1.4 * h)));
+    }
+}
+
+/// Where a coordinate falls by so much in one step that nothing of it is left, the step is refused and the state kept.
+#[test]
+fn refused_where_rounding_is_larger() {
+    let system = Bell { a: 0.4 };
+    let start = FlowState::new([0.0, 1.0]);
+    for h in [2.0, 3.0] {
+        let mut sim = system.integrator(DiscreteGradient, h, start);
+        let error = loop {
+            let before = sim.state();
+            if let Err(error) = sim.step() {
+                assert_eq!(sim.state(), before);
+                break error;
+            }
+            assert!((system.i(&sim.state()) - 1.0).abs() < 1e-4, "{:?}", sim.state());
+            assert!(sim.time() < 100.0, "nothing is refused");
+        };
+        assert!(matches!(error, StepError::Rounded { .. }), "{error}");
+        assert!(error.to_string().contains("try a smaller step"));
+        sim.set_step_size(h / 16.0);
+        sim.step().expect("a shorter step");
     }
 }

@@ -76,6 +76,12 @@ pub enum StepError {
         /// Time of the last good state.
         t: f64,
     },
+    /// Rounding in the step changes half of the digits of what it keeps: a coordinate in which that is steep becomes smaller by many orders of
+    /// magnitude.
+    Rounded {
+        /// Time of the last good state.
+        t: f64,
+    },
     /// The exact flow of a piece of the energy ends within the step: it has a pole there, or its coefficient is singular; or it goes round so
     /// often that no digit of where is known.
     Pole {
@@ -148,6 +154,7 @@ impl StepError {
         match refusal {
             Refusal::Singular => StepError::Singular { t },
             Refusal::SingularDirection => StepError::SingularDirection { t },
+            Refusal::Rounded => StepError::Rounded { t },
             Refusal::DependentConstraints { what } => StepError::DependentConstraints { t, what },
             Refusal::NotConverged { iterations, correction } => StepError::NotConverged { t, iterations, correction },
             Refusal::OutsideDomain { what } => StepError::OutsideDomain { t, what },
@@ -175,6 +182,8 @@ pub enum Reason {
     Singular,
     /// It moves at right angles to the gradient along which it is to change the energy.
     SingularDirection,
+    /// Rounding in it changes half of the digits of what it keeps.
+    Rounded,
     /// Constraints depend on each other on its way.
     DependentConstraints {
         /// A constraint that depends on others.
@@ -199,6 +208,7 @@ impl From<Refusal> for Reason {
         match refusal {
             Refusal::Singular => Reason::Singular,
             Refusal::SingularDirection => Reason::SingularDirection,
+            Refusal::Rounded => Reason::Rounded,
             Refusal::DependentConstraints { what } => Reason::DependentConstraints { what },
             Refusal::NotConverged { .. } => Reason::NotConverged,
             Refusal::OutsideDomain { what } => Reason::OutsideDomain { what },
@@ -214,6 +224,7 @@ impl fmt::Display for Reason {
             Reason::NonFinite => write!(f, "it leads to a state that is not finite"),
             Reason::Singular => write!(f, "its equation has no solution, or several"),
             Reason::SingularDirection => write!(f, "it moves at right angles to the gradient that it divides by"),
+            Reason::Rounded => write!(f, "rounding in it changes half of the digits of what it keeps"),
             Reason::DependentConstraints { what } => write!(f, "constraints depend on each other on its way: {what}"),
             Reason::Pole { piece } => write!(f, "the flow of the piece {piece} ends before it does"),
             Reason::NotConverged => write!(f, "its equation was not solved"),
@@ -268,6 +279,13 @@ impl fmt::Display for StepError {
                     f,
                     "the step from t = {t} moves at right angles to the gradient along which it is to change the energy; \
                      try another step size, or `Gonzalez` or `DiscreteGradient`"
+                )
+            }
+            StepError::Rounded { t } => {
+                write!(
+                    f,
+                    "in the step from t = {t} a coordinate becomes smaller by so much that rounding changes half of the digits of what the step \
+                     keeps; try a smaller step"
                 )
             }
             StepError::Pole { t, piece } => {

@@ -23,6 +23,8 @@ pub enum Refusal {
         /// The formula of one that depends on others.
         what: &'static str,
     },
+    /// Rounding on the way changes half of the digits of what the step keeps.
+    Rounded,
     /// The energy is not defined, or has a pole, on the way.
     OutsideDomain {
         /// The function and the term.
@@ -41,6 +43,7 @@ impl fmt::Display for Refusal {
             Refusal::DependentConstraints { what } => {
                 write!(f, "its constraints depend on each other on the way: {what}")
             }
+            Refusal::Rounded => write!(f, "rounding in it changes half of the digits of what it keeps"),
             Refusal::OutsideDomain { what } => write!(f, "it evaluates the energy where that is not defined: {what}"),
         }
     }

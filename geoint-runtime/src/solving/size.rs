@@ -132,13 +132,13 @@ impl<A: Array> Sizes<A> {
         x.as_slice().iter().enumerate().map(square).sum()
     }
 
-    /// Whether the square of every entry of `delta` is at most `bound` of that of its size.
+    /// Whether every entry of `delta` is at most `bound` of its size. No squares: those of coordinates in large or tiny units are no numbers, or zero.
     #[inline(always)]
     pub(crate) fn exceed(&self, delta: &A, bound: f64) -> bool {
         let mut exceed = true;
         for i in 0..A::LEN {
             let (change, size) = (delta.as_slice()[i].magnitude(), self.of(i));
-            exceed &= change * change <= bound * (size * size);
+            exceed &= change <= bound * size;
         }
         exceed
     }

@@ -1,16 +1,20 @@
 //! What steps keep to rounding, kept so for ever: what rounding adds up to is taken away now and then.
 
 use super::scales::STEPS;
+use crate::method::{Probe, Refusal};
 use crate::scalar::Real;
 use crate::solving::rounding::ROUNDINGS;
-use crate::space::Array;
 use crate::space::vector::{difference, sum_of_products};
-use crate::system::{Invariants, PhaseSpace};
+use crate::space::{Array, Point, Snapshot};
+use crate::system::{Graded, Invariants, KeptBy, PhaseSpace};
 
 /// Where an invariant changes so many times as much with the last digits of the way from the origin as where the run began, or as with those of
 /// coordinates at both ends, nothing is settled: near a collision, or where one coordinate has grown and another one shrunk by orders of magnitude,
 /// the way from there to here has lost what decides.
 const STEEPER: f64 = 16.0;
+
+/// Where a coordinate falls by more than this factor in one step, it is asked what rounding of it changes.
+const FALLS: f64 = 1024.0;
 
 /// What leads from `z` back to where `invariants` are what they were at `origin`, along their gradients: none moves the ones before it (E. Schmidt,
 /// Math. Ann. 63 (1907) 442). One that has changed by more than the rounding of many steps is left alone: the method does not keep it.
@@ -121,6 +125,51 @@ fn add<R: Real>(x: &mut [R], w: R, d: &[R]) {
     for (x, d) in x.iter_mut().zip(d) {
         *x = w.multiply_add(*d, *x);
     }
+}
+
+/// Refuses the step of a field from `before` to `x` if it changes half of the digits of what it keeps: coordinates are rounded as large as they are on
+/// the way, and what they are to end at may be smaller by orders of magnitude, and steep there.
+///
+/// Without patience a step in which a coordinate falls is marked, and is repeated.
+#[inline(always)]
+pub(crate) fn check_rounding<S: Graded<R>, R: Real, P: Probe<S, R>, C>(
+    system: &S,
+    before: &S::Phase,
+    x: &mut Point<S::Phase, C, S::Action>,
+) -> Result<(), Refusal> {
+    if const { S::State::MOMENTA } {
+        return Ok(());
+    }
+    let falls = |(before, now): (&R, &R)| before.magnitude() > FALLS * now.magnitude();
+    let any = before.as_slice().iter().zip(x.z.as_slice()).fold(false, |any, pair| any | falls(pair));
+    if !P::PATIENT {
+        x.doubtful |= any;
+        return Ok(());
+    }
+    if any && loses_half(system, &KeptBy::<S, R>::default(), before, &x.z) {
+        return Err(Refusal::Rounded);
+    }
+    Ok(())
+}
+
+/// Whether rounding of coordinates on the way from `start` to `end` changes half of the digits of an invariant.
+#[cold]
+#[inline(never)]
+fn loses_half<S: PhaseSpace<R>, R: Real, I: Invariants<S, R>>(
+    system: &S,
+    invariants: &I,
+    start: &S::Phase,
+    end: &S::Phase,
+) -> bool {
+    let (way, none) = (difference(end, start), S::Phase::zero());
+    let mut gradients = [start, end].map(|z| invariants.gradients(system, z));
+    let [first, last] = gradients.each_mut().map(|gradients| I::Values::entries(gradients));
+    first.iter().zip(last.iter()).any(|(first, last)| {
+        let (first, last) = (first.as_slice(), last.as_slice());
+        let [start, way, end, none] = [start, &way, end, &none].map(Array::as_slice);
+        let whole = f64::max(steepness([start, none], first), steepness([end, none], last));
+        Real::sqrt(R::epsilon()) * steepness([start, way], last) > whole
+    })
 }
 
 /// The address of what is compiled once for a scalar.

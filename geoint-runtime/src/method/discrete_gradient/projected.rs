@@ -172,6 +172,7 @@ impl<S: FourthOrderField<R>, R: Real> Method<S, R> for FourthOrder<DiscreteGradi
         let Deciding { probe, decided } = deciding;
         let before = start::<S, R, C>(x);
         x.add_with(sums, &d, &lost);
+        kept::check_rounding::<S, R, P, C>(system, &before.0, x)?;
         check_conditions(system, span.middle, &decided, x)?;
         check_end(poles, &before, Step { system, t, end, x, probe })
     }

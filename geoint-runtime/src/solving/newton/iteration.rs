@@ -27,9 +27,9 @@ const SECOND_LOOK: u32 = 64;
 /// they are not after so many, something is else than before.
 const UNJUDGED: u32 = 3;
 
-/// The square of a correction, in units of the sizes of coordinates, that an extrapolated guess may need. What is farther off may lead to a
-/// solution of another branch.
-const FAR_OFF: f64 = 1.0 / 64.0;
+/// A correction, in units of the sizes of coordinates, that an extrapolated guess may need. What is farther off may lead to a solution of another
+/// branch.
+const FAR_OFF: f64 = 1.0 / 8.0;
 
 /// What is known of the iteration from steps before.
 #[derive(Clone, Copy, Debug)]
@@ -38,7 +38,7 @@ pub(super) struct Iteration<A> {
     /// Of so many unknowns each of so many kinds has one unit.
     pub(super) kinds: [usize; 2],
     pub(super) guesses: Guesses,
-    /// The square of a correction after which the next one is nothing, from C as last seen.
+    /// A correction after which the next one is nothing, from C as last seen.
     reach: f64,
     pub(super) steps: u32,
     /// Two terms of a series are tried in place of an elimination: until they are not enough, and again where a step looks a second time. To ask
@@ -89,7 +89,7 @@ impl<A: Array> Iteration<A> {
             sizes: Sizes::new(),
             kinds: [n, kinds],
             guesses: Guesses::new(),
-            reach: A::Real::epsilon() * REMAINDER,
+            reach: Real::sqrt(A::Real::epsilon() * REMAINDER),
             steps: 0,
             by_series: false,
             stiff: A::LEN <= MOST_UNKNOWNS,
@@ -117,8 +117,7 @@ impl<A: Array> Iteration<A> {
     /// Whether nothing that counts is left after this term of a correction, where steps are settled.
     #[inline(always)]
     pub(super) fn is_last_term(&self, term: &A) -> bool {
-        let part = LAST_TERM * A::Real::epsilon();
-        self.sizes.exceed(term, part * part) && !self.looks()
+        self.sizes.exceed(term, LAST_TERM * A::Real::epsilon()) && !self.looks()
     }
 
     /// Whether this step looks at what others take as known.
@@ -290,7 +289,7 @@ impl<A: Array> Iteration<A> {
         // A margin, since C is not the same all along an orbit.
         let before = before.min(1.0);
         let curvature = 16.0 * correction / (before * before);
-        let reach = A::Real::epsilon() * REMAINDER / curvature.max(LEAST_CURVATURE);
+        let reach = Real::sqrt(A::Real::epsilon() * REMAINDER / curvature.max(LEAST_CURVATURE));
         if correction > 64.0 * A::Real::epsilon() || reach > self.reach {
             self.reach = reach;
         }
