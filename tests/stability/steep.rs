@@ -95,6 +95,46 @@ fn two_of_them() {
     }
 }
 
+/// x₀ grows, x₁ falls as fast: gradients of two integrals become parallel, and the last coordinate grows with x₀.
+#[vector_field(keeps(i = x[0] * x[1] * x[2], j = x[0] * x[0] * x[1]))]
+fn parallel(x: [f64; 3], a: f64) -> [f64; 3] {
+    let g = a * (1.0 + 1.0 / (1.0 + x[2] * x[2]));
+    [g * x[0], -2.0 * g * x[1], g * x[2]]
+}
+
+/// One integral of the same kind.
+#[vector_field(keeps(i = x[0] * x[1]))]
+fn stretched(x: [f64; 2], a: f64) -> [f64; 2] {
+    let g = a * (1.0 + 1.0 / (1.0 + x[0] * x[0]));
+    [g * x[0], -g * x[1]]
+}
+
+/// What was large lately is exact now: a relaxed step does not take a change for its rounding.
+#[test]
+fn relaxed() {
+    for h in [0.05, 0.3, 1.0] {
+        let value = |system: &Stretched, x: &_| [system.i(x)];
+        let n = (100.0 / h) as u32;
+        stays((Stretched { a: 1.0 }, Relaxation(RK4), h), FlowState::new([1.0, 1.3]), value, (n, 1.0));
+    }
+}
+
+/// A step solves its equation, or leaves it to rounding and is refused.
+#[test]
+fn gradients_that_become_parallel() {
+    let (system, start) = (Parallel { a: 1.0 }, FlowState::new([1.0, 1.3, 0.7]));
+    let first = [system.i(&start), system.j(&start)];
+    for (h, n) in [(0.05, 2000), (0.3, 400), (1.0, 100), (1.3, 80), (2.0, 50)] {
+        let mut sim = system.integrator(FourthOrder(DiscreteGradient), h, start);
+        let ended = (0..n).find_map(|_| sim.step().err());
+        assert!(h > 0.3 || ended.is_none(), "h = {h}: {ended:?}");
+        let now = [system.i(&sim.state()), system.j(&sim.state())];
+        for (first, now) in first.into_iter().zip(now) {
+            assert!((now / first - 1.0).abs() < 1e-12, "h = {h}: {now} after {ended:?}");
+        }
+    }
+}
+
 /// Where a coordinate falls by so much in one step that nothing of it is left, the step is refused and the state kept.
 #[test]
 fn refused_where_rounding_is_larger() {

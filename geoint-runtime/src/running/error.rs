@@ -76,8 +76,8 @@ pub enum StepError {
         /// Time of the last good state.
         t: f64,
     },
-    /// Rounding in the step changes half of the digits of what it keeps: a coordinate in which that is steep becomes smaller by many orders of
-    /// magnitude.
+    /// Rounding in the step changes what it keeps by more than its last digits: a coordinate in which that is steep becomes smaller by orders of
+    /// magnitude, or gradients are nearly parallel.
     Rounded {
         /// Time of the last good state.
         t: f64,
@@ -182,7 +182,7 @@ pub enum Reason {
     Singular,
     /// It moves at right angles to the gradient along which it is to change the energy.
     SingularDirection,
-    /// Rounding in it changes half of the digits of what it keeps.
+    /// Rounding in it changes what it keeps by more than its last digits.
     Rounded,
     /// Constraints depend on each other on its way.
     DependentConstraints {
@@ -224,7 +224,7 @@ impl fmt::Display for Reason {
             Reason::NonFinite => write!(f, "it leads to a state that is not finite"),
             Reason::Singular => write!(f, "its equation has no solution, or several"),
             Reason::SingularDirection => write!(f, "it moves at right angles to the gradient that it divides by"),
-            Reason::Rounded => write!(f, "rounding in it changes half of the digits of what it keeps"),
+            Reason::Rounded => write!(f, "rounding in it changes what it keeps by more than its last digits"),
             Reason::DependentConstraints { what } => write!(f, "constraints depend on each other on its way: {what}"),
             Reason::Pole { piece } => write!(f, "the flow of the piece {piece} ends before it does"),
             Reason::NotConverged => write!(f, "its equation was not solved"),
@@ -284,8 +284,8 @@ impl fmt::Display for StepError {
             StepError::Rounded { t } => {
                 write!(
                     f,
-                    "in the step from t = {t} a coordinate becomes smaller by so much that rounding changes half of the digits of what the step \
-                     keeps; try a smaller step"
+                    "rounding in the step from t = {t} changes what it keeps by more than its last digits: a coordinate in which that is steep \
+                     falls by orders of magnitude, or gradients are nearly parallel; try a smaller step, or units in which coordinates are of one size"
                 )
             }
             StepError::Pole { t, piece } => {

@@ -23,7 +23,7 @@ pub enum Refusal {
         /// The formula of one that depends on others.
         what: &'static str,
     },
-    /// Rounding on the way changes half of the digits of what the step keeps.
+    /// Rounding on the way changes what the step keeps by more than its last digits.
     Rounded,
     /// The energy is not defined, or has a pole, on the way.
     OutsideDomain {
@@ -43,7 +43,7 @@ impl fmt::Display for Refusal {
             Refusal::DependentConstraints { what } => {
                 write!(f, "its constraints depend on each other on the way: {what}")
             }
-            Refusal::Rounded => write!(f, "rounding in it changes half of the digits of what it keeps"),
+            Refusal::Rounded => write!(f, "rounding in it changes what it keeps by more than its last digits"),
             Refusal::OutsideDomain { what } => write!(f, "it evaluates the energy where that is not defined: {what}"),
         }
     }

@@ -35,7 +35,6 @@ pub struct Relaxation<M>(pub M);
 #[derive(Clone, Debug)]
 pub struct Memory<M, A: Array> {
     method: M,
-    sizes: Sizes<A>,
     /// Corrections may be smaller than the last digit of a coordinate, and all of one sign.
     sums: Compensated<A>,
     /// What steps before have changed the energy by, less than rounding of it each, and all of one sign perhaps.
@@ -45,7 +44,6 @@ pub struct Memory<M, A: Array> {
 impl<M: Record<A::Real>, A: Array> Record<A::Real> for Memory<M, A> {
     fn record(&mut self, tape: &mut impl Tape<A::Real>) {
         self.method.record(tape);
-        self.sizes.record(tape);
         self.sums.record(tape);
         tape.scalar(&mut self.left);
     }
@@ -85,13 +83,13 @@ impl<S: KeepsEnergy<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M>
     }
 
     fn memory() -> Self::Memory {
-        Memory { method: M::memory(), sizes: Sizes::new(), sums: Compensated::new(), left: zero() }
+        Memory { method: M::memory(), sums: Compensated::new(), left: zero() }
     }
 
     #[inline]
     fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         Prepared { method, poles, h }: &Self::Prepared,
-        Memory { method: memory, sizes, sums, left }: &mut Self::Memory,
+        Memory { method: memory, sums, left }: &mut Self::Memory,
         mut step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         let before = step.x.z;
@@ -99,6 +97,8 @@ impl<S: KeepsEnergy<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M>
         let Step { system, t, x, probe, .. } = step;
         probe.visit(t, &x.z, &());
         let moved = difference(&x.z, &before);
+        // Coordinates are rounded as they are on the way of this step: what was large lately is exact now.
+        let mut sizes = Sizes::new();
         sizes.include(&before, &moved);
         let energy = S::Kept::default();
         let mut gradient = energy.gradients(system, &x.z);

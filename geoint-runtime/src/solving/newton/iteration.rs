@@ -227,7 +227,10 @@ impl<A: Array> Iteration<A> {
                 None => {
                     let mut delta = equation.residual(watch, &x, &mut matrix);
                     left = delta;
-                    solved = corrections.slow() && self.is_of_last_digits(&origin, &delta, &matrix);
+                    // Of fields who watches sees what that changes.
+                    solved = (E::PATIENT || !E::OF_NOW)
+                        && corrections.slow()
+                        && self.is_of_last_digits(&origin, &delta, &matrix);
                     if let (false, Some(last)) = (solved, stuck.take()) {
                         // Only who watches measures what is rounding.
                         if !E::PATIENT {
