@@ -76,8 +76,8 @@ pub enum StepError {
         /// Time of the last good state.
         t: f64,
     },
-    /// Rounding in the step changes what it keeps by more than its last digits: a coordinate in which that is steep becomes smaller by orders of
-    /// magnitude, or gradients are nearly parallel.
+    /// Rounding in the step changes what it keeps by more than its last digits: a coordinate in which that is steep becomes smaller or larger by
+    /// orders of magnitude, or gradients are nearly parallel.
     Rounded {
         /// Time of the last good state.
         t: f64,
@@ -285,7 +285,7 @@ impl fmt::Display for StepError {
                 write!(
                     f,
                     "rounding in the step from t = {t} changes what it keeps by more than its last digits: a coordinate in which that is steep \
-                     falls by orders of magnitude, or gradients are nearly parallel; try a smaller step, or units in which coordinates are of one size"
+                     becomes smaller or larger by orders of magnitude, or gradients are nearly parallel; try a smaller step, or units in which coordinates are of one size"
                 )
             }
             StepError::Pole { t, piece } => {

@@ -1,21 +1,16 @@
 //! What steps keep to rounding, kept so for ever: what rounding adds up to is taken away now and then.
 
 use super::scales::STEPS;
-use crate::method::{Probe, Refusal};
 use crate::scalar::Real;
 use crate::solving::rounding::ROUNDINGS;
+use crate::space::Array;
 use crate::space::vector::{difference, sum_of_products};
-use crate::space::{Array, Point, Snapshot};
-use crate::system::{Graded, Invariants, KeptBy, PhaseSpace};
+use crate::system::{Invariants, PhaseSpace};
 
 /// Where an invariant changes so many times as much with the last digits of the way from the origin as where the run began, or as with those of
 /// coordinates at both ends, nothing is settled: near a collision, or where one coordinate has grown and another one shrunk by orders of magnitude,
 /// the way from there to here has lost what decides.
 const STEEPER: f64 = 16.0;
-
-/// A step may change an invariant by so many of its roundings. In a coordinate that falls by a smaller factor it does not; to ask more often would cost
-/// a tenth of long steps, since whoever passes zero falls.
-const MOST: f64 = 16384.0;
 
 /// What leads from `z` back to where `invariants` are what they were at `origin`, along their gradients: none moves the ones before it (E. Schmidt,
 /// Math. Ann. 63 (1907) 442). One that has changed by more than the rounding of many steps is left alone: the method does not keep it.
@@ -126,48 +121,6 @@ fn add<R: Real>(x: &mut [R], w: R, d: &[R]) {
     for (x, d) in x.iter_mut().zip(d) {
         *x = w.multiply_add(*d, *x);
     }
-}
-
-/// Refuses the step of a field from `before` to `x` if rounding changes what it keeps: coordinates are rounded as large as they are on the way, and may
-/// end where they are smaller by orders of magnitude, and what is kept steep in them; or nearly parallel gradients leave the step to rounding.
-///
-/// Without patience a step in which a coordinate falls is marked, and is repeated; equations that rounding leaves unsolved are repeated as well.
-#[inline(always)]
-pub(crate) fn check_rounding<S: Graded<R>, R: Real, P: Probe<S, R>, C>(
-    system: &S,
-    before: &S::Phase,
-    x: &mut Point<S::Phase, C, S::Action>,
-) -> Result<(), Refusal> {
-    if const { S::State::MOMENTA } {
-        return Ok(());
-    }
-    if P::PATIENT {
-        let is_lost = is_lost(system, &KeptBy::<S, R>::default(), before, &x.z);
-        return if is_lost { Err(Refusal::Rounded) } else { Ok(()) };
-    }
-    let falls = |(before, now): (&R, &R)| before.magnitude() > MOST * now.magnitude();
-    x.doubtful |= before.as_slice().iter().zip(x.z.as_slice()).fold(false, |any, pair| any | falls(pair));
-    Ok(())
-}
-
-/// Whether an invariant changes between two points by more than it is rounded at the ends.
-#[cold]
-#[inline(never)]
-fn is_lost<S: PhaseSpace<R>, R: Real, I: Invariants<S, R>>(
-    system: &S,
-    invariants: &I,
-    start: &S::Phase,
-    end: &S::Phase,
-) -> bool {
-    let way = difference(end, start);
-    let changes = invariants.changes(system, start, &way);
-    let mut gradients = [start, end].map(|z| invariants.gradients(system, z));
-    let [first, last] = gradients.each_mut().map(|gradients| I::Values::entries(gradients));
-    let mut all = changes.as_slice().iter().zip(first.iter().zip(last.iter()));
-    all.any(|(change, (first, last))| {
-        let whole = of_ends([start.as_slice(), way.as_slice()], [first.as_slice(), last.as_slice()]);
-        change.magnitude() > MOST * R::epsilon() * whole
-    })
 }
 
 /// The address of what is compiled once for a scalar.

@@ -31,6 +31,7 @@ pub mod invariants;
 pub(crate) mod kept;
 pub mod projection;
 pub mod relaxation;
+pub(crate) mod rounded;
 mod scales;
 mod series;
 

@@ -1,7 +1,7 @@
 //! x₁ = y + Σ λᵢ D²∇Iᵢ(y): a step of any method, and back to where the invariants were.
 
 use super::frame::Frame;
-use super::kept;
+use super::{kept, rounded};
 use super::scales::Scales;
 use crate::method::corrected::invariants::Invariants;
 use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_conditions, check_poles, outer_step};
@@ -171,39 +171,6 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
             difference(&end.map_err(|_| refusal)?, moved)
         }
     };
-    let whole = sum(moved, &back);
-    if outgrows(before, &whole) && is_unresolved(system, invariants, before, &whole) {
-        return Err(Refusal::Singular);
-    }
+    rounded::check_correction(system, invariants, before, &sum(before, &sum(moved, &back)))?;
     Ok(WayBack { back, decided: decided.get() })
-}
-
-/// Whether a coordinate becomes larger by so much that half of the digits of what it was are lost.
-#[inline(always)]
-fn outgrows<A: Array>(before: &A, moved: &A) -> bool {
-    let digits = Real::sqrt(A::Real::epsilon());
-    let entries = before.as_slice().iter().zip(moved.as_slice());
-    entries.fold(false, |outgrows, (from, by)| outgrows | (from.magnitude() < digits * by.magnitude()))
-}
-
-/// Whether an invariant is made of terms, at both ends, that are less than half of the digits of what it would change by along the gradient at the
-/// start. So it is where a step has gone over a pole: then nothing is left of its change that divided differences could show.
-#[cold]
-#[inline(never)]
-fn is_unresolved<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
-    system: &S,
-    invariants: &I,
-    before: &S::Phase,
-    moved: &S::Phase,
-) -> bool {
-    let end = sum(before, moved);
-    let mut gradients = [before, &end].map(|z| invariants.gradients(system, z));
-    let [first, last] = gradients.each_mut().map(I::Values::entries);
-    let terms = |gradient: &S::Phase, z: &S::Phase| -> f64 {
-        gradient.as_slice().iter().zip(z.as_slice()).map(|(d, x)| d.magnitude() * x.magnitude()).sum()
-    };
-    let unresolved = |(first, last): (&S::Phase, &S::Phase)| {
-        Real::sqrt(R::epsilon()) * terms(first, moved) > terms(first, before).max(terms(last, &end))
-    };
-    first.iter().zip(last.iter()).any(unresolved)
 }

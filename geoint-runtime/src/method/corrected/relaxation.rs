@@ -1,7 +1,7 @@
 //! x₁ = x₀ + γ(y − x₀): a step of any method, shortened or lengthened until the energy is what it was.
 
 use crate::method::corrected::invariants::Invariants;
-use crate::method::corrected::kept;
+use crate::method::corrected::{kept, rounded};
 use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_conditions, check_poles, outer_step};
 use crate::scalar::{Real, zero};
 use crate::solving::rounding::MAX_ITERATIONS;
@@ -132,6 +132,7 @@ impl<S: KeepsEnergy<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M>
         *left = rest * (R::from_f64(1.0) + excess);
         x.correct(sums, &before, &moved, &scaled(excess, &moved));
         x.ahead.add(excess * *h);
+        rounded::check_correction(system, &energy, &before, &x.z)?;
         check_conditions(system, t, &sum(&before, &decided.get()), x)?;
         check_poles(poles, false, &(before, ()), Step::at(t, (system, x, probe)))
     }

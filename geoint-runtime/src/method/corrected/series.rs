@@ -18,7 +18,8 @@ impl<M: Sealed, I> Sealed for Projection<M, I> {}
 #[derive(Clone, Copy, Debug)]
 pub struct Memory<A> {
     scales: Scales<A>,
-    /// Where the run began. Steps are long: each is projected to what invariants were there, because rounding would add up from step to step.
+    /// Where the run began, as long as rounding does not decide what has changed since. Steps are long: each is projected to what invariants were there,
+    /// because rounding would add up from step to step.
     origin: A,
 }
 
@@ -60,7 +61,16 @@ where
         z: &S::Phase,
     ) -> Result<Option<S::Phase>, Refusal> {
         scales.include(before, &difference(z, before));
-        way_back(system, &self.1, scales, [origin, z], &difference(z, origin)).map(|way| Some(way.back))
+        let back = |from: &S::Phase| way_back(system, &self.1, scales, [from, z], &difference(z, from));
+        let way = match back(origin) {
+            // So far from there that rounding decides what has changed: from here on, then.
+            Err(Refusal::Rounded) => {
+                *origin = *before;
+                back(before)
+            }
+            way => way,
+        };
+        way.map(|way| Some(way.back))
     }
     fn series(coefficient: impl FnMut(usize) -> R) -> M::Series {
         M::series(coefficient)

@@ -2,7 +2,7 @@
 
 use super::mean::MeanGradient;
 use super::{DiscreteGradient, FourthOrder};
-use crate::method::corrected::kept;
+use crate::method::corrected::{kept, rounded};
 use crate::method::{Claims, Deciding, Method, Name, Probe, Refusal, Step, check_conditions, check_end, start};
 use crate::scalar::Real;
 use crate::solving::equation::StepEquation;
@@ -172,7 +172,7 @@ impl<S: FourthOrderField<R>, R: Real> Method<S, R> for FourthOrder<DiscreteGradi
         let Deciding { probe, decided } = deciding;
         let before = start::<S, R, C>(x);
         x.add_with(sums, &d, &lost);
-        kept::check_rounding::<S, R, P, C>(system, &before.0, x)?;
+        rounded::check_step::<S, R, P, C>(system, &before.0, x)?;
         check_conditions(system, span.middle, &decided, x)?;
         check_end(poles, &before, Step { system, t, end, x, probe })
     }

@@ -2,7 +2,7 @@
 
 use super::DiscreteGradient;
 use super::equation::{Coefficients, Equation};
-use crate::method::corrected::kept;
+use crate::method::corrected::rounded;
 use crate::method::{Deciding, Earlier, Probe, Refusal, Step, StepsOf, check_conditions, check_poles, start};
 use crate::scalar::Real;
 use crate::solving::Inverse;
@@ -82,7 +82,7 @@ impl<S: DiscreteField<R>, R: Real> StepsOf<DiscreteGradient, S, R> for ByTree {
         let before = start::<S, R, C>(x);
         let increments = equation.increments(&impulse);
         x.add_with(sums, &increments, &equation.lost::<C>(&impulse, &lost));
-        kept::check_rounding::<S, R, P, C>(system, &before.0, x)?;
+        rounded::check_step::<S, R, P, C>(system, &before.0, x)?;
         check_conditions(system, t + R::from_f64(0.5) * coefficients.h, &decided, x)?;
         check_poles(poles, true, &before, Step { system, t, end, x, probe })
     }

@@ -1,0 +1,81 @@
+//! Does rounding on the way of a step change what the step keeps?
+
+use crate::method::{Probe, Refusal};
+use crate::scalar::Real;
+use crate::space::vector::difference;
+use crate::space::{Array, Point, Snapshot};
+use crate::system::{Graded, Invariants, KeptBy, PhaseSpace};
+
+/// A step may change an invariant by so many of its roundings. Where no coordinate becomes smaller or larger by this factor it does not: to ask more often
+/// would cost a tenth of long steps, since whoever passes zero does so.
+const MOST: f64 = 16384.0;
+
+/// Refuses the step of a field from `before` to `x` if rounding changes what it keeps.
+///
+/// Without patience a step in which a coordinate leaps is marked, and is repeated; equations that rounding leaves unsolved are repeated as well.
+#[inline(always)]
+pub(crate) fn check_step<S: Graded<R>, R: Real, P: Probe<S, R>, C>(
+    system: &S,
+    before: &S::Phase,
+    x: &mut Point<S::Phase, C, S::Action>,
+) -> Result<(), Refusal> {
+    if const { S::State::MOMENTA } {
+        return Ok(());
+    }
+    if P::PATIENT {
+        return refuse(system, &KeptBy::<S, R>::default(), before, &x.z);
+    }
+    x.doubtful |= leaps(before, &x.z);
+    Ok(())
+}
+
+/// Refuses a step by any method, corrected at its end, if a coordinate leaps and rounding changes what is kept.
+#[inline(always)]
+pub(super) fn check_correction<S: PhaseSpace<R>, R: Real, I: Invariants<S, R>>(
+    system: &S,
+    invariants: &I,
+    before: &S::Phase,
+    after: &S::Phase,
+) -> Result<(), Refusal> {
+    if leaps(before, after) { refuse(system, invariants, before, after) } else { Ok(()) }
+}
+
+/// Whether a coordinate becomes smaller or larger by many orders of magnitude.
+#[inline(always)]
+fn leaps<A: Array>(before: &A, after: &A) -> bool {
+    let leaps = |(before, after): (&A::Real, &A::Real)| {
+        let (before, after) = (before.magnitude(), after.magnitude());
+        let (larger, smaller) = if before > after { (before, after) } else { (after, before) };
+        larger > MOST * smaller
+    };
+    before.as_slice().iter().zip(after.as_slice()).fold(false, |any, pair| any | leaps(pair))
+}
+
+/// Refuses a step between two points if an invariant changes by more than it is rounded at its ends, or may: coordinates are rounded as large as they are
+/// on the way, and an invariant may be steep where they are smaller by orders of magnitude. A step that has gone over a pole has it so, too.
+#[cold]
+#[inline(never)]
+fn refuse<S: PhaseSpace<R>, R: Real, I: Invariants<S, R>>(
+    system: &S,
+    invariants: &I,
+    start: &S::Phase,
+    end: &S::Phase,
+) -> Result<(), Refusal> {
+    let way = difference(end, start);
+    let changes = invariants.changes(system, start, &way);
+    let mut gradients = [start, end].map(|z| invariants.gradients(system, z));
+    let [first, last] = gradients.each_mut().map(|gradients| I::Values::entries(gradients));
+    let is_lost = |(change, (first, last)): (&R, (&S::Phase, &S::Phase))| {
+        let at_ends = f64::max(steepness([start], first), steepness([end], last));
+        let on_way = f64::max(steepness([start, &way], first), steepness([start, &way], last));
+        f64::max(change.magnitude() / R::epsilon(), on_way) > MOST * at_ends
+    };
+    let lost = changes.as_slice().iter().zip(first.iter().zip(last.iter())).any(is_lost);
+    if lost { Err(Refusal::Rounded) } else { Ok(()) }
+}
+
+/// How much an invariant changes with its coordinates, each by its size: times the last digit this is its rounding.
+fn steepness<A: Array, const N: usize>(sizes: [&A; N], gradient: &A) -> f64 {
+    let size = |i: usize| -> f64 { sizes.iter().map(|z| z.as_slice()[i].magnitude()).sum() };
+    gradient.as_slice().iter().enumerate().map(|(i, slope)| size(i) * slope.magnitude()).sum()
+}
