@@ -1,8 +1,8 @@
 //! x₁ = y + Σ λᵢ D²∇Iᵢ(y): a step of any method, and back to where the invariants were.
 
 use super::frame::Frame;
-use super::{kept, rounded};
 use super::scales::Scales;
+use super::{kept, rounded};
 use crate::method::corrected::invariants::Invariants;
 use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_conditions, check_poles, outer_step};
 use crate::scalar::Real;
@@ -104,12 +104,14 @@ impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
         let moved = difference(&x.z, &before);
         scales.include(&before, &moved);
 
-        let way = way_back(system, invariants, scales, [&before, &x.z], &moved)?;
+        let end = x.z;
+        let way = way_back(system, invariants, scales, [&before, &end], &moved)?;
         x.correct(sums, &before, &moved, &way.back);
         if I::KEEP_ENERGY {
             check_conditions(system, t, &sum(&before, &way.decided), x)?;
         }
-        check_poles(poles, false, &(before, ()), Step::at(t, (system, x, probe)))
+        check_poles(poles, false, &(before, ()), Step::at(t, (system, &mut *x, probe)))?;
+        rounded::check_correction(system, invariants, [&before, &end, &x.z])
     }
 }
 
@@ -171,6 +173,5 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
             difference(&end.map_err(|_| refusal)?, moved)
         }
     };
-    rounded::check_correction(system, invariants, before, &sum(before, &sum(moved, &back)))?;
     Ok(WayBack { back, decided: decided.get() })
 }

@@ -132,9 +132,9 @@ impl<S: KeepsEnergy<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M>
         *left = rest * (R::from_f64(1.0) + excess);
         x.correct(sums, &before, &moved, &scaled(excess, &moved));
         x.ahead.add(excess * *h);
-        rounded::check_correction(system, &energy, &before, &x.z)?;
         check_conditions(system, t, &sum(&before, &decided.get()), x)?;
-        check_poles(poles, false, &(before, ()), Step::at(t, (system, x, probe)))
+        check_poles(poles, false, &(before, ()), Step::at(t, (system, &mut *x, probe)))?;
+        rounded::check_correction(system, &energy, [&before, &sum(&before, &moved), &x.z])
     }
 }
 

@@ -23,21 +23,20 @@ pub(crate) fn check_step<S: Graded<R>, R: Real, P: Probe<S, R>, C>(
         return Ok(());
     }
     if P::PATIENT {
-        return refuse(system, &KeptBy::<S, R>::default(), before, &x.z);
+        return refuse(system, &KeptBy::<S, R>::default(), [before, &x.z, &x.z]);
     }
     x.doubtful |= leaps(before, &x.z);
     Ok(())
 }
 
-/// Refuses a step by any method, corrected at its end, if a coordinate leaps and rounding changes what is kept.
+/// Refuses a step from `before` by any method to `end`, and corrected from there to `after`, if a coordinate leaps and rounding changes what is kept.
 #[inline(always)]
 pub(super) fn check_correction<S: PhaseSpace<R>, R: Real, I: Invariants<S, R>>(
     system: &S,
     invariants: &I,
-    before: &S::Phase,
-    after: &S::Phase,
+    [before, end, after]: [&S::Phase; 3],
 ) -> Result<(), Refusal> {
-    if leaps(before, after) { refuse(system, invariants, before, after) } else { Ok(()) }
+    if leaps(before, after) || leaps(end, after) { refuse(system, invariants, [before, after, end]) } else { Ok(()) }
 }
 
 /// Whether a coordinate becomes smaller or larger by many orders of magnitude.
@@ -51,23 +50,22 @@ fn leaps<A: Array>(before: &A, after: &A) -> bool {
     before.as_slice().iter().zip(after.as_slice()).fold(false, |any, pair| any | leaps(pair))
 }
 
-/// Refuses a step between two points if an invariant changes by more than it is rounded at its ends, or may: coordinates are rounded as large as they are
+/// Refuses a step between two points, by way of a third one, if an invariant changes by more than it is rounded at its ends, or may: coordinates are rounded as large as they are
 /// on the way, and an invariant may be steep where they are smaller by orders of magnitude. A step that has gone over a pole has it so, too.
 #[cold]
 #[inline(never)]
 fn refuse<S: PhaseSpace<R>, R: Real, I: Invariants<S, R>>(
     system: &S,
     invariants: &I,
-    start: &S::Phase,
-    end: &S::Phase,
+    [start, end, between]: [&S::Phase; 3],
 ) -> Result<(), Refusal> {
-    let way = difference(end, start);
-    let changes = invariants.changes(system, start, &way);
+    let changes = invariants.changes(system, start, &difference(end, start));
     let mut gradients = [start, end].map(|z| invariants.gradients(system, z));
     let [first, last] = gradients.each_mut().map(|gradients| I::Values::entries(gradients));
     let is_lost = |(change, (first, last)): (&R, (&S::Phase, &S::Phase))| {
         let at_ends = f64::max(steepness([start], first), steepness([end], last));
-        let on_way = f64::max(steepness([start, &way], first), steepness([start, &way], last));
+        let way = [start, end, between];
+        let on_way = f64::max(steepness(way, first), steepness(way, last));
         f64::max(change.magnitude() / R::epsilon(), on_way) > MOST * at_ends
     };
     let lost = changes.as_slice().iter().zip(first.iter().zip(last.iter())).any(is_lost);

@@ -2,11 +2,12 @@
 
 use super::invariants::Invariants;
 use super::projection::{Projection, way_back};
+use super::rounded::check_correction;
 use super::scales::Scales;
 use crate::method::Refusal;
 use crate::scalar::Real;
 use crate::sealed::Sealed;
-use crate::space::vector::difference;
+use crate::space::vector::{difference, sum};
 use crate::space::{Array, PerCoordinate, Record, Tape};
 use crate::system::{Jets, VectorField};
 use crate::taylor::{Steps, TaylorMethod};
@@ -61,7 +62,10 @@ where
         z: &S::Phase,
     ) -> Result<Option<S::Phase>, Refusal> {
         scales.include(before, &difference(z, before));
-        let back = |from: &S::Phase| way_back(system, &self.1, scales, [from, z], &difference(z, from));
+        let back = |from: &S::Phase| {
+            let back = way_back(system, &self.1, scales, [from, z], &difference(z, from))?.back;
+            check_correction(system, &self.1, [from, z, &sum(z, &back)]).map(|()| back)
+        };
         let way = match back(origin) {
             // So far from there that rounding decides what has changed: from here on, then.
             Err(Refusal::Rounded) => {
@@ -70,7 +74,7 @@ where
             }
             way => way,
         };
-        way.map(|way| Some(way.back))
+        way.map(Some)
     }
     fn series(coefficient: impl FnMut(usize) -> R) -> M::Series {
         M::series(coefficient)
