@@ -42,12 +42,13 @@ pub(super) fn check_correction<S: PhaseSpace<R>, R: Real, I: Invariants<S, R>>(
 /// Whether a coordinate becomes smaller or larger by many orders of magnitude.
 #[inline(always)]
 fn leaps<A: Array>(before: &A, after: &A) -> bool {
-    let leaps = |(before, after): (&A::Real, &A::Real)| {
-        let (before, after) = (before.magnitude(), after.magnitude());
-        let (larger, smaller) = if before > after { (before, after) } else { (after, before) };
-        larger > MOST * smaller
-    };
-    before.as_slice().iter().zip(after.as_slice()).fold(false, |any, pair| any | leaps(pair))
+    let mut leaps = false;
+    for i in 0..A::LEN {
+        let (before, after) = (before.as_slice()[i], after.as_slice()[i]);
+        let (moved, before, after) = ((after - before).magnitude(), before.magnitude(), after.magnitude());
+        leaps |= moved > MOST * if before < after { before } else { after };
+    }
+    leaps
 }
 
 /// Refuses a step between two points, by way of a third one, if an invariant changes by more than it is rounded at its ends, or may: coordinates are rounded as large as they are
