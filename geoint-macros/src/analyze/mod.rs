@@ -4,6 +4,7 @@ mod damping;
 mod degree;
 mod terms;
 mod separable;
+mod steep;
 mod bodies;
 mod leaves;
 mod quadratic;
@@ -33,6 +34,7 @@ pub(crate) use mean_value::MeanValue;
 pub(crate) use poles::{Pole, Quick, has_edge, poles};
 pub(crate) use separable::{not_affine, not_quadratic};
 pub(crate) use spared::Spared;
+pub(crate) use steep::is_steep;
 
 /// All facts that emission may rely on. Those of H hold whether or not there is damping.
 #[derive(Debug)]

@@ -87,7 +87,7 @@ fn integrals(graph: &mut Graph, kept: &[Named], n: u32) -> Option<Integrals> {
     let constant: Vec<usize> = (0..kept.len()).filter(|i| kept[*i].conserved.but.is_none()).collect();
     let steady: Vec<usize> = constant.iter().copied().filter(|i| !graph.reads(values[*i]).t).collect();
     let energy = steady.iter().position(|i| kept[*i].name == ENERGY).or((!steady.is_empty()).then_some(0));
-    let slopes = steady.iter().flat_map(|i| diff::gradient(graph, values[*i], n).q).collect();
+    let slopes: Vec<Id> = steady.iter().flat_map(|i| diff::gradient(graph, values[*i], n).q).collect();
     let mut change = |i: &usize| {
         let slopes = diff::discrete_gradient(graph, values[*i], n).q;
         let increments: Vec<Id> = (0..n).map(|i| graph.symbol(Symbol::Dq(i))).collect();
@@ -100,6 +100,7 @@ fn integrals(graph: &mut Graph, kept: &[Named], n: u32) -> Option<Integrals> {
         constant,
         steady,
         energy,
+        steep: analyze::is_steep(graph, &slopes, &coordinates(n as usize)),
         values: Kernel::new(Levels::One, values),
         slopes: Kernel::new(Levels::One, slopes),
         changes: Kernel::new(Levels::One, changes),

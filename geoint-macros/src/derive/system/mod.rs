@@ -163,6 +163,8 @@ pub(crate) struct Integrals<K = Kernel> {
     pub(crate) steady: Vec<usize>,
     /// Which of these stands for the energy.
     pub(crate) energy: Option<usize>,
+    /// Whether one of these may be steep in a coordinate that has become small.
+    pub(crate) steep: bool,
     /// The gradients of these, one after the other.
     pub(crate) slopes: K,
     /// What these change by over an increment.
@@ -294,6 +296,7 @@ impl<K> Integrals<K> {
             constant: self.constant,
             steady: self.steady,
             energy: self.energy,
+            steep: self.steep,
             values: of(self.values),
             slopes: of(self.slopes),
             changes: of(self.changes),

@@ -16,7 +16,7 @@ use quote::quote;
 pub(super) fn discrete_field(
     context: &Context<'_>,
     field: &FieldKernels<Plan>,
-    (plan, kept): (&Plan, TokenStream),
+    (plan, kept, nowhere_steep): (&Plan, TokenStream, Option<TokenStream>),
 ) -> TokenStream {
     let name = self_type(context);
     let FieldKernels { increments, .. } = field;
@@ -63,6 +63,7 @@ pub(super) fn discrete_field(
             type Proof = ();
             type Gradient = ByTree;
             type Kept = #kept;
+            #nowhere_steep
         }
         impl<R: Real> DiscreteField<R> for #name {
             type Proof = ();

@@ -50,7 +50,10 @@ pub(super) fn implicit(context: &Context<'_>, graph: &Graph, system: &System<Pla
 fn field(context: &Context<'_>, graph: &Graph, (field, system): (&FieldKernels<Plan>, &System<Plan>)) -> TokenStream {
     let proven = &system.proven;
     let kept = kept(field, system);
-    let discrete = field.discrete.as_ref().map(|plan| discrete::discrete_field(context, field, (plan, kept)));
+    let discrete = field
+        .discrete
+        .as_ref()
+        .map(|plan| discrete::discrete_field(context, field, (plan, kept, nowhere_steep(system))));
     let nothing_kept = field.nothing_kept.map(|missing| discrete::nothing_kept(context, graph, missing));
     let fourth = match &field.fourth {
         Some(plan) => Some(discrete::fourth_order(context, field, plan)),
@@ -73,6 +76,16 @@ fn kept(field: &FieldKernels<Plan>, system: &System<Plan>) -> TokenStream {
         Some(integrals) if !integrals.steady.is_empty() => quote!(KeptIntegrals),
         _ => quote!(()),
     }
+}
+
+/// That what a field keeps is nowhere steep, if so.
+fn nowhere_steep(system: &System<Plan>) -> Option<TokenStream> {
+    let steep = system.integrals.as_ref().is_none_or(|integrals| integrals.steep);
+    (!steep).then(|| {
+        quote!(
+            const STEEP: bool = false;
+        )
+    })
 }
 
 /// The places of a square matrix, row by row.

@@ -4,4 +4,5 @@ mod damping;
 mod identity;
 mod mean_value;
 mod momenta;
+mod steep;
 mod structures;

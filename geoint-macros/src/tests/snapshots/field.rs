@@ -888,6 +888,7 @@ const _: () = {
         type Proof = ();
         type Gradient = ByTree;
         type Kept = KeptIntegrals;
+        const STEEP: bool = false;
     }
     impl<R: Real> DiscreteField<R> for Turning<R> {
         type Proof = ();

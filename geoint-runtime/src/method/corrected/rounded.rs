@@ -23,20 +23,28 @@ pub(crate) fn check_step<S: Graded<R>, R: Real, P: Probe<S, R>, C>(
         return Ok(());
     }
     if P::PATIENT {
-        return refuse(system, &KeptBy::<S, R>::default(), [before, &x.z, &x.z]);
+        let kept = KeptBy::<S, R>::default();
+        let changes = kept.changes(system, before, &difference(&x.z, before));
+        return refuse(system, &kept, &changes, [before, &x.z, &x.z]);
     }
-    x.doubtful |= leaps(before, &x.z);
+    if const { S::STEEP } {
+        x.doubtful |= leaps(before, &x.z);
+    }
     Ok(())
 }
 
-/// Refuses a step from `before` by any method to `end`, and corrected from there to `after`, if a coordinate leaps and rounding changes what is kept.
+/// Refuses a step from `before` by any method to `end`, and corrected from there to `after`, if a coordinate leaps and rounding changes what is kept. What
+/// has changed is not asked: that is what the correction has ended at, with what forces that cancel leave of it.
 #[inline(always)]
 pub(super) fn check_correction<S: PhaseSpace<R>, R: Real, I: Invariants<S, R>>(
     system: &S,
     invariants: &I,
     [before, end, after]: [&S::Phase; 3],
 ) -> Result<(), Refusal> {
-    if leaps(before, after) || leaps(end, after) { refuse(system, invariants, [before, after, end]) } else { Ok(()) }
+    if leaps(before, after) || leaps(end, after) {
+        return refuse(system, invariants, &I::Values::zero(), [before, after, end]);
+    }
+    Ok(())
 }
 
 /// Whether a coordinate becomes smaller or larger by many orders of magnitude.
@@ -51,16 +59,17 @@ fn leaps<A: Array>(before: &A, after: &A) -> bool {
     leaps
 }
 
-/// Refuses a step between two points, by way of a third one, if an invariant changes by more than it is rounded at its ends, or may: coordinates are rounded as large as they are
-/// on the way, and an invariant may be steep where they are smaller by orders of magnitude. A step that has gone over a pole has it so, too.
+/// Refuses a step between two points, by way of a third one, if an invariant changes by more than it is rounded at its ends, or may: coordinates are
+/// rounded as large as they are on the way, and an invariant may be steep where they are smaller by orders of magnitude. A step that has gone over a pole
+/// has it so, too.
 #[cold]
 #[inline(never)]
 fn refuse<S: PhaseSpace<R>, R: Real, I: Invariants<S, R>>(
     system: &S,
     invariants: &I,
+    changes: &I::Values,
     [start, end, between]: [&S::Phase; 3],
 ) -> Result<(), Refusal> {
-    let changes = invariants.changes(system, start, &difference(end, start));
     let mut gradients = [start, end].map(|z| invariants.gradients(system, z));
     let [first, last] = gradients.each_mut().map(|gradients| I::Values::entries(gradients));
     let is_lost = |(change, (first, last)): (&R, (&S::Phase, &S::Phase))| {

@@ -44,6 +44,8 @@ pub trait Graded<R: Real = f64>: PhaseSpace<R> {
     type Gradient;
     /// What steps along it keep, and does not read time: rounding of many steps is taken away from that. `()` where damping takes it.
     type Kept: Invariants<Self, R> + Default;
+    /// Whether that may be steep in a coordinate which has become small: a sum of powers of single coordinates is not.
+    const STEEP: bool = true;
 }
 
 /// What steps along the discrete gradient of a system keep.
