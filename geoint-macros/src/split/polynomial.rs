@@ -1,5 +1,7 @@
 //! An expression as a sum of powers of some of its symbols, with coefficients that are free of them.
 
+use crate::analyze;
+use crate::diff;
 use crate::ir::{Graph, Id, Node, Ratio, Symbol};
 use std::collections::BTreeMap;
 
@@ -134,6 +136,14 @@ fn is_one(graph: &Graph, id: Id) -> bool {
 /// Whether a node reads none of the symbols.
 pub(super) fn is_free(graph: &Graph, root: Id, counts: &impl Fn(Symbol) -> bool) -> bool {
     !graph.reads_any(root, counts)
+}
+
+/// a of a·x + b with a and b that are free of x. Derivatives do not show that b is another one beyond a condition that x changes.
+pub(super) fn slope_of_line(graph: &mut Graph, line: Id, x: Symbol) -> Option<Id> {
+    let slope = diff::partial(graph, line, x);
+    let conditions = analyze::conditions(graph, line);
+    let steady = |id: &Id| is_free(graph, *id, &|symbol| symbol == x);
+    [slope].iter().chain(&conditions).all(steady).then_some(slope)
 }
 
 /// coefficient·monomial.

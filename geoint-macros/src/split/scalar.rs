@@ -4,9 +4,8 @@
 
 mod quadrature;
 
-use super::polynomial::{Monomial, Polynomial, factors, is_free, power};
+use super::polynomial::{Monomial, Polynomial, factors, is_free, power, slope_of_line};
 use super::time::{Clock, OverTime, over_time};
-use crate::diff;
 use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
 
 /// An equation for one variable.
@@ -183,10 +182,7 @@ fn shifted_power(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
         }
     }
     let (y, k) = found.filter(|(_, k)| *k != Ratio::ONE)?;
-    let a = diff::partial(graph, y, own);
-    if !is_free(graph, a, &|symbol| symbol == own) {
-        return None;
-    }
+    let a = slope_of_line(graph, y, own)?;
     equation.steady(graph, &[y])?;
     let m = k.add(Ratio::integer(-1))?;
     let weight = equation.clock.over_step(graph, b)?;

@@ -1,6 +1,6 @@
 //! ∫ f dt over a step from t to t + h, where f has an elementary antiderivative.
 
-use super::polynomial::{Polynomial, factors, is_free, power};
+use super::polynomial::{Polynomial, factors, is_free, power, slope_of_line};
 use crate::diff;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
@@ -152,7 +152,7 @@ pub(super) fn over_time(graph: &mut Graph, rate: Id) -> Option<OverTime> {
         }
     }
     let base = found?;
-    let slope = diff::partial(graph, base, Symbol::T);
+    let slope = slope_of_line(graph, base, Symbol::T)?;
     graph.as_number(slope).filter(|slope| !slope.is_zero())?;
     Some(OverTime { k: graph.div(k, slope), time: ShiftedTime(graph.div(base, slope)) })
 }

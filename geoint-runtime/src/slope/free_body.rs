@@ -211,15 +211,22 @@ pub fn five_rotations<R: Real>(inverse: &[R; 3], r: &mut [R; 4], m: &mut [R; 4])
 #[inline(always)]
 fn rotate<R: Real>(axis: usize, angle: R, r: &mut [R; 4], m: &mut [R; 4]) {
     let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
-    let (sin, cos) = angle.sin_cos();
-    (m[j], m[k]) = (cos.multiply_add(m[j], sin * m[k]), cos.multiply_add(m[k], -(sin * m[j])));
-    let (sin, cos) = (R::from_f64(0.5) * angle).sin_cos();
+    // What a turn adds: of a small one the rounded cosine is the same in many steps, and lengths would have a trend.
+    let (sine, cosine) = (R::from_f64(0.5) * angle).sin_cos();
+    let less = less_one(sine, cosine);
     // r⊗(cos + sin e).
     let (along, w, rj, rk) = (r[axis], r[3], r[j], r[k]);
-    r[axis] = cos.multiply_add(along, sin * w);
-    r[3] = cos.multiply_add(w, -(sin * along));
-    r[j] = cos.multiply_add(rj, sin * rk);
-    r[k] = cos.multiply_add(rk, -(sin * rj));
+    r[axis] = along + less.multiply_add(along, sine * w);
+    r[3] = w + less.multiply_add(w, -(sine * along));
+    r[j] = rj + less.multiply_add(rj, sine * rk);
+    r[k] = rk + less.multiply_add(rk, -(sine * rj));
+    // By twice the angle.
+    let double = R::from_f64(2.0) * sine;
+    let [sine, less] = [double * cosine, -(double * sine)];
+    (m[j], m[k]) = (
+        m[j] + less.multiply_add(m[j], sine * m[k]),
+        m[k] + less.multiply_add(m[k], -(sine * m[j])),
+    );
 }
 
 #[inline(always)]

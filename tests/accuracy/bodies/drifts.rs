@@ -89,3 +89,21 @@ fn gyrostats_drift_exactly() {
     let order = (errors[0] / errors[1]).log2();
     assert!((order - 6.0).abs() < 0.5 && errors[2] < 1e-12, "{errors:?}, order {order:.2}");
 }
+
+#[hamiltonian(attitude = r)]
+fn small_body(r: UnitQuaternion<f32>, m: Vector3<f32>, inertia: [f32; 3]) -> f32 {
+    m.x * m.x / (2.0 * inertia[0]) + m.y * m.y / (2.0 * inertia[1]) + m.z * m.z / (2.0 * inertia[2]) + 0.0 * r.w
+}
+
+/// Many rotations by nearly the same small angle: a rounded cosine would let lengths shrink or grow by the same number in each.
+#[test]
+fn five_rotations_have_no_trend() {
+    let (r, m) = (UnitQuaternion::from_euler_angles(0.3, -0.8, 1.1), Vector3::new(0.5, 1.6, -1.2));
+    for h in [1e-2, 1e-3] {
+        let mut sim = SmallBody { inertia: [1.0, 2.0, 3.0] }.integrator(FiveRotations, h, BodyState::new(r, m));
+        sim.advance(100_000).unwrap();
+        let state = sim.state();
+        let [length, direction] = [state.m.norm() / m.norm() - 1.0, (state.r * state.m - r * m).norm()];
+        assert!(length.abs() < 5e-5 && direction < 2e-4, "{h}: {length:e} {direction:e}");
+    }
+}

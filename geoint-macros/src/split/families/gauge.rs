@@ -5,7 +5,7 @@
 
 use super::super::flow::{Flow, Group};
 use super::super::increment::increments;
-use super::super::polynomial::{Polynomial, is_free, is_momentum, times_powers};
+use super::super::polynomial::{Polynomial, is_free, is_momentum, slope_of_line, times_powers};
 use super::super::time::Clock;
 use crate::analyze::{self, liouville};
 use crate::diff;
@@ -82,7 +82,7 @@ fn own_shift(graph: &mut Graph, energy: Id, i: u32) -> Option<(Id, Id, Id)> {
         if id == energy || !terms.iter().any(|(_, term)| has_own(term)) {
             continue;
         }
-        let slope = diff::partial(graph, id, own);
+        let Some(slope) = slope_of_line(graph, id, own) else { continue };
         if graph.is_zero(slope) || !is_free(graph, slope, &Symbol::is_coordinate) {
             continue;
         }

@@ -1,10 +1,9 @@
 //! Pieces in which one coordinate moves along a geodesic.
 
 use super::super::flow::{Flow, Group};
-use super::super::polynomial::{Polynomial, factors, is_free, is_momentum, parted, quotient, single_momentum};
+use super::super::polynomial::{Polynomial, factors, is_free, is_momentum, parted, quotient, single_momentum, slope_of_line};
 use super::super::scalar::{self, Equation, positive_power};
 use super::super::time::Clock;
-use crate::diff;
 use crate::ir::substitute::replaced;
 use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
 
@@ -70,8 +69,7 @@ fn along_power(graph: &mut Graph, (q, k): (Id, Ratio), p: Id, weight: Id) -> Opt
 
 /// a of a·x + b, if that does not move.
 fn slope(graph: &mut Graph, base: Id, x: Symbol) -> Option<Id> {
-    let slope = diff::partial(graph, base, x);
-    is_free(graph, slope, &Symbol::is_coordinate).then_some(slope)
+    slope_of_line(graph, base, x).filter(|slope| is_free(graph, *slope, &Symbol::is_coordinate))
 }
 
 /// The same for f = uᵏ, u = a x + b: with r = (2 − k) c h uᵏ⁻¹ p and D = 1 + a r, x grows by u (D^(2/(2−k)) − 1)/a, which is a mean of powers

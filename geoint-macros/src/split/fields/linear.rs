@@ -1,6 +1,6 @@
 //! x' = g·(Mx + b) with M³ = −κM and M²b = −κb, where g is constant along the flow: with τ = gh and ω² = κ,
 //!
-//! x₁ = x + sin(ωτ)/ω·(Mx + b) + (1 − cos ωτ)/ω²·M(Mx + b).
+//! x₁ = x + s·(cos(ωτ/2)·(Mx + b) + s/2·M(Mx + b)), s = 2 sin(ωτ/2)/ω.
 //!
 //! Rotations, shears and hyperbolic rotations are of this kind, about any axis and any centre, and so are parabolas.
 
@@ -58,19 +58,18 @@ pub(super) fn ends(graph: &mut Graph, rates: &[(Symbol, Id)]) -> Option<(Vec<(Sy
         }
     }
     let acceleration = times(graph, &matrix, &velocity);
-    let (sine, half_sine) = if is_zero(graph, kappa) {
-        (tau, tau)
+    // With ω/2 in place of ω: cos, and 2 sin/ω; 1 − cos ωτ = 2 sin²(ωτ/2).
+    let (cosine, sine) = if is_zero(graph, kappa) {
+        (graph.integer(1), tau)
     } else {
         let quarter = graph.scale(Number::Exact(Ratio::integer(4).recip()?), kappa);
-        (rotation(graph, kappa, tau, false).1, rotation(graph, quarter, tau, false).1)
+        rotation(graph, quarter, tau, false)
     };
-    // 1 − cos ωτ = 2 sin²(ωτ/2).
-    let versine = graph.pow(half_sine, Ratio::integer(2));
-    let versine = graph.scale(Number::HALF, versine);
+    let half_sine = graph.scale(Number::HALF, sine);
     let mut ends = vec![];
     for ((x, v), a) in x.iter().zip(&velocity).zip(&acceleration) {
-        let terms = [*x, graph.mul(sine, *v), graph.mul(versine, *a)];
-        ends.push(graph.sum(&terms));
+        let terms = [graph.mul(cosine, *v), graph.mul(half_sine, *a)];
+        ends.push(moved_along(graph, *x, sine, &terms));
     }
     finished(ends)
 }
@@ -86,13 +85,24 @@ fn plane_rotation(graph: &mut Graph, matrix: &[Vec<Id>], velocity: &[Id], (x, ta
         return None;
     }
     let angle = graph.mul(m, tau);
-    let [cosine, sine] = [Function::Cos, Function::Sin].map(|function| graph.call(function, &[angle]));
+    let half = graph.scale(Number::HALF, angle);
+    let [cosine, sine] = [Function::Cos, Function::Sin].map(|function| graph.call(function, &[half]));
+    let double = graph.scale(Number::integer(2), sine);
     let back = graph.neg(x[0]);
     let ends = [[x[0], x[1]], [x[1], back]].map(|[x, y]| {
-        let terms = [graph.mul(cosine, x), graph.mul(sine, y)];
-        graph.sum(&terms)
+        let opposite = graph.neg(x);
+        let terms = [graph.mul(cosine, y), graph.mul(sine, opposite)];
+        moved_along(graph, x, double, &terms)
     });
     Some(ends.to_vec())
+}
+
+/// x + c·Σ: the small terms are added up before they meet x. Added to x one by one they would be rounded alike in many steps, and a rounded
+/// cosine alike in all, so that what such flows keep would have a trend.
+fn moved_along(graph: &mut Graph, x: Id, c: Id, terms: &[Id]) -> Id {
+    let sum = graph.sum(terms);
+    let change = graph.mul(c, sum);
+    graph.add(x, change)
 }
 
 fn square_of_two(matrix: &[Vec<Id>]) -> Option<[[Id; 2]; 2]> {

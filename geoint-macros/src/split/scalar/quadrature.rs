@@ -1,9 +1,8 @@
 //! x' = g(x) with functions in g.
 
-use super::super::polynomial::{factors, is_free};
+use super::super::polynomial::{factors, is_free, slope_of_line};
 use super::super::time::slope;
 use super::{Equation, Solution, growth_and_mean, mean_of_recip};
-use crate::diff;
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
 
 /// x + ah − ln(1 − k·b·e^(kx)·h·φ₁(kah))/k.
@@ -24,10 +23,7 @@ pub(super) fn exponential(graph: &mut Graph, equation: &Equation) -> Option<Solu
     }
     let argument = found?;
     equation.steady(graph, &[argument])?;
-    let k = diff::partial(graph, argument, own);
-    if !is_free(graph, k, &|symbol| symbol == own) {
-        return None;
-    }
+    let k = slope_of_line(graph, argument, own)?;
     let value = graph.call(Function::Exp, &[argument]);
     let x = graph.symbol(own);
     let (drift, weight) = if graph.is_zero(a) {
@@ -62,10 +58,7 @@ pub(super) fn quadrature(graph: &mut Graph, equation: &Equation) -> Option<Solut
     let own = equation.x;
     let (function, u, a, exponent) = single_call(graph, equation.rate, own)?;
     equation.steady(graph, &[u])?;
-    let k = diff::partial(graph, u, own);
-    if !is_free(graph, k, &|symbol| symbol == own) {
-        return None;
-    }
+    let k = slope_of_line(graph, u, own)?;
     let total = equation.clock.over_step(graph, a)?;
     let z = graph.mul(k, total);
     let (growth, mean) = growth_and_mean(graph, z);

@@ -144,3 +144,54 @@ fn planes_with_jumps_are_solved_for() {
     assert!(report.contains("none, because of 17·x[1]²/10"), "{report}");
     assert!(report.contains("planar discrete gradient") && !report.contains("linear field"), "{report}");
 }
+
+/// The plane turns about an axis that is at rest, so that all steps turn it by the same angle.
+#[hamiltonian(structure = |i, j| if i == 0 && j == 1 { x[2] } else { 0.0 })]
+fn about_an_axis(x: [f64; 3], a: f64) -> f64 {
+    (x[0] * x[0] + a * x[1] * x[1]) / 2.0
+}
+
+/// Of short steps the cosine has few digits that are not those of 1: rounded, it would let a circle grow by the same number in each.
+#[test]
+fn what_turns_has_no_trend() {
+    for axis in [-1.3, 0.71, 0.9, 1.7] {
+        for (a, h) in [(1.0, 1e-2), (1.0, 1e-3), (0.5, 1e-3)] {
+            let start = FlowState::new([0.5, 1.6, axis]);
+            let mut sim = AboutAnAxis::<f32> { a }.integrator(PlanarSplitting, h, start);
+            let energy = sim.energy();
+            sim.advance(100_000).unwrap_or_else(|error| panic!("{error}"));
+            let change = sim.energy() / energy - 1.0;
+            assert!(change.abs() < 1e-4, "{axis} {a} {h}: {change:e}");
+        }
+    }
+    let (system, start) = (HeavyTop::<f32> { inertia: [1.0, 2.0, 3.0], r: [0.0; 3] }, [0.5, 1.6, -1.2, 0.6, 0.0, 0.8]);
+    let mut sim = system.integrator(PoissonSplitting, 1e-3, FlowState::new(start));
+    sim.advance(100_000).unwrap_or_else(|error| panic!("{error}"));
+    let square = |x: [f32; 6]| x[3] * x[3] + x[4] * x[4] + x[5] * x[5];
+    let change = square(sim.state().x) / square(start) - 1.0;
+    assert!(change.abs() < 2e-4, "{change:e}");
+}
+
+/// What is a line on both sides, with the same slope, and jumps.
+#[hamiltonian(structure = |_, _| (2.0 * x[0] + if x[0] > a { 1.0 } else { 2.0 }).powi(2))]
+fn broken(x: [f64; 2], a: f64) -> f64 {
+    x[1]
+}
+
+#[hamiltonian(structure = |_, _| (k * x[0] + x[0].signum()).exp())]
+fn broken_exponent(x: [f64; 2], k: f64) -> f64 {
+    x[1]
+}
+
+#[hamiltonian(structure = |_, _| (x[0] + if x[0] + c * x[1] > a { 1.0 } else { 2.0 }).sin())]
+fn broken_angle(x: [f64; 2], a: f64, c: f64) -> f64 {
+    x[1]
+}
+
+/// The flow of one side goes on in a straight way beyond the jump, where the field is another one.
+#[test]
+fn lines_with_jumps_are_no_lines() {
+    for report in [Broken::<f64>::REPORT, BrokenExponent::<f64>::REPORT, BrokenAngle::<f64>::REPORT] {
+        assert!(report.contains("- none, because of x[1]") && report.contains("planar discrete gradient"), "{report}");
+    }
+}
