@@ -223,10 +223,7 @@ fn rotate<R: Real>(axis: usize, angle: R, r: &mut [R; 4], m: &mut [R; 4]) {
     // By twice the angle.
     let double = R::from_f64(2.0) * sine;
     let [sine, less] = [double * cosine, -(double * sine)];
-    (m[j], m[k]) = (
-        m[j] + less.multiply_add(m[j], sine * m[k]),
-        m[k] + less.multiply_add(m[k], -(sine * m[j])),
-    );
+    (m[j], m[k]) = (m[j] + less.multiply_add(m[j], sine * m[k]), m[k] + less.multiply_add(m[k], -(sine * m[j])));
 }
 
 #[inline(always)]

@@ -1,7 +1,9 @@
 //! Pieces in which one coordinate moves along a geodesic.
 
 use super::super::flow::{Flow, Group};
-use super::super::polynomial::{Polynomial, factors, is_free, is_momentum, parted, quotient, single_momentum, slope_of_line};
+use super::super::polynomial::{
+    Polynomial, factors, is_free, is_momentum, parted, quotient, single_momentum, slope_of_line,
+};
 use super::super::scalar::{self, Equation, positive_power};
 use super::super::time::Clock;
 use crate::ir::substitute::replaced;
