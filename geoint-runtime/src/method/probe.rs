@@ -21,6 +21,12 @@ pub trait Probe<S: PhaseSpace<R>, R: Real>: Observer {
     fn flown(&mut self, piece: &'static str, finite: impl FnOnce() -> bool) {
         let _ = (piece, finite);
     }
+
+    /// A plane of these coordinates was not solved for.
+    #[inline(always)]
+    fn unsolved(&mut self, plane: &'static str) {
+        let _ = plane;
+    }
 }
 
 /// Sees nothing: the probe of the fast path.

@@ -90,6 +90,13 @@ pub enum StepError {
         /// The piece.
         piece: &'static str,
     },
+    /// A plane has no step of this size, or none that was found.
+    Unsolved {
+        /// Time of the last good state.
+        t: f64,
+        /// The two coordinates that move in it.
+        plane: &'static str,
+    },
     /// The implicit equation of the step was not solved to rounding.
     NotConverged {
         /// Time of the last good state.
@@ -194,6 +201,11 @@ pub enum Reason {
         /// The piece.
         piece: &'static str,
     },
+    /// A plane has no step of this size, or none that was found.
+    Unsolved {
+        /// The two coordinates that move in it.
+        plane: &'static str,
+    },
     /// Its implicit equation was not solved to rounding.
     NotConverged,
     /// The Taylor series of the solution does not converge in it: there is a pole of the solution, or a collision.
@@ -227,6 +239,7 @@ impl fmt::Display for Reason {
             Reason::Rounded => write!(f, "rounding in it changes what it keeps by more than its last digits"),
             Reason::DependentConstraints { what } => write!(f, "constraints depend on each other on its way: {what}"),
             Reason::Pole { piece } => write!(f, "the flow of the piece {piece} ends before it does"),
+            Reason::Unsolved { plane } => write!(f, "its equation in the plane of {plane} was not solved"),
             Reason::NotConverged => write!(f, "its equation was not solved"),
             Reason::Diverges => write!(f, "the series of the solution does not converge in it"),
             Reason::Sliding => write!(
@@ -290,6 +303,9 @@ impl fmt::Display for StepError {
             }
             StepError::Pole { t, piece } => {
                 write!(f, "the flow of the piece {piece} ends within the step from t = {t}; try a smaller step")
+            }
+            StepError::Unsolved { t, plane } => {
+                write!(f, "the step from t = {t} was not solved in the plane of {plane}; try a smaller step")
             }
             StepError::NotConverged { t, iterations: 0, .. } => {
                 write!(

@@ -33,6 +33,8 @@ pub(crate) enum Found {
     OutsideDomain(&'static str),
     /// The flow of this piece ends.
     Pole(&'static str),
+    /// The equation of this plane was not solved.
+    Unsolved(&'static str),
 }
 
 /// Where a step starts: its time, and q, p, s.
@@ -83,6 +85,7 @@ impl Seen {
         match (outcome, self.reason(outcome.err())) {
             (_, Some(Found::OutsideDomain(what))) => StepError::OutsideDomain { t, what },
             (_, Some(Found::Pole(piece))) => StepError::Pole { t, piece },
+            (_, Some(Found::Unsolved(plane))) => StepError::Unsolved { t, plane },
             (Ok(()), None) => StepError::NonFinite { t },
             (Err(refusal), None) => StepError::refused(refusal, t),
         }
@@ -118,6 +121,12 @@ impl<S: PhaseSpace<R>, R: Real> Probe<S, R> for Watch<'_, S, Start<S, R>> {
         let defined = || self.system.hamiltonian(*t, z, s).magnitude() < f64::INFINITY;
         if self.looks() && !finite() && defined() {
             self.seen.found = Some(Found::Pole(piece));
+        }
+    }
+
+    fn unsolved(&mut self, plane: &'static str) {
+        if self.looks() {
+            self.seen.found = Some(self.seen.edge.map_or(Found::Unsolved(plane), Found::OutsideDomain));
         }
     }
 }

@@ -34,7 +34,9 @@ fn splitting(
     let (symplectic, conserves_energy) = (found.symplectic, found.conserves_energy);
     let printer = Printer::new(graph, |symbol| context.user_name(symbol));
     let table = pieces.iter().map(|piece| {
-        let (name, solved, may_end) = (printer.excerpt(piece.energy), piece.solved, piece.may_end);
+        let (solved, may_end) = (piece.solved, piece.may_end);
+        let moved = || piece.flow.changes.iter().map(|symbol| printer.named(*symbol)).collect::<Vec<_>>().join(", ");
+        let name = if solved { moved() } else { printer.excerpt(piece.energy) };
         let clock = match piece.clock {
             Clock::Own => quote!(Own),
             Clock::Stage => quote!(Stage),

@@ -63,7 +63,8 @@ pub(super) fn of_flow<F: Fn(Symbol) -> String>(
         let by_planes = *splitting != "PoissonSplitting";
         if by_planes && *splitting != "PlanarSplitting" {
             if let Ok(pieces) = pieces {
-                writeln!(text, "- `{splitting}`: {} equations of two unknowns", pieces.len())?;
+                let equations = if let [_] = pieces[..] { "equation" } else { "equations" };
+                writeln!(text, "- `{splitting}`: {} {equations} of two unknowns", pieces.len())?;
             }
             continue;
         }

@@ -4,10 +4,10 @@
 //! flow of a Φ and the first one of the Φ* behind it belong to one piece and are merged. Time, where it is frozen, moves
 //! before all flows of Φ and after all flows of Φ*: between Φ and Φ* it is the same for all flows.
 
-use crate::method::{Claims, Clock, Probe, Refusal, Step, Unwatched};
+use crate::method::{Claims, Clock, Probe, Refusal, Step, Unwatched, check_way};
 use crate::scalar::Real;
-use crate::space::{PerCoordinate, Point, Summation};
-use crate::system::{Clock as PieceClock, Pieces};
+use crate::space::{Array, PerCoordinate, Point, Summation};
+use crate::system::{Clock as PieceClock, Piece, Pieces, Poles};
 
 /// A splitting by its name: which pieces of a system it takes.
 pub trait Splitting: Copy + Default {
@@ -24,6 +24,7 @@ pub struct Prepared<F, R> {
     /// The first flow of a step merged with the last one of the step before.
     merged: F,
     half: R,
+    poles: Poles,
 }
 
 /// What every composition of exact flows claims, of order `order` with so many flows of the last piece.
@@ -34,21 +35,20 @@ pub(super) fn claims<S: Pieces<M, R>, M, R: Real>(order: u32, flows: u32) -> Cla
 
 pub(super) fn prepare<S: Pieces<M, R>, M, R: Real>(system: &S, h: R) -> Prepared<S::Flows, R> {
     let half = R::from_f64(0.5) * h;
-    Prepared { flows: system.prepare_flows(half, h), merged: system.prepare_flows(h, h), half }
+    Prepared { flows: system.prepare_flows(half, h), merged: system.prepare_flows(h, h), half, poles: Poles::of(system) }
 }
 
 /// The flows in order, and back.
 #[inline(always)]
 pub(super) fn step<S: Pieces<M, R>, M, R: Real, C: Summation<S::Phase>, P: Probe<S, R>>(
-    Prepared { flows, half, .. }: &Prepared<S::Flows, R>,
+    Prepared { flows, half, poles, .. }: &Prepared<S::Flows, R>,
     mut step: Step<'_, S, R, C, P>,
 ) -> Result<(), Refusal> {
     let (all, start, middle) = (S::PIECES.len(), step.t, step.t + *half);
     let frozen = step.system.freeze(flows, middle);
     step.probe.visit(start, &step.x.z, &step.x.s);
-    pass::<S, M, R, C, P>(0..all, (flows, &frozen), step.part([start; 2]));
-    pass::<S, M, R, C, P>((0..all - 1).rev(), (flows, &frozen), step.part([middle; 2]));
-    Ok(())
+    pass::<S, M, R, C, P>(0..all, (flows, &frozen, poles), step.part([start; 2]))?;
+    pass::<S, M, R, C, P>((0..all - 1).rev(), (flows, &frozen, poles), step.part([middle; 2]))
 }
 
 /// Steps of which neighbours share a flow.
@@ -60,21 +60,21 @@ pub(super) fn advance<S: Pieces<M, R>, M, R: Real, C: Summation<S::Phase>>(
     steps: u64,
     x: &mut Point<S::Phase, C, S::Action>,
 ) -> Result<(), Refusal> {
-    let Prepared { flows, merged, half } = prepared;
+    let Prepared { flows, merged, half, poles } = prepared;
     let (all, probe) = (S::PIECES.len(), &mut Unwatched);
     if !merges::<S, M, R>() {
         return (0..steps).try_for_each(|n| step::<S, M, R, C, _>(prepared, Step::at(clock.at(n), (system, x, probe))));
     }
     let Some(last) = steps.checked_sub(1) else { return Ok(()) };
     let start = clock.at(0);
-    pass::<S, M, R, C, _>(0..1, (flows, &system.freeze(flows, start)), Step::at(start, (system, x, probe)));
+    pass::<S, M, R, C, _>(0..1, (flows, &system.freeze(flows, start), poles), Step::at(start, (system, x, probe)))?;
     for n in 0..steps {
         let (t, middle) = (clock.at(n), clock.at(n) + *half);
         let frozen = system.freeze(flows, middle);
         let outer = if n == last { flows } else { merged };
-        pass::<S, M, R, C, _>(1..all, (flows, &frozen), Step::at(t, (system, x, probe)));
-        pass::<S, M, R, C, _>((1..all - 1).rev(), (flows, &frozen), Step::at(middle, (system, x, probe)));
-        pass::<S, M, R, C, _>(0..1, (outer, &frozen), Step::at(middle, (system, x, probe)));
+        pass::<S, M, R, C, _>(1..all, (flows, &frozen, poles), Step::at(t, (system, x, probe)))?;
+        pass::<S, M, R, C, _>((1..all - 1).rev(), (flows, &frozen, poles), Step::at(middle, (system, x, probe)))?;
+        pass::<S, M, R, C, _>(0..1, (outer, &frozen, poles), Step::at(middle, (system, x, probe)))?;
     }
     Ok(())
 }
@@ -132,14 +132,28 @@ macro_rules! splitting {
 }
 pub(super) use splitting;
 
-/// The flows of some pieces one after the other, each from the time of `step` on.
+/// Whether some are solved for: of all others nothing is asked behind them.
+const fn solves(pieces: &[Piece]) -> bool {
+    let mut i = 0;
+    while i < pieces.len() {
+        if pieces[i].solved {
+            return true;
+        }
+        i += 1;
+    }
+    false
+}
+
+/// The flows of some pieces one after the other, each from the time of `step` on. Those that are solved for do not jump over a pole.
 #[inline(always)]
 pub(super) fn pass<S: Pieces<M, R>, M, R: Real, C: Summation<S::Phase>, P: Probe<S, R>>(
     pieces: impl Iterator<Item = usize>,
-    (flows, frozen): (&S::Flows, &S::Frozen),
+    (flows, frozen, poles): (&S::Flows, &S::Frozen, &Poles),
     Step { system, t, x, probe, .. }: Step<'_, S, R, C, P>,
-) {
+) -> Result<(), Refusal> {
     for piece in pieces {
+        let solved = const { solves(S::PIECES) } && S::PIECES[piece].solved;
+        let before = (x.z, x.s);
         let named = P::PATIENT && S::PIECES[piece].may_end && x.is_finite();
         if C::PLAIN {
             // An action that is not followed is dropped here, and with it what it is computed from.
@@ -150,8 +164,16 @@ pub(super) fn pass<S: Pieces<M, R>, M, R: Real, C: Summation<S::Phase>, P: Probe
             let d = system.increments(piece, flows, frozen, t, &PerCoordinate::of(x));
             x.add_everywhere(&d);
         }
-        if named {
-            probe.flown(S::PIECES[piece].name, || x.is_finite());
+        let name = S::PIECES[piece].name;
+        if solved && x.z.is_finite() {
+            let Point { z, s, doubtful, .. } = &mut *x;
+            let way = ([t; 2], [&before.0, &*z], [&before.1, &*s]);
+            check_way::<S, R, P>(poles, false, system, way, doubtful)?;
+        } else if solved && named {
+            probe.unsolved(name);
+        } else if named {
+            probe.flown(name, || x.is_finite());
         }
     }
+    Ok(())
 }

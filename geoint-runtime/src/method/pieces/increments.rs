@@ -6,7 +6,7 @@ use crate::method::composition::substeps;
 use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::space::Summation;
-use crate::system::Pieces;
+use crate::system::{Pieces, Poles};
 
 /// The planar parts of x' = S(x) ∇I, i < j, one after the other, each by divided differences of I in one coordinate:
 /// x₁ᵢ − x₀ᵢ = h S_ij I\[x₁ᵢ, (x₀ⱼ, x₁ⱼ)\], x₁ⱼ − x₀ⱼ = −h S_ij I\[(x₀ᵢ, x₁ᵢ), x₀ⱼ\] with S_ij at x₀. Order 1; keeps I to rounding for every h,
@@ -51,6 +51,7 @@ pub struct PlanarItohAbePair;
 pub struct Prepared<F, R> {
     flows: F,
     half: R,
+    poles: Poles,
 }
 
 macro_rules! increments {
@@ -70,22 +71,21 @@ macro_rules! increments {
 
             fn prepare(&self, system: &S, h: R) -> Self::Prepared {
                 let part = R::from_f64($part) * h;
-                Prepared { flows: system.prepare_flows(part, part), half: R::from_f64(0.5) * h }
+                Prepared { flows: system.prepare_flows(part, part), half: R::from_f64(0.5) * h, poles: Poles::of(system) }
             }
 
             fn memory() {}
 
             #[inline]
             fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
-                Prepared { flows, half }: &Self::Prepared,
+                Prepared { flows, half, poles }: &Self::Prepared,
                 (): &mut (),
                 mut step: Step<'_, S, R, C, P>,
             ) -> Result<(), Refusal> {
                 let (start, pieces) = (step.t, $pieces(S::PIECES.len()));
                 let frozen = step.system.freeze(flows, start + *half);
                 step.probe.visit(start, &step.x.z, &step.x.s);
-                pass::<S, PlanarItohAbe, R, C, P>(pieces, (flows, &frozen), step.part([start; 2]));
-                Ok(())
+                pass::<S, PlanarItohAbe, R, C, P>(pieces, (flows, &frozen, poles), step.part([start; 2]))
             }
         }
     )* };

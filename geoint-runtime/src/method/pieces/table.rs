@@ -8,7 +8,7 @@ use crate::method::tables::total::adds_up;
 use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step, Unwatched};
 use crate::scalar::Real;
 use crate::space::{Point, Summation};
-use crate::system::{NystromPieces, Pieces};
+use crate::system::{NystromPieces, Pieces, Poles};
 use core::marker::PhantomData;
 
 /// A table for any number of pieces: Φ*(β_K h) Φ(α_K h) … Φ*(β₁h) Φ(α₁h), K flows of the last piece a step.
@@ -83,6 +83,7 @@ pub struct Pair<F, R> {
     joint: F,
     /// Where Φ begins, and where it meets Φ*, after the start of the step.
     at: [R; 2],
+    poles: Poles,
 }
 
 impl<S: Pieces<M, R>, M: Splitting, R: Real, const K: usize> Method<S, R> for PieceComposition<K, M> {
@@ -99,6 +100,7 @@ impl<S: Pieces<M, R>, M: Splitting, R: Real, const K: usize> Method<S, R> for Pi
     }
 
     fn prepare(&self, system: &S, h: R) -> Self::Prepared {
+        let poles = Poles::of(system);
         core::array::from_fn(|i| {
             let [alpha, beta] = self.weights[i];
             let next = self.weights[(i + 1) % K][0];
@@ -110,6 +112,7 @@ impl<S: Pieces<M, R>, M: Splitting, R: Real, const K: usize> Method<S, R> for Pi
                 back: flows(beta, beta),
                 joint: flows(beta + next, beta + next),
                 at: [part(before), part(before + alpha)],
+                poles,
             }
         })
     }
@@ -122,8 +125,7 @@ impl<S: Pieces<M, R>, M: Splitting, R: Real, const K: usize> Method<S, R> for Pi
         (): &mut (),
         step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
-        part::<S, M, R, C, P, K>(prepared, step, [true, true]);
-        Ok(())
+        part::<S, M, R, C, P, K>(prepared, step, [true, true])
     }
 
     #[inline(always)]
@@ -140,7 +142,7 @@ impl<S: Pieces<M, R>, M: Splitting, R: Real, const K: usize> Method<S, R> for Pi
             let ends = [!together || n == 0, !together || n + 1 == steps];
             let mut unwatched = Unwatched;
             let step = Step::at(clock.at(n), (system, &mut *x, &mut unwatched));
-            part::<S, M, R, C, _, K>(prepared, step, ends);
+            part::<S, M, R, C, _, K>(prepared, step, ends)?;
         }
         Ok(())
     }
@@ -152,22 +154,23 @@ fn part<S: Pieces<M, R>, M: Splitting, R: Real, C: Summation<S::Phase>, P: Probe
     prepared: &[Pair<S::Flows, R>; K],
     mut step: Step<'_, S, R, C, P>,
     [begins, ends]: [bool; 2],
-) {
+) -> Result<(), Refusal> {
     let (all, together) = (S::PIECES.len(), M::MERGES && merges::<S, M, R>());
-    for (i, Pair { forth, back, joint, at: [start, middle] }) in prepared.iter().enumerate() {
+    for (i, Pair { forth, back, joint, at: [start, middle], poles }) in prepared.iter().enumerate() {
         let (start, middle) = (step.t + *start, step.t + *middle);
         let frozen = [forth, back].map(|flows| step.system.freeze(flows, middle));
         step.probe.visit(start, &step.x.z, &step.x.s);
         let reached = usize::from(together && !(i == 0 && begins));
-        pass::<S, M, R, C, P>(reached..all, (forth, &frozen[0]), step.part([start; 2]));
+        pass::<S, M, R, C, P>(reached..all, (forth, &frozen[0], poles), step.part([start; 2]))?;
         if together && !(i + 1 == K && ends) {
-            pass::<S, M, R, C, P>((1..all - 1).rev(), (back, &frozen[1]), step.part([middle; 2]));
+            pass::<S, M, R, C, P>((1..all - 1).rev(), (back, &frozen[1], poles), step.part([middle; 2]))?;
             let frozen = step.system.freeze(joint, middle);
-            pass::<S, M, R, C, P>(0..1, (joint, &frozen), step.part([middle; 2]));
+            pass::<S, M, R, C, P>(0..1, (joint, &frozen, poles), step.part([middle; 2]))?;
         } else {
-            pass::<S, M, R, C, P>((0..all - 1).rev(), (back, &frozen[1]), step.part([middle; 2]));
+            pass::<S, M, R, C, P>((0..all - 1).rev(), (back, &frozen[1], poles), step.part([middle; 2]))?;
         }
     }
+    Ok(())
 }
 
 /// A table of Runge–Kutta–Nyström type for two pieces, A outside and B inside, with {B, {B, {B, A}}} = 0: its order conditions use that.

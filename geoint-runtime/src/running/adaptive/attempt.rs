@@ -162,6 +162,7 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
             Err(reason) => match watch.seen().reason(None) {
                 Some(Found::OutsideDomain(what)) => Reason::OutsideDomain { what },
                 Some(Found::Pole(piece)) => Reason::Pole { piece },
+                Some(Found::Unsolved(plane)) => Reason::Unsolved { plane },
                 None => reason,
             },
         }

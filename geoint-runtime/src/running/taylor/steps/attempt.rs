@@ -4,7 +4,7 @@ use super::Steps;
 use crate::running::error::Reason;
 use crate::scalar::{Real, zero};
 use crate::space::PerCoordinate;
-use crate::system::{Jets, jump_on_way};
+use crate::system::{Jets, Poles, jump_on_way};
 use crate::taylor::{self, TaylorMethod};
 
 impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
@@ -23,8 +23,9 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
             return Err(Reason::Diverges);
         }
         to.memory = from.memory;
-        if let Some(correction) = self.method.correction(&mut to.memory, &self.system, &from.x.z, &x.z)? {
-            x.add(&correction);
+        let correction = self.method.correction(&mut to.memory, &self.system, &from.x.z, &x.z)?;
+        if let Some(correction) = &correction {
+            x.add(correction);
         }
         clock.pass_length(R::from_f64(h));
         if clock.now(zero()).magnitude().is_nan() || clock.now(zero()).magnitude() == f64::INFINITY {
@@ -38,7 +39,9 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         {
             return Err(Reason::OutsideDomain { what });
         }
-        if let Some(what) = self.jump() {
+        // Series see the poles of the field; an invariant may have more, and beyond them it is another one.
+        let pole = correction.and_then(|_| self.pole());
+        if let Some(what) = pole.or_else(|| self.jump()) {
             return Err(Reason::OutsideDomain { what });
         }
         if !here.is_finite() {
@@ -54,6 +57,14 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
     fn outside_domain(&self) -> Option<&'static str> {
         let end = self.start();
         self.system.outside_domain(end.time(), &end.x.z, &end.x.s)
+    }
+
+    /// A pole on the way to where an attempt led.
+    #[inline(always)]
+    fn pole(&self) -> Option<&'static str> {
+        let [from, to] = [self.here(), self.start()];
+        let way = ([from.time(), to.time()], [&from.x.z, &to.x.z], [&from.x.s, &to.x.s]);
+        Poles::of(&self.system).between(&self.system, false, way)
     }
 
     /// A jump of the energy on the way to where an attempt led: series know nothing of it.
