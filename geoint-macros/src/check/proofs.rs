@@ -9,7 +9,7 @@ use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::HashMap;
 use crate::ir::{Graph, Id, Symbol, print::Printer};
 use crate::lower::{Integral, Place};
-use crate::parse::Energy;
+use crate::parse::{Energy, StructureKind};
 use syn::Expr;
 
 /// Reports S that is not skew, a function of indices that gives none of it, and damping that is none.
@@ -37,11 +37,14 @@ pub(crate) fn structure(
     }
     match (damping, &energy.options.structure) {
         (Some(damping), _) => flaw_of_damping(energy, damping, &printer, &mut errors),
-        // Entries for j < i would go unheard.
-        (None, Some(form)) if matches!(form.expr, Expr::Closure(_)) => {
-            if structure.matrix.iter().flatten().all(|entry| graph.is_zero(*entry)) {
-                errors.at(&form.expr, "S is zero, so that nothing moves; `|i, j| …` is asked for i < j alone");
-            }
+        (None, Some(form)) if structure.matrix.iter().flatten().all(|entry| graph.is_zero(*entry)) => {
+            let advice = match (form.kind, &form.expr) {
+                // Entries for j < i would go unheard.
+                (_, Expr::Closure(_)) => "`|i, j| …` is asked for i < j alone",
+                (StructureKind::Nambu, _) => "the function in `nambu(…)` has to read `x`",
+                _ => "write its entries S[i][j] = −S[j][i], or x' = −C ∇H by `damping = C`",
+            };
+            errors.at(&form.expr, format!("S is zero, so that nothing moves; {advice}"));
         }
         (None, _) => {}
     }

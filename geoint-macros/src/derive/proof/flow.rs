@@ -24,8 +24,8 @@ pub(crate) struct Flow {
     loss: Option<Vec<Id>>,
     /// What steps keep.
     pub(crate) kept: Vec<Named>,
-    /// What is constant as well, and not listed.
-    pub(crate) also: Vec<Id>,
+    /// What is constant as well, and not kept; with whether it is a Casimir.
+    pub(crate) also: Vec<(Id, bool)>,
     /// Its divergence, if no energy has the field because of that.
     pub(crate) divergent: Option<Id>,
 }
@@ -137,7 +137,7 @@ impl Flow {
             if everywhere && kept.linear && self.form == Form::Field && !self.kept.is_empty() {
                 self.keep_found(graph, kept.value, &name);
             } else {
-                self.also.push(kept.value);
+                self.also.push((kept.value, false));
             }
         }
     }
@@ -160,7 +160,7 @@ impl Flow {
             if everywhere {
                 self.keep_found(graph, kept.value, &name);
             } else if self.loss.is_none() {
-                self.also.push(kept.value);
+                self.also.push((kept.value, true));
             }
         }
     }
@@ -178,7 +178,7 @@ impl Flow {
             return vec![];
         }
         let known: Vec<Id> =
-            self.kept.iter().map(|kept| kept.conserved.value).chain(self.also.iter().copied()).collect();
+            self.kept.iter().map(|kept| kept.conserved.value).chain(self.also.iter().map(|(value, _)| *value)).collect();
         let defined: HashSet<Id> = graph.reachable(&[&known[..], &self.field].concat()).into_iter().collect();
         let all: Vec<Id> = known.iter().copied().chain(found.iter().map(|kept| kept.value)).collect();
         let x = coordinates(self.field.len());

@@ -159,15 +159,24 @@ fn kept<F: Fn(Symbol) -> String>(
         };
         let name = if *origin == Origin::Found { String::new() } else { format!("{name} = ") };
         match &conserved.but {
-            None => writeln!(text, "- {name}{value}: {word}")?,
+            None => {
+                let reads_time = printer.graph().reads(conserved.value).t;
+                let but = if reads_time { "; by no projection, since it reads time" } else { "" };
+                writeln!(text, "- {name}{value}: {word}{but}")?;
+            }
             Some(b) => {
                 let change = coefficients(printer, b);
                 writeln!(text, "- {name}{value}, but for b·∇I with b = {change}: {word}")?;
             }
         }
     }
-    for value in &flow.also {
-        writeln!(text, "- {}: constant as well, not listed", printer.excerpt(*value))?;
+    for (value, is_casimir) in &flow.also {
+        let word = if *is_casimir {
+            "a Casimir; `FourthOrder` does not take it, because it is not defined wherever the field is"
+        } else {
+            "constant as well, not listed"
+        };
+        writeln!(text, "- {}: {word}", printer.excerpt(*value))?;
     }
     if flow.kept.is_empty() && flow.also.is_empty() {
         writeln!(text, "- none was listed, and none was found")?;

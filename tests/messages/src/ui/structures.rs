@@ -103,6 +103,16 @@ mod structure_that_moves_nothing {
         x[1] * x[1] / 2.0 - x[0].cos()
     }
 
+    #[hamiltonian(structure = [[0.0, 0.0], [0.0, 0.0]])]
+    fn still(x: [f64; 2]) -> f64 {
+        x[1] * x[1] / 2.0 - x[0].cos()
+    }
+
+    #[hamiltonian(structure = nambu(k))]
+    fn alone(x: [f64; 3], k: f64) -> f64 {
+        x[1] * x[1] / 2.0 - x[0].cos()
+    }
+
     /// With friction it is a way downhill.
     #[hamiltonian(structure = |_, _| 0.0, damping = k)]
     fn downhill(x: [f64; 2], k: f64) -> f64 {
