@@ -8,6 +8,7 @@
 mod compared;
 mod edges;
 mod long;
+mod poles;
 mod recovered;
 mod splittings;
 mod systems;
@@ -255,4 +256,6 @@ fn what_is_found_is_reported() {
     assert_eq!(<Volterra as FirstIntegrals>::NAMES, ["energy"]);
     // The sum of all species is linear.
     reports(Volterra::REPORT, "constant as well, not listed");
+    // A logarithm is no less a Casimir where H does not take it.
+    reports(Volterra::REPORT, "ln(x[0]) + ln(x[2]) + ln(x[4]): a Casimir; `FourthOrder` does not take it");
 }

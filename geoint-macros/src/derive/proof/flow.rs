@@ -177,8 +177,12 @@ impl Flow {
         if found.is_empty() {
             return vec![];
         }
-        let known: Vec<Id> =
-            self.kept.iter().map(|kept| kept.conserved.value).chain(self.also.iter().map(|(value, _)| *value)).collect();
+        let known: Vec<Id> = self
+            .kept
+            .iter()
+            .map(|kept| kept.conserved.value)
+            .chain(self.also.iter().map(|(value, _)| *value))
+            .collect();
         let defined: HashSet<Id> = graph.reachable(&[&known[..], &self.field].concat()).into_iter().collect();
         let all: Vec<Id> = known.iter().copied().chain(found.iter().map(|kept| kept.value)).collect();
         let x = coordinates(self.field.len());

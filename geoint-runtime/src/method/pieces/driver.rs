@@ -35,7 +35,12 @@ pub(super) fn claims<S: Pieces<M, R>, M, R: Real>(order: u32, flows: u32) -> Cla
 
 pub(super) fn prepare<S: Pieces<M, R>, M, R: Real>(system: &S, h: R) -> Prepared<S::Flows, R> {
     let half = R::from_f64(0.5) * h;
-    Prepared { flows: system.prepare_flows(half, h), merged: system.prepare_flows(h, h), half, poles: Poles::of(system) }
+    Prepared {
+        flows: system.prepare_flows(half, h),
+        merged: system.prepare_flows(h, h),
+        half,
+        poles: Poles::of(system),
+    }
 }
 
 /// The flows in order, and back.
