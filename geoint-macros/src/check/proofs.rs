@@ -41,6 +41,9 @@ pub(crate) fn structure(
             let advice = match (form.kind, &form.expr) {
                 // Entries for j < i would go unheard.
                 (_, Expr::Closure(_)) => "`|i, j| …` is asked for i < j alone",
+                _ if structure.matrix.len() == 1 => {
+                    "one coordinate has no other structure: x' = f(x) is a `#[vector_field]`"
+                }
                 (StructureKind::Nambu, _) => "the function in `nambu(…)` has to read `x`",
                 _ => "write its entries S[i][j] = −S[j][i], or x' = −C ∇H by `damping = C`",
             };

@@ -85,11 +85,23 @@ fn plane_rotation(graph: &mut Graph, matrix: &[Vec<Id>], velocity: &[Id], (x, ta
         return None;
     }
     let angle = graph.mul(m, tau);
-    let half = graph.scale(Number::HALF, angle);
-    let [cosine, sine] = [Function::Cos, Function::Sin].map(|function| graph.call(function, &[half]));
-    let double = graph.scale(Number::integer(2), sine);
     let back = graph.neg(x[0]);
-    let ends = [[x[0], x[1]], [x[1], back]].map(|[x, y]| {
+    let all = [[x[0], x[1]], [x[1], back]];
+    let turned =
+        |graph: &mut Graph, angle: Id| [Function::Cos, Function::Sin].map(|function| graph.call(function, &[angle]));
+    // What is prepared is made to add to x elsewhere.
+    if !graph.reads(angle).state() {
+        let [cosine, sine] = turned(graph, angle);
+        let ends = all.map(|[x, y]| {
+            let terms = [graph.mul(cosine, x), graph.mul(sine, y)];
+            graph.sum(&terms)
+        });
+        return Some(ends.to_vec());
+    }
+    let half = graph.scale(Number::HALF, angle);
+    let [cosine, sine] = turned(graph, half);
+    let double = graph.scale(Number::integer(2), sine);
+    let ends = all.map(|[x, y]| {
         let opposite = graph.neg(x);
         let terms = [graph.mul(cosine, y), graph.mul(sine, opposite)];
         moved_along(graph, x, double, &terms)

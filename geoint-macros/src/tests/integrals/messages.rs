@@ -212,24 +212,6 @@ fn flows_at_rest() {
                 }
             ),
         ),
-        (
-            Form::Hamiltonian,
-            quote!(structure = nambu(a)),
-            quote!(
-                fn f(x: [f64; 3], a: f64) -> f64 {
-                    x[0] * x[1]
-                }
-            ),
-        ),
-        (
-            Form::Hamiltonian,
-            quote!(structure = [[0.0]]),
-            quote!(
-                fn f(x: [f64; 1]) -> f64 {
-                    x[0] * x[0]
-                }
-            ),
-        ),
     ];
     for (form, args, item) in at_rest {
         let found = attribute::expand(form, args, item).to_string();
@@ -237,6 +219,31 @@ fn flows_at_rest() {
             !found.contains("compile_error") && found.contains("nothing moves, so that there are no pieces"),
             "{found}"
         );
+    }
+}
+
+/// An energy at rest is a choice; a structure that moves nothing, whatever the energy is, a mistake.
+#[test]
+fn structures_that_are_zero() {
+    let zero = [
+        (
+            quote!([[0.0, 0.0], [0.0, 0.0]]),
+            2_usize,
+            "write its entries S[i][j] = −S[j][i], or x' = −C ∇H by `damping = C`",
+        ),
+        (quote!([[0.0]]), 1, "one coordinate has no other structure"),
+        (quote!(nambu(a)), 3, "the function in `nambu(…)` has to read `x`"),
+    ];
+    for (structure, n, advice) in zero {
+        let item = quote!(
+            fn f(x: [f64; #n], a: f64) -> f64 {
+                a * x[0] * x[0]
+            }
+        );
+        let refused = attribute::expand(Form::Hamiltonian, quote!(structure = #structure), item.clone()).to_string();
+        assert!(refused.contains("S is zero, so that nothing moves; ") && refused.contains(advice), "{refused}");
+        let downhill = attribute::expand(Form::Hamiltonian, quote!(structure = #structure, damping = 1.5), item);
+        assert!(!downhill.to_string().contains("compile_error"), "{downhill}");
     }
 }
 
