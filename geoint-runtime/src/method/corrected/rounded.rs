@@ -71,7 +71,7 @@ fn refuse<S: PhaseSpace<R>, R: Real, I: Invariants<S, R>>(
     [start, end, between]: [&S::Phase; 3],
 ) -> Result<(), Refusal> {
     let mut gradients = [start, end].map(|z| invariants.gradients(system, z));
-    let [first, last] = gradients.each_mut().map(|gradients| I::Values::entries(gradients));
+    let [first, last] = gradients.each_mut().map(I::Values::entries);
     let is_lost = |(change, (first, last)): (&R, (&S::Phase, &S::Phase))| {
         let at_ends = f64::max(steepness([start], first), steepness([end], last));
         let way = [start, end, between];
