@@ -101,7 +101,7 @@ pub fn slope<const AUTONOMOUS: bool, const N: usize, S: DiscreteField<R> + Conse
 
     let mut mean = velocity;
     if AUTONOMOUS || N > 1 {
-        let [of_q, of_p] = metric(h, &mut third);
+        let [of_q, of_p] = metric(h, &third, S::DERIVATIVE == 1);
         let mut columns = momenta(&moved(&z, half, d));
         let mut of_g = Matrix::zero();
         if AUTONOMOUS {
