@@ -64,6 +64,9 @@ impl<S: FourthOrderField<R>, R: Real, P: Probe<S, R>> StepEquation<S::Phase, Dec
     const PATIENT: bool = P::PATIENT;
     const SETTLED: bool = <KeptBy<S, R> as Invariants<S, R>>::Values::LEN > 0;
     const OF_NOW: bool = !S::State::MOMENTA;
+    /// For the gradients of momenta it would not do: they may nearly depend on that of the energy, and then the projection changes much on a short way.
+    const NEARLY: bool =
+        S::State::MOMENTA && S::Phase::LEN >= LONG && <KeptBy<S, R> as Invariants<S, R>>::Values::LEN == 1;
 
     #[inline(always)]
     fn origin(&self) -> S::Phase {
@@ -97,17 +100,25 @@ impl<S: FourthOrderField<R>, R: Real, P: Probe<S, R>> StepEquation<S::Phase, Dec
         let mut image = S::Phase::zero();
         let Equation { system, parameters, begun, .. } = self;
         if const { S::Phase::LEN < LONG } {
-            system.fourth_slope(parameters, begun, d, &mut image, matrix);
+            system.fourth_slope::<false>(parameters, begun, d, &mut image, matrix);
         } else {
-            slope_apart(*system, parameters, begun, d, &mut image, matrix);
+            slope_apart::<false, _, _>(*system, parameters, begun, d, &mut image, matrix);
         }
+        image
+    }
+
+    #[inline(always)]
+    fn nearly(&self, watch: &mut Deciding<'_, P, S::Phase>, d: &S::Phase, matrix: &mut Square<S::Phase>) -> S::Phase {
+        watch.visit(self.t, &sum(&self.z, d));
+        let mut image = S::Phase::zero();
+        slope_apart::<true, _, _>(self.system, self.parameters, &self.begun, d, &mut image, matrix);
         image
     }
 }
 
 /// The same, here once for the first evaluation of a step, those that follow, and those that are watched.
 #[inline(never)]
-fn slope_apart<S: FourthOrderField<R>, R: Real>(
+fn slope_apart<const NEARLY: bool, S: FourthOrderField<R>, R: Real>(
     system: &S,
     parameters: &S::FourthParameters,
     begun: &S::FourthStart,
@@ -115,7 +126,7 @@ fn slope_apart<S: FourthOrderField<R>, R: Real>(
     image: &mut S::Phase,
     matrix: &mut Square<S::Phase>,
 ) {
-    system.fourth_slope(parameters, begun, d, image, matrix);
+    system.fourth_slope::<NEARLY>(parameters, begun, d, image, matrix);
 }
 
 impl<S: FourthOrderField<R>, R: Real> Method<S, R> for FourthOrder<DiscreteGradient> {

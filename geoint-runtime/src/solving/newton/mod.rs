@@ -13,7 +13,7 @@ use crate::solving::linear;
 use crate::solving::rounding::{Corrections, Verdict};
 use crate::solving::size::Sizes;
 use crate::space::vector::{difference, sum};
-use crate::space::{Array, Record, Tape};
+use crate::space::{Array, Record, Square, Tape};
 pub(crate) use iteration::compiled;
 use iteration::{Iteration, Start};
 use predictor::Predictor;
@@ -149,14 +149,19 @@ impl<A: Array> Newton<A> {
             let point = self.predictor.predict();
             let guess = equation.unknown(&point);
             let mut matrix = A::fill(A::zero());
-            let mut delta = equation.residual_at(watch, &guess, &point, &mut matrix);
-            // The factor by which terms of the series shrink is small, and so is the next term. Of two unknowns Cramer's rule is as fast.
-            if E::SETTLED && A::LEN > 2 && self.iteration.by_series {
-                let second = linear::second_term(&matrix, &delta);
-                if self.iteration.is_last_term(&second) {
-                    return Found::corrected(guess, &sum(&delta, &second));
+            let by_series = E::SETTLED && A::LEN > 2 && self.iteration.by_series;
+            if E::NEARLY && by_series {
+                let delta = difference(&guess, &equation.nearly(watch, &point, &mut matrix));
+                if let Some(found) = self.by_series(guess, &delta, &matrix) {
+                    return found;
                 }
-                self.iteration.by_series = false;
+            }
+            let mut delta = equation.residual_at(watch, &guess, &point, &mut matrix);
+            if !E::NEARLY
+                && by_series
+                && let Some(found) = self.by_series(guess, &delta, &matrix)
+            {
+                return found;
             }
             // Of one unknown the correction by the derivative of the step before is there first, and is taken as long as it misses the other one
             // by a part of the last digit: which of them it is, a processor guesses, and goes on.
@@ -193,6 +198,15 @@ impl<A: Array> Newton<A> {
         found.lost.copy_from(&distant.lost);
         self.choose(equation.origin(), found.x);
         found
+    }
+
+    /// The solution by two terms of a series. The factor by which terms shrink is small, and so is the next term: nothing is left out that counts,
+    /// and what `matrix` lacks of the order of its square is no more. Of two unknowns Cramer's rule is as fast.
+    #[inline(always)]
+    fn by_series(&mut self, guess: A, first: &A, matrix: &Square<A>) -> Option<Found<A>> {
+        let second = linear::second_term(matrix, first);
+        self.iteration.by_series = self.iteration.is_last_term(&second);
+        self.iteration.by_series.then(|| Found::corrected(guess, &sum(first, &second)))
     }
 
     /// A long step: where it is solved by a second or third evaluation after the first correction of an extrapolated guess, else where it has
