@@ -7,7 +7,7 @@ use crate::method::{Claims, Deciding, Method, Name, Probe, Refusal, Step, check_
 use crate::scalar::Real;
 use crate::solving::equation::StepEquation;
 use crate::solving::newton::{Found, Newton};
-use crate::space::vector::{moved, scaled, sum};
+use crate::space::vector::{difference, moved, scaled, sum};
 use crate::space::{Array, Compensated, Record, Snapshot, Square, Summation, Tape};
 use crate::system::{FourthOrderField, Invariants, KeptBy, Poles, Span};
 
@@ -105,6 +105,16 @@ impl<S: FourthOrderField<R>, R: Real, P: Probe<S, R>> StepEquation<S::Phase, Dec
             slope_apart::<false, _, _>(*system, parameters, begun, d, &mut image, matrix);
         }
         image
+    }
+
+    /// Where one evaluation is not enough, and for who watches.
+    #[inline(always)]
+    fn residual(&self, watch: &mut Deciding<'_, P, S::Phase>, x: &S::Phase, matrix: &mut Square<S::Phase>) -> S::Phase {
+        let point = <Self as StepEquation<S::Phase, Deciding<'_, P, S::Phase>>>::point(self, x);
+        watch.visit(self.t, &sum(&self.z, &point));
+        let mut image = S::Phase::zero();
+        slope_apart::<false, _, _>(self.system, self.parameters, &self.begun, &point, &mut image, matrix);
+        difference(x, &image)
     }
 
     #[inline(always)]

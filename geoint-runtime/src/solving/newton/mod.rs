@@ -149,23 +149,23 @@ impl<A: Array> Newton<A> {
             let point = self.predictor.predict();
             let guess = equation.unknown(&point);
             let mut matrix = A::fill(A::zero());
-            let by_series = E::SETTLED && A::LEN > 2 && self.iteration.by_series;
-            if E::NEARLY && by_series {
+            // Constants first: nothing is compiled of what is not asked.
+            if const { E::SETTLED && A::LEN > 2 && E::NEARLY } && self.iteration.by_series {
                 let delta = difference(&guess, &equation.nearly(watch, &point, &mut matrix));
                 if let Some(found) = self.by_series(guess, &delta, &matrix) {
                     return found;
                 }
             }
             let mut delta = equation.residual_at(watch, &guess, &point, &mut matrix);
-            if !E::NEARLY
-                && by_series
+            if const { E::SETTLED && A::LEN > 2 && !E::NEARLY }
+                && self.iteration.by_series
                 && let Some(found) = self.by_series(guess, &delta, &matrix)
             {
                 return found;
             }
             // Of one unknown the correction by the derivative of the step before is there first, and is taken as long as it misses the other one
             // by a part of the last digit: which of them it is, a processor guesses, and goes on.
-            if E::SETTLED && Reciprocal::<A>::KNOWN {
+            if const { E::SETTLED && Reciprocal::<A>::KNOWN } {
                 let early = self.reciprocal.early(&delta);
                 if !self.reciprocal.solve(&matrix, &mut delta) {
                     break 'start Start::at(Some(guess));
