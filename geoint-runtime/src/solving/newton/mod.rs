@@ -6,6 +6,7 @@ mod iteration;
 mod left;
 mod predictor;
 mod reciprocal;
+mod series;
 
 use crate::solving::Refusal;
 use crate::solving::equation::{Observer, StepEquation};
@@ -13,7 +14,7 @@ use crate::solving::linear;
 use crate::solving::rounding::{Corrections, Verdict};
 use crate::solving::size::Sizes;
 use crate::space::vector::{difference, sum};
-use crate::space::{Array, Record, Square, Tape};
+use crate::space::{Array, Record, Tape};
 pub(crate) use iteration::compiled;
 use iteration::{Iteration, Start};
 use predictor::Predictor;
@@ -198,15 +199,6 @@ impl<A: Array> Newton<A> {
         found.lost.copy_from(&distant.lost);
         self.choose(equation.origin(), found.x);
         found
-    }
-
-    /// The solution by two terms of a series. The factor by which terms shrink is small, and so is the next term: nothing is left out that counts,
-    /// and what `matrix` lacks of the order of its square is no more. Of two unknowns Cramer's rule is as fast.
-    #[inline(always)]
-    fn by_series(&mut self, guess: A, first: &A, matrix: &Square<A>) -> Option<Found<A>> {
-        let second = linear::second_term(matrix, first);
-        self.iteration.by_series = self.iteration.is_last_term(&second);
-        self.iteration.by_series.then(|| Found::corrected(guess, &sum(first, &second)))
     }
 
     /// A long step: where it is solved by a second or third evaluation after the first correction of an extrapolated guess, else where it has
