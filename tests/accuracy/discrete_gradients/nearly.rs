@@ -4,8 +4,6 @@ use geoint_runtime::prelude::*;
 use geoint_runtime::system::{FourthOrderField, Span};
 use geoint_tests::problems::{DoublePendulum, HenonHeiles};
 
-type Rows = [[[f64; 2]; 2]; 4];
-
 /// The image of an increment, and 1 − its derivative.
 fn equation<S, const NEARLY: bool>(system: &S, h: f64, z: &[[f64; 2]; 2]) -> ([[f64; 2]; 2], [[f64; 4]; 4])
 where
@@ -13,13 +11,14 @@ where
 {
     let parameters = system.fourth_parameters(h);
     let begun = system.fourth_begin(&parameters, Span::of([0.0, h], h), z);
-    let (mut d, mut rows) = ([[0.0; 2]; 2], Rows::default());
+    let (mut d, mut rows) = ([[0.0; 2]; 2], [[[[0.0; 2]; 2]; 2]; 2]);
     for _ in 0..20 {
         let mut image = d;
         system.fourth_slope::<NEARLY>(&parameters, &begun, &d, &mut image, &mut rows);
         d = image;
     }
-    (d, rows.map(|[[a, b], [c, d]]| [a, b, c, d]))
+    let rows = rows.as_flattened();
+    (d, core::array::from_fn(|i| core::array::from_fn(|j| rows[i].as_flattened()[j])))
 }
 
 /// The largest entries of A, of what is missing of it, and of the images' difference.
