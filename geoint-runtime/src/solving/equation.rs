@@ -26,6 +26,9 @@ pub(crate) trait StepEquation<A: Array, W: Observer + ?Sized>: Copy {
     /// they become small, as a logarithm is. Forces that cancel need the other: a momentum is then rounded as they are.
     const OF_NOW: bool = false;
 
+    /// Whether [`nearly`](Self::nearly) has less to do than [`evaluate`](Self::evaluate).
+    const NEARLY: bool = false;
+
     /// At this multiple of the origin nothing moves: the energy is defined there if it is at the start of the step.
     fn standstill(&self) -> f64 {
         0.0
@@ -37,6 +40,12 @@ pub(crate) trait StepEquation<A: Array, W: Observer + ?Sized>: Copy {
     fn explicit(&self) -> A;
     /// g(x) for the x of an evaluation point; and 1 − g'(x) in `matrix`.
     fn evaluate(&self, watch: &mut W, point: &A, matrix: &mut Square<A>) -> A;
+
+    /// The same, where a part of g'(x) of the order of its square is missing in `matrix`.
+    #[inline(always)]
+    fn nearly(&self, watch: &mut W, point: &A, matrix: &mut Square<A>) -> A {
+        self.evaluate(watch, point, matrix)
+    }
 
     /// The evaluation point of x: x, moved by what sums have lost where the equation counts with that.
     #[inline(always)]

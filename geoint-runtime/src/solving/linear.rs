@@ -19,10 +19,10 @@ pub(crate) fn solve<A: Array>(matrix: &mut Square<A>, rhs: &mut A, sizes: &Sizes
     let sizes = sizes.entries();
     let rows = A::entries::<A>(matrix);
     let b = rhs.as_mut_slice();
-    if n == 2 {
+    if const { A::LEN == 2 } {
         return of_two(rows, b);
     }
-    if n == 3
+    if const { A::LEN == 3 }
         && let Some(positive) = of_three(rows, b)
     {
         return Some(positive);

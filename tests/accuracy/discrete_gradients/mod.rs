@@ -4,6 +4,7 @@
 //! references from an explicit solver of order 8 at a relative tolerance of 10⁻¹³.
 
 mod increments;
+mod nearly;
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Hamiltonian, Method, Reason};

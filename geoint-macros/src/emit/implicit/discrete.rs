@@ -169,7 +169,7 @@ pub(super) fn canonical_fourth_order(context: &Context<'_>, momenta: &Plan, auto
                 fourth_order::begin(self, parameters, span, z)
             }
             #[inline(always)]
-            fn fourth_slope(
+            fn fourth_slope<const NEARLY: bool>(
                 &self,
                 parameters: &Self::FourthParameters,
                 start: &Self::FourthStart,
@@ -178,7 +178,7 @@ pub(super) fn canonical_fourth_order(context: &Context<'_>, momenta: &Plan, auto
                 matrix: &mut Square<#phase>,
             ) {
                 let momenta = |z: &#phase| self.momenta(z);
-                fourth_order::slope::<#autonomous, #columns, _, _>(self, parameters, start, momenta, d, (image, matrix));
+                fourth_order::slope::<NEARLY, #autonomous, #columns, _, _>(self, parameters, start, momenta, d, (image, matrix));
             }
             #loosen
         }
@@ -202,7 +202,7 @@ pub(super) fn fourth_order(context: &Context<'_>, field: &FieldKernels<Plan>, pl
 
             #functions
             #[inline(always)]
-            fn fourth_slope(
+            fn fourth_slope<const NEARLY: bool>(
                 &self,
                 prepared: &#prepared,
                 start: &#started,

@@ -1264,7 +1264,7 @@ const _: () = {
             [v0, q1, v1, q0, v2, v3, v4, v5]
         }
         #[inline(always)]
-        fn fourth_slope(
+        fn fourth_slope<const NEARLY: bool>(
             &self,
             prepared: &[R; 12],
             start: &[R; 8],

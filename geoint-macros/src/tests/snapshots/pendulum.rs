@@ -572,7 +572,7 @@ const _: () = {
             fourth_order::begin(self, parameters, span, z)
         }
         #[inline(always)]
-        fn fourth_slope(
+        fn fourth_slope<const NEARLY: bool>(
             &self,
             parameters: &Self::FourthParameters,
             start: &Self::FourthStart,
@@ -582,6 +582,7 @@ const _: () = {
         ) {
             let momenta = |z: &[[R; 1]; 2]| self.momenta(z);
             fourth_order::slope::<
+                NEARLY,
                 true,
                 1,
                 _,

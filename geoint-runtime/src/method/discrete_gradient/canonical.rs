@@ -61,8 +61,17 @@ pub fn loosen<A: Array>(start: &mut Begun<A>) -> bool {
 ///
 /// Lengths of a correction need a metric M, because positions and momenta have different units: that of
 /// [`Gonzalez`](super::Gonzalez), at the point c, with positions and momenta exchanged, which for an oscillator is its inverse.
+///
+/// `NEARLY`, and with no momenta, the matrix is 1 − h/2 J∇²H(c): what that lacks of 1 − A is of the order of A², as what is left out of a correction
+/// by two terms of a series.
 #[inline(always)]
-pub fn slope<const AUTONOMOUS: bool, const N: usize, S: DiscreteField<R> + Conservative<R>, R: Real>(
+pub fn slope<
+    const NEARLY: bool,
+    const AUTONOMOUS: bool,
+    const N: usize,
+    S: DiscreteField<R> + Conservative<R>,
+    R: Real,
+>(
     system: &S,
     parameters: &ParametersOf<S, R>,
     &Begun { span, z, rate, loose }: &Begun<S::Array>,
@@ -75,33 +84,34 @@ pub fn slope<const AUTONOMOUS: bool, const N: usize, S: DiscreteField<R> + Conse
     let t = span.middle;
     let mut energy = energy(system, parameters, t, &mut unwatched);
     let end_of_step = sum(&z, d);
-    let mut end = energy.gradient(span.end, &end_of_step);
+    let end = energy.gradient(span.end, &end_of_step);
     let end_rate = turned(&end.g);
     let change = difference(&rate, &end_rate);
-    let mut third = energy.gradient(t, &moved(&moved(&z, half, d), eighth * h, &change));
+    let third = energy.gradient(t, &moved(&moved(&z, half, d), eighth * h, &change));
 
     // F = (f₀ + 4 f(c) + f₁)/6 with f = J∇H, and its derivative, where ∂c/∂d = 1/2 − h/8 J∇²H₁.
     let mut velocity = sum(&rate, &end_rate);
     velocity.add_scaled(R::from_f64(4.0), &turned(&third.g));
     let velocity = scaled(sixth, &velocity);
-    let mut by_end = Matrix::zero();
-    let end_rows = turned_rows(&mut end.derivative);
-    for (i, row) in by_end.rows().iter_mut().enumerate() {
-        let bent = third.derivative.rows()[i];
-        let mut along = <S::Phase as Array>::zero();
-        for (bent, end_row) in Array::as_slice(&bent).iter().zip(end_rows.rows_of()) {
-            along.add_scaled(*bent, end_row);
+    let mut slope = turned_rows(&third.derivative);
+    if NEARLY {
+        slope.rows().iter_mut().for_each(|row| *row = scaled(half, row));
+    } else {
+        let end_rows = turned_rows(&end.derivative);
+        let by_third = slope;
+        for (i, (slope, end_row)) in slope.rows().iter_mut().zip(end_rows.rows_of()).enumerate() {
+            let (mut along, bent) = (<S::Phase as Array>::zero(), by_third.rows_of()[i]);
+            for (bent, end_row) in Array::as_slice(&bent).iter().zip(end_rows.rows_of()) {
+                along.add_scaled(*bent, end_row);
+            }
+            let by_end = moved(&scaled(half, &bent), -eighth * h, &along);
+            *slope = scaled(sixth, &moved(end_row, R::from_f64(4.0), &by_end));
         }
-        *row = moved(&scaled(half, &bent), -eighth * h, &along);
-    }
-    let mut slope = turned_rows(&mut by_end);
-    for (slope, end_row) in slope.rows().iter_mut().zip(end_rows.rows_of()) {
-        *slope = scaled(sixth, &moved(end_row, R::from_f64(4.0), slope));
     }
 
     let mut mean = velocity;
     if AUTONOMOUS || N > 1 {
-        let [of_q, of_p] = metric(h, &mut third);
+        let [of_q, of_p] = metric(h, &third, S::DERIVATIVE == 1);
         let mut columns = momenta(&moved(&z, half, d));
         let mut of_g = Matrix::zero();
         if AUTONOMOUS {
@@ -113,17 +123,19 @@ pub fn slope<const AUTONOMOUS: bool, const N: usize, S: DiscreteField<R> + Conse
         // the tree discrete gradient.
         if AUTONOMOUS && (projector.is_without_first() || !system.same_sides(t, [&z, &end_of_step], [&(), &()])) {
             mean = turned(&columns[0]);
-            slope = turned_rows(&mut of_g);
+            slope = turned_rows(&of_g);
         } else {
             let weights;
             (mean, weights) = projector.projected(&velocity);
-            projector.derivative((&mut slope, &mean), (&mut of_g, &weights), |z| {
-                let (mut bent, constant) = (momenta(z), momenta(&<S::Phase>::zero()));
-                for (bent, constant) in bent.iter_mut().zip(&constant) {
-                    *bent = scaled(half, &difference(bent, constant));
-                }
-                bent
-            });
+            if !NEARLY {
+                projector.derivative((&mut slope, &mean), (&mut of_g, &weights), |z| {
+                    let (mut bent, constant) = (momenta(z), momenta(&<S::Phase>::zero()));
+                    for (bent, constant) in bent.iter_mut().zip(&constant) {
+                        *bent = scaled(half, &difference(bent, constant));
+                    }
+                    bent
+                });
+            }
         }
     }
     *image = scaled(h, &mean);
@@ -143,9 +155,9 @@ fn energy<'a, S: DiscreteField<R>, R: Real>(
 }
 
 /// J times a matrix.
-fn turned_rows<A: Array>(matrix: &mut Matrix<A>) -> Matrix<A> {
+fn turned_rows<A: Array>(matrix: &Matrix<A>) -> Matrix<A> {
     let (n, mut product) = (A::LEN, Matrix::zero());
-    for (i, row) in matrix.rows().iter().enumerate() {
+    for (i, row) in matrix.rows_of().iter().enumerate() {
         match i.checked_sub(n) {
             Some(i) => product.rows()[i] = *row,
             None => product.rows()[n + i] = scaled(A::Real::from_f64(-1.0), row),

@@ -1,7 +1,7 @@
 //! The gradient at the midpoint, corrected along the increment.
 
 use super::energy::{Energy, Slope};
-use super::matrix::{denominator, turned};
+use super::matrix::turned;
 use super::mean::MeanGradient;
 use crate::method::composition::substeps;
 use crate::method::{Name, Probe, Refusal};
@@ -39,7 +39,7 @@ impl MeanGradient for Gonzalez {
         let (one, half) = (R::from_f64(1.0), R::from_f64(0.5));
         let mut tree = energy.tree(x, d);
         let mut middle = energy.gradient(energy.t, &moved(x, half, d));
-        let metric = metric(energy.h, &mut middle);
+        let metric = metric(energy.h, &middle, S::DERIVATIVE == 1);
         let weighted = product(&metric, d);
         let square = dot(&weighted, d);
         if square == zero() {
@@ -64,49 +64,73 @@ impl MeanGradient for Gonzalez {
     }
 }
 
-/// The diagonal of W. No system is known here: it is compiled once for a number of degrees of freedom.
+/// The diagonal of W; `coupled` is whether ∂²H/∂q∂p need not be zero. No system is known here: it is compiled once for a number of degrees of
+/// freedom.
 #[inline(never)]
-pub(super) fn metric<A: Array>(h: A::Real, middle: &mut Slope<A>) -> [A; 2] {
-    let n = A::LEN;
-    let (change, g) = (scaled(h, &turned(&middle.g)), middle.g);
-    let (change, g, rows) = (Array::as_slice(&change), Array::as_slice(&g), middle.derivative.rows());
-    let hessian = |i: usize, j: usize| Array::as_slice(&rows[i])[j];
-    // The coordinate that is conjugate to another one.
-    let partner = |i: usize| if i < n { i + n } else { i - n };
-    // Times h², so that numbers are not far from 1 in any units.
-    let squares = |scale: A::Real| {
-        let (mut size, mut energy, mut frequency) = (zero::<A::Real>(), zero::<A::Real>(), zero::<A::Real>());
-        for i in 0..2 * n {
-            for j in 0..2 * n {
-                let term = scale * change[i] * hessian(i, j) * change[j];
-                let cycle = h * hessian(partner(i), j) * (h * hessian(partner(j), i));
-                size += term.abs();
-                energy += term * term;
-                frequency += cycle * cycle;
-            }
-        }
-        (size, energy, frequency)
-    };
+pub(super) fn metric<A: Array>(h: A::Real, middle: &Slope<A>, coupled: bool) -> [A; 2] {
     let one = A::Real::from_f64(1.0);
-    let (size, mut energy, frequency) = squares(one);
+    let [_, energy, cycles] = squares(h, middle, coupled, one);
+    let (mut scale, mut energy) = (one, energy.sqrt());
     // Energies have a unit, and may need another one.
-    let scale = before_squares(size);
-    if scale != one {
-        energy = squares(scale).1;
+    if energy == zero() || before_squares(energy) != one {
+        (scale, energy) = in_their_unit(h, middle, coupled);
     }
-    let (energy, frequency) = (energy.sqrt(), frequency.sqrt());
-    let mut metric = <[A; 2]>::zero();
-    for (i, w) in entries(&mut metric).iter_mut().enumerate() {
-        *w = length((energy * hessian(i, i)).abs(), frequency * (scale * g[i]) * g[i]);
+    let frequency = (cycles + cycles).sqrt();
+    let (mut metric, rows) = (<[A; 2]>::zero(), middle.derivative.rows_of());
+    for (i, (w, g)) in entries(&mut metric).iter_mut().zip(Array::as_slice(&middle.g)).enumerate() {
+        *w = length((energy * Array::as_slice(&rows[i])[i]).abs(), frequency * (scale * *g) * *g);
     }
     metric
 }
 
-/// √(x² + y²) without overflow on the way; `hypot` need not give the same digits in other units.
+/// ε in a unit in which it has all its digits, and by what that is multiplied.
+#[cold]
+#[inline(never)]
+fn in_their_unit<A: Array>(h: A::Real, middle: &Slope<A>, coupled: bool) -> (A::Real, A::Real) {
+    let [size, ..] = squares(h, middle, coupled, A::Real::from_f64(1.0));
+    let scale = before_squares(size);
+    let [_, energy, _] = squares(h, middle, coupled, scale);
+    (scale, energy.sqrt())
+}
+
+/// Σ|ẋᵢHᵢⱼẋⱼ|, ε² = Σ(ẋᵢHᵢⱼẋⱼ)² and ω⁴/2 = Σ(FᵢⱼFⱼᵢ)²/2, each pair of blocks of F = J∇²H once; energies times `scale`, and all times powers of h,
+/// so that numbers are not far from 1 in any units.
+#[inline(always)]
+fn squares<A: Array>(h: A::Real, middle: &Slope<A>, coupled: bool, scale: A::Real) -> [A::Real; 3] {
+    let (n, change, rows) = (A::LEN, scaled(h, &turned(&middle.g)), middle.derivative.rows_of());
+    let (of_q, of_p) = Array::as_slice(&change).split_at(n);
+    let hessian = |i: usize, j: usize| Array::as_slice(&rows[i])[j];
+    let (mut size, mut energy, mut cycles) = (zero::<A::Real>(), zero::<A::Real>(), zero::<A::Real>());
+    let mut add = |term: A::Real| (size, energy) = (size + term.abs(), energy + term * term);
+    for a in 0..n {
+        for b in 0..n {
+            let [of_qq, of_pp] = [hessian(a, b), hessian(n + a, n + b)];
+            add(scale * of_q[a] * of_qq * of_q[b]);
+            add(scale * of_p[a] * of_pp * of_p[b]);
+            let cycle = h * of_qq * (h * of_pp);
+            cycles += cycle * cycle;
+            if coupled {
+                let of_qp = hessian(a, n + b);
+                let term = scale * of_q[a] * of_qp * of_p[b];
+                add(term);
+                add(term);
+                let cycle = h * of_qp * (h * hessian(b, n + a));
+                cycles += cycle * cycle;
+            }
+        }
+    }
+    [size, energy, cycles]
+}
+
+/// √(x² + y²) of what is not negative, without overflow on the way; `hypot` need not give the same digits in other units.
+#[inline(always)]
 fn length<R: Real>(x: R, y: R) -> R {
-    let larger = denominator(x.max(y));
-    let (x, y) = (x / larger, y / larger);
-    larger * (x * x + y * y).sqrt()
+    let (scale, one) = (before_squares(x + y), R::from_f64(1.0));
+    if scale == one {
+        return (x * x + y * y).sqrt();
+    }
+    let (x, y) = (scale * x, scale * y);
+    (x * x + y * y).sqrt() / scale
 }
 
 /// The address of what is compiled once for a shape of positions.

@@ -6,6 +6,7 @@ mod iteration;
 mod left;
 mod predictor;
 mod reciprocal;
+mod series;
 
 use crate::solving::Refusal;
 use crate::solving::equation::{Observer, StepEquation};
@@ -149,18 +150,23 @@ impl<A: Array> Newton<A> {
             let point = self.predictor.predict();
             let guess = equation.unknown(&point);
             let mut matrix = A::fill(A::zero());
-            let mut delta = equation.residual_at(watch, &guess, &point, &mut matrix);
-            // The factor by which terms of the series shrink is small, and so is the next term. Of two unknowns Cramer's rule is as fast.
-            if E::SETTLED && A::LEN > 2 && self.iteration.by_series {
-                let second = linear::second_term(&matrix, &delta);
-                if self.iteration.is_last_term(&second) {
-                    return Found::corrected(guess, &sum(&delta, &second));
+            // Constants first: nothing is compiled of what is not asked.
+            if const { E::SETTLED && A::LEN > 2 && E::NEARLY } && self.iteration.by_series {
+                let delta = difference(&guess, &equation.nearly(watch, &point, &mut matrix));
+                if let Some(found) = self.by_series(guess, &delta, &matrix) {
+                    return found;
                 }
-                self.iteration.by_series = false;
+            }
+            let mut delta = equation.residual_at(watch, &guess, &point, &mut matrix);
+            if const { E::SETTLED && A::LEN > 2 && !E::NEARLY }
+                && self.iteration.by_series
+                && let Some(found) = self.by_series(guess, &delta, &matrix)
+            {
+                return found;
             }
             // Of one unknown the correction by the derivative of the step before is there first, and is taken as long as it misses the other one
             // by a part of the last digit: which of them it is, a processor guesses, and goes on.
-            if E::SETTLED && Reciprocal::<A>::KNOWN {
+            if const { E::SETTLED && Reciprocal::<A>::KNOWN } {
                 let early = self.reciprocal.early(&delta);
                 if !self.reciprocal.solve(&matrix, &mut delta) {
                     break 'start Start::at(Some(guess));
