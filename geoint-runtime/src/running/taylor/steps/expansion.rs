@@ -11,7 +11,7 @@ use crate::taylor::{self, TaylorMethod};
 const FAR: [f64; 3] = [1.0 / (1_u128 << 100) as f64, (1_u128 << 100) as f64, 1.0];
 
 /// A point whose sums compensate.
-type Carried<S, R> =
+pub(super) type Carried<S, R> =
     Point<<S as PhaseSpace<R>>::Phase, Compensated<<S as PhaseSpace<R>>::Phase>, <S as PhaseSpace<R>>::Action>;
 
 /// A point at a time, and the coefficients of the solution there.
