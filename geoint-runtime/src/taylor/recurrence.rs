@@ -5,7 +5,8 @@
 //! the double pendulum takes four times as long.
 //!
 //! What is divided by at every order is divided by: the rounding of a reciprocal, made once, would count n times. It may be multiplied with
-//! the coefficient of order n, which is smaller and must not wait.
+//! the coefficient of order n, which is smaller and must not wait. Of quotients, whose sums have coefficients that were known last, reciprocals in
+//! two parts take the place of a division.
 //!
 //! R. E. Moore, *Interval Analysis* (1966) ch. 11; À. Jorba & M. Zou, Exp. Math. 14 (2005) 99; for powers see also R. D. Neidinger,
 //! SIAM Rev. 52 (2010) 545.
@@ -19,30 +20,20 @@ pub trait Series {
     fn order(&mut self, n: usize);
 }
 
-/// Sums side by side are unrolled up to this number of coefficients: more are slower than a loop, beyond the instruction caches.
-const MOST_SIDE_BY_SIDE: usize = 13;
-
-/// The coefficients of the orders 1 ≤ n < P; those up to `UNROLLED` each in code of its own, where sums have a known length; of `FEW` sums side
-/// by side all, where processors have registers for them.
+/// The coefficients of the orders 1 ≤ n < P; those up to `UNROLLED` each in code of its own, where sums have a known length.
 ///
 /// Here and not in what is emitted, where rustc would check every call of every system, whether Taylor series are used or not.
 #[inline(always)]
-pub fn orders<const UNROLLED: usize, const FEW: bool, const P: usize>(series: &mut impl Series) {
+pub fn orders<const UNROLLED: usize, const P: usize>(series: &mut impl Series) {
     macro_rules! unrolled {
         ($($n:literal)*) => {
-            $(if const { $n < P && $n <= of_its_own::<UNROLLED, FEW>(P) } { series.order($n); })*
-            for n in const { of_its_own::<UNROLLED, FEW>(P) } + 1..P {
+            $(if $n < P && $n <= UNROLLED { series.order($n); })*
+            for n in UNROLLED.min([$($n),*].len()) + 1..P {
                 series.order(n);
             }
         };
     }
     unrolled!(1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30 31);
-}
-
-/// The last order with code of its own.
-const fn of_its_own<const UNROLLED: usize, const FEW: bool>(coefficients: usize) -> usize {
-    let wide = cfg!(target_feature = "avx") && FEW && coefficients <= MOST_SIDE_BY_SIDE;
-    if wide || UNROLLED > 31 { 31 } else { UNROLLED }
 }
 
 /// An order as a scalar. Processors convert numbers with a sign in one operation.

@@ -30,9 +30,6 @@ const MOST_CODE: usize = 16 << 10;
 /// Fewer unrolled orders are not worth their code.
 const FEWEST: usize = 6;
 
-/// So few groups of sums side by side are unrolled where processors have registers for them.
-const FEW_GROUPS: usize = 4;
-
 /// No method has more orders than this.
 const MOST_ORDERS: usize = 32;
 
@@ -184,6 +181,7 @@ impl Writer<'_> {
             let numbers = numbers.map(|number| prepared(number, values));
             quote!([#(#numbers),*])
         });
+        let beside = (!self.beside.is_empty()).then(|| quote!(beside: [#(#beside),*],));
         let masks = self.jet.conditions.iter().map(|value| &values[*value]);
         let mut first = TokenStream::new();
         let arrays = self.arrays(values);
@@ -202,14 +200,13 @@ impl Writer<'_> {
             first.extend(quote!(switches[0][#i] = #value;));
         }
         let unrolled = Literal::usize_unsuffixed(self.unrolled());
-        let few = self.lanes.as_ref().is_some_and(|lanes| lanes.groups.len() <= FEW_GROUPS);
         let zeros: Vec<TokenStream> = arrays.iter().map(Stored::zeros).collect();
         let arrays: Vec<Ident> = arrays.into_iter().map(|array| array.name).collect();
         quote! {
             let (#(#arrays,)*) = (#(&mut #zeros,)*);
             #first
-            recurrence::orders::<#unrolled, #few, P>(&mut Coefficients {
-                k: [#(#numbers),*], beside: [#(#beside),*], masks: [#(#masks),*], #(#arrays,)* jet, switches,
+            recurrence::orders::<#unrolled, P>(&mut Coefficients {
+                k: [#(#numbers),*], #beside masks: [#(#masks),*], #(#arrays,)* jet, switches,
             });
         }
     }

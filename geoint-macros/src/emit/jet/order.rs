@@ -13,8 +13,6 @@ pub(super) struct Order {
     body: TokenStream,
     names: Vec<Ident>,
     series: Vec<bool>,
-    /// The sums of groups.
-    groups: Vec<bool>,
     /// The coefficients of order n in arrays of lanes.
     arrays: Vec<bool>,
 }
@@ -24,18 +22,12 @@ impl Writer<'_> {
     pub(super) fn body(&mut self) -> TokenStream {
         let jet = self.jet;
         let (groups, arrays) = self.lanes.as_ref().map_or((0, 0), |lanes| (lanes.groups.len(), lanes.arrays.len()));
-        self.order = Order {
-            series: vec![false; jet.series.len()],
-            groups: vec![false; groups],
-            arrays: vec![false; arrays],
-            ..Order::default()
-        };
+        self.order = Order { series: vec![false; jet.series.len()], arrays: vec![false; arrays], ..Order::default() };
         let unit = self.number(Prepared::Unit);
-        // What series read one by one waits for nothing: all of it first.
+        // Sums wait for nothing of their own order: all of them first. One after the other where they are read they take a twentieth less where
+        // processors have registers of four numbers (planets), and a tenth more where they have none, or few sums (double pendulum).
         for place in 0..groups {
-            if self.lanes.as_ref().is_some_and(|lanes| lanes.groups[place].series.is_none()) {
-                self.group(place);
-            }
+            self.sums(place);
         }
         for source in &jet.order {
             self.series(*source);
@@ -54,13 +46,17 @@ impl Writer<'_> {
         let (phase, action, arrays) = (self.context.phase(), self.context.action(), self.arrays(&[]));
         let types: Vec<TokenStream> = arrays.iter().map(Stored::entry).collect();
         let arrays: Vec<Ident> = arrays.into_iter().map(|array| array.name).collect();
-        let [numbers, beside, lanes, masks, switches] =
-            [self.numbers.len(), self.beside.len(), LANES, jet.conditions.len(), jet.switches.len()]
-                .map(Literal::usize_unsuffixed);
+        let [numbers, masks, switches] =
+            [self.numbers.len(), jet.conditions.len(), jet.switches.len()].map(Literal::usize_unsuffixed);
+        let beside = (!self.beside.is_empty()).then(|| {
+            let [lanes, number] = [LANES, self.beside.len()].map(Literal::usize_unsuffixed);
+            [quote!(beside: [[R; #lanes]; #number],), quote!(beside,)]
+        });
+        let [beside, beside_name] = beside.unwrap_or_default();
         quote! {
             struct Coefficients<'a, R: Real, const P: usize> {
                 k: [R; #numbers],
-                beside: [[R; #lanes]; #beside],
+                #beside
                 masks: [R::Mask; #masks],
                 #(#arrays: &'a mut [#types; P],)*
                 jet: &'a mut [PerCoordinate<#phase, #action>; P],
@@ -69,7 +65,7 @@ impl Writer<'_> {
             impl<R: Real, const P: usize> recurrence::Series for Coefficients<'_, R, P> {
                 #[inline(always)]
                 fn order(&mut self, n: usize) {
-                    let Self { k, beside, masks, #(#arrays,)* jet, switches } = self;
+                    let Self { k, #beside_name masks, #(#arrays,)* jet, switches } = self;
                     let (whole, next) = (recurrence::whole::<R>(n), #unit * recurrence::inverse::<R>(n + 1));
                     let (#(#names,)*);
                     #body
@@ -103,9 +99,6 @@ impl Writer<'_> {
                 open.extend(before);
                 continue;
             }
-            for source in &all {
-                self.sums(*source);
-            }
             if let Some((group, _)) = group {
                 for k in 0..jet.series[source].rule.operands().len() {
                     let operands = all.iter().map(|source| jet.series[*source].rule.operands()[k]);
@@ -125,22 +118,11 @@ impl Writer<'_> {
         }
     }
 
-    /// Writes the sums in the coefficient of a series that are side by side with others.
-    fn sums(&mut self, source: Source) {
-        for sum in sums(&self.jet.series[source].rule, source) {
-            let Some((place, _)) = self.lanes.as_ref().and_then(|lanes| lanes.place(&sum)) else { continue };
-            self.group(place);
-        }
-    }
-
     /// Writes the sums of a group.
-    fn group(&mut self, place: usize) {
+    fn sums(&mut self, place: usize) {
         let Some(group) = self.lanes.as_ref().map(|lanes| &lanes.groups[place]) else { return };
-        if std::mem::replace(&mut self.order.groups[place], true) {
-            return;
-        }
-        let (weight, arrays): (_, Vec<Ident>) =
-            (group.weight, group.operands.iter().copied().map(side_by_side).collect());
+        let (weight, operands) = (group.weight, group.operands.clone());
+        let arrays: Vec<Ident> = operands.into_iter().map(side_by_side).collect();
         let (name, sum) = (format_ident!("sums{place}"), self.sum_of(weight, &arrays));
         self.order.body.extend(quote!(#name = #sum;));
         self.order.names.push(name);
