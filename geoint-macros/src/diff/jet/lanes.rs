@@ -121,6 +121,8 @@ pub(crate) struct Lanes {
     known: HashMap<[Operand; LANES], usize>,
     /// Of every sum the group and the place in it.
     places: HashMap<Sum, (usize, usize)>,
+    /// Of every series the group from which it follows side by side with others.
+    groups_of: HashMap<Source, usize>,
 }
 
 impl Lanes {
@@ -174,7 +176,7 @@ impl Lanes {
                 }
             }
         }
-        for (group, mut reading) in self.groups.iter_mut().zip(reading) {
+        for (place, (group, mut reading)) in self.groups.iter_mut().zip(reading).enumerate() {
             reading.sort_unstable();
             let rule = |(_, source): (usize, Source)| &jet.series[source].rule;
             let alike = |(lane, read): (usize, &(usize, Source))| {
@@ -183,6 +185,7 @@ impl Lanes {
             };
             if reading.len() + 1 >= LANES && reading.iter().enumerate().all(alike) {
                 group.series = Some(std::array::from_fn(|lane| reading[lane.min(reading.len() - 1)].1));
+                self.groups_of.extend(reading.iter().map(|(_, source)| (*source, place)));
             }
         }
     }
@@ -255,7 +258,13 @@ impl Lanes {
         self.groups.push(Group { operands, weight, series: None });
     }
 
-    /// The array of the coefficients of these series, and the group from which they follow.
+    /// The group from which a series follows side by side with others, and all of these.
+    pub(crate) fn group_of(&self, source: Source) -> Option<(usize, [Source; LANES])> {
+        let group = *self.groups_of.get(&source)?;
+        Some((group, self.groups[group].series?))
+    }
+
+    /// The array of the coefficients of these series.
     pub(crate) fn array_of(&self, series: &[Source; LANES]) -> Option<usize> {
         self.known.get(&series.map(Operand::plain)).copied()
     }

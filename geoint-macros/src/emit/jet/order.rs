@@ -3,7 +3,7 @@
 use super::Writer;
 use super::arrays::{Stored, coefficient, kept, side_by_side, weighted};
 use super::numbers::Prepared;
-use crate::diff::jet::{LANES, Operand, Rule, Source, sums};
+use crate::diff::jet::{LANES, Operand, Rule, Source};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -76,10 +76,7 @@ impl Writer<'_> {
 
     /// The group of which a series is part, with all that follow from it.
     fn group_of(&self, source: Source) -> Option<(usize, [Source; LANES])> {
-        let lanes = self.lanes.as_ref()?;
-        let sum = sums(&self.jet.series[source].rule, source).pop()?;
-        let (group, _) = lanes.place(&sum)?;
-        Some((group, lanes.groups[group].series?))
+        self.lanes.as_ref()?.group_of(source)
     }
 
     /// Writes a series with those beside it, and before them what they read.
@@ -144,8 +141,12 @@ impl Writer<'_> {
         }
     }
 
-    /// Writes the coefficients of operands side by side into their array, if there is one.
+    /// Writes the coefficients of operands side by side into their array, if there is one; of what is read up to the order before only, they may
+    /// not be known yet.
     fn pack_operands(&mut self, operands: &[Source]) {
+        if !operands.iter().all(|source| self.order.series[*source]) {
+            return;
+        }
         let array = <&[Source; LANES]>::try_from(operands).ok().and_then(|all| self.lanes.as_ref()?.array_of(all));
         if let Some(array) = array {
             self.pack(array);
