@@ -79,7 +79,7 @@ fn plus<A: Array>(mut x: A, y: A) -> A {
 #[inline(always)]
 fn divided<A: Array>(mut x: A, y: A) -> A {
     for (x, y) in x.as_mut_slice().iter_mut().zip(y.as_slice()) {
-        *x = *x / *y;
+        *x /= *y;
     }
     x
 }
