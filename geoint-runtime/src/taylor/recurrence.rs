@@ -5,12 +5,13 @@
 //! the double pendulum takes four times as long.
 //!
 //! What is divided by at every order is divided by: the rounding of a reciprocal, made once, would count n times. It may be multiplied with
-//! the coefficient of order n, which is smaller and must not wait.
+//! the coefficient of order n, which is smaller and must not wait. Of quotients, whose sums have coefficients that were known last, reciprocals in
+//! two parts take the place of a division.
 //!
 //! R. E. Moore, *Interval Analysis* (1966) ch. 11; À. Jorba & M. Zou, Exp. Math. 14 (2005) 99; for powers see also R. D. Neidinger,
 //! SIAM Rev. 52 (2010) 545.
 
-use crate::scalar::{Real, zero};
+use crate::scalar::{Real, exact_product, zero};
 use crate::space::Array;
 
 /// Series whose coefficients follow from those of lower orders.
@@ -74,9 +75,37 @@ fn plus<A: Array>(mut x: A, y: A) -> A {
     x
 }
 
+/// x/y, entry by entry.
+#[inline(always)]
+fn divided<A: Array>(mut x: A, y: A) -> A {
+    for (x, y) in x.as_mut_slice().iter_mut().zip(y.as_slice()) {
+        *x /= *y;
+    }
+    x
+}
+
+/// 1 − w·x, of what is 1/w but for rounding.
+#[inline(always)]
+fn remainder<A: Array>(w: A, mut x: A) -> A {
+    for (x, w) in x.as_mut_slice().iter_mut().zip(w.as_slice()) {
+        let (product, lost) = exact_product(*w, *x);
+        *x = (A::Real::from_f64(1.0) - product) - lost;
+    }
+    x
+}
+
+/// −x.
+#[inline(always)]
+fn negative<A: Array>(mut x: A) -> A {
+    for x in x.as_mut_slice() {
+        *x = -*x;
+    }
+    x
+}
+
 /// c·x.
 #[inline(always)]
-fn scaled<A: Array>(c: A::Real, mut x: A) -> A {
+pub fn scaled<A: Array>(c: A::Real, mut x: A) -> A {
     for x in x.as_mut_slice() {
         *x *= c;
     }
@@ -88,12 +117,11 @@ fn scaled<A: Array>(c: A::Real, mut x: A) -> A {
 #[derive(Debug)]
 pub struct Aligned<T>(pub T);
 
-/// The pairs uⱼ, uₙ₋ⱼ for 0 < j < n/2 from the middle on; without indices that would be checked.
+/// The coefficients uⱼ and uₙ₋ⱼ for 0 < j < n/2, each in order.
 #[inline(always)]
-fn outward<A, const P: usize>(u: &[A; P], n: usize) -> impl Iterator<Item = (&A, &A)> {
-    let (low, high) = u[1..n].split_at(n.div_ceil(2) - 1);
-    let middle = high.len() - low.len();
-    low.iter().rev().zip(&high[middle..])
+fn halves<A, const P: usize>(u: &[A; P], n: usize) -> [&[A]; 2] {
+    let pairs = (n - 1) / 2;
+    [&u[1..][..pairs], &u[n / 2 + 1..][..pairs]]
 }
 
 /// Σ uⱼwₙ₋ⱼ over 0 < j < n, of one sum or of many side by side.
@@ -103,9 +131,12 @@ pub fn sum<A: Array, const P: usize>(u: &[A; P], w: &[A; P], n: usize) -> A {
     if n.is_multiple_of(2) {
         first = times(u[n / 2], w[n / 2]);
     }
-    for ((uj, ui), (wj, wi)) in outward(u, n).zip(outward(w, n)) {
-        first = fused(*uj, *wi, first);
-        second = fused(*ui, *wj, second);
+    // One count for all four: iterators of both directions would have two.
+    let ([uj, ui], [wj, wi]) = (halves(u, n), halves(w, n));
+    for i in 0..uj.len() {
+        let j = uj.len() - 1 - i;
+        first = fused(uj[j], wi[i], first);
+        second = fused(ui[i], wj[j], second);
     }
     plus(first, second)
 }
@@ -120,8 +151,9 @@ pub fn sum_of_squares<A: Array, const P: usize, const K: usize>(all: [&[A; P]; K
         if n.is_multiple_of(2) {
             own = times(scaled(A::Real::from_f64(0.5), u[n / 2]), u[n / 2]);
         }
-        for (uj, ui) in outward(u, n) {
-            own = fused(*uj, *ui, own);
+        let [uj, ui] = halves(u, n);
+        for i in 0..uj.len() {
+            own = fused(uj[uj.len() - 1 - i], ui[i], own);
         }
         half = plus(half, own);
     }
@@ -140,9 +172,11 @@ pub fn sum_of_power<A: Array, const P: usize>(u: &[A; P], y: &[A; P], next: A::R
     // Orders are counted as scalars: each conversion would take as long as what it is for.
     let mut low = whole(n.div_ceil(2)) - one;
     let mut high = whole(n) - low;
-    for ((uj, ui), (yj, yi)) in outward(u, n).zip(outward(y, n)) {
-        first = fused(scaled(factor(low), *uj), *yi, first);
-        second = fused(scaled(factor(high), *ui), *yj, second);
+    let ([uj, ui], [yj, yi]) = (halves(u, n), halves(y, n));
+    for i in 0..uj.len() {
+        let j = uj.len() - 1 - i;
+        first = fused(scaled(factor(low), uj[j]), yi[i], first);
+        second = fused(scaled(factor(high), ui[i]), yj[j], second);
         low -= one;
         high += one;
     }
@@ -157,53 +191,55 @@ pub fn affine<R: Real>(slope: R, n: usize) -> R {
 
 /// u·w, from u₀, w₀, uₙ, wₙ and the sum.
 #[inline(always)]
-pub fn product<R: Real>([u, w]: [R; 2], [un, wn]: [R; 2], sum: R) -> R {
-    u.multiply_add(wn, un.multiply_add(w, sum))
+pub fn product<A: Array>([u, w]: [A; 2], [un, wn]: [A; 2], sum: A) -> A {
+    fused(u, wn, fused(un, w, sum))
 }
 
 /// Σ u², from all u₀, all uₙ and the sum.
 #[inline(always)]
-pub fn squares<R: Real, const K: usize>(u: [R; K], un: [R; K], mut sum: R) -> R {
+pub fn squares<A: Array, const K: usize>(u: [A; K], un: [A; K], mut sum: A) -> A {
     for (u, un) in u.into_iter().zip(un) {
-        sum = (u + u).multiply_add(un, sum);
+        sum = fused(plus(u, u), un, sum);
     }
     sum
 }
 
 /// y with y·w = u, from w₀, y₀, 1/w₀, uₙ, wₙ and the sum.
 #[inline(always)]
-pub fn quotient<R: Real>([w, y, over]: [R; 3], [un, wn]: [R; 2], sum: R) -> R {
-    un.multiply_add(over, (-(y * over)).multiply_add(wn, -(sum / w)))
+pub fn quotient<A: Array>([w, y, over]: [A; 3], [un, wn]: [A; 2], sum: A) -> A {
+    let low = times(over, remainder(w, over));
+    let rest = fused(sum, over, times(sum, low));
+    fused(un, over, fused(negative(times(y, over)), wn, negative(rest)))
 }
 
 /// y with y·w = 1, from w₀, y₀, wₙ and the sum.
 #[inline(always)]
-pub fn reciprocal<R: Real>([w, y]: [R; 2], wn: R, sum: R) -> R {
-    (-(y * y)).multiply_add(wn, -(sum / w))
+pub fn reciprocal<A: Array>([w, y]: [A; 2], wn: A, sum: A) -> A {
+    fused(negative(times(y, y)), wn, negative(divided(sum, w)))
 }
 
 /// y with y² = u, from y₀, 1/(2y₀), uₙ and the sum.
 #[inline(always)]
-pub fn root<R: Real>([y, over]: [R; 2], un: R, sum: R) -> R {
-    un.multiply_add(over, -(sum / (y + y)))
+pub fn root<A: Array>([y, over]: [A; 2], un: A, sum: A) -> A {
+    fused(un, over, negative(divided(sum, plus(y, y))))
 }
 
 /// y with y'·u = α·y·u', from u₀, α·y₀/u₀, uₙ and the sum.
 #[inline(always)]
-pub fn power<R: Real>([u, ratio]: [R; 2], un: R, sum: R, n: usize) -> R {
-    un.multiply_add(ratio, sum / (whole::<R>(n) * u))
+pub fn power<A: Array>([u, ratio]: [A; 2], un: A, sum: A, n: usize) -> A {
+    fused(un, ratio, divided(sum, scaled(whole(n), u)))
 }
 
 /// y with y' = d·u', from d₀, uₙ and the sum with j·uⱼ.
 #[inline(always)]
-pub fn integral<R: Real>(d: R, un: R, sum: R, n: usize) -> R {
-    un.multiply_add(d, sum * inverse(n))
+pub fn integral<A: Array>(d: A, un: A, sum: A, n: usize) -> A {
+    fused(un, d, scaled(inverse(n), sum))
 }
 
 /// y with y'·d = u', from d₀, 1/d₀, uₙ and the sum with j·yⱼ.
 #[inline(always)]
-pub fn quadrature<R: Real>([d, over]: [R; 2], un: R, sum: R, n: usize) -> R {
-    un.multiply_add(over, -(sum / (whole::<R>(n) * d)))
+pub fn quadrature<A: Array>([d, over]: [A; 2], un: A, sum: A, n: usize) -> A {
+    fused(un, over, negative(divided(sum, scaled(whole(n), d))))
 }
 
 /// The angle a of the point (x, y), with r²a' = x·y' − y·x', from y₀, x₀, r₀², 1/r₀², yₙ, xₙ and the sums of j·yⱼ with x, of j·xⱼ with y and of

@@ -106,6 +106,9 @@ pub(crate) struct Group {
     /// The places of the operands among the arrays.
     pub(crate) operands: Vec<usize>,
     pub(crate) weight: Weight,
+    /// The series whose coefficients have these sums, if all follow from them by the same operations and are known at the same time: then they
+    /// stay side by side.
+    pub(crate) series: Option<[Source; LANES]>,
 }
 
 /// All sums of a program in groups.
@@ -118,6 +121,8 @@ pub(crate) struct Lanes {
     known: HashMap<[Operand; LANES], usize>,
     /// Of every sum the group and the place in it.
     places: HashMap<Sum, (usize, usize)>,
+    /// Of every series the group from which it follows side by side with others.
+    groups_of: HashMap<Source, usize>,
 }
 
 impl Lanes {
@@ -154,7 +159,35 @@ impl Lanes {
             }
         }
         common.chunks(LANES).for_each(|group| lanes.push(Weight::One, group));
+        lanes.find_series(jet);
         Some(lanes)
+    }
+
+    /// Of every group the series that follow from it.
+    fn find_series(&mut self, jet: &Jet) {
+        let mut depths = vec![0; jet.series.len()];
+        let mut reading: Vec<Vec<(usize, Source)>> = vec![vec![]; self.groups.len()];
+        for own in &jet.order {
+            let rule = &jet.series[*own].rule;
+            depths[*own] = rule.now().into_iter().map(|read| depths[read] + 1).max().unwrap_or(0);
+            for sum in sums(rule, *own) {
+                if let Some((group, lane)) = self.place(&sum) {
+                    reading[group].push((lane, *own));
+                }
+            }
+        }
+        for (place, (group, mut reading)) in self.groups.iter_mut().zip(reading).enumerate() {
+            reading.sort_unstable();
+            let rule = |(_, source): (usize, Source)| &jet.series[source].rule;
+            let alike = |(lane, read): (usize, &(usize, Source))| {
+                // Series of one depth do not wait for each other, whatever else stands side by side.
+                read.0 == lane && rule(*read).is_like(rule(reading[0])) && depths[read.1] == depths[reading[0].1]
+            };
+            if reading.len() + 1 >= LANES && reading.iter().enumerate().all(alike) {
+                group.series = Some(std::array::from_fn(|lane| reading[lane.min(reading.len() - 1)].1));
+                self.groups_of.extend(reading.iter().map(|(_, source)| (*source, place)));
+            }
+        }
     }
 
     /// Powers side by side, as those of the distances of bodies; then all that they are multiplied with, in the same lanes, and squares of that. So an
@@ -222,7 +255,18 @@ impl Lanes {
         let last = sums.len() - 1;
         let operands =
             operands.iter().map(|operands| self.array(std::array::from_fn(|lane| operands[lane.min(last)]))).collect();
-        self.groups.push(Group { operands, weight });
+        self.groups.push(Group { operands, weight, series: None });
+    }
+
+    /// The group from which a series follows side by side with others, and all of these.
+    pub(crate) fn group_of(&self, source: Source) -> Option<(usize, [Source; LANES])> {
+        let group = *self.groups_of.get(&source)?;
+        Some((group, self.groups[group].series?))
+    }
+
+    /// The array of the coefficients of these series.
+    pub(crate) fn array_of(&self, series: &[Source; LANES]) -> Option<usize> {
+        self.known.get(&series.map(Operand::plain)).copied()
     }
 
     fn array(&mut self, operands: [Operand; LANES]) -> usize {

@@ -89,7 +89,7 @@ pub(crate) struct Jet {
 
 impl Rule {
     /// The series whose coefficients of the same order are read.
-    pub(super) fn now(&self) -> Vec<Source> {
+    pub(crate) fn now(&self) -> Vec<Source> {
         match self {
             Rule::State(_) | Rule::Affine(_) | Rule::Wave { .. } => vec![],
             Rule::Linear(terms) => terms.iter().map(|(_, source)| *source).collect(),
@@ -123,6 +123,35 @@ impl Rule {
             Rule::Integral { of, .. } => vec![*of],
             Rule::Angle { y, x, .. } => vec![*y, *x],
             _ => vec![],
+        }
+    }
+
+    /// What is multiplied or divided, in the order in which it is written down above.
+    pub(crate) fn operands(&self) -> Vec<Source> {
+        match self {
+            Rule::State(_) | Rule::Affine(_) | Rule::Linear(_) | Rule::Select(..) => vec![],
+            Rule::Product(a, b) | Rule::Quotient(a, b) => vec![*a, *b],
+            Rule::Shift { of: a, .. } | Rule::Wave { by: a, .. } => vec![*a],
+            Rule::Reciprocal(a) | Rule::Root(a) | Rule::Power(a, _) => vec![*a],
+            Rule::Squares(all) => all.clone(),
+            Rule::Integral { by, of, .. } => vec![*by, *of],
+            Rule::Quadrature { of, over, .. } => vec![*of, *over],
+            Rule::Angle { y, x, square } => vec![*y, *x, *square],
+        }
+    }
+
+    /// Whether coefficients follow by the same operations, from one sum each.
+    pub(super) fn is_like(&self, other: &Rule) -> bool {
+        match (self, other) {
+            (Rule::Squares(all), Rule::Squares(others)) => all.len() == others.len(),
+            (Rule::Power(_, exponent), Rule::Power(_, other)) => exponent == other,
+            (Rule::Integral { factor, .. }, Rule::Integral { factor: other, .. })
+            | (Rule::Quadrature { factor, .. }, Rule::Quadrature { factor: other, .. }) => factor == other,
+            (Rule::Product(..), Rule::Product(..))
+            | (Rule::Quotient(..), Rule::Quotient(..))
+            | (Rule::Reciprocal(_), Rule::Reciprocal(_))
+            | (Rule::Root(_), Rule::Root(_)) => true,
+            _ => false,
         }
     }
 

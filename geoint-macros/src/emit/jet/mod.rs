@@ -6,6 +6,7 @@
 
 mod arrays;
 mod numbers;
+mod order;
 mod rules;
 
 use super::given::element;
@@ -13,12 +14,13 @@ use super::kernel::Context;
 use super::structure::{self_type, state};
 use super::tokens::Tokens;
 use crate::derive::JetKernel;
-use crate::diff::jet::{Jet, Lanes, Operand, Rate, Rule, Source, Value};
+use crate::diff::jet::{Jet, LANES, Lanes, Rate, Rule, Source, Value};
 use crate::ir::Symbol;
 use crate::parse::over_scalar;
 use crate::schedule::Plan;
-use arrays::{Stored, array_of, coefficient, kept, side_by_side, weighted};
+use arrays::{Stored, array_of, kept};
 use numbers::{Prepared, prepared};
+use order::Order;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -42,8 +44,9 @@ pub(super) fn jets(context: &Context<'_>, found: &JetKernel<Plan>) -> TokenStrea
     let given = if energy.form.has_action() { quote!(s: &R) } else { quote!(_: &()) };
     let switches = Literal::usize_unsuffixed(jet.switches.len());
     let convolutions = Literal::usize_unsuffixed(jet.convolutions());
-    let mut writer = Writer { context, jet, lanes: Lanes::of(jet), numbers: vec![] };
-    let order = writer.order();
+    let mut writer =
+        Writer { context, jet, lanes: Lanes::of(jet), numbers: vec![], beside: vec![], order: Order::default() };
+    let order = writer.body();
     let body = context.planned(&start.last[0], (&[], ""), |values| writer.start(&values));
     quote! {
         impl<R: Real> Jets<R> for #name {
@@ -85,6 +88,9 @@ struct Writer<'a> {
     lanes: Option<Lanes>,
     /// What orders read of the start, by the values there.
     numbers: Vec<Prepared>,
+    /// The same of series side by side.
+    beside: Vec<[Prepared; LANES]>,
+    order: Order,
 }
 
 impl Writer<'_> {
@@ -110,78 +116,20 @@ impl Writer<'_> {
         quote!(k[#place])
     }
 
-    fn value(&self, source: Source) -> Value {
-        self.jet.series[source].value
+    /// A number of the start for each of several series side by side, or for one.
+    fn numbers(&mut self, sources: &[Source], number: impl Fn(Source, &Self) -> Prepared) -> TokenStream {
+        let Ok(sources) = <[Source; LANES]>::try_from(sources) else { return self.number(number(sources[0], self)) };
+        let numbers = sources.map(|source| number(source, self));
+        let place = self.beside.iter().position(|other| *other == numbers).unwrap_or_else(|| {
+            self.beside.push(numbers);
+            self.beside.len() - 1
+        });
+        let place = Literal::usize_unsuffixed(place);
+        quote!(beside[#place])
     }
 
-    /// The body of an order.
-    fn order(&mut self) -> TokenStream {
-        let mut body = TokenStream::new();
-        let unit = self.number(Prepared::Unit);
-        let groups: Vec<_> = self.lanes.iter().flat_map(|lanes| lanes.groups.clone()).collect();
-        for (i, group) in groups.iter().enumerate() {
-            let (name, sum) = (format_ident!("sums{i}"), {
-                let arrays: Vec<Ident> = group.operands.iter().copied().map(side_by_side).collect();
-                self.sum_of(group.weight, &arrays)
-            });
-            body.extend(quote!(#name = #sum;));
-        }
-        for source in &self.jet.order {
-            let (name, value) = (coefficient(*source), self.coefficient(*source));
-            let state = matches!(self.jet.series[*source].rule, Rule::State(_));
-            let kept = (self.has_array(*source) && !state).then(|| {
-                let array = kept(*source);
-                quote!(#array[n] = #name;)
-            });
-            let weighted = self.has_weighted_array(*source).then(|| {
-                let array = weighted(*source);
-                quote!(#array[n] = whole * #name;)
-            });
-            body.extend(quote!(#name = #value; #kept #weighted));
-        }
-        for (i, operands) in self.lanes.iter().flat_map(|lanes| &lanes.arrays).enumerate() {
-            let (name, entries) = (
-                side_by_side(i),
-                operands.map(|Operand { source, weighted }| {
-                    let c = coefficient(source);
-                    if weighted { quote!(whole * #c) } else { quote!(#c) }
-                }),
-            );
-            body.extend(quote!(#name[n] = [#(#entries),*];));
-        }
-        for rate in &self.jet.rates {
-            body.extend(self.next(*rate));
-        }
-        for (i, (_, source)) in self.jet.switches.iter().enumerate() {
-            let (i, value) = (Literal::usize_unsuffixed(i), self.or_zero(*source));
-            body.extend(quote!(switches[n][#i] = #value;));
-        }
-        let (phase, action, arrays) = (self.context.phase(), self.context.action(), self.arrays(&[]));
-        let types = arrays.iter().map(Stored::entry);
-        let arrays = arrays.iter().map(|array| &array.name);
-        let names = self.jet.order.iter().map(|source| coefficient(*source));
-        let names = names.chain((0..groups.len()).map(|i| format_ident!("sums{i}")));
-        let [numbers, masks, switches] =
-            [self.numbers.len(), self.jet.conditions.len(), self.jet.switches.len()].map(Literal::usize_unsuffixed);
-        let arrays: Vec<_> = arrays.collect();
-        quote! {
-            struct Coefficients<'a, R: Real, const P: usize> {
-                k: [R; #numbers],
-                masks: [R::Mask; #masks],
-                #(#arrays: &'a mut [#types; P],)*
-                jet: &'a mut [PerCoordinate<#phase, #action>; P],
-                switches: &'a mut [[R; #switches]; P],
-            }
-            impl<R: Real, const P: usize> recurrence::Series for Coefficients<'_, R, P> {
-                #[inline(always)]
-                fn order(&mut self, n: usize) {
-                    let Self { k, masks, #(#arrays,)* jet, switches } = self;
-                    let (whole, next) = (recurrence::whole::<R>(n), #unit * recurrence::inverse::<R>(n + 1));
-                    let (#(#names,)*);
-                    #body
-                }
-            }
-        }
+    fn value(&self, source: Source) -> Value {
+        self.jet.series[source].value
     }
 
     /// The coefficient of order n + 1 of a coordinate.
@@ -189,7 +137,7 @@ impl Writer<'_> {
         let place = self.place(rate.symbol);
         let value = match rate.source {
             Some(source) => {
-                let coefficient = coefficient(source);
+                let coefficient = self.now(&[source]);
                 quote!(next * #coefficient)
             }
             None => quote!(R::from_f64(0.0)),
@@ -223,15 +171,17 @@ impl Writer<'_> {
     }
 
     fn or_zero(&self, source: Option<Source>) -> TokenStream {
-        source.map_or(quote!(R::from_f64(0.0)), |source| {
-            let name = coefficient(source);
-            quote!(#name)
-        })
+        source.map_or(quote!(R::from_f64(0.0)), |source| self.now(&[source]))
     }
 
     /// The values at the start, the coefficients of order 0, and all orders.
     fn start(&self, values: &[Tokens]) -> TokenStream {
         let numbers = self.numbers.iter().map(|number| prepared(*number, values));
+        let beside = self.beside.iter().map(|numbers| {
+            let numbers = numbers.map(|number| prepared(number, values));
+            quote!([#(#numbers),*])
+        });
+        let beside = (!self.beside.is_empty()).then(|| quote!(beside: [#(#beside),*],));
         let masks = self.jet.conditions.iter().map(|value| &values[*value]);
         let mut first = TokenStream::new();
         let arrays = self.arrays(values);
@@ -256,7 +206,7 @@ impl Writer<'_> {
             let (#(#arrays,)*) = (#(&mut #zeros,)*);
             #first
             recurrence::orders::<#unrolled, P>(&mut Coefficients {
-                k: [#(#numbers),*], masks: [#(#masks),*], #(#arrays,)* jet, switches,
+                k: [#(#numbers),*], #beside masks: [#(#masks),*], #(#arrays,)* jet, switches,
             });
         }
     }

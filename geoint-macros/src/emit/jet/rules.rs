@@ -1,19 +1,24 @@
 //! The coefficient of order n by each rule.
 
 use super::numbers::{Prepared, constant, scaled};
-use super::{Writer, array_of, coefficient, kept};
+use super::{Writer, array_of, kept};
 use crate::diff::jet::{Factor, Rule, Source, Weight, sums};
 use crate::ir::Number;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 impl Writer<'_> {
-    /// The coefficient of order n.
-    pub(super) fn coefficient(&mut self, source: Source) -> TokenStream {
-        let own = source;
-        match self.jet.series[source].rule.clone() {
-            Rule::State(_) if self.has_array(source) => {
-                let array = kept(source);
+    /// The coefficient of order n of a series, or of several side by side that have the same rule.
+    pub(super) fn coefficient(&mut self, own: &[Source]) -> TokenStream {
+        let jet = self.jet;
+        let (first, rule) = (own[0], &jet.series[own[0]].rule);
+        let operands: Vec<Vec<Source>> = (0..rule.operands().len())
+            .map(|k| own.iter().map(|source| jet.series[*source].rule.operands()[k]).collect())
+            .collect();
+        let operands: Vec<&[Source]> = operands.iter().map(Vec::as_slice).collect();
+        match *rule {
+            Rule::State(_) if self.has_array(first) => {
+                let array = kept(first);
                 quote!(#array[n])
             }
             Rule::State(symbol) => {
@@ -24,60 +29,62 @@ impl Writer<'_> {
                 let slope = self.number(Prepared::Slope(Number::ONE, slope));
                 quote!(recurrence::affine(#slope, n))
             }
-            Rule::Linear(terms) => self.linear(&terms),
-            Rule::Product(a, b) => {
-                let (starts, c) = ([a, b].map(|of| self.start_of(of)), [a, b].map(coefficient));
-                let sum = self.sum(own, 0);
+            Rule::Linear(ref terms) => self.linear(terms),
+            Rule::Product(..) => {
+                let (starts, c, sum) = (self.starts(&operands), self.present(&operands), self.sum(own, 0));
                 quote!(recurrence::product([#(#starts),*], [#(#c),*], #sum))
             }
             Rule::Shift { start, slope, of } => {
                 let start = self.number(Prepared::Value(start));
                 let slope = self.number(Prepared::Slope(Number::ONE, slope));
-                let (before, c) = (self.before(of), coefficient(of));
+                let (before, c) = (self.before(of), self.now(&[of]));
                 quote!(#start.multiply_add(#c, #slope * #before))
             }
-            Rule::Squares(all) => {
-                let starts: Vec<TokenStream> = all.iter().map(|of| self.start_of(*of)).collect();
-                let (c, sum) = (all.iter().copied().map(coefficient), self.sum(own, 0));
+            Rule::Squares(_) => {
+                let (starts, c, sum) = (self.starts(&operands), self.present(&operands), self.sum(own, 0));
                 quote!(recurrence::squares([#(#starts),*], [#(#c),*], #sum))
             }
-            Rule::Quotient(a, w) => {
-                let over = self.number(Prepared::Reciprocal(self.value(w)));
-                let (starts, c) = ([w, own].map(|of| self.start_of(of)), [a, w].map(coefficient));
+            Rule::Quotient(..) => {
+                let over = self.numbers(operands[1], |w, writer| Prepared::Reciprocal(writer.value(w)));
+                let (starts, c) = (self.starts(&[operands[1], own]), self.present(&operands));
                 let sum = self.sum(own, 0);
                 quote!(recurrence::quotient([#(#starts,)* #over], [#(#c),*], #sum))
             }
-            Rule::Reciprocal(w) => {
-                let (starts, c, sum) = ([w, own].map(|of| self.start_of(of)), coefficient(w), self.sum(own, 0));
+            Rule::Reciprocal(_) => {
+                let (starts, c) = (self.starts(&[operands[0], own]), self.now(operands[0]));
+                let sum = self.sum(own, 0);
                 quote!(recurrence::reciprocal([#(#starts),*], #c, #sum))
             }
-            Rule::Root(u) => {
-                let over = self.number(Prepared::HalfReciprocal(self.value(own)));
-                let (start, c, sum) = (self.start_of(own), coefficient(u), self.sum(own, 0));
-                quote!(recurrence::root([#start, #over], #c, #sum))
+            Rule::Root(_) => {
+                let over = self.numbers(own, |y, writer| Prepared::HalfReciprocal(writer.value(y)));
+                let (starts, c, sum) = (self.starts(&[own]), self.now(operands[0]), self.sum(own, 0));
+                quote!(recurrence::root([#(#starts,)* #over], #c, #sum))
             }
-            Rule::Power(u, exponent) => {
-                let ratio = self.number(Prepared::Ratio(exponent, self.value(own), self.value(u)));
-                let (start, c, sum) = (self.start_of(u), coefficient(u), self.sum(own, 0));
-                quote!(recurrence::power([#start, #ratio], #c, #sum, n))
+            Rule::Power(_, exponent) => {
+                let ratio = self.numbers(own, |y, writer| {
+                    let u = writer.jet.series[y].rule.operands()[0];
+                    Prepared::Ratio(exponent, writer.value(y), writer.value(u))
+                });
+                let (starts, c, sum) = (self.starts(&operands), self.now(operands[0]), self.sum(own, 0));
+                quote!(recurrence::power([#(#starts,)* #ratio], #c, #sum, n))
             }
-            Rule::Integral { factor, by, of } => {
-                let (start, c, sum) = (self.start_of(by), coefficient(of), self.sum(own, 0));
-                scaled(factor, quote!(recurrence::integral(#start, #c, #sum, n)))
+            Rule::Integral { factor, .. } => {
+                let (starts, c, sum) = (self.starts(&operands[..1]), self.now(operands[1]), self.sum(own, 0));
+                times(factor, own, quote!(recurrence::integral(#(#starts)*, #c, #sum, n)))
             }
             Rule::Wave { factor, slope, by } => {
                 let (slope, before) = (self.number(Prepared::Slope(factor, slope)), self.before(by));
                 quote!(#slope * #before * recurrence::inverse::<R>(n))
             }
-            Rule::Quadrature { factor, of, over } => {
-                let inverse = self.number(Prepared::Reciprocal(self.value(over)));
-                let (start, c, sum) = (self.start_of(over), coefficient(of), self.sum(own, 0));
-                let c = scaled(factor, quote!(#c));
-                quote!(recurrence::quadrature([#start, #inverse], #c, #sum, n))
+            Rule::Quadrature { factor, .. } => {
+                let inverse = self.numbers(operands[1], |over, writer| Prepared::Reciprocal(writer.value(over)));
+                let (starts, c, sum) = (self.starts(&operands[1..]), self.now(operands[0]), self.sum(own, 0));
+                let c = times(factor, own, c);
+                quote!(recurrence::quadrature([#(#starts,)* #inverse], #c, #sum, n))
             }
-            Rule::Angle { y, x, square } => {
+            Rule::Angle { square, .. } => {
                 let inverse = self.number(Prepared::Reciprocal(self.value(square)));
-                let (starts, c) = ([y, x, square].map(|of| self.start_of(of)), [y, x].map(coefficient));
+                let (starts, c) = (self.starts(&operands), self.present(&operands[..2]));
                 let sums = [0, 1, 2].map(|i| self.sum(own, i));
                 quote!(recurrence::angle([#(#starts,)* #inverse], [#(#c),*], [#(#sums),*], n))
             }
@@ -93,9 +100,16 @@ impl Writer<'_> {
         }
     }
 
-    /// The coefficient of order 0.
-    fn start_of(&mut self, source: Source) -> TokenStream {
-        self.number(Prepared::Value(self.value(source)))
+    /// The coefficients of order 0.
+    fn starts(&mut self, all: &[&[Source]]) -> Vec<TokenStream> {
+        all.iter()
+            .map(|sources| self.numbers(sources, |source, writer| Prepared::Value(writer.value(source))))
+            .collect()
+    }
+
+    /// The coefficients of order n.
+    fn present(&self, all: &[&[Source]]) -> Vec<TokenStream> {
+        all.iter().map(|sources| self.now(sources)).collect()
     }
 
     /// The coefficient of order n − 1.
@@ -104,12 +118,12 @@ impl Writer<'_> {
         quote!(#array[n - 1])
     }
 
-    /// A sum in the coefficient of order n of a series.
-    fn sum(&mut self, own: Source, i: usize) -> TokenStream {
-        let sum = sums(&self.jet.series[own].rule, own).swap_remove(i);
+    /// A sum in the coefficient of order n of a series, or those of several side by side.
+    fn sum(&mut self, own: &[Source], i: usize) -> TokenStream {
+        let sum = sums(&self.jet.series[own[0]].rule, own[0]).swap_remove(i);
         if let Some((group, lane)) = self.lanes.as_ref().and_then(|lanes| lanes.place(&sum)) {
             let (group, lane) = (format_ident!("sums{group}"), Literal::usize_unsuffixed(lane));
-            return quote!(#group[#lane]);
+            return if own.len() > 1 { quote!(#group) } else { quote!(#group[#lane]) };
         }
         let arrays: Vec<Ident> = sum.operands.into_iter().map(array_of).collect();
         self.sum_of(sum.weight, &arrays)
@@ -131,7 +145,7 @@ impl Writer<'_> {
     fn linear(&mut self, terms: &[(Factor, Source)]) -> TokenStream {
         let mut sum: Option<TokenStream> = None;
         for (factor, source) in terms {
-            let c = coefficient(*source);
+            let c = self.now(&[*source]);
             let factor = match *factor {
                 Factor::Number(number) if number == Number::ONE || number == Number::MINUS_ONE => {
                     sum = Some(match (sum, number == Number::ONE) {
@@ -151,5 +165,17 @@ impl Writer<'_> {
             });
         }
         sum.unwrap_or(quote!(R::from_f64(0.0)))
+    }
+}
+
+/// c·x of numbers, or of numbers side by side.
+fn times(c: Number, own: &[Source], x: TokenStream) -> TokenStream {
+    match c {
+        _ if own.len() == 1 => scaled(c, x),
+        Number::ONE => x,
+        _ => {
+            let c = constant(c);
+            quote!(recurrence::scaled(#c, #x))
+        }
     }
 }

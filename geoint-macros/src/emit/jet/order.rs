@@ -1,0 +1,208 @@
+//! The body of an order: what is computed when, and side by side with what.
+
+use super::Writer;
+use super::arrays::{Stored, coefficient, kept, side_by_side, weighted};
+use super::numbers::Prepared;
+use crate::diff::jet::{LANES, Operand, Rule, Source};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+
+/// What is written of an order.
+#[derive(Default)]
+pub(super) struct Order {
+    body: TokenStream,
+    names: Vec<Ident>,
+    series: Vec<bool>,
+    /// The coefficients of order n in arrays of lanes.
+    arrays: Vec<bool>,
+}
+
+impl Writer<'_> {
+    /// The body of an order.
+    pub(super) fn body(&mut self) -> TokenStream {
+        let jet = self.jet;
+        let (groups, arrays) = self.lanes.as_ref().map_or((0, 0), |lanes| (lanes.groups.len(), lanes.arrays.len()));
+        self.order = Order { series: vec![false; jet.series.len()], arrays: vec![false; arrays], ..Order::default() };
+        let unit = self.number(Prepared::Unit);
+        // Sums wait for nothing of their own order: all of them first. One after the other where they are read they take a twentieth less where
+        // processors have registers of four numbers (planets), and a tenth more where they have none, or few sums (double pendulum).
+        for place in 0..groups {
+            self.sums(place);
+        }
+        for source in &jet.order {
+            self.series(*source);
+        }
+        for array in 0..arrays {
+            self.pack(array);
+        }
+        let Order { mut body, names, .. } = std::mem::take(&mut self.order);
+        for rate in &jet.rates {
+            body.extend(self.next(*rate));
+        }
+        for (i, (_, source)) in jet.switches.iter().enumerate() {
+            let (i, value) = (Literal::usize_unsuffixed(i), self.or_zero(*source));
+            body.extend(quote!(switches[n][#i] = #value;));
+        }
+        let (phase, action, arrays) = (self.context.phase(), self.context.action(), self.arrays(&[]));
+        let types: Vec<TokenStream> = arrays.iter().map(Stored::entry).collect();
+        let arrays: Vec<Ident> = arrays.into_iter().map(|array| array.name).collect();
+        let [numbers, masks, switches] =
+            [self.numbers.len(), jet.conditions.len(), jet.switches.len()].map(Literal::usize_unsuffixed);
+        let beside = (!self.beside.is_empty()).then(|| {
+            let [lanes, number] = [LANES, self.beside.len()].map(Literal::usize_unsuffixed);
+            [quote!(beside: [[R; #lanes]; #number],), quote!(beside,)]
+        });
+        let [beside, beside_name] = beside.unwrap_or_default();
+        quote! {
+            struct Coefficients<'a, R: Real, const P: usize> {
+                k: [R; #numbers],
+                #beside
+                masks: [R::Mask; #masks],
+                #(#arrays: &'a mut [#types; P],)*
+                jet: &'a mut [PerCoordinate<#phase, #action>; P],
+                switches: &'a mut [[R; #switches]; P],
+            }
+            impl<R: Real, const P: usize> recurrence::Series for Coefficients<'_, R, P> {
+                #[inline(always)]
+                fn order(&mut self, n: usize) {
+                    let Self { k, #beside_name masks, #(#arrays,)* jet, switches } = self;
+                    let (whole, next) = (recurrence::whole::<R>(n), #unit * recurrence::inverse::<R>(n + 1));
+                    let (#(#names,)*);
+                    #body
+                }
+            }
+        }
+    }
+
+    /// The group of which a series is part, with all that follow from it.
+    fn group_of(&self, source: Source) -> Option<(usize, [Source; LANES])> {
+        self.lanes.as_ref()?.group_of(source)
+    }
+
+    /// Writes a series with those beside it, and before them what they read.
+    fn series(&mut self, source: Source) {
+        let jet = self.jet;
+        let mut open = vec![source];
+        while let Some(source) = open.pop() {
+            if self.order.series[source] {
+                continue;
+            }
+            let group = self.group_of(source);
+            let all: Vec<Source> = group.map_or(vec![source], |(_, series)| series.to_vec());
+            let reads = all.iter().flat_map(|source| jet.series[*source].rule.now());
+            let before: Vec<Source> = reads.filter(|read| !self.order.series[*read]).collect();
+            if !before.is_empty() {
+                open.push(source);
+                open.extend(before);
+                continue;
+            }
+            if let Some((group, _)) = group {
+                for k in 0..jet.series[source].rule.operands().len() {
+                    let operands = all.iter().map(|source| jet.series[*source].rule.operands()[k]);
+                    self.pack_operands(&operands.collect::<Vec<_>>());
+                }
+                let (name, value) = (format_ident!("side{group}"), self.coefficient(&all));
+                self.order.body.extend(quote!(#name = #value;));
+                self.order.names.push(name);
+            } else {
+                let (name, value) = (coefficient(source), self.coefficient(&all));
+                self.order.body.extend(quote!(#name = #value;));
+                self.order.names.push(name);
+            }
+            for source in all {
+                self.keep(source);
+            }
+        }
+    }
+
+    /// Writes the sums of a group.
+    fn sums(&mut self, place: usize) {
+        let Some(group) = self.lanes.as_ref().map(|lanes| &lanes.groups[place]) else { return };
+        let (weight, operands) = (group.weight, group.operands.clone());
+        let arrays: Vec<Ident> = operands.into_iter().map(side_by_side).collect();
+        let (name, sum) = (format_ident!("sums{place}"), self.sum_of(weight, &arrays));
+        self.order.body.extend(quote!(#name = #sum;));
+        self.order.names.push(name);
+    }
+
+    /// Writes what arrays keep of a series of its own.
+    fn keep(&mut self, source: Source) {
+        if std::mem::replace(&mut self.order.series[source], true) {
+            return;
+        }
+        let name = self.now(&[source]);
+        if self.has_array(source) && !matches!(self.jet.series[source].rule, Rule::State(_)) {
+            let array = kept(source);
+            self.order.body.extend(quote!(#array[n] = #name;));
+        }
+        if self.has_weighted_array(source) {
+            let array = weighted(source);
+            self.order.body.extend(quote!(#array[n] = whole * #name;));
+        }
+    }
+
+    /// Writes the coefficients of operands side by side into their array, if there is one; of what is read up to the order before only, they may
+    /// not be known yet.
+    fn pack_operands(&mut self, operands: &[Source]) {
+        if !operands.iter().all(|source| self.order.series[*source]) {
+            return;
+        }
+        let array = <&[Source; LANES]>::try_from(operands).ok().and_then(|all| self.lanes.as_ref()?.array_of(all));
+        if let Some(array) = array {
+            self.pack(array);
+        }
+    }
+
+    /// Writes the coefficients of order n into an array of lanes.
+    fn pack(&mut self, array: usize) {
+        let Some(operands) = self.lanes.as_ref().map(|lanes| lanes.arrays[array]) else { return };
+        if std::mem::replace(&mut self.order.arrays[array], true) {
+            return;
+        }
+        let name = side_by_side(array);
+        let sources = operands.map(|operand| operand.source);
+        let value = if let Some((group, series)) = self.group_of(sources[0])
+            && series == sources
+            && operands.iter().all(|operand| operand.weighted == operands[0].weighted)
+        {
+            let side = format_ident!("side{group}");
+            if operands[0].weighted { quote!(recurrence::scaled(whole, #side)) } else { quote!(#side) }
+        } else {
+            let entries = operands.map(|Operand { source, weighted }| {
+                let c = self.now(&[source]);
+                if weighted { quote!(whole * #c) } else { c }
+            });
+            quote!([#(#entries),*])
+        };
+        self.order.body.extend(quote!(#name[n] = #value;));
+    }
+
+    /// The coefficient of order n of a series, or those of several side by side, where they are.
+    pub(super) fn now(&self, sources: &[Source]) -> TokenStream {
+        if let [source] = sources {
+            let Some((group, series)) = self.group_of(*source) else {
+                let name = coefficient(*source);
+                return quote!(#name);
+            };
+            let (side, lane) = (format_ident!("side{group}"), series.iter().position(|other| other == source));
+            let lane = Literal::usize_unsuffixed(lane.unwrap_or(0));
+            return quote!(#side[#lane]);
+        }
+        let all = <[Source; LANES]>::try_from(sources).ok();
+        let (group, array) = (self.group_of(sources[0]), all.and_then(|all| self.lanes.as_ref()?.array_of(&all)));
+        match (group, array) {
+            (Some((group, series)), _) if Some(series) == all => {
+                let side = format_ident!("side{group}");
+                quote!(#side)
+            }
+            (_, Some(array)) => {
+                let array = side_by_side(array);
+                quote!(#array[n])
+            }
+            _ => {
+                let entries = sources.iter().map(|source| self.now(&[*source]));
+                quote!([#(#entries),*])
+            }
+        }
+    }
+}
