@@ -13,7 +13,7 @@ use geoint_runtime::prelude::*;
 use geoint_tests::scene::flat;
 use indicatif::ProgressBar;
 use nalgebra_of_ode_solvers::SVector;
-use ode_solvers::dop853::Dop853;
+use ode_solvers::{Dop853, OutputType};
 use std::f64::consts::TAU;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -270,8 +270,9 @@ fn candidates() -> Vec<Candidate> {
         ));
         all.push(rival("ode_solvers Dop853", format!("tolerance {tolerance:.0e}"), move |start, periods| {
             let end = TAU * periods as f64;
-            let between = if periods > 1 { end } else { TAU / 8.0 };
-            let mut stepper = Dop853::new(Of, 0.0, end, between, SVector::from(start), tolerance, tolerance);
+            let mut stepper = Dop853::new(Of, 0.0, end, end, SVector::from(start), tolerance, tolerance);
+            // As in `rivals.rs`.
+            stepper.set_output(OutputType::Sparse);
             stepper.integrate().ok()?;
             Some(stepper.y_out().iter().map(|y| y.data.0[0]).collect())
         }));
