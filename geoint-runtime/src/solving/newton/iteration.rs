@@ -154,7 +154,9 @@ impl<A: Array> Iteration<A> {
     ) -> Found<A> {
         let mut attempt = start.guess.map_or(Attempt::Explicit, Attempt::Extrapolated);
         let (mut first, mut before) = (start.correction, start.before);
-        self.by_series |= self.looks();
+        if const { A::LEN > 2 } {
+            self.by_series |= self.looks();
+        }
         loop {
             // Sizes for pivots. A guess may be wild: no correction is compared with it.
             let mut scale = self.sizes;

@@ -190,9 +190,7 @@ impl<A: Array> Newton<A> {
             }
             start
         };
-        let mut iteration = self.iteration;
-        let distant = iteration.search(start, *equation, watch);
-        self.iteration = iteration;
+        let distant = self.iteration.search(start, *equation, watch);
         // Entry by entry, so that what is found here stays in registers: the next step waits for it.
         let mut found = Found { outcome: distant.outcome, ..Found::solution(A::zero(), A::zero()) };
         found.x.copy_from(&distant.x);
