@@ -71,8 +71,9 @@ pub(super) fn metric<A: Array>(h: A::Real, middle: &Slope<A>, coupled: bool) -> 
     let one = A::Real::from_f64(1.0);
     let [_, energy, cycles] = squares(h, middle, coupled, one);
     let (mut scale, mut energy) = (one, energy.sqrt());
-    // Energies have a unit, and may need another one.
-    if energy == zero() || before_squares(energy) != one {
+    // Energies have a unit, and may need another one: also where nothing is left of their squares, or these are infinite.
+    let is_number = energy > zero() && energy.magnitude().is_finite();
+    if !is_number || before_squares(energy) != one {
         (scale, energy) = in_their_unit(h, middle, coupled);
     }
     let frequency = (cycles + cycles).sqrt();
