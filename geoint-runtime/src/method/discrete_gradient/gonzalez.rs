@@ -72,7 +72,7 @@ pub(super) fn metric<A: Array>(h: A::Real, middle: &Slope<A>, coupled: bool) -> 
     let [_, energy, cycles] = squares(h, middle, coupled, one);
     let (mut scale, mut energy) = (one, energy.sqrt());
     // Energies have a unit, and may need another one: also where nothing is left of their squares, or these are infinite.
-    let is_number = energy > zero() && energy.magnitude().is_finite();
+    let is_number = energy.magnitude() > 0.0 && energy.magnitude().is_finite();
     if !is_number || before_squares(energy) != one {
         (scale, energy) = in_their_unit(h, middle, coupled);
     }
