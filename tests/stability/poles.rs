@@ -89,7 +89,7 @@ where
                 let mut bulk = system.integrator(method, h, start);
                 assert_eq!((bulk.advance(40).err(), bulk.state()), (reason, good), "{}", context());
             }
-            None | Some(StepError::Singular { .. } | StepError::NotConverged { .. } | StepError::Rounded { .. }) => {}
+            None | Some(StepError::Singular { .. } | StepError::NotConverged { .. }) => {}
             Some(reason) => panic!("{}: {reason}", context()),
         }
     }
@@ -119,7 +119,7 @@ where
     assert!(sim.rejections() > 0 && sim.state() == good, "{expected}, {name}");
     match reason {
         Reason::OutsideDomain { what } => assert!(what.contains(expected), "{expected}, {name}: {what}"),
-        Reason::Inaccurate { .. } | Reason::Singular | Reason::NotConverged | Reason::Rounded => {}
+        Reason::Inaccurate { .. } | Reason::Singular | Reason::NotConverged => {}
         reason => panic!("{expected}, {name}: {reason}"),
     }
 }
