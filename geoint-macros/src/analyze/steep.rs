@@ -8,8 +8,8 @@ use crate::ir::{Graph, Id, Node, Symbol};
 ///
 /// `gradients` are those of the functions, one after the other, with respect to the coordinates `x`.
 pub(crate) fn is_steep(graph: &Graph, gradients: &[Id], x: &[Symbol]) -> bool {
-    let slopes = gradients.chunks(x.len()).flat_map(|gradient| gradient.iter().zip(x));
-    !slopes.into_iter().all(|(slope, x)| is_power(graph, *slope, *x))
+    let mut slopes = gradients.chunks(x.len()).flat_map(|gradient| gradient.iter().zip(x));
+    !slopes.all(|(slope, x)| is_power(graph, *slope, *x))
 }
 
 /// Whether a node is c or c xⁿ, with n > 0 and c free of coordinates.

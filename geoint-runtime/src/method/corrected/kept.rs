@@ -59,9 +59,9 @@ fn undo_all<R: Real>((gradients, first): (&mut [R], &[R]), changes: &[R], way: [
     }
 }
 
-/// How large a coordinate has been on the way from the origin.
-fn size<R: Real>([origin, moved]: [&[R]; 2], i: usize) -> f64 {
-    origin[i].magnitude() + moved[i].magnitude()
+/// How large a coordinate has been on a way.
+fn size<R: Real, const N: usize>(way: [&[R]; N], i: usize) -> f64 {
+    way.iter().map(|z| z[i].magnitude()).sum()
 }
 
 /// What a coordinate is measured in: its distance from zero may mean nothing.
@@ -70,7 +70,7 @@ fn unit<R: Real>(way: [&[R]; 2], i: usize) -> f64 {
 }
 
 /// How much an invariant changes with its coordinates, each by its size: times the last digit this is its rounding.
-fn steepness<R: Real>(way: [&[R]; 2], gradient: &[R]) -> f64 {
+pub(super) fn steepness<R: Real, const N: usize>(way: [&[R]; N], gradient: &[R]) -> f64 {
     gradient.iter().enumerate().map(|(i, slope)| size(way, i) * slope.magnitude()).sum()
 }
 

@@ -96,7 +96,8 @@ impl<S: KeepsEnergy<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M>
         outer_step::<S, R, M, C, P>(method, memory, step.part([step.t, step.end]))?;
         let Step { system, t, x, probe, .. } = step;
         probe.visit(t, &x.z, &());
-        let moved = difference(&x.z, &before);
+        let end = x.z;
+        let moved = difference(&end, &before);
         // Coordinates are rounded as they are on the way of this step: what was large lately is exact now.
         let mut sizes = Sizes::new();
         sizes.include(&before, &moved);
@@ -134,7 +135,7 @@ impl<S: KeepsEnergy<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M>
         x.ahead.add(excess * *h);
         check_conditions(system, t, &sum(&before, &decided.get()), x)?;
         check_poles(poles, false, &(before, ()), Step::at(t, (system, &mut *x, probe)))?;
-        rounded::check_correction(system, &energy, [&before, &sum(&before, &moved), &x.z])
+        rounded::check_correction(system, &energy, [&before, &end, &x.z])
     }
 }
 

@@ -1,5 +1,6 @@
 //! Does rounding on the way of a step change what the step keeps?
 
+use super::kept::steepness;
 use crate::method::{Probe, Refusal};
 use crate::scalar::Real;
 use crate::space::vector::difference;
@@ -72,18 +73,13 @@ fn refuse<S: PhaseSpace<R>, R: Real, I: Invariants<S, R>>(
 ) -> Result<(), Refusal> {
     let mut gradients = [start, end].map(|z| invariants.gradients(system, z));
     let [first, last] = gradients.each_mut().map(I::Values::entries);
+    let way = [start, end, between].map(Array::as_slice);
     let is_lost = |(change, (first, last)): (&R, (&S::Phase, &S::Phase))| {
-        let at_ends = f64::max(steepness([start], first), steepness([end], last));
-        let way = [start, end, between];
+        let (first, last) = (first.as_slice(), last.as_slice());
+        let at_ends = f64::max(steepness([way[0]], first), steepness([way[1]], last));
         let on_way = f64::max(steepness(way, first), steepness(way, last));
         f64::max(change.magnitude() / R::epsilon(), on_way) > MOST * at_ends
     };
     let lost = changes.as_slice().iter().zip(first.iter().zip(last.iter())).any(is_lost);
     if lost { Err(Refusal::Rounded) } else { Ok(()) }
-}
-
-/// How much an invariant changes with its coordinates, each by its size: times the last digit this is its rounding.
-fn steepness<A: Array, const N: usize>(sizes: [&A; N], gradient: &A) -> f64 {
-    let size = |i: usize| -> f64 { sizes.iter().map(|z| z.as_slice()[i].magnitude()).sum() };
-    gradient.as_slice().iter().enumerate().map(|(i, slope)| size(i) * slope.magnitude()).sum()
 }

@@ -24,7 +24,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
             return Err(Reason::Diverges);
         }
         to.memory = from.memory;
-        let series = x;
+        let end = x;
         let correction = self.method.correction(&mut to.memory, &self.system, &from.x.z, &x.z)?;
         if let Some(correction) = &correction {
             x.add(correction);
@@ -42,8 +42,8 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
             return Err(Reason::OutsideDomain { what });
         }
         // Series see the poles of the field; an invariant may have more, and beyond them it is another one.
-        let series = correction.map(|_| series);
-        let pole = series.and_then(|_| self.pole());
+        let uncorrected = correction.map(|_| end);
+        let pole = uncorrected.and_then(|_| self.pole());
         if let Some(what) = pole.or_else(|| self.jump()) {
             return Err(Reason::OutsideDomain { what });
         }
@@ -51,7 +51,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
             return Err(self.outside_domain().map_or(Reason::Diverges, |what| Reason::OutsideDomain { what }));
         }
         let agrees = !compared || self.is_fixed() || self.agrees(part, &here) || self.agrees_late(part, &here);
-        if agrees || series.is_some_and(|end| self.agrees_before(end, part, whole)) {
+        if agrees || uncorrected.is_some_and(|end| self.agrees_before(end, part, whole)) {
             Ok(())
         } else {
             Err(Reason::Diverges)
