@@ -8,6 +8,9 @@ mod predictor;
 mod reciprocal;
 mod series;
 
+#[cfg(test)]
+mod last_tests;
+
 use crate::solving::Refusal;
 use crate::solving::equation::{Observer, StepEquation};
 use crate::solving::linear;
@@ -165,14 +168,15 @@ impl<A: Array> Newton<A> {
                 return found;
             }
             // Of one unknown the correction by the derivative of the step before is there first, and is taken as long as it misses the other one
-            // by a part of the last digit: which of them it is, a processor guesses, and goes on.
+            // by a part of the last digit: which of them it is, a processor guesses, and goes on. What it misses stands in the sequence of increments:
+            // where more than rounding did, the next guess would miss by a thousand times that, and the next one by more.
             if const { E::SETTLED && Reciprocal::<A>::KNOWN } {
                 let early = self.reciprocal.early(&delta);
                 if !self.reciprocal.solve(&matrix, &mut delta) {
                     break 'start Start::at(Some(guess));
                 }
                 let missed = difference(&early, &delta);
-                if self.iteration.is_last(&delta) && self.iteration.is_last_term(&missed) {
+                if self.iteration.is_far_smaller(&delta) && self.iteration.is_last_term(&missed) {
                     return Found::corrected_nearly(guess, &early, &missed);
                 }
             } else if !linear::solve_fast(&mut matrix, &mut delta) {
@@ -213,7 +217,7 @@ impl<A: Array> Newton<A> {
         let iteration = &mut self.iteration;
         let origin = equation.origin();
         let mut found = Found::corrected(guess, &first);
-        let mut corrections = Corrections::of_order(2);
+        let mut corrections = Corrections::of_order(2).settled(E::SETTLED);
         corrections.judge::<A::Real>(iteration.sizes.relative(&first, &origin, &found.x));
         // A substep that takes a third one chooses another guess after it.
         let most = if iteration.guesses.composed() { 1 } else { MOST_AGAIN };
@@ -226,11 +230,16 @@ impl<A: Array> Newton<A> {
                 break;
             }
             found = Found::corrected(x, &delta);
-            let correction = iteration.sizes.relative(&delta, &origin, &found.x);
-            if before == 1 {
-                iteration.see(correction, corrections.last());
-            }
-            if corrections.judge::<A::Real>(correction) == Verdict::Solved {
+            // How large it is costs two divisions, and is not asked of one that is the last; but of fields, of which short steps, as the compiler lays them out,
+            // would take a twentieth longer.
+            let solved = !E::OF_NOW && iteration.is_last(&delta) || {
+                let correction = iteration.sizes.relative(&delta, &origin, &found.x);
+                if before == 1 {
+                    iteration.see(correction, &corrections);
+                }
+                corrections.judge::<A::Real>(correction) == Verdict::Solved
+            };
+            if solved {
                 return (found, true);
             }
             *start = Start { guess: Some(x), correction: Some(delta), before };
