@@ -27,8 +27,8 @@ const LAST_TERM: f64 = 0.25;
 /// Of so many steps one looks a second time, to see that factor again.
 const SECOND_LOOK: u32 = 64;
 
-/// Corrections of which in compositions no more is asked than whether they are the last one: their sizes cost a tenth of an iteration. Where
-/// they are not after so many, something is else than before.
+/// Corrections of which in compositions, and in settled steps, no more is asked than whether they are the last one: their sizes cost a tenth of an
+/// iteration. Where they are not after so many, something is else than before.
 const UNJUDGED: u32 = 3;
 
 /// A correction, in units of the sizes of coordinates, that an extrapolated guess may need. What is farther off may lead to a solution of another
@@ -225,7 +225,9 @@ impl<A: Array> Iteration<A> {
         let mut matrix = A::fill(A::zero());
         let mut corrections = Corrections::of_order(2).settled(E::SETTLED);
         let extrapolated = matches!(attempt, Attempt::Extrapolated(_));
-        let unjudged = self.guesses.composed() && !self.looks() && !matches!(attempt, Attempt::Damped);
+        let composed = self.guesses.composed();
+        let mut unjudged =
+            (composed || E::SETTLED && !E::OF_NOW) && !self.looks() && !matches!(attempt, Attempt::Damped);
         let (mut lost, mut stuck, mut iterations) = (A::zero(), None, 0);
         // Whether the determinant is positive at the solution, if there is one. Numbers leave the loop by no `Result`: they would share its memory.
         let positive = loop {
@@ -264,6 +266,10 @@ impl<A: Array> Iteration<A> {
                 break Some(positive);
             }
             lost = subtract(&mut x, &delta);
+            if iterations == 1 {
+                // From afar the first one may be small at a wall, and the next one, too.
+                unjudged &= composed || !self.is_last(&delta);
+            }
             if (if iterations == 1 { extrapolated } else { unjudged }) && self.is_last(&delta) {
                 break Some(positive);
             }
