@@ -110,3 +110,35 @@ fn what_slides_far_from_zero_is_refused_too() {
         assert!((sim.state().x[0] - (c + 0.7)).abs() < 1e-15 * c.abs().max(1.0), "{c}: {:?}", sim.state());
     }
 }
+
+/// Free fall below the height `c`, and a spring above it.
+#[hamiltonian]
+fn spring_above(q: f64, p: f64, c: f64, k: f64) -> f64 {
+    p * p / 2.0 + q + k * (q - c).max(0.0).powi(2) / 2.0
+}
+
+/// What rises to just the height at which a condition changes, to rounding, falls back: no step goes on, beyond its end and without end, in
+/// search of the other side.
+#[test]
+fn what_only_touches_a_condition_turns_back() {
+    let throws = [
+        (0.6098852380221516, 0.43736482594440723),
+        (1.387623704308215, 1.1262985640923604),
+        (0.4342042864274873, 1.664824223418748),
+        (1.5081122377312046, 1.3306841340357058),
+        (1.9036058282846953, 1.5651754624209682),
+        (0.24175166876427712, 0.228907384221198),
+    ];
+    for (q, p) in throws {
+        let system = SpringAbove { c: q + p * p / 2.0, k: 5.0 };
+        for end in [1.1 * p, 1.9 * p, 2.388_484_4 * p] {
+            let mut run = system.taylor(Taylor::default(), State::new(q, p));
+            while run.step_towards(end).expect("a step") {
+                assert!(run.time() <= end && run.steps() < 100, "{run:?}");
+            }
+            let exact = [q + p * end - end * end / 2.0, p - end];
+            let State { q, p, .. } = run.state();
+            assert!((q - exact[0]).abs() < 1e-6 && (p - exact[1]).abs() < 1e-6, "{q} {p} {exact:?}");
+        }
+    }
+}

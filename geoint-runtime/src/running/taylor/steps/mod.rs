@@ -192,7 +192,8 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         // Where nothing else ends it.
         let whole = if wish < f64::INFINITY { wish } else { self.endless() };
         let most = if S::Switches::LEN > 0 || left == f64::INFINITY { whole } else { wish };
-        let (mut h, mut switch) = self.switch(self.towards(most.min(left)), bounds.shortest);
+        let (searched, mut switch) = self.switch(self.towards(most.min(left)), bounds.shortest);
+        let mut h = searched;
         let rounding = 0.25 * R::epsilon() * h.abs();
         let (mut ends, mut beyond) = (h, rounding);
         if let Some(switch) = switch {
@@ -202,12 +203,16 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         self.within = false;
         loop {
             match self.attempt(h, whole, switch.is_none()) {
-                // Which side it is on will be decided by the value.
-                Ok(()) if switch.is_some_and(|switch| !self.is_behind(switch)) && beyond < wish => {
-                    h += self.towards(beyond);
+                // Which side it is on will be decided by the value; what does not leave a zero before the next change only touches it.
+                Ok(()) => {
+                    let missed = switch.filter(|switch| !self.is_behind(*switch));
+                    let farthest = missed.map_or(0.0, |switch| self.next_change(searched, switch) * searched.abs());
+                    if h.abs() >= farthest {
+                        break;
+                    }
+                    h = self.towards((h.abs() + beyond).min(farthest));
                     beyond *= 2.0;
                 }
-                Ok(()) => break,
                 Err(reason) if self.is_fixed() || h.abs() <= bounds.shortest => {
                     return Err(self.refused(t, h.abs(), reason));
                 }

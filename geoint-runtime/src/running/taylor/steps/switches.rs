@@ -58,6 +58,19 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         (h, first)
     }
 
+    /// The part of a step of length `h` at which the next change follows on this one: of the same condition, or of another one, later by more than
+    /// rounding. All of it if none does.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn next_change(&self, h: f64, switch: Switch) -> f64 {
+        let next = |place| {
+            let after = if place == switch.place { switch.at } else { switch.at + 64.0 * R::epsilon() };
+            let roots = taylor::roots(&self.condition(place, h)[..self.order().min(taylor::MOST)], 0.0);
+            roots.as_slice().iter().copied().find(|root| *root > after).unwrap_or(1.0)
+        };
+        (0..S::Switches::LEN).map(next).fold(1.0, f64::min)
+    }
+
     /// What decides a condition, in parts of a step.
     fn condition(&self, place: usize, h: f64) -> [f64; taylor::MOST] {
         let switches = &self.here().switches.as_ref()[..self.order()];
