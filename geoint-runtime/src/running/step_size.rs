@@ -158,3 +158,25 @@ fn rung(h: f64) -> f64 {
 fn floor(x: f64) -> f64 {
     libm::floor(x)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Controller, power_of_two, rung};
+
+    #[test]
+    fn powers_of_two_are_those_of_the_library() {
+        for n in -1100..1100 {
+            let n = f64::from(n);
+            assert_eq!(power_of_two(n), n.exp2(), "2^{n}");
+        }
+    }
+
+    #[test]
+    fn a_length_is_that_of_its_rung() {
+        for rungs in -4088..4090 {
+            let mut controller = Controller::new(4);
+            controller.rung = f64::from(rungs);
+            assert_eq!(rung(controller.length()), controller.rung);
+        }
+    }
+}
