@@ -2,15 +2,16 @@
 
 use geoint_runtime::method::catalogue::quadratic_kinetic;
 use geoint_runtime::method::splitting::Nystrom;
-use geoint_runtime::method::{Step, Unwatched, Visitor};
+use geoint_runtime::method::{Claims, Estimate, Name, Probe, Refusal, Step, Unwatched, Visitor};
 use geoint_runtime::prelude::*;
-use geoint_runtime::space::{Array, Plain, Point, Snapshot};
+use geoint_runtime::space::{Array, Plain, Point, Snapshot, Summation};
 use geoint_runtime::system::{QuadraticKinetic, Rates, StateOf};
 use geoint_runtime::{PhaseSpace, Real, Splitting};
 use geoint_tests::problems::{DrivenPendulum, HenonHeiles};
 use geoint_tests::scalars::Double;
 use geoint_tests::scene::{Scene, point};
 use geoint_tests::scenes::Heavies;
+use std::cell::Cell;
 
 /// The largest entries of both estimates in one step; none where a method has none.
 fn estimates<P: Scene, M: Method<P::Over<Double>, Double>>(method: M, h: f64) -> Option<[f64; 2]> {
@@ -127,6 +128,68 @@ fn where_momenta_do_not_stay_there_is_no_estimate() {
     assert!(has(&Orbit { m: 1.0, mu: 1.0 }, BlanesMoanSrkn14a));
     assert!(!has(&Orbit { m: 1.0, mu: 1.0 }, *BlanesMoanSrkn14a.table()));
     assert!(has(&Orbit { m: 1.0, mu: 1.0 }, DOP853));
+}
+
+/// A method that counts how often coefficients are prepared.
+#[derive(Clone, Copy, Debug)]
+struct Counted<M>(M);
+
+std::thread_local! {
+    static PREPARED: Cell<u32> = const { Cell::new(0) };
+}
+
+impl<S: PhaseSpace, M: Method<S>> Method<S> for Counted<M> {
+    type Proof = M::Proof;
+    type Prepared = M::Prepared;
+    type Memory = M::Memory;
+
+    fn claims(&self) -> Claims {
+        self.0.claims()
+    }
+    fn name(&self) -> Name {
+        self.0.name()
+    }
+    fn prepare(&self, system: &S, h: f64) -> Self::Prepared {
+        PREPARED.set(PREPARED.get() + 1);
+        self.0.prepare(system, h)
+    }
+    fn memory() -> Self::Memory {
+        M::memory()
+    }
+    fn step<C: Summation<S::Phase>, P: Probe<S, f64>>(
+        prepared: &Self::Prepared,
+        memory: &mut Self::Memory,
+        step: Step<'_, S, f64, C, P>,
+    ) -> Result<(), Refusal> {
+        M::step(prepared, memory, step)
+    }
+    fn order_of_estimate(&self) -> Option<u32> {
+        self.0.order_of_estimate()
+    }
+    fn estimated<C: Summation<S::Phase>, P: Probe<S, f64>>(
+        prepared: &Self::Prepared,
+        memory: &mut Self::Memory,
+        step: Step<'_, S, f64, C, P>,
+    ) -> Option<Result<Estimate<S, f64>, Refusal>> {
+        M::estimated(prepared, memory, step)
+    }
+}
+
+/// Of steps that nobody takes in halves nothing is prepared for halves.
+#[test]
+fn halves_are_prepared_where_they_are_taken() {
+    fn count<M: Method<Orbit>>(method: M) -> u32 {
+        PREPARED.set(0);
+        let mut sim = Orbit { m: 1.3, mu: 1.0 }
+            .adaptive(Counted(method), 0.1, State::new([0.4, 0.0], [0.0, 2.6]))
+            .steps_between(1.0 / 64.0, 1.0 / 64.0);
+        sim.advance(10).expect("steps");
+        assert_eq!(sim.rejections(), 0);
+        PREPARED.get()
+    }
+    // Where the run begins, and for the only length that steps have.
+    assert_eq!([count(DOP853), count(BlanesMoanSrkn14a)], [2, 2]);
+    assert_eq!(count(StormerVerlet), 4);
 }
 
 /// The first kick of a step is the last one of the step before, and saved runs know it.

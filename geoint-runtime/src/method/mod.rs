@@ -170,7 +170,7 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
         step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal>;
 
-    /// The order of the error that [`estimated`](Self::estimated) finds in a step, where it finds any.
+    /// The order of the error that [`estimated`](Self::estimated) finds in a step: of methods that have estimates of their own, and of no others.
     fn order_of_estimate(&self) -> Option<u32> {
         None
     }

@@ -55,6 +55,8 @@ pub(crate) struct Controller {
     rung: f64,
     backwards: bool,
     before: f64,
+    /// The same in rungs, ready before the next error is.
+    rungs_before: f64,
     rejected: bool,
 }
 
@@ -63,13 +65,15 @@ impl<R> Record<R> for Controller {
         tape.number(&mut self.rung);
         tape.flag(&mut self.backwards);
         tape.number(&mut self.before);
+        self.rungs_before = rungs(self.before.max(LEAST));
         tape.flag(&mut self.rejected);
     }
 }
 
 impl Controller {
     pub(crate) fn new(order: u32) -> Self {
-        Controller { exponent: f64::from(order) + 1.0, rung: 0.0, backwards: false, before: 1.0, rejected: false }
+        let exponent = f64::from(order) + 1.0;
+        Controller { exponent, rung: 0.0, backwards: false, before: 1.0, rungs_before: 0.0, rejected: false }
     }
 
     /// From the time in which the state changes.
@@ -99,20 +103,28 @@ impl Controller {
 
     /// The next step.
     pub(crate) fn step(&self, bounds: &Bounds) -> f64 {
-        let octave = floor(self.rung / 4.0);
-        let h = Real::exp2(octave) * RUNGS[((self.rung - 4.0 * octave) as usize).min(3)];
         // A step that is refused can be shortened if its length is a number.
-        let h = h.max(bounds.shortest).min(bounds.longest).min(f64::MAX);
+        let h = self.length().max(bounds.shortest).min(bounds.longest).min(f64::MAX);
         if self.backwards { -h } else { h }
+    }
+
+    /// The length of this rung.
+    fn length(&self) -> f64 {
+        let octave = floor(self.rung / 4.0);
+        power_of_two(octave) * RUNGS[((self.rung - 4.0 * octave) as usize).min(3)]
     }
 
     /// A step `h`, of the controller's length within bounds, had this error.
     pub(crate) fn accept(&mut self, h: f64, error: f64) {
+        let in_rungs = rungs(error);
         // Without end where there is no error.
-        let wish = rungs(SAFETY) + (0.4 * rungs(self.before.max(LEAST)) - 0.7 * rungs(error)) / self.exponent;
+        let wish = rungs(SAFETY) + (0.4 * self.rungs_before - 0.7 * in_rungs) / self.exponent;
         let most = if self.rejected { 0.0 } else { LEAP };
-        self.rung = rung(h) + floor(wish).clamp(-LEAP, most);
+        // The next length waits for this: no logarithm of a length whose rung is known.
+        let rung = if h.abs() == self.length() { self.rung } else { rung(h) };
+        self.rung = rung + floor(wish).clamp(-LEAP, most);
         (self.before, self.rejected) = (error, false);
+        self.rungs_before = if error > LEAST { in_rungs } else { rungs(LEAST) };
     }
 
     /// A step `h` had this error, or no result at all.
@@ -120,6 +132,15 @@ impl Controller {
         let fall = error.map_or(-4.0, |error| floor(rungs(SAFETY) - rungs(error) / self.exponent));
         self.rung = self.rung.min(rung(h)) + fall.clamp(-LEAP, -1.0);
         self.rejected = true;
+    }
+}
+
+/// 2ⁿ, without a function call for n of normal numbers.
+fn power_of_two(n: f64) -> f64 {
+    if n.abs() < f64::from(f64::MAX_EXP - 1) {
+        f64::from_bits(((n as i64 + i64::from(f64::MAX_EXP - 1)) as u64) << (f64::MANTISSA_DIGITS - 1))
+    } else {
+        Real::exp2(n)
     }
 }
 
@@ -136,4 +157,26 @@ fn rung(h: f64) -> f64 {
 /// Not in the core library.
 fn floor(x: f64) -> f64 {
     libm::floor(x)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Controller, power_of_two, rung};
+
+    #[test]
+    fn powers_of_two_are_those_of_the_library() {
+        for n in -1100..1100 {
+            let n = f64::from(n);
+            assert_eq!(power_of_two(n), n.exp2(), "2^{n}");
+        }
+    }
+
+    #[test]
+    fn a_length_is_that_of_its_rung() {
+        for rungs in -4088..4090 {
+            let mut controller = Controller::new(4);
+            controller.rung = f64::from(rungs);
+            assert_eq!(rung(controller.length()), controller.rung);
+        }
+    }
 }

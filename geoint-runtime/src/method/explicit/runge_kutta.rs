@@ -6,7 +6,7 @@
 use crate::method::explicit::tableau::Tableau;
 use crate::method::tables::total::adds_up;
 use crate::method::{Claims, Estimate, Method, Name, Probe, Refusal, Step};
-use crate::scalar::Real;
+use crate::scalar::{Real, zero};
 use crate::space::{Action, Array, PerCoordinate, Summation};
 use crate::system::Rates;
 
@@ -98,18 +98,41 @@ fn weighed<A: Array, Z: Action<A::Real>>(weights: &[A::Real], rates: &[PerCoordi
 }
 
 impl<R: Real, const K: usize> Prepared<R, K> {
+    /// The rate of stage `i`, from those before it.
+    #[inline(always)]
+    fn rate<S: Rates<R>, C, P: Probe<S, R>>(
+        &self,
+        i: usize,
+        before: &[PerCoordinate<S::Phase, S::Action>],
+        Step { system, t, x, probe, .. }: Step<'_, S, R, C, P>,
+    ) -> PerCoordinate<S::Phase, S::Action> {
+        let mut stage = PerCoordinate::of(x);
+        stage.add_scaled(R::from_f64(1.0), &weighed(&self.a[i][..i], before));
+        probe.visit(t + self.c[i], &stage.z, &stage.s);
+        system.rates(t + self.c[i], &stage)
+    }
+
     /// The rates of all stages.
     #[inline(always)]
     fn rates<S: Rates<R>, C, P: Probe<S, R>>(
         &self,
-        Step { system, t, x, probe, .. }: Step<'_, S, R, C, P>,
+        mut step: Step<'_, S, R, C, P>,
     ) -> [PerCoordinate<S::Phase, S::Action>; K] {
-        let mut rates = [PerCoordinate::zero(); K];
-        for i in 0..K {
-            let mut stage = PerCoordinate::of(x);
-            stage.add_scaled(R::from_f64(1.0), &weighed(&self.a[i][..i], &rates));
-            probe.visit(t + self.c[i], &stage.z, &stage.s);
-            rates[i] = system.rates(t + self.c[i], &stage);
+        let (mut rates, ends) = ([PerCoordinate::zero(); K], [step.t; 2]);
+        // Stages one by one: in a loop rates would be in memory, where each stage waits for the one before it.
+        macro_rules! stages {
+            ($($i:literal)*) => { $(
+                if const { $i < K } {
+                    rates[$i] = self.rate($i, &rates[..$i], step.part(ends));
+                }
+            )* };
+        }
+        if const { !P::PATIENT && K <= 16 } {
+            stages!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);
+        } else {
+            for i in 0..K {
+                rates[i] = self.rate(i, &rates[..i], step.part(ends));
+            }
         }
         rates
     }
@@ -136,10 +159,20 @@ impl<S: Rates<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> {
     }
 
     fn prepare(&self, _: &S, h: R) -> Self::Prepared {
-        let times_h = |row: [f64; K]| row.map(|x| R::from_f64(x) * h);
-        let Tableau { a, b, c } = self.tableau;
-        let estimators = self.estimators.map(|both| both.map(times_h));
-        Prepared { a: a.map(times_h), b: times_h(b), c: times_h(c), estimators }
+        let times_h = |row: &[f64; K]| {
+            let mut products = [zero(); K];
+            for (product, x) in products.iter_mut().zip(row) {
+                *product = R::from_f64(*x) * h;
+            }
+            products
+        };
+        let Tableau { a: rows, b, c } = &self.tableau;
+        let mut a = [[zero(); K]; K];
+        for (products, row) in a.iter_mut().zip(rows) {
+            *products = times_h(row);
+        }
+        let estimators = self.estimators.as_ref().map(|[higher, lower]| [times_h(higher), times_h(lower)]);
+        Prepared { a, b: times_h(b), c: times_h(c), estimators }
     }
 
     fn memory() {}
@@ -169,6 +202,7 @@ impl<S: Rates<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> {
         let estimators = prepared.estimators.as_ref()?;
         let rates = prepared.rates(step.part([step.t; 2]));
         super::end::<S, R, C>(step.x, &weighed(&prepared.b, &rates));
-        Some(Ok(estimators.each_ref().map(|weights| weighed(weights, &rates))))
+        let [higher, lower] = estimators;
+        Some(Ok([weighed(higher, &rates), weighed(lower, &rates)]))
     }
 }

@@ -16,12 +16,12 @@ pub(super) type Carried<S, R> =
 /// A number for every coordinate of a system.
 type Coordinates<S, R> = PerCoordinate<<S as PhaseSpace<R>>::Phase, <S as PhaseSpace<R>>::Action>;
 
-/// Coefficients of a step as a whole, and of its halves.
+/// Coefficients of a step as a whole, and of its halves, where these tell its error.
 #[derive(Clone, Debug)]
 pub(super) struct Prepared<P> {
     pub(super) h: f64,
     pub(super) whole: P,
-    half: P,
+    half: Option<P>,
 }
 
 impl<P> Prepared<P> {
@@ -31,7 +31,22 @@ impl<P> Prepared<P> {
         h: f64,
     ) -> Self {
         let prepare = |h: f64| method.prepare(system, R::from_f64(h));
-        Prepared { h, whole: prepare(h), half: prepare(0.5 * h) }
+        let halved = method.order_of_estimate().is_none();
+        Prepared { h, whole: prepare(h), half: halved.then(|| prepare(0.5 * h)) }
+    }
+
+    /// The same for steps of another length, in place: coefficients are long to copy.
+    pub(super) fn prepare<S: PhaseSpace<R>, M: Method<S, R, Prepared = P>, R: Real>(
+        &mut self,
+        system: &S,
+        method: &M,
+        h: f64,
+    ) {
+        self.h = h;
+        self.whole = method.prepare(system, R::from_f64(h));
+        if let Some(half) = &mut self.half {
+            *half = method.prepare(system, R::from_f64(0.5 * h));
+        }
     }
 }
 
@@ -126,6 +141,7 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
         probe: &mut P,
     ) -> Result<(Carried<S, R>, f64), Reason> {
         let (system, t, half) = (self.system, self.t, R::from_f64(0.5 * prepared.h));
+        let prepared_half = prepared.half.as_ref().expect("a method estimates its error, or tells no order of that");
         let (mut x, mut whole) = (*self.x, *self.x);
         let [middle, end] = [half, half + half].map(|h| self.clock.after(h));
         let step = Step { system, t, end, x: &mut whole, probe };
@@ -133,7 +149,7 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
         for (h, [t, end]) in [(half, [t, middle]), (half + half, [middle, end])] {
             let [t, end] = [t, end].map(|t| t + x.ahead.value());
             let step = Step { system, t, end, x: &mut x, probe };
-            outer_step::<S, R, M, _, P>(&prepared.half, memory_of_halves, step)?;
+            outer_step::<S, R, M, _, P>(prepared_half, memory_of_halves, step)?;
             self.check(h, &x)?;
         }
         let [before, after] = [self.x, &x].map(PerCoordinate::of);

@@ -101,7 +101,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
             let regular = self.controller.step(&bounds);
             let h = if regular.abs() < left { regular } else { left.copysign(regular) };
             if h == regular && h != self.prepared.h {
-                self.prepared = Prepared::new(&self.system, &self.method, h);
+                self.prepared.prepare(&self.system, &self.method, h);
                 self.memory = [M::memory(), M::memory()];
             }
             let shorter;
