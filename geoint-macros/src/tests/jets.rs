@@ -1,9 +1,11 @@
 //! How many sums of series a coefficient takes: as few as by hand.
 
 use super::lowered;
+use crate::attribute;
 use crate::diff::jet::Rule;
 use crate::diff::{self, by_velocities, jet};
 use crate::ir::{Graph, Id, Symbol};
+use crate::parse::Form;
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -126,10 +128,9 @@ fn other_energies_have_one_form() {
     assert_eq!(sums(pendulum, 1).1, None);
 }
 
-/// The distances of six bodies in groups of four: r⁻³ for all, and differences of positions in the same lanes for each coordinate.
-#[test]
-fn arrays_of_pairs_serve_all_sums() {
-    let bodies = quote! {
+/// Six bodies that attract each other.
+fn bodies() -> TokenStream {
+    quote! {
         fn bodies(q: [[f64; 3]; 6], p: [[f64; 3]; 6], m: [f64; 6]) -> f64 {
             let mut energy = 0.0;
             for i in 0..6 {
@@ -141,8 +142,13 @@ fn arrays_of_pairs_serve_all_sums() {
             }
             energy
         }
-    };
-    let (_, mut lowered) = lowered(bodies);
+    }
+}
+
+/// The distances of six bodies in groups of four: r⁻³ for all, and differences of positions in the same lanes for each coordinate.
+#[test]
+fn arrays_of_pairs_serve_all_sums() {
+    let (_, mut lowered) = lowered(bodies());
     let graph = &mut lowered.graph;
     let gradient = diff::gradient(graph, lowered.energy, 18);
     let forces: Vec<_> = gradient.q.iter().map(|slope| graph.neg(*slope)).collect();
@@ -150,6 +156,38 @@ fn arrays_of_pairs_serve_all_sums() {
     let lanes = jet::Lanes::of(&jet::jet(graph, &rates, &[])).expect("there are many sums");
     // Of 15 pairs r², r⁻³ and three differences; the squares of three at once, products of three, and powers.
     assert_eq!([lanes.arrays.len(), lanes.groups.len()], [4 * 5, 4 * 5]);
+}
+
+/// What is emitted for an energy, without spaces.
+fn emitted(item: TokenStream) -> String {
+    attribute::expand(Form::Hamiltonian, TokenStream::new(), item).to_string().split_whitespace().collect()
+}
+
+/// Coefficients that follow from sums side by side go to their arrays as they are: r² and r⁻³ of four groups of pairs. Positions have none, and
+/// their differences are brought together, of three coordinates; from no sum a number is taken alone.
+#[test]
+fn coefficients_stay_in_their_lanes() {
+    let emitted = emitted(bodies());
+    assert_eq!(emitted.matches("[n]=side").count(), 2 * 4);
+    assert_eq!(emitted.matches("[n]=[").count(), 3 * 4);
+    let alone = (0..20).filter(|group| emitted.contains(&format!("sums{group}["))).count();
+    assert_eq!(alone, 0);
+}
+
+/// Few arrays: sums take the newest coefficients as they were computed, and do not wait until they can be read side by side. Of many bodies they do not.
+#[test]
+fn sums_of_few_arrays_have_their_newest_coefficients_at_hand() {
+    let double = emitted(quote! {
+        fn double(q: [f64; 2], p: [f64; 2], g: f64) -> f64 {
+            let (sin, cos) = (q[0] - q[1]).sin_cos();
+            (p[0] * p[0] + 2.0 * p[1] * p[1] - 2.0 * p[0] * p[1] * cos) / (2.0 + 2.0 * sin * sin)
+                - 2.0 * g * q[0].cos() - g * q[1].cos()
+        }
+    });
+    let [at_hand, read] = ["recurrence::sum_with_newest(lanes", "recurrence::sum(lanes"]
+        .map(|sum| [&double, &emitted(bodies())].map(|emitted| emitted.matches(sum).count()));
+    assert_eq!(at_hand, [3, 0]);
+    assert_eq!(read, [0, 12]);
 }
 
 /// The numbers of series whose squares are summed, of all such sums.

@@ -124,6 +124,13 @@ fn halves<A, const P: usize>(u: &[A; P], n: usize) -> [&[A]; 2] {
     [&u[1..][..pairs], &u[n / 2 + 1..][..pairs]]
 }
 
+/// The coefficients uⱼ and uₙ₋ⱼ for 1 < j < n/2, each in order.
+#[inline(always)]
+fn inner_halves<A, const P: usize>(u: &[A; P], n: usize) -> [&[A]; 2] {
+    let pairs = ((n - 1) / 2).saturating_sub(1);
+    [&u[2.min(P)..][..pairs], &u[n / 2 + 1..][..pairs]]
+}
+
 /// Σ uⱼwₙ₋ⱼ over 0 < j < n, of one sum or of many side by side.
 #[inline(always)]
 pub fn sum<A: Array, const P: usize>(u: &[A; P], w: &[A; P], n: usize) -> A {
@@ -137,6 +144,29 @@ pub fn sum<A: Array, const P: usize>(u: &[A; P], w: &[A; P], n: usize) -> A {
         let j = uj.len() - 1 - i;
         first = fused(uj[j], wi[i], first);
         second = fused(ui[i], wj[j], second);
+    }
+    plus(first, second)
+}
+
+/// Σ uⱼwₙ₋ⱼ over 0 < j < n of sums side by side, with uₙ₋₁ and wₙ₋₁ as they were computed; before order 2 these are 0.
+#[inline(always)]
+pub fn sum_with_newest<A: Array, const P: usize>(u: &[A; P], w: &[A; P], [un, wn]: [A; 2], n: usize) -> A {
+    let (mut first, mut second) = (A::zero(), A::zero());
+    if n > 2 && n.is_multiple_of(2) {
+        first = times(u[n / 2], w[n / 2]);
+    }
+    // Those of order 1 and n − 1 come last.
+    let ([uj, ui], [wj, wi]) = (inner_halves(u, n), inner_halves(w, n));
+    for i in 0..uj.len() {
+        let j = uj.len() - 1 - i;
+        first = fused(uj[j], wi[i], first);
+        second = fused(ui[i], wj[j], second);
+    }
+    if P > 1 {
+        first = fused(u[1], wn, first);
+        if n > 2 {
+            second = fused(un, w[1], second);
+        }
     }
     plus(first, second)
 }

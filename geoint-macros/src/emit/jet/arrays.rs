@@ -6,6 +6,9 @@ use crate::emit::tokens::Tokens;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
+/// The newest entries of so many arrays stay in registers.
+const MOST_AT_HAND: usize = 8;
+
 /// An array of coefficients, an entry an order.
 pub(super) struct Stored {
     pub(super) name: Ident,
@@ -50,11 +53,23 @@ pub(super) fn side_by_side(array: usize) -> Ident {
     format_ident!("lanes{array}")
 }
 
+/// The newest entry of such an array, at hand.
+pub(super) fn newest(array: usize) -> TokenStream {
+    let array = Literal::usize_unsuffixed(array);
+    quote!(newest[#array])
+}
+
 pub(super) fn coefficient(source: Source) -> Ident {
     format_ident!("c{source}")
 }
 
 impl Writer<'_> {
+    /// Whether sums take the newest entries of arrays of lanes as they were computed. Numbers that were written one by one and are read side by side are waited
+    /// for until they have left the processor: a twentieth of a step. Of more arrays they have no room in registers.
+    pub(super) fn are_at_hand(&self) -> bool {
+        self.lanes.as_ref().is_some_and(|lanes| lanes.arrays.len() <= MOST_AT_HAND)
+    }
+
     /// Whether the coefficients of a series have an array of their own: a coordinate has one also where orders are unrolled, and arrays
     /// registers.
     pub(super) fn has_array(&self, source: Source) -> bool {

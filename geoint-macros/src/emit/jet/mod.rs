@@ -182,6 +182,11 @@ impl Writer<'_> {
             quote!([#(#numbers),*])
         });
         let beside = (!self.beside.is_empty()).then(|| quote!(beside: [#(#beside),*],));
+        let at_hand = self.are_at_hand().then(|| {
+            let [lanes, number] = [LANES, self.lanes.iter().map(|lanes| lanes.arrays.len()).sum()];
+            let [lanes, number] = [lanes, number].map(Literal::usize_unsuffixed);
+            quote!(newest: [[R::from_f64(0.0); #lanes]; #number],)
+        });
         let masks = self.jet.conditions.iter().map(|value| &values[*value]);
         let mut first = TokenStream::new();
         let arrays = self.arrays(values);
@@ -206,7 +211,7 @@ impl Writer<'_> {
             let (#(#arrays,)*) = (#(&mut #zeros,)*);
             #first
             recurrence::orders::<#unrolled, P>(&mut Coefficients {
-                k: [#(#numbers),*], #beside masks: [#(#masks),*], #(#arrays,)* jet, switches,
+                k: [#(#numbers),*], #beside #at_hand masks: [#(#masks),*], #(#arrays,)* jet, switches,
             });
         }
     }

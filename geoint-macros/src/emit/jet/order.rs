@@ -1,9 +1,9 @@
 //! The body of an order: what is computed when, and side by side with what.
 
 use super::Writer;
-use super::arrays::{Stored, coefficient, kept, side_by_side, weighted};
+use super::arrays::{Stored, coefficient, kept, newest, side_by_side, weighted};
 use super::numbers::Prepared;
-use crate::diff::jet::{LANES, Operand, Rule, Source};
+use crate::diff::jet::{LANES, Operand, Rule, Source, Weight};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -21,8 +21,10 @@ impl Writer<'_> {
     /// The body of an order.
     pub(super) fn body(&mut self) -> TokenStream {
         let jet = self.jet;
-        let (groups, arrays) = self.lanes.as_ref().map_or((0, 0), |lanes| (lanes.groups.len(), lanes.arrays.len()));
-        self.order = Order { series: vec![false; jet.series.len()], arrays: vec![false; arrays], ..Order::default() };
+        let (groups, lane_arrays) =
+            self.lanes.as_ref().map_or((0, 0), |lanes| (lanes.groups.len(), lanes.arrays.len()));
+        self.order =
+            Order { series: vec![false; jet.series.len()], arrays: vec![false; lane_arrays], ..Order::default() };
         let unit = self.number(Prepared::Unit);
         // Sums wait for nothing of their own order: all of them first. One after the other where they are read they take a twentieth less where
         // processors have registers of four numbers (planets), and a tenth more where they have none, or few sums (double pendulum).
@@ -32,7 +34,7 @@ impl Writer<'_> {
         for source in &jet.order {
             self.series(*source);
         }
-        for array in 0..arrays {
+        for array in 0..lane_arrays {
             self.pack(array);
         }
         let Order { mut body, names, .. } = std::mem::take(&mut self.order);
@@ -53,10 +55,16 @@ impl Writer<'_> {
             [quote!(beside: [[R; #lanes]; #number],), quote!(beside,)]
         });
         let [beside, beside_name] = beside.unwrap_or_default();
+        let at_hand = self.are_at_hand().then(|| {
+            let [lanes, number] = [LANES, lane_arrays].map(Literal::usize_unsuffixed);
+            [quote!(newest: [[R; #lanes]; #number],), quote!(newest,)]
+        });
+        let [at_hand, at_hand_name] = at_hand.unwrap_or_default();
         quote! {
             struct Coefficients<'a, R: Real, const P: usize> {
                 k: [R; #numbers],
                 #beside
+                #at_hand
                 masks: [R::Mask; #masks],
                 #(#arrays: &'a mut [#types; P],)*
                 jet: &'a mut [PerCoordinate<#phase, #action>; P],
@@ -65,7 +73,7 @@ impl Writer<'_> {
             impl<R: Real, const P: usize> recurrence::Series for Coefficients<'_, R, P> {
                 #[inline(always)]
                 fn order(&mut self, n: usize) {
-                    let Self { k, #beside_name masks, #(#arrays,)* jet, switches } = self;
+                    let Self { k, #beside_name #at_hand_name masks, #(#arrays,)* jet, switches } = self;
                     let (whole, next) = (recurrence::whole::<R>(n), #unit * recurrence::inverse::<R>(n + 1));
                     let (#(#names,)*);
                     #body
@@ -119,8 +127,14 @@ impl Writer<'_> {
     fn sums(&mut self, place: usize) {
         let Some(group) = self.lanes.as_ref().map(|lanes| &lanes.groups[place]) else { return };
         let (weight, operands) = (group.weight, group.operands.clone());
-        let arrays: Vec<Ident> = operands.into_iter().map(side_by_side).collect();
-        let (name, sum) = (format_ident!("sums{place}"), self.sum_of(weight, &arrays));
+        let arrays: Vec<Ident> = operands.iter().copied().map(side_by_side).collect();
+        let sum = if weight == Weight::One && self.are_at_hand() {
+            let newest = operands.into_iter().map(newest);
+            quote!(recurrence::sum_with_newest(#(#arrays,)* [#(#newest),*], n))
+        } else {
+            self.sum_of(weight, &arrays)
+        };
+        let name = format_ident!("sums{place}");
         self.order.body.extend(quote!(#name = #sum;));
         self.order.names.push(name);
     }
@@ -174,7 +188,12 @@ impl Writer<'_> {
             });
             quote!([#(#entries),*])
         };
-        self.order.body.extend(quote!(#name[n] = #value;));
+        self.order.body.extend(if self.are_at_hand() {
+            let newest = newest(array);
+            quote!(#newest = #value; #name[n] = #newest;)
+        } else {
+            quote!(#name[n] = #value;)
+        });
     }
 
     /// The coefficient of order n of a series, or those of several side by side, where they are.
