@@ -51,6 +51,11 @@ pub fn inverse<R: Real>(n: usize) -> R {
 /// a·b + c, entry by entry.
 #[inline(always)]
 fn fused<A: Array>(a: A, b: A, mut c: A) -> A {
+    if A::LEN == 1 {
+        // Also a loop over one number leaves statements in another order to the vectoriser, which then pairs what is far apart.
+        c.as_mut_slice()[0] = a.as_slice()[0].multiply_add(b.as_slice()[0], c.as_slice()[0]);
+        return c;
+    }
     for (c, (a, b)) in c.as_mut_slice().iter_mut().zip(a.as_slice().iter().zip(b.as_slice())) {
         *c = a.multiply_add(*b, *c);
     }
@@ -131,6 +136,31 @@ fn inner_halves<A, const P: usize>(u: &[A; P], n: usize) -> [&[A]; 2] {
     [&u[2.min(P)..][..pairs], &u[n / 2 + 1..][..pairs]]
 }
 
+/// The same in pairs, from the middle on.
+#[inline(always)]
+fn outward<A, const P: usize>(u: &[A; P], n: usize) -> impl Iterator<Item = (&A, &A)> {
+    let [low, high] = halves(u, n);
+    low.iter().rev().zip(high)
+}
+
+/// Takes uⱼ, uₙ₋ⱼ and wⱼ, wₙ₋ⱼ for 0 < j < n/2, from the middle on.
+#[inline(always)]
+fn both<A: Array, const P: usize>([u, w]: [&[A; P]; 2], n: usize, mut take: impl FnMut([&A; 2], [&A; 2])) {
+    if A::LEN == 1 {
+        // With indices loops over numbers are slower: a Kepler orbit under friction by 4 %.
+        for ((uj, ui), (wj, wi)) in outward(u, n).zip(outward(w, n)) {
+            take([uj, ui], [wj, wi]);
+        }
+    } else {
+        // One count for all four: iterators of both directions would have two.
+        let ([uj, ui], [wj, wi]) = (halves(u, n), halves(w, n));
+        for i in 0..uj.len() {
+            let j = uj.len() - 1 - i;
+            take([&uj[j], &ui[i]], [&wj[j], &wi[i]]);
+        }
+    }
+}
+
 /// Σ uⱼwₙ₋ⱼ over 0 < j < n, of one sum or of many side by side.
 #[inline(always)]
 pub fn sum<A: Array, const P: usize>(u: &[A; P], w: &[A; P], n: usize) -> A {
@@ -138,13 +168,10 @@ pub fn sum<A: Array, const P: usize>(u: &[A; P], w: &[A; P], n: usize) -> A {
     if n.is_multiple_of(2) {
         first = times(u[n / 2], w[n / 2]);
     }
-    // One count for all four: iterators of both directions would have two.
-    let ([uj, ui], [wj, wi]) = (halves(u, n), halves(w, n));
-    for i in 0..uj.len() {
-        let j = uj.len() - 1 - i;
-        first = fused(uj[j], wi[i], first);
-        second = fused(ui[i], wj[j], second);
-    }
+    both([u, w], n, |[uj, ui], [wj, wi]| {
+        first = fused(*uj, *wi, first);
+        second = fused(*ui, *wj, second);
+    });
     plus(first, second)
 }
 
@@ -181,9 +208,8 @@ pub fn sum_of_squares<A: Array, const P: usize, const K: usize>(all: [&[A; P]; K
         if n.is_multiple_of(2) {
             own = times(scaled(A::Real::from_f64(0.5), u[n / 2]), u[n / 2]);
         }
-        let [uj, ui] = halves(u, n);
-        for i in 0..uj.len() {
-            own = fused(uj[uj.len() - 1 - i], ui[i], own);
+        for (uj, ui) in outward(u, n) {
+            own = fused(*uj, *ui, own);
         }
         half = plus(half, own);
     }
@@ -202,14 +228,12 @@ pub fn sum_of_power<A: Array, const P: usize>(u: &[A; P], y: &[A; P], next: A::R
     // Orders are counted as scalars: each conversion would take as long as what it is for.
     let mut low = whole(n.div_ceil(2)) - one;
     let mut high = whole(n) - low;
-    let ([uj, ui], [yj, yi]) = (halves(u, n), halves(y, n));
-    for i in 0..uj.len() {
-        let j = uj.len() - 1 - i;
-        first = fused(scaled(factor(low), uj[j]), yi[i], first);
-        second = fused(scaled(factor(high), ui[i]), yj[j], second);
+    both([u, y], n, |[uj, ui], [yj, yi]| {
+        first = fused(scaled(factor(low), *uj), *yi, first);
+        second = fused(scaled(factor(high), *ui), *yj, second);
         low -= one;
         high += one;
-    }
+    });
     plus(first, second)
 }
 
