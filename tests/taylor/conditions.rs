@@ -142,3 +142,27 @@ fn what_only_touches_a_condition_turns_back() {
         }
     }
 }
+
+/// x' = k, and a clock that starts where √x = 1.
+#[vector_field]
+fn gate(x: [f64; 2], k: f64) -> [f64; 2] {
+    [k, if x[0].sqrt() < 1.0 { 0.0 } else { 1.0 }]
+}
+
+/// A condition has no series where a run starts on the edge of what decides it; that it changes in the first step is seen all the same.
+#[test]
+fn a_condition_without_a_series_is_not_passed() {
+    let counted = |t: f64| t - 1.0 / 3.0;
+    for h in [0.5, 5.0, 50.0] {
+        let mut sim = Gate { k: 3.0 }.taylor(TaylorFixed::<12> { h }, FlowState::new([0.0; 2]));
+        sim.advance(8).expect("steps");
+        let state = sim.state();
+        // To the accuracy of 12 terms in half of their radius of convergence.
+        assert!((state.x[1] - counted(state.t)).abs() < 1e-5, "{h}: {state:?}");
+    }
+    for tolerance in [0.05, 1e-6, 1e-15] {
+        let mut sim = Gate { k: 3.0 }.taylor(Taylor { tolerance }, FlowState::new([0.0; 2]));
+        sim.advance_to(2.0).expect("steps");
+        assert!((sim.state().x[1] - counted(2.0)).abs() < tolerance.max(1e-14), "{tolerance}: {:?}", sim.state());
+    }
+}

@@ -216,6 +216,15 @@ fn input_that_is_none() {
     assert!(matches!(all[..], [Ok(_), Err(StepError::TimePassed { .. })]), "{all:?}");
 }
 
+/// Where a function changes sign from one end of a step to the other and is no number in between nobody knows when.
+#[test]
+fn what_is_no_number_within_a_step_is_refused() {
+    let gap = |t: f64| if (1.2..1.4).contains(&t) { f64::NAN } else { t - 1.3 };
+    let mut sim = Oscillator.integrator(RK4, 0.5, State::new(1.0, 0.0));
+    let all: Vec<_> = sim.crossings(Direction::Any, |s| gap(s.t)).until(5.0).collect();
+    assert!(matches!(all[..], [Err(StepError::NoEvent { t })] if (1.2..1.4).contains(&t)), "{all:?}");
+}
+
 /// A pole in time, which rates near it feel by the rounding of time.
 #[vector_field]
 fn in_time(x: [f64; 1], t: f64) -> [f64; 1] {

@@ -244,10 +244,11 @@ impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Crossings<
         start + Scalar::<T>::from_f64(part) * (end - start)
     }
 
-    /// A function at a part of the last step.
+    /// A function at a part of the last step; an error if it is no number there. At a pole it may be infinite.
     fn value(&self, i: usize, part: f64) -> Result<f64, StepError> {
-        let state = T::between(&self.before, self.run, self.time(part))?;
-        Ok(signed((self.g)(&state).as_slice()[i]))
+        let t = self.time(part);
+        let value = signed((self.g)(&T::between(&self.before, self.run, t)?).as_slice()[i]);
+        if value.is_nan() { Err(StepError::NoEvent { t: signed(t) }) } else { Ok(value) }
     }
 
     /// The first of the zeros in the last step that has not been given out.

@@ -71,8 +71,8 @@ pub(super) fn excursion(
         }
         let at = if at > 0.0 && at < 1.0 { at } else { 0.5 };
         let there = (at, g(at)?);
-        if there.1.is_nan() || differ(there.1, side) {
-            return Ok((!there.1.is_nan()).then_some(there));
+        if differ(there.1, side) {
+            return Ok(Some(there));
         }
         // The three next to the extremum.
         let farthest =

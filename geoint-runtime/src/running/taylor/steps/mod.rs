@@ -203,6 +203,10 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         self.within = false;
         loop {
             match self.attempt(h, whole, switch.is_none()) {
+                Ok(()) if h.abs() > bounds.shortest && self.has_unseen_switch() => {
+                    h = self.towards((0.5 * h.abs()).max(bounds.shortest));
+                    switch = None;
+                }
                 // Which side it is on will be decided by the value; what does not leave a zero before the next change only touches it.
                 Ok(()) => {
                     let missed = switch.filter(|switch| !self.is_behind(*switch));

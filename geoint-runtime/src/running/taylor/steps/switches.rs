@@ -87,6 +87,20 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         if least < 1.0 { self.towards((h.abs() * least.max(LEAST)).max(shortest.min(h.abs()))) } else { h }
     }
 
+    /// Whether the point that was reached is on the other side of a condition that has no series here, as √q has none at q = 0: no polynomial tells
+    /// where it changes.
+    #[inline(always)]
+    pub(super) fn has_unseen_switch(&self) -> bool {
+        S::Switches::LEN > 0 && (0..S::Switches::LEN).any(|place| self.is_unseen(place))
+    }
+
+    #[inline(never)]
+    fn is_unseen(&self, place: usize) -> bool {
+        let [here, end] = [self.here(), self.start()].map(|end| &end.switches.as_ref()[..self.order()]);
+        let [from, to] = [here, end].map(|terms| signed(terms[0].as_slice()[place]));
+        from * to < 0.0 && here.iter().any(|term| !term.as_slice()[place].magnitude().is_finite())
+    }
+
     /// Whether the point that was reached is behind a switch.
     pub(super) fn is_behind(&self, switch: Switch) -> bool {
         let value = signed(self.start().switches.as_ref()[0].as_slice()[switch.place]);
