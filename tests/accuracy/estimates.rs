@@ -192,6 +192,49 @@ fn halves_are_prepared_where_they_are_taken() {
     assert_eq!(count(StormerVerlet), 4);
 }
 
+/// A method that tells an order of its estimate, and gives none.
+#[derive(Clone, Copy, Debug)]
+struct Promising<M>(M);
+
+impl<S: PhaseSpace, M: Method<S>> Method<S> for Promising<M> {
+    type Proof = M::Proof;
+    type Prepared = M::Prepared;
+    type Memory = M::Memory;
+
+    fn claims(&self) -> Claims {
+        self.0.claims()
+    }
+    fn name(&self) -> Name {
+        self.0.name()
+    }
+    fn prepare(&self, system: &S, h: f64) -> Self::Prepared {
+        self.0.prepare(system, h)
+    }
+    fn memory() -> Self::Memory {
+        M::memory()
+    }
+    fn step<C: Summation<S::Phase>, P: Probe<S, f64>>(
+        prepared: &Self::Prepared,
+        memory: &mut Self::Memory,
+        step: Step<'_, S, f64, C, P>,
+    ) -> Result<(), Refusal> {
+        M::step(prepared, memory, step)
+    }
+    fn order_of_estimate(&self) -> Option<u32> {
+        Some(self.0.claims().order)
+    }
+}
+
+#[test]
+fn a_method_that_gives_no_estimate_is_judged_by_halves() {
+    fn end<M: Method<Orbit>>(method: M) -> ([f64; 2], u64) {
+        let mut sim = Orbit { m: 1.3, mu: 1.0 }.adaptive(method, 1e-6, State::new([0.4, 0.0], [0.0, 2.6]));
+        sim.advance(50).expect("steps");
+        (sim.state().q.into(), sim.rejections())
+    }
+    assert_eq!(end(Promising(StormerVerlet)), end(StormerVerlet));
+}
+
 /// The first kick of a step is the last one of the step before, and saved runs know it.
 #[test]
 fn saved_runs_go_on() {

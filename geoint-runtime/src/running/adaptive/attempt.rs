@@ -67,11 +67,12 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
     /// A step, and its estimated error in units of what is tolerated; none over a jump of the energy that the method does not see.
     pub(super) fn take<M: Method<S, R>, P: Probe<S, R>>(
         &self,
+        method: &M,
         prepared: &Prepared<M::Prepared>,
         memory: &mut [M::Memory; 2],
         probe: &mut P,
     ) -> Result<(Carried<S, R>, f64), Reason> {
-        let (x, error) = self.estimated::<M, P>(prepared, memory, probe)?;
+        let (x, error) = self.estimated(method, prepared, memory, probe)?;
         if self.keeps {
             return Ok((x, error));
         }
@@ -93,6 +94,7 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
     /// A step, and its error by the method's own estimate, or by two halves.
     fn estimated<M: Method<S, R>, P: Probe<S, R>>(
         &self,
+        method: &M,
         prepared: &Prepared<M::Prepared>,
         memory: &mut [M::Memory; 2],
         probe: &mut P,
@@ -101,7 +103,7 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
         let end = self.clock.after(R::from_f64(prepared.h));
         let step = Step { system: self.system, t: self.t, end, x: &mut x, probe };
         match M::estimated::<_, P>(&prepared.whole, &mut memory[0], step) {
-            None => self.halved::<M, P>(prepared, memory, probe),
+            None => self.halved(method, prepared, memory, probe),
             Some(estimate) => {
                 let [higher, lower] = estimate?;
                 self.check(R::from_f64(prepared.h), &x)?;
@@ -136,12 +138,21 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
     /// A step in two halves, and its error by what they differ from the whole.
     fn halved<M: Method<S, R>, P: Probe<S, R>>(
         &self,
+        method: &M,
         prepared: &Prepared<M::Prepared>,
         [memory_of_whole, memory_of_halves]: &mut [M::Memory; 2],
         probe: &mut P,
     ) -> Result<(Carried<S, R>, f64), Reason> {
         let (system, t, half) = (self.system, self.t, R::from_f64(0.5 * prepared.h));
-        let prepared_half = prepared.half.as_ref().expect("a method estimates its error, or tells no order of that");
+        // A method may tell an order of its estimate, and give none.
+        let unforeseen;
+        let prepared_half = match &prepared.half {
+            Some(prepared_half) => prepared_half,
+            None => {
+                unforeseen = method.prepare(system, half);
+                &unforeseen
+            }
+        };
         let (mut x, mut whole) = (*self.x, *self.x);
         let [middle, end] = [half, half + half].map(|h| self.clock.after(h));
         let step = Step { system, t, end, x: &mut whole, probe };
@@ -172,7 +183,7 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
     pub(super) fn reason<M: Method<S, R>>(&self, method: &M, h: f64) -> Reason {
         let mut watch = Watch::new(self.system, self.t, self.x);
         let prepared = Prepared::new(self.system, method, h);
-        match self.take::<M, _>(&prepared, &mut [M::memory(), M::memory()], &mut watch) {
+        match self.take(method, &prepared, &mut [M::memory(), M::memory()], &mut watch) {
             Ok((_, error)) => Reason::Inaccurate { error },
             Err(reason @ Reason::OutsideDomain { .. }) => reason,
             Err(reason) => match watch.seen().reason(None) {

@@ -115,12 +115,12 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
             let before = || if h == regular { self.memory.clone() } else { [M::memory(), M::memory()] };
             let mut memory = before();
             let attempt = self.attempt();
-            let mut outcome = attempt.take::<M, _>(prepared, &mut memory, &mut Unwatched);
+            let mut outcome = attempt.take(&self.method, prepared, &mut memory, &mut Unwatched);
             // Only a watched step searches for a solution that is hard to find.
             if matches!(outcome, Err(Reason::NotConverged)) {
                 memory = before();
                 let mut watch = Watch::new(&self.system, attempt.t, &self.x);
-                outcome = attempt.take::<M, _>(prepared, &mut memory, &mut watch);
+                outcome = attempt.take(&self.method, prepared, &mut memory, &mut watch);
             }
             // Where a force begins no step is a part of the time in which it grows: one that is short beside the digits of time goes over that.
             if let Ok((x, error)) = &mut outcome
