@@ -230,9 +230,9 @@ impl<A: Array> Newton<A> {
                 break;
             }
             found = Found::corrected(x, &delta);
-            // How large it is costs two divisions, and is not asked of one that is the last; but of fields, of which short steps, as the compiler lays them out,
-            // would take a twentieth longer.
-            let solved = !E::OF_NOW && iteration.is_last(&delta) || {
+            // How large it is costs two divisions, and is not asked of one that is the last where these may be large; else C is known better. Of fields it is
+            // asked, too: their short steps, as the compiler lays them out, would take a twentieth longer.
+            let solved = E::SETTLED && !E::OF_NOW && iteration.is_last(&delta) || {
                 let correction = iteration.sizes.relative(&delta, &origin, &found.x);
                 if before == 1 {
                     iteration.see(correction, &corrections);
