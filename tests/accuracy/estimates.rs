@@ -230,7 +230,7 @@ fn a_method_that_gives_no_estimate_is_judged_by_halves() {
     fn end<M: Method<Orbit>>(method: M) -> ([f64; 2], u64) {
         let mut sim = Orbit { m: 1.3, mu: 1.0 }.adaptive(method, 1e-6, State::new([0.4, 0.0], [0.0, 2.6]));
         sim.advance(50).expect("steps");
-        (sim.state().q.into(), sim.rejections())
+        (sim.state().q, sim.rejections())
     }
     assert_eq!(end(Promising(StormerVerlet)), end(StormerVerlet));
 }
