@@ -90,10 +90,10 @@ impl Corrections {
         }
     }
 
-    /// Of an equation whose steps are settled, or not.
+    /// Of an equation whose solutions are to be settled, or not.
     #[inline(always)]
-    pub(crate) fn settled(self, settled: bool) -> Self {
-        Corrections { remainder: if settled { SETTLED_REMAINDER } else { self.remainder }, ..self }
+    pub(crate) fn lenient(self, lenient: bool) -> Self {
+        Corrections { remainder: if lenient { SETTLED_REMAINDER } else { self.remainder }, ..self }
     }
 
     /// What the last one may leave, in units of ε.

@@ -27,7 +27,7 @@ const LAST_TERM: f64 = 0.25;
 /// Of so many steps one looks a second time, to see that factor again.
 const SECOND_LOOK: u32 = 64;
 
-/// Corrections of which in compositions, and in settled steps, no more is asked than whether they are the last one: their sizes cost a tenth of an
+/// Corrections of which in compositions, and where they may be large, no more is asked than whether they are the last one: their sizes cost a tenth of an
 /// iteration. Where they are not after so many, something is else than before.
 const UNJUDGED: u32 = 3;
 
@@ -223,11 +223,10 @@ impl<A: Array> Iteration<A> {
         let origin = equation.origin();
         let mut x = guess;
         let mut matrix = A::fill(A::zero());
-        let mut corrections = Corrections::of_order(2).settled(E::SETTLED);
+        let mut corrections = Corrections::of_order(2).lenient(E::LENIENT);
         let extrapolated = matches!(attempt, Attempt::Extrapolated(_));
         let composed = self.guesses.composed();
-        let mut unjudged =
-            (composed || E::SETTLED && !E::OF_NOW) && !self.looks() && !matches!(attempt, Attempt::Damped);
+        let mut unjudged = (composed || E::LENIENT) && !self.looks() && !matches!(attempt, Attempt::Damped);
         let (mut lost, mut stuck, mut iterations) = (A::zero(), None, 0);
         // Whether the determinant is positive at the solution, if there is one. Numbers leave the loop by no `Result`: they would share its memory.
         let positive = loop {

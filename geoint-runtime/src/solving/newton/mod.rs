@@ -217,7 +217,7 @@ impl<A: Array> Newton<A> {
         let iteration = &mut self.iteration;
         let origin = equation.origin();
         let mut found = Found::corrected(guess, &first);
-        let mut corrections = Corrections::of_order(2).settled(E::SETTLED);
+        let mut corrections = Corrections::of_order(2).lenient(E::LENIENT);
         corrections.judge::<A::Real>(iteration.sizes.relative(&first, &origin, &found.x));
         // A substep that takes a third one chooses another guess after it.
         let most = if iteration.guesses.composed() { 1 } else { MOST_AGAIN };
@@ -230,9 +230,8 @@ impl<A: Array> Newton<A> {
                 break;
             }
             found = Found::corrected(x, &delta);
-            // How large it is costs two divisions, and is not asked of one that is the last where these may be large; else C is known better. Of fields it is
-            // asked, too: their short steps, as the compiler lays them out, would take a twentieth longer.
-            let solved = E::SETTLED && !E::OF_NOW && iteration.is_last(&delta) || {
+            // How large it is costs two divisions, and is not asked of one that is the last where these may be large; else C is known better.
+            let solved = E::LENIENT && iteration.is_last(&delta) || {
                 let correction = iteration.sizes.relative(&delta, &origin, &found.x);
                 if before == 1 {
                     iteration.see(correction, &corrections);
