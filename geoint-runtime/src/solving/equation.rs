@@ -26,10 +26,6 @@ pub(crate) trait StepEquation<A: Array, W: Observer + ?Sized>: Copy {
     /// they become small, as a logarithm is. Forces that cancel need the other: a momentum is then rounded as they are.
     const OF_NOW: bool = false;
 
-    /// Whether a solution may be off by a thousandth of the last digit: where steps are settled, but not of fields. What these keep may be steep, and a
-    /// correction that was small enough in the step before is not in this one.
-    const LENIENT: bool = Self::SETTLED && !Self::OF_NOW;
-
     /// Whether [`nearly`](Self::nearly) has less to do than [`evaluate`](Self::evaluate).
     const NEARLY: bool = false;
 

@@ -16,9 +16,6 @@ pub(crate) const MAX_ITERATIONS: u32 = 100;
 /// ε/1024 a drift of the energy is seen after a million steps.
 pub(crate) const REMAINDER: f64 = 1.0 / 1_048_576.0;
 
-/// The same where what steps keep is settled once in 1024 of them: until then it may add up to an ε.
-pub(crate) const SETTLED_REMAINDER: f64 = 1.0 / 1024.0;
-
 /// A relative correction of so many ε that does not shrink any more is rounding.
 pub(crate) const ROUNDINGS: f64 = 64.0;
 
@@ -62,8 +59,6 @@ pub(crate) enum Verdict {
 pub(crate) struct Corrections {
     /// The convergence that the iteration has near the solution: from c₁ to c₂, the next correction is c₂(c₂/c₁)ᵒʳᵈᵉʳ.
     order: i32,
-    /// What the last one may leave, in units of ε.
-    remainder: f64,
     iterations: u32,
     /// The last one, relative to what it corrects.
     before: f64,
@@ -79,7 +74,6 @@ impl Corrections {
     pub(crate) fn of_order(order: i32) -> Self {
         Corrections {
             order,
-            remainder: REMAINDER,
             iterations: 0,
             before: f64::INFINITY,
             smallest: f64::INFINITY,
@@ -88,18 +82,6 @@ impl Corrections {
             looks: 0,
             distance: FARTHER,
         }
-    }
-
-    /// Of an equation whose solutions are to be settled, or not.
-    #[inline(always)]
-    pub(crate) fn lenient(self, lenient: bool) -> Self {
-        Corrections { remainder: if lenient { SETTLED_REMAINDER } else { self.remainder }, ..self }
-    }
-
-    /// What the last one may leave, in units of ε.
-    #[inline(always)]
-    pub(crate) fn remainder(&self) -> f64 {
-        self.remainder
     }
 
     /// Corrections that follow are relative to something else.
@@ -138,7 +120,7 @@ impl Corrections {
             return if relative == 0.0 { Verdict::Solved } else { Verdict::Continue };
         }
         let next = relative * if self.order == 2 { shrunk * shrunk } else { shrunk };
-        if next <= self.remainder * R::epsilon() || shrunk > 0.5 && is_rounding::<R>(relative) {
+        if next <= REMAINDER * R::epsilon() || shrunk > 0.5 && is_rounding::<R>(relative) {
             return Verdict::Solved;
         }
         if relative < SMALLER * self.smallest {

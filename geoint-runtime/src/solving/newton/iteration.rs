@@ -16,10 +16,6 @@ use crate::space::{Array, Record, Tape};
 /// Lower bound on the estimated constant C of quadratic convergence: the next correction is C times the square of this one.
 const LEAST_CURVATURE: f64 = 1e-3;
 
-/// What the derivative of a step before misses of a correction is rounding, in the sequence of increments, of a correction that is smaller than the last
-/// one may be by this.
-const FAR_SMALLER: f64 = 1.0 / 32.0;
-
 /// The last term of a correction, in units of ε, where steps are settled: the terms that are left out are smaller by the factor by which terms
 /// shrink, some 10⁻² in a first-order equation at fifty steps a period, and 10⁻⁴ in one of second order.
 const LAST_TERM: f64 = 0.25;
@@ -27,7 +23,7 @@ const LAST_TERM: f64 = 0.25;
 /// Of so many steps one looks a second time, to see that factor again.
 const SECOND_LOOK: u32 = 64;
 
-/// Corrections of which in compositions, and where they may be large, no more is asked than whether they are the last one: their sizes cost a tenth of an
+/// Corrections of which in compositions, and in settled steps, no more is asked than whether they are the last one: their sizes cost a tenth of an
 /// iteration. Where they are not after so many, something is else than before.
 const UNJUDGED: u32 = 3;
 
@@ -110,12 +106,6 @@ impl<A: Array> Iteration<A> {
     #[inline(always)]
     pub(super) fn is_last(&self, delta: &A) -> bool {
         self.sizes.exceed(delta, self.reach) && !self.looks()
-    }
-
-    /// Whether this correction is the last one, and may be made by a derivative that is not quite that of the step.
-    #[inline(always)]
-    pub(super) fn is_far_smaller(&self, delta: &A) -> bool {
-        self.sizes.exceed(delta, FAR_SMALLER * self.reach) && !self.looks()
     }
 
     /// Whether a correction of an extrapolated guess leads to no other branch.
@@ -223,10 +213,11 @@ impl<A: Array> Iteration<A> {
         let origin = equation.origin();
         let mut x = guess;
         let mut matrix = A::fill(A::zero());
-        let mut corrections = Corrections::of_order(2).lenient(E::LENIENT);
+        let mut corrections = Corrections::of_order(2);
         let extrapolated = matches!(attempt, Attempt::Extrapolated(_));
         let composed = self.guesses.composed();
-        let mut unjudged = (composed || E::LENIENT) && !self.looks() && !matches!(attempt, Attempt::Damped);
+        let mut unjudged =
+            (composed || E::SETTLED && !E::OF_NOW) && !self.looks() && !matches!(attempt, Attempt::Damped);
         let (mut lost, mut stuck, mut iterations) = (A::zero(), None, 0);
         // Whether the determinant is positive at the solution, if there is one. Numbers leave the loop by no `Result`: they would share its memory.
         let positive = loop {
@@ -277,7 +268,7 @@ impl<A: Array> Iteration<A> {
             }
             let correction = self.sizes.relative(&delta, &origin, &x);
             if iterations == 2 {
-                self.see(correction, &corrections);
+                self.see(correction, corrections.last());
             }
             match corrections.judge::<A::Real>(correction) {
                 // Where the matrix is large beyond measure, corrections are small wherever x is. Steps before have seen that it is not.
@@ -305,11 +296,11 @@ impl<A: Array> Iteration<A> {
 
     /// Two corrections that follow each other. The second may be nothing but rounding; then C is at most that.
     #[inline(always)]
-    pub(super) fn see(&mut self, correction: f64, corrections: &Corrections) {
+    pub(super) fn see(&mut self, correction: f64, before: f64) {
         // A margin, since C is not the same all along an orbit.
-        let before = corrections.last().min(1.0);
+        let before = before.min(1.0);
         let curvature = 16.0 * correction / (before * before);
-        let reach = Real::sqrt(A::Real::epsilon() * corrections.remainder() / curvature.max(LEAST_CURVATURE));
+        let reach = Real::sqrt(A::Real::epsilon() * REMAINDER / curvature.max(LEAST_CURVATURE));
         if correction > 64.0 * A::Real::epsilon() || reach > self.reach {
             self.reach = reach;
         }

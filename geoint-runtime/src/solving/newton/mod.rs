@@ -8,9 +8,6 @@ mod predictor;
 mod reciprocal;
 mod series;
 
-#[cfg(test)]
-mod last_tests;
-
 use crate::solving::Refusal;
 use crate::solving::equation::{Observer, StepEquation};
 use crate::solving::linear;
@@ -168,15 +165,14 @@ impl<A: Array> Newton<A> {
                 return found;
             }
             // Of one unknown the correction by the derivative of the step before is there first, and is taken as long as it misses the other one
-            // by a part of the last digit: which of them it is, a processor guesses, and goes on. What it misses stands in the sequence of increments:
-            // where more than rounding did, the next guess would miss by a thousand times that, and the next one by more.
+            // by a part of the last digit: which of them it is, a processor guesses, and goes on.
             if const { E::SETTLED && Reciprocal::<A>::KNOWN } {
                 let early = self.reciprocal.early(&delta);
                 if !self.reciprocal.solve(&matrix, &mut delta) {
                     break 'start Start::at(Some(guess));
                 }
                 let missed = difference(&early, &delta);
-                if self.iteration.is_far_smaller(&delta) && self.iteration.is_last_term(&missed) {
+                if self.iteration.is_last(&delta) && self.iteration.is_last_term(&missed) {
                     return Found::corrected_nearly(guess, &early, &missed);
                 }
             } else if !linear::solve_fast(&mut matrix, &mut delta) {
@@ -217,7 +213,7 @@ impl<A: Array> Newton<A> {
         let iteration = &mut self.iteration;
         let origin = equation.origin();
         let mut found = Found::corrected(guess, &first);
-        let mut corrections = Corrections::of_order(2).lenient(E::LENIENT);
+        let mut corrections = Corrections::of_order(2);
         corrections.judge::<A::Real>(iteration.sizes.relative(&first, &origin, &found.x));
         // A substep that takes a third one chooses another guess after it.
         let most = if iteration.guesses.composed() { 1 } else { MOST_AGAIN };
@@ -230,11 +226,12 @@ impl<A: Array> Newton<A> {
                 break;
             }
             found = Found::corrected(x, &delta);
-            // How large it is costs two divisions, and is not asked of one that is the last where these may be large; else C is known better.
-            let solved = E::LENIENT && iteration.is_last(&delta) || {
+            // How large it is costs two divisions, and is not asked of one that is the last where steps are settled; else C is known better. Of fields it is
+            // asked, too: their short steps, as the compiler lays them out, would take a twentieth longer.
+            let solved = E::SETTLED && !E::OF_NOW && iteration.is_last(&delta) || {
                 let correction = iteration.sizes.relative(&delta, &origin, &found.x);
                 if before == 1 {
-                    iteration.see(correction, &corrections);
+                    iteration.see(correction, corrections.last());
                 }
                 corrections.judge::<A::Real>(correction) == Verdict::Solved
             };
