@@ -17,28 +17,13 @@ use geoint_tests::scene::{Scene, flat, point};
 struct Halves<M>(M);
 
 impl<S: PhaseSpace, M: Method<S>> Method<S> for Halves<M> {
-    type Proof = M::Proof;
-    type Prepared = M::Prepared;
-    type Memory = M::Memory;
+    passed_on!();
 
-    fn claims(&self) -> Claims {
-        self.0.claims()
-    }
     fn name(&self) -> Name {
         Name::new("halves").of(self.0.name())
     }
     fn prepare(&self, system: &S, h: f64) -> Self::Prepared {
         self.0.prepare(system, h)
-    }
-    fn memory() -> Self::Memory {
-        M::memory()
-    }
-    fn step<C: Summation<S::Phase>, P: Probe<S, f64>>(
-        prepared: &Self::Prepared,
-        memory: &mut Self::Memory,
-        step: Step<'_, S, f64, C, P>,
-    ) -> Result<(), Refusal> {
-        M::step(prepared, memory, step)
     }
 }
 

@@ -139,29 +139,14 @@ std::thread_local! {
 }
 
 impl<S: PhaseSpace, M: Method<S>> Method<S> for Counted<M> {
-    type Proof = M::Proof;
-    type Prepared = M::Prepared;
-    type Memory = M::Memory;
+    passed_on!();
 
-    fn claims(&self) -> Claims {
-        self.0.claims()
-    }
     fn name(&self) -> Name {
         self.0.name()
     }
     fn prepare(&self, system: &S, h: f64) -> Self::Prepared {
         PREPARED.set(PREPARED.get() + 1);
         self.0.prepare(system, h)
-    }
-    fn memory() -> Self::Memory {
-        M::memory()
-    }
-    fn step<C: Summation<S::Phase>, P: Probe<S, f64>>(
-        prepared: &Self::Prepared,
-        memory: &mut Self::Memory,
-        step: Step<'_, S, f64, C, P>,
-    ) -> Result<(), Refusal> {
-        M::step(prepared, memory, step)
     }
     fn order_of_estimate(&self) -> Option<u32> {
         self.0.order_of_estimate()
@@ -197,28 +182,13 @@ fn halves_are_prepared_where_they_are_taken() {
 struct Promising<M>(M);
 
 impl<S: PhaseSpace, M: Method<S>> Method<S> for Promising<M> {
-    type Proof = M::Proof;
-    type Prepared = M::Prepared;
-    type Memory = M::Memory;
+    passed_on!();
 
-    fn claims(&self) -> Claims {
-        self.0.claims()
-    }
     fn name(&self) -> Name {
         self.0.name()
     }
     fn prepare(&self, system: &S, h: f64) -> Self::Prepared {
         self.0.prepare(system, h)
-    }
-    fn memory() -> Self::Memory {
-        M::memory()
-    }
-    fn step<C: Summation<S::Phase>, P: Probe<S, f64>>(
-        prepared: &Self::Prepared,
-        memory: &mut Self::Memory,
-        step: Step<'_, S, f64, C, P>,
-    ) -> Result<(), Refusal> {
-        M::step(prepared, memory, step)
     }
     fn order_of_estimate(&self) -> Option<u32> {
         Some(self.0.claims().order)
