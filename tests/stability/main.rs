@@ -20,6 +20,7 @@ mod time;
 mod end_of_time;
 mod names;
 mod tolerance;
+mod one_by_one;
 mod saved;
 mod settled;
 mod hostile;

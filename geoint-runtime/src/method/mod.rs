@@ -12,6 +12,7 @@ mod form;
 pub mod gauss;
 pub mod kahan;
 mod name;
+mod open;
 pub mod perturbed;
 pub mod pieces;
 mod probe;
@@ -24,6 +25,7 @@ pub use clock::Clock;
 pub use explicit::tableau;
 pub use form::StepsOf;
 pub use name::Name;
+pub use open::Open;
 pub(crate) use probe::{Deciding, check_conditions, check_end, check_poles, check_way, start};
 pub use probe::{Probe, Unwatched};
 pub use splitting::{gradient_kick, modified_verlet};
@@ -113,7 +115,7 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
     /// its ends which is farther.
     const ROUGH_IF_SHORT: bool = false;
 
-    /// Whether memory saves work and nothing else, as a force with which the next step begins: `advance(1)` is then the single step.
+    /// Whether a single step takes less work than `advance(1)`, for what the step before has told it.
     const FORGETFUL: bool = false;
 
     /// What the method promises.

@@ -4,6 +4,7 @@
 //! flow of a Φ and the first one of the Φ* behind it belong to one piece and are merged. Time, where it is frozen, moves
 //! before all flows of Φ and after all flows of Φ*: between Φ and Φ* it is the same for all flows.
 
+use crate::method::open::Open;
 use crate::method::{Claims, Clock, Probe, Refusal, Step, Unwatched, check_way};
 use crate::scalar::Real;
 use crate::space::{Array, PerCoordinate, Point, Summation};
@@ -21,7 +22,7 @@ pub trait Splitting: Copy + Default {
 #[derive(Clone, Copy, Debug)]
 pub struct Prepared<F, R> {
     flows: F,
-    /// The first flow of a step merged with the last one of the step before.
+    /// The first flow of a step together with the last one of the step before.
     merged: F,
     half: R,
     poles: Poles,
@@ -43,43 +44,50 @@ pub(super) fn prepare<S: Pieces<M, R>, M, R: Real>(system: &S, h: R) -> Prepared
     }
 }
 
-/// The flows in order, and back.
+/// The flows in order, and back. A step that does not begin a call has for its first flow also the last one of the step before, and one
+/// that does not end it leaves its own to the next.
 #[inline(always)]
 pub(super) fn step<S: Pieces<M, R>, M, R: Real, C: Summation<S::Phase>, P: Probe<S, R>>(
-    Prepared { flows, half, poles, .. }: &Prepared<S::Flows, R>,
+    Prepared { flows, merged, half, poles }: &Prepared<S::Flows, R>,
+    open: &mut Open<S::Phase, S::Action>,
     mut step: Step<'_, S, R, C, P>,
+    [begins, ends]: [bool; 2],
 ) -> Result<(), Refusal> {
-    let (all, start, middle) = (S::PIECES.len(), step.t, step.t + *half);
+    let (all, joined) = (S::PIECES.len(), merges::<S, M, R>());
+    let [t, middle, end] = [step.t, step.t + *half, step.end];
     let frozen = step.system.freeze(flows, middle);
-    step.probe.visit(start, &step.x.z, &step.x.s);
-    pass::<S, M, R, C, P>(0..all, (flows, &frozen, poles), step.part([start; 2]))?;
-    pass::<S, M, R, C, P>((0..all - 1).rev(), (flows, &frozen, poles), step.part([middle; 2]))
+    step.probe.visit(t, &step.x.z, &step.x.s);
+    let meets = joined && (!begins || open.reopen(t, step.x).is_some());
+    let (first, from) = if meets { (merged, t - *half) } else { (flows, t) };
+    pass::<S, M, R, C, P>(0..1, (first, &frozen, poles), step.part([from; 2]))?;
+    pass::<S, M, R, C, P>(1..all, (flows, &frozen, poles), step.part([t; 2]))?;
+    pass::<S, M, R, C, P>((1..all - 1).rev(), (flows, &frozen, poles), step.part([middle; 2]))?;
+    if !joined {
+        let last = 0..usize::from(all > 1);
+        return pass::<S, M, R, C, P>(last, (flows, &frozen, poles), step.part([middle; 2]));
+    }
+    if ends {
+        open.leave(step.x);
+        pass::<S, M, R, C, P>(0..1, (flows, &frozen, poles), step.part([middle; 2]))?;
+        open.end([t, end], step.x);
+    }
+    Ok(())
 }
 
 /// Steps of which neighbours share a flow.
 #[inline(always)]
 pub(super) fn advance<S: Pieces<M, R>, M, R: Real, C: Summation<S::Phase>>(
     prepared: &Prepared<S::Flows, R>,
+    open: &mut Open<S::Phase, S::Action>,
     system: &S,
     clock: &Clock<R>,
     steps: u64,
     x: &mut Point<S::Phase, C, S::Action>,
 ) -> Result<(), Refusal> {
-    let Prepared { flows, merged, half, poles } = prepared;
-    let (all, probe) = (S::PIECES.len(), &mut Unwatched);
-    if !merges::<S, M, R>() {
-        return (0..steps).try_for_each(|n| step::<S, M, R, C, _>(prepared, Step::at(clock.at(n), (system, x, probe))));
-    }
-    let Some(last) = steps.checked_sub(1) else { return Ok(()) };
-    let start = clock.at(0);
-    pass::<S, M, R, C, _>(0..1, (flows, &system.freeze(flows, start), poles), Step::at(start, (system, x, probe)))?;
     for n in 0..steps {
-        let (t, middle) = (clock.at(n), clock.at(n) + *half);
-        let frozen = system.freeze(flows, middle);
-        let outer = if n == last { flows } else { merged };
-        pass::<S, M, R, C, _>(1..all, (flows, &frozen, poles), Step::at(t, (system, x, probe)))?;
-        pass::<S, M, R, C, _>((1..all - 1).rev(), (flows, &frozen, poles), Step::at(middle, (system, x, probe)))?;
-        pass::<S, M, R, C, _>(0..1, (outer, &frozen, poles), Step::at(middle, (system, x, probe)))?;
+        let [t, end] = [n, n + 1].map(|n| clock.at(n));
+        let one = Step { system, t, end, x, probe: &mut Unwatched };
+        step::<S, M, R, C, _>(prepared, open, one, [n == 0, n + 1 == steps])?;
     }
     Ok(())
 }
@@ -96,7 +104,7 @@ macro_rules! splitting {
         impl<S: Pieces<$name, R>, R: Real> Method<S, R> for $name {
             type Proof = <S as Pieces<$name, R>>::Proof;
             type Prepared = driver::Prepared<S::Flows, R>;
-            type Memory = ();
+            type Memory = Open<S::Phase, S::Action>;
 
             fn claims(&self) -> Claims {
                 driver::claims::<S, $name, R>(2, 1)
@@ -110,27 +118,29 @@ macro_rules! splitting {
                 driver::prepare(system, h)
             }
 
-            fn memory() {}
+            fn memory() -> Self::Memory {
+                Open::unknown()
+            }
 
             #[inline(always)]
             fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
                 prepared: &Self::Prepared,
-                (): &mut (),
+                open: &mut Self::Memory,
                 step: Step<'_, S, R, C, P>,
             ) -> Result<(), Refusal> {
-                driver::step::<S, $name, R, C, P>(prepared, step)
+                driver::step::<S, $name, R, C, P>(prepared, open, step, [true; 2])
             }
 
             #[inline(always)]
             fn advance<C: Summation<S::Phase>>(
                 prepared: &Self::Prepared,
-                (): &mut (),
+                open: &mut Self::Memory,
                 system: &S,
                 clock: &Clock<R>,
                 steps: u64,
                 x: &mut Point<S::Phase, C, S::Action>,
             ) -> Result<(), Refusal> {
-                driver::advance::<S, $name, R, C>(prepared, system, clock, steps, x)
+                driver::advance::<S, $name, R, C>(prepared, open, system, clock, steps, x)
             }
         }
     )* };

@@ -2,6 +2,7 @@
 
 use super::driver::{self, Splitting, splitting};
 use crate::method::composition::substeps;
+use crate::method::open::Open;
 use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::space::{Point, Summation};

@@ -3,6 +3,7 @@
 use super::driver::{self, Splitting, merges, pass};
 use super::splittings::{ContactSplitting, PieceSplitting};
 use crate::method::composition::{Composition, SymmetricMap};
+use crate::method::open::Open;
 use crate::method::splitting::{DriftFirst, Nystrom, delegate};
 use crate::method::tables::total::adds_up;
 use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step, Unwatched};
@@ -79,17 +80,17 @@ impl<const K: usize, M> PieceComposition<K, M> {
 pub struct Pair<F, R> {
     forth: F,
     back: F,
-    /// The first piece of Φ* together with that of the next Φ; behind the last pair that of the next step.
+    /// The first piece of Φ together with that of the Φ* before; in the first pair that of the step before.
     joint: F,
-    /// Where Φ begins, and where it meets Φ*, after the start of the step.
-    at: [R; 2],
+    /// Where Φ begins, and where it meets Φ*, after the start of the step; and where the joint piece begins.
+    at: [R; 3],
     poles: Poles,
 }
 
 impl<S: Pieces<M, R>, M: Splitting, R: Real, const K: usize> Method<S, R> for PieceComposition<K, M> {
     type Proof = <S as Pieces<M, R>>::Proof;
     type Prepared = [Pair<S::Flows, R>; K];
-    type Memory = ();
+    type Memory = Open<S::Phase, S::Action>;
 
     fn claims(&self) -> Claims {
         driver::claims::<S, M, R>(self.order, K as u32)
@@ -103,72 +104,81 @@ impl<S: Pieces<M, R>, M: Splitting, R: Real, const K: usize> Method<S, R> for Pi
         let poles = Poles::of(system);
         core::array::from_fn(|i| {
             let [alpha, beta] = self.weights[i];
-            let next = self.weights[(i + 1) % K][0];
+            let joint = self.weights[(i + K - 1) % K][1] + alpha;
             let before: f64 = self.weights[..i].as_flattened().iter().sum();
             let part = |fraction: f64| R::from_f64(fraction) * h;
             let flows = |outer: f64, last: f64| system.prepare_flows(part(outer), part(last));
             Pair {
                 forth: flows(alpha, alpha + beta),
                 back: flows(beta, beta),
-                joint: flows(beta + next, beta + next),
-                at: [part(before), part(before + alpha)],
+                joint: flows(joint, joint),
+                at: [before, before + alpha, before + alpha - joint].map(part),
                 poles,
             }
         })
     }
 
-    fn memory() {}
+    fn memory() -> Self::Memory {
+        Open::unknown()
+    }
 
     #[inline]
     fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         prepared: &Self::Prepared,
-        (): &mut (),
+        open: &mut Self::Memory,
         step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
-        part::<S, M, R, C, P, K>(prepared, step, [true, true])
+        part::<S, M, R, C, P, K>(prepared, open, step, [true; 2])
     }
 
     #[inline(always)]
     fn advance<C: Summation<S::Phase>>(
         prepared: &Self::Prepared,
-        (): &mut (),
+        open: &mut Self::Memory,
         system: &S,
         clock: &Clock<R>,
         steps: u64,
         x: &mut Point<S::Phase, C, S::Action>,
     ) -> Result<(), Refusal> {
-        let together = M::MERGES && merges::<S, M, R>();
         for n in 0..steps {
-            let ends = [!together || n == 0, !together || n + 1 == steps];
-            let mut unwatched = Unwatched;
-            let step = Step::at(clock.at(n), (system, &mut *x, &mut unwatched));
-            part::<S, M, R, C, _, K>(prepared, step, ends)?;
+            let [t, end] = [n, n + 1].map(|n| clock.at(n));
+            let step = Step { system, t, end, x, probe: &mut Unwatched };
+            part::<S, M, R, C, _, K>(prepared, open, step, [n == 0, n + 1 == steps])?;
         }
         Ok(())
     }
 }
 
-/// A step; without its first flow, if the step before has that, and with the first one of the next step, unless it is to end here.
+/// A step. One that does not begin a call has for its first flow also the last one of the step before, and one that does not end it
+/// leaves its own to the next.
 #[inline(always)]
 fn part<S: Pieces<M, R>, M: Splitting, R: Real, C: Summation<S::Phase>, P: Probe<S, R>, const K: usize>(
     prepared: &[Pair<S::Flows, R>; K],
+    open: &mut Open<S::Phase, S::Action>,
     mut step: Step<'_, S, R, C, P>,
     [begins, ends]: [bool; 2],
 ) -> Result<(), Refusal> {
-    let (all, together) = (S::PIECES.len(), M::MERGES && merges::<S, M, R>());
-    for (i, Pair { forth, back, joint, at: [start, middle], poles }) in prepared.iter().enumerate() {
-        let (start, middle) = (step.t + *start, step.t + *middle);
+    let (all, joined) = (S::PIECES.len(), M::MERGES && merges::<S, M, R>());
+    let ([t, end], reopened) = ([step.t, step.end], joined && (!begins || open.reopen(step.t, step.x).is_some()));
+    for (i, Pair { forth, back, joint, at, poles }) in prepared.iter().enumerate() {
+        let [start, middle, before] = at.map(|after| t + after);
         let frozen = [forth, back].map(|flows| step.system.freeze(flows, middle));
         step.probe.visit(start, &step.x.z, &step.x.s);
-        let reached = usize::from(together && !(i == 0 && begins));
-        pass::<S, M, R, C, P>(reached..all, (forth, &frozen[0], poles), step.part([start; 2]))?;
-        if together && !(i + 1 == K && ends) {
-            pass::<S, M, R, C, P>((1..all - 1).rev(), (back, &frozen[1], poles), step.part([middle; 2]))?;
-            let frozen = step.system.freeze(joint, middle);
-            pass::<S, M, R, C, P>(0..1, (joint, &frozen, poles), step.part([middle; 2]))?;
-        } else {
-            pass::<S, M, R, C, P>((0..all - 1).rev(), (back, &frozen[1], poles), step.part([middle; 2]))?;
+        let (first, from) = if joined && i > 0 || reopened { (joint, before) } else { (forth, start) };
+        pass::<S, M, R, C, P>(0..1, (first, &frozen[0], poles), step.part([from; 2]))?;
+        pass::<S, M, R, C, P>(1..all, (forth, &frozen[0], poles), step.part([start; 2]))?;
+        pass::<S, M, R, C, P>((1..all - 1).rev(), (back, &frozen[1], poles), step.part([middle; 2]))?;
+        if joined && i + 1 < K || joined && !ends {
+            continue;
         }
+        if joined {
+            open.leave(step.x);
+        }
+        let last = 0..usize::from(all > 1);
+        pass::<S, M, R, C, P>(last, (back, &frozen[1], poles), step.part([middle; 2]))?;
+    }
+    if joined && ends {
+        open.end([t, end], step.x);
     }
     Ok(())
 }

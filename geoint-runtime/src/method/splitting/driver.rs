@@ -1,9 +1,9 @@
-//! The driver: a table multiplied by h, one step, and many steps with neighbouring flows merged.
+//! The driver: a table multiplied by h, one step, and many steps. Neighbouring ones share a flow, in one call and in many.
 
 use super::flows::{Moving, Order, Times, Weight};
-use super::last_kick::LastKick;
 use super::table::Splitting;
-use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step, Unwatched};
+use crate::method::open::Open;
+use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::space::{Array, Point, Summation};
 use crate::system::Separable;
@@ -75,119 +75,137 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
         [Times { own: before, other: outers }, Times { own: outers, other: inners }]
     }
 
-    /// inner₁, outer₂, inner₂, …, inner_K.
+    /// inner₁, outer₂, inner₂, …, outer_K.
     #[inline(always)]
-    fn between<C: Summation<S::Phase>, P: Probe<S, R>>(&self, Step { system, t, x, probe, .. }: Step<'_, S, R, C, P>) {
-        for i in 0..K {
+    fn between<C: Summation<S::Phase>>(&self, system: &S, t: R, x: &mut Point<S::Phase, C, S::Action>) {
+        for i in 0..K - 1 {
             let [inner_at, outer_at] = self.times(t, i);
-            let (inner, outer) = (&self.inner[i], &self.outer[i]);
-            if !P::PATIENT && i + 1 < K {
-                O::both((inner, inner_at), (outer, outer_at), moving(system, x));
-                continue;
-            }
-            seen(!O::DRIFT_IS_OUTER, Step::at(inner_at.other, (system, x, probe)), |x| O::inner(inner, inner_at, x));
-            if i + 1 < K {
-                seen(O::DRIFT_IS_OUTER, Step::at(outer_at.other, (system, x, probe)), |x| O::outer(outer, outer_at, x));
-            }
+            O::both((&self.inner[i], inner_at), (&self.outer[i], outer_at), Moving::of(system, x));
         }
     }
 
-    /// The same and last.
+    /// outer₁, together with the last flow of the step that ended here, if one did.
     #[inline(always)]
-    fn finish<C: Summation<S::Phase>, P: Probe<S, R>>(&self, mut step: Step<'_, S, R, C, P>) {
-        self.between(step.part([step.t; 2]));
-        let Step { system, t, x, probe, .. } = step;
-        if let Some(last) = &self.last {
-            let [_, at] = self.times(t, K - 1);
-            seen(O::DRIFT_IS_OUTER, Step::at(at.other, (system, x, probe)), |x| O::outer(last, at, x));
-        }
-    }
-
-    /// The same for large systems, for the reason that [`end`](Self::end) has.
-    #[inline(never)]
-    fn single_apart<C: Summation<S::Phase>>(
+    fn begin<C: Summation<S::Phase>>(
         &self,
-        kick: &mut LastKick<S::Array>,
+        open: &Open<S::Phase, S::Action>,
         system: &S,
         t: R,
         x: &mut Point<S::Phase, C, S::Action>,
     ) {
-        self.single(kick, system, t, x);
+        let flow = match open.reopen(t, x) {
+            None => Some((&self.first, Times { own: t, other: t })),
+            Some(_) if O::is_ahead::<C>(self.repeats) => None,
+            Some(before) => Some((&self.outer[K - 1], self.times(before, K - 1)[1])),
+        };
+        if let Some((flow, at)) = flow {
+            O::outer(flow, at, Moving::of(system, x));
+        }
     }
 
-    /// One step by itself. Its first kick is the last one of the step before, if that ended here: one force less.
+    /// inner_K, and the last flow.
+    #[inline(always)]
+    fn end<C: Summation<S::Phase>>(
+        &self,
+        open: &mut Open<S::Phase, S::Action>,
+        system: &S,
+        [t, end]: [R; 2],
+        x: &mut Point<S::Phase, C, S::Action>,
+    ) {
+        let [inner_at, outer_at] = self.times(t, K - 1);
+        let outer = (self.last.as_ref(), &self.outer[K - 1]);
+        O::last((&self.inner[K - 1], inner_at), outer, outer_at, O::is_ahead::<C>(self.repeats), open, system, x);
+        open.end([t, end], x);
+    }
+
+    /// One step.
     #[inline(always)]
     fn single<C: Summation<S::Phase>>(
         &self,
-        kick: &mut LastKick<S::Array>,
+        open: &mut Open<S::Phase, S::Action>,
         system: &S,
-        t: R,
+        [t, end]: [R; 2],
         x: &mut Point<S::Phase, C, S::Action>,
     ) {
-        let (Some(last), true) = (&self.last, self.repeats && C::PLAIN) else {
-            return self.step(Step::at(t, (system, x, &mut Unwatched)));
-        };
-        let one = R::from_f64(1.0);
-        if kick.is_from(&x.z[0]) {
-            x.z[1].add_scaled(one, &kick.impulse);
-        } else {
-            O::outer(&self.first, Times { own: t, other: t }, moving(system, x));
-        }
-        self.between(Step::at(t, (system, x, &mut Unwatched)));
-        // Acting on zero, the flow gives the increment.
-        (kick.known, kick.impulse) = (true, S::Array::nothing());
-        kick.q.copy_from(&x.z[0]);
-        let [_, at] = self.times(t, K - 1);
-        let Point { z: [q, p], s, sums, compensation, .. } = x;
-        O::outer(last, at, Moving { system, q, p: &mut kick.impulse, s, sums, compensation });
-        p.add_scaled(one, &kick.impulse);
+        self.begin(open, system, t, x);
+        self.between(system, t, x);
+        self.end(open, system, [t, end], x);
     }
 
-    #[inline(always)]
-    fn step<C: Summation<S::Phase>, P: Probe<S, R>>(&self, step: Step<'_, S, R, C, P>) {
-        let Step { system, t, x, probe, .. } = step;
-        let at = Times { own: t, other: t };
-        seen(O::DRIFT_IS_OUTER, Step::at(t, (system, x, probe)), |x| O::outer(&self.first, at, x));
-        self.finish(Step::at(t, (system, x, probe)));
+    /// One step under the eyes of a probe, by itself.
+    fn watched<C: Summation<S::Phase>, P: Probe<S, R>>(&self, Step { system, t, x, probe, .. }: Step<'_, S, R, C, P>) {
+        let mut outer = |flow, at: Times<R>, x: &mut _| {
+            seen(O::DRIFT_IS_OUTER, Step::at(at.other, (system, x, &mut *probe)), |x| O::outer(flow, at, x));
+        };
+        outer(&self.first, Times { own: t, other: t }, x);
+        for i in 0..K {
+            let [inner_at, outer_at] = self.times(t, i);
+            let step = Step::at(inner_at.other, (system, &mut *x, &mut *probe));
+            seen(!O::DRIFT_IS_OUTER, step, |x| O::inner(&self.inner[i], inner_at, x));
+            let flow = if i + 1 < K { Some(&self.outer[i]) } else { self.last.as_ref() };
+            if let Some(flow) = flow {
+                let step = Step::at(outer_at.other, (system, &mut *x, &mut *probe));
+                seen(O::DRIFT_IS_OUTER, step, |x| O::outer(flow, outer_at, x));
+            }
+        }
     }
 
     #[inline(always)]
     fn advance<C: Summation<S::Phase>>(
         &self,
+        open: &mut Open<S::Phase, S::Action>,
         system: &S,
         clock: &Clock<R>,
         steps: u64,
         point: &mut Point<S::Phase, C, S::Action>,
     ) {
         let Some(final_step) = steps.checked_sub(1) else { return };
+        apart(|| self.begin(open, system, clock.at(0), point));
+        Self::apart_if_large(|| self.go_on(system, clock, final_step, point));
+        apart(|| {
+            let [t, end] = [final_step, steps].map(|n| clock.at(n));
+            self.between(system, t, point);
+            self.end(open, system, [t, end], point);
+        });
+    }
+
+    /// Steps that neither begin nor end.
+    #[inline(always)]
+    fn go_on<C: Summation<S::Phase>>(
+        &self,
+        system: &S,
+        clock: &Clock<R>,
+        steps: u64,
+        point: &mut Point<S::Phase, C, S::Action>,
+    ) {
         // In locals of this loop, q and p stay in registers.
         let ([mut q, mut p], mut s) = (point.z, point.s);
         let (mut sums, mut compensation) = (point.sums, point.compensation);
-        macro_rules! x {
-            () => {
-                Moving { system, q: &mut q, p: &mut p, s: &mut s, sums: &mut sums, compensation: &mut compensation }
-            };
-        }
-        let start = clock.at(0);
-        O::outer(&self.first, Times { own: start, other: start }, x!());
-        for n in 0..final_step {
+        for n in 0..steps {
             let t = clock.at(n);
             for i in 0..K {
                 let [inner_at, outer_at] = self.times(t, i);
-                O::both((&self.inner[i], inner_at), (&self.outer[i], outer_at), x!());
+                let (q, p, s, sums, compensation) = (&mut q, &mut p, &mut s, &mut sums, &mut compensation);
+                let x = Moving { system, q, p, s, sums, compensation };
+                O::both((&self.inner[i], inner_at), (&self.outer[i], outer_at), x);
             }
         }
         (point.z, point.s) = ([q, p], s);
         (point.sums, point.compensation) = (sums, compensation);
-        self.end(system, clock.at(final_step), point);
     }
 
-    /// Apart from the loop, whose flows are then the only ones that the optimiser arranges registers for: inlined, this
-    /// makes the loop over six bodies up to a fifth slower.
-    #[inline(never)]
-    fn end<C: Summation<S::Phase>>(&self, system: &S, t: R, x: &mut Point<S::Phase, C, S::Action>) {
-        self.finish(Step::at(t, (system, x, &mut Unwatched)));
+    /// What large systems do in a function of its own.
+    #[inline(always)]
+    fn apart_if_large(work: impl FnOnce()) {
+        if Self::MANY { apart(work) } else { work() }
     }
+}
+
+/// Work in a function of its own: the optimiser then arranges registers for that alone. Beside other flows the loop over six bodies is up to
+/// a fifth slower.
+#[inline(never)]
+fn apart(work: impl FnOnce()) {
+    work();
 }
 
 /// What is prepared with some weights, of which the first ones are a palindrome or not: what is there already is copied, because a matrix takes
@@ -219,7 +237,7 @@ pub(super) fn seen<S: Separable<R>, R: Real, C: Summation<S::Phase>, P: Probe<S,
     probe.visit(t, &x.z, &x.s);
     // The constant first: nothing is compiled of what is not asked.
     let named = P::PATIENT && const { !S::DRIFT_PARTS.is_empty() } && is_drift && x.is_finite();
-    let told = flow(moving(system, x));
+    let told = flow(Moving::of(system, x));
     if P::PATIENT && const { !S::DRIFT_PARTS.is_empty() } && named {
         for part in S::DRIFT_PARTS {
             probe.flown(part.name, || part.is_finite(&x.z));
@@ -228,19 +246,10 @@ pub(super) fn seen<S: Separable<R>, R: Real, C: Summation<S::Phase>, P: Probe<S,
     told
 }
 
-#[inline(always)]
-fn moving<'a, S: Separable<R>, R: Real, C>(
-    system: &'a S,
-    x: &'a mut Point<S::Phase, C, S::Action>,
-) -> Moving<'a, S, R, C> {
-    let [q, p] = &mut x.z;
-    Moving { system, q, p, s: &mut x.s, sums: &mut x.sums, compensation: &mut x.compensation }
-}
-
 impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Method<S, R> for Splitting<K, O> {
     type Proof = O::Proof;
     type Prepared = Sequence<S, R, O, K>;
-    type Memory = LastKick<S::Array>;
+    type Memory = Open<S::Phase, S::Action>;
     const FORGETFUL: bool = true;
 
     fn claims(&self) -> Claims {
@@ -261,21 +270,20 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Method<S, R> for 
     }
 
     fn memory() -> Self::Memory {
-        LastKick::unknown()
+        Open::unknown()
     }
 
     #[inline(always)]
     fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         prepared: &Self::Prepared,
-        kick: &mut Self::Memory,
+        open: &mut Self::Memory,
         step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         if P::PATIENT {
-            prepared.step(step);
-        } else if Sequence::<S, R, O, K>::MANY {
-            prepared.single_apart(kick, step.system, step.t, step.x);
+            prepared.watched(step);
         } else {
-            prepared.single(kick, step.system, step.t, step.x);
+            let Step { system, t, end, x, .. } = step;
+            Sequence::<S, R, O, K>::apart_if_large(|| prepared.single(open, system, [t, end], x));
         }
         Ok(())
     }
@@ -283,13 +291,13 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Method<S, R> for 
     #[inline(always)]
     fn advance<C: Summation<S::Phase>>(
         prepared: &Self::Prepared,
-        _: &mut Self::Memory,
+        open: &mut Self::Memory,
         system: &S,
         clock: &Clock<R>,
         steps: u64,
         x: &mut Point<S::Phase, C, S::Action>,
     ) -> Result<(), Refusal> {
-        prepared.advance(system, clock, steps, x);
+        prepared.advance(open, system, clock, steps, x);
         Ok(())
     }
 }

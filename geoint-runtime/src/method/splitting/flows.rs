@@ -1,8 +1,9 @@
 //! Kick and drift as the flows of a table: which of them is the outer one, and what a kick is.
 
+use crate::method::open::Open;
 use crate::scalar::Real;
 use crate::sealed::Sealed;
-use crate::space::{Action, Array, PerCoordinate, Plain, Summation, add_action};
+use crate::space::{Action, Array, PerCoordinate, Plain, Point, Summation, add_action};
 use crate::system::{Cotangent, ForceGradient, PhaseSpace, PrincipalAxes, QuadraticKinetic, Separable};
 use core::fmt::Debug;
 use core::marker::PhantomData;
@@ -143,6 +144,48 @@ pub trait Order<S: Separable<R>, R: Real>: Sealed + Copy {
         Self::inner(inner, inner_at, x.again());
         Self::outer(outer, outer_at, x);
     }
+    /// The last flows of a step, inner and, if there is one, outer; `merged` is that one together with the first of the next step. That step
+    /// goes on from the point that is left open here: before `merged`, or behind it if this step is [ahead](Self::is_ahead).
+    #[inline(always)]
+    fn last<C: Summation<S::Phase>>(
+        (inner, inner_at): (&Self::Inner, Times<R>),
+        (last, merged): (Option<&Self::Outer>, &Self::Outer),
+        at: Times<R>,
+        ahead: bool,
+        open: &mut Open<S::Phase, S::Action>,
+        system: &S,
+        x: &mut Point<S::Phase, C, S::Action>,
+    ) {
+        Self::inner(inner, inner_at, Moving::of(system, x));
+        if !ahead {
+            open.leave(x);
+            if let Some(last) = last {
+                Self::outer(last, at, Moving::of(system, x));
+            }
+            return;
+        }
+        // Both kicks are the same, and the state is in the middle of them: one force.
+        if C::PLAIN {
+            let before = x.z[1];
+            Self::outer(merged, at, Moving::of(system, x));
+            open.leave(x);
+            for (p, before) in x.z[1].as_mut_slice().iter_mut().zip(before.as_slice()) {
+                *p = R::from_f64(0.5) * (*before + *p);
+            }
+        } else {
+            let before = *x;
+            let impulse = Moving::of(system, x).told(|x| Self::outer(merged, at, x));
+            open.leave(x);
+            *x = before;
+            Moving::of(system, x).told(|x| x.p.add_scaled(R::from_f64(0.5), &impulse));
+        }
+    }
+    /// Whether a step has done the first flow of the next one, because both steps need what that is computed from. `repeats` says that the last
+    /// flow of a step and the first of the next are the same.
+    #[inline(always)]
+    fn is_ahead<C: Summation<S::Phase>>(repeats: bool) -> bool {
+        repeats
+    }
 }
 
 impl<S: Separable<R>, R: Real, F: Kicks<S, R>> Order<S, R> for KickFirst<F> {
@@ -195,15 +238,46 @@ impl<S: Separable<R>, R: Real, F: Kicks<S, R>> Order<S, R> for DriftFirst<F> {
         (drift, drift_at): (&S::Drift, Times<R>),
         mut x: Moving<'_, S, R, C>,
     ) {
-        if C::PLAIN && S::KICKS_ADD && S::DRIFTS_TAKE_KICKS {
-            let Moving { system, q, p, s, .. } = x;
-            let mut dp = S::Array::nothing();
-            F::kick(system, kick, kick_at.other, q, &mut dp, s);
-            system.drift_after(drift, drift_at.own, [q, p], s, &dp);
+        if Self::is_ahead::<C>(false) {
+            let dp = x.again().impulse::<F>(kick, kick_at);
+            x.drift_after(drift, drift_at, &dp);
         } else {
             Self::inner(kick, kick_at, x.again());
             Self::outer(drift, drift_at, x);
         }
+    }
+    #[inline(always)]
+    fn last<C: Summation<S::Phase>>(
+        (kick, kick_at): (&F::Kick, Times<R>),
+        (last, merged): (Option<&S::Drift>, &S::Drift),
+        at: Times<R>,
+        ahead: bool,
+        open: &mut Open<S::Phase, S::Action>,
+        system: &S,
+        x: &mut Point<S::Phase, C, S::Action>,
+    ) {
+        if !ahead {
+            Self::inner(kick, kick_at, Moving::of(system, x));
+            open.leave(x);
+            if let Some(last) = last {
+                Self::outer(last, at, Moving::of(system, x));
+            }
+            return;
+        }
+        let dp = Moving::of(system, x).impulse::<F>(kick, kick_at);
+        let before = *x;
+        Moving::of(system, x).drift_after(merged, at, &dp);
+        open.leave(x);
+        *x = before;
+        match last {
+            Some(last) => Moving::of(system, x).drift_after(last, at, &dp),
+            None => x.z[1].add_scaled(R::from_f64(1.0), &dp),
+        }
+    }
+    /// Linear drifts take what the kick before has added.
+    #[inline(always)]
+    fn is_ahead<C: Summation<S::Phase>>(_: bool) -> bool {
+        C::PLAIN && S::KICKS_ADD && S::DRIFTS_TAKE_KICKS
     }
 }
 
@@ -226,7 +300,14 @@ pub struct Moving<'a, S: Cotangent<R>, R: Real, C> {
     pub(crate) compensation: &'a mut S::Action,
 }
 
-impl<S: Cotangent<R>, R: Real, C> Moving<'_, S, R, C> {
+impl<'a, S: Cotangent<R>, R: Real, C> Moving<'a, S, R, C> {
+    /// A point in parts.
+    #[inline(always)]
+    pub(super) fn of(system: &'a S, x: &'a mut Point<S::Phase, C, S::Action>) -> Self {
+        let [q, p] = &mut x.z;
+        Moving { system, q, p, s: &mut x.s, sums: &mut x.sums, compensation: &mut x.compensation }
+    }
+
     /// The same point, for a flow before another.
     #[inline(always)]
     fn again(&mut self) -> Moving<'_, S, R, C> {
@@ -264,6 +345,21 @@ impl<S: Separable<R>, R: Real, C: Summation<S::Phase>> Moving<'_, S, R, C> {
         kick(Moving { system, q, p: &mut impulse, s, sums: &mut Plain, compensation });
         sums.add_part(S::Array::LEN, p, |p| p.add_scaled(R::from_f64(1.0), &impulse));
         impulse
+    }
+
+    /// What a kick that does nothing but add to the momenta would add.
+    #[inline(always)]
+    fn impulse<F: Kicks<S, R>>(self, kick: &F::Kick, at: Times<R>) -> S::Array {
+        let mut impulse = S::Array::nothing();
+        F::kick(self.system, kick, at.other, self.q, &mut impulse, self.s);
+        impulse
+    }
+
+    /// A linear drift after momenta have grown by `dp`.
+    #[inline(always)]
+    fn drift_after(self, flow: &S::Drift, at: Times<R>, dp: &S::Array) {
+        let Moving { system, q, p, s, .. } = self;
+        system.drift_after(flow, at.own, [q, p], s, dp);
     }
 
     /// q ← q + h ∂T/∂p, at the time that the kicks have reached; or from the time that the drifts have reached, if the drift is

@@ -1,6 +1,7 @@
 //! What a step may take over from the one before: steps end with the kick that the next ones begin with.
 
-use crate::space::{Array, Record, Tape};
+use crate::method::open::Open;
+use crate::space::{Action, Array, Record, Tape};
 
 /// The kick that ended a step: where, and what it added to the momenta.
 #[derive(Clone, Copy, Debug)]
@@ -29,5 +30,19 @@ impl<A: Array> Record<A::Real> for LastKick<A> {
         tape.flag(&mut self.known);
         tape.array(&mut self.q);
         tape.array(&mut self.impulse);
+    }
+}
+
+/// What a table with an estimate of its errors hands on: plain steps what they leave open, steps that tell their kicks the last one.
+#[derive(Clone, Copy, Debug)]
+pub struct Told<A: Array, S> {
+    pub(super) open: Open<[A; 2], S>,
+    pub(super) kick: LastKick<A>,
+}
+
+impl<A: Array, S: Action<A::Real>> Record<A::Real> for Told<A, S> {
+    fn record(&mut self, tape: &mut impl Tape<A::Real>) {
+        self.open.record(tape);
+        self.kick.record(tape);
     }
 }

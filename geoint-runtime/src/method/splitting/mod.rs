@@ -57,25 +57,28 @@ pub use verlet::{PositionVerlet, StormerVerlet, SymplecticEuler, SymplecticEuler
 /// The steps of a method that are those of another one, by what was prepared for that.
 macro_rules! steps_of {
     ($inner:ty, |$prepared:ident| $part:expr) => {
+        $crate::method::splitting::steps_of!($inner, |$prepared, memory| ($part, memory));
+    };
+    ($inner:ty, |$prepared:ident, $memory:ident| ($part:expr, $own:expr)) => {
         #[inline(always)]
         fn step<Sums: Summation<S::Phase>, Watching: Probe<S, R>>(
             $prepared: &Self::Prepared,
-            memory: &mut Self::Memory,
+            $memory: &mut Self::Memory,
             step: Step<'_, S, R, Sums, Watching>,
         ) -> Result<(), Refusal> {
-            <$inner as Method<S, R>>::step($part, memory, step)
+            <$inner as Method<S, R>>::step($part, $own, step)
         }
 
         #[inline(always)]
         fn advance<Sums: Summation<S::Phase>>(
             $prepared: &Self::Prepared,
-            memory: &mut Self::Memory,
+            $memory: &mut Self::Memory,
             system: &S,
             clock: &Clock<R>,
             steps: u64,
             x: &mut Point<S::Phase, Sums, S::Action>,
         ) -> Result<(), Refusal> {
-            <$inner as Method<S, R>>::advance($part, memory, system, clock, steps, x)
+            <$inner as Method<S, R>>::advance($part, $own, system, clock, steps, x)
         }
     };
 }

@@ -3,9 +3,10 @@
 use super::driver::Sequence;
 use super::estimators::{Estimators, Mirrored};
 use super::flows::{DriftFirst, KickFirst, Order};
-use super::last_kick::LastKick;
+use super::last_kick::{LastKick, Told};
 use super::steps_of;
 use super::table::Splitting;
+use crate::method::open::Open;
 use crate::method::{Claims, Clock, Estimate, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::space::{Action, Array, PerCoordinate, Point, Summation};
@@ -93,7 +94,7 @@ fn error<S: QuadraticKinetic<R>, R: Real>(
 impl<S: QuadraticKinetic<R>, R: Real, O: Order<S, R>, const K: usize> Method<S, R> for Nystrom<K, O> {
     type Proof = <S as QuadraticKinetic<R>>::Proof;
     type Prepared = Prepared<Sequence<S, R, O, K>, R, K>;
-    type Memory = LastKick<S::Array>;
+    type Memory = Told<S::Array, S::Action>;
     const FORGETFUL: bool = true;
 
     fn claims(&self) -> Claims {
@@ -114,10 +115,10 @@ impl<S: QuadraticKinetic<R>, R: Real, O: Order<S, R>, const K: usize> Method<S, 
     }
 
     fn memory() -> Self::Memory {
-        LastKick::unknown()
+        Told { open: Open::unknown(), kick: LastKick::unknown() }
     }
 
-    steps_of!(Splitting<K, O>, |prepared| &prepared.sequence);
+    steps_of!(Splitting<K, O>, |prepared, memory| (&prepared.sequence, &mut memory.open));
 
     fn order_of_estimate(&self) -> Option<u32> {
         self.estimators.filter(|_| const { adds::<S, R>() }).map(|_| self.table.claims().order)
@@ -126,7 +127,7 @@ impl<S: QuadraticKinetic<R>, R: Real, O: Order<S, R>, const K: usize> Method<S, 
     #[inline]
     fn estimated<C: Summation<S::Phase>, P: Probe<S, R>>(
         prepared: &Self::Prepared,
-        kick: &mut Self::Memory,
+        Told { kick, .. }: &mut Self::Memory,
         mut step: Step<'_, S, R, C, P>,
     ) -> Option<Result<Estimate<S, R>, Refusal>> {
         let estimators = prepared.estimators.filter(|_| const { adds::<S, R>() })?;

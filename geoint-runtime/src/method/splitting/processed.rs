@@ -2,7 +2,6 @@
 
 use super::driver::Sequence;
 use super::flows::{Moving, Order, Times, Weight};
-use super::last_kick::LastKick;
 use super::steps_of;
 use super::table::Splitting;
 use crate::method::tables::total::adds_up;
@@ -88,7 +87,7 @@ where
 {
     type Proof = O::Proof;
     type Prepared = Prepared<S, R, O, K, P>;
-    type Memory = LastKick<S::Array>;
+    type Memory = <Splitting<K, O> as Method<S, R>>::Memory;
     const FORGETFUL: bool = true;
     const INNER: bool = true;
 

@@ -9,8 +9,8 @@ use crate::space::{Array, Summation};
 use crate::system::Separable;
 
 impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O, K> {
-    /// One step of kicks that do nothing but add: which they are, and what they add. The first one is taken over from the step before, as in
-    /// [`single`](Self::single).
+    /// One step of kicks that do nothing but add: which they are, and what they add. The first one is taken over from the step before, if that ended
+    /// here.
     #[inline]
     pub(super) fn told<C: Summation<S::Phase>, P: Probe<S, R>>(
         &self,

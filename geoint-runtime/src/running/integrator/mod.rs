@@ -58,7 +58,8 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integra
         self.steps.step()
     }
 
-    /// `n` steps: the bare loop, with last and first flows of neighbouring steps merged where the method has such.
+    /// `n` steps: the bare loop, to the same bits as `n` single ones. Last and first flows of neighbouring steps are merged where the method has
+    /// such: in single steps too, where the state is a point beside.
     ///
     /// # Errors
     /// See [`StepError`]; the state is then the last good one.
