@@ -52,6 +52,17 @@ fn energies_of_plane_fields_are_recovered() {
         ),
         (quote!([p.sin() * p.cos(), -q.ln() / q]), quote!(q.ln().powi(2) / 2.0 - p.cos().powi(2) / 2.0)),
         (quote!([p.tanh(), -q.atan()]), quote!(p.cosh().ln() + q * q.atan() - (1.0 + q * q).ln() / 2.0)),
+        // Angles: around the origin, around another point in other units, and of one coordinate.
+        (quote!([q / (q * q + p * p), p / (q * q + p * p)]), quote!((p / q).atan())),
+        (
+            quote!([(q - a) / ((q - a).powi(2) + 4.0 * p * p), p / ((q - a).powi(2) + 4.0 * p * p)]),
+            quote!((2.0 * p / (q - a)).atan() / 2.0),
+        ),
+        (
+            quote!([1.0 / (p * p + 2.0 * p + 2.0), -3.0 / (b * b + q * q)]),
+            quote!((p + 1.0).atan() + 3.0 / b * (q / b).atan()),
+        ),
+        (quote!([p, (2.0 - q) / (1.0 + q * q)]), quote!(p * p / 2.0 + (1.0 + q * q).ln() / 2.0 - 2.0 * q.atan())),
     ];
     for (field, energy) in &cases {
         assert_eq!(recovered(1, field, energy), Ok(()), "{field}");
@@ -87,6 +98,11 @@ fn what_has_no_antiderivative_stays_an_integral() {
     // Beside q alone nothing is left but an integral.
     let Err(NoEnergy::Integrals(open)) = recovered(1, &quote!([0.0, (q * q).sin()]), &quote!(0.0)) else { panic!() };
     assert_eq!((open.elementary, open.integrals[0].1), (None, Symbol::Q(0)));
+    // A root of what may be negative would be left.
+    for open in [quote!([p, 1.0 / (q * q - 1.0)]), quote!([p, 1.0 / (a + q * q)]), quote!([p, 1.0 / (1.0 + q.powi(4))])]
+    {
+        assert!(matches!(recovered(1, &open, &quote!(0.0)), Err(NoEnergy::Integrals(_))), "{open}");
+    }
     // It reads both: a line integral, which is no sum over variables.
     let both = quote!([q * (-p * p * q * q).exp(), -p * (-p * p * q * q).exp()]);
     assert!(matches!(recovered(1, &both, &quote!(0.0)), Err(NoEnergy::NotElementary(Some(_), _))));
