@@ -43,6 +43,60 @@ fn a_wrong_integral_is_refused_with_what_remains() {
     assert!(found.contains("what remains of its derivative is 2·x[0]·x[1]·x[2]·a"), "{found}");
 }
 
+/// Roots of numbers are exact, under both their names; decimals that are near them are others.
+#[test]
+fn a_decimal_is_no_root() {
+    let line = |keeps: TokenStream, slope: TokenStream| {
+        let item = quote!(
+            fn f(x: [f64; 2]) -> [f64; 2] {
+                [1.0, #slope]
+            }
+        );
+        attribute::expand(Form::Field, quote!(keeps(e = #keeps * x[0] - x[1])), item).to_string()
+    };
+    let all =
+        [quote!(std::f64::consts::SQRT_2), quote!(2.0_f64.sqrt()), quote!((2.0 * std::f64::consts::FRAC_1_SQRT_2))];
+    for one in &all {
+        for other in &all {
+            let found = line(one.clone(), other.clone());
+            // H is a function of what is listed.
+            assert!(
+                found.contains("kept, proven by multiplying out") && !found.contains("energy of the field"),
+                "{found}"
+            );
+        }
+        for found in [line(one.clone(), quote!(1.4142135623730951)), line(quote!(1.4142135623730951), one.clone())] {
+            assert!(found.contains("it holds to rounding, and numbers in it are rounded"), "{found}");
+        }
+    }
+}
+
+/// m and γ are two vectors, or six numbers.
+#[test]
+fn a_top_is_written_in_vectors() {
+    let report = |item: TokenStream| attribute::expand(Form::Hamiltonian, quote!(structure = se3), item).to_string();
+    let vectors = report(quote!(
+        fn f(x: [Vector3<f64>; 2], r: Vector3<f64>) -> f64 {
+            x[0].norm_squared() / 2.0 + r.dot(&x[1])
+        }
+    ));
+    for line in [
+        "x[0][0]' = x[1][1]·r[2] - x[1][2]·r[1]",
+        "{x[0][0], x[0][1]} = -x[0][2]",
+        "{x[0][0], x[1][1]} = -x[1][2]",
+        "x[0][0]·x[1][0] + x[0][1]·x[1][1] + x[0][2]·x[1][2]: kept, a Casimir",
+        "a Poisson structure: Jacobi's identity holds",
+    ] {
+        assert!(vectors.contains(line), "{line}: {vectors}");
+    }
+    let four = report(quote!(
+        fn f(x: [[f64; 2]; 3]) -> f64 {
+            x[0][0] * x[2][1]
+        }
+    ));
+    assert!(four.contains("`se3` is a structure of 6 coordinates, or of 2 vectors"), "{four}");
+}
+
 /// No states are met far out; what remains there is said, and that nothing was seen of it.
 #[test]
 fn what_remains_where_no_state_was_met() {
