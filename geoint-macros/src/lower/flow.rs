@@ -42,10 +42,10 @@ pub(crate) fn canonical(graph: &mut Graph, n: usize) -> Vec<Vec<Id>> {
 impl Lowering {
     /// The entries of a field, in order.
     pub(super) fn entries(&mut self, syntax: &impl ToTokens, value: Value, coordinates: &Shape) -> Vec<Id> {
-        let said = self.errors.len();
+        let (said, told) = (self.errors.len(), matches!(value, Value::Poison));
         let mut entries = vec![];
         self.numbers(syntax, value, &mut entries);
-        if self.errors.len() == said && entries.len() != coordinates.len() {
+        if !told && self.errors.len() == said && entries.len() != coordinates.len() {
             let n = coordinates.len();
             self.refuse(syntax, format!("expected {n} numbers, one a coordinate; found {}", entries.len()));
         }

@@ -97,6 +97,19 @@ fn a_top_is_written_in_vectors() {
     assert!(four.contains("`se3` is a structure of 6 coordinates, or of 2 vectors"), "{four}");
 }
 
+/// What was refused has no length.
+#[test]
+fn a_field_that_is_not_read_is_refused_once() {
+    let item = quote!(
+        fn f(x: [f64; 3]) -> [f64; 3] {
+            std::array::from_fn(|i| x[i])
+        }
+    );
+    let found = attribute::expand(Form::Field, quote!(), item).to_string();
+    assert!(found.contains("`with(std::array::from_fn)`"), "{found}");
+    assert_eq!(found.matches("compile_error !").count(), 1, "{found}");
+}
+
 /// No states are met far out; what remains there is said, and that nothing was seen of it.
 #[test]
 fn what_remains_where_no_state_was_met() {
