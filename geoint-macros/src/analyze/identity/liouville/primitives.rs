@@ -8,7 +8,7 @@ use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
 /// What the antiderivative of 1/u is, where u is not known to be positive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Logarithm {
-    /// ln u, for positive u alone.
+    /// ln u, for positive u alone; likewise atan y/x, the angle around a pole, for x that are not zero.
     OfNumber,
     /// ln|u| as ln(u²)/2, wherever 1/u is defined.
     OfMagnitude,
@@ -42,7 +42,7 @@ pub(super) fn antiderivative_of_term(graph: &mut Graph, term: Id, by: By) -> Opt
     }
     let integral = by_substitution(graph, &factors, by)
         .or_else(|| by_parts(graph, &factors, by))
-        .or_else(|| of_an_angle(graph, &factors, x))?;
+        .or_else(|| of_an_angle(graph, &factors, by))?;
     Some(graph.mul(constant, integral))
 }
 
@@ -104,7 +104,7 @@ fn by_parts(graph: &mut Graph, factors: &[(Id, Ratio)], by: By) -> Option<Id> {
 }
 
 /// ∫ dx/u = 2/w · atan(u'/w) with w² = 2uu'' − u'², where u has degree 2 in x, and w is no root of what may be negative.
-fn of_an_angle(graph: &mut Graph, factors: &[(Id, Ratio)], x: Symbol) -> Option<Id> {
+fn of_an_angle(graph: &mut Graph, factors: &[(Id, Ratio)], (x, logarithm): By) -> Option<Id> {
     let [(u, Ratio { numerator: -1, denominator: 1 })] = *factors else { return None };
     let derivative = |graph: &mut Graph, node: Id| diff::jacobian(graph, &[node], &[x])[0][0];
     let first = derivative(graph, u);
@@ -120,20 +120,20 @@ fn of_an_angle(graph: &mut Graph, factors: &[(Id, Ratio)], x: Symbol) -> Option<
     let (product, square) = (graph.mul(u, bend), graph.pow(slope, Ratio::integer(2)));
     let twice = graph.scale(Number::integer(2), product);
     let discriminant = graph.sub(twice, square);
-    let w = root(graph, discriminant)?;
+    let w = root(graph, discriminant, logarithm)?;
     let tangent = graph.div(first, w);
     let angle = graph.call(Function::Atan, &[tangent]);
     let over = graph.div(angle, w);
     Some(graph.scale(Number::integer(2), over))
 }
 
-/// A w with w² = `square`, defined wherever that is.
-fn root(graph: &mut Graph, square: Id) -> Option<Id> {
+/// A w with w² = `square`, defined wherever that is, and nowhere zero if 1/w has to be as well.
+fn root(graph: &mut Graph, square: Id, logarithm: Logarithm) -> Option<Id> {
     if graph.is_positive(square) {
         return Some(graph.sqrt(square));
     }
     let (coefficient, rest) = graph.coefficient(square);
-    if coefficient.is_negative() || graph.as_number(square).is_some() {
+    if logarithm == Logarithm::OfMagnitude || coefficient.is_negative() || graph.as_number(square).is_some() {
         return None;
     }
     let mut factors = vec![(graph.number(coefficient), Ratio::HALF)];
