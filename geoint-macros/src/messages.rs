@@ -18,6 +18,9 @@ pub(crate) const NOT_SOLVED: &str = "more than 12 planes are not solved for, so 
 pub(crate) const NO_STRUCTURE: &str = "a field is split by S of x' = S(x) ∇I, and no S was found for this I: write the system as \
                                        `#[hamiltonian(structure = S)]` with I for its energy, or use `DiscreteGradient`";
 
+pub(crate) const CHANGED: &str = "a field is split by S of x' = S(x) ∇I, and what stands under `but` changes this I; use `DiscreteGradient`, \
+                                  `ImplicitMidpoint` or `Gauss`";
+
 pub(crate) const AT_REST: &str = "nothing moves, so that there are no pieces";
 
 pub(crate) const NOTHING_KEPT: &str = "nothing was named that this field keeps, and no energy has it, because its divergence is not 0: name \

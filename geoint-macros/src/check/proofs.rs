@@ -79,7 +79,7 @@ pub(crate) fn integrals(
             },
             // What may hold in a part of phase space is up to the user.
             Identity::Open(_) if kept.assumed => continue,
-            Identity::Wrong(wrong) if kept.assumed && !wrong.is_almost_everywhere(graph) => continue,
+            Identity::Wrong(wrong) if kept.assumed && !wrong.almost_everywhere => continue,
             Identity::Wrong(wrong) => {
                 let rest = remains(&printer, wrong.rest.as_ref(), &wrong.witness);
                 format!("`{name}` is not constant along the field{but}: what remains of its derivative{rest}")

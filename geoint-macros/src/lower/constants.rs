@@ -2,8 +2,10 @@
 
 use syn::{Path, UseTree};
 
+use crate::ir::{Number, Ratio};
+
 /// The value of `std::f64::consts::PI` and its like, if a path names one beyond doubt.
-pub(super) fn of_path(path: &Path) -> Option<f64> {
+pub(super) fn of_path(path: &Path) -> Option<Number> {
     let segments: Vec<String> = path.segments.iter().map(|segment| segment.ident.to_string()).collect();
     let segments: Vec<&str> = segments.iter().map(String::as_str).collect();
     match segments[..] {
@@ -13,7 +15,7 @@ pub(super) fn of_path(path: &Path) -> Option<f64> {
 }
 
 /// Collects what a `use` inside the body brings in: name, value, whether by `*`. False if it is something else.
-pub(super) fn imported(tree: &UseTree, path: &mut Vec<String>, names: &mut Vec<(String, f64, bool)>) -> bool {
+pub(super) fn imported(tree: &UseTree, path: &mut Vec<String>, names: &mut Vec<(String, Number, bool)>) -> bool {
     let inside = |path: &[String]| match path {
         [root, float, consts] => {
             matches!(root.as_str(), "std" | "core") && matches!(float.as_str(), "f64" | "f32") && consts == "consts"
@@ -31,7 +33,7 @@ pub(super) fn imported(tree: &UseTree, path: &mut Vec<String>, names: &mut Vec<(
         UseTree::Name(name) => one(name.ident.to_string(), name.ident.to_string()),
         UseTree::Rename(name) => one(name.ident.to_string(), name.rename.to_string()),
         UseTree::Glob(_) if inside(path) => {
-            names.extend(CONSTANTS.iter().map(|(name, value)| (name.to_string(), *value, true)));
+            names.extend(CONSTANTS.iter().filter_map(|(name, _)| Some((name.to_string(), of_name(name)?, true))));
             true
         }
         UseTree::Glob(_) => false,
@@ -45,8 +47,13 @@ pub(super) fn imported(tree: &UseTree, path: &mut Vec<String>, names: &mut Vec<(
     }
 }
 
-fn of_name(name: &str) -> Option<f64> {
-    CONSTANTS.iter().find(|(known, _)| *known == name).map(|(_, value)| *value)
+/// Roots are what they are called; the others are the nearest `f64`.
+fn of_name(name: &str) -> Option<Number> {
+    match name {
+        "SQRT_2" => Number::integer(2).pow(Ratio::HALF),
+        "FRAC_1_SQRT_2" => Number::HALF.pow(Ratio::HALF),
+        _ => CONSTANTS.iter().find(|(known, _)| *known == name).map(|(_, value)| Number::float(*value)),
+    }
 }
 
 macro_rules! table {

@@ -163,7 +163,7 @@ impl Lowering {
             return value;
         }
         if let Some(value) = constants::of_path(path) {
-            return Value::Real(self.graph.number(Number::float(value)));
+            return Value::Real(self.graph.number(value));
         }
         // A constant outside: the generated code can name it, and rustc knows its value.
         if name.chars().all(|c| c.is_uppercase() || c.is_numeric() || c == '_') {

@@ -42,10 +42,10 @@ pub(crate) fn canonical(graph: &mut Graph, n: usize) -> Vec<Vec<Id>> {
 impl Lowering {
     /// The entries of a field, in order.
     pub(super) fn entries(&mut self, syntax: &impl ToTokens, value: Value, coordinates: &Shape) -> Vec<Id> {
-        let said = self.errors.len();
+        let (said, told) = (self.errors.len(), matches!(value, Value::Poison));
         let mut entries = vec![];
         self.numbers(syntax, value, &mut entries);
-        if self.errors.len() == said && entries.len() != coordinates.len() {
+        if !told && self.errors.len() == said && entries.len() != coordinates.len() {
             let n = coordinates.len();
             self.refuse(syntax, format!("expected {n} numbers, one a coordinate; found {}", entries.len()));
         }
@@ -67,13 +67,13 @@ impl Lowering {
     /// S, in the coordinates x.
     pub(super) fn structure(&mut self, form: &StructureForm, x: &[Id], coordinates: &Shape) -> Skew {
         let (n, expr) = (x.len(), &form.expr);
-        let innermost = coordinates.extents.last().copied().unwrap_or(1);
+        let are = |lengths: &[usize]| coordinates.extents.ends_with(lengths);
         match form.kind {
-            StructureKind::So3 if innermost == 3 => {
+            StructureKind::So3 if are(&[3]) => {
                 Skew::Matrix(self.blocks(n, 3, |lowering, i, j, at| lowering.cross(&x[at..at + 3], i, j)))
             }
-            // m and γ in a row.
-            StructureKind::Se3 if innermost == 6 => {
+            // m and γ, in a row or as two vectors.
+            StructureKind::Se3 if are(&[6]) || are(&[2, 3]) => {
                 Skew::Matrix(self.blocks(n, 6, |lowering, i, j, at| match (i / 3, j / 3) {
                     (0, 0) => lowering.cross(&x[at..at + 3], i, j),
                     (1, 1) => lowering.graph.zero(),
@@ -89,9 +89,10 @@ impl Lowering {
             StructureKind::So3 => {
                 self.wrong_length(expr, "`so3` is a structure of 3 coordinates, or of an array of such")
             }
-            StructureKind::Se3 => {
-                self.wrong_length(expr, "`se3` is a structure of 6 coordinates, or of an array of such")
-            }
+            StructureKind::Se3 => self.wrong_length(
+                expr,
+                "`se3` is a structure of 6 coordinates, or of 2 vectors, or of an array of rows of 6",
+            ),
             StructureKind::Canonical => {
                 self.wrong_length(expr, "`canonical` is a structure of an even number of coordinates")
             }

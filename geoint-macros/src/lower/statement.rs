@@ -4,7 +4,6 @@ use super::Lowering;
 use super::constants::imported;
 use super::language::{STATEMENTS, THROUGH_REFERENCE, other_macro};
 use super::value::{self, Callable, Constant, Progress, Scopes, Value};
-use crate::ir::Number;
 use crate::parse::Outside;
 use quote::ToTokens;
 use std::cell::RefCell;
@@ -40,7 +39,7 @@ impl Lowering {
         // What is imported by name hides what comes by `*`, and items hide both.
         imports.sort_by_key(|(_, _, glob)| !*glob);
         for (name, value, _) in imports {
-            let value = self.graph.number(Number::float(value));
+            let value = self.graph.number(value);
             self.scopes.declare(&name, value::Item::Import(Value::Real(value)));
         }
         for statement in &block.stmts {

@@ -47,10 +47,12 @@ pub(super) fn coordinates(
             errors.at(&item.sig.ident, message);
         });
     }
-    let unstructured = || arguments.iter().map(|(_, argument)| &argument.name).find(|name| is_called(name, "x"));
-    if let (Form::Hamiltonian, None, Some(x)) =
-        (form, arguments.iter().find(|(role, _)| [Role::Position, Role::Momentum].contains(role)), unstructured())
-    {
+    let called_x = || arguments.iter().map(|(_, argument)| &argument.name).find(|name| is_called(name, "x"));
+    let unstructured = match (&options.all, found(Role::Position)) {
+        (None, None) => called_x(),
+        (named, _) => named.as_ref(),
+    };
+    if let (Form::Hamiltonian, None, Some(x)) = (form, found(Role::Momentum), unstructured) {
         errors.at(x, WITHOUT_STRUCTURE);
         return None;
     }

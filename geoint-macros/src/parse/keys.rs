@@ -119,7 +119,11 @@ const KEYS: [Key; 25] = [
         to.structure = Some(StructureForm::new(value(input)?));
         Ok(())
     }),
-    key("x", "", &[H], |to, _, input| role(to, Role::Position, input)),
+    key("x", "", &[H], |to, _, input| {
+        role(to, Role::Position, input)?;
+        to.all = to.roles.last().map(|(_, name)| name.clone());
+        Ok(())
+    }),
     key("attitude", "`attitude = argument` with `m = argument`", &[H], |to, _, input| role(to, Role::Attitude, input)),
     key("m", "", &[H], |to, _, input| role(to, Role::AngularMomentum, input)),
     key("lift", "`lift`", &[C], |to, key, _| {

@@ -18,6 +18,8 @@ pub(crate) struct Options {
     pub(super) runtime: Option<Path>,
     /// Names of arguments that are other than q, p, ….
     pub(super) roles: Vec<(Role, Ident)>,
+    /// The argument that is called `x` of an energy: all its coordinates, if it has a structure.
+    pub(super) all: Option<Ident>,
     /// Constants and aliases of the file.
     pub(crate) outside: Rc<Outside>,
     /// What is to be proven.

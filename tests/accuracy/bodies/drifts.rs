@@ -85,6 +85,7 @@ fn gyrostats_drift_exactly() {
         (0..2).map(|i| (a.m[i] - b.m[i]).amax().max((a.r[i].coords - b.r[i].coords).amax())).fold(0.0, f64::max)
     };
     let errors = [2, 4, 40].map(end);
+    assert!(Gyrostats::<f64>::REPORT.contains("- `FiveRotations`: T is not Σ mᵢ²/(2Iᵢ) of every body"));
     println!("{errors:?}");
     let order = (errors[0] / errors[1]).log2();
     assert!((order - 6.0).abs() < 0.5 && errors[2] < 1e-12, "{errors:?}, order {order:.2}");

@@ -35,7 +35,7 @@ fn repelled(x: [f64; 2], m: f64, c: f64) -> [f64; 2] {
     [x[1] / m, c / x[0]]
 }
 
-/// H would be the angle, which has no one value around the origin.
+/// H is the angle, which has no one value around the origin.
 #[vector_field]
 fn from_a_source(x: [f64; 2]) -> [f64; 2] {
     let square = x[0] * x[0] + x[1] * x[1];
@@ -199,7 +199,10 @@ fn without_an_energy_the_report_says_why() {
     reports(TurningForce::<f64>::REPORT, "no energy has this field: ∂²H/∂x[0]∂x[1] − ∂²H/∂x[1]∂x[0] would be ");
     reports(TurningForce::<f64>::REPORT, "div f = 0, proven by multiplying out");
     reports(Bell::REPORT, "canonical, H = x[0]²/2 + ∫ 1/exp(x[1]²) dx[1]");
-    reports(FromASource::REPORT, "canonical, with an energy on each simply connected domain");
+    reports(
+        FromASource::REPORT,
+        "canonical, H = atan(x[1]/x[0]) on a simply connected domain, proven by multiplying out; not kept",
+    );
     reports(Prey::<f64>::REPORT, "Jacobi's multiplier: div(μf) = 0 with μ = 1/(x[0]·x[1])");
     reports(Prey::<f64>::REPORT, "f = J ∇H/μ with H = ");
     reports(SeparableOrbits::<f64>::REPORT, "Jacobi's multiplier: div(μf) = 0 with μ = 1/(x[1]·cos(x[0]))");

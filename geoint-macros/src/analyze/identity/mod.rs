@@ -14,7 +14,7 @@ mod rounding;
 pub(crate) mod search;
 mod witness;
 
-use crate::ir::{Graph, Id, Node, Number, Symbol};
+use crate::ir::{Function, Graph, Id, Node, Number, Symbol};
 pub(crate) use residues::Bound;
 pub(crate) use rounding::Direction;
 use rounding::Shown;
@@ -60,13 +60,8 @@ pub(crate) struct Wrong {
     pub(crate) witness: Witness,
     /// Whether it holds for another choice of the signs of roots, as √(x²) = x.
     pub(crate) branch: bool,
-}
-
-impl Wrong {
-    /// Whether there is no open set of states on which it holds nevertheless: what remains is a quotient of polynomials.
-    pub(crate) fn is_almost_everywhere(&self, graph: &Graph) -> bool {
-        self.rest.as_ref().is_some_and(|rest| rest.certain && rest.case.is_empty() && rest.is_rational(graph))
-    }
+    /// Whether there is certainly no open set of states on which it holds nevertheless.
+    pub(crate) almost_everywhere: bool,
 }
 
 /// An identity that was not decided.
@@ -104,13 +99,29 @@ pub(crate) struct Remainder {
 impl Remainder {
     /// Whether the rest is a quotient of polynomials.
     pub(crate) fn is_rational(&self, graph: &Graph) -> bool {
-        let rational = |id: &Id| match graph.node(*id) {
-            Node::Number(_) | Node::Symbol(_) | Node::Linear(..) | Node::Product(_) => true,
-            Node::Power(_, exponent) => exponent.is_integer(),
-            _ => false,
-        };
-        graph.reachable(&[self.rest]).iter().all(rational)
+        is_made_of(graph, &[self.rest], 1, &[])
     }
+
+    /// Whether the rest is analytic but for poles: then it is zero everywhere, or almost nowhere, since what poles leave of complex
+    /// space is connected.
+    fn is_meromorphic(&self, graph: &Graph) -> bool {
+        self.case.is_empty() && is_made_of(graph, &[self.rest], 1, &MEROMORPHIC)
+    }
+}
+
+const MEROMORPHIC: [Function; 9] = {
+    use Function::{Cos, Cosh, Exp, Exp2, ExpM1, Sin, Sinh, Tan, Tanh};
+    [Sin, Cos, Tan, Sinh, Cosh, Tanh, Exp, Exp2, ExpM1]
+};
+
+/// Whether nodes are made of sums, products, powers whose exponents have such denominators, and functions of a list.
+fn is_made_of(graph: &Graph, nodes: &[Id], denominator: i128, functions: &[Function]) -> bool {
+    graph.reachable(nodes).iter().all(|id| match graph.node(*id) {
+        Node::Number(_) | Node::Symbol(_) | Node::Linear(..) | Node::Product(_) => true,
+        Node::Power(_, exponent) => exponent.denominator <= denominator,
+        Node::Call(function, _) => functions.contains(function),
+        _ => false,
+    })
 }
 
 impl Identity {
@@ -221,7 +232,12 @@ pub(crate) fn sum_is_zero(graph: &mut Graph, terms: &[Id]) -> Identity {
     let exact = drawn.is_some() || !witness::has_rounded(graph, terms);
     let witness = exact.then(|| witness::exact_witness(graph, terms, &symbols)).flatten();
     match witness.or_else(|| witness::near_witness(graph, terms, &symbols)).or(drawn) {
-        Some(witness) => Identity::Wrong(Box::new(Wrong { rest, witness, branch })),
+        Some(witness) => {
+            // Points have refuted every choice of the signs of roots.
+            let with_roots = why == Why::Relation && is_made_of(graph, terms, 2, &[]);
+            let almost_everywhere = with_roots || rest.as_ref().is_some_and(|rest| rest.is_meromorphic(graph));
+            Identity::Wrong(Box::new(Wrong { rest, witness, branch, almost_everywhere }))
+        }
         None => Identity::Open(Open { rest, why }),
     }
 }

@@ -5,7 +5,7 @@ use crate::derive::implicit;
 use crate::derive::proof::flow::{Flow, coordinates};
 use crate::derive::system::{FlowKernel, Missing, PieceKernel, PiecesOf};
 use crate::ir::{Graph, Id, Symbol};
-use crate::messages::{AT_REST, DAMPED_FLOW, NO_STRUCTURE, NOT_PLANAR, NOT_POISSON, NOT_SOLVED};
+use crate::messages::{AT_REST, CHANGED, DAMPED_FLOW, NO_STRUCTURE, NOT_PLANAR, NOT_POISSON, NOT_SOLVED};
 use crate::schedule::{Kernel, Levels};
 use crate::split::{self, Clock, Motion, NoPart, Part};
 
@@ -70,8 +70,11 @@ const BY_INCREMENTS: Splitting =
 pub(crate) fn parts(graph: &mut Graph, flow: &Flow, parted: Option<&Parted>, damped: bool) -> Vec<PiecesOf<Kernel>> {
     let Some(Parted { integral, matrix, poisson, .. }) = parted else {
         // Without anything that is kept there is nothing to split by.
-        let first = flow.kept.first().map(|first| first.conserved.value);
-        return first.map_or_else(Vec::new, |term| none(term, NO_STRUCTURE));
+        return match (flow.first(), flow.kept.first()) {
+            (Some(first), _) => none(first.conserved.value, NO_STRUCTURE),
+            (None, Some(changed)) => none(changed.conserved.value, CHANGED),
+            (None, None) => vec![],
+        };
     };
     if damped {
         return none(*integral, DAMPED_FLOW);

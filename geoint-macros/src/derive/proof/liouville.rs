@@ -57,7 +57,14 @@ pub(crate) fn liouville(graph: &mut Graph, field: &[Id], partial: &[Partial]) ->
     let divergence = claims::divergence(graph, &x, field);
     let halves = x.split_at(x.len() / 2);
     let energy = x.len().is_multiple_of(2).then(|| {
-        let (energy, proof) = liouville::energy(graph, halves, field, Logarithm::OfMagnitude)?;
+        let mut of = |logarithm| liouville::energy(graph, halves, field, logarithm);
+        let (energy, proof) = match of(Logarithm::OfMagnitude) {
+            // In a part of the domain there may be one all the same.
+            Err(NoEnergy::NotElementary(term, proof)) => {
+                of(Logarithm::OfNumber).map_err(|_| NoEnergy::NotElementary(term, proof))?
+            }
+            found => found?,
+        };
         let everywhere = is_defined(graph, energy, field, partial);
         // One that reads time is not kept.
         let steady = !graph.reads(energy).t;

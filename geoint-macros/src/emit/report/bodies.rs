@@ -84,7 +84,7 @@ fn sections(
         writeln!(text, "- drift of `FiveRotations`: five rotations about the principal axes")?;
     } else {
         writeln!(text, "\nSkipped")?;
-        writeln!(text, "- `FiveRotations`: the axes of the frame are not the principal ones")?;
+        writeln!(text, "- `FiveRotations`: T is not Σ mᵢ²/(2Iᵢ) of every body")?;
     }
     Ok(())
 }

@@ -102,6 +102,9 @@ impl Number {
             (Number::ZERO, sum) | (sum, Number::ZERO) => return sum,
             (Number::Exact(a), Number::Exact(b)) => a.add(b).map(Number::Exact),
             (Number::Root(a, r), Number::Root(b, s)) if r == s => a.add(b).map(|sum| Number::root(sum, r)),
+            (Number::Root(c, r), Number::Exact(q)) | (Number::Exact(q), Number::Root(c, r)) => {
+                root_and_ratio((c, r), q)
+            }
             _ => None,
         }
         .unwrap_or_else(|| Number::float(self.to_f64() + other.to_f64()))
@@ -205,6 +208,15 @@ impl Number {
     }
 }
 
+/// c√r + q = (c²r − q²)/(c√r − q) where they nearly cancel: never zero.
+fn root_and_ratio((c, r): (Ratio, i64), q: Ratio) -> Option<Number> {
+    if (c < Ratio::ZERO) == (q < Ratio::ZERO) {
+        return None;
+    }
+    let squares = c.mul(c)?.mul(Ratio::integer(r.into()))?.add(q.mul(q)?.neg())?;
+    Some(Number::float(squares.to_f64() / (Number::Root(c, r).to_f64() - q.to_f64())))
+}
+
 impl Hash for Number {
     fn hash<H: Hasher>(&self, state: &mut H) {
         state.write_u64(self.word());
@@ -265,6 +277,21 @@ mod tests {
             Number::integer(2).pow(Ratio { numerator: 3, denominator: 2 }),
             Some(root(2).mul(Number::integer(2)))
         );
+    }
+
+    /// √2 is 1.41421356237309504880168872420969807857….
+    #[test]
+    fn no_root_is_a_ratio() {
+        let root = Number::integer(2).pow(Ratio::HALF).unwrap();
+        for (decimal, rest) in
+            [("1.4142135623730951", -5.1198311275790302e-17), ("1.41421356237309504", 8.801688724209698e-18)]
+        {
+            let decimal = Number::decimal(decimal).unwrap();
+            for difference in [root.add(decimal.neg()), decimal.neg().add(root), decimal.add(root.neg()).neg()] {
+                assert!((difference.to_f64() / rest - 1.0).abs() < 1e-15, "{difference:?}");
+            }
+        }
+        assert_eq!(root.add(Number::ONE).to_f64(), 1.0 + std::f64::consts::SQRT_2);
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! Do mean velocities of flows keep what they are to keep, with the derivative that they say?
 
 mod messages;
+mod told;
 
 use super::Noise;
 use crate::derive::{Flow, proof};

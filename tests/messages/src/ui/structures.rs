@@ -16,6 +16,15 @@ mod structure_missing {
     }
 }
 
+mod structure_missing_of_another_name {
+    use geoint_runtime::prelude::*;
+
+    #[hamiltonian(x = l)]
+    fn free_body(l: [f64; 3]) -> f64 {
+        l[0] * l[0] + l[1] * l[1] / 2.0 + l[2] * l[2] / 3.0
+    }
+}
+
 mod structure_not_skew {
     use geoint_runtime::prelude::*;
 

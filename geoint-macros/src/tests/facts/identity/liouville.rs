@@ -9,15 +9,19 @@ use quote::quote;
 
 /// q' and p' of n degrees of freedom, with the energy.
 fn recovered(n: usize, field: &TokenStream, expected: &TokenStream) -> Result<(), NoEnergy> {
+    [Logarithm::OfNumber, Logarithm::OfMagnitude]
+        .into_iter()
+        .try_for_each(|logarithm| by(logarithm, n, field, expected))
+}
+
+fn by(logarithm: Logarithm, n: usize, field: &TokenStream, expected: &TokenStream) -> Result<(), NoEnergy> {
     let (mut graph, found) = arrays(2 * n, &quote!(let (q, p) = (x[0], x[#n]);), &[field, &quote!([#expected])]);
     let symbols = |range: std::ops::Range<usize>| range.map(|i| Symbol::Q(i as u32)).collect::<Vec<_>>();
     let canonical = (symbols(0..n), symbols(n..2 * n));
-    for logarithm in [Logarithm::OfNumber, Logarithm::OfMagnitude] {
-        let (energy, _) = energy(&mut graph, (&canonical.0, &canonical.1), &found[0], logarithm)?;
-        let difference = graph.sub(energy, found[1][0]);
-        let verdict = identity(&mut graph, difference);
-        assert!(verdict.is_zero(), "{field}: {verdict:?}");
-    }
+    let (energy, _) = energy(&mut graph, (&canonical.0, &canonical.1), &found[0], logarithm)?;
+    let difference = graph.sub(energy, found[1][0]);
+    let verdict = identity(&mut graph, difference);
+    assert!(verdict.is_zero(), "{field}: {verdict:?}");
     Ok(())
 }
 
@@ -52,9 +56,31 @@ fn energies_of_plane_fields_are_recovered() {
         ),
         (quote!([p.sin() * p.cos(), -q.ln() / q]), quote!(q.ln().powi(2) / 2.0 - p.cos().powi(2) / 2.0)),
         (quote!([p.tanh(), -q.atan()]), quote!(p.cosh().ln() + q * q.atan() - (1.0 + q * q).ln() / 2.0)),
+        // Angles of one coordinate.
+        (
+            quote!([1.0 / (p * p + 2.0 * p + 2.0), -3.0 / (4.0 + q * q)]),
+            quote!((p + 1.0).atan() + 1.5 * (q / 2.0).atan()),
+        ),
+        (quote!([p, (2.0 - q) / (1.0 + q * q)]), quote!(p * p / 2.0 + (1.0 + q * q).ln() / 2.0 - 2.0 * q.atan())),
     ];
     for (field, energy) in &cases {
         assert_eq!(recovered(1, field, energy), Ok(()), "{field}");
+    }
+}
+
+/// Around the origin, and around another point in other units: no function that is defined wherever the field is.
+#[test]
+fn angles_are_found_in_a_part_of_the_domain() {
+    for (field, angle) in [
+        (quote!([q / (q * q + p * p), p / (q * q + p * p)]), quote!((p / q).atan())),
+        (
+            quote!([(q - a) / ((q - a).powi(2) + 4.0 * p * p), p / ((q - a).powi(2) + 4.0 * p * p)]),
+            quote!((2.0 * p / (q - a)).atan() / 2.0),
+        ),
+    ] {
+        assert_eq!(by(Logarithm::OfNumber, 1, &field, &angle), Ok(()), "{field}");
+        let everywhere = by(Logarithm::OfMagnitude, 1, &field, &angle);
+        assert!(matches!(everywhere, Err(NoEnergy::NotElementary(Some(_), _))), "{field}: {everywhere:?}");
     }
 }
 
@@ -87,6 +113,11 @@ fn what_has_no_antiderivative_stays_an_integral() {
     // Beside q alone nothing is left but an integral.
     let Err(NoEnergy::Integrals(open)) = recovered(1, &quote!([0.0, (q * q).sin()]), &quote!(0.0)) else { panic!() };
     assert_eq!((open.elementary, open.integrals[0].1), (None, Symbol::Q(0)));
+    // A root of what may be negative would be left.
+    for open in [quote!([p, 1.0 / (q * q - 1.0)]), quote!([p, 1.0 / (a + q * q)]), quote!([p, 1.0 / (1.0 + q.powi(4))])]
+    {
+        assert!(matches!(recovered(1, &open, &quote!(0.0)), Err(NoEnergy::Integrals(_))), "{open}");
+    }
     // It reads both: a line integral, which is no sum over variables.
     let both = quote!([q * (-p * p * q * q).exp(), -p * (-p * p * q * q).exp()]);
     assert!(matches!(recovered(1, &both, &quote!(0.0)), Err(NoEnergy::NotElementary(Some(_), _))));

@@ -1,147 +1,25 @@
-//! Is a field that of an energy, and of which one?
-//!
-//! q' = ∂H/∂p, p' = −∂H/∂q has a solution H on a simply connected domain if and only if the matrix of second derivatives that it asks
-//! for is symmetric. In the plane that is div f = 0 (J. Liouville); with more degrees of freedom it is more. H is put together from
-//! antiderivatives of terms, and what is put together is checked. Time and parameters are constants here.
+//! Antiderivatives of terms.
 
-use super::multiplied::Sums;
-use super::{Identity, Proof, identity, sum_is_zero};
+use super::identity;
 use crate::diff;
+use crate::ir::substitute::Substitution;
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
-
-/// Why there is no energy.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) enum NoEnergy {
-    /// ∂²H/∂x∂y would not be ∂²H/∂y∂x: what is known of the difference.
-    NotCanonical([Symbol; 2], Identity),
-    /// The field is proven to have an energy, but this term has no antiderivative that is known here; or the field is too long.
-    NotElementary(Option<Id>, Proof),
-    /// The field is proven to have this energy, of which some terms stay integrals.
-    Integrals(Open),
-}
-
-/// An energy some terms of which have no antiderivative that is known here.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Open {
-    /// The other terms, if there are any.
-    pub(crate) elementary: Option<Id>,
-    /// Of what is to be integrated over which variable: it reads no other one, so that the energy is the sum.
-    pub(crate) integrals: Vec<(Id, Symbol)>,
-    pub(crate) proof: Proof,
-}
 
 /// What the antiderivative of 1/u is, where u is not known to be positive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Logarithm {
-    /// ln u, for positive u alone.
+    /// ln u, for positive u alone; likewise atan y/x, the angle around a pole, for x that are not zero.
     OfNumber,
     /// ln|u| as ln(u²)/2, wherever 1/u is defined.
     OfMagnitude,
 }
 
-/// So many products of two terms for multiplying out what is integrated.
-const PRODUCTS: usize = 2_000;
-
-/// H with q' = ∂H/∂p and p' = −∂H/∂q, where `field` has q' and then p', and how that was proven; without a constant.
-pub(crate) fn energy(
-    graph: &mut Graph,
-    (q, p): (&[Symbol], &[Symbol]),
-    field: &[Id],
-    logarithm: Logarithm,
-) -> Result<(Id, Proof), NoEnergy> {
-    // In the order in which is integrated: p first.
-    let variables = [p, q].concat();
-    let (by_p, by_q) = field.split_at(q.len());
-    let mut slopes = by_p.to_vec();
-    for component in by_q {
-        slopes.push(graph.neg(*component));
-    }
-    antiderivative(graph, (&variables, &slopes), logarithm)
-}
-
-/// F with ∂F/∂x = `slopes` for all variables x, and how that was proven; without a constant.
-pub(crate) fn antiderivative(
-    graph: &mut Graph,
-    (variables, slopes): (&[Symbol], &[Id]),
-    logarithm: Logarithm,
-) -> Result<(Id, Proof), NoEnergy> {
-    let second = diff::jacobian(graph, slopes, variables);
-    let mut proof = Proof::Multiplied;
-    for i in 0..variables.len() {
-        for j in 0..i {
-            let back = graph.neg(second[j][i]);
-            match sum_is_zero(graph, &[second[i][j], back]) {
-                Identity::Zero(how) => proof = proof.weaker(how),
-                verdict => return Err(NoEnergy::NotCanonical([variables[j], variables[i]], verdict)),
-            }
-        }
-    }
-    let (mut energy, mut integrals) = (graph.zero(), vec![]);
-    for (i, (variable, slope)) in variables.iter().zip(slopes).enumerate() {
-        let known = diff::jacobian(graph, &[energy], &[*variable])[0][0];
-        let rest = graph.sub(*slope, known);
-        if identity(graph, rest).is_zero() {
-            continue;
-        }
-        // As it is written, or multiplied out. What is left reads no variable of before: where terms still do they cancel, and their
-        // antiderivatives, of which each has a constant of its own, need not.
-        let mut written = crate::analyze::terms(graph, rest);
-        if written.iter().any(|term| variables[..i].iter().any(|before| graph.symbols(*term).contains(before)))
-            && let Some(sums) = Sums::of(graph, &[rest], PRODUCTS)
-        {
-            written = sums.terms(graph, 0);
-        }
-        let (mut integral, mut open) = sum_of_antiderivatives(graph, &written, (*variable, logarithm));
-        if let Some(term) = open.first() {
-            let unknown = |term| NoEnergy::NotElementary(Some(term), proof);
-            let sums = Sums::of(graph, &[rest], PRODUCTS).ok_or(unknown(*term))?;
-            let terms = sums.terms(graph, 0);
-            (integral, open) = sum_of_antiderivatives(graph, &terms, (*variable, logarithm));
-            let others =
-                |term: Id| variables.iter().any(|other| other != variable && graph.symbols(term).contains(other));
-            if let Some(term) = open.iter().find(|term| others(**term)) {
-                return Err(unknown(*term));
-            }
-        }
-        energy = graph.add(energy, integral);
-        integrals.extend(open.into_iter().map(|term| (term, *variable)));
-    }
-    let found = diff::jacobian(graph, &[energy], variables).remove(0);
-    let mut exact = Proof::Multiplied;
-    for ((found, slope), variable) in found.iter().zip(slopes).zip(variables) {
-        let back = graph.neg(*slope);
-        let open = integrals.iter().filter(|(_, over)| over == variable).map(|(term, _)| *term);
-        let sum: Vec<Id> = [*found, back].into_iter().chain(open).collect();
-        match sum_is_zero(graph, &sum) {
-            Identity::Zero(how) => exact = exact.weaker(how),
-            _ => return Err(NoEnergy::NotElementary(None, proof)),
-        }
-    }
-    if integrals.is_empty() {
-        return Ok((energy, exact));
-    }
-    let elementary = (energy != graph.zero()).then_some(energy);
-    Err(NoEnergy::Integrals(Open { elementary, integrals, proof: exact }))
-}
-
 /// What is integrated over, and how reciprocals are.
-type By = (Symbol, Logarithm);
+pub(super) type By = (Symbol, Logarithm);
 
-/// ∫ Σ terms dx of the terms that have an antiderivative here, and the others.
-fn sum_of_antiderivatives(graph: &mut Graph, terms: &[Id], by: By) -> (Id, Vec<Id>) {
-    let (mut known, mut open) = (vec![], vec![]);
-    for term in terms {
-        match antiderivative_of_term(graph, *term, by) {
-            Some(integral) => known.push(integral),
-            None => open.push(*term),
-        }
-    }
-    (graph.sum(&known), open)
-}
-
-/// ∫ term dx, if it is one of: a power, or a function of the table, of something times the derivative of that; or a power of x times an
-/// exponential or a wave.
-fn antiderivative_of_term(graph: &mut Graph, term: Id, by: By) -> Option<Id> {
+/// ∫ term dx, if it is one of: a power, or a function of the table, of something times the derivative of that; a power of x times an
+/// exponential or a wave; or the slope of an angle, over a sum of squares.
+pub(super) fn antiderivative_of_term(graph: &mut Graph, term: Id, by: By) -> Option<Id> {
     let x = by.0;
     let (coefficient, rest) = graph.coefficient(term);
     let mut constant = graph.number(coefficient);
@@ -162,7 +40,9 @@ fn antiderivative_of_term(graph: &mut Graph, term: Id, by: By) -> Option<Id> {
         let x = graph.symbol(x);
         return Some(graph.mul(constant, x));
     }
-    let integral = by_substitution(graph, &factors, by).or_else(|| by_parts(graph, &factors, by))?;
+    let integral = by_substitution(graph, &factors, by)
+        .or_else(|| by_parts(graph, &factors, by))
+        .or_else(|| of_an_angle(graph, &factors, by))?;
     Some(graph.mul(constant, integral))
 }
 
@@ -221,6 +101,46 @@ fn by_parts(graph: &mut Graph, factors: &[(Id, Ratio)], by: By) -> Option<Id> {
     let lower = graph.scale(Number::integer((-n).into()), lower);
     let rest = antiderivative_of_term(graph, lower, by)?;
     Some(graph.add(whole, rest))
+}
+
+/// ∫ dx/u = 2/w · atan(u'/w) with w² = 2uu'' − u'², where u has degree 2 in x, and w is no root of what may be negative.
+fn of_an_angle(graph: &mut Graph, factors: &[(Id, Ratio)], (x, logarithm): By) -> Option<Id> {
+    let [(u, Ratio { numerator: -1, denominator: 1 })] = *factors else { return None };
+    let derivative = |graph: &mut Graph, node: Id| diff::jacobian(graph, &[node], &[x])[0][0];
+    let first = derivative(graph, u);
+    let second = derivative(graph, first);
+    let third = derivative(graph, second);
+    if !identity(graph, third).is_zero() {
+        return None;
+    }
+    // w does not read x, and is simplest where that is 0.
+    let zero = graph.zero();
+    let mut at_zero = Substitution::new(|_: &mut Graph, symbol| (symbol == x).then_some(zero));
+    let [u, slope, bend] = [u, first, second].map(|node| at_zero.apply(graph, node));
+    let (product, square) = (graph.mul(u, bend), graph.pow(slope, Ratio::integer(2)));
+    let twice = graph.scale(Number::integer(2), product);
+    let discriminant = graph.sub(twice, square);
+    let w = root(graph, discriminant, logarithm)?;
+    let tangent = graph.div(first, w);
+    let angle = graph.call(Function::Atan, &[tangent]);
+    let over = graph.div(angle, w);
+    Some(graph.scale(Number::integer(2), over))
+}
+
+/// A w with w² = `square`, defined wherever that is, and nowhere zero if 1/w has to be as well.
+fn root(graph: &mut Graph, square: Id, logarithm: Logarithm) -> Option<Id> {
+    if graph.is_positive(square) {
+        return Some(graph.sqrt(square));
+    }
+    let (coefficient, rest) = graph.coefficient(square);
+    if logarithm == Logarithm::OfMagnitude || coefficient.is_negative() || graph.as_number(square).is_some() {
+        return None;
+    }
+    let mut factors = vec![(graph.number(coefficient), Ratio::HALF)];
+    for (base, exponent) in graph.factors(rest) {
+        factors.push((base, exponent.to_integer().filter(|n| n % 2 == 0).map(|n| Ratio::integer((n / 2).into()))?));
+    }
+    Some(product(graph, &factors))
 }
 
 /// For baseᵉ = φ(u) with a function φ of the table: u, and Φ(u) with Φ' = φ.
