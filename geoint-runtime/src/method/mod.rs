@@ -115,8 +115,8 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
     /// its ends which is farther.
     const ROUGH_IF_SHORT: bool = false;
 
-    /// Whether a single step takes less work than `advance(1)`, for what the step before has told it.
-    const FORGETFUL: bool = false;
+    /// Whether a single step takes less work by [`step`](Self::step) than by [`advance`](Self::advance).
+    const SINGLY: bool = false;
 
     /// What the method promises.
     fn claims(&self) -> Claims;

@@ -62,7 +62,7 @@ impl<S: Perturbed<R>, R: Real, M: Method<Inner<S>, R>> Method<S, R> for Perturba
     type Proof = M::Proof;
     type Prepared = Prepared<M::Prepared>;
     type Memory = M::Memory;
-    const FORGETFUL: bool = M::FORGETFUL;
+    const SINGLY: bool = M::SINGLY;
     const INNER: bool = S::INNER;
 
     fn claims(&self) -> Claims {

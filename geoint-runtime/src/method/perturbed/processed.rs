@@ -97,7 +97,7 @@ impl<S: Perturbed<R>, R: Real, M: Method<Inner<S>, R>> Method<S, R> for Processe
     type Proof = M::Proof;
     type Prepared = Prepared<<Perturbation<M> as Method<S, R>>::Prepared, S::Exact, S::Rest, R>;
     type Memory = M::Memory;
-    const FORGETFUL: bool = M::FORGETFUL;
+    const SINGLY: bool = M::SINGLY;
     const INNER: bool = true;
 
     fn claims(&self) -> Claims {

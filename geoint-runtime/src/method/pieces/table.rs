@@ -168,7 +168,7 @@ fn part<S: Pieces<M, R>, M: Splitting, R: Real, C: Summation<S::Phase>, P: Probe
         pass::<S, M, R, C, P>(0..1, (first, &frozen[0], poles), step.part([from; 2]))?;
         pass::<S, M, R, C, P>(1..all, (forth, &frozen[0], poles), step.part([start; 2]))?;
         pass::<S, M, R, C, P>((1..all - 1).rev(), (back, &frozen[1], poles), step.part([middle; 2]))?;
-        if joined && i + 1 < K || joined && !ends {
+        if joined && !(ends && i + 1 == K) {
             continue;
         }
         if joined {

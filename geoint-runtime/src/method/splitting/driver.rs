@@ -1,6 +1,7 @@
 //! The driver: a table multiplied by h, one step, and many steps. Neighbouring ones share a flow, in one call and in many.
 
-use super::flows::{Moving, Order, Times, Weight};
+use super::flows::{Order, Weight};
+use super::moving::{Moving, Times};
 use super::table::Splitting;
 use crate::method::open::Open;
 use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step};
@@ -250,7 +251,7 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Method<S, R> for 
     type Proof = O::Proof;
     type Prepared = Sequence<S, R, O, K>;
     type Memory = Open<S::Phase, S::Action>;
-    const FORGETFUL: bool = true;
+    const SINGLY: bool = true;
 
     fn claims(&self) -> Claims {
         Splitting::claims(self)

@@ -35,6 +35,7 @@ mod estimators;
 mod field;
 mod flows;
 mod last_kick;
+mod moving;
 mod nystrom;
 mod processed;
 mod rotations;
@@ -46,8 +47,9 @@ pub use driver::Sequence;
 pub use estimators::Estimators;
 pub(in crate::method) use estimators::Mirrored;
 pub use field::{gradient_kick, modified_verlet};
-pub use flows::{DriftFirst, KickFirst, Kicks, Moving, Order, SomeKick, Times, Weight, WithGradient, WithoutGradient};
+pub use flows::{DriftFirst, KickFirst, Kicks, Order, SomeKick, Weight, WithGradient, WithoutGradient};
 pub use last_kick::LastKick;
+pub use moving::{Moving, Times};
 pub use nystrom::Nystrom;
 pub use processed::ProcessedSplitting;
 pub use rotations::{FiveRotations, KickAndRotations};
@@ -95,7 +97,7 @@ macro_rules! delegate {
             type Proof = <S as $system<R>>::Proof;
             type Prepared = <$inner as Method<S, R>>::Prepared;
             type Memory = <$inner as Method<S, R>>::Memory;
-            const FORGETFUL: bool = <$inner as Method<S, R>>::FORGETFUL;
+            const SINGLY: bool = <$inner as Method<S, R>>::SINGLY;
 
             fn claims(&self) -> Claims {
                 let $this = self;

@@ -95,7 +95,7 @@ impl<S: QuadraticKinetic<R>, R: Real, O: Order<S, R>, const K: usize> Method<S, 
     type Proof = <S as QuadraticKinetic<R>>::Proof;
     type Prepared = Prepared<Sequence<S, R, O, K>, R, K>;
     type Memory = Told<S::Array, S::Action>;
-    const FORGETFUL: bool = true;
+    const SINGLY: bool = true;
 
     fn claims(&self) -> Claims {
         self.table.claims()

@@ -1,7 +1,8 @@
 //! Tables with a processor: χ⁻¹ ∘ K ∘ … ∘ K ∘ χ, cheap steps K between a way before the first one and the same way back after the last.
 
 use super::driver::Sequence;
-use super::flows::{Moving, Order, Times, Weight};
+use super::flows::{Order, Weight};
+use super::moving::{Moving, Times};
 use super::steps_of;
 use super::table::Splitting;
 use crate::method::tables::total::adds_up;
@@ -88,7 +89,7 @@ where
     type Proof = O::Proof;
     type Prepared = Prepared<S, R, O, K, P>;
     type Memory = <Splitting<K, O> as Method<S, R>>::Memory;
-    const FORGETFUL: bool = true;
+    const SINGLY: bool = true;
     const INNER: bool = true;
 
     fn claims(&self) -> Claims {

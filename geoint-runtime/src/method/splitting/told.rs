@@ -1,8 +1,9 @@
 //! A step that tells what its kicks add: what estimates of its error are made of.
 
 use super::driver::{Sequence, seen};
-use super::flows::{Order, Times};
+use super::flows::Order;
 use super::last_kick::LastKick;
+use super::moving::Times;
 use crate::method::{Probe, Step};
 use crate::scalar::Real;
 use crate::space::{Array, Summation};

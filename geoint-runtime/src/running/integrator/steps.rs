@@ -40,8 +40,8 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
     #[inline]
     pub(super) fn advance(&mut self, n: u64) -> Result<(), StepError> {
         self.check_start()?;
-        if M::FORGETFUL && n == 1 {
-            return self.one_by_one(1);
+        if M::SINGLY && n == 1 {
+            return self.single();
         }
         let (mut left, mut singly) = (n, 0);
         while left > 0 {
@@ -51,11 +51,8 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
             if self.run(steps, &mut memory, &mut x) && self.singular_time(steps).is_none() {
                 (self.memory, self.x, self.inside) = (memory, x, true);
                 self.pass(steps);
-            } else if M::FORGETFUL {
-                // To stop where single steps do.
-                self.one_by_one(steps)?;
             } else if steps > 1 {
-                // The same: here, because a step may be long, and stands once then.
+                // To stop where single steps do: here, because a step may be long, and stands once then.
                 singly = steps;
                 continue;
             } else {
@@ -67,10 +64,10 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
         Ok(())
     }
 
-    /// So many single steps, of a method that takes them with less work.
+    /// One step, of a method that takes it with less work than many.
     #[inline(never)]
-    fn one_by_one(&mut self, steps: u64) -> Result<(), StepError> {
-        (0..steps).try_for_each(|_| self.step_within(None).map(drop))
+    fn single(&mut self) -> Result<(), StepError> {
+        self.step_within(None).map(drop)
     }
 
     /// So many steps from `x` on; whether they are good. Where one has to be examined that is every one, else the last end shows it.
