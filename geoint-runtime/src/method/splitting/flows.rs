@@ -167,11 +167,11 @@ pub trait Order<S: Separable<R>, R: Real>: Sealed + Copy {
         }
         // Both kicks are the same, and the state is in the middle of them: one force.
         if C::PLAIN {
-            let before = x.z[1];
-            Self::outer(merged, at, Moving::of(system, x));
-            open.leave(x);
-            for (p, before) in x.z[1].as_mut_slice().iter_mut().zip(before.as_slice()) {
-                *p = R::from_f64(0.5) * (*before + *p);
+            let mut next = *x;
+            Self::outer(merged, at, Moving::of(system, &mut next));
+            open.leave(&next);
+            for (p, next) in x.z[1].as_mut_slice().iter_mut().zip(next.z[1].as_slice()) {
+                *p = R::from_f64(0.5) * (*p + *next);
             }
         } else {
             let before = *x;
