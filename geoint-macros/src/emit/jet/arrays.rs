@@ -59,6 +59,12 @@ pub(super) fn newest(array: usize) -> TokenStream {
     quote!(newest[#array])
 }
 
+/// The newest coefficient of a coordinate, by the place of its rate. Read from memory it would be waited for until it has been written.
+pub(super) fn coordinate(rate: usize) -> TokenStream {
+    let rate = Literal::usize_unsuffixed(rate);
+    quote!(coordinates[#rate])
+}
+
 pub(super) fn coefficient(source: Source) -> Ident {
     format_ident!("c{source}")
 }

@@ -18,7 +18,7 @@ use crate::diff::jet::{Jet, LANES, Lanes, Rate, Rule, Source, Value};
 use crate::ir::Symbol;
 use crate::parse::over_scalar;
 use crate::schedule::Plan;
-use arrays::{Stored, array_of, kept};
+use arrays::{Stored, array_of, coordinate, kept};
 use numbers::{Prepared, prepared};
 use order::Order;
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -132,25 +132,22 @@ impl Writer<'_> {
         self.jet.series[source].value
     }
 
-    /// The coefficient of order n + 1 of a coordinate.
-    fn next(&self, rate: Rate) -> TokenStream {
+    /// The coefficient of order n + 1 of a coordinate, the place of its rate.
+    fn next(&mut self, i: usize, rate: Rate) -> TokenStream {
         let place = self.place(rate.symbol);
         let value = match rate.source {
-            Some(source) => {
-                let coefficient = self.now(&[source]);
-                quote!(next * #coefficient)
-            }
+            Some(source) => self.times(quote!(next), source),
             None => quote!(R::from_f64(0.0)),
         };
-        match self.array_of(rate.symbol) {
-            Some(array) => quote! {
-                jet[n].#place = #value;
+        let at_hand = coordinate(i);
+        let array = self.array_of(rate.symbol).map(|array| {
+            quote! {
                 if n + 1 < P {
-                    #array[n + 1] = jet[n].#place;
+                    #array[n + 1] = #at_hand;
                 }
-            },
-            None => quote!(jet[n].#place = #value;),
-        }
+            }
+        });
+        quote!(#at_hand = #value; jet[n].#place = #at_hand; #array)
     }
 
     /// The array of a coordinate that has one.
@@ -188,7 +185,7 @@ impl Writer<'_> {
             quote!(newest: [[R::from_f64(0.0); #lanes]; #number],)
         });
         let masks = self.jet.conditions.iter().map(|value| &values[*value]);
-        let mut first = TokenStream::new();
+        let (mut first, mut places) = (TokenStream::new(), vec![]);
         let arrays = self.arrays(values);
         for Stored { name, first: start, .. } in &arrays {
             first.extend(start.as_ref().map(|start| quote!(#name[0] = #start;)));
@@ -199,6 +196,7 @@ impl Writer<'_> {
             if let Some(array) = self.array_of(rate.symbol) {
                 first.extend(quote!(if P > 1 { #array[1] = jet[0].#place; }));
             }
+            places.push(quote!(jet[0].#place));
         }
         for (i, (value, _)) in self.jet.switches.iter().enumerate() {
             let (i, value) = (Literal::usize_unsuffixed(i), &values[*value]);
@@ -211,7 +209,7 @@ impl Writer<'_> {
             let (#(#arrays,)*) = (#(&mut #zeros,)*);
             #first
             recurrence::orders::<#unrolled, P>(&mut Coefficients {
-                k: [#(#numbers),*], #beside #at_hand masks: [#(#masks),*], #(#arrays,)* jet, switches,
+                k: [#(#numbers),*], #beside #at_hand coordinates: [#(#places),*], masks: [#(#masks),*], #(#arrays,)* jet, switches,
             });
         }
     }

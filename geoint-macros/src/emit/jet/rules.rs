@@ -1,11 +1,14 @@
 //! The coefficient of order n by each rule.
 
 use super::numbers::{Prepared, constant, scaled};
-use super::{Writer, array_of, kept};
+use super::{Writer, array_of, coordinate, kept};
 use crate::diff::jet::{Factor, Rule, Source, Weight, sums};
 use crate::ir::Number;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
+
+/// Sums of more terms are multiplied as a whole.
+const MOST_TERMS: usize = 2;
 
 impl Writer<'_> {
     /// The coefficient of order n of a series, or of several side by side that have the same rule.
@@ -17,13 +20,9 @@ impl Writer<'_> {
             .collect();
         let operands: Vec<&[Source]> = operands.iter().map(Vec::as_slice).collect();
         match *rule {
-            Rule::State(_) if self.has_array(first) => {
-                let array = kept(first);
-                quote!(#array[n])
-            }
             Rule::State(symbol) => {
-                let place = self.place(symbol);
-                quote!(jet[n - 1].#place)
+                let rate = jet.rates.iter().position(|rate| rate.symbol == symbol);
+                coordinate(rate.unwrap_or(0))
             }
             Rule::Affine(slope) => {
                 let slope = self.number(Prepared::Slope(Number::ONE, slope));
@@ -137,6 +136,49 @@ impl Writer<'_> {
             Weight::Power(exponent) => {
                 let next = self.number(Prepared::Next(exponent));
                 quote!(recurrence::sum_of_power(#(#arrays,)* #next, n))
+            }
+        }
+    }
+
+    /// The coefficient of order n of a series times a number that is known before. What coefficients are multiplied by meets that number first: no
+    /// product of both is waited for. Of many terms these would be many products.
+    pub(super) fn times(&mut self, number: TokenStream, source: Source) -> TokenStream {
+        let jet = self.jet;
+        match jet.series[source].rule {
+            Rule::Linear(ref terms) if terms.len() == 1 => {
+                let (factor, source) = terms[0];
+                let number = self.product(number, factor);
+                self.times(number, source)
+            }
+            Rule::Linear(ref terms) if (2..=MOST_TERMS).contains(&terms.len()) => {
+                let mut sum: Option<TokenStream> = None;
+                for (factor, source) in terms {
+                    let (factor, c) = (self.product(number.clone(), *factor), self.now(&[*source]));
+                    sum = Some(match sum {
+                        Some(sum) => quote!((#factor).multiply_add(#c, #sum)),
+                        None => quote!(#factor * #c),
+                    });
+                }
+                sum.unwrap_or(number)
+            }
+            _ => {
+                let c = self.now(&[source]);
+                quote!(#number * #c)
+            }
+        }
+    }
+
+    fn product(&mut self, number: TokenStream, factor: Factor) -> TokenStream {
+        match factor {
+            Factor::Number(factor) if factor == Number::ONE => number,
+            Factor::Number(factor) if factor == Number::MINUS_ONE => quote!(-(#number)),
+            Factor::Number(factor) => {
+                let factor = constant(factor);
+                quote!((#number) * #factor)
+            }
+            Factor::Value(value) => {
+                let factor = self.number(Prepared::Value(value));
+                quote!((#number) * #factor)
             }
         }
     }
