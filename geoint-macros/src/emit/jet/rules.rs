@@ -2,7 +2,7 @@
 
 use super::numbers::{Prepared, constant, scaled};
 use super::{Writer, array_of, coordinate, kept};
-use crate::diff::jet::{Factor, Rule, Source, Weight, sums};
+use crate::diff::jet::{Factor, Lanes, Rule, Source, Weight, sums};
 use crate::ir::Number;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -123,6 +123,19 @@ impl Writer<'_> {
         if let Some((group, lane)) = self.lanes.as_ref().and_then(|lanes| lanes.place(&sum)) {
             let (group, lane) = (format_ident!("sums{group}"), Literal::usize_unsuffixed(lane));
             return if own.len() > 1 { quote!(#group) } else { quote!(#group[#lane]) };
+        }
+        let places = |lanes: &Lanes| sum.parts().iter().map(|part| lanes.place(part)).collect::<Option<Vec<_>>>();
+        if let Some(places) = self.lanes.as_ref().and_then(places) {
+            let mut parts = places.into_iter().map(|(group, lane)| {
+                let (group, lane) = (format_ident!("sums{group}"), Literal::usize_unsuffixed(lane));
+                quote!(#group[#lane])
+            });
+            if let Weight::Power(exponent) = sum.weight {
+                let next = self.number(Prepared::Next(exponent));
+                let [weighted, plain] = [parts.next(), parts.next()];
+                return quote!(#next.multiply_add(#weighted, -whole * #plain));
+            }
+            return quote!((#(#parts)+*));
         }
         let arrays: Vec<Ident> = sum.operands.into_iter().map(array_of).collect();
         self.sum_of(sum.weight, &arrays)
