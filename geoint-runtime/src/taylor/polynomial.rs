@@ -20,10 +20,12 @@ pub(crate) fn increments<Z: Array, S: Action<Z::Real>>(
 ) -> [PerCoordinate<Z, S>; 2] {
     let [first, later @ ..] = jet else { return [PerCoordinate::zero(); 2] };
     let (mut first, mut rest, h) = (*first, increment(later, h), Z::Real::from_f64(h));
-    for (first, rest) in first.numbers_mut().zip(rest.numbers_mut()) {
+    let part = |(first, rest): (&mut Z::Real, &mut Z::Real)| {
         let (product, lost) = exact_product(h, *first);
         (*first, *rest) = (product, h.multiply_add(*rest, lost));
-    }
+    };
+    first.z.as_mut_slice().iter_mut().zip(rest.z.as_mut_slice()).for_each(part);
+    first.s.numbers_mut().iter_mut().zip(rest.s.numbers_mut()).for_each(part);
     [first, rest]
 }
 

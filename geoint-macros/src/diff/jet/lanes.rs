@@ -10,8 +10,8 @@ use std::collections::{HashSet, VecDeque};
 /// Sums side by side.
 pub(crate) const LANES: usize = 4;
 
-/// With fewer sums there is less to gain than it costs to bring coefficients together.
-const FEWEST: usize = 8;
+/// With fewer sums there is less to gain than it costs to bring coefficients together: three or four of them take a fifth longer (a free body, Kepler).
+const FEWEST: usize = 7;
 
 /// Coefficients uⱼ, or j·uⱼ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
