@@ -139,15 +139,18 @@ impl Writer<'_> {
             Some(source) => self.times(quote!(next), source),
             None => quote!(R::from_f64(0.0)),
         };
-        let at_hand = coordinate(i);
+        let at_hand = self.coordinates_at_hand().get(i).map(|_| {
+            let name = coordinate(i);
+            quote!(#name = jet[n].#place;)
+        });
         let array = self.array_of(rate.symbol).map(|array| {
             quote! {
                 if n + 1 < P {
-                    #array[n + 1] = #at_hand;
+                    #array[n + 1] = jet[n].#place;
                 }
             }
         });
-        quote!(#at_hand = #value; jet[n].#place = #at_hand; #array)
+        quote!(jet[n].#place = #value; #at_hand #array)
     }
 
     /// The array of a coordinate that has one.
@@ -185,7 +188,7 @@ impl Writer<'_> {
             quote!(newest: [[R::from_f64(0.0); #lanes]; #number],)
         });
         let masks = self.jet.conditions.iter().map(|value| &values[*value]);
-        let (mut first, mut places) = (TokenStream::new(), vec![]);
+        let mut first = TokenStream::new();
         let arrays = self.arrays(values);
         for Stored { name, first: start, .. } in &arrays {
             first.extend(start.as_ref().map(|start| quote!(#name[0] = #start;)));
@@ -196,12 +199,13 @@ impl Writer<'_> {
             if let Some(array) = self.array_of(rate.symbol) {
                 first.extend(quote!(if P > 1 { #array[1] = jet[0].#place; }));
             }
-            places.push(quote!(jet[0].#place));
         }
         for (i, (value, _)) in self.jet.switches.iter().enumerate() {
             let (i, value) = (Literal::usize_unsuffixed(i), &values[*value]);
             first.extend(quote!(switches[0][#i] = #value;));
         }
+        let places = self.coordinates_at_hand().iter().map(|rate| self.place(rate.symbol));
+        let coordinates = places.map(|place| quote!(jet[0].#place));
         let unrolled = Literal::usize_unsuffixed(self.unrolled());
         let zeros: Vec<TokenStream> = arrays.iter().map(Stored::zeros).collect();
         let arrays: Vec<Ident> = arrays.into_iter().map(|array| array.name).collect();
@@ -209,7 +213,7 @@ impl Writer<'_> {
             let (#(#arrays,)*) = (#(&mut #zeros,)*);
             #first
             recurrence::orders::<#unrolled, P>(&mut Coefficients {
-                k: [#(#numbers),*], #beside #at_hand coordinates: [#(#places),*], masks: [#(#masks),*], #(#arrays,)* jet, switches,
+                k: [#(#numbers),*], #beside #at_hand coordinates: [#(#coordinates),*], masks: [#(#masks),*], #(#arrays,)* jet, switches,
             });
         }
     }

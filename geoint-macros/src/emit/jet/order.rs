@@ -49,7 +49,7 @@ impl Writer<'_> {
         let types: Vec<TokenStream> = arrays.iter().map(Stored::entry).collect();
         let arrays: Vec<Ident> = arrays.into_iter().map(|array| array.name).collect();
         let [numbers, coordinates, masks, switches] =
-            [self.numbers.len(), jet.rates.len(), jet.conditions.len(), jet.switches.len()]
+            [self.numbers.len(), self.coordinates_at_hand().len(), jet.conditions.len(), jet.switches.len()]
                 .map(Literal::usize_unsuffixed);
         let beside = (!self.beside.is_empty()).then(|| {
             let [lanes, number] = [LANES, self.beside.len()].map(Literal::usize_unsuffixed);

@@ -21,8 +21,18 @@ impl Writer<'_> {
         let operands: Vec<&[Source]> = operands.iter().map(Vec::as_slice).collect();
         match *rule {
             Rule::State(symbol) => {
-                let rate = jet.rates.iter().position(|rate| rate.symbol == symbol);
-                coordinate(rate.unwrap_or(0))
+                let at_hand = self.coordinates_at_hand().iter().position(|rate| rate.symbol == symbol);
+                match at_hand {
+                    Some(rate) => coordinate(rate),
+                    None if self.has_array(first) => {
+                        let array = kept(first);
+                        quote!(#array[n])
+                    }
+                    None => {
+                        let place = self.place(symbol);
+                        quote!(jet[n - 1].#place)
+                    }
+                }
             }
             Rule::Affine(slope) => {
                 let slope = self.number(Prepared::Slope(Number::ONE, slope));
