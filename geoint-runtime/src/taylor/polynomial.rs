@@ -4,6 +4,9 @@ use super::roots::MOST;
 use crate::scalar::{Real, exact_product};
 use crate::space::{Action, Array, PerCoordinate};
 
+/// Four sums for each of so many coordinates have room in registers.
+const FEW: usize = 8;
+
 /// x(h) − x(0) from the coefficients of orders 1, 2, ….
 #[inline(always)]
 pub(crate) fn increment<Z: Array, S: Action<Z::Real>>(jet: &[PerCoordinate<Z, S>], h: f64) -> PerCoordinate<Z, S> {
@@ -35,29 +38,46 @@ pub(crate) fn rate<Z: Array, S: Action<Z::Real>>(jet: &[PerCoordinate<Z, S>], h:
     sum(jet, h, |order| order as f64)
 }
 
-/// Σ w(k) xₖ hᵏ⁻¹ from the coefficients x₁, x₂, …: every fourth one apart, each a polynomial in h⁴, so that none is waited for long.
+/// Σ w(k) xₖ hᵏ⁻¹ from the coefficients x₁, x₂, …
 #[inline(always)]
 fn sum<Z: Array, S: Action<Z::Real>>(
     jet: &[PerCoordinate<Z, S>],
     h: f64,
     weight: impl Fn(usize) -> f64,
 ) -> PerCoordinate<Z, S> {
-    let [h, square, fourth] = [h, h * h, (h * h) * (h * h)].map(Z::Real::from_f64);
-    let (fours, rest) = jet.as_chunks::<4>();
-    let mut sums = [PerCoordinate::zero(); 4];
-    let mut include = |i: usize, terms: &[PerCoordinate<Z, S>]| {
+    if PerCoordinate::<Z, S>::LEN <= FEW {
+        in_turn::<4, Z, S>(jet, h, weight)
+    } else {
+        in_turn::<2, Z, S>(jet, h, weight)
+    }
+}
+
+/// The same from every `K`th coefficient apart, each time a polynomial in hᴷ: none of them is waited for long.
+#[inline(always)]
+fn in_turn<const K: usize, Z: Array, S: Action<Z::Real>>(
+    jet: &[PerCoordinate<Z, S>],
+    h: f64,
+    weight: impl Fn(usize) -> f64,
+) -> PerCoordinate<Z, S> {
+    let square = h * h;
+    let power = Z::Real::from_f64(if K == 4 { square * square } else { square });
+    let (turns, rest) = jet.as_chunks::<K>();
+    let mut sums = [PerCoordinate::zero(); K];
+    let mut include = |turn: usize, terms: &[PerCoordinate<Z, S>]| {
         for (k, (sum, x)) in sums.iter_mut().zip(terms).enumerate() {
-            times_and_add(sum, fourth, Z::Real::from_f64(weight(4 * i + k + 1)), x);
+            times_and_add(sum, power, Z::Real::from_f64(weight(K * turn + k + 1)), x);
         }
     };
-    include(fours.len(), rest);
-    for (i, four) in fours.iter().enumerate().rev() {
-        include(i, four);
+    include(turns.len(), rest);
+    for (turn, terms) in turns.iter().enumerate().rev() {
+        include(turn, terms);
     }
-    let [mut sum, second, mut third, fourth] = sums;
-    third.add_scaled(h, &fourth);
-    sum.add_scaled(h, &second);
-    sum.add_scaled(square, &third);
+    let mut sum = sums[K - 1];
+    for before in sums[..K - 1].iter().rev() {
+        let mut next = *before;
+        next.add_scaled(Z::Real::from_f64(h), &sum);
+        sum = next;
+    }
     sum
 }
 
