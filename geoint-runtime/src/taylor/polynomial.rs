@@ -45,27 +45,16 @@ fn sum<Z: Array, S: Action<Z::Real>>(
     h: f64,
     weight: impl Fn(usize) -> f64,
 ) -> PerCoordinate<Z, S> {
+    if PerCoordinate::<Z, S>::LEN > FEW {
+        return in_turn::<2, Z, S>(jet, h, weight);
+    }
     // Loops over the orders that tolerances choose for large systems, and over what is left of them without the first, would have no known length.
     match jet.len() {
-        13 => in_turns(&jet[..13], h, weight),
-        14 => in_turns(&jet[..14], h, weight),
-        17 => in_turns(&jet[..17], h, weight),
-        18 => in_turns(&jet[..18], h, weight),
-        _ => in_turns(jet, h, weight),
-    }
-}
-
-/// The same, as many at a time as registers have room for.
-#[inline(always)]
-fn in_turns<Z: Array, S: Action<Z::Real>>(
-    jet: &[PerCoordinate<Z, S>],
-    h: f64,
-    weight: impl Fn(usize) -> f64,
-) -> PerCoordinate<Z, S> {
-    if PerCoordinate::<Z, S>::LEN <= FEW {
-        in_turn::<4, Z, S>(jet, h, weight)
-    } else {
-        in_turn::<2, Z, S>(jet, h, weight)
+        13 => in_turn::<4, Z, S>(&jet[..13], h, weight),
+        14 => in_turn::<4, Z, S>(&jet[..14], h, weight),
+        17 => in_turn::<4, Z, S>(&jet[..17], h, weight),
+        18 => in_turn::<4, Z, S>(&jet[..18], h, weight),
+        _ => in_turn::<4, Z, S>(jet, h, weight),
     }
 }
 
