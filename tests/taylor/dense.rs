@@ -149,12 +149,12 @@ fn two_zeros_within_a_step() {
     let mut sim = Oscillator.taylor(Taylor::default(), State::new(0.5, 1.0));
     let times: Vec<(usize, f64)> = sim
         .crossings(Direction::Down, |state| [state.q, state.p, state.q * state.p])
-        .take(9)
+        .take(10)
         .map(|crossing| crossing.map(|c| (c.which, c.state.t)).unwrap())
         .collect();
     assert!(times.windows(2).all(|pair| pair[0].1 <= pair[1].1), "{times:?}");
-    // q and p fall once in a period, their product twice.
-    assert_eq!([0, 1, 2].map(|i| times.iter().filter(|(which, _)| *which == i).count()), [2, 3, 4]);
+    // q and p fall once in a period, their product twice, once of them with p: in which order rounding decides, so that both are asked for.
+    assert_eq!([0, 1, 2].map(|i| times.iter().filter(|(which, _)| *which == i).count()), [2, 3, 5]);
 }
 
 #[test]

@@ -190,6 +190,21 @@ fn sums_of_few_arrays_have_their_newest_coefficients_at_hand() {
     assert_eq!(read, [0, 12]);
 }
 
+/// Of two powers of a distance one is the product of its square with the other, and the sum in that product is one that the other one has: beside as
+/// many others that has two sums of products. Nothing is summed alone.
+#[test]
+fn of_two_powers_of_a_base_one_is_a_product() {
+    let braked = quote! {
+        fn braked(q: [f64; 2], p: [f64; 2], s: f64, alpha: f64) -> f64 {
+            (p[0] * p[0] + p[1] * p[1]) / 2.0 - 1.0 / (q[0] * q[0] + q[1] * q[1]).sqrt() + alpha * s
+        }
+    };
+    let emitted = attribute::expand(Form::Contact, TokenStream::new(), braked).to_string();
+    let emitted: String = emitted.split_whitespace().collect();
+    let number = |what: &str| emitted.matches(what).count();
+    assert_eq!([number("recurrence::power("), number("sum_of_power("), number("recurrence::sum(")], [1, 0, 0]);
+}
+
 /// The numbers of series whose squares are summed, of all such sums.
 fn squares(item: TokenStream, degrees: u32) -> Vec<usize> {
     let (_, mut lowered) = lowered(item);

@@ -185,8 +185,8 @@ impl<S: Jets<R>, R: Real> TaylorMethod<S, R> for Taylor {
     }
 }
 
-/// The first `P` orders.
-#[inline]
+/// The first `P` orders. Not inlined: beside others the code of one order is slower by a twentieth.
+#[inline(never)]
 fn part<const P: usize, S: Jets<R>, R: Real>(
     system: &S,
     [unit, t]: [R; 2],

@@ -4,6 +4,9 @@ use super::roots::MOST;
 use crate::scalar::{Real, exact_product};
 use crate::space::{Action, Array, PerCoordinate};
 
+/// Four sums for each of so many coordinates have room in registers.
+const FEW: usize = 8;
+
 /// x(h) − x(0) from the coefficients of orders 1, 2, ….
 #[inline(always)]
 pub(crate) fn increment<Z: Array, S: Action<Z::Real>>(jet: &[PerCoordinate<Z, S>], h: f64) -> PerCoordinate<Z, S> {
@@ -20,10 +23,12 @@ pub(crate) fn increments<Z: Array, S: Action<Z::Real>>(
 ) -> [PerCoordinate<Z, S>; 2] {
     let [first, later @ ..] = jet else { return [PerCoordinate::zero(); 2] };
     let (mut first, mut rest, h) = (*first, increment(later, h), Z::Real::from_f64(h));
-    for (first, rest) in first.numbers_mut().zip(rest.numbers_mut()) {
+    let part = |(first, rest): (&mut Z::Real, &mut Z::Real)| {
         let (product, lost) = exact_product(h, *first);
         (*first, *rest) = (product, h.multiply_add(*rest, lost));
-    }
+    };
+    first.z.as_mut_slice().iter_mut().zip(rest.z.as_mut_slice()).for_each(part);
+    first.s.numbers_mut().iter_mut().zip(rest.s.numbers_mut()).for_each(part);
     [first, rest]
 }
 
@@ -33,25 +38,53 @@ pub(crate) fn rate<Z: Array, S: Action<Z::Real>>(jet: &[PerCoordinate<Z, S>], h:
     sum(jet, h, |order| order as f64)
 }
 
-/// Σ w(k) xₖ hᵏ⁻¹ from the coefficients x₁, x₂, …: odd and even ones apart, each a polynomial in h².
+/// Σ w(k) xₖ hᵏ⁻¹ from the coefficients x₁, x₂, …
 #[inline(always)]
 fn sum<Z: Array, S: Action<Z::Real>>(
     jet: &[PerCoordinate<Z, S>],
     h: f64,
     weight: impl Fn(usize) -> f64,
 ) -> PerCoordinate<Z, S> {
-    let [h, square] = [h, h * h].map(Z::Real::from_f64);
-    let (pairs, rest) = jet.as_chunks();
-    let (mut odd, mut even) = (PerCoordinate::zero(), PerCoordinate::zero());
-    for x in rest {
-        times_and_add(&mut odd, square, Z::Real::from_f64(weight(jet.len())), x);
+    if PerCoordinate::<Z, S>::LEN > FEW {
+        return in_turn::<2, Z, S>(jet, h, weight);
     }
-    for (i, [first, second]) in pairs.iter().enumerate().rev() {
-        times_and_add(&mut odd, square, Z::Real::from_f64(weight(2 * i + 1)), first);
-        times_and_add(&mut even, square, Z::Real::from_f64(weight(2 * i + 2)), second);
+    // Loops over the orders that tolerances choose for large systems, and over what is left of them without the first, would have no known length.
+    match jet.len() {
+        13 => in_turn::<4, Z, S>(&jet[..13], h, weight),
+        14 => in_turn::<4, Z, S>(&jet[..14], h, weight),
+        17 => in_turn::<4, Z, S>(&jet[..17], h, weight),
+        18 => in_turn::<4, Z, S>(&jet[..18], h, weight),
+        _ => in_turn::<4, Z, S>(jet, h, weight),
     }
-    odd.add_scaled(h, &even);
-    odd
+}
+
+/// The same from every `K`th coefficient apart, each time a polynomial in hᴷ: none of them is waited for long.
+#[inline(always)]
+fn in_turn<const K: usize, Z: Array, S: Action<Z::Real>>(
+    jet: &[PerCoordinate<Z, S>],
+    h: f64,
+    weight: impl Fn(usize) -> f64,
+) -> PerCoordinate<Z, S> {
+    let square = h * h;
+    let power = Z::Real::from_f64(if K == 4 { square * square } else { square });
+    let (turns, rest) = jet.as_chunks::<K>();
+    let mut sums = [PerCoordinate::zero(); K];
+    let mut include = |turn: usize, terms: &[PerCoordinate<Z, S>]| {
+        for (k, (sum, x)) in sums.iter_mut().zip(terms).enumerate() {
+            times_and_add(sum, power, Z::Real::from_f64(weight(K * turn + k + 1)), x);
+        }
+    };
+    include(turns.len(), rest);
+    for (turn, terms) in turns.iter().enumerate().rev() {
+        include(turn, terms);
+    }
+    let mut sum = sums[K - 1];
+    for before in sums[..K - 1].iter().rev() {
+        let mut next = *before;
+        next.add_scaled(Z::Real::from_f64(h), &sum);
+        sum = next;
+    }
+    sum
 }
 
 /// y ← s·y + w·x.

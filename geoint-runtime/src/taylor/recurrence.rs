@@ -281,7 +281,10 @@ pub fn root<A: Array>([y, over]: [A; 2], un: A, sum: A) -> A {
 /// y with y'·u = α·y·u', from u₀, α·y₀/u₀, uₙ and the sum.
 #[inline(always)]
 pub fn power<A: Array>([u, ratio]: [A; 2], un: A, sum: A, n: usize) -> A {
-    fused(un, ratio, divided(sum, scaled(whole(n), u)))
+    // Nothing waits for this quotient, and its rounding is another one at every order.
+    let mut over = scaled(whole(n), u);
+    over.as_mut_slice().iter_mut().for_each(|x| *x = A::Real::from_f64(1.0) / *x);
+    fused(un, ratio, times(sum, over))
 }
 
 /// y with y' = d·u', from d₀, uₙ and the sum with j·uⱼ.

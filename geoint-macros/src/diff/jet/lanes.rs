@@ -10,8 +10,8 @@ use std::collections::{HashSet, VecDeque};
 /// Sums side by side.
 pub(crate) const LANES: usize = 4;
 
-/// With fewer sums there is less to gain than it costs to bring coefficients together.
-const FEWEST: usize = 8;
+/// With fewer sums there is less to gain than it costs to bring coefficients together: three or four of them take a fifth longer (a free body, Kepler).
+const FEWEST: usize = 7;
 
 /// Coefficients uⱼ, or j·uⱼ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -65,6 +65,15 @@ impl Sum {
     /// One of the factors of a product, which a square is too.
     fn factor(&self, k: usize) -> Operand {
         self.operands[k.min(self.operands.len() - 1)]
+    }
+
+    /// Sums of one kind from which this one follows: each square, or those of j·uⱼyₙ₋ⱼ and uⱼyₙ₋ⱼ where it has j(α + 1) − n.
+    pub(crate) fn parts(&self) -> Vec<Sum> {
+        match (self.weight, &self.operands[..]) {
+            (Weight::Square, all) => all.iter().map(|operand| Sum::of_squares(vec![*operand])).collect(),
+            (Weight::Power(_), [u, y]) => vec![Sum::new(Operand::weighted(u.source), *y), Sum::new(*u, *y)],
+            _ => vec![self.clone()],
+        }
     }
 
     /// Whether sums of both kinds are computed by the same operations.
@@ -145,6 +154,7 @@ impl Lanes {
                 None => kinds.push(vec![sum]),
             }
         }
+        let mut alone: Vec<Sum> = vec![];
         for kind in kinds {
             let (weight, single) = (kind[0].weight, kind[0].operands.len() == 1);
             let (whole, rest) = kind.split_at(kind.len() - kind.len() % LANES);
@@ -153,9 +163,26 @@ impl Lanes {
             match rest.len() {
                 0 => {}
                 // Few squares fill lanes of others.
+                // Few powers do as well, in parts.
+                1 | 2 if matches!(weight, Weight::Power(_)) => {
+                    for part in rest.iter().flat_map(Sum::parts) {
+                        if !common.contains(&part) {
+                            common.push(part);
+                        }
+                    }
+                }
+                1 if !single => alone.push(rest[0].clone()),
                 1 if single && free > 0 => common.extend_from_slice(rest),
                 2..LANES if single && rest.len() < LANES - 1 => common.extend_from_slice(rest),
                 _ => lanes.push(weight, rest),
+            }
+        }
+        for sum in alone {
+            let parts = sum.parts();
+            if parts.len() <= common.len().next_multiple_of(LANES) - common.len() {
+                common.extend(parts);
+            } else {
+                lanes.push(sum.weight, &[sum]);
             }
         }
         common.chunks(LANES).for_each(|group| lanes.push(Weight::One, group));
@@ -176,6 +203,9 @@ impl Lanes {
                 }
             }
         }
+        // Parts of sums are read by none as a whole.
+        let mut filled = vec![0; self.groups.len()];
+        self.places.values().for_each(|(group, _)| filled[*group] += 1);
         for (place, (group, mut reading)) in self.groups.iter_mut().zip(reading).enumerate() {
             reading.sort_unstable();
             let rule = |(_, source): (usize, Source)| &jet.series[source].rule;
@@ -183,7 +213,7 @@ impl Lanes {
                 // Series of one depth do not wait for each other, whatever else stands side by side.
                 read.0 == lane && rule(*read).is_like(rule(reading[0])) && depths[read.1] == depths[reading[0].1]
             };
-            if reading.len() + 1 >= LANES && reading.iter().enumerate().all(alike) {
+            if reading.len() + 1 >= LANES && reading.len() == filled[place] && reading.iter().enumerate().all(alike) {
                 group.series = Some(std::array::from_fn(|lane| reading[lane.min(reading.len() - 1)].1));
                 self.groups_of.extend(reading.iter().map(|(_, source)| (*source, place)));
             }

@@ -216,6 +216,9 @@ impl Builder<'_> {
             return Rule::Squares(vec![self.series(reciprocal)]);
         }
         if !exponent.is_integer() || exponent.numerator < 0 && !self.has_lower(base, exponent) {
+            if let Some(lower) = self.lower(base, exponent) {
+                return self.times(base, lower);
+            }
             let u = self.series(base);
             return match exponent {
                 Ratio { numerator: -1, denominator: 1 } => Rule::Reciprocal(u),
@@ -228,6 +231,15 @@ impl Builder<'_> {
         let rest = Ratio::integer(exponent.numerator - half.numerator);
         let [half, rest] = [half, rest].map(|exponent| self.graph.pow(base, exponent));
         self.times(half, rest)
+    }
+
+    /// The power of the same base of which a broken one is the product with that base: the sum of it is one that the power rule has as well.
+    fn lower(&mut self, base: Id, exponent: Ratio) -> Option<Id> {
+        if exponent.is_integer() || exponent == (Ratio { numerator: 1, denominator: 2 }) {
+            return None;
+        }
+        let lower = self.graph.pow(base, exponent.add(Ratio::integer(-1))?);
+        self.uses.contains_key(&lower).then_some(lower)
     }
 
     /// Whether powers are there of which a negative one is the product.

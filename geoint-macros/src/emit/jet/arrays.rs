@@ -1,12 +1,12 @@
 //! The arrays of coefficients, and their names.
 
 use super::Writer;
-use crate::diff::jet::{LANES, Operand, Source};
+use crate::diff::jet::{LANES, Operand, Rate, Source};
 use crate::emit::tokens::Tokens;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
-/// The newest entries of so many arrays stay in registers.
+/// The newest entries of so many arrays stay in registers, or the newest coefficients of so many coordinates.
 const MOST_AT_HAND: usize = 8;
 
 /// An array of coefficients, an entry an order.
@@ -59,6 +59,12 @@ pub(super) fn newest(array: usize) -> TokenStream {
     quote!(newest[#array])
 }
 
+/// The newest coefficient of a coordinate, at hand, by the place of its rate.
+pub(super) fn coordinate(rate: usize) -> TokenStream {
+    let rate = Literal::usize_unsuffixed(rate);
+    quote!(coordinates[#rate])
+}
+
 pub(super) fn coefficient(source: Source) -> Ident {
     format_ident!("c{source}")
 }
@@ -68,6 +74,13 @@ impl Writer<'_> {
     /// for until they have left the processor: a twentieth of a step. Of more arrays they have no room in registers.
     pub(super) fn are_at_hand(&self) -> bool {
         self.lanes.as_ref().is_some_and(|lanes| lanes.arrays.len() <= MOST_AT_HAND)
+    }
+
+    /// The coordinates whose newest coefficients are read as they were computed: those in memory are waited for until they have been written, a twentieth
+    /// of a step (double pendulum). With many coordinates registers are better used for others (three bodies: a tenth).
+    pub(super) fn coordinates_at_hand(&self) -> &[Rate] {
+        let rates = &self.jet.rates;
+        if rates.len() <= MOST_AT_HAND { rates } else { &[] }
     }
 
     /// Whether the coefficients of a series have an array of their own: a coordinate has one also where orders are unrolled, and arrays

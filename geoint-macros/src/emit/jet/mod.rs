@@ -18,7 +18,7 @@ use crate::diff::jet::{Jet, LANES, Lanes, Rate, Rule, Source, Value};
 use crate::ir::Symbol;
 use crate::parse::over_scalar;
 use crate::schedule::Plan;
-use arrays::{Stored, array_of, kept};
+use arrays::{Stored, array_of, coordinate, kept};
 use numbers::{Prepared, prepared};
 use order::Order;
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -132,25 +132,25 @@ impl Writer<'_> {
         self.jet.series[source].value
     }
 
-    /// The coefficient of order n + 1 of a coordinate.
-    fn next(&self, rate: Rate) -> TokenStream {
+    /// The coefficient of order n + 1 of a coordinate, the place of its rate.
+    fn next(&mut self, i: usize, rate: Rate) -> TokenStream {
         let place = self.place(rate.symbol);
         let value = match rate.source {
-            Some(source) => {
-                let coefficient = self.now(&[source]);
-                quote!(next * #coefficient)
-            }
+            Some(source) => self.times(quote!(next), source),
             None => quote!(R::from_f64(0.0)),
         };
-        match self.array_of(rate.symbol) {
-            Some(array) => quote! {
-                jet[n].#place = #value;
+        let at_hand = self.coordinates_at_hand().get(i).map(|_| {
+            let name = coordinate(i);
+            quote!(#name = jet[n].#place;)
+        });
+        let array = self.array_of(rate.symbol).map(|array| {
+            quote! {
                 if n + 1 < P {
                     #array[n + 1] = jet[n].#place;
                 }
-            },
-            None => quote!(jet[n].#place = #value;),
-        }
+            }
+        });
+        quote!(jet[n].#place = #value; #at_hand #array)
     }
 
     /// The array of a coordinate that has one.
@@ -204,6 +204,8 @@ impl Writer<'_> {
             let (i, value) = (Literal::usize_unsuffixed(i), &values[*value]);
             first.extend(quote!(switches[0][#i] = #value;));
         }
+        let places = self.coordinates_at_hand().iter().map(|rate| self.place(rate.symbol));
+        let coordinates = places.map(|place| quote!(jet[0].#place));
         let unrolled = Literal::usize_unsuffixed(self.unrolled());
         let zeros: Vec<TokenStream> = arrays.iter().map(Stored::zeros).collect();
         let arrays: Vec<Ident> = arrays.into_iter().map(|array| array.name).collect();
@@ -211,7 +213,7 @@ impl Writer<'_> {
             let (#(#arrays,)*) = (#(&mut #zeros,)*);
             #first
             recurrence::orders::<#unrolled, P>(&mut Coefficients {
-                k: [#(#numbers),*], #beside #at_hand masks: [#(#masks),*], #(#arrays,)* jet, switches,
+                k: [#(#numbers),*], #beside #at_hand coordinates: [#(#coordinates),*], masks: [#(#masks),*], #(#arrays,)* jet, switches,
             });
         }
     }

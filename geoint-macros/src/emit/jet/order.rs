@@ -38,8 +38,8 @@ impl Writer<'_> {
             self.pack(array);
         }
         let Order { mut body, names, .. } = std::mem::take(&mut self.order);
-        for rate in &jet.rates {
-            body.extend(self.next(*rate));
+        for (i, rate) in jet.rates.iter().enumerate() {
+            body.extend(self.next(i, *rate));
         }
         for (i, (_, source)) in jet.switches.iter().enumerate() {
             let (i, value) = (Literal::usize_unsuffixed(i), self.or_zero(*source));
@@ -48,8 +48,9 @@ impl Writer<'_> {
         let (phase, action, arrays) = (self.context.phase(), self.context.action(), self.arrays(&[]));
         let types: Vec<TokenStream> = arrays.iter().map(Stored::entry).collect();
         let arrays: Vec<Ident> = arrays.into_iter().map(|array| array.name).collect();
-        let [numbers, masks, switches] =
-            [self.numbers.len(), jet.conditions.len(), jet.switches.len()].map(Literal::usize_unsuffixed);
+        let [numbers, coordinates, masks, switches] =
+            [self.numbers.len(), self.coordinates_at_hand().len(), jet.conditions.len(), jet.switches.len()]
+                .map(Literal::usize_unsuffixed);
         let beside = (!self.beside.is_empty()).then(|| {
             let [lanes, number] = [LANES, self.beside.len()].map(Literal::usize_unsuffixed);
             [quote!(beside: [[R; #lanes]; #number],), quote!(beside,)]
@@ -65,6 +66,7 @@ impl Writer<'_> {
                 k: [R; #numbers],
                 #beside
                 #at_hand
+                coordinates: [R; #coordinates],
                 masks: [R::Mask; #masks],
                 #(#arrays: &'a mut [#types; P],)*
                 jet: &'a mut [PerCoordinate<#phase, #action>; P],
@@ -73,7 +75,7 @@ impl Writer<'_> {
             impl<R: Real, const P: usize> recurrence::Series for Coefficients<'_, R, P> {
                 #[inline(always)]
                 fn order(&mut self, n: usize) {
-                    let Self { k, #beside_name #at_hand_name masks, #(#arrays,)* jet, switches } = self;
+                    let Self { k, #beside_name #at_hand_name coordinates, masks, #(#arrays,)* jet, switches } = self;
                     let (whole, next) = (recurrence::whole::<R>(n), #unit * recurrence::inverse::<R>(n + 1));
                     let (#(#names,)*);
                     #body

@@ -1,11 +1,14 @@
 //! The coefficient of order n by each rule.
 
 use super::numbers::{Prepared, constant, scaled};
-use super::{Writer, array_of, kept};
-use crate::diff::jet::{Factor, Rule, Source, Weight, sums};
+use super::{Writer, array_of, coordinate, kept};
+use crate::diff::jet::{Factor, Lanes, Rule, Source, Weight, sums};
 use crate::ir::Number;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
+
+/// Sums of more terms are multiplied as a whole.
+const MOST_TERMS: usize = 2;
 
 impl Writer<'_> {
     /// The coefficient of order n of a series, or of several side by side that have the same rule.
@@ -17,13 +20,19 @@ impl Writer<'_> {
             .collect();
         let operands: Vec<&[Source]> = operands.iter().map(Vec::as_slice).collect();
         match *rule {
-            Rule::State(_) if self.has_array(first) => {
-                let array = kept(first);
-                quote!(#array[n])
-            }
             Rule::State(symbol) => {
-                let place = self.place(symbol);
-                quote!(jet[n - 1].#place)
+                let at_hand = self.coordinates_at_hand().iter().position(|rate| rate.symbol == symbol);
+                match at_hand {
+                    Some(rate) => coordinate(rate),
+                    None if self.has_array(first) => {
+                        let array = kept(first);
+                        quote!(#array[n])
+                    }
+                    None => {
+                        let place = self.place(symbol);
+                        quote!(jet[n - 1].#place)
+                    }
+                }
             }
             Rule::Affine(slope) => {
                 let slope = self.number(Prepared::Slope(Number::ONE, slope));
@@ -125,6 +134,19 @@ impl Writer<'_> {
             let (group, lane) = (format_ident!("sums{group}"), Literal::usize_unsuffixed(lane));
             return if own.len() > 1 { quote!(#group) } else { quote!(#group[#lane]) };
         }
+        let places = |lanes: &Lanes| sum.parts().iter().map(|part| lanes.place(part)).collect::<Option<Vec<_>>>();
+        if let Some(places) = self.lanes.as_ref().and_then(places) {
+            let mut parts = places.into_iter().map(|(group, lane)| {
+                let (group, lane) = (format_ident!("sums{group}"), Literal::usize_unsuffixed(lane));
+                quote!(#group[#lane])
+            });
+            if let Weight::Power(exponent) = sum.weight {
+                let next = self.number(Prepared::Next(exponent));
+                let [weighted, plain] = [parts.next(), parts.next()];
+                return quote!(#next.multiply_add(#weighted, -whole * #plain));
+            }
+            return quote!((#(#parts)+*));
+        }
         let arrays: Vec<Ident> = sum.operands.into_iter().map(array_of).collect();
         self.sum_of(sum.weight, &arrays)
     }
@@ -137,6 +159,49 @@ impl Writer<'_> {
             Weight::Power(exponent) => {
                 let next = self.number(Prepared::Next(exponent));
                 quote!(recurrence::sum_of_power(#(#arrays,)* #next, n))
+            }
+        }
+    }
+
+    /// The coefficient of order n of a series times a number that is known before. What coefficients are multiplied by meets that number first: no
+    /// product of both is waited for. Of many terms these would be many products.
+    pub(super) fn times(&mut self, number: TokenStream, source: Source) -> TokenStream {
+        let jet = self.jet;
+        match jet.series[source].rule {
+            Rule::Linear(ref terms) if terms.len() == 1 => {
+                let (factor, source) = terms[0];
+                let number = self.product(number, factor);
+                self.times(number, source)
+            }
+            Rule::Linear(ref terms) if (2..=MOST_TERMS).contains(&terms.len()) => {
+                let mut sum: Option<TokenStream> = None;
+                for (factor, source) in terms {
+                    let (factor, c) = (self.product(number.clone(), *factor), self.now(&[*source]));
+                    sum = Some(match sum {
+                        Some(sum) => quote!((#factor).multiply_add(#c, #sum)),
+                        None => quote!(#factor * #c),
+                    });
+                }
+                sum.unwrap_or(number)
+            }
+            _ => {
+                let c = self.now(&[source]);
+                quote!(#number * #c)
+            }
+        }
+    }
+
+    fn product(&mut self, number: TokenStream, factor: Factor) -> TokenStream {
+        match factor {
+            Factor::Number(factor) if factor == Number::ONE => number,
+            Factor::Number(factor) if factor == Number::MINUS_ONE => quote!(-(#number)),
+            Factor::Number(factor) => {
+                let factor = constant(factor);
+                quote!((#number) * #factor)
+            }
+            Factor::Value(value) => {
+                let factor = self.number(Prepared::Value(value));
+                quote!((#number) * #factor)
             }
         }
     }

@@ -985,6 +985,7 @@ const _: () = {
         ) {
             struct Coefficients<'a, R: Real, const P: usize> {
                 k: [R; 12],
+                coordinates: [R; 2],
                 masks: [R::Mask; 1],
                 u2: &'a mut [R; P],
                 u3: &'a mut [R; P],
@@ -1002,6 +1003,7 @@ const _: () = {
                 fn order(&mut self, n: usize) {
                     let Self {
                         k,
+                        coordinates,
                         masks,
                         u2,
                         u3,
@@ -1019,7 +1021,7 @@ const _: () = {
                         k[0] * recurrence::inverse::<R>(n + 1),
                     );
                     let (c2, c5, c3, c0, c8, c13, c11, c10, c9, c7, c4, c1, c6, c12);
-                    c2 = u2[n];
+                    c2 = coordinates[1];
                     c5 = recurrence::squares(
                         [k[1]],
                         [c2],
@@ -1038,7 +1040,7 @@ const _: () = {
                         [c2, c3],
                         recurrence::sum(u2, u3, n),
                     );
-                    c8 = u8[n];
+                    c8 = coordinates[0];
                     c13 = recurrence::squares(
                         [k[6]],
                         [c8],
@@ -1072,10 +1074,12 @@ const _: () = {
                     c12 = k[11] * u10[n - 1] * recurrence::inverse::<R>(n);
                     u12[n] = c12;
                     jet[n].z[0][0] = next * c0;
+                    coordinates[0] = jet[n].z[0][0];
                     if n + 1 < P {
                         u8[n + 1] = jet[n].z[0][0];
                     }
-                    jet[n].z[1][0] = next * c1;
+                    jet[n].z[1][0] = -(next) * c4;
+                    coordinates[1] = jet[n].z[1][0];
                     if n + 1 < P {
                         u2[n + 1] = jet[n].z[1][0];
                     }
@@ -1172,6 +1176,7 @@ const _: () = {
                         v9,
                         unit * (k1),
                     ],
+                    coordinates: [jet[0].z[0][0], jet[0].z[1][0]],
                     masks: [v5],
                     u2,
                     u3,

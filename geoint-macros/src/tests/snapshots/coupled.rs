@@ -874,6 +874,7 @@ const _: () = {
         ) {
             struct Coefficients<'a, R: Real, const P: usize> {
                 k: [R; 5],
+                coordinates: [R; 4],
                 masks: [R::Mask; 0],
                 u1: &'a mut [R; P],
                 u6: &'a mut [R; P],
@@ -887,27 +888,39 @@ const _: () = {
             impl<R: Real, const P: usize> recurrence::Series for Coefficients<'_, R, P> {
                 #[inline(always)]
                 fn order(&mut self, n: usize) {
-                    let Self { k, masks, u1, u6, u7, u8, u9, u10, jet, switches } = self;
+                    let Self {
+                        k,
+                        coordinates,
+                        masks,
+                        u1,
+                        u6,
+                        u7,
+                        u8,
+                        u9,
+                        u10,
+                        jet,
+                        switches,
+                    } = self;
                     let (whole, next) = (
                         recurrence::whole::<R>(n),
                         k[0] * recurrence::inverse::<R>(n + 1),
                     );
                     let (c9, c8, c7, c4, c0, c1, c10, c5, c2, c6, c3);
-                    c9 = u9[n];
+                    c9 = coordinates[0];
                     c8 = recurrence::squares(
                         [k[1]],
                         [c9],
                         recurrence::sum_of_squares([&*u9], n),
                     );
                     u8[n] = c8;
-                    c7 = u7[n];
+                    c7 = coordinates[2];
                     c4 = recurrence::product(
                         [k[2], k[3]],
                         [c7, c8],
                         recurrence::sum(u7, u8, n),
                     );
                     c0 = R::from_f64(2.0) * c4;
-                    c1 = u1[n];
+                    c1 = coordinates[1];
                     c10 = recurrence::squares(
                         [k[2]],
                         [c7],
@@ -920,21 +933,25 @@ const _: () = {
                         recurrence::sum(u9, u10, n),
                     );
                     c2 = R::from_f64(-2.0) * c5;
-                    c6 = u6[n];
+                    c6 = coordinates[3];
                     c3 = -c6;
-                    jet[n].z[0][0] = next * c0;
+                    jet[n].z[0][0] = (next) * R::from_f64(2.0) * c4;
+                    coordinates[0] = jet[n].z[0][0];
                     if n + 1 < P {
                         u9[n + 1] = jet[n].z[0][0];
                     }
                     jet[n].z[0][1] = next * c1;
+                    coordinates[1] = jet[n].z[0][1];
                     if n + 1 < P {
                         u1[n + 1] = jet[n].z[0][1];
                     }
-                    jet[n].z[1][0] = next * c2;
+                    jet[n].z[1][0] = (next) * R::from_f64(-2.0) * c5;
+                    coordinates[2] = jet[n].z[1][0];
                     if n + 1 < P {
                         u7[n + 1] = jet[n].z[1][0];
                     }
-                    jet[n].z[1][1] = next * c3;
+                    jet[n].z[1][1] = -(next) * c6;
+                    coordinates[3] = jet[n].z[1][1];
                     if n + 1 < P {
                         u6[n + 1] = jet[n].z[1][1];
                     }
@@ -995,6 +1012,12 @@ const _: () = {
             >(
                 &mut Coefficients {
                     k: [unit, q0, p0, v1, v4],
+                    coordinates: [
+                        jet[0].z[0][0],
+                        jet[0].z[0][1],
+                        jet[0].z[1][0],
+                        jet[0].z[1][1],
+                    ],
                     masks: [],
                     u1,
                     u6,

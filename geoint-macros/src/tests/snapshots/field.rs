@@ -1516,6 +1516,7 @@ const _: () = {
         ) {
             struct Coefficients<'a, R: Real, const P: usize> {
                 k: [R; 3],
+                coordinates: [R; 2],
                 masks: [R::Mask; 0],
                 u2: &'a mut [R; P],
                 u3: &'a mut [R; P],
@@ -1525,21 +1526,23 @@ const _: () = {
             impl<R: Real, const P: usize> recurrence::Series for Coefficients<'_, R, P> {
                 #[inline(always)]
                 fn order(&mut self, n: usize) {
-                    let Self { k, masks, u2, u3, jet, switches } = self;
+                    let Self { k, coordinates, masks, u2, u3, jet, switches } = self;
                     let (whole, next) = (
                         recurrence::whole::<R>(n),
                         k[0] * recurrence::inverse::<R>(n + 1),
                     );
                     let (c2, c0, c3, c1);
-                    c2 = u2[n];
+                    c2 = coordinates[1];
                     c0 = k[1] * c2;
-                    c3 = u3[n];
+                    c3 = coordinates[0];
                     c1 = k[2] * c3;
-                    jet[n].z[0] = next * c0;
+                    jet[n].z[0] = (next) * k[1] * c2;
+                    coordinates[0] = jet[n].z[0];
                     if n + 1 < P {
                         u3[n + 1] = jet[n].z[0];
                     }
-                    jet[n].z[1] = next * c1;
+                    jet[n].z[1] = (next) * k[2] * c3;
+                    coordinates[1] = jet[n].z[1];
                     if n + 1 < P {
                         u2[n + 1] = jet[n].z[1];
                     }
@@ -1571,6 +1574,7 @@ const _: () = {
             >(
                 &mut Coefficients {
                     k: [unit, v3, a0],
+                    coordinates: [jet[0].z[0], jet[0].z[1]],
                     masks: [],
                     u2,
                     u3,

@@ -676,6 +676,7 @@ const _: () = {
         ) {
             struct Coefficients<'a, R: Real, const P: usize> {
                 k: [R; 5],
+                coordinates: [R; 2],
                 masks: [R::Mask; 0],
                 u2: &'a mut [R; P],
                 u3: &'a mut [R; P],
@@ -688,26 +689,39 @@ const _: () = {
             impl<R: Real, const P: usize> recurrence::Series for Coefficients<'_, R, P> {
                 #[inline(always)]
                 fn order(&mut self, n: usize) {
-                    let Self { k, masks, u2, u3, u4, u5, ju5, jet, switches } = self;
+                    let Self {
+                        k,
+                        coordinates,
+                        masks,
+                        u2,
+                        u3,
+                        u4,
+                        u5,
+                        ju5,
+                        jet,
+                        switches,
+                    } = self;
                     let (whole, next) = (
                         recurrence::whole::<R>(n),
                         k[0] * recurrence::inverse::<R>(n + 1),
                     );
                     let (c2, c0, c5, c3, c1, c4);
-                    c2 = u2[n];
+                    c2 = coordinates[1];
                     c0 = k[1] * c2;
-                    c5 = u5[n];
+                    c5 = coordinates[0];
                     ju5[n] = whole * c5;
                     c3 = recurrence::integral(k[2], c5, recurrence::sum(ju5, u4, n), n);
                     u3[n] = c3;
                     c1 = k[3] * c3;
                     c4 = -recurrence::integral(k[4], c5, recurrence::sum(ju5, u3, n), n);
                     u4[n] = c4;
-                    jet[n].z[0][0] = next * c0;
+                    jet[n].z[0][0] = (next) * k[1] * c2;
+                    coordinates[0] = jet[n].z[0][0];
                     if n + 1 < P {
                         u5[n + 1] = jet[n].z[0][0];
                     }
-                    jet[n].z[1][0] = next * c1;
+                    jet[n].z[1][0] = (next) * k[3] * c3;
+                    coordinates[1] = jet[n].z[1][0];
                     if n + 1 < P {
                         u2[n + 1] = jet[n].z[1][0];
                     }
@@ -756,6 +770,7 @@ const _: () = {
             >(
                 &mut Coefficients {
                     k: [unit, v2, v7, v10, v6],
+                    coordinates: [jet[0].z[0][0], jet[0].z[1][0]],
                     masks: [],
                     u2,
                     u3,
