@@ -3,13 +3,19 @@
 use super::{by_pairs, either, factorial, polynomial, series, spared, tiny};
 use crate::scalar::Real;
 
-/// φ₁(x) = (eˣ − 1)/x. Friction is small in most steps: few terms are enough. Where it is not, more of them take half of the time of eˣ − 1 and
-/// round less than that and a quotient.
+/// φ₁(x) = (eˣ − 1)/x. Friction is small in most steps: few terms are enough.
 #[inline(always)]
 pub fn phi_1<R: Real>(x: R) -> R {
     let small = |x: R| by_pairs(x, series!(7, |k| 1.0 / factorial(k + 1)));
-    let farther = |x: R| by_pairs(x, series!(18, |k| 1.0 / factorial(k + 1)));
-    either(x, 0.015625, small, || either(x, spared::<R>(1.0), farther, || x.exp_m1() / x))
+    either(x, 0.015625, small, || strong(x))
+}
+
+/// The same where friction is strong: more terms take half of the time of eˣ − 1, and round less than that and a quotient. Out of line, as
+/// eˣ − 1 is: what a step keeps in registers is left alone.
+#[inline(never)]
+fn strong<R: Real>(x: R) -> R {
+    let series = |x: R| by_pairs(x, series!(18, |k| 1.0 / factorial(k + 1)));
+    either(x, spared::<R>(1.0), series, || x.exp_m1() / x)
 }
 
 /// x·eᶻ with eᶻ − 1 at hand: added to x, unless little of it is left.
