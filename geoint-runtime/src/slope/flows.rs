@@ -6,7 +6,7 @@ use crate::scalar::Real;
 /// φ₁(x) = (eˣ − 1)/x. Friction is small in most steps: few terms are enough.
 #[inline(always)]
 pub fn phi_1<R: Real>(x: R) -> R {
-    let small = |x: R| by_pairs(x, series!(7, |k| 1.0 / factorial(k + 1)));
+    let small = |x: R| polynomial(x, series!(7, |k| 1.0 / factorial(k + 1)));
     either(x, 0.015625, small, || strong(x))
 }
 
