@@ -5,7 +5,7 @@
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Real, slope};
 use geoint_tests::measure::Noise;
-use geoint_tests::scalars::Lanes;
+use geoint_tests::scalars::{Double, Lanes};
 
 /// An energy a line, with where it starts: the discrete gradient keeps it to a few roundings in every step.
 macro_rules! kept {
@@ -144,5 +144,18 @@ fn helpers_hold_in_single_precision() {
             let error = (found - expected).abs() / size / f64::from(f32::EPSILON);
             assert!(error < 60.0 || expected.abs() > 1e30, "{name} of {x:?}: {found:e} {expected:e}");
         }
+    }
+}
+
+/// Coefficients have the digits of `f64`: their sums stand in for no function of a scalar that has more.
+#[test]
+fn friction_has_all_digits() {
+    for x in [-1.0, -0.3, -0.02, 0.02, 0.3, 1.0].map(Double::from) {
+        let mut expected = Double::from(0.0);
+        for k in (1..40).rev() {
+            expected = (expected * x + 1.0) / f64::from(k);
+        }
+        let error = (slope::phi_1(x) - expected).magnitude();
+        assert!(error < 1e-28, "{x:?}: {error:e}");
     }
 }

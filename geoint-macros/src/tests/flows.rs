@@ -102,8 +102,8 @@ fn helpers_are_accurate() {
             let x = match kind % 5 {
                 0 => sign * noise.between(-60.0, 0.0).exp(),
                 1 => sign * noise.between(-6.0, 3.0).exp(),
-                // Where the series ends.
-                2 => sign * [0.03, 1.0, 4.0][kind as usize / 5 % 3] * (1.0 + noise.between(-1e-12, 1e-12)),
+                // Where series end.
+                2 => sign * [0.015625, 1.0, 4.0][kind as usize / 5 % 3] * (1.0 + noise.between(-1e-12, 1e-12)),
                 _ => noise.between(low, high),
             };
             let (there, gap) = (exact(x), exact(x) * exact(2_f64.powi(-100)));

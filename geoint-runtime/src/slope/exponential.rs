@@ -1,6 +1,6 @@
 //! Exponentials, logarithms and powers.
 
-use super::{away, either, factorial, polynomial, recip_positive, series, tiny};
+use super::{away, by_pairs, either, factorial, polynomial, recip_positive, series, tiny};
 use crate::scalar::Real;
 
 /// exp[a, b] = e^M·(1 − e^(−d))/d, M the larger argument, d = |b − a|.
@@ -14,7 +14,7 @@ pub fn exp<R: Real>(a: R, b: R) -> R {
 #[inline(always)]
 pub fn exp_derivative<R: Real>(a: R, b: R) -> R {
     let end = b.exp();
-    let small = |z: R| end * polynomial(z, series!(17, |k| 1.0 / factorial(k + 2)));
+    let small = |z: R| end * by_pairs(z, series!(17, |k| 1.0 / factorial(k + 2)));
     // Not with e^z, which may overflow where e^a and e^b do not.
     let large = || {
         let z = away(a - b);
