@@ -11,7 +11,7 @@ pub fn phi_1<R: Real>(x: R) -> R {
 }
 
 /// The same where friction is strong: more terms take half of the time of eˣ − 1, and round less than that and a quotient. Out of line, as
-/// eˣ − 1 is: what a step keeps in registers is left alone.
+/// eˣ − 1 is: inlined it is not faster, and makes steps longer.
 #[inline(never)]
 fn strong<R: Real>(x: R) -> R {
     let series = |x: R| by_pairs(x, series!(18, |k| 1.0 / factorial(k + 1)));
