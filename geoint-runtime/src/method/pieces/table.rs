@@ -168,7 +168,8 @@ fn part<S: Pieces<M, R>, M: Splitting, R: Real, C: Summation<S::Phase>, P: Probe
         pass::<S, M, R, C, P>(0..1, (first, &frozen[0], poles), step.part([from; 2]))?;
         pass::<S, M, R, C, P>(1..all, (forth, &frozen[0], poles), step.part([start; 2]))?;
         pass::<S, M, R, C, P>((1..all - 1).rev(), (back, &frozen[1], poles), step.part([middle; 2]))?;
-        if joined && !(ends && i + 1 == K) {
+        let at_end = ends && i + 1 == K;
+        if joined && !at_end {
             continue;
         }
         if joined {
