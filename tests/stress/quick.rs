@@ -109,6 +109,7 @@ fn sums_of_kicks_and_drifts_take_four_operations() {
         Pendulum::system::<Tallied>().integrator(StormerVerlet, Tallied::from(0.01), start)
     };
     let more = arithmetic(run().compensated()) - arithmetic(run());
-    // A plain kick is a fused sum, and where it stands alone it is a product of its own.
-    assert!(more <= 2 * 4 * 1001, "{more} in 1000 steps");
+    // A plain kick is a fused sum, and where it stands alone it is a product of its own. The last one of a call is added twice: to the state, and
+    // to the point from which the next step goes on.
+    assert!(more <= 2 * 4 * 1002, "{more} in 1000 steps");
 }
