@@ -18,6 +18,9 @@ where
     flat(&sim.state()).iter().chain([&sim.time()]).map(|x| x.to_bits()).collect()
 }
 
+/// A way to the end of a run.
+type Walk<'a, Run> = &'a dyn Fn(&mut Run) -> Result<(), StepError>;
+
 /// Follows the same run in four ways: at once, singly, in parts, and with output.
 fn agree<S, M, C>(name: &str, steps: u64, run: impl Fn() -> Integrator<S, M, f64, C>)
 where
@@ -26,7 +29,7 @@ where
     C: Summation<S::Phase>,
 {
     // One after the other: some methods remember much.
-    let ended = |how: &str, walk: &dyn Fn(&mut Integrator<S, M, f64, C>) -> Result<(), StepError>| {
+    let ended = |how: &str, walk: Walk<Integrator<S, M, f64, C>>| {
         let mut sim = run();
         walk(&mut sim).unwrap_or_else(|error| panic!("{name}, {how}: {error}"));
         assert_eq!(sim.steps(), steps, "{name}, {how}");
