@@ -29,7 +29,7 @@ where
     C: Summation<S::Phase>,
 {
     // One after the other: some methods remember much.
-    let ended = |how: &str, walk: Walk<Integrator<S, M, f64, C>>| {
+    let ended = |how: &str, walk: Walk<'_, Integrator<S, M, f64, C>>| {
         let mut sim = run();
         walk(&mut sim).unwrap_or_else(|error| panic!("{name}, {how}: {error}"));
         assert_eq!(sim.steps(), steps, "{name}, {how}");
