@@ -110,8 +110,8 @@
 //! - Of contact systems **q' = ∂H/∂p, p' = −∂H/∂q − p ∂H/∂s, s' = p·∂H/∂p − H**; the flow multiplies the form ds − p dq by a factor.
 //! - A *kick* of length h is the flow of V(q, t): p ← p − h ∂V/∂q. A *drift* is the flow of T(p, t): q ← q + h ∂T/∂p.
 //! - `h` may be negative. Time is `t0 + n·h`, never a running sum; output never changes the step, and single steps are those of one call, bit
-//!   for bit. `until(t)` and `advance_to(t)` take the
-//!   whole steps that do not end beyond t, and are at t if that is a whole number of steps away.
+//!   for bit. `until(t)` and `advance_to(t)` take the whole steps that do not end beyond t, and are at t if that is a whole number of steps
+//!   away.
 //!   With [`Adaptive`] it is a compensated sum, and the last step ends at the time asked for.
 //! - Division by something known before the loop becomes multiplication by its reciprocal (about one rounding), and
 //!   `a·b + c` is fused where the processor of the build does that; the feature `strict-math` forbids the latter.

@@ -19,7 +19,7 @@ fn written(saved: &Saved) -> Saved {
     read
 }
 
-fn bits<T: geoint_runtime::space::Snapshot<Real = f64>>(state: &T) -> Vec<u64> {
+pub(crate) fn bits<T: geoint_runtime::space::Snapshot<Real = f64>>(state: &T) -> Vec<u64> {
     flat(state).iter().chain([&state.time()]).map(|x| x.to_bits()).collect()
 }
 

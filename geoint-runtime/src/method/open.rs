@@ -47,9 +47,7 @@ impl<Z: Array, S: Action<Z::Real>> Open<Z, S> {
         if !(self.known && end == t) {
             return None;
         }
-        // Without a branch for each entry.
-        let same = |a: &[Z::Real], b: &[Z::Real]| a.iter().zip(b).fold(true, |same, (a, b)| same & (*a == *b));
-        let here = same(self.end.z.as_slice(), x.z.as_slice()) & same(self.end.s.numbers(), x.s.numbers());
+        let here = self.end.z.is_same(&x.z) & (self.end.s.numbers() == x.s.numbers());
         if here {
             (x.z, x.s) = (self.from.z, self.from.s);
             if !C::PLAIN {

@@ -62,6 +62,13 @@ pub trait Array: Copy + Debug + PartialEq + 'static {
         nothing
     }
 
+    /// Whether every entry is that of `x`.
+    #[inline(always)]
+    fn is_same(&self, x: &Self) -> bool {
+        // Without a branch for each entry.
+        self.as_slice().iter().zip(x.as_slice()).fold(true, |same, (a, b)| same & (*a == *b))
+    }
+
     /// Whether every entry is a finite number.
     #[inline(always)]
     fn is_finite(&self) -> bool {

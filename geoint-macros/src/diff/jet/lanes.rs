@@ -162,8 +162,7 @@ impl Lanes {
             let free = common.len().next_multiple_of(LANES) - common.len();
             match rest.len() {
                 0 => {}
-                // Few squares fill lanes of others.
-                // Few powers do as well, in parts.
+                // Few powers fill lanes of others, in parts; few squares do as well.
                 1 | 2 if matches!(weight, Weight::Power(_)) => {
                     for part in rest.iter().flat_map(Sum::parts) {
                         if !common.contains(&part) {

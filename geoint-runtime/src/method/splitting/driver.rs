@@ -114,8 +114,16 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
         x: &mut Point<S::Phase, C, S::Action>,
     ) {
         let [inner_at, outer_at] = self.times(t, K - 1);
-        let outer = (self.last.as_ref(), &self.outer[K - 1]);
-        O::last((&self.inner[K - 1], inner_at), outer, outer_at, O::is_ahead::<C>(self.repeats), open, system, x);
+        let (inner, last) = (&self.inner[K - 1], self.last.as_ref());
+        if O::is_ahead::<C>(self.repeats) {
+            O::end_ahead((inner, inner_at), (last, &self.outer[K - 1]), outer_at, open, system, x);
+        } else {
+            O::inner(inner, inner_at, Moving::of(system, x));
+            open.leave(x);
+            if let Some(last) = last {
+                O::outer(last, outer_at, Moving::of(system, x));
+            }
+        }
         open.end([t, end], x);
     }
 

@@ -145,26 +145,18 @@ pub trait Order<S: Separable<R>, R: Real>: Sealed + Copy {
         Self::inner(inner, inner_at, x.again());
         Self::outer(outer, outer_at, x);
     }
-    /// The last flows of a step, inner and, if there is one, outer; `merged` is that one together with the first of the next step. That step
-    /// goes on from the point that is left open here: before `merged`, or behind it if this step is [ahead](Self::is_ahead).
+    /// The last flows of a step that [is ahead](Self::is_ahead): inner and, if there is one, outer. `merged` is that one together with the first
+    /// of the next step, which goes on behind it.
     #[inline(always)]
-    fn last<C: Summation<S::Phase>>(
+    fn end_ahead<C: Summation<S::Phase>>(
         (inner, inner_at): (&Self::Inner, Times<R>),
-        (last, merged): (Option<&Self::Outer>, &Self::Outer),
+        (_, merged): (Option<&Self::Outer>, &Self::Outer),
         at: Times<R>,
-        ahead: bool,
         open: &mut Open<S::Phase, S::Action>,
         system: &S,
         x: &mut Point<S::Phase, C, S::Action>,
     ) {
         Self::inner(inner, inner_at, Moving::of(system, x));
-        if !ahead {
-            open.leave(x);
-            if let Some(last) = last {
-                Self::outer(last, at, Moving::of(system, x));
-            }
-            return;
-        }
         // Both kicks are the same, and the state is in the middle of them: one force.
         if C::PLAIN {
             let mut next = *x;
@@ -248,23 +240,14 @@ impl<S: Separable<R>, R: Real, F: Kicks<S, R>> Order<S, R> for DriftFirst<F> {
         }
     }
     #[inline(always)]
-    fn last<C: Summation<S::Phase>>(
+    fn end_ahead<C: Summation<S::Phase>>(
         (kick, kick_at): (&F::Kick, Times<R>),
         (last, merged): (Option<&S::Drift>, &S::Drift),
         at: Times<R>,
-        ahead: bool,
         open: &mut Open<S::Phase, S::Action>,
         system: &S,
         x: &mut Point<S::Phase, C, S::Action>,
     ) {
-        if !ahead {
-            Self::inner(kick, kick_at, Moving::of(system, x));
-            open.leave(x);
-            if let Some(last) = last {
-                Self::outer(last, at, Moving::of(system, x));
-            }
-            return;
-        }
         let dp = Moving::of(system, x).impulse::<F>(kick, kick_at);
         let before = *x;
         Moving::of(system, x).drift_after(merged, at, &dp);

@@ -20,8 +20,7 @@ impl<A: Array> LastKick<A> {
     /// Whether there was one from this place.
     #[inline(always)]
     pub(super) fn is_from(&self, q: &A) -> bool {
-        // Without a branch for each entry.
-        self.q.as_slice().iter().zip(q.as_slice()).fold(self.known, |same, (a, b)| same & (*a == *b))
+        self.known & self.q.is_same(q)
     }
 }
 
