@@ -12,6 +12,10 @@ use crate::system::Separable;
 /// Up to so many coordinates a call costs more than it saves.
 const FEW: usize = 4;
 
+/// Up to so many coordinates a step moves a copy of the point. In place, what the step before has left in memory number by number is read as
+/// vectors, which waits until it is there: a third of Verlet's step of a pendulum.
+const LOCAL: usize = 32;
+
 /// A table multiplied by h: the flows of a step and the times in it at which they happen.
 #[derive(Clone, Copy, Debug)]
 pub struct Sequence<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> {
@@ -130,6 +134,22 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
     /// One step.
     #[inline(always)]
     fn single<C: Summation<S::Phase>>(
+        &self,
+        open: &mut Open<S::Phase, S::Action>,
+        system: &S,
+        times: [R; 2],
+        x: &mut Point<S::Phase, C, S::Action>,
+    ) {
+        if S::Array::LEN > LOCAL {
+            return self.in_place(open, system, times, x);
+        }
+        let mut local = *x;
+        self.in_place(open, system, times, &mut local);
+        *x = local;
+    }
+
+    #[inline(always)]
+    fn in_place<C: Summation<S::Phase>>(
         &self,
         open: &mut Open<S::Phase, S::Action>,
         system: &S,
