@@ -155,7 +155,8 @@ fn function_partials(g: &mut Graph, value: Id, function: Function, args: &[Id]) 
         // Conditions, not terms.
         Function::NotNegative => vec![one],
         Function::Bounded | Function::AtMost | Function::Provided => vec![one, g.zero()],
-        // x + x·change, with change = eᶻ − 1.
+        // x + x·change, with change = eᶻ − 1: what is left of x follows from that.
+        Function::Rest => vec![g.zero(), g.zero()],
         Function::Grown => vec![g.call(Function::Grown, &[one, y, args[2]]), g.zero(), x],
         Function::Root => {
             let reciprocal = g.recip(value);

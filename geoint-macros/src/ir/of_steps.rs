@@ -31,6 +31,7 @@ macro_rules! of_steps {
             | $crate::ir::Function::StumpffC1Derivative
             | $crate::ir::Function::DecayMean
             | $crate::ir::Function::AtMost
+            | $crate::ir::Function::Rest
             | $crate::ir::Function::Grown
             | $crate::ir::Function::SineAt
             | $crate::ir::Function::SineSlope

@@ -205,7 +205,8 @@ functions! {
     StumpffC1Derivative stumpff_c1_derivative(x) Neither Everywhere;
     DecayMean decay_mean(r, k) Neither Everywhere;
     AtMost at_most(x, y) Neither Everywhere;
-    Grown grown(x, z, change) Neither Everywhere;
+    Rest rest(z, change) Neither Everywhere;
+    Grown grown(x, rest, change) Neither Everywhere;
     // Of linear flows in two degrees of freedom.
     SineAt sine_at(b, c) Neither Everywhere;
     SineSlope sine_slope(b, c) Neither Everywhere;

@@ -92,7 +92,7 @@ fn affine(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
             let z = graph.mul(a, h);
             let (growth, mean) = growth_and_mean(graph, z);
             let change = graph.mul(z, mean);
-            let terms = [graph.call(Function::Grown, &[x, z, change]), graph.product(&[b, h, mean])];
+            let terms = [grown(graph, x, [z, change]), graph.product(&[b, h, mean])];
             Some(Solution { end: graph.sum(&terms), by_start: growth })
         }
         _ => None,
@@ -118,6 +118,12 @@ fn growth(graph: &mut Graph, equation: &Equation, a: Id) -> Option<Id> {
     }
     let z = equation.clock.over_step(graph, a)?;
     Some(graph.call(Function::Exp, &[z]))
+}
+
+/// x·eᶻ, with eᶻ − 1 at hand.
+pub(super) fn grown(graph: &mut Graph, x: Id, [z, change]: [Id; 2]) -> Id {
+    let rest = graph.call(Function::Rest, &[z, change]);
+    graph.call(Function::Grown, &[x, rest, change])
 }
 
 /// eᶻ and φ₁(z). (Not 1 + zφ₁(z), of which nothing is left after a strong decay.)

@@ -18,12 +18,18 @@ fn strong<R: Real>(x: R) -> R {
     either(x, spared::<R>(1.0), series, || x.exp_m1() / x)
 }
 
-/// x·eᶻ with eᶻ − 1 at hand: added to x, unless little of it is left.
+/// x·eᶻ with eᶻ − 1 at hand: added to x, unless little of it is left, which is the [`rest`] then.
 ///
 /// A factor eᶻ near 1, rounded, is wrong by the same in every step, and errors add up. And it costs an exponential.
 #[inline(always)]
-pub fn grown<R: Real>(x: R, z: R, change: R) -> R {
-    if change.any_below(-0.5) { x * far(z) } else { x.multiply_add(change, x) }
+pub fn grown<R: Real>(x: R, rest: R, change: R) -> R {
+    if change.any_below(-0.5) { x * rest } else { x.multiply_add(change, x) }
+}
+
+/// eᶻ, where little of it is left; else 1, which is not read. Before a loop: beside a call, what the loop moves goes through memory.
+#[inline(always)]
+pub fn rest<R: Real>(z: R, change: R) -> R {
+    if change.any_below(-0.5) { far(z) } else { R::from_f64(1.0) }
 }
 
 /// Out of line: the optimiser would compute it before it knows whether it is needed.

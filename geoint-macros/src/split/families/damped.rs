@@ -2,6 +2,7 @@
 
 use super::super::flow::{Flow, Group};
 use super::super::polynomial::{Polynomial, degree, is_free, is_momentum, times_powers};
+use super::super::scalar::grown;
 use super::super::time::{Clock, OverTime, over_time};
 use crate::diff;
 use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
@@ -63,7 +64,7 @@ enum Decay {
 impl Decay {
     fn of(&self, graph: &mut Graph, x: Id) -> Id {
         match *self {
-            Decay::Exponential(z, change) => graph.call(Function::Grown, &[x, z, change]),
+            Decay::Exponential(z, change) => grown(graph, x, [z, change]),
             Decay::Factor(factor) => graph.mul(factor, x),
         }
     }
