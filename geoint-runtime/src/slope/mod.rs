@@ -24,9 +24,7 @@ pub use central::{spread, swept};
 pub use circular::{arc, arc_derivative, sinc, sinc_derivative};
 pub use coupled::{flow_change, flow_matrix, joined};
 pub use exponential::{exp, exp_derivative, exp2, ln, ln_derivative, powf, powf_derivative};
-pub use flows::{
-    decay_mean, grown, phi_1, phi_1_derivative, rest, stumpff_c0, stumpff_c1, stumpff_c1_derivative,
-};
+pub use flows::{decay_mean, grown, phi_1, phi_1_derivative, rest, stumpff_c0, stumpff_c1, stumpff_c1_derivative};
 pub use free_body::{five_rotations, free_rotation, symmetric_rotation};
 pub use hyperbolic::{sinhc, sinhc_derivative, tanh, tanh_derivative};
 pub use kepler::{kepler, kepler_f, kepler_f_rate, kepler_g, kepler_g_rate};

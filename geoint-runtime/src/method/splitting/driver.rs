@@ -1,7 +1,8 @@
-//! The driver: a table multiplied by h, one step, and many steps. Neighbouring ones share a flow, in one call and in many.
+//! The driver: one step, and many steps. Neighbouring ones share a flow, in one call and in many.
 
-use super::flows::{Order, Weight};
+use super::flows::Order;
 use super::moving::{Moving, Times};
+use super::sequence::Sequence;
 use super::table::Splitting;
 use crate::method::open::Open;
 use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step};
@@ -16,69 +17,8 @@ const FEW: usize = 4;
 /// vectors, which waits until it is there: a third of Verlet's step of a pendulum.
 const LOCAL: usize = 32;
 
-/// A table multiplied by h: the flows of a step and the times in it at which they happen.
-#[derive(Clone, Copy, Debug)]
-pub struct Sequence<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> {
-    pub(super) first: O::Outer,
-    pub(super) inner: [O::Inner; K],
-    /// What follows each inner flow while the steps go on: the last flow of a step is merged with the first of the next.
-    pub(super) outer: [O::Outer; K],
-    /// What follows the last inner flow where the steps end.
-    pub(super) last: Option<O::Outer>,
-    inner_at: [R; K],
-    outer_at: [R; K],
-    /// A step begins with the flow that the one before ended with, and that is what it was.
-    pub(super) repeats: bool,
-}
-
 impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O, K> {
     const MANY: bool = S::Array::LEN > FEW;
-
-    fn prepare(table: &Splitting<K, O>, system: &S, h: R) -> Self {
-        let part = |fraction: f64| R::from_f64(fraction) * h;
-        let (mut inner_at, mut outer_at) = ([h; K], [h; K]);
-        let (mut outers, mut inners) = (0.0, 0.0);
-        for i in 0..K {
-            outers += table.outer[i];
-            inners += table.inner[i];
-            inner_at[i] = part(outers);
-            if i + 1 < K {
-                outer_at[i] = part(inners);
-            }
-        }
-        let cube = h * h * h;
-        let weight = |fraction: f64, gradient: f64| Weight {
-            h: part(fraction),
-            gradient: (gradient != 0.0).then(|| R::from_f64(gradient) * cube),
-        };
-        let outer = |(fraction, gradient)| O::prepare_outer(system, weight(fraction, gradient));
-        let start = (table.outer[0], table.gradients[0]);
-        let last = (table.last != 0.0).then_some((table.last, table.gradients[0]));
-        let merged = last.map_or(start, |last| (start.0 + last.0, start.1 + last.1));
-        let inner = |(fraction, gradient)| O::prepare_inner(system, weight(fraction, gradient));
-        let between = |i| match i + 1 {
-            next if next < K => (table.outer[next], table.gradients[next]),
-            _ => merged,
-        };
-        let first = outer(start);
-        Sequence {
-            inner: mirrored(|i| (table.inner[i], table.gradients[i]), K, inner),
-            outer: mirrored(between, K - 1, outer),
-            last: last.map(|last| if last == start { first } else { outer(last) }),
-            first,
-            inner_at,
-            outer_at,
-            repeats: O::REPEATS && table.last == table.outer[0],
-        }
-    }
-
-    /// The times of the i-th inner flow of a step from `t`, and of the outer flow behind it.
-    #[inline(always)]
-    pub(super) fn times(&self, t: R, i: usize) -> [Times<R>; 2] {
-        let before = if i == 0 { t } else { t + self.outer_at[i - 1] };
-        let (outers, inners) = (t + self.inner_at[i], t + self.outer_at[i]);
-        [Times { own: before, other: outers }, Times { own: outers, other: inners }]
-    }
 
     /// inner₁, outer₂, inner₂, …, outer_K.
     #[inline(always)]
@@ -148,6 +88,18 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
         *x = local;
     }
 
+    /// The same in a function of its own.
+    #[inline(never)]
+    fn single_apart<C: Summation<S::Phase>>(
+        &self,
+        open: &mut Open<S::Phase, S::Action>,
+        system: &S,
+        times: [R; 2],
+        x: &mut Point<S::Phase, C, S::Action>,
+    ) {
+        self.single(open, system, times, x);
+    }
+
     #[inline(always)]
     fn in_place<C: Summation<S::Phase>>(
         &self,
@@ -190,7 +142,7 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
     ) {
         let Some(final_step) = steps.checked_sub(1) else { return };
         apart(|| self.begin(open, system, clock.at(0), point));
-        Self::apart_if_large(|| self.go_on(system, clock, final_step, point));
+        self.go_on(system, clock, final_step, point);
         apart(|| {
             let [t, end] = [final_step, steps].map(|n| clock.at(n));
             self.between(system, t, point);
@@ -198,8 +150,9 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
         });
     }
 
-    /// Steps that neither begin nor end.
-    #[inline(always)]
+    /// Steps that neither begin nor end: in a function of its own, whatever the caller does. Of its arguments, other than of what a closure holds,
+    /// the optimiser knows that they are apart.
+    #[inline(never)]
     fn go_on<C: Summation<S::Phase>>(
         &self,
         system: &S,
@@ -226,12 +179,6 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
         (point.z, point.s) = ([q, p], s);
         (point.sums, point.compensation) = (sums, compensation);
     }
-
-    /// What large systems do in a function of its own.
-    #[inline(always)]
-    fn apart_if_large(work: impl FnOnce()) {
-        if Self::MANY { apart(work) } else { work() }
-    }
 }
 
 /// Work in a function of its own: the optimiser then arranges registers for that alone. Beside other flows the loop over six bodies is up to
@@ -239,25 +186,6 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
 #[inline(never)]
 fn apart(work: impl FnOnce()) {
     work();
-}
-
-/// What is prepared with some weights, of which the first ones are a palindrome or not: what is there already is copied, because a matrix takes
-/// long to prepare.
-fn mirrored<W: PartialEq, T: Copy, const K: usize>(
-    weight: impl Fn(usize) -> W,
-    palindrome: usize,
-    prepare: impl Fn(W) -> T,
-) -> [T; K] {
-    let mut all = [prepare(weight(0)); K];
-    for i in 1..K {
-        let before = i < palindrome && palindrome <= 2 * i;
-        all[i] = if before && weight(palindrome - 1 - i) == weight(i) {
-            all[palindrome - 1 - i]
-        } else {
-            prepare(weight(i))
-        };
-    }
-    all
 }
 
 /// A flow under the eyes of a probe: a part of a drift that ends before its time is named.
@@ -316,7 +244,11 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Method<S, R> for 
             prepared.watched(step);
         } else {
             let Step { system, t, end, x, .. } = step;
-            Sequence::<S, R, O, K>::apart_if_large(|| prepared.single(open, system, [t, end], x));
+            if Sequence::<S, R, O, K>::MANY {
+                prepared.single_apart(open, system, [t, end], x);
+            } else {
+                prepared.single(open, system, [t, end], x);
+            }
         }
         Ok(())
     }

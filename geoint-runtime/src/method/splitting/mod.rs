@@ -39,11 +39,11 @@ mod moving;
 mod nystrom;
 mod processed;
 mod rotations;
+mod sequence;
 mod table;
 mod told;
 mod verlet;
 
-pub use driver::Sequence;
 pub use estimators::Estimators;
 pub(in crate::method) use estimators::Mirrored;
 pub use field::{gradient_kick, modified_verlet};
@@ -53,6 +53,7 @@ pub use moving::{Moving, Times};
 pub use nystrom::Nystrom;
 pub use processed::ProcessedSplitting;
 pub use rotations::{FiveRotations, KickAndRotations};
+pub use sequence::Sequence;
 pub use table::{Flow, Splitting};
 pub use verlet::{PositionVerlet, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint};
 

@@ -1,9 +1,9 @@
 //! Tables for a quadratic T.
 
-use super::driver::Sequence;
 use super::estimators::{Estimators, Mirrored};
 use super::flows::{DriftFirst, KickFirst, Order};
 use super::last_kick::{LastKick, Told};
+use super::sequence::Sequence;
 use super::steps_of;
 use super::table::Splitting;
 use crate::method::open::Open;

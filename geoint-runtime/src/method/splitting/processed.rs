@@ -1,8 +1,8 @@
 //! Tables with a processor: χ⁻¹ ∘ K ∘ … ∘ K ∘ χ, cheap steps K between a way before the first one and the same way back after the last.
 
-use super::driver::Sequence;
 use super::flows::{Order, Weight};
 use super::moving::{Moving, Times};
+use super::sequence::Sequence;
 use super::steps_of;
 use super::table::Splitting;
 use crate::method::tables::total::adds_up;

@@ -1,9 +1,10 @@
 //! A step that tells what its kicks add: what estimates of its error are made of.
 
-use super::driver::{Sequence, seen};
+use super::driver::seen;
 use super::flows::Order;
 use super::last_kick::LastKick;
 use super::moving::Times;
+use super::sequence::Sequence;
 use crate::method::{Probe, Step};
 use crate::scalar::Real;
 use crate::space::{Array, Summation};
