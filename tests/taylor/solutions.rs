@@ -186,3 +186,25 @@ fn what_is_between_the_ends_of_a_step() {
     let before = sim.at(sim.time() + 0.01).unwrap();
     assert!(before.t > sim.time() && before.q > sim.state().q && sim.at(sim.time() - 0.01).is_none());
 }
+
+/// A large system has a lower order where the tolerance is loose, and is as accurate as by the order of small ones.
+#[test]
+fn large_systems_have_an_order_for_the_tolerance() {
+    let start = figure_eight();
+    for (tolerance, order) in [(1e-6, 14), (1e-8, 14), (9e-9, 16), (1e-9, 16), (1e-12, 16), (9e-13, 20), (1e-15, 20)] {
+        let mut sim = ThreeBodies.taylor(Taylor { tolerance }, start);
+        assert_eq!(sim.order(), order, "{tolerance:e}");
+        assert_eq!(Pendulum.taylor(Taylor { tolerance }, State::new(1.5, 0.0)).order(), 20);
+        let mut finer = ThreeBodies.taylor(TaylorOrder::<20>::default(), start);
+        sim.advance_to(2.0).unwrap();
+        finer.advance_to(2.0).unwrap();
+        let (found, expected) = (sim.state(), finer.state());
+        for i in 0..3 {
+            for k in 0..2 {
+                let error = (found.q[i][k] - expected.q[i][k]).abs();
+                // A step is off by a 64th of the tolerance, and a few roundings.
+                assert!(error <= tolerance + 1e-14, "{tolerance:e}: {error:.1e}");
+            }
+        }
+    }
+}

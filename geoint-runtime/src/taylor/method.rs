@@ -16,7 +16,7 @@ const LARGE: usize = 12;
 /// chosen from the last two coefficients, for an error 64 times smaller, because the energy would drift with what is truncated otherwise.
 /// Tolerances below the accuracy of the scalar count as that, those above 1/16 as 1/16, and from 1 on they are none. Nothing is kept exactly, everything to the tolerance: at the
 /// default the energy of a Kepler orbit walks 1 to 6·10⁻¹⁴ in 10⁴ periods, by rounding; [projected](crate::Projection) it does not. The order
-/// is 20; of large systems 14 or 18 where the tolerance is above 10⁻⁹ or 10⁻¹².
+/// is 20; of large systems 14 or 16 where the tolerance is 10⁻⁸ or 10⁻¹² at the least.
 ///
 /// À. Jorba & M. Zou, Exp. Math. 14 (2005) 99.
 ///
@@ -153,8 +153,8 @@ impl<S: Jets<R>, R: Real> TaylorMethod<S, R> for Taylor {
     #[inline(always)]
     fn order(&self) -> usize {
         match S::CONVOLUTIONS {
-            LARGE.. if self.tolerance >= 1e-9 => 14,
-            LARGE.. if self.tolerance >= 1e-12 => 18,
+            LARGE.. if self.tolerance >= 1e-8 => 14,
+            LARGE.. if self.tolerance >= 1e-12 => 16,
             _ => 20,
         }
     }
@@ -179,7 +179,7 @@ impl<S: Jets<R>, R: Real> TaylorMethod<S, R> for Taylor {
         // Lower orders are not compiled for a system that has no use for them.
         match order {
             14 if S::CONVOLUTIONS >= LARGE => part::<14, S, R>(system, start, x, jet, switches),
-            18 if S::CONVOLUTIONS >= LARGE => part::<18, S, R>(system, start, x, jet, switches),
+            16 if S::CONVOLUTIONS >= LARGE => part::<16, S, R>(system, start, x, jet, switches),
             _ => part::<20, S, R>(system, start, x, jet, switches),
         }
     }

@@ -52,8 +52,8 @@ fn sum<Z: Array, S: Action<Z::Real>>(
     match jet.len() {
         13 => in_turn::<4, Z, S>(&jet[..13], h, weight),
         14 => in_turn::<4, Z, S>(&jet[..14], h, weight),
-        17 => in_turn::<4, Z, S>(&jet[..17], h, weight),
-        18 => in_turn::<4, Z, S>(&jet[..18], h, weight),
+        15 => in_turn::<4, Z, S>(&jet[..15], h, weight),
+        16 => in_turn::<4, Z, S>(&jet[..16], h, weight),
         _ => in_turn::<4, Z, S>(jet, h, weight),
     }
 }
