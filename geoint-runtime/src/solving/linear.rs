@@ -7,26 +7,40 @@ use crate::space::{Array, Square};
 /// A pivot on the diagonal that is smaller than this is compared with the entries below it.
 const SMALL: f64 = 1.0 / 8.0;
 
-/// Solves `matrix·x = rhs` in place of `rhs` by elimination with partial pivoting; destroys `matrix`.
+/// Solves `matrix·x = rhs` in place of `rhs`; destroys `matrix`.
 ///
-/// Row i has the unit of unknown i: the matrix is 1 − g' for x = g(x). Where entries of a column are compared, then in units of `sizes`,
-/// those of the unknowns: which of them is the pivot does not depend on units. Returns whether the determinant is positive; `None` if a
-/// pivot vanishes or is not a finite number.
+/// Row i has the unit of unknown i: the matrix is 1 − g' for x = g(x). Up to four unknowns are solved for in the least time where determinants do not
+/// cancel, else, as are more, by [`pivots`]. Returns whether the determinant is positive; `None` if a pivot vanishes or is not a finite number.
 #[inline(always)]
 pub(crate) fn solve<A: Array>(matrix: &mut Square<A>, rhs: &mut A, sizes: &Sizes<A>) -> Option<bool> {
+    if const { A::LEN == 2 } {
+        return of_two(A::entries::<A>(matrix), rhs.as_mut_slice());
+    }
+    if const { A::LEN == 3 }
+        && let Some(positive) = of_three(A::entries::<A>(matrix), rhs.as_mut_slice())
+    {
+        return Some(positive);
+    }
+    if const { A::LEN == 4 } {
+        let (mut rows, mut x) = (*matrix, *rhs);
+        if let Some(positive) = of_pairs(A::entries::<A>(&mut rows), x.as_mut_slice()) {
+            *rhs = x;
+            return Some(positive);
+        }
+    }
+    pivots(matrix, rhs, sizes)
+}
+
+/// The same by elimination with partial pivoting.
+///
+/// Where entries of a column are compared, then in units of `sizes`, those of the unknowns: which of them is the pivot does not depend on units.
+#[inline(always)]
+pub(super) fn pivots<A: Array>(matrix: &mut Square<A>, rhs: &mut A, sizes: &Sizes<A>) -> Option<bool> {
     let n = A::LEN;
     let mut sizes = *sizes;
     let sizes = sizes.entries();
     let rows = A::entries::<A>(matrix);
     let b = rhs.as_mut_slice();
-    if const { A::LEN == 2 } {
-        return of_two(rows, b);
-    }
-    if const { A::LEN == 3 }
-        && let Some(positive) = of_three(rows, b)
-    {
-        return Some(positive);
-    }
     let (mut positive, mut ordered) = (true, true);
     for k in 0..n {
         // On the diagonal an entry has no unit, and is near 1 in the matrix of a step that is not too long: it stays.

@@ -1,6 +1,6 @@
 //! Elimination in pairs beside elimination with exchanges. In a file of its own: a bench compiles the other one once more.
 
-use super::linear::{of_pairs, second_term, solve};
+use super::linear::{of_pairs, pivots, second_term, solve};
 use super::size::Sizes;
 use crate::space::{Array, Square};
 
@@ -31,7 +31,7 @@ where
         let b = matrix.map(|row| row.iter().zip(&x).map(|(a, x)| a * x).sum());
         let mut square: Square<[f64; N]> = <[f64; N]>::fill(<[f64; N]>::zero());
         <[f64; N]>::entries::<[f64; N]>(&mut square).copy_from_slice(&matrix);
-        let expected = solve::<[f64; N]>(&mut square, &mut b.clone(), &Sizes::equal());
+        let expected = pivots::<[f64; N]>(&mut square, &mut b.clone(), &Sizes::equal());
         let (positive, found) = in_pairs(matrix, b).expect("pivots are large");
         assert_eq!(Some(positive), expected);
         assert!(found.iter().zip(&x).all(|(found, x)| (found - x).abs() < 1e-13), "{found:?}");
@@ -59,6 +59,24 @@ fn pairs_that_cancel_are_left_to_exchanges() {
     // A diagonal of zeros is none.
     let turned = [[0.0, 1.0, 0.0, 0.0], [-1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, -2.0], [0.0, 0.0, 2.0, 0.0]];
     assert_eq!(in_pairs(turned, [1.0, 2.0, 4.0, 6.0]), Some((true, [-2.0, 1.0, 3.0, -2.0])));
+}
+
+#[test]
+fn four_unknowns_are_solved_for_where_pairs_cancel() {
+    let mut cancels: [[f64; 4]; 4] = near_one(1.0);
+    // The first pair at once, the second one when unknowns have been eliminated.
+    let first = [[1.0, 1.0, 0.0, 0.5], [1.0, 1.0, 0.25, 0.0], [0.0, 0.5, 1.0, 0.0], [0.25, 0.0, 0.0, 1.0]];
+    (cancels[2], cancels[3]) = ([0.0, 0.0, 0.0, 1e-3], [0.0, 0.0, 1e-3, 0.0]);
+    let x = [1.0, -2.0, 3.0, 0.5];
+    for matrix in [first, cancels] {
+        let b = matrix.map(|row| row.iter().zip(&x).map(|(a, x)| a * x).sum());
+        assert_eq!(in_pairs(matrix, b), None);
+        let mut square: Square<[f64; 4]> = <[f64; 4]>::fill(<[f64; 4]>::zero());
+        <[f64; 4]>::entries::<[f64; 4]>(&mut square).copy_from_slice(&matrix);
+        let mut found = b;
+        assert!(solve::<[f64; 4]>(&mut square, &mut found, &Sizes::equal()).is_some());
+        assert!(found.iter().zip(&x).all(|(found, x)| (found - x).abs() < 1e-12), "{found:?}");
+    }
 }
 
 /// Two terms leave what is of third order in the distance of the matrix from 1, and one leaves more.

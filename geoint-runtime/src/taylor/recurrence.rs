@@ -36,6 +36,16 @@ pub fn orders<const UNROLLED: usize, const P: usize>(series: &mut impl Series) {
     unrolled!(1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30 31);
 }
 
+/// The same, with code of its own for every order or for none: for those up to `UNROLLED` if there are no others.
+#[inline(always)]
+pub fn all_orders<const UNROLLED: usize, const P: usize>(series: &mut impl Series) {
+    if P <= UNROLLED + 1 {
+        orders::<UNROLLED, P>(series);
+    } else {
+        orders::<0, P>(series);
+    }
+}
+
 /// An order as a scalar. Processors convert numbers with a sign in one operation.
 #[inline(always)]
 pub fn whole<R: Real>(n: usize) -> R {
@@ -305,4 +315,39 @@ pub fn quadrature<A: Array>([d, over]: [A; 2], un: A, sum: A, n: usize) -> A {
 pub fn angle<R: Real>([y, x, square, over]: [R; 4], [yn, xn]: [R; 2], [first, second, third]: [R; 3], n: usize) -> R {
     let last = yn.multiply_add(x, -(xn * y));
     last.multiply_add(over, (first - second - third) / (whole::<R>(n) * square))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use alloc::{vec, vec::Vec};
+
+    /// The orders that were asked for.
+    struct Asked(Vec<usize>);
+
+    impl Series for Asked {
+        fn order(&mut self, n: usize) {
+            self.0.push(n);
+        }
+    }
+
+    fn asked(orders: impl FnOnce(&mut Asked)) -> Vec<usize> {
+        let mut series = Asked(vec![]);
+        orders(&mut series);
+        series.0
+    }
+
+    #[test]
+    fn every_order_comes_once_and_in_turn() {
+        let first = |p: usize| (1..p).collect::<Vec<usize>>();
+        // More orders than are unrolled, as many, fewer, and none.
+        assert_eq!(asked(orders::<3, 9>), first(9));
+        assert_eq!(asked(orders::<3, 4>), first(4));
+        assert_eq!(asked(orders::<7, 4>), first(4));
+        assert_eq!(asked(orders::<7, 1>), first(1));
+        assert_eq!(asked(all_orders::<3, 9>), first(9));
+        assert_eq!(asked(all_orders::<3, 4>), first(4));
+        assert_eq!(asked(all_orders::<7, 4>), first(4));
+        assert_eq!(asked(all_orders::<0, 4>), first(4));
+    }
 }

@@ -31,7 +31,11 @@ const MOST_CODE: usize = 16 << 10;
 const FEWEST: usize = 6;
 
 /// No method has more orders than this.
-const MOST_ORDERS: usize = 32;
+const MOST_ORDERS: usize = 31;
+
+/// With more orders code with sums side by side may not fit into the instruction cache, and from 15 on the compiler leaves loops over sums: twice the
+/// time.
+const MOST_ORDERS_OF_LANES: usize = 11;
 
 /// `impl Jets`, and the method that users call.
 pub(super) fn jets(context: &Context<'_>, found: &JetKernel<Plan>) -> TokenStream {
@@ -94,16 +98,18 @@ struct Writer<'a> {
 }
 
 impl Writer<'_> {
-    /// How many orders are unrolled. With sums side by side none: a loop over them is as fast, or faster by a tenth (double pendulum, orders
-    /// 12 and 16, with and without the operations of the processor), and takes a fraction of the code.
-    fn unrolled(&self) -> usize {
-        if self.lanes.is_some() {
-            return 0;
-        }
+    /// How orders are called, and how many are unrolled at most. With sums side by side all or none: where a loop is left, arrays are in memory for
+    /// all of them, and must be cleared.
+    fn orders(&self) -> TokenStream {
         let sums = self.jet.convolutions();
         let code = |orders: usize| 6 * sums * orders * orders + 16 * self.jet.series.len() * orders;
-        let most = (1..MOST_ORDERS).take_while(|orders| code(*orders) <= MOST_CODE).last().unwrap_or(0);
-        if most < FEWEST { 0 } else { most }
+        let (call, most) = match self.lanes {
+            Some(_) => (quote!(all_orders), MOST_ORDERS_OF_LANES),
+            None => (quote!(orders), MOST_ORDERS),
+        };
+        let most = (1..=most).take_while(|orders| code(*orders) <= MOST_CODE).last().unwrap_or(0);
+        let most = Literal::usize_unsuffixed(if most < FEWEST { 0 } else { most });
+        quote!(recurrence::#call::<#most, P>)
     }
 
     /// A number of the start, as orders read it.
@@ -206,13 +212,13 @@ impl Writer<'_> {
         }
         let places = self.coordinates_at_hand().iter().map(|rate| self.place(rate.symbol));
         let coordinates = places.map(|place| quote!(jet[0].#place));
-        let unrolled = Literal::usize_unsuffixed(self.unrolled());
+        let orders = self.orders();
         let zeros: Vec<TokenStream> = arrays.iter().map(Stored::zeros).collect();
         let arrays: Vec<Ident> = arrays.into_iter().map(|array| array.name).collect();
         quote! {
             let (#(#arrays,)*) = (#(&mut #zeros,)*);
             #first
-            recurrence::orders::<#unrolled, P>(&mut Coefficients {
+            #orders(&mut Coefficients {
                 k: [#(#numbers),*], #beside #at_hand coordinates: [#(#coordinates),*], masks: [#(#masks),*], #(#arrays,)* jet, switches,
             });
         }

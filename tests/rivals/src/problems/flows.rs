@@ -41,7 +41,7 @@ pub(super) fn euler_top() -> Problem {
     entries.extend(taylors(system, way));
     let (from, list) = (Way::new(Top.start(), duration), |m: [f64; 3]| m.to_vec());
     entries.push(by_hand("DiscreteGradient", 300, from, list, move |h, n, m| {
-        FreeBody { inertia: black_box(INERTIA) }.discrete_gradient::<false>(h, n, m)
+        FreeBody { inertia: black_box(INERTIA) }.discrete_gradient::<true>(h, n, m)
     }));
     entries.extend(of_field(Top, duration, Seen::End));
     let note = "moments 1, 2, 3, angular momentum (0.5, 1.6, −1.2), T = 200".into();

@@ -95,7 +95,7 @@ pub(super) fn regular() -> Problem {
         1000,
         from,
         |z: [f64; 4]| z.to_vec(),
-        move |h, n, z| by().discrete_gradient::<false>(h, n, z),
+        move |h, n, z| by().discrete_gradient::<true>(h, n, z),
     ));
     Problem {
         name: "henon_heiles",

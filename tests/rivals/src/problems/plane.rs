@@ -49,7 +49,7 @@ pub(super) fn pendulum() -> Problem {
         by_hand("KahanLi8_17a of StormerVerlet", 1000, from, list, move |h, n, z| {
             by().kicks_first(Stages::composed(&KahanLi8_17a), h, n, z)
         }),
-        by_hand("DiscreteGradient", 1000, from, list, move |h, n, z| by().discrete_gradient::<false>(h, n, z)),
+        by_hand("DiscreteGradient", 1000, from, list, move |h, n, z| by().discrete_gradient::<true>(h, n, z)),
     ]);
     entries.extend(of_field(Swing, duration, Seen::End));
     entries.extend(of_separable(Swing, duration, 2000, Seen::End));
@@ -97,7 +97,7 @@ pub(super) fn kepler() -> Problem {
         by_hand("KahanLi8_17a of StormerVerlet", 4000, from, list, move |h, n, z| {
             by().kicks_first(Stages::composed(&KahanLi8_17a), h, n, z)
         }),
-        by_hand("DiscreteGradient", 5000, from, list, move |h, n, z| by().discrete_gradient::<false>(h, n, z)),
+        by_hand("DiscreteGradient", 5000, from, list, move |h, n, z| by().discrete_gradient::<true>(h, n, z)),
     ]);
     entries.extend(of_field(Orbit, duration, Seen::End));
     entries.extend(of_separable(Orbit, duration, 10_000, Seen::End));
