@@ -122,6 +122,23 @@ fn poles_jumps_and_flat_zeros() {
     }
 }
 
+/// A function that is zero all along has no events also where the search has an end; one that is not zero all along has.
+#[test]
+fn zero_until_the_end() {
+    every_run!(Oscillator, State::new(1.0, 0.0), 0.1, |sim| {
+        let first = sim.crossings(Direction::Any, |s| s.q * 0.0).until(7.0).next();
+        assert!(matches!(first, Some(Err(StepError::NoEvent { .. }))), "{first:?}");
+        assert!((6.8..=7.0).contains(&sim.time()), "{}", sim.time());
+        // Only one of them, and only in the end.
+        let before = sim.time();
+        let found: Vec<_> = sim.crossings(Direction::Any, |s| [s.q * 0.0, s.q]).until(14.0).collect();
+        assert!(found.len() == 2 && found.iter().all(Result::is_ok), "{before}: {found:?}");
+        // Nothing is left to be searched.
+        let end = sim.time();
+        assert_eq!(sim.until_event(end, Direction::Any, |s| s.q * 0.0), Ok(None));
+    });
+}
+
 /// A zero at the end of one search is found once: not by none, and not by the next one, too.
 #[test]
 fn where_one_search_ends_and_the_next_begins() {

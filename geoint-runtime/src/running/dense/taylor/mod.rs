@@ -103,7 +103,11 @@ where
             }
         };
         if !stepped {
-            return Ok(self.zero_at_end());
+            return if self.zeros > 0 && self.sides.as_slice().iter().all(|side| side.magnitude() == 0.0) {
+                Err(self.zero_all_along())
+            } else {
+                Ok(self.zero_at_end())
+            };
         }
         self.ahead = self.at_end();
         self.search(0.0, self.first_width())
@@ -119,10 +123,14 @@ where
         let coefficients = || piece.values.as_slice().iter().flat_map(|g| M::coefficients(g));
         self.zeros = if G::LEN > 0 && coefficients().all(|g| g.magnitude() == 0.0) { self.zeros + 1 } else { 0 };
         if self.zeros >= ZEROS {
-            return Err(StepError::NoEvent { t: signed(self.run.time()) });
+            return Err(self.zero_all_along());
         }
         (self.piece, self.given) = (Some(piece), (-1.0, usize::MAX));
         Ok(true)
+    }
+
+    fn zero_all_along(&self) -> StepError {
+        StepError::NoEvent { t: signed(self.run.time()) }
     }
 
     /// Whether another function is zero, to rounding, where the search ends, and had no zero just before: it is asked for next.
