@@ -87,6 +87,58 @@ fn events_are_found_once_whatever_their_rounding() {
     );
 }
 
+/// What is left of the search after an event may be short: the event is known no better for that.
+#[test]
+fn an_end_just_behind_an_event() {
+    macro_rules! check {
+        ($($method:expr),*) => { $( for k in 0..40 {
+            let level = 0.04 * f64::from(k / 2);
+            let mut sim = Oscillator.taylor($method, State::new(1.0, 0.1 + 0.02 * f64::from(k)));
+            for _ in 0..4 {
+                let found = sim.until_event(100.0, Direction::Any, |s| s.q - level).unwrap().unwrap();
+                for digits in 3..16 {
+                    let end = found.state.t * (1.0 + 10_f64.powi(-digits));
+                    let again = sim.clone().until_event(end, Direction::Any, |s| s.q - level).unwrap();
+                    assert_eq!(again, None, "{}: {found:?}", stringify!($method));
+                }
+            }
+        } )* };
+    }
+    check!(Taylor::default(), Taylor { tolerance: 1e-6 }, TaylorFixed::<16> { h: 0.4 });
+}
+
+/// 1/q changes sign at a pole: that is no zero. A jump is one, however high, and of a triple zero is found what rounding leaves.
+#[test]
+fn poles_jumps_and_flat_zeros() {
+    let run = || Oscillator.taylor(Taylor::default(), State::new(1.0, 0.0));
+    assert!(run().crossings(Direction::Any, |s| s.q.recip()).until(100.0).next().is_none());
+    assert_eq!(run().crossings(Direction::Any, |s| s.p / s.q).until(100.0).count(), 31);
+    let mut sim = run();
+    let jumps = sim.crossings(Direction::Any, |s| (s.p * s.p * 1000.0 + 0.001) * s.q.signum());
+    assert_eq!(jumps.until(100.0).count(), 32);
+    for found in run().crossings(Direction::Any, |s| s.q * s.q * s.q).until(100.0) {
+        let q = found.unwrap().state.q;
+        assert!(q.abs() < 2e-5, "{q:e}");
+    }
+}
+
+/// A function that is zero all along has no events also where the search has an end; one that is not zero all along has.
+#[test]
+fn zero_until_the_end() {
+    every_run!(Oscillator, State::new(1.0, 0.0), 0.1, |sim| {
+        let first = sim.crossings(Direction::Any, |s| s.q * 0.0).until(7.0).next();
+        assert!(matches!(first, Some(Err(StepError::NoEvent { .. }))), "{first:?}");
+        assert!((6.8..=7.0).contains(&sim.time()), "{}", sim.time());
+        // Only one of them, and only in the end.
+        let before = sim.time();
+        let found: Vec<_> = sim.crossings(Direction::Any, |s| [s.q * 0.0, s.q]).until(14.0).collect();
+        assert!(found.len() == 2 && found.iter().all(Result::is_ok), "{before}: {found:?}");
+        // Nothing is left to be searched.
+        let end = sim.time();
+        assert_eq!(sim.until_event(end, Direction::Any, |s| s.q * 0.0), Ok(None));
+    });
+}
+
 /// A zero at the end of one search is found once: not by none, and not by the next one, too.
 #[test]
 fn where_one_search_ends_and_the_next_begins() {

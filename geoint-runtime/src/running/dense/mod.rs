@@ -101,7 +101,7 @@ pub trait Dense: Trajectory + Clone {
     /// [`crossings`](crate::TaylorIntegrator::crossings) that find all zeros of a polynomial. A search that begins where another one has ended
     /// does not find that event again; a function that is zero where it ends has an event there. What comes back to zero within a millionth of a
     /// step is not seen: a ball whose impacts accumulate falls through in the end, unless you lay it down. Poles are none; a function that is no finite
-    /// number at the end of a step is an error.
+    /// number at the end of a step is an error, and so is one that is zero all along, for more than a step.
     fn crossings<G: Array<Real = Scalar<Self>>, F: Fn(&Self::State) -> G>(
         &mut self,
         direction: Direction,

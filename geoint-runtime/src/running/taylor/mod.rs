@@ -137,7 +137,8 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> TaylorIntegrator<S, M, R> {
     ///
     /// `g` is a function of truncated series, [`Series`](crate::scalar::Series), which stand for the coordinates along a step: written as
     /// it is for numbers. Its zeros are those of a polynomial, all of them; where the series of `g` ends before a step does, of several
-    /// polynomials. A search that begins where another one has ended does not find that event again.
+    /// polynomials. Jumps count, poles do not. A search that begins where another one has ended does not find that event again; a function
+    /// that is zero all along is an error, and so is one that is no finite number.
     ///
     /// ```
     /// use geoint_runtime::prelude::*;

@@ -10,7 +10,10 @@ use crate::space::Array;
 use crate::system::{Jets, StateOf};
 use crate::taylor::{self, TaylorMethod};
 use core::fmt::{self, Debug, Formatter};
-use pieces::{Piece, number};
+use pieces::{APART, Piece, number};
+
+/// Steps of Newton's method at most: where a function has a triple zero each takes off a third.
+const ROUNDS: u32 = 32;
 
 /// The crossings of a run by Taylor series, in order; ends after the first error, or at a time.
 pub struct TaylorCrossings<'a, S: Jets<R>, M: TaylorMethod<S, R>, R: Real, F, G> {
@@ -82,6 +85,8 @@ where
             for i in 0..G::LEN {
                 let zeros = self.zeros_of(&piece, i);
                 let near = zeros.iter().any(|(at, _)| piece.from + at * (piece.to - piece.from) > NEAR);
+                // A step that is over before the function has left the event at which the search begins ends at no other.
+                let near = near || self.begins(&piece) && !self.leaves(&piece, i);
                 self.sides.as_mut_slice()[i] = <M::Series as Real>::from_f64(zeros.end());
                 self.near.as_mut_slice()[i] = <M::Series as Real>::from_f64(f64::from(u8::from(near)));
             }
@@ -98,7 +103,11 @@ where
             }
         };
         if !stepped {
-            return Ok(self.zero_at_end());
+            return if self.zeros > 0 && self.sides.as_slice().iter().all(|side| side.magnitude() == 0.0) {
+                Err(self.zero_all_along())
+            } else {
+                Ok(self.zero_at_end())
+            };
         }
         self.ahead = self.at_end();
         self.search(0.0, self.first_width())
@@ -114,10 +123,14 @@ where
         let coefficients = || piece.values.as_slice().iter().flat_map(|g| M::coefficients(g));
         self.zeros = if G::LEN > 0 && coefficients().all(|g| g.magnitude() == 0.0) { self.zeros + 1 } else { 0 };
         if self.zeros >= ZEROS {
-            return Err(StepError::NoEvent { t: signed(self.run.time()) });
+            return Err(self.zero_all_along());
         }
         (self.piece, self.given) = (Some(piece), (-1.0, usize::MAX));
         Ok(true)
+    }
+
+    fn zero_all_along(&self) -> StepError {
+        StepError::NoEvent { t: signed(self.run.time()) }
     }
 
     /// Whether another function is zero, to rounding, where the search ends, and had no zero just before: it is asked for next.
@@ -138,9 +151,7 @@ where
     fn zeros_of(&self, piece: &Piece<G>, i: usize) -> Zeros {
         let count = M::coefficients(&piece.values.as_slice()[i]).len();
         let g = self.in_parts(&piece.values, i, piece.to - piece.from);
-        let changes: f64 = g[1..].iter().map(|g| g.abs()).sum();
-        let rounding = || f64::max(4.0 * self.noise(i, 0.0), 8.0 * R::epsilon() * changes);
-        let noise = if self.first && piece.from == 0.0 { rounding() } else { 0.0 };
+        let noise = if self.begins(piece) { self.rounding(piece, i) } else { 0.0 };
         let inner = taylor::roots(&g[..count.min(taylor::MOST)], noise);
         Zeros { inner, side: number::<S, M, R>(&self.sides.as_slice()[i]) }
     }
@@ -176,19 +187,21 @@ where
     fn improved(&self, piece: &Piece<G>, at: f64, i: usize) -> Option<f64> {
         let width = piece.to - piece.from;
         let g = self.in_parts(&piece.values, i, width);
-        let slope = (1..g.len()).rev().fold(0.0, |slope, k| slope * at + k as f64 * g[k]);
+        let slope = |at: f64| (1..g.len()).rev().fold(0.0, |slope, k| slope * at + k as f64 * g[k]);
         let value = |part: f64| number::<S, M, R>(&self.along(part, None).as_slice()[i]);
         let mut part = piece.from + at * width;
         let mut now = value(part);
-        // At the start of a piece a function may have jumped.
+        // At the start of a piece a function may have jumped, and also in one that is as short as may be: it is not zero there, and yet
+        // nowhere near as large as next to a pole.
+        let scale = self.scale(i);
+        let is_pole = |value: f64| scale > 0.0 && value.abs() > scale / APART;
         if at == 0.0 {
-            return (now.abs() <= self.scale(i)).then_some(part);
+            return (!is_pole(now)).then_some(part);
         }
-        // Of the piece: a long step may end where the function is large.
-        let scale = g[0].abs().max(g.iter().sum::<f64>().abs());
-        for _ in 0..4 {
-            let next = part - now / slope * width;
-            if now.abs() <= 4.0 * R::epsilon() * scale || !(next >= piece.from && next <= piece.to) {
+        // Slowly where it is flat; nearer than rounding of time no value gets better.
+        for _ in 0..ROUNDS {
+            let next = part - now / slope((part - piece.from) / width) * width;
+            if now == 0.0 || !(next >= piece.from && next <= piece.to) {
                 break;
             }
             let there = value(next);
@@ -198,7 +211,7 @@ where
                 break;
             }
         }
-        (now.abs() <= scale).then_some(part)
+        (!is_pole(now)).then_some(part)
     }
 }
 

@@ -13,7 +13,7 @@ use crate::taylor::{self, Steps, TaylorMethod};
 
 /// The polynomial of a function may differ so much, relative to its size, from the function at the end of a part: zeros are
 /// found by the first, and improved by the second.
-const APART: f64 = 1.0 / (1 << 20) as f64;
+pub(super) const APART: f64 = 1.0 / (1 << 20) as f64;
 /// The same where steps have one length, and nothing says how accurate they are.
 const APART_FIXED: f64 = 1.0 / (1 << 10) as f64;
 
@@ -82,6 +82,34 @@ where
             let gap = (value - end).abs();
             gap <= part * start.abs().max(end.abs()) || gap <= 64.0 * self.noise(i, to)
         })
+    }
+
+    /// Whether a search begins with this piece: what is zero there to rounding is the event at which another one has ended.
+    pub(super) fn begins(&self, piece: &Piece<G>) -> bool {
+        self.first && piece.from == 0.0
+    }
+
+    /// What is rounding of a function where a search begins: of the coordinates, and of when the event was. That was found in a step of its
+    /// own; how much of one is left until the search ends says nothing about it.
+    pub(super) fn rounding(&self, piece: &Piece<G>, i: usize) -> f64 {
+        let width = self.run.steps.pace_before() / self.run.step_size().abs();
+        let count = self.run.order().min(taylor::MOST);
+        let reach = taylor::reach(&self.in_parts(&piece.values, i, width)[..count], 0.5);
+        let whole = self.changes(piece, i, width * reach.min(1.0));
+        let changes = self.changes(piece, i, piece.to - piece.from);
+        let changes = if whole < f64::INFINITY { changes.max(whole) } else { changes };
+        f64::max(4.0 * self.noise(i, 0.0), 8.0 * R::epsilon() * changes)
+    }
+
+    /// Whether a function changes by more than rounding in the piece with which a search begins.
+    pub(super) fn leaves(&self, piece: &Piece<G>, i: usize) -> bool {
+        let start = number::<S, M, R>(&piece.values.as_slice()[i]).abs();
+        start + self.changes(piece, i, piece.to - piece.from) > self.rounding(piece, i)
+    }
+
+    /// By how much a function changes at most in a piece of this width.
+    fn changes(&self, piece: &Piece<G>, i: usize, width: f64) -> f64 {
+        self.in_parts(&piece.values, i, width)[1..].iter().map(|g| g.abs()).sum()
     }
 
     /// The size of a function at the ends of the last step.
