@@ -150,6 +150,18 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
         });
     }
 
+    /// The i-th inner flow of a step from time `t`.
+    #[inline(always)]
+    fn inner<C: Summation<S::Phase>>(&self, i: usize, t: R, x: Moving<'_, S, R, C>) {
+        O::inner(&self.inner[i], self.times(t, i)[0], x);
+    }
+
+    /// The outer flow behind it.
+    #[inline(always)]
+    fn outer<C: Summation<S::Phase>>(&self, i: usize, t: R, x: Moving<'_, S, R, C>) {
+        O::outer(&self.outer[i], self.times(t, i)[1], x);
+    }
+
     /// Steps that neither begin nor end: in a function of its own, whatever the caller does. Of its arguments, other than of what a closure holds,
     /// the optimiser knows that they are apart.
     #[inline(never)]
@@ -164,16 +176,35 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
         if steps == 0 {
             return;
         }
+        // Every round goes from a drift to a kick, whatever steps begin with: from a kick to a drift those of six bodies take up to a fifth longer.
         // In locals of this loop, q and p stay in registers.
         let ([mut q, mut p], mut s) = (point.z, point.s);
         let (mut sums, mut compensation) = (point.sums, point.compensation);
+        macro_rules! x {
+            () => {
+                Moving { system, q: &mut q, p: &mut p, s: &mut s, sums: &mut sums, compensation: &mut compensation }
+            };
+        }
+        let behind_a_kick = O::DRIFT_IS_OUTER && !O::is_ahead::<C>(self.repeats);
+        if behind_a_kick {
+            self.inner(0, clock.at(0), x!());
+        }
         for n in 0..steps {
             let t = clock.at(n);
-            for i in 0..K {
-                let [inner_at, outer_at] = self.times(t, i);
-                let (q, p, s, sums, compensation) = (&mut q, &mut p, &mut s, &mut sums, &mut compensation);
-                let x = Moving { system, q, p, s, sums, compensation };
-                O::both((&self.inner[i], inner_at), (&self.outer[i], outer_at), x);
+            if behind_a_kick {
+                for i in 1..K {
+                    self.outer(i - 1, t, x!());
+                    self.inner(i, t, x!());
+                }
+                self.outer(K - 1, t, x!());
+                if n + 1 < steps {
+                    self.inner(0, clock.at(n + 1), x!());
+                }
+            } else {
+                for i in 0..K {
+                    let [inner_at, outer_at] = self.times(t, i);
+                    O::both((&self.inner[i], inner_at), (&self.outer[i], outer_at), x!());
+                }
             }
         }
         (point.z, point.s) = ([q, p], s);
