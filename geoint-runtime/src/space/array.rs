@@ -69,6 +69,12 @@ pub trait Array: Copy + Debug + PartialEq + 'static {
         self.as_slice().iter().zip(x.as_slice()).fold(true, |same, (a, b)| same & (*a == *b))
     }
 
+    /// Whether every entry is zero.
+    #[inline(always)]
+    fn is_zero(&self) -> bool {
+        self.as_slice().iter().all(|x| x.magnitude() == 0.0)
+    }
+
     /// Whether every entry is a finite number.
     #[inline(always)]
     fn is_finite(&self) -> bool {

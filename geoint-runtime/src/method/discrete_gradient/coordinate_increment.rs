@@ -68,8 +68,7 @@ impl MeanGradient for CoordinateIncrement {
 fn along<A: Array>(direction: &A, g: &A, d: &A) -> Result<A, Refusal> {
     let product = dot(direction, d);
     let terms = direction.as_slice().iter().zip(d.as_slice()).map(|(a, b)| (*a * *b).magnitude());
-    let zero = |x: &A| x.as_slice().iter().all(|x| x.magnitude() == 0.0);
-    if product.magnitude() <= SINGULAR * terms.sum::<f64>() && !zero(direction) && !zero(d) {
+    if product.magnitude() <= SINGULAR * terms.sum::<f64>() && !direction.is_zero() && !d.is_zero() {
         return Err(Refusal::SingularDirection);
     }
     // The excess over 1: where d = 0 that is 0/0 and means 0.

@@ -176,7 +176,6 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
         if steps == 0 {
             return;
         }
-        // Every round goes from a drift to a kick, whatever steps begin with: from a kick to a drift those of six bodies take up to a fifth longer.
         // In locals of this loop, q and p stay in registers.
         let ([mut q, mut p], mut s) = (point.z, point.s);
         let (mut sums, mut compensation) = (point.sums, point.compensation);
@@ -185,6 +184,8 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
                 Moving { system, q: &mut q, p: &mut p, s: &mut s, sums: &mut sums, compensation: &mut compensation }
             };
         }
+        // Rounds go from a drift to a kick also where steps begin with a drift: from a kick to a drift those of six bodies take up to a fifth longer.
+        // Drifts that take what kicks add stay behind these.
         let behind_a_kick = O::DRIFT_IS_OUTER && !O::is_ahead::<C>(self.repeats);
         if behind_a_kick {
             self.inner(0, clock.at(0), x!());

@@ -224,7 +224,7 @@ impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Crossings<
         }
         let Some([earlier, now]) = self.values.filter(|_| stepped) else { return Ok(false) };
         // In one step that is too short to change it a function that is not may seem to be.
-        if self.zeros > 1 && self.sides.as_slice().iter().all(|side| side.magnitude() == 0.0) {
+        if self.zeros > 1 && self.sides.is_zero() {
             return Err(StepError::NoEvent { t: signed(self.run.time()) });
         }
         for i in self.asked..G::LEN {

@@ -103,7 +103,7 @@ where
             }
         };
         if !stepped {
-            return if self.zeros > 0 && self.sides.as_slice().iter().all(|side| side.magnitude() == 0.0) {
+            return if self.zeros > 0 && self.sides.is_zero() {
                 Err(self.zero_all_along())
             } else {
                 Ok(self.zero_at_end())
