@@ -10,9 +10,9 @@ use crate::space::{Action, Array, PerCoordinate, Point, Record, Summation, Tape}
 #[derive(Clone, Copy, Debug)]
 pub struct Open<Z: Array, S> {
     known: bool,
-    from: PerCoordinate<Z, S>,
+    pub(in crate::method) from: PerCoordinate<Z, S>,
     /// What sums had lost there.
-    lost: PerCoordinate<Z, S>,
+    pub(in crate::method) lost: PerCoordinate<Z, S>,
     end: PerCoordinate<Z, S>,
     /// When that step began and ended.
     times: [Z::Real; 2],
@@ -40,7 +40,7 @@ impl<Z: Array, S: Action<Z::Real>> Open<Z, S> {
         (self.known, self.times, self.end) = (true, times, PerCoordinate::of(x));
     }
 
-    /// Moves `x` to the point that was left, if it is at the end of that step at time `t`, and says when that began.
+    /// Whether `x` is the end, at time `t`, of the step that left a point to go on from: when that began. Sums then go on with what was lost there.
     #[inline(always)]
     pub(in crate::method) fn reopen<C: Summation<Z>>(&self, t: Z::Real, x: &mut Point<Z, C, S>) -> Option<Z::Real> {
         let [start, end] = self.times;
@@ -48,14 +48,21 @@ impl<Z: Array, S: Action<Z::Real>> Open<Z, S> {
             return None;
         }
         let here = self.end.z.is_same(&x.z) & (self.end.s.numbers() == x.s.numbers());
-        if here {
-            (x.z, x.s) = (self.from.z, self.from.s);
-            if !C::PLAIN {
-                (x.sums, x.compensation) = (C::new(), self.lost.s);
-                x.sums.compensate(&self.lost.z);
-            }
+        if here && !C::PLAIN {
+            (x.sums, x.compensation) = (C::new(), self.lost.s);
+            x.sums.compensate(&self.lost.z);
         }
         here.then_some(start)
+    }
+
+    /// The same, and `x` moves there.
+    #[inline(always)]
+    pub(in crate::method) fn return_to<C: Summation<Z>>(&self, t: Z::Real, x: &mut Point<Z, C, S>) -> Option<Z::Real> {
+        let start = self.reopen(t, x);
+        if start.is_some() {
+            (x.z, x.s) = (self.from.z, self.from.s);
+        }
+        start
     }
 }
 

@@ -78,8 +78,9 @@ pub trait Array: Copy + Debug + PartialEq + 'static {
     /// Whether every entry is a finite number.
     #[inline(always)]
     fn is_finite(&self) -> bool {
-        // Without a branch for each entry.
-        self.as_slice().iter().fold(true, |finite, x| finite & (x.magnitude() < f64::INFINITY))
+        // Without a branch for each entry. A number less itself is zero, and no number where it is not finite: a comparison with infinity becomes one
+        // of integers, which takes four times the instructions.
+        self.as_slice().iter().fold(true, |finite, x| finite & (*x - *x == Self::Real::from_f64(0.0)))
     }
 }
 

@@ -57,7 +57,7 @@ pub(super) fn step<S: Pieces<M, R>, M, R: Real, C: Summation<S::Phase>, P: Probe
     let [t, middle, end] = [step.t, step.t + *half, step.end];
     let frozen = step.system.freeze(flows, middle);
     step.probe.visit(t, &step.x.z, &step.x.s);
-    let meets = joined && (!begins || open.reopen(t, step.x).is_some());
+    let meets = joined && (!begins || open.return_to(t, step.x).is_some());
     let (first, from) = if meets { (merged, t - *half) } else { (flows, t) };
     pass::<S, M, R, C, P>(0..1, (first, &frozen, poles), step.part([from; 2]))?;
     pass::<S, M, R, C, P>(1..all, (flows, &frozen, poles), step.part([t; 2]))?;

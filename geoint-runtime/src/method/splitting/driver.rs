@@ -1,5 +1,6 @@
 //! The driver: one step, and many steps. Neighbouring ones share a flow, in one call and in many.
 
+use super::between::Between;
 use super::flows::Order;
 use super::moving::{Moving, Times};
 use super::sequence::Sequence;
@@ -13,62 +14,43 @@ use crate::system::Separable;
 /// Up to so many coordinates a call costs more than it saves.
 const FEW: usize = 4;
 
-/// Up to so many coordinates a step moves a copy of the point. In place, what the step before has left in memory number by number is read as
-/// vectors, which waits until it is there: a third of Verlet's step of a pendulum.
-const LOCAL: usize = 32;
-
 impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O, K> {
     const MANY: bool = S::Array::LEN > FEW;
 
+    /// outer₁, together with the last flow of the step that ended here, if one did: that began at the time `before`.
+    #[inline(always)]
+    fn begin<C: Summation<S::Phase>>(&self, before: Option<R>, t: R, step: &mut Between<'_, S, R, C>) {
+        step.enter(before.is_some());
+        match before {
+            None => O::outer(&self.first, Times { own: t, other: t }, step.moving()),
+            Some(_) if O::is_ahead::<C>(self.repeats) => {}
+            Some(before) => O::outer(&self.outer[K - 1], self.times(before, K - 1)[1], step.moving()),
+        }
+    }
+
     /// inner₁, outer₂, inner₂, …, outer_K.
     #[inline(always)]
-    fn between<C: Summation<S::Phase>>(&self, system: &S, t: R, x: &mut Point<S::Phase, C, S::Action>) {
+    fn between<C: Summation<S::Phase>>(&self, t: R, mut x: Moving<'_, S, R, C>) {
         for i in 0..K - 1 {
             let [inner_at, outer_at] = self.times(t, i);
-            O::both((&self.inner[i], inner_at), (&self.outer[i], outer_at), Moving::of(system, x));
+            O::both((&self.inner[i], inner_at), (&self.outer[i], outer_at), x.again());
         }
     }
 
-    /// outer₁, together with the last flow of the step that ended here, if one did.
+    /// inner_K, behind which the next step goes on, and the last flow to the state.
     #[inline(always)]
-    fn begin<C: Summation<S::Phase>>(
-        &self,
-        open: &Open<S::Phase, S::Action>,
-        system: &S,
-        t: R,
-        x: &mut Point<S::Phase, C, S::Action>,
-    ) {
-        let flow = match open.reopen(t, x) {
-            None => Some((&self.first, Times { own: t, other: t })),
-            Some(_) if O::is_ahead::<C>(self.repeats) => None,
-            Some(before) => Some((&self.outer[K - 1], self.times(before, K - 1)[1])),
-        };
-        if let Some((flow, at)) = flow {
-            O::outer(flow, at, Moving::of(system, x));
-        }
-    }
-
-    /// inner_K, and the last flow.
-    #[inline(always)]
-    fn end<C: Summation<S::Phase>>(
-        &self,
-        open: &mut Open<S::Phase, S::Action>,
-        system: &S,
-        [t, end]: [R; 2],
-        x: &mut Point<S::Phase, C, S::Action>,
-    ) {
+    fn end<C: Summation<S::Phase>>(&self, t: R, mut step: Between<'_, S, R, C>) {
         let [inner_at, outer_at] = self.times(t, K - 1);
         let (inner, last) = (&self.inner[K - 1], self.last.as_ref());
         if O::is_ahead::<C>(self.repeats) {
-            O::end_ahead((inner, inner_at), (last, &self.outer[K - 1]), outer_at, open, system, x);
-        } else {
-            O::inner(inner, inner_at, Moving::of(system, x));
-            open.leave(x);
-            if let Some(last) = last {
-                O::outer(last, outer_at, Moving::of(system, x));
-            }
+            return O::end_ahead((inner, inner_at), (last, &self.outer[K - 1]), outer_at, step);
         }
-        open.end([t, end], x);
+        O::inner(inner, inner_at, step.moving());
+        step.leave();
+        step.show();
+        if let Some(last) = last {
+            O::outer(last, outer_at, Moving::of(step.system, step.x));
+        }
     }
 
     /// One step.
@@ -80,12 +62,12 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
         times: [R; 2],
         x: &mut Point<S::Phase, C, S::Action>,
     ) {
-        if S::Array::LEN > LOCAL {
+        if Between::<S, R, C>::MANY {
             return self.in_place(open, system, times, x);
         }
-        let mut local = *x;
-        self.in_place(open, system, times, &mut local);
-        *x = local;
+        let (mut local, mut here) = (*open, *x);
+        self.in_place(&mut local, system, times, &mut here);
+        (*open, *x) = (local, here);
     }
 
     /// The same in a function of its own.
@@ -108,9 +90,12 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
         [t, end]: [R; 2],
         x: &mut Point<S::Phase, C, S::Action>,
     ) {
-        self.begin(open, system, t, x);
-        self.between(system, t, x);
-        self.end(open, system, [t, end], x);
+        let before = open.reopen(t, x);
+        let mut step = Between::of(system, open, x);
+        self.begin(before, t, &mut step);
+        self.between(t, step.moving());
+        self.end(t, step);
+        open.end([t, end], x);
     }
 
     /// One step under the eyes of a probe, by itself.
@@ -138,15 +123,20 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
         system: &S,
         clock: &Clock<R>,
         steps: u64,
-        point: &mut Point<S::Phase, C, S::Action>,
+        x: &mut Point<S::Phase, C, S::Action>,
     ) {
         let Some(final_step) = steps.checked_sub(1) else { return };
-        apart(|| self.begin(open, system, clock.at(0), point));
-        self.go_on(system, clock, final_step, point);
+        apart(|| {
+            let before = open.reopen(clock.at(0), x);
+            self.begin(before, clock.at(0), &mut Between::of(system, open, x));
+        });
+        self.go_on(system, clock, final_step, Between::of(system, open, x).moving());
         apart(|| {
             let [t, end] = [final_step, steps].map(|n| clock.at(n));
-            self.between(system, t, point);
-            self.end(open, system, [t, end], point);
+            let mut step = Between::of(system, open, x);
+            self.between(t, step.moving());
+            self.end(t, step);
+            open.end([t, end], x);
         });
     }
 
@@ -165,20 +155,14 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
     /// Steps that neither begin nor end: in a function of its own, whatever the caller does. Of its arguments, other than of what a closure holds,
     /// the optimiser knows that they are apart.
     #[inline(never)]
-    fn go_on<C: Summation<S::Phase>>(
-        &self,
-        system: &S,
-        clock: &Clock<R>,
-        steps: u64,
-        point: &mut Point<S::Phase, C, S::Action>,
-    ) {
+    fn go_on<C: Summation<S::Phase>>(&self, system: &S, clock: &Clock<R>, steps: u64, x: Moving<'_, S, R, C>) {
         // A loop that may not run at all is arranged in another way: Verlet's of two degrees of freedom takes a fifth longer.
         if steps == 0 {
             return;
         }
         // In locals of this loop, q and p stay in registers.
-        let ([mut q, mut p], mut s) = (point.z, point.s);
-        let (mut sums, mut compensation) = (point.sums, point.compensation);
+        let (mut q, mut p, mut s) = (*x.q, *x.p, *x.s);
+        let (mut sums, mut compensation) = (*x.sums, *x.compensation);
         macro_rules! x {
             () => {
                 Moving { system, q: &mut q, p: &mut p, s: &mut s, sums: &mut sums, compensation: &mut compensation }
@@ -208,8 +192,8 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
                 }
             }
         }
-        (point.z, point.s) = ([q, p], s);
-        (point.sums, point.compensation) = (sums, compensation);
+        (*x.q, *x.p, *x.s) = (q, p, s);
+        (*x.sums, *x.compensation) = (sums, compensation);
     }
 }
 

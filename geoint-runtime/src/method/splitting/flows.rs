@@ -1,10 +1,10 @@
 //! Kick and drift as the flows of a table: which of them is the outer one, and what a kick is.
 
+use super::between::Between;
 use super::moving::{Moving, Times};
-use crate::method::open::Open;
 use crate::scalar::Real;
 use crate::sealed::Sealed;
-use crate::space::{Array, PerCoordinate, Point, Summation};
+use crate::space::{Array, PerCoordinate, Summation};
 use crate::system::{ForceGradient, PhaseSpace, QuadraticKinetic, Separable};
 use core::fmt::Debug;
 use core::marker::PhantomData;
@@ -41,7 +41,7 @@ pub trait Kicks<S: Separable<R>, R: Real>: Sealed + Copy + Debug {
 }
 
 /// The coordinates of a system, or what is added to them.
-pub(super) type Coordinates<S, R> = PerCoordinate<<S as PhaseSpace<R>>::Phase, <S as PhaseSpace<R>>::Action>;
+pub(crate) type Coordinates<S, R> = PerCoordinate<<S as PhaseSpace<R>>::Phase, <S as PhaseSpace<R>>::Action>;
 
 /// The flow of V.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -152,25 +152,22 @@ pub trait Order<S: Separable<R>, R: Real>: Sealed + Copy {
         (inner, inner_at): (&Self::Inner, Times<R>),
         (_, merged): (Option<&Self::Outer>, &Self::Outer),
         at: Times<R>,
-        open: &mut Open<S::Phase, S::Action>,
-        system: &S,
-        x: &mut Point<S::Phase, C, S::Action>,
+        mut step: Between<'_, S, R, C>,
     ) {
-        Self::inner(inner, inner_at, Moving::of(system, x));
+        Self::inner(inner, inner_at, step.moving());
+        step.show();
         // Both kicks are the same, and the state is in the middle of them: one force.
         if C::PLAIN {
-            let mut next = *x;
-            Self::outer(merged, at, Moving::of(system, &mut next));
-            open.leave(&next);
-            for (p, next) in x.z[1].as_mut_slice().iter_mut().zip(next.z[1].as_slice()) {
+            Self::outer(merged, at, step.beyond());
+            for (p, next) in step.x.z[1].as_mut_slice().iter_mut().zip(step.from.z[1].as_slice()) {
                 *p = R::from_f64(0.5) * (*p + *next);
             }
         } else {
-            let before = *x;
-            let impulse = Moving::of(system, x).told(|x| Self::outer(merged, at, x));
-            open.leave(x);
-            *x = before;
-            Moving::of(system, x).told(|x| x.p.add_scaled(R::from_f64(0.5), &impulse));
+            let before = *step.x;
+            let impulse = step.beyond().told(|x| Self::outer(merged, at, x));
+            step.leave();
+            *step.x = before;
+            Moving::of(step.system, step.x).told(|x| x.p.add_scaled(R::from_f64(0.5), &impulse));
         }
     }
     /// Whether a step has done the first flow of the next one, because both steps need what that is computed from. `repeats` says that the last
@@ -244,18 +241,14 @@ impl<S: Separable<R>, R: Real, F: Kicks<S, R>> Order<S, R> for DriftFirst<F> {
         (kick, kick_at): (&F::Kick, Times<R>),
         (last, merged): (Option<&S::Drift>, &S::Drift),
         at: Times<R>,
-        open: &mut Open<S::Phase, S::Action>,
-        system: &S,
-        x: &mut Point<S::Phase, C, S::Action>,
+        mut step: Between<'_, S, R, C>,
     ) {
-        let dp = Moving::of(system, x).impulse::<F>(kick, kick_at);
-        let before = *x;
-        Moving::of(system, x).drift_after(merged, at, &dp);
-        open.leave(x);
-        *x = before;
+        let dp = step.moving().impulse::<F>(kick, kick_at);
+        step.show();
+        step.beyond().drift_after(merged, at, &dp);
         match last {
-            Some(last) => Moving::of(system, x).drift_after(last, at, &dp),
-            None => x.z[1].add_scaled(R::from_f64(1.0), &dp),
+            Some(last) => Moving::of(step.system, step.x).drift_after(last, at, &dp),
+            None => step.x.z[1].add_scaled(R::from_f64(1.0), &dp),
         }
     }
     /// Linear drifts take what the kick before has added.

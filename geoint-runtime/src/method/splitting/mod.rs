@@ -30,6 +30,7 @@
 //!
 //! A table of one's own is a constant, and checked when it is compiled: see [`Splitting`].
 
+mod between;
 mod driver;
 mod estimators;
 mod field;
