@@ -11,6 +11,10 @@
 //! R. E. Moore, *Interval Analysis* (1966) ch. 11; À. Jorba & M. Zou, Exp. Math. 14 (2005) 99; for powers see also R. D. Neidinger,
 //! SIAM Rev. 52 (2010) 545.
 
+mod central;
+
+pub use central::Central;
+
 use crate::scalar::{Real, exact_product, zero};
 use crate::space::Array;
 

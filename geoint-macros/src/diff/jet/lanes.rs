@@ -3,6 +3,10 @@
 //! A sum over coefficients of lower orders waits for none of its own order. So all sums of one kind may stand side by side, whatever
 //! depends on whatever: in arrays of four coefficients an order, which the optimiser makes vectors of.
 
+mod central;
+
+pub(crate) use central::Central;
+
 use super::{Factor, Jet, Rule, Source};
 use crate::ir::HashMap;
 use std::collections::{HashSet, VecDeque};
@@ -125,6 +129,7 @@ pub(crate) struct Group {
 pub(crate) struct Lanes {
     pub(crate) arrays: Vec<[Operand; LANES]>,
     pub(crate) groups: Vec<Group>,
+    pub(crate) central: Vec<Central>,
     /// Sums that would be alone in a group.
     alone: Vec<Sum>,
     known: HashMap<[Operand; LANES], usize>,
@@ -132,6 +137,10 @@ pub(crate) struct Lanes {
     places: HashMap<Sum, (usize, usize)>,
     /// Of every series the group from which it follows side by side with others.
     groups_of: HashMap<Source, usize>,
+    /// The groups that are computed with others as one, by the place of these.
+    central_of: HashMap<usize, usize>,
+    /// Arrays in the hands of such groups.
+    held: HashSet<usize>,
 }
 
 impl Lanes {
@@ -186,6 +195,7 @@ impl Lanes {
         }
         common.chunks(LANES).for_each(|group| lanes.push(Weight::One, group));
         lanes.find_series(jet);
+        lanes.find_central();
         Some(lanes)
     }
 
@@ -295,7 +305,7 @@ impl Lanes {
 
     /// The array of the coefficients of these series.
     pub(crate) fn array_of(&self, series: &[Source; LANES]) -> Option<usize> {
-        self.known.get(&series.map(Operand::plain)).copied()
+        self.known.get(&series.map(Operand::plain)).copied().filter(|array| !self.is_central(*array))
     }
 
     fn array(&mut self, operands: [Operand; LANES]) -> usize {

@@ -11,8 +11,9 @@ mod functions;
 mod lanes;
 mod program;
 mod rules;
+mod scaled;
 
-pub(crate) use lanes::{LANES, Lanes, Operand, Weight, sums};
+pub(crate) use lanes::{Central, LANES, Lanes, Operand, Weight, sums};
 pub(crate) use program::{Factor, Jet, Rate, Rule, Series, Source, Value};
 
 use crate::ir::{Graph, HashMap, Id, Node, Number, Symbol};
@@ -161,6 +162,7 @@ impl Builder<'_> {
             let id = self.jet.values[self.jet.series[source].value];
             self.jet.series[source].rule = self.rule(id);
         }
+        self.scale_powers();
         self.order();
         let rules: Vec<Rule> = self.jet.series.iter().map(|series| series.rule.clone()).collect();
         for (source, rule) in rules.iter().enumerate() {

@@ -1,7 +1,7 @@
 //! The arrays of coefficients, and their names.
 
 use super::Writer;
-use crate::diff::jet::{LANES, Operand, Rate, Source};
+use crate::diff::jet::{LANES, Lanes, Operand, Rate, Source};
 use crate::emit::tokens::Tokens;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -73,7 +73,7 @@ impl Writer<'_> {
     /// Whether sums take the newest entries of arrays of lanes as they were computed. Numbers that were written one by one and are read side by side are waited
     /// for until they have left the processor: a twentieth of a step. Of more arrays they have no room in registers.
     pub(super) fn are_at_hand(&self) -> bool {
-        self.lanes.as_ref().is_some_and(|lanes| lanes.arrays.len() <= MOST_AT_HAND)
+        (1..=MOST_AT_HAND).contains(&self.arrays_of_lanes().len())
     }
 
     /// The coordinates whose newest coefficients are read as they were computed: those in memory are waited for until they have been written, a twentieth
@@ -100,6 +100,12 @@ impl Writer<'_> {
         self.lanes.as_ref().is_none_or(|lanes| lanes.is_read_alone(operand))
     }
 
+    /// The arrays of coefficients side by side, but for those of forces.
+    pub(super) fn arrays_of_lanes(&self) -> Vec<usize> {
+        let arrays = |lanes: &Lanes| (0..lanes.arrays.len()).filter(|array| !lanes.is_central(*array)).collect();
+        self.lanes.as_ref().map(arrays).unwrap_or_default()
+    }
+
     /// The arrays, in order, as the body of an order and its calls name them.
     pub(super) fn arrays(&self, values: &[Tokens]) -> Vec<Stored> {
         let value = |source: Source| values.get(self.value(source)).cloned();
@@ -112,7 +118,8 @@ impl Writer<'_> {
                 arrays.push(Stored { name: weighted(source), of_lanes: false, first: None });
             }
         }
-        for (i, operands) in self.lanes.iter().flat_map(|lanes| &lanes.arrays).enumerate() {
+        for i in self.arrays_of_lanes() {
+            let Some(operands) = self.lanes.as_ref().map(|lanes| lanes.arrays[i]) else { continue };
             let first = operands.map(|Operand { source, weighted }| {
                 value(source).filter(|_| !weighted).unwrap_or(quote!(R::from_f64(0.0)).into())
             });

@@ -5,6 +5,7 @@
 //! then no two of them can be the same memory.
 
 mod arrays;
+mod central;
 mod numbers;
 mod order;
 mod rules;
@@ -215,11 +216,12 @@ impl Writer<'_> {
         let orders = self.orders();
         let zeros: Vec<TokenStream> = arrays.iter().map(Stored::zeros).collect();
         let arrays: Vec<Ident> = arrays.into_iter().map(|array| array.name).collect();
+        let (central, central_starts) = (self.central_names(), self.central_starts(values));
         quote! {
-            let (#(#arrays,)*) = (#(&mut #zeros,)*);
+            let (#(#arrays,)* #(#central,)*) = (#(&mut #zeros,)* #(&mut #central_starts,)*);
             #first
             #orders(&mut Coefficients {
-                k: [#(#numbers),*], #beside #at_hand coordinates: [#(#coordinates),*], masks: [#(#masks),*], #(#arrays,)* jet, switches,
+                k: [#(#numbers),*], #beside #at_hand coordinates: [#(#coordinates),*], masks: [#(#masks),*], #(#arrays,)* #(#central,)* jet, switches,
             });
         }
     }

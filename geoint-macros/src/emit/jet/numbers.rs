@@ -26,10 +26,7 @@ pub(super) enum Prepared {
 
 /// A number of the start, from the values there.
 pub(super) fn prepared(number: Prepared, values: &[Tokens]) -> TokenStream {
-    let factor = |factor: Factor| match factor {
-        Factor::Number(number) => constant(number),
-        Factor::Value(value) => values[value].to_token_stream(),
-    };
+    let factor = |number: Factor| factor(number, values);
     match number {
         Prepared::Value(value) => values[value].to_token_stream(),
         Prepared::Reciprocal(value) => {
@@ -54,6 +51,14 @@ pub(super) fn prepared(number: Prepared, values: &[Tokens]) -> TokenStream {
             quote!(unit * (#slope))
         }
         Prepared::Unit => quote!(unit),
+    }
+}
+
+/// What a coefficient is multiplied by, from the values at the start.
+pub(super) fn factor(factor: Factor, values: &[Tokens]) -> TokenStream {
+    match factor {
+        Factor::Number(number) => constant(number),
+        Factor::Value(value) => values[value].to_token_stream(),
     }
 }
 

@@ -10,11 +10,13 @@ use quote::{format_ident, quote};
 /// What is written of an order.
 #[derive(Default)]
 pub(super) struct Order {
-    body: TokenStream,
-    names: Vec<Ident>,
+    pub(super) body: TokenStream,
+    pub(super) names: Vec<Ident>,
     series: Vec<bool>,
     /// The coefficients of order n in arrays of lanes.
     arrays: Vec<bool>,
+    /// What forces between bodies are made of.
+    pub(super) central: Vec<bool>,
 }
 
 impl Writer<'_> {
@@ -23,18 +25,27 @@ impl Writer<'_> {
         let jet = self.jet;
         let (groups, lane_arrays) =
             self.lanes.as_ref().map_or((0, 0), |lanes| (lanes.groups.len(), lanes.arrays.len()));
-        self.order =
-            Order { series: vec![false; jet.series.len()], arrays: vec![false; lane_arrays], ..Order::default() };
+        self.order = Order {
+            series: vec![false; jet.series.len()],
+            arrays: vec![false; lane_arrays],
+            central: vec![false; self.central_names().len()],
+            ..Order::default()
+        };
         let unit = self.number(Prepared::Unit);
         // Sums wait for nothing of their own order: all of them first. One after the other where they are read they take a twentieth less where
         // processors have registers of four numbers (planets), and a tenth more where they have none, or few sums (double pendulum).
         for place in 0..groups {
-            self.sums(place);
+            if !self.is_central(place) {
+                self.sums(place);
+            }
+        }
+        for place in 0..self.central_names().len() {
+            self.take_factors(place);
         }
         for source in &jet.order {
             self.series(*source);
         }
-        for array in 0..lane_arrays {
+        for array in self.arrays_of_lanes() {
             self.pack(array);
         }
         let Order { mut body, names, .. } = std::mem::take(&mut self.order);
@@ -48,6 +59,7 @@ impl Writer<'_> {
         let (phase, action, arrays) = (self.context.phase(), self.context.action(), self.arrays(&[]));
         let types: Vec<TokenStream> = arrays.iter().map(Stored::entry).collect();
         let arrays: Vec<Ident> = arrays.into_iter().map(|array| array.name).collect();
+        let (central, central_types) = (self.central_names(), self.central_types());
         let [numbers, coordinates, masks, switches] =
             [self.numbers.len(), self.coordinates_at_hand().len(), jet.conditions.len(), jet.switches.len()]
                 .map(Literal::usize_unsuffixed);
@@ -69,13 +81,14 @@ impl Writer<'_> {
                 coordinates: [R; #coordinates],
                 masks: [R::Mask; #masks],
                 #(#arrays: &'a mut [#types; P],)*
+                #(#central: &'a mut #central_types,)*
                 jet: &'a mut [PerCoordinate<#phase, #action>; P],
                 switches: &'a mut [[R; #switches]; P],
             }
             impl<R: Real, const P: usize> recurrence::Series for Coefficients<'_, R, P> {
                 #[inline(always)]
                 fn order(&mut self, n: usize) {
-                    let Self { k, #beside_name #at_hand_name coordinates, masks, #(#arrays,)* jet, switches } = self;
+                    let Self { k, #beside_name #at_hand_name coordinates, masks, #(#arrays,)* #(#central,)* jet, switches } = self;
                     let (whole, next) = (recurrence::whole::<R>(n), #unit * recurrence::inverse::<R>(n + 1));
                     let (#(#names,)*);
                     #body
@@ -90,7 +103,7 @@ impl Writer<'_> {
     }
 
     /// Writes a series with those beside it, and before them what they read.
-    fn series(&mut self, source: Source) {
+    pub(super) fn series(&mut self, source: Source) {
         let jet = self.jet;
         let mut open = vec![source];
         while let Some(source) = open.pop() {
@@ -99,14 +112,20 @@ impl Writer<'_> {
             }
             let group = self.group_of(source);
             let all: Vec<Source> = group.map_or(vec![source], |(_, series)| series.to_vec());
-            let reads = all.iter().flat_map(|source| jet.series[*source].rule.now());
-            let before: Vec<Source> = reads.filter(|read| !self.order.series[*read]).collect();
+            let central = group.and_then(|(group, _)| self.lanes.as_ref()?.central_of(group));
+            let reads = match central {
+                Some(place) => self.read_by_central(place),
+                None => all.iter().flat_map(|source| jet.series[*source].rule.now()).collect(),
+            };
+            let before: Vec<Source> = reads.into_iter().filter(|read| !self.order.series[*read]).collect();
             if !before.is_empty() {
                 open.push(source);
                 open.extend(before);
                 continue;
             }
-            if let Some((group, _)) = group {
+            if let Some(place) = central {
+                self.central(place);
+            } else if let Some((group, _)) = group {
                 for k in 0..jet.series[source].rule.operands().len() {
                     let operands = all.iter().map(|source| jet.series[*source].rule.operands()[k]);
                     self.pack_operands(&operands.collect::<Vec<_>>());
@@ -142,7 +161,7 @@ impl Writer<'_> {
     }
 
     /// Writes what arrays keep of a series of its own.
-    fn keep(&mut self, source: Source) {
+    pub(super) fn keep(&mut self, source: Source) {
         if std::mem::replace(&mut self.order.series[source], true) {
             return;
         }
@@ -181,7 +200,7 @@ impl Writer<'_> {
             && series == sources
             && operands.iter().all(|operand| operand.weighted == operands[0].weighted)
         {
-            let side = format_ident!("side{group}");
+            let side = self.side(group);
             if operands[0].weighted { quote!(recurrence::scaled(whole, #side)) } else { quote!(#side) }
         } else {
             let entries = operands.map(|Operand { source, weighted }| {
@@ -205,17 +224,14 @@ impl Writer<'_> {
                 let name = coefficient(*source);
                 return quote!(#name);
             };
-            let (side, lane) = (format_ident!("side{group}"), series.iter().position(|other| other == source));
+            let (side, lane) = (self.side(group), series.iter().position(|other| other == source));
             let lane = Literal::usize_unsuffixed(lane.unwrap_or(0));
             return quote!(#side[#lane]);
         }
         let all = <[Source; LANES]>::try_from(sources).ok();
         let (group, array) = (self.group_of(sources[0]), all.and_then(|all| self.lanes.as_ref()?.array_of(&all)));
         match (group, array) {
-            (Some((group, series)), _) if Some(series) == all => {
-                let side = format_ident!("side{group}");
-                quote!(#side)
-            }
+            (Some((group, series)), _) if Some(series) == all => self.side(group),
             (_, Some(array)) => {
                 let array = side_by_side(array);
                 quote!(#array[n])
