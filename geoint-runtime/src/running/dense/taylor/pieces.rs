@@ -14,6 +14,8 @@ use crate::taylor::{self, Steps, TaylorMethod};
 /// The polynomial of a function may differ so much, relative to its size, from the function at the end of a part: zeros are
 /// found by the first, and improved by the second.
 pub(super) const APART: f64 = 1.0 / (1 << 20) as f64;
+/// So many roundings tell nothing.
+const ROUNDINGS: f64 = 64.0;
 /// The same where steps have one length, and nothing says how accurate they are.
 const APART_FIXED: f64 = 1.0 / (1 << 10) as f64;
 
@@ -80,7 +82,10 @@ where
             let value: f64 = self.in_parts(values, i, to - from).iter().sum();
             let [start, end] = [values, &ends].map(|g| number::<S, M, R>(&g.as_slice()[i]));
             let gap = (value - end).abs();
-            gap <= part * start.abs().max(end.abs()) || gap <= 64.0 * self.noise(i, to)
+            let most = part * start.abs().max(end.abs());
+            // A function that has another sign is zero somewhere else, however little that is of its size.
+            let most = if value * end < 0.0 { most.min(ROUNDINGS * R::epsilon() * self.scale(i)) } else { most };
+            gap <= most || gap <= ROUNDINGS * self.noise(i, to)
         })
     }
 
