@@ -73,8 +73,8 @@ fn flat_zeros_behind_a_kink() {
             assert_eq!(found.len(), 13, "{}: {found:?}", stringify!($method));
             for (n, (t, rises)) in found.iter().enumerate() {
                 let gap = t - PI * (0.5 + n as f64);
-                // As near as q² tells that it is not zero.
-                assert!(gap.abs() < 1e-7 && *rises == (n % 2 == 1), "{}: event {n} is off by {gap:e}", stringify!($method));
+                // As near as q² is above eight roundings of its terms, which are below 10.
+                assert!(gap.abs() < 2e-7 && *rises == (n % 2 == 1), "{}: event {n} is off by {gap:e}", stringify!($method));
             }
         )* };
     }
@@ -137,4 +137,24 @@ fn functions_as_for_numbers() {
     let g = |s: &State<geoint_runtime::scalar::Series<f64, 20>>| (s.q + 2.0).powf(1.5) - (s.q * 0.0 + 0.25).recip();
     let found = sim.crossings(Direction::Down, g).next().unwrap().unwrap();
     assert!((found.state.q - (4.0_f64.powf(2.0 / 3.0) - 2.0)).abs() < 1e-15, "{found:?}");
+}
+
+/// An event where steps end, since a condition of the energy changes sides there: once, whatever is rounded at the joint; also where a step is as
+/// short as rounding leaves it.
+#[test]
+fn events_at_the_joints_of_steps() {
+    #[hamiltonian]
+    fn wall(q: f32, p: f32, k: f32) -> f32 {
+        p * p / 2.0 + q + if q < 0.0 { k * q * q / 2.0 } else { 0.0 }
+    }
+    for k in [1.0_f32, 100.0] {
+        for start in [0.5_f32, 0.53, 0.8, 1.0, 1.1] {
+            let mut sim = Wall { k }.taylor(Taylor::default(), State::new(start, 0.1));
+            let found = sim.crossings(Direction::Any, |s| s.q).until(20.0).take(100);
+            let found: Vec<(f32, bool)> = found.map(|c| c.map(|c| (c.state.t, c.rises)).unwrap()).collect();
+            // Half an oscillation, or a flight.
+            let apart = |w: &[(f32, bool)]| w[1].0 - w[0].0 > f32::min(3.0 / k.sqrt(), 1.9) && w[0].1 != w[1].1;
+            assert!(found.len() >= 5 && !found[0].1 && found.windows(2).all(apart), "{k} {start}: {found:?}");
+        }
+    }
 }

@@ -154,8 +154,9 @@ where
     fn zeros_of(&self, piece: &Piece<G>, i: usize) -> Roots {
         let count = M::coefficients(&piece.values.as_slice()[i]).len();
         let g = self.in_parts(&piece.values, i, piece.to - piece.from);
-        let noise = if self.begins(piece) { self.rounding(piece, i) } else { 0.0 };
         let (g, side) = (&g[..count.min(taylor::MOST)], number::<S, M, R>(&self.sides.as_slice()[i]));
+        // What has changed sign at the end of a step may seem to do so again where the next one begins, rounded otherwise.
+        let noise = if self.begins(piece) || side * g[0] < 0.0 { self.rounding(piece, i) } else { 0.0 };
         let size: f64 = g.iter().map(|g| g.abs()).sum();
         taylor::roots(g, noise).behind(side).without_pairs(g, ROUNDING * R::epsilon() * size)
     }

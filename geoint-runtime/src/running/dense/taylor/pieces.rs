@@ -82,10 +82,10 @@ where
             let value: f64 = self.in_parts(values, i, to - from).iter().sum();
             let [start, end] = [values, &ends].map(|g| number::<S, M, R>(&g.as_slice()[i]));
             let gap = (value - end).abs();
-            let most = part * start.abs().max(end.abs());
             // A function that has another sign is zero somewhere else, however little that is of its size.
-            let most = if value * end < 0.0 { most.min(ROUNDINGS * R::epsilon() * self.scale(i)) } else { most };
-            gap <= most || gap <= ROUNDINGS * self.noise(i, to)
+            let same = value * end >= 0.0 && gap <= part * start.abs().max(end.abs());
+            let rounding = || self.rounding(&Piece { from, to, values: *values }, i);
+            same || gap <= ROUNDINGS * self.noise(i, to) || gap <= rounding()
         })
     }
 
@@ -94,7 +94,7 @@ where
         self.first && piece.from == 0.0
     }
 
-    /// What is rounding of a function where a search begins: of the coordinates, and of when the event was. That was found in a step of its
+    /// What is rounding of a function where a piece begins: of the coordinates, and of when an event there was. That was found in a step of its
     /// own; how much of one is left until the search ends says nothing about it.
     pub(super) fn rounding(&self, piece: &Piece<G>, i: usize) -> f64 {
         let width = self.run.steps.pace_before() / self.run.step_size().abs();
@@ -103,7 +103,7 @@ where
         let whole = self.changes(piece, i, width * reach.min(1.0));
         let changes = self.changes(piece, i, piece.to - piece.from);
         let changes = if whole < f64::INFINITY { changes.max(whole) } else { changes };
-        f64::max(4.0 * self.noise(i, 0.0), 8.0 * R::epsilon() * changes)
+        f64::max(4.0 * self.noise(i, piece.from), 8.0 * R::epsilon() * changes)
     }
 
     /// Whether a function changes by more than rounding in the piece with which a search begins.
