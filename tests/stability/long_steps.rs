@@ -121,3 +121,29 @@ fn solutions_that_turned_round() {
         ImplicitMidpoint
     );
 }
+
+/// A fast oscillator beside a slow one: of the mean of p, which an impulse turns round, a step as long as this leaves no digits.
+#[hamiltonian]
+fn fast_and_slow(q: [f64; 2], p: [f64; 2], w: f64, c: f64) -> f64 {
+    (p[0] * p[0] + p[1] * p[1] + w * w * q[0] * q[0]) / 2.0 + c * q[0] * q[1] + q[1] * q[1]
+}
+
+#[test]
+fn energies_of_steps_longer_than_oscillations() {
+    let (w, start) = (1e6, State::new([1e-6, 1.0], [1.0, 0.3]));
+    for c in [0.0, 1.0] {
+        for h in [1e-7, 1e-4, 0.01, 1.0, 10.0, 1e4, 1e8] {
+            macro_rules! check {
+                ($($method:expr),*) => { $( for h in [h, -h] {
+                    let mut sim = FastAndSlow { w, c }.integrator($method, h, start);
+                    let energy = sim.energy();
+                    assert_eq!(sim.advance(1000), Ok(()), "{h:e}");
+                    let error = (sim.energy() / energy - 1.0).abs();
+                    // Two roundings in each of five steps of a step.
+                    assert!(error < 1000.0 * 10.0 * f64::EPSILON, "{} h = {h:e}: {error:e}", stringify!($method));
+                } )* };
+            }
+            check!(DiscreteGradient, Suzuki4.of(DiscreteGradient));
+        }
+    }
+}

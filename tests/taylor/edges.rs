@@ -25,6 +25,25 @@ fn a_pole_is_reached_and_not_passed() {
     }
 }
 
+/// A pole in time, which rates near it feel by the rounding of time.
+#[vector_field]
+fn in_time(x: [f64; 1], t: f64) -> [f64; 1] {
+    [x[0] + 1.0 / (1.0 - t)]
+}
+
+#[test]
+fn a_pole_in_time_is_reached() {
+    for tolerance in [f64::EPSILON, 1e-9] {
+        let mut sim = InTime.taylor(Taylor { tolerance }, FlowState::new([1.0]));
+        let error = sim.advance_to(2.0).unwrap_err();
+        assert!(matches!(error, StepError::StepTooSmall { .. }), "{error}");
+        assert!(sim.time() < 1.0 && 1.0 - sim.time() < 1e-12, "{:e}", 1.0 - sim.time());
+    }
+    // A tolerance that asks for nothing is no leave to jump over a pole.
+    let mut sim = InTime.taylor(Taylor { tolerance: 0.99 }, FlowState::new([1.0]));
+    assert!(sim.advance_to(2.0).is_err() && sim.time() < 1.0);
+}
+
 #[hamiltonian]
 fn falling_together(q: f64, p: f64) -> f64 {
     p * p / 2.4 - 1.0 / q
@@ -280,4 +299,27 @@ fn the_lowest_orders_go_on() {
         third.advance_to(t).unwrap();
         assert!((second.state().q - third.state().q).abs() < 1e-3, "{:?} {:?}", second.state(), third.state());
     }
+}
+
+/// A parameter that is no number leaves the solution without a series: that is said, and not that it diverges.
+#[test]
+fn parameters_that_are_no_numbers() {
+    let start = State::new([1.0, 0.0], [0.0, 1.0]);
+    for m in [f64::NAN, f64::INFINITY] {
+        let system = Weighed { m };
+        let errors = [
+            system.taylor(Taylor::default(), start).step(),
+            system.taylor(TaylorFixed::<8> { h: 0.1 }, start).step(),
+            system.taylor(Projection(Taylor::default(), Energy), start).step(),
+        ];
+        for error in errors.map(Result::unwrap_err) {
+            assert!(matches!(error, StepError::StepTooSmall { reason: Reason::NoRates, t: 0.0, .. }), "{m}: {error}");
+            assert!(error.to_string().contains("the rates of the state there are not finite"), "{error}");
+        }
+    }
+}
+
+#[hamiltonian]
+fn weighed(q: [f64; 2], p: [f64; 2], m: f64) -> f64 {
+    (p[0] * p[0] + p[1] * p[1]) / 2.0 - m / (q[0] * q[0] + q[1] * q[1]).sqrt()
 }

@@ -1,8 +1,6 @@
-//! Events where they are hard to see: at the start and at the end of a search, two within a step, behind a kink or a pole, in small units; and
-//! input that is none.
+//! Events where they are hard to see: at the start and at the end of a search, two within a step, in small units.
 
 use geoint_runtime::prelude::*;
-use geoint_runtime::scalar::Real;
 use std::f64::consts::PI;
 
 #[hamiltonian]
@@ -25,23 +23,6 @@ fn uniform(x: [f64; 2]) -> [f64; 2] {
 #[hamiltonian]
 fn ball(q: f64, p: f64, m: f64, g: f64) -> f64 {
     p * p / (2.0 * m) + m * g * q
-}
-
-/// Runs that search in different ways.
-macro_rules! every_run {
-    ($system:expr, $state:expr, $h:expr, |$sim:ident| $body:expr) => {
-        every_run!($system, $state, $h, 1e-13, |$sim| $body)
-    };
-    ($system:expr, $state:expr, $h:expr, $tolerance:expr, |$sim:ident| $body:expr) => {{
-        let mut $sim = $system.taylor(Taylor::default(), $state);
-        $body;
-        let mut $sim = $system.taylor(TaylorFixed::<12> { h: $h }, $state);
-        $body;
-        let mut $sim = $system.integrator(Gauss::<3>, $h, $state);
-        $body;
-        let mut $sim = $system.adaptive(DOP853, $tolerance, $state);
-        $body;
-    }};
 }
 
 /// A search goes on from the event at which the one before has ended, and does not find it again, on whichever side of zero it is.
@@ -105,21 +86,6 @@ fn an_end_just_behind_an_event() {
         } )* };
     }
     check!(Taylor::default(), Taylor { tolerance: 1e-6 }, TaylorFixed::<16> { h: 0.4 });
-}
-
-/// 1/q changes sign at a pole: that is no zero. A jump is one, however high, and of a triple zero is found what rounding leaves.
-#[test]
-fn poles_jumps_and_flat_zeros() {
-    let run = || Oscillator.taylor(Taylor::default(), State::new(1.0, 0.0));
-    assert!(run().crossings(Direction::Any, |s| s.q.recip()).until(100.0).next().is_none());
-    assert_eq!(run().crossings(Direction::Any, |s| s.p / s.q).until(100.0).count(), 31);
-    let mut sim = run();
-    let jumps = sim.crossings(Direction::Any, |s| (s.p * s.p * 1000.0 + 0.001) * s.q.signum());
-    assert_eq!(jumps.until(100.0).count(), 32);
-    for found in run().crossings(Direction::Any, |s| s.q * s.q * s.q).until(100.0) {
-        let q = found.unwrap().state.q;
-        assert!(q.abs() < 2e-5, "{q:e}");
-    }
 }
 
 /// A function that is zero all along has no events also where the search has an end; one that is not zero all along has.
@@ -203,99 +169,6 @@ fn many_impacts() {
     });
 }
 
-/// Functions whose series end before a step does, and those that have another one behind a kink or a jump.
-#[test]
-fn functions_that_are_no_polynomials() {
-    let run = || Oscillator.taylor(Taylor::default(), State::new(1.0, 0.0));
-    let check = |found: Vec<f64>, exact: &[f64]| {
-        assert_eq!(found.len(), exact.len(), "{found:?} {exact:?}");
-        for (found, exact) in found.iter().zip(exact) {
-            assert!((found - exact).abs() < 1e-12, "{found} {exact}");
-        }
-    };
-    let times = |c: Result<geoint_runtime::Crossing<State<f64>>, StepError>| c.unwrap().state.t;
-    let third = PI / 3.0;
-    let mut sim = run();
-    check(
-        sim.crossings(Direction::Any, |s| s.q.abs() - 0.5).until(7.0).map(times).collect(),
-        &[1.0, 2.0, 4.0, 5.0].map(|n| n * third),
-    );
-    let at = ((-2.0_f64).exp() - 1.01).acos();
-    let mut sim = run();
-    check(
-        sim.crossings(Direction::Any, |s| (s.q + 1.01).ln() + 2.0).until(7.0).map(times).collect(),
-        &[at, 2.0 * PI - at],
-    );
-    let mut sim = run();
-    check(sim.crossings(Direction::Any, |s| Real::signum(s.q)).until(7.0).map(times).collect(), &[0.5 * PI, 1.5 * PI]);
-    // A pole is no zero.
-    let state = State::new(1.0, 0.3);
-    let zero = 0.5 * PI + 0.3_f64.atan();
-    let mut sim = Oscillator.taylor(Taylor::default(), state);
-    check(sim.crossings(Direction::Any, |s| s.q / s.p).until(7.0).map(times).collect(), &[zero, zero + PI]);
-    let mut sim = Oscillator.integrator(Gauss::<6>, 0.1, state);
-    check(sim.crossings(Direction::Any, |s| s.q / s.p).until(7.0).map(times).collect(), &[zero, zero + PI]);
-    // √q is no number from π/2 on, where it ends with zero.
-    let mut sim = run();
-    let all: Vec<_> = sim.crossings(Direction::Any, |s| s.q.sqrt()).take(3).collect();
-    assert!(matches!(all.last(), Some(Err(StepError::NoEvent { t })) if (t - 0.5 * PI).abs() < 1e-9), "{all:?}");
-}
-
-#[test]
-fn input_that_is_none() {
-    every_run!(Oscillator, State::new(1.0, 0.0), 0.1, |sim| {
-        for t in [f64::NAN, f64::INFINITY] {
-            let first = sim.crossings(Direction::Any, |s| s.q * t).next();
-            assert!(matches!(first, Some(Err(StepError::NoEvent { .. }))), "{first:?}");
-        }
-        assert!(matches!(sim.until_event(f64::NAN, Direction::Any, |s| s.q), Err(StepError::InvalidStepSize { .. })));
-        // Products of such values are zero.
-        sim.set_state(State::new(1.0, 0.0));
-        let first = sim.crossings(Direction::Any, |s| s.q * 1e-300).next().unwrap().unwrap();
-        assert!((first.state.t - 0.5 * PI).abs() < 1e-6, "{}", first.state.t);
-        sim.advance(2).unwrap();
-        sim.set_state(State::new(f64::NAN, 0.0));
-        assert!(matches!(sim.step(), Err(StepError::NonFiniteState { .. })));
-        sim.set_state(State::at(f64::NAN, 1.0, 0.0));
-        assert!(matches!(sim.step(), Err(StepError::NonFiniteState { .. })));
-        sim.set_state(State::new(1.0, 0.0));
-        sim.step().unwrap();
-    });
-    // Steps of one length lead the other way.
-    let mut sim = Oscillator.integrator(RK4, 0.1, State::new(1.0, 0.0));
-    assert!(matches!(sim.until_event(-1.0, Direction::Any, |s| s.q), Err(StepError::TimePassed { t: -1.0 })));
-    let all: Vec<_> = sim.sampled_every(-0.1).collect();
-    assert!(matches!(all[..], [Ok(_), Err(StepError::TimePassed { .. })]), "{all:?}");
-}
-
-/// Where a function changes sign from one end of a step to the other and is no number in between nobody knows when.
-#[test]
-fn what_is_no_number_within_a_step_is_refused() {
-    let gap = |t: f64| if (1.2..1.4).contains(&t) { f64::NAN } else { t - 1.3 };
-    let mut sim = Oscillator.integrator(RK4, 0.5, State::new(1.0, 0.0));
-    let all: Vec<_> = sim.crossings(Direction::Any, |s| gap(s.t)).until(5.0).collect();
-    assert!(matches!(all[..], [Err(StepError::NoEvent { t })] if (1.2..1.4).contains(&t)), "{all:?}");
-}
-
-/// A pole in time, which rates near it feel by the rounding of time.
-#[vector_field]
-fn in_time(x: [f64; 1], t: f64) -> [f64; 1] {
-    [x[0] + 1.0 / (1.0 - t)]
-}
-
-#[test]
-fn a_pole_in_time_is_reached() {
-    for tolerance in [f64::EPSILON, 1e-9] {
-        let mut sim = InTime.taylor(Taylor { tolerance }, FlowState::new([1.0]));
-        let error = sim.advance_to(2.0).unwrap_err();
-        assert!(matches!(error, StepError::StepTooSmall { .. }), "{error}");
-        assert!(sim.time() < 1.0 && 1.0 - sim.time() < 1e-12, "{:e}", 1.0 - sim.time());
-    }
-    // A tolerance that asks for nothing is no leave to jump over a pole.
-    let mut sim = InTime.taylor(Taylor { tolerance: 0.99 }, FlowState::new([1.0]));
-    assert!(sim.advance_to(2.0).is_err() && sim.time() < 1.0);
-}
-
 /// In single precision an event at which a search ends is not found again either.
 #[test]
 fn events_in_single_precision_are_found_once() {
@@ -313,20 +186,4 @@ fn events_in_single_precision_are_found_once() {
             last = Some(t);
         }
     }
-}
-
-/// Functions of events are written as for numbers, in single precision too.
-#[test]
-fn functions_as_for_numbers() {
-    #[hamiltonian]
-    fn single(q: f32, p: f32) -> f32 {
-        (p * p + q * q) / 2.0
-    }
-    let mut sim = Single.taylor(Taylor::default(), State::new(1.0, 0.0));
-    let found = sim.crossings(Direction::Down, |s| 2.0 * s.q.sin() - 0.6).next().unwrap().unwrap();
-    assert!((found.state.q - 0.3_f32.asin()).abs() < 1e-6, "{found:?}");
-    let mut sim = Oscillator.taylor(Taylor::default(), State::new(1.0, 0.0));
-    let g = |s: &State<geoint_runtime::scalar::Series<f64, 20>>| (s.q + 2.0).powf(1.5) - (s.q * 0.0 + 0.25).recip();
-    let found = sim.crossings(Direction::Down, g).next().unwrap().unwrap();
-    assert!((found.state.q - (4.0_f64.powf(2.0 / 3.0) - 2.0)).abs() < 1e-15, "{found:?}");
 }

@@ -88,3 +88,42 @@ fn without_action() {
     }
     assert!(sim.sampled_every(0.013).interpolated().nth(7).unwrap().is_ok());
 }
+
+/// Whole steps end before the time asked for: what is left of the way is searched as well, and the run stays where they have ended.
+#[test]
+fn an_event_behind_the_last_whole_step() {
+    let start = ContactState::new(1.2, 0.0, 0.0);
+    macro_rules! behind {
+        ($($method:expr),*) => { $( for h in [0.1, -0.1] {
+            let mut sim = DampedPendulum.integrator($method, h, start);
+            let event = sim.crossings(Direction::Any, |s| s.q).next().unwrap().unwrap().state;
+            let whole = (event.t / h).floor() as u64;
+            for (part, is_found) in [(-0.01, false), (0.0, true), (0.01, true)] {
+                let mut sim = DampedPendulum.integrator($method, h, start);
+                let found = sim.until_event(event.t + part * h, Direction::Any, |s| s.q).unwrap();
+                assert_eq!(found.is_some(), is_found, "{} {part}", stringify!($method));
+                match found {
+                    Some(found) => {
+                        assert!((found.state.t - event.t).abs() < 1e-13 && sim.state() == found.state);
+                        let again = sim.until_event(event.t + 0.01 * h, Direction::Any, |s| s.q);
+                        assert_eq!(again, Ok(None), "{}", stringify!($method));
+                    }
+                    None => {
+                        // The same bits as without a search.
+                        let mut plain = DampedPendulum.integrator($method, h, start);
+                        plain.advance(whole).unwrap();
+                        assert!(sim.state() == plain.state() && sim.steps() == whole);
+                        sim.step().unwrap();
+                        plain.step().unwrap();
+                        assert_eq!(sim.state(), plain.state());
+                    }
+                }
+            }
+            // Before the first step.
+            let mut sim = DampedPendulum.integrator($method, h, start);
+            let found = sim.until_event(0.05 * h, Direction::Any, |s| s.t - 0.02 * h).unwrap().unwrap();
+            assert!((found.state.t - 0.02 * h).abs() < 1e-15, "{found:?}");
+        } )* };
+    }
+    behind!(ContactSplitting, Suzuki4.of(ContactSplitting), ContactGauss::<2>, ContactDiscreteGradient, RK4);
+}

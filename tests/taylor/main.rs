@@ -2,10 +2,28 @@
 
 #![allow(clippy::excessive_precision, reason = "digits as they are published")]
 
+/// Runs that search in different ways.
+macro_rules! every_run {
+    ($system:expr, $state:expr, $h:expr, |$sim:ident| $body:expr) => {
+        every_run!($system, $state, $h, 1e-13, |$sim| $body)
+    };
+    ($system:expr, $state:expr, $h:expr, $tolerance:expr, |$sim:ident| $body:expr) => {{
+        let mut $sim = $system.taylor(Taylor::default(), $state);
+        $body;
+        let mut $sim = $system.taylor(TaylorFixed::<12> { h: $h }, $state);
+        $body;
+        let mut $sim = $system.integrator(Gauss::<3>, $h, $state);
+        $body;
+        let mut $sim = $system.adaptive(DOP853, $tolerance, $state);
+        $body;
+    }};
+}
+
 mod conditions;
 mod dense;
 mod edges;
 mod events;
+mod functions;
 mod going_on;
 mod output;
 mod recurrences;

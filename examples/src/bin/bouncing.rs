@@ -19,6 +19,8 @@ const START: State<f64> = State { t: 0.0, q: 2.0, p: 0.0 };
 /// The part of the speed that is left after an impact.
 const RESTITUTION: f64 = 0.85;
 const IMPACTS: usize = 12;
+/// A ball whose flights last no longer lies: flights become shorter without end, and their number in a finite time is infinite. In s.
+const SHORTEST: f64 = 1e-3;
 
 /// Impacts: when, and the energy afterwards.
 type Impacts = Vec<(f64, f64)>;
@@ -88,17 +90,20 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 fn draw() -> Result<(), Box<dyn Error>> {
     let mut sim = BALL.taylor(Taylor::default(), START);
-    let (mut heights, mut energies) = (vec![], vec![]);
+    let (mut heights, mut energies, mut lies) = (vec![], vec![], false);
     let dt = 0.01;
     for n in 0..700 {
         let t = dt * f64::from(n);
-        while sim.time() < t {
+        while sim.time() < t && !lies {
             if let Some(impact) = sim.until_event(t, Direction::Down, |state| state.q)? {
-                sim.set_state(reflected(impact.state));
+                let flies = reflected(impact.state);
+                lies = 2.0 * flies.p < SHORTEST * BALL.m * BALL.g;
+                sim.set_state(flies);
             }
         }
-        heights.push((t, sim.state().q));
-        energies.push((t, sim.energy()));
+        let (height, energy) = if lies { (0.0, 0.0) } else { (sim.state().q, sim.energy()) };
+        heights.push((t, height));
+        energies.push((t, energy));
     }
     let note = "Taylor series; impacts keep 0.85 of the speed";
     let panels = [

@@ -37,7 +37,11 @@ fn section(start: State<[f64; 2]>) -> Result<Section, StepError> {
     let mut sim = HenonHeiles.taylor(Taylor::default(), start);
     let mut section = Section { points: vec![], off: 0.0, energy_error: 0.0 };
     for crossing in sim.crossings(Direction::Up, |state| state.q[0]).take(POINTS) {
-        let state = crossing?.state;
+        let state = match crossing {
+            // Above E = 1/6 orbits escape, and are infinitely far in a finite time.
+            Err(StepError::StepTooSmall { .. }) => break,
+            found => found?.state,
+        };
         section.points.push((state.q[1], state.p[1]));
         section.off = section.off.max(state.q[0].abs());
         section.energy_error = section.energy_error.max((HenonHeiles.energy(&state) - energy).abs());

@@ -210,6 +210,8 @@ pub enum Reason {
     NotConverged,
     /// The Taylor series of the solution does not converge in it: there is a pole of the solution, or a collision.
     Diverges,
+    /// The rates of the state from which it starts are not finite, nor is a parameter perhaps.
+    NoRates,
     /// A condition of the energy has changed sides at the ends of many steps in a row, in no time to speak of, and does so at both its ends: the
     /// solution does not leave the place where it does.
     Sliding,
@@ -242,6 +244,7 @@ impl fmt::Display for Reason {
             Reason::Unsolved { plane } => write!(f, "its equation in the plane of {plane} was not solved"),
             Reason::NotConverged => write!(f, "its equation was not solved"),
             Reason::Diverges => write!(f, "the series of the solution does not converge in it"),
+            Reason::NoRates => write!(f, "the rates of the state there are not finite; are all parameters?"),
             Reason::Sliding => write!(
                 f,
                 "a condition of the energy changes sides again and again: the solution does not leave the place where it does"

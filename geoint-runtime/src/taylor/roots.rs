@@ -23,6 +23,45 @@ impl Roots {
     pub(crate) fn as_slice(&self) -> &[f64] {
         &self.roots[..self.len]
     }
+
+    /// The same behind what has had this sign until 0: a change at 0 is a root there. No sign is that of what was zero all along.
+    pub(crate) fn behind(mut self, side: f64) -> Roots {
+        if self.sign * side < 0.0 && self.len < MOST {
+            self.roots.copy_within(..self.len, 1);
+            (self.roots[0], self.len) = (0.0, self.len + 1);
+        }
+        Roots { sign: if side == 0.0 { self.sign } else { side }, ..self }
+    }
+
+    /// Without pairs of roots between which Σ gₖτᵏ is nowhere larger than `rounding`: a zero that is flat shows such.
+    pub(crate) fn without_pairs(mut self, g: &[f64], rounding: f64) -> Roots {
+        let value = |at: f64| g.iter().rev().fold(0.0, |sum, g| sum * at + g);
+        let mut kept = 0;
+        for i in 0..self.len {
+            let root = self.roots[i];
+            if kept > 0 && value(0.5 * (self.roots[kept - 1] + root)).abs() <= rounding {
+                kept -= 1;
+            } else {
+                self.roots[kept] = root;
+                kept += 1;
+            }
+        }
+        Roots { len: kept, ..self }
+    }
+
+    /// Where they are, with the sign behind each.
+    pub(crate) fn changes(&self) -> impl Iterator<Item = (f64, f64)> {
+        let mut sign = self.sign;
+        self.as_slice().iter().map(move |at| {
+            sign = -sign;
+            (*at, sign)
+        })
+    }
+
+    /// The sign behind all of them.
+    pub(crate) fn end(&self) -> f64 {
+        if self.len % 2 == 1 { -self.sign } else { self.sign }
+    }
 }
 
 /// The roots of Σ gₖτᵏ in (0, 1].
@@ -262,6 +301,13 @@ mod tests {
         let found = roots(&fall, 0.0);
         assert_eq!((found.as_slice().len(), found.sign), (1, 1.0));
         assert!((found.as_slice()[0] - 357.0 / 48612.0).abs() < 1e-17);
+        // Changes of sign behind what has had one, and those of what is rounding.
+        let found = roots(&fall, 0.0).behind(-1.0);
+        assert_eq!((found.as_slice().len(), found.as_slice()[0], found.sign, found.end()), (2, 0.0, -1.0, -1.0));
+        assert_eq!(roots(&fall, 0.0).behind(0.0).sign, 1.0);
+        let near = |apart: f64| roots(&[0.09 - apart * apart, -0.6, 1.0], 0.0);
+        let left = |apart: f64| near(apart).without_pairs(&[0.09 - apart * apart, -0.6, 1.0], 1e-15).len;
+        assert_eq!((left(1e-6), near(1e-8).len, left(1e-8)), (2, 2, 0));
         // A double root is no change of sign.
         assert_eq!(roots(&[0.25, -1.0, 1.0], 0.0).as_slice(), []);
     }

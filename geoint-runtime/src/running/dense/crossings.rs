@@ -36,6 +36,10 @@ pub struct Crossings<'a, T: Dense, F, G> {
     near: G,
     /// Where no step is left: the functions that have been asked for a zero at the end.
     asked: usize,
+    /// Whether what whole steps leave of the way to the end is searched, too.
+    all_the_way: bool,
+    /// Where whole steps have ended, if the run went on from there.
+    whole: Option<T>,
     done: bool,
 }
 
@@ -64,6 +68,8 @@ impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Crossings<
             rises: [G::zero(); 2],
             near: G::zero(),
             asked: 0,
+            all_the_way: false,
+            whole: None,
             done: false,
         }
     }
@@ -73,6 +79,26 @@ impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Crossings<
         self.backwards = (t - self.run.time()).any_below(0.0);
         self.end = Some(t);
         self
+    }
+
+    /// The first crossing up to the end, in what whole steps leave of the way, too; the run is where those have ended.
+    pub(super) fn first(mut self) -> Result<Option<Crossing<T::State>>, StepError> {
+        self.all_the_way = true;
+        let found = self.next().transpose();
+        if let Some(whole) = self.whole {
+            *self.run = whole;
+        }
+        found
+    }
+
+    /// Goes the rest of the way to the end of the search, which is no whole step; `false` if there is none.
+    fn go_on(&mut self) -> Result<bool, StepError> {
+        let is_left = |t: &Scalar<T>| t.magnitude().is_finite() && !has_reached(self.run.time(), *t, self.backwards);
+        let ahead = self.all_the_way && self.whole.is_none() && self.backwards == self.run.steps_backwards();
+        let Some(t) = self.end.filter(|t| ahead && is_left(t)) else { return Ok(false) };
+        self.whole = Some(self.run.clone());
+        self.run.end_at(t)?;
+        Ok(true)
     }
 
     /// The values at the present, or the error that one of them is no number.
@@ -100,7 +126,7 @@ impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Crossings<
             Some(t) => self.run.step_towards(t)?,
             None => step(self.run, self.backwards)?,
         };
-        if !stepped {
+        if !stepped && !self.go_on()? {
             return self.stop(!first);
         }
         let after = self.values()?;

@@ -112,7 +112,8 @@ pub trait Dense: Trajectory + Clone {
 
     /// Steps to where `g` changes sign first, but not beyond the time `t`: the run is then there, and goes on from there.
     ///
-    /// `None` if that does not happen: the run is then at `t`, or with fixed steps up to a step before.
+    /// `None` if that does not happen: the run is then at `t`, or with fixed steps up to a step before; what is left of the way to `t` is
+    /// searched, too, by a step of part of the length.
     ///
     /// # Errors
     /// See [`StepError`]; the state is then the last good one.
@@ -122,7 +123,7 @@ pub trait Dense: Trajectory + Clone {
         direction: Direction,
         g: F,
     ) -> Result<Option<Crossing<Self::State>>, StepError> {
-        let found = Crossings::new(self, direction, g).until(t).next().transpose()?;
+        let found = Crossings::new(self, direction, g).until(t).first()?;
         if let Some(found) = found {
             self.go_on_from(found.state);
         }

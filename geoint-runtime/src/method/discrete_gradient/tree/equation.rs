@@ -5,10 +5,17 @@
 
 use crate::method::{Deciding, Probe};
 use crate::scalar::{Real, exact_sum, zero};
+use crate::solving::Inverse;
 use crate::solving::equation::StepEquation;
 use crate::space::vector::{moved, scaled, sum};
 use crate::space::{Array, Compensated, Point, Snapshot, Square, Summation};
 use crate::system::{DiscreteField, Invariants, KeptBy, Span};
+
+/// Whether an impulse turns a momentum round, so that digits of the mean are lost.
+#[inline(always)]
+fn turns<R: Real>(mean: R, p: R) -> bool {
+    mean.magnitude() < 0.125 * p.magnitude()
+}
 
 /// What depends on parameters and h.
 #[derive(Clone, Debug)]
@@ -114,6 +121,44 @@ impl<'a, S: DiscreteField<R>, R: Real> Equation<'a, S, R> {
         watch.visit(self.t, &self.end(&change, &none));
         self.coefficients.evaluate(self.system, &self.start, &change, &mut image, &mut unused);
         image
+    }
+
+    /// The impulse where h·f̄ is affine in it, and the increments of (q, p) that go with it.
+    ///
+    /// Where a step is much longer than an oscillation an impulse turns p round, and of the mean of p no digits are left: it is then solved for
+    /// itself, K p̄ = p + ½ h f̄(y, y) with the matrix K of the impulse, and the impulse follows from it. Without this the energy of an
+    /// oscillator changes by hω roundings in every step.
+    #[inline(always)]
+    pub(super) fn affine<P: Probe<S, R>>(
+        &self,
+        inverse: &S::Inverse,
+        watch: &mut Deciding<'_, P, S::Phase>,
+    ) -> (S::Unknown, S::Phase) {
+        let (mut impulse, half) = (inverse.times(&self.without_impulse(watch)), R::from_f64(0.5));
+        let mean = moved(&self.changed, half, &impulse);
+        let mut ends = mean.as_slice().iter().zip(self.changed.as_slice());
+        if S::DERIVATIVE == 1 || !ends.any(|(mean, p)| turns(*mean, *p)) {
+            return (impulse, self.increments(&impulse));
+        }
+        let mean = self.mean(inverse, mean, &mut impulse);
+        (impulse, S::increments(&self.system.drift(&self.coefficients.parameters, &mean), &impulse))
+    }
+
+    /// The mean of p, solved for where an impulse turns p round, and that impulse.
+    #[cold]
+    #[inline(never)]
+    fn mean(&self, inverse: &S::Inverse, mut mean: S::Unknown, impulse: &mut S::Unknown) -> S::Unknown {
+        let none = S::Unknown::zero();
+        let (mut image, mut unused) = (none, S::Unknown::fill(none));
+        self.coefficients.evaluate(self.system, &self.start, &none, &mut image, &mut unused);
+        let solved = inverse.times(&moved(&self.changed, R::from_f64(0.5), &image));
+        let entries = mean.as_mut_slice().iter_mut().zip(impulse.as_mut_slice());
+        for ((mean, impulse), (solved, p)) in entries.zip(solved.as_slice().iter().zip(self.changed.as_slice())) {
+            if turns(*mean, *p) {
+                (*mean, *impulse) = (*solved, R::from_f64(2.0) * (*solved - *p));
+            }
+        }
+        mean
     }
 
     /// The increment of y at which f̄ is evaluated.

@@ -65,9 +65,9 @@ impl<S: DiscreteField<R>, R: Real> StepsOf<DiscreteGradient, S, R> for ByTree {
 
         // h·f̄ is affine in the impulse: one product with the inverse of its matrix.
         if S::Inverse::EXISTS {
-            let impulse = inverse.times(&equation.without_impulse(&mut deciding));
+            let (impulse, increments) = equation.affine(inverse, &mut deciding);
             let before = start::<S, R, C>(x);
-            x.add_with(sums, &equation.increments(&impulse), &S::Phase::zero());
+            x.add_with(sums, &increments, &S::Phase::zero());
             if !impulse.is_finite() {
                 return Err(Refusal::Singular);
             }

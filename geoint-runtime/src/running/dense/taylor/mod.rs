@@ -8,12 +8,15 @@ use crate::running::{StepError, TaylorIntegrator};
 use crate::scalar::{Real, signed};
 use crate::space::Array;
 use crate::system::{Jets, StateOf};
-use crate::taylor::{self, TaylorMethod};
+use crate::taylor::{self, Roots, TaylorMethod};
 use core::fmt::{self, Debug, Formatter};
 use pieces::{APART, Piece, number};
 
 /// Steps of Newton's method at most: where a function has a triple zero each takes off a third.
 const ROUNDS: u32 = 32;
+
+/// Between two changes of sign a function that is smaller than so many roundings of its terms has none.
+const ROUNDING: f64 = 4.0;
 
 /// The crossings of a run by Taylor series, in order; ends after the first error, or at a time.
 pub struct TaylorCrossings<'a, S: Jets<R>, M: TaylorMethod<S, R>, R: Real, F, G> {
@@ -84,7 +87,7 @@ where
             // The signs at the end of the part before.
             for i in 0..G::LEN {
                 let zeros = self.zeros_of(&piece, i);
-                let near = zeros.iter().any(|(at, _)| piece.from + at * (piece.to - piece.from) > NEAR);
+                let near = zeros.changes().any(|(at, _)| piece.from + at * (piece.to - piece.from) > NEAR);
                 // A step that is over before the function has left the event at which the search begins ends at no other.
                 let near = near || self.begins(&piece) && !self.leaves(&piece, i);
                 self.sides.as_mut_slice()[i] = <M::Series as Real>::from_f64(zeros.end());
@@ -147,13 +150,15 @@ where
         self.last.is_some()
     }
 
-    /// The parts of a piece at which a function is zero, with the sign that it has in the beginning; and its sign at the end.
-    fn zeros_of(&self, piece: &Piece<G>, i: usize) -> Zeros {
+    /// The parts of a piece at which a function is zero, with the sign that it has in the beginning; 0 where it had none yet.
+    fn zeros_of(&self, piece: &Piece<G>, i: usize) -> Roots {
         let count = M::coefficients(&piece.values.as_slice()[i]).len();
         let g = self.in_parts(&piece.values, i, piece.to - piece.from);
-        let noise = if self.begins(piece) { self.rounding(piece, i) } else { 0.0 };
-        let inner = taylor::roots(&g[..count.min(taylor::MOST)], noise);
-        Zeros { inner, side: number::<S, M, R>(&self.sides.as_slice()[i]) }
+        let (g, side) = (&g[..count.min(taylor::MOST)], number::<S, M, R>(&self.sides.as_slice()[i]));
+        // What has changed sign at the end of a step may seem to do so again where the next one begins, rounded otherwise.
+        let noise = if self.begins(piece) || side * g[0] < 0.0 { self.rounding(piece, i) } else { 0.0 };
+        let size: f64 = g.iter().map(|g| g.abs()).sum();
+        taylor::roots(g, noise).behind(side).without_pairs(g, ROUNDING * R::epsilon() * size)
     }
 
     /// The first zero in the piece that has not been given out.
@@ -165,7 +170,7 @@ where
         let piece = self.piece?;
         let mut first: Option<(f64, usize, f64)> = None;
         for i in 0..G::LEN {
-            for (at, sign) in self.zeros_of(&piece, i).iter() {
+            for (at, sign) in self.zeros_of(&piece, i).changes() {
                 let later = (at, i) > self.given || self.given.1 == usize::MAX;
                 let earlier = first.is_none_or(|(first, ..)| at < first);
                 if later && earlier && self.direction.counts(sign) {
@@ -212,33 +217,6 @@ where
             }
         }
         (!is_pole(now)).then_some(part)
-    }
-}
-
-/// The zeros of a function in a piece.
-struct Zeros {
-    inner: taylor::Roots,
-    /// The sign at the end of the piece before; 0 where there was none yet.
-    side: f64,
-}
-
-impl Zeros {
-    /// The sign at the end.
-    fn end(&self) -> f64 {
-        let odd = self.inner.as_slice().len() % 2 == 1;
-        let end = if odd { -self.inner.sign } else { self.inner.sign };
-        if end == 0.0 { self.side } else { end }
-    }
-
-    /// Where they are, with the sign behind each.
-    fn iter(&self) -> impl Iterator<Item = (f64, f64)> {
-        let mut sign = self.inner.sign;
-        // A change of sign in the joint of two pieces.
-        let joint = (self.side * sign < 0.0).then_some((0.0, sign));
-        joint.into_iter().chain(self.inner.as_slice().iter().map(move |at| {
-            sign = -sign;
-            (*at, sign)
-        }))
     }
 }
 

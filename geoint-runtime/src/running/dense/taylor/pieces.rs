@@ -14,6 +14,8 @@ use crate::taylor::{self, Steps, TaylorMethod};
 /// The polynomial of a function may differ so much, relative to its size, from the function at the end of a part: zeros are
 /// found by the first, and improved by the second.
 pub(super) const APART: f64 = 1.0 / (1 << 20) as f64;
+/// So many roundings tell nothing.
+const ROUNDINGS: f64 = 64.0;
 /// The same where steps have one length, and nothing says how accurate they are.
 const APART_FIXED: f64 = 1.0 / (1 << 10) as f64;
 
@@ -80,7 +82,10 @@ where
             let value: f64 = self.in_parts(values, i, to - from).iter().sum();
             let [start, end] = [values, &ends].map(|g| number::<S, M, R>(&g.as_slice()[i]));
             let gap = (value - end).abs();
-            gap <= part * start.abs().max(end.abs()) || gap <= 64.0 * self.noise(i, to)
+            // A function that has another sign is zero somewhere else, however little that is of its size.
+            let same = value * end >= 0.0 && gap <= part * start.abs().max(end.abs());
+            let rounding = || self.rounding(&Piece { from, to, values: *values }, i);
+            same || gap <= ROUNDINGS * self.noise(i, to) || gap <= rounding()
         })
     }
 
@@ -89,7 +94,7 @@ where
         self.first && piece.from == 0.0
     }
 
-    /// What is rounding of a function where a search begins: of the coordinates, and of when the event was. That was found in a step of its
+    /// What is rounding of a function where a piece begins: of the coordinates, and of when an event there was. That was found in a step of its
     /// own; how much of one is left until the search ends says nothing about it.
     pub(super) fn rounding(&self, piece: &Piece<G>, i: usize) -> f64 {
         let width = self.run.steps.pace_before() / self.run.step_size().abs();
@@ -98,7 +103,7 @@ where
         let whole = self.changes(piece, i, width * reach.min(1.0));
         let changes = self.changes(piece, i, piece.to - piece.from);
         let changes = if whole < f64::INFINITY { changes.max(whole) } else { changes };
-        f64::max(4.0 * self.noise(i, 0.0), 8.0 * R::epsilon() * changes)
+        f64::max(4.0 * self.noise(i, piece.from), 8.0 * R::epsilon() * changes)
     }
 
     /// Whether a function changes by more than rounding in the piece with which a search begins.

@@ -26,11 +26,13 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
     pub(super) fn refused(&self, t: f64, h: f64, reason: Reason) -> StepError {
         let h = self.towards(h);
         let reason = match reason {
-            Reason::Diverges => self.vanishing().map_or(reason, |what| Reason::OutsideDomain { what }),
+            Reason::Diverges => self.without_series(),
             reason => reason,
         };
         match reason {
-            _ if !self.is_fixed() || reason == Reason::Sliding => StepError::StepTooSmall { t, h, reason },
+            _ if !self.is_fixed() || matches!(reason, Reason::Sliding | Reason::NoRates) => {
+                StepError::StepTooSmall { t, h, reason }
+            }
             Reason::OutsideDomain { what } => StepError::OutsideDomain { t, what },
             Reason::NotConverged | Reason::Singular => StepError::Singular { t },
             _ => StepError::NonFinite { t },
@@ -40,6 +42,15 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
     /// The shortest step that changes time.
     fn shortest(&self) -> f64 {
         Bounds::default().at(signed(self.time()), R::epsilon()).shortest
+    }
+
+    /// Why the solution has no series here.
+    fn without_series(&self) -> Reason {
+        match self.vanishing() {
+            Some(what) => Reason::OutsideDomain { what },
+            None if !self.jet()[0].is_finite() => Reason::NoRates,
+            None => Reason::Diverges,
+        }
     }
 
     /// A power that has no series where it vanishes, and does so here or next to here: what it is a power of changes by half of itself. Steps of one
