@@ -321,8 +321,7 @@ enum Attempt<A> {
 }
 
 /// The explicit guess, if there is one.
-#[cold]
-#[inline(never)]
+#[inline(always)]
 pub(super) fn explicit<A: Array, W: Observer + ?Sized>(equation: &impl StepEquation<A, W>) -> A {
     let guess = equation.explicit();
     // It may look beyond the domain of the energy where the solution need not.
