@@ -127,11 +127,14 @@ fn multiple_of_products(graph: &Graph, x: Id) -> Option<(Vec<Id>, Id)> {
     summands.iter().all(is_product).then_some((known, sum))
 }
 
-/// h ∂T/∂p as a function of what stands for the momenta.
+/// h ∂T/∂p at the mean of two momenta, as a function of what stands for their sum: the half of it is a part of what is known before.
 fn drift(graph: &mut Graph, velocity: &[Id]) -> Vec<Id> {
     let h = graph.symbol(Symbol::H);
     let mut mean = Substitution::new(|graph: &mut Graph, symbol| match symbol {
-        Symbol::P(i) => Some(graph.symbol(Symbol::Dp(i))),
+        Symbol::P(i) => {
+            let sum = graph.symbol(Symbol::Dp(i));
+            Some(graph.scale(Number::HALF, sum))
+        }
         _ => None,
     });
     let mut scaled = |velocity: &Id| {
