@@ -154,7 +154,7 @@ impl<A: Array> Iteration<A> {
     ) -> Found<A> {
         let mut attempt = start.guess.map_or(Attempt::Explicit, Attempt::Extrapolated);
         let (mut first, mut before) = (start.correction, start.before);
-        if const { A::LEN > 2 } {
+        if const { A::LEN > 1 } {
             self.by_series |= self.looks();
         }
         loop {
