@@ -162,9 +162,9 @@ where
 {
     let y = &[q, p].concat()[..S::Unknown::LEN];
     let (parameters, exact) = (plain.parameters(h), dual.parameters(h.into()));
-    let mean: Vec<f64> = p.iter().zip(impulse).map(|(p, impulse)| p + 0.5 * impulse).collect();
+    let sum: Vec<f64> = p.iter().zip(impulse).map(|(p, impulse)| 2.0 * p + impulse).collect();
     let first_order = S::DERIVATIVE == 1;
-    let d: S::Unknown = if first_order { array(impulse) } else { plain.drift(&parameters, &array(&mean)) };
+    let d: S::Unknown = if first_order { array(impulse) } else { plain.drift(&parameters, &array(&sum)) };
     let (mut f, mut image) = (S::Unknown::zero(), S::Unknown::zero());
     let mut matrix = S::Unknown::fill(S::Unknown::zero());
     let start = plain.begin(&parameters, Span::of([t, t + h], h), &array(y));
@@ -178,9 +178,8 @@ where
     let start = dual.begin(&exact, Span::of([t, t + h].map(Dual::from), h.into()), &array(&seeded(y, usize::MAX)));
     for column in 0..y.len() {
         let seeds: Vec<Dual> = seeded(impulse, column);
-        let half = Dual::from(0.5);
-        let mean: Vec<Dual> = seeded(p, usize::MAX).into_iter().zip(&seeds).map(|(p, x)| p + half * *x).collect();
-        let d: D::Unknown = if first_order { array(&seeds) } else { dual.drift(&exact, &array(&mean)) };
+        let sum: Vec<Dual> = seeded(p, usize::MAX).into_iter().zip(&seeds).map(|(p, x)| p + p + *x).collect();
+        let d: D::Unknown = if first_order { array(&seeds) } else { dual.drift(&exact, &array(&sum)) };
         let (mut f, mut unused) = (D::Unknown::zero(), D::Unknown::fill(D::Unknown::zero()));
         dual.slope(&exact, &start, &d, &mut f, &mut unused);
         for (row, f) in f.as_slice().iter().enumerate() {

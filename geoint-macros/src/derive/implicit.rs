@@ -6,7 +6,7 @@ use crate::diff::contact::{self, Equation};
 use crate::diff::field::{self, Field, SecondOrder};
 use crate::diff::{self, Gradient};
 use crate::ir::substitute::Substitution;
-use crate::ir::{Graph, Id, Node, Number, Ratio, Symbol};
+use crate::ir::{Graph, Id, Lines, Node, Number, Ratio, Symbol};
 use crate::schedule::{Kernel, Levels};
 
 /// With more unknowns than this the runtime prefers the fixed point to Newton's iteration: an elimination costs more than the
@@ -83,6 +83,7 @@ fn equation(graph: &mut Graph, field: &Field, second_order: &SecondOrder) -> Vec
     let mut roots = field.f.iter().map(|f| graph.mul(h, *f)).collect::<Vec<_>>();
     let square = graph.pow(h, Ratio::integer(2));
     let half = graph.scale(Number::HALF, square);
+    let mut lines = Lines::new(|symbol| field.unknowns.contains(&symbol));
     for (i, row) in field.jacobian.iter().enumerate() {
         for j in 0..n {
             let mut terms = vec![graph.integer((i == j).into())];
@@ -90,7 +91,8 @@ fn equation(graph: &mut Graph, field: &Field, second_order: &SecondOrder) -> Vec
                 let weight = graph.mul(half, inverse_mass[j]);
                 subtract(graph, weight, *slope, &mut terms);
             }
-            roots.push(graph.sum(&terms));
+            let entry = graph.sum(&terms);
+            roots.push(lines.straightened(graph, entry));
         }
     }
     roots
@@ -125,11 +127,14 @@ fn multiple_of_products(graph: &Graph, x: Id) -> Option<(Vec<Id>, Id)> {
     summands.iter().all(is_product).then_some((known, sum))
 }
 
-/// h ∂T/∂p as a function of what stands for the momenta.
+/// h ∂T/∂p at the mean of two momenta, as a function of what stands for their sum: the half of it is a part of what is known before.
 fn drift(graph: &mut Graph, velocity: &[Id]) -> Vec<Id> {
     let h = graph.symbol(Symbol::H);
     let mut mean = Substitution::new(|graph: &mut Graph, symbol| match symbol {
-        Symbol::P(i) => Some(graph.symbol(Symbol::Dp(i))),
+        Symbol::P(i) => {
+            let sum = graph.symbol(Symbol::Dp(i));
+            Some(graph.scale(Number::HALF, sum))
+        }
         _ => None,
     });
     let mut scaled = |velocity: &Id| {

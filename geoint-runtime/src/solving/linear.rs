@@ -110,9 +110,12 @@ pub(crate) fn solve_fast<A: Array>(matrix: &mut Square<A>, rhs: &mut A) -> bool 
 #[inline(always)]
 pub(crate) fn second_term<A: Array>(matrix: &Square<A>, r: &A) -> A {
     let mut term = *r;
-    for (term, row) in term.as_mut_slice().iter_mut().zip(A::entries_of::<A>(matrix)) {
-        for (entry, r) in row.as_slice().iter().zip(r.as_slice()) {
-            *term = (-*entry).multiply_add(*r, *term);
+    for (i, row) in A::entries_of::<A>(matrix).iter().enumerate() {
+        for k in 0..A::LEN {
+            // Of two unknowns the diagonal first: the sums of both are then paired.
+            let j = if const { A::LEN == 2 } { (i + k) % A::LEN } else { k };
+            let sum = &mut term.as_mut_slice()[i];
+            *sum = (-row.as_slice()[j]).multiply_add(r.as_slice()[j], *sum);
         }
     }
     term

@@ -45,7 +45,7 @@ pub(super) fn discrete_field(
         }
     });
     let mean: Vec<Symbol> = (0..plan.last[2].results.len() as u32).map(Symbol::Dp).collect();
-    let drift = context.planned(&plan.last[2], (&mean, "p"), |values| write("drift", &places, &values));
+    let drift = context.planned(&plan.last[2], (&mean, "sum"), |values| write("drift", &places, &values));
     let inverse = if field.linear { quote!(Inverted<#unknown>) } else { quote!(()) };
     let mean = match field.mean_value {
         MeanValue::Gauss(points) => {
@@ -83,7 +83,7 @@ pub(super) fn discrete_field(
             ) #slope
             #equation
             #[inline(always)]
-            fn drift(&self, prepared: &#prepared, p: &#unknown) -> #unknown {
+            fn drift(&self, prepared: &#prepared, sum: &#unknown) -> #unknown {
                 let mut drift = <#unknown as Array>::zero();
                 #drift
                 drift

@@ -815,7 +815,7 @@ const _: () = {
             jacobian[1][0][1][0] = k5;
         }
         #[inline(always)]
-        fn drift(&self, prepared: &[R; 0], p: &[[R; 1]; 2]) -> [[R; 1]; 2] {
+        fn drift(&self, prepared: &[R; 0], sum: &[[R; 1]; 2]) -> [[R; 1]; 2] {
             let mut drift = <[[R; 1]; 2] as Array>::zero();
             drift
         }

@@ -693,7 +693,7 @@ const _: () = {
             jacobian[1][1][1][1] = k15;
         }
         #[inline(always)]
-        fn drift(&self, prepared: &[R; 0], p: &[[R; 2]; 2]) -> [[R; 2]; 2] {
+        fn drift(&self, prepared: &[R; 0], sum: &[[R; 2]; 2]) -> [[R; 2]; 2] {
             let mut drift = <[[R; 2]; 2] as Array>::zero();
             drift
         }

@@ -1190,7 +1190,7 @@ const _: () = {
             matrix[1][1] = v47;
         }
         #[inline(always)]
-        fn drift(&self, prepared: &[R; 6], p: &[R; 2]) -> [R; 2] {
+        fn drift(&self, prepared: &[R; 6], sum: &[R; 2]) -> [R; 2] {
             let mut drift = <[R; 2] as Array>::zero();
             drift
         }

@@ -392,6 +392,7 @@ const _: () = {
                 a2,
                 k3,
                 k4,
+                k5,
                 v0,
                 v1,
                 v2,
@@ -405,12 +406,14 @@ const _: () = {
                 v10,
                 v11,
                 v12,
+                v13,
             );
             a1 = self.l;
             a0 = self.m;
             a2 = self.g;
             k3 = R::from_f64(1.0);
             k4 = R::from_f64(0.25);
+            k5 = R::from_f64(0.5);
             v0 = a1 * a0;
             v1 = v0 * a2;
             v2 = -v1;
@@ -423,8 +426,9 @@ const _: () = {
             v9 = k4 * v8;
             v10 = v9 * v1;
             v11 = v10 * v7;
-            v12 = h * v7;
-            [v2, v4, v11, v12]
+            v12 = k5 * h;
+            v13 = v12 * v7;
+            [v2, v4, v11, v13]
         }
         #[inline(always)]
         fn begin(
@@ -535,11 +539,11 @@ const _: () = {
             matrix[0][0] = v11;
         }
         #[inline(always)]
-        fn drift(&self, prepared: &[R; 4], p: &[R; 1]) -> [R; 1] {
+        fn drift(&self, prepared: &[R; 4], sum: &[R; 1]) -> [R; 1] {
             let mut drift = <[R; 1] as Array>::zero();
             let (prepared_3, dp0, v0);
             prepared_3 = prepared[3];
-            dp0 = p[0];
+            dp0 = sum[0];
             v0 = prepared_3 * dp0;
             drift[0] = v0;
             drift

@@ -154,7 +154,7 @@ impl<A: Array> Iteration<A> {
     ) -> Found<A> {
         let mut attempt = start.guess.map_or(Attempt::Explicit, Attempt::Extrapolated);
         let (mut first, mut before) = (start.correction, start.before);
-        if const { A::LEN > 2 } {
+        if const { A::LEN > 1 } {
             self.by_series |= self.looks();
         }
         loop {
@@ -321,8 +321,7 @@ enum Attempt<A> {
 }
 
 /// The explicit guess, if there is one.
-#[cold]
-#[inline(never)]
+#[inline(always)]
 pub(super) fn explicit<A: Array, W: Observer + ?Sized>(equation: &impl StepEquation<A, W>) -> A {
     let guess = equation.explicit();
     // It may look beyond the domain of the energy where the solution need not.

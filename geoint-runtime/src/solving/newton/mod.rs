@@ -151,14 +151,14 @@ impl<A: Array> Newton<A> {
             let guess = equation.unknown(&point);
             let mut matrix = A::fill(A::zero());
             // Constants first: nothing is compiled of what is not asked.
-            if const { E::SETTLED && A::LEN > 2 && E::NEARLY } && self.iteration.by_series {
+            if const { E::SETTLED && A::LEN > 1 && E::NEARLY } && self.iteration.by_series {
                 let delta = difference(&guess, &equation.nearly(watch, &point, &mut matrix));
                 if let Some(found) = self.by_series(guess, &delta, &matrix) {
                     return found;
                 }
             }
             let mut delta = equation.residual_at(watch, &guess, &point, &mut matrix);
-            if const { E::SETTLED && A::LEN > 2 && !E::NEARLY }
+            if const { E::SETTLED && A::LEN > 1 && !E::NEARLY }
                 && self.iteration.by_series
                 && let Some(found) = self.by_series(guess, &delta, &matrix)
             {

@@ -7,7 +7,7 @@ use crate::space::{Array, Square};
 
 impl<A: Array> Newton<A> {
     /// The guess corrected by two terms. The factor by which terms shrink is small, and so is the next one: nothing is left out that counts, and
-    /// what `matrix` lacks of the order of its square is no more. Of two unknowns Cramer's rule is as fast.
+    /// what `matrix` lacks of the order of its square is no more. One unknown is corrected by a reciprocal.
     #[inline(always)]
     pub(super) fn by_series(&mut self, guess: A, first: &A, matrix: &Square<A>) -> Option<Found<A>> {
         let second = linear::second_term(matrix, first);

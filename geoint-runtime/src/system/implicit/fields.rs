@@ -153,6 +153,6 @@ pub trait DiscreteField<R: Real = f64>: Collocation<R> + Graded<R, Gradient = By
             row.as_mut_slice()[i] += R::from_f64(1.0);
         }
     }
-    /// h ∂T/∂p, if T is quadratic.
-    fn drift(&self, parameters: &Self::Parameters, p: &Self::Unknown) -> Self::Unknown;
+    /// h ∂T/∂p at the mean of two momenta whose sum this is, if T is quadratic.
+    fn drift(&self, parameters: &Self::Parameters, sum: &Self::Unknown) -> Self::Unknown;
 }
