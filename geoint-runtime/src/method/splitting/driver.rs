@@ -88,9 +88,9 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
         if Between::<S, R, C>::MANY {
             return self.in_place(open, system, times, x);
         }
-        let (mut local, mut here) = (*open, *x);
-        self.in_place(&mut local, system, times, &mut here);
-        (*open, *x) = (local, here);
+        let mut here = *x;
+        self.in_place(open, system, times, &mut here);
+        *x = here;
     }
 
     /// The same in a function of its own.
