@@ -141,7 +141,7 @@ impl<'a, S: DiscreteField<R>, R: Real> Equation<'a, S, R> {
             return (impulse, self.increments(&impulse));
         }
         let mean = self.mean(inverse, mean, &mut impulse);
-        (impulse, S::increments(&self.system.drift(&self.coefficients.parameters, &mean), &impulse))
+        (impulse, S::increments(&self.system.drift(&self.coefficients.parameters, &sum(&mean, &mean)), &impulse))
     }
 
     /// The mean of p, solved for where an impulse turns p round, and that impulse.
