@@ -3,7 +3,7 @@
 use super::poles::{Jumps, Poles};
 use crate::analyze::{self, Damping};
 use crate::ir::op::Domain as Defined;
-use crate::ir::{Function, Graph, Id, Node, Number, Partial};
+use crate::ir::{Function, Graph, Id, Node, Number, Partial, Ratio};
 use crate::parse::Form;
 use crate::schedule::{Kernel, Levels};
 use std::collections::{BTreeSet, HashSet};
@@ -13,7 +13,7 @@ use std::collections::{BTreeSet, HashSet};
 pub(crate) struct Domain<K = Kernel> {
     /// What is tested at a point.
     pub(crate) checks: Vec<Check>,
-    /// The argument of each; then the entries of a damping matrix that has to be tested.
+    /// The argument of each; then what is [enough](Check::enough) of some, and the entries of a damping matrix that has to be tested.
     pub(crate) arguments: K,
     /// Where the energy is defined but not smooth: what explains a step that is refused there.
     pub(crate) edges: Edges<K>,
@@ -57,6 +57,8 @@ pub(crate) struct Check {
     /// What that is, and of what.
     pub(crate) what: String,
     pub(crate) term: Id,
+    /// The argument is a sum of squares, of which this one is enough if it is positive: two bodies whose x are apart are in two places.
+    pub(crate) enough: Option<Id>,
 }
 
 /// A number that must not be.
@@ -95,7 +97,11 @@ impl Domain {
             checks.extend(damping.open_diagonal(graph).into_iter().map(negative));
             matrix = damping.open_matrix();
         }
-        let arguments = checks.iter().map(|check| check.argument).chain(matrix).collect();
+        for check in checks.iter_mut().filter(|check| check.if_it_is != Sign::Negative) {
+            check.enough = square_of(graph, check.argument);
+        }
+        let enough = checks.iter().filter_map(|check| check.enough);
+        let arguments = checks.iter().map(|check| check.argument).chain(enough).chain(matrix).collect();
         let examined = is_examined(graph, roots.all, partial);
         Domain {
             arguments: Kernel::new(Levels::One, arguments),
@@ -168,7 +174,7 @@ impl<K> Edges<K> {
 
 impl Check {
     fn new(argument: Id, if_it_is: Sign, what: String, term: Id) -> Check {
-        Check { argument, if_it_is, what, term }
+        Check { argument, if_it_is, what, term, enough: None }
     }
 }
 
@@ -224,6 +230,16 @@ fn taken(graph: &Graph, friction: Id) -> Option<Id> {
 fn guarded(graph: &mut Graph, condition: Option<Id>, node: Id) -> Id {
     let one = graph.integer(1);
     condition.map_or(node, |condition| graph.select(condition, node, one))
+}
+
+/// The first term of a sum of squares: rounded as it is, the sum is not below it.
+fn square_of(graph: &Graph, sum: Id) -> Option<Id> {
+    let Node::Linear(constant, terms) = graph.node(sum) else { return None };
+    let is_square = |(c, term): &(Number, Id)| {
+        let is_even = |exponent: &Ratio| exponent.is_integer() && exponent.numerator % 2 == 0;
+        *c == Number::ONE && matches!(graph.node(*term), Node::Power(_, exponent) if is_even(exponent))
+    };
+    (!constant.is_negative() && terms.iter().all(is_square)).then(|| terms[0].1)
 }
 
 /// What has to be tested of one node for the energy, and its gradient, to be defined. Under a condition it is tested where that holds:

@@ -76,16 +76,19 @@ fn first_of(
 ) -> TokenStream {
     let printer = Printer::new(graph, |symbol| context.user_name(symbol));
     context.values(arguments, |mut values| {
-        let rest = rest(&values.split_off(checks.len()));
+        let mut others = values.split_off(checks.len()).into_iter();
         let tests = checks.iter().zip(values).map(|(check, value)| {
             let test = match check.if_it_is {
                 Sign::Negative => quote!(.any_below(0.0)),
                 Sign::NotPositive => quote!(.any_not_positive()),
                 Sign::Zero => quote!(.abs().any_not_positive()),
             };
+            let enough = check.enough.and_then(|_| others.next()).map(|enough| quote!(#enough.any_not_positive() &&));
             let message = format!("{}: {}", check.what, printer.excerpt(check.term));
-            quote!(if #value #test { return ::core::option::Option::Some(#message); })
+            quote!(if #enough #value #test { return ::core::option::Option::Some(#message); })
         });
+        let tests: Vec<TokenStream> = tests.collect();
+        let rest = rest(others.as_slice());
         quote!(#(#tests)* #rest ::core::option::Option::None)
     })
 }
