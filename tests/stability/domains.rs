@@ -173,3 +173,34 @@ fn signs_of_parameters_are_no_belief() {
     check("Gauss::<2>", Gauss::<2>);
     check("Gonzalez", Gonzalez);
 }
+
+/// Two bodies, and a third one that is softened, in space.
+#[hamiltonian]
+fn bodies(q: [[f64; 3]; 3], p: [[f64; 3]; 3], m: f64) -> f64 {
+    let square = |i: usize, j: usize| {
+        let d = [q[i][0] - q[j][0], q[i][1] - q[j][1], q[i][2] - q[j][2]];
+        d[0] * d[0] + d[1] * d[1] + d[2] * d[2]
+    };
+    let mut energy = -1.0 / square(1, 0).sqrt() - 1.0 / (square(2, 0) + 0.01).sqrt();
+    for i in 0..3 {
+        energy += (p[i][0] * p[i][0] + p[i][1] * p[i][1] + p[i][2] * p[i][2]) / (2.0 * m);
+    }
+    energy
+}
+
+/// A sum of squares is asked for its first one alone where that is positive: bodies that have one coordinate in common, or two, are apart.
+#[test]
+fn bodies_in_one_place() {
+    let step = |d: [f64; 3]| {
+        let rest =
+            State::new([[0.5, -2.0, 3.0], [0.5 + d[0], -2.0 + d[1], 3.0 + d[2]], [0.5, -2.0, 3.0]], [[0.0; 3]; 3]);
+        Bodies { m: 1.7 }.integrator(PositionVerlet, 1e-9, rest).step()
+    };
+    for apart in [1.0, -1e-3] {
+        for d in [[apart, 0.0, 0.0], [0.0, apart, 0.0], [0.0, 0.0, apart], [apart, apart, 0.0]] {
+            assert_eq!(step(d), Ok(()), "{d:?}");
+        }
+    }
+    let refused = step([0.0; 3]);
+    assert!(matches!(refused, Err(StepError::OutsideDomain { what, .. }) if what.contains("root")), "{refused:?}");
+}
