@@ -159,7 +159,7 @@ fn part<S: Pieces<M, R>, M: Splitting, R: Real, C: Summation<S::Phase>, P: Probe
     [begins, ends]: [bool; 2],
 ) -> Result<(), Refusal> {
     let (all, joined) = (S::PIECES.len(), M::MERGES && merges::<S, M, R>());
-    let ([t, end], reopened) = ([step.t, step.end], joined && (!begins || open.reopen(step.t, step.x).is_some()));
+    let ([t, end], reopened) = ([step.t, step.end], joined && (!begins || open.return_to(step.t, step.x).is_some()));
     for (i, Pair { forth, back, joint, at, poles }) in prepared.iter().enumerate() {
         let [start, middle, before] = at.map(|after| t + after);
         let frozen = [forth, back].map(|flows| step.system.freeze(flows, middle));
