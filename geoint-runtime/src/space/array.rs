@@ -77,6 +77,7 @@ pub trait Array: Copy + Debug + PartialEq + 'static {
 
     /// Whether every entry is a finite number.
     #[inline(always)]
+    #[allow(clippy::eq_op, reason = "a number less itself tells whether it is finite")]
     fn is_finite(&self) -> bool {
         // Without a branch for each entry. A number less itself is zero, and no number where it is not finite: a comparison with infinity becomes one
         // of integers, which takes four times the instructions.
