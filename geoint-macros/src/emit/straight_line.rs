@@ -7,7 +7,7 @@ use super::given::Given;
 use super::loops::Output;
 use super::tokens::Tokens;
 use super::writer::{Names, Writer};
-use crate::schedule::{Block, Register};
+use crate::schedule::{Block, Register, side_by_side};
 use proc_macro2::TokenStream;
 use quote::ToTokens;
 
@@ -44,7 +44,11 @@ impl Writer<'_> {
     fn results(&mut self, block: &Block, targets: &[Given]) -> (Vec<Output>, Vec<Register>) {
         match self.families(block, targets) {
             Some(families) => self.with_loops(block, families),
-            None => (self.block(block).into_iter().map(Output::Value).collect(), block.registers()),
+            None => {
+                let side_by_side = side_by_side(block);
+                let block = side_by_side.as_ref().unwrap_or(block);
+                (self.block(block).into_iter().map(Output::Value).collect(), block.registers())
+            }
         }
     }
 }

@@ -123,6 +123,25 @@ impl Writer<'_> {
             Statement::Kepler(registers, orbits) => self.kepler(registers, orbits),
             Statement::FlowMatrix(register, size, entries) => self.flow_matrix(*register, *size, entries),
             Statement::FlowChange(registers, matrix, x) => self.flow_change(registers, matrix, x),
+            Statement::Gather(register, four) => {
+                self.register(*register);
+                self.punct("=");
+                self.word("R");
+                self.punct("::");
+                self.word("four");
+                let list = self.inside(|writer| {
+                    let list = writer.inside(|writer| writer.separated(four));
+                    writer.group(Delimiter::Bracket, list);
+                });
+                self.group(Delimiter::Parenthesis, list);
+            }
+            Statement::Spread(registers, four) => {
+                self.list(Delimiter::Bracket, registers);
+                self.punct("=");
+                self.register(*four);
+                self.punct(".");
+                self.literal(0);
+            }
             Statement::If { registers, condition, first, second } => {
                 self.list(Delimiter::Bracket, registers);
                 self.punct("=");
@@ -214,13 +233,16 @@ impl Writer<'_> {
     }
 
     fn arguments(&mut self, args: &[Operand]) {
-        let args = self.inside(|writer| {
-            for arg in args {
-                writer.operand(arg);
-                writer.punct(",");
-            }
-        });
+        let args = self.inside(|writer| writer.separated(args));
         self.group(Delimiter::Parenthesis, args);
+    }
+
+    /// `a, b,`
+    fn separated(&mut self, operands: &[Operand]) {
+        for operand in operands {
+            self.operand(operand);
+            self.punct(",");
+        }
     }
 
     pub(super) fn operand(&mut self, operand: &Operand) {

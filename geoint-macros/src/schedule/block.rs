@@ -47,6 +47,10 @@ pub(crate) enum Statement {
     FlowMatrix(Register, usize, Vec<(usize, Operand)>),
     /// Such a matrix times a vector; it is a register, or slots from this one on.
     FlowChange(Vec<Register>, Operand, Vec<Operand>),
+    /// Four numbers side by side.
+    Gather(Register, [Operand; 4]),
+    /// Each of four numbers that are side by side.
+    Spread([Register; 4], Register),
     /// Values that depend on a condition; each branch computes what only it needs.
     If {
         registers: Vec<Register>,
@@ -128,6 +132,19 @@ impl Instruction {
         }
     }
 
+    /// What it does, to nothing.
+    pub(super) fn blank(&self) -> Instruction {
+        let mut blank = self.clone();
+        blank.operands_mut().into_iter().for_each(|operand| *operand = Operand::Truth(false));
+        blank
+    }
+
+    /// Whether it is a sum, a difference, a product, a quotient, a root, or a change of sign.
+    pub(super) fn is_arithmetic(&self) -> bool {
+        use Instruction::{Add, Div, Mul, MulAdd, Neg, Sqrt, Sub};
+        matches!(self, Neg(_) | Add(..) | Sub(..) | Mul(..) | Div(..) | MulAdd(..) | Sqrt(_))
+    }
+
     /// How many of its first operands may change places.
     pub(super) fn commuting(&self) -> usize {
         match self {
@@ -157,7 +174,10 @@ impl Statement {
     /// The values that it computes, without those that only a branch needs.
     pub(crate) fn registers(&self) -> Vec<Register> {
         match self {
-            Statement::Let(register, _) | Statement::FlowMatrix(register, ..) => vec![*register],
+            Statement::Let(register, _) | Statement::FlowMatrix(register, ..) | Statement::Gather(register, _) => {
+                vec![*register]
+            }
+            Statement::Spread(registers, _) => registers.to_vec(),
             Statement::SinCos(sin, cos, _) => vec![*sin, *cos],
             Statement::Kepler(registers, _) => registers.as_flattened().to_vec(),
             Statement::FlowChange(registers, ..) | Statement::If { registers, .. } => registers.clone(),
@@ -175,6 +195,8 @@ impl Statement {
                 visit(matrix);
                 x.iter().for_each(visit);
             }
+            Statement::Gather(_, four) => four.iter().for_each(visit),
+            Statement::Spread(_, register) => visit(&Operand::Register(*register)),
             Statement::If { condition, first, second, .. } => {
                 visit(condition);
                 for branch in [first, second] {
@@ -190,6 +212,23 @@ impl Block {
     /// The values that its statements compute, without those that only a branch needs.
     pub(crate) fn registers(&self) -> Vec<Register> {
         self.statements.iter().flat_map(Statement::registers).collect()
+    }
+
+    /// The values that its statements compute, with those that only a branch needs.
+    pub(super) fn registers_inside(&self) -> impl Iterator<Item = Register> + '_ {
+        let mut all = vec![];
+        self.visit_registers(&mut |register| all.push(register));
+        all.into_iter()
+    }
+
+    fn visit_registers(&self, visit: &mut dyn FnMut(Register)) {
+        for statement in &self.statements {
+            statement.registers().into_iter().for_each(&mut *visit);
+            if let Statement::If { first, second, .. } = statement {
+                first.visit_registers(visit);
+                second.visit_registers(visit);
+            }
+        }
     }
 
     /// Registers that hold a matrix.
@@ -216,6 +255,8 @@ impl Block {
                     one(0, 0, 0)
                 }
             },
+            // Blocks are counted before numbers are put side by side.
+            Statement::Gather(..) | Statement::Spread(..) => one(0, 0, 0),
             Statement::SinCos(..) => one(0, 0, 2),
             Statement::Kepler(registers, _) => one(0, 0, 4 * registers.len()),
             // A series of some 16 terms, some doublings.

@@ -11,6 +11,7 @@ mod families;
 mod kepler;
 mod matrix;
 mod kernel;
+mod lanes;
 mod levels;
 mod lowering;
 
@@ -19,3 +20,4 @@ pub(crate) use families::{Families, Family, Indices, Item, Run, Source, families
 #[cfg(test)]
 pub(crate) use kernel::plan;
 pub(crate) use kernel::{Kernel, Levels, Plan};
+pub(crate) use lanes::side_by_side;

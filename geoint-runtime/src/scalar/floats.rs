@@ -1,10 +1,11 @@
 //! `f64` and `f32` as scalars: by the standard library, or by libm where there is none.
 
 use super::real::Real;
+use wide::{f32x4, f64x4};
 
 /// The floating-point types of Rust: each function once for the standard library, once for libm.
 macro_rules! floats {
-    ($($real:ident, $magnitude:expr, $lower_bits:literal, $time:expr, { $($method:ident($($y:ident)?) = $libm:ident),* $(,)? }, $sincos:ident;)*) => { $(
+    ($($real:ident, $four:ident, $magnitude:expr, $lower_bits:literal, $time:expr, { $($method:ident($($y:ident)?) = $libm:ident),* $(,)? }, $sincos:ident;)*) => { $(
         impl Real for $real {
             type Mask = bool;
             #[inline(always)]
@@ -58,6 +59,33 @@ macro_rules! floats {
                 #[cfg(not(all(feature = "std", target_feature = "fma", not(feature = "strict-math"))))]
                 return self * a + b;
             }
+            #[inline(always)]
+            fn add_four(a: [Self; 4], b: [Self; 4]) -> [Self; 4] {
+                ($four::from(a) + $four::from(b)).to_array()
+            }
+            #[inline(always)]
+            fn subtract_four(a: [Self; 4], b: [Self; 4]) -> [Self; 4] {
+                ($four::from(a) - $four::from(b)).to_array()
+            }
+            #[inline(always)]
+            fn multiply_four(a: [Self; 4], b: [Self; 4]) -> [Self; 4] {
+                ($four::from(a) * $four::from(b)).to_array()
+            }
+            #[inline(always)]
+            fn divide_four(a: [Self; 4], b: [Self; 4]) -> [Self; 4] {
+                ($four::from(a) / $four::from(b)).to_array()
+            }
+            #[inline(always)]
+            fn multiply_add_four(x: [Self; 4], a: [Self; 4], b: [Self; 4]) -> [Self; 4] {
+                #[cfg(all(feature = "std", target_feature = "fma", not(feature = "strict-math")))]
+                return $four::from(x).mul_add($four::from(a), $four::from(b)).to_array();
+                #[cfg(not(all(feature = "std", target_feature = "fma", not(feature = "strict-math"))))]
+                return ($four::from(x) * $four::from(a) + $four::from(b)).to_array();
+            }
+            #[inline(always)]
+            fn sqrt_four(x: [Self; 4]) -> [Self; 4] {
+                $four::from(x).sqrt().to_array()
+            }
             // Rounded to fewer bits: no product overflows.
             #[inline(always)]
             fn upper_half(self) -> Self {
@@ -89,14 +117,14 @@ macro_rules! floats {
 }
 
 floats! {
-    f64, f64::abs, 27, |t0: [f64; 2], n: u64, h: f64| t0[0] + (t0[1] + n as i64 as f64 * h), {
+    f64, f64x4, f64::abs, 27, |t0: [f64; 2], n: u64, h: f64| t0[0] + (t0[1] + n as i64 as f64 * h), {
         sqrt() = sqrt, cbrt() = cbrt, hypot(y) = hypot,
         sin() = sin, cos() = cos, tan() = tan, asin() = asin, acos() = acos, atan() = atan, atan2(x) = atan2,
         sinh() = sinh, cosh() = cosh, tanh() = tanh, asinh() = asinh, acosh() = acosh, atanh() = atanh,
         exp() = exp, exp2() = exp2, exp_m1() = expm1, ln() = log, ln_1p() = log1p, log2() = log2, log10() = log10,
         powf(y) = pow, abs() = fabs, min(y) = fmin, max(y) = fmax,
     }, sincos;
-    f32, |x: f32| f64::from(x.abs()), 12, |t0: [f32; 2], n: u64, h: f32| (f64::from(t0[0]) + (f64::from(t0[1]) + n as f64 * f64::from(h))) as f32, {
+    f32, f32x4, |x: f32| f64::from(x.abs()), 12, |t0: [f32; 2], n: u64, h: f32| (f64::from(t0[0]) + (f64::from(t0[1]) + n as f64 * f64::from(h))) as f32, {
         sqrt() = sqrtf, cbrt() = cbrtf, hypot(y) = hypotf,
         sin() = sinf, cos() = cosf, tan() = tanf, asin() = asinf, acos() = acosf, atan() = atanf, atan2(x) = atan2f,
         sinh() = sinhf, cosh() = coshf, tanh() = tanhf, asinh() = asinhf, acosh() = acoshf, atanh() = atanhf,

@@ -2,6 +2,7 @@
 
 mod real;
 mod floats;
+mod four;
 mod interval;
 mod enclosure;
 mod exact;
@@ -9,6 +10,7 @@ mod series;
 
 pub(crate) use enclosure::{Enclosure, bounds};
 pub(crate) use exact::{exact_product, exact_sum, halves, sum_with_small};
+pub use four::Four;
 pub(crate) use interval::Interval;
 pub use real::Real;
 pub(crate) use real::{signed, zero};

@@ -4,6 +4,8 @@
 //! where an energy has an `if` they ask the scalar to choose ([`Real::choose`]), and drivers ask questions that speak for all
 //! components at once (pivots, convergence, "is this a number": [`Real::magnitude`], [`Real::any_below`]).
 
+use super::four::Four;
+use core::array::from_fn;
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, BitAnd, BitOr, Div, DivAssign, Mul, MulAssign, Neg, Not, Sub, SubAssign};
 
@@ -86,6 +88,49 @@ pub trait Real:
     /// `strict-math` asks for that everywhere.
     fn multiply_add(self, a: Self, b: Self) -> Self {
         self * a + b
+    }
+
+    /// Four numbers side by side, as emitted code computes what is alike.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn four(numbers: [Self; 4]) -> Four<Self> {
+        Four(numbers)
+    }
+    /// Four sums, of numbers side by side. A scalar with registers for four overrides this, and what follows: with the same bits.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn add_four(a: [Self; 4], b: [Self; 4]) -> [Self; 4] {
+        from_fn(|i| a[i] + b[i])
+    }
+    /// Four differences.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn subtract_four(a: [Self; 4], b: [Self; 4]) -> [Self; 4] {
+        from_fn(|i| a[i] - b[i])
+    }
+    /// Four products.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn multiply_four(a: [Self; 4], b: [Self; 4]) -> [Self; 4] {
+        from_fn(|i| a[i] * b[i])
+    }
+    /// Four quotients.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn divide_four(a: [Self; 4], b: [Self; 4]) -> [Self; 4] {
+        from_fn(|i| a[i] / b[i])
+    }
+    /// Four times [`Real::multiply_add`].
+    #[doc(hidden)]
+    #[inline(always)]
+    fn multiply_add_four(x: [Self; 4], a: [Self; 4], b: [Self; 4]) -> [Self; 4] {
+        from_fn(|i| x[i].multiply_add(a[i], b[i]))
+    }
+    /// Four square roots.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn sqrt_four(x: [Self; 4]) -> [Self; 4] {
+        x.map(Self::sqrt)
     }
 
     /// The upper half of the digits, so that a product of two halves is exact. T. J. Dekker, Numer. Math. 18 (1971) 224.

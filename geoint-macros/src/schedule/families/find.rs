@@ -54,7 +54,7 @@ impl Finder<'_> {
         let mut classes: BTreeMap<(u32, u32), Vec<usize>> = BTreeMap::new();
         let mut deepest = 0;
         for (number, statement) in self.block.statements.iter().enumerate() {
-            let Some((results, mut instruction)) = parts(statement) else {
+            let Some((results, instruction)) = parts(statement) else {
                 deepest += 1;
                 for register in statement.registers() {
                     self.colours.insert(register, (hash::of(&register), deepest));
@@ -66,8 +66,7 @@ impl Finder<'_> {
             let depth = 1 + colours.iter().map(|(_, depth)| *depth).max().unwrap_or(0);
             colours[..instruction.commuting()].sort_unstable();
             deepest = deepest.max(depth);
-            blank(&mut instruction);
-            let colour = hash::of(&(&instruction, results.len(), colours));
+            let colour = hash::of(&(instruction.blank(), results.len(), colours));
             for (k, register) in results.iter().enumerate() {
                 self.colours.insert(*register, (colour.wrapping_add(k as u32), depth));
             }
@@ -167,11 +166,7 @@ type Member = (Vec<(Source, Indices)>, usize, Vec<Register>, Instruction);
 
 /// How many members from the first one on do the same with successive values.
 fn successive(members: &[Member]) -> usize {
-    let kind = |member: &Member| {
-        let mut instruction = member.3.clone();
-        blank(&mut instruction);
-        (instruction, member.2.len())
-    };
+    let kind = |member: &Member| (member.3.blank(), member.2.len());
     let follows = |k: &usize| {
         let [a, b, first, second] = [&members[k - 1], &members[*k], &members[0], &members[1]];
         let mut operands = a.0.iter().zip(&b.0).zip(first.0.iter().zip(&second.0));
@@ -194,10 +189,4 @@ fn parts(statement: &Statement) -> Option<(Vec<Register>, Instruction)> {
         Statement::SinCos(sin, cos, x) => Some((vec![*sin, *cos], Instruction::Call(Function::Sin, vec![*x]))),
         _ => None,
     }
-}
-
-/// Leaves of an instruction what it does.
-fn blank(instruction: &mut Instruction) {
-    let nothing = vec![Operand::Truth(false); instruction.operands().len()];
-    instruction.replace(&nothing);
 }

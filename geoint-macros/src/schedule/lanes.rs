@@ -1,0 +1,301 @@
+//! Alike operations side by side: four numbers in one register of a processor.
+//!
+//! The force of a pair of bodies takes a root and a quotient, and does the same as that of every other pair. Left to itself, the compiler packs
+//! sums of different pairs as it finds them, otherwise in every program. Each number has the bits that it has alone.
+
+use super::block::{Block, Instruction, Operand, Register, Statement};
+use crate::ir::{HashMap, hash};
+use std::collections::{BTreeMap, HashSet};
+
+const LANES: usize = 4;
+
+/// Fewer alike roots and quotients than this are left alone.
+const FEWEST: usize = 8;
+
+/// The block with alike roots and quotients side by side, what they are made of, and what is made of them; none where there are few.
+pub(crate) fn side_by_side(block: &Block) -> Option<Block> {
+    // The cheapest question first: most blocks have few.
+    if block.statements.iter().filter(|statement| is_slow(statement)).count() < FEWEST {
+        return None;
+    }
+    let mut lanes = Lanes::of(block);
+    for class in lanes.classes() {
+        for four in class.chunks_exact(LANES) {
+            lanes.put(std::array::from_fn(|lane| four[lane]));
+        }
+    }
+    let mut number = 0;
+    while number < lanes.packs.len() {
+        lanes.follow(number);
+        number += 1;
+    }
+    (number > 0).then(|| lanes.arranged())
+}
+
+/// Whether a statement is a root or a quotient.
+fn is_slow(statement: &Statement) -> bool {
+    matches!(statement, Statement::Let(_, Instruction::Sqrt(_) | Instruction::Div(..)))
+}
+
+/// Four statements that do the same, each to its own operands.
+struct Pack {
+    members: [Register; LANES],
+    instruction: Instruction,
+    operands: Vec<[Operand; LANES]>,
+    /// What holds all four.
+    register: Register,
+}
+
+struct Lanes<'a> {
+    block: &'a Block,
+    /// Which statement computes a register.
+    makers: HashMap<Register, usize>,
+    /// Which ones read it.
+    readers: HashMap<Register, Vec<usize>>,
+    /// What a register is made of, whatever that reads, and how many operations one after the other.
+    kinds: HashMap<Register, (u32, u32)>,
+    packs: Vec<Pack>,
+    /// The pack of a register, and where it is there.
+    places: HashMap<Register, (usize, usize)>,
+    next: Register,
+}
+
+impl<'a> Lanes<'a> {
+    fn of(block: &'a Block) -> Self {
+        let next = 1 + block.registers_inside().max().unwrap_or_default();
+        let mut lanes = Lanes {
+            block,
+            makers: HashMap::default(),
+            readers: HashMap::default(),
+            kinds: HashMap::default(),
+            packs: vec![],
+            places: HashMap::default(),
+            next,
+        };
+        for (number, statement) in block.statements.iter().enumerate() {
+            statement.for_each_operand(&mut |operand| {
+                if let Operand::Register(register) = operand {
+                    lanes.readers.entry(*register).or_default().push(number);
+                }
+            });
+            for register in statement.registers() {
+                let kind = match statement {
+                    Statement::Let(_, instruction) => lanes.kind_of(instruction),
+                    _ => (0, hash::of(&register)),
+                };
+                lanes.kinds.insert(register, kind);
+                lanes.makers.insert(register, number);
+            }
+        }
+        lanes
+    }
+
+    fn kind_of(&self, instruction: &Instruction) -> (u32, u32) {
+        let kinds: Vec<(u32, u32)> = self.aligned(instruction).iter().map(|operand| self.kind(operand)).collect();
+        let depth = 1 + kinds.iter().map(|(depth, _)| *depth).max().unwrap_or(0);
+        (depth, hash::of(&(instruction.blank(), kinds)))
+    }
+
+    fn kind(&self, operand: &Operand) -> (u32, u32) {
+        match operand {
+            Operand::Register(register) => self.kinds.get(register).copied().unwrap_or_default(),
+            _ => (0, 0),
+        }
+    }
+
+    /// What an instruction reads; of operands that may change places, one of a lesser kind first.
+    fn aligned(&self, instruction: &Instruction) -> Vec<Operand> {
+        let mut operands = instruction.operands();
+        operands[..instruction.commuting()].sort_by_key(|operand| self.kind(operand));
+        operands
+    }
+
+    /// Registers of roots and quotients of one kind, in order, where there are enough.
+    fn classes(&self) -> Vec<Vec<Register>> {
+        let mut classes: BTreeMap<(u32, u32), Vec<Register>> = BTreeMap::new();
+        for statement in self.block.statements.iter().filter(|statement| is_slow(statement)) {
+            for register in statement.registers() {
+                classes.entry(self.kinds[&register]).or_default().push(register);
+            }
+        }
+        classes.into_values().filter(|class| class.len() >= FEWEST).collect()
+    }
+
+    /// What computes a register, if that is an operation that four numbers can go through at once.
+    fn operation(&self, register: Register) -> Option<&'a Instruction> {
+        match &self.block.statements[*self.makers.get(&register)?] {
+            Statement::Let(_, instruction) => instruction.is_arithmetic().then_some(instruction),
+            _ => None,
+        }
+    }
+
+    /// Puts four registers side by side if they are of one kind, and what they are made of.
+    fn put(&mut self, members: [Register; LANES]) {
+        let free = |(lane, register): (usize, &Register)| {
+            !self.places.contains_key(register) && !members[..lane].contains(register)
+        };
+        let alike = members.iter().all(|register| self.kinds[register] == self.kinds[&members[0]]);
+        let Some(instruction) = self.operation(members[0]) else { return };
+        if !alike || !members.iter().enumerate().all(free) {
+            return;
+        }
+        let each = members.map(|register| self.operation(register).map_or(vec![], |other| self.aligned(other)));
+        let operands: Vec<[Operand; LANES]> =
+            (0..each[0].len()).map(|k| std::array::from_fn(|lane| each[lane][k])).collect();
+        for (lane, register) in members.iter().enumerate() {
+            self.places.insert(*register, (self.packs.len(), lane));
+        }
+        let register = self.fresh();
+        self.packs.push(Pack { members, instruction: instruction.clone(), operands: operands.clone(), register });
+        for four in operands {
+            if let [Operand::Register(a), Operand::Register(b), Operand::Register(c), Operand::Register(d)] = four {
+                self.put([a, b, c, d]);
+            }
+        }
+    }
+
+    fn fresh(&mut self) -> Register {
+        self.next += 1;
+        self.next - 1
+    }
+
+    /// Puts side by side what is made of a pack, of other packs and of what the routine is given.
+    fn follow(&mut self, number: usize) {
+        let [first, rest @ ..] = self.packs[number].members;
+        for reader in self.readers.get(&first).cloned().unwrap_or_default() {
+            let others: Vec<Register> =
+                rest.iter().enumerate().filter_map(|(k, member)| self.like(reader, *member, k + 1)).collect();
+            if let (Some(first), &[b, c, d]) = (self.made(reader), &others[..]) {
+                self.put([first, b, c, d]);
+            }
+        }
+    }
+
+    /// What a statement computes, if that may be put side by side. Signs are left to what reads them: a difference takes no more than a sum.
+    fn made(&self, number: usize) -> Option<Register> {
+        match &self.block.statements[number] {
+            Statement::Let(_, Instruction::Neg(_)) => None,
+            Statement::Let(register, _) => (!self.places.contains_key(register)).then_some(*register),
+            _ => None,
+        }
+    }
+
+    /// What does to a member in the lane `lane` what the statement `first` does to that in the first one.
+    fn like(&self, first: usize, member: Register, lane: usize) -> Option<Register> {
+        let first = self.made(first)?;
+        let read = |register| self.operation(register).map(|instruction| self.aligned(instruction));
+        let wanted = read(first)?;
+        let fits = |operands: Vec<Operand>| {
+            operands.iter().zip(&wanted).all(|(operand, first)| match (operand, first) {
+                (Operand::Register(operand), Operand::Register(first)) => {
+                    let place = self.places.get(first).filter(|(_, place)| *place == 0);
+                    place.is_some_and(|(pack, _)| self.places.get(operand) == Some(&(*pack, lane)))
+                }
+                (Operand::Register(_), _) | (_, Operand::Register(_)) => false,
+                _ => true,
+            })
+        };
+        let mut readers = self.readers.get(&member)?.iter().filter_map(|number| self.made(*number));
+        readers.find(|register| self.kinds[register] == self.kinds[&first] && read(*register).is_some_and(fits))
+    }
+
+    /// The pack that four operands are.
+    fn pack_of(&self, four: &[Operand; LANES]) -> Option<usize> {
+        let Operand::Register(first) = four[0] else { return None };
+        let (number, _) = *self.places.get(&first)?;
+        (self.packs[number].members.map(Operand::Register) == *four).then_some(number)
+    }
+
+    /// The statements in an order in which each finds what it reads.
+    fn arranged(&self) -> Block {
+        let mut alone: HashSet<Register> = HashSet::new();
+        let mut read = |operand: &Operand| {
+            if let Operand::Register(register) = operand {
+                alone.insert(*register);
+            }
+        };
+        let packed =
+            |statement: &Statement| statement.registers().iter().any(|register| self.places.contains_key(register));
+        let unpacked = self.block.statements.iter().filter(|statement| !packed(statement));
+        unpacked.for_each(|statement| statement.for_each_operand(&mut read));
+        self.block.results.iter().for_each(&mut read);
+        let gathered = self.packs.iter().flat_map(|pack| &pack.operands).filter(|four| self.pack_of(four).is_none());
+        gathered.flatten().for_each(&mut read);
+        let (seen, gathers, next) = (HashSet::new(), HashMap::default(), self.next);
+        let mut order = Order { lanes: self, alone, seen, gathers, next, statements: vec![] };
+        (0..self.block.statements.len()).for_each(|number| order.statement(number));
+        Block { statements: order.statements, results: self.block.results.clone() }
+    }
+}
+
+/// What is done after what.
+struct Order<'a> {
+    lanes: &'a Lanes<'a>,
+    /// Registers that are read one by one.
+    alone: HashSet<Register>,
+    /// Statements that are written, also as a part of a pack.
+    seen: HashSet<usize>,
+    gathers: HashMap<[Operand; LANES], Register>,
+    next: Register,
+    statements: Vec<Statement>,
+}
+
+impl Order<'_> {
+    /// All that a statement reads, and the statement.
+    fn statement(&mut self, number: usize) {
+        let lanes = self.lanes;
+        let statement = &lanes.block.statements[number];
+        let place = statement.registers().iter().find_map(|register| lanes.places.get(register));
+        if let Some((pack, _)) = place {
+            return self.pack(*pack);
+        }
+        if !self.seen.insert(number) {
+            return;
+        }
+        let mut read = vec![];
+        statement.for_each_operand(&mut |operand| read.push(*operand));
+        read.iter().for_each(|operand| self.operand(operand));
+        self.statements.push(statement.clone());
+    }
+
+    fn operand(&mut self, operand: &Operand) {
+        if let Operand::Register(register) = operand
+            && let Some(number) = self.lanes.makers.get(register)
+        {
+            self.statement(*number);
+        }
+    }
+
+    /// All that a pack reads, the pack, and its members where they are read one by one.
+    fn pack(&mut self, number: usize) {
+        let lanes = self.lanes;
+        let Pack { members, instruction, operands, register } = &lanes.packs[number];
+        if !self.seen.insert(lanes.makers[&members[0]]) {
+            return;
+        }
+        let operands: Vec<Operand> = operands.iter().map(|four| Operand::Register(self.four(four))).collect();
+        let mut instruction = instruction.clone();
+        instruction.replace(&operands);
+        self.statements.push(Statement::Let(*register, instruction));
+        if members.iter().any(|member| self.alone.contains(member)) {
+            self.statements.push(Statement::Spread(*members, *register));
+        }
+    }
+
+    /// The register that holds four operands.
+    fn four(&mut self, four: &[Operand; LANES]) -> Register {
+        if let Some(number) = self.lanes.pack_of(four) {
+            self.pack(number);
+            return self.lanes.packs[number].register;
+        }
+        if let Some(known) = self.gathers.get(four) {
+            return *known;
+        }
+        four.iter().for_each(|operand| self.operand(operand));
+        let register = self.next;
+        self.next += 1;
+        self.gathers.insert(*four, register);
+        self.statements.push(Statement::Gather(register, *four));
+        register
+    }
+}
