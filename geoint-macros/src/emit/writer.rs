@@ -136,7 +136,16 @@ impl Writer<'_> {
                 self.group(Delimiter::Parenthesis, list);
             }
             Statement::Spread(registers, four) => {
-                self.list(Delimiter::Bracket, registers);
+                let names = self.inside(|writer| {
+                    for lane in 0..4 {
+                        match registers.get(lane) {
+                            Some(register) => writer.register(*register),
+                            None => writer.word("_"),
+                        }
+                        writer.punct(",");
+                    }
+                });
+                self.group(Delimiter::Bracket, names);
                 self.punct("=");
                 self.register(*four);
                 self.punct(".");

@@ -49,8 +49,8 @@ pub(crate) enum Statement {
     FlowChange(Vec<Register>, Operand, Vec<Operand>),
     /// Four numbers side by side.
     Gather(Register, [Operand; 4]),
-    /// Each of four numbers that are side by side.
-    Spread([Register; 4], Register),
+    /// Each of four numbers that are side by side, or the first ones.
+    Spread(Vec<Register>, Register),
     /// Values that depend on a condition; each branch computes what only it needs.
     If {
         registers: Vec<Register>,
@@ -121,7 +121,7 @@ impl Instruction {
     }
 
     /// What it reads.
-    pub(super) fn operands(&self) -> Vec<Operand> {
+    pub(crate) fn operands(&self) -> Vec<Operand> {
         self.clone().operands_mut().into_iter().map(|operand| *operand).collect()
     }
 
@@ -177,10 +177,11 @@ impl Statement {
             Statement::Let(register, _) | Statement::FlowMatrix(register, ..) | Statement::Gather(register, _) => {
                 vec![*register]
             }
-            Statement::Spread(registers, _) => registers.to_vec(),
             Statement::SinCos(sin, cos, _) => vec![*sin, *cos],
             Statement::Kepler(registers, _) => registers.as_flattened().to_vec(),
-            Statement::FlowChange(registers, ..) | Statement::If { registers, .. } => registers.clone(),
+            Statement::FlowChange(registers, ..)
+            | Statement::Spread(registers, _)
+            | Statement::If { registers, .. } => registers.clone(),
         }
     }
 

@@ -12,24 +12,27 @@ const LANES: usize = 4;
 /// Fewer alike roots and quotients than this are left alone.
 const FEWEST: usize = 8;
 
+/// Fewer numbers than this are left alone: of a register of two, half would do nothing.
+const WORTHWHILE: usize = 3;
+
 /// The block with alike roots and quotients side by side, what they are made of, and what is made of them; none where there are few.
 pub(crate) fn side_by_side(block: &Block) -> Option<Block> {
     // The cheapest question first: most blocks have few.
     if block.statements.iter().filter(|statement| is_slow(statement)).count() < FEWEST {
         return None;
     }
-    let mut lanes = Lanes::of(block);
-    for class in lanes.classes() {
-        for four in class.chunks_exact(LANES) {
-            lanes.put(std::array::from_fn(|lane| four[lane]));
+    let mut packed = Lanes::of(block);
+    for class in packed.classes() {
+        for members in class.chunks(LANES).filter(|members| members.len() >= WORTHWHILE) {
+            packed.put(members);
         }
     }
     let mut number = 0;
-    while number < lanes.packs.len() {
-        lanes.follow(number);
+    while number < packed.packs.len() {
+        packed.follow(number);
         number += 1;
     }
-    (number > 0).then(|| lanes.arranged())
+    (number > 0).then(|| packed.arranged())
 }
 
 /// Whether a statement is a root or a quotient.
@@ -37,13 +40,18 @@ fn is_slow(statement: &Statement) -> bool {
     matches!(statement, Statement::Let(_, Instruction::Sqrt(_) | Instruction::Div(..)))
 }
 
-/// Four statements that do the same, each to its own operands.
+/// Four statements that do the same, each to its own operands; or three, the last one twice.
 struct Pack {
-    members: [Register; LANES],
+    members: Vec<Register>,
     instruction: Instruction,
     operands: Vec<[Operand; LANES]>,
-    /// What holds all four.
+    /// What holds all of them.
     register: Register,
+}
+
+/// What is in each lane: the last one again where others are missing.
+fn lanes<T: Copy>(members: &[T]) -> [T; LANES] {
+    std::array::from_fn(|lane| members[lane.min(members.len() - 1)])
 }
 
 struct Lanes<'a> {
@@ -129,8 +137,8 @@ impl<'a> Lanes<'a> {
         }
     }
 
-    /// Puts four registers side by side if they are of one kind, and what they are made of.
-    fn put(&mut self, members: [Register; LANES]) {
+    /// Puts registers side by side if they are of one kind, and what they are made of.
+    fn put(&mut self, members: &[Register]) {
         let free = |(lane, register): (usize, &Register)| {
             !self.places.contains_key(register) && !members[..lane].contains(register)
         };
@@ -139,17 +147,27 @@ impl<'a> Lanes<'a> {
         if !alike || !members.iter().enumerate().all(free) {
             return;
         }
-        let each = members.map(|register| self.operation(register).map_or(vec![], |other| self.aligned(other)));
-        let operands: Vec<[Operand; LANES]> =
-            (0..each[0].len()).map(|k| std::array::from_fn(|lane| each[lane][k])).collect();
-        for (lane, register) in members.iter().enumerate() {
-            self.places.insert(*register, (self.packs.len(), lane));
-        }
-        let register = self.fresh();
-        self.packs.push(Pack { members, instruction: instruction.clone(), operands: operands.clone(), register });
-        for four in operands {
-            if let [Operand::Register(a), Operand::Register(b), Operand::Register(c), Operand::Register(d)] = four {
-                self.put([a, b, c, d]);
+        let read = |register: &Register| self.operation(*register).map_or(vec![], |other| self.aligned(other));
+        let each: Vec<Vec<Operand>> = members.iter().map(read).collect();
+        let of = |k: usize| each.iter().map(|operands| operands[k]).collect();
+        let operands: Vec<Vec<Operand>> = (0..each[0].len()).map(of).collect();
+        let places = members.iter().enumerate().map(|(lane, register)| (*register, (self.packs.len(), lane)));
+        self.places.extend(places);
+        let (instruction, register) = (instruction.clone(), self.fresh());
+        let pack = Pack {
+            members: members.to_vec(),
+            instruction,
+            operands: operands.iter().map(|members| lanes(members)).collect(),
+            register,
+        };
+        self.packs.push(pack);
+        for members in operands {
+            let registers = members.iter().map(|operand| match operand {
+                Operand::Register(register) => Some(*register),
+                _ => None,
+            });
+            if let Some(registers) = registers.collect::<Option<Vec<_>>>() {
+                self.put(&registers);
             }
         }
     }
@@ -161,12 +179,11 @@ impl<'a> Lanes<'a> {
 
     /// Puts side by side what is made of a pack, of other packs and of what the routine is given.
     fn follow(&mut self, number: usize) {
-        let [first, rest @ ..] = self.packs[number].members;
-        for reader in self.readers.get(&first).cloned().unwrap_or_default() {
-            let others: Vec<Register> =
-                rest.iter().enumerate().filter_map(|(k, member)| self.like(reader, *member, k + 1)).collect();
-            if let (Some(first), &[b, c, d]) = (self.made(reader), &others[..]) {
-                self.put([first, b, c, d]);
+        let members = self.packs[number].members.clone();
+        for reader in self.readers.get(&members[0]).cloned().unwrap_or_default() {
+            let others = members.iter().enumerate().skip(1).map(|(lane, member)| self.like(reader, *member, lane));
+            if let Some(all) = [self.made(reader)].into_iter().chain(others).collect::<Option<Vec<_>>>() {
+                self.put(&all);
             }
         }
     }
@@ -203,7 +220,7 @@ impl<'a> Lanes<'a> {
     fn pack_of(&self, four: &[Operand; LANES]) -> Option<usize> {
         let Operand::Register(first) = four[0] else { return None };
         let (number, _) = *self.places.get(&first)?;
-        (self.packs[number].members.map(Operand::Register) == *four).then_some(number)
+        (lanes(&self.packs[number].members).map(Operand::Register) == *four).then_some(number)
     }
 
     /// The statements in an order in which each finds what it reads.
@@ -278,7 +295,7 @@ impl Order<'_> {
         instruction.replace(&operands);
         self.statements.push(Statement::Let(*register, instruction));
         if members.iter().any(|member| self.alone.contains(member)) {
-            self.statements.push(Statement::Spread(*members, *register));
+            self.statements.push(Statement::Spread(members.clone(), *register));
         }
     }
 

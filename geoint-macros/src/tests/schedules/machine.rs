@@ -5,15 +5,28 @@ use crate::schedule::{Block, Instruction, Operand, Statement};
 
 /// Runs statements.
 pub(super) struct Machine<'a> {
-    pub(super) registers: HashMap<usize, f64>,
-    pub(super) slots: &'a [Vec<f64>],
-    pub(super) input: &'a dyn Fn(Symbol) -> f64,
+    registers: HashMap<usize, f64>,
+    /// Registers of four numbers side by side.
+    fours: HashMap<usize, [f64; 4]>,
+    slots: &'a [Vec<f64>],
+    input: &'a dyn Fn(Symbol) -> f64,
 }
 
-impl Machine<'_> {
+impl<'a> Machine<'a> {
+    pub(super) fn new(slots: &'a [Vec<f64>], input: &'a dyn Fn(Symbol) -> f64) -> Self {
+        Machine { registers: HashMap::default(), fours: HashMap::default(), slots, input }
+    }
+
     pub(super) fn run(&mut self, block: &Block) -> Vec<f64> {
         for statement in &block.statements {
             match statement {
+                Statement::Let(register, instruction) if self.is_of_fours(instruction) => {
+                    let each = [0, 1, 2, 3].map(|lane| {
+                        let registers = self.fours.iter().map(|(register, four)| (*register, four[lane])).collect();
+                        Machine { registers, ..Machine::new(self.slots, self.input) }.value(instruction)
+                    });
+                    self.fours.insert(*register, each);
+                }
                 Statement::Let(register, instruction) => {
                     let value = self.value(instruction);
                     self.registers.insert(*register, value);
@@ -29,6 +42,14 @@ impl Machine<'_> {
                         self.registers.extend(registers.iter().copied().zip(results));
                     }
                 }
+                Statement::Gather(register, four) => {
+                    let four = four.map(|x| self.operand(&x));
+                    self.fours.insert(*register, four);
+                }
+                Statement::Spread(registers, four) => {
+                    let four = self.fours[four];
+                    self.registers.extend(registers.iter().copied().zip(four));
+                }
                 Statement::FlowMatrix(..) | Statement::FlowChange(..) => {
                     unreachable!("a matrix is no number: these are tested as they are emitted")
                 }
@@ -39,6 +60,15 @@ impl Machine<'_> {
             }
         }
         block.results.iter().map(|operand| self.operand(operand)).collect()
+    }
+
+    /// Whether an instruction reads four numbers at once, and nothing else.
+    fn is_of_fours(&self, instruction: &Instruction) -> bool {
+        let is_four =
+            |operand: &Operand| matches!(operand, Operand::Register(register) if self.fours.contains_key(register));
+        let operands = instruction.operands();
+        assert!(operands.iter().all(is_four) || !operands.iter().any(is_four), "{instruction:?}");
+        operands.iter().any(is_four)
     }
 
     fn operand(&self, operand: &Operand) -> f64 {

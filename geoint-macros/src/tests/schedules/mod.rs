@@ -1,5 +1,6 @@
 //! Schedules do what the graph means: statements are interpreted and compared with the value of the nodes.
 
+mod lanes;
 mod machine;
 
 use super::fuzz::{config, energy};
@@ -56,10 +57,10 @@ fn statements_mean_what_the_graph_means() {
             let input = |symbol: Symbol| values[&symbol];
             let mut slots: Vec<Vec<f64>> = vec![];
             for (store, own) in plan.stores.iter().zip([0, gradient.q.len()]) {
-                let results = Machine { registers: HashMap::default(), slots: &slots, input: &input }.run(store);
+                let results = Machine::new(&slots, &input).run(store);
                 slots.push(results[own..].to_vec());
             }
-            let results = Machine { registers: HashMap::default(), slots: &slots, input: &input }.run(&plan.last[0]);
+            let results = Machine::new(&slots, &input).run(&plan.last[0]);
             for (root, found) in iteration.iter().zip(results) {
                 let expected = eval(&before, *root, &input);
                 assert!((found - expected).abs() < 1e-12 * (1.0 + expected.abs()), "{found} {expected}");
@@ -97,7 +98,7 @@ fn roots_divide_for_whole_powers_only_where_they_exist() {
         let input = |symbol: Symbol| if let Symbol::Q(_) = symbol { q } else { 0.5 };
         let mut slots = vec![];
         for store in &plan.stores {
-            slots.push(Machine { registers: HashMap::default(), slots: &slots, input: &input }.run(store));
+            slots.push(Machine::new(&slots, &input).run(store));
         }
         let divisions = plan.stores.iter().flat_map(|block| &block.statements);
         let divisions = divisions.filter(|statement| matches!(statement, Statement::Let(_, Instruction::Div(..))));
@@ -148,10 +149,10 @@ proptest! {
         };
         let mut slots: Vec<Vec<f64>> = vec![];
         for store in &plan.stores {
-            let results = Machine { registers: HashMap::default(), slots: &slots, input: &input }.run(store);
+            let results = Machine::new(&slots, &input).run(store);
             slots.push(results);
         }
-        let results = Machine { registers: HashMap::default(), slots: &slots, input: &input }.run(&plan.last[0]);
+        let results = Machine::new(&slots, &input).run(&plan.last[0]);
         for (root, found) in roots.iter().zip(results) {
             let expected = rounded(&before, *root, &input);
             // What is not finite, or nothing but rounding, tells nothing.
@@ -238,9 +239,9 @@ fn orbits_of_one_level_are_one_call() {
     };
     let mut slots = vec![];
     for store in &plan.stores {
-        slots.push(Machine { registers: HashMap::default(), slots: &slots, input: &input }.run(store));
+        slots.push(Machine::new(&slots, &input).run(store));
     }
-    let results = Machine { registers: HashMap::default(), slots: &slots, input: &input }.run(&plan.last[0]);
+    let results = Machine::new(&slots, &input).run(&plan.last[0]);
     for (root, found) in roots.iter().zip(results) {
         assert_eq!(found, eval(&before, *root, &input));
     }
