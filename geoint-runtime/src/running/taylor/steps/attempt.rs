@@ -54,7 +54,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         if !here.is_finite() {
             return Err(self.outside_domain().map_or(Reason::Diverges, |what| Reason::OutsideDomain { what }));
         }
-        let compared = compared && (!self.is_fixed() || Self::SERIES_END);
+        let compared = compared && (!self.is_fixed() || (Self::SERIES_END && !self.has_unseen_switch()));
         let agrees = !compared || self.agrees(part, &here) || self.agrees_late(part, &here);
         if agrees || uncorrected.is_some_and(|end| self.agrees_before(end, part, whole)) {
             Ok(())
