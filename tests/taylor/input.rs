@@ -101,3 +101,15 @@ fn parameters_that_are_no_numbers() {
 fn weighed(q: [f64; 2], p: [f64; 2], m: f64) -> f64 {
     (p[0] * p[0] + p[1] * p[1]) / 2.0 - m / (q[0] * q[0] + q[1] * q[1]).sqrt()
 }
+
+/// The distance of samples is refused with what it is, and no step is taken.
+#[test]
+fn distances_that_are_none() {
+    for dt in [0.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        every_run!(Logarithm, State::new(1.0, 0.0), 0.1, |sim| {
+            let error = sim.sampled_every(dt).next().expect("an answer").unwrap_err();
+            assert!(matches!(error, StepError::InvalidStepSize { h } if h.to_bits() == dt.to_bits()), "{dt}: {error}");
+            assert_eq!(sim.state(), State::new(1.0, 0.0));
+        });
+    }
+}
