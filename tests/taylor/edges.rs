@@ -1,7 +1,7 @@
-//! Where series end, or never do: poles, collisions, polynomials, conditions, and input that is none.
+//! Where series end, or never do: poles, collisions, polynomials, conditions.
 
+use geoint_runtime::Reason;
 use geoint_runtime::prelude::*;
-use geoint_runtime::{Reason, TaylorMethod};
 
 /// x' = x² has x = 1/(1/x₀ − t).
 #[vector_field]
@@ -147,66 +147,6 @@ fn what_slides_along_a_condition_is_refused() {
     assert!((sim.time() - 1.0 / 0.3).abs() < 1e-12, "{}", sim.time());
 }
 
-/// ln q: the force is not defined for q ≤ 0.
-#[hamiltonian]
-fn logarithm(q: f64, p: f64) -> f64 {
-    p * p / 2.0 + 0.1 * q + q * q.ln()
-}
-
-/// What an attempt overwrites is no last step to look into.
-#[test]
-fn a_refused_step_shows_nothing() {
-    let mut sim = Logarithm.taylor(TaylorFixed::<8> { h: 0.05 }, State::new(1.0, 0.0));
-    let mut before = None;
-    let refused = loop {
-        if let Err(error) = sim.step() {
-            break error;
-        }
-        before = sim.at(sim.time() - 0.025);
-    };
-    assert!(matches!(refused, StepError::OutsideDomain { .. }), "{refused}");
-    assert!(before.is_some_and(|state| state.q > 0.0 && state.p < 0.0));
-    assert_eq!(sim.at(sim.time() - 0.025), None);
-    assert!(sim.state().q > 0.0);
-}
-
-fn first_error<M: TaylorMethod<Logarithm>>(method: M, state: State<f64>) -> StepError {
-    let mut sim = Logarithm.taylor(method, state);
-    let error = sim.step().unwrap_err();
-    assert!(sim.steps() == 0 && sim.time() == state.t || state.t.is_nan());
-    error
-}
-
-#[test]
-fn bad_input_is_refused() {
-    let good = State::new(1.0, 0.0);
-    for tolerance in [0.0, -1e-9, f64::NAN, f64::INFINITY] {
-        let error = first_error(Taylor { tolerance }, good);
-        assert!(matches!(error, StepError::InvalidTolerance { .. }), "{error}");
-        let error = first_error(TaylorOrder::<8> { tolerance }, good);
-        assert!(matches!(error, StepError::InvalidTolerance { .. }), "{error}");
-    }
-    for h in [0.0, f64::NAN, f64::INFINITY] {
-        assert!(matches!(first_error(TaylorFixed::<8> { h }, good), StepError::InvalidStepSize { .. }));
-    }
-    assert_eq!(first_error(TaylorOrder::<0> { tolerance: 1e-9 }, good), StepError::InvalidOrder { order: 0 });
-    assert_eq!(first_error(TaylorFixed::<1> { h: 0.1 }, good), StepError::InvalidOrder { order: 1 });
-    for state in [State::new(f64::NAN, 0.0), State::new(1.0, f64::INFINITY), State::at(f64::NAN, 1.0, 0.0)] {
-        assert!(matches!(first_error(Taylor::default(), state), StepError::NonFiniteState { .. }));
-    }
-    for q in [0.0, -1.0] {
-        let error = first_error(Taylor::default(), State::new(q, 0.0));
-        assert!(matches!(error, StepError::OutsideDomain { .. }), "{error}");
-    }
-    let mut sim = Logarithm.taylor(Taylor::default(), good);
-    assert!(matches!(sim.advance_to(f64::NAN), Err(StepError::InvalidStepSize { .. })));
-    assert!(matches!(sim.advance_to(f64::INFINITY), Err(StepError::InvalidStepSize { .. })));
-    let mut sim = Logarithm.taylor(Taylor::default(), good).steps_at_most(2);
-    assert!(matches!(sim.advance_to(100.0), Err(StepError::TooManySteps { steps: 2, .. })));
-    let mut sim = Logarithm.taylor(Taylor::default(), good).steps_between(1.0, 0.5);
-    assert!(matches!(sim.step(), Err(StepError::InvalidStepSize { .. })));
-}
-
 #[test]
 fn lower_precision() {
     #[hamiltonian]
@@ -227,22 +167,6 @@ fn output_of_every_run() {
     let mut sim = Wedge { m: 1.7 }.taylor(TaylorOrder::<6> { tolerance: 1e-6 }, State::new(1.0, 0.0));
     assert_eq!(sim.sampled(3).take(5).filter(Result::is_ok).count(), 5);
     assert_eq!(sim.states_at([10.0, 20.0]).map(|state| state.unwrap().t).collect::<Vec<_>>(), [10.0, 20.0]);
-}
-
-/// A shortest step of the user's is no pole of the solution.
-#[test]
-fn steps_that_are_not_short_enough() {
-    #[hamiltonian]
-    fn oscillator(q: f64, p: f64) -> f64 {
-        (p * p + q * q) / 2.0
-    }
-    let mut sim = Oscillator.taylor(Taylor::default(), State::new(1.0, 0.0)).steps_between(3.0, 4.0);
-    let error = sim.step().unwrap_err();
-    assert!(
-        matches!(error, StepError::StepTooSmall { reason: Reason::Inaccurate { error }, .. } if error > 10.0),
-        "{error}"
-    );
-    assert!(error.to_string().contains("times what is tolerated"), "{error}");
 }
 
 /// |q|^2.5 has two derivatives at q = 0, and (x² + y²)^1.5, and no series.
@@ -286,40 +210,4 @@ fn a_power_that_has_no_series_is_named() {
     let energy = sim.energy();
     sim.advance_to(10.0).unwrap();
     assert!((sim.energy() - energy).abs() < 1e-14);
-}
-
-/// The first term of a series says nothing of its error: with steps for that the lowest order crept away from where a momentum is zero.
-#[test]
-fn the_lowest_orders_go_on() {
-    let spring = TwoSprings.taylor(TaylorOrder::<2> { tolerance: 1e-6 }, State::new(1.0, 0.0));
-    let (mut second, mut third) =
-        (spring.steps_at_most(100_000), TwoSprings.taylor(TaylorOrder::<3> { tolerance: 1e-6 }, State::new(1.0, 0.0)));
-    for t in [0.1, 1.0] {
-        second.advance_to(t).unwrap_or_else(|error| panic!("{error}"));
-        third.advance_to(t).unwrap();
-        assert!((second.state().q - third.state().q).abs() < 1e-3, "{:?} {:?}", second.state(), third.state());
-    }
-}
-
-/// A parameter that is no number leaves the solution without a series: that is said, and not that it diverges.
-#[test]
-fn parameters_that_are_no_numbers() {
-    let start = State::new([1.0, 0.0], [0.0, 1.0]);
-    for m in [f64::NAN, f64::INFINITY] {
-        let system = Weighed { m };
-        let errors = [
-            system.taylor(Taylor::default(), start).step(),
-            system.taylor(TaylorFixed::<8> { h: 0.1 }, start).step(),
-            system.taylor(Projection(Taylor::default(), Energy), start).step(),
-        ];
-        for error in errors.map(Result::unwrap_err) {
-            assert!(matches!(error, StepError::StepTooSmall { reason: Reason::NoRates, t: 0.0, .. }), "{m}: {error}");
-            assert!(error.to_string().contains("the rates of the state there are not finite"), "{error}");
-        }
-    }
-}
-
-#[hamiltonian]
-fn weighed(q: [f64; 2], p: [f64; 2], m: f64) -> f64 {
-    (p[0] * p[0] + p[1] * p[1]) / 2.0 - m / (q[0] * q[0] + q[1] * q[1]).sqrt()
 }

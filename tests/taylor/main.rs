@@ -20,11 +20,15 @@ macro_rules! every_run {
 }
 
 mod conditions;
+mod corrupt;
 mod dense;
 mod edges;
 mod events;
+mod fixed;
 mod functions;
 mod going_on;
+mod input;
+mod orders;
 mod output;
 mod recurrences;
 mod rest;

@@ -25,9 +25,9 @@ const SHORTEST: f64 = 1e-3;
 /// Impacts: when, and the energy afterwards.
 type Impacts = Vec<(f64, f64)>;
 
-/// The ball after an impact.
-fn reflected(impact: State<f64>) -> State<f64> {
-    State { q: 0.0, p: -RESTITUTION * impact.p, ..impact }
+/// The ball after an impact that leaves a part of the speed.
+fn reflected(impact: State<f64>, restitution: f64) -> State<f64> {
+    State { q: 0.0, p: -restitution * impact.p, ..impact }
 }
 
 fn by_series() -> Result<Impacts, StepError> {
@@ -35,7 +35,7 @@ fn by_series() -> Result<Impacts, StepError> {
     let mut impacts = vec![];
     while impacts.len() < IMPACTS {
         let Some(impact) = sim.until_event(100.0, Direction::Down, |state| state.q)? else { break };
-        sim.set_state(reflected(impact.state));
+        sim.set_state(reflected(impact.state, RESTITUTION));
         impacts.push((sim.time(), sim.energy()));
     }
     Ok(impacts)
@@ -46,7 +46,7 @@ fn by_steps(h: f64) -> Result<Impacts, StepError> {
     let mut impacts = vec![];
     while impacts.len() < IMPACTS {
         let Some(impact) = sim.until_event(100.0, Direction::Down, |state| state.q)? else { break };
-        sim.set_state(reflected(impact.state));
+        sim.set_state(reflected(impact.state, RESTITUTION));
         impacts.push((sim.time(), sim.energy()));
     }
     Ok(impacts)
@@ -88,15 +88,16 @@ fn main() -> Result<(), Box<dyn Error>> {
     draw()
 }
 
-fn draw() -> Result<(), Box<dyn Error>> {
+/// Heights and energies up to the time `end`: in flight, and on the ground.
+fn curves(restitution: f64, end: f64) -> Result<[Vec<(f64, f64)>; 2], StepError> {
     let mut sim = BALL.taylor(Taylor::default(), START);
     let (mut heights, mut energies, mut lies) = (vec![], vec![], false);
     let dt = 0.01;
-    for n in 0..700 {
+    for n in 0..(end / dt) as u32 {
         let t = dt * f64::from(n);
         while sim.time() < t && !lies {
             if let Some(impact) = sim.until_event(t, Direction::Down, |state| state.q)? {
-                let flies = reflected(impact.state);
+                let flies = reflected(impact.state, restitution);
                 lies = 2.0 * flies.p < SHORTEST * BALL.m * BALL.g;
                 sim.set_state(flies);
             }
@@ -105,6 +106,11 @@ fn draw() -> Result<(), Box<dyn Error>> {
         heights.push((t, height));
         energies.push((t, energy));
     }
+    Ok([heights, energies])
+}
+
+fn draw() -> Result<(), Box<dyn Error>> {
+    let [heights, energies] = curves(RESTITUTION, 7.0)?;
     let note = "Taylor series; impacts keep 0.85 of the speed";
     let panels = [
         Panel::new(
@@ -121,4 +127,23 @@ fn draw() -> Result<(), Box<dyn Error>> {
         ),
     ];
     figure("bouncing.svg", (370, 300), &panels)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Also where flights come to an end in the time that is drawn: after fall·(1 + e)/(1 − e).
+    #[test]
+    fn a_ball_that_loses_more_comes_to_rest() -> Result<(), StepError> {
+        let fall = (2.0 * START.q / BALL.g).sqrt();
+        for restitution in [0.0, 0.3, 0.6] {
+            let end = fall * (1.0 + restitution) / (1.0 - restitution);
+            let [heights, energies] = curves(restitution, 7.0)?;
+            assert_eq!((heights.len(), energies.len()), (700, 700));
+            assert!(heights.iter().all(|(t, height)| *height >= -1e-12 && (*t < end + 0.01 || *height == 0.0)));
+            assert!(energies.is_sorted_by(|before, after| after.1 < before.1 + 1e-12));
+        }
+        Ok(())
+    }
 }

@@ -79,3 +79,18 @@ fn main() -> Result<(), Box<dyn Error>> {
     claim("and the energy is that of the start to 10⁻¹⁴", energy_error < 1e-14)?;
     figure("poincare.svg", (330, 330), &panels)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An orbit above the saddles leaves, and has the points that it has until then.
+    #[test]
+    fn orbits_that_escape_have_a_section() -> Result<(), StepError> {
+        let escapes = section(start(0.3, 0.1, 0.2).expect("above the potential"))?;
+        assert!(escapes.points.len() < POINTS, "{}", escapes.points.len());
+        let stays = section(start(1.0 / 12.0, 0.1, 0.0).expect("above the potential"))?;
+        assert_eq!(stays.points.len(), POINTS);
+        Ok(())
+    }
+}

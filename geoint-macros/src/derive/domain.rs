@@ -143,12 +143,13 @@ impl Edges {
         Edges::new(graph, checks)
     }
 
-    /// Powers that are no whole numbers, and vanish with what they are powers of.
+    /// Powers that are no whole numbers, and vanish with what they are powers of; roots too.
     fn powers(graph: &mut Graph, roots: &[Id]) -> Edges {
         let power = |id: Id| {
             let base = match graph.node(id) {
                 Node::Power(base, exponent) if !exponent.is_integer() && exponent.numerator > 0 => *base,
-                Node::Call(Function::Powf, args) => args[0],
+                Node::Call(Function::Powf | Function::Cbrt, args) => args[0],
+                Node::Call(Function::Hypot, _) => id,
                 _ => return None,
             };
             Some(Check::new(base, Sign::Zero, "a power has no Taylor series where it vanishes".into(), id))

@@ -27,6 +27,7 @@ pub(super) fn domain(context: &Context<'_>, graph: &Graph, domain: &Domain<Plan>
     let powers = (!domain.powers.checks.is_empty()).then(|| {
         let powers = powers(context, graph, (&domain.powers.checks, &domain.powers.arguments));
         quote! {
+            const POWERS: bool = true;
             fn powers(&self, t: R, z: &#phase, s: &#action, mut visit: impl ::core::ops::FnMut(&'static str, R)) {
                 #parts
                 #powers

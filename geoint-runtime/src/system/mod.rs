@@ -63,6 +63,9 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
         None
     }
 
+    /// Whether H has powers that have no Taylor series where they vanish.
+    const POWERS: bool = false;
+
     /// Shows every power of H that has no Taylor series where it vanishes, with what it is a power of at a point. They are asked for when a series
     /// ends.
     fn powers(&self, _t: R, _z: &Self::Phase, _s: &Self::Action, _visit: impl FnMut(&'static str, R)) {}

@@ -3,9 +3,12 @@
 use crate::scalar::Real;
 use crate::space::{Action, Array, PerCoordinate, Record, Snapshot, Tape};
 
-/// Steps for an error so many times smaller than the tolerance, in powers of 2: at the accuracy of the scalar the energy of a Kepler
+/// Steps whose last term is so many times smaller than the tolerance, in powers of 2: at the accuracy of the scalar the energy of a Kepler
 /// orbit would drift with what is truncated, 1.7·10⁻¹³ in 10⁴ periods, where it walks 2·10⁻¹⁴ by rounding.
-const BELOW: f64 = 6.0;
+const BELOW: f64 = 9.0;
+
+/// By such a part rates at the end of a step of given length may be off: nobody has said how accurate it is to be, but to be a step.
+const COARSEST: f64 = 0.5;
 
 /// Beyond this the last terms say nothing of the error: the series may not converge.
 const LOOSEST: f64 = 1.0 / 16.0;
@@ -32,8 +35,13 @@ impl<X: Snapshot> Estimate<X> {
     const GROUPS: usize = X::Phase::LEN / X::ALIKE + X::Action::LEN;
 
     pub(crate) fn new(tolerance: f64) -> Self {
-        let tolerance = Real::log2(tolerance.max(X::Real::epsilon()).min(LOOSEST)) - BELOW;
-        Estimate { tolerance, part: exp2(0.5 * tolerance), sizes: PerCoordinate::zero() }
+        let tolerance = Real::log2(tolerance.max(X::Real::epsilon()).min(LOOSEST));
+        Estimate { tolerance: tolerance - BELOW, part: exp2(0.5 * tolerance) / 8.0, sizes: PerCoordinate::zero() }
+    }
+
+    /// For steps of given length.
+    pub(crate) fn of_any_accuracy() -> Self {
+        Estimate { part: COARSEST, ..Self::new(0.0) }
     }
 
     /// One of the groups.
@@ -75,44 +83,46 @@ impl<X: Snapshot> Estimate<X> {
         }
     }
 
-    /// The longest step at which the last two terms are within the tolerance, in every group; infinite for a polynomial of less than
-    /// half the order.
+    /// The longest step at which the last term is within the tolerance, in every group; infinite for a polynomial of less than half the order.
     ///
-    /// Two terms, because every other one is zero where a solution is even or odd; the first one is none of them, which says nothing of an error.
-    /// Where both are, the last one that is not decides. A group that is zero so far is measured by its first term that is not.
+    /// It is a part of the radius of convergence, the smaller one by the last two terms: every other one is zero where a solution is even or odd.
+    /// The first one is none of them, which says nothing of an error. Where both are zero, the last term that is not decides. A group that is
+    /// zero so far is measured by its first term that is not.
     #[inline(always)]
     pub(crate) fn length(&self, jet: &[PerCoordinate<X::Phase, X::Action>]) -> f64 {
         let order = jet.len();
-        let before = if order > 2 { self.bound(jet, order - 1) } else { f64::INFINITY };
-        let mut least = smaller(self.bound(jet, order), before);
-        let mut m = order - 1;
+        let before = if order > 2 { self.radius(jet, order - 1) } else { f64::INFINITY };
+        let (mut least, mut m) = (smaller(self.radius(jet, order), before), order);
+        if least == f64::INFINITY {
+            m -= 1;
+        }
         while least == f64::INFINITY && m > order / 2 {
             m -= 1;
-            least = self.bound(jet, m);
+            least = self.radius(jet, m);
         }
-        exp2(least)
+        exp2(self.tolerance * (1.0 / m as f64) + least)
     }
 
-    /// Log₂ of the longest step at which the term of order m is within the tolerance.
+    /// Log₂ of the radius of convergence by the term of order m: of the time in which that is as large as its group.
     #[inline(always)]
-    fn bound(&self, jet: &[PerCoordinate<X::Phase, X::Action>], m: usize) -> f64 {
+    fn radius(&self, jet: &[PerCoordinate<X::Phase, X::Action>], m: usize) -> f64 {
         let (mut excess, smallest) = (i64::MIN, X::Real::smallest());
         for i in 0..Self::GROUPS {
             let (size, term) = (self.size(i), Self::magnitude(&jet[m - 1], i));
             if term < smallest || size < smallest {
-                return self.bound_by_group(jet, m);
+                return self.radius_by_group(jet, m);
             }
             excess = excess.max(difference(term, size));
         }
-        (self.tolerance - log2(excess)) * (1.0 / m as f64)
+        -log2(excess) * (1.0 / m as f64)
     }
 
     /// The same where a group is zero so far, or its term is.
     #[cold]
-    fn bound_by_group(&self, jet: &[PerCoordinate<X::Phase, X::Action>], m: usize) -> f64 {
+    fn radius_by_group(&self, jet: &[PerCoordinate<X::Phase, X::Action>], m: usize) -> f64 {
         // What is below the normal numbers has no digits to tell anything by.
         let smallest = X::Real::smallest();
-        let bound = |i: usize| {
+        let radius = |i: usize| {
             let term = Self::magnitude(&jet[m - 1], i);
             let mut terms = jet[..m].iter().map(|x| Self::magnitude(x, i)).zip(1..);
             let (size, k) = match self.size(i) {
@@ -120,9 +130,9 @@ impl<X: Snapshot> Estimate<X> {
                 _ => terms.find(|(term, _)| *term >= smallest)?,
             };
             let known = term >= smallest && k < m;
-            known.then(|| (self.tolerance - log2(difference(term, size))) / (m - k) as f64)
+            known.then(|| -log2(difference(term, size)) / (m - k) as f64)
         };
-        (0..Self::GROUPS).filter_map(bound).fold(f64::INFINITY, smaller)
+        (0..Self::GROUPS).filter_map(radius).fold(f64::INFINITY, smaller)
     }
 
     /// In how long, roughly, the state changes, in the unit of its coefficients: until a term is as large as its group, or of a group that is

@@ -13,7 +13,8 @@ const LARGE: usize = 12;
 /// Taylor series of the solution, with steps and an order that follow from the tolerance.
 ///
 /// The error of a step is about `tolerance` times the size of the positions, in positions, and of the momenta, in momenta; steps are
-/// chosen from the last two coefficients, for an error 64 times smaller, because the energy would drift with what is truncated otherwise.
+/// chosen from the last two coefficients, for a last term 512 times smaller, because the energy would drift with what is truncated otherwise.
+/// By a tolerance that is so many times smaller they are shorter by the root of the order.
 /// Tolerances below the accuracy of the scalar count as that, those above 1/16 as 1/16, and from 1 on they are none. Nothing is kept exactly, everything to the tolerance: at the
 /// default the energy of a Kepler orbit walks 1 to 6·10⁻¹⁴ in 10⁴ periods, by rounding; [projected](crate::Projection) it does not. The order
 /// is 20; of large systems 14 or 16 where the tolerance is 10⁻⁸ or 10⁻¹² at the least.
@@ -50,7 +51,8 @@ pub struct TaylorOrder<const P: usize> {
 }
 
 /// Taylor series of order `P` with steps of one length; the last one on the way to a time may be shorter, and one on the way to where a
-/// condition of the energy changes sides. Nothing tells how accurate they are.
+/// condition of the energy changes sides. Nothing tells how accurate they are; but one that leads far beyond where a series ends, at a pole of the
+/// energy or where a power of it vanishes that is no whole one, is refused.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TaylorFixed<const P: usize> {
     /// The length of a step; negative to go back in time.

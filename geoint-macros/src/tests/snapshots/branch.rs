@@ -176,6 +176,7 @@ const _: () = {
             }
             ::core::option::Option::None
         }
+        const POWERS: bool = true;
         fn powers(
             &self,
             t: R,

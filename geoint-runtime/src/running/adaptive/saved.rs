@@ -49,6 +49,11 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Bits> Recorded for Adaptiv
     fn complete(&mut self) -> bool {
         let Steps { system, method, prepared, .. } = &mut self.steps;
         *prepared = Prepared::new(system, method, prepared.h);
+        // To which no step has led: the next one examines it, whatever the number of steps says.
+        let steps = &mut self.steps;
+        if steps.system.outside_domain(steps.time(), &steps.x.z, &steps.x.s).is_some() {
+            steps.given = steps.taken;
+        }
         self.steps.x.is_finite() && self.time().magnitude() < f64::INFINITY
     }
 }

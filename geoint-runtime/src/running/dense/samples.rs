@@ -81,9 +81,10 @@ impl<T: Dense, W: Within<T>> Iterator for SampledEvery<'_, T, W> {
         if self.between.failed {
             return None;
         }
-        if self.dt.magnitude() == 0.0 {
+        let h = signed(self.dt);
+        if h == 0.0 || !h.is_finite() {
             self.between.failed = true;
-            return Some(Err(StepError::InvalidStepSize { h: 0.0 }));
+            return Some(Err(StepError::InvalidStepSize { h }));
         }
         // Never a running sum.
         let t = Scalar::<T>::time([self.start, Scalar::<T>::from_f64(0.0)], self.taken, self.dt);

@@ -66,6 +66,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Bits, C: Summation<S::Phase>> Recorde
     fn complete(&mut self) -> bool {
         let steps = &mut self.steps;
         steps.prepared = steps.method.prepare(&steps.system, steps.clock.step_size());
+        steps.examine_if_outside();
         steps.x.is_finite() && steps.time().magnitude() < f64::INFINITY
     }
 }

@@ -167,6 +167,14 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
         if self.taken == self.given { self.check_state() } else { Ok(()) }
     }
 
+    /// The next step examines a state to which no step has led: in what was saved the number of steps may be wrong, and all else.
+    #[cfg(feature = "alloc")]
+    pub(super) fn examine_if_outside(&mut self) {
+        if self.system.outside_domain(self.time(), &self.seen().z, &self.x.s).is_some() {
+            self.given = self.taken;
+        }
+    }
+
     #[cold]
     fn check_state(&self) -> Result<(), StepError> {
         let t = signed(self.time());
@@ -178,7 +186,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
         {
             return Err(StepError::NotNormalised { t, length });
         }
-        if let Some(what) = self.system.outside_domain(self.time(), &self.x.z, &self.x.s) {
+        if let Some(what) = self.system.outside_domain(self.time(), &self.seen().z, &self.x.s) {
             return Err(StepError::OutsideDomain { t, what });
         }
         match self.system.unmet(self.time(), self.clock.step_size(), &self.x.z) {

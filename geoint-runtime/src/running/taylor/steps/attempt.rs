@@ -4,11 +4,15 @@ use super::Steps;
 use super::expansion::Carried;
 use crate::running::error::Reason;
 use crate::scalar::{Real, zero};
-use crate::space::PerCoordinate;
+use crate::space::{Array, PerCoordinate};
 use crate::system::{Jets, Poles, jump_on_way};
 use crate::taylor::{self, TaylorMethod};
 
 impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
+    /// Whether the energy has places where series end for real times: poles, powers that vanish, conditions. Steps of given length that lead far
+    /// beyond would be long finished before their numbers overflow.
+    const SERIES_END: bool = S::Switches::LEN > 0 || S::POWERS || !S::POLES.is_empty();
+
     /// Goes a step of length h, in place of a whole one, to the other end. The coefficients there are computed, and, if `compared`, their first
     /// order with that of the polynomial.
     #[inline(always)]
@@ -50,7 +54,8 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         if !here.is_finite() {
             return Err(self.outside_domain().map_or(Reason::Diverges, |what| Reason::OutsideDomain { what }));
         }
-        let agrees = !compared || self.is_fixed() || self.agrees(part, &here) || self.agrees_late(part, &here);
+        let compared = compared && (!self.is_fixed() || (Self::SERIES_END && !self.has_unseen_switch()));
+        let agrees = !compared || self.agrees(part, &here) || self.agrees_late(part, &here);
         if agrees || uncorrected.is_some_and(|end| self.agrees_before(end, part, whole)) {
             Ok(())
         } else {

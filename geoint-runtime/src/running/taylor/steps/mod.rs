@@ -47,11 +47,10 @@ pub(in crate::running) struct Steps<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> 
 impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
     pub(in crate::running) fn new((system, method): (S, M), t: R, x: (S::Phase, S::Action)) -> Self {
         let here = Expansion::new(t, x);
-        let (tolerance, backwards) = match method.steps() {
-            taylor::Steps::Tolerance(tolerance) => (tolerance, false),
-            taylor::Steps::Length(h) => (0.0, h < 0.0),
+        let (mut estimate, backwards) = match method.steps() {
+            taylor::Steps::Tolerance(tolerance) => (Estimate::new(tolerance), false),
+            taylor::Steps::Length(h) => (Estimate::of_any_accuracy(), h < 0.0),
         };
-        let mut estimate = Estimate::new(tolerance);
         estimate.start(&PerCoordinate::of(&here.x));
         Steps {
             system,
@@ -251,8 +250,8 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
     }
 
     pub(in crate::running) fn check_start(&self) -> Result<(), StepError> {
-        // Later states are good because the steps that led to them were.
-        if self.taken != self.given {
+        // Later states are good because the steps that led to them were. Of a saved run that is not known, nor was this method asked.
+        if self.known && self.taken != self.given {
             return Ok(());
         }
         if self.order() < 2 {

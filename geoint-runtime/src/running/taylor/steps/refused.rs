@@ -30,7 +30,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
             reason => reason,
         };
         match reason {
-            _ if !self.is_fixed() || matches!(reason, Reason::Sliding | Reason::NoRates) => {
+            _ if !self.is_fixed() || matches!(reason, Reason::Sliding | Reason::NoRates | Reason::Diverges) => {
                 StepError::StepTooSmall { t, h, reason }
             }
             Reason::OutsideDomain { what } => StepError::OutsideDomain { t, what },
