@@ -1,0 +1,29 @@
+//! The correction that would follow two of one unknown.
+
+use super::iteration::Iteration;
+use crate::scalar::Real;
+use crate::space::Array;
+
+/// What is left, in units of ε, is foretold where no more than this is.
+const LITTLE: f64 = 1.0 / 1024.0;
+
+/// The first of both corrections, in units of the size of the unknown: to such a part the curvature is the same at both points, and what is left is
+/// foretold.
+const SHORT: f64 = 1.0 / 128.0;
+
+impl<A: Array> Iteration<A> {
+    /// What is left after two corrections of one unknown, c₁ and c₂: convergence is quadratic, c₂ = Kc₁², and the next one is Kc₂² = c₂(c₂/c₁)², sign
+    /// and all. Of more unknowns K depends on the direction. None where that would be too much to be foretold.
+    #[inline(always)]
+    pub(super) fn foretold(&self, first: &A, second: &A) -> Option<A> {
+        if A::LEN != 1 {
+            return None;
+        }
+        let mut next = *second;
+        let ratio = second.as_slice()[0] / first.as_slice()[0];
+        next.as_mut_slice()[0] *= ratio * ratio;
+        let is_little =
+            self.sizes.exceed(first, SHORT) && self.sizes.exceed(&next, LITTLE * A::Real::epsilon()) && !self.looks();
+        is_little.then_some(next)
+    }
+}
