@@ -92,7 +92,7 @@ fn derived(form: Form, graph: &mut crate::ir::Graph, energy: Id) -> Vec<Id> {
 #[test]
 fn a_sum_times_a_number_is_the_sum_of_multiples_that_is_needed_anyway() {
     let (_, mut lowered) = lowered(quote! {
-        fn mean(q: f64, p: f64) -> f64 {
+        fn half_a_sum(q: f64, p: f64) -> f64 {
             (2.0 * q + p) / 2.0 + (q + p / 2.0).sin()
         }
     });
