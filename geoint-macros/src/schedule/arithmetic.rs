@@ -41,6 +41,7 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
             }
         }
         for (c, id) in now {
+            let (c, id) = self.multiple(c, id);
             summands.push(self.summand(c, id));
         }
         // What is there last is added last. Start with something that is there already and needs no sign.
@@ -65,6 +66,15 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
             };
         }
         sum
+    }
+
+    /// c·(sum) as the sum of its multiples, if that is needed anyway: ½(2q + d) is the mean q + d/2. Of a power of two the bits are the same, but
+    /// for numbers that are too small or too large to keep all of theirs.
+    fn multiple(&mut self, c: Number, id: Id) -> (Number, Id) {
+        let Node::Linear(constant, terms) = self.graph.node(id) else { return (c, id) };
+        let (constant, terms) = (constant.mul(c), terms.iter().map(|(k, id)| (k.mul(c), *id)).collect());
+        let sum = self.graph.linear(constant, terms);
+        if self.uses.contains(sum) { (Number::ONE, sum) } else { (c, id) }
     }
 
     /// Whether a node is computed at this level.

@@ -89,6 +89,18 @@ fn derived(form: Form, graph: &mut crate::ir::Graph, energy: Id) -> Vec<Id> {
     fields.into_iter().flat_map(|field| [field.f, field.jacobian.concat()].concat()).collect()
 }
 
+/// ½(2q + p) beside q + p/2: two operations for the mean, the sine, and a sum.
+#[test]
+fn a_sum_times_a_number_is_the_sum_of_multiples_that_is_needed_anyway() {
+    let (_, mut lowered) = lowered(quote! {
+        fn half_a_sum(q: f64, p: f64) -> f64 {
+            (2.0 * q + p) / 2.0 + (q + p / 2.0).sin()
+        }
+    });
+    let plan = schedule::Kernel::new(schedule::Levels::One, vec![lowered.energy]).plan(&mut lowered.graph);
+    assert_eq!(plan.operations().arithmetic, 3);
+}
+
 /// Negative powers of one base, seldom with a root that is needed for some values only.
 #[test]
 fn roots_divide_for_whole_powers_only_where_they_exist() {

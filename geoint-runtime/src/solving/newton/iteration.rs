@@ -219,6 +219,7 @@ impl<A: Array> Iteration<A> {
         let mut unjudged =
             (composed || E::SETTLED && !E::OF_NOW) && !self.looks() && !matches!(attempt, Attempt::Damped);
         let (mut lost, mut stuck, mut iterations) = (A::zero(), None, 0);
+        let mut delta_before = A::zero();
         // Whether the determinant is positive at the solution, if there is one. Numbers leave the loop by no `Result`: they would share its memory.
         let positive = loop {
             if iterations == MAX_ITERATIONS {
@@ -263,6 +264,11 @@ impl<A: Array> Iteration<A> {
             if (if iterations == 1 { extrapolated } else { unjudged }) && self.is_last(&delta) {
                 break Some(positive);
             }
+            if let (true, Some(left)) = (unjudged && E::SETTLED, self.foretold(&delta_before, &delta)) {
+                lost = difference(&lost, &left);
+                break Some(positive);
+            }
+            delta_before = delta;
             if iterations <= UNJUDGED && unjudged {
                 continue;
             }

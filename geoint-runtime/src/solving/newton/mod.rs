@@ -1,6 +1,7 @@
 //! The iteration for the increment of an implicit step: Newton's; or, in many unknowns, that of the fixed point.
 
 mod fixed_point;
+mod foretold;
 mod guess;
 mod iteration;
 mod left;
@@ -213,8 +214,7 @@ impl<A: Array> Newton<A> {
         let iteration = &mut self.iteration;
         let origin = equation.origin();
         let mut found = Found::corrected(guess, &first);
-        let mut corrections = Corrections::of_order(2);
-        corrections.judge::<A::Real>(iteration.sizes.relative(&first, &origin, &found.x));
+        let (mut corrections, mut last) = (Corrections::of_order(2), first);
         // A substep that takes a third one chooses another guess after it.
         let most = if iteration.guesses.composed() { 1 } else { MOST_AGAIN };
         for before in 1..=most {
@@ -226,11 +226,19 @@ impl<A: Array> Newton<A> {
                 break;
             }
             found = Found::corrected(x, &delta);
+            if E::SETTLED
+                && let Some(left) = iteration.foretold(&last, &delta)
+            {
+                found.lost = difference(&found.lost, &left);
+                return (found, true);
+            }
+            last = delta;
             // How large it is costs two divisions, and is not asked of one that is the last where steps are settled; else C is known better. Of fields it is
             // asked, too: their short steps, as the compiler lays them out, would take a twentieth longer.
             let solved = E::SETTLED && !E::OF_NOW && iteration.is_last(&delta) || {
                 let correction = iteration.sizes.relative(&delta, &origin, &found.x);
                 if before == 1 {
+                    corrections.judge::<A::Real>(iteration.sizes.relative(&first, &origin, &x));
                     iteration.see(correction, corrections.last());
                 }
                 corrections.judge::<A::Real>(correction) == Verdict::Solved
