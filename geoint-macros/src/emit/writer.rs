@@ -6,7 +6,7 @@
 use super::given::Given;
 use super::tokens::Tokens;
 use crate::ir::{Function, HashMap, Number, Relation, Symbol};
-use crate::schedule::{Block, Instruction, Operand, Register, Statement};
+use crate::schedule::{Block, Instruction, LANES, Operand, Register, Statement};
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident};
 use std::cell::RefCell;
@@ -137,7 +137,7 @@ impl Writer<'_> {
             }
             Statement::Spread(registers, four) => {
                 let names = self.inside(|writer| {
-                    for lane in 0..4 {
+                    for lane in 0..LANES {
                         match registers.get(lane) {
                             Some(register) => writer.register(*register),
                             None => writer.word("_"),

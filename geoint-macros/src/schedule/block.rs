@@ -2,6 +2,9 @@
 
 use crate::ir::{Function, Number, Relation, Symbol};
 
+/// So many numbers go through one operation where they are side by side.
+pub(crate) const LANES: usize = 4;
+
 /// A value of a routine that is computed once.
 pub(crate) type Register = usize;
 
@@ -48,7 +51,7 @@ pub(crate) enum Statement {
     /// Such a matrix times a vector; it is a register, or slots from this one on.
     FlowChange(Vec<Register>, Operand, Vec<Operand>),
     /// Four numbers side by side.
-    Gather(Register, [Operand; 4]),
+    Gather(Register, [Operand; LANES]),
     /// Each of four numbers that are side by side, or the first ones.
     Spread(Vec<Register>, Register),
     /// Values that depend on a condition; each branch computes what only it needs.

@@ -3,7 +3,7 @@
 //! Every symbol has a binding time, a level: parameters are known before h is, h before the state, the start of a step
 //! before Newton's iterates. A node is computed at the level of the latest symbol that it reads, by the routine of that
 //! level, and later routines read it from a slot. Within a routine equal operations are one statement, and what belongs
-//! to one branch of an `if` is computed in that branch.
+//! to one branch of an `if` is computed in that branch. Alike statements become loops (`families`), or four go side by side (`lanes`).
 
 mod arithmetic;
 mod block;
@@ -15,7 +15,7 @@ mod lanes;
 mod levels;
 mod lowering;
 
-pub(crate) use block::{Block, Instruction, Operand, Operations, Register, Statement};
+pub(crate) use block::{Block, Instruction, LANES, Operand, Operations, Register, Statement};
 pub(crate) use families::{Families, Family, Indices, Item, Run, Source, families};
 #[cfg(test)]
 pub(crate) use kernel::plan;
