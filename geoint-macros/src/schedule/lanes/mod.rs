@@ -6,7 +6,7 @@
 mod arrange;
 
 use super::block::{Block, Instruction, LANES, Operand, Register, Statement};
-use crate::ir::{HashMap, hash};
+use crate::ir::HashMap;
 use std::collections::BTreeMap;
 
 /// Fewer alike roots and quotients than this are left alone.
@@ -54,6 +54,12 @@ fn lanes<T: Copy>(members: &[T]) -> [T; LANES] {
     std::array::from_fn(|lane| members[lane.min(members.len() - 1)])
 }
 
+/// How many operations one after the other, and a number: two registers of one kind are made alike, so that neither needs the other.
+type Kind = (usize, usize);
+
+/// What a routine is given is of one kind.
+const GIVEN: Kind = (0, 0);
+
 /// Statements of a block, and which of them are side by side.
 struct Lanes<'a> {
     block: &'a Block,
@@ -61,8 +67,10 @@ struct Lanes<'a> {
     makers: HashMap<Register, usize>,
     /// Which ones read it.
     readers: HashMap<Register, Vec<usize>>,
-    /// What a register is made of, whatever that reads, and how many operations one after the other.
-    kinds: HashMap<Register, (u32, u32)>,
+    /// What a register is made of, whatever that reads.
+    kinds: HashMap<Register, Kind>,
+    /// What each kind does to what kinds.
+    known: HashMap<(Instruction, Vec<Kind>), Kind>,
     packs: Vec<Pack>,
     /// The pack of a register, and where it is there.
     places: HashMap<Register, (usize, usize)>,
@@ -77,6 +85,7 @@ impl<'a> Lanes<'a> {
             makers: HashMap::default(),
             readers: HashMap::default(),
             kinds: HashMap::default(),
+            known: HashMap::default(),
             packs: vec![],
             places: HashMap::default(),
             next,
@@ -90,7 +99,8 @@ impl<'a> Lanes<'a> {
             for register in statement.registers() {
                 let kind = match statement {
                     Statement::Let(_, instruction) => lanes.kind_of(instruction),
-                    _ => (0, hash::of(&register)),
+                    // Of this kind there is no other.
+                    _ => (0, 1 + register),
                 };
                 lanes.kinds.insert(register, kind);
                 lanes.makers.insert(register, number);
@@ -99,16 +109,17 @@ impl<'a> Lanes<'a> {
         lanes
     }
 
-    fn kind_of(&self, instruction: &Instruction) -> (u32, u32) {
-        let kinds: Vec<(u32, u32)> = self.aligned(instruction).iter().map(|operand| self.kind(operand)).collect();
+    fn kind_of(&mut self, instruction: &Instruction) -> Kind {
+        let kinds: Vec<Kind> = self.aligned(instruction).iter().map(|operand| self.kind(operand)).collect();
         let depth = 1 + kinds.iter().map(|(depth, _)| *depth).max().unwrap_or(0);
-        (depth, hash::of(&(instruction.blank(), kinds)))
+        let next = self.known.len();
+        *self.known.entry((instruction.blank(), kinds)).or_insert((depth, next))
     }
 
-    fn kind(&self, operand: &Operand) -> (u32, u32) {
+    fn kind(&self, operand: &Operand) -> Kind {
         match operand {
-            Operand::Register(register) => self.kinds.get(register).copied().unwrap_or_default(),
-            _ => (0, 0),
+            Operand::Register(register) => self.kinds.get(register).copied().unwrap_or(GIVEN),
+            _ => GIVEN,
         }
     }
 
@@ -121,7 +132,7 @@ impl<'a> Lanes<'a> {
 
     /// Registers of roots and quotients of one kind, in order, where there are enough.
     fn classes(&self) -> Vec<Vec<Register>> {
-        let mut classes: BTreeMap<(u32, u32), Vec<Register>> = BTreeMap::new();
+        let mut classes: BTreeMap<Kind, Vec<Register>> = BTreeMap::new();
         for statement in self.block.statements.iter().filter(|statement| is_slow(statement)) {
             for register in statement.registers() {
                 classes.entry(self.kinds[&register]).or_default().push(register);
