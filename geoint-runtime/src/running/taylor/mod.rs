@@ -40,7 +40,7 @@ use steps::Steps;
 /// sim.advance_to(200.0 * std::f64::consts::PI)?;
 /// assert!((sim.energy() - energy).abs() < 1e-14);
 /// // The polynomial of the last step.
-/// let before = sim.at(628.3).expect("within the last step");
+/// let before = sim.at(sim.time() - sim.step_size() / 2.0).expect("within the last step");
 /// assert!((Kepler.energy(&before) - energy).abs() < 1e-14);
 /// # Ok::<(), StepError>(())
 /// ```
