@@ -115,11 +115,11 @@ fn other_forces_keep_their_bits() {
 fn exchanged_lanes_are_seen() {
     let before = gravity(6);
     let mut after = schedule::side_by_side(&before).expect("fifteen pairs");
-    let exchange = |statement: &mut Statement| match statement {
-        Statement::Spread(registers, _) => registers.swap(0, 1),
-        _ => {}
-    };
-    after.statements.iter_mut().for_each(exchange);
+    for statement in &mut after.statements {
+        if let Statement::Spread(registers, _) = statement {
+            registers.swap(0, 1);
+        }
+    }
     keeps_its_bits(&before, &after);
 }
 
