@@ -34,9 +34,9 @@ const FEWEST: usize = 6;
 /// No method has more orders than this.
 const MOST_ORDERS: usize = 31;
 
-/// With more orders code with sums side by side may not fit into the instruction cache, and from 15 on the compiler leaves loops over sums: twice the
-/// time.
-const MOST_ORDERS_OF_LANES: usize = 11;
+/// With more orders code with sums side by side takes more than 1.5 s to compile (a double pendulum, order 12: 2 s), and from 15 on the compiler leaves
+/// loops over sums: twice the time.
+const MOST_ORDERS_OF_LANES: usize = 9;
 
 /// `impl Jets`, and the method that users call.
 pub(super) fn jets(context: &Context<'_>, found: &JetKernel<Plan>) -> TokenStream {

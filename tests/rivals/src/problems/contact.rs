@@ -46,7 +46,7 @@ fn plain<S: Conformal + 'static, M: Method<S> + 'static>(
 }
 
 /// Taylor series, of which the first `n` numbers are compared.
-fn taylors<S: Jets + Rates + 'static>(system: S, (way, n): (Way<StateOf<S, f64>>, usize)) -> [Entry; 3] {
+fn taylors<S: Jets + Rates + 'static>(system: S, (way, n): (Way<StateOf<S, f64>>, usize)) -> [Entry; 4] {
     super::taylors(system, way).map(|Entry { whose, family, name, efforts, run }| {
         let run = Box::new(move |effort| run(effort).map(|state| state[..n].to_vec()));
         Entry { whose, family, name, efforts, run }

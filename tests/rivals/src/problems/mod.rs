@@ -180,10 +180,11 @@ fn taylor<S: Jets + 'static>(system: S, way: Way<StateOf<S, f64>>) -> Entry {
 }
 
 /// And of lower orders, which loose tolerances ask for.
-fn taylors<S: Jets + 'static>(system: S, way: Way<StateOf<S, f64>>) -> [Entry; 3] {
+fn taylors<S: Jets + 'static>(system: S, way: Way<StateOf<S, f64>>) -> [Entry; 4] {
     [
         taylor(system, way),
         series("TaylorOrder<12>", |tolerance| TaylorOrder::<12> { tolerance }, system, way),
+        series("TaylorOrder<10>", |tolerance| TaylorOrder::<10> { tolerance }, system, way),
         series("TaylorOrder<8>", |tolerance| TaylorOrder::<8> { tolerance }, system, way),
     ]
 }
