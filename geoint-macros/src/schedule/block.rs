@@ -218,21 +218,17 @@ impl Block {
         self.statements.iter().flat_map(Statement::registers).collect()
     }
 
-    /// The values that its statements compute, with those that only a branch needs.
-    pub(super) fn registers_inside(&self) -> impl Iterator<Item = Register> + '_ {
-        let mut all = vec![];
-        self.visit_registers(&mut |register| all.push(register));
-        all.into_iter()
-    }
-
-    fn visit_registers(&self, visit: &mut dyn FnMut(Register)) {
-        for statement in &self.statements {
-            statement.registers().into_iter().for_each(&mut *visit);
-            if let Statement::If { first, second, .. } = statement {
-                first.visit_registers(visit);
-                second.visit_registers(visit);
+    /// The first register after all that it writes and reads, in branches too.
+    pub(super) fn unused(&self) -> Register {
+        let mut next = 0;
+        let mut read = |operand: &Operand| {
+            if let Operand::Register(register) = operand {
+                next = next.max(register + 1);
             }
-        }
+        };
+        self.statements.iter().for_each(|statement| statement.for_each_operand(&mut read));
+        self.results.iter().for_each(&mut read);
+        self.registers().into_iter().fold(next, |next, register| next.max(register + 1))
     }
 
     /// Registers that hold a matrix.

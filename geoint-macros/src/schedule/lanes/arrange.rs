@@ -3,28 +3,34 @@
 use super::{Lanes, Pack};
 use crate::ir::HashMap;
 use crate::schedule::block::{Block, LANES, Operand, Register, Statement};
-use std::collections::HashSet;
 
 impl Lanes<'_> {
     /// The statements in an order in which each finds what it reads.
     pub(super) fn arranged(&self) -> Block {
-        let mut alone: HashSet<Register> = HashSet::new();
+        let mut alone = vec![false; self.next];
         let mut read = |operand: &Operand| {
             if let Operand::Register(register) = operand {
-                alone.insert(*register);
+                alone[*register] = true;
             }
         };
-        let packed =
-            |statement: &Statement| statement.registers().iter().any(|register| self.places.contains_key(register));
-        let unpacked = self.block.statements.iter().filter(|statement| !packed(statement));
-        unpacked.for_each(|statement| statement.for_each_operand(&mut read));
+        for statement in self.block.statements.iter().filter(|statement| self.pack_with(statement).is_none()) {
+            statement.for_each_operand(&mut read);
+        }
         self.block.results.iter().for_each(&mut read);
         let gathered = self.packs.iter().flat_map(|pack| &pack.operands).filter(|four| self.pack_of(four).is_none());
         gathered.flatten().for_each(&mut read);
-        let (seen, gathers, next) = (HashSet::new(), HashMap::default(), self.next);
+        let (seen, gathers, next) = (vec![false; self.block.statements.len()], HashMap::default(), self.next);
         let mut order = Order { lanes: self, alone, seen, gathers, next, statements: vec![] };
         (0..self.block.statements.len()).for_each(|number| order.statement(number));
         Block { statements: order.statements, results: self.block.results.clone() }
+    }
+
+    /// The pack to which a statement belongs.
+    fn pack_with(&self, statement: &Statement) -> Option<usize> {
+        match statement {
+            Statement::Let(register, _) => self.places[*register].map(|(pack, _)| pack),
+            _ => None,
+        }
     }
 }
 
@@ -32,9 +38,9 @@ impl Lanes<'_> {
 struct Order<'a> {
     lanes: &'a Lanes<'a>,
     /// Registers that are read one by one.
-    alone: HashSet<Register>,
+    alone: Vec<bool>,
     /// Statements that are written, also as a part of a pack.
-    seen: HashSet<usize>,
+    seen: Vec<bool>,
     gathers: HashMap<[Operand; LANES], Register>,
     next: Register,
     statements: Vec<Statement>,
@@ -45,39 +51,38 @@ impl Order<'_> {
     fn statement(&mut self, number: usize) {
         let lanes = self.lanes;
         let statement = &lanes.block.statements[number];
-        let place = statement.registers().iter().find_map(|register| lanes.places.get(register));
-        if let Some((pack, _)) = place {
-            return self.pack(*pack);
+        if let Some(pack) = lanes.pack_with(statement) {
+            return self.pack(pack);
         }
-        if !self.seen.insert(number) {
+        if std::mem::replace(&mut self.seen[number], true) {
             return;
         }
-        let mut read = vec![];
-        statement.for_each_operand(&mut |operand| read.push(*operand));
-        read.iter().for_each(|operand| self.operand(operand));
+        statement.for_each_operand(&mut |operand| self.operand(operand));
         self.statements.push(statement.clone());
     }
 
     fn operand(&mut self, operand: &Operand) {
         if let Operand::Register(register) = operand
-            && let Some(number) = self.lanes.makers.get(register)
+            && let Some(number) = self.lanes.makers[*register]
         {
-            self.statement(*number);
+            self.statement(number);
         }
     }
 
     /// All that a pack reads, the pack, and its members where they are read one by one.
     fn pack(&mut self, number: usize) {
         let lanes = self.lanes;
-        let Pack { members, instruction, operands, register } = &lanes.packs[number];
-        if !self.seen.insert(lanes.makers[&members[0]]) {
+        let Pack { members, operands, register } = &lanes.packs[number];
+        let Some(maker) = lanes.makers[members[0]] else { return };
+        let Statement::Let(_, instruction) = &lanes.block.statements[maker] else { return };
+        if std::mem::replace(&mut self.seen[maker], true) {
             return;
         }
         let operands: Vec<Operand> = operands.iter().map(|four| Operand::Register(self.four(four))).collect();
         let mut instruction = instruction.clone();
         instruction.replace(&operands);
         self.statements.push(Statement::Let(*register, instruction));
-        if members.iter().any(|member| self.alone.contains(member)) {
+        if members.iter().any(|member| self.alone[*member]) {
             self.statements.push(Statement::Spread(members.clone(), *register));
         }
     }

@@ -6,8 +6,9 @@
 mod arrange;
 
 use super::block::{Block, Instruction, LANES, Operand, Register, Statement};
-use crate::ir::HashMap;
+use crate::ir::{Function, HashMap};
 use std::collections::BTreeMap;
+use std::mem::{Discriminant, discriminant};
 
 /// Fewer alike roots and quotients than this are left alone.
 const FEWEST: usize = 8;
@@ -43,7 +44,6 @@ fn is_slow(statement: &Statement) -> bool {
 /// Four statements that do the same, each to its own operands; or three, the last one twice.
 struct Pack {
     members: Vec<Register>,
-    instruction: Instruction,
     operands: Vec<[Operand; LANES]>,
     /// What holds all of them.
     register: Register,
@@ -63,71 +63,78 @@ const GIVEN: Kind = (0, 0);
 /// Statements of a block, and which of them are side by side.
 struct Lanes<'a> {
     block: &'a Block,
-    /// Which statement computes a register.
-    makers: HashMap<Register, usize>,
+    /// By registers: which statement computes it.
+    makers: Vec<Option<usize>>,
     /// Which ones read it.
-    readers: HashMap<Register, Vec<usize>>,
-    /// What a register is made of, whatever that reads.
-    kinds: HashMap<Register, Kind>,
+    readers: Vec<Vec<usize>>,
+    /// What it is made of, whatever that reads.
+    kinds: Vec<Kind>,
+    /// What is read for it, where four numbers can go through that operation at once; of operands that may change places, one of a lesser kind first.
+    operations: Vec<Vec<Operand>>,
+    /// In which pack it is, and where there.
+    places: Vec<Option<(usize, usize)>>,
     /// What each kind does to what kinds.
-    known: HashMap<(Instruction, Vec<Kind>), Kind>,
+    known: HashMap<(Discriminant<Instruction>, Option<Function>, Vec<Kind>), Kind>,
     packs: Vec<Pack>,
-    /// The pack of a register, and where it is there.
-    places: HashMap<Register, (usize, usize)>,
+    /// Neither the block has this register nor any beyond it.
     next: Register,
 }
 
 impl<'a> Lanes<'a> {
     fn of(block: &'a Block) -> Self {
-        let next = 1 + block.registers_inside().max().unwrap_or_default();
+        let next = block.unused();
         let mut lanes = Lanes {
             block,
-            makers: HashMap::default(),
-            readers: HashMap::default(),
-            kinds: HashMap::default(),
+            makers: vec![None; next],
+            readers: vec![vec![]; next],
+            kinds: vec![GIVEN; next],
+            operations: vec![vec![]; next],
+            places: vec![None; next],
             known: HashMap::default(),
             packs: vec![],
-            places: HashMap::default(),
             next,
         };
         for (number, statement) in block.statements.iter().enumerate() {
             statement.for_each_operand(&mut |operand| {
                 if let Operand::Register(register) = operand {
-                    lanes.readers.entry(*register).or_default().push(number);
+                    lanes.readers[*register].push(number);
                 }
             });
             for register in statement.registers() {
-                let kind = match statement {
-                    Statement::Let(_, instruction) => lanes.kind_of(instruction),
-                    // Of this kind there is no other.
-                    _ => (0, 1 + register),
-                };
-                lanes.kinds.insert(register, kind);
-                lanes.makers.insert(register, number);
+                lanes.makers[register] = Some(number);
+                // Of this kind there is no other.
+                lanes.kinds[register] = (0, 1 + register);
+            }
+            if let Statement::Let(register, instruction) = statement {
+                lanes.note(*register, instruction);
             }
         }
         lanes
     }
 
-    fn kind_of(&mut self, instruction: &Instruction) -> Kind {
-        let kinds: Vec<Kind> = self.aligned(instruction).iter().map(|operand| self.kind(operand)).collect();
+    /// Of what kind an instruction is, and what it reads.
+    fn note(&mut self, register: Register, instruction: &Instruction) {
+        let function = match instruction {
+            Instruction::Call(function, _) => Some(*function),
+            _ if instruction.is_arithmetic() => None,
+            _ => return,
+        };
+        let mut operands = instruction.operands();
+        operands[..instruction.commuting()].sort_by_key(|operand| self.kind(operand));
+        let kinds: Vec<Kind> = operands.iter().map(|operand| self.kind(operand)).collect();
         let depth = 1 + kinds.iter().map(|(depth, _)| *depth).max().unwrap_or(0);
         let next = self.known.len();
-        *self.known.entry((instruction.blank(), kinds)).or_insert((depth, next))
+        self.kinds[register] = *self.known.entry((discriminant(instruction), function, kinds)).or_insert((depth, next));
+        if function.is_none() {
+            self.operations[register] = operands;
+        }
     }
 
     fn kind(&self, operand: &Operand) -> Kind {
         match operand {
-            Operand::Register(register) => self.kinds.get(register).copied().unwrap_or(GIVEN),
+            Operand::Register(register) => self.kinds[*register],
             _ => GIVEN,
         }
-    }
-
-    /// What an instruction reads; of operands that may change places, one of a lesser kind first.
-    fn aligned(&self, instruction: &Instruction) -> Vec<Operand> {
-        let mut operands = instruction.operands();
-        operands[..instruction.commuting()].sort_by_key(|operand| self.kind(operand));
-        operands
     }
 
     /// Registers of roots and quotients of one kind, in order, where there are enough.
@@ -135,44 +142,30 @@ impl<'a> Lanes<'a> {
         let mut classes: BTreeMap<Kind, Vec<Register>> = BTreeMap::new();
         for statement in self.block.statements.iter().filter(|statement| is_slow(statement)) {
             for register in statement.registers() {
-                classes.entry(self.kinds[&register]).or_default().push(register);
+                classes.entry(self.kinds[register]).or_default().push(register);
             }
         }
         classes.into_values().filter(|class| class.len() >= FEWEST).collect()
     }
 
-    /// What computes a register, if that is an operation that four numbers can go through at once.
-    fn operation(&self, register: Register) -> Option<&'a Instruction> {
-        match &self.block.statements[*self.makers.get(&register)?] {
-            Statement::Let(_, instruction) => instruction.is_arithmetic().then_some(instruction),
-            _ => None,
-        }
-    }
-
     /// Puts registers side by side if they are of one kind, and what they are made of.
     fn put(&mut self, members: &[Register]) {
         let free = |(lane, register): (usize, &Register)| {
-            !self.places.contains_key(register) && !members[..lane].contains(register)
+            self.places[*register].is_none() && !members[..lane].contains(register)
         };
-        let alike = members.iter().all(|register| self.kinds[register] == self.kinds[&members[0]]);
-        let Some(instruction) = self.operation(members[0]) else { return };
-        if !alike || !members.iter().enumerate().all(free) {
+        let (kind, read) = (self.kinds[members[0]], self.operations[members[0]].len());
+        let alike = members.iter().all(|register| self.kinds[*register] == kind);
+        if read == 0 || !alike || !members.iter().enumerate().all(free) {
             return;
         }
-        let read = |register: &Register| self.operation(*register).map_or(vec![], |other| self.aligned(other));
-        let each: Vec<Vec<Operand>> = members.iter().map(read).collect();
-        let of = |k: usize| each.iter().map(|operands| operands[k]).collect();
-        let operands: Vec<Vec<Operand>> = (0..each[0].len()).map(of).collect();
-        let places = members.iter().enumerate().map(|(lane, register)| (*register, (self.packs.len(), lane)));
-        self.places.extend(places);
-        let (instruction, register) = (instruction.clone(), self.fresh());
-        let pack = Pack {
-            members: members.to_vec(),
-            instruction,
-            operands: operands.iter().map(|members| lanes(members)).collect(),
-            register,
-        };
-        self.packs.push(pack);
+        let of = |k: usize| members.iter().map(|register| self.operations[*register][k]).collect();
+        let operands: Vec<Vec<Operand>> = (0..read).map(of).collect();
+        for (lane, register) in members.iter().enumerate() {
+            self.places[*register] = Some((self.packs.len(), lane));
+        }
+        let (register, members) = (self.fresh(), members.to_vec());
+        let fours = operands.iter().map(|members| lanes(members)).collect();
+        self.packs.push(Pack { members, operands: fours, register });
         for members in operands {
             let registers = members.iter().map(|operand| match operand {
                 Operand::Register(register) => Some(*register),
@@ -192,7 +185,7 @@ impl<'a> Lanes<'a> {
     /// Puts side by side what is made of a pack, of other packs and of what the routine is given.
     fn follow(&mut self, number: usize) {
         let members = self.packs[number].members.clone();
-        for reader in self.readers.get(&members[0]).cloned().unwrap_or_default() {
+        for reader in self.readers[members[0]].clone() {
             let others = members.iter().enumerate().skip(1).map(|(lane, member)| self.like(reader, *member, lane));
             if let Some(all) = [self.made(reader)].into_iter().chain(others).collect::<Option<Vec<_>>>() {
                 self.put(&all);
@@ -204,7 +197,7 @@ impl<'a> Lanes<'a> {
     fn made(&self, number: usize) -> Option<Register> {
         match &self.block.statements[number] {
             Statement::Let(_, Instruction::Neg(_)) => None,
-            Statement::Let(register, _) => (!self.places.contains_key(register)).then_some(*register),
+            Statement::Let(register, _) => self.places[*register].is_none().then_some(*register),
             _ => None,
         }
     }
@@ -212,26 +205,23 @@ impl<'a> Lanes<'a> {
     /// What does to a member in the lane `lane` what the statement `first` does to that in the first one.
     fn like(&self, first: usize, member: Register, lane: usize) -> Option<Register> {
         let first = self.made(first)?;
-        let read = |register| self.operation(register).map(|instruction| self.aligned(instruction));
-        let wanted = read(first)?;
-        let fits = |operands: Vec<Operand>| {
-            operands.iter().zip(&wanted).all(|(operand, first)| match (operand, first) {
-                (Operand::Register(operand), Operand::Register(first)) => {
-                    let place = self.places.get(first).filter(|(_, place)| *place == 0);
-                    place.is_some_and(|(pack, _)| self.places.get(operand) == Some(&(*pack, lane)))
-                }
+        let fits = |register: &Register| {
+            let mut operands = self.operations[*register].iter().zip(&self.operations[first]);
+            operands.all(|(operand, first)| match (operand, first) {
+                (Operand::Register(operand), Operand::Register(first)) => self.places[*first]
+                    .is_some_and(|(pack, place)| place == 0 && self.places[*operand] == Some((pack, lane))),
                 (Operand::Register(_), _) | (_, Operand::Register(_)) => false,
                 _ => true,
             })
         };
-        let mut readers = self.readers.get(&member)?.iter().filter_map(|number| self.made(*number));
-        readers.find(|register| self.kinds[register] == self.kinds[&first] && read(*register).is_some_and(fits))
+        let mut readers = self.readers[member].iter().filter_map(|number| self.made(*number));
+        readers.find(|register| self.kinds[*register] == self.kinds[first] && fits(register))
     }
 
     /// The pack that four operands are.
     fn pack_of(&self, four: &[Operand; LANES]) -> Option<usize> {
         let Operand::Register(first) = four[0] else { return None };
-        let (number, _) = *self.places.get(&first)?;
+        let (number, _) = self.places[first]?;
         (lanes(&self.packs[number].members).map(Operand::Register) == *four).then_some(number)
     }
 }
