@@ -30,46 +30,10 @@ impl<A: Array> Iteration<A> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::curved::{Count, Curved};
     use super::super::{Found, Newton};
-    use crate::solving::equation::{Observer, StepEquation};
-
-    /// How often an equation was evaluated.
-    struct Count(u32);
-
-    impl Observer for Count {
-        fn pause(&mut self, _: bool) {}
-    }
-
-    /// x = a + Kx² beside something large, as the impulses of long steps are.
-    #[derive(Clone, Copy)]
-    struct Curved {
-        a: f64,
-    }
 
     const K: f64 = 0.003;
-
-    impl StepEquation<[f32; 1], Count> for Curved {
-        const PATIENT: bool = false;
-        const SETTLED: bool = true;
-
-        fn origin(&self) -> [f32; 1] {
-            [100.0]
-        }
-        fn explicit(&self) -> [f32; 1] {
-            [self.a as f32]
-        }
-        fn evaluate(&self, count: &mut Count, [x]: &[f32; 1], matrix: &mut [[f32; 1]; 1]) -> [f32; 1] {
-            let x = f64::from(*x);
-            let [residual] = self.residual_at(count, &[x as f32], &[x as f32], matrix);
-            [(x - f64::from(residual)) as f32]
-        }
-        fn residual_at(&self, count: &mut Count, [x]: &[f32; 1], _: &[f32; 1], matrix: &mut [[f32; 1]; 1]) -> [f32; 1] {
-            count.0 += 1;
-            let x = f64::from(*x);
-            *matrix = [[(1.0 - 2.0 * K * x) as f32]];
-            [(x - self.a - K * x * x) as f32]
-        }
-    }
 
     #[test]
     fn a_third_correction_of_one_unknown_is_carried_and_not_evaluated() {
@@ -77,7 +41,7 @@ mod tests {
         for n in 0..1000 {
             // What eleven increments miss of that is 0.4.
             let exact = 1.5 + 20.0 * (0.72 * f64::from(n)).sin();
-            let equation = Curved { a: exact - K * exact * exact };
+            let equation = Curved { a: exact - K * exact * exact, b: 0.0, c: K };
             let Found { x: [x], lost: [lost], outcome } = newton.solve(&equation, &mut count);
             assert!(outcome.is_ok());
             let left = f64::from(x) + f64::from(lost) - exact;

@@ -1,5 +1,7 @@
 //! The iteration for the increment of an implicit step: Newton's; or, in many unknowns, that of the fixed point.
 
+#[cfg(test)]
+mod curved;
 mod fixed_point;
 mod foretold;
 mod guess;

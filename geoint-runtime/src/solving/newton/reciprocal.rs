@@ -43,43 +43,17 @@ impl<A: Array> Reciprocal<A> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::curved::{Count, Curved};
     use super::super::{Found, Newton};
-    use crate::solving::equation::StepEquation;
 
-    /// x = a + bx beside something large, as the impulses of many short steps are; b changes from step to step.
-    #[derive(Clone, Copy)]
-    struct Linear {
-        a: f64,
-        b: f64,
-    }
-
-    impl StepEquation<[f32; 1], ()> for Linear {
-        const PATIENT: bool = false;
-        const SETTLED: bool = true;
-
-        fn origin(&self) -> [f32; 1] {
-            [100.0]
-        }
-        fn explicit(&self) -> [f32; 1] {
-            [self.a as f32]
-        }
-        fn evaluate(&self, (): &mut (), [x]: &[f32; 1], matrix: &mut [[f32; 1]; 1]) -> [f32; 1] {
-            *matrix = [[(1.0 - self.b) as f32]];
-            [(self.a + self.b * f64::from(*x)) as f32]
-        }
-        fn residual_at(&self, _: &mut (), [x]: &[f32; 1], _: &[f32; 1], matrix: &mut [[f32; 1]; 1]) -> [f32; 1] {
-            *matrix = [[(1.0 - self.b) as f32]];
-            [((1.0 - self.b) * f64::from(*x) - self.a) as f32]
-        }
-    }
-
+    /// x = a + bx, where b changes from step to step.
     #[test]
     fn what_the_derivative_of_the_step_before_misses_is_carried() {
         let (mut newton, mut missed) = (Newton::<[f32; 1]>::new(1, 1), 0.0_f64);
         for n in 0..1000 {
             let phase = 0.05 * f64::from(n);
-            let equation = Linear { a: 1.5 + phase.sin(), b: 0.1 * phase.cos() };
-            let Found { x: [x], lost: [lost], outcome } = newton.solve(&equation, &mut ());
+            let equation = Curved { a: 1.5 + phase.sin(), b: 0.1 * phase.cos(), c: 0.0 };
+            let Found { x: [x], lost: [lost], outcome } = newton.solve(&equation, &mut Count(0));
             assert!(outcome.is_ok());
             let [x, lost, exact] = [f64::from(x), f64::from(lost), equation.a / (1.0 - equation.b)];
             assert!((x + lost - exact).abs() < 1e-9, "step {n}: {:.1e}", x + lost - exact);
