@@ -57,6 +57,9 @@ fn lanes<T: Copy>(members: &[T]) -> [T; LANES] {
 /// How many operations one after the other, and a number: two registers of one kind are made alike, so that neither needs the other.
 type Kind = (usize, usize);
 
+/// What an instruction does, whatever it reads: an operation, or a function.
+type Deed = (Discriminant<Instruction>, Option<Function>);
+
 /// What a routine is given is of one kind.
 const GIVEN: Kind = (0, 0);
 
@@ -74,7 +77,7 @@ struct Lanes<'a> {
     /// In which pack it is, and where there.
     places: Vec<Option<(usize, usize)>>,
     /// What each kind does to what kinds.
-    known: HashMap<(Discriminant<Instruction>, Option<Function>, Vec<Kind>), Kind>,
+    known: HashMap<(Deed, Vec<Kind>), Kind>,
     packs: Vec<Pack>,
     /// Neither the block has this register nor any beyond it.
     next: Register,
@@ -124,7 +127,8 @@ impl<'a> Lanes<'a> {
         let kinds: Vec<Kind> = operands.iter().map(|operand| self.kind(operand)).collect();
         let depth = 1 + kinds.iter().map(|(depth, _)| *depth).max().unwrap_or(0);
         let next = self.known.len();
-        self.kinds[register] = *self.known.entry((discriminant(instruction), function, kinds)).or_insert((depth, next));
+        self.kinds[register] =
+            *self.known.entry(((discriminant(instruction), function), kinds)).or_insert((depth, next));
         if function.is_none() {
             self.operations[register] = operands;
         }
