@@ -17,11 +17,15 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
     // -------------------------------------------------------------------------------------------------------- sums
 
     pub(super) fn linear(&mut self, constant: Number, terms: Vec<(Number, Id)>) -> Operand {
+        let (constant, terms) = self.spread(constant, terms);
         // What is known earlier is added up earlier.
         let (mut now, mut early) = (vec![], vec![]);
         for (c, id) in terms {
             if self.is_now(id) { now.push((c, id)) } else { early.push((c, id)) }
         }
+        let now = self.factored(now);
+        // What is there and needs no sign: others are added to it.
+        let has_start = now.iter().any(|(c, id)| c.is_one() && !matches!(self.graph.node(*id), Node::Product(_)));
         let mut summands = vec![];
         match early[..] {
             [] if constant.is_zero() => {}
@@ -30,7 +34,7 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
                 value: Operand::Constant(if constant.is_negative() { constant.neg() } else { constant }),
                 times: None,
             }),
-            [(Number::MINUS_ONE, id)] if constant.is_zero() => {
+            [(Number::MINUS_ONE, id)] if constant.is_zero() && has_start => {
                 let value = self.operand(id);
                 summands.push(Term { negative: true, value, times: None });
             }
@@ -42,6 +46,7 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
         }
         for (c, id) in now {
             let (c, id) = self.multiple(c, id);
+            let (c, id) = self.as_product(c, id);
             summands.push(self.summand(c, id));
         }
         // What is there last is added last. Start with something that is there already and needs no sign.
@@ -70,7 +75,7 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
 
     /// c·(sum) as the sum of its multiples, if that is needed anyway: ½(2q + d) is the mean q + d/2. Of a power of two the bits are the same, but
     /// for numbers that are too small or too large to keep all of theirs.
-    fn multiple(&mut self, c: Number, id: Id) -> (Number, Id) {
+    pub(super) fn multiple(&mut self, c: Number, id: Id) -> (Number, Id) {
         let Node::Linear(constant, terms) = self.graph.node(id) else { return (c, id) };
         let (constant, terms) = (constant.mul(c), terms.iter().map(|(k, id)| (k.mul(c), *id)).collect());
         let sum = self.graph.linear(constant, terms);
@@ -78,7 +83,7 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
     }
 
     /// Whether a node is computed at this level.
-    fn is_now(&mut self, id: Id) -> bool {
+    pub(super) fn is_now(&mut self, id: Id) -> bool {
         matches!(self.levels.of(self.graph, id), Some(level) if level == self.level)
     }
 
@@ -106,18 +111,18 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
         for id in factors {
             if self.is_now(id) { now.push(id) } else { early.push(id) }
         }
-        let mut negative = false;
+        let mut negative = c.is_negative() && early.is_empty();
         let mut above = vec![];
-        if early.is_empty() {
-            negative = c.is_negative();
-            let magnitude = if negative { c.neg() } else { c };
-            if magnitude != Number::ONE {
-                above.push(Operand::Constant(magnitude));
-            }
-        } else {
+        if !early.is_empty() || (c != Number::ONE && c != Number::MINUS_ONE) {
             let prefactor = self.graph.product(&early);
             let prefactor = self.graph.scale(c, prefactor);
-            above.push(self.operand(prefactor));
+            if self.absorbed(prefactor, &mut now) {
+                negative = false;
+            } else if early.is_empty() {
+                above.push(Operand::Constant(if negative { c.neg() } else { c }));
+            } else {
+                above.push(self.operand(prefactor));
+            }
         }
         let mut below = vec![];
         for id in now {
@@ -150,7 +155,7 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
     }
 
     /// The factors of a product, taken apart where nothing else needs it as a whole.
-    fn flat_factors(&self, id: Id, root: bool, factors: &mut Vec<Id>) {
+    pub(super) fn flat_factors(&self, id: Id, root: bool, factors: &mut Vec<Id>) {
         match self.graph.node(id) {
             Node::Product(ids) if root || self.is_single(id) => {
                 for id in ids {
@@ -162,7 +167,7 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
     }
 
     /// Whether a node has one use and no value yet.
-    fn is_single(&self, id: Id) -> bool {
+    pub(super) fn is_single(&self, id: Id) -> bool {
         self.uses.get(id).is_none_or(|uses| uses <= 1) && self.known(id).is_none()
     }
 

@@ -2,7 +2,7 @@
 
 use super::block::{Block, Instruction, Operand, Register, Statement};
 use super::levels::{KnownLevels, Slots};
-use crate::ir::{Function, Graph, HashMap, Id, Known, Node, Ratio, Symbol, Table, hash};
+use crate::ir::{Function, Graph, HashMap, Id, Known, Node, Number, Ratio, Symbol, Table, hash};
 
 /// Powers of one base.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -53,6 +53,8 @@ pub(super) struct Lowering<'a, F> {
     slots: &'a mut [Slots],
     pub(super) level: usize,
     pub(super) uses: Table<usize>,
+    /// Sums out of which a factor was taken.
+    pub(super) factored_out: Table<()>,
     pub(super) scopes: Vec<Scope>,
     /// When each register is there, in units of one sum, if nothing has to wait for anything but its operands.
     ready: Vec<u32>,
@@ -82,12 +84,29 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
             slots,
             level,
             uses,
+            factored_out: Table::default(),
             scopes: vec![],
             ready: vec![],
             reciprocals: HashMap::default(),
         };
+        lowering.count_multiples(&reachable);
         lowering.find_reciprocals(&reachable);
         lowering.block(roots)
+    }
+
+    /// Sums that stand for multiples of others are used there as well.
+    fn count_multiples(&mut self, reachable: &[Id]) {
+        for id in reachable {
+            let Node::Linear(_, terms) = self.graph.node(*id) else { continue };
+            let is_multiple = |(c, id): &&(Number, Id)| !c.is_one() && matches!(self.graph.node(*id), Node::Linear(..));
+            let multiples: Vec<(Number, Id)> = terms.iter().filter(is_multiple).copied().collect();
+            for (c, sum) in multiples {
+                let (_, other) = self.multiple(c, sum);
+                if let Some(uses) = self.uses.get(other).filter(|_| other != sum) {
+                    self.uses.insert(other, uses + 1);
+                }
+            }
+        }
     }
 
     fn block(&mut self, roots: &[Id]) -> Block {

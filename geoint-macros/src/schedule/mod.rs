@@ -7,6 +7,7 @@
 
 mod arithmetic;
 mod block;
+mod factors;
 mod families;
 mod kepler;
 mod matrix;

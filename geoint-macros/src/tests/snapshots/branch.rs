@@ -483,7 +483,6 @@ const _: () = {
                 v36,
                 v37,
                 v38,
-                v39,
             );
             p0 = p[0];
             k1 = R::from_f64(1.0);
@@ -545,16 +544,15 @@ const _: () = {
             v28 = v12 * v12;
             v29 = v28 * v12;
             v30 = v0 * v29;
-            v31 = v30 * v24;
-            v32 = -v12;
-            v33 = v32.multiply_add(v24, v31);
-            v34 = k6 * v24;
-            v35 = k7 * v27;
-            v36 = v34.multiply_add(v33, v35);
-            v37 = h * h;
-            v38 = v2 + v23;
-            v39 = v37.multiply_add(v36, v38);
-            v39
+            v31 = v30 - v12;
+            v32 = v24 * v31;
+            v33 = k6 * v24;
+            v34 = k7 * v27;
+            v35 = v33.multiply_add(v32, v34);
+            v36 = h * h;
+            v37 = v2 + v23;
+            v38 = v36.multiply_add(v35, v37);
+            v38
         }
     }
     impl Spring {

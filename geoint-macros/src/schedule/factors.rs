@@ -1,0 +1,243 @@
+//! Common factors: a·x·y + b·x is x·(a·y + b), a product less, and what remains of the sum may be needed elsewhere.
+
+use super::lowering::Lowering;
+use crate::ir::{HashMap, Id, Node, Number, Symbol};
+
+/// A summand: a number times its factors, one of which is what is known earlier, with all of the number but its sign. Without factors it stays whole.
+struct Summand {
+    scale: Number,
+    factors: Vec<Id>,
+    /// How many factors it is made of, a number among them.
+    width: usize,
+    whole: (Number, Id),
+}
+
+/// Operations where sums and products are fused, and where they are not.
+type Cost = (usize, usize);
+
+impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
+    /// The same sum with common factors taken out, as long as that is fewer operations.
+    pub(super) fn factored(&mut self, terms: Vec<(Number, Id)>) -> Vec<(Number, Id)> {
+        if terms.len() < 2 {
+            return terms;
+        }
+        let mut summands: Vec<Summand> = terms.iter().map(|(c, id)| self.taken_apart(*c, *id)).collect();
+        let mut same = true;
+        while let Some(factor) = best(&summands) {
+            same = false;
+            let (with, mut without): (Vec<_>, Vec<_>) =
+                summands.into_iter().partition(|summand| summand.factors.contains(&factor));
+            let sum = self.divided(with, factor);
+            self.factored_out.insert(sum, ());
+            let product = self.graph.mul(factor, sum);
+            let (c, product) = self.graph.coefficient(product);
+            without.push(self.taken_apart(c, product));
+            summands = without;
+        }
+        if same { terms } else { summands.into_iter().map(|summand| summand.whole).collect() }
+    }
+
+    /// A sum that is one product, as that: then it is fused with what it is added to.
+    pub(super) fn as_product(&mut self, c: Number, id: Id) -> (Number, Id) {
+        let Node::Linear(constant, terms) = self.graph.node(id) else { return (c, id) };
+        if !constant.is_zero() || terms.len() < 2 || !self.is_single(id) {
+            return (c, id);
+        }
+        let terms = terms.clone();
+        if !terms.iter().all(|(_, id)| self.is_now(*id)) {
+            return (c, id);
+        }
+        match self.factored(terms)[..] {
+            [(own, product)] => (c.mul(own), product),
+            _ => (c, id),
+        }
+    }
+
+    /// Where a number is added, prefactors of sums go into these if something in them is known earlier, which is then added to the number earlier.
+    pub(super) fn spread(&mut self, constant: Number, terms: Vec<(Number, Id)>) -> (Number, Vec<(Number, Id)>) {
+        if constant.is_zero() || !terms.iter().all(|(_, id)| self.is_now(*id)) {
+            return (constant, terms);
+        }
+        let mut all = vec![];
+        for (c, id) in terms {
+            let mut factors = vec![];
+            self.flat_factors(id, true, &mut factors);
+            let Some(place) = factors.iter().position(|id| self.is_now(*id)) else { continue };
+            let mut sum = [factors.remove(place)];
+            let is_lone = factors.iter().all(|id| !self.is_now(*id)) && (!factors.is_empty() || !c.is_one());
+            let has_early = |this: &mut Self| match this.graph.node(sum[0]).clone() {
+                Node::Linear(k, inner) => !k.is_zero() || inner.iter().any(|(_, id)| !this.is_now(*id)),
+                _ => false,
+            };
+            if !is_lone || !has_early(self) {
+                all.push(self.graph.scale(c, id));
+                continue;
+            }
+            let prefactor = self.graph.product(&factors);
+            let prefactor = self.graph.scale(c, prefactor);
+            let is_absorbed = self.absorbed(prefactor, &mut sum);
+            all.push(if is_absorbed { sum[0] } else { self.graph.scale(c, id) });
+        }
+        let number = self.graph.number(constant);
+        all.push(number);
+        let sum = self.graph.sum(&all);
+        match self.graph.node(sum).clone() {
+            Node::Linear(constant, terms) => (constant, terms),
+            Node::Number(constant) => (constant, vec![]),
+            _ => (Number::ZERO, vec![(Number::ONE, sum)]),
+        }
+    }
+
+    /// Whether a prefactor went into a sum among the factors, at no cost: 2·(½ + b·y) is 1 + 2b·y, where b is known earlier.
+    pub(super) fn absorbed(&mut self, prefactor: Id, factors: &mut [Id]) -> bool {
+        let Some(place) = factors.iter().position(|id| self.absorbs(*id)) else { return false };
+        let Node::Linear(constant, terms) = self.graph.node(factors[place]).clone() else { return false };
+        let constant = self.graph.scale(constant, prefactor);
+        let mut all = vec![constant];
+        for (c, id) in terms {
+            let term = self.graph.mul(prefactor, id);
+            all.push(self.graph.scale(c, term));
+        }
+        factors[place] = self.graph.sum(&all);
+        true
+    }
+
+    /// Whether each of its terms has something in front that is known earlier.
+    fn absorbs(&mut self, id: Id) -> bool {
+        let Node::Linear(_, terms) = self.graph.node(id) else { return false };
+        // What was taken out does not go in again.
+        if !self.is_single(id) || self.factored_out.contains(id) {
+            return false;
+        }
+        for (c, id) in terms.clone() {
+            let mut flat = vec![];
+            self.flat_factors(id, false, &mut flat);
+            let has_number = c != Number::ONE && c != Number::MINUS_ONE;
+            if !has_number && flat.iter().all(|factor| self.is_now(*factor)) {
+                return false;
+            }
+        }
+        true
+    }
+
+    /// c·node as its factors.
+    fn taken_apart(&mut self, c: Number, id: Id) -> Summand {
+        let (mut now, mut early) = (vec![], vec![]);
+        let mut flat = vec![];
+        self.flat_factors(id, true, &mut flat);
+        for id in flat {
+            if !self.is_now(id) {
+                early.push(id);
+                continue;
+            }
+            match *self.graph.node(id) {
+                Node::Power(base, exponent)
+                    if exponent.is_integer() && (2..=4).contains(&exponent.numerator) && self.is_single(id) =>
+                {
+                    for _ in 0..exponent.numerator {
+                        now.push(base);
+                    }
+                }
+                _ => now.push(id),
+            }
+        }
+        let (mut scale, mut width) = (c, now.len());
+        if !early.is_empty() {
+            let prefactor = self.graph.product(&early);
+            scale = if c.is_negative() { Number::MINUS_ONE } else { Number::ONE };
+            now.push(self.graph.scale(c.mul(scale), prefactor));
+            width += 1;
+        } else if c != Number::ONE && c != Number::MINUS_ONE {
+            width += 1;
+        }
+        let shared = matches!(self.graph.node(id), Node::Product(_)) && !self.is_single(id);
+        Summand { scale, factors: if shared { vec![] } else { now }, width, whole: (c, id) }
+    }
+
+    /// The sum of all, each without one of its factors. Sums among these stay whole: a difference of neighbours is exact.
+    fn divided(&mut self, summands: Vec<Summand>, factor: Id) -> Id {
+        let (mut constant, mut terms) = (Number::ZERO, vec![]);
+        for Summand { scale, mut factors, .. } in summands {
+            if let Some(place) = factors.iter().position(|other| *other == factor) {
+                factors.remove(place);
+            }
+            let product = self.graph.product(&factors);
+            match *self.graph.node(product) {
+                Node::Number(c) => constant = constant.add(scale.mul(c)),
+                _ => {
+                    let (c, id) = self.graph.coefficient(product);
+                    terms.push((scale.mul(c), id));
+                }
+            }
+        }
+        self.graph.linear(constant, terms)
+    }
+}
+
+/// The factor that saves most, the first one of equals.
+fn best(summands: &[Summand]) -> Option<Id> {
+    let mut counts: HashMap<Id, usize> = HashMap::default();
+    let mut shared = vec![];
+    for summand in summands {
+        for (place, factor) in summand.factors.iter().enumerate() {
+            if summand.factors[..place].contains(factor) {
+                continue;
+            }
+            let count = counts.entry(*factor).or_insert(0);
+            *count += 1;
+            if *count == 2 {
+                shared.push(*factor);
+            }
+        }
+    }
+    let mut least = cost(summands.iter().map(Work::of));
+    let mut best = None;
+    for factor in shared {
+        let with = |summand: &&Summand| summand.factors.contains(&factor);
+        let inner = cost(summands.iter().filter(with).map(|summand| Work::without(summand, factor)));
+        let outer = cost(summands.iter().filter(|summand| !with(summand)).map(Work::of).chain([Work::PAIR]));
+        let cost = (inner.0 + outer.0, inner.1 + outer.1);
+        if cost < least {
+            (least, best) = (cost, Some(factor));
+        }
+    }
+    best
+}
+
+/// What a summand takes: how many products, the last of which may be fused with the sum.
+struct Work {
+    products: usize,
+    fused: bool,
+}
+
+impl Work {
+    const PAIR: Work = Work { products: 1, fused: true };
+
+    fn of(summand: &Summand) -> Work {
+        Work::products(summand.width, summand.factors.iter())
+    }
+
+    fn without(summand: &Summand, factor: Id) -> Work {
+        let place = summand.factors.iter().position(|other| *other == factor);
+        let others = summand.factors.iter().enumerate().filter(|(other, _)| Some(*other) != place);
+        Work::products(summand.width - 1, others.map(|(_, id)| id))
+    }
+
+    /// Squares are not fused: x² − y² is zero where x = y.
+    fn products<'a>(width: usize, mut factors: impl Iterator<Item = &'a Id>) -> Work {
+        let is_square = width == 2 && matches!((factors.next(), factors.next()), (Some(a), Some(b)) if a == b);
+        Work { products: width.saturating_sub(1), fused: width > 1 && !is_square }
+    }
+}
+
+/// What a sum takes. One summand is there at first, if possible one that has no product to be fused.
+fn cost(summands: impl Iterator<Item = Work>) -> Cost {
+    let (mut sums, mut products, mut fused) = (0, 0, 0);
+    for work in summands {
+        sums += 1;
+        products += work.products;
+        fused += usize::from(work.fused);
+    }
+    let starts = usize::from(fused == sums);
+    (products + sums - 1 - (fused - starts), products + sums - 1)
+}
