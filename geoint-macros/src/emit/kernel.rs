@@ -65,7 +65,8 @@ impl<'a> Context<'a> {
     /// The array type of all coordinates.
     pub(crate) fn phase(&self) -> TokenTree {
         let array = self.array();
-        if self.energy.form.is_flow() { array } else { bracketed(quote!(#array; 2)) }
+        let two = Literal::usize_unsuffixed(2); // literals are parsed where they are quoted
+        if self.energy.form.is_flow() { array } else { bracketed(quote!(#array; #two)) }
     }
 
     /// The statement that gives parts of the point `z` the names that routines read.
@@ -90,14 +91,21 @@ impl<'a> Context<'a> {
     /// Where the entries of an array of unknowns are: positions or momenta alone, or both, one array after the other; or, with an
     /// action or multipliers, all in a row.
     pub(crate) fn unknown_places(&self, unknowns: usize) -> Vec<Vec<usize>> {
-        let coordinates = self.coordinates();
-        if unknowns == coordinates.len() {
-            return coordinates;
+        (0..unknowns).map(|i| self.unknown_place(unknowns, i)).collect()
+    }
+
+    /// Where the i-th of them is.
+    fn unknown_place(&self, unknowns: usize, i: usize) -> Vec<usize> {
+        let degrees = self.energy.degrees() as usize;
+        if unknowns == degrees {
+            return self.coordinate(i as u32);
         }
-        if unknowns != 2 * coordinates.len() {
-            return (0..unknowns).map(|i| vec![i]).collect();
+        if unknowns != 2 * degrees {
+            return vec![i];
         }
-        (0..2).flat_map(|half| coordinates.iter().map(move |place| [&[half], &place[..]].concat())).collect()
+        let mut place = self.coordinate((i % degrees) as u32);
+        place.insert(0, i / degrees);
+        place
     }
 
     /// The type of an array of unknowns.
@@ -226,7 +234,7 @@ impl<'a> Context<'a> {
     /// What a symbol is called where `unknowns` are in the array `increment` or `y`.
     pub(crate) fn input_or_unknown(&self, unknowns: &[Symbol], array: &str, symbol: Symbol) -> Given {
         match unknowns.iter().position(|unknown| *unknown == symbol) {
-            Some(i) => Given::entry(array::UNKNOWNS, array, self.unknown_places(unknowns.len()).swap_remove(i)),
+            Some(i) => Given::entry(array::UNKNOWNS, array, self.unknown_place(unknowns.len(), i)),
             None => self.input(symbol),
         }
     }

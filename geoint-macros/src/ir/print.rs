@@ -27,7 +27,7 @@ pub(crate) struct Printer<'a, F> {
     /// How many nodes may still be printed; or how many characters of names, and other nodes.
     left: Cell<usize>,
     /// Whether names count by their characters.
-    cut: Cell<bool>,
+    short: Cell<bool>,
 }
 
 /// How tightly an operand must hold together.
@@ -41,7 +41,7 @@ enum Precedence {
 
 impl<'a, F: Fn(Symbol) -> String> Printer<'a, F> {
     pub(crate) fn new(graph: &'a Graph, name: F) -> Self {
-        Printer { graph, name, names: RefCell::default(), left: Cell::new(0), cut: Cell::new(false) }
+        Printer { graph, name, names: RefCell::default(), left: Cell::new(0), short: Cell::new(false) }
     }
 
     /// What is printed.
@@ -57,15 +57,19 @@ impl<'a, F: Fn(Symbol) -> String> Printer<'a, F> {
     /// The whole formula, unless it is very long.
     pub(crate) fn formula(&self, id: Id) -> String {
         self.left.set(MOST_NODES);
-        self.cut.set(false);
+        self.short.set(false);
         self.print(id, Precedence::Sum)
     }
 
     /// The formula, cut if it would not fit into a message.
     pub(crate) fn excerpt(&self, id: Id) -> String {
         self.left.set(SIZE_OF_MESSAGE);
-        self.cut.set(true);
-        let formula = self.print(id, Precedence::Sum);
+        self.short.set(true);
+        Self::cut(self.print(id, Precedence::Sum))
+    }
+
+    /// A formula, cut if it would not fit into a message.
+    pub(crate) fn cut(formula: String) -> String {
         if formula.chars().count() <= MESSAGE_LENGTH {
             return formula;
         }
@@ -81,7 +85,7 @@ impl<'a, F: Fn(Symbol) -> String> Printer<'a, F> {
             }
             Node::Symbol(symbol) => {
                 let name = self.named(*symbol);
-                if self.cut.get() {
+                if self.short.get() {
                     self.left.set(left.saturating_sub(name.len()));
                 }
                 (name, Precedence::Atom)

@@ -108,37 +108,66 @@ impl Instruction {
     /// How long a function takes, in units of one sum.
     pub(crate) const CALL_LATENCY: u32 = 10;
 
-    fn operands_mut(&mut self) -> Vec<&mut Operand> {
+    /// Calls a function for all that it reads, in order.
+    pub(crate) fn for_each_operand(&self, visit: &mut dyn FnMut(&Operand)) {
         match self {
-            Instruction::Neg(a) | Instruction::Not(a) | Instruction::Sqrt(a) => vec![a],
+            Instruction::Neg(a) | Instruction::Not(a) | Instruction::Sqrt(a) => visit(a),
             Instruction::Compare(_, a, b)
             | Instruction::And(a, b)
             | Instruction::Or(a, b)
             | Instruction::Add(a, b)
             | Instruction::Sub(a, b)
             | Instruction::Mul(a, b)
-            | Instruction::Div(a, b) => vec![a, b],
-            Instruction::MulAdd(a, b, c) => vec![a, b, c],
-            Instruction::Call(_, args) => args.iter_mut().collect(),
+            | Instruction::Div(a, b) => {
+                visit(a);
+                visit(b);
+            }
+            Instruction::MulAdd(a, b, c) => {
+                visit(a);
+                visit(b);
+                visit(c);
+            }
+            Instruction::Call(_, args) => {
+                for arg in args {
+                    visit(arg);
+                }
+            }
+        }
+    }
+
+    /// The same, to be read or written. Apart, as a copy of the instruction costs more than to look at it.
+    fn for_each_operand_mut(&mut self, visit: &mut dyn FnMut(&mut Operand)) {
+        match self {
+            Instruction::Neg(a) | Instruction::Not(a) | Instruction::Sqrt(a) => visit(a),
+            Instruction::Compare(_, a, b)
+            | Instruction::And(a, b)
+            | Instruction::Or(a, b)
+            | Instruction::Add(a, b)
+            | Instruction::Sub(a, b)
+            | Instruction::Mul(a, b)
+            | Instruction::Div(a, b) => [a, b].into_iter().for_each(visit),
+            Instruction::MulAdd(a, b, c) => [a, b, c].into_iter().for_each(visit),
+            Instruction::Call(_, args) => args.iter_mut().for_each(visit),
         }
     }
 
     /// What it reads.
     pub(crate) fn operands(&self) -> Vec<Operand> {
-        self.clone().operands_mut().into_iter().map(|operand| *operand).collect()
+        let mut operands = Vec::with_capacity(3);
+        self.for_each_operand(&mut |operand| operands.push(*operand));
+        operands
     }
 
     /// Reads something else, in the same order.
     pub(super) fn replace(&mut self, operands: &[Operand]) {
-        for (old, new) in self.operands_mut().into_iter().zip(operands) {
-            *old = *new;
-        }
+        let mut new = operands.iter();
+        self.for_each_operand_mut(&mut |old| *old = new.next().copied().unwrap_or(*old));
     }
 
     /// What it does, to nothing.
     pub(super) fn blank(&self) -> Instruction {
         let mut blank = self.clone();
-        blank.operands_mut().into_iter().for_each(|operand| *operand = Operand::Truth(false));
+        blank.for_each_operand_mut(&mut |operand| *operand = Operand::Truth(false));
         blank
     }
 
@@ -174,24 +203,34 @@ impl Instruction {
 }
 
 impl Statement {
-    /// The values that it computes, without those that only a branch needs.
-    pub(crate) fn registers(&self) -> Vec<Register> {
+    /// Calls a function for the values that it computes, but for those that only a branch needs.
+    pub(super) fn for_each_register(&self, visit: &mut dyn FnMut(Register)) {
         match self {
             Statement::Let(register, _) | Statement::FlowMatrix(register, ..) | Statement::Gather(register, _) => {
-                vec![*register]
+                visit(*register);
             }
-            Statement::SinCos(sin, cos, _) => vec![*sin, *cos],
-            Statement::Kepler(registers, _) => registers.as_flattened().to_vec(),
+            Statement::SinCos(sin, cos, _) => {
+                visit(*sin);
+                visit(*cos);
+            }
+            Statement::Kepler(registers, _) => registers.as_flattened().iter().copied().for_each(visit),
             Statement::FlowChange(registers, ..)
             | Statement::Spread(registers, _)
-            | Statement::If { registers, .. } => registers.clone(),
+            | Statement::If { registers, .. } => registers.iter().copied().for_each(visit),
         }
+    }
+
+    /// Those values.
+    pub(crate) fn registers(&self) -> Vec<Register> {
+        let mut registers = vec![];
+        self.for_each_register(&mut |register| registers.push(register));
+        registers
     }
 
     /// Calls a function for all that it reads, in branches too.
     pub(super) fn for_each_operand(&self, visit: &mut dyn FnMut(&Operand)) {
         match self {
-            Statement::Let(_, instruction) => instruction.operands().iter().for_each(visit),
+            Statement::Let(_, instruction) => instruction.for_each_operand(visit),
             Statement::SinCos(_, _, x) => visit(x),
             Statement::Kepler(_, orbits) => orbits.iter().flatten().for_each(visit),
             Statement::FlowMatrix(_, _, entries) => entries.iter().for_each(|(_, entry)| visit(entry)),
@@ -215,20 +254,34 @@ impl Statement {
 impl Block {
     /// The values that its statements compute, without those that only a branch needs.
     pub(crate) fn registers(&self) -> Vec<Register> {
-        self.statements.iter().flat_map(Statement::registers).collect()
+        let mut registers = Vec::with_capacity(self.statements.len());
+        for statement in &self.statements {
+            statement.for_each_register(&mut |register| registers.push(register));
+        }
+        registers
     }
 
     /// The first register after all that it writes and reads, in branches too.
     pub(super) fn unused(&self) -> Register {
         let mut next = 0;
-        let mut read = |operand: &Operand| {
-            if let Operand::Register(register) = operand {
-                next = next.max(register + 1);
+        let mut write = |register: Register| {
+            if register >= next {
+                next = register + 1;
             }
         };
-        self.statements.iter().for_each(|statement| statement.for_each_operand(&mut read));
+        let mut read = |operand: &Operand| {
+            if let Operand::Register(register) = operand {
+                write(*register);
+            }
+        };
+        for statement in &self.statements {
+            statement.for_each_operand(&mut read);
+        }
         self.results.iter().for_each(&mut read);
-        self.registers().into_iter().fold(next, |next, register| next.max(register + 1))
+        for statement in &self.statements {
+            statement.for_each_register(&mut write);
+        }
+        next
     }
 
     /// Registers that hold a matrix.

@@ -21,6 +21,11 @@ const MAX_TERMS: usize = 64;
 impl Polynomial {
     /// `root` as powers of the symbols that `counts` picks, if it is such a sum.
     pub(super) fn of(graph: &mut Graph, root: Id, counts: &impl Fn(Symbol) -> bool) -> Option<Polynomial> {
+        // Most expressions are none, and looking costs less than products do.
+        if can_be(graph, root, counts) { Self::found(graph, root, counts) } else { None }
+    }
+
+    fn found(graph: &mut Graph, root: Id, counts: &impl Fn(Symbol) -> bool) -> Option<Polynomial> {
         match graph.node(root).clone() {
             Node::Symbol(symbol) if counts(symbol) => {
                 let one = graph.integer(1);
@@ -31,7 +36,7 @@ impl Polynomial {
                 let constant = graph.number(constant);
                 let mut sum = Self::term(Monomial::new(), constant);
                 for (c, term) in terms {
-                    for (monomial, coefficient) in Self::of(graph, term, counts)?.0.into_values() {
+                    for (monomial, coefficient) in Self::found(graph, term, counts)?.0.into_values() {
                         let coefficient = graph.scale(c, coefficient);
                         sum.add(graph, monomial, coefficient);
                     }
@@ -41,12 +46,12 @@ impl Polynomial {
             Node::Product(ids) => {
                 let one = graph.integer(1);
                 ids.into_iter().try_fold(Self::term(Monomial::new(), one), |product, id| {
-                    let factor = Self::of(graph, id, counts)?;
+                    let factor = Self::found(graph, id, counts)?;
                     product.times(graph, &factor)
                 })
             }
             Node::Power(base, exponent) => {
-                let base = Self::of(graph, base, counts)?;
+                let base = Self::found(graph, base, counts)?;
                 if let Some((monomial, coefficient)) = base.single() {
                     let powers: Option<Monomial> = monomial.iter().map(|(s, r)| Some((*s, r.mul(exponent)?))).collect();
                     // √(x²) is |x|.
@@ -122,6 +127,21 @@ impl Polynomial {
     /// Whether all terms have one of these powers.
     pub(super) fn has_only(&self, allowed: impl Fn(&Monomial) -> bool) -> bool {
         self.terms().all(|(monomial, _)| allowed(monomial))
+    }
+}
+
+/// Whether nothing but sums, products and powers is between an expression and the symbols.
+fn can_be(graph: &Graph, root: Id, counts: &impl Fn(Symbol) -> bool) -> bool {
+    let node = graph.node(root);
+    match node {
+        Node::Symbol(_) | Node::Number(_) => true,
+        _ if is_free(graph, root, counts) => true,
+        Node::Linear(..) | Node::Product(_) | Node::Power(..) => {
+            let mut can = true;
+            node.for_each_child(|child| can = can && can_be(graph, child, counts));
+            can
+        }
+        _ => false,
     }
 }
 

@@ -151,7 +151,8 @@ fn brackets<'a>(moves: &Moves, forms: &'a [Quadratic]) -> Option<Vec<Vec<Term<'a
                 }
             }
         }
-        bracket.sort_by_key(|term: &Term<'_>| term.variables);
+        // The order of both as one number, which is compared at once.
+        bracket.sort_by_key(|term: &Term<'_>| u64::from(term.variables[0]) << 32 | u64::from(term.variables[1]));
         Some(bracket)
     };
     forms.iter().map(of).collect()

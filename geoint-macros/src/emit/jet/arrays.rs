@@ -1,6 +1,7 @@
 //! The arrays of coefficients, and their names.
 
 use super::Writer;
+use super::numbers::zero;
 use crate::diff::jet::{LANES, Lanes, Operand, Rate, Source};
 use crate::emit::tokens::Tokens;
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -26,12 +27,8 @@ impl Stored {
     }
 
     pub(super) fn zeros(&self) -> TokenStream {
-        let lanes = Literal::usize_unsuffixed(LANES);
-        if self.of_lanes {
-            quote!(recurrence::Aligned([[R::from_f64(0.0); #lanes]; P]).0)
-        } else {
-            quote!([R::from_f64(0.0); P])
-        }
+        let ([lanes, first], zero) = ([LANES, 0].map(Literal::usize_unsuffixed), zero());
+        if self.of_lanes { quote!(recurrence::Aligned([[#zero; #lanes]; P]).#first) } else { quote!([#zero; P]) }
     }
 }
 
@@ -109,7 +106,7 @@ impl Writer<'_> {
     /// The arrays, in order, as the body of an order and its calls name them.
     pub(super) fn arrays(&self, values: &[Tokens]) -> Vec<Stored> {
         let value = |source: Source| values.get(self.value(source)).cloned();
-        let mut arrays = vec![];
+        let (zero, mut arrays) = (Tokens::from(zero()), vec![]);
         for source in 0..self.jet.series.len() {
             if self.has_array(source) {
                 arrays.push(Stored { name: kept(source), of_lanes: false, first: value(source) });
@@ -121,7 +118,7 @@ impl Writer<'_> {
         for i in self.arrays_of_lanes() {
             let Some(operands) = self.lanes.as_ref().map(|lanes| lanes.arrays[i]) else { continue };
             let first = operands.map(|Operand { source, weighted }| {
-                value(source).filter(|_| !weighted).unwrap_or(quote!(R::from_f64(0.0)).into())
+                value(source).filter(|_| !weighted).unwrap_or_else(|| zero.clone())
             });
             arrays.push(Stored { name: side_by_side(i), of_lanes: true, first: Some(quote!([#(#first),*]).into()) });
         }

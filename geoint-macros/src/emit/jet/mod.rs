@@ -20,7 +20,7 @@ use crate::ir::Symbol;
 use crate::parse::over_scalar;
 use crate::schedule::Plan;
 use arrays::{Stored, array_of, coordinate, kept};
-use numbers::{Prepared, prepared};
+use numbers::{Prepared, prepared, zero};
 use order::Order;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -144,7 +144,7 @@ impl Writer<'_> {
         let place = self.place(rate.symbol);
         let value = match rate.source {
             Some(source) => self.times(quote!(next), source),
-            None => quote!(R::from_f64(0.0)),
+            None => zero(),
         };
         let at_hand = self.coordinates_at_hand().get(i).map(|_| {
             let name = coordinate(i);
@@ -171,14 +171,14 @@ impl Writer<'_> {
         let flow = self.context.energy.form.is_flow();
         match symbol {
             Symbol::Q(i) if flow => element("z", &self.context.coordinate(i)),
-            Symbol::Q(i) => element(quote!(z[0]), &self.context.coordinate(i)),
-            Symbol::P(i) => element(quote!(z[1]), &self.context.coordinate(i)),
+            Symbol::Q(i) => element("z", &[0]).at(&self.context.coordinate(i)),
+            Symbol::P(i) => element("z", &[1]).at(&self.context.coordinate(i)),
             _ => "s".into(),
         }
     }
 
     fn or_zero(&self, source: Option<Source>) -> TokenStream {
-        source.map_or(quote!(R::from_f64(0.0)), |source| self.now(&[source]))
+        source.map_or_else(zero, |source| self.now(&[source]))
     }
 
     /// The values at the start, the coefficients of order 0, and all orders.

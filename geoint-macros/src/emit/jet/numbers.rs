@@ -74,6 +74,11 @@ pub(super) fn constant(number: Number) -> TokenStream {
     }
 }
 
+/// 0 of the scalar type. A literal that is quoted as it stands is parsed every time.
+pub(super) fn zero() -> TokenStream {
+    constant(Number::ZERO)
+}
+
 /// c·x.
 pub(super) fn scaled(c: Number, x: TokenStream) -> TokenStream {
     match c {

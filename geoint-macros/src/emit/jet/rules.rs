@@ -1,6 +1,6 @@
 //! The coefficient of order n by each rule.
 
-use super::numbers::{Prepared, constant, scaled};
+use super::numbers::{Prepared, constant, scaled, zero};
 use super::{Writer, array_of, coordinate, kept};
 use crate::diff::jet::{Factor, Lanes, Rule, Source, Weight, sums};
 use crate::ir::Number;
@@ -229,7 +229,7 @@ impl Writer<'_> {
                 None => quote!(#factor * #c),
             });
         }
-        sum.unwrap_or(quote!(R::from_f64(0.0)))
+        sum.unwrap_or_else(zero)
     }
 }
 

@@ -256,5 +256,5 @@ fn conserved<F: Fn(crate::ir::Symbol) -> String>(
 /// A derivative, written out unless it fills the screen.
 fn formula<F: Fn(crate::ir::Symbol) -> String>(printer: &Printer<'_, F>, id: Id) -> String {
     let formula = printer.formula(id);
-    if formula.chars().count() > 400 { printer.excerpt(id) } else { formula }
+    if formula.chars().count() > 400 { Printer::<F>::cut(formula) } else { formula }
 }

@@ -103,11 +103,11 @@ impl<'a> Lanes<'a> {
                     lanes.readers[*register].push(number);
                 }
             });
-            for register in statement.registers() {
+            statement.for_each_register(&mut |register| {
                 lanes.makers[register] = Some(number);
                 // Of this kind there is no other.
                 lanes.kinds[register] = (0, 1 + register);
-            }
+            });
             if let Statement::Let(register, instruction) = statement {
                 lanes.note(*register, instruction);
             }
@@ -123,9 +123,16 @@ impl<'a> Lanes<'a> {
             _ => return,
         };
         let mut operands = instruction.operands();
-        operands[..instruction.commuting()].sort_by_key(|operand| self.kind(operand));
-        let kinds: Vec<Kind> = operands.iter().map(|operand| self.kind(operand)).collect();
-        let depth = 1 + kinds.iter().map(|(depth, _)| *depth).max().unwrap_or(0);
+        if instruction.commuting() == 2 && self.kind(&operands[1]) < self.kind(&operands[0]) {
+            operands.swap(0, 1);
+        }
+        let mut kinds = Vec::with_capacity(operands.len());
+        let mut depth = 1;
+        for operand in &operands {
+            let kind = self.kind(operand);
+            depth = if kind.0 < depth { depth } else { kind.0 + 1 };
+            kinds.push(kind);
+        }
         let next = self.known.len();
         self.kinds[register] =
             *self.known.entry(((discriminant(instruction), function), kinds)).or_insert((depth, next));
