@@ -1,12 +1,12 @@
 //! The circle: sines of half an increment, angles between two points.
 
-use super::{away, either, factorial, polynomial, series, tiny};
+use super::{away, by_pairs, either, factorial, polynomial, series, tiny};
 use crate::scalar::Real;
 
 /// sin x / x.
 #[inline(always)]
 pub fn sinc<R: Real>(x: R) -> R {
-    let small = |x: R| polynomial(-(x * x), series!(9, |k| 1.0 / factorial(2 * k + 1)));
+    let small = |x: R| by_pairs(-(x * x), series!(9, |k| 1.0 / factorial(2 * k + 1)));
     let large = || {
         let x = away(x);
         x.sin() / x
@@ -17,7 +17,7 @@ pub fn sinc<R: Real>(x: R) -> R {
 /// The derivative of [`sinc`].
 #[inline(always)]
 pub fn sinc_derivative<R: Real>(x: R) -> R {
-    let small = |x: R| -x * polynomial(-(x * x), series!(9, |k| (2 * k + 2) as f64 / factorial(2 * k + 3)));
+    let small = |x: R| -x * by_pairs(-(x * x), series!(9, |k| (2 * k + 2) as f64 / factorial(2 * k + 3)));
     let large = || {
         let x = away(x);
         (x.cos() - x.sin() / x) / x

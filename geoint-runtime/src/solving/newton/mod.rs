@@ -122,14 +122,25 @@ impl<A: Array> Newton<A> {
         watch: &mut W,
     ) -> Found<A> {
         let found = self.solution(equation, watch);
-        // Here for all: the terms of the sequence are moved once. A memory after a refusal is not used.
-        self.predictor.push(&found.x);
-        self.iteration.pass();
+        self.pass(&found.x);
         found
     }
 
+    /// The next equation is that of the next step.
     #[inline(always)]
-    fn solution<W: Observer + ?Sized, E: StepEquation<A, W>>(&mut self, equation: &E, watch: &mut W) -> Found<A> {
+    pub(crate) fn pass(&mut self, x: &A) {
+        // Here for all: the terms of the sequence are moved once. A memory after a refusal is not used.
+        self.predictor.push(x);
+        self.iteration.pass();
+    }
+
+    /// The solution, before it [passes](Self::pass).
+    #[inline(always)]
+    pub(crate) fn solution<W: Observer + ?Sized, E: StepEquation<A, W>>(
+        &mut self,
+        equation: &E,
+        watch: &mut W,
+    ) -> Found<A> {
         let guesses = self.iteration.guesses;
         if E::OF_NOW {
             self.iteration.sizes = Sizes::at(&equation.origin());
@@ -170,13 +181,14 @@ impl<A: Array> Newton<A> {
             // Of one unknown the correction by the derivative of the step before is there first, and is taken as long as it misses the other one
             // by a part of the last digit: which of them it is, a processor guesses, and goes on.
             if const { E::SETTLED && Reciprocal::<A>::KNOWN } {
-                let early = self.reciprocal.early(&delta);
+                if let Some((early, missed)) = self.reciprocal.followed(&matrix, &delta)
+                    && self.iteration.is_last(&early)
+                    && self.iteration.is_last_term(&missed)
+                {
+                    return Found::corrected_nearly(guess, &early, &missed);
+                }
                 if !self.reciprocal.solve(&matrix, &mut delta) {
                     break 'start Start::at(Some(guess));
-                }
-                let missed = difference(&early, &delta);
-                if self.iteration.is_last(&delta) && self.iteration.is_last_term(&missed) {
-                    return Found::corrected_nearly(guess, &early, &missed);
                 }
             } else if !linear::solve_fast(&mut matrix, &mut delta) {
                 break 'start Start::at(Some(guess));
@@ -223,11 +235,21 @@ impl<A: Array> Newton<A> {
             let x = found.x;
             let mut matrix = A::fill(A::zero());
             let mut delta = equation.residual(watch, &x, &mut matrix);
-            if !linear::solve_fast(&mut matrix, &mut delta) {
-                *start = Start { before, ..Start::at(Some(x)) };
-                break;
+            // Of one unknown by the derivative at the point before, as in short steps.
+            let early = if const { E::SETTLED && Reciprocal::<A>::KNOWN } {
+                self.reciprocal.followed(&matrix, &delta).filter(|(_, missed)| iteration.is_last_term(missed))
+            } else {
+                None
+            };
+            if let Some((early, missed)) = early {
+                (found, delta) = (Found::corrected_nearly(x, &early, &missed), early);
+            } else {
+                if !linear::solve_fast(&mut matrix, &mut delta) {
+                    *start = Start { before, ..Start::at(Some(x)) };
+                    break;
+                }
+                found = Found::corrected(x, &delta);
             }
-            found = Found::corrected(x, &delta);
             if E::SETTLED
                 && let Some(left) = iteration.foretold(&last, &delta)
             {

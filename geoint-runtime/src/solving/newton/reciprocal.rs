@@ -1,10 +1,13 @@
 //! The derivative of one equation in one unknown, for the correction of the next one.
 
-use crate::scalar::Real;
-use crate::space::vector::product;
+use crate::scalar::{Real, zero};
 use crate::space::{Array, Record, Square, Tape};
 
-/// 1/(1 − g') at the guess of a step, which hardly changes from step to step.
+/// A derivative that has changed by so little, relative, is followed: of what a correction by the one before misses three terms of a series are then
+/// enough, the next one is 2⁻²⁰ of the correction.
+const LITTLE: f64 = 1.0 / 32.0;
+
+/// 1/(1 − g') where it was evaluated last, which hardly changes from step to step.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Reciprocal<A>(A);
 
@@ -25,20 +28,40 @@ impl<A: Array> Reciprocal<A> {
         Reciprocal(A::zero())
     }
 
-    /// The correction by the derivative of the step before. No division keeps it waiting.
+    /// The correction by the derivative before, and what it is too large by, if the derivative m has changed little: of mr = 1 + c with the reciprocal r
+    /// before, e − e/(1 + c) is ec(1 − c + c²). Then m is positive as r is, and its reciprocal is r(1 − c + c²). No division keeps the correction
+    /// waiting, nor is there one.
     #[inline(always)]
-    pub(super) fn early(&self, residual: &A) -> A {
-        product(&self.0, residual)
+    pub(super) fn followed(&mut self, matrix: &Square<A>, residual: &A) -> Option<(A, A)> {
+        let (pivot, reciprocal) = (pivot::<A>(matrix), &mut self.0.as_mut_slice()[0]);
+        let one = A::Real::from_f64(1.0);
+        let change = pivot.multiply_add(*reciprocal, -one);
+        if !(change.magnitude() <= LITTLE) {
+            return None;
+        }
+        let (mut early, mut missed) = (*residual, A::zero());
+        early.as_mut_slice()[0] *= *reciprocal;
+        let inverse = (-change).multiply_add(one - change, one);
+        missed.as_mut_slice()[0] = early.as_slice()[0] * change * inverse;
+        *reciprocal *= inverse;
+        Some((early, missed))
     }
 
-    /// The correction by that of this step, in place of the residual; whether the derivative is positive.
+    /// The correction by the derivative here, in place of the residual; whether the derivative is positive. None is known after one that is not.
     #[inline(always)]
     pub(super) fn solve(&mut self, matrix: &Square<A>, residual: &mut A) -> bool {
-        let (pivot, one) = (A::entries_of::<A>(matrix)[0].as_slice()[0], A::Real::from_f64(1.0));
-        self.0.as_mut_slice()[0] = one / pivot;
-        *residual = product(&self.0, residual);
-        pivot.all_at_least_zero()
+        let (pivot, one) = (pivot::<A>(matrix), A::Real::from_f64(1.0));
+        let (reciprocal, positive) = (one / pivot, pivot.all_at_least_zero());
+        residual.as_mut_slice()[0] *= reciprocal;
+        self.0.as_mut_slice()[0] = if positive { reciprocal } else { zero() };
+        positive
     }
+}
+
+/// The one entry of a matrix.
+#[inline(always)]
+fn pivot<A: Array>(matrix: &Square<A>) -> A::Real {
+    A::entries_of::<A>(matrix)[0].as_slice()[0]
 }
 
 #[cfg(test)]

@@ -97,13 +97,15 @@ impl<'a, S: DiscreteField<R>, R: Real> Equation<'a, S, R> {
         x: &Point<S::Phase, C>,
         sums: &Compensated<S::Phase>,
     ) -> Self {
-        let (y, changed) = S::start(&x.z);
+        let mut z = S::Phase::zero();
+        z.copy_from(&x.z);
+        let (y, changed) = S::start(&z);
         let start = system.begin(&coefficients.parameters, Span::of(ends, coefficients.h), &y);
         let lost = if C::PLAIN && S::DERIVATIVE == 1 { sums.compensation() } else { x.sums.compensation() };
         let (of_y, of_changed) = S::start(&lost);
         let counts = !C::PLAIN || S::DERIVATIVE == 1;
         let compensation = (if counts { of_y } else { S::Unknown::nothing() }, of_changed);
-        Equation { system, coefficients, t: ends[0], z: x.z, y, changed, compensation, start }
+        Equation { system, coefficients, t: ends[0], z, y, changed, compensation, start }
     }
 
     /// The increments of (q, p) that go with an impulse.

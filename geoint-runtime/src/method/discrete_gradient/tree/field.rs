@@ -75,13 +75,28 @@ impl<S: DiscreteField<R>, R: Real> StepsOf<DiscreteGradient, S, R> for ByTree {
             return check_poles(poles, true, &before, Step { system, t, end, x, probe });
         }
 
-        let Found { x: impulse, lost, outcome } = newton.solve(&equation, &mut deciding);
-        outcome?;
+        let Found { x: impulse, lost, outcome } = newton.solution(&equation, &mut deciding);
+        if P::PATIENT {
+            outcome?;
+        }
         let Deciding { probe, decided } = deciding;
 
         let before = start::<S, R, C>(x);
         let increments = equation.increments(&impulse);
-        x.add_with(sums, &increments, &equation.lost::<C>(&impulse, &lost));
+        let lost = equation.lost::<C>(&impulse, &lost);
+        // One momentum before the sequence of increments moves on: side by side with the position, it would be added in one register with that, which is
+        // known later, and the next step waits for it.
+        let apart = const { S::DERIVATIVE != 1 && S::Unknown::LEN == 1 };
+        if apart {
+            x.add_some_with(sums, 1..2, &increments, &lost);
+        }
+        newton.pass(&impulse);
+        outcome?;
+        if apart {
+            x.add_some_with(sums, 0..1, &increments, &lost);
+        } else {
+            x.add_with(sums, &increments, &lost);
+        }
         rounded::check_step::<S, R, P, C>(system, &before.0, x)?;
         check_conditions(system, t + R::from_f64(0.5) * coefficients.h, &decided, x)?;
         check_poles(poles, true, &before, Step { system, t, end, x, probe })
