@@ -177,7 +177,8 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
         if let Some(tolerance) = self.tolerance.unusable() {
             return Err(StepError::InvalidTolerance { tolerance });
         }
-        if let Some(h) = self.bounds.unusable().or(self.controller.unusable()) {
+        self.bounds.check()?;
+        if let Some(h) = self.controller.unusable() {
             return Err(StepError::InvalidStepSize { h });
         }
         let t = signed(self.time());

@@ -264,9 +264,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
             taylor::Steps::Length(h) if !(h != 0.0 && h.is_finite()) => return Err(StepError::InvalidStepSize { h }),
             _ => {}
         }
-        if let Some(h) = self.bounds.unusable() {
-            return Err(StepError::InvalidStepSize { h });
-        }
+        self.bounds.check()?;
         let t = signed(self.time());
         let x = &self.here().x;
         if !(t.is_finite() && x.is_finite()) {
