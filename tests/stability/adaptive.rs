@@ -285,8 +285,17 @@ fn unusable_input() {
         [(1.0, 0.1), (f64::NAN, 1.0), (0.1, f64::NAN), (f64::INFINITY, f64::INFINITY), (0.0, 0.0)]
     {
         let error = with(1e-6).steps_between(shortest, longest).step().unwrap_err();
-        assert!(matches!(error, StepError::InvalidStepSize { .. }), "{shortest} {longest}: {error}");
+        assert!(matches!(error, StepError::InvalidBounds { .. }), "{shortest} {longest}: {error}");
     }
+    // What is said tells what to do.
+    let said =
+        |shortest: f64, longest: f64| with(1e-6).steps_between(shortest, longest).step().unwrap_err().to_string();
+    assert_eq!(
+        said(0.5, 0.1),
+        "no step is longer than 0.5 and shorter than 0.1; give the shorter length first: `steps_between(0.1, 0.5)`"
+    );
+    assert!(said(0.0, 0.0).contains("give a shortest one that is finite"), "{}", said(0.0, 0.0));
+    assert!(said(f64::NAN, 1.0).contains("no step has a length between NaN and 1;"), "{}", said(f64::NAN, 1.0));
     let outcome: Vec<_> = with(1e-6).until(f64::NAN).collect();
     assert!(matches!(outcome[..], [Err(StepError::InvalidStepSize { .. })]), "{outcome:?}");
     let mut sim = Pendulum::system::<f64>().adaptive(RK4, 1e-6, State::new(f64::NAN, 0.0));

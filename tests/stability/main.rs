@@ -5,6 +5,7 @@ mod adaptive;
 mod by_value;
 mod refusals;
 mod poles;
+mod poles_in_time;
 mod walls;
 mod steep;
 mod switches;

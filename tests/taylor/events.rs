@@ -105,6 +105,32 @@ fn zero_until_the_end() {
     });
 }
 
+/// A search for an event with a function that has none, here or from some time on, leaves the run where it was: not a step is taken.
+#[test]
+fn what_has_no_events_moves_nothing() {
+    for sign in [1.0, -1.0] {
+        every_run!(Oscillator, State::new(1.0, 0.0), sign * 0.1, |sim| {
+            sim.advance(3).unwrap();
+            let (before, steps, mut other) = (sim.state(), sim.steps(), sim.clone());
+            let to = before.t + sign * 7.0;
+            let errors = [
+                sim.clone().until_event(sign * 1e4, Direction::Any, |s| s.q * 0.0),
+                sim.until_event(to, Direction::Any, |s| s.q * 0.0),
+                sim.until_event(to, Direction::Any, |s| s.q * f64::NAN),
+                // No number from a later time on.
+                sim.until_event(to, Direction::Any, |s| ((s.t - before.t) * -sign + 2.0).sqrt() + 1.0),
+            ];
+            for error in errors {
+                assert!(matches!(error, Err(StepError::NoEvent { .. })), "{error:?}");
+            }
+            assert_eq!((sim.state(), sim.steps()), (before, steps));
+            // And goes on as if nothing had been asked.
+            let [found, expected] = [&mut sim, &mut other].map(|sim| sim.until_event(to, Direction::Any, |s| s.q));
+            assert!(found == expected && matches!(found, Ok(Some(_))), "{found:?} {expected:?}");
+        });
+    }
+}
+
 /// A zero at the end of one search is found once: not by none, and not by the next one, too.
 #[test]
 fn where_one_search_ends_and_the_next_begins() {

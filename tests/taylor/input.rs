@@ -60,7 +60,7 @@ fn bad_input_is_refused() {
     let mut sim = Logarithm.taylor(Taylor::default(), good).steps_at_most(2);
     assert!(matches!(sim.advance_to(100.0), Err(StepError::TooManySteps { steps: 2, .. })));
     let mut sim = Logarithm.taylor(Taylor::default(), good).steps_between(1.0, 0.5);
-    assert!(matches!(sim.step(), Err(StepError::InvalidStepSize { .. })));
+    assert_eq!(sim.step(), Err(StepError::InvalidBounds { shortest: 1.0, longest: 0.5 }));
 }
 
 /// A shortest step of the user's is no pole of the solution.

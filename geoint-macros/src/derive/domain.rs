@@ -109,7 +109,7 @@ impl Domain {
             edges: Edges::of(graph, roots.all),
             powers: Edges::powers(graph, roots.all),
             examined,
-            poles: Poles::of(graph, (roots.divided, form), partial),
+            poles: Poles::of(graph, roots.divided, partial),
             jumps: Jumps::of(graph, roots.divided),
         }
     }

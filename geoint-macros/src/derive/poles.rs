@@ -2,15 +2,12 @@
 
 use crate::analyze::{self, Jump, Pole, Quick, crossings};
 use crate::ir::{Graph, Id, Partial};
-use crate::parse::Form;
 use crate::schedule::{Kernel, Levels};
 
 /// Poles, and how zeros of what vanishes there are excluded.
 #[derive(Debug)]
 pub(crate) struct Poles<K = Kernel> {
     pub(crate) all: Vec<Pole>,
-    /// Whether poles in time alone are looked for by themselves: no flow at frozen time notices them.
-    pub(crate) timed: bool,
     /// The signs of parameters on which tests by structure rely.
     pub(crate) signs: Option<Signs<K>>,
     /// Tests by structure that are always made.
@@ -111,7 +108,7 @@ impl Collected {
 
 impl Poles {
     /// The poles of an energy, if there are any.
-    pub(super) fn of(graph: &mut Graph, (divided, form): (&[Id], Form), partial: &[Partial]) -> Option<Poles> {
+    pub(super) fn of(graph: &mut Graph, divided: &[Id], partial: &[Partial]) -> Option<Poles> {
         let all = analyze::poles(graph, divided, partial);
         if all.is_empty() {
             return None;
@@ -141,7 +138,6 @@ impl Poles {
             always: always.margins(),
             undivided: undivided.margins(),
             vanishing: Kernel { levels: Levels::One, routines: all.iter().map(|pole| vec![pole.enclosable]).collect() },
-            timed: form == Form::Contact,
             all,
         })
     }
@@ -151,7 +147,6 @@ impl<K> Poles<K> {
     pub(super) fn map<L>(self, of: &mut impl FnMut(K) -> L) -> Poles<L> {
         Poles {
             all: self.all,
-            timed: self.timed,
             signs: self.signs.map(|signs| Signs { values: of(signs.values), positive: signs.positive }),
             always: self.always.map(|margins| margins.map(of)),
             undivided: self.undivided.map(|margins| margins.map(of)),

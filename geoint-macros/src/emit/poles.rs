@@ -32,7 +32,7 @@ fn list(context: &Context<'_>, graph: &Graph, poles: &Poles<Plan>) -> TokenStrea
             true => format!("an edge of the domain between the ends of the step: {term}"),
         };
         let (by_structure, by_parameters) = (each.quick.is_some(), each.by_parameters);
-        let timed = poles.timed && !each.reads_state && !edge;
+        let timed = each.of_time && !edge;
         quote!(#pole { what: #what, by_structure: #by_structure, by_parameters: #by_parameters, timed: #timed, edge: #edge })
     });
     quote!(const POLES: &'static [#pole] = &[#(#entries),*];)

@@ -29,9 +29,7 @@ impl<Z: Array, S: Action<Z::Real>> Open<Z, S> {
     #[inline(always)]
     pub(in crate::method) fn leave<C: Summation<Z>>(&mut self, x: &Point<Z, C, S>) {
         self.from = PerCoordinate::of(x);
-        if !C::PLAIN {
-            self.lost = PerCoordinate { z: x.sums.compensation(), s: x.compensation };
-        }
+        x.lost_to(&mut self.lost);
     }
 
     /// Where and when the step ends that left it, and when it began.

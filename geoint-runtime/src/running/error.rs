@@ -111,6 +111,13 @@ pub enum StepError {
         /// The tolerance as given.
         tolerance: f64,
     },
+    /// There is no step between these lengths, of which the shorter one is given first; both as they were given, without their signs.
+    InvalidBounds {
+        /// The shortest length.
+        shortest: f64,
+        /// The longest one.
+        longest: f64,
+    },
     /// A Taylor series of so low an order has no estimate of its error.
     InvalidOrder {
         /// The order as given.
@@ -328,6 +335,15 @@ impl fmt::Display for StepError {
             StepError::InvalidTolerance { tolerance } => {
                 write!(f, "the tolerance {tolerance} is not a finite positive number")
             }
+            StepError::InvalidBounds { shortest, longest } if longest < shortest => write!(
+                f,
+                "no step is longer than {shortest} and shorter than {longest}; give the shorter length first: `steps_between({longest}, {shortest})`"
+            ),
+            StepError::InvalidBounds { shortest, longest } => write!(
+                f,
+                "no step has a length between {shortest} and {longest}; give a shortest one that is finite, 0 for none, and a longest one above \
+                 0, `f64::INFINITY` for none"
+            ),
             StepError::InvalidOrder { order } => {
                 write!(f, "a Taylor series of order {order} has no estimate of its error; take 2 or more")
             }

@@ -1,5 +1,6 @@
 //! How long the next step is.
 
+use crate::running::error::StepError;
 use crate::scalar::Real;
 use crate::space::{Record, Tape};
 
@@ -35,10 +36,11 @@ impl Bounds {
         Bounds { shortest: self.shortest.max(4.0 * epsilon * t.abs()).max(zero), ..*self }
     }
 
-    /// A bound between which and the other there is no step.
-    pub(crate) fn unusable(&self) -> Option<f64> {
-        let good = self.longest > 0.0 && self.shortest <= self.longest && self.shortest < f64::INFINITY;
-        (!good).then_some(if self.shortest.is_nan() { self.shortest } else { self.longest })
+    /// That there is a step between them.
+    pub(crate) fn check(&self) -> Result<(), StepError> {
+        let Bounds { shortest, longest } = *self;
+        let good = longest > 0.0 && shortest <= longest && shortest < f64::INFINITY;
+        if good { Ok(()) } else { Err(StepError::InvalidBounds { shortest, longest }) }
     }
 }
 

@@ -3,6 +3,17 @@
 use super::real::Real;
 use wide::{f32x4, f64x4};
 
+/// The first value where the processor of this build multiplies and adds in one instruction, and may; else the second.
+macro_rules! fused {
+    ($fused:expr, $apart:expr) => {{
+        #[cfg(all(feature = "std", target_feature = "fma", not(feature = "strict-math")))]
+        let value = $fused;
+        #[cfg(not(all(feature = "std", target_feature = "fma", not(feature = "strict-math"))))]
+        let value = $apart;
+        value
+    }};
+}
+
 /// The floating-point types of Rust: each function once for the standard library, once for libm.
 macro_rules! floats {
     ($($real:ident, $four:ident, $magnitude:expr, $lower_bits:literal, $time:expr, { $($method:ident($($y:ident)?) = $libm:ident),* $(,)? }, $sincos:ident;)*) => { $(
@@ -54,10 +65,7 @@ macro_rules! floats {
             }
             #[inline(always)]
             fn multiply_add(self, a: Self, b: Self) -> Self {
-                #[cfg(all(feature = "std", target_feature = "fma", not(feature = "strict-math")))]
-                return $real::mul_add(self, a, b);
-                #[cfg(not(all(feature = "std", target_feature = "fma", not(feature = "strict-math"))))]
-                return self * a + b;
+                fused!($real::mul_add(self, a, b), self * a + b)
             }
             #[inline(always)]
             fn add_four(a: [Self; 4], b: [Self; 4]) -> [Self; 4] {
@@ -77,10 +85,8 @@ macro_rules! floats {
             }
             #[inline(always)]
             fn multiply_add_four(x: [Self; 4], a: [Self; 4], b: [Self; 4]) -> [Self; 4] {
-                #[cfg(all(feature = "std", target_feature = "fma", not(feature = "strict-math")))]
-                return $four::from(x).mul_add($four::from(a), $four::from(b)).to_array();
-                #[cfg(not(all(feature = "std", target_feature = "fma", not(feature = "strict-math"))))]
-                return ($four::from(x) * $four::from(a) + $four::from(b)).to_array();
+                let [x, a, b] = [x, a, b].map($four::from);
+                fused!(x.mul_add(a, b), x * a + b).to_array()
             }
             #[inline(always)]
             fn sqrt_four(x: [Self; 4]) -> [Self; 4] {

@@ -88,6 +88,14 @@ impl<Z: Array, C: Summation<Z>, S: Action<Z::Real>> Point<Z, C, S> {
         }
         sums.add_some(some, &mut self.z, dz, lost);
     }
+
+    /// Copies what sums have lost, if they compensate.
+    #[inline(always)]
+    pub(crate) fn lost_to(&self, lost: &mut PerCoordinate<Z, S>) {
+        if !C::PLAIN {
+            *lost = PerCoordinate { z: self.sums.compensation(), s: self.compensation };
+        }
+    }
 }
 
 impl<Z: Array, C: Summation<Z>> Point<Z, C> {

@@ -15,6 +15,7 @@ mod perturbed;
 mod poles;
 mod rates;
 mod separable;
+mod timed;
 
 pub use bodies::PrincipalAxes;
 pub use contact::{Clock, Conformal, Contact, ContactStages, ImplicitStep, Mechanical, NystromPieces, Piece, Pieces};
@@ -34,9 +35,10 @@ pub use lagrangian::{Lagrangian, from_positions};
 pub use modified::ModifiedEnergy;
 pub use perturbed::{Perturbed, PerturbedGradient, unsuitable};
 pub use poles::Pole;
-pub(crate) use poles::{Ends, Known, Poles, compiled, singular_time};
+pub(crate) use poles::{Ends, Known, Poles, compiled};
 pub use rates::Rates;
 pub use separable::{FlowPart, ForceGradient, QuadraticKinetic, Separable};
+pub(crate) use timed::Clear;
 
 pub use crate::solving::{Inverse, Inverted};
 

@@ -18,7 +18,7 @@ pub struct Pole {
     pub by_structure: bool,
     /// Whether the parameters alone may rule it out, as m of 1/(m + q²).
     pub by_parameters: bool,
-    /// Whether it depends on time alone: no flow at frozen time notices it.
+    /// Whether it depends on time alone: explicit steps, and flows at frozen time, do not notice it.
     pub timed: bool,
     /// Whether it is no pole but the edge of a domain: what vanishes there must not be negative.
     pub edge: bool,
@@ -197,7 +197,7 @@ impl<S: PhaseSpace<R>, R: Real> Known<S, R> {
     pub(crate) const NONE: bool = S::POLES.is_empty();
 
     /// Whether there are poles in time alone.
-    const TIMED: bool = {
+    pub(super) const TIMED: bool = {
         let (mut any, mut i) = (false, 0);
         while i < S::POLES.len() {
             any |= S::POLES[i].timed;
@@ -228,13 +228,8 @@ impl<S: PhaseSpace<R>, R: Real> Known<S, R> {
 }
 
 /// The first pole in time alone, if any, that cannot be ruled out behind one time and up to another, with it.
-#[inline(always)]
-pub(crate) fn singular_time<S: PhaseSpace<R>, R: Real>(system: &S, t: [R; 2]) -> Option<&'static str> {
-    if Known::<S, R>::TIMED { search_time(system, t) } else { None }
-}
-
-/// The same, searched.
-fn search_time<S: PhaseSpace<R>, R: Real>(system: &S, t: [R; 2]) -> Option<&'static str> {
+#[inline(never)]
+pub(super) fn search_time<S: PhaseSpace<R>, R: Real>(system: &S, t: [R; 2]) -> Option<&'static str> {
     let way = Way::anywhere(system, line(t));
     first(S::POLES, &|i| S::POLES[i].timed, &|pole, part| way.vanishing(pole, part))
 }

@@ -25,8 +25,8 @@ pub(crate) struct Pole {
     pub(crate) quick: Option<Quick>,
     /// Whether parameters alone may rule it out.
     pub(crate) by_parameters: bool,
-    /// Whether it reads the state, or time alone.
-    pub(crate) reads_state: bool,
+    /// Whether it reads time, and nothing of the state.
+    pub(crate) of_time: bool,
     /// Whether it is no pole but the edge of a domain: the term must not be negative.
     pub(crate) is_edge: bool,
 }
@@ -110,7 +110,7 @@ impl Pole {
             noticed: false,
             quick: None,
             by_parameters: false,
-            reads_state: true,
+            of_time: false,
             is_edge: false,
         }
     }
@@ -124,7 +124,8 @@ impl Pole {
         let vanishes = self.condition.map_or(self.vanishes, |condition| graph.select(condition, self.vanishes, one));
         self.enclosable = enclosable(graph, vanishes);
         self.by_parameters = graph.reads_any(self.enclosable, |symbol| matches!(symbol, Symbol::Parameter(_)));
-        self.reads_state = graph.reads_any(self.enclosable, |symbol| symbol.is_coordinate());
+        let reads = |symbols: fn(Symbol) -> bool| graph.reads_any(self.enclosable, symbols);
+        self.of_time = reads(|symbol| symbol == Symbol::T) && !reads(|symbol| symbol.is_coordinate());
     }
 
     /// The same pole, met again.

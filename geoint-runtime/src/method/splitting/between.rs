@@ -76,8 +76,6 @@ impl<'a, S: Cotangent<R>, R: Real, C: Summation<S::Phase>> Between<'a, S, R, C> 
     /// The next step goes on with what sums have lost now.
     #[inline(always)]
     pub(super) fn leave(&mut self) {
-        if !C::PLAIN {
-            *self.lost = PerCoordinate { z: self.x.sums.compensation(), s: self.x.compensation };
-        }
+        self.x.lost_to(self.lost);
     }
 }

@@ -76,12 +76,16 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
         if self.keeps {
             return Ok((x, error));
         }
-        let end = self.clock.after(R::from_f64(prepared.h)) + x.ahead.value();
-        let ends = [(self.t, PerCoordinate::of(self.x)), (end, PerCoordinate::of(&x))];
+        let ends = [(self.t, PerCoordinate::of(self.x)), (self.end(prepared.h, &x), PerCoordinate::of(&x))];
         match jump_on_way(self.system, &ends, self.tolerance.relative) {
             Some(what) => Err(Reason::OutsideDomain { what }),
             None => Ok((x, error)),
         }
+    }
+
+    /// When a step of length `h` ends that led to `x`.
+    pub(super) fn end(&self, h: f64, x: &Carried<S, R>) -> R {
+        self.clock.after(R::from_f64(h)) + x.ahead.value()
     }
 
     /// Whether coordinates leave rest at zero that time alone drives, which are not measured in this step, and it is too long to be right in their

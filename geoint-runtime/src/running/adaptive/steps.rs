@@ -10,7 +10,7 @@ use crate::running::tolerance::{REACH, Tolerance};
 use crate::running::watch::Watch;
 use crate::scalar::{Real, signed, zero};
 use crate::space::{DoubleWord, PerCoordinate, Snapshot, wrong_length};
-use crate::system::{PhaseSpace, Rates};
+use crate::system::{Clear, PhaseSpace, Rates};
 
 /// A system under a method, and all that decides on the next step.
 #[derive(Clone)]
@@ -33,6 +33,8 @@ pub(super) struct Steps<S: PhaseSpace<R>, M: Method<S, R>, R: Real> {
     /// How many there were when the user gave a state.
     pub(super) given: u64,
     pub(super) rejections: u64,
+    /// What is known of poles in time.
+    clear: Clear<R>,
 }
 
 impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
@@ -54,6 +56,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
             taken: 0,
             given: 0,
             rejections: 0,
+            clear: Clear::unknown(),
         };
         steps.start();
         steps
@@ -129,6 +132,16 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
             {
                 *error = f64::INFINITY;
             }
+            let passed = match &outcome {
+                Ok((x, error)) if *error <= 1.0 => {
+                    let way = [attempt.t, attempt.end(h, x)];
+                    self.clear.pole(&self.system, way)
+                }
+                _ => None,
+            };
+            if let Some(what) = passed {
+                outcome = Err(Reason::OutsideDomain { what });
+            }
             let (x, error) = match outcome {
                 Ok((x, error)) if error <= 1.0 => (x, error),
                 outcome => {
@@ -136,9 +149,14 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
                     self.controller.reject(h, outcome.map_or(None, |(_, error)| Some(error)));
                     if h.abs() <= bounds.shortest {
                         // At the edge of a domain the shortest step may find no solution where longer ones find the edge.
-                        let reason = match self.attempt().reason(&self.method, h) {
-                            Reason::NotConverged | Reason::Singular => self.attempt().reason(&self.method, 16.0 * h),
-                            reason => reason,
+                        let reason = match passed.map(|what| Reason::OutsideDomain { what }) {
+                            Some(reason) => reason,
+                            None => match self.attempt().reason(&self.method, h) {
+                                Reason::NotConverged | Reason::Singular => {
+                                    self.attempt().reason(&self.method, 16.0 * h)
+                                }
+                                reason => reason,
+                            },
                         };
                         return Err(StepError::StepTooSmall { t, h, reason });
                     }
@@ -177,7 +195,8 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
         if let Some(tolerance) = self.tolerance.unusable() {
             return Err(StepError::InvalidTolerance { tolerance });
         }
-        if let Some(h) = self.bounds.unusable().or(self.controller.unusable()) {
+        self.bounds.check()?;
+        if let Some(h) = self.controller.unusable() {
             return Err(StepError::InvalidStepSize { h });
         }
         let t = signed(self.time());

@@ -116,19 +116,29 @@ pub trait Dense: Trajectory + Clone {
     /// searched, too, by a step of part of the length.
     ///
     /// # Errors
-    /// See [`StepError`]; the state is then the last good one.
+    /// See [`StepError`]; the state is then the last good one, and where `g` is no function with events, that at which the search began.
     fn until_event<G: Array<Real = Scalar<Self>>, F: Fn(&Self::State) -> G>(
         &mut self,
         t: Scalar<Self>,
         direction: Direction,
         g: F,
     ) -> Result<Option<Crossing<Self::State>>, StepError> {
-        let found = Crossings::new(self, direction, g).until(t).first()?;
+        let start = self.clone();
+        let found = Crossings::new(self, direction, g).until(t).first();
+        let found = back_without_events(self, start, found)?;
         if let Some(found) = found {
             self.go_on_from(found.state);
         }
         Ok(found)
     }
+}
+
+/// What a search for an event has found. One whose function has none, as one that is zero all along, has led nowhere: the run is where it began.
+pub(super) fn back_without_events<T, X>(run: &mut T, start: T, found: Result<X, StepError>) -> Result<X, StepError> {
+    if let Err(StepError::NoEvent { .. }) = found {
+        *run = start;
+    }
+    found
 }
 
 impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Dense for Integrator<S, M, R, C> {

@@ -12,7 +12,7 @@ use crate::scalar::{Real, signed, zero};
 use crate::space::Coordinates;
 use crate::space::{Action, NEVER, Snapshot};
 use crate::space::{Compensated, DoubleWord, Plain, Point, Summation, WithoutAction};
-use crate::system::{Conformal, FirstIntegrals, Lagrangian, PhaseSpace, StateOf};
+use crate::system::{Clear, Conformal, FirstIntegrals, Lagrangian, PhaseSpace, StateOf};
 use core::fmt::{self, Debug, Formatter};
 use steps::Steps;
 
@@ -43,6 +43,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
                 origin: z,
                 x: Point::with_action(z, s),
                 inside: false,
+                clear: Clear::unknown(),
             },
         }
     }
@@ -210,9 +211,9 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integra
     }
 
     fn with_sums<D: Summation<S::Phase>>(self) -> Integrator<S, M, R, D> {
-        let Steps { system, method, prepared, memory, clock, taken, given, origin, x, inside } = self.steps;
+        let Steps { system, method, prepared, memory, clock, taken, given, origin, x, inside, clear } = self.steps;
         let x = x.with_sums();
-        Integrator { steps: Steps { system, method, prepared, memory, clock, taken, given, origin, x, inside } }
+        Integrator { steps: Steps { system, method, prepared, memory, clock, taken, given, origin, x, inside, clear } }
     }
 }
 

@@ -6,7 +6,7 @@ use crate::running::settle::{STEPS_BETWEEN_LOOKS, settled, settles};
 use crate::running::watch::Watch;
 use crate::scalar::{Real, signed};
 use crate::space::{Array, PerCoordinate, Point, Snapshot, Summation, wrong_length};
-use crate::system::{PhaseSpace, Unmet, jump_on_way, singular_time};
+use crate::system::{Clear, PhaseSpace, Unmet, jump_on_way};
 
 /// A system under a method, and where it is.
 #[derive(Clone)]
@@ -26,6 +26,8 @@ pub(super) struct Steps<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C> {
     pub(super) x: Point<S::Phase, C, S::Action>,
     /// Whether it is the one that the method moves.
     pub(super) inside: bool,
+    /// What is known of poles in time.
+    pub(super) clear: Clear<R>,
 }
 
 impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S, M, R, C> {
@@ -48,7 +50,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
             let steps = if singly > 0 { 1 } else { left.min(self.steps_to_look()) };
             let (mut memory, mut x) = (self.memory.clone(), self.x);
             self.enter(&mut x);
-            if self.run(steps, &mut memory, &mut x) && self.singular_time(steps).is_none() {
+            if self.run(steps, &mut memory, &mut x) && self.pole_in_time(steps, &x).is_none() {
                 (self.memory, self.x, self.inside) = (memory, x, true);
                 self.pass(steps);
             } else if steps > 1 {
@@ -113,7 +115,8 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
         let step = Step { system: &self.system, t, end, x: &mut self.x, probe: &mut Unwatched };
         let good = M::step(&self.prepared, &mut self.memory, step).is_ok()
             && self.is_good(1, &self.x)
-            && self.passed([&begun, &self.x]).is_none();
+            && self.clear.pole(&self.system, [t, self.end(1, &self.x)]).is_none()
+            && self.jump(1, [&begun, &self.x]).is_none();
         if good && self.ends_within(limit, &self.x, t) {
             self.inside = true;
             self.pass(1);
@@ -142,7 +145,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
         let outcome = M::step(&self.prepared, &mut memory, step);
         let t = signed(self.time());
         if outcome.is_ok() && self.is_good(1, &x) {
-            if let Some(what) = self.passed([&begun, &x]) {
+            if let Some(what) = self.pole_in_time(1, &x).or_else(|| self.jump(1, [&begun, &x])) {
                 return Err(StepError::OutsideDomain { t, what });
             }
             if !self.ends_within(limit, &x, self.time()) {
@@ -262,10 +265,11 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
         limit.is_none_or(|t| !M::SCALES_STEPS || self.clock.leads_to(t, [start, self.end(1, x)]))
     }
 
-    /// The first coefficient, if any, that is singular at a time within one of the next steps.
+    /// The first pole, if any, at a time within one of the next steps, which lead to `x`.
     #[inline(always)]
-    fn singular_time(&self, steps: u64) -> Option<&'static str> {
-        singular_time(&self.system, [self.clock.at(0), self.clock.at(steps)])
+    fn pole_in_time(&mut self, steps: u64, x: &Point<S::Phase, C, S::Action>) -> Option<&'static str> {
+        let way = [self.end(0, &self.x), self.end(steps, x)];
+        self.clear.pole(&self.system, way)
     }
 
     /// A jump of the energy on the way of the last of so many steps, between two points of the method; one that keeps the energy takes it along.
@@ -279,12 +283,6 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
             (t, PerCoordinate { z: self.seen_as(x, t), s: x.s })
         };
         jump_on_way(&self.system, &[moment(steps - 1, ends[0]), moment(steps, ends[1])], 0.0)
-    }
-
-    /// What the next step, between two points, must not pass, if anything.
-    #[inline(always)]
-    fn passed(&self, ends: [&Point<S::Phase, C, S::Action>; 2]) -> Option<&'static str> {
-        self.singular_time(1).or_else(|| self.jump(1, ends))
     }
 
     #[inline(always)]

@@ -7,7 +7,7 @@
 mod saved;
 pub(in crate::running) mod steps;
 
-use crate::running::dense::{Crossing, Direction, TaylorCrossings};
+use crate::running::dense::{Crossing, Direction, TaylorCrossings, back_without_events};
 use crate::running::error::StepError;
 use crate::running::step_size::Bounds;
 use crate::running::trajectory::{Trajectory, adapt_to};
@@ -168,7 +168,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> TaylorIntegrator<S, M, R> {
     /// `None` if that does not happen: the run is then at `t`.
     ///
     /// # Errors
-    /// See [`StepError`]; the state is then the last good one.
+    /// See [`StepError`]; the state is then the last good one, and where `g` is no function with events, that at which the search began.
     pub fn until_event<G, F>(
         &mut self,
         t: R,
@@ -179,7 +179,9 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> TaylorIntegrator<S, M, R> {
         G: Array<Real = M::Series>,
         F: Fn(&S::Over<M::Series>) -> G,
     {
-        let found = TaylorCrossings::new(self, direction, g).until(t).next().transpose()?;
+        let start = self.clone();
+        let found = TaylorCrossings::new(self, direction, g).until(t).next().transpose();
+        let found = back_without_events(self, start, found)?;
         if let Some(found) = found {
             self.restart(found.state);
         }

@@ -47,7 +47,8 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         }
         // Series see the poles of the field; an invariant may have more, and beyond them it is another one.
         let uncorrected = correction.map(|_| end);
-        let pole = uncorrected.and_then(|_| self.pole());
+        let times = [self.here().time(), self.start().time()];
+        let pole = self.clear.pole(&self.system, times).or_else(|| uncorrected.and_then(|_| self.pole()));
         if let Some(what) = pole.or_else(|| self.jump()) {
             return Err(Reason::OutsideDomain { what });
         }

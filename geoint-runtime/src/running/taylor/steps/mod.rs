@@ -13,7 +13,7 @@ use crate::scalar::{Real, signed};
 use crate::space::{Array, PerCoordinate};
 #[cfg(feature = "alloc")]
 use crate::space::{Record, Tape};
-use crate::system::Jets;
+use crate::system::{Clear, Jets};
 use crate::taylor::{self, Estimate, TaylorMethod};
 use expansion::Expansion;
 use progress::Progress;
@@ -42,6 +42,8 @@ pub(in crate::running) struct Steps<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> 
     within: bool,
     /// The steps in a row that switches have ended.
     progress: Progress,
+    /// What is known of poles in time.
+    clear: Clear<R>,
 }
 
 impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
@@ -66,6 +68,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
             step: 0.0,
             within: false,
             progress: Progress::default(),
+            clear: Clear::unknown(),
         }
     }
 
@@ -264,9 +267,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
             taylor::Steps::Length(h) if !(h != 0.0 && h.is_finite()) => return Err(StepError::InvalidStepSize { h }),
             _ => {}
         }
-        if let Some(h) = self.bounds.unusable() {
-            return Err(StepError::InvalidStepSize { h });
-        }
+        self.bounds.check()?;
         let t = signed(self.time());
         let x = &self.here().x;
         if !(t.is_finite() && x.is_finite()) {
