@@ -105,12 +105,8 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
 
     /// c·node, its last multiplication left to be fused. What is known earlier is multiplied earlier, c with it.
     fn summand(&mut self, c: Number, id: Id) -> Term {
-        let mut factors = vec![];
-        self.flat_factors(id, true, &mut factors);
         let (mut now, mut early) = (vec![], vec![]);
-        for id in factors {
-            if self.is_now(id) { now.push(id) } else { early.push(id) }
-        }
+        self.by_level(id, &mut now, &mut early);
         let mut negative = c.is_negative() && early.is_empty();
         let mut above = vec![];
         if !early.is_empty() || (c != Number::ONE && c != Number::MINUS_ONE) {

@@ -53,47 +53,36 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
         }
     }
 
-    /// Where a number is added, prefactors of sums go into these if something in them is known earlier, which is then added to the number earlier.
+    /// Where a number is added, prefactors go into sums with a number, which are then added earlier: 1 + a·(½ + b·y) is (1 + a/2) + ab·y.
     pub(super) fn spread(&mut self, constant: Number, terms: Vec<(Number, Id)>) -> (Number, Vec<(Number, Id)>) {
         if constant.is_zero() || !terms.iter().all(|(_, id)| self.is_now(*id)) {
             return (constant, terms);
         }
-        let mut all = vec![];
+        let mut all = vec![self.graph.number(constant)];
         for (c, id) in terms {
-            let mut factors = vec![];
-            self.flat_factors(id, true, &mut factors);
-            let Some(place) = factors.iter().position(|id| self.is_now(*id)) else { continue };
-            let mut sum = [factors.remove(place)];
-            let is_lone = factors.iter().all(|id| !self.is_now(*id)) && (!factors.is_empty() || !c.is_one());
-            let has_early = |this: &mut Self| match this.graph.node(sum[0]).clone() {
-                Node::Linear(k, inner) => !k.is_zero() || inner.iter().any(|(_, id)| !this.is_now(*id)),
-                _ => false,
+            let (mut now, mut early) = (vec![], vec![]);
+            self.by_level(id, &mut now, &mut early);
+            let is_spread = now.len() == 1 && (!early.is_empty() || !c.is_one()) && {
+                let prefactor = self.graph.product(&early);
+                let prefactor = self.graph.scale(c, prefactor);
+                self.absorbed(prefactor, &mut now)
             };
-            if !is_lone || !has_early(self) {
-                all.push(self.graph.scale(c, id));
-                continue;
-            }
-            let prefactor = self.graph.product(&factors);
-            let prefactor = self.graph.scale(c, prefactor);
-            let is_absorbed = self.absorbed(prefactor, &mut sum);
-            all.push(if is_absorbed { sum[0] } else { self.graph.scale(c, id) });
+            all.push(if is_spread { now[0] } else { self.graph.scale(c, id) });
         }
-        let number = self.graph.number(constant);
-        all.push(number);
         let sum = self.graph.sum(&all);
-        match self.graph.node(sum).clone() {
-            Node::Linear(constant, terms) => (constant, terms),
-            Node::Number(constant) => (constant, vec![]),
+        match self.graph.node(sum) {
+            Node::Linear(constant, terms) => (*constant, terms.clone()),
+            Node::Number(constant) => (*constant, vec![]),
             _ => (Number::ZERO, vec![(Number::ONE, sum)]),
         }
     }
 
     /// Whether a prefactor went into a sum among the factors, at no cost: 2·(½ + b·y) is 1 + 2b·y, where b is known earlier.
     pub(super) fn absorbed(&mut self, prefactor: Id, factors: &mut [Id]) -> bool {
-        let Some(place) = factors.iter().position(|id| self.absorbs(*id)) else { return false };
+        let exact = self.graph.as_number(prefactor).is_some_and(is_power_of_two);
+        let Some(place) = factors.iter().position(|id| self.absorbs(*id, exact)) else { return false };
         let Node::Linear(constant, terms) = self.graph.node(factors[place]).clone() else { return false };
-        let constant = self.graph.scale(constant, prefactor);
-        let mut all = vec![constant];
+        let mut all = vec![self.graph.scale(constant, prefactor)];
         for (c, id) in terms {
             let term = self.graph.mul(prefactor, id);
             all.push(self.graph.scale(c, term));
@@ -102,34 +91,41 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
         true
     }
 
-    /// Whether each of its terms has something in front that is known earlier.
-    fn absorbs(&mut self, id: Id) -> bool {
-        let Node::Linear(_, terms) = self.graph.node(id) else { return false };
+    /// Whether all of its terms have something in front that is known earlier, and one is a number, unless what goes into it is `exact`: of other sums two terms
+    /// may be nearly opposite, and their difference exact, as in k(2x − a).
+    fn absorbs(&mut self, id: Id, exact: bool) -> bool {
+        let Node::Linear(constant, terms) = self.graph.node(id) else { return false };
         // What was taken out does not go in again.
-        if !self.is_single(id) || self.factored_out.contains(id) {
+        if constant.is_zero() && !exact || !self.is_single(id) || self.factored_out.contains(id) {
             return false;
         }
         for (c, id) in terms.clone() {
             let mut flat = vec![];
             self.flat_factors(id, false, &mut flat);
+            let early = flat.iter().filter(|factor| !self.is_now(**factor)).count();
             let has_number = c != Number::ONE && c != Number::MINUS_ONE;
-            if !has_number && flat.iter().all(|factor| self.is_now(*factor)) {
+            if early == flat.len() && !exact || early == 0 && !has_number {
                 return false;
             }
         }
         true
     }
 
+    /// The factors of a node that are known at this level, and earlier.
+    pub(super) fn by_level(&mut self, id: Id, now: &mut Vec<Id>, early: &mut Vec<Id>) {
+        let mut factors = vec![];
+        self.flat_factors(id, true, &mut factors);
+        for id in factors {
+            if self.is_now(id) { now.push(id) } else { early.push(id) }
+        }
+    }
+
     /// c·node as its factors.
     fn taken_apart(&mut self, c: Number, id: Id) -> Summand {
-        let (mut now, mut early) = (vec![], vec![]);
-        let mut flat = vec![];
-        self.flat_factors(id, true, &mut flat);
-        for id in flat {
-            if !self.is_now(id) {
-                early.push(id);
-                continue;
-            }
+        let (mut factors, mut early) = (vec![], vec![]);
+        self.by_level(id, &mut factors, &mut early);
+        let mut now = vec![];
+        for id in factors {
             match *self.graph.node(id) {
                 Node::Power(base, exponent)
                     if exponent.is_integer() && (2..=4).contains(&exponent.numerator) && self.is_single(id) =>
@@ -172,6 +168,12 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
         }
         self.graph.linear(constant, terms)
     }
+}
+
+/// Whether a product with it is exact.
+fn is_power_of_two(number: Number) -> bool {
+    const DIGITS: u64 = (1 << (f64::MANTISSA_DIGITS - 1)) - 1;
+    number.to_f64().is_normal() && number.to_f64().to_bits() & DIGITS == 0
 }
 
 /// The factor that saves most, the first one of equals.
