@@ -1,5 +1,6 @@
 //! Schedules do what the graph means: statements are interpreted and compared with the value of the nodes.
 
+mod factors;
 mod lanes;
 mod machine;
 
