@@ -33,8 +33,8 @@ Integrals
 Operations (a sine with its cosine counts as two)
 - x': sums and products 3
 - stage of a Newton iteration of collocation: sums and products 2
-- Newton iteration of `DiscreteGradient`: sums and products 44, functions 8
-- Newton iteration of `FourthOrder`: sums and products 65, functions 8
+- Newton iteration of `DiscreteGradient`: sums and products 45, functions 8
+- Newton iteration of `FourthOrder`: sums and products 67, functions 8
 
 Implicit steps
 - unknowns 2: Newton's iteration with elimination
@@ -100,7 +100,7 @@ const _: () = {
     impl Turning {
         /// What was derived from the energy: derivatives or pieces, structure, what is conserved, operations, and what is
         /// skipped and why.
-        pub const REPORT: &'static str = "x[0]' = -x[1]·w\nx[1]' = x[0]·w\n\nDivergence\n- div f = 0, proven by multiplying out\n- canonical, H = -x[1]²·w/2 - x[0]²·w/2, proven by multiplying out: write it with `#[hamiltonian]` for kicks and drifts\n\nStructure\n- x' = S ∇I with I = x[0]² + x[1]² and skew S, found\n- {x[0], x[1]} = -w/2\n- a Poisson structure: Jacobi's identity holds\n\nIntegrals\n- radius = x[0]² + x[1]²: kept, proven by multiplying out\n\nOperations (a sine with its cosine counts as two)\n- x': sums and products 3\n- stage of a Newton iteration of collocation: sums and products 2\n- Newton iteration of `DiscreteGradient`: sums and products 44, functions 8\n- Newton iteration of `FourthOrder`: sums and products 65, functions 8\n\nImplicit steps\n- unknowns 2: Newton's iteration with elimination\n- `DiscreteGradient` and `FourthOrder` keep radius, to rounding\n\nPieces of `PoissonSplitting`, in the order of half a step\n- x[0]², moves x[1]\n  single equations: x' = g(x), all else at rest\n  exact in time; sums and products 2\n- x[1]², moves x[0]\n  single equations: x' = g(x), all else at rest\n  exact in time; sums and products 2\n- a Poisson map: Casimirs are kept to rounding, radius to the order\n\nPieces of `PlanarSplitting`, in the order of half a step\n- the plane of x[0], x[1]\n  linear field: x' = g·(Mx + b), M³ = −κM, M²b = −κb, g constant along the flow\n  exact in time; sums and products 8\n- radius is kept to rounding, Casimirs to the order\n- `PlanarDiscreteGradient`: 1 equation of two unknowns\n- `PlanarItohAbe`: 2 equations of two unknowns\n";
+        pub const REPORT: &'static str = "x[0]' = -x[1]·w\nx[1]' = x[0]·w\n\nDivergence\n- div f = 0, proven by multiplying out\n- canonical, H = -x[1]²·w/2 - x[0]²·w/2, proven by multiplying out: write it with `#[hamiltonian]` for kicks and drifts\n\nStructure\n- x' = S ∇I with I = x[0]² + x[1]² and skew S, found\n- {x[0], x[1]} = -w/2\n- a Poisson structure: Jacobi's identity holds\n\nIntegrals\n- radius = x[0]² + x[1]²: kept, proven by multiplying out\n\nOperations (a sine with its cosine counts as two)\n- x': sums and products 3\n- stage of a Newton iteration of collocation: sums and products 2\n- Newton iteration of `DiscreteGradient`: sums and products 45, functions 8\n- Newton iteration of `FourthOrder`: sums and products 67, functions 8\n\nImplicit steps\n- unknowns 2: Newton's iteration with elimination\n- `DiscreteGradient` and `FourthOrder` keep radius, to rounding\n\nPieces of `PoissonSplitting`, in the order of half a step\n- x[0]², moves x[1]\n  single equations: x' = g(x), all else at rest\n  exact in time; sums and products 2\n- x[1]², moves x[0]\n  single equations: x' = g(x), all else at rest\n  exact in time; sums and products 2\n- a Poisson map: Casimirs are kept to rounding, radius to the order\n\nPieces of `PlanarSplitting`, in the order of half a step\n- the plane of x[0], x[1]\n  linear field: x' = g·(Mx + b), M³ = −κM, M²b = −κb, g constant along the flow\n  exact in time; sums and products 8\n- radius is kept to rounding, Casimirs to the order\n- `PlanarDiscreteGradient`: 1 equation of two unknowns\n- `PlanarItohAbe`: 2 equations of two unknowns\n";
         /// The energy of a state.
         pub fn energy(&self, state: &FlowState<[f64; 2]>) -> f64 {
             PhaseSpace::energy(self, state)
@@ -893,19 +893,19 @@ const _: () = {
     impl<R: Real> DiscreteField<R> for Turning<R> {
         type Proof = ();
         type Parameters = [R; 6];
-        type Start = [R; 5];
+        type Start = [R; 4];
         type Inverse = ();
         const MEAN: Mean = Mean::NotClosed;
         #[inline]
         fn parameters(&self, h: R) -> [R; 6] {
-            let (k0, a0, v0, v1, v2, v3);
-            k0 = R::from_f64(0.5);
+            let (a0, k1, v0, v1, v2, v3);
             a0 = self.w;
-            v0 = k0 * a0;
-            v1 = -v0;
-            v2 = -h;
-            v3 = -a0;
-            [v1, v0, h, v2, v3, a0]
+            k1 = R::from_f64(0.5);
+            v0 = -a0;
+            v1 = k1 * a0;
+            v2 = -v1;
+            v3 = -h;
+            [v0, a0, v1, v2, h, v3]
         }
         #[inline(always)]
         fn begin(
@@ -913,31 +913,26 @@ const _: () = {
             prepared: &[R; 6],
             Span { start, middle: t, end }: Span<R>,
             y: &[R; 2],
-        ) -> [R; 5] {
-            let (prepared_4, q1, k2, q0, prepared_5, v0, v1, v2, v3, v4);
-            prepared_4 = prepared[4];
-            q1 = y[1];
-            k2 = R::from_f64(2.0);
+        ) -> [R; 4] {
+            let (k0, q0, q1, v0, v1);
+            k0 = R::from_f64(2.0);
             q0 = y[0];
-            prepared_5 = prepared[5];
-            v0 = prepared_4 * q1;
-            v1 = k2 * q0;
-            v2 = k2 * q1;
-            v3 = prepared_5 * q1;
-            v4 = prepared_5 * q0;
-            [v0, v1, v2, v3, v4]
+            q1 = y[1];
+            v0 = k0 * q0;
+            v1 = k0 * q1;
+            [q1, v0, v1, q0]
         }
         #[inline(always)]
         fn slope(
             &self,
             prepared: &[R; 6],
-            start: &[R; 5],
+            start: &[R; 4],
             d: &[R; 2],
             f: &mut [R; 2],
             jacobian: &mut Square<[R; 2]>,
         ) {
             let (
-                prepared_0,
+                k0,
                 dq1,
                 start_0,
                 start_1,
@@ -945,7 +940,9 @@ const _: () = {
                 start_2,
                 prepared_1,
                 start_3,
-                start_4,
+                prepared_0,
+                prepared_2,
+                prepared_3,
                 v0,
                 v1,
                 v2,
@@ -986,8 +983,10 @@ const _: () = {
                 v37,
                 v38,
                 v39,
+                v40,
+                v41,
             );
-            prepared_0 = prepared[0];
+            k0 = R::from_f64(0.5);
             dq1 = d[1];
             start_0 = start[0];
             start_1 = start[1];
@@ -995,8 +994,10 @@ const _: () = {
             start_2 = start[2];
             prepared_1 = prepared[1];
             start_3 = start[3];
-            start_4 = start[4];
-            v0 = prepared_0.multiply_add(dq1, start_0);
+            prepared_0 = prepared[0];
+            prepared_2 = prepared[2];
+            prepared_3 = prepared[3];
+            v0 = k0.multiply_add(dq1, start_0);
             v1 = start_1 + dq0;
             v2 = v1.abs();
             v3 = start_2 + dq1;
@@ -1008,53 +1009,55 @@ const _: () = {
             v9 = v8 * v8;
             v10 = v7 + v9;
             v11 = slope::recip_above(v10, v10);
-            v12 = prepared_1.multiply_add(dq1, start_3);
-            v13 = prepared_1.multiply_add(dq0, start_4);
-            v14 = v13 * v8;
-            v15 = -v12;
-            v16 = v15.multiply_add(v6, v14);
-            v17 = v16 * v11;
-            v18 = -v6;
-            v19 = v18.multiply_add(v17, v0);
-            v20 = -v8;
-            v21 = v20.multiply_add(v17, v13);
-            v22 = slope::scaled(v17, v5);
-            v23 = -v19;
-            v24 = slope::scaled(v23, v5);
-            v25 = prepared_1 * v8;
-            v26 = v18.multiply_add(v22, v25);
-            v27 = v26 - v24;
-            v28 = v11 * v27;
-            v29 = -v22;
-            v30 = v18.multiply_add(v28, v29);
-            v31 = -v21;
-            v32 = slope::scaled(v31, v5);
-            v33 = prepared_0 * v6;
-            v34 = v20.multiply_add(v22, v33);
-            v35 = v34 - v32;
-            v36 = v11 * v35;
-            v37 = v18.multiply_add(v36, prepared_0);
-            v38 = v20.multiply_add(v28, prepared_1);
-            v39 = v20.multiply_add(v36, v29);
-            f[0] = v19;
-            f[1] = v21;
-            jacobian[0][0] = v30;
-            jacobian[0][1] = v37;
-            jacobian[1][0] = v38;
-            jacobian[1][1] = v39;
+            v12 = prepared_1 * v0;
+            v13 = k0.multiply_add(dq0, start_3);
+            v14 = prepared_1 * v13;
+            v15 = v14 * v8;
+            v16 = -v12;
+            v17 = v16.multiply_add(v6, v15);
+            v18 = v17 * v11;
+            v19 = prepared_0 * v0;
+            v20 = -v6;
+            v21 = v20.multiply_add(v18, v19);
+            v22 = -v8;
+            v23 = v22.multiply_add(v18, v14);
+            v24 = slope::scaled(v18, v5);
+            v25 = -v21;
+            v26 = slope::scaled(v25, v5);
+            v27 = prepared_2 * v8;
+            v28 = v20.multiply_add(v24, v27);
+            v29 = v28 - v26;
+            v30 = v11 * v29;
+            v31 = -v24;
+            v32 = v20.multiply_add(v30, v31);
+            v33 = -v23;
+            v34 = slope::scaled(v33, v5);
+            v35 = prepared_3 * v6;
+            v36 = v22.multiply_add(v24, v35);
+            v37 = v36 - v34;
+            v38 = v11 * v37;
+            v39 = v20.multiply_add(v38, prepared_3);
+            v40 = v22.multiply_add(v30, prepared_2);
+            v41 = v22.multiply_add(v38, v31);
+            f[0] = v21;
+            f[1] = v23;
+            jacobian[0][0] = v32;
+            jacobian[0][1] = v39;
+            jacobian[1][0] = v40;
+            jacobian[1][1] = v41;
         }
         #[inline(always)]
         fn equation(
             &self,
             _: (&Self::Constants, R),
             prepared: &[R; 6],
-            start: &[R; 5],
+            start: &[R; 4],
             d: &[R; 2],
             image: &mut [R; 2],
             matrix: &mut Square<[R; 2]>,
         ) {
             let (
-                prepared_0,
+                k0,
                 dq1,
                 start_0,
                 start_1,
@@ -1062,10 +1065,12 @@ const _: () = {
                 start_2,
                 prepared_1,
                 start_3,
-                start_4,
+                prepared_0,
+                prepared_4,
                 prepared_2,
+                prepared_5,
+                k12,
                 prepared_3,
-                k11,
                 v0,
                 v1,
                 v2,
@@ -1112,8 +1117,10 @@ const _: () = {
                 v43,
                 v44,
                 v45,
+                v46,
+                v47,
             );
-            prepared_0 = prepared[0];
+            k0 = R::from_f64(0.5);
             dq1 = d[1];
             start_0 = start[0];
             start_1 = start[1];
@@ -1121,11 +1128,13 @@ const _: () = {
             start_2 = start[2];
             prepared_1 = prepared[1];
             start_3 = start[3];
-            start_4 = start[4];
+            prepared_0 = prepared[0];
+            prepared_4 = prepared[4];
             prepared_2 = prepared[2];
+            prepared_5 = prepared[5];
+            k12 = R::from_f64(1.0);
             prepared_3 = prepared[3];
-            k11 = R::from_f64(1.0);
-            v0 = prepared_0.multiply_add(dq1, start_0);
+            v0 = k0.multiply_add(dq1, start_0);
             v1 = start_1 + dq0;
             v2 = v1.abs();
             v3 = start_2 + dq1;
@@ -1137,46 +1146,48 @@ const _: () = {
             v9 = v8 * v8;
             v10 = v7 + v9;
             v11 = slope::recip_above(v10, v10);
-            v12 = prepared_1.multiply_add(dq1, start_3);
-            v13 = prepared_1.multiply_add(dq0, start_4);
-            v14 = v13 * v8;
-            v15 = -v12;
-            v16 = v15.multiply_add(v6, v14);
-            v17 = v16 * v11;
-            v18 = -v6;
-            v19 = v18.multiply_add(v17, v0);
-            v20 = prepared_2 * v19;
-            v21 = -v8;
-            v22 = v21.multiply_add(v17, v13);
-            v23 = prepared_2 * v22;
-            v24 = slope::scaled(v17, v5);
-            v25 = -v19;
-            v26 = slope::scaled(v25, v5);
-            v27 = prepared_1 * v8;
-            v28 = v18.multiply_add(v24, v27);
-            v29 = v28 - v26;
-            v30 = v11 * v29;
-            v31 = -v24;
-            v32 = v18.multiply_add(v30, v31);
-            v33 = prepared_3.multiply_add(v32, k11);
-            v34 = -v22;
-            v35 = slope::scaled(v34, v5);
-            v36 = prepared_0 * v6;
-            v37 = v21.multiply_add(v24, v36);
-            v38 = v37 - v35;
-            v39 = v11 * v38;
-            v40 = v18.multiply_add(v39, prepared_0);
-            v41 = prepared_3 * v40;
-            v42 = v21.multiply_add(v30, prepared_1);
-            v43 = prepared_3 * v42;
-            v44 = v21.multiply_add(v39, v31);
-            v45 = prepared_3.multiply_add(v44, k11);
-            image[0] = v20;
-            image[1] = v23;
-            matrix[0][0] = v33;
-            matrix[0][1] = v41;
-            matrix[1][0] = v43;
-            matrix[1][1] = v45;
+            v12 = prepared_1 * v0;
+            v13 = k0.multiply_add(dq0, start_3);
+            v14 = prepared_1 * v13;
+            v15 = v14 * v8;
+            v16 = -v12;
+            v17 = v16.multiply_add(v6, v15);
+            v18 = v17 * v11;
+            v19 = prepared_0 * v0;
+            v20 = -v6;
+            v21 = v20.multiply_add(v18, v19);
+            v22 = prepared_4 * v21;
+            v23 = -v8;
+            v24 = v23.multiply_add(v18, v14);
+            v25 = prepared_4 * v24;
+            v26 = slope::scaled(v18, v5);
+            v27 = -v21;
+            v28 = slope::scaled(v27, v5);
+            v29 = prepared_2 * v8;
+            v30 = v20.multiply_add(v26, v29);
+            v31 = v30 - v28;
+            v32 = v11 * v31;
+            v33 = -v26;
+            v34 = v20.multiply_add(v32, v33);
+            v35 = prepared_5.multiply_add(v34, k12);
+            v36 = -v24;
+            v37 = slope::scaled(v36, v5);
+            v38 = prepared_3 * v6;
+            v39 = v23.multiply_add(v26, v38);
+            v40 = v39 - v37;
+            v41 = v11 * v40;
+            v42 = v20.multiply_add(v41, prepared_3);
+            v43 = prepared_5 * v42;
+            v44 = v23.multiply_add(v32, prepared_2);
+            v45 = prepared_5 * v44;
+            v46 = v23.multiply_add(v41, v33);
+            v47 = prepared_5.multiply_add(v46, k12);
+            image[0] = v22;
+            image[1] = v25;
+            matrix[0][0] = v35;
+            matrix[0][1] = v43;
+            matrix[1][0] = v45;
+            matrix[1][1] = v47;
         }
         #[inline(always)]
         fn drift(&self, prepared: &[R; 6], sum: &[R; 2]) -> [R; 2] {
@@ -1186,10 +1197,10 @@ const _: () = {
     }
     impl<R: Real> FourthOrderField<R> for Turning<R> {
         type Proof = ();
-        type FourthParameters = [R; 15];
-        type FourthStart = [R; 10];
+        type FourthParameters = [R; 12];
+        type FourthStart = [R; 8];
         #[inline]
-        fn fourth_parameters(&self, h: R) -> [R; 15] {
+        fn fourth_parameters(&self, h: R) -> [R; 12] {
             let (
                 k0,
                 a0,
@@ -1209,51 +1220,41 @@ const _: () = {
                 v9,
                 v10,
                 v11,
-                v12,
-                v13,
-                v14,
-                v15,
             );
             k0 = R::from_f64(0.16666666666666666);
             a0 = self.w;
-            k2 = R::from_f64(0.3333333333333333);
-            k3 = R::from_f64(0.08333333333333333);
-            k4 = R::from_f64(0.5);
-            k5 = R::from_f64(0.6666666666666666);
+            k2 = R::from_f64(0.6666666666666666);
+            k3 = R::from_f64(0.125);
+            k4 = R::from_f64(0.08333333333333333);
+            k5 = R::from_f64(0.5);
             v0 = k0 * a0;
             v1 = -v0;
             v2 = k2 * a0;
             v3 = -v2;
-            v4 = k3 * a0;
-            v5 = v4 * h;
-            v6 = -v5;
-            v7 = -a0;
-            v8 = -h;
-            v9 = a0 * a0;
-            v10 = k3 * h;
-            v11 = v10 * v9;
-            v12 = k4 * a0;
-            v13 = -v12;
-            v14 = k5 * a0;
-            v15 = -v14;
-            [h, v1, v3, v6, v7, v0, v2, v5, a0, v8, v11, v12, v13, v15, v14]
+            v4 = k3 * h;
+            v5 = -a0;
+            v6 = -h;
+            v7 = a0 * a0;
+            v8 = k4 * h;
+            v9 = v8 * v7;
+            v10 = k5 * a0;
+            v11 = -v10;
+            [h, v1, v3, v4, v5, v0, v2, a0, v6, v9, v10, v11]
         }
         #[inline(always)]
         fn fourth_begin(
             &self,
-            prepared: &[R; 15],
+            prepared: &[R; 12],
             Span { start, middle: t, end }: Span<R>,
             y: &[R; 2],
-        ) -> [R; 10] {
+        ) -> [R; 8] {
             let (
                 prepared_1,
                 q1,
-                prepared_13,
-                prepared_8,
+                prepared_7,
                 q0,
-                k5,
+                k4,
                 prepared_5,
-                prepared_14,
                 prepared_4,
                 v0,
                 v1,
@@ -1261,33 +1262,27 @@ const _: () = {
                 v3,
                 v4,
                 v5,
-                v6,
-                v7,
             );
             prepared_1 = prepared[1];
             q1 = y[1];
-            prepared_13 = prepared[13];
-            prepared_8 = prepared[8];
+            prepared_7 = prepared[7];
             q0 = y[0];
-            k5 = R::from_f64(2.0);
+            k4 = R::from_f64(2.0);
             prepared_5 = prepared[5];
-            prepared_14 = prepared[14];
             prepared_4 = prepared[4];
             v0 = prepared_1 * q1;
-            v1 = prepared_13 * q1;
-            v2 = prepared_8 * q0;
-            v3 = k5 * q0;
-            v4 = k5 * q1;
-            v5 = prepared_5 * q0;
-            v6 = prepared_14 * q0;
-            v7 = prepared_4 * q1;
-            [v0, q1, v1, v2, q0, v3, v4, v5, v6, v7]
+            v1 = prepared_7 * q0;
+            v2 = k4 * q0;
+            v3 = k4 * q1;
+            v4 = prepared_5 * q0;
+            v5 = prepared_4 * q1;
+            [v0, q1, v1, q0, v2, v3, v4, v5]
         }
         #[inline(always)]
         fn fourth_slope<const NEARLY: bool>(
             &self,
-            prepared: &[R; 15],
-            start: &[R; 10],
+            prepared: &[R; 12],
+            start: &[R; 8],
             d: &[R; 2],
             image: &mut [R; 2],
             matrix: &mut Square<[R; 2]>,
@@ -1295,30 +1290,28 @@ const _: () = {
             let (
                 start_1,
                 dq1,
-                start_4,
+                start_3,
                 dq0,
                 prepared_4,
-                start_3,
-                prepared_2,
                 start_2,
+                k6,
                 prepared_3,
+                start_4,
                 start_5,
-                start_6,
                 prepared_1,
                 start_0,
-                prepared_8,
-                start_9,
-                prepared_6,
-                start_8,
+                prepared_2,
                 prepared_7,
-                prepared_5,
                 start_7,
+                prepared_5,
+                start_6,
+                prepared_6,
                 prepared_0,
-                prepared_10,
-                prepared_11,
                 prepared_9,
-                k24,
-                prepared_12,
+                prepared_10,
+                prepared_8,
+                k22,
+                prepared_11,
                 v0,
                 v1,
                 v2,
@@ -1376,38 +1369,36 @@ const _: () = {
             );
             start_1 = start[1];
             dq1 = d[1];
-            start_4 = start[4];
+            start_3 = start[3];
             dq0 = d[0];
             prepared_4 = prepared[4];
-            start_3 = start[3];
-            prepared_2 = prepared[2];
             start_2 = start[2];
+            k6 = R::from_f64(0.5);
             prepared_3 = prepared[3];
+            start_4 = start[4];
             start_5 = start[5];
-            start_6 = start[6];
             prepared_1 = prepared[1];
             start_0 = start[0];
-            prepared_8 = prepared[8];
-            start_9 = start[9];
-            prepared_6 = prepared[6];
-            start_8 = start[8];
+            prepared_2 = prepared[2];
             prepared_7 = prepared[7];
-            prepared_5 = prepared[5];
             start_7 = start[7];
+            prepared_5 = prepared[5];
+            start_6 = start[6];
+            prepared_6 = prepared[6];
             prepared_0 = prepared[0];
-            prepared_10 = prepared[10];
-            prepared_11 = prepared[11];
             prepared_9 = prepared[9];
-            k24 = R::from_f64(1.0);
-            prepared_12 = prepared[12];
+            prepared_10 = prepared[10];
+            prepared_8 = prepared[8];
+            k22 = R::from_f64(1.0);
+            prepared_11 = prepared[11];
             v0 = start_1 + dq1;
-            v1 = start_4 + dq0;
-            v2 = prepared_4.multiply_add(v1, start_3);
-            v3 = prepared_2.multiply_add(dq1, start_2);
+            v1 = start_3 + dq0;
+            v2 = prepared_4.multiply_add(v1, start_2);
+            v3 = k6.multiply_add(dq1, start_1);
             v4 = prepared_3.multiply_add(v2, v3);
-            v5 = start_5 + dq0;
+            v5 = start_4 + dq0;
             v6 = v5.abs();
-            v7 = start_6 + dq1;
+            v7 = start_5 + dq1;
             v8 = v7.abs();
             v9 = v6 + v8;
             v10 = slope::scaled(v5, v9);
@@ -1417,12 +1408,12 @@ const _: () = {
             v14 = v11 + v13;
             v15 = slope::recip_above(v14, v14);
             v16 = prepared_1.multiply_add(v0, start_0);
-            v17 = v16 + v4;
-            v18 = prepared_8.multiply_add(v0, start_9);
-            v19 = prepared_6.multiply_add(dq0, start_8);
-            v20 = prepared_7.multiply_add(v18, v19);
-            v21 = prepared_5.multiply_add(v1, start_7);
-            v22 = v21 + v20;
+            v17 = prepared_2.multiply_add(v4, v16);
+            v18 = prepared_7.multiply_add(v0, start_7);
+            v19 = k6.multiply_add(dq0, start_3);
+            v20 = prepared_3.multiply_add(v18, v19);
+            v21 = prepared_5.multiply_add(v1, start_6);
+            v22 = prepared_6.multiply_add(v20, v21);
             v23 = v17 * v10;
             v24 = v22.multiply_add(v12, v23);
             v25 = v24 * v15;
@@ -1435,25 +1426,25 @@ const _: () = {
             v32 = slope::scaled(v25, v9);
             v33 = -v27;
             v34 = slope::scaled(v33, v9);
-            v35 = prepared_10 - v32;
-            v36 = prepared_11 * v12;
+            v35 = prepared_9 - v32;
+            v36 = prepared_10 * v12;
             v37 = v36 - v34;
             v38 = v10.multiply_add(v35, v37);
             v39 = v15 * v38;
             v40 = v26.multiply_add(v39, v35);
-            v41 = prepared_9.multiply_add(v40, k24);
+            v41 = prepared_8.multiply_add(v40, k22);
             v42 = -v30;
             v43 = slope::scaled(v42, v9);
-            v44 = prepared_12 * v10;
+            v44 = prepared_11 * v10;
             v45 = v44 - v43;
             v46 = v12.multiply_add(v35, v45);
             v47 = v15 * v46;
-            v48 = v26.multiply_add(v47, prepared_12);
-            v49 = prepared_9 * v48;
-            v50 = v29.multiply_add(v39, prepared_11);
-            v51 = prepared_9 * v50;
+            v48 = v26.multiply_add(v47, prepared_11);
+            v49 = prepared_8 * v48;
+            v50 = v29.multiply_add(v39, prepared_10);
+            v51 = prepared_8 * v50;
             v52 = v29.multiply_add(v47, v35);
-            v53 = prepared_9.multiply_add(v52, k24);
+            v53 = prepared_8.multiply_add(v52, k22);
             image[0] = v28;
             image[1] = v31;
             matrix[0][0] = v41;

@@ -380,12 +380,12 @@ const _: () = {
     }
     impl<R: Real> DiscreteField<R> for Pendulum<R> {
         type Proof = ();
-        type Parameters = [R; 5];
+        type Parameters = [R; 4];
         type Start = [R; 1];
         type Inverse = ();
         const MEAN: Mean = Mean::Parts(1);
         #[inline]
-        fn parameters(&self, h: R) -> [R; 5] {
+        fn parameters(&self, h: R) -> [R; 4] {
             let (
                 a1,
                 a0,
@@ -407,39 +407,33 @@ const _: () = {
                 v11,
                 v12,
                 v13,
-                v14,
-                v15,
-                v16,
             );
             a1 = self.l;
             a0 = self.m;
             a2 = self.g;
-            k3 = R::from_f64(0.5);
-            k4 = R::from_f64(1.0);
-            k5 = R::from_f64(0.25);
+            k3 = R::from_f64(1.0);
+            k4 = R::from_f64(0.25);
+            k5 = R::from_f64(0.5);
             v0 = a1 * a0;
             v1 = v0 * a2;
             v2 = -v1;
-            v3 = k3 * a1;
-            v4 = v3 * a0;
-            v5 = v4 * a2;
-            v6 = h * v1;
-            v7 = -v6;
-            v8 = a1 * a1;
-            v9 = a0 * v8;
-            v10 = k4 / v9;
-            v11 = h * h;
-            v12 = k5 * v11;
-            v13 = v12 * v1;
-            v14 = v13 * v10;
-            v15 = k3 * h;
-            v16 = v15 * v10;
-            [v2, v5, v7, v14, v16]
+            v3 = h * v1;
+            v4 = -v3;
+            v5 = a1 * a1;
+            v6 = a0 * v5;
+            v7 = k3 / v6;
+            v8 = h * h;
+            v9 = k4 * v8;
+            v10 = v9 * v1;
+            v11 = v10 * v7;
+            v12 = k5 * h;
+            v13 = v12 * v7;
+            [v2, v4, v11, v13]
         }
         #[inline(always)]
         fn begin(
             &self,
-            prepared: &[R; 5],
+            prepared: &[R; 4],
             Span { start, middle: t, end }: Span<R>,
             y: &[R; 1],
         ) -> [R; 1] {
@@ -450,7 +444,7 @@ const _: () = {
         #[inline(always)]
         fn slope(
             &self,
-            prepared: &[R; 5],
+            prepared: &[R; 4],
             start: &[R; 1],
             d: &[R; 1],
             f: &mut [R; 1],
@@ -461,7 +455,6 @@ const _: () = {
                 dq0,
                 start_0,
                 prepared_0,
-                prepared_1,
                 v0,
                 v1,
                 v2,
@@ -480,7 +473,6 @@ const _: () = {
             dq0 = d[0];
             start_0 = start[0];
             prepared_0 = prepared[0];
-            prepared_1 = prepared[1];
             v0 = k0 * dq0;
             v1 = slope::sinc(v0);
             v2 = slope::sinc_derivative(v0);
@@ -488,11 +480,11 @@ const _: () = {
             (v4, v5) = v3.sin_cos();
             v6 = prepared_0 * v1;
             v7 = v6 * v4;
-            v8 = v4 * v2;
-            v9 = -v8;
-            v10 = -v1;
-            v11 = v10.multiply_add(v5, v9);
-            v12 = prepared_1 * v11;
+            v8 = k0 * v4;
+            v9 = k0 * v1;
+            v10 = v8 * v2;
+            v11 = v9.multiply_add(v5, v10);
+            v12 = prepared_0 * v11;
             f[0] = v7;
             jacobian[0][0] = v12;
         }
@@ -500,7 +492,7 @@ const _: () = {
         fn equation(
             &self,
             _: (&Self::Constants, R),
-            prepared: &[R; 5],
+            prepared: &[R; 4],
             start: &[R; 1],
             d: &[R; 1],
             image: &mut [R; 1],
@@ -510,8 +502,8 @@ const _: () = {
                 k0,
                 dq0,
                 start_0,
+                prepared_1,
                 prepared_2,
-                prepared_3,
                 k5,
                 v0,
                 v1,
@@ -528,29 +520,29 @@ const _: () = {
             k0 = R::from_f64(0.5);
             dq0 = d[0];
             start_0 = start[0];
+            prepared_1 = prepared[1];
             prepared_2 = prepared[2];
-            prepared_3 = prepared[3];
             k5 = R::from_f64(1.0);
             v0 = k0 * dq0;
             v1 = slope::sinc(v0);
             v2 = slope::sinc_derivative(v0);
             v3 = k0.multiply_add(dq0, start_0);
             (v4, v5) = v3.sin_cos();
-            v6 = prepared_2 * v1;
+            v6 = prepared_1 * v1;
             v7 = v6 * v4;
             v8 = v4 * v2;
             v9 = v1.multiply_add(v5, v8);
-            v10 = prepared_3.multiply_add(v9, k5);
+            v10 = prepared_2.multiply_add(v9, k5);
             image[0] = v7;
             matrix[0][0] = v10;
         }
         #[inline(always)]
-        fn drift(&self, prepared: &[R; 5], sum: &[R; 1]) -> [R; 1] {
+        fn drift(&self, prepared: &[R; 4], sum: &[R; 1]) -> [R; 1] {
             let mut drift = <[R; 1] as Array>::zero();
-            let (prepared_4, dp0, v0);
-            prepared_4 = prepared[4];
+            let (prepared_3, dp0, v0);
+            prepared_3 = prepared[3];
             dp0 = sum[0];
-            v0 = prepared_4 * dp0;
+            v0 = prepared_3 * dp0;
             drift[0] = v0;
             drift
         }
