@@ -225,10 +225,11 @@ impl Work {
         Work::products(summand.width - 1, others.map(|(_, id)| id))
     }
 
-    /// Squares are not fused: x² − y² is zero where x = y.
+    /// Powers are not fused: x² − y² is zero where x = y.
     fn products<'a>(width: usize, mut factors: impl Iterator<Item = &'a Id>) -> Work {
-        let is_square = width == 2 && matches!((factors.next(), factors.next()), (Some(a), Some(b)) if a == b);
-        Work { products: width.saturating_sub(1), fused: width > 1 && !is_square }
+        let first = factors.next();
+        let alike = 1 + factors.filter(|other| Some(*other) == first).count();
+        Work { products: width.saturating_sub(1), fused: width > 1 && alike < width }
     }
 }
 

@@ -86,9 +86,21 @@ fn differences_stay_exact() {
         let slots = vec![Machine::new(&[], &input).run(&plan.stores[0])];
         Machine::new(&slots, &input).run(&plan.last[0])[0]
     };
-    let squares = quote!(fn squares(q: [f64; 3], p: [f64; 3]) -> f64 { p[0] * q[0] * q[0] - p[0] * q[1] * q[1] + p[1] * q[2] });
-    let rest = quote!(fn rest(q: [f64; 3], p: [f64; 3]) -> f64 { p[1] * (2.0 * q[0] - p[0]) });
-    let expanded = quote!(fn rest(q: [f64; 3], p: [f64; 3]) -> f64 { 2.0 * p[1] * q[0] - p[1] * p[0] + 0.0 * q[1] });
+    let squares = quote!(
+        fn squares(q: [f64; 3], p: [f64; 3]) -> f64 {
+            p[0] * q[0] * q[0] - p[0] * q[1] * q[1] + p[1] * q[2]
+        }
+    );
+    let rest = quote!(
+        fn rest(q: [f64; 3], p: [f64; 3]) -> f64 {
+            p[1] * (2.0 * q[0] - p[0])
+        }
+    );
+    let expanded = quote!(
+        fn rest(q: [f64; 3], p: [f64; 3]) -> f64 {
+            2.0 * p[1] * q[0] - p[1] * p[0] + 0.0 * q[1]
+        }
+    );
     let mut noise = Noise(5);
     let mut differs = false;
     for _ in 0..20 {
