@@ -84,7 +84,7 @@ fn energies() {
     stays((CHAIN, Gonzalez, 0.05), start, energy, 8.0);
     stays((CHAIN, Projection(RK4, Energy), 0.05), start, energy, 6.0);
     stays((CHAIN, Relaxation(RK4), 0.05), start, energy, 9.0);
-    stays((CHAIN, Suzuki4.of(DiscreteGradient), 0.05), State::new([0.7, -0.4], [1.0, 0.1]), energy, 9.0);
+    stays((CHAIN, Suzuki4.of(DiscreteGradient), 0.05), State::new([0.7, -0.4], [1.0, -0.8]), energy, 9.0);
     let links = Links { m: 1.3, g: 2.0 };
     stays((links, DiscreteGradient, 0.03), links.at([0.3, 1.4], [0.5, 0.1]), |s, x| [s.energy(x)], 2.0);
 }
