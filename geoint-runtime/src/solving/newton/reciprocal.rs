@@ -36,7 +36,8 @@ impl<A: Array> Reciprocal<A> {
         let (pivot, reciprocal) = (pivot::<A>(matrix), &mut self.0.as_mut_slice()[0]);
         let one = A::Real::from_f64(1.0);
         let change = pivot.multiply_add(*reciprocal, -one);
-        if !(change.magnitude() <= LITTLE) {
+        let changes_little = change.magnitude() <= LITTLE;
+        if !changes_little {
             return None;
         }
         let (mut early, mut missed) = (*residual, A::zero());
