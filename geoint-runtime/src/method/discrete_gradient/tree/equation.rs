@@ -97,8 +97,12 @@ impl<'a, S: DiscreteField<R>, R: Real> Equation<'a, S, R> {
         x: &Point<S::Phase, C>,
         sums: &Compensated<S::Phase>,
     ) -> Self {
-        let mut z = S::Phase::zero();
-        z.copy_from(&x.z);
+        let mut z = x.z;
+        // An array of one number is passed in an integer register: it is copied as a number.
+        if const { S::Unknown::LEN == 1 } {
+            z = S::Phase::zero();
+            z.copy_from(&x.z);
+        }
         let (y, changed) = S::start(&z);
         let start = system.begin(&coefficients.parameters, Span::of(ends, coefficients.h), &y);
         let lost = if C::PLAIN && S::DERIVATIVE == 1 { sums.compensation() } else { x.sums.compensation() };

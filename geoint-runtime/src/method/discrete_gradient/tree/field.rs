@@ -75,8 +75,14 @@ impl<S: DiscreteField<R>, R: Real> StepsOf<DiscreteGradient, S, R> for ByTree {
             return check_poles(poles, true, &before, Step { system, t, end, x, probe });
         }
 
-        let Found { x: impulse, lost, outcome } = newton.solution(&equation, &mut deciding);
-        if P::PATIENT {
+        // One momentum before the sequence of increments moves on: side by side with the position, it would be added in one register with that, which is
+        // known later, and the next step waits for it.
+        let apart = const { S::DERIVATIVE != 1 && S::Unknown::LEN == 1 };
+        let Found { x: impulse, lost, outcome } = match apart {
+            true => newton.solution(&equation, &mut deciding),
+            false => newton.solve(&equation, &mut deciding),
+        };
+        if P::PATIENT || !apart {
             outcome?;
         }
         let Deciding { probe, decided } = deciding;
@@ -84,15 +90,10 @@ impl<S: DiscreteField<R>, R: Real> StepsOf<DiscreteGradient, S, R> for ByTree {
         let before = start::<S, R, C>(x);
         let increments = equation.increments(&impulse);
         let lost = equation.lost::<C>(&impulse, &lost);
-        // One momentum before the sequence of increments moves on: side by side with the position, it would be added in one register with that, which is
-        // known later, and the next step waits for it.
-        let apart = const { S::DERIVATIVE != 1 && S::Unknown::LEN == 1 };
         if apart {
             x.add_some_with(sums, 1..2, &increments, &lost);
-        }
-        newton.pass(&impulse);
-        outcome?;
-        if apart {
+            newton.pass(&impulse);
+            outcome?;
             x.add_some_with(sums, 0..1, &increments, &lost);
         } else {
             x.add_with(sums, &increments, &lost);
