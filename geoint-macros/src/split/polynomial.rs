@@ -2,7 +2,7 @@
 
 use crate::analyze;
 use crate::diff;
-use crate::ir::{Graph, Id, Node, Ratio, Symbol};
+use crate::ir::{Graph, Id, Node, Ratio, Symbol, Table};
 use std::collections::BTreeMap;
 
 /// Which symbols to which powers; those to the power 0 left out.
@@ -130,19 +130,24 @@ impl Polynomial {
     }
 }
 
-/// Whether nothing but sums, products and powers is between an expression and the symbols.
+/// Whether nothing but sums, products and powers is between an expression and the symbols. Each node is asked once: sums of sums may share them.
 fn can_be(graph: &Graph, root: Id, counts: &impl Fn(Symbol) -> bool) -> bool {
-    let node = graph.node(root);
-    match node {
-        Node::Symbol(_) | Node::Number(_) => true,
-        _ if is_free(graph, root, counts) => true,
-        Node::Linear(..) | Node::Product(_) | Node::Power(..) => {
-            let mut can = true;
-            node.for_each_child(|child| can = can && can_be(graph, child, counts));
-            can
+    let mut seen: Table<()> = Table::default();
+    let mut open = vec![root];
+    while let Some(id) = open.pop() {
+        if seen.contains(id) || is_free(graph, id, counts) {
+            continue;
         }
-        _ => false,
+        seen.insert(id, ());
+        match graph.node(id) {
+            Node::Symbol(_) => {}
+            node @ (Node::Linear(..) | Node::Product(_) | Node::Power(..)) => {
+                node.for_each_child(|child| open.push(child));
+            }
+            _ => return false,
+        }
     }
+    true
 }
 
 fn key(monomial: &Monomial) -> Key {

@@ -103,6 +103,22 @@ fn scopes_are_not_nested_by_statements() {
     assert!(deepest.0 <= 8, "{} scopes in one block", deepest.0);
 }
 
+/// What is applied to itself is shared: 2²⁸ paths lead through it, and each node is asked once.
+#[test]
+fn shared_sums_are_looked_at_once() {
+    let item = quote! {
+        fn iterated(q: f64, p: f64, a: f64) -> f64 {
+            let mut x = q;
+            for _ in 0..28 {
+                x = a * x * (1.0 - x) + x;
+            }
+            p * p / 2.0 + x
+        }
+    };
+    let tokens = attribute::expand(Form::Hamiltonian, quote!(), item);
+    assert!(!tokens.to_string().contains("compile_error"));
+}
+
 /// Prints the time from tokens to tokens. Proc macros are built without optimisation, so this is what users pay.
 #[test]
 #[ignore = "prints times, asserts nothing about them: run it by hand"]
