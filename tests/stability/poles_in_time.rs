@@ -130,3 +130,21 @@ fn back_to_the_pole() {
     assert!(matches!(error, StepError::OutsideDomain { .. } | StepError::Pole { .. }), "{error}");
     assert_eq!(sim.time(), 0.125);
 }
+
+/// In single precision, with a unit of time in which products of two times are zero.
+#[test]
+fn in_any_unit() {
+    #[hamiltonian]
+    fn single(q: f32, p: f32, t: f32, c: f32) -> f32 {
+        p * p / 2.0 + q * q / (c - t)
+    }
+    for unit in [1e-27_f32, 1.0, 1e15] {
+        for h in [0.07 * unit, 0.0013 * unit] {
+            let mut sim = Single { c: 1.7 * unit }.integrator(StormerVerlet, h, State::at(0.9 * unit, 0.0, 0.0));
+            let error = (0..1000).find_map(|_| sim.step().err()).unwrap_or_else(|| panic!("{unit}, {h}: no end"));
+            let left = (1.7 * unit - sim.time()) / h;
+            assert!(matches!(error, StepError::OutsideDomain { .. }), "{error}");
+            assert!((0.0..=1.001).contains(&left), "{unit}, {h}: {left}, {error}");
+        }
+    }
+}

@@ -34,7 +34,9 @@ impl<R: Real> Clear<R> {
     /// Whether a way from one time to another lies in the stretch.
     #[inline(always)]
     fn includes(&self, [from, to]: [R; 2]) -> bool {
-        let within = |t: R| ((t - self.start) * (self.end - t)).all_at_least_zero();
+        // Differences: a product of two small ones is zero.
+        let is_between = |t: R, a: R, b: R| (t - a).all_at_least_zero() & (b - t).all_at_least_zero();
+        let within = |t: R| is_between(t, self.start, self.end) | is_between(t, self.end, self.start);
         within(from) & within(to) && (to - self.start).magnitude() > 0.0
     }
 
