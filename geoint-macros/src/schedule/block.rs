@@ -104,14 +104,11 @@ impl std::ops::Add for Operations {
     }
 }
 
-impl Instruction {
-    /// How long a function takes, in units of one sum.
-    pub(crate) const CALL_LATENCY: u32 = 10;
-
-    /// Calls a function for all that it reads, in order.
-    pub(crate) fn for_each_operand(&self, visit: &mut dyn FnMut(&Operand)) {
-        match self {
-            Instruction::Neg(a) | Instruction::Not(a) | Instruction::Sqrt(a) => visit(a),
+/// What an instruction reads, in order, to be looked at or written: a copy to look at would cost more than the look.
+macro_rules! each_operand {
+    ($instruction:expr, $visit:expr) => {
+        match $instruction {
+            Instruction::Neg(a) | Instruction::Not(a) | Instruction::Sqrt(a) => $visit(a),
             Instruction::Compare(_, a, b)
             | Instruction::And(a, b)
             | Instruction::Or(a, b)
@@ -119,36 +116,35 @@ impl Instruction {
             | Instruction::Sub(a, b)
             | Instruction::Mul(a, b)
             | Instruction::Div(a, b) => {
-                visit(a);
-                visit(b);
+                $visit(a);
+                $visit(b);
             }
             Instruction::MulAdd(a, b, c) => {
-                visit(a);
-                visit(b);
-                visit(c);
+                $visit(a);
+                $visit(b);
+                $visit(c);
             }
             Instruction::Call(_, args) => {
                 for arg in args {
-                    visit(arg);
+                    $visit(arg);
                 }
             }
         }
+    };
+}
+
+impl Instruction {
+    /// How long a function takes, in units of one sum.
+    pub(crate) const CALL_LATENCY: u32 = 10;
+
+    /// Calls a function for all that it reads, in order.
+    pub(crate) fn for_each_operand(&self, visit: &mut dyn FnMut(&Operand)) {
+        each_operand!(self, visit);
     }
 
-    /// The same, to be read or written. Apart, as a copy of the instruction costs more than to look at it.
+    /// The same, to be written.
     fn for_each_operand_mut(&mut self, visit: &mut dyn FnMut(&mut Operand)) {
-        match self {
-            Instruction::Neg(a) | Instruction::Not(a) | Instruction::Sqrt(a) => visit(a),
-            Instruction::Compare(_, a, b)
-            | Instruction::And(a, b)
-            | Instruction::Or(a, b)
-            | Instruction::Add(a, b)
-            | Instruction::Sub(a, b)
-            | Instruction::Mul(a, b)
-            | Instruction::Div(a, b) => [a, b].into_iter().for_each(visit),
-            Instruction::MulAdd(a, b, c) => [a, b, c].into_iter().for_each(visit),
-            Instruction::Call(_, args) => args.iter_mut().for_each(visit),
-        }
+        each_operand!(self, visit);
     }
 
     /// What it reads.

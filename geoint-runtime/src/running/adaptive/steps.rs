@@ -148,16 +148,8 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
                     self.rejections += 1;
                     self.controller.reject(h, outcome.map_or(None, |(_, error)| Some(error)));
                     if h.abs() <= bounds.shortest {
-                        // At the edge of a domain the shortest step may find no solution where longer ones find the edge.
-                        let reason = match passed.map(|what| Reason::OutsideDomain { what }) {
-                            Some(reason) => reason,
-                            None => match self.attempt().reason(&self.method, h) {
-                                Reason::NotConverged | Reason::Singular => {
-                                    self.attempt().reason(&self.method, 16.0 * h)
-                                }
-                                reason => reason,
-                            },
-                        };
+                        let outside = passed.map(|what| Reason::OutsideDomain { what });
+                        let reason = outside.unwrap_or_else(|| self.reason_of_shortest(h));
                         return Err(StepError::StepTooSmall { t, h, reason });
                     }
                     continue;
@@ -178,6 +170,15 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
                 self.settle();
             }
             return Ok(());
+        }
+    }
+
+    /// Why the shortest step was refused. At the edge of a domain it may find no solution where longer ones find the edge.
+    #[cold]
+    fn reason_of_shortest(&self, h: f64) -> Reason {
+        match self.attempt().reason(&self.method, h) {
+            Reason::NotConverged | Reason::Singular => self.attempt().reason(&self.method, 16.0 * h),
+            reason => reason,
         }
     }
 
