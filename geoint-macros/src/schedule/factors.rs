@@ -192,8 +192,10 @@ fn best(summands: &[Summand]) -> Option<Id> {
             }
         }
     }
-    let mut least = cost(summands.iter().map(Work::of));
-    let mut best = None;
+    if shared.is_empty() {
+        return None;
+    }
+    let (mut least, mut best) = (cost(summands.iter().map(Work::of)), None);
     for factor in shared {
         let with = |summand: &&Summand| summand.factors.contains(&factor);
         let inner = cost(summands.iter().filter(with).map(|summand| Work::without(summand, factor)));
