@@ -23,8 +23,19 @@ fn strong<R: Real>(x: R) -> R {
 /// A factor eᶻ near 1, rounded, is wrong by the same in every step, and errors add up. And it costs an exponential.
 #[inline(always)]
 pub fn grown<R: Real>(x: R, rest: R, change: R) -> R {
-    if change.any_below(-0.5) { x * rest } else { x.multiply_add(change, x) }
+    if change.any_below(-0.5) {
+        rarely();
+        x * rest
+    } else {
+        x.multiply_add(change, x)
+    }
 }
+
+/// Where this is called, steps seldom come: the question stays one, which a processor foretells. Of two results it would choose one, and the next operation
+/// waits for that.
+#[cold]
+#[inline(always)]
+fn rarely() {}
 
 /// eᶻ, where little of it is left; else 1, which is not read. Before a loop: beside a call, what the loop moves goes through memory.
 #[inline(always)]

@@ -84,11 +84,14 @@ pub(super) fn advance<S: Pieces<M, R>, M, R: Real, C: Summation<S::Phase>>(
     steps: u64,
     x: &mut Point<S::Phase, C, S::Action>,
 ) -> Result<(), Refusal> {
+    // In a local of this loop numbers stay in registers.
+    let mut here = *x;
     for n in 0..steps {
         let [t, end] = [n, n + 1].map(|n| clock.at(n));
-        let one = Step { system, t, end, x, probe: &mut Unwatched };
+        let one = Step { system, t, end, x: &mut here, probe: &mut Unwatched };
         step::<S, M, R, C, _>(prepared, open, one, [n == 0, n + 1 == steps])?;
     }
+    *x = here;
     Ok(())
 }
 

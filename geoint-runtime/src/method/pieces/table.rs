@@ -140,11 +140,14 @@ impl<S: Pieces<M, R>, M: Splitting, R: Real, const K: usize> Method<S, R> for Pi
         steps: u64,
         x: &mut Point<S::Phase, C, S::Action>,
     ) -> Result<(), Refusal> {
+        // In a local of this loop numbers stay in registers.
+        let mut here = *x;
         for n in 0..steps {
             let [t, end] = [n, n + 1].map(|n| clock.at(n));
-            let step = Step { system, t, end, x, probe: &mut Unwatched };
+            let step = Step { system, t, end, x: &mut here, probe: &mut Unwatched };
             part::<S, M, R, C, _, K>(prepared, open, step, [n == 0, n + 1 == steps])?;
         }
+        *x = here;
         Ok(())
     }
 }

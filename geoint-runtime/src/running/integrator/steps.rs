@@ -72,8 +72,9 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
         self.step_within(None).map(drop)
     }
 
-    /// So many steps from `x` on; whether they are good. Where one has to be examined that is every one, else the last end shows it.
-    #[inline(always)]
+    /// So many steps from `x` on; whether they are good. Where one has to be examined that is every one, else the last end shows it. In a function of
+    /// its own, whatever the caller does: there loops are arranged as in a program with this system and method alone.
+    #[inline(never)]
     fn run(&self, steps: u64, memory: &mut M::Memory, x: &mut Point<S::Phase, C, S::Action>) -> bool {
         let (mut clock, mut taken) = (self.clock, 0);
         let at_once = if S::EXAMINED || !S::CONTINUOUS { 1 } else { steps };
