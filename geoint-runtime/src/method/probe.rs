@@ -57,7 +57,14 @@ impl<P: Observer, Z> Observer for Deciding<'_, P, Z> {
     }
 }
 
-impl<P, Z: Array> Deciding<'_, P, Z> {
+impl<'a, P, Z: Array> Deciding<'a, P, Z> {
+    /// From the start of a step on. Where nothing decides nobody looks: then it is no copy of the start, which would be read from memory in other pieces
+    /// than the step before wrote it in.
+    #[inline(always)]
+    pub(crate) fn of<S: PhaseSpace<R, Phase = Z>, R: Real>(probe: &'a mut P, start: &Z) -> Self {
+        Deciding { probe, decided: if const { S::JUMPS.is_empty() } { Z::zero() } else { *start } }
+    }
+
     /// The energy is about to be evaluated for a step that ends here, if its conditions matter.
     #[inline(always)]
     pub(crate) fn visit<S: PhaseSpace<R, Phase = Z, Action = ()>, R: Real>(&mut self, t: R, end: &Z)

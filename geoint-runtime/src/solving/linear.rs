@@ -23,12 +23,21 @@ pub(crate) fn solve<A: Array>(matrix: &mut Square<A>, rhs: &mut A, sizes: &Sizes
     }
     if const { A::LEN == 4 } {
         let (mut rows, mut x) = (*matrix, *rhs);
-        if let Some(positive) = of_pairs(A::entries::<A>(&mut rows), x.as_mut_slice()) {
-            *rhs = x;
-            return Some(positive);
-        }
+        let positive = of_pairs(A::entries::<A>(&mut rows), x.as_mut_slice());
+        let (x, positive) = if positive.is_some() { (x, positive) } else { pivots_apart(*matrix, *rhs, sizes) };
+        *rhs = x;
+        return positive;
     }
     pivots(matrix, rhs, sizes)
+}
+
+/// Out of line, with copies: where both ways write to one place in memory, what is solved for is read from there in other pieces than it was
+/// written in, for which a processor waits.
+#[cold]
+#[inline(never)]
+fn pivots_apart<A: Array>(mut matrix: Square<A>, mut rhs: A, sizes: &Sizes<A>) -> (A, Option<bool>) {
+    let positive = pivots(&mut matrix, &mut rhs, sizes);
+    (rhs, positive)
 }
 
 /// The same by elimination with partial pivoting.

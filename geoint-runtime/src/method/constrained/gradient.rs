@@ -51,7 +51,7 @@ impl<S: ConstrainedStep<DiscreteGradient, R>, R: Real> StepsOf<DiscreteGradient,
         let middle = t + half * *h;
         probe.visit(t, &z, &());
         let equation = Equation { system, constants, begun: system.begin(constants, middle, &z), t, z };
-        let mut deciding = Deciding { probe, decided: z };
+        let mut deciding = Deciding::of::<S, R>(probe, &z);
         let increments = equation.solve(newton, &mut deciding)?;
         let Deciding { probe, decided } = deciding;
 

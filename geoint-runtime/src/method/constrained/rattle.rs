@@ -52,7 +52,7 @@ impl<S: ConstrainedStep<Rattle, R>, R: Real> Method<S, R> for Rattle {
         let z = x.z;
         probe.visit(t, &z, &());
         let equation = Equation { system, constants, begun: system.begin(constants, t, &z), t, z };
-        let mut deciding = Deciding { probe, decided: z };
+        let mut deciding = Deciding::of::<S, R>(probe, &z);
         let mut increments = equation.solve(newton, &mut deciding)?;
         let Deciding { probe, .. } = deciding;
 

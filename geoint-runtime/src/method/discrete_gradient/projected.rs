@@ -188,7 +188,7 @@ impl<S: FourthOrderField<R>, R: Real> Method<S, R> for FourthOrder<DiscreteGradi
         probe.visit(t, &z, &());
         let begun = system.fourth_begin(parameters, span, &z);
         let compensation = if C::PLAIN { sums.compensation() } else { x.sums.compensation() };
-        let mut deciding = Deciding { probe, decided: z };
+        let mut deciding = Deciding::of::<S, R>(probe, &z);
         let equation = Equation { system, parameters, t, h, z, compensation, begun };
         let before = P::PATIENT.then_some(*newton);
         let mut found = newton.solve(&equation, &mut deciding);

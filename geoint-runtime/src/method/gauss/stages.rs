@@ -132,10 +132,12 @@ impl<Y: Collocation<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<[Y
     fn evaluate(&self, probe: &mut P, k: &[Y::Unknown; S], matrix: &mut Square<[Y::Unknown; S]>) -> [Y::Unknown; S] {
         let PreparedFields { stages: Prepared { constants, .. }, coupling, .. } = self.prepared;
         let rows = <[Y::Unknown; S]>::entries::<[Y::Unknown; S]>(matrix);
-        core::array::from_fn(|i| {
+        let mut all = [Y::Unknown::zero(); S];
+        // Not by `from_fn`, whose closure would be a function of its own, and its result read in other pieces than it was written in.
+        for (i, f) in all.iter_mut().enumerate() {
             // f'(Yᵢ)·∂Yᵢ/∂kⱼ.
             let mut slope = Y::Unknown::fill(Y::Unknown::zero());
-            let f = self.stage(probe, i, k, &mut slope);
+            *f = self.stage(probe, i, k, &mut slope);
             for (r, slope_row) in Y::Unknown::entries::<Y::Unknown>(&mut slope).iter().enumerate() {
                 let row = &mut rows[i * Y::Unknown::LEN + r];
                 for j in 0..S {
@@ -144,7 +146,7 @@ impl<Y: Collocation<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<[Y
                 }
                 row[i].as_mut_slice()[r] += R::from_f64(1.0);
             }
-            f
-        })
+        }
+        all
     }
 }

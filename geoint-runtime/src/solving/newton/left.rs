@@ -7,14 +7,14 @@ use crate::solving::rounding::is_of_last_digits;
 use crate::space::{Array, Square};
 
 impl<A: Array> Iteration<A> {
-    /// Whether what is left of x − g(x) follows from the last digits of coordinates.
+    /// Whether what is left of x − g(x) follows from the last digits of coordinates. Of copies: what is pointed at would be in memory in all iterations.
     #[cold]
     #[inline(never)]
-    pub(super) fn is_of_last_digits(&self, origin: &A, left: &A, matrix: &Square<A>) -> bool {
+    pub(super) fn is_of_last_digits(&self, origin: A, left: A, matrix: Square<A>) -> bool {
         let mut sizes = self.sizes;
         // Without x: far from where the system has been, all may be rounding.
-        sizes.include(origin, &A::zero());
-        is_of_last_digits(&sizes, left, matrix)
+        sizes.include(&origin, &A::zero());
+        is_of_last_digits(&sizes, &left, &matrix)
     }
 
     /// Whether what is left of x − g(x) is rounding.

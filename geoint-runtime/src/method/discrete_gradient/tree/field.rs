@@ -61,7 +61,7 @@ impl<S: DiscreteField<R>, R: Real> StepsOf<DiscreteGradient, S, R> for ByTree {
     ) -> Result<(), Refusal> {
         probe.visit(t, &x.z, &());
         let equation = Equation::of_step(system, coefficients, [t, end], x, sums);
-        let mut deciding = Deciding { probe, decided: x.z };
+        let mut deciding = Deciding::of::<S, R>(probe, &x.z);
 
         // h·f̄ is affine in the impulse: one product with the inverse of its matrix.
         if S::Inverse::EXISTS {

@@ -99,7 +99,7 @@ impl<S: PolarisedForm<R>, R: Real> StepsOf<DiscreteGradient, S, R> for ByPolaris
         let begun = system.begin(parameters, middle, &z, &v);
         let equation = Equation { system, parameters, t, h: *h, z, v, begun, units };
         let none = S::Array::zero();
-        let deciding = Deciding { probe, decided: z };
+        let deciding = Deciding::of::<S, R>(probe, &z);
         let mut seen = Seen { deciding, d: none, impulse: none, by_d: S::Array::fill(none) };
         let (d, _) = newton.solve(&equation, &mut seen).checked()?;
         // The impulse where it was evaluated last, and what the last correction changes it by: its square is rounding.
