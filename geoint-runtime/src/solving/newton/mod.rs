@@ -230,7 +230,8 @@ impl<A: Array> Newton<A> {
         let mut found = Found::corrected(guess, &first);
         let (mut corrections, mut last) = (Corrections::of_order(2), first);
         // A substep that takes a third one chooses another guess after it.
-        let most = if iteration.guesses.composed() { 1 } else { MOST_AGAIN };
+        let composed = iteration.guesses.composed();
+        let most = if composed { 1 } else { MOST_AGAIN };
         for before in 1..=most {
             let x = found.x;
             let mut matrix = A::fill(A::zero());
@@ -259,7 +260,7 @@ impl<A: Array> Newton<A> {
             last = delta;
             // How large it is costs two divisions, and is not asked of one that is the last where steps are settled; else C is known better. Of fields it is
             // asked, too: their short steps, as the compiler lays them out, would take a twentieth longer.
-            let solved = E::SETTLED && !E::OF_NOW && iteration.is_last(&delta) || {
+            let solved = (E::SETTLED || composed) && iteration.is_last(&delta) || {
                 let correction = iteration.sizes.relative(&delta, &origin, &found.x);
                 if before == 1 {
                     corrections.judge::<A::Real>(iteration.sizes.relative(&first, &origin, &x));
