@@ -66,7 +66,11 @@ pub trait Array: Copy + Debug + PartialEq + 'static {
     #[inline(always)]
     fn is_same(&self, x: &Self) -> bool {
         // Without a branch for each entry.
-        self.as_slice().iter().zip(x.as_slice()).fold(true, |same, (a, b)| same & (*a == *b))
+        let mut same = true;
+        for i in 0..Self::LEN {
+            same &= self.as_slice()[i] == x.as_slice()[i];
+        }
+        same
     }
 
     /// Whether every entry is zero.

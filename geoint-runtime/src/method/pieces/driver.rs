@@ -87,7 +87,7 @@ pub(super) fn advance<S: Pieces<M, R>, M, R: Real, C: Summation<S::Phase>>(
     // In a local of this loop numbers stay in registers.
     let mut here = *x;
     for n in 0..steps {
-        let [t, end] = [n, n + 1].map(|n| clock.at(n));
+        let [t, end] = [clock.at(n), clock.at(n + 1)];
         let one = Step { system, t, end, x: &mut here, probe: &mut Unwatched };
         step::<S, M, R, C, _>(prepared, open, one, [n == 0, n + 1 == steps])?;
     }

@@ -143,7 +143,7 @@ impl<S: Pieces<M, R>, M: Splitting, R: Real, const K: usize> Method<S, R> for Pi
         // In a local of this loop numbers stay in registers.
         let mut here = *x;
         for n in 0..steps {
-            let [t, end] = [n, n + 1].map(|n| clock.at(n));
+            let [t, end] = [clock.at(n), clock.at(n + 1)];
             let step = Step { system, t, end, x: &mut here, probe: &mut Unwatched };
             part::<S, M, R, C, _, K>(prepared, open, step, [n == 0, n + 1 == steps])?;
         }

@@ -155,7 +155,7 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
         });
         self.go_on(system, clock, final_step, Between::of(system, open, x).moving());
         apart(|| {
-            let [t, end] = [final_step, steps].map(|n| clock.at(n));
+            let [t, end] = [clock.at(final_step), clock.at(steps)];
             let mut step = Between::of(system, open, x);
             self.between(t, step.moving());
             self.end(t, step);

@@ -159,8 +159,9 @@ pub trait Order<S: Separable<R>, R: Real>: Sealed + Copy {
         // Both kicks are the same, and the state is in the middle of them: one force.
         if C::PLAIN {
             Self::outer(merged, at, step.beyond());
-            for (p, next) in step.x.z[1].as_mut_slice().iter_mut().zip(step.from.z[1].as_slice()) {
-                *p = R::from_f64(0.5) * (*p + *next);
+            for i in 0..S::Array::LEN {
+                let p = &mut step.x.z[1].as_mut_slice()[i];
+                *p = R::from_f64(0.5) * (*p + step.from.z[1].as_slice()[i]);
             }
         } else {
             let before = *step.x;
