@@ -14,7 +14,7 @@ use crate::space::vector::difference;
 use crate::space::{Array, Record, Tape};
 
 /// Lower bound on the estimated constant C of quadratic convergence: the next correction is C times the square of this one.
-const LEAST_CURVATURE: f64 = 1.0 / 1024.0;
+const LEAST_CURVATURE: f64 = 1e-3;
 
 /// The last term of a correction, in units of ε, where steps are settled: the terms that are left out are smaller by the factor by which terms
 /// shrink, some 10⁻² in a first-order equation at fifty steps a period, and 10⁻⁴ in one of second order.
@@ -303,17 +303,11 @@ impl<A: Array> Iteration<A> {
     /// Two corrections that follow each other. The second may be nothing but rounding; then C is at most that.
     #[inline(always)]
     pub(super) fn see(&mut self, correction: f64, before: f64) {
-        let (before, least) = (before.min(1.0), A::Real::epsilon() * REMAINDER);
-        let square = before * before;
-        // C times that square, with a margin: C is not the same all along an orbit.
-        let next = (16.0 * correction).max(LEAST_CURVATURE * square);
-        let is_rounding = correction <= 64.0 * A::Real::epsilon();
-        // In most steps nothing new is seen, which takes neither a division nor a root to know.
-        if is_rounding && next * self.reach * self.reach >= least * square {
-            return;
-        }
-        let reach = Real::sqrt(least * square / next);
-        if !is_rounding || reach > self.reach {
+        // A margin, since C is not the same all along an orbit.
+        let before = before.min(1.0);
+        let curvature = 16.0 * correction / (before * before);
+        let reach = Real::sqrt(A::Real::epsilon() * REMAINDER / curvature.max(LEAST_CURVATURE));
+        if correction > 64.0 * A::Real::epsilon() || reach > self.reach {
             self.reach = reach;
         }
     }
