@@ -258,8 +258,7 @@ impl<A: Array> Newton<A> {
                 return (found, true);
             }
             last = delta;
-            // How large it is costs two divisions, and is not asked of one that is the last where steps are settled; else C is known better. Of fields it is
-            // asked, too: their short steps, as the compiler lays them out, would take a twentieth longer.
+            // How large it is costs two divisions, and is not asked of one that is the last where steps are settled, or composed; else C is known better.
             let solved = (E::SETTLED || composed) && iteration.is_last(&delta) || {
                 let correction = iteration.sizes.relative(&delta, &origin, &found.x);
                 if before == 1 {
