@@ -123,7 +123,7 @@
 //! [`DiscreteGradient`] and others that keep the energy, [`Kahan`]; explicit [`RungeKutta`] methods, and [`Projection`] and
 //! [`Relaxation`] that make any method keep the energy. [`Adaptive`] is an [`Integrator`] that chooses its steps; [`TaylorIntegrator`]
 //! takes steps by Taylor series ([`Taylor`]). All are a [`Trajectory`], so that a method can be chosen while the program runs, and [`Dense`]:
-//! states between steps, sections and events. Methods of
+//! states between steps, sections and events. With the feature `alloc` all are [`running::Resumable`]: saved, and going on elsewhere. Methods of
 //! one's own implement [`method::Method`]; systems written by hand implement the traits of
 //! [`system`].
 
@@ -204,6 +204,8 @@ pub use taylor::{Taylor, TaylorFixed, TaylorMethod, TaylorOrder};
 /// Everything that a program needs.
 pub mod prelude {
     pub use crate::method::tables::*;
+    #[cfg(feature = "alloc")]
+    pub use crate::running::Resumable;
     pub use crate::{
         Adaptive, BodyState, ContactDiscreteGradient, ContactGauss, ContactLeapfrog, ContactMidpoint, ContactSplitting,
         ContactState, CoordinateIncrement, DOP853, Dense, Direction, DiscreteGradient, Energy, ExplicitEuler,

@@ -1,6 +1,7 @@
 //! Steps of different lengths: what is kept whatever they are, and how the adaptive integrator chooses, refuses and ends.
 
 use geoint_runtime::prelude::*;
+use geoint_runtime::space::Snapshot;
 use geoint_runtime::{Method, Reason};
 use geoint_tests::measure::{Noise, distance, solution};
 use geoint_tests::problems::*;
@@ -312,4 +313,105 @@ fn short_numbers() {
     sim.advance_to(10.0).unwrap();
     assert_eq!(sim.time(), 10.0);
     assert!((sim.energy() - energy).abs() < 1e-6 && sim.steps() > 50, "{} {}", sim.energy() - energy, sim.steps());
+}
+
+/// Doubts of which shorter steps are not free: a sign on which structure relies does not hold, and of two poles parameters rule one out.
+#[hamiltonian]
+fn well(q: f64, p: f64, m: f64, a: f64) -> f64 {
+    p * p / (2.0 * m) + q * q + 1.0 / (1.0 + a * q * q)
+}
+
+#[hamiltonian]
+fn two_poles(q: [f64; 2], p: [f64; 2], m: f64, e: f64) -> f64 {
+    (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) + e / (m + q[1] * q[1]) - m / (q[0] * q[0] + q[1] * q[1]).sqrt()
+}
+
+#[contact_hamiltonian]
+fn damped_well(q: f64, p: f64, s: f64, m: f64, a: f64) -> f64 {
+    p * p / (2.0 * m) + q * q + 1.0 / (1.0 + a * q * q) + 0.1 * s
+}
+
+#[vector_field(keeps(h = x[1] * x[1] / (2.0 * m) + x[0] * x[0] + 1.0 / (1.0 + a * x[0] * x[0])))]
+fn field_of_well(x: [f64; 2], m: f64, a: f64) -> [f64; 2] {
+    let d = 1.0 + a * x[0] * x[0];
+    [x[1] / m, -2.0 * x[0] + 2.0 * a * x[0] / (d * d)]
+}
+
+#[lagrangian]
+fn well_of_velocity(q: f64, v: f64, m: f64, a: f64) -> f64 {
+    -m * (1.0 - v * v).sqrt() - q * q - 1.0 / (1.0 + a * q * q)
+}
+
+#[test]
+fn no_doubt_ends_a_run() {
+    /// To where a run with small errors ends.
+    fn ends<X: Snapshot<Real = f64> + std::fmt::Debug>(
+        name: &str,
+        mut sim: impl Trajectory<State = X>,
+        end: X,
+        gap: impl Fn(X, X) -> f64,
+    ) {
+        sim.advance_to(10.0).unwrap_or_else(|error| panic!("{name}: {error}"));
+        assert!(gap(sim.state(), end) < 1e-2, "{name}: {:?}, {end:?}", sim.state());
+    }
+    macro_rules! check {
+        ($system:expr, $state:expr, $gap:expr, $($method:expr),*) => { {
+            let mut exact = $system.adaptive(DOP853, 1e-12, $state);
+            exact.advance_to(10.0).unwrap();
+            $( ends(stringify!($method), $system.adaptive($method, 1e-6, $state), exact.state(), $gap); )*
+        } };
+    }
+    let gap = |x: State<f64>, y: State<f64>| (x.q - y.q).hypot(x.p - y.p);
+    for a in [-0.01, 0.0, 0.01] {
+        let (m, start) = (1.3, State::new(0.8, 0.1));
+        check!(Well { m, a }, start, gap, DiscreteGradient, FourthOrder(DiscreteGradient), Gonzalez, ImplicitMidpoint);
+        check!(Well { m, a }, start, gap, Gauss::<2>, Gauss::<4>, Suzuki4.of(DiscreteGradient), BlanesMoan4);
+        check!(Well { m, a }, start, gap, Projection(RK4, Energy), Projection(DOP853, Energy), Relaxation(DOP853));
+        let system = WellOfVelocity { m, a };
+        check!(system, system.at(0.8, 0.1), gap, DiscreteGradient, Gauss::<2>, ImplicitMidpoint);
+        let gap = |x: ContactState<f64>, y: ContactState<f64>| (x.q - y.q).hypot(x.s - y.s);
+        let start = ContactState::new(0.8, 0.1, 0.0);
+        check!(DampedWell { m, a }, start, gap, ContactDiscreteGradient, ContactGauss::<2>, ContactMidpoint);
+        let gap = |x: FlowState<[f64; 2]>, y: FlowState<[f64; 2]>| (x.x[0] - y.x[0]).hypot(x.x[1] - y.x[1]);
+        let start = FlowState::new([0.8, 0.1]);
+        check!(
+            FieldOfWell { m, a },
+            start,
+            gap,
+            DiscreteGradient,
+            FourthOrder(DiscreteGradient),
+            PlanarSplitting,
+            Gauss::<2>
+        );
+    }
+    let gap = |x: State<[f64; 2]>, y: State<[f64; 2]>| (x.q[0] - y.q[0]).hypot(x.q[1] - y.q[1]);
+    let (system, start) = (TwoPoles { m: 1.0, e: 1e-3 }, State::new([0.8, 0.1], [0.1, 1.0]));
+    check!(system, start, gap, DiscreteGradient, FourthOrder(DiscreteGradient), ImplicitMidpoint, Gauss::<3>);
+    check!(system, start, gap, Projection(DOP853, Energy), Relaxation(DOP853), Suzuki4.of(DiscreteGradient));
+}
+
+/// What can not go on says so, also where no step is left to take; and no sample of it is a state.
+#[test]
+fn a_start_is_examined_where_no_step_is_taken() {
+    let (system, state) = (Well { m: 1.3, a: 0.01 }, State::new(f64::NAN, 0.1));
+    let refused = |outcome: Result<(), StepError>| {
+        assert!(matches!(outcome, Err(StepError::NonFiniteState { .. })), "{outcome:?}")
+    };
+    let late = State::at(f64::INFINITY, 0.3, 0.1);
+    refused(system.adaptive(DOP853, 1e-7, state).advance_to(0.0));
+    refused(system.adaptive(DOP853, 1e-7, late).advance_to(f64::INFINITY));
+    refused(system.taylor(Taylor::default(), state).advance_to(0.0));
+    refused(system.taylor(Taylor::default(), late).advance_to(f64::INFINITY));
+    let wrong = system.adaptive(DOP853, -1.0, State::new(0.3, 0.1)).advance_to(0.0);
+    assert!(matches!(wrong, Err(StepError::InvalidTolerance { .. })), "{wrong:?}");
+    fn samples<T: Dense<State = State<f64>>>(run: T) {
+        for outcomes in
+            [run.clone().sampled_every(0.5).take(3).collect::<Vec<_>>(), run.clone().sampled_at([0.0, 0.5]).collect()]
+        {
+            assert!(matches!(outcomes[..], [Err(StepError::NonFiniteState { .. })]), "{outcomes:?}");
+        }
+    }
+    samples(system.integrator(StormerVerlet, 0.1, state));
+    samples(system.adaptive(DOP853, 1e-7, state));
+    samples(system.taylor(Taylor::default(), state));
 }

@@ -205,6 +205,12 @@ impl Visitor<HenonHeiles> for ByName {
         assert_eq!((named.time(), named.energy()), (typed.time(), typed.energy()), "{name}");
         let [a, b] = [named.advance_to(0.7), typed.advance_to(0.7)];
         assert_eq!((a, named.state(), named.steps()), (b, typed.state(), typed.steps()), "{name}");
+        // What one has saved the other goes on from.
+        let mut elsewhere = by_name(&name, start).unwrap();
+        elsewhere.resume(&typed.saved()).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let b = [named.advance(3), elsewhere.advance(3), typed.advance(3)];
+        assert_eq!((named.saved(), b[0]), (elsewhere.saved(), b[1]), "{name}");
+        assert_eq!((named.saved(), b[0]), (typed.saved(), b[2]), "{name}");
         // Output is the same over what hides its type.
         let states: Vec<_> = named.until(1.0).collect();
         assert_eq!(states, typed.until(1.0).collect::<Vec<_>>(), "{name}");

@@ -1,4 +1,4 @@
-//! Poles in time alone: no step leads over one, whatever it evaluates, and what is proven of a stretch of time is no matter of how it is asked for.
+//! Poles in time alone, and times at which an energy is not defined: no step leads over one, whatever it evaluates, and what is proven of a stretch of time is no matter of how it is asked for.
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Method, Reason};
@@ -20,6 +20,17 @@ fn driven(x: [f64; 2], t: f64, c: f64) -> [f64; 2] {
     [x[1], -x[0] + 1.0 / ((t - c) * (t - c))]
 }
 
+/// Not defined for a hundredth of a unit of time from t = c on.
+#[hamiltonian]
+fn interrupted(q: f64, p: f64, t: f64, c: f64) -> f64 {
+    p * p / 2.0 + q * q / 2.0 * ((t - c) * (t - c - 0.01)).sqrt()
+}
+
+#[contact_hamiltonian]
+fn interrupted_friction(q: f64, p: f64, s: f64, t: f64, c: f64) -> f64 {
+    p * p / 2.0 + q * q / 2.0 + 0.1 * s * ((t - c) * (t - c - 0.01)).powf(1.5)
+}
+
 /// Steps of length h from `t`, in calls of so many: the run ends in front of the pole, at the same place whatever it is called by.
 fn stops<S, M, X>(name: &str, system: S, method: M, [t, h, pole]: [f64; 3], start: X)
 where
@@ -32,7 +43,8 @@ where
         let mut sim = Integrator::new(system, method, h, start);
         let error = (0..5000).find_map(|_| sim.advance(at_once).err()).unwrap_or_else(|| panic!("{name}, {h}: no end"));
         let context = format!("{name} from {t} by {h}: {error} after {} steps", sim.steps());
-        assert!(matches!(error, StepError::OutsideDomain { .. }), "{context}");
+        // A flow of a piece that meets it says which piece.
+        assert!(matches!(error, StepError::OutsideDomain { .. } | StepError::Pole { .. }), "{context}");
         let left = (pole - sim.time()) / h;
         assert!((0.0..=1.0 + 1e-9).contains(&left), "{context}");
         ends.push(sim.steps());
@@ -56,6 +68,40 @@ fn no_step_leads_over_a_pole_in_time() {
     stop!(Stiffening { c: 1.7 }, 1.7, state, StormerVerlet, BlanesMoan4, RK4, DOP853, ImplicitMidpoint);
     stop!(Lightening { c: 2.0 }, std::f64::consts::PI, state, StormerVerlet, RK4, DOP853);
     stop!(Driven { c: 1.7 }, 1.7, |t: f64| FlowState::at(t, [0.0; 2]), RK4, DOP853);
+}
+
+/// Back in time the gap begins at its other end.
+#[test]
+fn nor_over_a_time_without_an_energy() {
+    macro_rules! stop {
+        ($system:expr, $state:expr, $($method:expr),*) => { $(
+            for h in [0.0731, 0.31, 0.013] {
+                stops(stringify!($method), $system, $method, [0.97, h, 1.7], $state(0.97));
+                stops(stringify!($method), $system, $method, [2.44, -h, 1.71], $state(2.44));
+            }
+        )* };
+    }
+    let state = |t: f64| State::at(t, 0.3, 0.1);
+    stop!(Interrupted { c: 1.7 }, state, StormerVerlet, BlanesMoan4, BlanesMoanSrkn14a, RK4, DOP853, ImplicitMidpoint);
+    stop!(Interrupted { c: 1.7 }, state, DiscreteGradient, Gauss::<2>);
+    let state = |t: f64| ContactState::at(t, 0.3, 0.1, 0.0);
+    stop!(InterruptedFriction { c: 1.7 }, state, ContactSplitting, RK4, DOP853, ContactMidpoint);
+    for h in [0.0731, 0.31] {
+        let mut sim = Interrupted { c: 1.7 }.taylor(TaylorFixed::<8> { h }, State::at(0.97, 0.3, 0.1));
+        let error = sim.advance(100).unwrap_err();
+        assert!((0.0..=1.0 + 1e-9).contains(&((1.7 - sim.time()) / h)), "{h}: {error}, {}", sim.time());
+    }
+    let mut sim = Interrupted { c: 1.7 }.adaptive(DOP853, 0.5, State::at(0.97, 0.3, 0.1));
+    let error = sim.advance_to(3.0).unwrap_err();
+    assert!(matches!(error, StepError::StepTooSmall { reason: Reason::OutsideDomain { .. }, .. }), "{error}");
+    // Where it touches zero the energy is defined all along.
+    #[hamiltonian]
+    fn touched(q: f64, p: f64, t: f64, c: f64) -> f64 {
+        p * p / 2.0 + q * q / 2.0 * (1.0 - (c * t).cos()).sqrt()
+    }
+    for h in [0.0731, 0.31] {
+        Touched { c: 1.7 }.integrator(StormerVerlet, h, State::at(0.97, 0.3, 0.1)).advance(1000).unwrap();
+    }
 }
 
 #[test]

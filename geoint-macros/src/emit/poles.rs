@@ -31,8 +31,7 @@ fn list(context: &Context<'_>, graph: &Graph, poles: &Poles<Plan>) -> TokenStrea
             false => format!("a pole between the ends of the step: {term}"),
             true => format!("an edge of the domain between the ends of the step: {term}"),
         };
-        let (by_structure, by_parameters) = (each.quick.is_some(), each.by_parameters);
-        let timed = each.of_time && !edge;
+        let (by_structure, by_parameters, timed) = (each.quick.is_some(), each.by_parameters, each.of_time);
         quote!(#pole { what: #what, by_structure: #by_structure, by_parameters: #by_parameters, timed: #timed, edge: #edge })
     });
     quote!(const POLES: &'static [#pole] = &[#(#entries),*];)

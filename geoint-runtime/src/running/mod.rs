@@ -31,6 +31,6 @@ pub use named::{DynTrajectory, Named};
 pub use output::{Samples, StatesAt, Until};
 pub use run::Run;
 #[cfg(feature = "alloc")]
-pub use saved::{Bits, FORMAT, ResumeError, Saved};
+pub use saved::{Bits, FORMAT, Resumable, ResumeError, Saved};
 pub use taylor::TaylorIntegrator;
 pub use trajectory::{Scalar, Trajectory};

@@ -1,13 +1,12 @@
 //! A run whose method is named while the program runs.
 
-use super::{Integrator, Trajectory};
+use super::{Bits, Integrator, Resumable};
 use crate::method::{Method, Visitor};
-use crate::scalar::Real;
 use crate::system::{PhaseSpace, StateOf};
 use alloc::boxed::Box;
 
-/// A run behind a pointer, whatever its method.
-pub type DynTrajectory<S, R = f64> = Box<dyn Trajectory<State = StateOf<S, R>>>;
+/// A run behind a pointer, whatever its method, which can be saved.
+pub type DynTrajectory<S, R = f64> = Box<dyn Resumable<State = StateOf<S, R>>>;
 
 /// Starts the method of a given name among those of the [`catalogue`](crate::method::catalogue) that it is shown.
 ///
@@ -33,7 +32,7 @@ pub type DynTrajectory<S, R = f64> = Box<dyn Trajectory<State = StateOf<S, R>>>;
 /// }
 /// # Ok::<(), StepError>(())
 /// ```
-pub struct Named<'a, S: PhaseSpace<R>, R: Real = f64> {
+pub struct Named<'a, S: PhaseSpace<R>, R: Bits = f64> {
     name: &'a str,
     system: S,
     h: R,
@@ -41,7 +40,7 @@ pub struct Named<'a, S: PhaseSpace<R>, R: Real = f64> {
     run: Option<DynTrajectory<S, R>>,
 }
 
-impl<'a, S: PhaseSpace<R>, R: Real> Named<'a, S, R> {
+impl<'a, S: PhaseSpace<R>, R: Bits> Named<'a, S, R> {
     /// A system that will run under the method `name`, with step size `h`, from `start` on.
     pub fn new(name: &'a str, system: S, h: R, start: StateOf<S, R>) -> Self {
         Named { name, system, h, start, run: None }
@@ -53,7 +52,7 @@ impl<'a, S: PhaseSpace<R>, R: Real> Named<'a, S, R> {
     }
 }
 
-impl<S: PhaseSpace<R> + 'static, R: Real> Visitor<S, R> for Named<'_, S, R> {
+impl<S: PhaseSpace<R> + 'static, R: Bits> Visitor<S, R> for Named<'_, S, R> {
     fn visit<M: Method<S, R> + 'static>(&mut self, method: M) {
         if self.run.is_none() && method.name() == *self.name {
             self.run = Some(Box::new(Integrator::new(self.system, method, self.h, self.start)));

@@ -1,5 +1,6 @@
 //! Runs that are saved and go on elsewhere, bit for bit.
 
+use super::Trajectory;
 use crate::scalar::Real;
 use crate::space::Tape;
 use alloc::string::{String, ToString};
@@ -116,7 +117,7 @@ impl Bits for f32 {
 }
 
 /// A run that can be saved.
-pub(super) trait Recorded: Clone {
+pub trait Recorded: Clone {
     type Real: Bits;
     /// The name of its method.
     fn name(&self) -> crate::method::Name;
@@ -126,36 +127,70 @@ pub(super) trait Recorded: Clone {
     fn complete(&mut self) -> bool;
 }
 
-/// The run now.
-pub(super) fn saved<T: Recorded>(run: &T) -> Saved {
-    let mut words = Writer(Vec::new());
-    run.clone().record(&mut words);
-    Saved { format: FORMAT, method: run.name().to_string(), bits: T::Real::BITS, words: words.0 }
+/// A run that can be saved: all of them, also `dyn Resumable<State = State<f64>>`, whose method is chosen while the program runs.
+///
+/// ```
+/// use geoint_runtime::prelude::*;
+///
+/// #[hamiltonian]
+/// fn pendulum(q: f64, p: f64, g: f64) -> f64 {
+///     p * p / 2.0 - g * q.cos()
+/// }
+///
+/// let start = || Pendulum { g: 9.81 }.integrator(DiscreteGradient, 0.01, State::new(1.0, 0.0));
+/// let mut sim = start();
+/// sim.advance(1000)?;
+/// let saved = sim.saved();
+/// sim.advance(1000)?;
+///
+/// let mut other = start();
+/// other.resume(&saved).expect("the same method, and the same system");
+/// other.advance(1000)?;
+/// assert_eq!(other.state(), sim.state());
+/// # Ok::<(), StepError>(())
+/// ```
+pub trait Resumable: Trajectory {
+    /// The run now, to go on from later: [`Saved`] says what it holds.
+    fn saved(&self) -> Saved;
+
+    /// Goes on from what was saved of a run of the same system under the same method, with the same kind of sums. Time and a fixed step size are
+    /// those of that run; tolerances, bounds and the order of a Taylor series are those of this one, which knows no last step to look into.
+    ///
+    /// # Errors
+    /// If this is another kind of run; nothing has changed then.
+    fn resume(&mut self, saved: &Saved) -> Result<(), ResumeError>;
 }
 
-/// The run goes on from what was saved.
-pub(super) fn resume<T: Recorded>(run: &mut T, saved: &Saved) -> Result<(), ResumeError> {
-    let Saved { format, method, bits, words } = saved;
-    if *format != FORMAT {
-        return Err(ResumeError::Format(*format));
+impl<T: Recorded + Trajectory> Resumable for T {
+    fn saved(&self) -> Saved {
+        let mut words = Writer(Vec::new());
+        self.clone().record(&mut words);
+        Saved { format: FORMAT, method: self.name().to_string(), bits: T::Real::BITS, words: words.0 }
     }
-    if run.name() != **method {
-        return Err(ResumeError::Method(method.clone()));
+
+    fn resume(&mut self, saved: &Saved) -> Result<(), ResumeError> {
+        let Saved { format, method, bits, words } = saved;
+        if *format != FORMAT {
+            return Err(ResumeError::Format(*format));
+        }
+        if self.name() != **method {
+            return Err(ResumeError::Method(method.clone()));
+        }
+        if *bits != T::Real::BITS {
+            return Err(ResumeError::Scalar(*bits));
+        }
+        let mut resumed = self.clone();
+        let mut reader = Reader { words, read: 0, finite: true };
+        resumed.record(&mut reader);
+        if reader.read != words.len() {
+            return Err(ResumeError::Words { expected: reader.read, found: words.len() });
+        }
+        if !(reader.finite && resumed.complete()) {
+            return Err(ResumeError::NonFinite);
+        }
+        *self = resumed;
+        Ok(())
     }
-    if *bits != T::Real::BITS {
-        return Err(ResumeError::Scalar(*bits));
-    }
-    let mut resumed = run.clone();
-    let mut reader = Reader { words, read: 0, finite: true };
-    resumed.record(&mut reader);
-    if reader.read != words.len() {
-        return Err(ResumeError::Words { expected: reader.read, found: words.len() });
-    }
-    if !(reader.finite && resumed.complete()) {
-        return Err(ResumeError::NonFinite);
-    }
-    *run = resumed;
-    Ok(())
 }
 
 struct Writer(Vec<u64>);

@@ -142,11 +142,12 @@ pub(super) fn adapt_to<T: Trajectory>(run: &mut T, t: Scalar<T>, most_steps: u64
         return Err(StepError::InvalidStepSize { h: left });
     }
     let last = run.steps().saturating_add(most_steps);
-    while run.time() != t {
-        if run.steps() >= last {
+    loop {
+        if run.steps() >= last && run.time() != t {
             return Err(StepError::TooManySteps { t: signed(run.time()), steps: most_steps });
         }
-        run.step_towards(t)?;
+        if !run.step_towards(t)? {
+            return Ok(());
+        }
     }
-    Ok(())
 }

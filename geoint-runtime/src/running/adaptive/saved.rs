@@ -4,24 +4,9 @@ use super::Adaptive;
 use super::attempt::Prepared;
 use super::steps::Steps;
 use crate::method::{Method, Name};
-use crate::running::saved::{self, Bits, Recorded, ResumeError, Saved};
+use crate::running::saved::{Bits, Recorded};
 use crate::space::{Record, Tape};
 use crate::system::{PhaseSpace, Rates};
-
-impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Bits> Adaptive<S, M, R> {
-    /// The run now, to go on from later: [`Saved`] says what it holds.
-    pub fn saved(&self) -> Saved {
-        saved::saved(self)
-    }
-
-    /// Goes on from what was saved of a run of the same system under the same method. Tolerances and bounds are those of this run.
-    ///
-    /// # Errors
-    /// If this is another kind of run; nothing has changed then.
-    pub fn resume(&mut self, saved: &Saved) -> Result<(), ResumeError> {
-        saved::resume(self, saved)
-    }
-}
 
 impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Bits> Recorded for Adaptive<S, M, R> {
     type Real = R;

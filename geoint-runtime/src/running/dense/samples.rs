@@ -6,6 +6,12 @@ use crate::running::StepError;
 use crate::running::trajectory::Scalar;
 use crate::scalar::{Real, signed};
 
+/// The state now, if a run can begin there.
+fn now<T: Dense>(run: &mut T) -> Result<T::State, StepError> {
+    run.step_towards(run.time())?;
+    Ok(run.state())
+}
+
 /// A run and where its last step began.
 #[derive(Debug)]
 struct Between<'a, T: Dense, W> {
@@ -39,7 +45,7 @@ impl<'a, T: Dense, W: Within<T>> Between<'a, T, W> {
             }
         }
         if self.run.time() == t {
-            return Ok(Some(self.run.state()));
+            return now(self.run).map(Some);
         }
         self.within.state(&self.before, self.run, t).map(Some)
     }
@@ -124,9 +130,9 @@ impl<T: Dense, I: Iterator<Item = Scalar<T>>, W: Within<T>> Iterator for Sampled
         let t = self.times.next()?;
         if let Some(run) = self.run.take() {
             if run.time() == t {
-                let state = run.state();
-                self.run = Some(run);
-                return Some(Ok(state));
+                let state = now(run);
+                self.run = state.is_ok().then_some(run);
+                return Some(state);
             }
             let backwards = (t - run.time()).any_below(0.0);
             self.between = Some(Between::new(run, backwards));

@@ -104,10 +104,10 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> TaylorIntegrator<S, M, R> {
     /// # Errors
     /// See [`StepError`]; the state is then unchanged. A `t` that is not a number is a step size that is none.
     pub fn step_towards(&mut self, t: R) -> Result<bool, StepError> {
+        self.steps.check_start()?;
         if self.time() == t {
             return Ok(false);
         }
-        self.steps.check_start()?;
         let left = self.steps.here().clock.left(t);
         if left.is_nan() {
             return Err(StepError::InvalidStepSize { h: left });
