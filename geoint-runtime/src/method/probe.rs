@@ -93,7 +93,8 @@ pub(crate) fn check_end<S: PhaseSpace<R>, R: Real, C, P: Probe<S, R>>(
 
 /// Whether the energy has no pole on the way of a step from `before`; `divided` as in [`PhaseSpace::clear_of_poles`].
 ///
-/// Without patience a step over a pole is marked, and repeated to be refused: one more way out of the loop over steps would cost a tenth of a short step.
+/// Without patience the step is marked where only a search can tell, so that it is repeated: one more way out of the loop over steps
+/// would cost a tenth of a short step.
 #[inline(always)]
 pub(crate) fn check_poles<S: PhaseSpace<R>, R: Real, C, P: Probe<S, R>>(
     poles: &Poles,
@@ -117,7 +118,7 @@ pub(crate) fn check_way<S: PhaseSpace<R>, R: Real, P: Probe<S, R>>(
     if P::PATIENT || Known::<S, R>::SEARCHED {
         return Refusal::outside(poles.between(system, divided, ends));
     }
-    *doubtful |= poles.between(system, divided, ends).is_some();
+    *doubtful |= !poles.is_clear(system, divided, ends);
     Ok(())
 }
 

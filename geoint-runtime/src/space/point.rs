@@ -21,7 +21,7 @@ pub struct Point<Z: Array, C, S = ()> {
     pub(crate) compensation: S,
     /// How far time is ahead of t₀ + n·h: methods that scale their steps say so here.
     pub ahead: DoubleWord<Z::Real>,
-    /// A step of the fast path has met a pole, or can not tell that it was good: it is to be repeated, watched.
+    /// A step of the fast path can not tell that it was good: it is to be repeated, watched.
     pub(crate) doubtful: bool,
 }
 
