@@ -437,6 +437,14 @@ fn a_start_is_examined_where_no_step_is_taken() {
             assert!(matches!(outcomes[..], [Err(StepError::NonFiniteState { .. })]), "{outcomes:?}");
         }
     }
+    // No step is tried for a sample of the start: this one would lead over a pole.
+    let start = State::new(9.9, 100.0);
+    let mut sim = Well { m: 1.3, a: -0.01 }.integrator(Relaxation(RK4), 0.1, start);
+    let outcomes: Vec<_> = sim.sampled_every(0.1).take(3).collect();
+    assert!(
+        matches!(outcomes[..], [Ok(first), Err(StepError::OutsideDomain { .. })] if first == start),
+        "{outcomes:?}"
+    );
     samples(system.integrator(StormerVerlet, 0.1, state));
     samples(system.adaptive(DOP853, 1e-7, state));
     samples(system.taylor(Taylor::default(), state));

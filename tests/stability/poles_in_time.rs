@@ -1,4 +1,5 @@
-//! Poles in time alone, and times at which an energy is not defined: no step leads over one, whatever it evaluates, and what is proven of a stretch of time is no matter of how it is asked for.
+//! Poles in time alone, and times at which an energy is not defined: no step leads over one, whatever it evaluates, and what is proven of a stretch
+//! of time is no matter of how it is asked for.
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Method, Reason};

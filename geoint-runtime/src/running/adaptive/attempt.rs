@@ -121,9 +121,13 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
         }
     }
 
-    /// Whether the point at which a step, or a half of it, ends is one, and its time a number: `h` after the start.
+    /// Whether the point at which a step, or a half of it, ends is one, and its time a number: `h` after the start. A step in doubt is none that was found:
+    /// shorter ones need not be free of the doubt.
     pub(super) fn check(&self, h: R, x: &Carried<S, R>) -> Result<(), Reason> {
         let t = self.t + h + x.ahead.value();
+        if x.doubtful {
+            return Err(Reason::NotConverged);
+        }
         if !(x.is_finite() && t.magnitude() < f64::INFINITY) {
             return Err(Reason::NonFinite);
         }

@@ -170,6 +170,11 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
         (0..n).try_for_each(|_| self.step())
     }
 
+    /// What the next step says of the state before it does anything.
+    pub(in crate::running) fn check_start(&self) -> Result<(), StepError> {
+        self.steps.check_start()
+    }
+
     /// Goes on from this state, with a first step that is guessed.
     pub(in crate::running) fn restart(&mut self, state: StateOf<S, R>) {
         let (t, z, s) = state.parts();

@@ -119,8 +119,8 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
             let mut memory = before();
             let attempt = self.attempt();
             let mut outcome = attempt.take(&self.method, prepared, &mut memory, &mut Unwatched);
-            // Only a watched step searches for a solution that is hard to find, and for poles where one is in doubt: such a point counts as not finite.
-            if matches!(outcome, Err(Reason::NotConverged | Reason::NonFinite)) {
+            // Only a watched step searches for a solution that is hard to find, and settles a doubt.
+            if matches!(outcome, Err(Reason::NotConverged)) {
                 memory = before();
                 let mut watch = Watch::new(&self.system, attempt.t, &self.x);
                 outcome = attempt.take(&self.method, prepared, &mut memory, &mut watch);

@@ -58,6 +58,10 @@ pub trait Dense: Trajectory + Clone {
         self.set_state(state);
     }
 
+    /// What the next step says of the state before it does anything.
+    #[doc(hidden)]
+    fn check_start(&self) -> Result<(), StepError>;
+
     /// One step that ends at the time `t`, or more if it cannot be taken in one.
     ///
     /// # Errors
@@ -146,6 +150,10 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Dense f
         self.restart(state);
     }
 
+    fn check_start(&self) -> Result<(), StepError> {
+        self.check_start()
+    }
+
     fn go_on_from(&mut self, state: StateOf<S, R>) {
         self.restart_within(state);
     }
@@ -195,6 +203,10 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Dense for Adaptive<S
         self.restart(state);
     }
 
+    fn check_start(&self) -> Result<(), StepError> {
+        self.check_start()
+    }
+
     fn at(&self, t: R) -> Option<StateOf<S, R>> {
         let (after, h) = (signed(t - self.time()), self.step_size());
         ahead(self, t, after * h.signum(), h.abs())
@@ -212,6 +224,10 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Dense for Adaptive<S
 impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Dense for TaylorIntegrator<S, M, R> {
     fn set_state(&mut self, state: StateOf<S, R>) {
         self.restart(state);
+    }
+
+    fn check_start(&self) -> Result<(), StepError> {
+        self.steps.check_start()
     }
 
     fn at(&self, t: R) -> Option<StateOf<S, R>> {

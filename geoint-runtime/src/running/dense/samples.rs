@@ -6,10 +6,9 @@ use crate::running::StepError;
 use crate::running::trajectory::Scalar;
 use crate::scalar::{Real, signed};
 
-/// The state now, if a run can begin there.
-fn now<T: Dense>(run: &mut T) -> Result<T::State, StepError> {
-    run.step_towards(run.time())?;
-    Ok(run.state())
+/// The state now, if the run can be there.
+fn now<T: Dense>(run: &T) -> Result<T::State, StepError> {
+    run.check_start().map(|()| run.state())
 }
 
 /// A run and where its last step began.

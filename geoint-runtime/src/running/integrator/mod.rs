@@ -118,6 +118,11 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integra
         *memory = M::memory();
     }
 
+    /// What the next step says of the state before it does anything.
+    pub(in crate::running) fn check_start(&self) -> Result<(), StepError> {
+        self.steps.check_start()
+    }
+
     /// Goes on from this state, with the same steps.
     pub(in crate::running) fn restart(&mut self, state: StateOf<S, R>) {
         let (t, z, s) = state.parts();
