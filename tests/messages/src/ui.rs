@@ -1,7 +1,8 @@
-//! Does every mistake get one message?
+//! Every mistake gets one message.
 //!
-//! A file a subject, a module a mistake, named by it, beside what rustc then says: a program each would take minutes. What is accepted is
-//! tested in `language`. `TRYBUILD=overwrite cargo test -p geoint-tests-messages` writes the messages anew; read each before it is committed.
+//! Each file in `ui` covers one subject. Each module in it is one mistake, named by it, and the file `.stderr` holds the messages that rustc must
+//! print. One program for each mistake would take minutes. Mistakes in the forms of energies are in `tests/essentials/mistakes`; programs that
+//! compile are in `tests/language`. `TRYBUILD=overwrite cargo test -p geoint-tests-messages` rewrites the messages; read each before you commit it.
 
 #[test]
 fn mistakes_are_explained() {
