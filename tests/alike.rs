@@ -48,19 +48,7 @@ impl<P: Scene> Visitor<P::Over<f64>> for Alike<P> {
     }
 }
 
-// Tables go through the same steps: one method of each kind is enough, and is built twice.
-geoint_tests::every_method! { Alike:
-    canonical on geoint_tests::problems::HenonHeiles, 0.05: methods kinds_of_general, methods kinds_of_discrete_gradient,
-        methods itoh_abe_one_way, methods kinds_of_separable, methods kinds_of_nystrom, methods kinds_of_force_gradient,
-        methods processed, methods projected, methods relaxed, methods cubic;
-    in_coordinates_of_jacobi on geoint_tests::problems::Planets, 0.05: methods perturbed;
-    one_degree_of_freedom on geoint_tests::scenes::Shears, 0.05: methods coordinate_increment, catalogue coupled;
-    constrained on geoint_tests::scenes::Spheres, 0.02: methods constrained;
-    contact on geoint_tests::scenes::Charges, 0.05: methods kinds_of_pieces, catalogue contact;
-    damped on geoint_tests::scenes::Relativists, 0.05: methods kinds_of_separable, catalogue mechanical;
-    flows on geoint_tests::scenes::Spins, 0.05: catalogue poisson;
-    bodies on geoint_tests::scenes::Heavies, 0.05: methods kinds_of_separable, catalogue principal_axes;
-}
+geoint_tests::every_kind!(Alike);
 
 /// Estimates of errors choose the steps of these.
 #[test]

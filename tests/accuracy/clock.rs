@@ -30,11 +30,11 @@ impl Visitor<DrivenPendulum, f64> for Clock {
 
 #[test]
 fn time_is_a_product_not_a_sum() {
-    methods::general(&mut Clock);
-    methods::discrete_gradient(&mut Clock);
-    methods::separable(&mut Clock);
-    methods::nystrom(&mut Clock);
-    methods::force_gradient(&mut Clock);
+    methods::kinds_of_general(&mut Clock);
+    methods::kinds_of_discrete_gradient(&mut Clock);
+    methods::kinds_of_separable(&mut Clock);
+    methods::kinds_of_nystrom(&mut Clock);
+    methods::kinds_of_force_gradient(&mut Clock);
     // The sum is another number, so that the test can fail.
     let sum = (0..100).fold(0.3, |t, _| t + 0.01);
     assert_ne!(sum, 0.3 + 100.0 * 0.01);
@@ -78,11 +78,11 @@ fn short_numbers() {
             assert_eq!(sim.time(), (50.0 * f64::from(0.01_f32)) as f32);
         }
     }
-    methods::general(&mut Short);
-    methods::discrete_gradient(&mut Short);
-    methods::separable(&mut Short);
-    methods::nystrom(&mut Short);
-    methods::force_gradient(&mut Short);
+    methods::kinds_of_general(&mut Short);
+    methods::kinds_of_discrete_gradient(&mut Short);
+    methods::kinds_of_separable(&mut Short);
+    methods::kinds_of_nystrom(&mut Short);
+    methods::kinds_of_force_gradient(&mut Short);
 
     let short = ShortPendulum { m: 1.3, l: 0.7, g: 9.81 };
     let long = Pendulum { m: 1.3_f32, l: 0.7, g: 9.81 };

@@ -73,7 +73,7 @@ impl<P: Problem> Visitor<P::Over<f32>, f32> for Single<P> {
     }
 }
 
-macro_rules! every_method {
+macro_rules! every_kind {
     ($($test:ident: $System:ident, $h:literal, $terms:literal, $($list:ident)*;)*) => { $(
         #[test]
         fn $test() {
@@ -86,8 +86,9 @@ macro_rules! every_method {
     )* };
 }
 
-every_method! {
-    pendulum: Pendulum, 0.05, 20.0, general discrete_gradient projected relaxed separable nystrom;
-    coupled: DoublePendulum, 0.03, 10.0, general discrete_gradient itoh_abe itoh_abe_one_way projected relaxed;
-    henon_heiles: HenonHeiles, 0.1, 0.3, general discrete_gradient itoh_abe cubic projected relaxed separable force_gradient;
+every_kind! {
+    pendulum: Pendulum, 0.05, 20.0, kinds_of_general kinds_of_discrete_gradient projected relaxed kinds_of_separable kinds_of_nystrom;
+    coupled: DoublePendulum, 0.03, 10.0, kinds_of_general kinds_of_discrete_gradient kinds_of_itoh_abe itoh_abe_one_way projected relaxed;
+    henon_heiles: HenonHeiles, 0.1, 0.3, kinds_of_general kinds_of_discrete_gradient kinds_of_itoh_abe kinds_of_cubic projected relaxed
+        kinds_of_separable kinds_of_force_gradient;
 }

@@ -10,7 +10,7 @@ use geoint_tests::scalars::{Double, Dual, Scalar};
 use geoint_tests::scene::Scene;
 use geoint_tests::scenes::*;
 
-/// Whole lists on one scene, of each kind of step one method on the others.
+/// Whole lists of kicks and drifts on one scene, one method of each kind of step on the others.
 macro_rules! claims {
     ($($Scene:ident: $($list:ident)*;)*) => {
         /// Over a time that is not a multiple of any period.
@@ -50,12 +50,12 @@ macro_rules! claims {
 const STEP: f64 = 0.0625;
 
 claims! {
-    Swings: pieces mechanical separable nystrom force_gradient;
-    Drives: kinds_of_pieces mechanical kinds_of_separable;
+    Swings: kinds_of_pieces kinds_of_mechanical separable nystrom force_gradient;
+    Drives: kinds_of_pieces kinds_of_mechanical kinds_of_separable;
     Stars: kinds_of_pieces kinds_of_separable kinds_of_nystrom kinds_of_force_gradient;
-    Coolings: kinds_of_pieces kinds_of_separable nystrom force_gradient;
-    Relativists: kinds_of_pieces separable;
-    Tangles: pieces;
+    Coolings: kinds_of_pieces kinds_of_separable kinds_of_nystrom kinds_of_force_gradient;
+    Relativists: kinds_of_pieces kinds_of_separable;
+    Tangles: kinds_of_pieces;
     Charges: kinds_of_pieces;
     Quartics: kinds_of_separable;
     Blows: kinds_of_separable;

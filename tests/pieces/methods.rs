@@ -6,6 +6,7 @@ use geoint_runtime::prelude::*;
 use geoint_runtime::system::Pieces;
 use geoint_runtime::{Coordinates, Cotangent, Method, Real};
 use geoint_tests::measure::{extrapolated, observed_order};
+use geoint_tests::methods;
 use geoint_tests::scalars::{Double, Dual, Scalar};
 use geoint_tests::scenes::{Pulsating, Shears, Sheet};
 
@@ -60,7 +61,7 @@ fn orders<const N: usize, S: Over<Double, N>>(system: S, start: &[f64], nystrom:
         8,
     );
     let mut orders = Orders { system, start: &start, exact };
-    catalogue::coupled(&mut orders);
+    methods::kinds_of_coupled(&mut orders);
     nystrom(&mut orders);
 }
 

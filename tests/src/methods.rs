@@ -1,4 +1,4 @@
-//! What tests visit beside the catalogue of the runtime. Whatever is claimed of methods is tested by walking both.
+//! Lists of methods that tests visit, beside the catalogue of the runtime.
 
 pub use geoint_runtime::method::Visitor;
 pub use geoint_runtime::method::catalogue::{
@@ -9,8 +9,14 @@ pub use geoint_runtime::method::catalogue::{
 use geoint_runtime::Real;
 use geoint_runtime::method::catalogue;
 use geoint_runtime::prelude::*;
-use geoint_runtime::system::{ByField, Collocated, Collocation, Conservative, DiscreteField};
-use geoint_runtime::{ForceGradient, PerturbedGradient, PhaseSpace, Pieces, QuadraticKinetic, Separable};
+use geoint_runtime::system::{
+    ByConstraint, ByField, ByTree, Collocated, Collocation, Conservative, ConstrainedStep, ContactGraded,
+    ContactStages, DiscreteField, Graded, ImplicitStep, QuadraticField,
+};
+use geoint_runtime::{
+    ForceGradient, Mechanical, Perturbation, Perturbed, PerturbedGradient, PhaseSpace, Pieces, PlanarSplitting,
+    PoissonSplitting, QuadraticKinetic, Rattle, Separable,
+};
 
 /// Methods with a processor.
 pub fn processed<S: PerturbedGradient<R> + ForceGradient<R> + PhaseSpace<R, Action = ()>, R: Real>(
@@ -43,53 +49,84 @@ pub fn coordinate_increment<S: DiscreteField<R> + Conservative<R>, R: Real>(visi
     visitor.visit(CoordinateIncrement { alpha: 0.2, beta: 0.9, gamma: 1.0, delta: 0.3 });
 }
 
-/// One method of each kind of step in [`general`], for a scene beside one on which the whole list is walked: tables go through the same
-/// steps.
-pub fn kinds_of_general<S: Collocation<R> + Collocated<R, Stages = ByField>, R: Real>(
-    visitor: &mut impl Visitor<S, R>,
-) {
-    visitor.visit(ExplicitEuler);
-    visitor.visit(RK4);
-    visitor.visit(ImplicitMidpoint);
-    visitor.visit(Gauss::<3>);
-    visitor.visit(Suzuki4.of(ImplicitMidpoint));
+/// One method of each kind of step in a list.
+///
+/// Two tables of one kind differ in their coefficients only: their steps run through the same code. `geoint-verification` measures every method of
+/// every list. A test whose claim does not depend on coefficients visits the kinds, since each method costs as much to compile as it costs to run.
+macro_rules! kinds {
+    ($($(#[$doc:meta])* $list:ident [$($bounds:tt)*]: $($method:expr),*;)*) => { $(
+        $(#[$doc])*
+        pub fn $list<S, R: Real>(visitor: &mut impl Visitor<S, R>)
+        where
+            S: $($bounds)*
+        {
+            $( visitor.visit($method); )*
+        }
+    )* };
 }
 
-/// The same of [`discrete_gradient`].
-pub fn kinds_of_discrete_gradient<S: DiscreteField<R> + Conservative<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
-    visitor.visit(DiscreteGradient);
-    visitor.visit(Gonzalez);
-    visitor.visit(MeanValue::<2>);
-    visitor.visit(FourthOrder(DiscreteGradient));
-    visitor.visit(Suzuki4.of(DiscreteGradient));
+kinds! {
+    /// Kinds of [`general`].
+    kinds_of_general [Collocation<R> + Collocated<R, Stages = ByField>]:
+        ExplicitEuler, RK4, ImplicitMidpoint, Gauss::<3>, Suzuki4.of(ImplicitMidpoint);
+    /// Kinds of [`discrete_gradient`].
+    kinds_of_discrete_gradient [DiscreteField<R> + Conservative<R>]:
+        DiscreteGradient, Gonzalez, MeanValue::<2>, FourthOrder(DiscreteGradient), Suzuki4.of(DiscreteGradient);
+    /// Kinds of [`itoh_abe`].
+    kinds_of_itoh_abe [DiscreteField<R> + Conservative<R>]: SymmetrisedItohAbe, ItohAbePair, FourthOrder(SymmetrisedItohAbe);
+    /// Kinds of [`cubic`].
+    kinds_of_cubic [QuadraticField<R> + Conservative<R>]: Kahan, Suzuki4.of(Kahan);
+    /// Kinds of [`separable`].
+    kinds_of_separable [Separable<R>]: SymplecticEuler, StormerVerlet, BlanesMoan6, Suzuki4.of(PositionVerlet);
+    /// Kinds of [`nystrom`].
+    kinds_of_nystrom [QuadraticKinetic<R>]: BlanesMoanSrkn11b, BlanesMoanSrkn14a;
+    /// Kinds of [`force_gradient`].
+    kinds_of_force_gradient [ForceGradient<R>]: TakahashiImada2, Chin4C, Omelyan6_5F3GP;
+    /// Kinds of [`perturbed`].
+    kinds_of_perturbed [Perturbed<R>]: WisdomHolman, Aba8_6_4, Perturbation(BlanesMoan4);
+    /// Kinds of [`perturbed_gradient`].
+    kinds_of_perturbed_gradient [PerturbedGradient<R>]: Saba4Gradient, Rnia10_8_6, Perturbation(Chin4A);
+    /// Kinds of [`coupled`].
+    kinds_of_coupled [Pieces<PieceSplitting, R>]: PieceSplitting, BlanesMoan4X.of(PieceSplitting), Suzuki4.of(PieceSplitting);
+    /// Kinds of [`constrained`].
+    kinds_of_constrained [
+        ConstrainedStep<Rattle, R> + ConstrainedStep<DiscreteGradient, R> + Graded<R, Gradient = ByConstraint>
+    ]: Rattle, DiscreteGradient, Suzuki4.of(Rattle), Suzuki4.of(DiscreteGradient);
+    /// Kinds of contact systems in [`pieces`].
+    kinds_of_pieces [Pieces<ContactSplitting, R>]: ContactSplitting, BlanesMoan4X, Suzuki4.of(ContactSplitting);
+    /// Kinds of [`catalogue::mechanical`].
+    kinds_of_mechanical [Mechanical<R>]: ContactLeapfrog, Suzuki4.of(ContactLeapfrog);
+    /// Kinds of [`catalogue::contact`].
+    kinds_of_contact [
+        ImplicitStep<ContactMidpoint, R> + ImplicitStep<ContactDiscreteGradient, R> + ContactStages<R>
+            + ContactGraded<R, Gradient = ByTree>
+    ]: ContactGauss::<1>, ContactGauss::<3>, ContactMidpoint, ContactDiscreteGradient, Suzuki4.of(ContactMidpoint),
+        Suzuki4.of(ContactDiscreteGradient);
+    /// Kinds of [`catalogue::poisson`].
+    kinds_of_poisson [Pieces<PoissonSplitting, R>]:
+        PoissonSplitting, BlanesMoan4X.of(PoissonSplitting), Suzuki4.of(PoissonSplitting);
+    /// Kinds of [`catalogue::planar`].
+    kinds_of_planar [Pieces<PlanarSplitting, R>]: PlanarSplitting, Suzuki4.of(PlanarSplitting);
 }
 
-/// The same of [`separable`].
-pub fn kinds_of_separable<S: Separable<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
-    visitor.visit(SymplecticEuler);
-    visitor.visit(StormerVerlet);
-    visitor.visit(BlanesMoan6);
-    visitor.visit(Suzuki4.of(PositionVerlet));
-}
-
-/// The same of [`nystrom`].
-pub fn kinds_of_nystrom<S: QuadraticKinetic<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
-    visitor.visit(BlanesMoanSrkn11b);
-    visitor.visit(BlanesMoanSrkn14a);
-}
-
-/// The same of [`force_gradient`].
-pub fn kinds_of_force_gradient<S: ForceGradient<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
-    visitor.visit(TakahashiImada2);
-    visitor.visit(Chin4C);
-    visitor.visit(Omelyan6_5F3GP);
-}
-
-/// The same of contact systems in [`pieces`].
-pub fn kinds_of_pieces<S: Pieces<ContactSplitting, R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
-    visitor.visit(ContactSplitting);
-    visitor.visit(BlanesMoan4X);
-    visitor.visit(Suzuki4.of(ContactSplitting));
+/// A test for each kind of phase space: `$Visitor`, a step size and a scene, is shown every kind of method for it.
+#[macro_export]
+macro_rules! every_kind {
+    ($Visitor:ident) => {
+        $crate::every_method! { $Visitor:
+            canonical on $crate::problems::HenonHeiles, 0.05: methods kinds_of_general, methods kinds_of_discrete_gradient,
+                methods kinds_of_itoh_abe, methods itoh_abe_one_way, methods kinds_of_separable, methods kinds_of_nystrom,
+                methods kinds_of_force_gradient, methods kinds_of_perturbed, methods kinds_of_perturbed_gradient,
+                methods processed, methods projected, methods relaxed, methods kinds_of_cubic;
+            in_coordinates_of_jacobi on $crate::problems::Planets, 0.05: methods kinds_of_perturbed, methods processed;
+            one_degree_of_freedom on $crate::scenes::Shears, 0.05: methods coordinate_increment, methods kinds_of_coupled;
+            constrained on $crate::scenes::Spheres, 0.02: methods kinds_of_constrained;
+            contact on $crate::scenes::Charges, 0.05: methods kinds_of_pieces, methods kinds_of_contact;
+            damped on $crate::scenes::Relativists, 0.05: methods kinds_of_separable, methods kinds_of_mechanical;
+            flows on $crate::scenes::Spins, 0.05: methods kinds_of_poisson, methods kinds_of_planar;
+            bodies on $crate::scenes::Heavies, 0.05: methods kinds_of_separable, catalogue principal_axes;
+        }
+    };
 }
 
 /// A test for each kind of phase space: `$Visitor`, a step size and a scene, is shown every method for it.

@@ -1,10 +1,11 @@
 //! Steps of different lengths: what is kept whatever they are, and how the adaptive integrator chooses, refuses and ends.
 
-use geoint_runtime::method::{Visitor, catalogue};
+use geoint_runtime::method::Visitor;
 use geoint_runtime::prelude::*;
 use geoint_runtime::space::Snapshot;
 use geoint_runtime::{Method, Reason};
 use geoint_tests::measure::{Noise, distance, solution};
+use geoint_tests::methods;
 use geoint_tests::problems::*;
 use geoint_tests::scalars::Double;
 use std::f64::consts::TAU;
@@ -389,12 +390,14 @@ fn no_doubt_ends_a_run() {
     let mut exact = system.adaptive(DOP853, 1e-12, start);
     exact.advance_to(3.0).unwrap();
     let mut all = Adapts { system, start, end: exact.state(), methods: 0 };
-    catalogue::general(&mut all);
-    catalogue::discrete_gradient(&mut all);
-    catalogue::conservative(&mut all);
-    catalogue::projected(&mut all);
-    catalogue::relaxed(&mut all);
-    assert!(all.methods > 40, "{}", all.methods);
+    methods::kinds_of_general(&mut all);
+    methods::kinds_of_discrete_gradient(&mut all);
+    methods::kinds_of_itoh_abe(&mut all);
+    methods::itoh_abe_one_way(&mut all);
+    methods::coordinate_increment(&mut all);
+    methods::projected(&mut all);
+    methods::relaxed(&mut all);
+    assert_eq!(all.methods, 21);
 }
 
 /// Runs by every method of a list, whose steps adapt.

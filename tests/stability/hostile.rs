@@ -57,4 +57,4 @@ fn holds<S: PhaseSpace, M: Method<S>>(name: &str, mut sim: Integrator<S, M>) -> 
     sim
 }
 
-geoint_tests::every_method!(Meets);
+geoint_tests::every_kind!(Meets);

@@ -26,10 +26,10 @@ fn joint_rim(q: f64, p: f64, m: f64) -> f64 {
 /// A step of each method.
 struct BadSteps;
 
-impl Visitor<Pendulum, f64> for BadSteps {
-    fn visit<M: Method<Pendulum, f64> + 'static>(&mut self, method: M) {
+impl Visitor<HenonHeiles, f64> for BadSteps {
+    fn visit<M: Method<HenonHeiles, f64> + 'static>(&mut self, method: M) {
         let name = method.name().to_string();
-        let mut sim = Pendulum::system::<f64>().integrator(method, 0.01, Pendulum::initial(0.2));
+        let mut sim = HenonHeiles::system::<f64>().integrator(method, 0.01, HenonHeiles::initial(0.2));
         sim.advance(5).unwrap();
         let good = sim.state();
         for h in [0.0, -0.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {

@@ -60,7 +60,7 @@ impl<P: Scene> Visitor<P::Over<f64>> for GoOn<P> {
     }
 }
 
-geoint_tests::every_method!(GoOn);
+geoint_tests::every_kind!(GoOn);
 
 /// Three angles of an arm, solved for their velocities.
 #[lagrangian]

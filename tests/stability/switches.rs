@@ -51,7 +51,7 @@ impl<S: Hamiltonian<Coordinates = f64>> Visitor<S, f64> for Kept<S> {
         if !method.claims().conserves_energy {
             return;
         }
-        for ((q, p), h) in pairs(&STARTS, &STEPS, 3, &format!("{name}, {}", std::any::type_name::<S>())) {
+        for ((q, p), h) in pairs(&STARTS, &STEPS, 5, &format!("{name}, {}", std::any::type_name::<S>())) {
             // Starts at which sums of steps end at the switch, up to rounding.
             let start = State::new(q, p * self.mass);
             let mut sim = self.system.integrator(method, h, start);

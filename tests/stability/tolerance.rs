@@ -338,7 +338,12 @@ fn steps_grow_by_every_order() {
             assert!(short.steps() < usual.steps() + 200, "{}: {}, {}", method.name(), short.steps(), usual.steps());
         }
     }
-    methods::general(&mut Grow);
-    methods::separable(&mut Grow);
+    methods::kinds_of_general(&mut Grow);
+    methods::kinds_of_separable(&mut Grow);
+    // Orders 6 to 12.
+    Grow.visit(Yoshida6a.of(StormerVerlet));
+    Grow.visit(DOP853);
+    Grow.visit(KahanLi8_17a.of(StormerVerlet));
+    Grow.visit(SofroniouSpaletta10_35.of(StormerVerlet));
     Grow.visit(Gauss::<6>);
 }

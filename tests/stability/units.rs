@@ -147,9 +147,12 @@ macro_rules! in_all_units {
 }
 
 in_all_units! {
-    kepler_in_all_units: Kepler, general discrete_gradient projected relaxed separable nystrom force_gradient;
-    henon_heiles_in_all_units: HenonHeiles, cubic itoh_abe itoh_abe_one_way coordinate_increment discrete_gradient;
-    polar_in_all_units: Polar, general discrete_gradient itoh_abe itoh_abe_one_way coordinate_increment projected relaxed;
+    kepler_in_all_units: Kepler, kinds_of_general kinds_of_discrete_gradient projected relaxed kinds_of_separable kinds_of_nystrom
+        kinds_of_force_gradient;
+    henon_heiles_in_all_units: HenonHeiles, kinds_of_cubic kinds_of_itoh_abe itoh_abe_one_way coordinate_increment
+        kinds_of_discrete_gradient;
+    polar_in_all_units: Polar, kinds_of_general kinds_of_discrete_gradient kinds_of_itoh_abe itoh_abe_one_way
+        coordinate_increment projected relaxed;
 }
 
 /// Steps that adapt have the same lengths as well.
@@ -301,10 +304,10 @@ fn energy_in_si_units() {
     for (m, k, radius, speed) in [(5.972e24, 7.928e44, 1.47e11, 3.6e4), (9.109e-31, 2.307e-28, 5.29e-11, 2.4e6)] {
         let (kepler, polar) = (Kepler { mass: m, mu: k }, Polar { m, k });
         let mut si = Si { energies: vec![], kepler, polar, h: 0.1 * radius / speed, radius, momentum: m * speed };
-        methods::discrete_gradient::<Kepler, f64>(&mut si);
+        methods::kinds_of_discrete_gradient::<Kepler, f64>(&mut si);
         methods::projected::<Kepler, f64>(&mut si);
         methods::relaxed::<Kepler, f64>(&mut si);
-        methods::discrete_gradient::<Polar, f64>(&mut si);
+        methods::kinds_of_discrete_gradient::<Polar, f64>(&mut si);
         methods::projected::<Polar, f64>(&mut si);
         methods::relaxed::<Polar, f64>(&mut si);
         for (name, error) in si.energies {

@@ -106,7 +106,7 @@ impl<S: Hamiltonian<Coordinates = f64>> Visitor<S, f64> for Stay<S> {
     }
 }
 
-/// Every method of the list.
+/// One method of every kind.
 struct Every;
 
 impl Walls for Every {
@@ -115,9 +115,9 @@ impl Walls for Every {
         S: DiscreteField + Autonomous<Coordinates = f64> + Collocated<Stages = ByField>,
     {
         let mut stay = Stay { wall: name.into(), system, cell, start, refused: 0 };
-        methods::general(&mut stay);
-        methods::discrete_gradient(&mut stay);
-        methods::itoh_abe(&mut stay);
+        methods::kinds_of_general(&mut stay);
+        methods::kinds_of_discrete_gradient(&mut stay);
+        methods::kinds_of_itoh_abe(&mut stay);
         methods::itoh_abe_one_way(&mut stay);
         methods::coordinate_increment(&mut stay);
         assert!(stay.refused > 10, "{name}: {}", stay.refused);

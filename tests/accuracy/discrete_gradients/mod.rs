@@ -97,8 +97,8 @@ impl Visitor<HenonHeiles, f64> for RandomSteps {
 
 #[test]
 fn energy_is_kept_in_random_steps() {
-    methods::discrete_gradient(&mut RandomSteps);
-    methods::itoh_abe(&mut RandomSteps);
+    methods::kinds_of_discrete_gradient(&mut RandomSteps);
+    methods::kinds_of_itoh_abe(&mut RandomSteps);
     methods::itoh_abe_one_way(&mut RandomSteps);
     // Controls.
     RandomSteps.visit(Kahan);
@@ -142,8 +142,8 @@ fn at_rest_nothing_moves() {
             assert_eq!((sim.state().q, sim.state().p), (rest.q, rest.p), "{name}");
         }
     }
-    methods::discrete_gradient(&mut Rest);
-    methods::itoh_abe(&mut Rest);
+    methods::kinds_of_discrete_gradient(&mut Rest);
+    methods::kinds_of_itoh_abe(&mut Rest);
     methods::itoh_abe_one_way(&mut Rest);
     methods::coordinate_increment(&mut Rest);
 }

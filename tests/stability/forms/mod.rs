@@ -8,6 +8,7 @@ use geoint_runtime::prelude::*;
 use geoint_runtime::space::{Action, Array, Snapshot};
 use geoint_runtime::system::{Jets, StateOf};
 use geoint_runtime::{Method, PhaseSpace, Real, TaylorIntegrator};
+use geoint_tests::methods;
 use std::marker::PhantomData;
 use systems::{Over, double, single};
 
@@ -198,16 +199,16 @@ macro_rules! in_every_form {
 }
 
 in_every_form! {
-    contact: Damped, catalogue::separable catalogue::quadratic_kinetic catalogue::force_gradient catalogue::pieces
-        catalogue::mechanical catalogue::contact;
-    constraints: Bound, catalogue::constrained;
-    planets: Planets, catalogue::perturbed catalogue::perturbed_gradient catalogue::processed;
-    pieces: Charge, catalogue::coupled catalogue::nystrom_pieces;
-    structures: Top, catalogue::poisson structured;
-    fields: Predators, catalogue::planar structured;
+    contact: Damped, methods::kinds_of_separable methods::kinds_of_nystrom methods::kinds_of_force_gradient
+        methods::kinds_of_pieces methods::kinds_of_mechanical methods::kinds_of_contact;
+    constraints: Bound, methods::kinds_of_constrained;
+    planets: Planets, methods::kinds_of_perturbed methods::kinds_of_perturbed_gradient catalogue::processed;
+    pieces: Charge, methods::kinds_of_coupled catalogue::nystrom_pieces;
+    structures: Top, methods::kinds_of_poisson structured;
+    fields: Predators, methods::kinds_of_planar structured;
     velocities: Rods, of_velocities;
     linear_in_velocities: Vortices, of_velocities;
-    bodies: HeavyBody, catalogue::separable catalogue::principal_axes;
+    bodies: HeavyBody, methods::kinds_of_separable catalogue::principal_axes;
 }
 
 /// Steps by Taylor series: their lengths follow from the coefficients of the solution, and are rounded otherwise in other units.
