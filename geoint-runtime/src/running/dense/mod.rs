@@ -14,12 +14,11 @@ pub use samples::{SampledAt, SampledEvery};
 pub use taylor::TaylorCrossings;
 
 use super::trajectory::{Scalar, Trajectory};
-use super::{Adaptive, Integrator, StepError, TaylorIntegrator};
+use super::{Adaptive, Integrator, StepError};
 use crate::method::Method;
 use crate::scalar::{Real, signed};
 use crate::space::{Array, Summation};
-use crate::system::{Jets, PhaseSpace, Rates, StateOf};
-use crate::taylor::TaylorMethod;
+use crate::system::{PhaseSpace, Rates, StateOf};
 
 /// A run that knows its states between the ends of its steps.
 ///
@@ -225,32 +224,6 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Dense for Adaptive<S
 
     fn end_at(&mut self, t: R) -> Result<(), StepError> {
         self.advance_to(t)
-    }
-}
-
-impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Dense for TaylorIntegrator<S, M, R> {
-    fn set_state(&mut self, state: StateOf<S, R>) {
-        self.restart(state);
-    }
-
-    fn check_start(&self) -> Result<(), StepError> {
-        self.steps.check_start()
-    }
-
-    fn at(&self, t: R) -> Option<StateOf<S, R>> {
-        self.at(t)
-    }
-
-    fn end_at(&mut self, t: R) -> Result<(), StepError> {
-        self.advance_to(t)
-    }
-
-    fn steps_backwards(&self) -> bool {
-        self.steps.backwards
-    }
-
-    fn between(_: &Self, after: &Self, t: R) -> Result<StateOf<S, R>, StepError> {
-        after.at(t).ok_or(StepError::TimePassed { t: signed(t) })
     }
 }
 
