@@ -177,6 +177,39 @@ fn halves_are_prepared_where_they_are_taken() {
     assert_eq!(count(StormerVerlet), 4);
 }
 
+/// A sample within a step takes a step of the remaining length. This step prepares the method once.
+#[test]
+fn samples_within_a_step_prepare_once() {
+    fn count<M: Method<Orbit>>(method: M) -> [u32; 3] {
+        let start = || {
+            let run = Orbit { m: 1.3, mu: 1.0 }.integrator(Counted(method), 0.1, State::new([0.4, 0.0], [0.0, 2.6]));
+            PREPARED.set(0);
+            run
+        };
+        let times: Vec<f64> = (0..8).map(|i| 0.04 * f64::from(i)).collect();
+        let mut run = start();
+        let every: Vec<_> = run.sampled_every(0.04).take(8).map(|state| state.expect("a state")).collect();
+        let of_every = PREPARED.get();
+        let mut run = start();
+        let at: Vec<_> = run.sampled_at(times.clone()).map(|state| state.expect("a state")).collect();
+        let of_at = PREPARED.get();
+        assert_eq!(every, at);
+        // The same states as from runs that end at these times, and keep their step size.
+        for (state, t) in every.iter().zip(times) {
+            let mut run = start();
+            run.advance_to(t).expect("steps");
+            run.end_at(t).expect("a step");
+            assert_eq!((run.state(), run.step_size()), (*state, 0.1));
+        }
+        let run = start();
+        run.at(0.04).expect("within a step");
+        [of_every, of_at, PREPARED.get()]
+    }
+    // 0.04, 0.08, 0.12, 0.16, 0.24 and 0.28 lie within steps, 0 and 0.2 at their ends.
+    assert_eq!(count(StormerVerlet), [6, 6, 1]);
+    assert_eq!(count(Gauss::<2>), [6, 6, 1]);
+}
+
 /// A method that tells an order of its estimate, and gives none.
 #[derive(Clone, Copy, Debug)]
 struct Promising<M>(M);

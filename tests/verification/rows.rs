@@ -1,5 +1,8 @@
-//! Nothing is claimed without a row in `VERIFICATION.md`. The program that writes the page says so without measuring anew where it is not optimised.
+//! Every claim has a row in `VERIFICATION.md`, and every statement of `tests/STATEMENTS.md` has tests. Without optimisation nothing is measured.
 
+use geoint_verification::project::Project;
+use geoint_verification::sources;
+use geoint_verification::statements::Names;
 use std::process::Command;
 
 #[test]
@@ -11,4 +14,11 @@ fn every_claim_has_a_row() {
         .output()
         .expect("the program starts");
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+}
+
+#[test]
+fn every_statement_names_what_exists() {
+    let project = Project::here();
+    let faults = Names::of(&project).faults(&sources::read("tests/STATEMENTS.md"));
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
 }

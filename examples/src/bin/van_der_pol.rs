@@ -2,7 +2,7 @@
 //!
 //! Van der Pol's oscillator q' = s, s' = ε(1 − q²)s − q is the base of H = p s − ε(1 − q²)s + q, which the attribute's `lift` says:
 //! the momentum, which would blow up, is not followed. Two pieces are found, of which that with ε is solved exactly
-//! with its exponential; M. Zadra, A. Bravetti & M. Seri, Mathematics 9 (2021) 1960. Taken apart into three, or by RK4, it is
+//! with its exponential; F. Zadra, A. Bravetti & M. Seri, Mathematics 9 (2021) 1960. Taken apart into three, or by RK4, it is
 //! less accurate or not stable. All of them are wrong about the period where hε is near 1: stable is not accurate, and no two
 //! turns take the same time.
 

@@ -1,4 +1,4 @@
-//! What families of energies, pieces and their flows are.
+//! Families of energies, pieces of an energy, and their flows.
 
 use super::polynomial::is_free;
 use super::time::Clock;
@@ -6,15 +6,15 @@ use crate::ir::op::Domain;
 use crate::ir::{Function, Graph, Id, Node, Symbol};
 use crate::schedule::Levels;
 
-/// Which coordinates there are.
+/// The coordinates of a system.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Space {
     pub(crate) degrees: u32,
-    /// Whether s is among them: then its flow has to be known, too.
+    /// Whether s is a coordinate, whose flow must then be known, too.
     pub(crate) action: bool,
 }
 
-/// Terms that are to be one piece.
+/// Terms of an energy that are tried as one piece.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Group {
     pub(super) energy: Id,
@@ -22,20 +22,36 @@ pub(super) struct Group {
     pub(super) clock: Clock,
 }
 
-/// The flow of a group, if it belongs to a family.
-pub(super) type Solve = fn(&mut Graph, &Group) -> Option<Flow>;
+/// Other families, asked for the flow of a group.
+pub(super) type Rules<'a> = &'a dyn Fn(&mut Graph, &Group) -> Option<Flow>;
+
+/// A rule that finds the flow from flows of other energies.
+type Derived = fn(&mut Graph, &Group, Rules<'_>) -> Option<Flow>;
+
+/// How a family finds the flow of a group. Every rule returns `None` if the group does not belong to the family.
+#[derive(Clone, Copy)]
+pub(super) enum Solve {
+    /// From the energy alone.
+    Direct(fn(&mut Graph, &Group) -> Option<Flow>),
+    /// From the flow of another energy, by families earlier in the list.
+    Transformed(Derived),
+    /// From the flow of the energy in another gauge, by families that transform no energy.
+    ByGauge(Derived),
+    /// From the flows of its parts, by families earlier in the list.
+    InParts(Derived),
+}
 
 /// A family of energies whose flow is known.
 pub(crate) struct Family {
-    /// What it is called in reports.
+    /// Its name in reports.
     pub(crate) name: &'static str,
-    /// The energies, with what is asked of their coefficients.
+    /// The energies, with the conditions on their coefficients.
     pub(crate) energies: &'static str,
-    /// Where such energies, or what their flow follows from, can be read about.
+    /// A publication about such energies, or about the method that gives their flow.
     pub(crate) source: &'static str,
-    /// Whether the flow of s is known, so that it serves contact systems.
+    /// Whether the flow of s is known, as contact systems need it.
     pub(super) action: bool,
-    /// The flow, if an energy belongs to the family.
+    /// The rule that finds the flow.
     pub(super) solve: Solve,
 }
 
@@ -45,7 +61,7 @@ impl std::fmt::Debug for Family {
     }
 }
 
-/// q, p and s at the end of a flow of length h, in terms of those at its start; s stays where its flow is not asked for.
+/// q, p and s at the end of a flow of length h, as functions of q, p and s at its start. s stays where the system has no action.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Flow {
     pub(crate) q: Vec<Id>,
@@ -54,14 +70,14 @@ pub(crate) struct Flow {
 }
 
 impl Flow {
-    /// Nothing moves.
+    /// Returns the flow that moves nothing.
     pub(super) fn rest(graph: &mut Graph, degrees: u32) -> Flow {
         let [q, p] = [Symbol::Q as fn(u32) -> Symbol, Symbol::P].map(|of| (0..degrees).map(of).collect::<Vec<_>>());
         let mut symbols = |all: Vec<Symbol>| all.into_iter().map(|symbol| graph.symbol(symbol)).collect();
         Flow { q: symbols(q), p: symbols(p), s: symbols(vec![Symbol::S]).remove(0) }
     }
 
-    /// A coordinate ends here.
+    /// Sets the end of a coordinate.
     pub(super) fn moves(&mut self, symbol: Symbol, end: Id) {
         match symbol {
             Symbol::Q(i) => self.q[i as usize] = end,
@@ -70,7 +86,7 @@ impl Flow {
         }
     }
 
-    /// Everything that the flow changes, with its symbol.
+    /// Returns the coordinates that the flow changes, with their ends.
     pub(crate) fn changed(&self, graph: &mut Graph) -> Vec<(Symbol, Id)> {
         let start = Flow::rest(graph, self.q.len() as u32);
         let ends = self.all().into_iter().zip(start.all());
@@ -81,7 +97,7 @@ impl Flow {
         ends.filter(|(end, start)| end != start).filter_map(|(end, start)| Some((symbol(start)?, end))).collect()
     }
 
-    /// Whether it may end before its time, by functions that are not numbers then.
+    /// Returns whether the flow contains functions that give NaN where the flow ends early.
     pub(super) fn ends_early(&self, graph: &Graph) -> bool {
         let stops = |id: &Id| {
             matches!(
@@ -97,14 +113,14 @@ impl Flow {
     }
 }
 
-/// Whether a flow may end before its time at points where its energy is defined: it reads then what is not a number there. What is not
-/// finite otherwise has overflown, or is made of parameters that are not finite.
+/// Returns whether a flow may end early at points where its energy is defined. The flow then contains expressions that are undefined
+/// there. Other results that are not finite come from overflow or from parameters that are not finite.
 pub(crate) fn may_end(graph: &Graph, energy: Id, ends: &[Id]) -> bool {
     let divided_by = |id: &Id| match graph.node(*id) {
         Node::Power(base, exponent) if exponent.numerator < 0 || !exponent.is_integer() => Some(*base),
         _ => None,
     };
-    // What becomes singular in time is an end as well: the flow goes on to times at which the energy is not asked for.
+    // A singularity in time is an end as well: the flow continues to times at which the energy is not evaluated.
     let steady = |id: &Id| is_free(graph, *id, &|symbol| symbol == Symbol::T);
     let of_energy: Vec<Id> = graph.reachable(&[energy]).into_iter().filter(steady).collect();
     let bases: Vec<Id> = of_energy.iter().filter_map(divided_by).collect();
@@ -116,7 +132,7 @@ pub(crate) fn may_end(graph: &Graph, energy: Id, ends: &[Id]) -> bool {
     })
 }
 
-/// Whether nothing that moves, nor the length of a flow, is read.
+/// Returns whether an expression reads neither coordinates, nor time, nor the length of the flow.
 fn is_constant(graph: &Graph, id: Id) -> bool {
     is_free(graph, id, &|symbol| symbol.is_coordinate() || matches!(symbol, Symbol::T | Symbol::H))
 }
@@ -125,14 +141,14 @@ fn is_constant(graph: &Graph, id: Id) -> bool {
 #[derive(Clone, Debug)]
 pub(crate) struct Piece {
     pub(crate) energy: Id,
-    /// The family that it belongs to.
+    /// The family whose rule found the flow.
     pub(crate) family: &'static Family,
     pub(crate) flow: Flow,
     pub(crate) clock: Clock,
 }
 
 impl Piece {
-    /// When symbols are known: parameters and h first, then frozen time.
+    /// Returns the order in which symbols become known: parameters and h first, then frozen time.
     pub(crate) fn levels(&self) -> Levels {
         match self.clock {
             Clock::Own => Levels::Unfrozen,

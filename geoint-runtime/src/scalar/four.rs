@@ -1,12 +1,8 @@
-//! Four numbers side by side: one register of a processor, where it has such.
+//! Arithmetic of four numbers side by side: one register of a processor, where it has such registers.
 
-use super::real::Real;
+use super::real::{Four, Real};
 use core::array::from_fn;
 use core::ops::{Add, Div, Mul, Neg, Sub};
-
-/// Four numbers that go through the same operations. Each of them has the bits that it would have alone.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Four<R>(pub [R; 4]);
 
 macro_rules! operators {
     ($($operator:ident $method:ident = $four:ident),* $(,)?) => { $(
@@ -48,7 +44,7 @@ impl<R: Real> Four<R> {
 mod tests {
     use super::*;
 
-    /// Numbers of all kinds, and what is done to them four by four and one by one.
+    /// Compares operations on numbers of all kinds, four by four and one by one.
     macro_rules! keeps_its_bits {
         ($name:ident, $real:ident) => {
             #[test]

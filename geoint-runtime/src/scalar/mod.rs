@@ -10,8 +10,7 @@ mod series;
 
 pub(crate) use enclosure::{Enclosure, bounds};
 pub(crate) use exact::{exact_product, exact_sum, halves, sum_with_small};
-pub use four::Four;
 pub(crate) use interval::Interval;
-pub use real::Real;
+pub use real::{Four, Real};
 pub(crate) use real::{signed, zero};
 pub use series::Series;

@@ -4,7 +4,6 @@
 //! where an energy has an `if` they ask the scalar to choose ([`Real::choose`]), and drivers ask questions that speak for all
 //! components at once (pivots, convergence, "is this a number": [`Real::magnitude`], [`Real::any_below`]).
 
-use super::four::Four;
 use core::array::from_fn;
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, BitAnd, BitOr, Div, DivAssign, Mul, MulAssign, Neg, Not, Sub, SubAssign};
@@ -201,6 +200,10 @@ pub trait Real:
     /// ±1, the sign of x.
     fn signum(self) -> Self;
 }
+
+/// Four numbers that go through the same operations. Each number has the bits that it would have alone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Four<R>(pub [R; 4]);
 
 /// Zero.
 #[inline(always)]

@@ -1,20 +1,20 @@
-//! How large is a coordinate? The one measure for everything that compares coordinates of different units.
+//! The size of a coordinate: the one measure for all comparisons of coordinates with different units.
 
 use crate::scalar::Real;
 use crate::slope::before_squares;
 use crate::space::{Array, Record, Square, Tape};
 
-/// What is left of a size after every point that is included: half after some fifty.
+/// Factor by which a size fades with every point that is included. A size has halved after some fifty points.
 const FADING: f64 = 1.0 - 1.0 / 64.0;
 
-/// Where a residual is larger than this part of the unknown the equation says nothing of it, however small the correction is.
+/// Largest residual, as a part of the unknown, with which the equation determines the unknown. Above this limit a small correction proves nothing.
 const RESOLVED: f64 = 1.0 / 16.0;
 
-/// The largest magnitude of every entry that was met lately: of a coordinate, its increment, or the terms that are added up on the
-/// way to it. What was met long ago fades.
+/// The largest recent magnitude of every entry: of a coordinate, of its increment, or of the terms that are added up to it. Earlier
+/// magnitudes fade.
 ///
-/// Entries are compared with their own sizes only, so that a change of the units of any of them by a power of two changes no
-/// result by a single bit. A size of zero belongs to an entry that has not moved yet.
+/// An entry is compared with its own size only. A change of its unit by a power of two therefore changes no result by a single bit. An
+/// entry that has not moved yet has size zero.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sizes<A>(A);
 
@@ -25,7 +25,7 @@ impl<A: Array> Record<A::Real> for Sizes<A> {
 }
 
 impl<A: Array> Sizes<A> {
-    /// Nothing was met yet.
+    /// Returns sizes that include no point yet.
     pub(crate) fn new() -> Self {
         Sizes(A::zero())
     }
@@ -35,12 +35,12 @@ impl<A: Array> Sizes<A> {
     pub(crate) fn include(&mut self, origin: &A, x: &A) {
         for (i, size) in self.0.as_mut_slice().iter_mut().enumerate() {
             let (now, before) = (sum(origin, x, i), FADING * size.magnitude());
-            // What is not a number is no size.
+            // NaN does not enter a size.
             *size = A::Real::from_f64(if now > before { now } else { before });
         }
     }
 
-    /// Of a point alone.
+    /// Returns the sizes of one point.
     #[inline(always)]
     pub(crate) fn at(x: &A) -> Self {
         let mut sizes = *x;
@@ -50,20 +50,20 @@ impl<A: Array> Sizes<A> {
         Sizes(sizes)
     }
 
-    /// Of these magnitudes.
+    /// Returns sizes with these magnitudes.
     pub(crate) fn of_magnitudes(sizes: A) -> Self {
         Sizes(sizes)
     }
 
-    /// The same size for all: entries of one unit.
+    /// Returns size 1 for all entries, which have one unit.
     pub(crate) fn equal() -> Self {
         let mut sizes = A::zero();
         sizes.as_mut_slice().fill(A::Real::from_f64(1.0));
         Sizes(sizes)
     }
 
-    /// Units for the first and the second half of the unknowns, positions and momenta, from a matrix that takes unknowns to unknowns:
-    /// an entry has the unit of its row over that of its column.
+    /// Returns units for the positions and for the momenta, the two halves of the unknowns, from a matrix that maps unknowns to unknowns. An
+    /// entry of the matrix has the unit of its row over the unit of its column.
     pub(crate) fn of_blocks(matrix: &Square<A>) -> Self {
         let half = A::LEN / 2;
         let block = |rows: core::ops::Range<usize>, columns: core::ops::Range<usize>| {
@@ -80,35 +80,35 @@ impl<A: Array> Sizes<A> {
         sizes
     }
 
-    /// The sizes in order.
+    /// Returns the sizes in order, to be changed.
     #[inline(always)]
     pub(crate) fn entries(&mut self) -> &mut [A::Real] {
         self.0.as_mut_slice()
     }
 
-    /// The same, to be read.
+    /// Returns the sizes in order.
     #[inline(always)]
     pub(crate) fn as_slice(&self) -> &[A::Real] {
         self.0.as_slice()
     }
 
-    /// The size of entry `i`.
+    /// Returns the size of entry `i`.
     #[inline(always)]
     pub(crate) fn of(&self, i: usize) -> f64 {
         self.0.as_slice()[i].magnitude()
     }
 
-    /// Every entry times its size.
+    /// Multiplies every entry by its size.
     pub(crate) fn multiply(&self, x: &mut A) {
         for (x, size) in x.as_mut_slice().iter_mut().zip(self.0.as_slice()) {
             *x *= *size;
         }
     }
 
-    /// Takes a gradient to units of the sizes, and divides it by the sum of its magnitudes then, which is returned: by so much, times
-    /// ε, rounding of the coordinates changes the function. A gradient of zero stays.
+    /// Converts a gradient to units of the sizes and divides it by the sum of its magnitudes. Returns the sum: rounding of the coordinates
+    /// changes the function by ε times the sum. A gradient of zero stays.
     pub(crate) fn normalise(&self, gradient: &mut A) -> A::Real {
-        // So that products with small sizes do not vanish.
+        // The scale keeps products with small sizes from vanishing.
         let scale = before_squares(A::Real::from_f64(gradient.as_slice().iter().map(|x| x.magnitude()).sum()));
         for x in gradient.as_mut_slice() {
             *x *= scale;
@@ -123,7 +123,7 @@ impl<A: Array> Sizes<A> {
         terms / scale
     }
 
-    /// The sum of the squares of all entries in units of their sizes.
+    /// Returns the sum of the squares of all entries in units of their sizes.
     pub(crate) fn square(&self, x: &A) -> f64 {
         let square = |(i, x): (usize, &A::Real)| {
             let ratio = if x.magnitude() == 0.0 { 0.0 } else { x.magnitude() / self.of(i) };
@@ -132,35 +132,35 @@ impl<A: Array> Sizes<A> {
         x.as_slice().iter().enumerate().map(square).sum()
     }
 
-    /// Whether every entry of `delta` is at most `bound` of its size. No squares: those of coordinates in large or tiny units are no numbers, or zero.
+    /// Returns whether every entry of `delta` is at most `bound` times the size of its coordinate.
     #[inline(always)]
-    pub(crate) fn exceed(&self, delta: &A, bound: f64) -> bool {
-        let mut exceed = true;
+    pub(crate) fn all_within(&self, delta: &A, bound: f64) -> bool {
+        // Without squares, which overflow or vanish in large or tiny units.
+        let mut within = true;
         for i in 0..A::LEN {
             let (change, size) = (delta.as_slice()[i].magnitude(), self.of(i));
-            exceed &= change <= bound * size;
+            within &= change <= bound * size;
         }
-        exceed
+        within
     }
 
-    /// Whether every entry of a residual is small beside the entry of `origin + x`.
+    /// Returns whether every entry of a residual is small beside the entry of `origin + x`.
     #[inline(always)]
     pub(crate) fn resolve(&self, residual: &A, origin: &A, x: &A) -> bool {
         (0..A::LEN).all(|i| residual.as_slice()[i].magnitude() <= RESOLVED * self.of(i).max(sum(origin, x, i)))
     }
 
-    /// The largest entry of `delta`, each relative to the size of the entry of `origin + x` that it corrects. At most 1 where an
-    /// entry has no size but the correction; not a number if `delta` is none.
+    /// Returns the largest entry of `delta` relative to the size of the entry of `origin + x` that it corrects. The result is at most 1 where an
+    /// entry has no size but the correction. It is NaN if `delta` contains NaN.
     #[inline(always)]
     pub(crate) fn relative(&self, delta: &A, origin: &A, x: &A) -> f64 {
-        // Sizes first, by choices between numbers: a choice between ways to go on would be guessed wrongly wherever sizes and coordinates are nearly
-        // as large as each other.
+        // Sizes first, by conditional moves: a processor mispredicts branches where sizes and coordinates are nearly equal.
         let mut sizes = A::zero();
         for (i, size) in sizes.as_mut_slice().iter_mut().enumerate() {
             let (before, now) = (self.of(i), sum(origin, x, i) + delta.as_slice()[i].magnitude());
-            // `f64::max` would take three instructions more, and lose what is not a number.
+            // `f64::max` would take three instructions more, and drop NaN.
             let largest = if before > now { before } else { now };
-            // Nothing to correct is no correction, even of zero: a size of zero is that of a change of zero.
+            // A size of zero implies a change of zero; the ratio is then zero.
             *size = A::Real::from_f64(if largest == 0.0 { 1.0 } else { largest });
         }
         let ratio = |(change, size): (&A::Real, &A::Real)| change.magnitude() / size.magnitude();
@@ -168,13 +168,13 @@ impl<A: Array> Sizes<A> {
     }
 }
 
-/// |origin| + |x| of entry `i`.
+/// Returns |origin| + |x| of entry `i`.
 #[inline(always)]
 pub(crate) fn sum<A: Array>(origin: &A, x: &A, i: usize) -> f64 {
     origin.as_slice()[i].magnitude() + x.as_slice()[i].magnitude()
 }
 
-/// The largest number, and what is not a number if there is one: `f64::max` would lose that.
+/// Returns the largest number, or NaN if there is one. `f64::max` would drop NaN.
 #[inline(always)]
 pub(crate) fn largest(numbers: impl Iterator<Item = f64>) -> f64 {
     numbers.fold(0.0, |largest, x| if x > largest || x.is_nan() { x } else { largest })

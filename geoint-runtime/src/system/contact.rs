@@ -1,6 +1,6 @@
 //! Contact systems: H(q, p, s, t) moves q' = ∂H/∂p, p' = −∂H/∂q − p ∂H/∂s, s' = p·∂H/∂p − H.
 
-use super::{ByField, ContactCollocated, Cotangent, PhaseSpace, Separable};
+use super::{Cotangent, PhaseSpace, Separable};
 use crate::scalar::{Real, zero};
 use crate::space::{Array, ContactState, PerCoordinate, Square};
 
@@ -167,30 +167,4 @@ pub trait ImplicitStep<M, R: Real = f64>: Contact<R> {
     );
     /// What a solution adds to x. Not a number if the step has none.
     fn end(&self, constants: &Self::Constants, start: &Self::Start, d: &Self::Unknown) -> Self::Unknown;
-}
-
-/// The field of H as contact Gauss methods evaluate it at their stages.
-pub trait ContactStages<R: Real = f64>: ContactCollocated<R, Stages = ByField, Midpoint = ByField> {
-    /// `()`; see [`Method::Proof`](crate::Method::Proof).
-    type Proof;
-    /// q, p and s in a row; or q and p, where ∂H/∂s depends on time alone, and positions and momenta do not read s.
-    type Moved: Array<Real = R>;
-    /// What depends on parameters only.
-    type StageConstants: Copy + core::fmt::Debug;
-
-    /// What depends on parameters only.
-    fn stage_constants(&self) -> Self::StageConstants;
-    /// ∂H/∂p, −∂H/∂q, and p·∂H/∂p − H if s is among the unknowns; ∂H/∂s; and the derivatives of both.
-    fn stage(
-        &self,
-        constants: &Self::StageConstants,
-        t: R,
-        x: &Self::Moved,
-        values: (&mut Self::Moved, &mut R),
-        derivatives: (&mut Square<Self::Moved>, &mut Self::Moved),
-    );
-    /// ∂H/∂s alone.
-    fn decay(&self, constants: &Self::StageConstants, t: R, x: &Self::Moved) -> R;
-    /// s' = p·∂H/∂p − H.
-    fn action(&self, constants: &Self::StageConstants, t: R, z: &Self::Phase, s: &R) -> R;
 }

@@ -1,8 +1,8 @@
 //! What a flow keeps, and the mean velocities that keep it to order 4.
 
-use super::{Graded, Hamiltonian, PhaseSpace, Span, VectorField};
+use super::{Hamiltonian, PhaseSpace, VectorField};
 use crate::scalar::Real;
-use crate::space::{Array, Square};
+use crate::space::Array;
 
 /// One or more functions of the coordinates that the flow of `S` keeps.
 ///
@@ -86,44 +86,4 @@ pub trait KeptMomenta<R: Real = f64>: Hamiltonian<R> {
 
     /// The gradients of momenta, behind an entry that is not read.
     fn momenta(&self, z: &Self::Phase) -> <Self::Values as Array>::Map<Self::Phase>;
-}
-
-/// The equation of a step of order 4 that keeps first integrals, z₁ − z₀ = h (F − G(GᵀG)⁻¹GᵀF): the tree discrete gradients of the
-/// integrals are the columns of G, and F = (f(z₀) + 4 f(c) + f(z₁))/6 with c = m + h/8 (f(z₀) − f(z₁)) and the middle m.
-///
-/// The exact mean velocity is orthogonal to every discrete gradient, by the discrete chain rule: the projection leaves it alone, so that
-/// the step has the order of F, whatever the integrals are.
-#[diagnostic::on_unimplemented(
-    message = "`FourthOrder(DiscreteGradient)` has nothing to keep in `{Self}`, or constraints stand in its way",
-    label = "it keeps an energy, or first integrals",
-    note = "methods for every field: `Gauss`, `ImplicitMidpoint`, `RK4`, `DOP853`",
-    note = "with a `constraint`: `Suzuki4.of(DiscreteGradient)`, `Suzuki4.of(Rattle)`"
-)]
-pub trait FourthOrderField<R: Real = f64>: VectorField<R> + Graded<R> {
-    /// `()`; see [`Method::Proof`](crate::Method::Proof).
-    type Proof;
-    /// What depends on parameters and h.
-    type FourthParameters: Copy + core::fmt::Debug;
-    /// What depends on the start of a step.
-    type FourthStart: Copy;
-
-    /// What depends on parameters and h.
-    fn fourth_parameters(&self, h: R) -> Self::FourthParameters;
-    /// What all evaluations of a step from `z` have in common.
-    fn fourth_begin(&self, parameters: &Self::FourthParameters, span: Span<R>, z: &Self::Phase) -> Self::FourthStart;
-    /// h times the mean velocity, and 1 − ∂(that)/∂d; or `NEARLY` that, as far as two terms of a series for a correction need it: with less to do for
-    /// an energy beside which no momenta are kept.
-    fn fourth_slope<const NEARLY: bool>(
-        &self,
-        parameters: &Self::FourthParameters,
-        start: &Self::FourthStart,
-        d: &Self::Phase,
-        image: &mut Self::Phase,
-        matrix: &mut Square<Self::Phase>,
-    );
-    /// From now on gradients of momenta that nearly depend on that of the energy take no part, if there are momenta that nobody has named.
-    fn fourth_loosen(start: &mut Self::FourthStart) -> bool {
-        let _ = start;
-        false
-    }
 }

@@ -18,17 +18,17 @@ mod separable;
 mod timed;
 
 pub use bodies::PrincipalAxes;
-pub use contact::{Clock, Conformal, Contact, ContactStages, ImplicitStep, Mechanical, NystromPieces, Piece, Pieces};
+pub use contact::{Clock, Conformal, Contact, ImplicitStep, Mechanical, NystromPieces, Piece, Pieces};
 pub use implicit::{
     ByCanonical, ByConstraint, ByField, ByPolarisation, ByTree, ByVelocities, CanonicalForm, Collocated, Collocation,
-    Constrained, ConstrainedStep, ContactCollocated, ContactGraded, ContactPolarised, ContactStage, ContactVelocities,
-    DiscreteField, Graded, Gradients, MassForm, Mean, PolarisedForm, QuadraticField, Span, Unmet, VelocityForm,
-    contact_gradient_of, energy_of, rate_of, unmet, velocity_of,
+    Constrained, ConstrainedStep, ContactCollocated, ContactGraded, ContactPolarised, ContactStage, ContactStages,
+    ContactVelocities, DiscreteField, FourthOrderField, Graded, Gradients, MassForm, Mean, PolarisedForm,
+    QuadraticField, Span, Unmet, VelocityForm, contact_gradient_of, energy_of, rate_of, unmet, velocity_of,
 };
 pub(crate) use implicit::{
     KeptBy, Regular, acceleration, held, on_one_side, projected, row_scale, tangent, velocity_near,
 };
-pub use integrals::{FirstIntegrals, FourthOrderField, Invariants, KeepsEnergy, KeptMomenta, SteadyIntegrals};
+pub use integrals::{FirstIntegrals, Invariants, KeepsEnergy, KeptMomenta, SteadyIntegrals};
 pub use jets::Jets;
 pub(crate) use jumps::{jump_between, jump_on_way};
 pub use lagrangian::{Lagrangian, from_positions};

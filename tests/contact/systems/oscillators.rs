@@ -41,6 +41,30 @@ fn the_variational_leapfrog_has_known_errors() {
     }
 }
 
+/// Contact leapfrog has order 2. The control is leapfrog for (q, p) with friction as one more force: it has order 1, and larger errors.
+#[test]
+fn contact_leapfrog_is_compared_with_leapfrog() {
+    let leapfrog = |gamma: f64, h: f64| {
+        let ([mut q, mut p], duration) = ([-0.25, 0.75], if gamma > 0.5 { 15.0 } else { 50.0 });
+        let errors = (1..=(duration / h).round() as u32).map(|n| {
+            p -= h / 2.0 * (q + gamma * p);
+            q += h * p;
+            p -= h / 2.0 * (q + gamma * p);
+            q - exact([-0.25, 0.75], gamma, h * f64::from(n))
+        });
+        largest(errors)
+    };
+    for gamma in [0.1, 1.0] {
+        let contact = [0.1, 0.05].map(|h| off(DampedOscillator { gamma }, ContactLeapfrog, gamma, h));
+        let plain = [0.1, 0.05].map(|h| leapfrog(gamma, h));
+        assert!(
+            (order(contact) - 2.0).abs() < 0.05 && contact[0] < plain[0] / 3.0,
+            "γ = {gamma}: {contact:?} {plain:?}"
+        );
+        assert!(order(plain) < 1.25, "γ = {gamma}: {plain:?}");
+    }
+}
+
 /// M. Vermeeren, A. Bravetti & M. Seri (2019): β = 0.3, ω = π/3.
 #[test]
 fn a_driven_oscillator_stays_on_its_periodic_solution() {

@@ -1,7 +1,7 @@
 //! What each example reproduces, and from where.
 
 use crate::page::Page;
-use crate::sources;
+use geoint_verification::sources;
 use std::fs;
 
 /// An example, what it is compared with, and its source; none where it is a formula that stands in the program.
@@ -67,7 +67,7 @@ const SOURCES: &[(&str, &str, &str)] = &[
         "S. Chandrasekhar, *An Introduction to the Study of Stellar Structure* (1939)",
     ),
     ("spin_orbit", "sections and a capture", "A. Bravetti et al., Celest. Mech. Dyn. Astr. 132 (2020) 7"),
-    ("van_der_pol", "periods of a stiff oscillator", "M. Zadra, A. Bravetti & M. Seri, Mathematics 9 (2021) 1960"),
+    ("van_der_pol", "periods of a stiff oscillator", "F. Zadra, A. Bravetti & M. Seri, Mathematics 9 (2021) 1960"),
     ("cosmological_oscillator", "a sphere and an axis that are kept", ""),
     (
         "quadratic_dissipation",

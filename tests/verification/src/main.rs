@@ -4,8 +4,8 @@
 //! row. What it writes may differ from the page in the repository in digits; if words differ, the page is to be committed anew.
 //!
 //! Without optimisation measuring would take an hour, and every `cargo test` would build a thousand instances of methods. There the measured
-//! tables are those of the page in the repository, and what fails is a row that is missing, a test that is gone, or words that differ: seconds,
-//! for every run of the tests (`rows.rs`).
+//! tables are copied from the page in the repository. Missing rows, missing tests and other words still fail, within seconds and in every run of
+//! the tests (`rows.rs`).
 
 mod examples;
 #[cfg(not(debug_assertions))]
@@ -17,7 +17,6 @@ mod methods;
 mod page;
 mod reports;
 mod rows;
-mod sources;
 #[cfg(not(debug_assertions))]
 mod taylor;
 

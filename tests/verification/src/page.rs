@@ -1,6 +1,6 @@
 //! The page: sections of text and tables, and whether the page in the repository says the same.
 
-use crate::sources;
+use geoint_verification::sources;
 use std::fmt::Display;
 use std::process::ExitCode;
 

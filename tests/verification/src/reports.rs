@@ -1,10 +1,11 @@
-//! What `REPORT` says of systems and pieces, and the test behind each sentence.
+//! Sentences of `REPORT` on systems and pieces, and the test behind each sentence.
 
 use crate::page::Page;
-use crate::sources;
+use geoint_verification::project::Project;
+use geoint_verification::sources;
+use geoint_verification::statements::Names;
 
-/// Words of a sentence as they stand in the source of the report, and the test that fails if it is not true: the folder of its program, since
-/// files are split, and its name.
+/// Words of a sentence as the source of the report has them, and the test that fails if the sentence is not true, by its folder and name.
 const SENTENCES: &[(&str, &str)] = &[
     ("kick and drift are exact flows", "tests/accuracy::every_problem"),
     ("H = T({p}) + V({q})", "geoint-macros/src/tests::separable_with_quadratic_t"),
@@ -134,7 +135,7 @@ const WORDS: [&str; 24] = [
 /// Families of pieces, and the tests that compare their flows with differential equations.
 const FLOWS: [&str; 2] = ["tests/contact/flows.rs", "tests/pieces/flows.rs"];
 
-/// Sentences, and families of flows.
+/// Writes the tables of sentences and of families of flows.
 pub(crate) fn section(page: &mut Page) {
     page.section(
         2,
@@ -142,8 +143,10 @@ pub(crate) fn section(page: &mut Page) {
         "Sentences of `REPORT` that claim something of a system, and a test that fails where one is not true.",
     );
     page.table(["sentence", "test"], SENTENCES.iter().map(|(words, test)| [shown(words), format!("`{test}`")]));
+    let project = Project::here();
+    let mut names = Names::of(&project);
     for (_, test) in SENTENCES {
-        page.claim(sources::is_test(test), format_args!("{test} is no test"));
+        page.claim(names.is_test(test), format_args!("{test} is no test"));
     }
     let mut files = sources::below("geoint-macros/src/emit/report");
     files.push("geoint-macros/src/emit/damping.rs".into());
@@ -153,14 +156,14 @@ pub(crate) fn section(page: &mut Page) {
     }
     for (text, path) in &texts {
         for said in literals(text).into_iter().filter(|said| WORDS.iter().any(|word| said.contains(word))) {
-            // Names and single words are put into sentences.
+            // Names and single words are parts of sentences.
             let sentence = said.split_whitespace().count() > 2;
             let proven = SENTENCES.iter().any(|(words, _)| said.contains(words));
             page.claim(!sentence || proven, format_args!("“{said}”, of {path}, has no test"));
         }
     }
-    for name in sources::missing("tests/STATEMENTS.md") {
-        page.claim(false, format_args!("{name}, of tests/STATEMENTS.md, is not there"));
+    for fault in names.faults(&sources::read("tests/STATEMENTS.md")) {
+        page.claim(false, format_args!("tests/STATEMENTS.md: {fault}"));
     }
     flows(page);
 }
@@ -211,7 +214,7 @@ fn literals(source: &str) -> Vec<String> {
     found
 }
 
-/// Words with what is put into them left out.
+/// Words with an ellipsis in place of inserted values.
 fn shown(words: &str) -> String {
     let mut text = String::new();
     let mut rest = words.trim();

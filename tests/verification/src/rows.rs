@@ -2,7 +2,7 @@
 //! function that users may write.
 
 use crate::page::Page;
-use crate::sources;
+use geoint_verification::sources;
 
 /// Names of tables that users make.
 const OF_USERS: [&str; 2] = ["Splitting", "RungeKutta"];

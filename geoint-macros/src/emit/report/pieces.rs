@@ -17,7 +17,7 @@ pub(super) fn of_energy<F: Fn(Symbol) -> String>(
         Ok(pieces) => pieces,
         Err(missing) => {
             writeln!(text, "- none: no rule knows the flow of {}", printer.excerpt(missing.term))?;
-            let names: Vec<&str> = tried(action).map(|family| family.name).collect();
+            let names: Vec<&str> = tried(action).map(|(_, family)| family.name).collect();
             return writeln!(text, "- families that were tried: {}", names.join(", "));
         }
     };

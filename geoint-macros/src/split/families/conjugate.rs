@@ -1,15 +1,11 @@
 //! (q, p, s) → (p, −q, s − q·p) keeps ds − p dq: with a flow there is the flow of the conjugate energy.
 
-use super::super::flow::{Flow, Group};
+use super::super::flow::{Flow, Group, Rules};
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Symbol};
 
 /// The flow of an energy from that of its conjugate, if `rules` know it.
-pub(in super::super) fn solve(
-    graph: &mut Graph,
-    group: &Group,
-    rules: impl Fn(&mut Graph, &Group) -> Option<Flow>,
-) -> Option<Flow> {
+pub(super) fn solve(graph: &mut Graph, group: &Group, rules: Rules<'_>) -> Option<Flow> {
     let degrees = group.degrees;
     // H(−p̂, q̂, ŝ − q̂·p̂) with q̂ = p, p̂ = −q, ŝ = s − q·p.
     let energy = replaced(graph, degrees, group.energy, |graph, q, p| (graph.neg(p), q));

@@ -1,6 +1,6 @@
 //! Functions of an energy with a known flow: F(A) moves as A does, F'(A) times as fast, and A stays.
 
-use super::super::flow::{Flow, Group};
+use super::super::flow::{Flow, Group, Rules};
 use super::super::polynomial::is_free;
 use super::super::time::Clock;
 use crate::diff;
@@ -8,11 +8,7 @@ use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Node, Symbol};
 
 /// The flow of A over h·F'(A), for the largest A of which `rules` know it.
-pub(in super::super) fn solve(
-    graph: &mut Graph,
-    group: &Group,
-    rules: impl Fn(&mut Graph, &Group) -> Option<Flow>,
-) -> Option<Flow> {
+pub(super) fn solve(graph: &mut Graph, group: &Group, rules: Rules<'_>) -> Option<Flow> {
     if group.clock == Clock::Own && !is_free(graph, group.energy, &|symbol| symbol == Symbol::T) {
         return None;
     }

@@ -3,7 +3,7 @@
 //! F(p₀ − a(q₀, …), …) with an a that reads the momentum's own position is such an energy, direction by direction of a field. Y. K. Wu,
 //! E. Forest & D. S. Robin, Phys. Rev. E 68 (2003) 046502.
 
-use super::super::flow::{Flow, Group};
+use super::super::flow::{Flow, Group, Rules};
 use super::super::increment::increments;
 use super::super::polynomial::{Polynomial, is_free, is_momentum, slope_of_line, times_powers};
 use super::super::time::Clock;
@@ -13,11 +13,7 @@ use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Node, Number, Symbol};
 
 /// The flow by `rules` after a change of gauge.
-pub(in super::super) fn solve(
-    graph: &mut Graph,
-    group: &Group,
-    rules: impl Fn(&mut Graph, &Group) -> Option<Flow>,
-) -> Option<Flow> {
+pub(super) fn solve(graph: &mut Graph, group: &Group, rules: Rules<'_>) -> Option<Flow> {
     let moves = |symbol: Symbol| symbol == Symbol::S || symbol == Symbol::T && group.clock == Clock::Own;
     if !is_free(graph, group.energy, &moves) {
         return None;

@@ -1,16 +1,12 @@
 //! Degrees of freedom that know nothing of each other: each moves as if it were alone.
 
-use super::super::flow::{Flow, Group};
+use super::super::flow::{Flow, Group, Rules};
 use crate::analyze;
 use crate::ir::{Graph, Id, Symbol};
 use std::collections::BTreeSet;
 
 /// Σ Aᵢ of energies that have no coordinate in common, if `rules` know the flow of each.
-pub(in super::super) fn solve(
-    graph: &mut Graph,
-    group: &Group,
-    rules: impl Fn(&mut Graph, &Group) -> Option<Flow>,
-) -> Option<Flow> {
+pub(super) fn solve(graph: &mut Graph, group: &Group, rules: Rules<'_>) -> Option<Flow> {
     let parts = parts(graph, group.energy);
     if parts.len() < 2 {
         return None;

@@ -1,6 +1,6 @@
 //! A step between its flows: the state, and the point from which the next step goes on.
 
-use super::flows::Coordinates;
+use super::kicks::Coordinates;
 use super::moving::Moving;
 use crate::method::open::Open;
 use crate::scalar::Real;

@@ -1,12 +1,12 @@
-//! Kick and drift as the flows of a table: which of them is the outer one, and what a kick is.
+//! Kick and drift as the flows of a table: the outer flow and the inner flow.
 
 use super::between::Between;
+use super::kicks::{Kicks, Weight, WithoutGradient};
 use super::moving::{Moving, Times};
 use crate::scalar::Real;
 use crate::sealed::Sealed;
-use crate::space::{Array, PerCoordinate, Summation};
-use crate::system::{ForceGradient, PhaseSpace, QuadraticKinetic, Separable};
-use core::fmt::Debug;
+use crate::space::{Array, Summation};
+use crate::system::Separable;
 use core::marker::PhantomData;
 
 /// The outer flows are kicks, of the kind `F`.
@@ -17,99 +17,8 @@ pub struct KickFirst<F = WithoutGradient>(PhantomData<F>);
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DriftFirst<F = WithoutGradient>(PhantomData<F>);
 
-/// How long a flow is: a part of h, and for kicks with a force gradient a part of h³.
-#[derive(Clone, Copy, Debug)]
-pub struct Weight<R> {
-    pub(crate) h: R,
-    pub(crate) gradient: Option<R>,
-}
-
-/// What a kick is.
-///
-/// Sealed: a table has what its kicks are in its type.
-pub trait Kicks<S: Separable<R>, R: Real>: Sealed + Copy + Debug {
-    /// What it needs of the system; see [`Method::Proof`](crate::Method::Proof).
-    type Proof;
-    /// Coefficients of a kick.
-    type Kick: Copy;
-    /// Prepares a kick.
-    fn prepare(system: &S, weight: Weight<R>) -> Self::Kick;
-    /// A kick.
-    fn kick(system: &S, kick: &Self::Kick, t: R, q: &mut S::Array, p: &mut S::Array, s: &mut S::Action);
-    /// What a kick from `x` adds.
-    fn increments(system: &S, kick: &Self::Kick, t: R, x: &Coordinates<S, R>) -> Coordinates<S, R>;
-}
-
-/// The coordinates of a system, or what is added to them.
-pub(crate) type Coordinates<S, R> = PerCoordinate<<S as PhaseSpace<R>>::Phase, <S as PhaseSpace<R>>::Action>;
-
-/// The flow of V.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WithoutGradient;
-
-impl Sealed for WithoutGradient {}
-impl Sealed for WithGradient {}
 impl<F> Sealed for KickFirst<F> {}
 impl<F> Sealed for DriftFirst<F> {}
-
-impl<S: Separable<R>, R: Real> Kicks<S, R> for WithoutGradient {
-    type Proof = S::Proof;
-    type Kick = S::Kick;
-    fn prepare(system: &S, weight: Weight<R>) -> S::Kick {
-        system.prepare_kick(weight.h)
-    }
-    #[inline(always)]
-    fn kick(system: &S, kick: &S::Kick, t: R, q: &mut S::Array, p: &mut S::Array, s: &mut S::Action) {
-        system.kick(kick, t, q, p, s);
-    }
-    #[inline(always)]
-    fn increments(system: &S, kick: &S::Kick, t: R, x: &Coordinates<S, R>) -> Coordinates<S, R> {
-        system.kick_increments(kick, t, x)
-    }
-}
-
-/// The flow of V, or of V with a force gradient where the table has a weight for it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WithGradient;
-
-/// A kick of a table with force gradients.
-#[derive(Clone, Copy, Debug)]
-pub enum SomeKick<A, B> {
-    /// The flow of V.
-    WithoutGradient(A),
-    /// With a force gradient.
-    WithGradient(B),
-}
-
-impl<S: ForceGradient<R>, R: Real> Kicks<S, R> for WithGradient {
-    type Proof = <S as QuadraticKinetic<R>>::Proof;
-    type Kick = SomeKick<S::Kick, S::GradientKick>;
-    fn prepare(system: &S, weight: Weight<R>) -> Self::Kick {
-        match weight.gradient {
-            None => SomeKick::WithoutGradient(system.prepare_kick(weight.h)),
-            Some(gradient) => SomeKick::WithGradient(system.prepare_gradient_kick(weight.h, gradient)),
-        }
-    }
-    #[inline(always)]
-    fn kick(system: &S, kick: &Self::Kick, t: R, q: &mut S::Array, p: &mut S::Array, s: &mut S::Action) {
-        match kick {
-            SomeKick::WithoutGradient(kick) => system.kick(kick, t, q, p, s),
-            SomeKick::WithGradient(kick) => system.gradient_kick(kick, t, q, p, s),
-        }
-    }
-    #[inline(always)]
-    fn increments(system: &S, kick: &Self::Kick, t: R, x: &Coordinates<S, R>) -> Coordinates<S, R> {
-        match kick {
-            SomeKick::WithoutGradient(kick) => system.kick_increments(kick, t, x),
-            SomeKick::WithGradient(kick) => {
-                // It only adds.
-                let mut d: Coordinates<S, R> = PerCoordinate::nothing();
-                system.gradient_kick(kick, t, &mut x.z[0].clone(), &mut d.z[1], &mut d.s);
-                d
-            }
-        }
-    }
-}
 
 /// Which of kick and drift is the outer flow.
 ///

@@ -1,6 +1,6 @@
 //! A point while flows move it, and how kicks, drifts and rotations do.
 
-use super::flows::{Coordinates, Kicks};
+use super::kicks::{Coordinates, Kicks};
 use crate::scalar::Real;
 use crate::space::{Action, Array, PerCoordinate, Plain, Point, Summation, add_action};
 use crate::system::{Cotangent, PrincipalAxes, Separable};

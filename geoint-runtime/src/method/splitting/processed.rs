@@ -1,6 +1,7 @@
 //! Tables with a processor: χ⁻¹ ∘ K ∘ … ∘ K ∘ χ, cheap steps K between a way before the first one and the same way back after the last.
 
-use super::flows::{Order, Weight};
+use super::flows::Order;
+use super::kicks::Weight;
 use super::moving::{Moving, Times};
 use super::sequence::Sequence;
 use super::steps_of;

@@ -1,7 +1,8 @@
 //! Verlet's method for rigid bodies with rotations about their axes in place of the exact flow of a free body.
 
 use super::delegate;
-use super::flows::{Kicks, Order, Weight, WithoutGradient};
+use super::flows::Order;
+use super::kicks::{Kicks, Weight, WithoutGradient};
 use super::moving::{Moving, Times};
 use super::table::{
     Flow::{Drift, Kick},

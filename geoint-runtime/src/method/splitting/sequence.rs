@@ -1,6 +1,7 @@
 //! A table multiplied by h.
 
-use super::flows::{Order, Weight};
+use super::flows::Order;
+use super::kicks::Weight;
 use super::moving::Times;
 use super::table::Splitting;
 use crate::scalar::Real;

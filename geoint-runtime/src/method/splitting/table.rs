@@ -1,6 +1,7 @@
 //! Tables: fractions of h, in order of application.
 
-use super::flows::{DriftFirst, KickFirst, WithGradient};
+use super::flows::{DriftFirst, KickFirst};
+use super::kicks::WithGradient;
 use crate::method::tables::total::adds_up;
 use crate::method::{Claims, Name};
 use core::marker::PhantomData;

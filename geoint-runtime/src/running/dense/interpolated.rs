@@ -1,6 +1,6 @@
 //! Many states within a step: a polynomial through states and rates at some of its points, in place of a step of part of the length for each.
 
-use super::{Dense, SampledAt, SampledEvery};
+use super::Dense;
 use crate::method::Method;
 use crate::running::trajectory::Scalar;
 use crate::running::{Adaptive, Integrator, StepError};
@@ -74,35 +74,6 @@ impl<T: Interpolated> Within<T> for Curve<T> {
             Some(curve) => Ok(after.on(curve, t)),
             None => T::between(before, after, t),
         }
-    }
-}
-
-impl<'a, T: Interpolated> SampledEvery<'a, T> {
-    /// The same by one polynomial a step: where a step has many of these states they cost a few operations each. States have the accuracy of
-    /// the run, and do not keep to rounding what the run keeps.
-    ///
-    /// ```
-    /// use geoint_runtime::prelude::*;
-    ///
-    /// #[hamiltonian]
-    /// fn pendulum(q: f64, p: f64) -> f64 {
-    ///     p * p / 2.0 - q.cos()
-    /// }
-    ///
-    /// let mut sim = Pendulum.integrator(Gauss::<3>, 0.1, State::new(1.5, 0.0));
-    /// let last = sim.sampled_every(0.001).interpolated().nth(10_000).expect("without end")?;
-    /// assert!((last.q + 1.0540491554508432).abs() < 1e-8);
-    /// # Ok::<(), StepError>(())
-    /// ```
-    pub fn interpolated(self) -> SampledEvery<'a, T, Curve<T>> {
-        self.by()
-    }
-}
-
-impl<'a, T: Interpolated, I: Iterator<Item = Scalar<T>>> SampledAt<'a, T, I> {
-    /// The same by one polynomial a step; see [`SampledEvery::interpolated`].
-    pub fn interpolated(self) -> SampledAt<'a, T, I, Curve<T>> {
-        self.by()
     }
 }
 

@@ -14,12 +14,11 @@ pub use samples::{SampledAt, SampledEvery};
 pub use taylor::TaylorCrossings;
 
 use super::trajectory::{Scalar, Trajectory};
-use super::{Adaptive, Integrator, StepError, TaylorIntegrator};
+use super::{Adaptive, Integrator, StepError};
 use crate::method::Method;
 use crate::scalar::{Real, signed};
 use crate::space::{Array, Summation};
-use crate::system::{Jets, PhaseSpace, Rates, StateOf};
-use crate::taylor::TaylorMethod;
+use crate::system::{PhaseSpace, Rates, StateOf};
 
 /// A run that knows its states between the ends of its steps.
 ///
@@ -170,7 +169,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Dense f
     fn between(before: &Self, after: &Self, t: R) -> Result<StateOf<S, R>, StepError> {
         let nearer = signed(t - before.time()).abs() < signed(t - after.time()).abs();
         let mut copy = if M::ROUGH_IF_SHORT && nearer { after.clone() } else { before.clone() };
-        copy.end_at(t)?;
+        shorten_to(&mut copy, t)?;
         Ok(copy.state())
     }
 
@@ -180,22 +179,29 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Dense f
 
     fn end_at(&mut self, t: R) -> Result<(), StepError> {
         let h = self.step_size();
-        let mut outcome = Ok(());
-        // Methods that scale their steps end a little beside it.
-        for _ in 0..4 {
-            if self.time() == t || outcome.is_err() {
-                break;
-            }
-            self.set_step_size(t - self.time());
-            outcome = match self.step_towards(t) {
-                Ok(false) => self.step(),
-                stepped => stepped.map(drop),
-            };
-        }
-        // Also of a run that was not led there.
+        let outcome = shorten_to(self, t);
+        // After an error, too.
         self.set_step_size(h);
         outcome
     }
+}
+
+/// Takes a step of the length that leads to the time `t`. The run keeps this length, so that a copy prepares the method once only.
+fn shorten_to<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>>(
+    run: &mut Integrator<S, M, R, C>,
+    t: R,
+) -> Result<(), StepError> {
+    // Methods that scale their steps end a little beside `t`. The next step leads from there to `t`.
+    for _ in 0..4 {
+        if run.time() == t {
+            break;
+        }
+        run.set_step_size(t - run.time());
+        if !run.step_towards(t)? {
+            run.step()?;
+        }
+    }
+    Ok(())
 }
 
 impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Dense for Adaptive<S, M, R> {
@@ -221,39 +227,12 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Dense for Adaptive<S
     }
 }
 
-impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Dense for TaylorIntegrator<S, M, R> {
-    fn set_state(&mut self, state: StateOf<S, R>) {
-        self.restart(state);
-    }
-
-    fn check_start(&self) -> Result<(), StepError> {
-        self.steps.check_start()
-    }
-
-    fn at(&self, t: R) -> Option<StateOf<S, R>> {
-        self.at(t)
-    }
-
-    fn end_at(&mut self, t: R) -> Result<(), StepError> {
-        self.advance_to(t)
-    }
-
-    fn steps_backwards(&self) -> bool {
-        self.steps.backwards
-    }
-
-    fn between(_: &Self, after: &Self, t: R) -> Result<StateOf<S, R>, StepError> {
-        after.at(t).ok_or(StepError::TimePassed { t: signed(t) })
-    }
-}
-
-/// The state so long after now, if that is within a step of length `h`.
+/// Returns the state at the time `t`, which is `after` from now, if it lies within a step of length `h`.
 fn ahead<T: Dense>(run: &T, t: Scalar<T>, after: f64, h: f64) -> Option<T::State> {
     if after == 0.0 {
         return Some(run.state());
     }
-    let mut copy = run.clone();
-    (after > 0.0 && after <= h && copy.end_at(t).is_ok()).then(|| copy.state())
+    if after > 0.0 && after <= h { T::between(run, run, t).ok() } else { None }
 }
 
 /// Whether a run at the time `now` has come to `t`.

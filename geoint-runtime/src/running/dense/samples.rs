@@ -1,6 +1,6 @@
 //! States at given times.
 
-use super::interpolated::{Exactly, Within};
+use super::interpolated::{Curve, Exactly, Interpolated, Within};
 use super::{Dense, has_reached, step};
 use crate::running::StepError;
 use crate::running::trajectory::Scalar;
@@ -72,7 +72,7 @@ impl<'a, T: Dense> SampledEvery<'a, T> {
     }
 
     /// States within steps in another way.
-    pub(super) fn by<W: Within<T>>(self) -> SampledEvery<'a, T, W> {
+    fn by<W: Within<T>>(self) -> SampledEvery<'a, T, W> {
         let Between { run, before, backwards, failed, .. } = self.between;
         let between = Between { run, before, within: W::new(), backwards, failed };
         SampledEvery { between, start: self.start, dt: self.dt, taken: self.taken }
@@ -98,6 +98,28 @@ impl<T: Dense, W: Within<T>> Iterator for SampledEvery<'_, T, W> {
     }
 }
 
+impl<'a, T: Interpolated> SampledEvery<'a, T> {
+    /// Takes the states from one polynomial a step. Many states within a step then cost a few operations each. States have the accuracy of
+    /// the run, but invariants are not kept to rounding.
+    ///
+    /// ```
+    /// use geoint_runtime::prelude::*;
+    ///
+    /// #[hamiltonian]
+    /// fn pendulum(q: f64, p: f64) -> f64 {
+    ///     p * p / 2.0 - q.cos()
+    /// }
+    ///
+    /// let mut sim = Pendulum.integrator(Gauss::<3>, 0.1, State::new(1.5, 0.0));
+    /// let last = sim.sampled_every(0.001).interpolated().nth(10_000).expect("without end")?;
+    /// assert!((last.q + 1.0540491554508432).abs() < 1e-8);
+    /// # Ok::<(), StepError>(())
+    /// ```
+    pub fn interpolated(self) -> SampledEvery<'a, T, Curve<T>> {
+        self.by()
+    }
+}
+
 /// States at given times; ends with them, or after the first error.
 #[derive(Debug)]
 pub struct SampledAt<'a, T: Dense, I: Iterator<Item = Scalar<T>>, W = Exactly> {
@@ -113,7 +135,7 @@ impl<'a, T: Dense, I: Iterator<Item = Scalar<T>>> SampledAt<'a, T, I> {
     }
 
     /// States within steps in another way, before the first of them.
-    pub(super) fn by<W: Within<T>>(self) -> SampledAt<'a, T, I, W> {
+    fn by<W: Within<T>>(self) -> SampledAt<'a, T, I, W> {
         let run = self.run.or(self.between.map(|between| between.run));
         SampledAt { between: None, run, times: self.times }
     }
@@ -137,5 +159,12 @@ impl<T: Dense, I: Iterator<Item = Scalar<T>>, W: Within<T>> Iterator for Sampled
             self.between = Some(Between::new(run, backwards));
         }
         self.between.as_mut()?.next(t)
+    }
+}
+
+impl<'a, T: Interpolated, I: Iterator<Item = Scalar<T>>> SampledAt<'a, T, I> {
+    /// Takes the states from one polynomial a step; see [`SampledEvery::interpolated`].
+    pub fn interpolated(self) -> SampledAt<'a, T, I, Curve<T>> {
+        self.by()
     }
 }

@@ -22,8 +22,9 @@ impl<A: Array> Iteration<A> {
         let mut next = *second;
         let ratio = second.as_slice()[0] / first.as_slice()[0];
         next.as_mut_slice()[0] *= ratio * ratio;
-        let is_little =
-            self.sizes.exceed(first, SHORT) && self.sizes.exceed(&next, LITTLE * A::Real::epsilon()) && !self.looks();
+        let is_little = self.sizes.all_within(first, SHORT)
+            && self.sizes.all_within(&next, LITTLE * A::Real::epsilon())
+            && !self.looks();
         is_little.then_some(next)
     }
 }

@@ -105,19 +105,19 @@ impl<A: Array> Iteration<A> {
     /// Whether nothing is left to correct after this correction. Convergence is quadratic, and C is known from a step before.
     #[inline(always)]
     pub(super) fn is_last(&self, delta: &A) -> bool {
-        self.sizes.exceed(delta, self.reach) && !self.looks()
+        self.sizes.all_within(delta, self.reach) && !self.looks()
     }
 
     /// Whether a correction of an extrapolated guess leads to no other branch.
     #[inline(always)]
     pub(super) fn is_near(&self, delta: &A) -> bool {
-        self.sizes.exceed(delta, FAR_OFF)
+        self.sizes.all_within(delta, FAR_OFF)
     }
 
     /// Whether nothing that counts is left after this term of a correction, where steps are settled.
     #[inline(always)]
     pub(super) fn is_last_term(&self, term: &A) -> bool {
-        self.sizes.exceed(term, LAST_TERM * A::Real::epsilon()) && !self.looks()
+        self.sizes.all_within(term, LAST_TERM * A::Real::epsilon()) && !self.looks()
     }
 
     /// Whether this step looks at what others take as known.
@@ -194,7 +194,7 @@ impl<A: Array> Iteration<A> {
         self.guesses.choose(predictor, |guess| {
             let missed = difference(&x, guess);
             // What one correction makes good is good enough.
-            if self.sizes.exceed(&missed, self.reach) { 0.0 } else { self.sizes.relative(&missed, &origin, &x) }
+            if self.sizes.all_within(&missed, self.reach) { 0.0 } else { self.sizes.relative(&missed, &origin, &x) }
         })
     }
 

@@ -3,7 +3,7 @@
 use crate::scalar::Real;
 use crate::solving::Inverse;
 use crate::space::{Array, Square};
-use crate::system::{ByTree, Collocated, Graded, VectorField};
+use crate::system::{ByField, ByTree, Collocated, ContactCollocated, Graded, VectorField};
 
 /// The field is a polynomial of degree 2 at most: of an energy, one of degree 3.
 #[diagnostic::on_unimplemented(
@@ -155,4 +155,70 @@ pub trait DiscreteField<R: Real = f64>: Collocation<R> + Graded<R, Gradient = By
     }
     /// h ∂T/∂p at the mean of two momenta whose sum this is, if T is quadratic.
     fn drift(&self, parameters: &Self::Parameters, sum: &Self::Unknown) -> Self::Unknown;
+}
+
+/// The equation of a step of order 4 that keeps first integrals, z₁ − z₀ = h (F − G(GᵀG)⁻¹GᵀF): the tree discrete gradients of the
+/// integrals are the columns of G, and F = (f(z₀) + 4 f(c) + f(z₁))/6 with c = m + h/8 (f(z₀) − f(z₁)) and the middle m.
+///
+/// The exact mean velocity is orthogonal to every discrete gradient, by the discrete chain rule: the projection leaves it alone, so that
+/// the step has the order of F, whatever the integrals are.
+#[diagnostic::on_unimplemented(
+    message = "`FourthOrder(DiscreteGradient)` has nothing to keep in `{Self}`, or constraints stand in its way",
+    label = "it keeps an energy, or first integrals",
+    note = "methods for every field: `Gauss`, `ImplicitMidpoint`, `RK4`, `DOP853`",
+    note = "with a `constraint`: `Suzuki4.of(DiscreteGradient)`, `Suzuki4.of(Rattle)`"
+)]
+pub trait FourthOrderField<R: Real = f64>: VectorField<R> + Graded<R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
+    /// What depends on parameters and h.
+    type FourthParameters: Copy + core::fmt::Debug;
+    /// What depends on the start of a step.
+    type FourthStart: Copy;
+
+    /// What depends on parameters and h.
+    fn fourth_parameters(&self, h: R) -> Self::FourthParameters;
+    /// What all evaluations of a step from `z` have in common.
+    fn fourth_begin(&self, parameters: &Self::FourthParameters, span: Span<R>, z: &Self::Phase) -> Self::FourthStart;
+    /// h times the mean velocity, and 1 − ∂(that)/∂d; or `NEARLY` that, as far as two terms of a series for a correction need it: with less to do for
+    /// an energy beside which no momenta are kept.
+    fn fourth_slope<const NEARLY: bool>(
+        &self,
+        parameters: &Self::FourthParameters,
+        start: &Self::FourthStart,
+        d: &Self::Phase,
+        image: &mut Self::Phase,
+        matrix: &mut Square<Self::Phase>,
+    );
+    /// From now on gradients of momenta that nearly depend on that of the energy take no part, if there are momenta that nobody has named.
+    fn fourth_loosen(start: &mut Self::FourthStart) -> bool {
+        let _ = start;
+        false
+    }
+}
+
+/// The field of H as contact Gauss methods evaluate it at their stages.
+pub trait ContactStages<R: Real = f64>: ContactCollocated<R, Stages = ByField, Midpoint = ByField> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
+    /// q, p and s in a row; or q and p, where ∂H/∂s depends on time alone, and positions and momenta do not read s.
+    type Moved: Array<Real = R>;
+    /// What depends on parameters only.
+    type StageConstants: Copy + core::fmt::Debug;
+
+    /// What depends on parameters only.
+    fn stage_constants(&self) -> Self::StageConstants;
+    /// ∂H/∂p, −∂H/∂q, and p·∂H/∂p − H if s is among the unknowns; ∂H/∂s; and the derivatives of both.
+    fn stage(
+        &self,
+        constants: &Self::StageConstants,
+        t: R,
+        x: &Self::Moved,
+        values: (&mut Self::Moved, &mut R),
+        derivatives: (&mut Square<Self::Moved>, &mut Self::Moved),
+    );
+    /// ∂H/∂s alone.
+    fn decay(&self, constants: &Self::StageConstants, t: R, x: &Self::Moved) -> R;
+    /// s' = p·∂H/∂p − H.
+    fn action(&self, constants: &Self::StageConstants, t: R, z: &Self::Phase, s: &R) -> R;
 }

@@ -12,7 +12,7 @@ pub use canonical::CanonicalForm;
 pub use constraints::{Constrained, ConstrainedStep, Gradients, Unmet, unmet};
 pub(crate) use constraints::{held, on_one_side, projected, tangent};
 pub use contact::{ContactPolarised, ContactStage, ContactVelocities, contact_gradient_of};
-pub use fields::{Collocation, DiscreteField, Mean, QuadraticField, Span};
+pub use fields::{Collocation, ContactStages, DiscreteField, FourthOrderField, Mean, QuadraticField, Span};
 pub(crate) use forms::KeptBy;
 pub use forms::{
     ByCanonical, ByConstraint, ByField, ByPolarisation, ByTree, ByVelocities, Collocated, ContactCollocated,

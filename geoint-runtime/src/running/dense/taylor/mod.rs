@@ -1,6 +1,7 @@
 //! Where a function of the state changes sign along the polynomial of a step: all its zeros, in order.
 
 mod pieces;
+mod run;
 
 use super::crossing::{Crossing, Direction, NEAR, ZEROS, check_end, next};
 use super::has_reached;

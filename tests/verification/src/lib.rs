@@ -1,0 +1,8 @@
+//! Checks of the project that run none of it: names of tests in pages, and imports between files.
+
+mod expansion;
+pub mod imports;
+mod programs;
+pub mod project;
+pub mod sources;
+pub mod statements;
