@@ -8,6 +8,9 @@ use syn::Item;
 /// Crates whose unit tests are named by the folder of their module.
 const CRATES: [&str; 2] = ["geoint-macros/src", "geoint-runtime/src"];
 
+/// Folders of programs that must not compile.
+const MISTAKES: [&str; 2] = ["tests/messages/src/ui", "tests/essentials/mistakes"];
+
 /// Looks names up in a project. Each program is read once.
 #[derive(Debug)]
 pub struct Names<'a> {
@@ -63,7 +66,7 @@ impl<'a> Names<'a> {
 
     fn is_refused(&self, name: &str) -> bool {
         let is_module = |item: &Item| matches!(item, Item::Mod(module) if module.ident == name);
-        let mut files = self.project.below("tests/messages/src/ui");
+        let mut files = MISTAKES.iter().flat_map(|folder| self.project.below(folder));
         files.any(|(path, text)| parsed(path, text).iter().any(is_module))
     }
 
