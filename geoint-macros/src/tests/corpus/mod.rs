@@ -1,0 +1,116 @@
+//! The corpus of emitted code: every annotated function of the repository is expanded, and hashes of the expansions are compared with
+//! the list `expansions.txt`.
+//!
+//! `UPDATE_EXPECT=1` rewrites the list. `EXPANSIONS=NAME` writes all expansions to the folder `geoint/expansions/NAME` of the target
+//! folder, for reading: write `before` and `after` a change, and compare the two by `diff -r`.
+
+mod changes;
+mod comparison;
+mod expansion;
+mod reading;
+mod scan;
+mod sources;
+mod written;
+
+use crate::parse::Form;
+use comparison::{Differences, Entry};
+use expansion::Outcome;
+use proc_macro2::TokenStream;
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::{env, fs, thread};
+
+/// All forms of systems.
+const FORMS: [Form; 8] = [
+    Form::Hamiltonian,
+    Form::Contact,
+    Form::Bodies,
+    Form::Structured,
+    Form::Field,
+    Form::Lagrangian,
+    Form::Herglotz,
+    Form::FirstOrder,
+];
+
+/// Fewer functions are a mistake of the scan.
+const AT_LEAST: usize = 1000;
+
+/// The stack of a thread of rustc.
+const STACK: usize = 8 << 20;
+
+const HEADER: &str = "\
+# Hashes of the code that is emitted for the functions of this repository: path, name, form, FNV-1a of the tokens.
+# Written by `UPDATE_EXPECT=1 cargo test -p geoint-macros corpus`.
+";
+
+const HELP: &str = "\
+The code that is emitted for these functions is not the code of src/tests/corpus/expansions.txt.
+If this is intended: `UPDATE_EXPECT=1 cargo test -p geoint-macros corpus` rewrites the list.
+To read the difference: run `EXPANSIONS=before cargo test -p geoint-macros corpus` without the change, run it with
+`EXPANSIONS=after` with the change, and compare the folders `target/geoint/expansions/{before,after}` by `diff -r`.
+";
+
+#[test]
+fn expansions_are_those_of_the_list() {
+    let list = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/tests/corpus/expansions.txt");
+    let found = expanded(&sources::files());
+    assert!(found.len() >= AT_LEAST, "{} annotated functions are found, of {AT_LEAST} and more", found.len());
+    for form in FORMS {
+        assert!(found.iter().any(|entry| entry.outcome == Outcome::System(form)), "no system is {form:?}");
+    }
+    if env::var_os("UPDATE_EXPECT").is_some() {
+        let lines: String = found.iter().map(ToString::to_string).collect();
+        fs::write(list, HEADER.to_owned() + &lines).expect("the list is written");
+        return;
+    }
+    let differences = Differences::between(&fs::read_to_string(list).unwrap_or_default(), &found);
+    assert!(differences.is_empty(), "\n{differences}\n{HELP}");
+}
+
+/// Expands all functions of some files, by as many threads as there are processors.
+fn expanded(files: &[PathBuf]) -> Vec<Entry> {
+    let next = AtomicUsize::new(0);
+    let work = || {
+        let mut done = vec![];
+        while let Some(file) = files.get(next.fetch_add(1, Ordering::Relaxed)) {
+            done.extend(expansions(file).into_iter().map(|(entry, _)| (file, entry)));
+        }
+        done
+    };
+    let mut found = thread::scope(|scope| {
+        let threads = thread::available_parallelism().map_or(1, usize::from);
+        let spawned: Vec<_> = (0..threads)
+            .map(|_| thread::Builder::new().stack_size(STACK).spawn_scoped(scope, work).expect("a thread"))
+            .collect();
+        spawned.into_iter().flat_map(|thread| thread.join().expect("expansions without panics")).collect::<Vec<_>>()
+    });
+    found.sort_by_key(|(file, _)| *file); // stable, as the functions of a file are in order
+    found.into_iter().map(|(_, entry)| entry).collect()
+}
+
+/// Expands all functions of a file, in its order. Writes the expansions if `EXPANSIONS` asks for them.
+fn expansions(file: &Path) -> Vec<(Entry, TokenStream)> {
+    let text = fs::read_to_string(sources::root().join(file)).expect("a text file");
+    if !sources::names_an_attribute(&text) {
+        return vec![];
+    }
+    let mut found = scan::Found::default();
+    let is_markdown = file.extension().is_some_and(|extension| extension == "md");
+    let scanned = if is_markdown { found.markdown(&text, &[]) } else { found.rust(&text) };
+    scanned.unwrap_or_else(|error| panic!("{}: {error}", file.display()));
+    let mut of_name: HashMap<&str, usize> = HashMap::new();
+    let mut expanded = vec![];
+    for function in &found.functions {
+        let count = of_name.entry(&function.name).or_default();
+        *count += 1;
+        let name = if *count == 1 { function.name.clone() } else { format!("{}#{count}", function.name) };
+        let (outcome, tokens) = expansion::expand(function, &found.functions);
+        let entry = Entry { path: file.display().to_string(), name, outcome, hash: comparison::hash(&tokens) };
+        if let Some(folder) = env::var_os("EXPANSIONS") {
+            reading::write(Path::new(&folder), &entry, &tokens);
+        }
+        expanded.push((entry, tokens));
+    }
+    expanded
+}
