@@ -99,7 +99,7 @@ fn hashes_read_every_token_and_no_place() {
         assert_ne!(of(one), of(other), "{one} and {other}");
     }
     assert_eq!(of("fn f() { 1.0 + x }"), of("\n\n fn f ( )\n{1.0+x}"));
-    // Without delimiters, too, a group decides what is multiplied.
+    // A group without delimiters changes the order of operations, too.
     let inner = TokenStream::from_str("a + b").expect("tokens");
     let group = TokenTree::from(Group::new(proc_macro2::Delimiter::None, inner));
     assert_ne!(hash(&group.into()), of("a + b"));

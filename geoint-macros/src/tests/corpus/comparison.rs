@@ -12,7 +12,7 @@ use std::hash::Hasher;
 pub(super) struct Entry {
     /// The file below the root of the workspace.
     pub(super) path: String,
-    /// The name of the function; `name#2` for the second one of this name in the file.
+    /// The name of the function. The second function of a name in the file is `name#2`.
     pub(super) name: String,
     pub(super) outcome: Outcome,
     pub(super) hash: u64,
@@ -25,9 +25,9 @@ impl fmt::Display for Entry {
     }
 }
 
-/// Returns the 64-bit FNV-1a hash of some tokens: of kind, text, delimiters and spacing, and not of spans.
+/// Returns the 64-bit FNV-1a hash of tokens. It reads their kinds, text, delimiters and spacing, but no spans.
 ///
-/// `to_string` hides groups without delimiters, which decide what an operator is applied to.
+/// `to_string` hides groups without delimiters, although these groups change the order of operations.
 pub(super) fn hash(tokens: &TokenStream) -> u64 {
     let mut hasher = FnvHasher::default();
     write(tokens, &mut hasher);

@@ -32,7 +32,7 @@ impl fmt::Display for Outcome {
     }
 }
 
-/// Expands a function; `file` has the functions that it may name.
+/// Expands a function. `file` holds the functions of the same file, among them the energy functions that it names.
 pub(super) fn expand(function: &Annotated, file: &[Annotated]) -> (Outcome, TokenStream) {
     let Annotated { attribute, args, item, .. } = function;
     let expansion = match attribute {
@@ -54,7 +54,7 @@ pub(super) fn expand(function: &Annotated, file: &[Annotated]) -> (Outcome, Toke
     (outcome, trees.into_iter().collect())
 }
 
-/// The question with which an expansion ends, as `link::ask` writes it.
+/// The question of `link::ask` at the end of an expansion.
 struct Question {
     /// The place of its first token.
     start: usize,
@@ -85,7 +85,7 @@ impl Question {
     }
 }
 
-/// Returns the text that the macro of an energy function hands on. Missing if the function, or one that it names, is not in the file.
+/// Returns the answer of the macro of an energy function. Missing if the file lacks this function or an energy function that it names.
 fn source(path: &Path, scope: &[String], file: &[Annotated], max_chain: usize) -> Option<TokenStream> {
     if max_chain == 0 {
         return None;
@@ -100,8 +100,8 @@ fn source(path: &Path, scope: &[String], file: &[Annotated], max_chain: usize) -
 
 /// Returns the energy function that a path names, seen from a scope.
 ///
-/// Each scope is asked from the inside to the outside. A function at the end of the path comes first. Otherwise it is the only one of its
-/// name in inner scopes, for which a `use` may stand.
+/// The search goes from inner to outer scopes. In each scope it takes the function at the end of the path. Otherwise it takes the only
+/// function of this name in the scopes inside, because a `use` may import it.
 fn resolve<'a>(path: &Path, scope: &[String], file: &'a [Annotated]) -> Option<&'a Annotated> {
     let segments: Vec<String> = path.segments.iter().map(|segment| segment.ident.to_string()).collect();
     let segments = segments.iter().filter(|segment| !matches!(segment.as_str(), "crate" | "self" | "super"));

@@ -1,8 +1,10 @@
 //! The corpus of emitted code: every annotated function of the repository is expanded, and hashes of the expansions are compared with
 //! the list `expansions.txt`.
 //!
-//! `UPDATE_EXPECT=1` rewrites the list. `EXPANSIONS=NAME` writes all expansions to the folder `geoint/expansions/NAME` of the target
-//! folder, for reading: write `before` and `after` a change, and compare the two by `diff -r`.
+//! `UPDATE_EXPECT=1` rewrites the list. `EXPANSIONS=NAME` writes all expansions as formatted code to the folder
+//! `target/geoint/expansions/NAME`: write `before` and `after`, and compare the two folders by `diff -r`.
+//!
+//! Functions of `macro_rules!` with fragments such as `$x` are left out, because nothing here expands `macro_rules!`.
 
 mod changes;
 mod comparison;
@@ -33,7 +35,7 @@ const FORMS: [Form; 8] = [
     Form::FirstOrder,
 ];
 
-/// Fewer functions are a mistake of the scan.
+/// The least number of functions. A scan that finds fewer is broken.
 const AT_LEAST: usize = 1000;
 
 /// The stack of a thread of rustc.
@@ -55,7 +57,7 @@ To read the difference: run `EXPANSIONS=before cargo test -p geoint-macros corpu
 fn expansions_are_those_of_the_list() {
     let list = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/tests/corpus/expansions.txt");
     let found = expanded(&sources::files());
-    assert!(found.len() >= AT_LEAST, "{} annotated functions are found, of {AT_LEAST} and more", found.len());
+    assert!(found.len() >= AT_LEAST, "the scan finds {} functions, fewer than {AT_LEAST}", found.len());
     for form in FORMS {
         assert!(found.iter().any(|entry| entry.outcome == Outcome::System(form)), "no system is {form:?}");
     }
@@ -68,13 +70,19 @@ fn expansions_are_those_of_the_list() {
     assert!(differences.is_empty(), "\n{differences}\n{HELP}");
 }
 
-/// Expands all functions of some files, by as many threads as there are processors.
+/// Expands all functions of some files, and writes the expansions if `EXPANSIONS` is set. Uses a thread for each processor.
 fn expanded(files: &[PathBuf]) -> Vec<Entry> {
+    let folder = reading::folder();
     let next = AtomicUsize::new(0);
     let work = || {
         let mut done = vec![];
         while let Some(file) = files.get(next.fetch_add(1, Ordering::Relaxed)) {
-            done.extend(expansions(file).into_iter().map(|(entry, _)| (file, entry)));
+            for (entry, tokens) in expansions(file) {
+                if let Some(folder) = &folder {
+                    reading::write(folder, &entry, &tokens);
+                }
+                done.push((file, entry));
+            }
         }
         done
     };
@@ -85,11 +93,11 @@ fn expanded(files: &[PathBuf]) -> Vec<Entry> {
             .collect();
         spawned.into_iter().flat_map(|thread| thread.join().expect("expansions without panics")).collect::<Vec<_>>()
     });
-    found.sort_by_key(|(file, _)| *file); // stable, as the functions of a file are in order
+    found.sort_by_key(|(file, _)| *file); // a stable sort keeps the order within a file
     found.into_iter().map(|(_, entry)| entry).collect()
 }
 
-/// Expands all functions of a file, in its order. Writes the expansions if `EXPANSIONS` asks for them.
+/// Expands all functions of a file, in its order.
 fn expansions(file: &Path) -> Vec<(Entry, TokenStream)> {
     let text = fs::read_to_string(sources::root().join(file)).expect("a text file");
     if !sources::names_an_attribute(&text) {
@@ -107,9 +115,6 @@ fn expansions(file: &Path) -> Vec<(Entry, TokenStream)> {
         let name = if *count == 1 { function.name.clone() } else { format!("{}#{count}", function.name) };
         let (outcome, tokens) = expansion::expand(function, &found.functions);
         let entry = Entry { path: file.display().to_string(), name, outcome, hash: comparison::hash(&tokens) };
-        if let Some(folder) = env::var_os("EXPANSIONS") {
-            reading::write(Path::new(&folder), &entry, &tokens);
-        }
         expanded.push((entry, tokens));
     }
     expanded

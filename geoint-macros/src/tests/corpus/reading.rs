@@ -6,19 +6,25 @@ use proc_macro2::TokenStream;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
-/// Writes an expansion to `geoint/expansions/FOLDER/PATH/NAME.rs` in the target folder.
+/// Returns the empty folder that `EXPANSIONS` names, in the target folder of cargo.
+pub(super) fn folder() -> Option<PathBuf> {
+    let name = env::var_os("EXPANSIONS")?;
+    let target = root().join(env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into()));
+    let folder = target.join("geoint/expansions").join(name);
+    if folder.exists() {
+        fs::remove_dir_all(&folder).expect("expansions of an earlier run are removed");
+    }
+    Some(folder)
+}
+
+/// Writes an expansion to `PATH/NAME.rs` in a folder.
 pub(super) fn write(folder: &Path, entry: &Entry, tokens: &TokenStream) {
-    let folder = target().join("geoint/expansions").join(folder).join(&entry.path);
+    let folder = folder.join(&entry.path);
     fs::create_dir_all(&folder).expect("a folder for expansions");
     fs::write(folder.join(entry.name.clone() + ".rs"), formatted(tokens)).expect("an expansion is written");
 }
 
-/// Returns formatted code. Code that is no file of Rust, such as a refused method, stays as it is.
+/// Returns formatted code. A refused method is no file of Rust, and stays as it is.
 fn formatted(tokens: &TokenStream) -> String {
     syn::parse2(tokens.clone()).map_or_else(|_| tokens.to_string(), |file| prettyplease::unparse(&file))
-}
-
-/// Returns the target folder of cargo.
-fn target() -> PathBuf {
-    root().join(env::var_os("CARGO_TARGET_DIR").unwrap_or_else(|| "target".into()))
 }

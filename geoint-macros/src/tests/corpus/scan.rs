@@ -9,7 +9,7 @@ use std::str::FromStr;
 #[derive(Default)]
 pub(super) struct Found {
     pub(super) functions: Vec<Annotated>,
-    /// The number of functions with fragments such as `$x`. They are parts of `macro_rules!`, and no functions yet.
+    /// The number of functions of `macro_rules!` with fragments such as `$x`.
     pub(super) templates: usize,
     /// The number of code blocks.
     blocks: usize,
@@ -31,7 +31,7 @@ impl Found {
         Ok(())
     }
 
-    /// Scans the tokens of one group, and the groups in it.
+    /// Scans the tokens of a group and of the groups inside.
     fn tokens(&mut self, tokens: TokenStream, scope: &[String]) -> Result<(), LexError> {
         let trees: Vec<TokenTree> = tokens.into_iter().collect();
         let mut attributes: Vec<Written> = vec![];
@@ -56,7 +56,7 @@ impl Found {
         self.item(&attributes, &[], scope)
     }
 
-    /// Scans the attributes of an item, which begins `behind` them.
+    /// Scans the attributes of an item and their documentation. `behind` starts with the item.
     fn item(&mut self, attributes: &[Written], behind: &[TokenTree], scope: &[String]) -> Result<(), LexError> {
         for function in annotated(attributes, behind, scope) {
             if function.has_fragment() {

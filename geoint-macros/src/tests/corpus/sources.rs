@@ -9,9 +9,9 @@ pub(super) fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the crate is a folder of the workspace")
 }
 
-/// Returns all Rust files and Markdown pages of the repository, sorted by path and relative to its root.
+/// Returns the paths of all Rust files and Markdown pages below the root of the workspace, sorted.
 ///
-/// Build output, hidden folders and symbolic links are left out.
+/// Leaves out build output, hidden folders and symbolic links.
 pub(super) fn files() -> Vec<PathBuf> {
     let entries = WalkDir::new(root()).sort_by_file_name().into_iter().filter_entry(|entry| {
         let name = entry.file_name().to_string_lossy();

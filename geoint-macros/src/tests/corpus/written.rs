@@ -12,19 +12,19 @@ pub(super) struct Written {
     meta: Option<Meta>,
 }
 
-/// A function below an attribute of this crate.
+/// An attribute of this crate with the function below it.
 #[derive(Clone)]
 pub(super) struct Annotated {
     pub(super) attribute: Attribute,
     pub(super) args: TokenStream,
-    /// The item as rustc hands it over: with all attributes except this one and those that rustc has expanded before.
+    /// The item with its other attributes, as rustc hands it over. Attributes of this crate above this one are already expanded.
     pub(super) item: TokenStream,
     pub(super) name: String,
     /// The groups around the function. Modules have their names, other groups and code blocks have numbers.
     pub(super) scope: Vec<String>,
 }
 
-/// An attribute of this crate.
+/// The attributes of this crate.
 #[derive(Clone, Copy)]
 pub(super) enum Attribute {
     System(Form),
