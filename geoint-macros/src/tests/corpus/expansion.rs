@@ -1,6 +1,6 @@
 //! Expands an annotated function to its final code. Questions for energy functions are answered from the same file.
 
-use super::written::{Annotated, Attribute};
+use super::written::{Annotated, Attribute, Scope};
 use crate::attribute;
 use crate::parse::{self, Form, Source};
 use proc_macro2::{TokenStream, TokenTree};
@@ -86,7 +86,7 @@ impl Question {
 }
 
 /// Returns the answer of the macro of an energy function. Missing if the file lacks this function or an energy function that it names.
-fn source(path: &Path, scope: &[String], file: &[Annotated], max_chain: usize) -> Option<TokenStream> {
+fn source(path: &Path, scope: &[Scope], file: &[Annotated], max_chain: usize) -> Option<TokenStream> {
     if max_chain == 0 {
         return None;
     }
@@ -102,17 +102,18 @@ fn source(path: &Path, scope: &[String], file: &[Annotated], max_chain: usize) -
 ///
 /// The search goes from inner to outer scopes. In each scope it takes the function at the end of the path. Otherwise it takes the only
 /// function of this name in the scopes inside, because a `use` may import it.
-fn resolve<'a>(path: &Path, scope: &[String], file: &'a [Annotated]) -> Option<&'a Annotated> {
+fn resolve<'a>(path: &Path, scope: &[Scope], file: &'a [Annotated]) -> Option<&'a Annotated> {
     let segments: Vec<String> = path.segments.iter().map(|segment| segment.ident.to_string()).collect();
     let segments = segments.iter().filter(|segment| !matches!(segment.as_str(), "crate" | "self" | "super"));
     let segments: Vec<String> = segments.cloned().collect();
     let (name, modules) = segments.split_last()?;
+    let modules: Vec<Scope> = modules.iter().cloned().map(Scope::Module).collect();
     let of_name: Vec<&Annotated> = file
         .iter()
         .filter(|function| matches!(function.attribute, Attribute::EnergyFunction) && function.name == *name)
         .collect();
     for depth in (0..=scope.len()).rev() {
-        let exact = [&scope[..depth], modules].concat();
+        let exact = [&scope[..depth], &modules].concat();
         if let Some(function) = of_name.iter().find(|function| function.scope == exact) {
             return Some(function);
         }

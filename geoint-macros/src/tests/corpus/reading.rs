@@ -17,11 +17,11 @@ pub(super) fn folder() -> Option<PathBuf> {
     Some(folder)
 }
 
-/// Writes an expansion to `PATH/NAME.rs` in a folder.
+/// Writes an expansion to a file below a folder: `PATH/NAME.rs`, with a folder for each module.
 pub(super) fn write(folder: &Path, entry: &Entry, tokens: &TokenStream) {
-    let folder = folder.join(&entry.path);
-    fs::create_dir_all(&folder).expect("a folder for expansions");
-    fs::write(folder.join(entry.name.clone() + ".rs"), formatted(tokens)).expect("an expansion is written");
+    let file = folder.join(&entry.path).join(entry.name.replace("::", "/") + ".rs");
+    fs::create_dir_all(file.parent().expect("a path with a folder")).expect("a folder for expansions");
+    fs::write(file, formatted(tokens)).expect("an expansion is written");
 }
 
 /// Returns formatted code. A refused method is no file of Rust, and stays as it is.

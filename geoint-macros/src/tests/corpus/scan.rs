@@ -1,7 +1,8 @@
 //! Finds annotated functions in token trees, wherever they stand: in modules, bodies, macros and doc comments.
 
 use super::sources::code_blocks;
-use super::written::{Annotated, Written, annotated};
+use super::transcription::Macros;
+use super::written::{Annotated, Scope, Written, annotated};
 use proc_macro2::{LexError, TokenStream, TokenTree};
 use std::str::FromStr;
 
@@ -9,8 +10,9 @@ use std::str::FromStr;
 #[derive(Default)]
 pub(super) struct Found {
     pub(super) functions: Vec<Annotated>,
-    /// The number of functions of `macro_rules!` with fragments such as `$x`.
-    pub(super) templates: usize,
+    /// The names of macros, and of functions of macros, that the scan does not expand.
+    pub(super) missed: Vec<String>,
+    macros: Macros,
     /// The number of code blocks.
     blocks: usize,
 }
@@ -18,21 +20,22 @@ pub(super) struct Found {
 impl Found {
     /// Scans a Rust file. Errors: text that has no tokens.
     pub(super) fn rust(&mut self, text: &str) -> Result<(), LexError> {
-        self.tokens(TokenStream::from_str(text)?, &[])
+        self.tokens(TokenStream::from_str(text)?, &[])?;
+        self.missed.extend(self.macros.unused().cloned());
+        Ok(())
     }
 
     /// Scans a Markdown page. Errors: a code block that has no tokens.
-    pub(super) fn markdown(&mut self, text: &str, scope: &[String]) -> Result<(), LexError> {
+    pub(super) fn markdown(&mut self, text: &str, scope: &[Scope]) -> Result<(), LexError> {
         for block in code_blocks(text) {
             self.blocks += 1;
-            let scope = [scope, &[format!("block {}", self.blocks)]].concat();
-            self.tokens(TokenStream::from_str(&block)?, &scope)?;
+            self.tokens(TokenStream::from_str(&block)?, &[scope, &[Scope::Block(self.blocks)]].concat())?;
         }
         Ok(())
     }
 
     /// Scans the tokens of a group and of the groups inside.
-    fn tokens(&mut self, tokens: TokenStream, scope: &[String]) -> Result<(), LexError> {
+    fn tokens(&mut self, tokens: TokenStream, scope: &[Scope]) -> Result<(), LexError> {
         let trees: Vec<TokenTree> = tokens.into_iter().collect();
         let mut attributes: Vec<Written> = vec![];
         let mut at = 0;
@@ -45,22 +48,46 @@ impl Found {
             self.item(&attributes, &trees[at..], scope)?;
             attributes.clear();
             if let TokenTree::Group(group) = &trees[at] {
-                let label = match &trees[..at] {
-                    [.., TokenTree::Ident(keyword), TokenTree::Ident(name)] if keyword == "mod" => name.to_string(),
-                    _ => format!("group {at}"),
-                };
-                self.tokens(group.stream(), &[scope, &[label]].concat())?;
+                self.group(&trees[..at], group.stream(), scope)?;
             }
             at += 1;
         }
         self.item(&attributes, &[], scope)
     }
 
+    /// Scans a group: the body of a module, the rules or the arguments of a macro, or any other group.
+    fn group(&mut self, before: &[TokenTree], inside: TokenStream, scope: &[Scope]) -> Result<(), LexError> {
+        let label = match before {
+            [.., TokenTree::Ident(keyword), TokenTree::Ident(name)] if keyword == "mod" => {
+                Scope::Module(name.to_string())
+            }
+            _ => Scope::Group(before.len()),
+        };
+        let scope = [scope, &[label]].concat();
+        match before {
+            [.., TokenTree::Ident(keyword), TokenTree::Punct(_), TokenTree::Ident(name)]
+                if keyword == "macro_rules" =>
+            {
+                self.macros.define(name.to_string(), inside);
+                Ok(())
+            }
+            [.., TokenTree::Ident(name), TokenTree::Punct(not)] if not.as_char() == '!' => {
+                let expanded = self.macros.expand(&name.to_string(), &inside);
+                let expanded = expanded.unwrap_or_else(|name| {
+                    self.missed.push(name);
+                    None
+                });
+                self.tokens(expanded.unwrap_or(inside), &scope)
+            }
+            _ => self.tokens(inside, &scope),
+        }
+    }
+
     /// Scans the attributes of an item and their documentation. `behind` starts with the item.
-    fn item(&mut self, attributes: &[Written], behind: &[TokenTree], scope: &[String]) -> Result<(), LexError> {
+    fn item(&mut self, attributes: &[Written], behind: &[TokenTree], scope: &[Scope]) -> Result<(), LexError> {
         for function in annotated(attributes, behind, scope) {
             if function.has_fragment() {
-                self.templates += 1;
+                self.missed.push(function.name);
             } else {
                 self.functions.push(function);
             }

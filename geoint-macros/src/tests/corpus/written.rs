@@ -20,8 +20,18 @@ pub(super) struct Annotated {
     /// The item with its other attributes, as rustc hands it over. Attributes of this crate above this one are already expanded.
     pub(super) item: TokenStream,
     pub(super) name: String,
-    /// The groups around the function. Modules have their names, other groups and code blocks have numbers.
-    pub(super) scope: Vec<String>,
+    /// The groups around the function, from the outside to the inside.
+    pub(super) scope: Vec<Scope>,
+}
+
+/// A group of tokens, or a code block, around a function.
+#[derive(Clone, PartialEq, Eq)]
+pub(super) enum Scope {
+    Module(String),
+    /// Any other group, by its place.
+    Group(usize),
+    /// A code block, by its number.
+    Block(usize),
 }
 
 /// The attributes of this crate.
@@ -72,6 +82,22 @@ impl Written {
 }
 
 impl Annotated {
+    /// Returns the path of the function below the file. The name of its struct replaces the name of the function if the attribute has one.
+    pub(super) fn path(&self) -> String {
+        let args: Vec<TokenTree> = self.args.clone().into_iter().collect();
+        let named = args.windows(3).find_map(|three| match three {
+            [TokenTree::Ident(key), TokenTree::Punct(_), TokenTree::Ident(name)] if key == "name" => {
+                Some(name.to_string())
+            }
+            _ => None,
+        });
+        let modules = self.scope.iter().filter_map(|scope| match scope {
+            Scope::Module(name) => Some(name.clone()),
+            _ => None,
+        });
+        modules.chain([named.unwrap_or_else(|| self.name.clone())]).collect::<Vec<_>>().join("::")
+    }
+
     /// Returns whether a fragment such as `$x` is among the tokens.
     pub(super) fn has_fragment(&self) -> bool {
         has_fragment(&self.args) || has_fragment(&self.item)
@@ -79,7 +105,7 @@ impl Annotated {
 }
 
 /// Returns the item behind some attributes, once for each attribute of this crate.
-pub(super) fn annotated(attributes: &[Written], behind: &[TokenTree], scope: &[String]) -> Vec<Annotated> {
+pub(super) fn annotated(attributes: &[Written], behind: &[TokenTree], scope: &[Scope]) -> Vec<Annotated> {
     let end = behind.iter().position(ends_item).map_or(behind.len(), |end| end + 1);
     let name = behind[..end].windows(2).find_map(|pair| match pair {
         [TokenTree::Ident(keyword), TokenTree::Ident(name)] if keyword == "fn" => Some(name.to_string()),
