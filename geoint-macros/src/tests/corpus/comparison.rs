@@ -2,7 +2,7 @@
 
 use super::expansion::Outcome;
 use fnv::FnvHasher;
-use proc_macro2::{Spacing, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
 use std::collections::BTreeMap;
 use std::fmt;
 use std::hash::Hasher;
@@ -36,23 +36,26 @@ pub(super) fn hash(tokens: &TokenStream) -> u64 {
 
 fn write(tokens: &TokenStream, hasher: &mut FnvHasher) {
     for tree in tokens.clone() {
-        let (kind, text) = match &tree {
-            TokenTree::Group(group) => (format!("{:?}", group.delimiter()), String::new()),
-            TokenTree::Ident(ident) => ("ident".to_owned(), ident.to_string()),
-            TokenTree::Literal(literal) => ("literal".to_owned(), literal.to_string()),
-            TokenTree::Punct(punct) => {
-                let kind = if punct.spacing() == Spacing::Joint { "joint" } else { "alone" };
-                (kind.to_owned(), punct.as_char().to_string())
+        match tree {
+            TokenTree::Group(group) => {
+                let (open, close) = match group.delimiter() {
+                    Delimiter::Parenthesis => ("(", ")"),
+                    Delimiter::Bracket => ("[", "]"),
+                    Delimiter::Brace => ("{", "}"),
+                    Delimiter::None => ("open", "close"),
+                };
+                hasher.write(open.as_bytes());
+                write(&group.stream(), hasher);
+                hasher.write(close.as_bytes());
             }
-        };
-        hasher.write(kind.as_bytes());
-        hasher.write(b" ");
-        hasher.write(text.as_bytes());
-        hasher.write(b"\n");
-        if let TokenTree::Group(group) = &tree {
-            write(&group.stream(), hasher);
-            hasher.write(b"end\n");
+            TokenTree::Ident(ident) => hasher.write(ident.to_string().as_bytes()),
+            TokenTree::Literal(literal) => hasher.write(literal.to_string().as_bytes()),
+            TokenTree::Punct(punct) => {
+                hasher.write(punct.as_char().to_string().as_bytes());
+                hasher.write_u8((punct.spacing() == Spacing::Joint).into());
+            }
         }
+        hasher.write_u8(0); // the end of a token
     }
 }
 
