@@ -1,5 +1,6 @@
 //! Tests of the whole compiler; nothing outside of a proc-macro crate can call its insides.
 
+mod corpus;
 mod cost;
 mod jets;
 mod eval;

@@ -1,3 +1,22 @@
+//! An expansion without its implementations of these traits:
+//!
+//! - Conservative
+//! - Autonomous
+//! - DifferentialEquation
+//! - CotangentSpace
+//! - KeepsEnergy
+//! - QuadraticKinetic
+//! - ForceGradient
+//! - PerturbedSystem
+//! - PerturbedGradient
+//! - ModifiedEnergy
+//! - Graded
+//! - KeptMomenta
+//! - FourthOrderField
+//! - Collocated
+//! - Collocation
+//! - Jets
+
 /// Planar pendulum.
 pub fn pendulum(q: f64, p: f64, m: f64, l: f64, g: f64) -> f64 {
     p * p / (2.0 * m * l * l) - m * g * l * q.cos()
@@ -124,12 +143,6 @@ const _: () = {
             Adaptive::new(self, method, tolerance, state)
         }
     }
-    impl<R: Real> Conservative<R> for Pendulum<R> {
-        type Proof = ();
-    }
-    impl<R: Real> Autonomous<R> for Pendulum<R> {
-        type Proof = ();
-    }
     impl<R: Real> PhaseSpace<R> for Pendulum<R> {
         type State = State<R>;
         type Phase = [[R; 1]; 2];
@@ -174,18 +187,6 @@ const _: () = {
             ::core::option::Option::None
         }
     }
-    impl<R: Real> DifferentialEquation<R> for Pendulum<R> {
-        type Proof = ();
-        #[inline(always)]
-        fn rate(&self, t: R, z: &[[R; 1]; 2], slopes: &mut [[R; 1]; 2]) {
-            let [q, p] = z;
-            canonical_rate(self, t, z, slopes);
-        }
-    }
-    impl<R: Real> CotangentSpace<R> for Pendulum<R> {
-        type Coordinates = R;
-        type Array = [R; 1];
-    }
     impl<R: Real> Hamiltonian<R> for Pendulum<R> {
         type Proof = ();
         #[inline]
@@ -207,10 +208,6 @@ const _: () = {
             slopes[0][0] = v3;
             slopes[1][0] = v6;
         }
-    }
-    impl<R: Real> KeepsEnergy<R> for Pendulum<R> {
-        type Proof = ();
-        type Kept = CanonicalEnergy;
     }
     impl<R: Real> Separable<R> for Pendulum<R> {
         type Proof = ();
@@ -274,31 +271,6 @@ const _: () = {
             q[0] = v0;
         }
     }
-    impl<R: Real> QuadraticKinetic<R> for Pendulum<R> {
-        type Proof = ();
-    }
-    impl<R: Real> ForceGradient<R> for Pendulum<R> {
-        type GradientKick = (<Self as Collocation<R>>::Constants, [R; 2]);
-        #[inline]
-        fn prepare_gradient_kick(
-            &self,
-            h: R,
-            g: R,
-        ) -> (<Self as Collocation<R>>::Constants, [R; 2]) {
-            (self.constants(), [h, g])
-        }
-        #[inline(always)]
-        fn gradient_kick(
-            &self,
-            prepared: &(<Self as Collocation<R>>::Constants, [R; 2]),
-            t: R,
-            q: &mut [R; 1],
-            p: &mut [R; 1],
-            s: &mut (),
-        ) {
-            gradient_kick(self, prepared, t, q, p);
-        }
-    }
     #[diagnostic::on_unimplemented(
         message = "`Pendulum`: no part of this energy has an exact flow beside a rest that is a kick; for bodies that attract each other `coordinates = jacobi` makes one, and `split = \"A | B\"` names one",
         label = "the term is: -m·l·g·cos(q)"
@@ -306,77 +278,11 @@ const _: () = {
     pub trait PartedPendulum {
         type Proof;
     }
-    impl<R: Real + PartedPendulum> PerturbedSystem<R> for Pendulum<R> {
-        type Proof = <R as PartedPendulum>::Proof;
-        type Exact = ::core::convert::Infallible;
-        type After = ();
-        type Rest = ::core::convert::Infallible;
-        fn prepare_after(&self, _: R) {}
-        fn prepare_exact(&self, _: R) -> ::core::convert::Infallible {
-            ::core::unreachable!()
-        }
-        fn exact(
-            &self,
-            never: &::core::convert::Infallible,
-            _: R,
-            _: &mut [R; 1],
-            _: &mut [R; 1],
-            _: &mut (),
-        ) {
-            match *never {}
-        }
-        fn prepare_rest(&self, _: R) -> ::core::convert::Infallible {
-            ::core::unreachable!()
-        }
-        fn rest(
-            &self,
-            never: &::core::convert::Infallible,
-            _: R,
-            _: &mut [R; 1],
-            _: &mut [R; 1],
-            _: &mut (),
-        ) {
-            match *never {}
-        }
-    }
-    impl<R: Real + PartedPendulum> PerturbedGradient<R> for Pendulum<R> {
-        type Proof = <R as PartedPendulum>::Proof;
-        type GradientKick = ::core::convert::Infallible;
-        fn prepare_gradient_kick(&self, _: R, _: R) -> ::core::convert::Infallible {
-            ::core::unreachable!()
-        }
-        fn gradient_kick(
-            &self,
-            never: &::core::convert::Infallible,
-            _: R,
-            _: &mut [R; 1],
-            _: &mut [R; 1],
-        ) {
-            match *never {}
-        }
-    }
-    impl<R: Real> ModifiedEnergy<R> for Pendulum<R> {
-        fn modified_hamiltonian(
-            &self,
-            h: R,
-            t: R,
-            z: &[[R; 1]; 2],
-            s: &Self::Action,
-        ) -> R {
-            let [q, p] = z;
-            modified_verlet(self, h, t, z)
-        }
-    }
     impl Pendulum {
         /// H + h²H₂, which steps of length `h` keep, or let decay as the flow of H + h²H₂ does, up to h⁴.
         pub fn modified_energy(&self, h: f64, state: &State<f64>) -> f64 {
             ModifiedEnergy::modified_energy(self, h, state)
         }
-    }
-    impl<R: Real> Graded<R> for Pendulum<R> {
-        type Proof = ();
-        type Gradient = ByTree;
-        type Kept = CanonicalEnergy;
     }
     impl<R: Real> DiscreteField<R> for Pendulum<R> {
         type Proof = ();
@@ -545,244 +451,6 @@ const _: () = {
             v0 = prepared_3 * dp0;
             drift[0] = v0;
             drift
-        }
-    }
-    impl<R: Real> KeptMomenta<R> for Pendulum<R> {
-        type Values = [R; 1];
-        #[inline(always)]
-        fn momenta(&self, z: &[[R; 1]; 2]) -> [[[R; 1]; 2]; 1] {
-            let mut slopes = [<[[R; 1]; 2] as Array>::zero(); 1];
-            let [q, p] = z;
-            slopes
-        }
-    }
-    impl<R: Real> FourthOrderField<R> for Pendulum<R> {
-        type Proof = ();
-        type FourthParameters = fourth_order::ParametersOf<Self, R>;
-        type FourthStart = fourth_order::Begun<[R; 1]>;
-        #[inline]
-        fn fourth_parameters(&self, h: R) -> Self::FourthParameters {
-            fourth_order::parameters(self, h)
-        }
-        #[inline(always)]
-        fn fourth_begin(
-            &self,
-            parameters: &Self::FourthParameters,
-            span: Span<R>,
-            z: &[[R; 1]; 2],
-        ) -> Self::FourthStart {
-            fourth_order::begin(self, parameters, span, z)
-        }
-        #[inline(always)]
-        fn fourth_slope<const NEARLY: bool>(
-            &self,
-            parameters: &Self::FourthParameters,
-            start: &Self::FourthStart,
-            d: &[[R; 1]; 2],
-            image: &mut [[R; 1]; 2],
-            matrix: &mut Square<[[R; 1]; 2]>,
-        ) {
-            let momenta = |z: &[[R; 1]; 2]| self.momenta(z);
-            fourth_order::slope::<
-                NEARLY,
-                true,
-                1,
-                _,
-                _,
-            >(self, parameters, start, momenta, d, (image, matrix));
-        }
-    }
-    impl<R: Real> Collocated<R> for Pendulum<R> {
-        type Proof = ();
-        type Stages = ByField;
-    }
-    impl<R: Real> Collocation<R> for Pendulum<R> {
-        type Proof = ();
-        type Unknown = [R; 1];
-        type Constants = [R; 2];
-        const DERIVATIVE: usize = 2;
-        #[inline]
-        fn constants(&self) -> [R; 2] {
-            let (a1, a0, a2, k3, v0, v1, v2, v3, v4, v5);
-            a1 = self.l;
-            a0 = self.m;
-            a2 = self.g;
-            k3 = R::from_f64(1.0);
-            v0 = a1 * a0;
-            v1 = v0 * a2;
-            v2 = -v1;
-            v3 = a1 * a1;
-            v4 = a0 * v3;
-            v5 = k3 / v4;
-            [v2, v5]
-        }
-        #[inline(always)]
-        fn start(z: &[[R; 1]; 2]) -> ([R; 1], [R; 1]) {
-            (z[0], z[1])
-        }
-        #[inline(always)]
-        fn velocity(&self, prepared: &[R; 2], p: &[R; 1]) -> [R; 1] {
-            let mut velocity = <[R; 1] as Array>::zero();
-            let (prepared_1, p0, v0);
-            prepared_1 = prepared[1];
-            p0 = p[0];
-            v0 = prepared_1 * p0;
-            velocity[0] = v0;
-            velocity
-        }
-        #[inline(always)]
-        fn field(
-            &self,
-            prepared: &[R; 2],
-            t: R,
-            y: &[R; 1],
-            f: &mut [R; 1],
-            jacobian: &mut Square<[R; 1]>,
-        ) {
-            let (q0, prepared_0, v0, v1, v2, v3);
-            q0 = y[0];
-            prepared_0 = prepared[0];
-            (v0, v1) = q0.sin_cos();
-            v2 = prepared_0 * v0;
-            v3 = prepared_0 * v1;
-            f[0] = v2;
-            jacobian[0][0] = v3;
-        }
-        #[inline(always)]
-        fn add(&self, prepared: &[R; 2], w: R, f: &[R; 1], y: &mut [R; 1]) {
-            let (prepared_1, p0, v0);
-            prepared_1 = prepared[1];
-            p0 = f[0];
-            v0 = prepared_1 * p0;
-            y[0] = w.multiply_add(v0, y[0]);
-        }
-        #[inline(always)]
-        fn increments(change: &[R; 1], impulse: &[R; 1]) -> [[R; 1]; 2] {
-            [*change, *impulse]
-        }
-    }
-    impl<R: Real> Jets<R> for Pendulum<R> {
-        type Proof = ();
-        type Switches = [R; 0];
-        type Over<T: Real> = State<T>;
-        const CONVOLUTIONS: usize = 2;
-        #[inline]
-        fn jet<const P: usize>(
-            &self,
-            unit: R,
-            t: R,
-            z: &[[R; 1]; 2],
-            _: &(),
-            jet: &mut [PerCoordinate<[[R; 1]; 2], ()>; P],
-            switches: &mut [[R; 0]; P],
-        ) {
-            struct Coefficients<'a, R: Real, const P: usize> {
-                k: [R; 5],
-                coordinates: [R; 2],
-                masks: [R::Mask; 0],
-                u2: &'a mut [R; P],
-                u3: &'a mut [R; P],
-                u4: &'a mut [R; P],
-                u5: &'a mut [R; P],
-                ju5: &'a mut [R; P],
-                jet: &'a mut [PerCoordinate<[[R; 1]; 2], ()>; P],
-                switches: &'a mut [[R; 0]; P],
-            }
-            impl<R: Real, const P: usize> recurrence::Series for Coefficients<'_, R, P> {
-                #[inline(always)]
-                fn order(&mut self, n: usize) {
-                    let Self {
-                        k,
-                        coordinates,
-                        masks,
-                        u2,
-                        u3,
-                        u4,
-                        u5,
-                        ju5,
-                        jet,
-                        switches,
-                    } = self;
-                    let (whole, next) = (
-                        recurrence::whole::<R>(n),
-                        k[0] * recurrence::inverse::<R>(n + 1),
-                    );
-                    let (c2, c0, c5, c3, c1, c4);
-                    c2 = coordinates[1];
-                    c0 = k[1] * c2;
-                    c5 = coordinates[0];
-                    ju5[n] = whole * c5;
-                    c3 = recurrence::integral(k[2], c5, recurrence::sum(ju5, u4, n), n);
-                    u3[n] = c3;
-                    c1 = k[3] * c3;
-                    c4 = -recurrence::integral(k[4], c5, recurrence::sum(ju5, u3, n), n);
-                    u4[n] = c4;
-                    jet[n].z[0][0] = (next) * k[1] * c2;
-                    coordinates[0] = jet[n].z[0][0];
-                    if n + 1 < P {
-                        u5[n + 1] = jet[n].z[0][0];
-                    }
-                    jet[n].z[1][0] = (next) * k[3] * c3;
-                    coordinates[1] = jet[n].z[1][0];
-                    if n + 1 < P {
-                        u2[n + 1] = jet[n].z[1][0];
-                    }
-                }
-            }
-            let [q, p] = z;
-            let (a1, a0, k2, p0, a2, q0, v0, v1, v2, v3, v4, v5, v6, v7, v8, v9, v10);
-            a1 = self.l;
-            a0 = self.m;
-            k2 = R::from_f64(1.0);
-            p0 = p[0];
-            a2 = self.g;
-            q0 = q[0];
-            v0 = a1 * a1;
-            v1 = a0 * v0;
-            v2 = k2 / v1;
-            v3 = p0 * v2;
-            v4 = a1 * a0;
-            v5 = v4 * a2;
-            (v6, v7) = q0.sin_cos();
-            v8 = v5 * v6;
-            v9 = -v8;
-            v10 = -v5;
-            let (u2, u3, u4, u5, ju5) = (
-                &mut [R::from_f64(0.0); P],
-                &mut [R::from_f64(0.0); P],
-                &mut [R::from_f64(0.0); P],
-                &mut [R::from_f64(0.0); P],
-                &mut [R::from_f64(0.0); P],
-            );
-            u2[0] = p0;
-            u3[0] = v6;
-            u4[0] = v7;
-            u5[0] = q0;
-            jet[0].z[0][0] = unit * (v3);
-            if P > 1 {
-                u5[1] = jet[0].z[0][0];
-            }
-            jet[0].z[1][0] = unit * (v9);
-            if P > 1 {
-                u2[1] = jet[0].z[1][0];
-            }
-            recurrence::orders::<
-                31,
-                P,
-            >(
-                &mut Coefficients {
-                    k: [unit, v2, v7, v10, v6],
-                    coordinates: [jet[0].z[0][0], jet[0].z[1][0]],
-                    masks: [],
-                    u2,
-                    u3,
-                    u4,
-                    u5,
-                    ju5,
-                    jet,
-                    switches,
-                },
-            );
         }
     }
     impl Pendulum {

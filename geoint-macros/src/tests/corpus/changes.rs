@@ -1,0 +1,106 @@
+//! The comparison reports a changed token in the code of every form, and new and missing functions.
+
+use super::comparison::{Differences, Entry, hash};
+use super::{FORMS, Outcome, expansions};
+use proc_macro2::{Group, Ident, Span, TokenStream, TokenTree};
+use std::path::Path;
+use std::str::FromStr;
+
+/// The list of some entries.
+fn list(entries: &[Entry]) -> String {
+    entries.iter().map(ToString::to_string).collect()
+}
+
+/// Applies a change to the tokens of the group in the middle, of the group in the middle of this group, and so on.
+fn in_the_middle(tokens: TokenStream, change: fn(&mut Vec<TokenTree>)) -> TokenStream {
+    let mut trees: Vec<TokenTree> = tokens.into_iter().collect();
+    let groups: Vec<usize> = (0..trees.len())
+        .filter(|&at| matches!(&trees[at], TokenTree::Group(group) if !group.stream().is_empty()))
+        .collect();
+    match groups.get(groups.len() / 2) {
+        Some(&at) => {
+            let TokenTree::Group(group) = &trees[at] else { unreachable!("only groups are listed") };
+            trees[at] = Group::new(group.delimiter(), in_the_middle(group.stream(), change)).into();
+        }
+        None => change(&mut trees),
+    }
+    trees.into_iter().collect()
+}
+
+#[test]
+fn a_changed_token_is_reported_in_every_form() {
+    let scenes = expansions(Path::new("geoint-macros/src/tests/corpus/scenes.rs"));
+    let entries: Vec<Entry> = scenes.iter().map(|(entry, _)| entry.clone()).collect();
+    let list = list(&entries);
+    assert_eq!(Differences::between(&list, &entries), Differences::default());
+    let changes: [fn(&mut Vec<TokenTree>); 3] = [
+        |trees| drop(trees.pop()),
+        |trees| trees.push(Ident::new("more", Span::call_site()).into()),
+        |trees| trees[0] = Ident::new("other", Span::call_site()).into(),
+    ];
+    for form in FORMS {
+        let at = entries.iter().position(|entry| entry.outcome == Outcome::System(form));
+        let at = at.unwrap_or_else(|| panic!("no scene is {form:?}"));
+        for change in changes {
+            let mut changed = entries.clone();
+            changed[at].hash = hash(&in_the_middle(scenes[at].1.clone(), change));
+            let function = format!("{} {}", entries[at].path, entries[at].name);
+            let differences = Differences { changed: vec![function], ..Differences::default() };
+            assert_eq!(Differences::between(&list, &changed), differences, "{form:?}");
+        }
+    }
+}
+
+#[test]
+fn new_and_missing_functions_are_reported() {
+    let entry = |name: &str| Entry {
+        path: "tests/some.rs".to_owned(),
+        name: name.to_owned(),
+        outcome: Outcome::Refused,
+        hash: 1,
+    };
+    let committed = "# A comment.\n".to_owned() + &list(&[entry("stays"), entry("goes")]);
+    let differences = Differences::between(&committed, &[entry("stays"), entry("stays#2")]);
+    let expected = Differences {
+        new: vec!["tests/some.rs stays#2".to_owned()],
+        gone: vec!["tests/some.rs goes".to_owned()],
+        ..Differences::default()
+    };
+    assert_eq!(differences, expected);
+    assert_eq!(differences.to_string(), "new (1):\n    tests/some.rs stays#2\ngone (1):\n    tests/some.rs goes\n");
+}
+
+#[test]
+fn the_kind_of_an_expansion_is_compared() {
+    let [before, after] = [Outcome::Refused, Outcome::Question].map(|outcome| Entry {
+        path: "tests/some.rs".to_owned(),
+        name: "some".to_owned(),
+        outcome,
+        hash: 1,
+    });
+    assert_eq!(Differences::between(&list(&[before]), &[after]).changed, ["tests/some.rs some"]);
+}
+
+#[test]
+fn hashes_read_every_token_and_no_place() {
+    let of = |text: &str| hash(&TokenStream::from_str(text).expect("tokens"));
+    for (one, other) in [
+        ("a == b", "a = = b"),
+        ("1.0", "1.0_f64"),
+        ("1.0", "1.00"),
+        ("x", "r#x"),
+        ("\"x\"", "'x'"),
+        ("f(a, b)", "f(a), b"),
+        ("(a)", "[a]"),
+        ("a b", "ab"),
+        ("a + b", "b + a"),
+        ("a", ""),
+    ] {
+        assert_ne!(of(one), of(other), "{one} and {other}");
+    }
+    assert_eq!(of("fn f() { 1.0 + x }"), of("\n\n fn f ( )\n{1.0+x}"));
+    // A group without delimiters changes the order of operations, too.
+    let inner = TokenStream::from_str("a + b").expect("tokens");
+    let group = TokenTree::from(Group::new(proc_macro2::Delimiter::None, inner));
+    assert_ne!(hash(&group.into()), of("a + b"));
+}
