@@ -1,4 +1,4 @@
-//! Builds of a target of this package in any checkout, by the cargo that runs the benchmark.
+//! Builds of benchmarks in any checkout, by the cargo that runs the benchmark.
 
 use anyhow::{Context, Result, ensure};
 use serde::Deserialize;
@@ -14,6 +14,14 @@ struct Artifact {
     executable: Option<PathBuf>,
 }
 
+impl Artifact {
+    fn library(self) -> Result<PathBuf> {
+        let is_library = |file: &PathBuf| file.extension().is_some_and(|extension| extension == "rlib");
+        let name = self.target.name;
+        self.filenames.into_iter().find(is_library).with_context(|| format!("cargo names no library of `{name}`"))
+    }
+}
+
 #[derive(Deserialize)]
 struct Target {
     name: String,
@@ -23,31 +31,33 @@ struct Target {
 pub(crate) struct Build<'a> {
     pub(crate) checkout: &'a Path,
     pub(crate) target_folder: &'a Path,
-    /// Options of rustc beside those of the environment.
-    pub(crate) flags: &'a str,
 }
 
 impl Build<'_> {
-    /// Compiles a bench and returns its executable.
+    /// Compiles a bench of this package and returns its executable.
     pub(crate) fn bench(&self, name: &str) -> Result<PathBuf> {
-        let artifact = self.compile(&["bench", "--no-run", "--bench", name], &[], name)?;
+        let artifact = self.compile(&["bench", "--no-run", "-p", "geoint-benches", "--bench", name], &[], name)?;
         artifact.executable.with_context(|| format!("cargo names no executable of `{name}`"))
     }
 
-    /// Compiles an example of the crate type `lib` in one unit of code, and returns the library.
+    /// Compiles an example of this package, of the crate type `lib`, in one unit of code, and returns the library.
     pub(crate) fn library(&self, name: &str) -> Result<PathBuf> {
-        let artifact = self.compile(&["rustc", "--release", "--example", name], &["--", "-Ccodegen-units=1"], name)?;
-        let is_library = |file: &PathBuf| file.extension().is_some_and(|extension| extension == "rlib");
-        artifact.filenames.into_iter().find(is_library).with_context(|| format!("cargo names no library of `{name}`"))
+        let arguments = ["rustc", "--release", "-p", "geoint-benches", "--example", name];
+        self.compile(&arguments, &["-Ccodegen-units=1"], name)?.library()
+    }
+
+    /// Compiles the runtime with these options of rustc and returns the library.
+    pub(crate) fn runtime(&self, options: &[&str]) -> Result<PathBuf> {
+        let arguments = ["rustc", "--release", "-p", "geoint-runtime", "--lib", "--features", "std,alloc"];
+        self.compile(&arguments, options, "geoint_runtime")?.library()
     }
 
     fn compile(&self, arguments: &[&str], for_rustc: &[&str], name: &str) -> Result<Artifact> {
-        let mut command = cargo();
-        command.current_dir(self.checkout).args(arguments).args(["-p", "geoint-benches"]);
+        let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| OsString::from("cargo")));
+        command.current_dir(self.checkout).args(arguments).stderr(Stdio::inherit());
         command.arg("--target-dir").arg(self.target_folder).arg("--message-format=json-render-diagnostics");
-        command.args(for_rustc).stderr(Stdio::inherit());
-        if !self.flags.is_empty() {
-            command.env("RUSTFLAGS", [&std::env::var("RUSTFLAGS").unwrap_or_default(), self.flags].join(" "));
+        if !for_rustc.is_empty() {
+            command.arg("--").args(for_rustc);
         }
         let output = command.output().context("cargo does not start")?;
         ensure!(output.status.success(), "`{name}` does not compile in {}", self.checkout.display());
@@ -57,11 +67,6 @@ impl Build<'_> {
             .find(|artifact| artifact.target.name == name)
             .with_context(|| format!("cargo does not report `{name}`"))
     }
-}
-
-/// The cargo that runs this benchmark.
-fn cargo() -> Command {
-    Command::new(std::env::var_os("CARGO").unwrap_or_else(|| OsString::from("cargo")))
 }
 
 /// The root of this checkout.

@@ -71,6 +71,15 @@ impl Pair {
     }
 }
 
+/// Returns the median time of a step in nanoseconds, over runs of this length. Takes about 0.15 s.
+#[allow(dead_code, reason = "the ablation alone times single runs")]
+pub(crate) fn nanoseconds(run: &Run, steps: u64) -> f64 {
+    let rounds = ((0.15 / time(run, steps)) as usize).clamp(11, 2001);
+    let mut sample: Vec<f64> = (0..rounds).map(|_| time(run, steps) * 1e9 / steps as f64).collect();
+    sample.sort_by(f64::total_cmp);
+    sample[rounds / 2]
+}
+
 fn steps_of_a_batch(run: &Run) -> u64 {
     let mut steps = 64;
     loop {

@@ -58,7 +58,7 @@ fn main() -> Result<()> {
         rows::all();
         return Ok(());
     }
-    let library = Build { checkout: own_checkout(), target_folder: own_target_folder(), flags: "" }.library(LIBRARY)?;
+    let library = Build { checkout: own_checkout(), target_folder: own_target_folder() }.library(LIBRARY)?;
     let revision = arguments.get_one::<String>("reference").expect("a default");
     let reference = Reference::build(revision)
         .inspect_err(|error| eprintln!("\nNo reference: {error:#}. Only ratios to hand-written steps follow."))
@@ -100,7 +100,7 @@ impl Reference {
     fn build(revision: &str) -> Result<Self> {
         let checkout = reference::checkout(revision)?;
         let target_folder = checkout.join("target");
-        let build = Build { checkout: &checkout, target_folder: &target_folder, flags: "" };
+        let build = Build { checkout: &checkout, target_folder: &target_folder };
         let has_library = |checkout: &Path| checkout.join(format!("tests/benches/examples/{LIBRARY}.rs")).exists();
         let code = if has_library(&checkout) { Some(code::bytes(&build.library(LIBRARY)?)?) } else { None };
         Ok(Reference { program: build.bench("ledger")?, code })
