@@ -69,12 +69,12 @@ impl Build<'_> {
     }
 }
 
-/// The root of this checkout.
+/// Returns the root of this checkout.
 pub(crate) fn own_checkout() -> &'static Path {
     Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
 }
 
-/// The target folder into which cargo has built this program.
+/// Returns the target folder of this program.
 pub(crate) fn own_target_folder() -> &'static Path {
     // Cargo names a subfolder of the target folder, whatever option or variable chose it.
     Path::new(env!("CARGO_TARGET_TMPDIR")).parent().expect("a subfolder of the target folder")

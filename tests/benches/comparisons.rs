@@ -10,7 +10,7 @@ use geoint_runtime::space::{Array, Snapshot};
 use geoint_runtime::system::StateOf;
 use std::hint::black_box;
 
-/// Steps that keep the energy exactly, beside explicit steps: one Newton solve against one force.
+/// Steps with exact energy beside explicit steps: one Newton solve against one force.
 pub(crate) fn discrete_gradients() -> Vec<Pair> {
     let method = DiscreteGradient;
     let start = State::new(pendulum::START.0, pendulum::START.1);
@@ -33,7 +33,7 @@ pub(crate) fn discrete_gradients() -> Vec<Pair> {
     ]
 }
 
-/// Steps of a contact system that omit the action, beside steps that compute it.
+/// Steps of a contact system without the action beside steps with the action.
 pub(crate) fn without_action() -> Vec<Pair> {
     let (h, start) = (0.01, ContactState::new([0.6, 0.0], [0.0, 1.5], 0.0));
     let system = move || black_box(systems::DampedKepler { mu: 1.0, alpha: 0.07 });
@@ -92,7 +92,7 @@ pub(crate) fn single_steps() -> Vec<Pair> {
     ]
 }
 
-/// Methods with an exact part beside a Nyström table: 547 years, each side in the steps that it needs for the same error.
+/// Methods with an exact part beside a Nyström table: 547 years, with as many steps as each side needs for the same error.
 pub(crate) fn exact_parts() -> Vec<Pair> {
     let (bodies, start, _) = planets::six_bodies();
     let years = 200_000.0;

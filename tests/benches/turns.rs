@@ -1,7 +1,7 @@
-//! Child processes that time the same rows, and run by turns.
+//! Child processes, which time the same rows by turns.
 //!
-//! Addresses and the load of the machine differ from process to process, so that one process may be off by half of its time. The median over
-//! several processes is stable.
+//! Addresses and the load of the machine differ from process to process. One process may be off by half of its time. The median over several
+//! processes is stable.
 
 use anyhow::{Context, Result, ensure};
 use serde::Serialize;
@@ -9,10 +9,10 @@ use serde::de::DeserializeOwned;
 use std::path::Path;
 use std::process::Command;
 
-/// The argument by which a program is asked for its rows.
+/// The argument that makes a program print its rows.
 pub(crate) const ROWS: &str = "--rows";
 
-/// Runs each program so many times, in alternating order: first, second, second, first, …. Returns the rows of each run of each program.
+/// Runs each program in several processes, in alternating order: first, second, second, first, …. Returns the rows by program and process.
 pub(crate) fn run<T: DeserializeOwned>(programs: &[&Path], processes: usize) -> Result<Vec<Vec<Vec<T>>>> {
     let mut runs: Vec<_> = programs.iter().map(|_| Vec::new()).collect();
     for round in 0..processes {
@@ -36,7 +36,7 @@ fn rows_of<T: DeserializeOwned>(program: &Path) -> Result<Vec<T>> {
     rows.with_context(|| format!("{} prints other rows than expected", program.display()))
 }
 
-/// Prints rows for the process that asked for them.
+/// Prints rows for the parent process.
 pub(crate) fn print<T: Serialize>(rows: impl IntoIterator<Item = T>) -> Result<()> {
     let mut writer = csv::Writer::from_writer(std::io::stdout());
     for row in rows {
@@ -45,7 +45,7 @@ pub(crate) fn print<T: Serialize>(rows: impl IntoIterator<Item = T>) -> Result<(
     Ok(writer.flush()?)
 }
 
-/// The median. Panics if there are no values.
+/// Returns the median. Panics if there are no values.
 pub(crate) fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     let middle = values.len() / 2;

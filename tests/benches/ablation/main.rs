@@ -1,4 +1,4 @@
-//! Ablation: the gain of each accelerator of implicit steps, as the time without it over the time with it.
+//! Ablation: the gain of each accelerator of implicit steps. The gain is the time without the accelerator over the time with the accelerator.
 //!
 //! `cargo bench -p geoint-benches --bench ablation` compiles one variant of the runtime for each accelerator, runs it and the complete
 //! runtime by turns, and writes `tests/benches/ABLATION.md`. Arguments select accelerators by name; the page is then printed.
@@ -21,7 +21,7 @@ use std::path::Path;
 /// Processes of each variant, and of the complete runtime beside it.
 const PROCESSES: usize = 3;
 
-/// The page that the complete run writes.
+/// A run of all variants writes this page.
 const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/ABLATION.md");
 
 fn main() -> Result<()> {
@@ -35,7 +35,7 @@ fn main() -> Result<()> {
         .filter(|accelerator| selected.is_empty() || selected.iter().any(|name| name == accelerator.name))
         .collect();
 
-    // All compilation comes first: it would disturb the measurement.
+    // Compilation would disturb the measurement, so it comes first.
     let complete = variant::compile(None)?;
     let mut programs = Vec::new();
     for accelerator in &accelerators {

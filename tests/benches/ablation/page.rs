@@ -1,19 +1,23 @@
 //! The page of the ablation.
 
-use crate::accelerators::Accelerator;
+use crate::accelerators::{Accelerator, Group};
 use crate::turns::median;
 use serde::Deserialize;
 use std::fmt;
 
-/// The rule: an accelerator stays if it gains this much on so many rows.
+/// The rule: smallest gain that counts.
 const GAIN: f64 = 1.10;
+
+/// The rule: an accelerator stays if it gains on this number of rows.
 const ROWS: usize = 2;
 
-/// Rows whose processes differ by more than this are marked.
+/// The page marks rows with a larger spread between processes.
 const STEADY: f64 = 0.05;
 
-/// The introduction, and the part that was decided by a prototype.
+/// The first part of the page.
 const INTRODUCTION: &str = include_str!("introduction.md");
+
+/// The last part of the page: accelerators that a prototype has decided.
 const DECIDED: &str = include_str!("decided.md");
 
 /// A row of one process.
@@ -28,8 +32,8 @@ pub(crate) struct Row {
 }
 
 impl Row {
-    fn group(&self) -> &str {
-        self.name.split(": ").next().expect("a first part")
+    fn belongs_to(&self, group: Group) -> bool {
+        self.name.strip_prefix(group.name()).is_some_and(|rest| rest.starts_with(": "))
     }
 
     fn fails(&self) -> bool {
@@ -49,14 +53,16 @@ pub(crate) struct Measured<'a> {
 }
 
 impl Measured<'_> {
-    /// Time without the accelerator over time with it. Nothing where the variant fails.
+    /// Returns the time without the accelerator over the time with the accelerator, or nothing if the variant fails.
+    ///
+    /// Each time is the median over processes.
     fn gain(&self, row: usize) -> Option<f64> {
         let time = |runs: &[Vec<Row>]| median(runs.iter().map(|rows| rows[row].nanoseconds).collect());
         let failed = self.without.iter().any(|rows| rows[row].fails());
         (!failed).then(|| time(&self.without) / time(&self.with))
     }
 
-    /// The largest difference of final states, relative to the largest entry, over all rows that do not fail.
+    /// Returns the largest difference of final states, relative to the largest entry. Rows that fail do not count.
     fn difference(&self) -> f64 {
         let of_row = |(a, b): (&Row, &Row)| {
             let (a, b) = (a.numbers(), b.numbers());
@@ -67,8 +73,17 @@ impl Measured<'_> {
         rows.map(of_row).fold(0.0, f64::max)
     }
 
+    /// Returns the gains on the rows on which the accelerator acts.
     fn gains(&self) -> impl Iterator<Item = Option<f64>> {
-        (0..self.with[0].len()).map(|row| self.gain(row))
+        let acts = |row: &Row| self.accelerator.groups.iter().any(|group| row.belongs_to(*group));
+        let rows = self.with[0].iter().enumerate().filter(move |(_, row)| acts(row));
+        rows.map(|(place, _)| self.gain(place))
+    }
+
+    /// Returns a list of the rows that fail, with the reasons.
+    fn failures(&self) -> String {
+        let failed = self.without[0].iter().filter(|row| row.fails());
+        failed.map(|row| format!("\n- Without `{}`, {}: {}.\n", self.accelerator.name, row.name, row.state)).collect()
     }
 
     fn verdict(&self) -> &'static str {
@@ -81,13 +96,13 @@ impl Measured<'_> {
     }
 }
 
-/// All that was measured.
+/// The complete page.
 pub(crate) struct Page<'a> {
     pub(crate) measured: Vec<Measured<'a>>,
 }
 
 impl Page<'_> {
-    /// Times of one row in all processes of the complete runtime: median, and distance of the quartiles over the median.
+    /// Returns the median time of a row over all processes of the complete runtime, and the distance of the quartiles over the median.
     fn complete(&self, row: usize) -> (f64, f64) {
         let runs = self.measured.iter().flat_map(|measured| &measured.with);
         let mut times: Vec<f64> = runs.map(|rows| rows[row].nanoseconds).collect();
@@ -103,7 +118,7 @@ impl Page<'_> {
         )?;
         writeln!(f, "|---|---|---|---|---|---|---|")?;
         for measured in &self.measured {
-            let Accelerator { name, technique, lines } = measured.accelerator;
+            let Accelerator { name, technique, lines, .. } = measured.accelerator;
             let gains: Vec<f64> = measured.gains().flatten().collect();
             let gained = gains.iter().filter(|gain| **gain >= GAIN).count();
             let mean = (gains.iter().map(|gain| gain.ln()).sum::<f64>() / gains.len() as f64).exp();
@@ -117,21 +132,22 @@ impl Page<'_> {
         Ok(())
     }
 
-    fn group(&self, f: &mut fmt::Formatter<'_>, group: &str, places: &[usize]) -> fmt::Result {
-        let rows = &self.measured[0].with[0];
-        writeln!(f, "\n### {group}\n\n| row | ns a step | spread |\n|---|---|---|")?;
-        for (number, &row) in places.iter().enumerate() {
-            let (time, spread) = self.complete(row);
-            let name = &rows[row].name[group.len() + 2..];
+    fn group(&self, f: &mut fmt::Formatter<'_>, group: Group) -> fmt::Result {
+        let all = &self.measured[0].with[0];
+        let places: Vec<usize> = (0..all.len()).filter(|&place| all[place].belongs_to(group)).collect();
+        writeln!(f, "\n### {}\n\n| row | ns a step | spread |\n|---|---|---|", group.name())?;
+        for (number, &place) in places.iter().enumerate() {
+            let (time, spread) = self.complete(place);
+            let name = &all[place].name[group.name().len() + 2..];
             let mark = if spread > STEADY { " (unsteady)" } else { "" };
             writeln!(f, "| {}: {name} | {time:.0} | {:.1} %{mark} |", number + 1, 100.0 * spread)?;
         }
         let numbers: String = (1..=places.len()).map(|number| format!(" {number} |")).collect();
         writeln!(f, "\n| gain on row |{numbers}\n|---|{}", "---|".repeat(places.len()))?;
-        for measured in &self.measured {
+        for measured in self.measured.iter().filter(|measured| measured.accelerator.groups.contains(&group)) {
             write!(f, "| `{}` |", measured.accelerator.name)?;
-            for &row in places {
-                match measured.gain(row) {
+            for &place in &places {
+                match measured.gain(place) {
                     Some(gain) if gain >= GAIN => write!(f, " **{gain:.2}** |")?,
                     Some(gain) => write!(f, " {gain:.2} |")?,
                     None => write!(f, " fails |")?,
@@ -145,24 +161,12 @@ impl Page<'_> {
 
 impl fmt::Display for Page<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{INTRODUCTION}\n")?;
+        writeln!(f, "{INTRODUCTION}")?;
         self.summary(f)?;
-        let failures = self.measured.iter().flat_map(|measured| {
-            let failed = measured.without[0].iter().filter(|row| row.fails());
-            failed.map(|row| format!("- Without `{}`, {}: {}.\n", measured.accelerator.name, row.name, row.state))
-        });
-        write!(f, "\n{}", failures.collect::<String>())?;
-        writeln!(f, "\n## Gain on each row")?;
-        let rows = &self.measured[0].with[0];
-        let mut groups: Vec<(&str, Vec<usize>)> = Vec::new();
-        for (place, row) in rows.iter().enumerate() {
-            match groups.last_mut() {
-                Some((group, places)) if *group == row.group() => places.push(place),
-                _ => groups.push((row.group(), vec![place])),
-            }
-        }
-        for (group, places) in groups {
-            self.group(f, group, &places)?;
+        let failures: String = self.measured.iter().map(Measured::failures).collect();
+        writeln!(f, "{failures}\n## Gain on each row")?;
+        for group in Group::ALL {
+            self.group(f, group)?;
         }
         write!(f, "\n{DECIDED}")
     }

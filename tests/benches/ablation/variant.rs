@@ -8,7 +8,7 @@ use std::process::Command;
 
 /// Compiles the steps without an accelerator, or the complete runtime, and returns the program.
 ///
-/// Cargo compiles the runtime alone with the switch. With the switch in `RUSTFLAGS` it would compile all dependencies for each variant.
+/// Cargo passes the switch to the runtime alone. A switch in `RUSTFLAGS` would compile all dependencies once more for each variant.
 pub(crate) fn compile(without: Option<&str>) -> Result<PathBuf> {
     let folder = own_target_folder().join("geoint/ablation");
     let build = Build { checkout: own_checkout(), target_folder: &folder };

@@ -10,7 +10,7 @@ pub(crate) fn bytes(library: &Path) -> Result<u64> {
     let content = std::fs::read(library)?;
     let mut sum = 0;
     for member in ArchiveFile::parse(&content[..])?.members() {
-        // The metadata of the crate is a member, too.
+        // The archive also contains the metadata of the crate.
         if let Ok(object) = File::parse(member?.data(&content[..])?) {
             sum += object
                 .sections()

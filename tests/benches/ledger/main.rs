@@ -35,7 +35,9 @@ const PROCESSES: usize = 3;
 /// The library whose machine code is counted.
 const LIBRARY: &str = "pendulum_step";
 
-/// A row of one process: medians over its batches. Times are nanoseconds a step.
+/// A row of one process: medians over batches. Times are nanoseconds a step.
+///
+/// Invariant: names of columns stay, because later builds read the rows of this one.
 #[derive(Clone, Serialize, Deserialize)]
 struct Row {
     name: String,
@@ -79,7 +81,7 @@ fn main() -> Result<()> {
     table.write(&folder.join("ledger.csv"))
 }
 
-/// Times all rows in this process.
+/// Times all rows in this process and prints the result.
 fn print_rows() -> Result<()> {
     let rows = rows::all();
     turns::print(rows.iter().map(|pair| {

@@ -1,6 +1,6 @@
-//! The build of an earlier revision, to which this one is compared.
+//! The checkout of an earlier revision, as the reference of a comparison.
 //!
-//! Folder: `target/geoint/reference/<revision>`. It is kept, so that the next comparison only runs it.
+//! Folder: `target/geoint/reference/<revision>`. The checkout and its build are kept for the next comparison.
 
 use crate::cargo::{own_checkout, own_target_folder};
 use anyhow::{Context, Result, ensure};
@@ -11,8 +11,10 @@ use std::process::Command;
 /// The state before the redesign.
 pub(crate) const DEFAULT: &str = "4fb39fceb44157293724df1b2dc789a5a4f5743e";
 
-/// The folder of the benchmarks in a checkout, and the file that a revision with a ledger has.
+/// The folder of the benchmarks in a checkout.
 const BENCHES: &str = "tests/benches";
+
+/// The file by which a revision is known to have a ledger.
 const LEDGER: &str = "tests/benches/ledger/main.rs";
 
 /// Returns a checkout of a revision that has a ledger: its own, or the benchmarks of this checkout laid over its tree.
@@ -22,7 +24,7 @@ pub(crate) fn checkout(revision: &str) -> Result<PathBuf> {
         .with_context(|| format!("the revision {revision} is not in the repository of this checkout"))?;
     let folder = own_target_folder().join("geoint/reference").join(&hash);
     if !folder.exists() {
-        // Under another name until it is complete.
+        // An incomplete checkout has another name.
         let part = folder.with_extension("part");
         if part.exists() {
             fs::remove_dir_all(&part)?;
@@ -41,7 +43,7 @@ pub(crate) fn checkout(revision: &str) -> Result<PathBuf> {
     Ok(folder)
 }
 
-/// Runs git in this checkout, with an index of its own if one is given, and returns its output.
+/// Runs git in this checkout, with a separate index if `index` names a file, and returns the output.
 fn git(arguments: &[&str], index: Option<&Path>) -> Result<String> {
     let mut command = Command::new("git");
     command.current_dir(own_checkout()).args(arguments);
@@ -53,7 +55,7 @@ fn git(arguments: &[&str], index: Option<&Path>) -> Result<String> {
     Ok(String::from_utf8(output.stdout)?.trim().into())
 }
 
-/// Copies a file or a folder. Files with the same content keep their times, so that cargo does not compile them again.
+/// Copies a file or a folder. Equal files keep their times, so that cargo does not compile again.
 fn lay_over(from: &Path, to: &Path) -> Result<()> {
     if from.is_dir() {
         fs::create_dir_all(to)?;

@@ -6,8 +6,10 @@ use anyhow::{Context, Result};
 use std::fmt;
 use std::path::Path;
 
-/// The rule: bounds on the geometric mean of all ratios, and on each ratio.
+/// The rule: bound on the geometric mean of all ratios.
 const LARGEST_MEAN: f64 = 1.05;
+
+/// The rule: bound on each ratio.
 const LARGEST_ROW: f64 = 1.25;
 
 /// Name of the library whose code is counted.
@@ -31,7 +33,7 @@ pub(crate) struct Code {
     pub(crate) reference: Option<u64>,
 }
 
-/// Joins the rows of processes of this build, and of the reference if there is one.
+/// Joins the rows of all processes of this build and of the reference.
 pub(crate) fn lines(own: &[Vec<Row>], reference: Option<&[Vec<Row>]>) -> Result<Vec<Line>> {
     let over = |runs: &[Vec<Row>], name: &str, value: fn(&Row) -> f64| {
         let values: Vec<f64> = runs.iter().flatten().filter(|row| row.name == name).map(value).collect();
@@ -82,7 +84,7 @@ impl fmt::Display for Summary<'_> {
     }
 }
 
-/// All that the ledger shows.
+/// The complete ledger.
 pub(crate) struct Table {
     pub(crate) lines: Vec<Line>,
     pub(crate) code: Code,
