@@ -132,9 +132,11 @@
 #[cfg(any(feature = "alloc", test))]
 extern crate alloc;
 
-/// What nobody else can implement, so that it may grow.
+mod ablation;
+
+/// Traits with this supertrait are implemented in this crate only, so that they may grow.
 mod sealed {
-    /// Is implemented here.
+    /// Implemented in this crate only.
     pub trait Sealed {}
 }
 

@@ -4,6 +4,9 @@
 //! 1 − h·J is, and not near it, so that pivots move.
 
 mod paired;
+#[allow(dead_code, reason = "elimination has three of these switches")]
+#[path = "../../geoint-runtime/src/ablation.rs"]
+mod ablation;
 // The elimination is private to the runtime; its files are compiled here once more, with the modules that they name.
 #[allow(dead_code, reason = "sizes have more uses than elimination")]
 #[path = "../../geoint-runtime/src/solving"]

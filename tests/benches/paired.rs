@@ -1,8 +1,8 @@
-//! The cost of one program in units of another, on a machine that others use as well.
+//! Time of one program in units of another, on a machine that others use as well.
 //!
-//! Both run in turns, in batches of the same number of steps that are over before the scheduler of a busy machine is
-//! likely to step in. Each pair of batches gives a ratio, and the median of the ratios does not see what hits a minority of
-//! the batches. Which of the two goes first alternates, so that a drift of the clock frequency cancels.
+//! Both programs run by turns, in batches of the same number of steps. A batch ends before the scheduler of a busy machine is likely to
+//! interrupt it. Each pair of batches gives a ratio, and the median of the ratios ignores disturbances of a minority of the batches. The order
+//! within pairs alternates, so that a drift of the clock frequency cancels.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -10,36 +10,37 @@ use std::time::{Duration, Instant};
 const ROUNDS: usize = 1501;
 const BATCH: Duration = Duration::from_micros(300);
 
-/// So many steps from a fixed start; what comes out.
+/// Takes a number of steps from a fixed start and returns the final state.
 pub(crate) type Run = Box<dyn Fn(u64) -> Vec<f64>>;
 
 /// Two programs that take steps of the same problem.
 pub(crate) struct Pair {
     /// The problem and the method.
     pub(crate) name: String,
-    /// What is measured.
+    /// The program that is measured.
     pub(crate) subject: Run,
-    /// What it is measured in.
+    /// The program whose time is the unit.
     pub(crate) unit: Run,
 }
 
-/// The ratio subject / unit, and what a step costs.
+/// The ratio subject / unit, and the time of a step.
 pub(crate) struct Ratio {
     pub(crate) median: f64,
-    /// A quarter of the ratios are below the first, a quarter above the second.
+    /// The lower and the upper quartile of the ratios.
+    #[allow(dead_code, reason = "the ledger prints medians only")]
     pub(crate) quartiles: [f64; 2],
     /// Median nanoseconds a step, of the subject and of the unit.
     pub(crate) nanoseconds: [f64; 2],
 }
 
 impl Pair {
-    /// The largest difference of the two results after some steps, relative to the largest entry.
+    /// Returns the largest difference of both results after these steps, relative to the largest entry.
     pub(crate) fn difference(&self, steps: u64) -> f64 {
         let (a, b) = ((self.subject)(steps), (self.unit)(steps));
         assert_eq!(a.len(), b.len());
         let scale = b.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
         let differences = a.iter().zip(&b).map(|(a, b)| (a - b).abs() / scale);
-        // Not `max`: that would lose a NaN.
+        // `f64::max` would lose a NaN.
         differences.fold(0.0, |m, d| if d <= m { m } else { d })
     }
 
@@ -68,6 +69,15 @@ impl Pair {
             nanoseconds: [subjects[ROUNDS / 2], units[ROUNDS / 2]],
         }
     }
+}
+
+/// Returns the median time of a step in nanoseconds, over runs of this length. Takes about 0.15 s.
+#[allow(dead_code, reason = "the ablation alone times single runs")]
+pub(crate) fn nanoseconds(run: &Run, steps: u64) -> f64 {
+    let rounds = ((0.15 / time(run, steps)) as usize).clamp(11, 2001);
+    let mut sample: Vec<f64> = (0..rounds).map(|_| time(run, steps) * 1e9 / steps as f64).collect();
+    sample.sort_by(f64::total_cmp);
+    sample[rounds / 2]
 }
 
 fn steps_of_a_batch(run: &Run) -> u64 {

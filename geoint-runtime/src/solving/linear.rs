@@ -1,5 +1,6 @@
 //! Small linear systems, of a size known to the compiler.
 
+use crate::ablation;
 use crate::scalar::Real;
 use crate::solving::size::Sizes;
 use crate::space::{Array, Square};
@@ -13,15 +14,15 @@ const SMALL: f64 = 1.0 / 8.0;
 /// cancel, else, as are more, by [`pivots`]. Returns whether the determinant is positive; `None` if a pivot vanishes or is not a finite number.
 #[inline(always)]
 pub(crate) fn solve<A: Array>(matrix: &mut Square<A>, rhs: &mut A, sizes: &Sizes<A>) -> Option<bool> {
-    if const { A::LEN == 2 } {
+    if const { ablation::CRAMER_TWO && A::LEN == 2 } {
         return of_two(A::entries::<A>(matrix), rhs.as_mut_slice());
     }
-    if const { A::LEN == 3 }
+    if const { ablation::CRAMER_THREE && A::LEN == 3 }
         && let Some(positive) = of_three(A::entries::<A>(matrix), rhs.as_mut_slice())
     {
         return Some(positive);
     }
-    if const { A::LEN == 4 } {
+    if const { ablation::PAIRS && A::LEN == 4 } {
         let (mut rows, mut x) = (*matrix, *rhs);
         let positive = of_pairs(A::entries::<A>(&mut rows), x.as_mut_slice());
         let (x, positive) = if positive.is_some() { (x, positive) } else { pivots_apart(*matrix, *rhs, sizes) };
@@ -101,6 +102,9 @@ pub(super) fn pivots<A: Array>(matrix: &mut Square<A>, rhs: &mut A, sizes: &Size
 /// exchanges would be inlined as well. One unknown may be no number, where its pivot vanishes.
 #[inline(always)]
 pub(crate) fn solve_fast<A: Array>(matrix: &mut Square<A>, rhs: &mut A) -> bool {
+    if const { !has_rule(A::LEN) } {
+        return pivots(matrix, rhs, &Sizes::equal()) == Some(true);
+    }
     let (rows, b) = (A::entries::<A>(matrix), rhs.as_mut_slice());
     match A::LEN {
         1 => {
@@ -111,6 +115,16 @@ pub(crate) fn solve_fast<A: Array>(matrix: &mut Square<A>, rhs: &mut A) -> bool 
         2 => of_two(rows, b) == Some(true),
         3 => of_three(rows, b) == Some(true),
         _ => of_pairs(rows, b) == Some(true),
+    }
+}
+
+/// Whether so many unknowns have a rule of their own, which the ablation benchmark may switch off.
+const fn has_rule(unknowns: usize) -> bool {
+    match unknowns {
+        0 | 1 => true,
+        2 => ablation::CRAMER_TWO,
+        3 => ablation::CRAMER_THREE,
+        _ => ablation::PAIRS,
     }
 }
 

@@ -1,6 +1,7 @@
 //! Steps of the polarised discrete gradient of a Lagrangian with an action: see [`ContactPolarised`].
 
 use super::ContactDiscreteGradient;
+use crate::ablation;
 use crate::method::{Earlier, Probe, Refusal, Step, StepsOf, check_end, start};
 use crate::scalar::{Real, zero};
 use crate::solving::equation::{Observer, StepEquation};
@@ -63,6 +64,9 @@ impl<S: ContactPolarised<R>, R: Real> StepsOf<ContactDiscreteGradient, S, R> for
         probe.visit(t, &z, &s);
         // With time frozen in the middle of the step.
         let sign = regular.begin(system, *is_definite, (t, &z, &s))?;
+        if const { !ablation::LAST_VELOCITY } {
+            *near = S::Array::zero();
+        }
         let v = velocity_near(system, middle, &z, &s, *near).ok_or(Refusal::Singular)?;
         let begun = system.begin(parameters, middle, &z, &s, &v);
         let units = units(system, middle, &z, &s, (&v, sign));
@@ -70,6 +74,9 @@ impl<S: ContactPolarised<R>, R: Real> StepsOf<ContactDiscreteGradient, S, R> for
         let none = S::Unknown::zero();
         let mut seen = Seen { probe, d: none, increments: none, by_d: S::Unknown::fill(none) };
         let (d, _) = newton.solve(&equation, &mut seen).checked()?;
+        if const { !ablation::LAST_EVALUATION } {
+            equation.residual_at(&mut seen, &d, &d, &mut S::Unknown::fill(none));
+        }
         // Increments where they were evaluated last, and what the last correction changes them by: its square is rounding.
         let correction = difference(&d, &seen.d);
         let mut increments = seen.increments;

@@ -2,6 +2,7 @@
 
 use super::mean::MeanGradient;
 use super::{DiscreteGradient, FourthOrder};
+use crate::ablation;
 use crate::method::corrected::{kept, rounded};
 use crate::method::{Claims, Deciding, Method, Name, Probe, Refusal, Step, check_conditions, check_end, start};
 use crate::scalar::Real;
@@ -65,8 +66,10 @@ impl<S: FourthOrderField<R>, R: Real, P: Probe<S, R>> StepEquation<S::Phase, Dec
     const SETTLED: bool = <KeptBy<S, R> as Invariants<S, R>>::Values::LEN > 0;
     const OF_NOW: bool = !S::State::MOMENTA;
     /// For the gradients of momenta it would not do: they may nearly depend on that of the energy, and then the projection changes much on a short way.
-    const NEARLY: bool =
-        S::State::MOMENTA && S::Phase::LEN >= LONG && <KeptBy<S, R> as Invariants<S, R>>::Values::LEN == 1;
+    const NEARLY: bool = ablation::SERIES_MATRIX
+        && S::State::MOMENTA
+        && S::Phase::LEN >= LONG
+        && <KeptBy<S, R> as Invariants<S, R>>::Values::LEN == 1;
 
     #[inline(always)]
     fn origin(&self) -> S::Phase {
@@ -76,12 +79,12 @@ impl<S: FourthOrderField<R>, R: Real, P: Probe<S, R>> StepEquation<S::Phase, Dec
     /// What counts is the mean z + d/2, as in steps of order 2.
     #[inline(always)]
     fn point(&self, d: &S::Phase) -> S::Phase {
-        moved(d, R::from_f64(2.0), &self.compensation)
+        if ablation::CARRIES { moved(d, R::from_f64(2.0), &self.compensation) } else { *d }
     }
 
     #[inline(always)]
     fn unknown(&self, point: &S::Phase) -> S::Phase {
-        moved(point, R::from_f64(-2.0), &self.compensation)
+        if ablation::CARRIES { moved(point, R::from_f64(-2.0), &self.compensation) } else { *point }
     }
 
     /// The explicit midpoint rule.
@@ -133,7 +136,11 @@ impl<S: FourthOrderField<R>, R: Real> Equation<'_, S, R> {
     ) -> S::Phase {
         watch.visit(self.t, &sum(&self.z, d));
         let mut image = S::Phase::zero();
-        slope_apart::<NEARLY, _, _>(self.system, self.parameters, &self.begun, d, &mut image, matrix);
+        if const { ablation::ONE_FUNCTION } {
+            slope_apart::<NEARLY, _, _>(self.system, self.parameters, &self.begun, d, &mut image, matrix);
+        } else {
+            self.system.fourth_slope::<NEARLY>(self.parameters, &self.begun, d, &mut image, matrix);
+        }
         image
     }
 }
@@ -204,7 +211,7 @@ impl<S: FourthOrderField<R>, R: Real> Method<S, R> for FourthOrder<DiscreteGradi
         outcome?;
         let Deciding { probe, decided } = deciding;
         let before = start::<S, R, C>(x);
-        x.add_with(sums, &d, &lost);
+        x.add_with(sums, &d, &if ablation::CARRIES { lost } else { S::Phase::zero() });
         rounded::check_step::<S, R, P, C>(system, &before.0, x)?;
         check_conditions(system, span.middle, &decided, x)?;
         check_end(poles, &before, Step { system, t, end, x, probe })

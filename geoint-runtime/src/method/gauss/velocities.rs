@@ -4,6 +4,7 @@
 
 use super::prepared::Prepared;
 use super::{Gauss, GaussTableau};
+use crate::ablation;
 use crate::method::{Earlier, Probe, Refusal, Step, StepsOf, check_end, check_way, start};
 use crate::scalar::Real;
 use crate::solving::equation::{Observer, StepEquation};
@@ -69,6 +70,9 @@ where
         let equation = StageVelocities { system, prepared, t, z, sign };
         let mut seen = Seen { probe, v: [none; S], stages: [Stage::none(); S] };
         let (v, _) = newton.solve(&equation, &mut seen).checked()?;
+        if const { !ablation::LAST_EVALUATION } {
+            equation.residual_at(&mut seen, &v, &v, &mut <[Y::Array; S]>::fill(<[Y::Array; S]>::zero()));
+        }
 
         let Prepared { poles, h, coupling, nodes, weights, .. } = prepared;
         for (i, node) in nodes.iter().enumerate() {

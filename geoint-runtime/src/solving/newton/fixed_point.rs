@@ -2,6 +2,7 @@
 
 use super::Found;
 use super::iteration::{Iteration, Start, explicit};
+use crate::ablation;
 use crate::solving::equation::{Observer, StepEquation};
 use crate::solving::rounding::{Corrections, Verdict, is_rounding};
 use crate::space::Array;
@@ -22,7 +23,8 @@ impl<A: Array> Iteration<A> {
         equation: &E,
         watch: &mut W,
     ) -> Found<A> {
-        if !self.stiff || self.steps.is_multiple_of(ANOTHER_TRY) {
+        let retries = !ablation::FIXED_POINT_PAUSE || self.steps.is_multiple_of(ANOTHER_TRY);
+        if ablation::FIXED_POINT && (!self.stiff || retries) {
             let guess = start.guess.unwrap_or_else(|| explicit(&{ *equation }));
             let found = self.fixed_point(guess, equation, watch);
             self.stiff = found.is_none();
@@ -45,7 +47,11 @@ impl<A: Array> Iteration<A> {
         let (origin, mut x) = (equation.origin(), guess);
         let mut corrections = Corrections::of_order(1);
         loop {
-            let next = equation.image(watch, &x);
+            let next = if const { ablation::NO_MATRIX } {
+                equation.image(watch, &x)
+            } else {
+                equation.evaluate(watch, &equation.point(&x), &mut A::fill(A::zero()))
+            };
             let delta = difference(&x, &next);
             x = next;
             let correction = self.sizes.relative(&delta, &origin, &x);

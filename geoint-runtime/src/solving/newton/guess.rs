@@ -1,6 +1,7 @@
 //! What is the next guess made of?
 
 use super::predictor::{FEW, POINTS, Predictor};
+use crate::ablation;
 use crate::space::{Array, Tape};
 
 /// The largest part that a guess may have missed by: after more the next one is explicit. It takes two evaluations, and at very long
@@ -101,7 +102,8 @@ impl Guesses {
         self.known = (self.known + 1).min(POINTS + 1);
         if !self.composed {
             let good = iterations < ROUGH + u32::from(extrapolated) || self.known == POINTS;
-            self.next = if self.known >= POINTS && good { Guess::All } else { Guess::Explicit };
+            self.next =
+                if ablation::EXTRAPOLATION && self.known >= POINTS && good { Guess::All } else { Guess::Explicit };
             return;
         }
         // As long as some are missing each step may have one that was not there before. A guess from all of them that takes two evaluations
@@ -123,7 +125,7 @@ impl Guesses {
             if self.known > points { missed(&guess(predictor)) } else { f64::INFINITY }
         };
         let (few, all) = (of(FEW, Predictor::predict_by_few), of(POINTS, Predictor::predict));
-        let next = match (all <= few, all.min(few) <= NEAR) {
+        let next = match (all <= few, ablation::EXTRAPOLATION && all.min(few) <= NEAR) {
             (_, false) => Guess::Explicit,
             (false, true) => Guess::Few,
             (true, true) => Guess::All,

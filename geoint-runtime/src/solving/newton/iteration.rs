@@ -3,6 +3,7 @@
 use super::guess::Guesses;
 use super::predictor::Predictor;
 use super::{Found, MOST_UNKNOWNS, Newton, subtract};
+use crate::ablation;
 use crate::scalar::Real;
 use crate::solving::Refusal;
 use crate::solving::damped;
@@ -123,7 +124,7 @@ impl<A: Array> Iteration<A> {
     /// Whether this step looks at what others take as known.
     #[inline(always)]
     pub(super) fn looks(&self) -> bool {
-        self.steps.is_multiple_of(SECOND_LOOK)
+        ablation::MEASURED_CURVATURE && self.steps.is_multiple_of(SECOND_LOOK)
     }
 
     /// Solves the equation from an extrapolated guess, if there is one, and does all to find a solution.
@@ -155,7 +156,7 @@ impl<A: Array> Iteration<A> {
         let mut attempt = start.guess.map_or(Attempt::Explicit, Attempt::Extrapolated);
         let (mut first, mut before) = (start.correction, start.before);
         if const { A::LEN > 1 } {
-            self.by_series |= self.looks();
+            self.by_series |= ablation::SERIES && self.steps.is_multiple_of(SECOND_LOOK);
         }
         loop {
             // Sizes for pivots. A guess may be wild: no correction is compared with it.
@@ -216,8 +217,10 @@ impl<A: Array> Iteration<A> {
         let mut corrections = Corrections::of_order(2);
         let extrapolated = matches!(attempt, Attempt::Extrapolated(_));
         let composed = self.guesses.composed();
-        let mut unjudged =
-            (composed || E::SETTLED && !E::OF_NOW) && !self.looks() && !matches!(attempt, Attempt::Damped);
+        let mut unjudged = ablation::UNMEASURED
+            && (composed || E::SETTLED && !E::OF_NOW)
+            && !self.looks()
+            && !matches!(attempt, Attempt::Damped);
         let (mut lost, mut stuck, mut iterations) = (A::zero(), None, 0);
         let mut delta_before = A::zero();
         // Whether the determinant is positive at the solution, if there is one. Numbers leave the loop by no `Result`: they would share its memory.
@@ -303,6 +306,9 @@ impl<A: Array> Iteration<A> {
     /// Two corrections that follow each other. The second may be nothing but rounding; then C is at most that.
     #[inline(always)]
     pub(super) fn see(&mut self, correction: f64, before: f64) {
+        if const { !ablation::MEASURED_CURVATURE } {
+            return;
+        }
         // A margin, since C is not the same all along an orbit.
         let before = before.min(1.0);
         let curvature = 16.0 * correction / (before * before);
@@ -331,5 +337,5 @@ enum Attempt<A> {
 pub(super) fn explicit<A: Array, W: Observer + ?Sized>(equation: &impl StepEquation<A, W>) -> A {
     let guess = equation.explicit();
     // It may look beyond the domain of the energy where the solution need not.
-    if guess.is_finite() { guess } else { A::zero() }
+    if ablation::EXPLICIT_GUESS && guess.is_finite() { guess } else { A::zero() }
 }

@@ -11,6 +11,7 @@ mod predictor;
 mod reciprocal;
 mod series;
 
+use crate::ablation;
 use crate::solving::Refusal;
 use crate::solving::equation::{Observer, StepEquation};
 use crate::solving::linear;
@@ -100,7 +101,7 @@ impl<A: Array> Newton<A> {
     #[inline(always)]
     pub(crate) fn follow(&mut self, before: [(A::Real, &Self); 2]) {
         let knows = |(_, other): &(_, &Self)| other.iteration.guesses.knows_difference();
-        if !self.iteration.guesses.sure() && before.iter().all(knows) {
+        if ablation::SUBSTEPS && !self.iteration.guesses.sure() && before.iter().all(knows) {
             self.iteration.guesses.compose();
             self.predictor.expect(before.map(|(weight, other)| (weight, &other.predictor)));
         } else {
@@ -165,14 +166,14 @@ impl<A: Array> Newton<A> {
             let guess = equation.unknown(&point);
             let mut matrix = A::fill(A::zero());
             // Constants first: nothing is compiled of what is not asked.
-            if const { E::SETTLED && A::LEN > 1 && E::NEARLY } && self.iteration.by_series {
+            if const { ablation::SERIES && E::SETTLED && A::LEN > 1 && E::NEARLY } && self.iteration.by_series {
                 let delta = difference(&guess, &equation.nearly(watch, &point, &mut matrix));
                 if let Some(found) = self.by_series(guess, &delta, &matrix) {
                     return found;
                 }
             }
             let mut delta = equation.residual_at(watch, &guess, &point, &mut matrix);
-            if const { E::SETTLED && A::LEN > 1 && !E::NEARLY }
+            if const { ablation::SERIES && E::SETTLED && A::LEN > 1 && !E::NEARLY }
                 && self.iteration.by_series
                 && let Some(found) = self.by_series(guess, &delta, &matrix)
             {
@@ -197,7 +198,7 @@ impl<A: Array> Newton<A> {
                 return Found::corrected(guess, &delta);
             }
             let mut start = Start { guess: Some(guess), correction: Some(delta), before: 0 };
-            if !self.iteration.looks() && self.iteration.is_near(&delta) {
+            if ablation::INLINE_REPEAT && !self.iteration.looks() && self.iteration.is_near(&delta) {
                 let (found, solved) = self.again((guess, delta), &mut start, equation, watch);
                 if solved {
                     return found;
@@ -206,6 +207,10 @@ impl<A: Array> Newton<A> {
             start
         };
         let distant = self.iteration.search(start, *equation, watch);
+        if const { !ablation::COPY_BY_ENTRY } {
+            self.choose(equation.origin(), distant.x);
+            return distant;
+        }
         // Entry by entry, so that what is found here stays in registers: the next step waits for it.
         let mut found = Found { outcome: distant.outcome, ..Found::solution(A::zero(), A::zero()) };
         found.x.copy_from(&distant.x);
@@ -259,7 +264,7 @@ impl<A: Array> Newton<A> {
             }
             last = delta;
             // How large it is costs two divisions, and is not asked of one that is the last where steps are settled, or composed; else C is known better.
-            let solved = (E::SETTLED || composed) && iteration.is_last(&delta) || {
+            let solved = ablation::UNMEASURED && (E::SETTLED || composed) && iteration.is_last(&delta) || {
                 let correction = iteration.sizes.relative(&delta, &origin, &found.x);
                 if before == 1 {
                     corrections.judge::<A::Real>(iteration.sizes.relative(&first, &origin, &x));

@@ -1,11 +1,12 @@
 //! What the next increment will be, from those before.
 
+use crate::ablation;
 use crate::scalar::Real;
 use crate::space::{Array, Tape};
 
 /// How many increments are extrapolated. At usual step sizes the eleventh difference is smaller than the accuracy that leaves nothing to do
 /// for a second Newton iteration: with nine a sixth of the steps of predators and prey took a second one.
-pub(crate) const POINTS: usize = 11;
+pub(crate) const POINTS: usize = if ablation::ELEVEN_POINTS { 11 } else { FEW + 1 };
 
 /// (−1)ʲ (11 choose j + 1), j = 0 … 4; those of j = 5 … 9 are their opposites, and the last is 1: the eleventh difference of the
 /// sequence is zero.
@@ -34,7 +35,7 @@ impl<A: Array> Predictor<A> {
     /// Whether terms stay where they are while the sequence goes on. Terms that fill whole registers are shifted by one place instead: then all
     /// addresses are known, which is 1.5 ns a step. Of others a register reaches over two, so that one is read just after both were written: the
     /// processor waits until they are in memory, 9 of the 35 ns of a step of Euler's top.
-    const SLIDES: bool = A::LEN % 2 == 1;
+    const SLIDES: bool = A::LEN % 2 == 1 && ablation::RING;
 
     pub(crate) fn new() -> Self {
         Predictor { terms: [A::zero(); SPARE + POINTS], latest: 0, expected: A::zero() }
@@ -56,6 +57,9 @@ impl<A: Array> Predictor<A> {
     /// The next term: only one product and one sum wait for the latest one. Other terms of opposite weights are one product.
     #[inline(always)]
     pub(crate) fn predict(&self) -> A {
+        if const { !ablation::ELEVEN_POINTS } {
+            return self.extrapolate_few(A::zero());
+        }
         let [latest, inner @ .., before, oldest] = self.last::<POINTS>();
         let mut sum = *oldest;
         sum.add_scaled(A::Real::from_f64(-WEIGHTS[0]), before);
@@ -70,7 +74,13 @@ impl<A: Array> Predictor<A> {
 
     /// The next term by a polynomial through few terms, and by what that is expected to miss.
     pub(crate) fn predict_by_few(&self) -> A {
-        let mut sum = self.expected;
+        self.extrapolate_few(self.expected)
+    }
+
+    /// The sum of `start` and the next term by a polynomial through few terms.
+    #[inline(always)]
+    fn extrapolate_few(&self, start: A) -> A {
+        let mut sum = start;
         for (weight, term) in DIFFERENCE[1..].iter().zip(self.last::<FEW>()) {
             sum.add_scaled(A::Real::from_f64(-weight), term);
         }

@@ -2,6 +2,7 @@
 
 use super::ContactGauss;
 use super::factors::Factors;
+use crate::ablation;
 use crate::method::explicit::tableau::Tableau;
 use crate::method::gauss::prepared::Prepared;
 use crate::method::gauss::{Gauss, GaussTableau};
@@ -150,7 +151,7 @@ where
         }
         probe.visit(t, &x.z, &x.s);
         let Prepared { poles, constants, nodes, coupling, .. } = &prepared.stages;
-        let known = if varying::<Y, R>() {
+        let known = if varying::<Y, R>() || !ablation::KNOWN_FACTORS {
             None
         } else {
             let decay = nodes.map(|node| system.decay(constants, t + node, &Y::Moved::zero()));

@@ -2,6 +2,7 @@
 
 use super::DiscreteGradient;
 use super::equation::{Coefficients, Equation};
+use crate::ablation;
 use crate::method::corrected::rounded;
 use crate::method::{Deciding, Earlier, Probe, Refusal, Step, StepsOf, check_conditions, check_poles, start};
 use crate::scalar::Real;
@@ -64,7 +65,7 @@ impl<S: DiscreteField<R>, R: Real> StepsOf<DiscreteGradient, S, R> for ByTree {
         let mut deciding = Deciding::of::<S, R>(probe, &x.z);
 
         // h·f̄ is affine in the impulse: one product with the inverse of its matrix.
-        if S::Inverse::EXISTS {
+        if ablation::CONSTANT_MATRIX && S::Inverse::EXISTS {
             let (impulse, increments) = equation.affine(inverse, &mut deciding);
             let before = start::<S, R, C>(x);
             x.add_with(sums, &increments, &S::Phase::zero());

@@ -1,6 +1,7 @@
 //! The equations of all stages for their velocities, and what a solution of them adds.
 
 use super::varying;
+use crate::ablation;
 use crate::method::Probe;
 use crate::method::contact::gauss::factors::Factors;
 use crate::method::gauss::prepared::Prepared;
@@ -111,7 +112,7 @@ fn after<Y: ContactVelocities<R>, R: Real>(
     dq: &Y::Array,
     (dv, ds): (Y::Array, R),
 ) -> (Y::Array, R, R) {
-    let [by_q_and_v, by_v_and_s, by_q_and_s] = Y::MIXED;
+    let [by_q_and_v, by_v_and_s, by_q_and_s] = if ablation::ZERO_BLOCKS { Y::MIXED } else { [true; 3] };
     let [.., by_q, by_v] = &stage.derivatives;
     let [momentum_by_s, force_by_s] = &stage.by_action;
     let mut force = if by_q_and_s { moved(&stage.force, ds, force_by_s) } else { stage.force };
@@ -215,7 +216,7 @@ impl<Y: ContactVelocities<R>, R: Real, P: Probe<Y, R>, const S: usize>
         };
         let (stages, Factors { r, by_decay, .. }) = (&last.stages, &last.factors);
         // What L has no second derivatives by is not multiplied.
-        let [by_q_and_v, by_v_and_s, by_q_and_s] = Y::MIXED;
+        let [by_q_and_v, by_v_and_s, by_q_and_s] = if ablation::ZERO_BLOCKS { Y::MIXED } else { [true; 3] };
         // −∂σ/∂v: how the velocities of stages move the decay at each.
         let moves_decay = varying::<Y, R>() && (by_v_and_s || by_q_and_s);
         let mut decays = [[Y::Array::zero(); S]; S];

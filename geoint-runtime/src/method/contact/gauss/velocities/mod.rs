@@ -6,12 +6,14 @@ mod equation;
 
 use super::ContactGauss;
 use super::factors::Factors;
+use crate::ablation;
 use crate::method::contact::ContactMidpoint;
 use crate::method::gauss::prepared::Prepared;
 use crate::method::gauss::velocities::{Memory, PreparedVelocities};
 use crate::method::gauss::{Gauss, GaussTableau};
 use crate::method::{Earlier, Probe, Refusal, Step, StepsOf, check_end, check_way, start};
 use crate::scalar::Real;
+use crate::solving::equation::StepEquation;
 use crate::solving::newton::Newton;
 use crate::space::{Array, Summation};
 use crate::system::{ByVelocities, ContactVelocities, Regular};
@@ -79,7 +81,7 @@ where
         probe.visit(t, &z, &s);
         let sign = regular.begin(system, *is_definite, (t, &z, &s))?;
         let Prepared { poles, coupling, nodes, constants, .. } = prepared;
-        let known = if varying::<Y, R>() {
+        let known = if varying::<Y, R>() || !ablation::KNOWN_FACTORS {
             None
         } else {
             let decay = nodes.map(|node| ContactVelocities::force(system, constants, t + node, &none, &none, &s).1);
@@ -88,6 +90,9 @@ where
         let equation = StageVelocities { system, prepared, t, z, s, sign, known };
         let mut seen = Seen { probe, last: Last::none() };
         let (d, _) = newton.solve(&equation, &mut seen).checked()?;
+        if const { !ablation::LAST_EVALUATION } {
+            equation.residual_at(&mut seen, &d, &d, &mut <[Y::Moved; S]>::fill(<[Y::Moved; S]>::zero()));
+        }
 
         let Seen { probe, last } = seen;
         for i in 0..if varying::<Y, R>() { S } else { 0 } {
