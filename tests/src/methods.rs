@@ -1,4 +1,8 @@
-//! Lists of methods that tests visit, beside the catalogue of the runtime.
+//! Lists of methods for tests.
+//!
+//! A list is a function that shows each of its methods to a [`Visitor`]. The type of the system must satisfy the bounds of the list. This
+//! file re-exports lists of the runtime's catalogue, adds compositions and parameters, and defines short lists with one method for each kind
+//! of step. The macros `every_kind!` and `every_method!` write a test for each kind of phase space.
 
 pub use geoint_runtime::method::Visitor;
 pub use geoint_runtime::method::catalogue::{
@@ -18,7 +22,7 @@ use geoint_runtime::{
     PoissonSplitting, QuadraticKinetic, Rattle, Separable,
 };
 
-/// Methods with a processor.
+/// Perturbation and force-gradient methods with a processor.
 pub fn processed<S: PerturbedGradient<R> + ForceGradient<R> + PhaseSpace<R, Action = ()>, R: Real>(
     visitor: &mut impl Visitor<S, R>,
 ) {
@@ -26,7 +30,8 @@ pub fn processed<S: PerturbedGradient<R> + ForceGradient<R> + PhaseSpace<R, Acti
     catalogue::processed_force_gradient(visitor);
 }
 
-/// Methods for every H whose divided differences are known, and others made of them.
+/// Methods by discrete gradients that treat all coordinates alike, for every H with known divided differences. Compositions of such methods
+/// are included.
 pub fn discrete_gradient<S: DiscreteField<R> + Conservative<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     catalogue::discrete_gradient(visitor);
     catalogue::mean_gradients(visitor);
@@ -35,7 +40,9 @@ pub fn discrete_gradient<S: DiscreteField<R> + Conservative<R>, R: Real>(visitor
     visitor.visit(Suzuki4.of(MeanValue::<2>));
 }
 
-/// Those that take one coordinate after the other, and many times as long.
+/// Symmetric discrete gradients that change one coordinate after the other, and methods made of them.
+///
+/// They are a list of their own, because their steps take many times as long as those of [`discrete_gradient`].
 pub fn itoh_abe<S: DiscreteField<R> + Conservative<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     catalogue::itoh_abe(visitor);
     visitor.visit(FourthOrder(SymmetrisedItohAbe));
@@ -43,16 +50,20 @@ pub fn itoh_abe<S: DiscreteField<R> + Conservative<R>, R: Real>(visitor: &mut im
     visitor.visit(Suzuki4.of(ItohAbePair));
 }
 
-/// Those that need one degree of freedom, with another choice of their parameters.
+/// The discrete gradient of coordinate increments, with the default parameters and with others.
+///
+/// The scene should have one degree of freedom. With more, some steps do not exist.
 pub fn coordinate_increment<S: DiscreteField<R> + Conservative<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     catalogue::coordinate_increment(visitor);
     visitor.visit(CoordinateIncrement { alpha: 0.2, beta: 0.9, gamma: 1.0, delta: 0.3 });
 }
 
-/// One method of each kind of step in a list.
+/// Defines lists with one method for each kind of step.
 ///
-/// Two tables of one kind differ in their coefficients only: their steps run through the same code. `geoint-verification` measures every method of
-/// every list. A test whose claim does not depend on coefficients visits the kinds, since each method costs as much to compile as it costs to run.
+/// Methods of one kind run through the same code and differ in their coefficients only. A test visits the kinds if its claim does not depend on
+/// coefficients, because each method costs about as much time to compile as to run. `geoint-verification` measures every method of every list.
+///
+/// Syntax: `name [bounds of the system]: method, method, …;`.
 macro_rules! kinds {
     ($($(#[$doc:meta])* $list:ident [$($bounds:tt)*]: $($method:expr),*;)*) => { $(
         $(#[$doc])*
@@ -92,7 +103,7 @@ kinds! {
     kinds_of_constrained [
         ConstrainedStep<Rattle, R> + ConstrainedStep<DiscreteGradient, R> + Graded<R, Gradient = ByConstraint>
     ]: Rattle, DiscreteGradient, Suzuki4.of(Rattle), Suzuki4.of(DiscreteGradient);
-    /// Kinds of contact systems in [`pieces`].
+    /// Kinds of [`pieces`], for contact systems.
     kinds_of_pieces [Pieces<ContactSplitting, R>]: ContactSplitting, BlanesMoan4X, Suzuki4.of(ContactSplitting);
     /// Kinds of [`catalogue::mechanical`].
     kinds_of_mechanical [Mechanical<R>]: ContactLeapfrog, Suzuki4.of(ContactLeapfrog);
@@ -109,7 +120,9 @@ kinds! {
     kinds_of_planar [Pieces<PlanarSplitting, R>]: PlanarSplitting, Suzuki4.of(PlanarSplitting);
 }
 
-/// A test for each kind of phase space: `$Visitor`, a step size and a scene, is shown every kind of method for it.
+/// Writes a test for each kind of phase space. The test shows one method for each kind of step to `$Visitor`.
+///
+/// `$Visitor` is a struct with one type parameter, the scene, and with the fields `h`, the step size, and `scene`, a `PhantomData`.
 #[macro_export]
 macro_rules! every_kind {
     ($Visitor:ident) => {
@@ -129,7 +142,10 @@ macro_rules! every_kind {
     };
 }
 
-/// A test for each kind of phase space: `$Visitor`, a step size and a scene, is shown every method for it.
+/// Writes a test for each kind of phase space. The test shows every method of its lists to `$Visitor`.
+///
+/// `$Visitor` is a struct as in `every_kind!`. The second rule writes the tests for given scenes and lists:
+/// `name of the test on scene, step size: module list, module list, …;`, where the module is `methods` or `catalogue`.
 #[macro_export]
 macro_rules! every_method {
     ($Visitor:ident) => {
@@ -149,6 +165,7 @@ macro_rules! every_method {
     ($Visitor:ident: $($test:ident on $Scene:ty, $h:literal: $($from:ident $list:ident),*;)*) => { $(
         #[test]
         fn $test() {
+            // Some tests take all their lists from one of the two modules.
             #[allow(unused_imports)]
             use {geoint_runtime::method::catalogue, $crate::methods};
             let mut visitor = $Visitor::<$Scene> { h: $h, scene: std::marker::PhantomData };

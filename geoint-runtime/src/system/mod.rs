@@ -1,21 +1,30 @@
-//! What a system offers: the traits that the attributes implement.
+//! The traits of systems, which the attribute macros implement.
 //!
-//! Each trait is a proven property. A method asks for the traits that it needs, so using it on a system without the
-//! property is a type error. Kernels are functions of prepared coefficients and of nested arrays; they hold no state.
+//! The attribute macros are `#[hamiltonian]`, `#[lagrangian]` and `#[vector_field]`. [`PhaseSpace`] describes the system. A macro
+//! implements each further trait only after it has proven the property that the trait stands for. A method requires the traits that it
+//! needs, so a method on a system without the property is a type error.
+//!
+//! A kernel is a function that a macro emits for a trait, such as [`VectorField::rate`] or [`Hamiltonian::gradient`]. Kernels read
+//! nested arrays of coordinates. They hold no state. If many steps share values, one kernel computes them as coefficients, and others
+//! take the coefficients as an argument.
+//!
+//! Most traits have a type `Proof`, which is `()` in each implementation. [`Method::Proof`](crate::Method::Proof) of a method names the
+//! `Proof` of each trait that the method needs. If an implementation is missing, rustc reports the missing property only, without errors
+//! that follow from it.
 
-mod bodies;
-mod contact;
-mod implicit;
-mod integrals;
-mod jets;
-mod jumps;
-mod lagrangian;
-mod modified;
-mod perturbed;
-mod poles;
-mod rates;
-mod separable;
-mod timed;
+mod bodies; // Rigid bodies in their principal axes.
+mod contact; // Contact systems, and the flows of the pieces of an energy.
+mod implicit; // The equations of implicit steps.
+mod integrals; // First integrals and invariants.
+mod jets; // Taylor coefficients of solutions.
+mod jumps; // Search for a jump of H between two points.
+mod lagrangian; // Systems that are given by a Lagrangian.
+mod modified; // The modified energy of a step of order 2.
+mod perturbed; // H = A + B: an exact flow and a perturbation.
+mod poles; // Search for a pole of H between two points.
+mod rates; // The rates of systems with and without an action.
+mod separable; // H = T + V: kicks and drifts.
+mod timed; // Search for a pole of H that depends on time only.
 
 pub use bodies::PrincipalAxes;
 pub use contact::{Clock, Conformal, Contact, ImplicitStep, Mechanical, NystromPieces, Piece, Pieces};
@@ -45,109 +54,157 @@ pub use crate::solving::{Inverse, Inverted};
 use crate::scalar::Real;
 use crate::space::{Action, Array, Coordinates, Snapshot, State};
 
-/// A phase space with an energy on it.
+/// A phase space with an energy H on it.
+///
+/// Some systems of `#[vector_field]` keep functions in place of H. The items about domain, poles and conditions then speak of the field
+/// and of these functions.
+///
+/// The defaults describe an H that is smooth and defined everywhere. The macros override an item only if H needs it.
 pub trait PhaseSpace<R: Real = f64>: Copy {
-    /// A point at a time, as the user writes it.
+    /// A point and its time, in the types of the user.
     type State: Snapshot<Real = R, Phase = Self::Phase, Action = Self::Action>;
-    /// All coordinates of a point, as kernels see them: z = [q, p], or x.
+    /// The coordinates of a point, as kernels read them: z = [q, p], or z = x for a system without momenta.
     type Phase: Array<Real = R>;
-    /// What phase space has beside them: the action `R` of a contact system, or nothing.
+    /// The scalar `R` for the action s of a contact system. `()` for all other systems.
     type Action: Action<R>;
 
-    /// H at a point.
+    /// Returns H at a point. NaN if the system has no energy.
     fn hamiltonian(&self, t: R, z: &Self::Phase, s: &Self::Action) -> R;
 
-    /// The first function of H, if any, that is not defined at a point, and of which term.
+    /// Returns a message about the first function in H that is undefined at a point. The message names the function and its argument.
+    ///
+    /// The message may also describe damping or friction that would feed energy. Integrators check the first state of a run and the ends of
+    /// steps, and report the message as the reason of a refused step.
     fn outside_domain(&self, t: R, z: &Self::Phase, s: &Self::Action) -> Option<&'static str>;
 
-    /// The first term of H, if any, that has a value at a point, and no derivative, as √u at u = 0. It is asked for when a step is refused.
+    /// Returns a message about the first term of H that has a value at a point, but not all derivatives of order 1 and 2. An example is
+    /// √u at u = 0.
+    ///
+    /// Called after a refused step, at the points at which the repeated step evaluates H. The default is right if H has no such term.
     fn edge(&self, _t: R, _z: &Self::Phase, _s: &Self::Action) -> Option<&'static str> {
         None
     }
 
-    /// Whether H has powers that have no Taylor series where they vanish.
+    /// `true` if [`powers`](PhaseSpace::powers) visits anything. H then has a power without a Taylor series where its base vanishes, as u^(3/2).
+    ///
+    /// The integrator for Taylor series reads this constant. If it is `true`, the integrator compares series and field also for steps of fixed length.
     const POWERS: bool = false;
 
-    /// Shows every power of H that has no Taylor series where it vanishes, with what it is a power of at a point. They are asked for when a series
-    /// ends.
+    /// Calls `visit` for each power of H that has no Taylor series where its base vanishes. The arguments are a message and the value of
+    /// the base at a point.
+    ///
+    /// Called if a Taylor series diverges, to find a base near zero. The default is right if [`POWERS`](PhaseSpace::POWERS) is `false`.
     fn powers(&self, _t: R, _z: &Self::Phase, _s: &Self::Action, _visit: impl FnMut(&'static str, R)) {}
 
-    /// Whether momenta follow from velocities that the user gives: they are not finite where those have none.
+    /// `true` if the system is given by a Lagrangian. The user then starts from velocities, and the momenta p = ∂L/∂v follow.
+    ///
+    /// Read if a state is not finite. With finite positions the error is then [`StepError::NoMomentum`](crate::StepError::NoMomentum): the
+    /// velocity has no momentum.
     const OF_VELOCITIES: bool = false;
 
-    /// The poles of H: what must not vanish on the way of an implicit step.
+    /// The poles of H, each with the message of a refused step.
+    ///
+    /// An implicit step is refused unless the denominator of each pole is proven not to vanish between its ends. Explicit steps check the poles
+    /// that depend on time only. The entry may also be the edge of a domain; see [`Pole::edge`].
     const POLES: &'static [Pole] = &[];
 
-    /// Whether the parameters have the signs on which [`clear_of_poles`](PhaseSpace::clear_of_poles) relies.
+    /// Returns whether the parameters have the signs that [`clear_of_poles`](PhaseSpace::clear_of_poles) assumes.
+    ///
+    /// Called when the search for poles is prepared for a system. If the result is `false`, intervals replace the tests of
+    /// `clear_of_poles`. The default is right if the tests assume no sign.
     #[inline(always)]
     fn signs_hold(&self) -> bool {
         true
     }
 
-    /// Whether the structure of what vanishes at the poles alone rules out, at little cost, that it does so between two points, each with
-    /// its time. `true` says nothing of poles of which no such structure is known.
+    /// Returns `false` if a quick test can not exclude a pole on the straight line between two points, each with its time.
     ///
-    /// Where `divided` is `true`, the divided differences of H between the two points are known to be numbers: they are not, where
-    /// 1/x has ends of different signs.
+    /// The quick test covers the poles with [`Pole::by_structure`] only. An example is 1/q: the product of both values of q must be
+    /// positive. `true` says nothing about other poles. Thus the default is right if no pole has a quick test.
+    ///
+    /// `divided` states that the divided differences of H between the two points are known to be finite. Some poles then need no test: the
+    /// divided difference of 1/q is not a number if q has different signs at the two points.
     #[inline(always)]
     fn clear_of_poles(&self, _divided: bool, _t: [R; 2], _z: [&Self::Phase; 2], _s: [&Self::Action; 2]) -> bool {
         true
     }
 
-    /// What vanishes at a pole, in any scalar: parameters are lifted to it, coordinates come in the order in which they are stored.
+    /// Returns the function that vanishes at the pole with this index of [`POLES`](PhaseSpace::POLES), such as q for 1/q. At the edge of a
+    /// domain the function is positive inside and negative outside.
+    ///
+    /// The scalar `T` is an interval with a derivative during the search for zeros. `lift` converts parameters to `T`. The coordinates `z`
+    /// come in the order in which they are stored. The default is never called, because `POLES` is empty.
     fn vanishing<T: Real>(&self, _pole: usize, _lift: impl Fn(R) -> T, _t: T, _z: &[T], _s: T) -> T {
         T::from_f64(1.0)
     }
 
-    /// What is said of a jump of H at a condition that reads the state.
+    /// The conditions of H that read the state, such as the condition of an `if`. Each has the message for a step across a jump of H at this
+    /// condition.
     const JUMPS: &'static [&'static str] = &[];
 
-    /// Whether H was proven not to jump where a condition changes.
+    /// `true` if H was proven to be continuous at each condition that reads the state.
+    ///
+    /// If this is `false`, methods that do not keep the energy check each step for a jump. The default is right without conditions.
     const CONTINUOUS: bool = true;
 
-    /// Whether no condition of H is decided differently at two points.
+    /// Returns whether each condition of [`JUMPS`](PhaseSpace::JUMPS) has the same value at two points, at time `t`.
+    ///
+    /// Called by methods that keep the energy. The default is right without conditions.
     #[inline(always)]
     fn same_sides(&self, _t: R, _z: [&Self::Phase; 2], _s: [&Self::Action; 2]) -> bool {
         true
     }
 
-    /// The unit quaternions among the coordinates: their length is 1 at the start of a run, and is made so again once in 1024 steps.
+    /// Returns the unit quaternions among the coordinates.
+    ///
+    /// Integrators refuse a first state in which a quaternion has not the length 1. They remove the drift of the length at
+    /// least once in 1024 steps. The default is right without rigid bodies.
     #[inline(always)]
     fn attitudes(_z: &mut Self::Phase) -> &mut [[R; 4]] {
         &mut []
     }
 
-    /// 1 where a condition of H holds and −1 where it does not, and what H jumps by there, in any scalar.
+    /// Returns the side and the height of the condition with this index of [`JUMPS`](PhaseSpace::JUMPS). The side is 1 if the condition
+    /// holds, else −1. The height is H with the condition true, minus H with the condition false.
+    ///
+    /// The scalar `T` is an interval during the search for jumps. `lift` converts parameters to `T`. The coordinates `z` come in the order
+    /// in which they are stored. The default is never called, because `JUMPS` is empty.
     fn jump<T: Real>(&self, _jump: usize, _lift: impl Fn(R) -> T, _t: T, _z: &[T], _s: T) -> [T; 2] {
         [T::from_f64(1.0); 2]
     }
 
-    /// Whether the end of every single step has to be examined by [`outside_domain`](PhaseSpace::outside_domain): a step may end outside
-    /// the domain without a trace in the next.
+    /// `true` if integrators must check the end of each single step by [`outside_domain`](PhaseSpace::outside_domain).
+    ///
+    /// If this is `false`, one check after many steps is enough: a state outside the domain leads to numbers that are not finite. If this is
+    /// `true`, a step may leave the domain and a later step may return without a trace. Simplification may have removed the undefined
+    /// function, for example.
     const EXAMINED: bool = false;
 
-    /// What the state of a system with constraints lacks at the start of a run of steps of length `h`.
+    /// Returns the constraint that the state of a system with constraints violates, or that depends on other constraints.
+    ///
+    /// Called for the first state of a run. The step length `h` sets the velocity off the constraint that counts as rounding. The default is
+    /// right without constraints.
     #[inline(always)]
     fn unmet(&self, _t: R, _h: R, _z: &Self::Phase) -> Option<Unmet> {
         None
     }
 
-    /// The energy of a state.
+    /// Returns the energy of a state.
     fn energy(&self, state: &StateOf<Self, R>) -> R {
         let (t, z, s) = state.parts();
         self.hamiltonian(t, &z, &s)
     }
 }
 
-/// Points of the phase space of a system: [`State`], [`ContactState`](crate::ContactState),
-/// [`FlowState`](crate::FlowState), or [`BodyState`](crate::BodyState).
+/// The type of the states of a system: [`State`], [`ContactState`](crate::ContactState), [`FlowState`](crate::FlowState), or
+/// [`BodyState`](crate::BodyState).
 pub type StateOf<S, R> = <S as PhaseSpace<R>>::State;
 
-/// A phase space with a momentum beside each position: z = [q, p].
+/// A phase space with a momentum for each position: z = [q, p].
 pub trait Cotangent<R: Real = f64>: PhaseSpace<R, Phase = [<Self as Cotangent<R>>::Array; 2]> {
-    /// Positions, or momenta, as the user writes them.
+    /// The type in which the user writes positions, and the type of momenta.
     type Coordinates: Coordinates<Real = R, Array = Self::Array>;
-    /// The same as kernels see them.
+    /// Positions, or momenta, as kernels read them.
     type Array: Array<Real = R>;
 }
 
@@ -162,11 +219,13 @@ pub trait Cotangent<R: Real = f64>: PhaseSpace<R, Phase = [<Self as Cotangent<R>
 pub trait VectorField<R: Real = f64>: PhaseSpace<R, Action = ()> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// z' at a point.
+    /// Writes z' at a point to `dz`.
     fn rate(&self, t: R, z: &Self::Phase, dz: &mut Self::Phase);
 }
 
-/// A system with an energy H(q, p, t): q' = ∂H/∂p, p' = −∂H/∂q, less C ∂H/∂p if it is damped.
+/// A system with an energy H(q, p, t): q' = ∂H/∂p, p' = −∂H/∂q − C ∂H/∂p + f.
+///
+/// C is the damping matrix, and f are other forces. Both are zero unless the user gives them.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no system of `#[hamiltonian]` without constraints",
     label = "this is for those alone",
@@ -179,11 +238,11 @@ pub trait Hamiltonian<R: Real = f64>:
 {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// [∂H/∂q, ∂H/∂p] at a point.
+    /// Writes [∂H/∂q, ∂H/∂p] at a point to `slopes`.
     fn gradient(&self, t: R, z: &Self::Phase, slopes: &mut Self::Phase);
 }
 
-/// z' of a system that is not damped, from the gradient: J∇H.
+/// Writes z' = J∇H of an undamped system to `dz`: q' = ∂H/∂p, p' = −∂H/∂q. The macros call it in [`VectorField::rate`].
 #[inline(always)]
 pub fn canonical_rate<S: Hamiltonian<R>, R: Real>(system: &S, t: R, z: &S::Phase, dz: &mut S::Phase) {
     system.gradient(t, z, dz);
@@ -193,7 +252,12 @@ pub fn canonical_rate<S: Hamiltonian<R>, R: Real>(system: &S, t: R, z: &S::Phase
     }
 }
 
-/// Nothing damps the system: H changes with explicit time alone.
+/// A system without damping and without forces besides −∂H/∂q. H changes along the flow only if H reads time.
+///
+/// Methods that keep the energy need this property. They keep H to rounding if H does not read time.
+///
+/// The macros implement [`FourthOrderField`] for each such system. The bound lets generic code use
+/// [`FourthOrder(DiscreteGradient)`](crate::FourthOrder) for each conservative system.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not known to keep its energy",
     label = "this method keeps the energy, and must not be used where damping takes it away",
@@ -204,7 +268,7 @@ pub trait Conservative<R: Real = f64>: Hamiltonian<R> + FourthOrderField<R> {
     type Proof;
 }
 
-/// The flow keeps H: time does not appear in it, and nothing damps.
+/// A conservative system whose H does not read time. The flow keeps H.
 #[diagnostic::on_unimplemented(
     message = "the flow of `{Self}` was not proven to keep the energy",
     label = "H depends on time, or is damped: there is nothing to project onto"

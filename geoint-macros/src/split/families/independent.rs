@@ -1,11 +1,19 @@
-//! Degrees of freedom that know nothing of each other: each moves as if it were alone.
+//! Family "independent parts": a sum of energies without a common degree of freedom.
+//!
+//! The flows of the parts commute, and each part moves its own degrees of freedom only. Thus the flow of the sum consists of the flows of
+//! the parts.
 
 use super::super::flow::{Flow, Group, Rules};
 use crate::analyze;
 use crate::ir::{Graph, Id, Symbol};
 use std::collections::BTreeSet;
 
-/// Σ Aᵢ of energies that have no coordinate in common, if `rules` know the flow of each.
+/// Returns the flow of a sum of energies without a common degree of freedom.
+///
+/// Returns `None` if the energy is one part only, or if `rules` find no flow of a part. `rules` may call this function again, because a family
+/// may transform the energy of a part. This recursion ends, because each part reads fewer degrees of freedom than the sum.
+///
+/// All parts have the clock of the group, so all flows treat time alike. The family serves systems without an action only, and s stays.
 pub(super) fn solve(graph: &mut Graph, group: &Group, rules: Rules<'_>) -> Option<Flow> {
     let parts = parts(graph, group.energy);
     if parts.len() < 2 {
@@ -14,6 +22,7 @@ pub(super) fn solve(graph: &mut Graph, group: &Group, rules: Rules<'_>) -> Optio
     let mut flow = Flow::rest(graph, group.degrees);
     for part in parts {
         let energy = graph.sum(&part.terms);
+        // The part keeps the degrees of the group, so that indices of coordinates stay. Its flow leaves the coordinates of other parts at rest.
         let own = rules(graph, &Group { energy, ..*group })?;
         for i in part.degrees.into_iter().map(|i| i as usize) {
             (flow.q[i], flow.p[i]) = (own.q[i], own.p[i]);
@@ -22,13 +31,18 @@ pub(super) fn solve(graph: &mut Graph, group: &Group, rules: Rules<'_>) -> Optio
     Some(flow)
 }
 
-/// Terms, and the degrees of freedom that they read.
+/// A part of the energy.
 struct Part {
+    /// The degrees of freedom whose position or momentum a term reads.
     degrees: BTreeSet<u32>,
+    /// The terms, whose sum is the energy of the part.
     terms: Vec<Id>,
 }
 
-/// The terms of an energy, those together that are connected by degrees of freedom; without those that move nothing.
+/// Splits an energy into as many parts as possible without a common degree of freedom.
+///
+/// Terms belong to one part if a chain of terms connects them, in which neighbours share a degree of freedom. Terms without coordinates move
+/// nothing and are left out.
 fn parts(graph: &mut Graph, energy: Id) -> Vec<Part> {
     let mut parts: Vec<Part> = vec![];
     for term in analyze::single_terms(graph, energy) {
@@ -36,15 +50,17 @@ fn parts(graph: &mut Graph, energy: Id) -> Vec<Part> {
             Symbol::Q(i) | Symbol::P(i) => Some(*i),
             _ => None,
         };
-        let mut whole = Part { degrees: graph.symbols(term).iter().filter_map(degree).collect(), terms: vec![term] };
-        if whole.degrees.is_empty() {
+        let mut merged = Part { degrees: graph.symbols(term).iter().filter_map(degree).collect(), terms: vec![term] };
+        if merged.degrees.is_empty() {
             continue;
         }
-        for part in parts.extract_if(.., |part| !part.degrees.is_disjoint(&whole.degrees)).collect::<Vec<_>>() {
-            whole.degrees.extend(part.degrees);
-            whole.terms.splice(0..0, part.terms);
+        // The term merges all parts with which it shares a degree of freedom.
+        for part in parts.extract_if(.., |part| !part.degrees.is_disjoint(&merged.degrees)).collect::<Vec<_>>() {
+            merged.degrees.extend(part.degrees);
+            // Earlier terms of the energy stay before the new one.
+            merged.terms.splice(0..0, part.terms);
         }
-        parts.push(whole);
+        parts.push(merged);
     }
     parts
 }

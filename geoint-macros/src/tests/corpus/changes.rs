@@ -1,4 +1,8 @@
-//! The comparison reports a changed token in the code of every form, and new and missing functions.
+//! Tests of the comparison with the list.
+//!
+//! The comparison reports a changed token for every form of system, a changed outcome, and new and missing functions. The hash reads every
+//! token, and ignores positions in the source. The outcome of an expansion is a system of some form, an energy function, a question,
+//! or a refusal. A question asks for an energy function that is not in the same file.
 
 use super::comparison::{Differences, Entry, hash};
 use super::{FORMS, Outcome, expansions};
@@ -6,12 +10,13 @@ use proc_macro2::{Group, Ident, Span, TokenStream, TokenTree};
 use std::path::Path;
 use std::str::FromStr;
 
-/// The list of some entries.
+/// Returns the text of the list for some entries.
 fn list(entries: &[Entry]) -> String {
     entries.iter().map(ToString::to_string).collect()
 }
 
-/// Applies a change to the tokens of the group in the middle, of the group in the middle of this group, and so on.
+/// Applies a change deep inside the code. Descends into the middle one of the groups until the tokens contain no group, and changes these
+/// tokens. Groups without tokens do not count.
 fn in_the_middle(tokens: TokenStream, change: fn(&mut Vec<TokenTree>)) -> TokenStream {
     let mut trees: Vec<TokenTree> = tokens.into_iter().collect();
     let groups: Vec<usize> = (0..trees.len())
@@ -19,7 +24,7 @@ fn in_the_middle(tokens: TokenStream, change: fn(&mut Vec<TokenTree>)) -> TokenS
         .collect();
     match groups.get(groups.len() / 2) {
         Some(&at) => {
-            let TokenTree::Group(group) = &trees[at] else { unreachable!("only groups are listed") };
+            let TokenTree::Group(group) = &trees[at] else { unreachable!("all indices are those of groups") };
             trees[at] = Group::new(group.delimiter(), in_the_middle(group.stream(), change)).into();
         }
         None => change(&mut trees),
@@ -27,6 +32,7 @@ fn in_the_middle(tokens: TokenStream, change: fn(&mut Vec<TokenTree>)) -> TokenS
     trees.into_iter().collect()
 }
 
+/// The changes remove, add and replace a token of one scene at a time. `scenes.rs` has a scene of every form.
 #[test]
 fn a_changed_token_is_reported_in_every_form() {
     let scenes = expansions(Path::new("geoint-macros/src/tests/corpus/scenes.rs"));
@@ -51,6 +57,7 @@ fn a_changed_token_is_reported_in_every_form() {
     }
 }
 
+/// `stays#2` is the second function `stays` of the file. It is an entry of its own.
 #[test]
 fn new_and_missing_functions_are_reported() {
     let entry = |name: &str| Entry {
@@ -70,8 +77,9 @@ fn new_and_missing_functions_are_reported() {
     assert_eq!(differences.to_string(), "new (1):\n    tests/some.rs stays#2\ngone (1):\n    tests/some.rs goes\n");
 }
 
+/// The two entries differ in the outcome only.
 #[test]
-fn the_kind_of_an_expansion_is_compared() {
+fn the_outcome_of_an_expansion_is_compared() {
     let [before, after] = [Outcome::Refused, Outcome::Question].map(|outcome| Entry {
         path: "tests/some.rs".to_owned(),
         name: "some".to_owned(),
@@ -81,8 +89,9 @@ fn the_kind_of_an_expansion_is_compared() {
     assert_eq!(Differences::between(&list(&[before]), &[after]).changed, ["tests/some.rs some"]);
 }
 
+/// Whitespace and line breaks change positions only.
 #[test]
-fn hashes_read_every_token_and_no_place() {
+fn hashes_read_every_token_and_no_position() {
     let of = |text: &str| hash(&TokenStream::from_str(text).expect("tokens"));
     for (one, other) in [
         ("a == b", "a = = b"),
@@ -99,7 +108,7 @@ fn hashes_read_every_token_and_no_place() {
         assert_ne!(of(one), of(other), "{one} and {other}");
     }
     assert_eq!(of("fn f() { 1.0 + x }"), of("\n\n fn f ( )\n{1.0+x}"));
-    // A group without delimiters changes the order of operations, too.
+    // A group without delimiters has no text, but it changes the order of operations. The hash must include it.
     let inner = TokenStream::from_str("a + b").expect("tokens");
     let group = TokenTree::from(Group::new(proc_macro2::Delimiter::None, inner));
     assert_ne!(hash(&group.into()), of("a + b"));

@@ -1,20 +1,23 @@
-//! The corpus of emitted code: every annotated function of the repository is expanded, and hashes of the expansions are compared with
-//! the list `expansions.txt`.
+//! The corpus of emitted code: the test expands every annotated function of the repository, and compares a hash of each expansion with the
+//! list `expansions.txt`.
+//!
+//! The list shows whether a change of the compiler changes emitted code, and for which functions. A refactoring must change no hash.
+//!
+//! The corpus reads Rust files and Markdown pages, and the code blocks of doc comments. It also expands each `macro_rules!` that a file both
+//! defines and calls.
 //!
 //! `UPDATE_EXPECT=1` rewrites the list. `EXPANSIONS=NAME` writes all expansions as formatted code to the folder
-//! `target/geoint/expansions/NAME`: write `before` and `after`, and compare the two folders by `diff -r`.
-//!
-//! The corpus expands `macro_rules!` that a file defines and calls.
+//! `target/geoint/expansions/NAME`. To read a difference, write the folders `before` and `after`, and compare them by `diff -r`.
 
-mod changes;
-mod comparison;
-mod expansion;
-mod reading;
-mod rules;
-mod scan;
-mod sources;
-mod transcription;
-mod written;
+mod changes; // Tests of the comparison.
+mod comparison; // Hashes, and the comparison with the list.
+mod expansion; // Expansion of an annotated function to its final code.
+mod export; // Formatted files of expansions.
+mod rules; // Patterns of `macro_rules!`, and how they match.
+mod scan; // Search for annotated functions in tokens.
+mod sources; // Search for files and code blocks.
+mod transcription; // Expansion of `macro_rules!`.
+mod written; // Attributes and annotated functions as the source has them.
 
 use crate::parse::Form;
 use comparison::{Differences, Entry};
@@ -25,7 +28,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::{env, fs, thread};
 
-/// All forms of systems.
+/// All forms of systems. The corpus must contain each of them.
 const FORMS: [Form; 8] = [
     Form::Hamiltonian,
     Form::Contact,
@@ -37,17 +40,19 @@ const FORMS: [Form; 8] = [
     Form::FirstOrder,
 ];
 
-/// The least number of functions. A scan that finds fewer is broken.
+/// The least number of annotated functions, below the number in the list. A scan that finds fewer is broken.
 const AT_LEAST: usize = 1400;
 
-/// The stack of a thread of rustc.
+/// The stack of a thread of rustc, in bytes. Expansions must succeed with this stack, because rustc runs the macros on it.
 const STACK: usize = 8 << 20;
 
+/// The comment at the top of the list.
 const HEADER: &str = "\
-# Hashes of the code that is emitted for the functions of this repository: path, name, form, FNV-1a of the tokens.
+# Hashes of the code that is emitted for the functions of this repository: path, name, outcome, FNV-1a of the tokens.
 # Written by `UPDATE_EXPECT=1 cargo test -p geoint-macros corpus`.
 ";
 
+/// The advice behind a failure.
 const HELP: &str = "\
 The code that is emitted for these functions is not the code of src/tests/corpus/expansions.txt.
 If this is intended: `UPDATE_EXPECT=1 cargo test -p geoint-macros corpus` rewrites the list.
@@ -72,16 +77,18 @@ fn expansions_are_those_of_the_list() {
     assert!(differences.is_empty(), "\n{differences}\n{HELP}");
 }
 
-/// Expands all functions of some files, and writes the expansions if `EXPANSIONS` is set. Uses a thread for each processor.
+/// Expands all annotated functions of some files, on a thread for each processor. Writes the expansions if `EXPANSIONS` is set.
+///
+/// Returns the entries in the order of `files`, so that the list does not depend on the threads.
 fn expanded(files: &[PathBuf]) -> Vec<Entry> {
-    let folder = reading::folder();
+    let folder = export::folder();
     let next = AtomicUsize::new(0);
     let work = || {
         let mut done = vec![];
         while let Some(file) = files.get(next.fetch_add(1, Ordering::Relaxed)) {
             for (entry, tokens) in expansions(file) {
                 if let Some(folder) = &folder {
-                    reading::write(folder, &entry, &tokens);
+                    export::write(folder, &entry, &tokens);
                 }
                 done.push((file, entry));
             }
@@ -99,22 +106,25 @@ fn expanded(files: &[PathBuf]) -> Vec<Entry> {
     found.into_iter().map(|(_, entry)| entry).collect()
 }
 
-/// Expands all functions of a file, in its order.
+/// Expands all annotated functions of a file, in the order of the file.
+///
+/// A name may occur several times in a file. The second function of a name is `name#2`. Thus path and name identify an entry.
 fn expansions(file: &Path) -> Vec<(Entry, TokenStream)> {
     let text = fs::read_to_string(sources::root().join(file)).expect("a text file");
-    if !sources::names_an_attribute(&text) {
+    if !sources::mentions_attribute(&text) {
         return vec![];
     }
     let mut found = scan::Found::default();
     let is_markdown = file.extension().is_some_and(|extension| extension == "md");
+    // A Markdown page stands in no module, so its scope is empty.
     let scanned = if is_markdown { found.markdown(&text, &[]) } else { found.rust(&text) };
     scanned.unwrap_or_else(|error| panic!("{}: {error}", file.display()));
     assert!(found.missed.is_empty(), "{}: the scan does not expand {:?}", file.display(), found.missed);
-    let mut of_name: HashMap<String, usize> = HashMap::new();
+    let mut count_by_name: HashMap<String, usize> = HashMap::new();
     let mut expanded = vec![];
     for function in &found.functions {
         let name = function.path();
-        let count = of_name.entry(name.clone()).or_default();
+        let count = count_by_name.entry(name.clone()).or_default();
         *count += 1;
         let name = if *count == 1 { name } else { format!("{name}#{count}") };
         let (outcome, tokens) = expansion::expand(function, &found.functions);

@@ -55,6 +55,6 @@ fn shown(line: &str) -> &str {
 }
 
 /// Returns whether a text has the name of an attribute. Other texts need no scan.
-pub(super) fn names_an_attribute(text: &str) -> bool {
+pub(super) fn mentions_attribute(text: &str) -> bool {
     ["hamiltonian", "lagrangian", "vector_field", "energy_function"].iter().any(|name| text.contains(name))
 }

@@ -1,7 +1,7 @@
 //! Expands the `macro_rules!` of a file that have annotated functions.
 
 use super::rules::{Binding, Bindings, Rule, repetition, rules};
-use super::sources::names_an_attribute;
+use super::sources::mentions_attribute;
 use proc_macro2::{Group, Ident, Span, TokenStream, TokenTree};
 
 /// The macros of a file that have annotated functions in their rules.
@@ -17,7 +17,7 @@ struct Macro {
 impl Macros {
     /// Adds a macro if an attribute is named in its rules.
     pub(super) fn define(&mut self, name: String, definition: TokenStream) {
-        if names_an_attribute(&definition.to_string()) {
+        if mentions_attribute(&definition.to_string()) {
             self.0.push(Macro { name, rules: rules(definition), is_used: false });
         }
     }

@@ -1,12 +1,18 @@
-//! What implicit methods solve: by a field, by canonical coordinates, by velocities, with an action or without, with constraints.
+//! The equations of an implicit step, by the form in which a system is solved.
+//!
+//! A method solves for values of the field, for velocities, for points with canonical coordinates, or for increments and multipliers under
+//! constraints. Contact systems have forms with an action s. The macros choose the form of each system, and emit its kernels. The iterations
+//! that solve the equations are in the module `solving`, and the methods in the module `method`.
+//!
+//! Limits: a system has only the forms that the macros can derive. A method that needs another form is a type error for this system.
 
-mod canonical;
-mod constraints;
-mod contact;
-mod fields;
-mod forms;
-mod regular;
-mod velocities;
+mod canonical; // x' = S ∇H, where S is the canonical matrix in coordinates y(x): stages are solved for x.
+mod constraints; // Positions on g(q) = 0: the check of a state, the equation of a step, and the projection onto the constraints.
+mod contact; // Lagrangians with an action: stages and steps are solved for velocities and s.
+mod fields; // z' = f(z, t), or q'' = M⁻¹f(q, t): stages, discrete gradients, and the field of contact Gauss methods.
+mod forms; // Markers: the form of each system, for collocation and for discrete gradients.
+mod regular; // Proof that the mass matrix of a Lagrangian stays regular during a run.
+mod velocities; // Lagrangians without an action: stages and steps are solved for velocities. For all Lagrangians: v from p.
 
 pub use canonical::CanonicalForm;
 pub use constraints::{Constrained, ConstrainedStep, Gradients, Unmet, unmet};
