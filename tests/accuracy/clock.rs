@@ -1,11 +1,11 @@
-//! Time, step size, and the shorter scalar.
+//! Time of a run with steps of one length, changes of the step size, and runs in `f32`.
 
 use geoint_runtime::Method;
 use geoint_runtime::prelude::*;
 use geoint_tests::methods::{self, Visitor};
 use geoint_tests::problems::*;
 
-/// Time is t₀ + n·h bit for bit, whatever the method and however the steps were asked for.
+/// Asserts that the time is t₀ + n·h bit for bit, for each method, after `advance` and in samples.
 struct Clock;
 
 impl Visitor<DrivenPendulum, f64> for Clock {
@@ -28,6 +28,7 @@ impl Visitor<DrivenPendulum, f64> for Clock {
     }
 }
 
+/// The time is computed as a product, not as a running sum, which would accumulate rounding errors.
 #[test]
 fn time_is_a_product_not_a_sum() {
     methods::kinds_of_general(&mut Clock);
@@ -35,14 +36,14 @@ fn time_is_a_product_not_a_sum() {
     methods::kinds_of_separable(&mut Clock);
     methods::kinds_of_nystrom(&mut Clock);
     methods::kinds_of_force_gradient(&mut Clock);
-    // The sum is another number, so that the test can fail.
+    // Control: the running sum is a different number, so the test can fail.
     let sum = (0..100).fold(0.3, |t, _| t + 0.01);
     assert_ne!(sum, 0.3 + 100.0 * 0.01);
 }
 
-/// A new step size starts a new product at the time reached, keeps the state and the count of steps.
+/// `set_step_size` keeps the state and the number of steps. The time continues as a new product from the current time.
 #[test]
-fn a_new_step_size_goes_on_from_here() {
+fn a_new_step_size_continues_the_run() {
     let system = DrivenPendulum::system::<f64>();
     let mut sim = system.integrator(BlanesMoan4, 0.1, DrivenPendulum::initial(0.3));
     sim.advance(7).unwrap();
@@ -58,8 +59,8 @@ fn a_new_step_size_goes_on_from_here() {
     assert_eq!(sim.state(), fresh.state());
 }
 
-/// An energy of type `f32`, and an energy of type `f64` run in `f32`, agree with each other bit for bit and with `f64` to
-/// its rounding.
+/// Runs in `f32`. An energy written with `f32` agrees with a precise `f64` solution, to the error of the method and the rounding of `f32`. An energy
+/// written with `f64` gives the same bits in `f32` as the energy written with `f32`.
 #[test]
 fn short_numbers() {
     struct Short;
@@ -69,6 +70,7 @@ fn short_numbers() {
             let system = ShortPendulum { m: 1.3, l: 0.7, g: 9.81 };
             let mut sim = system.integrator(method, 0.01, State::new(1.1, 0.4));
             sim.advance(50).unwrap();
+            // Reference: order 12 in `f64`.
             let exact = Pendulum::system::<f64>().integrator(Gauss::<6>, 0.01, Pendulum::initial(0.0));
             let exact = { exact }.sampled(50).next().unwrap().unwrap();
             let tolerance = if method.claims().order == 1 { 0.2 } else { 2e-3 };

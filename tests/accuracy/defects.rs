@@ -17,7 +17,7 @@ use geoint_tests::scene::{Scene, flat, point};
 struct Halves<M>(M);
 
 impl<S: PhaseSpace, M: Method<S>> Method<S> for Halves<M> {
-    passed_on!();
+    delegate_step!();
 
     fn name(&self) -> Name {
         Name::new("halves").of(self.0.name())

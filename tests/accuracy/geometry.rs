@@ -1,23 +1,25 @@
-//! Symplecticity and symmetry of every kind of method, as claimed and not otherwise. `geoint-verification` measures every method.
+//! Symplecticity and symmetry of every kind of method. A method has the property to rounding if it claims to. A method of order 1 or 2 without the claim
+//! must violate the property measurably; these methods are the controls. `geoint-verification` measures every method.
 
 use geoint_tests::claims::{Geometry, Symmetry};
 use geoint_tests::methods;
 use geoint_tests::problems::*;
 
+/// Writes the two tests. A row holds a system, the step size, and lists of methods. `finish` returns the number of controls, which must not be zero.
 macro_rules! geometry {
     ($($System:ident, $h:literal, $($list:ident)*;)*) => {
         #[test]
         fn symplecticity() { $(
             let mut geometry = Geometry::<$System>::with_step($h);
             $( methods::$list(&mut geometry); )*
-            assert!(geometry.finish() > 0, "nothing showed what a failure looks like");
+            assert!(geometry.finish() > 0, "no control violated the property");
         )* }
 
         #[test]
         fn symmetry() { $(
             let mut geometry = Symmetry(Geometry::<$System>::with_step($h));
             $( methods::$list(&mut geometry); )*
-            assert!(geometry.0.finish() > 0, "nothing showed what a failure looks like");
+            assert!(geometry.0.finish() > 0, "no control violated the property");
         )* }
     };
 }

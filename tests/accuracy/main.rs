@@ -1,7 +1,8 @@
-//! Is right: derivatives, orders, symplecticity, symmetry, clocks, and the tables behind them.
+//! Accuracy: derivatives, orders, symplecticity, symmetry and time, and the tables and functions behind these properties.
 
-/// What a method `M` in a wrapper passes on, for methods of which a test changes the rest.
-macro_rules! passed_on {
+/// Forwards the associated types, the claims and the step of `Method` to the method `M` in the wrapper `Wrapper<M>(M)`. The test writes the other
+/// items.
+macro_rules! delegate_step {
     () => {
         type Proof = M::Proof;
         type Prepared = M::Prepared;
@@ -23,26 +24,51 @@ macro_rules! passed_on {
     };
 }
 
+/// Double-double arithmetic, the scalar of the reference solutions.
 mod double;
+/// Error estimates of Gauss methods.
 mod defects;
+/// Error estimates of Runge–Kutta–Nyström tables.
 mod estimates;
+/// Emitted loops over many alike terms.
 mod families;
+/// Kepler's equation and Kepler's motion.
 mod kepler;
+/// Functions and syntax that an energy may use.
 mod language;
+/// Values, gradients and Jacobians of every problem.
 mod derivatives;
+/// Fields with first integrals.
 mod first_integrals;
+/// Emitted divided differences.
 mod slopes;
+/// Order conditions of all tables.
 mod tables;
+/// Modified energy of Störmer–Verlet.
 mod modified;
+/// Observed orders of methods.
 mod orders;
+/// Methods for H = A + B with a small B.
 mod perturbed;
+/// Projected and relaxed Runge–Kutta methods.
 mod corrected;
+/// Symplecticity and symmetry.
 mod geometry;
+/// Number of evaluations in implicit steps.
 mod guesses;
+/// Methods with discrete gradients.
 mod discrete_gradients;
+/// Mean value of the gradient along a step.
 mod mean_value;
+/// Rigid bodies with attitudes.
 mod bodies;
+/// Branches of an energy, with scalars for two trajectories.
 mod branches;
+/// Time of a run with steps of one length, and `f32`.
 mod clock;
+/// Number of preparations of coefficients.
+mod preparations;
+/// Divided differences beside quotients of differences.
 mod quotients;
+/// A rigid body as a system that implements the traits by hand.
 mod rigid_body;

@@ -1,8 +1,12 @@
-//! Methods have the order that they claim, on nonlinear problems with masses other than 1: one method of each kind of step on each kind of energy,
-//! and every table of order 8 or more.
+//! Methods have the order that they claim, on nonlinear problems with masses other than 1.
 //!
-//! Errors are measured in double-double arithmetic against an extrapolated solution of another program, at a final time that is not a multiple of
-//! any forcing period. `geoint-verification` measures every method of every list in the same way.
+//! The tests measure one method of each kind of step on each kind of energy, and the tables of order 8 or more. Controls show that the measurement
+//! detects a wrong order. `geoint-verification` measures every method of every list in the same way.
+//!
+//! Errors are measured in double-double arithmetic. The reference solution is extrapolated during the test, from Gragg's midpoint rule, and shares no
+//! code with the methods. No final time is a multiple of a period of the forcing, so errors do not cancel over whole periods.
+//!
+//! A last test checks which systems have a proven splitting T(p) + V(q) and a proven quadratic T. The lists of methods depend on these properties.
 
 use geoint_runtime::method::splitting::Flow::{Drift, Kick};
 use geoint_runtime::method::splitting::KickFirst;
@@ -14,10 +18,10 @@ use geoint_tests::methods::{self, Visitor};
 use geoint_tests::problems::*;
 use std::marker::PhantomData;
 
-/// Parts in which solutions are extrapolated.
+/// Number of intervals of the extrapolated solution in each quarter of a run. `the_reference_is_accurate` shows that the number is large enough.
 const PARTS: usize = 24;
 
-/// Methods of each list.
+// Number of methods in each list. A test fails if a list loses a method.
 const GENERAL: usize = 5;
 const DISCRETE_GRADIENT: usize = 5;
 const PROJECTED: usize = 2;
@@ -33,6 +37,7 @@ const PERTURBED: usize = 3;
 const PERTURBED_GRADIENT: usize = 3;
 const PROCESSED: usize = 3;
 
+/// T(p) + V(q) with a quadratic T, without time, and H of degree 3: nearly every list accepts this system.
 #[test]
 fn quadratic_kinetic_energy() {
     let mut orders = Orders::<HenonHeiles>::over(6.1, PARTS);
@@ -65,7 +70,8 @@ fn quadratic_kinetic_energy() {
     );
 }
 
-/// Here the error of order 8 to 12 falls as its leading term before the rounding of coefficients stops it, so the order is bounded from both sides.
+/// Tables of order 8 to 12 on Hénon–Heiles. The leading term dominates the error here before the rounding of coefficients to `f64` does. The observed
+/// order is therefore bounded from both sides. On other systems it is bounded from below only.
 #[test]
 fn tables_of_order_eight_and_more() {
     let mut orders = Orders::<HenonHeiles>::over(6.1, PARTS);
@@ -81,6 +87,7 @@ fn tables_of_order_eight_and_more() {
     assert_eq!(orders.finish(), 9);
 }
 
+/// T(p) + V(q) with a T that is not quadratic: Nyström and force-gradient tables do not accept this system.
 #[test]
 fn other_kinetic_energy() {
     let mut orders = Orders::<Relativistic>::over(1.3, PARTS);
@@ -93,6 +100,7 @@ fn other_kinetic_energy() {
     assert_eq!(orders.finish(), GENERAL + DISCRETE_GRADIENT + PROJECTED + RELAXED + ITOH_ABE_ONE_WAY + SEPARABLE);
 }
 
+/// H is not T(p) + V(q): no kicks and drifts.
 #[test]
 fn not_separable() {
     let mut orders = Orders::<DoublePendulum>::over(1.3, PARTS);
@@ -103,6 +111,7 @@ fn not_separable() {
     assert_eq!(orders.finish(), GENERAL + DISCRETE_GRADIENT + PROJECTED + ITOH_ABE_ONE_WAY);
 }
 
+/// V depends on time: no projection and no relaxation, which need a constant energy.
 #[test]
 fn driven_potential() {
     let mut orders = Orders::<DrivenPendulum>::over(3.9, PARTS);
@@ -114,6 +123,7 @@ fn driven_potential() {
     assert_eq!(orders.finish(), GENERAL + DISCRETE_GRADIENT + SEPARABLE + NYSTROM + FORCE_GRADIENT);
 }
 
+/// T and V depend on time. T has no proven constant mass matrix, so Nyström tables do not accept this system.
 #[test]
 fn driven_kinetic_and_potential() {
     let mut orders = Orders::<Breathing>::over(2.7, PARTS);
@@ -123,6 +133,7 @@ fn driven_kinetic_and_potential() {
     assert_eq!(orders.finish(), GENERAL + DISCRETE_GRADIENT + SEPARABLE);
 }
 
+/// H depends on time and is not T(p) + V(q). The system has one degree of freedom, so `CoordinateIncrement` always has a step.
 #[test]
 fn driven_and_not_separable() {
     let mut orders = Orders::<SwingingMass>::over(3.9, PARTS);
@@ -134,12 +145,13 @@ fn driven_and_not_separable() {
     assert_eq!(orders.finish(), GENERAL + DISCRETE_GRADIENT + ITOH_ABE + ITOH_ABE_ONE_WAY + COORDINATE_INCREMENT);
 }
 
-/// The measure itself: it is not order 4 what is not.
+/// Control: the measurement rejects methods that have a lower order than the claim.
 #[test]
 fn a_lower_order_is_seen() {
     let orders = Orders::<HenonHeiles>::over(6.1, PARTS);
     let within = |observed: f64, claim: f64| (observed - claim).abs() <= TOLERANCE;
-    // The triple jump with its weights in another order, and each Verlet step as kick and drift once more.
+    // Yoshida's method of order 4 takes three Verlet steps of the lengths long·h, back·h, long·h. This table takes them in the sequence back, long,
+    // long, with adjacent kicks merged. The sequence is not a palindrome, so the table does not have order 4.
     let [long, back] = [1.3512071919596578, -1.7024143839193153];
     let flows = [
         Kick(0.5 * back),
@@ -157,7 +169,8 @@ fn a_lower_order_is_seen() {
     assert!(!within(orders.observe(ExplicitEuler), 2.0));
 }
 
-/// Why Nyström tables are refused: on a T that is not quadratic those of order 6 and 8 fall to 4 or less.
+/// Nyström tables of order 6 and 8 have at most order 4 if T is not quadratic. The methods therefore refuse such systems; the test calls their plain
+/// splitting tables, which accept every T(p) + V(q).
 #[test]
 fn nystrom_tables_lose_their_order_elsewhere() {
     let orders = Orders::<Relativistic>::over(1.3, PARTS);
@@ -165,9 +178,9 @@ fn nystrom_tables_lose_their_order_elsewhere() {
     assert!(a < 4.5 && b < 4.5, "{a} {b}");
 }
 
-/// Whether a system has a property, decided by the compiler: the inherent constant, if it exists, hides that of the
-/// trait.
+/// `Has::<S>` tells which properties of a system are proven. The compiler decides: an inherent constant hides the constant of the trait `Lacks`.
 struct Has<S>(PhantomData<S>);
+/// The constants of systems that have no inherent constants.
 trait Lacks {
     const KICK_AND_DRIFT: bool = false;
     const QUADRATIC_KINETIC: bool = false;
@@ -180,8 +193,10 @@ impl<S: QuadraticKinetic> Has<S> {
     const QUADRATIC_KINETIC: bool = true;
 }
 
+/// The macro implements `Separable` if H = T(p) + V(q) is proven, and `QuadraticKinetic` if T is proven to be quadratic, too. The first column is
+/// `Separable`, the second column is `QuadraticKinetic`.
 #[test]
-fn methods_are_refused_without_proof() {
+fn systems_have_only_proven_properties() {
     macro_rules! assert_structure {
         ($($System:ident: $kick:literal $quadratic:literal;)*) => { $(
             assert_eq!(Has::<$System>::KICK_AND_DRIFT, $kick, stringify!($System));
@@ -209,7 +224,7 @@ fn methods_are_refused_without_proof() {
     }
 }
 
-/// The solution that everything is measured against does not depend on its own step.
+/// The reference solution does not change by more than 10⁻²¹ if the extrapolation uses 36 intervals instead of `PARTS`.
 #[test]
 fn the_reference_is_accurate() {
     fn check<P: Problem>(duration: f64) {

@@ -1,6 +1,9 @@
-//! What must hold in every build: long runs and single precision. CI runs these without the standard library too. Optimised
-//! (`cargo test --release --test builds`) every method takes a hundred thousand steps.
+//! Tests that must pass in every build of the runtime. Continuous integration also runs them without the standard library and with the operations of
+//! the processor. An optimised build (`cargo test --release -p geoint-tests --test builds`) takes 10⁵ steps in single precision.
 
+/// Conservation of energy and momenta.
 mod conservation;
+/// Single precision.
 mod single;
+/// Equal bits of a trajectory, however a program asks for it.
 mod trajectories;

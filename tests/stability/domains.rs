@@ -1,11 +1,14 @@
-//! Domains that are left: functions that were simplified away, edges between the ends of merged steps, signs of parameters. One step at a
-//! time comes to the same as all at once.
+//! Steps do not leave the domain of the energy: the set where its roots, logarithms and quotients are defined.
+//!
+//! The tests cover three difficulties. The compiler may simplify the function that bounds the domain. `advance` merges the last flow of a step with
+//! the first flow of the next one, so the state between them is not computed. The signs of parameters may decide where the domain ends.
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::{ByField, Collocated, DiscreteField};
 use geoint_runtime::{Autonomous, Hamiltonian, Method, QuadraticKinetic, Separable};
 use geoint_tests::methods::{self, Visitor};
 
+/// Defines energies H = p²/2m + V(q, p).
 macro_rules! energies {
     ($($name:ident($q:ident, $p:ident, $m:ident) $energy:expr => $System:ident;)*) => { $(
         #[hamiltonian]
@@ -16,7 +19,7 @@ macro_rules! energies {
 }
 
 energies! {
-    // Simplified away: −q, −q, q, q.
+    // The compiler simplifies √q·√q to q. The energy is still undefined for q < 0.
     root_squared(q, p, m) -q.sqrt() * q.sqrt() => RootSquared;
     root_squared_again(q, p, m) -q.sqrt().powi(2) => RootSquaredAgain;
     in_a_branch(q, p, m) if p > 100.0 { 0.0 } else { -q.sqrt() * q.sqrt() } => InABranch;
@@ -25,13 +28,14 @@ energies! {
         let guarded = if q > 5.0 { q.sqrt() } else { 0.0 };
         guarded * 0.0 - q.sqrt() * q.sqrt()
     } => FirstInABranch;
-    // Still there.
+    // V keeps its root, logarithm or arc cosine.
     root(q, p, m) q.sqrt() => Root;
     logarithm(q, p, m) 0.5 * q.ln() => Logarithm;
     logarithm_from_one(q, p, m) (q - 1.0).ln_1p() => LogarithmFromOne;
     arc(q, p, m) (q - 1.0).acos() => Arc;
 }
 
+/// Compares `advance(1024)` with 1024 single steps: equal errors at equal steps, and q ≥ 0. Counts the runs that end with an error.
 struct Alike<S> {
     name: &'static str,
     system: S,
@@ -41,7 +45,7 @@ struct Alike<S> {
 impl<S: Hamiltonian<Coordinates = f64>> Visitor<S, f64> for Alike<S> {
     fn visit<M: Method<S> + 'static>(&mut self, method: M) {
         let name = method.name().to_string();
-        // From 0.05 with −0.5 the force turns the first back inside of q < 0.
+        // From q = 0.05 with p = −0.5 the exact motion of the first system turns back at q < 0, outside of the domain.
         for (q, p, h) in [(0.05, -0.5, 0.001), (0.05, -0.5, 0.02), (0.4, -1.0, 0.07), (1.0, 0.2, 0.05)] {
             let start = State::new(q, p);
             let mut single = self.system.integrator(method, h, start);
@@ -49,13 +53,14 @@ impl<S: Hamiltonian<Coordinates = f64>> Visitor<S, f64> for Alike<S> {
             let mut bulk = self.system.integrator(method, h, start);
             let (all, one) = ((bulk.advance(1024), bulk.steps()), (outcome, single.steps()));
             assert_eq!(format!("{all:?}"), format!("{one:?}"), "{}, {name}: h = {h} from {start:?}", self.name);
-            // (Implicit methods may have no solution, and projections no way back.)
+            // Any error counts: an implicit equation or a projection may have no solution near the boundary.
             self.refused += u32::from(outcome.is_err());
             assert!(single.state().q >= 0.0 && bulk.state().q >= 0.0, "{}, {name}: h = {h} from {start:?}", self.name);
         }
     }
 }
 
+/// Compares the implicit methods, RK4 and relaxed methods on a system.
 fn alike<S: DiscreteField + Autonomous<Coordinates = f64> + Collocated<Stages = ByField>>(
     name: &'static str,
     system: S,
@@ -72,7 +77,7 @@ fn alike<S: DiscreteField + Autonomous<Coordinates = f64> + Collocated<Stages = 
     alike
 }
 
-/// And of these every table on one system, since the ends of merged steps follow from coefficients; on others one of each kind.
+/// Compares the methods of `alike`, and then splitting methods from `tables`. The splitting methods must end at least six runs with an error.
 fn split<S: DiscreteField + Autonomous<Coordinates = f64> + Collocated<Stages = ByField>>(
     name: &'static str,
     system: S,
@@ -84,16 +89,19 @@ fn split<S: DiscreteField + Autonomous<Coordinates = f64> + Collocated<Stages = 
     assert!(alike.refused > before + 5, "{name}: {}", alike.refused);
 }
 
+/// All splitting tables. The points between merged flows depend on the coefficients of the table.
 fn every<S: Autonomous<Coordinates = f64> + Separable + QuadraticKinetic>(alike: &mut Alike<S>) {
     methods::separable(alike);
     methods::nystrom(alike);
 }
 
+/// One splitting table of each kind.
 fn kinds<S: Autonomous<Coordinates = f64> + Separable + QuadraticKinetic>(alike: &mut Alike<S>) {
     methods::kinds_of_separable(alike);
     methods::kinds_of_nystrom(alike);
 }
 
+/// `advance` and single steps stop at the same step with the same error. All tables run on one system, one table of each kind on the others.
 #[test]
 fn batches_and_single_steps_leave_a_domain_alike() {
     split("root_squared", RootSquared { m: 1.3 }, every);
@@ -124,9 +132,10 @@ fn rotor(q: [f64; 2], p: [f64; 2], m: [f64; 2]) -> f64 {
     (p[0] * p[0] + p[1] * p[1]) / (2.0 * (m[0] + m[1] * s * s)) - q[0].cos() - q[1].cos()
 }
 
-/// Whatever the parameters are, no step is taken over what they make of the denominator.
+/// No step crosses a zero of a denominator, whatever signs the parameters have. A denominator that is positive for usual parameters may vanish for
+/// negative ones.
 #[test]
-fn signs_of_parameters_are_no_belief() {
+fn signs_of_parameters_are_not_assumed() {
     fn check<M: Method<Shifted> + Method<Rotor> + Method<Softened>>(name: &str, method: M) {
         for h in [0.05, 0.1, 0.3, 0.5, 1.0] {
             for (a, inside) in [(-1.0, true), (-1.0, false), (0.0, false), (-1e-3, false), (f64::NAN, false)] {
@@ -138,7 +147,7 @@ fn signs_of_parameters_are_no_belief() {
                 }
                 assert!(!a.is_nan() || sim.steps() == 0, "{name}");
             }
-            // Positive ones ask nothing; a negative one makes walls.
+            // With m₀ > 0 and m₁ ≥ 0 the denominator is positive everywhere. With a negative entry it has zeros.
             for (m, walls) in [([1.3, 0.7], false), ([1.3, 0.0], false), ([1.3, -2.0], true), ([-1.3, 2.0], true)] {
                 let start = State::new([0.1, 0.2], [0.4, -0.3]);
                 let mut sim = Rotor { m }.integrator(method, 0.3 * h, start);
@@ -156,7 +165,7 @@ fn signs_of_parameters_are_no_belief() {
                 let refused = matches!(outcome, Err(StepError::OutsideDomain { .. }));
                 assert!(walls || !refused, "{name}: m = {m:?}, h = {h}, {outcome:?}");
             }
-            // Through the centre of an ellipse that a negative weight makes a pair of lines.
+            // The base q₀² + e q₁² + k e is positive for k, e > 0. It vanishes on a line for e = 0, on a hyperbola for e < 0, and on an ellipse for k < 0 < e.
             for (k, e) in [(0.3, 0.5), (0.3, 0.0), (0.3, -0.5), (-0.3, 0.5)] {
                 let start = State::new([1.0, 0.2], [-1.0, 0.1]);
                 let mut sim = Softened { m: [1.3, 0.7], k, e }.integrator(method, h, start);
@@ -188,7 +197,8 @@ fn bodies(q: [[f64; 3]; 3], p: [[f64; 3]; 3], m: f64) -> f64 {
     energy
 }
 
-/// A sum of squares is asked for its first one alone where that is positive: bodies that have one coordinate in common, or two, are apart.
+/// A distance is positive if one of its coordinates differs from zero: bodies with one or two equal coordinates are at different places. Only equal
+/// positions of the first two bodies are refused. The distance to the third body is softened.
 #[test]
 fn bodies_in_one_place() {
     let step = |d: [f64; 3]| {

@@ -1,4 +1,4 @@
-//! The largest numbers: no run comes to a time that is none.
+//! Runs near the largest finite time end with an error. No time becomes infinite.
 
 use super::time::{every, kinds, number};
 use geoint_runtime::prelude::*;
@@ -7,13 +7,14 @@ use geoint_tests::methods::Visitor;
 use geoint_tests::problems::*;
 use geoint_tests::scalars::Scalar;
 
-/// At rest nothing but time ends a run: at the largest numbers, with an error, whatever it is called by.
+/// Runs a system at rest from the time `from` with the step size `h` until the next time would overflow. At rest, only the time can cause an error.
+/// Single steps, `advance` and `until` must return the same error.
 struct EndOfTime {
     from: f64,
     h: f64,
 }
 
-/// A state at rest at the bottom of a potential.
+/// Returns the state at rest in the minimum of the potential, at the time `t`.
 fn at_rest<R: Scalar>(t: f64) -> State<[R; 2]> {
     let zeros = [R::from_f64(0.0); 2];
     State { t: R::from_f64(t), ..State::new(zeros, zeros) }
@@ -34,6 +35,7 @@ impl<R: Scalar> Visitor<HenonHeiles<R>, R> for EndOfTime {
     }
 }
 
+/// No step ends after the largest finite time, in `f64` and in `f32`, forwards and backwards.
 #[test]
 fn no_step_ends_after_the_largest_time() {
     let largest = f64::from(f32::MAX);
@@ -41,12 +43,13 @@ fn no_step_ends_after_the_largest_time() {
         every::<HenonHeiles, f64, _>(&mut EndOfTime { from: part * f64::MAX, h: step * f64::MAX });
         kinds::<HenonHeiles<f32>, f32, _>(&mut EndOfTime { from: part * largest, h: step * largest });
     }
+    // From half of the largest time, about 500 steps of a thousandth of the largest time fit.
     let mut sim = HenonHeiles::system().integrator(StormerVerlet, 1e-3 * f64::MAX, at_rest(0.5 * f64::MAX));
     assert_eq!(sim.advance(2000), Err(StepError::NonFinite { t: sim.time() }));
     assert!((499..=500).contains(&sim.steps()), "{} steps", sim.steps());
 }
 
-/// Steps that adapt become longer and longer there.
+/// Adaptive steps of a system at rest become longer without limit. The run ends with `StepTooSmall` at a finite time, and repeats the error.
 #[test]
 fn steps_that_grow_without_end() {
     fn check<R: Scalar, M: Method<HenonHeiles<R>, R>>(method: M, from: f64) {

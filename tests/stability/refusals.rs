@@ -1,29 +1,30 @@
-//! Bad input at run time: an error with a reason, the last good state bit for bit, and a way to go on.
+//! Bad input and refused steps at run time. A step returns an error with a reason, the state is the last good state bit for bit, and the run can
+//! continue with a usable step size.
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Hamiltonian, Method};
 use geoint_tests::methods::{self, Visitor};
 use geoint_tests::problems::*;
 
-/// A logarithmic wall at q = 0: its force −1/q is a number on the other side as well.
+/// A logarithmic wall at q = 0. Its force k/q − 1 is finite for q < 0, too, so a finite force does not show that the logarithm is undefined.
 #[hamiltonian]
 fn wall(q: f64, p: f64, m: f64, k: f64) -> f64 {
     p * p / (2.0 * m) - k * q.ln() + q
 }
 
-/// A root that ends at q = 1.
+/// A root that is undefined for |q| > 1.
 #[hamiltonian]
 fn rim(q: f64, p: f64, m: f64) -> f64 {
     p * p / (2.0 * m) - (1.0 - q * q).sqrt()
 }
 
-/// A rim that is met by both coordinates.
+/// A logarithm that depends on q and p together.
 #[hamiltonian]
 fn joint_rim(q: f64, p: f64, m: f64) -> f64 {
     p * p / (2.0 * m) + (q * p + 1.0).ln() + q * q
 }
 
-/// A step of each method.
+/// Asserts for each method that unusable step sizes are refused and leave state and step count unchanged.
 struct BadSteps;
 
 impl Visitor<HenonHeiles, f64> for BadSteps {
@@ -44,6 +45,7 @@ impl Visitor<HenonHeiles, f64> for BadSteps {
     }
 }
 
+/// Every method refuses the step sizes 0, NaN and ±∞.
 #[test]
 fn unusable_step_sizes() {
     methods::general(&mut BadSteps);
@@ -55,7 +57,7 @@ fn unusable_step_sizes() {
     methods::force_gradient(&mut BadSteps);
 }
 
-/// Time stays what it was, so that a usable step size goes on as if nothing had been.
+/// An unusable step size does not change the time. A usable step size then continues the run.
 #[test]
 fn time_survives_unusable_step_sizes() {
     for h in [0.0, f64::NAN, f64::INFINITY] {
@@ -71,6 +73,7 @@ fn time_survives_unusable_step_sizes() {
     }
 }
 
+/// A start with NaN or ±∞ in q, p or t is refused. `sampled` yields the error once.
 #[test]
 fn states_that_are_not_finite() {
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
@@ -84,8 +87,8 @@ fn states_that_are_not_finite() {
     }
 }
 
-/// After an error at some step of a long `advance`, the state is that of the step before, bit for bit, as single steps
-/// find it, and a smaller step goes on from there.
+/// Asserts that an error in a long `advance` leaves the state before the failing step, bit for bit as single steps do. After `OutsideDomain`, a smaller
+/// step continues. Returns the error.
 fn stops_at_the_last_good_state<S, M>(
     name: &str,
     system: S,
@@ -114,7 +117,7 @@ where
     assert_eq!(bulk.advance(5000).unwrap_err(), reason);
     assert_eq!(bulk.state(), last, "`advance` stops where single steps stop");
     assert_eq!(bulk.steps(), single.steps());
-    // Again: the same answer, the same state.
+    // A second attempt returns the same error and leaves the same state.
     assert_eq!(bulk.step().unwrap_err(), reason);
     assert_eq!(bulk.state(), last);
 
@@ -122,13 +125,13 @@ where
         let smaller = 1e-6 * h;
         bulk.set_step_size(smaller);
         assert_eq!(bulk.step(), Ok(()), "{name}: a smaller step from {last:?}");
-        // Time goes on from what it was before it was rounded.
+        // The time is exact before rounding, so it may differ from this sum in its last digit.
         assert!((bulk.time() - (last.t + smaller)).abs() <= f64::EPSILON * last.t.abs());
     }
     reason
 }
 
-/// The particle falls towards the wall, and a long step jumps through it.
+/// A particle falls towards the wall. A long step would end behind the wall, at a negative argument of the logarithm.
 #[test]
 fn a_logarithm_of_a_negative_number() {
     fn check<M: Method<Wall, f64>>(name: &str, method: M) {
@@ -144,6 +147,7 @@ fn a_logarithm_of_a_negative_number() {
     check("BlanesMoan4", BlanesMoan4);
 }
 
+/// A particle runs over the point where the root becomes undefined.
 #[test]
 fn a_root_of_a_negative_number() {
     fn check<M: Method<Rim, f64>>(name: &str, method: M) {
@@ -161,6 +165,7 @@ fn a_root_of_a_negative_number() {
     check("composition", Yoshida4.of(ImplicitMidpoint));
 }
 
+/// A start where the energy is undefined is refused at the first step.
 #[test]
 fn a_start_outside_the_domain() {
     let mut sim = Rim { m: 1.4 }.integrator(StormerVerlet, 0.1, State::new(1.5, 0.0));
@@ -171,13 +176,13 @@ fn a_start_outside_the_domain() {
     assert!(matches!(sim.step(), Err(StepError::OutsideDomain { .. })), "{:?}", sim.state());
 }
 
-/// A slope that becomes steeper and steeper: long steps have no end.
+/// The potential q₁² − exp(q₀ + 0.1 q₁) accelerates a particle without limit. The equations of long implicit steps have no solution.
 #[hamiltonian]
 fn cliff(q: [f64; 2], p: [f64; 2], m: f64) -> f64 {
     (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) + q[1] * q[1] - (q[0] + 0.1 * q[1]).exp()
 }
 
-/// No solution: Newton gives up, says so, and a smaller step works.
+/// Newton's method returns an error if an implicit step has no solution. A smaller step succeeds.
 #[test]
 fn newton_that_does_not_converge() {
     fn check<M: Method<Cliff>>(name: &str, method: M) {
@@ -186,7 +191,7 @@ fn newton_that_does_not_converge() {
             let mut sim = Cliff { m: 1.3 }.integrator(method, h, start);
             let before = sim.energy();
             let Err(error) = sim.step() else {
-                // The equations of order 4 have a solution there.
+                // The equations of methods of order 4 have a solution at h = 3.
                 assert!(h == 3.0 && method.claims().order == 4, "{name}: h = {h}: {:?}", sim.state());
                 assert!((sim.energy() - before).abs() < 1e-14, "{name}: h = {h}: {:?}", sim.state());
                 continue;
@@ -199,7 +204,7 @@ fn newton_that_does_not_converge() {
             sim.set_step_size(0.01);
             assert_eq!(sim.step(), Ok(()), "{name}: h = {h}");
         }
-        // How long is too long is found out; what is left is long enough to get over the cliff, in finite time.
+        // An adaptive run reduces its first step and reaches t = 1. The exact solution diverges at a finite time, so the run can not reach t = 10.
         let mut sim = Cliff { m: 1.3 }.adaptive(method, 1e-6, start).first_step(30.0);
         assert_eq!(sim.advance_to(1.0), Ok(()), "{name}");
         assert!(sim.rejections() > 0);
@@ -217,15 +222,15 @@ fn newton_that_does_not_converge() {
     check("composition", Suzuki4.of(DiscreteGradient));
 }
 
-/// Projected steps of order 4 end where an oscillation turns by half a turn in one: beyond hω = √12 the projection goes along the surface of
-/// constant energy.
+/// `FourthOrder(DiscreteGradient)` refuses steps with hω > √12, in which an oscillation turns by more than half a turn. There the projection would move
+/// along the surface of constant energy instead of across it.
 #[test]
 fn half_a_turn_in_a_step() {
     #[hamiltonian]
     fn oscillator(q: f64, p: f64, m: f64, k: f64) -> f64 {
         p * p / (2.0 * m) + k * q * q / 2.0
     }
-    // ω = 10.
+    // ω = √(k/m) = 10.
     let run = |h: f64| {
         let start = State::new(1.0, 0.3);
         Oscillator { m: 0.5, k: 50.0 }.integrator(FourthOrder(DiscreteGradient), h, start).advance(100)
@@ -235,8 +240,8 @@ fn half_a_turn_in_a_step() {
     assert!(matches!(run(1.001 * most), Err(StepError::Singular { .. })));
 }
 
-/// The longer a step in a well, the nearer is its middle to the bottom: in the end it is a reflection. However bad the guess, that is
-/// found.
+/// Implicit steps have a solution for huge h in a potential well. The midpoint of the step tends to the minimum, so x₁ tends to −x₀. Newton's method
+/// finds this solution, although the initial guess is far away.
 #[test]
 fn steps_of_any_length_in_a_well() {
     fn check<M: Method<DoublePendulum>>(name: &str, method: M) {
@@ -255,7 +260,7 @@ fn steps_of_any_length_in_a_well() {
     check("DiscreteGradient", DiscreteGradient);
 }
 
-/// Numbers that overflow without leaving any domain.
+/// An overflow is reported as `NonFinite`, because the energy is defined everywhere.
 #[test]
 fn overflow_on_the_way() {
     let system = QuarticChain::system::<f64>();
@@ -263,7 +268,7 @@ fn overflow_on_the_way() {
     assert!(matches!(reason, StepError::NonFinite { t } if t > 0.0), "{reason}");
 }
 
-/// Messages name the time and the reason.
+/// Messages name the time, the function and its argument.
 #[test]
 fn messages_say_why() {
     let mut sim = Rim { m: 1.4 }.integrator(StormerVerlet, 0.1, State::new(0.2, 2.0));
@@ -276,7 +281,7 @@ fn messages_say_why() {
     assert!(error.to_string().contains("step size"));
 }
 
-/// How many iterations an equation was given is said in words that fit.
+/// The message of `NotConverged` uses singular, plural, and a sentence of its own for 0 iterations.
 #[test]
 fn messages_count() {
     let text = |iterations| StepError::NotConverged { t: 0.5, iterations, correction: 0.25 }.to_string();

@@ -1,4 +1,4 @@
-//! Time: t₀ + n·h to rounding whatever happens on the way, and output that ends where it says, with every method and scalar.
+//! Time of a run with every method, in `f64` and `f32`: exact to rounding, also if the step size changes; `until` ends at the requested time.
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::{Autonomous, ByField, Collocated, DiscreteField, QuadraticField};
@@ -7,7 +7,7 @@ use geoint_tests::methods::{self, Visitor};
 use geoint_tests::problems::*;
 use geoint_tests::scalars::Scalar;
 
-/// All lists.
+/// Visits all methods of the lists below.
 pub(crate) fn every<S, R: Scalar, V: Visitor<S, R>>(visitor: &mut V)
 where
     S: DiscreteField<R>
@@ -29,7 +29,7 @@ where
     methods::force_gradient(visitor);
 }
 
-/// One method of each kind of step: for other scalars than `f64`.
+/// Visits one method of each kind of step. Tests use this list for scalars other than `f64`.
 pub(crate) fn kinds<S, R: Scalar, V: Visitor<S, R>>(visitor: &mut V)
 where
     S: DiscreteField<R>
@@ -51,12 +51,12 @@ where
     methods::kinds_of_force_gradient(visitor);
 }
 
-/// A scalar of a few digits as a number.
+/// Returns a scalar of at most 53 bits as `f64`.
 pub(crate) fn number(x: impl Scalar) -> f64 {
     if x.any_below(0.0) { -x.magnitude() } else { x.magnitude() }
 }
 
-/// Where does `until(t)` end? Compared with single steps whose times are looked at one by one.
+/// Compares `until(to)` with single steps. The last state does not pass `to`. A step that misses `to` by rounding alone counts as a step to `to`.
 struct Ends {
     from: f64,
     h: f64,
@@ -104,11 +104,12 @@ impl<R: Scalar> Visitor<HenonHeiles<R>, R> for Ends {
         bulk.advance_to(to).unwrap();
         assert_eq!(bulk.steps(), walked.steps(), "{name}: advance_to");
         assert!(number(bulk.time() - walked.time()).abs() <= rounding, "{name}: advance_to");
-        // There, and behind, nothing is left to do.
+        // The run is at `to`, so `until` yields no further state.
         assert_eq!((walked.until(to).count(), walked.until(from).count()), (0, 0), "{name}: there");
     }
 }
 
+/// `until` ends at the last step that does not pass the requested time.
 #[test]
 fn until_ends_at_the_last_step_that_is_not_beyond() {
     let cases = [
@@ -119,7 +120,7 @@ fn until_ends_at_the_last_step_that_is_not_beyond() {
         (0.3, 0.1, 0.6),
         (0.2, -0.1, -0.7),
         (-0.4, 0.07, 0.3),
-        // Times that a short type hardly tells apart.
+        // In `f32`, neighbouring steps differ in a few units of the last place of the time.
         (1000.0, 0.001, 1000.02),
         (4000.0, 0.001, 4000.01),
         (-1000.0, -0.001, -1000.02),
@@ -130,7 +131,7 @@ fn until_ends_at_the_last_step_that_is_not_beyond() {
     }
 }
 
-/// Long runs of a short type: as many steps as there are, and not one more.
+/// Long runs in `f32` take the exact number of steps.
 #[test]
 fn until_after_a_million_short_steps() {
     let system = ShortPendulum { m: 1.3, l: 0.7, g: 9.81 };
@@ -140,7 +141,7 @@ fn until_after_a_million_short_steps() {
         assert_eq!((sim.steps(), sim.time()), (1024 * t as u64, t));
         assert_eq!(sim.until(t).count(), 0);
     }
-    // The short number next to a thousandth is larger than that.
+    // The `f32` nearest to 0.001 is larger than 0.001.
     let h = 0.001_f32;
     let mut sim = system.integrator(StormerVerlet, h, State::new(0.1_f32, 0.0));
     for t in [1000.0_f32, 2000.0, 2500.0] {
@@ -150,7 +151,7 @@ fn until_after_a_million_short_steps() {
     }
 }
 
-/// The energy is kept by a longer or shorter step: none passes t, none is left out.
+/// `Relaxation` scales each step to conserve the energy. No scaled step passes the requested time, and none is missing.
 #[test]
 fn scaled_steps_do_not_pass() {
     let system = Kepler { mass: 1.6, mu: 2.3 };
@@ -171,7 +172,7 @@ fn scaled_steps_do_not_pass() {
     }
 }
 
-/// Nor do those that adapt: what leads beyond is led back, and the run goes on in its direction.
+/// Adaptive runs with scaled steps end exactly at the requested time. The run then continues in its direction.
 #[test]
 fn scaled_steps_that_adapt_do_not_pass() {
     let system = Kepler { mass: 1.6, mu: 2.3 };
@@ -188,7 +189,7 @@ fn scaled_steps_that_adapt_do_not_pass() {
         let now = sim.time();
         sim.step().unwrap();
         assert!((sim.time() - now) * dt > 0.0, "from {now} to {}", sim.time());
-        // A search that finds nothing ends there as well.
+        // A search for an event that does not occur ends at the requested time, too.
         for n in 1..=100 {
             let (mut sim, to) = (run(), f64::from(n) * dt);
             assert!(sim.until_event(to, Direction::Any, |_| 1.0).unwrap().is_none());
@@ -197,7 +198,7 @@ fn scaled_steps_that_adapt_do_not_pass() {
     }
 }
 
-/// Unusable times and steps, with every method.
+/// Asserts that `until` and `advance_to` refuse unusable times and step sizes, and that `until` accepts ±∞ as open ends.
 struct Unusable;
 
 impl<R: Scalar> Visitor<HenonHeiles<R>, R> for Unusable {
@@ -232,11 +233,10 @@ fn unusable_times() {
     kinds::<HenonHeiles<f32>, f32, _>(&mut Unusable);
 }
 
-/// m·2^e, a sum of scalars without rounding.
+/// An exact sum of scalars, as a multiple of 2^−UNIT.
 #[derive(Clone, Copy)]
 struct Exact(i128);
 
-/// 2^−110 is the unit.
 const UNIT: i32 = 110;
 
 impl Exact {
@@ -246,14 +246,14 @@ impl Exact {
         self.0 += if x < 0.0 { -(scaled as i128) } else { scaled as i128 };
     }
 
-    /// How far a number is from the sum.
+    /// Returns the sum minus a number.
     fn error(mut self, x: f64) -> f64 {
         self.add(-x);
         self.0 as f64 * 2_f64.powi(-60) * 2_f64.powi(60 - UNIT)
     }
 }
 
-/// A step size of its own for every step, or for every seven: time is the exact sum, rounded once.
+/// The time is the exact sum of the step sizes, to one ε. The step size changes before every step, or before every seventh step.
 #[test]
 fn time_is_exact_through_changes_of_the_step_size() {
     fn check<R: Scalar>(system: HenonHeiles<R>) {
@@ -265,7 +265,7 @@ fn time_is_exact_through_changes_of_the_step_size() {
             exact.add(number(t0));
             let mut worst = 0.0_f64;
             for i in 0..1000_u32 {
-                // Not multiples of a power of two, and of both signs.
+                // Step sizes of both signs with all digits.
                 let h =
                     R::from_f64(if i % 5 == 4 { -0.3 } else { 1.0 } / (f64::from(i) + 1.3 * f64::from(i % 7) + 7.0));
                 sim.set_step_size(h);
@@ -282,7 +282,7 @@ fn time_is_exact_through_changes_of_the_step_size() {
     check(HenonHeiles::system::<f32>());
 }
 
-/// Scaled steps and adaptive ones are sums as well. The control adds up as everybody would.
+/// The time of an adaptive run is the sum of its steps to one ε. Control: a plain `f32` sum of the steps has an error above 10 ε.
 #[test]
 fn sums_of_time_do_not_drift() {
     let system = ShortPendulum { m: 1.3, l: 0.7, g: 9.81 };

@@ -1,6 +1,7 @@
-//! Poles that no change of sign gives away: denominators that touch zero, two poles in one step, poles that parameters make.
+//! Steps do not cross poles of the energy, even if no sign differs at the ends of the step.
 //!
-//! A step that is taken has no pole on the straight line between its ends; so a system in one degree of freedom never leaves its cell.
+//! The energies have denominators that touch zero, several poles within one step, and poles that depend on a parameter. Poles divide the axis of q
+//! into cells. An accepted step has no pole on the straight line between its ends, so a system with one degree of freedom stays in its cell.
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::{Autonomous, ByField, Collocated, DiscreteField};
@@ -9,7 +10,9 @@ use geoint_tests::grid::pairs;
 use geoint_tests::methods::{self, Visitor};
 use std::f64::consts::{PI, TAU};
 
-/// Walls that attract and that repel: H = p²/2m + k·V(q), infinite where the cell of q changes.
+/// Defines energies H = p²/2m + k·V(q), and a function that visits each of them with k = −0.3 (attracting poles) and with k = 0.3 (repelling poles).
+///
+/// A row holds V, the name of the system, a function that numbers the cell of q, and a start. V or the force is undefined at the boundaries of cells.
 macro_rules! walls {
     ($list:ident: $($name:ident($q:ident, $p:ident, $m:ident) $potential:expr => $System:ident, |$x:ident| $cell:expr, $start:expr;)*) => {
         $( #[hamiltonian]
@@ -23,7 +26,7 @@ macro_rules! walls {
     };
 }
 
-/// What is done with every wall.
+/// A test that visits systems with poles.
 trait Walls {
     fn wall<S>(&mut self, name: &str, system: S, cell: fn(f64) -> f64, start: f64)
     where
@@ -62,10 +65,12 @@ walls! { others:
     simplified(q, p, m) q * q.recip() * q => Simplified, |q| q.signum(), 1.0;
 }
 
+/// Momenta at the start.
 const MOMENTA: [f64; 3] = [-0.7, -3.0, 8.0];
+/// Step sizes.
 const STEPS: [f64; 4] = [0.03, 0.1, 0.9, 2.0];
 
-/// Runs a wall with every method that it is shown, and counts the steps that were refused.
+/// Runs a system with each visited method, asserts that q stays in its cell, and counts the runs that a refused step ends.
 struct Stay<S> {
     wall: String,
     system: S,
@@ -77,6 +82,7 @@ struct Stay<S> {
 impl<S: Hamiltonian<Coordinates = f64>> Visitor<S, f64> for Stay<S> {
     fn visit<M: Method<S> + 'static>(&mut self, method: M) {
         let name = method.name().to_string();
+        // Explicit methods are not tested here.
         if ["ExplicitEuler", "RK4", "DOP853"].contains(&name.as_str()) {
             return;
         }
@@ -87,14 +93,14 @@ impl<S: Hamiltonian<Coordinates = f64>> Visitor<S, f64> for Stay<S> {
             while steps < 60 && outcome.is_ok() {
                 outcome = sim.step();
                 let q = sim.state().q;
-                // What is on the border by the rounding of π is on this side.
+                // Rounding of π may put q on the boundary. A neighbouring number in the cell is enough.
                 let near = [q, q.next_up(), q.next_down()];
                 let stays = near.iter().any(|q| (self.cell)(*q) == (self.cell)(self.start));
                 assert!(stays, "{}, {name}: {q} in step {steps} of {h} from {start:?}", self.wall);
                 steps += 1;
             }
             self.refused += u32::from(matches!(outcome, Err(StepError::OutsideDomain { .. })));
-            // All at once comes to the same.
+            // `advance` gives the same result as single steps.
             let mut bulk = self.system.integrator(method, h, start);
             assert_eq!(
                 (bulk.advance(60), bulk.state()),
@@ -106,7 +112,7 @@ impl<S: Hamiltonian<Coordinates = f64>> Visitor<S, f64> for Stay<S> {
     }
 }
 
-/// One method of every kind.
+/// Visits one method of every kind.
 struct Every;
 
 impl Walls for Every {
@@ -124,12 +130,13 @@ impl Walls for Every {
     }
 }
 
+/// No kind of method crosses the poles of three systems.
 #[test]
 fn no_method_crosses_a_wall() {
     kinds(&mut Every);
 }
 
-/// One of each family.
+/// Visits one method of each family, because the list of systems is long.
 struct Families;
 
 impl Walls for Families {
@@ -148,6 +155,7 @@ impl Walls for Families {
     }
 }
 
+/// No family of methods crosses the poles of the other systems.
 #[test]
 fn no_wall_is_crossed() {
     others(&mut Families);
