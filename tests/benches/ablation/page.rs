@@ -11,7 +11,7 @@ const GAIN: f64 = 1.10;
 /// The rule: an accelerator stays if it gains on this number of rows.
 const ROWS: usize = 2;
 
-/// The page marks rows with a larger spread between processes.
+/// Rows with a larger spread between processes are marked, and do not count for the verdicts.
 const STEADY: f64 = 0.05;
 
 /// The first part of the page.
@@ -73,26 +73,10 @@ impl Measured<'_> {
         rows.map(of_row).fold(0.0, f64::max)
     }
 
-    /// Returns the gains on the rows on which the accelerator acts.
-    fn gains(&self) -> impl Iterator<Item = Option<f64>> {
-        let acts = |row: &Row| self.accelerator.groups.iter().any(|group| row.belongs_to(*group));
-        let rows = self.with[0].iter().enumerate().filter(move |(_, row)| acts(row));
-        rows.map(|(place, _)| self.gain(place))
-    }
-
     /// Returns a list of the rows that fail, with the reasons.
     fn failures(&self) -> String {
         let failed = self.without[0].iter().filter(|row| row.fails());
         failed.map(|row| format!("\n- Without `{}`, {}: {}.\n", self.accelerator.name, row.name, row.state)).collect()
-    }
-
-    fn verdict(&self) -> &'static str {
-        let gained = self.gains().flatten().filter(|gain| *gain >= GAIN).count();
-        match (self.gains().any(|gain| gain.is_none()), gained >= ROWS) {
-            (_, true) => "stays",
-            (true, false) => "stays: steps fail without it",
-            (false, false) => "delete",
-        }
     }
 }
 
@@ -111,6 +95,14 @@ impl Page<'_> {
         (middle, (times[3 * n / 4] - times[n / 4]) / middle)
     }
 
+    /// Returns the gains of an accelerator on the steady rows of its groups; nothing for rows that fail without the accelerator.
+    fn gains(&self, measured: &Measured<'_>) -> Vec<Option<f64>> {
+        let rows = measured.with[0].iter().enumerate();
+        let of_group = rows.filter(|(_, row)| measured.accelerator.groups.iter().any(|group| row.belongs_to(*group)));
+        let steady = of_group.filter(|(place, _)| self.complete(*place).1 <= STEADY);
+        steady.map(|(place, _)| measured.gain(place)).collect()
+    }
+
     fn summary(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(
             f,
@@ -119,11 +111,17 @@ impl Page<'_> {
         writeln!(f, "|---|---|---|---|---|---|---|")?;
         for measured in &self.measured {
             let Accelerator { name, technique, lines, .. } = measured.accelerator;
-            let gains: Vec<f64> = measured.gains().flatten().collect();
+            let all = self.gains(measured);
+            let gains: Vec<f64> = all.iter().copied().flatten().collect();
             let gained = gains.iter().filter(|gain| **gain >= GAIN).count();
+            let verdict = match (gained >= ROWS, gains.len() < all.len()) {
+                (true, _) => "stays",
+                (false, true) => "stays: steps fail without it",
+                (false, false) => "delete",
+            };
             let mean = (gains.iter().map(|gain| gain.ln()).sum::<f64>() / gains.len() as f64).exp();
             let largest = gains.iter().copied().fold(0.0, f64::max);
-            let (difference, verdict) = (measured.difference(), measured.verdict());
+            let difference = measured.difference();
             writeln!(
                 f,
                 "| `{name}`: {technique} | {lines} | {gained} | {mean:.3} | {largest:.2} | {difference:.0e} | {verdict} |"

@@ -20,7 +20,7 @@ const LEDGER: &str = "tests/benches/ledger/main.rs";
 /// Returns a checkout of a revision that has a ledger: its own, or the benchmarks of this checkout laid over its tree.
 pub(crate) fn checkout(revision: &str) -> Result<PathBuf> {
     let commit = format!("{revision}^{{commit}}");
-    let hash = git(&["rev-parse", "--verify", "--quiet", &commit], None)
+    let hash = git(&["rev-parse", "--verify", &commit], None)
         .with_context(|| format!("the revision {revision} is not in the repository of this checkout"))?;
     let folder = own_target_folder().join("geoint/reference").join(&hash);
     if !folder.exists() {
@@ -51,7 +51,12 @@ fn git(arguments: &[&str], index: Option<&Path>) -> Result<String> {
         command.env("GIT_INDEX_FILE", index);
     }
     let output = command.output().context("git does not start")?;
-    ensure!(output.status.success(), "`git {}` failed: {}", arguments[0], String::from_utf8_lossy(&output.stderr));
+    ensure!(
+        output.status.success(),
+        "`git {}` failed: {}",
+        arguments[0],
+        String::from_utf8_lossy(&output.stderr).trim()
+    );
     Ok(String::from_utf8(output.stdout)?.trim().into())
 }
 
