@@ -21,18 +21,18 @@ use geoint_tests::scenes::Heavies;
 /// Returns the largest entry of each estimate after one step of length `h`: the estimate of the higher order, then of the lower order. Returns `None`
 /// if the method has no estimate.
 fn estimates<P: Scene, M: Method<P::Over<Double>, Double>>(method: M, h: f64) -> Option<[f64; 2]> {
-    let (start, x) = P::start();
+    let (time, x) = P::start();
     let x: Vec<Double> = x.into_iter().map(Double::from).collect();
     let system = P::over::<Double>();
-    let (t, z, s) = point::<StateOf<P::Over<Double>, Double>>(start.into(), &x).parts();
+    let (t, z, s) = point::<StateOf<P::Over<Double>, Double>>(time.into(), &x).parts();
     let mut x: Point<_, Plain, _> = Point::with_action(z, s);
     let prepared = method.prepare(&system, h.into());
     let step = Step { system: &system, t, end: t + Double::from(h), x: &mut x, probe: &mut Unwatched };
-    let both = M::estimated(&prepared, &mut M::memory(), step)?.expect("kicks and drifts have results");
+    let both = M::estimated(&prepared, &mut M::memory(), step)?.expect("an explicit step succeeds");
     Some(both.map(|e| e.z.as_slice().iter().map(|x| x.magnitude()).fold(0.0, f64::max)))
 }
 
-/// The estimates of a table of order p scale with h as their order conditions say.
+/// The estimates of a table of order p scale with these powers of h. The construction of their weights fixes the powers.
 ///
 /// | p | higher | lower |
 /// |---|---|---|
@@ -80,8 +80,8 @@ fn orbit(q: [f64; 2], p: [f64; 2], m: f64, mu: f64) -> f64 {
     (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) - m * mu / (q[0] * q[0] + q[1] * q[1]).sqrt()
 }
 
-/// Steps with an estimate are compared with steps in two halves, at the same tolerances. They lead to smaller errors, and need at least 1.3 times
-/// fewer forces for the same error.
+/// Steps with an estimate are compared with steps in two halves, at the same tolerances. They lead to smaller errors, and need at most
+/// 1/1.3 of the forces for the same error.
 #[test]
 fn steps_cost_less_than_halves() {
     /// Logarithms of the final error and of the number of steps, rejected steps included.
@@ -121,8 +121,8 @@ fn steps_cost_less_than_halves() {
             let halved = mean(*method.table(), units);
             let log_error_ratio = estimated.log_error - halved.log_error;
             let step_ratio = (estimated.log_steps - halved.log_steps).exp();
-            // A step and its two halves take the forces of three steps. The error is proportional to (number of forces)⁻ᵖ for the order p, so the
-            // second factor converts the ratio to equal errors.
+            // `steps` counts a step with its two halves once, but it takes the forces of three steps. The error is proportional to
+            // (number of forces)⁻ᵖ for the order p, so the exponential converts the ratio to equal errors.
             let force_ratio = step_ratio / 3.0 * (log_error_ratio / order).exp();
             println!("{name}: {force_ratio:.2} of the forces, {:.1} times the error", log_error_ratio.exp());
             assert!(force_ratio < 1.0 / 1.3, "{name}: {force_ratio:.2}");
@@ -136,8 +136,8 @@ fn steps_cost_less_than_halves() {
     check(BceRkn19_8, 8.0);
 }
 
-/// An estimate sums the increments of the momenta by the kicks of a step. This sum is meaningful only if drifts leave the momenta unchanged. Contact
-/// systems with damping and rigid bodies have drifts that damp or rotate momenta, so steps are compared with half steps.
+/// An estimate sums the increments of the momenta by the kicks of a step. This sum is meaningful only if drifts leave the momenta unchanged. Drifts
+/// of contact systems with damping damp the momenta, and drifts of rigid bodies (`Heavies`) rotate them. Steps are then compared with half steps.
 #[test]
 fn no_estimate_if_drifts_change_momenta() {
     fn has_estimate<S: PhaseSpace + Rates, M: Method<S>>(_: &S, method: M) -> bool {
@@ -152,6 +152,7 @@ fn no_estimate_if_drifts_change_momenta() {
     assert!(has_estimate(&Orbit { m: 1.0, mu: 1.0 }, BlanesMoanSrkn14a));
     // The plain splitting table has no weights of an estimate.
     assert!(!has_estimate(&Orbit { m: 1.0, mu: 1.0 }, *BlanesMoanSrkn14a.table()));
+    // An explicit Runge–Kutta method has an estimate of another kind.
     assert!(has_estimate(&Orbit { m: 1.0, mu: 1.0 }, DOP853));
 }
 

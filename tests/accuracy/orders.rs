@@ -1,12 +1,12 @@
 //! Methods have the order that they claim, on nonlinear problems with masses other than 1.
 //!
-//! The tests measure one method of each kind of step on each kind of energy, and the tables of order 8 or more. Controls show that the measurement
-//! detects a wrong order. `geoint-verification` measures every method of every list in the same way.
+//! The tests measure one method of each kind of step on each kind of energy, and the tables of order 8 or more. Controls show that the observed
+//! order of a wrong table is wrong. `geoint-verification` measures every method of every list in the same way.
 //!
 //! Errors are measured in double-double arithmetic. The reference solution is extrapolated during the test, from Gragg's midpoint rule, and shares no
 //! code with the methods. No final time is a multiple of a period of the forcing, so errors do not cancel over whole periods.
 //!
-//! A last test checks which systems have a proven splitting T(p) + V(q) and a proven quadratic T. The lists of methods depend on these properties.
+//! Another test checks which systems have a proven splitting T(p) + V(q) and a proven quadratic T. The lists of methods depend on these properties.
 
 use geoint_runtime::method::splitting::Flow::{Drift, Kick};
 use geoint_runtime::method::splitting::KickFirst;
@@ -21,7 +21,8 @@ use std::marker::PhantomData;
 /// Number of intervals of the extrapolated solution in each quarter of a run. `the_reference_is_accurate` shows that the number is large enough.
 const PARTS: usize = 24;
 
-// Number of methods in each list. A test fails if a list loses a method.
+// Number of methods in each list. `visit` of `Orders` fails if an observed order is wrong, and `finish` returns the number of methods. A test fails if
+// this number changes. `ITOH_ABE_ONE_WAY` has the methods of order 1, which are not symmetric.
 const GENERAL: usize = 5;
 const DISCRETE_GRADIENT: usize = 5;
 const PROJECTED: usize = 2;
@@ -133,7 +134,8 @@ fn driven_kinetic_and_potential() {
     assert_eq!(orders.finish(), GENERAL + DISCRETE_GRADIENT + SEPARABLE);
 }
 
-/// H depends on time and is not T(p) + V(q). The system has one degree of freedom, so `CoordinateIncrement` always has a step.
+/// H depends on time and is not T(p) + V(q). The system has one degree of freedom, so the increment is
+/// never orthogonal to the direction of `CoordinateIncrement`.
 #[test]
 fn driven_and_not_separable() {
     let mut orders = Orders::<SwingingMass>::over(3.9, PARTS);
@@ -145,7 +147,7 @@ fn driven_and_not_separable() {
     assert_eq!(orders.finish(), GENERAL + DISCRETE_GRADIENT + ITOH_ABE + ITOH_ABE_ONE_WAY + COORDINATE_INCREMENT);
 }
 
-/// Control: the measurement rejects methods that have a lower order than the claim.
+/// Control: a wrong table, and methods of a lower order, do not pass as order 4 or 2.
 #[test]
 fn a_lower_order_is_seen() {
     let orders = Orders::<HenonHeiles>::over(6.1, PARTS);
@@ -162,6 +164,7 @@ fn a_lower_order_is_seen() {
         Drift(long),
         Kick(0.5 * long),
     ];
+    // Three drifts, and the claim of order 4.
     let broken = Splitting::<3, KickFirst>::new(4, flows);
     let observed = orders.observe(broken);
     assert!(!within(observed, 4.0), "{observed}");

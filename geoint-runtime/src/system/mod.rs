@@ -80,7 +80,7 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
     /// Returns a message about the first term of H that has a value at a point, but not all derivatives of order 1 and 2. An example is
     /// √u at u = 0.
     ///
-    /// Called after a refused step, at the points at which the repeated step evaluates H. The default is right if H has no such term.
+    /// Called after a refused step: the integrator repeats the step to find the cause, and asks at each point where the step evaluates H. The default is right if H has no such term.
     fn edge(&self, _t: R, _z: &Self::Phase, _s: &Self::Action) -> Option<&'static str> {
         None
     }
@@ -104,14 +104,14 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
 
     /// The poles of H, each with the message of a refused step.
     ///
-    /// An implicit step is refused unless the denominator of each pole is proven not to vanish between its ends. Explicit steps check the poles
-    /// that depend on time only. The entry may also be the edge of a domain; see [`Pole::edge`].
+    /// An implicit step is refused unless the denominator of each pole is proven not to vanish between the ends of the step. Explicit steps check
+    /// only the poles whose denominators read nothing but time. An entry may also be the edge of a domain; see [`Pole::edge`].
     const POLES: &'static [Pole] = &[];
 
     /// Returns whether the parameters have the signs that [`clear_of_poles`](PhaseSpace::clear_of_poles) assumes.
     ///
-    /// Called when the search for poles is prepared for a system. If the result is `false`, intervals replace the tests of
-    /// `clear_of_poles`. The default is right if the tests assume no sign.
+    /// Called when the search for poles is prepared for a system. If the result is `false`, the search bounds the
+    /// denominators by interval arithmetic instead of calling `clear_of_poles`. The default is right if the tests assume no sign.
     #[inline(always)]
     fn signs_hold(&self) -> bool {
         true
@@ -123,7 +123,7 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
     /// positive. `true` says nothing about other poles. Thus the default is right if no pole has a quick test.
     ///
     /// `divided` states that the divided differences of H between the two points are known to be finite. Some poles then need no test: the
-    /// divided difference of 1/q is not a number if q has different signs at the two points.
+    /// kernel for the divided difference of 1/q returns a number only if q has one sign.
     #[inline(always)]
     fn clear_of_poles(&self, _divided: bool, _t: [R; 2], _z: [&Self::Phase; 2], _s: [&Self::Action; 2]) -> bool {
         true
@@ -144,7 +144,8 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
 
     /// `true` if H was proven to be continuous at each condition that reads the state.
     ///
-    /// If this is `false`, methods that do not keep the energy check each step for a jump. The default is right without conditions.
+    /// If this is `false`, methods that do not keep the energy search each step for a jump. Methods that keep the energy call
+    /// [`same_sides`](PhaseSpace::same_sides) instead, which is cheaper. The default is right without conditions.
     const CONTINUOUS: bool = true;
 
     /// Returns whether each condition of [`JUMPS`](PhaseSpace::JUMPS) has the same value at two points, at time `t`.
@@ -182,8 +183,8 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
 
     /// Returns the constraint that the state of a system with constraints violates, or that depends on other constraints.
     ///
-    /// Called for the first state of a run. The step length `h` sets the velocity off the constraint that counts as rounding. The default is
-    /// right without constraints.
+    /// Called for the first state of a run. A velocity off the constraint counts as rounding below a bound that depends on
+    /// the step length `h`. The default is right without constraints.
     #[inline(always)]
     fn unmet(&self, _t: R, _h: R, _z: &Self::Phase) -> Option<Unmet> {
         None

@@ -108,7 +108,7 @@ impl Visitor<HenonHeiles, f64> for RandomSteps {
     }
 }
 
-/// Discrete gradients conserve the energy for every sequence of step sizes, also negative ones.
+/// Discrete gradients conserve the energy in a random sequence of step sizes, also negative ones.
 #[test]
 fn energy_is_kept_in_random_steps() {
     methods::kinds_of_discrete_gradient(&mut RandomSteps);
@@ -222,7 +222,8 @@ impl<M: Method<S>, S: Hamiltonian> Pair<M, S> {
     const IS_METHOD: bool = true;
 }
 
-/// A method accepts a system only if the macro has proven the property that the method needs.
+/// A method accepts a system only if the macro has proven the property that the method needs. A method made from another one accepts only methods
+/// that it can improve.
 #[test]
 fn methods_are_refused_without_proof() {
     macro_rules! assert_methods {
@@ -245,7 +246,7 @@ fn methods_are_refused_without_proof() {
         FourthOrder<ItohAbe>, Pendulum: false;
         FourthOrder<FourthOrder<Gonzalez>>, Pendulum: false;
         FourthOrder<ImplicitMidpoint>, Pendulum: false;
-        // Gauss quadrature has at most 6 points.
+        // `MeanValue` has tables of at most 6 Gauss points.
         MeanValue<7>, Pendulum: false;
         // Kahan's method needs a quadratic vector field, so H of degree 3.
         Kahan, HenonHeiles: true;

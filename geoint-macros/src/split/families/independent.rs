@@ -1,4 +1,4 @@
-//! Family "independent parts": a sum of energies without a common degree of freedom.
+//! Family "independent parts": a sum of energies without a common degree of freedom. A family is a shape of energies with a known flow.
 //!
 //! The flows of the parts commute, and each part moves its own degrees of freedom only. Thus the flow of the sum consists of the flows of
 //! the parts.
@@ -10,10 +10,11 @@ use std::collections::BTreeSet;
 
 /// Returns the flow of a sum of energies without a common degree of freedom.
 ///
-/// Returns `None` if the energy is one part only, or if `rules` find no flow of a part. `rules` may call this function again, because a family
-/// may transform the energy of a part. This recursion ends, because each part reads fewer degrees of freedom than the sum.
+/// Returns `None` if the energy is one part only, or if `rules`, the search over all families, finds no flow of a part. `rules` may call
+/// this function again. This recursion ends, because each part reads fewer degrees of freedom than the sum, and no family adds any.
 ///
-/// All parts have the clock of the group, so all flows treat time alike. The family serves systems without an action only, and s stays.
+/// `..*group` copies the clock, so all parts treat time alike. Only systems without an action use the family; the s of the result is not read.
+/// Limit: a sum that separates only in other coordinates, such as normal modes, is one part here.
 pub(super) fn solve(graph: &mut Graph, group: &Group, rules: Rules<'_>) -> Option<Flow> {
     let parts = parts(graph, group.energy);
     if parts.len() < 2 {

@@ -1,8 +1,8 @@
-//! Tests of the comparison with the list.
+//! Tests of the comparison with the list `expansions.txt` of hashes.
 //!
 //! The comparison reports a changed token for every form of system, a changed outcome, and new and missing functions. The hash reads every
 //! token, and ignores positions in the source. The outcome of an expansion is a system of some form, an energy function, a question,
-//! or a refusal. A question asks for an energy function that is not in the same file.
+//! or a refusal. A question is a call of the macro of an energy function; it remains if the function is not in the same file.
 
 use super::comparison::{Differences, Entry, hash};
 use super::{FORMS, Outcome, expansions};
@@ -16,7 +16,7 @@ fn list(entries: &[Entry]) -> String {
 }
 
 /// Applies a change deep inside the code. Descends into the middle one of the groups until the tokens contain no group, and changes these
-/// tokens. Groups without tokens do not count.
+/// tokens. Groups without tokens do not count. A hash that reads the outer tokens only would miss the change.
 fn in_the_middle(tokens: TokenStream, change: fn(&mut Vec<TokenTree>)) -> TokenStream {
     let mut trees: Vec<TokenTree> = tokens.into_iter().collect();
     let groups: Vec<usize> = (0..trees.len())
@@ -32,7 +32,7 @@ fn in_the_middle(tokens: TokenStream, change: fn(&mut Vec<TokenTree>)) -> TokenS
     trees.into_iter().collect()
 }
 
-/// The changes remove, add and replace a token of one scene at a time. `scenes.rs` has a scene of every form.
+/// The changes remove, add and replace a token. `scenes.rs` has one function of every form. The test reads this file as text.
 #[test]
 fn a_changed_token_is_reported_in_every_form() {
     let scenes = expansions(Path::new("geoint-macros/src/tests/corpus/scenes.rs"));
@@ -57,7 +57,7 @@ fn a_changed_token_is_reported_in_every_form() {
     }
 }
 
-/// `stays#2` is the second function `stays` of the file. It is an entry of its own.
+/// `stays#2` is the second function `stays` of the file, and an entry of its own. This test does not cover the numbering itself.
 #[test]
 fn new_and_missing_functions_are_reported() {
     let entry = |name: &str| Entry {
@@ -77,7 +77,7 @@ fn new_and_missing_functions_are_reported() {
     assert_eq!(differences.to_string(), "new (1):\n    tests/some.rs stays#2\ngone (1):\n    tests/some.rs goes\n");
 }
 
-/// The two entries differ in the outcome only.
+/// A changed outcome is reported even if the hash is equal.
 #[test]
 fn the_outcome_of_an_expansion_is_compared() {
     let [before, after] = [Outcome::Refused, Outcome::Question].map(|outcome| Entry {
@@ -89,7 +89,7 @@ fn the_outcome_of_an_expansion_is_compared() {
     assert_eq!(Differences::between(&list(&[before]), &[after]).changed, ["tests/some.rs some"]);
 }
 
-/// Whitespace and line breaks change positions only.
+/// Whitespace and line breaks that separate no tokens change positions only.
 #[test]
 fn hashes_read_every_token_and_no_position() {
     let of = |text: &str| hash(&TokenStream::from_str(text).expect("tokens"));

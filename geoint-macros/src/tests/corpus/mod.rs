@@ -1,10 +1,11 @@
 //! The corpus of emitted code: the test expands every annotated function of the repository, and compares a hash of each expansion with the
 //! list `expansions.txt`.
 //!
-//! The list shows whether a change of the compiler changes emitted code, and for which functions. A refactoring must change no hash.
+//! The list shows whether a change of the compiler changes emitted code, and for which functions. A refactoring of the
+//! compiler must change no hash. A new or edited annotated function changes the list.
 //!
-//! The corpus reads Rust files and Markdown pages, and the code blocks of doc comments. It also expands each `macro_rules!` that a file both
-//! defines and calls.
+//! The test reads Rust files and Markdown pages, and the code blocks of doc comments. It also expands each `macro_rules!` that a file both
+//! defines and calls. A function that it cannot expand fails the test.
 //!
 //! `UPDATE_EXPECT=1` rewrites the list. `EXPANSIONS=NAME` writes all expansions as formatted code to the folder
 //! `target/geoint/expansions/NAME`. To read a difference, write the folders `before` and `after`, and compare them by `diff -r`.
@@ -40,7 +41,7 @@ const FORMS: [Form; 8] = [
     Form::FirstOrder,
 ];
 
-/// The least number of annotated functions, below the number in the list. A scan that finds fewer is broken.
+/// The least number of annotated functions, deliberately below the number in the list. A scan that finds fewer is broken.
 const AT_LEAST: usize = 1400;
 
 /// The stack of a thread of rustc, in bytes. Expansions must succeed with this stack, because rustc runs the macros on it.
@@ -52,7 +53,7 @@ const HEADER: &str = "\
 # Written by `UPDATE_EXPECT=1 cargo test -p geoint-macros corpus`.
 ";
 
-/// The advice behind a failure.
+/// The advice that follows the differences.
 const HELP: &str = "\
 The code that is emitted for these functions is not the code of src/tests/corpus/expansions.txt.
 If this is intended: `UPDATE_EXPECT=1 cargo test -p geoint-macros corpus` rewrites the list.
@@ -116,7 +117,7 @@ fn expansions(file: &Path) -> Vec<(Entry, TokenStream)> {
     }
     let mut found = scan::Found::default();
     let is_markdown = file.extension().is_some_and(|extension| extension == "md");
-    // A Markdown page stands in no module, so its scope is empty.
+    // A Markdown page is in no module, so its scope is empty.
     let scanned = if is_markdown { found.markdown(&text, &[]) } else { found.rust(&text) };
     scanned.unwrap_or_else(|error| panic!("{}: {error}", file.display()));
     assert!(found.missed.is_empty(), "{}: the scan does not expand {:?}", file.display(), found.missed);
@@ -127,6 +128,7 @@ fn expansions(file: &Path) -> Vec<(Entry, TokenStream)> {
         let count = count_by_name.entry(name.clone()).or_default();
         *count += 1;
         let name = if *count == 1 { name } else { format!("{name}#{count}") };
+        // An attribute may name an energy function of the same file.
         let (outcome, tokens) = expansion::expand(function, &found.functions);
         let entry = Entry { path: file.display().to_string(), name, outcome, hash: comparison::hash(&tokens) };
         expanded.push((entry, tokens));

@@ -6,13 +6,13 @@
 //!
 //! Limits: a system has only the forms that the macros can derive. A method that needs another form is a type error for this system.
 
-mod canonical; // x' = S ∇H, where S is the canonical matrix in coordinates y(x): stages are solved for x.
+mod canonical; // Systems that are canonical in other coordinates y(x), such as logarithms. The stages are solved for x itself.
 mod constraints; // Positions on g(q) = 0: the check of a state, the equation of a step, and the projection onto the constraints.
 mod contact; // Lagrangians with an action: stages and steps are solved for velocities and s.
-mod fields; // z' = f(z, t), or q'' = M⁻¹f(q, t): stages, discrete gradients, and the field of contact Gauss methods.
-mod forms; // Markers: the form of each system, for collocation and for discrete gradients.
+mod fields; // z' = f(z, t), or q'' = M⁻¹f(q, t): stages and discrete gradients, also those of contact Hamiltonians.
+mod forms; // Types without values that select the form at compile time: `Collocated` for collocation, `Graded` for discrete gradients.
 mod regular; // Proof that the mass matrix of a Lagrangian stays regular during a run.
-mod velocities; // Lagrangians without an action: stages and steps are solved for velocities. For all Lagrangians: v from p.
+mod velocities; // Lagrangians without an action: stages and steps are solved for velocities. Also solves p = ∂L/∂v for v, with an action too.
 
 pub use canonical::CanonicalForm;
 pub use constraints::{Constrained, ConstrainedStep, Gradients, Unmet, unmet};
