@@ -73,8 +73,8 @@ fn breathing(q: [f64; 2], p: [f64; 2], t: f64, mu: f64) -> f64 {
     (p[0] * p[0] + p[1] * p[1]) / 2.0 + mu * (1.0 + t.sin() / 3.0) * (q[0] * q[0] + q[1] * q[1]).powi(2) / 4.0
 }
 
-/// `FourthOrder(DiscreteGradient)` conserves the energy and the angular momentum, except near circular orbits (next test): of one particle, of several particles in space, and with a force that
-/// depends on time, where the energy is not constant.
+/// `FourthOrder(DiscreteGradient)` conserves the energy and the angular momentum of one particle and of several particles in space. If H depends on
+/// time, the method conserves the angular momentum alone. Exception: orbits near a circle, see the next test.
 #[test]
 fn steps_of_order_4_keep_momenta() {
     let fourth = FourthOrder(DiscreteGradient);
@@ -112,15 +112,15 @@ fn steps_of_order_4_keep_momenta() {
 
 /// `FourthOrder(DiscreteGradient)` on circular orbits, where it conserves the energy but not the angular momentum L.
 ///
-/// On a circle ∇H and ∇L are parallel. Near a circle both discrete gradients are nearly parallel, and the equations for
+/// On a circle ∇H and ∇L are parallel. Near a circle the discrete gradients of H and of L are nearly parallel, and the equations for
 /// keeping both are nearly singular. The method then conserves the energy alone. Among orbits of one energy, the circle has the largest L. A deviation δ of the radius therefore changes L by a multiple of δ² only.
 #[test]
 fn steps_of_order_4_follow_circles() {
     #[hamiltonian]
-    fn kepler(q: [f64; 2], p: [f64; 2], m: f64, k: f64) -> f64 {
+    fn central(q: [f64; 2], p: [f64; 2], m: f64, k: f64) -> f64 {
         (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) - k / (q[0] * q[0] + q[1] * q[1]).sqrt()
     }
-    let system = Kepler { m: 1.7, k: 1.7 };
+    let system = Central { m: 1.7, k: 1.7 };
     let run = |eccentricity: f64, h: f64, steps: u64| {
         let speed = ((1.0 + eccentricity) / (1.0 - eccentricity)).sqrt();
         let start = State::new([1.0 - eccentricity, 0.0], [0.0, 1.7 * speed]);

@@ -87,7 +87,8 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
 
     /// `true` if [`powers`](PhaseSpace::powers) visits anything. H then has a power without a Taylor series where its base vanishes, as u^(3/2).
     ///
-    /// The integrator for Taylor series reads this constant. If it is `true`, the integrator compares series and field also for steps of fixed length.
+    /// The integrator for Taylor series reads this constant. A series can not represent such a power near the zero of its base. If the constant is
+    /// `true`, the integrator therefore compares series and field also for steps of fixed length.
     const POWERS: bool = false;
 
     /// Calls `visit` for each power of H that has no Taylor series where its base vanishes. The arguments are a message and the value of
@@ -145,10 +146,11 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
     /// `true` if H was proven to be continuous at each condition that reads the state.
     ///
     /// If this is `false`, methods that do not keep the energy search each step for a jump. Methods that keep the energy call
-    /// [`same_sides`](PhaseSpace::same_sides) instead, which is cheaper. The default is right without conditions.
+    /// [`same_sides`](PhaseSpace::same_sides) instead: their equation contains the jump, so only its ends matter. The default is right without conditions.
     const CONTINUOUS: bool = true;
 
-    /// Returns whether each condition of [`JUMPS`](PhaseSpace::JUMPS) has the same value at two points, at time `t`.
+    /// Returns whether each condition of [`JUMPS`](PhaseSpace::JUMPS) has the same value at two points. `t` is the time at which the step
+    /// evaluates H.
     ///
     /// Called by methods that keep the energy. The default is right without conditions.
     #[inline(always)]
@@ -177,8 +179,8 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
     /// `true` if integrators must check the end of each single step by [`outside_domain`](PhaseSpace::outside_domain).
     ///
     /// If this is `false`, one check after many steps is enough: a state outside the domain leads to numbers that are not finite. If this is
-    /// `true`, a step may leave the domain and a later step may return without a trace. Simplification may have removed the undefined
-    /// function, for example.
+    /// `true`, a step may leave the domain and a later step may come back inside, and no number shows it. An example is √q·√q, which
+    /// simplification has made q.
     const EXAMINED: bool = false;
 
     /// Returns the constraint that the state of a system with constraints violates, or that depends on other constraints.
@@ -269,7 +271,7 @@ pub trait Conservative<R: Real = f64>: Hamiltonian<R> + FourthOrderField<R> {
     type Proof;
 }
 
-/// A conservative system whose H does not read time. The flow keeps H.
+/// A conservative system whose H does not read time. The flow keeps H. [`KeepsEnergy`] alone also holds for fields without momenta.
 #[diagnostic::on_unimplemented(
     message = "the flow of `{Self}` was not proven to keep the energy",
     label = "H depends on time, or is damped: there is nothing to project onto"

@@ -102,7 +102,8 @@ impl Visitor<HenonHeiles, f64> for RandomSteps {
             largest.max((sim.energy() - system.energy(&start)).abs())
         });
         println!("{name:36} {largest:.1e}");
-        // `MeanValue::<2>` claims conservation, too: two Gauss points integrate polynomials of degree 3 exactly, and ∇H has degree 2 here.
+        // Claims depend on the system. `MeanValue::<2>` claims conservation here: two Gauss points integrate polynomials of degree 3 exactly, and ∇H has
+        // degree 2.
         let conserves_energy = method.claims().conserves_energy;
         assert!(if conserves_energy { largest <= 1e-14 } else { largest > 1e-5 }, "{name}: {largest:.1e}");
     }
@@ -167,7 +168,7 @@ fn at_rest_nothing_moves() {
 /// On Kepler's ellipse with e = 0.6, every discrete gradient conserves the energy. Most of them change the angular momentum.
 ///
 /// The last column of the table is the range of the largest error of the angular momentum. The narrow ranges of `ItohAbe` and `SymmetrisedItohAbe`
-/// contain the figures of the independent program. The wide ranges show only the magnitude. `FourthOrder(DiscreteGradient)` conserves the angular
+/// contain the figures of the independent program. The wide ranges only separate a visible change from rounding. `FourthOrder(DiscreteGradient)` conserves the angular
 /// momentum to rounding.
 #[test]
 fn most_discrete_gradients_change_the_angular_momentum() {

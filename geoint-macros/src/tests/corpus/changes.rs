@@ -2,7 +2,8 @@
 //!
 //! The comparison reports a changed token for every form of system, a changed outcome, and new and missing functions. The hash reads every
 //! token, and ignores positions in the source. The outcome of an expansion is a system of some form, an energy function, a question,
-//! or a refusal. A question is a call of the macro of an energy function; it remains if the function is not in the same file.
+//! or a refusal. An annotated energy function defines a macro, which attributes call to read the function. If the function is in another
+//! file, this call remains, and the outcome is a question.
 
 use super::comparison::{Differences, Entry, hash};
 use super::{FORMS, Outcome, expansions};
@@ -57,7 +58,7 @@ fn a_changed_token_is_reported_in_every_form() {
     }
 }
 
-/// `stays#2` is the second function `stays` of the file, and an entry of its own. This test does not cover the numbering itself.
+/// `stays#2` is the second function `stays` of the file, and an entry of its own. The list itself tests the numbering.
 #[test]
 fn new_and_missing_functions_are_reported() {
     let entry = |name: &str| Entry {
@@ -89,7 +90,7 @@ fn the_outcome_of_an_expansion_is_compared() {
     assert_eq!(Differences::between(&list(&[before]), &[after]).changed, ["tests/some.rs some"]);
 }
 
-/// Whitespace and line breaks that separate no tokens change positions only.
+/// Whitespace and line breaks that separate no tokens change positions only. The hash reads whether two punctuation marks are adjacent.
 #[test]
 fn hashes_read_every_token_and_no_position() {
     let of = |text: &str| hash(&TokenStream::from_str(text).expect("tokens"));

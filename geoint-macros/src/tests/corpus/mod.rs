@@ -5,7 +5,8 @@
 //! compiler must change no hash. A new or edited annotated function changes the list.
 //!
 //! The test reads Rust files and Markdown pages, and the code blocks of doc comments. It also expands each `macro_rules!` that a file both
-//! defines and calls. A function that it cannot expand fails the test.
+//! defines and calls. A function that the scan misses fails the test. A
+//! refusal by the compiler is an outcome.
 //!
 //! `UPDATE_EXPECT=1` rewrites the list. `EXPANSIONS=NAME` writes all expansions as formatted code to the folder
 //! `target/geoint/expansions/NAME`. To read a difference, write the folders `before` and `after`, and compare them by `diff -r`.
@@ -29,7 +30,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::{env, fs, thread};
 
-/// All forms of systems. The corpus must contain each of them.
+/// All forms of systems. The corpus must contain each of them. A new form must be added by hand.
 const FORMS: [Form; 8] = [
     Form::Hamiltonian,
     Form::Contact,

@@ -1,8 +1,16 @@
 //! The equations of an implicit step, by the form in which a system is solved.
 //!
-//! A method solves for values of the field, for velocities, for points with canonical coordinates, or for increments and multipliers under
-//! constraints. Contact systems have forms with an action s. The macros choose the form of each system, and emit its kernels. The iterations
-//! that solve the equations are in the module `solving`, and the methods in the module `method`.
+//! The macros choose the form in which the equations of a system are given, and emit its kernels:
+//!
+//! | system | form of stages, of discrete gradients | unknown |
+//! |---|---|---|
+//! | energies and fields | `ByField`, `ByTree` | values of the field, increments |
+//! | Lagrangians without a short formula for H | `ByVelocities`, `ByPolarisation` | velocities |
+//! | Lagrangians linear in the velocities | `ByCanonical`, `ByTree` | points, which have canonical coordinates y(x) |
+//! | energies with constraints | none, `ByConstraint` | increments and multipliers |
+//!
+//! Contact systems have forms with an action s. The iterations that solve the equations are in the module `solving`, and the methods in the module
+//! `method`.
 //!
 //! Limits: a system has only the forms that the macros can derive. A method that needs another form is a type error for this system.
 
@@ -10,9 +18,9 @@ mod canonical; // Systems that are canonical in other coordinates y(x), such as 
 mod constraints; // Positions on g(q) = 0: the check of a state, the equation of a step, and the projection onto the constraints.
 mod contact; // Lagrangians with an action: stages and steps are solved for velocities and s.
 mod fields; // z' = f(z, t), or q'' = M⁻¹f(q, t): stages and discrete gradients, also those of contact Hamiltonians.
-mod forms; // Types without values that select the form at compile time: `Collocated` for collocation, `Graded` for discrete gradients.
+mod forms; // Marker types of the forms. `Collocated` names the form of stages, `Graded` the form of discrete gradients.
 mod regular; // Proof that the mass matrix of a Lagrangian stays regular during a run.
-mod velocities; // Lagrangians without an action: stages and steps are solved for velocities. Also solves p = ∂L/∂v for v, with an action too.
+mod velocities; // Lagrangians without an action: stages and steps are solved for velocities. Also computes v from p = ∂L/∂v, for all Lagrangians.
 
 pub use canonical::CanonicalForm;
 pub use constraints::{Constrained, ConstrainedStep, Gradients, Unmet, unmet};
