@@ -126,7 +126,8 @@ impl Walls for Every {
         methods::kinds_of_itoh_abe(&mut stay);
         methods::itoh_abe_one_way(&mut stay);
         methods::coordinate_increment(&mut stay);
-        assert!(stay.refused > 10, "{name}: {}", stay.refused);
+        // Walls that no run meets would test nothing.
+        assert!(stay.refused > 4, "{name}: {}", stay.refused);
     }
 }
 
