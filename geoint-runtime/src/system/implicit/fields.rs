@@ -66,8 +66,8 @@ pub enum Mean {
     NotClosed,
 }
 
-/// When a step starts, when it is half way, and when it ends, which is when the next one starts: to the last bit, so that what a function of
-/// time changes by in many steps is what it changes by in all of them. The length of a step is not that of its time, which is rounded.
+/// Start, midpoint and end time of a step. The end equals the start of the next step bit for bit, so changes of time-dependent functions telescope.
+/// The length of the step may differ from `end − start` by a rounding.
 #[derive(Clone, Copy, Debug)]
 pub struct Span<R> {
     /// The time of the first point.
