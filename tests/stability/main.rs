@@ -15,6 +15,8 @@ mod near_misses;
 mod small_waves;
 mod units;
 mod long_steps;
+mod bends;
+mod ahead;
 mod rest;
 mod rounding;
 mod time;

@@ -77,7 +77,7 @@ pub enum StepError {
         t: f64,
     },
     /// Rounding in the step changes what it keeps by more than its last digits: a coordinate in which that is steep becomes smaller or larger by
-    /// orders of magnitude, or gradients are nearly parallel.
+    /// orders of magnitude, gradients are nearly parallel, or a force jumps.
     Rounded {
         /// Time of the last good state.
         t: f64,
@@ -308,7 +308,7 @@ impl fmt::Display for StepError {
                 write!(
                     f,
                     "rounding in the step from t = {t} changes what it keeps by more than its last digits: a coordinate in which that is steep \
-                     becomes smaller or larger by orders of magnitude, or gradients are nearly parallel; try a smaller step, or units in which coordinates are of one size"
+                     becomes smaller or larger by orders of magnitude, gradients are nearly parallel, or a force jumps; try a smaller step, or units in which coordinates are of one size"
                 )
             }
             StepError::Pole { t, piece } => {

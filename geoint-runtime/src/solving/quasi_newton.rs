@@ -12,17 +12,20 @@ use crate::space::{Array, Record, Square, Tape};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct QuasiNewton<A> {
     sizes: Sizes<A>,
+    /// Whether the last solution leaves a residual that was measured as rounding.
+    pub(crate) leaves_rounding: bool,
 }
 
 impl<A: Array> Record<A::Real> for QuasiNewton<A> {
     fn record(&mut self, tape: &mut impl Tape<A::Real>) {
+        // `leaves_rounding` is asked before the step ends.
         self.sizes.record(tape);
     }
 }
 
 impl<A: Array> QuasiNewton<A> {
     pub(crate) fn new() -> Self {
-        QuasiNewton { sizes: Sizes::new() }
+        QuasiNewton { sizes: Sizes::new(), leaves_rounding: false }
     }
 
     /// Solves `residual(x) = 0` for an increment of `origin`, to rounding, from `guess` on. If that fails, with a matrix of
@@ -81,6 +84,7 @@ impl<A: Array> QuasiNewton<A> {
     ) -> Result<A, Refusal> {
         let mut corrections = Corrections::of_order(1);
         let mut matrix = A::fill(A::zero());
+        self.leaves_rounding = false;
         for _ in 0..MAX_ITERATIONS {
             let mut delta = A::zero();
             residual(watch, &x, &mut delta, &mut matrix)?;
@@ -115,6 +119,7 @@ impl<A: Array> QuasiNewton<A> {
                         rounding = noise::explains(noise, &left, &sizes);
                     }
                     solved = rounding.then_some(before);
+                    self.leaves_rounding = rounding;
                     corrections.restart();
                 }
                 Verdict::Continue => {}

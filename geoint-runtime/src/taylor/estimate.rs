@@ -13,6 +13,9 @@ const COARSEST: f64 = 0.5;
 /// Beyond this the last terms say nothing of the error: the series may not converge.
 const LOOSEST: f64 = 1.0 / 16.0;
 
+/// Log₂ of how many times larger the radius of convergence by the terms of half the order may be than the one by the last terms.
+const SHRINKS: f64 = 2.0;
+
 /// The largest magnitudes that positions, momenta and so on have had, and the tolerance relative to them.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Estimate<X: Snapshot> {
@@ -101,6 +104,15 @@ impl<X: Snapshot> Estimate<X> {
             least = self.radius(jet, m);
         }
         exp2(self.tolerance * (1.0 / m as f64) + least)
+    }
+
+    /// Whether the terms of half the order and those of the last orders tell of one radius of convergence. Beyond a force that is constant to rounding
+    /// the last terms are small, but larger than those before them let expect: their radius is that of something that the series does not show.
+    #[inline(always)]
+    pub(crate) fn converges(&self, jet: &[PerCoordinate<X::Phase, X::Action>]) -> bool {
+        let radius = |order: usize| smaller(self.radius(jet, order), self.radius(jet, order - 1));
+        let (order, last) = (jet.len(), radius(jet.len()));
+        last < f64::INFINITY && radius(order / 2 + 1) <= last + SHRINKS
     }
 
     /// Log₂ of the radius of convergence by the term of order m: of the time in which that is as large as its group.

@@ -4,7 +4,7 @@ use super::kept::steepness;
 use crate::method::{Probe, Refusal};
 use crate::scalar::Real;
 use crate::space::vector::difference;
-use crate::space::{Array, Point, Snapshot};
+use crate::space::{Array, PerCoordinate, Point, Snapshot};
 use crate::system::{Graded, Invariants, KeptBy, PhaseSpace};
 
 /// A step may change an invariant by so many of its roundings. Where no coordinate becomes smaller or larger by this factor it does not: to ask more often
@@ -14,6 +14,8 @@ const MOST: f64 = 16384.0;
 /// Refuses the step of a field from `before` to `x` if rounding changes what it keeps.
 ///
 /// Without patience a step in which a coordinate leaps is marked, and is repeated; equations that rounding leaves unsolved are repeated as well.
+///
+/// Of a canonical system [`check_energy`] is asked.
 #[inline(always)]
 pub(crate) fn check_step<S: Graded<R>, R: Real, P: Probe<S, R>, C>(
     system: &S,
@@ -21,7 +23,7 @@ pub(crate) fn check_step<S: Graded<R>, R: Real, P: Probe<S, R>, C>(
     x: &mut Point<S::Phase, C, S::Action>,
 ) -> Result<(), Refusal> {
     if const { S::State::MOMENTA } {
-        return Ok(());
+        return if P::PATIENT { check_energy(system, before, &x.z) } else { Ok(()) };
     }
     if P::PATIENT {
         let kept = KeptBy::<S, R>::default();
@@ -32,6 +34,28 @@ pub(crate) fn check_step<S: Graded<R>, R: Real, P: Probe<S, R>, C>(
         x.doubtful |= leaps(before, &x.z);
     }
     Ok(())
+}
+
+/// Refuses a step with patience of a canonical system, from `before` to `after`, that changes the energy by more than rounding.
+///
+/// Such a step may have accepted an equation that is solved to its measured rounding only. Next to a bend of the energy that measure can take the bend
+/// for rounding. Where large forces cancel the energy is rounded as its terms are: its value stands for them.
+#[cold]
+#[inline(never)]
+fn check_energy<S: Graded<R>, R: Real>(system: &S, before: &S::Phase, after: &S::Phase) -> Result<(), Refusal> {
+    let kept = KeptBy::<S, R>::default();
+    let changes = kept.changes(system, before, &difference(after, before));
+    let terms =
+        system.hamiltonian(R::from_f64(0.0), before, &PerCoordinate::<S::Phase, S::Action>::zero().s).magnitude();
+    let mut gradients = [before, after].map(|z| kept.gradients(system, z));
+    let [first, last] = gradients.each_mut().map(<KeptBy<S, R> as Invariants<S, R>>::Values::entries);
+    let is_lost = |(change, (first, last)): (&R, (&S::Phase, &S::Phase))| {
+        let at_ends =
+            f64::max(steepness([before.as_slice()], first.as_slice()), steepness([after.as_slice()], last.as_slice()));
+        change.magnitude() > MOST * R::epsilon() * (at_ends + terms)
+    };
+    let lost = changes.as_slice().iter().zip(first.iter().zip(last.iter())).any(is_lost);
+    if lost { Err(Refusal::Rounded) } else { Ok(()) }
 }
 
 /// Refuses a step from `before` by any method to `end`, and corrected from there to `after`, if a coordinate leaps and rounding changes what is kept. What

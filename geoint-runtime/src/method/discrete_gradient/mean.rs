@@ -3,6 +3,7 @@
 use super::energy::{Energy, Slope};
 use super::matrix::turned;
 use crate::method::composition::SymmetricMap;
+use crate::method::corrected::rounded;
 use crate::method::{Name, Probe, Refusal, Step, check_conditions, check_end};
 use crate::scalar::Real;
 use crate::solving::quasi_newton::QuasiNewton;
@@ -115,6 +116,10 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Prepared<G
             Ok(())
         })?;
         point.add_with(sums, &d, &S::Phase::zero());
+        if G::is_exact::<S, R>() {
+            point.doubtful |= solver.leaves_rounding;
+            rounded::check_step::<S, R, P, C>(system, &x, point)?;
+        }
         check_conditions(system, t + half, &decided, point)?;
         check_end(poles, &(x, ()), Step { system, t, end, x: point, probe })
     }

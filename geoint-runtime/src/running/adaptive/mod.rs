@@ -8,6 +8,7 @@ mod attempt;
 mod saved;
 mod start;
 mod steps;
+mod way;
 
 use crate::method::{Clock, Method};
 use crate::running::error::StepError;
@@ -79,6 +80,13 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
     /// The last step on the way to a given time may be shorter.
     pub fn steps_between(mut self, shortest: f64, longest: f64) -> Self {
         self.steps.bounds = Bounds { shortest: shortest.abs(), longest: longest.abs() };
+        self
+    }
+
+    /// Steps of at most this length. What is narrower than all that a run has met, such as a pulse in a force that is zero elsewhere, is seen for certain
+    /// only by steps that are not longer.
+    pub fn longest_step(mut self, h: f64) -> Self {
+        self.steps.bounds.longest = h.abs();
         self
     }
 

@@ -28,6 +28,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Bits> Recorded for Adaptiv
         steps.tolerance.record(tape);
         steps.controller.record(tape);
         tape.number(&mut steps.prepared.h);
+        steps.told.record(tape);
         steps.memory.record(tape);
     }
 

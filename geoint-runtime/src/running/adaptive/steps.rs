@@ -2,6 +2,7 @@
 
 use super::attempt::{Attempt, Carried, Prepared};
 use super::start;
+use super::way::Told;
 use crate::method::{Clock, Method, Unwatched};
 use crate::running::error::{Reason, StepError};
 use crate::running::settle::{STEPS_BETWEEN_LOOKS, settled, settles};
@@ -35,6 +36,10 @@ pub(super) struct Steps<S: PhaseSpace<R>, M: Method<S, R>, R: Real> {
     pub(super) rejections: u64,
     /// What is known of poles in time.
     clear: Clear<R>,
+    /// In how long the state changes where the run begins.
+    time_of_start: f64,
+    /// What errors have told of the field.
+    pub(super) told: Told,
 }
 
 impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
@@ -57,24 +62,26 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
             given: 0,
             rejections: 0,
             clear: Clear::unknown(),
+            time_of_start: 0.0,
+            told: Told::default(),
         };
         steps.start();
         steps
     }
 
-    /// The first step, and what is tolerated, by the time in which the present changes.
+    /// The first step by the time in which the present changes.
     fn start(&mut self) {
         let (system, t, x) = (&self.system, self.time(), PerCoordinate::of(&self.x));
         self.tolerance.start(&x);
         let time = start::time(system, t, &x, &self.tolerance.sizes);
-        self.tolerance.changes_in(REACH * time, &x, |x| system.rates(t, x));
         self.controller.start(time, self.tolerance.relative);
+        self.time_of_start = time;
     }
 
     /// Goes on from another point.
     pub(super) fn restart(&mut self, t: R, x: Carried<S, R>) {
         (self.clock, self.x, self.memory) = (Clock::new(t, zero()), x, [M::memory(), M::memory()]);
-        (self.given, self.origin) = (self.taken, self.x.z);
+        (self.given, self.origin, self.told) = (self.taken, self.x.z, Told::default());
         let backwards = self.size() < 0.0;
         self.start();
         self.controller.turn(backwards);
@@ -100,6 +107,9 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
     pub(super) fn take(&mut self, left: f64) -> Result<(), StepError> {
         let t = signed(self.time());
         let bounds = self.bounds.at(t, R::epsilon());
+        if self.taken == self.given {
+            self.tolerate_causes(left.min(bounds.longest));
+        }
         loop {
             let regular = self.controller.step(&bounds);
             let h = if regular.abs() < left { regular } else { left.copysign(regular) };
@@ -132,6 +142,17 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
             {
                 *error = f64::INFINITY;
             }
+            let tells = matches!(outcome, Ok((_, error)) if Told::tells::<R>(error, self.tolerance.relative));
+            // The first length is a guess that says nothing of the field.
+            let whole = if self.taken == self.given { 1.0 } else { h / regular };
+            if let Ok((x, error)) = &mut outcome
+                && *error <= 1.0
+                && !self.told.covers(h, tells)
+                && h.abs() > bounds.shortest
+                && attempt.misses_force(h, tells, whole, x)
+            {
+                *error = f64::INFINITY;
+            }
             let passed = match &outcome {
                 Ok((x, error)) if *error <= 1.0 => {
                     let way = [attempt.t, attempt.end(h, x)];
@@ -159,6 +180,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
                 self.memory = memory;
                 self.controller.accept(h, error);
             }
+            self.told.include(h, tells);
             self.clock.pass_step(R::from_f64(h), x.ahead);
             let (part, ends) = (self.part, [&self.x, &x].map(PerCoordinate::of));
             let (system, t) = (&self.system, self.clock.now(zero()));
@@ -171,6 +193,14 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
             }
             return Ok(());
         }
+    }
+
+    /// Tolerates, from the start on, what tolerated errors of coordinates cause in others until the state changes or a step of length `most` ends.
+    #[cold]
+    fn tolerate_causes(&mut self, most: f64) {
+        let (system, t, x) = (&self.system, self.time(), PerCoordinate::of(&self.x));
+        let time = (REACH * self.time_of_start).min(most / self.part);
+        self.tolerance.changes_in(time, &x, |x| system.rates(t, x));
     }
 
     /// Why the shortest step was refused. At the edge of a domain it may find no solution where longer ones find the edge.

@@ -67,6 +67,13 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> TaylorIntegrator<S, M, R> {
         self
     }
 
+    /// Steps of at most this length. What is narrower than all that a run has met, such as a pulse in a force that is zero elsewhere, is seen for certain
+    /// only by steps that are not longer. Steps of one length are as long as they are.
+    pub fn longest_step(mut self, h: f64) -> Self {
+        self.steps.bounds.longest = h.abs();
+        self
+    }
+
     /// At most so many steps in one [`advance_to`](Self::advance_to). Without this there is no limit.
     pub fn steps_at_most(mut self, steps: u64) -> Self {
         self.most_steps = steps;

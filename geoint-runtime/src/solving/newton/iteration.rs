@@ -32,6 +32,12 @@ const UNJUDGED: u32 = 3;
 /// branch.
 const FAR_OFF: f64 = 1.0 / 8.0;
 
+/// Of an equation that keeps no energy a solution after more iterations may be that of another branch.
+const FEW: u32 = 5;
+
+/// Corrections of this size, in units of the sizes of coordinates, that do not shrink lead anywhere.
+const WANDERS: f64 = 1.0 / 64.0;
+
 /// What is known of the iteration from steps before.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Iteration<A> {
@@ -136,8 +142,8 @@ impl<A: Array> Iteration<A> {
         equation: E,
         watch: &mut W,
     ) -> Found<A> {
-        let (origin, standstill, explicit) = (equation.origin(), equation.standstill(), equation.explicit());
-        let distant = Distant { origin, standstill, explicit };
+        let (is_settled, standstill) = (equation.is_settled(), equation.standstill());
+        let distant = Distant { is_settled, origin: equation.origin(), standstill, explicit: equation.explicit() };
         let residual: &mut dyn Residual<A> = &mut ResidualOf { equation, watch };
         if Newton::<A>::MANY {
             return self.of_many(Start::at(guess), &distant, residual);
@@ -171,7 +177,16 @@ impl<A: Array> Iteration<A> {
                     guess
                 }
             };
-            let (found, iterations) = self.iterate((guess, first.take()), &attempt, &scale, &equation, watch);
+            let (mut found, iterations) = self.iterate((guess, first.take()), &attempt, &scale, &equation, watch);
+            if found.outcome.is_ok()
+                && !equation.is_settled()
+                && (iterations > FEW || matches!(attempt, Attempt::Damped))
+            {
+                // What is compiled for many steps leaves the search to a step with patience.
+                if !E::PATIENT || !self.grows_from_nothing(found.x, equation, watch) {
+                    found.outcome = Err(Refusal::Singular);
+                }
+            }
             if found.outcome.is_ok() {
                 let extrapolated = matches!(attempt, Attempt::Extrapolated(_));
                 self.guesses.count(before + iterations, extrapolated, self.looks());
@@ -245,6 +260,10 @@ impl<A: Array> Iteration<A> {
                             break None;
                         }
                         solved = self.is_noise(x, last, *equation, watch);
+                        // Iterations that wander find solutions of other branches, if any.
+                        if !solved && corrections.stuck_at() > WANDERS {
+                            break None;
+                        }
                     }
                     match linear::solve(&mut matrix, &mut delta, scale) {
                         Some(positive) => (delta, positive),

@@ -6,12 +6,13 @@ use crate::space::vector::sum;
 use crate::space::{Array, Square};
 
 impl<A: Array> Newton<A> {
-    /// The guess corrected by two terms. The factor by which terms shrink is small, and so is the next one: nothing is left out that counts, and
-    /// what `matrix` lacks of the order of its square is no more. One unknown is corrected by a reciprocal.
+    /// Returns the guess corrected by two terms, if this correction is the last one and the third term is below rounding. `matrix` may then lack
+    /// terms of the order of its square. The size of the correction matters: across a bend of the energy the matrix is another one, and a correction
+    /// over the bend is wrong however small its second term is. One unknown is corrected by a reciprocal.
     #[inline(always)]
     pub(super) fn by_series(&mut self, guess: A, first: &A, matrix: &Square<A>) -> Option<Found<A>> {
         let second = linear::second_term(matrix, first);
-        self.iteration.by_series = self.iteration.is_last_term(&second);
+        self.iteration.by_series = self.iteration.is_last(first) && self.iteration.is_last_term(&second);
         self.iteration.by_series.then(|| Found::corrected(guess, &sum(first, &second)))
     }
 }

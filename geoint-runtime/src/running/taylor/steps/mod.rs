@@ -5,6 +5,7 @@ mod expansion;
 mod progress;
 mod refused;
 mod switches;
+mod way;
 
 use crate::running::error::{Reason, StepError};
 use crate::running::step_size::Bounds;
@@ -186,10 +187,14 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         }
         let t = signed(self.time());
         let bounds = self.bounds.at(t, R::epsilon());
-        let wish = self.length(&bounds);
+        let mut wish = self.length(&bounds);
         // Where the series ends within what changes time, a longer step would be wrong.
         if wish < bounds.shortest && left > wish && !self.is_fixed() {
             return Err(self.refused(t, wish, self.too_short(wish, &bounds)));
+        }
+        let informed = self.is_informed();
+        if !informed {
+            wish = wish.min(self.longest_uninformed());
         }
         // Where nothing else ends it.
         let whole = if wish < f64::INFINITY { wish } else { self.endless() };
@@ -206,6 +211,10 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         loop {
             match self.attempt(h, whole, switch.is_none()) {
                 Ok(()) if h.abs() > bounds.shortest && self.has_unseen_switch() => {
+                    h = self.towards((0.5 * h.abs()).max(bounds.shortest));
+                    switch = None;
+                }
+                Ok(()) if !informed && h.abs() > bounds.shortest && !self.agrees_on_way(h) => {
                     h = self.towards((0.5 * h.abs()).max(bounds.shortest));
                     switch = None;
                 }
