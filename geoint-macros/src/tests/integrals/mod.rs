@@ -1,5 +1,6 @@
 //! Do mean velocities of flows keep what they are to keep, with the derivative that they say?
 
+mod boundaries;
 mod messages;
 mod told;
 
