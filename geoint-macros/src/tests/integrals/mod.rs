@@ -3,6 +3,7 @@
 mod boundaries;
 mod messages;
 mod told;
+mod turns;
 
 use super::Noise;
 use crate::derive::{Flow, proof};
