@@ -213,7 +213,7 @@ fn structured_hamiltonian(energy: &Energy) -> Result<TokenStream> {
     let mut lowered = lower::body(energy)?;
     let context = emit::Context::new(energy, &lowered.constants);
     let graph = &mut lowered.graph;
-    let structure = proof::structure(graph, &lowered.structure);
+    let structure = proof::structure(graph, lowered.energy, &lowered.structure);
     let damping = analyze::damping(graph, lowered.damping);
     check::structure(energy, (&structure, damping.as_ref()), graph, &lowered.places, |symbol| {
         context.user_name(symbol)

@@ -16,6 +16,7 @@ mod mean_value;
 mod enclosable;
 mod poles;
 mod jumps;
+mod turns;
 mod identity;
 
 use crate::ir::{Graph, Id, Node, Reads, Symbol};
@@ -35,6 +36,7 @@ pub(crate) use poles::{Pole, Quick, has_edge, poles};
 pub(crate) use separable::{not_affine, not_quadratic};
 pub(crate) use spared::Spared;
 pub(crate) use steep::is_steep;
+pub(crate) use turns::turning_terms;
 
 /// All facts that emission may rely on. Those of H hold whether or not there is damping.
 #[derive(Debug)]

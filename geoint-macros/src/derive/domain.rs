@@ -23,6 +23,8 @@ pub(crate) struct Domain<K = Kernel> {
     pub(crate) examined: bool,
     pub(crate) poles: Option<Poles<K>>,
     pub(crate) jumps: Option<Jumps<K>>,
+    /// Terms that jump where an angle by `atan2` comes round.
+    pub(crate) turning: Vec<Id>,
 }
 
 /// Edges of the domain that belong to it: there a value is a number, and a derivative is not, as of √u at u = 0.
@@ -111,6 +113,7 @@ impl Domain {
             examined,
             poles: Poles::of(graph, roots.divided, partial),
             jumps: Jumps::of(graph, roots.divided),
+            turning: roots.divided.iter().flat_map(|root| analyze::turning_terms(graph, *root)).collect(),
         }
     }
 }
@@ -126,6 +129,7 @@ impl<K> Domain<K> {
             examined: self.examined,
             poles: self.poles.map(|poles| poles.map(of)),
             jumps: self.jumps.map(|jumps| jumps.map(of)),
+            turning: self.turning,
         }
     }
 }

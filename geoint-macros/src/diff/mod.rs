@@ -14,7 +14,9 @@ mod rules;
 mod slope;
 mod sweep;
 mod gradient;
+mod rate;
 
 pub(crate) use force_gradient::gradient_kick;
 pub(crate) use forward::{along, jacobian};
 pub(crate) use gradient::{Gradient, discrete_gradient, gradient, increment, mean_rate, partial};
+pub(crate) use rate::derivative_along;

@@ -78,7 +78,10 @@ pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>,
     let constrained = matches!(system.implicit, Implicit::Constrained(_));
     let of_energy = !form.is_flow() || system.value.is_some();
     let jumps = system.domain.jumps.as_ref().filter(|_| of_energy);
-    let report = report.to_owned() + &jumps.map_or_else(String::new, |jumps| report::jumps(context, graph, jumps));
+    let jumps = jumps.map_or_else(String::new, |jumps| report::jumps(context, graph, jumps));
+    // A field says of each function that it keeps whether it turns.
+    let turns = if form == Form::Field { String::new() } else { report::turns(context, graph, &system.domain.turning) };
+    let report = report.to_owned() + &jumps + &turns;
     let inherent = structure::inherent(context, (of_energy, !constrained, flow), &report);
     let space = system::phase_space(context, graph, system);
     let pieces = system.pieces.iter().map(|found| exact::pieces(context, graph, found));
@@ -99,6 +102,7 @@ pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>,
 
 /// The same of rigid bodies.
 pub(crate) fn items_of_bodies(context: &Context<'_>, graph: &Graph, found: &Bodies<Plan>, report: &str) -> TokenStream {
+    let report = &(report.to_owned() + &report::turns(context, graph, &found.domain.turning));
     let inherent = structure::inherent(context, (true, true, None), report);
     let bodies = exact::bodies(context, graph, found);
     around(context, report, &quote!(#inherent #bodies))

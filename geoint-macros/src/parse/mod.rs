@@ -15,6 +15,8 @@ mod values;
 
 pub(crate) use flow::{Kept, StructureForm, StructureKind};
 pub(crate) use function::{Function, Source, energy_function, function_options, plain_path};
+#[cfg(test)]
+pub(crate) use names::DECLARED;
 pub(crate) use names::IMPORTED;
 pub(crate) use options::Options;
 pub(crate) use outside::Outside;

@@ -113,7 +113,7 @@ pub(crate) const IMPORTED: &[&str] = &[
 ];
 
 /// What emitted code declares for itself.
-const DECLARED: &[&str] = &["NamedFunctions", "OfVelocities"];
+pub(crate) const DECLARED: &[&str] = &["NamedFunctions", "OfVelocities"];
 
 /// Whether emitted code has a name for something else.
 pub(super) fn is_taken(name: &Ident) -> bool {

@@ -1,20 +1,21 @@
 //! What is asked of a field, of its integrals and of its structure matrix, each as an identity.
 
 use super::residues::{self};
+use super::surface::sum_is_zero_along;
 use super::{Bound, Identity, sum_is_zero};
 use crate::diff;
 use crate::ir::{Graph, Id, Node, Number, Symbol};
 
 /// f·∇I + ∂I/∂t − b·∇I = 0: whether `integral` is constant along `field`, but for what `but` adds to its derivative.
 pub(crate) fn is_kept(graph: &mut Graph, x: &[Symbol], field: &[Id], integral: Id, but: Option<&[Id]>) -> Identity {
-    let terms = derivative_along(graph, x, field, integral, but);
-    let verdict = sum_is_zero(graph, &terms);
+    let terms = diff::derivative_along(graph, x, field, integral, but);
+    let verdict = sum_is_zero_along(graph, &terms, x, field);
     let (unit, function) = in_units(graph, integral);
     if verdict.is_zero() || unit.is_one() {
         return verdict;
     }
-    let terms = derivative_along(graph, x, field, function, but);
-    let mut of_function = sum_is_zero(graph, &terms);
+    let terms = diff::derivative_along(graph, x, field, function, but);
+    let mut of_function = sum_is_zero_along(graph, &terms, x, field);
     of_function.scale(graph, unit);
     // In a sum with other coefficients these are rounded once more.
     let alone = graph.coefficient(integral).1 != integral;
@@ -36,30 +37,16 @@ pub(crate) fn in_units(graph: &mut Graph, function: Id) -> (Number, Id) {
     }
 }
 
-/// The terms of f·∇I + ∂I/∂t − b·∇I.
-pub(crate) fn derivative_along(
+/// S + Sᵀ = 0 along a field: the first entry (i, j), i ≤ j, that fails, with the verdict on S_ij + S_ji.
+pub(crate) fn is_skew(
     graph: &mut Graph,
     x: &[Symbol],
+    matrix: &[Vec<Id>],
     field: &[Id],
-    integral: Id,
-    but: Option<&[Id]>,
-) -> Vec<Id> {
-    let all: Vec<Symbol> = x.iter().copied().chain([Symbol::T]).collect();
-    let gradient = diff::jacobian(graph, &[integral], &all).remove(0);
-    let mut terms: Vec<Id> = field.iter().zip(&gradient).map(|(f, slope)| graph.mul(*f, *slope)).collect();
-    terms.extend(gradient.last());
-    for (b, slope) in but.into_iter().flatten().zip(&gradient) {
-        let product = graph.mul(*b, *slope);
-        terms.push(graph.neg(product));
-    }
-    terms
-}
-
-/// S + Sᵀ = 0: the first entry (i, j), i ≤ j, that fails, with what is known of S_ij + S_ji.
-pub(crate) fn is_skew(graph: &mut Graph, matrix: &[Vec<Id>]) -> Result<(), ([usize; 2], Identity)> {
+) -> Result<(), ([usize; 2], Identity)> {
     let n = matrix.len();
     let pairs = (0..n).flat_map(|i| (i..n).map(move |j| [i, j]));
-    first(pairs, |[i, j]| sum_is_zero(graph, &[matrix[i][j], matrix[j][i]]))
+    first(pairs, |[i, j]| sum_is_zero_along(graph, &[matrix[i][j], matrix[j][i]], x, field))
 }
 
 /// S∇I − f = 0: the first component that fails.
@@ -74,7 +61,7 @@ pub(crate) fn is_gradient_form(
     first(0..x.len(), |i| {
         let mut terms = product_terms(graph, &matrix[i], &gradient);
         terms.push(graph.neg(field[i]));
-        sum_is_zero(graph, &terms)
+        sum_is_zero_along(graph, &terms, x, field)
     })
 }
 
@@ -92,8 +79,13 @@ pub(crate) fn is_casimir(
     })
 }
 
-/// Jacobi's identity Σ S_il ∂_l S_jk + cyclic = 0 of a skew matrix: the first indices i < j < k that fail.
-pub(crate) fn is_poisson(graph: &mut Graph, x: &[Symbol], matrix: &[Vec<Id>]) -> Result<(), ([usize; 3], Identity)> {
+/// Jacobi's identity Σ S_il ∂_l S_jk + cyclic = 0 of a skew matrix along a field: the first indices i < j < k that fail.
+pub(crate) fn is_poisson(
+    graph: &mut Graph,
+    x: &[Symbol],
+    matrix: &[Vec<Id>],
+    field: &[Id],
+) -> Result<(), ([usize; 3], Identity)> {
     let n = x.len();
     let entries: Vec<Id> = matrix.concat();
     // ∂_l S_ij is in row i·n + j, column l.
@@ -103,7 +95,7 @@ pub(crate) fn is_poisson(graph: &mut Graph, x: &[Symbol], matrix: &[Vec<Id>]) ->
         let cycle = [[i, j, k], [j, k, i], [k, i, j]];
         let terms: Vec<Id> =
             cycle.iter().flat_map(|[i, j, k]| product_terms(graph, &matrix[*i], &slopes[j * n + k])).collect();
-        sum_is_zero(graph, &terms)
+        sum_is_zero_along(graph, &terms, x, field)
     })
 }
 
@@ -111,7 +103,7 @@ pub(crate) fn is_poisson(graph: &mut Graph, x: &[Symbol], matrix: &[Vec<Id>]) ->
 pub(crate) fn divergence(graph: &mut Graph, x: &[Symbol], field: &[Id]) -> (Id, Identity) {
     let slopes = diff::jacobian(graph, field, x);
     let terms: Vec<Id> = (0..x.len()).map(|i| slopes[i][i]).collect();
-    (graph.sum(&terms), sum_is_zero(graph, &terms))
+    (graph.sum(&terms), sum_is_zero_along(graph, &terms, x, field))
 }
 
 /// Which integrals are functions of those before them.

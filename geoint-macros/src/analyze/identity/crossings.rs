@@ -1,9 +1,10 @@
 //! Where may a function jump on the way along a field? Its derivative does not show that.
 
-use super::{claims, sum_is_zero};
+use super::sum_is_zero;
+use super::surface::vanishes_on;
 use crate::diff;
-use crate::ir::substitute::{Substitution, replaced};
-use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
+use crate::ir::substitute::Substitution;
+use crate::ir::{Function, Graph, Id, Node, Symbol};
 
 /// Conditions and signs that change where two numbers are equal.
 #[derive(Clone, Debug)]
@@ -29,7 +30,7 @@ pub(crate) fn edges_of_jumps(graph: &mut Graph, function: Id) -> Vec<Edge> {
 /// It does not jump where both its sides are equal, nor where no solution leads from one to the other.
 pub(crate) fn may_jump(graph: &mut Graph, x: &[Symbol], field: &[Id], function: Id) -> Option<[Id; 2]> {
     edges_of_jumps(graph, function).into_iter().find_map(|edge| {
-        let crossing = claims::derivative_along(graph, x, field, edge.difference, None);
+        let crossing = diff::derivative_along(graph, x, field, edge.difference, None);
         let crossing = graph.sum(&crossing);
         (!vanishes_on(graph, edge.difference, crossing)).then_some(edge.equal)
     })
@@ -79,54 +80,4 @@ fn height(graph: &mut Graph, function: Id, edge: &Edge) -> Id {
         decided.apply(graph, function)
     });
     graph.sub(above, below)
-}
-
-/// Whether a node was proven to be zero where `edge` is: everywhere, or with one of the terms or symbols of the edge as a function of the others.
-fn vanishes_on(graph: &mut Graph, edge: Id, node: Id) -> bool {
-    let is_zero = |graph: &mut Graph, node| sum_is_zero(graph, &[node]).is_zero();
-    if is_zero(graph, node) {
-        return true;
-    }
-    let terms = match graph.node(edge) {
-        Node::Linear(_, terms) => terms.clone(),
-        _ => vec![],
-    };
-    let by_term = terms.into_iter().any(|(coefficient, term)| {
-        let own = graph.scale(coefficient, term);
-        let rest = graph.sub(edge, own);
-        let coefficient = graph.number(coefficient.neg());
-        let value = graph.div(rest, coefficient);
-        let mut there = Substitution::new(|_: &mut Graph, _| None);
-        there.insert(term, value);
-        let there = there.apply(graph, node);
-        is_zero(graph, there)
-    });
-    let candidates = graph.symbols(edge);
-    by_term
-        || candidates.into_iter().any(|symbol| {
-            let Some(root) = solved(graph, edge, symbol) else { return false };
-            let there = replaced(graph, node, symbol, root);
-            is_zero(graph, there)
-        })
-}
-
-/// The symbol as a function of the others where c·symbol + d, or c·symbol² + d, is zero.
-fn solved(graph: &mut Graph, sum: Id, symbol: Symbol) -> Option<Id> {
-    let zero = graph.zero();
-    let rest = replaced(graph, sum, symbol, zero);
-    let slope = diff::jacobian(graph, &[sum], &[symbol])[0][0];
-    let reads = |graph: &Graph, node: Id| graph.symbols(node).contains(&symbol);
-    let (coefficient, exponent) = if reads(graph, slope) {
-        let second = diff::jacobian(graph, &[slope], &[symbol])[0][0];
-        let at_zero = replaced(graph, slope, symbol, zero);
-        if reads(graph, second) || !graph.is_zero(at_zero) {
-            return None;
-        }
-        (graph.scale(Number::HALF, second), Ratio { numerator: 1, denominator: 2 })
-    } else {
-        (slope, Ratio::integer(1))
-    };
-    let power = graph.div(rest, coefficient);
-    let power = graph.neg(power);
-    Some(graph.pow(power, exponent))
 }

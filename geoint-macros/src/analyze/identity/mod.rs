@@ -12,14 +12,18 @@ mod multiplied;
 mod residues;
 mod rounding;
 pub(crate) mod search;
+mod surface;
 mod witness;
 
 use crate::ir::{Function, Graph, Id, Node, Number, Symbol};
 pub(crate) use residues::Bound;
 pub(crate) use rounding::Direction;
 use rounding::Shown;
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashSet};
 pub(crate) use witness::{Value, Witness};
+
+/// Comparisons and signs of which only the sides count, and no state at which both numbers are equal.
+type OpenBoundaries = HashSet<Id>;
 
 /// What is known of a node.
 #[derive(Clone, Debug, PartialEq)]
@@ -171,9 +175,10 @@ pub(crate) fn identity(graph: &mut Graph, root: Id) -> Identity {
 
 /// Whether a node is proven to be zero, where no reason is wanted if it is not: what floating point shows to differ from zero is not tried.
 pub(crate) fn vanishes(graph: &mut Graph, root: Id) -> bool {
-    let proven = |graph: &mut Graph| match multiplied::multiplied(graph, root, PRODUCTS) {
+    let open = OpenBoundaries::default();
+    let proven = |graph: &mut Graph| match multiplied::multiplied(graph, root, &open, PRODUCTS) {
         multiplied::Verdict::Zero => true,
-        _ => matches!(residues::residues(graph, root), residues::Verdict::Zero(_)),
+        _ => matches!(residues::residues(graph, root, &open), residues::Verdict::Zero(_)),
     };
     graph.is_zero(root) || !rounding::differs(graph, root) && proven(graph)
 }
@@ -209,13 +214,18 @@ pub(crate) fn is_regular(graph: &Graph, matrix: &[Vec<Id>]) -> bool {
 
 /// Decides whether a sum is zero. Terms are given apart, so that it is seen how large they were when most of them cancelled.
 pub(crate) fn sum_is_zero(graph: &mut Graph, terms: &[Id]) -> Identity {
+    sum_is_zero_off(graph, terms, &OpenBoundaries::default())
+}
+
+/// Decides whether a sum is zero at every state that lies on none of the open boundaries.
+fn sum_is_zero_off(graph: &mut Graph, terms: &[Id], open: &OpenBoundaries) -> Identity {
     let root = graph.sum(terms);
-    let rest = match multiplied::multiplied(graph, root, PRODUCTS) {
+    let rest = match multiplied::multiplied(graph, root, open, PRODUCTS) {
         multiplied::Verdict::Zero => return Identity::Zero(Proof::Multiplied),
         multiplied::Verdict::Left(rest) => Some(rest),
         multiplied::Verdict::TooLong => None,
     };
-    let why = match residues::residues(graph, root) {
+    let why = match residues::residues(graph, root, open) {
         residues::Verdict::Zero(bound) => return Identity::Zero(Proof::Points(bound)),
         residues::Verdict::Branch => Why::Branch,
         residues::Verdict::NotZero => Why::Relation,
@@ -223,15 +233,15 @@ pub(crate) fn sum_is_zero(graph: &mut Graph, terms: &[Id]) -> Identity {
     };
     let symbols = symbols(graph, terms);
     let branch = why == Why::Branch;
-    let drawn = match rounding::shown(graph, terms, &symbols) {
+    let drawn = match rounding::shown(graph, terms, &symbols, open) {
         Shown::Differs(state, value) => Some(Witness { state, value: Value::Near(value) }),
         Shown::Zero => None,
         Shown::Nowhere => return Identity::Open(Open { rest, why: Why::Nowhere }),
     };
     // What is too small to be seen is exact all the same, unless it is left of numbers that were rounded.
     let exact = drawn.is_some() || !witness::has_rounded(graph, terms);
-    let witness = exact.then(|| witness::exact_witness(graph, terms, &symbols)).flatten();
-    match witness.or_else(|| witness::near_witness(graph, terms, &symbols)).or(drawn) {
+    let witness = exact.then(|| witness::exact_witness(graph, terms, &symbols, open)).flatten();
+    match witness.or_else(|| witness::near_witness(graph, terms, &symbols, open)).or(drawn) {
         Some(witness) => {
             // Points have refuted every choice of the signs of roots.
             let with_roots = why == Why::Relation && is_made_of(graph, terms, 2, &[]);

@@ -3,6 +3,7 @@
 
 mod sized;
 
+use super::OpenBoundaries;
 use crate::ir::{Graph, Id, Ratio, Symbol};
 pub(super) use sized::State;
 use sized::{Evaluation, Sized};
@@ -32,22 +33,30 @@ const FEW: u64 = 4;
 const STEP: Ratio = Ratio { numerator: 5, denominator: 8 };
 
 /// The value of Σ terms at states that look random, against the size of the terms.
-pub(super) fn shown(graph: &Graph, terms: &[Id], symbols: &[Symbol]) -> Shown {
-    shown_at(graph, terms, (symbols, STATES))
+pub(super) fn shown(graph: &Graph, terms: &[Id], symbols: &[Symbol], open: &OpenBoundaries) -> Shown {
+    shown_at(graph, terms, (symbols, STATES), open)
 }
 
 /// Whether a few states show that a node is not zero.
 pub(super) fn differs(graph: &Graph, root: Id) -> bool {
-    matches!(shown_at(graph, &[root], (&graph.symbols(root), FEW as u32)), Shown::Differs(..))
+    let open = OpenBoundaries::default();
+    matches!(shown_at(graph, &[root], (&graph.symbols(root), FEW as u32), &open), Shown::Differs(..))
 }
 
-fn shown_at(graph: &Graph, terms: &[Id], (symbols, enough): (&[Symbol], u32)) -> Shown {
+/// Whether a node differs from zero at all states that are drawn and at which it is defined.
+pub(super) fn differs_everywhere(graph: &Graph, root: Id) -> bool {
+    let (symbols, mut evaluation) = (graph.symbols(root), Evaluation::new(graph, &[root]));
+    let mut sums = (0..DRAWS).map(|draw| evaluation.sum(&[root], &drawn(draw, &symbols))).filter(|sum| sum.is_finite());
+    sums.next().is_some_and(Sized::differs) && sums.all(Sized::differs)
+}
+
+fn shown_at(graph: &Graph, terms: &[Id], (symbols, enough): (&[Symbol], u32), open: &OpenBoundaries) -> Shown {
     let mut evaluation = Evaluation::new(graph, terms);
     let mut states = 0;
     for draw in 0..DRAWS {
         let state = drawn(draw, symbols);
         let sum = evaluation.sum(terms, &state);
-        if !sum.is_finite() {
+        if !sum.is_finite() || evaluation.is_on_any(open) {
             continue;
         }
         if sum.differs() {
@@ -62,9 +71,10 @@ fn shown_at(graph: &Graph, terms: &[Id], (symbols, enough): (&[Symbol], u32)) ->
 }
 
 /// The value at a state, if it is not zero to rounding.
-pub(super) fn value_at(graph: &Graph, terms: &[Id], state: &State) -> Option<f64> {
-    let sum = Evaluation::new(graph, terms).sum(terms, state);
-    (sum.is_finite() && sum.differs()).then_some(sum.value)
+pub(super) fn value_at(graph: &Graph, terms: &[Id], state: &State, open: &OpenBoundaries) -> Option<f64> {
+    let mut evaluation = Evaluation::new(graph, terms);
+    let sum = evaluation.sum(terms, state);
+    (sum.is_finite() && sum.differs() && !evaluation.is_on_any(open)).then_some(sum.value)
 }
 
 /// Leaves the directions along which no states show that a node is not constant.

@@ -1,5 +1,6 @@
 //! A state at which a sum is not zero: small integers, with the value as a ratio where there is one.
 
+use super::OpenBoundaries;
 use super::rounding::{State, value_at};
 use crate::ir::{Function, Graph, HashMap, Id, Node, Number, Ratio, Relation, Symbol};
 
@@ -23,12 +24,12 @@ const IN_ORDER: u64 = 16;
 const RANDOM: u64 = 100;
 
 /// The first small integers at which the value is an exact ratio that is not zero.
-pub(super) fn exact_witness(graph: &Graph, terms: &[Id], symbols: &[Symbol]) -> Option<Witness> {
+pub(super) fn exact_witness(graph: &Graph, terms: &[Id], symbols: &[Symbol], open: &OpenBoundaries) -> Option<Witness> {
     let order = graph.reachable(terms);
     // A sum that has no exact value at the first state has none at most others.
     let mut failures = 0;
     for state in states(symbols) {
-        match exact(graph, &order, terms, &state) {
+        match exact(graph, &order, terms, &state, open) {
             Some(value) if value != Ratio::ZERO => return Some(Witness { state, value: Value::Exact(value) }),
             Some(_) => {}
             None => failures += 1,
@@ -41,8 +42,8 @@ pub(super) fn exact_witness(graph: &Graph, terms: &[Id], symbols: &[Symbol]) -> 
 }
 
 /// The first small integers at which the value is not zero to rounding.
-pub(super) fn near_witness(graph: &Graph, terms: &[Id], symbols: &[Symbol]) -> Option<Witness> {
-    let near = |state| Some(Witness { value: Value::Near(value_at(graph, terms, &state)?), state });
+pub(super) fn near_witness(graph: &Graph, terms: &[Id], symbols: &[Symbol], open: &OpenBoundaries) -> Option<Witness> {
+    let near = |state| Some(Witness { value: Value::Near(value_at(graph, terms, &state, open)?), state });
     states(symbols).find_map(near)
 }
 
@@ -74,11 +75,11 @@ enum Exact {
 }
 
 /// The sum of terms, if it is a ratio that is not too long.
-fn exact(graph: &Graph, order: &[Id], terms: &[Id], state: &State) -> Option<Ratio> {
+fn exact(graph: &Graph, order: &[Id], terms: &[Id], state: &State, open: &OpenBoundaries) -> Option<Ratio> {
     let mut values: HashMap<Id, Exact> = HashMap::default();
     for id in order {
         // What has no value may be in the branch that is not taken.
-        if let Some(value) = exact_node(graph, *id, &values, state) {
+        if let Some(value) = exact_node(graph, *id, &values, state, open) {
             values.insert(*id, value);
         }
     }
@@ -88,7 +89,13 @@ fn exact(graph: &Graph, order: &[Id], terms: &[Id], state: &State) -> Option<Rat
     })
 }
 
-fn exact_node(graph: &Graph, id: Id, values: &HashMap<Id, Exact>, state: &State) -> Option<Exact> {
+fn exact_node(
+    graph: &Graph,
+    id: Id,
+    values: &HashMap<Id, Exact>,
+    state: &State,
+    open: &OpenBoundaries,
+) -> Option<Exact> {
     let number = |id: &Id| match values.get(id)? {
         Exact::Number(value) => Some(*value),
         Exact::Truth(_) => None,
@@ -108,11 +115,17 @@ fn exact_node(graph: &Graph, id: Id, values: &HashMap<Id, Exact>, state: &State)
         Node::Power(..) => return None,
         Node::Call(function, args) => {
             let args: Vec<Ratio> = args.iter().map(number).collect::<Option<_>>()?;
+            if args[0] == Ratio::ZERO && open.contains(&id) {
+                return None;
+            }
             exact_function(*function, &args)?
         }
         Node::Select(condition, first, second) => number(if truth(condition)? { first } else { second })?,
         Node::Compare(relation, a, b) => {
             let order = number(a)?.cmp(&number(b)?);
+            if order.is_eq() && open.contains(&id) {
+                return None;
+            }
             return Some(Exact::Truth(match relation {
                 Relation::Less => order.is_lt(),
                 Relation::LessEqual => order.is_le(),

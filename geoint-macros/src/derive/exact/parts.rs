@@ -43,7 +43,7 @@ impl Parted {
             let found = search::structure(graph, &x, &flow.field, integral)?;
             Some((integral, found))
         })?;
-        let poisson = claims::is_poisson(graph, &x, &matrix).is_ok();
+        let poisson = claims::is_poisson(graph, &x, &matrix, &flow.field).is_ok();
         Some(Parted { integral, matrix, poisson, unique: Some(unique) })
     }
 }

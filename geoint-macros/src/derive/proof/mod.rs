@@ -47,8 +47,8 @@ pub(crate) struct Structure {
     pub(crate) casimir: Option<Id>,
 }
 
-/// What is proven of S.
-pub(crate) fn structure(graph: &mut Graph, skew: &Skew) -> Structure {
+/// Decides what S of x' = S ∇H is.
+pub(crate) fn structure(graph: &mut Graph, energy: Id, skew: &Skew) -> Structure {
     let (mut matrix, casimir) = match skew {
         Skew::Matrix(matrix) => (matrix.clone(), None),
         Skew::Nambu(function) => {
@@ -56,7 +56,11 @@ pub(crate) fn structure(graph: &mut Graph, skew: &Skew) -> Structure {
             (cross(graph, &slopes), Some(*function))
         }
     };
-    let is_skew = claims::is_skew(graph, &matrix);
+    let x = coordinates(matrix.len());
+    // Proofs about a matrix without conditions do not read the field.
+    let has_conditions = graph.reachable(&matrix.concat()).into_iter().any(|id| graph.node(id).is_condition());
+    let field = if has_conditions { field_of(graph, energy, &matrix) } else { vec![] };
+    let is_skew = claims::is_skew(graph, &x, &matrix, &field);
     if is_skew.is_ok() {
         for i in 0..matrix.len() {
             matrix[i][i] = graph.zero();
@@ -65,8 +69,14 @@ pub(crate) fn structure(graph: &mut Graph, skew: &Skew) -> Structure {
             }
         }
     }
-    let poisson = claims::is_poisson(graph, &coordinates(matrix.len()), &matrix);
+    let poisson = claims::is_poisson(graph, &x, &matrix, &field);
     Structure { matrix, skew: is_skew, poisson, casimir }
+}
+
+/// S ∇H.
+fn field_of(graph: &mut Graph, energy: Id, matrix: &[Vec<Id>]) -> Vec<Id> {
+    let gradient = diff::gradient(graph, energy, matrix.len() as u32).q;
+    diff::flow::times(graph, matrix, &gradient)
 }
 
 /// The matrix of v ↦ a × v.

@@ -178,7 +178,7 @@ pub(super) fn canonical_fourth_order(context: &Context<'_>, momenta: &Plan, auto
                 matrix: &mut Square<#phase>,
             ) {
                 let momenta = |z: &#phase| self.momenta(z);
-                fourth_order::slope::<NEARLY, #autonomous, #columns, _, _>(self, parameters, start, momenta, d, (image, matrix));
+                fourth_order::slope::<{ NEARLY }, #autonomous, #columns, _, _>(self, parameters, start, momenta, d, (image, matrix));
             }
             #loosen
         }

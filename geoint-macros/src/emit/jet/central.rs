@@ -25,7 +25,7 @@ impl Writer<'_> {
         let lanes = Literal::usize_unsuffixed(LANES);
         let of = |central: &Central| {
             let number = Literal::usize_unsuffixed(central.factors.len());
-            quote!(recurrence::Central<[R; #lanes], #number, P>)
+            quote!(recurrence::Central<[R; #lanes], #number, { P }>)
         };
         self.all_central().iter().map(of).collect()
     }

@@ -110,7 +110,7 @@ impl Writer<'_> {
         };
         let most = (1..=most).take_while(|orders| code(*orders) <= MOST_CODE).last().unwrap_or(0);
         let most = Literal::usize_unsuffixed(if most < FEWEST { 0 } else { most });
-        quote!(recurrence::#call::<#most, P>)
+        quote!(recurrence::#call::<#most, { P }>)
     }
 
     /// A number of the start, as orders read it.

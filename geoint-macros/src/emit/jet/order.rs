@@ -73,6 +73,7 @@ impl Writer<'_> {
             [quote!(newest: [[R; #lanes]; #number],), quote!(newest,)]
         });
         let [at_hand, at_hand_name] = at_hand.unwrap_or_default();
+        // Braces: a type of the user may be called `P`.
         quote! {
             struct Coefficients<'a, R: Real, const P: usize> {
                 k: [R; #numbers],
@@ -85,7 +86,7 @@ impl Writer<'_> {
                 jet: &'a mut [PerCoordinate<#phase, #action>; P],
                 switches: &'a mut [[R; #switches]; P],
             }
-            impl<R: Real, const P: usize> recurrence::Series for Coefficients<'_, R, P> {
+            impl<R: Real, const P: usize> recurrence::Series for Coefficients<'_, R, { P }> {
                 #[inline(always)]
                 fn order(&mut self, n: usize) {
                     let Self { k, #beside_name #at_hand_name coordinates, masks, #(#arrays,)* #(#central,)* jet, switches } = self;

@@ -5,11 +5,11 @@ use super::super::kernel::Context;
 use super::counted;
 use super::field::{OfField, of_field};
 use super::structure::{brackets, entries};
-use crate::analyze::Identity;
+use crate::analyze::{self, Identity};
 use crate::check::wording::proven;
 use crate::derive::proof::Structure;
 use crate::derive::{Flow, Implicit, MOST_UNKNOWNS, Named, Origin, System};
-use crate::ir::{Function, Graph, Id, Node, Symbol, print::Printer};
+use crate::ir::{Graph, Id, Symbol, print::Printer};
 use crate::legendre::FirstOrder;
 use crate::parse::Form;
 use crate::schedule::Plan;
@@ -146,14 +146,16 @@ fn kept<F: Fn(Symbol) -> String>(
 ) -> Written {
     writeln!(text, "\nIntegrals")?;
     for (i, Named { name, conserved, origin }) in flow.kept.iter().enumerate() {
-        let value = printer.excerpt(conserved.value);
+        let (graph, value) = (printer.graph(), printer.excerpt(conserved.value));
         let word = match (origin, source) {
             (Origin::Listed, Source::Field(field)) => {
-                format!("{}{}", how(&field.proofs.kept[i]), turns(printer.graph(), conserved.value))
+                format!("{}{}", how(&field.proofs.kept[i]), turns(graph, conserved.value))
             }
             (Origin::Found, Source::Structure(_)) => "kept, a Casimir: S times its gradient is 0".into(),
             (Origin::Found, _) => "kept, found: a projection onto others alone would lose it".into(),
-            (Origin::Energy, Source::Field(_)) => "kept, the energy of the field".into(),
+            (Origin::Energy, Source::Field(_)) => {
+                format!("kept, the energy of the field{}", turns(graph, conserved.value))
+            }
             (Origin::Energy, _) => "kept, because S is skew".into(),
             (Origin::Assumed, _) | (Origin::Listed, _) => "assumed".into(),
         };
@@ -186,8 +188,7 @@ fn kept<F: Fn(Symbol) -> String>(
 
 /// What an angle does where it comes round.
 fn turns(graph: &Graph, function: Id) -> &'static str {
-    let is_angle = |id: Id| matches!(graph.node(id), Node::Call(Function::Atan2, _));
-    if graph.reachable(&[function]).into_iter().any(is_angle) { ", but for turns of `atan2` by 2π" } else { "" }
+    if !analyze::turning_terms(graph, function).is_empty() { ", but for turns of `atan2` by 2π" } else { "" }
 }
 
 /// How it was proven that a function is kept.

@@ -13,7 +13,7 @@ mod lagrangian;
 
 use super::kernel::Context;
 use crate::derive::Jumps;
-use crate::ir::{Graph, print::Printer};
+use crate::ir::{Graph, Id, print::Printer};
 use crate::schedule::{Operations, Plan};
 pub(crate) use bodies::bodies;
 pub(crate) use canonical::canonical;
@@ -34,6 +34,18 @@ pub(crate) fn jumps(context: &Context<'_>, graph: &Graph, jumps: &Jumps<Plan>) -
             printer.excerpt(b)
         )
     })
+}
+
+/// Terms that jump where an angle comes round.
+pub(crate) fn turns(context: &Context<'_>, graph: &Graph, turning: &[Id]) -> String {
+    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
+    let lines = turning.iter().map(|term| {
+        format!(
+            "- {}: the term jumps where the angle by `atan2` comes round, by 2π times the factor of the angle\n",
+            printer.excerpt(*term)
+        )
+    });
+    if turning.is_empty() { String::new() } else { format!("\nTurns\n{}", lines.collect::<String>()) }
 }
 
 /// How much something costs.

@@ -15,6 +15,7 @@ mod changes; // Tests of the comparison.
 mod comparison; // Hashes, and the comparison with the list.
 mod expansion; // Expansion of an annotated function to its final code.
 mod export; // Formatted files of expansions.
+mod names; // Names that emitted code declares.
 mod rules; // Patterns of `macro_rules!`, and how they match.
 mod scan; // Search for annotated functions in tokens.
 mod sources; // Search for files and code blocks.

@@ -5,8 +5,12 @@ use crate::parse::Form;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-fn messages(args: TokenStream, item: TokenStream) -> String {
-    let expanded = attribute::expand(Form::Field, args, item).to_string();
+pub(super) fn messages(args: TokenStream, item: TokenStream) -> String {
+    messages_of(Form::Field, args, item)
+}
+
+pub(super) fn messages_of(form: Form, args: TokenStream, item: TokenStream) -> String {
+    let expanded = attribute::expand(form, args, item).to_string();
     let marker = "compile_error ! {";
     expanded.split(marker).skip(1).filter_map(|rest| rest.split('}').next()).collect::<Vec<_>>().join("\n")
 }

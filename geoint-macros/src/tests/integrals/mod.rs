@@ -1,7 +1,9 @@
 //! Do mean velocities of flows keep what they are to keep, with the derivative that they say?
 
+mod boundaries;
 mod messages;
 mod told;
+mod turns;
 
 use super::Noise;
 use crate::derive::{Flow, proof};

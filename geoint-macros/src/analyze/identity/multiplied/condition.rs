@@ -1,8 +1,10 @@
 //! Conditions: what is assumed in a case, and what follows from that.
 
 use super::atoms::Atoms;
-use super::normal::Normal;
+use super::inequalities::{Inequality, are_contradictory};
+use super::normal::{Normal, Powers};
 use crate::ir::{Id, Ratio, Relation};
+use std::collections::BTreeSet;
 
 /// A comparison that was not decided.
 #[derive(Clone, Debug)]
@@ -77,8 +79,36 @@ impl Assumptions {
         (holds || fails).then_some(holds)
     }
 
-    /// The case in which a comparison of such atoms holds, or not.
-    pub(super) fn with(&self, comparison: &Comparison, holds: bool, atoms: &Atoms) -> Assumptions {
+    /// Whether no state is known to be in this case: its inequalities exclude each other.
+    pub(super) fn is_void(&self) -> bool {
+        let mut inequalities = vec![];
+        for Range { form, low, high, .. } in &self.ranges {
+            for (bound, sign) in [(low, Ratio::ONE), (high, Ratio::integer(-1))] {
+                let Some((number, own)) = bound else { continue };
+                let distance =
+                    Normal::number(*number).scale(Ratio::integer(-1)).and_then(|least| least.add(Ratio::ONE, form));
+                let Some(sum) = distance.and_then(|distance| distance.scale(sign)) else { return false };
+                inequalities.push(Inequality { sum, is_strict: !own });
+            }
+        }
+        let monomials: BTreeSet<&Powers> = self.ranges.iter().flat_map(|range| range.form.monomials()).collect();
+        for powers in monomials.into_iter().filter(|powers| self.is_not_negative(powers)) {
+            inequalities.push(Inequality { sum: Normal::term(powers.clone(), Ratio::ONE), is_strict: false });
+        }
+        are_contradictory(inequalities)
+    }
+
+    /// Whether a monomial is a product of squares, square roots and positive atoms.
+    fn is_not_negative(&self, powers: &Powers) -> bool {
+        powers.iter().all(|(atom, exponent)| match exponent.denominator {
+            1 => exponent.numerator % 2 == 0 || self.atoms.is_positive(*atom),
+            2 => true,
+            _ => self.atoms.is_positive(*atom),
+        })
+    }
+
+    /// The case in which a comparison of such atoms holds, or not. An open boundary is part of neither case.
+    pub(super) fn with(&self, comparison: &Comparison, holds: bool, is_open: bool, atoms: &Atoms) -> Assumptions {
         let mut case = Assumptions { atoms: atoms.clone(), ..self.clone() };
         case.conditions.push((comparison.id, holds));
         let Comparison { relation, form, above, number, .. } = comparison;
@@ -92,7 +122,7 @@ impl Assumptions {
             Relation::Equal => range.excluded.push(*number),
             // What is not above is below; the comparison was undecided, so that this bound is the tighter one.
             _ => {
-                let own = (*relation == Relation::LessEqual) == holds;
+                let own = !is_open && (*relation == Relation::LessEqual) == holds;
                 let bound = if *above == holds { &mut range.low } else { &mut range.high };
                 *bound = Some((*number, own));
             }

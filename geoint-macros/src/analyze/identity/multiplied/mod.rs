@@ -6,10 +6,11 @@ mod atoms;
 mod condition;
 mod expand;
 mod functions;
+mod inequalities;
 mod normal;
 mod powers;
 
-use super::Remainder;
+use super::{OpenBoundaries, Remainder};
 use crate::ir::{Graph, Id, Ratio};
 use atoms::{Atoms, Formula, Kind};
 use condition::Assumptions;
@@ -68,8 +69,8 @@ impl Sums {
 /// More conditions than this are not combined.
 const MAX_CONDITIONS: usize = 8;
 
-/// Decides whether a node is zero, with so many products of two terms in each case at most.
-pub(super) fn multiplied(graph: &mut Graph, root: Id, products: usize) -> Verdict {
+/// Decides whether a node is zero off the open boundaries, with so many products of two terms in each case at most.
+pub(super) fn multiplied(graph: &mut Graph, root: Id, open_boundaries: &OpenBoundaries, products: usize) -> Verdict {
     // Cases that are open; each is divided at the first condition that it leaves undecided.
     let (mut open, mut zeros, mut left) = (vec![Assumptions::default()], false, vec![]);
     while let Some(case) = open.pop() {
@@ -83,7 +84,9 @@ pub(super) fn multiplied(graph: &mut Graph, root: Id, products: usize) -> Verdic
             }
             Err(Stop::Undecided(comparison)) if case.len() < MAX_CONDITIONS => {
                 let atoms = expansion.atoms;
-                open.extend([false, true].map(|holds| case.with(&comparison, holds, &atoms)));
+                let is_open = open_boundaries.contains(&comparison.id);
+                let cases = [false, true].map(|holds| case.with(&comparison, holds, is_open, &atoms));
+                open.extend(cases.into_iter().filter(|case| !case.is_void()));
             }
             Err(_) => return Verdict::TooLong,
         }

@@ -34,6 +34,15 @@ impl Normal {
         self.0.iter().map(|(powers, coefficient)| (powers, *coefficient))
     }
 
+    /// The products of atoms, without that of none.
+    pub(super) fn monomials(&self) -> impl Iterator<Item = &Powers> {
+        self.0.keys().filter(|powers| !powers.is_empty())
+    }
+
+    pub(super) fn coefficient(&self, monomial: &Powers) -> Ratio {
+        self.0.get(monomial).copied().unwrap_or(Ratio::ZERO)
+    }
+
     pub(super) fn len(&self) -> usize {
         self.0.len()
     }

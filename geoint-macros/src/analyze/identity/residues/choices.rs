@@ -39,6 +39,11 @@ impl Choices {
         (alike < MOST).then_some(0)
     }
 
+    /// The answer that a question has got.
+    pub(super) fn of(&self, question: Question) -> Option<u8> {
+        self.0.iter().find(|choice| choice.question == question).map(|choice| choice.answer)
+    }
+
     /// Goes on to the next combination; the position from which it differs, or `None` after the last.
     pub(super) fn next(&mut self) -> Option<usize> {
         while let Some(last) = self.0.last_mut() {

@@ -1,5 +1,6 @@
 //! The value of nodes at a point: symbols and functions are numbers that look random, roots are roots, conditions are choices.
 
+use super::super::OpenBoundaries;
 use super::arguments::Arguments;
 use super::choices::{Choices, Question};
 use super::prime::{Element, Prime};
@@ -210,10 +211,25 @@ impl<'a> Evaluation<'a> {
         }
         let answers = if self.plan.boundary { 3 } else { 2 };
         match self.choices.answer(Question::Sign(size), answers, self.position).ok_or(Halt::GiveUp)? {
-            2 => Ok(std::cmp::Ordering::Equal),
+            EQUAL => Ok(std::cmp::Ordering::Equal),
             answer if (answer == 1) == negative => Ok(std::cmp::Ordering::Greater),
             _ => Ok(std::cmp::Ordering::Less),
         }
+    }
+
+    /// Whether the choices put this point on a boundary.
+    pub(super) fn is_on_any(&self, boundaries: &OpenBoundaries) -> bool {
+        boundaries.iter().any(|id| {
+            let difference = match self.plan.graph.node(*id) {
+                Node::Compare(_, a, b) => self.number(*b).and_then(|b| Ok(self.prime.difference(b, self.number(*a)?))),
+                Node::Call(_, args) => self.number(args[0]),
+                _ => return false,
+            };
+            difference.is_ok_and(|difference| {
+                let (size, _) = self.prime.without_sign(difference);
+                size.is_zero() || self.choices.of(Question::Sign(size)) == Some(EQUAL)
+            })
+        })
     }
 
     /// Whether a number counts as negative; at the boundary either is right.
@@ -237,6 +253,9 @@ impl<'a> Evaluation<'a> {
         self.prime.unknown(hash)
     }
 }
+
+/// The answer to the question for a sign by which a number is zero.
+const EQUAL: u8 = 2;
 
 /// What numbers stand for; functions have numbers from [`FUNCTION`] on.
 const SYMBOL: u64 = 0;

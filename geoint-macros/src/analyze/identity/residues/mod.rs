@@ -15,6 +15,7 @@ mod prime;
 mod rank;
 mod span;
 
+use super::OpenBoundaries;
 use crate::ir::{Graph, Id};
 use choices::Question;
 use evaluate::{Evaluation, Halt, Plan, mixed};
@@ -57,20 +58,20 @@ const COMBINATIONS: usize = 4096;
 /// A point that proves less than this many bits is not worth its time.
 const FEWEST_BITS: u32 = 16;
 
-/// Decides whether a node is zero.
-pub(super) fn residues(graph: &Graph, root: Id) -> Verdict {
+/// Decides whether a node is zero off the open boundaries.
+pub(super) fn residues(graph: &Graph, root: Id, open: &OpenBoundaries) -> Verdict {
     let Some(plan) = Plan::new(graph, &[root]) else { return Verdict::GivenUp };
     // Most identities hold whatever the roots are: then combinations need not be tried.
-    match decided(&plan, root, true) {
-        Verdict::NotZero | Verdict::Branch if plan.has_roots() => decided(&plan, root, false),
+    match decided(&plan, root, open, true) {
+        Verdict::NotZero | Verdict::Branch if plan.has_roots() => decided(&plan, root, open, false),
         verdict => verdict,
     }
 }
 
-fn decided(plan: &Plan<'_>, root: Id, free_roots: bool) -> Verdict {
+fn decided(plan: &Plan<'_>, root: Id, open: &OpenBoundaries, free_roots: bool) -> Verdict {
     let mut all = Seen::default();
     let points = visit_points(plan, &[root], free_roots, &mut |point| {
-        let seen = seen(point, root)?;
+        let seen = seen(point, root, open)?;
         all = Seen { zeros: all.zeros || seen.zeros, others: all.others || seen.others, none: all.none || seen.none };
         // Nothing more can be learned.
         Ok(!seen.none)
@@ -92,11 +93,14 @@ struct Seen {
     none: bool,
 }
 
-fn seen(point: &mut Evaluation<'_>, root: Id) -> Result<Seen, Halt> {
+fn seen(point: &mut Evaluation<'_>, root: Id, open: &OpenBoundaries) -> Result<Seen, Halt> {
     let mut seen = Seen::default();
     // Whether zero is reached, for each combination of conditions.
     let mut sides: Vec<(Vec<(Question, u8)>, bool)> = vec![];
     visit_combinations(point, &mut |evaluation| {
+        if evaluation.is_on_any(open) {
+            return Ok(());
+        }
         let zero = evaluation.number(root)?.is_zero();
         let signs = evaluation.choices.signs();
         match sides.iter_mut().find(|(other, _)| *other == signs) {

@@ -1,5 +1,6 @@
 //! Values in floating point, with a bound on what rounding does to them.
 
+use crate::analyze::identity::OpenBoundaries;
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol, Table};
 
 /// Values of symbols.
@@ -70,6 +71,18 @@ impl<'a> Evaluation<'a> {
     pub(super) fn sum(&mut self, terms: &[Id], state: &State) -> Sized {
         let values = self.at(state);
         terms.iter().fold(Sized { value: 0.0, size: 0.0 }, |sum, term| sum.add(values[*term]))
+    }
+
+    /// Whether the last state lies on a boundary, as far as rounding lets one tell.
+    pub(super) fn is_on_any(&self, boundaries: &OpenBoundaries) -> bool {
+        boundaries.iter().any(|id| match self.graph.node(*id) {
+            Node::Compare(_, a, b) => {
+                let (a, b) = (self.values[*a], self.values[*b]);
+                !Sized { value: a.value - b.value, size: a.size + b.size }.differs()
+            }
+            Node::Call(_, args) => !self.values[args[0]].differs(),
+            _ => false,
+        })
     }
 }
 

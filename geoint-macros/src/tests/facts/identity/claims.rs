@@ -33,7 +33,7 @@ fn matrices_are_skew_and_give_the_field() {
         if field.matrix.is_none() {
             continue;
         }
-        assert!(is_skew(&mut graph, &matrix).is_ok(), "{}", field.name);
+        assert!(is_skew(&mut graph, &x, &matrix, &f).is_ok(), "{}", field.name);
         let form = is_gradient_form(&mut graph, &x, &matrix, integrals[0], &f);
         assert!(form.is_ok(), "{}: {form:?}", field.name);
         for casimir in &field.casimirs {
@@ -42,7 +42,7 @@ fn matrices_are_skew_and_give_the_field() {
         }
         // The energy is no Casimir.
         assert!(is_casimir(&mut graph, &x, &matrix, integrals[0]).is_err(), "{}", field.name);
-        let poisson = is_poisson(&mut graph, &x, &matrix);
+        let poisson = is_poisson(&mut graph, &x, &matrix, &f);
         assert_eq!(poisson.is_ok(), field.name != "Lorenz core", "{}: {poisson:?}", field.name);
         count += 1;
     }
@@ -55,7 +55,7 @@ fn the_matrix_of_lorenz_breaks_the_identity_of_jacobi() {
     let matrix = quote!([0.0, -x[1], -x[2], x[1], 0.0, -4.0 * x[0], x[2], 4.0 * x[0], 0.0]);
     let (mut graph, found) = arrays(3, &quote!(), &[&matrix]);
     let matrix: Vec<Vec<Id>> = found[0].chunks(3).map(<[Id]>::to_vec).collect();
-    let Err((indices, verdict)) = is_poisson(&mut graph, &coordinates(3), &matrix) else { panic!("it holds") };
+    let Err((indices, verdict)) = is_poisson(&mut graph, &coordinates(3), &matrix, &[]) else { panic!("it holds") };
     assert_eq!((indices, rest(&graph, &verdict).as_str()), ([0, 1, 2], "-8·x0"));
 }
 
@@ -64,10 +64,10 @@ fn an_entry_that_is_not_skew_is_named() {
     let matrix = quote!([0.0, x[0], x[1], x[0], 0.0, x[2], -x[1], -x[2], 0.0]);
     let (mut graph, found) = arrays(3, &quote!(), &[&matrix]);
     let matrix: Vec<Vec<Id>> = found[0].chunks(3).map(<[Id]>::to_vec).collect();
-    let Err((entry, verdict)) = is_skew(&mut graph, &matrix) else { panic!("it is skew") };
+    let Err((entry, verdict)) = is_skew(&mut graph, &coordinates(3), &matrix, &[]) else { panic!("it is skew") };
     assert_eq!((entry, rest(&graph, &verdict).as_str()), ([0, 1], "2·x0"));
     let diagonal = vec![vec![matrix[0][1]]];
-    assert!(matches!(is_skew(&mut graph, &diagonal), Err(([0, 0], _))));
+    assert!(matches!(is_skew(&mut graph, &coordinates(1), &diagonal, &[]), Err(([0, 0], _))));
 }
 
 #[test]
@@ -78,7 +78,7 @@ fn matrices_with_quotients_and_roots_are_decided() {
     let (mut graph, found) = arrays(3, &quote!(let b = #b;), &[&skew(quote!(1.0 / b)), &quote!([x[2], x[0]])]);
     let matrix: Vec<Vec<Id>> = found[0].chunks(3).map(<[Id]>::to_vec).collect();
     let x = coordinates(3);
-    assert!(is_skew(&mut graph, &matrix).is_ok() && is_poisson(&mut graph, &x, &matrix).is_ok());
+    assert!(is_skew(&mut graph, &x, &matrix, &[]).is_ok() && is_poisson(&mut graph, &x, &matrix, &[]).is_ok());
     assert!(is_casimir(&mut graph, &x, &matrix, found[1][0]).is_ok());
     assert!(matches!(is_casimir(&mut graph, &x, &matrix, found[1][1]), Err((1, Identity::Wrong(_)))));
 }

@@ -3,8 +3,9 @@
 
 use super::points::word;
 use super::{arrays, coordinates, length};
-use crate::analyze::claims::{derivative_along, is_kept};
+use crate::analyze::claims::is_kept;
 use crate::analyze::identity;
+use crate::diff::derivative_along;
 use crate::ir::{Function, Graph, Id, Number, Ratio, Relation, Symbol};
 use crate::tests::Noise;
 use crate::tests::eval::eval;

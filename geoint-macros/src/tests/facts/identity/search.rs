@@ -130,8 +130,8 @@ fn structures_are_found() {
         let Lowered { mut graph, x, field: f, integrals, .. } = field.lowered();
         let found = structure(&mut graph, &x, &f, integrals[0]).map(|found| {
             assert!(is_gradient_form(&mut graph, &x, &found.matrix, integrals[0], &f).is_ok(), "{name}");
-            assert!(is_skew(&mut graph, &found.matrix).is_ok(), "{name}");
-            let poisson = is_poisson(&mut graph, &x, &found.matrix).is_ok();
+            assert!(is_skew(&mut graph, &x, &found.matrix, &f).is_ok(), "{name}");
+            let poisson = is_poisson(&mut graph, &x, &found.matrix, &f).is_ok();
             let entries = found.matrix.iter().flatten().filter(|entry| !graph.is_zero(**entry)).count();
             (found.unique, poisson, entries / 2)
         });
