@@ -52,6 +52,8 @@ mod orders;
 mod perturbed;
 /// Projected and relaxed Runge–Kutta methods.
 mod corrected;
+/// Corrections of invariants where a coordinate hardly moves.
+mod free_flights;
 /// Symplecticity and symmetry.
 mod geometry;
 /// Number of evaluations in implicit steps.

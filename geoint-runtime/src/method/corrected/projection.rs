@@ -1,7 +1,7 @@
 //! x₁ = y + Σ λᵢ D²∇Iᵢ(y): a step of any method, and back to where the invariants were.
 
 use super::frame::Frame;
-use super::scales::Scales;
+use super::scales::{Scales, part_of_rounding};
 use super::{kept, rounded};
 use crate::method::corrected::invariants::Invariants;
 use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_conditions, check_poles, outer_step};
@@ -122,9 +122,11 @@ pub(super) struct WayBack<Z> {
     decided: Z,
 }
 
-/// The way back from the end of a step by `moved`: by simplified Newton's iteration for the multipliers, at that end, with the gradients there. On a
-/// circular orbit, or any on which an invariant is as small as others allow, gradients depend on each other: near it the directions turn as fast
-/// as the distance shrinks, and are asked for anew at each point.
+/// Returns the way from `end` to where the invariants are what they were at `before`.
+///
+/// A simplified Newton iteration finds the multipliers, with the gradients at that end. On a circular orbit, or on any other orbit on which an
+/// invariant is as small as others allow, gradients depend on each other. Near it the directions turn as fast as the distance shrinks, so the
+/// fallback evaluates them at each point.
 pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
     system: &S,
     invariants: &I,
@@ -141,13 +143,18 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
         decided.set(*increment);
         invariants.changes(system, before, increment)
     };
-    let frame =
-        |at: &S::Phase| Frame::<I::Values, S::Phase>::new(invariants.gradients(system, at), scales.units(), &sizes);
-    let at_end = frame(end);
+    let whole = changes(moved);
+    let gradients = invariants.gradients(system, end);
+    let units = scales.units(&explained_by_rounding(&whole, I::Values::entries_of(&gradients), &sizes));
+    let at_end = Frame::<I::Values, S::Phase>::new(gradients, units, &sizes);
+    let frame = |at: &S::Phase| Frame::<I::Values, S::Phase>::new(invariants.gradients(system, at), units, &sizes);
     // A correction that does not shrink may be one from side to side of a jump.
     let jumps = I::KEEP_ENERGY && !S::JUMPS.is_empty();
+    // The iteration begins at the end of the step, where the changes are known.
+    let first = Cell::new(Some(whole));
     let correction = |multipliers: &I::Values| {
-        let mut delta = changes(&sum(moved, &at_end.back(multipliers)));
+        let changes = || changes(&sum(moved, &at_end.back(multipliers)));
+        let mut delta = first.take().unwrap_or_else(changes);
         let relative = at_end.multipliers(&mut delta);
         (delta, relative)
     };
@@ -174,4 +181,24 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
         }
     };
     Ok(WayBack { back, decided: decided.get() })
+}
+
+/// Returns for each coordinate the part of the correction that rounding explains: the least one of the invariants that read it.
+#[inline]
+fn explained_by_rounding<R: Real, V: Array<Real = R>, Z: Array<Real = R>>(
+    changes: &V,
+    gradients: &[Z],
+    sizes: &Sizes<Z>,
+) -> Z {
+    let mut explained = Z::zero();
+    explained.as_mut_slice().fill(R::from_f64(1.0));
+    for (change, gradient) in changes.as_slice().iter().zip(gradients) {
+        let part = part_of_rounding(*change, sizes.terms(gradient));
+        for (least, slope) in explained.as_mut_slice().iter_mut().zip(gradient.as_slice()) {
+            if slope.magnitude() > 0.0 && part < least.magnitude() {
+                *least = R::from_f64(part);
+            }
+        }
+    }
+    explained
 }
