@@ -23,6 +23,15 @@ pub(crate) struct Domain<K = Kernel> {
     pub(crate) examined: bool,
     pub(crate) poles: Option<Poles<K>>,
     pub(crate) jumps: Option<Jumps<K>>,
+    pub(crate) angles: Option<Angles<K>>,
+}
+
+/// The angles `atan2(y, x)` of the state in functions of which divided differences are taken.
+#[derive(Debug)]
+pub(crate) struct Angles<K = Kernel> {
+    pub(crate) all: Vec<Id>,
+    /// y and x of each angle.
+    pub(crate) sides: K,
 }
 
 /// Edges of the domain that belong to it: there a value is a number, and a derivative is not, as of √u at u = 0.
@@ -111,7 +120,28 @@ impl Domain {
             examined,
             poles: Poles::of(graph, roots.divided, partial),
             jumps: Jumps::of(graph, roots.divided),
+            angles: Angles::of(graph, roots.divided),
         }
+    }
+}
+
+impl Angles {
+    /// Returns the angles that read coordinates and no velocities: the runtime evaluates them at points of phase space.
+    fn of(graph: &mut Graph, roots: &[Id]) -> Option<Angles> {
+        let mut all = graph.reachable(roots);
+        all.retain(|id| {
+            let is_angle = matches!(graph.node(*id), Node::Call(Function::Atan2, _));
+            is_angle && graph.reads(*id).state() && !graph.reads(*id).v
+        });
+        let sides = all.iter().flat_map(|id| graph.node(*id).children()).collect();
+        (!all.is_empty()).then(|| Angles { all, sides: Kernel::new(Levels::One, sides) })
+    }
+}
+
+impl<K> Angles<K> {
+    /// The same angles with statements in place of nodes.
+    fn map<L>(self, of: &mut impl FnMut(K) -> L) -> Angles<L> {
+        Angles { all: self.all, sides: of(self.sides) }
     }
 }
 
@@ -126,6 +156,7 @@ impl<K> Domain<K> {
             examined: self.examined,
             poles: self.poles.map(|poles| poles.map(of)),
             jumps: self.jumps.map(|jumps| jumps.map(of)),
+            angles: self.angles.map(|angles| angles.map(of)),
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::frame::Frame;
 use super::scales::{Scales, part_of_rounding};
+use super::turns::check_turns;
 use super::{kept, rounded};
 use crate::method::corrected::invariants::Invariants;
 use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_conditions, check_poles, outer_step};
@@ -99,19 +100,20 @@ impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
         let Memory { method: memory, scales, sums } = memory;
         let before = step.x.z;
         outer_step::<S, R, M, C, P>(method, memory, step.part([step.t, step.end]))?;
-        let Step { system, t, x, probe, .. } = step;
+        let Step { system, t, end: later, x, probe } = step;
         probe.visit(t, &x.z, &());
         let moved = difference(&x.z, &before);
         scales.include(&before, &moved);
 
         let end = x.z;
-        let way = way_back(system, invariants, scales, [&before, &end], &moved)?;
+        check_turns(system, [t, later - t], [&before, &end])?;
+        let way = way_back(system, invariants, &I::Values::zero(), scales, [&before, &end])?;
         x.correct(sums, &before, &moved, &way.back);
         if I::KEEP_ENERGY {
             check_conditions(system, t, &sum(&before, &way.decided), x)?;
         }
         check_poles(poles, false, &(before, ()), Step::at(t, (system, &mut *x, probe)))?;
-        rounded::check_correction(system, invariants, [&before, &end, &x.z])
+        rounded::check_correction(system, [t, later], invariants, [&before, &end, &x.z])
     }
 }
 
@@ -122,7 +124,7 @@ pub(super) struct WayBack<Z> {
     decided: Z,
 }
 
-/// Returns the way from `end` to where the invariants are what they were at `before`.
+/// Returns the way from `end` to where the invariants have changed by `-excess` since `before`.
 ///
 /// A simplified Newton iteration finds the multipliers, with the gradients at that end. On a circular orbit, or on any other orbit on which an
 /// invariant is as small as others allow, gradients depend on each other. Near it the directions turn as fast as the distance shrinks, so the
@@ -130,10 +132,11 @@ pub(super) struct WayBack<Z> {
 pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
     system: &S,
     invariants: &I,
+    excess: &I::Values,
     scales: &Scales<S::Phase>,
     [before, end]: [&S::Phase; 2],
-    moved: &S::Phase,
 ) -> Result<WayBack<S::Phase>, Refusal> {
+    let moved = &difference(end, before);
     // Coordinates are rounded as they are on the way of this step: what was large lately is exact now.
     let mut sizes = Sizes::new();
     sizes.include(before, moved);
@@ -141,7 +144,7 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
     let decided = Cell::new(*moved);
     let changes = |increment: &S::Phase| {
         decided.set(*increment);
-        invariants.changes(system, before, increment)
+        sum(&invariants.changes(system, before, increment), excess)
     };
     let whole = changes(moved);
     let gradients = invariants.gradients(system, end);
