@@ -52,6 +52,12 @@ mod orders;
 mod perturbed;
 /// Projected and relaxed Runge–Kutta methods.
 mod corrected;
+/// Corrections of invariants where a coordinate hardly moves.
+mod free_flights;
+/// Corrections of invariants with an angle.
+mod turns;
+/// Integrals that jump.
+mod jumping_integrals;
 /// Symplecticity and symmetry.
 mod geometry;
 /// Number of evaluations in implicit steps.

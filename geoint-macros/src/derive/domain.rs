@@ -25,6 +25,15 @@ pub(crate) struct Domain<K = Kernel> {
     pub(crate) jumps: Option<Jumps<K>>,
     /// Terms that jump where an angle by `atan2` comes round.
     pub(crate) turning: Vec<Id>,
+    pub(crate) angles: Option<Angles<K>>,
+}
+
+/// The angles `atan2(y, x)` of the state in functions of which divided differences are taken.
+#[derive(Debug)]
+pub(crate) struct Angles<K = Kernel> {
+    pub(crate) all: Vec<Id>,
+    /// y and x of each angle.
+    pub(crate) sides: K,
 }
 
 /// Edges of the domain that belong to it: there a value is a number, and a derivative is not, as of √u at u = 0.
@@ -114,7 +123,28 @@ impl Domain {
             poles: Poles::of(graph, roots.divided, partial),
             jumps: Jumps::of(graph, roots.divided),
             turning: roots.divided.iter().flat_map(|root| analyze::turning_terms(graph, *root)).collect(),
+            angles: Angles::of(graph, roots.divided),
         }
+    }
+}
+
+impl Angles {
+    /// Returns the angles that read coordinates and no velocities: the runtime evaluates them at points of phase space.
+    fn of(graph: &mut Graph, roots: &[Id]) -> Option<Angles> {
+        let mut all = graph.reachable(roots);
+        all.retain(|id| {
+            let is_angle = matches!(graph.node(*id), Node::Call(Function::Atan2, _));
+            is_angle && graph.reads(*id).state() && !graph.reads(*id).v
+        });
+        let sides = all.iter().flat_map(|id| graph.node(*id).children()).collect();
+        (!all.is_empty()).then(|| Angles { all, sides: Kernel::new(Levels::One, sides) })
+    }
+}
+
+impl<K> Angles<K> {
+    /// The same angles with statements in place of nodes.
+    fn map<L>(self, of: &mut impl FnMut(K) -> L) -> Angles<L> {
+        Angles { all: self.all, sides: of(self.sides) }
     }
 }
 
@@ -130,6 +160,7 @@ impl<K> Domain<K> {
             poles: self.poles.map(|poles| poles.map(of)),
             jumps: self.jumps.map(|jumps| jumps.map(of)),
             turning: self.turning,
+            angles: self.angles.map(|angles| angles.map(of)),
         }
     }
 }

@@ -22,7 +22,7 @@ pub(crate) use bodies::{Bodies, Shift, Turn, bodies};
 pub(crate) use canonical::canonical;
 pub(crate) use constraints::constrained;
 pub(crate) use contact::contact;
-pub(crate) use domain::{Check, Domain, Sign};
+pub(crate) use domain::{Angles, Check, Domain, Sign};
 pub(crate) use exact::parts::{Parted, parts};
 pub(crate) use flow::flow;
 pub(crate) use forced::forced;

@@ -4,7 +4,7 @@ use super::damping;
 use super::kernel::Context;
 use super::poles;
 use super::tokens::Tokens;
-use crate::derive::{Check, Domain, Sign};
+use crate::derive::{Angles, Check, Domain, Sign};
 use crate::ir::{Graph, print::Printer};
 use crate::schedule::Plan;
 use proc_macro2::TokenStream;
@@ -36,6 +36,16 @@ pub(super) fn domain(context: &Context<'_>, graph: &Graph, domain: &Domain<Plan>
     });
     let poles = domain.poles.as_ref().map(|poles| poles::poles(context, graph, poles));
     let jumps = domain.jumps.as_ref().map(|jumps| poles::jumps(context, graph, jumps));
+    let angles = domain.angles.as_ref().map(|found| {
+        let shown = angles(context, graph, found);
+        quote! {
+            const ANGLES: bool = true;
+            fn angles(&self, t: R, z: &#phase, s: &#action, mut visit: impl ::core::ops::FnMut(&'static str, [R; 2])) {
+                #parts
+                #shown
+            }
+        }
+    });
     let examined = domain.examined.then(|| {
         quote!(
             const EXAMINED: bool = true;
@@ -53,7 +63,20 @@ pub(super) fn domain(context: &Context<'_>, graph: &Graph, domain: &Domain<Plan>
         #examined
         #poles
         #jumps
+        #angles
     }
+}
+
+/// Shows every angle with its sides y and x.
+fn angles(context: &Context<'_>, graph: &Graph, angles: &Angles<Plan>) -> TokenStream {
+    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
+    context.values(&angles.sides, |values| {
+        let shown = angles.all.iter().zip(values.chunks_exact(2)).map(|(angle, sides)| {
+            let (what, y, x) = (printer.excerpt(*angle), &sides[0], &sides[1]);
+            quote!(visit(#what, [#y, #x]);)
+        });
+        quote!(#(#shown)*)
+    })
 }
 
 /// Shows every power with what it is a power of.

@@ -142,12 +142,14 @@ fn enclosed(context: &Context<'_>, name: &str, count: usize, choices: &[Block]) 
 pub(super) fn jumps(context: &Context<'_>, graph: &Graph, jumps: &Jumps<Plan>) -> TokenStream {
     let printer = Printer::new(graph, |symbol| context.user_name(symbol));
     let height = |jump: &Jump| printer.excerpt(jump.shown);
-    let what = jumps.all.iter().map(|jump| {
-        format!(
+    let is_flow = context.energy.form.is_flow();
+    let what = jumps.all.iter().map(|jump| match is_flow {
+        true => format!("an integral jumps where a condition changes, by {}: shift one side so that both meet", height(jump)),
+        false => format!(
             "the energy jumps where a condition changes, by {}: shift one side so that both meet, or take a method that keeps the energy, \
              such as `DiscreteGradient`",
             height(jump)
-        )
+        ),
     });
     let (phase, parts, action) = (context.phase(), context.parts(), context.action());
     let count = Literal::usize_unsuffixed(jumps.all.len());

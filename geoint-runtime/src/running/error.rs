@@ -76,6 +76,14 @@ pub enum StepError {
         /// Time of the last good state.
         t: f64,
     },
+    /// An angle `atan2(y, x)` moves by more than half a turn in the step, or passes the point at which it is not defined: divided differences
+    /// of a function that reads the angle do not follow it.
+    Turned {
+        /// Time of the last good state.
+        t: f64,
+        /// The formula of the angle.
+        what: &'static str,
+    },
     /// Rounding in the step changes what it keeps by more than its last digits: a coordinate in which that is steep becomes smaller or larger by
     /// orders of magnitude, gradients are nearly parallel, or a force jumps.
     Rounded {
@@ -169,6 +177,7 @@ impl StepError {
             Refusal::Singular => StepError::Singular { t },
             Refusal::SingularDirection => StepError::SingularDirection { t },
             Refusal::Rounded => StepError::Rounded { t },
+            Refusal::Turned { what } => StepError::Turned { t, what },
             Refusal::DependentConstraints { what } => StepError::DependentConstraints { t, what },
             Refusal::NotConverged { iterations, correction } => StepError::NotConverged { t, iterations, correction },
             Refusal::OutsideDomain { what } => StepError::OutsideDomain { t, what },
@@ -198,6 +207,11 @@ pub enum Reason {
     SingularDirection,
     /// Rounding in it changes what it keeps by more than its last digits.
     Rounded,
+    /// An angle moves by more than half a turn in it, or passes the point at which it is not defined.
+    Turned {
+        /// The formula of the angle.
+        what: &'static str,
+    },
     /// Constraints depend on each other on its way.
     DependentConstraints {
         /// A constraint that depends on others.
@@ -230,6 +244,7 @@ impl From<Refusal> for Reason {
             Refusal::Singular => Reason::Singular,
             Refusal::SingularDirection => Reason::SingularDirection,
             Refusal::Rounded => Reason::Rounded,
+            Refusal::Turned { what } => Reason::Turned { what },
             Refusal::DependentConstraints { what } => Reason::DependentConstraints { what },
             Refusal::NotConverged { .. } => Reason::NotConverged,
             Refusal::OutsideDomain { what } => Reason::OutsideDomain { what },
@@ -246,6 +261,12 @@ impl fmt::Display for Reason {
             Reason::Singular => write!(f, "its equation has no solution, or several"),
             Reason::SingularDirection => write!(f, "it moves at right angles to the gradient that it divides by"),
             Reason::Rounded => write!(f, "rounding in it changes what it keeps by more than its last digits"),
+            Reason::Turned { what } => {
+                write!(
+                    f,
+                    "an angle moves by more than half a turn in it, or passes the point where it is not defined: {what}"
+                )
+            }
             Reason::DependentConstraints { what } => write!(f, "constraints depend on each other on its way: {what}"),
             Reason::Pole { piece } => write!(f, "the flow of the piece {piece} ends before it does"),
             Reason::Unsolved { plane } => write!(f, "its equation in the plane of {plane} was not solved"),
@@ -309,6 +330,13 @@ impl fmt::Display for StepError {
                     f,
                     "rounding in the step from t = {t} changes what it keeps by more than its last digits: a coordinate in which that is steep \
                      becomes smaller or larger by orders of magnitude, gradients are nearly parallel, or a force jumps; try a smaller step, or units in which coordinates are of one size"
+                )
+            }
+            StepError::Turned { t, what } => {
+                write!(
+                    f,
+                    "in the step from t = {t} an angle moves by more than half a turn, or passes the point where it is not defined: {what}; \
+                     try a smaller step"
                 )
             }
             StepError::Pole { t, piece } => {

@@ -23,6 +23,11 @@ pub enum Refusal {
         /// The formula of one that depends on others.
         what: &'static str,
     },
+    /// An angle `atan2(y, x)` moves by more than half a turn, or passes the point at which it is not defined.
+    Turned {
+        /// The formula of the angle.
+        what: &'static str,
+    },
     /// Rounding on the way changes what the step keeps by more than its last digits.
     Rounded,
     /// The energy is not defined, or has a pole, on the way.
@@ -43,6 +48,7 @@ impl fmt::Display for Refusal {
             Refusal::DependentConstraints { what } => {
                 write!(f, "its constraints depend on each other on the way: {what}")
             }
+            Refusal::Turned { what } => write!(f, "an angle moves by more than half a turn in it: {what}"),
             Refusal::Rounded => write!(f, "rounding in it changes what it keeps by more than its last digits"),
             Refusal::OutsideDomain { what } => write!(f, "it evaluates the energy where that is not defined: {what}"),
         }

@@ -123,6 +123,18 @@ impl<A: Array> Sizes<A> {
         terms / scale
     }
 
+    /// Returns the sum of the magnitudes of a gradient in units of the sizes: rounding of the coordinates changes the function by ε times the
+    /// sum.
+    #[inline(always)]
+    pub(crate) fn terms(&self, gradient: &A) -> f64 {
+        self.0
+            .as_slice()
+            .iter()
+            .zip(gradient.as_slice())
+            .map(|(size, slope)| size.magnitude() * slope.magnitude())
+            .sum()
+    }
+
     /// Returns the sum of the squares of all entries in units of their sizes.
     pub(crate) fn square(&self, x: &A) -> f64 {
         let square = |(i, x): (usize, &A::Real)| {

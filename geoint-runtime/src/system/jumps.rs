@@ -7,7 +7,7 @@
 
 use super::PhaseSpace;
 use crate::scalar::{Enclosure, Interval, Real, bounds, signed};
-use crate::space::{Action, Array, PerCoordinate};
+use crate::space::{Action, Array, PerCoordinate, Snapshot};
 use core::marker::PhantomData;
 
 /// The first jump of the energy, if any, between two points that differ by rounding, at one of which a condition holds.
@@ -36,6 +36,33 @@ pub(crate) fn jump_on_way<S: PhaseSpace<R>, R: Real>(
     if S::CONTINUOUS {
         return None;
     }
+    first_on_way(system, ends, Some(part))
+}
+
+/// Returns the first jump of an integral of a field on the straight line between the ends of a step that keeps integrals.
+///
+/// No flow leads from one side of such a jump to the other: where rounding does, the correction of a step would take the jump along. Energies
+/// are different: motion goes over a jump of a potential, and gains or loses speed.
+#[inline(always)]
+pub(crate) fn jump_of_integral<S: PhaseSpace<R>, R: Real>(
+    system: &S,
+    t: [R; 2],
+    z: [&S::Phase; 2],
+    s: S::Action,
+) -> Option<&'static str> {
+    if S::State::MOMENTA || S::CONTINUOUS {
+        return None;
+    }
+    let ends = [0, 1].map(|end| (t[end], PerCoordinate { z: *z[end], s }));
+    first_on_way(system, &ends, None)
+}
+
+#[inline(always)]
+fn first_on_way<S: PhaseSpace<R>, R: Real>(
+    system: &S,
+    ends: &[Moment<S, R>; 2],
+    part: Option<f64>,
+) -> Option<&'static str> {
     let crosses = |jump: &usize| Way { system, ends, jump: *jump, part }.crosses([0.0, 1.0], HALVINGS);
     (0..S::JUMPS.len()).find(crosses).map(|jump| S::JUMPS[jump])
 }
@@ -51,8 +78,8 @@ struct Way<'a, S: PhaseSpace<R>, R: Real> {
     system: &'a S,
     ends: &'a [Moment<S, R>; 2],
     jump: usize,
-    /// The part of the energy by which it may jump.
-    part: f64,
+    /// The part of the energy by which it may jump; missing if every jump counts.
+    part: Option<f64>,
 }
 
 /// How a condition is on a part of a line.
@@ -101,8 +128,9 @@ impl<S: PhaseSpace<R>, R: Real> Way<'_, S, R> {
     fn jumps(&self, ends: [f64; 2]) -> bool {
         let [before, after] = ends.map(|part| self.at(part));
         let [_, height] = enclosed(self.system, self.jump, &before, &after);
+        let Some(part) = self.part else { return !height.contains_zero() };
         let [h0, h1] = [&before, &after].map(|(t, x)| self.system.hamiltonian(*t, &x.z, &x.s));
-        let least = self.part.max(16.0 * R::epsilon()) * h0.magnitude().max(h1.magnitude());
+        let least = part.max(16.0 * R::epsilon()) * h0.magnitude().max(h1.magnitude());
         (h1 - h0).magnitude() > least && !height.contains_zero()
     }
 

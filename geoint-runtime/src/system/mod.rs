@@ -39,7 +39,7 @@ pub(crate) use implicit::{
 };
 pub use integrals::{FirstIntegrals, Invariants, KeepsEnergy, KeptMomenta, SteadyIntegrals};
 pub use jets::Jets;
-pub(crate) use jumps::{jump_between, jump_on_way};
+pub(crate) use jumps::{jump_between, jump_of_integral, jump_on_way};
 pub use lagrangian::{Lagrangian, from_positions};
 pub use modified::ModifiedEnergy;
 pub use perturbed::{Perturbed, PerturbedGradient, unsuitable};
@@ -175,6 +175,18 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
     fn jump<T: Real>(&self, _jump: usize, _lift: impl Fn(R) -> T, _t: T, _z: &[T], _s: T) -> [T; 2] {
         [T::from_f64(1.0); 2]
     }
+
+    /// `true` if [`angles`](PhaseSpace::angles) visits anything: H reads an angle `atan2(y, x)` of the state.
+    ///
+    /// Divided differences of H continue such an angle across its cut. Steps that are projected by them are checked for more than half a
+    /// turn only if the constant is `true`.
+    const ANGLES: bool = false;
+
+    /// Calls `visit` for each angle `atan2(y, x)` that H reads, always in the same order. The arguments are the formula of the angle and its
+    /// sides y and x at a point.
+    ///
+    /// The default is right if [`ANGLES`](PhaseSpace::ANGLES) is `false`.
+    fn angles(&self, _t: R, _z: &Self::Phase, _s: &Self::Action, _visit: impl FnMut(&'static str, [R; 2])) {}
 
     /// `true` if integrators must check the end of each single step by [`outside_domain`](PhaseSpace::outside_domain).
     ///

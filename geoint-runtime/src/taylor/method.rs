@@ -99,16 +99,15 @@ pub trait TaylorMethod<S: Jets<R>, R: Real = f64>: Sealed + Copy + Debug {
     fn order(&self) -> usize;
     /// The memory before the first step, which begins at `origin`.
     fn memory(origin: &S::Phase) -> Self::Memory;
-    /// What is added to the end `z` of a step from `before` that follows from the series.
+    /// Returns the correction of the end of a step, which the series has led from `before` at the time t to `z` at t + h.
     ///
-    /// # Errors
-    /// Where it can not be put right.
+    /// Errors: the end can not be corrected.
     fn correction(
         &self,
         memory: &mut Self::Memory,
         system: &S,
-        before: &S::Phase,
-        z: &S::Phase,
+        time: [R; 2],
+        ends: [&S::Phase; 2],
     ) -> Result<Option<S::Phase>, Refusal>;
     /// A series from its coefficients, that of order 0 first.
     fn series(coefficient: impl FnMut(usize) -> R) -> Self::Series;
@@ -132,7 +131,7 @@ macro_rules! as_it_is {
     () => {
         fn memory(_: &S::Phase) {}
         #[inline(always)]
-        fn correction(&self, (): &mut (), _: &S, _: &S::Phase, _: &S::Phase) -> Result<Option<S::Phase>, Refusal> {
+        fn correction(&self, (): &mut (), _: &S, _: [R; 2], _: [&S::Phase; 2]) -> Result<Option<S::Phase>, Refusal> {
             Ok(None)
         }
     };

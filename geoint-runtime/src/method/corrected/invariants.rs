@@ -1,5 +1,6 @@
 //! What the flow keeps, as methods that project need to know it.
 
+use super::turns::change_at_cuts;
 use crate::method::And;
 use crate::scalar::{Real, zero};
 use crate::space::Array;
@@ -98,8 +99,8 @@ impl<S: DiscreteField<R> + KeptMomenta<R>, R: Real, const ENERGY: bool> Invarian
     }
 }
 
-/// p·v − L of a Lagrangian that is solved for velocities. Its change is a difference of values: H has no formula whose divided differences
-/// could be taken.
+/// p·v − L of a Lagrangian that is solved for velocities. The change is a difference of values, because H has no formula with divided
+/// differences.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct VelocityEnergy;
@@ -110,7 +111,8 @@ impl<S: VelocityForm<R> + VectorField<R>, R: Real> Invariants<S, R> for Velocity
 
     #[inline]
     fn changes(&self, system: &S, z: &S::Phase, dz: &S::Phase) -> R {
-        energy_of(system, zero(), &sum(z, dz), &()) - energy_of(system, zero(), z, &())
+        let energy = |z: &S::Phase| energy_of(system, zero(), z, &());
+        energy(&sum(z, dz)) - energy(z) - change_at_cuts(system, z, dz, energy)
     }
 
     /// ∂H/∂q = −∂L/∂q and ∂H/∂p = v.

@@ -1,10 +1,10 @@
 //! What steps keep to rounding, kept so for ever: what rounding adds up to is taken away now and then.
 
-use super::scales::STEPS;
+use super::scales::{STEPS, part_of_rounding, unit_of};
 use crate::scalar::Real;
 use crate::solving::rounding::ROUNDINGS;
 use crate::space::Array;
-use crate::space::vector::{difference, sum_of_products};
+use crate::space::vector::{difference, sum, sum_of_products};
 use crate::system::{Invariants, PhaseSpace};
 
 /// Where an invariant changes so many times as much with the last digits of the way from the origin as where the run began, or as with those of
@@ -12,10 +12,12 @@ use crate::system::{Invariants, PhaseSpace};
 /// the way from there to here has lost what decides.
 const STEEPER: f64 = 16.0;
 
-/// What leads from `z` back to where `invariants` are what they were at `origin`, along their gradients: none moves the ones before it (E. Schmidt,
-/// Math. Ann. 63 (1907) 442). One that has changed by more than the rounding of many steps is left alone: the method does not keep it.
+/// Returns the way from `z` back to where `invariants` are what they were at `origin`, along their gradients. No invariant moves those before it
+/// (E. Schmidt, Math. Ann. 63 (1907) 442). An invariant that has changed by more than the rounding of many steps is left alone: the method does
+/// not keep it.
 ///
-/// A coordinate that is where it was at the origin stays there, so that a momentum that nothing changes is the same to the last bit.
+/// A coordinate that is where it was at the origin stays there, so that a momentum that nothing changes is the same to the last bit. The way is
+/// zero if it were longer than the rounding of many steps explains, or led across a jump of an invariant.
 pub(crate) fn way_back<S: PhaseSpace<R>, R: Real, I: Invariants<S, R>>(
     system: &S,
     invariants: &I,
@@ -26,17 +28,25 @@ pub(crate) fn way_back<S: PhaseSpace<R>, R: Real, I: Invariants<S, R>>(
     let changes = invariants.changes(system, origin, &moved);
     let mut gradients = invariants.gradients(system, z);
     let first = invariants.gradients(system, origin);
+    let way = [origin.as_slice(), moved.as_slice()];
+    let mut most = changes;
+    for (most, gradient) in most.as_mut_slice().iter_mut().zip(I::Values::entries_of(&gradients)) {
+        *most = R::from_f64(most.magnitude() + ROUNDINGS * R::epsilon() * steepness(way, gradient.as_slice()));
+    }
     let mut back = S::Phase::zero();
     undo_all(
         (S::Phase::flatten_mut(I::Values::entries(&mut gradients)), S::Phase::flatten(I::Values::entries_of(&first))),
         changes.as_slice(),
-        [origin.as_slice(), moved.as_slice()],
+        way,
         back.as_mut_slice(),
     );
-    back
+    let after = invariants.changes(system, origin, &sum(&moved, &back));
+    let grows = |(after, most): (&R, &R)| after.magnitude() > most.magnitude();
+    if after.as_slice().iter().zip(most.as_slice()).any(grows) { S::Phase::zero() } else { back }
 }
 
-/// The way back from gradients here and at the origin, one after the other. No system is known here: it is compiled once for a scalar.
+/// Writes the way back from gradients here and at the origin, one invariant after the other. No system is known here: it is compiled once for a
+/// scalar.
 #[inline(never)]
 fn undo_all<R: Real>((gradients, first): (&mut [R], &[R]), changes: &[R], way: [&[R]; 2], back: &mut [R]) {
     let n = back.len();
@@ -47,16 +57,29 @@ fn undo_all<R: Real>((gradients, first): (&mut [R], &[R]), changes: &[R], way: [
     if both.any(is_lost) {
         return;
     }
+    let mut explained: f64 = 1.0;
+    for (gradient, change) in gradients.chunks_exact(n).zip(changes) {
+        let terms = steepness(way, gradient);
+        if change.magnitude() <= most_rounding::<R>(terms) {
+            explained = explained.min(part_of_rounding(*change, terms));
+        }
+    }
+    let unit = |i: usize| unit(way, i, explained);
     for (k, change) in changes.iter().enumerate() {
         let (before, gradient) = gradients.split_at_mut(k * n);
-        undo((&mut gradient[..n], *change), way, before.chunks_exact(n), back);
+        undo((&mut gradient[..n], *change), way, unit, before.chunks_exact(n), back);
     }
     for (i, back) in back.iter_mut().enumerate() {
-        *back *= R::from_f64(unit(way, i));
+        *back *= R::from_f64(unit(i));
     }
-    if !back.iter().all(|x| x.magnitude().is_finite()) {
+    if !back.iter().enumerate().all(|(i, x)| x.magnitude() <= most_rounding::<R>(size(way, i))) {
         back.fill(R::from_f64(0.0));
     }
+}
+
+/// Returns the largest rounding of many steps in a sum of terms of this size.
+fn most_rounding<R: Real>(terms: f64) -> f64 {
+    STEPS * ROUNDINGS * R::epsilon() * terms
 }
 
 /// How large a coordinate has been on a way.
@@ -64,9 +87,10 @@ fn size<R: Real, const N: usize>(way: [&[R]; N], i: usize) -> f64 {
     way.iter().map(|z| z[i].magnitude()).sum()
 }
 
-/// What a coordinate is measured in: its distance from zero may mean nothing.
-fn unit<R: Real>(way: [&[R]; 2], i: usize) -> f64 {
-    f64::min(size(way, i), STEPS * way[1][i].magnitude())
+/// Returns the unit of a coordinate, of whose correction rounding explains the part `explained`; zero if it has not moved.
+fn unit<R: Real>(way: [&[R]; 2], i: usize, explained: f64) -> f64 {
+    let moved = way[1][i].magnitude();
+    if moved == 0.0 { 0.0 } else { unit_of(size(way, i), moved, explained) }
 }
 
 /// How much an invariant changes with its coordinates, each by its size: times the last digit this is its rounding.
@@ -90,15 +114,16 @@ fn of_ends<R: Real>([origin, moved]: [&[R]; 2], [there, here]: [&[R]; 2]) -> f64
 fn undo<'a, R: Real>(
     (gradient, change): (&mut [R], R),
     way: [&[R]; 2],
+    unit: impl Fn(usize) -> f64,
     others: impl Iterator<Item = &'a [R]>,
     back: &mut [R],
 ) {
-    let most = STEPS * ROUNDINGS * R::epsilon() * steepness(way, gradient);
-    let terms: f64 = gradient.iter().enumerate().map(|(i, slope)| unit(way, i) * slope.magnitude()).sum();
+    let most = most_rounding::<R>(steepness(way, gradient));
+    let terms: f64 = gradient.iter().enumerate().map(|(i, slope)| unit(i) * slope.magnitude()).sum();
     let is_rounding = change.magnitude() <= most && terms.is_finite() && terms > 0.0;
     let scale = R::from_f64(if is_rounding { 1.0 / terms } else { 0.0 });
     for (i, slope) in gradient.iter_mut().enumerate() {
-        *slope = if is_rounding { *slope * R::from_f64(unit(way, i)) * scale } else { scale };
+        *slope = if is_rounding { *slope * R::from_f64(unit(i)) * scale } else { scale };
     }
     let rest = change * scale + sum_of_products(gradient, back);
     let whole = sum_of_products(gradient, gradient);

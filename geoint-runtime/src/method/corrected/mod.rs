@@ -34,6 +34,7 @@ pub mod relaxation;
 pub(crate) mod rounded;
 mod scales;
 mod series;
+mod turns;
 
 pub use invariants::{Energy, Integrals, Invariants};
 pub use projection::Projection;

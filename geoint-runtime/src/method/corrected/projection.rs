@@ -1,7 +1,8 @@
 //! x₁ = y + Σ λᵢ D²∇Iᵢ(y): a step of any method, and back to where the invariants were.
 
 use super::frame::Frame;
-use super::scales::Scales;
+use super::scales::{Scales, part_of_rounding};
+use super::turns::check_turns;
 use super::{kept, rounded};
 use crate::method::corrected::invariants::Invariants;
 use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_conditions, check_poles, outer_step};
@@ -99,19 +100,20 @@ impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
         let Memory { method: memory, scales, sums } = memory;
         let before = step.x.z;
         outer_step::<S, R, M, C, P>(method, memory, step.part([step.t, step.end]))?;
-        let Step { system, t, x, probe, .. } = step;
+        let Step { system, t, end: later, x, probe } = step;
         probe.visit(t, &x.z, &());
         let moved = difference(&x.z, &before);
         scales.include(&before, &moved);
 
         let end = x.z;
-        let way = way_back(system, invariants, scales, [&before, &end], &moved)?;
+        check_turns(system, [t, later - t], [&before, &end])?;
+        let way = way_back(system, invariants, &I::Values::zero(), scales, [&before, &end])?;
         x.correct(sums, &before, &moved, &way.back);
         if I::KEEP_ENERGY {
             check_conditions(system, t, &sum(&before, &way.decided), x)?;
         }
         check_poles(poles, false, &(before, ()), Step::at(t, (system, &mut *x, probe)))?;
-        rounded::check_correction(system, invariants, [&before, &end, &x.z])
+        rounded::check_correction(system, [t, later], invariants, [&before, &end, &x.z])
     }
 }
 
@@ -122,16 +124,19 @@ pub(super) struct WayBack<Z> {
     decided: Z,
 }
 
-/// The way back from the end of a step by `moved`: by simplified Newton's iteration for the multipliers, at that end, with the gradients there. On a
-/// circular orbit, or any on which an invariant is as small as others allow, gradients depend on each other: near it the directions turn as fast
-/// as the distance shrinks, and are asked for anew at each point.
+/// Returns the way from `end` to where the invariants have changed by `-excess` since `before`.
+///
+/// A simplified Newton iteration finds the multipliers, with the gradients at that end. On a circular orbit, or on any other orbit on which an
+/// invariant is as small as others allow, gradients depend on each other. Near it the directions turn as fast as the distance shrinks, so the
+/// fallback evaluates them at each point.
 pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
     system: &S,
     invariants: &I,
+    excess: &I::Values,
     scales: &Scales<S::Phase>,
     [before, end]: [&S::Phase; 2],
-    moved: &S::Phase,
 ) -> Result<WayBack<S::Phase>, Refusal> {
+    let moved = &difference(end, before);
     // Coordinates are rounded as they are on the way of this step: what was large lately is exact now.
     let mut sizes = Sizes::new();
     sizes.include(before, moved);
@@ -139,15 +144,20 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
     let decided = Cell::new(*moved);
     let changes = |increment: &S::Phase| {
         decided.set(*increment);
-        invariants.changes(system, before, increment)
+        sum(&invariants.changes(system, before, increment), excess)
     };
-    let frame =
-        |at: &S::Phase| Frame::<I::Values, S::Phase>::new(invariants.gradients(system, at), scales.units(), &sizes);
-    let at_end = frame(end);
+    let whole = changes(moved);
+    let gradients = invariants.gradients(system, end);
+    let units = scales.units(&explained_by_rounding(&whole, I::Values::entries_of(&gradients), &sizes));
+    let at_end = Frame::<I::Values, S::Phase>::new(gradients, units, &sizes);
+    let frame = |at: &S::Phase| Frame::<I::Values, S::Phase>::new(invariants.gradients(system, at), units, &sizes);
     // A correction that does not shrink may be one from side to side of a jump.
     let jumps = I::KEEP_ENERGY && !S::JUMPS.is_empty();
+    // The iteration begins at the end of the step, where the changes are known.
+    let first = Cell::new(Some(whole));
     let correction = |multipliers: &I::Values| {
-        let mut delta = changes(&sum(moved, &at_end.back(multipliers)));
+        let changes = || changes(&sum(moved, &at_end.back(multipliers)));
+        let mut delta = first.take().unwrap_or_else(changes);
         let relative = at_end.multipliers(&mut delta);
         (delta, relative)
     };
@@ -174,4 +184,24 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
         }
     };
     Ok(WayBack { back, decided: decided.get() })
+}
+
+/// Returns for each coordinate the part of the correction that rounding explains: the least one of the invariants that read it.
+#[inline]
+fn explained_by_rounding<R: Real, V: Array<Real = R>, Z: Array<Real = R>>(
+    changes: &V,
+    gradients: &[Z],
+    sizes: &Sizes<Z>,
+) -> Z {
+    let mut explained = Z::zero();
+    explained.as_mut_slice().fill(R::from_f64(1.0));
+    for (change, gradient) in changes.as_slice().iter().zip(gradients) {
+        let part = part_of_rounding(*change, sizes.terms(gradient));
+        for (least, slope) in explained.as_mut_slice().iter_mut().zip(gradient.as_slice()) {
+            if slope.magnitude() > 0.0 && part < least.magnitude() {
+                *least = R::from_f64(part);
+            }
+        }
+    }
+    explained
 }

@@ -1,6 +1,7 @@
 //! x₁ = x₀ + γ(y − x₀): a step of any method, shortened or lengthened until the energy is what it was.
 
 use crate::method::corrected::invariants::Invariants;
+use crate::method::corrected::turns::check_turns;
 use crate::method::corrected::{kept, rounded};
 use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_conditions, check_poles, outer_step};
 use crate::scalar::{Real, zero};
@@ -94,9 +95,10 @@ impl<S: KeepsEnergy<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M>
     ) -> Result<(), Refusal> {
         let before = step.x.z;
         outer_step::<S, R, M, C, P>(method, memory, step.part([step.t, step.end]))?;
-        let Step { system, t, x, probe, .. } = step;
+        let Step { system, t, end: later, x, probe } = step;
         probe.visit(t, &x.z, &());
         let end = x.z;
+        check_turns(system, [t, later - t], [&before, &end])?;
         let moved = difference(&end, &before);
         // Coordinates are rounded as they are on the way of this step: what was large lately is exact now.
         let mut sizes = Sizes::new();
@@ -135,7 +137,7 @@ impl<S: KeepsEnergy<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M>
         x.ahead.add(excess * *h);
         check_conditions(system, t, &sum(&before, &decided.get()), x)?;
         check_poles(poles, false, &(before, ()), Step::at(t, (system, &mut *x, probe)))?;
-        rounded::check_correction(system, &energy, [&before, &end, &x.z])
+        rounded::check_correction(system, [t, later], &energy, [&before, &end, &x.z])
     }
 }
 

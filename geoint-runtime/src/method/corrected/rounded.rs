@@ -5,26 +5,28 @@ use crate::method::{Probe, Refusal};
 use crate::scalar::Real;
 use crate::space::vector::difference;
 use crate::space::{Array, PerCoordinate, Point, Snapshot};
-use crate::system::{Graded, Invariants, KeptBy, PhaseSpace};
+use crate::system::{Graded, Invariants, KeptBy, PhaseSpace, jump_of_integral};
 
 /// A step may change an invariant by so many of its roundings. Where no coordinate becomes smaller or larger by this factor it does not: to ask more often
 /// would cost a tenth of long steps, since whoever passes zero does so.
 const MOST: f64 = 16384.0;
 
-/// Refuses the step of a field from `before` to `x` if rounding changes what it keeps.
+/// Refuses the step of a field from `before` to `x` if rounding changes an integral, or the step leads across a jump of an integral.
 ///
-/// Without patience a step in which a coordinate leaps is marked, and is repeated; equations that rounding leaves unsolved are repeated as well.
+/// Without patience a step in which a coordinate leaps is marked, and is repeated. Equations that rounding leaves unsolved are repeated as well.
 ///
 /// Of a canonical system [`check_energy`] is asked.
 #[inline(always)]
 pub(crate) fn check_step<S: Graded<R>, R: Real, P: Probe<S, R>, C>(
     system: &S,
+    t: [R; 2],
     before: &S::Phase,
     x: &mut Point<S::Phase, C, S::Action>,
 ) -> Result<(), Refusal> {
     if const { S::State::MOMENTA } {
         return if P::PATIENT { check_energy(system, before, &x.z) } else { Ok(()) };
     }
+    Refusal::outside(jump_of_integral(system, t, [before, &x.z], x.s))?;
     if P::PATIENT {
         let kept = KeptBy::<S, R>::default();
         let changes = kept.changes(system, before, &difference(&x.z, before));
@@ -58,14 +60,17 @@ fn check_energy<S: Graded<R>, R: Real>(system: &S, before: &S::Phase, after: &S:
     if lost { Err(Refusal::Rounded) } else { Ok(()) }
 }
 
-/// Refuses a step from `before` by any method to `end`, and corrected from there to `after`, if a coordinate leaps and rounding changes what is kept. What
-/// has changed is not asked: that is what the correction has ended at, with what forces that cancel leave of it.
+/// Refuses a step from `before` by any method to `end`, and corrected from there to `after`, if a coordinate leaps and rounding changes an
+/// invariant, or if the step leads across a jump of an integral. The change of the invariants is not checked again: the correction has already
+/// reduced it to the rounding of the cancelling forces.
 #[inline(always)]
-pub(super) fn check_correction<S: PhaseSpace<R>, R: Real, I: Invariants<S, R>>(
+pub(super) fn check_correction<S: PhaseSpace<R, Action = ()>, R: Real, I: Invariants<S, R>>(
     system: &S,
+    t: [R; 2],
     invariants: &I,
     [before, end, after]: [&S::Phase; 3],
 ) -> Result<(), Refusal> {
+    Refusal::outside(jump_of_integral(system, t, [before, after], ()))?;
     if leaps(before, after) || leaps(end, after) {
         return refuse(system, invariants, &I::Values::zero(), [before, after, end]);
     }

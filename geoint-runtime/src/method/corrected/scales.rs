@@ -1,18 +1,21 @@
-//! What distances of a projection are measured in.
+//! The units in which a projection measures distances.
 
 use crate::scalar::Real;
 use crate::solving::size::Sizes;
 use crate::space::{Array, Record, Tape};
 
-/// How large coordinates are, and how far steps have moved them lately.
+/// The size of each coordinate, and the length of its recent increments.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Scales<A> {
     sizes: Sizes<A>,
     moved: Sizes<A>,
 }
 
-/// A coordinate that has moved is worth no more than what it moves by in so many steps: its distance from zero may mean nothing.
+/// The unit of a coordinate is at most its increment times this number of steps: the distance of a coordinate from zero may mean nothing.
 pub(super) const STEPS: f64 = 1024.0;
+
+/// A change of an invariant by this many ε of its terms is rounding of its coordinates.
+pub(super) const ROUNDINGS: f64 = 16.0;
 
 impl<A: Array> Scales<A> {
     pub(super) fn new() -> Self {
@@ -25,18 +28,32 @@ impl<A: Array> Scales<A> {
         self.moved.include(&A::zero(), moved);
     }
 
-    /// What distances are measured in.
+    /// Returns the units for a correction. `rounding` gives for each coordinate the part of the correction that rounding explains.
     #[inline]
-    pub(super) fn units(&self) -> Sizes<A> {
+    pub(super) fn units(&self, rounding: &A) -> Sizes<A> {
         let mut units = self.sizes;
-        for (unit, moved) in units.entries().iter_mut().zip(self.moved.as_slice()) {
-            let reached = STEPS * moved.magnitude();
-            if reached > 0.0 && reached < unit.magnitude() {
-                *unit = A::Real::from_f64(reached);
-            }
+        for (i, unit) in units.entries().iter_mut().enumerate() {
+            let least = rounding.as_slice()[i].magnitude();
+            *unit = A::Real::from_f64(unit_of(unit.magnitude(), self.moved.of(i), least));
         }
         units
     }
+}
+
+/// Returns the unit of a coordinate of this size that has moved by `moved`.
+///
+/// A coordinate always takes a correction within its own rounding. A coordinate that hardly moves would otherwise hand the rounding of an
+/// invariant on to the others, however little the invariant depends on them. `rounding` is therefore the least part of its size.
+pub(super) fn unit_of(size: f64, moved: f64, rounding: f64) -> f64 {
+    let reached = STEPS * moved;
+    if reached > 0.0 && reached < size { reached.max(rounding * size) } else { size }
+}
+
+/// Returns the part of a change that rounding explains, where ε times `terms` is the rounding of one evaluation.
+pub(super) fn part_of_rounding<R: Real>(change: R, terms: f64) -> f64 {
+    let rounding = ROUNDINGS * R::epsilon() * terms;
+    // Changes that are not numbers have no rounding.
+    if change.magnitude() <= rounding { 1.0 } else { (rounding / change.magnitude()).max(0.0) }
 }
 
 impl<A: Array> Record<A::Real> for Scales<A> {

@@ -4,9 +4,11 @@ use super::invariants::Invariants;
 use super::projection::{Projection, way_back};
 use super::rounded::check_correction;
 use super::scales::Scales;
+use super::turns::check_turns;
 use crate::method::Refusal;
 use crate::scalar::Real;
 use crate::sealed::Sealed;
+use crate::solving::size::Sizes;
 use crate::space::vector::{difference, sum};
 use crate::space::{Array, PerCoordinate, Record, Tape};
 use crate::system::{Jets, VectorField};
@@ -15,19 +17,48 @@ use core::fmt::Debug;
 
 impl<M: Sealed, I> Sealed for Projection<M, I> {}
 
-/// What a projected step hands on to the next one.
+/// The memory of a projected step.
 #[derive(Clone, Copy, Debug)]
-pub struct Memory<A> {
+pub struct Memory<A, V> {
     scales: Scales<A>,
-    /// Where the run began, as long as rounding does not decide what has changed since. Steps are long: each is projected to what invariants were there,
-    /// because rounding would add up from step to step.
+    /// The start of the run, as long as rounding does not decide the changes since then. Steps are long. Each is projected to the invariants
+    /// at the origin, because rounding would add up from step to step.
     origin: A,
+    /// Whether changes since the origin are the sum of those of all steps. An angle that has gone round is at the origin again, so its change
+    /// since then is known step by step alone.
+    summed: bool,
+    /// The sum of these changes: the corrections have left it.
+    left: V,
 }
 
-impl<A: Array> Record<A::Real> for Memory<A> {
+impl<A: Array, V: Array<Real = A::Real>> Record<A::Real> for Memory<A, V> {
     fn record(&mut self, tape: &mut impl Tape<A::Real>) {
         self.scales.record(tape);
         tape.array(&mut self.origin);
+        tape.flag(&mut self.summed);
+        tape.array(&mut self.left);
+    }
+}
+
+/// A change that differs by this many ε of its terms from the sum of the changes of steps is a turn.
+const TURN: f64 = 1024.0;
+
+impl<A: Array, V: Array<Real = A::Real>> Memory<A, V> {
+    /// Returns whether a change since the origin, to `z`, is another one than the sum of the changes of steps.
+    fn has_turned<S: VectorField<R, Phase = A>, R: Real, I: Invariants<S, R, Values = V>>(
+        &self,
+        system: &S,
+        invariants: &I,
+        [before, z]: [&A; 2],
+    ) -> bool {
+        let since = |from: &A| invariants.changes(system, from, &difference(z, from));
+        let apart = difference(&since(&self.origin), &since(before));
+        let mut sizes = Sizes::new();
+        sizes.include(&self.origin, &difference(z, &self.origin));
+        let gradients = [before, z].map(|z| invariants.gradients(system, z));
+        let [first, last] = gradients.each_ref().map(V::entries_of);
+        let terms = first.iter().zip(last).map(|(first, last)| sizes.terms(first) + sizes.terms(last));
+        apart.as_slice().iter().zip(terms).any(|(apart, terms)| apart.magnitude() > TURN * R::epsilon() * terms)
     }
 }
 
@@ -40,7 +71,7 @@ where
 {
     type Orders<X: Copy + Debug> = M::Orders<X>;
     type Series = M::Series;
-    type Memory = Memory<S::Phase>;
+    type Memory = Memory<S::Phase, I::Values>;
 
     #[inline(always)]
     fn steps(&self) -> Steps {
@@ -50,27 +81,37 @@ where
     fn order(&self) -> usize {
         self.0.order()
     }
-    fn memory(origin: &S::Phase) -> Memory<S::Phase> {
-        Memory { scales: Scales::new(), origin: *origin }
+    fn memory(origin: &S::Phase) -> Self::Memory {
+        Memory { scales: Scales::new(), origin: *origin, summed: S::ANGLES, left: I::Values::zero() }
     }
     #[inline]
     fn correction(
         &self,
-        Memory { scales, origin }: &mut Memory<S::Phase>,
+        memory: &mut Self::Memory,
         system: &S,
-        before: &S::Phase,
-        z: &S::Phase,
+        time: [R; 2],
+        [before, z]: [&S::Phase; 2],
     ) -> Result<Option<S::Phase>, Refusal> {
-        scales.include(before, &difference(z, before));
-        let back = |from: &S::Phase| {
-            let back = way_back(system, &self.1, scales, [from, z], &difference(z, from))?.back;
-            check_correction(system, &self.1, [from, z, &sum(z, &back)]).map(|()| back)
+        memory.scales.include(before, &difference(z, before));
+        check_turns(system, time, [before, z])?;
+        memory.summed = memory.summed || memory.has_turned(system, &self.1, [before, z]);
+        let Memory { scales, origin, summed, left } = memory;
+        let ends_in_time = [time[0], time[0] + time[1]];
+        let back = |from: &S::Phase, left: &I::Values| {
+            let back = way_back(system, &self.1, left, scales, [from, z])?.back;
+            check_correction(system, ends_in_time, &self.1, [from, z, &sum(z, &back)]).map(|()| back)
         };
-        let way = match back(origin) {
-            // So far from there that rounding decides what has changed: from here on, then.
+        if *summed {
+            let back = back(before, left)?;
+            let moved = difference(&sum(z, &back), before);
+            *left = sum(left, &self.1.changes(system, before, &moved));
+            return Ok(Some(back));
+        }
+        let way = match back(origin, &I::Values::zero()) {
+            // The way from the origin is so long that rounding decides the change: the next ones begin here.
             Err(Refusal::Rounded) => {
                 *origin = *before;
-                back(before)
+                back(before, &I::Values::zero())
             }
             way => way,
         };

@@ -212,7 +212,7 @@ impl<S: FourthOrderField<R>, R: Real> Method<S, R> for FourthOrder<DiscreteGradi
         let Deciding { probe, decided } = deciding;
         let before = start::<S, R, C>(x);
         x.add_with(sums, &d, &if ablation::CARRIES { lost } else { S::Phase::zero() });
-        rounded::check_step::<S, R, P, C>(system, &before.0, x)?;
+        rounded::check_step::<S, R, P, C>(system, [t, end], &before.0, x)?;
         check_conditions(system, span.middle, &decided, x)?;
         check_end(poles, &before, Step { system, t, end, x, probe })
     }

@@ -99,7 +99,7 @@ impl<S: DiscreteField<R>, R: Real> StepsOf<DiscreteGradient, S, R> for ByTree {
         } else {
             x.add_with(sums, &increments, &lost);
         }
-        rounded::check_step::<S, R, P, C>(system, &before.0, x)?;
+        rounded::check_step::<S, R, P, C>(system, [t, end], &before.0, x)?;
         check_conditions(system, t + R::from_f64(0.5) * coefficients.h, &decided, x)?;
         check_poles(poles, true, &before, Step { system, t, end, x, probe })
     }

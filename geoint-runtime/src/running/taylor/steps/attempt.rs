@@ -29,7 +29,8 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         }
         to.memory = from.memory;
         let end = x;
-        let correction = self.method.correction(&mut to.memory, &self.system, &from.x.z, &x.z)?;
+        let time = [from.time(), R::from_f64(h)];
+        let correction = self.method.correction(&mut to.memory, &self.system, time, [&from.x.z, &x.z])?;
         if let Some(correction) = &correction {
             x.add(correction);
         }

@@ -35,6 +35,8 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
             }
             Reason::OutsideDomain { what } => StepError::OutsideDomain { t, what },
             Reason::NotConverged | Reason::Singular => StepError::Singular { t },
+            Reason::Rounded => StepError::Rounded { t },
+            Reason::Turned { what } => StepError::Turned { t, what },
             _ => StepError::NonFinite { t },
         }
     }
