@@ -21,8 +21,8 @@ pub enum StepError {
         /// Time of the state.
         t: f64,
     },
-    /// The state given to the integrator has velocities for which a Lagrangian has no finite momentum ∂L/∂v, such as those beyond that of
-    /// light.
+    /// The state given to the integrator has velocities without a finite momentum ∂L/∂v of their own. The Lagrangian is not defined for these
+    /// velocities, such as those beyond that of light. Or another velocity has the same momentum, and is the velocity of the state.
     NoMomentum {
         /// Time of the state.
         t: f64,
@@ -272,7 +272,8 @@ impl fmt::Display for StepError {
             StepError::NoMomentum { t } => {
                 write!(
                     f,
-                    "the velocities of the state at t = {t} have no finite momenta ∂L/∂v: the Lagrangian is not defined for them"
+                    "the velocities of the state at t = {t} have no finite momenta ∂L/∂v of their own: the Lagrangian is not defined for them, \
+                     or another velocity has the same momenta"
                 )
             }
             StepError::NotNormalised { t, length } => {
