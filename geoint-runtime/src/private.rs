@@ -29,7 +29,7 @@ pub use crate::system::{
     ModifiedEnergy, NystromPieces, Perturbed as PerturbedSystem, PerturbedGradient, PhaseSpace, Piece as FlowPiece,
     Pieces as FlowPieces, PolarisedForm, Pole, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable, Span,
     SteadyIntegrals, Unmet, VectorField as DifferentialEquation, VelocityForm, canonical_rate, contact_gradient_of,
-    energy_of, from_positions, rate_of, unmet, unsuitable, velocity_of,
+    energy_of, from_positions, own_momentum, rate_of, singular_mass, unmet, unsuitable, velocity_of,
 };
 pub use crate::taylor::{TaylorMethod, recurrence};
 pub use geoint_macros::{put_energy_function_above_it, resume};

@@ -6,6 +6,7 @@ mod systems;
 mod references;
 mod orders;
 mod energies;
+mod explicit;
 mod laws;
 mod noether;
 mod velocities;

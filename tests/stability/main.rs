@@ -27,3 +27,4 @@ mod one_by_one;
 mod saved;
 mod settled;
 mod hostile;
+mod messages;

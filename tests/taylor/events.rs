@@ -213,3 +213,19 @@ fn events_in_single_precision_are_found_once() {
         }
     }
 }
+
+/// q = cos t passes six zeros of sin(40 q) until t = 1.05. They are π/40 apart in q.
+#[test]
+fn zeros_that_are_closer_than_a_step() {
+    let count = |h: f64| {
+        let mut sim = Oscillator.integrator(DOP853, h, State::new(1.0, 0.0));
+        sim.crossings(Direction::Any, |s| (40.0 * s.q).sin()).until(1.05).count()
+    };
+    for h in [0.07, 0.05, 0.02, 0.003] {
+        assert_eq!(count(h), 6, "{h}");
+    }
+    // Longer steps miss pairs.
+    assert!(count(0.25) < 6);
+    let mut sim = Oscillator.taylor(Taylor::default(), State::new(1.0, 0.0));
+    assert_eq!(sim.crossings(Direction::Any, |s| [(s.q * 40.0).sin()]).until(1.05).count(), 6);
+}

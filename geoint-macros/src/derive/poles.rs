@@ -144,6 +144,13 @@ impl Poles {
 }
 
 impl<K> Poles<K> {
+    /// Marks the poles at which a mass matrix is singular, by what vanishes there.
+    pub(super) fn mark_mass(&mut self, divisors: &[Id]) {
+        for pole in &mut self.all {
+            pole.of_mass = divisors.contains(&pole.term) || divisors.contains(&pole.vanishes);
+        }
+    }
+
     pub(super) fn map<L>(self, of: &mut impl FnMut(K) -> L) -> Poles<L> {
         Poles {
             all: self.all,

@@ -26,11 +26,20 @@ pub(super) fn lagrangian(context: &Context<'_>, found: &Lagrangian<Plan>) -> Tok
         }
         None => quote!(velocity_of(self, t, z, s)),
     };
-    let Energy { name: plain, float, coordinates, form, .. } = context.energy;
+    let Energy { name: plain, float, coordinates, form, runtime, .. } = context.energy;
     let (state, coordinates) = (state(*form), &coordinates.ty);
     // The action, where there is one.
     let [takes, hands] = if form.has_action() { [quote!(, s: #float), quote!(, s)] } else { [quote!(), quote!()] };
     let given = if form.has_action() { quote!(&s) } else { quote!(&()) };
+    // By an iteration: it may find another velocity of the same momenta.
+    let momenta_of_state = match found.velocities {
+        Some(_) => quote!(#state::at(t, q, self.momentum(t, q, v #hands) #hands)),
+        None => quote! {
+            let [position, velocity] = [q, v].map(Coordinates::into_array);
+            let momentum = #runtime::private::own_momentum(self, t, &position, &velocity, #given);
+            #state::at(t, q, Coordinates::from_array(momentum) #hands)
+        },
+    };
     let from_positions = (!form.has_action() && context.energy.options.constraint.is_none()).then(|| {
         quote! {
             /// The state at time `t` with position `now`, and the momentum that the implicit midpoint rule has there when a step of
@@ -61,14 +70,14 @@ pub(super) fn lagrangian(context: &Context<'_>, found: &Lagrangian<Plan>) -> Tok
             }
         }
         impl #plain {
-            /// The state with these positions and velocities, at t = 0. Velocities without a finite momentum are reported by the first step.
+            /// The state with these positions and velocities, at t = 0. The first step reports velocities without a finite momentum of their own.
             pub fn at(&self, q: #coordinates, v: #coordinates #takes) -> #state<#coordinates> {
                 self.at_time(0.0, q, v #hands)
             }
 
             /// The state with these positions and velocities at a time.
             pub fn at_time(&self, t: #float, q: #coordinates, v: #coordinates #takes) -> #state<#coordinates> {
-                #state::at(t, q, self.momentum(t, q, v #hands) #hands)
+                #momenta_of_state
             }
 
             /// The momenta ∂L/∂v.

@@ -32,7 +32,10 @@ fn list(context: &Context<'_>, graph: &Graph, poles: &Poles<Plan>) -> TokenStrea
             true => format!("an edge of the domain between the ends of the step: {term}"),
         };
         let (by_structure, by_parameters, timed) = (each.quick.is_some(), each.by_parameters, each.of_time);
-        quote!(#pole { what: #what, by_structure: #by_structure, by_parameters: #by_parameters, timed: #timed, edge: #edge })
+        let of_mass = each.of_mass;
+        quote!(#pole {
+            what: #what, by_structure: #by_structure, by_parameters: #by_parameters, timed: #timed, edge: #edge, of_mass: #of_mass
+        })
     });
     quote!(const POLES: &'static [#pole] = &[#(#entries),*];)
 }

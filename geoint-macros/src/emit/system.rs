@@ -35,6 +35,17 @@ pub(super) fn phase_space(context: &Context<'_>, graph: &Graph, system: &System<
             }
         }
     });
+    let runtime = &context.energy.runtime;
+    let solved = matches!(system.implicit, Implicit::Velocities(_) | Implicit::Herglotz(_)).then(|| {
+        quote! {
+            const SOLVED_FOR_VELOCITIES: bool = true;
+            fn singular_mass(
+                &self, t: [R; 2], z: [&#phase; 2], s: [&#action; 2],
+            ) -> ::core::option::Option<&'static str> {
+                #runtime::private::singular_mass(self, t, z, s)
+            }
+        }
+    });
     let of_velocities = matches!(context.energy.form, Form::Lagrangian | Form::Herglotz).then(|| {
         quote!(
             const OF_VELOCITIES: bool = true;
@@ -54,6 +65,7 @@ pub(super) fn phase_space(context: &Context<'_>, graph: &Graph, system: &System<
                 #value
             }
             #of_velocities
+            #solved
             #domain
             #constrained
         }

@@ -5,7 +5,7 @@
 //! P = ϑₓ + ∂f/∂x are canonical coordinates.
 
 use super::mass::blocks;
-use super::{at_points, at_rest, invariant};
+use super::{at_points, at_rest, divisors, invariant};
 use crate::analyze;
 use crate::analyze::liouville::{self, Logarithm};
 use crate::diff;
@@ -27,6 +27,8 @@ pub(crate) struct FirstOrder {
     pub(crate) canonical: Option<Canonical>,
     /// What of L is not defined everywhere.
     pub(crate) partial: Vec<Partial>,
+    /// What S is divided by. It vanishes where Ω is singular.
+    pub(crate) divisors: Vec<Id>,
 }
 
 /// Canonical coordinates.
@@ -75,15 +77,17 @@ pub(crate) fn first_order(
     // What Ω⁻¹ is divided by must not vanish either.
     graph.take_partial();
     let structure = inverse(graph, &form)?;
-    let divided = graph.take_partial();
+    let mut divided = graph.take_partial();
     graph.stop_recording();
     let canonical = canonical(graph, &momenta, (energy, &form, &structure));
     let mut partial = at_points(graph, written);
     let read: HashSet<Id> = graph.reachable(&structure.concat()).into_iter().collect();
     let known: HashSet<Id> = partial.iter().map(|partial| partial.node).collect();
-    let new = divided.into_iter().filter(|node| read.contains(node) && !known.contains(node));
-    partial.extend(new.map(|node| Partial { node, condition: None }));
-    Ok(FirstOrder { lagrangian, momenta, energy, form, structure, canonical, partial })
+    divided.retain(|node| read.contains(node));
+    let new = divided.iter().filter(|node| !known.contains(node));
+    partial.extend(new.map(|node| Partial { node: *node, condition: None }));
+    let divisors = divisors(graph, &divided);
+    Ok(FirstOrder { lagrangian, momenta, energy, form, structure, canonical, partial, divisors })
 }
 
 /// Ω, whose entries read no coordinate on which they do not depend.

@@ -16,7 +16,7 @@ mod quadratic;
 use crate::analyze;
 use crate::diff;
 use crate::ir::substitute::Substitution;
-use crate::ir::{Graph, Id, Partial, Symbol};
+use crate::ir::{Graph, Id, Node, Partial, Symbol};
 pub(crate) use definite::{Definite, definite};
 pub(crate) use first_order::{Canonical, FirstOrder, NotRegular, first_order};
 pub(crate) use friction::{Friction, NoFriction, friction, rate};
@@ -40,6 +40,8 @@ pub(crate) struct Legendre {
     pub(crate) route: Route,
     /// What of L and H is not defined everywhere.
     pub(crate) partial: Vec<Partial>,
+    /// What H is divided by. It vanishes where M is singular.
+    pub(crate) divisors: Vec<Id>,
     /// Whether M is negative definite, whatever the parameters are.
     pub(crate) concave: bool,
     /// f(q, t), if what is linear in v is ∂f/∂q·v.
@@ -133,8 +135,8 @@ pub(crate) fn transform(
             let velocities = diff::gradient(graph, energy, degrees).p;
             let mut partial = carried(graph, written, &velocities, &parts);
             let known: Vec<Id> = partial.iter().map(|partial| partial.node).collect();
-            let new = divided.into_iter().filter(|node| !graph.reads(*node).v && !known.contains(node));
-            partial.extend(new.map(|node| Partial { node, condition: None }));
+            let new = divided.iter().filter(|node| !graph.reads(**node).v && !known.contains(node));
+            partial.extend(new.map(|node| Partial { node: *node, condition: None }));
             partial.dedup();
             (Route::Energy(energy, velocities), partial)
         }
@@ -151,6 +153,7 @@ pub(crate) fn transform(
         shift,
         route,
         partial,
+        divisors: divisors(graph, &divided),
         concave,
         gauge,
         friction: None,
@@ -175,6 +178,15 @@ pub(crate) fn at_points(graph: &Graph, written: &[Partial]) -> Vec<Partial> {
     let mut partial = written.to_vec();
     partial.retain(|Partial { node, condition }| free(node) && condition.iter().all(free));
     partial
+}
+
+/// The divisors of nodes that are quotients.
+fn divisors(graph: &Graph, nodes: &[Id]) -> Vec<Id> {
+    let divisor = |id: &Id| match graph.node(*id) {
+        Node::Power(base, exponent) if exponent.numerator < 0 => Some(*base),
+        _ => None,
+    };
+    nodes.iter().filter_map(divisor).collect()
 }
 
 /// A node for some velocities zero.

@@ -1,5 +1,6 @@
 //! Why a step was refused.
 
+use super::number::Number;
 use crate::method::Refusal;
 use crate::scalar::{Real, signed};
 use crate::space::Array;
@@ -21,8 +22,8 @@ pub enum StepError {
         /// Time of the state.
         t: f64,
     },
-    /// The state given to the integrator has velocities for which a Lagrangian has no finite momentum ∂L/∂v, such as those beyond that of
-    /// light.
+    /// The state given to the integrator has velocities without a finite momentum ∂L/∂v of their own. The Lagrangian is not defined for these
+    /// velocities, such as those beyond that of light. Or another velocity has the same momentum, and is the velocity of the state.
     NoMomentum {
         /// Time of the state.
         t: f64,
@@ -285,110 +286,153 @@ impl fmt::Display for StepError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             StepError::InvalidStepSize { h } => {
-                write!(f, "the step size {h} is not a finite number other than zero")
+                write!(f, "the step size {h} is not a finite number other than zero", h = Number(h))
             }
             StepError::NonFiniteState { t } => {
-                write!(f, "the state at t = {t} has an entry that is not finite")
+                write!(f, "the state at t = {t} has an entry that is not finite", t = Number(t))
             }
             StepError::NoMomentum { t } => {
                 write!(
                     f,
-                    "the velocities of the state at t = {t} have no finite momenta ∂L/∂v: the Lagrangian is not defined for them"
+                    "the velocities of the state at t = {t} have no finite momenta ∂L/∂v of their own: the Lagrangian is not defined for them, \
+                     or another velocity has the same momenta",
+                    t = Number(t)
                 )
             }
             StepError::NotNormalised { t, length } => {
                 write!(
                     f,
-                    "the state at t = {t} has a quaternion of length {length}; an attitude is one of length 1: `r.renormalize()`"
+                    "the state at t = {t} has a quaternion of length {length}; an attitude is one of length 1: `r.renormalize()`",
+                    t = Number(t),
+                    length = Number(length)
                 )
             }
             StepError::NonFinite { t } => {
-                write!(f, "the step from t = {t} leads to a state that is not finite; try a smaller step")
+                write!(
+                    f,
+                    "the step from t = {t} leads to a state that is not finite; try a smaller step",
+                    t = Number(t)
+                )
             }
             StepError::OutsideDomain { t, what } => {
-                write!(f, "the step from t = {t} looks at the energy where it is not defined: {what}")
+                write!(f, "the step from t = {t} looks at the energy where it is not defined: {what}", t = Number(t))
             }
             StepError::Singular { t } => {
-                write!(f, "the step from t = {t} has no solution, or several, at this step size; try a smaller one")
+                write!(
+                    f,
+                    "the step from t = {t} has no solution, or several, at this step size; try a smaller one",
+                    t = Number(t)
+                )
             }
             StepError::OffConstraint { t, what } => write!(
                 f,
-                "the state at t = {t} is off a constraint: {what} is not 0; `state_on_constraint` gives one that is on it"
+                "the state at t = {t} is off a constraint: {what} is not 0; `state_on_constraint` gives one that is on it",
+                t = Number(t)
             ),
             StepError::DependentConstraints { t, what } => {
-                write!(f, "from t = {t} more than one way leads on: this constraint depends on others there: {what}")
+                write!(
+                    f,
+                    "from t = {t} more than one way leads on: this constraint depends on others there: {what}",
+                    t = Number(t)
+                )
             }
             StepError::SingularDirection { t } => {
                 write!(
                     f,
                     "the step from t = {t} moves at right angles to the gradient along which it is to change the energy; \
-                     try another step size, or `Gonzalez` or `DiscreteGradient`"
+                     try another step size, or `Gonzalez` or `DiscreteGradient`",
+                    t = Number(t)
                 )
             }
             StepError::Rounded { t } => {
                 write!(
                     f,
                     "rounding in the step from t = {t} changes what it keeps by more than its last digits: a coordinate in which that is steep \
-                     becomes smaller or larger by orders of magnitude, gradients are nearly parallel, or a force jumps; try a smaller step, or units in which coordinates are of one size"
+                     becomes smaller or larger by orders of magnitude, gradients are nearly parallel, or a force jumps; try a smaller step, or units in which coordinates are of one size",
+                    t = Number(t)
                 )
             }
             StepError::Turned { t, what } => {
                 write!(
                     f,
                     "in the step from t = {t} an angle moves by more than half a turn, or passes the point where it is not defined: {what}; \
-                     try a smaller step"
+                     try a smaller step",
+                    t = Number(t)
                 )
             }
             StepError::Pole { t, piece } => {
-                write!(f, "the flow of the piece {piece} ends within the step from t = {t}; try a smaller step")
+                write!(
+                    f,
+                    "the flow of the piece {piece} ends within the step from t = {t}; try a smaller step",
+                    t = Number(t)
+                )
             }
             StepError::Unsolved { t, plane } => {
-                write!(f, "the step from t = {t} was not solved in the plane of {plane}; try a smaller step")
+                write!(
+                    f,
+                    "the step from t = {t} was not solved in the plane of {plane}; try a smaller step",
+                    t = Number(t)
+                )
             }
             StepError::NotConverged { t, iterations: 0, .. } => {
                 write!(
                     f,
-                    "the equation of the step from t = {t} has no value where its solution is looked for; try a smaller step"
+                    "the equation of the step from t = {t} has no value where its solution is looked for; try a smaller step",
+                    t = Number(t)
                 )
             }
             StepError::NotConverged { t, iterations, correction } => write!(
                 f,
                 "the step from t = {t} was not solved in {iterations} iteration{} \
                  (last correction {correction:.1e}); try a smaller step",
-                if iterations == 1 { "" } else { "s" }
+                if iterations == 1 { "" } else { "s" },
+                t = Number(t)
             ),
             StepError::InvalidTolerance { tolerance } if (1.0..f64::INFINITY).contains(&tolerance) => {
-                write!(f, "the tolerance {tolerance} allows errors as large as the state is; take one below 1")
+                write!(
+                    f,
+                    "the tolerance {tolerance} allows errors as large as the state is; take one below 1",
+                    tolerance = Number(tolerance)
+                )
             }
             StepError::InvalidTolerance { tolerance } => {
-                write!(f, "the tolerance {tolerance} is not a finite positive number")
+                write!(f, "the tolerance {tolerance} is not a finite positive number", tolerance = Number(tolerance))
             }
             StepError::InvalidBounds { shortest, longest } if longest < shortest => write!(
                 f,
-                "no step is longer than {shortest} and shorter than {longest}; give the shorter length first: `steps_between({longest}, {shortest})`"
+                "no step is longer than {shortest} and shorter than {longest}; give the shorter length first: `steps_between({longest}, {shortest})`",
+                shortest = Number(shortest),
+                longest = Number(longest)
             ),
             StepError::InvalidBounds { shortest, longest } => write!(
                 f,
                 "no step has a length between {shortest} and {longest}; give a shortest one that is finite, 0 for none, and a longest one above \
-                 0, `f64::INFINITY` for none"
+                 0, `f64::INFINITY` for none",
+                shortest = Number(shortest),
+                longest = Number(longest)
             ),
             StepError::InvalidOrder { order } => {
                 write!(f, "a Taylor series of order {order} has no estimate of its error; take 2 or more")
             }
             StepError::TimePassed { t } => {
-                write!(f, "the time {t} is before the last step: states are known within it, and beyond")
+                write!(f, "the time {t} is before the last step: states are known within it, and beyond", t = Number(t))
             }
             StepError::NoEvent { t } => {
                 write!(
                     f,
-                    "the function whose changes of sign are events is zero all along, or not a number, at t = {t}"
+                    "the function whose changes of sign are events is zero all along, or not a number, at t = {t}",
+                    t = Number(t)
                 )
             }
             StepError::TooManySteps { t, steps } => {
-                write!(f, "{steps} steps have led no further than t = {t}; allow more, or a larger tolerance")
+                write!(
+                    f,
+                    "{steps} steps have led no further than t = {t}; allow more, or a larger tolerance",
+                    t = Number(t)
+                )
             }
             StepError::StepTooSmall { t, h, reason } => {
-                write!(f, "from t = {t} not even a step of {h:.1e} can be taken: {reason}")
+                write!(f, "from t = {t} not even a step of {h:.1e} can be taken: {reason}", t = Number(t))
             }
         }
     }

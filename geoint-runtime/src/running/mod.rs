@@ -7,6 +7,7 @@ mod error;
 mod integrator;
 #[cfg(feature = "alloc")]
 mod named;
+mod number;
 mod output;
 mod run;
 #[cfg(feature = "alloc")]

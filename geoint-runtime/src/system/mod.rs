@@ -32,7 +32,8 @@ pub use implicit::{
     ByCanonical, ByConstraint, ByField, ByPolarisation, ByTree, ByVelocities, CanonicalForm, Collocated, Collocation,
     Constrained, ConstrainedStep, ContactCollocated, ContactGraded, ContactPolarised, ContactStage, ContactStages,
     ContactVelocities, DiscreteField, FourthOrderField, Graded, Gradients, MassForm, Mean, PolarisedForm,
-    QuadraticField, Span, Unmet, VelocityForm, contact_gradient_of, energy_of, rate_of, unmet, velocity_of,
+    QuadraticField, Span, Unmet, VelocityForm, contact_gradient_of, energy_of, own_momentum, rate_of, singular_mass,
+    unmet, velocity_of,
 };
 pub(crate) use implicit::{
     KeptBy, Regular, acceleration, held, on_one_side, projected, row_scale, tangent, velocity_near,
@@ -103,10 +104,22 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
     /// velocity has no momentum.
     const OF_VELOCITIES: bool = false;
 
+    /// `true` if v follows from ∂L/∂v = p by an iteration, because no short formula gives H.
+    const SOLVED_FOR_VELOCITIES: bool = false;
+
+    /// Returns a message if the mass matrix ∂²L/∂v² may be singular on the straight line between two points, each with its time.
+    ///
+    /// Called by explicit methods if [`SOLVED_FOR_VELOCITIES`](PhaseSpace::SOLVED_FOR_VELOCITIES) is `true`. Implicit methods follow the mass
+    /// matrix themselves. The default is never called.
+    fn singular_mass(&self, _t: [R; 2], _z: [&Self::Phase; 2], _s: [&Self::Action; 2]) -> Option<&'static str> {
+        None
+    }
+
     /// The poles of H, each with the message of a refused step.
     ///
     /// An implicit step is refused unless the denominator of each pole is proven not to vanish between the ends of the step. Explicit steps check
-    /// only the poles whose denominators read nothing but time. An entry may also be the edge of a domain; see [`Pole::edge`].
+    /// only the poles whose denominators read nothing but time, and those at which a mass matrix is singular; see [`Pole::of_mass`]. An entry may
+    /// also be the edge of a domain; see [`Pole::edge`].
     const POLES: &'static [Pole] = &[];
 
     /// Returns whether the parameters have the signs that [`clear_of_poles`](PhaseSpace::clear_of_poles) assumes.

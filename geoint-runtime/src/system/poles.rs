@@ -22,6 +22,8 @@ pub struct Pole {
     pub timed: bool,
     /// Whether it is no pole but the edge of a domain: what vanishes there must not be negative.
     pub edge: bool,
+    /// Whether the mass matrix ∂²L/∂v² of a Lagrangian is singular there, or the form Ω of one that is linear in velocities.
+    pub of_mass: bool,
 }
 
 /// Two points of phase space, each with its time: t, z, s.
@@ -82,7 +84,21 @@ impl Poles {
             return None;
         }
         // Copies: what is searched is in memory, and a step would otherwise keep its state there.
-        search(*system, t, copied(z), s.map(|s| *s))
+        search(*system, t, copied(z), s.map(|s| *s), |_| true)
+    }
+
+    /// Returns the first pole, if any, at which a mass matrix is singular and which cannot be ruled out there. Explicit methods ask for these
+    /// alone.
+    #[inline(always)]
+    pub(crate) fn of_mass_between<S: PhaseSpace<R>, R: Real>(
+        &self,
+        system: &S,
+        (t, z, s): Ends<'_, S, R>,
+    ) -> Option<&'static str> {
+        if !Known::<S, R>::OF_MASS || self.is_clear(system, false, (t, z, s)) {
+            return None;
+        }
+        search(*system, t, copied(z), s.map(|s| *s), |pole| pole.of_mass)
     }
 }
 
@@ -108,12 +124,13 @@ fn search<S: PhaseSpace<R>, R: Real>(
     t: [R; 2],
     z: [S::Phase; 2],
     s: [S::Action; 2],
+    is_asked: impl Fn(&Pole) -> bool,
 ) -> Option<&'static str> {
     if !z.iter().all(Array::is_finite) {
         return None;
     }
     let way = Way::between(&system, t, &z, s);
-    let open = |i: usize| !(S::POLES[i].by_parameters && is_nowhere(&system, i));
+    let open = |i: usize| is_asked(&S::POLES[i]) && !(S::POLES[i].by_parameters && is_nowhere(&system, i));
     first(S::POLES, &open, &|pole, part| way.vanishing(pole, part))
 }
 
@@ -201,6 +218,16 @@ impl<S: PhaseSpace<R>, R: Real> Known<S, R> {
         let (mut any, mut i) = (false, 0);
         while i < S::POLES.len() {
             any |= S::POLES[i].timed;
+            i += 1;
+        }
+        any
+    };
+
+    /// Whether there are poles at which a mass matrix is singular.
+    pub(crate) const OF_MASS: bool = {
+        let (mut any, mut i) = (false, 0);
+        while i < S::POLES.len() {
+            any |= S::POLES[i].of_mass;
             i += 1;
         }
         any

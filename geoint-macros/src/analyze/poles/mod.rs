@@ -29,6 +29,8 @@ pub(crate) struct Pole {
     pub(crate) of_time: bool,
     /// Whether it is no pole but the edge of a domain: the term must not be negative.
     pub(crate) is_edge: bool,
+    /// Whether the mass matrix of a Lagrangian, or the form Ω of one that is linear in velocities, is singular there.
+    pub(crate) of_mass: bool,
 }
 
 /// The poles of nodes that are not defined everywhere; `divided` are those of which divided differences are taken. Left out are those which
@@ -112,6 +114,7 @@ impl Pole {
             by_parameters: false,
             of_time: false,
             is_edge: false,
+            of_mass: false,
         }
     }
 

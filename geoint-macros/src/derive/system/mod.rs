@@ -189,7 +189,7 @@ impl FlowKernel {
 
 impl System {
     /// The same with what a Lagrangian adds.
-    pub(crate) fn of_lagrangian(self, Legendre { lagrangian, momenta, route, .. }: &Legendre) -> System {
+    pub(crate) fn of_lagrangian(mut self, Legendre { lagrangian, momenta, route, divisors, .. }: &Legendre) -> System {
         let kernel = |roots: &[Id]| Kernel::new(Levels::One, roots.to_vec());
         let lagrangian = Lagrangian {
             value: kernel(&[*lagrangian]),
@@ -199,6 +199,9 @@ impl System {
                 Route::Velocities(_) => None,
             },
         };
+        if let Some(poles) = &mut self.domain.poles {
+            poles.mark_mass(divisors);
+        }
         System { lagrangian: Some(lagrangian), ..self }
     }
 
@@ -213,6 +216,9 @@ impl System {
         }
         let kernel = |roots: &[Id]| Kernel::new(Levels::One, roots.to_vec());
         let (value, momenta) = (kernel(&[found.lagrangian]), kernel(&found.momenta));
+        if let Some(poles) = &mut self.domain.poles {
+            poles.mark_mass(&found.divisors);
+        }
         System { lagrangian: Some(Lagrangian { value, momenta, velocities: None }), ..self }
     }
 

@@ -1,9 +1,10 @@
 //! Methods that keep nothing, as a control: what they lose shows what the others keep.
 
+use crate::method::explicit::{check_mass, may_be_singular};
 use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::space::{PerCoordinate, Summation};
-use crate::system::Rates;
+use crate::system::{Poles, Rates};
 
 /// x₁ = x₀ + h x'(x₀). Order 1, for every H; keeps nothing: an oscillation gains energy with every step.
 ///
@@ -11,10 +12,16 @@ use crate::system::Rates;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ExplicitEuler;
 
+/// The step length, and poles of the system.
+#[derive(Clone, Copy, Debug)]
+pub struct Prepared<R> {
+    h: R,
+    poles: Poles,
+}
+
 impl<S: Rates<R>, R: Real> Method<S, R> for ExplicitEuler {
     type Proof = S::Proof;
-    /// h.
-    type Prepared = R;
+    type Prepared = Prepared<R>;
     type Memory = ();
 
     fn claims(&self) -> Claims {
@@ -32,21 +39,24 @@ impl<S: Rates<R>, R: Real> Method<S, R> for ExplicitEuler {
         Name::new("ExplicitEuler")
     }
 
-    fn prepare(&self, _: &S, h: R) -> R {
-        h
+    fn prepare(&self, system: &S, h: R) -> Prepared<R> {
+        Prepared { h, poles: Poles::of(system) }
     }
 
     fn memory() {}
 
     #[inline(always)]
     fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
-        h: &R,
+        Prepared { h, poles }: &Prepared<R>,
         (): &mut (),
-        Step { system, t, x, probe, .. }: Step<'_, S, R, C, P>,
+        Step { system, t, end, x, probe }: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         probe.visit(t, &x.z, &x.s);
         let mut increment = system.rates(t, &PerCoordinate { z: x.z, s: x.s });
         increment.times(*h);
+        if may_be_singular::<S, R>() {
+            check_mass(poles, system, [t, end], x, &increment)?;
+        }
         super::end::<S, R, C>(x, &increment);
         Ok(())
     }

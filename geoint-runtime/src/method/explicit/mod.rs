@@ -23,8 +23,9 @@ pub mod tableau;
 mod tables;
 
 use crate::scalar::Real;
+use crate::solving::Refusal;
 use crate::space::{PerCoordinate, Point, Snapshot, Summation, normalisation};
-use crate::system::PhaseSpace;
+use crate::system::{Known, PhaseSpace, Poles};
 
 pub use euler::ExplicitEuler;
 pub use runge_kutta::RungeKutta;
@@ -40,4 +41,24 @@ fn end<S: PhaseSpace<R>, R: Real, C: Summation<S::Phase>>(
     if S::State::ATTITUDES {
         x.add(&normalisation::<S, R>(&x.z));
     }
+}
+
+/// Returns whether a mass matrix ∂²L/∂v² may be singular at some state of the system. Known at compile time.
+const fn may_be_singular<S: PhaseSpace<R>, R: Real>() -> bool {
+    S::SOLVED_FOR_VELOCITIES || Known::<S, R>::OF_MASS
+}
+
+/// Refuses the straight line from a point along an increment if a mass matrix is not seen to be regular on it. `times` are those of both ends.
+fn check_mass<S: PhaseSpace<R>, R: Real, C>(
+    poles: &Poles,
+    system: &S,
+    times: [R; 2],
+    x: &Point<S::Phase, C, S::Action>,
+    increment: &PerCoordinate<S::Phase, S::Action>,
+) -> Result<(), Refusal> {
+    let mut end = PerCoordinate::of(x);
+    end.add_scaled(R::from_f64(1.0), increment);
+    let ends = (times, [&x.z, &end.z], [&x.s, &end.s]);
+    Refusal::outside(poles.of_mass_between(system, ends))?;
+    Refusal::outside(system.singular_mass(ends.0, ends.1, ends.2))
 }

@@ -4,11 +4,12 @@
 //! [`Relaxation`](crate::Relaxation) make them keep the energy, and as the measure of what that is worth.
 
 use crate::method::explicit::tableau::Tableau;
+use crate::method::explicit::{check_mass, may_be_singular};
 use crate::method::tables::total::adds_up;
 use crate::method::{Claims, Estimate, Method, Name, Probe, Refusal, Step};
 use crate::scalar::{Real, zero};
 use crate::space::{Action, Array, PerCoordinate, Summation};
-use crate::system::Rates;
+use crate::system::{Poles, Rates};
 
 /// An explicit Runge–Kutta method of `K` stages, for every H.
 ///
@@ -85,6 +86,7 @@ pub struct Prepared<R, const K: usize> {
     b: [R; K],
     c: [R; K],
     estimators: Option<[[R; K]; 2]>,
+    poles: Poles,
 }
 
 /// Σ wᵢ kᵢ.
@@ -136,6 +138,24 @@ impl<R: Real, const K: usize> Prepared<R, K> {
         }
         rates
     }
+
+    /// Refuses a step if a mass matrix is singular on the straight line from its start to a stage, or to its end.
+    #[inline(always)]
+    fn check_mass<S: Rates<R>, C, P>(
+        &self,
+        rates: &[PerCoordinate<S::Phase, S::Action>; K],
+        Step { system, t, end, x, .. }: &Step<'_, S, R, C, P>,
+    ) -> Result<(), Refusal> {
+        if !may_be_singular::<S, R>() {
+            return Ok(());
+        }
+        for i in 1..K {
+            let increment = weighed(&self.a[i][..i], rates);
+            check_mass(&self.poles, *system, [*t, *t + self.c[i]], x, &increment)?;
+        }
+        check_mass(&self.poles, *system, [*t, *end], x, &weighed(&self.b, rates))?;
+        Ok(())
+    }
 }
 
 impl<S: Rates<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> {
@@ -158,7 +178,7 @@ impl<S: Rates<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> {
         self.name
     }
 
-    fn prepare(&self, _: &S, h: R) -> Self::Prepared {
+    fn prepare(&self, system: &S, h: R) -> Self::Prepared {
         let times_h = |row: &[f64; K]| {
             let mut products = [zero(); K];
             for (product, x) in products.iter_mut().zip(row) {
@@ -172,7 +192,7 @@ impl<S: Rates<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> {
             *products = times_h(row);
         }
         let estimators = self.estimators.as_ref().map(|[higher, lower]| [times_h(higher), times_h(lower)]);
-        Prepared { a, b: times_h(b), c: times_h(c), estimators }
+        Prepared { a, b: times_h(b), c: times_h(c), estimators, poles: Poles::of(system) }
     }
 
     fn memory() {}
@@ -184,6 +204,7 @@ impl<S: Rates<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> {
         mut step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         let rates = prepared.rates(step.part([step.t; 2]));
+        prepared.check_mass(&rates, &step)?;
         super::end::<S, R, C>(step.x, &weighed(&prepared.b, &rates));
         Ok(())
     }
@@ -201,6 +222,9 @@ impl<S: Rates<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> {
     ) -> Option<Result<Estimate<S, R>, Refusal>> {
         let estimators = prepared.estimators.as_ref()?;
         let rates = prepared.rates(step.part([step.t; 2]));
+        if let Err(refusal) = prepared.check_mass(&rates, &step) {
+            return Some(Err(refusal));
+        }
         super::end::<S, R, C>(step.x, &weighed(&prepared.b, &rates));
         let [higher, lower] = estimators;
         Some(Ok([weighed(higher, &rates), weighed(lower, &rates)]))

@@ -167,10 +167,11 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
                 Ok((x, error)) if error <= 1.0 => (x, error),
                 outcome => {
                     self.rejections += 1;
+                    let refusal = outcome.as_ref().err().copied();
                     self.controller.reject(h, outcome.map_or(None, |(_, error)| Some(error)));
                     if h.abs() <= bounds.shortest {
                         let outside = passed.map(|what| Reason::OutsideDomain { what });
-                        let reason = outside.unwrap_or_else(|| self.reason_of_shortest(h));
+                        let reason = outside.unwrap_or_else(|| self.reason_of_shortest(h, refusal));
                         return Err(StepError::StepTooSmall { t, h, reason });
                     }
                     continue;
@@ -203,10 +204,13 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
         self.tolerance.changes_in(time, &x, |x| system.rates(t, x));
     }
 
-    /// Why the shortest step was refused. At the edge of a domain it may find no solution where longer ones find the edge.
+    /// Returns why the shortest step was refused. At the edge of a domain the shortest step may find no solution where longer ones find the edge.
+    ///
+    /// A step that is good without the memory of the steps before was refused because of that memory, by `refusal`.
     #[cold]
-    fn reason_of_shortest(&self, h: f64) -> Reason {
+    fn reason_of_shortest(&self, h: f64, refusal: Option<Reason>) -> Reason {
         match self.attempt().reason(&self.method, h) {
+            Reason::Inaccurate { error } if error <= 1.0 => refusal.unwrap_or(Reason::Inaccurate { error }),
             Reason::NotConverged | Reason::Singular => self.attempt().reason(&self.method, 16.0 * h),
             reason => reason,
         }

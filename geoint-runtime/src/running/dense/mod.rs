@@ -100,11 +100,16 @@ pub trait Dense: Trajectory + Clone {
     /// Where `g` changes sign from one step to the next: a number, or an array of them, all in order of time. Without end, unless
     /// [`Crossings::until`] gives one. Forwards, or in the direction in which an integrator steps.
     ///
-    /// Two changes within one step are found where the parabola through three values comes near zero between them. Runs by Taylor series have
-    /// [`crossings`](crate::TaylorIntegrator::crossings) that find all zeros of a polynomial. A search that begins where another one has ended
-    /// does not find that event again; a function that is zero where it ends has an event there. What comes back to zero within a millionth of a
-    /// step is not seen: a ball whose impacts accumulate falls through in the end, unless you lay it down. Poles are none; a function that is no finite
-    /// number at the end of a step is an error, and so is one that is zero all along, for more than a step.
+    /// If the signs at the ends of a step differ, the search finds one zero. If the signs agree, the search finds two zeros where the parabola through
+    /// three values comes near zero between the ends. Other pairs of zeros within one step are missed. The zeros of `sin(40 q)` are π/40
+    /// apart in q, and steps that change q by less find all of them. Interpolation of samples does not help. Runs by Taylor series have
+    /// [`crossings`](crate::TaylorIntegrator::crossings), which find all zeros of the series of the function.
+    ///
+    /// A search that begins where another one has ended does not find that event again. A function that is zero where the search ends has an event
+    /// there. A function that comes back to zero within a millionth of a step has no event: a ball whose impacts accumulate falls through in the end,
+    /// unless you lay it down. Poles are no events.
+    ///
+    /// Errors: a function is not a finite number at the end of a step, or is zero for more than a step.
     fn crossings<G: Array<Real = Scalar<Self>>, F: Fn(&Self::State) -> G>(
         &mut self,
         direction: Direction,

@@ -33,5 +33,6 @@ pub use forms::{
     ContactGraded, Graded,
 };
 pub(crate) use regular::Regular;
-pub use velocities::{MassForm, PolarisedForm, VelocityForm, energy_of, rate_of, velocity_of};
+pub use regular::singular_mass;
+pub use velocities::{MassForm, PolarisedForm, VelocityForm, energy_of, own_momentum, rate_of, velocity_of};
 pub(crate) use velocities::{acceleration, row_scale, velocity_near};

@@ -1,29 +1,29 @@
-//! Does the mass matrix of a Lagrangian stay regular on the way of a run?
+//! Check that the mass matrix of a Lagrangian stays regular during a run.
 
-use super::velocities::{MassForm, row_scale, velocity_near};
+use super::velocities::{MassForm, row_scale, velocity_from_rest, velocity_near};
 use crate::scalar::Real;
 use crate::solving::{Refusal, linear};
 use crate::space::vector::{difference, moved};
 use crate::space::{Action, Array, Record, Tape};
 
-/// The way of a step is halved so often at most, where the determinant changes by more than a factor of two on a part of it.
+/// Largest number of halvings of the line between the ends of a step. A part is halved if the determinant changes on it by more than a factor of two.
 const HALVINGS: u32 = 40;
 
-/// A determinant that is so many times smaller than at the ends of the way is near a zero, if it jumps.
+/// Ratio of the determinants at the ends of the line and at a jump. A smaller determinant at the jump is near a zero.
 const JUMP: f64 = 256.0;
 
-/// Parts that are looked at before a way is given up: a determinant of 10⁻⁹ of those at the ends takes some sixty.
+/// Largest number of parts that are checked before a step is refused. A determinant of 10⁻⁹ of those at the ends takes about sixty.
 const MOST: u32 = 500;
 
-/// Where the mass matrix has no inverse, or may have none on the way.
-const SINGULAR: Refusal =
-    Refusal::OutsideDomain { what: "the mass matrix ∂²L/∂v² is singular there, or on the way" };
+/// Refusal of a state or a step whose mass matrix is singular.
+const SINGULAR: Refusal = Refusal::OutsideDomain { what: SINGULAR_MASS };
+const SINGULAR_MASS: &str = "the mass matrix ∂²L/∂v² is singular there, or on the way";
 
 /// A point of a run: t, z and s.
 pub(crate) type Moment<'a, S, R> =
     (R, &'a <S as crate::system::PhaseSpace<R>>::Phase, &'a <S as crate::system::PhaseSpace<R>>::Action);
 
-/// What is known of the mass matrix M at the last point of a run; nothing before the first step, or where M was proven to be regular.
+/// The mass matrix M at the last point of a run. Empty before the first step, or if M was proven to be regular.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Regular<A: Array> {
     last: Option<Known<A>>,
@@ -31,11 +31,11 @@ pub(crate) struct Regular<A: Array> {
 
 #[derive(Clone, Copy, Debug)]
 struct Known<A> {
-    /// 1/|Mᵢᵢ| at the first point of the run.
+    /// The units 1/|Mᵢᵢ| at the first point of the run.
     units: A,
-    /// The velocity, where M reads it.
+    /// The velocity, if M reads the velocity.
     v: A,
-    /// Of M with its rows in these units.
+    /// The determinant of M with its rows in these units.
     determinant: f64,
 }
 
@@ -58,7 +58,7 @@ impl<A: Array> Regular<A> {
         Regular { last: None }
     }
 
-    /// The sign of the determinant, which it keeps on a run.
+    /// Returns the sign of the determinant. A run keeps this sign.
     #[inline(always)]
     pub(crate) fn begin<S: MassForm<A::Real, Array = A>>(
         &mut self,
@@ -75,10 +75,10 @@ impl<A: Array> Regular<A> {
         Ok(A::Real::from_f64(if self.last.is_some_and(|last| last.determinant < 0.0) { -1.0 } else { 1.0 }))
     }
 
-    /// Refuses a step on whose straight way the determinant vanishes; `v` is near the velocity at the end.
+    /// Refuses a step if the determinant vanishes on the straight line between its ends. `v` is near the velocity at the end.
     ///
-    /// It is looked at in the middle of every part of the way on which it changes by more than a factor of two. That sees zeros which it
-    /// does not cross as well, but proves nothing of steps on which it swings.
+    /// The check evaluates the determinant in the middle of every part of the line on which the determinant changes by more than a factor of two.
+    /// The check also finds zeros without a change of sign. It proves nothing if the determinant oscillates within a step.
     #[inline(always)]
     pub(crate) fn follow<S: MassForm<A::Real, Array = A>>(
         &mut self,
@@ -96,13 +96,37 @@ impl<A: Array> Regular<A> {
     }
 }
 
-/// The mass matrix at the first point of a run.
+/// Returns a message if the mass matrix is not seen to be regular on the straight line between two points.
+///
+/// Explicit methods keep no velocity. Both points have the velocity of their state, which [`velocity_of`](super::velocity_of) finds. A jump to
+/// another solution of ∂L/∂v = p then shows as a zero of the determinant between the two velocities.
+pub fn singular_mass<S: MassForm<R>, R: Real>(
+    system: &S,
+    t: [R; 2],
+    z: [&S::Phase; 2],
+    s: [&S::Action; 2],
+) -> Option<&'static str> {
+    if system.is_definite() {
+        return None;
+    }
+    let ends = [(t[0], z[0], s[0]), (t[1], z[1], s[1])];
+    let Some(start) = known(system, ends[0]) else { return Some(SINGULAR_MASS) };
+    // An end that is not finite has another error.
+    if !z[1].is_finite() {
+        return None;
+    }
+    let v = if S::QUADRATIC { Some(start.v) } else { velocity_from_rest(system, t[1], z[1], s[1]) };
+    let is_regular = v.is_some_and(|v| start.after(system, ends, v).is_some());
+    (!is_regular).then_some(SINGULAR_MASS)
+}
+
+/// Returns the mass matrix at the first point of a run. `None` if it is singular there.
 #[cold]
 #[inline(never)]
 fn known<S: MassForm<R>, R: Real>(system: &S, start: Moment<'_, S, R>) -> Option<Known<S::Array>> {
     let (t, z, s) = start;
     let none = S::Array::zero();
-    let v = velocity_near(system, t, z, s, none)?;
+    let v = velocity_from_rest(system, t, z, s)?;
     let (mut p, mut mass, mut units) = (none, S::Array::fill(none), none);
     system.mass(t, &z[0], &v, s, (&mut p, &mut mass));
     for (i, row) in S::Array::entries_of::<S::Array>(&mass).iter().enumerate() {
@@ -113,7 +137,7 @@ fn known<S: MassForm<R>, R: Real>(system: &S, start: Moment<'_, S, R>) -> Option
 }
 
 impl<A: Array> Known<A> {
-    /// What is known after a step, if the determinant has no zero on its way.
+    /// Returns the mass matrix after a step. `None` if the determinant has a zero on the line between the ends.
     #[inline(never)]
     fn after<S: MassForm<R, Array = A>, R: Real>(
         &self,
@@ -142,7 +166,7 @@ impl<A: Array> Known<A> {
     }
 }
 
-/// Whether a function with these values at 0 and 1 is seen to have no zero between.
+/// Returns whether a function with these values at 0 and 1 is seen to have no zero between.
 fn has_no_zero(f: impl Fn(f64) -> f64, [first, last]: [f64; 2]) -> bool {
     let is_steady = |values: [f64; 3]| {
         let sizes = values.map(f64::abs);
@@ -150,7 +174,7 @@ fn has_no_zero(f: impl Fn(f64) -> f64, [first, last]: [f64; 2]) -> bool {
         sizes.into_iter().all(|size| 2.0 * size >= largest)
     };
     let shortest = 1.0 / (1_u64 << HALVINGS) as f64;
-    // Where parts end that wait.
+    // Ends of the parts that are not checked yet.
     let mut ends = [(1.0, last); HALVINGS as usize + 1];
     let (mut waiting, mut start) = (1, (0.0, first));
     for _ in 0..MOST {
@@ -158,12 +182,12 @@ fn has_no_zero(f: impl Fn(f64) -> f64, [first, last]: [f64; 2]) -> bool {
         let x = 0.5 * (start.0 + end.0);
         let middle = f(x);
         let values = [start.1, middle, end.1];
-        // What is not a number is on neither side.
+        // NaN has neither sign.
         let [positive, negative] = [values.iter().all(|f| *f > 0.0), values.iter().all(|f| *f < 0.0)];
         if !positive && !negative {
             return false;
         }
-        // On a part so short only a jump is left, or a zero, next to which values are small.
+        // A part this short holds a jump, or a zero with small values beside it.
         let short = end.0 - start.0 <= shortest;
         let jumps = short && values.iter().all(|f| JUMP * f.abs() > f64::max(first.abs(), last.abs()));
         if jumps || is_steady(values) {
@@ -182,7 +206,7 @@ fn has_no_zero(f: impl Fn(f64) -> f64, [first, last]: [f64; 2]) -> bool {
     false
 }
 
-/// The determinant of M in these units of rows.
+/// Returns the determinant of M in these units of rows.
 fn determinant<S: MassForm<R>, R: Real>(
     system: &S,
     (t, q, v, s): (R, &S::Array, &S::Array, &S::Action),

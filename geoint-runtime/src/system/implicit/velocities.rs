@@ -4,7 +4,7 @@ use crate::scalar::Real;
 use crate::solving::linear;
 use crate::solving::rounding::{Corrections, MAX_ITERATIONS, Verdict};
 use crate::solving::size::Sizes;
-use crate::space::vector::dot;
+use crate::space::vector::{difference, dot};
 use crate::space::{Array, Square};
 use crate::system::{ByPolarisation, ByVelocities, Collocated, Graded, Lagrangian};
 
@@ -12,10 +12,10 @@ use crate::system::{ByPolarisation, ByVelocities, Collocated, Graded, Lagrangian
 pub trait MassForm<R: Real = f64>: Lagrangian<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// Whether L is quadratic in v, so that one linear equation gives v.
+    /// `true` if L is quadratic in v. One linear equation then gives v.
     const QUADRATIC: bool;
 
-    /// Whether M was proven to be positive definite at every state, for these parameters.
+    /// Returns whether M was proven to be positive definite at every state, for these parameters.
     fn is_definite(&self) -> bool {
         false
     }
@@ -36,10 +36,10 @@ pub trait VelocityForm<R: Real = f64>:
 {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// What depends on parameters only.
+    /// Coefficients that depend on parameters only.
     type Constants: Copy + core::fmt::Debug;
 
-    /// What depends on parameters only.
+    /// Computes the coefficients that depend on parameters only.
     fn constants(&self) -> Self::Constants;
     /// p = ∂L/∂v, f = ∂L/∂q less friction, and [∂p/∂q, ∂p/∂v, ∂f/∂q, ∂f/∂v].
     fn stage(
@@ -63,14 +63,14 @@ pub trait VelocityForm<R: Real = f64>:
 pub trait PolarisedForm<R: Real = f64>: VelocityForm<R> + Graded<R, Gradient = ByPolarisation> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// What depends on parameters and h only.
+    /// Coefficients that depend on parameters and h only.
     type Parameters: Copy + core::fmt::Debug;
-    /// What depends on the start of a step.
+    /// Coefficients that depend on the start of a step.
     type Start: Copy + core::fmt::Debug;
 
-    /// What depends on parameters and h only.
+    /// Computes the coefficients that depend on parameters and h only.
     fn parameters(&self, h: R) -> Self::Parameters;
-    /// What all evaluations from a point have in common; `t` is the time of the middle of the step.
+    /// Computes the coefficients of all evaluations from a point. `t` is the time of the middle of the step.
     fn begin(&self, parameters: &Self::Parameters, t: R, z: &Self::Phase, v: &Self::Array) -> Self::Start;
     /// M(q₁)v₁ + a(q₁) − p₁ and p₁ − p₀, with p₁ as the step gives it, and the derivatives of both by d = v₁ − v₀.
     fn equation(
@@ -83,8 +83,15 @@ pub trait PolarisedForm<R: Real = f64>: VelocityForm<R> + Graded<R, Gradient = B
     );
 }
 
-/// v of a point by Newton's iteration for ∂L/∂v = p from `guess` on: one linear equation where L is quadratic. `None` where M is
-/// singular, or the iteration leads nowhere.
+/// Largest residual of ∂L/∂v = p that counts as rounding, in units of ε times the terms of the equation.
+const ROUNDED_RESIDUAL: f64 = 1024.0;
+
+/// Largest distance of two velocities that counts as rounding, in units of √ε: near a singular M the momentum determines half of the digits.
+const SAME_VELOCITY: f64 = 16.0;
+
+/// Solves ∂L/∂v = p for the velocity of a point by Newton's iteration from `guess`. One linear equation suffices if L is quadratic.
+///
+/// Returns `None` if M is singular on the way, or if the iteration finds no root.
 #[inline]
 pub(crate) fn velocity_near<S: MassForm<R>, R: Real>(
     system: &S,
@@ -107,12 +114,34 @@ pub(crate) fn velocity_near<S: MassForm<R>, R: Real>(
         }
         let correction = Sizes::new().relative(&delta, &none, &v);
         match corrections.judge::<R>(correction) {
-            Verdict::Solved | Verdict::Stuck => return Some(v),
+            Verdict::Solved => return Some(v),
+            Verdict::Stuck if has_momentum(system, t, [q, p], s, &v) => return Some(v),
+            Verdict::Stuck => corrections.restart(),
             Verdict::Continue if correction.is_finite() => {}
             Verdict::Continue => return None,
         }
     }
     None
+}
+
+/// Returns whether a velocity solves ∂L/∂v = p up to rounding.
+#[cold]
+#[inline(never)]
+fn has_momentum<S: MassForm<R>, R: Real>(
+    system: &S,
+    t: R,
+    [q, p]: [&S::Array; 2],
+    s: &S::Action,
+    v: &S::Array,
+) -> bool {
+    let (mut found, mut mass) = (S::Array::zero(), S::Array::fill(S::Array::zero()));
+    system.mass(t, q, v, s, (&mut found, &mut mass));
+    let rows = S::Array::entries_of::<S::Array>(&mass).iter().zip(found.as_slice().iter().zip(p.as_slice()));
+    rows.into_iter().all(|(row, (found, p))| {
+        let products = row.as_slice().iter().zip(v.as_slice()).map(|(entry, v)| (*entry * *v).magnitude());
+        let terms = p.magnitude() + products.sum::<f64>();
+        (*found - *p).magnitude() <= ROUNDED_RESIDUAL * R::epsilon() * terms
+    })
 }
 
 /// Solves M·x = p in place of p; `None` where M is singular.
@@ -144,10 +173,56 @@ pub(crate) fn row_scale<A: Array>(row: &A, i: usize) -> A::Real {
     A::Real::from_f64(if largest > 0.0 { largest } else { 1.0 })
 }
 
-/// v at a point; not a number where there is none.
+/// Returns the velocity of a state: the one that Newton's iteration finds from rest. `None` if it finds none.
+#[inline]
+pub(crate) fn velocity_from_rest<S: MassForm<R>, R: Real>(
+    system: &S,
+    t: R,
+    z: &S::Phase,
+    s: &S::Action,
+) -> Option<S::Array> {
+    let found = velocity_near(system, t, z, s, S::Array::zero());
+    if S::QUADRATIC || found.is_some() { found } else { velocity_beyond(system, t, z, s) }
+}
+
+/// Returns the velocity that Newton's iteration finds from the point opposite to its first one. If M changes its sign between rest and the velocity,
+/// the first step from rest has the wrong direction.
+#[cold]
+#[inline(never)]
+fn velocity_beyond<S: MassForm<R>, R: Real>(system: &S, t: R, z: &S::Phase, s: &S::Action) -> Option<S::Array> {
+    let none = S::Array::zero();
+    let (mut opposite, mut mass) = (none, S::Array::fill(none));
+    system.mass(t, &z[0], &none, s, (&mut opposite, &mut mass));
+    opposite.add_scaled(R::from_f64(-1.0), &z[1]);
+    solve_for_velocity(&mut mass, &mut opposite)?;
+    velocity_near(system, t, z, s, opposite)
+}
+
+/// Returns the velocity of a state. Returns NaN if Newton's iteration finds none.
 #[inline]
 pub fn velocity_of<S: MassForm<R>, R: Real>(system: &S, t: R, z: &S::Phase, s: &S::Action) -> S::Array {
-    velocity_near(system, t, z, s, S::Array::zero()).unwrap_or_else(unknown)
+    velocity_from_rest(system, t, z, s).unwrap_or_else(unknown)
+}
+
+/// Returns the momentum of a velocity. Returns NaN if another velocity belongs to this momentum, the one of [`velocity_of`].
+pub fn own_momentum<S: MassForm<R>, R: Real>(system: &S, t: R, q: &S::Array, v: &S::Array, s: &S::Action) -> S::Array {
+    let p = system.momentum(t, q, v, s);
+    if S::QUADRATIC || !p.is_finite() {
+        return p;
+    }
+    let mut away = difference(&velocity_of(system, t, &[*q, p], s), v);
+    let (mut units, mut mass, mut size) = (S::Array::zero(), S::Array::fill(S::Array::zero()), *v);
+    system.mass(t, q, v, s, (&mut units, &mut mass));
+    // Row i of M has the unit of an energy over that of v² of coordinate i.
+    for (i, row) in S::Array::entries_of::<S::Array>(&mass).iter().enumerate() {
+        let unit = R::from_f64(Real::sqrt(row_scale(row, i).magnitude()));
+        away.as_mut_slice()[i] *= unit;
+        size.as_mut_slice()[i] *= unit;
+    }
+    let largest = |x: &S::Array| x.as_slice().iter().map(|x| x.magnitude()).fold(0.0, f64::max);
+    // NaN is not within the bound.
+    let is_same = away.is_finite() && largest(&away) <= SAME_VELOCITY * Real::sqrt(R::epsilon()) * largest(&size);
+    if is_same { p } else { unknown() }
 }
 
 fn unknown<A: Array>() -> A {

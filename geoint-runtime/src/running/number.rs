@@ -1,0 +1,16 @@
+//! Numbers in messages: very large and very small numbers are written with an exponent.
+
+use core::fmt;
+
+/// Magnitudes in this range are written in decimal form. The range is that of `{:?}`.
+const DECIMAL: core::ops::Range<f64> = 1e-5..1e16;
+
+/// A number as messages write it.
+pub(super) struct Number(pub(super) f64);
+
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Number(x) = self;
+        if *x == 0.0 || !x.is_finite() || DECIMAL.contains(&x.abs()) { write!(f, "{x}") } else { write!(f, "{x:e}") }
+    }
+}
