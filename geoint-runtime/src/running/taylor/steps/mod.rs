@@ -214,7 +214,13 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
                     h = self.towards((0.5 * h.abs()).max(bounds.shortest));
                     switch = None;
                 }
-                Ok(()) if !informed && h.abs() > bounds.shortest && !self.agrees_on_way(h) => {
+                // A step that ends where it begins, at a condition, has no way.
+                Ok(())
+                    if !informed
+                        && h.abs() > bounds.shortest
+                        && switch.is_none_or(|switch| switch.at > 0.0)
+                        && !self.agrees_on_way(h) =>
+                {
                     h = self.towards((0.5 * h.abs()).max(bounds.shortest));
                     switch = None;
                 }

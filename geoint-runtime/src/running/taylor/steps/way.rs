@@ -10,7 +10,7 @@ use crate::taylor::{self, TaylorMethod};
 const POINTS: f64 = 64.0;
 
 /// A step of which the series says nothing is at most so many of these times long.
-const LONGEST: f64 = 4.0;
+const LONGEST: f64 = 16.0;
 
 impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
     /// Whether the length of steps follows from a series that is known to converge. Where a force is constant to rounding, as far from a barrier or
