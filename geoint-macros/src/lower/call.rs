@@ -1,5 +1,6 @@
 //! Calls: of closures and nested functions, which are inlined, and of the few others that are known.
 
+use super::shared::{Call, Inlined};
 use super::statement::simple_name;
 use super::value::{Around, Callable, Scopes, Value};
 use super::{Lowering, method};
@@ -14,7 +15,7 @@ impl Lowering {
     pub(super) fn apply(
         &mut self,
         syntax: &impl ToTokens,
-        (callable, sees): (&Rc<Callable>, &Scopes),
+        (callable, sees): (&Rc<Callable>, &Rc<Scopes>),
         arguments: Vec<Value>,
     ) -> Value {
         if callable.parameters.len() != arguments.len() {
@@ -26,7 +27,16 @@ impl Lowering {
             return self
                 .refuse(syntax, format!("`{name}` calls itself: nested functions are inlined and cannot recur"));
         }
-        let before = std::mem::replace(&mut self.scopes, sees.clone());
+        let call = Call::of((callable, sees), &arguments);
+        if let Some(known) = call.as_ref().and_then(|call| self.inlined_before(call)) {
+            return known;
+        }
+        if self.exhausted(syntax) {
+            return Value::Poison;
+        }
+        self.note_partial();
+        let (errors, noted) = (self.errors.len(), self.noted_partial);
+        let before = std::mem::replace(&mut self.scopes, Scopes::clone(sees));
         self.calls.push(callable.clone());
         // What is captured may be read, not assigned to.
         self.scopes.close(Around::Function);
@@ -37,7 +47,20 @@ impl Lowering {
         let value = self.expr(&callable.body);
         self.calls.pop();
         self.scopes = before;
+        // A mistake is reported at every call.
+        if let Some(call) = call.filter(|_| self.errors.len() == errors) {
+            self.note_partial();
+            let conditions = (self.noted_partial > noted).then(|| self.conditions.clone());
+            self.inlined.insert(call, (callable, sees), Inlined { value: value.clone(), conditions });
+        }
         value
+    }
+
+    /// The value of an equal call, unless nodes of it have to be noted under other conditions.
+    fn inlined_before(&mut self, call: &Call) -> Option<Value> {
+        let Inlined { value, conditions } = self.inlined.get(call, &self.conditions)?;
+        self.noted_partial += usize::from(conditions.is_some());
+        Some(value.clone())
     }
 
     pub(super) fn call(&mut self, call: &syn::ExprCall) -> Value {

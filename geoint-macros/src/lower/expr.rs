@@ -12,7 +12,7 @@ use syn::{BinOp, Expr, ExprBinary, Lit, Member, Path, RangeLimits, UnOp};
 impl Lowering {
     pub(super) fn expr(&mut self, expr: &Expr) -> Value {
         self.evaluations += 1;
-        if self.is_leaving() {
+        if self.is_leaving() || self.is_exhausted {
             return Value::Poison;
         }
         if self.depth >= super::MAX_DEPTH {

@@ -1,7 +1,7 @@
 //! Loops, which are unrolled, and the ways out of a round.
 
 use super::value::Value;
-use super::{Lowering, MAX_NODES};
+use super::{Lowering, MAX_EVALUATIONS, MAX_NODES};
 use quote::ToTokens;
 use syn::{ExprForLoop, Lifetime};
 
@@ -75,10 +75,11 @@ impl Lowering {
         self.leaving.is_some()
     }
 
-    /// Whether unrolling has gone too far; says so once.
+    /// Returns whether unrolled loops and inlined calls are too many. Reports it once.
     pub(super) fn exhausted(&mut self, syntax: &impl ToTokens) -> bool {
-        let exhausted = self.graph.len() > MAX_NODES || self.evaluations > super::MAX_EVALUATIONS;
-        if exhausted {
+        let exhausted = self.graph.len() > MAX_NODES || self.evaluations > MAX_EVALUATIONS;
+        if exhausted && !self.is_exhausted {
+            self.is_exhausted = true;
             self.refuse(
                 syntax,
                 format!("this unrolls to more than {MAX_NODES} operations, which rustc could not compile in good time"),

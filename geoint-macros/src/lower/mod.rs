@@ -19,6 +19,7 @@ mod loops;
 mod method;
 mod quaternion;
 mod scope;
+mod shared;
 mod statement;
 mod unseen;
 mod value;
@@ -32,6 +33,7 @@ pub(crate) use force::VELOCITY;
 use loops::{Leaving, Loop};
 use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
+use shared::Calls;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Display;
 use std::rc::Rc;
@@ -81,7 +83,7 @@ fn place(syntax: &impl ToTokens) -> Place {
 /// Unrolled bodies beyond this size would take rustc seconds.
 const MAX_NODES: usize = 5_000;
 
-/// Evaluations, to stop loops that do nothing but run.
+/// Evaluations, to stop loops and calls that do nothing but run.
 const MAX_EVALUATIONS: usize = 500_000;
 
 /// Expressions inside expressions, within a fraction of the stack of rustc.
@@ -110,6 +112,9 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
         leaving: None,
         partial: BTreeMap::new(),
         calls: vec![],
+        noted_partial: 0,
+        inlined: Calls::default(),
+        is_exhausted: false,
         float: energy.float.to_string(),
     };
     lowering.graph.take_partial();
@@ -191,6 +196,12 @@ struct Lowering {
     partial: BTreeMap<Id, BTreeSet<Option<Id>>>,
     /// Closures and nested functions being evaluated.
     calls: Vec<Rc<Callable>>,
+    /// How often nodes were noted that are not defined everywhere.
+    noted_partial: usize,
+    /// Values of calls that have been inlined.
+    inlined: Calls,
+    /// Whether it was reported that loops and calls are too many: nothing is evaluated from then on.
+    is_exhausted: bool,
     /// The type of all numbers.
     float: String,
 }
@@ -265,6 +276,7 @@ impl Lowering {
         if nodes.is_empty() {
             return;
         }
+        self.noted_partial += nodes.len();
         let all = self.conditions.iter().copied().reduce(|a, b| self.graph.and(a, b));
         for node in nodes {
             self.partial.entry(node).or_default().insert(all);

@@ -178,16 +178,16 @@ fn is_power_of_two(number: Number) -> bool {
 
 /// The factor that saves most, the first one of equals.
 fn best(summands: &[Summand]) -> Option<Id> {
-    let mut counts: HashMap<Id, usize> = HashMap::default();
+    let mut places: HashMap<Id, Vec<usize>> = HashMap::default();
     let mut shared = vec![];
-    for summand in summands {
+    for (i, summand) in summands.iter().enumerate() {
         for (place, factor) in summand.factors.iter().enumerate() {
             if summand.factors[..place].contains(factor) {
                 continue;
             }
-            let count = counts.entry(*factor).or_insert(0);
-            *count += 1;
-            if *count == 2 {
+            let with = places.entry(*factor).or_default();
+            with.push(i);
+            if with.len() == 2 {
                 shared.push(*factor);
             }
         }
@@ -195,11 +195,13 @@ fn best(summands: &[Summand]) -> Option<Id> {
     if shared.is_empty() {
         return None;
     }
-    let (mut least, mut best) = (cost(summands.iter().map(Work::of)), None);
+    let whole: Total = summands.iter().map(Work::of).collect();
+    let (mut least, mut best) = (whole.cost(), None);
     for factor in shared {
-        let with = |summand: &&Summand| summand.factors.contains(&factor);
-        let inner = cost(summands.iter().filter(with).map(|summand| Work::without(summand, factor)));
-        let outer = cost(summands.iter().filter(|summand| !with(summand)).map(Work::of).chain([Work::PAIR]));
+        let with = || places[&factor].iter().map(|i| &summands[*i]);
+        let inner = with().map(|summand| Work::without(summand, factor)).collect::<Total>().cost();
+        let taken: Total = with().map(Work::of).collect();
+        let outer = whole.replaced(taken, Work::PAIR).cost();
         let cost = (inner.0 + outer.0, inner.1 + outer.1);
         if cost < least {
             (least, best) = (cost, Some(factor));
@@ -235,14 +237,43 @@ impl Work {
     }
 }
 
-/// What a sum takes. One summand is there at first, if possible one that has no product to be fused.
-fn cost(summands: impl Iterator<Item = Work>) -> Cost {
-    let (mut sums, mut products, mut fused) = (0, 0, 0);
-    for work in summands {
-        sums += 1;
-        products += work.products;
-        fused += usize::from(work.fused);
+/// Numbers of summands and products of a sum.
+#[derive(Clone, Copy, Default)]
+struct Total {
+    sums: usize,
+    products: usize,
+    fused: usize,
+}
+
+impl FromIterator<Work> for Total {
+    fn from_iter<I: IntoIterator<Item = Work>>(all: I) -> Total {
+        all.into_iter().fold(Total::default(), Total::with)
     }
-    let starts = usize::from(fused == sums);
-    (products + sums - 1 - (fused - starts), products + sums - 1)
+}
+
+impl Total {
+    fn with(self, work: Work) -> Total {
+        Total {
+            sums: self.sums + 1,
+            products: self.products + work.products,
+            fused: self.fused + usize::from(work.fused),
+        }
+    }
+
+    /// One summand in place of some of them.
+    fn replaced(self, some: Total, by: Work) -> Total {
+        let rest = Total {
+            sums: self.sums - some.sums,
+            products: self.products - some.products,
+            fused: self.fused - some.fused,
+        };
+        rest.with(by)
+    }
+
+    /// Operations of the sum. One summand is there at first, if possible one that has no product to be fused.
+    fn cost(self) -> Cost {
+        let Total { sums, products, fused } = self;
+        let starts = usize::from(fused == sums);
+        (products + sums - 1 - (fused - starts), products + sums - 1)
+    }
 }

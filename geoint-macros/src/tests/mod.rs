@@ -8,6 +8,7 @@ mod facts;
 mod families;
 mod flows;
 mod fuzz;
+mod growth;
 mod precise;
 mod derivatives;
 mod rounding;

@@ -1,7 +1,7 @@
 //! Where may a function jump on the way along a field? Its derivative does not show that.
 
-use super::sum_is_zero;
 use super::surface::vanishes_on;
+use super::vanishes;
 use crate::diff;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Function, Graph, Id, Node, Symbol};
@@ -55,8 +55,8 @@ fn edges(graph: &mut Graph, function: Id) -> Vec<Edge> {
         }
         let opposite = graph.neg(difference);
         let mut equal = |a: Id, b: Id| {
-            let b = graph.neg(b);
-            sum_is_zero(graph, &[a, b]).is_zero()
+            let rest = graph.sub(a, b);
+            vanishes(graph, rest)
         };
         if let Some(edge) = edges.iter_mut().find(|edge| equal(edge.difference, difference)) {
             edge.decided.push((node, sides));

@@ -1,6 +1,6 @@
 //! The boundary of a comparison, the surface on which both sides are equal: do functions vanish on it, and do solutions stay on it?
 
-use super::{Identity, OpenBoundaries, rounding, sum_is_zero, sum_is_zero_off};
+use super::{Identity, OpenBoundaries, rounding, sum_is_zero, sum_is_zero_off, vanishes};
 use crate::diff;
 use crate::ir::substitute::{Substitution, replaced};
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Relation, Symbol};
@@ -54,8 +54,7 @@ fn is_left(graph: &mut Graph, difference: Id, x: &[Symbol], field: &[Id]) -> boo
 /// Returns whether a node was proven to be zero on the surface `edge` = 0. One of the terms or symbols of the edge is replaced by a function of the
 /// others.
 pub(super) fn vanishes_on(graph: &mut Graph, edge: Id, node: Id) -> bool {
-    let is_zero = |graph: &mut Graph, node| sum_is_zero(graph, &[node]).is_zero();
-    if is_zero(graph, node) {
+    if vanishes(graph, node) {
         return true;
     }
     let terms = match graph.node(edge) {
@@ -70,7 +69,7 @@ pub(super) fn vanishes_on(graph: &mut Graph, edge: Id, node: Id) -> bool {
         let mut there = Substitution::new(|_: &mut Graph, _| None);
         there.insert(term, value);
         let there = there.apply(graph, node);
-        is_zero(graph, there)
+        vanishes(graph, there)
     });
     let candidates = graph.symbols(edge);
     by_term
@@ -78,7 +77,7 @@ pub(super) fn vanishes_on(graph: &mut Graph, edge: Id, node: Id) -> bool {
             let Some(Solved { roots, .. }) = solved(graph, edge, symbol) else { return false };
             roots.into_iter().all(|root| {
                 let there = replaced(graph, node, symbol, root);
-                is_zero(graph, there)
+                vanishes(graph, there)
             })
         })
 }
