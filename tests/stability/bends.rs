@@ -42,7 +42,7 @@ fn two_by_velocities(q: [f64; 2], v: [f64; 2], m: f64) -> f64 {
 
 /// A field on the edges of a square.
 #[vector_field(keeps(size = x[0].abs() + x[1].abs()))]
-fn square(x: [f64; 2]) -> [f64; 2] {
+fn edges_of_a_square(x: [f64; 2]) -> [f64; 2] {
     [x[1].signum(), -x[0].signum()]
 }
 
@@ -105,7 +105,7 @@ fn discrete_gradients_keep_energies_with_bends() {
     );
     let system = TwoByVelocities { m: 0.8 };
     keeps!(system, |noise| system.at(array(&mut noise), array(&mut noise)), |run| run.energy(), 0.9);
-    keeps!(Square {}, |noise| FlowState::new(array(&mut noise)), |run| run.integrals()[0], 0.9);
+    keeps!(EdgesOfASquare {}, |noise| FlowState::new(array(&mut noise)), |run| run.integrals()[0], 0.9);
 }
 
 /// Other means of gradients refuse more steps, but no step changes the energy.

@@ -13,6 +13,7 @@ mod domains;
 mod forms;
 mod near_misses;
 mod small_waves;
+mod amplitudes;
 mod units;
 mod long_steps;
 mod bends;

@@ -173,6 +173,11 @@ impl<S: PhaseSpace<R>, R: Real, M: Method<S, R>, const K: usize> Method<S, R> fo
         prepared.first().map_or(S::Phase::zero(), |first| M::way_back(&first.map, system, origin, z))
     }
 
+    #[inline]
+    fn is_in_range(prepared: &Self::Prepared, system: &S, z: &S::Phase) -> bool {
+        prepared.first().is_none_or(|first| M::is_in_range(&first.map, system, z))
+    }
+
     fn claims(&self) -> Claims {
         let map = self.map.claims();
         let order = self.composition.order.min(M::COMPOSES_TO);

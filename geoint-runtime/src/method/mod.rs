@@ -156,6 +156,14 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
         S::Phase::zero()
     }
 
+    /// Returns whether the invariants that steps compare are numbers with all their digits at the start of a run.
+    ///
+    /// Called once, before the first step. The default is right for methods that compare none.
+    #[inline]
+    fn is_in_range(_prepared: &Self::Prepared, _system: &S, _z: &S::Phase) -> bool {
+        true
+    }
+
     /// Whether a step does not end in a finite state where the energy is not defined.
     #[inline(always)]
     fn shows(_prepared: &Self::Prepared) -> bool {

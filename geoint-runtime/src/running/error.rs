@@ -91,6 +91,12 @@ pub enum StepError {
         /// Time of the last good state.
         t: f64,
     },
+    /// The energy, or another invariant that the method keeps, is too small or too large for the scalar: products of coordinates and forces
+    /// underflow or overflow.
+    OutOfRange {
+        /// Time of the last good state.
+        t: f64,
+    },
     /// The exact flow of a piece of the energy ends within the step: it has a pole there, or its coefficient is singular; or it goes round so
     /// often that no digit of where is known.
     Pole {
@@ -179,6 +185,7 @@ impl StepError {
             Refusal::SingularDirection => StepError::SingularDirection { t },
             Refusal::Rounded => StepError::Rounded { t },
             Refusal::Turned { what } => StepError::Turned { t, what },
+            Refusal::OutOfRange => StepError::OutOfRange { t },
             Refusal::DependentConstraints { what } => StepError::DependentConstraints { t, what },
             Refusal::NotConverged { iterations, correction } => StepError::NotConverged { t, iterations, correction },
             Refusal::OutsideDomain { what } => StepError::OutsideDomain { t, what },
@@ -213,6 +220,8 @@ pub enum Reason {
         /// The formula of the angle.
         what: &'static str,
     },
+    /// What it keeps is too small or too large for the scalar.
+    OutOfRange,
     /// Constraints depend on each other on its way.
     DependentConstraints {
         /// A constraint that depends on others.
@@ -246,6 +255,7 @@ impl From<Refusal> for Reason {
             Refusal::SingularDirection => Reason::SingularDirection,
             Refusal::Rounded => Reason::Rounded,
             Refusal::Turned { what } => Reason::Turned { what },
+            Refusal::OutOfRange => Reason::OutOfRange,
             Refusal::DependentConstraints { what } => Reason::DependentConstraints { what },
             Refusal::NotConverged { .. } => Reason::NotConverged,
             Refusal::OutsideDomain { what } => Reason::OutsideDomain { what },
@@ -262,6 +272,9 @@ impl fmt::Display for Reason {
             Reason::Singular => write!(f, "its equation has no solution, or several"),
             Reason::SingularDirection => write!(f, "it moves at right angles to the gradient that it divides by"),
             Reason::Rounded => write!(f, "rounding in it changes what it keeps by more than its last digits"),
+            Reason::OutOfRange => {
+                write!(f, "the energy, or another invariant, is too small or too large for the scalar")
+            }
             Reason::Turned { what } => {
                 write!(
                     f,
@@ -350,6 +363,13 @@ impl fmt::Display for StepError {
                     "rounding in the step from t = {t} changes what it keeps by more than its last digits: a coordinate in which that is steep \
                      becomes smaller or larger by orders of magnitude, gradients are nearly parallel, or a force jumps; try a smaller step, or units in which coordinates are of one size",
                     t = Number(t)
+                )
+            }
+            StepError::OutOfRange { t } => {
+                write!(
+                    f,
+                    "the energy, or another invariant that the method keeps, is too small or too large for the scalar at t = {t}: products of \
+                     coordinates and forces underflow or overflow; take units in which they do not"
                 )
             }
             StepError::Turned { t, what } => {

@@ -30,10 +30,11 @@ impl Default for Bounds {
 }
 
 impl Bounds {
-    /// Steps that change the time `t`, and are no zero in a type of this accuracy.
-    pub(crate) fn at(&self, t: f64, epsilon: f64) -> Bounds {
-        let zero = epsilon * epsilon * epsilon * epsilon;
-        Bounds { shortest: self.shortest.max(4.0 * epsilon * t.abs()).max(zero), ..*self }
+    /// Returns bounds for steps that change the time `t`, and of which the last digit is a normal number. Units of time are at liberty: a rate of
+    /// 10¹⁵⁰ takes steps of 10⁻¹⁵⁰.
+    pub(crate) fn at<R: Real>(&self, t: f64) -> Bounds {
+        let changes_time = 4.0 * R::epsilon() * t.abs();
+        Bounds { shortest: self.shortest.max(changes_time).max(R::smallest() / R::epsilon()), ..*self }
     }
 
     /// That there is a step between them.

@@ -30,6 +30,8 @@ pub enum Refusal {
     },
     /// Rounding on the way changes what the step keeps by more than its last digits.
     Rounded,
+    /// What the step keeps underflows or overflows.
+    OutOfRange,
     /// The energy is not defined, or has a pole, on the way.
     OutsideDomain {
         /// The function and the term.
@@ -50,6 +52,9 @@ impl fmt::Display for Refusal {
             }
             Refusal::Turned { what } => write!(f, "an angle moves by more than half a turn in it: {what}"),
             Refusal::Rounded => write!(f, "rounding in it changes what it keeps by more than its last digits"),
+            Refusal::OutOfRange => {
+                write!(f, "the energy, or another invariant, is too small or too large for the scalar")
+            }
             Refusal::OutsideDomain { what } => write!(f, "it evaluates the energy where that is not defined: {what}"),
         }
     }

@@ -30,6 +30,7 @@ mod frame;
 pub mod invariants;
 pub(crate) mod kept;
 pub mod projection;
+pub(crate) mod range;
 pub mod relaxation;
 pub(crate) mod rounded;
 mod scales;

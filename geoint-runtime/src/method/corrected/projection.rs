@@ -1,6 +1,7 @@
 //! x₁ = y + Σ λᵢ D²∇Iᵢ(y): a step of any method, and back to where the invariants were.
 
 use super::frame::Frame;
+use super::range::is_representable;
 use super::scales::{Scales, part_of_rounding};
 use super::turns::check_turns;
 use super::{kept, rounded};
@@ -65,6 +66,11 @@ impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
     #[inline]
     fn way_back(prepared: &Self::Prepared, system: &S, origin: &S::Phase, z: &S::Phase) -> S::Phase {
         kept::way_back(system, &prepared.invariants, origin, z)
+    }
+
+    #[inline]
+    fn is_in_range(prepared: &Self::Prepared, system: &S, z: &S::Phase) -> bool {
+        M::is_in_range(&prepared.method, system, z) && is_representable(system, &prepared.invariants, z)
     }
 
     fn claims(&self) -> Claims {

@@ -1,6 +1,7 @@
 //! x₁ = x₀ + γ(y − x₀): a step of any method, shortened or lengthened until the energy is what it was.
 
 use crate::method::corrected::invariants::Invariants;
+use crate::method::corrected::range::is_representable;
 use crate::method::corrected::turns::check_turns;
 use crate::method::corrected::{kept, rounded};
 use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_conditions, check_poles, outer_step};
@@ -68,6 +69,12 @@ impl<S: KeepsEnergy<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M>
     #[inline]
     fn way_back(_: &Self::Prepared, system: &S, origin: &S::Phase, z: &S::Phase) -> S::Phase {
         kept::way_back(system, &<S as KeepsEnergy<R>>::Kept::default(), origin, z)
+    }
+
+    #[inline]
+    fn is_in_range(prepared: &Self::Prepared, system: &S, z: &S::Phase) -> bool {
+        M::is_in_range(&prepared.method, system, z)
+            && is_representable(system, &<S as KeepsEnergy<R>>::Kept::default(), z)
     }
 
     fn claims(&self) -> Claims {

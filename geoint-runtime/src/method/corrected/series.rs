@@ -2,6 +2,7 @@
 
 use super::invariants::Invariants;
 use super::projection::{Projection, way_back};
+use super::range::is_representable;
 use super::rounded::check_correction;
 use super::scales::Scales;
 use super::turns::check_turns;
@@ -93,6 +94,9 @@ where
         [before, z]: [&S::Phase; 2],
     ) -> Result<Option<S::Phase>, Refusal> {
         memory.scales.include(before, &difference(z, before));
+        if !is_representable(system, &self.1, before) {
+            return Err(Refusal::OutOfRange);
+        }
         check_turns(system, time, [before, z])?;
         memory.summed = memory.summed || memory.has_turned(system, &self.1, [before, z]);
         let Memory { scales, origin, summed, left } = memory;

@@ -38,6 +38,8 @@ pub struct FourthOrder<G>(
 );
 
 impl<G: Corrected> MeanGradient for FourthOrder<G> {
+    const OF_ENERGIES: bool = G::OF_ENERGIES;
+
     fn mean_name(&self) -> Name {
         Name::new("FourthOrder").of(self.0.mean_name())
     }

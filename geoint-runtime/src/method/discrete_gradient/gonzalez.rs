@@ -26,6 +26,8 @@ use crate::system::{Conservative, DiscreteField};
 pub struct Gonzalez;
 
 impl MeanGradient for Gonzalez {
+    const OF_ENERGIES: bool = true;
+
     fn mean_name(&self) -> Name {
         Name::new("Gonzalez")
     }

@@ -23,6 +23,9 @@ pub trait MeanGradient: Copy {
     /// Whether ∂g/∂d is symmetric.
     const CURL_FREE: bool = false;
 
+    /// Whether g is computed from the change of the energy: that must neither underflow nor overflow.
+    const OF_ENERGIES: bool = false;
+
     /// The name of the method.
     fn mean_name(&self) -> Name;
 

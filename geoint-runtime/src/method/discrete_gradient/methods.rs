@@ -4,6 +4,7 @@ use super::mean::{Corrected, MeanGradient, Memory, Prepared};
 use super::{CoordinateIncrement, FourthOrder, Gonzalez, ItohAbe, ItohAbeAdjoint, MeanValue, SymmetrisedItohAbe};
 use crate::method::composition::SymmetricMap;
 use crate::method::corrected::kept;
+use crate::method::corrected::range::is_representable;
 use crate::method::gauss::{Gauss, GaussTableau};
 use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
@@ -33,6 +34,11 @@ macro_rules! methods {
                 // A mean that is no discrete gradient of the system keeps nothing.
                 let keeps: bool = $energy;
                 if keeps { kept::way_back(system, &KeptBy::<$system, R>::default(), origin, z) } else { $system::Phase::zero() }
+            }
+
+            #[inline]
+            fn is_in_range(_: &Self::Prepared, system: &$system, z: &$system::Phase) -> bool {
+                !<$mean as MeanGradient>::OF_ENERGIES || is_representable(system, &KeptBy::<$system, R>::default(), z)
             }
 
             fn claims(&self) -> Claims {

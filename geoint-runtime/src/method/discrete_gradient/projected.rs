@@ -3,6 +3,7 @@
 use super::mean::MeanGradient;
 use super::{DiscreteGradient, FourthOrder};
 use crate::ablation;
+use crate::method::corrected::range::is_representable;
 use crate::method::corrected::{kept, rounded};
 use crate::method::{Claims, Deciding, Method, Name, Probe, Refusal, Step, check_conditions, check_end, start};
 use crate::scalar::Real;
@@ -167,6 +168,12 @@ impl<S: FourthOrderField<R>, R: Real> Method<S, R> for FourthOrder<DiscreteGradi
     #[inline]
     fn way_back(_: &Self::Prepared, system: &S, origin: &S::Phase, z: &S::Phase) -> S::Phase {
         kept::way_back(system, &KeptBy::<S, R>::default(), origin, z)
+    }
+
+    /// The metric of a canonical system has the energy in it. That of a field has not.
+    #[inline]
+    fn is_in_range(_: &Self::Prepared, system: &S, z: &S::Phase) -> bool {
+        !S::State::MOMENTA || is_representable(system, &KeptBy::<S, R>::default(), z)
     }
 
     fn claims(&self) -> Claims {

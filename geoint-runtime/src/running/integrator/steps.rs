@@ -193,6 +193,9 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
         if let Some(what) = self.system.outside_domain(self.time(), &self.seen().z, &self.x.s) {
             return Err(StepError::OutsideDomain { t, what });
         }
+        if !M::is_in_range(&self.prepared, &self.system, &self.x.z) {
+            return Err(StepError::OutOfRange { t });
+        }
         match self.system.unmet(self.time(), self.clock.step_size(), &self.x.z) {
             Some(Unmet::Off(what)) => Err(StepError::OffConstraint { t, what }),
             Some(Unmet::Dependent(what)) => Err(StepError::DependentConstraints { t, what }),

@@ -37,13 +37,14 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
             Reason::NotConverged | Reason::Singular => StepError::Singular { t },
             Reason::Rounded => StepError::Rounded { t },
             Reason::Turned { what } => StepError::Turned { t, what },
+            Reason::OutOfRange => StepError::OutOfRange { t },
             _ => StepError::NonFinite { t },
         }
     }
 
     /// The shortest step that changes time.
     fn shortest(&self) -> f64 {
-        Bounds::default().at(signed(self.time()), R::epsilon()).shortest
+        Bounds::default().at::<R>(signed(self.time())).shortest
     }
 
     /// Why the solution has no series here.
