@@ -10,6 +10,9 @@ use crate::taylor::{self, TaylorMethod};
 /// Units of time in which coefficients tell how fast a state changes that tells nothing in its own: all of them overflow there, or vanish.
 const FAR: [f64; 3] = [1.0 / (1_u128 << 100) as f64, (1_u128 << 100) as f64, 1.0];
 
+/// Of order 20 a radius of convergence has so many steps, about.
+const STEPS_PER_RADIUS: f64 = 8.0;
+
 /// A point whose sums compensate.
 pub(super) type Carried<S, R> =
     Point<<S as PhaseSpace<R>>::Phase, Compensated<<S as PhaseSpace<R>>::Phase>, <S as PhaseSpace<R>>::Action>;
@@ -51,10 +54,10 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Expansion<S, M, R> {
         PerCoordinate::of(&self.x).at(i)
     }
 
-    /// The coefficients, for steps of about this length.
+    /// The coefficients, for steps of about this length. In a unit near the radius of convergence none of them is much smaller than the state.
     #[inline(always)]
     pub(super) fn expand(&mut self, order: usize, system: &S, h: f64) {
-        self.unit = power_of_two(h);
+        self.unit = power_of_two(STEPS_PER_RADIUS * h);
         let (start, x) = ([R::from_f64(self.unit), self.time()], (&self.x.z, &self.x.s));
         M::jet(order, system, start, x, &mut self.jet, &mut self.switches);
     }
