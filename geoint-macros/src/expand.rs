@@ -14,8 +14,8 @@ use proc_macro2::TokenStream;
 /// What is emitted beside the function.
 pub(crate) fn system(energy: &Energy) -> Result<TokenStream> {
     match energy.form {
-        Form::Hamiltonian => hamiltonian(energy, lower::body(energy)?, None),
-        Form::Contact => contact_hamiltonian(energy, lower::body(energy)?, None),
+        Form::Hamiltonian => hamiltonian(energy, lowered(energy)?, None),
+        Form::Contact => contact_hamiltonian(energy, lowered(energy)?, None),
         Form::Lagrangian | Form::Herglotz | Form::FirstOrder => lagrangian(energy),
         Form::Bodies => bodies(energy),
         Form::Structured => structured_hamiltonian(energy),
@@ -23,9 +23,17 @@ pub(crate) fn system(energy: &Energy) -> Result<TokenStream> {
     }
 }
 
+/// Rust to graph.
+fn lowered(energy: &Energy) -> Result<Lowered> {
+    let lowered = lower::body(energy)?;
+    let context = emit::Context::new(energy, &lowered.constants);
+    check::angles(energy, &lowered, |symbol| context.user_name(symbol))?;
+    Ok(lowered)
+}
+
 /// L(q, v, s, t): the energy that belongs to it.
 fn lagrangian(energy: &Energy) -> Result<TokenStream> {
-    let mut lowered = lower::body(energy)?; // Rust to graph
+    let mut lowered = lowered(energy)?;
     let context = emit::Context::new(energy, &lowered.constants);
     // Steps with constraints are derived from H, and so are rates with an action and forces beside it.
     let forced = energy.form == Form::Herglotz && (lowered.force.is_some() || lowered.rayleigh.is_some());
@@ -210,7 +218,7 @@ fn contact_hamiltonian(energy: &Energy, mut lowered: Lowered, legendre: Option<&
 
 /// H(x, t) with x' = S(x) ∇H.
 fn structured_hamiltonian(energy: &Energy) -> Result<TokenStream> {
-    let mut lowered = lower::body(energy)?;
+    let mut lowered = lowered(energy)?;
     let context = emit::Context::new(energy, &lowered.constants);
     let graph = &mut lowered.graph;
     let structure = proof::structure(graph, lowered.energy, &lowered.structure);
@@ -232,12 +240,12 @@ fn structured_hamiltonian(energy: &Energy) -> Result<TokenStream> {
 
 /// f(x, t), and what it keeps.
 fn vector_field(energy: &Energy) -> Result<TokenStream> {
-    let mut lowered = lower::body(energy)?;
+    let mut lowered = lowered(energy)?;
     let context = emit::Context::new(energy, &lowered.constants);
     let graph = &mut lowered.graph;
     let mut flow = Flow::of_field(&lowered.field, energy.options.keeps.iter().zip(&lowered.keeps));
     let found = proof::integrals(graph, &flow);
-    check::integrals(energy, &lowered.keeps, &found, graph, |symbol| context.user_name(symbol))?;
+    check::integrals(energy, &lowered.keeps, &found, graph, &lowered.places, |symbol| context.user_name(symbol))?;
     let liouville = derive::liouville(graph, &lowered.field, &lowered.partial); // is it that of an energy?
     match liouville.kept() {
         Some(energy) => flow.recovered(graph, energy, |symbol| context.user_name(symbol)),
@@ -259,7 +267,7 @@ fn vector_field(energy: &Energy) -> Result<TokenStream> {
 
 /// H(r, m, t) of rigid bodies.
 fn bodies(energy: &Energy) -> Result<TokenStream> {
-    let mut lowered = lower::body(energy)?;
+    let mut lowered = lowered(energy)?;
     let context = emit::Context::new(energy, &lowered.constants);
     let graph = &mut lowered.graph;
     let found = analyze::bodies(graph, lowered.energy, (energy.bodies(), energy.degrees() / 4)); // T and V, or the term in the way

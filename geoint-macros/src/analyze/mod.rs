@@ -27,8 +27,8 @@ pub(crate) use damping::{Damping, Flaw};
 pub(crate) use degree::Degrees;
 pub(crate) use forces::Forces;
 pub(crate) use identity::{
-    Direction, Identity, Proof, Remainder, Value, Why, Witness, claims, crossings, identity, is_regular, liouville,
-    multiple, retain_constant, search, vanishes,
+    Direction, Identity, Proof, Remainder, Value, Why, Witness, angles, broken_at, claims, crossings, identity,
+    is_regular, liouville, multiple, retain_constant, search, vanishes,
 };
 pub(crate) use jumps::{Jump, conditions, decided, jumps};
 pub(crate) use mean_value::MeanValue;

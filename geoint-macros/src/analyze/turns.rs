@@ -1,4 +1,4 @@
-//! Angles by `atan2` that jump by 2π where they come round, and the terms of a function that jump with them.
+//! Terms of a function that jump because an angle by `atan2` in them jumps by 2π where it comes round.
 
 use crate::ir::{Function, Graph, Id, Node, Number};
 use std::collections::HashSet;
@@ -12,7 +12,7 @@ pub(crate) fn turning_terms(graph: &Graph, function: Id) -> Vec<Id> {
     terms.into_iter().filter(|term| reads_turns(graph, *term)).collect()
 }
 
-/// Whether a node reads an angle otherwise than by the sine, cosine or tangent of its whole multiples.
+/// Returns whether a node reads an angle otherwise than by the sine, cosine or tangent of its whole multiples.
 fn reads_turns(graph: &Graph, root: Id) -> bool {
     let (mut open, mut seen) = (vec![root], HashSet::new());
     while let Some(id) = open.pop() {

@@ -1,5 +1,6 @@
 //! What the user asked for against what was proven.
 
+mod angles;
 mod blame;
 mod constraints;
 mod damping;
@@ -9,6 +10,7 @@ mod pieces;
 mod proofs;
 pub(crate) mod wording;
 
+pub(crate) use angles::of_energy as angles;
 pub(crate) use constraints::constraints;
 pub(crate) use first_order::first_order;
 pub(crate) use lagrangian::{forced_action, lagrangian, velocities};

@@ -2,7 +2,7 @@
 
 use super::blame::written;
 use super::damping::flaw_of_damping;
-use super::wording::{left, open, remains};
+use super::wording::{discontinuity, left, open, remains};
 use crate::analyze::{Damping, Identity, Why};
 use crate::derive::proof;
 use crate::diagnostics::{Diagnostics, Result};
@@ -57,9 +57,10 @@ pub(crate) fn structure(
 /// Reports functions that are not kept, and those that are functions of others.
 pub(crate) fn integrals(
     energy: &Energy,
-    written: &[Integral],
+    integrals: &[Integral],
     found: &proof::Integrals,
     graph: &Graph,
+    places: &HashMap<Id, Place>,
     name: impl Fn(Symbol) -> String,
 ) -> Result<()> {
     let mut errors = Diagnostics::default();
@@ -70,12 +71,11 @@ pub(crate) fn integrals(
         let message = match verdict {
             Identity::Zero(_) => match jump.filter(|_| !kept.assumed) {
                 None => continue,
-                Some([a, b]) => format!(
-                    "`{name}` was not proven to be constant along the field{but}: its derivative is zero, but it may jump where \
-                     {} = {}; if you know that it does not, say `keeps(assume({name} = …))`",
-                    printer.excerpt(a),
-                    printer.excerpt(b)
-                ),
+                Some(jump) => {
+                    let place = places.get(&jump.node).copied().unwrap_or(integrals[i].place);
+                    errors.at_place(place, discontinuity(&printer, name, but, jump));
+                    continue;
+                }
             },
             // What may hold in a part of phase space is up to the user.
             Identity::Open(_) if kept.assumed => continue,
@@ -111,11 +111,11 @@ pub(crate) fn integrals(
                 )
             }
         };
-        errors.at_place(written[i].place, message);
+        errors.at_place(integrals[i].place, message);
     }
     if let Some(i) = found.dependent.filter(|_| errors.len() == 0) {
         let others = if i == 0 { "is constant everywhere" } else { "is a function of the others" };
-        errors.at_place(written[i].place, format!("`{}` {others}: leave it out", energy.options.keeps[i].name));
+        errors.at_place(integrals[i].place, format!("`{}` {others}: leave it out", energy.options.keeps[i].name));
     }
     errors.or(())
 }

@@ -1,7 +1,9 @@
 //! Identities in words.
 
+use crate::analyze::crossings::{Discontinuity, Kind};
 use crate::analyze::{Identity, Proof, Remainder, Value, Witness};
 use crate::ir::{Id, Ratio, Symbol, print::Printer};
+use proc_macro2::Ident;
 
 /// How something was proven, which otherwise would be `wrong`.
 pub(crate) fn proven(proof: Proof, wrong: &str) -> String {
@@ -61,5 +63,29 @@ pub(crate) fn open<F: Fn(Symbol) -> String>(printer: &Printer<'_, F>, verdict: &
     match verdict.rest() {
         Some(Remainder { rest, case, .. }) => format!("{}: {}", in_case(printer, case), printer.excerpt(*rest)),
         None => String::new(),
+    }
+}
+
+/// Says where a function with a derivative of zero may jump.
+pub(crate) fn discontinuity<F: Fn(Symbol) -> String>(
+    printer: &Printer<'_, F>,
+    name: &Ident,
+    but: &str,
+    Discontinuity { equal: [a, b], kind, .. }: Discontinuity,
+) -> String {
+    let [a, b] = [a, b].map(|id| printer.excerpt(id));
+    match kind {
+        Kind::Crossed => format!(
+            "`{name}` was not proven to be constant along the field{but}: its derivative is zero, but it may jump where {a} = {b}; if you \
+             know that it does not, say `keeps(assume({name} = …))`"
+        ),
+        Kind::Followed => format!(
+            "`{name}` jumps where {a} = {b}, and solutions stay there, so that rounding decides its value: make both sides equal \
+             there, or keep what this condition compares"
+        ),
+        Kind::Angle => format!(
+            "`{name}` was not proven to be constant along the field{but}: both arguments of this `atan2` vanish where {a} = {b}, and the \
+             angle jumps there by less than a turn; take the common factor out of both"
+        ),
     }
 }

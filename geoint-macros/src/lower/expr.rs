@@ -23,6 +23,10 @@ impl Lowering {
         self.depth -= 1;
         match value {
             Value::Real(id) => self.written(id, expr, || super::place(expr)),
+            Value::Truth(id) => {
+                self.places.entry(id).or_insert_with(|| super::place(expr));
+                self.noted(expr, value)
+            }
             other => self.noted(expr, other),
         }
     }

@@ -1,9 +1,10 @@
-//! Where may a function jump on the way along a field? Its derivative does not show that.
+//! Surfaces on which a function may jump along a field. The derivative of the function does not show these jumps.
 
+use super::angles::{angles, broken_at};
 use super::surface::vanishes_on;
 use super::vanishes;
 use crate::diff;
-use crate::ir::substitute::Substitution;
+use crate::ir::substitute::{Substitution, replaced};
 use crate::ir::{Function, Graph, Id, Node, Symbol};
 
 /// Conditions and signs that change where two numbers are equal.
@@ -11,11 +12,11 @@ use crate::ir::{Function, Graph, Id, Node, Symbol};
 pub(crate) struct Edge {
     pub(crate) equal: [Id; 2],
     pub(crate) difference: Id,
-    /// Each with what it is where the difference is negative, and where it is positive.
+    /// Each with its values for a negative and for a positive difference.
     decided: Vec<(Id, [Id; 2])>,
 }
 
-/// Where a function may jump: there it was not proven that both its sides are equal.
+/// Returns the edges at which a function may jump: equality of both sides was not proven.
 pub(crate) fn edges_of_jumps(graph: &mut Graph, function: Id) -> Vec<Edge> {
     let mut edges = edges(graph, function);
     edges.retain(|edge| {
@@ -25,18 +26,72 @@ pub(crate) fn edges_of_jumps(graph: &mut Graph, function: Id) -> Vec<Edge> {
     edges
 }
 
-/// What is equal where a function may jump while a field is followed; nothing if it was proven not to.
-///
-/// It does not jump where both its sides are equal, nor where no solution leads from one to the other.
-pub(crate) fn may_jump(graph: &mut Graph, x: &[Symbol], field: &[Id], function: Id) -> Option<[Id; 2]> {
-    edges_of_jumps(graph, function).into_iter().find_map(|edge| {
-        let crossing = diff::derivative_along(graph, x, field, edge.difference, None);
-        let crossing = graph.sum(&crossing);
-        (!vanishes_on(graph, edge.difference, crossing)).then_some(edge.equal)
-    })
+/// A surface on which a function may jump while a field is followed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Discontinuity {
+    /// The numbers that are equal there.
+    pub(crate) equal: [Id; 2],
+    /// The condition, sign or angle that changes.
+    pub(crate) node: Id,
+    pub(crate) kind: Kind,
 }
 
-/// Of all conditions and signs that read the state or time.
+/// How a function may jump.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// Solutions lead across the surface.
+    Crossed,
+    /// Solutions stay on the surface: rounding decides on which side.
+    Followed,
+    /// Both arguments of an angle vanish, and solutions lead across the surface.
+    Angle,
+}
+
+/// A surface on which a function may jump while a field is followed; `None` if it was proven not to.
+///
+/// A function does not jump if both sides are equal, or if no solution leads from one side to the other. A surface that solutions follow
+/// counts, because rounding moves states across it, unless the coordinates of the surface rest.
+pub(crate) fn may_jump(graph: &mut Graph, x: &[Symbol], field: &[Id], function: Id) -> Option<Discontinuity> {
+    for edge in edges_of_jumps(graph, function) {
+        let found = |kind| Discontinuity { equal: edge.equal, node: edge.decided[0].0, kind };
+        if is_crossed(graph, x, field, edge.difference) {
+            return Some(found(Kind::Crossed));
+        }
+        if !stands_still(graph, x, field, edge.difference) {
+            return Some(found(Kind::Followed));
+        }
+    }
+    for node in angles(graph, function) {
+        for g in broken_at(graph, node) {
+            if is_crossed(graph, x, field, g) {
+                return Some(Discontinuity { equal: [g, graph.zero()], node, kind: Kind::Angle });
+            }
+        }
+    }
+    None
+}
+
+/// Returns whether it was not proven that solutions stay where a difference is zero.
+fn is_crossed(graph: &mut Graph, x: &[Symbol], field: &[Id], difference: Id) -> bool {
+    let rate = diff::derivative_along(graph, x, field, difference, None);
+    let rate = graph.sum(&rate);
+    !vanishes_on(graph, difference, rate)
+}
+
+/// Returns whether rounding moves no state off the surface: its coordinates rest, or a coordinate that is zero stays zero.
+fn stands_still(graph: &mut Graph, x: &[Symbol], field: &[Id], difference: Id) -> bool {
+    let (read, zero) = (graph.symbols(difference), graph.zero());
+    let rests = |(symbol, rate): (&Symbol, &Id)| {
+        let mut is_zero_at_zero = |node: Id| {
+            let there = replaced(graph, node, *symbol, zero);
+            graph.is_zero(there)
+        };
+        !read.contains(symbol) || is_zero_at_zero(*rate) && (*rate == zero || is_zero_at_zero(difference))
+    };
+    !read.contains(&Symbol::T) && x.iter().zip(field).all(rests)
+}
+
+/// The edges of all conditions and signs that read the state or time.
 fn edges(graph: &mut Graph, function: Id) -> Vec<Edge> {
     let mut edges: Vec<Edge> = vec![];
     for node in graph.reachable(&[function]) {

@@ -5,6 +5,7 @@
 //! either wrong, with a state at which it is not zero, or open: floating point tells which, and proves nothing.
 //!
 //! `claims` asks this of fields, integrals and structure matrices; `search` and `liouville` find integrals and energies.
+mod angles;
 pub(crate) mod claims;
 pub(crate) mod crossings;
 pub(crate) mod liouville;
@@ -16,6 +17,7 @@ mod surface;
 mod witness;
 
 use crate::ir::{Function, Graph, Id, Node, Number, Symbol};
+pub(crate) use angles::{angles, broken_at};
 pub(crate) use residues::Bound;
 pub(crate) use rounding::Direction;
 use rounding::Shown;

@@ -1,8 +1,9 @@
 //! What the divergence of a field says: whether it is that of an energy (J. Liouville), and Jacobi's last multiplier where it is not zero.
 
 use super::coordinates;
+use crate::analyze::crossings::{self, Discontinuity};
 use crate::analyze::liouville::{self, Logarithm, NoEnergy};
-use crate::analyze::{Identity, Proof, claims, crossings, search};
+use crate::analyze::{Identity, Proof, claims, search};
 use crate::derive::domain::{Check, Sign, checks_of};
 use crate::ir::{Graph, Id, Node, Partial, Symbol};
 
@@ -39,8 +40,8 @@ pub(crate) struct Recovered {
     pub(crate) proof: Proof,
     /// Whether it is defined wherever the field is: then it has one value there, and steps may keep it.
     pub(crate) everywhere: bool,
-    /// What is equal where it may jump while the field is followed: the field does not know of that.
-    pub(crate) jump: Option<[Id; 2]>,
+    /// Where it may jump while the field is followed: the field does not know of that.
+    pub(crate) jump: Option<Discontinuity>,
 }
 
 /// μ with div(μf) = 0.

@@ -3,7 +3,8 @@
 pub(super) mod flow;
 pub(super) mod liouville;
 
-use crate::analyze::{Identity, claims, crossings};
+use crate::analyze::crossings::{self, Discontinuity};
+use crate::analyze::{Identity, claims};
 use crate::diff;
 use crate::ir::{Graph, Id};
 use crate::lower::Skew;
@@ -14,8 +15,8 @@ use flow::{Flow, Named, coordinates};
 pub(crate) struct Integrals {
     /// Whether each is kept: (f − b)·∇I + ∂I/∂t = 0.
     pub(crate) kept: Vec<Identity>,
-    /// What is equal where each may jump on the way along the field, which its derivative does not show.
-    pub(crate) jumps: Vec<Option<[Id; 2]>>,
+    /// Where each may jump on the way along the field: its derivative does not show that.
+    pub(crate) jumps: Vec<Option<Discontinuity>>,
     /// The first of them, if any, that is a function of those before it.
     pub(crate) dependent: Option<usize>,
 }

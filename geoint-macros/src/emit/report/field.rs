@@ -3,6 +3,7 @@
 use super::super::kernel::Context;
 use super::structure::brackets;
 use crate::analyze::Identity;
+use crate::analyze::crossings::Discontinuity;
 use crate::analyze::liouville::{NoEnergy, Open};
 use crate::check::wording::{at_witness, open, proven};
 use crate::derive::proof::Integrals;
@@ -92,7 +93,7 @@ fn divergence<F: Fn(Symbol) -> String>(text: &mut String, printer: &Printer<'_, 
         Some(Ok(Recovered { energy, proof, everywhere, jump })) => {
             let energy = printer.formula(*energy);
             let proof = proven(*proof, "canonical");
-            if let Some([a, b]) = jump.filter(|_| *everywhere) {
+            if let Some(Discontinuity { equal: [a, b], .. }) = jump.filter(|_| *everywhere) {
                 writeln!(
                     text,
                     "- canonical, H = {energy} on each side, {proof}; not kept, because it may jump where {} = {}",

@@ -107,3 +107,103 @@ fn an_integral_that_jumps_at_one_of_two_roots_is_refused() {
         ""
     );
 }
+
+/// Rounding decides the side of a boundary that solutions follow.
+#[test]
+fn an_integral_that_jumps_along_solutions_is_refused() {
+    let ring = |integral: TokenStream| plane(integral, quote!(x[1]), quote!(-x[0]));
+    let square = quote!((x[0] * x[0] + x[1] * x[1]));
+    for jump in [
+        quote!(if #square > 1.0 { #square } else { 2.0 * #square }),
+        quote!(#square * if #square > a { 2.0 } else { 1.0 }),
+        quote!(#square + (#square - 1.0).signum()),
+        quote!(#square + if x[0].hypot(x[1]) < 1.0 { 1.0 } else { 0.0 }),
+    ] {
+        let found = ring(jump.clone());
+        assert!(found.contains("and solutions stay there, so that rounding decides its value"), "{jump}: {found}");
+    }
+    // Both sides are equal there; the boundary reads what does not move.
+    assert_eq!(ring(quote!(if #square > 1.0 { #square } else { 2.0 * #square - 1.0 })), "");
+    assert_eq!(ring(quote!(#square * if a > 1.0 { 2.0 } else { 1.0 })), "");
+    let resting = quote!(x[1] * if x[0] > 1.0 { 2.0 } else { 1.0 });
+    assert_eq!(plane(resting, quote!(0.0), quote!(0.0)), "");
+    let found = plane(quote!(x[1] + if x[0] > 0.0 { 1.0 } else { 0.0 }), quote!(1.0), quote!(0.0));
+    assert!(found.contains("it may jump where x[0] = 0"), "{found}");
+    let assumed = quote!(keeps(assume(i = if #square > 1.0 { #square } else { 2.0 * #square })));
+    let item = quote!(
+        fn f(x: [f64; 2]) -> [f64; 2] {
+            [x[1], -x[0]]
+        }
+    );
+    assert_eq!(messages(assumed, item), "");
+}
+
+/// Angles whose arguments have a common factor jump by less than a turn.
+#[test]
+fn angles_of_two_zeros_are_refused() {
+    let still = |integral: TokenStream| plane(integral, quote!(1.0), quote!(0.0));
+    let (x, y) = (quote!(x[0]), quote!(x[1]));
+    for (sine, cosine) in [
+        (quote!(#x * #x), x.clone()),
+        (x.clone(), quote!(#x * #x)),
+        (quote!(#x * #y), x.clone()),
+        (quote!(#x * #y), quote!(-2.0 * #x)),
+        (quote!(#x.powi(3) * #y), quote!(#x.powi(3))),
+        (quote!(#x.powi(4)), quote!(#x.powi(3) * #y)),
+        (quote!(0.0), x.clone()),
+        (x.clone(), quote!(0.0)),
+        (quote!(#x.abs()), x.clone()),
+        (quote!(#x.max(0.0)), x.clone()),
+        (quote!(#x * (1.0 + #y)), quote!(#x + #x * #x)),
+        (quote!(#x * #x + #x * #y), quote!(#x * #x - #x * #y)),
+        (quote!(#x.sin() * #y), quote!(#x.sin())),
+        (quote!((#x - 1.0) * #y), quote!(1.0 - #x)),
+        (quote!(#x * #x - #y * #y), quote!(#x - #y)),
+        (quote!(#x.cbrt() * #y), quote!(#x.cbrt())),
+    ] {
+        let angle = quote!((#sine).atan2(#cosine));
+        let item = quote!(
+            fn h(q: [f64; 2], p: [f64; 2], k: f64) -> f64 {
+                let x = q;
+                (p[0] * p[0] + p[1] * p[1]) / 2.0 + k * #angle
+            }
+        );
+        let found = messages_of(Form::Hamiltonian, quote!(), item.clone());
+        assert!(found.contains("both arguments of this `atan2` vanish where"), "{angle}: {found}");
+    }
+    for (sine, cosine) in [
+        (y.clone(), x.clone()),
+        (quote!(#x.sin()), quote!(#x.cos())),
+        (quote!(#x * #x * #y), quote!(#x * #x)),
+        (quote!(#x.powi(3)), quote!(#x * #x)),
+        (quote!(#x.powi(3)), quote!(1.0 + #x)),
+        (quote!(#x.abs() * #y), quote!(#x.abs())),
+        (quote!(k * #y), quote!(k * #x)),
+        (quote!(#x * #y), quote!(1.0 + #x * #x)),
+        (quote!(#y.exp() * #x), quote!(#y.exp() * #y)),
+    ] {
+        let item = quote!(
+            fn h(q: [f64; 2], p: [f64; 2], k: f64) -> f64 {
+                let x = q;
+                (p[0] * p[0] + p[1] * p[1]) / 2.0 + k * (#sine).atan2(#cosine)
+            }
+        );
+        assert_eq!(messages_of(Form::Hamiltonian, quote!(), item), "", "{sine}, {cosine}");
+    }
+    // Integrals: crossed, not crossed, and assumed.
+    let crossed = quote!(#y - ((#x * #x).atan2(#x) - #x.atan()));
+    let found = still(crossed.clone());
+    assert!(found.contains("both arguments of this `atan2` vanish where x[0] = 0"), "{found}");
+    assert_eq!(plane(crossed.clone(), quote!(#x), quote!(0.0)), "");
+    assert_eq!(
+        messages(
+            quote!(keeps(assume(i = #crossed))),
+            quote!(
+                fn f(x: [f64; 2]) -> [f64; 2] {
+                    [1.0, 0.0]
+                }
+            )
+        ),
+        ""
+    );
+}

@@ -94,4 +94,24 @@ mod flow_wrong_integral {
     }
 }
 
+mod flow_integral_that_jumps_along_solutions {
+    use geoint_runtime::prelude::*;
+
+    /// The radius is constant, so that rounding decides whether it is more than 1.
+    #[vector_field(keeps(radius = if x[0].hypot(x[1]) > 1.0 { x[0].hypot(x[1]) } else { 2.0 * x[0].hypot(x[1]) }))]
+    fn turning(x: [f64; 2]) -> [f64; 2] {
+        [x[1], -x[0]]
+    }
+}
+
+mod flow_integral_with_half_a_turn {
+    use geoint_runtime::prelude::*;
+
+    /// The angle of (x², x) is atan x, or atan x + π.
+    #[vector_field(keeps(height = x[1] - (x[0].powi(2).atan2(x[0]) - x[0].atan())))]
+    fn still(x: [f64; 2]) -> [f64; 2] {
+        [1.0, 0.0]
+    }
+}
+
 fn main() {}

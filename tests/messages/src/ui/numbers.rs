@@ -99,4 +99,13 @@ mod power_by_two_stars {
     }
 }
 
+mod angle_of_two_zeros {
+    use geoint_runtime::prelude::*;
+
+    #[hamiltonian]
+    fn spiral(q: [f64; 2], p: [f64; 2], k: f64) -> f64 {
+        (p[0] * p[0] + p[1] * p[1]) / 2.0 + k * (q[0] * q[1]).atan2(q[0])
+    }
+}
+
 fn main() {}
