@@ -185,7 +185,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
             self.begin();
         }
         let t = signed(self.time());
-        let bounds = self.bounds.at::<R>(t);
+        let bounds = self.bounds.at(t, R::epsilon(), self.here().unit);
         let wish = self.length(&bounds);
         // Where the series ends within what changes time, a longer step would be wrong.
         if wish < bounds.shortest && left > wish && !self.is_fixed() {
