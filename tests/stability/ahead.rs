@@ -133,7 +133,7 @@ fn free_flights_take_few_steps() {
     let system = Pulse { a: 0.0, c: 0.0, w: 1.0 };
     let mut run = system.taylor(Taylor::default(), State::new(1.0, 1.0));
     assert_eq!(run.advance_to(1e6), Ok(()));
-    assert!(run.steps() < 30 && run.state().q == 1e6 + 1.0, "{} {:?}", run.steps(), run.state());
+    assert!(run.steps() < 30 && (run.state().q - 1e6 - 1.0).abs() < 1e-8, "{} {:?}", run.steps(), run.state());
     let mut run = system.adaptive(DOP853, 1e-9, State::new(1.0, 1.0));
     assert_eq!(run.advance_to(1e6), Ok(()));
     assert!(run.steps() < 40, "{}", run.steps());

@@ -74,38 +74,29 @@ fn array<const N: usize>(noise: &mut Noise) -> [f64; N] {
     core::array::from_fn(|_| 2.0 * noise.next().expect("noise is endless"))
 }
 
-/// Discrete gradients and their compositions take almost every step of a system, and keep the value.
+/// Discrete gradients and their compositions take most steps of a system, and keep the value.
 macro_rules! keeps {
-    ($system:expr, |$noise:ident| $start:expr, |$run:ident| $value:expr, $steps_taken:expr) => {
-        keeps!(@ $system, |$noise| $start, |$run| $value, $steps_taken, DiscreteGradient, Suzuki4.of(DiscreteGradient));
+    ($system:expr, |$noise:ident| $start:expr, |$run:ident| $value:expr) => {
+        keeps!(@ $system, |$noise| $start, |$run| $value, DiscreteGradient, Suzuki4.of(DiscreteGradient));
     };
-    (@ $system:expr, |$noise:ident| $start:expr, |$run:ident| $value:expr, $steps_taken:expr, $($method:expr),*) => { $(
+    (@ $system:expr, |$noise:ident| $start:expr, |$run:ident| $value:expr, $($method:expr),*) => { $(
         for h in [0.05, 0.3] {
             let (worst, taken) = change!($system, $method, h, |$noise| $start, |$run| $value);
-            assert!(worst < 1e-12 && taken > $steps_taken, "{} {} {h}: {worst:.1e}, {taken}", stringify!($system), stringify!($method));
+            assert!(worst < 1e-12 && taken > 0.5, "{} {} {h}: {worst:.1e}, {taken}", stringify!($system), stringify!($method));
         }
     )* };
 }
 
 #[test]
 fn discrete_gradients_keep_energies_with_bends() {
-    keeps!(Sheets { m: [1.0, 1.7, 0.6] }, |noise| State::new(array(&mut noise), [0.0; 3]), |run| run.energy(), 0.95);
-    keeps!(
-        TwoAndTheOrigin { m: 1.7 },
-        |noise| State::new(array(&mut noise), array(&mut noise)),
-        |run| run.energy(),
-        0.9
-    );
-    keeps!(Wedge { m: 0.6 }, |noise| State::new(array(&mut noise), array(&mut noise)), |run| run.energy(), 0.9);
-    keeps!(
-        Diamond { a: 0.7 },
-        |noise| State::new(array::<1>(&mut noise)[0], array::<1>(&mut noise)[0]),
-        |run| run.energy(),
-        0.9
-    );
+    keeps!(Sheets { m: [1.0, 1.7, 0.6] }, |noise| State::new(array(&mut noise), [0.0; 3]), |run| run.energy());
+    keeps!(TwoAndTheOrigin { m: 1.7 }, |noise| State::new(array(&mut noise), array(&mut noise)), |run| run.energy());
+    keeps!(Wedge { m: 0.6 }, |noise| State::new(array(&mut noise), array(&mut noise)), |run| run.energy());
+    keeps!(Diamond { a: 0.7 }, |noise| State::new(array::<1>(&mut noise)[0], array::<1>(&mut noise)[0]), |run| run
+        .energy());
     let system = TwoByVelocities { m: 0.8 };
-    keeps!(system, |noise| system.at(array(&mut noise), array(&mut noise)), |run| run.energy(), 0.9);
-    keeps!(EdgesOfASquare {}, |noise| FlowState::new(array(&mut noise)), |run| run.integrals()[0], 0.9);
+    keeps!(system, |noise| system.at(array(&mut noise), array(&mut noise)), |run| run.energy());
+    keeps!(EdgesOfASquare {}, |noise| FlowState::new(array(&mut noise)), |run| run.integrals()[0]);
 }
 
 /// Other means of gradients refuse more steps, but no step changes the energy.

@@ -30,11 +30,10 @@ impl Default for Bounds {
 }
 
 impl Bounds {
-    /// Returns bounds for steps that change the time `t`, and of which the last digit is a normal number. Units of time are at liberty: a rate of
-    /// 10¹⁵⁰ takes steps of 10⁻¹⁵⁰.
-    pub(crate) fn at<R: Real>(&self, t: f64) -> Bounds {
-        let changes_time = 4.0 * R::epsilon() * t.abs();
-        Bounds { shortest: self.shortest.max(changes_time).max(R::smallest() / R::epsilon()), ..*self }
+    /// Returns bounds for steps that change the time `t`, and that are no zero beside 1 and the time in which a state changes.
+    pub(crate) fn at(&self, t: f64, epsilon: f64, pace: f64) -> Bounds {
+        let zero = epsilon * epsilon * epsilon * epsilon * pace.min(1.0);
+        Bounds { shortest: self.shortest.max(4.0 * epsilon * t.abs()).max(zero), ..*self }
     }
 
     /// That there is a step between them.
@@ -61,6 +60,8 @@ pub(crate) struct Controller {
     /// The same in rungs, ready before the next error is.
     rungs_before: f64,
     rejected: bool,
+    /// The time in which the first state changes; 1 if it is not known.
+    pub(crate) pace: f64,
 }
 
 impl<R> Record<R> for Controller {
@@ -70,17 +71,19 @@ impl<R> Record<R> for Controller {
         tape.number(&mut self.before);
         self.rungs_before = rungs(self.before.max(LEAST));
         tape.flag(&mut self.rejected);
+        tape.number(&mut self.pace);
     }
 }
 
 impl Controller {
     pub(crate) fn new(order: u32) -> Self {
         let exponent = f64::from(order) + 1.0;
-        Controller { exponent, rung: 0.0, backwards: false, before: 1.0, rungs_before: 0.0, rejected: false }
+        Controller { exponent, rung: 0.0, backwards: false, before: 1.0, rungs_before: 0.0, rejected: false, pace: 1.0 }
     }
 
     /// From the time in which the state changes.
     pub(crate) fn start(&mut self, time: f64, tolerance: f64) {
+        self.pace = if time > 0.0 && time < f64::INFINITY { time } else { 1.0 };
         let h = time * self.part(tolerance);
         self.set(if h > 0.0 && h < f64::INFINITY { h } else { 1.0 });
     }

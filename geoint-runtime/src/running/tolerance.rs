@@ -1,6 +1,7 @@
 //! Which error of a step is tolerated, coordinate by coordinate?
 
 use crate::scalar::{Real, signed};
+use crate::solving::rounding::ROUNDINGS;
 use crate::solving::size::largest;
 use crate::space::{Action, Array, PerCoordinate, Record, Tape};
 
@@ -171,18 +172,16 @@ impl<A: Array, Z: Action<A::Real>> Tolerance<A, Z> {
             if gap == 0.0 || (entry(&self.sizes, i) == 0.0 && entry(&rates, i) == 0.0) {
                 return 0.0;
             }
-            // Below the normal numbers a coordinate has no digits that could be right.
-            if entry(&self.sizes, i).max(entry(step.after, i)) < A::Real::smallest() {
-                return 0.0;
-            }
             gap / self.of(i, entry(step.after, i), step.part)
         }))
     }
 
-    /// The error that is tolerated in coordinate `i` in a step to `after`.
+    /// The error that is tolerated in coordinate `i` in a step to `after`. Below the normal numbers a coordinate has few digits, and no rounding of these
+    /// counts.
     pub(crate) fn of(&self, i: usize, after: f64, part: f64) -> f64 {
         let size = self.size(i, after, part).max(self.caused.at(i).magnitude());
-        self.relative * size + self.absolute.at(i).magnitude()
+        let rounding = ROUNDINGS * A::Real::epsilon() * A::Real::smallest();
+        self.relative * size + self.absolute.at(i).magnitude() + rounding
     }
 }
 

@@ -63,8 +63,6 @@ pub(crate) struct Corrections {
     /// The last one, relative to what it corrects.
     before: f64,
     smallest: f64,
-    /// The smallest one before the iteration was stuck.
-    stuck_at: f64,
     stuck: u32,
     slow: bool,
     looks: u32,
@@ -79,7 +77,6 @@ impl Corrections {
             iterations: 0,
             before: f64::INFINITY,
             smallest: f64::INFINITY,
-            stuck_at: f64::INFINITY,
             stuck: 0,
             slow: false,
             looks: 0,
@@ -90,13 +87,7 @@ impl Corrections {
     /// Corrections that follow are relative to something else.
     pub(crate) fn restart(&mut self) {
         let (looks, distance) = (self.looks + 1, AND_FARTHER * self.distance);
-        let stuck_at = self.smallest;
-        *self = Self { before: f64::INFINITY, smallest: f64::INFINITY, stuck_at, stuck: 0, looks, distance, ..*self };
-    }
-
-    /// The smallest correction before the last [restart](Self::restart).
-    pub(crate) fn stuck_at(&self) -> f64 {
-        self.stuck_at
+        *self = Self { before: f64::INFINITY, smallest: f64::INFINITY, stuck: 0, looks, distance, ..*self };
     }
 
     /// At points that are so many times farther apart than the last correction is large, rounding is looked for that keeps corrections from

@@ -19,6 +19,9 @@ where
     type Values: Array<Real = R>;
     /// Whether H is a function of the invariants.
     const KEEP_ENERGY: bool = false;
+    /// Whether all angles that the invariants read are visited by [`angles`](PhaseSpace::angles): the macros have derived the invariants.
+    #[doc(hidden)]
+    const DERIVED: bool = false;
 
     /// What they change by between `x` and `x + d`. Write it without subtracting values where you can: what is lost in that
     /// difference is added to the trajectory.

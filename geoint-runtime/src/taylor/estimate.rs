@@ -16,6 +16,9 @@ const LOOSEST: f64 = 1.0 / 16.0;
 /// Log₂ of how many times larger the radius of convergence by the terms of half the order may be than the one by the last terms.
 const SHRINKS: f64 = 2.0;
 
+/// A step moves a group far by more than so many times its size.
+const FAR: f64 = 2.0;
+
 /// The largest magnitudes that positions, momenta and so on have had, and the tolerance relative to them.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Estimate<X: Snapshot> {
@@ -113,6 +116,12 @@ impl<X: Snapshot> Estimate<X> {
         let radius = |order: usize| smaller(self.radius(jet, order), self.radius(jet, order - 1));
         let (order, last) = (jet.len(), radius(jet.len()));
         last < f64::INFINITY && radius(order / 2 + 1) <= last + SHRINKS
+    }
+
+    /// Whether these rates move a group by much more than its size in a step of length `h`.
+    #[inline(always)]
+    pub(crate) fn moves_far(&self, h: f64, rates: &PerCoordinate<X::Phase, X::Action>) -> bool {
+        (0..Self::GROUPS).any(|i| h.abs() * Self::magnitude(rates, i) > FAR * self.size(i))
     }
 
     /// Log₂ of the radius of convergence by the term of order m: of the time in which that is as large as its group.

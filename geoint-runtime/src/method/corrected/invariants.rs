@@ -22,6 +22,7 @@ impl<S: KeepsEnergy<R>, R: Real> Invariants<S, R> for Energy {
     /// Where H is not kept, no type is known here: see [`Method::Proof`](crate::Method::Proof).
     type Values = <<S as KeepsEnergy<R>>::Proof as And<R>>::Both;
     const KEEP_ENERGY: bool = true;
+    const DERIVED: bool = true;
 
     #[inline]
     fn changes(&self, system: &S, z: &S::Phase, dz: &S::Phase) -> R {
@@ -42,6 +43,7 @@ pub struct CanonicalEnergy;
 impl<S: DiscreteField<R> + Hamiltonian<R>, R: Real> Invariants<S, R> for CanonicalEnergy {
     type Values = R;
     const KEEP_ENERGY: bool = true;
+    const DERIVED: bool = true;
 
     #[inline]
     fn changes(&self, system: &S, z: &S::Phase, dz: &S::Phase) -> R {
@@ -77,6 +79,7 @@ pub struct EnergyAndMomenta<const ENERGY: bool>;
 impl<S: DiscreteField<R> + KeptMomenta<R>, R: Real, const ENERGY: bool> Invariants<S, R> for EnergyAndMomenta<ENERGY> {
     type Values = S::Values;
     const KEEP_ENERGY: bool = ENERGY;
+    const DERIVED: bool = true;
 
     fn changes(&self, system: &S, z: &S::Phase, dz: &S::Phase) -> S::Values {
         let mut changes = S::Values::zero();
@@ -108,6 +111,7 @@ pub struct VelocityEnergy;
 impl<S: VelocityForm<R> + VectorField<R>, R: Real> Invariants<S, R> for VelocityEnergy {
     type Values = R;
     const KEEP_ENERGY: bool = true;
+    const DERIVED: bool = true;
 
     #[inline]
     fn changes(&self, system: &S, z: &S::Phase, dz: &S::Phase) -> R {
@@ -131,6 +135,7 @@ pub struct Integral<const INDEX: usize>;
 impl<S: SteadyIntegrals<R>, R: Real, const INDEX: usize> Invariants<S, R> for Integral<INDEX> {
     type Values = R;
     const KEEP_ENERGY: bool = true;
+    const DERIVED: bool = true;
 
     #[inline]
     fn changes(&self, system: &S, z: &S::Phase, dz: &S::Phase) -> R {
@@ -153,6 +158,7 @@ where
 {
     type Values = S::Steady;
     const KEEP_ENERGY: bool = true;
+    const DERIVED: bool = true;
 
     #[inline]
     fn changes(&self, system: &S, x: &S::Phase, d: &S::Phase) -> S::Steady {
@@ -168,6 +174,7 @@ where
 /// None.
 impl<S: PhaseSpace<R>, R: Real> Invariants<S, R> for () {
     type Values = [R; 0];
+    const DERIVED: bool = true;
 
     #[inline]
     fn changes(&self, _: &S, _: &S::Phase, _: &S::Phase) -> [R; 0] {
@@ -192,6 +199,7 @@ macro_rules! tuples {
         impl<S: PhaseSpace<R>, R: Real, $($I: Invariants<S, R, Values = R>),*> Invariants<S, R> for ($($I,)*) {
             type Values = known!([R; $n]; $($I)*);
             const KEEP_ENERGY: bool = $($I::KEEP_ENERGY)||*;
+            const DERIVED: bool = $($I::DERIVED)&&*;
 
             #[inline]
             fn changes(&self, system: &S, x: &S::Phase, d: &S::Phase) -> [R; $n] {

@@ -19,10 +19,16 @@ use core::cell::Cell;
 /// A method, and the invariants that each of its steps is projected onto: `Projection(RK4, Energy)`.
 ///
 /// The order of the method; invariants are kept to rounding, also where their gradients depend on each other, as those of energy and momentum
-/// do on a circle. Neither symmetric nor symplectic: what is not projected onto drifts, even the momentum of a cyclic coordinate. The way
-/// back is the shortest one if every coordinate is measured in units of the largest magnitude D that it has had, or of what it moves by in a
-/// thousand steps, if that is less: an angle of many turns is large, and energies do not change over as much. It does not depend on the units in
-/// which q and p are given, and a coordinate that has always been zero stays zero.
+/// do on a circle. The method is neither symmetric nor symplectic: other invariants drift, even the momentum of a cyclic coordinate.
+///
+/// The correction is the shortest one, where each coordinate has a unit D. D is the largest recent magnitude of the coordinate, or its motion in
+/// 1024 steps, if that is less: an angle of many turns is large, and energies do not change over as much. But D is large enough for the coordinate
+/// to take a correction that is within its own rounding. The correction does not depend on the units of q and p, and a coordinate that has always
+/// been zero stays zero.
+///
+/// An angle `atan2(y, x)` in an invariant is followed across its cut. Errors: [`StepError::Turned`](crate::StepError::Turned) if the angle moves by
+/// more than half a turn in a step, and [`StepError::OutOfRange`](crate::StepError::OutOfRange) if an invariant underflows or overflows.
+///
 /// E. Hairer, Ch. Lubich & G. Wanner, *Geometric Numerical Integration* (2006), section IV.4, algorithm 4.2.
 ///
 /// Taylor series are projected, too: `system.taylor(Projection(Taylor { tolerance: 1e-8 }, Energy), state)`. Each step is led back to what the
@@ -130,15 +136,16 @@ pub(super) struct WayBack<Z> {
     decided: Z,
 }
 
-/// Returns the way from `end` to where the invariants have changed by `-excess` since `before`.
+/// Returns the way from `end` to where the invariants have changed by `wanted` since `before`.
 ///
 /// A simplified Newton iteration finds the multipliers, with the gradients at that end. On a circular orbit, or on any other orbit on which an
 /// invariant is as small as others allow, gradients depend on each other. Near it the directions turn as fast as the distance shrinks, so the
 /// fallback evaluates them at each point.
+#[inline(always)]
 pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
     system: &S,
     invariants: &I,
-    excess: &I::Values,
+    wanted: &I::Values,
     scales: &Scales<S::Phase>,
     [before, end]: [&S::Phase; 2],
 ) -> Result<WayBack<S::Phase>, Refusal> {
@@ -150,20 +157,17 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
     let decided = Cell::new(*moved);
     let changes = |increment: &S::Phase| {
         decided.set(*increment);
-        sum(&invariants.changes(system, before, increment), excess)
+        difference(&invariants.changes(system, before, increment), wanted)
     };
-    let whole = changes(moved);
     let gradients = invariants.gradients(system, end);
-    let units = scales.units(&explained_by_rounding(&whole, I::Values::entries_of(&gradients), &sizes));
+    let explained = || explained_by_rounding(system, invariants, wanted, &gradients, [before, moved], &sizes);
+    let units = scales.units(explained);
     let at_end = Frame::<I::Values, S::Phase>::new(gradients, units, &sizes);
     let frame = |at: &S::Phase| Frame::<I::Values, S::Phase>::new(invariants.gradients(system, at), units, &sizes);
     // A correction that does not shrink may be one from side to side of a jump.
     let jumps = I::KEEP_ENERGY && !S::JUMPS.is_empty();
-    // The iteration begins at the end of the step, where the changes are known.
-    let first = Cell::new(Some(whole));
     let correction = |multipliers: &I::Values| {
-        let changes = || changes(&sum(moved, &at_end.back(multipliers)));
-        let mut delta = first.take().unwrap_or_else(changes);
+        let mut delta = changes(&sum(moved, &at_end.back(multipliers)));
         let relative = at_end.multipliers(&mut delta);
         (delta, relative)
     };
@@ -193,15 +197,20 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
 }
 
 /// Returns for each coordinate the part of the correction that rounding explains: the least one of the invariants that read it.
-#[inline]
-fn explained_by_rounding<R: Real, V: Array<Real = R>, Z: Array<Real = R>>(
-    changes: &V,
-    gradients: &[Z],
-    sizes: &Sizes<Z>,
-) -> Z {
-    let mut explained = Z::zero();
+#[cold]
+#[inline(never)]
+fn explained_by_rounding<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
+    system: &S,
+    invariants: &I,
+    wanted: &I::Values,
+    gradients: &<I::Values as Array>::Map<S::Phase>,
+    [before, moved]: [&S::Phase; 2],
+    sizes: &Sizes<S::Phase>,
+) -> S::Phase {
+    let changes = difference(&invariants.changes(system, before, moved), wanted);
+    let mut explained = S::Phase::zero();
     explained.as_mut_slice().fill(R::from_f64(1.0));
-    for (change, gradient) in changes.as_slice().iter().zip(gradients) {
+    for (change, gradient) in changes.as_slice().iter().zip(I::Values::entries_of(gradients)) {
         let part = part_of_rounding(*change, sizes.terms(gradient));
         for (least, slope) in explained.as_mut_slice().iter_mut().zip(gradient.as_slice()) {
             if slope.magnitude() > 0.0 && part < least.magnitude() {

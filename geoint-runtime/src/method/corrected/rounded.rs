@@ -11,6 +11,9 @@ use crate::system::{Graded, Invariants, KeptBy, PhaseSpace, jump_of_integral};
 /// would cost a tenth of long steps, since whoever passes zero does so.
 const MOST: f64 = 16384.0;
 
+/// A step with patience may change the energy by so many of its roundings: forces that cancel are rounded as their terms are, which are not known here.
+const MOST_OF_ENERGY: f64 = 262_144.0;
+
 /// Refuses the step of a field from `before` to `x` if rounding changes an integral, or the step leads across a jump of an integral.
 ///
 /// Without patience a step in which a coordinate leaps is marked, and is repeated. Equations that rounding leaves unsolved are repeated as well.
@@ -55,7 +58,7 @@ fn check_energy<S: Graded<R>, R: Real>(system: &S, before: &S::Phase, after: &S:
     let way = [before, after].map(Array::as_slice);
     let is_lost = |(change, (first, last)): (&R, (&S::Phase, &S::Phase))| {
         let at_ends = f64::max(steepness(way, first.as_slice()), steepness(way, last.as_slice()));
-        change.magnitude() > MOST * R::epsilon() * (at_ends + terms)
+        change.magnitude() > MOST_OF_ENERGY * R::epsilon() * (at_ends + terms)
     };
     let lost = changes.as_slice().iter().zip(first.iter().zip(last.iter())).any(is_lost);
     if lost { Err(Refusal::Rounded) } else { Ok(()) }

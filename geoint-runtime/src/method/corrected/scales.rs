@@ -30,8 +30,17 @@ impl<A: Array> Scales<A> {
 
     /// Returns the units for a correction. `rounding` gives for each coordinate the part of the correction that rounding explains.
     #[inline]
-    pub(super) fn units(&self, rounding: &A) -> Sizes<A> {
-        let mut units = self.sizes;
+    pub(super) fn units(&self, rounding: impl FnOnce() -> A) -> Sizes<A> {
+        // All coordinates of most steps do move.
+        let mut all_move = true;
+        for i in 0..A::LEN {
+            let reached = STEPS * self.moved.of(i);
+            all_move &= reached >= self.sizes.of(i) || reached == 0.0;
+        }
+        if all_move {
+            return self.sizes;
+        }
+        let (mut units, rounding) = (self.sizes, rounding());
         for (i, unit) in units.entries().iter_mut().enumerate() {
             let least = rounding.as_slice()[i].magnitude();
             *unit = A::Real::from_f64(unit_of(unit.magnitude(), self.moved.of(i), least));
@@ -44,6 +53,7 @@ impl<A: Array> Scales<A> {
 ///
 /// A coordinate always takes a correction within its own rounding. A coordinate that hardly moves would otherwise hand the rounding of an
 /// invariant on to the others, however little the invariant depends on them. `rounding` is therefore the least part of its size.
+#[inline]
 pub(super) fn unit_of(size: f64, moved: f64, rounding: f64) -> f64 {
     let reached = STEPS * moved;
     if reached > 0.0 && reached < size { reached.max(rounding * size) } else { size }

@@ -28,8 +28,8 @@ pub struct Memory<A, V> {
     /// Whether changes since the origin are the sum of those of all steps. An angle that has gone round is at the origin again, so its change
     /// since then is known step by step alone.
     summed: bool,
-    /// The sum of these changes: the corrections have left it.
-    left: V,
+    /// The change that the next step makes up for: corrections have left it.
+    wanted: V,
 }
 
 impl<A: Array, V: Array<Real = A::Real>> Record<A::Real> for Memory<A, V> {
@@ -37,7 +37,7 @@ impl<A: Array, V: Array<Real = A::Real>> Record<A::Real> for Memory<A, V> {
         self.scales.record(tape);
         tape.array(&mut self.origin);
         tape.flag(&mut self.summed);
-        tape.array(&mut self.left);
+        tape.array(&mut self.wanted);
     }
 }
 
@@ -83,7 +83,7 @@ where
         self.0.order()
     }
     fn memory(origin: &S::Phase) -> Self::Memory {
-        Memory { scales: Scales::new(), origin: *origin, summed: S::ANGLES, left: I::Values::zero() }
+        Memory { scales: Scales::new(), origin: *origin, summed: S::ANGLES, wanted: I::Values::zero() }
     }
     #[inline]
     fn correction(
@@ -94,21 +94,22 @@ where
         [before, z]: [&S::Phase; 2],
     ) -> Result<Option<S::Phase>, Refusal> {
         memory.scales.include(before, &difference(z, before));
-        if !is_representable(system, &self.1, before) {
+        let is_first = difference(&memory.origin, before).as_slice().iter().all(|moved| moved.magnitude() == 0.0);
+        if is_first && !is_representable(system, &self.1, before) {
             return Err(Refusal::OutOfRange);
         }
         check_turns(system, time, [before, z])?;
-        memory.summed = memory.summed || memory.has_turned(system, &self.1, [before, z]);
-        let Memory { scales, origin, summed, left } = memory;
+        memory.summed = memory.summed || !I::DERIVED && memory.has_turned(system, &self.1, [before, z]);
+        let Memory { scales, origin, summed, wanted } = memory;
         let ends_in_time = [time[0], time[0] + time[1]];
-        let back = |from: &S::Phase, left: &I::Values| {
-            let back = way_back(system, &self.1, left, scales, [from, z])?.back;
+        let back = |from: &S::Phase, wanted: &I::Values| {
+            let back = way_back(system, &self.1, wanted, scales, [from, z])?.back;
             check_correction(system, ends_in_time, &self.1, [from, z, &sum(z, &back)]).map(|()| back)
         };
         if *summed {
-            let back = back(before, left)?;
+            let back = back(before, wanted)?;
             let moved = difference(&sum(z, &back), before);
-            *left = sum(left, &self.1.changes(system, before, &moved));
+            *wanted = difference(wanted, &self.1.changes(system, before, &moved));
             return Ok(Some(back));
         }
         let way = match back(origin, &I::Values::zero()) {

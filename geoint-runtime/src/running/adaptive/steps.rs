@@ -93,7 +93,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
 
     /// The length of the next step, if the tolerance allows it.
     pub(super) fn size(&self) -> f64 {
-        self.controller.step(&self.bounds.at::<R>(signed(self.time())))
+        self.controller.step(&self.bounds.at(signed(self.time()), R::epsilon(), self.controller.pace))
     }
 
     /// A step from here.
@@ -106,7 +106,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
     /// A step that is not longer than `left`.
     pub(super) fn take(&mut self, left: f64) -> Result<(), StepError> {
         let t = signed(self.time());
-        let bounds = self.bounds.at::<R>(t);
+        let bounds = self.bounds.at(t, R::epsilon(), self.controller.pace);
         if self.taken == self.given {
             self.tolerate_causes(left.min(bounds.longest));
         }

@@ -35,8 +35,8 @@ const FAR_OFF: f64 = 1.0 / 8.0;
 /// Of an equation that keeps no energy a solution after more iterations may be that of another branch.
 const FEW: u32 = 5;
 
-/// Corrections of this size, in units of the sizes of coordinates, that do not shrink lead anywhere.
-const WANDERS: f64 = 1.0 / 64.0;
+/// No solution that is this many times as large as what it is added to is taken without a look at its branch.
+const LEAP: f64 = 8.0;
 
 /// What is known of the iteration from steps before.
 #[derive(Clone, Copy, Debug)]
@@ -181,6 +181,7 @@ impl<A: Array> Iteration<A> {
             if found.outcome.is_ok()
                 && !equation.is_settled()
                 && (iterations > FEW || matches!(attempt, Attempt::Damped))
+                && self.leaps(&equation.origin(), &found.x)
             {
                 // What is compiled for many steps leaves the search to a step with patience.
                 if !E::PATIENT || !self.grows_from_nothing(found.x, equation, watch) {
@@ -201,6 +202,18 @@ impl<A: Array> Iteration<A> {
                 _ => return found,
             }
         }
+    }
+
+    /// Returns whether an increment is much larger than all coordinates of its unit.
+    fn leaps(&self, origin: &A, x: &A) -> bool {
+        let [each, kinds] = self.kinds;
+        let largest = |kind: usize, size: &dyn Fn(usize) -> f64| {
+            (0..A::LEN).filter(|i| i / each % kinds == kind).map(size).fold(0.0, f64::max)
+        };
+        (0..kinds).any(|kind| {
+            let increment = largest(kind, &|i| x.as_slice()[i].magnitude());
+            increment > LEAP * largest(kind, &|i| self.sizes.of(i).max(origin.as_slice()[i].magnitude()))
+        })
     }
 
     /// Chooses what the next guess is made of, by what each would have missed this solution.
@@ -260,10 +273,6 @@ impl<A: Array> Iteration<A> {
                             break None;
                         }
                         solved = self.is_noise(x, last, *equation, watch);
-                        // Iterations that wander find solutions of other branches, if any.
-                        if !solved && corrections.stuck_at() > WANDERS {
-                            break None;
-                        }
                     }
                     match linear::solve(&mut matrix, &mut delta, scale) {
                         Some(positive) => (delta, positive),

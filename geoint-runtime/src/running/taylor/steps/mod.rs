@@ -186,14 +186,14 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
             self.begin();
         }
         let t = signed(self.time());
-        let bounds = self.bounds.at::<R>(t);
+        let bounds = self.bounds.at(t, R::epsilon(), self.here().unit);
         let mut wish = self.length(&bounds);
         // Where the series ends within what changes time, a longer step would be wrong.
         if wish < bounds.shortest && left > wish && !self.is_fixed() {
             return Err(self.refused(t, wish, self.too_short(wish, &bounds)));
         }
         let informed = self.is_informed();
-        if !informed {
+        if S::Switches::LEN == 0 && !informed {
             wish = wish.min(self.longest_uninformed());
         }
         // Where nothing else ends it.
@@ -214,11 +214,11 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
                     h = self.towards((0.5 * h.abs()).max(bounds.shortest));
                     switch = None;
                 }
-                // A step that ends where it begins, at a condition, has no way.
+                // Up to a condition the way is that of the series of one side.
                 Ok(())
-                    if !informed
+                    if S::Switches::LEN == 0
+                        && (!informed || self.moves_far(h))
                         && h.abs() > bounds.shortest
-                        && switch.is_none_or(|switch| switch.at > 0.0)
                         && !self.agrees_on_way(h) =>
                 {
                     h = self.towards((0.5 * h.abs()).max(bounds.shortest));

@@ -44,7 +44,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
 
     /// The shortest step that changes time.
     fn shortest(&self) -> f64 {
-        Bounds::default().at::<R>(signed(self.time())).shortest
+        Bounds::default().at(signed(self.time()), R::epsilon(), self.here().unit).shortest
     }
 
     /// Why the solution has no series here.

@@ -20,6 +20,12 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         self.is_fixed() || self.estimate.converges(self.jet())
     }
 
+    /// Whether the state moves by more than its size in a step of length `h`. A series converges over such a step only if its force is nearly constant.
+    #[inline(always)]
+    pub(super) fn moves_far(&self, h: f64) -> bool {
+        !self.is_fixed() && self.estimate.moves_far(self.here().in_units(h), &self.jet()[0])
+    }
+
     /// The longest step of which the series says nothing.
     #[cold]
     pub(super) fn longest_uninformed(&self) -> f64 {
