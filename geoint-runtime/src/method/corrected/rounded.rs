@@ -12,7 +12,7 @@ use crate::system::{Graded, Invariants, KeptBy, PhaseSpace, jump_of_integral};
 const MOST: f64 = 16384.0;
 
 /// A step with patience may change the energy by so many of its roundings: forces that cancel are rounded as their terms are, which are not known here.
-const MOST_OF_ENERGY: f64 = 262_144.0;
+const MOST_OF_ENERGY: f64 = 4_194_304.0;
 
 /// Refuses the step of a field from `before` to `x` if rounding changes an integral, or the step leads across a jump of an integral.
 ///

@@ -95,6 +95,13 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
         self.tolerance.is_first_motion(&after) && grows(self.system, self.t, &before, h / self.part) == Some(false)
     }
 
+    /// Whether coordinates leave rest at zero that time alone drives, like a power of time all along the step: the first motion is right in its order of
+    /// magnitude only.
+    pub(super) fn grows_from_rest(&self, h: f64, x: &Carried<S, R>) -> bool {
+        let [before, after] = [self.x, x].map(PerCoordinate::of);
+        self.tolerance.is_first_motion(&after) && grows(self.system, self.t, &before, h / self.part) == Some(true)
+    }
+
     /// A step, and its error by the method's own estimate, or by two halves.
     fn estimated<M: Method<S, R>, P: Probe<S, R>>(
         &self,

@@ -149,6 +149,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
                 && *error <= 1.0
                 && !self.told.covers(h, tells)
                 && h.abs() > bounds.shortest
+                && !attempt.grows_from_rest(h, x)
                 && attempt.misses_force(h, tells, whole, x)
             {
                 *error = f64::INFINITY;

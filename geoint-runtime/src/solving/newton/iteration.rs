@@ -35,9 +35,6 @@ const FAR_OFF: f64 = 1.0 / 8.0;
 /// Of an equation that keeps no energy a solution after more iterations may be that of another branch.
 const FEW: u32 = 5;
 
-/// No solution that is this many times as large as what it is added to is taken without a look at its branch.
-const LEAP: f64 = 8.0;
-
 /// What is known of the iteration from steps before.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Iteration<A> {
@@ -53,6 +50,8 @@ pub(super) struct Iteration<A> {
     pub(super) by_series: bool,
     /// The fixed point attracts too weakly.
     pub(super) stiff: bool,
+    /// The last solution leaves a residual that was measured as rounding.
+    leaves_rounding: bool,
 }
 
 /// Where an iteration starts that does all to find a solution.
@@ -76,8 +75,8 @@ impl<A> Start<A> {
 
 impl<A: Array> Record<A::Real> for Iteration<A> {
     fn record(&mut self, tape: &mut impl Tape<A::Real>) {
-        // Kinds follow from the method.
-        let Iteration { sizes, kinds: _, guesses, reach, steps, by_series, stiff } = self;
+        // Kinds follow from the method. `leaves_rounding` is asked before the step ends.
+        let Iteration { sizes, kinds: _, guesses, reach, steps, by_series, stiff, leaves_rounding: _ } = self;
         sizes.record(tape);
         guesses.record(tape);
         let mut count = u64::from(*steps);
@@ -100,6 +99,7 @@ impl<A: Array> Iteration<A> {
             steps: 0,
             by_series: false,
             stiff: A::LEN <= MOST_UNKNOWNS,
+            leaves_rounding: false,
         }
     }
 
@@ -166,7 +166,7 @@ impl<A: Array> Iteration<A> {
         }
         loop {
             // Sizes for pivots. A guess may be wild: no correction is compared with it.
-            let mut scale = self.sizes;
+            let (before_it, mut scale) = (self.sizes, self.sizes);
             let guess = match &attempt {
                 Attempt::Extrapolated(guess) => *guess,
                 // The constant here: nothing of that is compiled for steps that never take it.
@@ -181,11 +181,12 @@ impl<A: Array> Iteration<A> {
             if found.outcome.is_ok()
                 && !equation.is_settled()
                 && (iterations > FEW || matches!(attempt, Attempt::Damped))
-                && self.leaps(&equation.origin(), &found.x)
+                && !self.leaves_rounding
             {
                 // What is compiled for many steps leaves the search to a step with patience.
                 if !E::PATIENT || !self.grows_from_nothing(found.x, equation, watch) {
                     found.outcome = Err(Refusal::Singular);
+                    self.sizes = before_it;
                 }
             }
             if found.outcome.is_ok() {
@@ -202,18 +203,6 @@ impl<A: Array> Iteration<A> {
                 _ => return found,
             }
         }
-    }
-
-    /// Returns whether an increment is much larger than all coordinates of its unit.
-    fn leaps(&self, origin: &A, x: &A) -> bool {
-        let [each, kinds] = self.kinds;
-        let largest = |kind: usize, size: &dyn Fn(usize) -> f64| {
-            (0..A::LEN).filter(|i| i / each % kinds == kind).map(size).fold(0.0, f64::max)
-        };
-        (0..kinds).any(|kind| {
-            let increment = largest(kind, &|i| x.as_slice()[i].magnitude());
-            increment > LEAP * largest(kind, &|i| self.sizes.of(i).max(origin.as_slice()[i].magnitude()))
-        })
     }
 
     /// Chooses what the next guess is made of, by what each would have missed this solution.
@@ -283,6 +272,7 @@ impl<A: Array> Iteration<A> {
             if iterations == 1 && extrapolated && !self.is_near(&delta) {
                 break None;
             }
+            self.leaves_rounding = solved;
             if solved {
                 self.sizes.include(&origin, &x);
                 break Some(positive);

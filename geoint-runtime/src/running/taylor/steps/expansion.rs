@@ -57,7 +57,8 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Expansion<S, M, R> {
     /// The coefficients, for steps of about this length. In a unit near the radius of convergence none of them is much smaller than the state.
     #[inline(always)]
     pub(super) fn expand(&mut self, order: usize, system: &S, h: f64) {
-        self.unit = power_of_two(STEPS_PER_RADIUS * h);
+        let radius = STEPS_PER_RADIUS * h;
+        self.unit = power_of_two(if radius < f64::INFINITY { radius } else { h });
         let (start, x) = ([R::from_f64(self.unit), self.time()], (&self.x.z, &self.x.s));
         M::jet(order, system, start, x, &mut self.jet, &mut self.switches);
     }
@@ -83,7 +84,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
     #[cold]
     pub(super) fn begin(&mut self) {
         let (order, system, unit) = (self.order(), self.system, self.here().unit);
-        self.here_mut().expand(order, &system, unit);
+        self.here_mut().expand(order, &system, unit / STEPS_PER_RADIUS);
         if self.taken == self.given {
             for unit in FAR {
                 if self.pace().is_some() {
