@@ -29,11 +29,6 @@ pub(crate) trait StepEquation<A: Array, W: Observer + ?Sized>: Copy {
     /// Whether [`nearly`](Self::nearly) has less to do than [`evaluate`](Self::evaluate).
     const NEARLY: bool = false;
 
-    /// Whether an energy that is kept tells a solution of another branch.
-    fn is_settled(&self) -> bool {
-        Self::SETTLED
-    }
-
     /// At this multiple of the origin nothing moves: the energy is defined there if it is at the start of the step.
     fn standstill(&self) -> f64 {
         0.0
@@ -87,7 +82,6 @@ pub(crate) trait StepEquation<A: Array, W: Observer + ?Sized>: Copy {
 /// An equation behind pointers, for what is done seldom: it is compiled once for all equations of so many unknowns.
 #[derive(Clone, Copy)]
 pub(crate) struct Distant<A> {
-    pub(crate) is_settled: bool,
     pub(crate) origin: A,
     pub(crate) standstill: f64,
     pub(crate) explicit: A,
@@ -118,10 +112,6 @@ impl<A: Array, W: Observer + ?Sized, E: StepEquation<A, W>> Residual<A> for Resi
 
 impl<A: Array> StepEquation<A, dyn Residual<A> + '_> for Distant<A> {
     const PATIENT: bool = true;
-
-    fn is_settled(&self) -> bool {
-        self.is_settled
-    }
 
     fn standstill(&self) -> f64 {
         self.standstill

@@ -32,9 +32,6 @@ const UNJUDGED: u32 = 3;
 /// branch.
 const FAR_OFF: f64 = 1.0 / 8.0;
 
-/// Of an equation that keeps no energy a solution after more iterations may be that of another branch.
-const FEW: u32 = 5;
-
 /// What is known of the iteration from steps before.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Iteration<A> {
@@ -50,8 +47,6 @@ pub(super) struct Iteration<A> {
     pub(super) by_series: bool,
     /// The fixed point attracts too weakly.
     pub(super) stiff: bool,
-    /// The last solution leaves a residual that was measured as rounding.
-    leaves_rounding: bool,
 }
 
 /// Where an iteration starts that does all to find a solution.
@@ -75,8 +70,8 @@ impl<A> Start<A> {
 
 impl<A: Array> Record<A::Real> for Iteration<A> {
     fn record(&mut self, tape: &mut impl Tape<A::Real>) {
-        // Kinds follow from the method. `leaves_rounding` is asked before the step ends.
-        let Iteration { sizes, kinds: _, guesses, reach, steps, by_series, stiff, leaves_rounding: _ } = self;
+        // Kinds follow from the method.
+        let Iteration { sizes, kinds: _, guesses, reach, steps, by_series, stiff } = self;
         sizes.record(tape);
         guesses.record(tape);
         let mut count = u64::from(*steps);
@@ -99,7 +94,6 @@ impl<A: Array> Iteration<A> {
             steps: 0,
             by_series: false,
             stiff: A::LEN <= MOST_UNKNOWNS,
-            leaves_rounding: false,
         }
     }
 
@@ -142,8 +136,8 @@ impl<A: Array> Iteration<A> {
         equation: E,
         watch: &mut W,
     ) -> Found<A> {
-        let (is_settled, standstill) = (equation.is_settled(), equation.standstill());
-        let distant = Distant { is_settled, origin: equation.origin(), standstill, explicit: equation.explicit() };
+        let (origin, standstill, explicit) = (equation.origin(), equation.standstill(), equation.explicit());
+        let distant = Distant { origin, standstill, explicit };
         let residual: &mut dyn Residual<A> = &mut ResidualOf { equation, watch };
         if Newton::<A>::MANY {
             return self.of_many(Start::at(guess), &distant, residual);
@@ -166,7 +160,7 @@ impl<A: Array> Iteration<A> {
         }
         loop {
             // Sizes for pivots. A guess may be wild: no correction is compared with it.
-            let (before_it, mut scale) = (self.sizes, self.sizes);
+            let mut scale = self.sizes;
             let guess = match &attempt {
                 Attempt::Extrapolated(guess) => *guess,
                 // The constant here: nothing of that is compiled for steps that never take it.
@@ -177,18 +171,7 @@ impl<A: Array> Iteration<A> {
                     guess
                 }
             };
-            let (mut found, iterations) = self.iterate((guess, first.take()), &attempt, &scale, &equation, watch);
-            if found.outcome.is_ok()
-                && !equation.is_settled()
-                && (iterations > FEW || matches!(attempt, Attempt::Damped))
-                && !self.leaves_rounding
-            {
-                // What is compiled for many steps leaves the search to a step with patience.
-                if !E::PATIENT || !self.grows_from_nothing(found.x, equation, watch) {
-                    found.outcome = Err(Refusal::Singular);
-                    self.sizes = before_it;
-                }
-            }
+            let (found, iterations) = self.iterate((guess, first.take()), &attempt, &scale, &equation, watch);
             if found.outcome.is_ok() {
                 let extrapolated = matches!(attempt, Attempt::Extrapolated(_));
                 self.guesses.count(before + iterations, extrapolated, self.looks());
@@ -272,7 +255,6 @@ impl<A: Array> Iteration<A> {
             if iterations == 1 && extrapolated && !self.is_near(&delta) {
                 break None;
             }
-            self.leaves_rounding = solved;
             if solved {
                 self.sizes.include(&origin, &x);
                 break Some(positive);
