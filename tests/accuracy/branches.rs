@@ -51,3 +51,24 @@ fn implicit_steps_of_lanes() {
         assert!(error < 1e-12, "lane {lane}: {error:.1e}");
     }
 }
+
+/// A constant torque about the centre: the angle comes round.
+#[hamiltonian]
+fn torque(q: [f64; 2], p: [f64; 2], k: f64) -> f64 {
+    (p[0] * p[0] + p[1] * p[1] + q[0] * q[0] + q[1] * q[1]) / 2.0 + k * q[1].atan2(q[0])
+}
+
+/// On the way round the energy jumps by a turn times the factor of the angle. The motion does not: the angular momentum loses k t.
+#[test]
+fn an_energy_turns_with_its_angle() {
+    let system = Torque { k: 0.1 };
+    assert!(Torque::REPORT.contains("Turns\n- k·atan2(q[1], q[0]): the term jumps"), "{}", Torque::REPORT);
+    let start = State::new([1.0, 0.0], [0.0, 1.0]);
+    let mut sim = system.taylor(Taylor::default(), start);
+    sim.advance_to(4.0).unwrap_or_else(|error| panic!("{error}"));
+    let (before, end) = (system.energy(&start), sim.state());
+    let turn = 2.0 * std::f64::consts::PI * system.k;
+    assert!((system.energy(&end) - before + turn).abs() < 1e-12, "{}", system.energy(&end) - before);
+    let angular = end.q[0] * end.p[1] - end.q[1] * end.p[0];
+    assert!((angular - 1.0 + 4.0 * system.k).abs() < 1e-12, "{angular}");
+}

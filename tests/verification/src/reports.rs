@@ -35,6 +35,7 @@ const SENTENCES: &[(&str, &str)] = &[
     ("a step of order 2", "tests/planets::compositions_have_their_order"),
     ("with force gradients keep their order", "tests/accuracy::tables_have_the_order_of_h_that_they_claim"),
     ("H may jump where", "tests/stability::steps_of_one_length_end_where_the_energy_jumps"),
+    ("the term jumps where the angle by `atan2` comes round", "tests/accuracy::an_energy_turns_with_its_angle"),
     // Bodies.
     ("H = T({momenta}) + V({places})", "tests/accuracy::a_drift_is_the_flow_of_a_free_body"),
     ("T is quadratic in {m}", "tests/accuracy::every_table_of_the_catalogue_has_its_order"),
