@@ -66,3 +66,24 @@ fn compiles_and_means_what_it_says() {
     let (q, p) = (Plane::new(0.3, 0.4), Plane::new(0.5, -0.6));
     close(Body { m: 1.3 }.energy(&ContactState::new(q, p, 0.7)), body(q, p, 0.7, 1.3));
 }
+
+/// A system of a body may have the name of a system of the module. Names of the body count for it.
+#[test]
+fn constants_of_a_body_are_repeated() {
+    const COUNT: usize = 2;
+    type Pair = [f64; 2];
+
+    #[hamiltonian(const COUNT = 2, type Pair = [f64; 2], name = Beside)]
+    fn beside(q: [f64; COUNT], p: Pair) -> f64 {
+        (0..COUNT).map(|i| p[i] * p[i] + q[i] * q[i]).sum::<f64>() / 2.0
+    }
+
+    assert_eq!(Beside.energy(&State::new([1.0, 0.0], [0.0, 1.0])), 1.0);
+    assert_eq!(beside([1.0, 0.0], [0.0, 1.0]), 1.0);
+    assert_eq!(self::Beside.energy(&State::new(1.0, 2.0)), 2.5);
+}
+
+#[hamiltonian]
+fn beside(q: f64, p: f64) -> f64 {
+    (p * p + q * q) / 2.0
+}

@@ -16,6 +16,7 @@ mod kernel;
 mod lagrangian;
 mod loops;
 mod missing;
+mod outside;
 mod poles;
 pub(crate) mod report;
 mod straight_line;
@@ -112,7 +113,8 @@ pub(crate) fn items_of_bodies(context: &Context<'_>, graph: &Graph, found: &Bodi
 fn around(context: &Context<'_>, report: &str, implementations: &TokenStream) -> TokenStream {
     let docs = format!("\n# What was derived\n\n```text\n{report}```");
     let Energy { runtime, .. } = context.energy;
-    let (structure, assertions) = (structure::structure(context, &docs), context.energy.options.outside.assertions());
+    let structure = structure::structure(context, &docs);
+    let (assertions, existence) = (context.energy.options.outside.assertions(), outside::existence(context));
     // The function is the source of all this, and the user need not call it.
     let used = (!attributes::expected_dead(context.energy)).then(|| {
         let function = &context.energy.item.sig.ident;
@@ -128,6 +130,7 @@ fn around(context: &Context<'_>, report: &str, implementations: &TokenStream) ->
     quote! {
         #structure
         #assertions
+        #existence
 
         #[allow(
             clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction, #old private_bounds, unused_imports,

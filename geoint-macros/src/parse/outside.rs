@@ -68,6 +68,11 @@ impl Outside {
         self.constants.iter().map(|constant| (&constant.name, constant.value))
     }
 
+    /// Aliases, each with the type that the attribute says.
+    pub(crate) fn aliases(&self) -> impl Iterator<Item = (&Ident, String)> {
+        self.aliases.iter().map(|Alias { name, ty }| (name, ty.to_token_stream().to_string()))
+    }
+
     fn constant(&self, path: &syn::Path) -> Option<i128> {
         let name = path.get_ident()?;
         self.constants().find(|(constant, _)| *constant == name).map(|(_, value)| value)
