@@ -59,6 +59,8 @@ pub(super) struct Attempt<'a, S: PhaseSpace<R>, R: Real> {
     pub(super) tolerance: &'a Tolerance<S::Phase, S::Action>,
     /// What part of the time in which the state changes a step takes.
     pub(super) part: f64,
+    /// In how long the state changes where the run begins.
+    pub(super) time_of_start: f64,
     /// Whether the method keeps the energy, also where that jumps.
     pub(super) keeps: bool,
 }
@@ -88,18 +90,14 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
         self.clock.after(R::from_f64(h)) + x.ahead.value()
     }
 
-    /// Whether coordinates leave rest at zero that time alone drives, which are not measured in this step, and it is too long to be right in their
-    /// order of magnitude.
-    pub(super) fn leaps_from_rest(&self, h: f64, x: &Carried<S, R>) -> bool {
+    /// Returns whether the coordinates that leave rest at zero in this step grow like a power of time all along it, if time alone drives them; otherwise
+    /// `None`. Their errors are not measured. A step along which they grow otherwise is too long to be right even in their order of magnitude.
+    pub(super) fn growth_from_rest(&self, h: f64, x: &Carried<S, R>) -> Option<bool> {
         let [before, after] = [self.x, x].map(PerCoordinate::of);
-        self.tolerance.is_first_motion(&after) && grows(self.system, self.t, &before, h / self.part) == Some(false)
-    }
-
-    /// Whether coordinates leave rest at zero that time alone drives, like a power of time all along the step: the first motion is right in its order of
-    /// magnitude only.
-    pub(super) fn grows_from_rest(&self, h: f64, x: &Carried<S, R>) -> bool {
-        let [before, after] = [self.x, x].map(PerCoordinate::of);
-        self.tolerance.is_first_motion(&after) && grows(self.system, self.t, &before, h / self.part) == Some(true)
+        if !self.tolerance.is_first_motion(&after) {
+            return None;
+        }
+        grows(self.system, self.t, &before, h / self.part)
     }
 
     /// A step, and its error by the method's own estimate, or by two halves.

@@ -98,9 +98,9 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
 
     /// A step from here.
     fn attempt(&self) -> Attempt<'_, S, R> {
-        let Self { system, clock, x, tolerance, part, .. } = self;
+        let Self { system, clock, x, tolerance, part, time_of_start, .. } = self;
         let keeps = self.method.claims().conserves_energy;
-        Attempt { system, t: self.time(), clock, x, tolerance, part: *part, keeps }
+        Attempt { system, t: self.time(), clock, x, tolerance, part: *part, time_of_start: *time_of_start, keeps }
     }
 
     /// A step that is not longer than `left`.
@@ -135,24 +135,23 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
                 let mut watch = Watch::new(&self.system, attempt.t, &self.x);
                 outcome = attempt.take(&self.method, prepared, &mut memory, &mut watch);
             }
-            // Where a force begins no step is a part of the time in which it grows: one that is short beside the digits of time goes over that.
-            if let Ok((x, error)) = &mut outcome
-                && h.abs() > bounds.shortest.max(Real::sqrt(R::epsilon()) * t.abs())
-                && attempt.leaps_from_rest(h, x)
-            {
-                *error = f64::INFINITY;
-            }
-            let tells = matches!(outcome, Ok((_, error)) if Told::tells::<R>(error, self.tolerance.relative));
-            // The first length is a guess that says nothing of the field.
-            let whole = if self.taken == self.given { 1.0 } else { h / regular };
             if let Ok((x, error)) = &mut outcome
                 && *error <= 1.0
-                && !self.told.covers(h, tells)
-                && h.abs() > bounds.shortest
-                && !attempt.grows_from_rest(h, x)
-                && attempt.misses_force(h, tells, whole, x)
             {
-                *error = f64::INFINITY;
+                // Where a force begins no step is a part of the time in which it grows: one that is short beside the digits of time goes over that.
+                let begins = bounds.shortest.max(Real::sqrt(R::epsilon()) * t.abs());
+                let growth = attempt.growth_from_rest(h, x);
+                let leaps = growth == Some(false) && h.abs() > begins;
+                let tells = Told::tells::<R>(*error, self.tolerance.relative);
+                // What grows like a power of time has been looked at.
+                let looks = growth != Some(true) && h.abs() > bounds.shortest && !self.told.covers(h, tells);
+                let least = match self.taken == self.given {
+                    true => Told::least_points_at_first(h / regular),
+                    false => Told::least_points(tells, h / regular),
+                };
+                if leaps || looks && attempt.misses_force(h, least, x) {
+                    *error = f64::INFINITY;
+                }
             }
             let passed = match &outcome {
                 Ok((x, error)) if *error <= 1.0 => {
@@ -182,7 +181,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
                 self.memory = memory;
                 self.controller.accept(h, error);
             }
-            self.told.include(h, tells);
+            self.told.include(h, Told::tells::<R>(error, self.tolerance.relative));
             self.clock.pass_step(R::from_f64(h), x.ahead);
             let (part, ends) = (self.part, [&self.x, &x].map(PerCoordinate::of));
             let (system, t) = (&self.system, self.clock.now(zero()));
@@ -200,6 +199,10 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
     /// Tolerates, from the start on, what tolerated errors of coordinates cause in others until the state changes or a step of length `most` ends.
     #[cold]
     fn tolerate_causes(&mut self, most: f64) {
+        // Of a state at rest no time is known in which it changes.
+        if !self.time_of_start.is_finite() {
+            return;
+        }
         let (system, t, x) = (&self.system, self.time(), PerCoordinate::of(&self.x));
         let time = (REACH * self.time_of_start).min(most / self.part);
         self.tolerance.changes_in(time, &x, |x| system.rates(t, x));

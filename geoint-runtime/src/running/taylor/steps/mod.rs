@@ -193,7 +193,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
             return Err(self.refused(t, wish, self.too_short(wish, &bounds)));
         }
         let informed = self.is_informed();
-        if S::Switches::LEN == 0 && !informed {
+        if !informed {
             wish = wish.min(self.longest_uninformed());
         }
         // Where nothing else ends it.
@@ -214,13 +214,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
                     h = self.towards((0.5 * h.abs()).max(bounds.shortest));
                     switch = None;
                 }
-                // Up to a condition the way is that of the series of one side.
-                Ok(())
-                    if S::Switches::LEN == 0
-                        && (!informed || self.moves_far(h))
-                        && h.abs() > bounds.shortest
-                        && !self.agrees_on_way(h) =>
-                {
+                Ok(()) if (!informed || self.moves_far(h)) && h.abs() > bounds.shortest && !self.agrees_on_way(h) => {
                     h = self.towards((0.5 * h.abs()).max(bounds.shortest));
                     switch = None;
                 }

@@ -13,26 +13,33 @@ const POINTS: f64 = 64.0;
 const LONGEST: f64 = 16.0;
 
 impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
-    /// Whether the length of steps follows from a series that is known to converge. Where a force is constant to rounding, as far from a barrier or
-    /// long before a pulse, the coefficients do not tell how far that lasts.
+    /// Returns whether steps never look at their way: those of given length, and those of energies with conditions, whose series hold on one side only.
+    #[inline(always)]
+    fn never_looks(&self) -> bool {
+        S::Switches::LEN > 0 || self.is_fixed()
+    }
+
+    /// Returns whether the length of the step follows from a series that converges. Far from a barrier, or long before a pulse, the force is constant to
+    /// rounding, and the coefficients do not tell how long it stays so.
     #[inline(always)]
     pub(super) fn is_informed(&self) -> bool {
-        self.is_fixed() || self.estimate.converges(self.jet())
+        self.never_looks() || self.estimate.converges(self.jet())
     }
 
-    /// Whether the state moves by more than its size in a step of length `h`. A series converges over such a step only if its force is nearly constant.
+    /// Returns whether the state moves by more than its size in a step of length `h`. A series converges over such a step only if the force is nearly
+    /// constant.
     #[inline(always)]
     pub(super) fn moves_far(&self, h: f64) -> bool {
-        !self.is_fixed() && self.estimate.moves_far(self.here().in_units(h), &self.jet()[0])
+        !self.never_looks() && self.estimate.moves_far(self.here().in_units(h), &self.jet()[0])
     }
 
-    /// The longest step of which the series says nothing.
+    /// Returns the longest step of which the series says nothing.
     #[cold]
     pub(super) fn longest_uninformed(&self) -> f64 {
         self.pace().map_or(f64::INFINITY, |time| LONGEST * time)
     }
 
-    /// Whether the rates at points on the way of a step of length `h` are those of its polynomial.
+    /// Returns whether the rates at points on the way of a step of length `h` are those of its polynomial.
     #[cold]
     #[inline(never)]
     pub(super) fn agrees_on_way(&self, h: f64) -> bool {
