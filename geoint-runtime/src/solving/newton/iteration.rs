@@ -21,6 +21,9 @@ const LEAST_CURVATURE: f64 = 1e-3;
 /// shrink, some 10⁻² in a first-order equation at fifty steps a period, and 10⁻⁴ in one of second order.
 const LAST_TERM: f64 = 0.25;
 
+/// √(`LAST_TERM`/`REMAINDER`): what a correction leaves grows by its square.
+const REACH_IF_SETTLED: f64 = 512.0;
+
 /// Of so many steps one looks a second time, to see that factor again.
 const SECOND_LOOK: u32 = 64;
 
@@ -107,6 +110,12 @@ impl<A: Array> Iteration<A> {
     #[inline(always)]
     pub(super) fn is_last(&self, delta: &A) -> bool {
         self.sizes.all_within(delta, self.reach) && !self.looks()
+    }
+
+    /// Returns whether a correction leaves no more than [`LAST_TERM`], where steps are settled.
+    #[inline(always)]
+    pub(super) fn is_last_if_settled(&self, delta: &A) -> bool {
+        self.sizes.all_within(delta, REACH_IF_SETTLED * self.reach) && !self.looks()
     }
 
     /// Whether a correction of an extrapolated guess leads to no other branch.

@@ -12,8 +12,10 @@ impl<A: Array> Newton<A> {
     #[inline(always)]
     pub(super) fn by_series(&mut self, guess: A, first: &A, matrix: &Square<A>) -> Option<Found<A>> {
         let second = linear::second_term(matrix, first);
-        self.iteration.by_series = self.iteration.is_last(first) && self.iteration.is_last_term(&second);
-        self.iteration.by_series.then(|| Found::corrected(guess, &sum(first, &second)))
+        self.iteration.by_series = self.iteration.is_last_term(&second);
+        // A correction that is too large for one step need not be in the next.
+        let is_last = self.iteration.by_series && self.iteration.is_last_if_settled(first);
+        is_last.then(|| Found::corrected(guess, &sum(first, &second)))
     }
 }
 
