@@ -50,6 +50,15 @@ impl<A: Array> Sizes<A> {
         Sizes(sizes)
     }
 
+    /// Returns the point next to `x` at which every entry is larger by this part of its size.
+    pub(crate) fn beside(&self, x: &A, part: f64) -> A {
+        let mut beside = *x;
+        for (i, x) in beside.as_mut_slice().iter_mut().enumerate() {
+            *x += A::Real::from_f64(part * self.of(i));
+        }
+        beside
+    }
+
     /// Returns sizes with these magnitudes.
     pub(crate) fn of_magnitudes(sizes: A) -> Self {
         Sizes(sizes)

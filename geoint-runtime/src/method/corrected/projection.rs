@@ -2,7 +2,7 @@
 
 use super::frame::Frame;
 use super::range::is_representable;
-use super::scales::{Scales, part_of_rounding};
+use super::scales::{Scales, part_of_rounding, rounding};
 use super::turns::check_turns;
 use super::{kept, rounded};
 use crate::method::corrected::invariants::Invariants;
@@ -196,7 +196,8 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
     Ok(WayBack { back, decided: decided.get() })
 }
 
-/// Returns for each coordinate the part of the correction that rounding explains: the least one of the invariants that read it.
+/// Returns for each coordinate the part of the correction that rounding explains: the least one of the invariants that read it. It is zero where the
+/// slope of an invariant changes within the correction: a slope that nearly vanishes would lead far away.
 #[cold]
 #[inline(never)]
 fn explained_by_rounding<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
@@ -208,13 +209,23 @@ fn explained_by_rounding<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
     sizes: &Sizes<S::Phase>,
 ) -> S::Phase {
     let changes = difference(&invariants.changes(system, before, moved), wanted);
+    let gradients = I::Values::entries_of(gradients);
+    let mut parts = changes;
+    for (part, gradient) in parts.as_mut_slice().iter_mut().zip(gradients) {
+        *part = R::from_f64(part_of_rounding(*part, sizes.terms(gradient)));
+    }
+    let least = parts.as_slice().iter().fold(1.0, |least, part| part.magnitude().min(least));
+    let mut farther = invariants.gradients(system, &sizes.beside(&sum(before, moved), rounding::<R>() / least));
+    let slopes = gradients.iter().zip(I::Values::entries(&mut farther));
     let mut explained = S::Phase::zero();
     explained.as_mut_slice().fill(R::from_f64(1.0));
-    for (change, gradient) in changes.as_slice().iter().zip(I::Values::entries_of(gradients)) {
-        let part = part_of_rounding(*change, sizes.terms(gradient));
-        for (least, slope) in explained.as_mut_slice().iter_mut().zip(gradient.as_slice()) {
-            if slope.magnitude() > 0.0 && part < least.magnitude() {
-                *least = R::from_f64(part);
+    for (part, (gradient, farther)) in parts.as_slice().iter().zip(slopes) {
+        let slopes = gradient.as_slice().iter().zip(farther.as_slice());
+        for (least, (slope, farther)) in explained.as_mut_slice().iter_mut().zip(slopes) {
+            let is_linear = (*farther - *slope).magnitude() <= 0.5 * slope.magnitude();
+            let part = if is_linear { *part } else { R::from_f64(0.0) };
+            if slope.magnitude() > 0.0 && part.magnitude() < least.magnitude() {
+                *least = part;
             }
         }
     }

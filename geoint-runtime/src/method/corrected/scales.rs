@@ -15,7 +15,7 @@ pub(super) struct Scales<A> {
 pub(super) const STEPS: f64 = 1024.0;
 
 /// A change of an invariant by this many ε of its terms is rounding of its coordinates.
-pub(super) const ROUNDINGS: f64 = 16.0;
+const ROUNDINGS: f64 = 16.0;
 
 impl<A: Array> Scales<A> {
     pub(super) fn new() -> Self {
@@ -59,9 +59,14 @@ pub(super) fn unit_of(size: f64, moved: f64, rounding: f64) -> f64 {
     if reached > 0.0 && reached < size { reached.max(rounding * size) } else { size }
 }
 
+/// Returns the relative rounding of a coordinate, as an invariant sees it.
+pub(super) fn rounding<R: Real>() -> f64 {
+    ROUNDINGS * R::epsilon()
+}
+
 /// Returns the part of a change that rounding explains, where ε times `terms` is the rounding of one evaluation.
 pub(super) fn part_of_rounding<R: Real>(change: R, terms: f64) -> f64 {
-    let rounding = ROUNDINGS * R::epsilon() * terms;
+    let rounding = rounding::<R>() * terms;
     // Changes that are not numbers have no rounding.
     if change.magnitude() <= rounding { 1.0 } else { (rounding / change.magnitude()).max(0.0) }
 }
