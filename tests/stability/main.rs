@@ -17,6 +17,7 @@ mod amplitudes;
 mod units;
 mod long_steps;
 mod bends;
+mod branches;
 mod ahead;
 mod rest;
 mod rounding;

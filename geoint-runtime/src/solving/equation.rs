@@ -29,6 +29,11 @@ pub(crate) trait StepEquation<A: Array, W: Observer + ?Sized>: Copy {
     /// Whether [`nearly`](Self::nearly) has less to do than [`evaluate`](Self::evaluate).
     const NEARLY: bool = false;
 
+    /// Returns whether a law for the energy binds all solutions, so that none is far away.
+    fn is_bound_by_energy(&self) -> bool {
+        Self::SETTLED
+    }
+
     /// At this multiple of the origin nothing moves: the energy is defined there if it is at the start of the step.
     fn standstill(&self) -> f64 {
         0.0
@@ -82,6 +87,7 @@ pub(crate) trait StepEquation<A: Array, W: Observer + ?Sized>: Copy {
 /// An equation behind pointers, for what is done seldom: it is compiled once for all equations of so many unknowns.
 #[derive(Clone, Copy)]
 pub(crate) struct Distant<A> {
+    pub(crate) is_bound_by_energy: bool,
     pub(crate) origin: A,
     pub(crate) standstill: f64,
     pub(crate) explicit: A,
@@ -112,6 +118,10 @@ impl<A: Array, W: Observer + ?Sized, E: StepEquation<A, W>> Residual<A> for Resi
 
 impl<A: Array> StepEquation<A, dyn Residual<A> + '_> for Distant<A> {
     const PATIENT: bool = true;
+
+    fn is_bound_by_energy(&self) -> bool {
+        self.is_bound_by_energy
+    }
 
     fn standstill(&self) -> f64 {
         self.standstill

@@ -71,6 +71,17 @@ impl<A: Array> Sizes<A> {
         Sizes(sizes)
     }
 
+    /// Returns for each entry the largest size of its kind. Entries come in `kinds` of `each` that have one unit.
+    pub(crate) fn of_kinds(&self, [each, kinds]: [usize; 2]) -> Self {
+        let kind = |i: usize| i / each % kinds;
+        let mut largest = A::zero();
+        for (i, size) in largest.as_mut_slice().iter_mut().enumerate() {
+            let alike = (0..A::LEN).filter(|j| kind(*j) == kind(i)).map(|j| self.of(j));
+            *size = A::Real::from_f64(alike.fold(0.0, f64::max));
+        }
+        Sizes(largest)
+    }
+
     /// Returns units for the positions and for the momenta, the two halves of the unknowns, from a matrix that maps unknowns to unknowns. An
     /// entry of the matrix has the unit of its row over the unit of its column.
     pub(crate) fn of_blocks(matrix: &Square<A>) -> Self {

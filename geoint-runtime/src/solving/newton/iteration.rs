@@ -35,6 +35,9 @@ const UNJUDGED: u32 = 3;
 /// branch.
 const FAR_OFF: f64 = 1.0 / 8.0;
 
+/// A solution after more iterations may belong to another branch, which no energy tells if the method keeps none.
+const FEW: u32 = 5;
+
 /// What is known of the iteration from steps before.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Iteration<A> {
@@ -145,8 +148,9 @@ impl<A: Array> Iteration<A> {
         equation: E,
         watch: &mut W,
     ) -> Found<A> {
-        let (origin, standstill, explicit) = (equation.origin(), equation.standstill(), equation.explicit());
-        let distant = Distant { origin, standstill, explicit };
+        let (is_bound_by_energy, standstill) = (equation.is_bound_by_energy(), equation.standstill());
+        let distant =
+            Distant { is_bound_by_energy, origin: equation.origin(), standstill, explicit: equation.explicit() };
         let residual: &mut dyn Residual<A> = &mut ResidualOf { equation, watch };
         if Newton::<A>::MANY {
             return self.of_many(Start::at(guess), &distant, residual);
@@ -169,7 +173,7 @@ impl<A: Array> Iteration<A> {
         }
         loop {
             // Sizes for pivots. A guess may be wild: no correction is compared with it.
-            let mut scale = self.sizes;
+            let (sizes, mut scale) = (self.sizes, self.sizes);
             let guess = match &attempt {
                 Attempt::Extrapolated(guess) => *guess,
                 // The constant here: nothing of that is compiled for steps that never take it.
@@ -180,7 +184,17 @@ impl<A: Array> Iteration<A> {
                     guess
                 }
             };
-            let (found, iterations) = self.iterate((guess, first.take()), &attempt, &scale, &equation, watch);
+            let (mut found, iterations) = self.iterate((guess, first.take()), &attempt, &scale, &equation, watch);
+            let from_afar = iterations > FEW || matches!(attempt, Attempt::Damped);
+            // Steps without patience leave the check to a repetition with patience.
+            if found.outcome.is_ok()
+                && from_afar
+                && !equation.is_bound_by_energy()
+                && !(E::PATIENT && self.is_continuous(found.x, &sizes, equation, watch))
+            {
+                found.outcome = Err(Refusal::Singular);
+                self.sizes = sizes;
+            }
             if found.outcome.is_ok() {
                 let extrapolated = matches!(attempt, Attempt::Extrapolated(_));
                 self.guesses.count(before + iterations, extrapolated, self.looks());

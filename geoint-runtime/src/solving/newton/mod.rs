@@ -1,5 +1,6 @@
 //! The iteration for the increment of an implicit step: Newton's; or, in many unknowns, that of the fixed point.
 
+mod branch;
 #[cfg(test)]
 mod curved;
 mod fixed_point;

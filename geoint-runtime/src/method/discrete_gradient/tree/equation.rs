@@ -214,6 +214,11 @@ impl<S: DiscreteField<R>, R: Real, P: Probe<S, R>> StepEquation<S::Unknown, Deci
     const SETTLED: bool = <KeptBy<S, R> as Invariants<S, R>>::Values::LEN > 0;
     const OF_NOW: bool = !S::State::MOMENTA;
 
+    /// Friction takes energy away, and only explicit time may add some.
+    fn is_bound_by_energy(&self) -> bool {
+        S::State::MOMENTA || <Self as StepEquation<S::Unknown, Deciding<'_, P, S::Phase>>>::SETTLED
+    }
+
     /// −2p as an impulse turns p round, and the mean of p is 0.
     fn standstill(&self) -> f64 {
         if S::DERIVATIVE == 1 { 0.0 } else { -2.0 }

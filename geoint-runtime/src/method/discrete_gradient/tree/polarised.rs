@@ -187,6 +187,11 @@ impl<S: PolarisedForm<R>, R: Real, P: Probe<S, R>> StepEquation<S::Array, Seen<'
     const PATIENT: bool = P::PATIENT;
     const SETTLED: bool = <KeptBy<S, R> as Invariants<S, R>>::Values::LEN > 0;
 
+    /// Friction takes energy away, and only explicit time may add some.
+    fn is_bound_by_energy(&self) -> bool {
+        true
+    }
+
     /// −2v₀ turns v round: nothing moves.
     fn standstill(&self) -> f64 {
         -2.0
