@@ -20,12 +20,37 @@ pub(crate) fn jumps(graph: &mut Graph, energy: Id) -> Vec<Jump> {
     let mut conditions = conditions(graph, energy);
     conditions.retain(|condition| graph.reads(*condition).state());
     let mut jump = |condition| {
-        let [yes, no] = [true, false].map(|holds| decided(graph, energy, condition, holds));
+        let there = where_it_changes(graph, energy, condition);
+        let [yes, no] = [true, false].map(|holds| decided(graph, there, condition, holds));
         let shown = graph.sub(yes, no);
         let sides = [graph.integer(1), graph.integer(-1)];
         Jump { side: graph.select(condition, sides[0], sides[1]), shown, height: enclosable(graph, shown) }
     };
     conditions.into_iter().map(&mut jump).collect()
+}
+
+/// A node where a condition on x, such as x < 3, changes: x is 3 there, and that decides whether x < 2 or x < 4. A table of pieces then has one
+/// neighbour at each of its bounds.
+fn where_it_changes(graph: &mut Graph, node: Id, condition: Id) -> Id {
+    let Node::Compare(_, left, right) = *graph.node(condition) else { return node };
+    let known = if graph.as_number(right).is_some() { [left, right] } else { [right, left] };
+    let [x, bound] = known;
+    if graph.as_number(bound).is_none() {
+        return node;
+    }
+    let mut form = Substitution::new(|_: &mut Graph, _| None);
+    for id in graph.reachable(&[node]) {
+        let Node::Compare(relation, a, b) = *graph.node(id) else { continue };
+        let [a, b] = [a, b].map(|side| if side == x { bound } else { side });
+        // A condition with the same bound changes there, too.
+        if a != b {
+            let decided = graph.compare(relation, a, b);
+            if graph.as_truth(decided).is_some() {
+                form.insert(id, decided);
+            }
+        }
+    }
+    form.apply(graph, node)
 }
 
 /// The conditions that a node reads; x < 0 for the sign of x.

@@ -2,18 +2,29 @@
 
 use super::super::sweep::{self, Entries};
 use super::ends::{Slopes, coordinate_increment};
-use crate::ir::{Graph, Id, Ratio};
+use crate::ir::{Graph, Id, Node, Ratio};
 
 impl Slopes {
-    /// The slopes of `if condition { first } else { second }`. Each branch is swept on its own, and stays a branch.
-    pub(super) fn branch(&mut self, graph: &mut Graph, id: Id, condition: Id, first: Id, second: Id) -> Entries {
-        let (first, second) = (self.gradient(graph, first), self.gradient(graph, second));
-        let inside = sweep::select(graph, condition, &first, &second);
-        let at_end = self.end(graph, condition);
-        if at_end == condition {
+    /// The slopes of `if`, or of a whole chain of `else if`. Each piece is swept on its own, and stays a branch.
+    ///
+    /// One bridge leads from any piece of a chain to any other one: a bridge for each condition would make the code grow with the square of their number.
+    pub(super) fn branch(&mut self, graph: &mut Graph, id: Id) -> Entries {
+        let mut pieces = vec![];
+        let mut rest = id;
+        while let Node::Select(condition, value, next) = *graph.node(rest) {
+            pieces.push((condition, value));
+            rest = next;
+        }
+        let (mut inside, mut same) = (self.gradient(graph, rest), graph.truth(true));
+        for (condition, value) in pieces.into_iter().rev() {
+            let value = self.gradient(graph, value);
+            inside = sweep::select(graph, condition, &value, &inside);
+            let at_end = self.end(graph, condition);
+            same = both_or_neither(graph, [condition, at_end], same);
+        }
+        if matches!(graph.node(same), Node::Truth(true)) {
             return inside;
         }
-        let same = same(graph, condition, at_end);
         let across = self.secant(graph, id);
         sweep::select(graph, same, &inside, &across)
     }
@@ -44,9 +55,14 @@ impl Slopes {
     }
 }
 
-/// Whether two conditions agree.
-fn same(graph: &mut Graph, a: Id, b: Id) -> Id {
-    let (not_a, not_b) = (graph.not(a), graph.not(b));
-    let (both, neither) = (graph.and(a, b), graph.and(not_a, not_b));
+/// Whether a condition holds at both ends of a step, or fails at both and `rest` is true.
+fn both_or_neither(graph: &mut Graph, [start, end]: [Id; 2], rest: Id) -> Id {
+    if start == end {
+        return graph.or(start, rest);
+    }
+    let both = graph.and(start, end);
+    let fails = [graph.not(start), graph.not(end)];
+    let neither = graph.and(fails[0], fails[1]);
+    let neither = graph.and(neither, rest);
     graph.or(both, neither)
 }

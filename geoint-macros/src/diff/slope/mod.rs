@@ -39,9 +39,7 @@ impl Slopes {
                 vec![(base, power::slope(graph, base, end, exponent))]
             }
             Node::Call(function, args) => self.function(graph, id, function, &args),
-            Node::Select(condition, first, second) => {
-                return Step::Coordinates(self.branch(graph, id, condition, first, second));
-            }
+            Node::Select(..) => return Step::Coordinates(self.branch(graph, id)),
         })
     }
 

@@ -129,6 +129,12 @@ impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
     }
 }
 
+/// The largest part of an invariant's terms that cancelling forces may hide, as they are rounded by their own terms.
+fn cancelling<R: Real>() -> f64 {
+    // ε^⅔.
+    R::epsilon().cbrt() * R::epsilon().cbrt()
+}
+
 /// From the end of a step to where the invariants are what they were.
 pub(super) struct WayBack<Z> {
     pub(super) back: Z,
@@ -178,7 +184,11 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
             let noise = noise::measure(&at_end.digits, multipliers, (delta, farther), kinds, rounding);
             // A coordinate that is rounded otherwise moves both ends of the step, and the gradient may vanish at one of them.
             let digits = at_end.digits_with(invariants.gradients(system, before), &sizes);
-            noise::explains(&noise, &correction(multipliers).0, &digits)
+            let left = correction(multipliers).0;
+            // Where an angle of many turns is moved by as much as it may be rounded, its cosine looks like noise.
+            let is_small =
+                (0..I::Values::LEN).all(|i| left.as_slice()[i].magnitude() <= cancelling::<R>() * digits.of(i));
+            is_small && noise::explains(&noise, &left, &digits)
         }
     };
     let turning = |increment: &S::Phase| {

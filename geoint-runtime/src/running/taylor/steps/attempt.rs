@@ -15,8 +15,17 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
 
     /// Goes a step of length h, in place of a whole one, to the other end. The coefficients there are computed, and, if `compared`, their first
     /// order with that of the polynomial.
+    ///
+    /// Returns the correction of the method. An attempt that goes on from another one of nearly the same length has that of the other: a new one might
+    /// lead back over a condition, where the energy has a bend.
     #[inline(always)]
-    pub(super) fn attempt(&mut self, h: f64, whole: f64, compared: bool) -> Result<(), Reason> {
+    pub(super) fn attempt(
+        &mut self,
+        h: f64,
+        whole: f64,
+        compared: bool,
+        held: Option<S::Phase>,
+    ) -> Result<Option<S::Phase>, Reason> {
         let (order, [first, second]) = (self.method.order(), &mut self.ends);
         let (from, to) = if self.second { (second, first) } else { (first, second) };
         let (mut x, mut clock) = (from.x, from.clock);
@@ -27,10 +36,14 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         if !x.is_finite() {
             return Err(Reason::Diverges);
         }
-        to.memory = from.memory;
         let end = x;
-        let time = [from.time(), R::from_f64(h)];
-        let correction = self.method.correction(&mut to.memory, &self.system, time, [&from.x.z, &x.z])?;
+        let correction = if held.is_some() {
+            held
+        } else {
+            to.memory = from.memory;
+            let time = [from.time(), R::from_f64(h)];
+            self.method.correction(&mut to.memory, &self.system, time, [&from.x.z, &x.z])?
+        };
         if let Some(correction) = &correction {
             x.add(correction);
         }
@@ -59,7 +72,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         let compared = compared && (!self.is_fixed() || (Self::SERIES_END && !self.has_unseen_switch()));
         let agrees = !compared || self.agrees(part, &here) || self.agrees_late(part, &here);
         if agrees || uncorrected.is_some_and(|end| self.agrees_before(end, part, whole)) {
-            Ok(())
+            Ok(correction)
         } else {
             Err(Reason::Diverges)
         }

@@ -208,18 +208,19 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
             h = if switch.at == 0.0 { self.towards(beyond) } else { ends };
         }
         self.within = false;
+        let mut held = None;
         loop {
-            match self.attempt(h, whole, switch.is_none()) {
-                Ok(()) if h.abs() > bounds.shortest && self.has_unseen_switch() => {
+            match self.attempt(h, whole, switch.is_none(), held.take()) {
+                Ok(_) if h.abs() > bounds.shortest && self.has_unseen_switch() => {
                     h = self.towards((0.5 * h.abs()).max(bounds.shortest));
                     switch = None;
                 }
-                Ok(()) if (!informed || self.moves_far(h)) && h.abs() > bounds.shortest && !self.agrees_on_way(h) => {
+                Ok(_) if (!informed || self.moves_far(h)) && h.abs() > bounds.shortest && !self.agrees_on_way(h) => {
                     h = self.towards((0.5 * h.abs()).max(bounds.shortest));
                     switch = None;
                 }
                 // Which side it is on will be decided by the value; what does not leave a zero before the next change only touches it.
-                Ok(()) => {
+                Ok(correction) => {
                     let missed = switch.filter(|switch| !self.is_behind(*switch));
                     let farthest = missed.map_or(0.0, |switch| self.next_change(searched, switch) * searched.abs());
                     if h.abs() >= farthest {
@@ -227,6 +228,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
                     }
                     h = self.towards((h.abs() + beyond).min(farthest));
                     beyond *= 2.0;
+                    held = correction;
                 }
                 Err(reason) if self.is_fixed() || h.abs() <= bounds.shortest => {
                     return Err(self.refused(t, h.abs(), reason));
