@@ -112,6 +112,22 @@ fn pulses_are_felt() {
     }
 }
 
+/// From q = 0 the coordinate has no size by which the time of its changes could be told.
+#[test]
+fn series_that_begin_at_zero_feel_pulses() {
+    for w in [0.5, 0.2, 0.05] {
+        for v in [0.0, 0.321, -0.321] {
+            for c in [3.1, 5.42, 7.9] {
+                let mut run = Pulse { a: 1.0, c, w }.taylor(Taylor::default(), State::new(0.0, v));
+                assert_eq!(run.advance_to(12.0), Ok(()));
+                let gained = run.state().p - v;
+                let error = (gained - w * std::f64::consts::PI.sqrt()).abs();
+                assert!(error < 1e-12, "w = {w}, v = {v}, c = {c}: {gained}");
+            }
+        }
+    }
+}
+
 /// What is narrower than all that a run can see is passed, unless steps are bounded.
 #[test]
 fn a_bound_on_steps_shows_what_is_too_narrow_to_be_seen() {

@@ -82,3 +82,19 @@ fn long_sums_are_scheduled() {
     });
     assert!(!expanded(quote!(#(#terms)+*)).contains("compile_error"));
 }
+
+/// A table of so many pieces.
+fn table(count: u32) -> TokenStream {
+    let pieces = (0..count).map(|k| {
+        let [bound, slope] = [f64::from(k), f64::from(k) + 0.5];
+        quote!(if q < #bound { #slope * q * q + #bound } else)
+    });
+    quote!(#(#pieces)* { 3.0 * q })
+}
+
+/// Each bound has one pair of neighbours, and one bridge serves all pieces.
+#[test]
+fn code_grows_with_the_number_of_pieces() {
+    let [few, many] = [15, 30].map(|count| expanded(table(count)).len() as f64);
+    assert!(many < 2.2 * few, "{few} {many}");
+}

@@ -97,7 +97,7 @@ fn leaps<A: Array>(before: &A, after: &A) -> bool {
 
 /// Refuses a step between two points, by way of a third one, if an invariant changes by more than it is rounded at its ends, or may: coordinates are
 /// rounded as large as they are on the way, and an invariant may be steep where they are smaller by orders of magnitude. A step that has gone over a pole
-/// has it so, too. A step that leads to where an invariant is rounded by orders of magnitude more than at its start has lost it.
+/// has it so, too.
 #[cold]
 #[inline(never)]
 fn refuse<S: PhaseSpace<R>, R: Real, I: Invariants<S, R>>(
@@ -111,10 +111,9 @@ fn refuse<S: PhaseSpace<R>, R: Real, I: Invariants<S, R>>(
     let way = [start, end, between].map(Array::as_slice);
     let is_lost = |(change, (first, last)): (&R, (&S::Phase, &S::Phase))| {
         let (first, last) = (first.as_slice(), last.as_slice());
-        let [at_start, at_end] = [steepness([way[0]], first), steepness([way[1]], last)];
+        let at_ends = f64::max(steepness([way[0]], first), steepness([way[1]], last));
         let on_way = f64::max(steepness(way, first), steepness(way, last));
-        let changes = f64::max(change.magnitude() / R::epsilon(), on_way) > MOST * f64::max(at_start, at_end);
-        changes || at_end > MOST * at_start
+        f64::max(change.magnitude() / R::epsilon(), on_way) > MOST * at_ends
     };
     let lost = changes.as_slice().iter().zip(first.iter().zip(last.iter())).any(is_lost);
     if lost { Err(Refusal::Rounded) } else { Ok(()) }

@@ -6,7 +6,7 @@ use crate::space::{Array, PerCoordinate};
 use crate::system::Jets;
 use crate::taylor::{self, TaylorMethod};
 
-/// Points per time in which the state changes. A barrier wider than their distance is seen.
+/// Points per time in which the state changes, and at least in a step. A barrier wider than their distance is seen.
 const POINTS: f64 = 64.0;
 
 /// A step of which the series says nothing is at most so many of these times long.
@@ -45,7 +45,8 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
     pub(super) fn agrees_on_way(&self, h: f64) -> bool {
         let here = self.here();
         let time = self.pace().unwrap_or(h.abs());
-        let points = libm::ceil(POINTS * (h.abs() / time).min(LONGEST));
+        // A coordinate that begins at zero has no size, and its time says nothing.
+        let points = libm::ceil(POINTS * (h.abs() / time).clamp(1.0, LONGEST));
         (1..points as u32).all(|point| {
             let after = h * (f64::from(point) / points);
             let part = here.in_units(after);
