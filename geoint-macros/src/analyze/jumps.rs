@@ -4,14 +4,15 @@ use super::enclosable::enclosable;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Function, Graph, Id, Node, Relation};
 
-/// A condition that reads the state.
+/// The jump of the energy at a condition that reads the state. Conditions on time or parameters alone do not change along a solution of an autonomous
+/// system.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Jump {
     /// 1 where it holds, −1 where it does not.
     pub(crate) side: Id,
     /// The energy if it holds, less the energy if it does not.
     pub(crate) shown: Id,
-    /// The same in a form that intervals enclose well.
+    /// The same, rearranged so that intervals enclose it well. Messages have `shown`.
     pub(crate) height: Id,
 }
 
@@ -20,7 +21,7 @@ pub(crate) fn jumps(graph: &mut Graph, energy: Id) -> Vec<Jump> {
     let mut conditions = conditions(graph, energy);
     conditions.retain(|condition| graph.reads(*condition).state());
     let mut jump = |condition| {
-        let there = where_it_changes(graph, energy, condition);
+        let there = at_boundary(graph, energy, condition);
         let [yes, no] = [true, false].map(|holds| decided(graph, there, condition, holds));
         let shown = graph.sub(yes, no);
         let sides = [graph.integer(1), graph.integer(-1)];
@@ -29,12 +30,11 @@ pub(crate) fn jumps(graph: &mut Graph, energy: Id) -> Vec<Jump> {
     conditions.into_iter().map(&mut jump).collect()
 }
 
-/// A node where a condition on x, such as x < 3, changes: x is 3 there, and that decides whether x < 2 or x < 4. A table of pieces then has one
-/// neighbour at each of its bounds.
-fn where_it_changes(graph: &mut Graph, node: Id, condition: Id) -> Id {
+/// A node at the boundary of a condition on x, such as x < 3. There x is 3, and this decides whether x < 2 and x < 4. In a table of pieces the jump
+/// at a bound then reads the two pieces beside it only. Bounds that are not numbers decide nothing.
+fn at_boundary(graph: &mut Graph, node: Id, condition: Id) -> Id {
     let Node::Compare(_, left, right) = *graph.node(condition) else { return node };
-    let known = if graph.as_number(right).is_some() { [left, right] } else { [right, left] };
-    let [x, bound] = known;
+    let [x, bound] = if graph.as_number(right).is_some() { [left, right] } else { [right, left] };
     if graph.as_number(bound).is_none() {
         return node;
     }
@@ -42,11 +42,11 @@ fn where_it_changes(graph: &mut Graph, node: Id, condition: Id) -> Id {
     for id in graph.reachable(&[node]) {
         let Node::Compare(relation, a, b) = *graph.node(id) else { continue };
         let [a, b] = [a, b].map(|side| if side == x { bound } else { side });
-        // A condition with the same bound changes there, too.
+        // A condition with the same bound changes at the same place: it stays open.
         if a != b {
-            let decided = graph.compare(relation, a, b);
-            if graph.as_truth(decided).is_some() {
-                form.insert(id, decided);
+            let known = graph.compare(relation, a, b);
+            if graph.as_truth(known).is_some() {
+                form.insert(id, known);
             }
         }
     }

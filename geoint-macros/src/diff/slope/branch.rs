@@ -1,4 +1,6 @@
-//! An `if`: the slope of a branch while the step stays in it, and what bridges both where it does not.
+//! The discrete gradient of an `if`: that of a branch if both ends of the step are in it, and a secant between two branches otherwise.
+//!
+//! The ends alone are compared: a step that leaves a branch and comes back is in it.
 
 use super::super::sweep::{self, Entries};
 use super::ends::{Slopes, coordinate_increment};
@@ -7,7 +9,8 @@ use crate::ir::{Graph, Id, Node, Ratio};
 impl Slopes {
     /// The slopes of `if`, or of a whole chain of `else if`. Each piece is swept on its own, and stays a branch.
     ///
-    /// One bridge leads from any piece of a chain to any other one: a bridge for each condition would make the code grow with the square of their number.
+    /// One secant serves all pairs of pieces. A secant for each condition would contain the whole rest of the chain, and the code would grow with the
+    /// square of the number of conditions.
     pub(super) fn branch(&mut self, graph: &mut Graph, id: Id) -> Entries {
         let mut pieces = vec![];
         let mut rest = id;
@@ -29,8 +32,7 @@ impl Slopes {
         sweep::select(graph, same, &inside, &across)
     }
 
-    /// m + ((Δf − m·d)/(d·d)) d with the mean m of the gradients at both ends: what a step from one branch to another
-    /// needs keeps to the domains of both. O. Gonzalez, J. Nonlinear Sci. 6 (1996) 449, eq. 2.8.
+    /// m + ((Δf − m·d)/(d·d)) d with the mean m of the gradients at both ends. Each branch is evaluated at its own end, and so in its own domain. O. Gonzalez, J. Nonlinear Sci. 6 (1996) 449, eq. 2.8.
     fn secant(&mut self, graph: &mut Graph, id: Id) -> Entries {
         let gradient = sweep::gradient(graph, id);
         let (mut along, mut squares, mut means) = (vec![], vec![], vec![]);
@@ -57,6 +59,7 @@ impl Slopes {
 
 /// Whether a condition holds at both ends of a step, or fails at both and `rest` is true.
 fn both_or_neither(graph: &mut Graph, [start, end]: [Id; 2], rest: Id) -> Id {
+    // The condition reads no coordinate.
     if start == end {
         return graph.or(start, rest);
     }

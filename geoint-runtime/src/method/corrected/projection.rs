@@ -31,9 +31,9 @@ use core::cell::Cell;
 ///
 /// E. Hairer, Ch. Lubich & G. Wanner, *Geometric Numerical Integration* (2006), section IV.4, algorithm 4.2.
 ///
-/// Taylor series are projected, too: `system.taylor(Projection(Taylor { tolerance: 1e-8 }, Energy), state)`. Each step is led back to what the
-/// invariants were where the run began: at no tolerance they drift, nor do roundings add up. States between the ends of steps are those of the
-/// series.
+/// Taylor series are projected, too: `system.taylor(Projection(Taylor { tolerance: 1e-8 }, Energy), state)`. Each step is led back to the
+/// values of the invariants at the start of the run, so that neither errors of the series nor roundings add up. States between the ends of steps are
+/// those of the series.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Projection<M, I>(pub M, pub I);
 
@@ -129,9 +129,9 @@ impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
     }
 }
 
-/// The largest part of an invariant's terms that cancelling forces may hide, as they are rounded by their own terms.
+/// Returns the largest change of an invariant, as a part of its terms, that may be rounding. Where large forces cancel, the change may be many roundings
+/// of the terms that are known here. The bound ε^⅔ is empirical.
 fn cancelling<R: Real>() -> f64 {
-    // ε^⅔.
     R::epsilon().cbrt() * R::epsilon().cbrt()
 }
 
@@ -145,8 +145,8 @@ pub(super) struct WayBack<Z> {
 /// Returns the way from `end` to where the invariants have changed by `wanted` since `before`.
 ///
 /// A simplified Newton iteration finds the multipliers, with the gradients at that end. On a circular orbit, or on any other orbit on which an
-/// invariant is as small as others allow, gradients depend on each other. Near it the directions turn as fast as the distance shrinks, so the
-/// fallback evaluates them at each point.
+/// invariant is as small as others allow, gradients depend on each other. Near such an orbit the gradients turn as fast as the iteration converges. If
+/// the simplified iteration fails, the gradients are therefore evaluated at each point.
 #[inline(always)]
 pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
     system: &S,
@@ -182,10 +182,11 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
         !jumps && {
             let kinds = [I::Values::LEN, 1];
             let noise = noise::measure(&at_end.digits, multipliers, (delta, farther), kinds, rounding);
-            // A coordinate that is rounded otherwise moves both ends of the step, and the gradient may vanish at one of them.
+            // Rounding of a coordinate changes the invariant at both ends of the step. The gradient at the end alone may vanish.
             let digits = at_end.digits_with(invariants.gradients(system, before), &sizes);
             let left = correction(multipliers).0;
-            // Where an angle of many turns is moved by as much as it may be rounded, its cosine looks like noise.
+            // Noise is measured by shifts of coordinates. For an angle of many turns a shift shows the curvature of the cosine, which is no
+            // noise. So the change has to be small, too.
             let is_small =
                 (0..I::Values::LEN).all(|i| left.as_slice()[i].magnitude() <= cancelling::<R>() * digits.of(i));
             is_small && noise::explains(&noise, &left, &digits)

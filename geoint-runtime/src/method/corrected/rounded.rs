@@ -7,16 +7,19 @@ use crate::space::vector::difference;
 use crate::space::{Array, PerCoordinate, Point, Snapshot};
 use crate::system::{Graded, Invariants, KeptBy, PhaseSpace, jump_of_integral};
 
-/// A step may change an invariant by so many of its roundings. Where no coordinate becomes smaller or larger by this factor it does not: to ask more often
-/// would cost a tenth of long steps, since whoever passes zero does so.
+/// A step may change an invariant by this many of its roundings.
+///
+/// A coordinate that becomes smaller or larger by this factor leaps. Other steps are not checked, because they change an invariant by fewer roundings. A
+/// smaller factor would make each passage through zero a leap, and long runs a tenth slower.
 const MOST: f64 = 16384.0;
 
-/// A step with patience may change the energy by so many of its roundings: forces that cancel are rounded as their terms are, which are not known here.
+/// A step with patience may change the energy by this many of its roundings. The terms of forces that cancel are rounded by more, and are not known here.
 const MOST_OF_ENERGY: f64 = 4_194_304.0;
 
 /// Refuses the step of a field from `before` to `x` if rounding changes an integral, or the step leads across a jump of an integral.
 ///
-/// Without patience a step in which a coordinate leaps is marked, and is repeated. Equations that rounding leaves unsolved are repeated as well.
+/// The first attempt of a step (`!P::PATIENT`) is only marked as doubtful if a coordinate leaps. The caller then repeats the step with patience, and this
+/// check decides.
 ///
 /// Of a canonical system [`check_energy`] is asked.
 #[inline(always)]
@@ -43,8 +46,9 @@ pub(crate) fn check_step<S: Graded<R>, R: Real, P: Probe<S, R>, C>(
 
 /// Refuses a step with patience of a canonical system, from `before` to `after`, that changes the energy by more than rounding.
 ///
-/// Such a step may have accepted an equation that is solved to its measured rounding only. Next to a bend of the energy that measure can take the bend
-/// for rounding. Where large forces cancel the energy is rounded as its terms are: its value stands for them.
+/// Such a step may have accepted an equation that is solved to its measured rounding only. Next to a bend of the energy the measure can take the bend
+/// for rounding. The bound is relative to the energy and to the products of coordinates and forces. Terms that cancel are not among them:
+/// [`MOST_OF_ENERGY`] leaves room for their rounding.
 #[cold]
 #[inline(never)]
 fn check_energy<S: Graded<R>, R: Real>(system: &S, before: &S::Phase, after: &S::Phase) -> Result<(), Refusal> {
@@ -52,7 +56,7 @@ fn check_energy<S: Graded<R>, R: Real>(system: &S, before: &S::Phase, after: &S:
     if !<KeptBy<S, R> as Invariants<S, R>>::KEEP_ENERGY {
         return Ok(());
     }
-    // The first is the energy. Of momenta other means of gradients than that of the tree keep none.
+    // The first change is that of the energy. Momenta are not checked: not every discrete gradient keeps them.
     let change = kept.changes(system, before, &difference(after, before)).as_slice()[0];
     let terms =
         system.hamiltonian(R::from_f64(0.0), before, &PerCoordinate::<S::Phase, S::Action>::zero().s).magnitude();
@@ -95,9 +99,9 @@ fn leaps<A: Array>(before: &A, after: &A) -> bool {
     leaps
 }
 
-/// Refuses a step between two points, by way of a third one, if an invariant changes by more than it is rounded at its ends, or may: coordinates are
-/// rounded as large as they are on the way, and an invariant may be steep where they are smaller by orders of magnitude. A step that has gone over a pole
-/// has it so, too.
+/// Refuses a step between two points, by way of a third one, if an invariant changes by more than [`MOST`] of its roundings at the ends of the step. The
+/// step is also refused if rounding may change the invariant by as much: coordinates are rounded by a part of their largest size on the way, and an
+/// invariant may be steep where they are smaller by orders of magnitude. Steps over a pole are like this.
 #[cold]
 #[inline(never)]
 fn refuse<S: PhaseSpace<R>, R: Real, I: Invariants<S, R>>(

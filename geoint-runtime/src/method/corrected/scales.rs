@@ -4,7 +4,7 @@ use crate::scalar::Real;
 use crate::solving::size::Sizes;
 use crate::space::{Array, Record, Tape};
 
-/// The size of each coordinate, and the length of its recent increments.
+/// The size of each coordinate, and the length of its increments. Both are maxima that fade over some fifty steps.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Scales<A> {
     sizes: Sizes<A>,
@@ -49,17 +49,17 @@ impl<A: Array> Scales<A> {
     }
 }
 
-/// Returns the unit of a coordinate of this size that has moved by `moved`.
+/// Returns the unit of a coordinate of this size that has moved by `moved`; at least the part `least` of its size.
 ///
-/// A coordinate always takes a correction within its own rounding. A coordinate that hardly moves would otherwise hand the rounding of an
-/// invariant on to the others, however little the invariant depends on them. `rounding` is therefore the least part of its size.
+/// The least part lets a coordinate that hardly moves take a correction within its own rounding. With a tiny unit the other coordinates would take it, even
+/// those on which the invariant hardly depends. A coordinate that has not moved at all keeps its size as unit: its motion says nothing.
 #[inline]
-pub(super) fn unit_of(size: f64, moved: f64, rounding: f64) -> f64 {
+pub(super) fn unit_of(size: f64, moved: f64, least: f64) -> f64 {
     let reached = STEPS * moved;
-    if reached > 0.0 && reached < size { reached.max(rounding * size) } else { size }
+    if reached > 0.0 && reached < size { reached.max(least * size) } else { size }
 }
 
-/// Returns the relative rounding of a coordinate, as an invariant sees it.
+/// Returns the part of its terms by which rounding of coordinates may change an invariant, with room for several operations.
 pub(super) fn rounding<R: Real>() -> f64 {
     ROUNDINGS * R::epsilon()
 }

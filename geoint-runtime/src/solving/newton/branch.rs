@@ -1,7 +1,8 @@
 //! Is a solution the one that is continuous in the step size?
 //!
-//! An implicit equation with a step far too large has several solutions. A method that keeps the energy finds that out by the energy. For others the
-//! solution is followed back to the start of the step.
+//! The equation x = g(x) of a step far too large has several solutions. Methods that keep the energy reject the wrong ones by their energy. For other
+//! methods this file follows the solution of x = λ g(x) from λ = 1 to λ = 0, where x = 0: λ stands for the size of the step. For Gauss methods of
+//! autonomous systems λh is the size of the step.
 
 use super::iteration::Iteration;
 use crate::scalar::Real;
@@ -11,31 +12,40 @@ use crate::solving::{linear, noise};
 use crate::space::vector::{difference, moved, scaled};
 use crate::space::{Array, Square};
 
-/// Parts of λ by which it is reduced: the first one, the largest and the smallest one. Below `END` it is not followed.
+/// The first reduction of λ, as a part of λ.
 const FIRST: f64 = 1.0 / 8.0;
+
+/// The largest and the smallest reduction.
 const MOST: f64 = 1.0 / 2.0;
 const LEAST: f64 = 1.0 / 4096.0;
+
+/// A solution that differs from the one near x = 0 down to this λ has gone to infinity: it is not connected to x = 0.
 const END: f64 = 1e-12;
 
-/// Each guess may take this many corrections. The first correction of a neighbour is at most `NEIGHBOURING`, the last one at most `NEAR`, relative to the
-/// largest entry of its kind. Each is at most `SHRINKING` of the one before: Newton's iteration then has one solution near the guess
-/// (L. V. Kantorovich, 1948).
+/// The most corrections of one guess.
 const MOST_CORRECTIONS: u32 = 5;
+
+/// The largest first correction, as a part of the solution, where the guess is the scaled solution at the λ before.
 const NEIGHBOURING: f64 = 1.0 / 4.0;
+
+/// Each correction is at most this part of the one before: Newton's iteration then has one solution near the guess (L. V. Kantorovich, 1948).
 const SHRINKING: f64 = 1.0 / 4.0;
+
+/// A correction by this part of the solution is the last one.
 const NEAR: f64 = 1e-6;
 
-/// Two ways lead to the same solution if their ends differ by at most this part.
+/// Two solutions are the same if they differ by at most this part.
 const SAME: f64 = 1e-4;
 
-/// Rounding by this part of a solution hides the neighbouring solutions.
+/// If the equation is rounded by more than this part of the solution, corrections may never reach `NEAR`, and a failure to follow the solution
+/// proves nothing.
 const HIDDEN: f64 = 1.0 / 131_072.0;
 
 impl<A: Array> Iteration<A> {
     /// Returns whether the solution of x = g(x) is connected to x = 0 by solutions of x = λ g(x), where λ falls from 1 to 0.
     ///
-    /// The answer is yes, too, if the equation is not defined on the way, or if rounding hides the way: nothing is known then. `sizes` are those before
-    /// this step. Newton's iteration follows the solution. E. L. Allgower & K. Georg, *Numerical Continuation Methods* (1990), section 2.
+    /// The answer is also yes if nothing is known: the equation is not defined on the way, or rounding hides the way. `sizes` are those before this
+    /// step. Newton's iteration follows the solution. E. L. Allgower & K. Georg, *Numerical Continuation Methods* (1990), section 2.
     #[cold]
     #[inline(never)]
     pub(super) fn is_continuous<W: Observer + ?Sized, E: StepEquation<A, W>>(
@@ -46,23 +56,25 @@ impl<A: Array> Iteration<A> {
         watch: &mut W,
     ) -> bool {
         watch.pause(true);
-        let (mut x, mut lambda, mut part) = (solution, 1.0, FIRST);
-        let mut is_new = true;
+        let (mut x, mut lambda, mut reduction) = (solution, 1.0, FIRST);
+        let mut has_advanced = true;
         let is_continuous = loop {
             // Newton's iteration from nothing leads to this solution: the rest of the way need not be followed.
-            if is_new
+            if has_advanced
                 && let Followed::To(there) = self.followed(lambda, (A::zero(), 1.0), sizes, &equation, watch)
-                && self.part(&difference(&x, &there), &there) <= SAME
+                && self.relative(&difference(&x, &there), &there) <= SAME
             {
                 break true;
             }
-            let next = lambda * (1.0 - part);
+            let next = lambda * (1.0 - reduction);
             let guess = scaled(A::Real::from_f64(next / lambda), &x);
             let followed = self.followed(next, (guess, NEIGHBOURING), sizes, &equation, watch);
-            is_new = matches!(followed, Followed::To(_));
+            has_advanced = matches!(followed, Followed::To(_));
             match followed {
-                Followed::To(there) if next > END => (x, lambda, part) = (there, next, f64::min(2.0 * part, MOST)),
-                Followed::Lost if part > LEAST => part *= 0.5,
+                Followed::To(there) if next > END => {
+                    (x, lambda, reduction) = (there, next, f64::min(2.0 * reduction, MOST))
+                }
+                Followed::Lost if reduction > LEAST => reduction *= 0.5,
                 Followed::Undefined => break true,
                 _ => break self.is_hidden(solution, sizes, &equation, watch),
             }
@@ -71,7 +83,7 @@ impl<A: Array> Iteration<A> {
         is_continuous
     }
 
-    /// Returns whether rounding of the equation hides the solutions next to `x`: the increment is hardly larger than the rounding of the forces.
+    /// Returns whether the equation is rounded by more than [`HIDDEN`] of its solution `x`.
     fn is_hidden<W: Observer + ?Sized, E: StepEquation<A, W>>(
         &self,
         x: A,
@@ -117,7 +129,7 @@ impl<A: Array> Iteration<A> {
                 return Followed::Lost;
             }
             x = difference(&x, &delta);
-            let correction = self.part(&delta, &x);
+            let correction = self.relative(&delta, &x);
             if correction <= NEAR {
                 return Followed::To(x);
             }
@@ -129,8 +141,8 @@ impl<A: Array> Iteration<A> {
         Followed::Lost
     }
 
-    /// Returns the largest entry of `delta` relative to the largest entry of its kind in `x` or in `delta`.
-    fn part(&self, delta: &A, x: &A) -> f64 {
+    /// Returns the largest entry of `delta` relative to the largest entry of its kind in `x` or in `delta`. Positions are one kind, momenta another.
+    fn relative(&self, delta: &A, x: &A) -> f64 {
         Sizes::at(x).of_kinds(self.kinds).relative(delta, &A::zero(), &A::zero())
     }
 }

@@ -9,15 +9,15 @@ use crate::system::{Jets, Poles, jump_on_way};
 use crate::taylor::{self, TaylorMethod};
 
 impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
-    /// Whether the energy has places where series end for real times: poles, powers that vanish, conditions. Steps of given length that lead far
-    /// beyond would be long finished before their numbers overflow.
+    /// Whether the energy has places where series end for real times: poles, powers that vanish, conditions. A step of given length beyond
+    /// such a place would have finite but wrong numbers, so it is compared, too.
     const SERIES_END: bool = S::Switches::LEN > 0 || S::POWERS || !S::POLES.is_empty();
 
-    /// Goes a step of length h, in place of a whole one, to the other end. The coefficients there are computed, and, if `compared`, their first
-    /// order with that of the polynomial.
+    /// Evaluates the polynomial at h and computes the coefficients there, in units of the length `whole` of a full step. If `compared`, the rates there
+    /// have to be those of the polynomial.
     ///
-    /// Returns the correction of the method. An attempt that goes on from another one of nearly the same length has that of the other: a new one might
-    /// lead back over a condition, where the energy has a bend.
+    /// Returns the correction of the method. `held` is the correction of an attempt of nearly the same length, and is used again: a new one might lead back
+    /// over the condition at which the step ends.
     #[inline(always)]
     pub(super) fn attempt(
         &mut self,

@@ -1,4 +1,7 @@
 //! What lies on the way of a step of which the series says nothing?
+//!
+//! Far from a barrier, or long before a pulse, the force is zero to rounding. Then the coefficients do not tell how long it stays so, and the step is
+//! uninformed: it looks at the rates at points on its way.
 
 use super::Steps;
 use crate::scalar::Real;
@@ -6,21 +9,21 @@ use crate::space::{Array, PerCoordinate};
 use crate::system::Jets;
 use crate::taylor::{self, TaylorMethod};
 
-/// Points per time in which the state changes, and at least in a step. A barrier wider than their distance is seen.
+/// Points in the time in which the state changes by its size, and the fewest points in a step. A barrier wider than their distance is seen.
 const POINTS: f64 = 64.0;
 
-/// A step of which the series says nothing is at most so many of these times long.
+/// An uninformed step is at most this many of these times long.
 const LONGEST: f64 = 16.0;
 
 impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
-    /// Returns whether steps never look at their way: those of given length, and those of energies with conditions, whose series hold on one side only.
+    /// Returns whether steps never look at their way. Those of given length do not. Those of energies with conditions do not, either: beyond a condition
+    /// the rates differ from the series, and conditions are found in another way. A narrow barrier of such an energy may be missed.
     #[inline(always)]
     fn never_looks(&self) -> bool {
         S::Switches::LEN > 0 || self.is_fixed()
     }
 
-    /// Returns whether the length of the step follows from a series that converges. Far from a barrier, or long before a pulse, the force is constant to
-    /// rounding, and the coefficients do not tell how long it stays so.
+    /// Returns whether the length of the step follows from a series that converges.
     #[inline(always)]
     pub(super) fn is_informed(&self) -> bool {
         self.never_looks() || self.estimate.converges(self.jet())
@@ -33,7 +36,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         !self.never_looks() && self.estimate.moves_far(self.here().in_units(h), &self.jet()[0])
     }
 
-    /// Returns the longest step of which the series says nothing.
+    /// Returns the length of the longest uninformed step.
     #[cold]
     pub(super) fn longest_uninformed(&self) -> f64 {
         self.pace().map_or(f64::INFINITY, |time| LONGEST * time)
@@ -45,7 +48,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
     pub(super) fn agrees_on_way(&self, h: f64) -> bool {
         let here = self.here();
         let time = self.pace().unwrap_or(h.abs());
-        // A coordinate that begins at zero has no size, and its time says nothing.
+        // For a coordinate that begins at zero the time may be far too long.
         let points = libm::ceil(POINTS * (h.abs() / time).clamp(1.0, LONGEST));
         (1..points as u32).all(|point| {
             let after = h * (f64::from(point) / points);
@@ -56,7 +59,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
             let [unit, after] = [here.unit, after].map(R::from_f64);
             self.system.jet::<2>(unit, here.time() + after, &x.z, &x.s, &mut jet, &mut switches);
             let polynomial = taylor::rate(self.jet(), part);
-            // Where there are no rates is a matter of domains.
+            // Rates that are not finite are left to the check of domains at the end of the step.
             !jet[0].is_finite()
                 || self.estimate.agree(here.in_units(h), [&polynomial, &jet[0]], &self.jet()[0], &PerCoordinate::zero())
         })
