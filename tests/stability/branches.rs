@@ -3,7 +3,7 @@
 use geoint_runtime::prelude::*;
 use geoint_tests::measure::Noise;
 
-/// Hénon and Heiles (1964). At energies below 1/6 no motion that begins in the unit circle leaves it. The starts here have energies below 1/10.
+/// Hénon and Heiles (1964). At energies below 1/6 no motion that begins in the unit circle leaves it. The starts here have energies below 1/8.
 #[hamiltonian]
 fn galaxy(q: [f64; 2], p: [f64; 2]) -> f64 {
     (p[0] * p[0] + p[1] * p[1] + q[0] * q[0] + q[1] * q[1]) / 2.0 + q[0] * q[0] * q[1] - q[1].powi(3) / 3.0

@@ -1,4 +1,4 @@
-//! Projections of angles far from zero, with steps of a third of a period: the measure of rounding must not take the curvature of a cosine for noise, and
+//! Projections of angles far from zero, with steps of a third of a period and more: the measure of rounding must not take the curvature of a cosine for noise, and
 //! accept a step that is not projected.
 
 use geoint_runtime::prelude::*;
@@ -10,7 +10,7 @@ fn far_pendulum(q: f64, p: f64, m: f64, c: f64) -> f64 {
     p * p / (2.0 * m) - (q - c).cos()
 }
 
-/// The same in single precision, where angles of a few turns are far away.
+/// A pendulum in single precision, where steps far too large show the same at angles of a few turns.
 #[hamiltonian]
 fn single_pendulum(q: f32, p: f32, m: f32, g: f32) -> f32 {
     p * p / (2.0 * m) - g * q.cos()

@@ -23,7 +23,7 @@ impl Slopes {
             let value = self.gradient(graph, value);
             inside = sweep::select(graph, condition, &value, &inside);
             let at_end = self.end(graph, condition);
-            same = both_or_neither(graph, [condition, at_end], same);
+            same = same_piece(graph, [condition, at_end], same);
         }
         if matches!(graph.node(same), Node::Truth(true)) {
             return inside;
@@ -32,7 +32,8 @@ impl Slopes {
         sweep::select(graph, same, &inside, &across)
     }
 
-    /// m + ((Δf − m·d)/(d·d)) d with the mean m of the gradients at both ends. Each branch is evaluated at its own end, and so in its own domain. O. Gonzalez, J. Nonlinear Sci. 6 (1996) 449, eq. 2.8.
+    /// m + ((Δf − m·d)/(d·d)) d with the mean m of the gradients at both ends. Each branch is evaluated at its own
+    /// end, and so in its own domain. O. Gonzalez, J. Nonlinear Sci. 6 (1996) 449, eq. 2.8.
     fn secant(&mut self, graph: &mut Graph, id: Id) -> Entries {
         let gradient = sweep::gradient(graph, id);
         let (mut along, mut squares, mut means) = (vec![], vec![], vec![]);
@@ -58,7 +59,7 @@ impl Slopes {
 }
 
 /// Whether a condition holds at both ends of a step, or fails at both and `rest` is true.
-fn both_or_neither(graph: &mut Graph, [start, end]: [Id; 2], rest: Id) -> Id {
+fn same_piece(graph: &mut Graph, [start, end]: [Id; 2], rest: Id) -> Id {
     // The condition reads no coordinate.
     if start == end {
         return graph.or(start, rest);

@@ -1,4 +1,4 @@
-//! x₁ = y + Σ λᵢ D²∇Iᵢ(y): a step of any method, and back to where the invariants were.
+//! x₁ = y + Σ λᵢ D²∇Iᵢ(y): a step of any method, and back to where the invariants were. If that fails, the gradients are those at each iterate.
 
 use super::frame::Frame;
 use super::range::is_representable;
@@ -21,10 +21,13 @@ use core::cell::Cell;
 /// The order of the method; invariants are kept to rounding, also where their gradients depend on each other, as those of energy and momentum
 /// do on a circle. The method is neither symmetric nor symplectic: other invariants drift, even the momentum of a cyclic coordinate.
 ///
-/// The correction is the shortest one, where each coordinate has a unit D. D is the largest recent magnitude of the coordinate, or its motion in
-/// 1024 steps, if that is less: an angle of many turns is large, and energies do not change over as much. But D is large enough for the coordinate
-/// to take a correction that is within its own rounding. The correction does not depend on the units of q and p, and a coordinate that has always
-/// been zero stays zero.
+/// The correction is the shortest one, where each coordinate has a unit D:
+///
+/// - D is the largest recent magnitude of the coordinate,
+/// - but at most 1024 times its recent increment: the distance of an angle from zero means nothing after many turns,
+/// - and at least so large that a coordinate takes the corrections which its own rounding explains.
+///
+/// The correction does not depend on the units of q and p, and a coordinate that has always been zero stays zero.
 ///
 /// An angle `atan2(y, x)` in an invariant is followed across its cut. Errors: [`StepError::Turned`](crate::StepError::Turned) if the angle moves by
 /// more than half a turn in a step, and [`StepError::OutOfRange`](crate::StepError::OutOfRange) if an invariant underflows or overflows.
@@ -170,7 +173,7 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
     let units = scales.units(explained);
     let at_end = Frame::<I::Values, S::Phase>::new(gradients, units, &sizes);
     let frame = |at: &S::Phase| Frame::<I::Values, S::Phase>::new(invariants.gradients(system, at), units, &sizes);
-    // A correction that does not shrink may be one from side to side of a jump.
+    // Where the energy jumps, corrections from side to side do not shrink. Nothing is taken for noise then.
     let jumps = I::KEEP_ENERGY && !S::JUMPS.is_empty();
     let correction = |multipliers: &I::Values| {
         let mut delta = changes(&sum(moved, &at_end.back(multipliers)));
@@ -207,8 +210,11 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
     Ok(WayBack { back, decided: decided.get() })
 }
 
-/// Returns for each coordinate the part of the correction that rounding explains: the least one of the invariants that read it. It is zero where the
-/// slope of an invariant changes within the correction: a slope that nearly vanishes would lead far away.
+/// Returns for each coordinate the part of the correction that rounding explains. For an invariant it is the rounding of its terms relative to its change,
+/// at most 1; for a coordinate it is the least part of the invariants that read it.
+///
+/// The gradient is also evaluated at a point as far away as the correction may lead. If a slope is another one there, the part is zero: a slope that
+/// nearly vanishes would ask for a correction far away.
 #[cold]
 #[inline(never)]
 fn explained_by_rounding<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
@@ -226,14 +232,14 @@ fn explained_by_rounding<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
         *part = R::from_f64(part_of_rounding(*part, sizes.terms(gradient)));
     }
     let least = parts.as_slice().iter().fold(1.0, |least, part| part.magnitude().min(least));
-    let mut farther = invariants.gradients(system, &sizes.beside(&sum(before, moved), rounding::<R>() / least));
-    let slopes = gradients.iter().zip(I::Values::entries(&mut farther));
+    let mut beside = invariants.gradients(system, &sizes.beside(&sum(before, moved), rounding::<R>() / least));
+    let slopes = gradients.iter().zip(I::Values::entries(&mut beside));
     let mut explained = S::Phase::zero();
     explained.as_mut_slice().fill(R::from_f64(1.0));
-    for (part, (gradient, farther)) in parts.as_slice().iter().zip(slopes) {
-        let slopes = gradient.as_slice().iter().zip(farther.as_slice());
-        for (least, (slope, farther)) in explained.as_mut_slice().iter_mut().zip(slopes) {
-            let is_linear = (*farther - *slope).magnitude() <= 0.5 * slope.magnitude();
+    for (part, (gradient, beside)) in parts.as_slice().iter().zip(slopes) {
+        let slopes = gradient.as_slice().iter().zip(beside.as_slice());
+        for (least, (slope, beside)) in explained.as_mut_slice().iter_mut().zip(slopes) {
+            let is_linear = (*beside - *slope).magnitude() <= 0.5 * slope.magnitude();
             let part = if is_linear { *part } else { R::from_f64(0.0) };
             if slope.magnitude() > 0.0 && part.magnitude() < least.magnitude() {
                 *least = part;

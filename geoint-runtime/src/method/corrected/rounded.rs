@@ -7,10 +7,10 @@ use crate::space::vector::difference;
 use crate::space::{Array, PerCoordinate, Point, Snapshot};
 use crate::system::{Graded, Invariants, KeptBy, PhaseSpace, jump_of_integral};
 
-/// A step may change an invariant by this many of its roundings.
+/// A step is refused if an invariant changes by more than this many of its roundings.
 ///
-/// A coordinate that becomes smaller or larger by this factor leaps. Other steps are not checked, because they change an invariant by fewer roundings. A
-/// smaller factor would make each passage through zero a leap, and long runs a tenth slower.
+/// It is also the factor of a leap: a coordinate becomes smaller or larger by it. First attempts and corrections are looked at only if a coordinate leaps,
+/// since otherwise rounding on the way is within the bound. A smaller factor would make each passage through zero a leap, and long runs a tenth slower.
 const MOST: f64 = 16384.0;
 
 /// A step with patience may change the energy by this many of its roundings. The terms of forces that cancel are rounded by more, and are not known here.
@@ -18,8 +18,8 @@ const MOST_OF_ENERGY: f64 = 4_194_304.0;
 
 /// Refuses the step of a field from `before` to `x` if rounding changes an integral, or the step leads across a jump of an integral.
 ///
-/// The first attempt of a step (`!P::PATIENT`) is only marked as doubtful if a coordinate leaps. The caller then repeats the step with patience, and this
-/// check decides.
+/// Jumps refuse any attempt, rounding only attempts with patience. The first attempt of a steep field is marked as doubtful if a coordinate leaps, and
+/// the caller repeats it with patience.
 ///
 /// Of a canonical system [`check_energy`] is asked.
 #[inline(always)]
@@ -99,20 +99,21 @@ fn leaps<A: Array>(before: &A, after: &A) -> bool {
     leaps
 }
 
-/// Refuses a step between two points, by way of a third one, if an invariant changes by more than [`MOST`] of its roundings at the ends of the step. The
+/// Refuses a step from `start` to `end` if an invariant changes by more than [`MOST`] of its roundings at the ends of the step. The
 /// step is also refused if rounding may change the invariant by as much: coordinates are rounded by a part of their largest size on the way, and an
-/// invariant may be steep where they are smaller by orders of magnitude. Steps over a pole are like this.
+/// invariant may be steep where they are smaller by orders of magnitude. Steps over a pole are like this. `uncorrected` is the end before a correction, and
+/// lies on the way, too.
 #[cold]
 #[inline(never)]
 fn refuse<S: PhaseSpace<R>, R: Real, I: Invariants<S, R>>(
     system: &S,
     invariants: &I,
     changes: &I::Values,
-    [start, end, between]: [&S::Phase; 3],
+    [start, end, uncorrected]: [&S::Phase; 3],
 ) -> Result<(), Refusal> {
     let mut gradients = [start, end].map(|z| invariants.gradients(system, z));
     let [first, last] = gradients.each_mut().map(I::Values::entries);
-    let way = [start, end, between].map(Array::as_slice);
+    let way = [start, end, uncorrected].map(Array::as_slice);
     let is_lost = |(change, (first, last)): (&R, (&S::Phase, &S::Phase))| {
         let (first, last) = (first.as_slice(), last.as_slice());
         let at_ends = f64::max(steepness([way[0]], first), steepness([way[1]], last));

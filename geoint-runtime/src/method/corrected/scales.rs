@@ -11,7 +11,7 @@ pub(super) struct Scales<A> {
     moved: Sizes<A>,
 }
 
-/// The unit of a coordinate is at most its increment times this number of steps: the distance of a coordinate from zero may mean nothing.
+/// The unit of a coordinate is at most its increment times this number of steps: an angle of 10⁵ turns would otherwise take all corrections.
 pub(super) const STEPS: f64 = 1024.0;
 
 /// A change of an invariant by this many ε of its terms is rounding of its coordinates.
@@ -28,16 +28,17 @@ impl<A: Array> Scales<A> {
         self.moved.include(&A::zero(), moved);
     }
 
-    /// Returns the units for a correction. `rounding` gives for each coordinate the part of the correction that rounding explains.
+    /// Returns the units for a correction. `rounding` gives for each coordinate the part of the correction that rounding explains, from 0
+    /// to 1. The unit is at least this part of the size: a coordinate takes what its own rounding has caused.
     #[inline]
     pub(super) fn units(&self, rounding: impl FnOnce() -> A) -> Sizes<A> {
-        // All coordinates of most steps do move.
-        let mut all_move = true;
+        // In most steps no coordinate is so slow that its unit has to be reduced.
+        let mut sizes_suffice = true;
         for i in 0..A::LEN {
             let reached = STEPS * self.moved.of(i);
-            all_move &= reached >= self.sizes.of(i) || reached == 0.0;
+            sizes_suffice &= reached >= self.sizes.of(i) || reached == 0.0;
         }
-        if all_move {
+        if sizes_suffice {
             return self.sizes;
         }
         let (mut units, rounding) = (self.sizes, rounding());

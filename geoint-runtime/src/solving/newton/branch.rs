@@ -19,7 +19,7 @@ const FIRST: f64 = 1.0 / 8.0;
 const MOST: f64 = 1.0 / 2.0;
 const LEAST: f64 = 1.0 / 4096.0;
 
-/// A solution that differs from the one near x = 0 down to this λ has gone to infinity: it is not connected to x = 0.
+/// A solution that is connected to x = 0 is near it for small λ, and is found from there. One that is not found down to this λ is another one.
 const END: f64 = 1e-12;
 
 /// The most corrections of one guess.
@@ -44,8 +44,8 @@ const HIDDEN: f64 = 1.0 / 131_072.0;
 impl<A: Array> Iteration<A> {
     /// Returns whether the solution of x = g(x) is connected to x = 0 by solutions of x = λ g(x), where λ falls from 1 to 0.
     ///
-    /// The answer is also yes if nothing is known: the equation is not defined on the way, or rounding hides the way. `sizes` are those before this
-    /// step. Newton's iteration follows the solution. E. L. Allgower & K. Georg, *Numerical Continuation Methods* (1990), section 2.
+    /// The answer is no if the way ends, as where two solutions meet, or if the solution stays away from zero down to [`END`]. The answer is also yes if
+    /// nothing is known: the equation is not defined on the way, or rounding hides the way. `sizes` are those before this step. Newton's iteration follows the solution. E. L. Allgower & K. Georg, *Numerical Continuation Methods* (1990), section 2.
     #[cold]
     #[inline(never)]
     pub(super) fn is_continuous<W: Observer + ?Sized, E: StepEquation<A, W>>(
@@ -56,13 +56,15 @@ impl<A: Array> Iteration<A> {
         watch: &mut W,
     ) -> bool {
         watch.pause(true);
+        let explicit = equation.explicit();
         let (mut x, mut lambda, mut reduction) = (solution, 1.0, FIRST);
         let mut has_advanced = true;
         let is_continuous = loop {
-            // Newton's iteration from nothing leads to this solution: the rest of the way need not be followed.
+            // Newton's iteration from x = 0, with corrections that shrink fast, leads to this solution: so does the rest of the way.
             if has_advanced
                 && let Followed::To(there) = self.followed(lambda, (A::zero(), 1.0), sizes, &equation, watch)
-                && self.relative(&difference(&x, &there), &there) <= SAME
+                && self.relative(&difference(&x, &there), [&there, &scaled(A::Real::from_f64(lambda), &explicit)])
+                    <= SAME
             {
                 break true;
             }
@@ -129,11 +131,11 @@ impl<A: Array> Iteration<A> {
                 return Followed::Lost;
             }
             x = difference(&x, &delta);
-            let correction = self.relative(&delta, &x);
+            let correction = self.relative(&delta, [&x, &scaled(part, &equation.explicit())]);
             if correction <= NEAR {
                 return Followed::To(x);
             }
-            if !(correction <= most) {
+            if correction > most || correction.is_nan() {
                 return Followed::Lost;
             }
             most = SHRINKING * correction;
@@ -141,9 +143,12 @@ impl<A: Array> Iteration<A> {
         Followed::Lost
     }
 
-    /// Returns the largest entry of `delta` relative to the largest entry of its kind in `x` or in `delta`. Positions are one kind, momenta another.
-    fn relative(&self, delta: &A, x: &A) -> f64 {
-        Sizes::at(x).of_kinds(self.kinds).relative(delta, &A::zero(), &A::zero())
+    /// Returns the largest entry of `delta` relative to the largest entry of its kind in `delta`, in the solution `x`, or in the explicit increment: the
+    /// solution may be zero at some λ. Positions are one kind, momenta another.
+    fn relative(&self, delta: &A, [x, explicit]: [&A; 2]) -> f64 {
+        let mut sizes = Sizes::at(x);
+        sizes.include(&A::zero(), explicit);
+        sizes.of_kinds(self.kinds).relative(delta, &A::zero(), &A::zero())
     }
 }
 

@@ -13,7 +13,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
     /// such a place would have finite but wrong numbers, so it is compared, too.
     const SERIES_END: bool = S::Switches::LEN > 0 || S::POWERS || !S::POLES.is_empty();
 
-    /// Evaluates the polynomial at h and computes the coefficients there, in units of the length `whole` of a full step. If `compared`, the rates there
+    /// Tries a step of length h, whose end is `start()` from then on: evaluates the polynomial and computes the coefficients there, in units of the length `whole` of a full step. If `compared`, the rates there
     /// have to be those of the polynomial.
     ///
     /// Returns the correction of the method. `held` is the correction of an attempt of nearly the same length, and is used again: a new one might lead back
@@ -59,7 +59,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         {
             return Err(Reason::OutsideDomain { what });
         }
-        // Series see the poles of the field; an invariant may have more, and beyond them it is another one.
+        // Series end before the poles of the field. An invariant may have more poles, and a correction must not lead over one.
         let uncorrected = correction.map(|_| end);
         let times = [self.here().time(), self.start().time()];
         let pole = self.clear.pole(&self.system, times).or_else(|| uncorrected.and_then(|_| self.pole()));
@@ -112,7 +112,8 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         self.estimate.agree(part, [&polynomial, rates], &self.jet()[0], &PerCoordinate::zero())
     }
 
-    /// The same where the series led before it was corrected: what rounding of invariants leaves to a small coordinate may be more than a series is off.
+    /// The same where the series led before it was corrected: the correction moves a small coordinate by the rounding of
+    /// the invariants, and that may be more than the error of the series.
     #[cold]
     #[inline(never)]
     fn agrees_before(&mut self, end: Carried<S, R>, part: f64, whole: f64) -> bool {
