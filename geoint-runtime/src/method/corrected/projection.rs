@@ -132,12 +132,6 @@ impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
     }
 }
 
-/// Returns the largest change of an invariant, as a part of its terms, that may be rounding. Where large forces cancel, the change may be many roundings
-/// of the terms that are known here. The bound ε^⅔ is empirical.
-fn cancelling<R: Real>() -> f64 {
-    R::epsilon().cbrt() * R::epsilon().cbrt()
-}
-
 /// From the end of a step to where the invariants are what they were.
 pub(super) struct WayBack<Z> {
     pub(super) back: Z,
@@ -187,12 +181,7 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
             let noise = noise::measure(&at_end.digits, multipliers, (delta, farther), kinds, rounding);
             // Rounding of a coordinate changes the invariant at both ends of the step. The gradient at the end alone may vanish.
             let digits = at_end.digits_with(invariants.gradients(system, before), &sizes);
-            let left = correction(multipliers).0;
-            // Noise is measured by shifts of coordinates. For an angle of many turns a shift shows the curvature of the cosine, which is no
-            // noise. So the change has to be small, too.
-            let is_small =
-                (0..I::Values::LEN).all(|i| left.as_slice()[i].magnitude() <= cancelling::<R>() * digits.of(i));
-            is_small && noise::explains(&noise, &left, &digits)
+            noise::explains(&noise, &correction(multipliers).0, &digits)
         }
     };
     let turning = |increment: &S::Phase| {
