@@ -71,13 +71,11 @@ impl<A: Array> Sizes<A> {
         Sizes(sizes)
     }
 
-    /// Returns for each entry the largest size of its kind. Entries come in `kinds` of `each` that have one unit.
-    pub(crate) fn of_kinds(&self, [each, kinds]: [usize; 2]) -> Self {
-        let kind = |i: usize| i / each % kinds;
+    /// Returns for each entry the largest size of its kind.
+    pub(crate) fn of_kinds(&self, kinds: [usize; 2]) -> Self {
         let mut largest = A::zero();
         for (i, size) in largest.as_mut_slice().iter_mut().enumerate() {
-            let alike = (0..A::LEN).filter(|j| kind(*j) == kind(i)).map(|j| self.of(j));
-            *size = A::Real::from_f64(alike.fold(0.0, f64::max));
+            *size = A::Real::from_f64(largest_of_kind(self.as_slice(), kinds, i));
         }
         Sizes(largest)
     }
@@ -198,6 +196,17 @@ impl<A: Array> Sizes<A> {
         let ratio = |(change, size): (&A::Real, &A::Real)| change.magnitude() / size.magnitude();
         largest(delta.as_slice().iter().zip(sizes.as_slice()).map(ratio))
     }
+}
+
+/// Returns the kind of entry `i`, where so many entries of one unit follow each other, in so many kinds.
+pub(crate) fn kind([each, kinds]: [usize; 2], i: usize) -> usize {
+    i / each % kinds
+}
+
+/// Returns the largest size of the kind of entry `i`.
+pub(crate) fn largest_of_kind<R: Real>(sizes: &[R], kinds: [usize; 2], i: usize) -> f64 {
+    let alike = sizes.iter().enumerate().filter(|(j, _)| kind(kinds, *j) == kind(kinds, i));
+    alike.map(|(_, size)| size.magnitude()).fold(0.0, f64::max)
 }
 
 /// Returns |origin| + |x| of entry `i`.

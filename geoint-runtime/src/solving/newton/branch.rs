@@ -45,7 +45,9 @@ impl<A: Array> Iteration<A> {
     /// Returns whether the solution of x = g(x) is connected to x = 0 by solutions of x = λ g(x), where λ falls from 1 to 0.
     ///
     /// The answer is no if the way ends, as where two solutions meet, or if the solution stays away from zero down to [`END`]. The answer is also yes if
-    /// nothing is known: the equation is not defined on the way, or rounding hides the way. `sizes` are those before this step. Newton's iteration follows the solution. E. L. Allgower & K. Georg, *Numerical Continuation Methods* (1990), section 2.
+    /// nothing is known: the equation is not defined on the way, or rounding hides the way. `sizes` are those before this step.
+    ///
+    /// Newton's iteration follows the solution. E. L. Allgower & K. Georg, *Numerical Continuation Methods* (1990), section 2.
     #[cold]
     #[inline(never)]
     pub(super) fn is_continuous<W: Observer + ?Sized, E: StepEquation<A, W>>(
@@ -113,6 +115,7 @@ impl<A: Array> Iteration<A> {
     ) -> Followed<A> {
         let (mut x, mut most) = (guess, first);
         let (one, part) = (A::Real::from_f64(1.0), A::Real::from_f64(lambda));
+        let explicit = scaled(part, &equation.explicit());
         let mut matrix: Square<A> = A::fill(A::zero());
         for _ in 0..MOST_CORRECTIONS {
             // x − λ g = (1 − λ) x + λ (x − g), and its derivative.
@@ -131,7 +134,7 @@ impl<A: Array> Iteration<A> {
                 return Followed::Lost;
             }
             x = difference(&x, &delta);
-            let correction = self.relative(&delta, [&x, &scaled(part, &equation.explicit())]);
+            let correction = self.relative(&delta, [&x, &explicit]);
             if correction <= NEAR {
                 return Followed::To(x);
             }

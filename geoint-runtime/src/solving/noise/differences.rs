@@ -1,7 +1,8 @@
 //! Divided differences of a residual at points on a line, and what they say of it: smooth, or rounded to so much.
 
-use super::points::{GOLDEN, Start, kind};
+use super::points::{GOLDEN, Start};
 use crate::scalar::{Real, zero};
+use crate::solving::size::kind;
 
 /// Points on a line at which the residual is evaluated.
 pub(super) const POINTS: usize = 16;

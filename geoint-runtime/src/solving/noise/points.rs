@@ -1,7 +1,7 @@
 //! Where a residual is evaluated to see its rounding: how far apart, in which direction.
 
 use crate::scalar::Real;
-use crate::solving::size::largest;
+use crate::solving::size::{kind, largest, largest_of_kind};
 
 /// The irrational number that has the worst approximations by ratios.
 pub(super) const GOLDEN: f64 = 0.618_033_988_749_894_9;
@@ -19,17 +19,11 @@ pub(super) enum Start {
     Corrections,
 }
 
-/// The kind of unknown `i` where so many of each of so many kinds come one after the other.
-pub(super) fn kind([each, kinds]: [usize; 2], i: usize) -> usize {
-    i / each % kinds
-}
-
 /// The direction in which unknowns are moved.
 #[inline(never)]
 pub(super) fn along<R: Real>(sizes: &[R], kinds: [usize; 2], direction: &mut [R]) {
     for (i, d) in direction.iter_mut().enumerate() {
-        let alike = sizes.iter().enumerate().filter(|(j, _)| kind(kinds, *j) == kind(kinds, i));
-        let unit = alike.map(|(_, size)| size.magnitude()).fold(0.0, f64::max);
+        let unit = largest_of_kind(sizes, kinds, i);
         // By different parts of that, so that differences of neighbours change, and each by something else.
         let golden = GOLDEN * ((i + 1) * (i + 1)) as f64;
         *d = R::from_f64(unit * (0.5 + (golden - libm::floor(golden))));

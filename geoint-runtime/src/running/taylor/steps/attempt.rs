@@ -13,8 +13,8 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
     /// such a place would have finite but wrong numbers, so it is compared, too.
     const SERIES_END: bool = S::Switches::LEN > 0 || S::POWERS || !S::POLES.is_empty();
 
-    /// Tries a step of length h, whose end is `start()` from then on: evaluates the polynomial and computes the coefficients there, in units of the length `whole` of a full step. If `compared`, the rates there
-    /// have to be those of the polynomial.
+    /// Tries a step of length h, whose end is `start()` from then on. Evaluates the polynomial and computes the coefficients there, in units of the
+    /// length `whole` of a full step. If `compared`, the rates there have to be those of the polynomial.
     ///
     /// Returns the correction of the method. `held` is the correction of an attempt of nearly the same length, and is used again: a new one might lead back
     /// over the condition at which the step ends.
