@@ -18,6 +18,7 @@ mod units;
 mod long_steps;
 mod bends;
 mod branches;
+mod far_angles;
 mod ahead;
 mod rest;
 mod rounding;

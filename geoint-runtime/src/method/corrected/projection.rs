@@ -132,6 +132,15 @@ impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
     }
 }
 
+/// An invariant whose terms are larger by this factor than in the units of a correction reads a coordinate far from zero.
+const FAR: f64 = 8.0;
+
+/// Returns the largest change of such an invariant, as a part of its terms, that may be rounding. Where large forces cancel, the change may be many
+/// roundings of the terms that are known here. The bound √ε/16 is empirical.
+fn cancelling<R: Real>() -> f64 {
+    R::epsilon().sqrt() / 16.0
+}
+
 /// From the end of a step to where the invariants are what they were.
 pub(super) struct WayBack<Z> {
     pub(super) back: Z,
@@ -181,7 +190,14 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
             let noise = noise::measure(&at_end.digits, multipliers, (delta, farther), kinds, rounding);
             // Rounding of a coordinate changes the invariant at both ends of the step. The gradient at the end alone may vanish.
             let digits = at_end.digits_with(invariants.gradients(system, before), &sizes);
-            noise::explains(&noise, &correction(multipliers).0, &digits)
+            let left = correction(multipliers).0;
+            // Noise is measured by shifts of coordinates. For an angle of many turns a shift shows the curvature of the cosine, which is no
+            // noise. So the change has to be small, too.
+            let is_small = |i: usize| {
+                let turns_often = at_end.digits.of(i) > FAR;
+                !turns_often || left.as_slice()[i].magnitude() <= cancelling::<R>() * digits.of(i)
+            };
+            (0..I::Values::LEN).all(is_small) && noise::explains(&noise, &left, &digits)
         }
     };
     let turning = |increment: &S::Phase| {
