@@ -1,6 +1,7 @@
 //! Stays right: what is kept over long times, what bad input gets, how trajectories are walked.
 
 mod damping;
+mod accepted;
 mod adaptive;
 mod by_value;
 mod refusals;
@@ -18,8 +19,10 @@ mod units;
 mod long_steps;
 mod bends;
 mod branches;
+mod astray;
 mod far_angles;
 mod ahead;
+mod radial;
 mod rest;
 mod rounding;
 mod time;

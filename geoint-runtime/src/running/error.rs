@@ -91,6 +91,12 @@ pub enum StepError {
         /// Time of the last good state.
         t: f64,
     },
+    /// A projection would have to lead back more than half of the step: the step ended far from the invariants of its start. What it would be
+    /// led to could be any other state with the same invariants.
+    LedAstray {
+        /// Time of the last good state.
+        t: f64,
+    },
     /// The energy, or another invariant that the method keeps, is too small or too large for the scalar: products of coordinates and forces
     /// underflow or overflow.
     OutOfRange {
@@ -185,6 +191,7 @@ impl StepError {
             Refusal::SingularDirection => StepError::SingularDirection { t },
             Refusal::Rounded => StepError::Rounded { t },
             Refusal::Turned { what } => StepError::Turned { t, what },
+            Refusal::LedAstray => StepError::LedAstray { t },
             Refusal::OutOfRange => StepError::OutOfRange { t },
             Refusal::DependentConstraints { what } => StepError::DependentConstraints { t, what },
             Refusal::NotConverged { iterations, correction } => StepError::NotConverged { t, iterations, correction },
@@ -220,6 +227,8 @@ pub enum Reason {
         /// The formula of the angle.
         what: &'static str,
     },
+    /// A projection would have to lead back more than half of it.
+    LedAstray,
     /// What it keeps is too small or too large for the scalar.
     OutOfRange,
     /// Constraints depend on each other on its way.
@@ -255,6 +264,7 @@ impl From<Refusal> for Reason {
             Refusal::SingularDirection => Reason::SingularDirection,
             Refusal::Rounded => Reason::Rounded,
             Refusal::Turned { what } => Reason::Turned { what },
+            Refusal::LedAstray => Reason::LedAstray,
             Refusal::OutOfRange => Reason::OutOfRange,
             Refusal::DependentConstraints { what } => Reason::DependentConstraints { what },
             Refusal::NotConverged { .. } => Reason::NotConverged,
@@ -272,6 +282,9 @@ impl fmt::Display for Reason {
             Reason::Singular => write!(f, "its equation has no solution, or several"),
             Reason::SingularDirection => write!(f, "it moves at right angles to the gradient that it divides by"),
             Reason::Rounded => write!(f, "rounding in it changes what it keeps by more than its last digits"),
+            Reason::LedAstray => {
+                write!(f, "it ended so far from its invariants that they lead back more than half of it")
+            }
             Reason::OutOfRange => {
                 write!(f, "the energy, or another invariant, is too small or too large for the scalar")
             }
@@ -362,6 +375,14 @@ impl fmt::Display for StepError {
                     f,
                     "rounding in the step from t = {t} changes what it keeps by more than its last digits: a coordinate in which that is steep \
                      becomes smaller or larger by orders of magnitude, gradients are nearly parallel, or a force jumps; try a smaller step, or units in which coordinates are of one size",
+                    t = Number(t)
+                )
+            }
+            StepError::LedAstray { t } => {
+                write!(
+                    f,
+                    "the step from t = {t} ends so far from the invariants of its start that a projection would lead back more than half of it; \
+                     try a smaller step, or a method of higher order",
                     t = Number(t)
                 )
             }

@@ -11,6 +11,7 @@ pub(crate) mod noise;
 mod planar;
 pub(crate) mod quasi_newton;
 mod refusal;
+pub(crate) mod roughness;
 pub(crate) mod rounding;
 pub(crate) mod segment;
 mod semidefinite;

@@ -91,13 +91,16 @@ impl<A: Array> QuasiNewton<A> {
             if let Some(seen) = differences {
                 differentiate(scale, origin, (&x, &delta), seen, &mut matrix, watch, residual)?;
             }
+            let left = delta;
             let positive = linear::solve(&mut matrix, &mut delta, scale).ok_or(Refusal::Singular)?;
             let before = x;
             x.add_scaled(A::Real::from_f64(-1.0), &delta);
             let relative = self.sizes.relative(&delta, origin, &x);
             let mut solved = None;
             match corrections.judge::<A::Real>(relative) {
-                Verdict::Solved => solved = Some(x),
+                // Where the matrix is large beyond measure, corrections are small wherever x is.
+                Verdict::Solved if self.sizes.resolve(&left, origin, &before) => solved = Some(x),
+                Verdict::Solved => break,
                 Verdict::Stuck => {
                     let (mut left, mut sizes) = (A::zero(), self.sizes);
                     residual(watch, &before, &mut left, &mut matrix)?;
@@ -149,9 +152,9 @@ fn differentiate<A: Array, W>(
 ) -> Result<(), Refusal> {
     let size = |i: usize| sizes.of(i).max(sum(origin, x, i));
     let parts = (0..A::LEN).filter(|i| size(*i) > 0.0).map(|i| noise.as_slice()[i].magnitude() / size(i));
-    // √ε, or what takes the place of ε.
-    let epsilon = A::Real::epsilon();
-    let part = epsilon.max(largest(parts)) / Real::sqrt(epsilon);
+    // √ε, or what takes the place of ε. A quotient over a longer way is no derivative.
+    let root = Real::sqrt(A::Real::epsilon());
+    let part = (A::Real::epsilon().max(largest(parts)) / root).min(Real::sqrt(root));
     let mut unused = A::fill(A::zero());
     for j in 0..A::LEN {
         let (mut moved, mut there) = (*x, A::zero());

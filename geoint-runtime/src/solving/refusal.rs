@@ -30,6 +30,8 @@ pub enum Refusal {
     },
     /// Rounding on the way changes what the step keeps by more than its last digits.
     Rounded,
+    /// A projection would have to lead back more than half of the step.
+    LedAstray,
     /// What the step keeps underflows or overflows.
     OutOfRange,
     /// The energy is not defined, or has a pole, on the way.
@@ -52,6 +54,9 @@ impl fmt::Display for Refusal {
             }
             Refusal::Turned { what } => write!(f, "an angle moves by more than half a turn in it: {what}"),
             Refusal::Rounded => write!(f, "rounding in it changes what it keeps by more than its last digits"),
+            Refusal::LedAstray => {
+                write!(f, "it ended so far from its invariants that they lead back more than half of it")
+            }
             Refusal::OutOfRange => {
                 write!(f, "the energy, or another invariant, is too small or too large for the scalar")
             }

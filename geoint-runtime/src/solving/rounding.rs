@@ -167,10 +167,10 @@ pub(crate) fn is_of_last_digits<A: Array>(sizes: &Sizes<A>, residual: &A, matrix
 /// Subtracts corrections of coordinates from `x` until nothing but rounding is left. Corrections shrink by a factor.
 ///
 /// `correction` gives the one at a point, and how large it is relative to the terms of what it corrects. Where they are stuck `is_noise` says of
-/// the last point, the correction there and [`farther`](Corrections::farther) whether what is left is rounding of larger terms.
+/// the last point and the correction there whether what is left is rounding of larger terms.
 pub(crate) fn correct<A: Array>(
     mut x: A,
-    mut is_noise: impl FnMut(&A, &A, f64) -> bool,
+    mut is_noise: impl FnMut(&A, &A) -> bool,
     mut correction: impl FnMut(&A) -> Result<(A, f64), Refusal>,
 ) -> Result<A, Refusal> {
     let mut corrections = Corrections::of_order(1);
@@ -180,7 +180,7 @@ pub(crate) fn correct<A: Array>(
         x.add_scaled(A::Real::from_f64(-1.0), &delta);
         match corrections.judge::<A::Real>(relative) {
             Verdict::Solved => return Ok(x),
-            Verdict::Stuck if is_noise(&before, &delta, corrections.farther()) => return Ok(before),
+            Verdict::Stuck if is_noise(&before, &delta) => return Ok(before),
             Verdict::Stuck => corrections.restart(),
             _ if !relative.is_finite() => break,
             Verdict::Continue => {}

@@ -15,7 +15,7 @@ pub(super) struct Frame<A: Array, Z: Array<Real = A::Real>> {
     /// The sum of the magnitudes of the entries of D∇I, by which it is divided.
     terms: A,
     /// By ε times the same sum over sizes, in units of those terms, rounding changes an invariant.
-    pub(super) digits: Sizes<A>,
+    digits: Sizes<A>,
 }
 
 impl<A: Array, Z: Array<Real = A::Real>> Frame<A, Z> {
@@ -30,18 +30,6 @@ impl<A: Array, Z: Array<Real = A::Real>> Frame<A, Z> {
         }
         let triangle = orthonormalise::<A, Z>(A::entries(&mut gradients));
         Frame { units, directions: gradients, triangle, terms, digits }
-    }
-
-    /// The digits, with what rounding changes where the gradients are these.
-    pub(super) fn digits_with(&self, mut gradients: A::Map<Z>, sizes: &Sizes<Z>) -> Sizes<A> {
-        let mut digits = self.digits;
-        for (i, gradient) in A::entries(&mut gradients).iter_mut().enumerate() {
-            let whole = sizes.normalise(gradient);
-            if self.terms.as_slice()[i].magnitude() > 0.0 {
-                digits.entries()[i] += whole / self.terms.as_slice()[i];
-            }
-        }
-        digits
     }
 
     /// Σ λᵢ D²∇Iᵢ.

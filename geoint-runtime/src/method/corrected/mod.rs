@@ -36,6 +36,7 @@ pub(crate) mod rounded;
 mod scales;
 mod series;
 mod turns;
+mod way_back;
 
 pub use invariants::{Energy, Integrals, Invariants};
 pub use projection::Projection;

@@ -14,6 +14,7 @@ use crate::system::{Graded, Invariants, KeptBy, PhaseSpace, jump_of_integral};
 const MOST: f64 = 16384.0;
 
 /// A step with patience may change the energy by this many of its roundings. The terms of forces that cancel are rounded by more, and are not known here.
+/// In single precision that would be half of the energy: there it is √ε.
 const MOST_OF_ENERGY: f64 = 4_194_304.0;
 
 /// Refuses the step of a field from `before` to `x` if rounding changes an integral, or the step leads across a jump of an integral.
@@ -30,7 +31,7 @@ pub(crate) fn check_step<S: Graded<R>, R: Real, P: Probe<S, R>, C>(
     x: &mut Point<S::Phase, C, S::Action>,
 ) -> Result<(), Refusal> {
     if const { S::State::MOMENTA } {
-        return if P::PATIENT { check_energy(system, before, &x.z) } else { Ok(()) };
+        return if P::PATIENT || S::ANGLES { check_energy(system, before, &x.z) } else { Ok(()) };
     }
     Refusal::outside(jump_of_integral(system, t, [before, &x.z], x.s))?;
     if P::PATIENT {
@@ -44,10 +45,12 @@ pub(crate) fn check_step<S: Graded<R>, R: Real, P: Probe<S, R>, C>(
     Ok(())
 }
 
-/// Refuses a step with patience of a canonical system, from `before` to `after`, that changes the energy by more than rounding.
+/// Refuses a step of a canonical system, from `before` to `after`, that changes the energy by more than rounding.
 ///
-/// Such a step may have accepted an equation that is solved to its measured rounding only. Next to a bend of the energy the measure can take the bend
-/// for rounding. The bound is relative to the energy and to the products of coordinates and forces. Terms that cancel are not among them:
+/// A step with patience may have accepted an equation that is solved to its measured rounding only. Next to a bend of the energy the measure can take the bend
+/// for rounding. Where an angle moves by half a turn, its divided differences jump, and an equation may be taken for solved on both sides of the jump.
+///
+/// The bound is relative to the energy and to the products of coordinates and forces. Terms that cancel are not among them:
 /// [`MOST_OF_ENERGY`] leaves room for their rounding.
 #[cold]
 #[inline(never)]
@@ -66,7 +69,7 @@ fn check_energy<S: Graded<R>, R: Real>(system: &S, before: &S::Phase, after: &S:
         let mut gradients = kept.gradients(system, z);
         steepness(way, <KeptBy<S, R> as Invariants<S, R>>::Values::entries(&mut gradients)[0].as_slice())
     });
-    let most = MOST_OF_ENERGY * R::epsilon() * (at_ends[0].max(at_ends[1]) + terms);
+    let most = (MOST_OF_ENERGY * R::epsilon()).min(Real::sqrt(R::epsilon())) * (at_ends[0].max(at_ends[1]) + terms);
     if change.magnitude() > most { Err(Refusal::Rounded) } else { Ok(()) }
 }
 

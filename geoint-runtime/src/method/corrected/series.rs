@@ -1,11 +1,12 @@
 //! Steps by Taylor series, projected to invariants.
 
 use super::invariants::Invariants;
-use super::projection::{Projection, way_back};
+use super::projection::Projection;
 use super::range::is_representable;
 use super::rounded::check_correction;
 use super::scales::Scales;
 use super::turns::check_turns;
+use super::way_back::way_back;
 use crate::method::Refusal;
 use crate::scalar::Real;
 use crate::sealed::Sealed;
@@ -22,13 +23,13 @@ impl<M: Sealed, I> Sealed for Projection<M, I> {}
 #[derive(Clone, Copy, Debug)]
 pub struct Memory<A, V> {
     scales: Scales<A>,
-    /// The start of the run, as long as rounding does not decide the changes since then. Steps are long. Each is projected to the invariants
-    /// at the origin, because rounding would add up from step to step.
+    /// The start of the run, or a later point if rounding decides the changes since the start. Changes are those since the origin, because rounding would
+    /// add up from step to step.
     origin: A,
     /// Whether changes since the origin are the sum of those of all steps. An angle that has gone round is at the origin again, so its change
     /// since then is known step by step alone.
     summed: bool,
-    /// The change that the next step makes up for: corrections have left it.
+    /// The changes since the origin, or in the next step if changes are summed, that lead back to the invariants at the start of the run.
     wanted: V,
 }
 
@@ -61,6 +62,28 @@ impl<A: Array, V: Array<Real = A::Real>> Memory<A, V> {
         let terms = first.iter().zip(last).map(|(first, last)| sizes.terms(first) + sizes.terms(last));
         apart.as_slice().iter().zip(terms).any(|(apart, terms)| apart.magnitude() > TURN * R::epsilon() * terms)
     }
+}
+
+/// Returns the change of each invariant from one point to another. An increment is rounded as the larger of both points is. So it is added to the one
+/// at which the invariant is steeper.
+fn changes_from_steep_end<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
+    system: &S,
+    invariants: &I,
+    from: &S::Phase,
+    to: &S::Phase,
+) -> I::Values {
+    let mut sizes = Sizes::at(from);
+    sizes.include(&S::Phase::zero(), to);
+    let gradients = [from, to].map(|z| invariants.gradients(system, z));
+    let [first, last] = gradients.each_ref().map(I::Values::entries_of);
+    let mut changes = invariants.changes(system, from, &difference(to, from));
+    let back = invariants.changes(system, to, &difference(from, to));
+    for (i, change) in changes.as_mut_slice().iter_mut().enumerate() {
+        if sizes.terms(&last[i]) > sizes.terms(&first[i]) {
+            *change = -back.as_slice()[i];
+        }
+    }
+    changes
 }
 
 impl<S, R, M, I> TaylorMethod<S, R> for Projection<M, I>
@@ -112,11 +135,12 @@ where
             *wanted = difference(wanted, &self.1.changes(system, before, &moved));
             return Ok(Some(back));
         }
-        let way = match back(origin, &I::Values::zero()) {
-            // The way from the origin is so long that rounding decides the change: the next ones begin here.
+        let way = match back(origin, wanted) {
+            // The way from the origin is so long that rounding decides the change: the next ones begin here. What steps have left is made up for.
             Err(Refusal::Rounded) => {
+                *wanted = difference(wanted, &changes_from_steep_end(system, &self.1, origin, before));
                 *origin = *before;
-                back(before, &I::Values::zero())
+                back(before, wanted)
             }
             way => way,
         };

@@ -37,6 +37,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
             Reason::NotConverged | Reason::Singular => StepError::Singular { t },
             Reason::Rounded => StepError::Rounded { t },
             Reason::Turned { what } => StepError::Turned { t, what },
+            Reason::LedAstray => StepError::LedAstray { t },
             Reason::OutOfRange => StepError::OutOfRange { t },
             _ => StepError::NonFinite { t },
         }

@@ -1,0 +1,163 @@
+//! The shortest way from the end of a step to where invariants are what they were.
+
+use super::frame::Frame;
+use super::invariants::Invariants;
+use super::scales::{Scales, part_of_rounding, rounding};
+use crate::method::Refusal;
+use crate::scalar::{Real, zero};
+use crate::solving::rounding::correct;
+use crate::solving::size::Sizes;
+use crate::solving::{noise, roughness};
+use crate::space::Array;
+use crate::space::vector::{self, difference, sum};
+use crate::system::VectorField;
+use core::cell::Cell;
+
+/// A correction of less than this part of the coordinates does not change the terms of invariants by much.
+const NEAR: f64 = 1.0 / 16.0;
+
+/// A correction of more than this part of the step shows that the step has led astray: what is found may be any point with these invariants.
+const MOST_OF_STEP: f64 = 0.5;
+
+/// From the end of a step to where the invariants are what they were.
+pub(super) struct WayBack<Z> {
+    pub(super) back: Z,
+    /// The increment of the step at whose end conditions of the energy were decided last.
+    pub(super) decided: Z,
+}
+
+/// Returns the way from `end` to where the invariants have changed by `wanted` since `before`.
+///
+/// A simplified Newton iteration finds the multipliers, with the gradients at that end. On a circular orbit, or on any other orbit on which an
+/// invariant is as small as others allow, gradients depend on each other. Near such an orbit the gradients turn as fast as the iteration converges. If
+/// the simplified iteration fails, or leads far, the gradients are therefore evaluated at each point.
+///
+/// # Errors
+/// [`Refusal::NotConverged`], and [`Refusal::LedAstray`] if the way is longer than half of the step.
+#[inline(always)]
+pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
+    system: &S,
+    invariants: &I,
+    wanted: &I::Values,
+    scales: &Scales<S::Phase>,
+    [before, end]: [&S::Phase; 2],
+) -> Result<WayBack<S::Phase>, Refusal> {
+    let moved = &difference(end, before);
+    // Coordinates are rounded as they are on the way of this step: what was large lately is exact now.
+    let mut sizes = Sizes::new();
+    sizes.include(before, moved);
+    let equation = Equation { system, invariants, wanted, before, sizes, decided: Cell::new(*moved) };
+    let gradients = invariants.gradients(system, end);
+    let units = scales.units(|| equation.explained_by_rounding(&gradients, moved));
+    let at_end = Frame::<I::Values, S::Phase>::new(gradients, units, &sizes);
+
+    let increment = |multipliers: &I::Values| sum(moved, &at_end.back(multipliers));
+    let simplified = |multipliers: &I::Values| {
+        let mut delta = equation.left(&increment(multipliers));
+        let relative = at_end.multipliers(&mut delta);
+        Ok((delta, relative))
+    };
+    let is_noise =
+        |multipliers: &I::Values, delta: &I::Values| equation.is_noise(&increment(multipliers), &at_end.back(delta));
+    let turning = |increment: &S::Phase| {
+        let gradients = invariants.gradients(system, &sum(before, increment));
+        let frame = Frame::<I::Values, S::Phase>::new(gradients, units, &sizes);
+        let mut delta = equation.left(increment);
+        let relative = frame.multipliers(&mut delta);
+        Ok((frame.back(&delta), relative))
+    };
+    let turning_from = |start: S::Phase| {
+        let end = correct(start, |increment, delta| equation.is_noise(increment, delta), turning)?;
+        Ok(difference(&end, moved))
+    };
+    let back = match correct(I::Values::zero(), is_noise, simplified) {
+        Ok(multipliers) => {
+            let back = at_end.back(&multipliers);
+            // Far away the terms of invariants are larger, and what was rounding beside them may be more here.
+            if sizes.all_within(&back, NEAR) { back } else { turning_from(sum(moved, &back))? }
+        }
+        Err(refusal) => turning_from(*moved).map_err(|_: Refusal| refusal)?,
+    };
+    if !sizes.all_within(&back, NEAR) && sizes.square(&back) > MOST_OF_STEP * MOST_OF_STEP * sizes.square(moved) {
+        return Err(Refusal::LedAstray);
+    }
+    Ok(WayBack { back, decided: equation.decided.get() })
+}
+
+/// The equation I(before + increment) − I(before) = wanted.
+struct Equation<'a, S: VectorField<R>, R: Real, I: Invariants<S, R>> {
+    system: &'a S,
+    invariants: &'a I,
+    wanted: &'a I::Values,
+    before: &'a S::Phase,
+    sizes: Sizes<S::Phase>,
+    /// The increment at whose end conditions of the energy were decided last.
+    decided: Cell<S::Phase>,
+}
+
+impl<S: VectorField<R>, R: Real, I: Invariants<S, R>> Equation<'_, S, R, I> {
+    /// Where the energy jumps, corrections from side to side do not shrink. Nothing is taken for noise then.
+    const JUMPS: bool = I::KEEP_ENERGY && !S::JUMPS.is_empty();
+
+    /// Returns by how much invariants have changed too much.
+    #[inline(always)]
+    fn left(&self, increment: &S::Phase) -> I::Values {
+        self.decided.set(*increment);
+        difference(&self.invariants.changes(self.system, self.before, increment), self.wanted)
+    }
+
+    /// Returns whether what is left is rounding, where the last correction was `correction`.
+    #[cold]
+    #[inline(never)]
+    fn is_noise(&self, increment: &S::Phase, correction: &S::Phase) -> bool {
+        if Self::JUMPS {
+            return false;
+        }
+        // Rounding of a coordinate changes the invariant at both ends of the step. One gradient may vanish.
+        let ends = [*self.before, sum(self.before, increment)];
+        let mut gradients = ends.map(|z| self.invariants.gradients(self.system, &z));
+        let [first, last] = gradients.each_mut().map(I::Values::entries);
+        let mut terms = I::Values::zero();
+        for (terms, (first, last)) in terms.as_mut_slice().iter_mut().zip(first.iter().zip(last.iter())) {
+            *terms = R::from_f64(Sizes::at(self.before).terms(first) + self.sizes.terms(last));
+        }
+        let residual = |part: R| {
+            let left = self.left(&vector::moved(increment, part, correction));
+            left.is_finite().then_some(left)
+        };
+        let rounding = roughness::rounding(residual);
+        residual(zero()).is_some_and(|left| noise::explains(&rounding, &left, &Sizes::of_magnitudes(terms)))
+    }
+
+    /// Returns for each coordinate the part of the correction that rounding explains. For an invariant it is the rounding of its terms relative to its change,
+    /// at most 1; for a coordinate it is the least part of the invariants that read it.
+    ///
+    /// The gradient is also evaluated at a point as far away as the correction may lead. If a slope is another one there, the part is zero: a slope that
+    /// nearly vanishes would ask for a correction far away.
+    #[cold]
+    #[inline(never)]
+    fn explained_by_rounding(&self, gradients: &<I::Values as Array>::Map<S::Phase>, moved: &S::Phase) -> S::Phase {
+        let gradients = I::Values::entries_of(gradients);
+        let mut parts = self.left(moved);
+        for (part, gradient) in parts.as_mut_slice().iter_mut().zip(gradients) {
+            *part = R::from_f64(part_of_rounding(*part, self.sizes.terms(gradient)));
+        }
+        let least = parts.as_slice().iter().fold(1.0, |least, part| part.magnitude().min(least));
+        let beside = self.sizes.beside(&sum(self.before, moved), rounding::<R>() / least);
+        let mut beside = self.invariants.gradients(self.system, &beside);
+        let slopes = gradients.iter().zip(I::Values::entries(&mut beside));
+        let mut explained = S::Phase::zero();
+        explained.as_mut_slice().fill(R::from_f64(1.0));
+        for (part, (gradient, beside)) in parts.as_slice().iter().zip(slopes) {
+            let slopes = gradient.as_slice().iter().zip(beside.as_slice());
+            for (least, (slope, beside)) in explained.as_mut_slice().iter_mut().zip(slopes) {
+                let is_linear = (*beside - *slope).magnitude() <= 0.5 * slope.magnitude();
+                let part = if is_linear { *part } else { R::from_f64(0.0) };
+                if slope.magnitude() > 0.0 && part.magnitude() < least.magnitude() {
+                    *least = part;
+                }
+            }
+        }
+        explained
+    }
+}
