@@ -19,7 +19,7 @@ macro_rules! end {
     }};
 }
 
-/// What a projection leaves where it begins anew at a pericentre is made up for later.
+/// A projection that chooses a new origin at a pericentre later corrects the error that it has left there.
 #[test]
 fn a_projected_series_comes_back_to_its_energy() {
     for momentum in [0.01, 0.005, 0.002] {

@@ -1,8 +1,11 @@
-//! Is a residual that an iteration cannot reduce nothing but rounding?
+//! An iteration has stopped to reduce a residual. Is the rest nothing but rounding?
 //!
-//! At twice the distance the second difference of a smooth residual is four times as large. Rounding differs: noise does not grow, and rounding that
-//! jumps at single points grows once. So second differences are compared at larger and larger distances, until the residual is seen to be curved. What
-//! they were before is rounding. They are taken on both sides of a point: beside a bend one side is straight.
+//! The second difference of a smooth residual is four times as large at twice the distance. The second difference of noise does not grow, and that of
+//! a single jump by rounding grows once. [`rounding`] therefore compares second differences at larger and larger distances. The largest one before the
+//! curvature of the residual appears is its rounding. Both sides of a point are examined, because the residual may bend on one side of it.
+//!
+//! The method serves invariants, of which the corrections have one direction. Equations of implicit steps are measured by
+//! [`noise`](crate::solving::noise), which moves every unknown: their corrections may hide the rounding of other unknowns.
 
 use crate::scalar::{Real, zero};
 use crate::space::Array;
@@ -11,18 +14,21 @@ use crate::space::vector::{moved, sum};
 /// Points at the distance 1. Irregular, so that not all are rounded alike.
 const POINTS: [f64; 4] = [0.59, 0.73, 0.87, 1.0];
 
-/// The nearest and the farthest distance as powers of 2, in units of the last correction. A correction of an iteration that leads astray may be many
-/// lengths over which the residual is curved. Rounding may jump only at points that are many corrections apart: where a factor of the correction is
-/// rounded, the residual is as smooth as its other factors.
+/// The nearest and the farthest distance as powers of 2, in units of the last correction.
+///
+/// A wild correction may be much longer than the scale on which the residual is curved, so the nearest points lie far within it. Jumps by rounding may
+/// be many corrections apart, so the farthest points lie far beyond it.
 const NEAREST: i32 = -20;
 const FARTHEST: i32 = 10;
 
-/// A second difference that grows by this, and at twice the distance again, is that of a curved residual. It is halfway between 2 for a bend and 4 for
-/// a parabola. One that grows by more than the other factor comes from a jump.
+/// The second difference of a curved residual grows by at least this factor from each distance to the next one: halfway between the 2 of a bend and the
+/// 4 of a parabola.
 const CURVED: f64 = 2.83;
-const JUMPS: f64 = 32.0;
 
-/// Curvature by which the residual changes by less than this part of itself does not count.
+/// A second difference that grows by more than this factor contains a jump. Powers up to the fifth grow by less.
+const JUMP: f64 = 32.0;
+
+/// The least curvature that counts: it changes the residual by this part. Below it, pieces between two jumps may be curved.
 const VISIBLE: f64 = 1.0 / 64.0;
 
 /// Returns for each entry of a residual how large its rounding is.
@@ -67,7 +73,7 @@ fn on_side<A: Array>(sign: f64, here: &A, residual: &mut impl FnMut(A::Real) -> 
         for (i, is_curved) in A::entries(&mut is_curved).iter_mut().enumerate() {
             let [first, second, third] =
                 [&before[0], &before[1], &difference].map(|difference| difference.as_slice()[i].magnitude());
-            let grows = |near: f64, far: f64| CURVED * near <= far && far <= JUMPS * near && near > 0.0;
+            let grows = |near: f64, far: f64| CURVED * near <= far && far <= JUMP * near && near > 0.0;
             *is_curved |=
                 grows(first, second) && grows(second, third) && third >= VISIBLE * here.as_slice()[i].magnitude();
             let rounding = &mut rounding.as_mut_slice()[i];

@@ -43,7 +43,7 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
     [before, end]: [&S::Phase; 2],
 ) -> Result<WayBack<S::Phase>, Refusal> {
     let moved = &difference(end, before);
-    // Coordinates are rounded as they are on the way of this step: what was large lately is exact now.
+    // A coordinate is rounded by ε times its largest magnitude in this step. Its magnitude in earlier steps does not matter.
     let mut sizes = Sizes::new();
     sizes.include(before, moved);
     let equation = Equation { system, invariants, wanted, before, sizes, decided: Cell::new(*moved) };
@@ -73,7 +73,7 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
     let back = match correct(I::Values::zero(), is_noise, simplified) {
         Ok(multipliers) => {
             let back = at_end.back(&multipliers);
-            // Far away the terms of invariants are larger, and what was rounding beside them may be more here.
+            // The frame at a far end has larger terms, and a larger rest passes for rounding there.
             if sizes.all_within(&back, NEAR) { back } else { turning_from(sum(moved, &back))? }
         }
         Err(refusal) => turning_from(*moved).map_err(|_: Refusal| refusal)?,
@@ -96,7 +96,7 @@ struct Equation<'a, S: VectorField<R>, R: Real, I: Invariants<S, R>> {
 }
 
 impl<S: VectorField<R>, R: Real, I: Invariants<S, R>> Equation<'_, S, R, I> {
-    /// Where the energy jumps, corrections from side to side do not shrink. Nothing is taken for noise then.
+    /// Whether the energy may jump. Corrections then go from one side of the jump to the other, and nothing is accepted as rounding.
     const JUMPS: bool = I::KEEP_ENERGY && !S::JUMPS.is_empty();
 
     /// Returns by how much invariants have changed too much.
@@ -113,7 +113,7 @@ impl<S: VectorField<R>, R: Real, I: Invariants<S, R>> Equation<'_, S, R, I> {
         if Self::JUMPS {
             return false;
         }
-        // Rounding of a coordinate changes the invariant at both ends of the step. One gradient may vanish.
+        // Coordinates are rounded at both ends of the step, and the gradient may vanish at one of them.
         let ends = [*self.before, sum(self.before, increment)];
         let mut gradients = ends.map(|z| self.invariants.gradients(self.system, &z));
         let [first, last] = gradients.each_mut().map(I::Values::entries);
