@@ -18,7 +18,7 @@ const POINTS: [f64; 4] = [0.59, 0.73, 0.87, 1.0];
 ///
 /// A wild correction may be much longer than the scale on which the residual is curved, so the nearest points lie far within it. Jumps by rounding may
 /// be many corrections apart, so the farthest points lie far beyond it.
-const NEAREST: i32 = -20;
+const NEAREST: i32 = -30;
 const FARTHEST: i32 = 10;
 
 /// The second difference of a curved residual grows by at least this factor from each distance to the next one: halfway between the 2 of a bend and the

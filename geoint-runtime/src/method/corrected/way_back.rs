@@ -9,7 +9,7 @@ use crate::solving::rounding::correct;
 use crate::solving::size::Sizes;
 use crate::solving::{noise, roughness};
 use crate::space::Array;
-use crate::space::vector::{self, difference, sum};
+use crate::space::vector::{self, difference, scaled, sum};
 use crate::system::VectorField;
 use core::cell::Cell;
 
@@ -59,12 +59,16 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
     };
     let is_noise =
         |multipliers: &I::Values, delta: &I::Values| equation.is_noise(&increment(multipliers), &at_end.back(delta));
+    let longest = MOST_OF_STEP * MOST_OF_STEP * sizes.square(moved);
     let turning = |increment: &S::Phase| {
         let gradients = invariants.gradients(system, &sum(before, increment));
         let frame = Frame::<I::Values, S::Phase>::new(gradients, units, &sizes);
         let mut delta = equation.left(increment);
         let relative = frame.multipliers(&mut delta);
-        Ok((frame.back(&delta), relative))
+        let correction = frame.back(&delta);
+        // Where gradients nearly depend on each other, Newton's corrections lead far away. They are shortened to what a way back may be.
+        let length = Real::sqrt(sizes.square(&correction) / longest);
+        Ok((if length > 1.0 { scaled(R::from_f64(1.0 / length), &correction) } else { correction }, relative))
     };
     let turning_from = |start: S::Phase| {
         let end = correct(start, |increment, delta| equation.is_noise(increment, delta), turning)?;
@@ -78,7 +82,7 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
         }
         Err(refusal) => turning_from(*moved).map_err(|_: Refusal| refusal)?,
     };
-    if !sizes.all_within(&back, NEAR) && sizes.square(&back) > MOST_OF_STEP * MOST_OF_STEP * sizes.square(moved) {
+    if !sizes.all_within(&back, NEAR) && sizes.square(&back) > longest {
         return Err(Refusal::LedAstray);
     }
     Ok(WayBack { back, decided: equation.decided.get() })
@@ -110,7 +114,8 @@ impl<S: VectorField<R>, R: Real, I: Invariants<S, R>> Equation<'_, S, R, I> {
     #[cold]
     #[inline(never)]
     fn is_noise(&self, increment: &S::Phase, correction: &S::Phase) -> bool {
-        if Self::JUMPS {
+        let is_long = !self.sizes.all_within(correction, NEAR);
+        if Self::JUMPS || is_long {
             return false;
         }
         // Coordinates are rounded at both ends of the step, and the gradient may vanish at one of them.
