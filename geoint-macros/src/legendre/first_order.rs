@@ -1,7 +1,8 @@
 //! Lagrangians that are linear in all velocities, ϑ(q)·v − H(q): equations of first order, Ω q' = ∇H with Ωᵢⱼ = ∂ᵢϑⱼ − ∂ⱼϑᵢ.
 //!
 //! S = Ω⁻¹ is that of a Poisson bracket, since dΩ = 0. It is written by Pfaffians, without a pivot that might vanish where Ω is regular.
-//! Where Ω vanishes on half of the coordinates, y, there is a function f of which ϑ + ∇f has no entry in y: then the other half, x, with
+//!
+//! Ω may vanish on half of the coordinates, called y. Then a function f exists for which ϑ + ∇f has no entries in y, and the other half, x, with
 //! P = ϑₓ + ∂f/∂x are canonical coordinates.
 
 use super::mass::blocks;
@@ -12,55 +13,55 @@ use crate::diff;
 use crate::ir::{Graph, Id, Partial, Symbol};
 use std::collections::{HashMap, HashSet};
 
-/// What belongs to such a Lagrangian.
+/// A Lagrangian ϑ(q)·v − H(q) in parts.
 #[derive(Debug)]
 pub(crate) struct FirstOrder {
     pub(crate) lagrangian: Id,
-    /// ϑ.
+    /// The coefficients ϑ of the velocities.
     pub(crate) momenta: Vec<Id>,
-    /// H.
+    /// The energy H.
     pub(crate) energy: Id,
-    /// Ω.
+    /// The matrix Ω.
     pub(crate) form: Vec<Vec<Id>>,
-    /// S = Ω⁻¹.
+    /// The structure matrix S = Ω⁻¹.
     pub(crate) structure: Vec<Vec<Id>>,
     pub(crate) canonical: Option<Canonical>,
-    /// What of L is not defined everywhere.
+    /// Nodes of L that are not defined everywhere.
     pub(crate) partial: Vec<Partial>,
-    /// What S is divided by. It vanishes where Ω is singular.
+    /// The divisors of S. One of them vanishes where Ω is singular.
     pub(crate) divisors: Vec<Id>,
 }
 
-/// Canonical coordinates.
+/// A change to canonical coordinates (x, P).
 #[derive(Debug)]
 pub(crate) struct Canonical {
-    /// f.
+    /// The function f with ∂f/∂y = −ϑ for all y.
     pub(crate) gauge: Id,
-    /// In the place of each coordinate: itself, or the momentum P of a coordinate that is kept.
+    /// New coordinates in the order of the old ones: x stays, and each y is replaced by a momentum P.
     pub(crate) values: Vec<Id>,
-    /// Their derivatives along the motion.
+    /// Time derivatives of the new coordinates.
     pub(crate) rates: Vec<Id>,
-    /// The coordinates in whose place there is a momentum: which position it belongs to.
+    /// For each new coordinate that is a momentum, the position to which it belongs.
     pub(crate) replaced: Vec<(u32, u32)>,
 }
 
-/// Why q' does not follow.
+/// The reason why the equations do not determine q'.
 #[derive(Debug)]
 pub(crate) enum NotRegular {
-    /// An odd number of coordinates, which Ω couples with no others.
+    /// An odd number of coordinates that Ω couples with each other, but with no others.
     Odd(Vec<u32>),
-    /// Ω of these is singular at every state.
+    /// Ω is singular at every state on these coordinates.
     Singular(Vec<u32>),
-    /// ϑ reads time.
+    /// ϑ depends on time.
     Timed(u32),
-    /// Too many coordinates that Ω couples.
+    /// Ω couples more than [`MOST`] coordinates.
     Large(Vec<u32>),
 }
 
-/// So many coupled coordinates: with 10 a Pfaffian has 945 terms.
+/// Largest number of coupled coordinates. A Pfaffian of 10 coordinates has 945 terms.
 const MOST: usize = 8;
 
-/// From L and ϑ = ∂L/∂v, which is free of velocities.
+/// Takes L apart. ϑ = ∂L/∂v must be free of velocities.
 pub(crate) fn first_order(
     graph: &mut Graph,
     lagrangian: Id,
@@ -74,7 +75,7 @@ pub(crate) fn first_order(
     let rest = at_rest(graph, lagrangian, |_| true);
     let energy = graph.neg(rest);
     let form = form(graph, &momenta);
-    // What Ω⁻¹ is divided by must not vanish either.
+    // The divisors of Ω⁻¹ are poles, too.
     graph.take_partial();
     let structure = inverse(graph, &form)?;
     let mut divided = graph.take_partial();
@@ -90,7 +91,7 @@ pub(crate) fn first_order(
     Ok(FirstOrder { lagrangian, momenta, energy, form, structure, canonical, partial, divisors })
 }
 
-/// Ω, whose entries read no coordinate on which they do not depend.
+/// Computes Ω. Its entries are simplified until they read only coordinates on which they depend.
 fn form(graph: &mut Graph, momenta: &[Id]) -> Vec<Vec<Id>> {
     let n = momenta.len();
     let coordinates: Vec<Symbol> = (0..n as u32).map(Symbol::Q).collect();
@@ -106,7 +107,7 @@ fn form(graph: &mut Graph, momenta: &[Id]) -> Vec<Vec<Id>> {
     form
 }
 
-/// Ω⁻¹, one block of coupled coordinates after the other.
+/// Computes Ω⁻¹ by blocks of coupled coordinates.
 fn inverse(graph: &mut Graph, form: &[Vec<Id>]) -> Result<Vec<Vec<Id>>, NotRegular> {
     let mut inverse = vec![vec![graph.zero(); form.len()]; form.len()];
     for block in blocks(graph, form) {
@@ -137,7 +138,7 @@ fn inverse(graph: &mut Graph, form: &[Vec<Id>]) -> Result<Vec<Vec<Id>>, NotRegul
     Ok(inverse)
 }
 
-/// The Pfaffians of a block without some of its rows, by the set of those that are left.
+/// Pfaffians of the minors of a block. The key is the set of the rows that are kept.
 struct Pfaffians<'a> {
     form: &'a [Vec<Id>],
     block: &'a [u32],
@@ -145,7 +146,7 @@ struct Pfaffians<'a> {
 }
 
 impl Pfaffians<'_> {
-    /// Expanded by the first row.
+    /// Computes the Pfaffian of a minor by expansion along its first row.
     fn of(&mut self, graph: &mut Graph, rows: u32) -> Id {
         if let Some(known) = self.known.get(&rows) {
             return *known;
@@ -167,7 +168,7 @@ impl Pfaffians<'_> {
     }
 }
 
-/// Canonical coordinates, if half of the coordinates can be found on which Ω vanishes, and f of these is elementary.
+/// Finds canonical coordinates. Needs half of the coordinates on which Ω vanishes, with an elementary f.
 fn canonical(
     graph: &mut Graph,
     momenta: &[Id],
@@ -184,7 +185,7 @@ fn canonical(
     let pairs = pairs(graph, form, &kept, replaced);
     let moved: Vec<Id> = kept.iter().map(|j| graph.add(momenta[*j as usize], slopes[*j as usize])).collect();
     for (place, position) in &pairs {
-        // P' = Σ ∂Pⱼ/∂xᵢ xⱼ' − ∂H/∂xᵢ, as Lagrange's equations have it.
+        // Lagrange's equations: P' = Σ ∂Pⱼ/∂xᵢ xⱼ' − ∂H/∂xᵢ.
         let by_position = diff::jacobian(graph, &moved, &[Symbol::Q(*position)]);
         let mut terms = vec![graph.neg(gradient[*position as usize])];
         for (j, slope) in kept.iter().zip(by_position) {
@@ -196,7 +197,7 @@ fn canonical(
     Some(Canonical { gauge, values, rates, replaced: pairs })
 }
 
-/// x and y.
+/// The coordinates x that stay, and the coordinates y that are replaced.
 fn halves(graph: &Graph, momenta: &[Id], form: &[Vec<Id>]) -> Option<(Vec<u32>, Vec<u32>)> {
     let mut replaced = vec![];
     for block in blocks(graph, form) {
@@ -205,7 +206,7 @@ fn halves(graph: &Graph, momenta: &[Id], form: &[Vec<Id>]) -> Option<(Vec<u32>, 
     Some((0..momenta.len() as u32).partition(|i| !replaced.contains(i)))
 }
 
-/// Each of y with one of x that Ω couples it to, as far as that is possible: a diagonal that does not vanish is a pivot.
+/// Pairs each y with an x to which Ω couples it, if possible. The block Ω(x, y) then has a diagonal without zeros.
 fn pairs(graph: &Graph, form: &[Vec<Id>], kept: &[u32], replaced: Vec<u32>) -> Vec<(u32, u32)> {
     let mut free = kept.to_vec();
     let mut pair = |y: u32| {
@@ -215,7 +216,7 @@ fn pairs(graph: &Graph, form: &[Vec<Id>], kept: &[u32], replaced: Vec<u32>) -> V
     replaced.into_iter().map(&mut pair).collect()
 }
 
-/// Half of some coordinates on which Ω vanishes; of all such halves one with the most entries of ϑ that are zero already.
+/// Finds half of the coordinates on which Ω vanishes. Among all such halves it prefers the one with the most zero entries of ϑ.
 fn half(graph: &Graph, momenta: &[Id], form: &[Vec<Id>], block: &[u32]) -> Option<Vec<u32>> {
     let halves = (0u32..1 << block.len()).filter(|chosen| chosen.count_ones() as usize == block.len() / 2);
     let picked = halves
@@ -226,14 +227,14 @@ fn half(graph: &Graph, momenta: &[Id], form: &[Vec<Id>], block: &[u32]) -> Optio
     picked.filter(apart).max_by_key(zeros)
 }
 
-/// f(q) with ∂f/∂y = −ϑ for all y.
+/// Integrates ∂f/∂y = −ϑ for all y.
 fn gauge(graph: &mut Graph, momenta: &[Id], replaced: &[u32]) -> Option<Id> {
     let variables: Vec<Symbol> = replaced.iter().map(|i| Symbol::Q(*i)).collect();
     let slopes: Vec<Id> = replaced.iter().map(|i| graph.neg(momenta[*i as usize])).collect();
     if slopes.iter().all(|slope| graph.is_zero(*slope)) {
         return Some(graph.zero());
     }
-    // A logarithm that ϑ does not have would leave P with fewer states than the flow has.
+    // A logarithm in f that ϑ does not contain would restrict the domain of P.
     let known = graph.reachable(momenta);
     [Logarithm::OfNumber, Logarithm::OfMagnitude].into_iter().find_map(|logarithm| {
         let (gauge, _) = liouville::antiderivative(graph, (&variables, &slopes), logarithm).ok()?;

@@ -1,4 +1,4 @@
-//! Arguments and signature: who is q, p and t, who is a parameter, in which shape.
+//! Reads the attribute's arguments and the signature: the role, shape and type of every argument.
 
 mod arguments;
 mod coordinates;
@@ -33,7 +33,7 @@ use signature::{plain_function, returned_float, returns_shape_of};
 use syn::parse::{ParseStream, Parser};
 use syn::{Attribute, Expr, ItemFn, Type};
 
-/// What kind of system an attribute makes.
+/// The kind of system that an attribute defines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Form {
     Hamiltonian,
@@ -53,7 +53,7 @@ pub(crate) enum Form {
 }
 
 impl Form {
-    /// The name of the attribute.
+    /// Returns the name of the attribute.
     pub(crate) fn attribute(self) -> &'static str {
         match self {
             Form::Hamiltonian | Form::Structured | Form::Bodies => "hamiltonian",
@@ -63,46 +63,46 @@ impl Form {
         }
     }
 
-    /// The form of an attribute, before its arguments are read.
+    /// Returns the form of an attribute before its arguments are read.
     pub(crate) fn of_attribute(name: &str) -> Option<Form> {
         [Form::Hamiltonian, Form::Contact, Form::Field, Form::Lagrangian]
             .into_iter()
             .find(|form| form.attribute() == name)
     }
 
-    /// Whether the state is x alone, without momenta.
+    /// Returns whether the state is x, without momenta.
     pub(crate) fn is_flow(self) -> bool {
         matches!(self, Form::Structured | Form::Field | Form::FirstOrder)
     }
 
-    /// Whether the state has an action.
+    /// Returns whether the state has an action.
     pub(crate) fn has_action(self) -> bool {
         matches!(self, Form::Contact | Form::Herglotz)
     }
 }
 
-/// An annotated function, understood up to its body.
+/// An annotated function with its signature parsed. The body is parsed by [`lower`](crate::lower).
 #[derive(Clone)]
 pub(crate) struct Energy {
     pub(crate) form: Form,
     pub(crate) item: ItemFn,
-    /// The generated struct.
+    /// Name of the generated struct.
     pub(crate) name: Ident,
-    /// The runtime as emitted code names it.
+    /// Path of the runtime crate in emitted code.
     pub(crate) runtime: TokenStream,
-    /// `f64` or `f32`.
+    /// The scalar, `f64` or `f32`.
     pub(crate) float: Ident,
-    /// The shape and type of x, or that q and p share.
+    /// Shape and type of x, or of q and of p.
     pub(crate) coordinates: Argument,
     /// All arguments in the order of the signature.
     pub(crate) arguments: Vec<(Role, Argument)>,
-    /// What else the attribute says.
+    /// Arguments of the attribute.
     pub(crate) options: Options,
-    /// The functions that it names, as far as they are there.
+    /// Definitions of the functions in `with(…)` that have been passed on so far.
     pub(crate) functions: Vec<Function>,
 }
 
-/// What an argument of the function is.
+/// The role of an argument of the function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Role {
     Position,
@@ -111,9 +111,9 @@ pub(crate) enum Role {
     Action,
     Time,
     Parameter,
-    /// The attitude of rigid bodies.
+    /// Attitudes of rigid bodies.
     Attitude,
-    /// Their angular momenta.
+    /// Angular momenta of rigid bodies.
     AngularMomentum,
 }
 
@@ -123,12 +123,12 @@ pub(crate) struct Argument {
     pub(crate) name: Ident,
     pub(crate) ty: Type,
     pub(crate) shape: Shape,
-    /// Lints and the like.
+    /// Attributes of the argument, such as lints.
     pub(crate) attributes: Vec<Attribute>,
 }
 
 impl Energy {
-    /// The same with the functions that it names, as far as they have been handed on.
+    /// Returns the function with the definitions that have been passed on so far.
     pub(crate) fn with_functions(self, used: &[TokenStream]) -> Result<Energy> {
         Ok(Energy { functions: function::functions(&self.options.with, used)?, ..self })
     }
@@ -137,25 +137,25 @@ impl Energy {
         self.arguments.iter().filter(|(role, _)| *role == Role::Parameter).map(|(_, argument)| argument)
     }
 
-    /// How many rigid bodies there are.
+    /// Returns the number of rigid bodies.
     pub(crate) fn bodies(&self) -> u32 {
         let rows = self.degrees() / 4;
         if self.centres().is_some() { rows / 2 } else { rows }
     }
 
-    /// The type of their centres of mass, if these move.
+    /// Returns the type of the centres of mass of rigid bodies, if they move.
     pub(crate) fn centres(&self) -> Option<&Type> {
         let mut centres =
             self.arguments.iter().filter(|(role, _)| *role == Role::Position && self.form == Form::Bodies);
         centres.next().map(|(_, argument)| &argument.ty)
     }
 
-    /// The number of degrees of freedom; of coordinates, where there are no momenta.
+    /// Returns the number of degrees of freedom, or of coordinates if there are no momenta.
     pub(crate) fn degrees(&self) -> u32 {
         self.coordinates.shape.len() as u32
     }
 
-    /// Expressions of the attribute in the language of the body.
+    /// Returns the expressions in the attribute's arguments. They are written in the language of the body.
     pub(crate) fn expressions(&self) -> impl Iterator<Item = &Expr> {
         let Options { damping, rayleigh, constraint, structure, keeps, .. } = &self.options;
         let structure = structure.iter().filter(|form| form.is_expression()).map(|form| &form.expr);
@@ -163,11 +163,11 @@ impl Energy {
         damping.iter().chain(rayleigh).chain(constraint).chain(structure).chain(kept)
     }
 
-    /// All scalars of an argument as symbols; parameters are numbered through.
+    /// Returns the scalars of an argument as symbols. Parameters are numbered consecutively.
     pub(crate) fn symbols(&self, role: Role, argument: &Argument) -> Vec<Symbol> {
         let before: usize =
             self.parameters().take_while(|other| other.name != argument.name).map(|other| other.shape.len()).sum();
-        // A vector as a pure quaternion; those of centres of mass come behind attitudes.
+        // A vector is a pure quaternion. Centres of mass follow the attitudes.
         let pure = |i: usize| (4 * (i / 3) + i % 3) as u32;
         let attitudes = 4 * self.bodies();
         let symbol = |i: usize| match role {
@@ -185,10 +185,10 @@ impl Energy {
     }
 }
 
-/// Groups inside groups, within a fraction of the stack of rustc.
+/// Largest depth of nested groups. It needs a small part of rustc's stack.
 const MAX_NESTING: usize = 256;
 
-/// Refuses what could not be parsed without overflowing the stack.
+/// Refuses tokens that are nested so deeply that parsing would overflow the stack.
 pub(crate) fn nesting(item: &TokenStream) -> Result<()> {
     let mut level: Vec<TokenStream> = vec![item.clone()];
     for _ in 0..MAX_NESTING {
@@ -218,7 +218,7 @@ pub(crate) fn energy(form: Form, args: TokenStream, item: ItemFn) -> Result<Ener
     };
     let mut errors = Diagnostics::default();
     plain_function(form, &item, &options.outside, &mut errors);
-    // What follows from a parameter of the signature is not a mistake of its own.
+    // Errors that follow from a wrong signature are not reported again.
     let mut errors = errors.or(Diagnostics::default())?;
     let float = returned_float(form, &item, &options.outside, &mut errors);
     let arguments = arguments(form, &item, &options, &float, &mut errors);

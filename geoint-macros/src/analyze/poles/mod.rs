@@ -1,4 +1,4 @@
-//! Where the energy is infinite: what vanishes there, and what its structure says of zeros on a straight line.
+//! Poles of the energy: the terms that vanish there, and proofs that a term has no zero on a straight line.
 
 mod structure;
 
@@ -8,33 +8,34 @@ use std::collections::HashSet;
 pub(crate) use structure::Quick;
 use structure::Zeros;
 
-/// A place where the energy is infinite.
+/// A pole: a place where the energy is infinite.
 #[derive(Clone, Debug)]
 pub(crate) struct Pole {
-    /// What is divided by, or of which the logarithm is taken.
+    /// The divisor, or the argument of the logarithm.
     pub(crate) term: Id,
-    /// What vanishes there: the term, or a part of it.
+    /// The node that vanishes at the pole: the term, or a factor of it.
     pub(crate) vanishes: Id,
-    /// The condition under which it is computed, if there is one.
+    /// The condition under which the term is computed, if any.
     condition: Option<Id>,
-    /// What must not vanish: that, or 1 where the condition does not hold, in a form that intervals enclose well.
+    /// The node to check: `vanishing` where the condition holds, and 1 elsewhere. It is written in a form that intervals enclose well.
     pub(crate) enclosable: Id,
-    /// Whether divided differences are not a number where it has different signs at both ends. They are numbers across a pole of |q|.
+    /// Whether divided differences are NaN if the term has different signs at both ends. They are numbers across a pole of 1/|q|.
     pub(crate) noticed: bool,
-    /// How its structure excludes zeros on a straight line.
+    /// The proof from the structure of the term that it has no zero on a straight line.
     pub(crate) quick: Option<Quick>,
-    /// Whether parameters alone may rule it out.
+    /// Whether the values of parameters may exclude the pole.
     pub(crate) by_parameters: bool,
-    /// Whether it reads time, and nothing of the state.
+    /// Whether the term reads time, but no coordinate.
     pub(crate) of_time: bool,
-    /// Whether it is no pole but the edge of a domain: the term must not be negative.
+    /// Whether this is the boundary of a domain, where the term must not be negative, and no pole.
     pub(crate) is_edge: bool,
-    /// Whether the mass matrix of a Lagrangian, or the form Ω of one that is linear in velocities, is singular there.
+    /// Whether the mass matrix of a Lagrangian is singular there, or the form Ω of a Lagrangian that is linear in velocities.
     pub(crate) of_mass: bool,
 }
 
-/// The poles of nodes that are not defined everywhere; `divided` are those of which divided differences are taken. Left out are those which
-/// a step cannot cross without ending outside the domain of the energy, as that of ln q.
+/// Collects the poles of nodes that are not defined everywhere. `divided` lists the nodes of which divided differences are taken.
+///
+/// A pole is left out if a step across it ends outside the domain of the energy, as for ln q.
 pub(crate) fn poles(graph: &mut Graph, divided: &[Id], partial: &[Partial]) -> Vec<Pole> {
     let mut all = vec![];
     for Partial { node, condition } in partial {
@@ -52,7 +53,7 @@ pub(crate) fn poles(graph: &mut Graph, divided: &[Id], partial: &[Partial]) -> V
         for (vanishes, quick) in zeros.of(graph, term) {
             let whole = vanishes == term && condition.is_none();
             if !(one_sided && whole && zeros.is_concave(graph, term)) {
-                // Divided differences have one time: that of the middle of the step.
+                // Divided differences read one time, the middle of the step.
                 let timed = graph.reads_any(term, |symbol| symbol == Symbol::T);
                 let noticed = !timed
                     && whole
@@ -85,7 +86,7 @@ pub(crate) fn poles(graph: &mut Graph, divided: &[Id], partial: &[Partial]) -> V
     found
 }
 
-/// What must not be negative for a node to be defined. Between two points of a domain a straight line may leave it.
+/// Returns the nodes that must not be negative for a node to be defined. A straight line between two points of a domain may leave the domain.
 fn edges(graph: &mut Graph, node: Id) -> Vec<Id> {
     match graph.node(node).clone() {
         Node::Power(base, exponent) if exponent.numerator > 0 && !exponent.is_integer() => vec![base],
@@ -118,7 +119,7 @@ impl Pole {
         }
     }
 
-    /// Derives what the condition and what vanishes say together.
+    /// Combines the condition and the vanishing node into `checked` and its proofs.
     fn complete(&mut self, graph: &mut Graph) {
         let one = graph.integer(1);
         if let Some(quick) = &mut self.quick {
@@ -131,27 +132,27 @@ impl Pole {
         self.of_time = reads(|symbol| symbol == Symbol::T) && !reads(|symbol| symbol.is_coordinate());
     }
 
-    /// The same pole, met again.
+    /// Merges a second occurrence of the same pole.
     fn join(&mut self, graph: &mut Graph, again: &Pole) {
         self.condition = match (self.condition, again.condition) {
             (Some(a), Some(b)) => Some(graph.or(a, b)),
             _ => None,
         };
-        // One node that notices is enough, if it is computed always.
+        // One node that yields NaN suffices if it is always computed.
         self.noticed |= again.noticed;
     }
 }
 
-/// What a node divides by.
+/// The divisor of a node, and on which side of its zero the node exists.
 struct Denominator {
     term: Id,
-    /// Whether the node is defined on one side of its zero alone.
+    /// Whether the node is defined on one side of the zero only.
     one_sided: bool,
-    /// Whether the node is infinite there under a condition only.
+    /// Whether the node is infinite at the zero under a condition only.
     only_if: Option<Id>,
 }
 
-/// What vanishes, or is infinite, where a node is infinite.
+/// Returns the divisor of a node that may be infinite.
 fn denominators(graph: &mut Graph, node: Id) -> Vec<Denominator> {
     let of = |term, one_sided| vec![Denominator { term, one_sided, only_if: None }];
     match graph.node(node).clone() {
@@ -182,7 +183,7 @@ fn denominators(graph: &mut Graph, node: Id) -> Vec<Denominator> {
     }
 }
 
-/// Whether a node is not defined on one side of a place at which it may be: a root of x, not of x².
+/// Returns whether a node is undefined on one side of a point of its domain: true for √x, false for √(x²).
 pub(crate) fn has_edge(graph: &Graph, node: Id) -> bool {
     match graph.node(node) {
         Node::Power(base, exponent) => !exponent.is_integer() && graph.sign(*base) == Sign::Unknown,

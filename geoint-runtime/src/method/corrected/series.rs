@@ -26,8 +26,8 @@ pub struct Memory<A, V> {
     /// The start of the run, or a later point if rounding decides the changes since the start. Changes are those since the origin, because rounding would
     /// add up from step to step.
     origin: A,
-    /// Whether changes since the origin are the sum of those of all steps. An angle that has gone round is at the origin again, so its change
-    /// since then is known step by step alone.
+    /// Whether changes since the origin are summed over the steps. After a full turn an angle is back at the origin, so only the sum over steps knows
+    /// its change.
     summed: bool,
     /// The changes since the origin, or in the next step if changes are summed, that lead back to the invariants at the start of the run.
     wanted: V,
@@ -42,11 +42,11 @@ impl<A: Array, V: Array<Real = A::Real>> Record<A::Real> for Memory<A, V> {
     }
 }
 
-/// A change that differs by this many ε of its terms from the sum of the changes of steps is a turn.
+/// A change since the origin that differs from the sum over the steps by more than this many ε of its terms contains a turn.
 const TURN: f64 = 1024.0;
 
 impl<A: Array, V: Array<Real = A::Real>> Memory<A, V> {
-    /// Returns whether a change since the origin, to `z`, is another one than the sum of the changes of steps.
+    /// Returns whether the change of an invariant from the origin to `z` differs from the sum over the steps.
     fn has_turned<S: VectorField<R, Phase = A>, R: Real, I: Invariants<S, R, Values = V>>(
         &self,
         system: &S,
@@ -64,8 +64,10 @@ impl<A: Array, V: Array<Real = A::Real>> Memory<A, V> {
     }
 }
 
-/// Returns the change of each invariant from one point to another. An increment is rounded as the larger of both points is. So it is added to the one
-/// at which the invariant is steeper.
+/// Returns the change of each invariant from one point to another.
+///
+/// The increment between the points is rounded by ε times the larger of both. This error matters least if the increment starts at the point at which the
+/// invariant is steeper.
 fn changes_from_steep_end<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
     system: &S,
     invariants: &I,
@@ -136,7 +138,7 @@ where
             return Ok(Some(back));
         }
         let way = match back(origin, wanted) {
-            // The way from the origin is so long that rounding decides the change: the next ones begin here. What steps have left is made up for.
+            // Rounding dominates the change since the origin. `before` is the new origin, and `wanted` keeps the error that is left there.
             Err(Refusal::Rounded) => {
                 *wanted = difference(wanted, &changes_from_steep_end(system, &self.1, origin, before));
                 *origin = *before;
