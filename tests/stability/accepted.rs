@@ -1,4 +1,4 @@
-//! Steps of order 4 that keep the energy, and are far too large or next to a jump of a divided difference: what is accepted keeps it, too.
+//! Methods that keep the energy, with steps far too large or beside a jump of a divided difference: every accepted step keeps the energy.
 
 use geoint_runtime::Method;
 use geoint_runtime::prelude::*;
@@ -39,7 +39,8 @@ fn single_steps<M: Method<TwoWells>>(method: M, h: f64) -> (usize, f64) {
     (steps, worst)
 }
 
-/// A difference quotient over a long way is larger than any derivative, and then each correction is small.
+/// The second form of `FourthOrder` may fall back on a matrix of difference quotients. A quotient over a long way is larger than any derivative, so that
+/// the matrix is large and the correction small, although the residual is not. The bounds on the energy are some hundred ε.
 #[test]
 fn a_small_correction_by_a_large_matrix_is_no_solution() {
     for h in [1.4, 2.0, 3.0] {
@@ -52,7 +53,8 @@ fn a_small_correction_by_a_large_matrix_is_no_solution() {
     assert!(single_steps(ImplicitMidpoint, 2.0).1 > 1e-3);
 }
 
-/// Where the direction turns by half a turn its divided difference jumps.
+/// The divided difference of `atan2` jumps where the direction turns by half a turn within the step. Steps from this grid pass near the origin. Before the
+/// energy was checked, some of them ended on the jump.
 #[test]
 fn a_jump_of_a_divided_difference_is_no_solution() {
     let mut steps = 0;
@@ -71,7 +73,7 @@ fn a_jump_of_a_divided_difference_is_no_solution() {
     assert!(steps > 3000, "{steps} steps");
 }
 
-/// In single precision the rounding of forces that cancel must not be taken for as large as the energy.
+/// The check of the energy leaves room for the rounding of forces that cancel. In single precision this room must stay far below the energy itself.
 #[test]
 fn steps_in_single_precision_keep_the_energy() {
     let (mut noise, mut steps) = (Noise::new(9), 0);

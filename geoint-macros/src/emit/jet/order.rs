@@ -1,4 +1,7 @@
-//! The code for one order of the Taylor coefficients: the order of computations, and which are computed in one array of lanes.
+//! The emitted code for one order n of the Taylor coefficients.
+//!
+//! A series is the list of the Taylor coefficients of one node. Up to four series with the same formula form a group, whose coefficients are computed side
+//! by side in an array of lanes, so that the compiler can use vector instructions. This file decides the order in which the series of order n are emitted.
 
 use super::Writer;
 use super::arrays::{Stored, coefficient, kept, newest, side_by_side, weighted};
@@ -10,12 +13,15 @@ use quote::{format_ident, quote};
 /// The writer of one order, with the state of its emission.
 #[derive(Default)]
 pub(super) struct Order {
+    /// The code so far.
     pub(super) body: TokenStream,
+    /// The variables that the code declares.
     pub(super) names: Vec<Ident>,
+    /// Whether each series has been emitted.
     series: Vec<bool>,
-    /// The coefficients of order n in arrays of lanes.
+    /// Whether the coefficient of order n has been copied into each array of lanes.
     arrays: Vec<bool>,
-    /// Groups of pairs of bodies, whose forces have one form.
+    /// Whether the forces between each group of pairs of bodies have been emitted.
     pub(super) central: Vec<bool>,
 }
 

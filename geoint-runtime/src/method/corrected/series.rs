@@ -1,4 +1,8 @@
 //! Steps by Taylor series, projected to invariants.
+//!
+//! Every step is led back to the invariants at the start of the run, so that errors do not add up from step to step. The reference is a stored state, the
+//! origin. If rounding dominates the change since the origin, the last state becomes the new origin, and the error that is left there is remembered. If
+//! an invariant reads an angle (`atan2`), only the sum over all steps knows its change: each step then corrects the errors of the steps before.
 
 use super::invariants::Invariants;
 use super::projection::Projection;
@@ -124,7 +128,10 @@ where
             return Err(Refusal::OutOfRange);
         }
         check_turns(system, time, [before, z])?;
-        memory.summed = memory.summed || !I::DERIVED && memory.has_turned(system, &self.1, [before, z]);
+        if !memory.summed && !I::DERIVED && memory.has_turned(system, &self.1, [before, z]) {
+            // The step before has been led back to the invariants of the start.
+            (memory.summed, memory.wanted) = (true, I::Values::zero());
+        }
         let Memory { scales, origin, summed, wanted } = memory;
         let ends_in_time = [time[0], time[0] + time[1]];
         let back = |from: &S::Phase, wanted: &I::Values| {

@@ -1,4 +1,4 @@
-//! The shortest way from the end of a step to where invariants are what they were.
+//! The shortest correction of the end of a step that gives invariants their earlier values. Its length is measured in the units of [`Scales`].
 
 use super::frame::Frame;
 use super::invariants::Invariants;
@@ -13,27 +13,29 @@ use crate::space::vector::{self, difference, scaled, sum};
 use crate::system::VectorField;
 use core::cell::Cell;
 
-/// A correction of less than this part of the coordinates does not change the terms of invariants by much.
+/// Corrections of less than this part of the coordinates are near: the terms of invariants, products of coordinates and gradients, hardly change on
+/// such a way. Empirical.
 const NEAR: f64 = 1.0 / 16.0;
 
-/// A correction of more than this part of the step shows that the step has led astray: what is found may be any point with these invariants.
-const MOST_OF_STEP: f64 = 0.5;
+/// The longest correction, as a part of the step. After a longer one, the result may be any other point with these invariants.
+const LONGEST_PART: f64 = 0.5;
 
-/// From the end of a step to where the invariants are what they were.
+/// The correction of a step.
 pub(super) struct WayBack<Z> {
     pub(super) back: Z,
-    /// The increment of the step at whose end conditions of the energy were decided last.
+    /// The increment at whose end the branches of the energy (`if`, `abs`) were chosen last.
     pub(super) decided: Z,
 }
 
 /// Returns the way from `end` to where the invariants have changed by `wanted` since `before`.
 ///
-/// A simplified Newton iteration finds the multipliers, with the gradients at that end. On a circular orbit, or on any other orbit on which an
-/// invariant is as small as others allow, gradients depend on each other. Near such an orbit the gradients turn as fast as the iteration converges. If
-/// the simplified iteration fails, or leads far, the gradients are therefore evaluated at each point.
+/// A simplified Newton iteration finds the multipliers, with the gradients at `end`. It fails near a circular orbit, and near any other orbit on which an
+/// invariant has an extremum where the others are constant: gradients are parallel there, and nearby they turn too much on the way of a correction. If the
+/// simplified iteration fails or leads far, a second iteration therefore evaluates the gradients at each point.
 ///
 /// # Errors
-/// [`Refusal::NotConverged`], and [`Refusal::LedAstray`] if the way is longer than half of the step.
+/// [`Refusal::NotConverged`] of the simplified iteration if both fail. [`Refusal::LedAstray`] if the correction is longer than half of the step and not
+/// near.
 #[inline(always)]
 pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
     system: &S,
@@ -53,17 +55,17 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
 
     let increment = |multipliers: &I::Values| sum(moved, &at_end.back(multipliers));
     let simplified = |multipliers: &I::Values| {
-        let mut delta = equation.left(&increment(multipliers));
+        let mut delta = equation.residual(&increment(multipliers));
         let relative = at_end.multipliers(&mut delta);
         Ok((delta, relative))
     };
     let is_noise =
         |multipliers: &I::Values, delta: &I::Values| equation.is_noise(&increment(multipliers), &at_end.back(delta));
-    let longest = MOST_OF_STEP * MOST_OF_STEP * sizes.square(moved);
+    let longest = LONGEST_PART * LONGEST_PART * sizes.square(moved);
     let turning = |increment: &S::Phase| {
         let gradients = invariants.gradients(system, &sum(before, increment));
         let frame = Frame::<I::Values, S::Phase>::new(gradients, units, &sizes);
-        let mut delta = equation.left(increment);
+        let mut delta = equation.residual(increment);
         let relative = frame.multipliers(&mut delta);
         let correction = frame.back(&delta);
         // Where gradients nearly depend on each other, Newton's corrections lead far away. They are shortened to what a way back may be.
@@ -77,7 +79,7 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
     let back = match correct(I::Values::zero(), is_noise, simplified) {
         Ok(multipliers) => {
             let back = at_end.back(&multipliers);
-            // The frame at a far end has larger terms, and a larger rest passes for rounding there.
+            // The terms at a far end are larger, so a residual that is rounding there may be too large here.
             if sizes.all_within(&back, NEAR) { back } else { turning_from(sum(moved, &back))? }
         }
         Err(refusal) => turning_from(*moved).map_err(|_: Refusal| refusal)?,
@@ -95,22 +97,23 @@ struct Equation<'a, S: VectorField<R>, R: Real, I: Invariants<S, R>> {
     wanted: &'a I::Values,
     before: &'a S::Phase,
     sizes: Sizes<S::Phase>,
-    /// The increment at whose end conditions of the energy were decided last.
+    /// The increment at whose end the branches of the energy were chosen last.
     decided: Cell<S::Phase>,
 }
 
 impl<S: VectorField<R>, R: Real, I: Invariants<S, R>> Equation<'_, S, R, I> {
-    /// Whether the energy may jump. Corrections then go from one side of the jump to the other, and nothing is accepted as rounding.
+    /// Whether the energy may jump. Corrections may then go from one side of the jump to the other for ever. The iteration must not accept this as
+    /// rounding, and ends with [`Refusal::NotConverged`].
     const JUMPS: bool = I::KEEP_ENERGY && !S::JUMPS.is_empty();
 
-    /// Returns by how much invariants have changed too much.
+    /// Returns the residual I(before + increment) − I(before) − wanted.
     #[inline(always)]
-    fn left(&self, increment: &S::Phase) -> I::Values {
+    fn residual(&self, increment: &S::Phase) -> I::Values {
         self.decided.set(*increment);
         difference(&self.invariants.changes(self.system, self.before, increment), self.wanted)
     }
 
-    /// Returns whether what is left is rounding, where the last correction was `correction`.
+    /// Returns whether the residual at `increment` is rounding. `correction` is the last correction of the iteration.
     #[cold]
     #[inline(never)]
     fn is_noise(&self, increment: &S::Phase, correction: &S::Phase) -> bool {
@@ -126,24 +129,27 @@ impl<S: VectorField<R>, R: Real, I: Invariants<S, R>> Equation<'_, S, R, I> {
         for (terms, (first, last)) in terms.as_mut_slice().iter_mut().zip(first.iter().zip(last.iter())) {
             *terms = R::from_f64(Sizes::at(self.before).terms(first) + self.sizes.terms(last));
         }
-        let residual = |part: R| {
-            let left = self.left(&vector::moved(increment, part, correction));
-            left.is_finite().then_some(left)
+        let near = |part: R| {
+            let residual = self.residual(&vector::moved(increment, part, correction));
+            residual.is_finite().then_some(residual)
         };
-        let rounding = roughness::rounding(residual);
-        residual(zero()).is_some_and(|left| noise::explains(&rounding, &left, &Sizes::of_magnitudes(terms)))
+        let rounding = roughness::rounding(near);
+        // The last evaluation is that of the solution, which chooses the branches of the energy.
+        near(zero()).is_some_and(|residual| noise::explains(&rounding, &residual, &Sizes::of_magnitudes(terms)))
     }
 
-    /// Returns for each coordinate the part of the correction that rounding explains. For an invariant it is the rounding of its terms relative to its change,
-    /// at most 1; for a coordinate it is the least part of the invariants that read it.
+    /// Returns for each coordinate the part of the correction that rounding explains, from 0 to 1. [`Scales::units`] turns it into a least unit.
     ///
-    /// The gradient is also evaluated at a point as far away as the correction may lead. If a slope is another one there, the part is zero: a slope that
+    /// For an invariant, the part is the rounding of its terms relative to its residual. For a coordinate, it is the least part of all invariants that
+    /// read the coordinate.
+    ///
+    /// The gradient is also evaluated at a point as far away as the correction may lead. If a slope differs there by more than half, the part is zero: a slope that
     /// nearly vanishes would ask for a correction far away.
     #[cold]
     #[inline(never)]
     fn explained_by_rounding(&self, gradients: &<I::Values as Array>::Map<S::Phase>, moved: &S::Phase) -> S::Phase {
         let gradients = I::Values::entries_of(gradients);
-        let mut parts = self.left(moved);
+        let mut parts = self.residual(moved);
         for (part, gradient) in parts.as_mut_slice().iter_mut().zip(gradients) {
             *part = R::from_f64(part_of_rounding(*part, self.sizes.terms(gradient)));
         }
