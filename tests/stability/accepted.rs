@@ -40,7 +40,8 @@ fn single_steps<M: Method<TwoWells>>(method: M, h: f64) -> (usize, f64) {
 }
 
 /// The second form of `FourthOrder` may fall back on a matrix of difference quotients. A quotient over a long way is larger than any derivative, so that
-/// the matrix is large and the correction small, although the residual is not. The bounds on the energy are some hundred ε.
+/// the matrix is large and the correction small, although the residual is not. The bounds on the energy are a few hundred ε, and ten times as
+/// much for `Gonzalez`, which divides by the increment.
 #[test]
 fn a_small_correction_by_a_large_matrix_is_no_solution() {
     for h in [1.4, 2.0, 3.0] {

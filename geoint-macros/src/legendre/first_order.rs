@@ -206,7 +206,7 @@ fn halves(graph: &Graph, momenta: &[Id], form: &[Vec<Id>]) -> Option<(Vec<u32>, 
     Some((0..momenta.len() as u32).partition(|i| !replaced.contains(i)))
 }
 
-/// Pairs each y with an x to which Ω couples it, if possible. The block Ω(x, y) then has a diagonal without zeros.
+/// Pairs each y with an x to which Ω couples it, so that the block Ω(x, y) has few zeros in its diagonal. The search is greedy.
 fn pairs(graph: &Graph, form: &[Vec<Id>], kept: &[u32], replaced: Vec<u32>) -> Vec<(u32, u32)> {
     let mut free = kept.to_vec();
     let mut pair = |y: u32| {

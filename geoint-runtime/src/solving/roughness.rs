@@ -1,4 +1,4 @@
-//! An iteration has stopped to reduce a residual. Is the rest nothing but rounding?
+//! An iteration no longer reduces a residual. Is this residual nothing but rounding?
 //!
 //! To leading order, the second difference of a smooth residual is four times as large at twice the distance. The second difference of noise does not
 //! grow, and that of a single jump by rounding grows once, where the distance reaches the jump. [`rounding`] therefore compares second differences at

@@ -17,7 +17,7 @@ pub(crate) struct Pole {
     pub(crate) vanishes: Id,
     /// The condition under which the term is computed, if any.
     condition: Option<Id>,
-    /// The node to check: `vanishing` where the condition holds, and 1 elsewhere. It is written in a form that intervals enclose well.
+    /// The node to check: `vanishes` where the condition holds, and 1 elsewhere. It is written in a form that intervals enclose well.
     pub(crate) enclosable: Id,
     /// Whether divided differences are NaN if the term has different signs at both ends. They are numbers across a pole of 1/|q|.
     pub(crate) noticed: bool,
@@ -35,7 +35,8 @@ pub(crate) struct Pole {
 
 /// Collects the poles of nodes that are not defined everywhere. `divided` lists the nodes of which divided differences are taken.
 ///
-/// A pole is left out if a step across it ends outside the domain of the energy, as for ln q.
+/// A pole is left out if a step across it ends outside the domain of the energy, as for ln q. This needs a concave term: if such a term is positive at
+/// both ends of a step, it is positive between them.
 pub(crate) fn poles(graph: &mut Graph, divided: &[Id], partial: &[Partial]) -> Vec<Pole> {
     let mut all = vec![];
     for Partial { node, condition } in partial {
@@ -119,7 +120,7 @@ impl Pole {
         }
     }
 
-    /// Combines the condition and the vanishing node into `checked` and its proofs.
+    /// Combines the condition and the vanishing node into `enclosable` and its proofs.
     fn complete(&mut self, graph: &mut Graph) {
         let one = graph.integer(1);
         if let Some(quick) = &mut self.quick {
@@ -143,12 +144,12 @@ impl Pole {
     }
 }
 
-/// The divisor of a node, and on which side of its zero the node exists.
+/// The divisor of a node, and whether the node exists on both sides of its zero.
 struct Denominator {
     term: Id,
     /// Whether the node is defined on one side of the zero only.
     one_sided: bool,
-    /// Whether the node is infinite at the zero under a condition only.
+    /// The condition under which the node is infinite at the zero, if any.
     only_if: Option<Id>,
 }
 

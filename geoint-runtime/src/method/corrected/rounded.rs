@@ -22,7 +22,7 @@ const MOST_OF_ENERGY: f64 = 4_194_304.0;
 /// Jumps refuse any attempt, rounding only attempts with patience. The first attempt of a steep field is marked as doubtful if a coordinate leaps, and
 /// the caller repeats it with patience.
 ///
-/// Of a canonical system [`check_energy`] is asked.
+/// In canonical systems only the energy is checked, by [`check_energy`]: in attempts with patience, and always if the energy reads an angle.
 #[inline(always)]
 pub(crate) fn check_step<S: Graded<R>, R: Real, P: Probe<S, R>, C>(
     system: &S,

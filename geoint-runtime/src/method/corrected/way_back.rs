@@ -34,7 +34,7 @@ pub(super) struct WayBack<Z> {
 /// simplified iteration fails or leads far, a second iteration therefore evaluates the gradients at each point.
 ///
 /// # Errors
-/// [`Refusal::NotConverged`] of the simplified iteration if both fail. [`Refusal::LedAstray`] if the correction is longer than half of the step and not
+/// [`Refusal::NotConverged`] of the simplified iteration if both fail, or of the second one if the simplified iteration has led far. [`Refusal::LedAstray`] if the correction is longer than half of the step and not
 /// near.
 #[inline(always)]
 pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
@@ -106,7 +106,7 @@ impl<S: VectorField<R>, R: Real, I: Invariants<S, R>> Equation<'_, S, R, I> {
     /// rounding, and ends with [`Refusal::NotConverged`].
     const JUMPS: bool = I::KEEP_ENERGY && !S::JUMPS.is_empty();
 
-    /// Returns the residual I(before + increment) − I(before) − wanted.
+    /// Returns the residual I(before + increment) − I(before) − wanted, and stores the increment in `decided`.
     #[inline(always)]
     fn residual(&self, increment: &S::Phase) -> I::Values {
         self.decided.set(*increment);
