@@ -21,13 +21,6 @@ fn double_well_single(q: f32, p: f32, m: f32) -> f32 {
     p * p / (2.0 * m) - q * q / 2.0 + q * q * q * q / 4.0
 }
 
-/// Two oscillators with a cubic coupling, in which a state far away may have the same energy. M. Hénon & C. Heiles, Astron. J. 69 (1964) 73.
-#[hamiltonian]
-fn cubic_wells(q: [f64; 2], p: [f64; 2], m: f64) -> f64 {
-    (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) + (q[0] * q[0] + q[1] * q[1]) / 2.0 + q[0] * q[0] * q[1]
-        - q[1] * q[1] * q[1] / 3.0
-}
-
 /// How many steps succeed, and the largest change of an energy in units of its rounding.
 #[derive(Default)]
 struct Outcome {
@@ -69,6 +62,17 @@ fn a_step_that_is_led_astray_is_refused() {
     assert!(steps > 20_000 && worst <= MOST, "{steps} steps: {worst:.1e}");
     // Control: without the projection.
     assert!(outcome!(RK4, swing(), f64, start, terms).worst > 1e9);
+}
+
+/// The message names the reason, and the state stays. A shorter step succeeds.
+#[test]
+fn the_refusal_has_a_name() {
+    let start = State::new(2.0, 0.0);
+    let mut sim = Swing { m: 1.3 }.integrator(Projection(RK4, Energy), 6.0, start);
+    assert!(matches!(sim.step(), Err(StepError::LedAstray { t: 0.0 })), "{:?}", sim.state());
+    assert_eq!(sim.state(), start);
+    let mut sim = Swing { m: 1.3 }.integrator(Projection(RK4, Energy), 0.5, start);
+    sim.step().expect("a shorter step");
 }
 
 #[test]

@@ -180,8 +180,8 @@ fn refused_by_name() {
     }
 }
 
-/// A series is projected to what was kept where the run began, as long as rounding does not decide what that is: x₁ falls by a factor of 20 in a
-/// step, and is rounded in the digits of what it was, some 10⁻¹³ of I in a few of 39 steps. Without projection the series is off by 3·10⁻⁶.
+/// A series is projected to the integral at the start of the run. x₁ falls by a factor of 20 in one step, so its rounding changes the integral by some
+/// 10⁻¹³ in a few of 39 steps. Without projection the error of the series is 3·10⁻⁶.
 #[test]
 fn series() {
     let system = Stretched { a: 1.0 };

@@ -7,7 +7,7 @@
 //!
 //! The points lie along the last correction, which suits invariants: all coordinates take part in it. In equations of implicit steps, some unknowns may
 //! have tiny corrections and large rounding. [`noise`](crate::solving::noise) moves every unknown and serves these equations. One measurement here
-//! takes 300 evaluations of the residual, so callers ask only where an iteration is stuck.
+//! takes 329 evaluations of the residual, so callers ask only where an iteration is stuck.
 
 use crate::scalar::{Real, zero};
 use crate::space::Array;
@@ -27,7 +27,7 @@ const FARTHEST: i32 = 10;
 /// 2 for a bend and 4 for a parabola.
 const CURVED: f64 = 2.83;
 
-/// A second difference that grows by more than this factor contains a jump. The fifth power grows by exactly this.
+/// A second difference that grows by more than this factor contains a jump. That of x⁵ grows by exactly this.
 const JUMP: f64 = 32.0;
 
 /// A second difference below this part of the residual does not count as curvature: between two jumps by rounding, the residual may be a smooth curve of

@@ -19,7 +19,7 @@ pub(crate) const REMAINDER: f64 = 1.0 / 1_048_576.0;
 /// A relative correction of so many ε that does not shrink any more is rounding.
 pub(crate) const ROUNDINGS: f64 = 64.0;
 
-/// What an unknown is rounded by on the way to a residual: the last digits of a position, of a distance, and of what is computed with that.
+/// The rounding of an unknown in a residual, in ε: positions, distances and forces each lose their last digits.
 const LAST_DIGITS: f64 = 8.0;
 
 /// A residual of more than so many times the unknown is no rounding, whatever the digits of its terms are: far from all that a state has been, and
@@ -151,8 +151,8 @@ pub(crate) fn may_be_rounding(residual: f64, size: f64) -> bool {
     residual <= LARGEST * size
 }
 
-/// Whether a residual, of which `matrix` is the derivative, is no more than what some ε of the sizes of unknowns change it by: it is zero for
-/// coordinates that differ in their last digits. Where large forces cancel, corrections never become smaller than that.
+/// Returns whether changes of the unknowns in their last digits explain a residual with the derivative `matrix`. If large forces cancel, corrections never
+/// become smaller than such changes.
 ///
 /// W. Oettli & W. Prager, Numer. Math. 6 (1964) 405.
 pub(crate) fn is_of_last_digits<A: Array>(sizes: &Sizes<A>, residual: &A, matrix: &Square<A>) -> bool {
@@ -167,7 +167,7 @@ pub(crate) fn is_of_last_digits<A: Array>(sizes: &Sizes<A>, residual: &A, matrix
 /// Subtracts corrections of coordinates from `x` until nothing but rounding is left. Corrections shrink by a factor.
 ///
 /// `correction` gives the one at a point, and how large it is relative to the terms of what it corrects. Where they are stuck `is_noise` says of
-/// the last point and the correction there whether what is left is rounding of larger terms.
+/// the last point and the correction there whether the residual is rounding of larger terms.
 pub(crate) fn correct<A: Array>(
     mut x: A,
     mut is_noise: impl FnMut(&A, &A) -> bool,

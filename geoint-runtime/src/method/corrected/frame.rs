@@ -79,8 +79,8 @@ fn orthonormalise<A: Array, Z: Array<Real = A::Real>>(directions: &mut [Z]) -> S
     triangle
 }
 
-/// From changes of functions to multipliers of orthonormal directions; the largest change relative to `digits`. Of functions that have no direction
-/// of their own it is what others do not change with them: nothing can be done about that.
+/// Turns changes of functions into multipliers of orthonormal directions. Returns the largest change relative to `digits`. A function without a direction
+/// of its own counts with the part of its change that the other functions leave: no correction reduces this part.
 fn along<A: Array>(triangle: &Square<A>, digits: &Sizes<A>, changes: &mut A) -> f64 {
     let mut greatest = 0.0_f64;
     for (i, row) in A::entries_of::<A>(triangle).iter().enumerate() {
