@@ -21,6 +21,19 @@ fn double_well_single(q: f32, p: f32, m: f32) -> f32 {
     p * p / (2.0 * m) - q * q / 2.0 + q * q * q * q / 4.0
 }
 
+/// The same with a torque, in single precision.
+#[hamiltonian]
+fn turned_single(q: f32, p: f32, m: f32, torque: f32) -> f32 {
+    p * p / (2.0 * m) - torque * q.cos()
+}
+
+/// Two coordinates with bends between them.
+#[hamiltonian]
+fn two_with_bends(q: [f64; 2], p: [f64; 2], a: f64, b: f64) -> f64 {
+    let squares = (p[0] * p[0] + p[1] * p[1]) / 2.0 + q[0] * q[0] / 4.0 + q[1] * q[1] / 3.0;
+    squares + a * (q[0] - q[1]).abs() + q[0].max(b * q[1]) - q[1].min(0.3)
+}
+
 /// How many steps succeed, and the largest change of an energy in units of its rounding.
 #[derive(Default)]
 struct Outcome {
@@ -73,6 +86,31 @@ fn the_refusal_has_a_name() {
     assert_eq!(sim.state(), start);
     let mut sim = Swing { m: 1.3 }.integrator(Projection(RK4, Energy), 0.5, start);
     sim.step().expect("a shorter step");
+}
+
+/// Beside a bend, and at an angle of many turns, a residual looks as rough as rounding does.
+#[test]
+fn rough_residuals_are_not_all_rounding() {
+    let start = State::new(-2.922_252e-5_f32, -3.069_984e-5);
+    let mut sim =
+        TurnedSingle { m: 1.035_493_6, torque: -1.377_243 }.integrator(Projection(RK4, Energy), 269.344_06, start);
+    assert!(sim.step().is_err(), "energy {} at {:?}", sim.energy(), sim.state());
+
+    let bends = TwoWithBends { a: 0.349_118_539_689_467_9, b: 0.899_360_474_606_351_5 };
+    let start = State::new(
+        [-0.009_228_948_329_623_414, 0.032_954_185_037_033_12],
+        [0.026_709_524_524_431_486, -0.037_441_325_000_406_6],
+    );
+    let mut sim = bends.integrator(Projection(RK4, Energy), -1.680_639_735_516_648_7e-2, start);
+    let energy = sim.energy();
+    for _ in 0..1100 {
+        if sim.step().is_err() {
+            break;
+        }
+        let error = (sim.energy() - energy).abs();
+        assert!(error <= 1e-13, "step {}: {error:.1e}", sim.steps());
+    }
+    assert!(sim.steps() > 500, "{} steps", sim.steps());
 }
 
 #[test]

@@ -129,13 +129,19 @@ impl<S: VectorField<R>, R: Real, I: Invariants<S, R>> Equation<'_, S, R, I> {
         for (terms, (first, last)) in terms.as_mut_slice().iter_mut().zip(first.iter().zip(last.iter())) {
             *terms = R::from_f64(Sizes::at(self.before).terms(first) + self.sizes.terms(last));
         }
+        let terms = Sizes::of_magnitudes(terms);
+        // Beside a bend, and where angles are many turns, the residual looks rough although it is not rounding. Where rounding takes more than two
+        // thirds of the digits, the value is not kept in any case.
+        if !terms.all_within(&self.residual(increment), libm::cbrt(R::epsilon())) {
+            return false;
+        }
         let near = |part: R| {
             let residual = self.residual(&vector::moved(increment, part, correction));
             residual.is_finite().then_some(residual)
         };
         let rounding = roughness::rounding(near);
         // The last evaluation is that of the solution, which chooses the branches of the energy.
-        near(zero()).is_some_and(|residual| noise::explains(&rounding, &residual, &Sizes::of_magnitudes(terms)))
+        near(zero()).is_some_and(|residual| noise::explains(&rounding, &residual, &terms))
     }
 
     /// Returns for each coordinate the part of the correction that rounding explains, from 0 to 1. [`Scales::units`] turns it into a least unit.
