@@ -1,13 +1,18 @@
-//! An iteration no longer reduces a residual. Is this residual nothing but rounding?
+//! The rounding of a residual, from its values beside a point where an iteration is stuck.
 //!
-//! To leading order, the second difference of a smooth residual is four times as large at twice the distance. The second difference of noise does not
-//! grow, and that of a single jump by rounding grows once, where the distance reaches the jump. [`rounding`] therefore compares second differences at
-//! larger and larger distances. The largest one before the curvature of the residual appears is its rounding. Curvature shows in three distances, and the
-//! first two of them still count. Both sides of a point are examined, and the smaller result counts: a bend of the residual on one side is no rounding.
+//! The method compares second differences d(δ) = r(0) − 2 r(δ) + r(2δ) at distances δ that double:
 //!
-//! The points lie along the last correction, which suits invariants: all coordinates take part in it. In equations of implicit steps, some unknowns may
-//! have tiny corrections and large rounding. [`noise`](crate::solving::noise) moves every unknown and serves these equations. One measurement here
-//! takes 329 evaluations of the residual, so callers ask only where an iteration is stuck.
+//! - Of a smooth residual, d grows by 4 from each δ to the next. At a bend it grows by 2.
+//! - Of noise, d does not grow.
+//! - A single jump by rounding makes d grow once, where δ reaches the jump.
+//!
+//! The rounding is the largest d before growth shows in three successive distances. The first two of these still count, because a jump could explain them.
+//! Both sides of the point are examined and the smaller result counts, so that a bend on one side is not taken for rounding. It can still be fooled, for
+//! instance where bends lie on both sides, so callers bound the result.
+//!
+//! The points lie along the last correction. This suits invariants, in which all coordinates take part in the correction. In equations of implicit steps,
+//! some unknowns may have tiny corrections and large rounding: [`noise`](crate::solving::noise) moves every unknown and serves these equations. One
+//! measurement here takes 329 evaluations of the residual, so callers ask only where an iteration is stuck.
 
 use crate::scalar::{Real, zero};
 use crate::space::Array;
@@ -23,15 +28,13 @@ const POINTS: [f64; 4] = [0.59, 0.73, 0.87, 1.0];
 const NEAREST: i32 = -30;
 const FARTHEST: i32 = 10;
 
-/// The second difference of a curved residual grows by at least this factor from each distance to the next one: the geometric mean of
-/// 2 for a bend and 4 for a parabola.
+/// Growth of d to the next distance that counts as curvature: the geometric mean of 2, for a bend, and 4, for a parabola.
 const CURVED: f64 = 2.83;
 
-/// A second difference that grows by more than this factor contains a jump. That of x⁵ grows by exactly this.
+/// Growth of d that is too large for curvature, so that it contains a jump by rounding. That of x⁵ grows by exactly this.
 const JUMP: f64 = 32.0;
 
-/// A second difference below this part of the residual does not count as curvature: between two jumps by rounding, the residual may be a smooth curve of
-/// this height.
+/// A d below this part of the residual does not count as curvature: between two jumps by rounding, the residual may be a smooth curve of this height.
 const VISIBLE: f64 = 1.0 / 64.0;
 
 /// Returns for each entry of a residual how large its rounding is.

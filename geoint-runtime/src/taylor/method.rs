@@ -99,9 +99,10 @@ pub trait TaylorMethod<S: Jets<R>, R: Real = f64>: Sealed + Copy + Debug {
     fn order(&self) -> usize;
     /// The memory before the first step, which begins at `origin`.
     fn memory(origin: &S::Phase) -> Self::Memory;
-    /// Returns the correction of the end of a step, which the series has led from `before` at the time t to `z` at t + h.
+    /// Returns the correction of the end of a step by the series. `time` is [t, h]; the step goes from `ends[0]` at the time t to `ends[1]` at t + h.
     ///
-    /// Errors: the end can not be corrected.
+    /// # Errors
+    /// The end cannot be corrected.
     fn correction(
         &self,
         memory: &mut Self::Memory,

@@ -1,4 +1,8 @@
-//! Poles of the energy: the terms that vanish there, and proofs that a term has no zero on a straight line.
+//! Poles of the energy: places where it is infinite, such as q = 0 of 1/|q|.
+//!
+//! A step of a discrete gradient goes along a straight line in phase space. If the line crosses a pole, the step may succeed with a wrong result. This
+//! file therefore collects the nodes that vanish at poles, and generated code checks for each step that none of them has a zero on its line. `structure.rs`
+//! finds cheap proofs from the form of a node; the other nodes are enclosed by intervals.
 
 mod structure;
 
@@ -11,7 +15,7 @@ use structure::Zeros;
 /// A pole: a place where the energy is infinite.
 #[derive(Clone, Debug)]
 pub(crate) struct Pole {
-    /// The divisor, or the argument of the logarithm.
+    /// The argument of the partial function: the divisor of a quotient, the argument of a logarithm.
     pub(crate) term: Id,
     /// The node that vanishes at the pole: the term, or a factor of it.
     pub(crate) vanishes: Id,
@@ -21,7 +25,7 @@ pub(crate) struct Pole {
     pub(crate) enclosable: Id,
     /// Whether divided differences are NaN if the term has different signs at both ends. They are numbers across a pole of 1/|q|.
     pub(crate) noticed: bool,
-    /// The proof from the structure of the term that it has no zero on a straight line.
+    /// How generated code proves from the form of the term that it has no zero on the line, without intervals.
     pub(crate) quick: Option<Quick>,
     /// Whether the values of parameters may exclude the pole.
     pub(crate) by_parameters: bool,
@@ -36,7 +40,7 @@ pub(crate) struct Pole {
 /// Collects the poles of nodes that are not defined everywhere. `divided` lists the nodes of which divided differences are taken.
 ///
 /// A pole is left out if a step across it ends outside the domain of the energy, as for ln q. This needs a concave term: if such a term is positive at
-/// both ends of a step, it is positive between them.
+/// both ends of a step, it is positive between them. Poles with the same vanishing node are joined, and the result also contains the edges of domains.
 pub(crate) fn poles(graph: &mut Graph, divided: &[Id], partial: &[Partial]) -> Vec<Pole> {
     let mut all = vec![];
     for Partial { node, condition } in partial {
@@ -144,7 +148,7 @@ impl Pole {
     }
 }
 
-/// The divisor of a node, and whether the node exists on both sides of its zero.
+/// What vanishes where a node is infinite.
 struct Denominator {
     term: Id,
     /// Whether the node is defined on one side of the zero only.
@@ -153,7 +157,7 @@ struct Denominator {
     only_if: Option<Id>,
 }
 
-/// Returns the divisor of a node that may be infinite.
+/// Returns what vanishes where a node is infinite: the divisor, or the distance of the argument from the ends of the domain.
 fn denominators(graph: &mut Graph, node: Id) -> Vec<Denominator> {
     let of = |term, one_sided| vec![Denominator { term, one_sided, only_if: None }];
     match graph.node(node).clone() {

@@ -1,7 +1,12 @@
 //! The emitted code for one order n of the Taylor coefficients.
 //!
-//! A series is the list of the Taylor coefficients of one node. Up to four series with the same formula form a group, whose coefficients are computed side
-//! by side in an array of lanes, so that the compiler can use vector instructions. This file decides the order in which the series of order n are emitted.
+//! - A *series* is the list of the Taylor coefficients of one node of the energy's graph. The code computes the coefficient of order n of each series.
+//! - Up to four series with the same formula form a *group*. Their coefficients are computed side by side in an array of four lanes, so that the compiler
+//!   can use vector instructions. `Lanes` of `diff/jet` finds the groups.
+//! - A *sum* is the part of a coefficient that reads lower orders only, such as Σ uₖ vₙ₋ₖ for 0 < k < n.
+//! - *Central* groups are the forces between pairs of bodies, such as (x, y, z)/r³. The runtime computes all groups of one force in one loop.
+//!
+//! This file decides the order in which the coefficients are emitted: first all sums, then each series after those that it reads at the same order.
 
 use super::Writer;
 use super::arrays::{Stored, coefficient, kept, newest, side_by_side, weighted};
@@ -21,12 +26,12 @@ pub(super) struct Order {
     series: Vec<bool>,
     /// Whether the coefficient of order n has been copied into each array of lanes.
     arrays: Vec<bool>,
-    /// Whether the forces between each group of pairs of bodies have been emitted.
+    /// Whether each central force has been emitted.
     pub(super) central: Vec<bool>,
 }
 
 impl Writer<'_> {
-    /// Emits the code of the order.
+    /// Returns the struct of all coefficients, and the method that computes those of order n.
     pub(super) fn body(&mut self) -> TokenStream {
         let jet = self.jet;
         let (groups, lane_arrays) =
@@ -79,7 +84,13 @@ impl Writer<'_> {
             [quote!(newest: [[R; #lanes]; #number],), quote!(newest,)]
         });
         let [at_hand, at_hand_name] = at_hand.unwrap_or_default();
-        // Braces, because a type of the user may be called `P`.
+        // The generated struct holds what the orders share:
+        // k, beside: numbers computed once per step, and the same for four series side by side
+        // newest: the newest entry of each array of lanes, which stays in registers if there are few
+        // coordinates: the newest coefficient of each coordinate, likewise
+        // masks: which branch each condition has taken at the start of the step
+        // jet, switches: the results, for each order
+        // Braces around P, because a type of the user may be called `P`.
         quote! {
             struct Coefficients<'a, R: Real, const P: usize> {
                 k: [R; #numbers],
@@ -151,7 +162,7 @@ impl Writer<'_> {
         }
     }
 
-    /// Emits the sums of a group.
+    /// Emits the sum of a group, if there are groups.
     fn sums(&mut self, place: usize) {
         let Some(group) = self.lanes.as_ref().map(|lanes| &lanes.groups[place]) else { return };
         let (weight, operands) = (group.weight, group.operands.clone());
@@ -167,7 +178,7 @@ impl Writer<'_> {
         self.order.names.push(name);
     }
 
-    /// Emits the copy of a single series into the arrays that hold it.
+    /// Emits the copy of a single series into its own array, and into the array of n times its coefficients.
     pub(super) fn keep(&mut self, source: Source) {
         if std::mem::replace(&mut self.order.series[source], true) {
             return;
@@ -224,7 +235,7 @@ impl Writer<'_> {
         });
     }
 
-    /// Returns the place of the coefficient of order n of a series, or of a group of series.
+    /// Returns the expression of the coefficient of order n of one series, or of the array of the coefficients of four.
     pub(super) fn now(&self, sources: &[Source]) -> TokenStream {
         if let [source] = sources {
             let Some((group, series)) = self.group_of(*source) else {

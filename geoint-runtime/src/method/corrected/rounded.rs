@@ -1,4 +1,10 @@
 //! Does rounding on the way of a step change what the step keeps?
+//!
+//! A coordinate is rounded by ε times its largest size on the way of a step. If a step goes far out and comes back, as over a pole, its result has the
+//! rounding of the far point. Where an invariant is steep, this rounding changes it by much more than its own digits. Such steps are refused.
+//!
+//! An attempt *with patience* is the second one: it iterates longer, and accepts an equation that is solved to its measured rounding. The first attempt
+//! is quick, and may only mark its result as doubtful.
 
 use super::kept::steepness;
 use crate::method::{Probe, Refusal};
@@ -9,12 +15,13 @@ use crate::system::{Graded, Invariants, KeptBy, PhaseSpace, jump_of_integral};
 
 /// A step is refused if an invariant changes by more than this many of its roundings.
 ///
-/// It is also the factor of a leap: a coordinate becomes smaller or larger by it. First attempts and corrections are looked at only if a coordinate leaps,
-/// since otherwise rounding on the way is within the bound. A smaller factor would make each passage through zero a leap, and long runs a tenth slower.
+/// It is also the factor of a leap: a coordinate moves by more than this many times the smaller of its values at both ends. First attempts and corrections
+/// are looked at only if a coordinate leaps, since otherwise rounding on the way is within the bound. A smaller factor would make each passage through zero
+/// a leap, and long runs a tenth slower.
 const MOST: f64 = 16384.0;
 
-/// A step with patience may change the energy by this many of its roundings. The terms of forces that cancel are rounded by more, and are not known here.
-/// In single precision that would be half of the energy: there it is √ε.
+/// A step with patience may change the energy by this many of its roundings (2²², empirical). The terms of forces that cancel are rounded by more, and are
+/// not known here. In single precision 2²² ε is half of the energy, so the bound there is √ε.
 const MOST_OF_ENERGY: f64 = 4_194_304.0;
 
 /// Refuses the step of a field from `before` to `x` if rounding changes an integral, or the step leads across a jump of an integral.
@@ -47,8 +54,8 @@ pub(crate) fn check_step<S: Graded<R>, R: Real, P: Probe<S, R>, C>(
 
 /// Refuses a step of a canonical system, from `before` to `after`, that changes the energy by more than rounding.
 ///
-/// A step with patience may have accepted an equation that is solved to its measured rounding only. Next to a bend of the energy the measure can take the bend
-/// for rounding. Where an angle moves by half a turn, its divided differences jump, and an equation may be taken for solved on both sides of the jump.
+/// A step with patience trusts the measured rounding of its equation. Next to a bend of the energy (`abs`), the bend may look like rounding. Where an
+/// angle moves by half a turn, its divided differences jump, and an equation may look solved on both sides of the jump.
 ///
 /// The bound is relative to the energy and to the products of coordinates and forces. Terms that cancel are not among them:
 /// [`MOST_OF_ENERGY`] leaves room for their rounding.
@@ -73,9 +80,10 @@ fn check_energy<S: Graded<R>, R: Real>(system: &S, before: &S::Phase, after: &S:
     if change.magnitude() > most { Err(Refusal::Rounded) } else { Ok(()) }
 }
 
-/// Refuses a step from `before` by any method to `end`, and corrected from there to `after`, if a coordinate leaps and rounding changes an
-/// invariant, or if the step leads across a jump of an integral. The change of the invariants is not checked again: the correction has already
-/// reduced it to the rounding of the cancelling forces.
+/// Refuses a step that any method has led from `before` to `end`, and a projection from there to `after`.
+///
+/// It is refused if it leads across a jump of an integral, or if a coordinate leaps and rounding on the way changes an invariant. The change of the
+/// invariants themselves is not checked again: the correction has already reduced it to rounding.
 #[inline(always)]
 pub(super) fn check_correction<S: PhaseSpace<R, Action = ()>, R: Real, I: Invariants<S, R>>(
     system: &S,
@@ -102,10 +110,8 @@ fn leaps<A: Array>(before: &A, after: &A) -> bool {
     leaps
 }
 
-/// Refuses a step from `start` to `end` if an invariant changes by more than [`MOST`] of its roundings at the ends of the step. The
-/// step is also refused if rounding may change the invariant by as much: coordinates are rounded by a part of their largest size on the way, and an
-/// invariant may be steep where they are smaller by orders of magnitude. Steps over a pole are like this. `uncorrected` is the end before a correction, and
-/// lies on the way, too.
+/// Refuses a step from `start` to `end` if an invariant changes by more than [`MOST`] of its roundings at the ends, or if rounding on the way may change
+/// it by as much. `uncorrected` is the end before a correction, and lies on the way, too.
 #[cold]
 #[inline(never)]
 fn refuse<S: PhaseSpace<R>, R: Real, I: Invariants<S, R>>(

@@ -1,8 +1,11 @@
 //! Steps by Taylor series, projected to invariants.
 //!
-//! Every step is led back to the invariants at the start of the run, so that errors do not add up from step to step. The reference is a stored state, the
-//! origin. If rounding dominates the change since the origin, the last state becomes the new origin, and the error that is left there is remembered. If
-//! an invariant reads an angle (`atan2`), only the sum over all steps knows its change: each step then corrects the errors of the steps before.
+//! Every step is led back to the invariants at the start of the run, so that errors do not add up from step to step. A stored state, the reference,
+//! stands for the start. It moves on in two cases, and the error that is left there is then remembered:
+//!
+//! - Rounding dominates the change of an invariant since the reference. The start of the step becomes the reference.
+//! - An invariant reads an angle (`atan2`). After a full turn the angle is back at its old value, so the change since an old state says nothing. Every step
+//!   then has its own start as reference.
 
 use super::invariants::Invariants;
 use super::projection::Projection;
@@ -27,30 +30,29 @@ impl<M: Sealed, I> Sealed for Projection<M, I> {}
 #[derive(Clone, Copy, Debug)]
 pub struct Memory<A, V> {
     scales: Scales<A>,
-    /// The start of the run, or a later point if rounding decides the changes since the start. Changes are those since the origin, because rounding would
-    /// add up from step to step.
-    origin: A,
-    /// Whether changes since the origin are summed over the steps. After a full turn an angle is back at the origin, so only the sum over steps knows
-    /// its change.
-    summed: bool,
-    /// The changes since the origin, or in the next step if changes are summed, that lead back to the invariants at the start of the run.
+    /// The state from which changes of the invariants are counted.
+    reference: A,
+    /// The changes since the reference that lead back to the invariants at the start of the run.
     wanted: V,
+    /// Whether the start of every step becomes the reference.
+    moves_on: bool,
 }
 
 impl<A: Array, V: Array<Real = A::Real>> Record<A::Real> for Memory<A, V> {
     fn record(&mut self, tape: &mut impl Tape<A::Real>) {
         self.scales.record(tape);
-        tape.array(&mut self.origin);
-        tape.flag(&mut self.summed);
+        tape.array(&mut self.reference);
         tape.array(&mut self.wanted);
+        tape.flag(&mut self.moves_on);
     }
 }
 
-/// A change since the origin that differs from the sum over the steps by more than this many ε of its terms contains a turn.
+/// The change of an invariant in a step is measured in two ways: since the start of the step, and as a difference of changes since the reference. If
+/// the two differ by more than this many ε of the invariant's terms, an angle has turned. Rounding stays far below.
 const TURN: f64 = 1024.0;
 
 impl<A: Array, V: Array<Real = A::Real>> Memory<A, V> {
-    /// Returns whether the change of an invariant from the origin to `z` differs from the sum over the steps.
+    /// Returns whether an angle in an invariant has made a full turn between the reference and `z`, the end of a step from `before`.
     fn has_turned<S: VectorField<R, Phase = A>, R: Real, I: Invariants<S, R, Values = V>>(
         &self,
         system: &S,
@@ -58,9 +60,9 @@ impl<A: Array, V: Array<Real = A::Real>> Memory<A, V> {
         [before, z]: [&A; 2],
     ) -> bool {
         let since = |from: &A| invariants.changes(system, from, &difference(z, from));
-        let apart = difference(&since(&self.origin), &since(before));
+        let apart = difference(&since(&self.reference), &since(before));
         let mut sizes = Sizes::new();
-        sizes.include(&self.origin, &difference(z, &self.origin));
+        sizes.include(&self.reference, &difference(z, &self.reference));
         let gradients = [before, z].map(|z| invariants.gradients(system, z));
         let [first, last] = gradients.each_ref().map(V::entries_of);
         let terms = first.iter().zip(last).map(|(first, last)| sizes.terms(first) + sizes.terms(last));
@@ -111,49 +113,48 @@ where
     fn order(&self) -> usize {
         self.0.order()
     }
-    fn memory(origin: &S::Phase) -> Self::Memory {
-        Memory { scales: Scales::new(), origin: *origin, summed: S::ANGLES, wanted: I::Values::zero() }
+    fn memory(start: &S::Phase) -> Self::Memory {
+        Memory { scales: Scales::new(), reference: *start, wanted: I::Values::zero(), moves_on: S::ANGLES }
     }
     #[inline]
     fn correction(
         &self,
         memory: &mut Self::Memory,
         system: &S,
-        time: [R; 2],
+        [t, h]: [R; 2],
         [before, z]: [&S::Phase; 2],
     ) -> Result<Option<S::Phase>, Refusal> {
         memory.scales.include(before, &difference(z, before));
-        let is_first = difference(&memory.origin, before).as_slice().iter().all(|moved| moved.magnitude() == 0.0);
+        let is_first = difference(&memory.reference, before).as_slice().iter().all(|moved| moved.magnitude() == 0.0);
         if is_first && !is_representable(system, &self.1, before) {
             return Err(Refusal::OutOfRange);
         }
-        check_turns(system, time, [before, z])?;
-        if !memory.summed && !I::DERIVED && memory.has_turned(system, &self.1, [before, z]) {
-            // The step before has been led back to the invariants of the start.
-            (memory.summed, memory.wanted) = (true, I::Values::zero());
+        check_turns(system, [t, h], [before, z])?;
+        if !memory.moves_on && !I::DERIVED && memory.has_turned(system, &self.1, [before, z]) {
+            // The step before has been led back to the invariants of the start, so nothing is wanted since then.
+            (memory.wanted, memory.moves_on) = (I::Values::zero(), true);
         }
-        let Memory { scales, origin, summed, wanted } = memory;
-        let ends_in_time = [time[0], time[0] + time[1]];
-        let back = |from: &S::Phase, wanted: &I::Values| {
-            let back = way_back(system, &self.1, wanted, scales, [from, z])?.back;
-            check_correction(system, ends_in_time, &self.1, [from, z, &sum(z, &back)]).map(|()| back)
+        let Memory { scales, reference, wanted, moves_on } = memory;
+        if *moves_on {
+            *reference = *before;
+        }
+        let back = |reference: &S::Phase, wanted: &I::Values| {
+            let back = way_back(system, &self.1, wanted, scales, [reference, z])?.back;
+            check_correction(system, [t, t + h], &self.1, [reference, z, &sum(z, &back)]).map(|()| back)
         };
-        if *summed {
-            let back = back(before, wanted)?;
-            let moved = difference(&sum(z, &back), before);
-            *wanted = difference(wanted, &self.1.changes(system, before, &moved));
-            return Ok(Some(back));
-        }
-        let way = match back(origin, wanted) {
-            // Rounding dominates the change since the origin. `before` is the new origin, and `wanted` keeps the error that is left there.
-            Err(Refusal::Rounded) => {
-                *wanted = difference(wanted, &changes_from_steep_end(system, &self.1, origin, before));
-                *origin = *before;
-                back(before, wanted)
+        let way = match back(reference, wanted) {
+            Err(Refusal::Rounded) if !*moves_on => {
+                *wanted = difference(wanted, &changes_from_steep_end(system, &self.1, reference, before));
+                *reference = *before;
+                back(reference, wanted)?
             }
-            way => way,
+            way => way?,
         };
-        way.map(Some)
+        if *moves_on {
+            let moved = difference(&sum(z, &way), reference);
+            *wanted = difference(wanted, &self.1.changes(system, reference, &moved));
+        }
+        Ok(Some(way))
     }
     fn series(coefficient: impl FnMut(usize) -> R) -> M::Series {
         M::series(coefficient)

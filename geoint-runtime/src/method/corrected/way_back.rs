@@ -13,11 +13,10 @@ use crate::space::vector::{self, difference, scaled, sum};
 use crate::system::VectorField;
 use core::cell::Cell;
 
-/// Corrections of less than this part of the coordinates are near: the terms of invariants, products of coordinates and gradients, hardly change on
-/// such a way. Empirical.
+/// A correction is near if each coordinate changes by less than this part of its size. The gradients hardly change on such a way. The value is empirical.
 const NEAR: f64 = 1.0 / 16.0;
 
-/// The longest correction, as a part of the step. After a longer one, the result may be any other point with these invariants.
+/// The longest correction that is not near, as a part of the step. After a longer one, the result may be any other point with these invariants.
 const LONGEST_PART: f64 = 0.5;
 
 /// The correction of a step.
@@ -27,15 +26,18 @@ pub(super) struct WayBack<Z> {
     pub(super) decided: Z,
 }
 
-/// Returns the way from `end` to where the invariants have changed by `wanted` since `before`.
+/// Returns the way from `end` to the nearest point at which each invariant differs by `wanted` from its value at `before`.
 ///
-/// A simplified Newton iteration finds the multipliers, with the gradients at `end`. It fails near a circular orbit, and near any other orbit on which an
-/// invariant has an extremum where the others are constant: gradients are parallel there, and nearby they turn too much on the way of a correction. If the
-/// simplified iteration fails or leads far, a second iteration therefore evaluates the gradients at each point.
+/// It is found by up to two iterations:
+///
+/// 1. The simplified Newton iteration: the way is a combination of the gradients at `end`, and only its multipliers are unknown. It needs one evaluation
+///    of the invariants each time.
+/// 2. Newton's iteration with the gradients at each new point, if the first iteration fails or leads far. This happens where gradients are parallel, for
+///    instance those of energy and momentum on a circular orbit: close to such a point, they turn much on the way of a correction.
 ///
 /// # Errors
-/// [`Refusal::NotConverged`] of the simplified iteration if both fail, or of the second one if the simplified iteration has led far. [`Refusal::LedAstray`] if the correction is longer than half of the step and not
-/// near.
+/// - [`Refusal::LedAstray`] if the way is longer than half of the step and not near.
+/// - [`Refusal::NotConverged`] if no iteration converges: of the first one if both fail, else of the second one.
 #[inline(always)]
 pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
     system: &S,
@@ -102,8 +104,8 @@ struct Equation<'a, S: VectorField<R>, R: Real, I: Invariants<S, R>> {
 }
 
 impl<S: VectorField<R>, R: Real, I: Invariants<S, R>> Equation<'_, S, R, I> {
-    /// Whether the energy may jump. Corrections may then go from one side of the jump to the other for ever. The iteration must not accept this as
-    /// rounding, and ends with [`Refusal::NotConverged`].
+    /// Whether the energy may jump. Corrections may then go from one side of the jump to the other for ever. This is no rounding, and ends with
+    /// [`Refusal::NotConverged`].
     const JUMPS: bool = I::KEEP_ENERGY && !S::JUMPS.is_empty();
 
     /// Returns the residual I(before + increment) − I(before) − wanted, and stores the increment in `decided`.
@@ -144,13 +146,11 @@ impl<S: VectorField<R>, R: Real, I: Invariants<S, R>> Equation<'_, S, R, I> {
         near(zero()).is_some_and(|residual| noise::explains(&rounding, &residual, &terms))
     }
 
-    /// Returns for each coordinate the part of the correction that rounding explains, from 0 to 1. [`Scales::units`] turns it into a least unit.
+    /// Returns for each coordinate which part of the correction its own rounding explains, from 0 to 1. [`Scales::units`] turns it into a least unit.
     ///
-    /// For an invariant, the part is the rounding of its terms relative to its residual. For a coordinate, it is the least part of all invariants that
-    /// read the coordinate.
-    ///
-    /// The gradient is also evaluated at a point as far away as the correction may lead. If a slope differs there by more than half, the part is zero: a slope that
-    /// nearly vanishes would ask for a correction far away.
+    /// An invariant explains the part (rounding of its terms)/(residual). A coordinate takes the least part of the invariants that read it. The part is zero
+    /// for a slope that nearly vanishes, which would ask for a long correction: such a slope differs by more than half at a point as far away as the
+    /// correction may lead.
     #[cold]
     #[inline(never)]
     fn explained_by_rounding(&self, gradients: &<I::Values as Array>::Map<S::Phase>, moved: &S::Phase) -> S::Phase {
