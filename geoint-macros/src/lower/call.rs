@@ -41,8 +41,8 @@ impl Lowering {
         // What is captured may be read, not assigned to.
         self.scopes.close(Around::Function);
         self.scopes.enter();
-        for (pattern, argument) in callable.parameters.iter().zip(arguments) {
-            self.bind(pattern, argument);
+        for (pattern, argument) in callable.parameters.iter().zip(&arguments) {
+            self.bind(pattern, argument.clone());
         }
         let value = self.expr(&callable.body);
         self.calls.pop();
@@ -51,7 +51,7 @@ impl Lowering {
         if let Some(call) = call.filter(|_| self.errors.len() == errors) {
             self.note_partial();
             let conditions = (self.noted_partial > noted).then(|| self.conditions.clone());
-            self.inlined.insert(call, (callable, sees), Inlined { value: value.clone(), conditions });
+            self.inlined.insert(call, (callable, sees), arguments, Inlined { value: value.clone(), conditions });
         }
         value
     }

@@ -188,7 +188,7 @@ fn denominators(graph: &mut Graph, node: Id) -> Vec<Denominator> {
     }
 }
 
-/// Returns whether a node is undefined on one side of a point of its domain: true for √x, false for √(x²).
+/// Returns whether a node that is not defined everywhere is undefined on one side of a point of its domain: true for √x, false for √(x²).
 pub(crate) fn has_edge(graph: &Graph, node: Id) -> bool {
     match graph.node(node) {
         Node::Power(base, exponent) => !exponent.is_integer() && graph.sign(*base) == Sign::Unknown,

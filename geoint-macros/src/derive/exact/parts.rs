@@ -1,4 +1,10 @@
-//! The pieces of x' = S(x) ∇H: by the terms of H, and by planes.
+//! The pieces of x' = S(x) ∇H, for four splittings:
+//!
+//! - by terms of H, whose flows are known,
+//! - by planes, in each of which two coordinates move and the flow is known,
+//! - by planes in which an implicit equation is solved, with discrete gradients or with increments (Itoh–Abe).
+//!
+//! `split` finds the pieces. This file turns them into kernels, or states why there are none.
 
 use crate::analyze::{claims, search};
 use crate::derive::implicit;
@@ -9,25 +15,28 @@ use crate::messages::{AT_REST, CHANGED, DAMPED_FLOW, NO_STRUCTURE, NOT_PLANAR, N
 use crate::schedule::{Kernel, Levels};
 use crate::split::{self, Clock, Motion, NoPart, Part};
 
-/// S of x' = S(x) ∇I.
+/// The antisymmetric matrix S and the integral I of x' = S(x) ∇I.
 #[derive(Clone, Debug)]
 pub(crate) struct Parted {
     /// I.
     pub(crate) integral: Id,
     pub(crate) matrix: Vec<Vec<Id>>,
-    /// Whether it is known to make a Poisson bracket.
+    /// Whether S is proven to satisfy the Jacobi identity, so that it makes a Poisson bracket.
     pub(crate) poisson: bool,
-    /// Of an S that was searched for, whether it is the only one of its kind.
+    /// If S was searched for: whether no other S of the same form exists.
     pub(crate) unique: Option<bool>,
 }
 
 impl Parted {
-    /// Of an S that is known.
+    /// Returns the matrix that the user has written.
     pub(crate) fn of_structure(integral: Id, matrix: &[Vec<Id>], poisson: bool) -> Parted {
         Parted { integral, matrix: matrix.to_vec(), poisson, unique: None }
     }
 
-    /// Of the first function that a field keeps: the field is J ∇I, or S is searched for.
+    /// Finds a matrix for the first integral of a field, named or found.
+    ///
+    /// Some fields have an energy with a constant matrix (`flow.energy`), which is a Poisson matrix. If it does not belong to the named integral, S is
+    /// searched for.
     pub(crate) fn of_field(graph: &mut Graph, flow: &Flow) -> Option<Parted> {
         let x = coordinates(flow.field.len());
         let kept = flow.first().map(|named| named.conserved.value);
@@ -37,7 +46,7 @@ impl Parted {
         {
             return Some(Parted { integral, matrix: matrix.clone(), poisson: true, unique: None });
         }
-        // What steps keep is the same, whatever the unit is.
+        // An integral in other units, I/c, is kept as well as I. For one of the two the search may succeed.
         let (_, unit) = claims::in_units(graph, integral);
         let (integral, search::Structure { matrix, unique }) = [integral, unit].into_iter().find_map(|integral| {
             let found = search::structure(graph, &x, &flow.field, integral)?;
@@ -48,12 +57,14 @@ impl Parted {
     }
 }
 
-/// A splitting of x' = S(x) ∇I: its name, what nothing implements where it has no pieces, and what is said then.
+/// A splitting of x' = S(x) ∇I.
 struct Splitting {
     name: &'static str,
+    /// The trait that stays unimplemented if there are no pieces, so that rustc prints the message.
     marker: &'static str,
+    /// The message if there are no pieces.
     why: &'static str,
-    /// What two coordinates do that are in the way.
+    /// The verb of the message if two coordinates are the reason.
     pair: &'static str,
 }
 
@@ -69,7 +80,7 @@ const BY_INCREMENTS: Splitting =
 /// The pieces of every splitting of a flow.
 pub(crate) fn parts(graph: &mut Graph, flow: &Flow, parted: Option<&Parted>, damped: bool) -> Vec<PiecesOf<Kernel>> {
     let Some(Parted { integral, matrix, poisson, .. }) = parted else {
-        // Without anything that is kept there is nothing to split by.
+        // Without S there is nothing to split. The message depends on whether an integral is kept, is changed by the field, or is not named at all.
         return match (flow.first(), flow.kept.first()) {
             (Some(first), _) => none(first.conserved.value, NO_STRUCTURE),
             (None, Some(changed)) => none(changed.conserved.value, CHANGED),
@@ -97,6 +108,7 @@ pub(crate) fn parts(graph: &mut Graph, flow: &Flow, parted: Option<&Parted>, dam
             Ok(parts) => Ok(parts.into_iter().map(|part| kernel(graph, part)).collect()),
             Err(none) => Err(missing(none)),
         };
+        // Each piece by terms is a Hamiltonian flow. Each piece by planes keeps the integral, unless it reads time.
         let by_terms = name == BY_TERMS.name;
         pieces_of(name, kernels, by_terms && *poisson, !by_terms && autonomous)
     };

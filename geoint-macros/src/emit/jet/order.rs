@@ -6,7 +6,7 @@
 //! - A *sum* is the part of a coefficient that reads lower orders only, such as Σ uₖ vₙ₋ₖ for 0 < k < n.
 //! - *Central* groups are the forces between pairs of bodies, such as (x, y, z)/r³. The runtime computes all groups of one force in one loop.
 //!
-//! This file decides the order in which the coefficients are emitted: first all sums, then each series after those that it reads at the same order.
+//! This file decides the order in which the coefficients are emitted: first the sums of all groups, then each series after those that it reads at the same order.
 
 use super::Writer;
 use super::arrays::{Stored, coefficient, kept, newest, side_by_side, weighted};
@@ -43,7 +43,7 @@ impl Writer<'_> {
             ..Order::default()
         };
         let unit = self.number(Prepared::Unit);
-        // Sums read lower orders only, so all of them come first. Sums beside their readers would be 5 % faster for planets with registers of four
+        // Sums read lower orders only, so those of groups come first. Sums beside their readers would be 5 % faster for planets with registers of four
         // numbers, and 10 % slower without such registers and for a double pendulum.
         for place in 0..groups {
             if !self.is_central(place) {

@@ -20,13 +20,13 @@ use crate::system::{Graded, Invariants, KeptBy, PhaseSpace, jump_of_integral};
 /// a leap, and long runs a tenth slower.
 const MOST: f64 = 16384.0;
 
-/// A step with patience may change the energy by this many of its roundings (2²², empirical). The terms of forces that cancel are rounded by more, and are
+/// A step of a canonical system may change the energy by this many of its roundings (2²², empirical). The terms of forces that cancel are rounded by more, and are
 /// not known here. In single precision 2²² ε is half of the energy, so the bound there is √ε.
 const MOST_OF_ENERGY: f64 = 4_194_304.0;
 
 /// Refuses the step of a field from `before` to `x` if rounding changes an integral, or the step leads across a jump of an integral.
 ///
-/// Jumps refuse any attempt, rounding only attempts with patience. The first attempt of a steep field is marked as doubtful if a coordinate leaps, and
+/// Of fields, jumps refuse any attempt, rounding only attempts with patience. The first attempt of a steep field is marked as doubtful if a coordinate leaps, and
 /// the caller repeats it with patience.
 ///
 /// In canonical systems only the energy is checked, by [`check_energy`]: in attempts with patience, and always if the energy reads an angle.
@@ -80,7 +80,7 @@ fn check_energy<S: Graded<R>, R: Real>(system: &S, before: &S::Phase, after: &S:
     if change.magnitude() > most { Err(Refusal::Rounded) } else { Ok(()) }
 }
 
-/// Refuses a step that any method has led from `before` to `end`, and a projection from there to `after`.
+/// Refuses a way that any method has led from `before` to `end`, and a projection from there to `after`. `t` holds the times of the last step.
 ///
 /// It is refused if it leads across a jump of an integral, or if a coordinate leaps and rounding on the way changes an invariant. The change of the
 /// invariants themselves is not checked again: the correction has already reduced it to rounding.

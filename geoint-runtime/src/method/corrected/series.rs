@@ -47,8 +47,8 @@ impl<A: Array, V: Array<Real = A::Real>> Record<A::Real> for Memory<A, V> {
     }
 }
 
-/// The change of an invariant in a step is measured in two ways: since the start of the step, and as a difference of changes since the reference. If
-/// the two differ by more than this many ε of the invariant's terms, an angle has turned. Rounding stays far below.
+/// The step before has been led back, so an invariant has changed by the same amount since the start of this step and since the reference. If the two
+/// amounts differ by more than this many ε of the invariant's terms, an angle has turned. Rounding stays far below.
 const TURN: f64 = 1024.0;
 
 impl<A: Array, V: Array<Real = A::Real>> Memory<A, V> {
@@ -72,8 +72,8 @@ impl<A: Array, V: Array<Real = A::Real>> Memory<A, V> {
 
 /// Returns the change of each invariant from one point to another.
 ///
-/// The increment between the points is rounded by ε times the larger of both. This error matters least if the increment starts at the point at which the
-/// invariant is steeper.
+/// The function `changes` takes one point exactly, and the other one as an increment, which is rounded. The exact point is here the one at which the invariant
+/// is steeper, because the same rounding changes the invariant more there.
 fn changes_from_steep_end<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
     system: &S,
     invariants: &I,
@@ -125,11 +125,14 @@ where
         [before, z]: [&S::Phase; 2],
     ) -> Result<Option<S::Phase>, Refusal> {
         memory.scales.include(before, &difference(z, before));
-        let is_first = difference(&memory.reference, before).as_slice().iter().all(|moved| moved.magnitude() == 0.0);
-        if is_first && !is_representable(system, &self.1, before) {
+        // No step has left the reference yet, or an orbit has come back to it. A second check costs little.
+        let at_reference =
+            difference(&memory.reference, before).as_slice().iter().all(|moved| moved.magnitude() == 0.0);
+        if at_reference && !is_representable(system, &self.1, before) {
             return Err(Refusal::OutOfRange);
         }
         check_turns(system, [t, h], [before, z])?;
+        // `S::ANGLES` covers the invariants that are derived. Those written by the user may read an angle, too.
         if !memory.moves_on && !I::DERIVED && memory.has_turned(system, &self.1, [before, z]) {
             // The step before has been led back to the invariants of the start, so nothing is wanted since then.
             (memory.wanted, memory.moves_on) = (I::Values::zero(), true);

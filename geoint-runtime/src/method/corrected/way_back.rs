@@ -1,4 +1,4 @@
-//! The shortest correction of the end of a step that gives invariants their earlier values. Its length is measured in the units of [`Scales`].
+//! The correction of the end of a step that gives invariants their earlier values. Its length is measured in the units of [`Scales`].
 
 use super::frame::Frame;
 use super::invariants::Invariants;
@@ -26,9 +26,10 @@ pub(super) struct WayBack<Z> {
     pub(super) decided: Z,
 }
 
-/// Returns the way from `end` to the nearest point at which each invariant differs by `wanted` from its value at `before`.
+/// Returns a short way from `end` to a point at which each invariant differs by `wanted` from its value at `before`.
 ///
-/// It is found by up to two iterations:
+/// `before` is the start of the step, or an earlier state if a Taylor series counts changes from there; "step" means the way from `before` to `end`. The way
+/// back is found by up to two iterations:
 ///
 /// 1. The simplified Newton iteration: the way is a combination of the gradients at `end`, and only its multipliers are unknown. It needs one evaluation
 ///    of the invariants each time.
@@ -47,7 +48,7 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
     [before, end]: [&S::Phase; 2],
 ) -> Result<WayBack<S::Phase>, Refusal> {
     let moved = &difference(end, before);
-    // A coordinate is rounded by ε times its largest magnitude in this step. Its magnitude in earlier steps does not matter.
+    // A coordinate is rounded by ε times its largest magnitude between both points. Its magnitude in earlier steps does not matter.
     let mut sizes = Sizes::new();
     sizes.include(before, moved);
     let equation = Equation { system, invariants, wanted, before, sizes, decided: Cell::new(*moved) };
@@ -81,7 +82,7 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
     let back = match correct(I::Values::zero(), is_noise, simplified) {
         Ok(multipliers) => {
             let back = at_end.back(&multipliers);
-            // The terms at a far end are larger, so a residual that is rounding there may be too large here.
+            // After a long way, the accepted residual was measured at `end`, where the terms may be much larger than at the solution.
             if sizes.all_within(&back, NEAR) { back } else { turning_from(sum(moved, &back))? }
         }
         Err(refusal) => turning_from(*moved).map_err(|_: Refusal| refusal)?,
