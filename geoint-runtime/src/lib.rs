@@ -187,7 +187,7 @@ pub use method::{Claims, Method};
 pub use nalgebra;
 #[doc(inline)]
 pub use running::{
-    Adaptive, Crossing, Dense, Direction, Integrator, Reason, Run, StepError, TaylorIntegrator, Trajectory,
+    Adaptive, Crossing, Dense, Direction, Integrator, IntoIntegrator, Reason, StepError, TaylorIntegrator, Trajectory,
 };
 #[doc(inline)]
 pub use scalar::Real;
@@ -212,11 +212,11 @@ pub mod prelude {
         Adaptive, BodyState, ContactDiscreteGradient, ContactGauss, ContactLeapfrog, ContactMidpoint, ContactSplitting,
         ContactState, CoordinateIncrement, DOP853, Dense, Direction, DiscreteGradient, Energy, ExplicitEuler,
         FiveRotations, FlowState, FourthOrder, Gauss, Gonzalez, Hamiltonian, ImplicitMidpoint, Integrals, Integrator,
-        ItohAbe, ItohAbeAdjoint, ItohAbePair, Kahan, MeanValue, Method, Perturbation, PhaseSpace, PieceSplitting,
-        PlanarDiscreteGradient, PlanarItohAbe, PlanarItohAbeAdjoint, PlanarItohAbePair, PlanarSplitting,
-        PoissonSplitting, PositionVerlet, Projection, RK4, Rattle, Relaxation, Run, State, StepError, StormerVerlet,
-        SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, Taylor, TaylorFixed, TaylorOrder, Trajectory,
-        contact_hamiltonian, energy_function, hamiltonian, lagrangian, vector_field,
+        IntoIntegrator, ItohAbe, ItohAbeAdjoint, ItohAbePair, Kahan, MeanValue, Method, Perturbation, PhaseSpace,
+        PieceSplitting, PlanarDiscreteGradient, PlanarItohAbe, PlanarItohAbeAdjoint, PlanarItohAbePair,
+        PlanarSplitting, PoissonSplitting, PositionVerlet, Projection, RK4, Rattle, Real, Relaxation, State, StepError,
+        StormerVerlet, SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, Taylor, TaylorFixed, TaylorOrder,
+        Trajectory, contact_hamiltonian, energy_function, hamiltonian, lagrangian, vector_field,
     };
 }
 

@@ -1,7 +1,7 @@
 //! `f32`: every method runs as long as in `f64`, and its energy obeys the same law, to the rounding of `f32`.
 
 use geoint_runtime::prelude::*;
-use geoint_runtime::{Claims, Hamiltonian, Method, Real, Run};
+use geoint_runtime::{Claims, Hamiltonian, IntoIntegrator, Method, Real};
 use geoint_tests::methods::{self, Visitor};
 use geoint_tests::problems::*;
 use std::marker::PhantomData;

@@ -2,7 +2,7 @@
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::{ByField, Collocated, Collocation};
-use geoint_runtime::{Hamiltonian, Method, Real, Run};
+use geoint_runtime::{Hamiltonian, IntoIntegrator, Method, Real};
 use geoint_tests::measure::Noise;
 use geoint_tests::problems::*;
 

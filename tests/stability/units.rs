@@ -1,7 +1,7 @@
 //! Units: a change of units by powers of two changes no result by a single bit, and energy is kept to rounding in all of them.
 
 use geoint_runtime::prelude::*;
-use geoint_runtime::{Hamiltonian, Method, Run};
+use geoint_runtime::{Hamiltonian, IntoIntegrator, Method};
 use geoint_tests::methods::{self, Visitor};
 use geoint_tests::problems::*;
 use std::marker::PhantomData;

@@ -98,7 +98,7 @@ impl Claims {
 )]
 pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
     /// What was proven of `S` and is needed: a property's own `Proof`, two of them by [`And`]. Where something is missing the compiler
-    /// knows no type here, nor that of [`Run::integrator`](crate::Run::integrator); the message that says what is missing is then
+    /// knows no type here, nor that of [`IntoIntegrator::integrator`](crate::IntoIntegrator::integrator); the message that says what is missing is then
     /// the only one.
     type Proof;
     /// Everything that depends on the method, the parameters and h. It stays as it is while steps are taken.

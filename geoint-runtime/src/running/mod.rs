@@ -9,7 +9,7 @@ mod integrator;
 mod named;
 mod number;
 mod output;
-mod run;
+mod into_integrator;
 #[cfg(feature = "alloc")]
 mod saved;
 mod settle;
@@ -27,10 +27,10 @@ pub use dense::{
 };
 pub use error::{Reason, StepError};
 pub use integrator::Integrator;
+pub use into_integrator::IntoIntegrator;
 #[cfg(feature = "alloc")]
 pub use named::{DynTrajectory, Named};
 pub use output::{Samples, StatesAt, Until};
-pub use run::Run;
 #[cfg(feature = "alloc")]
 pub use saved::{Bits, FORMAT, Resumable, ResumeError, Saved};
 pub use taylor::TaylorIntegrator;

@@ -204,7 +204,7 @@ fn compensated_sums_have_less_rounding() {
 fn ends_of_runs_are_starts() {
     fn check<M: Method<HeavyBody<f64>>>(method: M, h: f64)
     where
-        HeavyBody<f64>: Run<f64, State = BodyState<UnitQuaternion<f64>>>,
+        HeavyBody<f64>: IntoIntegrator<f64, State = BodyState<UnitQuaternion<f64>>>,
     {
         let name = method.name();
         let mut sim = Integrator::new(heavy(), method, h, start());

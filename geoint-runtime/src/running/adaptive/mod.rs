@@ -189,6 +189,11 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
         self.steps.restart(t, Point::with_action(z, s));
     }
 
+    /// Replaces the system by one with other parameters. Time, state, settings and the number of steps stay; the next step size is guessed anew.
+    pub fn set_system(&mut self, system: S) {
+        self.steps.set_system(system);
+    }
+
     /// Time now.
     pub fn time(&self) -> R {
         self.steps.time()

@@ -87,6 +87,15 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
         self.controller.turn(backwards);
     }
 
+    /// Goes on from here with another system.
+    pub(super) fn set_system(&mut self, system: S) {
+        (self.system, self.prepared, self.clear) =
+            (system, Prepared::new(&system, &self.method, 1.0), Clear::unknown());
+        let clock = self.clock;
+        self.restart(self.time(), self.x);
+        self.clock = clock;
+    }
+
     pub(super) fn time(&self) -> R {
         self.clock.now(zero())
     }

@@ -36,10 +36,8 @@ pub struct Crossings<'a, T: Dense, F, G> {
     near: G,
     /// Where no step is left: the functions that have been asked for a zero at the end.
     asked: usize,
-    /// Whether what whole steps leave of the way to the end is searched, too.
+    /// Whether a shorter step leads to the end if whole steps do not.
     all_the_way: bool,
-    /// Where whole steps have ended, if the run went on from there.
-    whole: Option<T>,
     done: bool,
 }
 
@@ -69,7 +67,6 @@ impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Crossings<
             near: G::zero(),
             asked: 0,
             all_the_way: false,
-            whole: None,
             done: false,
         }
     }
@@ -81,22 +78,17 @@ impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Crossings<
         self
     }
 
-    /// The first crossing up to the end, in what whole steps leave of the way, too; the run is where those have ended.
+    /// Returns the first crossing up to the end. If there is none, the run is at the end, to which a shorter step may lead.
     pub(super) fn first(mut self) -> Result<Option<Crossing<T::State>>, StepError> {
         self.all_the_way = true;
-        let found = self.next().transpose();
-        if let Some(whole) = self.whole {
-            *self.run = whole;
-        }
-        found
+        self.next().transpose()
     }
 
-    /// Goes the rest of the way to the end of the search, which is no whole step; `false` if there is none.
+    /// Takes a shorter step to the end of the search. Returns `false` if the run is there, or does not go there.
     fn go_on(&mut self) -> Result<bool, StepError> {
         let is_left = |t: &Scalar<T>| t.magnitude().is_finite() && !has_reached(self.run.time(), *t, self.backwards);
-        let ahead = self.all_the_way && self.whole.is_none() && self.backwards == self.run.steps_backwards();
+        let ahead = self.all_the_way && self.backwards == self.run.steps_backwards();
         let Some(t) = self.end.filter(|t| ahead && is_left(t)) else { return Ok(false) };
-        self.whole = Some(self.run.clone());
         self.run.end_at(t)?;
         Ok(true)
     }

@@ -120,8 +120,8 @@ pub trait Dense: Trajectory + Clone {
 
     /// Steps to where `g` changes sign first, but not beyond the time `t`: the run is then there, and goes on from there.
     ///
-    /// `None` if that does not happen: the run is then at `t`, or with fixed steps up to a step before; what is left of the way to `t` is
-    /// searched, too, by a step of part of the length.
+    /// `None` if that does not happen: the run is then at `t`. If `t` is no whole number of steps away, the last step is shorter. A game calls this once for
+    /// each frame.
     ///
     /// # Errors
     /// See [`StepError`]; the state is then the last good one, and where `g` is no function with events, that at which the search began.

@@ -118,6 +118,36 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integra
         *memory = M::memory();
     }
 
+    /// Replaces the system by one with other parameters. Time, state, settings and the number of steps stay as they are.
+    ///
+    /// A controller holds its torque for a while, and then sets another one:
+    ///
+    /// ```
+    /// use geoint_runtime::prelude::*;
+    ///
+    /// #[hamiltonian(force = torque)]
+    /// fn motor(q: f64, p: f64, m: f64, torque: f64) -> f64 {
+    ///     p * p / (2.0 * m) - q.cos()
+    /// }
+    ///
+    /// let mut sim = Motor { m: 2.0, torque: 0.0 }.integrator(DiscreteGradient, 0.01, State::new(2.0, 0.0));
+    /// for k in 1..=100 {
+    ///     let torque = -0.5 * sim.state().p;
+    ///     sim.set_system(Motor { torque, ..*sim.system() });
+    ///     sim.advance(10)?;
+    /// }
+    /// assert!(sim.energy() < -0.9);
+    /// # Ok::<(), StepError>(())
+    /// ```
+    pub fn set_system(&mut self, system: S) {
+        self.steps.leave();
+        let steps = &mut self.steps;
+        steps.system = system;
+        (steps.prepared, steps.memory) = (steps.method.prepare(&system, steps.clock.step_size()), M::memory());
+        // Other parameters may have other domains, poles and values to keep.
+        (steps.given, steps.origin, steps.clear) = (steps.taken, steps.x.z, Clear::unknown());
+    }
+
     /// What the next step says of the state before it does anything.
     pub(in crate::running) fn check_start(&self) -> Result<(), StepError> {
         self.steps.check_start()

@@ -138,6 +138,11 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> TaylorIntegrator<S, M, R> {
         self.steps.restart(t, (z, s));
     }
 
+    /// Replaces the system by one with other parameters. Time, state, settings and the number of steps stay.
+    pub fn set_system(&mut self, system: S) {
+        self.steps.set_system(system);
+    }
+
     /// Time now.
     pub fn time(&self) -> R {
         self.steps.time()

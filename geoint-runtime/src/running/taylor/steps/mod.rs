@@ -85,6 +85,14 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         self.progress = Progress::default();
     }
 
+    /// Goes on from here with another system.
+    pub(in crate::running) fn set_system(&mut self, system: S) {
+        (self.system, self.clear) = (system, Clear::unknown());
+        let (clock, x) = (self.here().clock, self.here().x);
+        self.restart(self.time(), (x.z, x.s));
+        self.here_mut().clock = clock;
+    }
+
     /// Everything but the coefficients.
     #[cfg(feature = "alloc")]
     pub(super) fn record(&mut self, tape: &mut impl Tape<R>) {

@@ -6,7 +6,7 @@ use crate::scalar::Real;
 use crate::system::{PhaseSpace, Rates, StateOf};
 
 /// A system that can be put under a method.
-pub trait Run<R: Real = f64>: PhaseSpace<R> {
+pub trait IntoIntegrator<R: Real = f64>: PhaseSpace<R> {
     /// This system under a method, with step size `h` (negative to go back in time), from `state` on.
     ///
     /// Nothing is checked yet: an unusable `h` or state is reported by the first step.
@@ -25,4 +25,4 @@ pub trait Run<R: Real = f64>: PhaseSpace<R> {
     }
 }
 
-impl<S: PhaseSpace<R>, R: Real> Run<R> for S {}
+impl<S: PhaseSpace<R>, R: Real> IntoIntegrator<R> for S {}

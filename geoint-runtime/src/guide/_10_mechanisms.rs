@@ -1,0 +1,1 @@
+//! Lagrangians, mechanisms, constraints.

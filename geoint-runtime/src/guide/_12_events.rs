@@ -1,0 +1,1 @@
+//! Events, sections, states between steps.

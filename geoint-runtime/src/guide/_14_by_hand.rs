@@ -1,0 +1,1 @@
+//! When the macro cannot help.
