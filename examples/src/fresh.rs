@@ -1,9 +1,9 @@
-//! Are the figures in the repository those which the examples draw?
+//! Checks that the figures in the repository are those which the examples draw.
 //!
-//! `cargo run -p geoint-examples --bin fresh` compares the files in `examples/figures` with those that all examples have just
-//! written; with the argument `update` it replaces them. On the machine that drew them the files are equal. Another processor or
-//! another library of elementary functions rounds otherwise: then all texts are equal, and no point of a curve is more than a
-//! pixel away from the other curve. Curves that are roundings themselves, or depend on them, have only to be there.
+//! `cargo run -p geoint-examples --bin fresh` compares the files in `examples/figures` with the files that all examples have just
+//! written; with the argument `update` it replaces them. On the same machine the files are equal. Another processor or another library
+//! of elementary functions rounds differently: then all texts are equal, and no point of a curve is more than a pixel away from the
+//! other curve. Curves that depend on rounding errors may differ in their points.
 
 use geoint_examples::output;
 use std::collections::BTreeSet;
@@ -13,7 +13,7 @@ use std::path::Path;
 
 type Point = (f64, f64);
 
-/// A pixel, in the units of the figures.
+/// A pixel in the units of the figures.
 const PIXEL: f64 = 10.0;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -44,7 +44,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
 }
 
-/// The names of the figures in a folder.
+/// Returns the names of the figures in a folder.
 fn figures(folder: &Path) -> Result<BTreeSet<String>, Box<dyn Error>> {
     let mut names = BTreeSet::new();
     for file in fs::read_dir(folder)? {
@@ -56,19 +56,17 @@ fn figures(folder: &Path) -> Result<BTreeSet<String>, Box<dyn Error>> {
     Ok(names)
 }
 
-/// What a reader could see of the difference between two figures.
+/// Describes a visible difference between two figures.
 fn difference(old: &str, new: &str) -> Option<String> {
     if old.is_empty() || new.is_empty() {
-        return Some("there is but one of them".into());
+        return Some("one of the two files is missing".into());
     }
     if old.lines().count() != new.lines().count() {
-        return Some("other elements".into());
+        return Some("the number of elements differs".into());
     }
     old.lines().zip(new.lines()).find_map(|(old, new)| {
         let [a, b] = [old, new].map(|line| line.split_once(" d=\"").unwrap_or((line, "")));
-        // Where a text stands follows from what it names.
-        let said = |element: &str| element.rsplit_once("fill=\"#333\">").map(|text| text.1.to_owned());
-        if said(a.0) != said(b.0) || said(a.0).is_none() && a.0 != b.0 {
+        if without_place(a.0) != without_place(b.0) {
             return Some(format!("`{}` in place of `{}`", b.0, a.0));
         }
         if a.0.contains("class=\"rounding\"") {
@@ -79,13 +77,19 @@ fn difference(old: &str, new: &str) -> Option<String> {
     })
 }
 
-/// The parts of a path: each begins at a place; then come differences.
+/// Removes the attributes of a text, because its place depends on numbers. Other elements stay as they are.
+fn without_place(element: &str) -> &str {
+    let text = element.strip_prefix("<text ").and_then(|text| text.split_once('>'));
+    text.map_or(element, |text| text.1)
+}
+
+/// Reads the parts of a path: each begins at a place; differences follow.
 fn parts(path: &str) -> Vec<Vec<Point>> {
     path.split('M').skip(1).map(part).collect()
 }
 
 fn part(path: &str) -> Vec<Point> {
-    // A minus sign separates numbers, and so does a command.
+    // Minus signs and commands separate numbers.
     let spaced = path.replace('-', " -").replace(|c: char| c.is_alphabetic() || c == '"', " ");
     let numbers: Vec<f64> = spaced.split_whitespace().filter_map(|number| number.parse().ok()).collect();
     let mut at = (0.0, 0.0);
@@ -96,7 +100,7 @@ fn part(path: &str) -> Vec<Point> {
     numbers.chunks_exact(2).map(step).collect()
 }
 
-/// How far a point of some lines is from other lines at most.
+/// Returns the largest distance of a point of some lines from other lines.
 fn apart(lines: &[Vec<Point>], others: &[Vec<Point>]) -> f64 {
     let nearest = |point: &Point| others.iter().map(|line| distance(*point, line)).fold(f64::INFINITY, f64::min);
     lines.iter().flatten().map(nearest).fold(0.0, f64::max)
@@ -127,12 +131,12 @@ mod tests {
 
     #[test]
     fn roundings_are_no_difference_and_pixels_are() {
-        // Another point on the same line, and one that is half a pixel away.
+        // Another point on the same line, and one at a distance of half a pixel.
         assert_eq!(difference(LINE, "<path fill=\"none\" d=\"M0 0l50 0 50 0 100 55-20-7\"/>"), None);
         assert!(difference(LINE, "<path fill=\"none\" d=\"M0 0l100 0 100 90-20-7\"/>").is_some());
         assert!(difference(LINE, "<path fill=\"red\" d=\"M0 0l100 0 100 50-20-7\"/>").is_some());
         assert!(difference(LINE, "").is_some());
-        let text = |text: &str, y: i32| format!("<text x=\"1\" y=\"{y}\" fill=\"#333\">{text}</text>");
+        let text = |text: &str, y: i32| format!("<text x=\"1\" y=\"{y}\">{text}</text>");
         assert_eq!(difference(&text("a", 1), &text("a", 5)), None);
         assert!(difference(&text("a", 1), &text("b", 1)).is_some());
     }

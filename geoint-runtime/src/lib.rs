@@ -1,8 +1,7 @@
 //! Geometric integrators for energies written as ordinary Rust functions.
 //!
-//! Write an energy, put [`#[hamiltonian]`](hamiltonian) above it, and you have a system. The attribute differentiates the
-//! function symbolically at compile time, proves what structure it has, and emits kernels for exactly that structure; this
-//! crate composes them into methods that keep what the flow keeps.
+//! Write an energy and put an attribute above it. The attribute differentiates the function at compile time, proves its structure, and writes integrators for
+//! this system.
 //!
 //! ```
 //! use geoint_runtime::prelude::*;
@@ -21,111 +20,37 @@
 //! # Ok::<(), StepError>(())
 //! ```
 //!
-//! Next: [which method](#which-method) is for your problem, [the table of all methods](#methods), and
-//! [systems with friction, driving forces and heat](#dissipative-and-driven-systems), [Lagrangians](#lagrangians), and
-//! [differential equations with first integrals](#vector-fields-and-first-integrals).
+//! | your question | page |
+//! |---|---|
+//! | How do I start? | [first picture](guide::_01_first_picture) |
+//! | Which attribute fits my variables? | [`hamiltonian`], [`lagrangian`], [`contact_hamiltonian`], [`vector_field`]: [which attribute](guide::_02_which_attribute) |
+//! | Which method, and which step size? | [which method](guide::_03_which_method), [a run in practice](guide::_06_runs) |
+//! | Planets? Mechanisms? Friction? Rigid bodies? Games? | [planets](guide::_09_planets), [mechanisms](guide::_10_mechanisms), [friction](guide::_08_friction), [fields and bodies](guide::_11_fields), [real time](guide::_13_real_time) |
+//! | How large may my problem be? | [limits](guide::_18_limits), [systems written by hand](guide::_14_by_hand) |
+//! | I know another library. | [coming from](guide::_15_coming_from) |
+//! | Which methods exist? | [`method`], with a table of all |
+//! | A message stops me. | [errors and remedies](guide::_16_errors) |
 //!
-#![doc = include_str!("../docs/figures/outer_solar_system_energy.svg")]
-//!
-#![doc = include_str!("../docs/which_method.md")]
-//!
-#![doc = include_str!("../docs/figures/energy_exact.svg")]
-//!
-#![doc = include_str!("../docs/contact.md")]
-//!
-#![doc = include_str!("../docs/figures/contact_compared.svg")]
-//!
-#![doc = include_str!("../docs/lagrangians.md")]
-//!
-#![doc = include_str!("../docs/flows.md")]
-//!
-//! # What a method needs
-//!
-//! What was proven of a system are traits: [`Separable`], [`QuadraticKinetic`]. A method asks for the traits that it
-//! needs, so that a method which would silently be wrong for a system is a type error, whose message names the term that is
-//! in the way. What was derived can be read in the docs of the generated struct and in its constant `REPORT`.
-//!
-//! # Invariants of your own
-//!
-//! The energy is an invariant that is known. Others are told: how much they change over an increment, and their gradients.
-//!
-//! ```
-//! use geoint_runtime::prelude::*;
-//! use geoint_runtime::{Invariants, Real};
-//!
-//! /// Two bodies; q is the vector between them.
-//! #[hamiltonian]
-//! fn kepler(q: [f64; 2], p: [f64; 2], m: f64, k: f64) -> f64 {
-//!     (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) - k / (q[0] * q[0] + q[1] * q[1]).sqrt()
-//! }
-//!
-//! /// L = q₀p₁ − q₁p₀.
-//! #[derive(Clone, Copy)]
-//! struct AngularMomentum;
-//!
-//! impl Invariants<Kepler> for AngularMomentum {
-//!     type Values = f64;
-//!
-//!     /// (q + dq) × (p + dp) − q × p, multiplied out: a difference of two values would lose digits.
-//!     fn changes(&self, _: &Kepler, [q, p]: &[[f64; 2]; 2], [dq, dp]: &[[f64; 2]; 2]) -> f64 {
-//!         let cross = |a: &[f64; 2], b: &[f64; 2]| a[0] * b[1] - a[1] * b[0];
-//!         cross(dq, p) + cross(q, dp) + cross(dq, dp)
-//!     }
-//!     fn gradients(&self, _: &Kepler, [q, p]: &[[f64; 2]; 2]) -> [[f64; 2]; 2] {
-//!         [[p[1], -p[0]], [-q[1], q[0]]]
-//!     }
-//! }
-//!
-//! let angular_momentum = |x: &State<[f64; 2]>| x.q[0] * x.p[1] - x.q[1] * x.p[0];
-//! let start = State::new([1.0, 0.0], [0.0, 2.5]);
-//! let mut sim = Kepler { m: 2.0, k: 3.0 }.integrator(Projection(RK4, (Energy, AngularMomentum)), 0.05, start);
-//! let energy = sim.energy();
-//! sim.advance(10_000)?;
-//! assert!((sim.energy() / energy - 1.0).abs() < 1e-13);
-//! assert!((angular_momentum(&sim.state()) / angular_momentum(&start) - 1.0).abs() < 1e-13);
-//! # Ok::<(), StepError>(())
-//! ```
-//!
-//! # Steps as long as their error allows
-//!
-//! ```
-//! # use geoint_runtime::prelude::*;
-//! # #[hamiltonian]
-//! # fn kepler(q: [f64; 2], p: [f64; 2], m: f64, k: f64) -> f64 {
-//! #     (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) - k / (q[0] * q[0] + q[1] * q[1]).sqrt()
-//! # }
-//! // A comet of eccentricity 0.9: at its perihelion steps are a hundred times shorter than far outside.
-//! let start = State::new([0.1, 0.0], [0.0, 19_f64.sqrt()]);
-//! let mut sim = Kepler { m: 1.0, k: 1.0 }.adaptive(DiscreteGradient, 1e-6, start);
-//! let energy = sim.energy();
-//! sim.advance_to(20.0)?;
-//! assert_eq!(sim.time(), 20.0);
-//! assert!((sim.energy() / energy - 1.0).abs() < 1e-13);
-//! # Ok::<(), StepError>(())
-//! ```
+//! The [guide] has nineteen pages.
 //!
 //! # Conventions
 //!
-//! - **q' = ∂H/∂p, p' = −∂H/∂q**. Coordinates always come in the order q, p, s, t, and as named fields.
-//! - Of contact systems **q' = ∂H/∂p, p' = −∂H/∂q − p ∂H/∂s, s' = p·∂H/∂p − H**; the flow multiplies the form ds − p dq by a factor.
-//! - A *kick* of length h is the flow of V(q, t): p ← p − h ∂V/∂q. A *drift* is the flow of T(p, t): q ← q + h ∂T/∂p.
-//! - `h` may be negative. Time is `t0 + n·h`, never a running sum; output never changes the step, and single steps are those of one call, bit
-//!   for bit. `until(t)` and `advance_to(t)` take the whole steps that do not end beyond t, and are at t if that is a whole number of steps
-//!   away.
-//!   With [`Adaptive`] it is a compensated sum, and the last step ends at the time asked for.
-//! - Division by something known before the loop becomes multiplication by its reciprocal (about one rounding), and
-//!   `a·b + c` is fused where the processor of the build does that; the feature `strict-math` forbids the latter.
+//! - Equations of motion: q' = ∂H/∂p and p' = −∂H/∂q. Coordinates come in the order q, p, s, t.
+//! - Contact systems: q' = ∂H/∂p, p' = −∂H/∂q − p ∂H/∂s, s' = p·∂H/∂p − H.
+//! - A *kick* of length h is the flow of V(q, t), p ← p − h ∂V/∂q. A *drift* is the flow of T(p, t), q ← q + h ∂T/∂p.
+//! - The step size h may be negative. The time of fixed steps is t₀ + n·h, without a running sum. Output never changes the steps.
+//! - Single steps give the same bits as many steps in one call.
+//! - Division by a value that is known before the loop becomes multiplication by its reciprocal. `a·b + c` is fused if the processor of the build supports it;
+//!   the feature `strict-math` forbids this.
 //!
 //! # Map of the crate
 //!
-//! [`State`] is a point, [`Integrator`] a system under a method. Methods: tables of kicks and drifts ([`Splitting`],
-//! [`Nystrom`]), compositions of symmetric maps ([`Composition`]), [`Gauss`] collocation and [`ImplicitMidpoint`],
-//! [`DiscreteGradient`] and others that keep the energy, [`Kahan`]; explicit [`RungeKutta`] methods, and [`Projection`] and
-//! [`Relaxation`] that make any method keep the energy. [`Adaptive`] is an [`Integrator`] that chooses its steps; [`TaylorIntegrator`]
-//! takes steps by Taylor series ([`Taylor`]). All are a [`Trajectory`], so that a method can be chosen while the program runs, and [`Dense`]:
-//! states between steps, sections and events. With the feature `alloc` all are [`running::Resumable`]: saved, and going on elsewhere. Methods of
-//! one's own implement [`method::Method`]; systems written by hand implement the traits of
-//! [`system`].
+//! - A point is a [`State`], [`ContactState`], [`FlowState`] or [`BodyState`].
+//! - A run is an [`Integrator`] with fixed steps, an [`Adaptive`] one, or a [`TaylorIntegrator`]. All are [`Trajectory`] and [`Dense`]: states between steps,
+//!   sections, events. With the feature `alloc` runs can be saved: [`running::Resumable`].
+//! - Traits in [`system`] describe proven structure, for instance [`Separable`]. A method asks for the traits that it needs. Systems written by hand implement
+//!   them.
+//! - [`Method`] is the trait of methods. [`Claims`] states the order and the invariants of a method, and tests check each claim.
 
 #![cfg_attr(not(feature = "std"), no_std)]
 
@@ -148,6 +73,8 @@ pub mod system;
 pub mod taylor;
 pub mod method;
 pub mod running;
+#[cfg(any(doc, doctest))]
+pub mod guide;
 #[doc(hidden)]
 pub mod private;
 

@@ -18,6 +18,7 @@ mod amplitudes;
 mod units;
 mod long_steps;
 mod bends;
+mod changes;
 mod branches;
 mod astray;
 mod far_angles;

@@ -1,7 +1,8 @@
-//! An acrobot at the step of its simulator: two links, nobody holds them, and the energy should stay.
+//! Does the energy of an acrobot stay constant at the step size of its simulator?
 //!
-//! The links are those of Gymnasium's Acrobot: masses, lengths and moments of inertia are 1, centres in the middle, and a step is 0.2 s
-//! of RK4, there of angles and rates, here of angles and momenta. Such steps are too long for the path, whatever the method is; for the energy they are not.
+//! The acrobot has two links that swing freely. The data are those of Gymnasium's Acrobot: masses, lengths and moments of inertia are 1, and
+//! centres of mass are in the middle. A step is 0.2 s. Gymnasium applies RK4 to angles and rates; this program applies it to angles and
+//! momenta. The step is too long for an accurate path. The discrete gradient still keeps the energy to rounding.
 
 use geoint_examples::plot::{Axis, Curve, Ink, Panel, figure, palette};
 use geoint_examples::{claim, order, table};
@@ -105,15 +106,12 @@ fn draw() -> Result<(), Box<dyn Error>> {
             curves.push(Curve::line(name, ink, errors).rounding().width(1.1));
         }
         let axes = [Axis::linear("time in s", 0.0..100.0), Axis::decades("|E − E₀| in J", -16.0..2.0)];
-        panels.push(
-            Panel::new(
-                "Error of the energy",
-                format!("{note} at rest, links of 1 kg and 1 m, h = 0.2 s; differences of 0 are not drawn"),
-                axes,
-                curves,
-            )
-            .named_above(),
-        );
+        panels.push(Panel::new(
+            "Acrobot: error of the energy",
+            format!("{note} at rest, links of 1 kg and 1 m, h = 0.2 s; differences of 0 are not drawn"),
+            axes,
+            curves,
+        ));
     }
-    figure("acrobot.svg", (400, 300), &panels)
+    figure("acrobot.svg", (3, 2), &panels)
 }

@@ -1,8 +1,8 @@
 //! How long does a magnetic bottle hold a charge?
 //!
-//! A field that is stronger at both ends, B = B₀ (1 + z²/L²) along z, with A = (−y, x) B(z)/2: H = |p − A|²/2. A charge turns where its
-//! magnetic moment μ = v⊥²/2B, which is nearly constant, leaves nothing of the velocity along z. Each of the three squares of H is a piece
-//! with a flow of its own: no equation is solved, where implicit methods solve for six unknowns.
+//! The field B = B₀ (1 + z²/L²) along z is stronger at both ends. With A = (−y, x) B(z)/2 the energy is H = |p − A|²/2. The magnetic moment
+//! μ = v⊥²/2B is nearly constant. The charge turns back at the height z with v² = 2μB. Each of the three squares of H is a piece with an
+//! exact flow, so the splitting solves no equation. Implicit methods solve for six unknowns.
 
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, largest, orbit, table};
@@ -105,33 +105,30 @@ fn main() -> Result<(), Box<dyn Error>> {
     let along = |of: &dyn Fn(&Space) -> f64| few.iter().map(|state| (state.t, of(state))).collect::<Vec<_>>();
     figure(
         "bottle.svg",
-        (300, 300),
+        (3, 2),
         &[
             Panel::new(
-                "In the bottle",
+                "A charge in a magnetic bottle",
                 "BlanesMoan6X of pieces, h = 0.05 s, for 14 s; the field is along z, 10 (1 + z²) rad/s",
                 [Axis::linear("z in m", -1.7..1.7), Axis::linear("x in m", 0.0..0.12)],
-                vec![Curve::line("the charge", palette::BLUE, path).width(0.7)],
-            )
-            .named_above(),
+                vec![Curve::line("charge", palette::BLUE, path).width(0.7)],
+            ),
             Panel::new(
-                "There and back",
-                "the same run; it turns where v² = 2μB",
+                "Motion along the field",
+                "BlanesMoan6X of pieces, h = 0.05 s; the charge turns at v² = 2μB",
                 [Axis::linear("time in s", 0.0..14.0), Axis::linear("z in m", -1.7..1.7)],
                 vec![
                     Curve::line("z", palette::BLUE, along(&|state| state.q[2])),
-                    Curve::line("turning points of μ", palette::GREY, vec![(0.0, turn), (14.0, turn)]),
+                    Curve::line("turning points", palette::GREY, vec![(0.0, turn), (14.0, turn)]),
                     Curve::line("", palette::GREY, vec![(0.0, -turn), (14.0, -turn)]),
                 ],
-            )
-            .named_above(),
+            ),
             Panel::new(
                 "The magnetic moment",
-                "v⊥²/2B in the same run, over that of the start",
+                "BlanesMoan6X of pieces, h = 0.05 s; μ = v⊥²/2B, at the start μ₀",
                 [Axis::linear("time in s", 0.0..14.0), Axis::linear("μ/μ₀", 0.9..1.15)],
                 vec![Curve::line("μ/μ₀", palette::VERMILION, along(&|state| moment(state) / mu)).solid()],
-            )
-            .named_above(),
+            ),
         ],
     )
 }

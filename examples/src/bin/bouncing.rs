@@ -1,7 +1,7 @@
-//! How does a ball come to rest, impact by impact? Events end steps, and the state changes there.
+//! How does a ball come to rest, impact by impact?
 //!
-//! At each impact the ball loses a part of its speed; between impacts it falls freely. A Taylor series
-//! has the impact as the zero of a polynomial; a splitting finds it by a step of part of the length.
+//! At each impact the ball loses a part of its speed. Between impacts it falls freely. The impact is an event: it ends a step, and the
+//! program changes the state there. A Taylor series finds the impact as the zero of a polynomial; a splitting finds it by a shorter step.
 
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, table};
@@ -111,22 +111,22 @@ fn curves(restitution: f64, end: f64) -> Result<[Vec<(f64, f64)>; 2], StepError>
 
 fn draw() -> Result<(), Box<dyn Error>> {
     let [heights, energies] = curves(RESTITUTION, 7.0)?;
-    let note = "Taylor series; impacts keep 0.85 of the speed";
+    let note = "Taylor series; an impact keeps 0.85 of the speed";
     let panels = [
         Panel::new(
-            "A ball that comes to rest",
+            "A ball comes to rest",
             note,
             [Axis::linear("time in s", 0.0..7.0), Axis::linear("height in m", 0.0..2.2)],
             vec![Curve::line("height", palette::BLUE, heights)],
         ),
         Panel::new(
-            "Its energy, impact by impact",
+            "Energy of the ball, impact by impact",
             note,
             [Axis::linear("time in s", 0.0..7.0), Axis::linear("energy in J", 0.0..3.4)],
             vec![Curve::line("energy", palette::VERMILION, energies)],
         ),
     ];
-    figure("bouncing.svg", (370, 300), &panels)
+    figure("bouncing.svg", (3, 2), &panels)
 }
 
 #[cfg(test)]

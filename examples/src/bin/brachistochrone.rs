@@ -1,8 +1,9 @@
-//! Along which path does a bead fall fastest? The time of a fall is an integral of a Lagrangian, in which x takes the place of time.
+//! Along which path does a bead fall fastest?
 //!
-//! L(y, y') = √((1 + y'²)/y) with the depth y below the start of the fall is not quadratic in y': its energy −√(1/y − p²) is found by the
-//! rule for roots. That the energy is constant is Beltrami's identity, y (1 + y'²) = const, and the path a cycloid. A chain that hangs is
-//! found in the same way: L = y√(1 + y'²), and Beltrami's constant is y/√(1 + y'²).
+//! The time of a fall is the integral of a Lagrangian over x, which replaces the time: L(y, y') = √((1 + y'²)/y) with the depth y below the
+//! start. L is not quadratic in y'. The attribute finds the energy −√(1/y − p²) by its rule for roots. The energy is constant, which is
+//! Beltrami's identity y (1 + y'²) = const, and the path is a cycloid. A hanging chain has L = y√(1 + y'²) and Beltrami's constant
+//! y/√(1 + y'²).
 
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, table};
@@ -113,7 +114,7 @@ fn draw([midpoint, gauss, discrete]: &[Path; 3], hung: &[(f64, f64)]) -> Result<
     );
     let beltrami = Panel::new(
         "Change of Beltrami's constant",
-        "the same 20 steps; differences of 0 are not drawn",
+        "20 steps with x for time; differences of 0 are not drawn",
         [Axis::linear("x", 0.0..3.4), Axis::decades("|y (1 + y'²) − 2|", -17.0..0.0)],
         vec![
             Curve::line("midpoint rule", palette::VERMILION, midpoint.changes.clone()),
@@ -128,6 +129,6 @@ fn draw([midpoint, gauss, discrete]: &[Path; 3], hung: &[(f64, f64)]) -> Result<
         [Axis::linear("x", 0.0..2.2), Axis::linear("y", 0.5..4.0)],
         vec![Curve::line("cosh x", palette::GREY, cosh), Curve::dots("Gauss", palette::BLUE, hung.to_vec())],
     );
-    let panels = [fall.named_above(), beltrami.named_above(), chain.named_above()];
-    figure("brachistochrone.svg", (300, 300), &panels)
+    let panels = [fall, beltrami, chain];
+    figure("brachistochrone.svg", (4, 3), &panels)
 }

@@ -1,12 +1,13 @@
-//! How fast does a charge drift across a field that grows, and what is left of that after a million gyrations?
+//! How fast does a charge drift across a nonuniform magnetic field, over a million gyrations?
 //!
-//! A charge in the plane across B(x) = B₀ (1 + x/L), with A = (0, ∫B dx): H = (pₓ² + (p_y − A(x))²)/2m. Positions and momenta are coupled, so
-//! there are no kicks and drifts. What is of degree 2 in H is the motion in a uniform field, A, which is linear; the rest B, as small as the field
-//! is nearly uniform, reads x and p_y alone and leaves both where they are. {B, {B, {B, A}}} = 0, so that tables of Runge–Kutta–Nyström type
-//! keep their order.
+//! The charge moves in a plane across B(x) = B₀ (1 + x/L). With A = (0, ∫B dx) the energy is H = (pₓ² + (p_y − A(x))²)/2m. Positions and
+//! momenta are coupled, so kick and drift do not exist. H = K + R has two pieces. K is the part of degree 2: the linear motion in a uniform
+//! field. R is small if the field is nearly uniform. It depends on x and p_y only, and its flow changes neither. The brackets vanish,
+//! {R, {R, {R, K}}} = 0, so tables of Runge–Kutta–Nyström type keep their order.
 //!
-//! The angle θ of the velocity turns by −B dt, and p_y stays, so that the period and the drift along y are integrals over θ:
-//! ∮ dθ/B and ∮ v sin θ dθ/B with B = B₀ √(1 + 2(p_y − m v sin θ)/(m B₀ L)), for unit charge and mass. A sum over 64 angles has all digits.
+//! The angle θ of the velocity turns by −B dt, and p_y is constant. Period and drift along y are therefore integrals over θ:
+//! ∮ dθ/B and ∮ v sin θ dθ/B with B = B₀ √(1 + 2(p_y − m v sin θ)/(m B₀ L)), for unit charge and mass. A sum over 64 angles is exact to
+//! rounding.
 
 use geoint_examples::plot::{Axis, Curve, Ink, Panel, figure, palette};
 use geoint_examples::{claim, orbit, table};
@@ -127,7 +128,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let coarse = orbit(SYSTEM, BceRkn17_8.of(PieceSplitting), period / 12.0, start(), duration)?;
     let lost = orbit(SYSTEM, RK4, period / 8.0, start(), duration)?;
     let paths = vec![
-        Curve::line("the flow", palette::GREY, path(&smooth)).width(0.8),
+        Curve::line("reference", palette::GREY, path(&smooth)).width(0.8),
         Curve::dots("BceRkn17_8, 12 steps a gyration", palette::BLUE, path(&coarse)).marked(2.6).open(),
         Curve::line("RK4, 8 steps a gyration", palette::VERMILION, path(&lost)).width(0.8),
     ];
@@ -140,18 +141,17 @@ fn main() -> Result<(), Box<dyn Error>> {
         .collect();
     figure(
         "charged_particle.svg",
-        (380, 300),
+        (3, 2),
         &[
             Panel::new(
-                "Gyration and drift",
+                "Gyration and drift of a charge",
                 "the field grows upwards; unit charge and mass, 12 gyrations",
                 [Axis::linear("y in m", -1.2..2.2), Axis::linear("x in m", -0.8..0.8)],
                 paths,
-            )
-            .named_above(),
+            ),
             Panel::new(
                 "Error of the drift",
-                "relative to that of the flow; steps of a gyration",
+                "relative to the exact drift; the legend gives steps per gyration",
                 [Axis::decades("gyrations", 0.0..6.0), Axis::decades("error", -12.0..0.5)],
                 drifts,
             ),

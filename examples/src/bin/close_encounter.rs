@@ -1,7 +1,7 @@
-//! How do three bodies at rest part company? The Pythagorean problem, through its close encounters to the ejection of one.
+//! How do three bodies at rest move apart? The Pythagorean problem, up to the ejection of one body.
 //!
-//! Masses 3, 4 and 5 rest in the corners of a triangle with sides 3, 4 and 5. They fall, pass each other as close as 4·10⁻⁴, and after 60
-//! units of time a binary leaves to one side and the lightest body to the other. Steps follow: they become 1000 times shorter and longer.
+//! Masses 3, 4 and 5 rest in the corners of a triangle with sides 3, 4 and 5. They fall, and pass each other at distances down to 4·10⁻⁴. After
+//! 60 units of time a binary leaves to one side and the lightest body to the other. The adaptive step changes by a factor of more than 1000.
 //!
 //! C. Burrau, Astron. Nachr. 195 (1913) 113; V. Szebehely & C. F. Peters, Astron. J. 72 (1967) 876.
 
@@ -66,19 +66,18 @@ fn main() -> Result<(), Box<dyn Error>> {
     let curves = curves.into_iter().zip(&paths).map(|((name, colour), path)| Curve::line(name, colour, near(path)));
     let panels = [
         Panel::new(
-            "Three bodies that begin at rest",
+            "Three bodies, at rest in the beginning",
             "Taylor series to rounding; G = 1, dimensionless",
             [Axis::linear("x", -6.0..6.0), Axis::linear("y", -6.0..6.0)],
             curves.collect(),
         )
-        .equal()
-        .named_above(),
+        .equal(),
         Panel::new(
-            "Lengths of steps",
-            "the same run",
+            "Step size through close encounters",
+            "Taylor series to rounding; G = 1, dimensionless",
             [Axis::linear("time", 0.0..END), Axis::decades("step", -6.0..1.0)],
             vec![Curve::line("step", palette::BLACK, steps).solid().width(1.0)],
         ),
     ];
-    figure("close_encounter.svg", (370, 340), &panels)
+    figure("close_encounter.svg", (5, 4), &panels)
 }

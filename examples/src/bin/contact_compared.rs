@@ -1,11 +1,13 @@
-//! What do contact integrators gain?
+//! How accurate are contact integrators compared with other methods of equal cost?
 //!
-//! q'' + γq' + q = 0 as in M. Vermeeren, A. Bravetti & M. Seri, J. Phys. A 52 (2019) 445206, for which the flow is known. Beside
-//! contact integrators stand three schemes for (q, p) with friction as one more force: leapfrog and the scheme of order 3 of
-//! R. D. Ruth, which fall to order 1 by that, and the classical Runge–Kutta method. On a short way with constant friction RK4 is
-//! more accurate than contact methods of order 2, at the same step and at the same cost. Contact methods of high order are
-//! more accurate than RK4. Where friction is small and time is long RK4 adds friction of its own; where friction is large, that
-//! of an exact drift is stable.
+//! The problem is q'' + γq' + q = 0 with a known flow, as in M. Vermeeren, A. Bravetti & M. Seri, J. Phys. A 52 (2019) 445206. Three other
+//! schemes for (q, p) treat friction as one more force: leapfrog, the scheme of order 3 of R. D. Ruth, and the classical Runge–Kutta method
+//! RK4. Friction reduces leapfrog and Ruth's scheme to order 1.
+//!
+//! - Constant friction, short time: RK4 is more accurate than contact methods of order 2 at the same cost. Contact methods of high order are
+//!   more accurate than RK4.
+//! - Little friction, long time: RK4 adds numerical friction.
+//! - Much friction: the exact drift of contact methods is stable.
 
 use geoint_examples::plot::{Axis, Curve, Ink, Panel, figure, palette};
 use geoint_examples::{claim, largest, table};
@@ -202,15 +204,15 @@ fn draw(decays: Vec<Curve>) -> Result<(), Box<dyn Error>> {
     }
     let accuracy = Panel::new(
         "Errors at equal numbers of forces",
-        "q'' + γq' + q = 0, γ = 0.1; largest up to t = 50; h = forces a step / forces a unit of time; dimensionless",
+        "q'' + γq' + q = 0, γ = 0.1, dimensionless; largest error up to t = 50; a step with more forces is longer",
         [Axis::decades("forces a unit of time", 0.6..2.0), Axis::decades("largest error of q", -13.0..1.0)],
         accuracy,
     );
     let decays = Panel::new(
-        "Little friction for long",
-        "γ = 0.0001; h = forces a step / 8; means over 100 units of time; all but RK4 on one line",
+        "Energy under little friction",
+        "q'' + γq' + q = 0, γ = 0.0001, dimensionless; 8 forces a unit of time; means over 100 units of time; all but RK4 coincide",
         [Axis::linear("time (thousands)", 0.0..40.0), Axis::decades("energy / energy at the start", -6.0..0.0)],
         decays,
     );
-    figure("contact_compared.svg", (360, 340), &[accuracy, decays])
+    figure("contact_compared.svg", (4, 3), &[accuracy, decays])
 }

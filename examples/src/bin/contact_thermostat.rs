@@ -1,9 +1,8 @@
-//! Does an energy that is multiplied by a function of the action still split?
+//! Can a splitting integrate a contact energy of the form E(q, p) f(s)?
 //!
-//! H = E(q, p) f(s) is the form of contact thermostats (A. Bravetti & D. Tapias, Phys. Rev. E 93 (2016) 022139): friction
-//! E f'(s) beside a clock that runs at the rate f(s). With f = eᵏˢ the flows of (p²/2) f and V f are both known, although each
-//! moves p, s and, the first, q. What is exact is known too: H' = −k H², hence 1/H = 1/H₀ + k t; and E decays the more slowly the
-//! less of it is left.
+//! H = E(q, p) f(s) is the form of contact thermostats (A. Bravetti & D. Tapias, Phys. Rev. E 93 (2016) 022139). It combines friction E f'(s)
+//! with a clock of rate f(s). For f = eᵏˢ the flows of (p²/2) f and V f are both known. Each changes p and s, and the first also changes q.
+//! The energy decays by an exact law: H' = −k H², hence 1/H = 1/H₀ + k t. The decay of E becomes slower as E becomes smaller.
 
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, largest, orbit, order, table};
@@ -63,10 +62,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         curve("E, h = 0.1", palette::BLUE, &energy),
     ];
     let decay = Panel::new(
-        "Decay of H by its law, and of E",
-        "ContactSplitting; of H every fifth step",
+        "Decay of H and E under a thermostat",
+        "ContactSplitting, k = 0.3; H at every fifth step; unit mass, length and gravity",
         [Axis::linear("time", 0.0..100.0), Axis::decades("energy", -2.0..0.5)],
         decay,
     );
-    figure("contact_thermostat.svg", (370, 330), &[path.named_above(), decay])
+    figure("contact_thermostat.svg", (4, 3), &[path, decay])
 }

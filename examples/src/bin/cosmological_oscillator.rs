@@ -1,8 +1,8 @@
-//! Are sets that the flow keeps kept by steps?
+//! Do steps keep the invariant sets of a contact flow?
 //!
-//! H = (p² + q² + s²)/2 − R. The flow keeps the sphere H = 0, and the axis q = p = 0, on which s' = R − s²/2. Where they meet it
-//! rests; from the lower of these points to the upper one leads every orbit on the sphere. Steps of the splitting keep the axis
-//! exactly, and a surface that is near to the sphere like h²; those of the discrete gradient keep the sphere itself.
+//! H = (p² + q² + s²)/2 − R. The flow keeps the sphere H = 0 and the axis q = p = 0, on which s' = R − s²/2. The two points of intersection are
+//! at rest; every orbit on the sphere leads from the lower point to the upper one. Steps of the splitting keep the axis exactly. They keep a
+//! surface near the sphere, at a distance proportional to h². Steps of the discrete gradient keep the sphere.
 
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, largest, orbit, order, table};
@@ -73,18 +73,18 @@ fn main() -> Result<(), Box<dyn Error>> {
     let points = energies(orbit(SYSTEM, ContactDiscreteGradient, 0.2, start, 20.0)?);
     decay.push(Curve::dots("discrete gradient, h = 0.2", palette::BLACK, points).marked(1.6).rounding());
     let orbits = Panel::new(
-        "From one point of rest to the other",
-        "on the sphere H = 0, from the side; ContactSplitting, h = 0.05, up to t = 30; R = 1, dimensionless",
+        "Orbits between the two points of rest",
+        "sphere H = 0 from the side; ContactSplitting, h = 0.05, up to t = 30; R = 1, dimensionless",
         [Axis::linear("q", -1.5..1.5), Axis::linear("s", -1.5..1.5)],
         orbits,
     );
     let decay = Panel::new(
         "Distance from the sphere",
-        "ContactSplitting leaves it like h², ContactDiscreteGradient by roundings (most of them 0, and not drawn)",
+        "ContactSplitting leaves the sphere by h², ContactDiscreteGradient by rounding (most values are 0 and not drawn); R = 1, dimensionless",
         [Axis::linear("time", 0.0..20.0), Axis::decades("|H|", -17.0..-1.0)],
         decay,
     );
-    figure("cosmological_oscillator.svg", (360, 360), &[orbits.equal().named_above(), decay])
+    figure("cosmological_oscillator.svg", (5, 4), &[orbits.equal(), decay])
 }
 
 fn circle(radius: f64) -> Vec<(f64, f64)> {

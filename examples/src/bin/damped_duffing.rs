@@ -1,8 +1,8 @@
-//! What does friction leave of the energy if a step is longer than the oscillation? Less after each step.
+//! How does an oscillator lose energy if a step is longer than its oscillation?
 //!
-//! Duffing's oscillator with friction, q'' = −q − q³ − c q'. A step of the discrete gradient takes off the energy exactly
-//! what friction takes at the mean velocity v = (q₁ − q₀)/h: H₁ − H₀ = −h c v². At big steps that is too little, but it is
-//! never a gain; the midpoint rule, which decays as well, gains energy now and then.
+//! Duffing's oscillator with friction is q'' = −q − q³ − c q'. A step of the discrete gradient removes exactly the work of friction at the
+//! mean velocity v = (q₁ − q₀)/h: H₁ − H₀ = −h c v². Long steps lose too little energy, but no step gains any. The midpoint rule also decays,
+//! but some of its steps gain energy.
 
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, table};
@@ -110,8 +110,9 @@ fn draw() -> Result<(), Box<dyn Error>> {
         let points = run.energies.iter().enumerate().map(|(n, energy)| (n as f64 * run.h, *energy));
         Curve::line(name, colour, points.collect()).marked(if run.h < 3.0 { 0.0 } else { 2.8 })
     };
-    let truth =
-        |duration: f64| curve(&Run::new(Gauss::<6>, 0.1, (10.0 * duration) as usize), "the flow".into(), palette::GREY);
+    let truth = |duration: f64| {
+        curve(&Run::new(Gauss::<6>, 0.1, (10.0 * duration) as usize), "reference".into(), palette::GREY)
+    };
 
     let duration = 200.0;
     let mut decay = vec![truth(duration)];
@@ -137,10 +138,10 @@ fn draw() -> Result<(), Box<dyn Error>> {
         curve(&gradient, "DiscreteGradient".into(), palette::ORANGE),
     ];
     let methods = Panel::new(
-        "ImplicitMidpoint gains some now and then",
-        "the same oscillator, h = 3",
+        "ImplicitMidpoint gains energy in some steps",
+        "q'' = −q − q³ − 0.1 q' from rest at q = 1, h = 3; dimensionless",
         [Axis::linear("time", 0.0..duration), Axis::decades("energy", -3.0..0.0)],
         methods,
     );
-    figure("damped_duffing.svg", (380, 340), &[decay, methods])
+    figure("damped_duffing.svg", (3, 2), &[decay, methods])
 }

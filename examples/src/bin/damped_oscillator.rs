@@ -1,7 +1,7 @@
-//! How many pieces does an oscillator with friction need? One: then nothing is left but rounding, whatever the step.
+//! How many pieces does the splitting of an oscillator with friction need? One, with rounding errors only at any step size.
 //!
-//! q'' + γ q' + q = 0 from H = p²/2 + q²/2 + γs. The macro finds that the whole of H has a flow in closed form. Taken apart
-//! into motion, force and friction, as in A. Bravetti et al., Celest. Mech. Dyn. Astr. 132 (2020) 7, it is of order 2.
+//! The oscillator q'' + γ q' + q = 0 has H = p²/2 + q²/2 + γs. The macro finds that the whole H has a flow in closed form. The splitting into
+//! motion, force and friction, as in A. Bravetti et al., Celest. Mech. Dyn. Astr. 132 (2020) 7, has order 2.
 
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, largest, orbit, table};
@@ -66,7 +66,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let one = |h| orbit(Damped { gamma }, ContactSplitting, h, start, 50.0);
     let three = |h| orbit(ThreePieces { gamma }, ContactSplitting, h, start, 50.0);
     let motion = vec![
-        Curve::line("the flow", palette::GREY, truth).width(1.4),
+        Curve::line("exact", palette::GREY, truth).width(1.4),
         positions("one piece", palette::BLUE, one(1.0)?),
         positions("three pieces", palette::VERMILION, three(1.0)?),
     ];
@@ -75,16 +75,16 @@ fn main() -> Result<(), Box<dyn Error>> {
         errors("one piece", palette::BLUE, one(0.1)?).width(0.8).rounding(),
     ];
     let motion = Panel::new(
-        "Long steps: h = 1",
-        "ContactSplitting; γ = 0.1; dimensionless",
+        "Oscillator with friction, steps of 1",
+        "q'' + γq' + q = 0, γ = 0.1, dimensionless; ContactSplitting",
         [Axis::linear("time", 0.0..50.0), Axis::linear("q", -0.8..0.8)],
         motion,
     );
     let accuracy = Panel::new(
-        "Errors: h = 0.1",
-        "ContactSplitting; γ = 0.1; one piece errs by rounding",
+        "Oscillator with friction: error of q",
+        "q'' + γq' + q = 0, γ = 0.1, dimensionless; ContactSplitting, h = 0.1",
         [Axis::linear("time", 0.0..50.0), Axis::decades("|error of q|", -18.0..0.0)],
         accuracy,
     );
-    figure("damped_oscillator.svg", (380, 300), &[motion.named_above(), accuracy])
+    figure("damped_oscillator.svg", (3, 2), &[motion, accuracy])
 }

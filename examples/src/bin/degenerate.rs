@@ -1,9 +1,9 @@
-//! A Lagrangian that is linear in the velocities: equations of first order, on a phase space that it makes itself.
+//! How does one integrate a Lagrangian that is linear in the velocities?
 //!
-//! Lotka's and Volterra's animals in their own numbers, without logarithms for coordinates: L = ϑ(q)·v − H(q), whose equations are Ω q' = ∇H
-//! with Ω = dϑ. The attribute derives Ω and its inverse. ϑ is zero for one of the two, so that Gauss methods move the other one with its
-//! momentum ϑ, and are symplectic; the discrete gradient keeps H to rounding. The guiding centre of a charged particle in a torus, below,
-//! has no such half.
+//! L = ϑ(q)·v − H(q) has the equations Ω q' = ∇H with Ω = dϑ. The attribute derives Ω and its inverse. The first system is that of Lotka and
+//! Volterra in numbers of animals, without logarithms. One component of ϑ is zero there. Gauss methods then move the other coordinate with its
+//! momentum ϑ, and are symplectic; the discrete gradient keeps H to rounding. The second system is the guiding centre of a charged particle
+//! in a torus, without a zero component.
 
 use geoint_examples::plot::{Axis, Curve, Ink, Panel, figure, palette};
 use geoint_examples::{claim, table};
@@ -126,7 +126,7 @@ fn draw(runs: &[Named], orbit: &[[f64; 3]]) -> Result<(), Box<dyn Error>> {
         orbits.push(Curve::line(name, palette::BLUE, points).solid().width(1.3));
     }
     let portrait = Panel::new(
-        "Orbits of animals",
+        "Prey and predators",
         "Gauss, 2 stages, h = 0.05; dimensionless",
         [Axis::linear("prey", 0.0..2.4), Axis::linear("predators", 0.0..3.4)],
         orbits,
@@ -134,8 +134,8 @@ fn draw(runs: &[Named], orbit: &[[f64; 3]]) -> Result<(), Box<dyn Error>> {
     let curves =
         runs.iter().map(|(name, ink, run)| Curve::line(*name, *ink, run.clone()).rounding().width(1.2)).collect();
     let energy = Panel::new(
-        "Error of H",
-        "animals, h = 0.2; differences of 0 are not drawn",
+        "Prey and predators: error of H",
+        "h = 0.2, dimensionless; differences of 0 are not drawn",
         [Axis::linear("time", 0.0..2000.0), Axis::decades("|H − H₀|", -17.0..0.0)],
         curves,
     );
@@ -146,5 +146,5 @@ fn draw(runs: &[Named], orbit: &[[f64; 3]]) -> Result<(), Box<dyn Error>> {
         [Axis::linear("r", 0.98..1.06), Axis::linear("z", -0.04..0.04)],
         vec![Curve::line("banana orbit", palette::GREEN, way).solid().width(1.2)],
     );
-    figure("degenerate.svg", (300, 300), &[portrait.named_above(), energy.named_above(), banana.named_above()])
+    figure("degenerate.svg", (4, 3), &[portrait, energy, banana])
 }

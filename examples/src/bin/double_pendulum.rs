@@ -1,7 +1,7 @@
-//! What if the energy is not T(p) + V(q)? A double pendulum, whose arms couple q and p.
+//! Which methods integrate an energy that is not T(p) + V(q)? A double pendulum, whose arms couple q and p.
 //!
-//! Kick and drift do not exist here, so explicit methods such as Verlet do not compile for it. Three families do without
-//! them: collocation, the midpoint rule and the discrete gradient, alone or composed to a higher order.
+//! Kick and drift do not exist here, so explicit methods such as Verlet do not compile for it. Three families of methods work: collocation,
+//! the midpoint rule and the discrete gradient, alone or composed to a higher order.
 
 use geoint_examples::plot::{Axis, Curve, Ink, Panel, figure, palette};
 use geoint_examples::{claim, evaluations, shortest, table};
@@ -176,7 +176,7 @@ fn draw_path() -> Result<(), Box<dyn Error>> {
                 .marked(4.0),
         ],
     );
-    figure("double_pendulum_path.svg", (460, 420), &[panel.equal().named_above()])
+    figure("double_pendulum_path.svg", (5, 4), &[panel.equal()])
 }
 
 fn draw_energy_errors(runs: &[(&Run, Ink)]) -> Result<(), Box<dyn Error>> {
@@ -193,5 +193,5 @@ fn draw_energy_errors(runs: &[(&Run, Ink)]) -> Result<(), Box<dyn Error>> {
         [Axis::linear("time (s)", 0.0..SECONDS), Axis::decades("relative error, largest in 4 s", -16.0..2.0)],
         runs.iter().map(curve).collect(),
     );
-    figure("double_pendulum_energy.svg", (520, 360), &[panel])
+    figure("double_pendulum_energy.svg", (3, 2), &[panel])
 }

@@ -1,7 +1,7 @@
-//! Does a driven oscillator stay on its periodic solution?
+//! How well do steps follow the periodic solution of a driven oscillator?
 //!
-//! q'' + γ q' + q = β sin ωt from H = p²/2 + q²/2 − βq sin ωt + γs. One solution is periodic, and friction draws all others to
-//! it; with little friction an error of the phase stays for long.
+//! The oscillator q'' + γ q' + q = β sin ωt has H = p²/2 + q²/2 − βq sin ωt + γs. One solution is periodic, and friction draws all others to
+//! it. With little friction an error of the phase decays slowly.
 
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, largest, orbit, order, table};
@@ -61,18 +61,18 @@ fn main() -> Result<(), Box<dyn Error>> {
         Curve::line("ContactSplitting", palette::BLUE, decay.collect()),
     ];
     let orbits = Panel::new(
-        "Two orbits and the periodic one",
+        "Two orbits and the periodic solution",
         "ContactSplitting, h = 0.1, up to t = 150; γ = 0.1, β = 0.3, ω = π/3; dimensionless",
         [Axis::linear("q", -3.2..3.2), Axis::linear("p", -3.2..3.2)],
         orbits,
     );
     let distance = Panel::new(
-        "They forget where they began",
-        "distance between the two orbits in (q, p); h = 0.1",
+        "Two orbits approach each other",
+        "distance in (q, p); ContactSplitting, h = 0.1; γ = 0.1, β = 0.3, ω = π/3; dimensionless",
         [Axis::linear("time", 0.0..150.0), Axis::decades("distance", -3.0..1.0)],
         distance,
     );
-    figure("driven_oscillator.svg", (340, 340), &[orbits.equal().named_above(), distance])?;
+    figure("driven_oscillator.svg", (5, 4), &[orbits.equal(), distance])?;
     let last = far.iter().zip(&other).next_back().map_or(f64::NAN, |(x, y)| apart(x, y));
     let rate = (apart(&a, &b) / last).ln() / 150.0;
     claim(&format!("orbits approach each other like e^(−γt/2): rate {rate:.4}"), (rate - 0.05).abs() < 0.005)

@@ -1,7 +1,7 @@
-//! What do big steps make of a phase portrait? With a discrete gradient it is the true one, run through too slowly.
+//! How accurate is a phase portrait with long steps?
 //!
-//! Duffing's oscillator, x'' = −x − x³, swings the faster the further it swings. The step is the same for all orbits; the
-//! largest goes round in seven.
+//! Duffing's oscillator x'' = −x − x³ oscillates faster at larger amplitudes. All orbits have the same step; the period of the largest orbit
+//! is only seven steps long. The discrete gradient draws the true curves, but moves along them too slowly.
 
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, table};
@@ -137,7 +137,7 @@ fn draw(portraits: &[(&str, &[Orbit; 5])]) -> Result<(), Box<dyn Error>> {
     let panel = |(name, orbits): &(&str, &[Orbit; 5])| {
         let mut curves = vec![];
         for (orbit, colour) in orbits.iter().zip(colours) {
-            let name = if curves.is_empty() { "the flow" } else { "" };
+            let name = if curves.is_empty() { "exact" } else { "" };
             curves.push(Curve::line(name, palette::GREY, level(orbit.amplitude)).width(1.0));
             let points: Vec<_> = orbit.points.iter().copied().take(250).filter(inside).collect();
             let name = format!("A = {}", orbit.amplitude);
@@ -148,8 +148,8 @@ fn draw(portraits: &[(&str, &[Orbit; 5])]) -> Result<(), Box<dyn Error>> {
         let axes = [Axis::linear("x", -3.4..3.4), Axis::linear("y = x'", -5.6..5.6)];
         Panel::new(format!("{name}, h = {H}"), "250 steps from (A, 0); dimensionless", axes, curves)
     };
-    let panels: Vec<_> = portraits.iter().map(|portrait| panel(portrait).named_above()).collect();
-    figure("duffing.svg", (270, 400), &panels)
+    let panels: Vec<_> = portraits.iter().map(|portrait| panel(portrait)).collect();
+    figure("duffing.svg", (1, 1), &panels)
 }
 
 /// The level of the energy through x = A: y² = (A² − x²)(1 + (A² + x²)/2).

@@ -1,8 +1,8 @@
-//! What is left of the energy after a million steps? With a discrete gradient all of it.
+//! How large is the error of the energy after a million steps?
 //!
-//! Four methods, and four things that become of an error: explicit Euler's makes another motion of it at once; that of the
-//! classical Runge–Kutta method is small and grows like time; Verlet's is there after one oscillation and does not grow;
-//! that of the discrete gradient is rounding.
+//! Four methods show four kinds of growth. Explicit Euler leaves the true motion at once. The classical Runge–Kutta method has a small error
+//! that grows in proportion to time. Verlet's error is bounded: it reaches its maximum within one oscillation. The error of the discrete
+//! gradient is rounding.
 
 use geoint_examples::plot::{Axis, Curve, Ink, Panel, figure, palette};
 use geoint_examples::{claim, table};
@@ -129,12 +129,10 @@ fn draw(motions: &[Motion]) -> Result<(), Box<dyn Error>> {
         if *name == "DiscreteGradient" { line.rounding() } else { line }
     };
     let panel = |motion: &Motion| {
-        let axes = [
-            Axis::decades("steps", 0.0..6.0),
-            Axis::decades("relative error of the energy, largest so far", -16.5..2.0),
-        ];
+        let axes = [Axis::decades("steps", 0.0..6.0), Axis::decades("relative error, largest so far", -16.5..2.0)];
         let note = format!("h = {} {}", motion.h, motion.units);
-        Panel::new(motion.name, note, axes, motion.runs.iter().zip(colours).map(curve).collect())
+        let title = format!("{}: error of the energy", motion.name);
+        Panel::new(title, note, axes, motion.runs.iter().zip(colours).map(curve).collect())
     };
-    figure("energy_exact.svg", (340, 340), &motions.iter().map(panel).collect::<Vec<_>>())
+    figure("energy_exact.svg", (3, 2), &motions.iter().map(panel).collect::<Vec<_>>())
 }

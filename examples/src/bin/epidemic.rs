@@ -1,8 +1,8 @@
-//! How many are never infected? Steps of a week and steps of an hour give the same answer.
+//! How many people does an epidemic never infect?
 //!
-//! Susceptible, infected and recovered parts of a population (W. O. Kermack & A. G. McKendrick, Proc. R. Soc. Lond. A 115 (1927) 700). The
-//! orbit equation ds/dr = −(k/l) s gives the integral ln s + (k/l) r; with the sum of all three it says where the epidemic ends:
-//! ln s∞ + R₀ (1 − s∞) = ln s₀ + R₀ r₀, R₀ = k/l. Steps that keep both integrals to rounding end there, whatever their length is.
+//! W. O. Kermack & A. G. McKendrick, Proc. R. Soc. Lond. A 115 (1927) 700, divide a population into susceptible, infected and recovered parts.
+//! The orbit equation ds/dr = −(k/l) s gives the integral ln s + (k/l) r. The sum of the three parts is another integral. Both determine the
+//! end: ln s∞ + R₀ (1 − s∞) = ln s₀ + R₀ r₀ with R₀ = k/l. Steps that keep both integrals to rounding end there, at any step size.
 
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, largest, orbit, order, table};
@@ -105,7 +105,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         plane.push(Curve::line(format!("R₀ = {ratio}"), ink, points));
         plane.push(Curve::dots("", ink, vec![(never_infected(ratio), 0.0)]).marked(4.0));
     }
-    let names = ["RK4", "Gauss<2>", "DiscreteGradient", "FourthOrder of it"];
+    let names = ["RK4", "Gauss<2>", "DiscreteGradient", "FourthOrder(DiscreteGradient)"];
     let inks = [palette::VERMILION, palette::ORANGE, palette::GREEN, palette::BLUE];
     let curves = errors.iter().zip(names).zip(inks).map(|((errors, name), ink)| {
         let points: Vec<_> = errors.iter().rev().map(|(h, error)| (*h, error.max(1e-16))).collect();
@@ -114,25 +114,23 @@ fn main() -> Result<(), Box<dyn Error>> {
     });
     figure(
         "epidemic.svg",
-        (300, 300),
+        (4, 3),
         &[
             Panel::new(
                 "An epidemic, R₀ = 2.5",
                 "FourthOrder(DiscreteGradient), h = 0.5 days; markers: h = 7 days",
                 [Axis::linear("days", 0.0..days), Axis::linear("part of all people", 0.0..1.0)],
                 course,
-            )
-            .named_above(),
+            ),
             Panel::new(
-                "Where it ends",
-                "DiscreteGradient, h = 2 days; markers: the solution of the equation for s∞",
+                "End of an epidemic",
+                "DiscreteGradient, h = 2 days; markers: solution of the equation for s∞",
                 [Axis::linear("susceptible (part of all)", 0.0..1.0), Axis::linear("infected (part of all)", 0.0..0.5)],
                 plane,
-            )
-            .named_above(),
+            ),
             Panel::new(
-                "Error of those never infected",
-                "after 960 days, R₀ = 2.5; errors below 10⁻¹⁶ are drawn there",
+                "Error of the part never infected",
+                "after 960 days, R₀ = 2.5; smaller errors are drawn at 10⁻¹⁶",
                 [Axis::decades("h (days)", -0.7..1.0), Axis::decades("|s − s∞| (part of all)", -16.5..0.0)],
                 curves.collect(),
             ),

@@ -1,8 +1,9 @@
-//! Where does the angular momentum of a free body go, and do steps stay on its path?
+//! On which path does the angular momentum of a free body move, and do steps stay on it?
 //!
-//! In the frame of the body Euler's equations keep the energy and the length of the angular momentum m: m runs along the curves in which
-//! ellipsoids cut a sphere, the polhodes. A field with both integrals; the same as a Poisson system in m, by rotations; and the attitude
-//! of the body, of which the free motion is exact at any length of step. A quartic integral, a function of Lyapunov, is kept as well.
+//! In the frame of the body Euler's equations keep the energy and the length of the angular momentum m. So m moves along a polhode, the
+//! intersection of an ellipsoid and a sphere. The program has three forms of the problem: a field with both integrals, a Poisson system in m
+//! that splits into rotations, and the attitude of the body, whose free motion is exact at any step size. It also keeps a quartic integral, a
+//! Lyapunov function.
 
 use geoint_examples::plot::{Axis, Curve, Ink, Panel, figure, palette};
 use geoint_examples::{changes, claim, largest, order, shortest, table};
@@ -107,7 +108,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     claim("the quartic integral alone is kept to 1e-16, and holds the body at its rotation for 300 000 steps", {
         quartic < 1e-16 && along < 1e-3 && across < 0.04 && other < 0.04
     })?;
-    figure("euler_top.svg", (330, 330), &[polhodes()?, errors(&rows)])
+    figure("euler_top.svg", (5, 4), &[polhodes()?, errors(&rows)])
 }
 
 const STEP: f64 = 0.1;
@@ -184,8 +185,8 @@ fn errors(rows: &[Measured; 7]) -> Panel {
         palette::BLACK,
     ];
     Panel::new(
-        "Error after 1000 s",
-        "68 periods; against the exact motion of a free body; unit angular momentum: kg m²/s",
+        "Free body: error after 1000 s",
+        "68 periods, compared with the exact motion of a free body; |m| = 1 kg m²/s",
         [Axis::decades("step (s)", -1.7..0.0), Axis::decades("error of the angular momentum", -10.5..1.0)],
         rows.iter().zip(inks).map(curve).collect(),
     )
@@ -227,8 +228,7 @@ fn polhodes() -> Result<Panel, Box<dyn Error>> {
         [Axis::linear("across (kg m²/s)", -1.05..1.05), Axis::linear("up (kg m²/s)", -1.05..1.05)],
         curves,
     )
-    .equal()
-    .named_above())
+    .equal())
 }
 
 /// The angular momentum once around, from a point in the plane of the first and the third axis.

@@ -1,7 +1,7 @@
-//! How does a linkage move that closes on itself? Three bars between two fixed points, by constraints: there are no coordinates without.
+//! How does a closed linkage move? Three bars between two fixed points, with constraints.
 //!
-//! A crank turns about (0, 0), a rocker about (2.2, 0), and a coupler joins their ends. Positions are those of the two joints; each bar is a
-//! constraint. A point that the coupler carries draws the curve for which such linkages are built.
+//! A crank turns about (0, 0), a rocker turns about (2.2, 0), and a coupler joins their ends. The coordinates are those of the two joints;
+//! each bar is a constraint. A point of the coupler draws the curve for which such linkages are built.
 
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, largest, order, table};
@@ -105,14 +105,14 @@ fn draw(rattle: &[Sample], gradient: &[Sample]) -> Result<(), Box<dyn Error>> {
     let mut curves = vec![
         Curve::line("crank", palette::SKY, turn.iter().map(|e| (e.q[0], e.q[1])).collect()).width(1.2),
         Curve::line("rocker", palette::GREEN, turn.iter().map(|e| (e.q[2], e.q[3])).collect()).width(2.4).solid(),
-        Curve::line("carried point", palette::BLUE, turn.iter().map(|e| carried(&e.q)).collect()).solid(),
+        Curve::line("point of the coupler", palette::BLUE, turn.iter().map(|e| carried(&e.q)).collect()).solid(),
     ];
     let q = &rattle[0].q;
     let bars = vec![(0.0, 0.0), (q[0], q[1]), (q[2], q[3]), (LINKAGE.d, 0.0)];
     curves.push(Curve::line("bars", palette::BLACK, bars.clone()).solid());
     curves.push(Curve::dots("", palette::BLACK, bars));
     let linkage = Panel::new(
-        "Three bars, four joints",
+        "A four-bar linkage",
         "Rattle, h = 0.01 s, for 4 s",
         [Axis::linear("x in m", -1.8..3.4), Axis::linear("y in m", -1.6..2.9)],
         curves,
@@ -127,10 +127,10 @@ fn draw(rattle: &[Sample], gradient: &[Sample]) -> Result<(), Box<dyn Error>> {
         Curve::line("DiscreteGradient", palette::BLUE, energy(gradient)).rounding(),
     ];
     let energy = Panel::new(
-        "Energy, less that of the start",
+        "Four-bar linkage: error of the energy",
         "h = 0.01 s; masses of 0.7 and 1.1 kg",
         [Axis::linear("time in s", 0.0..TIME), Axis::decades("largest error in 0.2 s, in J", -16.0..1.0)],
         energies,
     );
-    figure("four_bar.svg", (420, 320), &[linkage.named_above(), energy.named_above()])
+    figure("four_bar.svg", (4, 3), &[linkage, energy])
 }

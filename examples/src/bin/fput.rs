@@ -1,8 +1,8 @@
-//! Does a chain with a weak nonlinearity forget how it was plucked?
+//! Does a chain with a weak nonlinearity return to its first wave?
 //!
-//! Fermi, Pasta, Ulam and Tsingou expected that the energy of one wave would spread over all of them. After 157 periods nearly all of it is
-//! back (E. Fermi, J. Pasta & S. Ulam, Los Alamos report LA-1940 (1955), figure 1: 32 springs, α = 1/4). The springs' linear part couples
-//! all masses and is solved exactly, as A of A + B: that takes far fewer steps, and pays in time as long as the masses are few.
+//! Fermi, Pasta, Ulam and Tsingou expected that the energy of one wave would spread over all waves. After 157 periods nearly all of it is back
+//! (E. Fermi, J. Pasta & S. Ulam, Los Alamos report LA-1940 (1955), figure 1: 32 springs, α = 1/4). The linear part of the springs couples all
+//! masses and is solved exactly, as A of A + B. So far fewer steps are needed. This also saves time as long as the masses are few.
 
 use geoint_examples::plot::{Axis, Curve, Ink, Panel, figure, palette};
 use geoint_examples::{claim, table};
@@ -118,13 +118,13 @@ fn main() -> Result<(), Box<dyn Error>> {
         curves.map(|(k, (share, ink))| Curve::line(format!("wave {}", k + 1), ink, share).width(1.2)).collect();
     figure(
         "fput.svg",
-        (520, 300),
+        (3, 2),
         &[Panel::new(
-            "Recurrence",
+            "Recurrence in a chain",
             "31 masses, α = 1/4, Perturbation(BlanesMoanSrkn14a), h = 1; unit masses and springs",
             [
                 Axis::linear("time / 1000", 0.0..11.0),
-                Axis::linear("energy of a wave, over that of the first at the start", 0.0..1.05),
+                Axis::linear("energy of a wave / energy of the first wave at the start", 0.0..1.05),
             ],
             curves,
         )],

@@ -1,9 +1,8 @@
-//! From a field to its energy: when is there one, and what is it?
+//! Which planar fields have an energy, and what is its formula?
 //!
-//! In the plane div f = 0 is enough (J. Liouville), on a simply connected domain; then f = (∂H/∂p, −∂H/∂q). The planar fields of
-//! T. Aung, *Numerical ODE solvers that preserve first integrals*, MSc thesis, Rochester Institute of Technology, 2000, chapters 2
-//! to 4: nothing is written but f, and H is derived when this is compiled; or the divergence, which says that there is none. What is
-//! derived is kept to rounding.
+//! On a simply connected domain div f = 0 is enough (J. Liouville); then f = (∂H/∂p, −∂H/∂q). The fields are those of T. Aung, *Numerical ODE
+//! solvers that preserve first integrals*, MSc thesis, Rochester Institute of Technology, 2000, chapters 2 to 4. The program contains only f.
+//! The attribute derives H at compile time, or reports the divergence if no H exists. Steps keep the derived H to rounding.
 
 use geoint_examples::plot::{Axis, Curve, Ink, Panel, figure, palette};
 use geoint_examples::{changes, claim, largest, table};
@@ -130,7 +129,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("{}", table(["field", "up to", "DiscreteGradient", "RK4"], &rows.each_ref().map(text)));
     claim("steps of the field keep them to rounding", rows.iter().all(|row| row.2[0] < 1e-12))?;
 
-    figure("from_field_to_energy.svg", (310, 300), &[parabolas()?, small()?, kept(&rows)])
+    figure("from_field_to_energy.svg", (4, 3), &[parabolas()?, small()?, kept(&rows)])
 }
 
 const STEP: f64 = 0.1;
@@ -191,8 +190,7 @@ fn parabolas() -> Result<Panel, Box<dyn Error>> {
         "H = xy + y² − x³/3 was derived; DiscreteGradient, h = 0.02, dimensionless",
         [Axis::linear("x", -1.6..1.6), Axis::linear("y", -1.6..1.6)],
         curves,
-    )
-    .named_above())
+    ))
 }
 
 /// The figure to example 3.1.2: small oscillations of Duffing's equation, as large as there.
@@ -206,8 +204,7 @@ fn small() -> Result<Panel, Box<dyn Error>> {
         "H = y²/2 + x²/2 + x⁴/4 was derived; DiscreteGradient, h = 0.1, dimensionless",
         [Axis::linear("x", -0.035..0.035), Axis::linear("y", -0.035..0.035)],
         curves,
-    )
-    .named_above())
+    ))
 }
 
 fn kept(rows: &[Row; 6]) -> Panel {
@@ -218,7 +215,7 @@ fn kept(rows: &[Row; 6]) -> Panel {
     }
     Panel::new(
         "Change of the derived energies",
-        format!("h = {STEP}, dimensionless; numbered as in the thesis"),
+        format!("h = {STEP}, dimensionless; numbers of fields as in T. Aung (2000)"),
         [Axis::decades("time", -1.0..3.0), Axis::decades("|H − H₀|, largest so far", -17.5..0.0)],
         curves,
     )

@@ -1,8 +1,8 @@
-//! May steepest descent take steps of any length?
+//! How long may a step of steepest descent be?
 //!
-//! q' = −∇U(q) is the base of H = −p·∇U(q), which the attribute's `lift` says. The macro takes it apart into coordinates: with
-//! the others frozen, each obeys an equation that J. Bernoulli solved in 1695. Each of these flows goes downhill, so that
-//! every step does, whatever its length; the accuracy of the path is another matter.
+//! The flow q' = −∇U(q) is the base of H = −p·∇U(q); the option `lift` of the attribute states this. The macro splits the field into
+//! coordinates. With the other coordinates fixed, each one obeys an equation that J. Bernoulli solved in 1695. Each of these flows goes
+//! downhill, and so does every step of any length. The accuracy of the path is a separate question.
 
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, orbit, order, table};
@@ -75,7 +75,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let starts = [[1.6, 0.2], [-1.6, -0.4], [0.1, 0.05], [-0.4, 1.5], [0.9, -1.4], [-0.05, -0.02]];
     let mut curves = vec![];
     for start in starts {
-        let name = if curves.is_empty() { "the flow" } else { "" };
+        let name = if curves.is_empty() { "h = 0.01" } else { "" };
         let flow = path(0.01, start, 40.0)?.into_iter().map(|[x, y]| (x, y)).collect();
         curves.push(Curve::line(name, palette::GREY, flow));
     }
@@ -101,10 +101,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         heights.push(Curve::line(format!("h = {h}"), colour, points).width(0.8).solid().marked(2.5));
     }
     let heights = Panel::new(
-        "Height after each step",
-        "ContactSplitting from (1.6, 0.2), until U < 10⁻³⁰, which is rounding",
+        "Steepest descent: height after each step",
+        "ContactSplitting from (1.6, 0.2), dimensionless; down to U = 10⁻³⁰, which is rounding",
         [Axis::linear("steps", 0.0..40.0), Axis::decades("U", -30.0..1.0)],
         heights,
     );
-    figure("gradient_flow.svg", (400, 380), &[plane.equal().named_above(), heights])
+    figure("gradient_flow.svg", (5, 4), &[plane.equal(), heights])
 }

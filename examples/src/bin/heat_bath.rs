@@ -1,9 +1,9 @@
-//! Where does the energy go that friction takes? Into heat: total energy is kept, and entropy grows.
+//! How well do steps keep the total energy if friction heats a bath?
 //!
-//! A pendulum with friction and a bath of heat capacity C: x = (angle, v, heat), v' = −sin q − γv, heat' = γv². In the form GENERIC
-//! (M. Grmela & H. C. Öttinger, Phys. Rev. E 56 (1997) 6620) x' = L∇E + M∇S with E = v²/2 − cos q + heat and S = C ln heat.
-//! Written as H = p·x' with `lift` it takes two pieces: {q' = v, heat' = γv²} and {v' = −sin q − γv}. The first adds a
-//! square to the heat: entropy grows in each step with positive weights, exactly. Total energy is kept to the order.
+//! A pendulum with friction heats a bath of heat capacity C: x = (angle, v, heat), v' = −sin q − γv, heat' = γv². The GENERIC form
+//! (M. Grmela & H. C. Öttinger, Phys. Rev. E 56 (1997) 6620) is x' = L∇E + M∇S with E = v²/2 − cos q + heat and S = C ln heat. As H = p·x'
+//! with `lift` it has two pieces: {q' = v, heat' = γv²} and {v' = −sin q − γv}. The first piece adds a square to the heat, so entropy grows in
+//! every step with positive weights. The error of the total energy has the order of the method.
 
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, largest, orbit, order, table};
@@ -76,16 +76,16 @@ fn main() -> Result<(), Box<dyn Error>> {
         drifts.push(Curve::line(format!("h = {h}"), colour, points.collect()).width(1.0).solid());
     }
     let energies = Panel::new(
-        "Friction turns energy to heat",
+        "Friction turns energy into heat",
         "ContactSplitting, h = 0.1; γ = 0.1, heat capacity 2; unit mass, length, gravity and temperature",
         [Axis::linear("time", 0.0..DURATION), Axis::linear("energies, entropy", 0.0..3.2)],
         energies,
     );
     let drifts = Panel::new(
         "Error of the total energy",
-        "ContactSplitting; a half of the step, a quarter of the error",
+        "ContactSplitting; γ = 0.1, heat capacity 2; half the step has a quarter of the error",
         [Axis::linear("time", 0.0..DURATION), Axis::decades("|error|", -7.0..-1.0)],
         drifts,
     );
-    figure("heat_bath.svg", (340, 320), &[energies, drifts])
+    figure("heat_bath.svg", (3, 2), &[energies, drifts])
 }

@@ -1,8 +1,8 @@
-//! Three heavy tops have a fourth integral. Which integrals stay, if steps know the other three or none?
+//! Three heavy tops have a fourth integral. Which integrals do steps keep if they are given three of them, or none?
 //!
-//! The top of Lagrange, of Kovalevskaya and of Goryachev and Chaplygin: one energy on the Lie–Poisson space of angular momenta m and of the
-//! vertical γ, both in the frame of the body, and three sets of parameters. Energy, γ² and m·γ are integrals of all; the fourth is m₃,
-//! of degree 4, and one for m·γ = 0 alone.
+//! The tops of Lagrange, of Kovalevskaya, and of Goryachev and Chaplygin have one energy with three sets of parameters. The space is that of
+//! the angular momentum m and the vertical γ, both in the frame of the body. Energy, γ² and m·γ are integrals of all three. The fourth
+//! integral is m₃ for Lagrange and has degree 4 for Kovalevskaya; that of Goryachev and Chaplygin requires m·γ = 0.
 
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{changes, claim, table};
@@ -112,7 +112,7 @@ fn main() -> Result<(), Box<dyn Error>> {
                 _ => curves.push(Curve::line(name.clone(), ink, points)),
             }
         }
-        let exact = if exact.is_empty() { String::new() } else { format!("; it stays by {}", exact.join(", ")) };
+        let exact = if exact.is_empty() { String::new() } else { format!("; no change by {}", exact.join(", ")) };
         panels.push(Panel::new(
             format!("{}: the fourth integral", top.name),
             format!("h = {STEP}; unit weight, mass and length{exact}"),
@@ -139,5 +139,5 @@ fn main() -> Result<(), Box<dyn Error>> {
     claim(&format!("with m·γ = 0.48 Goryachev's integral is none: it moves by {:.1}", moves[3]), {
         moves[3] > 0.5 && moves[..3].iter().all(|change| *change < 1e-12)
     })?;
-    figure("heavy_top.svg", (300, 330), &panels)
+    figure("heavy_top.svg", (3, 2), &panels)
 }

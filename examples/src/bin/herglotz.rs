@@ -1,7 +1,7 @@
-//! Friction by a principle: the action itself is in the Lagrangian, s' = L(q, v, s).
+//! Which order do steps have if the Lagrangian contains the action, s' = L(q, v, s)?
 //!
-//! G. Herglotz' equations d/dt ∂L/∂v = ∂L/∂q + ∂L/∂s ∂L/∂v have friction for a term −γs. Their flow is a contact map, and so are contact
-//! Gauss methods, of every even order. All momenta that would stay without friction decay by one factor.
+//! G. Herglotz' equations d/dt ∂L/∂v = ∂L/∂q + ∂L/∂s ∂L/∂v describe friction if L contains a term −γs. Their flow is a contact map. Contact
+//! Gauss methods of every even order are contact maps, too. All momenta that are conserved without friction decay by one factor.
 
 use geoint_examples::plot::{Axis, Curve, Ink, Panel, figure, palette};
 use geoint_examples::{claim, table};
@@ -111,14 +111,14 @@ fn draw(methods: &[(&str, Ink, [f64; 4])], samples: &[Decay]) -> Result<(), Box<
         Curve::line(*name, *ink, points).marked(3.0)
     };
     let errors = Panel::new(
-        "A braked double pendulum after 2 s",
-        "friction −0.3 s in L; masses 1 and 0.6 kg, arms 1 and 0.8 m",
+        "Double pendulum with friction: error after 2 s",
+        "friction by −0.3 s in L; masses 1 and 0.6 kg, arms 1 and 0.8 m",
         [Axis::linear("−log₂ h, h in s", 3.0..6.6), Axis::decades("largest error of q, p, s in SI units", -12.0..0.0)],
         methods.iter().map(curve).collect(),
     );
     let of = |value: fn(&Decay) -> f64| samples.iter().map(|sample| (sample.t, value(sample))).collect::<Vec<_>>();
     let laws = Panel::new(
-        "A pendulum on a sphere",
+        "A spherical pendulum with friction",
         "contact Gauss, 3 stages, h = 0.05 s, γ = 0.1/s",
         [Axis::linear("time in s", 0.0..30.0), Axis::linear("part of the start", -0.1..1.1)],
         vec![
@@ -127,5 +127,5 @@ fn draw(methods: &[(&str, Ink, [f64; 4])], samples: &[Decay]) -> Result<(), Box<
             Curve::line("p·v − L", palette::VERMILION, of(|sample| sample.energy)),
         ],
     );
-    figure("herglotz.svg", (400, 320), &[errors.named_above(), laws.named_above()])
+    figure("herglotz.svg", (4, 3), &[errors, laws])
 }

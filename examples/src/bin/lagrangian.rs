@@ -1,6 +1,6 @@
-//! A double pendulum from its Lagrangian: what one writes down first is enough.
+//! How does one simulate a double pendulum from its Lagrangian?
 //!
-//! The attribute finds the momenta, the mass matrix and the energy; `REPORT` shows them. Steps are those of the energy.
+//! The attribute derives the momenta, the mass matrix and the energy from L; `REPORT` lists them. The steps integrate the energy.
 
 use geoint_examples::plot::{Axis, Curve, Ink, Panel, figure, palette};
 use geoint_examples::{claim, table};
@@ -87,20 +87,20 @@ fn draw(runs: [Named; 4]) -> Result<(), Box<dyn Error>> {
     }
     let [upper, lower] = ways;
     let path = Panel::new(
-        "Both bobs in 15 s",
+        "Double pendulum: paths of both bobs in 15 s",
         "discrete gradient, h = 0.01 s",
         [Axis::linear("x in m", -1.4..1.4), Axis::linear("y in m", -1.9..-0.3)],
         vec![
-            Curve::line("lower", palette::BLUE, lower).width(1.0).solid(),
-            Curve::line("upper", palette::VERMILION, upper).width(1.6).solid(),
+            Curve::line("lower bob", palette::BLUE, lower).width(1.0).solid(),
+            Curve::line("upper bob", palette::VERMILION, upper).width(1.6).solid(),
         ],
     );
     let curves = runs.into_iter().map(|(name, ink, run)| Curve::line(name, ink, run).rounding().width(1.2)).collect();
     let energy = Panel::new(
-        "Error of the energy",
+        "Double pendulum: error of the energy",
         "h = 0.02 s; differences of 0 are not drawn",
         [Axis::linear("time in s", 0.0..200.0), Axis::decades("|E − E₀| in J", -16.0..1.0)],
         curves,
     );
-    figure("lagrangian.svg", (400, 300), &[path.named_above(), energy.named_above()])
+    figure("lagrangian.svg", (4, 3), &[path, energy])
 }

@@ -1,8 +1,8 @@
 //! Can steps begin at the centre of a star, where the equation is singular?
 //!
-//! A polytrope of index n in equilibrium obeys q'' + (2/t) q' + qⁿ = 0, H = p²/2 + (2/t)s + qⁿ⁺¹/(n + 1). The flow of p²/2 + (2/t)s is
-//! known exactly in its own time, so that it may begin at t = 0. Order 2 is all that there is to gain there; methods of high
-//! order begin a little further out, at a point from the series of the solution.
+//! A polytrope of index n in equilibrium obeys q'' + (2/t) q' + qⁿ = 0, with H = p²/2 + (2/t)s + qⁿ⁺¹/(n + 1). The flow of p²/2 + (2/t)s is
+//! exact in its own time, so steps may begin at t = 0, with order 2. Methods of high order begin at a small t, with a state from the
+//! series of the solution.
 
 use geoint_examples::plot::{Axis, Curve, Ink, Panel, figure, palette};
 use geoint_examples::{claim, largest, orbit, table};
@@ -94,16 +94,16 @@ fn main() -> Result<(), Box<dyn Error>> {
     claim("with a series for the first 0.1, order 6 errs by less than 1e-10", worst[1] < 1e-10)?;
 
     let stars = Panel::new(
-        "Inside of stars of index n",
+        "Polytropic stars of index n",
         "ContactSplitting from the centre; lines: h = 0.01, markers: h = 0.2; the density is qⁿ, lengths in Emden's unit",
         [Axis::linear("t, the distance from the centre", 0.0..10.0), Axis::linear("q", -0.2..1.0)],
         stars,
     );
     let errors = Panel::new(
-        "Errors",
-        "h = 0.01; order 2: ContactSplitting from t = 0; order 6: Yoshida6a of it from t = 0.1",
+        "Polytropic stars: error of q",
+        "h = 0.01; order 2: ContactSplitting from t = 0; order 6: Yoshida6a.of(ContactSplitting) from t = 0.1",
         [Axis::decades("t, the distance from the centre", -2.0..1.5), Axis::decades("|error of q|", -17.0..-3.0)],
         curves,
     );
-    figure("lane_emden.svg", (380, 360), &[stars, errors])
+    figure("lane_emden.svg", (4, 3), &[stars, errors])
 }

@@ -1,8 +1,8 @@
-//! What is left of a closed orbit after a hundred thousand periods?
+//! How far is a closed orbit from its start after a hundred thousand periods?
 //!
-//! Predators and prey have an integral with logarithms, which the orbit equation dy/dx = y (b x − c) / (x (a − b y)) gives. Three forms of
-//! one system: a field with the integral that it keeps, an energy with a structure matrix, and in logarithms an energy of the form
-//! T(p) + V(q). Steps that keep the integral stay on the orbit; those of RK4 leave it, by little a period.
+//! Predators and prey have an integral with logarithms. It follows from the orbit equation dy/dx = y (b x − c) / (x (a − b y)). The program has
+//! three forms of the system: a field with its integral, an energy with a structure matrix, and, in logarithms, an energy T(p) + V(q). Steps
+//! that keep the integral stay on the orbit. Steps of RK4 leave it, by little in each period.
 
 use geoint_examples::plot::{Axis, Curve, Ink, Panel, figure, palette};
 use geoint_examples::{changes, claim, table};
@@ -69,7 +69,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for state in sim.sampled(1).take(400) {
         orbit.push(state?.x);
     }
-    let mut orbits = vec![Curve::line("the orbit", palette::GREY, orbit.into_iter().map(Into::into).collect())];
+    let mut orbits = vec![Curve::line("true orbit", palette::GREY, orbit.into_iter().map(Into::into).collect())];
     for (name, run) in [("PlanarSplitting", planar), ("RK4", rk4)] {
         orbits.push(Curve::dots(name, run.ink, run.last.iter().map(|x| (x[0], x[1])).collect()).marked(3.0));
     }
@@ -80,17 +80,16 @@ fn main() -> Result<(), Box<dyn Error>> {
     });
     figure(
         "lotka_volterra.svg",
-        (330, 320),
+        (4, 3),
         &[
             Panel::new(
-                "After 100 000 periods",
-                "the next period; h = 1/50 of a period, dimensionless; a = 2, b = c = 1",
+                "Prey and predators after 100 000 periods",
+                "one period in steps of 1/50 of a period; a = 2, b = c = 1, dimensionless",
                 [Axis::linear("prey", 0.0..4.0), Axis::linear("predators", 0.0..6.0)],
                 orbits,
-            )
-            .named_above(),
+            ),
             Panel::new(
-                "Change of the integral",
+                "Prey and predators: change of the integral",
                 "h = 1/50 of a period, dimensionless; BlanesMoan4 in logarithms",
                 [Axis::decades("periods", -1.7..5.0), Axis::decades("|I − I₀|, largest so far", -16.5..1.0)],
                 errors.collect(),

@@ -1,8 +1,8 @@
-//! By how much does Mercury's perihelion turn in a century by general relativity, and who can see that?
+//! By how much does general relativity turn Mercury's perihelion in a century, and which methods show it?
 //!
-//! The first correction to Newton's law turns the ellipse as a term −3(GM)²m/(c²r²) of the energy does: 42.98″ in a century, half a millionth
-//! of a turn on each orbit. A. M. Nobili & I. W. Roxburgh, *Relativity in Celestial Mechanics and Astrometry* (1986) 105. Kepler's motion, solved exactly,
-//! does not turn at all; what is left is the term itself. A step of Störmer and Verlet turns the ellipse by itself.
+//! The first correction to Newton's law adds −3(GM)²m/(c²r²) to the energy. It turns the ellipse by 42.98″ in a century, half a millionth of a
+//! turn on each orbit. A. M. Nobili & I. W. Roxburgh, *Relativity in Celestial Mechanics and Astrometry* (1986) 105. Exact Kepler motion does
+//! not turn the ellipse, so methods with an exact Kepler flow show the correction alone. Steps of Störmer and Verlet add a turn of their own.
 
 use geoint_examples::plot::{Axis, Curve, Ink, Panel, figure, palette};
 use geoint_examples::{claim, table};
@@ -146,9 +146,9 @@ fn draw(runs: &[Run]) -> Result<(), Box<dyn Error>> {
     let exact = Curve::line("general relativity", palette::GREY, vec![(0.0, 0.0), (100.0, predicted())]);
     let panel = Panel::new(
         "Mercury's perihelion",
-        "its direction since the start, by the first correction to Newton's law; three methods agree with it, and take turns",
+        "direction since the start, with the first correction to Newton's law; the markers of three methods lie on the line",
         [Axis::linear("time (years)", 0.0..100.0), Axis::linear("angle (″)", -25.0..50.0)],
         std::iter::once(exact).chain(runs.iter().zip(inks).map(curve)).collect(),
     );
-    figure("mercury.svg", (520, 360), &[panel])
+    figure("mercury.svg", (3, 2), &[panel])
 }

@@ -1,8 +1,8 @@
-//! Which orbits do the outer planets run through in 547 years, and what does each method lose on the way?
+//! How do the outer planets move in 547 years, and how accurate is each method?
 //!
-//! The Sun, Jupiter, Saturn, Uranus, Neptune and Pluto attract each other; one energy function says so. All explicit
-//! methods get the same budget, the forces once in ten days: a step of a method with k stages is 10·k days long. Two more get
-//! less: in Jacobi's coordinates they solve Kepler's motion of each planet exactly, and kick by what is left.
+//! The Sun, Jupiter, Saturn, Uranus, Neptune and Pluto attract each other; one energy function contains all of this. All explicit methods
+//! evaluate the forces once in ten days: a step of a method with k stages is 10·k days long. Two more methods evaluate them less often. They
+//! work in Jacobi's coordinates, with an exact Kepler flow of each planet and a kick by the rest.
 
 use geoint_examples::outer_planets::{self, start};
 use geoint_examples::plot::{Axis, Curve, Ink, Panel, figure, palette};
@@ -228,10 +228,10 @@ fn draw_orbits(wrong: &Run, right: &Run) -> Result<(), Box<dyn Error>> {
             Axis::linear("x in the ecliptic, towards the vernal equinox (AU)", -36.0..50.0),
             Axis::linear("y (AU)", -36.0..50.0),
         ];
-        let note = format!("{} steps of {:.0} days, one force in 10 days", run.steps, run.step_size());
-        Panel::new(&run.name, note, axes, (0..6).map(|i| curve(run, i)).collect()).equal().named_above()
+        let note = format!("{} steps of {:.0} days, forces once in 10 days", run.steps, run.step_size());
+        Panel::new(format!("Outer planets, {}", run.name), note, axes, (0..6).map(|i| curve(run, i)).collect()).equal()
     };
-    figure("outer_solar_system_orbits.svg", (390, 390), &[panel(wrong), panel(right)])
+    figure("outer_solar_system_orbits.svg", (1, 1), &[panel(wrong), panel(right)])
 }
 
 fn draw_energy_errors(runs: &[Run]) -> Result<(), Box<dyn Error>> {
@@ -253,9 +253,9 @@ fn draw_energy_errors(runs: &[Run]) -> Result<(), Box<dyn Error>> {
     };
     let panel = Panel::new(
         "Outer solar system: error of the energy",
-        "the explicit methods take one force in 10 days",
+        "explicit methods evaluate the forces once in 10 days",
         [Axis::linear("time (years)", 0.0..550.0), Axis::decades("relative error, largest in 5000 days", -16.0..0.0)],
         colours.into_iter().filter_map(curve).collect(),
     );
-    figure("outer_solar_system_energy.svg", (520, 360), &[panel])
+    figure("outer_solar_system_energy.svg", (3, 2), &[panel])
 }

@@ -1,8 +1,8 @@
-//! What do steps leave of the angular momentum of an orbit with friction? Exactly what friction leaves of it.
+//! Do steps keep the law of the angular momentum of an orbit with friction?
 //!
-//! Two bodies with friction that changes its sign, H = |p|²/2 − 1/|q| + α sin(Ωt) s, as in A. Bravetti et al., Celest. Mech. Dyn.
-//! Astr. 132 (2020) 7. The flow obeys L = L₀ exp(−α∫sin Ωt dt); a step of the splitting multiplies L by exp(−hα sin Ωt) with the
-//! time in its middle, to rounding, however large the error of the orbit may be.
+//! Two bodies have friction that changes its sign, H = |p|²/2 − 1/|q| + α sin(Ωt) s, as in A. Bravetti et al., Celest. Mech. Dyn. Astr. 132
+//! (2020) 7. The flow obeys L = L₀ exp(−α∫sin Ωt dt). A step of the splitting multiplies L by exp(−hα sin Ωt) at the middle of the step, to
+//! rounding, even if the orbit has a large error.
 
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, largest, orbit, order, table};
@@ -74,8 +74,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         Curve::line(name.clone(), colour, STEP_SIZES.into_iter().zip(*errors).rev().collect()).marked(3.0)
     });
     let accuracy = Panel::new(
-        "Error at t = 10",
-        "of (q, p, s), the largest of their entries",
+        "Two bodies with friction: error at t = 10",
+        "largest entry of the error of (q, p, s); G M = 1, unit axis",
         [Axis::decades("step size h", -2.0..-1.0), Axis::decades("largest error", -12.0..0.0)],
         accuracy.collect(),
     );
@@ -87,7 +87,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         Curve::dots("ContactSplitting, h = 0.2", palette::VERMILION, path(&coarse)).marked(2.6).open(),
     ];
     let orbits = Panel::new(
-        "The orbit turns",
+        "Two bodies with friction of changing sign",
         "up to t = 40; G M = 1, unit axis",
         [Axis::linear("x", -1.7..1.0), Axis::linear("y", -1.4..1.4)],
         orbits,
@@ -97,7 +97,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let law = (0..=400).map(|n| 0.01 * f64::from(n)).map(|t| (t, start * law(t).exp())).collect();
     let steps = states.iter().take_while(|x| x.t <= 4.0).map(|x| (x.t, angular_momentum(x))).collect();
     let momentum = vec![
-        Curve::line("the flow", palette::GREY, law),
+        Curve::line("exact law", palette::GREY, law),
         Curve::dots("ContactSplitting, h = 0.05", palette::VERMILION, steps).open(),
     ];
     let momentum = Panel::new(
@@ -106,7 +106,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         [Axis::linear("time", 0.0..4.0), Axis::linear("L", 0.91..0.945)],
         momentum,
     );
-    figure("perturbed_kepler.svg", (300, 300), &[orbits.equal().named_above(), momentum.named_above(), accuracy])
+    figure("perturbed_kepler.svg", (5, 4), &[orbits.equal(), momentum, accuracy])
 }
 
 fn after<M: Method<PerturbedKepler, f64>>(method: M, h: f64) -> Result<Body, StepError> {

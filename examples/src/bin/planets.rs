@@ -1,8 +1,8 @@
-//! How long may a step be if Kepler's motion of each planet is solved exactly?
+//! How long may a step be if the Kepler motion of each planet is exact?
 //!
-//! The outer planets over 547 years. The energy is a sum of Kepler's motions A and of what is left, B, which is a thousandth of A: steps are
-//! long because B is small. In coordinates of Jacobi each planet goes round the centre of mass of those before it; in heliocentric ones it
-//! goes round the Sun, whose own motion is part of B.
+//! The problem is the outer planets over 547 years. The energy is a sum of Kepler motions A and a rest B, which is a thousandth of A. Steps
+//! are long because B is small. In Jacobi's coordinates each planet moves about the centre of mass of the planets before it. In heliocentric
+//! coordinates each planet moves about the Sun, and the motion of the Sun is part of B.
 
 use geoint_examples::outer_planets::{self, start};
 use geoint_examples::plot::{Axis, Curve, Ink, Panel, figure, palette};
@@ -176,9 +176,9 @@ fn draw(runs: &[Run]) -> Result<(), Box<dyn Error>> {
     };
     let panel = Panel::new(
         "Outer planets after 547 years",
-        "each marker a run; a kick with a force gradient counts as a force",
+        "each marker is a run; a kick with a force gradient counts as one force",
         [Axis::decades("forces", 1.5..5.2), Axis::decades("relative error of positions and velocities", -11.0..0.0)],
         runs.iter().zip(inks).map(curve).collect(),
     );
-    figure("planets.svg", (560, 400), &[panel])
+    figure("planets.svg", (4, 3), &[panel])
 }

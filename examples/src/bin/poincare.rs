@@ -1,6 +1,7 @@
-//! Where do orbits of a galaxy pass through a plane? Three sections of Hénon and Heiles: order, islands, chaos.
+//! Where do orbits of a galaxy cross a plane? Three sections of Hénon and Heiles: order, islands, chaos.
 //!
-//! A section is an event, x = 0 with p_x > 0: the zero of a polynomial in every step of a Taylor series. The steps do not know of it.
+//! A section is an event, x = 0 with p_x > 0. Each step of a Taylor series is a polynomial, and the event is its zero. The events do not
+//! change the steps.
 //!
 //! M. Hénon & C. Heiles, Astron. J. 69 (1964) 73, figures 4 to 6.
 
@@ -66,18 +67,17 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
         panels.push(
             Panel::new(
-                format!("E = {name}"),
+                format!("Section of Hénon–Heiles, E = {name}"),
                 format!("{} orbits, {POINTS} points each, neighbours in other colours; Taylor series to rounding; dimensionless", curves.len()),
                 [Axis::linear("y", -0.6..1.05), Axis::linear("p_y", -0.6..0.6)],
                 curves,
-            )
-            .named_above(),
+            ),
         );
     }
     println!("{points} points of three sections");
     claim("x is zero at all of them to 10⁻¹⁵", off < 1e-15)?;
     claim("and the energy is that of the start to 10⁻¹⁴", energy_error < 1e-14)?;
-    figure("poincare.svg", (330, 330), &panels)
+    figure("poincare.svg", (1, 1), &panels)
 }
 
 #[cfg(test)]

@@ -1,8 +1,8 @@
-//! Is friction that grows with the action more expensive than friction that does not?
+//! Does friction that grows with the action cost more than constant friction?
 //!
-//! H = p²/2 + q²/2 + a s²/2: p' = −q − a s p, which drives the oscillator while s < 0, and damps it afterwards. The variational scheme for it is implicit (M. Vermeeren, A. Bravetti & M. Seri, J.
-//! Phys. A 52 (2019) 445206). The flows of both parts are known, so that a splitting is explicit: a rotation and a quotient. The
-//! quotient has a pole where a step would be too long, and then the step is refused.
+//! H = p²/2 + q²/2 + a s²/2 gives p' = −q − a s p. This term drives the oscillator while s < 0, and damps it afterwards. The variational scheme
+//! is implicit (M. Vermeeren, A. Bravetti & M. Seri, J. Phys. A 52 (2019) 445206). The flows of both parts are known, so a splitting is
+//! explicit: a rotation and a quotient. The quotient has a pole if a step is too long; then the step is refused.
 
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, largest, orbit, order, table};
@@ -57,5 +57,5 @@ fn main() -> Result<(), Box<dyn Error>> {
     let paths = Panel::new("Driven while s < 0, damped afterwards", note, axes, paths);
     let axes = [Axis::linear("time", 0.0..50.0), Axis::linear("action s", -2.4..2.6)];
     let actions = Panel::new("The action turns the friction on", note, axes, actions);
-    figure("quadratic_dissipation.svg", (380, 360), &[paths.named_above(), actions])
+    figure("quadratic_dissipation.svg", (4, 3), &[paths, actions])
 }

@@ -1,4 +1,4 @@
-//! How little does it take? A pendulum whose energy stays constant to rounding.
+//! How short is a complete program? A pendulum whose energy stays constant to rounding.
 
 use geoint_runtime::prelude::*;
 

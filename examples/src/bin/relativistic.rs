@@ -1,7 +1,7 @@
-//! A relativistic particle on a spring: a Lagrangian that is not quadratic in the velocity.
+//! How does the period of a relativistic particle on a spring depend on its amplitude?
 //!
-//! Its energy is √(m²c⁴ + p²c²) + k q²/2, by a rule of conjugates, which is T(p) + V(q): kick and drift exist. The farther it swings, the
-//! longer a period takes, because nothing is faster than c.
+//! The Lagrangian is not quadratic in the velocity. A rule of conjugates gives the energy √(m²c⁴ + p²c²) + k q²/2. It is T(p) + V(q), so kick
+//! and drift exist. The period grows with the amplitude, because the speed stays below c.
 
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, table};
@@ -108,7 +108,7 @@ fn draw(periods: &[(f64, f64, f64)]) -> Result<(), Box<dyn Error>> {
         motion.push(Curve::line(format!("A = {amplitude}"), ink, points).width(1.4));
     }
     let motion = Panel::new(
-        "From rest at A",
+        "Relativistic particle on a spring, from rest at A",
         "BlanesMoan6, h = 0.01; units in which m = c = k = 1",
         [Axis::linear("t", 0.0..30.0), Axis::linear("q/A", -1.1..1.1)],
         motion,
@@ -117,8 +117,8 @@ fn draw(periods: &[(f64, f64, f64)]) -> Result<(), Box<dyn Error>> {
     let of = |value: &dyn Fn(f64) -> f64| fine.iter().map(|a| (*a, value(*a))).collect::<Vec<_>>();
     let light = fine.iter().filter(|a| **a >= 1.5).map(|a| (*a, 4.0 * a)).collect();
     let period = Panel::new(
-        "Period by amplitude",
-        "BlanesMoan6, h = 0.01, beside an integral; m = c = k = 1",
+        "Period of a relativistic particle on a spring",
+        "BlanesMoan6, h = 0.01, and a quadrature; m = c = k = 1",
         [Axis::linear("A", 0.0..6.2), Axis::linear("period", 4.0..26.0)],
         vec![
             Curve::line("quadrature", palette::BLUE, of(&integral)).solid(),
@@ -126,5 +126,5 @@ fn draw(periods: &[(f64, f64, f64)]) -> Result<(), Box<dyn Error>> {
             Curve::dots("integrated", palette::VERMILION, periods.iter().map(|(a, found, _)| (*a, *found)).collect()),
         ],
     );
-    figure("relativistic.svg", (400, 300), &[motion.named_above(), period.named_above()])
+    figure("relativistic.svg", (4, 3), &[motion, period])
 }

@@ -1,8 +1,7 @@
-//! Six links, each turned by its motor and rubbed by its joint: a Lagrangian by recursion, and a balance of energy to rounding.
+//! Is the energy balance of a robot arm with motors and friction exact? Six links, with a Lagrangian by recursion.
 //!
-//! One writes down how velocities go from link to link. Nobody writes the mass matrix, its inverse, or the forces: steps are solved for
-//! six velocities from the derivatives of L alone. What the motors do and what the joints take is in each step exactly what the energy
-//! changes by.
+//! The program computes the velocities from link to link. It contains no mass matrix, no inverse and no forces: steps solve for six velocities
+//! with derivatives of L. In each step the change of the energy is exactly the work of the motors minus the heat in the joints.
 
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, shortest, table};
@@ -185,7 +184,7 @@ fn distance(a: [f64; 6], b: [f64; 6]) -> f64 {
 fn draw(balance: &[Balance], tip: Vec<(f64, f64)>) -> Result<(), Box<dyn Error>> {
     let of = |value: fn(&Balance) -> f64| balance.iter().step_by(4).map(|b| (b.t, value(b))).collect::<Vec<_>>();
     let energies = Panel::new(
-        "What comes and goes",
+        "Energy balance of an arm of six links",
         "discrete gradient, h = 0.01 s",
         [Axis::linear("time in s", 0.0..20.0), Axis::linear("since the start, in J", -150.0..350.0)],
         vec![
@@ -195,16 +194,16 @@ fn draw(balance: &[Balance], tip: Vec<(f64, f64)>) -> Result<(), Box<dyn Error>>
         ],
     );
     let error = Panel::new(
-        "Energy − work + heat",
-        "the same run: rounding of some 100 J",
+        "Error of energy − work + heat",
+        "discrete gradient, h = 0.01 s; rounding of energies of some 100 J",
         [Axis::linear("time in s", 0.0..20.0), Axis::decades("|error of the balance| in J", -16.0..-8.0)],
         vec![Curve::line("discrete gradient", palette::BLACK, of(|b| b.error().abs())).rounding().width(1.0)],
     );
     let way = Panel::new(
-        "Way of the hand",
-        "the same run: distance from the axis, and height",
+        "Path of the hand",
+        "discrete gradient, h = 0.01 s, for 20 s",
         [Axis::linear("distance from the axis in m", -0.1..1.3), Axis::linear("height in m", -1.0..1.0)],
         vec![Curve::line("hand", palette::BLUE, tip).solid().width(1.0)],
     );
-    figure("robot_arm.svg", (300, 300), &[energies.named_above(), error.named_above(), way.named_above()])
+    figure("robot_arm.svg", (4, 3), &[energies, error, way])
 }

@@ -1,7 +1,8 @@
-//! Where does a bead on a turning hoop rest? Its Lagrangian answers, and its energy function is not kinetic plus potential energy.
+//! At which angle does a bead on a turning hoop rest?
 //!
-//! The hoop turns about its vertical diameter at the rate Ω; q is the angle of the bead from below. Beyond Ω² = g/r the lowest point is
-//! no longer stable, and there are two others at cos q = g/(rΩ²).
+//! The hoop turns about its vertical diameter at the rate Ω; q is the angle of the bead from below. The Lagrangian gives an energy function
+//! that is not kinetic plus potential energy. Beyond Ω² = g/r the lowest point is unstable, and two stable angles exist with
+//! cos q = g/(rΩ²).
 
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, table};
@@ -127,25 +128,25 @@ fn draw(rest: f64, swing: &[Sample], settled: Vec<(f64, f64)>) -> Result<(), Box
         Curve::line("p·v − L", palette::BLUE, of(|e| e.energy)),
     ];
     let portrait = Panel::new(
-        "Orbits at Ω = 4 rad/s",
+        "Bead on a turning hoop, Ω = 4 rad/s",
         "discrete gradient, h = 0.01 s; g = 9.81 m/s², r = 1 m",
         [Axis::linear("angle q in rad", -2.4..2.4), Axis::linear("v in rad/s", -4.5..4.5)],
         orbits,
     );
     let energy = Panel::new(
-        "From q = 0.5 rad at rest",
+        "Energy of the bead, from q = 0.5 rad at rest",
         "discrete gradient, h = 0.01 s; Ω = 4 rad/s, unit mass",
         [Axis::linear("time in s", 0.0..4.0), Axis::linear("energy in J", -11.0..8.0)],
         energies,
     );
     let turning = Panel::new(
-        "Where friction brings it to rest",
+        "Angles of rest of the bead with friction",
         "discrete gradient, h = 0.01 s, c = 1/s, 60 s from ±0.1 rad",
         [Axis::linear("Ω in rad/s", 0.0..7.0), Axis::linear("angle q in rad", -1.6..1.6)],
         branches(settled),
     );
-    let panels = [portrait, energy, turning].map(Panel::named_above);
-    figure("rotating_hoop.svg", (400, 300), &panels)
+    let panels = [portrait, energy, turning];
+    figure("rotating_hoop.svg", (4, 3), &panels)
 }
 
 /// Angles of rest by the rate of the hoop; two branch off at Ω² = g/r.

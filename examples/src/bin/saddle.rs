@@ -1,8 +1,8 @@
-//! What does it take to keep the energy of a saddle? Every term of the scheme; not a small step.
+//! Which schemes keep the energy of a saddle?
 //!
-//! H = qp + p²/2 − q²/2 is neither T(p) + V(q) nor a well: orbits are hyperbolas, and grow like exp(√2 t). A scheme of
-//! divided differences keeps H exactly. Two others look nearly the same: one is without its terms in h², the other has
-//! lost the term q of the divided difference over p, and is a scheme for another system.
+//! H = qp + p²/2 − q²/2 is neither T(p) + V(q) nor a potential well: orbits are hyperbolas, and grow like exp(√2 t). A scheme of divided
+//! differences keeps H exactly. Two similar schemes do not, at any step size. The first lacks its terms in h². The second lacks the term q of
+//! the divided difference over p, and is a scheme for another system.
 
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, table};
@@ -190,7 +190,7 @@ fn draw(schemes: &[Scheme]) -> Result<(), Box<dyn Error>> {
         errors.push(if largest < 1e-12 { line.rounding() } else { line });
     }
     let energies = Panel::new(
-        "A saddle: error of the energy",
+        "Saddle: error of the energy",
         format!("h = {h}, from (1, 0.5); H = qp + p²/2 − q²/2, dimensionless"),
         [Axis::linear("time", 0.0..DURATION), Axis::decades("|H − H₀|, largest so far", -17.0..1.0)],
         errors,
@@ -201,7 +201,7 @@ fn draw(schemes: &[Scheme]) -> Result<(), Box<dyn Error>> {
     let starts = [(-1.4, 4.2), (-1.7, 3.6)];
     let inside = |x: &Phase| x.0.abs() < 5.0 && x.1.abs() < 4.5;
     let mut curves = Vec::new();
-    for (start, name) in starts.into_iter().zip(["the flow", ""]) {
+    for (start, name) in starts.into_iter().zip(["exact", ""]) {
         let truth = (0..400).map(|n| exact(0.01 * f64::from(n), start)).take_while(inside).collect();
         curves.push(Curve::line(name, palette::GREY, truth));
     }
@@ -213,10 +213,10 @@ fn draw(schemes: &[Scheme]) -> Result<(), Box<dyn Error>> {
         curves.push(Curve::dots(scheme.name, colour, points).marked(2.6));
     }
     let orbits = Panel::new(
-        "Two orbits, towards the origin and away",
-        format!("h = {h}; dimensionless"),
+        "Saddle: two orbits",
+        format!("h = {h}; H = qp + p²/2 − q²/2, dimensionless"),
         [Axis::linear("q", -5.0..5.0), Axis::linear("p", -2.6..4.6)],
         curves,
     );
-    figure("saddle.svg", (370, 340), &[energies, orbits.named_above()])
+    figure("saddle.svg", (4, 3), &[energies, orbits])
 }

@@ -1,8 +1,8 @@
-//! Which rotations of a satellite are stable, and which one does friction end in?
+//! Which rotations of a satellite are stable, and in which one does friction end?
 //!
-//! A satellite on an ellipse, of which the moment of inertia C = 1 + λ cos Ωt changes: d(C q')/dt is the torque of the central
-//! body, a Fourier series in 2q − kt of which the coefficients depend on the eccentricity (A. Cayley 1861), as in A. Bravetti et
-//! al., Celest. Mech. Dyn. Astr. 132 (2020) 7. Written with C'/C as friction it is a contact system. Sections at t = 2πk.
+//! The satellite moves on an ellipse, and its moment of inertia C = 1 + λ cos Ωt changes: d(C q')/dt is the torque of the central body. The
+//! torque is a Fourier series in 2q − kt with coefficients that depend on the eccentricity (A. Cayley 1861), as in A. Bravetti et al., Celest.
+//! Mech. Dyn. Astr. 132 (2020) 7. With C'/C as friction it is a contact system. Sections are at t = 2πk.
 
 use geoint_examples::claim;
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
@@ -98,29 +98,26 @@ fn main() -> Result<(), Box<dyn Error>> {
     let rate = |range| Axis::linear("q' (mean motions of the orbit)", range);
     figure(
         "spin_orbit.svg",
-        (300, 300),
+        (4, 3),
         &[
             Panel::new(
-                "Resonance: Ω = 1, λ = 0.01",
+                "Satellite in resonance: Ω = 1, λ = 0.01",
                 "sections at the pericentre from q = 0; ContactSplitting, h = 2π/20",
                 [angle(), rate(0.8..1.2)],
                 portrait,
-            )
-            .named_above(),
+            ),
             Panel::new(
-                "No resonance: Ω = √2",
+                "Satellite without resonance: Ω = √2",
                 "sections at the pericentre from (π, 1); ContactSplitting, h = 2π/20",
                 [angle(), rate(0.0..2.5)],
                 chaos,
-            )
-            .named_above(),
+            ),
             Panel::new(
-                "Friction captures in 1:1",
+                "Friction captures a satellite in 1:1",
                 "from (2.7, 3), with tidal friction 10⁻³; ContactSplitting, h = 2π/20",
                 [Axis::linear("orbits (thousands)", 0.0..1.6), rate(0.8..3.0)],
                 spin,
-            )
-            .named_above(),
+            ),
         ],
     )
 }

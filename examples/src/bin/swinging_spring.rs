@@ -1,7 +1,7 @@
 //! Why does a weight that bounces on a spring begin to swing?
 //!
-//! In polar coordinates H = (p_r² + p_θ²/r²)/2m + k (r − l)²/2 − m g r cos θ couples r and p_θ, and yet is a sum of three pieces with exact
-//! flows. In Cartesian ones it is T + V. If bouncing is twice as fast as swinging, k = 3 m g/l, one turns into the other and back
+//! In polar coordinates H = (p_r² + p_θ²/r²)/2m + k (r − l)²/2 − m g r cos θ couples r and p_θ. It is still a sum of three pieces with exact
+//! flows. In Cartesian coordinates H is T + V. If bouncing is twice as fast as swinging, k = 3 m g/l, each motion turns into the other
 //! (A. Vitt & G. Gorelik 1933; P. Lynch, Int. J. Nonlin. Mech. 37 (2002) 345).
 
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
@@ -113,29 +113,26 @@ fn main() -> Result<(), Box<dyn Error>> {
     let path = states.iter().map(to_cartesian).map(|state| (state.q[0], state.q[1])).collect();
     figure(
         "swinging_spring.svg",
-        (300, 300),
+        (4, 3),
         &[
             Panel::new(
-                "The path",
+                "A weight on a spring",
                 "BlanesMoan6X of pieces, h = 0.02 s, for 60 s from 12 cm below rest",
                 [Axis::linear("x in m", -0.45..0.45), Axis::linear("y in m", -1.2..-0.75)],
-                vec![Curve::line("the weight", palette::BLUE, path).width(0.6)],
-            )
-            .named_above(),
+                vec![Curve::line("weight", palette::BLUE, path).width(0.6)],
+            ),
             Panel::new(
-                "Bouncing",
-                "the same run",
+                "Bouncing: length of the spring",
+                "BlanesMoan6X of pieces, h = 0.02 s",
                 [Axis::linear("time in s", 0.0..60.0), Axis::linear("length of the spring in m", 0.85..1.15)],
                 vec![Curve::line("spring", palette::VERMILION, lengths).width(0.7).solid()],
-            )
-            .named_above(),
+            ),
             Panel::new(
-                "Swinging",
-                "the same run; the rest is bouncing",
+                "Swinging: part of the energy",
+                "BlanesMoan6X of pieces, h = 0.02 s; the rest is bouncing",
                 [Axis::linear("time in s", 0.0..60.0), Axis::linear("part of the energy", 0.0..1.05)],
                 vec![Curve::line("swinging", palette::BLUE, shares).width(0.7)],
-            )
-            .named_above(),
+            ),
         ],
     )
 }

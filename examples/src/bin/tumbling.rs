@@ -1,8 +1,8 @@
 //! Why does a body that turns about its middle axis tumble, and when?
 //!
-//! In free fall a body that is spun about the axis of its middle moment of inertia turns over, again and again (V. Dzhanibekov saw a wing
-//! nut do so in orbit). The attitude is a unit quaternion, the angular momentum is seen from the body. Without torques a step is the exact
-//! motion, whatever its length is; the time between two turns is half of the period 4K(k)/λ of Jacobi's functions.
+//! In free fall a body that is spun about the axis of its middle moment of inertia turns over, again and again (V. Dzhanibekov saw a wing nut
+//! do so in orbit). The attitude is a unit quaternion, and the angular momentum is in the frame of the body. Without torques a step is the
+//! exact motion at any length. The time between two turns is half of the period 4K(k)/λ of Jacobi's functions.
 
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, largest, orbit, table};
@@ -119,7 +119,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         long_edge.iter().chain(&short_edge).all(|point| point.1 > 0.8)
     })?;
     let turns = Panel::new(
-        "The middle axis turns over, the others stay",
+        "The middle axis turns over, the other axes stay",
         format!(
             "exact drift, h = {STEP} s, markers h = 4 s; spun with 1.2 rad/s about an axis, 0.2 about the others (middle: 0.0012)"
         ),
@@ -131,7 +131,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             Curve::line("short edge", palette::GREEN, short_edge),
         ],
     );
-    figure("tumbling.svg", (380, 380), &[pictures(&exact), turns.named_above()])
+    figure("tumbling.svg", (1, 1), &[pictures(&exact), turns])
 }
 
 fn step<M: Method<Satellite>>(method: M, h: f64, state: Attitude) -> Result<Attitude, StepError> {
@@ -189,13 +189,12 @@ fn pictures(exact: &[Attitude]) -> Panel {
     curves.extend(group("face at its back", palette::BLUE, below));
     let half = COLUMNS as f64 / 2.0;
     Panel::new(
-        "Its attitude, second by second",
-        "exact drift, h = 0.1 s; the angular momentum points up, edges of 1.6, 1, 0.4 m",
+        "A tumbling box, second by second",
+        "exact drift, h = 0.1 s; the angular momentum points up; edges of 1.6, 1 and 0.4 m",
         [
             Axis::linear("seconds from the left", -0.5..width - 0.5),
             Axis::linear("seconds at the left (s)", -half..height - half),
         ],
         curves,
     )
-    .named_above()
 }

@@ -1,10 +1,9 @@
-//! How long may steps be where an oscillation is stiff?
+//! How long may steps be for a stiff oscillation?
 //!
-//! Van der Pol's oscillator q' = s, s' = ε(1 − q²)s − q is the base of H = p s − ε(1 − q²)s + q, which the attribute's `lift` says:
-//! the momentum, which would blow up, is not followed. Two pieces are found, of which that with ε is solved exactly
-//! with its exponential; F. Zadra, A. Bravetti & M. Seri, Mathematics 9 (2021) 1960. Taken apart into three, or by RK4, it is
-//! less accurate or not stable. All of them are wrong about the period where hε is near 1: stable is not accurate, and no two
-//! turns take the same time.
+//! Van der Pol's oscillator q' = s, s' = ε(1 − q²)s − q is the base of H = p s − ε(1 − q²)s + q; the option `lift` of the attribute states
+//! this, and the growing momentum p is left out. The macro finds two pieces. The piece with ε is solved exactly with an exponential;
+//! F. Zadra, A. Bravetti & M. Seri, Mathematics 9 (2021) 1960. A splitting into three pieces and RK4 are less accurate or unstable. All
+//! methods give a wrong period if hε is near 1: the runs are stable but not accurate, and no two turns take the same time.
 
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, orbit, table};
@@ -113,8 +112,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         stiff.push(if h == 0.02 { curve.rounding() } else { curve });
     }
     let stiff = Panel::new(
-        "Stiff: ε = 50",
-        "ContactSplitting from (2, 0), dimensionless; at hε = 1 it is stable, but irregular",
+        "Van der Pol's oscillator, ε = 50",
+        "ContactSplitting from (2, 0), dimensionless; at hε = 1 the run is stable but irregular",
         [Axis::linear("time", 0.0..300.0), Axis::linear("q", -2.5..2.5)],
         stiff,
     );
@@ -126,7 +125,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         Ok::<_, StepError>(Curve::line(format!("ε = {eps}"), colour, cycle))
     });
     let cycles = Panel::new(
-        "Limit cycles",
+        "Limit cycles of van der Pol's oscillator",
         "ContactSplitting, h = 0.02; dimensionless",
         [Axis::linear("q", -2.5..2.5), Axis::linear("s = q'", -8.0..8.0)],
         cycles.into_iter().collect::<Result<_, _>>()?,
@@ -135,10 +134,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let points = points[5000..].iter().map(|x| (x.1, x.2)).collect();
     let forced = vec![Curve::line("t = 100 to 300", palette::VERMILION, points).width(0.4).solid().rounding()];
     let forced = Panel::new(
-        "Irregular under a force 5 cos 2.463t",
+        "Van der Pol's oscillator with the force 5 cos 2.463t",
         "ε = 5; ContactSplitting, h = 0.02; dimensionless",
         [Axis::linear("q", -2.5..2.5), Axis::linear("s = q'", -11.0..8.0)],
         forced,
     );
-    figure("van_der_pol.svg", (300, 300), &[stiff.named_above(), cycles.named_above(), forced.named_above()])
+    figure("van_der_pol.svg", (4, 3), &[stiff, cycles, forced])
 }

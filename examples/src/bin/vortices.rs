@@ -1,8 +1,8 @@
-//! Do two pairs of vortices pass through each other?
+//! When do two pairs of vortices pass through each other?
 //!
-//! Point vortices of strengths Γ move each other in the plane: (x, y) of each are conjugate, {x, y} = 1/Γ. Two pairs on one axis go through
-//! each other in turn if the ratio of their widths is above 3 − 2√2 (A. E. H. Love, Proc. London Math. Soc. 25 (1893) 185); else the narrow
-//! one leaves the wide one behind. The energy, the centre and ΣΓr² are integrals.
+//! Point vortices of strengths Γ move each other in the plane. The coordinates x and y of each vortex are conjugate, {x, y} = 1/Γ. Two pairs on
+//! one axis pass through each other in turn if the ratio of their widths is above 3 − 2√2 (A. E. H. Love, Proc. London Math. Soc. 25 (1893)
+//! 185). Below this ratio the narrow pair leaves the wide pair behind. The energy, the centre and ΣΓr² are integrals.
 
 use geoint_examples::plot::{Axis, Curve, Ink, Panel, figure, palette};
 use geoint_examples::{changes, claim, largest, orbit, table};
@@ -125,8 +125,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let distance = |states: &[Plane]| states.iter().map(|state| (state.t, ahead(state))).collect();
     let distances = vec![
         Curve::line("ratio 0.5", palette::BLUE, distance(&wide)),
-        Curve::line("0.2016", palette::GREEN, distance(&above)),
-        Curve::line("0.1416", palette::VERMILION, distance(&below)),
+        Curve::line("ratio 0.2016", palette::GREEN, distance(&above)),
+        Curve::line("ratio 0.1416", palette::VERMILION, distance(&below)),
     ];
     let energies = runs.iter().map(|run| {
         let points = run.changes.iter().map(|(t, change)| (*t, change[0])).collect();
@@ -135,25 +135,23 @@ fn main() -> Result<(), Box<dyn Error>> {
     });
     figure(
         "vortices.svg",
-        (320, 300),
+        (3, 2),
         &[
             Panel::new(
-                "Two pairs, one through the other",
+                "Two pairs of vortices pass through each other",
                 "FourthOrder(DiscreteGradient), h = 0.05 s, 30 s; ratio 0.5, circulations of 1 m²/s",
                 [Axis::linear("x (m)", -0.5..9.5), Axis::linear("y (m)", -1.5..1.5)],
                 paths,
-            )
-            .named_above(),
+            ),
             Panel::new(
-                "How far the narrow pair is ahead",
+                "Lead of the narrow pair of vortices",
                 "FourthOrder(DiscreteGradient), h = 0.05 and 0.02 s; Love's ratio is 0.1716",
-                [Axis::linear("time (s)", 0.0..60.0), Axis::linear("m", -4.0..6.0)],
+                [Axis::linear("time (s)", 0.0..60.0), Axis::linear("lead (m)", -4.0..6.0)],
                 distances,
-            )
-            .named_above(),
+            ),
             Panel::new(
-                "Change of the energy",
-                format!("h = {STEP} s, ratio 0.5; the pairs run 2 km, and what a coordinate rounds grows with it"),
+                "Vortices: change of the energy",
+                format!("h = {STEP} s, ratio 0.5; the pairs move 2 km, and the rounding of their coordinates grows"),
                 [Axis::decades("time (s)", -1.0..4.0), Axis::decades("|H − H₀| (m⁴/s²), largest so far", -16.5..0.0)],
                 energies.collect(),
             ),

@@ -1,28 +1,28 @@
-//! From numbers to places on an axis, and the numbers that are written beside it.
+//! Axes: the place of a number, and the ticks.
 
 use std::ops::Range;
 
-/// A coordinate: its name with its unit, from where to where, and whether its logarithm is drawn.
+/// An axis: its label with a unit, its range, and its scale.
 #[derive(Clone, Debug)]
 pub struct Axis {
     pub(super) label: String,
-    /// Of the number, or of its decimal logarithm.
+    /// Range of the number, or of its decimal logarithm.
     pub(super) range: Range<f64>,
     logarithmic: bool,
 }
 
 impl Axis {
-    /// The number itself.
+    /// Returns a linear axis.
     pub fn linear(label: impl Into<String>, range: Range<f64>) -> Self {
         Axis { label: label.into(), range, logarithmic: false }
     }
 
-    /// A positive number by its decimal logarithm; the range counts decades.
+    /// Returns a logarithmic axis; the range is that of the decimal logarithm.
     pub fn decades(label: impl Into<String>, range: Range<f64>) -> Self {
         Axis { label: label.into(), range, logarithmic: true }
     }
 
-    /// Which part of the range a number is from its start; not a number if it has no logarithm.
+    /// Returns the place of a number: 0 at the start of the range and 1 at its end, NaN if the number has no logarithm.
     pub(super) fn place(&self, x: f64) -> f64 {
         let x = match self.logarithmic {
             true if x <= 0.0 => f64::NAN,
@@ -32,7 +32,7 @@ impl Axis {
         (x - self.range.start) / (self.range.end - self.range.start)
     }
 
-    /// At most about `count` numbers, with what is written at them.
+    /// Returns about `count` ticks or fewer: numbers with their labels.
     pub(super) fn ticks(&self, count: f64) -> Vec<(f64, String)> {
         let length = self.range.end - self.range.start;
         if self.logarithmic && length <= 2.6 {
@@ -48,7 +48,7 @@ impl Axis {
         (first..=last).map(tick).collect()
     }
 
-    /// Some multiples of all powers of ten in the range.
+    /// Returns the multiples of powers of ten by `digits` in the range.
     fn multiples(&self, digits: &[i32]) -> Vec<(f64, String)> {
         let (first, last) = (self.range.start.floor() as i32, self.range.end.ceil() as i32);
         let all = (first..=last).flat_map(|n| digits.iter().map(move |digit| f64::from(*digit) * 10_f64.powi(n)));
@@ -57,19 +57,19 @@ impl Axis {
     }
 }
 
-/// The least of 1, 2, 5, 10, … times a power of ten that is not below a number.
+/// Returns the least number of the form 1, 2 or 5 times a power of ten that is at least `least`.
 fn round_step(least: f64) -> f64 {
     let power = 10_f64.powf(least.log10().floor());
     [1.0, 2.0, 5.0].into_iter().map(|digit| digit * power).find(|step| *step >= least).unwrap_or(10.0 * power)
 }
 
-/// A number with a sign that is as wide as a digit; rounded, because ticks may be a rounding away from what they mean.
+/// Formats the number of a tick with a wide minus sign. Rounds to nine decimals, because a computed tick has a rounding error.
 fn number(x: f64) -> String {
     let rounded = (x * 1e9).round() / 1e9 + 0.0;
     rounded.to_string().replace('-', "−")
 }
 
-/// A whole number as an exponent.
+/// Formats a whole number as an exponent.
 fn superscript(n: f64) -> String {
     let raised = |c| match c {
         '-' => '⁻',

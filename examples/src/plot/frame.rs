@@ -1,156 +1,133 @@
-//! A panel in its place: title, note, names, axes, grid and curves, from top to bottom.
+//! The layout of a figure: title, note, legend, axes, grid and curves, from top to bottom.
 
 use super::curve::{Curve, Marked};
-use super::names::{apart, width, wrapped};
 use super::svg::{Anchor, Document, Pen, Place};
-use super::{Axis, Names, Panel};
+use super::text::{width, wrapped};
+use super::{Axis, Panel};
 
-/// Space around the plotting area, in pixels.
-const LEFT: i32 = 58;
-const RIGHT: i32 = 18;
-pub(super) const BELOW: i32 = 48;
-/// Of a line of text.
-const ROW: i32 = 17;
-/// Of the piece of a curve that stands before its name, and around it.
-const SAMPLE: i32 = 24;
+/// Width of every figure in pixels.
+pub(super) const WIDTH: i32 = 560;
+/// Space around the plotting area in pixels.
+const LEFT: i32 = 72;
+const RIGHT: i32 = 20;
+const BELOW: i32 = 56;
+/// Space left of the title, and below it.
+const MARGIN: i32 = 8;
+const TITLE_ROW: i32 = 30;
+/// Height of a line of text.
+const ROW: i32 = 20;
+/// Length of the sample of a curve in the legend, and the space around it.
+const SAMPLE: i32 = 26;
 const SPACE: i32 = 6;
 
-const INK: &str = "#333";
-const GRID: &str = "#e4e4e4";
-const AXIS_WIDTH: i32 = 10;
+const AXIS: Pen<'_> =
+    Pen { colour: "currentColor", width: 10, dashes: "none", faint: false, clip: None, rounding: false };
 
-pub(super) struct Frame<'a> {
-    panel: &'a Panel,
-    /// Of the area in which curves are drawn.
-    id: String,
-    /// Corner and size of the plotting area, in pixels.
-    left: i32,
-    top: i32,
-    width: i32,
-    height: i32,
+/// Draws a panel. The name of the figure identifies its plotting area among other figures of a page.
+pub(super) fn drawn(panel: &Panel, name: &str, ratio: f64) -> String {
+    let (notes, legend) = (wrapped(&panel.note, WIDTH - 2 * MARGIN), legend(panel));
+    let top = TITLE_ROW + ROW * (notes.len() + legend.len() + 1) as i32 + 3 * SPACE;
+    let width = WIDTH - LEFT - RIGHT;
+    let frame = Frame { panel, name, top, width, height: (f64::from(width) / ratio).round() as i32 };
+    let description = format!("{}: {}.", panel.title, panel.note);
+    let mut document = Document::new(WIDTH, top + frame.height + BELOW, &description);
+    frame.header(&notes, &legend, &mut document);
+    frame.axes(&mut document);
+    document.clip(name, (10 * LEFT, 10 * top), (10 * width, 10 * frame.height));
+    for curve in &panel.curves {
+        frame.curve(curve, &mut document);
+    }
+    document.finish()
 }
 
-/// The space above the plotting area of a width, in pixels: title, note, names, and the label of the ordinate.
-pub(super) fn above(panel: &Panel, width: i32) -> i32 {
-    let rows = notes(panel, width).len() + rows_of_names(panel, width).len() + 1;
-    30 + ROW * rows as i32 + 6
-}
-
-fn notes(panel: &Panel, width: i32) -> Vec<String> {
-    wrapped(&panel.note, width + RIGHT)
-}
-
-fn named(panel: &Panel) -> impl Iterator<Item = &Curve> {
-    panel.curves.iter().filter(|curve| !curve.name.is_empty())
-}
-
-/// The curves that are named above, in rows that are not too wide.
-fn rows_of_names(panel: &Panel, most: i32) -> Vec<Vec<(i32, &Curve)>> {
+/// Arranges the named curves in rows, each with its distance from the left in pixels.
+fn legend(panel: &Panel) -> Vec<Vec<(i32, &Curve)>> {
     let mut rows: Vec<Vec<(i32, &Curve)>> = vec![];
-    let mut x = 0;
-    for curve in named(panel).filter(|_| panel.names == Names::Above) {
-        let length = SAMPLE + SPACE + width(&curve.name, false);
-        if x + length > most || rows.is_empty() {
-            x = 0;
-            rows.push(vec![]);
+    let mut x = MARGIN;
+    for curve in panel.curves.iter().filter(|curve| !curve.name.is_empty()) {
+        let length = SAMPLE + SPACE + width(&curve.name);
+        match rows.last_mut() {
+            Some(row) if x + length <= WIDTH - MARGIN => row.push((x, curve)),
+            _ => {
+                x = MARGIN;
+                rows.push(vec![(x, curve)]);
+            }
         }
-        rows.last_mut().into_iter().for_each(|row| row.push((x, curve)));
         x += length + 3 * SPACE;
     }
     rows
 }
 
-impl<'a> Frame<'a> {
-    /// Beside the frame that ends at `start`.
-    pub(super) fn new(panel: &'a Panel, id: String, start: i32, above: i32, (width, height): (i32, i32)) -> Self {
-        Frame { panel, id, left: start + LEFT, top: above, width, height }
-    }
+/// A panel and its plotting area, in pixels.
+struct Frame<'a> {
+    panel: &'a Panel,
+    name: &'a str,
+    top: i32,
+    width: i32,
+    height: i32,
+}
 
-    /// Where the next frame may start: behind the names at the ends of curves, and behind the title.
-    pub(super) fn end(&self) -> i32 {
-        let name = |curve: &Curve| SAMPLE + 2 * SPACE + width(&curve.name, false);
-        let names = match self.panel.names {
-            Names::AtEnds => named(self.panel).map(name).max().unwrap_or(0),
-            Names::Above => 0,
-        };
-        let title = width(&self.panel.title, true);
-        self.left + (self.width + names).max(title) + RIGHT
-    }
-
-    pub(super) fn draw(&self, to: &mut Document) {
-        to.clip(&self.id, (10 * self.left, 10 * self.top), (10 * self.width, 10 * self.height));
-        self.header(to);
-        self.axes(to);
-        for curve in &self.panel.curves {
-            self.curve(curve, to);
-        }
-        if self.panel.names == Names::AtEnds {
-            self.names_at_ends(to);
-        }
-    }
-
-    fn header(&self, to: &mut Document) {
-        let x = 10 * self.left;
-        to.text((x, 180), Anchor::Start, true, &self.panel.title);
-        let mut y = 38;
-        for line in notes(self.panel, self.width) {
-            to.text((x, 10 * y), Anchor::Start, false, &line);
+impl Frame<'_> {
+    fn header(&self, notes: &[String], legend: &[Vec<(i32, &Curve)>], to: &mut Document) {
+        to.title((10 * MARGIN, 10 * TITLE_ROW / 2), &self.panel.title);
+        let mut y = TITLE_ROW + ROW / 2;
+        for line in notes {
+            to.text((10 * MARGIN, 10 * y), Anchor::Start, line);
             y += ROW;
         }
-        for row in rows_of_names(self.panel, self.width) {
-            for (offset, curve) in row {
-                self.sample(curve, (self.left + offset, y), to);
+        for row in legend {
+            for (x, curve) in row {
+                self.sample(curve, (*x, y), to);
             }
             y += ROW;
         }
-        to.text((x, 10 * (self.top - 13)), Anchor::Start, false, &self.panel.y.label);
-        let below = (x + 5 * self.width, 10 * (self.top + self.height + 36));
-        to.text(below, Anchor::Middle, false, &self.panel.x.label);
+        to.text((10 * MARGIN, 10 * (y + SPACE)), Anchor::Start, &self.panel.y.label);
+        let below = (10 * LEFT + 5 * self.width, 10 * (self.top + self.height + 42));
+        to.text(below, Anchor::Middle, &self.panel.x.label);
     }
 
     fn axes(&self, to: &mut Document) {
         let Panel { x, y, .. } = self.panel;
-        let (left, top) = (10 * self.left, 10 * self.top);
+        let (left, top) = (10 * LEFT, 10 * self.top);
         let (right, bottom) = (left + 10 * self.width, top + 10 * self.height);
         let inside = |axis: &Axis, value: &f64| (-1e-9..=1.0 + 1e-9).contains(&axis.place(*value));
         let mut grid = vec![];
         let mut ticks = vec![];
-        for (value, text) in x.ticks(f64::from(self.width) / 60.0).iter().filter(|tick| inside(x, &tick.0)) {
+        for (value, text) in x.ticks(f64::from(self.width) / 70.0).iter().filter(|tick| inside(x, &tick.0)) {
             let at = left + tenths(x.place(*value), self.width);
             grid.push(vec![(at, top), (at, bottom)]);
             ticks.push(vec![(at, bottom), (at, bottom + 40)]);
-            to.text((at, bottom + 130), Anchor::Middle, false, text);
+            to.text((at, bottom + 150), Anchor::Middle, text);
         }
-        for (value, text) in y.ticks(f64::from(self.height) / 40.0).iter().filter(|tick| inside(y, &tick.0)) {
+        for (value, text) in y.ticks(f64::from(self.height) / 45.0).iter().filter(|tick| inside(y, &tick.0)) {
             let at = bottom - tenths(y.place(*value), self.height);
             grid.push(vec![(left, at), (right, at)]);
             ticks.push(vec![(left - 40, at), (left, at)]);
-            to.text((left - 70, at), Anchor::End, false, text);
+            to.text((left - 70, at), Anchor::End, text);
         }
         ticks.push(vec![(left, top), (left, bottom), (right, bottom)]);
-        let pen = Pen { colour: GRID, width: AXIS_WIDTH, dashes: "none", clip: None, rounding: false };
-        to.lines(&grid, pen);
-        to.lines(&ticks, Pen { colour: INK, ..pen });
+        to.lines(&grid, Pen { faint: true, ..AXIS });
+        to.lines(&ticks, AXIS);
     }
 
-    /// Where a point is drawn; nowhere if it has no coordinates.
+    /// Returns the place of a point, or `None` if a coordinate is not finite.
     fn place(&self, (x, y): (f64, f64)) -> Option<Place> {
         let (x, y) = (self.panel.x.place(x), self.panel.y.place(y));
         (x.is_finite() && y.is_finite()).then(|| {
             let bottom = 10 * (self.top + self.height);
-            (10 * self.left + tenths(x, self.width), bottom - tenths(y, self.height))
+            (10 * LEFT + tenths(x, self.width), bottom - tenths(y, self.height))
         })
     }
 
     fn holds(&self, (x, y): Place) -> bool {
-        let (left, top) = (10 * self.left, 10 * self.top);
+        let (left, top) = (10 * LEFT, 10 * self.top);
         (left - 1..=left + 10 * self.width + 1).contains(&x) && (top - 1..=top + 10 * self.height + 1).contains(&y)
     }
 
     fn pen<'b>(&'b self, curve: &'b Curve) -> Pen<'b> {
         let (colour, dashes) = (curve.ink.colour, curve.ink.dashes);
         let width = if curve.width > 0.0 { (10.0 * curve.width) as i32 } else { 11 };
-        Pen { colour, width, dashes, clip: Some(&self.id), rounding: curve.rounding }
+        Pen { colour, width, dashes, clip: Some(self.name), rounding: curve.rounding, ..AXIS }
     }
 
     fn curve(&self, curve: &Curve, to: &mut Document) {
@@ -171,7 +148,7 @@ impl<'a> Frame<'a> {
         }
     }
 
-    /// A piece of a curve and its name, beginning at a place in pixels.
+    /// Draws a sample of a curve and its name, from a place in pixels to the right.
     fn sample(&self, curve: &Curve, (x, y): Place, to: &mut Document) {
         let pen = Pen { clip: None, ..self.pen(curve) };
         if curve.width > 0.0 {
@@ -182,36 +159,19 @@ impl<'a> Frame<'a> {
             let radius = (10.0 * curve.marker.max(3.0)) as i32;
             to.markers(&[(10 * x + 5 * SAMPLE, 10 * y)], curve.shape(), radius, curve.open, pen);
         }
-        to.text((10 * (x + SAMPLE + SPACE), 10 * y), Anchor::Start, false, &curve.name);
-    }
-
-    /// Names right of the plotting area, each with a thin line that leads to the last point which is drawn.
-    fn names_at_ends(&self, to: &mut Document) {
-        let last = |curve: &Curve| {
-            let places = curve.points.iter().rev().filter_map(|point| self.place(*point));
-            places.into_iter().find(|place| self.holds(*place)).unwrap_or((10 * self.left, 10 * self.top))
-        };
-        let ends: Vec<_> = named(self.panel).map(last).collect();
-        let mut heights: Vec<_> = ends.iter().map(|end| end.1 / 10).collect();
-        apart(&mut heights, ROW, self.top, self.top + self.height);
-        let x = self.left + self.width + SPACE;
-        let leader = Pen { colour: "#777", width: 5, dashes: "none", clip: None, rounding: false };
-        for ((curve, end), y) in named(self.panel).zip(ends).zip(heights) {
-            to.lines(&[vec![end, (10 * x, 10 * y)]], Pen { rounding: curve.rounding, ..leader });
-            self.sample(curve, (x, y), to);
-        }
+        to.text((10 * (x + SAMPLE + SPACE), 10 * y), Anchor::Start, &curve.name);
     }
 }
 
-/// A part of a length in pixels; what is far outside is not quite as far.
+/// Converts a part of a length in pixels to tenths of a pixel. Places far outside are moved closer.
 fn tenths(part: f64, length: i32) -> i32 {
     (part.clamp(-20.0, 20.0) * f64::from(10 * length)).round() as i32
 }
 
-/// Of a pixel, in the units of places.
-const TENTH: f64 = 1.0;
+/// Largest distance of a simplified line from its places, in tenths of a pixel.
+const TOLERANCE: f64 = 1.0;
 
-/// The line through fewer of its places, nowhere further than a tenth of a pixel from the others.
+/// Removes places from a line. The remaining line is nowhere more than the tolerance away from the removed places.
 /// D. H. Douglas & T. K. Peucker, Cartographica 10 (1973) 112.
 fn simplified(line: &[Place]) -> Vec<Place> {
     if line.len() < 3 {
@@ -223,7 +183,7 @@ fn simplified(line: &[Place]) -> Vec<Place> {
         (kept[first], kept[last]) = (true, true);
         let distances = (first + 1..last).map(|i| (distance(line[i], line[first], line[last]), i));
         if let Some((far, i)) = distances.max_by(|a, b| a.0.total_cmp(&b.0))
-            && far > TENTH
+            && far > TOLERANCE
         {
             open.extend([(first, i), (i, last)]);
         }
@@ -231,7 +191,7 @@ fn simplified(line: &[Place]) -> Vec<Place> {
     line.iter().zip(kept).filter(|(_, kept)| *kept).map(|(place, _)| *place).collect()
 }
 
-/// From a place to the line between two others.
+/// Returns the distance of a place from the line between two others.
 fn distance(place: Place, from: Place, to: Place) -> f64 {
     let difference = |a: Place, b: Place| (f64::from(a.0 - b.0), f64::from(a.1 - b.1));
     let (along, off) = (difference(to, from), difference(place, from));

@@ -1,22 +1,21 @@
-//! Figures: panels of curves side by side, as an SVG whose bits depend on the points alone.
+//! Figures: each is one pair of axes with curves, as an SVG.
 //!
-//! One style for all. A curve differs from the others by its colour, its dashes and its marker, so that it can be told apart
-//! without any one of the three. Below the title of a panel stands what was computed how: without it there is no figure.
+//! All figures have one style. A curve differs from the others by its colour, its dashes and its marker; each of the three is
+//! enough to identify it. Texts, axes and grid have the colour of the text around the figure, and the background is transparent.
+//! So a figure fits light and dark pages. A note below the title states the method, the step and the units.
 
 mod axis;
 mod curve;
 mod frame;
-mod names;
 mod svg;
+mod text;
 
 pub use axis::Axis;
 pub use curve::{Curve, Ink, palette};
 
-use frame::Frame;
 use std::error::Error;
 use std::fs;
 use std::ops::Range;
-use svg::Document;
 
 /// A pair of axes with curves.
 #[derive(Clone, Debug)]
@@ -26,40 +25,25 @@ pub struct Panel {
     x: Axis,
     y: Axis,
     equal: bool,
-    names: Names,
     curves: Vec<Curve>,
 }
 
-/// Where curves are named.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Names {
-    AtEnds,
-    Above,
-}
-
 impl Panel {
-    /// Curves from the first to the topmost, named at their right ends. The note says the method, its step and the units.
+    /// Draws the curves in this order. The note states the method, its step and the units.
     pub fn new(title: impl Into<String>, note: impl Into<String>, [x, y]: [Axis; 2], curves: Vec<Curve>) -> Self {
-        Panel { title: title.into(), note: note.into(), x, y, equal: false, names: Names::AtEnds, curves }
+        Panel { title: title.into(), note: note.into(), x, y, equal: false, curves }
     }
 
-    /// With one unit of length for both coordinates: a circle is a circle.
+    /// Uses one unit of length for both coordinates: a circle is a circle.
     pub fn equal(mut self) -> Self {
         self.equal = true;
         self
     }
 
-    /// With the names of the curves in rows above.
-    pub fn named_above(mut self) -> Self {
-        self.names = Names::Above;
-        self
-    }
-
-    /// The ranges that are drawn in a plotting area of a size: the smallest around those of the axes with equal units.
-    fn fitted(&self, (width, height): (i32, i32)) -> Self {
+    /// Extends a range of a panel with equal units until the ratio of width to height is `ratio`.
+    fn fitted(&self, ratio: f64) -> Self {
         let mut panel = self.clone();
         if self.equal {
-            let ratio = f64::from(width) / f64::from(height);
             let half = |range: &Range<f64>| (range.end - range.start) / 2.0;
             let half_width = half(&self.x.range).max(half(&self.y.range) * ratio);
             let around = |range: &Range<f64>, half: f64| {
@@ -72,52 +56,42 @@ impl Panel {
         panel
     }
 
-    /// What a reader without the source would miss.
-    fn unsaid(&self) -> Option<&'static str> {
-        let said = [
+    /// Names the first text that a reader needs and that is missing.
+    fn missing(&self) -> Option<&'static str> {
+        let texts = [
             ("a title", !self.title.is_empty()),
             ("a note with method, step and units", !self.note.is_empty()),
             ("the label of an axis", ![&self.x, &self.y].iter().any(|axis| axis.label.is_empty())),
             ("the name of a curve", self.curves.iter().any(|curve| !curve.name.is_empty())),
         ];
-        said.into_iter().find(|(_, said)| !said).map(|(what, _)| what)
+        texts.into_iter().find(|(_, given)| !given).map(|(text, _)| text)
     }
 }
 
-/// Writes panels side by side, each with a plotting area of `size` pixels, to the output file `name`, and says where it is.
+/// Writes each panel to an output file and prints its path. The first file is `name`, the next ones are `name_2`, `name_3` and so on, with
+/// the same extension. The plotting area has the ratio of width to height that `shape` gives.
 ///
 /// # Errors
-/// If the file cannot be written, or if a panel lacks its title, its note, the label of an axis or all names of curves.
-pub fn figure(name: &str, size: (i32, i32), panels: &[Panel]) -> Result<(), Box<dyn Error>> {
-    for panel in panels {
-        if let Some(what) = panel.unsaid() {
-            return Err(format!("{name}: `{}` lacks {what}", panel.title).into());
+/// If a file cannot be written, or if a panel lacks its title, its note, the label of an axis or all names of curves.
+pub fn figure(name: &str, shape: (i32, i32), panels: &[Panel]) -> Result<(), Box<dyn Error>> {
+    println!();
+    for (panel, i) in panels.iter().zip(1..) {
+        if let Some(text) = panel.missing() {
+            return Err(format!("{name}: `{}` lacks {text}", panel.title).into());
         }
+        let name = if i == 1 { name.into() } else { name.replace(".svg", &format!("_{i}.svg")) };
+        let path = crate::output(&name)?;
+        let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+        fs::write(&path, drawn(&stem, shape, panel))?;
+        println!("figure      {}", crate::shown(&path));
     }
-    let path = crate::output(name)?;
-    let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
-    fs::write(&path, drawn(&stem, size, panels))?;
-    println!("\nfigure      {}", crate::shown(&path));
     Ok(())
 }
 
-/// The text of the file.
-fn drawn(stem: &str, size: (i32, i32), panels: &[Panel]) -> String {
-    let panels: Vec<_> = panels.iter().map(|panel| panel.fitted(size)).collect();
-    let above = panels.iter().map(|panel| frame::above(panel, size.0)).max().unwrap_or(0);
-    let mut frames = Vec::new();
-    let mut left = 0;
-    for (i, panel) in panels.iter().enumerate() {
-        let frame = Frame::new(panel, format!("{stem}-{i}"), left, above, size);
-        left = frame.end();
-        frames.push(frame);
-    }
-    let said: Vec<_> = panels.iter().map(|panel| format!("{}: {}.", panel.title, panel.note)).collect();
-    let mut document = Document::new(left, above + size.1 + frame::BELOW, &said.join(" "));
-    for frame in &frames {
-        frame.draw(&mut document);
-    }
-    document.finish()
+/// Returns the text of the file.
+fn drawn(stem: &str, (width, height): (i32, i32), panel: &Panel) -> String {
+    let ratio = f64::from(width) / f64::from(height);
+    frame::drawn(&panel.fitted(ratio), stem, ratio)
 }
 
 #[cfg(test)]
@@ -128,24 +102,51 @@ mod tests {
         Panel::new("T", "N", [Axis::linear("x", 0.0..1.0), Axis::decades("y", -4.0..0.0)], curves)
     }
 
+    fn line() -> Vec<Curve> {
+        vec![Curve::line("name", palette::BLUE, vec![(0.0, 1.0), (1.0, 0.1)])]
+    }
+
     #[test]
-    fn a_panel_says_what_it_shows() {
-        let line = || vec![Curve::line("name", palette::BLUE, vec![(0.0, 1.0), (1.0, 0.1)])];
-        assert_eq!(panel(line()).unsaid(), None);
-        assert_eq!(Panel { note: String::new(), ..panel(line()) }.unsaid(), Some("a note with method, step and units"));
+    fn a_panel_states_what_it_shows() {
+        assert_eq!(panel(line()).missing(), None);
         assert_eq!(
-            panel(vec![Curve { name: String::new(), ..line().remove(0) }]).unsaid(),
+            Panel { note: String::new(), ..panel(line()) }.missing(),
+            Some("a note with method, step and units")
+        );
+        assert_eq!(
+            panel(vec![Curve { name: String::new(), ..line().remove(0) }]).missing(),
             Some("the name of a curve")
         );
     }
 
-    /// A logarithm of zero has no place, least of all that of the smallest number on the axis.
+    #[test]
+    fn a_circle_is_a_circle() {
+        let axes = [Axis::linear("x", -1.0..1.0), Axis::linear("y", -1.0..1.0)];
+        let panel = Panel::new("T", "N", axes, line()).equal().fitted(1.5);
+        assert_eq!((panel.x.range, panel.y.range), (-1.5..1.5, -1.0..1.0));
+    }
+
+    /// The logarithm of zero has no place on the axis.
     #[test]
     fn zeros_leave_a_gap() {
         let points = vec![(0.0, 1.0), (0.5, 0.1), (0.6, 0.0), (0.8, 0.1), (1.0, 1.0)];
-        let drawn = drawn("t", (100, 100), &[panel(vec![Curve::line("name", palette::BLUE, points)])]);
+        let drawn = drawn("t", (1, 1), &panel(vec![Curve::line("name", palette::BLUE, points)]));
         let path = drawn.lines().find(|line| line.contains("clip-path")).unwrap();
         assert_eq!(path.matches('M').count(), 2);
+    }
+
+    /// Texts and axes have the colour of the page; no rectangle hides its background.
+    #[test]
+    fn figures_fit_light_and_dark_pages() {
+        let drawn = drawn("t", (1, 1), &panel(line()));
+        assert!(drawn.contains("fill=\"currentColor\"") && drawn.contains("prefers-color-scheme:dark"));
+        let fills = drawn.split("fill=\"").skip(1).filter_map(|rest| rest.split_once('"')).map(|fill| fill.0);
+        assert!(fills.into_iter().all(|fill| ["currentColor", "none"].contains(&fill)), "{drawn}");
+    }
+
+    #[test]
+    fn letters_are_ten_pixels_high_if_a_figure_is_400_wide() {
+        assert!(400 * text::FONT >= 10 * frame::WIDTH);
     }
 
     #[test]
@@ -155,6 +156,19 @@ mod tests {
             for b in &all[i + 1..] {
                 assert!(a.colour != b.colour && a.dashes != b.dashes && a.marker != b.marker, "{a:?} {b:?}");
             }
+        }
+    }
+
+    /// Contrast of at least 3 : 1 on white and on black, as in the Web Content Accessibility Guidelines 2.1, 1.4.11.
+    #[test]
+    fn colours_are_readable_on_white_and_on_black() {
+        let inks = palette::ALL.into_iter().chain([palette::GREY]);
+        for colour in inks.map(|ink| ink.colour).filter(|colour| *colour != "currentColor") {
+            let part = |i: usize| f64::from(u8::from_str_radix(&colour[i..i + 2], 16).unwrap()) / 255.0;
+            let linear = |c: f64| if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) };
+            let [red, green, blue] = [1, 3, 5].map(|i| linear(part(i)));
+            let luminance = 0.2126 * red + 0.7152 * green + 0.0722 * blue;
+            assert!(1.05 >= 3.0 * (luminance + 0.05) && luminance + 0.05 >= 3.0 * 0.05, "{colour}: {luminance}");
         }
     }
 }

@@ -7,14 +7,28 @@ use super::tokens::Tokens;
 use crate::derive::{Angles, Check, Domain, Sign};
 use crate::ir::{Graph, print::Printer};
 use crate::schedule::Plan;
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::quote;
+use syn::ext::IdentExt;
 
 /// The items of `PhaseSpace` that speak of the domain.
 pub(super) fn domain(context: &Context<'_>, graph: &Graph, domain: &Domain<Plan>) -> TokenStream {
     let (phase, parts, action) = (context.phase(), context.parts(), context.action());
     let damped = |entries: &[Tokens]| damping::matrix_test(context, entries);
     let outside = first_of(context, graph, (&domain.checks, &domain.arguments), damped);
+    let names: Vec<&Ident> = context.energy.parameters().map(|parameter| &parameter.name).collect();
+    let parameters = (!names.is_empty()).then(|| {
+        let shown = names.iter().map(|name| name.unraw().to_string());
+        // NaN is the one value that differs from itself.
+        quote! {
+            fn invalid_parameter(&self) -> ::core::option::Option<&'static str> {
+                #(if self.#names != self.#names {
+                    return ::core::option::Option::Some(#shown);
+                })*
+                ::core::option::Option::None
+            }
+        }
+    });
     let edge = (!domain.edges.checks.is_empty()).then(|| {
         let edge = first_of(context, graph, (&domain.edges.checks, &domain.edges.arguments), |_| TokenStream::new());
         quote! {
@@ -58,6 +72,7 @@ pub(super) fn domain(context: &Context<'_>, graph: &Graph, domain: &Domain<Plan>
             #parts
             #outside
         }
+        #parameters
         #edge
         #powers
         #examined

@@ -7,6 +7,9 @@ use crate::ir::{Id, Number, Ratio, Relation};
 use quote::{ToTokens, quote};
 use syn::BinOp;
 
+const INTEGER_BESIDE_NUMBER: &str = "an integer stands beside a number of type `f64` or `f32`: write `0.5` or `1.0 / 2.0` for a half, `2.0 * q` \
+                                     for `2 * q`, and `i as f64` for a counter";
+
 impl Lowering {
     pub(super) fn arithmetic(&mut self, syntax: &impl ToTokens, op: &BinOp, left: Value, right: Value) -> Value {
         use Value::{Integer, Iterator, List, Opaque, Poison, Quaternion, Real, Truth, Tuple, Vector};
@@ -55,6 +58,7 @@ impl Lowering {
                 let (a, b) = (self.real(syntax, a), self.real(syntax, b));
                 self.reals(syntax, op, a, b)
             }
+            (Integer(_), Real(_)) | (Real(_), Integer(_)) => self.refuse(syntax, INTEGER_BESIDE_NUMBER),
             (a @ (List(_) | Tuple(_) | Iterator(_)), _) | (_, a) => {
                 self.refuse(syntax, format!("this operator does not apply to {}", a.kind()))
             }
@@ -175,7 +179,7 @@ impl Lowering {
             Value::Poison => {}
             Value::Opaque(_) => {
                 self.refuse(syntax, "this number is not known to the macro: make it a `const` in the body, or repeat the one outside in the \
-                     attribute: `const N = 3`");
+                     attribute: `const N = …`");
             }
             Value::Real(_) => {
                 self.refuse(

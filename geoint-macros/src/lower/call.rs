@@ -5,6 +5,7 @@ use super::statement::simple_name;
 use super::value::{Around, Callable, Scopes, Value};
 use super::{Lowering, method};
 use crate::ir::Number;
+use crate::messages::BY_HAND;
 use crate::parse::plain_path;
 use quote::ToTokens;
 use std::rc::Rc;
@@ -152,7 +153,8 @@ impl Lowering {
             ),
             None => format!(
                 "the macro cannot see into functions outside of the energy: put `#[energy_function]` above this one and name \
-                 it in the attribute, `with({name})`; or make it a nested `fn`, by its formula or an approximation"
+                 it in the attribute, `with({name})`; a function of another crate becomes a nested `fn`, by its formula or an \
+                 approximation, see {BY_HAND}"
             ),
         };
         self.refuse(&call.func, message)

@@ -187,7 +187,13 @@ impl Lowering {
         }
         self.refuse(
             path,
-            format!("`{name}` is not known here: an energy sees its arguments, its own variables, and constants"),
+            match self.scopes.similar(&name) {
+                Some(similar) => format!("`{name}` is not known here; is `{similar}` meant?"),
+                None => format!(
+                    "`{name}` is not known here: an energy sees its arguments, its own variables, and constants. A quantity from \
+                     outside becomes an argument, `{name}: f64`"
+                ),
+            },
         )
     }
 

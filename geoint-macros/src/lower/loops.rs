@@ -2,6 +2,7 @@
 
 use super::value::Value;
 use super::{Lowering, MAX_EVALUATIONS, MAX_NODES};
+use crate::messages::BY_HAND;
 use quote::ToTokens;
 use syn::{ExprForLoop, Lifetime};
 
@@ -82,7 +83,10 @@ impl Lowering {
             self.is_exhausted = true;
             self.refuse(
                 syntax,
-                format!("this unrolls to more than {MAX_NODES} operations, which rustc could not compile in good time"),
+                format!(
+                    "this unrolls to more than {MAX_NODES} operations, which rustc could not compile in good time; larger systems are \
+                     written by hand, see {BY_HAND}"
+                ),
             );
         }
         exhausted

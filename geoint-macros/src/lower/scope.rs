@@ -84,6 +84,12 @@ impl Scopes {
         })
     }
 
+    /// Returns the variable whose name is most like an unknown one: it differs in case, or by one letter that is other, missing, added or swapped.
+    pub(super) fn similar(&self, unknown: &str) -> Option<&str> {
+        let known = self.levels.iter().rev().flat_map(|level| level.variables.keys());
+        known.filter(|known| is_similar(known, unknown)).min().map(String::as_str)
+    }
+
     /// What an item of a level sees.
     fn items_only(&self, level: usize) -> Scopes {
         let items = |level: &Rc<Level>| Rc::new(Level { items: level.items.clone(), ..Level::default() });
@@ -120,4 +126,20 @@ impl Level {
     fn knows(&self, name: &str) -> bool {
         self.variables.contains_key(name) || self.items.contains_key(name)
     }
+}
+
+/// Returns whether two names differ in case only, or by one letter. Names of one letter are similar in case only.
+fn is_similar(a: &str, b: &str) -> bool {
+    let [a, b] = [a, b].map(|name| name.to_lowercase().chars().collect::<Vec<_>>());
+    if a == b {
+        return true;
+    }
+    let (short, long) = if a.len() < b.len() { (&a, &b) } else { (&b, &a) };
+    let start = short.iter().zip(long).take_while(|(a, b)| a == b).count();
+    let (short, long) = (&short[start..], &long[start..]);
+    let is_swapped =
+        short.len() >= 2 && long.len() == short.len() && short[..2] == [long[1], long[0]] && short[2..] == long[2..];
+    let is_other = short.len() == long.len() && short[1..] == long[1..];
+    let is_added = short.len() + 1 == long.len() && *short == long[1..];
+    a.len().min(b.len()) > 1 && (is_swapped || is_other || is_added)
 }

@@ -80,7 +80,7 @@ pub(super) fn arguments(
                             &name,
                             format!(
                                 "arguments do not see the constants of the body: put `{name}` above the function, and \
-                                 repeat it in the attribute: `const {name} = 3`"
+                                 repeat it in the attribute: `const {name} = …`"
                             ),
                         ),
                         None => errors.extend(error),

@@ -53,7 +53,17 @@ pub(super) fn coordinates(
         (named, _) => named.as_ref(),
     };
     if let (Form::Hamiltonian, None, Some(x)) = (form, found(Role::Momentum), unstructured) {
-        errors.at(x, WITHOUT_STRUCTURE);
+        let named = |prefix: &str, name: &syn::Ident| exists(item, &format_ident!("{prefix}{name}"));
+        match ["p", "p_", "mom_"].into_iter().find(|prefix| named(prefix, x)) {
+            Some(prefix) => errors.at(
+                x,
+                format!(
+                    "a position `{x}` with its momentum `{prefix}{x}`: say so in the attribute, `q = {x}, p = {prefix}{x}`; several \
+                     positions are one array `q: [f64; N]`, and their momenta `p`"
+                ),
+            ),
+            None => errors.at(x, WITHOUT_STRUCTURE),
+        }
         return None;
     }
     let (other, letter, both) = match form {

@@ -105,7 +105,7 @@ const KEYS: [Key; 25] = [
         to.constraint = Some(values::constraint(value(input)?)?);
         Ok(())
     }),
-    key("split", "`split = \"terms | terms\"`", &[H, C, L], |to, _, input| {
+    key("split", "`split = \"terms | terms\"`", &[H, C], |to, _, input| {
         input.parse::<Token![=]>()?;
         to.split = Some(values::pieces(input)?);
         Ok(())
@@ -130,7 +130,9 @@ const KEYS: [Key; 25] = [
         to.lift = Some(key.span());
         Ok(())
     }),
-    key("const", "`const N = 3`", &[H, C, F, L, E], |to, _, input| Rc::make_mut(&mut to.outside).parse_constant(input)),
+    key("const", "`const N = …`", &[H, C, F, L, E], |to, _, input| {
+        Rc::make_mut(&mut to.outside).parse_constant(input)
+    }),
     key("type", "`type P = [f64; 3]`", &[H, C, F, L, E], |to, _, input| {
         Rc::make_mut(&mut to.outside).parse_alias(input)
     }),

@@ -1,6 +1,6 @@
 //! What the attribute repeats of the file, because it cannot see it: integer constants and aliases of types.
 //!
-//! `const N = 3` and `type P = [f64; N]` say what the function's `N` and `P` are. Types are written out with that before anything
+//! `const N = …` and `type P = [f64; N]` say what the function's `N` and `P` are. Types are written out with that before anything
 //! else reads them, and emitted code asks rustc whether it is true.
 
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -39,14 +39,14 @@ impl Outside {
             input.parse::<Type>()?;
         }
         if !input.peek(Token![=]) {
-            let message = format!("an attribute cannot see what `{name}` is: repeat its value, `const {name} = 3`");
+            let message = format!("an attribute cannot see what `{name}` is: repeat its value, `const {name} = …`");
             return Err(syn::Error::new_spanned(name, message));
         }
         input.parse::<Token![=]>()?;
         let expr: Expr = input.parse()?;
         let Some(value) = self.integer(&expr) else {
             let message = match self.unknown(&expr) {
-                Some(other) => format!("`{other}` is not known here: repeat it before, `const {other} = 3`"),
+                Some(other) => format!("`{other}` is not known here: repeat it before, `const {other} = …`"),
                 None => NOT_AN_INTEGER.into(),
             };
             return Err(syn::Error::new_spanned(expr, message));
@@ -210,5 +210,5 @@ fn literal(value: u64, place: &impl ToTokens) -> Expr {
     Expr::Lit(ExprLit { attrs: vec![], lit: Lit::new(literal) })
 }
 
-const NOT_AN_INTEGER: &str = "a constant that the attribute repeats is an integer, for lengths and loops: `const N = 3`; of other \
+const NOT_AN_INTEGER: &str = "a constant that the attribute repeats is an integer, for lengths and loops: `const N = …`; of other \
                               constants outside of the function only rustc needs the value";

@@ -1,5 +1,6 @@
 //! Types and their shapes.
 
+use crate::messages::BY_HAND;
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::{Expr, ExprLit, GenericArgument, Lit, Path, PathArguments, Type};
@@ -84,6 +85,20 @@ pub(super) fn shape(ty: &Type, float: &Ident) -> syn::Result<Shape> {
                 None if scalar_within(path).is_some_and(|other| other != *float) => {
                     refuse(ty, format!("all numbers of an energy have one type, here `{float}`"))
                 }
+                None if path
+                    .path
+                    .segments
+                    .last()
+                    .is_some_and(|last| last.ident == "Vec" || last.ident == "DVector") =>
+                {
+                    refuse(
+                        ty,
+                        format!(
+                            "a length is known when the program is compiled: write `[{float}; N]`; a system whose size is read at run time is \
+                         written by hand, see {BY_HAND}"
+                        ),
+                    )
+                }
                 None => {
                     let may_be_alias = match path.path.segments.last() {
                         Some(last) => last.arguments.is_none() && !FAMILIAR.iter().any(|name| last.ident == name),
@@ -159,15 +174,15 @@ fn unknown_length(length: &impl ToTokens) -> syn::Error {
             let name = path.segments.last().map(|last| last.ident.to_string()).unwrap_or_default();
             format!(
                 "the attribute cannot see constants outside of the function: name this one by `use`, and repeat it there, \
-                 `const {name} = 3`; rustc checks that both agree"
+                 `const {name} = …`; rustc checks that both agree"
             )
         }
         Ok(name) => format!(
-            "the attribute cannot see constants outside of the function: repeat this one there, `const {} = 3`; rustc checks \
+            "the attribute cannot see constants outside of the function: repeat this one there, `const {} = …`; rustc checks \
              that both agree",
             plain(&name)
         ),
-        Err(_) => "a length is made of numbers and constants that the attribute repeats: `const N = 3`".into(),
+        Err(_) => "a length is made of numbers and constants that the attribute repeats: `const N = …`".into(),
     };
     syn::Error::new_spanned(length, message)
 }

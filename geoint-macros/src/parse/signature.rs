@@ -29,7 +29,7 @@ pub(super) fn plain_function(form: Form, item: &ItemFn, outside: &Outside, error
             parameter,
             match parameter {
                 syn::GenericParam::Const(_) => {
-                    "an energy has one length: make it a constant above the function, and repeat it in the attribute: `const N = 3`"
+                    "an energy has one length: make it a constant above the function, and repeat it in the attribute: `const N = …`"
                 }
                 _ => "an energy cannot be generic: write `f64` or `f32`; the generated code is generic by itself",
             },

@@ -1,4 +1,4 @@
-//! Simulate a pendulum for 3000 swings, and see that its energy does not change.
+//! Simulate a pendulum for 3000 swings and see its energy stay constant.
 //!
 //! Add the crate to a new project. It needs Rust 1.89 or later:
 //!
@@ -31,30 +31,30 @@
 //!
 //! It takes a fraction of a second and prints a change of the energy near 1e-15 J: the rounding error of a single number.
 //!
-//! # What happened
+//! # Line by line
 //!
 //! - `#[hamiltonian]` reads the energy H(q, p) of the function below it. `q` is the position and `p` the momentum. All other arguments are parameters.
 //! - The attribute adds a struct `Pendulum` with one field for each parameter. It also derives the equations of motion, q' = ∂H/∂p and p' = −∂H/∂q, when
 //!   the program is compiled.
 //! - [`integrator`](crate::IntoIntegrator::integrator) combines the system with a method, a step size of 0.01 s and a state. `State::new(2.0, 0.0)` is the
 //!   angle 2 rad at rest.
-//! - [`DiscreteGradient`](crate::DiscreteGradient) keeps the energy exactly, up to rounding, at any step size.
+//! - [`DiscreteGradient`](crate::DiscreteGradient) keeps the energy to rounding, however long the steps are. A step that is too long for its equation is an error.
 //!
 //! A classical method does not. This is the error of the energy over a million steps, for four methods:
 //!
 #![doc = include_str!("../../docs/figures/energy_exact.svg")]
 //!
-//! # What was derived
+//! # The report
 //!
-//! Every system has a report. Print it with `println!("{}", Pendulum::REPORT)`:
+//! Every system has a report of its derivatives. Print it with `println!("{}", Pendulum::REPORT)`:
 //!
 //! ```text
-//! H = p²/(2·m·l²) − m·g·l·cos(q)
-//! ∂H/∂q = m·g·l·sin(q)
+//! H = p²/(2·(m·l²)) - m·l·g·cos(q)
+//! ∂H/∂q = m·l·g·sin(q)
 //! ∂H/∂p = p/(m·l²)
 //! ```
 //!
-//! The report also states what was proven, for instance that H is the sum of T(p) and V(q). [The report, line by line](super::_05_report) explains the
+//! It also lists proven properties, for instance that H is the sum of T(p) and V(q). [The report, line by line](super::_05_report) explains the
 //! rest.
 //!
 //! # A table for a plot

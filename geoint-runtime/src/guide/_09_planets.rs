@@ -1,1 +1,120 @@
-//! Planets.
+//! Simulate planets over centuries, satellites and close encounters, each with the method that fits.
+//!
+//! ```
+//! use geoint_runtime::{nalgebra::Vector3, prelude::*};
+//!
+//! /// Sun, Jupiter, Saturn; q in AU, p in M☉ AU/d, m in M☉, g in AU³/(d² M☉).
+//! #[hamiltonian(coordinates = jacobi)]
+//! fn planets(q: [Vector3<f64>; 3], p: [Vector3<f64>; 3], m: [f64; 3], g: f64) -> f64 {
+//!     let mut energy = 0.0;
+//!     for i in 0..3 {
+//!         energy += p[i].norm_squared() / (2.0 * m[i]);
+//!         for j in 0..i {
+//!             energy -= g * m[i] * m[j] / (q[i] - q[j]).norm();
+//!         }
+//!     }
+//!     energy
+//! }
+//! let m = [1.00000597682, 0.000954786104043, 0.000285583733151]; // Heliocentric, September 5, 1994; velocities v in AU/d.
+//! let q = [Vector3::zeros(), Vector3::new(-3.5023653, -3.8169847, -1.5507963), Vector3::new(9.0755314, -3.0458353, -1.6483708)];
+//! let v = [Vector3::zeros(), Vector3::new(0.00565429, -0.00412490, -0.00190589), Vector3::new(0.00168318, 0.00483525, 0.00192462)];
+//! let system = Planets { m, g: 2.95912208286e-4 };
+//! let mut sim = system.integrator(WisdomHolmanGradient, 100.0, State::new(q, [0, 1, 2].map(|i| m[i] * v[i])));
+//! let energy = sim.energy();
+//! sim.advance(4000)?; // 1095 years
+//! assert!((sim.energy() / energy - 1.0).abs() < 1e-11);
+//! # Ok::<(), StepError>(())
+//! ```
+//!
+//! The macro splits the energy into A + B. The Kepler motion A of the planets has an exact flow. The rest B is about 1/1000 of A and acts as a kick.
+//! Units may be any consistent ones. States stay in your coordinates q and p = m v. The Sun starts at rest here, so the centre of mass drifts.
+//!
+//! # Accuracy and cost
+//!
+//! Sun and five outer planets, 547 years. The example `outer_solar_system` prints these numbers (release build, one core of a shared Xeon):
+//!
+//! | method | step / d | forces | time / ms | relative error of the energy | error of the position / AU |
+//! |---|---|---|---|---|---|
+//! | [`StormerVerlet`](crate::StormerVerlet) | 10 | 20 000 | 1.1 | 8e-6 | 1e-1 |
+//! | [`BlanesMoanSrkn14a`](crate::BlanesMoanSrkn14a) | 140 | 20 000 | 1.1 | 2e-11 | 5e-7 |
+//! | [`WisdomHolmanGradient`](crate::WisdomHolmanGradient) | 100 | 2 000 | 0.6 | 4e-12 | 9e-10 |
+//! | [`Aba10_6_4`](crate::Aba10_6_4) | 400 | 4 000 | 0.8 | 2e-12 | 6e-9 |
+//! | [`DiscreteGradient`](crate::DiscreteGradient) | 100 | 15 000 | 1.8 | 1e-15 | 2.4 |
+//!
+#![doc = include_str!("../../docs/figures/outer_solar_system_energy.svg")]
+//!
+//! # Methods for A + B
+//!
+//! | method | kicks in a step | terms of the error (h: step, ε: size of B relative to A) |
+//! |---|---|---|
+//! | [`WisdomHolman`](crate::WisdomHolman) | 1 | ε h² + ε² h² |
+//! | [`WisdomHolmanProcessed`](crate::WisdomHolmanProcessed) | 1 | ε h¹⁰ + ε² h² |
+//! | [`WisdomHolmanGradient`](crate::WisdomHolmanGradient) | 1, gradient | ε h¹⁰ + ε² h⁴ |
+//! | [`Saba4`](crate::Saba4) | 4 | ε h⁸ + ε² h² |
+//! | [`Aba8_4`](crate::Aba8_4) | 5 | ε h⁸ + ε² h⁴ |
+//! | [`Aba8_6_4`](crate::Aba8_6_4) | 7 | ε h⁸ + ε² h⁶ + ε³ h⁴ |
+//! | [`Aba10_6_4`](crate::Aba10_6_4) | 8 | ε h¹⁰ + ε² h⁶ + ε³ h⁴ |
+//! | [`Saba2Gradient`](crate::Saba2Gradient) | 2, gradient | ε h⁴ + ε² h⁴ |
+//! | [`Saba3Gradient`](crate::Saba3Gradient) | 3, gradient | ε h⁶ + ε² h⁴ |
+//! | [`Saba4Gradient`](crate::Saba4Gradient) | 4, gradient | ε h⁸ + ε² h⁴ |
+//! | [`Saba5Gradient`](crate::Saba5Gradient) | 5, gradient | ε h¹⁰ + ε² h⁴ |
+//! | [`Rnia10_8_6`](crate::Rnia10_8_6), for oscillators | 12 | ε h¹⁰ + ε² h⁸ + ε³ h⁶ |
+//! | [`Perturbation(PEFRL)`](crate::Perturbation), or another table | those of the table | those of the table |
+//!
+//! Take `WisdomHolmanProcessed` for errors down to 1e-6, and `WisdomHolmanGradient` or `Aba10_6_4` for smaller errors.
+//!
+//! # Which coordinates
+//!
+//! - `coordinates = jacobi`: each body moves about the centre of mass of all bodies before it. Order the bodies by their distance from the first.
+//! - `coordinates = heliocentric`: each body moves about body 0, in any order. Methods with force gradients do not compile.
+//! - `split = "A | B"`: parts of your own. A needs a flow in closed form. B reads positions and time only. This is a satellite of the oblate Earth:
+//!
+//! ```
+//! # use geoint_runtime::prelude::*;
+//! #[energy_function]
+//! fn square(x: [f64; 3]) -> f64 {
+//!     x[0] * x[0] + x[1] * x[1] + x[2] * x[2]
+//! }
+//! /// q in km, p in km/s per unit mass; mu = GM, c = J₂R².
+//! #[hamiltonian(with(square), split = "square(p) / 2.0 - mu / square(q).sqrt()
+//!     | mu * c / 2.0 * (3.0 * q[2] * q[2] / square(q) - 1.0) / square(q).powf(1.5)")]
+//! fn satellite(q: [f64; 3], p: [f64; 3], mu: f64, c: f64) -> f64 {
+//!     square(p) / 2.0 - mu / square(q).sqrt() + mu * c / 2.0 * (3.0 * q[2] * q[2] / square(q) - 1.0) / square(q).powf(1.5)
+//! }
+//! let start = State::new([7000.0, 0.0, 0.0], [0.0, 4.687, 5.914]);
+//! let mut sim = Satellite { mu: 398600.4418, c: 44043.7 }.integrator(WisdomHolmanGradient, 300.0, start);
+//! sim.advance(2880)?; // Ten days. The orbital plane turns by 44.9°.
+//! # let State { q, p, .. } = sim.state();
+//! # assert!(((q[1] * p[2] - q[2] * p[1]).atan2(q[0] * p[2] - q[2] * p[0]).to_degrees() + 44.9).abs() < 0.1);
+//! # Ok::<(), StepError>(())
+//! ```
+//!
+//! # Close encounters
+//!
+//! B is not small in an encounter, and a method with fixed steps then loses accuracy without an error. Take Taylor series or an adaptive run.
+//! Burrau's three bodies start at distances 3, 4 and 5, and come as close as 4e-4. The run takes about 3500 steps of very different lengths:
+//!
+//! ```
+//! # use geoint_runtime::prelude::*;
+//! #[hamiltonian]
+//! fn burrau(q: [[f64; 2]; 3], p: [[f64; 2]; 3], m: [f64; 3]) -> f64 {
+//!     let kinetic = |i: usize| (p[i][0].powi(2) + p[i][1].powi(2)) / (2.0 * m[i]);
+//!     let attraction = |i: usize, j: usize| m[i] * m[j] / ((q[i][0] - q[j][0]).powi(2) + (q[i][1] - q[j][1]).powi(2)).sqrt();
+//!     kinetic(0) + kinetic(1) + kinetic(2) - attraction(0, 1) - attraction(0, 2) - attraction(1, 2)
+//! }
+//! let start = State::new([[1.0, 3.0], [-2.0, -1.0], [1.0, -1.0]], [[0.0; 2]; 3]);
+//! let mut sim = Burrau { m: [3.0, 4.0, 5.0] }.taylor(Projection(Taylor::default(), Energy), start);
+//! sim.advance_to(70.0)?;
+//! assert!((sim.energy() + 12.0 / 5.0 + 15.0 / 4.0 + 20.0 / 3.0).abs() < 1e-12 && sim.steps() < 3700);
+//! # Ok::<(), StepError>(())
+//! ```
+//!
+//! # Errors and limits
+//!
+//! - Choose h ≤ 1/8 of the shortest period with `WisdomHolman`, and ≤ 1/5 with `Aba10_6_4`. Longer steps meet resonances, without an error.
+//! - Processed methods (`WisdomHolmanProcessed`, `WisdomHolmanGradient`) compute 12 kicks and 16 flows for each state that you read. Read few states.
+//! - `OutsideDomain`: a mass is zero, or one body has 1e16 times the mass of all bodies before it. Give test particles a mass such as 1e-30.
+//! - [`Pole`](crate::StepError::Pole): an orbit meets its focus. A planet's moon makes B large: take `BlanesMoanSrkn14a` or Taylor series.
+//! - Up to about 20 bodies in space compile. For more bodies, [write the system by hand](super::_14_by_hand).
+//!
+//! Next: [energy kept exactly](super::_07_energy), [events and sections](super::_12_events), [a run in practice](super::_06_runs).

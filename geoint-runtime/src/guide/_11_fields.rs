@@ -1,1 +1,120 @@
-//! Fields with integrals, rigid bodies.
+//! Integrate a differential equation x' = f(x) and keep its first integrals exactly, up to rounding.
+//!
+//! Name the integrals in the attribute. The compiler proves f·∇I = 0 for each integral I.
+//!
+//! ```
+//! use geoint_runtime::prelude::*;
+//!
+//! /// Euler's equations of a free rigid body; x angular velocity in the body frame; a, b, c moments of inertia.
+//! #[vector_field(keeps(
+//!     energy = (a * x[0] * x[0] + b * x[1] * x[1] + c * x[2] * x[2]) / 2.0,
+//!     momentum = (a * a * x[0] * x[0] + b * b * x[1] * x[1] + c * c * x[2] * x[2]) / 2.0,
+//! ))]
+//! fn euler_top(x: [f64; 3], a: f64, b: f64, c: f64) -> [f64; 3] {
+//!     [(b - c) / a * x[1] * x[2], (c - a) / b * x[2] * x[0], (a - b) / c * x[0] * x[1]]
+//! }
+//!
+//! fn main() -> Result<(), StepError> {
+//!     let top = EulerTop { a: 1.0, b: 2.0, c: 3.0 };
+//!     let mut sim = top.integrator(DiscreteGradient, 0.1, FlowState::new([0.5, 0.8, -0.4]));
+//!     let before = sim.integrals();
+//!     sim.advance(100_000)?;
+//!     let after = sim.integrals();
+//!     assert!((0..2).all(|i| (after[i] / before[i] - 1.0).abs() < 1e-14));
+//!     Ok(())
+//! }
+//! ```
+//!
+//! - The state is a [`FlowState`](crate::FlowState) with the fields `t` and `x`. The field may read `t`.
+//! - `sim.integrals()` returns the named integrals in their order. An integral with the name `energy` is also `sim.energy()`.
+//! - [`DiscreteGradient`](crate::DiscreteGradient) has order 2 and keeps all named integrals. `FourthOrder(DiscreteGradient)` has order 4.
+//! - `Projection(DOP853, Integrals)` keeps all integrals that do not depend on `t`, by explicit steps.
+//! - `keeps(name = I, but = [b₁, b₂, …])` names a part b(x) of the field that changes I. A step changes I by exactly the work of b.
+//! - Without integrals there are [`RK4`](crate::RK4), [`DOP853`](crate::DOP853), [`Gauss`](crate::Gauss) and Taylor series.
+//!
+//! # An energy on another phase space: x' = S(x) ∇H(x)
+//!
+//! Give a skew matrix S and the energy. Point vortices, predator and prey, and rigid bodies have this form.
+//!
+//! ```
+//! use geoint_runtime::prelude::*;
+//!
+//! /// Predator and prey (Lotka and Volterra).
+//! #[hamiltonian(structure = [[0.0, -x[0] * x[1]], [x[0] * x[1], 0.0]])]
+//! fn lotka_volterra(x: [f64; 2], a: f64, b: f64, c: f64, d: f64) -> f64 {
+//!     d * x[0] - c * x[0].ln() + b * x[1] - a * x[1].ln()
+//! }
+//!
+//! /// Three vortices of strengths gamma; x = (x₁, x₂, x₃, y₁, y₂, y₃).
+//! #[hamiltonian(structure = |i, j| if j == i + 3 { 1.0 / gamma[i] } else { 0.0 })]
+//! fn vortices(x: [f64; 6], gamma: [f64; 3]) -> f64 {
+//!     let pair = |i: usize, j: usize| gamma[i] * gamma[j] * ((x[i] - x[j]).powi(2) + (x[3 + i] - x[3 + j]).powi(2)).ln();
+//!     -(pair(0, 1) + pair(0, 2) + pair(1, 2)) / (4.0 * std::f64::consts::PI)
+//! }
+//!
+//! let animals = LotkaVolterra { a: 2.0, b: 1.0, c: 1.0, d: 1.0 };
+//! let mut sim = animals.integrator(DiscreteGradient, 0.1, FlowState::new([1.0, 0.5]));
+//! let energy = sim.energy();
+//! sim.advance(100_000)?; // RK4 changes the energy by 0.12 on this run
+//! assert!((sim.energy() - energy).abs() < 1e-14);
+//! # let mut rk = animals.integrator(RK4, 0.1, FlowState::new([1.0, 0.5]));
+//! # rk.advance(100_000)?;
+//! # assert!(((rk.energy() - energy).abs() - 0.117).abs() < 1e-3);
+//! Vortices { gamma: [1.0, 2.0, -1.0] }.integrator(PoissonSplitting, 0.1, FlowState::new([0.0, 1.0, 0.3, 0.0, 0.0, 1.1])).advance(1000)?;
+//! # Ok::<(), StepError>(())
+//! ```
+//!
+//! `structure` is a matrix, a closure of i < j, or a name: `so3` (x' = x × ∇H), `se3` (heavy top, x = (m, γ)), `nambu(C)` (x' = ∇C × ∇H),
+//! `canonical`. The report states whether S is a Poisson structure. It lists the Casimirs: functions C with S ∇C = 0, constant for every H.
+//!
+//! | method | order | keeps |
+//! |---|---|---|
+//! | `DiscreteGradient` | 2 | H and Casimirs of degree 2, to rounding |
+//! | [`PoissonSplitting`](crate::PoissonSplitting) | 2 | the Poisson structure and Casimirs, to rounding; explicit |
+//! | [`PlanarSplitting`](crate::PlanarSplitting) | 2 | H, to rounding; one plane of two coordinates at a time |
+//! | `Suzuki4.of(…)` and other compositions of these | 4 to 10 | the same as the composed method |
+//!
+//! # Rigid bodies with an attitude
+//!
+//! `attitude = r` makes r a unit quaternion from body to space, and m the angular momentum in the body frame:
+//!
+//! ```
+//! use geoint_runtime::nalgebra::{UnitQuaternion, Vector3};
+//! use geoint_runtime::prelude::*;
+//!
+//! /// A heavy top; c is weight times centre of mass in the body frame.
+//! #[hamiltonian(attitude = r)]
+//! fn top(r: UnitQuaternion<f64>, m: Vector3<f64>, inertia: [f64; 3], c: Vector3<f64>) -> f64 {
+//!     (m.x * m.x / inertia[0] + m.y * m.y / inertia[1] + m.z * m.z / inertia[2]) / 2.0 + (r * c).z
+//! }
+//!
+//! let system = Top { inertia: [1.0, 2.0, 3.0], c: Vector3::new(0.3, -0.2, 0.7) };
+//! let start = BodyState::new(UnitQuaternion::identity(), Vector3::new(0.5, 1.6, -1.2));
+//! let mut sim = system.integrator(BlanesMoanSrkn14a, 0.25, start);
+//! let energy = sim.energy();
+//! sim.advance(1000)?;
+//! assert!((sim.energy() - energy).abs() < 1e-9);
+//! # system.integrator(FiveRotations, 0.02, start).advance(100)?;
+//! # Ok::<(), StepError>(())
+//! ```
+//!
+//! The energy must be T(m) + V(r, t) with T quadratic in m. Bodies may move: `BodyState::new(r, m).with_centres(q, p)`. All methods made of
+//! kicks and drifts apply. [`FiveRotations`](crate::FiveRotations) has order 2 and costs less than the exact free rotation.
+//!
+//! # The report of a field
+//!
+//! `EulerTop::REPORT` lists the divergence of f, a matrix S if one was found, and the proof of each integral. It also lists integrals
+//! that were found but not named. A canonical field, q' = ∂H/∂p and p' = −∂H/∂q, receives its H, and `sim.energy()` returns H. Write
+//! `Name::REPORT` for every system. `Name::<f64>::REPORT` is the same text, but does not compile for systems without parameters.
+//!
+//! # Errors and limits
+//!
+//! - A function that is not constant is a compile error. The message shows the remainder of f·∇I, for instance `2·x[0]·x[1]·x[2]·b − …`.
+//! - A true integral without a proof is a compile error, too. `keeps(assume(name = I))` accepts it, and the report marks it as assumed.
+//! - Dependent gradients, as on a circular orbit, give [`Singular`](crate::StepError::Singular). Use `Projection(RK4, Integrals)`.
+//! - Other refusals: [`Rounded`](crate::StepError::Rounded) (rounding changes an integral), [`Turned`](crate::StepError::Turned) (an angle moves
+//!   by more than half a turn), [`LedAstray`](crate::StepError::LedAstray) (the projection exceeds half of the step).
+//! - Choose units in which all coordinates have similar magnitudes. The correction of a step depends on the units.
+//! - `attitude = r` has no implicit methods and no Taylor series.
+//!
+//! Next: [events](super::_12_events), [evidence](super::_17_evidence), [limits](super::_18_limits).

@@ -1,1 +1,110 @@
-//! Games and real time.
+//! Step bodies in a frame loop, in `f32`, without allocation, with the same bits on every machine.
+//!
+//! A ball bounces at 60 frames per second. Each call of `frame` simulates exactly one frame, with or without a hit:
+//!
+//! ```
+//! use geoint_runtime::prelude::*;
+//!
+//! /// A ball; q = (x, height) in m, p in kg m/s.
+//! #[hamiltonian]
+//! pub fn ball(q: [f32; 2], p: [f32; 2], m: f32, g: f32) -> f32 {
+//!     (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) + m * g * q[1]
+//! }
+//!
+//! const FRAME: f32 = 1.0 / 60.0;
+//! const BOUNCE: f32 = 0.5;
+//! type Run = Integrator<Ball<f32>, StormerVerlet, f32>;
+//!
+//! /// One frame. Returns whether the ball has come to rest.
+//! fn frame(ball: &mut Run) -> Result<bool, StepError> {
+//!     ball.set_state(State { t: 0.0, ..ball.state() }); // The clock starts anew in each frame.
+//!     while let Some(hit) = ball.until_event(FRAME, Direction::Down, |state| state.q[1])? {
+//!         let up = -BOUNCE * hit.state.p[1];
+//!         ball.set_state(State { q: [hit.state.q[0], 0.0], p: [hit.state.p[0], up], ..hit.state });
+//!         if up < 0.05 * ball.system().m {
+//!             return Ok(true); // Slower than 5 cm/s: the ball lies down.
+//!         }
+//!     }
+//!     let state = ball.state();
+//!     if state.q[1] < 0.0 { // A missed hit.
+//!         ball.set_state(State { q: [state.q[0], 0.0], p: [state.p[0], BOUNCE * state.p[1].abs()], ..state });
+//!     }
+//!     Ok(false)
+//! }
+//!
+//! let mut run = Ball { m: 1.0, g: 9.81 }.integrator(StormerVerlet, FRAME, State::new([0.0, 2.0], [1.0, 0.0]));
+//! let (mut frames, mut at_rest) = (0, false);
+//! while !at_rest { // A game loop skips a body at rest until something touches it.
+//!     at_rest = frame(&mut run)?;
+//!     frames += 1;
+//! }
+//! println!("at rest after {frames} frames at x = {:.2} m", run.state().q[0]);
+//! # assert!((frames, run.state().q[1]) == (114, 0.0) && (run.state().q[0] - 1.9).abs() < 0.02);
+//! # Ok::<(), StepError>(())
+//! ```
+//!
+//! - **Scalar type.** Write `f32` in the arguments of the energy, and the whole run computes in `f32`.
+//! - **Fixed step.** Take one step or a few steps for each frame, such as `FRAME / 4.0`. [`until_event`](crate::Dense::until_event) shortens the last
+//!   step if necessary.
+//! - **The clock.** A time in `f32` has a resolution of 0.0002 s after one hour. Set `t` to 0 in each frame if the energy does not depend on time.
+//! - **Missed hits.** A search in `f32` misses an event just after its start: within 10⁻⁵ of a step at t = 0, and within 2 % of a step after 50 s.
+//!   Start the clock anew in each frame, and check the height at the end of the frame.
+//! - **Rest.** Bounces become infinitely short. Choose a speed below which a body lies down. Step the body again after a touch.
+//! - **Motors and controllers.** [`set_system`](crate::Integrator::set_system) changes a torque or any other parameter between frames.
+//!
+//! # Size and speed
+//!
+//! A run is a plain value, and a step allocates nothing. The table was measured on one laptop-class core, in `f32`, with steps of 1/60 s:
+//!
+//! | system | method | bytes | ns per step |
+//! |---|---|---|---|
+//! | ball in the plane | `StormerVerlet` | 216 | 11 |
+//! | ball in the plane | `DiscreteGradient` | 424 | 18 |
+//! | pendulum | `StormerVerlet` | 176 | 20 |
+//! | pendulum | `DiscreteGradient` | 312 | 48 |
+//! | double pendulum | `DiscreteGradient` | 672 | 140 |
+//! | chain of 16 masses | `StormerVerlet` | 808 | 50 |
+//! | chain of 16 masses | `DiscreteGradient` | 2040 | 570 |
+//!
+//! The times are good to 20 %. The state of the ball takes 20 bytes; the method takes the rest. A call of `until_event` that
+//! takes one step costs about 330 ns. It copies the run, and evaluates `g` at both ends of the step.
+//!
+//! # Microcontrollers: `no_std`
+//!
+//! ```toml
+//! [dependencies]
+//! geoint-runtime = { version = "0.1", default-features = false }
+//! ```
+//!
+//! `core` has no `cos` and no `sqrt`. The trait [`Real`](crate::Real) of the prelude adds them from the crate `libm`. The visibility of the
+//! generated struct is the visibility of the function: write `pub fn`.
+//!
+//! ```
+//! #![no_std]
+//! use geoint_runtime::prelude::*;
+//!
+//! #[hamiltonian]
+//! pub fn pendulum(q: f32, p: f32, g: f32) -> f32 {
+//!     p * p / 2.0 - g * q.cos()
+//! }
+//! # fn main() {
+//! # let mut sim = Pendulum { g: 9.81_f32 }.integrator(StormerVerlet, 0.01, State::new(1.0, 0.0));
+//! # assert!(sim.advance(100).is_ok());
+//! # }
+//! ```
+//!
+//! # The same bits on every machine
+//!
+//! | requirement | setting |
+//! |---|---|
+//! | no fused multiply-add | feature `strict-math`, or `default-features = false` |
+//! | the same `sin`, `exp`, … everywhere | `default-features = false`, for `libm`; no crate of the program may enable `std` |
+//! | the same sequence of steps | the same calls with the same numbers on every machine |
+//!
+//! For a replay or a network game, [`saved()`](crate::running::Resumable::saved) returns all data on which the next step depends, as `u64` words.
+//! [`resume`](crate::running::Resumable::resume) continues with the same bits. Both need the feature `alloc`. For a rollback, `clone()` the run.
+//!
+//! Adaptive runs take as many steps as the tolerance requires. `.steps_at_most(n)` limits the number of steps in one `advance_to`. `.longest_step(h)`
+//! limits their length: a run of longer steps may pass over a short pulse of a force.
+//!
+//! Next: [events](super::_12_events), [a run in practice](super::_06_runs), [limits](super::_18_limits).

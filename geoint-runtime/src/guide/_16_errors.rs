@@ -1,1 +1,119 @@
-//! Errors and remedies.
+//! Find a message here, read its meaning, and copy a repair that compiles.
+//!
+//! This page is generated: each message occurs in a test, and each program compiles. Every message of the compiler points at the term in the way.
+//!
+//! # When the program is compiled
+//!
+//! **this term couples positions and momenta, so kick and drift do not exist; use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`**
+//!
+//! Splittings need H = T(p) + V(q). The printed term reads q and p. Take a method that needs no splitting, or `PieceSplitting`.
+//! ```
+//! # use geoint_runtime::prelude::*;
+//! #[hamiltonian]
+//! fn coupled(q: f64, p: f64) -> f64 {
+//!     p * p / (2.0 * q * q + 1.0) + q * q
+//! }
+//! let _ = Coupled.integrator(DiscreteGradient, 0.1, State::new(1.0, 0.0));
+//! ```
+//! **so Runge–Kutta–Nyström tables, and those with force gradients, would lose their order; use a table for every separable energy**
+//!
+//! Names such as `BlanesMoanSrkn14a` are for a kinetic energy that is quadratic in p, with constant masses. Others split every T(p) + V(q).
+//! ```
+//! # use geoint_runtime::prelude::*;
+//! #[hamiltonian]
+//! fn relativistic(q: f64, p: f64) -> f64 {
+//!     (1.0 + p * p).sqrt() + q * q / 2.0
+//! }
+//! let _ = Relativistic.integrator(BlanesMoan6, 0.1, State::new(1.0, 0.0));
+//! ```
+//! **velocities are called `v`; say that they are `qdot`: `v = qdot`**
+//!
+//! Names of coordinates are fixed unless the attribute names others.
+//! ```
+//! # use geoint_runtime::prelude::*;
+//! #[lagrangian(v = qdot)]
+//! fn free(q: f64, qdot: f64, m: f64) -> f64 {
+//!     m * qdot * qdot / 2.0 - q * q
+//! }
+//! let _ = Free { m: 2.0 }.integrator(DiscreteGradient, 0.1, State::new(1.0, 0.0));
+//! ```
+//! **an energy of `x` alone does not say how x moves: add S of x' = S(x) ∇H**
+//!
+//! The argument `x` stands for all coordinates of a general phase space. If x is a position, name it and its momentum.
+//! ```
+//! # use geoint_runtime::prelude::*;
+//! #[hamiltonian(q = x, p = px)]
+//! fn spring(x: f64, px: f64, k: f64) -> f64 {
+//!     px * px / 2.0 + k * x * x / 2.0
+//! }
+//! let _ = Spring { k: 1.0 }.integrator(StormerVerlet, 0.1, State::new(1.0, 0.0));
+//! ```
+//! **an integer stands beside a number of type `f64` or `f32`**
+//!
+//! Rust has no conversion between integers and floating-point numbers, and 1/2 is 0.
+//! ```
+//! # use geoint_runtime::prelude::*;
+//! #[hamiltonian]
+//! fn half(q: f64, p: f64) -> f64 {
+//!     0.5 * p * p + 0.5 * q * q
+//! }
+//! let _ = Half.integrator(StormerVerlet, 0.1, State::new(1.0, 0.0));
+//! ```
+//! **the macro cannot see into functions outside of the energy: put `#[energy_function]` above this one**
+//!
+//! The macro reads one function. A second function is read if both attributes say so.
+//! ```
+//! # use geoint_runtime::prelude::*;
+//! #[energy_function]
+//! fn square(x: f64) -> f64 {
+//!     x * x
+//! }
+//! #[hamiltonian(with(square))]
+//! fn quartic(q: f64, p: f64) -> f64 {
+//!     square(p) / 2.0 + square(square(q))
+//! }
+//! let _ = Quartic.integrator(StormerVerlet, 0.1, State::new(1.0, 0.0));
+//! ```
+//! **a length is known when the program is compiled**
+//!
+//! Loops are unrolled, so the macro needs every length. A constant outside of the function is repeated in the attribute.
+//! ```
+//! # use geoint_runtime::prelude::*;
+//! const N: usize = 3;
+//! #[hamiltonian(const N = 3)]
+//! fn chain(q: [f64; N], p: [f64; N]) -> f64 {
+//!     p.iter().map(|p| p * p).sum::<f64>() / 2.0 + q.windows(2).map(|q| (q[1] - q[0]).powi(4)).sum::<f64>()
+//! }
+//! let _ = Chain.integrator(StormerVerlet, 0.1, State::new([0.0, 0.1, 0.0], [0.0; 3]));
+//! ```
+//! **damping takes energy away, but the coefficient of coordinate 0 is -2: write one that is not negative**
+//!
+//! Methods prove that the energy falls. A motor that feeds energy is a force.
+//! ```
+//! # use geoint_runtime::prelude::*;
+//! #[hamiltonian(force = 2.0 * v)]
+//! fn driven(q: f64, p: f64) -> f64 {
+//!     p * p / 2.0 + q * q / 2.0
+//! }
+//! let _ = Driven.integrator(DiscreteGradient, 0.1, State::new(1.0, 0.0));
+//! ```
+//!
+//! # When it runs
+//!
+//! `step` returns a [`StepError`](crate::StepError). The run still holds the last good state. Change the step, the state or the system, and go on.
+//!
+//! | error | meaning | remedy |
+//! |---|---|---|
+//! | `InvalidParameter` | a parameter of the system is not a number | set it; the message has its name |
+//! | `NonFiniteState`, `InvalidStepSize` | the given state or step is not a finite number | check the input |
+//! | `NoMomentum` | the velocities belong to no momentum | use `system.at(q, v)`; see [mechanisms](super::_10_mechanisms) |
+//! | `OffConstraint` | the state does not satisfy a constraint | start from `system.state_on_constraint(…)` |
+//! | `OutsideDomain` | a root, logarithm or pole lies on the way | shorten the step; the message has the term |
+//! | `NonFinite`, `NotConverged`, `Singular` | the step is too long for its equation | shorten the step |
+//! | `LedAstray`, `Rounded` | the step has lost the invariants, or their digits | shorten the step |
+//! | `Turned` | an angle moves by more than half a turn in a step | shorten the step |
+//! | `OutOfRange` | the energy underflows or overflows | take other units, or `f64` |
+//! | `StepTooSmall` | an adaptive run or a Taylor series cannot go on | its `reason` has the cause: a collision, a jump |
+//! | `TooManySteps` | `steps_at_most` was reached | raise it, or loosen the tolerance |
+//!
+//! Next: [limits](super::_18_limits), [a run in practice](super::_06_runs).

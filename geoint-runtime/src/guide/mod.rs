@@ -1,26 +1,26 @@
-//! A guide in nineteen pages. Each opens with one sentence and a program that runs.
+//! A guide in nineteen pages. Each page opens with one sentence and a program that runs.
 //!
-//! | page | about |
+//! | page | subject |
 //! |---|---|
-//! | [First picture](_01_first_picture) | |
-//! | [Which attribute](_02_which_attribute) | |
-//! | [Which method](_03_which_method) | |
-//! | [The language of energies](_04_language) | |
-//! | [The report, line by line](_05_report) | |
-//! | [A run in practice](_06_runs) | |
-//! | [Energy kept exactly](_07_energy) | |
-//! | [Friction, heat, driving](_08_friction) | |
-//! | [Planets](_09_planets) | |
-//! | [Lagrangians, mechanisms, constraints](_10_mechanisms) | |
-//! | [Fields with integrals, rigid bodies](_11_fields) | |
-//! | [Events, sections, states between steps](_12_events) | |
-//! | [Games and real time](_13_real_time) | |
-//! | [When the macro cannot help](_14_by_hand) | |
-//! | [Coming from other libraries](_15_coming_from) | |
-//! | [Errors and remedies](_16_errors) | |
-//! | [Evidence](_17_evidence) | |
-//! | [Limits](_18_limits) | |
-//! | [Glossary](_19_glossary) | |
+//! | [First picture](_01_first_picture) | add the crate, run a pendulum, plot it |
+//! | [Which attribute](_02_which_attribute) | energy, Lagrangian, contact energy or field; three ways to write friction |
+//! | [Which method](_03_which_method) | a table by question, with measured errors |
+//! | [The language of energies](_04_language) | types, loops, branches and functions that an energy may use |
+//! | [The report, line by line](_05_report) | how to read what was derived and proven |
+//! | [A run in practice](_06_runs) | step size, output, parameters, sweeps, saving |
+//! | [Energy kept exactly](_07_energy) | discrete gradients, projections, your own invariants |
+//! | [Friction, heat, driving](_08_friction) | contact systems, damping and forces |
+//! | [Planets](_09_planets) | Kepler flows, adaptive steps, close encounters |
+//! | [Lagrangians, mechanisms, constraints](_10_mechanisms) | arms, linkages and closed chains |
+//! | [Fields with integrals, rigid bodies](_11_fields) | first integrals, Poisson structures, attitudes |
+//! | [Events, sections, states between steps](_12_events) | impacts, Poincaré sections, dense output |
+//! | [Games and real time](_13_real_time) | `f32`, fixed frames, no allocation, `no_std` |
+//! | [When the macro cannot help](_14_by_hand) | sizes read at run time, tables, functions of other crates |
+//! | [Coming from other libraries](_15_coming_from) | REBOUND, heyoka, DifferentialEquations.jl, GeometricIntegrators.jl, odeint, SciPy |
+//! | [Errors and remedies](_16_errors) | messages, their meaning, repairs that compile |
+//! | [Evidence](_17_evidence) | which claims are proven, checked or measured |
+//! | [Limits](_18_limits) | sizes, compile times, missed pulses |
+//! | [Glossary](_19_glossary) | fifty words of the field |
 
 pub mod _01_first_picture;
 pub mod _02_which_attribute;

@@ -35,6 +35,7 @@ use crate::space::{Array, Summation};
 use crate::system::PhaseSpace;
 
 /// Weights γ₁, …, γ_K, reading the same from both ends.
+#[doc(alias = "composition method")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Composition<const K: usize> {
     name: Name,

@@ -32,6 +32,7 @@ use crate::system::QuadraticField;
 /// Order 2, symmetric, for H of degree 3 at most; one linear solve a step, no iteration. Keeps H + ⅓∇H(x₀)·(x₁ − x₀) of an
 /// autonomous system to rounding for every h, and a volume; not H. E. Celledoni, R. I. McLachlan, B. Owren & G. R. W.
 /// Quispel, J. Phys. A 46 (2013) 025201.
+#[doc(alias = "Hirota-Kimura")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Kahan;
 

@@ -1,4 +1,8 @@
-//! What a method is: coefficients prepared once for a step size, and a step in place. The families of methods, a module each.
+//! The methods, a module for each family, and the trait that all of them implement.
+//!
+//! A method is a value: pass it to [`integrator`](crate::IntoIntegrator::integrator). [Which method](crate::guide::_03_which_method) helps to choose.
+//!
+#![doc = include_str!("../../docs/methods.txt")]
 
 pub mod catalogue;
 mod clock;
@@ -40,6 +44,7 @@ use crate::system::PhaseSpace;
 /// What a method promises where nothing is damped; the tests run over the list of all methods and hold each to it.
 ///
 /// Damping leaves order and symmetry as they are. The step is then no symplectic map, and the energy falls.
+#[doc(alias = "order of accuracy")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Claims {

@@ -9,6 +9,7 @@ use core::fmt;
 
 /// Why a step was refused. The integrator still holds the last good state and may go on, for instance with a smaller
 /// step.
+#[doc(alias = "error")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum StepError {
@@ -16,6 +17,11 @@ pub enum StepError {
     InvalidStepSize {
         /// The step size as given.
         h: f64,
+    },
+    /// A parameter of the system is not a number.
+    InvalidParameter {
+        /// The name of the parameter.
+        name: &'static str,
     },
     /// The state given to the integrator is not finite.
     NonFiniteState {
@@ -173,6 +179,11 @@ pub enum StepError {
 }
 
 impl StepError {
+    /// Returns an error if a parameter of a system is not a number.
+    pub(super) fn of_parameters<S: PhaseSpace<R>, R: Real>(system: &S) -> Result<(), StepError> {
+        system.invalid_parameter().map_or(Ok(()), |name| Err(StepError::InvalidParameter { name }))
+    }
+
     /// Of a state with an entry that is not finite.
     pub(super) fn not_finite<S: PhaseSpace<R>, R: Real>(t: R, z: &S::Phase) -> StepError {
         let (t, [positions, momenta]) = (signed(t), z.as_slice().split_at(S::Phase::LEN / 2).into());
@@ -314,6 +325,7 @@ impl fmt::Display for StepError {
             StepError::InvalidStepSize { h } => {
                 write!(f, "the step size {h} is not a finite number other than zero", h = Number(h))
             }
+            StepError::InvalidParameter { name } => write!(f, "the parameter `{name}` is not a number"),
             StepError::NonFiniteState { t } => {
                 write!(f, "the state at t = {t} has an entry that is not finite", t = Number(t))
             }

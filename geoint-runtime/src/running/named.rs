@@ -32,6 +32,7 @@ pub type DynTrajectory<S, R = f64> = Box<dyn Resumable<State = StateOf<S, R>>>;
 /// }
 /// # Ok::<(), StepError>(())
 /// ```
+#[doc(alias = "method by name")]
 pub struct Named<'a, S: PhaseSpace<R>, R: Bits = f64> {
     name: &'a str,
     system: S,

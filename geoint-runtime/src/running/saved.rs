@@ -149,6 +149,7 @@ pub trait Recorded: Clone {
 /// assert_eq!(other.state(), sim.state());
 /// # Ok::<(), StepError>(())
 /// ```
+#[doc(alias("checkpoint", "serialize"))]
 pub trait Resumable: Trajectory {
     /// The run now, to go on from later: [`Saved`] says what it holds.
     fn saved(&self) -> Saved;

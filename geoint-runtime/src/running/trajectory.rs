@@ -27,6 +27,7 @@ use crate::space::Snapshot;
 /// }
 /// # Ok::<(), StepError>(())
 /// ```
+#[doc(alias("orbit", "solution"))]
 pub trait Trajectory {
     /// Points along the way: [`State`](crate::State) or [`ContactState`](crate::ContactState).
     type State: Snapshot;

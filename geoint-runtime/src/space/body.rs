@@ -159,6 +159,7 @@ impl<A: Attitudes, C: Centres<A>> Coordinates for Placed<A, C> {
 }
 
 /// A point of the phase space of rigid bodies at a time: plain data.
+#[doc(alias("rigid body", "quaternion"))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BodyState<A: Attitudes, C: Centres<A> = ()> {
     /// Time.

@@ -7,6 +7,7 @@ use crate::space::Array;
 use core::fmt::Debug;
 
 /// A point of phase space at a time: plain data.
+#[doc(alias("phase space point", "initial condition"))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct State<Q: Coordinates> {
     /// Time.
@@ -30,6 +31,7 @@ impl<Q: Coordinates> State<Q> {
 }
 
 /// A point of contact phase space at a time: plain data.
+#[doc(alias = "friction")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactState<Q: Coordinates> {
     /// Time.

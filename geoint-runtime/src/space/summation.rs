@@ -69,6 +69,7 @@ impl<A: Array, const ACTION: bool> Summation<A> for Plain<ACTION> {
 
 /// The rounding error of an addition is added to the next increment: a sum of many small increments has the error of a single rounding.
 /// O. Møller, BIT 5 (1965) 37; the exact error of a sum: D. E. Knuth, *Seminumerical Algorithms*, 4.2.2.
+#[doc(alias("Kahan summation", "compensated summation"))]
 #[derive(Clone, Copy, Debug)]
 pub struct Compensated<A> {
     compensation: A,

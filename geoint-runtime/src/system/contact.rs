@@ -33,6 +33,7 @@ pub trait Contact<R: Real = f64>:
     message = "positions and momenta of `{Self}` do not move without the action",
     label = "s acts back on q or p, and has to be followed"
 )]
+#[doc(alias = "linear damping")]
 pub trait Conformal<R: Real = f64>: Contact<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;

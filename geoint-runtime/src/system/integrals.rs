@@ -11,6 +11,7 @@ use crate::space::Array;
     message = "`{Self}` is not a set of invariants of `{S}`",
     note = "`Energy` is one of every autonomous system whose divided differences are known"
 )]
+#[doc(alias("conserved quantity", "constant of motion"))]
 pub trait Invariants<S, R: Real = f64>: Copy
 where
     S: PhaseSpace<R>,

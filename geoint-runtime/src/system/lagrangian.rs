@@ -10,6 +10,7 @@ use crate::space::vector::{difference, moved, scaled};
     message = "`{Self}` is no system of `#[lagrangian]`",
     label = "velocities belong to a Lagrangian; of an energy H(q, p) they are ∂H/∂p"
 )]
+#[doc(alias("mechanism", "robot arm"))]
 pub trait Lagrangian<R: Real = f64>: Cotangent<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;

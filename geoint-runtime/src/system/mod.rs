@@ -78,6 +78,13 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
     /// steps, and report the message as the reason of a refused step.
     fn outside_domain(&self, t: R, z: &Self::Phase, s: &Self::Action) -> Option<&'static str>;
 
+    /// Returns the name of the first parameter that is not a number.
+    ///
+    /// Called before the first step, and after the system of a run was replaced. The default fits a system without parameters.
+    fn invalid_parameter(&self) -> Option<&'static str> {
+        None
+    }
+
     /// Returns a message about the first term of H that has a value at a point, but not all derivatives of order 1 and 2. An example is
     /// √u at u = 0.
     ///

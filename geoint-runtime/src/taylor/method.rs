@@ -34,6 +34,7 @@ const LARGE: usize = 12;
 /// assert!((sim.state().q + 1.054049155450843232884424488481).abs() < 1e-14);
 /// # Ok::<(), StepError>(())
 /// ```
+#[doc(alias("TIDES", "heyoka", "Taylor series"))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Taylor {
     /// The error of a step, relative to the state.

@@ -1,7 +1,8 @@
 //! Ablation: the gain of each accelerator of implicit steps. The gain is the time without the accelerator over the time with the accelerator.
 //!
 //! `cargo bench -p geoint-benches --bench ablation` compiles one variant of the runtime for each accelerator, runs it and the complete
-//! runtime by turns, and writes `tests/benches/ABLATION.md`. Arguments select accelerators by name; the page is then printed.
+//! runtime by turns, and writes `tests/benches/ABLATION.md`, and the gain on each row to `target/geoint/ablation.md`. Arguments select
+//! accelerators by name; both parts are then printed.
 
 mod accelerators;
 #[allow(dead_code, reason = "the ledger uses the rest")]
@@ -15,7 +16,7 @@ mod variant;
 
 use accelerators::ACCELERATORS;
 use anyhow::Result;
-use page::{Measured, Page};
+use page::{Measured, Page, Rows};
 use std::path::Path;
 
 /// Processes of each variant, and of the complete runtime beside it.
@@ -49,11 +50,13 @@ fn main() -> Result<()> {
         let with = runs.pop().expect("two programs");
         measured.push(Measured { accelerator, with, without });
     }
-    let page = Page { measured }.to_string();
+    let page = Page { measured };
+    let rows = Rows(&page).to_string();
     if selected.is_empty() {
-        std::fs::write(Path::new(PAGE), page)?;
+        std::fs::write(Path::new(PAGE), page.to_string())?;
+        std::fs::write(cargo::own_target_folder().join("geoint/ablation.md"), rows)?;
     } else {
-        print!("{page}");
+        print!("{page}\n{rows}");
     }
     Ok(())
 }

@@ -11,7 +11,8 @@ const GAIN: f64 = 1.10;
 /// The rule: an accelerator stays if it gains on this number of rows.
 const ROWS: usize = 2;
 
-/// Rows with a larger spread between processes are marked, and do not count for the verdicts.
+/// Rows with a larger spread between processes are marked, and do not count for the verdicts. The spread is the distance of the quartiles over the
+/// median.
 const STEADY: f64 = 0.05;
 
 /// The first part of the page.
@@ -80,7 +81,7 @@ impl Measured<'_> {
     }
 }
 
-/// The complete page.
+/// The page: introduction, verdicts and decisions by the prototype.
 pub(crate) struct Page<'a> {
     pub(crate) measured: Vec<Measured<'a>>,
 }
@@ -104,10 +105,7 @@ impl Page<'_> {
     }
 
     fn summary(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(
-            f,
-            "| accelerator | lines | rows with 10 % | mean gain | largest gain | states differ by | verdict |"
-        )?;
+        writeln!(f, "| accelerator | lines | rows with 10 % | mean gain | largest gain | difference | verdict |")?;
         writeln!(f, "|---|---|---|---|---|---|---|")?;
         for measured in &self.measured {
             let Accelerator { name, technique, lines, .. } = measured.accelerator;
@@ -162,10 +160,19 @@ impl fmt::Display for Page<'_> {
         writeln!(f, "{INTRODUCTION}")?;
         self.summary(f)?;
         let failures: String = self.measured.iter().map(Measured::failures).collect();
-        writeln!(f, "{failures}\n## Gain on each row")?;
+        write!(f, "{failures}\n{DECIDED}")
+    }
+}
+
+/// The times of all rows, and the gain of each accelerator on each row of its groups.
+pub(crate) struct Rows<'a>(pub(crate) &'a Page<'a>);
+
+impl fmt::Display for Rows<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "## Gain on each row")?;
         for group in Group::ALL {
-            self.group(f, group)?;
+            self.0.group(f, group)?;
         }
-        write!(f, "\n{DECIDED}")
+        Ok(())
     }
 }

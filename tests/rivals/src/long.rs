@@ -156,7 +156,7 @@ fn fixed<M: Method<HenonHeiles> + Send + Sync + 'static>(method: M, steps: u64) 
     };
     Candidate {
         name: Method::<HenonHeiles>::name(&method).to_string(),
-        effort: format!("{steps} steps"),
+        effort: steps.to_string(),
         start: Box::new(begin),
     }
 }
@@ -166,7 +166,7 @@ macro_rules! adapting {
     ($name:expr, $tolerance:expr, $sim:expr) => {
         Candidate {
             name: $name.into(),
-            effort: format!("tolerance {:.0e}", $tolerance),
+            effort: format!("{:.0e}", $tolerance),
             start: Box::new(move || {
                 let mut sim = $sim;
                 let mut done = 0;
@@ -248,7 +248,7 @@ fn candidates() -> Vec<Candidate> {
     for (name, steps, verlet) in
         [("differential-equations velocity_verlet", 40, true), ("differential-equations ruth_forest", 40, false)]
     {
-        all.push(rival(name, format!("{steps} steps"), move |start, periods| {
+        all.push(rival(name, steps.to_string(), move |start, periods| {
             let (h, end) = (TAU / f64::from(steps), TAU * periods as f64);
             let ivp = IVP::ode(&Of, 0.0, end, start);
             let solution = if verlet {
@@ -260,15 +260,11 @@ fn candidates() -> Vec<Candidate> {
         }));
     }
     for tolerance in [1e-6, 1e-12] {
-        all.push(rival(
-            "differential-equations dop853",
-            format!("tolerance {tolerance:.0e}"),
-            move |start, periods| {
-                let method = ExplicitRungeKutta::dop853().rtol(tolerance).atol(tolerance).max_steps(usize::MAX);
-                Some(IVP::ode(&Of, 0.0, TAU * periods as f64, start).method(method).solve().ok()?.y)
-            },
-        ));
-        all.push(rival("ode_solvers Dop853", format!("tolerance {tolerance:.0e}"), move |start, periods| {
+        all.push(rival("differential-equations dop853", format!("{tolerance:.0e}"), move |start, periods| {
+            let method = ExplicitRungeKutta::dop853().rtol(tolerance).atol(tolerance).max_steps(usize::MAX);
+            Some(IVP::ode(&Of, 0.0, TAU * periods as f64, start).method(method).solve().ok()?.y)
+        }));
+        all.push(rival("ode_solvers Dop853", format!("{tolerance:.0e}"), move |start, periods| {
             let end = TAU * periods as f64;
             let mut stepper = Dop853::new(Of, 0.0, end, end, SVector::from(start), tolerance, tolerance);
             // As in `rivals.rs`.

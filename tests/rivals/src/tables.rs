@@ -2,7 +2,7 @@
 
 use crate::long::{After, Long};
 use crate::page::Measured;
-use crate::winners::{self, SAME, WANTED, power, short};
+use crate::winners::{self, SAME, WANTED, Winner, power, short};
 
 /// What stands in a table.
 pub struct Cell {
@@ -33,6 +33,19 @@ impl Table {
         text
     }
 
+    /// Empties the first cell of each row that repeats the first cell of the row above.
+    pub fn grouped(mut self) -> Self {
+        let mut above = String::new();
+        for row in &mut self.rows {
+            if row[0].text == above {
+                row[0].text.clear();
+            } else {
+                above.clone_from(&row[0].text);
+            }
+        }
+        self
+    }
+
     /// As it stands in a page.
     pub fn html(&self) -> String {
         let escaped = |text: &str| text.replace('&', "&amp;").replace('<', "&lt;");
@@ -49,7 +62,7 @@ impl Table {
     }
 }
 
-/// Winners of problems at all levels. Times are microseconds a unit of time.
+/// Winners of problems at all levels, with steps by hand. Times are microseconds a unit of time.
 pub fn winners<'a>(all: impl IntoIterator<Item = &'a Measured>) -> Table {
     let headings = vec!["problem", "error", "ours", "µs", "best other crate", "µs", "ratio", "by hand", "µs"];
     let mut rows = vec![];
@@ -60,33 +73,56 @@ pub fn winners<'a>(all: impl IntoIterator<Item = &'a Measured>) -> Table {
                 None => [cell("–"), cell("–")],
             });
             let [ours, rival, hand] = best;
-            let ratio = Cell {
-                text: winner.ratio().map_or("–".into(), |ratio| format!("{ratio:.2}")),
-                marked: winner.is_lost() || winner.ratio().is_some_and(|ratio| ratio > WANTED),
-            };
             let first = vec![cell(measured.problem.title), cell(power(winner.level))];
-            rows.push(first.into_iter().chain(ours).chain(rival).chain([ratio]).chain(hand).collect());
+            rows.push(first.into_iter().chain(ours).chain(rival).chain([ratio(&winner)]).chain(hand).collect());
         }
     }
     Table { headings, rows }
 }
 
-/// Generated steps beside the same ones by hand.
-pub fn twins<'a>(all: impl IntoIterator<Item = &'a Measured>) -> Table {
-    let mut rows = vec![];
-    for measured in all {
-        for (name, [generated, by_hand], ratio) in winners::twins(measured) {
-            let ratio = Cell { text: format!("{ratio:.2}"), marked: ratio > SAME };
-            rows.push(vec![
-                cell(measured.problem.title),
-                cell(name),
-                cell(short(generated)),
-                cell(short(by_hand)),
-                ratio,
-            ]);
-        }
+/// Winners of problems at all levels, with the time in the cell of the method, and without steps by hand.
+pub fn short_winners(all: &[Measured]) -> Table {
+    let headings = vec!["problem", "error", "ours, µs", "best other crate, µs", "ratio"];
+    let best = |best: &Option<(String, f64)>| {
+        cell(best.as_ref().map_or("–".into(), |(name, time)| format!("{name}, {}", short(*time))))
+    };
+    let rows = all.iter().flat_map(|measured| {
+        winners::winners(measured).into_iter().map(|winner| {
+            let first = [cell(measured.problem.title), cell(power(winner.level))];
+            first.into_iter().chain([best(&winner.ours), best(&winner.rival), ratio(&winner)]).collect()
+        })
+    });
+    Table { headings, rows: rows.collect() }.grouped()
+}
+
+/// Our time over the time of the best other crate; marked if it misses the goal.
+fn ratio(winner: &Winner) -> Cell {
+    Cell {
+        text: winner.ratio().map_or("–".into(), |ratio| format!("{ratio:.2}")),
+        marked: winner.is_lost() || winner.ratio().is_some_and(|ratio| ratio > WANTED),
     }
-    Table { headings: vec!["problem", "method", "generated, ns a step", "by hand", "ratio"], rows }
+}
+
+/// Generated steps beside the same ones by hand.
+pub fn twins(all: &[Measured]) -> Table {
+    let rows = all.iter().flat_map(|measured| {
+        winners::twins(measured).into_iter().map(|(name, [generated, by_hand], ratio)| {
+            let ratio = Cell { text: format!("{ratio:.2}"), marked: ratio > SAME };
+            let times = [generated, by_hand].map(|time| cell(short(time)));
+            [cell(measured.problem.title), cell(name)].into_iter().chain(times).chain([ratio]).collect()
+        })
+    });
+    Table { headings: vec!["problem", "method", "generated, ns a step", "by hand", "ratio"], rows: rows.collect() }
+}
+
+/// Generated steps beside the same ones by hand, without the times by hand.
+pub fn short_twins(all: &[Measured]) -> Table {
+    let Table { mut headings, mut rows } = twins(all);
+    headings.remove(3);
+    for row in &mut rows {
+        row.remove(3);
+    }
+    Table { headings, rows }.grouped()
 }
 
 /// Energies over long times.
@@ -101,6 +137,6 @@ pub fn long(all: &[Long]) -> Table {
         let effort = cell(long.effort.clone());
         [whose, effort, cell(short(long.cost))].into_iter().chain(long.errors.iter().map(error)).collect()
     };
-    let headings = vec!["method", "a period", "ns a period", "after 10 periods", "10⁴", "10⁷"];
+    let headings = vec!["method", "steps a period, or tolerance", "ns a period", "10 periods", "10⁴", "10⁷"];
     Table { headings, rows: all.iter().map(row).collect() }
 }

@@ -1,18 +1,19 @@
 //! Chaotic motion over a long time.
 
-use super::{Job, Section, row, short};
+use super::{Job, Part, Section, all, row, short};
 use crate::run::{Outcome, adapting, fixed};
 use geoint_runtime::TaylorIntegrator;
 use geoint_runtime::prelude::*;
 use geoint_tests::problems::{DoublePendulum, HenonHeiles};
 
 const LOOKS: u32 = 1000;
-const TITLES: &[&str] = &["method", "h", "energy", "steps", "end"];
+const TITLES: &[&str] = &["", "method", "h", "energy", "steps", "end"];
+const SYSTEMS: [&str; 2] = ["Hénon–Heiles", "double pendulum"];
 
-fn told<S>(name: &str, h: f64, outcome: &Outcome<S>, scale: f64, bound: f64) -> super::Row {
+fn told<S>(system: &str, name: &str, h: f64, outcome: &Outcome<S>, scale: f64, bound: f64) -> super::Row {
     let energy = outcome.energy / scale;
     let h = if h > 0.0 { h.to_string() } else { "its own".into() };
-    let cells = vec![name.into(), h, short(energy), outcome.steps.to_string(), outcome.end()];
+    let cells = vec![system.into(), name.into(), h, short(energy), outcome.steps.to_string(), outcome.end()];
     row(cells, energy <= bound && outcome.refused.is_none())
 }
 
@@ -27,18 +28,18 @@ fn farthest(far: f64, state: &State<[f64; 2]>) -> f64 {
 }
 
 macro_rules! rows {
-    ($jobs:ident, $system:expr, $scale:expr, $end:expr; $($start:expr, $h:literal, $law:literal: $method:expr),*; $last:expr) => {
+    ($jobs:ident, $name:expr, $system:expr, $scale:expr, $end:expr; $($start:expr, $h:literal, $law:literal: $method:expr),*; $last:expr) => {
         $( $jobs.push(Box::new(|| {
             let mut far = 0.0;
             let run = $system.integrator($method, $h, $start);
             let outcome = fixed(run, ($end / $h) as u64, LOOKS, |state| far = farthest(far, state));
-            told(stringify!($method), $h, &outcome, $scale, $law + walk(far, outcome.steps))
+            told($name, stringify!($method), $h, &outcome, $scale, $law + walk(far, outcome.steps))
         })); )*
         $jobs.push(Box::new(|| {
             let mut far = 0.0;
             let run = TaylorIntegrator::new($system, Taylor::default(), $last);
             let outcome = adapting(run, $end, LOOKS, |state| far = farthest(far, state));
-            told("Taylor", 0.0, &outcome, $scale, walk(far, outcome.steps))
+            told($name, "Taylor", 0.0, &outcome, $scale, walk(far, outcome.steps))
         }));
     };
 }
@@ -53,44 +54,44 @@ fn galactic(energy: f64) -> State<[f64; 2]> {
 }
 
 /// At the energy from which on orbits may escape.
-pub(super) fn galaxy() -> Section {
+fn galaxy() -> Vec<Job> {
     const SYSTEM: HenonHeiles = HenonHeiles { m: [1.0, 1.0], lambda: 1.0 };
     // What Verlet's method keeps is H up to h²/12 of brackets that are below 1 here: that much below the way out it must not leave.
     const BELOW: f64 = ESCAPE - 0.01 * 0.01;
     let mut jobs: Vec<Job> = vec![];
-    rows! { jobs, SYSTEM, ESCAPE, 1e6;
+    rows! { jobs, SYSTEMS[0], SYSTEM, ESCAPE, 1e6;
         galactic(BELOW), 0.01, 1e-4: StormerVerlet, galactic(ESCAPE), 0.1, 1e-5: BlanesMoan4, galactic(ESCAPE), 0.1, 1e-11: BlanesMoanSrkn14a,
         galactic(ESCAPE), 0.1, 1e-7: Gauss::<3>, galactic(ESCAPE), 0.1, 0.0: DiscreteGradient,
         galactic(ESCAPE), 0.1, 0.0: FourthOrder(DiscreteGradient), galactic(ESCAPE), 0.1, 0.0: Projection(RK4, Energy);
         galactic(ESCAPE)
     }
-    Section {
-        title: "Chaos: Hénon–Heiles",
-        text: "E = 1/6, where the way out opens, over 10⁶ units of time: the largest relative error of the energy at a thousand times. Verlet's orbit has h² less: \
-               its own energy errs by a part of that, which would lift it through the way out.",
-        head: TITLES,
-        jobs,
-    }
+    jobs
 }
 
 /// A double pendulum that turns over.
-pub(super) fn double_pendulum() -> Section {
+fn double_pendulum() -> Vec<Job> {
     const SYSTEM: DoublePendulum = DoublePendulum { m1: 1.3, m2: 0.7, l1: 1.0, l2: 0.8, g: 9.81 };
     const SCALE: f64 = 30.0;
     fn start() -> State<[f64; 2]> {
         State::new([2.5, 3.0], [3.0, 1.0])
     }
     let mut jobs: Vec<Job> = vec![];
-    rows! { jobs, SYSTEM, SCALE, 1e6;
+    rows! { jobs, SYSTEMS[1], SYSTEM, SCALE, 1e6;
         start(), 0.01, 1e-2: ImplicitMidpoint, start(), 0.02, 1e-2: Gauss::<3>, start(), 0.05, 0.0: DiscreteGradient,
         start(), 0.02, 0.0: FourthOrder(DiscreteGradient);
         start()
     }
+    jobs
+}
+
+/// Both systems.
+pub(super) fn chaos() -> Section {
     Section {
-        title: "Chaos: double pendulum",
-        text: "Masses 1.3 and 0.7 that turn over, over 10⁶ units of time: the largest error of the energy at a thousand times, over 30, about its two \
-               parts. They come to angles of thousands of radians, and what is rounded is these.",
+        title: "Chaos",
+        text: "10⁶ units of time. Hénon–Heiles at E = 1/6, where orbits begin to escape, with h = 0.1 (StormerVerlet 0.01). A double pendulum that turns \
+               over, with h = 0.01 to 0.05.",
         head: TITLES,
-        jobs,
+        part: Part::Pivot { row: 1, by: 0, cells: &SYSTEMS, value: 3, chosen: all },
+        jobs: galaxy().into_iter().chain(double_pendulum()).collect(),
     }
 }

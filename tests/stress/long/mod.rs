@@ -25,11 +25,25 @@ fn row(cells: Vec<String>, holds: bool) -> Row {
 /// A run that gives a row.
 type Job = Box<dyn FnOnce() -> Row + Send>;
 
+/// The part of a table that stands on the page. Columns are named by their places.
+enum Part {
+    /// These columns, of the rows for which the function holds.
+    Columns(&'static [usize], fn(&[String]) -> bool),
+    /// A row for each cell of the column `row`, and a column for each of these cells of the column `by`, filled from the column `value`.
+    Pivot { row: usize, by: usize, cells: &'static [&'static str], value: usize, chosen: fn(&[String]) -> bool },
+}
+
+/// Chooses all rows.
+fn all(_: &[String]) -> bool {
+    true
+}
+
 /// A table.
 struct Section {
     title: &'static str,
     text: &'static str,
     head: &'static [&'static str],
+    part: Part,
     jobs: Vec<Job>,
 }
 

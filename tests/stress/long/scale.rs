@@ -1,11 +1,13 @@
 //! Extreme units, large coordinates, short numbers.
 
-use super::{Job, Row, Section, row, short};
+use super::{Job, Part, Row, Section, all, row, short};
 use crate::run::{Outcome, fixed};
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Claims, Method};
 use geoint_tests::problems::{Kepler, Pendulum, ShortPendulum};
 use std::f64::consts::TAU;
+
+const CASES: [&str; 5] = ["units", "q = 1e8", "q = 1e9", "swing 1e-8", "`f32`"];
 
 /// A row for each method of these sections, and those named beside.
 macro_rules! methods {
@@ -34,7 +36,7 @@ fn mean_motion(start: &State<[f64; 2]>) -> f64 {
 }
 
 /// The same orbit with masses and lengths from 1e-30 to 1e30.
-pub(super) fn units() -> Section {
+fn units() -> Vec<Job> {
     const STEPS: u64 = 100_000;
     const H: f64 = 0.05;
     const EACH: [f64; 5] = [1e-30, 1e-10, 1.0, 1e10, 1e30];
@@ -71,22 +73,13 @@ pub(super) fn units() -> Section {
         // An error of the energy that grows like √N, and one that grows like N, change how far the orbit has turned by this.
         let allowed = turned * (1.5 / 3_f64.sqrt() * rounding + 0.75 * drift);
         let holds = worst <= allowed && end == "reached" && (energy - plain.energy).abs() <= rounding + drift;
-        row(
-            vec![method.name().to_string(), short(worst), short(allowed), short(energy), short(plain.energy), end],
-            holds,
-        )
+        let end = format!("{end}; energy errors {}, and {} in units 1", short(energy), short(plain.energy));
+        let steps = STEPS.to_string();
+        row(vec![CASES[0].into(), method.name().to_string(), short(worst), short(allowed), steps, end], holds)
     }
     let mut jobs: Vec<Job> = vec![];
     methods!(jobs, told, DOP853);
-    Section {
-        title: "Scale: units",
-        text: "An orbit in 25 systems of units, masses and lengths 1e-30, 1e-10, 1, 1e10 and 1e30 each, over 10⁵ steps: the largest gap between states at the end, \
-               in units of each, what is allowed, and the largest error of the energy beside that with masses and lengths 1. Gaps are rounding: where the energy walks \
-               at random, four standard deviations of how far the orbit has turned then; by methods that keep no energy 2 ε a radian to one side, too. (In \
-               units by powers of two there is no gap: `tests/stability/units.rs`.)",
-        head: &["method", "gap", "allowed", "energy", "energy, units 1", "end"],
-        jobs,
-    }
+    jobs
 }
 
 /// A pendulum whose small swings take a radian a unit of time.
@@ -94,7 +87,7 @@ const SYSTEM: Pendulum = Pendulum { m: 1.3, l: 1.0, g: 1.0 };
 const SCALE: f64 = 1.3;
 
 /// Coordinates that are large beside their increments, and energies that are small beside their parts.
-pub(super) fn places() -> Section {
+fn places() -> Vec<Job> {
     const STEPS: u64 = 1_000_000;
     const SMALL: f64 = 1e-8;
     fn told<M: Method<Pendulum>>(what: &str, method: M, outcome: &Outcome<State<f64>>, energy: f64, bound: f64) -> Row {
@@ -116,10 +109,10 @@ pub(super) fn places() -> Section {
     }
     fn swings<M: Method<Pendulum>>(method: M) -> Row {
         let start = State::new(TAU * (1e8 / TAU).round() + 0.8, 0.3);
-        far("swing about q = 1e8", method, 0.05, start)
+        far(CASES[1], method, 0.05, start)
     }
     fn turns<M: Method<Pendulum>>(method: M) -> Row {
-        far("turns up to 10⁹ radians", method, 0.025, State::new(1e9 - 5e4, 1.3 * 2.5))
+        far(CASES[2], method, 0.025, State::new(1e9 - 5e4, 1.3 * 2.5))
     }
     /// The energy above that at rest, as a sum of squares.
     fn small<M: Method<Pendulum>>(method: M) -> Row {
@@ -129,24 +122,17 @@ pub(super) fn places() -> Section {
             worst = worst.max((energy(x) / energy(&start) - 1.0).abs())
         });
         let bound = law(method.claims(), 0.05) + walk(method.claims(), f64::EPSILON, STEPS);
-        told("small swing, energy 1e-16", method, &outcome, worst, bound)
+        told(CASES[3], method, &outcome, worst, bound)
     }
     let mut jobs: Vec<Job> = vec![];
     methods!(jobs, swings);
     methods!(jobs, turns);
     methods!(jobs, small);
-    Section {
-        title: "Scale: places",
-        text: "A pendulum over 10⁶ steps far from q = 0, where q is rounded by more than it is near to it, and with swings of 1e-8, whose energy above that at \
-               rest is 1e-16: the largest error of the energy, over m·g·l, or over that of the small swing, and what is allowed, 2hᵖ of methods that do \
-               not keep the energy and four standard deviations of a walk of roundings.",
-        head: &["", "method", "energy", "allowed", "steps", "end"],
-        jobs,
-    }
+    jobs
 }
 
 /// Numbers of 24 bits.
-pub(super) fn single() -> Section {
+fn single() -> Vec<Job> {
     const STEPS: u64 = 10_000_000;
     const H: f32 = 0.02;
     fn told<M: Method<ShortPendulum, f32>>(method: M) -> Row {
@@ -157,8 +143,8 @@ pub(super) fn single() -> Section {
         let turned = f64::from(H) * (9.81_f64 / 0.7).sqrt();
         let bound = law(method.claims(), turned) + walk(method.claims(), f32::EPSILON.into(), STEPS);
         let cells = vec![
+            CASES[4].into(),
             method.name().to_string(),
-            H.to_string(),
             short(energy),
             short(bound),
             outcome.steps.to_string(),
@@ -168,11 +154,17 @@ pub(super) fn single() -> Section {
     }
     let mut jobs: Vec<Job> = vec![];
     methods!(jobs, told);
+    jobs
+}
+
+/// All cases.
+pub(super) fn scale() -> Section {
     Section {
-        title: "Scale: single precision",
-        text: "A pendulum in `f32` over 10⁷ steps: the largest error of the energy over m·g·l, and what is allowed, as far from q = 0. All methods over 10⁵ steps: \
-               `tests/builds/single.rs`.",
-        head: &["method", "h", "energy", "allowed", "steps", "end"],
-        jobs,
+        title: "Scale",
+        text: "Units: largest gap between final states of an orbit in 25 systems of units, with masses and lengths from 1e-30 to 1e30. Others: error of a \
+               pendulum over m·g·l, or over the energy of the small swing.",
+        head: &["", "method", "error", "allowed", "steps", "end"],
+        part: Part::Pivot { row: 1, by: 0, cells: &CASES, value: 2, chosen: all },
+        jobs: units().into_iter().chain(places()).chain(single()).collect(),
     }
 }

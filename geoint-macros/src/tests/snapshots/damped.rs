@@ -153,6 +153,12 @@ const _: () = {
             let [q, p] = z;
             ::core::option::Option::None
         }
+        fn invalid_parameter(&self) -> ::core::option::Option<&'static str> {
+            if self.gamma != self.gamma {
+                return ::core::option::Option::Some("gamma");
+            }
+            ::core::option::Option::None
+        }
     }
     impl<R: Real> ContactSystem<R> for Damped<R> {
         type Proof = ();

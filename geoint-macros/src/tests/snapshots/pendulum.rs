@@ -186,6 +186,18 @@ const _: () = {
             }
             ::core::option::Option::None
         }
+        fn invalid_parameter(&self) -> ::core::option::Option<&'static str> {
+            if self.m != self.m {
+                return ::core::option::Option::Some("m");
+            }
+            if self.l != self.l {
+                return ::core::option::Option::Some("l");
+            }
+            if self.g != self.g {
+                return ::core::option::Option::Some("g");
+            }
+            ::core::option::Option::None
+        }
     }
     impl<R: Real> Hamiltonian<R> for Pendulum<R> {
         type Proof = ();

@@ -19,6 +19,7 @@ use crate::system::{ConstrainedStep, held, on_one_side, tangent};
 /// A step over a position at which the constraints depend on each other is refused: more than one way leads on from there.
 /// H. C. Andersen, J. Comput. Phys. 52 (1983) 24; B. Leimkuhler & R. Skeel, J. Comput. Phys. 112 (1994) 117; for every H: L. Jay, SIAM
 /// J. Numer. Anal. 33 (1996) 368; Hairer, Lubich & Wanner, *Geometric Numerical Integration*, (VII.1.26).
+#[doc(alias("SHAKE", "RATTLE"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Rattle;
 

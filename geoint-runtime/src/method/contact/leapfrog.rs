@@ -14,6 +14,7 @@ use crate::system::Mechanical;
 /// M. Vermeeren, A. Bravetti & M. Seri, J. Phys. A 52 (2019) 445206; both halves of the time dependence are taken into account.
 ///
 /// [`ContactSplitting`]: crate::ContactSplitting
+#[doc(alias = "contact variational integrator")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ContactLeapfrog;
 

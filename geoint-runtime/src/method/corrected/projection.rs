@@ -35,6 +35,7 @@ use crate::system::{Poles, VectorField};
 /// Taylor series are projected, too: `system.taylor(Projection(Taylor { tolerance: 1e-8 }, Energy), state)`. Each step is led back to the
 /// values of the invariants at the start of the run, so that neither errors of the series nor roundings add up. States between the ends of steps are
 /// those of the series.
+#[doc(alias("manifold projection", "standard projection"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Projection<M, I>(pub M, pub I);
 

@@ -30,6 +30,7 @@ const ROUNDINGS: f64 = 4.0;
 /// Neither symmetric nor symplectic. Where the energy is almost straight along a step γ is not determined, and the step is refused.
 ///
 /// D. I. Ketcheson, SIAM J. Numer. Anal. 57 (2019) 2850; H. Ranocha & D. I. Ketcheson, J. Sci. Comput. 84 (2020) 17.
+#[doc(alias = "relaxation Runge-Kutta")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Relaxation<M>(pub M);
 

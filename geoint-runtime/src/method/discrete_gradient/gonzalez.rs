@@ -22,6 +22,7 @@ use crate::system::{Conservative, DiscreteField};
 /// ε² = Σ(ẋᵢHᵢⱼẋⱼ)² and ω⁴ = Σ(FᵢⱼFⱼᵢ)², F = J∇²H: energies in place of lengths. For an oscillator wᵢ is the stiffness or the
 /// reciprocal mass, up to a factor. It is zero for a cyclic coordinate, so that its momentum is kept; it is not the same in rotated
 /// axes. Where d·Wd = 0, as in front of a jump of a constant potential, g is the tree discrete gradient itself.
+#[doc(alias = "midpoint discrete gradient")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Gonzalez;
 

@@ -16,6 +16,7 @@ use crate::system::{Conservative, DiscreteField, Invariants, KeptBy};
 ///
 /// Order 1, for every H; order 2 and symmetric where T and V are sums over single coordinates. The momentum of a cyclic
 /// coordinate is kept. T. Itoh & K. Abe, J. Comput. Phys. 76 (1988) 85.
+#[doc(alias("coordinate increment discrete gradient", "Itoh-Abe"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ItohAbe;
 

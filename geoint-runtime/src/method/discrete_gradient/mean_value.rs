@@ -18,6 +18,7 @@ use crate::system::{Conservative, DiscreteField, Mean};
 /// which term is in the way: then the energy is kept to O(h²ᴷ).
 /// R. I. McLachlan, G. R. W. Quispel & N. Robidoux, Phil. Trans. R. Soc. A 357 (1999) 1021;
 /// G. R. W. Quispel & D. I. McLaren, J. Phys. A 41 (2008) 045206.
+#[doc(alias("average vector field", "averaged vector field"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct MeanValue<const K: usize>;
 

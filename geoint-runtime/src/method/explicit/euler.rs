@@ -9,6 +9,7 @@ use crate::system::{Poles, Rates};
 /// x₁ = x₀ + h x'(x₀). Order 1, for every H; keeps nothing: an oscillation gains energy with every step.
 ///
 /// For comparisons only. L. Euler 1768.
+#[doc(alias = "forward Euler")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ExplicitEuler;
 

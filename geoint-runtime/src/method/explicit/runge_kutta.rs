@@ -26,6 +26,7 @@ use crate::system::{Poles, Rates};
 /// # use geoint_runtime::RungeKutta;
 /// const MIDPOINT: RungeKutta<2> = RungeKutta::new(2, [0.0, 0.5], [&[], &[0.4]], [0.0, 1.0]);
 /// ```
+#[doc(alias("Butcher tableau", "explicit Runge-Kutta"))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RungeKutta<const K: usize> {
     name: Name,

@@ -5,6 +5,7 @@
 use super::RungeKutta;
 
 /// The classical method. Order 4, 4 gradients, for every H; keeps nothing. W. Kutta, Z. Math. Phys. 46 (1901) 435.
+#[doc(alias("classical Runge-Kutta", "Runge-Kutta 4"))]
 pub const RK4: RungeKutta<4> = RungeKutta::new(
     4,
     [0.0, 0.5, 0.5, 1.0],
@@ -16,6 +17,7 @@ pub const RK4: RungeKutta<4> = RungeKutta::new(
 /// Order 8, 12 gradients, for every H; keeps nothing. The method of order 8 of DOP853 with its estimators of order 5 and 3,
 /// from which [`Adaptive`](crate::Adaptive) knows the error of a step: E. Hairer, S. P. Nørsett & G. Wanner, *Solving Ordinary Differential
 /// Equations I* (1993), section II.5 and (II.10.17), after J. R. Dormand & P. J. Prince; thirty digits as in their program.
+#[doc(alias("Dormand-Prince", "ode45", "solve_ivp", "DoPri8", "RK45"))]
 pub const DOP853: RungeKutta<12> = RungeKutta::new(
     8,
     [

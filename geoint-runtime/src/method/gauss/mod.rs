@@ -47,6 +47,7 @@ use crate::system::Collocated;
 ///
 /// Where it is solved for derivatives, with three and four stages of at most six unknowns, [adaptive](crate::Adaptive) steps estimate their errors
 /// by f between the stages: the estimate is of order 2S, and sees what is small beside other motions, however fast.
+#[doc(alias("Gauss-Legendre", "collocation", "IRK", "implicit Runge-Kutta"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Gauss<const S: usize>;
 
@@ -54,6 +55,7 @@ pub struct Gauss<const S: usize>;
 /// quadratic invariants.
 ///
 /// For a higher order prefer [`Gauss`] to a composition of this.
+#[doc(alias = "midpoint rule")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ImplicitMidpoint;
 

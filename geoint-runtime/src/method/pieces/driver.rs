@@ -11,6 +11,7 @@ use crate::space::{Array, PerCoordinate, Point, Summation};
 use crate::system::{Clock as PieceClock, Piece, Pieces, Poles};
 
 /// A splitting by its name: which pieces of a system it takes.
+#[doc(alias("operator splitting", "symplectic"))]
 pub trait Splitting: Copy + Default {
     /// What it is called.
     const NAME: &'static str;

@@ -33,6 +33,7 @@ use crate::system::Pieces;
 /// assert!((sim.energy() / energy - 1.0).abs() < 1e-6);
 /// # Ok::<(), StepError>(())
 /// ```
+#[doc(alias("Boris", "magnetic field"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PieceSplitting;
 
@@ -41,6 +42,7 @@ pub struct PieceSplitting;
 ///
 /// Where the flow of a piece ends within a step, as that of H = s² does, the step is refused with the name of the piece.
 /// A. Bravetti, M. Seri, M. Vermeeren & F. Zadra, Celest. Mech. Dyn. Astr. 132 (2020) 7.
+#[doc(alias("Strang splitting", "contact integrator"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ContactSplitting;
 
@@ -72,6 +74,7 @@ pub struct ContactSplitting;
 /// assert!((sim.energy() - top.energy(&start)).abs() < 1e-5);
 /// # Ok::<(), StepError>(())
 /// ```
+#[doc(alias = "Lie-Poisson")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PoissonSplitting;
 

@@ -13,6 +13,7 @@ use crate::space::{Action, Array, PerCoordinate, Point, Summation};
 use crate::system::QuadraticKinetic;
 
 /// A table of Runge–Kutta–Nyström type: its order conditions use \[V, \[V, \[V, T\]\]\] = 0, so T must be quadratic.
+#[doc(alias = "second order ODE")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Nystrom<const K: usize, O = KickFirst> {
     table: Splitting<K, O>,

@@ -20,6 +20,7 @@ use crate::system::PrincipalAxes;
 ///
 /// The rotations are of order 2: in tables of higher order they would lose it, so that this method alone has them.
 /// A. Dullweber, B. Leimkuhler & R. McLachlan, J. Chem. Phys. 107 (1997) 5840.
+#[doc(alias("rigid body splitting", "DLM"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct FiveRotations;
 

@@ -14,6 +14,7 @@ use crate::system::Separable;
 /// Kick, drift: p₁ = p₀ − h V'(q₀), q₁ = q₀ + h T'(p₁). Order 1, symplectic; its adjoint is
 /// [`SymplecticEulerAdjoint`]. R. de Vogelaere 1956; Hairer, Lubich & Wanner, *Geometric Numerical Integration*,
 /// (I.1.9).
+#[doc(alias("semi-implicit Euler", "Euler-Cromer", "Euler"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SymplecticEuler;
 
@@ -35,6 +36,7 @@ impl SymplecticEulerAdjoint {
 ///
 /// The method of choice when the step is set by the fastest frequency ω (stable for hω < 2) and not by accuracy.
 /// C. Störmer 1907; L. Verlet, Phys. Rev. 159 (1967) 98; Hairer, Lubich & Wanner (I.1.17).
+#[doc(alias("leapfrog", "velocity Verlet", "Verlet", "KDK", "kick-drift-kick"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct StormerVerlet;
 
@@ -45,6 +47,7 @@ impl StormerVerlet {
 
 /// Half a drift, a kick, half a drift ("position Verlet"): [`StormerVerlet`] with the roles exchanged. Order 2,
 /// symmetric, symplectic, one force a step.
+#[doc(alias("position Verlet", "drift-kick-drift", "DKD"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PositionVerlet;
 

@@ -4,6 +4,7 @@ use crate::method::composition::Composition;
 
 /// The triple jump, γ₁ = 1/(2 − ∛2). Order 4, 3 maps; large weights, so large errors. M. Creutz & A. Gocksch, Phys.
 /// Rev. Lett. 63 (1989) 9; H. Yoshida, Phys. Lett. A 150 (1990) 262. Closed form.
+#[doc(alias("triple jump", "Yoshida"))]
 pub const Yoshida4: Composition<3> = Composition::palindrome(
     "Yoshida4",
     4,
@@ -31,6 +32,7 @@ pub const McLachlan4: Composition<5> = Composition::palindrome(
 
 /// Order 6, 7 maps. H. Yoshida, Phys. Lett. A 150 (1990) 262, table 1, solution A. Isolated solution of the order
 /// conditions.
+#[doc(alias("Yoshida6", "Yoshida 6"))]
 pub const Yoshida6a: Composition<7> = Composition::palindrome(
     "Yoshida6a",
     6,
@@ -58,6 +60,7 @@ pub const McLachlan6_9: Composition<9> = Composition::palindrome(
 
 /// Order 8, 17 maps: the order-8 composition of choice. W. Kahan & R.-C. Li, Math. Comp. 66 (1997) 1089, s17odr8a;
 /// Hairer, Lubich & Wanner (V.3.13). 1 free parameter.
+#[doc(alias("Order8", "Yoshida8", "Kahan-Li"))]
 pub const KahanLi8_17a: Composition<17> = Composition::palindrome(
     "KahanLi8_17a",
     8,
@@ -76,6 +79,7 @@ pub const KahanLi8_17a: Composition<17> = Composition::palindrome(
 
 /// Order 10, 35 maps. M. Sofroniou & G. Spaletta, Optim. Methods Softw. 20 (2005) 597; Hairer, Lubich & Wanner
 /// (V.3.14). 2 free parameters. Of kicks and drifts, drifts first: `SofroniouSpaletta10_35.of(PositionVerlet)`.
+#[doc(alias = "Order10")]
 pub const SofroniouSpaletta10_35: Composition<35> = Composition::palindrome(
     "SofroniouSpaletta10_35",
     10,

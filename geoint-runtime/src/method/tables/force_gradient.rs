@@ -4,6 +4,7 @@ use crate::method::splitting::{DriftFirst, KickFirst, ProcessedSplitting, Splitt
 
 /// Kick first. Order 2, 1 force and 1 gradient: a change of variables, and back, would make of its steps those of a method of order 4.
 /// M. Takahashi & M. Imada, J. Phys. Soc. Jpn. 53 (1984) 3765; G. Rowlands, J. Comput. Phys. 97 (1991) 235. Closed form.
+#[doc(alias = "force gradient")]
 pub const TakahashiImada2: Splitting<1, KickFirst<WithGradient>> =
     Splitting::palindrome("TakahashiImada2", 2, [0.5], [1.0])
         .with_outer_gradients([0.020833333333333333333333333333333333333333333333333]);

@@ -6,10 +6,12 @@ use crate::method::splitting::{DriftFirst, Nystrom, Splitting, WithGradient};
 /// Half of A, B, half of A. Orders (2, 2), 1 force: the map of J. Wisdom & M. Holman, Astron. J. 102 (1991) 1528. Steps of an eighth
 /// of the innermost period at most: longer ones meet resonances with it. Its compositions are those of `Perturbation(PositionVerlet)`, which is
 /// the same map.
+#[doc(alias("Wisdom-Holman", "WHFast", "mixed variable symplectic", "MVS"))]
 pub const WisdomHolman: Perturbation<Splitting<1, DriftFirst>> =
     Perturbation(Splitting::palindrome("WisdomHolman", 2, [0.5], [1.0]).near_integrable(&[2, 2]));
 
 /// Gauss's nodes. Orders (8, 2), 4 forces. J. Laskar & P. Robutel, Celest. Mech. Dyn. Astron. 80 (2001) 39, (23).
+#[doc(alias = "Laskar-Robutel")]
 pub const Saba4: Perturbation<Splitting<4, DriftFirst>> = Perturbation(
     Splitting::palindrome(
         "Saba4",
@@ -67,6 +69,7 @@ pub const Aba8_6_4: Perturbation<Splitting<7, DriftFirst>> = Perturbation(
 
 /// Orders (10, 6, 4), 8 forces: for long runs of planets to 10⁻⁹ and better, with steps up to a fifth of the innermost period. As
 /// [`Aba8_6_4`].
+#[doc(alias = "SABA(10,6,4)")]
 pub const Aba10_6_4: Perturbation<Splitting<8, DriftFirst>> = Perturbation(
     Splitting::palindrome(
         "Aba10_6_4",
@@ -180,6 +183,7 @@ pub const Saba5Gradient: Perturbation<Splitting<5, DriftFirst<WithGradient>>> = 
 );
 
 /// [`WisdomHolman`] with a processor of 4 nodes. Orders (10, 2), 1 force: for planets to 10⁻⁶.
+#[doc(alias = "symplectic corrector")]
 pub const WisdomHolmanProcessed: Processed<Splitting<1, DriftFirst>> =
     Processed::new("WisdomHolmanProcessed", &[10, 2], WisdomHolman.0);
 

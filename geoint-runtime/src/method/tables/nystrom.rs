@@ -84,6 +84,7 @@ pub const BlanesMoanSrkn11b: Nystrom<11, KickFirst> = {
 
 /// Drift first. Order 6, 14 forces: the default for quadratic T. S. Blanes & P. C. Moan, J. Comput. Appl. Math. 142
 /// (2002) 313, table 3, SRKN₁₄ᵃ. 7 free parameters.
+#[doc(alias("Runge-Kutta-Nystrom", "RKN"))]
 pub const BlanesMoanSrkn14a: Nystrom<14, DriftFirst> = {
     const TABLE: Nystrom<14, DriftFirst> = Nystrom::new(Splitting::palindrome(
         "BlanesMoanSrkn14a",
@@ -136,6 +137,7 @@ pub const BlanesMoanSrkn14a: Nystrom<14, DriftFirst> = {
 
 /// Drift first. Order 8, 17 forces: quadratic T, errors from 10⁻⁹ down to rounding. S. Blanes, F. Casas & A.
 /// Escorihuela-Tomàs, Appl. Numer. Math. 182 (2022) 14. Isolated solution of the order conditions.
+#[doc(alias = "Nystrom 8")]
 pub const BceRkn17_8: Nystrom<17, DriftFirst> = {
     const TABLE: Nystrom<17, DriftFirst> = Nystrom::new(Splitting::palindrome(
         "BceRkn17_8",

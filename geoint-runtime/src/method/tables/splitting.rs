@@ -5,6 +5,7 @@ use crate::method::splitting::{DriftFirst, KickFirst, Splitting};
 /// Drift first: the triple jump of position Verlet, γ₁ = 1/(2 − ∛2). Order 4, 3 forces; kept for comparison:
 /// [`PEFRL`] reaches the same error with fewer. E. Forest & R. D. Ruth, Physica D 43 (1990) 105, (4.8); J.
 /// Candy & W. Rozmus, J. Comput. Phys. 92 (1991) 230. Closed form.
+#[doc(alias("Forest-Ruth", "Ruth"))]
 pub const ForestRuth4: Splitting<3, DriftFirst> = Splitting::palindrome(
     "ForestRuth4",
     4,
@@ -15,6 +16,7 @@ pub const ForestRuth4: Splitting<3, DriftFirst> = Splitting::palindrome(
 /// Drift first, "position extended Forest–Ruth-like". Order 4, 4 forces; a good choice when stability limits the
 /// step. I. P. Omelyan, I. M. Mryglod & R. Folk, Comput. Phys. Commun. 146 (2002) 188, (20), (22). 1 free
 /// parameter.
+#[doc(alias = "Omelyan")]
 pub const PEFRL: Splitting<4, DriftFirst> = Splitting::palindrome(
     "PEFRL",
     4,
@@ -28,6 +30,7 @@ pub const PEFRL: Splitting<4, DriftFirst> = Splitting::palindrome(
 
 /// Kick first. Order 4, 6 forces: the order-4 table for a general T(p) + V(q). S. Blanes & P. C. Moan, J. Comput.
 /// Appl. Math. 142 (2002) 313, table 2, S₆. 3 free parameters.
+#[doc(alias("Order4", "Blanes-Moan"))]
 pub const BlanesMoan4: Splitting<6, KickFirst> = Splitting::palindrome(
     "BlanesMoan4",
     4,
@@ -46,6 +49,7 @@ pub const BlanesMoan4: Splitting<6, KickFirst> = Splitting::palindrome(
 
 /// Kick first. Order 6, 10 forces: the default for a general T(p) + V(q) from errors of about 10⁻⁷ on. S. Blanes &
 /// P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313, table 2, S₁₀. 1 free parameter.
+#[doc(alias = "Order6")]
 pub const BlanesMoan6: Splitting<10, KickFirst> = Splitting::palindrome(
     "BlanesMoan6",
     6,

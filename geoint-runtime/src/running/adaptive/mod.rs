@@ -58,6 +58,7 @@ use steps::Steps;
 /// assert_eq!(sim.time(), 10.0);
 /// # Ok::<(), StepError>(())
 /// ```
+#[doc(alias("error control", "variable step"))]
 #[derive(Clone)]
 pub struct Adaptive<S: PhaseSpace<R>, M: Method<S, R>, R: Real = f64> {
     steps: Steps<S, M, R>,
@@ -176,6 +177,11 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
     /// See [`StepError`]; the state is then the last good one.
     pub fn advance(&mut self, n: u64) -> Result<(), StepError> {
         (0..n).try_for_each(|_| self.step())
+    }
+
+    /// Returns whether no step was taken since the state was set, by the user or at an event.
+    pub(in crate::running) fn is_fresh(&self) -> bool {
+        self.steps.taken == self.steps.given
     }
 
     /// What the next step says of the state before it does anything.

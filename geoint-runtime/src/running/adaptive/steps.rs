@@ -247,6 +247,9 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
         if let Some(h) = self.controller.unusable() {
             return Err(StepError::InvalidStepSize { h });
         }
+        if self.taken == self.given {
+            StepError::of_parameters(&self.system)?;
+        }
         let t = signed(self.time());
         if !(t.is_finite() && self.x.is_finite()) {
             return Err(StepError::not_finite::<S, R>(self.time(), &self.x.z));

@@ -26,6 +26,7 @@ impl Direction {
 }
 
 /// A change of sign.
+#[doc(alias = "event")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing<X> {
     /// Where and when: the function is zero there, to rounding, where steps have a part of the length also to that of time.

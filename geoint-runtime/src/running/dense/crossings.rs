@@ -12,6 +12,7 @@ use crate::space::{Action, Array, Snapshot};
 const LITTLE: [f64; 2] = [1.0 / (1 << 20) as f64, 1.0 / (1 << 10) as f64];
 
 /// The crossings of a run, in order; ends after the first error, or at a time.
+#[doc(alias("Poincaré section", "Poincare section", "surface of section", "event detection", "zero crossing"))]
 #[derive(Debug)]
 pub struct Crossings<'a, T: Dense, F, G> {
     run: &'a mut T,
@@ -194,6 +195,13 @@ impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Crossings<
     fn leaving(&self, i: usize, [start, end]: [f64; 2]) -> Result<(f64, f64), StepError> {
         let state = self.before.state();
         let noise = self.noise(&state, i);
+        // An event that has just been found leaves a value that rounding of time explains. After a step, a value is the function's own.
+        let change = (end - start).abs();
+        let own =
+            (4.0 * noise).max(if self.before.is_fresh() { change } else { 8.0 * Scalar::<T>::epsilon() * change });
+        if start.abs() > own {
+            return Ok((0.0, start));
+        }
         // Times are rounded, too.
         let step = (self.run.time() - self.before.time()).magnitude();
         let part = 64.0 * Scalar::<T>::epsilon() * (1.0 + self.run.time().magnitude() / step);

@@ -47,6 +47,7 @@ use crate::system::{PhaseSpace, Rates, StateOf};
 /// }
 /// # Ok::<(), StepError>(())
 /// ```
+#[doc(alias("dense output", "interpolation"))]
 pub trait Dense: Trajectory + Clone {
     /// Goes on from this state, with all settings as they are: after an impact, or a kick.
     fn set_state(&mut self, state: Self::State);
@@ -55,6 +56,12 @@ pub trait Dense: Trajectory + Clone {
     #[doc(hidden)]
     fn go_on_from(&mut self, state: Self::State) {
         self.set_state(state);
+    }
+
+    /// Returns whether no step was taken since the state was set, by the user or at an event.
+    #[doc(hidden)]
+    fn is_fresh(&self) -> bool {
+        false
     }
 
     /// What the next step says of the state before it does anything.
@@ -154,6 +161,10 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Dense f
         self.restart(state);
     }
 
+    fn is_fresh(&self) -> bool {
+        self.is_fresh()
+    }
+
     fn check_start(&self) -> Result<(), StepError> {
         self.check_start()
     }
@@ -212,6 +223,10 @@ fn shorten_to<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>
 impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Dense for Adaptive<S, M, R> {
     fn set_state(&mut self, state: StateOf<S, R>) {
         self.restart(state);
+    }
+
+    fn is_fresh(&self) -> bool {
+        self.is_fresh()
     }
 
     fn check_start(&self) -> Result<(), StepError> {

@@ -20,6 +20,7 @@ use steps::Steps;
 ///
 /// Time is `t0 + n·h`, never a running sum. After an error the last good state is still there, and the next call may go
 /// on, with a smaller step if [`Integrator::set_step_size`] was called.
+#[doc(alias("simulation", "fixed step"))]
 #[derive(Clone)]
 pub struct Integrator<S: PhaseSpace<R>, M: Method<S, R>, R: Real = f64, C = Plain> {
     steps: Steps<S, M, R, C>,
@@ -40,6 +41,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
                 clock: Clock::new(t0, h),
                 taken: 0,
                 given: 0,
+                set: 0,
                 origin: z,
                 x: Point::with_action(z, s),
                 inside: false,
@@ -148,6 +150,11 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integra
         (steps.given, steps.origin, steps.clear) = (steps.taken, steps.x.z, Clear::unknown());
     }
 
+    /// Returns whether no step was taken since the state was set, by the user or at an event.
+    pub(in crate::running) fn is_fresh(&self) -> bool {
+        self.steps.taken == self.steps.set
+    }
+
     /// What the next step says of the state before it does anything.
     pub(in crate::running) fn check_start(&self) -> Result<(), StepError> {
         self.steps.check_start()
@@ -161,7 +168,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integra
         let s = if C::ACTION { s } else { steps.x.s };
         (steps.x, steps.inside, steps.memory) = (Point::with_action(z, s), false, M::memory());
         steps.clock = Clock::new(t, steps.clock.step_size());
-        (steps.given, steps.origin) = (steps.taken, z);
+        (steps.given, steps.set, steps.origin) = (steps.taken, steps.taken, z);
     }
 
     /// The same from a state that a step of this run has led to: it is not asked for what states of others have to be, such as momenta that are
@@ -246,9 +253,11 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integra
     }
 
     fn with_sums<D: Summation<S::Phase>>(self) -> Integrator<S, M, R, D> {
-        let Steps { system, method, prepared, memory, clock, taken, given, origin, x, inside, clear } = self.steps;
+        let Steps { system, method, prepared, memory, clock, taken, given, set, origin, x, inside, clear } = self.steps;
         let x = x.with_sums();
-        Integrator { steps: Steps { system, method, prepared, memory, clock, taken, given, origin, x, inside, clear } }
+        Integrator {
+            steps: Steps { system, method, prepared, memory, clock, taken, given, set, origin, x, inside, clear },
+        }
     }
 }
 

@@ -18,6 +18,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Bits, C: Summation<S::Phase>> Recorde
         steps.clock.record(tape);
         tape.steps(&mut steps.taken);
         tape.steps(&mut steps.given);
+        tape.steps(&mut steps.set);
         tape.flag(&mut steps.inside);
         if M::KEEPS {
             tape.array(&mut steps.origin);

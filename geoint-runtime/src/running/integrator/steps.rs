@@ -20,6 +20,8 @@ pub(super) struct Steps<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C> {
     pub(super) taken: u64,
     /// How many there were when the user gave a state.
     pub(super) given: u64,
+    /// How many there were when the state was set, by the user or at an event.
+    pub(super) set: u64,
     /// Where that was: what steps keep is what it is there.
     pub(super) origin: S::Phase,
     /// The point of a state, or where there is another one that the method moves, that one from the first step on.
@@ -181,6 +183,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
 
     #[cold]
     fn check_state(&self) -> Result<(), StepError> {
+        StepError::of_parameters(&self.system)?;
         let t = signed(self.time());
         if !(t.is_finite() && self.x.is_finite()) {
             return Err(StepError::not_finite::<S, R>(self.time(), &self.x.z));

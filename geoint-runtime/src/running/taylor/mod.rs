@@ -43,6 +43,7 @@ use steps::Steps;
 /// assert!((Kepler.energy(&before) - energy).abs() < 1e-14);
 /// # Ok::<(), StepError>(())
 /// ```
+#[doc(alias = "jet transport")]
 #[derive(Clone)]
 pub struct TaylorIntegrator<S: Jets<R>, M: TaylorMethod<S, R>, R: Real = f64> {
     pub(in crate::running) steps: Steps<S, M, R>,

@@ -14,6 +14,7 @@ use crate::space::{Array, Square, State};
     message = "`{Self}` has no constraints",
     label = "this is for systems with `constraint = [g]`"
 )]
+#[doc(alias("DAE", "holonomic constraint"))]
 pub trait Constrained<R: Real = f64>:
     Cotangent<R> + PhaseSpace<R, Action = (), State = State<<Self as Cotangent<R>>::Coordinates>>
 {

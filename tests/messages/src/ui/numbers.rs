@@ -109,3 +109,25 @@ mod angle_of_two_zeros {
 }
 
 fn main() {}
+
+mod half_as_integers {
+    use geoint_runtime::prelude::*;
+
+    #[hamiltonian]
+    fn energy(q: f64, p: f64) -> f64 {
+        p * p + 1 / 2 * q
+    }
+
+    fn uses() {
+        println!("{}", energy(0.5, 1.0));
+    }
+}
+
+mod name_with_a_slip {
+    use geoint_runtime::prelude::*;
+
+    #[hamiltonian]
+    fn energy(q: f64, p: f64, mass: f64, omega: f64) -> f64 {
+        p * p / (2.0 * mas) + omgea * q + Omega * q
+    }
+}

@@ -216,3 +216,12 @@ mod velocity_and_action {
 }
 
 fn main() {}
+
+mod position_called_x {
+    use geoint_runtime::prelude::*;
+
+    #[hamiltonian]
+    fn spring(x: f64, px: f64, k: f64) -> f64 {
+        px * px / 2.0 + k * x * x / 2.0
+    }
+}

@@ -287,3 +287,12 @@ mod documented_argument {
 }
 
 fn main() {}
+
+mod length_at_run_time {
+    use geoint_runtime::prelude::*;
+
+    #[hamiltonian]
+    fn chain(q: Vec<f64>, p: Vec<f64>) -> f64 {
+        q[0] * q[0] + p[0] * p[0]
+    }
+}

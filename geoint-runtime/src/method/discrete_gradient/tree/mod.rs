@@ -21,6 +21,7 @@ use crate::system::{Conservative, DiscreteField, Graded, Invariants, KeptBy};
 /// Newton solve a step, for half of the unknowns if T is quadratic. With damping C the energy falls by exactly h ∇̄H·C ∇̄H
 /// instead (in compositions with steps back in time, only that of each of their steps is so balanced).
 /// T. Matsubara, A. Ishikawa & T. Yaguchi, NeurIPS 2020; R. A. LaBudde & D. Greenspan, Numer. Math. 25 (1976) 323.
+#[doc(alias("energy-momentum", "energy conserving", "energy-preserving", "AVF"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct DiscreteGradient;
 

@@ -48,7 +48,8 @@ where
                 self.scales.as_mut_slice()[i] = <M::Series as Real>::from_f64(start.max(end));
             }
         }
-        let shortest = SHORTEST * self.first_width();
+        // A part must move on, however small the first one is.
+        let shortest = (SHORTEST * self.first_width()).max(4.0 * f64::EPSILON * from).max(f64::MIN_POSITIVE);
         let mut to = (from + self.within_reach(&values, width.min(1.0 - from)).max(shortest)).min(1.0);
         while !self.agree(&values, from, to) {
             if to - from <= shortest {
@@ -85,7 +86,8 @@ where
             // A function that has another sign is zero somewhere else, however little that is of its size.
             let same = value * end >= 0.0 && gap <= part * start.abs().max(end.abs());
             let rounding = || self.rounding(&Piece { from, to, values: *values }, i);
-            same || gap <= ROUNDINGS * self.noise(i, to) || gap <= rounding()
+            // Numbers below the smallest normal one have no digits that could agree.
+            same || gap <= R::smallest() || gap <= ROUNDINGS * self.noise(i, to) || gap <= rounding()
         })
     }
 

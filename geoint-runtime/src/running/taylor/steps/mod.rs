@@ -287,6 +287,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
             _ => {}
         }
         self.bounds.check()?;
+        StepError::of_parameters(&self.system)?;
         let t = signed(self.time());
         let x = &self.here().x;
         if !(t.is_finite() && x.is_finite()) {
