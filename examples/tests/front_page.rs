@@ -19,11 +19,11 @@ fn every_example_is_listed_run_and_shown() {
         let example = name.trim_end_matches(".rs");
         assert!(manifest.contains(&format!("name = \"{example}\"")), "{example} is no example in the manifest");
         assert!(page.contains(&format!("(src/bin/{name})")), "{example} is not in the list");
-        assert!(page.contains(&format!("--example {example}\n")), "how to run {example} is not said");
     }
+    assert!(page.contains("--example NAME\n"), "the command that runs an example is missing");
     for file in fs::read_dir(root().join("examples/figures")).unwrap() {
         let name = file.unwrap().file_name().into_string().unwrap();
-        assert!(page.contains(&format!("](figures/{name})")), "{name} is not shown");
+        assert!(page.contains(&format!("](figures/{name})")), "{name} is neither shown nor linked");
     }
 }
 

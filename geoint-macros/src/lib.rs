@@ -1,8 +1,8 @@
 //! The attributes of `geoint-runtime`, which re-exports them: a compiler from energy functions to integrators.
 //!
-//! Depend on `geoint-runtime`; the code that is emitted here names it.
+//! Depend on `geoint-runtime`, which the generated code uses.
 
-// In reading order, which is the order of dependence too.
+// In reading order. No module imports a later one.
 mod diagnostics;
 mod messages;
 mod ir;
@@ -32,7 +32,7 @@ pub fn hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
     attribute::expand(parse::Form::Hamiltonian, args.into(), item.into()).into()
 }
 
-/// Makes an integrable system from a vector field, x' = f(x) or x' = f(x, t), and keeps the first integrals that are named.
+/// Makes an integrable system from a vector field, x' = f(x) or x' = f(x, t). Named first integrals are proven and kept.
 ///
 #[doc = include_str!("../docs/vector_field.md")]
 #[proc_macro_attribute]
@@ -40,7 +40,7 @@ pub fn vector_field(args: TokenStream, item: TokenStream) -> TokenStream {
     attribute::expand(parse::Form::Field, args.into(), item.into()).into()
 }
 
-/// Makes an integrable system from a contact Hamiltonian H(q, p, s), or H(q, p, s, t): energy that is lost or driven.
+/// Makes an integrable system from a contact Hamiltonian H(q, p, s) or H(q, p, s, t), for friction and driving.
 ///
 #[doc = include_str!("../docs/contact_hamiltonian.md")]
 #[proc_macro_attribute]
@@ -56,7 +56,7 @@ pub fn lagrangian(args: TokenStream, item: TokenStream) -> TokenStream {
     attribute::expand(parse::Form::Lagrangian, args.into(), item.into()).into()
 }
 
-/// Makes a function one that energies may call: it is inlined, and differentiated with them.
+/// Makes a function callable in energies. It is inlined and differentiated with them.
 ///
 #[doc = include_str!("../docs/energy_function.md")]
 #[proc_macro_attribute]
@@ -64,21 +64,21 @@ pub fn energy_function(args: TokenStream, item: TokenStream) -> TokenStream {
     attribute::energy_function(args.into(), item.into()).into()
 }
 
-/// What asks for a function, by a name that says what to do if it is none under `#[energy_function]`.
+/// Asks for the text of a function. If the function is not under `#[energy_function]`, rustc prints the name of this macro as advice.
 #[doc(hidden)]
 #[proc_macro]
 pub fn put_energy_function_above_it(input: TokenStream) -> TokenStream {
     link::put(input.into()).into()
 }
 
-/// Where macros of functions under `#[energy_function]` call back.
+/// Continues an expansion with the text of a function under `#[energy_function]`.
 #[doc(hidden)]
 #[proc_macro]
 pub fn resume(input: TokenStream) -> TokenStream {
     attribute::resume(input.into()).into()
 }
 
-/// The number of unknowns up to which Newton's iteration has a kernel of its own: for the runtime, which decides by the same.
+/// Returns the largest number of unknowns with a generated Newton kernel. The runtime reads the number, so that both crates decide alike.
 #[doc(hidden)]
 #[proc_macro]
 pub fn most_unknowns(_: TokenStream) -> TokenStream {

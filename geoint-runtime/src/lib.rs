@@ -49,7 +49,7 @@
 //! - A run is an [`Integrator`] with fixed steps, an [`Adaptive`] one, or a [`TaylorIntegrator`]. All are [`Trajectory`] and [`Dense`]: states between steps,
 //!   sections, events. With the feature `alloc` runs can be saved: [`running::Resumable`].
 //! - Traits in [`system`] describe proven structure, for instance [`Separable`]. A method asks for the traits that it needs. Systems written by hand implement
-//!   them.
+//!   these traits.
 //! - [`Method`] is the trait of methods. [`Claims`] states the order and the invariants of a method, and tests check each claim.
 
 #![cfg_attr(not(feature = "std"), no_std)]
@@ -59,7 +59,7 @@ extern crate alloc;
 
 mod ablation;
 
-/// Traits with this supertrait are implemented in this crate only, so that they may grow.
+/// Only this crate implements traits with this supertrait, so that methods can be added to them.
 mod sealed {
     /// Implemented in this crate only.
     pub trait Sealed {}

@@ -66,7 +66,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let curves = curves.into_iter().zip(&paths).map(|((name, colour), path)| Curve::line(name, colour, near(path)));
     let panels = [
         Panel::new(
-            "Three bodies, at rest in the beginning",
+            "Three bodies that start at rest",
             "Taylor series to rounding; G = 1, dimensionless",
             [Axis::linear("x", -6.0..6.0), Axis::linear("y", -6.0..6.0)],
             curves.collect(),

@@ -39,7 +39,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("{}", Braked::<f64>::REPORT);
     let methods: [(&str, Ink, [f64; 4]); 4] = [
         ("contact midpoint", palette::BLACK, errors(ContactMidpoint)?),
-        ("Suzuki 4 of it", palette::VERMILION, errors(Suzuki4.of(ContactMidpoint))?),
+        ("Suzuki4 of midpoint", palette::VERMILION, errors(Suzuki4.of(ContactMidpoint))?),
         ("contact Gauss, 2 stages", palette::GREEN, errors(ContactGauss::<2>)?),
         ("contact Gauss, 3 stages", palette::BLUE, errors(ContactGauss::<3>)?),
     ];

@@ -49,7 +49,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         Scheme { name: "DiscreteGradient", run: |h, start, steps| points(DiscreteGradient, h, start, steps) },
         Scheme { name: "ItohAbe", run: |h, start, steps| points(ItohAbe, h, start, steps) },
         Scheme { name: "terms in h² dropped", run: |h, start, steps| Ok(iterated(squares_dropped, h, start, steps)) },
-        Scheme { name: "term q lost", run: |h, start, steps| Ok(iterated(term_lost, h, start, steps)) },
+        Scheme { name: "term q missing", run: |h, start, steps| Ok(iterated(term_lost, h, start, steps)) },
     ];
     let mut runs = Vec::new();
     for scheme in &schemes {

@@ -92,10 +92,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let runs = [
         run("RK4", PAIRS, RK4, palette::VERMILION)?,
         run("PoissonSplitting", PAIRS, PoissonSplitting, palette::PURPLE)?,
-        run("Suzuki4 of it", PAIRS, Suzuki4.of(PoissonSplitting), palette::ORANGE)?,
+        run("Suzuki4 of splitting", PAIRS, Suzuki4.of(PoissonSplitting), palette::ORANGE)?,
         run("DiscreteGradient", PAIRS, DiscreteGradient, palette::GREEN)?,
-        run("FourthOrder of it", PAIRS, fourth, palette::SKY)?,
-        run("the same, all named", VortexField { gamma: PAIRS.gamma }, fourth, palette::BLUE)?,
+        run("FourthOrder", PAIRS, fourth, palette::SKY)?,
+        run("FourthOrder, all integrals", VortexField { gamma: PAIRS.gamma }, fourth, palette::BLUE)?,
     ];
     println!(
         "{STEPS} steps of {STEP} s with ratio 0.5: largest changes of energy (m⁴/s²), ΣΓx, ΣΓy (m³/s) and ΣΓr²/Σ|Γ|r²\n"
