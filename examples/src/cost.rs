@@ -1,14 +1,14 @@
-//! What a run costs: time, and evaluations of the energy.
+//! Measures the cost of a run: its time, and its evaluations of the energy.
 
 use geoint_runtime::method::{Observer, Probe, Step};
 use geoint_runtime::space::{Coordinates, Plain, Point};
 use geoint_runtime::{Hamiltonian, Method, State};
 use std::time::{Duration, Instant};
 
-/// The shortest of ten runs: what else the machine does only ever adds.
+/// Returns the shortest time of ten runs. Other work of the machine can only make a run longer.
 ///
 /// # Errors
-/// Those of `run`.
+/// The first error of `run`.
 pub fn shortest<T, E>(mut run: impl FnMut() -> Result<T, E>) -> Result<Duration, E> {
     let mut shortest = Duration::MAX;
     for _ in 0..10 {
@@ -19,10 +19,10 @@ pub fn shortest<T, E>(mut run: impl FnMut() -> Result<T, E>) -> Result<Duration,
     Ok(shortest)
 }
 
-/// At how many points Newton's iterations of an implicit method evaluate the energy in `steps` steps of length `h`.
+/// Counts the points at which Newton's iterations of an implicit method evaluate the energy, in `steps` steps of length `h`.
 ///
 /// # Errors
-/// If one of them does not converge.
+/// If a Newton iteration does not converge.
 pub fn evaluations<S: Hamiltonian, M: Method<S, f64>>(
     system: S,
     method: M,

@@ -1,6 +1,6 @@
-//! What the example programs share: what a run costs, a place for output, tables for the terminal, figures.
+//! Shared code of the example programs: cost of a run, output files, tables for the terminal, figures.
 //!
-//! Everything that teaches how to use the library is in the programs themselves.
+//! The programs themselves contain all code that shows how to use the library.
 
 mod cost;
 pub mod outer_planets;

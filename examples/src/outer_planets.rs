@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 /// The constant of gravity.
 pub const GRAVITY: f64 = 2.95912208286e-4;
 
-/// The Sun has the inner planets added.
+/// The first mass is the sum of the Sun and the inner planets.
 pub const MASSES: [f64; 6] =
     [1.00000597682, 0.000954786104043, 0.000285583733151, 0.0000437273164546, 0.0000517759138449, 1.0 / 1.3e8];
 

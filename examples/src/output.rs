@@ -1,4 +1,4 @@
-//! Where files go, and what happens when a program does not keep its word.
+//! Paths of output files, and errors for claims that are false.
 
 use std::env;
 use std::error::Error;
@@ -6,11 +6,11 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// The path of the output file `name`, in the folder `geoint` of cargo's target directory, or in one below it that the name has; folders are
-/// made if need be.
+/// Returns the path of the output file `name` in the folder `geoint` of cargo's target directory. The name may contain a subfolder.
+/// Missing folders are created.
 ///
 /// # Errors
-/// If a folder cannot be made.
+/// If a folder cannot be created.
 pub fn output(name: &str) -> io::Result<PathBuf> {
     let target = match env::var_os("CARGO_TARGET_DIR") {
         Some(target) => PathBuf::from(target),
@@ -23,13 +23,13 @@ pub fn output(name: &str) -> io::Result<PathBuf> {
     Ok(path)
 }
 
-/// A path as short as it can be said from the current directory.
+/// Returns a path relative to the current directory, if the path is below this directory.
 pub fn shown(path: &Path) -> String {
     let here = env::current_dir().unwrap_or_default();
     path.strip_prefix(here).unwrap_or(path).display().to_string()
 }
 
-/// An error that quotes `words` unless they hold: the programs fail when what they print is not true.
+/// Prints the claim `words` if it is true. A program with a false claim fails.
 ///
 /// # Errors
 /// If `holds` is false.

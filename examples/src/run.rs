@@ -4,10 +4,10 @@ use geoint_runtime::running::{Scalar, Trajectory};
 use geoint_runtime::system::StateOf;
 use geoint_runtime::{Method, PhaseSpace, StepError};
 
-/// The states after 0, 1, 2, … steps up to a time.
+/// Returns the states after 0, 1, 2, … steps up to a time.
 ///
 /// # Errors
-/// That of a step.
+/// The first error of a step.
 pub fn orbit<S: PhaseSpace, M: Method<S, f64>>(
     system: S,
     method: M,
@@ -20,13 +20,14 @@ pub fn orbit<S: PhaseSpace, M: Method<S, f64>>(
     std::iter::once(Ok(start)).chain(later).collect()
 }
 
-/// A time of a run, and what functions of the state have changed by until then.
+/// A time of a run, and the largest changes of functions of the state up to this time.
 pub type Sample<T, const N: usize> = (Scalar<T>, [f64; N]);
 
-/// The times of the next steps of a run, about twenty a decade, each with the largest change of some functions of the state so far.
+/// Advances a run and returns samples, about twenty in each decade of steps. A sample has a time and the largest changes of
+/// `functions` so far.
 ///
 /// # Errors
-/// That of a step.
+/// The first error of a step.
 pub fn changes<T: Trajectory, const N: usize>(
     run: &mut T,
     steps: u64,
@@ -46,12 +47,12 @@ pub fn changes<T: Trajectory, const N: usize>(
     Ok(samples)
 }
 
-/// The largest of the absolute values; not a number if one of them is none.
+/// Returns the largest absolute value, or NaN if a value is NaN.
 pub fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
     values.into_iter().fold(0.0, |largest, x| if x.abs() > largest || x.is_nan() { x.abs() } else { largest })
 }
 
-/// The order that errors at h and at h/2 tell of.
+/// Returns the observed order from the errors at the step sizes h and h/2.
 pub fn order(whole: f64, half: f64) -> f64 {
     (whole / half).log2()
 }

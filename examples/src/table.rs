@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-/// Rows under a head, the first column flush left, numbers flush right.
+/// Formats rows under a head. The first column is flush left, all others are flush right.
 pub fn table<const N: usize>(head: [&str; N], rows: &[[String; N]]) -> String {
     let width = |text: &str| text.chars().count();
     let widths: [usize; N] =

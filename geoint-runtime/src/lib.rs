@@ -38,7 +38,8 @@
 //! - Equations of motion: q' = ∂H/∂p and p' = −∂H/∂q. Coordinates come in the order q, p, s, t.
 //! - Contact systems: q' = ∂H/∂p, p' = −∂H/∂q − p ∂H/∂s, s' = p·∂H/∂p − H.
 //! - A *kick* of length h is the flow of V(q, t), p ← p − h ∂V/∂q. A *drift* is the flow of T(p, t), q ← q + h ∂T/∂p.
-//! - The step size h may be negative. The time of fixed steps is t₀ + n·h, without a running sum. Output never changes the steps.
+//! - The step size h may be negative. The time of fixed steps is t₀ + n·h, without a running sum. Samples and sections change no step; `until_event` ends
+//!   where it stops, and the count starts anew there.
 //! - Single steps give the same bits as many steps in one call.
 //! - Division by a value that is known before the loop becomes multiplication by its reciprocal. `a·b + c` is fused if the processor of the build supports it;
 //!   the feature `strict-math` forbids this.
@@ -50,7 +51,8 @@
 //!   sections, events. With the feature `alloc` runs can be saved: [`running::Resumable`].
 //! - Traits in [`system`] describe proven structure, for instance [`Separable`]. A method asks for the traits that it needs. Systems written by hand implement
 //!   these traits.
-//! - [`Method`] is the trait of methods. [`Claims`] states the order and the invariants of a method, and tests check each claim.
+//! - [`Method`] is the trait of methods. [`Claims`] states the order and the invariants of a method.
+//! - Numbers are `f64` or `f32`: write `f32` in the arguments of the energy. Without the feature `std` the crate needs no standard library.
 
 #![cfg_attr(not(feature = "std"), no_std)]
 

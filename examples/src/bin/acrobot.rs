@@ -46,7 +46,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let [whole, half, quarter] = paths;
     let orders = [order(whole?, half?), order(half?, quarter?)];
     let [(low, [slow, _]), (high, [fast, _])] = strayed[..] else { return Err("two starts".into()) };
-    // The second motion is chaotic: where it goes, and how far RK4 is off, depends on the last digits.
+    // The second motion is chaotic: its path and the error of RK4 depend on rounding.
     claim("RK4 is off by 0.7 of 9.0, and by a quarter to a half of 29.6, within 100 s", {
         (slow - 0.7).abs() < 0.05
             && fast > 0.25 * high
@@ -62,7 +62,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     draw()
 }
 
-/// The energy beside that of the start, over 100 s.
+/// Returns times up to 100 s, each with the change of the energy since the start.
 fn run<M: Method<Acrobot>>(method: M, start: [f64; 2]) -> Result<Vec<(f64, f64)>, StepError> {
     let mut sim = SYSTEM.integrator(method, H, SYSTEM.at(start, [0.0; 2]));
     let before = sim.energy();

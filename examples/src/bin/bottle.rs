@@ -39,7 +39,7 @@ fn moment(state: &Space) -> f64 {
     ((state.p[0] + half * y).powi(2) + (state.p[1] - half * x).powi(2)) / (2.0 * field(z))
 }
 
-/// The end of a run of some steps, the largest relative change of the energy, and how long it took.
+/// Returns the last state of a run, the relative change of the energy, and the time of the computation in s.
 fn run<M: Method<Bottle, f64>>(method: M, h: f64, duration: f64) -> Result<(Space, f64, f64), StepError> {
     let mut sim = SYSTEM.integrator(method, h, start());
     let (energy, clock) = (sim.energy(), Instant::now());
@@ -53,14 +53,14 @@ fn distance(a: &Space, b: &Space) -> f64 {
 
 fn main() -> Result<(), Box<dyn Error>> {
     println!("{}", Bottle::REPORT);
-    // Where the moment of the start leaves no velocity along z: 2μB = v².
+    // Predicted turning point: with a constant μ the velocity along z vanishes at 2μB = v².
     let (mu, speed) = (moment(&start()), SYSTEM.energy(&start()) * 2.0);
     let turn = SYSTEM.l * (speed / (2.0 * mu * SYSTEM.b) - 1.0).sqrt();
     let long = orbit(SYSTEM, BlanesMoan6X.of(PieceSplitting), 0.05, start(), 2000.0)?;
     let moments: Vec<f64> = long.iter().map(moment).collect();
     let reached = largest(long.iter().map(|state| state.q[2]));
     let passages = long.windows(2).filter(|pair| pair[0].q[2] * pair[1].q[2] < 0.0).count();
-    println!("2000 s: {passages} passages, as far as {reached:.3} m, where μ has {turn:.3} m\n");
+    println!("2000 s: {passages} passages; largest |z| {reached:.3} m, predicted from μ {turn:.3} m\n");
     let [least, most] = [f64::min as fn(f64, f64) -> f64, f64::max].map(|of| moments.iter().copied().reduce(of));
     let (least, most) = (least.unwrap_or(f64::NAN), most.unwrap_or(f64::NAN));
     claim(

@@ -16,16 +16,16 @@ fn ball(q: f64, p: f64, m: f64, g: f64) -> f64 {
 
 const BALL: Ball = Ball { m: 0.16, g: 9.81 };
 const START: State<f64> = State { t: 0.0, q: 2.0, p: 0.0 };
-/// The part of the speed that is left after an impact.
+/// Coefficient of restitution: the speed after an impact over the speed before it.
 const RESTITUTION: f64 = 0.85;
 const IMPACTS: usize = 12;
-/// A ball whose flights last no longer lies: flights become shorter without end, and their number in a finite time is infinite. In s.
+/// A ball with shorter flights is at rest, in s. Without this limit the number of impacts in a finite time is infinite.
 const SHORTEST: f64 = 1e-3;
 
-/// Impacts: when, and the energy afterwards.
+/// Times of impacts, each with the energy after the impact.
 type Impacts = Vec<(f64, f64)>;
 
-/// The ball after an impact that leaves a part of the speed.
+/// Returns the state after an impact that multiplies the speed by `restitution`.
 fn reflected(impact: State<f64>, restitution: f64) -> State<f64> {
     State { q: 0.0, p: -restitution * impact.p, ..impact }
 }
@@ -52,7 +52,7 @@ fn by_steps(h: f64) -> Result<Impacts, StepError> {
     Ok(impacts)
 }
 
-/// Flights last a geometric sequence of times.
+/// Computes the impacts in closed form: the durations of the flights are a geometric sequence.
 fn exact() -> Impacts {
     let fall = (2.0 * START.q / BALL.g).sqrt();
     let mut t = fall;
@@ -88,7 +88,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     draw()
 }
 
-/// Heights and energies up to the time `end`: in flight, and on the ground.
+/// Samples heights and energies up to the time `end`, in flight and on the ground.
 fn curves(restitution: f64, end: f64) -> Result<[Vec<(f64, f64)>; 2], StepError> {
     let mut sim = BALL.taylor(Taylor::default(), START);
     let (mut heights, mut energies, mut lies) = (vec![], vec![], false);
@@ -133,7 +133,7 @@ fn draw() -> Result<(), Box<dyn Error>> {
 mod tests {
     use super::*;
 
-    /// Also where flights come to an end in the time that is drawn: after fall·(1 + e)/(1 − e).
+    /// Flights end after fall·(1 + e)/(1 − e), with e the coefficient of restitution. Here this time lies within the figure.
     #[test]
     fn a_ball_that_loses_more_comes_to_rest() -> Result<(), StepError> {
         let fall = (2.0 * START.q / BALL.g).sqrt();

@@ -23,7 +23,7 @@ fn chain(y: f64, slope: f64) -> f64 {
     y * (1.0 + slope * slope).sqrt()
 }
 
-/// From one angle of the wheel that rolls the cycloid to another.
+/// First and last angle of the rolling wheel that draws the cycloid.
 const ANGLES: [f64; 2] = [1.0, 3.0];
 
 /// x, y and y' of the cycloid.
@@ -63,7 +63,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     draw(&[path(ImplicitMidpoint, 20)?, path(Gauss::<3>, 20)?, path(DiscreteGradient, 20)?], &hung()?.0)
 }
 
-/// A chain from its lowest point, and how far its end is from the hyperbolic cosine.
+/// Returns the points of a chain from its lowest point, and the error of its end against the hyperbolic cosine.
 fn hung() -> Result<(Vec<(f64, f64)>, f64), StepError> {
     let mut sim = Chain.integrator(Gauss::<2>, 0.1, Chain.at(1.0, 0.0));
     let mut points = vec![(0.0, 1.0)];
@@ -78,7 +78,7 @@ fn hung() -> Result<(Vec<(f64, f64)>, f64), StepError> {
 struct Path {
     points: Vec<(f64, f64)>,
     error: f64,
-    /// Largest change of Beltrami's constant, and the change along x.
+    /// Largest change of Beltrami's constant. The field `changes` has the change at each x.
     beltrami: f64,
     changes: Vec<(f64, f64)>,
 }

@@ -31,7 +31,7 @@ const SYSTEM: Charge = Charge { b: 2.0, l: 5.0 };
 const SPEED: f64 = 1.0;
 const GYRATIONS: u32 = 1_000_000;
 
-/// A gyration: how long it takes, and how far it takes the charge along y.
+/// Returns the exact period of a gyration, and the drift along y in one gyration.
 fn gyration() -> [f64; 2] {
     let mut sums = [0.0; 2];
     const ANGLES: u32 = 64;
@@ -49,12 +49,12 @@ fn start() -> Plane {
     State::new([0.0, 0.0], [SPEED, 0.0])
 }
 
-/// What a method makes of the drift.
+/// Drift and energy error of a method over a million gyrations.
 struct Run {
     name: String,
     ink: Ink,
     steps: u32,
-    /// Gyrations, and the drift so far over that of the flow.
+    /// Number of gyrations, and the ratio of the computed drift to the exact drift.
     drift: Vec<(f64, f64)>,
     energy: f64,
     seconds: f64,
@@ -94,7 +94,7 @@ impl Run {
 fn main() -> Result<(), Box<dyn Error>> {
     println!("{}", Charge::REPORT);
     let [period, drift] = gyration();
-    println!("a gyration takes {period:.6} s and leads {drift:.6} m along y; leading order {:.6} m\n", {
+    println!("a gyration takes {period:.6} s; drift along y {drift:.6} m, in leading order {:.6} m\n", {
         -period * SPEED * SPEED / (2.0 * SYSTEM.b * SYSTEM.l)
     });
     let runs = [

@@ -57,7 +57,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         "at t = {END}: the heavy two are {binary:.2} apart, the light one is {far:.1} away; energy error {error:.1e}\n"
     );
     claim("two bodies come as close as 10⁻³", closest < 1e-3)?;
-    // A position of 1 is rounded by 10⁻¹⁶, a distance of 4·10⁻⁴ that follows from two by 10⁻¹² of itself.
+    // Positions near 1 have rounding errors of 10⁻¹⁶. Their difference of 4·10⁻⁴ therefore has a relative error of 10⁻¹².
     claim("the energy is kept to 10⁻⁸ through all encounters", error < 1e-8)?;
     claim("steps differ by a factor of 1000", longest > 1000.0 * shortest)?;
     claim("the lightest body leaves a binary", far > 10.0 * binary)?;

@@ -22,7 +22,7 @@ fn oscillator(q: f64, p: f64, s: f64, gamma: f64) -> f64 {
 }
 
 type Phase = [f64; 2];
-/// Points after 0, 1, 2, … steps: of friction γ and steps h up to a time.
+/// Returns the points after 0, 1, 2, … steps. Arguments are the friction γ, the step size h and the duration.
 type Run = fn(f64, f64, f64) -> Result<Vec<Phase>, StepError>;
 
 /// A scheme, with the number of forces that a step takes.
@@ -100,7 +100,7 @@ fn runge_kutta(gamma: f64, h: f64, x: Phase) -> Phase {
     [0, 1].map(|i| x[i] + h / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i]))
 }
 
-/// q at a time, for γ = 2 too, where both roots of λ² + γλ + 1 are −1.
+/// Returns the exact q at a time. At γ = 2 both roots of λ² + γλ + 1 are −1, so the sine becomes t.
 fn exact(gamma: f64, t: f64) -> f64 {
     let omega = (1.0 - gamma * gamma / 4.0).sqrt();
     let sine = if omega == 0.0 { t } else { (omega * t).sin() / omega };
@@ -150,7 +150,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             format!("{:.1e}", left[left.len() - 1] - 1.0),
         ]);
         let points = decay.into_iter().filter(|x| x.1 > 1e-6).map(|(t, x)| (t / 1000.0, x));
-        // All but that of RK4 are one line: a marker here and there, each scheme elsewhere, shows all of them.
+        // All curves but the one of RK4 coincide. Each scheme has markers at its own times, so all schemes are visible.
         let points: Vec<_> = points.skip(rows.len() * 8).step_by(56).collect();
         decays.push(Curve::line(scheme.name, scheme.colour, points).width(0.8).solid().marked(3.0));
     }
@@ -179,12 +179,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     draw(decays)
 }
 
-/// Whether friction has made nothing larger.
+/// Returns whether all points are in the unit disc. An unstable scheme leaves it.
 fn bounded(points: &[Phase]) -> bool {
     points.iter().all(|x| x[0].hypot(x[1]) <= 1.0)
 }
 
-/// Times and energies, in units of that at the start; means over 100 units of time, within which energies oscillate.
+/// Returns times and energies relative to the start. Means over 100 units of time remove the oscillation of the energy.
 fn decay(points: &[Phase], h: f64) -> Vec<(f64, f64)> {
     let block = (100.0 / h).round() as usize;
     let energy = |x: &[Phase]| x.iter().map(|x| x[0] * x[0] + x[1] * x[1]).sum::<f64>() / x.len() as f64;

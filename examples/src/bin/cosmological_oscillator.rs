@@ -17,7 +17,7 @@ fn cosmological(q: f64, p: f64, s: f64, r: f64) -> f64 {
 
 const SYSTEM: Cosmological = Cosmological { r: 1.0 };
 
-/// On the sphere at a height and an angle.
+/// Returns the point of the sphere at a height s and an angle.
 fn on_sphere(s: f64, angle: f64) -> ContactState<f64> {
     let radius = (2.0 * SYSTEM.r - s * s).sqrt();
     ContactState::new(radius * angle.cos(), radius * angle.sin(), s)

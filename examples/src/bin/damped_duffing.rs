@@ -65,7 +65,7 @@ struct Run {
 }
 
 impl Run {
-    /// Up to where there is no step any more.
+    /// Runs a method until a step fails, for at most `steps` steps.
     fn new<M: Method<DampedDuffing>>(method: M, h: f64, steps: usize) -> Self {
         let mut sim = SYSTEM.integrator(method, h, start());
         let later = sim.sampled(1).take(steps).map_while(Result::ok);

@@ -14,7 +14,7 @@ fn damped(q: f64, p: f64, s: f64, gamma: f64) -> f64 {
     p * p / 2.0 + q * q / 2.0 + gamma * s
 }
 
-/// The same, taken apart by hand.
+/// The damped oscillator, split by hand into motion, friction and force.
 #[contact_hamiltonian(split = "p * p / 2.0 | gamma * s | q * q / 2.0")]
 fn three_pieces(q: f64, p: f64, s: f64, gamma: f64) -> f64 {
     p * p / 2.0 + q * q / 2.0 + gamma * s
@@ -23,7 +23,7 @@ fn three_pieces(q: f64, p: f64, s: f64, gamma: f64) -> f64 {
 const START: [f64; 2] = [-0.25, 0.75];
 const FRICTION: [f64; 4] = [0.01, 0.1, 1.0, 2.0];
 
-/// The solution from [`START`], for γ = 2 too, where both roots of λ² + γλ + 1 are −1.
+/// Returns the exact q from [`START`]. At γ = 2 both roots of λ² + γλ + 1 are −1, so the sine becomes t.
 fn exact(gamma: f64, t: f64) -> f64 {
     let [q, p] = START;
     let rate = p + gamma * q / 2.0;

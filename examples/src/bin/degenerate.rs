@@ -23,7 +23,7 @@ fn animals(q: [f64; 2], v: [f64; 2], a: f64, b: f64, c: f64) -> f64 {
 fn guiding_centre(q: [f64; 4], v: [f64; 4], field: f64, twist: f64, moment: f64) -> f64 {
     let [r, _, z, u] = q;
     let (x, y) = (r - 1.0, z);
-    // The field about the axis falls as 1/r; a smaller one twists it about the circle r = 1.
+    // The toroidal field falls as 1/r. A smaller poloidal field twists its lines about the circle r = 1.
     let toroidal = field / r;
     let [along_r, along_z] = [y / (twist * r), -x / (twist * r)];
     let strength = (toroidal * toroidal + along_r * along_r + along_z * along_z).sqrt();
@@ -76,7 +76,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     draw(&runs, &orbit)
 }
 
-/// By how much H strays, over time.
+/// Returns times, each with the largest error of H in the last ten steps.
 fn strayed<M: Method<Animals>>(method: M) -> Result<Vec<(f64, f64)>, StepError> {
     let mut sim = ANIMALS.integrator(method, H, ANIMALS.at([1.0, 1.5]));
     let before = sim.energy();
@@ -92,7 +92,8 @@ fn strayed<M: Method<Animals>>(method: M) -> Result<Vec<(f64, f64)>, StepError> 
     Ok(errors)
 }
 
-/// r, z and u on the way of the guiding centre, and by how much its energy and its momentum about the axis stray, as parts of them.
+/// Returns (r, z, u) of the guiding centre after each step, and the largest relative changes of its energy and of its
+/// momentum about the axis.
 fn banana() -> Result<(Vec<[f64; 3]>, [f64; 2]), StepError> {
     let start = GUIDED.at([1.05, 0.0, 0.0, -4.306e-4]);
     let mut sim = GUIDED.integrator(DiscreteGradient, 100.0, start);

@@ -29,7 +29,7 @@ const SECONDS_BETWEEN_SAMPLES: f64 = 0.04;
 /// Positions and momenta of both arms at a time.
 type Arms = State<[f64; 2]>;
 
-/// Far from small, but still a regular motion: errors grow with time, not exponentially.
+/// A large but regular motion: the growth of errors is not exponential.
 fn start() -> Arms {
     State::new([0.0, 1.4], [0.0, 0.0])
 }
@@ -37,7 +37,7 @@ fn start() -> Arms {
 fn main() -> Result<(), Box<dyn Error>> {
     println!("{}", DoublePendulum::REPORT);
 
-    // Twelfth order: what is left of its error is rounding.
+    // With order 12 the reference has rounding errors only.
     let truth = samples(Gauss::<6>, 0.02)?;
     let conserving = DiscreteGradient;
     let runs = [
@@ -55,7 +55,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let head = ["method", "step / s", "evaluations", "time / ms", "energy error", "distance / m"];
     println!("{}", table(head, &runs.each_ref().map(Run::row)));
     println!(
-        "evaluations: points at which the energy is evaluated; distance: of the lower bob from its true path, at most\n"
+        "evaluations: points at which the energy is evaluated; distance: largest position error of the lower bob\n"
     );
 
     let [euler, midpoint, midpoint_half, conserve, conserve_half, suzuki, suzuki_half, gauss, gauss_half] = &runs;
@@ -87,7 +87,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     claim(&format!("two methods that share nothing agree on the path to 0.01 mm ({apart:.1e} m)"), apart < 1e-5)
 }
 
-/// What one method did with one step size.
+/// Samples, cost and errors of a method with a step size.
 struct Run {
     name: String,
     step_size: f64,
@@ -111,7 +111,7 @@ impl Run {
     }
 }
 
-/// One method with one step size, compared with the truth.
+/// Runs a method and compares its samples with the reference.
 fn run<M: Method<DoublePendulum, f64>>(method: M, h: f64, truth: &[Arms]) -> Result<Run, Box<dyn Error>> {
     let steps = (SECONDS / h).round() as u64;
     let evaluations = evaluations(SYSTEM, method, h, start(), steps)?;
@@ -141,7 +141,7 @@ fn energy_error(samples: &[Arms]) -> f64 {
     samples.iter().map(|state| (SYSTEM.energy(state) / first - 1.0).abs()).fold(0.0, f64::max)
 }
 
-/// How far the lower bobs are apart, at most, in m.
+/// Returns the largest distance of the lower bobs at equal times, in m.
 fn distance(samples: &[Arms], others: &[Arms]) -> f64 {
     let apart = |(a, b): (&Arms, &Arms)| {
         let ([_, a], [_, b]) = (bobs(a), bobs(b));
@@ -150,7 +150,7 @@ fn distance(samples: &[Arms], others: &[Arms]) -> f64 {
     samples.iter().zip(others).map(apart).fold(0.0, f64::max)
 }
 
-/// Where the ends of the arms are, in m.
+/// Positions of the upper and the lower bob, in m.
 fn bobs(state: &Arms) -> [(f64, f64); 2] {
     let ([a, b], DoublePendulum { l1, l2, .. }) = (state.q, SYSTEM);
     let upper = (l1 * a.sin(), -l1 * a.cos());
@@ -181,10 +181,10 @@ fn draw_path() -> Result<(), Box<dyn Error>> {
 
 fn draw_energy_errors(runs: &[(&Run, Ink)]) -> Result<(), Box<dyn Error>> {
     let curve = |&(run, colour): &(&Run, Ink)| {
-        // The error vanishes now and then; its largest values make a curve that can be read.
+        // The error vanishes now and then. The largest error of each 100 samples gives a legible curve.
         let points = run.samples.chunks(100).map(|seconds| (seconds[50].t, energy_error(seconds)));
         let line = Curve::line(format!("{}, h = {} s", run.name, run.step_size), colour, points.collect());
-        // What is below is rounding.
+        // Below this limit the curve shows rounding errors.
         if run.energy_error < 1e-12 { line.width(1.0).rounding() } else { line }
     };
     let panel = Panel::new(

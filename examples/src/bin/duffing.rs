@@ -42,7 +42,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     claim("it loses the largest within 100 steps", verlet[4].escape.is_some_and(|t| t < 100.0 * H))?;
     claim("explicit Euler loses all of them", euler.iter().all(|orbit| orbit.escape.is_some()))?;
 
-    // The same for the flow: by quadrature above, here by a method of order 12.
+    // Check the periods of the flow. The table has them from a quadrature, and a method of order 12 confirms them.
     let same = |amplitude| -> Result<bool, StepError> {
         let end = at(Gauss::<6>, 0.1 * period(amplitude), period(amplitude), State::new(amplitude, 0.0))?;
         Ok((end.0 - amplitude).hypot(end.1) < 1e-6)
@@ -64,11 +64,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     draw(&[("DiscreteGradient", &conserving), ("StormerVerlet", &verlet), ("ExplicitEuler", &euler)])
 }
 
-/// Where the phase point is after every step, as (x, y).
+/// Phase points (x, y) after each step.
 struct Orbit {
     amplitude: f64,
     points: Vec<(f64, f64)>,
-    /// When it left all bounds.
+    /// Time at which the run diverged.
     escape: Option<f64>,
 }
 
@@ -93,7 +93,7 @@ impl Orbit {
         self.points.iter().map(|point| (energy(point) / first - 1.0).abs()).fold(0.0, f64::max)
     }
 
-    /// The mean over all turns, counted by angles; a step is less than half a turn.
+    /// Returns the mean period over all turns. Angles between successive points count the turns; a step is less than half a turn.
     fn period(&self) -> f64 {
         let turn = |pair: &[(f64, f64)]| {
             let [(a, b), (c, d)] = [pair[0], pair[1]];
@@ -115,7 +115,7 @@ fn row(conserving: &Orbit, verlet: &Orbit) -> [String; 6] {
     ]
 }
 
-/// Of the flow: an elliptic integral, by the arithmetic-geometric mean.
+/// Returns the exact period: an elliptic integral, computed by the arithmetic-geometric mean.
 fn period(amplitude: f64) -> f64 {
     let square = amplitude * amplitude;
     let (mut a, mut b) = ((1.0 + square).sqrt(), (1.0 + square / 2.0).sqrt());
@@ -141,14 +141,14 @@ fn draw(portraits: &[(&str, &[Orbit; 5])]) -> Result<(), Box<dyn Error>> {
             curves.push(Curve::line(name, palette::GREY, level(orbit.amplitude)).width(1.0));
             let points: Vec<_> = orbit.points.iter().copied().take(250).filter(inside).collect();
             let name = format!("A = {}", orbit.amplitude);
-            // A few points show a motion only if they are joined.
+            // Join the points of a short run, because few points alone do not show the motion.
             let width = if points.len() < 30 { 0.8 } else { 0.0 };
             curves.push(Curve::line(name, colour, points).width(width).solid().marked(2.0));
         }
         let axes = [Axis::linear("x", -3.4..3.4), Axis::linear("y = x'", -5.6..5.6)];
         Panel::new(format!("{name}, h = {H}"), "250 steps from (A, 0); dimensionless", axes, curves)
     };
-    let panels: Vec<_> = portraits.iter().map(|portrait| panel(portrait)).collect();
+    let panels: Vec<_> = portraits.iter().map(panel).collect();
     figure("duffing.svg", (1, 1), &panels)
 }
 

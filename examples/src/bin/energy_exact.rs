@@ -82,10 +82,10 @@ impl Motion {
     }
 }
 
-/// What one method made of a motion.
+/// Energy errors of one method in one motion.
 struct Run {
     name: String,
-    /// The largest relative error of the energy so far, twenty times a decade of steps; up to where the motion escaped.
+    /// Step numbers, about twenty a decade, with the largest relative energy error so far. The list ends if the motion escapes.
     errors: Vec<(u64, f64)>,
 }
 

@@ -34,7 +34,7 @@ fn never_infected(ratio: f64) -> f64 {
     s
 }
 
-/// Susceptible after two years: then the infected are gone.
+/// Returns the susceptible part after [`DAYS`] days. The infected part has vanished by this time.
 fn end<M: Method<Epidemic>>(method: M, ratio: f64, h: f64) -> Result<f64, StepError> {
     let mut sim = Integrator::new(disease(ratio), method, h, FlowState::new(START));
     sim.advance((DAYS / h).round() as u64)?;
@@ -48,7 +48,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("{}", Epidemic::REPORT);
     let ratio = 2.5;
     let exact = never_infected(ratio);
-    println!("R₀ = {ratio}: {:.10} of all are never infected; what steps of h days make of that\n", exact);
+    println!("R₀ = {ratio}: {:.10} of all are never infected; the table has the results of steps of h days\n", exact);
     let mut errors: [Vec<(f64, f64)>; 4] = Default::default();
     let mut rows = vec![];
     for h in STEPS {

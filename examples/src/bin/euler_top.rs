@@ -1,9 +1,9 @@
 //! On which path does the angular momentum of a free body move, and do steps stay on it?
 //!
-//! In the frame of the body Euler's equations keep the energy and the length of the angular momentum m. So m moves along a polhode, the
-//! intersection of an ellipsoid and a sphere. The program has three forms of the problem: a field with both integrals, a Poisson system in m
-//! that splits into rotations, and the attitude of the body, whose free motion is exact at any step size. It also keeps a quartic integral, a
-//! Lyapunov function.
+//! In the frame of the body Euler's equations keep the energy and the length of the angular momentum m. Therefore m moves along a polhode, the
+//! intersection of an ellipsoid and a sphere. The program has three forms of the problem: a field with both integrals, a Poisson system in m,
+//! and the attitude of the body. The Poisson system splits into rotations. The free motion of the attitude is exact at any step size. A
+//! fourth form keeps a quartic integral, a Lyapunov function.
 
 use geoint_examples::plot::{Axis, Curve, Ink, Panel, figure, palette};
 use geoint_examples::{changes, claim, largest, order, shortest, table};
@@ -22,7 +22,7 @@ fn euler_top(x: [f64; 3], a: f64, b: f64, c: f64) -> [f64; 3] {
     [(b - c) / a * x[1] * x[2], (c - a) / b * x[2] * x[0], (a - b) / c * x[0] * x[1]]
 }
 
-/// The same with an integral of degree 4 alone, which is least at the rotation (w, 0, 0) if a is the smallest of the three moments.
+/// Euler's equations with one integral of degree 4. Its minimum is the rotation (w, 0, 0) if a is the smallest moment of inertia.
 #[vector_field(keeps(lyapunov = {
     let first = a * (c - a) * (x[0] * x[0] - w * w) + b * (c - b) * x[1] * x[1];
     let second = b * (b - a) * x[1] * x[1] + c * (c - a) * x[2] * x[2];
@@ -32,7 +32,7 @@ fn lyapunov_top(x: [f64; 3], a: f64, b: f64, c: f64, w: f64) -> [f64; 3] {
     [(b - c) / a * x[1] * x[2], (c - a) / b * x[2] * x[0], (a - b) / c * x[0] * x[1]]
 }
 
-/// The same as S(x) ∇H with S that plane rotations follow from: x is the angular velocity.
+/// Euler's equations as S(x) ∇H in the angular velocity x. S splits the flow into rotations in planes.
 #[hamiltonian(structure = |i, j| {
     let k = 3 - i - j;
     (if j == i + 1 { -1.0 } else { 1.0 }) * inertia[k] * x[k] / (inertia[i] * inertia[j])
@@ -41,7 +41,7 @@ fn planes(x: [f64; 3], inertia: [f64; 3]) -> f64 {
     (0..3).map(|i| inertia[i] * x[i] * x[i] / 2.0).sum()
 }
 
-/// The same in the angular momentum.
+/// Euler's equations in the angular momentum x.
 #[hamiltonian(structure = so3)]
 fn momenta(x: [f64; 3], inertia: [f64; 3]) -> f64 {
     (0..3).map(|i| x[i] * x[i] / (2.0 * inertia[i])).sum()
@@ -113,10 +113,10 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 const STEP: f64 = 0.1;
 
-/// What a method makes of the motion.
+/// Errors and cost of one method.
 struct Measured {
     name: String,
-    /// At steps of 0.8, 0.4, … s.
+    /// Step sizes 0.8, 0.4, … s, each with the error of the angular momentum.
     errors: Vec<(f64, f64)>,
     /// Largest relative changes of energy and momentum at steps of [`STEP`].
     changes: [f64; 2],
@@ -171,7 +171,7 @@ where
 
 fn errors(rows: &[Measured; 7]) -> Panel {
     let curve = |(row, ink): (&Measured, Ink)| {
-        // At the smallest errors roundings add up.
+        // Leave out the smallest errors, because accumulated rounding dominates them.
         let points = row.errors.iter().rev().copied().filter(|error| error.1 > 1e-10).collect();
         Curve::line(row.name.clone(), ink, points).marked(3.0)
     };
@@ -192,7 +192,7 @@ fn errors(rows: &[Measured; 7]) -> Panel {
     )
 }
 
-/// The sphere |m| = 1 kg m²/s, seen from between the axes, with the curves on which steps run.
+/// Draws the polhodes on the sphere |m| = 1 kg m²/s, seen from between the axes.
 fn polhodes() -> Result<Panel, Box<dyn Error>> {
     let view = Vector3::new(0.6, 1.0, 0.45).normalize();
     let right = Vector3::new(0.0, 0.0, 1.0).cross(&view).normalize();
@@ -210,7 +210,7 @@ fn polhodes() -> Result<Panel, Box<dyn Error>> {
     for (name, ink, angles) in groups {
         let mut name = name;
         for (i, sign) in angles.iter().flat_map(|i| [(*i, 1.0), (*i, -1.0)]) {
-            // On the great circle through the first and the third axis; at 60° lies the separatrix.
+            // Start on the great circle through the first and the third axis. The separatrix crosses it at 60°.
             let (x, z) = (angle(i).cos(), angle(i).sin());
             let m = if i < 60 { [sign * x, 0.0, z] } else { [x, 0.0, sign * z] };
             let path = path(m)?;
@@ -231,12 +231,12 @@ fn polhodes() -> Result<Panel, Box<dyn Error>> {
     .equal())
 }
 
-/// The angular momentum once around, from a point in the plane of the first and the third axis.
+/// Returns the angular momentum over one period, from a point in the plane of the first and the third axis.
 fn path(m: [f64; 3]) -> Result<Vec<Vector3<f64>>, StepError> {
     let start = FlowState::new(std::array::from_fn(|i| m[i] / INERTIA[i]));
     let mut sim = TOP.integrator(FourthOrder(DiscreteGradient), 0.1, start);
     let mut path = vec![Vector3::from(m)];
-    // Twice through the plane, and there again.
+    // One period has two passages through the plane. The third closes the curve.
     let mut passages = 0;
     while passages < 3 {
         let before = sim.state().x[1];

@@ -25,7 +25,7 @@ const TIME: f64 = 20.0;
 
 fn main() -> Result<(), Box<dyn Error>> {
     println!("{}", FourBar::<f64>::REPORT);
-    // Roughly: the bars pull the joints to where they can be.
+    // A rough guess. The projection onto the constraints makes it consistent.
     let rough = LINKAGE.at([0.0, 1.0, 1.8, 1.8], [-9.0, 0.0, -5.0, 0.0]);
     let start = LINKAGE.state_on_constraint(&rough)?;
     let rattle = run(Rattle, H, start)?;
@@ -59,13 +59,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     draw(&rattle, &gradient)
 }
 
-/// What is seen after a step.
+/// State and errors after a step.
 struct Sample {
     t: f64,
     q: [f64; 4],
-    /// Less that of the start.
+    /// Change of the energy since the start.
     energy: f64,
-    /// The largest error of a length.
+    /// Largest error of the length of a bar.
     bars: f64,
 }
 
@@ -83,7 +83,7 @@ fn run<M: Method<FourBar>>(method: M, h: f64, start: State<[f64; 4]>) -> Result<
     Ok(samples)
 }
 
-/// The joints after two units of time.
+/// Returns the positions of the joints after two units of time.
 fn end<M: Method<FourBar>>(method: M, h: f64, start: State<[f64; 4]>) -> Result<[f64; 4], StepError> {
     let mut sim = Integrator::new(LINKAGE, method, h, start);
     sim.advance((2.0 / h).round() as u64)?;
@@ -94,7 +94,7 @@ fn distance(a: [f64; 4], b: [f64; 4]) -> f64 {
     largest(a.iter().zip(b).map(|(a, b)| (a - b).abs()))
 }
 
-/// A point beside the middle of the coupler, which carries it.
+/// Returns the position of a point that is fixed to the coupler, beside its middle.
 fn carried(q: &[f64; 4]) -> (f64, f64) {
     let (x, y) = (q[2] - q[0], q[3] - q[1]);
     (q[0] + 0.5 * x - 0.6 * y, q[1] + 0.5 * y + 0.6 * x)
@@ -118,7 +118,7 @@ fn draw(rattle: &[Sample], gradient: &[Sample]) -> Result<(), Box<dyn Error>> {
         curves,
     )
     .equal();
-    // The error vanishes now and then: the largest of 20 steps.
+    // The error vanishes now and then. The largest error of each 20 steps gives a legible curve.
     let energy = |run: &[Sample]| {
         run.chunks(20).map(|some| (some[some.len() / 2].t, largest(some.iter().map(|e| e.energy.abs())))).collect()
     };

@@ -2,7 +2,7 @@
 //!
 //! Fermi, Pasta, Ulam and Tsingou expected that the energy of one wave would spread over all waves. After 157 periods nearly all of it is back
 //! (E. Fermi, J. Pasta & S. Ulam, Los Alamos report LA-1940 (1955), figure 1: 32 springs, α = 1/4). The linear part of the springs couples all
-//! masses and is solved exactly, as A of A + B. So far fewer steps are needed. This also saves time as long as the masses are few.
+//! masses and is solved exactly, as A of A + B. Far fewer steps are then enough. For few masses this also saves time.
 
 use geoint_examples::plot::{Axis, Curve, Ink, Panel, figure, palette};
 use geoint_examples::{claim, table};
@@ -35,7 +35,7 @@ type Shape = State<[f64; MASSES]>;
 const SYSTEM: Chain = Chain { alpha: 0.25 };
 const DURATION: f64 = 11_000.0;
 
-/// Plucked as a wave of `amplitude`.
+/// Returns the chain at rest in the shape of the first wave with the given amplitude.
 fn plucked(amplitude: f64) -> Shape {
     Shape::new(std::array::from_fn(|i| amplitude * (PI * (i + 1) as f64 / 32.0).sin()), [0.0; MASSES])
 }
@@ -70,7 +70,7 @@ fn run<M: Method<Chain, f64>>(method: M, steps: u64, start: Shape, truth: &Shape
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    // Weakly plucked, 31 coupled oscillators with next to nothing beside them.
+    // At a small amplitude the chain is 31 coupled linear oscillators with a very small perturbation.
     let start = plucked(0.01);
     let truth = end(BceRkn17_8, 60_000, start)?;
     let mut rows = vec![];
@@ -89,7 +89,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     row!("Rnia10_8_6", Rnia10_8_6, 1_000);
     println!("171 periods of the first wave, plucked by 0.01\n");
     println!("{}", table(["method", "steps", "time", "error at the end"], &rows));
-    // Each flow of A is a matrix of 62 × 62 times the state: that pays for few masses, as for eight of them.
+    // Each flow of A multiplies the state by a 62 × 62 matrix. This saves time only for few masses, for example eight.
     claim("with the springs solved exactly, steps seven times as long have the smaller error", errors[4] < errors[1])?;
 
     let start = plucked(1.0);
@@ -108,7 +108,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let (least, back) = (of_first(0.0..8.0).fold(1.0, f64::min), of_first(9.0..11.0).fold(0.0, f64::max));
     println!(
-        "the first wave has 1 of its energy, at the least {least:.3}, and then {back:.3} again; error of H {worst:.1e}"
+        "energy of the first wave: 1 at the start, minimum {least:.3}, {back:.3} after its return; error of H {worst:.1e}"
     );
     claim("the energy leaves the first wave and comes back", least < 0.1 && back > 0.95)?;
     claim("H is kept to 1e-6", worst < 1e-6)?;

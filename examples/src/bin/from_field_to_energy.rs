@@ -67,7 +67,7 @@ fn predators(x: [f64; 2], a: f64, b: f64, c: f64) -> [f64; 2] {
 
 type Plane = FlowState<[f64; 2]>;
 
-/// What the report says of a field: its divergence, its energy, its multiplier.
+/// Returns the lines of a report about the divergence, the energy and the multiplier of a field.
 fn findings(report: &str) -> Vec<&str> {
     let of_interest = ["- div f", "- canonical", "- Jacobi's multiplier", "- f = J"];
     report.lines().filter(|line| of_interest.iter().any(|words| line.starts_with(words))).collect()
@@ -134,7 +134,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 const STEP: f64 = 0.1;
 
-/// A field, until when, largest changes by the discrete gradient and by RK4, and these in time.
+/// Name of a field, duration, largest energy changes by the discrete gradient and by RK4, and both changes over time.
 type Row = (&'static str, u32, [f64; 2], [Vec<(f64, f64)>; 2]);
 
 fn row<S, K>(
@@ -159,7 +159,7 @@ where
     Ok((name, time, [last(&kept), last(&lost)], [kept, lost]))
 }
 
-/// Points on an orbit, as long as they are inside of a square.
+/// Returns points of an orbit until it leaves the square with the half-width `half`.
 fn path<S>(system: S, x: [f64; 2], h: f64, steps: usize, half: f64) -> Vec<(f64, f64)>
 where
     S: PhaseSpace<State = Plane>,
@@ -193,7 +193,7 @@ fn parabolas() -> Result<Panel, Box<dyn Error>> {
     ))
 }
 
-/// The figure to example 3.1.2: small oscillations of Duffing's equation, as large as there.
+/// Draws the figure of example 3.1.2: Duffing's equation with the small amplitudes of the thesis.
 fn small() -> Result<Panel, Box<dyn Error>> {
     let mut curves = vec![];
     for (x, ink) in [(0.01, palette::GREEN), (0.02, palette::BLUE), (0.03, palette::VERMILION)] {

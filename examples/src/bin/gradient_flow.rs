@@ -28,7 +28,7 @@ fn path(h: f64, start: [f64; 2], duration: f64) -> Result<Vec<[f64; 2]>, StepErr
     Ok(states.into_iter().map(|x| x.q).collect())
 }
 
-/// The same with explicit Euler steps.
+/// Returns the points of steepest descent by explicit Euler steps.
 fn euler(h: f64, start: [f64; 2], duration: f64) -> Vec<[f64; 2]> {
     let step = |&[x, y]: &[f64; 2]| {
         let slope = x * x + y * y - 1.0;
@@ -38,7 +38,7 @@ fn euler(h: f64, start: [f64; 2], duration: f64) -> Vec<[f64; 2]> {
 }
 
 fn rises(points: &[[f64; 2]]) -> usize {
-    // A rounding at the bottom is no rise.
+    // The tolerance ignores rounding errors at the minimum.
     points.windows(2).filter(|pair| height(pair[1]) > height(pair[0]) + 1e-15 || height(pair[1]).is_nan()).count()
 }
 
@@ -95,7 +95,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut heights = vec![];
     for (h, colour) in [(0.1, palette::GREEN), (1.0, palette::BLUE), (10.0, palette::VERMILION)] {
         let points = path(h, start, 40.0 * h)?;
-        // A height of zero has no logarithm, and what comes after it is rounding.
+        // Stop at 10⁻³⁰. Smaller heights are rounding errors, and zero has no logarithm.
         let points = points.iter().map(|x| height(*x)).take_while(|height| *height > 1e-30).zip(0..);
         let points = points.map(|(height, n)| (f64::from(n), height)).collect();
         heights.push(Curve::line(format!("h = {h}"), colour, points).width(0.8).solid().marked(2.5));

@@ -1,8 +1,8 @@
 //! How well do steps keep the total energy if friction heats a bath?
 //!
 //! A pendulum with friction heats a bath of heat capacity C: x = (angle, v, heat), v' = −sin q − γv, heat' = γv². The GENERIC form
-//! (M. Grmela & H. C. Öttinger, Phys. Rev. E 56 (1997) 6620) is x' = L∇E + M∇S with E = v²/2 − cos q + heat and S = C ln heat. As H = p·x'
-//! with `lift` it has two pieces: {q' = v, heat' = γv²} and {v' = −sin q − γv}. The first piece adds a square to the heat, so entropy grows in
+//! (M. Grmela & H. C. Öttinger, Phys. Rev. E 56 (1997) 6620) is x' = L∇E + M∇S with E = v²/2 − cos q + heat and S = C ln heat. The option `lift`
+//! with H = p·x' gives two pieces: {q' = v, heat' = γv²} and {v' = −sin q − γv}. The first piece adds a square to the heat, so entropy grows in
 //! every step with positive weights. The error of the total energy has the order of the method.
 
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};

@@ -65,7 +65,7 @@ impl Integrable {
         Ok((method.name().to_string(), changes(&mut sim, STEPS, integrals)?))
     }
 
-    /// By six methods.
+    /// Runs the top by six methods.
     fn runs(&self) -> Result<[(String, Changes); 6], StepError> {
         Ok([
             self.run(RK4, self.start)?,
@@ -123,7 +123,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         claim(
             "symmetric steps of order 4 move the fourth integral as far in 2000 units of time as in 20 000; projected RK4 goes on",
             {
-                // Of order 2 it is moved that far that orbits are chaotic: 1.05 to 1.52 times as far, by the last digits of the start.
+                // Steps of order 2 change the fourth integral so much that orbits are chaotic. The ratio is 1.05 to 1.52 and depends on
+                // rounding errors of the start.
                 let longer = |late: &[f64; 4], k: usize, most: f64| late[3] == 0.0 || late[3] < most * early[k];
                 projected[3] > 2.0 * early[1]
                     && [(gauss, 2), (poisson, 3), (fourth, 5)].iter().all(|(run, k)| longer(run, *k, 1.1))

@@ -76,7 +76,7 @@ fn errors<M: Method<Braked>>(method: M) -> Result<[f64; 4], StepError> {
     Ok(errors)
 }
 
-/// What is left, as parts of what was.
+/// Momentum and energy at the time t, relative to their values at the start. `grown` is the factor exp(γt).
 struct Decay {
     t: f64,
     angle: f64,

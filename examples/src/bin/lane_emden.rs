@@ -21,7 +21,7 @@ struct Star {
     system: LaneEmden,
     end: f64,
     exact: fn(f64) -> f64,
-    /// Of order 2 and of order 6.
+    /// Colours of the curves of order 2 and order 6.
     colours: [Ink; 2],
 }
 
@@ -51,7 +51,7 @@ const STARS: [Star; 3] = [
 
 const CENTRE: ContactState<f64> = ContactState { t: 0.0, q: 1.0, p: 0.0, s: 0.0 };
 
-/// Away from the centre, by the series of the solution in powers of t².
+/// Returns the state at a small t from the series of the solution in powers of t².
 fn series(n: f64, t: f64) -> ContactState<f64> {
     let coefficients = [
         1.0,

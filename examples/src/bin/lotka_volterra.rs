@@ -17,13 +17,13 @@ fn predators(x: [f64; 2], a: f64, b: f64, c: f64) -> [f64; 2] {
     [x[0] * (a - b * x[1]), x[1] * (b * x[0] - c)]
 }
 
-/// The same as S(x) ∇H: one plane, which is a piece by itself.
+/// The predator–prey system as S(x) ∇H. Its single plane is one piece.
 #[hamiltonian(structure = [[0.0, -x[0] * x[1]], [x[0] * x[1], 0.0]])]
 fn lotka_volterra(x: [f64; 2], a: f64, b: f64, c: f64) -> f64 {
     b * x[0] - c * x[0].ln() + b * x[1] - a * x[1].ln()
 }
 
-/// The same in q = ln y and p = ln x: canonical, with kicks and drifts.
+/// The predator–prey system in q = ln y and p = ln x. These coordinates are canonical, and H is T(p) + V(q).
 #[hamiltonian]
 fn logarithms(q: f64, p: f64, a: f64, b: f64, c: f64) -> f64 {
     b * p.exp() - c * p + b * q.exp() - a * q
@@ -33,7 +33,7 @@ const FIELD: Predators = Predators { a: 2.0, b: 1.0, c: 1.0 };
 const FLOW: LotkaVolterra = LotkaVolterra { a: 2.0, b: 1.0, c: 1.0 };
 const CANONICAL: Logarithms = Logarithms { a: 2.0, b: 1.0, c: 1.0 };
 const START: [f64; 2] = [1.0, 0.5];
-/// By the trapezoidal rule in an angle along the orbit, on both branches of Lambert's function.
+/// Exact period of the orbit, from the trapezoidal rule in an angle along the orbit, with both branches of Lambert's function.
 const PERIOD: f64 = 5.173_375_597_582_039;
 const PERIODS: u64 = 100_000;
 const STEPS: u64 = 50;
@@ -102,7 +102,7 @@ fn wealth(x: [f64; 2]) -> f64 {
     FIELD.wealth(&FlowState::new(x))
 }
 
-/// What a method made of the orbit.
+/// Changes of the integral, and last points, of one method.
 struct Run {
     name: String,
     ink: Ink,

@@ -22,30 +22,30 @@ fn relativistic(q: [[f64; 2]; 2], p: [[f64; 2]; 2], m: [f64; 2], g: f64, c: f64)
 const SYSTEM: Relativistic =
     Relativistic { m: [1.0, 1.0 / 6_023_600.0], g: 2.959_122_082_855_911e-4, c: 173.144_632_684_669_3 };
 
-/// Of Mercury's orbit, in AU.
+/// Semi-major axis of Mercury's orbit, in AU.
 const SEMI_MAJOR_AXIS: f64 = 0.387_098_93;
 const ECCENTRICITY: f64 = 0.205_630_69;
 
 const CENTURY: f64 = 36_525.0;
 
-/// The mass that attracts, times the constant of gravity.
+/// Returns the total mass times the constant of gravity.
 fn attraction() -> f64 {
     SYSTEM.g * (SYSTEM.m[0] + SYSTEM.m[1])
 }
 
-/// Mercury's year.
+/// Returns Mercury's orbital period in days.
 fn period() -> f64 {
     std::f64::consts::TAU * (SEMI_MAJOR_AXIS.powi(3) / attraction()).sqrt()
 }
 
-/// 6πGM/(c²a(1 − e²)) an orbit, in seconds of arc a century.
+/// Returns the predicted rate 6πGM/(c²a(1 − e²)) per orbit, in seconds of arc a century.
 fn predicted() -> f64 {
     let orbit = 6.0 * std::f64::consts::PI * SYSTEM.g * SYSTEM.m[0]
         / (SYSTEM.c.powi(2) * SEMI_MAJOR_AXIS * (1.0 - ECCENTRICITY.powi(2)));
     orbit.to_degrees() * 3600.0 * CENTURY / period()
 }
 
-/// In the perihelion, with the centre of mass at rest.
+/// Returns the state in the perihelion, with the centre of mass at rest.
 fn start() -> State<[[f64; 2]; 2]> {
     let distance = SEMI_MAJOR_AXIS * (1.0 - ECCENTRICITY);
     let speed = (attraction() / SEMI_MAJOR_AXIS * (1.0 + ECCENTRICITY) / (1.0 - ECCENTRICITY)).sqrt();
@@ -55,7 +55,7 @@ fn start() -> State<[[f64; 2]; 2]> {
     State::new(q, [[0.0, -momentum], [0.0, momentum]])
 }
 
-/// The direction of the perihelion as Newton's law would have it, in seconds of arc: that of Laplace's vector.
+/// Returns the direction of the Laplace vector in seconds of arc. It points to the perihelion of the osculating Kepler ellipse.
 fn perihelion(state: &State<[[f64; 2]; 2]>) -> f64 {
     let relative = |i: usize| {
         let velocity = |body: usize| state.p[body][i] / SYSTEM.m[body];
@@ -67,17 +67,17 @@ fn perihelion(state: &State<[[f64; 2]; 2]>) -> f64 {
     vector.1.atan2(vector.0).to_degrees() * 3600.0
 }
 
-/// What a method makes of a century.
+/// Motion of the perihelion and energy error of one method over a century.
 struct Run {
     name: String,
     steps_an_orbit: u64,
-    /// Years, and seconds of arc; one each orbit.
+    /// Time in years and direction of the perihelion in seconds of arc, once an orbit.
     turned: Vec<(f64, f64)>,
     energy_error: f64,
 }
 
 impl Run {
-    /// Seconds of arc a century: the slope of the line that fits best.
+    /// Returns the rate in seconds of arc a century, as the slope of the line of least squares.
     fn rate(&self) -> f64 {
         let mean = |of: &dyn Fn(&(f64, f64)) -> f64| self.turned.iter().map(of).sum::<f64>() / self.turned.len() as f64;
         let (time, angle) = (mean(&|x| x.0), mean(&|x| x.1));
@@ -105,7 +105,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         run(WisdomHolman, 40)?,
         run(Saba4, 4)?,
     ];
-    println!("Mercury, a century; predicted are {:.2}″\n", predicted());
+    println!("Mercury, a century; general relativity predicts {:.2}″\n", predicted());
     let rows: Vec<_> = runs
         .iter()
         .map(|run| {
@@ -136,7 +136,7 @@ fn draw(runs: &[Run]) -> Result<(), Box<dyn Error>> {
         let name = format!("{}, {} steps an orbit", run.name, run.steps_an_orbit);
         let points = |first, every| run.turned.iter().skip(first).step_by(every).copied().collect();
         match inks.iter().position(|other| *other == ink) {
-            // Curves that lie on one another take turns.
+            // Curves that coincide have their dots at different times.
             Some(i) if (run.rate() / predicted() - 1.0).abs() < 1e-2 => {
                 Curve::dots(name, ink, points(20 * i, 60)).marked(3.4)
             }

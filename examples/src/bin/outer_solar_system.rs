@@ -58,7 +58,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     println!("Outer solar system, {DAYS} days\n");
     println!("{}", comparison(&runs)?);
-    println!("distance: of the planet that is furthest from where it should be at the end\n");
+    println!("distance: largest error of the position of a planet at the end\n");
 
     let jupiter = period(&order_8.samples, 1);
     claim("explicit Euler is off by more than half of the energy", euler.energy_error() > 0.5)?;
@@ -83,7 +83,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     draw_energy_errors(&runs)
 }
 
-/// What one method did.
+/// Samples and cost of one method.
 struct Run {
     name: String,
     steps: u64,
@@ -113,19 +113,19 @@ fn energy_error(samples: &[Bodies]) -> f64 {
     samples.iter().map(|state| (SYSTEM.energy(state) / SYSTEM.energy(&start()) - 1.0).abs()).fold(0.0, f64::max)
 }
 
-/// As many steps as the budget allows for `stages` forces a step.
+/// Runs an explicit method with `stages` forces a step. The number of steps follows from the budget [`FORCES`].
 fn explicit<M: Method<OuterSolarSystem, f64>>(method: M, stages: u64, bar: &ProgressBar) -> Result<Run, StepError> {
     let steps = FORCES / stages;
     run(method, steps, steps * stages, bar)
 }
 
-/// `steps` steps; every point at which Newton's iterations look at the energy counts.
+/// Runs `steps` steps of an implicit method. Each point at which Newton's iterations evaluate the energy counts as a force.
 fn implicit<M: Method<OuterSolarSystem, f64>>(method: M, steps: u64, bar: &ProgressBar) -> Result<Run, Box<dyn Error>> {
     let forces = evaluations(SYSTEM, method, DAYS / steps as f64, start(), steps)?;
     Ok(run(method, steps, forces, bar)?)
 }
 
-/// The same way twice: in one go for the time it takes, then with a look around about every 160 days.
+/// Runs a method twice: first without samples to measure its time, then with a sample about every 160 days.
 fn run<M: Method<OuterSolarSystem, f64>>(
     method: M,
     steps: u64,
@@ -147,7 +147,7 @@ fn run<M: Method<OuterSolarSystem, f64>>(
     Ok(Run { name, steps, forces, time, samples })
 }
 
-/// Hidden by itself where there is no terminal.
+/// Returns a progress bar. The bar hides itself without a terminal.
 fn progress(runs: u64) -> ProgressBar {
     let style =
         ProgressStyle::with_template("{bar:40} {pos}/{len} {msg}").unwrap_or_else(|_| ProgressStyle::default_bar());
@@ -176,7 +176,7 @@ fn comparison(runs: &[Run]) -> Result<String, StepError> {
     Ok(table(head, &rows))
 }
 
-/// The state at a time by a method of order 10, none of the above, with steps so short that only rounding is left.
+/// Returns the reference state at a time. Its method of order 10 is not in the table. Short steps leave rounding errors only.
 fn reference(t: f64) -> Result<Bodies, StepError> {
     let steps = (t / 40.0).ceil();
     let mut sim = SYSTEM.integrator(SofroniouSpaletta10_35.of(StormerVerlet), t / steps, start());
@@ -184,14 +184,14 @@ fn reference(t: f64) -> Result<Bodies, StepError> {
     Ok(sim.state())
 }
 
-/// Where body `i` is as seen from the Sun, in the ecliptic of J2000.
+/// Returns the heliocentric position of body `i` in the ecliptic of J2000.
 fn from_sun(state: &Bodies, i: usize) -> Vector3<f64> {
     let (sin, cos) = 23.4392911_f64.to_radians().sin_cos();
     let q = state.q[i] - state.q[0];
     Vector3::new(q.x, cos * q.y + sin * q.z, cos * q.z - sin * q.y)
 }
 
-/// The mean time in years in which body `i` goes round the Sun.
+/// Returns the mean orbital period of body `i` about the Sun, in years.
 fn period(samples: &[Bodies], i: usize) -> f64 {
     let turn = |pair: &[Bodies]| {
         let (a, b) = (from_sun(&pair[0], i), from_sun(&pair[1], i));
@@ -202,7 +202,7 @@ fn period(samples: &[Bodies], i: usize) -> f64 {
     days / 365.25 * std::f64::consts::TAU / angle
 }
 
-/// Positions as the integrator has them, in the frame of the initial data.
+/// Writes the positions in the frame of the initial data to a CSV file.
 fn write_orbits(run: &Run) -> Result<(), Box<dyn Error>> {
     let path = output("outer_solar_system.csv")?;
     let mut csv = csv::Writer::from_path(&path)?;
@@ -244,7 +244,7 @@ fn draw_energy_errors(runs: &[Run]) -> Result<(), Box<dyn Error>> {
     ];
     let curve = |(name, colour): (&str, Ink)| -> Option<Curve> {
         let run = runs.iter().find(|run| run.name == name)?;
-        // The error vanishes now and then; its largest values in the rhythm of Jupiter make a curve that can be read.
+        // The error vanishes now and then. The largest error in each block of 5000 days, about a period of Jupiter, gives a legible curve.
         let period = |state: &Bodies| (state.t / 5000.0 - 0.001).ceil();
         let periods = run.samples[1..].chunk_by(|a, b| period(a) == period(b));
         let points = periods.map(|period| (period[period.len() / 2].t / 365.25, energy_error(period))).collect();

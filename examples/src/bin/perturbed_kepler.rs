@@ -24,7 +24,7 @@ const SYSTEM: PerturbedKepler = PerturbedKepler { alpha: -0.07, omega: 2.0 * PI 
 const STEP_SIZES: [f64; 4] = [0.1, 0.05, 0.025, 0.0125];
 const DURATION: f64 = 10.0;
 
-/// The pericentre of an ellipse of unit axis.
+/// Returns the state in the pericentre of an ellipse with the semi-major axis 1.
 fn pericentre(e: f64) -> Body {
     ContactState::new([1.0 - e, 0.0], [0.0, ((1.0 + e) / (1.0 - e)).sqrt()], 0.0)
 }

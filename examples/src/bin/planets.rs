@@ -45,10 +45,10 @@ const HELIOCENTRIC: Heliocentric = Heliocentric { m: outer_planets::MASSES, g: o
 
 const DAYS: f64 = 200_000.0;
 
-/// Errors below are roundings.
+/// Smaller errors are rounding errors.
 const ROUNDING: f64 = 3e-12;
 
-/// Rounding is no part of what is drawn.
+/// The figure omits smaller errors, because rounding dominates them.
 const DRAWN: f64 = 1e-11;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -85,7 +85,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     draw(&runs)
 }
 
-/// What a method loses, by the number of its steps.
+/// Errors and times of one method, by the number of its steps.
 struct Run {
     name: String,
     stages: u64,
@@ -94,14 +94,14 @@ struct Run {
 }
 
 impl Run {
-    /// The fewest steps from which on the error stays below a bound.
+    /// Returns the smallest number of steps from which on all errors are below a bound.
     fn steps_for(&self, bound: f64) -> Option<u64> {
         let last = self.errors.iter().rposition(|(_, error)| *error > bound).map_or(0, |i| i + 1);
         self.errors.get(last).map(|(steps, _)| *steps)
     }
 }
 
-/// Each run has 15 % more steps than the one before, until only rounding is left.
+/// Runs a method with more and more steps, 15 % more each time, until only rounding errors remain.
 fn run<S: Hamiltonian<Coordinates = [Vector3<f64>; 6]>, M: Method<S, f64>>(
     system: S,
     coordinates: &str,
@@ -118,7 +118,7 @@ fn run<S: Hamiltonian<Coordinates = [Vector3<f64>; 6]>, M: Method<S, f64>>(
             sim.advance(count)?;
             Ok(sim.state())
         };
-        // Too long a step may lead anywhere.
+        // A step that is too long may fail. Its error counts as infinite.
         run.errors.push((count, end().map_or(f64::INFINITY, |state| error(&state, exact))));
         run.times.push(shortest(end).map_or(f64::INFINITY, |time| time.as_secs_f64()));
         steps *= 1.15;
@@ -135,7 +135,7 @@ fn error(found: &Bodies, exact: &Bodies) -> f64 {
     (squares / sum(&|i| exact.q[i].norm_squared() + velocity(exact, i).norm_squared())).sqrt()
 }
 
-/// By a method of order 10 that knows of no coordinates, in steps so short that only rounding is left.
+/// Returns the reference state, by a method of order 10 without Jacobi or heliocentric coordinates. Short steps leave rounding errors only.
 fn reference() -> Result<Bodies, StepError> {
     let mut sim = JACOBI.integrator(SofroniouSpaletta10_35.of(StormerVerlet), 40.0, start());
     sim.advance((DAYS / 40.0) as u64)?;

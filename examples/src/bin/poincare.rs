@@ -1,4 +1,4 @@
-//! Where do orbits of a galaxy cross a plane? Three sections of Hénon and Heiles: order, islands, chaos.
+//! At which points does a star in a galaxy cross a plane? Three sections of Hénon and Heiles: order, islands, chaos.
 //!
 //! A section is an event, x = 0 with p_x > 0. Each step of a Taylor series is a polynomial, and the event is its zero. The events do not
 //! change the steps.
@@ -20,13 +20,13 @@ fn henon_heiles(q: [f64; 2], p: [f64; 2]) -> f64 {
 const ENERGIES: [(f64, &str); 3] = [(1.0 / 12.0, "1/12"), (1.0 / 8.0, "1/8"), (1.0 / 6.0, "1/6")];
 const POINTS: usize = 120;
 
-/// Through (0, y) with p_y, at an energy; nothing where there is no such orbit.
+/// Returns the state with x = 0 and the given energy, y and p_y. Returns `None` if the energy is too low.
 fn start(energy: f64, y: f64, py: f64) -> Option<State<[f64; 2]>> {
     let square = 2.0 * energy - py * py - y * y + 2.0 * y * y * y / 3.0;
     (square > 0.0).then(|| State::new([0.0, y], [square.sqrt(), py]))
 }
 
-/// Points (y, p_y) of a section, and the largest errors of x and of the energy in them.
+/// Points (y, p_y) of a section, with the largest errors of x and of the energy.
 struct Section {
     points: Vec<(f64, f64)>,
     off: f64,
@@ -39,7 +39,7 @@ fn section(start: State<[f64; 2]>) -> Result<Section, StepError> {
     let mut section = Section { points: vec![], off: 0.0, energy_error: 0.0 };
     for crossing in sim.crossings(Direction::Up, |state| state.q[0]).take(POINTS) {
         let state = match crossing {
-            // Above E = 1/6 orbits escape, and are infinitely far in a finite time.
+            // Above E = 1/6 orbits escape to infinity in a finite time.
             Err(StepError::StepTooSmall { .. }) => break,
             found => found?.state,
         };
@@ -54,7 +54,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let colours = [palette::BLUE, palette::VERMILION, palette::GREEN, palette::BLACK, palette::GREY];
     let (mut panels, mut off, mut energy_error, mut points) = (vec![], 0.0_f64, 0.0_f64, 0);
     for (energy, name) in ENERGIES {
-        // Backwards in time a section is its own picture in a mirror: islands that it takes to others are started as well.
+        // Time reversal mirrors a section at the y-axis. Start orbits in the mirror images of islands as well.
         let mirrored = [0.1, 0.2, 0.3, -0.1, -0.2, -0.3].map(|py| (0.0, py));
         let starts = (-4..=7).map(|k| (0.1 * f64::from(k), 0.0)).chain(mirrored);
         let mut curves = vec![];
@@ -84,7 +84,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 mod tests {
     use super::*;
 
-    /// An orbit above the saddles leaves, and has the points that it has until then.
+    /// An orbit above the saddles escapes. Its section has the points before the escape.
     #[test]
     fn orbits_that_escape_have_a_section() -> Result<(), StepError> {
         let escapes = section(start(0.3, 0.1, 0.2).expect("above the potential"))?;

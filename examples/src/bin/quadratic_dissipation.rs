@@ -38,7 +38,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("{}", table(["a", "ContactSplitting, h = 0.2", "0.1", "BlanesMoan4X, h = 0.2", "0.1"], &rows));
     claim("orders are 2 and 4 for a = 0.1", (orders[0][0] - 2.0).abs() < 0.1 && (orders[0][1] - 4.0).abs() < 0.2)?;
 
-    // s' = −a s²/2 alone has a pole after 2/(a|s|) = 0.1.
+    // The flow of s' = −a s²/2 has a pole after 2/(a|s|) = 0.1.
     let mut sim = Quadratic { a: 1.0 }.integrator(ContactSplitting, 0.2, ContactState::new(0.5, 0.5, -20.0));
     let refused = sim.step();
     claim("a step over the pole of its quotient is refused", matches!(refused, Err(StepError::Pole { .. })))?;

@@ -51,7 +51,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     draw(&periods)
 }
 
-/// Times, positions over the amplitude, and velocities.
+/// Returns times, positions relative to the amplitude, and velocities.
 fn swing(amplitude: f64) -> Result<Vec<(f64, f64, f64)>, StepError> {
     let h = 0.01;
     let mut sim = SYSTEM.integrator(BlanesMoan6, h, SYSTEM.at(amplitude, 0.0));
@@ -63,7 +63,7 @@ fn swing(amplitude: f64) -> Result<Vec<(f64, f64, f64)>, StepError> {
     Ok(samples)
 }
 
-/// Four times the way from an end to the middle, where the last step is cut by a cubic through both of its ends.
+/// Returns four times the time from the turning point to q = 0. A cubic through both ends of the last step gives its zero.
 fn period(amplitude: f64) -> Result<f64, StepError> {
     let h = 0.01;
     let mut sim = SYSTEM.integrator(BlanesMoan6, h, SYSTEM.at(amplitude, 0.0));
@@ -87,7 +87,7 @@ fn period(amplitude: f64) -> Result<f64, StepError> {
     }
 }
 
-/// 4 ∫ dq/v with q = A sin φ, by the trapezoidal rule, which is exact to rounding for a periodic function.
+/// Computes the period 4 ∫ dq/v with q = A sin φ. The trapezoidal rule is exact to rounding for a periodic function.
 fn integral(amplitude: f64) -> f64 {
     let points = 400;
     let sum: f64 = (0..points)

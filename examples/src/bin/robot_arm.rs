@@ -65,7 +65,7 @@ const ARM: RobotArm = RobotArm {
 };
 const H: f64 = 0.01;
 
-/// What has come to the arm and gone from it since the start.
+/// Energy balance since the start: change of the energy, work of the motors, and heat in the joints, in J.
 #[derive(Clone, Copy, Default)]
 struct Balance {
     t: f64,
@@ -121,7 +121,7 @@ fn start() -> State<[f64; 6]> {
 /// Points in the plane of a figure.
 type Path = Vec<(f64, f64)>;
 
-/// The balance after each step, and the way of the hand.
+/// Returns the balance after each step, and the path of the hand.
 fn run(steps: usize) -> Result<(Vec<Balance>, Path), StepError> {
     let mut sim = ARM.integrator(DiscreteGradient, H, start());
     let before = sim.energy();
@@ -149,7 +149,7 @@ fn run(steps: usize) -> Result<(Vec<Balance>, Path), StepError> {
     Ok((balance, tip))
 }
 
-/// Distance from the axis, and height, of the far end of the last link.
+/// Returns the far end of the last link: its distance from the axis, and its height.
 fn hand(q: [f64; 6]) -> (f64, f64) {
     let mut at = [0.0, 0.0, 0.0];
     for i in (0..6).rev() {

@@ -53,12 +53,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     draw(rest, &swing, settled)
 }
 
-/// Where a bead may rest that is pushed a little.
+/// Returns the stable angle of rest.
 fn angle_of_rest(omega: f64) -> f64 {
     (G / (omega * omega)).min(1.0).acos()
 }
 
-/// Where friction brings a bead to rest from both sides, by the rate of the hoop.
+/// Returns rates of the hoop, each with an angle at which friction brings a bead to rest. Runs start on both sides of the lowest point.
 fn settled() -> Result<Vec<(f64, f64)>, StepError> {
     let mut ends = vec![];
     for tenths in (5..=70).step_by(5) {
@@ -71,7 +71,7 @@ fn settled() -> Result<Vec<(f64, f64)>, StepError> {
     Ok(ends)
 }
 
-/// What is seen after a step.
+/// State and energies after a step.
 struct Sample {
     t: f64,
     q: f64,
@@ -97,7 +97,7 @@ fn spread(samples: &[Sample], of: fn(&Sample) -> f64) -> f64 {
     ends.1 - ends.0
 }
 
-/// From crossing to crossing of an angle, upwards.
+/// Returns the period between upward crossings of an angle.
 fn period(samples: &[Sample], angle: f64) -> f64 {
     let crossing = |pair: &[Sample]| {
         let [a, b] = [pair[0].q - angle, pair[1].q - angle];
@@ -154,7 +154,7 @@ fn branches(settled: Vec<(f64, f64)>) -> Vec<Curve> {
     let critical = G.sqrt();
     let branch = |side: f64| {
         let point = |part: f64| {
-            // Finer where the curve is steep.
+            // The points are denser near the branch point, because the curve is steep there.
             let omega = critical + (7.0 - critical) * part * part;
             (omega, side * angle_of_rest(omega))
         };

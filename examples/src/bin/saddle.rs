@@ -23,8 +23,8 @@ const START: Phase = (1.0, 0.5);
 const DURATION: f64 = 2.0;
 const STEP_SIZES: [f64; 3] = [0.1, 0.05, 0.01];
 
-/// q₁ = q₀ + h (H(q₁, p₁) − H(q₁, p₀))/(p₁ − p₀) and p₁ = p₀ − h (H(q₁, p₀) − H(q₀, p₀))/(q₁ − q₀), but for the first
-/// quotient, q₁ + (p₀ + p₁)/2, which is short of q₁.
+/// Scheme with a wrong quotient. The right scheme is q₁ = q₀ + h (H(q₁, p₁) − H(q₁, p₀))/(p₁ − p₀) and
+/// p₁ = p₀ − h (H(q₁, p₀) − H(q₀, p₀))/(q₁ − q₀). Its first quotient is q₁ + (p₀ + p₁)/2; the term q₁ is missing here.
 fn term_lost(h: f64, (q, p): Phase) -> Phase {
     // q₁ − h/2 p₁ = a and p₁ − h/2 q₁ = b.
     let (a, b) = (q + h / 2.0 * p, p - h * p + h / 2.0 * q);
@@ -32,12 +32,12 @@ fn term_lost(h: f64, (q, p): Phase) -> Phase {
     ((a + h / 2.0 * b) / determinant, (b + h / 2.0 * a) / determinant)
 }
 
-/// The same with both quotients complete, multiplied out up to the terms in h.
+/// Scheme with both quotients complete, but without its terms in h².
 fn squares_dropped(h: f64, (q, p): Phase) -> Phase {
     (q + h * (q + p), p + h * (q - p))
 }
 
-/// The flow: the matrix of q' = q + p, p' = q − p has the square 2.
+/// Computes the flow in closed form. The matrix of q' = q + p, p' = q − p has the square 2.
 fn exact(t: f64, (q, p): Phase) -> Phase {
     let root = 2.0_f64.sqrt();
     let (cosh, sinh) = ((root * t).cosh(), (root * t).sinh() / root);
@@ -58,7 +58,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("H = qp + p²/2 − q²/2 from (q, p) = {START:?}, where it is 0.125, up to t = {DURATION}\n");
     let head = ["", "|H − H₀|: h = 0.1", "0.05", "0.01", "distance: h = 0.1", "0.05", "0.01", "order"];
     println!("{}", table(head, &runs.iter().map(Runs::row).collect::<Vec<_>>()));
-    println!("|H − H₀|: largest on the way; distance: from (q, p) = (17.430, 7.225), where the flow is at t = 2\n");
+    println!("|H − H₀|: largest value of a run; distance: from the exact state (17.430, 7.225) at t = 2\n");
 
     let [tree, staircase, dropped, lost] = &runs[..] else { return Err("four schemes".into()) };
     // A step rounds H by ε times the size of its terms.
@@ -140,7 +140,7 @@ impl Runs {
         Ok(runs)
     }
 
-    /// Between the two smaller steps.
+    /// Returns the observed order from the two smaller step sizes.
     fn order(&self) -> f64 {
         (self.distances[1] / self.distances[2]).ln() / (STEP_SIZES[1] / STEP_SIZES[2]).ln()
     }
@@ -152,8 +152,8 @@ impl Runs {
     }
 }
 
-/// The matrix of a step, 1 − h²/2 times a positive number, is singular at h = √2; beyond, what should grow would
-/// change its sign instead.
+/// Prints the result of steps that are too large. The determinant of the step is 1 − h²/2 times a positive number, so the step is
+/// singular at h = √2. Larger steps would reverse the sign of the growing solution.
 fn too_large() -> Result<(), Box<dyn Error>> {
     for h in [1.41, 1.42, 3.0] {
         let mut sim = Saddle.integrator(DiscreteGradient, h, State::new(START.0, START.1));
@@ -196,7 +196,7 @@ fn draw(schemes: &[Scheme]) -> Result<(), Box<dyn Error>> {
         errors,
     );
 
-    // Towards the origin on either side of the line that ends there, and away again.
+    // These orbits approach the origin on both sides of the stable line, and then move away.
     let h = 0.1;
     let starts = [(-1.4, 4.2), (-1.7, 3.6)];
     let inside = |x: &Phase| x.0.abs() < 5.0 && x.1.abs() < 4.5;

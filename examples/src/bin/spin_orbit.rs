@@ -21,8 +21,8 @@ fn satellite(q: f64, p: f64, s: f64, t: f64, tide: [f64; 2], inertia: [f64; 2], 
     p * p / 2.0 + (tide[0] + change) * s - potential / (2.0 * inertia) - tide[1] * q
 }
 
-/// The coefficients of (a/r)³ cos(2f − 2q) = Σ cₖ cos(2q − kt) for k = −5, …, 9: mean values over an orbit, which the trapezoidal
-/// rule in the eccentric anomaly u finds to rounding, with f by Kepler's equation.
+/// Computes the coefficients of (a/r)³ cos(2f − 2q) = Σ cₖ cos(2q − kt) for k = −5, …, 9. They are mean values over an orbit. The
+/// trapezoidal rule in the eccentric anomaly u is exact to rounding; the true anomaly f and the time t are functions of u.
 fn coefficients(e: f64) -> [f64; 15] {
     std::array::from_fn(|i| {
         let mean = (0..64).map(|j| {
@@ -35,7 +35,7 @@ fn coefficients(e: f64) -> [f64; 15] {
     })
 }
 
-/// (q modulo π, q') at the first `n` sections, in 20 steps each.
+/// Returns (q modulo π, q') at the first `n` sections, with 20 steps from section to section.
 fn sections(system: Satellite, q: f64, p: f64, n: usize) -> Result<Vec<(f64, f64)>, StepError> {
     let mut sim = system.integrator(ContactSplitting, PI / 10.0, ContactState::new(q, p, 0.0));
     sim.sampled(20).take(n).map(|x| x.map(|x| ((x.q + PI / 2.0).rem_euclid(PI) - PI / 2.0, x.p))).collect()

@@ -34,7 +34,7 @@ const G: f64 = 9.81;
 const POLAR: Polar = Polar { m: M, k: K, l: L, g: G };
 const CARTESIAN: Cartesian = Cartesian { m: M, k: K, l: L, g: G };
 
-/// Pulled down by 12 cm, and by 5 mm to the side.
+/// Returns the start at rest: pulled down by 12 cm, with an angle of 0.005 rad.
 fn start() -> Plane {
     State::new([1.12, 0.005], [0.0, 0.0])
 }
@@ -46,7 +46,7 @@ fn to_cartesian(state: &Plane) -> Plane {
     State::at(state.t, [r * sin, -r * cos], [radial * sin + across * cos, across * sin - radial * cos])
 }
 
-/// Of the energy above that at rest, the part in the angle, where the spring is as long as at rest.
+/// Returns the energy of swinging: the kinetic energy of the angle, and the potential energy at the length of rest.
 fn swing(state: &Plane) -> f64 {
     let [r, angle] = state.q;
     state.p[1].powi(2) / (2.0 * M * r * r) + M * G * (1.0 - angle.cos())
@@ -107,7 +107,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let shares: Vec<(f64, f64)> = states.iter().map(|state| (state.t, swing(state) / whole)).collect();
     let most = shares.iter().map(|share| share.1).fold(0.0, f64::max);
     let late = shares.iter().filter(|share| share.0 > 5.0).map(|share| share.1).fold(f64::INFINITY, f64::min);
-    println!("of the energy, swinging has at most {most:.2}");
+    println!("largest share of the energy in swinging: {most:.2}");
     claim("nearly all of the energy goes to swinging, and comes back", most > 0.8 && late < 0.02)?;
     let lengths = states.iter().map(|state| (state.t, state.q[0])).collect();
     let path = states.iter().map(to_cartesian).map(|state| (state.q[0], state.q[1])).collect();

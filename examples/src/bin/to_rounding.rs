@@ -41,7 +41,7 @@ fn pendulum() -> State<[f64; 2]> {
     State::new([2.0, 2.4], [0.0, 0.0])
 }
 
-/// How far a run is from its start after the way to `t` and back.
+/// Runs to the time `t` and back, and returns the distance from the start.
 fn returned<T: Trajectory>(mut run: T, t: f64, distance: fn(T::State, T::State) -> f64) -> Result<f64, StepError>
 where
     T::State: geoint_runtime::space::Snapshot<Real = f64>,
@@ -66,7 +66,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (mut eights, mut pendulums) = (vec![], vec![]);
     for n in periods {
         let t = PERIOD * f64::from(n);
-        // Steps of a lower order are shorter: they round less of what they add.
+        // A lower order has shorter steps. Their increments are smaller, and so are their rounding errors.
         let taylor = returned(ThreeBodies.taylor(TaylorOrder::<10>::default(), eight()), t, of_eight)?;
         let rival = returned(ThreeBodies.adaptive(DOP853, 1e-14, eight()), t, of_eight)?;
         eights.push([f64::from(n), taylor, rival]);

@@ -27,24 +27,24 @@ const FREE: Satellite = Satellite { inertia: INERTIA, weight: 0.0, c: Vector3::n
 const STEP: f64 = 0.1;
 const TIME: f64 = 60.0;
 
-/// Spun with this angular velocity in the body; the momentum points up.
+/// Returns a state with this angular velocity in the body. The angular momentum points up in space.
 fn spun(velocity: [f64; 3]) -> Attitude {
     let momentum = Vector3::from(velocity).component_mul(&Vector3::from(INERTIA));
     let up = UnitQuaternion::rotation_between(&momentum, &Vector3::z()).unwrap_or_default();
     BodyState::new(up, momentum)
 }
 
-/// A thousandth beside the middle axis.
+/// Starts with a spin that deviates from the middle axis by a thousandth.
 fn start() -> Attitude {
     spun([0.0, 1.2, 0.0012])
 }
 
-/// 4K(k)/λ, with K by the arithmetic-geometric mean: the period of the momentum in the body.
+/// Returns the period 4K(k)/λ of the angular momentum in the body. The arithmetic-geometric mean gives K.
 fn period(state: &Attitude) -> f64 {
     let square = state.m.norm_squared();
     let [a, b, c] = INERTIA;
     let twice = 2.0 * FREE.energy(state);
-    // The momentum goes around the axis of the smallest or of the largest moment.
+    // The angular momentum circles the axis of the smallest or the largest moment of inertia.
     let (a, c) = if square > twice * b { (a, c) } else { (c, a) };
     let rate = ((c - b) * (square - twice * a) / (a * b * c)).sqrt();
     let modulus = (b - a) * (twice * c - square) / ((c - b) * (square - twice * a));
@@ -60,7 +60,7 @@ fn cosine(state: &Attitude, axis: usize) -> f64 {
     state.m[axis] / state.m.norm()
 }
 
-/// How far two attitudes are apart, in rad.
+/// Returns the angle between two attitudes, in rad.
 fn apart(a: &Attitude, b: &Attitude) -> f64 {
     a.r.angle_to(&b.r)
 }
@@ -143,7 +143,7 @@ fn step<M: Method<Satellite>>(method: M, h: f64, state: Attitude) -> Result<Atti
 const COLUMNS: usize = 5;
 const ROWS: usize = 5;
 
-/// The box every second, in rows from below, seen from the side and a little from above.
+/// Draws the box once a second, seen from the side and slightly from above. Rows run from bottom to top.
 fn pictures(exact: &[Attitude]) -> Panel {
     let view = Vector3::new(0.0, -1.0, 0.45).normalize();
     let (right, up) = (Vector3::x(), view.cross(&Vector3::x()));
@@ -152,7 +152,7 @@ fn pictures(exact: &[Attitude]) -> Panel {
     let mut crosses = [vec![], vec![]];
     for (k, state) in exact.iter().step_by((1.0 / STEP).round() as usize).take(COLUMNS * ROWS).enumerate() {
         let (column, row) = (k % COLUMNS, k - k % COLUMNS);
-        // A box is 0.42 columns to 1.6 m long; what is drawn is as wide as it is high.
+        // One metre is 0.42 columns. The factor height/width gives both directions the same scale.
         let place = |corner: Vector3<f64>| {
             let seen = state.r * corner * 0.42;
             (column as f64 + seen.dot(&right), row as f64 + seen.dot(&up) * height / width)

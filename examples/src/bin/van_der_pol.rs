@@ -1,7 +1,7 @@
 //! How long may steps be for a stiff oscillation?
 //!
-//! Van der Pol's oscillator q' = s, s' = ε(1 − q²)s − q is the base of H = p s − ε(1 − q²)s + q; the option `lift` of the attribute states
-//! this, and the growing momentum p is left out. The macro finds two pieces. The piece with ε is solved exactly with an exponential;
+//! Van der Pol's oscillator q' = s, s' = ε(1 − q²)s − q is the base of H = p s − ε(1 − q²)s + q. The option `lift` of the attribute states
+//! this. The momentum p grows and is left out. The macro finds two pieces. The piece with ε is solved exactly with an exponential;
 //! F. Zadra, A. Bravetti & M. Seri, Mathematics 9 (2021) 1960. A splitting into three pieces and RK4 are less accurate or unstable. All
 //! methods give a wrong period if hε is near 1: the runs are stable but not accurate, and no two turns take the same time.
 
@@ -17,13 +17,13 @@ fn van_der_pol(q: f64, p: f64, s: f64, eps: f64) -> f64 {
     p * s - eps * (1.0 - q * q) * s + q
 }
 
-/// The same, taken apart into three.
+/// Van der Pol's oscillator, split into three pieces.
 #[contact_hamiltonian(lift, split = "p * s | -eps * (1.0 - q * q) * s | q")]
 fn three_pieces(q: f64, p: f64, s: f64, eps: f64) -> f64 {
     p * s - eps * (1.0 - q * q) * s + q
 }
 
-/// The same under a periodic force.
+/// Van der Pol's oscillator under a periodic force.
 #[contact_hamiltonian(lift)]
 fn forced(q: f64, p: f64, s: f64, t: f64, eps: f64, a: f64, omega: f64) -> f64 {
     p * s - eps * (1.0 - q * q) * s + q - a * (omega * t).cos()
@@ -31,7 +31,7 @@ fn forced(q: f64, p: f64, s: f64, t: f64, eps: f64, a: f64, omega: f64) -> f64 {
 
 type Point = (f64, f64, f64);
 
-/// (t, q, s) after every step of the splitting, from (2, 0).
+/// Returns (t, q, s) after each step of the splitting, from (q, s) = (2, 0).
 fn splitting<S: PhaseSpace<Action = f64, State = ContactState<f64>>>(
     system: S,
     h: f64,
@@ -44,7 +44,7 @@ where
     Ok(states.into_iter().map(|x| (x.t, x.q, x.s)).collect())
 }
 
-/// The same by the classical method of Runge and Kutta, until it is far away.
+/// Returns (t, q, s) after each step of RK4, from (q, s) = (2, 0). The run ends if |q| exceeds 1000.
 fn runge_kutta(eps: f64, h: f64, end: f64) -> Vec<Point> {
     let rate = |[q, s]: [f64; 2]| [s, eps * (1.0 - q * q) * s - q];
     let ahead = |x: [f64; 2], h: f64, k: [f64; 2]| [x[0] + h * k[0], x[1] + h * k[1]];
@@ -60,7 +60,7 @@ fn runge_kutta(eps: f64, h: f64, end: f64) -> Vec<Point> {
     std::iter::successors(Some((0.0, 2.0, 0.0)), step).take((end / h).round() as usize).collect()
 }
 
-/// The times between passages of q = 0 upwards, but for the first one: their mean, and half of what they differ by.
+/// Returns the mean of the periods between upward passages of q = 0, and half of their range. The first period is left out.
 fn period(points: &[Point]) -> Option<(f64, f64)> {
     let upwards = points.windows(2).filter(|x| x[0].1 < 0.0 && x[1].1 >= 0.0);
     let times: Vec<f64> = upwards.map(|x| x[0].0 + (x[1].0 - x[0].0) * x[0].1 / (x[0].1 - x[1].1)).collect();
@@ -70,7 +70,7 @@ fn period(points: &[Point]) -> Option<(f64, f64)> {
     Some(((last - first) / (times.len() - 2) as f64, (most - least) / 2.0))
 }
 
-/// A period in as many digits as it has: a motion of which each turn takes another time has fewer than four decimals.
+/// Formats a period with its significant digits. The period of an irregular motion has fewer than four decimals.
 fn shown((mean, spread): (f64, f64)) -> String {
     if spread < 5e-5 {
         return format!("{mean:.4}");
@@ -89,14 +89,14 @@ fn main() -> Result<(), Box<dyn Error>> {
             let two = period(&splitting(VanDerPol { eps }, h, end)?);
             let three = period(&splitting(ThreePieces { eps }, h, end)?);
             let rk4 = period(&runge_kutta(eps, h, end));
-            // How wrong the period is, and how irregular.
+            // Error of the mean period, and relative spread of the periods.
             two_pieces.push(two.map_or([f64::NAN; 2], |(mean, spread)| [mean - known, spread / known]));
             let cells = [two, three, rk4].map(|x| x.map_or("none".into(), shown));
             let [a, b, c] = cells;
             rows.push([eps.to_string(), known.to_string(), h.to_string(), a, b, c]);
         }
     }
-    println!("periods of the flow and of the methods; ±: half of what the turns of an irregular motion differ by\n");
+    println!("periods of the flow and of the methods; ±: half of the range of the periods of an irregular motion\n");
     println!("{}", table(["ε", "period", "h", "two pieces", "three pieces", "RK4"], &rows));
     claim("two pieces, ε = 50, h = 0.005: the period is right to 2e-4", two_pieces[3][0].abs() < 2e-4)?;
     claim("at hε = 1 they are stable but irregular: turns differ by more than 2 %", {
@@ -108,7 +108,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for (h, name, colour) in [(0.005, "h = 0.005", palette::GREY), (0.02, "h = 0.02", palette::BLUE)] {
         let points = splitting(VanDerPol { eps: 50.0 }, h, 300.0)?;
         let curve = Curve::line(name, colour, points.iter().map(|x| (x.0, x.1)).collect());
-        // Where each turn takes another time, roundings decide which.
+        // Rounding errors determine the periods of an irregular motion.
         stiff.push(if h == 0.02 { curve.rounding() } else { curve });
     }
     let stiff = Panel::new(
@@ -119,7 +119,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     );
     let cycles = [(0.5, palette::VERMILION), (2.0, palette::GREEN), (5.0, palette::BLUE)].map(|(eps, colour)| {
         let points = splitting(VanDerPol { eps }, 0.02, 45.0)?;
-        // Once around: dashes of several turns would fill each other's gaps.
+        // Draw one turn, because several dashed turns would fill each other's gaps.
         let around = period(&points).map_or(0, |(mean, _)| (mean / 0.02).ceil() as usize);
         let cycle = points[points.len() - 1 - around..].iter().map(|x| (x.1, x.2)).collect();
         Ok::<_, StepError>(Curve::line(format!("ε = {eps}"), colour, cycle))

@@ -23,7 +23,7 @@ fn vortices(x: [f64; 8], gamma: [f64; 4]) -> f64 {
     energy
 }
 
-/// The same as a field with all four integrals.
+/// Point vortices as a vector field with all four integrals.
 #[vector_field(keeps(
     energy = {
         let mut energy = 0.0;
@@ -58,20 +58,20 @@ type Plane = FlowState<[f64; 8]>;
 
 /// Circulations in m²/s: two pairs.
 const PAIRS: Vortices = Vortices { gamma: [1.0, -1.0, 1.0, -1.0] };
-/// The ratio of widths from which on pairs pass through each other.
+/// Above this ratio of their widths, pairs pass through each other.
 const LOVE: f64 = 0.171_572_875_253_809_9;
 
-/// One pair in the other, in m.
+/// Returns two pairs on one axis, with half-widths of 1 m and `ratio` m.
 fn pairs(ratio: f64) -> Plane {
     FlowState::new([0.0, 0.0, 0.0, 0.0, 1.0, -1.0, ratio, -ratio])
 }
 
-/// How far the second pair is ahead.
+/// Returns the distance by which the second pair is ahead.
 fn ahead(state: &Plane) -> f64 {
     state.x[2] - state.x[0]
 }
 
-/// How often one of the pairs passes the other.
+/// Counts the passages of one pair through the other.
 fn passages(states: &[Plane]) -> usize {
     states.windows(2).skip(1).filter(|ends| ahead(&ends[0]) * ahead(&ends[1]) < 0.0).count()
 }
@@ -162,11 +162,11 @@ fn main() -> Result<(), Box<dyn Error>> {
 const STEP: f64 = 0.1;
 const STEPS: u64 = 100_000;
 
-/// What a method made of it.
+/// Changes of the integrals with one method.
 struct Run {
     name: &'static str,
     ink: Ink,
-    /// Of energy, ΣΓx, ΣΓy and ΣΓr²/Σ|Γ|r².
+    /// Times, each with the largest changes of energy, ΣΓx, ΣΓy and ΣΓr²/Σ|Γ|r² so far.
     changes: Vec<(f64, [f64; 4])>,
 }
 

@@ -28,8 +28,8 @@ fn start() -> Star {
     State::new([0.1, -0.2], [0.3, 0.25])
 }
 
-/// The same errors by a program of its own in another language. It measures lengths, which Gonzalez' formula and projections depend on,
-/// in the coordinates as they are; here each is measured in units of its own size.
+/// Errors from an independent program in another language. Gonzalez' formula and projections depend on a norm. The other program
+/// uses the coordinates without scaling; the library scales each coordinate by its own size.
 const EXPECTED: [(&str, [f64; 3]); 13] = [
     ("ItohAbe", [2.836e-2, 1.334e-2, 6.457e-3]),
     ("ItohAbePair", [1.206e-3, 3.018e-4, 7.546e-5]),
@@ -51,7 +51,7 @@ macro_rules! runs {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    // Twelfth order: what is left of its error is rounding.
+    // With order 12 the reference has rounding errors only.
     let end = &after(Gauss::<6>, 20)?;
     let runs = runs![end;
         ItohAbe,
@@ -75,7 +75,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("Hénon–Heiles up to t = {DURATION}\n");
     let head = ["method", "error: h = 0.2", "0.1", "0.05", "order", "|H − H₀|", "step / ns"];
     println!("{}", table(head, &runs.iter().map(Run::row).collect::<Vec<_>>()));
-    println!("error: distance from the true (q, p) at the end; |H − H₀|: largest on the way, at all step sizes\n");
+    println!("error: distance from the true (q, p) at the end; |H − H₀|: largest value for all step sizes\n");
 
     let find = |name: &str| runs.iter().find(|run| run.name == name).ok_or_else(|| format!("no {name}"));
     let agree = |bound: f64, (name, errors): (&str, [f64; 3])| {
@@ -110,7 +110,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             let turns = (potential[5] - potential[4]) * (potential[6] - potential[5]) < 0.0;
             after(CoordinateIncrement::default(), 10)?;
             after(CoordinateIncrement::default(), 40)?;
-            // From t = 0.2 to 0.3.
+            // The step from t = 0.2 to 0.3 contains this place.
             turns && matches!(refused, Some(StepError::NotConverged { t: 0.2, .. }))
         },
     )?;
@@ -125,16 +125,16 @@ fn main() -> Result<(), Box<dyn Error>> {
     draw(&runs)
 }
 
-/// What a method does with one step size.
+/// Error and cost of a method with one step size.
 struct Point {
     error: f64,
-    /// At how many points the energy or its gradient is evaluated, on the whole way.
+    /// Number of points at which the run evaluates the energy or its gradient.
     evaluations: u64,
-    /// For the whole way.
+    /// Time of the whole run.
     time: Duration,
 }
 
-/// What a method does with all of them.
+/// Results of a method with all step sizes.
 struct Run {
     name: &'static str,
     claimed_order: u32,
@@ -205,7 +205,7 @@ fn draw(runs: &[Run]) -> Result<(), Box<dyn Error>> {
         for run in runs.iter().filter(|run| run.name == name) {
             let points = run.points.iter().map(|point| (point.evaluations as f64, point.error));
             let curve = Curve::line(name, colour, points.collect()).width(1.6).marked(3.0);
-            // After how many iterations nothing but rounding is left is itself a matter of rounding.
+            // The number of iterations to convergence depends on rounding errors.
             curves.push(if name == "BlanesMoan4" { curve } else { curve.rounding() });
         }
     }

@@ -2,11 +2,13 @@
 
 use super::curve::{Curve, Marked};
 use super::svg::{Anchor, Document, Pen, Place};
-use super::text::{width, wrapped};
+use super::text::{FONT, width, wrapped};
 use super::{Axis, Panel};
 
 /// Width of every figure in pixels.
-pub(super) const WIDTH: i32 = 560;
+const WIDTH: i32 = 560;
+/// Letters are at least 10 pixels high on a screen 400 pixels wide.
+const _: () = assert!(400 * FONT >= 10 * WIDTH);
 /// Space around the plotting area in pixels.
 const LEFT: i32 = 72;
 const RIGHT: i32 = 20;

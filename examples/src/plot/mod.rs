@@ -145,11 +145,6 @@ mod tests {
     }
 
     #[test]
-    fn letters_are_ten_pixels_high_if_a_figure_is_400_wide() {
-        assert!(400 * text::FONT >= 10 * frame::WIDTH);
-    }
-
-    #[test]
     fn colours_dashes_and_markers_differ() {
         let all = palette::ALL;
         for (i, a) in all.iter().enumerate() {

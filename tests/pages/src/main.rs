@@ -33,10 +33,5 @@ fn write(project: &Project) -> Result<(), Vec<String>> {
         let outcome = text.and_then(|text| project.write(path, &text));
         problems.extend(outcome.err());
     }
-    for figure in ["contact_compared", "energy_exact", "outer_solar_system_energy"] {
-        let text = project.read(&format!("examples/figures/{figure}.svg"));
-        let path = format!("geoint-runtime/docs/figures/{figure}.svg");
-        problems.extend(text.and_then(|text| project.write(&path, &text)).err());
-    }
     if problems.is_empty() { Ok(()) } else { Err(problems) }
 }

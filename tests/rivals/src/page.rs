@@ -139,8 +139,7 @@ body{font:16px/1.5 system-ui,sans-serif;margin:0 auto;max-width:60rem;padding:1r
 table{border-collapse:collapse;font-size:.85rem}\
 td,th{padding:.2rem .6rem;border-bottom:1px solid #bbb;text-align:left;white-space:nowrap}\
 .slow{font-weight:bold;color:#b00020}\
-@media(prefers-color-scheme:dark){body{background:#161616;color:#ddd}td,th{border-color:#444}.slow{color:#ff8a80}\
-svg{filter:invert(.92) hue-rotate(180deg)}}";
+@media(prefers-color-scheme:dark){body{background:#161616;color:#ddd}td,th{border-color:#444}.slow{color:#ff8a80}}";
 
 /// What the tables are about.
 fn opening() -> String {

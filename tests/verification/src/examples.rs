@@ -115,8 +115,8 @@ pub(crate) fn section(page: &mut Page) {
     page.section(
         2,
         "Examples",
-        "Every example fails unless what it prints as claims holds; the numbers are those of the claims in its source. `.ci/examples` runs all of \
-         them, and compares the figures.",
+        "Every example prints claims, and fails if a claim does not hold. The last column has the number of claims in its source. `.ci/examples` \
+         runs all examples and compares the figures.",
     );
     let figures: Vec<String> = fs::read_dir(sources::root().join("examples/figures"))
         .map(|folder| folder.flatten().map(|file| file.file_name().to_string_lossy().into_owned()).collect())

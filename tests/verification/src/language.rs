@@ -178,9 +178,9 @@ pub(crate) fn section(page: &mut Page) {
     page.section(
         2,
         "Functions of the language",
-        "The derivative f'(q) and the divided difference f[q, q + d] of f(q) + p²/1.4, at 400 points and for increments d from 0 over 10⁻¹⁴ to \
-         the whole range, against differences in double-double arithmetic. Errors are in units of ε = 2.2·10⁻¹⁶, relative to the value and to \
-         what a rounding of q makes of it.",
+        "The energy is f(q) + p²/1.4. The derivative f'(q) and the divided difference f[q, q + d] are compared with differences in double-double \
+         arithmetic, at 400 points. Increments d range from 0 over 10⁻¹⁴ to the whole range of q. Errors are in units of ε = 2.2·10⁻¹⁶, \
+         relative to the value and to its change by a rounding of q.",
     );
     let rows = rows();
     for Row { function, derivative, slope } in &rows {

@@ -44,7 +44,7 @@ macro_rules! lists {
                     }
                     measured!(show, concat!("`catalogue::", stringify!($list), "`"), $about: $First over $first by $h, $Second over $second)
                 }, )*
-                measured!(integrals, "Fields with integrals", "x' = f(x), and what it keeps.": Turns over 2.3 by 0.1, Chains over 2.3),
+                measured!(integrals, "Fields with integrals", "x' = f(x) with first integrals.": Turns over 2.3 by 0.1, Chains over 2.3),
             ]
         }
     };
@@ -57,31 +57,31 @@ lists! {
         HenonHeiles over 6.1 by 0.2, Relativistic over 1.3;
     quadratic_kinetic, "Quadratic T with a constant mass matrix.":
         HenonHeiles over 6.1 by 0.2, DrivenPendulum over 3.9;
-    force_gradient, "The same, with force gradients.":
+    force_gradient, "Quadratic T with a constant mass matrix, with force gradients.":
         HenonHeiles over 6.1 by 0.2, DrivenPendulum over 3.9;
-    processed_force_gradient, "The one of them with a processor.":
+    processed_force_gradient, "Force gradients with a processor, for systems without an action.":
         HenonHeiles over 6.1 by 0.2, DrivenDuffing over 3.9;
     perturbed, "H = A + B, an exact flow and a kick.":
         HenonHeiles over 6.1 by 0.2, DrivenDuffing over 3.9;
-    perturbed_gradient, "The same, where [B, [A, B]] is a kick, or [B, [B, [B, A]]] = 0.":
+    perturbed_gradient, "H = A + B, where [B, [A, B]] is a kick, or [B, [B, [B, A]]] = 0.":
         HenonHeiles over 6.1 by 0.2, DrivenDuffing over 3.9;
-    processed, "Those of them with a processor.":
+    processed, "H = A + B with the property of `perturbed_gradient`, by steps with a processor.":
         HenonHeiles over 6.1 by 0.2, DrivenDuffing over 3.9;
     principal_axes, "Rigid bodies in their principal axes.":
         Heavies over 2.3 by 0.1, Pulls over 2.3;
     discrete_gradient, "Every H whose divided differences are known.":
         HenonHeiles over 6.1 by 0.2, DoublePendulum over 1.3;
-    mean_gradients, "The same, where nothing damps.":
+    mean_gradients, "Every undamped H whose divided differences are known.":
         HenonHeiles over 6.1 by 0.2, DoublePendulum over 1.3;
-    itoh_abe, "One coordinate after the other, and back.":
+    itoh_abe, "Every undamped H, one coordinate after the other, forward and backward.":
         HenonHeiles over 6.1 by 0.2, Relativistic over 1.3;
-    itoh_abe_one_way, "The same one way.":
+    itoh_abe_one_way, "Every undamped H, one coordinate after the other, forward or backward.":
         DoublePendulum over 1.3 by 0.1, Relativistic over 1.3;
-    coordinate_increment, "Along one direction, which needs one degree of freedom.":
+    coordinate_increment, "Undamped H. With more than one degree of freedom, a step fails if an increment is orthogonal to its direction.":
         Shears over 2.3 by 0.1, SwingingMass over 3.9;
-    projected, "Steps that are projected onto the energy.":
+    projected, "Undamped H(q, p), by steps projected onto the surface of constant energy.":
         HenonHeiles over 6.1 by 0.2, DoublePendulum over 1.3;
-    relaxed, "Steps that are scaled to keep the energy.":
+    relaxed, "Undamped H(q, p), by steps scaled to keep the energy.":
         HenonHeiles over 6.1 by 0.2, Relativistic over 1.3;
     cubic, "H of degree 3.":
         HenonHeiles over 6.1 by 0.2, OfDegreeThree over 3.1;
@@ -89,7 +89,7 @@ lists! {
         Shears over 2.3 by 0.1, Pulsating over 1.5;
     nystrom_pieces, "Two pieces with {B, {B, {B, A}}} = 0.":
         Sheet over 1.5 by 0.1, Ridge over 1.5;
-    constrained, "Constraints.":
+    constrained, "Systems with constraints.":
         Spheres over 1.7 by 0.05, Ellipses over 0.9;
     pieces, "Contact systems in pieces with flows in closed form.":
         Charges over 2.3 by 0.0625, Tangles over 2.3;
@@ -99,8 +99,8 @@ lists! {
         Charges over 2.3 by 0.0625, Tangles over 2.3;
     poisson, "x' = S(x) ∇H, in terms with flows in closed form.":
         Spins over 2.3 by 0.1, TwoSpeciesMeet over 2.3;
-    planar, "Fields that have planar parts.":
+    planar, "Fields with planar parts.":
         Spins over 2.3 by 0.1, TwoSpeciesMeet over 2.3;
-    solved_planes, "The same, where each plane is solved for.":
+    solved_planes, "Fields with planar parts, by solving an equation in each plane.":
         Spins over 2.3 by 0.1, TwoSpeciesMeet over 2.3;
 }

@@ -212,12 +212,16 @@ pub(crate) fn section(page: &mut Page) {
     page.section(
         2,
         "Methods",
-        "Each list of the catalogue on two scenes, nonlinear ones with masses other than 1. Orders are observed in double-double arithmetic \
-         against extrapolation to order 24, at the smallest steps whose errors are beyond the rounding of tables; “–” stands where these \
-         reach rounding at once. Constants are the errors at the end divided by the power of the step, for each scene. What follows is measured on the first \
-         scene: by how much three steps forth and back miss where they began, in double-double arithmetic; by how much the derivative of three steps, from dual numbers, misses the \
-         form (symplectic, contact or Poisson); the largest relative error of the energy, of the law of its decay, or of all that a field keeps, in 2000 steps; the \
-         forces a step costs, or the points at which an equation is evaluated to solve it; allocations in 100 steps.",
+        "Each list of the catalogue is measured on two nonlinear scenes with masses other than 1. *Observed* and *constants* have a value for each \
+         scene. The next columns are measured on the first scene. *Yes* and *no* are claims, and a defect follows.\n\n\
+         - *observed*: log₂ e(h)/e(h/2) in double-double arithmetic, for the smallest step h with errors above the rounding of tables. The \
+         reference is extrapolation to order 24. “–” means that no step has such errors.\n\
+         - *constants*: e/hᵖ with the claimed order p. The error e is the root-mean-square over four times.\n\
+         - *symmetric*: the distance from the start after three steps forward and three steps back, in double-double arithmetic.\n\
+         - *form*: the defect of the symplectic, contact or Poisson form in the derivative of three steps, from dual numbers.\n\
+         - *energy*: the largest relative error in 2000 steps, of the energy, of its law of decay, or of the integrals of a field.\n\
+         - *cost*: evaluations of the force in a step. After *solved*, the number of points at which a step evaluates its equation.\n\
+         - *allocations*: the number in 100 steps.",
     );
     for List { name, about, scenes, rows } in lists::all() {
         page.section(3, name, &format!("{about} On {}.", scenes.join(" and ")));

@@ -15,10 +15,10 @@ pub(crate) struct Page {
 const FILE: &str = "VERIFICATION.md";
 
 const OPENING: &str = "# Verification\n\n\
-    What is claimed, and what is measured of it. This page is written by\n\n\
+    This page lists the claims of the project, and the measurement of each. The following program writes it:\n\n\
     ```sh\ncargo run --release -p geoint-verification\n```\n\n\
-    which fails if a claim does not hold, or if a method, a function of the language, a family of flows, an example or a sentence of a \
-    report has no row here. `.ci/verification` writes it anew: digits may move, words may not.\n";
+    The program fails if a claim does not hold. It also fails if a method, a function of the language, a family of flows, an example or a \
+    sentence of a report has no row here. `.ci/verification` writes the page anew: digits may change, words must not.\n";
 
 /// Where what is measured begins and ends.
 #[cfg(debug_assertions)]

@@ -141,7 +141,7 @@ pub(crate) fn section(page: &mut Page) {
     page.section(
         2,
         "Reports",
-        "Sentences of `REPORT` that claim something of a system, and a test that fails where one is not true.",
+        "Each sentence of `REPORT` that claims a property of a system has a test. The test fails if the sentence is not true.",
     );
     page.table(["sentence", "test"], SENTENCES.iter().map(|(words, test)| [shown(words), format!("`{test}`")]));
     let project = Project::here();
@@ -173,8 +173,8 @@ fn flows(page: &mut Page) {
     page.section(
         3,
         "Families of flows in closed form",
-        "Each against its differential equation, solved to twenty digits, in units of its condition: instances in the tests of contact systems \
-         and of canonical energies.",
+        "Each flow is compared with the solution of its differential equation to twenty digits. The bounds of the errors are in units of the \
+         condition of the flow. The table has the numbers of instances in the tests of contact systems and of canonical energies.",
     );
     let families = sources::read("geoint-macros/src/split/families/mod.rs");
     let tests = FLOWS.map(sources::read);

@@ -76,9 +76,9 @@ pub(crate) fn section(page: &mut Page) {
     page.section(
         3,
         "Taylor series",
-        "`system.taylor`, in no list of the catalogue: steps have no map of one length. First steps of one length on henon_heiles and \
-         double_pendulum in double-double arithmetic, then steps that follow from a tolerance, in f64: the error at the end of the same ways, \
-         relative to the state, and the number of steps.",
+        "The runs of `system.taylor` are in no list of the catalogue, because a step is not a map of fixed length. The first table has steps of \
+         fixed length on henon_heiles and double_pendulum, in double-double arithmetic. The second table has steps that follow from a tolerance, \
+         in f64. Its columns have the error at the end of the same runs, relative to the state, and the number of steps.",
     );
     let [first, second] = [solutions::<HenonHeiles>(DURATIONS[0], 16), solutions::<DoublePendulum>(DURATIONS[1], 16)];
     macro_rules! orders {
