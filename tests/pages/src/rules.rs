@@ -1,4 +1,4 @@
-//! Rules for pages that people write: lengths, links and versions.
+//! Rules for pages that people write: lengths, links, versions, functions.
 
 use crate::project::Project;
 
@@ -29,6 +29,7 @@ pub(crate) fn check(project: &Project) -> Result<(), Vec<String>> {
     if let Err(problem) = lengths(project, &mut problems).and_then(|()| versions(project, &mut problems)) {
         problems.push(problem);
     }
+    problems.extend(functions(project).err());
     for page in project.files("", ".md") {
         if let Err(problem) = links(project, &page, &mut problems) {
             problems.push(problem);
@@ -71,6 +72,23 @@ fn versions(project: &Project, problems: &mut Vec<String>) -> Result<(), String>
         }
     }
     Ok(())
+}
+
+/// The guide names every function that VERIFICATION.md measures. Inverse functions may stand in a group (`asin` …).
+fn functions(project: &Project) -> Result<(), String> {
+    const PAGE: &str = "geoint-runtime/src/guide/_04_language.rs";
+    let (measured, page) = (project.read(MEASURED)?, project.read(PAGE)?);
+    let section = measured.split("\n## Functions of the language").nth(1).and_then(|rest| rest.split("\n## ").next());
+    let names = section.unwrap_or_default().lines().filter_map(|line| line.strip_prefix("| `")?.split('`').next());
+    let is_inverse = |name: &str| name.starts_with('a') && page.contains(&format!("`{}`", &name[1..]));
+    let other_rows = ["quotient", "branch"];
+    match names
+        .filter(|name| !other_rows.contains(name))
+        .find(|name| !page.contains(&format!("`{name}`")) && !is_inverse(name))
+    {
+        Some(name) => Err(format!("{PAGE} does not name the function `{name}`")),
+        None => Ok(()),
+    }
 }
 
 /// Relative links lead to files, and links within a page to its headings.
