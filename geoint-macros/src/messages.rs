@@ -66,8 +66,8 @@ pub(crate) const NOT_POLARISED_OF_ACTION: &str = "this is not quadratic in the v
 pub(crate) const NOT_POLARISED: &str = "this is not quadratic in the velocities, and no formula is known for its energy, so that there is no \
                                         discrete gradient; use `ImplicitMidpoint` or `Gauss`";
 
-pub(crate) const DAMPED: &str =
-    "damping is no part of a kick or a drift; use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
+pub(crate) const DAMPED: &str = "damping is no part of a kick or a drift; use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`, or write linear \
+                                 friction as a term `+ gamma * s` under `#[contact_hamiltonian]`";
 
 pub(crate) const FORCED: &str =
     "a force beside the energy is no part of a kick or a drift; use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";

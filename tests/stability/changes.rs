@@ -172,3 +172,26 @@ fn bounces_below_the_smallest_normal_number_end() {
     }
     assert!(sim.state().p.abs() < 1e-140);
 }
+
+/// A weight on a rotating arm.
+#[lagrangian]
+fn arm(q: f64, v: f64, m: f64, w: f64) -> f64 {
+    m * (1.0 + q * q) * v * v / 2.0 - m * w * q * q / 2.0
+}
+
+#[test]
+fn every_run_knows_its_velocity() {
+    let system = Arm { m: 1.7, w: 0.6 };
+    let start = system.at(0.4, 0.9);
+    let mut fixed = system.integrator(Gauss::<4>, 0.01, start);
+    let mut adaptive = system.adaptive(DOP853, 1e-11, start);
+    let mut taylor = system.taylor(Taylor::default(), start);
+    fixed.advance(100).unwrap();
+    adaptive.advance_to(1.0).unwrap();
+    taylor.advance_to(1.0).unwrap();
+    let [a, b, c] = [fixed.velocity(), adaptive.velocity(), taylor.velocity()];
+    assert!((a - b).abs() < 1e-9 && (a - c).abs() < 1e-9, "{a} {b} {c}");
+    // p = m (1 + q²) v.
+    let state = taylor.state();
+    assert!((c - state.p / (1.7 * (1.0 + state.q * state.q))).abs() < 1e-14);
+}

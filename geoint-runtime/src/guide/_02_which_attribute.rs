@@ -44,7 +44,8 @@
 //! | an energy H(x) and a bracket, x' = S(x) ∇H | `#[hamiltonian(structure = S)]` | `x` | `FlowState::new(x)` |
 //! | equations x' = f(x, t), perhaps with known invariants | [`#[vector_field]`](crate::vector_field) | `x` | `FlowState::new(x)` |
 //!
-//! If you know both an energy and the equations, write the energy. More methods apply to it. Start the action `s` at zero unless its value matters.
+//! If you know both an energy and the equations, write the energy. More methods apply to it.
+//! Start with s = 0. Another start changes the motion only if the energy is nonlinear in s, or the factor of s depends on q.
 //!
 //! **Warning.** The state of a Lagrangian is (q, p). In the program above, `State::new(1.0, 0.5)` sets the *momentum* to 0.5, without an error. The
 //! velocity is then 0.5/(m l²) = 0.11. Write `velocity.at(1.0, 0.5)` to set the velocity to 0.5. Read it with `sim.velocity()`.
@@ -88,18 +89,17 @@
 //! `BlanesMoanSrkn11b` takes 11 forces a step; in steps of 0.2 s its error after 20 s is 4e-9. `damping` with `Gauss::<3>`, h = 0.02 s: 4e-12.
 //!
 //! # Motors, driving, constraints
-//!
 //! - **A force with a potential** is a term of the energy, as `- a * (w * t).sin() * q` with an argument `t: f64`. Kicks and drifts remain.
 //! - **Any other force** is `force = F(q, v, t)` under `hamiltonian` and `lagrangian`; v is the velocity. Use `Gauss` or `DiscreteGradient`.
 //! - **Bars and closed chains** are `constraint = [g]` with g(q) = 0. Use `Rattle` or `DiscreteGradient`. See [mechanisms](super::_10_mechanisms).
 //!
 //! # Recipes
-//!
 //! - **Poincaré section.** `sim.crossings(Direction::Up, |x| x.q[0]).take(100)` yields the points with q₀ = 0. See [events](super::_12_events).
 //! - **Impact.** `sim.until_event(t, Direction::Down, |x| x.q)` stops at q = 0. Then `set_state` reverses the momentum.
 //! - **Control.** `sim.set_system(Motor { torque, ..*sim.system() })` changes a torque in a run. See [`set_system`](crate::Integrator::set_system).
-//! - **Lyapunov exponent.** K = δq·∂H/∂q + δp·∂H/∂p is an energy with the positions (q, δq) and the momenta (δp, p). It moves a small deviation
-//!   (δq, δp) along the orbit. Any component δ grows as exp(λt), until it overflows; λ is the exponent. For Hénon and Heiles, H = 0.16:
+//! - **Lyapunov exponent** of a conservative energy H(q, p), without friction. K = δq·∂H/∂q + δp·∂H/∂p is an energy with the positions (q, δq)
+//!   and the momenta (δp, p). It moves a small deviation (δq, δp) along the orbit. Any component δ grows as exp(λt), until it overflows; λ is
+//!   the exponent. For Hénon and Heiles, H = 0.16:
 //! ```
 //! # use geoint_runtime::prelude::*;
 //! #[hamiltonian(q = x, p = y)]

@@ -46,33 +46,39 @@
 //!
 //! # Find your question
 //!
-//! T is the kinetic and V the potential energy. `REPORT` says if your energy has the form T(p) + V(q), and if T is quadratic.
+//! T is the kinetic and V the potential energy. Every system has a [report](super::_05_report): `println!("{}", Pendulum::REPORT)`. It says
+//! whether your energy has the form T(p) + V(q), and whether T is quadratic.
 //!
 //! | question | take | measured |
 //! |---|---|---|
-//! | I do not know yet | [`DiscreteGradient`] | pendulum, 10⁶ steps of 0.02 s: energy to 3e-15 |
-//! | many bodies, molecules, a game | [`StormerVerlet`] (leapfrog) | star in a galaxy, 10⁷ periods of 40 steps: energy to 5e-3 |
+//! | I do not know yet | [`DiscreteGradient`](crate::DiscreteGradient) | pendulum, 10⁶ steps of 0.02 s: energy to 3e-15 |
+//! | many bodies, molecules, a game | [`StormerVerlet`](crate::StormerVerlet) (leapfrog) | star in a galaxy, 10⁷ periods of 40 steps: energy 5e-3 |
 //! | accurate positions, long runs | [`BlanesMoanSrkn14a`]; T not quadratic: [`BlanesMoan6`] | outer planets, 547 years, 20 000 forces: 5e-7 AU |
-//! | planets; weakly coupled oscillators | [`WisdomHolmanGradient`]; [`Rnia10_8_6`] | the same planets, 2000 forces: 9e-10 AU |
-//! | q and p coupled: jointed arms | [`Gauss::<3>`](crate::Gauss) | double pendulum, 200 s, h = 0.02 s: 8e-8 m |
+//! | planets | [`WisdomHolmanGradient`](crate::WisdomHolmanGradient) | the same planets, 2000 forces: 9e-10 AU |
+//! | weakly coupled oscillators | [`Rnia10_8_6`](crate::Rnia10_8_6) | chain of 31 masses, 171 periods of the slowest wave, 1000 steps: 3e-10 |
+//! | q and p coupled: jointed arms | [`Gauss::<3>`](crate::Gauss) | double pendulum, regular orbit, 200 s, h = 0.02 s: 8e-8 m |
 //! | magnetic field, rotating frame | [`BceRkn17_8.of(PieceSplitting)`](crate::PieceSplitting) | charge, 10⁶ gyrations of 12 steps: drift to 2e-10 |
 //! | linear friction at one rate | [`BlanesMoanSrkn11b`], [contact form](super::_02_which_attribute) | oscillator, 40 forces a unit of time: 2e-10 |
 //! | other friction; never gain energy | `damping = C`, `DiscreteGradient` | Duffing's oscillator, 400 steps of h = 10: no step gains energy |
-//! | bars, closed chains | [`Rattle`]; for the energy `DiscreteGradient` | four-bar linkage: lengths to 7e-16, energy to 2e-13 |
+//! | bars, closed chains | [`Rattle`](crate::Rattle); for the energy, `DiscreteGradient` | four bars: lengths to 7e-16; energy of the second: 2e-13 |
 //! | rigid bodies, `attitude = r` | `BlanesMoanSrkn14a` | heavy body, 20 steps of 0.25: 4e-11 rad |
-//! | most digits, short runs, chaos, sections | [`Taylor`], as in the program above | three bodies, 100 periods forth and back: 3e-13 |
+//! | most digits, short runs, chaos, sections | [`Taylor`](crate::Taylor), as in the program above | three bodies, 100 periods and back: 3e-13 |
 //! | equations with known invariants | `FourthOrder(DiscreteGradient)` | predators and prey, 10⁵ periods of 50 steps: invariant to 5e-15 |
 //!
-//! Compare the errors with simple methods. With equally many forces, leapfrog misses the planets by 0.1 AU (20 000 forces), and `RK4` has an error of
-//! 5e-6 for the oscillator with friction and of 2e-6 rad for the heavy body. With 40 steps a gyration, `RK4` stops the charge. With the same 50 steps
-//! a period, `RK4` loses the invariant of predators and prey.
+//! For comparison: with equally many forces, leapfrog misses the planets by 0.1 AU (20 000 forces), and `RK4` has an error of 5e-6 for the
+//! oscillator with friction and of 2e-6 rad for the heavy body. With 40 steps a gyration, `RK4` stops the charge.
 //!
-//! `BceRkn17_8.of(PieceSplitting)` needs two pieces, and `REPORT` says whether tables of Runge–Kutta–Nyström type keep their order. Otherwise, take
-//! `KahanLi8_17a.of(PieceSplitting)`.
+//! A *piece* is a part of the energy whose flow is known in closed form; `REPORT` lists the pieces. `BceRkn17_8.of(PieceSplitting)` needs two
+//! pieces and the line `tables of Runge–Kutta–Nyström type keep their order`. Otherwise, take `KahanLi8_17a.of(PieceSplitting)`.
 //!
-//! **Rule of thumb.** For errors above 10⁻⁶, take a splitting. If a part of your energy has an exact flow, take `WisdomHolmanProcessed` for planets
-//! and `Rnia10_8_6` for oscillators. Otherwise, take `BlanesMoanSrkn14a`. For errors below 10⁻⁹ and few bodies, take a Taylor series. Two bodies on
-//! eccentric orbits profit from it already at 10⁻³. If only the energy counts in a long or chaotic run, take a symplectic or energy-keeping method.
+//! **Rules of thumb** for the error of positions:
+//!
+//! - Planets: `WisdomHolmanProcessed` for errors above 10⁻⁶, `WisdomHolmanGradient` below. Weakly coupled oscillators: `Rnia10_8_6`.
+//! - Any other T(p) + V(q): `BlanesMoanSrkn14a` or `BlanesMoan6` down to 10⁻⁹. Below 10⁻⁹, and with few bodies: `Taylor`.
+//! - All other energies: the method of the table down to 10⁻⁹. Below, `Taylor`; for some systems it [does not exist](super::_18_limits).
+//! - Two bodies on eccentric orbits: `Taylor` already below 10⁻³.
+//! - If only the energy counts, in a long or chaotic run: a symplectic or energy-keeping method.
+//! - On a chaotic orbit every method loses digits exponentially. The error grows as exp(λt), with the [exponent λ](super::_02_which_attribute).
 //!
 //! `system.adaptive(DOP853, 1e-9, state)` is a usual solver with error control, such as `ode45` or `solve_ivp`. Its energy error grows with time. For
 //! the length of a step, see [a run in practice](super::_06_runs).
@@ -98,7 +104,7 @@
 //! | `Projection(method, Energy)`, `Relaxation(method)` | of the method | energy | |
 //! | `Taylor` | 20 | nothing exactly | Taylor integrator, TIDES |
 //!
-//! `MeanValue` keeps the energy if `REPORT` says so. The [front page](crate) and the module [`method`](crate::method) list all methods.
+//! `MeanValue` keeps the energy if `REPORT` says so. The module [`method`](crate::method) lists all methods.
 //!
 //! # Errors
 //!
@@ -110,9 +116,3 @@
 //! [`BlanesMoan6`]: crate::BlanesMoan6
 //! [`BlanesMoanSrkn11b`]: crate::BlanesMoanSrkn11b
 //! [`BlanesMoanSrkn14a`]: crate::BlanesMoanSrkn14a
-//! [`DiscreteGradient`]: crate::DiscreteGradient
-//! [`Rattle`]: crate::Rattle
-//! [`Rnia10_8_6`]: crate::Rnia10_8_6
-//! [`StormerVerlet`]: crate::StormerVerlet
-//! [`Taylor`]: crate::Taylor
-//! [`WisdomHolmanGradient`]: crate::WisdomHolmanGradient

@@ -13,16 +13,13 @@
 //! fn euler_top(x: [f64; 3], a: f64, b: f64, c: f64) -> [f64; 3] {
 //!     [(b - c) / a * x[1] * x[2], (c - a) / b * x[2] * x[0], (a - b) / c * x[0] * x[1]]
 //! }
-//!
-//! fn main() -> Result<(), StepError> {
-//!     let top = EulerTop { a: 1.0, b: 2.0, c: 3.0 };
-//!     let mut sim = top.integrator(DiscreteGradient, 0.1, FlowState::new([0.5, 0.8, -0.4]));
-//!     let before = sim.integrals();
-//!     sim.advance(100_000)?;
-//!     let after = sim.integrals();
-//!     assert!((0..2).all(|i| (after[i] / before[i] - 1.0).abs() < 1e-14));
-//!     Ok(())
-//! }
+//! let top = EulerTop { a: 1.0, b: 2.0, c: 3.0 };
+//! let mut sim = top.integrator(DiscreteGradient, 0.1, FlowState::new([0.5, 0.8, -0.4]));
+//! let before = sim.integrals();
+//! sim.advance(100_000)?;
+//! let after = sim.integrals();
+//! assert!((0..2).all(|i| (after[i] / before[i] - 1.0).abs() < 1e-14));
+//! # Ok::<(), StepError>(())
 //! ```
 //!
 //! - The state is a [`FlowState`](crate::FlowState) with the fields `t` and `x`. The field may read `t`.
@@ -37,29 +34,24 @@
 //! Give a skew matrix S and the energy. Point vortices, predator and prey, and rigid bodies have this form.
 //!
 //! ```
-//! use geoint_runtime::prelude::*;
-//!
+//! # use geoint_runtime::prelude::*;
 //! /// Predator and prey (Lotka and Volterra).
 //! #[hamiltonian(structure = [[0.0, -x[0] * x[1]], [x[0] * x[1], 0.0]])]
 //! fn lotka_volterra(x: [f64; 2], a: f64, b: f64, c: f64, d: f64) -> f64 {
 //!     d * x[0] - c * x[0].ln() + b * x[1] - a * x[1].ln()
 //! }
-//!
 //! /// Three vortices of strengths gamma; x = (x₁, x₂, x₃, y₁, y₂, y₃).
 //! #[hamiltonian(structure = |i, j| if j == i + 3 { 1.0 / gamma[i] } else { 0.0 })]
 //! fn vortices(x: [f64; 6], gamma: [f64; 3]) -> f64 {
 //!     let pair = |i: usize, j: usize| gamma[i] * gamma[j] * ((x[i] - x[j]).powi(2) + (x[3 + i] - x[3 + j]).powi(2)).ln();
 //!     -(pair(0, 1) + pair(0, 2) + pair(1, 2)) / (4.0 * std::f64::consts::PI)
 //! }
-//!
 //! let animals = LotkaVolterra { a: 2.0, b: 1.0, c: 1.0, d: 1.0 };
 //! let mut sim = animals.integrator(DiscreteGradient, 0.1, FlowState::new([1.0, 0.5]));
 //! let energy = sim.energy();
 //! sim.advance(100_000)?; // RK4 changes the energy by 0.12 on this run
 //! assert!((sim.energy() - energy).abs() < 1e-14);
-//! # let mut rk = animals.integrator(RK4, 0.1, FlowState::new([1.0, 0.5]));
-//! # rk.advance(100_000)?;
-//! # assert!(((rk.energy() - energy).abs() - 0.117).abs() < 1e-3);
+//! # let mut rk = animals.integrator(RK4, 0.1, FlowState::new([1.0, 0.5])); rk.advance(100_000)?; assert!((rk.energy() - energy).abs() > 0.11);
 //! Vortices { gamma: [1.0, 2.0, -1.0] }.integrator(PoissonSplitting, 0.1, FlowState::new([0.0, 1.0, 0.3, 0.0, 0.0, 1.1])).advance(1000)?;
 //! # Ok::<(), StepError>(())
 //! ```
@@ -75,37 +67,46 @@
 //! | `Suzuki4.of(…)` and other compositions of these | 4 to 10 | the same as the composed method |
 //!
 //! # Rigid bodies with an attitude
-//!
 //! `attitude = r` makes r a unit quaternion from body to space, and m the angular momentum in the body frame:
 //!
 //! ```
-//! use geoint_runtime::nalgebra::{UnitQuaternion, Vector3};
-//! use geoint_runtime::prelude::*;
-//!
+//! use geoint_runtime::{nalgebra::{UnitQuaternion, Vector3}, prelude::*};
 //! /// A heavy top; c is weight times centre of mass in the body frame.
 //! #[hamiltonian(attitude = r)]
 //! fn top(r: UnitQuaternion<f64>, m: Vector3<f64>, inertia: [f64; 3], c: Vector3<f64>) -> f64 {
 //!     (m.x * m.x / inertia[0] + m.y * m.y / inertia[1] + m.z * m.z / inertia[2]) / 2.0 + (r * c).z
 //! }
-//!
 //! let system = Top { inertia: [1.0, 2.0, 3.0], c: Vector3::new(0.3, -0.2, 0.7) };
-//! let start = BodyState::new(UnitQuaternion::identity(), Vector3::new(0.5, 1.6, -1.2));
-//! let mut sim = system.integrator(BlanesMoanSrkn14a, 0.25, start);
+//! let mut sim = system.integrator(BlanesMoanSrkn14a, 0.25, BodyState::new(UnitQuaternion::identity(), Vector3::new(0.5, 1.6, -1.2)));
 //! let energy = sim.energy();
 //! sim.advance(1000)?;
 //! assert!((sim.energy() - energy).abs() < 1e-9);
-//! # system.integrator(FiveRotations, 0.02, start).advance(100)?;
 //! # Ok::<(), StepError>(())
 //! ```
 //!
-//! The energy must be T(m) + V(r, t) with T quadratic in m. Bodies may move: `BodyState::new(r, m).with_centres(q, p)`. All methods made of
-//! kicks and drifts apply. [`FiveRotations`](crate::FiveRotations) has order 2 and costs less than the exact free rotation.
+//! The energy must be T(m) + V(r, t) with T quadratic in m. Methods: tables of kicks and drifts (`StormerVerlet`, `BlanesMoanSrkn14a`, `Chin4A`),
+//! [`FiveRotations`](crate::FiveRotations) (order 2, costs less than the exact free rotation), `RK4`, `DOP853`, and adaptive runs. Implicit
+//! methods and Taylor series do not compile. `f32` works with `UnitQuaternion<f32>`. A moving body has a centre q and its momentum p, both in space:
+//!
+//! ```
+//! # use geoint_runtime::{nalgebra::{UnitQuaternion, Vector3}, prelude::*};
+//! #[hamiltonian(attitude = r)] // A spring pulls the point d of the body to the origin.
+//! fn stone(r: UnitQuaternion<f32>, m: Vector3<f32>, q: Vector3<f32>, p: Vector3<f32>, mass: f32, i: f32, d: Vector3<f32>, k: f32) -> f32 {
+//!     (p.norm_squared() / mass + m.norm_squared() / i + k * (q + r * d).norm_squared()) / 2.0
+//! }
+//! let system = Stone { mass: 1.0, i: 0.2, d: Vector3::new(0.1, 0.0, 0.2), k: 10.0 };
+//! let start = BodyState::new(UnitQuaternion::identity(), Vector3::new(0.1, 0.2, -0.1)).with_centres(Vector3::x(), Vector3::y());
+//! let mut sim = system.integrator(StormerVerlet, 1.0 / 120.0, start);
+//! let energy = sim.energy();
+//! sim.advance(1200)?;
+//! assert!((sim.energy() / energy - 1.0).abs() < 1e-3);
+//! # system.integrator(FiveRotations, 0.01, start).advance(9)?; system.adaptive(DOP853, 1e-6, start).advance(9)?; Ok::<(), StepError>(())
+//! ```
 //!
 //! # The report of a field
-//!
-//! `EulerTop::REPORT` lists the divergence of f, a matrix S if one was found, and the proof of each integral. It also lists integrals
-//! that were found but not named. A canonical field, q' = ∂H/∂p and p' = −∂H/∂q, receives its H, and `sim.energy()` returns H. Write
-//! `Name::REPORT` for every system. `Name::<f64>::REPORT` is the same text, but does not compile for systems without parameters.
+//! `EulerTop::REPORT` lists the divergence of f, a matrix S if one was found, the proof of each integral, and integrals that were found but not
+//! named. A canonical field, q' = ∂H/∂p and p' = −∂H/∂q, receives its H, and `sim.energy()` returns H.
+//! Write `Name::REPORT`: `Name::<f64>::REPORT` does not compile for systems without parameters.
 //!
 //! # Errors and limits
 //!
@@ -115,6 +116,5 @@
 //! - Other refusals: [`Rounded`](crate::StepError::Rounded) (rounding changes an integral), [`Turned`](crate::StepError::Turned) (an angle moves
 //!   by more than half a turn), [`LedAstray`](crate::StepError::LedAstray) (the projection exceeds half of the step).
 //! - Choose units in which all coordinates have similar magnitudes. The correction of a step depends on the units.
-//! - `attitude = r` has no implicit methods and no Taylor series.
 //!
 //! Next: [events](super::_12_events), [evidence](super::_17_evidence), [limits](super::_18_limits).

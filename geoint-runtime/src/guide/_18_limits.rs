@@ -51,6 +51,8 @@
 //! | 24 | 3 | more than 5000 operations | |
 //!
 //! # Implicit steps
+//! The report states the number of unknowns. For T quadratic with a constant mass matrix, and for mechanisms with three or more coupled
+//! velocities, it is the number of coordinates; otherwise twice this number.
 //!
 //! | unknowns | solution of a step | cost |
 //! |---|---|---|
@@ -68,7 +70,10 @@
 //! - An explicit step that is too long makes the energy grow without bound. [`StormerVerlet`](crate::StormerVerlet) needs h ω < 2 for the highest
 //!   frequency ω. The run gives no error until a number overflows: check the energy.
 //! - [`DiscreteGradient`](crate::DiscreteGradient) keeps the energy for long steps, but the phase of a fast oscillation is wrong.
-//! - Stiff dissipative equations, such as chemical kinetics, are not the purpose of this crate. No method here is L-stable.
+//! - Stiff dissipative equations, such as chemical kinetics, are not the purpose of this crate. No method is L-stable: a long step leaves a fast
+//!   decay as an oscillation. High gains of a controller and strong friction need small steps, or friction by `damping`.
+//! - Long runs: the position error of a symplectic method grows in proportion to time.
+//! - Chaotic orbits: every method loses digits exponentially. Statistics and the energy remain meaningful.
 //! - A step that is much too long for an implicit equation is refused, for instance with [`NotConverged`](crate::StepError::NotConverged).
 //!
 //! ```
@@ -90,22 +95,25 @@
 //! # What a long step can miss
 //!
 //! - Adaptive runs and Taylor series test the force at points on the way of a step. A pulse much narrower than every visible scale stays unseen.
-//! - Runs of a fast oscillation have no test points: their steps are short anyway. Pulses narrower than one step stay unseen.
-//! - An energy with `if`, `abs`, `min` or `max` has no test points in Taylor series.
+//! - In a fast oscillation, the error estimate already limits the steps, and the run tests no points. Pulses narrower than one step stay unseen.
+//! - Taylor series of an energy with `if`, `abs`, `min` or `max` test no points: such an energy changes its formula on the way.
 //! - Two zeros of an event function within one step can be missed, except by Taylor series. See [events](super::_12_events).
 //!
 //! # Accuracy and scalars
 //!
 //! - `f64` and `f32` only; no complex numbers. An energy for `f32` is written with `f32` in its arguments.
-//! - `f32` carries seven digits. "Up to rounding" then means 1e-7, and times in long runs lose digits. Small steps gain by `.compensated()`.
+//! - `f32` carries seven digits. "Up to rounding" then means 1e-7. Small steps gain by `.compensated()`. Times in long runs lose digits, and events
+//!   directly after an impact can be missed: restart the clock as in [real time](super::_13_real_time).
+//! - Runs, steps and events need neither `std` nor `alloc`: `default-features = false`. Saving a run needs `alloc`.
 //! - Momenta and Casimirs that are kept up to rounding drift like a random walk. Energies and named integrals do not.
 //! - Results on two processors can differ in the last bit. The feature `strict-math` forbids fused operations, so that
-//!   processors of one platform agree. Elementary functions are those of the platform.
+//!   processors of one platform agree. Platforms agree by the [recipe for the same bits](super::_13_real_time).
 //!
 //! # Not supported
 //!
 //! - GPUs, parallel steps, sparse matrices, partial differential equations, stochastic and delay equations.
-//! - Taylor series for rigid bodies (`attitude = r`), for constraints, and for arms whose steps are solved for velocities.
+//! - Taylor series for rigid bodies (`attitude = r`), constraints, and Lagrangians with three or more coupled velocities.
+//! - `force` together with `constraint`: a motor in a closed chain is possible only by a potential, such as a term `- f * q[0]` in H.
 //! - Functions of other crates inside an energy. See [the language](super::_04_language) and [traits by hand](super::_14_by_hand).
 //!
 //! Next: [traits by hand](super::_14_by_hand), [errors and remedies](super::_16_errors), [which method](super::_03_which_method).

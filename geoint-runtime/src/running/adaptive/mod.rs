@@ -16,8 +16,8 @@ use crate::running::output::{Samples, Until};
 use crate::running::step_size::Bounds;
 use crate::running::trajectory::{Trajectory, adapt_to};
 use crate::scalar::{Real, signed, zero};
-use crate::space::{PerCoordinate, Point, Snapshot};
-use crate::system::{PhaseSpace, Rates, StateOf};
+use crate::space::{Coordinates, PerCoordinate, Point, Snapshot};
+use crate::system::{Lagrangian, PhaseSpace, Rates, StateOf};
 use core::fmt::{self, Debug, Formatter};
 use steps::Steps;
 
@@ -214,6 +214,15 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
     pub fn energy(&self) -> R {
         let Steps { system, x, .. } = &self.steps;
         system.hamiltonian(self.time(), &x.z, &x.s)
+    }
+
+    /// The velocities now, of a system that was written as a Lagrangian.
+    pub fn velocity(&self) -> S::Coordinates
+    where
+        S: Lagrangian<R>,
+    {
+        let Steps { system, x, .. } = &self.steps;
+        S::Coordinates::from_array(system.velocity(self.time(), &x.z, &x.s))
     }
 
     /// The length of the next step, if the tolerance allows it and no time to end at is nearer.

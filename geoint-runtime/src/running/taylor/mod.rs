@@ -11,8 +11,8 @@ use crate::running::error::StepError;
 use crate::running::step_size::Bounds;
 use crate::running::trajectory::{Trajectory, adapt_to};
 use crate::scalar::{Real, signed};
-use crate::space::Snapshot;
-use crate::system::{Jets, StateOf};
+use crate::space::{Coordinates, Snapshot};
+use crate::system::{Jets, Lagrangian, StateOf};
 use crate::taylor::TaylorMethod;
 use core::fmt::{self, Debug, Formatter};
 use steps::Steps;
@@ -157,6 +157,15 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> TaylorIntegrator<S, M, R> {
     /// The energy now.
     pub fn energy(&self) -> R {
         self.steps.system.hamiltonian(self.time(), &self.steps.here().x.z, &self.steps.here().x.s)
+    }
+
+    /// The velocities now, of a system that was written as a Lagrangian.
+    pub fn velocity(&self) -> S::Coordinates
+    where
+        S: Lagrangian<R>,
+    {
+        let x = &self.steps.here().x;
+        S::Coordinates::from_array(self.steps.system.velocity(self.time(), &x.z, &x.s))
     }
 
     /// The length of the last step; zero before the first one.
