@@ -162,6 +162,34 @@ fn no_impact_is_missed_in_single_precision() {
     assert!((500..540).contains(&impacts), "{impacts} impacts");
 }
 
+/// Bounces that are shorter and shorter, down to a few steps, long after the start.
+#[test]
+fn short_bounces_are_seen_after_a_long_time() {
+    for t in [0.0_f32, 50.0, 1000.0] {
+        let start = State { t, ..State::new(0.05_f32, 0.0) };
+        let mut sim = BallSingle { m: 0.16, g: 9.81 }.integrator(StormerVerlet, 1.0 / 60.0, start);
+        let mut speed = f32::INFINITY;
+        for frame in 1..=600_u16 {
+            let end = t + f32::from(frame) / 60.0;
+            while let Some(impact) = sim.until_event(end, Direction::Down, |x| x.q).unwrap() {
+                speed = impact.state.p.abs() / 0.16;
+                // A bounce of two steps: the ball lies down.
+                let bounced = if speed > 0.16 { -0.9 * impact.state.p } else { 0.0 };
+                sim.set_state(State { q: 0.0, p: bounced, ..impact.state });
+                if bounced == 0.0 {
+                    break;
+                }
+            }
+            let q = sim.state().q;
+            if speed <= 0.16 {
+                break;
+            }
+            assert!(q > -2e-3, "from t = {t}, frame {frame}: {q}, speed {speed}");
+        }
+        assert!(speed <= 0.16, "from t = {t}: {speed}");
+    }
+}
+
 /// Impacts that accumulate do not end: their times differ by less than rounding, down to the smallest numbers.
 #[test]
 fn bounces_below_the_smallest_normal_number_end() {

@@ -32,8 +32,8 @@
 //! - Directly after an event or `set_state`, a search ignores the event at its own start: a value of `g` within the rounding of time.
 //!
 //! **A ball that comes to rest** has infinitely many impacts in a finite time. Directly after an impact, a run with fixed steps misses the next one
-//! if it follows within about 10⁻⁵ of a step, and the ball falls through the ground. The limit grows with time: 5·10⁻⁴ of a step after 10⁵ steps, and
-//! one step in `f32` after 200 steps. A Taylor run finds ever shorter bounces without end. Choose a speed below which the ball lies down.
+//! if it follows within about 10⁻⁶ of a step, and the ball falls through the ground. In `f32` the limit grows with time: 2·10⁻⁴ of a step after
+//! 200 steps, and a tenth of a step after 10⁵ steps. A Taylor run finds ever shorter bounces without end. Choose a speed below which the ball lies down.
 //!
 //! # A Poincaré section
 //!

@@ -45,8 +45,8 @@
 //! - **Fixed step.** Take one step or a few steps for each frame, such as `FRAME / 4.0`. [`until_event`](crate::Dense::until_event) shortens the last
 //!   step if necessary.
 //! - **The clock.** A time in `f32` has a resolution of 0.0002 s after one hour. Restart the clock as above, if the energy does not depend on time.
-//! - **Rest.** Bounces become infinitely short. In `f32`, after 200 steps, a bounce shorter than one step is missed, and the body falls through the
-//!   ground. Choose a higher speed, as above, below which a body lies down. Step the body again after a touch.
+//! - **Rest.** Bounces become infinitely short. In `f32`, after 10⁵ steps, a bounce shorter than a tenth of a step is missed, and the body falls through
+//!   the ground. Choose a higher speed, as above, below which a body lies down. Step the body again after a touch.
 //! - **Motors and controllers.** [`set_system`](crate::Integrator::set_system) changes a torque or any other parameter between frames.
 //!
 //! # Bodies that hit each other

@@ -8,8 +8,12 @@ use crate::running::trajectory::Scalar;
 use crate::scalar::{Real, signed};
 use crate::space::{Action, Array, Snapshot};
 
-/// Parts of a step after which a function that starts with zero has its sign: the first at which it is above rounding.
-const LITTLE: [f64; 2] = [1.0 / (1 << 20) as f64, 1.0 / (1 << 10) as f64];
+/// Parts of a step after which a function that starts with zero has its sign: the first at which it is above rounding. In single precision and after a
+/// long time, time itself is rounded by a large part of a step.
+const LITTLE: [f64; 4] = [1.0 / (1 << 20) as f64, 1.0 / (1 << 10) as f64, 1.0 / 64.0, 1.0 / 8.0];
+
+/// An event is found to this many roundings of its time.
+const TIME_ROUNDINGS: f64 = 8.0;
 
 /// The crossings of a run, in order; ends after the first error, or at a time.
 #[doc(alias("Poincaré section", "Poincare section", "surface of section", "event detection", "zero crossing"))]
@@ -197,14 +201,17 @@ impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Crossings<
         let noise = self.noise(&state, i);
         // An event that has just been found leaves a value that rounding of time explains. After a step, a value is the function's own.
         let change = (end - start).abs();
-        let own =
-            (4.0 * noise).max(if self.before.is_fresh() { change } else { 8.0 * Scalar::<T>::epsilon() * change });
+        let own = (4.0 * noise).max(if self.before.is_fresh() {
+            change
+        } else {
+            TIME_ROUNDINGS * Scalar::<T>::epsilon() * change
+        });
         if start.abs() > own {
             return Ok((0.0, start));
         }
         // Times are rounded, too.
         let step = (self.run.time() - self.before.time()).magnitude();
-        let part = 64.0 * Scalar::<T>::epsilon() * (1.0 + self.run.time().magnitude() / step);
+        let part = TIME_ROUNDINGS * Scalar::<T>::epsilon() * (1.0 + self.run.time().magnitude() / step);
         let rounding =
             |(at, value): (f64, f64)| 4.0 * noise + part * (end - start).abs().max((value - start).abs() / at);
         for at in LITTLE {
