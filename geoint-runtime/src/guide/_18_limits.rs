@@ -108,7 +108,7 @@
 //! - Momenta and Casimirs that are kept up to rounding drift like a random walk. Energies and named integrals do not.
 //! - Results on two processors can differ in the last bit. The feature `strict-math` forbids fused operations, so that
 //!   processors of one platform agree. Platforms agree by the [recipe for the same bits](super::_13_real_time).
-//! - The compiler rustc 1.95 translates `WisdomHolmanGradient` of four bodies wrongly at `opt-level = 3`. See [the method](crate::WisdomHolmanGradient).
+//! - Compilers make errors. If a release build and a debug build differ by more than rounding, see [`WisdomHolmanGradient`](crate::WisdomHolmanGradient).
 //!
 //! # Not supported
 //!

@@ -189,9 +189,8 @@ pub const WisdomHolmanProcessed: Processed<Splitting<1, DriftFirst>> =
 
 /// [`WisdomHolmanProcessed`] with a force gradient in the kick. Orders (10, 4), 1 force: for planets to 10⁻⁹ and better.
 ///
-/// **Warning.** rustc 1.95 compiles some programs with this method wrongly at `opt-level = 3`: runs of four bodies in coordinates of Jacobi lost up to 1e-3 and
-/// more of their energy. The vectorisation of straight-line code is the cause. `opt-level = 2`, `-C no-vectorize-slp` and `-C target-cpu=native` gave the right
-/// result. Compare the energy of a release build with that of a debug build.
+/// rustc 1.95 translated programs with four bodies wrongly at `opt-level = 3`, until one function was moved out of line. Compare the energy of a release
+/// build with that of a debug build. If they differ, `-C no-vectorize-slp` helps.
 pub const WisdomHolmanGradient: Processed<Splitting<1, DriftFirst<WithGradient>>> = Processed::new(
     "WisdomHolmanGradient",
     &[10, 4],
