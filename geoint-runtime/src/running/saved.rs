@@ -8,7 +8,7 @@ use alloc::vec::Vec;
 use core::fmt;
 
 /// The layout of [`Saved::words`]. It changes where a run of an earlier version could not go on.
-pub const FORMAT: u32 = 4;
+pub const FORMAT: u32 = 5;
 
 /// A run at a moment: what steps hand on to the next one, as words of bits.
 ///
@@ -22,16 +22,16 @@ pub const FORMAT: u32 = 4;
 /// has an answer before it. An [`Integrator`](crate::Integrator) has, in this order:
 ///
 /// 1. t₀ in two words, h, the number of steps of length h since t₀, and what the present is called, if anything;
-/// 2. the number of steps since the beginning, and how many there were when the user gave a state, which the first step from there examines;
-///    whether the point is that of the method (see [`Method::INNER`](crate::Method::INNER)); of methods that keep invariants all coordinates of the
+/// 2. the number of steps since the beginning; their number when the user gave a state, which the first step from there examines; their number when the
+///    state was last set, by the user or at an event; whether the point is that of the method (see [`Method::INNER`](crate::Method::INNER)); of methods that keep invariants all coordinates of the
 ///    state that the user gave;
 /// 3. the point: all coordinates, the action, what the sums of both have lost, by how much time is ahead in two words, 0;
 /// 4. the memory of the method: its [`Record`](crate::space::Record).
 ///
-/// An [`Adaptive`](crate::Adaptive) run has 1; steps taken, as in 2, and rejected, and the same coordinates; 3; the largest magnitude of each coordinate, errors
+/// An [`Adaptive`](crate::Adaptive) run has 1; steps taken, their number when the user gave a state, steps rejected, and the same coordinates; 3; the largest magnitude of each coordinate, errors
 /// caused in it, and the longest time in which the state changes; the length of the next step by its rung, its direction, the last error, and
 /// whether the last step was rejected; for which length the method was prepared last; 4 for whole steps and for halves. A
-/// [`TaylorIntegrator`](crate::TaylorIntegrator) has 1, 3, steps taken, as in 2, the direction, largest magnitudes, the length of the last step, and
+/// [`TaylorIntegrator`](crate::TaylorIntegrator) has 1, 3, steps taken, their number when the user gave a state, the direction, largest magnitudes, the length of the last step, and
 /// of those in a row that ended at conditions how many went nowhere; its coefficients are computed anew.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

@@ -27,7 +27,7 @@ pub(super) struct Steps<S: PhaseSpace<R>, M: Method<S, R>, R: Real> {
     /// Of steps as a whole, and of their halves.
     pub(super) memory: [M::Memory; 2],
     pub(super) clock: Clock<R>,
-    /// Where it began: what steps keep is what it is there.
+    /// The state at the start of the run, whose invariants the steps keep.
     pub(super) origin: S::Phase,
     pub(super) x: Carried<S, R>,
     pub(super) taken: u64,

@@ -22,7 +22,7 @@ pub(super) struct Steps<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C> {
     pub(super) given: u64,
     /// How many there were when the state was set, by the user or at an event.
     pub(super) set: u64,
-    /// Where that was: what steps keep is what it is there.
+    /// The state that the user gave, whose invariants the steps keep.
     pub(super) origin: S::Phase,
     /// The point of a state, or where there is another one that the method moves, that one from the first step on.
     pub(super) x: Point<S::Phase, C, S::Action>,
