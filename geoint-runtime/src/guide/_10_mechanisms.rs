@@ -78,8 +78,8 @@
 //!   bars to rounding, and accept `rayleigh` with R quadratic in v. No other methods exist.
 //! - **Drives.** `force` does not compile with constraints. Add the potential of a torque: here `+ torque * q[1].atan2(q[0])` in L. H contains
 //!   it. Change `torque` by `set_system`. For a prescribed angle of t, tie the end of the crank by a stiff spring to a point that moves with t.
-//! - **Momenta.** After a step of `DiscreteGradient` they are off by O(h²). Before `set_system`, call `sim.set_state(sim.state_on_constraint()?)`:
-//!   without it the next step returns `OffConstraint`. `Rattle` does not need this call.
+//! - **Momenta.** After a step of `DiscreteGradient` they are off by O(h²): `sim.state_on_constraint()?` returns a state without this error.
+//!   After `set_system` the next step checks positions only. If bars change their lengths, set a state on the new constraints first.
 //!
 //! # Kinds of Lagrangians
 //!

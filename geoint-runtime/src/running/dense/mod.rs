@@ -3,6 +3,7 @@
 mod crossing;
 mod crossings;
 mod interpolated;
+mod quiet;
 mod roots;
 mod samples;
 mod taylor;
@@ -139,6 +140,9 @@ pub trait Dense: Trajectory + Clone {
         g: F,
     ) -> Result<Option<Crossing<Self::State>>, StepError> {
         let start = self.clone();
+        if t.magnitude().is_finite() && quiet::pass(self, t, &g)? {
+            return Ok(None);
+        }
         let found = Crossings::new(self, direction, g).until(t).first();
         let found = back_without_events(self, start, found)?;
         if let Some(found) = found {

@@ -141,6 +141,9 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integra
     /// assert!(sim.energy() < -0.9);
     /// # Ok::<(), StepError>(())
     /// ```
+    ///
+    /// The next step checks the state again, except for the momenta of a system with constraints. A step led to them, and `DiscreteGradient` leaves them
+    /// O(h²) off the constraints.
     pub fn set_system(&mut self, system: S) {
         self.steps.leave();
         let steps = &mut self.steps;
