@@ -40,7 +40,6 @@
 //! 2π r/v with distance r and speed v at the perihelion: take h ≤ T/10. (Asteroids and Jupiter, 200 orbits: errors below 3e-5 AU.)
 //! Under `system.adaptive(method, tolerance, state)` and `system.taylor(Taylor { tolerance }, state)` the run chooses the step size. Divide the
 //! tolerance by 10 and compare.
-//!
 //! # Where a run stops
 //! | call | fixed steps | adaptive and Taylor |
 //! |---|---|---|
@@ -94,6 +93,7 @@
 //!     let mut named = Named::new(name, Oscillator { k: 1.0 }, 0.01, State::new(1.0, 0.0));
 //!     catalogue::general(&mut named); // Gauss<3>, RK4, DOP853, …
 //!     catalogue::separable(&mut named); // StormerVerlet, BlanesMoan6, Yoshida4 of StormerVerlet, …
+//!     catalogue::discrete_gradient(&mut named); // DiscreteGradient, Suzuki4 of DiscreteGradient, …
 //!     named.run()
 //! }
 //! for name in ["Gauss<3>", "KahanLi8_17a of StormerVerlet"] {
@@ -110,7 +110,7 @@
 //! ```
 //!
 //! The compiler builds every method of each [catalogue](crate::method::catalogue): list few. Four catalogues for a pendulum took 48 s to compile.
-//! `method.name()` returns the name of a method. [`Named`](crate::running::Named) has fixed steps only. [`Saved`](crate::running::Saved) implements
+//! `method.name()` returns the name of a method: `Gauss::<3>` is `Gauss<3>`, `Suzuki4.of(RK4)` is `Suzuki4 of RK4`. [`Named`](crate::running::Named) has fixed steps only. [`Saved`](crate::running::Saved) implements
 //! `Serialize` and `Deserialize` with the feature `serde`. [`resume`](crate::running::Resumable::resume) takes time, state, fixed step size and the
 //! method's history from the saved run. The new run determines parameters, tolerances and the limits set by
 //! `longest_step`, `steps_between` and `steps_at_most`.

@@ -245,11 +245,12 @@ pub trait Cotangent<R: Real = f64>: PhaseSpace<R, Phase = [<Self as Cotangent<R>
 
 /// A differential equation z' = f(z, t).
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no system of `#[hamiltonian]` or `#[vector_field]` without constraints",
+    message = "`{Self}` is no system of `#[hamiltonian]` or `#[vector_field]` without `constraint` and `attitude`",
     label = "this is for those alone",
     note = "contact systems have `integrator`, with the methods `ContactSplitting`, `Suzuki4.of(ContactSplitting)`, `ContactMidpoint`, \
             `ContactDiscreteGradient`",
-    note = "methods that keep a `constraint`: `Rattle`, `DiscreteGradient`"
+    note = "methods that keep a `constraint`: `Rattle`, `DiscreteGradient`",
+    note = "methods for rigid bodies (`attitude = r`): tables of kicks and drifts such as `BlanesMoanSrkn14a`, `FiveRotations`, `RK4`, `DOP853`"
 )]
 pub trait VectorField<R: Real = f64>: PhaseSpace<R, Action = ()> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
@@ -262,11 +263,12 @@ pub trait VectorField<R: Real = f64>: PhaseSpace<R, Action = ()> {
 ///
 /// C is the damping matrix, and f are other forces. Both are zero unless the user gives them.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no system of `#[hamiltonian]` without constraints",
+    message = "`{Self}` is no system of `#[hamiltonian]` without `constraint` and `attitude`",
     label = "this is for those alone",
     note = "contact systems have `integrator`, with the methods `ContactSplitting`, `Suzuki4.of(ContactSplitting)`, `ContactMidpoint`, \
             `ContactDiscreteGradient`",
-    note = "methods that keep a `constraint`: `Rattle`, `DiscreteGradient`"
+    note = "methods that keep a `constraint`: `Rattle`, `DiscreteGradient`",
+    note = "methods for rigid bodies (`attitude = r`): tables of kicks and drifts such as `BlanesMoanSrkn14a`, `FiveRotations`, `RK4`, `DOP853`"
 )]
 pub trait Hamiltonian<R: Real = f64>:
     VectorField<R> + Cotangent<R> + PhaseSpace<R, State = State<<Self as Cotangent<R>>::Coordinates>>
