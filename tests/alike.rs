@@ -1,12 +1,14 @@
 //! The same bits from two runs, by each kind of step; and from two builds: where `BITS` names a folder, the last states are written to it by the
 //! first one, and read by the next. `.ci/alike` lets one without optimisation write, and one with it read.
 
+use geoint_runtime::method::catalogue;
 use geoint_runtime::prelude::*;
 use geoint_runtime::space::{Snapshot, Summation};
 use geoint_runtime::{Method, PhaseSpace, TaylorIntegrator};
 use geoint_tests::methods::Visitor;
 use geoint_tests::problems::{DoublePendulum, Problem};
 use geoint_tests::scene::{Scene, flat, point};
+use nalgebra::Vector3;
 use std::marker::PhantomData;
 use std::path::Path;
 
@@ -49,6 +51,48 @@ impl<P: Scene> Visitor<P::Over<f64>> for Alike<P> {
 }
 
 geoint_tests::every_kind!(Alike);
+
+/// Sun, asteroid, Jupiter, Saturn in AU, days and solar masses.
+#[hamiltonian(coordinates = jacobi)]
+fn asteroid(q: [Vector3<f64>; 4], p: [Vector3<f64>; 4], m: [f64; 4], g: f64) -> f64 {
+    let mut energy = 0.0;
+    for i in 0..4 {
+        energy += p[i].norm_squared() / (2.0 * m[i]);
+        for j in 0..i {
+            energy -= g * m[i] * m[j] / (q[i] - q[j]).norm();
+        }
+    }
+    energy
+}
+
+/// A hundred years in steps of 40 days. The energy shows errors of an optimiser that both runs of a build share.
+struct Century(State<[Vector3<f64>; 4]>, Asteroid);
+
+impl Visitor<Asteroid> for Century {
+    fn visit<M: Method<Asteroid> + 'static>(&mut self, method: M) {
+        let Century(start, system) = *self;
+        alike(&format!("asteroid, {}", method.name()), || {
+            let mut sim = system.integrator(method, 40.0, start);
+            sim.advance(913).expect("steps");
+            let error = sim.energy() / system.energy(&start) - 1.0;
+            assert!(error.abs() < 1e-6, "{}: {error:.1e}", method.name());
+            bits(&sim.state())
+        });
+    }
+}
+
+/// One release of rustc vectorised a processor of these methods wrongly, only where it was inlined and all optimisation was on.
+#[test]
+fn planets_in_three_dimensions() {
+    let m = [1.00000597682, 1e-6, 0.000954786104043, 0.000285583733151];
+    let q = [[0.0; 3], [2.34, 0.0, 0.0], [-3.5023653, -3.8169847, -1.5507963], [9.0755314, -3.0458353, -1.6483708]];
+    let v =
+        [[0.0; 3], [0.0, 0.0108, 0.0046], [0.00565429, -0.00412490, -0.00190589], [0.00168318, 0.00483525, 0.00192462]];
+    let p = std::array::from_fn(|i| Vector3::from(v[i]) * m[i]);
+    let mut century = Century(State::new(q.map(Vector3::from), p), Asteroid { m, g: 2.95912208286e-4 });
+    catalogue::perturbed(&mut century);
+    catalogue::processed(&mut century);
+}
 
 /// Estimates of errors choose the steps of these.
 #[test]

@@ -33,14 +33,16 @@
 //!
 //! # Line by line
 //!
-//! - `#[hamiltonian]` reads the energy H(q, p) of the function below it. `q` is the position and `p` the momentum. All other arguments are parameters.
-//! - The attribute adds a struct `Pendulum` with one field for each parameter. It also derives the equations of motion, q' = ∂H/∂p and p' = −∂H/∂q, when
-//!   the program is compiled.
-//! - [`integrator`](crate::IntoIntegrator::integrator) combines the system with a method, a step size of 0.01 s and a state. `State::new(2.0, 0.0)` is the
-//!   angle 2 rad at rest.
-//! - [`DiscreteGradient`](crate::DiscreteGradient) keeps the energy to rounding, however long the steps are. A step that is too long for its equation is an error.
+//! - `#[hamiltonian]` reads the energy H(q, p) of the function below it. `q` is the position and `p` the momentum. All other arguments are
+//!   parameters.
+//! - The attribute adds a struct `Pendulum` with one field for each parameter. It also derives the equations of motion, q' = ∂H/∂p and p' = −∂H/∂q,
+//!   when the program is compiled.
+//! - [`integrator`](crate::IntoIntegrator::integrator) combines the system with a method, a step size of 0.01 s and a state. `State::new(2.0, 0.0)`
+//!   is the angle 2 rad at rest.
+//! - [`DiscreteGradient`](crate::DiscreteGradient) keeps the energy to rounding at every step size at which its equation has a solution. If a step is
+//!   too long, it returns an error. Constant energy does not mean accurate positions: see [which method](super::_03_which_method).
 //!
-//! A classical method does not. This is the error of the energy over a million steps, for four methods:
+//! Classical methods do not keep the energy. This is the error of the energy over a million steps, for four methods:
 //!
 #![doc = include_str!("../../docs/figures/energy_exact.svg")]
 //!
@@ -79,6 +81,7 @@
 //!
 //! # Errors
 //!
-//! A step returns a [`StepError`](crate::StepError) if it cannot be done well, and the state stays as it was before the step. Nothing panics.
+//! A step returns a [`StepError`](crate::StepError) if its equation cannot be solved or its state is invalid. The state stays as it was
+//! before the step. Nothing panics. A step that is merely inaccurate is no error: halve the step size and compare.
 //!
 //! Next: [which attribute](super::_02_which_attribute) suits your problem, and [which method](super::_03_which_method).

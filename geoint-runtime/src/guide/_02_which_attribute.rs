@@ -39,28 +39,27 @@
 //! |---|---|---|---|
 //! | an energy in positions and momenta | [`#[hamiltonian]`](crate::hamiltonian) | `q`, `p` | `State::new(q, p)` |
 //! | kinetic minus potential energy, in positions and velocities | [`#[lagrangian]`](crate::lagrangian) | `q`, `v` | `system.at(q, v)` |
-//! | an energy with friction at one rate | [`#[contact_hamiltonian]`](crate::contact_hamiltonian) | `q`, `p`, `s` | `ContactState::new(q, p, s)` |
+//! | an energy with friction −γp, one γ for all momenta | [`#[contact_hamiltonian]`](crate::contact_hamiltonian) | `q`, `p`, `s` | `ContactState::new(q, p, s)` |
 //! | rigid bodies, by unit quaternions | `#[hamiltonian(attitude = r)]` | `r`, `m`, or with `q`, `p` | `BodyState::new(r, m)` |
-//! | an energy H(x) and a bracket, x' = S(x) ∇H | `#[hamiltonian(structure = S)]` | `x` | `FlowState::new(x)` |
+//! | an energy H(x) and an antisymmetric matrix S, x' = S(x) ∇H | `#[hamiltonian(structure = S)]` | `x` | `FlowState::new(x)` |
 //! | equations x' = f(x, t), perhaps with known invariants | [`#[vector_field]`](crate::vector_field) | `x` | `FlowState::new(x)` |
 //!
 //! If you know both an energy and the equations, write the energy. More methods apply to it.
-//! Start with s = 0. Another start changes the motion only if the energy is nonlinear in s, or the factor of s depends on q.
+//! The number s of a contact system is an auxiliary variable. Start with s = 0. In a term γ s with constant γ, the value of s never changes q and p.
 //!
 //! **Warning.** The state of a Lagrangian is (q, p). In the program above, `State::new(1.0, 0.5)` sets the *momentum* to 0.5, without an error. The
 //! velocity is then 0.5/(m l²) = 0.11. Write `velocity.at(1.0, 0.5)` to set the velocity to 0.5. Read it with `sim.velocity()`.
 //!
 //! # Friction
-//!
 //! A joint with the friction torque −b q' can be written in three ways. Units are those of an angle q:
 //!
 //! | attribute | coefficient | unit | prefer it if |
 //! |---|---|---|---|
 //! | `#[contact_hamiltonian]`, with a term `+ gamma * s` | γ = b/(m l²), a rate | 1/s | friction is linear, with one rate for all coordinates |
-//! | `#[hamiltonian(damping = C)]` | C = b, a torque per velocity | N m s | rates differ, C depends on q, p or t, or the energy must never grow |
+//! | `#[hamiltonian(damping = C)]` | C = b, a torque per velocity | N m s | rates differ, C depends on q, p or t, or friction must never add energy |
 //! | `#[lagrangian(rayleigh = R)]` | R = b v²/2, half of the lost power | W | L is given, or friction is nonlinear, as `c * v.abs().powi(3) / 3.0` |
 //!
-//! Only the first form has explicit splittings of high order. This program measures the largest error of the angle in 20 s, for steps of 0.02 s:
+//! Only the first form has fast explicit methods of high order. This program measures the largest error of the angle in 20 s, for steps of 0.02 s:
 //!
 //! ```
 //! # use geoint_runtime::prelude::*;
@@ -86,10 +85,11 @@
 //! # Ok::<(), StepError>(())
 //! ```
 //!
-//! `BlanesMoanSrkn11b` takes 11 forces a step; in steps of 0.2 s its error after 20 s is 4e-9. `damping` with `Gauss::<3>`, h = 0.02 s: 4e-12.
+//! `BlanesMoanSrkn11b` evaluates 11 forces a step. In steps of 0.2 s its error after 20 s is 4e-9. `damping` with `Gauss::<3>`, h = 0.02 s: 4e-12.
 //!
 //! # Motors, driving, constraints
-//! - **A force with a potential** is a term of the energy, as `- a * (w * t).sin() * q` with an argument `t: f64`. Kicks and drifts remain.
+//! - **A force with a potential** is a term of the energy, as `- a * (w * t).sin() * q` with an argument `t: f64`. Methods for T(p) + V(q) still
+//!   apply.
 //! - **Any other force** is `force = F(q, v, t)` under `hamiltonian` and `lagrangian`; v is the velocity. Use `Gauss` or `DiscreteGradient`.
 //! - **Bars and closed chains** are `constraint = [g]` with g(q) = 0. Use `Rattle` or `DiscreteGradient`. See [mechanisms](super::_10_mechanisms).
 //!
@@ -97,12 +97,12 @@
 //! - **Poincaré section.** `sim.crossings(Direction::Up, |x| x.q[0]).take(100)` yields the points with q₀ = 0. See [events](super::_12_events).
 //! - **Impact.** `sim.until_event(t, Direction::Down, |x| x.q)` stops at q = 0. Then `set_state` reverses the momentum.
 //! - **Control.** `sim.set_system(Motor { torque, ..*sim.system() })` changes a torque in a run. See [`set_system`](crate::Integrator::set_system).
-//! - **Lyapunov exponent** of a conservative energy H(q, p), without friction. K = δq·∂H/∂q + δp·∂H/∂p is an energy with the positions (q, δq)
-//!   and the momenta (δp, p). It moves a small deviation (δq, δp) along the orbit. Any component δ grows as exp(λt), until it overflows; λ is
-//!   the exponent. For Hénon and Heiles, H = 0.16:
+//! - **Lyapunov exponent** λ of an energy H(q, p). A small deviation (δq, δp) grows as exp(λt). It moves by the energy K = δq·∂H/∂q + δp·∂H/∂p,
+//!   whose positions are (q, δq) and whose momenta are (δp, p), in this order. Stop or rescale δ before λt = 700, where it overflows. With friction,
+//!   write x' and the linearised δx' as a `#[vector_field]`. For Hénon and Heiles, H = 0.16:
 //! ```
 //! # use geoint_runtime::prelude::*;
-//! #[hamiltonian(q = x, p = y)]
+//! #[hamiltonian(q = x, p = y)] // The argument x holds the positions, y the momenta.
 //! fn tangent(x: [[f64; 2]; 2], y: [[f64; 2]; 2]) -> f64 {
 //!     let ([q, dq], [dp, p]) = (x, y);
 //!     dq[0] * (q[0] + 2.0 * q[0] * q[1]) + dq[1] * (q[1] + q[0] * q[0] - q[1] * q[1]) + dp[0] * p[0] + dp[1] * p[1]
@@ -114,7 +114,7 @@
 //! # assert!((0.09..0.14).contains(&(sim.state().q[1][0].abs().ln() / sim.time())));
 //! # Ok::<(), StepError>(())
 //! ```
-//! Errors: an argument of the wrong attribute does not compile, and the message names the right one. A step with a negative friction coefficient
-//! returns [`OutsideDomain`](crate::StepError::OutsideDomain).
+//! Errors: an argument of the wrong attribute does not compile, and the message names the right one. A step with a negative coefficient in
+//! `damping` or `rayleigh` returns [`OutsideDomain`](crate::StepError::OutsideDomain).
 //!
 //! Next: [which method](super::_03_which_method), [friction, heat, driving](super::_08_friction), [Lagrangians](super::_10_mechanisms).

@@ -39,9 +39,9 @@
 //!
 //! | method | step | error of the angle | error of the energy | the energy error over a longer time |
 //! |---|---|---|---|---|
-//! | `StormerVerlet` | 0.01 s | 1e-2 | 6e-4 | stays |
+//! | `StormerVerlet` | 0.01 s | 1e-2 | 6e-4 | stays bounded |
 //! | `RK4` | 0.04 s | 9e-3 | 2e-4 | grows with time |
-//! | `BlanesMoanSrkn14a` | 0.14 s | 6e-8 | 5e-9 | stays |
+//! | `BlanesMoanSrkn14a` | 0.14 s | 6e-8 | 5e-9 | stays bounded |
 //! | `DiscreteGradient` | 0.01 s | 8e-3 | 2e-15 | stays at rounding |
 //!
 //! # Find your question
@@ -55,21 +55,21 @@
 //! | many bodies, molecules, a game | [`StormerVerlet`](crate::StormerVerlet) (leapfrog) | star in a galaxy, 10⁷ periods of 40 steps: energy 5e-3 |
 //! | accurate positions, long runs | [`BlanesMoanSrkn14a`]; T not quadratic: [`BlanesMoan6`] | outer planets, 547 years, 20 000 forces: 5e-7 AU |
 //! | planets | [`WisdomHolmanGradient`](crate::WisdomHolmanGradient) | the same planets, 2000 forces: 9e-10 AU |
-//! | weakly coupled oscillators | [`Rnia10_8_6`](crate::Rnia10_8_6) | chain of 31 masses, 171 periods of the slowest wave, 1000 steps: 3e-10 |
+//! | weakly coupled oscillators, no friction | [`Rnia10_8_6`](crate::Rnia10_8_6) | chain of 31 masses, 171 periods of the slowest wave, 1000 steps: positions to 3e-10 |
 //! | q and p coupled: jointed arms | [`Gauss::<3>`](crate::Gauss) | double pendulum, regular orbit, 200 s, h = 0.02 s: 8e-8 m |
 //! | magnetic field, rotating frame | [`BceRkn17_8.of(PieceSplitting)`](crate::PieceSplitting) | charge, 10⁶ gyrations of 12 steps: drift to 2e-10 |
-//! | linear friction at one rate | [`BlanesMoanSrkn11b`], [contact form](super::_02_which_attribute) | oscillator, 40 forces a unit of time: 2e-10 |
-//! | other friction; never gain energy | `damping = C`, `DiscreteGradient` | Duffing's oscillator, 400 steps of h = 10: no step gains energy |
-//! | bars, closed chains | [`Rattle`](crate::Rattle); for the energy, `DiscreteGradient` | four bars: lengths to 7e-16; energy of the second: 2e-13 |
+//! | friction −γp, one γ for all p | [`BlanesMoanSrkn11b`], [contact form](super::_02_which_attribute) | oscillator, γ = 0.1, t = 50, 40 forces a unit of time: positions to 2e-10 |
+//! | other friction; friction never adds energy | `damping = C`, `DiscreteGradient` | Duffing's oscillator without driving, 400 steps of 10 (stable, not accurate): no step gains energy |
+//! | bars, closed chains | [`Rattle`](crate::Rattle); for the energy, `DiscreteGradient` | four bars: lengths to 7e-16; energy with `DiscreteGradient`: 2e-13 |
 //! | rigid bodies, `attitude = r` | `BlanesMoanSrkn14a` | heavy body, 20 steps of 0.25: 4e-11 rad |
-//! | most digits, short runs, chaos, sections | [`Taylor`](crate::Taylor), as in the program above | three bodies, 100 periods and back: 3e-13 |
+//! | most digits, short runs, chaos, sections | [`Taylor`](crate::Taylor), as in the program above | three bodies, 100 periods and back: positions to 3e-13 |
 //! | equations with known invariants | `FourthOrder(DiscreteGradient)` | predators and prey, 10⁵ periods of 50 steps: invariant to 5e-15 |
 //!
 //! For comparison: with equally many forces, leapfrog misses the planets by 0.1 AU (20 000 forces), and `RK4` has an error of 5e-6 for the
-//! oscillator with friction and of 2e-6 rad for the heavy body. With 40 steps a gyration, `RK4` stops the charge.
+//! oscillator with friction and of 2e-6 rad for the heavy body. With 40 steps in each gyration, `RK4` brakes the charge until it stands.
 //!
-//! A *piece* is a part of the energy whose flow is known in closed form; `REPORT` lists the pieces. `BceRkn17_8.of(PieceSplitting)` needs two
-//! pieces and the line `tables of Runge–Kutta–Nyström type keep their order`. Otherwise, take `KahanLi8_17a.of(PieceSplitting)`.
+//! A *piece* is a part of the energy whose flow is known in closed form; `REPORT` lists the pieces. `BceRkn17_8.of(PieceSplitting)` works if
+//! `REPORT` lists two pieces and prints `tables of Runge–Kutta–Nyström type keep their order`. Otherwise, take `KahanLi8_17a.of(PieceSplitting)`.
 //!
 //! **Rules of thumb** for the error of positions:
 //!
@@ -77,7 +77,8 @@
 //! - Any other T(p) + V(q): `BlanesMoanSrkn14a` or `BlanesMoan6` down to 10⁻⁹. Below 10⁻⁹, and with few bodies: `Taylor`.
 //! - All other energies: the method of the table down to 10⁻⁹. Below, `Taylor`; for some systems it [does not exist](super::_18_limits).
 //! - Two bodies on eccentric orbits: `Taylor` already below 10⁻³.
-//! - If only the energy counts, in a long or chaotic run: a symplectic or energy-keeping method.
+//! - If only the energy counts, in a long or chaotic run: a symplectic or energy-keeping method. With friction and chaos: the rows for friction, for
+//!   averages and attractors; no method follows one orbit for long.
 //! - On a chaotic orbit every method loses digits exponentially. The error grows as exp(λt), with the [exponent λ](super::_02_which_attribute).
 //!
 //! `system.adaptive(DOP853, 1e-9, state)` is a usual solver with error control, such as `ode45` or `solve_ivp`. Its energy error grows with time. For
@@ -89,12 +90,12 @@
 //! |---|---|---|---|
 //! | `StormerVerlet`, `PositionVerlet` | 2 | symplectic form, time symmetry | leapfrog; velocity, position Verlet |
 //! | `SymplecticEuler` | 1 | symplectic form | semi-implicit Euler |
-//! | kicks and drifts: `PEFRL`, `BlanesMoan6`, `BceRkn17_8` | 4 to 8 | symplectic form, time symmetry | Runge–Kutta–Nyström |
-//! | H = A + B with a small B: `WisdomHolman`, `Aba10_6_4` | in powers of B | symplectic form | mixed-variable map, SABA |
+//! | kicks and drifts: `PEFRL`, `BlanesMoan6`, `BlanesMoanSrkn14a`, `BceRkn17_8` | 4 to 8 | symplectic form, time symmetry | Runge–Kutta–Nyström |
+//! | H = A + B with a small B: `WisdomHolman`, `Aba10_6_4` | several: see [planets](super::_09_planets) | symplectic form | mixed-variable map, SABA |
 //! | exact flows: `PieceSplitting`, `ContactSplitting`, `PoissonSplitting` | 2 | the structure of the name, time symmetry | Strang splitting |
-//! | `Yoshida4`, `Suzuki4`, `KahanLi8_17a` and others `.of(map)` | 4 to 10 | the invariants of the map | triple jump, composition |
+//! | `Yoshida4`, `Suzuki4`, `KahanLi8_17a` and others `.of(map)` | 4 to 10 | all that the map in `.of(map)` keeps | triple jump, composition |
 //! | `ImplicitMidpoint`, `Gauss::<S>` | 2, 2S | symplectic form, quadratic invariants | Gauss–Legendre, collocation |
-//! | `ContactMidpoint`, `ContactGauss::<S>` | 2, 2S | contact form up to a factor | |
+//! | `ContactMidpoint`, `ContactGauss::<S>` | 2, 2S | contact form, see [friction](super::_08_friction) | |
 //! | `DiscreteGradient`, `Gonzalez`, `ItohAbePair`, `MeanValue` | 2 | energy at any step | energy–momentum; averaged vector field |
 //! | `FourthOrder(DiscreteGradient)` | 4 | energy at any step | |
 //! | `ContactDiscreteGradient` | 2 | the law of decay of H | |
@@ -108,8 +109,8 @@
 //!
 //! # Errors
 //!
-//! A method that needs more than your energy has does not compile. The message names the term in the way, and methods without this need. A step that
-//! cannot be done well returns a [`StepError`](crate::StepError).
+//! If a method does not fit your energy, the program does not compile. The message names the term in the way, and methods that fit. A step whose
+//! equation cannot be solved returns a [`StepError`](crate::StepError).
 //!
 //! Next: [the language of energies](super::_04_language), [a run in practice](super::_06_runs), [energy kept exactly](super::_07_energy).
 //!

@@ -21,17 +21,16 @@
 //!
 //! Energy and angular momentum of the comet change by less than 2e-14 in 100 years. For comparison, take a pendulum and a million steps of
 //! 0.02 s. The largest relative error of its energy is 3e-15 with `DiscreteGradient`, 2e-3 with `StormerVerlet`, and 9e-4 with `RK4`. The error of
-//! `RK4` grows with the number of steps. `DiscreteGradient` removes the sum of all rounding errors once in 1024 steps.
+//! `RK4` grows with the number of steps. Every 1024 steps, `DiscreteGradient` removes the drift of the energy by rounding.
 //!
 //! # Which method
-//!
 //! | method | order | keeps beside the energy | error | ns | use it for |
 //! |---|---|---|---|---|---|
-//! | [`DiscreteGradient`](crate::DiscreteGradient) | 2 | momenta in the report, time symmetry | 3e-4 | 40 | long runs, contacts, games, friction |
+//! | [`DiscreteGradient`](crate::DiscreteGradient) | 2 | momenta in the report, time symmetry | 3e-4 | 40 | long runs, impacts, games, friction |
 //! | [`FourthOrder(DiscreteGradient)`](crate::FourthOrder) | 4 | momenta in the report, time symmetry | 2e-8 | 270 | positions, short steps |
 //! | [`Suzuki4.of(DiscreteGradient)`](crate::Suzuki4) | 4 | momenta in the report, time symmetry | 1e-8 | 390 | positions, long steps, constraints |
 //! | [`Projection(RK4, Energy)`](crate::Projection) | 4 | invariants that you name | 1e-7 | 160 | short runs, several invariants |
-//! | [`Relaxation(RK4)`](crate::Relaxation) | 4 | linear invariants | – | – | short runs with steps of uneven length |
+//! | [`Relaxation(RK4)`](crate::Relaxation) | 4 | linear invariants | – | – | short runs; it stretches each step a little |
 //! | [`Gonzalez`](crate::Gonzalez) | 2 | momenta of cyclic coordinates, time symmetry | 3e-4 | 620 | comparison with the literature |
 //! | [`MeanValue::<2>`](crate::MeanValue) | 2 | time symmetry | 3e-4 | 400 | comparison with the literature |
 //! | [`Kahan`](crate::Kahan) | 2 | time symmetry; the energy oscillates | 3e-4 | – | polynomials of degree 3, one linear solve a step |
@@ -39,22 +38,22 @@
 //! - *error*: distance from the exact (q, p) at t = 2, with h = 0.05, for the energy of Hénon and Heiles. *ns*: time of one step there. The example
 //!   `which_discrete_gradient` prints both (release build, one core of a shared Xeon, shortest of four runs). A step of `RK4` takes 26 ns. The
 //!   example does not contain `Relaxation` and `Kahan`.
-//! - [`MeanValue::<K>`](crate::MeanValue), K = 1 to 6, keeps the energy if H is a sum of a polynomial of degree ≤ 2K and functions of linear
-//!   forms. The report names the terms that prevent this.
+//! - [`MeanValue::<K>`](crate::MeanValue), K = 1 to 6, keeps the energy if H is a sum of a polynomial of degree ≤ 2K and of functions of one
+//!   linear combination of coordinates, such as cos(q₀ − q₁). The report names the terms that prevent this.
 //! - `Kahan` keeps a modified energy, so that the error of the energy stays bounded.
 //! - [`SymmetrisedItohAbe`](crate::SymmetrisedItohAbe), [`ItohAbePair`](crate::ItohAbePair), [`ItohAbe`](crate::ItohAbe) and
 //!   [`CoordinateIncrement`](crate::CoordinateIncrement) also keep the energy. Use them to compare with the literature.
 //! - [`Projection`](crate::Projection) and [`Relaxation`](crate::Relaxation) accept other methods too, for instance `DOP853`.
 //! - None of these methods is symplectic in general. Choose [another method](super::_03_which_method) if accurate orbits matter more than the energy:
 //!   `DiscreteGradient` keeps the energy of the [outer planets](super::_09_planets) to 1e-15, but one planet ends 2.4 AU from its true position.
-//! - Implicit methods solve an equation in each step. Beyond 12 unknowns, long steps need full matrices, and their cost grows as n³.
+//! - Implicit methods solve an equation in each step. Beyond 12 coordinates, long steps need full matrices, and their cost grows as n³.
 //!
 //! `DiscreteGradient` keeps angular momentum if central forces are written as functions of `x * x + y * y`, as above. Print `Comet::<f64>::REPORT`
 //! and check the sections *Conserved by the flow* and *Discrete gradients*.
 //!
 //! # Invariants of your own
-//!
-//! Implement [`Invariants`](crate::Invariants) and list it after [`Energy`](crate::Energy). Adaptive runs and Taylor series keep the energy too.
+//! Implement [`Invariants`](crate::Invariants) and list it after [`Energy`](crate::Energy). `DiscreteGradient` keeps it in adaptive runs, and
+//! `Projection` in Taylor series.
 //!
 //! ```
 //! use geoint_runtime::{Invariants, prelude::*};
@@ -114,7 +113,8 @@
 //!   A pendulum with a period of 2.7 s takes 10 000 steps of 1 s with `DiscreteGradient`. Steps of 3 s end with `Singular` after eight.
 //! - [`LedAstray`](crate::StepError::LedAstray): a projection would correct more than half of the step.
 //! - After each of these errors, the state is the last good state. Halve the step size with `set_step_size` and continue.
-//! - An energy that reads `t` is not constant, and `Projection` does not compile for it. Rigid bodies (`attitude = r`) have no discrete gradient.
+//! - An energy that reads `t` is not constant: `DiscreteGradient` runs, and `Projection` does not compile. Rigid bodies (`attitude = r`) have no
+//!   discrete gradient.
 //! - The step across a bend has a larger error than the order promises.
 //!
 //! Next: [friction, heat, driving](super::_08_friction), [fields with integrals](super::_11_fields), [errors and remedies](super::_16_errors).
