@@ -26,6 +26,7 @@
 //! | Which attribute fits my variables? | [`hamiltonian`], [`lagrangian`], [`contact_hamiltonian`], [`vector_field`]: [which attribute](guide::_02_which_attribute) |
 //! | Which method, and which step size? | [which method](guide::_03_which_method), [a run in practice](guide::_06_runs) |
 //! | Planets? Mechanisms? Friction? Rigid bodies? Games? | [planets](guide::_09_planets), [mechanisms](guide::_10_mechanisms), [friction](guide::_08_friction), [fields and bodies](guide::_11_fields), [real time](guide::_13_real_time) |
+//! | Events, Poincaré sections, output at given times? | [events](guide::_12_events) |
 //! | How large may my problem be? | [limits](guide::_18_limits), [systems written by hand](guide::_14_by_hand) |
 //! | I know another library. | [coming from](guide::_15_coming_from) |
 //! | Which methods exist? | [`method`], with a table of all |
@@ -35,14 +36,14 @@
 //!
 //! # Conventions
 //!
-//! - Equations of motion: q' = ∂H/∂p and p' = −∂H/∂q. Coordinates come in the order q, p, s, t.
+//! - Equations of motion: q' = ∂H/∂p and p' = −∂H/∂q. Coordinates come in the order q, p, s (contact systems only), t.
 //! - Contact systems describe friction by an auxiliary variable s: q' = ∂H/∂p, p' = −∂H/∂q − p ∂H/∂s, s' = p·∂H/∂p − H.
 //! - A *kick* of length h is the flow of V(q, t), p ← p − h ∂V/∂q. A *drift* is the flow of T(p, t), q ← q + h ∂T/∂p.
 //! - The step size h may be negative. The time of fixed steps is t₀ + n·h, without a running sum. Samples and sections do not change the steps.
 //!   After an event, its time becomes the new t₀, and n starts at 0.
 //! - Single steps give the same bits as many steps in one call.
-//! - Division by a value that is known before the loop becomes multiplication by its reciprocal. `a·b + c` is fused if the processor of the build supports it;
-//!   the feature `strict-math` forbids this.
+//! - Division by a value that is known before the loop becomes multiplication by its reciprocal. `a·b + c` is fused if the build targets a processor that
+//!   supports it; the last bits then differ between machines. The feature `strict-math` forbids this.
 //!
 //! # Map of the crate
 //!

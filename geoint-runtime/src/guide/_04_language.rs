@@ -41,12 +41,12 @@
 //! | all parameters | `f64`, `[f64; N]`, `[[f64; D]; N]`, `Vector3<f64>`, `SVector<f64, N>`, `UnitQuaternion<f64>`, arrays of vectors |
 //! | time `t`, action `s` | `f64` |
 //!
-//! - If the function returns `f32`, each number in it is `f32`. One energy can not mix both types.
+//! - `f32` may stand for `f64` in all of these types, but one energy can not mix both.
 //! - Write a matrix as an array of arrays, `[[f64; 3]; 3]`. Lengths go from 1 to 1000.
 //! - `q = x` and `p = px` in the attribute rename arguments. `name = Spring` renames the struct.
 //! - The generated struct has the visibility of the function: `pub fn chain` gives `pub struct Chain`. Its fields are always `pub`.
-//! - An attribute does not see its file. Repeat an integer constant or an alias of a type: `const N = 6`, `type Chain = [f64; N]`. rustc checks both.
-//!   Other constants, such as `const G: f64 = 6.67e-11`, need no repetition.
+//! - An attribute sees its function only, not the rest of the file. Repeat an integer constant or an alias of a type in it: `const N = 6`, `type
+//!   Chain = [f64; N]`. rustc checks both. Other constants, such as `const G: f64 = 6.67e-11`, need no repetition.
 //! - The function can not be generic. For two lengths write two functions.
 //! - Expressions in the attribute, such as `damping = c * q.powi(2)`, use this language too.
 //! - In a `no_std` crate `cos` and the other methods of numbers come from [`Real`](crate::Real), which is in the prelude.
@@ -65,8 +65,9 @@
 //! | vectors of nalgebra | `+`, `-`, products with numbers, `dot`, `cross`, `norm`, `norm_squared`, `sum`, `iter`, `v.x`, `v[0]` |
 //! | quaternions | `r * v`, `r * s`, `r / s`, `inverse`, `inverse_transform_vector`, `rotation_to`, `imag`, `scalar`, `coords`, `r.i` … `r.w` |
 //!
-//! Both sides of an `if` are differentiated. If the sides meet with a bend, a method loses its order in the step across the bend. If the sides do not
-//! meet, H jumps, and [the report](super::_05_report) names the condition. A condition on a loop counter is decided at compile time.
+//! Both sides of an `if` are differentiated. If the sides meet with a bend (equal values, other slopes), the step across it is less accurate:
+//! `powi(2)` instead of `abs` has no bend. If the values differ, H jumps, and [the report](super::_05_report) names the condition. A condition on a
+//! loop counter is decided at compile time.
 //!
 //! # Functions outside of the energy
 //!
@@ -113,7 +114,7 @@
 //! | `Vec<f64>` | "a length is known when the program is compiled: write `[f64; N]`" |
 //! | `x += …` inside of a closure | a closure reads outer variables and does not assign to them |
 //!
-//! Limits: 5000 operations after unrolling, or about 20 bodies in space that all attract each other. Expressions have at most 200 levels. Functions
-//! can not call themselves. Larger systems are [written by hand](super::_14_by_hand).
+//! Limits: 5000 operations after unrolling: about 20 bodies in space that all attract each other, or a chain of one to two hundred masses.
+//! Expressions have at most 200 levels. Functions can not call themselves. Larger systems are [written by hand](super::_14_by_hand).
 //!
 //! Next: [the report, line by line](super::_05_report) and [a run in practice](super::_06_runs).

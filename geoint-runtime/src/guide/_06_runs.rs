@@ -20,7 +20,7 @@
 //! # The step size
 //!
 //! Let T be the period of the fastest oscillation in your system. Take the first h from this table. Then halve h until the result changes by less
-//! than your tolerance. The last change is an estimate of the error before the last halving.
+//! than your tolerance. The last change estimates the error of the run before the last one; the last run is better.
 //!
 //! | method | error 10⁻² | error 10⁻³ | error 10⁻⁶ | error 10⁻⁹ | unstable above |
 //! |---|---|---|---|---|---|
@@ -33,13 +33,13 @@
 //! | `BlanesMoanSrkn14a` | T/2 | T/4 | T/7 | T/17 | 0.97 T |
 //!
 //! Measured on a pendulum with m g l = 1, m l² = 1 and amplitude 1 rad: the largest error of (q, p) in ten periods. The last column is the limit for
-//! a harmonic oscillator, examined up to 4.9 T. The phase error of a symplectic method grows in proportion to time. Costs of a step differ:
-//! `StormerVerlet` evaluates one force, `BlanesMoan4` six, `BlanesMoanSrkn14a` fourteen. See [which method](super::_03_which_method).
+//! a harmonic oscillator; *none* means stable up to 4.9 T. The phase error of a symplectic method grows in proportion to time. Costs of a step
+//! differ: `StormerVerlet` evaluates one force, `BlanesMoan4` six, `BlanesMoanSrkn14a` fourteen. See [which method](super::_03_which_method).
 //!
-//! For planets, T is the shortest orbital period: take h ≤ T/8 with [methods of Wisdom and Holman](super::_09_planets). On an eccentric orbit, T is
-//! 2π r/v with distance r and speed v at the perihelion: take h ≤ T/10. (Asteroids and Jupiter, 200 orbits: errors below 3e-5 AU.)
-//! Under `system.adaptive(method, tolerance, state)` and `system.taylor(Taylor { tolerance }, state)` the run chooses the step size. Divide the
-//! tolerance by 10 and compare.
+//! For planets, T is the shortest orbital period, and on an eccentric orbit 2π r/v with distance r and speed v at the perihelion. The steps of
+//! [methods for planets](super::_09_planets) are at most T/8. Under `system.adaptive(method, tolerance, state)` and `system.taylor(Taylor { tolerance
+//! }, state)` the run chooses the step size. The tolerance is relative to the largest size of each coordinate so far. Divide it by 10 and compare.
+//! `longest_step(h)` and `steps_between(a, b)` bound the steps.
 //! # Where a run stops
 //! | call | fixed steps | adaptive and Taylor |
 //! |---|---|---|
@@ -68,7 +68,6 @@
 //! }
 //! # Ok::<(), StepError>(())
 //! ```
-//!
 //! # Many runs, many steps
 //! Systems and states are `Copy`. Runs are `Clone`, `Send` and `Sync`. With the crate `rayon`, a parameter sweep is one parallel iterator:
 //!
@@ -81,8 +80,9 @@
 //!
 //! `.integrator(…).compensated()` carries the rounding errors of sums to the next step. In a million steps of 0.001, `BlanesMoanSrkn14a` changed the
 //! energy of a pendulum by 1.8·10⁻¹³ with plain sums, and by less than 10⁻¹⁵ with compensated sums. Adaptive and Taylor runs always compensate.
-//!
 //! # A method chosen by name, saved and resumed
+//! Every run has `saved()` and `resume(&saved)` of [`Resumable`](crate::running::Resumable). [`Named`](crate::running::Named) chooses a method by its
+//! name:
 //! ```
 //! use geoint_runtime::{method::catalogue, prelude::*, running::{DynTrajectory, Named}};
 //! # #[hamiltonian]
@@ -109,11 +109,11 @@
 //! # Ok::<(), StepError>(())
 //! ```
 //!
-//! The compiler builds every method of each [catalogue](crate::method::catalogue): list few. Four catalogues for a pendulum took 48 s to compile.
-//! `method.name()` returns the name of a method: `Gauss::<3>` is `Gauss<3>`, `Suzuki4.of(RK4)` is `Suzuki4 of RK4`. [`Named`](crate::running::Named) has fixed steps only. [`Saved`](crate::running::Saved) implements
-//! `Serialize` and `Deserialize` with the feature `serde`. [`resume`](crate::running::Resumable::resume) takes time, state, fixed step size and the
-//! method's history from the saved run. The new run determines parameters, tolerances and the limits set by
-//! `longest_step`, `steps_between` and `steps_at_most`.
+//! The compiler builds every method of each [catalogue](crate::method::catalogue). Four catalogues for a pendulum took 48 s to compile.
+//! `method.name()` returns the name of a method: `Gauss::<3>` is `Gauss<3>`, `Suzuki4.of(RK4)` is `Suzuki4 of RK4`. `Named` has fixed steps only.
+//! [`Saved`](crate::running::Saved) implements `Serialize` and `Deserialize` with the feature `serde`. [`resume`](crate::running::Resumable::resume)
+//! takes time, state, fixed step size and the method's history from the saved run. Parameters, tolerances and bounds of steps are not saved: set them
+//! in the new run.
 //!
 //! A failed step returns a [`StepError`](crate::StepError); the run keeps its last good state. Call `set_step_size` with a smaller step and continue.
 //!

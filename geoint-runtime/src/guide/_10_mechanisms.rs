@@ -24,7 +24,7 @@
 //! for _ in 0..1000 {
 //!     let before = sim.state();
 //!     let torque = -2.0 * (before.q[1] - before.q[0] - 0.5) - 0.3 * (sim.velocity()[1] - sim.velocity()[0]);
-//!     sim.set_system(Arm { torque, ..*sim.system() }); // held during the step
+//!     sim.set_system(Arm { torque, ..*sim.system() }); // held until the next call
 //!     sim.step()?;
 //!     let rate = [0, 1].map(|i| (sim.state().q[i] - before.q[i]) / h);
 //!     work += h * torque * (rate[1] - rate[0]);
@@ -40,12 +40,12 @@
 //! - `set_system` changes parameters between steps. A feedback law of q and v may also stand in `force` itself.
 //!
 //! # Friction and motors
-//!
 //! `force = F(q, v, t)` is added to p', one entry for each coordinate. `rayleigh = R(q, v, t)` adds the friction force −∂R/∂v. A motor between two
-//! links has F = [−τ, τ] if the angles are absolute. Viscous friction in this joint has R = c w²/2 with w = v₁ − v₀. Dry friction with the torque c
-//! has R = c √(w² + ε²). Take ε = 1e-3 rad/s: a joint under a load f < c then creeps at ε f/√(c² − f²). A step in which R feeds energy is refused.
-//! Let v̄ = (qₙ₊₁ − qₙ)/h. A step of [`DiscreteGradient`](crate::DiscreteGradient) changes the energy by exactly h v̄·F − h v̄·∂R/∂v. Both forces
-//! are taken at v̄ and at the midpoints of q and t. The mean of the velocities at both ends is not v̄.
+//! links has F = [−τ, τ] if the angles are absolute, and its own entry if they are relative. A motor at the base has F = [τ, 0]. Viscous friction in
+//! this joint has R = c w²/2 with w = v₁ − v₀. Dry friction with the torque c has R = c √(w² + ε²). Take ε = 1e-3 rad/s: a joint under a load f < c
+//! then creeps at ε f/√(c² − f²). A step in which R adds energy returns `OutsideDomain`. Let v̄ = (qₙ₊₁ − qₙ)/h. A step of
+//! [`DiscreteGradient`](crate::DiscreteGradient) changes the energy by exactly h v̄·F − h v̄·∂R/∂v. Both forces are taken at v̄ and at the midpoints
+//! of q and t. Compute the work with v̄, as above, and not with `sim.velocity()`.
 //!
 //! # Bars and closed chains
 //!
@@ -75,19 +75,19 @@
 //! ```
 //!
 //! - **Methods.** [`Rattle`](crate::Rattle) is symplectic, `DiscreteGradient` keeps the energy, `Suzuki4.of(…)` of them has order 4. They keep the
-//!   bars to rounding, and accept `rayleigh` with R quadratic in v. No other methods exist.
-//! - **Drives.** `force` does not compile with constraints. Add the potential of a torque: here `+ torque * q[1].atan2(q[0])` in L. H contains
-//!   it. Change `torque` by `set_system`. For a prescribed angle of t, tie the end of the crank by a stiff spring to a point that moves with t.
+//!   bars to rounding, and accept `rayleigh` with R quadratic in v. No other methods work with constraints.
+//! - **Drives.** `force` does not compile with constraints. Add the potential of a torque: here `+ torque * q[1].atan2(q[0])` in L. H contains it. At
+//!   ±π the angle jumps by 2π, and `sim.energy()` by 2π·torque: this is the work of one turn. The motion does not jump. Change `torque` by
+//!   `set_system`. For a prescribed angle, tie the crank by a stiff spring to a point that moves with t.
 //! - **Momenta.** After a step of `DiscreteGradient` they are off by O(h²): `sim.state_on_constraint()?` returns a state without this error.
-//!   After `set_system` the next step checks positions only. If bars change their lengths, set a state on the new constraints first.
+//!   After `set_system` the next step checks positions, not velocities. If a bar changes its length, set a state on the new constraints first.
 //!
 //! # Kinds of Lagrangians
-//!
 //! | L | methods |
 //! |---|---|
 //! | quadratic in v, constant mass matrix | all methods for H = T(p) + V(q) |
-//! | quadratic in v, M(q) couples at most two velocities | methods that need no split: `DiscreteGradient`, `Gauss`, `RK4`, Taylor series |
-//! | *arms*: quadratic in v, M(q) couples three or more | `DiscreteGradient`, [`Gauss`](crate::Gauss), `RK4`, `DOP853`; no Taylor series |
+//! | quadratic in v, M(q) couples at most two velocities (two links) | methods that need no splitting: `DiscreteGradient`, `Gauss`, `RK4`, Taylor series |
+//! | *arms*: quadratic in v, M(q) couples three or more (M = ∂²L/∂v²) | `DiscreteGradient`, [`Gauss`](crate::Gauss), `RK4`, `DOP853`; no Taylor series |
 //! | A√(S + v·Cv), A\|v\|ⁿ, A eᵛ, A ln v, A cosh v: relativity, optics | all methods for the derived H, often T(p) + V(q) |
 //! | any other function of v | `Gauss`, `RK4`, `DOP853` |
 //! | linear in v: L = ϑ(q)·v − H(q) | first-order equations with [`FlowState`](crate::FlowState); methods of [fields](super::_11_fields) |
@@ -108,13 +108,13 @@
 //! ```
 //!
 //! # Errors and limits
-//!
-//! - A mass matrix that is singular at every state is a compile error. The message names a motion without inertia.
+//! - A mass matrix that is singular at every state is a compile error. The message names a velocity without kinetic energy.
 //! - A singular mass matrix on the way of a step, as at the pole of spherical angles: [`OutsideDomain`](crate::StepError::OutsideDomain).
 //! - A start off a constraint: [`OffConstraint`](crate::StepError::OffConstraint). `state_on_constraint` returns the nearest valid state.
-//! - Bars in one line, with two possible motions: [`DependentConstraints`](crate::StepError::DependentConstraints) or `Singular`.
-//! - A velocity outside the domain of L, such as v > c, or with the same momentum as another one: [`NoMomentum`](crate::StepError::NoMomentum).
-//! - Constraints depend on q and parameters only, not on t. They exclude `force`, adaptive runs and explicit methods.
-//! - Put a prescribed motion into L as a function of `t`. Write rolling without slip as a [`#[vector_field]`](super::_11_fields) with multipliers.
+//! - A dead point, where all bars lie in one line and two motions are possible: [`DependentConstraints`](crate::StepError::DependentConstraints) or
+//!   `Singular`.
+//! - A velocity outside the domain of L, such as v > c, or one that its momentum does not determine: [`NoMomentum`](crate::StepError::NoMomentum).
+//! - Constraints depend on q and parameters only, not on t. With constraints, `force`, adaptive runs and explicit methods do not compile.
+//! - In an open chain, put a prescribed motion q(t) into L. Write rolling without slip as a [`#[vector_field]`](super::_11_fields) with multipliers.
 //!
 //! Next: [fields with integrals and rigid bodies](super::_11_fields), [events](super::_12_events), [games and real time](super::_13_real_time).

@@ -1,6 +1,7 @@
-//! Integrate a differential equation x' = f(x) and keep its first integrals exactly, up to rounding.
+//! Integrate equations x' = f(x) with first integrals, energies with a bracket, and rigid bodies with an attitude.
 //!
-//! Name the integrals in the attribute. The compiler proves f·∇I = 0 for each integral I.
+//! This program keeps two first integrals exactly, up to rounding. Name the integrals in the attribute. The compiler proves f·∇I = 0 for each
+//! integral I.
 //!
 //! ```
 //! use geoint_runtime::prelude::*;
@@ -22,15 +23,15 @@
 //! # Ok::<(), StepError>(())
 //! ```
 //!
-//! - The state is a [`FlowState`](crate::FlowState) with the fields `t` and `x`. The field may read `t`.
-//! - `sim.integrals()` returns the named integrals in their order. An integral with the name `energy` is also `sim.energy()`.
+//! - The state is a [`FlowState`](crate::FlowState) with the fields `t` and `x`. The field may read `t`. `sim.integrals()` returns the named
+//!   integrals; an integral with the name `energy` is also `sim.energy()`.
 //! - [`DiscreteGradient`](crate::DiscreteGradient) has order 2 and keeps all named integrals. `FourthOrder(DiscreteGradient)` has order 4.
 //! - `Projection(DOP853, Integrals)` keeps all integrals that do not depend on `t`, by explicit steps.
-//! - `keeps(name = I, but = [b₁, b₂, …])` names a part b(x) of the field that changes I. A step changes I by exactly the work of b.
+//! - `keeps(name = I, but = [b₁, b₂, …])` names a part b(x) of the field that changes I: for the top with a torque u about the first axis,
+//!   `but = [u / a, 0.0, 0.0]`. A step changes I by exactly the work of b.
 //! - Without integrals there are [`RK4`](crate::RK4), [`DOP853`](crate::DOP853), [`Gauss`](crate::Gauss) and Taylor series.
 //!
 //! # An energy on another phase space: x' = S(x) ∇H(x)
-//!
 //! Give a skew matrix S and the energy. Point vortices, predator and prey, and rigid bodies have this form.
 //!
 //! ```
@@ -56,8 +57,9 @@
 //! # Ok::<(), StepError>(())
 //! ```
 //!
-//! `structure` is a matrix, a closure of i < j, or a name: `so3` (x' = x × ∇H), `se3` (heavy top, x = (m, γ)), `nambu(C)` (x' = ∇C × ∇H),
-//! `canonical`. The report states whether S is a Poisson structure. It lists the Casimirs: functions C with S ∇C = 0, constant for every H.
+//! `structure` is a matrix, a closure that returns the entries above the diagonal, or a name: `so3` (x' = x × ∇H), `se3` (heavy top, x = (m, γ)),
+//! `nambu(C)` (x' = ∇C × ∇H), `canonical`. The report states whether S is a Poisson structure. It lists the Casimirs: functions C with S ∇C = 0,
+//! constant for every H.
 //!
 //! | method | order | keeps |
 //! |---|---|---|
@@ -65,7 +67,6 @@
 //! | [`PoissonSplitting`](crate::PoissonSplitting) | 2 | the Poisson structure and Casimirs, to rounding; explicit |
 //! | [`PlanarSplitting`](crate::PlanarSplitting) | 2 | H, to rounding; one plane of two coordinates at a time |
 //! | `Suzuki4.of(…)` and other compositions of these | 4 to 10 | the same as the composed method |
-//!
 //! # Rigid bodies with an attitude
 //! `attitude = r` makes r a unit quaternion from body to space, and m the angular momentum in the body frame:
 //!
@@ -76,17 +77,19 @@
 //! fn top(r: UnitQuaternion<f64>, m: Vector3<f64>, inertia: [f64; 3], c: Vector3<f64>) -> f64 {
 //!     (m.x * m.x / inertia[0] + m.y * m.y / inertia[1] + m.z * m.z / inertia[2]) / 2.0 + (r * c).z
 //! }
-//! let system = Top { inertia: [1.0, 2.0, 3.0], c: Vector3::new(0.3, -0.2, 0.7) };
-//! let mut sim = system.integrator(BlanesMoanSrkn14a, 0.25, BodyState::new(UnitQuaternion::identity(), Vector3::new(0.5, 1.6, -1.2)));
+//! let (system, m) = (Top { inertia: [1.0, 2.0, 3.0], c: Vector3::new(0.3, -0.2, 0.7) }, Vector3::new(0.5, 1.6, -1.2));
+//! let mut sim = system.integrator(BlanesMoanSrkn14a, 0.25, BodyState::new(UnitQuaternion::identity(), m));
 //! let energy = sim.energy();
 //! sim.advance(1000)?;
 //! assert!((sim.energy() - energy).abs() < 1e-9);
 //! # Ok::<(), StepError>(())
 //! ```
 //!
-//! The energy must be T(m) + V(r, t) with T quadratic in m. Methods: tables of kicks and drifts (`StormerVerlet`, `BlanesMoanSrkn14a`, `Chin4A`),
-//! [`FiveRotations`](crate::FiveRotations) (order 2, costs less than the exact free rotation), `RK4`, `DOP853`, and adaptive runs. Implicit
-//! methods and Taylor series do not compile. `f32` works with `UnitQuaternion<f32>`. A moving body has a centre q and its momentum p, both in space:
+//! The energy must be T(m) + V(r, t) with T quadratic in m. Methods: kicks and drifts (`StormerVerlet`, `BlanesMoanSrkn14a`, `Chin4A`),
+//! [`FiveRotations`](crate::FiveRotations) (order 2, cheaper than `StormerVerlet`), `RK4`, `DOP853`, and adaptive runs. All keep r at length 1.
+//! Implicit methods and Taylor series do not compile. `sim.state().r` is the attitude, `.m` the angular momentum; ω = (m.x/I₁, m.y/I₂, m.z/I₃).
+//! `force` and `damping` do not compile: for wheels and thrusters write all seven equations as a `#[vector_field]`. A moving body has a centre q and
+//! its momentum p, both in space; all in `f32`:
 //!
 //! ```
 //! # use geoint_runtime::{nalgebra::{UnitQuaternion, Vector3}, prelude::*};
@@ -95,7 +98,7 @@
 //!     (p.norm_squared() / mass + m.norm_squared() / i + k * (q + r * d).norm_squared()) / 2.0
 //! }
 //! let system = Stone { mass: 1.0, i: 0.2, d: Vector3::new(0.1, 0.0, 0.2), k: 10.0 };
-//! let start = BodyState::new(UnitQuaternion::identity(), Vector3::new(0.1, 0.2, -0.1)).with_centres(Vector3::x(), Vector3::y());
+//! let start = BodyState::new(UnitQuaternion::identity(), Vector3::new(0.1, 0.2, -0.1)).with_centres(Vector3::x(), Vector3::y()); // q, p
 //! let mut sim = system.integrator(StormerVerlet, 1.0 / 120.0, start);
 //! let energy = sim.energy();
 //! sim.advance(1200)?;
@@ -105,16 +108,13 @@
 //!
 //! # The report of a field
 //! `EulerTop::REPORT` lists the divergence of f, a matrix S if one was found, the proof of each integral, and integrals that were found but not
-//! named. A canonical field, q' = ∂H/∂p and p' = −∂H/∂q, receives its H, and `sim.energy()` returns H.
-//! Write `Name::REPORT`: `Name::<f64>::REPORT` does not compile for systems without parameters.
+//! named. If the field is canonical, q' = ∂H/∂p and p' = −∂H/∂q, the macro finds H for `sim.energy()`.
 //!
 //! # Errors and limits
-//!
 //! - A function that is not constant is a compile error. The message shows the remainder of f·∇I, for instance `2·x[0]·x[1]·x[2]·b − …`.
 //! - A true integral without a proof is a compile error, too. `keeps(assume(name = I))` accepts it, and the report marks it as assumed.
-//! - Dependent gradients, as on a circular orbit, give [`Singular`](crate::StepError::Singular). Use `Projection(RK4, Integrals)`.
-//! - Other refusals: [`Rounded`](crate::StepError::Rounded) (rounding changes an integral), [`Turned`](crate::StepError::Turned) (an angle moves
-//!   by more than half a turn), [`LedAstray`](crate::StepError::LedAstray) (the projection exceeds half of the step).
-//! - Choose units in which all coordinates have similar magnitudes. The correction of a step depends on the units.
+//! - Parallel gradients of two integrals, as in a rotation about a principal axis or on a circular orbit, give
+//!   [`Singular`](crate::StepError::Singular). Use `Projection(RK4, Integrals)`.
+//! - Other refusals: `Rounded`, `Turned`, `LedAstray`. See [errors and remedies](super::_16_errors).
 //!
 //! Next: [events](super::_12_events), [evidence](super::_17_evidence), [limits](super::_18_limits).

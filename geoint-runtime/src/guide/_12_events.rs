@@ -29,11 +29,12 @@
 //! - `Direction::Up` selects changes from negative to positive, `Down` from positive to negative, and `Any` both.
 //! - `g` may return an array such as `[state.q, state.p]`. `impact.which` is then the index of the function, and `impact.rises` its direction.
 //! - [`set_state`](crate::Dense::set_state) continues from another state. Set the position exactly onto the ground, as above.
-//! - Directly after an event or `set_state`, a search ignores the event at its own start: a value of `g` within the rounding of time.
+//! - A search that starts at an event does not report this event again: it ignores a value of `g` within rounding at its start.
 //!
 //! **A ball that comes to rest** has infinitely many impacts in a finite time. Directly after an impact, a run with fixed steps misses the next one
-//! if it follows within about 10⁻⁶ of a step, and the ball falls through the ground. In `f32` the limit grows with time: 2·10⁻⁴ of a step after
-//! 200 steps, and a tenth of a step after 10⁵ steps. A Taylor run finds ever shorter bounces without end. Choose a speed below which the ball lies down.
+//! if it follows within about 10⁻⁶ of a step, and the ball falls through the ground. In `f32` the limit grows with time: 2·10⁻⁴ of a step after 200
+//! steps, and a tenth of a step after 10⁵ steps. A Taylor run never ends: it finds ever shorter bounces. Choose a speed below which the ball lies
+//! down.
 //!
 //! # A Poincaré section
 //!
@@ -59,8 +60,9 @@
 //! # Ok::<(), StepError>(())
 //! ```
 //!
-//! The restricted three-body problem couples q and p. In the rotating frame, the momenta are x' − y and y' + x. At the first 100
-//! crossings, a Taylor run keeps the energy H of that frame to 10⁻¹⁴, and `KahanLi8_17a.of(PieceSplitting)` with h = 0.02 keeps H to 2·10⁻¹³:
+//! The restricted three-body problem couples q and p. In the rotating frame, the momenta are x' − y and y' + x. At the first 100 crossings, a Taylor
+//! run keeps the energy H of that frame (the Jacobi constant is −2H) to 10⁻¹⁴, and `KahanLi8_17a.of(PieceSplitting)` with h = 0.02 keeps H to
+//! 2·10⁻¹³:
 //!
 //! ```
 //! # use geoint_runtime::prelude::*;
@@ -78,7 +80,6 @@
 //! ```
 //!
 //! # States at given times
-//!
 //! Output changes no step. A run with steps of 0.3 passes the last sample, because a step ends only every 0.3:
 //!
 //! ```
@@ -101,19 +102,18 @@
 //! | [`sampled_every(dt)`](crate::Dense::sampled_every) | states at t₀, t₀ + dt, t₀ + 2 dt, …, without end: use `take` |
 //! | [`sampled_at(times)`](crate::Dense::sampled_at) | states at the given times, in order |
 //! | `.interpolated()` behind either call | one polynomial per step: cheaper for many states per step; invariants are not kept to rounding |
-//! | [`at(t)`](crate::Dense::at) | the state within the next step (Taylor runs: the last step), or `None` |
+//! | [`at(t)`](crate::Dense::at) | the state at a time within the next step (Taylor runs: within the last step), or `None` |
 //!
 //! A state between steps comes from a shorter step of the same method and has the order of the method. Taylor runs evaluate the step's polynomial.
-//!
 //! # Which events are found
 //! | run | two zeros within one step |
 //! |---|---|
-//! | fixed steps, adaptive | found if a parabola through three values of `g` comes nearer to zero than 1/4 of its smaller end value |
+//! | fixed steps, adaptive | found if `g` comes near zero between the ends: a parabola through three values shows where, and the search follows it |
 //! | Taylor | all zeros of the polynomial of `g` are found |
 //!
 //! - An oscillator with 20 fixed steps a period and two zeros 10⁻⁴ of a step apart: 199 of 200 such pairs were found.
 //! - If `g` oscillates faster than the steps, use shorter steps or a Taylor run. For `sin(40 q)`, q must change by less than π/40 in a step.
-//! - In a Taylor run, `g` computes with power series in place of numbers: `+ − × ÷` and functions such as `sin`.
+//! - In a Taylor run, `g` computes with power series in place of numbers: `+ − × ÷`, `sqrt`, `sin` and others, but no `norm`, `if` or comparison.
 //! - Poles of `g` are no events. A `g` that is not finite, or is zero for more than a step, is the error [`NoEvent`](crate::StepError::NoEvent).
 //! - A condition inside the energy (`if`, `abs`, `min`) needs no event: see [the language of energies](super::_04_language).
 //!

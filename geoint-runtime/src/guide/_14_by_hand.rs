@@ -24,13 +24,13 @@
 //! impl PhaseSpace for Cluster {
 //!     type State = State<X>;
 //!     type Phase = [X; 2]; // q and p.
-//!     type Action = ();
+//!     type Action = (); // Another type only in contact systems.
 //!     fn hamiltonian(&self, _t: f64, [q, p]: &[X; 2], _: &()) -> f64 {
 //!         let mut energy = (0..self.n).map(|i| p[i].map(|p| p * p / (2.0 * self.m[i])).iter().sum::<f64>()).sum();
 //!         self.pairs(q, |i, j, _, r2| energy -= self.m[i] * self.m[j] / r2.sqrt());
 //!         energy
 //!     }
-//!     fn outside_domain(&self, _t: f64, _z: &[X; 2], _: &()) -> Option<&'static str> { None }
+//!     fn outside_domain(&self, _t: f64, _z: &[X; 2], _: &()) -> Option<&'static str> { None } // Or a text, if H is not defined.
 //! }
 //! impl Cotangent for Cluster { type Coordinates = X; type Array = X; }
 //! impl QuadraticKinetic for Cluster { type Proof = (); } // The author vouches for a quadratic T.
@@ -66,17 +66,17 @@
 //! ```
 //!
 //! The program compiles in a second. With 100 bodies, a step of `StormerVerlet` takes about 23 µs (one core, release build). For one coordinate write
-//! `State<f64>`, `Phase = [[f64; 1]; 2]`, `Coordinates = f64` and `Array = [f64; 1]`.
+//! `State<f64>`, `Phase = [[f64; 1]; 2]`, `Coordinates = f64` and `Array = [f64; 1]`. For `f32` write `impl PhaseSpace<f32> for …` and so on.
 //!
-//! - These traits give all splitting and Nyström tables, compositions, `energy`, `until`, events, saved runs and [`Trajectory`](crate::Trajectory).
+//! - These traits give all methods of kicks and drifts (`StormerVerlet`, `BlanesMoan6`, …), `energy`, `until`, events and saved runs.
 //! - With [`VectorField`](crate::system::VectorField) also adaptive steps, [`RK4`](crate::RK4) and [`DOP853`](crate::DOP853) work.
-//! - `REPORT`, [`DiscreteGradient`](crate::DiscreteGradient), [`Gauss`](crate::Gauss), Taylor series and checks of poles do not exist.
-//! - Nothing checks that `kick` fits `hamiltonian`. Test it: half the step divides the error of the energy by `StormerVerlet` by four.
+//! - `REPORT`, [`DiscreteGradient`](crate::DiscreteGradient), [`Gauss`](crate::Gauss), Taylor series and errors at poles do not exist.
+//! - Nothing checks that `kick` fits `hamiltonian`. Test it: with `StormerVerlet` and half the step, the error of the energy is a quarter.
 //!
 //! # Tables, and functions of other crates
-//!
 //! An attribute can not look up a table. Write the table as a natural cubic spline, V(q) = a + b q + Σ cᵢ max(q − xᵢ, 0)³. The line a + b q continues
-//! the spline to the left, and 6 cᵢ is the jump of its third derivative at the knot xᵢ. Replace a function of another crate by an approximation:
+//! the spline to the left. A spline routine returns the second derivatives Mᵢ at the knots; then cᵢ = (sᵢ − sᵢ₋₁)/6 with sᵢ = (Mᵢ₊₁ − Mᵢ)/(xᵢ₊₁ −
+//! xᵢ), and s = 0 outside. Replace a function of another crate by an approximation:
 //!
 //! ```
 //! # use geoint_runtime::prelude::*;
@@ -107,7 +107,7 @@
 //! # Many copies of a small system
 //! Runs are independent values and can move to other threads, for instance by `par_iter` of the crate rayon. Explicit methods are twice as fast if
 //! one energy holds 32 copies: 10 ns instead of 21 ns a step and copy by `StormerVerlet`, 143 ns instead of 297 ns by `BlanesMoanSrkn14a`.
-//! `DiscreteGradient` is slower then, 72 ns instead of 48 ns. An error in one copy stops all copies.
+//! `DiscreteGradient` is slower then, 72 ns instead of 48 ns. An error or an event in one copy stops all.
 //!
 //! ```
 //! # use geoint_runtime::prelude::*;

@@ -17,7 +17,7 @@
 //! ```
 //! **so Runge–Kutta–Nyström tables, and those with force gradients, would lose their order; use a table for every separable energy**
 //!
-//! Names such as `BlanesMoanSrkn14a` are for a kinetic energy that is quadratic in p, with constant masses. Others split every T(p) + V(q).
+//! Methods with `Srkn` in the name need a kinetic energy that is quadratic in p, with constant masses. Others take every T(p) + V(q).
 //! ```
 //! # use geoint_runtime::prelude::*;
 //! #[hamiltonian]
@@ -105,15 +105,16 @@
 //! | error | meaning | remedy |
 //! |---|---|---|
 //! | `InvalidParameter` | a parameter of the system is not a number | set it; the message has its name |
-//! | `NonFiniteState`, `InvalidStepSize` | the given state or step is not a finite number | check the input |
-//! | `NoMomentum` | the velocities belong to no momentum | use `system.at(q, v)`; see [mechanisms](super::_10_mechanisms) |
+//! | `NonFiniteState`, `InvalidStepSize`, `NotNormalised`, … | an input is not finite, or a quaternion not of length 1 | check it; `r.renormalize()` |
+//! | `NoMomentum` | the velocities have no momenta, for instance v > c | choose v inside the domain of L; see [mechanisms](super::_10_mechanisms) |
 //! | `OffConstraint` | the state does not satisfy a constraint | start from `system.state_on_constraint(…)` |
-//! | `OutsideDomain` | a root, logarithm or pole lies on the way | shorten the step; the message has the term |
-//! | `NonFinite`, `NotConverged`, `Singular` | the step is too long for its equation | shorten the step |
-//! | `LedAstray`, `Rounded` | the step has lost the invariants, or their digits | shorten the step |
-//! | `Turned` | an angle moves by more than half a turn in a step | shorten the step |
-//! | `OutOfRange` | the energy underflows or overflows | take other units, or `f64` |
-//! | `StepTooSmall` | an adaptive run or a Taylor series cannot go on | its `reason` has the cause: a collision, a jump |
-//! | `TooManySteps` | `steps_at_most` was reached | raise it, or loosen the tolerance |
+//! | `DependentConstraints` | bars lie in one line, and two motions are possible | start elsewhere, or choose other lengths |
+//! | `OutsideDomain`, `Pole` | a root, logarithm, pole or singular mass matrix lies on the way, or friction adds energy | shorten the step; the message has the term |
+//! | `NonFinite`, `NotConverged`, `Unsolved`, `Turned` | the step is too long for its equation | shorten the step |
+//! | `Singular` | the equation has several solutions, or gradients of integrals are parallel | shorten the step, or `Projection(RK4, Integrals)` |
+//! | `LedAstray`, `Rounded` | a correction exceeds half of the step, or rounding changes an invariant | shorten the step; take other units |
+//! | `OutOfRange` | a value is too small or too large for `f32` or `f64` | take other units, or `f64` |
+//! | `StepTooSmall`, `TooManySteps` | an adaptive run or a Taylor series cannot go on | read its `reason`: a collision, a jump; raise `steps_at_most` |
+//! | `NoEvent`, `TimePassed` | `g` is zero all along or not a number; the time lies behind the run | change `g`, or the time |
 //!
 //! Next: [limits](super::_18_limits), [a run in practice](super::_06_runs).
