@@ -10,7 +10,7 @@ use geoint_runtime::Method;
 use geoint_runtime::prelude::*;
 use std::error::Error;
 
-/// q: the first link from below, the second from the first.
+/// `q[0]`: angle of the first link from hanging. `q[1]`: angle of the second link from the direction of the first. L is T − V of each link.
 #[lagrangian]
 fn acrobot(q: [f64; 2], v: [f64; 2], g: f64) -> f64 {
     let (a, b) = (q[0], q[0] + q[1]);
@@ -21,13 +21,14 @@ fn acrobot(q: [f64; 2], v: [f64; 2], g: f64) -> f64 {
 }
 
 const SYSTEM: Acrobot = Acrobot { g: 9.8 };
-const H: f64 = 0.2;
+/// In s, as in Gymnasium.
+const STEP: f64 = 0.2;
 const STARTS: [[f64; 2]; 2] = [[1.0, 0.0], [2.0, 0.5]];
 
 fn main() -> Result<(), Box<dyn Error>> {
     let rest = SYSTEM.energy(&SYSTEM.at([0.0; 2], [0.0; 2]));
     let mut rows = vec![];
-    let mut strayed = vec![];
+    let mut errors_by_start = vec![];
     for start in STARTS {
         let above = SYSTEM.energy(&SYSTEM.at(start, [0.0; 2])) - rest;
         let errors = [largest(&run(RK4, start)?), largest(&run(DiscreteGradient, start)?)];
@@ -37,15 +38,15 @@ fn main() -> Result<(), Box<dyn Error>> {
             format!("{:.1e}", errors[0]),
             format!("{:.1e}", errors[1]),
         ]);
-        strayed.push((above, errors));
+        errors_by_start.push((above, errors));
     }
     println!("{}", table(["start", "energy above rest", "RK4 is off by", "discrete gradient"], &rows));
 
-    let paths =
+    let path_errors =
         [0.1, 0.05, 0.025].map(|h| end(DiscreteGradient, h).and_then(|q| Ok(distance(q, end(Gauss::<4>, 0.01)?))));
-    let [whole, half, quarter] = paths;
+    let [whole, half, quarter] = path_errors;
     let orders = [order(whole?, half?), order(half?, quarter?)];
-    let [(low, [slow, _]), (high, [fast, _])] = strayed[..] else { return Err("two starts".into()) };
+    let [(low, [slow, _]), (high, [fast, _])] = errors_by_start[..] else { return Err("two starts".into()) };
     // The second motion is chaotic: its path and the error of RK4 depend on rounding.
     claim("RK4 is off by 0.7 of 9.0, and by a quarter to a half of 29.6, within 100 s", {
         (slow - 0.7).abs() < 0.05
@@ -55,7 +56,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             && (high - 29.6).abs() < 0.1
     })?;
     claim("the discrete gradient keeps the energy to 1e-12 and 1e-11", {
-        strayed[0].1[1] < 1e-12 && strayed[1].1[1] < 1e-11
+        errors_by_start[0].1[1] < 1e-12 && errors_by_start[1].1[1] < 1e-11
     })?;
     claim("its path is of order 2", orders.iter().all(|order| (order - 2.0).abs() < 0.1))?;
     println!();
@@ -64,7 +65,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// Returns times up to 100 s, each with the change of the energy since the start.
 fn run<M: Method<Acrobot>>(method: M, start: [f64; 2]) -> Result<Vec<(f64, f64)>, StepError> {
-    let mut sim = SYSTEM.integrator(method, H, SYSTEM.at(start, [0.0; 2]));
+    let mut sim = SYSTEM.integrator(method, STEP, SYSTEM.at(start, [0.0; 2]));
     let before = sim.energy();
     let mut samples = vec![];
     for _ in 0..500 {

@@ -1,8 +1,9 @@
-//! How long does a magnetic bottle hold a charge?
+//! Does a magnetic bottle hold a charge, and at which height does the charge turn back?
 //!
 //! The field B = B₀ (1 + z²/L²) along z is stronger at both ends. With A = (−y, x) B(z)/2 the energy is H = |p − A|²/2. The magnetic moment
-//! μ = v⊥²/2B is nearly constant. The charge turns back at the height z with v² = 2μB. Each of the three squares of H is a piece with an
-//! exact flow, so the splitting solves no equation. Implicit methods solve for six unknowns.
+//! μ = v⊥²/2B is nearly constant. The charge turns back at the height z with v² = 2μB, if the field
+//! changes little in one gyration. Each of the three squares of H moves one coordinate at constant speed, so its flow is exact and the splitting
+//! solves no equation. Implicit methods solve for six unknowns. The table compares their times.
 
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, largest, orbit, table};
@@ -11,7 +12,7 @@ use geoint_runtime::{Method, StepError};
 use std::error::Error;
 use std::time::Instant;
 
-/// A charge of unit mass: `b` is its gyration frequency in the middle, `l` where that has doubled.
+/// A charge of unit mass. `b`: gyration frequency at z = 0. `l`: height z at which the frequency is 2b.
 #[hamiltonian]
 fn bottle(q: [f64; 3], p: [f64; 3], b: f64, l: f64) -> f64 {
     let [x, y, z] = q;
@@ -19,12 +20,12 @@ fn bottle(q: [f64; 3], p: [f64; 3], b: f64, l: f64) -> f64 {
     ((p[0] + half * y).powi(2) + (p[1] - half * x).powi(2) + p[2] * p[2]) / 2.0
 }
 
-type Space = State<[f64; 3]>;
+type Charge = State<[f64; 3]>;
 
 /// In rad/s and m.
 const SYSTEM: Bottle = Bottle { b: 10.0, l: 1.0 };
 
-fn start() -> Space {
+fn start() -> Charge {
     State::new([0.02, 0.0, 0.0], [0.0, 0.5, 0.6])
 }
 
@@ -33,21 +34,21 @@ fn field(z: f64) -> f64 {
 }
 
 /// μ = v⊥²/2B.
-fn moment(state: &Space) -> f64 {
+fn moment(state: &Charge) -> f64 {
     let [x, y, z] = state.q;
     let half = field(z) / 2.0;
     ((state.p[0] + half * y).powi(2) + (state.p[1] - half * x).powi(2)) / (2.0 * field(z))
 }
 
 /// Returns the last state of a run, the relative change of the energy, and the time of the computation in s.
-fn run<M: Method<Bottle, f64>>(method: M, h: f64, duration: f64) -> Result<(Space, f64, f64), StepError> {
+fn run<M: Method<Bottle, f64>>(method: M, h: f64, duration: f64) -> Result<(Charge, f64, f64), StepError> {
     let mut sim = SYSTEM.integrator(method, h, start());
     let (energy, clock) = (sim.energy(), Instant::now());
     sim.advance((duration / h).round() as u64)?;
     Ok((sim.state(), sim.energy() / energy - 1.0, clock.elapsed().as_secs_f64()))
 }
 
-fn distance(a: &Space, b: &Space) -> f64 {
+fn distance(a: &Charge, b: &Charge) -> f64 {
     largest((0..3).flat_map(|i| [a.q[i] - b.q[i], a.p[i] - b.p[i]]))
 }
 
@@ -73,7 +74,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let duration = 50.0;
     let (truth, ..) = run(SofroniouSpaletta10_35.of(PieceSplitting), 0.01, duration)?;
-    let row = |name: &str, h: f64, (end, energy, seconds): (Space, f64, f64)| {
+    let row = |name: &str, h: f64, (end, energy, seconds): (Charge, f64, f64)| {
         let error = distance(&end, &truth);
         (
             [
@@ -100,9 +101,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     );
     claim("all come to the same end", runs.iter().all(|(_, error, _)| *error < 1e-4))?;
 
-    let few: Vec<&Space> = long.iter().take_while(|state| state.t <= 14.0).collect();
+    let few: Vec<&Charge> = long.iter().take_while(|state| state.t <= 14.0).collect();
     let path = few.iter().map(|state| (state.q[2], state.q[0])).collect();
-    let along = |of: &dyn Fn(&Space) -> f64| few.iter().map(|state| (state.t, of(state))).collect::<Vec<_>>();
+    let along = |of: &dyn Fn(&Charge) -> f64| few.iter().map(|state| (state.t, of(state))).collect::<Vec<_>>();
     figure(
         "bottle.svg",
         (3, 2),

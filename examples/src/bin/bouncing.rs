@@ -1,7 +1,8 @@
 //! How does a ball come to rest, impact by impact?
 //!
 //! At each impact the ball loses a part of its speed. Between impacts it falls freely. The impact is an event: it ends a step, and the
-//! program changes the state there. A Taylor series finds the impact as the zero of a polynomial; a splitting finds it by a shorter step.
+//! program changes the state there. A Taylor series finds the impact as the zero of a polynomial; a splitting finds it by
+//! shorter steps from the start of the last one.
 
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, table};
@@ -19,7 +20,7 @@ const START: State<f64> = State { t: 0.0, q: 2.0, p: 0.0 };
 /// Coefficient of restitution: the speed after an impact over the speed before it.
 const RESTITUTION: f64 = 0.85;
 const IMPACTS: usize = 12;
-/// A ball with shorter flights is at rest, in s. Without this limit the number of impacts in a finite time is infinite.
+/// Shortest flight in s. A ball whose next flight is shorter counts as at rest; otherwise it has infinitely many impacts in a finite time.
 const SHORTEST: f64 = 1e-3;
 
 /// Times of impacts, each with the energy after the impact.
@@ -82,7 +83,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     claim("times are right to 10⁻¹⁴ by series, and energies to 10⁻¹³", {
         error(&series, |impact| impact.0) < 1e-14 && error(&series, |impact| impact.1) < 1e-13
     })?;
-    claim("Störmer–Verlet falls exactly, so that its impacts are as good: 10⁻¹³", {
+    claim("Störmer–Verlet is exact for free fall, and its times of impact are right to 10⁻¹³", {
         error(&steps, |impact| impact.0) < 1e-13
     })?;
     draw()

@@ -1,8 +1,8 @@
-//! How far is a closed orbit from its start after a hundred thousand periods?
+//! How far does a computed population leave its closed orbit in a hundred thousand periods?
 //!
-//! Predators and prey have an integral with logarithms. It follows from the orbit equation dy/dx = y (b x − c) / (x (a − b y)). The program has
-//! three forms of the system: a field with its integral, an energy with a structure matrix, and, in logarithms, an energy T(p) + V(q). Steps
-//! that keep the integral stay on the orbit. Steps of RK4 leave it, by little in each period.
+//! Prey x and predators y have the integral b x − c ln x + b y − a ln y. It follows from the orbit equation dy/dx = y (b x − c) / (x (a − b y)).
+//! The program has three forms of the system: a field with its integral, an energy with a structure matrix, and, in logarithms, an energy
+//! T(p) + V(q). Steps that keep the integral stay on the orbit. Steps of RK4 leave it slowly: the error grows in proportion to time.
 
 use geoint_examples::plot::{Axis, Curve, Ink, Panel, figure, palette};
 use geoint_examples::{changes, claim, table};
@@ -11,13 +11,13 @@ use geoint_runtime::system::StateOf;
 use geoint_runtime::{Method, PhaseSpace};
 use std::error::Error;
 
-/// x are prey and predators; that f·∇I = 0 is proven when this is compiled.
-#[vector_field(keeps(wealth = b * x[0] - c * x[0].ln() + b * x[1] - a * x[1].ln()))]
+/// x = [prey, predators]. The macro proves at compile time that the integral is constant.
+#[vector_field(keeps(integral = b * x[0] - c * x[0].ln() + b * x[1] - a * x[1].ln()))]
 fn predators(x: [f64; 2], a: f64, b: f64, c: f64) -> [f64; 2] {
     [x[0] * (a - b * x[1]), x[1] * (b * x[0] - c)]
 }
 
-/// The predator–prey system as S(x) ∇H. Its single plane is one piece.
+/// The predator–prey system as S(x) ∇H. It has two coordinates, so `PlanarSplitting` has one plane.
 #[hamiltonian(structure = [[0.0, -x[0] * x[1]], [x[0] * x[1], 0.0]])]
 fn lotka_volterra(x: [f64; 2], a: f64, b: f64, c: f64) -> f64 {
     b * x[0] - c * x[0].ln() + b * x[1] - a * x[1].ln()
@@ -42,17 +42,17 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("{}", Predators::REPORT);
     let start = FlowState::new(START);
     let logs = State::new(START[1].ln(), START[0].ln());
-    let plane = |x: &FlowState<[f64; 2]>| x.x;
+    let prey_and_predators = |x: &FlowState<[f64; 2]>| x.x;
     let runs = [
-        run(FIELD, RK4, start, palette::VERMILION, plane)?,
-        run(FLOW, PlanarSplitting, start, palette::BLUE, plane)?,
-        run(FIELD, FourthOrder(DiscreteGradient), start, palette::GREEN, plane)?,
+        run(FIELD, RK4, start, palette::VERMILION, prey_and_predators)?,
+        run(FLOW, PlanarSplitting, start, palette::BLUE, prey_and_predators)?,
+        run(FIELD, FourthOrder(DiscreteGradient), start, palette::GREEN, prey_and_predators)?,
         run(CANONICAL, BlanesMoan4, logs, palette::BLACK, |x| [x.p.exp(), x.q.exp()])?,
     ];
     println!("{PERIODS} periods of {STEPS} steps: largest change of the integral so far\n");
     println!("{}", table(["method", "1 period", "1000", "100 000"], &runs.each_ref().map(Run::row)));
     let [rk4, planar, fourth, canonical] = &runs;
-    claim("planes and projected steps keep the integral to rounding", {
+    claim("PlanarSplitting and FourthOrder(DiscreteGradient) keep the integral to rounding", {
         [planar, fourth].iter().all(|run| run.after(PERIODS) < 1e-12)
     })?;
     claim("a symplectic method of order 4 has the error after 100 000 periods that it has after 1000", {
@@ -61,7 +61,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     claim("that of RK4 grows like time, and its orbit is another one in the end", {
         (50.0..150.0).contains(&(rk4.after(1000) / rk4.after(10))) && rk4.after(PERIODS) > 0.1
     })?;
-    let outside = |run: &Run| run.last.iter().map(|x| (wealth(*x) - wealth(START)).abs()).fold(0.0, f64::max);
+    let outside = |run: &Run| run.last.iter().map(|x| (integral(*x) - integral(START)).abs()).fold(0.0, f64::max);
     claim("the last period of the planar steps lies on the first orbit", outside(planar) < 1e-12)?;
 
     let mut orbit = vec![START];
@@ -98,8 +98,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     )
 }
 
-fn wealth(x: [f64; 2]) -> f64 {
-    FIELD.wealth(&FlowState::new(x))
+fn integral(x: [f64; 2]) -> f64 {
+    FIELD.integral(&FlowState::new(x))
 }
 
 /// Changes of the integral, and last points, of one method.
@@ -130,7 +130,7 @@ fn run<S: PhaseSpace, M: Method<S>>(
     plane: impl Fn(&StateOf<S, f64>) -> [f64; 2],
 ) -> Result<Run, StepError> {
     let mut sim = Integrator::new(system, method, PERIOD / STEPS as f64, start);
-    let changes = changes(&mut sim, PERIODS * STEPS, |state| [wealth(plane(state))])?;
+    let changes = changes(&mut sim, PERIODS * STEPS, |state| [integral(plane(state))])?;
     let last = sim.sampled(1).take(STEPS as usize).map(|state| state.map(|state| plane(&state)));
     Ok(Run { name: method.name().to_string(), ink, changes, last: last.collect::<Result<_, _>>()? })
 }

@@ -108,13 +108,13 @@
 //! | `NonFiniteState`, `InvalidStepSize`, `NotNormalised`, … | an input is not finite, or a quaternion not of length 1 | check it; `r.renormalize()` |
 //! | `NoMomentum` | the velocities have no momenta, for instance v > c | choose v inside the domain of L; see [mechanisms](super::_10_mechanisms) |
 //! | `OffConstraint` | the state does not satisfy a constraint | start from `system.state_on_constraint(…)` |
-//! | `DependentConstraints` | bars lie in one line, and two motions are possible | start elsewhere, or choose other lengths |
-//! | `OutsideDomain`, `Pole` | a root, logarithm, pole or singular mass matrix lies on the way, or friction adds energy | shorten the step; the message has the term |
+//! | `DependentConstraints` | constraints do not determine the motion: bars in one line | start elsewhere, or choose other lengths |
+//! | `OutsideDomain`, `Pole` | a root, logarithm, pole or singular mass matrix on the way, or friction that adds energy | shorten the step, or correct the friction; the message has the term |
 //! | `NonFinite`, `NotConverged`, `Unsolved`, `Turned` | the step is too long for its equation | shorten the step |
 //! | `Singular` | the equation has several solutions, or gradients of integrals are parallel | shorten the step, or `Projection(RK4, Integrals)` |
 //! | `LedAstray`, `Rounded` | a correction exceeds half of the step, or rounding changes an invariant | shorten the step; take other units |
 //! | `OutOfRange` | a value is too small or too large for `f32` or `f64` | take other units, or `f64` |
 //! | `StepTooSmall`, `TooManySteps` | an adaptive run or a Taylor series cannot go on | read its `reason`: a collision, a jump; raise `steps_at_most` |
-//! | `NoEvent`, `TimePassed` | `g` is zero all along or not a number; the time lies behind the run | change `g`, or the time |
+//! | `NoEvent`, `TimePassed` | the event function is zero all along or not a number; the time lies behind the run | change the function, or the time |
 //!
 //! Next: [limits](super::_18_limits), [a run in practice](super::_06_runs).

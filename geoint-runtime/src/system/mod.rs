@@ -111,7 +111,7 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
     /// velocity has no momentum.
     const OF_VELOCITIES: bool = false;
 
-    /// `true` if v follows from ∂L/∂v = p by an iteration, because no short formula gives H.
+    /// `true` if v follows from ∂L/∂v = p by an iteration, because the macro found no formula for v(p).
     const SOLVED_FOR_VELOCITIES: bool = false;
 
     /// Returns a message if the mass matrix ∂²L/∂v² may be singular on the straight line between two points, each with its time.
@@ -166,7 +166,7 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
     /// `true` if H was proven to be continuous at each condition that reads the state.
     ///
     /// If this is `false`, methods that do not keep the energy search each step for a jump. Methods that keep the energy call
-    /// [`same_sides`](PhaseSpace::same_sides) instead: their equation contains the jump, so only its ends matter. The default is right without conditions.
+    /// [`same_sides`](PhaseSpace::same_sides) instead: the balance of energy in their step includes the jump, so comparing its ends is enough. The default is right without conditions.
     const CONTINUOUS: bool = true;
 
     /// Returns whether each condition of [`JUMPS`](PhaseSpace::JUMPS) has the same value at two points. `t` is the time at which the step
@@ -198,12 +198,12 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
 
     /// `true` if [`angles`](PhaseSpace::angles) visits anything: H reads an angle `atan2(y, x)` of the state.
     ///
-    /// Divided differences of H continue such an angle across its cut. Steps that are projected by them are checked for more than half a
-    /// turn only if the constant is `true`.
+    /// Divided differences of H continue such an angle across its cut. If this is `true`, a projected step is
+    /// refused if such an angle moves by more than half a turn in it.
     const ANGLES: bool = false;
 
-    /// Calls `visit` for each angle `atan2(y, x)` that H reads, always in the same order. The arguments are the formula of the angle and its
-    /// sides y and x at a point.
+    /// Calls `visit` for each angle `atan2(y, x)` that H reads, always in the same order. The arguments are the formula of the angle and
+    /// the two arguments y and x of `atan2` at a point.
     ///
     /// The default is right if [`ANGLES`](PhaseSpace::ANGLES) is `false`.
     fn angles(&self, _t: R, _z: &Self::Phase, _s: &Self::Action, _visit: impl FnMut(&'static str, [R; 2])) {}
@@ -245,8 +245,8 @@ pub trait Cotangent<R: Real = f64>: PhaseSpace<R, Phase = [<Self as Cotangent<R>
 
 /// A differential equation z' = f(z, t).
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no system of `#[hamiltonian]` or `#[vector_field]` without `constraint` and `attitude`",
-    label = "this is for those alone",
+    message = "`{Self}` is no system of `#[hamiltonian]` or `#[vector_field]`, or has a `constraint`, an `attitude` or an action `s`",
+    label = "this method does not fit this kind of system",
     note = "contact systems have `integrator`, with the methods `ContactSplitting`, `Suzuki4.of(ContactSplitting)`, `ContactMidpoint`, \
             `ContactDiscreteGradient`",
     note = "methods that keep a `constraint`: `Rattle`, `DiscreteGradient`",
@@ -263,8 +263,8 @@ pub trait VectorField<R: Real = f64>: PhaseSpace<R, Action = ()> {
 ///
 /// C is the damping matrix, and f are other forces. Both are zero unless the user gives them.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no system of `#[hamiltonian]` without `constraint` and `attitude`",
-    label = "this is for those alone",
+    message = "`{Self}` is no system of `#[hamiltonian]`, or has a `constraint`, an `attitude` or an action `s`",
+    label = "this method does not fit this kind of system",
     note = "contact systems have `integrator`, with the methods `ContactSplitting`, `Suzuki4.of(ContactSplitting)`, `ContactMidpoint`, \
             `ContactDiscreteGradient`",
     note = "methods that keep a `constraint`: `Rattle`, `DiscreteGradient`",

@@ -4,8 +4,8 @@ use crate::page::Page;
 use geoint_verification::sources;
 use std::fs;
 
-/// An example, what it is compared with, and its source; none where it is a formula that stands in the program.
-const SOURCES: &[(&str, &str, &str)] = &[
+/// Name of an example, what it reproduces, and the publication it is compared with. Without a publication the program compares with its own formula.
+const EXAMPLES: &[(&str, &str, &str)] = &[
     ("quickstart", "the energy of a pendulum stays", ""),
     (
         "outer_solar_system",
@@ -15,7 +15,7 @@ const SOURCES: &[(&str, &str, &str)] = &[
     (
         "planets",
         "orbits of the outer planets against DOP853 with short steps",
-        "the same table; J. Wisdom & M. Holman, Astron. J. 102 (1991) 1528",
+        "E. Hairer et al., *Geometric Numerical Integration* (2006), table I.2.2; J. Wisdom & M. Holman, Astron. J. 102 (1991) 1528",
     ),
     (
         "fput",
@@ -24,26 +24,34 @@ const SOURCES: &[(&str, &str, &str)] = &[
     ),
     (
         "mercury",
-        "42.98″ in a century",
+        "the advance of the perihelion of Mercury, 42.98″ in a century",
         "A. M. Nobili & I. W. Roxburgh, *Relativity in Celestial Mechanics and Astrometry* (1986) 105",
     ),
     ("double_pendulum", "observed orders of implicit methods", ""),
-    ("to_rounding", "the figure eight, there and back", "A. Chenciner & R. Montgomery, Ann. Math. 152 (2000) 881"),
-    ("poincare", "three sections", "M. Hénon & C. Heiles, Astron. J. 69 (1964) 73, figures 4 to 6"),
+    (
+        "to_rounding",
+        "three bodies on the figure eight, forwards and back to the start",
+        "A. Chenciner & R. Montgomery, Ann. Math. 152 (2000) 881",
+    ),
+    (
+        "poincare",
+        "Poincaré sections at three energies",
+        "M. Hénon & C. Heiles, Astron. J. 69 (1964) 73, figures 4 to 6",
+    ),
     ("bouncing", "times of impacts, a geometric series", ""),
     (
         "close_encounter",
         "the Pythagorean problem to its ejection",
         "C. Burrau, Astron. Nachr. 195 (1913) 113; V. Szebehely & C. F. Peters, Astron. J. 72 (1967) 876",
     ),
-    ("saddle", "hyperbolas, by schemes with and without a term", ""),
+    ("saddle", "orbits at a saddle, by the complete scheme and by one without a term", ""),
     ("duffing", "a phase portrait with steps of a seventh of an orbit", ""),
-    ("energy_exact", "energy over a million steps", ""),
+    ("energy_exact", "energy kept to rounding over a million steps", ""),
     ("which_discrete_gradient", "orders of seventeen methods", ""),
-    ("damped_duffing", "the balance of friction", ""),
+    ("damped_duffing", "the lost energy is the work of friction", ""),
     (
         "damped_oscillator",
-        "rounding at any step, and order 2 of three pieces",
+        "a splitting that is exact at any step, and a splitting into three pieces of order 2",
         "A. Bravetti et al., Celest. Mech. Dyn. Astr. 132 (2020) 7",
     ),
     (
@@ -68,7 +76,7 @@ const SOURCES: &[(&str, &str, &str)] = &[
     ),
     ("spin_orbit", "sections and a capture", "A. Bravetti et al., Celest. Mech. Dyn. Astr. 132 (2020) 7"),
     ("van_der_pol", "periods of a stiff oscillator", "F. Zadra, A. Bravetti & M. Seri, Mathematics 9 (2021) 1960"),
-    ("cosmological_oscillator", "a sphere and an axis that are kept", ""),
+    ("cosmological_oscillator", "an invariant sphere and an invariant axis", ""),
     (
         "quadratic_dissipation",
         "friction that grows with the action",
@@ -77,15 +85,15 @@ const SOURCES: &[(&str, &str, &str)] = &[
     ("contact_thermostat", "1/H = 1/H₀ + k t", "A. Bravetti & D. Tapias, Phys. Rev. E 93 (2016) 022139"),
     ("gradient_flow", "heights that fall at any step", ""),
     ("heat_bath", "total energy is kept, entropy grows", "M. Grmela & H. C. Öttinger, Phys. Rev. E 56 (1997) 6620"),
-    ("charged_particle", "the drift by an integral over the angle", ""),
-    ("bottle", "the magnetic moment", ""),
+    ("charged_particle", "drift velocity, against an integral over the gyration angle", ""),
+    ("bottle", "height of reflection from the magnetic moment", ""),
     (
         "swinging_spring",
         "bouncing that turns into swinging, and back",
         "A. Vitt & G. Gorelik (1933); P. Lynch, Int. J. Nonlin. Mech. 37 (2002) 345",
     ),
     ("lotka_volterra", "a closed orbit over a hundred thousand periods", "V. Volterra, Nature 118 (1926) 558"),
-    ("euler_top", "polhodes", ""),
+    ("euler_top", "curves of the angular velocity at given energy and momentum", ""),
     (
         "from_field_to_energy",
         "the planar fields of chapters 2 to 4",
@@ -96,21 +104,25 @@ const SOURCES: &[(&str, &str, &str)] = &[
         "four integrals of three tops",
         "S. Kovalevskaya, Acta Math. 12 (1889) 177; D. N. Goryachev (1900), S. A. Chaplygin (1901)",
     ),
-    ("tumbling", "the period 4K(k)/λ", ""),
-    ("vortices", "Love's ratio 3 − 2√2", "A. E. H. Love, Proc. London Math. Soc. 25 (1893) 185"),
+    ("tumbling", "period of a tumbling body, by the elliptic integral K(k)", ""),
+    (
+        "vortices",
+        "two pairs of vortices leap-frog above Love's ratio 3 − 2√2",
+        "A. E. H. Love, Proc. London Math. Soc. 25 (1893) 185",
+    ),
     ("epidemic", "the final size", "W. O. Kermack & A. G. McKendrick, Proc. R. Soc. Lond. A 115 (1927) 700"),
-    ("lagrangian", "a double pendulum", ""),
-    ("rotating_hoop", "cos q = g/(rΩ²)", ""),
+    ("lagrangian", "a double pendulum moves as by its energy", ""),
+    ("rotating_hoop", "equilibrium of a bead, cos q = g/(rΩ²)", ""),
     ("four_bar", "the curve of a coupler", ""),
     ("brachistochrone", "a cycloid", "Joh. Bernoulli, Acta Eruditorum (1697)"),
     ("relativistic", "periods by a quadrature", ""),
-    ("acrobot", "energy that RK4 loses in steps of 0.2 s", "the acrobot of Gymnasium"),
+    ("acrobot", "energy errors of RK4 in steps of 0.2 s", "the acrobot of Gymnasium"),
     ("robot_arm", "the balance of energy of six links", ""),
     ("herglotz", "orders of contact methods", "G. Herglotz (1930)"),
     ("degenerate", "a Lagrangian that is linear in velocities; a guiding centre", ""),
 ];
 
-/// The table of examples, of which each is to have a row.
+/// Writes the table of examples. Fails if a program has no row, or if a figure belongs to no example.
 pub(crate) fn section(page: &mut Page) {
     page.section(
         2,
@@ -125,9 +137,9 @@ pub(crate) fn section(page: &mut Page) {
     let name =
         |path: &str| path.rsplit('/').next().map(|file| file.trim_end_matches(".rs").to_owned()).unwrap_or_default();
     for path in &programs {
-        page.claim(SOURCES.iter().any(|row| row.0 == name(path)), format_args!("{path} has no row"));
+        page.claim(EXAMPLES.iter().any(|row| row.0 == name(path)), format_args!("{path} has no row"));
     }
-    let rows = SOURCES.iter().map(|(example, what, source)| {
+    let rows = EXAMPLES.iter().map(|(example, what, source)| {
         let path = format!("examples/src/bin/{example}.rs");
         let claims = sources::read(&path).matches("claim(").count();
         let mut drawn: Vec<_> = figures.iter().filter(|file| belongs(file, example)).collect();
@@ -139,14 +151,14 @@ pub(crate) fn section(page: &mut Page) {
     });
     let rows: Vec<_> = rows.collect();
     page.table(["example", "reproduces", "source", "figures", "claims"], rows);
-    for file in figures.iter().filter(|file| !SOURCES.iter().any(|row| belongs(file, row.0))) {
+    for file in figures.iter().filter(|file| !EXAMPLES.iter().any(|row| belongs(file, row.0))) {
         page.claim(false, format_args!("the figure {file} belongs to no example"));
     }
 }
 
-/// Whether a figure is drawn by an example: the longest name of an example with which its own begins.
+/// Returns whether a figure belongs to an example: the example with the longest name with which the name of the figure begins.
 fn belongs(file: &str, example: &str) -> bool {
     let stem = file.trim_end_matches(".svg");
     let begins = |name: &str| stem.strip_prefix(name).is_some_and(|rest| rest.is_empty() || rest.starts_with('_'));
-    begins(example) && !SOURCES.iter().any(|row| row.0.len() > example.len() && begins(row.0))
+    begins(example) && !EXAMPLES.iter().any(|row| row.0.len() > example.len() && begins(row.0))
 }

@@ -1,4 +1,4 @@
-//! Discrete gradients along the coordinates: the entry of one is a divided difference of H in it alone.
+//! Discrete gradients whose entry i is the divided difference of H when only coordinate i changes.
 
 use super::energy::{Energy, Slope, Staircase};
 use super::matrix::Matrix;
@@ -11,29 +11,29 @@ use crate::space::vector::{moved, opposite, scaled, sum};
 use crate::space::{Array, Summation};
 use crate::system::{Conservative, DiscreteField, Invariants, KeptBy};
 
-/// x₁ = x₀ + h J g with gᵢ = H\[…, x₁ᵢ₋₁, (x₀ᵢ, x₁ᵢ), x₀ᵢ₊₁, …\], the divided difference in one coordinate after the other:
-/// all of q, then all of p. The energy is kept to rounding for every h.
+/// x₁ = x₀ + h J g with gᵢ = (H(…, x₁ᵢ, x₀ᵢ₊₁, …) − H(…, x₀ᵢ, x₀ᵢ₊₁, …))/(x₁ᵢ − x₀ᵢ), where coordinates before i have their new values: all of q, then
+/// all of p. If H does not read time, every accepted step keeps the energy to rounding.
 ///
-/// Order 1, for every H; order 2 and symmetric where T and V are sums over single coordinates. The momentum of a cyclic
-/// coordinate is kept. T. Itoh & K. Abe, J. Comput. Phys. 76 (1988) 85.
+/// Order 1. Order 2 and symmetric if H = Σ Tᵢ(pᵢ) + Σ Vᵢ(qᵢ). The momentum of a cyclic coordinate is kept. Used in the literature; take
+/// [`DiscreteGradient`](crate::DiscreteGradient) otherwise. T. Itoh & K. Abe, J. Comput. Phys. 76 (1988) 85.
 #[doc(alias("coordinate increment discrete gradient", "Itoh-Abe"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ItohAbe;
 
-/// The adjoint of [`ItohAbe`]: the same from x₁ to x₀.
+/// The adjoint of [`ItohAbe`]: its step from x₁ with −h leads to x₀. Coordinates change in the reverse order.
 ///
-/// Order 1, for every H; keeps the energy to rounding for every h.
+/// Order 1. Keeps the energy as [`ItohAbe`] does.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ItohAbeAdjoint;
 
-/// [`ItohAbe`] for h/2, then [`ItohAbeAdjoint`] for h/2. Order 2, symmetric, for every H; keeps the energy to rounding for every h.
+/// [`ItohAbe`] for h/2, then [`ItohAbeAdjoint`] for h/2. Order 2, symmetric. Keeps the energy as [`ItohAbe`] does.
 ///
-/// Two solves a step, for about a quarter of the error of [`SymmetrisedItohAbe`].
+/// Two equations a step, for about a quarter of the error of [`SymmetrisedItohAbe`] in the example `which_discrete_gradient`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ItohAbePair;
 
-/// The mean of the discrete gradients of [`ItohAbe`] and [`ItohAbeAdjoint`]. Order 2, symmetric, for every H; keeps the energy
-/// to rounding for every h.
+/// The mean of the discrete gradients of [`ItohAbe`] and [`ItohAbeAdjoint`]. Order 2, symmetric. Keeps the
+/// energy as [`ItohAbe`] does.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SymmetrisedItohAbe;
 

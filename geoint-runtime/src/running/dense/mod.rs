@@ -140,7 +140,7 @@ pub trait Dense: Trajectory + Clone {
         g: F,
     ) -> Result<Option<Crossing<Self::State>>, StepError> {
         let start = self.clone();
-        if t.magnitude().is_finite() && quiet::pass(self, t, &g)? {
+        if t.magnitude().is_finite() && quiet::skip_quiet_steps(self, t, &g)? {
             return Ok(None);
         }
         let found = Crossings::new(self, direction, g).until(t).first();

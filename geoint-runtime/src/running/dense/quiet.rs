@@ -1,4 +1,7 @@
-//! Steps in which all functions stay far from zero need no search for events.
+//! A first pass of the search for an event: it takes the steps in which all functions stay far from zero.
+//!
+//! The search for zeros copies the run and evaluates the functions many times. In most steps of a game or a long flight no function comes near
+//! zero, and three values of each show it.
 
 use super::{Dense, has_reached};
 use crate::running::StepError;
@@ -6,17 +9,20 @@ use crate::running::trajectory::Scalar;
 use crate::scalar::{Real, signed};
 use crate::space::Array;
 
-/// The slope at the start of the first step is measured over this part of it.
-const PART: f64 = 1.0 / 1024.0;
+/// The first step has no step before it. A third value is taken after this part of it: small against the step, large against rounding.
+const FIRST_PART: f64 = 1.0 / 1024.0;
 
-/// A function is far from zero if it is larger than this multiple of its change along a step.
+/// A function is far from zero if it is larger than this multiple of its change along the step. One is enough for a parabola.
 const FAR: f64 = 2.0;
 
-/// Takes steps to the time `t` while every function stays far from zero. Returns whether the run is at `t`; if not, it is at the start of a step
-/// in which a function may come near zero.
+/// Takes steps to the time `t` as long as every function stays far from zero. Returns `true` if it took a step and the run is at `t`. Returns `false`
+/// if the search has to go on from the state of the run: a function may come near zero in the next step, or the run was at `t` already.
 ///
-/// The change along a step is bounded by the parabola through three values, as in the search for pairs of zeros.
-pub(super) fn pass<T: Dense, G: Array<Real = Scalar<T>>>(
+/// A function that dips to zero and back faster than a parabola shows is missed, as by the search itself.
+///
+/// # Errors
+/// See [`StepError`]; the run holds its last good state.
+pub(super) fn skip_quiet_steps<T: Dense, G: Array<Real = Scalar<T>>>(
     run: &mut T,
     t: Scalar<T>,
     g: impl Fn(&T::State) -> G,
@@ -26,36 +32,38 @@ pub(super) fn pass<T: Dense, G: Array<Real = Scalar<T>>>(
         return Ok(false);
     }
     // Time and values at the start of the step before.
-    let mut earlier = None;
-    let mut before = g(&run.state());
+    let mut previous = None;
+    let mut first = g(&run.state());
     while !has_reached(run.time(), t, backwards) {
         let start = run.clone();
         if !run.step_towards(t)? {
+            // No whole step fits before `t`.
             run.end_at(t)?;
         }
-        let after = g(&run.state());
+        let last = g(&run.state());
         let step = run.time() - start.time();
-        let (time, values) = match earlier {
-            Some(earlier) => earlier,
+        let (time, third) = match previous {
+            Some(previous) => previous,
             None => {
-                let time = start.time() + Scalar::<T>::from_f64(PART) * step;
+                let time = start.time() + Scalar::<T>::from_f64(FIRST_PART) * step;
                 (time, g(&T::between(&start, run, time)?))
             }
         };
         let part = signed(time - start.time()) / signed(step);
         let is_far = |i: usize| {
-            let [third, first, last] = [&values, &before, &after].map(|g: &G| signed(g.as_slice()[i]));
+            let [third, first, last] = [&third, &first, &last].map(|g: &G| signed(g.as_slice()[i]));
+            // The parabola through the values at `part`, 0 and 1 is first + slope u + bend u (u − part)/(1 − part).
             let slope = (third - first) / part;
-            let bend = (last - first - slope) / (1.0 - part);
-            // Values that are no numbers are not far.
-            first.abs() > FAR * (slope.abs() + 2.0 * bend.abs())
+            let bend = last - first - slope;
+            // Values that are not numbers are not far.
+            first.abs() > FAR * (slope.abs() + bend.abs())
         };
         if !(0..G::LEN).all(is_far) {
             *run = start;
             return Ok(false);
         }
-        earlier = Some((start.time(), before));
-        before = after;
+        previous = Some((start.time(), first));
+        first = last;
     }
     Ok(true)
 }

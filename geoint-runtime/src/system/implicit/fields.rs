@@ -19,8 +19,8 @@ pub trait QuadraticField<R: Real = f64>: Collocation<R> {
 /// The differential equation in the form in which implicit methods solve it: y' = f(y, t) for all coordinates y = z; or, if T is
 /// quadratic, q'' = M⁻¹f(q, t) with the force f = −∂V/∂q.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no system of `#[hamiltonian]` without `constraint` and `attitude`",
-    label = "this method is for those",
+    message = "`{Self}` is no system of `#[hamiltonian]`, or has a `constraint`, an `attitude` or an action `s`",
+    label = "this method does not fit this kind of system",
     note = "methods for every contact Hamiltonian: `ContactGauss`, `ContactMidpoint`, `ContactDiscreteGradient`",
     note = "methods that keep a `constraint`: `Rattle`, `DiscreteGradient`",
     note = "methods for rigid bodies (`attitude = r`): tables of kicks and drifts such as `BlanesMoanSrkn14a`, `FiveRotations`, `RK4`, `DOP853`"
@@ -98,8 +98,8 @@ impl<R: Real> Span<R> {
 ///
 /// The mean gradient of a quadratic T is that of the mean momentum, so that it needs no kernel of its own.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no system of `#[hamiltonian]` without `constraint` and `attitude`",
-    label = "this method is for those",
+    message = "`{Self}` is no system of `#[hamiltonian]`, or has a `constraint`, an `attitude` or an action `s`",
+    label = "this method does not fit this kind of system",
     note = "of a vector field name what it keeps: `#[vector_field(keeps(name = expression))]`",
     note = "methods for every contact Hamiltonian: `ContactGauss`, `ContactMidpoint`, `ContactDiscreteGradient`",
     note = "methods that keep a `constraint`: `Rattle`, `DiscreteGradient`",

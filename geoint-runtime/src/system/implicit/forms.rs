@@ -5,8 +5,8 @@ use crate::system::{Contact, Invariants, PhaseSpace};
 
 /// A system whose steps of Gauss collocation can be solved for.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no system of `#[hamiltonian]` without `constraint` and `attitude`",
-    label = "this method is for those",
+    message = "`{Self}` is no system of `#[hamiltonian]`, or has a `constraint`, an `attitude` or an action `s`",
+    label = "this method does not fit this kind of system",
     note = "methods for every contact Hamiltonian: `ContactGauss`, `ContactMidpoint`, `ContactDiscreteGradient`",
     note = "methods that keep a `constraint`: `Rattle`, `DiscreteGradient`",
     note = "methods for rigid bodies (`attitude = r`): tables of kicks and drifts such as `BlanesMoanSrkn14a`, `FiveRotations`, `RK4`, `DOP853`"
