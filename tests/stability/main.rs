@@ -27,6 +27,7 @@ mod radial;
 mod rest;
 mod rounding;
 mod time;
+mod together;
 mod end_of_time;
 mod names;
 mod tolerance;

@@ -9,6 +9,7 @@ mod integrator;
 mod named;
 mod number;
 mod output;
+mod reported;
 mod into_integrator;
 #[cfg(feature = "alloc")]
 mod saved;

@@ -8,7 +8,7 @@ use alloc::vec::Vec;
 use core::fmt;
 
 /// The layout of [`Saved::words`]. It changes where a run of an earlier version could not go on.
-pub const FORMAT: u32 = 5;
+pub const FORMAT: u32 = 6;
 
 /// A run at a moment: what steps hand on to the next one, as words of bits.
 ///
@@ -26,13 +26,14 @@ pub const FORMAT: u32 = 5;
 ///    state was last set, by the user or at an event; whether the point is that of the method (see [`Method::INNER`](crate::Method::INNER)); of methods that keep invariants all coordinates of the
 ///    state that the user gave;
 /// 3. the point: all coordinates, the action, what the sums of both have lost, by how much time is ahead in two words, 0;
-/// 4. the memory of the method: its [`Record`](crate::space::Record).
+/// 4. the memory of the method: its [`Record`](crate::space::Record);
+/// 5. the time of the last event, and the functions that had an event then.
 ///
 /// An [`Adaptive`](crate::Adaptive) run has 1; steps taken, their number when the user gave a state, steps rejected, and the same coordinates; 3; the largest magnitude of each coordinate, errors
 /// caused in it, and the longest time in which the state changes; the length of the next step by its rung, its direction, the last error, and
-/// whether the last step was rejected; for which length the method was prepared last; 4 for whole steps and for halves. A
+/// whether the last step was rejected; for which length the method was prepared last; 4 for whole steps and for halves; 5. A
 /// [`TaylorIntegrator`](crate::TaylorIntegrator) has 1, 3, steps taken, their number when the user gave a state, the direction, largest magnitudes, the length of the last step, and
-/// of those in a row that ended at conditions how many went nowhere; its coefficients are computed anew.
+/// of those in a row that ended at conditions how many went nowhere, and 5; its coefficients are computed anew.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Saved {

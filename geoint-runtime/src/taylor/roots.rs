@@ -58,6 +58,11 @@ impl Roots {
         })
     }
 
+    /// The sign before all of them.
+    pub(crate) fn start(&self) -> f64 {
+        self.sign
+    }
+
     /// The sign behind all of them.
     pub(crate) fn end(&self) -> f64 {
         if self.len % 2 == 1 { -self.sign } else { self.sign }

@@ -13,6 +13,7 @@ mod way;
 use crate::method::{Clock, Method};
 use crate::running::error::StepError;
 use crate::running::output::{Samples, Until};
+use crate::running::reported::Reported;
 use crate::running::step_size::Bounds;
 use crate::running::trajectory::{Trajectory, adapt_to};
 use crate::scalar::{Real, signed, zero};
@@ -62,6 +63,7 @@ use steps::Steps;
 #[derive(Clone)]
 pub struct Adaptive<S: PhaseSpace<R>, M: Method<S, R>, R: Real = f64> {
     steps: Steps<S, M, R>,
+    pub(in crate::running) reported: Reported<R>,
     /// Steps on the way to a time.
     most_steps: u64,
 }
@@ -73,7 +75,8 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
     pub fn new(system: S, method: M, tolerance: f64, state: StateOf<S, R>) -> Self {
         let (t, z, s) = state.parts();
         let x = Point::with_action(z, s);
-        Adaptive { steps: Steps::new((system, method), tolerance, t, x), most_steps: u64::MAX }
+        let steps = Steps::new((system, method), tolerance, t, x);
+        Adaptive { steps, reported: Reported::nothing(), most_steps: u64::MAX }
     }
 
     /// Steps between two lengths only. Without bounds the shortest is what changes time at all.

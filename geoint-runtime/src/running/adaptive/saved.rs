@@ -30,6 +30,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Bits> Recorded for Adaptiv
         tape.number(&mut steps.prepared.h);
         steps.told.record(tape);
         steps.memory.record(tape);
+        self.reported.record(tape);
     }
 
     fn complete(&mut self) -> bool {

@@ -162,6 +162,7 @@ impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Crossings<
         if value == 0.0 {
             return Ok(());
         }
+        let crosses_at_start = side == 0.0 && from > 0.0 && self.crosses_at_start(i, value);
         let mut found = [f64::NAN; 2];
         if differ(value, ends[1]) {
             let in_joint = ends[0] == 0.0 && from == 0.0;
@@ -181,6 +182,10 @@ impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Crossings<
                 }
             }
         }
+        if crosses_at_start {
+            // There is room for one more zero. Of two, a search from the event finds them again.
+            found = [0.0, if found[1].is_nan() { found[0] } else { f64::NAN }];
+        }
         let near = found.iter().any(|root| *root > NEAR);
         let behind = if found[1].is_nan() { [ends[1].signum(), 0.0] } else { [-ends[1].signum(), ends[1].signum()] };
         for (k, sign) in behind.into_iter().enumerate() {
@@ -192,6 +197,13 @@ impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Crossings<
         self.sides.as_mut_slice()[i] = Scalar::<T>::from_f64(end);
         self.near.as_mut_slice()[i] = Scalar::<T>::from_f64(f64::from(u8::from(near)));
         Ok(())
+    }
+
+    /// Returns whether a function, which is zero where the search begins and then has the sign of `later`, has an event there: at the time of an event
+    /// of other functions.
+    fn crosses_at_start(&mut self, i: usize, later: f64) -> bool {
+        let (t, counts) = (self.before.time(), self.direction.counts(later));
+        later != 0.0 && self.run.reported().is_at(t) && self.run.reported().takes(i, counts)
     }
 
     /// Where a function has a side that it starts with, and its value there: a little later, if it starts with the event, or impact, at which

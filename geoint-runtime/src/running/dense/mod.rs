@@ -14,6 +14,7 @@ pub use interpolated::{Curve, Exactly, Hermite, Interpolated, Within};
 pub use samples::{SampledAt, SampledEvery};
 pub use taylor::TaylorCrossings;
 
+use super::reported::Reported;
 use super::trajectory::{Scalar, Trajectory};
 use super::{Adaptive, Integrator, StepError};
 use crate::method::Method;
@@ -64,6 +65,10 @@ pub trait Dense: Trajectory + Clone {
     fn is_fresh(&self) -> bool {
         false
     }
+
+    /// The functions that had an event at the last time at which [`until_event`](Dense::until_event) found one.
+    #[doc(hidden)]
+    fn reported(&mut self) -> &mut Reported<Scalar<Self>>;
 
     /// What the next step says of the state before it does anything.
     #[doc(hidden)]
@@ -131,6 +136,9 @@ pub trait Dense: Trajectory + Clone {
     /// `None` if that does not happen: the run is then at `t`. If `t` is no whole number of steps away, the last step is shorter. A game calls this once for
     /// each frame.
     ///
+    /// Events of several functions at one time are reported one by one, also if a function crosses zero there only after
+    /// [`set_state`](Dense::set_state) has changed its direction: bodies that touch pass a push on. This holds for the first 64 functions.
+    ///
     /// # Errors
     /// See [`StepError`]; the state is then the last good one, and where `g` is no function with events, that at which the search began.
     fn until_event<G: Array<Real = Scalar<Self>>, F: Fn(&Self::State) -> G>(
@@ -147,6 +155,8 @@ pub trait Dense: Trajectory + Clone {
         let found = back_without_events(self, start, found)?;
         if let Some(found) = found {
             self.go_on_from(found.state);
+            let t = self.time();
+            self.reported().add(t, found.which);
         }
         Ok(found)
     }
@@ -167,6 +177,10 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Dense f
 
     fn is_fresh(&self) -> bool {
         self.is_fresh()
+    }
+
+    fn reported(&mut self) -> &mut Reported<R> {
+        &mut self.reported
     }
 
     fn check_start(&self) -> Result<(), StepError> {
@@ -231,6 +245,10 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Dense for Adaptive<S
 
     fn is_fresh(&self) -> bool {
         self.is_fresh()
+    }
+
+    fn reported(&mut self) -> &mut Reported<R> {
+        &mut self.reported
     }
 
     fn check_start(&self) -> Result<(), StepError> {

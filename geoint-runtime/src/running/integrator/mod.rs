@@ -7,6 +7,7 @@ mod steps;
 use crate::method::{Clock, Method};
 use crate::running::error::StepError;
 use crate::running::output::{Samples, Until};
+use crate::running::reported::Reported;
 use crate::running::trajectory::Trajectory;
 use crate::scalar::{Real, signed, zero};
 use crate::space::Coordinates;
@@ -24,6 +25,7 @@ use steps::Steps;
 #[derive(Clone)]
 pub struct Integrator<S: PhaseSpace<R>, M: Method<S, R>, R: Real = f64, C = Plain> {
     steps: Steps<S, M, R, C>,
+    pub(in crate::running) reported: Reported<R>,
 }
 
 impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
@@ -47,6 +49,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
                 inside: false,
                 clear: Clear::unknown(),
             },
+            reported: Reported::nothing(),
         }
     }
 }
@@ -260,6 +263,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integra
         let x = x.with_sums();
         Integrator {
             steps: Steps { system, method, prepared, memory, clock, taken, given, set, origin, x, inside, clear },
+            reported: self.reported,
         }
     }
 }

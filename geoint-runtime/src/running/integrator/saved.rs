@@ -25,6 +25,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Bits, C: Summation<S::Phase>> Recorde
         }
         steps.x.record(tape);
         steps.memory.record(tape);
+        self.reported.record(tape);
     }
 
     fn complete(&mut self) -> bool {

@@ -8,6 +8,7 @@ mod saved;
 pub(in crate::running) mod steps;
 
 use crate::running::error::StepError;
+use crate::running::reported::Reported;
 use crate::running::step_size::Bounds;
 use crate::running::trajectory::{Trajectory, adapt_to};
 use crate::scalar::{Real, signed};
@@ -47,6 +48,7 @@ use steps::Steps;
 #[derive(Clone)]
 pub struct TaylorIntegrator<S: Jets<R>, M: TaylorMethod<S, R>, R: Real = f64> {
     pub(in crate::running) steps: Steps<S, M, R>,
+    pub(in crate::running) reported: Reported<R>,
     /// Steps on the way to a time.
     most_steps: u64,
 }
@@ -57,7 +59,8 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> TaylorIntegrator<S, M, R> {
     /// Nothing is checked yet: an unusable tolerance, order or state is reported by the first step.
     pub fn new(system: S, method: M, state: StateOf<S, R>) -> Self {
         let (t, z, s) = state.parts();
-        TaylorIntegrator { steps: Steps::new((system, method), t, (z, s)), most_steps: u64::MAX }
+        let steps = Steps::new((system, method), t, (z, s));
+        TaylorIntegrator { steps, reported: Reported::nothing(), most_steps: u64::MAX }
     }
 
     /// Steps between two lengths only. Without bounds the shortest is what changes time at all. Steps of one length are as long as they are.

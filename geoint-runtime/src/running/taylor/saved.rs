@@ -3,7 +3,7 @@
 use super::TaylorIntegrator;
 use crate::method::Name;
 use crate::running::saved::{Bits, Recorded};
-use crate::space::Tape;
+use crate::space::{Record, Tape};
 use crate::system::Jets;
 use crate::taylor::TaylorMethod;
 
@@ -16,6 +16,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Bits> Recorded for TaylorIntegrator<S
 
     fn record(&mut self, tape: &mut impl Tape<R>) {
         self.steps.record(tape);
+        self.reported.record(tape);
     }
 
     fn complete(&mut self) -> bool {

@@ -129,8 +129,24 @@ where
         if self.zeros >= ZEROS {
             return Err(self.zero_all_along());
         }
+        if self.begins(&piece) {
+            (0..G::LEN).for_each(|i| self.cross_at_start(&piece, i));
+        }
         (self.piece, self.given) = (Some(piece), (-1.0, usize::MAX));
         Ok(true)
+    }
+
+    /// Sets the side of a function that crosses zero where the search begins, at the time of an event of other functions.
+    fn cross_at_start(&mut self, piece: &Piece<G>, i: usize) {
+        let t = self.run.steps.start().time();
+        if !self.run.reported.is_at(t) || number::<S, M, R>(&piece.values.as_slice()[i]).abs() > self.rounding(piece, i)
+        {
+            return;
+        }
+        let sign = self.zeros_of(piece, i).start();
+        if sign != 0.0 && self.run.reported.takes(i, self.direction.counts(sign)) {
+            self.sides.as_mut_slice()[i] = <M::Series as Real>::from_f64(-sign);
+        }
     }
 
     fn zero_all_along(&self) -> StepError {

@@ -3,6 +3,7 @@
 use super::super::crossing::{Crossing, Direction};
 use super::super::{Dense, back_without_events};
 use super::TaylorCrossings;
+use crate::running::reported::Reported;
 use crate::running::{StepError, TaylorIntegrator};
 use crate::scalar::{Real, signed};
 use crate::space::Array;
@@ -12,6 +13,10 @@ use crate::taylor::TaylorMethod;
 impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Dense for TaylorIntegrator<S, M, R> {
     fn set_state(&mut self, state: StateOf<S, R>) {
         self.restart(state);
+    }
+
+    fn reported(&mut self) -> &mut Reported<R> {
+        &mut self.reported
     }
 
     fn check_start(&self) -> Result<(), StepError> {
@@ -69,7 +74,8 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> TaylorIntegrator<S, M, R> {
 
     /// Steps to where `g` changes sign first, but not beyond the time `t`: the run is then there, and goes on from there.
     ///
-    /// `None` if that does not happen: the run is then at `t`.
+    /// `None` if that does not happen: the run is then at `t`. Events of several functions at one time are reported one by one, as by
+    /// [`Dense::until_event`].
     ///
     /// # Errors
     /// See [`StepError`]; the state is then the last good one, and where `g` is no function with events, that at which the search began.
@@ -88,6 +94,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> TaylorIntegrator<S, M, R> {
         let found = back_without_events(self, start, found)?;
         if let Some(found) = found {
             self.restart(found.state);
+            self.reported.add(self.time(), found.which);
         }
         Ok(found)
     }
