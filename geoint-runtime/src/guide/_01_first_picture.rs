@@ -1,13 +1,14 @@
 //! Simulate a pendulum for 3000 swings and see its energy stay constant.
 //!
-//! Add the crate to a new project. It needs Rust 1.89 or later:
+//! Add the crate to a new project beside a clone of the repository `geoint`. It needs Rust 1.89 or later:
 //!
 //! ```sh
 //! cargo new pendulum && cd pendulum
-//! cargo add geoint-runtime
+//! cargo add --path ../geoint/geoint-runtime   # after the first release: cargo add geoint-runtime
 //! ```
 //!
-//! Replace `src/main.rs` by this program and start it with `cargo run --release`:
+//! Replace `src/main.rs` by this program and start it with `cargo run --release`. The first build takes one to two
+//! minutes, later builds take seconds. Programs run up to 60 times slower without `--release`.
 //!
 //! ```
 //! use geoint_runtime::prelude::*;

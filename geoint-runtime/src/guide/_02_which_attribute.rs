@@ -35,13 +35,13 @@
 //! # Ok::<(), StepError>(())
 //! ```
 //!
-//! | you have | attribute | arguments | first state |
+//! | you have | attribute | arguments | first state, and its type for two coordinates, or one body |
 //! |---|---|---|---|
-//! | an energy in positions and momenta | [`#[hamiltonian]`](crate::hamiltonian) | `q`, `p` | `State::new(q, p)` |
-//! | kinetic minus potential energy, in positions and velocities | [`#[lagrangian]`](crate::lagrangian) | `q`, `v` | `system.at(q, v)` |
-//! | an energy with friction −γp, one γ for all momenta | [`#[contact_hamiltonian]`](crate::contact_hamiltonian) | `q`, `p`, `s` | `ContactState::new(q, p, s)` |
-//! | rigid bodies, by unit quaternions | `#[hamiltonian(attitude = r)]` | `r`, `m`, or with `q`, `p` | `BodyState::new(r, m)` |
-//! | an energy H(x) and an antisymmetric matrix S, x' = S(x) ∇H | `#[hamiltonian(structure = S)]` | `x` | `FlowState::new(x)` |
+//! | an energy in positions and momenta | [`#[hamiltonian]`](crate::hamiltonian) | `q`, `p` | `State::new(q, p)`, `State<[f64; 2]>` |
+//! | kinetic minus potential energy, in positions and velocities | [`#[lagrangian]`](crate::lagrangian) | `q`, `v` | `system.at(q, v)`, `State<[f64; 2]>` |
+//! | an energy with friction −γp, one γ for all momenta | [`#[contact_hamiltonian]`](crate::contact_hamiltonian) | `q`, `p`, `s` | `ContactState::new(q, p, s)`, `ContactState<[f64; 2]>` |
+//! | rigid bodies, by unit quaternions | `#[hamiltonian(attitude = r)]` | `r`, `m`, or with `q`, `p` | `BodyState::new(r, m)`, `BodyState<UnitQuaternion<f64>>` |
+//! | an energy H(x) and an antisymmetric matrix S, x' = S(x) ∇H | `#[hamiltonian(structure = S)]` | `x` | `FlowState::new(x)`, `FlowState<[f64; 2]>` |
 //! | equations x' = f(x, t), perhaps with known invariants | [`#[vector_field]`](crate::vector_field) | `x` | `FlowState::new(x)` |
 //!
 //! If you know both an energy and the equations, write the energy. More methods apply to it.
@@ -85,8 +85,8 @@
 //! # Ok::<(), StepError>(())
 //! ```
 //!
-//! `BlanesMoanSrkn11b` evaluates 11 forces a step. In steps of 0.2 s its error after 20 s is 4e-9. `damping` with `Gauss::<3>`, h = 0.02 s: 4e-12.
-//!
+//! `BlanesMoanSrkn11b` evaluates 11 forces a step. In steps of 0.2 s its error after 20 s is 4e-9 here, and 2e-7 for a pendulum that starts at 2 rad:
+//! halve h and compare. `damping` with `Gauss::<3>`, h = 0.02 s: 4e-12.
 //! # Motors, driving, constraints
 //! - **A force with a potential** is a term of the energy, as `- a * (w * t).sin() * q` with an argument `t: f64`. Methods for T(p) + V(q) still
 //!   apply.

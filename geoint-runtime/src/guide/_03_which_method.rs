@@ -68,13 +68,14 @@
 //! oscillator with friction and of 2e-6 rad for the heavy body. With 40 steps in each gyration, `RK4` brakes the charge until it stands.
 //!
 //! A *piece* is a part of the energy whose flow is known in closed form; `REPORT` lists the pieces. `BceRkn17_8.of(PieceSplitting)` works if
-//! `REPORT` lists two pieces and prints `tables of Runge–Kutta–Nyström type keep their order`. Otherwise, as for the restricted
-//! three-body problem, take `KahanLi8_17a.of(PieceSplitting)`.
+//! `REPORT` lists two pieces and prints `tables of Runge–Kutta–Nyström type keep their order`. Otherwise,
+//! take `KahanLi8_17a.of(PieceSplitting)`.
 //!
 //! **Rules of thumb** for the error of positions:
 //!
 //! - Planets: `WisdomHolmanProcessed` for errors above 10⁻⁶, `WisdomHolmanGradient` below. Weakly coupled oscillators: `Rnia10_8_6`.
-//! - Any other T(p) + V(q): `BlanesMoanSrkn14a` or `BlanesMoan6` down to 10⁻⁹. Below 10⁻⁹, and with few bodies: `Taylor`.
+//! - Friction −γp with one γ: `BlanesMoanSrkn11b` at all errors. Any other T(p) + V(q): `BlanesMoanSrkn14a` or `BlanesMoan6` down to 10⁻⁹. Below
+//!   10⁻⁹, and with few bodies: `Taylor`.
 //! - All other energies: the method of the table down to 10⁻⁹. Below, `Taylor`; for some systems it [does not exist](super::_18_limits).
 //! - Two bodies on eccentric orbits: `Taylor` for all errors below 10⁻³.
 //! - If only the energy counts, in a long or chaotic run: a symplectic or energy-keeping method. With friction and chaos: the rows for friction, for
@@ -84,7 +85,6 @@
 //!
 //! `system.adaptive(DOP853, 1e-9, state)` is a usual solver with error control, such as `ode45` or `solve_ivp`. Its energy error grows with time. For
 //! the length of a step, see [a run in practice](super::_06_runs).
-//!
 //! # Families
 //!
 //! | family | order | keeps | names elsewhere |

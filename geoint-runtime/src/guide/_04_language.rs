@@ -43,7 +43,7 @@
 //!
 //! - `f32` may stand for `f64` in all of these types, but one energy can not mix both.
 //! - Write a matrix as an array of arrays, `[[f64; 3]; 3]`. Lengths go from 1 to 1000.
-//! - `q = x` and `p = px` in the attribute rename arguments. `name = Spring` renames the struct.
+//! - `q = x` and `p = px` in the attribute rename arguments; states keep the fields `q` and `p`. `name = Spring` renames the struct.
 //! - The generated struct has the visibility of the function: `pub fn chain` gives `pub struct Chain`. Its fields are always `pub`.
 //! - An attribute sees its function only, not the rest of the file. Repeat an integer constant or an alias of a type in it: `const N = 6`, `type
 //!   Chain = [f64; N]`. rustc checks both. Other constants, such as `const G: f64 = 6.67e-11`, need no repetition.
@@ -62,8 +62,8 @@
 //! | branches | `if … else …` with a value on both sides, `&&`, `\|\|`, `!`, comparisons |
 //! | functions | `sin`, `cos`, `tan`, `sinh`, `cosh`, `tanh`, their inverses (`asin` …), `sin_cos`, `atan2`, `exp`, `exp2`, `exp_m1`, `ln`, `ln_1p` |
 //! | | `log2`, `log10`, `powi` (−64 to 64), `powf`, `sqrt`, `cbrt`, `recip`, `hypot`, `abs`, `signum`, `min`, `max`, `clamp`, `mul_add` |
-//! | vectors of nalgebra | `+`, `-`, products with numbers, `dot`, `cross`, `norm`, `norm_squared`, `sum`, `iter`, `v.x`, `v[0]` |
-//! | quaternions | `r * v`, `r * s`, `r / s`, `inverse`, `inverse_transform_vector`, `rotation_to`, `imag`, `scalar`, `coords`, `r.i` … `r.w` |
+//! | vectors of nalgebra | `+`, `-`, products with numbers, `Vector3::new(x, y, z)`, `dot`, `cross`, `norm`, `norm_squared`, `sum`, `iter`, `v.x`, `v[0]` |
+//! | quaternions | `r * v`, `r * s`, `r / s`, `inverse`, `transform_vector`, `inverse_transform_vector`, `rotation_to`, `imag`, `scalar`, `coords`, `r.i` … `r.w` |
 //!
 //! Both sides of an `if` are differentiated. If the sides meet with a bend (equal values, other slopes), the step across it is less accurate:
 //! `powi(2)` instead of `abs` has no bend. If the values differ, H jumps, and [the report](super::_05_report) names the condition. A condition on a
@@ -114,7 +114,7 @@
 //! | `Vec<f64>` | "a length is known when the program is compiled: write `[f64; N]`" |
 //! | `x += …` inside of a closure | a closure reads outer variables and does not assign to them |
 //!
-//! Limits: 5000 operations after unrolling: about 20 bodies in space that all attract each other, or a chain of one to two hundred masses.
+//! Limits: 5000 operations after unrolling: about 20 bodies in space that all attract each other, or a chain of 200 masses on a line.
 //! Expressions have at most 200 levels. Functions can not call themselves. Larger systems are [written by hand](super::_14_by_hand).
 //!
 //! Next: [the report, line by line](super::_05_report) and [a run in practice](super::_06_runs).

@@ -38,7 +38,6 @@
 //! - `sim.velocity()` returns the rates. `system.velocity(&state)` and `system.momentum(t, q, v)` convert.
 //! - The energy is H = p·v − L. It equals T + V if L = T − V and T is quadratic in v. `Arm::REPORT`, the [report](super::_05_report), states both.
 //! - `set_system` changes parameters between steps. A feedback law of q and v may also stand in `force` itself.
-//!
 //! # Friction and motors
 //! `force = F(q, v, t)` is added to p', one entry for each coordinate. `rayleigh = R(q, v, t)` adds the friction force −∂R/∂v. A motor between two
 //! links has F = [−τ, τ] if the angles are absolute, and its own entry if they are relative. A motor at the base has F = [τ, 0]. Viscous friction in
@@ -46,6 +45,9 @@
 //! then creeps at ε f/√(c² − f²). A step in which R adds energy returns `OutsideDomain`. Let v̄ = (qₙ₊₁ − qₙ)/h. A step of
 //! [`DiscreteGradient`](crate::DiscreteGradient) changes the energy by exactly h v̄·F − h v̄·∂R/∂v. Both forces are taken at v̄ and at the midpoints
 //! of q and t. Compute the work with v̄, as above, and not with `sim.velocity()`.
+//! A closed balance is not an accurate path: this arm with a driven elbow ends 0.3 rad off after 10 s at h = 10 ms, and 0.02 rad at 2.5 ms. With a
+//! held torque and without friction, `Suzuki4.of(DiscreteGradient)` closes the balance and is right to 4e-5 rad. With friction, `Gauss::<3>` is
+//! right to 1e-7 rad and closes the balance to 5e-3 J.
 //!
 //! # Bars and closed chains
 //!
@@ -81,7 +83,6 @@
 //!   `set_system`. For a prescribed angle, tie the crank by a stiff spring to a point that moves with t.
 //! - **Momenta.** After a step of `DiscreteGradient` they are off by O(h²): `sim.state_on_constraint()?` returns a state without this error.
 //!   After `set_system` the next step checks positions, not velocities. If a bar changes its length, set a state on the new constraints first.
-//!
 //! # Kinds of Lagrangians
 //! | L | methods |
 //! |---|---|
@@ -106,7 +107,6 @@
 //! assert!(matches!(too_fast, Err(StepError::NoMomentum { .. })));
 //! # Ok::<(), StepError>(())
 //! ```
-//!
 //! # Errors and limits
 //! - A mass matrix that is singular at every state is a compile error. The message names a velocity without kinetic energy.
 //! - A singular mass matrix on the way of a step, as at the pole of spherical angles: [`OutsideDomain`](crate::StepError::OutsideDomain).

@@ -28,8 +28,9 @@
 //! - For several bodies write `state.q[0][1]` (arrays `[[f64; 2]; N]`) or `state.q[0].y` (`[Vector3<f64>; N]`).
 //! - `Direction::Up` selects changes from negative to positive, `Down` from positive to negative, and `Any` both.
 //! - `g` may return an array such as `[state.q, state.p]`. `impact.which` is then the index of the function, and `impact.rises` its direction.
+//!   Events at one time, as in a corner, are reported one by one.
 //! - [`set_state`](crate::Dense::set_state) continues from another state. Set the position exactly onto the ground, as above.
-//! - A search that starts at an event does not report this event again: it ignores a value of `g` within rounding at its start.
+//! - A search that starts at an event does not report it again. A run that starts with `g` at zero, as a ball on the ground, has no event there.
 //!
 //! **A ball that comes to rest** has infinitely many impacts in a finite time. Directly after an impact, a run with fixed steps misses the next one
 //! if it follows within about 10⁻⁶ of a step, and the ball falls through the ground. In `f32` the limit grows with time: 2·10⁻⁴ of a step after 200
@@ -37,9 +38,9 @@
 //! down.
 //!
 //! # A Poincaré section
-//!
-//! [`crossings`](crate::Dense::crossings) is an iterator over all events. A section in a plane needs two degrees of freedom: energy and event
-//! leave two of the four coordinates free. The program collects points (y, p_y) of a star at x = 0 with p_x > 0:
+//! [`crossings`](crate::Dense::crossings) is an iterator over all events. A section in a plane needs two degrees of freedom: energy and event leave
+//! two of the four coordinates free. Give the search an end by `until`: an orbit that never comes back would be followed without end. The program
+//! collects points (y, p_y) of a star at x = 0 with p_x > 0:
 //!
 //! ```
 //! use geoint_runtime::prelude::*;
@@ -52,7 +53,7 @@
 //! let (energy, y) = (1.0 / 8.0, 0.1_f64); // The start: x = 0, y = 0.1, p_y = 0.
 //! let px = (2.0 * energy - y * y + 2.0 / 3.0 * y.powi(3)).sqrt();
 //! let mut sim = HenonHeiles.taylor(Taylor::default(), State::new([0.0, y], [px, 0.0]));
-//! for crossing in sim.crossings(Direction::Up, |state| state.q[0]).take(200) {
+//! for crossing in sim.crossings(Direction::Up, |state| state.q[0]).until(2000.0).take(200) {
 //!     let state = crossing?.state;
 //!     println!("{},{}", state.q[1], state.p[1]);
 //!     assert!(state.q[0].abs() < 1e-14 && (HenonHeiles.energy(&state) - energy).abs() < 1e-14);
@@ -78,7 +79,6 @@
 //! }
 //! # Ok::<(), StepError>(())
 //! ```
-//!
 //! # States at given times
 //! Output changes no step. A run with steps of 0.3 passes the last sample, because a step ends only every 0.3:
 //!

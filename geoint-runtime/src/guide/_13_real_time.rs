@@ -47,9 +47,9 @@
 //! - **Rest.** Bounces become infinitely short. If a bounce is shorter than 2·10⁻⁴ of a step (clock near 0) or a tenth of a step (clock at 10⁵
 //!   steps), an `f32` run misses it, and the body falls through the ground. The program freezes the ball well before. To wake it, call `set_state`
 //!   with a new p and the time of the frame.
-//!
 //! # Bodies that hit each other
-//! `g` returns an array, one gap for each pair. `hit.which` is the index of the pair. These are three discs of equal mass and radius on a table:
+//! `g` returns an array, one gap for each pair. `hit.which` is the index of the pair. These are three discs of equal mass and radius on a
+//! table. Discs that touch, as billiard balls in a rack, pass a push on: events at one time come one by one.
 //!
 //! ```
 //! # use geoint_runtime::prelude::*;
@@ -69,7 +69,6 @@
 //! # assert!(run.state().p[2][0] > 0.6 && run.time() == 5.0 && (run.energy() - 0.5).abs() < 1e-6);
 //! # Ok::<(), StepError>(())
 //! ```
-//!
 //! # Size and speed
 //! A run is a plain value, and a step allocates nothing. The table was measured on one laptop-class core, in `f32`, with steps of 1/60 s:
 //!
@@ -83,7 +82,8 @@
 //!
 //! The times are good to 20 %. The state of the ball takes 20 bytes; the method takes the rest. A frame by `until_event` costs nine plain steps of
 //! this ball (100 ns) while `g` stays far from zero, and up to thirty near a hit: it copies the run, and measures the slope of `g` by a short step.
-//! - **A thousand balls** that do not hit each other are a `Vec<Run>`. A frame of all takes 0.1 ms in flight.
+//! - **A thousand balls** that do not hit each other are a `Vec<Run>`. A frame of all takes 0.1 ms in flight. One energy with 32 copies of a
+//!   small system halves the time of explicit methods; an error or event in one copy stops all.
 //! - **Pairs.** n bodies in one energy have n(n − 1)/2 gaps: fine for ten bodies. There is no search for neighbours, and no stacks of resting bodies.
 //! - **Springs and ropes** are one energy. A rope only pulls: `k * (d - l).max(0.0).powi(2) / 2.0`. With `StormerVerlet`, h √(k/m) of a single spring
 //!   must stay below 2, and below 1 in a chain. `DiscreteGradient` has no such limit. [Friction](super::_08_friction) makes it calm.

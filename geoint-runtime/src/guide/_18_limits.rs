@@ -32,7 +32,7 @@
 //!
 //! - The number of coordinates is known at compile time. A size from a file needs [traits by hand](super::_14_by_hand).
 //! - Loops over coordinates are unrolled. An energy has at most 5000 operations; more is a compile error.
-//! - The limit is near 40 bodies in one dimension and near 20 in three, if every pair interacts. A chain may have one or two hundred masses.
+//! - The limit is near 40 bodies in one dimension and near 20 in three, if every pair interacts. A chain may have 200 masses on a line or 150 in space.
 //! - Sums over neighbours, with 16 or more equal terms, become loops again in the generated code. Sums over all pairs stay unrolled.
 //! - Only the methods that a program uses are compiled.
 //! - Set `opt-level = 3` under `[profile.dev.build-override]` in Cargo.toml. The macros then run faster.

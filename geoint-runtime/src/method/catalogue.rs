@@ -59,9 +59,9 @@ use crate::system::{
     PerturbedGradient, PhaseSpace, Pieces, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
 };
 
-/// What is done with each method.
+/// Receives each method of a list. A visitor that prints `method.name()` lists the names for [`Named`](crate::running::Named).
 pub trait Visitor<S: PhaseSpace<R>, R: Real = f64> {
-    /// Is called once for each.
+    /// Called once for each method.
     fn visit<M: Method<S, R> + 'static>(&mut self, method: M);
 }
 

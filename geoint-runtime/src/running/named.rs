@@ -4,6 +4,7 @@ use super::{Bits, Integrator, Resumable};
 use crate::method::{Method, Visitor};
 use crate::system::{PhaseSpace, StateOf};
 use alloc::boxed::Box;
+use alloc::string::String;
 
 /// A run behind a pointer, whatever its method, which can be saved.
 pub type DynTrajectory<S, R = f64> = Box<dyn Resumable<State = StateOf<S, R>>>;
@@ -20,7 +21,7 @@ pub type DynTrajectory<S, R = f64> = Box<dyn Resumable<State = StateOf<S, R>>>;
 ///     p * p / 2.0 - g * q.cos()
 /// }
 ///
-/// for name in ["BlanesMoan6", "Gauss<3>", "Suzuki4 of DiscreteGradient"] {
+/// for name in ["BlanesMoan6", "Gauss::<3>", "Suzuki4 of DiscreteGradient"] {
 ///     let mut named = Named::new(name, Pendulum { g: 9.81 }, 0.01_f64, State::new(1.0, 0.0));
 ///     catalogue::general(&mut named);
 ///     catalogue::separable(&mut named);
@@ -33,18 +34,18 @@ pub type DynTrajectory<S, R = f64> = Box<dyn Resumable<State = StateOf<S, R>>>;
 /// # Ok::<(), StepError>(())
 /// ```
 #[doc(alias = "method by name")]
-pub struct Named<'a, S: PhaseSpace<R>, R: Bits = f64> {
-    name: &'a str,
+pub struct Named<S: PhaseSpace<R>, R: Bits = f64> {
+    name: String,
     system: S,
     h: R,
     start: StateOf<S, R>,
     run: Option<DynTrajectory<S, R>>,
 }
 
-impl<'a, S: PhaseSpace<R>, R: Bits> Named<'a, S, R> {
-    /// A system that will run under the method `name`, with step size `h`, from `start` on.
-    pub fn new(name: &'a str, system: S, h: R, start: StateOf<S, R>) -> Self {
-        Named { name, system, h, start, run: None }
+impl<S: PhaseSpace<R>, R: Bits> Named<S, R> {
+    /// A system that will run under the method `name`, with step size `h`, from `start` on. `Gauss::<3>` and `Gauss<3>` name the same method.
+    pub fn new(name: &str, system: S, h: R, start: StateOf<S, R>) -> Self {
+        Named { name: name.replace("::<", "<"), system, h, start, run: None }
     }
 
     /// The run, if the method was among those shown.
@@ -53,9 +54,9 @@ impl<'a, S: PhaseSpace<R>, R: Bits> Named<'a, S, R> {
     }
 }
 
-impl<S: PhaseSpace<R> + 'static, R: Bits> Visitor<S, R> for Named<'_, S, R> {
+impl<S: PhaseSpace<R> + 'static, R: Bits> Visitor<S, R> for Named<S, R> {
     fn visit<M: Method<S, R> + 'static>(&mut self, method: M) {
-        if self.run.is_none() && method.name() == *self.name {
+        if self.run.is_none() && method.name() == *self.name.as_str() {
             self.run = Some(Box::new(Integrator::new(self.system, method, self.h, self.start)));
         }
     }

@@ -33,7 +33,7 @@ pub struct ByCanonical;
 /// A system whose energy, or what it keeps, has a discrete gradient.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no discrete gradient",
-    label = "this method is for systems of `#[hamiltonian]`, and for Lagrangians that are quadratic in the velocities or of a known conjugate",
+    label = "this method is for systems of `#[hamiltonian]` without `attitude`, and for Lagrangians that are quadratic in v or of a known conjugate",
     note = "of a vector field name what it keeps: `#[vector_field(keeps(name = expression))]`",
     note = "methods for rigid bodies (`attitude = r`): tables of kicks and drifts such as `BlanesMoanSrkn14a`, `FiveRotations`, `RK4`, `DOP853`",
     note = "methods for every contact Hamiltonian: `ContactGauss`, `ContactMidpoint`, `ContactDiscreteGradient`"
