@@ -2,7 +2,7 @@
 //!
 //! This program writes one pendulum in three ways. All runs end at the same angle:
 //!
-//! ```
+//! ```standalone_crate
 //! use geoint_runtime::prelude::*;
 //!
 //! /// Angle q and momentum p: the energy.

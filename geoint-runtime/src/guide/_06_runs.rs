@@ -83,7 +83,7 @@
 //! # A method chosen by name, saved and resumed
 //! Every run has `saved()` and `resume(&saved)` of [`Resumable`](crate::running::Resumable). [`Named`](crate::running::Named) chooses a method by its
 //! name:
-//! ```
+//! ```standalone_crate
 //! use geoint_runtime::{method::catalogue, prelude::*, running::{DynTrajectory, Named}};
 //! # #[hamiltonian]
 //! # fn oscillator(q: f64, p: f64, k: f64) -> f64 { p * p / 2.0 + k * q * q / 2.0 }
@@ -93,7 +93,7 @@
 //!     let mut named = Named::new(name, Oscillator { k: 1.0 }, 0.01, State::new(1.0, 0.0));
 //!     catalogue::general(&mut named); // Gauss<3>, RK4, DOP853, …
 //!     catalogue::separable(&mut named); // StormerVerlet, BlanesMoan6, Yoshida4 of StormerVerlet, …
-//!     catalogue::discrete_gradient(&mut named); // DiscreteGradient, Suzuki4 of DiscreteGradient, …
+//!     // catalogue::discrete_gradient: DiscreteGradient, Suzuki4 of DiscreteGradient, …
 //!     named.run()
 //! }
 //! for name in ["Gauss<3>", "KahanLi8_17a of StormerVerlet"] {

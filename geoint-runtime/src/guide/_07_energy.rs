@@ -55,7 +55,7 @@
 //! Implement [`Invariants`](crate::Invariants) and list it after [`Energy`](crate::Energy). `DiscreteGradient` keeps it in adaptive runs, and
 //! `Projection` in Taylor series.
 //!
-//! ```
+//! ```standalone_crate
 //! use geoint_runtime::{Invariants, prelude::*};
 //! # #[hamiltonian]
 //! # fn comet(q: [f64; 2], p: [f64; 2], k: f64) -> f64 {

@@ -1,6 +1,6 @@
 //! Simulate planets over centuries, satellites and close encounters, each with the method that fits.
 //!
-//! ```
+//! ```standalone_crate
 //! use geoint_runtime::{nalgebra::Vector3, prelude::*};
 //!
 //! /// Sun, asteroid, Jupiter, Saturn; q in AU, p in M☉ AU/d, m in M☉, g in AU³/(d² M☉).

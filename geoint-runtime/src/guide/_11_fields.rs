@@ -34,7 +34,7 @@
 //! # An energy on another phase space: x' = S(x) ∇H(x)
 //! Give a skew matrix S and the energy. Point vortices, predator and prey, and rigid bodies have this form.
 //!
-//! ```
+//! ```standalone_crate
 //! # use geoint_runtime::prelude::*;
 //! /// Predator and prey (Lotka and Volterra).
 //! #[hamiltonian(structure = [[0.0, -x[0] * x[1]], [x[0] * x[1], 0.0]])]

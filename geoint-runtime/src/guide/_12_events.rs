@@ -2,7 +2,7 @@
 //!
 //! A ball bounces and comes to rest. [`until_event`](crate::Dense::until_event) runs to the first impact, or exactly to the given time:
 //!
-//! ```
+//! ```standalone_crate
 //! use geoint_runtime::prelude::*;
 //!
 //! /// A ball above the ground; q is the height.

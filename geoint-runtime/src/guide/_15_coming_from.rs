@@ -5,7 +5,7 @@
 //! f = lambda t, y: [y[1], -9.8 * np.sin(y[0])]
 //! sol = solve_ivp(f, (0, 10), [0.05, 0.025], method="DOP853", t_eval=[2.5, 5, 10], rtol=1e-9, atol=1e-9)
 //! ```
-//! ```
+//! ```standalone_crate
 //! use geoint_runtime::prelude::*;
 //!
 //! #[vector_field]

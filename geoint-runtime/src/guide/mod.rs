@@ -22,6 +22,7 @@
 //! | [Limits](_18_limits) | sizes, compile times, missed pulses |
 //! | [Glossary](_19_glossary) | fifty words of the field |
 
+// Blocks with `standalone_crate` are the slowest to compile. They compile side by side, and the other blocks in one piece.
 pub mod _01_first_picture;
 pub mod _02_which_attribute;
 pub mod _03_which_method;

@@ -21,10 +21,8 @@ pub type DynTrajectory<S, R = f64> = Box<dyn Resumable<State = StateOf<S, R>>>;
 ///     p * p / 2.0 - g * q.cos()
 /// }
 ///
-/// for name in ["BlanesMoan6", "Gauss::<3>", "Suzuki4 of DiscreteGradient"] {
+/// for name in ["DiscreteGradient", "Suzuki4 of DiscreteGradient"] {
 ///     let mut named = Named::new(name, Pendulum { g: 9.81 }, 0.01_f64, State::new(1.0, 0.0));
-///     catalogue::general(&mut named);
-///     catalogue::separable(&mut named);
 ///     catalogue::discrete_gradient(&mut named);
 ///     let mut run = named.run().expect("one of these");
 ///     let energy = run.energy();

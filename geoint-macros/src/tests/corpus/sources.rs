@@ -40,7 +40,7 @@ pub(super) fn code_blocks(markdown: &str) -> Vec<String> {
 /// Returns whether a code block is Rust. Its first word is `rust`, an attribute of rustdoc, or missing.
 fn is_rust(info: &str) -> bool {
     let first = info.split([',', ' ']).next().unwrap_or_default();
-    matches!(first, "" | "rust" | "no_run" | "should_panic" | "compile_fail" | "ignore")
+    matches!(first, "" | "rust" | "no_run" | "should_panic" | "compile_fail" | "ignore" | "standalone_crate")
 }
 
 /// Removes the mark of a hidden line: `# use …` becomes `use …`, and `##` becomes `#`.
