@@ -53,11 +53,11 @@
 //! | I do not know yet | [`DiscreteGradient`](crate::DiscreteGradient) | pendulum, 10⁶ steps of 0.02 s: energy to 3e-15 |
 //! | many bodies, molecules, a game | [`StormerVerlet`](crate::StormerVerlet) (leapfrog) | star in a galaxy, 10⁷ periods of 40 steps: energy 5e-3 |
 //! | accurate positions, long runs | [`BlanesMoanSrkn14a`]; T not quadratic: [`BlanesMoan6`] | outer planets, 547 years, 20 000 forces: 5e-7 AU |
-//! | planets, no close encounters | [`WisdomHolmanGradient`](crate::WisdomHolmanGradient) | the same planets, 2000 forces: 9e-10 AU |
-//! | weakly coupled oscillators, no friction | [`Rnia10_8_6`](crate::Rnia10_8_6) | chain of 31 masses, 171 periods of the slowest wave, 1000 steps: positions to 3e-10 |
+//! | planets, no close encounters | [`WisdomHolmanGradient`](crate::WisdomHolmanGradient) with `coordinates = jacobi` | the same planets, 2000 forces: 9e-10 AU |
+//! | weakly coupled oscillators, no friction | [`Rnia10_8_6`](crate::Rnia10_8_6), see [planets](super::_09_planets) for A + B | chain of 31 masses, 171 periods of the slowest wave, 1000 steps: positions to 3e-10 |
 //! | q and p coupled: jointed arms | [`Gauss::<3>`](crate::Gauss) | double pendulum, regular orbit, 200 s, h = 0.02 s: 8e-8 m |
 //! | magnetic field, rotating frame | `Taylor`, or [`BceRkn17_8.of(PieceSplitting)`](crate::PieceSplitting) | charge, 10⁶ gyrations of 12 steps: drift to 2e-10 |
-//! | friction −γp, one γ for all p | [`BlanesMoanSrkn11b`], [contact form](super::_02_which_attribute) | oscillator, γ = 0.1, t = 50, 40 forces a unit of time: positions to 2e-10 |
+//! | friction −γp, one γ; T quadratic, or else | [`BlanesMoanSrkn11b`], or `ContactGauss::<3>`; [contact form](super::_02_which_attribute) | oscillator, γ = 0.1, t = 50, 40 forces a unit of time: positions to 2e-10 |
 //! | other friction; friction never adds energy | `damping = C`, `DiscreteGradient` | Duffing's oscillator without driving, 400 steps of 10 (stable, not accurate): no step gains energy |
 //! | bars, closed chains | [`Rattle`](crate::Rattle); for the energy, `DiscreteGradient` | four bars: lengths to 7e-16; energy with `DiscreteGradient`: 2e-13 |
 //! | rigid bodies, `attitude = r` | `BlanesMoanSrkn14a` | heavy body, 20 steps of 0.25: 4e-11 rad |
@@ -74,12 +74,12 @@
 //! **Rules of thumb** for the error of positions:
 //!
 //! - Planets: `WisdomHolmanProcessed` for errors above 10⁻⁶, `WisdomHolmanGradient` below. Weakly coupled oscillators: `Rnia10_8_6`.
-//! - Friction −γp with one γ: `BlanesMoanSrkn11b` at all errors. Any other T(p) + V(q): `BlanesMoanSrkn14a` or `BlanesMoan6` down to 10⁻⁹. Below
-//!   10⁻⁹, and with few bodies: `Taylor`.
+//! - Friction −γp with one γ, T quadratic: `BlanesMoanSrkn11b` at all errors. Any other T(p) + V(q): `BlanesMoanSrkn14a` or `BlanesMoan6` down to
+//!   10⁻⁹. Below 10⁻⁹, and with few bodies: `Taylor`.
 //! - All other energies: the method of the table down to 10⁻⁹. Below, `Taylor`; for some systems it [does not exist](super::_18_limits).
 //! - Two bodies on eccentric orbits: `Taylor` for all errors below 10⁻³.
-//! - If only the energy counts, in a long or chaotic run: a symplectic or energy-keeping method. With friction and chaos: the rows for friction, for
-//!   averages and attractors; no method follows one orbit for long.
+//! - If only the energy counts, in a long or chaotic run: a symplectic or energy-keeping method. Chaos with friction: the methods of the friction
+//!   rows. They give averages and the attractor; no method follows one orbit for long.
 //! - On a chaotic orbit every method loses digits exponentially. The error grows as exp(λt), with the Lyapunov exponent λ; page 2 has a
 //!   [recipe](super::_02_which_attribute) for it.
 //!

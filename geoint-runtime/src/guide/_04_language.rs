@@ -37,11 +37,12 @@
 //!
 //! | argument | types |
 //! |---|---|
-//! | `q` and `p`, or `q` and `v` of a Lagrangian | both have the same type, from the next row |
+//! | `q` and `p`, or `q` and `v` of a Lagrangian | both have the same type, from the next row, without quaternions |
 //! | all parameters | `f64`, `[f64; N]`, `[[f64; D]; N]`, `Vector3<f64>`, `SVector<f64, N>`, `UnitQuaternion<f64>`, arrays of vectors |
 //! | time `t`, action `s` | `f64` |
+//! | `r` and `m` of a [rigid body](super::_11_fields); `x` of a field | `UnitQuaternion<f64>` and `Vector3<f64>`, or arrays of them; `[f64; N]` |
 //!
-//! - `f32` may stand for `f64` in all of these types, but one energy can not mix both.
+//! - `f32` may stand for `f64` in all of these types, but one energy can not mix both. The struct names its scalar: `Chain<f64>`, `Chain<f32>`.
 //! - Write a matrix as an array of arrays, `[[f64; 3]; 3]`. Lengths go from 1 to 1000.
 //! - `q = x` and `p = px` in the attribute rename arguments; states keep the fields `q` and `p`. `name = Spring` renames the struct.
 //! - The generated struct has the visibility of the function: `pub fn chain` gives `pub struct Chain`. Its fields are always `pub`.
@@ -52,7 +53,6 @@
 //! - In a `no_std` crate `cos` and the other methods of numbers come from [`Real`](crate::Real), which is in the prelude.
 //!
 //! # The body
-//!
 //! | part | accepted |
 //! |---|---|
 //! | variables | `let` with names, tuples and arrays (`let [x, y] = q`), `let mut`, `x = …`, `x[i] += …` |

@@ -19,8 +19,8 @@
 //! ```
 //! # The step size
 //!
-//! Let T be the period of the fastest oscillation in your system. Take the first h from this table. Then halve h until the result changes by less
-//! than your tolerance. The last change estimates the error of the run before the last one; the last run is better.
+//! Let T be the period of the fastest oscillation in your system, or of the driving if it is faster. Take the first h from this table. Then halve h
+//! until the result changes by less than your tolerance. The difference of two runs estimates the error of the coarser run.
 //!
 //! | method | error 10⁻² | error 10⁻³ | error 10⁻⁶ | error 10⁻⁹ | unstable above |
 //! |---|---|---|---|---|---|
@@ -30,7 +30,7 @@
 //! | `BlanesMoan4` | T/4 | T/8 | T/41 | T/240 | 0.49 T |
 //! | `Gauss::<3>` | T/4 | T/7 | T/19 | T/61 | none |
 //! | `DOP853` | T/3 | T/5 | T/12 | T/24 | 0.94 T |
-//! | `BlanesMoanSrkn14a` | T/2 | T/4 | T/7 | T/17 | 0.97 T |
+//! | `BlanesMoanSrkn14a`; with friction begin likewise with `BlanesMoanSrkn11b` | T/2 | T/4 | T/7 | T/17 | 0.97 T |
 //!
 //! Measured on a pendulum with m g l = 1, m l² = 1 and amplitude 1 rad: the largest error of (q, p) in ten periods. The last column is the limit for
 //! a harmonic oscillator; *none* means stable up to 4.9 T. The phase error of a symplectic method grows in proportion to time. Costs of a step

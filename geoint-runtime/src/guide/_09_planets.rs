@@ -58,9 +58,10 @@
 //! | [`Rnia10_8_6`](crate::Rnia10_8_6), for oscillators | 12 | ε h¹⁰ + ε² h⁸ + ε³ h⁶ |
 //! | [`Perturbation(X)`](crate::Perturbation), X a method of kicks and drifts | as X | as X, with A for the drift and B for the kick |
 //! # Which coordinates
-//! - `coordinates = jacobi`: each body moves about the centre of mass of all bodies before it. Order them by distance. More terms of q, as J₂, join B.
-//! - `coordinates = heliocentric`: each body moves about body 0, in any order; orbits may cross (democratic heliocentric coordinates; the Sun's term
-//!   belongs to B). Methods with force gradients do not compile.
+//! - `coordinates = jacobi`: each body moves about the centre of mass of all bodies before it. Order them by distance. More terms of q, as J₂, join
+//!   B.
+//! - `coordinates = heliocentric`: each body moves about body 0, in any order; orbits may cross, as of an asteroid and a planet (democratic
+//!   heliocentric coordinates; the Sun's term belongs to B). Methods with force gradients do not compile.
 //! - `split = "A | B"`: parts of your own. A needs a flow in closed form. B reads positions and time only. This is a satellite of the oblate Earth:
 //!
 //! ```
@@ -81,10 +82,10 @@
 //! differ by at most 1e-4 AU from those with h = 50 d. With `.compensated()` the energy is right to 2e-13.
 //!
 //! With a mass of 1e-30, the asteroid does not change the energy, and the energy does not show its error: compare runs with h and h/2. For Sun,
-//! asteroid (a = 2.6 AU, e = 0.1), Jupiter and Saturn, `Aba10_6_4` with `heliocentric` and h = 156 d takes 0.4 s. The position changes by 6e-8, 7e-7
-//! and 7e-6 AU after 10³, 10⁴ and 10⁵ years. This growth is linear, as for every symplectic method on a regular orbit. For e = 0.6 and h = 38 d the
-//! changes are 6e-8, 1e-5 and 4 AU: the orbit is chaotic. Choose h from the shortest perihelion distance d: h ≤ T/8 with T = 2π √(d³/(GM(1 + e))).
-//!
+//! asteroid (a = 2.6 AU, e = 0.1), Jupiter and Saturn, `Aba10_6_4` with `heliocentric` and h = 156 d takes 0.4 s for 10⁵ years. Positions with h and
+//! h/2 differ by 6e-8, 7e-7 and 7e-6 AU after 10³, 10⁴ and 10⁵ years. The growth is linear, as for every symplectic method on a regular orbit: expect
+//! 7e-4 AU for 10⁷ years. For e = 0.6 and h = 38 d they differ by 6e-8, 1e-5 and 4 AU: the orbit is chaotic. Choose h from the shortest perihelion
+//! distance d: h ≤ T/8 with T = 2π √(d³/(GM(1 + e))).
 //! # Close encounters
 //! B is not small in an encounter, and a method with fixed steps then loses accuracy without an error. Take Taylor series or an adaptive run. The
 //! asteroid with e = 0.1 costs 2 s by Taylor series or 3 s by `adaptive(DOP853, 1e-12, start)` for 10⁵ years. Burrau's three bodies start at
@@ -105,14 +106,13 @@
 //! assert!((sim.energy() + 12.0 / 5.0 + 15.0 / 4.0 + 20.0 / 3.0).abs() < 1e-12 && sim.steps() < 3700);
 //! # Ok::<(), StepError>(())
 //! ```
-//!
 //! # Errors and limits
 //! - h ≤ T/8 with `WisdomHolman…`, and h ≤ T/5 with `Aba10_6_4`, are upper limits, for the shortest T as above. Longer steps resonate with the
 //!   orbits and give wrong results without an error. Halve h and compare.
 //! - No method changes to another one in an encounter by itself. To find encounters, stop at a distance by [`until_event`](super::_12_events).
 //! - Processed methods (`WisdomHolmanProcessed`, `WisdomHolmanGradient`) compute 12 kicks and 16 flows for each state that you read, and
 //!   an event search reads one in each step.
-//! - `OutsideDomain`: a mass is zero, or a body follows bodies that have less than 1e-16 of its mass. An asteroid after the Sun is no problem.
+//! - `OutsideDomain`: a mass is zero, or all bodies before a body together have less than 1e-16 of its mass: write the Sun first.
 //! - [`Pole`](crate::StepError::Pole): an orbit meets its focus.
 //! - A planet's moon makes B large: take `BlanesMoanSrkn14a` or Taylor series.
 //! - Up to about 20 bodies in space compile. For more bodies, [write the system by hand](super::_14_by_hand).

@@ -45,12 +45,11 @@
 //! then creeps at ε f/√(c² − f²). A step in which R adds energy returns `OutsideDomain`. Let v̄ = (qₙ₊₁ − qₙ)/h. A step of
 //! [`DiscreteGradient`](crate::DiscreteGradient) changes the energy by exactly h v̄·F − h v̄·∂R/∂v. Both forces are taken at v̄ and at the midpoints
 //! of q and t. Compute the work with v̄, as above, and not with `sim.velocity()`.
-//! A closed balance is not an accurate path: this arm with a driven elbow ends 0.3 rad off after 10 s at h = 10 ms, and 0.02 rad at 2.5 ms. With a
-//! held torque and without friction, `Suzuki4.of(DiscreteGradient)` closes the balance and is right to 4e-5 rad. With friction, `Gauss::<3>` is
-//! right to 1e-7 rad and closes the balance to 5e-3 J.
+//! A closed balance is not an accurate path: with a driven elbow, the arm above ends 0.3 rad off after 10 s. For the path, keep each torque for
+//! `sim.advance(4)?` at h = 2.5 ms (0.02 rad), or write `Gauss::<3>` (h = 10 ms: 1e-7 rad, balance to 5e-3 J). Without friction,
+//! `Suzuki4.of(DiscreteGradient)` closes the balance and is right to 4e-5 rad.
 //!
 //! # Bars and closed chains
-//!
 //! A closed chain has no independent coordinates. Write Cartesian positions, and one constraint g(q) = 0 for each bar:
 //!
 //! ```
@@ -81,20 +80,21 @@
 //! - **Drives.** `force` does not compile with constraints. Add the potential of a torque: here `+ torque * q[1].atan2(q[0])` in L. H contains it. At
 //!   ±π the angle jumps by 2π, and `sim.energy()` by 2π·torque: this is the work of one turn. The motion does not jump. Change `torque` by
 //!   `set_system`. For a prescribed angle, tie the crank by a stiff spring to a point that moves with t.
-//! - **Momenta.** After a step of `DiscreteGradient` they are off by O(h²): `sim.state_on_constraint()?` returns a state without this error.
-//!   After `set_system` the next step checks positions, not velocities. If a bar changes its length, set a state on the new constraints first.
+//! - **Momenta.** After a step of `DiscreteGradient` they miss the constraint of velocities by O(h²): `sim.state_on_constraint()?` returns a state
+//!   without this error. After `set_system` the next step checks positions, not velocities. If a bar changes its length, set a state on the new
+//!   constraints first.
 //! # Kinds of Lagrangians
 //! | L | methods |
 //! |---|---|
 //! | quadratic in v, constant mass matrix | all methods for H = T(p) + V(q) |
 //! | quadratic in v, M(q) couples at most two velocities (two links) | methods that need no splitting: `DiscreteGradient`, `Gauss`, `RK4`, Taylor series |
-//! | *arms*: quadratic in v, M(q) couples three or more (M = ∂²L/∂v²) | `DiscreteGradient`, [`Gauss`](crate::Gauss), `RK4`, `DOP853`; no Taylor series |
+//! | *long arms*: quadratic in v, M(q) couples three or more (M = ∂²L/∂v²) | `DiscreteGradient`, [`Gauss`](crate::Gauss), `RK4`, `DOP853`; no Taylor series |
 //! | A√(S + v·Cv), A\|v\|ⁿ, A eᵛ, A ln v, A cosh v: relativity, optics | all methods for the derived H, often T(p) + V(q) |
 //! | any other function of v | `Gauss`, `RK4`, `DOP853` |
 //! | linear in v: L = ϑ(q)·v − H(q) | first-order equations with [`FlowState`](crate::FlowState); methods of [fields](super::_11_fields) |
 //! | with an argument `s`, s' = L (Herglotz) | contact methods, see [friction](super::_08_friction); states are `system.at(q, v, s)` |
 //!
-//! The report of an arm says `steps are solved for v`: Newton's iteration has one unknown for each velocity. On one core of a Xeon, a step of the
+//! The report of a long arm says `steps are solved for v`: Newton's iteration has one unknown for each velocity. On one core of a Xeon, a step of the
 //! example `robot_arm` with six joints takes 14 µs with `DiscreteGradient`, 10 µs with `Gauss::<2>`, 11 µs with `DOP853`, 3 µs with `RK4`.
 //!
 //! ```

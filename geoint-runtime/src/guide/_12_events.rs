@@ -36,11 +36,11 @@
 //! if it follows within about 10⁻⁶ of a step, and the ball falls through the ground. In `f32` the limit grows with time: 2·10⁻⁴ of a step after 200
 //! steps, and a tenth of a step after 10⁵ steps. A Taylor run never ends: it finds ever shorter bounces. Choose a speed below which the ball lies
 //! down.
-//!
 //! # A Poincaré section
-//! [`crossings`](crate::Dense::crossings) is an iterator over all events. A section in a plane needs two degrees of freedom: energy and event leave
-//! two of the four coordinates free. Give the search an end by `until`: an orbit that never comes back would be followed without end. The program
-//! collects points (y, p_y) of a star at x = 0 with p_x > 0:
+//! [`crossings`](crate::Dense::crossings) is an iterator over all events. The section of a driven oscillator is one state in each period:
+//! `sampled_every(period)`. Without driving, a section in a plane needs two degrees of freedom: energy and event leave two of the four coordinates
+//! free. Give the search an end by `until`: an orbit that never comes back would be followed without end. The program collects points (y, p_y) of a
+//! star at x = 0 with p_x > 0:
 //!
 //! ```
 //! use geoint_runtime::prelude::*;
@@ -110,10 +110,10 @@
 //! |---|---|
 //! | fixed steps, adaptive | found if `g` comes near zero between the ends: a parabola through three values shows where, and the search follows it |
 //! | Taylor | all zeros of the polynomial of `g` are found |
-//!
 //! - An oscillator with 20 fixed steps a period and two zeros 10⁻⁴ of a step apart: 199 of 200 such pairs were found.
 //! - If `g` oscillates faster than the steps, use shorter steps or a Taylor run. For `sin(40 q)`, q must change by less than π/40 in a step.
 //! - In a Taylor run, `g` computes with power series in place of numbers: `+ − × ÷`, `sqrt`, `sin` and others, but no `norm`, `if` or comparison.
+//!   Write a distance by the squares of its components.
 //! - Poles of `g` are no events. A `g` that is not finite, or is zero for more than a step, is the error [`NoEvent`](crate::StepError::NoEvent).
 //! - A condition inside the energy (`if`, `abs`, `min`) needs no event: see [the language of energies](super::_04_language).
 //!

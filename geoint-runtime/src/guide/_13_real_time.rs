@@ -84,11 +84,12 @@
 //! this ball (100 ns) while `g` stays far from zero, and up to thirty near a hit: it copies the run, and measures the slope of `g` by a short step.
 //! - **A thousand balls** that do not hit each other are a `Vec<Run>`. A frame of all takes 0.1 ms in flight. One energy with 32 copies of a
 //!   small system halves the time of explicit methods; an error or event in one copy stops all.
-//! - **Pairs.** n bodies in one energy have n(n − 1)/2 gaps: fine for ten bodies. There is no search for neighbours, and no stacks of resting bodies.
-//! - **Springs and ropes** are one energy. A rope only pulls: `k * (d - l).max(0.0).powi(2) / 2.0`. With `StormerVerlet`, h √(k/m) of a single spring
-//!   must stay below 2, and below 1 in a chain. `DiscreteGradient` has no such limit. [Friction](super::_08_friction) makes it calm.
+//! - **Pairs.** n bodies in one energy have n(n − 1)/2 gaps: fine for ten bodies. For more, find pairs by a grid of your own after each
+//!   frame, and change the runs by `set_state`. For stacks of resting bodies take a physics engine.
+//! - **Springs and ropes** are one energy, as the chain on the page on [the language](super::_04_language), with at most 150 points in space. A rope
+//!   only pulls: `k * (d - l).max(0.0).powi(2) / 2.0`. With `StormerVerlet`, h √(k/m) of a single spring must stay below 2, and below 1 in a chain.
+//!   `DiscreteGradient` has no such limit. [Friction](super::_08_friction) makes it calm.
 //! - **Ground for many points:** a soft one in the energy, `k * (-y).max(0.0).powi(2) / 2.0`. For few hard bounces: `until_event`.
-//!
 //! # Consoles and microcontrollers: `no_std`
 //! ```toml
 //! [dependencies]
@@ -106,7 +107,6 @@
 //! pub fn pendulum(q: f32, p: f32, g: f32) -> f32 { p * p / 2.0 - g * q.cos() }
 //! # fn main() { assert!(Pendulum { g: 9.81_f32 }.integrator(StormerVerlet, 0.01, State::new(1.0, 0.0)).advance(100).is_ok()); }
 //! ```
-//!
 //! # The same bits on every machine
 //! | requirement | setting |
 //! |---|---|

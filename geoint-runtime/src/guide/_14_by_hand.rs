@@ -1,7 +1,8 @@
 //! Write a system by hand if its size is read at run time or its forces need code outside the [language of energies](super::_04_language).
 //!
 //! An attribute needs the number of bodies at compile time. This program reads the masses of a star cluster from a text. It implements four traits of
-//! [`system`](crate::system) itself. The arrays have a fixed capacity, and the field `n` holds the number of bodies.
+//! [`system`](crate::system) itself. The arrays have a fixed capacity (no `Vec`; a run copies its state: box it if it is large), and the field `n`
+//! holds the number of bodies.
 //!
 //! ```
 //! use geoint_runtime::prelude::*;
@@ -64,13 +65,13 @@
 //! # assert!(((halves[0].energy() - start) / (halves[1].energy() - start) - 4.0).abs() < 0.2);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
-//!
 //! The program compiles in a second. With 100 bodies, a step of `StormerVerlet` takes about 23 µs (one core, release build). For one coordinate write
-//! `State<f64>`, `Phase = [[f64; 1]; 2]`, `Coordinates = f64` and `Array = [f64; 1]`. For `f32` write `impl PhaseSpace<f32> for …` and so on.
-//!
+//! `State<f64>`, `Phase = [[f64; 1]; 2]`, `Coordinates = f64` and `Array = [f64; 1]`. All four traits take the scalar:
+//! `impl PhaseSpace<f32> for …`. `prepare_kick` may compute what all steps of length h share.
 //! - These traits give all methods of kicks and drifts (`StormerVerlet`, `BlanesMoan6`, …), `energy`, `until`, events and saved runs.
 //! - With [`VectorField`](crate::system::VectorField) also adaptive steps, [`RK4`](crate::RK4) and [`DOP853`](crate::DOP853) work.
-//! - `REPORT`, [`DiscreteGradient`](crate::DiscreteGradient), [`Gauss`](crate::Gauss), Taylor series and errors at poles do not exist.
+//! - `REPORT`, [`DiscreteGradient`](crate::DiscreteGradient), [`Gauss`](crate::Gauss), and Taylor series do not exist. Poles are found only by
+//!   `outside_domain`.
 //! - Nothing checks that `kick` fits `hamiltonian`. Test it: with `StormerVerlet` and half the step, the error of the energy is a quarter.
 //! # Tables, and functions of other crates
 //! In a system by hand, `kick` may look up a table or call `libm::erf`. In an attribute, write the table as a natural cubic spline a + b q + Σ cᵢ
@@ -113,7 +114,6 @@
 //! assert!(x.iter().all(|&q| (energy(q) + q.cos()).abs() < 1e-13) && (energy(0.25) + 0.25_f64.cos()).abs() < 1e-3);
 //! # assert!((cloud([1.0, 0.0, 0.0], [0.0; 3], 1.0) + 0.8427007929).abs() < 3e-7);
 //! ```
-//!
 //! A step of `StormerVerlet` takes 26 ns with 20 knots, 50 ns with `erf`, and 21 ns with 1/r alone. For a long table write `kick` by hand: it finds
 //! the interval of q and evaluates one cubic.
 //!

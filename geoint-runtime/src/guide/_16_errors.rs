@@ -26,17 +26,6 @@
 //! }
 //! let _ = Relativistic.integrator(BlanesMoan6, 0.1, State::new(1.0, 0.0));
 //! ```
-//! **velocities are called `v`; say that they are `qdot`: `v = qdot`**
-//!
-//! Names of coordinates are fixed unless the attribute names others.
-//! ```
-//! # use geoint_runtime::prelude::*;
-//! #[lagrangian(v = qdot)]
-//! fn free(q: f64, qdot: f64, m: f64) -> f64 {
-//!     m * qdot * qdot / 2.0 - q * q
-//! }
-//! let _ = Free { m: 2.0 }.integrator(DiscreteGradient, 0.1, State::new(1.0, 0.0));
-//! ```
 //! **an energy of `x` alone does not say how x moves: add S of x' = S(x) ∇H**
 //!
 //! The argument `x` stands for all coordinates of a general phase space. If x is a position, name it and its momentum.
@@ -47,17 +36,6 @@
 //!     px * px / 2.0 + k * x * x / 2.0
 //! }
 //! let _ = Spring { k: 1.0 }.integrator(StormerVerlet, 0.1, State::new(1.0, 0.0));
-//! ```
-//! **an integer stands beside a number of type `f64` or `f32`**
-//!
-//! Rust has no conversion between integers and floating-point numbers, and 1/2 is 0.
-//! ```
-//! # use geoint_runtime::prelude::*;
-//! #[hamiltonian]
-//! fn half(q: f64, p: f64) -> f64 {
-//!     0.5 * p * p + 0.5 * q * q
-//! }
-//! let _ = Half.integrator(StormerVerlet, 0.1, State::new(1.0, 0.0));
 //! ```
 //! **the macro cannot see into functions outside of the energy: put `#[energy_function]` above this one**
 //!
@@ -97,6 +75,16 @@
 //! }
 //! let _ = Driven.integrator(DiscreteGradient, 0.1, State::new(1.0, 0.0));
 //! ```
+//! | message | meaning and repair |
+//! |---|---|
+//! | velocities are called `v`; say that they are `qdot`: `v = qdot` | Write `#[lagrangian(v = qdot)]`. |
+//! | an integer stands beside a number of type `f64` or `f32` | Write `0.5 * p * p`: Rust has no conversion between integers and floating-point numbers, and 1/2 is 0. |
+//! | leave out this, or `structure`, `attitude`, `split`, `coordinates` and `force` | `constraint` excludes these. Write a motor as a term of the energy, see [mechanisms](super::_10_mechanisms). |
+//! | rigid bodies are moved by their energy alone | `attitude` excludes `force` and `damping`. Write the equations, see [fields](super::_11_fields). |
+//! | has no discrete gradient | Rigid bodies need kicks and drifts such as `BlanesMoanSrkn14a`; contact systems `ContactDiscreteGradient`. |
+//! | are no functions of its state | Explicit methods do not keep a `constraint`. Take `Rattle` or `DiscreteGradient`. |
+//! | is singular at every state, so that these velocities do not follow from momenta | A motion has no kinetic energy. Give it a mass, or write the equations. |
+//! | is not constant along the field: what remains of its derivative is | The named function is no first integral. Correct it, or the field. |
 //!
 //! # When it runs
 //!
@@ -111,7 +99,7 @@
 //! | `DependentConstraints` | constraints do not determine the motion: bars in one line | start elsewhere, or choose other lengths |
 //! | `OutsideDomain`, `Pole` | a root, logarithm, pole or singular mass matrix on the way, or friction that adds energy | shorten the step, or correct the friction; the message has the term |
 //! | `NonFinite`, `NotConverged`, `Unsolved`, `Turned` | the step is too long for its equation | shorten the step |
-//! | `Singular` | the equation has several solutions, or gradients of integrals are parallel | shorten the step, or `Projection(RK4, Integrals)` |
+//! | `Singular` | several solutions: long step, dead point of a linkage, parallel gradients of integrals | shorten the step; start elsewhere; `Projection(RK4, Integrals)` |
 //! | `LedAstray`, `Rounded` | a correction exceeds half of the step, or rounding changes an invariant | shorten the step; take other units |
 //! | `OutOfRange` | a value is too small or too large for `f32` or `f64` | take other units, or `f64` |
 //! | `StepTooSmall`, `TooManySteps` | an adaptive run or a Taylor series cannot go on | read its `reason`: a collision, a jump; raise `steps_at_most` |

@@ -1,7 +1,7 @@
 //! The page of the guide on errors, from `errors.txt` and the messages of the compile-fail tests.
 //!
-//! An entry of `errors.txt` is a line `== message`, a line with the meaning, and a program that compiles. Programs are tests of the guide. The table
-//! of errors at run time is written by hand.
+//! An entry of `errors.txt` is a line `== message`, a line with the meaning, and perhaps a program that compiles. Programs are tests of the guide.
+//! Entries without a program form a table. The table of errors at run time is written by hand.
 
 use crate::project::Project;
 
@@ -15,17 +15,22 @@ pub(crate) fn page(project: &Project) -> Result<String, String> {
             messages += &project.read(&file)?;
         }
     }
-    let mut text = HEAD.to_owned();
+    let (mut text, mut short) = (HEAD.to_owned(), String::new());
     for entry in project.read(ENTRIES)?.split("\n== ").skip(1) {
         let mut lines = entry.trim_end().lines();
         let (message, meaning) = (lines.next().unwrap_or_default(), lines.next().unwrap_or_default());
         if !messages.contains(message) {
             return Err(format!("{ENTRIES}: no compile-fail test has the message: {message}"));
         }
-        text += &format!("**{message}**\n\n{meaning}\n```\n# use geoint_runtime::prelude::*;\n");
-        lines.for_each(|line| text += &format!("{line}\n"));
-        text += "```\n";
+        let program: String = lines.map(|line| format!("{line}\n")).collect();
+        if program.is_empty() {
+            short += &format!("| {message} | {meaning} |\n");
+        } else {
+            text += &format!("**{message}**\n\n{meaning}\n```\n# use geoint_runtime::prelude::*;\n{program}```\n");
+        }
     }
+    text += SHORT;
+    text += &short;
     text += TAIL;
     Ok(text.lines().map(|line| format!("//! {line}").trim_end().to_owned() + "\n").collect())
 }
@@ -37,6 +42,11 @@ This page is generated: each message occurs in a test, and each program compiles
 
 # When the program is compiled
 
+";
+
+const SHORT: &str = "\
+| message | meaning and repair |
+|---|---|
 ";
 
 const TAIL: &str = "
@@ -53,7 +63,7 @@ const TAIL: &str = "
 | `DependentConstraints` | constraints do not determine the motion: bars in one line | start elsewhere, or choose other lengths |
 | `OutsideDomain`, `Pole` | a root, logarithm, pole or singular mass matrix on the way, or friction that adds energy | shorten the step, or correct the friction; the message has the term |
 | `NonFinite`, `NotConverged`, `Unsolved`, `Turned` | the step is too long for its equation | shorten the step |
-| `Singular` | the equation has several solutions, or gradients of integrals are parallel | shorten the step, or `Projection(RK4, Integrals)` |
+| `Singular` | several solutions: long step, dead point of a linkage, parallel gradients of integrals | shorten the step; start elsewhere; `Projection(RK4, Integrals)` |
 | `LedAstray`, `Rounded` | a correction exceeds half of the step, or rounding changes an invariant | shorten the step; take other units |
 | `OutOfRange` | a value is too small or too large for `f32` or `f64` | take other units, or `f64` |
 | `StepTooSmall`, `TooManySteps` | an adaptive run or a Taylor series cannot go on | read its `reason`: a collision, a jump; raise `steps_at_most` |
