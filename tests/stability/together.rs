@@ -32,7 +32,7 @@ fn reflected(hit: Crossing<State<[f64; 2]>>) -> State<[f64; 2]> {
 /// Runs into the corner, and asserts that both walls reflect the ball once.
 fn reflects<T: Dense<State = State<[f64; 2]>> + Trajectory<State = State<[f64; 2]>>>(
     mut run: T,
-    what: core::fmt::Arguments,
+    what: core::fmt::Arguments<'_>,
 ) where
     [f64; 2]: geoint_runtime::space::Array<Real = geoint_runtime::running::Scalar<T>>,
 {
@@ -100,7 +100,7 @@ fn a_corner_reflects_in_single_precision() {
 
 /// Discs of unit mass on a line, which touch.
 #[hamiltonian]
-fn discs(q: [f32; 4], p: [f32; 4]) -> f32 {
+fn discs(_q: [f32; 4], p: [f32; 4]) -> f32 {
     p.iter().map(|p| p * p).sum::<f32>() / 2.0
 }
 
