@@ -43,7 +43,7 @@ fn outer_solar_system() -> TokenStream {
 
 /// The arm of `tests/lagrangian`.
 fn arm_in_space() -> TokenStream {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/lagrangian/space.rs");
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/lagrangian/space.rs");
     let file = syn::parse_file(&std::fs::read_to_string(path).expect("the file")).expect("items");
     let arm = file.items.into_iter().find_map(|item| match item {
         syn::Item::Fn(mut item) if item.sig.ident == "arm_in_space" => {

@@ -1,5 +1,6 @@
-//! Tests of the whole compiler; nothing outside of a proc-macro crate can call its insides.
+//! Tests of the whole compiler, and of stages that are not public.
 
+mod agreement;
 mod corpus;
 mod cost;
 mod jets;

@@ -52,14 +52,14 @@ const STACK: usize = 8 << 20;
 /// The comment at the top of the list.
 const HEADER: &str = "\
 # Hashes of the code that is emitted for the functions of this repository: path, name, outcome, FNV-1a of the tokens.
-# Written by `UPDATE_EXPECT=1 cargo test -p geoint-macros corpus`.
+# Written by `UPDATE_EXPECT=1 cargo test -p geoint-compiler corpus`.
 ";
 
 /// The advice that follows the differences.
 const HELP: &str = "\
 The code that is emitted for these functions is not the code of src/tests/corpus/expansions.txt.
-If this is intended: `UPDATE_EXPECT=1 cargo test -p geoint-macros corpus` rewrites the list.
-To read the difference: run `EXPANSIONS=before cargo test -p geoint-macros corpus` without the change, run it with
+If this is intended: `UPDATE_EXPECT=1 cargo test -p geoint-compiler corpus` rewrites the list.
+To read the difference: run `EXPANSIONS=before cargo test -p geoint-compiler corpus` without the change, run it with
 `EXPANSIONS=after` with the change, and compare the folders `target/geoint/expansions/{before,after}` by `diff -r`.
 ";
 

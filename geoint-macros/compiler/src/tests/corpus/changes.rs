@@ -36,7 +36,7 @@ fn in_the_middle(tokens: TokenStream, change: fn(&mut Vec<TokenTree>)) -> TokenS
 /// The changes remove, add and replace a token. `scenes.rs` has one function of every form. The test reads this file as text.
 #[test]
 fn a_changed_token_is_reported_in_every_form() {
-    let scenes = expansions(Path::new("geoint-macros/src/tests/corpus/scenes.rs"));
+    let scenes = expansions(Path::new("geoint-macros/compiler/src/tests/corpus/scenes.rs"));
     let entries: Vec<Entry> = scenes.iter().map(|(entry, _)| entry.clone()).collect();
     let list = list(&entries);
     assert_eq!(Differences::between(&list, &entries), Differences::default());

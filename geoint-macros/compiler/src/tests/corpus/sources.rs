@@ -6,7 +6,7 @@ use walkdir::WalkDir;
 
 /// The root of the workspace.
 pub(super) fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the crate is a folder of the workspace")
+    Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("the crate is two folders below the workspace")
 }
 
 /// Returns the paths of all Rust files and Markdown pages below the root of the workspace, sorted.

@@ -1,6 +1,6 @@
 //! Two expansions as reading material. The corpus compares the expansions of all functions.
 //!
-//! `UPDATE_EXPECT=1 cargo test -p geoint-macros` refreshes them. Read the difference before you commit it.
+//! `UPDATE_EXPECT=1 cargo test -p geoint-compiler` refreshes them. Read the difference before you commit it.
 
 use crate::attribute;
 use crate::parse::Form;
