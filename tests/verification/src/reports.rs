@@ -9,7 +9,10 @@ use geoint_verification::statements::Names;
 const SENTENCES: &[(&str, &str)] = &[
     ("kick and drift are exact flows", "tests/accuracy::every_problem"),
     ("H = T({p}) + V({q})", "geoint-macros/compiler/src/tests::separable_with_quadratic_t"),
-    ("T is quadratic in {p} with a constant mass matrix", "geoint-macros/compiler/src/tests::separable_with_quadratic_t"),
+    (
+        "T is quadratic in {p} with a constant mass matrix",
+        "geoint-macros/compiler/src/tests::separable_with_quadratic_t",
+    ),
     ("T is not quadratic in {p}", "geoint-macros/compiler/src/tests::separable_but_not_quadratic"),
     ("not separable", "geoint-macros/compiler/src/tests::coupled_terms_are_named"),
     ("H is linear in {p}", "tests/contact::lifts_are_of_the_order_of_the_method"),

@@ -109,7 +109,10 @@ mod tests {
              each! { Top top_turns, Ball ball_falls }\n#[cfg(test)] mod within { #[test] fn inner() {} }\n#[test] fn last() {}",
         ),
         ("tests/laws/orphan.rs", "#[test] fn belongs_to_no_program() {}"),
-        ("geoint-macros/compiler/src/lib.rs", "#[cfg(test)] mod tests { proptest! { #[test] fn drawn(x in 0..3) {} } }"),
+        (
+            "geoint-macros/compiler/src/lib.rs",
+            "#[cfg(test)] mod tests { proptest! { #[test] fn drawn(x in 0..3) {} } }",
+        ),
         ("examples/src/bin/pendulum.rs", "fn main() {}"),
         ("tests/messages/src/ui/fields.rs", "mod field_swells { fn inside() {} }\n// mod in_a_comment {}"),
     ];

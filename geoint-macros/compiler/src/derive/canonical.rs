@@ -4,6 +4,7 @@ use super::domain::{Domain, Roots};
 use super::exact::kick_drift::{kick_drift, modified_energy};
 use super::exact::perturbed;
 use super::exact::pieces::{self, Followed};
+use super::facts::Fact;
 use super::implicit;
 use super::jet::{self, JetKernel};
 use super::system::{Implicit, Missing, System};
@@ -50,11 +51,11 @@ pub(crate) fn canonical(
     let rate = (!structure.conservative()).then(|| Kernel::new(Levels::One, rates.clone()));
     // Damping that depends on the state makes a field of a higher degree.
     let steady = structure.forces.is_none() && structure.damping.as_ref().is_none_or(|damping| !damping.reads.state());
-    let proven = [
-        (structure.conservative(), "Conservative"),
-        (structure.conserves_energy(), "Autonomous"),
-        (structure.degree.is_some_and(|degree| degree <= 3) && steady, "QuadraticField"),
-        (matches!(pieces, Some(Ok(found)) if found.nystrom), "NystromPieces"),
+    let facts = [
+        (structure.conservative(), Fact::Conservative),
+        (structure.conserves_energy(), Fact::Autonomous),
+        (structure.degree.is_some_and(|degree| degree <= 3) && steady, Fact::QuadraticField),
+        (matches!(pieces, Some(Ok(found)) if found.nystrom), Fact::NystromPieces),
     ];
     let forms = jet::forms(graph, structure.energy, &gradient, legendre).into_iter().map(|gradient| {
         let rates = diff::field::rates(graph, &gradient, structure);
@@ -65,7 +66,7 @@ pub(crate) fn canonical(
     let forms: Vec<Vec<Id>> = forms.collect();
     let jet = JetKernel::canonical(graph, &forms, (structure.energy, degrees));
     let system = System {
-        proven: proven.into_iter().filter(|(holds, _)| *holds).map(|(_, name)| name).collect(),
+        facts: facts.into_iter().filter(|(holds, _)| *holds).map(|(_, fact)| fact).collect(),
         value: Some(Kernel::new(Levels::One, vec![structure.energy])),
         slopes: Some(Kernel::new(Levels::One, [&gradient.q[..], &gradient.p].concat())),
         rate,

@@ -47,7 +47,7 @@ pub(crate) fn constrained(
     };
     let roots = [&[structure.energy], constraints].concat();
     let system = System {
-        proven: vec![],
+        facts: vec![],
         value: Some(one(vec![structure.energy])),
         slopes: None,
         rate: None,

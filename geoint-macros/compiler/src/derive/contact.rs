@@ -2,6 +2,7 @@
 
 use super::domain::{Domain, Roots};
 use super::exact::pieces::{self, Followed};
+use super::facts::Fact;
 use super::jet::{self, JetKernel};
 use super::system::{
     ContactKernels, ContactStages, FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, System, Undamped,
@@ -52,7 +53,7 @@ pub(crate) fn contact(
         None => ContactStages::Points(implicit::stages(graph, energy, &gradient)),
     };
     let system = System {
-        proven: if conformal { vec!["ConformalContact"] } else { vec![] },
+        facts: if conformal { vec![Fact::ConformalContact] } else { vec![] },
         value: (!lift).then(|| Kernel::new(Levels::One, vec![energy])),
         slopes: Some(Kernel::new(Levels::One, [&gradient.q[..], &gradient.p, &[gradient.s]].concat())),
         rate,

@@ -1,6 +1,7 @@
 //! What is derived of a flow x' = f(x, t), and of one that an energy makes, x' = S(x) ∇H.
 
 use super::domain::{Domain, Roots};
+use super::facts::Fact;
 use super::implicit;
 use super::jet::JetKernel;
 use super::proof::flow::{ENERGY, Flow, Named, Origin, coordinates};
@@ -43,7 +44,7 @@ pub(crate) fn flow(graph: &mut Graph, found: &Flow, partial: &[Partial], damping
     let all = [&field[..], &values].concat();
     let quadratic = analyze::is_polynomial(graph, field, 2);
     System {
-        proven: if quadratic { vec!["QuadraticField"] } else { vec![] },
+        facts: if quadratic { vec![Fact::QuadraticField] } else { vec![] },
         value: value.map(|value| Kernel::new(Levels::One, vec![value])),
         slopes: None,
         rate: Some(Kernel::new(Levels::One, field.clone())),

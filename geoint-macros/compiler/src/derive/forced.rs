@@ -37,7 +37,7 @@ pub(crate) fn forced(
     let term = applied.chain(drag.iter().flatten()).copied().find(|force| !graph.is_zero(*force)).unwrap_or(energy);
     let jet = JetKernel::canonical(graph, &[rates.clone()], (energy, degrees));
     let system = System {
-        proven: vec![],
+        facts: vec![],
         value: Some(Kernel::new(Levels::One, vec![energy])),
         slopes: Some(Kernel::new(Levels::One, [&gradient.q[..], &gradient.p, &[gradient.s]].concat())),
         rate: Some(Kernel::new(Levels::One, rates.clone())),

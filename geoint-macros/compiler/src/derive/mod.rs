@@ -4,6 +4,7 @@
 //! is `None`, and what an energy does not have is `Err` with the reason.
 
 pub(crate) mod proof;
+mod facts;
 mod poles;
 mod domain;
 mod system;
@@ -24,6 +25,7 @@ pub(crate) use constraints::constrained;
 pub(crate) use contact::contact;
 pub(crate) use domain::{Angles, Check, Domain, Sign};
 pub(crate) use exact::parts::{Parted, parts};
+pub(crate) use facts::Fact;
 pub(crate) use flow::flow;
 pub(crate) use forced::forced;
 pub(crate) use implicit::MOST_UNKNOWNS;

@@ -2,6 +2,7 @@
 
 use super::domain::{Domain, Roots};
 use super::exact::pieces::{self, Followed};
+use super::facts::Fact;
 use super::system::{
     HerglotzKernels, Implicit, MassKernels, Missing, StepKernel, System, VelocityKernels, VelocityStages,
 };
@@ -49,7 +50,7 @@ pub(crate) fn velocities(
     let roots = [&[*lagrangian][..], forces, momenta].concat();
     let degrees = momenta.len() as u32;
     System {
-        proven: vec![],
+        facts: vec![],
         value: None,
         slopes: None,
         rate: None,
@@ -100,7 +101,7 @@ pub(crate) fn herglotz(graph: &mut Graph, legendre: &Legendre, long: Id) -> Syst
     };
     let roots = [&[*lagrangian, decay][..], forces, momenta].concat();
     System {
-        proven: if stages.varying { vec![] } else { vec!["ConformalContact"] },
+        facts: if stages.varying { vec![] } else { vec![Fact::ConformalContact] },
         value: None,
         slopes: None,
         rate: None,

@@ -4,7 +4,7 @@ use super::domain::domain;
 use super::kernel::{Context, write};
 use super::structure::{self_type, state};
 use super::tokens::Tokens;
-use crate::derive::{Implicit, Modified, System};
+use crate::derive::{Fact, Implicit, Modified, System};
 use crate::ir::Graph;
 use crate::parse::{Energy, Form, over_scalar};
 use crate::schedule::Plan;
@@ -27,7 +27,7 @@ pub(super) fn phase_space(context: &Context<'_>, graph: &Graph, system: &System<
     let given = if context.energy.form.has_action() { quote!(s: &R) } else { quote!(_: &()) };
     let rate = vector_field(context, system);
     let gradient = system.slopes.as_ref().map(|slopes| gradient(context, system, slopes));
-    let kept = system.proven.contains(&"Autonomous").then(|| keeps_energy(context, &quote!(CanonicalEnergy), None));
+    let kept = system.has(Fact::Autonomous).then(|| keeps_energy(context, &quote!(CanonicalEnergy), None));
     let constrained = matches!(system.implicit, Implicit::Constrained(_)).then(|| {
         quote! {
             fn unmet(&self, t: R, h: R, z: &#phase) -> ::core::option::Option<Unmet> {
@@ -51,9 +51,9 @@ pub(super) fn phase_space(context: &Context<'_>, graph: &Graph, system: &System<
             const OF_VELOCITIES: bool = true;
         )
     });
-    let proven = system.proven.iter().map(|name| format_ident!("{name}"));
+    let facts = system.facts.iter().map(|fact| format_ident!("{}", fact.trait_name()));
     quote! {
-        #(impl<R: Real> #proven<R> for #name { type Proof = (); })*
+        #(impl<R: Real> #facts<R> for #name { type Proof = (); })*
         impl<R: Real> PhaseSpace<R> for #name {
             type State = #state<#coordinates>;
             type Phase = #phase;

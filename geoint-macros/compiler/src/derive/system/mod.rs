@@ -12,6 +12,7 @@ pub(crate) use perturbed::{Inner, Perturbed};
 
 use super::domain::Domain;
 use super::jet::JetKernel;
+use crate::derive::facts::Fact;
 use crate::diff;
 use crate::ir::{Graph, Id, Symbol};
 use crate::legendre::{Canonical, FirstOrder, Legendre, Route};
@@ -21,8 +22,8 @@ use crate::split::{self, Clock, Rejected};
 /// What a system offers.
 #[derive(Debug)]
 pub(crate) struct System<K = Kernel> {
-    /// The traits of what was proven, and needs no kernel.
-    pub(crate) proven: Vec<&'static str>,
+    /// Proven properties that need no kernel.
+    pub(crate) facts: Vec<Fact>,
     /// H; nothing if momenta are not followed.
     pub(crate) value: Option<K>,
     /// ∇H; nothing where the state is not moved by H in q and p.
@@ -226,7 +227,7 @@ impl System {
     pub(crate) fn scheduled(self, graph: &mut Graph) -> System<Plan> {
         let mut plan = |kernel: Kernel| kernel.plan(graph);
         System {
-            proven: self.proven,
+            facts: self.facts,
             splitting: self.splitting.map(|splitting| Ok(splitting?.map(&mut plan))),
             perturbed: self.perturbed.map(|perturbed| Ok(perturbed?.map(&mut plan))),
             modified: self.modified.map(|modified| match modified {
@@ -243,6 +244,13 @@ impl System {
             lagrangian: self.lagrangian.map(|lagrangian| lagrangian.map(&mut plan)),
             jet: self.jet.map(|jet| jet.map(&mut plan)),
         }
+    }
+}
+
+impl<K> System<K> {
+    /// Returns whether a property was proven.
+    pub(crate) fn has(&self, fact: Fact) -> bool {
+        self.facts.contains(&fact)
     }
 }
 

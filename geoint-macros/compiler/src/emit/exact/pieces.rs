@@ -65,11 +65,12 @@ fn splitting(
         quote!(#i => { let (prepared, start) = (&#flow, &#start); #body })
     };
     let arms = pieces.iter().enumerate().map(|(i, piece)| {
-        let body = if piece.solved { solve(context, piece, &quote!(q)) } else { assign(context, &piece.flow) };
+        let body = if piece.solved { solve(context, piece, Target::State) } else { assign(context, &piece.flow) };
         arm(i, body)
     });
     let added = pieces.iter().enumerate().map(|(i, piece)| {
-        let body = if piece.solved { solve(context, piece, &quote!(d.z)) } else { increments(context, &piece.flow) };
+        let body =
+            if piece.solved { solve(context, piece, Target::Increments) } else { increments(context, &piece.flow) };
         arm(i, body)
     });
     let per = context.per_coordinate();
@@ -130,12 +131,23 @@ fn member(all: TokenStream, i: usize, count: usize) -> TokenStream {
     quote!(#inner.#i)
 }
 
-/// The step of a plane, added to `target`: what moves, or increments.
-fn solve(context: &Context<'_>, piece: &PieceKernel<Plan>, target: &TokenStream) -> TokenStream {
+/// What the step of a plane is added to.
+#[derive(Clone, Copy)]
+enum Target {
+    State,
+    Increments,
+}
+
+/// The step of a plane, added to the target.
+fn solve(context: &Context<'_>, piece: &PieceKernel<Plan>, target: Target) -> TokenStream {
+    let coordinates = match target {
+        Target::State => quote!(q),
+        Target::Increments => quote!(d.z),
+    };
     let [x, y] = [0, 1].map(|i| context.input(piece.flow.changes[i]));
     let places = piece.flow.changes.iter().enumerate().map(|(i, symbol)| {
         let place = match symbol {
-            Symbol::Q(index) => element(target.clone(), &context.coordinate(*index)),
+            Symbol::Q(index) => element(coordinates.clone(), &context.coordinate(*index)),
             _ => Tokens::default(),
         };
         let i = Literal::usize_unsuffixed(i);
@@ -154,7 +166,7 @@ fn solve(context: &Context<'_>, piece: &PieceKernel<Plan>, target: &TokenStream)
         let step = planar_step([#x, #y], |increment: &[R; 2]| -> ([R; 2], [[R; 2]; 2]) { #equation });
         #(#places)*
     };
-    if target.to_string() == "q" {
+    if let Target::State = target {
         return solved;
     }
     let parts = context.per_coordinate();

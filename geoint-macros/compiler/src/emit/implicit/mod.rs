@@ -13,7 +13,7 @@ mod velocities;
 use super::kernel::{Context, write};
 use super::structure::self_type;
 use super::tokens::Tokens;
-use crate::derive::{ContactStages, FieldKernels, Implicit, MOST_UNKNOWNS, System};
+use crate::derive::{ContactStages, Fact, FieldKernels, Implicit, MOST_UNKNOWNS, System};
 use crate::ir::{Graph, Number};
 use crate::schedule::{Block, Operand, Plan};
 use proc_macro2::TokenStream;
@@ -48,7 +48,6 @@ pub(super) fn implicit(context: &Context<'_>, graph: &Graph, system: &System<Pla
 }
 
 fn field(context: &Context<'_>, graph: &Graph, (field, system): (&FieldKernels<Plan>, &System<Plan>)) -> TokenStream {
-    let proven = &system.proven;
     let kept = kept(field, system);
     let discrete = field
         .discrete
@@ -57,8 +56,8 @@ fn field(context: &Context<'_>, graph: &Graph, (field, system): (&FieldKernels<P
     let nothing_kept = field.nothing_kept.map(|missing| discrete::nothing_kept(context, graph, missing));
     let fourth = match &field.fourth {
         Some(plan) => Some(discrete::fourth_order(context, field, plan)),
-        None => proven.contains(&"Conservative").then(|| {
-            let autonomous = proven.contains(&"Autonomous");
+        None => system.has(Fact::Conservative).then(|| {
+            let autonomous = system.has(Fact::Autonomous);
             discrete::canonical_fourth_order(context, &field.momenta, autonomous)
         }),
     };
@@ -69,7 +68,7 @@ fn field(context: &Context<'_>, graph: &Graph, (field, system): (&FieldKernels<P
 
 /// What steps along discrete gradients keep and does not read time: the energy and the momenta beside it, or all integrals of a field.
 fn kept(field: &FieldKernels<Plan>, system: &System<Plan>) -> TokenStream {
-    let autonomous = system.proven.contains(&"Autonomous");
+    let autonomous = system.has(Fact::Autonomous);
     match &system.integrals {
         None if !field.momenta.last[0].results.is_empty() => quote!(EnergyAndMomenta<#autonomous>),
         None if autonomous => quote!(CanonicalEnergy),

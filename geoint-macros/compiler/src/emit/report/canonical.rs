@@ -4,7 +4,7 @@ use super::super::damping;
 use super::super::kernel::Context;
 use super::{counted, pieces};
 use crate::analyze::{MeanValue, Split, Structure};
-use crate::derive::{FieldKernels, Implicit, MOST_UNKNOWNS, Perturbed, System};
+use crate::derive::{Fact, FieldKernels, Implicit, MOST_UNKNOWNS, Perturbed, System};
 use crate::diff::Gradient;
 use crate::ir::{Graph, Id, print::Printer};
 use crate::parse::Role;
@@ -92,7 +92,7 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
     for found in &system.pieces {
         writeln!(text, "\nPieces with flows in closed form, in the order of half a step of `PieceSplitting`")?;
         pieces::of_energy(text, printer, (found, false))?;
-        if system.proven.contains(&"NystromPieces") {
+        if system.has(Fact::NystromPieces) {
             writeln!(
                 text,
                 "- tables of Runge–Kutta–Nyström type keep their order, `BlanesMoanSrkn14a.of(PieceSplitting)`"
