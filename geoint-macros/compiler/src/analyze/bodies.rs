@@ -49,7 +49,7 @@ impl Inertia {
 
 /// The momenta of a row: of a body, or of a centre of mass; the fourth number of a pure quaternion is zero.
 pub(crate) fn momenta(row: u32) -> [Symbol; 3] {
-    [0, 1, 2].map(|i| Symbol::P(4 * row + i))
+    [0, 1, 2].map(|i| Symbol::Momentum(4 * row + i))
 }
 
 /// The parts of the energy of so many bodies, or a term and what is wrong with it. Further rows are centres of mass.
@@ -89,7 +89,8 @@ fn velocity(graph: &mut Graph, kinetic: Id, rows: u32) -> Vec<[Id; 3]> {
 
 /// What does not depend on momenta may be taken where they are zero.
 fn at_rest(graph: &mut Graph, id: Id) -> Id {
-    Substitution::new(|graph: &mut Graph, symbol| matches!(symbol, Symbol::P(_)).then(|| graph.zero())).apply(graph, id)
+    Substitution::new(|graph: &mut Graph, symbol| matches!(symbol, Symbol::Momentum(_)).then(|| graph.zero()))
+        .apply(graph, id)
 }
 
 /// Whether velocities, which are linear in momenta, depend on some of them.

@@ -45,7 +45,7 @@ impl Forces {
         let mut there = |graph: &mut Graph, force: Id| {
             let force = place(graph, force);
             let moving = |_: &mut Graph, symbol| match symbol {
-                Symbol::V(i) => Some(velocities[i as usize]),
+                Symbol::Velocity(i) => Some(velocities[i as usize]),
                 _ => None,
             };
             Substitution::new(moving).apply(graph, force)
@@ -77,10 +77,10 @@ impl Forces {
 /// −V of F = −∇V(q), if F reads positions alone and V is elementary.
 fn potential(graph: &mut Graph, applied: &[Id]) -> Option<Id> {
     let mut read = applied.iter().flat_map(|force| graph.symbols(*force));
-    if read.any(|symbol| !matches!(symbol, Symbol::Q(_) | Symbol::Parameter(_))) {
+    if read.any(|symbol| !matches!(symbol, Symbol::Position(_) | Symbol::Parameter(_))) {
         return None;
     }
-    let positions: Vec<Symbol> = (0..applied.len() as u32).map(Symbol::Q).collect();
+    let positions: Vec<Symbol> = (0..applied.len() as u32).map(Symbol::Position).collect();
     let found = liouville::antiderivative(graph, (&positions, applied), liouville::Logarithm::OfMagnitude).ok();
     found.map(|(potential, _)| potential).filter(|potential| !identity(graph, *potential).is_zero())
 }

@@ -45,7 +45,7 @@ pub(super) fn mean_value(graph: &Graph, degrees: &Degrees, energy: Id) -> MeanVa
 
 /// Whether a node reads the state through one affine function of it.
 fn is_ridge(graph: &Graph, degrees: &Degrees, root: Id) -> bool {
-    let state = |symbol: &Symbol| matches!(symbol, Symbol::Q(_) | Symbol::P(_));
+    let state = |symbol: &Symbol| matches!(symbol, Symbol::Position(_) | Symbol::Momentum(_));
     if graph.symbols(root).iter().filter(|symbol| state(symbol)).count() == 1 {
         return true;
     }

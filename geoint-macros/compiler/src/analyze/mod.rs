@@ -207,7 +207,7 @@ pub(crate) fn structure(graph: &mut Graph, energy: Id, coordinates: &Shape) -> S
         }
         Err(term) => Split::Coupled(term),
     };
-    let degrees = Degrees::of(graph, &[energy], |symbol| matches!(symbol, Symbol::Q(_) | Symbol::P(_)));
+    let degrees = Degrees::of(graph, &[energy], |symbol| matches!(symbol, Symbol::Position(_) | Symbol::Momentum(_)));
     let symbols = graph.symbols(energy);
     let unread =
         |symbol: fn(u32) -> Symbol| (0..coordinates.len() as u32).filter(|i| !symbols.contains(&symbol(*i))).collect();
@@ -215,8 +215,8 @@ pub(crate) fn structure(graph: &mut Graph, energy: Id, coordinates: &Shape) -> S
         energy,
         split,
         autonomous: !graph.reads(energy).t,
-        cyclic: unread(Symbol::Q),
-        resting: unread(Symbol::P),
+        cyclic: unread(Symbol::Position),
+        resting: unread(Symbol::Momentum),
         switches: graph.reachable(&[energy]).into_iter().any(|id| match graph.node(id) {
             Node::Select(condition, ..) => graph.reads(*condition).state(),
             _ => false,

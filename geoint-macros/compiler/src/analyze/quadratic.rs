@@ -144,8 +144,8 @@ impl<'a> Expansion<'a> {
     /// A node whose operands are done.
     fn expand(&mut self, id: Id) -> Option<Quadratic> {
         match self.graph.node(id) {
-            Node::Symbol(Symbol::Q(i)) => Some(vec![Monomial::variable(2 * i)]),
-            Node::Symbol(Symbol::P(i)) => Some(vec![Monomial::variable(2 * i + 1)]),
+            Node::Symbol(Symbol::Position(i)) => Some(vec![Monomial::variable(2 * i)]),
+            Node::Symbol(Symbol::Momentum(i)) => Some(vec![Monomial::variable(2 * i + 1)]),
             Node::Linear(constant, terms) => {
                 let mut form = vec![];
                 if !constant.is_zero() {

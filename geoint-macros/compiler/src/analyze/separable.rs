@@ -27,13 +27,13 @@ fn terms(graph: &mut Graph, root: Id) -> Vec<Id> {
 /// A term that is not a polynomial of degree 1 at most in p.
 pub(crate) fn not_affine(graph: &mut Graph, energy: Id) -> Option<Id> {
     let terms = terms(graph, energy);
-    let degrees = Degrees::of(graph, &terms, |symbol| matches!(symbol, Symbol::P(_)));
+    let degrees = Degrees::of(graph, &terms, |symbol| matches!(symbol, Symbol::Momentum(_)));
     terms.into_iter().find(|term| degrees.get(*term).is_none_or(|degree| degree > 1))
 }
 
 /// A term of the kinetic part that is not a polynomial of degree 2 at most in p with constant coefficients.
 pub(crate) fn not_quadratic(graph: &mut Graph, kinetic: Id) -> Option<Id> {
     let terms = terms(graph, kinetic);
-    let degrees = Degrees::of(graph, &terms, |symbol| matches!(symbol, Symbol::P(_)));
+    let degrees = Degrees::of(graph, &terms, |symbol| matches!(symbol, Symbol::Momentum(_)));
     terms.into_iter().find(|term| graph.reads(*term).t || degrees.get(*term).is_none_or(|degree| degree > 2))
 }

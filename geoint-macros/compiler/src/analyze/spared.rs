@@ -21,6 +21,6 @@ impl Spared<'_> {
     /// Whether nothing changes any of the momenta that it reads.
     pub(crate) fn momentum(self, graph: &Graph, momentum: &Momentum) -> bool {
         let symbols = graph.symbols(momentum.value);
-        symbols.iter().all(|symbol| !matches!(symbol, Symbol::P(i) if !self.coordinate(graph, *i)))
+        symbols.iter().all(|symbol| !matches!(symbol, Symbol::Momentum(i) if !self.coordinate(graph, *i)))
     }
 }

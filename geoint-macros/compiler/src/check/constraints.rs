@@ -41,7 +41,7 @@ pub(crate) fn constraints(
         errors.at(&energy.options.constraint, message);
     }
     if errors.len() == 0 {
-        let positions: Vec<Symbol> = (0..degrees).map(Symbol::Q).collect();
+        let positions: Vec<Symbol> = (0..degrees).map(Symbol::Position).collect();
         let functions: Vec<Id> = constraints.iter().map(|(constraint, _)| *constraint).collect();
         let dependent = claims::dependent(graph, &positions, &functions);
         for k in dependent.into_iter().flat_map(|found| found.integrals) {

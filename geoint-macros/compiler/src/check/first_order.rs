@@ -25,12 +25,12 @@ pub(crate) fn first_order(
         errors.at_place((*span, *span), why);
     }
     let all = |coordinates: &[u32]| {
-        coordinates.iter().map(|i| format!("`{}`", printer.named(Symbol::Q(*i)))).collect::<Vec<_>>().join(", ")
+        coordinates.iter().map(|i| format!("`{}`", printer.named(Symbol::Position(*i)))).collect::<Vec<_>>().join(", ")
     };
     let flaw = match &found {
         Ok(_) => None,
         Err(NotRegular::Odd(alone)) if alone.len() == 1 => {
-            let q = printer.named(Symbol::Q(alone[0]));
+            let q = printer.named(Symbol::Position(alone[0]));
             Some(format!(
                 "no entry of Ω has `{q}`: what ϑ has of it adds a total derivative to L, which changes no motion, and ∂H/∂{q} = 0 is no \
                  differential equation; give `{q}` a mass, or solve that for it and put it in"
@@ -47,7 +47,7 @@ pub(crate) fn first_order(
         )),
         Err(NotRegular::Timed(i)) => Some(format!(
             "ϑ of `{}` reads time: write the equations as `#[vector_field]`, or take time for one more coordinate",
-            printer.named(Symbol::V(*i))
+            printer.named(Symbol::Velocity(*i))
         )),
         Err(NotRegular::Large(coordinates)) => Some(format!(
             "Ω couples {} coordinates, {}; it is inverted in closed form for 8 at most: give its inverse, `#[hamiltonian(structure = S)]`",

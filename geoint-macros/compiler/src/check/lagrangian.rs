@@ -24,7 +24,7 @@ pub(crate) fn lagrangian(
 ) -> Result<(Legendre, Option<Friction>)> {
     let mut errors = Diagnostics::default();
     let printer = Printer::new(graph, name);
-    let [q, v] = [Symbol::Q, Symbol::V].map(|kind| move |i: &u32| kind(*i));
+    let [q, v] = [Symbol::Position, Symbol::Velocity].map(|kind| move |i: &u32| kind(*i));
     let named = |symbol: Symbol| printer.named(symbol);
     let velocities =
         energy.arguments.iter().find(|(role, _)| *role == Role::Velocity).map(|(_, argument)| &argument.name);

@@ -47,7 +47,7 @@ pub(crate) struct Shift {
 
 /// Derives everything that some method needs.
 pub(crate) fn bodies(graph: &mut Graph, found: &analyze::Bodies, partial: &[Partial]) -> Bodies {
-    let [h, g] = [Symbol::H, Symbol::G].map(|symbol| graph.symbol(symbol));
+    let [h, g] = [Symbol::StepLength, Symbol::GradientWeight].map(|symbol| graph.symbol(symbol));
     // Of −hV as a whole, so that h meets the constants of every term.
     let generator = graph.mul(h, found.potential);
     let generator = graph.neg(generator);
@@ -136,7 +136,7 @@ impl Bodies {
 
 /// The attitude of a body as nodes: i, j, k, w.
 fn attitude(graph: &mut Graph, body: u32) -> [Id; 4] {
-    [0, 1, 2, 3].map(|i| graph.symbol(Symbol::Q(4 * body + i)))
+    [0, 1, 2, 3].map(|i| graph.symbol(Symbol::Position(4 * body + i)))
 }
 
 /// What turns every body and moves every centre of mass: ½ (r⊗eᵢ)·∂G/∂r, the rate of G as a body turns about each of its axes, and ∂G/∂q.

@@ -38,7 +38,7 @@ pub(crate) fn constrained(
     let one = |roots: Vec<Id>| Kernel::new(Levels::One, roots);
     let velocity = [gradient.p.clone(), given.inverse_mass.concat()].concat();
     let kernels = ConstraintKernels {
-        quadratic: analyze::is_polynomial_in(graph, &gradient.p, 1, |symbol| matches!(symbol, Symbol::P(_))),
+        quadratic: analyze::is_polynomial_in(graph, &gradient.p, 1, |symbol| matches!(symbol, Symbol::Momentum(_))),
         values: one([constraints.to_vec(), given.gradients.concat()].concat()),
         velocity: one(velocity),
         departure: one(departure),

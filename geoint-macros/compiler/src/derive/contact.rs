@@ -78,7 +78,7 @@ pub(crate) fn contact(
 pub(super) fn rates(graph: &mut Graph, energy: Id, gradient: &Gradient) -> Vec<Id> {
     let (mut force, mut action) = (vec![], vec![]);
     for (i, (by_q, by_p)) in (0..).zip(gradient.q.iter().zip(&gradient.p)) {
-        let p = graph.symbol(Symbol::P(i));
+        let p = graph.symbol(Symbol::Momentum(i));
         let drag = graph.mul(p, gradient.s);
         let slope = graph.add(*by_q, drag);
         force.push(graph.neg(slope));
@@ -98,8 +98,9 @@ fn all_rates(graph: &mut Graph, energy: Id, gradient: &Gradient, legendre: Optio
 /// q', p' and s' of a lift: momenta stand still, and s' = p·∂H/∂p − H is that of p = 0.
 fn rates_of_lift(graph: &mut Graph, energy: Id, gradient: &Gradient) -> Vec<Id> {
     let zero = graph.zero();
-    let rest = Substitution::new(|graph: &mut Graph, symbol| matches!(symbol, Symbol::P(_)).then(|| graph.zero()))
-        .apply(graph, energy);
+    let rest =
+        Substitution::new(|graph: &mut Graph, symbol| matches!(symbol, Symbol::Momentum(_)).then(|| graph.zero()))
+            .apply(graph, energy);
     let by_action = graph.neg(rest);
     gradient.p.iter().copied().chain(gradient.p.iter().map(|_| zero)).chain([by_action]).collect()
 }

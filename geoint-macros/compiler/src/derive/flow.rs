@@ -29,7 +29,7 @@ pub(crate) fn flow(graph: &mut Graph, found: &Flow, partial: &[Partial], damping
     };
     let missing = |term: &Id| Missing { marker: "KeepsIn", term: *term, why: NOTHING_KEPT, pair: None };
     let nothing_kept = found.divergent.as_ref().filter(|_| discrete.is_none()).map(missing);
-    let (h, folded) = (graph.symbol(Symbol::H), discrete.is_some() && field.len() <= implicit::MOST_UNKNOWNS);
+    let (h, folded) = (graph.symbol(Symbol::StepLength), discrete.is_some() && field.len() <= implicit::MOST_UNKNOWNS);
     let fourth = (!conserved.is_empty()).then(|| {
         let field = flow::mean_velocity(graph, field, &conserved, Order::Four);
         let equation = implicit::image(graph, &field, h);
@@ -58,7 +58,7 @@ pub(crate) fn flow(graph: &mut Graph, found: &Flow, partial: &[Partial], damping
         domain: Domain::of(graph, Roots { all: &all, divided: &values }, *form, partial, (damping, &[])),
         implicit: Implicit::Field(FieldKernels {
             coordinates: collocation.unknowns.clone(),
-            increments: (0..n).map(Symbol::Dq).collect(),
+            increments: (0..n).map(Symbol::PositionIncrement).collect(),
             second_order: false,
             folded,
             linear: false,
@@ -91,7 +91,7 @@ fn integrals(graph: &mut Graph, kept: &[Named], n: u32) -> Option<Integrals> {
     let slopes: Vec<Id> = steady.iter().flat_map(|i| diff::gradient(graph, values[*i], n).q).collect();
     let mut change = |i: &usize| {
         let slopes = diff::discrete_gradient(graph, values[*i], n).q;
-        let increments: Vec<Id> = (0..n).map(|i| graph.symbol(Symbol::Dq(i))).collect();
+        let increments: Vec<Id> = (0..n).map(|i| graph.symbol(Symbol::PositionIncrement(i))).collect();
         flow::times(graph, &[slopes], &increments)[0]
     };
     let changes = steady.iter().map(&mut change).collect();

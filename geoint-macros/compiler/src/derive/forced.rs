@@ -31,7 +31,7 @@ pub(crate) fn forced(
         let drag = damping.drag(graph, &gradient.p);
         rates[n..2 * n].iter_mut().zip(drag).for_each(|(rate, drag)| *rate = graph.sub(*rate, drag));
     }
-    let velocities: Vec<Id> = (0..degrees).map(|i| graph.symbol(Symbol::V(i))).collect();
+    let velocities: Vec<Id> = (0..degrees).map(|i| graph.symbol(Symbol::Velocity(i))).collect();
     let drag = damping.map(|damping| damping.drag(graph, &velocities));
     let applied = forces.iter().flat_map(|forces| [&forces.applied, &forces.friction]).flatten().flatten();
     let term = applied.chain(drag.iter().flatten()).copied().find(|force| !graph.is_zero(*force)).unwrap_or(energy);

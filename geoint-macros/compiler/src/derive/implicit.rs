@@ -79,7 +79,7 @@ pub(super) fn roots(field: &Field) -> Vec<Id> {
 ///
 /// Other systems are left to the runtime: the compiler would take a quarter longer.
 fn equation(graph: &mut Graph, field: &Field, second_order: &SecondOrder) -> Vec<Id> {
-    let (h, n) = (graph.symbol(Symbol::H), field.unknowns.len());
+    let (h, n) = (graph.symbol(Symbol::StepLength), field.unknowns.len());
     let mut roots = field.f.iter().map(|f| graph.mul(h, *f)).collect::<Vec<_>>();
     let square = graph.pow(h, Ratio::integer(2));
     let half = graph.scale(Number::HALF, square);
@@ -129,10 +129,10 @@ fn multiple_of_products(graph: &Graph, x: Id) -> Option<(Vec<Id>, Id)> {
 
 /// h ∂T/∂p at the mean of two momenta, as a function of what stands for their sum: the half of it is a part of what is known before.
 fn drift(graph: &mut Graph, velocity: &[Id]) -> Vec<Id> {
-    let h = graph.symbol(Symbol::H);
+    let h = graph.symbol(Symbol::StepLength);
     let mut mean = Substitution::new(|graph: &mut Graph, symbol| match symbol {
-        Symbol::P(i) => {
-            let sum = graph.symbol(Symbol::Dp(i));
+        Symbol::Momentum(i) => {
+            let sum = graph.symbol(Symbol::MomentumIncrement(i));
             Some(graph.scale(Number::HALF, sum))
         }
         _ => None,
@@ -162,18 +162,18 @@ pub(super) fn steps(graph: &mut Graph, energy: Id, degrees: u32) -> Vec<(&'stati
 /// The field at a stage of collocation: without s where ∂H/∂s reads time alone, and positions and momenta do not read s.
 pub(super) fn stages(graph: &mut Graph, energy: Id, gradient: &Gradient) -> StageKernel<Kernel> {
     let degrees = gradient.q.len() as u32;
-    let mut moved: Vec<Symbol> = (0..degrees).map(Symbol::Q).chain((0..degrees).map(Symbol::P)).collect();
+    let mut moved: Vec<Symbol> = (0..degrees).map(Symbol::Position).chain((0..degrees).map(Symbol::Momentum)).collect();
     let mut rates = gradient.p.clone();
     rates.extend(gradient.q.iter().map(|slope| graph.neg(*slope)));
     let mut terms = vec![graph.neg(energy)];
     for (i, velocity) in (0..degrees).zip(&gradient.p) {
-        let p = graph.symbol(Symbol::P(i));
+        let p = graph.symbol(Symbol::Momentum(i));
         terms.push(graph.mul(p, *velocity));
     }
     let action = graph.sum(&terms);
     let varying = analyze::acts_back(graph, gradient.s, rates.iter().copied());
     if varying {
-        moved.push(Symbol::S);
+        moved.push(Symbol::Action);
         rates.push(action);
     }
     rates.push(gradient.s);

@@ -31,13 +31,14 @@ impl JetKernel {
 
     /// Of x' = f(x, t), which may have an energy.
     pub(super) fn of_field(graph: &mut Graph, field: &[Id], energy: Option<Id>) -> Option<JetKernel> {
-        let rates = (0..).map(Symbol::Q).zip(field.iter().copied()).collect();
+        let rates = (0..).map(Symbol::Position).zip(field.iter().copied()).collect();
         JetKernel::new(graph, &[rates], energy)
     }
 
     /// Of q' and p', and s' if there is an action, which are given one after the other.
     pub(super) fn canonical(graph: &mut Graph, forms: &[Vec<Id>], (energy, degrees): (Id, u32)) -> Option<JetKernel> {
-        let symbols = || (0..degrees).map(Symbol::Q).chain((0..degrees).map(Symbol::P)).chain([Symbol::S]);
+        let symbols =
+            || (0..degrees).map(Symbol::Position).chain((0..degrees).map(Symbol::Momentum)).chain([Symbol::Action]);
         let forms: Vec<_> = forms.iter().map(|rates| symbols().zip(rates.iter().copied()).collect()).collect();
         JetKernel::new(graph, &forms, Some(energy))
     }

@@ -59,7 +59,7 @@ pub(crate) fn velocities(
         pieces: vec![],
         perturbed: None,
         implicit: Implicit::Velocities(VelocityKernels {
-            increments: (0..degrees).map(Symbol::Dv).collect(),
+            increments: (0..degrees).map(Symbol::VelocityIncrement).collect(),
             mass: mass_kernels(graph, legendre),
             stage: Kernel { levels: Levels::Prepared, routines: vec![stage, force] },
             keeps: damping.is_none() && others.is_none() && !graph.reads(*lagrangian).t,
@@ -94,7 +94,8 @@ pub(crate) fn herglotz(graph: &mut Graph, legendre: &Legendre, long: Id) -> Syst
     let polarised = if is_quadratic(legendre) {
         let equation = lagrangian::decaying(graph, given, *lagrangian);
         let kernel = Kernel::new(Levels::Iterated, equation);
-        let unknowns = (0..momenta.len() as u32).map(Symbol::Dv).chain([Symbol::Ds]).collect();
+        let unknowns =
+            (0..momenta.len() as u32).map(Symbol::VelocityIncrement).chain([Symbol::ActionIncrement]).collect();
         Ok(StepKernel { unknowns, kernel })
     } else {
         Err(Missing { marker: "Polarised", term: long, why: NOT_POLARISED_OF_ACTION, pair: None })

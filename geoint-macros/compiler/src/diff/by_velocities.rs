@@ -16,7 +16,7 @@ pub(crate) fn of_energy(graph: &mut Graph, energy: Id, known: &Gradient) -> Opti
     if !known.p.iter().any(|velocity| graph.reads(*velocity).p && moves(graph, *velocity)) {
         return None;
     }
-    let momenta: Vec<Symbol> = (0..).map(Symbol::P).take(known.p.len()).collect();
+    let momenta: Vec<Symbol> = (0..).map(Symbol::Momentum).take(known.p.len()).collect();
     let inverse = jacobian(graph, &known.p, &momenta);
     let (mut kinetic, mut taken) = (vec![], vec![]);
     for part in parts(graph, &inverse) {
@@ -25,7 +25,7 @@ pub(crate) fn of_energy(graph: &mut Graph, energy: Id, known: &Gradient) -> Opti
         let Some(mass) = changes.then(|| mass(graph, &inverse, &part)).flatten() else { continue };
         for (row, i) in mass.iter().zip(&part) {
             for (entry, j) in row.iter().zip(&part) {
-                let velocities = [*i, *j].map(|i| graph.symbol(Symbol::V(i as u32)));
+                let velocities = [*i, *j].map(|i| graph.symbol(Symbol::Velocity(i as u32)));
                 kinetic.push(graph.product(&[*entry, velocities[0], velocities[1]]));
             }
         }
@@ -39,7 +39,7 @@ pub(crate) fn of_energy(graph: &mut Graph, energy: Id, known: &Gradient) -> Opti
     // H without those squares, and velocities without what momenta do not give.
     let zero = graph.zero();
     let at_rest = |_: &mut Graph, symbol: Symbol| match symbol {
-        Symbol::P(i) if taken.contains(&(i as usize)) => Some(zero),
+        Symbol::Momentum(i) if taken.contains(&(i as usize)) => Some(zero),
         _ => None,
     };
     let mut at_rest = Substitution::new(at_rest);
@@ -47,7 +47,7 @@ pub(crate) fn of_energy(graph: &mut Graph, energy: Id, known: &Gradient) -> Opti
     let mut velocities = known.p.clone();
     for i in &taken {
         let shift = at_rest.apply(graph, known.p[*i]);
-        let momentum = graph.symbol(Symbol::P(*i as u32));
+        let momentum = graph.symbol(Symbol::Momentum(*i as u32));
         rest.push(graph.mul(shift, momentum));
         velocities[*i] = graph.sub(velocities[*i], shift);
     }
@@ -69,7 +69,7 @@ fn replaced(graph: &mut Graph, known: &Gradient, (rest, forces): (&[Id], &[Id]),
     // Squares are those of the sum with one of both signs. Products shall be of the same, so that they have a factor in common.
     let signed: Vec<(bool, Id)> = velocities.iter().map(|velocity| with_sign_of_square(graph, *velocity)).collect();
     let of = |symbol: Symbol| match symbol {
-        Symbol::V(i) => signed.get(i as usize).copied(),
+        Symbol::Velocity(i) => signed.get(i as usize).copied(),
         _ => None,
     };
     let mut sign = Substitution::new(|graph: &mut Graph, symbol| {

@@ -30,7 +30,7 @@ pub(crate) fn midpoint(graph: &mut Graph, energy: Id, degrees: u32) -> Equation 
     let slopes = [q, p, vec![s]].concat().into_iter().map(|slope| there.apply(graph, slope)).collect::<Vec<Id>>();
     let (along_q, along_p, along_s) = (&slopes[..n], &slopes[n..2 * n], slopes[2 * n]);
     let value = there.apply(graph, action);
-    let before: Vec<Id> = (0..degrees).map(|i| graph.symbol(Symbol::P(i))).collect();
+    let before: Vec<Id> = (0..degrees).map(|i| graph.symbol(Symbol::Momentum(i))).collect();
     let momenta: Vec<Id> = before.iter().map(|p| there.apply(graph, *p)).collect();
 
     let unknowns = unknowns(degrees);
@@ -79,7 +79,7 @@ pub(crate) fn discrete(graph: &mut Graph, energy: Id, degrees: u32) -> Equation 
     let Gradient { q, p, s, .. } = discrete_gradient(graph, action, degrees);
     let mut ends = Slopes::default();
     let mut mean = |i| {
-        let p = graph.symbol(Symbol::P(i));
+        let p = graph.symbol(Symbol::Momentum(i));
         ends.mean(graph, p)
     };
     let momenta: Vec<Id> = (0..degrees).map(&mut mean).collect();
@@ -98,12 +98,16 @@ pub(crate) fn discrete(graph: &mut Graph, energy: Id, degrees: u32) -> Equation 
 }
 
 fn times_h(graph: &mut Graph, energy: Id) -> Id {
-    let h = graph.symbol(Symbol::H);
+    let h = graph.symbol(Symbol::StepLength);
     graph.mul(h, energy)
 }
 
 fn unknowns(degrees: u32) -> Vec<Symbol> {
-    (0..degrees).map(Symbol::Dq).chain((0..degrees).map(Symbol::Dp)).chain([Symbol::Ds]).collect()
+    (0..degrees)
+        .map(Symbol::PositionIncrement)
+        .chain((0..degrees).map(Symbol::MomentumIncrement))
+        .chain([Symbol::ActionIncrement])
+        .collect()
 }
 
 /// (g_p, −g_q − p g_s, p̄·g_p − value).

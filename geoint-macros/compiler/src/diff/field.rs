@@ -35,7 +35,7 @@ pub(crate) struct SecondOrder {
 /// f at a point.
 pub(crate) fn field(graph: &mut Graph, gradient: &Gradient, structure: &Structure, degrees: u32) -> Field {
     let f = rates(graph, gradient, structure);
-    let unknowns = unknowns(structure, degrees, Symbol::Q, Symbol::P);
+    let unknowns = unknowns(structure, degrees, Symbol::Position, Symbol::Momentum);
     let mut jacobian = jacobian(graph, &f, &unknowns);
     if structure.conservative() {
         share(graph, &mut jacobian, structure.reduced().is_some());
@@ -74,7 +74,7 @@ pub(crate) fn discrete(graph: &mut Graph, structure: &Structure, degrees: u32) -
     let gradient = discrete_gradient(graph, root, degrees);
     let mut mean = Substitution::new(middle);
     let f = right_side(graph, &gradient, structure, |graph, entry| mean.apply(graph, entry));
-    let unknowns = unknowns(structure, degrees, Symbol::Dq, Symbol::Dp);
+    let unknowns = unknowns(structure, degrees, Symbol::PositionIncrement, Symbol::MomentumIncrement);
     let jacobian = jacobian(graph, &f, &unknowns);
     Field { unknowns, f, jacobian }
 }
@@ -150,7 +150,7 @@ pub(crate) fn second_order(
     degrees: u32,
 ) -> Option<SecondOrder> {
     structure.reduced()?;
-    let momenta: Vec<Symbol> = (0..degrees).map(Symbol::P).collect();
+    let momenta: Vec<Symbol> = (0..degrees).map(Symbol::Momentum).collect();
     let inverse_mass = jacobian(graph, &gradient.p, &momenta);
     let row = |row: &Vec<Id>| {
         let mut terms = vec![];

@@ -34,7 +34,7 @@ pub(crate) enum Order {
 /// The mean velocity, with its derivative by the increment.
 pub(crate) fn mean_velocity(graph: &mut Graph, f: &[Id], kept: &[Conserved], order: Order) -> Field {
     let mut points = Points::new(graph, f, order);
-    let unknowns: Vec<Symbol> = (0..f.len() as u32).map(Symbol::Dq).collect();
+    let unknowns: Vec<Symbol> = (0..f.len() as u32).map(Symbol::PositionIncrement).collect();
     let velocity = points.mean(graph, f);
     let slopes: Vec<Vec<Id>> = jacobian(graph, &velocity, &unknowns);
     let columns: Vec<Column> =
@@ -56,11 +56,11 @@ impl Points {
         if order == Order::Two {
             return Points(vec![(Number::ONE, Substitution::new(Box::new(middle)))]);
         }
-        let h = graph.symbol(Symbol::H);
-        let [before, after] = [Symbol::Start, Symbol::End].map(|symbol| graph.symbol(symbol));
-        let at_start: Replace = Box::new(move |_, symbol| (symbol == Symbol::T).then_some(before));
+        let h = graph.symbol(Symbol::StepLength);
+        let [before, after] = [Symbol::StepStart, Symbol::StepEnd].map(|symbol| graph.symbol(symbol));
+        let at_start: Replace = Box::new(move |_, symbol| (symbol == Symbol::Time).then_some(before));
         let at_end: Replace = Box::new(move |graph, symbol| match symbol {
-            Symbol::T => Some(after),
+            Symbol::Time => Some(after),
             _ => {
                 let increment = coordinate_increment(graph, symbol)?;
                 let start = graph.symbol(symbol);
@@ -74,10 +74,10 @@ impl Points {
             let (before, after) = (start.apply(graph, *f), end.apply(graph, *f));
             let change = graph.sub(before, after);
             let shift = graph.mul(eighth, change);
-            third.extend(middle(graph, Symbol::Q(i)).map(|middle| graph.add(middle, shift)));
+            third.extend(middle(graph, Symbol::Position(i)).map(|middle| graph.add(middle, shift)));
         }
         let at_third: Replace = Box::new(move |_, symbol| match symbol {
-            Symbol::Q(i) => third.get(i as usize).copied(),
+            Symbol::Position(i) => third.get(i as usize).copied(),
             _ => None,
         });
         let [sixth, most] =
@@ -249,7 +249,7 @@ pub(crate) fn structured(graph: &mut Graph, energy: Id, matrix: &[Vec<Id>]) -> F
     let gradient = discrete_gradient(graph, energy, n).q;
     let gradient = in_means(graph, &gradient);
     let f: Vec<Id> = times(graph, &matrix, &gradient).into_iter().map(|f| factored(graph, f)).collect();
-    let unknowns: Vec<Symbol> = (0..n).map(Symbol::Dq).collect();
+    let unknowns: Vec<Symbol> = (0..n).map(Symbol::PositionIncrement).collect();
     let jacobian = jacobian(graph, &f, &unknowns);
     Field { unknowns, f, jacobian }
 }
@@ -258,9 +258,9 @@ pub(crate) fn structured(graph: &mut Graph, energy: Id, matrix: &[Vec<Id>]) -> F
 fn in_means(graph: &mut Graph, slopes: &[Id]) -> Vec<Id> {
     let mut means = Substitution::new(|_: &mut Graph, _| None);
     for i in 0..slopes.len() as u32 {
-        let [x, d] = [Symbol::Q(i), Symbol::Dq(i)].map(|symbol| graph.symbol(symbol));
+        let [x, d] = [Symbol::Position(i), Symbol::PositionIncrement(i)].map(|symbol| graph.symbol(symbol));
         let slope = graph.sum(&[x, x, d]);
-        if let Some(middle) = middle(graph, Symbol::Q(i)) {
+        if let Some(middle) = middle(graph, Symbol::Position(i)) {
             let twice = graph.scale(Number::Exact(Ratio::integer(2)), middle);
             means.insert(slope, twice);
         }

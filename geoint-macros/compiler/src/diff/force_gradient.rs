@@ -17,15 +17,15 @@ pub(crate) struct GradientImpulse {
 
 /// The kick of V with the force and the ∂T/∂p of a quadratic T.
 pub(crate) fn gradient_kick(graph: &mut Graph, potential: Id, force: &[Id], velocity: &[Id]) -> GradientImpulse {
-    let [h, g] = [Symbol::H, Symbol::G].map(|symbol| graph.symbol(symbol));
+    let [h, g] = [Symbol::StepLength, Symbol::GradientWeight].map(|symbol| graph.symbol(symbol));
     let acceleration = along(graph, velocity, |symbol| match symbol {
-        Symbol::P(i) => Some(force[i as usize]),
+        Symbol::Momentum(i) => Some(force[i as usize]),
         _ => None,
     });
     let twice = graph.scale(Number::integer(2), g);
     let direction: Vec<Id> = acceleration.iter().map(|change| graph.mul(twice, *change)).collect();
     let change = along(graph, force, |symbol| match symbol {
-        Symbol::Q(i) => Some(direction[i as usize]),
+        Symbol::Position(i) => Some(direction[i as usize]),
         _ => None,
     });
     let (mut impulse, mut squares) = (vec![], vec![]);

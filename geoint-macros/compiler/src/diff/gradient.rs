@@ -30,7 +30,7 @@ fn collect(graph: &mut Graph, entries: &sweep::Entries, degrees: u32) -> Gradien
     let zero = graph.zero();
     let entry = |symbol| entries.get(&symbol).copied().unwrap_or(zero);
     let all = |symbol: fn(u32) -> Symbol| (0..degrees).map(|i| entry(symbol(i))).collect();
-    Gradient { q: all(Symbol::Q), p: all(Symbol::P), v: all(Symbol::V), s: entry(Symbol::S) }
+    Gradient { q: all(Symbol::Position), p: all(Symbol::Momentum), v: all(Symbol::Velocity), s: entry(Symbol::Action) }
 }
 
 /// The tree discrete gradient of I(x, t) by x, and its rate in time: I(x + dx, end) − I(x, start) = ḡ·dx + h·rate.
@@ -40,25 +40,25 @@ fn collect(graph: &mut Graph, entries: &sweep::Entries, degrees: u32) -> Gradien
 pub(crate) fn discrete_gradient_and_rate(graph: &mut Graph, root: Id, degrees: u32) -> (Vec<Id>, Id) {
     let timed: Vec<Id> = graph.reachable(&[root]).into_iter().filter(|id| is_of_time_alone(graph, *id)).collect();
     let mut known = Substitution::new(|_: &mut Graph, _| None);
-    for (symbol, id) in (0..=TIME).rev().map(Symbol::Q).zip(&timed) {
+    for (symbol, id) in (0..=TIME).rev().map(Symbol::Position).zip(&timed) {
         let coordinate = graph.symbol(symbol);
         known.insert(*id, coordinate);
     }
     let root = known.apply(graph, root);
     let entries = slope::Slopes::default().gradient(graph, root);
 
-    let [h, start, end] = [Symbol::H, Symbol::Start, Symbol::End].map(|symbol| graph.symbol(symbol));
+    let [h, start, end] = [Symbol::StepLength, Symbol::StepStart, Symbol::StepEnd].map(|symbol| graph.symbol(symbol));
     let [mut at_start, mut at_end] =
-        [start, end].map(|t| Substitution::new(move |_: &mut Graph, symbol| (symbol == Symbol::T).then_some(t)));
+        [start, end].map(|t| Substitution::new(move |_: &mut Graph, symbol| (symbol == Symbol::Time).then_some(t)));
     let ends: Vec<[Id; 2]> = timed.iter().map(|id| [at_start.apply(graph, *id), at_end.apply(graph, *id)]).collect();
     let changes: Vec<Id> = ends.iter().map(|[start, end]| graph.sub(*end, *start)).collect();
     let of_time = |i: u32| (i > TIME - timed.len() as u32).then(|| (TIME - i) as usize);
     let mut back = Substitution::new(|_: &mut Graph, symbol| match symbol {
-        Symbol::Q(i) => of_time(i).map(|i| ends[i][0]),
-        Symbol::Dq(i) => of_time(i).map(|i| changes[i]),
+        Symbol::Position(i) => of_time(i).map(|i| ends[i][0]),
+        Symbol::PositionIncrement(i) => of_time(i).map(|i| changes[i]),
         _ => None,
     });
-    let mut entry = |graph: &mut Graph, i: u32| match entries.get(&Symbol::Q(i)) {
+    let mut entry = |graph: &mut Graph, i: u32| match entries.get(&Symbol::Position(i)) {
         Some(entry) => back.apply(graph, *entry),
         None => graph.zero(),
     };
@@ -82,7 +82,7 @@ fn is_of_time_alone(graph: &Graph, id: Id) -> bool {
 pub(crate) fn mean_rate(graph: &mut Graph, root: Id) -> Id {
     let root = time_as_coordinate(graph, root);
     let entries = slope::Slopes::default().gradient(graph, root);
-    let mean = entries.get(&Symbol::Q(TIME)).copied().unwrap_or_else(|| graph.zero());
+    let mean = entries.get(&Symbol::Position(TIME)).copied().unwrap_or_else(|| graph.zero());
     coordinate_as_time(graph, mean)
 }
 
@@ -96,14 +96,14 @@ pub(crate) fn increment(graph: &mut Graph, root: Id) -> Id {
 const TIME: u32 = u32::MAX;
 
 fn time_as_coordinate(graph: &mut Graph, root: Id) -> Id {
-    rename(graph, root, |symbol| (symbol == Symbol::T).then_some(Symbol::Q(TIME)))
+    rename(graph, root, |symbol| (symbol == Symbol::Time).then_some(Symbol::Position(TIME)))
 }
 
 /// Back, for a step of length h that starts at t.
 fn coordinate_as_time(graph: &mut Graph, node: Id) -> Id {
     rename(graph, node, |symbol| match symbol {
-        Symbol::Q(TIME) => Some(Symbol::T),
-        Symbol::Dq(TIME) => Some(Symbol::H),
+        Symbol::Position(TIME) => Some(Symbol::Time),
+        Symbol::PositionIncrement(TIME) => Some(Symbol::StepLength),
         _ => None,
     })
 }

@@ -37,7 +37,7 @@ impl Given<'_> {
 
 /// f = ∂L/∂q − Cv, and other forces.
 pub(crate) fn force(graph: &mut Graph, given: Given<'_>) -> Vec<Id> {
-    let velocities: Vec<Id> = (0..given.forces.len() as u32).map(|i| graph.symbol(Symbol::V(i))).collect();
+    let velocities: Vec<Id> = (0..given.forces.len() as u32).map(|i| graph.symbol(Symbol::Velocity(i))).collect();
     let force = rubbed(graph, given.forces, given.damping, &velocities);
     pushed(graph, force, given.others, (&velocities, |_: &mut Graph, force| force))
 }
@@ -46,8 +46,8 @@ pub(crate) fn force(graph: &mut Graph, given: Given<'_>) -> Vec<Id> {
 pub(crate) fn stage(graph: &mut Graph, given: Given<'_>) -> Vec<Id> {
     let degrees = given.momenta.len() as u32;
     let force = force(graph, given);
-    let positions: Vec<Symbol> = (0..degrees).map(Symbol::Q).collect();
-    let velocities: Vec<Symbol> = (0..degrees).map(Symbol::V).collect();
+    let positions: Vec<Symbol> = (0..degrees).map(Symbol::Position).collect();
+    let velocities: Vec<Symbol> = (0..degrees).map(Symbol::Velocity).collect();
     let momenta_by_q = jacobian(graph, given.momenta, &positions);
     let mut forces_by_q = jacobian(graph, &force, &positions);
     let mut forces_by_v = jacobian(graph, &force, &velocities);
@@ -70,7 +70,7 @@ pub(crate) fn stage(graph: &mut Graph, given: Given<'_>) -> Vec<Id> {
 /// is that of the middle of the step. Terms are collected.
 pub(crate) fn polarised(graph: &mut Graph, given: Given<'_>) -> Vec<Id> {
     let degrees = given.momenta.len() as u32;
-    let [h, t] = [Symbol::H, Symbol::T].map(|symbol| graph.symbol(symbol));
+    let [h, t] = [Symbol::StepLength, Symbol::Time].map(|symbol| graph.symbol(symbol));
     let (ends, means) = (ends(graph, degrees), means(graph, degrees));
     let increments: Vec<Id> = means.iter().map(|mean| graph.mul(h, *mean)).collect();
     let polarised = polarisation(graph, given);
@@ -83,7 +83,7 @@ pub(crate) fn polarised(graph: &mut Graph, given: Given<'_>) -> Vec<Id> {
     let mut there = Substitution::new(middle);
     let force = pushed(graph, force, given.others, (&means, |graph: &mut Graph, force| there.apply(graph, force)));
     let mut moved = Substitution::new(|_: &mut Graph, symbol| match symbol {
-        Symbol::Dq(i) => Some(increments[i as usize]),
+        Symbol::PositionIncrement(i) => Some(increments[i as usize]),
         _ => None,
     });
     let mut scaled = |force: &Id| {
@@ -96,19 +96,19 @@ pub(crate) fn polarised(graph: &mut Graph, given: Given<'_>) -> Vec<Id> {
     let half = graph.scale(Number::HALF, h);
     let late = graph.add(t, half);
     let mut end = Substitution::new(|graph: &mut Graph, symbol| match symbol {
-        Symbol::Q(i) => {
+        Symbol::Position(i) => {
             let q = graph.symbol(symbol);
             Some(graph.add(q, increments[i as usize]))
         }
-        Symbol::T => Some(late),
+        Symbol::Time => Some(late),
         _ => None,
     });
     let momenta = momenta(graph, given, &ends, |graph, node| end.apply(graph, node));
-    let unknowns: Vec<Symbol> = (0..degrees).map(Symbol::Dv).collect();
+    let unknowns: Vec<Symbol> = (0..degrees).map(Symbol::VelocityIncrement).collect();
     let [by_d, impulse_by_d] = [&momenta, &impulse].map(|values| jacobian(graph, values, &unknowns).concat());
     let mut residual = vec![];
     for (i, (momentum, impulse)) in (0..).zip(momenta.iter().zip(&impulse)) {
-        let p = graph.symbol(Symbol::P(i));
+        let p = graph.symbol(Symbol::Momentum(i));
         let [p, impulse] = [p, *impulse].map(|id| graph.neg(id));
         residual.push(graph.sum(&[*momentum, p, impulse]));
     }
@@ -140,7 +140,7 @@ fn momenta(
 /// v₁ = v₀ + d.
 fn ends(graph: &mut Graph, degrees: u32) -> Vec<Id> {
     let mut end = |i| {
-        let [start, d] = [Symbol::V(i), Symbol::Dv(i)].map(|symbol| graph.symbol(symbol));
+        let [start, d] = [Symbol::Velocity(i), Symbol::VelocityIncrement(i)].map(|symbol| graph.symbol(symbol));
         graph.add(start, d)
     };
     (0..degrees).map(&mut end).collect()
@@ -149,7 +149,7 @@ fn ends(graph: &mut Graph, degrees: u32) -> Vec<Id> {
 /// v̄ = v₀ + d/2.
 fn means(graph: &mut Graph, degrees: u32) -> Vec<Id> {
     let mut mean = |i| {
-        let [start, d] = [Symbol::V(i), Symbol::Dv(i)].map(|symbol| graph.symbol(symbol));
+        let [start, d] = [Symbol::Velocity(i), Symbol::VelocityIncrement(i)].map(|symbol| graph.symbol(symbol));
         let half = graph.scale(Number::HALF, d);
         graph.add(start, half)
     };
@@ -159,7 +159,7 @@ fn means(graph: &mut Graph, degrees: u32) -> Vec<Id> {
 /// Λ(q) = ½v₀ᵀM(q)v₁ + a(q)·v̄ − V(q), the same for both orders of v₀ and v₁.
 pub(crate) fn polarisation(graph: &mut Graph, given: Given<'_>) -> Id {
     let degrees = given.momenta.len() as u32;
-    let starts: Vec<Id> = (0..degrees).map(|i| graph.symbol(Symbol::V(i))).collect();
+    let starts: Vec<Id> = (0..degrees).map(|i| graph.symbol(Symbol::Velocity(i))).collect();
     let (ends, means) = (ends(graph, degrees), means(graph, degrees));
     let mut terms = vec![graph.neg(given.potential)];
     for i in 0..starts.len() {

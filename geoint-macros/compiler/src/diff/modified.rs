@@ -25,12 +25,12 @@ const FIRST: u32 = u32::MAX / 2;
 
 impl TimeCoordinate {
     fn symbol(self) -> Symbol {
-        Symbol::Q(FIRST + self.0)
+        Symbol::Position(FIRST + self.0)
     }
 
     /// An energy that reads this clock for time.
     pub(crate) fn read(self, graph: &mut Graph, energy: Id) -> Id {
-        rename(graph, energy, |symbol| (symbol == Symbol::T).then(|| self.symbol()))
+        rename(graph, energy, |symbol| (symbol == Symbol::Time).then(|| self.symbol()))
     }
 }
 
@@ -52,12 +52,12 @@ pub(crate) fn modified_energy(graph: &mut Graph, parts: &[Part], degrees: u32) -
         clocks.extend(part.advances);
     }
     let modified = corrected(graph, inner, second);
-    rename(graph, modified, |symbol| matches!(symbol, Symbol::Q(FIRST..)).then_some(Symbol::T))
+    rename(graph, modified, |symbol| matches!(symbol, Symbol::Position(FIRST..)).then_some(Symbol::Time))
 }
 
 /// H + h²H₂.
 fn corrected(graph: &mut Graph, energy: Id, second: Id) -> Id {
-    let h = graph.symbol(Symbol::H);
+    let h = graph.symbol(Symbol::StepLength);
     let square = graph.pow(h, Ratio::integer(2));
     let change = graph.mul(square, second);
     graph.add(energy, change)
@@ -70,11 +70,11 @@ fn corrected(graph: &mut Graph, energy: Id, second: Id) -> Id {
 pub(crate) fn verlet(graph: &mut Graph, parts: &Parts, slopes: &Gradient) -> Id {
     let forces: Vec<Id> = slopes.q.iter().map(|slope| graph.neg(*slope)).collect();
     let drifts = twice(graph, (parts.potential, &slopes.q), &slopes.p, |symbol| match symbol {
-        Symbol::Q(i) => Some(i),
+        Symbol::Position(i) => Some(i),
         _ => None,
     });
     let kicks = twice(graph, (parts.kinetic, &slopes.p), &forces, |symbol| match symbol {
-        Symbol::P(i) => Some(i),
+        Symbol::Momentum(i) => Some(i),
         _ => None,
     });
     let terms = [(1, 12, drifts), (-1, 24, kicks)]
@@ -91,9 +91,9 @@ fn twice(
     coordinate: impl Fn(Symbol) -> Option<u32>,
 ) -> Id {
     let one = graph.integer(1);
-    let rate = partial(graph, energy, Symbol::T);
+    let rate = partial(graph, energy, Symbol::Time);
     let changes = along(graph, &[slopes, &[rate]].concat(), |symbol| match symbol {
-        Symbol::T => Some(one),
+        Symbol::Time => Some(one),
         _ => coordinate(symbol).map(|i| direction[i as usize]),
     });
     let terms: Vec<Id> = direction.iter().chain([&one]).zip(changes).map(|(x, change)| graph.mul(*x, change)).collect();
@@ -111,7 +111,7 @@ fn bracket(
     let mut terms = vec![];
     for i in 0..degrees as usize {
         // ∂/∂q + p ∂/∂s is what the momenta are moved by.
-        let p = graph.symbol(Symbol::P(i as u32));
+        let p = graph.symbol(Symbol::Momentum(i as u32));
         let [lifted_f, lifted_g] = [(df.q[i], df.s), (dg.q[i], dg.s)].map(|(by_q, by_s)| {
             let lift = graph.mul(p, by_s);
             graph.add(by_q, lift)

@@ -11,7 +11,7 @@ pub(crate) fn derivative_along(
     integral: Id,
     but: Option<&[Id]>,
 ) -> Vec<Id> {
-    let all: Vec<Symbol> = x.iter().copied().chain([Symbol::T]).collect();
+    let all: Vec<Symbol> = x.iter().copied().chain([Symbol::Time]).collect();
     let gradient = jacobian(graph, &[integral], &all).remove(0);
     let mut terms: Vec<Id> = field.iter().zip(&gradient).map(|(f, slope)| graph.mul(*f, *slope)).collect();
     terms.extend(gradient.last());

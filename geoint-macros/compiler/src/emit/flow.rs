@@ -97,7 +97,7 @@ fn steady(context: &Context<'_>, integrals: &Integrals<Plan>) -> TokenStream {
         let (k, i) = (Literal::usize_unsuffixed(k), Literal::usize_unsuffixed(integrals.steady[k]));
         keeps_energy(context, &quote!(Integral<#k>), Some(quote!(NamedFunctions::values(self, t, z)[#i])))
     });
-    let increments: Vec<Symbol> = (0..context.energy.degrees()).map(Symbol::Dq).collect();
+    let increments: Vec<Symbol> = (0..context.energy.degrees()).map(Symbol::PositionIncrement).collect();
     let changes = context.planned(&integrals.changes.last[0], (&increments, "dz"), |values| quote!([#(#values),*]));
     quote! {
         impl<R: Real> SteadyIntegrals<R> for #name {

@@ -146,20 +146,23 @@ impl<'a> Context<'a> {
     pub(crate) fn input(&self, symbol: Symbol) -> Given {
         let of = |array, base, i| Given::entry(array, base, self.coordinate(i));
         match symbol {
-            Symbol::Q(i) => of(array::POSITIONS, "q", i),
-            Symbol::P(i) => of(array::MOMENTA, "p", i),
-            Symbol::V(i) => of(array::VELOCITIES, "v", i),
-            Symbol::S => Given::alone(quote!(*s)),
-            Symbol::T => Given::alone("t"),
-            Symbol::Start => Given::alone("start"),
-            Symbol::End => Given::alone("end"),
-            Symbol::H => Given::alone("h"),
-            Symbol::G => Given::alone("g"),
+            Symbol::Position(i) => of(array::POSITIONS, "q", i),
+            Symbol::Momentum(i) => of(array::MOMENTA, "p", i),
+            Symbol::Velocity(i) => of(array::VELOCITIES, "v", i),
+            Symbol::Action => Given::alone(quote!(*s)),
+            Symbol::Time => Given::alone("t"),
+            Symbol::StepStart => Given::alone("start"),
+            Symbol::StepEnd => Given::alone("end"),
+            Symbol::StepLength => Given::alone("h"),
+            Symbol::GradientWeight => Given::alone("g"),
             Symbol::Parameter(i) => self.parameter(i),
             // What a kick adds before a flow.
-            Symbol::Dp(i) => of(array::KICKS, "dp", i),
+            Symbol::MomentumIncrement(i) => of(array::KICKS, "dp", i),
             // Other increments are unknowns wherever they are read.
-            Symbol::Dq(_) | Symbol::Ds | Symbol::Dv(_) | Symbol::Multiplier(_) => Given::alone(Tokens::default()),
+            Symbol::PositionIncrement(_)
+            | Symbol::ActionIncrement
+            | Symbol::VelocityIncrement(_)
+            | Symbol::Multiplier(_) => Given::alone(Tokens::default()),
         }
     }
 
@@ -190,17 +193,17 @@ impl<'a> Context<'a> {
             return name;
         }
         match symbol {
-            Symbol::Q(i) => of_role(Role::Position, i),
-            Symbol::P(i) => of_role(Role::Momentum, i),
-            Symbol::V(i) => of_role(Role::Velocity, i),
-            Symbol::S => of_role(Role::Action, 0),
-            Symbol::T | Symbol::Start | Symbol::End => of_role(Role::Time, 0),
-            Symbol::H => "h".into(),
-            Symbol::G => "g".into(),
-            Symbol::Dq(i) => format!("d{}", of_role(Role::Position, i)),
-            Symbol::Dp(i) => format!("d{}", of_role(Role::Momentum, i)),
-            Symbol::Ds => format!("d{}", of_role(Role::Action, 0)),
-            Symbol::Dv(i) => format!("d{}", of_role(Role::Velocity, i)),
+            Symbol::Position(i) => of_role(Role::Position, i),
+            Symbol::Momentum(i) => of_role(Role::Momentum, i),
+            Symbol::Velocity(i) => of_role(Role::Velocity, i),
+            Symbol::Action => of_role(Role::Action, 0),
+            Symbol::Time | Symbol::StepStart | Symbol::StepEnd => of_role(Role::Time, 0),
+            Symbol::StepLength => "h".into(),
+            Symbol::GradientWeight => "g".into(),
+            Symbol::PositionIncrement(i) => format!("d{}", of_role(Role::Position, i)),
+            Symbol::MomentumIncrement(i) => format!("d{}", of_role(Role::Momentum, i)),
+            Symbol::ActionIncrement => format!("d{}", of_role(Role::Action, 0)),
+            Symbol::VelocityIncrement(i) => format!("d{}", of_role(Role::Velocity, i)),
             Symbol::Multiplier(k) => format!("λ[{k}]"),
             Symbol::Parameter(index) => {
                 let mut rest = index as usize;
@@ -220,10 +223,10 @@ impl<'a> Context<'a> {
         let attitudes = 4 * self.energy.bodies();
         let (vector, rotor) = (["x", "y", "z", ""], ["i", "j", "k", "w"]);
         let (role, index, numbers) = match symbol {
-            Symbol::Q(i) if i < attitudes => (Role::Attitude, i, rotor),
-            Symbol::P(i) if i < attitudes => (Role::AngularMomentum, i, vector),
-            Symbol::Q(i) => (Role::Position, i - attitudes, vector),
-            Symbol::P(i) => (Role::Momentum, i - attitudes, vector),
+            Symbol::Position(i) if i < attitudes => (Role::Attitude, i, rotor),
+            Symbol::Momentum(i) if i < attitudes => (Role::AngularMomentum, i, vector),
+            Symbol::Position(i) => (Role::Position, i - attitudes, vector),
+            Symbol::Momentum(i) => (Role::Momentum, i - attitudes, vector),
             _ => return None,
         };
         let (_, argument) = self.energy.arguments.iter().find(|(other, _)| *other == role)?;

@@ -104,9 +104,9 @@ fn positive(context: &Context<'_>, Margins { values, count, margins }: &Margins<
 fn enclosed(context: &Context<'_>, name: &str, count: usize, choices: &[Block]) -> TokenStream {
     let parameters = context.scalars();
     let input = |symbol: Symbol| match symbol {
-        Symbol::Q(i) => Given::entry(array::POSITIONS, "z", vec![i as usize]),
-        Symbol::P(i) => Given::entry(array::POSITIONS, "z", vec![(context.energy.degrees() + i) as usize]),
-        Symbol::S => Given::alone("s"),
+        Symbol::Position(i) => Given::entry(array::POSITIONS, "z", vec![i as usize]),
+        Symbol::Momentum(i) => Given::entry(array::POSITIONS, "z", vec![(context.energy.degrees() + i) as usize]),
+        Symbol::Action => Given::alone("s"),
         Symbol::Parameter(i) if (i as usize) < parameters.len() => {
             Given::entry(array::PARAMETERS, "parameters", vec![i as usize])
         }

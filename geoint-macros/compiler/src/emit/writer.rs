@@ -261,11 +261,11 @@ impl Writer<'_> {
                 Some(entry) => self.tokens.extend(entry.clone()),
                 None => self.register(*register),
             },
-            Operand::Input(Symbol::T) => self.word("t"),
-            Operand::Input(Symbol::Start) => self.word("start"),
-            Operand::Input(Symbol::End) => self.word("end"),
-            Operand::Input(Symbol::H) => self.word("h"),
-            Operand::Input(Symbol::G) => self.word("g"),
+            Operand::Input(Symbol::Time) => self.word("t"),
+            Operand::Input(Symbol::StepStart) => self.word("start"),
+            Operand::Input(Symbol::StepEnd) => self.word("end"),
+            Operand::Input(Symbol::StepLength) => self.word("h"),
+            Operand::Input(Symbol::GradientWeight) => self.word("g"),
             Operand::Input(_) | Operand::Slot(..) | Operand::Constant(_) => {
                 let name = match self.given_names.get(operand) {
                     Some(name) => name.clone(),
@@ -279,13 +279,13 @@ impl Writer<'_> {
     /// Names something that the routine is given: `name = value;` before all statements.
     fn give(&mut self, operand: Operand) -> Ident {
         let name = match operand {
-            Operand::Input(Symbol::Q(i)) => format_ident!("q{i}"),
-            Operand::Input(Symbol::P(i)) => format_ident!("p{i}"),
+            Operand::Input(Symbol::Position(i)) => format_ident!("q{i}"),
+            Operand::Input(Symbol::Momentum(i)) => format_ident!("p{i}"),
             Operand::Input(Symbol::Parameter(i)) => format_ident!("a{i}"),
-            Operand::Input(Symbol::Dq(i)) => format_ident!("dq{i}"),
-            Operand::Input(Symbol::Dp(i)) => format_ident!("dp{i}"),
-            Operand::Input(Symbol::S) => format_ident!("action"),
-            Operand::Input(Symbol::Ds) => format_ident!("ds"),
+            Operand::Input(Symbol::PositionIncrement(i)) => format_ident!("dq{i}"),
+            Operand::Input(Symbol::MomentumIncrement(i)) => format_ident!("dp{i}"),
+            Operand::Input(Symbol::Action) => format_ident!("action"),
+            Operand::Input(Symbol::ActionIncrement) => format_ident!("ds"),
             // Not `p0`, as momenta are called.
             Operand::Slot(level, i) => format_ident!("{}_{i}", SLOTS[level]),
             _ => format_ident!("k{}", self.given_names.len()),

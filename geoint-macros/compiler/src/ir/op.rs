@@ -1,36 +1,37 @@
 //! Operations: their names, arities, values on numbers and spelling in Rust. One table.
 
-/// Who a number at the leaves is. Coordinates are numbered in the order in which they are stored.
+/// A number at a leaf of the graph. Coordinates are numbered in the order in which they are stored. The order of the variants decides the order of
+/// operations in emitted code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(crate) enum Symbol {
     /// A position.
-    Q(u32),
+    Position(u32),
     /// A momentum.
-    P(u32),
+    Momentum(u32),
     /// A velocity of a Lagrangian.
-    V(u32),
+    Velocity(u32),
     /// The action of a contact system.
-    S,
+    Action,
     /// Time.
-    T,
+    Time,
     /// A scalar of a parameter, or a constant that the macro cannot see into.
     Parameter(u32),
     /// The length of a step or flow.
-    H,
+    StepLength,
     /// The time at which a step starts.
-    Start,
-    /// The time at which it ends, which is when the next one starts.
-    End,
+    StepStart,
+    /// The time at which a step ends. The next step starts at this time.
+    StepEnd,
     /// The weight of the force gradient in a kick.
-    G,
+    GradientWeight,
     /// The increment of a position over a step.
-    Dq(u32),
+    PositionIncrement(u32),
     /// The increment of a momentum over a step.
-    Dp(u32),
+    MomentumIncrement(u32),
     /// The increment of the action over a step.
-    Ds,
+    ActionIncrement,
     /// The increment of a velocity over a step.
-    Dv(u32),
+    VelocityIncrement(u32),
     /// The multiplier of a constraint.
     Multiplier(u32),
 }
@@ -38,7 +39,7 @@ pub(crate) enum Symbol {
 impl Symbol {
     /// Whether this is a position, a momentum, a velocity or the action.
     pub(crate) fn is_coordinate(self) -> bool {
-        matches!(self, Symbol::Q(_) | Symbol::P(_) | Symbol::V(_) | Symbol::S)
+        matches!(self, Symbol::Position(_) | Symbol::Momentum(_) | Symbol::Velocity(_) | Symbol::Action)
     }
 }
 

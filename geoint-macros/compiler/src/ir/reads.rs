@@ -42,12 +42,12 @@ impl Reads {
     fn of(symbol: Symbol) -> Reads {
         let none = Reads::default();
         match symbol {
-            Symbol::Q(_) | Symbol::Dq(_) => Reads { q: true, ..none },
-            Symbol::P(_) | Symbol::Dp(_) => Reads { p: true, ..none },
-            Symbol::V(_) | Symbol::Dv(_) => Reads { v: true, ..none },
-            Symbol::S | Symbol::Ds => Reads { s: true, ..none },
-            Symbol::T | Symbol::Start | Symbol::End => Reads { t: true, ..none },
-            Symbol::Parameter(_) | Symbol::Multiplier(_) | Symbol::H | Symbol::G => none,
+            Symbol::Position(_) | Symbol::PositionIncrement(_) => Reads { q: true, ..none },
+            Symbol::Momentum(_) | Symbol::MomentumIncrement(_) => Reads { p: true, ..none },
+            Symbol::Velocity(_) | Symbol::VelocityIncrement(_) => Reads { v: true, ..none },
+            Symbol::Action | Symbol::ActionIncrement => Reads { s: true, ..none },
+            Symbol::Time | Symbol::StepStart | Symbol::StepEnd => Reads { t: true, ..none },
+            Symbol::Parameter(_) | Symbol::Multiplier(_) | Symbol::StepLength | Symbol::GradientWeight => none,
         }
     }
 

@@ -27,7 +27,7 @@ pub(super) fn of(graph: &mut Graph, lagrangian: Id, velocities: &[u32]) -> Optio
     let (linear, curved): (Vec<Id>, Vec<Id>) =
         moving.into_iter().partition(|term| analyze::is_polynomial_in(graph, &[*term], 1, is_velocity));
     let [term] = curved[..] else { return None };
-    let symbols: Vec<Symbol> = velocities.iter().copied().map(Symbol::V).collect();
+    let symbols: Vec<Symbol> = velocities.iter().copied().map(Symbol::Velocity).collect();
     let linear = graph.sum(&linear);
     let shift = diff::jacobian(graph, &[linear], &symbols).concat();
     let y = reduced(graph, velocities, &shift);

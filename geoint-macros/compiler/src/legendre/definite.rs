@@ -82,7 +82,7 @@ fn is_weight(graph: &Graph, factor: Id, weights: &mut Vec<Id>) -> bool {
 /// What must be positive for all squares to vanish at rest alone, one velocity after the other: where those before it are zero, some squares
 /// have no velocity but the next one, and its coefficients in these do not vanish together.
 fn only_at_rest(graph: &mut Graph, squares: &[Square], degrees: u32) -> Option<Vec<Id>> {
-    let velocities: Vec<Symbol> = (0..degrees).map(Symbol::V).collect();
+    let velocities: Vec<Symbol> = (0..degrees).map(Symbol::Velocity).collect();
     let bases: Vec<Id> = squares.iter().map(|square| square.base).collect();
     let slopes = diff::jacobian(graph, &bases, &velocities);
     let (mut left, mut positive): (Vec<usize>, Vec<Id>) = ((0..velocities.len()).collect(), vec![]);

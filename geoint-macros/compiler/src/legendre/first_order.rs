@@ -94,7 +94,7 @@ pub(crate) fn first_order(
 /// Computes Ω. Its entries are simplified until they read only coordinates on which they depend.
 fn form(graph: &mut Graph, momenta: &[Id]) -> Vec<Vec<Id>> {
     let n = momenta.len();
-    let coordinates: Vec<Symbol> = (0..n as u32).map(Symbol::Q).collect();
+    let coordinates: Vec<Symbol> = (0..n as u32).map(Symbol::Position).collect();
     let slopes = diff::jacobian(graph, momenta, &coordinates);
     let mut form = vec![vec![graph.zero(); n]; n];
     for i in 0..n {
@@ -176,7 +176,7 @@ fn canonical(
 ) -> Option<Canonical> {
     let (kept, replaced) = halves(graph, momenta, form)?;
     let gauge = gauge(graph, momenta, &replaced)?;
-    let coordinates: Vec<Symbol> = (0..momenta.len() as u32).map(Symbol::Q).collect();
+    let coordinates: Vec<Symbol> = (0..momenta.len() as u32).map(Symbol::Position).collect();
     let slopes = diff::jacobian(graph, &[gauge], &coordinates).remove(0);
     let gradient = diff::jacobian(graph, &[energy], &coordinates).remove(0);
     let field = diff::flow::times(graph, structure, &gradient);
@@ -186,7 +186,7 @@ fn canonical(
     let moved: Vec<Id> = kept.iter().map(|j| graph.add(momenta[*j as usize], slopes[*j as usize])).collect();
     for (place, position) in &pairs {
         // Lagrange's equations: P' = Σ ∂Pⱼ/∂xᵢ xⱼ' − ∂H/∂xᵢ.
-        let by_position = diff::jacobian(graph, &moved, &[Symbol::Q(*position)]);
+        let by_position = diff::jacobian(graph, &moved, &[Symbol::Position(*position)]);
         let mut terms = vec![graph.neg(gradient[*position as usize])];
         for (j, slope) in kept.iter().zip(by_position) {
             terms.push(graph.mul(slope[0], field[*j as usize]));
@@ -229,7 +229,7 @@ fn half(graph: &Graph, momenta: &[Id], form: &[Vec<Id>], block: &[u32]) -> Optio
 
 /// Integrates ∂f/∂y = −ϑ for all y.
 fn gauge(graph: &mut Graph, momenta: &[Id], replaced: &[u32]) -> Option<Id> {
-    let variables: Vec<Symbol> = replaced.iter().map(|i| Symbol::Q(*i)).collect();
+    let variables: Vec<Symbol> = replaced.iter().map(|i| Symbol::Position(*i)).collect();
     let slopes: Vec<Id> = replaced.iter().map(|i| graph.neg(momenta[*i as usize])).collect();
     if slopes.iter().all(|slope| graph.is_zero(*slope)) {
         return Some(graph.zero());

@@ -40,7 +40,7 @@ pub(crate) fn friction(graph: &mut Graph, rayleigh: Option<Id>, degrees: u32) ->
         }
     }
     if analyze::is_polynomial_in(graph, &[rayleigh], 2, is_velocity) {
-        let symbols: Vec<Symbol> = (0..degrees).map(Symbol::V).collect();
+        let symbols: Vec<Symbol> = (0..degrees).map(Symbol::Velocity).collect();
         return Ok(Some(Friction::Damping(masses(graph, &slopes, &symbols))));
     }
     match analyze::degree_in(graph, rayleigh, is_velocity) {

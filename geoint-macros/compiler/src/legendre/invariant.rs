@@ -75,5 +75,5 @@ fn jumps(graph: &mut Graph, id: Id) -> bool {
 
 /// The coordinates that a node reads.
 fn positions(graph: &Graph, id: Id) -> Vec<Symbol> {
-    graph.symbols(id).into_iter().filter(|symbol| matches!(symbol, Symbol::Q(_))).collect()
+    graph.symbols(id).into_iter().filter(|symbol| matches!(symbol, Symbol::Position(_))).collect()
 }

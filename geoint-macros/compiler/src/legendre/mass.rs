@@ -19,7 +19,7 @@ pub(super) fn masses(graph: &mut Graph, momenta: &[Id], symbols: &[Symbol]) -> V
 }
 
 pub(super) fn is_velocity(symbol: Symbol) -> bool {
-    matches!(symbol, Symbol::V(_))
+    matches!(symbol, Symbol::Velocity(_))
 }
 
 /// M without coordinates on which its entries do not depend.
@@ -50,7 +50,8 @@ pub(super) fn regular(graph: &Graph, momenta: &[Id], mass: &[Vec<Id>]) -> Result
         return Err(Flaw::Linear(momenta.to_vec()));
     }
     // A coordinate whose velocity is not read may be the momentum of another one.
-    let is_momentum = |i: &usize| linear.iter().any(|j| graph.symbols(momenta[*j]).contains(&Symbol::Q(*i as u32)));
+    let is_momentum =
+        |i: &usize| linear.iter().any(|j| graph.symbols(momenta[*j]).contains(&Symbol::Position(*i as u32)));
     Err(match unread.into_iter().find(|i| !is_momentum(i)) {
         Some(i) => Flaw::Unread(i as u32),
         None => {

@@ -101,7 +101,7 @@ pub(crate) fn transform(
     (degrees, closed): (u32, bool),
     written: &[Partial],
 ) -> Result<Legendre, Flaw> {
-    let symbols: Vec<Symbol> = (0..degrees).map(Symbol::V).collect();
+    let symbols: Vec<Symbol> = (0..degrees).map(Symbol::Velocity).collect();
     let diff::Gradient { q: forces, v: momenta, .. } = diff::gradient(graph, lagrangian, degrees);
     if let Some(i) = (0..momenta.len()).find(|i| kinks::jumps(graph, momenta[*i])) {
         return Err(Flaw::Jumps(i as u32, momenta[i]));
@@ -166,7 +166,7 @@ fn gauge(graph: &mut Graph, shift: &[Id]) -> Option<Id> {
     if zero || shift.iter().any(|a| graph.reads(*a).s) {
         return None;
     }
-    let positions: Vec<Symbol> = (0..shift.len() as u32).map(Symbol::Q).collect();
+    let positions: Vec<Symbol> = (0..shift.len() as u32).map(Symbol::Position).collect();
     let found =
         analyze::liouville::antiderivative(graph, (&positions, shift), analyze::liouville::Logarithm::OfMagnitude);
     found.ok().map(|(gauge, _)| gauge)
@@ -192,7 +192,7 @@ fn divisors(graph: &Graph, nodes: &[Id]) -> Vec<Id> {
 /// A node for some velocities zero.
 fn at_rest(graph: &mut Graph, node: Id, which: impl Fn(u32) -> bool) -> Id {
     let zero = |graph: &mut Graph, symbol| match symbol {
-        Symbol::V(i) if which(i) => Some(graph.zero()),
+        Symbol::Velocity(i) if which(i) => Some(graph.zero()),
         _ => None,
     };
     Substitution::new(zero).apply(graph, node)
@@ -205,13 +205,13 @@ fn carried(graph: &mut Graph, written: &[Partial], velocities: &[Id], parts: &[P
         of.any(|part| part.velocities.contains(&i))
     };
     let mut there = Substitution::new(|_: &mut Graph, symbol| match symbol {
-        Symbol::V(i) => Some(velocities[i as usize]),
+        Symbol::Velocity(i) => Some(velocities[i as usize]),
         _ => None,
     });
     let mut partial = vec![];
     for Partial { node, condition } in written {
         let read = graph.symbols(*node);
-        if !read.iter().any(|symbol| matches!(symbol, Symbol::V(i) if conjugate(*i))) {
+        if !read.iter().any(|symbol| matches!(symbol, Symbol::Velocity(i) if conjugate(*i))) {
             let condition = condition.map(|condition| there.apply(graph, condition));
             partial.push(Partial { node: there.apply(graph, *node), condition });
         }

@@ -87,7 +87,7 @@ pub(super) fn parts(
 
 /// w·p = 0 at every state says that wᵀM = 0.
 fn singular(graph: &mut Graph, velocities: Vec<u32>, combination: Id) -> Flaw {
-    let momenta: Vec<Symbol> = velocities.iter().map(|i| Symbol::P(*i)).collect();
+    let momenta: Vec<Symbol> = velocities.iter().map(|i| Symbol::Momentum(*i)).collect();
     let direction = diff::jacobian(graph, &[combination], &momenta).concat();
     Flaw::Singular(velocities, direction)
 }

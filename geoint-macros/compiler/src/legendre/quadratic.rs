@@ -125,7 +125,7 @@ fn of_two(graph: &mut Graph, mass: &[Vec<Id>], y: &[Id], ([i, j], determinant): 
 /// p − a for the velocities of a part.
 pub(super) fn reduced(graph: &mut Graph, velocities: &[u32], shift: &[Id]) -> Vec<Id> {
     let mut momentum = |(i, a): (&u32, &Id)| {
-        let p = graph.symbol(Symbol::P(*i));
+        let p = graph.symbol(Symbol::Momentum(*i));
         graph.sub(p, *a)
     };
     velocities.iter().zip(shift).map(&mut momentum).collect()

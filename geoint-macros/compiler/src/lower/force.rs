@@ -19,7 +19,7 @@ impl Lowering {
                 self.refuse(expr, "in a force `v` is the velocity ∂H/∂p: give the argument `v` another name");
                 return vec![];
             }
-            let ids: Vec<Id> = (0..n as u32).map(|i| self.graph.symbol(Symbol::V(i))).collect();
+            let ids: Vec<Id> = (0..n as u32).map(|i| self.graph.symbol(Symbol::Velocity(i))).collect();
             self.scopes.bind(&VELOCITY, shaped(shape, &ids));
         }
         let said = self.errors.len();

@@ -133,7 +133,7 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
     // Damping, pieces and whatever else an attribute says see the arguments as they were given.
     lowering.scopes = arguments;
     let damping = energy.options.damping.as_ref().map(|expr| lowering.damping(expr, shape));
-    let x: Vec<Id> = (0..energy.degrees()).map(|i| lowering.graph.symbol(Symbol::Q(i))).collect();
+    let x: Vec<Id> = (0..energy.degrees()).map(|i| lowering.graph.symbol(Symbol::Position(i))).collect();
     let structure =
         energy.options.structure.as_ref().map_or_else(Skew::none, |form| lowering.structure(form, &x, shape));
     let keeps = energy.options.keeps.iter().map(|kept| lowering.integral(kept, shape)).collect();

@@ -171,14 +171,14 @@ impl Energy {
         let pure = |i: usize| (4 * (i / 3) + i % 3) as u32;
         let attitudes = 4 * self.bodies();
         let symbol = |i: usize| match role {
-            Role::Position if self.form == Form::Bodies => Symbol::Q(attitudes + pure(i)),
-            Role::Momentum if self.form == Form::Bodies => Symbol::P(attitudes + pure(i)),
-            Role::AngularMomentum => Symbol::P(pure(i)),
-            Role::Position | Role::Attitude => Symbol::Q(i as u32),
-            Role::Momentum => Symbol::P(i as u32),
-            Role::Velocity => Symbol::V(i as u32),
-            Role::Action => Symbol::S,
-            Role::Time => Symbol::T,
+            Role::Position if self.form == Form::Bodies => Symbol::Position(attitudes + pure(i)),
+            Role::Momentum if self.form == Form::Bodies => Symbol::Momentum(attitudes + pure(i)),
+            Role::AngularMomentum => Symbol::Momentum(pure(i)),
+            Role::Position | Role::Attitude => Symbol::Position(i as u32),
+            Role::Momentum => Symbol::Momentum(i as u32),
+            Role::Velocity => Symbol::Velocity(i as u32),
+            Role::Action => Symbol::Action,
+            Role::Time => Symbol::Time,
             Role::Parameter => Symbol::Parameter((before + i) as u32),
         };
         (0..argument.shape.len()).map(symbol).collect()

@@ -34,10 +34,14 @@ impl Levels {
     fn of(self, symbol: Symbol) -> usize {
         match symbol {
             _ if self == Levels::One => 0,
-            Symbol::Parameter(_) | Symbol::H | Symbol::G => 0,
-            Symbol::T if self == Levels::Frozen => 1,
-            Symbol::Q(_) | Symbol::P(_) | Symbol::V(_) | Symbol::S if self == Levels::Iterated => 1,
-            Symbol::T | Symbol::Start | Symbol::End if self == Levels::Iterated => 1,
+            Symbol::Parameter(_) | Symbol::StepLength | Symbol::GradientWeight => 0,
+            Symbol::Time if self == Levels::Frozen => 1,
+            Symbol::Position(_) | Symbol::Momentum(_) | Symbol::Velocity(_) | Symbol::Action
+                if self == Levels::Iterated =>
+            {
+                1
+            }
+            Symbol::Time | Symbol::StepStart | Symbol::StepEnd if self == Levels::Iterated => 1,
             _ => self.stores(),
         }
     }

@@ -72,16 +72,17 @@ pub(crate) struct Flow {
 impl Flow {
     /// Returns the flow that moves nothing.
     pub(super) fn rest(graph: &mut Graph, degrees: u32) -> Flow {
-        let [q, p] = [Symbol::Q as fn(u32) -> Symbol, Symbol::P].map(|of| (0..degrees).map(of).collect::<Vec<_>>());
+        let [q, p] = [Symbol::Position as fn(u32) -> Symbol, Symbol::Momentum]
+            .map(|of| (0..degrees).map(of).collect::<Vec<_>>());
         let mut symbols = |all: Vec<Symbol>| all.into_iter().map(|symbol| graph.symbol(symbol)).collect();
-        Flow { q: symbols(q), p: symbols(p), s: symbols(vec![Symbol::S]).remove(0) }
+        Flow { q: symbols(q), p: symbols(p), s: symbols(vec![Symbol::Action]).remove(0) }
     }
 
     /// Sets the end of a coordinate.
     pub(super) fn moves(&mut self, symbol: Symbol, end: Id) {
         match symbol {
-            Symbol::Q(i) => self.q[i as usize] = end,
-            Symbol::P(i) => self.p[i as usize] = end,
+            Symbol::Position(i) => self.q[i as usize] = end,
+            Symbol::Momentum(i) => self.p[i as usize] = end,
             _ => self.s = end,
         }
     }
@@ -121,7 +122,7 @@ pub(crate) fn may_end(graph: &Graph, energy: Id, ends: &[Id]) -> bool {
         _ => None,
     };
     // A singularity in time is an end as well: the flow continues to times at which the energy is not evaluated.
-    let steady = |id: &Id| is_free(graph, *id, &|symbol| symbol == Symbol::T);
+    let steady = |id: &Id| is_free(graph, *id, &|symbol| symbol == Symbol::Time);
     let of_energy: Vec<Id> = graph.reachable(&[energy]).into_iter().filter(steady).collect();
     let bases: Vec<Id> = of_energy.iter().filter_map(divided_by).collect();
     graph.reachable(ends).iter().any(|id| match graph.node(*id) {
@@ -134,7 +135,7 @@ pub(crate) fn may_end(graph: &Graph, energy: Id, ends: &[Id]) -> bool {
 
 /// Returns whether an expression reads neither coordinates, nor time, nor the length of the flow.
 fn is_constant(graph: &Graph, id: Id) -> bool {
-    is_free(graph, id, &|symbol| symbol.is_coordinate() || matches!(symbol, Symbol::T | Symbol::H))
+    is_free(graph, id, &|symbol| symbol.is_coordinate() || matches!(symbol, Symbol::Time | Symbol::StepLength))
 }
 
 /// A part of the energy whose flow is known in closed form.

@@ -33,7 +33,7 @@ pub(crate) fn mechanics(graph: &mut Graph, energy: Id, degrees: u32) -> Result<M
             (_, false, false) => &mut potential,
             (false, true, false) => &mut kinetic,
             (false, false, true) => {
-                let s = graph.symbol(Symbol::S);
+                let s = graph.symbol(Symbol::Action);
                 let g = graph.div(term, s);
                 if graph.reads(g).state() {
                     return Err(term);
@@ -50,7 +50,7 @@ pub(crate) fn mechanics(graph: &mut Graph, energy: Id, degrees: u32) -> Result<M
     let free = |graph: &mut Graph, clock| Some((kinetic::free(graph, &group(kinetic, clock))?, clock));
     let free_kick = prolongation::solve(graph, &group(potential, Clock::Stage)).ok_or(potential)?;
     let (free_drift, _) = free(graph, Clock::Stage).ok_or(kinetic)?;
-    let s = graph.symbol(Symbol::S);
+    let s = graph.symbol(Symbol::Action);
     let loss = graph.mul(damping, s);
     let with_damping = graph.add(kinetic, loss);
     let damped = |graph: &mut Graph, clock| Some((damped::drift(graph, &group(with_damping, clock))?, clock));

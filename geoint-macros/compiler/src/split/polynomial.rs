@@ -222,7 +222,7 @@ pub(super) fn quotient(graph: &mut Graph, a: Id, b: Id) -> Id {
 /// The only momentum of a monomial, and its power.
 pub(super) fn single_momentum(monomial: &Monomial) -> Option<(u32, Ratio)> {
     let mut momenta = monomial.iter().filter_map(|(symbol, power)| match symbol {
-        Symbol::P(i) => Some((*i, *power)),
+        Symbol::Momentum(i) => Some((*i, *power)),
         _ => None,
     });
     momenta.next().filter(|_| momenta.next().is_none())
@@ -241,7 +241,7 @@ pub(super) fn parted(graph: &mut Graph, id: Id, symbol: Symbol) -> (Id, Id) {
 }
 
 pub(super) fn is_momentum(symbol: Symbol) -> bool {
-    matches!(symbol, Symbol::P(_))
+    matches!(symbol, Symbol::Momentum(_))
 }
 
 /// Σ powers, each of the momenta together.

@@ -63,8 +63,8 @@ impl Equation {
 
     /// What multiplies h in a solution for coefficients that do not depend on time.
     fn steady(&self, graph: &mut Graph, coefficients: &[Id]) -> Option<Id> {
-        let steady = coefficients.iter().all(|id| is_free(graph, *id, &|symbol| symbol == Symbol::T));
-        (steady || self.clock == Clock::Stage).then(|| graph.symbol(Symbol::H))
+        let steady = coefficients.iter().all(|id| is_free(graph, *id, &|symbol| symbol == Symbol::Time));
+        (steady || self.clock == Clock::Stage).then(|| graph.symbol(Symbol::StepLength))
     }
 }
 

@@ -17,8 +17,8 @@ pub(crate) enum Clock {
 impl Clock {
     /// The integral of a rate over the flow; `None` if that has to be exact and is not elementary.
     pub(super) fn over_step(self, graph: &mut Graph, rate: Id) -> Option<Id> {
-        if self == Clock::Stage || is_free(graph, rate, &|symbol| symbol == Symbol::T) {
-            let h = graph.symbol(Symbol::H);
+        if self == Clock::Stage || is_free(graph, rate, &|symbol| symbol == Symbol::Time) {
+            let h = graph.symbol(Symbol::StepLength);
             return Some(graph.mul(h, rate));
         }
         integral(graph, rate)
@@ -28,7 +28,7 @@ impl Clock {
 /// Σ over terms: what does not depend on t, times the integral of a power, an exponential, a sine or a cosine of t.
 fn integral(graph: &mut Graph, rate: Id) -> Option<Id> {
     if let Node::Linear(constant, terms) = graph.node(rate).clone() {
-        let h = graph.symbol(Symbol::H);
+        let h = graph.symbol(Symbol::StepLength);
         let mut sum = graph.scale(constant, h);
         for (c, term) in terms {
             let term = Clock::Own.over_step(graph, term)?;
@@ -37,7 +37,7 @@ fn integral(graph: &mut Graph, rate: Id) -> Option<Id> {
         }
         return Some(sum);
     }
-    let reads_t = |symbol| symbol == Symbol::T;
+    let reads_t = |symbol| symbol == Symbol::Time;
     let (mut constant, mut changing) = (graph.integer(1), graph.integer(1));
     for (base, exponent) in factors(graph, rate) {
         let factor = graph.pow(base, exponent);
@@ -49,16 +49,16 @@ fn integral(graph: &mut Graph, rate: Id) -> Option<Id> {
         return Some(graph.mul(constant, whole));
     }
     let mean = waves(graph, changing).or_else(|| powers(graph, changing))?;
-    let h = graph.symbol(Symbol::H);
+    let h = graph.symbol(Symbol::StepLength);
     Some(graph.product(&[constant, h, mean]))
 }
 
 /// The mean of an exponential, a sine or a cosine of a·t + b, whether a is zero or not.
 fn waves(graph: &mut Graph, rate: Id) -> Option<Id> {
-    let reads_t = |symbol| symbol == Symbol::T;
+    let reads_t = |symbol| symbol == Symbol::Time;
     let Node::Call(function, args) = graph.node(rate).clone() else { return None };
     let line = Polynomial::of(graph, args[0], &reads_t)?;
-    if !line.has_only(|monomial| [Ratio::ZERO, Ratio::ONE].contains(&power(monomial, Symbol::T))) {
+    if !line.has_only(|monomial| [Ratio::ZERO, Ratio::ONE].contains(&power(monomial, Symbol::Time))) {
         return None;
     }
     let (primitive, sign) = match function {
@@ -67,7 +67,7 @@ fn waves(graph: &mut Graph, rate: Id) -> Option<Id> {
         Function::Exp => (Function::Exp, Number::ONE),
         _ => return None,
     };
-    let (rise, h) = (line.coefficient(graph, &[(Symbol::T, 1)]), graph.symbol(Symbol::H));
+    let (rise, h) = (line.coefficient(graph, &[(Symbol::Time, 1)]), graph.symbol(Symbol::StepLength));
     let rise = graph.mul(rise, h);
     let mean = slope(graph, primitive, args[0], rise);
     Some(graph.scale(sign, mean))
@@ -75,12 +75,12 @@ fn waves(graph: &mut Graph, rate: Id) -> Option<Id> {
 
 /// (f(a + d) − f(a))/d, or f'(a).
 pub(super) fn slope(graph: &mut Graph, f: Function, a: Id, d: Id) -> Id {
-    let t = graph.symbol(Symbol::T);
+    let t = graph.symbol(Symbol::Time);
     let value = graph.call(f, &[t]);
     let slope = diff::mean_rate(graph, value);
     let ends = |_: &mut Graph, symbol| match symbol {
-        Symbol::T => Some(a),
-        Symbol::H => Some(d),
+        Symbol::Time => Some(a),
+        Symbol::StepLength => Some(d),
         _ => None,
     };
     Substitution::new(ends).apply(graph, slope)
@@ -88,13 +88,13 @@ pub(super) fn slope(graph: &mut Graph, f: Function, a: Id, d: Id) -> Id {
 
 /// The mean of a sum of powers of t.
 fn powers(graph: &mut Graph, rate: Id) -> Option<Id> {
-    let powers = Polynomial::of(graph, rate, &|symbol| symbol == Symbol::T)?;
+    let powers = Polynomial::of(graph, rate, &|symbol| symbol == Symbol::Time)?;
     let mut sum = graph.zero();
-    for (exponent, coefficient) in powers.terms().map(|(m, c)| (power(m, Symbol::T), c)).collect::<Vec<_>>() {
+    for (exponent, coefficient) in powers.terms().map(|(m, c)| (power(m, Symbol::Time), c)).collect::<Vec<_>>() {
         // 1/t is dealt with where it appears: its exponential has no singularity at t = 0.
         let next = exponent.add(Ratio::ONE).filter(|next| next.numerator != 0)?;
         let singular = next.is_integer() && next.numerator < 0;
-        let [t, h] = [Symbol::T, Symbol::H].map(|symbol| graph.symbol(symbol));
+        let [t, h] = [Symbol::Time, Symbol::StepLength].map(|symbol| graph.symbol(symbol));
         let size = if singular { next.mul(Ratio::integer(-1))? } else { next };
         let value = graph.pow(t, size);
         let mut mean = diff::mean_rate(graph, value);
@@ -142,7 +142,7 @@ pub(super) fn over_time(graph: &mut Graph, rate: Id) -> Option<OverTime> {
     let (c, rest) = graph.coefficient(rate);
     let (mut k, mut found) = (graph.number(c), None);
     for (base, exponent) in factors(graph, rest) {
-        if is_free(graph, base, &|symbol| symbol == Symbol::T) {
+        if is_free(graph, base, &|symbol| symbol == Symbol::Time) {
             let factor = graph.pow(base, exponent);
             k = graph.mul(k, factor);
         } else if exponent == Ratio::integer(-1) && found.is_none() {
@@ -152,7 +152,7 @@ pub(super) fn over_time(graph: &mut Graph, rate: Id) -> Option<OverTime> {
         }
     }
     let base = found?;
-    let slope = slope_of_line(graph, base, Symbol::T)?;
+    let slope = slope_of_line(graph, base, Symbol::Time)?;
     graph.as_number(slope).filter(|slope| !slope.is_zero())?;
     Some(OverTime { k: graph.div(k, slope), time: ShiftedTime(graph.div(base, slope)) })
 }
@@ -160,7 +160,7 @@ pub(super) fn over_time(graph: &mut Graph, rate: Id) -> Option<OverTime> {
 impl ShiftedTime {
     /// τ/(τ + h); not a number if the singular time lies between both.
     pub(super) fn ratio(self, graph: &mut Graph) -> Id {
-        let h = graph.symbol(Symbol::H);
+        let h = graph.symbol(Symbol::StepLength);
         let end = graph.add(self.0, h);
         let ratio = graph.div(self.0, end);
         graph.call(Function::NotNegative, &[ratio])
@@ -168,7 +168,7 @@ impl ShiftedTime {
 
     /// ln((τ + h)/τ); not a number if the singular time lies between both.
     pub(super) fn ln_ratio(self, graph: &mut Graph) -> Id {
-        let h = graph.symbol(Symbol::H);
+        let h = graph.symbol(Symbol::StepLength);
         let relative = graph.div(h, self.0);
         graph.call(Function::Ln1p, &[relative])
     }

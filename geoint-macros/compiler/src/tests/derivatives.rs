@@ -8,7 +8,7 @@ use crate::ir::{Function, Id, Ratio, Symbol};
 use crate::tests::eval::eval;
 use quote::quote;
 
-const Q: Symbol = Symbol::Q(0);
+const Q: Symbol = Symbol::Position(0);
 
 /// A point well inside the domain of a function's argument.
 fn argument(function: Function, noise: &mut Noise) -> f64 {
@@ -101,10 +101,10 @@ fn the_discrete_gradient_satisfies_the_discrete_chain_rule() {
         let (x, d) = (draw(1.5), draw(1.0));
         let at = |shift: f64| {
             move |symbol: Symbol| match symbol {
-                Symbol::Q(i) => x[i as usize] + shift * d[i as usize],
-                Symbol::P(i) => x[2 + i as usize] + shift * d[2 + i as usize],
-                Symbol::Dq(i) => d[i as usize],
-                Symbol::Dp(i) => d[2 + i as usize],
+                Symbol::Position(i) => x[i as usize] + shift * d[i as usize],
+                Symbol::Momentum(i) => x[2 + i as usize] + shift * d[2 + i as usize],
+                Symbol::PositionIncrement(i) => d[i as usize],
+                Symbol::MomentumIncrement(i) => d[2 + i as usize],
                 _ => 1.7,
             }
         };
@@ -113,8 +113,13 @@ fn the_discrete_gradient_satisfies_the_discrete_chain_rule() {
         let change = eval(graph, lowered.energy, &at(1.0)) - eval(graph, lowered.energy, &at(0.0));
         assert!((along - change).abs() < 1e-12 * (1.0 + change.abs()), "{along} {change}");
 
-        let still =
-            |symbol: Symbol| if matches!(symbol, Symbol::Dq(_) | Symbol::Dp(_)) { 0.0 } else { at(0.0)(symbol) };
+        let still = |symbol: Symbol| {
+            if matches!(symbol, Symbol::PositionIncrement(_) | Symbol::MomentumIncrement(_)) {
+                0.0
+            } else {
+                at(0.0)(symbol)
+            }
+        };
         for (slope, derivative) in roots.iter().zip(gradient.q.iter().chain(&gradient.p)) {
             let (slope, derivative) = (eval(graph, *slope, &still), eval(graph, *derivative, &still));
             assert!((slope - derivative).abs() < 1e-12 * (1.0 + derivative.abs()));

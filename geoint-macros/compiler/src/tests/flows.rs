@@ -182,11 +182,11 @@ type Place = [f64; 6];
 
 fn value(graph: &Graph, id: Id, x: &Place, h: f64) -> f64 {
     eval(graph, id, &|symbol| match symbol {
-        Symbol::Q(i) => x[i as usize],
-        Symbol::P(i) => x[2 + i as usize],
-        Symbol::S => x[4],
-        Symbol::T => x[5],
-        Symbol::H => h,
+        Symbol::Position(i) => x[i as usize],
+        Symbol::Momentum(i) => x[2 + i as usize],
+        Symbol::Action => x[4],
+        Symbol::Time => x[5],
+        Symbol::StepLength => h,
         _ => f64::NAN,
     })
 }

@@ -16,8 +16,8 @@ fn sums(item: TokenStream, degrees: u32) -> (usize, Option<usize>) {
     let gradient = diff::gradient(graph, lowered.energy, degrees);
     let sums = |graph: &mut Graph, gradient: &diff::Gradient| {
         let forces: Vec<Id> = gradient.q.iter().map(|slope| graph.neg(*slope)).collect();
-        let velocities = (0..).map(Symbol::Q).zip(gradient.p.iter().copied());
-        let rates: Vec<_> = velocities.chain((0..).map(Symbol::P).zip(forces)).collect();
+        let velocities = (0..).map(Symbol::Position).zip(gradient.p.iter().copied());
+        let rates: Vec<_> = velocities.chain((0..).map(Symbol::Momentum).zip(forces)).collect();
         jet::jet(graph, &rates, &[]).half_convolutions()
     };
     let by_velocities = by_velocities::of_energy(graph, lowered.energy, &gradient);
@@ -158,7 +158,7 @@ fn arrays_of_pairs_serve_all_sums() {
     let graph = &mut lowered.graph;
     let gradient = diff::gradient(graph, lowered.energy, 18);
     let forces: Vec<_> = gradient.q.iter().map(|slope| graph.neg(*slope)).collect();
-    let rates: Vec<_> = (0..).map(Symbol::P).zip(forces).collect();
+    let rates: Vec<_> = (0..).map(Symbol::Momentum).zip(forces).collect();
     let lanes = jet::Lanes::of(&jet::jet(graph, &rates, &[])).expect("there are many sums");
     // Of 15 pairs r², r⁻³ and three differences; the squares of three at once, products of three, and powers.
     assert_eq!([lanes.arrays.len(), lanes.groups.len()], [4 * 5, 4 * 5]);
@@ -232,7 +232,7 @@ fn squares(item: TokenStream, degrees: u32) -> Vec<usize> {
     let (_, mut lowered) = lowered(item);
     let graph = &mut lowered.graph;
     let gradient = diff::gradient(graph, lowered.energy, degrees);
-    let rates: Vec<_> = (0..).map(Symbol::P).zip(gradient.q.iter().copied()).collect();
+    let rates: Vec<_> = (0..).map(Symbol::Momentum).zip(gradient.q.iter().copied()).collect();
     let program = jet::jet(graph, &rates, &[]);
     let mut squares: Vec<usize> = program
         .series

@@ -22,8 +22,8 @@ fn found(potential: TokenStream) -> Vec<String> {
 
 fn described(graph: &Graph, pole: &Pole) -> String {
     let name = |symbol| match symbol {
-        Symbol::Q(i) => ["x", "y"][i as usize].into(),
-        Symbol::T => "t".into(),
+        Symbol::Position(i) => ["x", "y"][i as usize].into(),
+        Symbol::Time => "t".into(),
         Symbol::Parameter(i) => ["m", "k"][i as usize].into(),
         _ => "p".to_string(),
     };

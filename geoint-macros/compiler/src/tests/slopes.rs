@@ -12,8 +12,8 @@ use crate::ir::op::FUNCTIONS;
 use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
 use crate::tests::eval::eval;
 
-const Q: Symbol = Symbol::Q(0);
-const DQ: Symbol = Symbol::Dq(0);
+const Q: Symbol = Symbol::Position(0);
+const DQ: Symbol = Symbol::PositionIncrement(0);
 /// Enough for differences of the third order with gaps of 2⁻⁸⁰.
 const BITS: usize = 450;
 

@@ -22,12 +22,12 @@ struct Step {
 impl Step {
     fn read(&self, symbol: Symbol) -> f64 {
         match symbol {
-            Symbol::Q(_) => self.start[0],
-            Symbol::P(_) => self.start[1],
-            Symbol::S => self.start[2],
-            Symbol::Dq(_) => self.increment[0],
-            Symbol::Dp(_) => self.increment[1],
-            Symbol::Ds => self.increment[2],
+            Symbol::Position(_) => self.start[0],
+            Symbol::Momentum(_) => self.start[1],
+            Symbol::Action => self.start[2],
+            Symbol::PositionIncrement(_) => self.increment[0],
+            Symbol::MomentumIncrement(_) => self.increment[1],
+            Symbol::ActionIncrement => self.increment[2],
             Symbol::Parameter(i) => self.rest + 0.37 * f64::from(i),
             _ => self.rest,
         }
@@ -87,9 +87,9 @@ impl Tree {
         precise::value(&self.graph, self.energy, bits, &|symbol| {
             let start = big(step.read(symbol), bits);
             match symbol {
-                Symbol::Q(_) if end => start + big(step.increment[0], bits),
-                Symbol::P(_) if end => start + big(step.increment[1], bits),
-                Symbol::S if end => start + big(step.increment[2], bits),
+                Symbol::Position(_) if end => start + big(step.increment[0], bits),
+                Symbol::Momentum(_) if end => start + big(step.increment[1], bits),
+                Symbol::Action if end => start + big(step.increment[2], bits),
                 _ => start,
             }
         })

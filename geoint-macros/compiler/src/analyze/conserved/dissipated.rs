@@ -25,7 +25,7 @@ pub(crate) fn dissipated_by_velocities(graph: &mut Graph, lagrangian: Id, coordi
 
 /// Finds them, if there is an action that H reads.
 pub(crate) fn dissipated(graph: &mut Graph, energy: Id, coordinates: &Shape) -> Option<Dissipated> {
-    let degrees = Degrees::of(graph, &[energy], |symbol| matches!(symbol, Symbol::Q(_) | Symbol::P(_)));
+    let degrees = Degrees::of(graph, &[energy], |symbol| matches!(symbol, Symbol::Position(_) | Symbol::Momentum(_)));
     let mut momenta = momenta::momenta(graph, &degrees, energy, coordinates);
     momenta.retain(|momentum| is_homogeneous(graph, momentum.value));
     of(graph, energy, coordinates, momenta)
@@ -33,7 +33,7 @@ pub(crate) fn dissipated(graph: &mut Graph, energy: Id, coordinates: &Shape) -> 
 
 /// −∂L/∂s, by which all of that decays.
 pub(crate) fn decay(graph: &mut Graph, lagrangian: Id) -> Id {
-    let growth = crate::diff::partial(graph, lagrangian, Symbol::S);
+    let growth = crate::diff::partial(graph, lagrangian, Symbol::Action);
     let terms: Vec<Id> = crate::analyze::terms(graph, growth).into_iter().map(|term| graph.neg(term)).collect();
     graph.sum(&terms)
 }
@@ -41,17 +41,17 @@ pub(crate) fn decay(graph: &mut Graph, lagrangian: Id) -> Id {
 /// With what is seen from what H or L reads.
 fn of(graph: &Graph, root: Id, coordinates: &Shape, momenta: Vec<Momentum>) -> Option<Dissipated> {
     let read = graph.symbols(root);
-    if !read.contains(&Symbol::S) {
+    if !read.contains(&Symbol::Action) {
         return None;
     }
-    let cyclic: Vec<u32> = (0..coordinates.len() as u32).filter(|i| !read.contains(&Symbol::Q(*i))).collect();
-    let energy = !read.contains(&Symbol::T);
+    let cyclic: Vec<u32> = (0..coordinates.len() as u32).filter(|i| !read.contains(&Symbol::Position(*i))).collect();
+    let energy = !read.contains(&Symbol::Time);
     (energy || !cyclic.is_empty() || !momenta.is_empty()).then_some(Dissipated { cyclic, momenta, energy })
 }
 
 /// Whether a polynomial is of degree 1 in p in every term.
 fn is_homogeneous(graph: &mut Graph, value: Id) -> bool {
-    let of_p = |symbol: Symbol| matches!(symbol, Symbol::P(_));
+    let of_p = |symbol: Symbol| matches!(symbol, Symbol::Momentum(_));
     let rest =
         Substitution::new(move |graph: &mut Graph, symbol| of_p(symbol).then(|| graph.zero())).apply(graph, value);
     degree_in(graph, value, of_p) == Some(1) && identity(graph, rest).is_zero()

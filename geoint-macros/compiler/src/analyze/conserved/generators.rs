@@ -121,8 +121,8 @@ impl Generator {
         for (c, variables) in &self.terms {
             let factors = variables.iter().filter_map(|variable| match variable % 2 {
                 _ if *variable == UNIT => None,
-                0 => Some(graph.symbol(Symbol::Q(variable / 2))),
-                _ => Some(graph.symbol(Symbol::P(variable / 2))),
+                0 => Some(graph.symbol(Symbol::Position(variable / 2))),
+                _ => Some(graph.symbol(Symbol::Momentum(variable / 2))),
             });
             let factors: Vec<Id> = factors.collect();
             let product = graph.product(&factors);

@@ -12,13 +12,13 @@ use crate::parse::Shape;
 /// Sums of momenta and angular momenta that the flow keeps, for every s and t. Gauss methods do, too, because these are linear or bilinear.
 pub(crate) fn noether(graph: &mut Graph, lagrangian: Id, coordinates: &Shape) -> Vec<Momentum> {
     let as_momentum = |graph: &mut Graph, symbol| match symbol {
-        Symbol::V(i) => Some(graph.symbol(Symbol::P(i))),
+        Symbol::Velocity(i) => Some(graph.symbol(Symbol::Momentum(i))),
         _ => None,
     };
     let energy = Substitution::new(as_momentum).apply(graph, lagrangian);
     let mut generators = generators(coordinates);
     generators.retain(|generator| generator.is_rigid());
-    let degrees = Degrees::of(graph, &[energy], |symbol| matches!(symbol, Symbol::Q(_) | Symbol::P(_)));
+    let degrees = Degrees::of(graph, &[energy], |symbol| matches!(symbol, Symbol::Position(_) | Symbol::Momentum(_)));
     momenta::of_generators(graph, &degrees, energy, coordinates, &generators)
 }
 
@@ -26,6 +26,6 @@ pub(crate) fn noether(graph: &mut Graph, lagrangian: Id, coordinates: &Shape) ->
 pub(crate) fn translations(graph: &mut Graph, root: Id, coordinates: &Shape) -> Vec<Momentum> {
     let mut generators = generators(coordinates);
     generators.retain(|generator| generator.is_translation());
-    let degrees = Degrees::of(graph, &[root], |symbol| matches!(symbol, Symbol::Q(_)));
+    let degrees = Degrees::of(graph, &[root], |symbol| matches!(symbol, Symbol::Position(_)));
     momenta::of_generators(graph, &degrees, root, coordinates, &generators)
 }

@@ -88,7 +88,7 @@ fn stands_still(graph: &mut Graph, x: &[Symbol], field: &[Id], difference: Id) -
         };
         !read.contains(symbol) || is_zero_at_zero(*rate) && (*rate == zero || is_zero_at_zero(difference))
     };
-    !read.contains(&Symbol::T) && x.iter().zip(field).all(rests)
+    !read.contains(&Symbol::Time) && x.iter().zip(field).all(rests)
 }
 
 /// The edges of all conditions and signs that read the state or time.

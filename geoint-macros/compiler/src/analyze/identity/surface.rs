@@ -38,7 +38,7 @@ fn open_boundaries(graph: &mut Graph, terms: &[Id], x: &[Symbol], field: &[Id]) 
 fn is_left(graph: &mut Graph, difference: Id, x: &[Symbol], field: &[Id]) -> bool {
     let terms = diff::derivative_along(graph, x, field, difference, None);
     let rate = graph.sum(&terms);
-    let moves = |symbol: &Symbol| x.contains(symbol) || *symbol == Symbol::T;
+    let moves = |symbol: &Symbol| x.contains(symbol) || *symbol == Symbol::Time;
     let moving: Vec<Symbol> = graph.symbols(difference).into_iter().filter(moves).collect();
     moving.into_iter().any(|symbol| {
         let Some(Solved { roots, coefficient }) = solved(graph, difference, symbol) else { return false };

@@ -59,7 +59,7 @@ pub(crate) fn poles(graph: &mut Graph, divided: &[Id], partial: &[Partial]) -> V
             let whole = vanishes == term && condition.is_none();
             if !(one_sided && whole && zeros.is_concave(graph, term)) {
                 // Divided differences read one time, the middle of the step.
-                let timed = graph.reads_any(term, |symbol| symbol == Symbol::T);
+                let timed = graph.reads_any(term, |symbol| symbol == Symbol::Time);
                 let noticed = !timed
                     && whole
                     && computed.contains(&node)
@@ -134,7 +134,7 @@ impl Pole {
         self.enclosable = enclosable(graph, vanishes);
         self.by_parameters = graph.reads_any(self.enclosable, |symbol| matches!(symbol, Symbol::Parameter(_)));
         let reads = |symbols: fn(Symbol) -> bool| graph.reads_any(self.enclosable, symbols);
-        self.of_time = reads(|symbol| symbol == Symbol::T) && !reads(|symbol| symbol.is_coordinate());
+        self.of_time = reads(|symbol| symbol == Symbol::Time) && !reads(|symbol| symbol.is_coordinate());
     }
 
     /// Merges a second occurrence of the same pole.

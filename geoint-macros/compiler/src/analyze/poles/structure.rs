@@ -69,7 +69,7 @@ type Forms = Option<(BTreeSet<Id>, Signs)>;
 
 impl Zeros {
     pub(super) fn new(graph: &Graph, terms: &[Id]) -> Self {
-        let degrees = Degrees::of(graph, terms, |symbol| symbol.is_coordinate() || symbol == Symbol::T);
+        let degrees = Degrees::of(graph, terms, |symbol| symbol.is_coordinate() || symbol == Symbol::Time);
         Zeros { degrees }
     }
 

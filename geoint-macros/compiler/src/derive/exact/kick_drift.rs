@@ -23,13 +23,13 @@ pub(in crate::derive) fn kick_drift(
     let degrees = gradient.q.len() as u32;
     let impulse = scaled_gradient(graph, parts.potential, Number::MINUS_ONE, degrees);
     let shift = scaled_gradient(graph, parts.kinetic, Number::ONE, degrees);
-    let kick = increments(graph, Symbol::P, &impulse.q);
-    let drift = increments(graph, Symbol::Q, &shift.p);
+    let kick = increments(graph, Symbol::Momentum, &impulse.q);
+    let drift = increments(graph, Symbol::Position, &shift.p);
     let gradient_kick = match parts.not_quadratic {
         None if degrees <= FEW => Ok(GradientKick::Collocation),
         None => {
             let kick = diff::gradient_kick(graph, parts.potential, force, &gradient.p);
-            Ok(GradientKick::Flow(increments(graph, Symbol::P, &kick.impulse)))
+            Ok(GradientKick::Flow(increments(graph, Symbol::Momentum, &kick.impulse)))
         }
         Some(term) => Err(Missing { marker: "QuadraticIn", term, why: NOT_QUADRATIC, pair: None }),
     };
@@ -44,7 +44,7 @@ pub(super) fn impulse(graph: &mut Graph, potential: Id, degrees: u32) -> Vec<Id>
 }
 
 fn scaled_gradient(graph: &mut Graph, part: Id, sign: Number, degrees: u32) -> Gradient {
-    let h = graph.symbol(Symbol::H);
+    let h = graph.symbol(Symbol::StepLength);
     let generator = graph.mul(h, part);
     let generator = graph.scale(sign, generator);
     diff::gradient(graph, generator, degrees)

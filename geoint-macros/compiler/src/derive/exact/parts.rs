@@ -145,7 +145,7 @@ fn kernel(graph: &mut Graph, part: Part) -> PieceKernel<Kernel> {
             (false, may_end, FlowKernel::with_increments(graph, levels, changed))
         }
         Motion::Solved(pair, field) => {
-            let h = graph.symbol(Symbol::H);
+            let h = graph.symbol(Symbol::StepLength);
             let equation = implicit::image(graph, &field, h);
             (true, true, FlowKernel { changes: pair.to_vec(), kernel: Kernel::new(levels, equation) })
         }

@@ -21,7 +21,7 @@ pub(in crate::derive) fn kernels(
         Err(NoExactPart { term, why }) => return Err(Missing { marker: "Parted", term: *term, why, pair: None }),
     };
     let changed: Vec<(Symbol, Id)> =
-        parts.flow.changed(graph).into_iter().filter(|(symbol, _)| *symbol != Symbol::S).collect();
+        parts.flow.changed(graph).into_iter().filter(|(symbol, _)| *symbol != Symbol::Action).collect();
     let changed = split::steady(graph, changed);
     let after = after_kick(graph, &changed, degrees).filter(|_| parts.jump.is_none() && parts.inner.is_none());
     let gradient_kick = match &parts.velocity {
@@ -30,7 +30,7 @@ pub(in crate::derive) fn kernels(
                 diff::gradient(graph, parts.kick, degrees).q.into_iter().map(|slope| graph.neg(slope)).collect();
             let kick = diff::gradient_kick(graph, parts.kick, &force, velocity);
             let impulse = weighted(graph, parts, kick.impulse);
-            Ok(increments(graph, Symbol::P, &impulse))
+            Ok(increments(graph, Symbol::Momentum, &impulse))
         }
         Err(term) => {
             let why = if parts.jump.is_some() { JUMP_IS_NO_KICK } else { NOT_NYSTROM_EXACT };
@@ -57,7 +57,7 @@ pub(in crate::derive) fn kernels(
             match &parts.jump {
                 Some(jump) if jump.commutes => beside_jump(graph, jump, &impulse),
                 Some(jump) => between_jumps(graph, jump, &impulse),
-                None => increments(graph, Symbol::P, &impulse),
+                None => increments(graph, Symbol::Momentum, &impulse),
             }
         },
         repeats: parts.jump.is_none() && !graph.reads(parts.kick).t,
@@ -74,8 +74,8 @@ pub(in crate::derive) fn kernels(
 
 /// Where a linear flow ends after momenta have grown by Dp; nothing if its coefficients are not constant.
 fn after_kick(graph: &mut Graph, changed: &[(Symbol, Id)], degrees: u32) -> Option<FlowKernel<Kernel>> {
-    let momenta: Vec<Symbol> = (0..degrees).map(Symbol::P).collect();
-    let ends: Vec<(Symbol, Id)> = [Symbol::Q as fn(u32) -> Symbol, Symbol::P]
+    let momenta: Vec<Symbol> = (0..degrees).map(Symbol::Momentum).collect();
+    let ends: Vec<(Symbol, Id)> = [Symbol::Position as fn(u32) -> Symbol, Symbol::Momentum]
         .into_iter()
         .flat_map(|of| (0..degrees).map(of))
         .map(|symbol| {
@@ -98,7 +98,7 @@ fn after_kick(graph: &mut Graph, changed: &[(Symbol, Id)], degrees: u32) -> Opti
     for ((symbol, end), weights) in ends.into_iter().zip(weights) {
         let mut terms = vec![end];
         for (i, weight) in (0..).zip(weights) {
-            let grown = graph.symbol(Symbol::Dp(i));
+            let grown = graph.symbol(Symbol::MomentumIncrement(i));
             terms.push(graph.mul(weight, grown));
         }
         after.push((symbol, graph.sum(&terms)));
@@ -108,10 +108,14 @@ fn after_kick(graph: &mut Graph, changed: &[(Symbol, Id)], degrees: u32) -> Opti
 
 /// A jump and a kick that leave each other as they are.
 fn beside_jump(graph: &mut Graph, jump: &split::Jump, impulse: &[Id]) -> FlowKernel<Kernel> {
-    let h = graph.symbol(Symbol::H);
+    let h = graph.symbol(Symbol::StepLength);
     let shifts: Vec<Id> = jump.velocity.iter().map(|velocity| graph.mul(h, *velocity)).collect();
     let indices = 0..shifts.len() as u32;
-    let moved = indices.clone().map(Symbol::Q).zip(shifts).chain(indices.map(Symbol::P).zip(impulse.iter().copied()));
+    let moved = indices
+        .clone()
+        .map(Symbol::Position)
+        .zip(shifts)
+        .chain(indices.map(Symbol::Momentum).zip(impulse.iter().copied()));
     let mut ends = vec![];
     for (symbol, increment) in moved.filter(|(_, increment)| !graph.is_zero(*increment)).collect::<Vec<_>>() {
         let start = graph.symbol(symbol);
@@ -123,36 +127,36 @@ fn beside_jump(graph: &mut Graph, jump: &split::Jump, impulse: &[Id]) -> FlowKer
 /// Half of a jump, a kick, half of a jump.
 fn between_jumps(graph: &mut Graph, jump: &split::Jump, impulse: &[Id]) -> FlowKernel<Kernel> {
     let indices = 0..impulse.len() as u32;
-    let h = graph.symbol(Symbol::H);
+    let h = graph.symbol(Symbol::StepLength);
     let half = graph.scale(Number::HALF, h);
     let shifts: Vec<Id> = jump.velocity.iter().map(|velocity| graph.mul(half, *velocity)).collect();
     let start = |graph: &mut Graph, of: fn(u32) -> Symbol, i: u32| graph.symbol(of(i));
     let mut shifted = vec![];
     for (i, shift) in indices.clone().zip(&shifts) {
-        let q = start(graph, Symbol::Q, i);
+        let q = start(graph, Symbol::Position, i);
         shifted.push(graph.add(q, *shift));
     }
     let mut after_jump = Substitution::new(|_, symbol| match symbol {
-        Symbol::Q(i) => Some(shifted[i as usize]),
+        Symbol::Position(i) => Some(shifted[i as usize]),
         _ => None,
     });
     let impulse: Vec<Id> = impulse.iter().map(|impulse| after_jump.apply(graph, *impulse)).collect();
     let mut momenta = vec![];
     for (i, impulse) in indices.clone().zip(&impulse) {
-        let p = start(graph, Symbol::P, i);
+        let p = start(graph, Symbol::Momentum, i);
         momenta.push(graph.add(p, *impulse));
     }
     let mut after_kick = Substitution::new(|_, symbol| match symbol {
-        Symbol::P(i) => Some(momenta[i as usize]),
+        Symbol::Momentum(i) => Some(momenta[i as usize]),
         _ => None,
     });
     let mut ends = vec![];
     for (i, shift) in indices.clone().zip(&shifts) {
-        let (q, last) = (start(graph, Symbol::Q, i), after_kick.apply(graph, *shift));
+        let (q, last) = (start(graph, Symbol::Position, i), after_kick.apply(graph, *shift));
         let both = graph.add(*shift, last);
-        ends.push((Symbol::Q(i), graph.add(q, both)));
+        ends.push((Symbol::Position(i), graph.add(q, both)));
     }
-    ends.extend(indices.map(Symbol::P).zip(momenta));
+    ends.extend(indices.map(Symbol::Momentum).zip(momenta));
     ends.retain(|(symbol, end)| *end != graph.symbol(*symbol));
     FlowKernel::with_increments(graph, Levels::Prepared, ends)
 }

@@ -47,7 +47,7 @@ pub(in crate::derive) fn kernels(
 
 fn kernel(graph: &mut Graph, piece: &split::Piece, followed: Followed) -> PieceKernel<Kernel> {
     let mut changed = piece.flow.changed(graph);
-    changed.retain(|(symbol, _)| !(followed == Followed::Lift && matches!(symbol, Symbol::P(_))));
+    changed.retain(|(symbol, _)| !(followed == Followed::Lift && matches!(symbol, Symbol::Momentum(_))));
     let ends: Vec<Id> = changed.iter().map(|(_, end)| *end).collect();
     let may_end = split::may_end(graph, piece.energy, &ends);
     let changed = if followed == Followed::Canonical { split::steady(graph, changed) } else { changed };

@@ -199,5 +199,5 @@ impl Flow {
 
 /// x, in order.
 pub(in crate::derive) fn coordinates(n: usize) -> Vec<Symbol> {
-    (0..n as u32).map(Symbol::Q).collect()
+    (0..n as u32).map(Symbol::Position).collect()
 }

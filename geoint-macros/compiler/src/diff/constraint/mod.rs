@@ -47,7 +47,7 @@ impl<'a> Given<'a> {
     ) -> Given<'a> {
         let degrees = velocity.len() as u32;
         let [positions, momenta]: [Vec<Symbol>; 2] =
-            [Symbol::Q, Symbol::P].map(|symbol: fn(u32) -> Symbol| (0..degrees).map(symbol).collect());
+            [Symbol::Position, Symbol::Momentum].map(|symbol: fn(u32) -> Symbol| (0..degrees).map(symbol).collect());
         let gradients = jacobian(graph, constraints, &positions);
         let inverse_mass = jacobian(graph, velocity, &momenta);
         Given { constraints, gradients, velocity, inverse_mass, force, mean_force, mean_velocity }
@@ -81,7 +81,7 @@ impl<'a> Given<'a> {
         for (unit, bound) in units.into_iter().zip(bound) {
             let mut lengths = vec![];
             for i in bound {
-                let q = graph.symbol(Symbol::Q(i as u32));
+                let q = graph.symbol(Symbol::Position(i as u32));
                 let square = graph.pow(q, Ratio::integer(2));
                 let length = graph.div(square, self.inverse_mass[i][i]);
                 lengths.push(graph.call(Function::Abs, &[length]));
@@ -120,7 +120,7 @@ impl<'a> Given<'a> {
     fn bound(&self, graph: &mut Graph, end: &[Id]) -> Vec<Id> {
         let units = self.units(graph);
         let mut there = Substitution::new(|_: &mut Graph, symbol| match symbol {
-            Symbol::Q(i) => Some(end[i as usize]),
+            Symbol::Position(i) => Some(end[i as usize]),
             _ => None,
         });
         let mut row = |(constraint, unit): (&Id, &Id)| {
@@ -137,14 +137,14 @@ impl<'a> Given<'a> {
         for (gradient, unit) in self.gradients.iter().zip(&units) {
             let mut terms = vec![];
             for (i, slope) in (0..).zip(gradient) {
-                let q = graph.symbol(Symbol::Q(i));
+                let q = graph.symbol(Symbol::Position(i));
                 let term = graph.mul(*slope, q);
                 terms.push(graph.call(Function::Abs, &[term]));
             }
             let (size, unit) = (graph.sum(&terms), graph.call(Function::Abs, &[*unit]));
             multipliers.push(graph.div(size, unit));
         }
-        let h = graph.symbol(Symbol::H);
+        let h = graph.symbol(Symbol::StepLength);
         let h = graph.call(Function::Abs, &[h]);
         let weight = graph.recip(h);
         let weight = graph.scale(pull, weight);
@@ -152,8 +152,8 @@ impl<'a> Given<'a> {
         let mut size = |symbol: &Symbol| {
             let (own, weights, weight, i) = match symbol {
                 Symbol::Multiplier(k) => return multipliers[*k as usize],
-                Symbol::Dq(i) => (Symbol::Q(*i), &directions, graph.integer(1), *i),
-                Symbol::Dp(i) => (Symbol::P(*i), &self.gradients, weight, *i),
+                Symbol::PositionIncrement(i) => (Symbol::Position(*i), &directions, graph.integer(1), *i),
+                Symbol::MomentumIncrement(i) => (Symbol::Momentum(*i), &self.gradients, weight, *i),
                 other => return graph.symbol(*other),
             };
             let own = graph.symbol(own);
@@ -180,9 +180,9 @@ fn ends(graph: &mut Graph, coordinate: fn(u32) -> Symbol, increments: &[Id]) -> 
 /// Nodes at other positions, perhaps other momenta, and another time.
 fn moved(graph: &mut Graph, nodes: &[Id], (positions, momenta): (&[Id], Option<&[Id]>), time: Id) -> Vec<Id> {
     let mut there = Substitution::new(|_: &mut Graph, symbol| match symbol {
-        Symbol::Q(i) => Some(positions[i as usize]),
-        Symbol::P(i) => momenta.map(|momenta| momenta[i as usize]),
-        Symbol::T => Some(time),
+        Symbol::Position(i) => Some(positions[i as usize]),
+        Symbol::Momentum(i) => momenta.map(|momenta| momenta[i as usize]),
+        Symbol::Time => Some(time),
         _ => None,
     });
     nodes.iter().map(|node| there.apply(graph, *node)).collect()

@@ -8,7 +8,7 @@ use crate::ir::{Graph, Id, Number, Symbol};
 /// RATTLE up to the momentum that is to be made tangent at the end.
 pub(crate) fn rattle(graph: &mut Graph, given: &Given<'_>) -> Equation {
     let n = given.degrees();
-    let [h, t] = [Symbol::H, Symbol::T].map(|symbol| graph.symbol(symbol));
+    let [h, t] = [Symbol::StepLength, Symbol::Time].map(|symbol| graph.symbol(symbol));
     let (half, later) = (graph.scale(Number::HALF, h), graph.add(t, h));
     let pull = pulls(graph, &given.gradients, Number::ONE);
     let impulse =
@@ -17,7 +17,7 @@ pub(crate) fn rattle(graph: &mut Graph, given: &Given<'_>) -> Equation {
         let kick = impulse(graph, given.force);
         let increments = sums(graph, &kick, &pull);
         let shift = shifts(graph, given.velocity, &increments, Number::ONE);
-        let end = ends(graph, Symbol::Q, &shift);
+        let end = ends(graph, Symbol::Position, &shift);
         let there = moved(graph, given.force, (&end, None), later);
         let last = impulse(graph, &there);
         let unknowns = multipliers(given);
@@ -29,8 +29,8 @@ pub(crate) fn rattle(graph: &mut Graph, given: &Given<'_>) -> Equation {
         };
     }
     let [dq, dp] = increments(graph, n);
-    let [end, middle] = [ends(graph, Symbol::Q, &dq), ends(graph, Symbol::P, &dp)];
-    let start: Vec<Id> = (0..n as u32).map(|i| graph.symbol(Symbol::Q(i))).collect();
+    let [end, middle] = [ends(graph, Symbol::Position, &dq), ends(graph, Symbol::Momentum, &dp)];
+    let start: Vec<Id> = (0..n as u32).map(|i| graph.symbol(Symbol::Position(i))).collect();
     let mut at = |nodes: &[Id], positions: &[Id], time| moved(graph, nodes, (positions, Some(&middle)), time);
     let (first, last) = (at(given.velocity, &start, t), at(given.velocity, &end, later));
     let (kick, kicked) = (at(given.force, &start, t), at(given.force, &end, later));
@@ -59,7 +59,7 @@ pub(crate) fn rattle(graph: &mut Graph, given: &Given<'_>) -> Equation {
 /// The discrete gradient with constraints; time is that of the middle of the step.
 pub(crate) fn gradient(graph: &mut Graph, given: &Given<'_>) -> Equation {
     let n = given.degrees();
-    let h = graph.symbol(Symbol::H);
+    let h = graph.symbol(Symbol::StepLength);
     let two = Number::ONE.add(Number::ONE);
     let slopes: Vec<Vec<Id>> =
         given.constraints.iter().map(|constraint| discrete_gradient(graph, *constraint, n as u32).q).collect();
@@ -67,13 +67,13 @@ pub(crate) fn gradient(graph: &mut Graph, given: &Given<'_>) -> Equation {
     let impulse: Vec<Id> = given.mean_force.iter().map(|force| graph.mul(h, *force)).collect();
     let impulse = sums(graph, &impulse, &pull);
     let [dq, dp] = increments(graph, n);
-    let end = ends(graph, Symbol::Q, &dq);
+    let end = ends(graph, Symbol::Position, &dq);
     let less =
         |graph: &mut Graph, a: &[Id], b: &[Id]| a.iter().zip(b).map(|(a, b)| graph.sub(*a, *b)).collect::<Vec<_>>();
     let (unknowns, mut residual, added) = match given.mean_velocity {
         None => {
             let shift = shifts(graph, given.velocity, &impulse, Number::HALF);
-            let unknowns = [(0..n as u32).map(Symbol::Dq).collect(), multipliers(given)].concat();
+            let unknowns = [(0..n as u32).map(Symbol::PositionIncrement).collect(), multipliers(given)].concat();
             (unknowns, less(graph, &dq, &shift), [shift, impulse].concat())
         }
         Some(velocity) => {
@@ -92,17 +92,22 @@ fn multipliers(given: &Given<'_>) -> Vec<Symbol> {
 
 fn all(given: &Given<'_>) -> Vec<Symbol> {
     let n = given.degrees() as u32;
-    (0..n).map(Symbol::Dq).chain((0..n).map(Symbol::Dp)).chain(multipliers(given)).collect()
+    (0..n)
+        .map(Symbol::PositionIncrement)
+        .chain((0..n).map(Symbol::MomentumIncrement))
+        .chain(multipliers(given))
+        .collect()
 }
 
 /// The increments of positions and momenta as unknowns.
 fn increments(graph: &mut Graph, n: usize) -> [Vec<Id>; 2] {
-    [Symbol::Dq, Symbol::Dp].map(|symbol: fn(u32) -> Symbol| (0..n as u32).map(|i| graph.symbol(symbol(i))).collect())
+    [Symbol::PositionIncrement, Symbol::MomentumIncrement]
+        .map(|symbol: fn(u32) -> Symbol| (0..n as u32).map(|i| graph.symbol(symbol(i))).collect())
 }
 
 /// What multipliers add to momenta: a number of times Gᵀν/h.
 fn pulls(graph: &mut Graph, gradients: &[Vec<Id>], times: Number) -> Vec<Id> {
-    let h = graph.symbol(Symbol::H);
+    let h = graph.symbol(Symbol::StepLength);
     let weight = graph.recip(h);
     let weight = graph.scale(times, weight);
     let mut pull = |i: usize| {
@@ -118,11 +123,11 @@ fn pulls(graph: &mut Graph, gradients: &[Vec<Id>], times: Number) -> Vec<Id> {
 
 /// h ∂H/∂p where part of the increments was added to momenta.
 fn shifts(graph: &mut Graph, velocity: &[Id], increments: &[Id], part: Number) -> Vec<Id> {
-    let h = graph.symbol(Symbol::H);
+    let h = graph.symbol(Symbol::StepLength);
     let added: Vec<Id> = increments.iter().map(|increment| graph.scale(part, *increment)).collect();
-    let momenta = ends(graph, Symbol::P, &added);
+    let momenta = ends(graph, Symbol::Momentum, &added);
     let mut there = Substitution::new(|_: &mut Graph, symbol| match symbol {
-        Symbol::P(i) => Some(momenta[i as usize]),
+        Symbol::Momentum(i) => Some(momenta[i as usize]),
         _ => None,
     });
     let mut shift = |velocity: &Id| {

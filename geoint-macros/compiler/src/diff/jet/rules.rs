@@ -41,7 +41,7 @@ impl Builder<'_> {
             return None;
         }
         match self.graph.node(id).clone() {
-            Node::Symbol(Symbol::T) => Some(self.graph.integer(1)),
+            Node::Symbol(Symbol::Time) => Some(self.graph.integer(1)),
             Node::Linear(_, terms) => {
                 let mut sum = self.graph.zero();
                 for (c, term) in terms.into_iter().filter(|(_, term)| self.graph.reads(*term).t).collect::<Vec<_>>() {

@@ -10,7 +10,7 @@ use crate::ir::{Function, Graph, Id, Node, Symbol};
 pub(super) fn by_slopes(graph: &mut Graph, given: &[Id], increments: &[Id]) -> Vec<(Id, Id)> {
     let mut slopes = Slopes::default();
     let mut moved = Substitution::new(|_: &mut Graph, symbol| match symbol {
-        Symbol::Dq(i) => Some(increments[i as usize]),
+        Symbol::PositionIncrement(i) => Some(increments[i as usize]),
         _ => None,
     });
     let mut replaced = vec![];

@@ -27,9 +27,9 @@ impl Default for Slopes {
 /// The increment of a position, a momentum or the action.
 pub(in super::super) fn coordinate_increment(graph: &mut Graph, symbol: Symbol) -> Option<Id> {
     match symbol {
-        Symbol::Q(i) => Some(graph.symbol(Symbol::Dq(i))),
-        Symbol::P(i) => Some(graph.symbol(Symbol::Dp(i))),
-        Symbol::S => Some(graph.symbol(Symbol::Ds)),
+        Symbol::Position(i) => Some(graph.symbol(Symbol::PositionIncrement(i))),
+        Symbol::Momentum(i) => Some(graph.symbol(Symbol::MomentumIncrement(i))),
+        Symbol::Action => Some(graph.symbol(Symbol::ActionIncrement)),
         _ => None,
     }
 }

@@ -63,9 +63,9 @@ fn increments(context: &Context<'_>, flow: &FlowKernel<Plan>) -> TokenStream {
         Given::entry(array::INCREMENTS, quote!(d.z), indices)
     };
     let targets = flow.changes.iter().map(|symbol| match symbol {
-        Symbol::Q(i) if context.energy.form.is_flow() => entry(&[], *i),
-        Symbol::Q(i) => entry(&[0], *i),
-        Symbol::P(i) => entry(&[1], *i),
+        Symbol::Position(i) if context.energy.form.is_flow() => entry(&[], *i),
+        Symbol::Position(i) => entry(&[0], *i),
+        Symbol::Momentum(i) => entry(&[1], *i),
         _ => Given::alone(quote!(d.s)),
     });
     let parts = context.per_coordinate();

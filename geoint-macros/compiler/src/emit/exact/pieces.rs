@@ -147,15 +147,18 @@ fn solve(context: &Context<'_>, piece: &PieceKernel<Plan>, target: Target) -> To
     let [x, y] = [0, 1].map(|i| context.input(piece.flow.changes[i]));
     let places = piece.flow.changes.iter().enumerate().map(|(i, symbol)| {
         let place = match symbol {
-            Symbol::Q(index) => element(coordinates.clone(), &context.coordinate(*index)),
+            Symbol::Position(index) => element(coordinates.clone(), &context.coordinate(*index)),
             _ => Tokens::default(),
         };
         let i = Literal::usize_unsuffixed(i);
         quote!(#place = #place + step[#i];)
     });
     let unknown = |symbol: Symbol| {
-        let moved =
-            piece.flow.changes.iter().position(|x| matches!((x, symbol), (Symbol::Q(i), Symbol::Dq(j)) if *i == j));
+        let moved = piece
+            .flow
+            .changes
+            .iter()
+            .position(|x| matches!((x, symbol), (Symbol::Position(i), Symbol::PositionIncrement(j)) if *i == j));
         moved.map_or_else(|| context.input(symbol), |i| Given::entry(array::UNKNOWNS, "increment", vec![i]))
     };
     let equation = straight_line::routine(&piece.flow.kernel.last[0], context.names(&unknown), |values| {

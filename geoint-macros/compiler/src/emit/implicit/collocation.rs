@@ -78,5 +78,5 @@ pub(super) fn collocation(context: &Context<'_>, field: &FieldKernels<Plan>) -> 
 }
 
 fn momenta(degrees: u32) -> Vec<Symbol> {
-    (0..degrees).map(Symbol::P).collect()
+    (0..degrees).map(Symbol::Momentum).collect()
 }

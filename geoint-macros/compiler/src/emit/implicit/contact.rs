@@ -17,7 +17,7 @@ pub(super) fn step(context: &Context<'_>, method: &str, step: &StepKernel<Plan>)
     let unknown = context.unknown_type(unknowns.len());
     let degrees = context.energy.degrees();
     let before: Vec<Symbol> =
-        (0..degrees).map(Symbol::Q).chain((0..degrees).map(Symbol::P)).chain([Symbol::S]).collect();
+        (0..degrees).map(Symbol::Position).chain((0..degrees).map(Symbol::Momentum)).chain([Symbol::Action]).collect();
     let names = [["Constants", "constants"], ["Start", "begin"]];
     let given = ((&before[..], "x"), &quote!(), &quote!(t: R, x: &#unknown));
     let Prepared { types, functions, prepared, started } = Prepared::for_steps(context, plan, names, given);

@@ -44,7 +44,7 @@ pub(super) fn discrete_field(
             ) #equation
         }
     });
-    let mean: Vec<Symbol> = (0..plan.last[2].results.len() as u32).map(Symbol::Dp).collect();
+    let mean: Vec<Symbol> = (0..plan.last[2].results.len() as u32).map(Symbol::MomentumIncrement).collect();
     let drift = context.planned(&plan.last[2], (&mean, "sum"), |values| write("drift", &places, &values));
     let inverse = if field.linear { quote!(Inverted<#unknown>) } else { quote!(()) };
     let mean = match field.mean_value {

@@ -170,9 +170,9 @@ impl Writer<'_> {
     fn place(&self, symbol: Symbol) -> Tokens {
         let flow = self.context.energy.form.is_flow();
         match symbol {
-            Symbol::Q(i) if flow => element("z", &self.context.coordinate(i)),
-            Symbol::Q(i) => element("z", &[0]).at(&self.context.coordinate(i)),
-            Symbol::P(i) => element("z", &[1]).at(&self.context.coordinate(i)),
+            Symbol::Position(i) if flow => element("z", &self.context.coordinate(i)),
+            Symbol::Position(i) => element("z", &[0]).at(&self.context.coordinate(i)),
+            Symbol::Momentum(i) => element("z", &[1]).at(&self.context.coordinate(i)),
             _ => "s".into(),
         }
     }

@@ -38,7 +38,7 @@ fn sections<F: Fn(Symbol) -> String>(
 ) -> Written {
     let (q, p) = (context.name_of(Role::Position), context.name_of(Role::Momentum));
     writeln!(text, "H = {}", printer.formula(structure.energy))?;
-    for (symbol, slopes) in [(Symbol::Q as fn(u32) -> Symbol, &gradient.q), (Symbol::P, &gradient.p)] {
+    for (symbol, slopes) in [(Symbol::Position as fn(u32) -> Symbol, &gradient.q), (Symbol::Momentum, &gradient.p)] {
         for (i, slope) in (0..).zip(slopes) {
             writeln!(text, "∂H/∂{} = {}", printer.named(symbol(i)), printer.excerpt(*slope))?;
         }
@@ -72,7 +72,7 @@ fn conserved<F: Fn(Symbol) -> String>(text: &mut String, printer: &Printer<'_, F
         lines.push("the energy".into());
     }
     lines.extend(kept.cyclic.iter().map(|i| {
-        let [q, p] = [Symbol::Q(*i), Symbol::P(*i)].map(|symbol| printer.named(symbol));
+        let [q, p] = [Symbol::Position(*i), Symbol::Momentum(*i)].map(|symbol| printer.named(symbol));
         format!("{p}: neither H nor a constraint reads {q}")
     }));
     lines.extend(kept.momenta.iter().map(|momentum| format!("{}: {}", momentum.name, printer.excerpt(momentum.value))));

@@ -86,7 +86,12 @@ pub(super) fn decaying<F: Fn(Symbol) -> String>(
     };
     writeln!(text, "\nDecaying by the factor {factor}, all alike, so that quotients are constant")?;
     for i in cyclic {
-        writeln!(text, "- {}: {by} does not read {}", printer.named(Symbol::P(*i)), printer.named(Symbol::Q(*i)))?;
+        writeln!(
+            text,
+            "- {}: {by} does not read {}",
+            printer.named(Symbol::Momentum(*i)),
+            printer.named(Symbol::Position(*i))
+        )?;
     }
     for momentum in momenta {
         writeln!(text, "- {}: {}", momentum.name, printer.excerpt(momentum.value))?;

@@ -70,7 +70,7 @@ fn equations<F: Fn(Symbol) -> String>(
         writeln!(text, "H = {}", printer.formula(*energy))?;
     }
     (0..).zip(&flow.field).try_for_each(|(i, f)| {
-        let name = context.user_name(Symbol::Q(i));
+        let name = context.user_name(Symbol::Position(i));
         writeln!(text, "{name}' = {}", printer.excerpt(*f))
     })
 }
@@ -98,7 +98,7 @@ fn of_structure<F: Fn(Symbol) -> String>(
 fn of_lagrangian<F: Fn(Symbol) -> String>(text: &mut String, printer: &Printer<'_, F>, found: &FirstOrder) -> Written {
     writeln!(text, "L = {}", printer.formula(found.lagrangian))?;
     (0..).zip(&found.momenta).try_for_each(|(i, momentum)| {
-        writeln!(text, "∂L/∂{} = {}", printer.named(Symbol::V(i)), printer.excerpt(*momentum))
+        writeln!(text, "∂L/∂{} = {}", printer.named(Symbol::Velocity(i)), printer.excerpt(*momentum))
     })?;
     writeln!(text, "\nL is linear in the velocities, ϑ·v − H: the equations are Ω x' = ∇H, of first order")
 }
@@ -130,8 +130,8 @@ fn of_first_order<F: Fn(Symbol) -> String>(
         writeln!(
             text,
             "- canonical coordinates: {} and, in the place of {}, {}",
-            context.user_name(Symbol::Q(position)),
-            context.user_name(Symbol::Q(place)),
+            context.user_name(Symbol::Position(position)),
+            context.user_name(Symbol::Position(place)),
             printer.excerpt(canonical.values[place as usize])
         )?;
     }

@@ -30,7 +30,9 @@ fn sections<F: Fn(Symbol) -> String>(
 ) -> Written {
     let graph = printer.graph();
     writeln!(text, "L = {}", printer.formula(legendre.lagrangian))?;
-    for (symbol, slopes) in [(Symbol::Q as fn(u32) -> Symbol, &legendre.forces), (Symbol::V, &legendre.momenta)] {
+    for (symbol, slopes) in
+        [(Symbol::Position as fn(u32) -> Symbol, &legendre.forces), (Symbol::Velocity, &legendre.momenta)]
+    {
         for (i, slope) in (0..).zip(slopes) {
             writeln!(text, "∂L/∂{} = {}", printer.named(symbol(i)), printer.excerpt(*slope))?;
         }
@@ -84,7 +86,7 @@ fn sections<F: Fn(Symbol) -> String>(
 fn part<F: Fn(Symbol) -> String>(text: &mut String, printer: &Printer<'_, F>, part: &Part) -> Written {
     let Part { velocities, kinetic } = part;
     let graph = printer.graph();
-    let names: Vec<String> = velocities.iter().map(|i| printer.named(Symbol::V(*i))).collect();
+    let names: Vec<String> = velocities.iter().map(|i| printer.named(Symbol::Velocity(*i))).collect();
     let names = names.join(", ");
     match kinetic {
         Kinetic::Conjugate { term, rule } => {
@@ -107,7 +109,7 @@ fn part<F: Fn(Symbol) -> String>(text: &mut String, printer: &Printer<'_, F>, pa
             };
             writeln!(text, "- {names}: L is quadratic, with a mass matrix that is {kind}{how}")?;
             for (i, j) in entries().filter(|(i, j)| !graph.is_zero(mass[*i][*j])) {
-                let [i_name, j_name] = [i, j].map(|i| printer.named(Symbol::V(velocities[i])));
+                let [i_name, j_name] = [i, j].map(|i| printer.named(Symbol::Velocity(velocities[i])));
                 writeln!(text, "  - ∂²L/∂{i_name}∂{j_name} = {}", printer.excerpt(mass[i][j]))?;
             }
             linear(text, printer, velocities, shift)
@@ -122,7 +124,7 @@ fn linear<F: Fn(Symbol) -> String>(
     shift: &[Id],
 ) -> Written {
     for (i, a) in velocities.iter().zip(shift).filter(|(_, a)| !printer.graph().is_zero(**a)) {
-        writeln!(text, "  - linear in {}: {}", printer.named(Symbol::V(*i)), printer.excerpt(*a))?;
+        writeln!(text, "  - linear in {}: {}", printer.named(Symbol::Velocity(*i)), printer.excerpt(*a))?;
     }
     Ok(())
 }
@@ -183,14 +185,19 @@ fn steps<F: Fn(Symbol) -> String>(
     writeln!(text, "\nConserved by the flow, at least")?;
     let read = printer.graph().symbols(legendre.lagrangian);
     let spared = Spared { damping, forces: others };
-    let is_kept = |i: &u32| !read.contains(&Symbol::Q(*i)) && spared.coordinate(printer.graph(), *i);
+    let is_kept = |i: &u32| !read.contains(&Symbol::Position(*i)) && spared.coordinate(printer.graph(), *i);
     let cyclic: Vec<u32> = (0..context.energy.degrees()).filter(is_kept).collect();
     let energy = autonomous && damping.is_none() && others.is_none();
     if energy {
         writeln!(text, "- the energy")?;
     }
     for i in &cyclic {
-        writeln!(text, "- {}: L does not read {}", printer.named(Symbol::P(*i)), printer.named(Symbol::Q(*i)))?;
+        writeln!(
+            text,
+            "- {}: L does not read {}",
+            printer.named(Symbol::Momentum(*i)),
+            printer.named(Symbol::Position(*i))
+        )?;
     }
     for (momentum, _) in &kernels.momenta {
         writeln!(text, "- {}: {}", momentum.name, printer.excerpt(momentum.value))?;

@@ -11,7 +11,7 @@ pub(super) fn brackets<F: Fn(Symbol) -> String>(
     printer: &Printer<'_, F>,
     matrix: &[Vec<Id>],
 ) -> Written {
-    let name = |i: usize| context.user_name(Symbol::Q(i as u32));
+    let name = |i: usize| context.user_name(Symbol::Position(i as u32));
     entries(printer.graph(), matrix)
         .into_iter()
         .try_for_each(|[i, j]| writeln!(text, "- {{{}, {}}} = {}", name(i), name(j), printer.excerpt(matrix[i][j])))

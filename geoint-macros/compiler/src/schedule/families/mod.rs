@@ -93,8 +93,13 @@ pub(crate) fn families(
 fn reads_of_many(statement: &Statement, place: &dyn Fn(Symbol) -> Option<Place>) -> bool {
     let mut found = false;
     statement.for_each_operand(&mut |operand| {
-        if let Operand::Input(symbol @ (Symbol::Q(i) | Symbol::P(i) | Symbol::V(i) | Symbol::Dq(i) | Symbol::Dp(i))) =
-            operand
+        if let Operand::Input(
+            symbol @ (Symbol::Position(i)
+            | Symbol::Momentum(i)
+            | Symbol::Velocity(i)
+            | Symbol::PositionIncrement(i)
+            | Symbol::MomentumIncrement(i)),
+        ) = operand
             && *i as usize + 1 >= FEWEST
         {
             let last = place(*symbol).and_then(|(_, indices)| indices.into_iter().max());

@@ -16,12 +16,12 @@ type Matrix = Vec<Vec<Id>>;
 pub(in super::super) fn block(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let powers = coefficients(graph, group, |monomial| {
         let degree: i128 = monomial.iter().map(|(_, power)| power).sum();
-        monomial.iter().all(|(symbol, power)| *symbol != Symbol::S && *power > 0) && degree <= 2
+        monomial.iter().all(|(symbol, power)| *symbol != Symbol::Action && *power > 0) && degree <= 2
     })?;
     let mut flow = Flow::rest(graph, group.degrees);
     for block in blocks(graph, &powers, group.degrees)? {
         let coordinates: Vec<Symbol> =
-            block.iter().map(|i| Symbol::Q(*i)).chain(block.iter().map(|i| Symbol::P(*i))).collect();
+            block.iter().map(|i| Symbol::Position(*i)).chain(block.iter().map(|i| Symbol::Momentum(*i))).collect();
         let n = block.len();
         // S, and J: q' = ∂H/∂p, p' = −∂H/∂q.
         let row = |graph: &mut Graph, of: Symbol| -> Vec<Id> {
@@ -48,7 +48,7 @@ pub(in super::super) fn block(graph: &mut Graph, group: &Group) -> Option<Flow> 
             continue;
         }
         let (change, mean) = exponential(graph, &m);
-        let h = graph.symbol(Symbol::H);
+        let h = graph.symbol(Symbol::StepLength);
         for (i, symbol) in coordinates.iter().enumerate() {
             let mut terms = vec![graph.symbol(*symbol)];
             for (j, other) in coordinates.iter().enumerate() {
@@ -73,7 +73,7 @@ const MOST: usize = 32;
 /// (exp(hM) − 1) x + hφ₁(hM) g for more degrees of freedom: a matrix is computed where a step is prepared, with g as what a coordinate
 /// that stays 1 adds.
 fn changes(graph: &mut Graph, m: &Matrix, g: &[Id], coordinates: &[Symbol]) -> Vec<Id> {
-    let h = graph.symbol(Symbol::H);
+    let h = graph.symbol(Symbol::StepLength);
     let shifted = g.iter().any(|slope| !graph.is_zero(*slope));
     let size = coordinates.len() + usize::from(shifted);
     let mut entries = vec![graph.integer(size as i128)];
@@ -104,7 +104,7 @@ fn blocks(graph: &mut Graph, powers: &Polynomial, degrees: u32) -> Option<Vec<Ve
     let mut blocks: Vec<Vec<u32>> = vec![];
     for i in 0..degrees {
         let coupled = |graph: &mut Graph, j: u32| {
-            let [own, other] = [i, j].map(|k| [Symbol::Q(k), Symbol::P(k)]);
+            let [own, other] = [i, j].map(|k| [Symbol::Position(k), Symbol::Momentum(k)]);
             own.into_iter().any(|a| {
                 other.into_iter().any(|b| {
                     let entry = second(graph, powers, a, b);
@@ -121,7 +121,9 @@ fn blocks(graph: &mut Graph, powers: &Polynomial, degrees: u32) -> Option<Vec<Ve
     // What does not move has no block.
     blocks.retain(|block| {
         powers.terms().any(|(monomial, _)| {
-            monomial.keys().any(|symbol| matches!(symbol, Symbol::Q(i) | Symbol::P(i) if block.contains(i)))
+            monomial
+                .keys()
+                .any(|symbol| matches!(symbol, Symbol::Position(i) | Symbol::Momentum(i) if block.contains(i)))
         })
     });
     blocks.iter().all(|block| block.len() <= MOST).then_some(blocks)
@@ -138,7 +140,7 @@ fn second(graph: &mut Graph, powers: &Polynomial, a: Symbol, b: Symbol) -> Id {
 
 /// hM φ₁(hM) and φ₁(hM).
 fn exponential(graph: &mut Graph, m: &Matrix) -> (Matrix, Matrix) {
-    let h = graph.symbol(Symbol::H);
+    let h = graph.symbol(Symbol::StepLength);
     let n = product(graph, m, m);
     let trace: Vec<Id> = (0..m.len()).map(|i| n[i][i]).collect();
     let trace = graph.sum(&trace);

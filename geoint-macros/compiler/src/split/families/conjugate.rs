@@ -25,15 +25,15 @@ pub(super) fn solve(graph: &mut Graph, group: &Group, rules: Rules<'_>) -> Optio
 /// q and p replaced as `by` says, s by s − q·p.
 fn replaced(graph: &mut Graph, degrees: u32, id: Id, by: impl Fn(&mut Graph, Id, Id) -> (Id, Id)) -> Id {
     let replace = |graph: &mut Graph, symbol: Symbol| {
-        let [q, p] = [Symbol::Q as fn(u32) -> Symbol, Symbol::P];
+        let [q, p] = [Symbol::Position as fn(u32) -> Symbol, Symbol::Momentum];
         match symbol {
-            Symbol::Q(i) | Symbol::P(i) => {
+            Symbol::Position(i) | Symbol::Momentum(i) => {
                 let (old_q, old_p) = (graph.symbol(q(i)), graph.symbol(p(i)));
                 let (new_q, new_p) = by(graph, old_q, old_p);
                 Some(if symbol == q(i) { new_q } else { new_p })
             }
-            Symbol::S => {
-                let mut s = graph.symbol(Symbol::S);
+            Symbol::Action => {
+                let mut s = graph.symbol(Symbol::Action);
                 for i in 0..degrees {
                     let (q, p) = (graph.symbol(q(i)), graph.symbol(p(i)));
                     let product = graph.mul(q, p);

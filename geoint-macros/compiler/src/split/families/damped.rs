@@ -9,14 +9,14 @@ use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
 
 /// T(p) with T homogeneous of degree 2 and coefficients that are free of phase space, and g.
 fn damped_parts(graph: &mut Graph, group: &Group) -> Option<(Id, Id)> {
-    let powers = Polynomial::of(graph, group.energy, &|symbol| is_momentum(symbol) || symbol == Symbol::S)?;
-    let g = powers.coefficient(graph, &[(Symbol::S, 1)]);
+    let powers = Polynomial::of(graph, group.energy, &|symbol| is_momentum(symbol) || symbol == Symbol::Action)?;
+    let g = powers.coefficient(graph, &[(Symbol::Action, 1)]);
     let mut kinetic = graph.zero();
     for (monomial, coefficient) in powers.into_terms() {
         if !is_free(graph, coefficient, &Symbol::is_coordinate) {
             return None;
         }
-        if monomial.keys().eq([&Symbol::S]) && monomial.values().eq([&Ratio::ONE]) {
+        if monomial.keys().eq([&Symbol::Action]) && monomial.values().eq([&Ratio::ONE]) {
             continue;
         }
         let whole = monomial.iter().all(|(symbol, power)| is_momentum(*symbol) && power.is_integer());
@@ -32,7 +32,7 @@ fn damped_parts(graph: &mut Graph, group: &Group) -> Option<(Id, Id)> {
 /// p·Wp/2 + g s: with E = exp(−∫g) and w = ∫E, q moves by w·Wp, P = E p, S = E (s + w T).
 pub(in super::super) fn drift(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let (kinetic, g) = damped_parts(graph, group)?;
-    let free_of_time = |graph: &Graph, id| is_free(graph, id, &|symbol| symbol == Symbol::T);
+    let free_of_time = |graph: &Graph, id| is_free(graph, id, &|symbol| symbol == Symbol::Time);
     if group.clock == Clock::Own && !free_of_time(graph, kinetic) {
         return None;
     }
@@ -72,7 +72,7 @@ impl Decay {
 
 /// For constant g: E = e^(−gh), and w = h·φ₁(−gh).
 fn decay(graph: &mut Graph, g: Id) -> (Decay, Id) {
-    let h = graph.symbol(Symbol::H);
+    let h = graph.symbol(Symbol::StepLength);
     let z = graph.mul(g, h);
     let z = graph.neg(z);
     let mean = graph.call(Function::Phi1, &[z]);
@@ -84,7 +84,7 @@ fn decay(graph: &mut Graph, g: Id) -> (Decay, Id) {
 /// without a singularity at τ = 0. For an integer k ≥ 2 that is h (r + r² + … + rᵏ⁻¹)/(k − 1).
 fn decay_over_time(graph: &mut Graph, g: Id) -> Option<(Decay, Id)> {
     let OverTime { k, time } = over_time(graph, g)?;
-    let (ratio, h) = (time.ratio(graph), graph.symbol(Symbol::H));
+    let (ratio, h) = (time.ratio(graph), graph.symbol(Symbol::StepLength));
     let few = match graph.as_number(k) {
         Some(Number::Exact(k)) if k.is_integer() && (2..=16).contains(&k.numerator) => k,
         _ => {

@@ -12,7 +12,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// V(q, t).
 pub(in super::super) fn kick(graph: &mut Graph, group: &Group) -> Option<Flow> {
-    let moves = |symbol| matches!(symbol, Symbol::P(_) | Symbol::S);
+    let moves = |symbol| matches!(symbol, Symbol::Momentum(_) | Symbol::Action);
     if is_free(graph, group.energy, &moves) { straight(graph, group) } else { None }
 }
 
@@ -22,7 +22,7 @@ type Form = BTreeMap<Symbol, Id>;
 /// q moves by h ∂H/∂p, p by −h ∂H/∂q, both at the start.
 pub(in super::super) fn straight(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let forms = forms(graph, group.energy)?;
-    let moves = |symbol| symbol == Symbol::T;
+    let moves = |symbol| symbol == Symbol::Time;
     let autonomous = is_free(graph, group.energy, &moves);
     if group.clock == Clock::Own && forms.iter().any(|form| form.values().any(|c| !is_free(graph, *c, &moves))) {
         return None;
@@ -35,7 +35,7 @@ pub(in super::super) fn straight(graph: &mut Graph, group: &Group) -> Option<Flo
         }
     }
     let mut flow = Flow::rest(graph, group.degrees);
-    let h = graph.symbol(Symbol::H);
+    let h = graph.symbol(Symbol::StepLength);
     if autonomous || group.clock == Clock::Stage {
         // Derivatives of hH, so that h meets the constants of every term and is prepared with them.
         let generator = graph.mul(h, group.energy);
@@ -60,8 +60,8 @@ fn in_involution(graph: &mut Graph, first: &Form, second: &Form) -> bool {
     let mut sum = graph.zero();
     for (symbol, c) in first {
         let (other, sign) = match *symbol {
-            Symbol::Q(i) => (Symbol::P(i), Number::ONE),
-            Symbol::P(i) => (Symbol::Q(i), Number::MINUS_ONE),
+            Symbol::Position(i) => (Symbol::Momentum(i), Number::ONE),
+            Symbol::Momentum(i) => (Symbol::Position(i), Number::MINUS_ONE),
             _ => return false,
         };
         if let Some(other) = second.get(&other) {
@@ -81,7 +81,7 @@ fn forms(graph: &mut Graph, root: Id) -> Option<Vec<Form>> {
             continue;
         }
         if let Some(form) = form(graph, id) {
-            if form.contains_key(&Symbol::S) {
+            if form.contains_key(&Symbol::Action) {
                 return None;
             }
             if !found.contains(&form) {

@@ -14,7 +14,7 @@ use crate::ir::{Graph, Id, Node, Number, Symbol};
 
 /// The flow by `rules` after a change of gauge.
 pub(super) fn solve(graph: &mut Graph, group: &Group, rules: Rules<'_>) -> Option<Flow> {
-    let moves = |symbol: Symbol| symbol == Symbol::S || symbol == Symbol::T && group.clock == Clock::Own;
+    let moves = |symbol: Symbol| symbol == Symbol::Action || symbol == Symbol::Time && group.clock == Clock::Own;
     if !is_free(graph, group.energy, &moves) {
         return None;
     }
@@ -23,7 +23,7 @@ pub(super) fn solve(graph: &mut Graph, group: &Group, rules: Rules<'_>) -> Optio
     for i in 0..degrees {
         let Some((sum, rest, own)) = own_shift(graph, energy, i) else { continue };
         let logarithm = liouville::Logarithm::OfMagnitude;
-        let Ok((potential, _)) = liouville::antiderivative(graph, (&[Symbol::Q(i)], &[own]), logarithm) else {
+        let Ok((potential, _)) = liouville::antiderivative(graph, (&[Symbol::Position(i)], &[own]), logarithm) else {
             continue;
         };
         let mut slopes = diff::gradient(graph, potential, degrees).q;
@@ -43,14 +43,14 @@ pub(super) fn solve(graph: &mut Graph, group: &Group, rules: Rules<'_>) -> Optio
         let ends: Vec<(Symbol, Id)> = (0..degrees).map(of).zip(ends.iter().copied()).collect();
         increments(graph, &ends).into_iter().map(|increment| back(graph, increment)).collect()
     };
-    let (of_q, of_u) = (moved(Symbol::Q, &flow.q), moved(Symbol::P, &flow.p));
+    let (of_q, of_u) = (moved(Symbol::Position, &flow.q), moved(Symbol::Momentum, &flow.p));
     let mut changed = Flow::rest(graph, degrees);
     for (i, end) in flow.q.iter().enumerate() {
         changed.q[i] = back(graph, *end);
     }
     // Of shifts by divided differences: where they are nearly equal at both ends, little is left of their values.
     let mut along = Substitution::new(|_: &mut Graph, symbol| match symbol {
-        Symbol::Dq(i) => Some(of_q[i as usize]),
+        Symbol::PositionIncrement(i) => Some(of_q[i as usize]),
         _ => None,
     });
     for (i, (of_u, shift)) in of_u.into_iter().zip(&shift).enumerate() {
@@ -63,7 +63,7 @@ pub(super) fn solve(graph: &mut Graph, group: &Group, rules: Rules<'_>) -> Optio
 
 /// What shifts a momentum and reads its own position, −r/c where a sum is c·pᵢ + r; with that sum, and r.
 fn own_shift(graph: &mut Graph, energy: Id, i: u32) -> Option<(Id, Id, Id)> {
-    let (own, position) = (Symbol::P(i), Symbol::Q(i));
+    let (own, position) = (Symbol::Momentum(i), Symbol::Position(i));
     let momentum = graph.symbol(own);
     if is_free(graph, energy, &|symbol| symbol == own) || is_free(graph, energy, &|symbol| symbol == position) {
         return None;
@@ -114,7 +114,7 @@ fn shifted(graph: &mut Graph, id: Id, shift: &[Id], c: Number) -> Id {
 
 fn by_shift(shift: &[Id], c: Number) -> Substitution<impl Fn(&mut Graph, Symbol) -> Option<Id>> {
     Substitution::new(move |graph: &mut Graph, symbol| match symbol {
-        Symbol::P(i) => {
+        Symbol::Momentum(i) => {
             let (p, shift) = (graph.symbol(symbol), graph.scale(c, shift[i as usize]));
             Some(graph.add(p, shift))
         }

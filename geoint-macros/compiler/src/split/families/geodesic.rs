@@ -14,27 +14,27 @@ pub(in super::super) fn geodesic(graph: &mut Graph, group: &Group) -> Option<Flo
     let powers = Polynomial::of(graph, group.energy, &is_momentum)?;
     let (monomial, coefficient) = powers.single()?;
     let (i, _) = single_momentum(monomial).filter(|(_, power)| *power == Ratio::integer(2))?;
-    let x = Symbol::Q(i);
+    let x = Symbol::Position(i);
     if !is_free(graph, coefficient, &|symbol| symbol.is_coordinate() && symbol != x) {
         return None;
     }
     let (c, f) = parted(graph, coefficient, x);
     let weight = group.clock.over_step(graph, c)?;
-    let p = graph.symbol(Symbol::P(i));
-    let steady = group.clock == Clock::Stage || is_free(graph, f, &|symbol| symbol == Symbol::T);
+    let p = graph.symbol(Symbol::Momentum(i));
+    let steady = group.clock == Clock::Stage || is_free(graph, f, &|symbol| symbol == Symbol::Time);
     let (end, change) = match factors(graph, f)[..] {
         [(base, k)] if base == graph.symbol(x) => along_power(graph, (base, k), p, weight)?,
         [(base, k)] if steady && slope(graph, base, x).is_some() => {
             along_shifted_power(graph, (x, base, k), p, weight)?
         }
-        _ if group.clock == Clock::Stage || is_free(graph, coefficient, &|symbol| symbol == Symbol::T) => {
+        _ if group.clock == Clock::Stage || is_free(graph, coefficient, &|symbol| symbol == Symbol::Time) => {
             let double = graph.scale(Number::integer(2), f);
             let root = smooth_root(graph, double);
-            let name = graph.symbol(Symbol::Ds);
+            let name = graph.symbol(Symbol::ActionIncrement);
             let constant = graph.product(&[c, root, p]);
             let rate = graph.mul(name, root);
             let end = scalar::solve(graph, &Equation { x, rate, clock: group.clock })?.end;
-            let end = replaced(graph, end, Symbol::Ds, constant);
+            let end = replaced(graph, end, Symbol::ActionIncrement, constant);
             let root_end = replaced(graph, root, x, end);
             (end, quotient(graph, root, root_end))
         }

@@ -48,7 +48,7 @@ fn parts(graph: &mut Graph, energy: Id) -> Vec<Part> {
     let mut parts: Vec<Part> = vec![];
     for term in analyze::single_terms(graph, energy) {
         let degree = |symbol: &Symbol| match symbol {
-            Symbol::Q(i) | Symbol::P(i) => Some(*i),
+            Symbol::Position(i) | Symbol::Momentum(i) => Some(*i),
             _ => None,
         };
         let mut merged = Part { degrees: graph.symbols(term).iter().filter_map(degree).collect(), terms: vec![term] };

@@ -169,14 +169,14 @@ pub(crate) fn tried(action: bool) -> impl Iterator<Item = (usize, &'static Famil
 /// Returns a piece with this energy, if a family knows its flow. A flow that is exact in time comes before a flow at frozen time.
 pub(crate) fn piece(graph: &mut Graph, energy: Id, space: Space) -> Option<Piece> {
     // An energy that does not read time needs no frozen time.
-    let steady = is_free(graph, energy, &|symbol| symbol == Symbol::T);
+    let steady = is_free(graph, energy, &|symbol| symbol == Symbol::Time);
     let clocks = if steady { &[Clock::Own][..] } else { &[Clock::Own, Clock::Stage] };
     clocks.iter().find_map(|clock| {
         let group = Group { energy, degrees: space.degrees, clock: *clock };
         tried(space.action).find_map(|(index, family)| {
             let mut flow = flow(graph, &group, index)?;
             if !space.action {
-                flow.s = graph.symbol(Symbol::S);
+                flow.s = graph.symbol(Symbol::Action);
             }
             Some(Piece { energy, family, flow, clock: *clock })
         })

@@ -11,14 +11,14 @@ pub(in super::super) fn monomial(graph: &mut Graph, group: &Group) -> Option<Flo
     let powers = Polynomial::of(graph, group.energy, &Symbol::is_coordinate)?;
     let (exponents, c) = powers.single()?;
     let exponents = exponents.clone();
-    let whole = exponents.iter().all(|(symbol, r)| *symbol != Symbol::S && r.is_integer() && r.numerator > 0);
+    let whole = exponents.iter().all(|(symbol, r)| *symbol != Symbol::Action && r.is_integer() && r.numerator > 0);
     if !whole {
         return None;
     }
     let weight = group.clock.over_step(graph, c)?;
     let mut flow = Flow::rest(graph, group.degrees);
     for i in 0..group.degrees {
-        let (q, p) = (Symbol::Q(i), Symbol::P(i));
+        let (q, p) = (Symbol::Position(i), Symbol::Momentum(i));
         let [m, n] = [q, p].map(|symbol| power(&exponents, symbol));
         let reduced = |graph: &mut Graph, without: &[Symbol]| {
             let mut rest: Monomial = exponents.clone();

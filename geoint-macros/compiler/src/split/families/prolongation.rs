@@ -48,15 +48,16 @@ pub(in super::super) fn solve(graph: &mut Graph, group: &Group) -> Option<Flow> 
 
 /// The rates of q and s, if H is of degree 1 in the momenta.
 fn base(graph: &mut Graph, group: &Group) -> Option<Vec<(Symbol, Id)>> {
-    let in_p = Polynomial::of(graph, group.energy, &|symbol| matches!(symbol, Symbol::P(_)))?;
+    let in_p = Polynomial::of(graph, group.energy, &|symbol| matches!(symbol, Symbol::Momentum(_)))?;
     let affine = in_p.has_only(|monomial| monomial.is_empty() || monomial.values().eq([&Ratio::ONE]));
     if !affine {
         return None;
     }
-    let mut rates: Vec<(Symbol, Id)> =
-        (0..group.degrees).map(|i| (Symbol::Q(i), in_p.coefficient(graph, &[(Symbol::P(i), 1)]))).collect();
+    let mut rates: Vec<(Symbol, Id)> = (0..group.degrees)
+        .map(|i| (Symbol::Position(i), in_p.coefficient(graph, &[(Symbol::Momentum(i), 1)])))
+        .collect();
     let b = in_p.coefficient(graph, &[]);
-    rates.push((Symbol::S, graph.neg(b)));
+    rates.push((Symbol::Action, graph.neg(b)));
     Some(rates)
 }
 
@@ -66,7 +67,7 @@ fn reads(graph: &Graph, id: Id, symbol: Symbol) -> bool {
 
 fn set(flow: &mut Flow, symbol: Symbol, end: Id) {
     match symbol {
-        Symbol::Q(i) => flow.q[i as usize] = end,
+        Symbol::Position(i) => flow.q[i as usize] = end,
         _ => flow.s = end,
     }
 }
@@ -76,7 +77,7 @@ fn driven(graph: &mut Graph, group: &Group, (x, rate): (Symbol, Id), (y, driven)
     if [rate, driven].into_iter().any(|id| reads(graph, id, y)) {
         return None;
     }
-    let steady = [rate, driven].into_iter().all(|id| !reads(graph, id, Symbol::T));
+    let steady = [rate, driven].into_iter().all(|id| !reads(graph, id, Symbol::Time));
     let powers = |graph: &mut Graph, id| Polynomial::of(graph, id, &|symbol| symbol == x);
     let (own, other) = (powers(graph, rate)?, powers(graph, driven)?);
     let whole = other.has_only(|monomial| monomial.values().all(|power| power.is_integer() && power.numerator > 0));
@@ -85,7 +86,7 @@ fn driven(graph: &mut Graph, group: &Group, (x, rate): (Symbol, Id), (y, driven)
     }
     let a = own.coefficient(graph, &[(x, 1)]);
     let end = scalar::solve(graph, &Equation { x, rate, clock: group.clock })?.end;
-    let [h, x, mut y] = [Symbol::H, x, y].map(|symbol| graph.symbol(symbol));
+    let [h, x, mut y] = [Symbol::StepLength, x, y].map(|symbol| graph.symbol(symbol));
     let z = graph.mul(a, h);
     let terms: Vec<(Ratio, Id)> =
         other.terms().map(|(m, c)| (m.values().next().copied().unwrap_or(Ratio::ZERO), c)).collect();
@@ -109,11 +110,11 @@ fn pair(graph: &mut Graph, group: &Group, of: [Symbol; 2], rates: [Id; 2]) -> Op
         }
         matrix.push(of.map(|symbol| linear.coefficient(graph, &[(symbol, 1)])));
     }
-    let steady = matrix.iter().flatten().all(|id| !reads(graph, *id, Symbol::T));
+    let steady = matrix.iter().flatten().all(|id| !reads(graph, *id, Symbol::Time));
     if !steady && group.clock == Clock::Own {
         return None;
     }
-    let h = graph.symbol(Symbol::H);
+    let h = graph.symbol(Symbol::StepLength);
     let trace = graph.add(matrix[0][0], matrix[1][1]);
     let mean = graph.scale(Number::HALF, trace);
     let difference = graph.sub(matrix[0][0], matrix[1][1]);
@@ -123,7 +124,7 @@ fn pair(graph: &mut Graph, group: &Group, of: [Symbol; 2], rates: [Id; 2]) -> Op
     let square = graph.add(square, cross);
     let square = graph.neg(square);
     // The momentum that turns with s has a pole within every half a turn.
-    let (cosine, sine) = rotation(graph, square, h, of.contains(&Symbol::S));
+    let (cosine, sine) = rotation(graph, square, h, of.contains(&Symbol::Action));
     let z = graph.mul(mean, h);
     let growth = graph.call(Function::Exp, &[z]);
     let d = [d, graph.neg(d)];
@@ -141,7 +142,7 @@ fn pair(graph: &mut Graph, group: &Group, of: [Symbol; 2], rates: [Id; 2]) -> Op
 /// P from Q and S, and from what is known of their derivatives.
 fn momenta(graph: &mut Graph, flow: &mut Flow, known: &[(Symbol, Id)]) -> Option<()> {
     let n = flow.q.len();
-    let symbols: Vec<Symbol> = (0..n as u32).map(Symbol::Q).chain([Symbol::S]).collect();
+    let symbols: Vec<Symbol> = (0..n as u32).map(Symbol::Position).chain([Symbol::Action]).collect();
     let ends = [&flow.q[..], &[flow.s]].concat();
     let mut jacobian = diff::jacobian(graph, &ends, &symbols);
     for (i, symbol) in symbols.iter().enumerate() {

@@ -20,7 +20,7 @@ pub(super) fn coefficients(
         if !integers.is_some_and(|integers| allowed(&integers)) {
             return None;
         }
-        steady &= is_free(graph, coefficient, &|symbol| symbol == Symbol::T);
+        steady &= is_free(graph, coefficient, &|symbol| symbol == Symbol::Time);
     }
     (steady || group.clock == Clock::Stage).then_some(powers)
 }
@@ -30,27 +30,27 @@ pub(super) fn coefficients(
 pub(in super::super) fn oscillator(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let same = |a: &Symbol, b: &Symbol| {
         let index = |symbol: &Symbol| match symbol {
-            Symbol::Q(i) | Symbol::P(i) => Some(*i),
+            Symbol::Position(i) | Symbol::Momentum(i) => Some(*i),
             _ => None,
         };
         index(a).is_some() && index(a) == index(b)
     };
     let powers = coefficients(graph, group, |monomial| match monomial {
-        [(Symbol::S, 1)] => true,
-        [(Symbol::Q(_) | Symbol::P(_), 2)] => true,
+        [(Symbol::Action, 1)] => true,
+        [(Symbol::Position(_) | Symbol::Momentum(_), 2)] => true,
         [(a, 1), (b, 1)] => same(a, b),
         _ => false,
     })?;
     // What is of degree 1 in the momenta, or reads no positions, is a simpler family.
     let bends = |monomial: &Monomial| {
-        monomial.iter().any(|(symbol, power)| matches!(symbol, Symbol::P(_)) && *power == Ratio::integer(2))
+        monomial.iter().any(|(symbol, power)| matches!(symbol, Symbol::Momentum(_)) && *power == Ratio::integer(2))
     };
-    let reads_q = |monomial: &Monomial| monomial.keys().any(|symbol| matches!(symbol, Symbol::Q(_)));
+    let reads_q = |monomial: &Monomial| monomial.keys().any(|symbol| matches!(symbol, Symbol::Position(_)));
     if powers.has_only(|monomial| !bends(monomial)) || powers.has_only(|monomial| !reads_q(monomial)) {
         return None;
     }
-    let (h, one) = (graph.symbol(Symbol::H), graph.integer(1));
-    let c = powers.coefficient(graph, &[(Symbol::S, 1)]);
+    let (h, one) = (graph.symbol(Symbol::StepLength), graph.integer(1));
+    let c = powers.coefficient(graph, &[(Symbol::Action, 1)]);
     let half_c = graph.scale(Number::HALF, c);
     let z = graph.mul(half_c, h);
     let z = graph.neg(z);
@@ -58,7 +58,7 @@ pub(in super::super) fn oscillator(graph: &mut Graph, group: &Group) -> Option<F
     let mut flow = Flow::rest(graph, group.degrees);
     let mut action = graph.product(&[decay, decay, flow.s]);
     for i in 0..group.degrees {
-        let (q, p) = (Symbol::Q(i), Symbol::P(i));
+        let (q, p) = (Symbol::Position(i), Symbol::Momentum(i));
         let [a, b] = [p, q].map(|symbol| {
             let half = powers.coefficient(graph, &[(symbol, 2)]);
             graph.scale(Number::integer(2), half)
@@ -105,13 +105,15 @@ pub(in super::super) fn uniform_field(graph: &mut Graph, group: &Group) -> Optio
     let powers = coefficients(graph, group, |monomial| {
         matches!(
             monomial,
-            [] | [(Symbol::Q(_) | Symbol::P(_), 1)] | [(Symbol::P(_), 2)] | [(Symbol::P(_), 1), (Symbol::P(_), 1)]
+            [] | [(Symbol::Position(_) | Symbol::Momentum(_), 1)]
+                | [(Symbol::Momentum(_), 2)]
+                | [(Symbol::Momentum(_), 1), (Symbol::Momentum(_), 1)]
         )
     })?;
     let degrees = group.degrees;
     let of = |graph: &mut Graph, powers_of: &[(Symbol, i128)]| powers.coefficient(graph, powers_of);
-    let g: Vec<Id> = (0..degrees).map(|i| of(graph, &[(Symbol::Q(i), 1)])).collect();
-    let b: Vec<Id> = (0..degrees).map(|i| of(graph, &[(Symbol::P(i), 1)])).collect();
+    let g: Vec<Id> = (0..degrees).map(|i| of(graph, &[(Symbol::Position(i), 1)])).collect();
+    let b: Vec<Id> = (0..degrees).map(|i| of(graph, &[(Symbol::Momentum(i), 1)])).collect();
     let c = of(graph, &[]);
     // W x.
     let weighted = |graph: &mut Graph, x: &[Id]| -> Vec<Id> {
@@ -120,10 +122,10 @@ pub(in super::super) fn uniform_field(graph: &mut Graph, group: &Group) -> Optio
             let mut row = graph.zero();
             for j in 0..degrees {
                 let entry = if i == j {
-                    let half = powers.coefficient(graph, &[(Symbol::P(i), 2)]);
+                    let half = powers.coefficient(graph, &[(Symbol::Momentum(i), 2)]);
                     graph.scale(Number::integer(2), half)
                 } else {
-                    powers.coefficient(graph, &[(Symbol::P(i.min(j)), 1), (Symbol::P(i.max(j)), 1)])
+                    powers.coefficient(graph, &[(Symbol::Momentum(i.min(j)), 1), (Symbol::Momentum(i.max(j)), 1)])
                 };
                 let part = graph.mul(entry, x[j as usize]);
                 row = graph.add(row, part);
@@ -140,7 +142,7 @@ pub(in super::super) fn uniform_field(graph: &mut Graph, group: &Group) -> Optio
         })
     };
     let mut flow = Flow::rest(graph, degrees);
-    let (q, p, h) = (flow.q.clone(), flow.p.clone(), graph.symbol(Symbol::H));
+    let (q, p, h) = (flow.q.clone(), flow.p.clone(), graph.symbol(Symbol::StepLength));
     let (velocity, fall) = (weighted(graph, &p), weighted(graph, &g));
     let [h2, h3] = [2, 3].map(|power| graph.pow(h, Ratio::integer(power)));
     for i in 0..degrees as usize {

@@ -36,7 +36,7 @@ pub(super) fn ends(graph: &mut Graph, rates: &[(Symbol, Id)]) -> Option<(Vec<(Sy
     if !is_zero(graph, change) || analyze::crossings::may_jump(graph, &symbols, &velocity, g).is_some() {
         return None;
     }
-    let h = graph.symbol(Symbol::H);
+    let h = graph.symbol(Symbol::StepLength);
     let tau = graph.mul(g, h);
     let x: Vec<Id> = symbols.iter().map(|symbol| graph.symbol(*symbol)).collect();
     let finished = |ends: Vec<Id>| Some((symbols.iter().copied().zip(ends).collect(), LINEAR));

@@ -52,7 +52,7 @@ pub(crate) struct NoPart {
 
 /// Which coordinates a node reads.
 fn read(graph: &Graph, id: Id) -> BTreeSet<u32> {
-    let place = |symbol: &Symbol| if let Symbol::Q(i) = symbol { Some(*i) } else { None };
+    let place = |symbol: &Symbol| if let Symbol::Position(i) = symbol { Some(*i) } else { None };
     graph.symbols(id).iter().filter_map(place).collect()
 }
 

@@ -50,7 +50,7 @@ struct Plane {
 
 impl Plane {
     fn symbols(&self) -> [Symbol; 2] {
-        self.pair.map(Symbol::Q)
+        self.pair.map(Symbol::Position)
     }
 
     fn part(&self, graph: &Graph, motion: Motion, rules: Vec<Rule>) -> Part {
@@ -80,7 +80,7 @@ fn all(graph: &mut Graph, integral: Id, structure: &[Vec<Id>]) -> Vec<Plane> {
                 continue;
             }
             let directions = [slopes[j], graph.neg(slopes[i])];
-            let rates = pair.map(Symbol::Q).into_iter().zip(directions.map(|d| graph.mul(s, d)));
+            let rates = pair.map(Symbol::Position).into_iter().zip(directions.map(|d| graph.mul(s, d)));
             let rates: Vec<(Symbol, Id)> = rates.filter(|(_, rate)| !graph.is_zero(*rate)).collect();
             if !rates.is_empty() {
                 planes.push(Plane { pair, s, directions, rates });
@@ -146,7 +146,7 @@ fn line(graph: &mut Graph, plane: &Plane, clock: Clock) -> Option<Ends> {
         return None;
     }
     // The way along the line is called by a symbol that nothing else here reads.
-    let way = Symbol::Dq(0);
+    let way = Symbol::PositionIncrement(0);
     let on_line = |graph: &mut Graph, symbol: Symbol| {
         let place = pair.iter().position(|other| *other == symbol)?;
         let [way, x] = [way, symbol].map(|symbol| graph.symbol(symbol));
@@ -168,7 +168,7 @@ fn line(graph: &mut Graph, plane: &Plane, clock: Clock) -> Option<Ends> {
 /// S_ij·(∂̄_jI, −∂̄_iI), of order 1 or 2; `slopes` is the discrete gradient of I.
 fn solved(graph: &mut Graph, slopes: &[Id], plane: &Plane, way: Way) -> Motion {
     let [i, j] = plane.pair;
-    let unknowns = [i, j].map(Symbol::Dq).to_vec();
+    let unknowns = [i, j].map(Symbol::PositionIncrement).to_vec();
     // Of both divided differences: which coordinates move in it, and which is at its end.
     let [first, second] = match way {
         Way::Straight => [(vec![i, j], None), (vec![i, j], None)],
@@ -177,8 +177,8 @@ fn solved(graph: &mut Graph, slopes: &[Id], plane: &Plane, way: Way) -> Motion {
     };
     let along = |graph: &mut Graph, slope: Id, (moving, ahead): (Vec<u32>, Option<u32>)| {
         let place = |graph: &mut Graph, symbol| match symbol {
-            Symbol::Dq(k) if !moving.contains(&k) => Some(graph.zero()),
-            Symbol::Q(k) if ahead == Some(k) => end(graph, symbol),
+            Symbol::PositionIncrement(k) if !moving.contains(&k) => Some(graph.zero()),
+            Symbol::Position(k) if ahead == Some(k) => end(graph, symbol),
             _ => None,
         };
         Substitution::new(place).apply(graph, slope)

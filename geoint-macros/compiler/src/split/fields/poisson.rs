@@ -80,7 +80,7 @@ impl System<'_> {
     fn rates(&self, graph: &mut Graph, energy: Id) -> Vec<(Symbol, Id)> {
         let slopes = diff::gradient(graph, energy, self.structure.len() as u32).q;
         let field = times(graph, self.structure, &slopes);
-        let rates = (0..).map(Symbol::Q).zip(field);
+        let rates = (0..).map(Symbol::Position).zip(field);
         rates.filter(|(_, rate)| !graph.is_zero(*rate)).collect()
     }
 
@@ -104,8 +104,8 @@ impl System<'_> {
             let coordinates: Vec<u32> = read(graph, *term).into_iter().collect();
             let second = match coordinates[..] {
                 [i, j] => {
-                    let slope = diff::partial(graph, *term, Symbol::Q(i));
-                    diff::partial(graph, slope, Symbol::Q(j))
+                    let slope = diff::partial(graph, *term, Symbol::Position(i));
+                    diff::partial(graph, slope, Symbol::Position(j))
                 }
                 _ => graph.zero(),
             };
@@ -183,6 +183,6 @@ impl System<'_> {
     fn not_in_involution(&mut self, graph: &mut Graph, reads: &BTreeSet<u32>) -> Option<[Symbol; 2]> {
         let pairs = reads.iter().flat_map(|i| reads.iter().map(move |j| [*i, *j])).filter(|[i, j]| i < j);
         let pairs: Vec<[u32; 2]> = pairs.collect();
-        pairs.into_iter().find(|[i, j]| !self.commute(graph, *i, *j)).map(|pair| pair.map(Symbol::Q))
+        pairs.into_iter().find(|[i, j]| !self.commute(graph, *i, *j)).map(|pair| pair.map(Symbol::Position))
     }
 }

@@ -62,7 +62,7 @@ fn blocks(graph: &Graph, rates: &[(Symbol, Id)]) -> Vec<Rates> {
 }
 
 fn index(symbol: Symbol) -> Option<u32> {
-    if let Symbol::Q(i) = symbol { Some(i) } else { None }
+    if let Symbol::Position(i) = symbol { Some(i) } else { None }
 }
 
 fn block_ends(graph: &mut Graph, rates: &[(Symbol, Id)], clock: Clock) -> Option<(Vec<(Symbol, Id)>, Rule)> {
@@ -92,7 +92,7 @@ fn by_constant_sums(graph: &mut Graph, rates: &[(Symbol, Id)], clock: Clock) -> 
         return None;
     }
     // A sum is a constant under a name of its own while the equations of the others are solved.
-    let name = |symbol: Symbol| index(symbol).map(Symbol::Dq);
+    let name = |symbol: Symbol| index(symbol).map(Symbol::PositionIncrement);
     let partner = |symbol: Symbol| pairs.iter().find(|[_, y]| *y == symbol).map(|[x, _]| *x);
     let mut known = Substitution::new(|graph: &mut Graph, y| {
         let [sum, x] = [name(y)?, partner(y)?].map(|symbol| graph.symbol(symbol));
@@ -101,7 +101,7 @@ fn by_constant_sums(graph: &mut Graph, rates: &[(Symbol, Id)], clock: Clock) -> 
     let mut reduced: Rates = vec![];
     for (x, rate) in left {
         let rate = known.apply(graph, rate);
-        let powers = Polynomial::of(graph, rate, &|symbol| matches!(symbol, Symbol::Q(_)))?;
+        let powers = Polynomial::of(graph, rate, &|symbol| matches!(symbol, Symbol::Position(_)))?;
         let terms: Vec<Id> = powers.into_terms().map(|(monomial, c)| times_powers(graph, c, &monomial)).collect();
         reduced.push((x, graph.sum(&terms)));
     }

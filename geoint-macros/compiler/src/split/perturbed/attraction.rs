@@ -56,7 +56,7 @@ fn masses(graph: &mut Graph, kinetic: Id, bodies: usize, dimensions: usize) -> R
     let mut masses = vec![];
     for body in 0..bodies {
         let of = |graph: &mut Graph, i: usize| {
-            let p = Symbol::P((body * dimensions + i) as u32);
+            let p = Symbol::Momentum((body * dimensions + i) as u32);
             (powers.coefficient(graph, &[(p, 2)]), p)
         };
         let (first, p) = of(graph, 0);
@@ -104,7 +104,7 @@ fn distance_squared(graph: &mut Graph, base: Id, exponent: Ratio) -> Option<Id> 
 
 /// The two bodies and c of −c/|qᵢ − qⱼ|, if a term is that.
 fn pair(graph: &mut Graph, term: Id, dimensions: usize) -> Option<([usize; 2], Id)> {
-    let is_state = |symbol: Symbol| symbol.is_coordinate() || symbol == Symbol::T;
+    let is_state = |symbol: Symbol| symbol.is_coordinate() || symbol == Symbol::Time;
     let (c, rest) = graph.coefficient(term);
     let mut strength = graph.number(c.neg());
     let mut square = None;
@@ -123,7 +123,7 @@ fn pair(graph: &mut Graph, term: Id, dimensions: usize) -> Option<([usize; 2], I
         .reachable(&[square])
         .into_iter()
         .map(|id| match graph.node(id) {
-            Node::Symbol(Symbol::Q(i)) => Some(Some(*i as usize / dimensions)),
+            Node::Symbol(Symbol::Position(i)) => Some(Some(*i as usize / dimensions)),
             Node::Symbol(symbol) if is_state(*symbol) => None,
             _ => Some(None),
         })
@@ -134,7 +134,7 @@ fn pair(graph: &mut Graph, term: Id, dimensions: usize) -> Option<([usize; 2], I
     let [i, j] = read.into_iter().collect::<Vec<_>>()[..] else { return None };
     let mut squares = vec![];
     for d in 0..dimensions {
-        let [a, b] = [j, i].map(|body| graph.symbol(Symbol::Q((body * dimensions + d) as u32)));
+        let [a, b] = [j, i].map(|body| graph.symbol(Symbol::Position((body * dimensions + d) as u32)));
         let difference = graph.sub(a, b);
         squares.push(graph.pow(difference, Ratio::integer(2)));
     }

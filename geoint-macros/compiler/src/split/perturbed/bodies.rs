@@ -39,7 +39,7 @@ pub(super) fn perturbed(graph: &mut Graph, frame: &Frame, attraction: &Attractio
         None => Ok((0..)
             .zip(&weights)
             .map(|(i, weight)| {
-                let p = graph.symbol(Symbol::P(i));
+                let p = graph.symbol(Symbol::Momentum(i));
                 graph.mul(*weight, p)
             })
             .collect()),
@@ -106,12 +106,13 @@ impl Bodies<'_> {
     fn rest(&self, graph: &mut Graph) -> Id {
         let along: Vec<Offsets> = (0..self.dimensions)
             .map(|d| {
-                let inner = self.row(graph, Symbol::Q, d);
+                let inner = self.row(graph, Symbol::Position, d);
                 (self.frame.leave)(graph, &self.masses, &inner)
             })
             .collect();
-        let mut of_centre =
-            |body: usize| (0..self.dimensions).all(|d| along[d].each[body] == self.symbol(graph, Symbol::Q, body, d));
+        let mut of_centre = |body: usize| {
+            (0..self.dimensions).all(|d| along[d].each[body] == self.symbol(graph, Symbol::Position, body, d))
+        };
         let solved: Vec<bool> = (0..self.count()).map(|body| body > 0 && of_centre(body)).collect();
         let pairs = self.attraction.pairs.iter().filter(|pair| pair.bodies[0] != 0 || !solved[pair.bodies[1]]);
         let terms: Vec<Id> = pairs.map(|pair| pair.term).chain(self.attraction.others.iter().copied()).collect();
@@ -119,7 +120,7 @@ impl Bodies<'_> {
         for body in (1..self.count()).filter(|body| !solved[*body]) {
             let strength = self.strength_over_mass(graph, body);
             let strength = graph.mul(strength, self.masses.each[body]);
-            let q: Vec<Id> = (0..self.dimensions).map(|d| self.symbol(graph, Symbol::Q, body, d)).collect();
+            let q: Vec<Id> = (0..self.dimensions).map(|d| self.symbol(graph, Symbol::Position, body, d)).collect();
             let square = dot(graph, &q, &q);
             let recip = graph.pow(square, Ratio { numerator: -1, denominator: 2 });
             terms.push(graph.mul(strength, recip));
@@ -131,7 +132,7 @@ impl Bodies<'_> {
     fn moved(&self, graph: &mut Graph, terms: &[Id], along: &[Offsets]) -> Vec<Id> {
         let place = |i: u32| (i as usize / self.dimensions, i as usize % self.dimensions);
         let mut substitution = Substitution::new(|graph: &mut Graph, symbol| match symbol {
-            Symbol::Q(i) => {
+            Symbol::Position(i) => {
                 let (body, d) = place(i);
                 Some(graph.add(along[d].first, along[d].each[body]))
             }
@@ -144,7 +145,7 @@ impl Bodies<'_> {
             let mut moved = vec![];
             for (c, term) in sum {
                 match graph.node(term) {
-                    Node::Symbol(Symbol::Q(i)) => {
+                    Node::Symbol(Symbol::Position(i)) => {
                         let (body, d) = place(*i);
                         whole[d] = whole[d].add(c);
                         moved.push((c, along[d].each[body]));
@@ -166,7 +167,7 @@ impl Bodies<'_> {
         let jump = self.frame.jump?;
         let (mut velocity, mut squares) = (vec![graph.zero(); self.count() * self.dimensions], vec![]);
         for d in 0..self.dimensions {
-            let inner = self.row(graph, Symbol::P, d);
+            let inner = self.row(graph, Symbol::Momentum, d);
             let along = jump(graph, &self.masses, &inner);
             (1..self.count()).for_each(|body| velocity[body * self.dimensions + d] = along);
             // In words of momenta.
@@ -196,7 +197,7 @@ impl Bodies<'_> {
     fn motion(&self, graph: &mut Graph) -> (Id, Flow, Vec<Id>) {
         let degrees = (self.count() * self.dimensions) as u32;
         let mut flow = Flow::rest(graph, degrees);
-        let h = graph.symbol(Symbol::H);
+        let h = graph.symbol(Symbol::StepLength);
         let (mut terms, mut weights) = (vec![], vec![]);
         for body in 0..self.count() {
             let of_body = self.coordinates(body);
@@ -239,8 +240,8 @@ impl Bodies<'_> {
     fn enter(&self, graph: &mut Graph) -> Vec<(Symbol, Id)> {
         let mut inner = vec![];
         for d in 0..self.dimensions {
-            let q = self.row(graph, Symbol::Q, d);
-            let p = self.row(graph, Symbol::P, d);
+            let q = self.row(graph, Symbol::Position, d);
+            let p = self.row(graph, Symbol::Momentum, d);
             let v: Vec<Id> = p.into_iter().zip(&self.masses.each).map(|(p, mass)| graph.div(p, *mass)).collect();
             let ends =
                 [(self.frame.enter)(graph, &self.masses, &q), (self.frame.enter_velocities)(graph, &self.masses, &v)];
@@ -253,7 +254,7 @@ impl Bodies<'_> {
     fn leave(&self, graph: &mut Graph) -> Vec<(Symbol, Id)> {
         let mut outer = vec![];
         for d in 0..self.dimensions {
-            let [q, v] = [Symbol::Q as fn(u32) -> Symbol, Symbol::P].map(|of| self.row(graph, of, d));
+            let [q, v] = [Symbol::Position as fn(u32) -> Symbol, Symbol::Momentum].map(|of| self.row(graph, of, d));
             let places = (self.frame.leave)(graph, &self.masses, &q).places(graph);
             let velocities = (self.frame.leave_velocities)(graph, &self.masses, &v);
             let momenta =
@@ -265,7 +266,7 @@ impl Bodies<'_> {
 
     /// Ends of positions and momenta along a direction, with their symbols.
     fn named(&self, d: usize, ends: [Vec<Id>; 2]) -> Vec<(Symbol, Id)> {
-        let of = [Symbol::Q as fn(u32) -> Symbol, Symbol::P];
+        let of = [Symbol::Position as fn(u32) -> Symbol, Symbol::Momentum];
         let index = |body: usize| (body * self.dimensions + d) as u32;
         of.into_iter()
             .zip(ends)

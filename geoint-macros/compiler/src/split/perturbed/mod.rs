@@ -192,13 +192,13 @@ fn oscillators(graph: &mut Graph, potential: Id, single: bool) -> (Id, Id) {
 }
 
 fn is_oscillator(graph: &mut Graph, term: Id, single: bool) -> bool {
-    let Some(powers) = Polynomial::of(graph, term, &|symbol| symbol.is_coordinate() || symbol == Symbol::T) else {
+    let Some(powers) = Polynomial::of(graph, term, &|symbol| symbol.is_coordinate() || symbol == Symbol::Time) else {
         return false;
     };
     let two = Some(Ratio::integer(2));
     let of_degree = |monomial: &Monomial| degree(monomial.values().copied());
     let allowed = |monomial: &Monomial| {
-        let whole = is_whole(monomial) && !monomial.contains_key(&Symbol::T);
+        let whole = is_whole(monomial) && !monomial.contains_key(&Symbol::Time);
         whole && if single { monomial.len() == 1 && of_degree(monomial) == two } else { of_degree(monomial) <= two }
     };
     powers.has_only(allowed) && powers.terms().any(|(monomial, _)| of_degree(monomial) == two)

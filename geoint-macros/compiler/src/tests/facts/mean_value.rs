@@ -44,10 +44,10 @@ fn mean_value(item: TokenStream) -> (MeanValue, Option<String>, f64) {
         let value = |root: Id, start: f64, length: f64| {
             let coordinate = |i: u32| values[i as usize] + start * values[8 + i as usize];
             eval(graph, root, &|symbol| match symbol {
-                Symbol::Q(i) => coordinate(i),
-                Symbol::P(i) => coordinate(16 + i),
-                Symbol::Dq(i) => length * values[8 + i as usize],
-                Symbol::Dp(i) => length * values[24 + i as usize],
+                Symbol::Position(i) => coordinate(i),
+                Symbol::Momentum(i) => coordinate(16 + i),
+                Symbol::PositionIncrement(i) => length * values[8 + i as usize],
+                Symbol::MomentumIncrement(i) => length * values[24 + i as usize],
                 Symbol::Parameter(i) => values[32 + i as usize],
                 _ => values[63],
             })
@@ -74,8 +74,8 @@ fn mean_value(item: TokenStream) -> (MeanValue, Option<String>, f64) {
         _ => None,
     };
     let name = |symbol| match symbol {
-        Symbol::Q(i) => format!("q{i}"),
-        Symbol::P(i) => format!("p{i}"),
+        Symbol::Position(i) => format!("q{i}"),
+        Symbol::Momentum(i) => format!("p{i}"),
         _ => "c".into(),
     };
     let printer = Printer::new(graph, name);

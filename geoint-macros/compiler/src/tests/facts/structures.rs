@@ -16,10 +16,10 @@ fn structure(item: TokenStream) -> (Structure, Option<String>) {
         Split::Separable(parts) => parts.not_quadratic,
     };
     let name = |symbol| match symbol {
-        Symbol::Q(i) => format!("q{i}"),
-        Symbol::P(i) => format!("p{i}"),
-        Symbol::S => "s".into(),
-        Symbol::T => "t".into(),
+        Symbol::Position(i) => format!("q{i}"),
+        Symbol::Momentum(i) => format!("p{i}"),
+        Symbol::Action => "s".into(),
+        Symbol::Time => "t".into(),
         _ => "c".into(),
     };
     let printer = Printer::new(&lowered.graph, name);
@@ -97,8 +97,8 @@ fn simplification() {
     let formula = |item| {
         let (_, lowered) = lowered(item);
         let name = |symbol| match symbol {
-            Symbol::Q(_) => "q".to_owned(),
-            Symbol::P(_) => "p".into(),
+            Symbol::Position(_) => "q".to_owned(),
+            Symbol::Momentum(_) => "p".into(),
             _ => "c".into(),
         };
         Printer::new(&lowered.graph, name).formula(lowered.energy)

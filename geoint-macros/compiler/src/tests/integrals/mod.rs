@@ -127,13 +127,13 @@ fn point(noise: &mut Noise, h: f64) -> impl Fn(Symbol) -> f64 + Clone {
     let d: [f64; 8] = std::array::from_fn(|_| noise.between(-0.1, 0.1));
     let a: [f64; 8] = std::array::from_fn(|_| noise.between(0.5, 2.0));
     move |symbol| match symbol {
-        Symbol::Q(i) => x[i as usize],
-        Symbol::Dq(i) => d[i as usize],
+        Symbol::Position(i) => x[i as usize],
+        Symbol::PositionIncrement(i) => d[i as usize],
         Symbol::Parameter(i) => a[i as usize],
-        Symbol::T => T,
-        Symbol::Start => T - 0.5 * h,
-        Symbol::End => T + 0.5 * h,
-        Symbol::H => h,
+        Symbol::Time => T,
+        Symbol::StepStart => T - 0.5 * h,
+        Symbol::StepEnd => T + 0.5 * h,
+        Symbol::StepLength => h,
         other => panic!("{other:?}"),
     }
 }
@@ -151,7 +151,7 @@ fn solved<'a>(graph: &'a Graph, v: &'a Field, at: impl Fn(Symbol) -> f64 + Clone
 
 fn with(at: impl Fn(Symbol) -> f64, d: Vec<f64>) -> impl Fn(Symbol) -> f64 {
     move |symbol| match symbol {
-        Symbol::Dq(i) => d[i as usize],
+        Symbol::PositionIncrement(i) => d[i as usize],
         other => at(other),
     }
 }
@@ -170,8 +170,8 @@ fn steps_keep_every_integral_to_rounding() {
                 let ends = [(0.0, -0.5), (1.0, 0.5)].map(|(part, shift)| {
                     let (at, d) = (at.clone(), d.clone());
                     move |symbol| match symbol {
-                        Symbol::Q(i) => at(symbol) + part * d[i as usize],
-                        Symbol::T => T + shift * h,
+                        Symbol::Position(i) => at(symbol) + part * d[i as usize],
+                        Symbol::Time => T + shift * h,
                         other => at(other),
                     }
                 });
@@ -226,8 +226,8 @@ fn dependent_gradients_and_gradients_of_zero_take_no_part() {
         let v = flow::mean_velocity(&mut graph, &flow.field, &conserved, order);
         for x in [[0.0, 0.0, 1.3], [0.0; 3], [1e-200, 0.0, 0.0]] {
             let at = |symbol| match symbol {
-                Symbol::Q(i) => x[i as usize],
-                Symbol::Dq(_) => 0.0,
+                Symbol::Position(i) => x[i as usize],
+                Symbol::PositionIncrement(_) => 0.0,
                 Symbol::Parameter(i) => f64::from(i + 1),
                 _ => 0.1,
             };

@@ -121,7 +121,7 @@ fn mass_matrices_do_not_read_what_they_do_not_depend_on() {
             0.5 * (x * x + y * y) + v[1] * v[1]
         }
     );
-    assert_eq!(masses(double), ["1", "cos(Q(0) - Q(1))", "cos(Q(0) - Q(1))", "3"]);
+    assert_eq!(masses(double), ["1", "cos(Position(0) - Position(1))", "cos(Position(0) - Position(1))", "3"]);
     let relative = quote!(
         fn f(q: [f64; 2], v: [f64; 2]) -> f64 {
             let (a, b) = (q[0], q[0] + q[1]);
@@ -131,7 +131,7 @@ fn mass_matrices_do_not_read_what_they_do_not_depend_on() {
         }
     );
     let found = masses(relative);
-    assert!(found.iter().all(|entry| !entry.contains("Q(0)")), "{found:?}");
+    assert!(found.iter().all(|entry| !entry.contains("Position(0)")), "{found:?}");
     let polar = quote!(
         fn f(q: [f64; 2], v: [f64; 2]) -> f64 {
             let (sin, cos) = q[1].sin_cos();
@@ -139,7 +139,7 @@ fn mass_matrices_do_not_read_what_they_do_not_depend_on() {
             0.5 * (x * x + y * y) - q[0]
         }
     );
-    assert_eq!(masses(polar), ["1", "Q(0)²"]);
+    assert_eq!(masses(polar), ["1", "Position(0)²"]);
 }
 
 /// What a mass matrix of positions is divided by is looked at in every step.

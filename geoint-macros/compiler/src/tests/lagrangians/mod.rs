@@ -38,17 +38,17 @@ fn check(item: TokenStream, velocities: [f64; 2]) {
         let mut numbers = |low, high| -> Vec<f64> { (0..4).map(|_| noise.between(low, high)).collect() };
         let (q, v, k) = (numbers(0.3, 1.2), numbers(velocities[0], velocities[1]), numbers(0.6, 1.4));
         let given = |symbol: Symbol| match symbol {
-            Symbol::Q(i) => q[i as usize],
-            Symbol::V(i) => v[i as usize],
+            Symbol::Position(i) => q[i as usize],
+            Symbol::Velocity(i) => v[i as usize],
             Symbol::Parameter(i) => k[i as usize],
-            Symbol::S => 0.3,
-            Symbol::T => 0.7,
+            Symbol::Action => 0.3,
+            Symbol::Time => 0.7,
             other => panic!("{other:?} in a Lagrangian"),
         };
         let momenta: Vec<f64> = found.momenta.iter().map(|momentum| eval(&graph, *momentum, &given)).collect();
         let there = |symbol: Symbol| match symbol {
-            Symbol::P(i) => momenta[i as usize],
-            Symbol::V(_) => panic!("a velocity in the energy of {text}"),
+            Symbol::Momentum(i) => momenta[i as usize],
+            Symbol::Velocity(_) => panic!("a velocity in the energy of {text}"),
             other => given(other),
         };
         let close = |found: f64, expected: f64, what: &str| {

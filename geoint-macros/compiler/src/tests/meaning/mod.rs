@@ -48,9 +48,9 @@ fn compare(body: &str, rust: fn([f64; 3], [f64; 3], f64, f64) -> f64) {
     let points = [([0.3, -1.2, 2.5], [0.7, 0.1, -0.4], 0.9, 1.7), ([-0.8, 0.6, 0.2], [-1.1, 2.3, 0.5], -0.4, 0.35)];
     for (q, p, t, a) in points {
         let value = |symbol: Symbol| match symbol {
-            Symbol::Q(i) => q[i as usize],
-            Symbol::P(i) => p[i as usize],
-            Symbol::T => t,
+            Symbol::Position(i) => q[i as usize],
+            Symbol::Momentum(i) => p[i as usize],
+            Symbol::Time => t,
             Symbol::Parameter(0) => a,
             Symbol::Parameter(n) => outside(&lowered.constants[n as usize - 1].to_string()),
             other => panic!("an energy has no {other:?}"),

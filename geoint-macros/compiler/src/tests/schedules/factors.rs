@@ -15,7 +15,7 @@ fn planned(item: TokenStream) -> Plan {
 }
 
 fn of(graph: &mut crate::ir::Graph, roots: &[Id]) -> Plan {
-    let early = |symbol: Symbol| usize::from(!matches!(symbol, Symbol::P(_)) && level(symbol) > 0);
+    let early = |symbol: Symbol| usize::from(!matches!(symbol, Symbol::Momentum(_)) && level(symbol) > 0);
     schedule::plan(graph, early, &[&[]], &[roots])
 }
 
@@ -79,8 +79,8 @@ fn differences_stay_exact() {
     let run = |item: TokenStream, values: [f64; 5]| {
         let plan = planned(item);
         let input = |symbol: Symbol| match symbol {
-            Symbol::Q(i) => values[i as usize],
-            Symbol::P(i) => values[3 + i as usize],
+            Symbol::Position(i) => values[i as usize],
+            Symbol::Momentum(i) => values[3 + i as usize],
             _ => f64::NAN,
         };
         let slots = vec![Machine::new(&[], &input).run(&plan.stores[0])];

@@ -46,8 +46,8 @@ fn keeps_its_bits(before: &Block, after: &Block) {
     for _ in 0..20 {
         let values: Vec<f64> = (0..200).map(|_| noise.between(-1.5, 1.5)).collect();
         let input = |symbol: Symbol| match symbol {
-            Symbol::Q(i) => values[i as usize],
-            Symbol::P(i) => values[50 + i as usize],
+            Symbol::Position(i) => values[i as usize],
+            Symbol::Momentum(i) => values[50 + i as usize],
             Symbol::Parameter(i) => values[100 + i as usize],
             _ => values[199],
         };

@@ -105,8 +105,18 @@ impl<'a> Machine<'a> {
 /// Levels of a Newton iteration: parameters and h, the start of the step, the increment.
 pub(super) fn level(symbol: Symbol) -> usize {
     match symbol {
-        Symbol::Parameter(_) | Symbol::H | Symbol::G => 0,
-        Symbol::Q(_) | Symbol::P(_) | Symbol::V(_) | Symbol::S | Symbol::T | Symbol::Start | Symbol::End => 1,
-        Symbol::Dq(_) | Symbol::Dp(_) | Symbol::Ds | Symbol::Dv(_) | Symbol::Multiplier(_) => 2,
+        Symbol::Parameter(_) | Symbol::StepLength | Symbol::GradientWeight => 0,
+        Symbol::Position(_)
+        | Symbol::Momentum(_)
+        | Symbol::Velocity(_)
+        | Symbol::Action
+        | Symbol::Time
+        | Symbol::StepStart
+        | Symbol::StepEnd => 1,
+        Symbol::PositionIncrement(_)
+        | Symbol::MomentumIncrement(_)
+        | Symbol::ActionIncrement
+        | Symbol::VelocityIncrement(_)
+        | Symbol::Multiplier(_) => 2,
     }
 }

@@ -108,7 +108,7 @@ fn roots_divide_for_whole_powers_only_where_they_exist() {
     let values = |item, q: f64| {
         let (_, mut lowered) = lowered(item);
         let plan = schedule::plan(&mut lowered.graph, level, &[&[], &[]], &[&[lowered.energy]]);
-        let input = |symbol: Symbol| if let Symbol::Q(_) = symbol { q } else { 0.5 };
+        let input = |symbol: Symbol| if let Symbol::Position(_) = symbol { q } else { 0.5 };
         let mut slots = vec![];
         for store in &plan.stores {
             slots.push(Machine::new(&slots, &input).run(store));
@@ -150,14 +150,14 @@ proptest! {
         let before = lowered.graph.clone();
         let plan = schedule::plan(&mut lowered.graph, level, &[&[], &[]], &[&roots]);
         let input = |symbol: Symbol| match symbol {
-            Symbol::Q(_) => point[0],
-            Symbol::P(_) | Symbol::V(_) => point[1],
-            Symbol::S => point[2],
-            Symbol::Dq(_) => 0.3 * point[3],
-            Symbol::Dp(_) => 0.3 * point[4],
-            Symbol::Ds | Symbol::Dv(_) | Symbol::Multiplier(_) => 0.3 * point[5],
-            Symbol::T | Symbol::Start | Symbol::End => point[6],
-            Symbol::H | Symbol::G => 0.1 * point[7],
+            Symbol::Position(_) => point[0],
+            Symbol::Momentum(_) | Symbol::Velocity(_) => point[1],
+            Symbol::Action => point[2],
+            Symbol::PositionIncrement(_) => 0.3 * point[3],
+            Symbol::MomentumIncrement(_) => 0.3 * point[4],
+            Symbol::ActionIncrement | Symbol::VelocityIncrement(_) | Symbol::Multiplier(_) => 0.3 * point[5],
+            Symbol::Time | Symbol::StepStart | Symbol::StepEnd => point[6],
+            Symbol::StepLength | Symbol::GradientWeight => 0.1 * point[7],
             Symbol::Parameter(i) => 0.4 + 0.3 * f64::from(i),
         };
         let mut slots: Vec<Vec<f64>> = vec![];
@@ -204,9 +204,9 @@ fn what_is_known_earlier_is_computed_earlier() {
     });
     let graph = &mut lowered.graph;
     let gradient = diff::gradient(graph, lowered.energy, 1);
-    let h = graph.symbol(Symbol::H);
+    let h = graph.symbol(Symbol::StepLength);
     let kick = graph.mul(h, gradient.q[0]);
-    let p = graph.symbol(Symbol::P(0));
+    let p = graph.symbol(Symbol::Momentum(0));
     let kicked = graph.sub(p, kick);
     let plan = schedule::plan(graph, |symbol| level(symbol).min(1), &[&[]], &[&[kicked]]);
     // A sine, and one product that joins it to p.
@@ -218,9 +218,9 @@ fn what_is_known_earlier_is_computed_earlier() {
 #[test]
 fn orbits_of_one_level_are_one_call() {
     let mut graph = crate::ir::Graph::default();
-    let [h, mu] = [Symbol::H, Symbol::Parameter(0)].map(|symbol| graph.symbol(symbol));
+    let [h, mu] = [Symbol::StepLength, Symbol::Parameter(0)].map(|symbol| graph.symbol(symbol));
     let orbit = |graph: &mut crate::ir::Graph, i: u32, offset: Option<Id>| {
-        let [q, p] = [Symbol::Q(i), Symbol::P(i)].map(|symbol| graph.symbol(symbol));
+        let [q, p] = [Symbol::Position(i), Symbol::Momentum(i)].map(|symbol| graph.symbol(symbol));
         let q = offset.map_or(q, |offset| graph.add(q, offset));
         let squares = [(q, q), (q, p), (p, p)].map(|(a, b)| graph.mul(a, b));
         let one = graph.integer(1);
@@ -245,9 +245,9 @@ fn orbits_of_one_level_are_one_call() {
         .collect();
     assert_eq!(calls, [2, 1]);
     let input = |symbol: Symbol| match symbol {
-        Symbol::H => 0.3,
-        Symbol::Q(i) => 0.7 + 0.1 * f64::from(i),
-        Symbol::P(i) => 0.4 - 0.2 * f64::from(i),
+        Symbol::StepLength => 0.3,
+        Symbol::Position(i) => 0.7 + 0.1 * f64::from(i),
+        Symbol::Momentum(i) => 0.4 - 0.2 * f64::from(i),
         _ => 1.1,
     };
     let mut slots = vec![];

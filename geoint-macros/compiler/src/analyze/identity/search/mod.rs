@@ -107,7 +107,7 @@ fn times(sum: &Normal, atom: Atom, power: i128) -> Option<Normal> {
 fn parameters(graph: &Graph, sums: &Sums, x: &[Symbol]) -> Vec<(Atom, Ratio)> {
     let factors = sums.sums.iter().flat_map(|sum| sum.terms().flat_map(|(powers, _)| powers.iter().copied()));
     let parameter = |(atom, _): &(Atom, Ratio)| match sums.as_symbol(*atom).map(|id| graph.node(id)) {
-        Some(Node::Symbol(symbol)) => *symbol != Symbol::T && !x.contains(symbol),
+        Some(Node::Symbol(symbol)) => *symbol != Symbol::Time && !x.contains(symbol),
         _ => false,
     };
     let sign = |exponent: Ratio| Ratio::integer(if exponent < Ratio::ZERO { -1 } else { 1 });

@@ -23,13 +23,13 @@ impl Form {
     /// A sum of positions with constant coefficients.
     fn of(graph: &mut Graph, id: Id, weight: Id, degrees: u32) -> Option<Form> {
         let powers = Polynomial::of(graph, id, &Symbol::is_coordinate)?;
-        let position = |symbol: &Symbol| matches!(symbol, Symbol::Q(_));
+        let position = |symbol: &Symbol| matches!(symbol, Symbol::Position(_));
         let linear = powers.has_only(|monomial| {
             monomial.is_empty() || monomial.keys().all(position) && monomial.values().eq([&Ratio::ONE])
         });
         let moves = powers.terms().any(|(monomial, _)| !monomial.is_empty());
         (linear && moves).then(|| Form {
-            coefficients: (0..degrees).map(|i| powers.coefficient(graph, &[(Symbol::Q(i), 1)])).collect(),
+            coefficients: (0..degrees).map(|i| powers.coefficient(graph, &[(Symbol::Position(i), 1)])).collect(),
             constant: powers.coefficient(graph, &[]),
             weight,
         })

@@ -40,7 +40,7 @@ pub(in super::super) fn kepler(graph: &mut Graph, group: &Group) -> Option<Flow>
     }
     central.flow(graph, group, |graph, at| {
         let attraction = graph.neg(at.strength);
-        let args = [at.square, at.falling, at.speed, attraction, graph.symbol(Symbol::H)];
+        let args = [at.square, at.falling, at.speed, attraction, graph.symbol(Symbol::StepLength)];
         Function::KEPLER.map(|function| graph.call(function, &args))
     })
 }
@@ -48,8 +48,8 @@ pub(in super::super) fn kepler(graph: &mut Graph, group: &Group) -> Option<Flow>
 impl Central {
     /// The parts of an energy whose lengths stand to the power `power`.
     fn of(graph: &mut Graph, group: &Group, power: Ratio) -> Option<Central> {
-        let reads_time = |symbol: Symbol| symbol == Symbol::T && group.clock == Clock::Own;
-        if !is_free(graph, group.energy, &|symbol| symbol == Symbol::S || reads_time(symbol)) {
+        let reads_time = |symbol: Symbol| symbol == Symbol::Time && group.clock == Clock::Own;
+        if !is_free(graph, group.energy, &|symbol| symbol == Symbol::Action || reads_time(symbol)) {
             return None;
         }
         let divides =
@@ -65,7 +65,7 @@ impl Central {
             let momenta: Vec<(usize, Ratio)> = monomial
                 .iter()
                 .filter_map(
-                    |(symbol, power)| if let Symbol::P(i) = symbol { Some((*i as usize, *power)) } else { None },
+                    |(symbol, power)| if let Symbol::Momentum(i) = symbol { Some((*i as usize, *power)) } else { None },
                 )
                 .collect();
             match momenta[..] {
@@ -90,7 +90,8 @@ impl Central {
         let (mut bound, mut rest) = (vec![], self.rest);
         for centre in &self.centres {
             let own = Polynomial::of(graph, centre.square, &Symbol::is_coordinate)?;
-            let of = |powers: &Polynomial, graph: &mut Graph, i: u32| powers.coefficient(graph, &[(Symbol::Q(i), 2)]);
+            let of =
+                |powers: &Polynomial, graph: &mut Graph, i: u32| powers.coefficient(graph, &[(Symbol::Position(i), 2)]);
             let i = (0..self.inverse_mass.len() as u32).find(|i| {
                 let square = of(&own, graph, *i);
                 !graph.is_zero(square)
@@ -115,7 +116,7 @@ impl Central {
         motion: impl Fn(&mut Graph, &Start<'_>) -> Motion,
     ) -> Option<Flow> {
         let mut flow = Flow::rest(graph, group.degrees);
-        let (q, p, h) = (flow.q.clone(), flow.p.clone(), graph.symbol(Symbol::H));
+        let (q, p, h) = (flow.q.clone(), flow.p.clone(), graph.symbol(Symbol::StepLength));
         // W aₘ of all forms so far, with aₘ.
         let mut before: Vec<(Vec<Id>, Vec<Id>)> = vec![];
         let mut free = self.inverse_mass.clone();

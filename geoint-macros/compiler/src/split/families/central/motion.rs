@@ -25,7 +25,7 @@ pub(super) struct Start<'a> {
 /// With a = |y|, ε = y·y'/a² and l² = |y|²|y'|² − (y·y')² over a⁴, κ = l² + λk/a⁴, x = C + εS and ρ² = x² + κS²: y has turned by lT, T = ∫ dt/ρ²,
 /// and is ρa long. What is near 1 in short steps is written by its difference from 1.
 pub(super) fn about_inverse_square(graph: &mut Graph, at: &Start<'_>, bound: Id) -> Motion {
-    let (h, one) = (graph.symbol(Symbol::H), graph.integer(1));
+    let (h, one) = (graph.symbol(Symbol::StepLength), graph.integer(1));
     let square = graph.mul(at.lambda, bound);
     let (cosine, sine, less) = if graph.is_zero(square) {
         (one, h, graph.zero())

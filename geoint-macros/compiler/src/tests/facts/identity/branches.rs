@@ -22,9 +22,9 @@ impl Pairs {
 
     fn leaf(&mut self) -> Pair {
         let id = match self.below(5) {
-            0 => self.graph.symbol(Symbol::Q(0)),
-            1 => self.graph.symbol(Symbol::Q(1)),
-            2 => self.graph.symbol(Symbol::P(0)),
+            0 => self.graph.symbol(Symbol::Position(0)),
+            1 => self.graph.symbol(Symbol::Position(1)),
+            2 => self.graph.symbol(Symbol::Momentum(0)),
             3 => self.graph.symbol(Symbol::Parameter(0)),
             _ => {
                 let n = self.below(7) as i128 - 3;
@@ -144,8 +144,8 @@ fn checked(seeds: std::ops::Range<u64>) -> (usize, usize) {
         for _ in 0..40 {
             let state: Vec<f64> = (0..4).map(|_| noise.between(-2.0, 2.0)).collect();
             let value = |symbol| match symbol {
-                Symbol::Q(i) => state[i as usize],
-                Symbol::P(_) => state[2],
+                Symbol::Position(i) => state[i as usize],
+                Symbol::Momentum(_) => state[2],
                 _ => state[3],
             };
             // `min` of f64 hides what is not defined; large numbers have no sines.

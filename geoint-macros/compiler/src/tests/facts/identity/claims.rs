@@ -12,8 +12,8 @@ use quote::quote;
 
 fn printed(graph: &Graph, id: Id) -> String {
     let name = |symbol| match symbol {
-        Symbol::Q(i) => format!("x{i}"),
-        Symbol::T => "t".into(),
+        Symbol::Position(i) => format!("x{i}"),
+        Symbol::Time => "t".into(),
         // After the weights of the test.
         Symbol::Parameter(i) => format!("c{i}"),
         other => format!("{other:?}"),

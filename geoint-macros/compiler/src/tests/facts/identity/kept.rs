@@ -82,10 +82,10 @@ impl Random {
 
     fn leaf(&mut self, time: bool) -> Id {
         match self.below(if time { 7 } else { 6 }) {
-            i @ 0..=2 => self.graph.symbol(Symbol::Q(i as u32)),
+            i @ 0..=2 => self.graph.symbol(Symbol::Position(i as u32)),
             i @ 3..=4 => self.graph.symbol(Symbol::Parameter(i as u32 - 3)),
             5 => self.decimal(),
-            _ => self.graph.symbol(Symbol::T),
+            _ => self.graph.symbol(Symbol::Time),
         }
     }
 
@@ -150,14 +150,14 @@ fn checked(seeds: std::ops::Range<u64>) -> Counts {
         let time = seed % 3 == 0;
         let expression = random.expression(2 + (seed % 2) as usize, time);
         // And something that reads all coordinates.
-        let [a, b, c] = [0, 1, 2].map(|i| random.graph.symbol(Symbol::Q(i)));
+        let [a, b, c] = [0, 1, 2].map(|i| random.graph.symbol(Symbol::Position(i)));
         let [weight, other] = [random.decimal(), random.decimal()];
         let cubic = random.graph.product(&[weight, a, b, c]);
         let square = random.graph.product(&[other, a, a]);
         let integral = random.graph.sum(&[expression, cubic, square]);
         let entries = [0, 1, 2].map(|_| random.expression(1, time));
         let Random { graph: mut g, mut noise } = random;
-        let all: Vec<Symbol> = x.iter().copied().chain([Symbol::T]).collect();
+        let all: Vec<Symbol> = x.iter().copied().chain([Symbol::Time]).collect();
         let slopes = crate::diff::jacobian(&mut g, &[integral], &all).remove(0);
         // v × ∇I, term by term: what is changed is one of six.
         let mut terms: Vec<[Id; 2]> = (0..3)
@@ -201,7 +201,7 @@ fn checked(seeds: std::ops::Range<u64>) -> Counts {
                 .map(|_| (noise.between(-4.0, 4.0)).round() / 2.0 + noise.between(0.0, 1.0).round() * 0.3)
                 .collect();
             let value = |symbol| match symbol {
-                Symbol::Q(i) => state[i as usize],
+                Symbol::Position(i) => state[i as usize],
                 Symbol::Parameter(i) => state[3 + i as usize],
                 _ => state[5],
             };

@@ -16,7 +16,7 @@ fn recovered(n: usize, field: &TokenStream, expected: &TokenStream) -> Result<()
 
 fn by(logarithm: Logarithm, n: usize, field: &TokenStream, expected: &TokenStream) -> Result<(), NoEnergy> {
     let (mut graph, found) = arrays(2 * n, &quote!(let (q, p) = (x[0], x[#n]);), &[field, &quote!([#expected])]);
-    let symbols = |range: std::ops::Range<usize>| range.map(|i| Symbol::Q(i as u32)).collect::<Vec<_>>();
+    let symbols = |range: std::ops::Range<usize>| range.map(|i| Symbol::Position(i as u32)).collect::<Vec<_>>();
     let canonical = (symbols(0..n), symbols(n..2 * n));
     let (energy, _) = energy(&mut graph, (&canonical.0, &canonical.1), &found[0], logarithm)?;
     let difference = graph.sub(energy, found[1][0]);
@@ -108,11 +108,11 @@ fn forces_on_one_side_of_a_wall_are_not_divided_by_their_slopes() {
 fn what_has_no_antiderivative_stays_an_integral() {
     let gauss = quote!([(-p * p).exp(), -q]);
     let Err(NoEnergy::Integrals(open)) = recovered(1, &gauss, &quote!(0.0)) else { panic!("{gauss}") };
-    assert_eq!((open.integrals.len(), open.integrals[0].1), (1, Symbol::Q(1)));
+    assert_eq!((open.integrals.len(), open.integrals[0].1), (1, Symbol::Position(1)));
     assert!(open.elementary.is_some());
     // Beside q alone nothing is left but an integral.
     let Err(NoEnergy::Integrals(open)) = recovered(1, &quote!([0.0, (q * q).sin()]), &quote!(0.0)) else { panic!() };
-    assert_eq!((open.elementary, open.integrals[0].1), (None, Symbol::Q(0)));
+    assert_eq!((open.elementary, open.integrals[0].1), (None, Symbol::Position(0)));
     // A root of what may be negative would be left.
     for open in [quote!([p, 1.0 / (q * q - 1.0)]), quote!([p, 1.0 / (a + q * q)]), quote!([p, 1.0 / (1.0 + q.powi(4))])]
     {
@@ -137,7 +137,7 @@ fn with_more_degrees_of_freedom_the_divergence_is_not_enough() {
     // div f = 0, and yet no energy: the force turns.
     let turning = quote!([x[2], x[3], -x[0] - x[1], -x[1] + x[0]]);
     let Err(NoEnergy::NotCanonical(pair, _)) = recovered(2, &turning, &quote!(0.0)) else { panic!("an energy") };
-    assert_eq!(pair, [Symbol::Q(0), Symbol::Q(1)]);
+    assert_eq!(pair, [Symbol::Position(0), Symbol::Position(1)]);
     // Damping of one degree, gain of the other.
     let mixed = quote!([x[2], x[3], -x[0] - x[2], -x[1] + x[3]]);
     assert!(matches!(recovered(2, &mixed, &quote!(0.0)), Err(NoEnergy::NotCanonical(..))));

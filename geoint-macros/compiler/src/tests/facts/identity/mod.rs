@@ -51,5 +51,5 @@ fn length(array: &TokenStream) -> usize {
 
 /// x₀, x₁, …
 fn coordinates(n: usize) -> Vec<Symbol> {
-    (0..n as u32).map(Symbol::Q).collect()
+    (0..n as u32).map(Symbol::Position).collect()
 }

@@ -17,8 +17,8 @@ fn body(body: &TokenStream) -> (Graph, Id) {
 
 fn name(symbol: Symbol) -> String {
     match symbol {
-        Symbol::Q(i) => ["x", "y"][i as usize].into(),
-        Symbol::P(i) => format!("p{i}"),
+        Symbol::Position(i) => ["x", "y"][i as usize].into(),
+        Symbol::Momentum(i) => format!("p{i}"),
         Symbol::Parameter(i) => ["a", "b", "c", "m", "k"][i as usize].into(),
         other => format!("{other:?}"),
     }

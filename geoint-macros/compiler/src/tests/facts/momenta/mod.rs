@@ -25,8 +25,8 @@ fn changes(graph: &mut Graph, energy: Id, j: Id, degrees: u32) -> (f64, f64) {
     }
     let start = |symbol| values[&symbol];
     let middle = |symbol| match symbol {
-        Symbol::Q(i) => values[&symbol] + values.get(&Symbol::Dq(i)).unwrap_or(&0.0) / 2.0,
-        Symbol::P(i) => values[&symbol] + values.get(&Symbol::Dp(i)).unwrap_or(&0.0) / 2.0,
+        Symbol::Position(i) => values[&symbol] + values.get(&Symbol::PositionIncrement(i)).unwrap_or(&0.0) / 2.0,
+        Symbol::Momentum(i) => values[&symbol] + values.get(&Symbol::MomentumIncrement(i)).unwrap_or(&0.0) / 2.0,
         _ => values[&symbol],
     };
     let bracket = |of_j: &dyn Fn(Id) -> f64, of_h: &diff::Gradient| {
@@ -55,8 +55,8 @@ fn momenta(item: TokenStream) -> Vec<String> {
         assert!(step < 1e-14, "{} {step:e}", momentum.name);
     }
     let name = |symbol| match symbol {
-        Symbol::Q(i) => format!("q{i}"),
-        Symbol::P(i) => format!("p{i}"),
+        Symbol::Position(i) => format!("q{i}"),
+        Symbol::Momentum(i) => format!("p{i}"),
         Symbol::Parameter(i) => format!("c{i}"),
         _ => "t".into(),
     };
@@ -164,7 +164,7 @@ fn angular_momentum_is_not_claimed() {
 fn an_expanded_central_force_turns_the_step_but_not_the_flow() {
     let (_, mut lowered) = lowered(planar(expanded()));
     let graph = &mut lowered.graph;
-    let [q, p] = [Symbol::Q, Symbol::P].map(|symbol| [0, 1].map(|i| graph.symbol(symbol(i))));
+    let [q, p] = [Symbol::Position, Symbol::Momentum].map(|symbol| [0, 1].map(|i| graph.symbol(symbol(i))));
     let (first, second) = (graph.mul(q[0], p[1]), graph.mul(q[1], p[0]));
     let angular = graph.sub(first, second);
     let (flow, step) = changes(graph, lowered.energy, angular, 2);
