@@ -50,7 +50,7 @@ pub(crate) fn midpoint(graph: &mut Graph, energy: Id, degrees: u32) -> Equation 
     // The derivatives of p at ∂H/∂p and of H at p cancel.
     let action_row = (0..unknowns.len()).map(|j| {
         let column: Vec<Id> = hessian[n..2 * n].iter().map(|row| row[j]).collect();
-        let power = dot(graph, &momenta, &column);
+        let power = graph.dot(&momenta, &column);
         let own = if (n..2 * n).contains(&j) { graph.zero() } else { graph.scale(Number::HALF, slopes[j]) };
         graph.sub(power, own)
     });
@@ -114,7 +114,7 @@ fn unknowns(degrees: u32) -> Vec<Symbol> {
 fn field(graph: &mut Graph, [q, p, s]: [&[Id]; 3], before: &[Id], momenta: &[Id], value: Id) -> Vec<Id> {
     let mut f = p.to_vec();
     f.extend(q.iter().zip(before).map(|(slope, p)| force(graph, *slope, *p, s[0])));
-    let power = dot(graph, momenta, p);
+    let power = graph.dot(momenta, p);
     f.push(graph.sub(power, value));
     f
 }
@@ -124,9 +124,4 @@ fn force(graph: &mut Graph, slope: Id, p: Id, decay: Id) -> Id {
     let drag = graph.mul(p, decay);
     let sum = graph.add(slope, drag);
     graph.neg(sum)
-}
-
-fn dot(graph: &mut Graph, a: &[Id], b: &[Id]) -> Id {
-    let products: Vec<Id> = a.iter().zip(b).map(|(a, b)| graph.mul(*a, *b)).collect();
-    graph.sum(&products)
 }

@@ -121,10 +121,10 @@ impl Column {
             // In the middle with the discrete gradient, so that the balance is that of dissipative systems; else the mean of what changes I.
             let power = if points.0.len() == 1 {
                 let b = points.mean(graph, b);
-                dot(graph, &slope, &b)
+                graph.dot(&slope, &b)
             } else {
                 let gradient = gradient(graph, kept.value, n).q;
-                let power = dot(graph, &gradient, b);
+                let power = graph.dot(&gradient, b);
                 points.mean(graph, &[power])[0]
             };
             rate = graph.add(rate, power);
@@ -157,13 +157,13 @@ impl Projector {
             let mut own = vec![graph.zero(); orthogonal.len()];
             for _ in 0..2 {
                 for (b, w) in orthogonal.iter().enumerate() {
-                    let product = dot(graph, &rest, w);
+                    let product = graph.dot(&rest, w);
                     let coefficient = graph.mul(product, reciprocal[b]);
                     rest = minus(graph, &rest, coefficient, w);
                     own[b] = graph.add(own[b], coefficient);
                 }
             }
-            let [square, size] = [dot(graph, &rest, &rest), dot(graph, &column.slope, &column.slope)];
+            let [square, size] = [graph.dot(&rest, &rest), graph.dot(&column.slope, &column.slope)];
             reciprocal.push(graph.call(Function::RecipAbove, &[square, size]));
             orthogonal.push(rest);
             coefficients.push(own);
@@ -175,12 +175,12 @@ impl Projector {
     fn apply(&self, graph: &mut Graph, vector: &[Id], products: &[Id]) -> (Vec<Id>, Vec<Id>) {
         let mut of_orthogonal: Vec<Id> = vec![];
         for (product, own) in products.iter().zip(&self.coefficients) {
-            let taken = dot(graph, own, &of_orthogonal);
+            let taken = graph.dot(own, &of_orthogonal);
             of_orthogonal.push(graph.sub(*product, taken));
         }
         let (mut rest, mut weights) = (vector.to_vec(), vec![]);
         for (a, w) in self.orthogonal.iter().enumerate() {
-            let product = dot(graph, vector, w);
+            let product = graph.dot(vector, w);
             let excess = graph.sub(product, of_orthogonal[a]);
             let weight = graph.mul(excess, self.reciprocal[a]);
             rest = minus(graph, &rest, weight, w);
@@ -208,7 +208,7 @@ impl Projector {
             for (column, lambda) in self.columns.iter().zip(&lambda) {
                 let (moved, weight) = (of(&column.jacobian), scaled(graph, *lambda, column.size));
                 change = minus(graph, &change, weight, &moved);
-                let power = dot(graph, v, &moved);
+                let power = graph.dot(v, &moved);
                 let excess = graph.sub(column.rate_jacobian[j], power);
                 products.push(scaled(graph, excess, column.size));
             }
@@ -224,11 +224,6 @@ impl Projector {
 /// A number in the units of a column of this size. No product: that would be taken apart where it is squared.
 fn scaled(graph: &mut Graph, number: Id, size: Id) -> Id {
     if graph.is_zero(number) { number } else { graph.call(Function::Scaled, &[number, size]) }
-}
-
-fn dot(graph: &mut Graph, a: &[Id], b: &[Id]) -> Id {
-    let products: Vec<Id> = a.iter().zip(b).map(|(a, b)| graph.mul(*a, *b)).collect();
-    graph.sum(&products)
 }
 
 /// a − c·b.
@@ -294,5 +289,5 @@ fn powers(graph: &mut Graph, factors: &[&(Id, Ratio)]) -> Id {
 
 /// A matrix times a vector.
 pub(crate) fn times(graph: &mut Graph, matrix: &[Vec<Id>], vector: &[Id]) -> Vec<Id> {
-    matrix.iter().map(|row| dot(graph, row, vector)).collect()
+    matrix.iter().map(|row| graph.dot(row, vector)).collect()
 }

@@ -55,6 +55,12 @@ impl Graph {
         self.add(a, b)
     }
 
+    /// Σ aᵢ bᵢ.
+    pub(crate) fn dot(&mut self, a: &[Id], b: &[Id]) -> Id {
+        let products: Vec<Id> = a.iter().zip(b).map(|(a, b)| self.mul(*a, *b)).collect();
+        self.sum(&products)
+    }
+
     /// Σ of all, equal ones merged.
     pub(crate) fn sum(&mut self, ids: &[Id]) -> Id {
         let mut constant = Number::ZERO;

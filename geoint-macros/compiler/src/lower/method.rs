@@ -108,10 +108,10 @@ impl Lowering {
     fn method_of_vector(&mut self, call: &ExprMethodCall, name: &str, ids: Vec<Id>, arguments: Vec<Value>) -> Value {
         let graph = &mut self.graph;
         match (name, &arguments[..]) {
-            ("dot", [Value::Vector(other)]) if other.len() == ids.len() => Value::Real(dot(graph, &ids, other)),
-            ("norm_squared", []) => Value::Real(dot(graph, &ids, &ids)),
+            ("dot", [Value::Vector(other)]) if other.len() == ids.len() => Value::Real(graph.dot(&ids, other)),
+            ("norm_squared", []) => Value::Real(graph.dot(&ids, &ids)),
             ("norm" | "magnitude", []) => {
-                let square = dot(graph, &ids, &ids);
+                let square = graph.dot(&ids, &ids);
                 Value::Real(graph.sqrt(square))
             }
             ("cross", [Value::Vector(other)]) if ids.len() == 3 && other.len() == 3 => {
@@ -147,9 +147,4 @@ pub(super) fn is_of_numbers(name: &str) -> bool {
 
 fn is_opaque(arguments: &[Value]) -> bool {
     arguments.iter().all(|value| matches!(value, Value::Opaque(_) | Value::Integer(_)))
-}
-
-pub(super) fn dot(graph: &mut crate::ir::Graph, a: &[Id], b: &[Id]) -> Id {
-    let products: Vec<Id> = a.iter().zip(b).map(|(a, b)| graph.mul(*a, *b)).collect();
-    graph.sum(&products)
 }

@@ -1,7 +1,6 @@
 //! Unit quaternions of nalgebra: attitudes, and what is computed of them.
 
 use super::Lowering;
-use super::method::dot;
 use super::value::Value;
 use crate::ir::{Id, Number};
 use syn::ExprMethodCall;
@@ -45,7 +44,7 @@ impl Lowering {
                 let inverse = self.conjugate(r);
                 Value::Quaternion(self.product(other, &inverse))
             }
-            ("dot", [Value::Quaternion(other)]) => Value::Real(dot(&mut self.graph, r, other)),
+            ("dot", [Value::Quaternion(other)]) => Value::Real(self.graph.dot(r, other)),
             ("imag" | "vector", []) => Value::Vector(r[..3].to_vec()),
             ("scalar", []) => Value::Real(r[3]),
             _ => self.refuse(&call.method, METHODS),

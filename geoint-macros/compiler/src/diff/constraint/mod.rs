@@ -59,7 +59,7 @@ impl<'a> Given<'a> {
 
     /// G ∂H/∂p.
     pub(crate) fn rates(&self, graph: &mut Graph) -> Vec<Id> {
-        self.gradients.iter().map(|gradient| dot(graph, gradient, self.velocity)).collect()
+        self.gradients.iter().map(|gradient| graph.dot(gradient, self.velocity)).collect()
     }
 
     /// The diagonal of G W Gᵀ.
@@ -67,7 +67,7 @@ impl<'a> Given<'a> {
         let mut units = vec![];
         for gradient in &self.gradients {
             let direction = self.along(graph, gradient);
-            units.push(dot(graph, gradient, &direction));
+            units.push(graph.dot(gradient, &direction));
         }
         units
     }
@@ -113,7 +113,7 @@ impl<'a> Given<'a> {
 
     /// W x.
     fn along(&self, graph: &mut Graph, x: &[Id]) -> Vec<Id> {
-        self.inverse_mass.iter().map(|row| dot(graph, row, x)).collect()
+        self.inverse_mass.iter().map(|row| graph.dot(row, x)).collect()
     }
 
     /// g(q₁) in units of multipliers.
@@ -190,9 +190,4 @@ fn moved(graph: &mut Graph, nodes: &[Id], (positions, momenta): (&[Id], Option<&
 
 fn sums(graph: &mut Graph, a: &[Id], b: &[Id]) -> Vec<Id> {
     a.iter().zip(b).map(|(a, b)| graph.add(*a, *b)).collect()
-}
-
-fn dot(graph: &mut Graph, a: &[Id], b: &[Id]) -> Id {
-    let products: Vec<Id> = a.iter().zip(b).map(|(a, b)| graph.mul(*a, *b)).collect();
-    graph.sum(&products)
 }

@@ -134,13 +134,6 @@ pub(in super::super) fn uniform_field(graph: &mut Graph, group: &Group) -> Optio
         }
         rows
     };
-    let dot = |graph: &mut Graph, x: &[Id], y: &[Id]| {
-        let zero = graph.zero();
-        x.iter().zip(y).fold(zero, |sum, (x, y)| {
-            let part = graph.mul(*x, *y);
-            graph.add(sum, part)
-        })
-    };
     let mut flow = Flow::rest(graph, degrees);
     let (q, p, h) = (flow.q.clone(), flow.p.clone(), graph.symbol(Symbol::StepLength));
     let (velocity, fall) = (weighted(graph, &p), weighted(graph, &g));
@@ -156,12 +149,12 @@ pub(in super::super) fn uniform_field(graph: &mut Graph, group: &Group) -> Optio
         flow.p[i] = graph.sub(p[i], impulse);
     }
     // s' = T₂(p) − g·q − c along the parabola.
-    let twice = dot(graph, &p, &velocity);
+    let twice = graph.dot(&p, &velocity);
     let kinetic = graph.scale(Number::HALF, twice);
-    let height = dot(graph, &g, &q);
+    let height = graph.dot(&g, &q);
     let first = graph.sub(kinetic, height);
     let first = graph.sub(first, c);
-    let (with_p, with_b, with_g) = (dot(graph, &g, &velocity), dot(graph, &g, &b), dot(graph, &g, &fall));
+    let (with_p, with_b, with_g) = (graph.dot(&g, &velocity), graph.dot(&g, &b), graph.dot(&g, &fall));
     let half = graph.scale(Number::HALF, with_b);
     let second = graph.add(with_p, half);
     let third = graph.scale(Number::Exact(Ratio::integer(3).recip()?), with_g);

@@ -121,7 +121,7 @@ impl Bodies<'_> {
             let strength = self.strength_over_mass(graph, body);
             let strength = graph.mul(strength, self.masses.each[body]);
             let q: Vec<Id> = (0..self.dimensions).map(|d| self.symbol(graph, Symbol::Position, body, d)).collect();
-            let square = dot(graph, &q, &q);
+            let square = graph.dot(&q, &q);
             let recip = graph.pow(square, Ratio { numerator: -1, denominator: 2 });
             terms.push(graph.mul(strength, recip));
         }
@@ -206,7 +206,7 @@ impl Bodies<'_> {
             let ratio = (self.frame.ratio)(graph, &self.masses, body);
             let inverse = graph.div(ratio, mass);
             weights.extend(of_body.clone().map(|_| inverse));
-            let speed = dot(graph, &v, &v);
+            let speed = graph.dot(&v, &v);
             // In words of momenta.
             let kinetic = graph.mul(inverse, speed);
             terms.push(halved(graph, kinetic));
@@ -218,7 +218,7 @@ impl Bodies<'_> {
                 }
                 continue;
             }
-            let (distance, falling) = (dot(graph, &q, &q), dot(graph, &q, &v));
+            let (distance, falling) = (graph.dot(&q, &q), graph.dot(&q, &v));
             let strength = graph.mul(over_mass, ratio);
             let args = [distance, falling, speed, strength, h];
             let [f, g, f_rate, g_rate] = Function::KEPLER.map(|function| graph.call(function, &args));
@@ -273,10 +273,4 @@ impl Bodies<'_> {
             .flat_map(|(of, ends)| ends.into_iter().enumerate().map(move |(body, end)| (of(index(body)), end)))
             .collect()
     }
-}
-
-/// a·b.
-fn dot(graph: &mut Graph, a: &[Id], b: &[Id]) -> Id {
-    let products: Vec<Id> = a.iter().zip(b).map(|(a, b)| graph.mul(*a, *b)).collect();
-    graph.sum(&products)
 }

@@ -1,7 +1,6 @@
 //! What is a centre? A term of a potential that is a power of a length.
 
 use super::super::super::polynomial::{Polynomial, factors, is_free};
-use super::dot;
 use crate::analyze;
 use crate::ir::{Function, Graph, Id, Node, Ratio, Symbol};
 
@@ -36,7 +35,7 @@ impl Form {
     }
 
     pub(super) fn value(&self, graph: &mut Graph, q: &[Id]) -> Id {
-        let along = dot(graph, &self.coefficients, q);
+        let along = graph.dot(&self.coefficients, q);
         graph.add(along, self.constant)
     }
 }

@@ -124,7 +124,7 @@ impl Central {
             let forms = &centre.forms;
             let pushes: Vec<Vec<Id>> = forms
                 .iter()
-                .map(|form| self.inverse_mass.iter().map(|row| dot(graph, row, &form.coefficients)).collect())
+                .map(|form| self.inverse_mass.iter().map(|row| graph.dot(row, &form.coefficients)).collect())
                 .collect();
             for (m, form) in forms.iter().enumerate() {
                 if before.iter().any(|(push, _)| !vanishes(graph, push, &form.coefficients))
@@ -134,7 +134,7 @@ impl Central {
                 }
             }
             let of_form = |graph: &mut Graph, m: usize| {
-                let own = dot(graph, &pushes[m], &forms[m].coefficients);
+                let own = graph.dot(&pushes[m], &forms[m].coefficients);
                 graph.mul(forms[m].weight, own)
             };
             let lambda = of_form(graph, 0);
@@ -146,7 +146,7 @@ impl Central {
                 }
             }
             let y: Vec<Id> = forms.iter().map(|form| form.value(graph, &q)).collect();
-            let v: Vec<Id> = pushes.iter().map(|push| dot(graph, push, &p)).collect();
+            let v: Vec<Id> = pushes.iter().map(|push| graph.dot(push, &p)).collect();
             let [square, falling, speed] = [(&y, &y), (&y, &v), (&v, &v)].map(|(a, b)| {
                 let products =
                     (0..forms.len()).map(|m| graph.product(&[forms[m].weight, a[m], b[m]])).collect::<Vec<_>>();
@@ -188,14 +188,8 @@ impl Central {
     }
 }
 
-/// a·b.
-fn dot(graph: &mut Graph, a: &[Id], b: &[Id]) -> Id {
-    let products: Vec<Id> = a.iter().zip(b).map(|(a, b)| graph.mul(*a, *b)).collect();
-    graph.sum(&products)
-}
-
 /// a·b = 0?
 fn vanishes(graph: &mut Graph, a: &[Id], b: &[Id]) -> bool {
-    let product = dot(graph, a, b);
+    let product = graph.dot(a, b);
     analyze::identity(graph, product).is_zero()
 }
