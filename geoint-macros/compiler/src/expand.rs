@@ -27,7 +27,7 @@ pub(crate) fn system(energy: &Energy) -> Result<TokenStream> {
 fn lowered(energy: &Energy) -> Result<Lowered> {
     let lowered = lower::body(energy)?;
     let context = emit::Context::new(energy, &lowered.constants);
-    check::angles(energy, &lowered, |symbol| context.user_name(symbol))?;
+    check::angles(energy, &lowered, &context)?;
     Ok(lowered)
 }
 
@@ -44,8 +44,7 @@ fn lagrangian(energy: &Energy) -> Result<TokenStream> {
         return first_order(energy, lowered, momenta);
     }
     let friction = legendre::friction(graph, lowered.rayleigh.map(|(root, _)| root), energy.degrees());
-    let (mut legendre, friction) =
-        check::lagrangian(energy, (found, friction), graph, &lowered.places, |symbol| context.user_name(symbol))?;
+    let (mut legendre, friction) = check::lagrangian(energy, (found, friction), graph, &lowered.places, &context)?;
     match friction {
         Some(Friction::Damping(matrix)) => {
             legendre.friction = legendre::rate(graph, &matrix, &legendre);
@@ -77,7 +76,7 @@ fn velocities(energy: &Energy, mut lowered: Lowered, (legendre, long): (&Legendr
     let damping = analyze::damping(graph, lowered.damping);
     let forces = Forces::of(graph, lowered.force, lowered.friction);
     let friction = (damping.as_ref(), forces.as_ref());
-    check::velocities(energy, (long, friction), graph, &lowered.places, |symbol| context.user_name(symbol))?;
+    check::velocities(energy, (long, friction), graph, &lowered.places, &context)?;
     let system = derive::velocities(graph, legendre, (long, &energy.coordinates.shape), friction)
         .of_lagrangian(legendre)
         .scheduled(graph);
@@ -91,7 +90,7 @@ fn velocities(energy: &Energy, mut lowered: Lowered, (legendre, long): (&Legendr
 fn herglotz(energy: &Energy, mut lowered: Lowered, (legendre, long): (&Legendre, Id)) -> Result<TokenStream> {
     let context = emit::Context::new(energy, &lowered.constants);
     let graph = &mut lowered.graph;
-    check::velocities(energy, (long, (None, None)), graph, &lowered.places, |symbol| context.user_name(symbol))?;
+    check::velocities(energy, (long, (None, None)), graph, &lowered.places, &context)?;
     let dissipated = analyze::dissipated_by_velocities(graph, legendre.lagrangian, &energy.coordinates.shape);
     let decay = analyze::decay(graph, legendre.lagrangian);
     let system = derive::herglotz(graph, legendre, long).of_lagrangian(legendre).scheduled(graph);
@@ -110,7 +109,7 @@ fn forced_herglotz(energy: &Energy, mut lowered: Lowered, legendre: &Legendre) -
     if damping.is_none() && forces.is_none() {
         return contact_hamiltonian(energy, lowered, Some(legendre)); // all are zero
     }
-    check::forced_action(energy, damping.as_ref(), graph, |symbol| context.user_name(symbol))?;
+    check::forced_action(energy, damping.as_ref(), graph, &context)?;
     let given = (damping.as_ref(), forces.as_ref());
     let (derived, drag) = derive::forced(graph, lowered.energy, given, &lowered.partial, energy.degrees());
     let system = derived.of_lagrangian(legendre).scheduled(graph);
@@ -126,7 +125,7 @@ fn first_order(energy: &Energy, mut lowered: Lowered, momenta: &[Id]) -> Result<
     let context = emit::Context::new(energy, &lowered.constants);
     let graph = &mut lowered.graph;
     let found = legendre::first_order(graph, lowered.energy, momenta, &lowered.partial);
-    let found = check::first_order(energy, found, graph, |symbol| context.user_name(symbol))?;
+    let found = check::first_order(energy, found, graph, &context)?;
     let flow = Flow::structured(graph, found.energy, &found.structure, None);
     let parted = Parted::of_structure(found.energy, &found.structure, true);
     let pieces = derive::parts(graph, &flow, Some(&parted), false); // by terms of H, and by planes
@@ -153,12 +152,10 @@ fn hamiltonian(energy: &Energy, mut lowered: Lowered, legendre: Option<&Legendre
     let pieces = split::coupled_pieces(graph, &structure, energy.degrees(), groups); // flows in closed form, beside kick and drift
     let (derived, gradient) =
         derive::canonical(graph, &structure, (&division, pieces.as_ref()), &partial, energy.degrees(), legendre); // nodes for every method
-    check::requests(energy, &structure, graph, &lowered.places, |symbol| context.user_name(symbol))?; // asked for = proven?
-    check::division(energy, &division, graph, &lowered.places, |symbol| context.user_name(symbol))?;
+    check::requests(energy, &structure, graph, &lowered.places, &context)?; // asked for = proven?
+    check::division(energy, &division, graph, &lowered.places, &context)?;
     if let Some(pieces) = &pieces {
-        check::pieces(energy, (structure.energy, groups), pieces, graph, &lowered.places, |symbol| {
-            context.user_name(symbol)
-        })?;
+        check::pieces(energy, (structure.energy, groups), pieces, graph, &lowered.places, &context)?;
     }
     let derived = legendre.into_iter().fold(derived, System::of_lagrangian);
     let system = derived.scheduled(graph); // what is computed when
@@ -175,8 +172,8 @@ fn constrained(energy: &Energy, mut lowered: Lowered, legendre: Option<&Legendre
     let structure = analyze::structure(graph, lowered.energy, &energy.coordinates.shape);
     let structure = structure.damped(graph, lowered.damping.clone());
     let found = (&lowered.constraints[..], structure.damping.as_ref(), lowered.friction.is_some());
-    check::constraints(energy, found, graph, |symbol| context.user_name(symbol))?;
-    check::requests(energy, &structure, graph, &lowered.places, |symbol| context.user_name(symbol))?;
+    check::constraints(energy, found, graph, &context)?;
+    check::requests(energy, &structure, graph, &lowered.places, &context)?;
     let constraints: Vec<Id> = lowered.constraints.iter().map(|(constraint, _)| *constraint).collect();
     let kept = analyze::bound(graph, lowered.energy, &constraints, &energy.coordinates.shape);
     let kept = kept.damped(graph, lowered.damping);
@@ -206,8 +203,8 @@ fn contact_hamiltonian(energy: &Energy, mut lowered: Lowered, legendre: Option<&
         (degrees, energy.options.lift.is_some()),
         legendre,
     );
-    check::of_action(energy, (root, &mechanics), graph, &lowered.places, |symbol| context.user_name(symbol))?;
-    check::pieces(energy, (root, groups), &pieces, graph, &lowered.places, |symbol| context.user_name(symbol))?;
+    check::of_action(energy, (root, &mechanics), graph, &lowered.places, &context)?;
+    check::pieces(energy, (root, groups), &pieces, graph, &lowered.places, &context)?;
     let derived = legendre.into_iter().fold(derived, System::of_lagrangian);
     let system = derived.scheduled(graph);
     let graph = &*graph;
@@ -223,12 +220,10 @@ fn structured_hamiltonian(energy: &Energy) -> Result<TokenStream> {
     let graph = &mut lowered.graph;
     let structure = proof::structure(graph, lowered.energy, &lowered.structure);
     let damping = analyze::damping(graph, lowered.damping);
-    check::structure(energy, (&structure, damping.as_ref()), graph, &lowered.places, |symbol| {
-        context.user_name(symbol)
-    })?;
+    check::structure(energy, (&structure, damping.as_ref()), graph, &lowered.places, &context)?;
     let mut flow = Flow::structured(graph, lowered.energy, &structure.matrix, damping.as_ref());
-    flow.search_casimirs(graph, (&structure.matrix, structure.casimir), |symbol| context.user_name(symbol));
-    flow.search(graph, |symbol| context.user_name(symbol)); // what else is constant
+    flow.search_casimirs(graph, (&structure.matrix, structure.casimir), &context);
+    flow.search(graph, &context); // what else is constant
     let parted = Parted::of_structure(lowered.energy, &structure.matrix, structure.poisson.is_ok());
     let pieces = derive::parts(graph, &flow, Some(&parted), damping.is_some()); // by terms of H, and by planes
     let system = derive::flow(graph, &flow, &lowered.partial, damping.as_ref());
@@ -245,13 +240,13 @@ fn vector_field(energy: &Energy) -> Result<TokenStream> {
     let graph = &mut lowered.graph;
     let mut flow = Flow::of_field(&lowered.field, energy.options.keeps.iter().zip(&lowered.keeps));
     let found = proof::integrals(graph, &flow);
-    check::integrals(energy, &lowered.keeps, &found, graph, &lowered.places, |symbol| context.user_name(symbol))?;
+    check::integrals(energy, &lowered.keeps, &found, graph, &lowered.places, &context)?;
     let liouville = derive::liouville(graph, &lowered.field, &lowered.partial); // is it that of an energy?
     match liouville.kept() {
-        Some(energy) => flow.recovered(graph, energy, |symbol| context.user_name(symbol)),
+        Some(energy) => flow.recovered(graph, energy, &context),
         None => flow.divergent = liouville.divergent(),
     }
-    flow.search(graph, |symbol| context.user_name(symbol));
+    flow.search(graph, &context);
     let parted = Parted::of_field(graph, &flow); // S, known or searched for
     let pieces = derive::parts(graph, &flow, parted.as_ref(), false);
     let system = System { pieces, ..derive::flow(graph, &flow, &lowered.partial, None) }.scheduled(graph);
@@ -271,7 +266,7 @@ fn bodies(energy: &Energy) -> Result<TokenStream> {
     let context = emit::Context::new(energy, &lowered.constants);
     let graph = &mut lowered.graph;
     let found = analyze::bodies(graph, lowered.energy, (energy.bodies(), energy.degrees() / 4)); // T and V, or the term in the way
-    let found = check::bodies(energy, found, graph, &lowered.places, |symbol| context.user_name(symbol))?;
+    let found = check::bodies(energy, found, graph, &lowered.places, &context)?;
     let system = derive::bodies(graph, &found, &lowered.partial).scheduled(graph);
     let graph = &*graph;
     let report = emit::report::bodies(&context, graph, &found, &system);

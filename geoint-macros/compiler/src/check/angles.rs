@@ -2,13 +2,16 @@
 
 use crate::analyze::{angles, broken_at};
 use crate::diagnostics::{Diagnostics, Result};
-use crate::ir::{Id, Symbol, print::Printer};
+use crate::ir::{
+    Id,
+    print::{Naming, Printer},
+};
 use crate::lower::Lowered;
 use crate::parse::{Energy, Form};
 
 /// Reports the angles of an energy and of constraints whose arguments have a common factor. A field may jump; the proof of each function that
 /// it keeps checks the angles of this function.
-pub(crate) fn of_energy(energy: &Energy, lowered: &Lowered, name: impl Fn(Symbol) -> String) -> Result<()> {
+pub(crate) fn of_energy(energy: &Energy, lowered: &Lowered, names: &dyn Naming) -> Result<()> {
     let mut errors = Diagnostics::default();
     if energy.form == Form::Field {
         return errors.or(());
@@ -27,7 +30,7 @@ pub(crate) fn of_energy(energy: &Energy, lowered: &Lowered, name: impl Fn(Symbol
         let Some(g) = broken_at(graph, angle).first().copied() else { continue };
         let span = energy.item.sig.ident.span();
         let place = lowered.places.get(&angle).copied().unwrap_or((span, span));
-        let g = Printer::new(graph, &name).excerpt(g);
+        let g = Printer::new(graph, names).excerpt(g);
         errors.at_place(place, format!("both arguments of this `atan2` vanish where {g} = 0{BROKEN}"));
     }
     errors.or(())

@@ -2,7 +2,7 @@
 
 use crate::diagnostics::Diagnostics;
 use crate::ir::HashMap;
-use crate::ir::{Graph, Id, Node, Symbol, print::Printer};
+use crate::ir::{Graph, Id, Node, print::Printer};
 use crate::lower::Place;
 use proc_macro2::Span;
 
@@ -10,7 +10,7 @@ use proc_macro2::Span;
 pub(super) fn blame(
     (term, span): (Id, Span),
     why: &str,
-    printer: &Printer<'_, impl Fn(Symbol) -> String>,
+    printer: &Printer<'_>,
     places: &HashMap<Id, Place>,
     errors: &mut Diagnostics,
 ) {

@@ -3,7 +3,10 @@
 use super::damping::flaw_of_damping;
 use crate::analyze::{Damping, claims};
 use crate::diagnostics::{Diagnostics, Result};
-use crate::ir::{Graph, Id, Symbol, print::Printer};
+use crate::ir::{
+    Graph, Id, Symbol,
+    print::{Naming, Printer},
+};
 use crate::lower::Place;
 use crate::messages::NO_CONSTRAINT;
 use crate::parse::{Energy, Form};
@@ -13,7 +16,7 @@ pub(crate) fn constraints(
     energy: &Energy,
     (constraints, damping, general_friction): (&[(Id, Place)], Option<&Damping>, bool),
     graph: &mut Graph,
-    name: impl Fn(Symbol) -> String,
+    names: &dyn Naming,
 ) -> Result<()> {
     let mut errors = Diagnostics::default();
     let degrees = energy.degrees();
@@ -21,7 +24,7 @@ pub(crate) fn constraints(
         errors.at(&energy.options.constraint, NO_CONSTRAINT);
     }
     for (constraint, place) in constraints {
-        let printer = Printer::new(graph, &name);
+        let printer = Printer::new(graph, names);
         let reads = graph.reads(*constraint);
         let why = match energy.form {
             Form::Lagrangian if reads.v => NOT_OF_VELOCITIES,
@@ -46,7 +49,7 @@ pub(crate) fn constraints(
         let dependent = claims::dependent(graph, &positions, &functions);
         for k in dependent.into_iter().flat_map(|found| found.integrals) {
             let others = if k == 0 { "does not depend on positions" } else { "depends on those before it" };
-            let printer = Printer::new(graph, &name);
+            let printer = Printer::new(graph, names);
             let message = format!("this constraint {others}: leave it out: {}", printer.excerpt(functions[k]));
             errors.at_place(constraints[k].1, message);
         }
@@ -55,7 +58,7 @@ pub(crate) fn constraints(
         errors.at(rayleigh, LINEAR_FRICTION);
     }
     if let Some(damping) = damping {
-        flaw_of_damping(energy, damping, &Printer::new(graph, &name), &mut errors);
+        flaw_of_damping(energy, damping, &Printer::new(graph, names), &mut errors);
     }
     errors.or(())
 }

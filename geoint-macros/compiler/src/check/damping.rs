@@ -2,16 +2,11 @@
 
 use crate::analyze::{Damping, Flaw};
 use crate::diagnostics::Diagnostics;
-use crate::ir::{Symbol, print::Printer};
+use crate::ir::print::Printer;
 use crate::parse::Energy;
 
 /// Damping that is none.
-pub(super) fn flaw_of_damping<F: Fn(Symbol) -> String>(
-    energy: &Energy,
-    damping: &Damping,
-    printer: &Printer<'_, F>,
-    errors: &mut Diagnostics,
-) {
+pub(super) fn flaw_of_damping(energy: &Energy, damping: &Damping, printer: &Printer<'_>, errors: &mut Diagnostics) {
     if let Damping { matrix, flaw: Some(flaw), .. } = damping {
         let entry = |i: usize, j: usize| printer.excerpt(matrix[i][j]);
         let message = match *flaw {

@@ -1,7 +1,10 @@
 //! Lagrangians that are linear in velocities: whether velocities follow from positions.
 
 use crate::diagnostics::{Diagnostics, Result};
-use crate::ir::{Graph, Symbol, print::Printer};
+use crate::ir::{
+    Graph, Symbol,
+    print::{Naming, Printer},
+};
 use crate::legendre::{FirstOrder, NotRegular};
 use crate::parse::{Energy, Requirement, Role};
 
@@ -10,10 +13,10 @@ pub(crate) fn first_order(
     energy: &Energy,
     found: std::result::Result<FirstOrder, NotRegular>,
     graph: &Graph,
-    name: impl Fn(Symbol) -> String,
+    names: &dyn Naming,
 ) -> Result<FirstOrder> {
     let mut errors = Diagnostics::default();
-    let printer = Printer::new(graph, name);
+    let printer = Printer::new(graph, names);
     for expr in energy.options.rayleigh.iter().chain(&energy.options.force) {
         errors.at(expr, NO_FORCE);
     }

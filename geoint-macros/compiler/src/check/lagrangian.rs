@@ -5,7 +5,10 @@ use super::damping::flaw_of_damping;
 use crate::analyze::{Damping, Forces};
 use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::HashMap;
-use crate::ir::{Graph, Id, Symbol, print::Printer};
+use crate::ir::{
+    Graph, Id, Symbol,
+    print::{Naming, Printer},
+};
 use crate::legendre::{self, Friction, Kinetic, Legendre, NoFriction};
 use crate::lower::Place;
 use crate::messages::{DOES_WORK, FORCED_ACTION, FULL_MASS, FULL_MASS_OF_ACTION, READS_ACTION, TAKES_ENERGY};
@@ -20,10 +23,10 @@ pub(crate) fn lagrangian(
     ),
     graph: &Graph,
     places: &HashMap<Id, Place>,
-    name: impl Fn(Symbol) -> String,
+    names: &dyn Naming,
 ) -> Result<(Legendre, Option<Friction>)> {
     let mut errors = Diagnostics::default();
-    let printer = Printer::new(graph, name);
+    let printer = Printer::new(graph, names);
     let [q, v] = [Symbol::Position, Symbol::Velocity].map(|kind| move |i: &u32| kind(*i));
     let named = |symbol: Symbol| printer.named(symbol);
     let velocities =
@@ -143,10 +146,10 @@ pub(crate) fn velocities(
     (long, (damping, others)): (Id, (Option<&Damping>, Option<&Forces>)),
     graph: &Graph,
     places: &HashMap<Id, Place>,
-    name: impl Fn(Symbol) -> String,
+    names: &dyn Naming,
 ) -> Result<()> {
     let mut errors = Diagnostics::default();
-    let printer = Printer::new(graph, name);
+    let printer = Printer::new(graph, names);
     if let Some(damping) = damping {
         flaw_of_damping(energy, damping, &printer, &mut errors);
     }
@@ -175,11 +178,11 @@ pub(crate) fn forced_action(
     energy: &Energy,
     damping: Option<&Damping>,
     graph: &Graph,
-    name: impl Fn(Symbol) -> String,
+    names: &dyn Naming,
 ) -> Result<()> {
     let mut errors = Diagnostics::default();
     if let Some(damping) = damping {
-        flaw_of_damping(energy, damping, &Printer::new(graph, name), &mut errors);
+        flaw_of_damping(energy, damping, &Printer::new(graph, names), &mut errors);
     }
     let of_energy = energy.options.requirements.iter().filter(|(requirement, _)| !requirement.is_of_lagrangian());
     of_energy.for_each(|(_, span)| errors.at_place((*span, *span), FORCED_ACTION));

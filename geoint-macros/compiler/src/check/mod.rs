@@ -20,7 +20,10 @@ pub(crate) use proofs::{integrals, structure};
 use crate::analyze::{self, Split, Structure};
 use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::HashMap;
-use crate::ir::{Graph, Id, Symbol, print::Printer};
+use crate::ir::{
+    Graph, Id,
+    print::{Naming, Printer},
+};
 use crate::lower::Place;
 use crate::messages::{
     COUPLED, DAMPED, DOES_WORK, FORCED, NOT_MECHANICAL, NOT_NYSTROM, NOT_QUADRATIC, READS_ACTION, TAKES_ENERGY,
@@ -36,10 +39,10 @@ pub(crate) fn requests(
     structure: &Structure,
     graph: &Graph,
     places: &HashMap<Id, Place>,
-    name: impl Fn(Symbol) -> String,
+    names: &dyn Naming,
 ) -> Result<()> {
     let mut errors = Diagnostics::default();
-    let printer = Printer::new(graph, name);
+    let printer = Printer::new(graph, names);
     if let Some(damping) = &structure.damping {
         flaw_of_damping(energy, damping, &printer, &mut errors);
     }
@@ -76,10 +79,10 @@ pub(crate) fn of_action(
     (root, mechanics): (Id, &std::result::Result<Mechanics, Id>),
     graph: &Graph,
     places: &HashMap<Id, Place>,
-    name: impl Fn(Symbol) -> String,
+    names: &dyn Naming,
 ) -> Result<()> {
     let mut errors = Diagnostics::default();
-    let printer = Printer::new(graph, name);
+    let printer = Printer::new(graph, names);
     for (requirement, span) in &energy.options.requirements {
         let witness = match (requirement, mechanics) {
             (Requirement::Conservative, _) => graph.reads(root).s.then_some((root, READS_ACTION)),
@@ -102,12 +105,12 @@ pub(crate) fn bodies(
     found: std::result::Result<analyze::Bodies, (Id, &'static str)>,
     graph: &Graph,
     places: &HashMap<Id, Place>,
-    name: impl Fn(Symbol) -> String,
+    names: &dyn Naming,
 ) -> Result<analyze::Bodies> {
     found.map_err(|(term, why)| {
         let mut errors = Diagnostics::default();
         let span = energy.item.sig.ident.span();
-        blame((term, span), why, &Printer::new(graph, name), places, &mut errors);
+        blame((term, span), why, &Printer::new(graph, names), places, &mut errors);
         errors
     })
 }

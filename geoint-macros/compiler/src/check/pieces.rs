@@ -5,7 +5,10 @@ use super::wording::in_case;
 use crate::analyze::{self, Identity, Remainder};
 use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::HashMap;
-use crate::ir::{Graph, Id, Node, Symbol, print::Printer};
+use crate::ir::{
+    Graph, Id, Node,
+    print::{Naming, Printer},
+};
 use crate::lower::Place;
 use crate::parse::Energy;
 use crate::split::{self, Division, NoExactPart, Pieces, Space};
@@ -18,7 +21,7 @@ pub(crate) fn pieces(
     found: &Pieces,
     graph: &mut Graph,
     places: &HashMap<Id, Place>,
-    name: impl Fn(Symbol) -> String,
+    names: &dyn Naming,
 ) -> Result<()> {
     let mut errors = Diagnostics::default();
     if let Some(groups) = groups {
@@ -30,15 +33,15 @@ pub(crate) fn pieces(
             let nearest = family.map_or_else(String::new, |family| {
                 format!("; the nearest family is `{}`, {}", family.name, family.energies)
             });
-            let term = Printer::new(graph, &name).excerpt(*group);
+            let term = Printer::new(graph, names).excerpt(*group);
             errors.at_place(*place, format!("{NO_FLOW}{nearest}; the piece is: {term}"));
         }
-        adds_up(root, groups, graph, &name, &mut errors);
+        adds_up(root, groups, graph, names, &mut errors);
     }
     if let Some(span) = energy.options.lift
         && let Some(term) = analyze::not_affine(graph, root)
     {
-        blame((term, span), NO_LIFT, &Printer::new(graph, &name), places, &mut errors);
+        blame((term, span), NO_LIFT, &Printer::new(graph, names), places, &mut errors);
     }
     errors.or(())
 }
@@ -49,28 +52,22 @@ pub(crate) fn division(
     found: &Division,
     graph: &Graph,
     places: &HashMap<Id, Place>,
-    name: impl Fn(Symbol) -> String,
+    names: &dyn Naming,
 ) -> Result<()> {
     let mut errors = Diagnostics::default();
     if let (Some((_, asked)), Err(NoExactPart { term, why })) = (energy.options.coordinates, found) {
         let place = written(graph, places, *term).unwrap_or((asked, asked));
-        errors.at_place(place, format!("{why}: {}", Printer::new(graph, &name).excerpt(*term)));
+        errors.at_place(place, format!("{why}: {}", Printer::new(graph, names).excerpt(*term)));
     }
     errors.or(())
 }
 
 /// Reports what groups miss of the energy.
-fn adds_up(
-    root: Id,
-    groups: &[(Id, Place)],
-    graph: &mut Graph,
-    name: &impl Fn(Symbol) -> String,
-    errors: &mut Diagnostics,
-) {
+fn adds_up(root: Id, groups: &[(Id, Place)], graph: &mut Graph, names: &dyn Naming, errors: &mut Diagnostics) {
     let sum = graph.sum(&groups.iter().map(|(group, _)| *group).collect::<Vec<_>>());
     let missing = difference(graph, root, sum);
     let verdict = analyze::identity(graph, missing);
-    let printer = Printer::new(graph, name);
+    let printer = Printer::new(graph, names);
     let wrong = matches!(verdict, Identity::Wrong(_));
     let message = match verdict.rest() {
         _ if verdict.is_zero() => None,
@@ -107,7 +104,7 @@ fn is_term(graph: &Graph, id: Id) -> bool {
 }
 
 /// What is left, as it is written or multiplied out.
-fn shorter<F: Fn(Symbol) -> String>(printer: &Printer<'_, F>, missing: Id, rest: Id, case: &[(Id, bool)]) -> String {
+fn shorter(printer: &Printer<'_>, missing: Id, rest: Id, case: &[(Id, bool)]) -> String {
     let [written, rest] = [missing, rest].map(|id| printer.excerpt(id));
     if case.is_empty() && written.chars().count() <= rest.chars().count() { written } else { rest }
 }

@@ -7,7 +7,10 @@ use crate::analyze::{Damping, Identity, Why};
 use crate::derive::proof;
 use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::HashMap;
-use crate::ir::{Graph, Id, Symbol, print::Printer};
+use crate::ir::{
+    Graph, Id,
+    print::{Naming, Printer},
+};
 use crate::lower::{Integral, Place};
 use crate::parse::{Energy, StructureKind};
 use syn::Expr;
@@ -18,10 +21,10 @@ pub(crate) fn structure(
     (structure, damping): (&proof::Structure, Option<&Damping>),
     graph: &Graph,
     places: &HashMap<Id, Place>,
-    name: impl Fn(Symbol) -> String,
+    names: &dyn Naming,
 ) -> Result<()> {
     let mut errors = Diagnostics::default();
-    let printer = Printer::new(graph, name);
+    let printer = Printer::new(graph, names);
     if let (Err(([i, j], verdict)), Some(form)) = (&structure.skew, &energy.options.structure) {
         let (sum, equal) = match verdict {
             Identity::Wrong(wrong) => (remains(&printer, wrong.rest.as_ref(), &wrong.witness), ""),
@@ -61,10 +64,10 @@ pub(crate) fn integrals(
     found: &proof::Integrals,
     graph: &Graph,
     places: &HashMap<Id, Place>,
-    name: impl Fn(Symbol) -> String,
+    names: &dyn Naming,
 ) -> Result<()> {
     let mut errors = Diagnostics::default();
-    let printer = Printer::new(graph, name);
+    let printer = Printer::new(graph, names);
     for (i, (kept, (verdict, jump))) in energy.options.keeps.iter().zip(found.kept.iter().zip(&found.jumps)).enumerate()
     {
         let (name, but) = (&kept.name, if kept.but.is_some() { " but for b·∇I" } else { "" });

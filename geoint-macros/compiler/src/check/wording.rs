@@ -17,18 +17,14 @@ pub(crate) fn proven(proof: Proof, wrong: &str) -> String {
 }
 
 /// " where a < b and not c = d", or nothing.
-pub(crate) fn in_case<F: Fn(Symbol) -> String>(printer: &Printer<'_, F>, case: &[(Id, bool)]) -> String {
+pub(crate) fn in_case(printer: &Printer<'_>, case: &[(Id, bool)]) -> String {
     let condition = |(id, holds): &(Id, bool)| format!("{}{}", if *holds { "" } else { "not " }, printer.excerpt(*id));
     let conditions: Vec<String> = case.iter().map(condition).collect();
     if conditions.is_empty() { String::new() } else { format!(" where {}", conditions.join(" and ")) }
 }
 
 /// " is 2·x", what remains of what is not zero; or a state, and what it is there.
-pub(crate) fn remains<F: Fn(Symbol) -> String>(
-    printer: &Printer<'_, F>,
-    rest: Option<&Remainder>,
-    witness: &Witness,
-) -> String {
+pub(crate) fn remains(printer: &Printer<'_>, rest: Option<&Remainder>, witness: &Witness) -> String {
     match rest {
         Some(rest) => left(printer, rest),
         None => format!(" is {}", at_witness(printer, witness)),
@@ -36,15 +32,12 @@ pub(crate) fn remains<F: Fn(Symbol) -> String>(
 }
 
 /// " where a < b is 2·x", or " is 2·x".
-pub(crate) fn left<F: Fn(Symbol) -> String>(
-    printer: &Printer<'_, F>,
-    Remainder { rest, case, .. }: &Remainder,
-) -> String {
+pub(crate) fn left(printer: &Printer<'_>, Remainder { rest, case, .. }: &Remainder) -> String {
     format!("{} is {}", in_case(printer, case), printer.excerpt(*rest))
 }
 
 /// "3 where x = 1, y = 2".
-pub(crate) fn at_witness<F: Fn(Symbol) -> String>(printer: &Printer<'_, F>, witness: &Witness) -> String {
+pub(crate) fn at_witness(printer: &Printer<'_>, witness: &Witness) -> String {
     let symbol = |(symbol, value): &(Symbol, Ratio)| format!("{} = {}", printer.named(*symbol), ratio(*value));
     let state: Vec<String> = witness.state.iter().map(symbol).collect();
     let value = match witness.value {
@@ -59,7 +52,7 @@ fn ratio(Ratio { numerator, denominator }: Ratio) -> String {
 }
 
 /// What remains of what was not decided.
-pub(crate) fn open<F: Fn(Symbol) -> String>(printer: &Printer<'_, F>, verdict: &Identity) -> String {
+pub(crate) fn open(printer: &Printer<'_>, verdict: &Identity) -> String {
     match verdict.rest() {
         Some(Remainder { rest, case, .. }) => format!("{}: {}", in_case(printer, case), printer.excerpt(*rest)),
         None => String::new(),
@@ -67,8 +60,8 @@ pub(crate) fn open<F: Fn(Symbol) -> String>(printer: &Printer<'_, F>, verdict: &
 }
 
 /// Says where a function with a derivative of zero may jump.
-pub(crate) fn discontinuity<F: Fn(Symbol) -> String>(
-    printer: &Printer<'_, F>,
+pub(crate) fn discontinuity(
+    printer: &Printer<'_>,
     name: &Ident,
     but: &str,
     Discontinuity { equal: [a, b], kind, .. }: Discontinuity,

@@ -3,7 +3,7 @@
 use super::kernel::Context;
 use super::tokens::Tokens;
 use crate::analyze::{Damping, Forces};
-use crate::ir::{Id, Symbol, print::Printer};
+use crate::ir::{Id, print::Printer};
 use proc_macro2::TokenStream;
 use quote::quote;
 use std::fmt::Write;
@@ -19,15 +19,15 @@ pub(super) fn matrix_test(context: &Context<'_>, values: &[Tokens]) -> TokenStre
 }
 
 /// A vector as users write it.
-pub(super) fn coefficients<F: Fn(Symbol) -> String>(printer: &Printer<'_, F>, entries: &[Id]) -> String {
+pub(super) fn coefficients(printer: &Printer<'_>, entries: &[Id]) -> String {
     let entries: Vec<String> = entries.iter().map(|id| printer.excerpt(*id)).collect();
     format!("[{}]", entries.join(", "))
 }
 
 /// What becomes of the energy.
-pub(super) fn section<F: Fn(Symbol) -> String>(
+pub(super) fn section(
     text: &mut String,
-    printer: &Printer<'_, F>,
+    printer: &Printer<'_>,
     damping: &Damping,
     autonomous: bool,
 ) -> std::fmt::Result {
@@ -53,12 +53,7 @@ pub(super) fn section<F: Fn(Symbol) -> String>(
 }
 
 /// What forces beside the energy do to it.
-pub(super) fn forces<F: Fn(Symbol) -> String>(
-    text: &mut String,
-    printer: &Printer<'_, F>,
-    forces: &Forces,
-    autonomous: bool,
-) -> std::fmt::Result {
+pub(super) fn forces(text: &mut String, printer: &Printer<'_>, forces: &Forces, autonomous: bool) -> std::fmt::Result {
     writeln!(text, "\nForces beside the energy")?;
     let mut power = vec![];
     if let Some(applied) = &forces.applied {

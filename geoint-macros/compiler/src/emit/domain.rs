@@ -84,7 +84,7 @@ pub(super) fn domain(context: &Context<'_>, graph: &Graph, domain: &Domain<Plan>
 
 /// Shows every angle with its sides y and x.
 fn angles(context: &Context<'_>, graph: &Graph, angles: &Angles<Plan>) -> TokenStream {
-    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
+    let printer = Printer::new(graph, context);
     context.values(&angles.sides, |values| {
         let shown = angles.all.iter().zip(values.chunks_exact(2)).map(|(angle, sides)| {
             let (what, y, x) = (printer.excerpt(*angle), &sides[0], &sides[1]);
@@ -96,7 +96,7 @@ fn angles(context: &Context<'_>, graph: &Graph, angles: &Angles<Plan>) -> TokenS
 
 /// Shows every power with what it is a power of.
 fn powers(context: &Context<'_>, graph: &Graph, (checks, arguments): (&[Check], &Plan)) -> TokenStream {
-    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
+    let printer = Printer::new(graph, context);
     context.values(arguments, |values| {
         let shown = checks.iter().zip(values).map(|(check, value)| {
             let message = format!("{}: {}", check.what, printer.excerpt(check.term));
@@ -113,7 +113,7 @@ fn first_of(
     (checks, arguments): (&[Check], &Plan),
     rest: impl Fn(&[Tokens]) -> TokenStream,
 ) -> TokenStream {
-    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
+    let printer = Printer::new(graph, context);
     context.values(arguments, |mut values| {
         let mut others = values.split_off(checks.len()).into_iter();
         let tests = checks.iter().zip(values).map(|(check, value)| {

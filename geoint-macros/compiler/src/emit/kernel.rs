@@ -5,6 +5,7 @@ use super::straight_line;
 use super::tokens::{Tokens, bracketed};
 use super::writer::Names;
 use crate::ir::Symbol;
+use crate::ir::print::Naming;
 use crate::lower::VELOCITY;
 use crate::parse::{Energy, Form, Role, Shape};
 use crate::schedule::{Block, Operand, Plan};
@@ -32,6 +33,48 @@ pub(crate) fn write(base: &str, places: &[Vec<usize>], values: &[Tokens]) -> Tok
         tokens.push(punct(';'));
     }
     tokens.into_iter().collect()
+}
+
+impl Naming for Context<'_> {
+    fn name(&self, symbol: Symbol) -> String {
+        let indexed = |name: String, shape: &Shape, i: usize| {
+            let indices: String = shape.indices(i).iter().map(|i| format!("[{i}]")).collect();
+            name + &indices
+        };
+        let of_role = |role: Role, i: u32| match role {
+            Role::Action | Role::Time => self.name_of(role),
+            _ => indexed(self.name_of(role), &self.energy.coordinates.shape, i as usize),
+        };
+        if self.energy.form == Form::Bodies
+            && let Some(name) = self.body_name(symbol)
+        {
+            return name;
+        }
+        match symbol {
+            Symbol::Position(i) => of_role(Role::Position, i),
+            Symbol::Momentum(i) => of_role(Role::Momentum, i),
+            Symbol::Velocity(i) => of_role(Role::Velocity, i),
+            Symbol::Action => of_role(Role::Action, 0),
+            Symbol::Time | Symbol::StepStart | Symbol::StepEnd => of_role(Role::Time, 0),
+            Symbol::StepLength => "h".into(),
+            Symbol::GradientWeight => "g".into(),
+            Symbol::PositionIncrement(i) => format!("d{}", of_role(Role::Position, i)),
+            Symbol::MomentumIncrement(i) => format!("d{}", of_role(Role::Momentum, i)),
+            Symbol::ActionIncrement => format!("d{}", of_role(Role::Action, 0)),
+            Symbol::VelocityIncrement(i) => format!("d{}", of_role(Role::Velocity, i)),
+            Symbol::Multiplier(k) => format!("λ[{k}]"),
+            Symbol::Parameter(index) => {
+                let mut rest = index as usize;
+                for argument in self.energy.parameters() {
+                    if rest < argument.shape.len() {
+                        return indexed(argument.name.to_string(), &argument.shape, rest);
+                    }
+                    rest -= argument.shape.len();
+                }
+                self.constants[rest].to_string().replace(' ', "")
+            }
+        }
+    }
 }
 
 impl<'a> Context<'a> {
@@ -175,47 +218,6 @@ impl<'a> Context<'a> {
             _ => "",
         };
         argument.map_or_else(|| unnamed.into(), |(_, a)| a.name.to_string())
-    }
-
-    /// What users call a symbol.
-    pub(crate) fn user_name(&self, symbol: Symbol) -> String {
-        let indexed = |name: String, shape: &Shape, i: usize| {
-            let indices: String = shape.indices(i).iter().map(|i| format!("[{i}]")).collect();
-            name + &indices
-        };
-        let of_role = |role: Role, i: u32| match role {
-            Role::Action | Role::Time => self.name_of(role),
-            _ => indexed(self.name_of(role), &self.energy.coordinates.shape, i as usize),
-        };
-        if self.energy.form == Form::Bodies
-            && let Some(name) = self.body_name(symbol)
-        {
-            return name;
-        }
-        match symbol {
-            Symbol::Position(i) => of_role(Role::Position, i),
-            Symbol::Momentum(i) => of_role(Role::Momentum, i),
-            Symbol::Velocity(i) => of_role(Role::Velocity, i),
-            Symbol::Action => of_role(Role::Action, 0),
-            Symbol::Time | Symbol::StepStart | Symbol::StepEnd => of_role(Role::Time, 0),
-            Symbol::StepLength => "h".into(),
-            Symbol::GradientWeight => "g".into(),
-            Symbol::PositionIncrement(i) => format!("d{}", of_role(Role::Position, i)),
-            Symbol::MomentumIncrement(i) => format!("d{}", of_role(Role::Momentum, i)),
-            Symbol::ActionIncrement => format!("d{}", of_role(Role::Action, 0)),
-            Symbol::VelocityIncrement(i) => format!("d{}", of_role(Role::Velocity, i)),
-            Symbol::Multiplier(k) => format!("λ[{k}]"),
-            Symbol::Parameter(index) => {
-                let mut rest = index as usize;
-                for argument in self.energy.parameters() {
-                    if rest < argument.shape.len() {
-                        return indexed(argument.name.to_string(), &argument.shape, rest);
-                    }
-                    rest -= argument.shape.len();
-                }
-                self.constants[rest].to_string().replace(' ', "")
-            }
-        }
     }
 
     /// What users call a number of an attitude, of an angular momentum, or of a centre of mass.

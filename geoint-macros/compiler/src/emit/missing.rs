@@ -2,7 +2,10 @@
 
 use super::kernel::Context;
 use crate::derive::Missing;
-use crate::ir::{Graph, print::Printer};
+use crate::ir::{
+    Graph,
+    print::{Naming, Printer},
+};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
@@ -11,11 +14,10 @@ pub(super) fn unsatisfied(context: &Context<'_>, graph: &Graph, missing: Missing
     let Missing { marker, term, why, pair } = missing;
     let name = &context.energy.name;
     let marker = format_ident!("{marker}{name}");
-    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
+    let printer = Printer::new(graph, context);
     let message = format!("`{name}`: {why}");
-    let pair = pair.map_or_else(String::new, |([a, b], word)| {
-        format!("; {} and {} {word}", context.user_name(a), context.user_name(b))
-    });
+    let pair =
+        pair.map_or_else(String::new, |([a, b], word)| format!("; {} and {} {word}", context.name(a), context.name(b)));
     let label = format!("the term is: {}{pair}", printer.excerpt(term));
     // Braces in a message are read as parameters.
     let (message, label) = (message.replace(['{', '}'], "|"), label.replace(['{', '}'], "|"));

@@ -21,7 +21,7 @@ pub(super) fn poles(context: &Context<'_>, graph: &Graph, poles: &Poles<Plan>) -
 
 /// What is known of each without looking.
 fn list(context: &Context<'_>, graph: &Graph, poles: &Poles<Plan>) -> TokenStream {
-    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
+    let printer = Printer::new(graph, context);
     // By its path: users' structs may have this name.
     let runtime = &context.energy.runtime;
     let pole = quote!(#runtime::private::Pole);
@@ -143,7 +143,7 @@ fn enclosed(context: &Context<'_>, name: &str, count: usize, choices: &[Block]) 
 
 /// The items of `PhaseSpace` that speak of conditions.
 pub(super) fn jumps(context: &Context<'_>, graph: &Graph, jumps: &Jumps<Plan>) -> TokenStream {
-    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
+    let printer = Printer::new(graph, context);
     let height = |jump: &Jump| printer.excerpt(jump.shown);
     let is_flow = context.energy.form.is_flow();
     let what = jumps.all.iter().map(|jump| match is_flow {

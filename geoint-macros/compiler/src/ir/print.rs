@@ -18,10 +18,21 @@ const SIZE_OF_MESSAGE: usize = 4 * MESSAGE_LENGTH;
 /// be exponentially longer than its graph.
 const MOST_NODES: usize = 1000;
 
+/// The names that users gave to symbols.
+pub(crate) trait Naming {
+    fn name(&self, symbol: Symbol) -> String;
+}
+
+impl<F: Fn(Symbol) -> String> Naming for F {
+    fn name(&self, symbol: Symbol) -> String {
+        self(symbol)
+    }
+}
+
 /// Prints nodes with the names that the user gave.
-pub(crate) struct Printer<'a, F> {
+pub(crate) struct Printer<'a> {
     graph: &'a Graph,
-    name: F,
+    naming: &'a dyn Naming,
     /// What it has named before.
     names: RefCell<HashMap<Symbol, String>>,
     /// How many nodes may still be printed; or how many characters of names, and other nodes.
@@ -39,9 +50,9 @@ enum Precedence {
     Atom,
 }
 
-impl<'a, F: Fn(Symbol) -> String> Printer<'a, F> {
-    pub(crate) fn new(graph: &'a Graph, name: F) -> Self {
-        Printer { graph, name, names: RefCell::default(), left: Cell::new(0), short: Cell::new(false) }
+impl<'a> Printer<'a> {
+    pub(crate) fn new(graph: &'a Graph, naming: &'a dyn Naming) -> Self {
+        Printer { graph, naming, names: RefCell::default(), left: Cell::new(0), short: Cell::new(false) }
     }
 
     /// What is printed.
@@ -51,7 +62,7 @@ impl<'a, F: Fn(Symbol) -> String> Printer<'a, F> {
 
     /// What users call a symbol.
     pub(crate) fn named(&self, symbol: Symbol) -> String {
-        self.names.borrow_mut().entry(symbol).or_insert_with(|| (self.name)(symbol)).clone()
+        self.names.borrow_mut().entry(symbol).or_insert_with(|| self.naming.name(symbol)).clone()
     }
 
     /// The whole formula, unless it is very long.

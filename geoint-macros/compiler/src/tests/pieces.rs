@@ -17,7 +17,7 @@ fn pieces(item: TokenStream) -> Result<Vec<String>, String> {
         None,
     );
     let context = emit::Context::new(&energy, &lowered.constants);
-    let printer = Printer::new(&lowered.graph, |symbol| context.user_name(symbol));
+    let printer = Printer::new(&lowered.graph, &context);
     let mut found: Vec<String> = found
         .map_err(|term| printer.formula(term))?
         .pieces
@@ -53,7 +53,7 @@ fn mechanics_behind_a_common_factor() {
         let mut lowered = lower::body(&energy).unwrap_or_else(|e| panic!("{:?}", e.messages()));
         let found = split::mechanics(&mut lowered.graph, lowered.energy, energy.degrees());
         let context = emit::Context::new(&energy, &lowered.constants);
-        let printer = Printer::new(&lowered.graph, |symbol| context.user_name(symbol));
+        let printer = Printer::new(&lowered.graph, &context);
         found.map(|found| printer.formula(found.damping)).map_err(|term| printer.formula(term))
     };
     let of = |h| damping(quote! { fn f(q: f64, p: f64, s: f64, t: f64, a: f64, b: f64) -> f64 { #h } });

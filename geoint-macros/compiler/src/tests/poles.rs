@@ -27,7 +27,7 @@ fn described(graph: &Graph, pole: &Pole) -> String {
         Symbol::Parameter(i) => ["m", "k"][i as usize].into(),
         _ => "p".to_string(),
     };
-    let printer = Printer::new(graph, name);
+    let printer = Printer::new(graph, &name);
     let all = |ids: &[Id]| ids.iter().map(|id| printer.formula(*id)).collect::<Vec<_>>().join(", ");
     let text = match &pole.quick {
         Some(Quick::Forms(forms, signs)) => {

@@ -4,7 +4,10 @@ use crate::analyze::{Damping, claims, search};
 use crate::diff;
 use crate::diff::field::taking;
 use crate::diff::flow::{self, Conserved};
-use crate::ir::{Graph, Id, Symbol, print::Printer};
+use crate::ir::{
+    Graph, Id, Symbol,
+    print::{Naming, Printer},
+};
 use crate::lower::{Integral, canonical};
 use crate::parse::{Form, Kept};
 use std::collections::HashSet;
@@ -102,7 +105,7 @@ impl Flow {
     }
 
     /// x' = J ∇H with an energy that was recovered from the field: it is kept as well, unless it is a function of what is listed.
-    pub(crate) fn recovered(&mut self, graph: &mut Graph, energy: Id, name: impl Fn(Symbol) -> String) {
+    pub(crate) fn recovered(&mut self, graph: &mut Graph, energy: Id, names: &dyn Naming) {
         self.energy = Some((energy, canonical(graph, self.field.len())));
         let functions: Vec<Id> = self.kept.iter().map(|named| named.conserved.value).chain([energy]).collect();
         let x = coordinates(self.field.len());
@@ -110,7 +113,7 @@ impl Flow {
             claims::dependent(graph, &x, &functions).map_or(self.kept.is_empty(), |found| found.integrals.is_empty());
         if new && !graph.reads(energy).t {
             let taken = self.kept.iter().any(|named| named.name == ENERGY);
-            let name = if taken { Printer::new(graph, &name).excerpt(energy) } else { ENERGY.into() };
+            let name = if taken { Printer::new(graph, names).excerpt(energy) } else { ENERGY.into() };
             let origin = if taken { Origin::Found } else { Origin::Energy };
             self.kept.push(Named { name, conserved: Conserved { value: energy, but: None }, origin });
         }
@@ -128,14 +131,14 @@ impl Flow {
 
     /// Adds what is found to be constant: linear functions to what a field keeps, because a projection onto others would lose them;
     /// and all the rest for the report.
-    pub(crate) fn search(&mut self, graph: &mut Graph, name: impl Fn(Symbol) -> String) {
+    pub(crate) fn search(&mut self, graph: &mut Graph, names: &dyn Naming) {
         let x = coordinates(self.field.len());
         let found = search::kept_along(graph, &x, std::slice::from_ref(&self.field)).unwrap_or_default();
         let proven = |graph: &mut Graph, value| claims::is_kept(graph, &x, &self.field, value, None).is_zero();
         let found = found.into_iter().filter(|kept| proven(graph, kept.value)).collect();
         for (kept, everywhere) in self.new_among(graph, found) {
             if everywhere && kept.linear && self.form == Form::Field && !self.kept.is_empty() {
-                self.keep_found(graph, kept.value, &name);
+                self.keep_found(graph, kept.value, names);
             } else {
                 self.also.push((kept.value, false));
             }
@@ -147,7 +150,7 @@ impl Flow {
         &mut self,
         graph: &mut Graph,
         (rows, written): (&[Vec<Id>], Option<Id>),
-        name: impl Fn(Symbol) -> String,
+        names: &dyn Naming,
     ) {
         let x = coordinates(self.field.len());
         // The one that was written comes first: what is found may be a function of it that is defined at fewer states, as its logarithm.
@@ -158,15 +161,15 @@ impl Flow {
         found.retain(|kept| claims::is_casimir(graph, &x, rows, kept.value).is_ok());
         for (kept, everywhere) in self.new_among(graph, found) {
             if everywhere {
-                self.keep_found(graph, kept.value, &name);
+                self.keep_found(graph, kept.value, names);
             } else if self.loss.is_none() {
                 self.also.push((kept.value, true));
             }
         }
     }
 
-    fn keep_found(&mut self, graph: &Graph, value: Id, name: impl Fn(Symbol) -> String) {
-        let name = Printer::new(graph, &name).excerpt(value);
+    fn keep_found(&mut self, graph: &Graph, value: Id, names: &dyn Naming) {
+        let name = Printer::new(graph, names).excerpt(value);
         let conserved = Conserved { value, but: self.loss.clone() };
         self.kept.push(Named { name, conserved, origin: Origin::Found });
     }

@@ -109,7 +109,7 @@ fn may_end(context: &Context<'_>, graph: &Graph, found: &Perturbed<Plan>) -> Tok
     let part = quote!(#runtime::private::FlowPart);
     let entries = found.parts.iter().map(|(part_of, coordinates)| {
         let name = match part_of {
-            OwnMotion::Energy(energy) => Printer::new(graph, |symbol| context.user_name(symbol)).excerpt(*energy),
+            OwnMotion::Energy(energy) => Printer::new(graph, context).excerpt(*energy),
             OwnMotion::Orbit(body) => format!("Kepler's motion of {}[{body}]", context.name_of(Role::Position)),
         };
         let (first, count) = (coordinates.start, coordinates.len());
@@ -133,7 +133,7 @@ fn way(context: &Context<'_>, name: &str, map: &FlowKernel<Plan>) -> TokenStream
 /// The first mass beside which nothing is left of what it is divided by.
 fn unsuitable(context: &Context<'_>, graph: &Graph, inner: &Inner<Plan>) -> TokenStream {
     let runtime = &context.energy.runtime;
-    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
+    let printer = Printer::new(graph, context);
     let body = context.values(&inner.weighed, |mut values| {
         let shares = values.split_off(values.len() - 2 * inner.shares.len());
         let shares = inner.shares.iter().zip(shares.chunks(2)).map(|([mass, sum], values)| {

@@ -32,7 +32,7 @@ fn splitting(
 ) -> TokenStream {
     let (name, phase, parts, action) = (self_type(context), context.phase(), context.parts(), context.action());
     let (symplectic, conserves_energy) = (found.symplectic, found.conserves_energy);
-    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
+    let printer = Printer::new(graph, context);
     let table = pieces.iter().map(|piece| {
         let (solved, may_end) = (piece.solved, piece.may_end);
         let moved = || piece.flow.changes.iter().map(|symbol| printer.named(*symbol)).collect::<Vec<_>>().join(", ");

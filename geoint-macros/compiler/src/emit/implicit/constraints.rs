@@ -18,7 +18,7 @@ pub(super) fn constraints(context: &Context<'_>, graph: &Graph, kernels: &Constr
     let (m, places) = (constraints.len(), context.coordinates());
     let multipliers = row(m);
     let rows: Vec<Vec<usize>> = (0..m).map(|k| vec![k]).collect();
-    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
+    let printer = Printer::new(graph, context);
     let formulas = constraints.iter().map(|constraint| {
         let formula = printer.excerpt(*constraint);
         let rate = format!("the rate of {formula}");

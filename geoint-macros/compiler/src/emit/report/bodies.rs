@@ -24,7 +24,7 @@ fn sections(
     found: &analyze::Bodies,
     derived: &Bodies<Plan>,
 ) -> std::fmt::Result {
-    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
+    let printer = Printer::new(graph, context);
     let name_of = |role: Role| {
         let argument = context.energy.arguments.iter().find(|(r, _)| *r == role);
         argument.map(|(_, argument)| argument.name.to_string()).unwrap_or_default()

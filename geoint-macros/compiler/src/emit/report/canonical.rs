@@ -18,17 +18,17 @@ pub(crate) fn canonical(
     structure: &Structure,
     (system, gradient): (&System<Plan>, &Gradient),
 ) -> String {
-    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
+    let printer = Printer::new(graph, context);
     let mut text = String::new();
     // Writing to a string cannot fail.
     let _ = sections(&mut text, context, &printer, structure, (system, gradient));
     text
 }
 
-fn sections<F: Fn(crate::ir::Symbol) -> String>(
+fn sections(
     text: &mut String,
     context: &Context<'_>,
-    printer: &Printer<'_, F>,
+    printer: &Printer<'_>,
     structure: &Structure,
     (system, gradient): (&System<Plan>, &Gradient),
 ) -> std::fmt::Result {
@@ -141,11 +141,7 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
 }
 
 /// The part with an exact flow, and the rest.
-fn perturbed<F: Fn(crate::ir::Symbol) -> String>(
-    text: &mut String,
-    printer: &Printer<'_, F>,
-    parts: &Perturbed<Plan>,
-) -> std::fmt::Result {
+fn perturbed(text: &mut String, printer: &Printer<'_>, parts: &Perturbed<Plan>) -> std::fmt::Result {
     writeln!(text, "\nA + B, an exact flow and a kick (`Perturbation`, `WisdomHolman`, `Aba10_6_4` …)")?;
     if let Some(inner) = &parts.inner {
         writeln!(text, "- in {}", inner.name)?;
@@ -193,9 +189,9 @@ fn implicit(text: &mut String, field: &FieldKernels<Plan>) -> std::fmt::Result {
 
 /// What the flow conserves and discrete gradients keep; `unread` are coordinates with their conjugates, which H does not
 /// read.
-fn conserved<F: Fn(crate::ir::Symbol) -> String>(
+fn conserved(
     text: &mut String,
-    printer: &Printer<'_, F>,
+    printer: &Printer<'_>,
     structure: &Structure,
     unread: &[(String, String)],
 ) -> std::fmt::Result {
@@ -254,7 +250,7 @@ fn conserved<F: Fn(crate::ir::Symbol) -> String>(
 }
 
 /// A derivative, written out unless it fills the screen.
-fn formula<F: Fn(crate::ir::Symbol) -> String>(printer: &Printer<'_, F>, id: Id) -> String {
+fn formula(printer: &Printer<'_>, id: Id) -> String {
     let formula = printer.formula(id);
-    if formula.chars().count() > 400 { Printer::<F>::cut(formula) } else { formula }
+    if formula.chars().count() > 400 { Printer::cut(formula) } else { formula }
 }

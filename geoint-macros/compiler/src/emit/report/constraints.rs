@@ -20,7 +20,7 @@ pub(crate) fn constraints(
     (system, gradient): (&System<Plan>, &Gradient),
 ) -> String {
     let mut text = String::new();
-    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
+    let printer = Printer::new(graph, context);
     // Writing to a string cannot fail.
     let _ = sections(&mut text, context, &printer, structure, constraints, gradient)
         .and_then(|()| conserved(&mut text, &printer, kept))
@@ -28,10 +28,10 @@ pub(crate) fn constraints(
     text
 }
 
-fn sections<F: Fn(Symbol) -> String>(
+fn sections(
     text: &mut String,
     context: &Context<'_>,
-    printer: &Printer<'_, F>,
+    printer: &Printer<'_>,
     structure: &Structure,
     constraints: &[Id],
     gradient: &Gradient,
@@ -65,7 +65,7 @@ fn plural(count: usize) -> &'static str {
 }
 
 /// What the flow keeps, and the discrete gradient with it: it commutes with H and with every constraint.
-fn conserved<F: Fn(Symbol) -> String>(text: &mut String, printer: &Printer<'_, F>, kept: &Structure) -> Written {
+fn conserved(text: &mut String, printer: &Printer<'_>, kept: &Structure) -> Written {
     writeln!(text, "\nConserved by the flow and by `DiscreteGradient`, at least")?;
     let mut lines: Vec<String> = vec![];
     if kept.conserves_energy() {

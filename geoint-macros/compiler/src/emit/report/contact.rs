@@ -17,7 +17,7 @@ pub(crate) fn contact(
     system: &System<Plan>,
 ) -> String {
     let mut text = String::new();
-    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
+    let printer = Printer::new(graph, context);
     // Writing to a string cannot fail.
     let _ = structure(&mut text, &printer, (energy, gradient), system)
         .and_then(|()| dissipated.map_or(Ok(()), |found| decaying(&mut text, &printer, ("H", gradient.s), found)))
@@ -26,9 +26,9 @@ pub(crate) fn contact(
     text
 }
 
-fn structure<F: Fn(Symbol) -> String>(
+fn structure(
     text: &mut String,
-    printer: &Printer<'_, F>,
+    printer: &Printer<'_>,
     (energy, gradient): (Id, &Gradient),
     system: &System<Plan>,
 ) -> Written {
@@ -72,9 +72,9 @@ fn structure<F: Fn(Symbol) -> String>(
 }
 
 /// What decays by one factor, by H or L.
-pub(super) fn decaying<F: Fn(Symbol) -> String>(
+pub(super) fn decaying(
     text: &mut String,
-    printer: &Printer<'_, F>,
+    printer: &Printer<'_>,
     (by, rate): (&str, Id),
     Dissipated { cyclic, momenta, energy }: &Dissipated,
 ) -> Written {
@@ -111,7 +111,7 @@ pub(super) fn decaying<F: Fn(Symbol) -> String>(
     Ok(())
 }
 
-fn pieces<F: Fn(Symbol) -> String>(text: &mut String, printer: &Printer<'_, F>, system: &System<Plan>) -> Written {
+fn pieces(text: &mut String, printer: &Printer<'_>, system: &System<Plan>) -> Written {
     writeln!(text, "\nPieces with flows in closed form, in the order of half a step")?;
     system.pieces.iter().try_for_each(|found| super::pieces::of_energy(text, printer, (found, true)))
 }

@@ -21,10 +21,10 @@ pub(crate) struct OfField<'a> {
 }
 
 /// The divergence, and S where one was found.
-pub(super) fn of_field<F: Fn(Symbol) -> String>(
+pub(super) fn of_field(
     text: &mut String,
     context: &Context<'_>,
-    printer: &Printer<'_, F>,
+    printer: &Printer<'_>,
     OfField { liouville, parted, .. }: OfField<'_>,
 ) -> Written {
     divergence(text, printer, liouville)?;
@@ -34,7 +34,7 @@ pub(super) fn of_field<F: Fn(Symbol) -> String>(
     }
 }
 
-fn divergence<F: Fn(Symbol) -> String>(text: &mut String, printer: &Printer<'_, F>, found: &Liouville) -> Written {
+fn divergence(text: &mut String, printer: &Printer<'_>, found: &Liouville) -> Written {
     writeln!(text, "\nDivergence")?;
     let (sum, verdict) = &found.divergence;
     match verdict {
@@ -125,10 +125,10 @@ fn divergence<F: Fn(Symbol) -> String>(text: &mut String, printer: &Printer<'_, 
 }
 
 /// S that was searched for.
-fn structure<F: Fn(Symbol) -> String>(
+fn structure(
     text: &mut String,
     context: &Context<'_>,
-    printer: &Printer<'_, F>,
+    printer: &Printer<'_>,
     Parted { integral, matrix, poisson, unique }: &Parted,
 ) -> Written {
     let alone = if *unique == Some(true) { "" } else { ", one of many" };

@@ -9,7 +9,10 @@ use crate::analyze::{self, Identity};
 use crate::check::wording::proven;
 use crate::derive::proof::Structure;
 use crate::derive::{Flow, Implicit, MOST_UNKNOWNS, Named, Origin, System};
-use crate::ir::{Graph, Id, Symbol, print::Printer};
+use crate::ir::{
+    Graph, Id, Symbol,
+    print::{Naming, Printer},
+};
 use crate::legendre::FirstOrder;
 use crate::parse::Form;
 use crate::schedule::Plan;
@@ -34,7 +37,7 @@ pub(crate) fn flow(
     system: &System<Plan>,
 ) -> String {
     let mut text = String::new();
-    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
+    let printer = Printer::new(graph, context);
     // Writing to a string cannot fail.
     let _ = match source {
         Source::Lagrangian(found) => of_lagrangian(&mut text, &printer, found),
@@ -60,27 +63,17 @@ fn split_by<'a>(flow: &'a Flow, source: Source<'_>) -> &'a str {
     }
 }
 
-fn equations<F: Fn(Symbol) -> String>(
-    text: &mut String,
-    context: &Context<'_>,
-    printer: &Printer<'_, F>,
-    flow: &Flow,
-) -> Written {
+fn equations(text: &mut String, context: &Context<'_>, printer: &Printer<'_>, flow: &Flow) -> Written {
     if let Some((energy, _)) = flow.energy.as_ref().filter(|_| flow.form == Form::Structured) {
         writeln!(text, "H = {}", printer.formula(*energy))?;
     }
     (0..).zip(&flow.field).try_for_each(|(i, f)| {
-        let name = context.user_name(Symbol::Position(i));
+        let name = context.name(Symbol::Position(i));
         writeln!(text, "{name}' = {}", printer.excerpt(*f))
     })
 }
 
-fn of_structure<F: Fn(Symbol) -> String>(
-    text: &mut String,
-    context: &Context<'_>,
-    printer: &Printer<'_, F>,
-    structure: &Structure,
-) -> Written {
+fn of_structure(text: &mut String, context: &Context<'_>, printer: &Printer<'_>, structure: &Structure) -> Written {
     writeln!(text, "\nStructure")?;
     writeln!(text, "- x' = S ∇H with skew S")?;
     brackets(text, context, printer, &structure.matrix)?;
@@ -95,7 +88,7 @@ fn of_structure<F: Fn(Symbol) -> String>(
 }
 
 /// L as it is understood.
-fn of_lagrangian<F: Fn(Symbol) -> String>(text: &mut String, printer: &Printer<'_, F>, found: &FirstOrder) -> Written {
+fn of_lagrangian(text: &mut String, printer: &Printer<'_>, found: &FirstOrder) -> Written {
     writeln!(text, "L = {}", printer.formula(found.lagrangian))?;
     (0..).zip(&found.momenta).try_for_each(|(i, momentum)| {
         writeln!(text, "∂L/∂{} = {}", printer.named(Symbol::Velocity(i)), printer.excerpt(*momentum))
@@ -103,12 +96,7 @@ fn of_lagrangian<F: Fn(Symbol) -> String>(text: &mut String, printer: &Printer<'
     writeln!(text, "\nL is linear in the velocities, ϑ·v − H: the equations are Ω x' = ∇H, of first order")
 }
 
-fn of_first_order<F: Fn(Symbol) -> String>(
-    text: &mut String,
-    context: &Context<'_>,
-    printer: &Printer<'_, F>,
-    found: &FirstOrder,
-) -> Written {
+fn of_first_order(text: &mut String, context: &Context<'_>, printer: &Printer<'_>, found: &FirstOrder) -> Written {
     writeln!(text, "\nStructure")?;
     for [i, j] in entries(printer.graph(), &found.form) {
         writeln!(text, "- Ω[{i}][{j}] = {}", printer.excerpt(found.form[i][j]))?;
@@ -130,20 +118,15 @@ fn of_first_order<F: Fn(Symbol) -> String>(
         writeln!(
             text,
             "- canonical coordinates: {} and, in the place of {}, {}",
-            context.user_name(Symbol::Position(position)),
-            context.user_name(Symbol::Position(place)),
+            context.name(Symbol::Position(position)),
+            context.name(Symbol::Position(place)),
             printer.excerpt(canonical.values[place as usize])
         )?;
     }
     writeln!(text, "- `Gauss` and `ImplicitMidpoint` are those of canonical coordinates: symplectic")
 }
 
-fn kept<F: Fn(Symbol) -> String>(
-    text: &mut String,
-    printer: &Printer<'_, F>,
-    flow: &Flow,
-    source: Source<'_>,
-) -> Written {
+fn kept(text: &mut String, printer: &Printer<'_>, flow: &Flow, source: Source<'_>) -> Written {
     writeln!(text, "\nIntegrals")?;
     for (i, Named { name, conserved, origin }) in flow.kept.iter().enumerate() {
         let (graph, value) = (printer.graph(), printer.excerpt(conserved.value));

@@ -20,7 +20,7 @@ fn sections(
     graph: &Graph,
     (energy, forces, drag): (Id, Option<&Forces>, Option<&[Id]>),
 ) -> Written {
-    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
+    let printer = Printer::new(graph, context);
     let applied = forces.and_then(|forces| forces.applied.as_deref());
     let friction = drag.or(forces.and_then(|forces| forces.friction.as_deref()));
     let (plus, minus) = (applied.map(|_| " + F"), friction.map(|_| " − ∂R/∂v"));

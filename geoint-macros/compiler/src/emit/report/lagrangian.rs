@@ -15,19 +15,14 @@ use std::fmt::{Result as Written, Write};
 pub(crate) fn lagrangian(context: &Context<'_>, graph: &Graph, legendre: Option<&Legendre>) -> String {
     let mut text = String::new();
     if let Some(legendre) = legendre {
-        let printer = Printer::new(graph, |symbol| context.user_name(symbol));
+        let printer = Printer::new(graph, context);
         // Writing to a string cannot fail.
         let _ = sections(&mut text, context, &printer, legendre);
     }
     text
 }
 
-fn sections<F: Fn(Symbol) -> String>(
-    text: &mut String,
-    context: &Context<'_>,
-    printer: &Printer<'_, F>,
-    legendre: &Legendre,
-) -> Written {
+fn sections(text: &mut String, context: &Context<'_>, printer: &Printer<'_>, legendre: &Legendre) -> Written {
     let graph = printer.graph();
     writeln!(text, "L = {}", printer.formula(legendre.lagrangian))?;
     for (symbol, slopes) in
@@ -83,7 +78,7 @@ fn sections<F: Fn(Symbol) -> String>(
 }
 
 /// What the mass matrix of a part is, entry by entry, or what rule there is.
-fn part<F: Fn(Symbol) -> String>(text: &mut String, printer: &Printer<'_, F>, part: &Part) -> Written {
+fn part(text: &mut String, printer: &Printer<'_>, part: &Part) -> Written {
     let Part { velocities, kinetic } = part;
     let graph = printer.graph();
     let names: Vec<String> = velocities.iter().map(|i| printer.named(Symbol::Velocity(*i))).collect();
@@ -117,12 +112,7 @@ fn part<F: Fn(Symbol) -> String>(text: &mut String, printer: &Printer<'_, F>, pa
     }
 }
 
-fn linear<F: Fn(Symbol) -> String>(
-    text: &mut String,
-    printer: &Printer<'_, F>,
-    velocities: &[u32],
-    shift: &[Id],
-) -> Written {
+fn linear(text: &mut String, printer: &Printer<'_>, velocities: &[u32], shift: &[Id]) -> Written {
     for (i, a) in velocities.iter().zip(shift).filter(|(_, a)| !printer.graph().is_zero(**a)) {
         writeln!(text, "  - linear in {}: {}", printer.named(Symbol::Velocity(*i)), printer.excerpt(*a))?;
     }
@@ -152,15 +142,15 @@ pub(crate) fn velocities(
     (system, friction): (&System<Plan>, (Option<&Damping>, Option<&Forces>)),
 ) -> String {
     let mut text = String::new();
-    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
+    let printer = Printer::new(graph, context);
     let _ = steps(&mut text, context, &printer, (legendre, long), (system, friction));
     text
 }
 
-fn steps<F: Fn(Symbol) -> String>(
+fn steps(
     text: &mut String,
     context: &Context<'_>,
-    printer: &Printer<'_, F>,
+    printer: &Printer<'_>,
     (legendre, long): (&Legendre, Id),
     (system, (damping, others)): (&System<Plan>, (Option<&Damping>, Option<&Forces>)),
 ) -> Written {
@@ -244,15 +234,15 @@ pub(crate) fn herglotz(
     system: &System<Plan>,
 ) -> String {
     let mut text = String::new();
-    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
+    let printer = Printer::new(graph, context);
     let _ = steps_with_action(&mut text, context, &printer, (long, decay, dissipated), system);
     text
 }
 
-fn steps_with_action<F: Fn(Symbol) -> String>(
+fn steps_with_action(
     text: &mut String,
     context: &Context<'_>,
-    printer: &Printer<'_, F>,
+    printer: &Printer<'_>,
     (long, decay, dissipated): (Id, Id, Option<&Dissipated>),
     system: &System<Plan>,
 ) -> Written {

@@ -26,7 +26,7 @@ pub(crate) use lagrangian::{herglotz, lagrangian, velocities};
 
 /// Where the energy was not proven not to jump: most steps know its derivatives alone, and end there.
 pub(crate) fn jumps(context: &Context<'_>, graph: &Graph, jumps: &Jumps<Plan>) -> String {
-    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
+    let printer = Printer::new(graph, context);
     jumps.edge.map_or_else(String::new, |[a, b]| {
         format!(
             "\nJumps\n- H may jump where {} = {}: methods that keep the energy take it along, and all other steps end there\n",
@@ -38,7 +38,7 @@ pub(crate) fn jumps(context: &Context<'_>, graph: &Graph, jumps: &Jumps<Plan>) -
 
 /// Terms that jump where an angle comes round.
 pub(crate) fn turns(context: &Context<'_>, graph: &Graph, turning: &[Id]) -> String {
-    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
+    let printer = Printer::new(graph, context);
     let lines = turning.iter().map(|term| {
         format!(
             "- {}: the term jumps where the angle by `atan2` comes round, by 2π times the factor of the angle\n",

@@ -2,17 +2,13 @@
 
 use super::counted;
 use crate::derive::{PieceKernel, PiecesOf, System};
-use crate::ir::{Symbol, print::Printer};
+use crate::ir::print::Printer;
 use crate::schedule::Plan;
 use crate::split::{Clock, Rejected, tried};
 use std::fmt::{Result as Written, Write};
 
 /// The pieces of an energy, and what else was found.
-pub(super) fn of_energy<F: Fn(Symbol) -> String>(
-    text: &mut String,
-    printer: &Printer<'_, F>,
-    (found, action): (&PiecesOf<Plan>, bool),
-) -> Written {
+pub(super) fn of_energy(text: &mut String, printer: &Printer<'_>, (found, action): (&PiecesOf<Plan>, bool)) -> Written {
     let pieces = match &found.pieces {
         Ok(pieces) => pieces,
         Err(missing) => {
@@ -38,7 +34,7 @@ pub(super) fn of_energy<F: Fn(Symbol) -> String>(
 }
 
 /// A piece, and how its flow is known.
-fn piece<F: Fn(Symbol) -> String>(text: &mut String, printer: &Printer<'_, F>, piece: &PieceKernel<Plan>) -> Written {
+fn piece(text: &mut String, printer: &Printer<'_>, piece: &PieceKernel<Plan>) -> Written {
     writeln!(text, "- {}", printer.excerpt(piece.energy))?;
     of_piece(text, piece)
 }
@@ -54,11 +50,7 @@ fn of_piece(text: &mut String, piece: &PieceKernel<Plan>) -> Written {
 }
 
 /// The pieces of all splittings of a flow, and what becomes of `integral`, by whose gradient it is split.
-pub(super) fn of_flow<F: Fn(Symbol) -> String>(
-    text: &mut String,
-    printer: &Printer<'_, F>,
-    (system, integral): (&System<Plan>, &str),
-) -> Written {
+pub(super) fn of_flow(text: &mut String, printer: &Printer<'_>, (system, integral): (&System<Plan>, &str)) -> Written {
     for PiecesOf { splitting, pieces, symplectic, conserves_energy, .. } in &system.pieces {
         let by_planes = *splitting != "PoissonSplitting";
         if by_planes && *splitting != "PlanarSplitting" {

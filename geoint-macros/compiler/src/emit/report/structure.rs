@@ -1,17 +1,15 @@
 //! A skew matrix S of x' = S ∇H, entry by entry, in words.
 
 use super::super::kernel::Context;
-use crate::ir::{Graph, Id, Symbol, print::Printer};
+use crate::ir::{
+    Graph, Id, Symbol,
+    print::{Naming, Printer},
+};
 use std::fmt::{Result as Written, Write};
 
 /// {xᵢ, xⱼ} for i < j, where that is not zero.
-pub(super) fn brackets<F: Fn(Symbol) -> String>(
-    text: &mut String,
-    context: &Context<'_>,
-    printer: &Printer<'_, F>,
-    matrix: &[Vec<Id>],
-) -> Written {
-    let name = |i: usize| context.user_name(Symbol::Position(i as u32));
+pub(super) fn brackets(text: &mut String, context: &Context<'_>, printer: &Printer<'_>, matrix: &[Vec<Id>]) -> Written {
+    let name = |i: usize| context.name(Symbol::Position(i as u32));
     entries(printer.graph(), matrix)
         .into_iter()
         .try_for_each(|[i, j]| writeln!(text, "- {{{}, {}}} = {}", name(i), name(j), printer.excerpt(matrix[i][j])))

@@ -23,7 +23,7 @@ fn damping_of(expr: TokenStream, item: TokenStream) -> Result<(Vec<String>, Opti
         lower::body(&energy).map_err(|e| e.messages())?;
     let context = emit::Context::new(&energy, &constants);
     let damping = analyze::structure(&mut graph, root, &energy.coordinates.shape).damped(&graph, damping).damping;
-    let printer = Printer::new(&graph, |symbol| context.user_name(symbol));
+    let printer = Printer::new(&graph, &context);
     let row = |row: &Vec<_>| row.iter().map(|id| printer.formula(*id)).collect::<Vec<_>>().join(", ");
     let rows = damping.iter().flat_map(|damping| damping.matrix.iter().map(row)).collect();
     Ok((rows, damping))

@@ -78,7 +78,7 @@ fn mean_value(item: TokenStream) -> (MeanValue, Option<String>, f64) {
         Symbol::Momentum(i) => format!("p{i}"),
         _ => "c".into(),
     };
-    let printer = Printer::new(graph, name);
+    let printer = Printer::new(graph, &name);
     (structure.mean_value, term.map(|term| printer.formula(term)), largest)
 }
 

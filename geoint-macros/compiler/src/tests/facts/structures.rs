@@ -22,7 +22,7 @@ fn structure(item: TokenStream) -> (Structure, Option<String>) {
         Symbol::Time => "t".into(),
         _ => "c".into(),
     };
-    let printer = Printer::new(&lowered.graph, name);
+    let printer = Printer::new(&lowered.graph, &name);
     let witness = witness.map(|term| printer.formula(term));
     (structure, witness)
 }
@@ -101,7 +101,7 @@ fn simplification() {
             Symbol::Momentum(_) => "p".into(),
             _ => "c".into(),
         };
-        Printer::new(&lowered.graph, name).formula(lowered.energy)
+        Printer::new(&lowered.graph, &name).formula(lowered.energy)
     };
     assert_eq!(formula(quote! { fn f(q: f64, p: f64) -> f64 { (q + p) - (p + q) } }), "0");
     assert_eq!(formula(quote! { fn f(q: f64, p: f64) -> f64 { q * p / (p * q) } }), "1");

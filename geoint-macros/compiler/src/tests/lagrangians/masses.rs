@@ -36,7 +36,7 @@ fn constant_diagonal_masses_give_the_energy_as_it_is_written() {
     for (lagrangian, hamiltonian) in pairs {
         let slopes = |mut graph: Graph, energy, degrees| {
             let gradient = crate::diff::gradient(&mut graph, energy, degrees);
-            let printer = Printer::new(&graph, |symbol| format!("{symbol:?}"));
+            let printer = Printer::new(&graph, &|symbol: crate::ir::Symbol| format!("{symbol:?}"));
             [gradient.q, gradient.p].concat().into_iter().map(|slope| printer.formula(slope)).collect::<Vec<_>>()
         };
         let (graph, found) = transformed(lagrangian);
@@ -101,7 +101,7 @@ fn mass_matrices_do_not_read_what_they_do_not_depend_on() {
     let masses = |item| {
         let (graph, found) = transformed(item);
         let found = found.unwrap_or_else(|flaw| panic!("{flaw:?}"));
-        let printer = Printer::new(&graph, |symbol| format!("{symbol:?}"));
+        let printer = Printer::new(&graph, &|symbol: crate::ir::Symbol| format!("{symbol:?}"));
         let entries = found.parts.iter().flat_map(|part| match &part.kinetic {
             Kinetic::Quadratic { mass, .. } => mass.concat(),
             _ => vec![],
@@ -151,7 +151,7 @@ fn pivots_must_not_vanish() {
         }
     ));
     let found = found.unwrap_or_else(|flaw| panic!("{flaw:?}"));
-    let printer = Printer::new(&graph, |symbol| format!("{symbol:?}"));
+    let printer = Printer::new(&graph, &|symbol: crate::ir::Symbol| format!("{symbol:?}"));
     let partial: Vec<String> = found.partial.iter().map(|partial| printer.formula(partial.node)).collect();
     assert_eq!(partial.len(), 1, "{partial:?}");
 }

@@ -139,7 +139,7 @@ fn checked(seeds: std::ops::Range<u64>) -> (usize, usize) {
             open += 1;
             continue;
         }
-        let formula = |id| Printer::new(&graph, |symbol| format!("{symbol:?}")).formula(id);
+        let formula = |id| Printer::new(&graph, &|symbol: crate::ir::Symbol| format!("{symbol:?}")).formula(id);
         proven += 1;
         for _ in 0..40 {
             let state: Vec<f64> = (0..4).map(|_| noise.between(-2.0, 2.0)).collect();

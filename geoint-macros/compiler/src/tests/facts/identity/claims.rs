@@ -18,7 +18,7 @@ fn printed(graph: &Graph, id: Id) -> String {
         Symbol::Parameter(i) => format!("c{i}"),
         other => format!("{other:?}"),
     };
-    Printer::new(graph, name).excerpt(id)
+    Printer::new(graph, &name).excerpt(id)
 }
 
 fn rest(graph: &Graph, verdict: &Identity) -> String {

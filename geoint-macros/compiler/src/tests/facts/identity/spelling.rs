@@ -31,7 +31,7 @@ fn difference(one: &TokenStream, other: &TokenStream) -> String {
     match verdict.rest() {
         _ if verdict.is_zero() => "0".into(),
         Some(Remainder { rest, case, certain }) => {
-            let printer = Printer::new(&graph, name);
+            let printer = Printer::new(&graph, &name);
             let case: Vec<String> = case
                 .iter()
                 .map(|(id, holds)| format!(" {} {}", if *holds { "if" } else { "unless" }, printer.excerpt(*id)))

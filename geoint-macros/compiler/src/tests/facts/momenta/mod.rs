@@ -60,7 +60,7 @@ fn momenta(item: TokenStream) -> Vec<String> {
         Symbol::Parameter(i) => format!("c{i}"),
         _ => "t".into(),
     };
-    let printer = Printer::new(graph, name);
+    let printer = Printer::new(graph, &name);
     structure.momenta.iter().map(|j| format!("{}: {}", j.name, printer.formula(j.value))).collect()
 }
 
