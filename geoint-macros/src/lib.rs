@@ -1,26 +1,6 @@
-//! The attributes of `geoint-runtime`, which re-exports them: a compiler from energy functions to integrators.
+//! The attributes of `geoint-runtime`, which re-exports them. Each one passes its tokens to the compiler, `geoint-compiler`.
 //!
 //! Depend on `geoint-runtime`, which the generated code uses.
-
-// In reading order. No module imports a later one.
-mod diagnostics;
-mod messages;
-mod ir;
-mod parse;
-mod lower;
-mod analyze;
-mod diff;
-mod schedule;
-mod split;
-mod legendre;
-mod derive;
-mod check;
-mod emit;
-mod link;
-mod expand;
-mod attribute;
-#[cfg(test)]
-mod tests;
 
 use proc_macro::TokenStream;
 
@@ -29,7 +9,7 @@ use proc_macro::TokenStream;
 #[doc = include_str!("../docs/hamiltonian.md")]
 #[proc_macro_attribute]
 pub fn hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
-    attribute::expand(parse::Form::Hamiltonian, args.into(), item.into()).into()
+    geoint_compiler::hamiltonian(args.into(), item.into()).into()
 }
 
 /// Makes an integrable system from a vector field, x' = f(x) or x' = f(x, t). Named first integrals are proven and kept.
@@ -37,7 +17,7 @@ pub fn hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
 #[doc = include_str!("../docs/vector_field.md")]
 #[proc_macro_attribute]
 pub fn vector_field(args: TokenStream, item: TokenStream) -> TokenStream {
-    attribute::expand(parse::Form::Field, args.into(), item.into()).into()
+    geoint_compiler::vector_field(args.into(), item.into()).into()
 }
 
 /// Makes an integrable system from a contact Hamiltonian H(q, p, s) or H(q, p, s, t), for friction and driving.
@@ -45,7 +25,7 @@ pub fn vector_field(args: TokenStream, item: TokenStream) -> TokenStream {
 #[doc = include_str!("../docs/contact_hamiltonian.md")]
 #[proc_macro_attribute]
 pub fn contact_hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
-    attribute::expand(parse::Form::Contact, args.into(), item.into()).into()
+    geoint_compiler::contact_hamiltonian(args.into(), item.into()).into()
 }
 
 /// Makes an integrable system from a Lagrangian L(q, v) with the velocities v = q', or L(q, v, t), or L(q, v, s, t).
@@ -53,7 +33,7 @@ pub fn contact_hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream 
 #[doc = include_str!("../docs/lagrangian.md")]
 #[proc_macro_attribute]
 pub fn lagrangian(args: TokenStream, item: TokenStream) -> TokenStream {
-    attribute::expand(parse::Form::Lagrangian, args.into(), item.into()).into()
+    geoint_compiler::lagrangian(args.into(), item.into()).into()
 }
 
 /// Makes a function callable in energies. It is inlined and differentiated with them.
@@ -61,26 +41,19 @@ pub fn lagrangian(args: TokenStream, item: TokenStream) -> TokenStream {
 #[doc = include_str!("../docs/energy_function.md")]
 #[proc_macro_attribute]
 pub fn energy_function(args: TokenStream, item: TokenStream) -> TokenStream {
-    attribute::energy_function(args.into(), item.into()).into()
+    geoint_compiler::energy_function(args.into(), item.into()).into()
 }
 
 /// Asks for the text of a function. If the function is not under `#[energy_function]`, rustc prints the name of this macro as advice.
 #[doc(hidden)]
 #[proc_macro]
 pub fn put_energy_function_above_it(input: TokenStream) -> TokenStream {
-    link::put(input.into()).into()
+    geoint_compiler::put_energy_function_above_it(input.into()).into()
 }
 
 /// Continues an expansion with the text of a function under `#[energy_function]`.
 #[doc(hidden)]
 #[proc_macro]
 pub fn resume(input: TokenStream) -> TokenStream {
-    attribute::resume(input.into()).into()
-}
-
-/// Returns the largest number of unknowns with a generated Newton kernel. The runtime reads the number, so that both crates decide alike.
-#[doc(hidden)]
-#[proc_macro]
-pub fn most_unknowns(_: TokenStream) -> TokenStream {
-    proc_macro::TokenTree::from(proc_macro::Literal::usize_unsuffixed(derive::MOST_UNKNOWNS)).into()
+    geoint_compiler::resume(input.into()).into()
 }

@@ -15,6 +15,7 @@ pub use crate::method::{gradient_kick, modified_verlet};
 pub use crate::running::{Adaptive, Integrator, StepError, TaylorIntegrator, state_on_constraint};
 pub use crate::scalar::Real;
 pub use crate::slope;
+pub use crate::solving::newton::MOST_UNKNOWNS;
 pub use crate::solving::{Inverted, is_positive_semidefinite, planar_step};
 pub use crate::space::{
     Array, BodyState, ContactState, Coordinates, FlowState, PerCoordinate, Placed, Snapshot, Square, State,

@@ -4,7 +4,7 @@ use crate::sources;
 use std::collections::BTreeMap;
 
 /// Folders whose files are read.
-const FOLDERS: [&str; 4] = ["tests", "examples", "geoint-macros/src", "geoint-runtime/src"];
+const FOLDERS: [&str; 4] = ["tests", "examples", "geoint-macros/compiler/src", "geoint-runtime/src"];
 
 /// Files by their paths from the root of the workspace.
 #[derive(Debug, Default)]

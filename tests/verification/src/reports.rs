@@ -8,18 +8,21 @@ use geoint_verification::statements::Names;
 /// Words of a sentence as the source of the report has them, and the test that fails if the sentence is not true, by its folder and name.
 const SENTENCES: &[(&str, &str)] = &[
     ("kick and drift are exact flows", "tests/accuracy::every_problem"),
-    ("H = T({p}) + V({q})", "geoint-macros/src/tests::separable_with_quadratic_t"),
-    ("T is quadratic in {p} with a constant mass matrix", "geoint-macros/src/tests::separable_with_quadratic_t"),
-    ("T is not quadratic in {p}", "geoint-macros/src/tests::separable_but_not_quadratic"),
-    ("not separable", "geoint-macros/src/tests::coupled_terms_are_named"),
+    ("H = T({p}) + V({q})", "geoint-macros/compiler/src/tests::separable_with_quadratic_t"),
+    (
+        "T is quadratic in {p} with a constant mass matrix",
+        "geoint-macros/compiler/src/tests::separable_with_quadratic_t",
+    ),
+    ("T is not quadratic in {p}", "geoint-macros/compiler/src/tests::separable_but_not_quadratic"),
+    ("not separable", "geoint-macros/compiler/src/tests::coupled_terms_are_named"),
     ("H is linear in {p}", "tests/contact::lifts_are_of_the_order_of_the_method"),
-    ("a polynomial", "geoint-macros/src/tests::degrees"),
-    ("T and V have exact flows", "geoint-macros/src/tests::separable_with_quadratic_t"),
+    ("a polynomial", "geoint-macros/compiler/src/tests::degrees"),
+    ("T and V have exact flows", "geoint-macros/compiler/src/tests::separable_with_quadratic_t"),
     ("half of the unknowns of implicit methods", "tests/accuracy::every_problem"),
-    ("prepared once", "geoint-macros/src/tests::what_is_known_earlier_is_computed_earlier"),
+    ("prepared once", "geoint-macros/compiler/src/tests::what_is_known_earlier_is_computed_earlier"),
     ("they need a quadratic T", "tests/accuracy::nystrom_tables_lose_their_order_elsewhere"),
-    ("Conserved by the flow", "geoint-macros/src/tests::linear_momenta_and_norms"),
-    ("does not read", "geoint-macros/src/tests::coordinates_that_are_not_read_and_time"),
+    ("Conserved by the flow", "geoint-macros/compiler/src/tests::linear_momenta_and_norms"),
+    ("does not read", "geoint-macros/compiler/src/tests::coordinates_that_are_not_read_and_time"),
     ("all of that, to rounding", "tests/builds::discrete_gradient_keeps_energy_and_angular_momentum"),
     ("`FourthOrder(DiscreteGradient)` keep", "tests/builds::steps_of_order_4_keep_momenta"),
     ("as on a circle", "tests/builds::steps_of_order_4_follow_circles"),
@@ -55,7 +58,7 @@ const SENTENCES: &[(&str, &str)] = &[
     ("multiplies H by what its equation says", "tests/contact::the_law_of_decay"),
     ("the momenta of a lift are not followed", "tests/contact::stiff_oscillations_have_their_period"),
     ("s follows, and friction costs nothing", "tests/contact::orders"),
-    ("no rule knows the flow", "geoint-macros/src/tests::terms_without_a_flow"),
+    ("no rule knows the flow", "geoint-macros/compiler/src/tests::terms_without_a_flow"),
     // Fields and structures.
     ("no energy has this field", "tests/accuracy::without_an_energy_the_report_says_why"),
     ("not proven to be the field of an energy", "tests/accuracy::without_an_energy_the_report_says_why"),
@@ -68,7 +71,7 @@ const SENTENCES: &[(&str, &str)] = &[
     ("kept, the energy of the field", "tests/accuracy::what_is_recovered_is_kept"),
     ("kept, because S is skew", "tests/accuracy::euler_top"),
     ("constant as well, not listed", "tests/accuracy::what_is_found_is_reported"),
-    ("{of} keep {names}, to rounding", "geoint-macros/src/tests::steps_keep_every_integral_to_rounding"),
+    ("{of} keep {names}, to rounding", "geoint-macros/compiler/src/tests::steps_keep_every_integral_to_rounding"),
     ("by h times the mean of b·∇I, to rounding", "tests/accuracy::what_a_drive_changes_is_known"),
     ("takes h ∇̄H·C ∇̄H off the energy", "tests/stability::energy_falls_by_what_is_dissipated"),
     ("keeps the energy to rounding, and every C", "tests/accuracy::euler_top"),
@@ -76,7 +79,7 @@ const SENTENCES: &[(&str, &str)] = &[
     ("Casimirs are kept to rounding", "tests/accuracy::tops_by_terms"),
     ("is kept to rounding, Casimirs", "tests/accuracy::more_than_three_coordinates_by_planes"),
     ("no structure is kept", "tests/accuracy::claims"),
-    ("Jacobi's multiplier", "geoint-macros/src/tests::multipliers_of_jacobi_are_products_of_powers"),
+    ("Jacobi's multiplier", "geoint-macros/compiler/src/tests::multipliers_of_jacobi_are_products_of_powers"),
     // Lagrangians.
     ("L is linear in the velocities", "tests/lagrangian::velocities_are_those_of_lagranges_equations"),
     ("no canonical coordinates", "tests/lagrangian::reports_say_what_was_found"),
@@ -93,8 +96,8 @@ const SENTENCES: &[(&str, &str)] = &[
     ("keeps all of these but {}", "tests/lagrangian::angular_momenta_stay_under_gauss_methods"),
     ("decay by one factor", "tests/lagrangian::dissipated_momenta_decay_alike"),
     ("neither quadratic nor of a known conjugate", "tests/lagrangian::other_powers_of_velocities"),
-    ("L is quadratic, with a mass matrix", "geoint-macros/src/tests::energies_belong_to_lagrangians"),
-    ("linear in {}", "geoint-macros/src/tests::energies_belong_to_lagrangians"),
+    ("L is quadratic, with a mass matrix", "geoint-macros/compiler/src/tests::energies_belong_to_lagrangians"),
+    ("linear in {}", "geoint-macros/compiler/src/tests::energies_belong_to_lagrangians"),
     ("not T + V", "tests/lagrangian::the_energy_of_a_moving_frame_is_not_mechanical"),
     ("there is no discrete gradient", "tests/lagrangian::other_powers_of_velocities"),
     // Damping and forces.
@@ -149,8 +152,8 @@ pub(crate) fn section(page: &mut Page) {
     for (_, test) in SENTENCES {
         page.claim(names.is_test(test), format_args!("{test} is no test"));
     }
-    let mut files = sources::below("geoint-macros/src/emit/report");
-    files.push("geoint-macros/src/emit/damping.rs".into());
+    let mut files = sources::below("geoint-macros/compiler/src/emit/report");
+    files.push("geoint-macros/compiler/src/emit/damping.rs".into());
     let texts: Vec<(String, String)> = files.into_iter().map(|path| (sources::read(&path), path)).collect();
     for (words, _) in SENTENCES {
         page.claim(texts.iter().any(|(text, _)| text.contains(words)), format_args!("no report says “{words}”"));
@@ -176,7 +179,7 @@ fn flows(page: &mut Page) {
         "Each flow is compared with the solution of its differential equation to twenty digits. The bounds of the errors are in units of the \
          condition of the flow. The table has the numbers of instances in the tests of contact systems and of canonical energies.",
     );
-    let families = sources::read("geoint-macros/src/split/families/mod.rs");
+    let families = sources::read("geoint-macros/compiler/src/split/families/mod.rs");
     let tests = FLOWS.map(sources::read);
     let mut rows = vec![];
     for family in families.split("name: \"").skip(1) {

@@ -20,7 +20,7 @@ pub(crate) fn complete(page: &mut Page) {
     let rows = text.lines().filter_map(|line| Some(line.strip_prefix("| `")?.split_once('`')?.0));
     let words: Vec<&str> = rows.flat_map(|name| name.split(" of ")).collect();
     // Those have a formula in the table of the compiler; helpers have none.
-    let functions = sources::read("geoint-macros/src/ir/op.rs");
+    let functions = sources::read("geoint-macros/compiler/src/ir/op.rs");
     let written = functions.lines().filter(|line| {
         line.starts_with("    ") && line.ends_with(");") && (line.contains(", x.") || line.contains(", y."))
     });

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use syn::Item;
 
 /// Crates whose unit tests are named by the folder of their module.
-const CRATES: [&str; 2] = ["geoint-macros/src", "geoint-runtime/src"];
+const CRATES: [&str; 2] = ["geoint-macros/compiler/src", "geoint-runtime/src"];
 
 /// Folders of programs that must not compile.
 const MISTAKES: [&str; 2] = ["tests/messages/src/ui", "tests/essentials/mistakes"];
@@ -109,7 +109,10 @@ mod tests {
              each! { Top top_turns, Ball ball_falls }\n#[cfg(test)] mod within { #[test] fn inner() {} }\n#[test] fn last() {}",
         ),
         ("tests/laws/orphan.rs", "#[test] fn belongs_to_no_program() {}"),
-        ("geoint-macros/src/lib.rs", "#[cfg(test)] mod tests { proptest! { #[test] fn drawn(x in 0..3) {} } }"),
+        (
+            "geoint-macros/compiler/src/lib.rs",
+            "#[cfg(test)] mod tests { proptest! { #[test] fn drawn(x in 0..3) {} } }",
+        ),
         ("examples/src/bin/pendulum.rs", "fn main() {}"),
         ("tests/messages/src/ui/fields.rs", "mod field_swells { fn inside() {} }\n// mod in_a_comment {}"),
     ];
@@ -124,7 +127,7 @@ mod tests {
         for test in ["energy_stays", "top_turns", "ball_falls", "inner", "last"] {
             assert_eq!(faults(&format!("tests/laws::{test}")), 0, "{test}");
         }
-        assert_eq!(faults("geoint-macros/src::drawn"), 0);
+        assert_eq!(faults("geoint-macros/compiler/src::drawn"), 0);
         assert_eq!(faults("tests/laws/energies.rs"), 0);
     }
 

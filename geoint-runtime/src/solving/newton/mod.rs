@@ -25,9 +25,9 @@ use iteration::{Iteration, Start};
 use predictor::Predictor;
 use reciprocal::Reciprocal;
 
-/// With more unknowns than this, an elimination costs more than the evaluations that it saves. The compiler has the number: up to it,
-/// it emits a kernel for Newton's iteration.
-const MOST_UNKNOWNS: usize = geoint_macros::most_unknowns!();
+/// With more unknowns than this, an elimination costs more than the evaluations that it saves. Up to it, the compiler emits a kernel for Newton's
+/// iteration. The compiler has the same constant, and a test of it compares both.
+pub const MOST_UNKNOWNS: usize = 12;
 
 /// So many evaluations more a long step may need.
 const MOST_AGAIN: u32 = 2;

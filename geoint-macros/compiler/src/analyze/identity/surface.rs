@@ -1,0 +1,118 @@
+//! The boundary of a comparison, the surface on which both sides are equal: do functions vanish on it, and do solutions stay on it?
+
+use super::{Identity, OpenBoundaries, rounding, sum_is_zero, sum_is_zero_off, vanishes};
+use crate::diff;
+use crate::ir::substitute::{Substitution, replaced};
+use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Relation, Symbol};
+
+/// Decides whether Σ terms is zero along all solutions of x' = f(x, t).
+///
+/// A solution that leaves a boundary at once meets it at single instants. The sum may have any value there: `0 < x` and `0 ≤ x` differ at
+/// such an instant.
+pub(super) fn sum_is_zero_along(graph: &mut Graph, terms: &[Id], x: &[Symbol], field: &[Id]) -> Identity {
+    let verdict = sum_is_zero(graph, terms);
+    if verdict.is_zero() {
+        return verdict;
+    }
+    let open = open_boundaries(graph, terms, x, field);
+    if open.is_empty() { verdict } else { sum_is_zero_off(graph, terms, &open) }
+}
+
+/// Returns the comparisons and signs in `terms` whose boundary every solution leaves at once.
+fn open_boundaries(graph: &mut Graph, terms: &[Id], x: &[Symbol], field: &[Id]) -> OpenBoundaries {
+    let mut open = OpenBoundaries::default();
+    for node in graph.reachable(terms) {
+        let difference = match *graph.node(node) {
+            Node::Compare(Relation::Less | Relation::LessEqual, a, b) => graph.sub(b, a),
+            Node::Call(Function::Signum, ref args) => args[0],
+            _ => continue,
+        };
+        if is_left(graph, difference, x, field) {
+            open.insert(node);
+        }
+    }
+    open
+}
+
+/// Returns whether solutions leave the surface `difference` = 0. Floating point has to show it on all parts of the surface.
+fn is_left(graph: &mut Graph, difference: Id, x: &[Symbol], field: &[Id]) -> bool {
+    let terms = diff::derivative_along(graph, x, field, difference, None);
+    let rate = graph.sum(&terms);
+    let moves = |symbol: &Symbol| x.contains(symbol) || *symbol == Symbol::Time;
+    let moving: Vec<Symbol> = graph.symbols(difference).into_iter().filter(moves).collect();
+    moving.into_iter().any(|symbol| {
+        let Some(Solved { roots, coefficient }) = solved(graph, difference, symbol) else { return false };
+        let has_other_parts = graph.symbols(coefficient).iter().any(moves);
+        !has_other_parts
+            && roots.into_iter().all(|root| {
+                let there = replaced(graph, rate, symbol, root);
+                rounding::differs_everywhere(graph, there)
+            })
+    })
+}
+
+/// Returns whether a node was proven to be zero on the surface `edge` = 0. One of the terms or symbols of the edge is replaced by a function of the
+/// others.
+pub(super) fn vanishes_on(graph: &mut Graph, edge: Id, node: Id) -> bool {
+    if vanishes(graph, node) {
+        return true;
+    }
+    let terms = match graph.node(edge) {
+        Node::Linear(_, terms) => terms.clone(),
+        _ => vec![],
+    };
+    let by_term = terms.into_iter().any(|(coefficient, term)| {
+        let own = graph.scale(coefficient, term);
+        let rest = graph.sub(edge, own);
+        let coefficient = graph.number(coefficient.neg());
+        let value = graph.div(rest, coefficient);
+        let mut there = Substitution::new(|_: &mut Graph, _| None);
+        there.insert(term, value);
+        let there = there.apply(graph, node);
+        vanishes(graph, there)
+    });
+    let candidates = graph.symbols(edge);
+    by_term
+        || candidates.into_iter().any(|symbol| {
+            let Some(Solved { roots, .. }) = solved(graph, edge, symbol) else { return false };
+            roots.into_iter().all(|root| {
+                let there = replaced(graph, node, symbol, root);
+                vanishes(graph, there)
+            })
+        })
+}
+
+/// Solutions of an equation for one symbol.
+struct Solved {
+    roots: Vec<Id>,
+    /// The coefficient of the symbol: where it is zero, the equation may hold as well.
+    coefficient: Id,
+}
+
+/// Solves c·symbol + d = 0 or c·symbol² + d = 0 for the symbol.
+fn solved(graph: &mut Graph, sum: Id, symbol: Symbol) -> Option<Solved> {
+    let zero = graph.zero();
+    let rest = replaced(graph, sum, symbol, zero);
+    let slope = diff::jacobian(graph, &[sum], &[symbol])[0][0];
+    let reads = |graph: &Graph, node: Id| graph.symbols(node).contains(&symbol);
+    let is_quadratic = reads(graph, slope);
+    let coefficient = if is_quadratic {
+        let second = diff::jacobian(graph, &[slope], &[symbol])[0][0];
+        let at_zero = replaced(graph, slope, symbol, zero);
+        if reads(graph, second) || !graph.is_zero(at_zero) {
+            return None;
+        }
+        graph.scale(Number::HALF, second)
+    } else {
+        slope
+    };
+    let power = graph.div(rest, coefficient);
+    let power = graph.neg(power);
+    let roots = if is_quadratic {
+        let root = graph.pow(power, Ratio::HALF);
+        vec![root, graph.neg(root)]
+    } else {
+        vec![power]
+    };
+    Some(Solved { roots, coefficient })
+}

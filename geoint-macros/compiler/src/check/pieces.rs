@@ -1,0 +1,124 @@
+//! Pieces that were asked for against those that were found.
+
+use super::blame::{blame, written};
+use super::wording::in_case;
+use crate::analyze::{self, Identity, Remainder};
+use crate::diagnostics::{Diagnostics, Result};
+use crate::ir::HashMap;
+use crate::ir::{
+    Graph, Id, Node,
+    print::{Naming, Printer},
+};
+use crate::lower::Place;
+use crate::parse::Energy;
+use crate::split::{self, Division, NoExactPart, Pieces, Space};
+use proc_macro2::Span;
+
+/// Reports pieces that were asked for and have no flow, or do not add up to H, and momenta that cannot be dropped.
+pub(crate) fn pieces(
+    energy: &Energy,
+    (root, groups): (Id, Option<&[(Id, Place)]>),
+    found: &Pieces,
+    graph: &mut Graph,
+    places: &HashMap<Id, Place>,
+    names: &dyn Naming,
+) -> Result<()> {
+    let mut errors = Diagnostics::default();
+    if let Some(groups) = groups {
+        if let Err(group) = found
+            && let Some((_, place)) = groups.iter().find(|(other, _)| other == group)
+        {
+            let space = Space { degrees: energy.degrees(), action: energy.form.has_action() };
+            let family = split::nearest(graph, *group, space);
+            let nearest = family.map_or_else(String::new, |family| {
+                format!("; the nearest family is `{}`, {}", family.name, family.energies)
+            });
+            let term = Printer::new(graph, names).excerpt(*group);
+            errors.at_place(*place, format!("{NO_FLOW}{nearest}; the piece is: {term}"));
+        }
+        adds_up(root, groups, graph, names, &mut errors);
+    }
+    if let Some(span) = energy.options.lift
+        && let Some(term) = analyze::not_affine(graph, root)
+    {
+        blame((term, span), NO_LIFT, &Printer::new(graph, names), places, &mut errors);
+    }
+    errors.or(())
+}
+
+/// Reports coordinates that were asked for, and in which no part has an exact flow.
+pub(crate) fn division(
+    energy: &Energy,
+    found: &Division,
+    graph: &Graph,
+    places: &HashMap<Id, Place>,
+    names: &dyn Naming,
+) -> Result<()> {
+    let mut errors = Diagnostics::default();
+    if let (Some((_, asked)), Err(NoExactPart { term, why })) = (energy.options.coordinates, found) {
+        let place = written(graph, places, *term).unwrap_or((asked, asked));
+        errors.at_place(place, format!("{why}: {}", Printer::new(graph, names).excerpt(*term)));
+    }
+    errors.or(())
+}
+
+/// Reports what groups miss of the energy.
+fn adds_up(root: Id, groups: &[(Id, Place)], graph: &mut Graph, names: &dyn Naming, errors: &mut Diagnostics) {
+    let sum = graph.sum(&groups.iter().map(|(group, _)| *group).collect::<Vec<_>>());
+    let missing = difference(graph, root, sum);
+    let verdict = analyze::identity(graph, missing);
+    let printer = Printer::new(graph, names);
+    let wrong = matches!(verdict, Identity::Wrong(_));
+    let message = match verdict.rest() {
+        _ if verdict.is_zero() => None,
+        Some(Remainder { rest, certain, case }) => {
+            let (told, rest) = (in_case(&printer, case), shorter(&printer, missing, *rest, case));
+            let advice = if wrong || *certain || is_term(graph, missing) { "" } else { SAME_SPELLING };
+            Some(format!("{NOT_THE_SUM}{told} is: {rest}{advice}"))
+        }
+        None if wrong => Some(format!("{NOT_THE_SUM} is: {}", printer.excerpt(missing))),
+        None => Some(format!("{NOT_COMPARED}: {}", printer.excerpt(missing))),
+    };
+    if let Some(message) = message {
+        errors.at_place(whole(groups), message);
+    }
+}
+
+/// From the first group to the last.
+fn whole(groups: &[(Id, Place)]) -> Place {
+    let [first, last] =
+        [groups.first(), groups.last()].map(|group| group.map_or_else(Span::call_site, |(_, place)| place.0));
+    (first, last)
+}
+
+/// a − b, in which terms that are written alike have cancelled.
+fn difference(graph: &mut Graph, a: Id, b: Id) -> Id {
+    let [mut terms, other] = [a, b].map(|root| analyze::terms(graph, root));
+    terms.extend(other.into_iter().map(|term| graph.neg(term)));
+    graph.sum(&terms)
+}
+
+/// Whether a node is one term.
+fn is_term(graph: &Graph, id: Id) -> bool {
+    !matches!(graph.node(graph.coefficient(id).1), Node::Linear(..))
+}
+
+/// What is left, as it is written or multiplied out.
+fn shorter(printer: &Printer<'_>, missing: Id, rest: Id, case: &[(Id, bool)]) -> String {
+    let [written, rest] = [missing, rest].map(|id| printer.excerpt(id));
+    if case.is_empty() && written.chars().count() <= rest.chars().count() { written } else { rest }
+}
+
+const NO_FLOW: &str = "no flow in closed form is known for this piece: take it apart, or leave out `split` to see in `REPORT` what is \
+                       found";
+
+const NOT_THE_SUM: &str = "the pieces do not add up to the energy; what is missing";
+
+const SAME_SPELLING: &str =
+    "; if that is zero by a relation between functions, write them in the pieces as they are in the energy";
+
+const NOT_COMPARED: &str = "it cannot be decided whether the pieces add up to the energy, because their difference is too long: write \
+                            their terms as they are in the energy; what remains is";
+
+const NO_LIFT: &str =
+    "`lift` does not follow the momenta, but positions move by them in this term: write q' = X(q) as p·X(q)";

@@ -1,0 +1,58 @@
+//! The pieces of an energy in kernels.
+
+use crate::derive::system::{FlowKernel, Missing, PieceKernel, PiecesOf};
+use crate::ir::{Graph, Id, Symbol};
+use crate::schedule::Kernel;
+use crate::split::{self, Pieces};
+
+/// What the flows of pieces follow.
+#[derive(Clone, Copy, PartialEq)]
+pub(in crate::derive) enum Followed {
+    /// q and p. Areas are kept: what would shrink or grow them by rounding of one sign is looked for.
+    Canonical,
+    /// q, p and s. Friction lets areas shrink anyway.
+    Contact,
+    /// q and s: momenta of a lift are not asked for.
+    Lift,
+}
+
+impl Followed {
+    /// The splitting of these pieces.
+    fn splitting(self) -> &'static str {
+        if self == Followed::Canonical { "PieceSplitting" } else { "ContactSplitting" }
+    }
+}
+
+/// The flows of pieces, or what is said of the term that is in none.
+pub(in crate::derive) fn kernels(
+    graph: &mut Graph,
+    followed: Followed,
+    (found, why): (&Pieces, &'static str),
+) -> PiecesOf<Kernel> {
+    let pieces = match found {
+        Ok(found) => Ok(found.pieces.iter().map(|piece| kernel(graph, piece, followed)).collect()),
+        Err(term) => Err(Missing { marker: "Splits", term: *term, why, pair: None }),
+    };
+    let split::Partition { cost, linear, rejected, .. } = found.clone().unwrap_or_default();
+    PiecesOf {
+        splitting: followed.splitting(),
+        pieces,
+        cost,
+        linear,
+        rejected,
+        symplectic: true,
+        conserves_energy: false,
+    }
+}
+
+fn kernel(graph: &mut Graph, piece: &split::Piece, followed: Followed) -> PieceKernel<Kernel> {
+    let mut changed = piece.flow.changed(graph);
+    changed.retain(|(symbol, _)| !(followed == Followed::Lift && matches!(symbol, Symbol::Momentum(_))));
+    let ends: Vec<Id> = changed.iter().map(|(_, end)| *end).collect();
+    let may_end = split::may_end(graph, piece.energy, &ends);
+    let changed = if followed == Followed::Canonical { split::steady(graph, changed) } else { changed };
+    let flow = FlowKernel::with_increments(graph, piece.levels(), changed);
+    let split::Family { name, energies, source, .. } = piece.family;
+    let known = vec![format!("{name}: {energies} ({source})")];
+    PieceKernel { energy: piece.energy, solved: false, may_end, known, clock: piece.clock, flow }
+}

@@ -1,0 +1,120 @@
+//! A node at both ends of a step: its value there, the mean of both, and the increment.
+
+use super::super::sweep::Step;
+use crate::ir::substitute::Substitution;
+use crate::ir::{Function, Graph, HashMap, Id, Node, Number, Symbol};
+
+type Replace = fn(&mut Graph, Symbol) -> Option<Id>;
+
+/// Divided differences between (q, p, s) and (q + dq, p + dp, s + ds).
+pub(in super::super) struct Slopes {
+    end: Substitution<Replace>,
+    affine_increments: HashMap<Id, Option<Id>>,
+    increments: HashMap<Id, Id>,
+}
+
+impl Default for Slopes {
+    fn default() -> Self {
+        let end: Replace = |graph, symbol| {
+            let increment = coordinate_increment(graph, symbol)?;
+            let start = graph.symbol(symbol);
+            Some(graph.add(start, increment))
+        };
+        Slopes { end: Substitution::new(end), affine_increments: HashMap::default(), increments: HashMap::default() }
+    }
+}
+
+/// The increment of a position, a momentum or the action.
+pub(in super::super) fn coordinate_increment(graph: &mut Graph, symbol: Symbol) -> Option<Id> {
+    match symbol {
+        Symbol::Position(i) => Some(graph.symbol(Symbol::PositionIncrement(i))),
+        Symbol::Momentum(i) => Some(graph.symbol(Symbol::MomentumIncrement(i))),
+        Symbol::Action => Some(graph.symbol(Symbol::ActionIncrement)),
+        _ => None,
+    }
+}
+
+impl Slopes {
+    /// The value at the end of the step.
+    pub(in super::super) fn end(&mut self, graph: &mut Graph, id: Id) -> Id {
+        if let Some(increment) = self.affine_increment(graph, id) {
+            return graph.add(id, increment);
+        }
+        // An angle goes on across its cut: nothing that has a period of 2π notices the cut, and no step jumps there.
+        for angle in self.end.unknown(graph, id) {
+            if matches!(graph.node(angle), Node::Call(Function::Atan2, _)) {
+                let increment = self.increment(graph, angle);
+                let end = graph.add(angle, increment);
+                self.end.insert(angle, end);
+            }
+        }
+        self.end.apply(graph, id)
+    }
+
+    /// (start + end)/2.
+    pub(in super::super) fn mean(&mut self, graph: &mut Graph, id: Id) -> Id {
+        match self.affine_increment(graph, id) {
+            Some(increment) => {
+                let half = graph.scale(Number::HALF, increment);
+                graph.add(id, half)
+            }
+            None => {
+                let end = self.end(graph, id);
+                let sum = graph.add(id, end);
+                graph.scale(Number::HALF, sum)
+            }
+        }
+    }
+
+    /// end − start, from the increments of the coordinates: never a difference of two values.
+    pub(in super::super) fn increment(&mut self, graph: &mut Graph, id: Id) -> Id {
+        if let Some(increment) = self.affine_increment(graph, id).or_else(|| self.increments.get(&id).copied()) {
+            return increment;
+        }
+        let mut parts = vec![];
+        match self.step(graph, id) {
+            Step::Operands(slopes) => {
+                for (operand, slope) in slopes {
+                    let increment = self.increment(graph, operand);
+                    parts.push(graph.mul(slope, increment));
+                }
+            }
+            Step::Coordinates(entries) => {
+                for (symbol, slope) in entries {
+                    if let Some(increment) = coordinate_increment(graph, symbol) {
+                        parts.push(graph.mul(slope, increment));
+                    }
+                }
+            }
+        }
+        let increment = graph.sum(&parts);
+        self.increments.insert(id, increment);
+        increment
+    }
+
+    /// Whether a node has the same value at both ends.
+    pub(in super::super) fn is_constant(&mut self, graph: &mut Graph, id: Id) -> bool {
+        self.affine_increment(graph, id).is_some_and(|increment| graph.is_zero(increment))
+    }
+
+    /// The increment of a node that is affine in the coordinates; it does not depend on where the step starts.
+    fn affine_increment(&mut self, graph: &mut Graph, id: Id) -> Option<Id> {
+        if let Some(known) = self.affine_increments.get(&id) {
+            return *known;
+        }
+        let increment = match graph.node(id).clone() {
+            Node::Symbol(symbol) => Some(coordinate_increment(graph, symbol).unwrap_or_else(|| graph.zero())),
+            Node::Linear(_, terms) => terms
+                .into_iter()
+                .map(|(c, term)| self.affine_increment(graph, term).map(|increment| graph.scale(c, increment)))
+                .collect::<Option<Vec<_>>>()
+                .map(|parts| graph.sum(&parts)),
+            node => {
+                let constant = node.children().iter().all(|child| self.is_constant(graph, *child));
+                constant.then(|| graph.zero())
+            }
+        };
+        self.affine_increments.insert(id, increment);
+        increment
+    }
+}

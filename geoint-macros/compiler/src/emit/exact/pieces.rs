@@ -1,0 +1,207 @@
+//! The exact flows of pieces; or, if some term is in no piece, an implementation that no scalar satisfies, whose message names
+//! the term.
+
+use super::{assign, increments};
+use crate::derive::{Missing, PieceKernel, PiecesOf};
+use crate::emit::given::{Given, array, element};
+use crate::emit::kernel::Context;
+use crate::emit::missing::unsatisfied;
+use crate::emit::straight_line;
+use crate::emit::structure::self_type;
+use crate::emit::tokens::Tokens;
+use crate::ir::{Graph, Symbol, print::Printer};
+use crate::schedule::Plan;
+use crate::split::Clock;
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+
+/// `impl Pieces`.
+pub(in crate::emit) fn pieces(context: &Context<'_>, graph: &Graph, found: &PiecesOf<Plan>) -> TokenStream {
+    let name = format_ident!("{}", found.splitting);
+    match &found.pieces {
+        Ok(pieces) => splitting(context, graph, (&name, found), pieces),
+        Err(missing) => none(context, graph, &name, *missing),
+    }
+}
+
+fn splitting(
+    context: &Context<'_>,
+    graph: &Graph,
+    (splitting, found): (&Ident, &PiecesOf<Plan>),
+    pieces: &[PieceKernel<Plan>],
+) -> TokenStream {
+    let (name, phase, parts, action) = (self_type(context), context.phase(), context.parts(), context.action());
+    let (symplectic, conserves_energy) = (found.symplectic, found.conserves_energy);
+    let printer = Printer::new(graph, context);
+    let table = pieces.iter().map(|piece| {
+        let (solved, may_end) = (piece.solved, piece.may_end);
+        let moved = || piece.flow.changes.iter().map(|symbol| printer.named(*symbol)).collect::<Vec<_>>().join(", ");
+        let name = if solved { moved() } else { printer.excerpt(piece.energy) };
+        let clock = match piece.clock {
+            Clock::Own => quote!(Own),
+            Clock::Stage => quote!(Stage),
+        };
+        quote!(FlowPiece { name: #name, clock: PieceClock::#clock, solved: #solved, may_end: #may_end })
+    });
+    let types = |level: usize| {
+        let slots = pieces.iter().map(|piece| Literal::usize_unsuffixed(piece.flow.kernel.slots[level]));
+        nested(slots.map(|slots| quote!([R; #slots])).collect())
+    };
+    let (types, frozen_types) = (types(0), types(1));
+    let (count, last) = (pieces.len(), pieces.len() - 1);
+    let stored = |piece: &PieceKernel<Plan>, level: usize| context.stored(&piece.flow.kernel, level);
+    let prepared = pieces.iter().enumerate().map(|(i, piece)| {
+        let (length, prepare) = (if i == last { quote!(last) } else { quote!(outer) }, stored(piece, 0));
+        quote!({ let h = #length; #prepare })
+    });
+    let frozen = pieces.iter().enumerate().map(|(i, piece)| {
+        let (own, freeze) = (member(quote!(flows), i, count), stored(piece, 1));
+        quote!({ let prepared = &#own; #freeze })
+    });
+    let [prepared, frozen] = [nested(prepared.collect()), nested(frozen.collect())];
+    let arm = |i: usize, body: TokenStream| {
+        let [flow, start] = [quote!(flows), quote!(frozen)].map(|all| member(all, i, count));
+        let i = Literal::usize_unsuffixed(i);
+        quote!(#i => { let (prepared, start) = (&#flow, &#start); #body })
+    };
+    let arms = pieces.iter().enumerate().map(|(i, piece)| {
+        let body = if piece.solved { solve(context, piece, Target::State) } else { assign(context, &piece.flow) };
+        arm(i, body)
+    });
+    let added = pieces.iter().enumerate().map(|(i, piece)| {
+        let body =
+            if piece.solved { solve(context, piece, Target::Increments) } else { increments(context, &piece.flow) };
+        arm(i, body)
+    });
+    let per = context.per_coordinate();
+    quote! {
+        impl<R: Real> FlowPieces<#splitting, R> for #name {
+            const PIECES: &'static [FlowPiece] = &[#(#table),*];
+            const SYMPLECTIC: bool = #symplectic;
+            const CONSERVES_ENERGY: bool = #conserves_energy;
+            type Proof = ();
+            type Flows = #types;
+            type Frozen = #frozen_types;
+
+            #[inline]
+            fn prepare_flows(&self, outer: R, last: R) -> #types {
+                #prepared
+            }
+            #[inline(always)]
+            fn freeze(&self, flows: &#types, t: R) -> #frozen_types {
+                #frozen
+            }
+            #[inline(always)]
+            fn flow(
+                &self,
+                piece: usize, flows: &#types, frozen: &#frozen_types, t: R, z: &mut #phase, s: &mut #action,
+            ) {
+                #parts
+                match piece {
+                    #(#arms)*
+                    _ => {}
+                }
+            }
+            #[inline(always)]
+            fn increments(&self, piece: usize, flows: &#types, frozen: &#frozen_types, t: R, x: &#per) -> #per {
+                match piece {
+                    #(#added)*
+                    _ => PerCoordinate::nothing(),
+                }
+            }
+        }
+    }
+}
+
+/// How many members a tuple has at most: the standard library knows no traits of tuples of more than twelve.
+const MOST_MEMBERS: usize = 12;
+
+/// A tuple of any number of values or types, in tuples of tuples where they are many.
+fn nested(mut members: Vec<TokenStream>) -> TokenStream {
+    while members.len() > MOST_MEMBERS {
+        members = members.chunks(MOST_MEMBERS).map(|some| quote!((#(#some,)*))).collect();
+    }
+    quote!((#(#members,)*))
+}
+
+/// The i-th of so many members of it.
+fn member(all: TokenStream, i: usize, count: usize) -> TokenStream {
+    let inner = if count > MOST_MEMBERS { member(all, i / MOST_MEMBERS, count.div_ceil(MOST_MEMBERS)) } else { all };
+    let i = Literal::usize_unsuffixed(if count > MOST_MEMBERS { i % MOST_MEMBERS } else { i });
+    quote!(#inner.#i)
+}
+
+/// What the step of a plane is added to.
+#[derive(Clone, Copy)]
+enum Target {
+    State,
+    Increments,
+}
+
+/// The step of a plane, added to the target.
+fn solve(context: &Context<'_>, piece: &PieceKernel<Plan>, target: Target) -> TokenStream {
+    let coordinates = match target {
+        Target::State => quote!(q),
+        Target::Increments => quote!(d.z),
+    };
+    let [x, y] = [0, 1].map(|i| context.input(piece.flow.changes[i]));
+    let places = piece.flow.changes.iter().enumerate().map(|(i, symbol)| {
+        let place = match symbol {
+            Symbol::Position(index) => element(coordinates.clone(), &context.coordinate(*index)),
+            _ => Tokens::default(),
+        };
+        let i = Literal::usize_unsuffixed(i);
+        quote!(#place = #place + step[#i];)
+    });
+    let unknown = |symbol: Symbol| {
+        let moved = piece
+            .flow
+            .changes
+            .iter()
+            .position(|x| matches!((x, symbol), (Symbol::Position(i), Symbol::PositionIncrement(j)) if *i == j));
+        moved.map_or_else(|| context.input(symbol), |i| Given::entry(array::UNKNOWNS, "increment", vec![i]))
+    };
+    let equation = straight_line::routine(&piece.flow.kernel.last[0], context.names(&unknown), |values| {
+        let [image, first, second] = [&values[..2], &values[2..4], &values[4..]];
+        quote!(([#(#image),*], [[#(#first),*], [#(#second),*]]))
+    });
+    let solved = quote! {
+        let step = planar_step([#x, #y], |increment: &[R; 2]| -> ([R; 2], [[R; 2]; 2]) { #equation });
+        #(#places)*
+    };
+    if let Target::State = target {
+        return solved;
+    }
+    let parts = context.per_coordinate();
+    quote! {
+        let PerCoordinate { z: q, s } = x;
+        let mut d: #parts = PerCoordinate::nothing();
+        #solved
+        d
+    }
+}
+
+fn none(context: &Context<'_>, graph: &Graph, splitting: &Ident, missing: Missing) -> TokenStream {
+    let (name, phase, per, action) = (self_type(context), context.phase(), context.per_coordinate(), context.action());
+    let (marker, tokens) = unsatisfied(context, graph, missing);
+    let never = quote!(::core::convert::Infallible);
+    quote! {
+        #tokens
+        impl<R: Real + #marker> FlowPieces<#splitting, R> for #name {
+            const PIECES: &'static [FlowPiece] = &[];
+            type Proof = <R as #marker>::Proof;
+            type Flows = #never;
+            type Frozen = ();
+            fn prepare_flows(&self, _: R, _: R) -> #never {
+                ::core::unreachable!()
+            }
+            fn freeze(&self, _: &#never, _: R) {}
+            fn flow(&self, _: usize, never: &#never, _: &(), _: R, _: &mut #phase, _: &mut #action) {
+                match *never {}
+            }
+            fn increments(&self, _: usize, never: &#never, _: &(), _: R, _: &#per) -> #per {
+                match *never {}
+            }
+        }
+    }
+}

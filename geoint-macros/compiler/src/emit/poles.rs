@@ -1,0 +1,177 @@
+//! Poles and conditions between the ends of a step: what the runtime asks of them.
+
+use super::given::{Given, array};
+use super::kernel::Context;
+use super::straight_line;
+use crate::analyze::Jump;
+use crate::derive::{Jumps, Margin, Margins, Poles, Signs};
+use crate::ir::{Graph, Symbol, print::Printer};
+use crate::schedule::{Block, Plan};
+use proc_macro2::{Literal, TokenStream};
+use quote::{format_ident, quote};
+
+/// The items of `PhaseSpace` that speak of poles.
+pub(super) fn poles(context: &Context<'_>, graph: &Graph, poles: &Poles<Plan>) -> TokenStream {
+    let list = list(context, graph, poles);
+    let signs = poles.signs.as_ref().map(|signs| signs_hold(context, signs));
+    let clear = clear_of_poles(context, poles);
+    let vanishing = enclosed(context, "vanishing", 1, &poles.vanishing.last);
+    quote!(#list #signs #clear #vanishing)
+}
+
+/// What is known of each without looking.
+fn list(context: &Context<'_>, graph: &Graph, poles: &Poles<Plan>) -> TokenStream {
+    let printer = Printer::new(graph, context);
+    // By its path: users' structs may have this name.
+    let runtime = &context.energy.runtime;
+    let pole = quote!(#runtime::private::Pole);
+    let entries = poles.all.iter().map(|each| {
+        let (term, edge) = (printer.excerpt(each.term), each.is_edge);
+        let what = match edge {
+            false => format!("a pole between the ends of the step: {term}"),
+            true => format!("an edge of the domain between the ends of the step: {term}"),
+        };
+        let (by_structure, by_parameters, timed) = (each.quick.is_some(), each.by_parameters, each.of_time);
+        let of_mass = each.of_mass;
+        quote!(#pole {
+            what: #what, by_structure: #by_structure, by_parameters: #by_parameters, timed: #timed, edge: #edge, of_mass: #of_mass
+        })
+    });
+    quote!(const POLES: &'static [#pole] = &[#(#entries),*];)
+}
+
+/// The signs of parameters on which tests by structure rely.
+fn signs_hold(context: &Context<'_>, signs: &Signs<Plan>) -> TokenStream {
+    let body = context.values(&signs.values, |values| {
+        let tests = values.iter().enumerate().map(|(i, value)| match i < signs.positive {
+            true => quote!(#value.all_positive()),
+            false => quote!(#value.all_at_least_zero()),
+        });
+        quote!(#(#tests)&&*)
+    });
+    quote!(fn signs_hold(&self) -> bool { #body })
+}
+
+/// Tests by structure: those that divided differences do not make, and the rest.
+fn clear_of_poles(context: &Context<'_>, poles: &Poles<Plan>) -> Option<TokenStream> {
+    let (phase, action) = (context.phase(), context.action());
+    let always = poles.always.as_ref().map(|margins| positive(context, margins));
+    let undivided = poles.undivided.as_ref().map(|margins| {
+        let tests = positive(context, margins);
+        quote!(if !divided { #tests })
+    });
+    (always.is_some() || undivided.is_some()).then(|| {
+        quote! {
+            #[inline]
+            fn clear_of_poles(
+                &self, divided: bool, t: [R; 2], z: [&#phase; 2], s: [&#action; 2],
+            ) -> bool {
+                #always
+                #undivided
+                true
+            }
+        }
+    })
+}
+
+/// `false` where a margin is not positive.
+fn positive(context: &Context<'_>, Margins { values, count, margins }: &Margins<Plan>) -> TokenStream {
+    let (phase, parts, action) = (context.phase(), context.parts(), context.action());
+    let count = Literal::usize_unsuffixed(*count);
+    let values = context.values(values, |values| quote!([#(#values),*]));
+    let margin = |margin: &Margin| match margin {
+        Margin::Together(places) => {
+            let places = places.iter().map(|i| Literal::usize_unsuffixed(*i));
+            let products = places.map(|i| quote!(start[#i] * end[#i]));
+            quote!((#(#products)+*))
+        }
+        Margin::Near(place) => {
+            let i = Literal::usize_unsuffixed(*place);
+            quote!((R::from_f64(9.0) - (end[#i] - start[#i]) * (end[#i] - start[#i])))
+        }
+    };
+    let margins = margins.iter().map(margin);
+    quote! {
+        let values = |t: R, z: &#phase, s: &#action| -> [R; #count] { #parts #values };
+        let (start, end) = (values(t[0], z[0], s[0]), values(t[1], z[1], s[1]));
+        if #(#margins.any_not_positive())||* {
+            return false;
+        }
+    }
+}
+
+/// A function of `PhaseSpace` that gives so many values in any scalar, chosen by an index.
+fn enclosed(context: &Context<'_>, name: &str, count: usize, choices: &[Block]) -> TokenStream {
+    let parameters = context.scalars();
+    let input = |symbol: Symbol| match symbol {
+        Symbol::Position(i) => Given::entry(array::POSITIONS, "z", vec![i as usize]),
+        Symbol::Momentum(i) => Given::entry(array::POSITIONS, "z", vec![(context.energy.degrees() + i) as usize]),
+        Symbol::Action => Given::alone("s"),
+        Symbol::Parameter(i) if (i as usize) < parameters.len() => {
+            Given::entry(array::PARAMETERS, "parameters", vec![i as usize])
+        }
+        symbol => context.input(symbol),
+    };
+    let arms = choices.iter().enumerate().map(|(i, block)| {
+        let body = straight_line::routine(block, context.names(&input), |values| match &values[..] {
+            [value] => quote!(#value),
+            _ => quote!([#(#values),*]),
+        });
+        let number = Literal::usize_unsuffixed(i);
+        let pattern = if i + 1 == choices.len() { quote!(_) } else { quote!(#number) };
+        quote!(#pattern => { #body })
+    });
+    let values = |scalar: TokenStream| match count {
+        1 => scalar,
+        count => {
+            let count = Literal::usize_unsuffixed(count);
+            quote!([#scalar; #count])
+        }
+    };
+    let (name, outside, inside) = (format_ident!("{name}"), values(quote!(Scalar)), values(quote!(R)));
+    quote! {
+        fn #name<Scalar: Real>(
+            &self, index: usize, lift: impl Fn(R) -> Scalar, t: Scalar, z: &[Scalar], s: Scalar,
+        ) -> #outside {
+            fn values<R: Real>(index: usize, parameters: &[R], t: R, z: &[R], s: R) -> #inside {
+                match index { #(#arms)* }
+            }
+            values(index, &[#(lift(#parameters)),*], t, z, s)
+        }
+    }
+}
+
+/// The items of `PhaseSpace` that speak of conditions.
+pub(super) fn jumps(context: &Context<'_>, graph: &Graph, jumps: &Jumps<Plan>) -> TokenStream {
+    let printer = Printer::new(graph, context);
+    let height = |jump: &Jump| printer.excerpt(jump.shown);
+    let is_flow = context.energy.form.is_flow();
+    let what = jumps.all.iter().map(|jump| match is_flow {
+        true => format!("an integral jumps where a condition changes, by {}: shift one side so that both meet", height(jump)),
+        false => format!(
+            "the energy jumps where a condition changes, by {}: shift one side so that both meet, or take a method that keeps the energy, \
+             such as `DiscreteGradient`",
+            height(jump)
+        ),
+    });
+    let (phase, parts, action) = (context.phase(), context.parts(), context.action());
+    let count = Literal::usize_unsuffixed(jumps.all.len());
+    let may_jump = jumps.edge.map(|_| {
+        quote!(
+            const CONTINUOUS: bool = false;
+        )
+    });
+    let sides = context.values(&jumps.sides, |values| quote!([#(#values),*]));
+    let heights = enclosed(context, "jump", 2, &jumps.heights.last);
+    quote! {
+        const JUMPS: &'static [&'static str] = &[#(#what),*];
+        #may_jump
+
+        #[inline]
+        fn same_sides(&self, t: R, z: [&#phase; 2], s: [&#action; 2]) -> bool {
+            let sides = |z: &#phase, s: &#action| -> [R; #count] { #parts #sides };
+            sides(z[0], s[0]) == sides(z[1], s[1])
+        }
+        #heights
+    }
+}

@@ -1,0 +1,150 @@
+//! Methods: of numbers and of vectors.
+
+use super::Lowering;
+use super::value::Value;
+use crate::ir::op::FUNCTIONS;
+use crate::ir::{Function, Id, Number};
+use quote::{ToTokens, quote};
+use syn::ExprMethodCall;
+
+impl Lowering {
+    pub(super) fn method_call(&mut self, call: &ExprMethodCall) -> Value {
+        let receiver = self.expr(&call.receiver);
+        let name = call.method.to_string();
+        let arguments: Vec<Value> = call.args.iter().map(|argument| self.expr(argument)).collect();
+        if matches!(receiver, Value::Poison) || arguments.iter().any(|value| matches!(value, Value::Poison)) {
+            return Value::Poison;
+        }
+        if matches!(name.as_str(), "clone" | "to_owned") && arguments.is_empty() {
+            return receiver;
+        }
+        match receiver {
+            Value::Real(id) => self.method_of_real(&call.method, &name, id, arguments),
+            // Integers have these too, and what follows may be a division of integers.
+            Value::Opaque(path) if matches!(name.as_str(), "abs" | "signum") && arguments.is_empty() => {
+                let method = &call.method;
+                Value::Opaque(quote!(#path.#method()))
+            }
+            Value::Opaque(_) if matches!(name.as_str(), "min" | "max") && is_opaque(&arguments) => {
+                self.refuse(&call.method, "this is known to rustc alone: make it a constant outside of the function")
+            }
+            Value::Opaque(path) => {
+                let id = self.constant(path);
+                self.method_of_real(&call.method, &name, id, arguments)
+            }
+            Value::Vector(ids) => self.method_of_vector(call, &name, ids, arguments),
+            Value::Quaternion(ids) => self.method_of_quaternion(call, &name, &ids, &arguments),
+            Value::List(items) => self.method_of_array(call, &name, &items, &arguments),
+            Value::Iterator(items) => self.method_of_iterator(call, &name, &items, &arguments),
+            Value::Integer(n) => match (name.as_str(), &arguments[..]) {
+                ("pow", [Value::Integer(k)]) => match u32::try_from(*k).ok().and_then(|k| n.checked_pow(k)) {
+                    Some(n) => Value::Integer(n),
+                    None => self.refuse(&call.method, "this power is out of bounds"),
+                },
+                ("abs", []) => Value::Integer(n.saturating_abs()),
+                ("min", [Value::Integer(k)]) => Value::Integer(n.min(*k)),
+                ("max", [Value::Integer(k)]) => Value::Integer(n.max(*k)),
+                ("rem_euclid", [Value::Integer(k)]) => match n.checked_rem_euclid(*k) {
+                    Some(n) => Value::Integer(n),
+                    None => self.refuse(&call.method, "this integer cannot be computed"),
+                },
+                _ => self.refuse(
+                    &call.method,
+                    "integers have `pow`, `abs`, `min`, `max` and `rem_euclid`; write `2.0` for a number",
+                ),
+            },
+            other => self.refuse(&call.method, format!("{} has no such method", other.kind())),
+        }
+    }
+
+    pub(super) fn method_of_real(&mut self, syntax: &impl ToTokens, name: &str, x: Id, arguments: Vec<Value>) -> Value {
+        if let (Some(function), true) = (Function::of_method(name), name != "powf") {
+            if function.entry().arity != arguments.len() + 1 {
+                let n = function.entry().arity - 1;
+                let plural = if n == 1 { "" } else { "s" };
+                return self.refuse(syntax, format!("`{name}` takes {n} argument{plural}"));
+            }
+            let mut args = vec![x];
+            args.extend(arguments.into_iter().map(|value| self.real(syntax, value)));
+            return Value::Real(self.graph.call(function, &args));
+        }
+        if let ("powi", [power]) = (name, &arguments[..]) {
+            return match self.integer(syntax, power.clone()) {
+                Some(n @ -64..=64) => Value::Real(self.integer_power(x, n as i64)),
+                Some(_) => self.refuse(syntax, "exponents go from -64 to 64; write a larger power with `exp` and `ln`"),
+                None => Value::Poison,
+            };
+        }
+        let arguments: Vec<Id> = arguments.into_iter().map(|value| self.real(syntax, value)).collect();
+        let graph = &mut self.graph;
+        match (name, &arguments[..]) {
+            ("sqrt", []) => Value::Real(graph.sqrt(x)),
+            ("recip", []) => Value::Real(graph.recip(x)),
+            ("powf", [y]) => Value::Real(self.power(x, *y)),
+            ("mul_add", [a, b]) => {
+                let product = graph.mul(x, *a);
+                Value::Real(graph.add(product, *b))
+            }
+            ("clamp", [low, high]) => {
+                let raised = graph.call(Function::Max, &[x, *low]);
+                Value::Real(graph.call(Function::Min, &[raised, *high]))
+            }
+            ("sin_cos", []) => {
+                Value::Tuple([Function::Sin, Function::Cos].map(|f| Value::Real(graph.call(f, &[x]))).to_vec())
+            }
+            ("to_radians", []) => Value::Real(graph.scale(Number::float(std::f64::consts::PI / 180.0), x)),
+            ("to_degrees", []) => Value::Real(graph.scale(Number::float(180.0 / std::f64::consts::PI), x)),
+            _ => self.refuse(
+                syntax,
+                format!(
+                    "`{name}` has no derivative rule; numbers have {}. Write another smooth function as a nested `fn`, by \
+                     its formula or an approximation",
+                    of_numbers().collect::<Vec<_>>().join(", ")
+                ),
+            ),
+        }
+    }
+
+    fn method_of_vector(&mut self, call: &ExprMethodCall, name: &str, ids: Vec<Id>, arguments: Vec<Value>) -> Value {
+        let graph = &mut self.graph;
+        match (name, &arguments[..]) {
+            ("dot", [Value::Vector(other)]) if other.len() == ids.len() => Value::Real(graph.dot(&ids, other)),
+            ("norm_squared", []) => Value::Real(graph.dot(&ids, &ids)),
+            ("norm" | "magnitude", []) => {
+                let square = graph.dot(&ids, &ids);
+                Value::Real(graph.sqrt(square))
+            }
+            ("cross", [Value::Vector(other)]) if ids.len() == 3 && other.len() == 3 => {
+                let mut component = |i: usize| {
+                    let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+                    let (first, second) = (graph.mul(ids[j], other[k]), graph.mul(ids[k], other[j]));
+                    graph.sub(first, second)
+                };
+                Value::Vector((0..3).map(&mut component).collect())
+            }
+            ("len", []) => Value::Integer(ids.len() as i128),
+            ("iter", []) => Value::iterator(ids.into_iter().map(Value::Real)),
+            ("sum", []) => Value::Real(graph.sum(&ids)),
+            _ => self.refuse(
+                &call.method,
+                format!(
+                    "vectors have `dot`, `norm`, `norm_squared`, `cross`, `sum`, `iter` and components; not `{name}`"
+                ),
+            ),
+        }
+    }
+}
+
+/// The methods of numbers.
+fn of_numbers() -> impl Iterator<Item = &'static str> {
+    let others = ["sqrt", "powi", "recip", "mul_add", "clamp", "sin_cos", "to_radians", "to_degrees"];
+    FUNCTIONS.iter().filter(|entry| entry.public).map(|entry| entry.name).chain(others)
+}
+
+pub(super) fn is_of_numbers(name: &str) -> bool {
+    of_numbers().any(|method| method == name)
+}
+
+fn is_opaque(arguments: &[Value]) -> bool {
+    arguments.iter().all(|value| matches!(value, Value::Opaque(_) | Value::Integer(_)))
+}
