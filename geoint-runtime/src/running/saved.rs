@@ -21,13 +21,13 @@ pub const FORMAT: u32 = 6;
 /// A scalar is its bits (`f64::to_bits`; those of `f32` in the lower half), a whole number is itself, an answer is 0 or 1; what may be missing
 /// has an answer before it. An [`Integrator`](crate::Integrator) has, in this order:
 ///
-/// 1. t₀ in two words, h, the number of steps of length h since t₀, and what the present is called, if anything;
-/// 2. the number of steps since the beginning; their number when the user gave a state, which the first step from there examines; their number when the
-///    state was last set, by the user or at an event; whether the point is that of the method (see [`Method::INNER`](crate::Method::INNER)); of methods that keep invariants all coordinates of the
-///    state that the user gave;
+/// 1. t₀ in two words, h, the number of steps of length h since t₀, and the time that a call asked for, if it equals the present but for rounding;
+/// 2. three numbers of steps: all; those before the user gave a state; those before the state was last set, by the user or at an event. Then whether the
+///    point is in the coordinates of the method (see [`Method::INNER`](crate::Method::INNER)). Methods that keep invariants add all coordinates of
+///    the state that the user gave;
 /// 3. the point: all coordinates, the action, what the sums of both have lost, by how much time is ahead in two words, 0;
 /// 4. the memory of the method: its [`Record`](crate::space::Record);
-/// 5. the time of the last event, and the functions that had an event then.
+/// 5. whether `until_event` found an event, the time of the last one, and a bit for each function that had an event then, in two words of 32 bits.
 ///
 /// An [`Adaptive`](crate::Adaptive) run has 1; steps taken, their number when the user gave a state, steps rejected, and the same coordinates; 3; the largest magnitude of each coordinate, errors
 /// caused in it, and the longest time in which the state changes; the length of the next step by its rung, its direction, the last error, and

@@ -206,8 +206,8 @@ impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Crossings<
         later != 0.0 && self.run.reported().is_at(t) && self.run.reported().takes(i, counts)
     }
 
-    /// Where a function has a side that it starts with, and its value there: a little later, if it starts with the event, or impact, at which
-    /// the search before it has ended. Zero if it does not leave zero, to rounding.
+    /// Returns the first part of the step at which a function has a sign, and its value there. The part is 0 unless the function starts at zero, as
+    /// after an event. The value is zero if the function does not leave zero, to rounding.
     fn leaving(&self, i: usize, [start, end]: [f64; 2]) -> Result<(f64, f64), StepError> {
         let state = self.before.state();
         let noise = self.noise(&state, i);

@@ -177,8 +177,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integra
         (steps.given, steps.set, steps.origin) = (steps.taken, steps.taken, z);
     }
 
-    /// The same from a state that a step of this run has led to: it is not asked for what states of others have to be, such as momenta that are
-    /// tangent to constraints to rounding.
+    /// Continues from a state to which a step of this run has led. The next step does not check it: its momenta may be off a constraint.
     pub(in crate::running) fn restart_within(&mut self, state: StateOf<S, R>) {
         self.restart(state);
         self.steps.given = NEVER;

@@ -71,8 +71,8 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> TaylorIntegrator<S, M, R> {
         self
     }
 
-    /// Steps of at most this length. What is narrower than all that a run has met, such as a pulse in a force that is zero elsewhere, is seen for certain
-    /// only by steps that are not longer. Steps of one length are as long as they are.
+    /// Steps of at most this length. A run may step over a force that acts for a shorter time than a step, such as a pulse. Choose `h` below the duration of
+    /// the pulse. Steps of one length are as long as they are.
     pub fn longest_step(mut self, h: f64) -> Self {
         self.steps.bounds.longest = h.abs();
         self

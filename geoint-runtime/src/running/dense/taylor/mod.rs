@@ -34,7 +34,7 @@ pub struct TaylorCrossings<'a, S: Jets<R>, M: TaylorMethod<S, R>, R: Real, F, G>
     scales: G,
     /// Signs at the end of the part before; 0 where there was none yet.
     sides: G,
-    /// Whether this is the first step of the search: what is zero there to rounding is the event at which it begins.
+    /// Whether this is the first step of the search. A function that is zero at its start, to rounding, has its event there already.
     first: bool,
     zeros: u32,
     /// Up to which part of the piece zeros have been given out, and the functions that had one there.
