@@ -9,6 +9,7 @@ mod messages;
 mod ir;
 mod parse;
 mod lower;
+mod compilation;
 mod analyze;
 mod diff;
 mod schedule;
@@ -18,6 +19,7 @@ mod derive;
 mod check;
 mod emit;
 mod link;
+mod front;
 mod expand;
 mod attribute;
 #[cfg(test)]

@@ -53,7 +53,7 @@ pub(crate) fn momenta(row: u32) -> [Symbol; 3] {
 }
 
 /// The parts of the energy of so many bodies, or a term and what is wrong with it. Further rows are centres of mass.
-pub(crate) fn bodies(graph: &mut Graph, energy: Id, (bodies, rows): (u32, u32)) -> Result<Bodies, (Id, &'static str)> {
+pub(crate) fn bodies(graph: &mut Graph, energy: Id, bodies: u32, rows: u32) -> Result<Bodies, (Id, &'static str)> {
     let (kinetic, potential) = split(graph, energy).map_err(|term| (term, BODY_COUPLED))?;
     if let Some(term) = not_quadratic(graph, kinetic) {
         return Err((term, BODY_NOT_QUADRATIC));

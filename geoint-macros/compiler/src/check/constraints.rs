@@ -1,24 +1,18 @@
 //! Whether constraints are some: functions of positions alone, independent, and fewer than coordinates.
 
-use super::damping::flaw_of_damping;
+use super::damping::report_damping;
 use crate::analyze::{Damping, claims};
-use crate::diagnostics::{Diagnostics, Result};
-use crate::ir::{
-    Graph, Id, Symbol,
-    print::{Naming, Printer},
-};
-use crate::lower::Place;
+use crate::compilation::Compilation;
+use crate::diagnostics::Result;
+use crate::ir::{Id, Symbol, print::Printer};
+use crate::lower::Terms;
 use crate::messages::NO_CONSTRAINT;
-use crate::parse::{Energy, Form};
+use crate::parse::Form;
 
 /// Reports constraints that are none, and damping that is none; `general_friction` is friction that no matrix gives.
-pub(crate) fn constraints(
-    energy: &Energy,
-    (constraints, damping, general_friction): (&[(Id, Place)], Option<&Damping>, bool),
-    graph: &mut Graph,
-    names: &dyn Naming,
-) -> Result<()> {
-    let mut errors = Diagnostics::default();
+pub(crate) fn constraints(compilation: &mut Compilation<'_>, terms: &Terms, damping: Option<&Damping>) -> Result<()> {
+    let (energy, constraints) = (compilation.energy, &terms.constraints);
+    let Compilation { graph, names, diagnostics: errors, .. } = compilation;
     let degrees = energy.degrees();
     if constraints.is_empty() {
         errors.at(&energy.options.constraint, NO_CONSTRAINT);
@@ -54,13 +48,11 @@ pub(crate) fn constraints(
             errors.at_place(constraints[k].1, message);
         }
     }
-    if let (Some(rayleigh), true) = (&energy.options.rayleigh, general_friction) {
+    if let (Some(rayleigh), true) = (&energy.options.rayleigh, terms.friction.is_some()) {
         errors.at(rayleigh, LINEAR_FRICTION);
     }
-    if let Some(damping) = damping {
-        flaw_of_damping(energy, damping, &Printer::new(graph, names), &mut errors);
-    }
-    errors.or(())
+    report_damping(compilation, damping);
+    compilation.checked(())
 }
 
 const LINEAR_FRICTION: &str = "beside constraints friction is linear: R a quadratic form of the velocities";

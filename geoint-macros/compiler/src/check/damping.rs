@@ -1,14 +1,12 @@
-//! Damping that is none.
+//! Checks that damping takes energy.
 
 use crate::analyze::{Damping, Flaw};
-use crate::diagnostics::Diagnostics;
-use crate::ir::print::Printer;
-use crate::parse::Energy;
+use crate::compilation::Compilation;
 
-/// Damping that is none.
-pub(super) fn flaw_of_damping(energy: &Energy, damping: &Damping, printer: &Printer<'_>, errors: &mut Diagnostics) {
-    if let Damping { matrix, flaw: Some(flaw), .. } = damping {
-        let entry = |i: usize, j: usize| printer.excerpt(matrix[i][j]);
+/// Reports a damping matrix that is not symmetric or not positive semidefinite.
+pub(super) fn report_damping(compilation: &mut Compilation<'_>, damping: Option<&Damping>) {
+    if let Some(Damping { matrix, flaw: Some(flaw), .. }) = damping {
+        let entry = |i: usize, j: usize| compilation.excerpt(matrix[i][j]);
         let message = match *flaw {
             Flaw::NotSymmetric(i, j) => format!(
                 "damping is a symmetric matrix, but row {i}, column {j} is {} and row {j}, column {i} is {}: write both alike",
@@ -21,7 +19,8 @@ pub(super) fn flaw_of_damping(energy: &Energy, damping: &Damping, printer: &Prin
             ),
             Flaw::Indefinite => INDEFINITE.into(),
         };
-        errors.at(&energy.options.damping.as_ref().or(energy.options.rayleigh.as_ref()), message);
+        let options = &compilation.energy.options;
+        compilation.diagnostics.at(&options.damping.as_ref().or(options.rayleigh.as_ref()), message);
     }
 }
 

@@ -1,21 +1,18 @@
 //! Lagrangians that are linear in velocities: whether velocities follow from positions.
 
-use crate::diagnostics::{Diagnostics, Result};
-use crate::ir::{
-    Graph, Symbol,
-    print::{Naming, Printer},
-};
+use crate::compilation::Compilation;
+use crate::diagnostics::Result;
+use crate::ir::{Symbol, print::Printer};
 use crate::legendre::{FirstOrder, NotRegular};
-use crate::parse::{Energy, Requirement, Role};
+use crate::parse::{Requirement, Role};
 
 /// Reports a Lagrangian whose velocities do not follow, and what has no meaning for one whose velocities do.
 pub(crate) fn first_order(
-    energy: &Energy,
+    compilation: &mut Compilation<'_>,
     found: std::result::Result<FirstOrder, NotRegular>,
-    graph: &Graph,
-    names: &dyn Naming,
 ) -> Result<FirstOrder> {
-    let mut errors = Diagnostics::default();
+    let energy = compilation.energy;
+    let Compilation { graph, names, diagnostics: errors, .. } = compilation;
     let printer = Printer::new(graph, names);
     for expr in energy.options.rayleigh.iter().chain(&energy.options.force) {
         errors.at(expr, NO_FORCE);
@@ -66,8 +63,8 @@ pub(crate) fn first_order(
         }
     }
     match found {
-        Ok(found) => errors.or(found),
-        Err(_) => Err(errors),
+        Ok(found) => compilation.checked(found),
+        Err(_) => Err(std::mem::take(&mut compilation.diagnostics)),
     }
 }
 

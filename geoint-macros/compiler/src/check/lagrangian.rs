@@ -1,31 +1,22 @@
 //! Lagrangians: whether velocities follow from momenta, and whether friction is some.
 
-use super::blame::{blame, written};
-use super::damping::flaw_of_damping;
+use super::damping::report_damping;
 use crate::analyze::{Damping, Forces};
-use crate::diagnostics::{Diagnostics, Result};
-use crate::ir::HashMap;
-use crate::ir::{
-    Graph, Id, Symbol,
-    print::{Naming, Printer},
-};
+use crate::compilation::Compilation;
+use crate::diagnostics::Result;
+use crate::ir::{Graph, Id, Symbol, print::Printer};
 use crate::legendre::{self, Friction, Kinetic, Legendre, NoFriction};
-use crate::lower::Place;
 use crate::messages::{DOES_WORK, FORCED_ACTION, FULL_MASS, FULL_MASS_OF_ACTION, READS_ACTION, TAKES_ENERGY};
-use crate::parse::{Energy, Requirement, Role};
+use crate::parse::{Requirement, Role};
 
 /// Reports a Lagrangian that has no energy here, and friction that is none.
 pub(crate) fn lagrangian(
-    energy: &Energy,
-    (found, friction): (
-        std::result::Result<Legendre, legendre::Flaw>,
-        std::result::Result<Option<Friction>, NoFriction>,
-    ),
-    graph: &Graph,
-    places: &HashMap<Id, Place>,
-    names: &dyn Naming,
+    compilation: &mut Compilation<'_>,
+    found: std::result::Result<Legendre, legendre::Flaw>,
+    friction: std::result::Result<Option<Friction>, NoFriction>,
 ) -> Result<(Legendre, Option<Friction>)> {
-    let mut errors = Diagnostics::default();
+    let energy = compilation.energy;
+    let Compilation { graph, names, diagnostics: errors, .. } = compilation;
     let printer = Printer::new(graph, names);
     let [q, v] = [Symbol::Position, Symbol::Velocity].map(|kind| move |i: &u32| kind(*i));
     let named = |symbol: Symbol| printer.named(symbol);
@@ -107,7 +98,9 @@ pub(crate) fn lagrangian(
                 (message, Some(*of))
             }
         };
-        match (term.and_then(|term| written(graph, places, term)), velocities) {
+        let place = term.and_then(|term| compilation.written(term));
+        let errors = &mut compilation.diagnostics;
+        match (place, velocities) {
             (Some(place), _) => errors.at_place(place, message),
             (None, Some(velocities)) => errors.at(velocities, message),
             (None, None) => errors.at(&energy.item.sig.ident, message),
@@ -116,13 +109,13 @@ pub(crate) fn lagrangian(
     match (found, friction) {
         (Ok(legendre), Ok(friction)) => {
             for (requirement, span) in &energy.options.requirements {
-                if let Some((term, why)) = in_the_way(graph, *requirement, &legendre) {
-                    blame((term, *span), why, &printer, places, &mut errors);
+                if let Some((term, why)) = in_the_way(&compilation.graph, *requirement, &legendre) {
+                    compilation.blame(term, *span, why);
                 }
             }
-            errors.or((legendre, friction))
+            compilation.checked((legendre, friction))
         }
-        _ => Err(errors),
+        _ => Err(std::mem::take(&mut compilation.diagnostics)),
     }
 }
 
@@ -142,51 +135,41 @@ fn in_the_way(graph: &Graph, requirement: Requirement, legendre: &Legendre) -> O
 
 /// Reports friction that is none, and what is required of an energy that is not derived.
 pub(crate) fn velocities(
-    energy: &Energy,
-    (long, (damping, others)): (Id, (Option<&Damping>, Option<&Forces>)),
-    graph: &Graph,
-    places: &HashMap<Id, Place>,
-    names: &dyn Naming,
+    compilation: &mut Compilation<'_>,
+    long: Id,
+    damping: Option<&Damping>,
+    others: Option<&Forces>,
 ) -> Result<()> {
-    let mut errors = Diagnostics::default();
-    let printer = Printer::new(graph, names);
-    if let Some(damping) = damping {
-        flaw_of_damping(energy, damping, &printer, &mut errors);
-    }
-    for (requirement, span) in &energy.options.requirements {
+    report_damping(compilation, damping);
+    let has_action = compilation.form.has_action();
+    for (requirement, span) in &compilation.energy.options.requirements {
         if *requirement == Requirement::Conservative {
             let changed = match (damping, others) {
                 (Some(_), _) => Some(TAKES_ENERGY),
                 (None, Some(_)) => Some(DOES_WORK),
-                (None, None) => energy.form.has_action().then_some(READS_ACTION),
+                (None, None) => has_action.then_some(READS_ACTION),
             };
-            changed.into_iter().for_each(|why| errors.at_place((*span, *span), why));
+            changed.into_iter().for_each(|why| compilation.report_at(*span, why));
             continue;
         }
         if requirement.is_of_lagrangian() {
             continue;
         }
-        let place = written(graph, places, long).unwrap_or((*span, *span));
-        let why = if energy.form.has_action() { FULL_MASS_OF_ACTION } else { FULL_MASS };
-        errors.at_place(place, format!("{why}: {}", printer.excerpt(long)));
+        let place = compilation.written(long).unwrap_or((*span, *span));
+        let why = if has_action { FULL_MASS_OF_ACTION } else { FULL_MASS };
+        let message = format!("{why}: {}", compilation.excerpt(long));
+        compilation.diagnostics.at_place(place, message);
     }
-    errors.or(())
+    compilation.checked(())
 }
 
 /// Reports friction that is none, and requirements: with an action and forces beside it there are rates alone.
-pub(crate) fn forced_action(
-    energy: &Energy,
-    damping: Option<&Damping>,
-    graph: &Graph,
-    names: &dyn Naming,
-) -> Result<()> {
-    let mut errors = Diagnostics::default();
-    if let Some(damping) = damping {
-        flaw_of_damping(energy, damping, &Printer::new(graph, names), &mut errors);
-    }
-    let of_energy = energy.options.requirements.iter().filter(|(requirement, _)| !requirement.is_of_lagrangian());
-    of_energy.for_each(|(_, span)| errors.at_place((*span, *span), FORCED_ACTION));
-    errors.or(())
+pub(crate) fn forced_action(compilation: &mut Compilation<'_>, damping: Option<&Damping>) -> Result<()> {
+    report_damping(compilation, damping);
+    let requirements = &compilation.energy.options.requirements;
+    let of_energy = requirements.iter().filter(|(requirement, _)| !requirement.is_of_lagrangian());
+    of_energy.for_each(|(_, span)| compilation.report_at(*span, FORCED_ACTION));
+    compilation.checked(())
 }
 
 const NOT_QUADRATIC_IN_VELOCITIES: &str = "this is not quadratic in the velocities, so that the mass matrix reads them";

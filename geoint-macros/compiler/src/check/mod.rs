@@ -1,7 +1,6 @@
 //! What the user asked for against what was proven.
 
 mod angles;
-mod blame;
 mod constraints;
 mod damping;
 mod first_order;
@@ -18,36 +17,21 @@ pub(crate) use pieces::{division, pieces};
 pub(crate) use proofs::{integrals, structure};
 
 use crate::analyze::{self, Split, Structure};
-use crate::diagnostics::{Diagnostics, Result};
-use crate::ir::HashMap;
-use crate::ir::{
-    Graph, Id,
-    print::{Naming, Printer},
-};
-use crate::lower::Place;
+use crate::compilation::Compilation;
+use crate::diagnostics::Result;
+use crate::ir::Id;
 use crate::messages::{
     COUPLED, DAMPED, DOES_WORK, FORCED, NOT_MECHANICAL, NOT_NYSTROM, NOT_QUADRATIC, READS_ACTION, TAKES_ENERGY,
 };
-use crate::parse::{Energy, Requirement};
+use crate::parse::Requirement;
 use crate::split::Mechanics;
-use blame::blame;
-use damping::flaw_of_damping;
+use damping::report_damping;
 
 /// Reports damping that is none, and every requirement that does not hold, at the term that breaks it.
-pub(crate) fn requests(
-    energy: &Energy,
-    structure: &Structure,
-    graph: &Graph,
-    places: &HashMap<Id, Place>,
-    names: &dyn Naming,
-) -> Result<()> {
-    let mut errors = Diagnostics::default();
-    let printer = Printer::new(graph, names);
-    if let Some(damping) = &structure.damping {
-        flaw_of_damping(energy, damping, &printer, &mut errors);
-    }
+pub(crate) fn requests(compilation: &mut Compilation<'_>, structure: &Structure) -> Result<()> {
+    report_damping(compilation, structure.damping.as_ref());
     for (requirement, span) in
-        energy.options.requirements.iter().filter(|(requirement, _)| !requirement.is_of_lagrangian())
+        compilation.energy.options.requirements.iter().filter(|(requirement, _)| !requirement.is_of_lagrangian())
     {
         if !structure.conservative() {
             let why = match (requirement, structure.damping.is_some()) {
@@ -56,7 +40,7 @@ pub(crate) fn requests(
                 (_, true) => DAMPED,
                 (_, false) => FORCED,
             };
-            errors.at_place((*span, *span), why);
+            compilation.report_at(*span, why);
             continue;
         }
         let witness = match (requirement, &structure.split) {
@@ -67,25 +51,21 @@ pub(crate) fn requests(
             _ => None,
         };
         if let Some((term, why)) = witness {
-            blame((term, *span), why, &printer, places, &mut errors);
+            compilation.blame(term, *span, why);
         }
     }
-    errors.or(())
+    compilation.checked(())
 }
 
-/// The same of an energy H(q, p, s, t).
+/// Reports every requirement on an energy H(q, p, s, t) that does not hold, at the term that breaks it.
 pub(crate) fn of_action(
-    energy: &Energy,
-    (root, mechanics): (Id, &std::result::Result<Mechanics, Id>),
-    graph: &Graph,
-    places: &HashMap<Id, Place>,
-    names: &dyn Naming,
+    compilation: &mut Compilation<'_>,
+    root: Id,
+    mechanics: &std::result::Result<Mechanics, Id>,
 ) -> Result<()> {
-    let mut errors = Diagnostics::default();
-    let printer = Printer::new(graph, names);
-    for (requirement, span) in &energy.options.requirements {
+    for (requirement, span) in &compilation.energy.options.requirements {
         let witness = match (requirement, mechanics) {
-            (Requirement::Conservative, _) => graph.reads(root).s.then_some((root, READS_ACTION)),
+            (Requirement::Conservative, _) => compilation.graph.reads(root).s.then_some((root, READS_ACTION)),
             (Requirement::Separable | Requirement::QuadraticKinetic, Err(term)) => Some((*term, NOT_MECHANICAL)),
             (Requirement::QuadraticKinetic, Ok(mechanics)) => {
                 mechanics.gradient_kick.as_ref().err().map(|term| (*term, NOT_NYSTROM))
@@ -93,24 +73,20 @@ pub(crate) fn of_action(
             _ => None,
         };
         if let Some((term, why)) = witness {
-            blame((term, *span), why, &printer, places, &mut errors);
+            compilation.blame(term, *span, why);
         }
     }
-    errors.or(())
+    compilation.checked(())
 }
 
 /// Reports the term by which an energy is not that of rigid bodies.
 pub(crate) fn bodies(
-    energy: &Energy,
+    compilation: &mut Compilation<'_>,
     found: std::result::Result<analyze::Bodies, (Id, &'static str)>,
-    graph: &Graph,
-    places: &HashMap<Id, Place>,
-    names: &dyn Naming,
 ) -> Result<analyze::Bodies> {
     found.map_err(|(term, why)| {
-        let mut errors = Diagnostics::default();
-        let span = energy.item.sig.ident.span();
-        blame((term, span), why, &Printer::new(graph, names), places, &mut errors);
-        errors
+        let span = compilation.energy.item.sig.ident.span();
+        compilation.blame(term, span, why);
+        std::mem::take(&mut compilation.diagnostics)
     })
 }

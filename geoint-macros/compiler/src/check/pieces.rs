@@ -1,73 +1,61 @@
 //! Pieces that were asked for against those that were found.
 
-use super::blame::{blame, written};
 use super::wording::in_case;
 use crate::analyze::{self, Identity, Remainder};
-use crate::diagnostics::{Diagnostics, Result};
-use crate::ir::HashMap;
-use crate::ir::{
-    Graph, Id, Node,
-    print::{Naming, Printer},
-};
+use crate::compilation::Compilation;
+use crate::diagnostics::Result;
+use crate::ir::{Graph, Id, Node, print::Printer};
 use crate::lower::Place;
-use crate::parse::Energy;
 use crate::split::{self, Division, NoExactPart, Pieces, Space};
 use proc_macro2::Span;
 
 /// Reports pieces that were asked for and have no flow, or do not add up to H, and momenta that cannot be dropped.
 pub(crate) fn pieces(
-    energy: &Energy,
-    (root, groups): (Id, Option<&[(Id, Place)]>),
+    compilation: &mut Compilation<'_>,
+    root: Id,
+    groups: Option<&[(Id, Place)]>,
     found: &Pieces,
-    graph: &mut Graph,
-    places: &HashMap<Id, Place>,
-    names: &dyn Naming,
 ) -> Result<()> {
-    let mut errors = Diagnostics::default();
     if let Some(groups) = groups {
         if let Err(group) = found
             && let Some((_, place)) = groups.iter().find(|(other, _)| other == group)
         {
-            let space = Space { degrees: energy.degrees(), action: energy.form.has_action() };
-            let family = split::nearest(graph, *group, space);
+            let space = Space { degrees: compilation.degrees(), action: compilation.form.has_action() };
+            let family = split::nearest(&mut compilation.graph, *group, space);
             let nearest = family.map_or_else(String::new, |family| {
                 format!("; the nearest family is `{}`, {}", family.name, family.energies)
             });
-            let term = Printer::new(graph, names).excerpt(*group);
-            errors.at_place(*place, format!("{NO_FLOW}{nearest}; the piece is: {term}"));
+            let term = compilation.excerpt(*group);
+            compilation.diagnostics.at_place(*place, format!("{NO_FLOW}{nearest}; the piece is: {term}"));
         }
-        adds_up(root, groups, graph, names, &mut errors);
+        adds_up(compilation, root, groups);
     }
-    if let Some(span) = energy.options.lift
-        && let Some(term) = analyze::not_affine(graph, root)
+    if let Some(span) = compilation.energy.options.lift
+        && let Some(term) = analyze::not_affine(&mut compilation.graph, root)
     {
-        blame((term, span), NO_LIFT, &Printer::new(graph, names), places, &mut errors);
+        compilation.blame(term, span, NO_LIFT);
     }
-    errors.or(())
+    compilation.checked(())
 }
 
 /// Reports coordinates that were asked for, and in which no part has an exact flow.
-pub(crate) fn division(
-    energy: &Energy,
-    found: &Division,
-    graph: &Graph,
-    places: &HashMap<Id, Place>,
-    names: &dyn Naming,
-) -> Result<()> {
-    let mut errors = Diagnostics::default();
-    if let (Some((_, asked)), Err(NoExactPart { term, why })) = (energy.options.coordinates, found) {
-        let place = written(graph, places, *term).unwrap_or((asked, asked));
-        errors.at_place(place, format!("{why}: {}", Printer::new(graph, names).excerpt(*term)));
+pub(crate) fn division(compilation: &mut Compilation<'_>, found: &Division) -> Result<()> {
+    if let (Some((_, asked)), Err(NoExactPart { term, why })) = (compilation.energy.options.coordinates, found) {
+        let place = compilation.written(*term).unwrap_or((asked, asked));
+        let message = format!("{why}: {}", compilation.excerpt(*term));
+        compilation.diagnostics.at_place(place, message);
     }
-    errors.or(())
+    compilation.checked(())
 }
 
 /// Reports what groups miss of the energy.
-fn adds_up(root: Id, groups: &[(Id, Place)], graph: &mut Graph, names: &dyn Naming, errors: &mut Diagnostics) {
+fn adds_up(compilation: &mut Compilation<'_>, root: Id, groups: &[(Id, Place)]) {
+    let graph = &mut compilation.graph;
     let sum = graph.sum(&groups.iter().map(|(group, _)| *group).collect::<Vec<_>>());
     let missing = difference(graph, root, sum);
     let verdict = analyze::identity(graph, missing);
-    let printer = Printer::new(graph, names);
+    let printer = compilation.printer();
+    let graph = &compilation.graph;
     let wrong = matches!(verdict, Identity::Wrong(_));
     let message = match verdict.rest() {
         _ if verdict.is_zero() => None,
@@ -80,7 +68,7 @@ fn adds_up(root: Id, groups: &[(Id, Place)], graph: &mut Graph, names: &dyn Nami
         None => Some(format!("{NOT_COMPARED}: {}", printer.excerpt(missing))),
     };
     if let Some(message) = message {
-        errors.at_place(whole(groups), message);
+        compilation.diagnostics.at_place(whole(groups), message);
     }
 }
 

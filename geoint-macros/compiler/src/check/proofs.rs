@@ -1,30 +1,24 @@
 //! Identities that have to hold: skewness, and what a field keeps.
 
-use super::blame::written;
-use super::damping::flaw_of_damping;
+use super::damping::report_damping;
 use super::wording::{discontinuity, left, open, remains};
 use crate::analyze::{Damping, Identity, Why};
+use crate::compilation::Compilation;
 use crate::derive::proof;
-use crate::diagnostics::{Diagnostics, Result};
-use crate::ir::HashMap;
-use crate::ir::{
-    Graph, Id,
-    print::{Naming, Printer},
-};
-use crate::lower::{Integral, Place};
-use crate::parse::{Energy, StructureKind};
+use crate::diagnostics::Result;
+use crate::ir::print::Printer;
+use crate::lower::Integral;
+use crate::parse::StructureKind;
 use syn::Expr;
 
 /// Reports S that is not skew, a function of indices that gives none of it, and damping that is none.
 pub(crate) fn structure(
-    energy: &Energy,
-    (structure, damping): (&proof::Structure, Option<&Damping>),
-    graph: &Graph,
-    places: &HashMap<Id, Place>,
-    names: &dyn Naming,
+    compilation: &mut Compilation<'_>,
+    structure: &proof::Structure,
+    damping: Option<&Damping>,
 ) -> Result<()> {
-    let mut errors = Diagnostics::default();
-    let printer = Printer::new(graph, names);
+    let energy = compilation.energy;
+    let printer = compilation.printer();
     if let (Err(([i, j], verdict)), Some(form)) = (&structure.skew, &energy.options.structure) {
         let (sum, equal) = match verdict {
             Identity::Wrong(wrong) => (remains(&printer, wrong.rest.as_ref(), &wrong.witness), ""),
@@ -33,14 +27,14 @@ pub(crate) fn structure(
         let what = if i == j { format!("twice S[{i}][{i}]") } else { format!("S[{i}][{j}] + S[{j}][{i}]") };
         let advice = if i == j { "" } else { "; `|i, j| …` is asked for i < j alone" };
         let message = format!("S is skew, but {what}{equal}{sum}{advice}");
-        match written(graph, places, structure.matrix[*j][*i]) {
-            Some(place) => errors.at_place(place, message),
-            None => errors.at(&form.expr, message),
+        match compilation.written(structure.matrix[*j][*i]) {
+            Some(place) => compilation.diagnostics.at_place(place, message),
+            None => compilation.diagnostics.at(&form.expr, message),
         }
     }
     match (damping, &energy.options.structure) {
-        (Some(damping), _) => flaw_of_damping(energy, damping, &printer, &mut errors),
-        (None, Some(form)) if structure.matrix.iter().flatten().all(|entry| graph.is_zero(*entry)) => {
+        (Some(_), _) => report_damping(compilation, damping),
+        (None, Some(form)) if structure.matrix.iter().flatten().all(|entry| compilation.graph.is_zero(*entry)) => {
             let advice = match (form.kind, &form.expr) {
                 // Entries for j < i would go unheard.
                 (_, Expr::Closure(_)) => "`|i, j| …` is asked for i < j alone",
@@ -50,23 +44,22 @@ pub(crate) fn structure(
                 (StructureKind::Nambu, _) => "the function in `nambu(…)` has to read `x`",
                 _ => "write its entries S[i][j] = −S[j][i], or x' = −C ∇H by `damping = C`",
             };
-            errors.at(&form.expr, format!("S is zero, so that nothing moves; {advice}"));
+            compilation.diagnostics.at(&form.expr, format!("S is zero, so that nothing moves; {advice}"));
         }
         (None, _) => {}
     }
-    errors.or(())
+    compilation.checked(())
 }
 
 /// Reports functions that are not kept, and those that are functions of others.
 pub(crate) fn integrals(
-    energy: &Energy,
+    compilation: &mut Compilation<'_>,
     integrals: &[Integral],
     found: &proof::Integrals,
-    graph: &Graph,
-    places: &HashMap<Id, Place>,
-    names: &dyn Naming,
 ) -> Result<()> {
-    let mut errors = Diagnostics::default();
+    let energy = compilation.energy;
+    let Compilation { graph, places, names, diagnostics: errors, .. } = compilation;
+    let graph = &*graph;
     let printer = Printer::new(graph, names);
     for (i, (kept, (verdict, jump))) in energy.options.keeps.iter().zip(found.kept.iter().zip(&found.jumps)).enumerate()
     {
@@ -120,5 +113,5 @@ pub(crate) fn integrals(
         let others = if i == 0 { "is constant everywhere" } else { "is a function of the others" };
         errors.at_place(integrals[i].place, format!("`{}` {others}: leave it out", energy.options.keeps[i].name));
     }
-    errors.or(())
+    compilation.checked(())
 }

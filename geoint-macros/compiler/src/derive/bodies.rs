@@ -1,32 +1,28 @@
 //! What is derived from H(r, m, t) of rigid bodies, and from H(r, q, m, p, t) of those with centres of mass.
 
-use super::domain::{Domain, Roots};
-use super::system::FlowKernel;
+use super::domain::{Domain, Friction, Roots};
+use super::system::{FlowKernel, Implicit, System};
 use crate::analyze::{self, momenta_of_body as momenta};
 use crate::diff;
 use crate::ir::{Graph, Id, Number, Partial, Symbol};
 use crate::parse::Form;
-use crate::schedule::{Kernel, Levels};
+use crate::schedule::{Levels, Output, Routine, phase};
 
-/// What rigid bodies offer.
+/// Kicks and drifts of rigid bodies.
 #[derive(Debug)]
-pub(crate) struct Bodies<K = Kernel> {
-    /// H.
-    pub(crate) value: K,
-    /// r' and m', as quaternions.
-    pub(crate) rate: K,
-    pub(crate) kick: FlowKernel<K>,
-    pub(crate) gradient_kick: FlowKernel<K>,
-    /// Entries of hJ and hb of every body that are not zero.
-    pub(crate) drift: K,
-    /// Where they are, one a body.
+pub(crate) struct BodyKernels {
+    pub(crate) kick: FlowKernel,
+    pub(crate) gradient_kick: FlowKernel,
+    /// Entries of hJ and hb of every body that are not zero, and of hM⁻¹.
+    pub(crate) drift: Routine,
+    /// Where the entries of each body are.
     pub(crate) turns: Vec<Turn>,
-    /// The same of hM⁻¹ and of what is added to it, one a coordinate of centres of mass.
+    /// Where the entries of each coordinate of the centres of mass are.
     pub(crate) shifts: Vec<Shift>,
     /// Whether all frames are those of principal axes.
     pub(crate) principal: bool,
+    /// Whether the impulse of a kick depends on positions only.
     pub(crate) repeats: bool,
-    pub(crate) domain: Domain<K>,
 }
 
 /// hω = hJm + hb of one body, by places in what is prepared for a drift.
@@ -46,7 +42,7 @@ pub(crate) struct Shift {
 }
 
 /// Derives everything that some method needs.
-pub(crate) fn bodies(graph: &mut Graph, found: &analyze::Bodies, partial: &[Partial]) -> Bodies {
+pub(crate) fn bodies(graph: &mut Graph, found: &analyze::Bodies, partial: &[Partial], positions: &[usize]) -> System {
     let [h, g] = [Symbol::StepLength, Symbol::GradientWeight].map(|symbol| graph.symbol(symbol));
     // Of −hV as a whole, so that h meets the constants of every term.
     let generator = graph.mul(h, found.potential);
@@ -101,36 +97,38 @@ pub(crate) fn bodies(graph: &mut Graph, found: &analyze::Bodies, partial: &[Part
         let places = row.iter().zip(&centres).map(|(entry, symbol)| Some((place(graph, *entry)?, *symbol)));
         shifts.push(Shift { linear: places.flatten().collect(), constant: place(graph, *constant) });
     }
-    Bodies {
-        value: Kernel::new(Levels::One, vec![found.energy]),
-        rate: Kernel::new(Levels::One, rates(graph, found, &torque)),
+    let kernels = BodyKernels {
         kick,
         gradient_kick,
-        drift: Kernel::new(Levels::One, entries),
+        drift: Routine::row("prepare_drift", entries),
         turns,
         shifts,
         principal: found.inertia.iter().all(|inertia| inertia.is_principal(graph)),
         repeats: found.autonomous,
-        domain: Domain::of(graph, Roots::of_energy(&found.energy), Form::Bodies, partial, (None, &[])),
+    };
+    let rates = rates(graph, found, &torque);
+    System {
+        facts: vec![],
+        value: Some(Routine::number("hamiltonian", found.energy)),
+        gradient: None,
+        rate: Some(Routine::new("rate", vec![Output::array("slopes", &phase(positions), rates)])),
+        splitting: None,
+        perturbed: None,
+        modified: None,
+        pieces: vec![],
+        implicit: Implicit::Bodies(kernels),
+        integrals: None,
+        lagrangian: None,
+        jet: None,
+        domain: Domain::of(graph, Roots::of_energy(&found.energy), Form::Bodies, partial, Friction::NONE),
     }
 }
 
-impl Bodies {
-    /// The statements of all kernels. After that nothing is added to the graph.
-    pub(crate) fn scheduled(self, graph: &mut Graph) -> Bodies<crate::schedule::Plan> {
-        let mut plan = |kernel: Kernel| kernel.plan(graph);
-        Bodies {
-            value: plan(self.value),
-            rate: plan(self.rate),
-            kick: self.kick.map(&mut plan),
-            gradient_kick: self.gradient_kick.map(&mut plan),
-            drift: plan(self.drift),
-            turns: self.turns,
-            shifts: self.shifts,
-            principal: self.principal,
-            repeats: self.repeats,
-            domain: self.domain.map(&mut plan),
-        }
+impl BodyKernels {
+    pub(super) fn schedule(&mut self, graph: &mut Graph) {
+        self.kick.kernel.schedule(graph);
+        self.gradient_kick.kernel.schedule(graph);
+        self.drift.schedule(graph);
     }
 }
 

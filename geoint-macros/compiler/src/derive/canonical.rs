@@ -1,6 +1,6 @@
 //! What is derived from H(q, p, t).
 
-use super::domain::{Domain, Roots};
+use super::domain::{Domain, Friction, Roots};
 use super::exact::kick_drift::{kick_drift, modified_energy};
 use super::exact::perturbed;
 use super::exact::pieces::{self, Followed};
@@ -14,41 +14,52 @@ use crate::ir::{Graph, Id, Partial};
 use crate::legendre::Legendre;
 use crate::messages::{COUPLED, COUPLED_IN_PIECES, DAMPED, FORCED, NO_CANONICAL_PIECES};
 use crate::parse::Form;
-use crate::schedule::{Kernel, Levels};
+use crate::schedule::{Output, Routine, phase};
 use crate::split::{Division, Pieces};
 
-/// Derives everything that some method needs.
+/// Decompositions of H into parts with exact flows.
+pub(crate) struct Decompositions<'a> {
+    /// A part with an exact flow, and a rest.
+    pub(crate) division: &'a Division,
+    /// Flows in closed form beside kick and drift.
+    pub(crate) pieces: Option<&'a Pieces>,
+}
+
+/// Derives the routines of every method.
 pub(crate) fn canonical(
     graph: &mut Graph,
     structure: &Structure,
-    (division, pieces): (&Division, Option<&Pieces>),
+    gradient: &Gradient,
+    Decompositions { division, pieces }: Decompositions<'_>,
     partial: &[Partial],
-    degrees: u32,
+    positions: &[usize],
     legendre: Option<&Legendre>,
-) -> (System, Gradient) {
-    let gradient = diff::gradient(graph, structure.energy, degrees);
-    let fields = implicit::field(graph, &gradient, structure, degrees);
+) -> System {
+    let degrees = gradient.q.len() as u32;
+    let fields = implicit::field(graph, gradient, structure, degrees);
     let some = |entry: &Id| !graph.is_zero(*entry);
     let drag = structure.damping.as_ref().and_then(|damping| damping.matrix.iter().flatten().copied().find(some));
     let forces = structure.forces.iter().flat_map(|forces| [&forces.applied, &forces.friction]);
     let force = forces.flatten().flatten().copied().find(some);
     let drag = drag.map(|term| (term, DAMPED)).or(force.map(|term| (term, FORCED)));
     let perturbed = match drag {
-        Some((term, why)) => Err(Missing { marker: "UndampedParts", term, why, pair: None }),
+        Some((term, why)) => Err(Missing::new("UndampedParts", term, why)),
         None => perturbed::kernels(graph, division, degrees),
     };
     let separable = match (drag, &structure.split) {
-        (Some((term, why)), _) => Err(Missing { marker: "Undamped", term, why, pair: None }),
+        (Some((term, why)), _) => Err(Missing::new("Undamped", term, why)),
         (None, Split::Coupled(term)) => {
             let why = if matches!(pieces, Some(Ok(_))) { COUPLED_IN_PIECES } else { COUPLED };
-            Err(Missing { marker: "Uncoupled", term: *term, why, pair: None })
+            Err(Missing::new("Uncoupled", *term, why))
         }
         (None, Split::Separable(parts)) => Ok(parts),
     };
-    let splitting = separable.map(|parts| kick_drift(graph, parts, (&fields.field.f, &gradient), partial));
-    let modified = separable.ok().map(|parts| modified_energy(graph, structure, parts, &gradient));
+    let splitting = separable.map(|parts| kick_drift(graph, parts, &fields.field.f, gradient, partial));
+    let modified = separable.ok().map(|parts| modified_energy(graph, structure, parts, gradient));
     let rates = fields.field.f.clone();
-    let rate = (!structure.conservative()).then(|| Kernel::new(Levels::One, rates.clone()));
+    let extents = phase(positions);
+    let rate = (!structure.conservative())
+        .then(|| Routine::new("rate", vec![Output::array("slopes", &extents, rates.clone())]));
     // Damping that depends on the state makes a field of a higher degree.
     let steady = structure.forces.is_none() && structure.damping.as_ref().is_none_or(|damping| !damping.reads.state());
     let facts = [
@@ -57,27 +68,30 @@ pub(crate) fn canonical(
         (structure.degree.is_some_and(|degree| degree <= 3) && steady, Fact::QuadraticField),
         (matches!(pieces, Some(Ok(found)) if found.nystrom), Fact::NystromPieces),
     ];
-    let forms = jet::forms(graph, structure.energy, &gradient, legendre).into_iter().map(|gradient| {
+    let forms = jet::forms(graph, structure.energy, gradient, legendre).into_iter().map(|gradient| {
         let rates = diff::field::rates(graph, &gradient, structure);
         // Of an equation of second order, all there is of f.
         let force = &rates[rates.len() - degrees as usize..];
         [&gradient.p, force].concat()
     });
     let forms: Vec<Vec<Id>> = forms.collect();
-    let jet = JetKernel::canonical(graph, &forms, (structure.energy, degrees));
-    let system = System {
+    let jet = JetKernel::canonical(graph, &forms, structure.energy, degrees);
+    System {
         facts: facts.into_iter().filter(|(holds, _)| *holds).map(|(_, fact)| fact).collect(),
-        value: Some(Kernel::new(Levels::One, vec![structure.energy])),
-        slopes: Some(Kernel::new(Levels::One, [&gradient.q[..], &gradient.p].concat())),
+        value: Some(Routine::number("hamiltonian", structure.energy)),
+        gradient: Some(Routine::new(
+            "gradient",
+            vec![Output::array("slopes", &extents, [&gradient.q[..], &gradient.p].concat())],
+        )),
         rate,
         splitting: Some(splitting),
         perturbed: Some(perturbed),
         modified,
         pieces: pieces
-            .map(|pieces| pieces::kernels(graph, Followed::Canonical, (pieces, NO_CANONICAL_PIECES)))
+            .map(|pieces| pieces::kernels(graph, Followed::Canonical, pieces, NO_CANONICAL_PIECES))
             .into_iter()
             .collect(),
-        implicit: Implicit::Field(fields.kernels(graph, structure, degrees)),
+        implicit: Implicit::Field(fields.kernels(graph, structure, positions)),
         integrals: None,
         lagrangian: None,
         jet,
@@ -86,8 +100,7 @@ pub(crate) fn canonical(
             Roots::of_energy(&structure.energy),
             Form::Hamiltonian,
             partial,
-            (structure.damping.as_ref(), &rates),
+            Friction { damping: structure.damping.as_ref(), rates: &rates },
         ),
-    };
-    (system, gradient)
+    }
 }

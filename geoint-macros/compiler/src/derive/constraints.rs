@@ -1,27 +1,28 @@
 //! What is derived from H(q, p, t) with constraints g(q) = 0.
 
-use super::domain::{Domain, Roots};
+use super::domain::{Domain, Friction, Roots};
 use super::system::{ConstraintKernels, Implicit, Missing, StepKernel, System};
 use crate::analyze::{self, Structure};
 use crate::diff::constraint::{self, Equation, Given};
-use crate::diff::{self, Gradient, field, jacobian};
+use crate::diff::{Gradient, field, jacobian};
 use crate::ir::{Function, Graph, Id, Partial, Symbol};
 use crate::messages::CONSTRAINED;
 use crate::parse::Form;
-use crate::schedule::{Kernel, Levels};
+use crate::schedule::{Kernel, Levels, Output, Routine, Space, phase};
 
 /// Derives everything that both methods need.
 pub(crate) fn constrained(
     graph: &mut Graph,
     structure: &Structure,
     constraints: &[Id],
+    gradient: &Gradient,
     partial: &[Partial],
-    degrees: u32,
-) -> (System, Gradient) {
-    let n = degrees as usize;
-    let gradient = diff::gradient(graph, structure.energy, degrees);
+    positions: &[usize],
+) -> System {
+    let n = gradient.q.len();
+    let degrees = n as u32;
     let (at_point, between) =
-        (field::field(graph, &gradient, structure, degrees), field::discrete(graph, structure, degrees));
+        (field::field(graph, gradient, structure, degrees), field::discrete(graph, structure, degrees));
     // Where T is quadratic and nothing is damped, the field is the force alone.
     let reduced = structure.reduced().is_some();
     let first = if reduced { 0 } else { n };
@@ -31,27 +32,34 @@ pub(crate) fn constrained(
     let rates = given.rates(graph);
     let steps =
         [("Rattle", constraint::rattle(graph, &given)), ("DiscreteGradient", constraint::gradient(graph, &given))];
-    let steps = steps.into_iter().map(|(method, equation)| (method, step(graph, equation))).collect();
+    let steps = steps.into_iter().map(|(method, equation)| (method, step(graph, equation, positions))).collect();
     let (own, bound) = (sizes(graph, constraints), given.sizes(graph));
     let reaches: Vec<Id> = own.iter().zip(&bound).map(|(own, bound)| graph.add(*own, *bound)).collect();
     let departure = [constraints.to_vec(), reaches, rates.clone(), sizes(graph, &rates)].concat();
-    let one = |roots: Vec<Id>| Kernel::new(Levels::One, roots);
-    let velocity = [gradient.p.clone(), given.inverse_mass.concat()].concat();
+    let m = constraints.len();
+    let values = vec![
+        Output::row("values", constraints.to_vec()),
+        Output::array("gradients", &[&[m], positions].concat(), given.gradients.concat()),
+    ];
+    let velocity = vec![
+        Output::array("velocity", positions, gradient.p.clone()),
+        Output::square("inverse_mass", positions, &given.inverse_mass),
+    ];
     let kernels = ConstraintKernels {
         quadratic: analyze::is_polynomial_in(graph, &gradient.p, 1, |symbol| matches!(symbol, Symbol::Momentum(_))),
-        values: one([constraints.to_vec(), given.gradients.concat()].concat()),
-        velocity: one(velocity),
-        departure: one(departure),
+        values: Routine::new("constraints", values),
+        velocity: Routine::new("velocity", velocity),
+        departure: Routine::new("departure", vec![Output::array("departure", &[2, 2, m], departure)]),
         steps,
         constraints: constraints.to_vec(),
     };
     let roots = [&[structure.energy], constraints].concat();
-    let system = System {
+    System {
         facts: vec![],
-        value: Some(one(vec![structure.energy])),
-        slopes: None,
+        value: Some(Routine::number("hamiltonian", structure.energy)),
+        gradient: None,
         rate: None,
-        splitting: Some(Err(Missing { marker: "Unconstrained", term: constraints[0], why: CONSTRAINED, pair: None })),
+        splitting: Some(Err(Missing::new("Unconstrained", constraints[0], CONSTRAINED))),
         perturbed: None,
         modified: None,
         pieces: vec![],
@@ -64,17 +72,25 @@ pub(crate) fn constrained(
             Roots { all: &roots, divided: &roots },
             Form::Hamiltonian,
             partial,
-            (structure.damping.as_ref(), &[]),
+            Friction { damping: structure.damping.as_ref(), rates: &[] },
         ),
-    };
-    (system, gradient)
+    }
 }
 
 /// Residual and derivative, what a solution adds, and the origin of unknowns.
-fn step(graph: &mut Graph, Equation { unknowns, residual, end, origin }: Equation) -> StepKernel<Kernel> {
-    let matrix = jacobian(graph, &residual, &unknowns).concat();
-    let kernel = Kernel { levels: Levels::Iterated, routines: vec![[residual, matrix].concat(), end, origin] };
-    StepKernel { unknowns, kernel }
+fn step(graph: &mut Graph, equation: Equation, positions: &[usize]) -> StepKernel {
+    let Equation { unknowns, residual, end, origin } = equation;
+    let matrix = jacobian(graph, &residual, &unknowns);
+    let unknowns = Space::of_unknowns(unknowns, positions);
+    let residual = Output::array("residual", &unknowns.extents, residual);
+    let matrix = Output::square("matrix", &unknowns.extents, &matrix);
+    let routines = [
+        Routine::new("residual", vec![residual, matrix]),
+        Routine::new("end", vec![Output::array("end", &phase(positions), end)]),
+        Routine::new("origin", vec![Output::array("origin", &unknowns.extents, origin)]),
+    ];
+    let routines = routines.map(|routine| routine.reading("x", &unknowns)).to_vec();
+    StepKernel { kernel: Kernel::new(Levels::Iterated, routines), unknowns }
 }
 
 /// Σ |x ∂f/∂x| over coordinates and parameters x: what rounding of these changes f by, in units of ε.

@@ -1,6 +1,6 @@
 //! What is derived from H(q, p, s, t).
 
-use super::domain::{Domain, Roots};
+use super::domain::{Domain, Friction, Roots};
 use super::exact::pieces::{self, Followed};
 use super::facts::Fact;
 use super::jet::{self, JetKernel};
@@ -9,53 +9,61 @@ use super::system::{
 };
 use super::{implicit, velocities};
 use crate::analyze;
-use crate::diff::{self, Gradient};
+use crate::diff::Gradient;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Partial, Symbol};
 use crate::legendre::Legendre;
 use crate::messages::{NO_PIECES, NOT_MECHANICAL, NOT_NYSTROM};
 use crate::parse::Form;
-use crate::schedule::{Kernel, Levels};
+use crate::schedule::{Levels, Output, Routine, phase};
 use crate::split::{self, Clock, Flow, Mechanics, Pieces};
 
-/// Derives everything that some method needs. The momenta of a lift are not followed.
-pub(crate) fn contact(
-    graph: &mut Graph,
-    energy: Id,
-    (found, mechanics): (&Pieces, &Result<Mechanics, Id>),
-    partial: &[Partial],
-    (degrees, lift): (u32, bool),
-    legendre: Option<&Legendre>,
-) -> (System, Gradient) {
-    let gradient = diff::gradient(graph, energy, degrees);
-    let rates = lift.then(|| rates_of_lift(graph, energy, &gradient));
+/// The energy of a contact system, and its decompositions.
+pub(crate) struct ContactEnergy<'a> {
+    pub(crate) energy: Id,
+    pub(crate) gradient: &'a Gradient,
+    /// Flows in closed form.
+    pub(crate) pieces: &'a Pieces,
+    /// T + g·s + V, or the term that does not fit.
+    pub(crate) mechanics: &'a Result<Mechanics, Id>,
+    /// Whether the system is the lift of a field. Its momenta are not followed.
+    pub(crate) lift: bool,
+    /// The Lagrangian of the energy.
+    pub(crate) legendre: Option<&'a Legendre>,
+}
+
+/// Derives the routines of every method.
+pub(crate) fn contact(graph: &mut Graph, of: &ContactEnergy<'_>, partial: &[Partial], positions: &[usize]) -> System {
+    let ContactEnergy { energy, gradient, pieces: found, mechanics, lift, legendre } = *of;
+    let degrees = gradient.q.len() as u32;
+    let rates = lift.then(|| rates_of_lift(graph, energy, gradient));
     let followed = match &rates {
         Some(rates) => vec![rates.clone()],
-        None => all_rates(graph, energy, &gradient, legendre),
+        None => all_rates(graph, energy, gradient, legendre),
     };
-    let jet = JetKernel::canonical(graph, &followed, (energy, degrees));
-    let rate = rates.map(|rates| Kernel::new(Levels::One, rates));
+    let jet = JetKernel::canonical(graph, &followed, energy, degrees);
+    let rate = rates.map(|rates| rate_routine(rates, positions));
     let what = if lift { Followed::Lift } else { Followed::Contact };
-    let pieces = pieces::kernels(graph, what, (found, NO_PIECES));
+    let pieces = pieces::kernels(graph, what, found, NO_PIECES);
     let modified = found.as_ref().ok().filter(|_| !lift).map(|found| {
         let modified = split::modified_energy(graph, &found.pieces, degrees);
-        Modified::Value(Kernel::new(Levels::One, vec![modified]))
+        Modified::Value(Routine::number("modified", modified))
     });
     let splitting = match mechanics {
         Ok(mechanics) => Ok(kick_drift(graph, mechanics)),
-        Err(term) => Err(Missing { marker: "MechanicalIn", term: *term, why: NOT_MECHANICAL, pair: None }),
+        Err(term) => Err(Missing::new("MechanicalIn", *term, NOT_MECHANICAL)),
     };
     // Positions and momenta move without s.
     let conformal = !analyze::acts_back(graph, gradient.s, gradient.q.iter().chain(&gradient.p).copied());
-    let by_velocities = legendre.and_then(|legendre| velocities::stages_of_energy(graph, legendre));
+    let by_velocities = legendre.and_then(|legendre| velocities::stages_of_energy(graph, legendre, positions));
     let stages = match by_velocities {
         Some(stages) => ContactStages::Velocities(stages),
-        None => ContactStages::Points(implicit::stages(graph, energy, &gradient)),
+        None => ContactStages::Points(implicit::stages(graph, energy, gradient, positions)),
     };
-    let system = System {
+    System {
         facts: if conformal { vec![Fact::ConformalContact] } else { vec![] },
-        value: (!lift).then(|| Kernel::new(Levels::One, vec![energy])),
-        slopes: Some(Kernel::new(Levels::One, [&gradient.q[..], &gradient.p, &[gradient.s]].concat())),
+        value: (!lift).then(|| Routine::number("hamiltonian", energy)),
+        gradient: Some(gradient_routine(gradient, positions)),
         rate,
         splitting: Some(splitting),
         perturbed: None,
@@ -64,14 +72,26 @@ pub(crate) fn contact(
         implicit: Implicit::Contact(if lift {
             ContactKernels { steps: vec![], stages: None }
         } else {
-            ContactKernels { steps: implicit::steps(graph, energy, degrees), stages: Some(stages) }
+            ContactKernels { steps: implicit::steps(graph, energy, positions), stages: Some(stages) }
         }),
         integrals: None,
         lagrangian: None,
         jet,
-        domain: Domain::of(graph, Roots::of_energy(&energy), Form::Contact, partial, (None, &[])),
-    };
-    (system, gradient)
+        domain: Domain::of(graph, Roots::of_energy(&energy), Form::Contact, partial, Friction::NONE),
+    }
+}
+
+/// The routine of ∂H/∂q, ∂H/∂p and ∂H/∂s.
+pub(super) fn gradient_routine(gradient: &Gradient, positions: &[usize]) -> Routine {
+    let slopes = Output::array("slopes", &phase(positions), [&gradient.q[..], &gradient.p].concat());
+    Routine::new("gradient", vec![slopes, Output::number("ds", gradient.s)])
+}
+
+/// The routine of q', p' and s'.
+pub(super) fn rate_routine(mut rates: Vec<Id>, positions: &[usize]) -> Routine {
+    let action = rates.pop().map(|rate| Output::number("ds", rate));
+    let slopes = Output::array("slopes", &phase(positions), rates);
+    Routine::new("rate", [slopes].into_iter().chain(action).collect())
 }
 
 /// q', p' = −∂H/∂q − p ∂H/∂s and s' = p·∂H/∂p − H.
@@ -105,7 +125,7 @@ fn rates_of_lift(graph: &mut Graph, energy: Id, gradient: &Gradient) -> Vec<Id> 
     gradient.p.iter().copied().chain(gradient.p.iter().map(|_| zero)).chain([by_action]).collect()
 }
 
-fn kick_drift(graph: &mut Graph, mechanics: &Mechanics) -> KickDrift<Kernel> {
+fn kick_drift(graph: &mut Graph, mechanics: &Mechanics) -> KickDrift {
     let (drift, clock) = &mechanics.drift;
     let [kick, damped_drift] = [&mechanics.kick, drift].map(|flow| {
         let changed = flow.changed(graph);
@@ -122,11 +142,11 @@ fn kick_drift(graph: &mut Graph, mechanics: &Mechanics) -> KickDrift<Kernel> {
         undamped: Some(Undamped {
             kick: (mechanics.free_kick != mechanics.kick).then(|| kernel(&mechanics.free_kick)),
             drift: (mechanics.free_drift != *drift).then(|| kernel(&mechanics.free_drift)),
-            damping: Kernel::new(Levels::One, vec![mechanics.damping]),
+            damping: Routine::number("damping", mechanics.damping),
         }),
         gradient_kick: match &mechanics.gradient_kick {
             Ok(flow) => Ok(GradientKick::Flow(kernel(flow))),
-            Err(term) => Err(Missing { marker: "NystromIn", term: *term, why: NOT_NYSTROM, pair: None }),
+            Err(term) => Err(Missing::new("NystromIn", *term, NOT_NYSTROM)),
         },
     }
 }

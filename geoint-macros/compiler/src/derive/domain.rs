@@ -5,43 +5,44 @@ use crate::analyze::{self, Damping};
 use crate::ir::op::Domain as Defined;
 use crate::ir::{Function, Graph, Id, Node, Number, Partial, Ratio};
 use crate::parse::Form;
-use crate::schedule::{Kernel, Levels};
+use crate::schedule::{Output, Routine};
 use std::collections::{BTreeSet, HashSet};
 
 /// What is tested of the domain.
 #[derive(Debug)]
-pub(crate) struct Domain<K = Kernel> {
+pub(crate) struct Domain {
     /// What is tested at a point.
     pub(crate) checks: Vec<Check>,
-    /// The argument of each; then what is [enough](Check::enough) of some, and the entries of a damping matrix that has to be tested.
-    pub(crate) arguments: K,
+    /// The outputs `arguments` of all checks, `enough` of the checks that have [`Check::enough`], and the matrix `damping` if it is not proven to be
+    /// positive semidefinite.
+    pub(crate) arguments: Routine,
     /// Where the energy is defined but not smooth: what explains a step that is refused there.
-    pub(crate) edges: Edges<K>,
+    pub(crate) edges: Edges,
     /// Powers that have so many derivatives alone where what they are powers of vanishes: no series goes on from there.
-    pub(crate) powers: Edges<K>,
+    pub(crate) powers: Edges,
     /// Whether the end of a step may lie outside the domain without a trace in later steps.
     pub(crate) examined: bool,
-    pub(crate) poles: Option<Poles<K>>,
-    pub(crate) jumps: Option<Jumps<K>>,
+    pub(crate) poles: Option<Poles>,
+    pub(crate) jumps: Option<Jumps>,
     /// Terms that jump where an angle by `atan2` comes round.
     pub(crate) turning: Vec<Id>,
-    pub(crate) angles: Option<Angles<K>>,
+    pub(crate) angles: Option<Angles>,
 }
 
 /// The angles `atan2(y, x)` of the state in functions of which divided differences are taken.
 #[derive(Debug)]
-pub(crate) struct Angles<K = Kernel> {
+pub(crate) struct Angles {
     pub(crate) all: Vec<Id>,
     /// y and x of each angle.
-    pub(crate) sides: K,
+    pub(crate) sides: Routine,
 }
 
 /// Edges of the domain that belong to it: there a value is a number, and a derivative is not, as of √u at u = 0.
 #[derive(Debug)]
-pub(crate) struct Edges<K = Kernel> {
+pub(crate) struct Edges {
     pub(crate) checks: Vec<Check>,
-    /// The argument of each.
-    pub(crate) arguments: K,
+    /// The argument of each check.
+    pub(crate) arguments: Routine,
 }
 
 /// What a system is computed from.
@@ -58,6 +59,18 @@ impl<'a> Roots<'a> {
         let energy = std::slice::from_ref(energy);
         Roots { all: energy, divided: energy }
     }
+}
+
+/// Friction, whose signs are tested.
+#[derive(Clone, Copy)]
+pub(super) struct Friction<'a> {
+    pub(super) damping: Option<&'a Damping>,
+    /// Rates, which may contain friction that is not linear.
+    pub(super) rates: &'a [Id],
+}
+
+impl Friction<'_> {
+    pub(super) const NONE: Friction<'static> = Friction { damping: None, rates: &[] };
 }
 
 /// A condition under which the energy is undefined.
@@ -87,7 +100,7 @@ impl Domain {
         roots: Roots<'_>,
         form: Form,
         partial: &[Partial],
-        (damping, rates): (Option<&Damping>, &[Id]),
+        Friction { damping, rates }: Friction<'_>,
     ) -> Domain {
         let mut checks = vec![];
         for Partial { node, condition } in partial {
@@ -111,11 +124,17 @@ impl Domain {
         for check in checks.iter_mut().filter(|check| check.if_it_is != Sign::Negative) {
             check.enough = square_of(graph, check.argument);
         }
-        let enough = checks.iter().filter_map(|check| check.enough);
-        let arguments = checks.iter().map(|check| check.argument).chain(enough).chain(matrix).collect();
+        let arguments = checks.iter().map(|check| check.argument).collect();
+        let enough = checks.iter().filter_map(|check| check.enough).collect();
+        let size = matrix.len().isqrt();
+        let arguments = vec![
+            Output::row("arguments", arguments),
+            Output::row("enough", enough),
+            Output::array("damping", &[size, size], matrix),
+        ];
         let examined = is_examined(graph, roots.all, partial);
         Domain {
-            arguments: Kernel::new(Levels::One, arguments),
+            arguments: Routine::new("outside_domain", arguments),
             checks,
             edges: Edges::of(graph, roots.all),
             powers: Edges::powers(graph, roots.all),
@@ -136,31 +155,26 @@ impl Angles {
             let is_angle = matches!(graph.node(*id), Node::Call(Function::Atan2, _));
             is_angle && graph.reads(*id).state() && !graph.reads(*id).v
         });
-        let sides = all.iter().flat_map(|id| graph.node(*id).children()).collect();
-        (!all.is_empty()).then(|| Angles { all, sides: Kernel::new(Levels::One, sides) })
+        let sides: Vec<Id> = all.iter().flat_map(|id| graph.node(*id).children()).collect();
+        let sides = Output::array("sides", &[all.len(), 2], sides);
+        (!all.is_empty()).then(|| Angles { all, sides: Routine::new("angles", vec![sides]) })
     }
 }
 
-impl<K> Angles<K> {
-    /// The same angles with statements in place of nodes.
-    fn map<L>(self, of: &mut impl FnMut(K) -> L) -> Angles<L> {
-        Angles { all: self.all, sides: of(self.sides) }
-    }
-}
-
-impl<K> Domain<K> {
-    /// The same with statements in place of nodes.
-    pub(super) fn map<L>(self, of: &mut impl FnMut(K) -> L) -> Domain<L> {
-        Domain {
-            checks: self.checks,
-            arguments: of(self.arguments),
-            edges: self.edges.map(of),
-            powers: self.powers.map(of),
-            examined: self.examined,
-            poles: self.poles.map(|poles| poles.map(of)),
-            jumps: self.jumps.map(|jumps| jumps.map(of)),
-            turning: self.turning,
-            angles: self.angles.map(|angles| angles.map(of)),
+impl Domain {
+    pub(super) fn schedule(&mut self, graph: &mut Graph) {
+        self.arguments.schedule(graph);
+        self.edges.arguments.schedule(graph);
+        self.powers.arguments.schedule(graph);
+        if let Some(poles) = &mut self.poles {
+            poles.schedule(graph);
+        }
+        if let Some(Jumps { sides, heights, .. }) = &mut self.jumps {
+            sides.schedule(graph);
+            heights.schedule(graph);
+        }
+        if let Some(angles) = &mut self.angles {
+            angles.sides.schedule(graph);
         }
     }
 }
@@ -197,14 +211,7 @@ impl Edges {
     fn new(graph: &mut Graph, mut checks: Vec<Check>) -> Edges {
         checks.retain(|check: &Check| graph.reads(check.argument).state());
         let arguments = checks.iter().map(|check| check.argument).collect();
-        Edges { checks, arguments: Kernel::new(Levels::One, arguments) }
-    }
-}
-
-impl<K> Edges<K> {
-    /// The same with statements in place of nodes.
-    fn map<L>(self, of: &mut impl FnMut(K) -> L) -> Edges<L> {
-        Edges { checks: self.checks, arguments: of(self.arguments) }
+        Edges { checks, arguments: Routine::row("arguments", arguments) }
     }
 }
 

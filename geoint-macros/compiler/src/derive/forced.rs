@@ -1,7 +1,7 @@
 //! What is derived from H(q, p, s, t) with forces beside it, p' = −∂H/∂q − p ∂H/∂s + F − ∂R/∂v: rates alone, because no step is a contact map.
 
-use super::contact::rates;
-use super::domain::{Domain, Roots};
+use super::contact::{gradient_routine, rate_routine, rates};
+use super::domain::{Domain, Friction, Roots};
 use super::exact::pieces::{self, Followed};
 use super::jet::JetKernel;
 use super::system::{ContactKernels, Implicit, Missing, System};
@@ -10,16 +10,25 @@ use crate::diff;
 use crate::ir::{Graph, Id, Partial, Symbol};
 use crate::messages::FORCED_ACTION;
 use crate::parse::Form;
-use crate::schedule::{Kernel, Levels};
+use crate::schedule::Routine;
 
-/// Derives everything that some method needs; and ∂R/∂v where R is a quadratic form.
+/// A system with an action and forces beside its energy.
+pub(crate) struct Forced {
+    pub(crate) system: System,
+    /// ∂R/∂v of a quadratic Rayleigh function R.
+    pub(crate) drag: Option<Vec<Id>>,
+}
+
+/// Derives rates, and the Taylor coefficients of solutions.
 pub(crate) fn forced(
     graph: &mut Graph,
     energy: Id,
-    (damping, forces): (Option<&Damping>, Option<&Forces>),
+    damping: Option<&Damping>,
+    forces: Option<&Forces>,
     partial: &[Partial],
-    degrees: u32,
-) -> (System, Option<Vec<Id>>) {
+    positions: &[usize],
+) -> Forced {
+    let degrees = positions.iter().product::<usize>() as u32;
     let gradient = diff::gradient(graph, energy, degrees);
     let n = degrees as usize;
     let mut rates = rates(graph, energy, &gradient);
@@ -35,21 +44,27 @@ pub(crate) fn forced(
     let drag = damping.map(|damping| damping.drag(graph, &velocities));
     let applied = forces.iter().flat_map(|forces| [&forces.applied, &forces.friction]).flatten().flatten();
     let term = applied.chain(drag.iter().flatten()).copied().find(|force| !graph.is_zero(*force)).unwrap_or(energy);
-    let jet = JetKernel::canonical(graph, &[rates.clone()], (energy, degrees));
+    let jet = JetKernel::canonical(graph, &[rates.clone()], energy, degrees);
     let system = System {
         facts: vec![],
-        value: Some(Kernel::new(Levels::One, vec![energy])),
-        slopes: Some(Kernel::new(Levels::One, [&gradient.q[..], &gradient.p, &[gradient.s]].concat())),
-        rate: Some(Kernel::new(Levels::One, rates.clone())),
-        splitting: Some(Err(Missing { marker: "MechanicalIn", term, why: FORCED_ACTION, pair: None })),
+        value: Some(Routine::number("hamiltonian", energy)),
+        gradient: Some(gradient_routine(&gradient, positions)),
+        rate: Some(rate_routine(rates.clone(), positions)),
+        splitting: Some(Err(Missing::new("MechanicalIn", term, FORCED_ACTION))),
         perturbed: None,
         modified: None,
-        pieces: vec![pieces::kernels(graph, Followed::Contact, (&Err(term), FORCED_ACTION))],
+        pieces: vec![pieces::kernels(graph, Followed::Contact, &Err(term), FORCED_ACTION)],
         implicit: Implicit::Contact(ContactKernels { steps: vec![], stages: None }),
         integrals: None,
         lagrangian: None,
         jet,
-        domain: Domain::of(graph, Roots::of_energy(&energy), Form::Contact, partial, (damping, &rates)),
+        domain: Domain::of(
+            graph,
+            Roots::of_energy(&energy),
+            Form::Contact,
+            partial,
+            Friction { damping, rates: &rates },
+        ),
     };
-    (system, drag)
+    Forced { system, drag }
 }

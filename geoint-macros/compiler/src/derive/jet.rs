@@ -5,16 +5,16 @@ use crate::diff::jet::{self, Jet};
 use crate::diff::{Gradient, by_velocities};
 use crate::ir::{Graph, Id, Symbol};
 use crate::legendre::Legendre;
-use crate::schedule::{Kernel, Levels};
+use crate::schedule::Routine;
 
 /// With more series than this users would wait for code that is run slowly.
 const MOST_SERIES: usize = 6000;
 
 /// A program, and the values with which it starts.
 #[derive(Debug)]
-pub(crate) struct JetKernel<K = Kernel> {
+pub(crate) struct JetKernel {
     pub(crate) jet: Jet,
-    pub(crate) start: K,
+    pub(crate) start: Routine,
 }
 
 impl JetKernel {
@@ -25,7 +25,7 @@ impl JetKernel {
         let watched: Vec<Id> = edges.iter().map(|edge| edge.difference).collect();
         let jets = forms.iter().map(|rates| jet::jet(graph, rates, &watched));
         let jet = jets.min_by_key(Jet::half_convolutions)?;
-        let start = Kernel::new(Levels::One, jet.values.clone());
+        let start = Routine::row("start", jet.values.clone());
         (jet.series.len() <= MOST_SERIES).then_some(JetKernel { jet, start })
     }
 
@@ -36,7 +36,7 @@ impl JetKernel {
     }
 
     /// Of q' and p', and s' if there is an action, which are given one after the other.
-    pub(super) fn canonical(graph: &mut Graph, forms: &[Vec<Id>], (energy, degrees): (Id, u32)) -> Option<JetKernel> {
+    pub(super) fn canonical(graph: &mut Graph, forms: &[Vec<Id>], energy: Id, degrees: u32) -> Option<JetKernel> {
         let symbols =
             || (0..degrees).map(Symbol::Position).chain((0..degrees).map(Symbol::Momentum)).chain([Symbol::Action]);
         let forms: Vec<_> = forms.iter().map(|rates| symbols().zip(rates.iter().copied()).collect()).collect();
@@ -55,10 +55,4 @@ pub(super) fn forms(graph: &mut Graph, energy: Id, gradient: &Gradient, legendre
         None => by_velocities::of_energy(graph, energy, gradient),
     };
     [gradient.clone()].into_iter().chain(by_velocities).collect()
-}
-
-impl<K> JetKernel<K> {
-    pub(super) fn map<L>(self, of: &mut impl FnMut(K) -> L) -> JetKernel<L> {
-        JetKernel { jet: self.jet, start: of(self.start) }
-    }
 }

@@ -2,36 +2,30 @@
 
 use crate::analyze::{self, Jump, Pole, Quick, crossings};
 use crate::ir::{Graph, Id, Partial};
-use crate::schedule::{Kernel, Levels};
+use crate::schedule::{Kernel, Levels, Output, Routine};
 
 /// Poles, and how zeros of what vanishes there are excluded.
 #[derive(Debug)]
-pub(crate) struct Poles<K = Kernel> {
+pub(crate) struct Poles {
     pub(crate) all: Vec<Pole>,
     /// The signs of parameters on which tests by structure rely.
-    pub(crate) signs: Option<Signs<K>>,
+    pub(crate) signs: Option<Signs>,
     /// Tests by structure that are always made.
-    pub(crate) always: Option<Margins<K>>,
+    pub(crate) always: Option<Margins>,
     /// Those that divided differences make as well.
-    pub(crate) undivided: Option<Margins<K>>,
-    /// What must not vanish: a routine a pole.
-    pub(crate) vanishing: K,
+    pub(crate) undivided: Option<Margins>,
+    /// The function that vanishes at each pole: one routine for each.
+    pub(crate) vanishing: Kernel,
 }
 
-/// Numbers made of parameters whose signs have to be as they are assumed.
+/// Functions of the parameters whose signs are tested: the outputs `positive` and `not_negative`.
 #[derive(Debug)]
-pub(crate) struct Signs<K = Kernel> {
-    pub(crate) values: K,
-    /// So many of them, the first ones, have to be positive; the others not negative.
-    pub(crate) positive: usize,
-}
+pub(crate) struct Signs(pub(crate) Routine);
 
 /// Numbers that have to be positive, made of values at both ends of a step.
 #[derive(Debug)]
-pub(crate) struct Margins<K = Kernel> {
-    pub(crate) values: K,
-    /// How many values there are.
-    pub(crate) count: usize,
+pub(crate) struct Margins {
+    pub(crate) values: Routine,
     pub(crate) margins: Vec<Margin>,
 }
 
@@ -46,12 +40,12 @@ pub(crate) enum Margin {
 
 /// Conditions that read the state.
 #[derive(Debug)]
-pub(crate) struct Jumps<K = Kernel> {
+pub(crate) struct Jumps {
     pub(crate) all: Vec<Jump>,
-    /// The side of each.
-    pub(crate) sides: K,
-    /// The side and the height: a routine a condition.
-    pub(crate) heights: K,
+    /// The side of each condition.
+    pub(crate) sides: Routine,
+    /// Side and height: one routine for each condition.
+    pub(crate) heights: Kernel,
     /// What is equal where the energy was not proven not to jump.
     pub(crate) edge: Option<[Id; 2]>,
 }
@@ -101,8 +95,7 @@ impl Collected {
 
     fn margins(self) -> Option<Margins> {
         let Collected { roots: Roots(roots), margins } = self;
-        let count = roots.len();
-        (!margins.is_empty()).then(|| Margins { values: Kernel::new(Levels::One, roots), count, margins })
+        (!margins.is_empty()).then(|| Margins { values: Routine::row("values", roots), margins })
     }
 }
 
@@ -130,20 +123,23 @@ impl Poles {
                 Some(Quick::SineOf(..)) | None => {}
             }
         }
-        let Roots(positive) = positive;
-        let parameters = [&positive[..], &not_negative.0].concat();
+        let signs =
+            [("positive", positive), ("not_negative", not_negative)].map(|(name, roots)| Output::row(name, roots.0));
+        let assumed = signs.iter().any(|output| !output.nodes.is_empty());
         Some(Poles {
-            signs: (!parameters.is_empty())
-                .then(|| Signs { values: Kernel::new(Levels::One, parameters), positive: positive.len() }),
+            signs: assumed.then(|| Signs(Routine::new("signs_hold", signs.to_vec()))),
             always: always.margins(),
             undivided: undivided.margins(),
-            vanishing: Kernel { levels: Levels::One, routines: all.iter().map(|pole| vec![pole.enclosable]).collect() },
+            vanishing: Kernel::new(
+                Levels::One,
+                all.iter().map(|pole| Routine::number("vanishing", pole.enclosable)).collect(),
+            ),
             all,
         })
     }
 }
 
-impl<K> Poles<K> {
+impl Poles {
     /// Marks the poles at which a mass matrix is singular, by what vanishes there.
     pub(super) fn mark_mass(&mut self, divisors: &[Id]) {
         for pole in &mut self.all {
@@ -151,20 +147,11 @@ impl<K> Poles<K> {
         }
     }
 
-    pub(super) fn map<L>(self, of: &mut impl FnMut(K) -> L) -> Poles<L> {
-        Poles {
-            all: self.all,
-            signs: self.signs.map(|signs| Signs { values: of(signs.values), positive: signs.positive }),
-            always: self.always.map(|margins| margins.map(of)),
-            undivided: self.undivided.map(|margins| margins.map(of)),
-            vanishing: of(self.vanishing),
-        }
-    }
-}
-
-impl<K> Margins<K> {
-    fn map<L>(self, of: &mut impl FnMut(K) -> L) -> Margins<L> {
-        Margins { values: of(self.values), count: self.count, margins: self.margins }
+    pub(super) fn schedule(&mut self, graph: &mut Graph) {
+        let margins = [&mut self.always, &mut self.undivided].into_iter().flatten().map(|margins| &mut margins.values);
+        let signs = self.signs.iter_mut().map(|signs| &mut signs.0);
+        signs.chain(margins).for_each(|routine| routine.schedule(graph));
+        self.vanishing.schedule(graph);
     }
 }
 
@@ -176,20 +163,14 @@ impl Jumps {
         all.retain(|jump| !graph.reads(jump.side).v);
         let one = graph.integer(1);
         let height = |jump: &Jump| if graph.reads(jump.height).v { one } else { jump.height };
-        let routines = all.iter().map(|jump| vec![jump.side, height(jump)]).collect();
+        let routines = all.iter().map(|jump| Routine::row("jump", vec![jump.side, height(jump)])).collect();
         (!all.is_empty()).then(|| Jumps {
-            sides: Kernel::new(Levels::One, all.iter().map(|jump| jump.side).collect()),
-            heights: Kernel { levels: Levels::One, routines },
+            sides: Routine::row("sides", all.iter().map(|jump| jump.side).collect()),
+            heights: Kernel::new(Levels::One, routines),
             edge: energies
                 .iter()
                 .find_map(|energy| crossings::edges_of_jumps(graph, *energy).first().map(|edge| edge.equal)),
             all,
         })
-    }
-}
-
-impl<K> Jumps<K> {
-    pub(super) fn map<L>(self, of: &mut impl FnMut(K) -> L) -> Jumps<L> {
-        Jumps { all: self.all, sides: of(self.sides), heights: of(self.heights), edge: self.edge }
     }
 }

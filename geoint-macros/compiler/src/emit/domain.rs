@@ -1,21 +1,17 @@
 //! Where the energy is defined: what is tested at a point.
 
-use super::damping;
-use super::kernel::Context;
+use super::kernel::{Context, Values};
 use super::poles;
-use super::tokens::Tokens;
-use crate::derive::{Angles, Check, Domain, Sign};
-use crate::ir::{Graph, print::Printer};
-use crate::schedule::Plan;
+use crate::derive::{Angles, Check, Domain, Edges, Sign};
+use crate::schedule::Routine;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 use syn::ext::IdentExt;
 
 /// The items of `PhaseSpace` that speak of the domain.
-pub(super) fn domain(context: &Context<'_>, graph: &Graph, domain: &Domain<Plan>) -> TokenStream {
+pub(super) fn domain(context: &Context<'_>, domain: &Domain) -> TokenStream {
     let (phase, parts, action) = (context.phase(), context.parts(), context.action());
-    let damped = |entries: &[Tokens]| damping::matrix_test(context, entries);
-    let outside = first_of(context, graph, (&domain.checks, &domain.arguments), damped);
+    let outside = first_of(context, &domain.checks, &domain.arguments);
     let names: Vec<&Ident> = context.energy.parameters().map(|parameter| &parameter.name).collect();
     let parameters = (!names.is_empty()).then(|| {
         let shown = names.iter().map(|name| name.unraw().to_string());
@@ -30,7 +26,7 @@ pub(super) fn domain(context: &Context<'_>, graph: &Graph, domain: &Domain<Plan>
         }
     });
     let edge = (!domain.edges.checks.is_empty()).then(|| {
-        let edge = first_of(context, graph, (&domain.edges.checks, &domain.edges.arguments), |_| TokenStream::new());
+        let edge = first_of(context, &domain.edges.checks, &domain.edges.arguments);
         quote! {
             fn edge(&self, t: R, z: &#phase, s: &#action) -> ::core::option::Option<&'static str> {
                 #parts
@@ -39,7 +35,7 @@ pub(super) fn domain(context: &Context<'_>, graph: &Graph, domain: &Domain<Plan>
         }
     });
     let powers = (!domain.powers.checks.is_empty()).then(|| {
-        let powers = powers(context, graph, (&domain.powers.checks, &domain.powers.arguments));
+        let powers = powers(context, &domain.powers);
         quote! {
             const POWERS: bool = true;
             fn powers(&self, t: R, z: &#phase, s: &#action, mut visit: impl ::core::ops::FnMut(&'static str, R)) {
@@ -48,10 +44,10 @@ pub(super) fn domain(context: &Context<'_>, graph: &Graph, domain: &Domain<Plan>
             }
         }
     });
-    let poles = domain.poles.as_ref().map(|poles| poles::poles(context, graph, poles));
-    let jumps = domain.jumps.as_ref().map(|jumps| poles::jumps(context, graph, jumps));
+    let poles = domain.poles.as_ref().map(|poles| poles::poles(context, poles));
+    let jumps = domain.jumps.as_ref().map(|jumps| poles::jumps(context, jumps));
     let angles = domain.angles.as_ref().map(|found| {
-        let shown = angles(context, graph, found);
+        let shown = angles(context, found);
         quote! {
             const ANGLES: bool = true;
             fn angles(&self, t: R, z: &#phase, s: &#action, mut visit: impl ::core::ops::FnMut(&'static str, [R; 2])) {
@@ -83,21 +79,23 @@ pub(super) fn domain(context: &Context<'_>, graph: &Graph, domain: &Domain<Plan>
 }
 
 /// Shows every angle with its sides y and x.
-fn angles(context: &Context<'_>, graph: &Graph, angles: &Angles<Plan>) -> TokenStream {
-    let printer = Printer::new(graph, context);
-    context.values(&angles.sides, |values| {
-        let shown = angles.all.iter().zip(values.chunks_exact(2)).map(|(angle, sides)| {
-            let (what, y, x) = (printer.excerpt(*angle), &sides[0], &sides[1]);
-            quote!(visit(#what, [#y, #x]);)
+fn angles(context: &Context<'_>, angles: &Angles) -> TokenStream {
+    let printer = context.printer();
+    context.outputs(&angles.sides, |outputs| {
+        let sides = outputs.iter().flat_map(Values::rows);
+        let shown = angles.all.iter().zip(sides).map(|(angle, sides)| {
+            let what = printer.excerpt(*angle);
+            quote!(visit(#what, #sides);)
         });
         quote!(#(#shown)*)
     })
 }
 
 /// Shows every power with what it is a power of.
-fn powers(context: &Context<'_>, graph: &Graph, (checks, arguments): (&[Check], &Plan)) -> TokenStream {
-    let printer = Printer::new(graph, context);
-    context.values(arguments, |values| {
+fn powers(context: &Context<'_>, Edges { checks, arguments }: &Edges) -> TokenStream {
+    let printer = context.printer();
+    context.outputs(arguments, |outputs| {
+        let values = outputs.iter().flat_map(|values| &values.all);
         let shown = checks.iter().zip(values).map(|(check, value)| {
             let message = format!("{}: {}", check.what, printer.excerpt(check.term));
             quote!(visit(#message, #value);)
@@ -106,28 +104,34 @@ fn powers(context: &Context<'_>, graph: &Graph, (checks, arguments): (&[Check], 
     })
 }
 
-/// The first condition that does not hold; `rest` tests the values that belong to none.
-fn first_of(
-    context: &Context<'_>,
-    graph: &Graph,
-    (checks, arguments): (&[Check], &Plan),
-    rest: impl Fn(&[Tokens]) -> TokenStream,
-) -> TokenStream {
-    let printer = Printer::new(graph, context);
-    context.values(arguments, |mut values| {
-        let mut others = values.split_off(checks.len()).into_iter();
-        let tests = checks.iter().zip(values).map(|(check, value)| {
+/// The first condition that does not hold, by the outputs `arguments`, `enough` and `damping` of a routine.
+fn first_of(context: &Context<'_>, checks: &[Check], arguments: &Routine) -> TokenStream {
+    let printer = context.printer();
+    context.outputs(arguments, |outputs| {
+        let named = |name: &str| outputs.iter().find(|values| values.output.name == name);
+        let values = |name: &str| named(name).map_or(&[][..], |values| &values.all);
+        let mut enough = values("enough").iter();
+        let tests = checks.iter().zip(values("arguments")).map(|(check, value)| {
             let test = match check.if_it_is {
                 Sign::Negative => quote!(.any_below(0.0)),
                 Sign::NotPositive => quote!(.any_not_positive()),
                 Sign::Zero => quote!(.abs().any_not_positive()),
             };
-            let enough = check.enough.and_then(|_| others.next()).map(|enough| quote!(#enough.any_not_positive() &&));
+            let enough = check.enough.and_then(|_| enough.next()).map(|enough| quote!(#enough.any_not_positive() &&));
             let message = format!("{}: {}", check.what, printer.excerpt(check.term));
             quote!(if #enough #value #test { return ::core::option::Option::Some(#message); })
         });
         let tests: Vec<TokenStream> = tests.collect();
-        let rest = rest(others.as_slice());
-        quote!(#(#tests)* #rest ::core::option::Option::None)
+        let damping = named("damping").map(matrix_test);
+        quote!(#(#tests)* #damping ::core::option::Option::None)
     })
+}
+
+/// The statement that tests a matrix of which it is not known yet whether it is positive semidefinite.
+fn matrix_test(matrix: &Values<'_>) -> TokenStream {
+    if matrix.all.is_empty() {
+        return TokenStream::new();
+    }
+    let (matrix, message) = (matrix.listed(), "damping that is not positive semidefinite");
+    quote!(if !is_positive_semidefinite(#matrix) { return ::core::option::Option::Some(#message); })
 }

@@ -1,24 +1,21 @@
 //! What flows offer beside the common part: their field, and what they keep.
 
-use super::kernel::{Context, write};
+use super::kernel::Context;
 use super::structure::self_type;
 use super::system::keeps_energy;
-use crate::derive::{Integrals, System};
-use crate::ir::Symbol;
+use crate::derive::{Integrals, NamedFunction, System};
 use crate::parse::Energy;
-use crate::schedule::Plan;
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 /// The functions that users call.
-pub(super) fn inherent(context: &Context<'_>, system: &System<Plan>) -> TokenStream {
+pub(super) fn inherent(context: &Context<'_>, system: &System) -> TokenStream {
     let Energy { name, float, coordinates, .. } = context.energy;
     let coordinates = &coordinates.ty;
-    let names = system.integrals.iter().flat_map(|integrals| integrals.names.iter().enumerate());
+    let all = system.integrals.iter().flat_map(|integrals| integrals.all.iter().enumerate());
     // The energy has a function already.
-    let named = |i: usize| system.integrals.as_ref().is_some_and(|integrals| integrals.functions[i]);
-    let names = names.filter(|(i, name)| named(*i) && (system.value.is_none() || *name != "energy"));
-    let functions = names.map(|(i, integral)| {
+    let callable = all.filter(|(_, of)| of.callable && (system.value.is_none() || of.name != "energy"));
+    let functions = callable.map(|(i, NamedFunction { name: integral, .. })| {
         let (function, i) = (format_ident!("{integral}"), Literal::usize_unsuffixed(i));
         let doc = format!("The integral `{integral}` of a state.");
         quote! {
@@ -42,10 +39,10 @@ pub(super) fn inherent(context: &Context<'_>, system: &System<Plan>) -> TokenStr
 }
 
 /// What is kept, or changes in a known way; and `impl FirstIntegrals` of what is kept.
-pub(super) fn integrals(context: &Context<'_>, integrals: &Integrals<Plan>) -> TokenStream {
+pub(super) fn integrals(context: &Context<'_>, integrals: &Integrals) -> TokenStream {
     let (name, phase, parts) = (self_type(context), context.phase(), context.parts());
-    let count = Literal::usize_unsuffixed(integrals.names.len());
-    let values = context.values(&integrals.values, |values| quote!([#(#values),*]));
+    let count = Literal::usize_unsuffixed(integrals.all.len());
+    let values = context.returned(&integrals.values);
     let constant = (!integrals.constant.is_empty()).then(|| constant(context, integrals));
     let steady = (!integrals.steady.is_empty()).then(|| steady(context, integrals));
     quote! {
@@ -65,9 +62,9 @@ pub(super) fn integrals(context: &Context<'_>, integrals: &Integrals<Plan>) -> T
 }
 
 /// What is kept.
-fn constant(context: &Context<'_>, integrals: &Integrals<Plan>) -> TokenStream {
+fn constant(context: &Context<'_>, integrals: &Integrals) -> TokenStream {
     let (name, phase) = (self_type(context), context.phase());
-    let names = integrals.constant.iter().map(|i| &integrals.names[*i]);
+    let names = integrals.constant.iter().map(|i| &integrals.all[*i].name);
     let indices = integrals.constant.iter().map(|i| Literal::usize_unsuffixed(*i));
     let count = Literal::usize_unsuffixed(integrals.constant.len());
     quote! {
@@ -85,20 +82,14 @@ fn constant(context: &Context<'_>, integrals: &Integrals<Plan>) -> TokenStream {
 }
 
 /// What is kept and does not read time, with what projections need of it.
-fn steady(context: &Context<'_>, integrals: &Integrals<Plan>) -> TokenStream {
+fn steady(context: &Context<'_>, integrals: &Integrals) -> TokenStream {
     let (name, phase, parts) = (self_type(context), context.phase(), context.parts());
-    let places = context.coordinates();
     let count = Literal::usize_unsuffixed(integrals.steady.len());
-    let slopes = context.values(&integrals.slopes, |values| {
-        let all = (0..integrals.steady.len()).flat_map(|k| places.iter().map(move |place| [&[k], &place[..]].concat()));
-        write("slopes", &all.collect::<Vec<_>>(), &values)
-    });
+    let (slopes, changes) = (context.assigned(&integrals.slopes), context.returned(&integrals.changes));
     let energy = integrals.energy.map(|k| {
         let (k, i) = (Literal::usize_unsuffixed(k), Literal::usize_unsuffixed(integrals.steady[k]));
         keeps_energy(context, &quote!(Integral<#k>), Some(quote!(NamedFunctions::values(self, t, z)[#i])))
     });
-    let increments: Vec<Symbol> = (0..context.energy.degrees()).map(Symbol::PositionIncrement).collect();
-    let changes = context.planned(&integrals.changes.last[0], (&increments, "dz"), |values| quote!([#(#values),*]));
     quote! {
         impl<R: Real> SteadyIntegrals<R> for #name {
             type Proof = ();

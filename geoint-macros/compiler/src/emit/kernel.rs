@@ -1,25 +1,81 @@
-//! Functions of prepared coefficients and arrays: what routines read and write.
+//! Routines as tokens: what they read, and where their outputs go.
 
 use super::given::{Given, array, element};
 use super::straight_line;
 use super::tokens::{Tokens, bracketed};
 use super::writer::Names;
-use crate::ir::Symbol;
-use crate::ir::print::Naming;
-use crate::lower::VELOCITY;
-use crate::parse::{Energy, Form, Role, Shape};
-use crate::schedule::{Block, Operand, Plan};
+use crate::compilation::Compilation;
+use crate::derive::MOST_UNKNOWNS;
+use crate::ir::{Symbol, print::Printer};
+use crate::parse::{Energy, Form, Role};
+use crate::schedule::{Argument, Block, Extent, Kernel, Operand, Output, Routine, Space};
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};
 use std::cell::RefCell;
 
-/// How kernels of one energy name things.
+/// The emission of one system.
 pub(crate) struct Context<'a> {
+    compilation: &'a Compilation<'a>,
     pub(super) energy: &'a Energy,
-    /// Constants that live outside the function.
-    constants: &'a [TokenStream],
-    /// What registers are called in all routines.
+    pub(super) form: Form,
+    /// Extents of the array of positions.
+    positions: Vec<usize>,
+    /// Names of registers in all routines.
     pub(super) registers: RefCell<Vec<Ident>>,
+}
+
+/// Values of an output as tokens.
+pub(super) struct Values<'a> {
+    pub(super) output: &'a Output,
+    pub(super) all: Vec<Tokens>,
+}
+
+impl Values<'_> {
+    /// `name[i][j]… = value;` for every value, or `*name = value;`.
+    pub(super) fn assigned(&self, context: &Context<'_>) -> TokenStream {
+        let Output { name, extent, nodes } = self.output;
+        let places = self.output.places();
+        match extent {
+            Extent::Number => {
+                let (name, value) = (format_ident!("{name}"), &self.all);
+                quote!(#(*#name = #value;)*)
+            }
+            // Many unknowns depend on few others: zeros are written all at once.
+            Extent::Square(extents) if extents.iter().product::<usize>() > MOST_UNKNOWNS => {
+                let graph = &context.compilation.graph;
+                let entries = || (0..nodes.len()).filter(|i| !graph.is_zero(nodes[*i]));
+                let (some_places, some): (Vec<_>, Vec<_>) =
+                    entries().map(|i| (places[i].clone(), self.all[i].clone())).unzip();
+                let (matrix, ty) = (format_ident!("{name}"), array_type(extents));
+                let zeros = (some.len() < nodes.len())
+                    .then(|| quote!(*#matrix = <#ty as Array>::fill(<#ty as Array>::zero());));
+                let some = write(name, &some_places, &some);
+                quote!(#zeros #some)
+            }
+            _ => write(name, &places, &self.all),
+        }
+    }
+
+    /// The rows of a matrix, each as `[a, b]`.
+    pub(super) fn rows(&self) -> Vec<TokenStream> {
+        let Extent::Array(extents) = &self.output.extent else { return vec![] };
+        let length = extents.last().copied().unwrap_or(1).max(1);
+        self.all.chunks(length).map(|row| quote!([#(#row),*])).collect()
+    }
+
+    /// `[[a, b], [c, d]]`
+    pub(super) fn listed(&self) -> TokenStream {
+        let extents = match &self.output.extent {
+            Extent::Array(extents) => extents.clone(),
+            Extent::Square(extents) => extents.repeat(2),
+            Extent::Number | Extent::Coordinates(_) => vec![self.all.len()],
+        };
+        let mut lists: Vec<TokenStream> = self.all.iter().map(ToTokens::to_token_stream).collect();
+        for extent in extents.iter().rev() {
+            lists = lists.chunks((*extent).max(1)).map(|list| quote!([#(#list),*])).collect();
+        }
+        lists.into_iter().next().unwrap_or_else(|| quote!([]))
+    }
 }
 
 /// `base[i][j]… = value;` for every value.
@@ -35,51 +91,26 @@ pub(crate) fn write(base: &str, places: &[Vec<usize>], values: &[Tokens]) -> Tok
     tokens.into_iter().collect()
 }
 
-impl Naming for Context<'_> {
-    fn name(&self, symbol: Symbol) -> String {
-        let indexed = |name: String, shape: &Shape, i: usize| {
-            let indices: String = shape.indices(i).iter().map(|i| format!("[{i}]")).collect();
-            name + &indices
-        };
-        let of_role = |role: Role, i: u32| match role {
-            Role::Action | Role::Time => self.name_of(role),
-            _ => indexed(self.name_of(role), &self.energy.coordinates.shape, i as usize),
-        };
-        if self.energy.form == Form::Bodies
-            && let Some(name) = self.body_name(symbol)
-        {
-            return name;
-        }
-        match symbol {
-            Symbol::Position(i) => of_role(Role::Position, i),
-            Symbol::Momentum(i) => of_role(Role::Momentum, i),
-            Symbol::Velocity(i) => of_role(Role::Velocity, i),
-            Symbol::Action => of_role(Role::Action, 0),
-            Symbol::Time | Symbol::StepStart | Symbol::StepEnd => of_role(Role::Time, 0),
-            Symbol::StepLength => "h".into(),
-            Symbol::GradientWeight => "g".into(),
-            Symbol::PositionIncrement(i) => format!("d{}", of_role(Role::Position, i)),
-            Symbol::MomentumIncrement(i) => format!("d{}", of_role(Role::Momentum, i)),
-            Symbol::ActionIncrement => format!("d{}", of_role(Role::Action, 0)),
-            Symbol::VelocityIncrement(i) => format!("d{}", of_role(Role::Velocity, i)),
-            Symbol::Multiplier(k) => format!("λ[{k}]"),
-            Symbol::Parameter(index) => {
-                let mut rest = index as usize;
-                for argument in self.energy.parameters() {
-                    if rest < argument.shape.len() {
-                        return indexed(argument.name.to_string(), &argument.shape, rest);
-                    }
-                    rest -= argument.shape.len();
-                }
-                self.constants[rest].to_string().replace(' ', "")
-            }
-        }
-    }
+/// The type of an array of numbers.
+pub(super) fn array_type(extents: &[usize]) -> TokenTree {
+    extents.iter().rev().fold(format_ident!("R").into(), |inner: TokenTree, extent| {
+        let extent = Literal::usize_unsuffixed(*extent);
+        bracketed(quote!(#inner; #extent))
+    })
 }
 
 impl<'a> Context<'a> {
-    pub(crate) fn new(energy: &'a Energy, constants: &'a [TokenStream]) -> Self {
-        Context { energy, constants, registers: RefCell::default() }
+    pub(crate) fn new(compilation: &'a Compilation<'a>) -> Self {
+        let (energy, form, positions) = (compilation.energy, compilation.form, compilation.positions());
+        Context { compilation, energy, form, positions, registers: RefCell::default() }
+    }
+
+    pub(super) fn printer(&self) -> Printer<'a> {
+        self.compilation.printer()
+    }
+
+    pub(super) fn name_of(&self, role: Role) -> String {
+        self.compilation.names.of(role)
     }
 
     /// The indices of the `i`-th coordinate in its array.
@@ -88,38 +119,32 @@ impl<'a> Context<'a> {
         if shape.extents.is_empty() { vec![0] } else { shape.indices(i as usize) }
     }
 
-    /// Indices of all coordinates.
-    pub(crate) fn coordinates(&self) -> Vec<Vec<usize>> {
-        (0..self.energy.degrees()).map(|i| self.coordinate(i)).collect()
-    }
-
     /// The array type of q and p.
     pub(crate) fn array(&self) -> TokenTree {
-        let extents = match &self.energy.coordinates.shape.extents[..] {
-            [] => vec![1],
-            extents => extents.to_vec(),
-        };
-        extents.iter().rev().fold(format_ident!("R").into(), |inner: TokenTree, extent| {
-            let extent = Literal::usize_unsuffixed(*extent);
-            bracketed(quote!(#inner; #extent))
-        })
+        array_type(&self.positions)
     }
 
     /// The array type of all coordinates.
     pub(crate) fn phase(&self) -> TokenTree {
         let array = self.array();
         let two = Literal::usize_unsuffixed(2); // literals are parsed where they are quoted
-        if self.energy.form.is_flow() { array } else { bracketed(quote!(#array; #two)) }
+        if self.form.is_flow() { array } else { bracketed(quote!(#array; #two)) }
     }
 
-    /// The statement that gives parts of the point `z` the names that routines read.
+    /// The statement that names the parts of the point `z`.
     pub(crate) fn parts(&self) -> TokenStream {
-        if self.energy.form.is_flow() { quote!(let q = z;) } else { quote!(let [q, p] = z;) }
+        if self.form.is_flow() { quote!(let q = z;) } else { quote!(let [q, p] = z;) }
     }
 
-    /// The type of what phase space has beside positions and momenta.
+    /// The extents of an array of unknowns: velocities, and the action.
+    pub(super) fn with_action(&self) -> Vec<usize> {
+        let unknowns = (0..self.energy.degrees()).map(Symbol::VelocityIncrement).chain([Symbol::ActionIncrement]);
+        Space::of_unknowns(unknowns.collect(), &self.positions).extents
+    }
+
+    /// The type of the action: `R` or `()`.
     pub(crate) fn action(&self) -> TokenTree {
-        match self.energy.form.has_action() {
+        match self.form.has_action() {
             true => format_ident!("R").into(),
             false => Group::new(Delimiter::Parenthesis, TokenStream::new()).into(),
         }
@@ -129,39 +154,6 @@ impl<'a> Context<'a> {
     pub(super) fn per_coordinate(&self) -> Tokens {
         let (phase, action) = (self.phase(), self.action());
         quote!(PerCoordinate<#phase, #action>).into()
-    }
-
-    /// Where the entries of an array of unknowns are: positions or momenta alone, or both, one array after the other; or, with an
-    /// action or multipliers, all in a row.
-    pub(crate) fn unknown_places(&self, unknowns: usize) -> Vec<Vec<usize>> {
-        (0..unknowns).map(|i| self.unknown_place(unknowns, i)).collect()
-    }
-
-    /// Where the i-th of them is.
-    fn unknown_place(&self, unknowns: usize, i: usize) -> Vec<usize> {
-        let degrees = self.energy.degrees() as usize;
-        if unknowns == degrees {
-            return self.coordinate(i as u32);
-        }
-        if unknowns != 2 * degrees {
-            return vec![i];
-        }
-        let mut place = self.coordinate((i % degrees) as u32);
-        place.insert(0, i / degrees);
-        place
-    }
-
-    /// The type of an array of unknowns.
-    pub(crate) fn unknown_type(&self, unknowns: usize) -> TokenTree {
-        let degrees = self.energy.degrees() as usize;
-        if unknowns == degrees {
-            return self.array();
-        }
-        if unknowns != 2 * degrees {
-            let unknowns = Literal::usize_unsuffixed(unknowns);
-            return bracketed(quote!(R; #unknowns));
-        }
-        self.phase()
     }
 
     /// All scalars of parameters, in order.
@@ -181,7 +173,7 @@ impl<'a> Context<'a> {
             }
             rest -= argument.shape.len();
         }
-        let constant = &self.constants[rest];
+        let constant = &self.compilation.names.constants[rest];
         Given::alone(quote!(R::from_f64((#constant) as f64)))
     }
 
@@ -209,61 +201,98 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// What users call an argument. Momenta of a Lagrangian are none, nor are velocities of an energy.
-    pub(crate) fn name_of(&self, role: Role) -> String {
-        let argument = self.energy.arguments.iter().find(|(other, _)| *other == role);
-        let unnamed = match role {
-            Role::Momentum => "p",
-            Role::Velocity => VELOCITY,
-            _ => "",
-        };
-        argument.map_or_else(|| unnamed.into(), |(_, a)| a.name.to_string())
+    /// A symbol in a routine that reads some symbols from an array.
+    fn input_or_argument(&self, argument: Option<&Argument>, symbol: Symbol) -> Given {
+        let found = argument.and_then(|Argument { name, space }| {
+            let i = space.symbols.iter().position(|other| *other == symbol)?;
+            Some(Given::entry(array::UNKNOWNS, *name, space.place(i)))
+        });
+        found.unwrap_or_else(|| self.input(symbol))
     }
 
-    /// What users call a number of an attitude, of an angular momentum, or of a centre of mass.
-    fn body_name(&self, symbol: Symbol) -> Option<String> {
-        let attitudes = 4 * self.energy.bodies();
-        let (vector, rotor) = (["x", "y", "z", ""], ["i", "j", "k", "w"]);
-        let (role, index, numbers) = match symbol {
-            Symbol::Position(i) if i < attitudes => (Role::Attitude, i, rotor),
-            Symbol::Momentum(i) if i < attitudes => (Role::AngularMomentum, i, vector),
-            Symbol::Position(i) => (Role::Position, i - attitudes, vector),
-            Symbol::Momentum(i) => (Role::Momentum, i - attitudes, vector),
-            _ => return None,
-        };
-        let (_, argument) = self.energy.arguments.iter().find(|(other, _)| *other == role)?;
-        let body = if argument.shape.extents.len() == 1 { String::new() } else { format!("[{}]", index / 4) };
-        Some(format!("{}{body}.{}", argument.name, numbers[index as usize % 4]))
-    }
-
-    /// What a symbol is called where `unknowns` are in the array `increment` or `y`.
-    pub(crate) fn input_or_unknown(&self, unknowns: &[Symbol], array: &str, symbol: Symbol) -> Given {
-        match unknowns.iter().position(|unknown| *unknown == symbol) {
-            Some(i) => Given::entry(array::UNKNOWNS, array, self.unknown_place(unknowns.len(), i)),
-            None => self.input(symbol),
-        }
-    }
-
-    /// The values of a plan's only routine, or of its first.
-    pub(crate) fn values<T: ToTokens>(&self, plan: &Plan, finish: impl FnOnce(Vec<Tokens>) -> T) -> TokenStream {
-        self.planned(&plan.last[0], (&[], ""), finish)
-    }
-
-    /// What a routine calls what it reads and computes, from what it calls its inputs.
+    /// Names of registers and inputs.
     pub(crate) fn names<'b>(&'b self, input: &'b dyn Fn(Symbol) -> Given) -> Names<'b> {
         Names { registers: &self.registers, input, degrees: self.energy.degrees() as usize }
     }
 
-    /// A routine that writes its results.
-    pub(crate) fn written(&self, block: &Block, targets: &[Given]) -> TokenStream {
-        straight_line::assignments(block, self.names(&|symbol| self.input(symbol)), targets)
+    /// Statements of a block, followed by tokens made of its results.
+    fn block<T: ToTokens>(
+        &self,
+        block: &Block,
+        argument: Option<&Argument>,
+        finish: impl FnOnce(Vec<Tokens>) -> T,
+    ) -> TokenStream {
+        let input = |symbol| self.input_or_argument(argument, symbol);
+        straight_line::routine(block, self.names(&input), finish)
     }
 
-    /// What the routine of a level stores for later ones, as an array.
-    pub(crate) fn stored(&self, plan: &Plan, level: usize) -> TokenStream {
-        let block = &plan.stores[level];
+    /// Statements of a routine, followed by tokens made of its outputs.
+    pub(super) fn outputs<T: ToTokens>(
+        &self,
+        routine: &Routine,
+        finish: impl FnOnce(Vec<Values<'_>>) -> T,
+    ) -> TokenStream {
+        let input = |symbol| self.input_or_argument(routine.argument.as_ref(), symbol);
+        self.outputs_with(routine, &input, finish)
+    }
+
+    /// The same with other names of inputs.
+    pub(super) fn outputs_with<T: ToTokens>(
+        &self,
+        routine: &Routine,
+        input: &dyn Fn(Symbol) -> Given,
+        finish: impl FnOnce(Vec<Values<'_>>) -> T,
+    ) -> TokenStream {
+        straight_line::routine(&routine.block, self.names(input), |results| {
+            let mut results = results.into_iter();
+            let values =
+                |output| Values { output, all: results.by_ref().take(output.nodes.len()).collect::<Vec<Tokens>>() };
+            finish(routine.outputs.iter().map(values).collect())
+        })
+    }
+
+    /// Statements that assign all outputs of a routine to variables of their names.
+    pub(super) fn assigned(&self, routine: &Routine) -> TokenStream {
+        self.outputs(routine, |outputs| outputs.iter().map(|values| values.assigned(self)).collect::<TokenStream>())
+    }
+
+    /// The same in braces, as the body of a function: one token, where many would be copied one by one as they are quoted.
+    pub(super) fn body(&self, routine: &Routine) -> TokenTree {
+        Group::new(Delimiter::Brace, self.assigned(routine)).into()
+    }
+
+    /// A block that ends with the only number of a routine, or a list of its numbers.
+    pub(super) fn returned(&self, routine: &Routine) -> TokenStream {
+        self.returned_with(routine, &|symbol| self.input_or_argument(routine.argument.as_ref(), symbol))
+    }
+
+    /// The same with other names of inputs.
+    pub(super) fn returned_with(&self, routine: &Routine, input: &dyn Fn(Symbol) -> Given) -> TokenStream {
+        self.outputs_with(routine, input, |outputs| {
+            let returned = |values: &Values<'_>| match values.output.extent {
+                Extent::Number => values.all.iter().map(ToTokens::to_token_stream).collect(),
+                _ => values.listed(),
+            };
+            outputs.iter().map(returned).collect::<TokenStream>()
+        })
+    }
+
+    /// Statements that assign new values, or increments, of coordinates.
+    pub(super) fn moved(&self, routine: &Routine, target: impl Fn(Symbol) -> Given) -> TokenStream {
+        let symbols = routine.outputs.iter().filter_map(|output| match &output.extent {
+            Extent::Coordinates(symbols) => Some(symbols),
+            _ => None,
+        });
+        let targets: Vec<Given> = symbols.flatten().map(|symbol| target(*symbol)).collect();
+        straight_line::assignments(&routine.block, self.names(&|symbol| self.input(symbol)), &targets)
+    }
+
+    /// A block that ends with the numbers that the routine of a level stores.
+    pub(crate) fn stored(&self, kernel: &Kernel, level: usize) -> TokenStream {
+        let block = &kernel.stores[level];
         let matrices = block.matrices();
-        self.planned(block, (&[], ""), |values| {
+        let start = kernel.start.as_ref().filter(|_| level > 0);
+        self.block(block, start, |values| {
             if matrices.is_empty() {
                 return quote!([#(#values),*]);
             }
@@ -273,26 +302,5 @@ impl<'a> Context<'a> {
             });
             quote!(slope::joined(&[#(#parts),*]))
         })
-    }
-
-    /// A routine of a plan, in which `unknowns` are in the array `array`.
-    pub(crate) fn planned<T: ToTokens>(
-        &self,
-        block: &Block,
-        (unknowns, array): (&[Symbol], &str),
-        finish: impl FnOnce(Vec<Tokens>) -> T,
-    ) -> TokenStream {
-        let input = |symbol| self.input_or_unknown(unknowns, array, symbol);
-        straight_line::routine(block, self.names(&input), finish)
-    }
-
-    /// The same in braces, as the body of a function: one token, where many would be copied one by one as they are quoted.
-    pub(super) fn body<T: ToTokens>(
-        &self,
-        block: &Block,
-        unknowns: (&[Symbol], &str),
-        finish: impl FnOnce(Vec<Tokens>) -> T,
-    ) -> TokenTree {
-        Group::new(Delimiter::Brace, self.planned(block, unknowns, finish)).into()
     }
 }

@@ -1,22 +1,20 @@
 //! From velocities to momenta and back: what a system has that was written as a Lagrangian.
 
-use super::kernel::{Context, write};
+use super::kernel::Context;
 use super::structure::{self_type, state};
 use crate::derive::Lagrangian;
 use crate::parse::Energy;
-use crate::schedule::Plan;
 use proc_macro2::TokenStream;
 use quote::quote;
 
 /// `impl Lagrangian`, and what users call.
-pub(super) fn lagrangian(context: &Context<'_>, found: &Lagrangian<Plan>) -> TokenStream {
+pub(super) fn lagrangian(context: &Context<'_>, found: &Lagrangian) -> TokenStream {
     let (name, array, phase, parts) = (self_type(context), context.array(), context.phase(), context.parts());
-    let (action, places) = (context.action(), context.coordinates());
-    let value = context.values(&found.value, |mut values| values.remove(0));
-    let momenta = context.values(&found.momenta, |values| write("momentum", &places, &values));
+    let action = context.action();
+    let (value, momenta) = (context.returned(&found.value), context.assigned(&found.momenta));
     let velocities = match &found.velocities {
         Some(velocities) => {
-            let velocities = context.values(velocities, |values| write("velocity", &places, &values));
+            let velocities = context.assigned(velocities);
             quote! {
                 #parts
                 let mut velocity = <#array as Array>::zero();
@@ -26,8 +24,8 @@ pub(super) fn lagrangian(context: &Context<'_>, found: &Lagrangian<Plan>) -> Tok
         }
         None => quote!(velocity_of(self, t, z, s)),
     };
-    let Energy { name: plain, float, coordinates, form, runtime, .. } = context.energy;
-    let (state, coordinates) = (state(*form), &coordinates.ty);
+    let Energy { name: plain, float, coordinates, runtime, .. } = context.energy;
+    let (form, state, coordinates) = (context.form, state(context.form), &coordinates.ty);
     // The action, where there is one.
     let [takes, hands] = if form.has_action() { [quote!(, s: #float), quote!(, s)] } else { [quote!(), quote!()] };
     let given = if form.has_action() { quote!(&s) } else { quote!(&()) };
@@ -104,12 +102,11 @@ pub(super) fn lagrangian(context: &Context<'_>, found: &Lagrangian<Plan>) -> Tok
 }
 
 /// What users call where L is linear in velocities.
-pub(super) fn first_order(context: &Context<'_>, found: &Lagrangian<Plan>) -> TokenStream {
-    let (name, array, places) = (self_type(context), context.array(), context.coordinates());
-    let value = context.values(&found.value, |mut values| values.remove(0));
-    let momenta = context.values(&found.momenta, |values| write("momentum", &places, &values));
-    let Energy { name: plain, float, coordinates, form, .. } = context.energy;
-    let (state, coordinates) = (state(*form), &coordinates.ty);
+pub(super) fn first_order(context: &Context<'_>, found: &Lagrangian) -> TokenStream {
+    let (name, array) = (self_type(context), context.array());
+    let (value, momenta) = (context.returned(&found.value), context.assigned(&found.momenta));
+    let Energy { name: plain, float, coordinates, .. } = context.energy;
+    let (state, coordinates) = (state(context.form), &coordinates.ty);
     quote! {
         trait OfVelocities<R: Real> {
             fn lagrangian(&self, t: R, q: &#array, v: &#array) -> R;

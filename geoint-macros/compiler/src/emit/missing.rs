@@ -1,23 +1,20 @@
 //! What a system lacks, as a trait that no scalar implements.
 
 use super::kernel::Context;
-use crate::derive::Missing;
-use crate::ir::{
-    Graph,
-    print::{Naming, Printer},
-};
+use crate::derive::{Missing, Pair};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 /// A trait that nothing implements, whose message says why a system lacks a property.
-pub(super) fn unsatisfied(context: &Context<'_>, graph: &Graph, missing: Missing) -> (Ident, TokenStream) {
+pub(super) fn unsatisfied(context: &Context<'_>, missing: Missing) -> (Ident, TokenStream) {
     let Missing { marker, term, why, pair } = missing;
     let name = &context.energy.name;
     let marker = format_ident!("{marker}{name}");
-    let printer = Printer::new(graph, context);
+    let printer = context.printer();
     let message = format!("`{name}`: {why}");
-    let pair =
-        pair.map_or_else(String::new, |([a, b], word)| format!("; {} and {} {word}", context.name(a), context.name(b)));
+    let pair = pair.map_or_else(String::new, |Pair { coordinates: [a, b], verb }| {
+        format!("; {} and {} {verb}", printer.named(a), printer.named(b))
+    });
     let label = format!("the term is: {}{pair}", printer.excerpt(term));
     // Braces in a message are read as parameters.
     let (message, label) = (message.replace(['{', '}'], "|"), label.replace(['{', '}'], "|"));

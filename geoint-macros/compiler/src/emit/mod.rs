@@ -4,7 +4,6 @@
 //! user's own signature names.
 
 mod attributes;
-mod damping;
 mod domain;
 mod exact;
 mod flow;
@@ -18,19 +17,18 @@ mod loops;
 mod missing;
 mod outside;
 mod poles;
-pub(crate) mod report;
+mod report;
 mod straight_line;
 mod calls;
 mod structure;
 mod system;
 mod writer;
 
-use crate::derive::{Bodies, Implicit, System};
-use crate::ir::Graph;
+use crate::compilation::Compilation;
+use crate::derive::Derived;
 use crate::lower::VELOCITY;
 use crate::parse::{Energy, Form, IMPORTED, Role};
-use crate::schedule::Plan;
-pub(crate) use kernel::Context;
+use kernel::Context;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
@@ -72,41 +70,27 @@ fn with_velocity(energy: &Energy, force: &syn::Expr) -> TokenStream {
     quote!(#velocity let _ = #force;)
 }
 
-/// Everything that is emitted beside the user's function, of any form.
-pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>, report: &str) -> TokenStream {
-    let form = context.energy.form;
-    let flow = form.is_flow().then(|| flow::inherent(context, system));
-    let constrained = matches!(system.implicit, Implicit::Constrained(_));
-    let of_energy = !form.is_flow() || system.value.is_some();
-    let jumps = system.domain.jumps.as_ref().filter(|_| of_energy);
-    let jumps = jumps.map_or_else(String::new, |jumps| report::jumps(context, graph, jumps));
-    // A field says of each function that it keeps whether it turns.
-    let turns = if form == Form::Field { String::new() } else { report::turns(context, graph, &system.domain.turning) };
-    let report = report.to_owned() + &jumps + &turns;
-    let inherent = structure::inherent(context, (of_energy, !constrained, flow), &report);
-    let space = system::phase_space(context, graph, system);
-    let pieces = system.pieces.iter().map(|found| exact::pieces(context, graph, found));
-    let flows = system.splitting.as_ref().map(|found| exact::splitting(context, graph, found));
-    let parted = system.perturbed.as_ref().map(|found| exact::perturbed(context, graph, found));
+/// The items that are emitted beside the user's function.
+pub(crate) fn items(compilation: &Compilation<'_>, derived: &Derived) -> TokenStream {
+    let (context, system) = (&Context::new(compilation), &derived.system);
+    let report = report::report(compilation, derived);
+    let flow = context.form.is_flow().then(|| flow::inherent(context, system));
+    let inherent = structure::inherent(context, system, flow, &report);
+    let space = system::phase_space(context, system);
+    let pieces = system.pieces.iter().map(|found| exact::pieces(context, found));
+    let flows = system.splitting.as_ref().map(|found| exact::splitting(context, found));
+    let parted = system.perturbed.as_ref().map(|found| exact::perturbed(context, found));
     let integrals = system.integrals.as_ref().map(|integrals| flow::integrals(context, integrals));
-    let lagrangian = system.lagrangian.as_ref().map(|found| match form {
+    let lagrangian = system.lagrangian.as_ref().map(|found| match context.form {
         Form::FirstOrder => lagrangian::first_order(context, found),
         _ => lagrangian::lagrangian(context, found),
     });
     let modified = system.modified.as_ref().map(|modified| system::modified_energy(context, modified));
-    let implicit = implicit::implicit(context, graph, system);
+    let implicit = implicit::implicit(context, system);
     let jets = system.jet.as_ref().map(|found| jet::jets(context, found));
-    let around_it =
+    let implementations =
         quote!(#inherent #space #lagrangian #integrals #(#pieces)* #flows #parted #modified #implicit #jets);
-    around(context, &report, &around_it)
-}
-
-/// The same of rigid bodies.
-pub(crate) fn items_of_bodies(context: &Context<'_>, graph: &Graph, found: &Bodies<Plan>, report: &str) -> TokenStream {
-    let report = &(report.to_owned() + &report::turns(context, graph, &found.domain.turning));
-    let inherent = structure::inherent(context, (true, true, None), report);
-    let bodies = exact::bodies(context, graph, found);
-    around(context, report, &quote!(#inherent #bodies))
+    around(context, &report, &implementations)
 }
 
 /// The struct with its docs, and implementations, in a scope of their own.

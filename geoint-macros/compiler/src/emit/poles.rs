@@ -2,26 +2,25 @@
 
 use super::given::{Given, array};
 use super::kernel::Context;
-use super::straight_line;
 use crate::analyze::Jump;
 use crate::derive::{Jumps, Margin, Margins, Poles, Signs};
-use crate::ir::{Graph, Symbol, print::Printer};
-use crate::schedule::{Block, Plan};
+use crate::ir::Symbol;
+use crate::schedule::Kernel;
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 /// The items of `PhaseSpace` that speak of poles.
-pub(super) fn poles(context: &Context<'_>, graph: &Graph, poles: &Poles<Plan>) -> TokenStream {
-    let list = list(context, graph, poles);
+pub(super) fn poles(context: &Context<'_>, poles: &Poles) -> TokenStream {
+    let list = list(context, poles);
     let signs = poles.signs.as_ref().map(|signs| signs_hold(context, signs));
     let clear = clear_of_poles(context, poles);
-    let vanishing = enclosed(context, "vanishing", 1, &poles.vanishing.last);
+    let vanishing = enclosed(context, "vanishing", &poles.vanishing, quote!(Scalar), quote!(R));
     quote!(#list #signs #clear #vanishing)
 }
 
 /// What is known of each without looking.
-fn list(context: &Context<'_>, graph: &Graph, poles: &Poles<Plan>) -> TokenStream {
-    let printer = Printer::new(graph, context);
+fn list(context: &Context<'_>, poles: &Poles) -> TokenStream {
+    let printer = context.printer();
     // By its path: users' structs may have this name.
     let runtime = &context.energy.runtime;
     let pole = quote!(#runtime::private::Pole);
@@ -41,11 +40,14 @@ fn list(context: &Context<'_>, graph: &Graph, poles: &Poles<Plan>) -> TokenStrea
 }
 
 /// The signs of parameters on which tests by structure rely.
-fn signs_hold(context: &Context<'_>, signs: &Signs<Plan>) -> TokenStream {
-    let body = context.values(&signs.values, |values| {
-        let tests = values.iter().enumerate().map(|(i, value)| match i < signs.positive {
-            true => quote!(#value.all_positive()),
-            false => quote!(#value.all_at_least_zero()),
+fn signs_hold(context: &Context<'_>, signs: &Signs) -> TokenStream {
+    let body = context.outputs(&signs.0, |outputs| {
+        let tests = outputs.iter().flat_map(|values| {
+            let positive = values.output.name == "positive";
+            values.all.iter().map(move |value| match positive {
+                true => quote!(#value.all_positive()),
+                false => quote!(#value.all_at_least_zero()),
+            })
         });
         quote!(#(#tests)&&*)
     });
@@ -53,7 +55,7 @@ fn signs_hold(context: &Context<'_>, signs: &Signs<Plan>) -> TokenStream {
 }
 
 /// Tests by structure: those that divided differences do not make, and the rest.
-fn clear_of_poles(context: &Context<'_>, poles: &Poles<Plan>) -> Option<TokenStream> {
+fn clear_of_poles(context: &Context<'_>, poles: &Poles) -> Option<TokenStream> {
     let (phase, action) = (context.phase(), context.action());
     let always = poles.always.as_ref().map(|margins| positive(context, margins));
     let undivided = poles.undivided.as_ref().map(|margins| {
@@ -75,10 +77,9 @@ fn clear_of_poles(context: &Context<'_>, poles: &Poles<Plan>) -> Option<TokenStr
 }
 
 /// `false` where a margin is not positive.
-fn positive(context: &Context<'_>, Margins { values, count, margins }: &Margins<Plan>) -> TokenStream {
+fn positive(context: &Context<'_>, Margins { values, margins }: &Margins) -> TokenStream {
     let (phase, parts, action) = (context.phase(), context.parts(), context.action());
-    let count = Literal::usize_unsuffixed(*count);
-    let values = context.values(values, |values| quote!([#(#values),*]));
+    let (count, values) = (Literal::usize_unsuffixed(values.nodes().len()), context.returned(values));
     let margin = |margin: &Margin| match margin {
         Margin::Together(places) => {
             let places = places.iter().map(|i| Literal::usize_unsuffixed(*i));
@@ -101,7 +102,13 @@ fn positive(context: &Context<'_>, Margins { values, count, margins }: &Margins<
 }
 
 /// A function of `PhaseSpace` that gives so many values in any scalar, chosen by an index.
-fn enclosed(context: &Context<'_>, name: &str, count: usize, choices: &[Block]) -> TokenStream {
+fn enclosed(
+    context: &Context<'_>,
+    name: &str,
+    choices: &Kernel,
+    outside: TokenStream,
+    inside: TokenStream,
+) -> TokenStream {
     let parameters = context.scalars();
     let input = |symbol: Symbol| match symbol {
         Symbol::Position(i) => Given::entry(array::POSITIONS, "z", vec![i as usize]),
@@ -112,23 +119,13 @@ fn enclosed(context: &Context<'_>, name: &str, count: usize, choices: &[Block]) 
         }
         symbol => context.input(symbol),
     };
-    let arms = choices.iter().enumerate().map(|(i, block)| {
-        let body = straight_line::routine(block, context.names(&input), |values| match &values[..] {
-            [value] => quote!(#value),
-            _ => quote!([#(#values),*]),
-        });
+    let arms = choices.routines.iter().enumerate().map(|(i, routine)| {
+        let body = context.returned_with(routine, &input);
         let number = Literal::usize_unsuffixed(i);
-        let pattern = if i + 1 == choices.len() { quote!(_) } else { quote!(#number) };
+        let pattern = if i + 1 == choices.routines.len() { quote!(_) } else { quote!(#number) };
         quote!(#pattern => { #body })
     });
-    let values = |scalar: TokenStream| match count {
-        1 => scalar,
-        count => {
-            let count = Literal::usize_unsuffixed(count);
-            quote!([#scalar; #count])
-        }
-    };
-    let (name, outside, inside) = (format_ident!("{name}"), values(quote!(Scalar)), values(quote!(R)));
+    let name = format_ident!("{name}");
     quote! {
         fn #name<Scalar: Real>(
             &self, index: usize, lift: impl Fn(R) -> Scalar, t: Scalar, z: &[Scalar], s: Scalar,
@@ -142,10 +139,10 @@ fn enclosed(context: &Context<'_>, name: &str, count: usize, choices: &[Block]) 
 }
 
 /// The items of `PhaseSpace` that speak of conditions.
-pub(super) fn jumps(context: &Context<'_>, graph: &Graph, jumps: &Jumps<Plan>) -> TokenStream {
-    let printer = Printer::new(graph, context);
+pub(super) fn jumps(context: &Context<'_>, jumps: &Jumps) -> TokenStream {
+    let printer = context.printer();
     let height = |jump: &Jump| printer.excerpt(jump.shown);
-    let is_flow = context.energy.form.is_flow();
+    let is_flow = context.form.is_flow();
     let what = jumps.all.iter().map(|jump| match is_flow {
         true => format!("an integral jumps where a condition changes, by {}: shift one side so that both meet", height(jump)),
         false => format!(
@@ -161,8 +158,8 @@ pub(super) fn jumps(context: &Context<'_>, graph: &Graph, jumps: &Jumps<Plan>) -
             const CONTINUOUS: bool = false;
         )
     });
-    let sides = context.values(&jumps.sides, |values| quote!([#(#values),*]));
-    let heights = enclosed(context, "jump", 2, &jumps.heights.last);
+    let sides = context.returned(&jumps.sides);
+    let heights = enclosed(context, "jump", &jumps.heights, quote!([Scalar; 2]), quote!([R; 2]));
     quote! {
         const JUMPS: &'static [&'static str] = &[#(#what),*];
         #may_jump

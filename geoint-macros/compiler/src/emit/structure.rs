@@ -3,6 +3,7 @@
 use super::attributes;
 use super::kernel::Context;
 use super::tokens::Tokens;
+use crate::derive::{Implicit, System};
 use crate::parse::{Energy, Form, Leaf, over_scalar};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -51,14 +52,11 @@ pub(super) fn structure(context: &Context<'_>, docs: &str) -> TokenStream {
 
 /// What users call, in the float type of the function: the traits are generic, and literals would leave their scalar
 /// open.
-pub(super) fn inherent(
-    context: &Context<'_>,
-    (energy, rates, flow): (bool, bool, Option<TokenStream>),
-    report: &str,
-) -> TokenStream {
+pub(super) fn inherent(context: &Context<'_>, system: &System, flow: Option<TokenStream>, report: &str) -> TokenStream {
     let Energy { name, float, .. } = context.energy;
     let state = state_type(context, |ty| quote!(#ty));
-    let energy = energy.then(|| {
+    let has_energy = !context.form.is_flow() || system.value.is_some();
+    let energy = has_energy.then(|| {
         quote! {
             /// The energy of a state.
             pub fn energy(&self, state: &#state) -> #float {
@@ -67,7 +65,7 @@ pub(super) fn inherent(
         }
     });
     // An adaptive run guesses its first step from rates.
-    let adaptive = rates.then(|| {
+    let adaptive = (!matches!(system.implicit, Implicit::Constrained(_))).then(|| {
         quote! {
             /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
             ///
@@ -120,9 +118,8 @@ pub(super) fn state(form: Form) -> TokenStream {
 
 /// The same with the types of its coordinates.
 pub(super) fn state_type(context: &Context<'_>, ty: impl Fn(&syn::Type) -> TokenStream) -> TokenStream {
-    let Energy { form, coordinates, .. } = context.energy;
-    let (state, coordinates) = (state(*form), ty(&coordinates.ty));
-    let centres = (*form == Form::Bodies).then(|| context.energy.centres()).flatten().map(ty);
+    let (state, coordinates) = (state(context.form), ty(&context.energy.coordinates.ty));
+    let centres = (context.form == Form::Bodies).then(|| context.energy.centres()).flatten().map(ty);
     match centres {
         Some(centres) => quote!(#state<#coordinates, #centres>),
         None => quote!(#state<#coordinates>),

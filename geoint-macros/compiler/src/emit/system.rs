@@ -1,32 +1,32 @@
 //! What every system offers: its energy, its gradient.
 
 use super::domain::domain;
-use super::kernel::{Context, write};
-use super::structure::{self_type, state};
-use super::tokens::Tokens;
+use super::exact;
+use super::kernel::Context;
+use super::structure::{self_type, state, state_type};
 use crate::derive::{Fact, Implicit, Modified, System};
-use crate::ir::Graph;
 use crate::parse::{Energy, Form, over_scalar};
-use crate::schedule::Plan;
+use crate::schedule::Routine;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 /// The energy with its gradient and where it is defined, and the traits of what was proven.
-pub(super) fn phase_space(context: &Context<'_>, graph: &Graph, system: &System<Plan>) -> TokenStream {
+pub(super) fn phase_space(context: &Context<'_>, system: &System) -> TokenStream {
     let (name, action) = (self_type(context), context.action());
-    let (phase, parts, state) = (context.phase(), context.parts(), state(context.energy.form));
-    let coordinates = over_scalar(&context.energy.coordinates.ty, &context.energy.float, &format_ident!("R"));
+    let (phase, parts) = (context.phase(), context.parts());
+    let scalar = format_ident!("R");
+    let state = state_type(context, |ty| over_scalar(ty, &context.energy.float, &scalar));
     // Momenta that are not followed give no energy.
     let value = match &system.value {
-        Some(value) => context.values(value, |mut values| values.remove(0)),
+        Some(value) => context.returned(value),
         None if matches!(system.implicit, Implicit::Velocities(_)) => quote!(energy_of(self, t, z, &())),
         None if matches!(system.implicit, Implicit::Herglotz(_)) => quote!(energy_of(self, t, z, s)),
         None => quote!(R::from_f64(f64::NAN)),
     };
-    let domain = domain(context, graph, &system.domain);
-    let given = if context.energy.form.has_action() { quote!(s: &R) } else { quote!(_: &()) };
+    let domain = domain(context, &system.domain);
+    let given = if context.form.has_action() { quote!(s: &R) } else { quote!(_: &()) };
     let rate = vector_field(context, system);
-    let gradient = system.slopes.as_ref().map(|slopes| gradient(context, system, slopes));
+    let gradient = system.gradient.as_ref().map(|slopes| gradient(context, system, slopes));
     let kept = system.has(Fact::Autonomous).then(|| keeps_energy(context, &quote!(CanonicalEnergy), None));
     let constrained = matches!(system.implicit, Implicit::Constrained(_)).then(|| {
         quote! {
@@ -46,16 +46,23 @@ pub(super) fn phase_space(context: &Context<'_>, graph: &Graph, system: &System<
             }
         }
     });
-    let of_velocities = matches!(context.energy.form, Form::Lagrangian | Form::Herglotz).then(|| {
+    let of_velocities = matches!(context.form, Form::Lagrangian | Form::Herglotz).then(|| {
         quote!(
             const OF_VELOCITIES: bool = true;
         )
     });
+    let (attitudes, cotangent) = match &system.implicit {
+        Implicit::Bodies(kernels) => {
+            let attitudes = exact::attitudes(context, kernels);
+            (Some(attitudes), Some(cotangent(context)))
+        }
+        _ => (None, None),
+    };
     let facts = system.facts.iter().map(|fact| format_ident!("{}", fact.trait_name()));
     quote! {
         #(impl<R: Real> #facts<R> for #name { type Proof = (); })*
         impl<R: Real> PhaseSpace<R> for #name {
-            type State = #state<#coordinates>;
+            type State = #state;
             type Phase = #phase;
             type Action = #action;
 
@@ -66,9 +73,11 @@ pub(super) fn phase_space(context: &Context<'_>, graph: &Graph, system: &System<
             }
             #of_velocities
             #solved
+            #attitudes
             #domain
             #constrained
         }
+        #cotangent
         #rate
         #gradient
         #kept
@@ -96,14 +105,13 @@ pub(super) fn keeps_energy(context: &Context<'_>, kept: &TokenStream, value: Opt
 }
 
 /// `impl DifferentialEquation`; nothing for contact systems.
-fn vector_field(context: &Context<'_>, system: &System<Plan>) -> Option<TokenStream> {
+fn vector_field(context: &Context<'_>, system: &System) -> Option<TokenStream> {
     let (name, phase, parts) = (self_type(context), context.phase(), context.parts());
-    let body = match (context.energy.form, &system.rate) {
+    let body = match (context.form, &system.rate) {
         (form, _) if form.has_action() => return None,
         _ if matches!(system.implicit, Implicit::Constrained(_)) => return None,
-        (Form::Hamiltonian | Form::Lagrangian, Some(rate)) => context.values(rate, |values| halves(context, &values)),
-        (_, Some(rate)) => context.values(rate, |values| write("slopes", &context.coordinates(), &values)),
-        (Form::Lagrangian, None) if system.slopes.is_none() => quote!(rate_of(self, t, z, slopes);),
+        (_, Some(rate)) => context.assigned(rate),
+        (Form::Lagrangian, None) if system.gradient.is_none() => quote!(rate_of(self, t, z, slopes);),
         (_, None) => quote!(canonical_rate(self, t, z, slopes);),
     };
     Some(quote! {
@@ -121,7 +129,11 @@ fn vector_field(context: &Context<'_>, system: &System<Plan>) -> Option<TokenStr
 /// `impl CotangentSpace`.
 pub(super) fn cotangent(context: &Context<'_>) -> TokenStream {
     let (name, array) = (self_type(context), context.array());
-    let coordinates = over_scalar(&context.energy.coordinates.ty, &context.energy.float, &format_ident!("R"));
+    let over_scalar = |ty| over_scalar(ty, &context.energy.float, &format_ident!("R"));
+    let mut coordinates = over_scalar(&context.energy.coordinates.ty);
+    if let Some(centres) = context.energy.centres().map(over_scalar) {
+        coordinates = quote!(Placed<#coordinates, #centres>);
+    }
     quote! {
         impl<R: Real> CotangentSpace<R> for #name {
             type Coordinates = #coordinates;
@@ -131,14 +143,14 @@ pub(super) fn cotangent(context: &Context<'_>) -> TokenStream {
 }
 
 /// `impl CotangentSpace`, and the gradient of an energy on it.
-fn gradient(context: &Context<'_>, system: &System<Plan>, slopes: &Plan) -> TokenStream {
+fn gradient(context: &Context<'_>, system: &System, slopes: &Routine) -> TokenStream {
     let (name, phase, parts) = (self_type(context), context.phase(), context.parts());
-    let (form, receives, returned) = match context.energy.form {
+    let (form, receives, returned) = match context.form {
         form if form.has_action() => (quote!(ContactSystem), quote!(s: &R,), quote!(ds: &mut R,)),
         _ => (quote!(Hamiltonian), quote!(), quote!()),
     };
-    let rate = system.rate.as_ref().filter(|_| context.energy.form.has_action()).map(|rate| {
-        let body = context.values(rate, |values| halves(context, &values));
+    let rate = system.rate.as_ref().filter(|_| context.form.has_action()).map(|rate| {
+        let body = context.assigned(rate);
         quote! {
             #[inline]
             fn rate(&self, t: R, z: &#phase, s: &R, slopes: &mut #phase, ds: &mut R) {
@@ -147,7 +159,7 @@ fn gradient(context: &Context<'_>, system: &System<Plan>, slopes: &Plan) -> Toke
             }
         }
     });
-    let slopes = context.values(slopes, |values| halves(context, &values));
+    let slopes = context.assigned(slopes);
     let cotangent = cotangent(context);
     quote! {
         #cotangent
@@ -163,24 +175,14 @@ fn gradient(context: &Context<'_>, system: &System<Plan>, slopes: &Plan) -> Toke
     }
 }
 
-/// `slopes[0][i] = …; slopes[1][i] = …;`, and `*ds = …;` if there is one more value.
-pub(super) fn halves(context: &Context<'_>, values: &[Tokens]) -> TokenStream {
-    let places = context.coordinates();
-    let (q, rest) = values.split_at(places.len());
-    let (p, s) = rest.split_at(places.len());
-    let half = |half: usize| -> Vec<Vec<usize>> { places.iter().map(|place| [&[half], &place[..]].concat()).collect() };
-    let (q, p) = (write("slopes", &half(0), q), write("slopes", &half(1), p));
-    quote!(#q #p #(*ds = #s;)*)
-}
-
 /// `impl ModifiedEnergy`, and the method that users call.
-pub(super) fn modified_energy(context: &Context<'_>, modified: &Modified<Plan>) -> TokenStream {
+pub(super) fn modified_energy(context: &Context<'_>, modified: &Modified) -> TokenStream {
     let value = match modified {
         Modified::Implicit => quote!(modified_verlet(self, h, t, z)),
-        Modified::Value(plan) => context.values(plan, |mut values| values.remove(0)),
+        Modified::Value(value) => context.returned(value),
     };
     let (name, phase, parts) = (self_type(context), context.phase(), context.parts());
-    let state = state(context.energy.form);
+    let state = state(context.form);
     let Energy { name: plain, float, coordinates, .. } = context.energy;
     let coordinates = &coordinates.ty;
     quote! {

@@ -55,11 +55,6 @@ impl<'a> Printer<'a> {
         Printer { graph, naming, names: RefCell::default(), left: Cell::new(0), short: Cell::new(false) }
     }
 
-    /// What is printed.
-    pub(crate) fn graph(&self) -> &'a Graph {
-        self.graph
-    }
-
     /// What users call a symbol.
     pub(crate) fn named(&self, symbol: Symbol) -> String {
         self.names.borrow_mut().entry(symbol).or_insert_with(|| self.naming.name(symbol)).clone()

@@ -42,6 +42,16 @@ use value::{Around, Callable, Scopes, Value};
 /// A body as a graph.
 pub(crate) struct Lowered {
     pub(crate) graph: Graph,
+    /// Source position of each node: first and last token of the first expression with this value.
+    pub(crate) places: HashMap<Id, Place>,
+    /// Constants that are defined outside of the function. Their symbols `Parameter(n)` follow those of the parameters.
+    pub(crate) constants: Vec<TokenStream>,
+    pub(crate) terms: Terms,
+}
+
+/// The expressions of a function and of its attribute, as nodes.
+#[derive(Debug)]
+pub(crate) struct Terms {
     /// The energy, or the Lagrangian; the first entry of a field.
     pub(crate) energy: Id,
     /// All entries of a field.
@@ -62,12 +72,8 @@ pub(crate) struct Lowered {
     pub(crate) constraints: Vec<(Id, Place)>,
     /// The pieces that the user wants, and where they are written.
     pub(crate) groups: Option<Vec<(Id, Place)>>,
-    /// Where nodes were written first: the first and the last token.
-    pub(crate) places: HashMap<Id, Place>,
     /// Nodes that are not defined everywhere, simplified away or not.
     pub(crate) partial: Vec<Partial>,
-    /// Constants that live outside the function: symbols `Parameter(n)` after those of the parameters.
-    pub(crate) constants: Vec<TokenStream>,
 }
 
 /// The first and the last token of a term.
@@ -154,22 +160,11 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
         Partial { node, condition: all.and_then(|all| all.into_iter().reduce(|a, b| graph.or(a, b))) }
     });
     let partial = partial.collect();
-    errors.or(Lowered {
-        graph,
-        energy: field[0],
-        field,
-        structure,
-        keeps,
-        damping,
-        rayleigh,
-        friction: None,
-        force,
-        constraints,
-        groups,
-        places,
-        partial,
-        constants,
-    })
+    let energy = field[0];
+    let friction = None;
+    let terms =
+        Terms { energy, field, structure, keeps, damping, force, friction, rayleigh, constraints, groups, partial };
+    errors.or(Lowered { graph, places, constants, terms })
 }
 
 /// The evaluator.

@@ -1,11 +1,12 @@
-//! Kernels: the routines of one piece of work, and when the symbols that they read are known.
+//! Kernels: routines that share prepared numbers, and when the symbols that they read are known.
 
 use super::block::{Block, Operations};
 use super::levels::{KnownLevels, Slots};
 use super::lowering::Lowering;
+use super::routine::{Argument, Routine};
 use crate::ir::{Graph, Id, Symbol};
 
-/// When symbols are known: each level is a routine that stores what later ones need, the last one excepted.
+/// When symbols are known. Every level but the last stores numbers for later levels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Levels {
     /// All at once.
@@ -14,14 +15,14 @@ pub(crate) enum Levels {
     Prepared,
     /// Parameters and h; the time at which a step is frozen; the state.
     Frozen,
-    /// The same, where time is part of the state.
+    /// Parameters and h; nothing; the state and time.
     Unfrozen,
     /// Parameters and h; the start of a step; the iterates.
     Iterated,
 }
 
 impl Levels {
-    /// How many levels there are before the last.
+    /// The number of levels before the last.
     fn stores(self) -> usize {
         match self {
             Levels::One => 0,
@@ -47,32 +48,60 @@ impl Levels {
     }
 }
 
-/// Routines of the last level, each by the nodes that it computes, and their levels.
+/// Routines that share prepared numbers.
 #[derive(Clone, Debug)]
 pub(crate) struct Kernel {
     pub(crate) levels: Levels,
-    pub(crate) routines: Vec<Vec<Id>>,
+    /// The array with the start of a step, for [`Levels::Iterated`].
+    pub(crate) start: Option<Argument>,
+    pub(crate) routines: Vec<Routine>,
+    /// The routine of each level but the last. It returns the numbers that later levels read.
+    pub(crate) stores: Vec<Block>,
+    /// How many numbers each of them returns.
+    pub(crate) slots: Vec<usize>,
 }
+
+/// What [`Kernel::routine`] returns for a name that the kernel does not have.
+static NONE: Routine =
+    Routine { name: "", argument: None, outputs: vec![], block: Block { statements: vec![], results: vec![] } };
 
 impl Kernel {
-    /// One routine.
-    pub(crate) fn new(levels: Levels, roots: Vec<Id>) -> Kernel {
-        Kernel { levels, routines: vec![roots] }
+    pub(crate) fn new(levels: Levels, routines: Vec<Routine>) -> Kernel {
+        Kernel { levels, start: None, routines, stores: vec![], slots: vec![] }
     }
 
-    /// The statements of all routines.
-    pub(crate) fn plan(&self, graph: &mut Graph) -> Plan {
+    /// Returns a routine by name; an empty one if there is none.
+    pub(crate) fn routine(&self, name: &str) -> &Routine {
+        self.find(name).unwrap_or(&NONE)
+    }
+
+    /// Returns a routine by name.
+    pub(crate) fn find(&self, name: &str) -> Option<&Routine> {
+        self.routines.iter().find(|routine| routine.name == name)
+    }
+
+    /// Computes the statements of all routines.
+    pub(crate) fn schedule(&mut self, graph: &mut Graph) {
+        let nodes: Vec<Vec<Id>> = self.routines.iter().map(Routine::nodes).collect();
+        let nodes: Vec<&[Id]> = nodes.iter().map(Vec::as_slice).collect();
         let none: &[Id] = &[];
-        let routines: Vec<&[Id]> = self.routines.iter().map(Vec::as_slice).collect();
-        plan(graph, |symbol| self.levels.of(symbol), &vec![none; self.levels.stores()], &routines)
+        let plan = plan(graph, |symbol| self.levels.of(symbol), &vec![none; self.levels.stores()], &nodes);
+        for (routine, block) in self.routines.iter_mut().zip(plan.last) {
+            routine.block = block;
+        }
+        (self.stores, self.slots) = (plan.stores, plan.slots);
+    }
+
+    /// Returns the cost of the first routine.
+    pub(crate) fn operations(&self) -> Operations {
+        self.routines.first().map_or_else(Operations::default, Routine::operations)
     }
 }
 
-/// Statements of all routines of a kernel.
+/// Statements of routines that share prepared numbers.
 #[derive(Clone, Debug)]
 pub(crate) struct Plan {
-    /// For each level but the last, the routine that stores what later levels need: results are its own roots, then
-    /// the slots.
+    /// The routine of each level but the last: its results are its own roots, then the slots.
     pub(crate) stores: Vec<Block>,
     /// The routines of the last level.
     pub(crate) last: Vec<Block>,
@@ -80,15 +109,13 @@ pub(crate) struct Plan {
     pub(crate) slots: Vec<usize>,
 }
 
-impl Plan {
-    /// What the first routine of the last level costs.
-    pub(crate) fn operations(&self) -> Operations {
-        self.last[0].operations()
-    }
+/// Returns the statements that compute some nodes, if all symbols are known at once.
+pub(crate) fn statements(graph: &mut Graph, nodes: &[Id]) -> Block {
+    Lowering::run(graph, &mut KnownLevels::new(|_| 0), &mut [], 0, nodes)
 }
 
-/// Plans the routines of a kernel: `stores` are the own roots of the storing routines, a level each, `last` the roots of
-/// the routines of the last level.
+/// Schedules routines: `stores` are the own roots of the storing routines, one list a level; `last` are the roots of the routines of the last
+/// level.
 pub(crate) fn plan(graph: &mut Graph, level: impl Fn(Symbol) -> usize, stores: &[&[Id]], last: &[&[Id]]) -> Plan {
     let mut levels = KnownLevels::new(level);
     let mut slots = vec![Slots::default(); stores.len()];

@@ -15,10 +15,12 @@ mod kernel;
 mod lanes;
 mod levels;
 mod lowering;
+mod routine;
 
 pub(crate) use block::{Block, Instruction, LANES, Operand, Operations, Register, Statement};
 pub(crate) use families::{Families, Family, Indices, Item, Run, Source, families};
+pub(crate) use kernel::{Kernel, Levels};
 #[cfg(test)]
-pub(crate) use kernel::plan;
-pub(crate) use kernel::{Kernel, Levels, Plan};
+pub(crate) use kernel::{Plan, plan, statements};
 pub(crate) use lanes::side_by_side;
+pub(crate) use routine::{Argument, Extent, Output, Routine, Space, phase};

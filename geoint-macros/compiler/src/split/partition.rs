@@ -9,7 +9,7 @@ use super::powers::powers_of_forms;
 use crate::analyze::{Split, Structure};
 use crate::ir::{Graph, Id};
 use crate::lower::Place;
-use crate::schedule::Kernel;
+use crate::schedule::{Kernel, Routine};
 use std::collections::BTreeMap;
 
 /// A flow waits for the one before it: some sums long.
@@ -263,5 +263,8 @@ fn rank(piece: &Piece) -> usize {
 /// changes, so that two kicks are dearer than one.
 fn cost(graph: &mut Graph, piece: &Piece) -> usize {
     let ends: Vec<Id> = piece.flow.changed(graph).into_iter().map(|(_, end)| end).collect();
-    ends.len() + Kernel::new(piece.levels(), ends).plan(graph).operations().weight()
+    let count = ends.len();
+    let mut kernel = Kernel::new(piece.levels(), vec![Routine::row("end", ends)]);
+    kernel.schedule(graph);
+    count + kernel.operations().weight()
 }

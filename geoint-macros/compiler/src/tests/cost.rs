@@ -61,10 +61,10 @@ fn the_gradient_of_the_double_pendulum_is_short() {
     let energy =
         parse::energy(parse::Form::Hamiltonian, quote!(), item).unwrap_or_else(|e| panic!("{:?}", e.messages()));
     let mut lowered = lower::body(&energy).unwrap_or_else(|e| panic!("{:?}", e.messages()));
-    let structure = analyze::structure(&mut lowered.graph, lowered.energy, &energy.coordinates.shape);
+    let structure = analyze::structure(&mut lowered.graph, lowered.terms.energy, &energy.coordinates.shape);
     let gradient = diff::gradient(&mut lowered.graph, structure.energy, 2);
     let roots = [gradient.q, gradient.p].concat();
-    let operations = schedule::Kernel::new(schedule::Levels::One, roots).plan(&mut lowered.graph).operations();
+    let operations = schedule::statements(&mut lowered.graph, &roots).operations();
     // The best tools reach 58 to 79.
     assert!(operations.total() <= 65, "{operations:?}");
 }

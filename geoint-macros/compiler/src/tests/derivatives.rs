@@ -93,8 +93,8 @@ fn the_discrete_gradient_satisfies_the_discrete_chain_rule() {
         }
     });
     let graph = &mut lowered.graph;
-    let slopes = diff::discrete_gradient(graph, lowered.energy, 2);
-    let gradient = diff::gradient(graph, lowered.energy, 2);
+    let slopes = diff::discrete_gradient(graph, lowered.terms.energy, 2);
+    let gradient = diff::gradient(graph, lowered.terms.energy, 2);
     let mut noise = Noise(7);
     for _ in 0..200 {
         let mut draw = |size: f64| [(); 4].map(|()| noise.between(-size, size));
@@ -110,7 +110,7 @@ fn the_discrete_gradient_satisfies_the_discrete_chain_rule() {
         };
         let roots = [&slopes.q[..], &slopes.p[..]].concat();
         let along: f64 = roots.iter().zip(d).map(|(root, d)| eval(graph, *root, &at(0.0)) * d).sum();
-        let change = eval(graph, lowered.energy, &at(1.0)) - eval(graph, lowered.energy, &at(0.0));
+        let change = eval(graph, lowered.terms.energy, &at(1.0)) - eval(graph, lowered.terms.energy, &at(0.0));
         assert!((along - change).abs() < 1e-12 * (1.0 + change.abs()), "{along} {change}");
 
         let still = |symbol: Symbol| {
@@ -136,9 +136,9 @@ fn a_branch_is_differentiated_on_each_side() {
         }
     });
     let graph = &mut lowered.graph;
-    let slope = diff::gradient(graph, lowered.energy, 1).q[0];
+    let slope = diff::gradient(graph, lowered.terms.energy, 1).q[0];
     for x in [-0.3, 0.2, 0.8, 2.0] {
-        let expected = quotient(|x| eval(graph, lowered.energy, &|_| x) - x * x / 2.0, x);
+        let expected = quotient(|x| eval(graph, lowered.terms.energy, &|_| x) - x * x / 2.0, x);
         assert!((eval(graph, slope, &|_| x) - expected).abs() < 1e-9);
     }
 }

@@ -256,7 +256,7 @@ proptest! {
         let item = syn::parse_str(&format!("fn f(q: [f64; 2], p: [f64; 2], s: f64, t: f64) -> f64 {{ {sum} }}")).expect("a function");
         let energy = parse::energy(parse::Form::Contact, Default::default(), item).unwrap_or_else(|e| panic!("{:?}", e.messages()));
         let lowered = lower::body(&energy).unwrap_or_else(|e| panic!("{:?}", e.messages()));
-        let (mut graph, root) = (lowered.graph, lowered.energy);
+        let (mut graph, root) = (lowered.graph, lowered.terms.energy);
         let [q0, q1, p0, p1, s] = x;
         let x = [q0, q1, p0, p1, s, 0.6];
         if let Ok(found) = split::pieces(&mut graph, root, split::Space { degrees: 2, action: true }, None) {
@@ -290,7 +290,7 @@ proptest! {
         let item = syn::parse_str(&format!("fn f(q: [f64; 2], p: [f64; 2], t: f64) -> f64 {{ {sum} }}")).expect("a function");
         let energy = parse::energy(parse::Form::Hamiltonian, Default::default(), item).unwrap_or_else(|e| panic!("{:?}", e.messages()));
         let lowered = lower::body(&energy).unwrap_or_else(|e| panic!("{:?}", e.messages()));
-        let (mut graph, root) = (lowered.graph, lowered.energy);
+        let (mut graph, root) = (lowered.graph, lowered.terms.energy);
         let x = [x[0], x[1], x[2], x[3], 0.0, 0.6];
         if let Ok(found) = split::pieces(&mut graph, root, split::Space { degrees: 2, action: false }, None) {
             let [whole, own] = [&[root][..], &found.pieces.iter().map(|piece| piece.energy).collect::<Vec<_>>()]

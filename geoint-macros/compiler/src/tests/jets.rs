@@ -13,14 +13,14 @@ use quote::quote;
 fn sums(item: TokenStream, degrees: u32) -> (usize, Option<usize>) {
     let (_, mut lowered) = lowered(item);
     let graph = &mut lowered.graph;
-    let gradient = diff::gradient(graph, lowered.energy, degrees);
+    let gradient = diff::gradient(graph, lowered.terms.energy, degrees);
     let sums = |graph: &mut Graph, gradient: &diff::Gradient| {
         let forces: Vec<Id> = gradient.q.iter().map(|slope| graph.neg(*slope)).collect();
         let velocities = (0..).map(Symbol::Position).zip(gradient.p.iter().copied());
         let rates: Vec<_> = velocities.chain((0..).map(Symbol::Momentum).zip(forces)).collect();
         jet::jet(graph, &rates, &[]).half_convolutions()
     };
-    let by_velocities = by_velocities::of_energy(graph, lowered.energy, &gradient);
+    let by_velocities = by_velocities::of_energy(graph, lowered.terms.energy, &gradient);
     (sums(graph, &gradient), by_velocities.map(|gradient| sums(graph, &gradient)))
 }
 
@@ -156,7 +156,7 @@ fn attracting(energy: TokenStream) -> TokenStream {
 fn arrays_of_pairs_serve_all_sums() {
     let (_, mut lowered) = lowered(bodies());
     let graph = &mut lowered.graph;
-    let gradient = diff::gradient(graph, lowered.energy, 18);
+    let gradient = diff::gradient(graph, lowered.terms.energy, 18);
     let forces: Vec<_> = gradient.q.iter().map(|slope| graph.neg(*slope)).collect();
     let rates: Vec<_> = (0..).map(Symbol::Momentum).zip(forces).collect();
     let lanes = jet::Lanes::of(&jet::jet(graph, &rates, &[])).expect("there are many sums");
@@ -231,7 +231,7 @@ fn of_two_powers_of_a_base_one_is_a_product() {
 fn squares(item: TokenStream, degrees: u32) -> Vec<usize> {
     let (_, mut lowered) = lowered(item);
     let graph = &mut lowered.graph;
-    let gradient = diff::gradient(graph, lowered.energy, degrees);
+    let gradient = diff::gradient(graph, lowered.terms.energy, degrees);
     let rates: Vec<_> = (0..).map(Symbol::Momentum).zip(gradient.q.iter().copied()).collect();
     let program = jet::jet(graph, &rates, &[]);
     let mut squares: Vec<usize> = program

@@ -1,7 +1,7 @@
 //! Which pieces are found of contact energies, by which rules.
 
-use crate::ir::print::Printer;
-use crate::{emit, lower, parse, split};
+use crate::compilation::Compilation;
+use crate::{parse, split};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -9,15 +9,10 @@ use quote::quote;
 fn pieces(item: TokenStream) -> Result<Vec<String>, String> {
     let item = syn::parse2(item).expect("a function");
     let energy = parse::energy(parse::Form::Contact, quote!(), item).unwrap_or_else(|e| panic!("{:?}", e.messages()));
-    let mut lowered = lower::body(&energy).unwrap_or_else(|e| panic!("{:?}", e.messages()));
-    let found = split::pieces(
-        &mut lowered.graph,
-        lowered.energy,
-        split::Space { degrees: energy.degrees(), action: true },
-        None,
-    );
-    let context = emit::Context::new(&energy, &lowered.constants);
-    let printer = Printer::new(&lowered.graph, &context);
+    let (mut compilation, terms) = Compilation::lowered(&energy).unwrap_or_else(|e| panic!("{:?}", e.messages()));
+    let space = split::Space { degrees: energy.degrees(), action: true };
+    let found = split::pieces(&mut compilation.graph, terms.energy, space, None);
+    let printer = compilation.printer();
     let mut found: Vec<String> = found
         .map_err(|term| printer.formula(term))?
         .pieces
@@ -50,10 +45,9 @@ fn mechanics_behind_a_common_factor() {
     let damping = |item| {
         let energy = parse::energy(parse::Form::Contact, quote!(), syn::parse2(item).expect("a function"));
         let energy = energy.unwrap_or_else(|e| panic!("{:?}", e.messages()));
-        let mut lowered = lower::body(&energy).unwrap_or_else(|e| panic!("{:?}", e.messages()));
-        let found = split::mechanics(&mut lowered.graph, lowered.energy, energy.degrees());
-        let context = emit::Context::new(&energy, &lowered.constants);
-        let printer = Printer::new(&lowered.graph, &context);
+        let (mut compilation, terms) = Compilation::lowered(&energy).unwrap_or_else(|e| panic!("{:?}", e.messages()));
+        let found = split::mechanics(&mut compilation.graph, terms.energy, energy.degrees());
+        let printer = compilation.printer();
         found.map(|found| printer.formula(found.damping)).map_err(|term| printer.formula(term))
     };
     let of = |h| damping(quote! { fn f(q: f64, p: f64, s: f64, t: f64, a: f64, b: f64) -> f64 { #h } });

@@ -16,7 +16,7 @@ fn found(potential: TokenStream) -> Vec<String> {
             (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) + #potential
         }
     });
-    let poles = poles(&mut lowered.graph, &[lowered.energy], &lowered.partial);
+    let poles = poles(&mut lowered.graph, &[lowered.terms.energy], &lowered.terms.partial);
     poles.iter().map(|pole| described(&lowered.graph, pole)).collect()
 }
 

@@ -57,7 +57,7 @@ struct Tree {
 
 impl Tree {
     fn new(mut lowered: lower::Lowered) -> Tree {
-        let (graph, energy) = (&mut lowered.graph, lowered.energy);
+        let (graph, energy) = (&mut lowered.graph, lowered.terms.energy);
         let gradient = diff::gradient(graph, energy, 1);
         let slopes = diff::discrete_gradient(graph, energy, 1);
         let [gradient, slopes] = [gradient, slopes].map(|g| [g.q[0], g.p[0], g.s]);

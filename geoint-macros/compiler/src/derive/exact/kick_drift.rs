@@ -6,7 +6,7 @@ use crate::derive::system::{FlowKernel, GradientKick, KickDrift, Missing, Modifi
 use crate::diff::{self, Gradient, modified};
 use crate::ir::{Graph, Id, Number, Partial, Symbol};
 use crate::messages::NOT_QUADRATIC;
-use crate::schedule::{Kernel, Levels};
+use crate::schedule::{Levels, Routine};
 
 /// In so few degrees of freedom a kick with a force gradient is made of the kernel of implicit methods, whose derivative is hardly
 /// more than the one direction that is needed of it: users do not pay for compiling another one.
@@ -17,9 +17,10 @@ const FEW: u32 = 3;
 pub(in crate::derive) fn kick_drift(
     graph: &mut Graph,
     parts: &Parts,
-    (force, gradient): (&[Id], &Gradient),
+    force: &[Id],
+    gradient: &Gradient,
     partial: &[Partial],
-) -> KickDrift<Kernel> {
+) -> KickDrift {
     let degrees = gradient.q.len() as u32;
     let impulse = scaled_gradient(graph, parts.potential, Number::MINUS_ONE, degrees);
     let shift = scaled_gradient(graph, parts.kinetic, Number::ONE, degrees);
@@ -31,7 +32,7 @@ pub(in crate::derive) fn kick_drift(
             let kick = diff::gradient_kick(graph, parts.potential, force, &gradient.p);
             Ok(GradientKick::Flow(increments(graph, Symbol::Momentum, &kick.impulse)))
         }
-        Some(term) => Err(Missing { marker: "QuadraticIn", term, why: NOT_QUADRATIC, pair: None }),
+        Some(term) => Err(Missing::new("QuadraticIn", term, NOT_QUADRATIC)),
     };
     let repeats = ![parts.kinetic, parts.potential].iter().any(|part| graph.reads(*part).t);
     let shows = repeats && domain::shows(graph, &impulse.q, partial);
@@ -69,10 +70,10 @@ pub(in crate::derive) fn modified_energy(
     structure: &Structure,
     parts: &Parts,
     gradient: &Gradient,
-) -> Modified<Kernel> {
+) -> Modified {
     if structure.autonomous && parts.not_quadratic.is_none() {
         return Modified::Implicit;
     }
     let modified = modified::verlet(graph, parts, gradient);
-    Modified::Value(Kernel::new(Levels::One, vec![modified]))
+    Modified::Value(Routine::number("modified", modified))
 }

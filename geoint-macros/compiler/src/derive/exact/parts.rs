@@ -6,13 +6,13 @@
 //!
 //! `split` finds the pieces. This file turns them into kernels, or states why there are none.
 
-use crate::analyze::{claims, search};
-use crate::derive::implicit;
+use crate::analyze::{Damping, claims, search};
+use crate::derive::implicit::{self, Scaled};
 use crate::derive::proof::flow::{Flow, coordinates};
-use crate::derive::system::{FlowKernel, Missing, PieceKernel, PiecesOf};
+use crate::derive::system::{FlowKernel, Missing, Pair, PieceKernel, PiecesOf};
 use crate::ir::{Graph, Id, Symbol};
 use crate::messages::{AT_REST, CHANGED, DAMPED_FLOW, NO_STRUCTURE, NOT_PLANAR, NOT_POISSON, NOT_SOLVED};
-use crate::schedule::{Kernel, Levels};
+use crate::schedule::{Kernel, Levels, Output, Routine};
 use crate::split::{self, Clock, Motion, NoPart, Part};
 
 /// The antisymmetric matrix S and the integral I of x' = S(x) ∇I.
@@ -78,7 +78,12 @@ const BY_INCREMENTS: Splitting =
     Splitting { name: "PlanarItohAbe", marker: "InIncrements", why: NOT_SOLVED, pair: "span the plane" };
 
 /// The pieces of every splitting of a flow.
-pub(crate) fn parts(graph: &mut Graph, flow: &Flow, parted: Option<&Parted>, damped: bool) -> Vec<PiecesOf<Kernel>> {
+pub(crate) fn parts(
+    graph: &mut Graph,
+    flow: &Flow,
+    parted: Option<&Parted>,
+    damping: Option<&Damping>,
+) -> Vec<PiecesOf> {
     let Some(Parted { integral, matrix, poisson, .. }) = parted else {
         // Without S there is nothing to split. The message depends on whether an integral is kept, is changed by the field, or is not named at all.
         return match (flow.first(), flow.kept.first()) {
@@ -87,7 +92,7 @@ pub(crate) fn parts(graph: &mut Graph, flow: &Flow, parted: Option<&Parted>, dam
             (None, None) => vec![],
         };
     };
-    if damped {
+    if damping.is_some() {
         return none(*integral, DAMPED_FLOW);
     }
     let autonomous = !graph.reads(*integral).t;
@@ -101,37 +106,36 @@ pub(crate) fn parts(graph: &mut Graph, flow: &Flow, parted: Option<&Parted>, dam
             marker,
             term: formula,
             why,
-            pair: found.map(|found: [Symbol; 2]| (found, pair)),
+            pair: found.map(|coordinates: [Symbol; 2]| Pair { coordinates, verb: pair }),
         };
         let kernels = match found {
-            Ok(parts) if parts.is_empty() => Err(Missing { marker, term: *integral, why: AT_REST, pair: None }),
+            Ok(parts) if parts.is_empty() => Err(Missing::new(marker, *integral, AT_REST)),
             Ok(parts) => Ok(parts.into_iter().map(|part| kernel(graph, part)).collect()),
             Err(none) => Err(missing(none)),
         };
         // Each piece by terms is a Hamiltonian flow. Each piece by planes keeps the integral, unless it reads time.
         let by_terms = name == BY_TERMS.name;
-        pieces_of(name, kernels, by_terms && *poisson, !by_terms && autonomous)
+        PiecesOf {
+            symplectic: by_terms && *poisson,
+            conserves_energy: !by_terms && autonomous,
+            ..pieces_of(name, kernels)
+        }
     };
     found.into_iter().map(pieces).collect()
 }
 
 /// No pieces of any splitting.
-fn none(term: Id, why: &'static str) -> Vec<PiecesOf<Kernel>> {
-    let none =
-        |Splitting { name, marker, .. }| pieces_of(name, Err(Missing { marker, term, why, pair: None }), false, false);
+fn none(term: Id, why: &'static str) -> Vec<PiecesOf> {
+    let none = |Splitting { name, marker, .. }| pieces_of(name, Err(Missing::new(marker, term, why)));
     [BY_TERMS, BY_PLANES, BY_GRADIENTS, BY_INCREMENTS].map(none).into()
 }
 
-fn pieces_of(
-    splitting: &'static str,
-    pieces: Result<Vec<PieceKernel<Kernel>>, Missing>,
-    symplectic: bool,
-    conserves_energy: bool,
-) -> PiecesOf<Kernel> {
-    PiecesOf { cost: 0, linear: false, rejected: vec![], splitting, pieces, symplectic, conserves_energy }
+/// The pieces of a splitting that preserves nothing.
+fn pieces_of(splitting: &'static str, pieces: Result<Vec<PieceKernel>, Missing>) -> PiecesOf {
+    PiecesOf { splitting, pieces, cost: 0, linear: false, rejected: vec![], symplectic: false, conserves_energy: false }
 }
 
-fn kernel(graph: &mut Graph, part: Part) -> PieceKernel<Kernel> {
+fn kernel(graph: &mut Graph, part: Part) -> PieceKernel {
     let levels = match part.clock {
         Clock::Own => Levels::Unfrozen,
         Clock::Stage => Levels::Frozen,
@@ -146,8 +150,10 @@ fn kernel(graph: &mut Graph, part: Part) -> PieceKernel<Kernel> {
         }
         Motion::Solved(pair, field) => {
             let h = graph.symbol(Symbol::StepLength);
-            let equation = implicit::image(graph, &field, h);
-            (true, true, FlowKernel { changes: pair.to_vec(), kernel: Kernel::new(levels, equation) })
+            let Scaled { image, matrix } = implicit::scaled(graph, &field, h);
+            let equation =
+                Routine::new("equation", vec![Output::row("image", image), Output::square("matrix", &[2], &matrix)]);
+            (true, true, FlowKernel { changes: pair.to_vec(), kernel: Kernel::new(levels, vec![equation]) })
         }
     };
     PieceKernel { energy: part.formula, solved, may_end, known, clock: part.clock, flow }

@@ -7,18 +7,14 @@ use crate::diff;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Number, Symbol};
 use crate::messages::{JUMP_IS_NO_KICK, NOT_NYSTROM_EXACT};
-use crate::schedule::{Kernel, Levels};
+use crate::schedule::{Levels, Output, Routine};
 use crate::split::{self, Clock, Division, NoExactPart};
 
 /// Kernels of both parts.
-pub(in crate::derive) fn kernels(
-    graph: &mut Graph,
-    division: &Division,
-    degrees: u32,
-) -> Result<Perturbed<Kernel>, Missing> {
+pub(in crate::derive) fn kernels(graph: &mut Graph, division: &Division, degrees: u32) -> Result<Perturbed, Missing> {
     let parts = match division {
         Ok(parts) => parts,
-        Err(NoExactPart { term, why }) => return Err(Missing { marker: "Parted", term: *term, why, pair: None }),
+        Err(NoExactPart { term, why }) => return Err(Missing::new("Parted", *term, why)),
     };
     let changed: Vec<(Symbol, Id)> =
         parts.flow.changed(graph).into_iter().filter(|(symbol, _)| *symbol != Symbol::Action).collect();
@@ -34,7 +30,7 @@ pub(in crate::derive) fn kernels(
         }
         Err(term) => {
             let why = if parts.jump.is_some() { JUMP_IS_NO_KICK } else { NOT_NYSTROM_EXACT };
-            Err(Missing { marker: "Gentle", term: *term, why, pair: None })
+            Err(Missing::new("Gentle", *term, why))
         }
     };
     let rest = match &parts.jump {
@@ -49,7 +45,7 @@ pub(in crate::derive) fn kernels(
         parts: parts.parts.clone(),
         known: parts.known.clone(),
         flow: FlowKernel::with_increments(graph, Levels::Prepared, changed),
-        after,
+        flow_after_kick: after,
         exact_in_time: parts.clock == Clock::Own,
         kick: {
             let impulse = impulse(graph, parts.kick, degrees);
@@ -67,13 +63,19 @@ pub(in crate::derive) fn kernels(
             enter: FlowKernel::new(Levels::One, inner.enter.clone()),
             leave: FlowKernel::new(Levels::One, inner.leave.clone()),
             shares: inner.shares.clone(),
-            weighed: Kernel::new(Levels::One, [&inner.masses, inner.shares.as_flattened()].concat()),
+            weighed: Routine::new(
+                "unsuitable",
+                vec![
+                    Output::row("masses", inner.masses.clone()),
+                    Output::array("shares", &[inner.shares.len(), 2], inner.shares.concat()),
+                ],
+            ),
         }),
     })
 }
 
 /// Where a linear flow ends after momenta have grown by Dp; nothing if its coefficients are not constant.
-fn after_kick(graph: &mut Graph, changed: &[(Symbol, Id)], degrees: u32) -> Option<FlowKernel<Kernel>> {
+fn after_kick(graph: &mut Graph, changed: &[(Symbol, Id)], degrees: u32) -> Option<FlowKernel> {
     let momenta: Vec<Symbol> = (0..degrees).map(Symbol::Momentum).collect();
     let ends: Vec<(Symbol, Id)> = [Symbol::Position as fn(u32) -> Symbol, Symbol::Momentum]
         .into_iter()
@@ -107,7 +109,7 @@ fn after_kick(graph: &mut Graph, changed: &[(Symbol, Id)], degrees: u32) -> Opti
 }
 
 /// A jump and a kick that leave each other as they are.
-fn beside_jump(graph: &mut Graph, jump: &split::Jump, impulse: &[Id]) -> FlowKernel<Kernel> {
+fn beside_jump(graph: &mut Graph, jump: &split::Jump, impulse: &[Id]) -> FlowKernel {
     let h = graph.symbol(Symbol::StepLength);
     let shifts: Vec<Id> = jump.velocity.iter().map(|velocity| graph.mul(h, *velocity)).collect();
     let indices = 0..shifts.len() as u32;
@@ -125,7 +127,7 @@ fn beside_jump(graph: &mut Graph, jump: &split::Jump, impulse: &[Id]) -> FlowKer
 }
 
 /// Half of a jump, a kick, half of a jump.
-fn between_jumps(graph: &mut Graph, jump: &split::Jump, impulse: &[Id]) -> FlowKernel<Kernel> {
+fn between_jumps(graph: &mut Graph, jump: &split::Jump, impulse: &[Id]) -> FlowKernel {
     let indices = 0..impulse.len() as u32;
     let h = graph.symbol(Symbol::StepLength);
     let half = graph.scale(Number::HALF, h);

@@ -2,7 +2,6 @@
 
 use crate::derive::system::{FlowKernel, Missing, PieceKernel, PiecesOf};
 use crate::ir::{Graph, Id, Symbol};
-use crate::schedule::Kernel;
 use crate::split::{self, Pieces};
 
 /// What the flows of pieces follow.
@@ -24,14 +23,10 @@ impl Followed {
 }
 
 /// The flows of pieces, or what is said of the term that is in none.
-pub(in crate::derive) fn kernels(
-    graph: &mut Graph,
-    followed: Followed,
-    (found, why): (&Pieces, &'static str),
-) -> PiecesOf<Kernel> {
+pub(in crate::derive) fn kernels(graph: &mut Graph, followed: Followed, found: &Pieces, why: &'static str) -> PiecesOf {
     let pieces = match found {
         Ok(found) => Ok(found.pieces.iter().map(|piece| kernel(graph, piece, followed)).collect()),
-        Err(term) => Err(Missing { marker: "Splits", term: *term, why, pair: None }),
+        Err(term) => Err(Missing::new("Splits", *term, why)),
     };
     let split::Partition { cost, linear, rejected, .. } = found.clone().unwrap_or_default();
     PiecesOf {
@@ -45,7 +40,7 @@ pub(in crate::derive) fn kernels(
     }
 }
 
-fn kernel(graph: &mut Graph, piece: &split::Piece, followed: Followed) -> PieceKernel<Kernel> {
+fn kernel(graph: &mut Graph, piece: &split::Piece, followed: Followed) -> PieceKernel {
     let mut changed = piece.flow.changed(graph);
     changed.retain(|(symbol, _)| !(followed == Followed::Lift && matches!(symbol, Symbol::Momentum(_))));
     let ends: Vec<Id> = changed.iter().map(|(_, end)| *end).collect();

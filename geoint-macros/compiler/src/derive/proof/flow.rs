@@ -1,5 +1,6 @@
 //! A flow x' = f(x, t), or one that an energy makes, x' = S(x) ∇H, and what it keeps: known before its methods are derived.
 
+use super::Structure;
 use crate::analyze::{Damping, claims, search};
 use crate::diff;
 use crate::diff::field::taking;
@@ -149,12 +150,12 @@ impl Flow {
     pub(crate) fn search_casimirs(
         &mut self,
         graph: &mut Graph,
-        (rows, written): (&[Vec<Id>], Option<Id>),
+        Structure { matrix: rows, casimir: written, .. }: &Structure,
         names: &dyn Naming,
     ) {
         let x = coordinates(self.field.len());
         // The one that was written comes first: what is found may be a function of it that is defined at fewer states, as its logarithm.
-        let mut found: Vec<_> = written.map(|value| search::Kept { value, linear: false }).into_iter().collect();
+        let mut found: Vec<_> = written.iter().map(|value| search::Kept { value: *value, linear: false }).collect();
         found.extend(search::kept_along(graph, &x, rows).unwrap_or_default());
         // What reads time is constant along the rows, and not along the flow.
         found.retain(|kept| !graph.reads(kept.value).t);

@@ -1,224 +1,207 @@
-//! The equations of implicit methods, by form.
+//! Kernels of implicit methods, by form.
 
 use super::Missing;
 use crate::analyze::{MeanValue, Momentum};
-use crate::ir::{Id, Symbol};
+use crate::derive::bodies::BodyKernels;
+use crate::ir::{Graph, Id};
+use crate::schedule::{Kernel, Routine, Space};
 
-/// The equations of implicit methods.
+/// Kernels of implicit methods.
 #[derive(Debug)]
-pub(crate) enum Implicit<K> {
-    /// Of a field.
-    Field(FieldKernels<K>),
-    /// Of contact systems.
-    Contact(ContactKernels<K>),
-    /// Of a Lagrangian, for velocities.
-    Velocities(VelocityKernels<K>),
-    /// Of a Lagrangian with an action, for velocities.
-    Herglotz(HerglotzKernels<K>),
+pub(crate) enum Implicit {
+    /// For a field.
+    Field(FieldKernels),
+    /// For contact systems.
+    Contact(ContactKernels),
+    /// For a Lagrangian, with velocities as unknowns.
+    Velocities(VelocityKernels),
+    /// For a Lagrangian with an action, with velocities as unknowns.
+    Herglotz(HerglotzKernels),
     /// With constraints.
-    Constrained(ConstraintKernels<K>),
+    Constrained(ConstraintKernels),
+    /// For rigid bodies: kicks and drifts.
+    Bodies(BodyKernels),
 }
 
-/// ∂L/∂v of a Lagrangian, and how it depends on v.
+/// ∂L/∂v of a Lagrangian, and its dependence on v.
 #[derive(Debug)]
-pub(crate) struct MassKernels<K> {
+pub(crate) struct MassKernels {
     /// ∂L/∂v and M.
-    pub(crate) mass: K,
-    /// Functions of parameters, of which so many are not negative and the others positive where M is positive definite at every state.
-    pub(crate) definite: Option<(usize, K)>,
+    pub(crate) mass: Routine,
+    /// Functions of the parameters. M is positive definite at every state if some are not negative and the others are positive.
+    pub(crate) definite: Option<Routine>,
     /// Whether L is quadratic in v.
     pub(crate) quadratic: bool,
 }
 
-/// Stages of collocation of a Lagrangian with an action, for velocities.
+/// Stages of collocation of a Lagrangian with an action, with velocities as unknowns.
 #[derive(Debug)]
-pub(crate) struct VelocityStages<K> {
-    /// Whether ∂L/∂s reads the state, so that s is solved for.
+pub(crate) struct VelocityStages {
+    /// Whether ∂L/∂s reads the state, so that s is an unknown.
     pub(crate) varying: bool,
     /// Whether L has second derivatives by q and v, by v and s, and by q and s.
     pub(crate) mixed: [bool; 3],
-    pub(crate) mass: MassKernels<K>,
-    /// ∂L/∂v and ∂L/∂q, with their derivatives by q and v; L, σ = −∂L/∂s, and the derivatives of all by s; ∂L/∂q and σ.
-    pub(crate) stage: K,
+    pub(crate) mass: MassKernels,
+    /// The routines `stage` and `force`.
+    pub(crate) stage: Kernel,
 }
 
-/// A Lagrangian with an action by its derivatives.
+/// A Lagrangian with an action.
 #[derive(Debug)]
-pub(crate) struct HerglotzKernels<K> {
-    pub(crate) stages: VelocityStages<K>,
-    /// What is solved for by the polarised discrete gradient, and its equation, as the runtime has it. Of an L that is quadratic in v.
-    pub(crate) polarised: Result<StepKernel<K>, Missing>,
+pub(crate) struct HerglotzKernels {
+    pub(crate) stages: VelocityStages,
+    /// The polarised discrete gradient, if L is quadratic in v.
+    pub(crate) polarised: Result<StepKernel, Missing>,
 }
 
 /// Constraints, and the steps that keep them.
 #[derive(Debug)]
-pub(crate) struct ConstraintKernels<K> {
+pub(crate) struct ConstraintKernels {
     /// g.
     pub(crate) constraints: Vec<Id>,
     /// Whether ∂H/∂p is affine in p.
     pub(crate) quadratic: bool,
     /// g and G.
-    pub(crate) values: K,
+    pub(crate) values: Routine,
     /// ∂H/∂p and ∂²H/∂p².
-    pub(crate) velocity: K,
-    /// g, its size, G ∂H/∂p, its size.
-    pub(crate) departure: K,
-    /// Of each method by name: the residual with its derivative; what a solution adds; the origin of unknowns.
-    pub(crate) steps: Vec<(&'static str, StepKernel<K>)>,
+    pub(crate) velocity: Routine,
+    /// g and its size, G ∂H/∂p and its size.
+    pub(crate) departure: Routine,
+    /// A step of each method by name: the routines `residual`, `end` and `origin`.
+    pub(crate) steps: Vec<(&'static str, StepKernel)>,
 }
 
 /// A Lagrangian by its derivatives.
 #[derive(Debug)]
-pub(crate) struct VelocityKernels<K> {
-    /// The increments of velocities, which are solved for.
-    pub(crate) increments: Vec<Symbol>,
-    pub(crate) mass: MassKernels<K>,
-    /// ∂L/∂v and the force, with their derivatives by q and v; the force.
-    pub(crate) stage: K,
-    /// Whether the flow keeps p·v − L: nothing reads time, and there is neither friction nor another force.
+pub(crate) struct VelocityKernels {
+    pub(crate) mass: MassKernels,
+    /// The routines `stage` and `force`.
+    pub(crate) stage: Kernel,
+    /// Whether the flow keeps p·v − L: L does not read time, and there is no friction and no other force.
     pub(crate) keeps: bool,
-    /// The equation of the polarised discrete gradient, what it adds to the momenta, and the derivatives of both. Of an L that is quadratic
-    /// in v.
-    pub(crate) polarised: Result<K, Missing>,
-    /// Sums of momenta, and angular momenta, that the flow keeps; whether the discrete gradient does, too.
-    pub(crate) momenta: Vec<(Momentum, bool)>,
+    /// The polarised discrete gradient, if L is quadratic in v.
+    pub(crate) polarised: Result<StepKernel, Missing>,
+    /// Sums of momenta and angular momenta that the flow keeps.
+    pub(crate) momenta: Vec<KeptMomentum>,
+}
+
+/// A momentum that a flow keeps.
+#[derive(Debug)]
+pub(crate) struct KeptMomentum {
+    pub(crate) momentum: Momentum,
+    /// Whether the polarised discrete gradient keeps it, too.
+    pub(crate) by_gradient: bool,
 }
 
 /// The field of implicit methods for (q, p), for q alone, or for x.
 #[derive(Debug)]
-pub(crate) struct FieldKernels<K> {
-    /// The coordinates that are solved for, and their increments.
-    pub(crate) coordinates: Vec<Symbol>,
-    pub(crate) increments: Vec<Symbol>,
-    /// Whether the equation is one of second order.
-    pub(crate) second_order: bool,
-    /// f with its derivative; ∂T/∂p; M⁻¹p.
-    pub(crate) collocation: K,
-    /// f̄ with its derivative; the equation of Newton's iteration; h ∂T/∂p of a mean momentum.
-    pub(crate) discrete: Option<K>,
-    /// Why there is no such thing, if there is more to say of it than that nothing is kept.
+pub(crate) struct FieldKernels {
+    /// Coordinates of a stage, and their increments: the unknowns.
+    pub(crate) coordinates: Space,
+    pub(crate) increments: Space,
+    pub(crate) collocation: Collocation,
+    /// The routines `slope` and `drift`, and `equation` if Newton's iteration has one.
+    pub(crate) discrete: Option<Kernel>,
+    /// Why there is no discrete gradient, if there is more to say than that nothing is kept.
     pub(crate) nothing_kept: Option<Missing>,
-    /// Canonical coordinates and their rates, with the derivatives of both: what collocation moves if there are such.
-    pub(crate) canonical: Option<K>,
-    /// The equation of a step of order 4 of a flow: h·f̄, and 1 − ∂(h·f̄)/∂d.
-    pub(crate) fourth: Option<K>,
-    /// The gradients of momenta that steps of order 4 of a canonical system keep, one after the other.
-    pub(crate) momenta: K,
-    /// Whether Newton's iteration has a kernel of its own.
-    pub(crate) folded: bool,
+    /// Canonical coordinates and their rates, with derivatives. Collocation moves these if they are known.
+    pub(crate) canonical: Option<Kernel>,
+    /// A step of order 4 of a flow: h·f̄ and 1 − ∂(h·f̄)/∂d.
+    pub(crate) fourth: Option<Kernel>,
+    /// Gradients of the momenta that steps of order 4 of a canonical system keep.
+    pub(crate) momenta: Routine,
     /// Whether the equation of a step is linear.
     pub(crate) linear: bool,
     pub(crate) mean_value: MeanValue,
 }
 
-/// The implicit steps of a contact system.
+/// Stages of collocation: y' = f(y), or q'' = f(q).
 #[derive(Debug)]
-pub(crate) struct ContactKernels<K> {
-    /// Of each method by name.
-    pub(crate) steps: Vec<(&'static str, StepKernel<K>)>,
-    /// Of collocation; nothing if momenta are not followed.
-    pub(crate) stages: Option<ContactStages<K>>,
+pub(crate) struct Collocation {
+    /// Whether the equation is of second order.
+    pub(crate) second_order: bool,
+    /// The routines `field`, and `velocity` and `acceleration` of an equation of second order.
+    pub(crate) kernel: Kernel,
 }
 
-/// What collocation of a contact system solves for.
+/// Implicit steps of a contact system.
 #[derive(Debug)]
-pub(crate) enum ContactStages<K> {
-    Points(StageKernel<K>),
-    Velocities(VelocityStages<K>),
+pub(crate) struct ContactKernels {
+    /// A step of each method by name: the routines `image` and `end`.
+    pub(crate) steps: Vec<(&'static str, StepKernel)>,
+    /// Collocation. Absent if momenta are not followed.
+    pub(crate) stages: Option<ContactStages>,
+}
+
+/// Unknowns of collocation of a contact system.
+#[derive(Debug)]
+pub(crate) enum ContactStages {
+    Points(StageKernel),
+    Velocities(VelocityStages),
 }
 
 /// The field of a contact system at a stage.
 #[derive(Debug)]
-pub(crate) struct StageKernel<K> {
-    /// What is solved for: q and p, and s if they read it.
-    pub(crate) moved: Vec<Symbol>,
-    /// Their rates, where that of p is −∂H/∂q, and ∂H/∂s; then the derivatives of all that. ∂H/∂s alone. s' alone.
-    pub(crate) kernel: K,
+pub(crate) struct StageKernel {
+    /// The unknowns: q and p, and s if their rates read it.
+    pub(crate) moved: Space,
+    /// The routines `stage`, `decay` and `action`.
+    pub(crate) kernel: Kernel,
 }
 
-/// The equation of an implicit step in (q, p, s).
+/// The equation of an implicit step.
 #[derive(Debug)]
-pub(crate) struct StepKernel<K> {
-    pub(crate) unknowns: Vec<Symbol>,
-    /// Φ with 1 − ∂Φ/∂d; what a solution adds.
-    pub(crate) kernel: K,
+pub(crate) struct StepKernel {
+    pub(crate) unknowns: Space,
+    pub(crate) kernel: Kernel,
 }
 
-impl<K> Implicit<K> {
-    pub(super) fn map<L>(self, of: &mut impl FnMut(K) -> L) -> Implicit<L> {
+impl Implicit {
+    pub(super) fn schedule(&mut self, graph: &mut Graph) {
         match self {
-            Implicit::Field(field) => Implicit::Field(FieldKernels {
-                coordinates: field.coordinates,
-                increments: field.increments,
-                second_order: field.second_order,
-                collocation: of(field.collocation),
-                discrete: field.discrete.map(&mut *of),
-                nothing_kept: field.nothing_kept,
-                canonical: field.canonical.map(&mut *of),
-                fourth: field.fourth.map(&mut *of),
-                momenta: of(field.momenta),
-                folded: field.folded,
-                linear: field.linear,
-                mean_value: field.mean_value,
-            }),
-            Implicit::Velocities(VelocityKernels { increments, mass, stage, keeps, polarised, momenta }) => {
-                let (mass, stage) = (mass.map(of), of(stage));
-                let polarised = polarised.map(&mut *of);
-                Implicit::Velocities(VelocityKernels { increments, mass, stage, keeps, polarised, momenta })
+            Implicit::Field(field) => {
+                field.collocation.kernel.schedule(graph);
+                for kernel in [&mut field.discrete, &mut field.canonical, &mut field.fourth].into_iter().flatten() {
+                    kernel.schedule(graph);
+                }
+                field.momenta.schedule(graph);
+            }
+            Implicit::Velocities(VelocityKernels { mass, stage, polarised, .. }) => {
+                mass.schedule(graph);
+                stage.schedule(graph);
+                polarised.iter_mut().for_each(|step| step.kernel.schedule(graph));
             }
             Implicit::Herglotz(HerglotzKernels { stages, polarised }) => {
-                let stages = stages.map(of);
-                let polarised =
-                    polarised.map(|StepKernel { unknowns, kernel }| StepKernel { unknowns, kernel: of(kernel) });
-                Implicit::Herglotz(HerglotzKernels { stages, polarised })
+                stages.schedule(graph);
+                polarised.iter_mut().for_each(|step| step.kernel.schedule(graph));
             }
             Implicit::Contact(ContactKernels { steps, stages }) => {
-                let steps = mapped(steps, of);
-                let stages = stages.map(|stages| match stages {
-                    ContactStages::Points(StageKernel { moved, kernel }) => {
-                        ContactStages::Points(StageKernel { moved, kernel: of(kernel) })
-                    }
-                    ContactStages::Velocities(stages) => ContactStages::Velocities(stages.map(of)),
-                });
-                Implicit::Contact(ContactKernels { steps, stages })
+                steps.iter_mut().for_each(|(_, step)| step.kernel.schedule(graph));
+                match stages {
+                    Some(ContactStages::Points(stages)) => stages.kernel.schedule(graph),
+                    Some(ContactStages::Velocities(stages)) => stages.schedule(graph),
+                    None => {}
+                }
             }
-            Implicit::Constrained(ConstraintKernels { constraints, quadratic, values, velocity, departure, steps }) => {
-                Implicit::Constrained(ConstraintKernels {
-                    constraints,
-                    quadratic,
-                    values: of(values),
-                    velocity: of(velocity),
-                    departure: of(departure),
-                    steps: mapped(steps, of),
-                })
+            Implicit::Bodies(kernels) => kernels.schedule(graph),
+            Implicit::Constrained(ConstraintKernels { values, velocity, departure, steps, .. }) => {
+                [values, velocity, departure].into_iter().for_each(|routine| routine.schedule(graph));
+                steps.iter_mut().for_each(|(_, step)| step.kernel.schedule(graph));
             }
         }
     }
 }
 
-impl<K> VelocityStages<K> {
-    fn map<L>(self, of: &mut impl FnMut(K) -> L) -> VelocityStages<L> {
-        let VelocityStages { varying, mixed, mass, stage } = self;
-        VelocityStages { varying, mixed, mass: mass.map(of), stage: of(stage) }
+impl VelocityStages {
+    fn schedule(&mut self, graph: &mut Graph) {
+        self.mass.schedule(graph);
+        self.stage.schedule(graph);
     }
 }
 
-impl<K> MassKernels<K> {
-    fn map<L>(self, of: &mut impl FnMut(K) -> L) -> MassKernels<L> {
-        MassKernels {
-            mass: of(self.mass),
-            definite: self.definite.map(|(weights, values)| (weights, of(values))),
-            quadratic: self.quadratic,
-        }
+impl MassKernels {
+    fn schedule(&mut self, graph: &mut Graph) {
+        self.mass.schedule(graph);
+        self.definite.iter_mut().for_each(|definite| definite.schedule(graph));
     }
-}
-
-/// The equations of steps by the names of methods.
-fn mapped<K, L>(
-    steps: Vec<(&'static str, StepKernel<K>)>,
-    of: &mut impl FnMut(K) -> L,
-) -> Vec<(&'static str, StepKernel<L>)> {
-    let step =
-        |(name, step): (_, StepKernel<K>)| (name, StepKernel { unknowns: step.unknowns, kernel: of(step.kernel) });
-    steps.into_iter().map(step).collect()
 }

@@ -1,13 +1,12 @@
-//! The value that holds what was derived of a system.
+//! Everything that was derived of a system: the input of emission.
 
 mod implicit;
 mod perturbed;
 
 pub(crate) use implicit::{
-    ConstraintKernels, ContactKernels, ContactStages, FieldKernels, HerglotzKernels, Implicit, MassKernels,
-    StageKernel, StepKernel, VelocityKernels, VelocityStages,
+    Collocation, ConstraintKernels, ContactKernels, ContactStages, FieldKernels, HerglotzKernels, Implicit,
+    KeptMomentum, MassKernels, StageKernel, StepKernel, VelocityKernels, VelocityStages,
 };
-
 pub(crate) use perturbed::{Inner, Perturbed};
 
 use super::domain::Domain;
@@ -16,122 +15,136 @@ use crate::derive::facts::Fact;
 use crate::diff;
 use crate::ir::{Graph, Id, Symbol};
 use crate::legendre::{Canonical, FirstOrder, Legendre, Route};
-use crate::schedule::{Kernel, Levels, Plan};
+use crate::schedule::{Kernel, Levels, Output, Routine};
 use crate::split::{self, Clock, Rejected};
 
-/// What a system offers.
+/// Routines and facts of a system.
 #[derive(Debug)]
-pub(crate) struct System<K = Kernel> {
-    /// Proven properties that need no kernel.
+pub(crate) struct System {
+    /// Proven properties that need no routine.
     pub(crate) facts: Vec<Fact>,
-    /// H; nothing if momenta are not followed.
-    pub(crate) value: Option<K>,
-    /// ∇H; nothing where the state is not moved by H in q and p.
-    pub(crate) slopes: Option<K>,
-    /// q', p' and s', where they are not those of H alone; x'.
-    pub(crate) rate: Option<K>,
-    /// Kick and drift; of energies in q and p.
-    pub(crate) splitting: Option<Result<KickDrift<K>, Missing>>,
-    /// A part with an exact flow, and a rest that is a kick; of energies in q and p without an action.
-    pub(crate) perturbed: Option<Result<Perturbed<K>, Missing>>,
+    /// H. Absent if momenta are not followed.
+    pub(crate) value: Option<Routine>,
+    /// ∇H. Absent if q and p do not follow ∇H.
+    pub(crate) gradient: Option<Routine>,
+    /// x'; or q', p' and s' if they do not follow from ∇H alone.
+    pub(crate) rate: Option<Routine>,
+    /// Kick and drift, for energies in q and p.
+    pub(crate) splitting: Option<Result<KickDrift, Missing>>,
+    /// A part with an exact flow and a rest, for energies in q and p without an action.
+    pub(crate) perturbed: Option<Result<Perturbed, Missing>>,
     /// The energy that symmetric steps of order 2 keep up to h⁴.
-    pub(crate) modified: Option<Modified<K>>,
+    pub(crate) modified: Option<Modified>,
     /// The flows whose composition is a step, for each splitting.
-    pub(crate) pieces: Vec<PiecesOf<K>>,
-    pub(crate) implicit: Implicit<K>,
-    /// What a flow keeps.
-    pub(crate) integrals: Option<Integrals<K>>,
+    pub(crate) pieces: Vec<PiecesOf>,
+    pub(crate) implicit: Implicit,
+    /// Integrals of a flow.
+    pub(crate) integrals: Option<Integrals>,
     /// Where the energy is defined.
-    pub(crate) domain: Domain<K>,
-    /// What velocities have to do with it, of a Lagrangian.
-    pub(crate) lagrangian: Option<Lagrangian<K>>,
-    /// The Taylor coefficients of the solution.
-    pub(crate) jet: Option<JetKernel<K>>,
+    pub(crate) domain: Domain,
+    /// Velocities and momenta of a Lagrangian.
+    pub(crate) lagrangian: Option<Lagrangian>,
+    /// Taylor coefficients of the solution.
+    pub(crate) jet: Option<JetKernel>,
 }
 
-/// From velocities to momenta, and back.
+/// L, and the maps between velocities and momenta.
 #[derive(Debug)]
-pub(crate) struct Lagrangian<K = Kernel> {
-    /// L, as a function of velocities.
-    pub(crate) value: K,
+pub(crate) struct Lagrangian {
+    /// L as a function of velocities.
+    pub(crate) value: Routine,
     /// ∂L/∂v.
-    pub(crate) momenta: K,
-    /// v, as a function of momenta, where that is known.
-    pub(crate) velocities: Option<K>,
+    pub(crate) momenta: Routine,
+    /// v as a function of momenta, if it has a closed form.
+    pub(crate) velocities: Option<Routine>,
 }
 
-/// What an energy lacks.
+/// Why a system lacks a property.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Missing {
-    /// The beginning of the name of the trait that nothing implements.
+    /// The name of the trait that no scalar implements begins with this word.
     pub(crate) marker: &'static str,
     /// The term to blame.
     pub(crate) term: Id,
     pub(crate) why: &'static str,
-    /// Two coordinates to blame, and what they are.
-    pub(crate) pair: Option<([Symbol; 2], &'static str)>,
+    pub(crate) pair: Option<Pair>,
 }
 
-/// The end of a flow: what it changes, in order, and the values; of flows that do not only add, with what they add as a second routine.
+impl Missing {
+    pub(crate) fn new(marker: &'static str, term: Id, why: &'static str) -> Missing {
+        Missing { marker, term, why, pair: None }
+    }
+}
+
+/// Two coordinates to blame.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pair {
+    pub(crate) coordinates: [Symbol; 2],
+    /// The verb of the message: "span the plane".
+    pub(crate) verb: &'static str,
+}
+
+/// A flow: the routine `end` computes new values of coordinates. A flow that does more than add also has the routine `increments`.
 #[derive(Clone, Debug)]
-pub(crate) struct FlowKernel<K = Kernel> {
+pub(crate) struct FlowKernel {
+    /// The coordinates that change, in order.
     pub(crate) changes: Vec<Symbol>,
-    pub(crate) kernel: K,
+    pub(crate) kernel: Kernel,
 }
 
 /// Kick and drift.
 #[derive(Debug)]
-pub(crate) struct KickDrift<K> {
-    pub(crate) kick: FlowKernel<K>,
-    pub(crate) drift: FlowKernel<K>,
+pub(crate) struct KickDrift {
+    pub(crate) kick: FlowKernel,
+    pub(crate) drift: FlowKernel,
     /// Whether a drift is exact in its own time.
     pub(crate) exact_in_time: bool,
-    /// Whether a kick adds to the momenta what positions alone decide.
+    /// Whether the impulse of a kick depends on positions only.
     pub(crate) repeats: bool,
-    /// Whether a kick where the energy is not defined leaves momenta that are not finite.
+    /// Whether a kick outside of the domain of the energy leaves momenta that are not finite.
     pub(crate) shows: bool,
-    pub(crate) gradient_kick: Result<GradientKick<K>, Missing>,
-    /// Of contact systems.
-    pub(crate) undamped: Option<Undamped<K>>,
+    pub(crate) gradient_kick: Result<GradientKick, Missing>,
+    /// For contact systems.
+    pub(crate) undamped: Option<Undamped>,
 }
 
 /// A kick with a force gradient.
 #[derive(Debug)]
-pub(crate) enum GradientKick<K> {
+pub(crate) enum GradientKick {
     /// By the kernel of collocation.
     Collocation,
-    Flow(FlowKernel<K>),
+    Flow(FlowKernel),
 }
 
-/// Kick and drift without damping, where they are others; and the damping.
+/// Kick and drift without damping, if they differ from those with damping; and the damping.
 #[derive(Debug)]
-pub(crate) struct Undamped<K> {
-    pub(crate) kick: Option<FlowKernel<K>>,
-    pub(crate) drift: Option<FlowKernel<K>>,
-    pub(crate) damping: K,
+pub(crate) struct Undamped {
+    pub(crate) kick: Option<FlowKernel>,
+    pub(crate) drift: Option<FlowKernel>,
+    pub(crate) damping: Routine,
 }
 
 /// H + h²H₂.
 #[derive(Debug)]
-pub(crate) enum Modified<K> {
+pub(crate) enum Modified {
     /// By the kernels of implicit methods.
     Implicit,
-    Value(K),
+    Value(Routine),
 }
 
 /// The pieces of a splitting.
 #[derive(Debug)]
-pub(crate) struct PiecesOf<K> {
-    /// Its name.
+pub(crate) struct PiecesOf {
+    /// Name of the splitting.
     pub(crate) splitting: &'static str,
-    pub(crate) pieces: Result<Vec<PieceKernel<K>>, Missing>,
-    /// What flows cost a step, in units of one sum.
+    pub(crate) pieces: Result<Vec<PieceKernel>, Missing>,
+    /// Cost of all flows of a step, in units of one sum.
     pub(crate) cost: usize,
-    /// Whether they were taken because all linear motion is in the first one, and not for what they cost.
+    /// Whether the pieces were chosen because the first one has all linear motion, and not for their cost.
     pub(crate) linear: bool,
-    /// What else was found, and not taken.
+    /// Other partitions that were found.
     pub(crate) rejected: Vec<Rejected>,
-    /// Whether every flow keeps the structure of phase space.
+    /// Whether every flow preserves the structure of phase space.
     pub(crate) symplectic: bool,
     /// Whether every flow keeps H, or the first integral.
     pub(crate) conserves_energy: bool,
@@ -139,181 +152,158 @@ pub(crate) struct PiecesOf<K> {
 
 /// A piece of a contact Hamiltonian, or of a field.
 #[derive(Debug)]
-pub(crate) struct PieceKernel<K> {
+pub(crate) struct PieceKernel {
     pub(crate) energy: Id,
-    /// Whether its step is solved for: the kernel is then that of the equation.
+    /// Whether a step solves an equation. The kernel then has the routine `equation`.
     pub(crate) solved: bool,
     /// Whether its flow may end before its time.
     pub(crate) may_end: bool,
-    /// How its flow is known: the names of rules, what they are for, and where from.
+    /// The rules by which its flow is known: their names, applicability and sources.
     pub(crate) known: Vec<String>,
     pub(crate) clock: Clock,
-    pub(crate) flow: FlowKernel<K>,
+    pub(crate) flow: FlowKernel,
 }
 
-/// Functions of x that a flow keeps, or whose change is known.
+/// Functions of x that a flow keeps or changes at a known rate.
 #[derive(Debug)]
-pub(crate) struct Integrals<K = Kernel> {
-    pub(crate) names: Vec<String>,
-    /// Whether users call each by its name.
-    pub(crate) functions: Vec<bool>,
-    pub(crate) values: K,
-    /// Those that are kept.
+pub(crate) struct Integrals {
+    pub(crate) all: Vec<NamedFunction>,
+    /// Values of all functions.
+    pub(crate) values: Routine,
+    /// Indices of constant functions.
     pub(crate) constant: Vec<usize>,
-    /// Those of them that do not read time.
+    /// Indices of constant functions that do not read time.
     pub(crate) steady: Vec<usize>,
-    /// Which of these stands for the energy.
+    /// Index in `steady` of the function that stands for the energy.
     pub(crate) energy: Option<usize>,
-    /// Whether one of these may be steep in a coordinate that has become small.
+    /// Whether a steady function may be steep in a coordinate near zero.
     pub(crate) steep: bool,
-    /// The gradients of these, one after the other.
-    pub(crate) slopes: K,
-    /// What these change by over an increment.
-    pub(crate) changes: K,
+    /// Gradients of the steady functions.
+    pub(crate) slopes: Routine,
+    /// Changes of the steady functions over an increment.
+    pub(crate) changes: Routine,
+}
+
+/// A function of x with its name.
+#[derive(Debug)]
+pub(crate) struct NamedFunction {
+    pub(crate) name: String,
+    /// Whether the generated struct has a method of this name.
+    pub(crate) callable: bool,
 }
 
 impl FlowKernel {
-    /// A flow by what it changes.
+    /// Creates a flow from the new values of coordinates.
     pub(super) fn new(levels: Levels, ends: Vec<(Symbol, Id)>) -> FlowKernel {
-        let (changes, roots) = ends.into_iter().unzip();
-        FlowKernel { changes, kernel: Kernel::new(levels, roots) }
+        let changes = ends.iter().map(|(symbol, _)| *symbol).collect();
+        let end = Routine::new("end", vec![Output::coordinates("end", ends)]);
+        FlowKernel { changes, kernel: Kernel::new(levels, vec![end]) }
     }
 
-    /// The same with what it adds, as a second routine.
+    /// Creates a flow with the routine `increments`, for sums that compensate rounding.
     pub(super) fn with_increments(graph: &mut Graph, levels: Levels, ends: Vec<(Symbol, Id)>) -> FlowKernel {
         let increments = split::increments(graph, &ends);
         let mut flow = FlowKernel::new(levels, ends);
-        flow.kernel.routines.push(increments);
+        let increments = flow.changes.iter().copied().zip(increments).collect();
+        flow.kernel.routines.push(Routine::new("increments", vec![Output::coordinates("increments", increments)]));
         flow
     }
 }
 
 impl System {
-    /// The same with what a Lagrangian adds.
-    pub(crate) fn of_lagrangian(mut self, Legendre { lagrangian, momenta, route, divisors, .. }: &Legendre) -> System {
-        let kernel = |roots: &[Id]| Kernel::new(Levels::One, roots.to_vec());
-        let lagrangian = Lagrangian {
-            value: kernel(&[*lagrangian]),
-            momenta: kernel(momenta),
-            velocities: match route {
-                Route::Energy(_, velocities) => Some(kernel(velocities)),
-                Route::Velocities(_) => None,
-            },
+    /// Returns whether a property was proven.
+    pub(crate) fn has(&self, fact: Fact) -> bool {
+        self.facts.contains(&fact)
+    }
+
+    /// Adds L with its momenta and velocities.
+    pub(crate) fn of_lagrangian(
+        mut self,
+        positions: &[usize],
+        Legendre { lagrangian, momenta, route, divisors, .. }: &Legendre,
+    ) -> System {
+        let velocities = match route {
+            Route::Energy(_, velocities) => Some(vector("velocity", positions, velocities)),
+            Route::Velocities(_) => None,
         };
+        let (value, momenta) = (Routine::number("lagrangian", *lagrangian), vector("momentum", positions, momenta));
         if let Some(poles) = &mut self.domain.poles {
             poles.mark_mass(divisors);
         }
-        System { lagrangian: Some(lagrangian), ..self }
+        System { lagrangian: Some(Lagrangian { value, momenta, velocities }), ..self }
     }
 
-    /// The same with what a Lagrangian that is linear in velocities adds.
-    pub(crate) fn of_first_order(mut self, graph: &mut Graph, found: &FirstOrder) -> System {
+    /// Adds L that is linear in velocities, and collocation in canonical coordinates if these are known.
+    pub(crate) fn of_first_order(mut self, graph: &mut Graph, positions: &[usize], found: &FirstOrder) -> System {
         if let (Implicit::Field(field), Some(Canonical { values, rates, .. })) = (&mut self.implicit, &found.canonical)
         {
-            let [values_by, rates_by] =
-                [values, rates].map(|of| diff::jacobian(graph, of, &field.coordinates).concat());
-            let stage = [values.clone(), rates.clone(), values_by, rates_by].concat();
-            field.canonical = Some(Kernel { levels: Levels::Prepared, routines: vec![stage] });
+            let x = &field.coordinates.symbols;
+            let [values_by, rates_by] = [values, rates].map(|of| diff::jacobian(graph, of, x));
+            let canonical = Routine::new(
+                "canonical",
+                vec![
+                    Output::array("value", positions, values.clone()),
+                    Output::array("rate", positions, rates.clone()),
+                    Output::square("value_by", positions, &values_by),
+                    Output::square("rate_by", positions, &rates_by),
+                ],
+            );
+            field.canonical = Some(Kernel::new(Levels::Prepared, vec![canonical]));
         }
-        let kernel = |roots: &[Id]| Kernel::new(Levels::One, roots.to_vec());
-        let (value, momenta) = (kernel(&[found.lagrangian]), kernel(&found.momenta));
+        let value = Routine::number("lagrangian", found.lagrangian);
+        let momenta = vector("momentum", positions, &found.momenta);
         if let Some(poles) = &mut self.domain.poles {
             poles.mark_mass(&found.divisors);
         }
         System { lagrangian: Some(Lagrangian { value, momenta, velocities: None }), ..self }
     }
 
-    /// The statements of all kernels. After that nothing is added to the graph.
-    pub(crate) fn scheduled(self, graph: &mut Graph) -> System<Plan> {
-        let mut plan = |kernel: Kernel| kernel.plan(graph);
-        System {
-            facts: self.facts,
-            splitting: self.splitting.map(|splitting| Ok(splitting?.map(&mut plan))),
-            perturbed: self.perturbed.map(|perturbed| Ok(perturbed?.map(&mut plan))),
-            modified: self.modified.map(|modified| match modified {
-                Modified::Implicit => Modified::Implicit,
-                Modified::Value(value) => Modified::Value(plan(value)),
-            }),
-            pieces: self.pieces.into_iter().map(|pieces| pieces.map(&mut plan)).collect(),
-            implicit: self.implicit.map(&mut plan),
-            domain: self.domain.map(&mut plan),
-            value: self.value.map(&mut plan),
-            rate: self.rate.map(&mut plan),
-            slopes: self.slopes.map(&mut plan),
-            integrals: self.integrals.map(|integrals| integrals.map(&mut plan)),
-            lagrangian: self.lagrangian.map(|lagrangian| lagrangian.map(&mut plan)),
-            jet: self.jet.map(|jet| jet.map(&mut plan)),
+    /// Computes the statements of all routines. No node is added to the graph later.
+    pub(crate) fn schedule(&mut self, graph: &mut Graph) {
+        if let Some(Ok(flows)) = &mut self.splitting {
+            flows.schedule(graph);
+        }
+        if let Some(Ok(parts)) = &mut self.perturbed {
+            parts.schedule(graph);
+        }
+        if let Some(Modified::Value(value)) = &mut self.modified {
+            value.schedule(graph);
+        }
+        for piece in self.pieces.iter_mut().filter_map(|found| found.pieces.as_mut().ok()).flatten() {
+            piece.flow.kernel.schedule(graph);
+        }
+        self.implicit.schedule(graph);
+        self.domain.schedule(graph);
+        for routine in [&mut self.value, &mut self.rate, &mut self.gradient].into_iter().flatten() {
+            routine.schedule(graph);
+        }
+        if let Some(Integrals { values, slopes, changes, .. }) = &mut self.integrals {
+            [values, slopes, changes].into_iter().for_each(|routine| routine.schedule(graph));
+        }
+        if let Some(Lagrangian { value, momenta, velocities }) = &mut self.lagrangian {
+            [value, momenta].into_iter().chain(velocities).for_each(|routine| routine.schedule(graph));
+        }
+        if let Some(jet) = &mut self.jet {
+            jet.start.schedule(graph);
         }
     }
 }
 
-impl<K> System<K> {
-    /// Returns whether a property was proven.
-    pub(crate) fn has(&self, fact: Fact) -> bool {
-        self.facts.contains(&fact)
-    }
+/// A routine with one array of numbers, one for each coordinate.
+fn vector(name: &'static str, positions: &[usize], nodes: &[Id]) -> Routine {
+    Routine::new(name, vec![Output::array(name, positions, nodes.to_vec())])
 }
 
-impl<K> Lagrangian<K> {
-    fn map<L>(self, of: &mut impl FnMut(K) -> L) -> Lagrangian<L> {
-        Lagrangian { value: of(self.value), momenta: of(self.momenta), velocities: self.velocities.map(&mut *of) }
-    }
-}
-
-impl<K> FlowKernel<K> {
-    pub(super) fn map<L>(self, of: &mut impl FnMut(K) -> L) -> FlowKernel<L> {
-        FlowKernel { changes: self.changes, kernel: of(self.kernel) }
-    }
-}
-
-impl<K> KickDrift<K> {
-    fn map<L>(self, of: &mut impl FnMut(K) -> L) -> KickDrift<L> {
-        KickDrift {
-            kick: self.kick.map(of),
-            drift: self.drift.map(of),
-            exact_in_time: self.exact_in_time,
-            repeats: self.repeats,
-            shows: self.shows,
-            gradient_kick: self.gradient_kick.map(|kick| match kick {
-                GradientKick::Collocation => GradientKick::Collocation,
-                GradientKick::Flow(flow) => GradientKick::Flow(flow.map(of)),
-            }),
-            undamped: self.undamped.map(|undamped| Undamped {
-                kick: undamped.kick.map(|flow| flow.map(of)),
-                drift: undamped.drift.map(|flow| flow.map(of)),
-                damping: of(undamped.damping),
-            }),
+impl KickDrift {
+    fn schedule(&mut self, graph: &mut Graph) {
+        self.kick.kernel.schedule(graph);
+        self.drift.kernel.schedule(graph);
+        if let Ok(GradientKick::Flow(flow)) = &mut self.gradient_kick {
+            flow.kernel.schedule(graph);
         }
-    }
-}
-
-impl<K> PieceKernel<K> {
-    fn map<L>(self, of: &mut impl FnMut(K) -> L) -> PieceKernel<L> {
-        let PieceKernel { energy, solved, may_end, known, clock, flow } = self;
-        PieceKernel { energy, solved, may_end, known, clock, flow: flow.map(of) }
-    }
-}
-
-impl<K> PiecesOf<K> {
-    fn map<L>(self, of: &mut impl FnMut(K) -> L) -> PiecesOf<L> {
-        let PiecesOf { splitting, pieces, cost, linear, rejected, symplectic, conserves_energy } = self;
-        let pieces = pieces.map(|pieces| pieces.into_iter().map(|piece| piece.map(&mut *of)).collect());
-        PiecesOf { splitting, pieces, cost, linear, rejected, symplectic, conserves_energy }
-    }
-}
-
-impl<K> Integrals<K> {
-    fn map<L>(self, of: &mut impl FnMut(K) -> L) -> Integrals<L> {
-        Integrals {
-            names: self.names,
-            functions: self.functions,
-            constant: self.constant,
-            steady: self.steady,
-            energy: self.energy,
-            steep: self.steep,
-            values: of(self.values),
-            slopes: of(self.slopes),
-            changes: of(self.changes),
+        if let Some(Undamped { kick, drift, damping }) = &mut self.undamped {
+            kick.iter_mut().chain(drift).for_each(|flow| flow.kernel.schedule(graph));
+            damping.schedule(graph);
         }
     }
 }

@@ -1,78 +1,40 @@
 //! Rigid bodies, with centres of mass or without: their phase space, kicks, and the exact drift.
 
 use super::{assign, flow, slots};
-use crate::derive::{Bodies, Shift, Turn};
-use crate::emit::domain::domain;
+use crate::derive::{BodyKernels, Shift, Turn};
 use crate::emit::given::element;
 use crate::emit::kernel::Context;
-use crate::emit::structure::{self_type, state_type};
-use crate::emit::system::halves;
+use crate::emit::structure::self_type;
 use crate::emit::tokens::Tokens;
-use crate::ir::Graph;
-use crate::parse::over_scalar;
-use crate::schedule::Plan;
 use proc_macro2::{Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::quote;
 
-/// Everything that is emitted beside the user's function and the inherent functions.
-pub(in crate::emit) fn bodies(context: &Context<'_>, graph: &Graph, bodies: &Bodies<Plan>) -> TokenStream {
-    let (space, splitting) = (space(context, graph, bodies), splitting(context, bodies));
+/// Kicks and drifts.
+pub(in crate::emit) fn bodies(context: &Context<'_>, bodies: &BodyKernels) -> TokenStream {
+    let splitting = splitting(context, bodies);
     let rotations = bodies.principal.then(|| rotations(context, bodies));
-    quote!(#space #splitting #rotations)
+    quote!(#splitting #rotations)
 }
 
-/// The energy, where it is defined, and the rates.
-fn space(context: &Context<'_>, graph: &Graph, bodies: &Bodies<Plan>) -> TokenStream {
-    let (name, array, phase, parts) = (self_type(context), context.array(), context.phase(), context.parts());
-    let over_scalar = |ty: &syn::Type| over_scalar(ty, &context.energy.float, &format_ident!("R"));
-    let state = state_type(context, over_scalar);
-    let attitudes = over_scalar(&context.energy.coordinates.ty);
-    let (coordinates, rows) = match context.energy.centres().map(over_scalar) {
-        Some(centres) => (quote!(Placed<#attitudes, #centres>), quote!(z[0][0])),
-        None => (quote!(#attitudes), quote!(z[0])),
-    };
-    let value = context.values(&bodies.value, |mut values| values.remove(0));
-    let rate = context.values(&bodies.rate, |values| halves(context, &values));
-    let domain = domain(context, graph, &bodies.domain);
+/// The function of `PhaseSpace` that returns the attitudes among the coordinates.
+pub(in crate::emit) fn attitudes(context: &Context<'_>, bodies: &BodyKernels) -> TokenStream {
+    let phase = context.phase();
+    let rows = if bodies.shifts.is_empty() { quote!(z[0]) } else { quote!(z[0][0]) };
     quote! {
-        impl<R: Real> PhaseSpace<R> for #name {
-            type State = #state;
-            type Phase = #phase;
-            type Action = ();
-
-            #[inline]
-            fn hamiltonian(&self, t: R, z: &#phase, _: &()) -> R {
-                #parts
-                #value
-            }
-            #[inline(always)]
-            fn attitudes(z: &mut #phase) -> &mut [[R; 4]] {
-                &mut #rows
-            }
-            #domain
-        }
-        impl<R: Real> CotangentSpace<R> for #name {
-            type Coordinates = #coordinates;
-            type Array = #array;
-        }
-        impl<R: Real> DifferentialEquation<R> for #name {
-            type Proof = ();
-            #[inline(always)]
-            fn rate(&self, t: R, z: &#phase, slopes: &mut #phase) {
-                #parts
-                #rate
-            }
+        #[inline(always)]
+        fn attitudes(z: &mut #phase) -> &mut [[R; 4]] {
+            &mut #rows
         }
     }
 }
 
 /// `impl Separable`, `impl QuadraticKinetic`, `impl ForceGradient`.
-fn splitting(context: &Context<'_>, bodies: &Bodies<Plan>) -> TokenStream {
+fn splitting(context: &Context<'_>, bodies: &BodyKernels) -> TokenStream {
     let (name, array, phase) = (self_type(context), context.array(), context.phase());
     let (kick_type, prepare_kick, kick) = flow(context, "kick", &bodies.kick);
     let repeats = bodies.repeats;
-    let entries = Literal::usize_unsuffixed(bodies.drift.last[0].results.len());
-    let drift = context.values(&bodies.drift, |values| quote!([#(#values),*]));
+    let entries = Literal::usize_unsuffixed(bodies.drift.nodes().len());
+    let drift = context.returned(&bodies.drift);
     let (count, centres) = (bodies.turns.len(), !bodies.shifts.is_empty());
     let turns = bodies.turns.iter().enumerate().map(|(body, turn)| {
         let [r, m] = ["q", "p"].map(|half| row(half, centres.then_some(0), body));
@@ -184,9 +146,9 @@ fn free_rotation(turn: &Turn, r: &Tokens, m: &Tokens) -> TokenStream {
 }
 
 /// `impl PrincipalAxes`.
-fn rotations(context: &Context<'_>, bodies: &Bodies<Plan>) -> TokenStream {
+fn rotations(context: &Context<'_>, bodies: &BodyKernels) -> TokenStream {
     let (name, array) = (self_type(context), context.array());
-    let entries = Literal::usize_unsuffixed(bodies.drift.last[0].results.len());
+    let entries = Literal::usize_unsuffixed(bodies.drift.nodes().len());
     let centres = !bodies.shifts.is_empty();
     let rotations = bodies.turns.iter().enumerate().map(|(body, turn)| {
         let [r, m] = ["q", "p"].map(|half| row(half, centres.then_some(0), body));

@@ -5,24 +5,18 @@ use crate::derive::{FlowKernel, GradientKick, KickDrift, Missing, Undamped};
 use crate::emit::kernel::Context;
 use crate::emit::missing::unsatisfied;
 use crate::emit::structure::self_type;
-use crate::ir::Graph;
-use crate::schedule::Plan;
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 /// `impl Separable`, `impl QuadraticKinetic`, `impl ForceGradient`, and `impl MechanicalContact` of contact systems.
-pub(in crate::emit) fn splitting(
-    context: &Context<'_>,
-    graph: &Graph,
-    found: &Result<KickDrift<Plan>, Missing>,
-) -> TokenStream {
+pub(in crate::emit) fn splitting(context: &Context<'_>, found: &Result<KickDrift, Missing>) -> TokenStream {
     match found {
-        Ok(flows) => separable(context, graph, flows),
-        Err(missing) => none(context, graph, *missing),
+        Ok(flows) => separable(context, flows),
+        Err(missing) => none(context, *missing),
     }
 }
 
-fn separable(context: &Context<'_>, graph: &Graph, flows: &KickDrift<Plan>) -> TokenStream {
+fn separable(context: &Context<'_>, flows: &KickDrift) -> TokenStream {
     let name = self_type(context);
     let exact = flows.exact_in_time.then(|| {
         quote!(
@@ -50,7 +44,7 @@ fn separable(context: &Context<'_>, graph: &Graph, flows: &KickDrift<Plan>) -> T
             quadratic(context, [&quote!([R; #slots]), &context.stored(&flow.kernel, 0), &assign(context, flow)])
         }
         Err(missing) => {
-            let (marker, tokens) = unsatisfied(context, graph, *missing);
+            let (marker, tokens) = unsatisfied(context, *missing);
             let never = not_quadratic(context, &marker);
             quote!(#tokens #never)
         }
@@ -76,11 +70,11 @@ fn separable(context: &Context<'_>, graph: &Graph, flows: &KickDrift<Plan>) -> T
 }
 
 /// `impl MechanicalContact`: kick and drift without damping, and the damping.
-fn mechanical(context: &Context<'_>, undamped: &Undamped<Plan>) -> TokenStream {
+fn mechanical(context: &Context<'_>, undamped: &Undamped) -> TokenStream {
     let name = self_type(context);
     let kick = free_flow(context, ["Kick", "kick"], undamped.kick.as_ref());
     let drift = free_flow(context, ["Drift", "drift"], undamped.drift.as_ref());
-    let damping = context.values(&undamped.damping, |mut values| values.remove(0));
+    let damping = context.returned(&undamped.damping);
     quote! {
         impl<R: Real> MechanicalContact<R> for #name {
             type Proof = ();
@@ -95,7 +89,7 @@ fn mechanical(context: &Context<'_>, undamped: &Undamped<Plan>) -> TokenStream {
 }
 
 /// A kick or a drift without damping: the one of `Separable`, if that is none other.
-fn free_flow(context: &Context<'_>, [upper, lower]: [&str; 2], own: Option<&FlowKernel<Plan>>) -> TokenStream {
+fn free_flow(context: &Context<'_>, [upper, lower]: [&str; 2], own: Option<&FlowKernel>) -> TokenStream {
     let [free_type, other_type] = ["Free", ""].map(|free| format_ident!("{free}{upper}"));
     if let Some(own) = own {
         let (prepared, prepare, flow) = flow(context, &format!("free_{lower}"), own);
@@ -159,9 +153,9 @@ fn not_quadratic(context: &Context<'_>, marker: &Ident) -> TokenStream {
 }
 
 /// Neither kick nor drift.
-fn none(context: &Context<'_>, graph: &Graph, missing: Missing) -> TokenStream {
+fn none(context: &Context<'_>, missing: Missing) -> TokenStream {
     let (name, array, action) = (self_type(context), context.array(), context.action());
-    let (marker, tokens) = unsatisfied(context, graph, missing);
+    let (marker, tokens) = unsatisfied(context, missing);
     let never = quote!(::core::convert::Infallible);
     let not_quadratic = not_quadratic(context, &marker);
     let prepare = |name: &str| {
@@ -182,7 +176,7 @@ fn none(context: &Context<'_>, graph: &Graph, missing: Missing) -> TokenStream {
     };
     let [prepare_kick, prepare_drift] = ["kick", "drift"].map(prepare);
     let [kick, drift] = ["kick", "drift"].map(flow);
-    let mechanical = (context.energy.form.has_action()).then(|| {
+    let mechanical = (context.form.has_action()).then(|| {
         let [prepare_kick, prepare_drift] = ["free_kick", "free_drift"].map(prepare);
         let [kick, drift] = ["free_kick", "free_drift"].map(flow);
         quote! {

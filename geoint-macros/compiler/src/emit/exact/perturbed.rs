@@ -3,32 +3,26 @@
 
 use super::{assign, flow, slots};
 use crate::derive::{FlowKernel, Inner, Missing, Perturbed};
-use crate::emit::kernel::Context;
+use crate::emit::kernel::{Context, Values};
 use crate::emit::missing::unsatisfied;
 use crate::emit::structure::self_type;
-use crate::ir::{Graph, print::Printer};
 use crate::parse::Role;
-use crate::schedule::Plan;
 use crate::split::OwnMotion;
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 /// `impl PerturbedSystem` and `impl PerturbedGradient`.
-pub(in crate::emit) fn perturbed(
-    context: &Context<'_>,
-    graph: &Graph,
-    found: &Result<Perturbed<Plan>, Missing>,
-) -> TokenStream {
+pub(in crate::emit) fn perturbed(context: &Context<'_>, found: &Result<Perturbed, Missing>) -> TokenStream {
     match found {
-        Ok(found) => parts(context, graph, found),
-        Err(missing) => none(context, graph, *missing),
+        Ok(found) => parts(context, found),
+        Err(missing) => none(context, *missing),
     }
 }
 
-fn parts(context: &Context<'_>, graph: &Graph, found: &Perturbed<Plan>) -> TokenStream {
+fn parts(context: &Context<'_>, found: &Perturbed) -> TokenStream {
     let name = self_type(context);
     let (exact_in_time, repeats) = (found.exact_in_time, found.repeats);
-    let may_end = may_end(context, graph, found);
+    let may_end = may_end(context, found);
     let no_kick = (!found.is_kick).then(|| {
         let is_exact = found.is_exact;
         quote! {
@@ -37,12 +31,12 @@ fn parts(context: &Context<'_>, graph: &Graph, found: &Perturbed<Plan>) -> Token
         }
     });
     let (exact_type, prepare_exact, exact) = flow(context, "exact", &found.flow);
-    let after = after(context, found.after.as_ref());
+    let after = after(context, found.flow_after_kick.as_ref());
     let (rest_type, prepare_rest, rest) = flow(context, "rest", &found.kick);
     let inner = found.inner.as_ref().map(|inner| {
         let [enter, leave] =
             [("enter", &inner.enter), ("leave", &inner.leave)].map(|(name, map)| way(context, name, map));
-        let unsuitable = unsuitable(context, graph, inner);
+        let unsuitable = unsuitable(context, inner);
         quote! {
             const INNER: bool = true;
             #enter
@@ -53,7 +47,7 @@ fn parts(context: &Context<'_>, graph: &Graph, found: &Perturbed<Plan>) -> Token
     let gradient = match &found.gradient_kick {
         Ok(kick) => gradient_kick(context, kick),
         Err(missing) => {
-            let (marker, tokens) = unsatisfied(context, graph, *missing);
+            let (marker, tokens) = unsatisfied(context, *missing);
             let never = no_gradient(context, &marker);
             quote!(#tokens #never)
         }
@@ -79,7 +73,7 @@ fn parts(context: &Context<'_>, graph: &Graph, found: &Perturbed<Plan>) -> Token
 }
 
 /// The flow of A after a kick, as one map.
-fn after(context: &Context<'_>, after: Option<&FlowKernel<Plan>>) -> TokenStream {
+fn after(context: &Context<'_>, after: Option<&FlowKernel>) -> TokenStream {
     let Some(after) = after else {
         return quote! {
             type After = ();
@@ -103,13 +97,13 @@ fn after(context: &Context<'_>, after: Option<&FlowKernel<Plan>>) -> TokenStream
 }
 
 /// Parts of the flow of A that may end within a step.
-fn may_end(context: &Context<'_>, graph: &Graph, found: &Perturbed<Plan>) -> TokenStream {
+fn may_end(context: &Context<'_>, found: &Perturbed) -> TokenStream {
     // By its path: users' structs may have this name.
     let runtime = &context.energy.runtime;
     let part = quote!(#runtime::private::FlowPart);
     let entries = found.parts.iter().map(|(part_of, coordinates)| {
         let name = match part_of {
-            OwnMotion::Energy(energy) => Printer::new(graph, context).excerpt(*energy),
+            OwnMotion::Energy(energy) => context.printer().excerpt(*energy),
             OwnMotion::Orbit(body) => format!("Kepler's motion of {}[{body}]", context.name_of(Role::Position)),
         };
         let (first, count) = (coordinates.start, coordinates.len());
@@ -119,7 +113,7 @@ fn may_end(context: &Context<'_>, graph: &Graph, found: &Perturbed<Plan>) -> Tok
 }
 
 /// A map of all coordinates, in place.
-fn way(context: &Context<'_>, name: &str, map: &FlowKernel<Plan>) -> TokenStream {
+fn way(context: &Context<'_>, name: &str, map: &FlowKernel) -> TokenStream {
     let (name, phase, parts, body) = (format_ident!("{name}"), context.phase(), context.parts(), assign(context, map));
     quote! {
         #[inline]
@@ -131,18 +125,19 @@ fn way(context: &Context<'_>, name: &str, map: &FlowKernel<Plan>) -> TokenStream
 }
 
 /// The first mass beside which nothing is left of what it is divided by.
-fn unsuitable(context: &Context<'_>, graph: &Graph, inner: &Inner<Plan>) -> TokenStream {
+fn unsuitable(context: &Context<'_>, inner: &Inner) -> TokenStream {
     let runtime = &context.energy.runtime;
-    let printer = Printer::new(graph, context);
-    let body = context.values(&inner.weighed, |mut values| {
-        let shares = values.split_off(values.len() - 2 * inner.shares.len());
-        let shares = inner.shares.iter().zip(shares.chunks(2)).map(|([mass, sum], values)| {
+    let printer = context.printer();
+    let body = context.outputs(&inner.weighed, |outputs| {
+        let values = |name: &'static str| outputs.iter().filter(move |values| values.output.name == name);
+        let masses = values("masses").map(Values::listed);
+        let shares = inner.shares.iter().zip(values("shares").flat_map(Values::rows)).map(|([mass, sum], values)| {
             let (mass, sum) = (printer.excerpt(*mass), printer.excerpt(*sum));
             let what =
                 format!("coordinates in which no digit of {sum} is left beside {mass}; let heavy bodies come first");
-            quote!(([#(#values),*], #what))
+            quote!((#values, #what))
         });
-        quote!(#runtime::private::unsuitable(&[#(#values),*], &[#(#shares),*]))
+        quote!(#runtime::private::unsuitable(#(&#masses)*, &[#(#shares),*]))
     });
     quote! {
         #[cold]
@@ -152,7 +147,7 @@ fn unsuitable(context: &Context<'_>, graph: &Graph, inner: &Inner<Plan>) -> Toke
     }
 }
 
-fn gradient_kick(context: &Context<'_>, kick: &FlowKernel<Plan>) -> TokenStream {
+fn gradient_kick(context: &Context<'_>, kick: &FlowKernel) -> TokenStream {
     let (name, array, slots) = (self_type(context), context.array(), slots(kick));
     let (prepare, body) = (context.stored(&kick.kernel, 0), assign(context, kick));
     quote! {
@@ -190,9 +185,9 @@ fn no_gradient(context: &Context<'_>, marker: &Ident) -> TokenStream {
 }
 
 /// Neither part.
-fn none(context: &Context<'_>, graph: &Graph, missing: Missing) -> TokenStream {
+fn none(context: &Context<'_>, missing: Missing) -> TokenStream {
     let (name, array) = (self_type(context), context.array());
-    let (marker, tokens) = unsatisfied(context, graph, missing);
+    let (marker, tokens) = unsatisfied(context, missing);
     let never = quote!(::core::convert::Infallible);
     let no_gradient = no_gradient(context, &marker);
     let flows = ["exact", "rest"].map(|flow| {

@@ -4,35 +4,28 @@
 use super::{assign, increments};
 use crate::derive::{Missing, PieceKernel, PiecesOf};
 use crate::emit::given::{Given, array, element};
-use crate::emit::kernel::Context;
+use crate::emit::kernel::{Context, Values};
 use crate::emit::missing::unsatisfied;
-use crate::emit::straight_line;
 use crate::emit::structure::self_type;
 use crate::emit::tokens::Tokens;
-use crate::ir::{Graph, Symbol, print::Printer};
-use crate::schedule::Plan;
+use crate::ir::Symbol;
 use crate::split::Clock;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 /// `impl Pieces`.
-pub(in crate::emit) fn pieces(context: &Context<'_>, graph: &Graph, found: &PiecesOf<Plan>) -> TokenStream {
+pub(in crate::emit) fn pieces(context: &Context<'_>, found: &PiecesOf) -> TokenStream {
     let name = format_ident!("{}", found.splitting);
     match &found.pieces {
-        Ok(pieces) => splitting(context, graph, (&name, found), pieces),
-        Err(missing) => none(context, graph, &name, *missing),
+        Ok(pieces) => splitting(context, &name, found, pieces),
+        Err(missing) => none(context, &name, *missing),
     }
 }
 
-fn splitting(
-    context: &Context<'_>,
-    graph: &Graph,
-    (splitting, found): (&Ident, &PiecesOf<Plan>),
-    pieces: &[PieceKernel<Plan>],
-) -> TokenStream {
+fn splitting(context: &Context<'_>, splitting: &Ident, found: &PiecesOf, pieces: &[PieceKernel]) -> TokenStream {
     let (name, phase, parts, action) = (self_type(context), context.phase(), context.parts(), context.action());
     let (symplectic, conserves_energy) = (found.symplectic, found.conserves_energy);
-    let printer = Printer::new(graph, context);
+    let printer = context.printer();
     let table = pieces.iter().map(|piece| {
         let (solved, may_end) = (piece.solved, piece.may_end);
         let moved = || piece.flow.changes.iter().map(|symbol| printer.named(*symbol)).collect::<Vec<_>>().join(", ");
@@ -49,7 +42,7 @@ fn splitting(
     };
     let (types, frozen_types) = (types(0), types(1));
     let (count, last) = (pieces.len(), pieces.len() - 1);
-    let stored = |piece: &PieceKernel<Plan>, level: usize| context.stored(&piece.flow.kernel, level);
+    let stored = |piece: &PieceKernel, level: usize| context.stored(&piece.flow.kernel, level);
     let prepared = pieces.iter().enumerate().map(|(i, piece)| {
         let (length, prepare) = (if i == last { quote!(last) } else { quote!(outer) }, stored(piece, 0));
         quote!({ let h = #length; #prepare })
@@ -139,7 +132,7 @@ enum Target {
 }
 
 /// The step of a plane, added to the target.
-fn solve(context: &Context<'_>, piece: &PieceKernel<Plan>, target: Target) -> TokenStream {
+fn solve(context: &Context<'_>, piece: &PieceKernel, target: Target) -> TokenStream {
     let coordinates = match target {
         Target::State => quote!(q),
         Target::Increments => quote!(d.z),
@@ -161,9 +154,9 @@ fn solve(context: &Context<'_>, piece: &PieceKernel<Plan>, target: Target) -> To
             .position(|x| matches!((x, symbol), (Symbol::Position(i), Symbol::PositionIncrement(j)) if *i == j));
         moved.map_or_else(|| context.input(symbol), |i| Given::entry(array::UNKNOWNS, "increment", vec![i]))
     };
-    let equation = straight_line::routine(&piece.flow.kernel.last[0], context.names(&unknown), |values| {
-        let [image, first, second] = [&values[..2], &values[2..4], &values[4..]];
-        quote!(([#(#image),*], [[#(#first),*], [#(#second),*]]))
+    let equation = context.outputs_with(piece.flow.kernel.routine("equation"), &unknown, |outputs| {
+        let parts = outputs.iter().map(Values::listed);
+        quote!((#(#parts),*))
     });
     let solved = quote! {
         let step = planar_step([#x, #y], |increment: &[R; 2]| -> ([R; 2], [[R; 2]; 2]) { #equation });
@@ -181,9 +174,9 @@ fn solve(context: &Context<'_>, piece: &PieceKernel<Plan>, target: Target) -> To
     }
 }
 
-fn none(context: &Context<'_>, graph: &Graph, splitting: &Ident, missing: Missing) -> TokenStream {
+fn none(context: &Context<'_>, splitting: &Ident, missing: Missing) -> TokenStream {
     let (name, phase, per, action) = (self_type(context), context.phase(), context.per_coordinate(), context.action());
-    let (marker, tokens) = unsatisfied(context, graph, missing);
+    let (marker, tokens) = unsatisfied(context, missing);
     let never = quote!(::core::convert::Infallible);
     quote! {
         #tokens

@@ -1,22 +1,18 @@
 //! Canonical coordinates of a flow, in which collocation is symplectic.
 
 use super::prepared::Prepared;
-use super::write_derivatives;
 use crate::emit::kernel::Context;
 use crate::emit::structure::self_type;
-use crate::schedule::Plan;
+use crate::schedule::Kernel;
 use proc_macro2::TokenStream;
 use quote::quote;
 
 /// `impl CanonicalForm`.
-pub(super) fn canonical(context: &Context<'_>, stage: &Plan) -> TokenStream {
-    let (name, phase, places) = (self_type(context), context.phase(), context.coordinates());
+pub(super) fn canonical(context: &Context<'_>, stage: &Kernel) -> TokenStream {
+    let (name, phase) = (self_type(context), context.phase());
     let Prepared { types, functions, prepared, .. } =
         Prepared::for_stages(context, stage, ["CanonicalConstants", "canonical_constants"]);
-    let body = context.planned(&stage.last[0], (&[], ""), |values| {
-        write_derivatives(&places, (&["value", "rate"], &["value_by", "rate_by"]), &values)
-    });
-    let parts = context.parts();
+    let (parts, body) = (context.parts(), context.assigned(stage.routine("canonical")));
     quote! {
         impl<R: Real> CanonicalForm<R> for #name {
             type Proof = ();

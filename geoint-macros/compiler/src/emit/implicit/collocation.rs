@@ -1,32 +1,28 @@
 //! The field of collocation, with its derivatives.
 
 use super::prepared::Prepared;
-use super::write_field;
-use crate::derive::FieldKernels;
+use crate::derive::{Collocation, FieldKernels};
 use crate::emit::given::element;
-use crate::emit::kernel::{Context, write};
+use crate::emit::kernel::{Context, array_type};
 use crate::emit::structure::self_type;
-use crate::ir::Symbol;
-use crate::schedule::Plan;
 use proc_macro2::TokenStream;
 use quote::quote;
 
 /// `impl Collocation`.
-pub(super) fn collocation(context: &Context<'_>, field: &FieldKernels<Plan>) -> TokenStream {
+pub(super) fn collocation(context: &Context<'_>, field: &FieldKernels) -> TokenStream {
     let (name, phase) = (self_type(context), context.phase());
-    let FieldKernels { coordinates, collocation: plan, .. } = field;
-    let unknown = context.unknown_type(coordinates.len());
-    let places = context.unknown_places(coordinates.len());
-    let Prepared { types, functions, prepared, .. } = Prepared::for_stages(context, plan, ["Constants", "constants"]);
-    let evaluate = context.body(&plan.last[0], (coordinates, "y"), |values| {
-        write_field(context, ["f", "jacobian"], &plan.last[0], &values)
-    });
-    let momenta = momenta(context.energy.degrees());
-    let velocity = context.planned(&plan.last[1], (&momenta, "p"), |values| write("velocity", &places, &values));
+    let FieldKernels { coordinates, collocation: Collocation { second_order, kernel }, .. } = field;
+    let unknown = array_type(&coordinates.extents);
+    let places: Vec<_> = (0..coordinates.len()).map(|i| coordinates.place(i)).collect();
+    let Prepared { types, functions, prepared, .. } = Prepared::for_stages(context, kernel, ["Constants", "constants"]);
+    let evaluate = context.body(kernel.routine("field"));
+    let velocity = context.assigned(kernel.routine("velocity"));
     let y: Vec<_> = places.iter().map(|indices| element("y", indices)).collect();
-    let [derivative, start, add, increments] = if field.second_order {
-        let add =
-            context.planned(&plan.last[2], (&momenta, "f"), |values| quote!(#(#y = w.multiply_add(#values, #y);)*));
+    let [derivative, start, add, increments] = if *second_order {
+        let add = context.outputs(kernel.routine("acceleration"), |outputs| {
+            let values = outputs.iter().flat_map(|values| &values.all);
+            quote!(#(#y = w.multiply_add(#values, #y);)*)
+        });
         [quote!(2), quote!((z[0], z[1])), add, quote!([*change, *impulse])]
     } else {
         let f = places.iter().map(|indices| element("f", indices));
@@ -75,8 +71,4 @@ pub(super) fn collocation(context: &Context<'_>, field: &FieldKernels<Plan>) -> 
             }
         }
     }
-}
-
-fn momenta(degrees: u32) -> Vec<Symbol> {
-    (0..degrees).map(Symbol::Momentum).collect()
 }

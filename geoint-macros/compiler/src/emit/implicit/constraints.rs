@@ -1,49 +1,26 @@
 //! Constraints, and the equations of steps that keep them.
 
 use super::prepared::Prepared;
-use super::{square, write_field};
 use crate::derive::{ConstraintKernels, StepKernel};
-use crate::emit::kernel::{Context, write};
+use crate::emit::kernel::{Context, array_type};
 use crate::emit::structure::self_type;
 use crate::emit::system::cotangent;
-use crate::ir::{Graph, Symbol, print::Printer};
-use crate::schedule::Plan;
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 /// `impl ConstrainedSystem`, `impl ConstrainedStep` for each method, and what users call.
-pub(super) fn constraints(context: &Context<'_>, graph: &Graph, kernels: &ConstraintKernels<Plan>) -> TokenStream {
+pub(super) fn constraints(context: &Context<'_>, kernels: &ConstraintKernels) -> TokenStream {
     let ConstraintKernels { constraints, quadratic, values, velocity, departure, steps } = kernels;
     let (name, array, phase, parts) = (self_type(context), context.array(), context.phase(), context.parts());
-    let (m, places) = (constraints.len(), context.coordinates());
-    let multipliers = row(m);
-    let rows: Vec<Vec<usize>> = (0..m).map(|k| vec![k]).collect();
-    let printer = Printer::new(graph, context);
+    let multipliers = array_type(&[constraints.len()]);
+    let printer = context.printer();
     let formulas = constraints.iter().map(|constraint| {
         let formula = printer.excerpt(*constraint);
         let rate = format!("the rate of {formula}");
         quote!([#formula, #rate])
     });
-    let values = context.values(values, |values| {
-        let (values, slopes) = values.split_at(m);
-        let nested: Vec<Vec<usize>> =
-            rows.iter().flat_map(|row| places.iter().map(move |place| [&row[..], place].concat())).collect();
-        let (values, slopes) = (write("values", &rows, values), write("gradients", &nested, slopes));
-        quote!(#values #slopes)
-    });
-    let velocity = context.values(velocity, |values| {
-        let (velocity, inverse_mass) = values.split_at(places.len());
-        let velocity = write("velocity", &places, velocity);
-        let inverse_mass = write("inverse_mass", &square(&places), inverse_mass);
-        quote!(#velocity #inverse_mass)
-    });
-    let departure = context.values(departure, |values| {
-        let kinds = values.chunks(2 * m).map(|kind| {
-            let kinds = kind.chunks(m).map(|numbers| quote!([#(#numbers),*]));
-            quote!([#(#kinds),*])
-        });
-        quote!([#(#kinds),*])
-    });
+    let [values, velocity] = [values, velocity].map(|routine| context.assigned(routine));
+    let departure = context.returned(departure);
     let cotangent = cotangent(context);
     let steps = steps.iter().map(|(method, kernel)| step(context, method, kernel));
     let inherent = inherent(context);
@@ -79,29 +56,14 @@ pub(super) fn constraints(context: &Context<'_>, graph: &Graph, kernels: &Constr
     }
 }
 
-/// The array type of unknowns in a row.
-fn row(unknowns: usize) -> TokenStream {
-    let unknowns = Literal::usize_unsuffixed(unknowns);
-    quote!([R; #unknowns])
-}
-
-fn step(context: &Context<'_>, method: &str, step: &StepKernel<Plan>) -> TokenStream {
-    let StepKernel { unknowns, kernel: plan } = step;
+fn step(context: &Context<'_>, method: &str, step: &StepKernel) -> TokenStream {
+    let StepKernel { unknowns, kernel } = step;
     let (name, method) = (self_type(context), format_ident!("{method}"));
-    let (phase, parts, unknown) = (context.phase(), context.parts(), context.unknown_type(unknowns.len()));
+    let (phase, parts, unknown) = (context.phase(), context.parts(), array_type(&unknowns.extents));
     let names = [["Constants", "constants"], ["Start", "begin"]];
-    let start: (&[Symbol], &str) = (&[], "");
     let Prepared { types, functions, prepared, started } =
-        Prepared::for_steps(context, plan, names, (start, &parts, &quote!(t: R, z: &#phase)));
-    let given: (&[Symbol], &str) = (unknowns, "x");
-    let residual = context
-        .planned(&plan.last[0], given, |values| write_field(context, ["residual", "matrix"], &plan.last[0], &values));
-    let halves: Vec<Vec<usize>> = (0..2)
-        .flat_map(|half| context.coordinates().into_iter().map(move |place| [vec![half], place].concat()))
-        .collect();
-    let end = context.planned(&plan.last[1], given, |values| write("end", &halves, &values));
-    let origin = context
-        .planned(&plan.last[2], given, |values| write("origin", &context.unknown_places(unknowns.len()), &values));
+        Prepared::for_steps(context, kernel, names, &parts, &quote!(t: R, z: &#phase));
+    let [residual, end, origin] = ["residual", "end", "origin"].map(|name| context.assigned(kernel.routine(name)));
     quote! {
         impl<R: Real> ConstrainedStep<#method, R> for #name {
             type Proof = ();

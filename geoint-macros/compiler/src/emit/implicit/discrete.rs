@@ -1,36 +1,31 @@
 //! The field of discrete gradients, with divided differences.
 
 use super::prepared::Prepared;
-use super::write_field;
 use crate::analyze::MeanValue;
 use crate::derive::{FieldKernels, Missing};
-use crate::emit::kernel::{Context, write};
+use crate::emit::kernel::{Context, Values, array_type, write};
 use crate::emit::missing::unsatisfied;
 use crate::emit::structure::self_type;
-use crate::ir::{Graph, Symbol};
-use crate::schedule::Plan;
+use crate::schedule::{Kernel, Routine};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 /// `impl DiscreteField`.
 pub(super) fn discrete_field(
     context: &Context<'_>,
-    field: &FieldKernels<Plan>,
-    (plan, kept, nowhere_steep): (&Plan, TokenStream, Option<TokenStream>),
+    field: &FieldKernels,
+    kernel: &Kernel,
+    kept: &TokenStream,
+    nowhere_steep: Option<TokenStream>,
 ) -> TokenStream {
-    let name = self_type(context);
-    let FieldKernels { increments, .. } = field;
-    let unknown = context.unknown_type(increments.len());
-    let places = context.unknown_places(increments.len());
+    let (name, unknown) = (self_type(context), array_type(&field.increments.extents));
     let names = [["Parameters", "parameters"], ["Start", "begin"]];
-    let start =
-        ((&field.coordinates[..], "y"), &quote!(), &quote!(Span { start, middle: t, end }: Span<R>, y: &#unknown));
-    let Prepared { types, functions, prepared, started } = Prepared::for_steps(context, plan, names, start);
-    let (given, names) = ((&increments[..], "d"), [["f", "jacobian"], ["image", "matrix"]]);
-    let slope = context.body(&plan.last[0], given, |values| write_field(context, names[0], &plan.last[0], &values));
-    let equation = field.folded.then(|| {
-        let equation =
-            context.body(&plan.last[1], given, |values| write_field(context, names[1], &plan.last[1], &values));
+    let start = quote!(Span { start, middle: t, end }: Span<R>, y: &#unknown);
+    let Prepared { types, functions, prepared, started } =
+        Prepared::for_steps(context, kernel, names, &quote!(), &start);
+    let slope = context.body(kernel.routine("slope"));
+    let equation = kernel.find("equation").map(|equation| {
+        let equation = context.body(equation);
         quote! {
             #[inline(always)]
             fn equation(
@@ -44,8 +39,7 @@ pub(super) fn discrete_field(
             ) #equation
         }
     });
-    let mean: Vec<Symbol> = (0..plan.last[2].results.len() as u32).map(Symbol::MomentumIncrement).collect();
-    let drift = context.planned(&plan.last[2], (&mean, "sum"), |values| write("drift", &places, &values));
+    let drift = context.assigned(kernel.routine("drift"));
     let inverse = if field.linear { quote!(Inverted<#unknown>) } else { quote!(()) };
     let mean = match field.mean_value {
         MeanValue::Gauss(points) => {
@@ -93,8 +87,8 @@ pub(super) fn discrete_field(
 }
 
 /// `impl DiscreteField`, and what it is of, that no scalar satisfies, of a field that keeps nothing.
-pub(super) fn nothing_kept(context: &Context<'_>, graph: &Graph, missing: Missing) -> TokenStream {
-    let (marker, tokens) = unsatisfied(context, graph, missing);
+pub(super) fn nothing_kept(context: &Context<'_>, missing: Missing) -> TokenStream {
+    let (marker, tokens) = unsatisfied(context, missing);
     let (name, phase) = (self_type(context), context.phase());
     let never = quote!(::core::convert::Infallible);
     quote! {
@@ -126,15 +120,23 @@ pub(super) fn nothing_kept(context: &Context<'_>, graph: &Graph, missing: Missin
 }
 
 /// `impl FourthOrderField` of a canonical system that is not damped: by the kernels of collocation and of discrete gradients.
-pub(super) fn canonical_fourth_order(context: &Context<'_>, momenta: &Plan, autonomous: bool) -> TokenStream {
+pub(super) fn canonical_fourth_order(context: &Context<'_>, momenta: &Routine, autonomous: bool) -> TokenStream {
     let (name, phase, array) = (self_type(context), context.phase(), context.array());
-    let (parts, degrees) = (context.parts(), context.energy.degrees() as usize);
-    let count = momenta.last[0].results.len() / (2 * degrees);
+    let parts = context.parts();
+    let count = momenta.nodes().len() / (2 * context.energy.degrees() as usize);
     let columns = Literal::usize_unsuffixed(1 + count);
-    let places: Vec<Vec<usize>> = (0..count)
-        .flat_map(|k| context.unknown_places(2 * degrees).into_iter().map(move |place| [&[1 + k], &place[..]].concat()))
-        .collect();
-    let slopes = context.values(momenta, |values| write("slopes", &places, &values));
+    // The first gradient is that of the energy.
+    let after_energy = |mut place: Vec<usize>| {
+        place[0] += 1;
+        place
+    };
+    let slopes = context.outputs(momenta, |outputs| {
+        let written = |values: &Values<'_>| {
+            let places: Vec<_> = values.output.places().into_iter().map(after_energy).collect();
+            write("slopes", &places, &values.all)
+        };
+        outputs.iter().map(written).collect::<TokenStream>()
+    });
     let loosen = (count > 0).then(|| {
         quote! {
             #[inline]
@@ -186,15 +188,13 @@ pub(super) fn canonical_fourth_order(context: &Context<'_>, momenta: &Plan, auto
 }
 
 /// `impl FourthOrderField`.
-pub(super) fn fourth_order(context: &Context<'_>, field: &FieldKernels<Plan>, plan: &Plan) -> TokenStream {
-    let (name, unknown) = (self_type(context), context.unknown_type(field.increments.len()));
+pub(super) fn fourth_order(context: &Context<'_>, field: &FieldKernels, kernel: &Kernel) -> TokenStream {
+    let (name, unknown) = (self_type(context), array_type(&field.increments.extents));
     let names = [["FourthParameters", "fourth_parameters"], ["FourthStart", "fourth_begin"]];
-    let start =
-        ((&field.coordinates[..], "y"), &quote!(), &quote!(Span { start, middle: t, end }: Span<R>, y: &#unknown));
-    let Prepared { types, functions, prepared, started } = Prepared::for_steps(context, plan, names, start);
-    let image = context.body(&plan.last[0], (&field.increments, "d"), |values| {
-        write_field(context, ["image", "matrix"], &plan.last[0], &values)
-    });
+    let start = quote!(Span { start, middle: t, end }: Span<R>, y: &#unknown);
+    let Prepared { types, functions, prepared, started } =
+        Prepared::for_steps(context, kernel, names, &quote!(), &start);
+    let image = context.body(kernel.routine("equation"));
     quote! {
         impl<R: Real> FourthOrderField<R> for #name {
             type Proof = ();

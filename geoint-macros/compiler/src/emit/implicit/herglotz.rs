@@ -1,25 +1,23 @@
 //! A Lagrangian with an action by its derivatives, for steps with velocities as unknowns.
 
 use super::prepared::Prepared;
-use super::velocities::{DERIVATIVES, DERIVED, mass_form};
-use super::write_derivatives;
+use super::velocities::mass_form;
 use crate::derive::{HerglotzKernels, Missing, StepKernel, VelocityStages};
-use crate::emit::kernel::{Context, write};
+use crate::emit::kernel::{Context, array_type};
 use crate::emit::missing::unsatisfied;
 use crate::emit::structure::self_type;
 use crate::emit::system::cotangent;
-use crate::ir::Graph;
-use crate::schedule::Plan;
+use crate::schedule::Extent;
 use proc_macro2::TokenStream;
 use quote::quote;
 
 /// `impl Contact`, `impl ContactVelocities` and `impl ContactPolarised`, and which steps they are for.
-pub(super) fn herglotz(context: &Context<'_>, graph: &Graph, kernels: &HerglotzKernels<Plan>) -> TokenStream {
+pub(super) fn herglotz(context: &Context<'_>, kernels: &HerglotzKernels) -> TokenStream {
     let (name, phase) = (self_type(context), context.phase());
     let (stages, cotangent) = (stages(context, &kernels.stages, &quote!(ByVelocities)), cotangent(context));
     let polarised = match &kernels.polarised {
         Ok(step) => self::polarised(context, step),
-        Err(missing) => not_polarised(context, graph, *missing),
+        Err(missing) => not_polarised(context, *missing),
     };
     quote! {
         #cotangent
@@ -36,34 +34,24 @@ pub(super) fn herglotz(context: &Context<'_>, graph: &Graph, kernels: &HerglotzK
 }
 
 /// `impl ContactVelocities`, for `ContactGauss`; and how `ContactMidpoint` is solved.
-pub(super) fn stages(context: &Context<'_>, stages: &VelocityStages<Plan>, midpoint: &TokenStream) -> TokenStream {
+pub(super) fn stages(context: &Context<'_>, stages: &VelocityStages, midpoint: &TokenStream) -> TokenStream {
     let VelocityStages { varying, mixed, mass, stage } = stages;
-    let (name, array, places) = (self_type(context), context.array(), context.coordinates());
-    let n = places.len();
+    let (name, array) = (self_type(context), context.array());
     let mass = mass_form(context, mass);
-    let moved = if *varying { context.unknown_type(n + 1) } else { array.clone() };
+    let moved = if *varying { array_type(&context.with_action()) } else { array.clone() };
     let Prepared { types, functions, prepared, .. } =
         Prepared::for_stages(context, stage, ["StageConstants", "stage_constants"]);
-    let force = context.planned(&stage.last[1], (&[], ""), |values| {
-        let (force, decay) = (write("force", &places, &values[..n]), &values[n]);
-        quote! {
-            #force
-            (force, #decay)
-        }
+    let force = context.outputs(stage.routine("force"), |outputs| {
+        let (numbers, arrays): (Vec<_>, Vec<_>) =
+            outputs.iter().partition(|values| matches!(values.output.extent, Extent::Number));
+        let arrays = arrays.into_iter().map(|values| values.assigned(context));
+        let decay = numbers.into_iter().flat_map(|values| &values.all);
+        quote!(#(#arrays)* (force, #(#decay)*))
     });
-    let stage = context.planned(&stage.last[0], (&[], ""), |values| {
-        let (derivatives, action) = values.split_at(2 * n + 4 * n * n);
-        let derivatives = write_derivatives(&places, (&DERIVED, &DERIVATIVES), derivatives);
-        let (value, decay, by_action) = (&action[0], &action[1], &action[2..]);
-        let (momentum_by_s, force_by_s) =
-            (write("momentum_by_s", &places, &by_action[..n]), write("force_by_s", &places, &by_action[n..2 * n]));
-        let decay_by_s = &by_action[2 * n];
-        quote! {
-            #derivatives #momentum_by_s #force_by_s
-            *lagrangian = #value;
-            *decay = #decay;
-            *decay_by_action = #decay_by_s;
-        }
+    let stage = context.outputs(stage.routine("stage"), |outputs| {
+        let (numbers, arrays): (Vec<_>, Vec<_>) =
+            outputs.iter().partition(|values| matches!(values.output.extent, Extent::Number));
+        arrays.into_iter().chain(numbers).map(|values| values.assigned(context)).collect::<TokenStream>()
     });
     quote! {
         #mass
@@ -110,16 +98,14 @@ pub(super) fn stages(context: &Context<'_>, stages: &VelocityStages<Plan>, midpo
 }
 
 /// `impl ContactPolarised`.
-fn polarised(context: &Context<'_>, StepKernel { unknowns, kernel: plan }: &StepKernel<Plan>) -> TokenStream {
-    let (name, array, phase, parts) = (self_type(context), context.array(), context.phase(), context.parts());
-    let n = unknowns.len();
-    let (unknown, places) = (context.unknown_type(n), context.unknown_places(n));
+fn polarised(context: &Context<'_>, StepKernel { unknowns, kernel }: &StepKernel) -> TokenStream {
+    let (name, array, phase) = (self_type(context), context.array(), context.phase());
+    let unknown = array_type(&unknowns.extents);
     let names = [["Parameters", "parameters"], ["Start", "begin"]];
-    let start = ((&[][..], ""), &parts, &quote!(t: R, z: &#phase, s: &R, v: &#array));
-    let Prepared { types, functions, prepared, started } = Prepared::for_steps(context, plan, names, start);
-    let equation = context.body(&plan.last[0], (unknowns, "d"), |values| {
-        write_derivatives(&places, (&["residual", "increments"], &["matrix", "increments_by_d"]), &values)
-    });
+    let start = quote!(t: R, z: &#phase, s: &R, v: &#array);
+    let Prepared { types, functions, prepared, started } =
+        Prepared::for_steps(context, kernel, names, &context.parts(), &start);
+    let equation = context.body(kernel.routine("equation"));
     quote! {
         impl<R: Real> ContactGraded<R> for #name {
             type Proof = ();
@@ -145,9 +131,9 @@ fn polarised(context: &Context<'_>, StepKernel { unknowns, kernel: plan }: &Step
 }
 
 /// The same where L is not quadratic: for no scalar, with a message.
-fn not_polarised(context: &Context<'_>, graph: &Graph, missing: Missing) -> TokenStream {
+fn not_polarised(context: &Context<'_>, missing: Missing) -> TokenStream {
     let (name, array, phase) = (self_type(context), context.array(), context.phase());
-    let (marker, tokens) = unsatisfied(context, graph, missing);
+    let (marker, tokens) = unsatisfied(context, missing);
     let never = quote!(::core::convert::Infallible);
     quote! {
         #tokens

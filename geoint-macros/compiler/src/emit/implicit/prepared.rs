@@ -1,8 +1,7 @@
 //! What the code of a step has ready: numbers for a system, or for a step length, and numbers for the point where a step starts.
 
 use crate::emit::kernel::Context;
-use crate::ir::Symbol;
-use crate::schedule::Plan;
+use crate::schedule::Kernel;
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -20,24 +19,25 @@ type Names<'a> = [&'a str; 2];
 
 impl Prepared {
     /// For stages: numbers of the system alone.
-    pub(super) fn for_stages(context: &Context<'_>, plan: &Plan, names: Names<'_>) -> Self {
-        let (prepared, started) = (numbers(plan, 0), quote!());
-        let (types, functions) = constants(context, plan, names, &quote!(&self));
+    pub(super) fn for_stages(context: &Context<'_>, kernel: &Kernel, names: Names<'_>) -> Self {
+        let (prepared, started) = (numbers(kernel, 0), quote!());
+        let (types, functions) = constants(context, kernel, names, &quote!(&self));
         Prepared { types, functions, prepared, started }
     }
 
-    /// For whole steps: numbers for a length h, and those for a point, which is among the `arguments`; `given` in places of the array that they
-    /// name, or, after `parts`, one by one.
+    /// For whole steps: numbers for a length h, and numbers for a point. The `arguments` of the second function give the point, whose `parts` get
+    /// names first.
     pub(super) fn for_steps(
         context: &Context<'_>,
-        plan: &Plan,
+        kernel: &Kernel,
         [length, start]: [Names<'_>; 2],
-        (given, parts, arguments): ((&[Symbol], &str), &TokenStream, &TokenStream),
+        parts: &TokenStream,
+        arguments: &TokenStream,
     ) -> Self {
-        let [prepared, started] = [0, 1].map(|level| numbers(plan, level));
-        let (types, functions) = constants(context, plan, length, &quote!(&self, h: R));
+        let [prepared, started] = [0, 1].map(|level| numbers(kernel, level));
+        let (types, functions) = constants(context, kernel, length, &quote!(&self, h: R));
         let [ty, function] = start.map(|name| format_ident!("{name}"));
-        let begin = context.planned(&plan.stores[1], given, |values| quote!([#(#values),*]));
+        let begin = context.stored(kernel, 1);
         let types = quote!(#types type #ty = #started;);
         let functions = quote! {
             #functions
@@ -53,12 +53,12 @@ impl Prepared {
 
 fn constants(
     context: &Context<'_>,
-    plan: &Plan,
+    kernel: &Kernel,
     names: Names<'_>,
     arguments: &TokenStream,
 ) -> (TokenStream, TokenStream) {
     let [ty, function] = names.map(|name| format_ident!("{name}"));
-    let (numbers, constants) = (numbers(plan, 0), context.stored(plan, 0));
+    let (numbers, constants) = (numbers(kernel, 0), context.stored(kernel, 0));
     let function = quote! {
         #[inline]
         fn #function(#arguments) -> #numbers {
@@ -69,7 +69,7 @@ fn constants(
 }
 
 /// The type of the numbers of a level.
-fn numbers(plan: &Plan, level: usize) -> TokenStream {
-    let count = Literal::usize_unsuffixed(plan.slots[level]);
+fn numbers(kernel: &Kernel, level: usize) -> TokenStream {
+    let count = Literal::usize_unsuffixed(kernel.slots[level]);
     quote!([R; #count])
 }

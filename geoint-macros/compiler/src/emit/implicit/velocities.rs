@@ -1,33 +1,25 @@
 //! A Lagrangian by its derivatives, for steps with velocities as unknowns.
 
 use super::prepared::Prepared;
-use super::{write_derivatives, write_field};
 use crate::derive::{MassKernels, Missing, VelocityKernels};
-use crate::emit::kernel::{Context, write};
+use crate::emit::kernel::Context;
 use crate::emit::missing::unsatisfied;
 use crate::emit::structure::self_type;
 use crate::emit::system::{cotangent, keeps_energy};
-use crate::ir::{Graph, Symbol};
-use crate::schedule::Plan;
+use crate::schedule::Kernel;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// What a stage computes beside one another: ∂L/∂v, ∂L/∂q, and derivatives of both by q and v.
-pub(super) const DERIVED: [&str; 2] = ["momentum", "force"];
-pub(super) const DERIVATIVES: [&str; 4] = ["momentum_by_q", "mass", "force_by_q", "force_by_v"];
-
 /// `impl VelocityForm` and `impl PolarisedForm`, and which steps they are for.
-pub(super) fn velocities(context: &Context<'_>, graph: &Graph, kernels: &VelocityKernels<Plan>) -> TokenStream {
-    let VelocityKernels { increments, mass, stage, polarised, keeps, .. } = kernels;
-    let (name, array, places) = (self_type(context), context.array(), context.coordinates());
+pub(super) fn velocities(context: &Context<'_>, kernels: &VelocityKernels) -> TokenStream {
+    let VelocityKernels { mass, stage, polarised, keeps, .. } = kernels;
+    let (name, array) = (self_type(context), context.array());
     let mass = mass_form(context, mass);
     let Prepared { types, functions, prepared, .. } = Prepared::for_stages(context, stage, ["Constants", "constants"]);
-    let force = context.planned(&stage.last[1], (&[], ""), |values| write("force", &places, &values));
-    let stage =
-        context.body(&stage.last[0], (&[], ""), |values| write_derivatives(&places, (&DERIVED, &DERIVATIVES), &values));
+    let (force, stage) = (context.assigned(stage.routine("force")), context.body(stage.routine("stage")));
     let polarised = match polarised {
-        Ok(plan) => self::polarised(context, increments, (plan, *keeps)),
-        Err(missing) => not_polarised(context, graph, *missing),
+        Ok(step) => self::polarised(context, &step.kernel, *keeps),
+        Err(missing) => not_polarised(context, *missing),
     };
     let cotangent = cotangent(context);
     let kept = keeps.then(|| keeps_energy(context, &quote!(VelocityEnergy), None));
@@ -66,15 +58,20 @@ pub(super) fn velocities(context: &Context<'_>, graph: &Graph, kernels: &Velocit
 }
 
 /// `impl MassForm`.
-pub(super) fn mass_form(context: &Context<'_>, kernels: &MassKernels<Plan>) -> TokenStream {
+pub(super) fn mass_form(context: &Context<'_>, kernels: &MassKernels) -> TokenStream {
     let MassKernels { mass, definite, quadratic } = kernels;
     let (name, array, action) = (self_type(context), context.array(), context.action());
-    let mass = &mass.last[0];
-    let mass = context.body(mass, (&[], ""), |values| write_field(context, ["momentum", "mass"], mass, &values));
-    let definite = definite.as_ref().map(|(weights, values)| {
-        let holds = context.values(values, |values| {
-            let (weights, others) = values.split_at(*weights);
-            quote!(true #(&& !#weights.any_below(0.0))* #(&& #others.all_positive())*)
+    let mass = context.body(mass);
+    let definite = definite.as_ref().map(|definite| {
+        let holds = context.outputs(definite, |outputs| {
+            let tests = outputs.iter().flat_map(|values| {
+                let positive = values.output.name == "positive";
+                values.all.iter().map(move |value| match positive {
+                    true => quote!(&& #value.all_positive()),
+                    false => quote!(&& !#value.any_below(0.0)),
+                })
+            });
+            quote!(true #(#tests)*)
         });
         quote! {
             fn is_definite(&self) -> bool {
@@ -102,15 +99,13 @@ pub(super) fn mass_form(context: &Context<'_>, kernels: &MassKernels<Plan>) -> T
 }
 
 /// `impl PolarisedForm`.
-fn polarised(context: &Context<'_>, increments: &[Symbol], (plan, keeps): (&Plan, bool)) -> TokenStream {
-    let (name, array, places) = (self_type(context), context.array(), context.coordinates());
-    let (phase, parts) = (context.phase(), context.parts());
+fn polarised(context: &Context<'_>, kernel: &Kernel, keeps: bool) -> TokenStream {
+    let (name, array, phase) = (self_type(context), context.array(), context.phase());
     let names = [["Parameters", "parameters"], ["Start", "begin"]];
-    let start = ((&[][..], ""), &parts, &quote!(t: R, z: &#phase, v: &#array));
-    let Prepared { types, functions, prepared, started } = Prepared::for_steps(context, plan, names, start);
-    let equation = context.body(&plan.last[0], (increments, "d"), |values| {
-        write_derivatives(&places, (&["residual", "impulse"], &["matrix", "impulse_by_d"]), &values)
-    });
+    let start = quote!(t: R, z: &#phase, v: &#array);
+    let Prepared { types, functions, prepared, started } =
+        Prepared::for_steps(context, kernel, names, &context.parts(), &start);
+    let equation = context.body(kernel.routine("equation"));
     let kept = if keeps { quote!(VelocityEnergy) } else { quote!(()) };
     quote! {
         impl<R: Real> Graded<R> for #name {
@@ -137,9 +132,9 @@ fn polarised(context: &Context<'_>, increments: &[Symbol], (plan, keeps): (&Plan
 }
 
 /// The same where L is not quadratic: for no scalar, with a message.
-fn not_polarised(context: &Context<'_>, graph: &Graph, missing: Missing) -> TokenStream {
+fn not_polarised(context: &Context<'_>, missing: Missing) -> TokenStream {
     let (name, array, phase) = (self_type(context), context.array(), context.phase());
-    let (marker, tokens) = unsatisfied(context, graph, missing);
+    let (marker, tokens) = unsatisfied(context, missing);
     let never = quote!(::core::convert::Infallible);
     quote! {
         #tokens

@@ -18,7 +18,6 @@ use crate::derive::JetKernel;
 use crate::diff::jet::{Jet, LANES, Lanes, Rate, Rule, Source, Value};
 use crate::ir::Symbol;
 use crate::parse::over_scalar;
-use crate::schedule::Plan;
 use arrays::{Stored, array_of, coordinate, kept};
 use numbers::{Prepared, prepared, zero};
 use order::Order;
@@ -39,20 +38,23 @@ const MOST_ORDERS: usize = 31;
 const MOST_ORDERS_OF_LANES: usize = 9;
 
 /// `impl Jets`, and the method that users call.
-pub(super) fn jets(context: &Context<'_>, found: &JetKernel<Plan>) -> TokenStream {
+pub(super) fn jets(context: &Context<'_>, found: &JetKernel) -> TokenStream {
     let JetKernel { jet, start } = found;
     let (name, phase, parts, action) = (self_type(context), context.phase(), context.parts(), context.action());
     let energy = context.energy;
     let (plain, float, coordinates) = (&energy.name, &energy.float, &energy.coordinates.ty);
     let scalar = format_ident!("T");
-    let (state, over) = (state(energy.form), over_scalar(coordinates, float, &scalar));
-    let given = if energy.form.has_action() { quote!(s: &R) } else { quote!(_: &()) };
+    let (state, over) = (state(context.form), over_scalar(coordinates, float, &scalar));
+    let given = if context.form.has_action() { quote!(s: &R) } else { quote!(_: &()) };
     let switches = Literal::usize_unsuffixed(jet.switches.len());
     let convolutions = Literal::usize_unsuffixed(jet.convolutions());
     let mut writer =
         Writer { context, jet, lanes: Lanes::of(jet), numbers: vec![], beside: vec![], order: Order::default() };
     let order = writer.body();
-    let body = context.planned(&start.last[0], (&[], ""), |values| writer.start(&values));
+    let body = context.outputs(start, |outputs| {
+        let values: Vec<Tokens> = outputs.into_iter().flat_map(|values| values.all).collect();
+        writer.start(&values)
+    });
     quote! {
         impl<R: Real> Jets<R> for #name {
             type Proof = ();
@@ -168,7 +170,7 @@ impl Writer<'_> {
 
     /// Where a coordinate is in a point.
     fn place(&self, symbol: Symbol) -> Tokens {
-        let flow = self.context.energy.form.is_flow();
+        let flow = self.context.form.is_flow();
         match symbol {
             Symbol::Position(i) if flow => element("z", &self.context.coordinate(i)),
             Symbol::Position(i) => element("z", &[0]).at(&self.context.coordinate(i)),

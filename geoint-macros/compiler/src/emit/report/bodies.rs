@@ -1,90 +1,67 @@
-//! What was found of H(r, m, t) of rigid bodies, in words.
+//! Facts about H(r, m, t) of rigid bodies, in words.
 
-use super::super::kernel::Context;
-use super::counted;
+use super::{Report, counted};
 use crate::analyze;
-use crate::derive::Bodies;
-use crate::ir::{Graph, print::Printer};
+use crate::derive::{Implicit, System};
 use crate::parse::Role;
-use crate::schedule::Plan;
-use std::fmt::Write;
 
-/// The report.
-pub(crate) fn bodies(context: &Context<'_>, graph: &Graph, found: &analyze::Bodies, derived: &Bodies<Plan>) -> String {
-    let mut text = String::new();
-    // Writing to a string cannot fail.
-    let _ = sections(&mut text, context, graph, found, derived);
-    text
-}
-
-fn sections(
-    text: &mut String,
-    context: &Context<'_>,
-    graph: &Graph,
-    found: &analyze::Bodies,
-    derived: &Bodies<Plan>,
-) -> std::fmt::Result {
-    let printer = Printer::new(graph, context);
-    let name_of = |role: Role| {
-        let argument = context.energy.arguments.iter().find(|(r, _)| *r == role);
-        argument.map(|(_, argument)| argument.name.to_string()).unwrap_or_default()
-    };
-    let (r, m) = (name_of(Role::Attitude), name_of(Role::AngularMomentum));
-    let (q, p) = (name_of(Role::Position), name_of(Role::Momentum));
+pub(super) fn report(report: &mut Report<'_>, found: &analyze::Bodies, system: &System) {
+    let Implicit::Bodies(kernels) = &system.implicit else { return };
+    let (r, m) = (report.name_of(Role::Attitude), report.name_of(Role::AngularMomentum));
+    let (q, p) = (report.name_of(Role::Position), report.name_of(Role::Momentum));
     let centres = !found.streaming.is_empty();
     let (momenta, places) = if centres { (format!("{m}, {p}"), format!("{r}, {q}")) } else { (m.clone(), r.clone()) };
-    writeln!(text, "H = {}", printer.formula(found.energy))?;
-    writeln!(text, "{r}' = ½ {r}⊗(0, ω), {m}' = {m} × ω + τ, ω = ∂H/∂{m}, τᵢ = −½ ({r}⊗eᵢ)·∂H/∂{r}")?;
+    writeln!(report, "H = {}", report.formula(found.energy));
+    writeln!(report, "{r}' = ½ {r}⊗(0, ω), {m}' = {m} × ω + τ, ω = ∂H/∂{m}, τᵢ = −½ ({r}⊗eᵢ)·∂H/∂{r}");
 
     if centres {
-        writeln!(text, "{q}' = ∂H/∂{p}, {p}' = −∂H/∂{q}")?;
+        writeln!(report, "{q}' = ∂H/∂{p}, {p}' = −∂H/∂{q}");
     }
 
-    writeln!(text, "\nStructure")?;
-    writeln!(text, "- H = T({momenta}) + V({places}): kick and drift are exact flows")?;
-    writeln!(text, "- T = {}", printer.excerpt(found.kinetic))?;
-    writeln!(text, "- V = {}", printer.excerpt(found.potential))?;
-    writeln!(text, "- T is quadratic in {m} with constant coefficients, each body by itself")?;
+    writeln!(report, "\nStructure");
+    writeln!(report, "- H = T({momenta}) + V({places}): kick and drift are exact flows");
+    writeln!(report, "- T = {}", report.excerpt(found.kinetic));
+    writeln!(report, "- V = {}", report.excerpt(found.potential));
+    writeln!(report, "- T is quadratic in {m} with constant coefficients, each body by itself");
     if centres {
-        writeln!(text, "- T is quadratic in {p} with constant coefficients: drifts of centres of mass are straight")?;
+        writeln!(report, "- T is quadratic in {p} with constant coefficients: drifts of centres of mass are straight");
     }
     for (i, inertia) in found.inertia.iter().enumerate() {
         let body = if found.inertia.len() == 1 { String::new() } else { format!("body {i}: ") };
-        let spins = inertia.constant.iter().any(|entry| !graph.is_zero(*entry));
-        let axes = if inertia.symmetry(graph).is_some() {
+        let spins = inertia.constant.iter().any(|entry| !report.graph().is_zero(*entry));
+        let axes = if inertia.symmetry(report.graph()).is_some() {
             "principal axes, two moments of inertia are equal: the drift is two rotations"
-        } else if inertia.is_principal(graph) {
+        } else if inertia.is_principal(report.graph()) {
             "principal axes: the tensor of inertia is diagonal"
         } else if spins {
             "a gyrostat: T has terms linear in the momentum"
         } else {
             "a full tensor of inertia"
         };
-        writeln!(text, "- {body}{axes}")?;
+        writeln!(report, "- {body}{axes}");
     }
     let reads_time = if found.autonomous { "does not depend" } else { "depends" };
-    writeln!(text, "- H {reads_time} on time")?;
+    writeln!(report, "- H {reads_time} on time");
 
-    writeln!(text, "\nConserved by the flow, at least")?;
+    writeln!(report, "\nConserved by the flow, at least");
     if found.autonomous {
-        writeln!(text, "- the energy")?;
+        writeln!(report, "- the energy");
     }
-    writeln!(text, "- the length of {r}, which is 1: by drifts to rounding, and normalised once in 1024 steps")?;
+    writeln!(report, "- the length of {r}, which is 1: by drifts to rounding, and normalised once in 1024 steps");
 
-    writeln!(text, "\nOperations")?;
-    writeln!(text, "- kick: {}", counted(derived.kick.kernel.operations()))?;
-    writeln!(text, "- kick with a force gradient: {}", counted(derived.gradient_kick.kernel.operations()))?;
-    if derived.turns.iter().any(|turn| turn.symmetry.is_none()) {
+    writeln!(report, "\nOperations");
+    writeln!(report, "- kick: {}", counted(kernels.kick.kernel.operations()));
+    writeln!(report, "- kick with a force gradient: {}", counted(kernels.gradient_kick.kernel.operations()));
+    if kernels.turns.iter().any(|turn| turn.symmetry.is_none()) {
         writeln!(
-            text,
+            report,
             "- drift: Taylor series of 12 terms up to 0.1 rad, 14 up to 0.2, 18 up to 0.4, in equal parts beyond"
-        )?;
+        );
     }
-    if derived.principal {
-        writeln!(text, "- drift of `FiveRotations`: five rotations about the principal axes")?;
+    if kernels.principal {
+        writeln!(report, "- drift of `FiveRotations`: five rotations about the principal axes");
     } else {
-        writeln!(text, "\nSkipped")?;
-        writeln!(text, "- `FiveRotations`: T is not Σ mᵢ²/(2Iᵢ) of every body")?;
+        writeln!(report, "\nSkipped");
+        writeln!(report, "- `FiveRotations`: T is not Σ mᵢ²/(2Iᵢ) of every body");
     }
-    Ok(())
 }

@@ -1,180 +1,150 @@
-//! What was found of H(q, p, t), in words.
+//! Facts about H(q, p, t), in words.
 
-use super::super::damping;
-use super::super::kernel::Context;
-use super::{counted, pieces};
+use super::{Report, counted, friction, pieces};
 use crate::analyze::{MeanValue, Split, Structure};
 use crate::derive::{Fact, FieldKernels, Implicit, MOST_UNKNOWNS, Perturbed, System};
 use crate::diff::Gradient;
-use crate::ir::{Graph, Id, print::Printer};
+use crate::ir::{Id, Symbol, print::Printer};
 use crate::parse::Role;
-use crate::schedule::Plan;
-use std::fmt::Write;
 
-/// The report. Lines are short enough for a terminal unless a formula is not.
-pub(crate) fn canonical(
-    context: &Context<'_>,
-    graph: &Graph,
-    structure: &Structure,
-    (system, gradient): (&System<Plan>, &Gradient),
-) -> String {
-    let printer = Printer::new(graph, context);
-    let mut text = String::new();
-    // Writing to a string cannot fail.
-    let _ = sections(&mut text, context, &printer, structure, (system, gradient));
-    text
-}
-
-fn sections(
-    text: &mut String,
-    context: &Context<'_>,
-    printer: &Printer<'_>,
-    structure: &Structure,
-    (system, gradient): (&System<Plan>, &Gradient),
-) -> std::fmt::Result {
-    let energy = context.energy;
-    let (q, p) = (context.name_of(Role::Position), context.name_of(Role::Momentum));
-    writeln!(text, "H = {}", printer.formula(structure.energy))?;
-    for (symbols, slopes) in [(&q, &gradient.q), (&p, &gradient.p)] {
-        for (i, slope) in slopes.iter().enumerate() {
-            let indices: String = energy.coordinates.shape.indices(i).iter().map(|i| format!("[{i}]")).collect();
-            writeln!(text, "∂H/∂{symbols}{indices} = {}", formula(printer, *slope))?;
+/// Lines are short enough for a terminal unless a formula is not.
+pub(super) fn report(report: &mut Report<'_>, structure: &Structure, gradient: &Gradient, system: &System) {
+    let (q, p) = (report.name_of(Role::Position), report.name_of(Role::Momentum));
+    writeln!(report, "H = {}", report.formula(structure.energy));
+    for (symbol, slopes) in [(Symbol::Position as fn(u32) -> Symbol, &gradient.q), (Symbol::Momentum, &gradient.p)] {
+        for (i, slope) in (0..).zip(slopes) {
+            writeln!(report, "∂H/∂{} = {}", report.named(symbol(i)), formula(report, *slope));
         }
     }
 
-    writeln!(text, "\nStructure")?;
+    writeln!(report, "\nStructure");
     match &structure.split {
         Split::Separable(parts) => {
             let flows = if structure.flows().is_some() { ": kick and drift are exact flows" } else { "" };
-            writeln!(text, "- H = T({p}) + V({q}){flows}")?;
-            writeln!(text, "- T = {}", printer.excerpt(parts.kinetic))?;
-            writeln!(text, "- V = {}", printer.excerpt(parts.potential))?;
+            writeln!(report, "- H = T({p}) + V({q}){flows}");
+            writeln!(report, "- T = {}", report.excerpt(parts.kinetic));
+            writeln!(report, "- V = {}", report.excerpt(parts.potential));
             match parts.not_quadratic {
-                None => writeln!(text, "- T is quadratic in {p} with a constant mass matrix")?,
-                Some(term) => writeln!(text, "- T is not quadratic in {p}: {}", printer.excerpt(term))?,
+                None => writeln!(report, "- T is quadratic in {p} with a constant mass matrix"),
+                Some(term) => writeln!(report, "- T is not quadratic in {p}: {}", report.excerpt(term)),
             }
         }
         Split::Coupled(term) => {
-            writeln!(text, "- not separable, {q} and {p} are coupled by: {}", printer.excerpt(*term))?
+            writeln!(report, "- not separable, {q} and {p} are coupled by: {}", report.excerpt(*term))
         }
     }
     let velocities = &gradient.p;
     let moves = structure.resting.len() < velocities.len();
-    if moves && !velocities.iter().any(|velocity| printer.graph().reads(*velocity).p) {
-        writeln!(text, "- H is linear in {p}: {q} follows the field ∂H/∂{p} by itself, whatever {p} is")?;
+    if moves && !velocities.iter().any(|velocity| report.graph().reads(*velocity).p) {
+        writeln!(report, "- H is linear in {p}: {q} follows the field ∂H/∂{p} by itself, whatever {p} is");
     }
     match structure.degree {
-        Some(degree) => writeln!(text, "- H is a polynomial of degree {degree} in {q} and {p}")?,
-        None => writeln!(text, "- H is not a polynomial in {q} and {p}")?,
+        Some(degree) => writeln!(report, "- H is a polynomial of degree {degree} in {q} and {p}"),
+        None => writeln!(report, "- H is not a polynomial in {q} and {p}"),
     }
     let reads_time = if structure.autonomous { "does not depend" } else { "depends" };
-    writeln!(text, "- H {reads_time} on time")?;
+    writeln!(report, "- H {reads_time} on time");
 
     if let Some(damping) = &structure.damping {
-        damping::section(text, printer, damping, structure.autonomous)?;
+        friction::damping(report, damping, structure.autonomous);
     }
     if let Some(forces) = &structure.forces {
-        damping::forces(text, printer, forces, structure.autonomous)?;
+        friction::forces(report, forces, structure.autonomous);
     }
 
-    let listed = |name: &str, indices: &[u32]| {
-        let one = |i: &u32| {
-            let indices: String =
-                energy.coordinates.shape.indices(*i as usize).iter().map(|i| format!("[{i}]")).collect();
-            format!("{name}{indices}")
-        };
-        indices.iter().map(one).collect::<Vec<_>>().join(", ")
-    };
-    let unread = [(&p, &q, &structure.cyclic), (&q, &p, &structure.resting)]
-        .map(|(kept, unread, indices)| (listed(kept, indices), listed(unread, indices)));
-    conserved(text, printer, structure, &unread)?;
+    conserved(report, structure);
 
     for found in &system.pieces {
-        writeln!(text, "\nPieces with flows in closed form, in the order of half a step of `PieceSplitting`")?;
-        pieces::of_energy(text, printer, (found, false))?;
+        writeln!(report, "\nPieces with flows in closed form, in the order of half a step of `PieceSplitting`");
+        pieces::of_energy(report, found, pieces::Alphabet::Canonical);
         if system.has(Fact::NystromPieces) {
             writeln!(
-                text,
+                report,
                 "- tables of Runge–Kutta–Nyström type keep their order, `BlanesMoanSrkn14a.of(PieceSplitting)`"
-            )?;
+            );
         }
     }
     if let Some(Ok(parts)) = &system.perturbed {
-        perturbed(text, printer, parts)?;
+        perturbed(report, parts);
     }
 
-    writeln!(text, "\nOperations (a sine with its cosine counts as two)")?;
-    if let Some(slopes) = &system.slopes {
-        writeln!(text, "- gradient of H: {}", counted(slopes.operations()))?;
+    writeln!(report, "\nOperations (a sine with its cosine counts as two)");
+    if let Some(slopes) = &system.gradient {
+        writeln!(report, "- gradient of H: {}", counted(slopes.operations()));
     }
     if let Some(Ok(flows)) = &system.splitting {
-        writeln!(text, "- kick: {}", counted(flows.kick.kernel.operations()))?;
-        writeln!(text, "- drift: {}", counted(flows.drift.kernel.operations()))?;
+        writeln!(report, "- kick: {}", counted(flows.kick.kernel.operations()));
+        writeln!(report, "- drift: {}", counted(flows.drift.kernel.operations()));
     }
     if let Implicit::Field(field) = &system.implicit {
-        implicit(text, field)?;
+        implicit(report, field);
     }
 
-    writeln!(text, "\nSkipped")?;
+    writeln!(report, "\nSkipped");
     if structure.flows().is_some() {
-        writeln!(text, "- Newton's iteration in explicit methods: T and V have exact flows")?;
+        writeln!(report, "- Newton's iteration in explicit methods: T and V have exact flows");
     }
     if structure.reduced().is_some() {
-        writeln!(text, "- half of the unknowns of implicit methods: T is quadratic")?;
+        writeln!(report, "- half of the unknowns of implicit methods: T is quadratic");
     }
     if structure.timeless() {
-        writeln!(text, "- the clock: H does not depend on time")?;
+        writeln!(report, "- the clock: H does not depend on time");
     }
     if !structure.cyclic.is_empty() {
-        writeln!(text, "- the force on {}: it is zero", listed(&p, &structure.cyclic))?;
+        writeln!(report, "- the force on {}: it is zero", listed(report, Symbol::Momentum, &structure.cyclic));
     }
-    writeln!(text, "- recomputing what depends on parameters and the step size: prepared once")?;
+    writeln!(report, "- recomputing what depends on parameters and the step size: prepared once");
     match structure.split {
         _ if !structure.conservative() => {}
-        Split::Coupled(_) => writeln!(text, "- kick and drift: they do not exist for this H")?,
+        Split::Coupled(_) => writeln!(report, "- kick and drift: they do not exist for this H"),
         _ if structure.quadratic_parts().is_none() => {
-            writeln!(text, "- Runge–Kutta–Nyström tables: they need a quadratic T")?;
+            writeln!(report, "- Runge–Kutta–Nyström tables: they need a quadratic T");
         }
         _ => {}
     }
-    Ok(())
 }
 
 /// The part with an exact flow, and the rest.
-fn perturbed(text: &mut String, printer: &Printer<'_>, parts: &Perturbed<Plan>) -> std::fmt::Result {
-    writeln!(text, "\nA + B, an exact flow and a kick (`Perturbation`, `WisdomHolman`, `Aba10_6_4` …)")?;
+fn perturbed(report: &mut Report<'_>, parts: &Perturbed) {
+    writeln!(report, "\nA + B, an exact flow and a kick (`Perturbation`, `WisdomHolman`, `Aba10_6_4` …)");
     if let Some(inner) = &parts.inner {
-        writeln!(text, "- in {}", inner.name)?;
+        writeln!(report, "- in {}", inner.name);
     }
-    writeln!(text, "- A = {}", printer.excerpt(parts.exact))?;
-    parts.known.iter().try_for_each(|known| writeln!(text, "  {known}"))?;
-    writeln!(text, "  {}", counted(parts.flow.kernel.operations()))?;
-    writeln!(text, "- B = {}", printer.excerpt(parts.rest))?;
-    writeln!(text, "  {}", counted(parts.kick.kernel.operations()))?;
+    writeln!(report, "- A = {}", report.excerpt(parts.exact));
+    for known in &parts.known {
+        writeln!(report, "  {known}");
+    }
+    writeln!(report, "  {}", counted(parts.flow.kernel.operations()));
+    writeln!(report, "- B = {}", report.excerpt(parts.rest));
+    writeln!(report, "  {}", counted(parts.kick.kernel.operations()));
     match (parts.is_kick, parts.is_exact) {
         (true, _) => {}
         (false, true) => {
-            writeln!(text, "  a motion of all bodies alike and a kick, which leave each other as they are")?
+            writeln!(report, "  a motion of all bodies alike and a kick, which leave each other as they are")
         }
-        (false, false) => writeln!(text, "  half of the motion, the kick, half of the motion: a step of order 2")?,
+        (false, false) => writeln!(report, "  half of the motion, the kick, half of the motion: a step of order 2"),
     }
     match &parts.gradient_kick {
-        Ok(_) => writeln!(text, "- tables of Runge–Kutta–Nyström type and with force gradients keep their order"),
+        Ok(_) => writeln!(report, "- tables of Runge–Kutta–Nyström type and with force gradients keep their order"),
         Err(missing) => {
-            let term = printer.excerpt(missing.term);
-            writeln!(text, "- no tables of Runge–Kutta–Nyström type and with force gradients, because of {term}")
+            let term = report.excerpt(missing.term);
+            writeln!(report, "- no tables of Runge–Kutta–Nyström type and with force gradients, because of {term}")
         }
     }
 }
 
 /// What implicit steps cost, and how they are solved.
-fn implicit(text: &mut String, field: &FieldKernels<Plan>) -> std::fmt::Result {
-    writeln!(text, "- stage of a Newton iteration of collocation: {}", counted(field.collocation.operations()))?;
+fn implicit(report: &mut Report<'_>, field: &FieldKernels) {
+    writeln!(
+        report,
+        "- stage of a Newton iteration of collocation: {}",
+        counted(field.collocation.kernel.operations())
+    );
     if let Some(discrete) = &field.discrete {
-        writeln!(text, "- Newton iteration of the discrete gradient: {}", counted(discrete.operations()))?;
+        writeln!(report, "- Newton iteration of the discrete gradient: {}", counted(discrete.operations()));
     }
 
-    writeln!(text, "\nImplicit steps")?;
+    writeln!(report, "\nImplicit steps");
     let unknowns = field.coordinates.len();
     let solver = match unknowns {
         _ if field.linear => "the equation is linear, its matrix inverted once".into(),
@@ -184,31 +154,35 @@ fn implicit(text: &mut String, field: &FieldKernels<Plan>) -> std::fmt::Result {
             "the fixed point while it attracts, Newton's iteration elsewhere: measured to be faster beyond {MOST_UNKNOWNS}"
         ),
     };
-    writeln!(text, "- `DiscreteGradient`, unknowns {unknowns}: {solver}")
+    writeln!(report, "- `DiscreteGradient`, unknowns {unknowns}: {solver}")
 }
 
-/// What the flow conserves and discrete gradients keep; `unread` are coordinates with their conjugates, which H does not
-/// read.
-fn conserved(
-    text: &mut String,
-    printer: &Printer<'_>,
-    structure: &Structure,
-    unread: &[(String, String)],
-) -> std::fmt::Result {
+/// Names of coordinates, separated by commas.
+fn listed(report: &Report<'_>, symbol: fn(u32) -> Symbol, indices: &[u32]) -> String {
+    indices.iter().map(|i| report.named(symbol(*i))).collect::<Vec<_>>().join(", ")
+}
+
+/// Integrals of the flow, and those that discrete gradients keep.
+fn conserved(report: &mut Report<'_>, structure: &Structure) {
     let mut lines = vec![];
     if structure.conserves_energy() {
         lines.push("the energy".into());
     }
-    let unread = unread.iter().filter(|(kept, _)| !kept.is_empty());
-    lines.extend(unread.map(|(kept, unread)| format!("{kept}: H does not read {unread}")));
+    let unread = [
+        (Symbol::Momentum as fn(u32) -> Symbol, Symbol::Position as fn(u32) -> Symbol, &structure.cyclic),
+        (Symbol::Position, Symbol::Momentum, &structure.resting),
+    ];
+    for (kept, unread, indices) in unread.into_iter().filter(|(.., indices)| !indices.is_empty()) {
+        lines.push(format!("{}: H does not read {}", listed(report, kept, indices), listed(report, unread, indices)));
+    }
     let momenta = structure.momenta.iter();
-    lines.extend(momenta.map(|momentum| format!("{}: {}", momentum.name, printer.excerpt(momentum.value))));
-    writeln!(text, "\nConserved by the flow, at least")?;
+    lines.extend(momenta.map(|momentum| format!("{}: {}", momentum.name, report.excerpt(momentum.value))));
+    writeln!(report, "\nConserved by the flow, at least");
     for line in &lines {
-        writeln!(text, "- {line}")?;
+        writeln!(report, "- {line}");
     }
     if lines.is_empty() {
-        writeln!(text, "- nothing that was found")?;
+        writeln!(report, "- nothing that was found");
     }
 
     let mut discrete: Vec<String> = vec![];
@@ -238,19 +212,21 @@ fn conserved(
             }
             MeanValue::Gauss(points) => format!("`MeanValue::<{points}>` is exact: Gauss points for a polynomial"),
             MeanValue::NotClosed(term) => {
-                let term = printer.excerpt(term);
+                let term = report.excerpt(term);
                 format!("`MeanValue::<N>` is a quadrature with N Gauss points: no closed form was found for {term}")
             }
         });
     }
     if !discrete.is_empty() {
-        writeln!(text, "\nDiscrete gradients")?;
+        writeln!(report, "\nDiscrete gradients");
     }
-    discrete.iter().try_for_each(|line| writeln!(text, "- {line}"))
+    for line in &discrete {
+        writeln!(report, "- {line}");
+    }
 }
 
 /// A derivative, written out unless it fills the screen.
-fn formula(printer: &Printer<'_>, id: Id) -> String {
-    let formula = printer.formula(id);
+fn formula(report: &Report<'_>, id: Id) -> String {
+    let formula = report.formula(id);
     if formula.chars().count() > 400 { Printer::cut(formula) } else { formula }
 }

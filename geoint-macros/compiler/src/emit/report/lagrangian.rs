@@ -1,97 +1,85 @@
-//! What was found of a Lagrangian, in words.
+//! Facts about a Lagrangian, in words.
 
-use super::super::damping;
-use super::super::kernel::Context;
-use super::{contact, counted};
+use super::contact::decaying;
+use super::{Report, counted, friction};
 use crate::analyze::{Damping, Dissipated, Forces, Spared};
-use crate::derive::{Implicit, System};
-use crate::ir::{Graph, Id, Symbol, print::Printer};
+use crate::derive::{Implicit, KeptMomentum, System};
+use crate::ir::{Graph, Id, Symbol};
 use crate::legendre::{Kinetic, Legendre, Part};
 use crate::parse::Role;
-use crate::schedule::Plan;
-use std::fmt::{Result as Written, Write};
 
-/// The report, up to that of the energy; nothing if there is no Lagrangian.
-pub(crate) fn lagrangian(context: &Context<'_>, graph: &Graph, legendre: Option<&Legendre>) -> String {
-    let mut text = String::new();
-    if let Some(legendre) = legendre {
-        let printer = Printer::new(graph, context);
-        // Writing to a string cannot fail.
-        let _ = sections(&mut text, context, &printer, legendre);
-    }
-    text
-}
-
-fn sections(text: &mut String, context: &Context<'_>, printer: &Printer<'_>, legendre: &Legendre) -> Written {
-    let graph = printer.graph();
-    writeln!(text, "L = {}", printer.formula(legendre.lagrangian))?;
+/// L, its derivatives, and the relation of momenta and velocities.
+pub(super) fn report(report: &mut Report<'_>, legendre: &Legendre) {
+    let graph = report.graph();
+    writeln!(report, "L = {}", report.formula(legendre.lagrangian));
     for (symbol, slopes) in
         [(Symbol::Position as fn(u32) -> Symbol, &legendre.forces), (Symbol::Velocity, &legendre.momenta)]
     {
         for (i, slope) in (0..).zip(slopes) {
-            writeln!(text, "∂L/∂{} = {}", printer.named(symbol(i)), printer.excerpt(*slope))?;
+            writeln!(report, "∂L/∂{} = {}", report.named(symbol(i)), report.excerpt(*slope));
         }
     }
 
-    let p = context.name_of(Role::Momentum);
+    let p = report.name_of(Role::Momentum);
     writeln!(
-        text,
+        report,
         "\nFrom velocities to momenta: {p} = ∂L/∂{}, H = {p}·{1} − L",
-        context.name_of(Role::Velocity),
-        context.name_of(Role::Velocity)
-    )?;
-    legendre.parts.iter().try_for_each(|part| self::part(text, printer, part))?;
+        report.name_of(Role::Velocity),
+        report.name_of(Role::Velocity)
+    );
+    legendre.parts.iter().for_each(|part| self::part(report, part));
     if !graph.is_zero(legendre.potential) {
-        writeln!(text, "- without velocities, −L = {}", printer.excerpt(legendre.potential))?;
+        writeln!(report, "- without velocities, −L = {}", report.excerpt(legendre.potential));
     }
-    writeln!(text, "- H is {}", mechanical(graph, legendre))?;
+    writeln!(report, "- H is {}", mechanical(graph, legendre));
     if let Some(gauge) = legendre.gauge {
         writeln!(
-            text,
+            report,
             "- what is linear in velocities is d/dt f{} with f = {}: it adds ∂f/∂{} to momenta, and {}",
             if graph.reads(gauge).t { " − ∂f/∂t" } else { "" },
-            printer.excerpt(gauge),
-            context.name_of(Role::Position),
+            report.excerpt(gauge),
+            report.name_of(Role::Position),
             match graph.reads(gauge).t {
                 true => "a potential ∂f/∂t to the energy",
                 false => "changes no motion: without it the energy has fewer terms that couple positions and momenta",
             }
-        )?;
+        );
     }
     if legendre.concave {
-        writeln!(text, "- the mass matrix is negative definite: −L has the same equations")?;
+        writeln!(report, "- the mass matrix is negative definite: −L has the same equations");
     }
     if legendre.momenta.iter().any(|momentum| graph.reads(*momentum).s) {
-        let forced = context.energy.options.force.is_some() || context.energy.options.rayleigh.is_some();
+        let options = &report.compilation.energy.options;
+        let forced = options.force.is_some() || options.rayleigh.is_some();
         let others = if forced { "" } else { ", contact Gauss methods do" };
-        writeln!(text, "- momenta read the action: kick and drift do not exist{others}")?;
+        writeln!(report, "- momenta read the action: kick and drift do not exist{others}");
     }
     if let Some(rate) = legendre.friction {
-        let rate = printer.excerpt(rate);
+        let rate = report.excerpt(rate);
         writeln!(
-            text,
+            report,
             "- friction is γ ∂²L/∂v² v with γ = {rate}, so that momenta of coordinates that are not read decay by one factor: with `- ({rate}) * s` \
              in L in its place, contact methods keep that to rounding"
-        )?;
+        );
     }
-    writeln!(text)
+    writeln!(report)
 }
 
 /// What the mass matrix of a part is, entry by entry, or what rule there is.
-fn part(text: &mut String, printer: &Printer<'_>, part: &Part) -> Written {
+fn part(report: &mut Report<'_>, part: &Part) {
     let Part { velocities, kinetic } = part;
-    let graph = printer.graph();
-    let names: Vec<String> = velocities.iter().map(|i| printer.named(Symbol::Velocity(*i))).collect();
+    let graph = report.graph();
+    let names: Vec<String> = velocities.iter().map(|i| report.named(Symbol::Velocity(*i))).collect();
     let names = names.join(", ");
     match kinetic {
         Kinetic::Conjugate { term, rule } => {
-            writeln!(text, "- {names}: a conjugate in closed form of {}: {rule}", printer.excerpt(*term))
+            writeln!(report, "- {names}: a conjugate in closed form of {}: {rule}", report.excerpt(*term))
         }
         Kinetic::Open(term) => {
             writeln!(
-                text,
+                report,
                 "- {names}: neither quadratic nor of a known conjugate, found by Newton's iteration: {}",
-                printer.excerpt(*term)
+                report.excerpt(*term)
             )
         }
         Kinetic::Quadratic { mass, shift } => {
@@ -102,21 +90,21 @@ fn part(text: &mut String, printer: &Printer<'_>, part: &Part) -> Written {
                 1 => "",
                 _ => ", factored as LDLᵀ",
             };
-            writeln!(text, "- {names}: L is quadratic, with a mass matrix that is {kind}{how}")?;
+            writeln!(report, "- {names}: L is quadratic, with a mass matrix that is {kind}{how}");
             for (i, j) in entries().filter(|(i, j)| !graph.is_zero(mass[*i][*j])) {
-                let [i_name, j_name] = [i, j].map(|i| printer.named(Symbol::Velocity(velocities[i])));
-                writeln!(text, "  - ∂²L/∂{i_name}∂{j_name} = {}", printer.excerpt(mass[i][j]))?;
+                let [i_name, j_name] = [i, j].map(|i| report.named(Symbol::Velocity(velocities[i])));
+                writeln!(report, "  - ∂²L/∂{i_name}∂{j_name} = {}", report.excerpt(mass[i][j]));
             }
-            linear(text, printer, velocities, shift)
+            linear(report, velocities, shift)
         }
     }
 }
 
-fn linear(text: &mut String, printer: &Printer<'_>, velocities: &[u32], shift: &[Id]) -> Written {
-    for (i, a) in velocities.iter().zip(shift).filter(|(_, a)| !printer.graph().is_zero(**a)) {
-        writeln!(text, "  - linear in {}: {}", printer.named(Symbol::Velocity(*i)), printer.excerpt(*a))?;
+fn linear(report: &mut Report<'_>, velocities: &[u32], shift: &[Id]) {
+    let graph = report.graph();
+    for (i, a) in velocities.iter().zip(shift).filter(|(_, a)| !graph.is_zero(**a)) {
+        writeln!(report, "  - linear in {}: {}", report.named(Symbol::Velocity(*i)), report.excerpt(*a));
     }
-    Ok(())
 }
 
 /// Whether H is the sum of kinetic and potential energy.
@@ -134,147 +122,124 @@ fn mechanical(graph: &Graph, legendre: &Legendre) -> &'static str {
     }
 }
 
-/// The report of steps with velocities as unknowns.
-pub(crate) fn velocities(
-    context: &Context<'_>,
-    graph: &Graph,
-    (legendre, long): (&Legendre, Id),
-    (system, friction): (&System<Plan>, (Option<&Damping>, Option<&Forces>)),
-) -> String {
-    let mut text = String::new();
-    let printer = Printer::new(graph, context);
-    let _ = steps(&mut text, context, &printer, (legendre, long), (system, friction));
-    text
-}
-
-fn steps(
-    text: &mut String,
-    context: &Context<'_>,
-    printer: &Printer<'_>,
-    (legendre, long): (&Legendre, Id),
-    (system, (damping, others)): (&System<Plan>, (Option<&Damping>, Option<&Forces>)),
-) -> Written {
-    let Implicit::Velocities(kernels) = &system.implicit else { return Ok(()) };
-    let v = context.name_of(Role::Velocity);
-    writeln!(text, "Structure")?;
+/// Steps with velocities as unknowns. `obstacle` is the reason why there is no H.
+pub(super) fn velocities(
+    report: &mut Report<'_>,
+    legendre: &Legendre,
+    obstacle: Id,
+    damping: Option<&Damping>,
+    others: Option<&Forces>,
+    system: &System,
+) {
+    let Implicit::Velocities(kernels) = &system.implicit else { return };
+    let v = report.name_of(Role::Velocity);
+    writeln!(report, "Structure");
     writeln!(
-        text,
+        report,
         "- steps are solved for {v}: H as a function of momenta would be long, or has no formula, by {}",
-        printer.excerpt(long)
-    )?;
-    writeln!(text, "- kick and drift do not exist")?;
-    let autonomous = !printer.graph().reads(legendre.lagrangian).t;
-    writeln!(text, "- L {} on time", if autonomous { "does not depend" } else { "depends" })?;
+        report.excerpt(obstacle)
+    );
+    writeln!(report, "- kick and drift do not exist");
+    let autonomous = !report.graph().reads(legendre.lagrangian).t;
+    writeln!(report, "- L {} on time", if autonomous { "does not depend" } else { "depends" });
     if let Some(damping) = damping {
-        damping::section(text, printer, damping, autonomous)?;
+        friction::damping(report, damping, autonomous);
     }
     if let Some(others) = others {
-        damping::forces(text, printer, others, autonomous)?;
+        friction::forces(report, others, autonomous);
     }
 
-    writeln!(text, "\nConserved by the flow, at least")?;
-    let read = printer.graph().symbols(legendre.lagrangian);
+    writeln!(report, "\nConserved by the flow, at least");
+    let read = report.graph().symbols(legendre.lagrangian);
     let spared = Spared { damping, forces: others };
-    let is_kept = |i: &u32| !read.contains(&Symbol::Position(*i)) && spared.coordinate(printer.graph(), *i);
-    let cyclic: Vec<u32> = (0..context.energy.degrees()).filter(is_kept).collect();
+    let is_kept = |i: &u32| !read.contains(&Symbol::Position(*i)) && spared.coordinate(report.graph(), *i);
+    let cyclic: Vec<u32> = (0..report.compilation.degrees()).filter(is_kept).collect();
     let energy = autonomous && damping.is_none() && others.is_none();
     if energy {
-        writeln!(text, "- the energy")?;
+        writeln!(report, "- the energy");
     }
     for i in &cyclic {
         writeln!(
-            text,
+            report,
             "- {}: L does not read {}",
-            printer.named(Symbol::Momentum(*i)),
-            printer.named(Symbol::Position(*i))
-        )?;
+            report.named(Symbol::Momentum(*i)),
+            report.named(Symbol::Position(*i))
+        );
     }
-    for (momentum, _) in &kernels.momenta {
-        writeln!(text, "- {}: {}", momentum.name, printer.excerpt(momentum.value))?;
+    for KeptMomentum { momentum, .. } in &kernels.momenta {
+        writeln!(report, "- {}: {}", momentum.name, report.excerpt(momentum.value));
     }
     if !energy && cyclic.is_empty() && kernels.momenta.is_empty() {
-        writeln!(text, "- nothing that was found")?;
+        writeln!(report, "- nothing that was found");
     }
     if !cyclic.is_empty() || !kernels.momenta.is_empty() {
-        writeln!(text, "`ImplicitMidpoint` and `Gauss` keep all momenta of these, to rounding")?;
+        writeln!(report, "`ImplicitMidpoint` and `Gauss` keep all momenta of these, to rounding");
     }
-    let summed = kernels.momenta.iter().any(|(_, by_gradient)| *by_gradient);
+    let summed = kernels.momenta.iter().any(|kept| kept.by_gradient);
     if kernels.polarised.is_ok() && (energy || summed || !cyclic.is_empty()) {
-        let others = kernels.momenta.iter().filter(|(_, by_gradient)| !by_gradient).map(|(momentum, _)| &momentum.name);
+        let others = kernels.momenta.iter().filter(|kept| !kept.by_gradient).map(|kept| &kept.momentum.name);
         let others: Vec<String> = others.map(|name| format!("the {name}")).collect();
         match &others[..] {
-            [] => writeln!(text, "`DiscreteGradient` keeps all of these, to rounding")?,
-            _ => writeln!(text, "`DiscreteGradient` keeps all of these but {}, to rounding", others.join(", "))?,
+            [] => writeln!(report, "`DiscreteGradient` keeps all of these, to rounding"),
+            _ => writeln!(report, "`DiscreteGradient` keeps all of these but {}, to rounding", others.join(", ")),
         }
     }
 
     writeln!(
-        text,
+        report,
         "\nImplicit steps, with {} unknowns a stage (a sine with its cosine counts as two)",
         legendre.momenta.len()
-    )?;
-    writeln!(text, "- stage of a Newton iteration of collocation: {}", counted(kernels.stage.operations()))?;
+    );
+    writeln!(report, "- stage of a Newton iteration of collocation: {}", counted(kernels.stage.operations()));
     match &kernels.polarised {
         Ok(polarised) => {
             writeln!(
-                text,
+                report,
                 "- Newton iteration of the discrete gradient, the polarised one: {}",
-                counted(polarised.operations())
+                counted(polarised.kernel.operations())
             )
         }
-        Err(_) => writeln!(text, "- there is no discrete gradient: L is not quadratic in {v}"),
+        Err(_) => writeln!(report, "- there is no discrete gradient: L is not quadratic in {v}"),
     }
 }
 
-/// The report of steps with velocities as unknowns where there is an action; `decay` is −∂L/∂s.
-pub(crate) fn herglotz(
-    context: &Context<'_>,
-    graph: &Graph,
-    (long, decay, dissipated): (Id, Id, Option<&Dissipated>),
-    system: &System<Plan>,
-) -> String {
-    let mut text = String::new();
-    let printer = Printer::new(graph, context);
-    let _ = steps_with_action(&mut text, context, &printer, (long, decay, dissipated), system);
-    text
-}
-
-fn steps_with_action(
-    text: &mut String,
-    context: &Context<'_>,
-    printer: &Printer<'_>,
-    (long, decay, dissipated): (Id, Id, Option<&Dissipated>),
-    system: &System<Plan>,
-) -> Written {
-    let Implicit::Herglotz(kernels) = &system.implicit else { return Ok(()) };
-    let v = context.name_of(Role::Velocity);
-    writeln!(text, "Structure")?;
+/// Steps with velocities as unknowns and an action. `decay` is −∂L/∂s.
+pub(super) fn herglotz(
+    report: &mut Report<'_>,
+    obstacle: Id,
+    decay: Id,
+    dissipated: Option<&Dissipated>,
+    system: &System,
+) {
+    let Implicit::Herglotz(kernels) = &system.implicit else { return };
+    let v = report.name_of(Role::Velocity);
+    writeln!(report, "Structure");
     writeln!(
-        text,
+        report,
         "- steps are solved for {v}: H as a function of momenta would be long, or has no formula, by {}",
-        printer.excerpt(long)
-    )?;
-    writeln!(text, "- kick and drift do not exist, nor do pieces with flows in closed form")?;
-    writeln!(text, "- ∂H/∂s = −∂L/∂s = {}, and H' = −H ∂H/∂s − ∂L/∂t", printer.excerpt(decay))?;
+        report.excerpt(obstacle)
+    );
+    writeln!(report, "- kick and drift do not exist, nor do pieces with flows in closed form");
+    writeln!(report, "- ∂H/∂s = −∂L/∂s = {}, and H' = −H ∂H/∂s − ∂L/∂t", report.excerpt(decay));
     match kernels.stages.varying {
-        true => writeln!(text, "- s acts back on positions or momenta")?,
-        false => writeln!(text, "- positions and momenta move without s: `without_action` leaves it out")?,
+        true => writeln!(report, "- s acts back on positions or momenta"),
+        false => writeln!(report, "- positions and momenta move without s: `without_action` leaves it out"),
     }
     if let Some(dissipated) = dissipated {
-        contact::decaying(text, printer, ("L", decay), dissipated)?;
+        decaying(report, "L", decay, dissipated);
     }
-    let unknowns = context.energy.degrees() + u32::from(kernels.stages.varying);
-    writeln!(text, "\nImplicit steps, with {unknowns} unknowns a stage (a sine with its cosine counts as two)")?;
+    let unknowns = report.compilation.degrees() + u32::from(kernels.stages.varying);
+    writeln!(report, "\nImplicit steps, with {unknowns} unknowns a stage (a sine with its cosine counts as two)");
     writeln!(
-        text,
+        report,
         "- `ContactMidpoint` and `ContactGauss`: {} a stage of an iteration",
         counted(kernels.stages.stage.operations())
-    )?;
+    );
     match &kernels.polarised {
         Ok(step) => {
             let cost = counted(step.kernel.operations());
-            writeln!(text, "- `ContactDiscreteGradient`, the polarised one: {cost} an iteration")
+            writeln!(report, "- `ContactDiscreteGradient`, the polarised one: {cost} an iteration")
         }
-        Err(_) => writeln!(text, "- there is no discrete gradient: L is not quadratic in {v}"),
+        Err(_) => writeln!(report, "- there is no discrete gradient: L is not quadratic in {v}"),
     }
 }

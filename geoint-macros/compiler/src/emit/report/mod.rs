@@ -1,58 +1,143 @@
-//! What was found, in words: the text behind `REPORT` and the docs of the generated struct.
+//! The facts about a system in words: the text of `REPORT` and of the docs of the generated struct.
 
 mod bodies;
 mod canonical;
 mod constraints;
 mod contact;
-mod forced;
-mod pieces;
-mod structure;
 mod field;
 mod flow;
+mod forced;
+mod friction;
 mod lagrangian;
+mod pieces;
+mod structure;
 
-use super::kernel::Context;
-use crate::derive::Jumps;
-use crate::ir::{Graph, Id, print::Printer};
-use crate::schedule::{Operations, Plan};
-pub(crate) use bodies::bodies;
-pub(crate) use canonical::canonical;
-pub(crate) use constraints::constraints;
-pub(crate) use contact::contact;
-pub(crate) use field::OfField;
-pub(crate) use flow::{Source, flow};
-pub(crate) use forced::forced;
-pub(crate) use lagrangian::{herglotz, lagrangian, velocities};
+use crate::compilation::Compilation;
+use crate::derive::{Derived, Findings, System};
+use crate::ir::{Graph, Id, Symbol, print::Printer};
+use crate::parse::{Form, Role};
+use crate::schedule::Operations;
+use std::fmt;
 
-/// Where the energy was not proven not to jump: most steps know its derivatives alone, and end there.
-pub(crate) fn jumps(context: &Context<'_>, graph: &Graph, jumps: &Jumps<Plan>) -> String {
-    let printer = Printer::new(graph, context);
-    jumps.edge.map_or_else(String::new, |[a, b]| {
-        format!(
-            "\nJumps\n- H may jump where {} = {}: methods that keep the energy take it along, and all other steps end there\n",
-            printer.excerpt(a),
-            printer.excerpt(b)
-        )
-    })
+/// A text that grows line by line.
+struct Report<'a> {
+    text: String,
+    compilation: &'a Compilation<'a>,
+    printer: Printer<'a>,
 }
 
-/// Terms that jump where an angle comes round.
-pub(crate) fn turns(context: &Context<'_>, graph: &Graph, turning: &[Id]) -> String {
-    let printer = Printer::new(graph, context);
-    let lines = turning.iter().map(|term| {
-        format!(
-            "- {}: the term jumps where the angle by `atan2` comes round, by 2π times the factor of the angle\n",
-            printer.excerpt(*term)
-        )
-    });
-    if turning.is_empty() { String::new() } else { format!("\nTurns\n{}", lines.collect::<String>()) }
+impl<'a> Report<'a> {
+    /// Target of `write!` and `writeln!`. Writing to a string cannot fail.
+    fn write_fmt(&mut self, line: fmt::Arguments<'_>) {
+        // A `String` never returns an error.
+        let _ = fmt::Write::write_fmt(&mut self.text, line);
+    }
+
+    fn graph(&self) -> &'a Graph {
+        &self.compilation.graph
+    }
+
+    /// Returns the whole formula of a node.
+    fn formula(&self, id: Id) -> String {
+        self.printer.formula(id)
+    }
+
+    /// Returns the formula of a node, cut to the length of a message.
+    fn excerpt(&self, id: Id) -> String {
+        self.printer.excerpt(id)
+    }
+
+    /// Returns `[a, b]` with the formulas of nodes.
+    fn vector(&self, entries: &[Id]) -> String {
+        let entries: Vec<String> = entries.iter().map(|id| self.excerpt(*id)).collect();
+        format!("[{}]", entries.join(", "))
+    }
+
+    /// Returns the user's name of a symbol.
+    fn named(&self, symbol: Symbol) -> String {
+        self.printer.named(symbol)
+    }
+
+    /// Returns the user's name of an argument.
+    fn name_of(&self, role: Role) -> String {
+        self.compilation.names.of(role)
+    }
 }
 
-/// How much something costs.
+/// Writes the report of a system.
+pub(super) fn report(compilation: &Compilation<'_>, derived: &Derived) -> String {
+    let mut report = Report { text: String::new(), compilation, printer: compilation.printer() };
+    let Derived { legendre, findings, system } = derived;
+    if let Some(legendre) = legendre {
+        lagrangian::report(&mut report, legendre);
+    }
+    match findings {
+        Findings::Canonical { structure, gradient } => canonical::report(&mut report, structure, gradient, system),
+        Findings::Constrained { structure, kept, constraints, gradient } => {
+            constraints::equations(&mut report, structure, constraints, gradient);
+            constraints::conserved(&mut report, kept);
+            constraints::steps(&mut report, structure, system);
+        }
+        Findings::Contact { energy, gradient, dissipated } => {
+            contact::report(&mut report, *energy, gradient, dissipated.as_ref(), system);
+        }
+        Findings::Forced { energy, forces, drag } => {
+            forced::report(&mut report, *energy, forces.as_ref(), drag.as_deref());
+        }
+        Findings::Velocities { obstacle, damping, forces } => {
+            if let Some(legendre) = legendre {
+                lagrangian::velocities(&mut report, legendre, *obstacle, damping.as_ref(), forces.as_ref(), system);
+            }
+        }
+        Findings::Herglotz { obstacle, decay, dissipated } => {
+            lagrangian::herglotz(&mut report, *obstacle, *decay, dissipated.as_ref(), system);
+        }
+        Findings::Flow { flow, source } => flow::report(&mut report, flow, source, system),
+        Findings::Bodies(found) => bodies::report(&mut report, found, system),
+    }
+    jumps(&mut report, system);
+    turns(&mut report, system);
+    report.text
+}
+
+/// Reports the condition where the energy may jump. Most steps use derivatives only, and end there.
+fn jumps(report: &mut Report<'_>, system: &System) {
+    let has_energy = !report.compilation.form.is_flow() || system.value.is_some();
+    if let Some([a, b]) = system.domain.jumps.as_ref().filter(|_| has_energy).and_then(|jumps| jumps.edge) {
+        let [a, b] = [a, b].map(|id| report.excerpt(id));
+        writeln!(
+            report,
+            "\nJumps\n- H may jump where {a} = {b}: methods that keep the energy take it along, and all other steps end there"
+        );
+    }
+}
+
+/// Reports terms that jump where an angle by `atan2` comes round. A field reports them beside each function that it keeps.
+fn turns(report: &mut Report<'_>, system: &System) {
+    let turning = &system.domain.turning;
+    if turning.is_empty() || report.compilation.form == Form::Field {
+        return;
+    }
+    writeln!(report, "\nTurns");
+    for term in turning {
+        writeln!(
+            report,
+            "- {}: the term jumps where the angle by `atan2` comes round, by 2π times the factor of the angle",
+            report.excerpt(*term)
+        );
+    }
+}
+
+/// Returns a count of operations in words.
 fn counted(operations: Operations) -> String {
     let Operations { arithmetic, divisions, calls } = operations;
     let kinds = [("sums and products", arithmetic), ("divisions and roots", divisions), ("functions", calls)];
     let parts: Vec<String> =
         kinds.iter().filter(|(_, count)| *count > 0).map(|(kind, count)| format!("{kind} {count}")).collect();
     if parts.is_empty() { "nothing".into() } else { parts.join(", ") }
+}
+
+/// Returns the plural ending of a noun.
+fn plural(count: usize) -> &'static str {
+    if count == 1 { "" } else { "s" }
 }

@@ -1,18 +1,14 @@
-//! A skew matrix S of x' = S ∇H, entry by entry, in words.
+//! A skew matrix S of x' = S ∇H in words, entry by entry.
 
-use super::super::kernel::Context;
-use crate::ir::{
-    Graph, Id, Symbol,
-    print::{Naming, Printer},
-};
-use std::fmt::{Result as Written, Write};
+use super::Report;
+use crate::ir::{Graph, Id, Symbol};
 
-/// {xᵢ, xⱼ} for i < j, where that is not zero.
-pub(super) fn brackets(text: &mut String, context: &Context<'_>, printer: &Printer<'_>, matrix: &[Vec<Id>]) -> Written {
-    let name = |i: usize| context.name(Symbol::Position(i as u32));
-    entries(printer.graph(), matrix)
-        .into_iter()
-        .try_for_each(|[i, j]| writeln!(text, "- {{{}, {}}} = {}", name(i), name(j), printer.excerpt(matrix[i][j])))
+/// {xᵢ, xⱼ} for i < j, if it is not zero.
+pub(super) fn brackets(report: &mut Report<'_>, matrix: &[Vec<Id>]) {
+    for [i, j] in entries(report.graph(), matrix) {
+        let [a, b] = [i, j].map(|i| report.named(Symbol::Position(i as u32)));
+        writeln!(report, "- {{{a}, {b}}} = {}", report.excerpt(matrix[i][j]));
+    }
 }
 
 /// The indices i < j of all entries that are not zero.

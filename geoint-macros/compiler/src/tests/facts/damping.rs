@@ -1,9 +1,10 @@
 //! What damping stands for, and what is known of it while compiling.
 
 use crate::analyze::{self, Damping, Flaw};
-use crate::ir::{Reads, print::Printer};
+use crate::compilation::Compilation;
+use crate::ir::Reads;
 use crate::parse::Form;
-use crate::{attribute, emit, lower, parse};
+use crate::{attribute, parse};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -19,11 +20,11 @@ fn damping_of(expr: TokenStream, item: TokenStream) -> Result<(Vec<String>, Opti
     let energy =
         parse::energy(parse::Form::Hamiltonian, quote!(damping = #expr), syn::parse2(item).expect("a function"));
     let energy = energy.map_err(|e| e.messages())?;
-    let lower::Lowered { mut graph, energy: root, damping, constants, .. } =
-        lower::body(&energy).map_err(|e| e.messages())?;
-    let context = emit::Context::new(&energy, &constants);
-    let damping = analyze::structure(&mut graph, root, &energy.coordinates.shape).damped(&graph, damping).damping;
-    let printer = Printer::new(&graph, &context);
+    let (mut compilation, terms) = Compilation::lowered(&energy).map_err(|e| e.messages())?;
+    let graph = &mut compilation.graph;
+    let structure = analyze::structure(graph, terms.energy, &energy.coordinates.shape);
+    let damping = structure.damped(graph, terms.damping).damping;
+    let printer = compilation.printer();
     let row = |row: &Vec<_>| row.iter().map(|id| printer.formula(*id)).collect::<Vec<_>>().join(", ");
     let rows = damping.iter().flat_map(|damping| damping.matrix.iter().map(row)).collect();
     Ok((rows, damping))

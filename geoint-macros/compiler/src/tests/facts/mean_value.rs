@@ -33,9 +33,9 @@ fn gauss(points: u32) -> Vec<(f64, f64)> {
 fn mean_value(item: TokenStream) -> (MeanValue, Option<String>, f64) {
     let (energy, mut lowered): (parse::Energy, _) = lowered(item);
     let (degrees, graph) = (energy.degrees(), &mut lowered.graph);
-    let structure = analyze::structure(graph, lowered.energy, &energy.coordinates.shape);
-    let gradient = diff::gradient(graph, lowered.energy, degrees);
-    let tree = diff::discrete_gradient(graph, lowered.energy, degrees);
+    let structure = analyze::structure(graph, lowered.terms.energy, &energy.coordinates.shape);
+    let gradient = diff::gradient(graph, lowered.terms.energy, degrees);
+    let tree = diff::discrete_gradient(graph, lowered.terms.energy, degrees);
     let mut noise = Noise(11);
     let mut largest = 0.0_f64;
     for _ in 0..4 {

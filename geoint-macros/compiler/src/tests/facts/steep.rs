@@ -13,7 +13,7 @@ fn is_steep(energy: TokenStream) -> bool {
         }
     );
     let (energy, mut lowered) = lowered(item);
-    let gradient = diff::gradient(&mut lowered.graph, lowered.energy, energy.degrees());
+    let gradient = diff::gradient(&mut lowered.graph, lowered.terms.energy, energy.degrees());
     let coordinates = [Symbol::Position(0), Symbol::Position(1), Symbol::Momentum(0), Symbol::Momentum(1)];
     analyze::is_steep(&lowered.graph, &[gradient.q, gradient.p].concat(), &coordinates)
 }

@@ -10,7 +10,7 @@ use quote::quote;
 /// The structure, and the term that breaks it.
 fn structure(item: TokenStream) -> (Structure, Option<String>) {
     let (energy, mut lowered) = lowered(item);
-    let structure = analyze::structure(&mut lowered.graph, lowered.energy, &energy.coordinates.shape);
+    let structure = analyze::structure(&mut lowered.graph, lowered.terms.energy, &energy.coordinates.shape);
     let witness = match &structure.split {
         Split::Coupled(term) => Some(*term),
         Split::Separable(parts) => parts.not_quadratic,
@@ -101,7 +101,7 @@ fn simplification() {
             Symbol::Momentum(_) => "p".into(),
             _ => "c".into(),
         };
-        Printer::new(&lowered.graph, &name).formula(lowered.energy)
+        Printer::new(&lowered.graph, &name).formula(lowered.terms.energy)
     };
     assert_eq!(formula(quote! { fn f(q: f64, p: f64) -> f64 { (q + p) - (p + q) } }), "0");
     assert_eq!(formula(quote! { fn f(q: f64, p: f64) -> f64 { q * p / (p * q) } }), "1");

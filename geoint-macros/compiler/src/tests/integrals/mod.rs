@@ -21,7 +21,7 @@ fn field(args: &TokenStream, item: &TokenStream) -> (Graph, Flow) {
     let function = syn::parse2(item.clone()).expect("a function");
     let energy = parse::energy(Form::Field, args.clone(), function).unwrap_or_else(|e| panic!("{:?}", e.messages()));
     let mut lowered = lower::body(&energy).unwrap_or_else(|e| panic!("{:?}", e.messages()));
-    let flow = Flow::of_field(&lowered.field, energy.options.keeps.iter().zip(&lowered.keeps));
+    let flow = Flow::of_field(&lowered.terms.field, energy.options.keeps.iter().zip(&lowered.terms.keeps));
     let found = proof::integrals(&mut lowered.graph, &flow);
     let kept = found.kept.iter().all(|verdict| verdict.is_zero());
     assert!(kept && found.dependent.is_none(), "{:?}", found);

@@ -44,7 +44,7 @@ fn constant_diagonal_masses_give_the_energy_as_it_is_written() {
         let Route::Energy(root, _) = found.route else { panic!("no energy") };
         let (energy, written) = lowered(hamiltonian);
         let degrees = energy.degrees();
-        assert_eq!(slopes(graph, root, degrees), slopes(written.graph, written.energy, degrees));
+        assert_eq!(slopes(graph, root, degrees), slopes(written.graph, written.terms.energy, degrees));
     }
 }
 

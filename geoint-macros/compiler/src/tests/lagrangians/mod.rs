@@ -19,7 +19,7 @@ fn transformed(item: TokenStream) -> (Graph, Result<Legendre, Flaw>) {
     let item = syn::parse2(item).expect("a function");
     let energy =
         parse::energy(Form::Lagrangian, TokenStream::new(), item).unwrap_or_else(|e| panic!("{:?}", e.messages()));
-    let lower::Lowered { mut graph, energy: root, partial, .. } =
+    let lower::Lowered { mut graph, terms: lower::Terms { energy: root, partial, .. }, .. } =
         lower::body(&energy).unwrap_or_else(|e| panic!("{:?}", e.messages()));
     let found = legendre::transform(&mut graph, root, (energy.degrees(), true), &partial);
     (graph, found)

@@ -55,7 +55,7 @@ fn compare(body: &str, rust: fn([f64; 3], [f64; 3], f64, f64) -> f64) {
             Symbol::Parameter(n) => outside(&lowered.constants[n as usize - 1].to_string()),
             other => panic!("an energy has no {other:?}"),
         };
-        let (expected, found) = (rust(q, p, t, a), eval(&lowered.graph, lowered.energy, &value));
+        let (expected, found) = (rust(q, p, t, a), eval(&lowered.graph, lowered.terms.energy, &value));
         let same = (expected - found).abs() <= 1e-14 * expected.abs().max(1.0) || expected.is_nan() && found.is_nan();
         assert!(same, "{body}\nrustc: {expected}, graph: {found}");
     }

@@ -10,7 +10,7 @@ use quote::quote;
 /// The last routine for a function of q, where p and parameters are known before.
 fn planned(item: TokenStream) -> Plan {
     let (_, mut lowered) = lowered(item);
-    let energy = lowered.energy;
+    let energy = lowered.terms.energy;
     of(&mut lowered.graph, &[energy])
 }
 
@@ -53,7 +53,7 @@ fn common_factors_are_taken_out() {
         });
         let is_fused = |statement: &&Statement| matches!(statement, Statement::Let(_, Instruction::MulAdd(..)));
         let block = &plan.last[0];
-        let found = (plan.operations().arithmetic, block.statements.iter().filter(is_fused).count());
+        let found = (block.operations().arithmetic, block.statements.iter().filter(is_fused).count());
         assert_eq!(found, (operations, fused), "{body}: {block:?}");
     }
 }
@@ -67,10 +67,10 @@ fn what_others_need_is_not_taken_apart() {
             (p[0] * xy + p[1] * q[0]) * xy.sin()
         }
     });
-    let energy = lowered.energy;
+    let energy = lowered.terms.energy;
     let plan = of(&mut lowered.graph, &[energy]);
     // x·y, a·(x·y) + b·x, and that times the sine.
-    assert_eq!(plan.operations().arithmetic, 5, "{:?}", plan.last[0]);
+    assert_eq!(plan.last[0].operations().arithmetic, 5, "{:?}", plan.last[0]);
 }
 
 /// x² − y² where x = y, and k(2x − a) near x = a/2 to the last digit: a control expands the second.

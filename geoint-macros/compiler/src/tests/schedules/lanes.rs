@@ -11,8 +11,8 @@ use quote::quote;
 /// The gradient of an energy by q, as one block.
 fn forces(item: TokenStream, degrees: u32) -> Block {
     let (_, mut lowered) = lowered(item);
-    let gradient = diff::gradient(&mut lowered.graph, lowered.energy, degrees);
-    schedule::Kernel::new(schedule::Levels::One, gradient.q).plan(&mut lowered.graph).last.remove(0)
+    let gradient = diff::gradient(&mut lowered.graph, lowered.terms.energy, degrees);
+    schedule::statements(&mut lowered.graph, &gradient.q)
 }
 
 fn gravity(bodies: usize) -> Block {
@@ -138,7 +138,7 @@ fn prepared_factors_are_read_by_fours() {
             h
         }
     });
-    let gradient = diff::gradient(&mut lowered.graph, lowered.energy, 10);
+    let gradient = diff::gradient(&mut lowered.graph, lowered.terms.energy, 10);
     let plan = schedule::plan(&mut lowered.graph, |symbol| level(symbol).min(1), &[&[]], &[&gradient.q]);
     let after = schedule::side_by_side(&plan.last[0]).expect("ten pairs");
     let prepared = |statement: &Statement| matches!(statement, Statement::Gather(_, four) if four.iter().all(|x| matches!(x, schedule::Operand::Slot(..))));

@@ -39,9 +39,9 @@ fn statements_mean_what_the_graph_means() {
     for item in energies {
         let (energy, mut lowered) = lowered(item);
         let graph = &mut lowered.graph;
-        let structure = crate::analyze::structure(graph, lowered.energy, &energy.coordinates.shape);
+        let structure = crate::analyze::structure(graph, lowered.terms.energy, &energy.coordinates.shape);
         let field = diff::field::discrete(graph, &structure, 2);
-        let gradient = diff::gradient(graph, lowered.energy, 2);
+        let gradient = diff::gradient(graph, lowered.terms.energy, 2);
         let iteration: Vec<Id> = field.f.iter().chain(field.jacobian.iter().flatten()).copied().collect();
         let before = graph.clone();
         let plan = schedule::plan(graph, level, &[&[], &gradient.q], &[&iteration]);
@@ -98,7 +98,7 @@ fn a_sum_times_a_number_is_the_sum_of_multiples_that_is_needed_anyway() {
             (2.0 * q + p) / 2.0 + (q + p / 2.0).sin()
         }
     });
-    let plan = schedule::Kernel::new(schedule::Levels::One, vec![lowered.energy]).plan(&mut lowered.graph);
+    let plan = schedule::statements(&mut lowered.graph, &[lowered.terms.energy]);
     assert_eq!(plan.operations().arithmetic, 3);
 }
 
@@ -107,7 +107,7 @@ fn a_sum_times_a_number_is_the_sum_of_multiples_that_is_needed_anyway() {
 fn roots_divide_for_whole_powers_only_where_they_exist() {
     let values = |item, q: f64| {
         let (_, mut lowered) = lowered(item);
-        let plan = schedule::plan(&mut lowered.graph, level, &[&[], &[]], &[&[lowered.energy]]);
+        let plan = schedule::plan(&mut lowered.graph, level, &[&[], &[]], &[&[lowered.terms.energy]]);
         let input = |symbol: Symbol| if let Symbol::Position(_) = symbol { q } else { 0.5 };
         let mut slots = vec![];
         for store in &plan.stores {
@@ -146,7 +146,7 @@ proptest! {
         let energy = parse::energy(form, quote!(), syn::parse_str(&text).expect("a function")).expect("an energy");
         // Constants without a value are refused.
         let Ok(mut lowered) = lower::body(&energy) else { return Ok(()) };
-        let roots = [vec![lowered.energy], derived(form, &mut lowered.graph, lowered.energy)].concat();
+        let roots = [vec![lowered.terms.energy], derived(form, &mut lowered.graph, lowered.terms.energy)].concat();
         let before = lowered.graph.clone();
         let plan = schedule::plan(&mut lowered.graph, level, &[&[], &[]], &[&roots]);
         let input = |symbol: Symbol| match symbol {
@@ -185,9 +185,9 @@ fn what_belongs_to_a_branch_is_computed_in_that_branch() {
         }
     });
     let graph = &mut lowered.graph;
-    let gradient = diff::gradient(graph, lowered.energy, 1);
-    let roots = vec![lowered.energy, gradient.q[0]];
-    let block = schedule::Kernel::new(schedule::Levels::One, roots).plan(graph).last.remove(0);
+    let gradient = diff::gradient(graph, lowered.terms.energy, 1);
+    let roots = vec![lowered.terms.energy, gradient.q[0]];
+    let block = schedule::statements(graph, &roots);
     let calls =
         |statement: &Statement| matches!(statement, Statement::SinCos(..) | Statement::Let(_, Instruction::Call(..)));
     assert!(!block.statements.iter().any(calls), "{block:?}");
@@ -203,7 +203,7 @@ fn what_is_known_earlier_is_computed_earlier() {
         }
     });
     let graph = &mut lowered.graph;
-    let gradient = diff::gradient(graph, lowered.energy, 1);
+    let gradient = diff::gradient(graph, lowered.terms.energy, 1);
     let h = graph.symbol(Symbol::StepLength);
     let kick = graph.mul(h, gradient.q[0]);
     let p = graph.symbol(Symbol::Momentum(0));

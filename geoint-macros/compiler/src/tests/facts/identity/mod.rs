@@ -38,7 +38,7 @@ fn arrays(n: usize, setup: &TokenStream, arrays: &[&TokenStream]) -> (Graph, Vec
         }
     });
     let weights: Vec<Symbol> = (0..total as u32).map(Symbol::Parameter).collect();
-    let mut roots = jacobian(&mut lowered.graph, &[lowered.energy], &weights).remove(0).into_iter();
+    let mut roots = jacobian(&mut lowered.graph, &[lowered.terms.energy], &weights).remove(0).into_iter();
     let arrays = lengths.iter().map(|length| roots.by_ref().take(*length).collect()).collect();
     (lowered.graph, arrays)
 }

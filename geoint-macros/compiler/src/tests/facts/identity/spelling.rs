@@ -12,7 +12,7 @@ fn body(body: &TokenStream) -> (Graph, Id) {
     let (_, lowered) = lowered(quote! {
         fn energy(q: [f64; 2], p: [f64; 2], a: f64, b: f64, c: f64, m: f64) -> f64 { let (x, y) = (q[0], q[1]); #body }
     });
-    (lowered.graph, lowered.energy)
+    (lowered.graph, lowered.terms.energy)
 }
 
 fn name(symbol: Symbol) -> String {

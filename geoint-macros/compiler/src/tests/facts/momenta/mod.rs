@@ -48,9 +48,9 @@ fn changes(graph: &mut Graph, energy: Id, j: Id, degrees: u32) -> (f64, f64) {
 fn momenta(item: TokenStream) -> Vec<String> {
     let (energy, mut lowered) = lowered(item);
     let graph = &mut lowered.graph;
-    let structure = analyze::structure(graph, lowered.energy, &energy.coordinates.shape);
+    let structure = analyze::structure(graph, lowered.terms.energy, &energy.coordinates.shape);
     for momentum in &structure.momenta {
-        let (flow, step) = changes(graph, lowered.energy, momentum.value, energy.degrees());
+        let (flow, step) = changes(graph, lowered.terms.energy, momentum.value, energy.degrees());
         assert!(flow < 1e-14, "{} {flow:e}", momentum.name);
         assert!(step < 1e-14, "{} {step:e}", momentum.name);
     }
@@ -167,7 +167,7 @@ fn an_expanded_central_force_turns_the_step_but_not_the_flow() {
     let [q, p] = [Symbol::Position, Symbol::Momentum].map(|symbol| [0, 1].map(|i| graph.symbol(symbol(i))));
     let (first, second) = (graph.mul(q[0], p[1]), graph.mul(q[1], p[0]));
     let angular = graph.sub(first, second);
-    let (flow, step) = changes(graph, lowered.energy, angular, 2);
+    let (flow, step) = changes(graph, lowered.terms.energy, angular, 2);
     assert!(flow < 1e-14 && step > 1e-3, "{flow:e} {step:e}");
 }
 

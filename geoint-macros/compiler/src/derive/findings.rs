@@ -1,0 +1,63 @@
+//! Facts about a system for its report.
+
+use super::proof::{Integrals, Structure};
+use super::{Flow, Liouville, Parted, System};
+use crate::analyze::{self, Damping, Dissipated, Forces};
+use crate::diff::Gradient;
+use crate::ir::Id;
+use crate::legendre::{FirstOrder, Legendre};
+
+/// A system with its routines, and facts for its report.
+pub(crate) struct Derived {
+    /// The Lagrangian, if the system was written as one with momenta.
+    pub(crate) legendre: Option<Legendre>,
+    pub(crate) findings: Findings,
+    pub(crate) system: System,
+}
+
+impl Derived {
+    /// Adds the routines of the Lagrangian, if there is one.
+    pub(crate) fn with_velocities(self, positions: &[usize]) -> Derived {
+        let Derived { legendre, findings, system } = self;
+        let system = legendre.iter().fold(system, |system, legendre| system.of_lagrangian(positions, legendre));
+        Derived { legendre, findings, system }
+    }
+}
+
+/// Facts by form.
+pub(crate) enum Findings {
+    /// H(q, p, t).
+    Canonical { structure: analyze::Structure, gradient: Gradient },
+    /// H(q, p, t) with constraints. `kept` states what H and the constraints keep together.
+    Constrained { structure: analyze::Structure, kept: analyze::Structure, constraints: Vec<Id>, gradient: Gradient },
+    /// H(q, p, s, t).
+    Contact { energy: Id, gradient: Gradient, dissipated: Option<Dissipated> },
+    /// H(q, p, s, t) with forces beside it. `drag` is ∂R/∂v of a quadratic Rayleigh function R.
+    Forced { energy: Id, forces: Option<Forces>, drag: Option<Vec<Id>> },
+    /// L(q, v, t) with velocities as unknowns. `obstacle` is the reason why there is no H.
+    Velocities { obstacle: Id, damping: Option<Damping>, forces: Option<Forces> },
+    /// L(q, v, s, t) with velocities as unknowns. `decay` is −∂L/∂s.
+    Herglotz { obstacle: Id, decay: Id, dissipated: Option<Dissipated> },
+    /// x' = f(x, t).
+    Flow { flow: Flow, source: Source },
+    /// H(r, m, t) of rigid bodies.
+    Bodies(analyze::Bodies),
+}
+
+/// How the integrals of a flow are known.
+pub(crate) enum Source {
+    /// S is skew.
+    Structure(Structure),
+    /// Each one was proven or found.
+    Field(FieldFindings),
+    /// S is the inverse of a skew matrix.
+    Lagrangian(FirstOrder),
+}
+
+/// Facts about a field.
+pub(crate) struct FieldFindings {
+    pub(crate) proofs: Integrals,
+    pub(crate) liouville: Liouville,
+    /// S of the planes, if it is known.
+    pub(crate) parted: Option<Parted>,
+}

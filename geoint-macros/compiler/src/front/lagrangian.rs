@@ -1,0 +1,45 @@
+//! L(q, v, s, t): by the energy H(q, p, s, t) that belongs to it, or with velocities as unknowns if H has no short formula.
+
+use super::{canonical, contact, first_order, velocities};
+use crate::check;
+use crate::compilation::Compilation;
+use crate::derive::Derived;
+use crate::diagnostics::Result;
+use crate::legendre::{self, Friction, Route};
+use crate::lower::Terms;
+use crate::parse::Form;
+
+pub(super) fn derived(compilation: &mut Compilation<'_>, mut terms: Terms) -> Result<Derived> {
+    // Steps with constraints are derived from H, and so are rates with an action and forces beside it.
+    let forced = compilation.form == Form::Herglotz && (terms.force.is_some() || terms.rayleigh.is_some());
+    let needs_energy = compilation.energy.options.constraint.is_some() || forced;
+    let degrees = compilation.degrees();
+    let graph = &mut compilation.graph;
+    let found = legendre::transform(graph, terms.energy, (degrees, needs_energy), &terms.partial);
+    if let (Form::Lagrangian, Err(legendre::Flaw::Linear(momenta))) = (compilation.form, &found) {
+        return first_order::derived(compilation, &terms, momenta);
+    }
+    let friction = legendre::friction(graph, terms.rayleigh.map(|(root, _)| root), degrees);
+    let (mut legendre, friction) = check::lagrangian(compilation, found, friction)?;
+    match friction {
+        Some(Friction::Damping(matrix)) => {
+            legendre.friction = legendre::rate(&mut compilation.graph, &matrix, &legendre);
+            terms.damping = Some(matrix);
+        }
+        Some(Friction::Slopes(slopes)) => terms.friction = Some(slopes),
+        None => {}
+    }
+    let energy = match legendre.route {
+        Route::Energy(energy, _) => energy,
+        Route::Velocities(obstacle) if compilation.form == Form::Herglotz => {
+            return velocities::with_action(compilation, legendre, obstacle);
+        }
+        Route::Velocities(obstacle) => return velocities::derived(compilation, terms, legendre, obstacle),
+    };
+    let terms = Terms { energy, partial: legendre.partial.clone(), ..terms };
+    match compilation.form {
+        Form::Herglotz if forced => contact::forced(compilation, terms, legendre),
+        Form::Herglotz => contact::derived(compilation, &terms, Some(legendre)),
+        _ => canonical::derived(compilation, terms, Some(legendre)),
+    }
+}

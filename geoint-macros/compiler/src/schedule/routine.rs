@@ -1,0 +1,161 @@
+//! Routines by name, with named outputs.
+
+use super::block::{Block, Operations};
+use super::kernel::statements;
+use crate::ir::{Graph, Id, Symbol};
+
+/// Symbols in order, and the extents of the array that holds them.
+#[derive(Clone, Debug)]
+pub(crate) struct Space {
+    pub(crate) symbols: Vec<Symbol>,
+    /// From outside in: `[5, 3]` for `[[R; 3]; 5]`.
+    pub(crate) extents: Vec<usize>,
+}
+
+impl Space {
+    /// Arranges unknowns in an array: positions or momenta alone in the array of positions, both in one array after the other, and all others
+    /// in a row.
+    pub(crate) fn of_unknowns(symbols: Vec<Symbol>, positions: &[usize]) -> Space {
+        let degrees: usize = positions.iter().product();
+        let extents = match symbols.len() {
+            count if count == degrees => positions.to_vec(),
+            count if count == 2 * degrees => phase(positions),
+            count => vec![count],
+        };
+        Space { symbols, extents }
+    }
+
+    /// Returns the number of symbols.
+    pub(crate) fn len(&self) -> usize {
+        self.symbols.len()
+    }
+
+    /// Returns the indices of the `i`-th symbol.
+    pub(crate) fn place(&self, i: usize) -> Vec<usize> {
+        indices(&self.extents, i)
+    }
+}
+
+/// Extents of the array of positions and momenta.
+pub(crate) fn phase(positions: &[usize]) -> Vec<usize> {
+    [&[2], positions].concat()
+}
+
+/// Returns the indices of the `i`-th number of an array.
+pub(crate) fn indices(extents: &[usize], mut i: usize) -> Vec<usize> {
+    let mut indices = vec![0; extents.len()];
+    for (index, extent) in indices.iter_mut().zip(extents).rev() {
+        *index = i % extent;
+        i /= extent;
+    }
+    indices
+}
+
+/// An array that a routine reads beside the names of the system.
+#[derive(Clone, Debug)]
+pub(crate) struct Argument {
+    pub(crate) name: &'static str,
+    pub(crate) space: Space,
+}
+
+/// The form of an output.
+#[derive(Clone, Debug)]
+pub(crate) enum Extent {
+    Number,
+    /// An array with these extents.
+    Array(Vec<usize>),
+    /// The derivative of an array by an array with the same extents, row by row.
+    Square(Vec<usize>),
+    /// The new values of these coordinates of the state, or their increments.
+    Coordinates(Vec<Symbol>),
+}
+
+/// Values that a routine computes for one purpose.
+#[derive(Clone, Debug)]
+pub(crate) struct Output {
+    /// Name of the variable that receives the values.
+    pub(crate) name: &'static str,
+    pub(crate) extent: Extent,
+    pub(crate) nodes: Vec<Id>,
+}
+
+impl Output {
+    pub(crate) fn number(name: &'static str, node: Id) -> Output {
+        Output { name, extent: Extent::Number, nodes: vec![node] }
+    }
+
+    pub(crate) fn array(name: &'static str, extents: &[usize], nodes: Vec<Id>) -> Output {
+        Output { name, extent: Extent::Array(extents.to_vec()), nodes }
+    }
+
+    /// Numbers in a row.
+    pub(crate) fn row(name: &'static str, nodes: Vec<Id>) -> Output {
+        Output { name, extent: Extent::Array(vec![nodes.len()]), nodes }
+    }
+
+    pub(crate) fn square(name: &'static str, extents: &[usize], rows: &[Vec<Id>]) -> Output {
+        Output { name, extent: Extent::Square(extents.to_vec()), nodes: rows.concat() }
+    }
+
+    /// Coordinates with their new values or increments.
+    pub(crate) fn coordinates(name: &'static str, values: Vec<(Symbol, Id)>) -> Output {
+        let (symbols, nodes) = values.into_iter().unzip();
+        Output { name, extent: Extent::Coordinates(symbols), nodes }
+    }
+
+    /// Returns the indices of every value in its array.
+    pub(crate) fn places(&self) -> Vec<Vec<usize>> {
+        let extents = match &self.extent {
+            Extent::Number | Extent::Coordinates(_) => vec![],
+            Extent::Array(extents) => extents.clone(),
+            Extent::Square(extents) => extents.repeat(2),
+        };
+        (0..self.nodes.len()).map(|i| indices(&extents, i)).collect()
+    }
+}
+
+/// A function of the emitted code: its outputs as nodes, and its statements.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Routine {
+    pub(crate) name: &'static str,
+    pub(crate) argument: Option<Argument>,
+    pub(crate) outputs: Vec<Output>,
+    /// Statements. Their results are the values of all outputs, in order. Empty until the routine is scheduled.
+    pub(crate) block: Block,
+}
+
+impl Routine {
+    pub(crate) fn new(name: &'static str, outputs: Vec<Output>) -> Routine {
+        Routine { name, outputs, ..Routine::default() }
+    }
+
+    /// A routine with one number as its output.
+    pub(crate) fn number(name: &'static str, node: Id) -> Routine {
+        Routine::new(name, vec![Output::number(name, node)])
+    }
+
+    /// A routine that returns numbers in a row.
+    pub(crate) fn row(name: &'static str, nodes: Vec<Id>) -> Routine {
+        Routine::new(name, vec![Output::row(name, nodes)])
+    }
+
+    /// The same routine with these symbols in an array.
+    pub(crate) fn reading(self, name: &'static str, space: &Space) -> Routine {
+        Routine { argument: Some(Argument { name, space: space.clone() }), ..self }
+    }
+
+    /// Returns the nodes of all outputs.
+    pub(crate) fn nodes(&self) -> Vec<Id> {
+        self.outputs.iter().flat_map(|output| &output.nodes).copied().collect()
+    }
+
+    /// Computes the statements of a routine that prepares nothing.
+    pub(crate) fn schedule(&mut self, graph: &mut Graph) {
+        self.block = statements(graph, &self.nodes());
+    }
+
+    /// Returns the cost of the statements.
+    pub(crate) fn operations(&self) -> Operations {
+        self.block.operations()
+    }
+}
