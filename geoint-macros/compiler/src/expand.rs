@@ -37,9 +37,9 @@ fn lagrangian(energy: &Energy) -> Result<TokenStream> {
     let context = emit::Context::new(energy, &lowered.constants);
     // Steps with constraints are derived from H, and so are rates with an action and forces beside it.
     let forced = energy.form == Form::Herglotz && (lowered.force.is_some() || lowered.rayleigh.is_some());
-    let closed = energy.options.constraint.is_some() || forced;
+    let needs_energy = energy.options.constraint.is_some() || forced;
     let graph = &mut lowered.graph;
-    let found = legendre::transform(graph, lowered.energy, (energy.degrees(), closed), &lowered.partial); // H, or why not
+    let found = legendre::transform(graph, lowered.energy, energy.degrees(), needs_energy, &lowered.partial); // H, or why not
     if let (Form::Lagrangian, Err(legendre::Flaw::Linear(momenta))) = (energy.form, &found) {
         return first_order(energy, lowered, momenta);
     }
@@ -54,11 +54,11 @@ fn lagrangian(energy: &Energy) -> Result<TokenStream> {
         None => {}
     }
     let root = match legendre.route {
-        Route::Energy(root, _) => root,
-        Route::Velocities(long) if energy.form == Form::Herglotz => {
-            return herglotz(energy, lowered, (&legendre, long));
+        Route::Energy { energy, .. } => energy,
+        Route::Velocities { obstacle } if energy.form == Form::Herglotz => {
+            return herglotz(energy, lowered, (&legendre, obstacle));
         }
-        Route::Velocities(long) => return velocities(energy, lowered, (&legendre, long)),
+        Route::Velocities { obstacle } => return velocities(energy, lowered, (&legendre, obstacle)),
     };
     lowered.energy = root;
     lowered.partial.clone_from(&legendre.partial);
@@ -146,7 +146,7 @@ fn hamiltonian(energy: &Energy, mut lowered: Lowered, legendre: Option<&Legendre
     let structure = analyze::structure(graph, lowered.energy, &energy.coordinates.shape); // facts, with witnesses
     let forces = Forces::of(graph, lowered.force, lowered.friction);
     let structure = structure.damped(graph, lowered.damping).forced(graph, forces);
-    let partial = legendre::at_points(graph, &lowered.partial);
+    let partial = legendre::without_velocities(graph, &lowered.partial);
     let groups = lowered.groups.as_deref();
     let division = split::divided(graph, &structure, energy, groups); // a part with an exact flow, and a rest
     let pieces = split::coupled_pieces(graph, &structure, energy.degrees(), groups); // flows in closed form, beside kick and drift
@@ -265,7 +265,7 @@ fn bodies(energy: &Energy) -> Result<TokenStream> {
     let mut lowered = lowered(energy)?;
     let context = emit::Context::new(energy, &lowered.constants);
     let graph = &mut lowered.graph;
-    let found = analyze::bodies(graph, lowered.energy, (energy.bodies(), energy.degrees() / 4)); // T and V, or the term in the way
+    let found = analyze::bodies(graph, lowered.energy, energy.bodies(), energy.degrees() / 4); // T and V, or the term in the way
     let found = check::bodies(energy, found, graph, &lowered.places, &context)?;
     let system = derive::bodies(graph, &found, &lowered.partial).scheduled(graph);
     let graph = &*graph;

@@ -4,7 +4,7 @@ use super::domain::{Domain, Roots};
 use super::system::FlowKernel;
 use crate::analyze::{self, momenta_of_body as momenta};
 use crate::diff;
-use crate::ir::{Graph, Id, Number, Partial, Symbol};
+use crate::ir::{Graph, Id, Number, Symbol, UndefinedAt};
 use crate::parse::Form;
 use crate::schedule::{Kernel, Levels};
 
@@ -46,7 +46,7 @@ pub(crate) struct Shift {
 }
 
 /// Derives everything that some method needs.
-pub(crate) fn bodies(graph: &mut Graph, found: &analyze::Bodies, partial: &[Partial]) -> Bodies {
+pub(crate) fn bodies(graph: &mut Graph, found: &analyze::Bodies, partial: &[UndefinedAt]) -> Bodies {
     let [h, g] = [Symbol::StepLength, Symbol::GradientWeight].map(|symbol| graph.symbol(symbol));
     // Of −hV as a whole, so that h meets the constants of every term.
     let generator = graph.mul(h, found.potential);

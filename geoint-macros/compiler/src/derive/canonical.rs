@@ -10,7 +10,7 @@ use super::jet::{self, JetKernel};
 use super::system::{Implicit, Missing, System};
 use crate::analyze::{Split, Structure};
 use crate::diff::{self, Gradient};
-use crate::ir::{Graph, Id, Partial};
+use crate::ir::{Graph, Id, UndefinedAt};
 use crate::legendre::Legendre;
 use crate::messages::{COUPLED, COUPLED_IN_PIECES, DAMPED, FORCED, NO_CANONICAL_PIECES};
 use crate::parse::Form;
@@ -22,7 +22,7 @@ pub(crate) fn canonical(
     graph: &mut Graph,
     structure: &Structure,
     (division, pieces): (&Division, Option<&Pieces>),
-    partial: &[Partial],
+    partial: &[UndefinedAt],
     degrees: u32,
     legendre: Option<&Legendre>,
 ) -> (System, Gradient) {

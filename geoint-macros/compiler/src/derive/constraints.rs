@@ -5,7 +5,7 @@ use super::system::{ConstraintKernels, Implicit, Missing, StepKernel, System};
 use crate::analyze::{self, Structure};
 use crate::diff::constraint::{self, Equation, Given};
 use crate::diff::{self, Gradient, field, jacobian};
-use crate::ir::{Function, Graph, Id, Partial, Symbol};
+use crate::ir::{Function, Graph, Id, Symbol, UndefinedAt};
 use crate::messages::CONSTRAINED;
 use crate::parse::Form;
 use crate::schedule::{Kernel, Levels};
@@ -15,7 +15,7 @@ pub(crate) fn constrained(
     graph: &mut Graph,
     structure: &Structure,
     constraints: &[Id],
-    partial: &[Partial],
+    partial: &[UndefinedAt],
     degrees: u32,
 ) -> (System, Gradient) {
     let n = degrees as usize;

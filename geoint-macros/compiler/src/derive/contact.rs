@@ -11,7 +11,7 @@ use super::{implicit, velocities};
 use crate::analyze;
 use crate::diff::{self, Gradient};
 use crate::ir::substitute::Substitution;
-use crate::ir::{Graph, Id, Partial, Symbol};
+use crate::ir::{Graph, Id, Symbol, UndefinedAt};
 use crate::legendre::Legendre;
 use crate::messages::{NO_PIECES, NOT_MECHANICAL, NOT_NYSTROM};
 use crate::parse::Form;
@@ -23,7 +23,7 @@ pub(crate) fn contact(
     graph: &mut Graph,
     energy: Id,
     (found, mechanics): (&Pieces, &Result<Mechanics, Id>),
-    partial: &[Partial],
+    partial: &[UndefinedAt],
     (degrees, lift): (u32, bool),
     legendre: Option<&Legendre>,
 ) -> (System, Gradient) {

@@ -10,12 +10,12 @@ use crate::analyze::{self, Damping, MeanValue};
 use crate::diff;
 use crate::diff::field::Field;
 use crate::diff::flow::{self, Conserved, Order};
-use crate::ir::{Graph, Id, Partial, Symbol};
+use crate::ir::{Graph, Id, Symbol, UndefinedAt};
 use crate::messages::NOTHING_KEPT;
 use crate::schedule::{Kernel, Levels};
 
 /// Derives everything that some method needs.
-pub(crate) fn flow(graph: &mut Graph, found: &Flow, partial: &[Partial], damping: Option<&Damping>) -> System {
+pub(crate) fn flow(graph: &mut Graph, found: &Flow, partial: &[UndefinedAt], damping: Option<&Damping>) -> System {
     let Flow { form, field, energy, kept, .. } = found;
     let n = field.len() as u32;
     let coordinates = coordinates(field.len());
@@ -42,7 +42,7 @@ pub(crate) fn flow(graph: &mut Graph, found: &Flow, partial: &[Partial], damping
     values.sort();
     values.dedup();
     let all = [&field[..], &values].concat();
-    let quadratic = analyze::is_polynomial(graph, field, 2);
+    let quadratic = analyze::is_polynomial_in(graph, field, 2, Symbol::is_coordinate);
     System {
         facts: if quadratic { vec![Fact::QuadraticField] } else { vec![] },
         value: value.map(|value| Kernel::new(Levels::One, vec![value])),

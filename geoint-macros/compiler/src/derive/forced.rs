@@ -7,7 +7,7 @@ use super::jet::JetKernel;
 use super::system::{ContactKernels, Implicit, Missing, System};
 use crate::analyze::{Damping, Forces};
 use crate::diff;
-use crate::ir::{Graph, Id, Partial, Symbol};
+use crate::ir::{Graph, Id, Symbol, UndefinedAt};
 use crate::messages::FORCED_ACTION;
 use crate::parse::Form;
 use crate::schedule::{Kernel, Levels};
@@ -17,7 +17,7 @@ pub(crate) fn forced(
     graph: &mut Graph,
     energy: Id,
     (damping, forces): (Option<&Damping>, Option<&Forces>),
-    partial: &[Partial],
+    partial: &[UndefinedAt],
     degrees: u32,
 ) -> (System, Option<Vec<Id>>) {
     let gradient = diff::gradient(graph, energy, degrees);

@@ -6,7 +6,7 @@ use crate::diff::contact::{self, Equation};
 use crate::diff::field::{self, Field, SecondOrder};
 use crate::diff::{self, Gradient};
 use crate::ir::substitute::Substitution;
-use crate::ir::{Graph, Id, Lines, Node, Number, Ratio, Symbol};
+use crate::ir::{AffineForms, Graph, Id, Node, Number, Ratio, Symbol};
 use crate::schedule::{Kernel, Levels};
 
 /// With more unknowns than this the runtime prefers the fixed point to Newton's iteration: an elimination costs more than the
@@ -83,7 +83,7 @@ fn equation(graph: &mut Graph, field: &Field, second_order: &SecondOrder) -> Vec
     let mut roots = field.f.iter().map(|f| graph.mul(h, *f)).collect::<Vec<_>>();
     let square = graph.pow(h, Ratio::integer(2));
     let half = graph.scale(Number::HALF, square);
-    let mut lines = Lines::new(|symbol| field.unknowns.contains(&symbol));
+    let mut affine_forms = AffineForms::new(|symbol| field.unknowns.contains(&symbol));
     for (i, row) in field.jacobian.iter().enumerate() {
         for j in 0..n {
             let mut terms = vec![graph.integer((i == j).into())];
@@ -92,7 +92,7 @@ fn equation(graph: &mut Graph, field: &Field, second_order: &SecondOrder) -> Vec
                 subtract(graph, weight, *slope, &mut terms);
             }
             let entry = graph.sum(&terms);
-            roots.push(lines.straightened(graph, entry));
+            roots.push(affine_forms.shortened(graph, entry));
         }
     }
     roots

@@ -26,7 +26,7 @@ mod value;
 
 use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::HashMap;
-use crate::ir::{Graph, Id, Node, Partial, Symbol};
+use crate::ir::{Graph, Id, Node, Symbol, UndefinedAt};
 use crate::parse::{Argument, Energy, Form};
 pub(crate) use flow::{Integral, Skew, canonical};
 pub(crate) use force::VELOCITY;
@@ -65,7 +65,7 @@ pub(crate) struct Lowered {
     /// Where nodes were written first: the first and the last token.
     pub(crate) places: HashMap<Id, Place>,
     /// Nodes that are not defined everywhere, simplified away or not.
-    pub(crate) partial: Vec<Partial>,
+    pub(crate) partial: Vec<UndefinedAt>,
     /// Constants that live outside the function: symbols `Parameter(n)` after those of the parameters.
     pub(crate) constants: Vec<TokenStream>,
 }
@@ -151,7 +151,7 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
     graph.stop_recording();
     let partial = partial.into_iter().map(|(node, conditions)| {
         let all: Option<Vec<Id>> = conditions.into_iter().collect();
-        Partial { node, condition: all.and_then(|all| all.into_iter().reduce(|a, b| graph.or(a, b))) }
+        UndefinedAt { node, condition: all.and_then(|all| all.into_iter().reduce(|a, b| graph.or(a, b))) }
     });
     let partial = partial.collect();
     errors.or(Lowered {

@@ -4,7 +4,7 @@ use crate::analyze::{Parts, Structure};
 use crate::derive::domain;
 use crate::derive::system::{FlowKernel, GradientKick, KickDrift, Missing, Modified};
 use crate::diff::{self, Gradient, modified};
-use crate::ir::{Graph, Id, Number, Partial, Symbol};
+use crate::ir::{Graph, Id, Number, Symbol, UndefinedAt};
 use crate::messages::NOT_QUADRATIC;
 use crate::schedule::{Kernel, Levels};
 
@@ -18,7 +18,7 @@ pub(in crate::derive) fn kick_drift(
     graph: &mut Graph,
     parts: &Parts,
     (force, gradient): (&[Id], &Gradient),
-    partial: &[Partial],
+    partial: &[UndefinedAt],
 ) -> KickDrift<Kernel> {
     let degrees = gradient.q.len() as u32;
     let impulse = scaled_gradient(graph, parts.potential, Number::MINUS_ONE, degrees);

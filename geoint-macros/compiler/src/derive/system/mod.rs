@@ -196,8 +196,8 @@ impl System {
             value: kernel(&[*lagrangian]),
             momenta: kernel(momenta),
             velocities: match route {
-                Route::Energy(_, velocities) => Some(kernel(velocities)),
-                Route::Velocities(_) => None,
+                Route::Energy { velocities, .. } => Some(kernel(velocities)),
+                Route::Velocities { .. } => None,
             },
         };
         if let Some(poles) = &mut self.domain.poles {
