@@ -1,12 +1,12 @@
-//! The degree of nodes as polynomials in some of their symbols.
+//! The degrees of nodes as polynomials in selected symbols.
 
 use crate::ir::{Graph, Id, Node, Symbol, Table};
 
-/// The degree of everything that some nodes are built of.
+/// The degrees of some nodes and of all their operands.
 pub(crate) struct Degrees(Table<Option<u32>>);
 
 impl Degrees {
-    /// The degrees in the symbols that `counts` picks.
+    /// Computes the degrees in the symbols that `counts` selects.
     pub(crate) fn of(graph: &Graph, roots: &[Id], counts: impl Fn(Symbol) -> bool) -> Degrees {
         let mut degrees = Degrees(Table::default());
         for id in graph.reachable(roots) {
@@ -21,7 +21,7 @@ impl Degrees {
                     }
                     _ => None,
                 },
-                // Anything else is of degree 0 if it does not read the symbols at all.
+                // Any other node has degree 0 if it reads none of the symbols.
                 node => {
                     let mut free = true;
                     node.for_each_child(|child| free &= degrees.get(child) == Some(0));
@@ -33,8 +33,13 @@ impl Degrees {
         degrees
     }
 
-    /// The degree; `None` if the node is not a polynomial.
+    /// Returns the degree of a node. `None` if the node is not a polynomial.
     pub(crate) fn get(&self, id: Id) -> Option<u32> {
         self.0[id]
+    }
+
+    /// Returns whether a node is a polynomial of a degree up to `most`.
+    pub(crate) fn at_most(&self, id: Id, most: u32) -> bool {
+        self.get(id).is_some_and(|degree| degree <= most)
     }
 }

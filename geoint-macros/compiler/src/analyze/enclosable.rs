@@ -1,9 +1,9 @@
-//! An expression in a form whose evaluation with intervals is tight: no product of a number with itself.
+//! Rewrites an expression so that interval arithmetic encloses it tightly: no interval is multiplied with itself.
 
 use crate::ir::substitute::Substitution;
 use crate::ir::{Function, Graph, Id, Node};
 
-/// The same function with |x|ⁿ for xⁿ of even n.
+/// Replaces xⁿ by |x|ⁿ for every even n.
 pub(super) fn enclosable(graph: &mut Graph, root: Id) -> Id {
     let mut form = Substitution::new(|_: &mut Graph, _| None);
     for id in graph.reachable(&[root]) {

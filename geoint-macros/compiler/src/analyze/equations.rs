@@ -1,20 +1,21 @@
-//! Homogeneous linear equations in exact numbers.
+//! Homogeneous linear equations with exact coefficients.
 
 use crate::ir::Ratio;
 use std::collections::BTreeMap;
 
-/// Coefficients by unknown, none of them zero.
+/// Coefficients by the number of the unknown. Invariant: no coefficient is zero.
 pub(super) type Row = BTreeMap<usize, Ratio>;
 
-/// Equations, each solved for its last unknown; no two for the same.
+/// Linear equations in echelon form. Row i is an equation whose last unknown is i, with the coefficient 1.
 pub(super) struct Equations(Vec<Option<Row>>);
 
 impl Equations {
+    /// Creates an empty system.
     pub(super) fn new(unknowns: usize) -> Equations {
         Equations(vec![None; unknowns])
     }
 
-    /// Adds row·x = 0; `None` if a number is no longer exact.
+    /// Adds the equation row·x = 0. `None` if a number is no longer exact.
     pub(super) fn add(&mut self, mut row: Row) -> Option<()> {
         while let Some((last, c)) = row.last_key_value().map(|(last, c)| (*last, *c)) {
             let Some(known) = &self.0[last] else {
@@ -23,12 +24,12 @@ impl Equations {
                 self.0[last] = Some(solved);
                 return Some(());
             };
-            add_multiple(&mut row, c.mul(Ratio::integer(-1))?, known.clone())?;
+            add_multiple(&mut row, c.neg(), known.clone())?;
         }
         Some(())
     }
 
-    /// A basis of all solutions; the first entry of each is 1.
+    /// Returns a basis of all solutions. The first entry of each basis vector is 1. `None` if a number is no longer exact.
     pub(super) fn solutions(&self) -> Option<Vec<Row>> {
         let free = (0..self.0.len()).filter(|unknown| self.0[*unknown].is_none());
         let basis = free.map(|free| {
@@ -45,7 +46,7 @@ impl Equations {
     }
 }
 
-/// row + factor·other.
+/// Adds factor·other to a row. `None` if a number is no longer exact.
 pub(super) fn add_multiple(
     row: &mut Row,
     factor: Ratio,

@@ -1,4 +1,4 @@
-//! Conditions of an energy: by how much it jumps where one of them changes.
+//! The jumps of an energy at its conditions.
 
 use super::enclosable::enclosable;
 use crate::ir::substitute::Substitution;
@@ -8,30 +8,29 @@ use crate::ir::{Function, Graph, Id, Node, Relation};
 /// system.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Jump {
-    /// 1 where it holds, −1 where it does not.
+    /// 1 where the condition holds, −1 elsewhere.
     pub(crate) side: Id,
-    /// The energy if it holds, less the energy if it does not.
+    /// The energy if the condition holds, less the energy if it does not.
     pub(crate) shown: Id,
-    /// The same, rearranged so that intervals enclose it well. Messages have `shown`.
+    /// `shown`, rearranged so that intervals enclose it tightly. Messages print `shown`.
     pub(crate) height: Id,
 }
 
-/// The conditions of an energy, signs of numbers among them.
+/// Returns the jumps at all conditions of an energy. The sign of a number counts as a condition.
 pub(crate) fn jumps(graph: &mut Graph, energy: Id) -> Vec<Jump> {
     let mut conditions = conditions(graph, energy);
     conditions.retain(|condition| graph.reads(*condition).state());
     let mut jump = |condition| {
         let there = at_boundary(graph, energy, condition);
-        let [yes, no] = [true, false].map(|holds| decided(graph, there, condition, holds));
-        let shown = graph.sub(yes, no);
-        let sides = [graph.integer(1), graph.integer(-1)];
-        Jump { side: graph.select(condition, sides[0], sides[1]), shown, height: enclosable(graph, shown) }
+        let shown = jump_of(graph, there, condition);
+        let [inside, outside] = [1, -1].map(|side| graph.integer(side));
+        Jump { side: graph.select(condition, inside, outside), shown, height: enclosable(graph, shown) }
     };
     conditions.into_iter().map(&mut jump).collect()
 }
 
-/// A node at the boundary of a condition on x, such as x < 3. There x is 3, and this decides whether x < 2 and x < 4. In a table of pieces the jump
-/// at a bound then reads the two pieces beside it only. Bounds that are not numbers decide nothing.
+/// Returns a node at the boundary of a condition on x, such as x < 3. There x is 3, which decides conditions such as x < 2 and x < 4. The jump at a bound
+/// in a table of pieces then reads only the two pieces beside the bound. Bounds that are not numbers decide nothing.
 fn at_boundary(graph: &mut Graph, node: Id, condition: Id) -> Id {
     let Node::Compare(_, left, right) = *graph.node(condition) else { return node };
     let [x, bound] = if graph.as_number(right).is_some() { [left, right] } else { [right, left] };
@@ -42,7 +41,7 @@ fn at_boundary(graph: &mut Graph, node: Id, condition: Id) -> Id {
     for id in graph.reachable(&[node]) {
         let Node::Compare(relation, a, b) = *graph.node(id) else { continue };
         let [a, b] = [a, b].map(|side| if side == x { bound } else { side });
-        // A condition with the same bound changes at the same place: it stays open.
+        // A condition with the same bound changes at the same place, so it stays open.
         if a != b {
             let known = graph.compare(relation, a, b);
             if graph.as_truth(known).is_some() {
@@ -53,17 +52,13 @@ fn at_boundary(graph: &mut Graph, node: Id, condition: Id) -> Id {
     form.apply(graph, node)
 }
 
-/// The conditions that a node reads; x < 0 for the sign of x.
+/// Returns the conditions that a node reads. The sign of x has the condition x < 0.
 pub(crate) fn conditions(graph: &mut Graph, node: Id) -> Vec<Id> {
     let mut conditions: Vec<Id> = vec![];
     for id in graph.reachable(&[node]) {
         let condition = match *graph.node(id) {
             Node::Select(condition, ..) => condition,
-            Node::Call(Function::Signum, ref args) => {
-                let x = args[0];
-                let zero = graph.zero();
-                graph.compare(Relation::Less, x, zero)
-            }
+            Node::Call(Function::Signum, ref args) => is_negative(graph, args[0]),
             _ => continue,
         };
         if !conditions.contains(&condition) {
@@ -73,24 +68,32 @@ pub(crate) fn conditions(graph: &mut Graph, node: Id) -> Vec<Id> {
     conditions
 }
 
-/// A node with a condition decided.
-pub(crate) fn decided(graph: &mut Graph, node: Id, condition: Id, holds: bool) -> Id {
-    let mut form = Substitution::new(|_: &mut Graph, _| None);
-    for id in graph.reachable(&[node]) {
-        let replacement = match *graph.node(id) {
-            Node::Select(own, first, second) if own == condition => {
-                form.apply(graph, if holds { first } else { second })
-            }
-            Node::Call(Function::Signum, ref args) => {
-                let (x, zero) = (args[0], graph.zero());
-                if graph.compare(Relation::Less, x, zero) != condition {
-                    continue;
+/// Returns a node where a condition holds, less the node where it does not hold.
+pub(crate) fn jump_of(graph: &mut Graph, node: Id, condition: Id) -> Id {
+    let [yes, no] = [true, false].map(|holds| {
+        let mut form = Substitution::new(|_: &mut Graph, _| None);
+        for id in graph.reachable(&[node]) {
+            let replacement = match *graph.node(id) {
+                Node::Select(own, first, second) if own == condition => {
+                    form.apply(graph, if holds { first } else { second })
                 }
-                graph.integer(if holds { -1 } else { 1 })
-            }
-            _ => continue,
-        };
-        form.insert(id, replacement);
-    }
-    form.apply(graph, node)
+                Node::Call(Function::Signum, ref args) => {
+                    if is_negative(graph, args[0]) != condition {
+                        continue;
+                    }
+                    graph.integer(if holds { -1 } else { 1 })
+                }
+                _ => continue,
+            };
+            form.insert(id, replacement);
+        }
+        form.apply(graph, node)
+    });
+    graph.sub(yes, no)
+}
+
+/// Builds x < 0.
+fn is_negative(graph: &mut Graph, x: Id) -> Id {
+    let zero = graph.zero();
+    graph.compare(Relation::Less, x, zero)
 }

@@ -1,8 +1,7 @@
-//! What the divided differences of an expression end at: its largest parts of low degree.
+//! The largest parts of low degree in an expression. The divided differences of the expression end at these parts.
 //!
-//! Every rule of a divided difference is a chain rule, Δnode = Σ c·Δoperand with scalars c. The tree discrete gradient is
-//! therefore a combination of the discrete gradients of these parts, and that of a part of degree 2 at most is its gradient
-//! at the middle of the step, however it is written.
+//! Every rule of a divided difference is a chain rule, Δnode = Σ c·Δoperand with scalars c. The tree discrete gradient is therefore a combination of the
+//! discrete gradients of the parts. The discrete gradient of a part of degree at most 2 is its gradient at the middle of the step, independent of its form.
 
 use super::degree::Degrees;
 use super::terms::{Sums, Term};
@@ -12,17 +11,16 @@ use std::collections::HashSet;
 /// A part of low degree.
 #[derive(Debug)]
 pub(super) enum Leaf {
-    /// Terms of one sum, which have their coefficient in common.
+    /// Terms of one sum, which share its coefficient.
     Sum(Vec<Term>),
-    /// x² + y² of a `hypot` of these: its slope is that of the root of the sum.
+    /// The sides x, y, … of a `hypot`. The slope of the root follows from the slope of x² + y² + ….
     Squares(Vec<Id>),
 }
 
-/// All parts of degree `degree` at most that `root` is a function of, none inside another. `None` if a condition reads the
-/// state: between two branches there is no chain rule.
+/// Returns all parts of degree at most `degree` of which `root` is a function. No part contains another part. `None` if a condition reads the state,
+/// because no chain rule connects two branches.
 pub(super) fn leaves(graph: &Graph, degrees: &Degrees, root: Id, degree: u32) -> Option<Vec<Leaf>> {
     let reads_state = |id: Id| graph.reads(id).state();
-    let at_most = |id: Id, degree: u32| degrees.get(id).is_some_and(|d| d <= degree);
     let mut sums = Sums::new(graph);
     let (mut leaves, mut seen, mut open) = (vec![], HashSet::new(), vec![root]);
     while let Some(id) = open.pop() {
@@ -31,14 +29,14 @@ pub(super) fn leaves(graph: &Graph, degrees: &Degrees, root: Id, degree: u32) ->
         }
         let mut leaf = vec![];
         for term in sums.terms(id, |_| true) {
-            let Some(last) = term.factors.last().copied().filter(|last| reads_state(*last)) else { continue };
-            match graph.node(last) {
-                _ if at_most(last, degree) => leaf.push(term),
+            let Some(factor) = term.moving_factor(graph) else { continue };
+            match graph.node(factor) {
+                _ if degrees.at_most(factor, degree) => leaf.push(term),
                 Node::Select(condition, ..) if reads_state(*condition) => return None,
                 Node::Call(Function::Hypot, _)
-                    if degree >= 2 && sides(graph, last).iter().all(|side| at_most(*side, 1)) =>
+                    if degree >= 2 && sides(graph, factor).iter().all(|side| degrees.at_most(*side, 1)) =>
                 {
-                    leaves.push(Leaf::Squares(sides(graph, last)));
+                    leaves.push(Leaf::Squares(sides(graph, factor)));
                 }
                 node => open.extend(node.children().into_iter().filter(|child| reads_state(*child))),
             }
@@ -50,8 +48,7 @@ pub(super) fn leaves(graph: &Graph, degrees: &Degrees, root: Id, degree: u32) ->
     Some(leaves)
 }
 
-/// The sides of a `hypot`, those of one inside of it in its place: the slope of a root times the mean of that root is half of the slope
-/// of the square.
+/// Returns the sides of a `hypot`. The sides of a nested `hypot` replace it: the slope of a root times the mean of the root is half the slope of its square.
 fn sides(graph: &Graph, id: Id) -> Vec<Id> {
     match graph.node(id) {
         Node::Call(Function::Hypot, args) => args.iter().flat_map(|side| sides(graph, *side)).collect(),

@@ -1,4 +1,4 @@
-//! Is the mean of ∇H along the line between two states known in closed form?
+//! Decides whether the mean of ∇H along the line between two states has a closed form.
 
 use super::degree::Degrees;
 use super::leaves::leaves;
@@ -6,47 +6,47 @@ use super::quadratic::{Expansion, Quadratic, UNIT};
 use super::terms::Sums;
 use crate::ir::{Graph, Id, Symbol};
 
-/// How to have the mean of ∇H exactly.
+/// The exact method for the mean of ∇H.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum MeanValue {
-    /// By so many points of Gauss: H is a polynomial.
+    /// Gauss quadrature with this number of points, for a polynomial H.
     Gauss(u32),
-    /// By extrapolation of the tree discrete gradients over the parts of a line in 1, 2, … so many: H is a sum of ridge
-    /// functions φ(l) with affine l, and of a polynomial. With 1 it is the tree discrete gradient.
+    /// Extrapolation of the tree discrete gradients over the line in 1, 2, … up to this number of parts. H is a sum of ridge functions φ(l) with affine l
+    /// and of a polynomial. One part gives the tree discrete gradient.
     Parts(u32),
-    /// Not known to be closed, because of this term.
+    /// No closed form is known because of this term.
     NotClosed(Id),
 }
 
-/// ∇ of a polynomial of this degree is one of degree less by one, for which Gauss needs so many points. The tree discrete
-/// gradient is one of that degree in both ends, and even in their distance: as many numbers of parts determine its limit.
+/// Returns the number of Gauss points that integrate ∇ of a polynomial of this degree. The tree discrete gradient is a polynomial of the degree of ∇ in both
+/// ends and even in their distance, so the extrapolation needs the same number of parts.
 fn points(degree: u32) -> u32 {
     degree.div_ceil(2)
 }
 
+/// Finds the exact method for the mean of ∇H.
 pub(super) fn mean_value(graph: &Graph, degrees: &Degrees, energy: Id) -> MeanValue {
     let mut parts = 1;
     for term in Sums::new(graph).terms(energy, |_| true) {
-        let Some(last) = term.factors.last().copied().filter(|last| graph.reads(*last).state()) else { continue };
-        let needed = match degrees.get(last) {
+        let Some(factor) = term.moving_factor(graph) else { continue };
+        let needed = match degrees.get(factor) {
             Some(0..=2) => 1,
-            _ if is_ridge(graph, degrees, last) => 1,
+            _ if is_ridge(graph, degrees, factor) => 1,
             Some(degree) => points(degree),
-            None => return MeanValue::NotClosed(last),
+            None => return MeanValue::NotClosed(factor),
         };
         parts = parts.max(needed);
     }
     match degrees.get(energy) {
-        // A point of Gauss costs less than the parts.
+        // Gauss points cost less than parts.
         Some(degree) if parts > 1 && points(degree) == parts => MeanValue::Gauss(parts),
         _ => MeanValue::Parts(parts),
     }
 }
 
-/// Whether a node reads the state through one affine function of it.
+/// Returns whether a node reads the state through one affine function.
 fn is_ridge(graph: &Graph, degrees: &Degrees, root: Id) -> bool {
-    let state = |symbol: &Symbol| matches!(symbol, Symbol::Position(_) | Symbol::Momentum(_));
-    if graph.symbols(root).iter().filter(|symbol| state(symbol)).count() == 1 {
+    if graph.symbols(root).into_iter().filter(|symbol: &Symbol| symbol.is_canonical()).count() == 1 {
         return true;
     }
     let directions = || {
@@ -57,7 +57,7 @@ fn is_ridge(graph: &Graph, degrees: &Degrees, root: Id) -> bool {
     directions().is_some_and(|directions| directions.windows(2).all(|pair| pair[0] == pair[1]))
 }
 
-/// An affine function but for its constant and a factor.
+/// Returns the gradient of an affine function in normal form: without the constant, sorted, and with the first number scaled to 1.
 fn direction(mut form: Quadratic) -> Option<Quadratic> {
     form.retain(|monomial| monomial.variables[0] != UNIT);
     form.sort_by(|a, b| (a.variables, &a.atoms).cmp(&(b.variables, &b.atoms)));

@@ -1,27 +1,28 @@
-//! Polynomials of degree 2 at most in (q, p), multiplied out.
+//! Polynomials in (q, p) of degree at most 2, expanded into monomials.
 
 use super::degree::Degrees;
 use super::leaves::Leaf;
 use crate::ir::{Graph, HashMap, Id, Node, Number, Ratio, Symbol};
 use std::rc::Rc;
 
-/// A coordinate: 2i is qᵢ, 2i + 1 is pᵢ.
+/// The number of a coordinate: 2i is qᵢ, and 2i + 1 is pᵢ.
 pub(super) type Variable = u32;
 
-/// In place of a coordinate: a polynomial of degree 2 at most is a quadratic form in q, p and 1.
+/// The constant 1 as a variable. A polynomial of degree at most 2 is a quadratic form in q, p and 1.
 pub(super) const UNIT: Variable = u32::MAX;
 
-/// What is not known while compiling: a node free of q and p, or a constant that is no short ratio.
+/// An opaque factor of a coefficient: a node free of q and p, or a constant that is not a short ratio.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Atom {
     Node(Id),
-    /// Numerator and denominator.
+    /// A ratio of long parts: its numerator and denominator.
     Long(i128, i128),
+    /// The bits of an `f64`.
     Float(u64),
 }
 
 impl Atom {
-    /// What it stands for.
+    /// Builds the node of the factor.
     pub(super) fn node(self, graph: &mut Graph) -> Id {
         match self {
             Atom::Node(id) => id,
@@ -31,16 +32,19 @@ impl Atom {
     }
 }
 
-/// number · Π atomᵉ · the product of two variables; atoms and variables in order. Different products of atoms count as
-/// independent: what cancels does so whatever the parameters are.
+/// Π atomᵉ, in order of the atoms. No exponent is zero.
+pub(super) type Atoms = Vec<(Atom, i128)>;
+
+/// number · Π atomᵉ · the product of two variables. Atoms and variables are in order. Different products of atoms count as independent, so terms cancel
+/// only if they cancel for all values of the parameters.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Monomial {
     pub(super) variables: [Variable; 2],
-    pub(super) atoms: Vec<(Atom, i128)>,
+    pub(super) atoms: Atoms,
     pub(super) number: Ratio,
 }
 
-/// A sum of monomials; several may have the same variables and atoms.
+/// A sum of monomials. Several monomials may have equal variables and atoms.
 pub(super) type Quadratic = Vec<Monomial>;
 
 impl Monomial {
@@ -67,41 +71,50 @@ impl Monomial {
         Some(Monomial { number: Ratio::integer(sign), atoms: vec![(magnitude, power)], ..Monomial::ONE })
     }
 
-    /// The product; `None` if it is of degree 3, or its number is not exact.
+    /// Returns the product. `None` if its degree is above 2, or if its number is not exact.
     fn mul(&self, other: &Monomial) -> Option<Monomial> {
         let ([a, b], [c, d]) = (self.variables, other.variables);
         let mut variables = [a, b, c, d];
         variables.sort_unstable();
-        let mut atoms = self.atoms.clone();
-        for (atom, power) in &other.atoms {
-            match atoms.binary_search_by_key(atom, |(atom, _)| *atom) {
-                Ok(i) => atoms[i].1 = atoms[i].1.checked_add(*power)?,
-                Err(i) => atoms.insert(i, (*atom, *power)),
-            }
-        }
-        atoms.retain(|(_, power)| *power != 0);
         let [first, second, UNIT, UNIT] = variables else { return None };
+        let atoms = product_of_atoms(&self.atoms, &other.atoms)?;
         Some(Monomial { variables: [first, second], atoms, number: self.number.mul(other.number)? })
     }
 }
 
-/// Energies are short; what has more terms than this is not multiplied out.
-const MAX_TERMS: usize = 20_000;
+/// Returns the product of two products of atoms. `None` if an exponent is too large.
+pub(super) fn product_of_atoms(a: &Atoms, b: &Atoms) -> Option<Atoms> {
+    let mut product = a.clone();
+    for (atom, exponent) in b {
+        match product.binary_search_by_key(atom, |(atom, _)| *atom) {
+            Ok(i) => product[i].1 = product[i].1.checked_add(*exponent)?,
+            Err(i) => product.insert(i, (*atom, *exponent)),
+        }
+    }
+    product.retain(|(_, exponent)| *exponent != 0);
+    Some(product)
+}
 
-/// Multiplies out. What is too long, or has numbers that are no longer exact, gives `None`.
+/// The largest number of products of monomials. Longer expressions are not expanded.
+const MAX_PRODUCTS: usize = 20_000;
+
+/// Expands nodes into monomials. All methods return `None` if the result is too long, or if a number is no longer exact.
 pub(super) struct Expansion<'a> {
     graph: &'a Graph,
     degrees: &'a Degrees,
+    /// Cache of expanded nodes.
     done: HashMap<Id, Rc<Quadratic>>,
-    terms: usize,
+    /// The number of products of monomials so far.
+    products: usize,
 }
 
 impl<'a> Expansion<'a> {
+    /// Creates an empty cache. `degrees` are degrees in (q, p).
     pub(super) fn new(graph: &'a Graph, degrees: &'a Degrees) -> Self {
-        Expansion { graph, degrees, done: HashMap::default(), terms: 0 }
+        Expansion { graph, degrees, done: HashMap::default(), products: 0 }
     }
 
-    /// The parts of a leaf, multiplied out.
+    /// Expands a leaf.
     pub(super) fn leaf(&mut self, leaf: &Leaf) -> Option<Quadratic> {
         let mut form = vec![];
         match leaf {
@@ -125,7 +138,7 @@ impl<'a> Expansion<'a> {
         Some(form)
     }
 
-    /// A node of degree 2 at most.
+    /// Expands a node of degree at most 2.
     fn node(&mut self, root: Id) -> Option<Rc<Quadratic>> {
         if self.degrees.get(root) == Some(0) {
             return Some(Rc::new(vec![self.constant(root)?]));
@@ -141,7 +154,7 @@ impl<'a> Expansion<'a> {
         self.done.get(&root).cloned()
     }
 
-    /// A node whose operands are done.
+    /// Expands a node. Precondition: its operands are expanded.
     fn expand(&mut self, id: Id) -> Option<Quadratic> {
         match self.graph.node(id) {
             Node::Symbol(Symbol::Position(i)) => Some(vec![Monomial::variable(2 * i)]),
@@ -161,7 +174,7 @@ impl<'a> Expansion<'a> {
                 let other = self.node(*id)?;
                 self.product(&form, &other)
             }),
-            // No other power is of degree 1 or 2.
+            // Other powers do not have degree 1 or 2.
             Node::Power(base, exponent) if *exponent == Ratio::integer(2) => {
                 let base = self.node(*base)?;
                 self.product(&base, &base)
@@ -170,15 +183,16 @@ impl<'a> Expansion<'a> {
         }
     }
 
+    /// Multiplies two sums.
     fn product(&mut self, a: &[Monomial], b: &[Monomial]) -> Option<Quadratic> {
-        self.terms += a.len() * b.len();
-        if self.terms > MAX_TERMS {
+        self.products += a.len() * b.len();
+        if self.products > MAX_PRODUCTS {
             return None;
         }
         a.iter().flat_map(|a| b.iter().map(|b| a.mul(b))).collect()
     }
 
-    /// A node that is free of q and p.
+    /// Returns a node that is free of q and p as a monomial.
     fn constant(&self, root: Id) -> Option<Monomial> {
         let mut product = Monomial::ONE;
         let mut open = vec![(root, 1)];

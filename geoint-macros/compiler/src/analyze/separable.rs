@@ -1,39 +1,46 @@
-//! H = T(p, t) + V(q, t)? The parts, or the term that couples.
+//! Splits H = T(p, t) + V(q, t), or finds the term that couples q and p.
 
 use super::degree::Degrees;
-use super::terms::Sums;
-use crate::ir::{Graph, Id, Reads, Symbol};
+use super::terms_where;
+use crate::ir::{Graph, Id, Symbol};
 
-/// The kinetic and the potential part, or a term that reads both q and p.
-pub(super) fn split(graph: &mut Graph, energy: Id) -> Result<(Id, Id), Id> {
+/// The two parts of a separable energy.
+pub(super) struct Separated {
+    pub(super) kinetic: Id,
+    pub(super) potential: Id,
+}
+
+/// Returns the kinetic and the potential part. Errors: a term that reads both q and p.
+pub(super) fn split(graph: &mut Graph, energy: Id) -> Result<Separated, Id> {
     let terms = terms(graph, energy);
-    if let Some(coupled) = terms.iter().find(|id| couples(graph.reads(**id))) {
+    let couples = |id: &&Id| graph.reads(**id).q && graph.reads(**id).p;
+    if let Some(coupled) = terms.iter().find(couples) {
         return Err(*coupled);
     }
     let (kinetic, potential): (Vec<Id>, Vec<Id>) = terms.into_iter().partition(|id| graph.reads(*id).p);
-    Ok((graph.sum(&kinetic), graph.sum(&potential)))
+    Ok(Separated { kinetic: graph.sum(&kinetic), potential: graph.sum(&potential) })
 }
 
-fn couples(reads: Reads) -> bool {
-    reads.q && reads.p
-}
-
-/// The terms of a sum; one with a common factor is taken apart only where it couples.
+/// Returns the terms of a sum. A sum with a factor is split only if it couples q and p.
 fn terms(graph: &mut Graph, root: Id) -> Vec<Id> {
-    let terms = Sums::new(graph).terms(root, couples);
-    terms.into_iter().map(|term| term.build(graph)).collect()
+    terms_where(graph, root, |reads| reads.q && reads.p)
 }
 
-/// A term that is not a polynomial of degree 1 at most in p.
+/// Returns a term that is not a polynomial in p of degree at most 1.
 pub(crate) fn not_affine(graph: &mut Graph, energy: Id) -> Option<Id> {
     let terms = terms(graph, energy);
-    let degrees = Degrees::of(graph, &terms, |symbol| matches!(symbol, Symbol::Momentum(_)));
-    terms.into_iter().find(|term| degrees.get(*term).is_none_or(|degree| degree > 1))
+    let degrees = Degrees::of(graph, &terms, is_momentum);
+    terms.into_iter().find(|term| !degrees.at_most(*term, 1))
 }
 
-/// A term of the kinetic part that is not a polynomial of degree 2 at most in p with constant coefficients.
+/// Returns a term of the kinetic part that is not a polynomial in p of degree at most 2 with constant coefficients.
 pub(crate) fn not_quadratic(graph: &mut Graph, kinetic: Id) -> Option<Id> {
     let terms = terms(graph, kinetic);
-    let degrees = Degrees::of(graph, &terms, |symbol| matches!(symbol, Symbol::Momentum(_)));
-    terms.into_iter().find(|term| graph.reads(*term).t || degrees.get(*term).is_none_or(|degree| degree > 2))
+    let degrees = Degrees::of(graph, &terms, is_momentum);
+    terms.into_iter().find(|term| graph.reads(*term).t || !degrees.at_most(*term, 2))
+}
+
+/// Returns whether a symbol is a momentum.
+pub(super) fn is_momentum(symbol: Symbol) -> bool {
+    matches!(symbol, Symbol::Momentum(_))
 }

@@ -1,9 +1,9 @@
-//! Which momenta damping and other forces leave alone.
+//! The momenta that neither damping nor other forces change.
 
 use super::{Damping, Forces, Momentum};
 use crate::ir::{Graph, Symbol};
 
-/// What takes momenta away, or adds to them.
+/// The damping and the forces that change momenta.
 #[derive(Clone, Copy)]
 pub(crate) struct Spared<'a> {
     pub(crate) damping: Option<&'a Damping>,
@@ -11,16 +11,15 @@ pub(crate) struct Spared<'a> {
 }
 
 impl Spared<'_> {
-    /// Whether nothing changes the momentum of coordinate `i`.
+    /// Returns whether the momentum of coordinate `i` is unchanged.
     pub(crate) fn coordinate(self, graph: &Graph, i: u32) -> bool {
-        let row = |damping: &Damping| damping.matrix[i as usize].iter().all(|entry| graph.is_zero(*entry));
-        let force = |forces: &Forces| forces.all().all(|forces| graph.is_zero(forces[i as usize]));
-        self.damping.is_none_or(row) && self.forces.is_none_or(force)
+        self.damping.is_none_or(|damping| damping.spares(graph, i))
+            && self.forces.is_none_or(|forces| forces.spare(graph, i))
     }
 
-    /// Whether nothing changes any of the momenta that it reads.
+    /// Returns whether all momenta in a sum of momenta are unchanged.
     pub(crate) fn momentum(self, graph: &Graph, momentum: &Momentum) -> bool {
-        let symbols = graph.symbols(momentum.value);
-        symbols.iter().all(|symbol| !matches!(symbol, Symbol::Momentum(i) if !self.coordinate(graph, *i)))
+        let changed = |symbol| matches!(symbol, Symbol::Momentum(i) if !self.coordinate(graph, i));
+        !graph.reads_any(momentum.value, changed)
     }
 }

@@ -1,18 +1,17 @@
-//! Are functions steep in a coordinate that has become small?
+//! Detects functions that are steep in a coordinate that becomes small during a step.
 
 use super::terms::Sums;
 use crate::ir::{Graph, Id, Node, Symbol};
 
-/// Whether functions may change by more than they are rounded where a coordinate is rounded as large as it is at the other end of a step. A sum of powers of
-/// single coordinates does not: xᵢ ∂f/∂xᵢ is a multiple of its term, and largest where xᵢ is.
+/// Returns whether a function may change by more than its rounding error within the rounding error of a coordinate at the other end of a step. Sums of
+/// powers of single coordinates are not steep: xᵢ ∂f/∂xᵢ is a multiple of its term, and largest where xᵢ is largest.
 ///
-/// `gradients` are those of the functions, one after the other, with respect to the coordinates `x`.
+/// `gradients` lists the derivatives of each function in the order of the coordinates `x`, one function after the other.
 pub(crate) fn is_steep(graph: &Graph, gradients: &[Id], x: &[Symbol]) -> bool {
-    let mut slopes = gradients.chunks(x.len()).flat_map(|gradient| gradient.iter().zip(x));
-    !slopes.all(|(slope, x)| is_power(graph, *slope, *x))
+    !gradients.iter().zip(x.iter().cycle()).all(|(slope, x)| is_power(graph, *slope, *x))
 }
 
-/// Whether a node is c or c xⁿ, with n > 0 and c free of coordinates.
+/// Returns whether a node is c or c xⁿ, with n > 0 and c free of coordinates.
 fn is_power(graph: &Graph, id: Id, x: Symbol) -> bool {
     let reads_state = |id: &Id| graph.reads(*id).state();
     let terms: Vec<Vec<Id>> = Sums::new(graph).terms(id, |_| true).into_iter().map(|term| term.factors).collect();

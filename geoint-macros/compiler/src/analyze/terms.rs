@@ -1,8 +1,8 @@
-//! A sum as its terms.
+//! Splits a sum into its terms.
 
 use crate::ir::{Graph, Id, Node, Number, Reads};
 
-/// scale · Π factors; all but the last are free of q and p.
+/// scale · Π factors. All factors but the last are free of q and p.
 #[derive(Clone, Debug)]
 pub(super) struct Term {
     pub(super) scale: Number,
@@ -10,27 +10,34 @@ pub(super) struct Term {
 }
 
 impl Term {
+    /// Builds the node of the term.
     pub(super) fn build(&self, graph: &mut Graph) -> Id {
         let product = graph.product(&self.factors);
         graph.scale(self.scale, product)
     }
+
+    /// Returns the factor that reads q or p. `None` for a constant.
+    pub(super) fn moving_factor(&self, graph: &Graph) -> Option<Id> {
+        self.factors.last().copied().filter(|last| graph.reads(*last).state())
+    }
 }
 
-/// Takes sums apart.
+/// Splits sums with a limited number of splits.
 pub(super) struct Sums<'a> {
     graph: &'a Graph,
-    /// Sums of sums that share sums would have terms without end: when so many were taken apart the rest stays whole.
+    /// The number of sums that may still be split. Nested sums with shared operands have exponentially many terms, so the rest stays whole.
     left: usize,
 }
 
 impl<'a> Sums<'a> {
+    /// Creates a splitter for the sums of a graph.
     pub(super) fn new(graph: &'a Graph) -> Self {
         Sums { graph, left: graph.len() }
     }
 
-    /// The terms of `root`, those of nested sums included, constants too. A sum with factors that are free of q and p is
-    /// taken apart as well if it reads what `apart` asks for.
-    pub(super) fn terms(&mut self, root: Id, apart: impl Fn(Reads) -> bool) -> Vec<Term> {
+    /// Returns the terms of `root` and of nested sums, constants included. A sum with factors that are free of q and p is split as well, if `splits`
+    /// accepts the kinds of coordinates that the sum reads.
+    pub(super) fn terms(&mut self, root: Id, splits: impl Fn(Reads) -> bool) -> Vec<Term> {
         let mut terms = vec![];
         let mut open = vec![(Number::ONE, vec![], root)];
         while let Some((scale, mut factors, id)) = open.pop() {
@@ -44,9 +51,12 @@ impl<'a> Sums<'a> {
                     open.extend(inner.iter().rev().map(|(c, id)| (scale.mul(*c), factors.clone(), *id)));
                 }
                 node => {
-                    let (state, free) = self.factors(node);
+                    let (state, free): (Vec<Id>, Vec<Id>) = match node {
+                        Node::Product(ids) => ids.iter().partition(|id| self.graph.reads(**id).state()),
+                        _ => (vec![], vec![]),
+                    };
                     match state[..] {
-                        [sum] if apart(self.graph.reads(sum)) => open.push((scale, [factors, free].concat(), sum)),
+                        [sum] if splits(self.graph.reads(sum)) => open.push((scale, [factors, free].concat(), sum)),
                         _ => {
                             factors.push(id);
                             terms.push(Term { scale, factors });
@@ -56,13 +66,5 @@ impl<'a> Sums<'a> {
             }
         }
         terms
-    }
-
-    /// The factors of a product that read q or p, and the others.
-    fn factors(&self, node: &Node) -> (Vec<Id>, Vec<Id>) {
-        match node {
-            Node::Product(ids) => ids.iter().partition(|id| self.graph.reads(**id).state()),
-            _ => (vec![], vec![]),
-        }
     }
 }

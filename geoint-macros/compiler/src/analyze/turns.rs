@@ -1,9 +1,9 @@
-//! Terms of a function that jump because an angle by `atan2` in them jumps by 2π where it comes round.
+//! Terms of a function that jump by 2π times their slope, because they read an angle computed by `atan2`.
 
 use crate::ir::{Function, Graph, Id, Node, Number};
 use std::collections::HashSet;
 
-/// The terms of a function that jump where an angle of the state comes round.
+/// Returns the terms of a function that jump where an angle of the state crosses its branch cut.
 pub(crate) fn turning_terms(graph: &Graph, function: Id) -> Vec<Id> {
     let terms = match graph.node(function) {
         Node::Linear(_, terms) => terms.iter().map(|(_, term)| *term).collect(),
@@ -12,7 +12,7 @@ pub(crate) fn turning_terms(graph: &Graph, function: Id) -> Vec<Id> {
     terms.into_iter().filter(|term| reads_turns(graph, *term)).collect()
 }
 
-/// Returns whether a node reads an angle otherwise than by the sine, cosine or tangent of its whole multiples.
+/// Returns whether a node reads an angle otherwise than by the sine, cosine or tangent of its integer multiples.
 fn reads_turns(graph: &Graph, root: Id) -> bool {
     let (mut open, mut seen) = (vec![root], HashSet::new());
     while let Some(id) = open.pop() {
@@ -32,13 +32,12 @@ fn reads_turns(graph: &Graph, root: Id) -> bool {
     false
 }
 
-/// An angle that the state or time changes.
+/// Returns whether a node is an angle that changes along a motion.
 fn is_angle(graph: &Graph, id: Id) -> bool {
-    let reads = graph.reads(id);
-    matches!(graph.node(id), Node::Call(Function::Atan2, _)) && (reads.state() || reads.t)
+    matches!(graph.node(id), Node::Call(Function::Atan2, _)) && graph.reads(id).moves()
 }
 
-/// The terms of the argument of a periodic function, without whole multiples of angles.
+/// Returns the terms of the argument of a periodic function, without integer multiples of angles.
 fn without_whole_turns(graph: &Graph, argument: Id) -> Vec<Id> {
     let whole = |coefficient: Number| matches!(coefficient, Number::Exact(ratio) if ratio.is_integer());
     let terms = match graph.node(argument) {

@@ -4,7 +4,7 @@ use super::domain::{Domain, Friction, Roots};
 use super::system::{FlowKernel, Implicit, System};
 use crate::analyze::{self, momenta_of_body as momenta};
 use crate::diff;
-use crate::ir::{Graph, Id, Number, Partial, Symbol};
+use crate::ir::{Graph, Id, Number, Symbol, UndefinedAt};
 use crate::parse::Form;
 use crate::schedule::{Levels, Output, Routine, phase};
 
@@ -42,7 +42,12 @@ pub(crate) struct Shift {
 }
 
 /// Derives everything that some method needs.
-pub(crate) fn bodies(graph: &mut Graph, found: &analyze::Bodies, partial: &[Partial], positions: &[usize]) -> System {
+pub(crate) fn bodies(
+    graph: &mut Graph,
+    found: &analyze::Bodies,
+    partial: &[UndefinedAt],
+    positions: &[usize],
+) -> System {
     let [h, g] = [Symbol::StepLength, Symbol::GradientWeight].map(|symbol| graph.symbol(symbol));
     // Of −hV as a whole, so that h meets the constants of every term.
     let generator = graph.mul(h, found.potential);

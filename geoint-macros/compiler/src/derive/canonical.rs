@@ -10,7 +10,7 @@ use super::jet::{self, JetKernel};
 use super::system::{Implicit, Missing, System};
 use crate::analyze::{Split, Structure};
 use crate::diff::{self, Gradient};
-use crate::ir::{Graph, Id, Partial};
+use crate::ir::{Graph, Id, UndefinedAt};
 use crate::legendre::Legendre;
 use crate::messages::{COUPLED, COUPLED_IN_PIECES, DAMPED, FORCED, NO_CANONICAL_PIECES};
 use crate::parse::Form;
@@ -31,7 +31,7 @@ pub(crate) fn canonical(
     structure: &Structure,
     gradient: &Gradient,
     Decompositions { division, pieces }: Decompositions<'_>,
-    partial: &[Partial],
+    partial: &[UndefinedAt],
     positions: &[usize],
     legendre: Option<&Legendre>,
 ) -> System {

@@ -5,7 +5,7 @@ use super::system::{ConstraintKernels, Implicit, Missing, StepKernel, System};
 use crate::analyze::{self, Structure};
 use crate::diff::constraint::{self, Equation, Given};
 use crate::diff::{Gradient, field, jacobian};
-use crate::ir::{Function, Graph, Id, Partial, Symbol};
+use crate::ir::{Function, Graph, Id, Symbol, UndefinedAt};
 use crate::messages::CONSTRAINED;
 use crate::parse::Form;
 use crate::schedule::{Kernel, Levels, Output, Routine, Space, phase};
@@ -16,7 +16,7 @@ pub(crate) fn constrained(
     structure: &Structure,
     constraints: &[Id],
     gradient: &Gradient,
-    partial: &[Partial],
+    partial: &[UndefinedAt],
     positions: &[usize],
 ) -> System {
     let n = gradient.q.len();

@@ -11,7 +11,7 @@ use super::{implicit, velocities};
 use crate::analyze;
 use crate::diff::Gradient;
 use crate::ir::substitute::Substitution;
-use crate::ir::{Graph, Id, Partial, Symbol};
+use crate::ir::{Graph, Id, Symbol, UndefinedAt};
 use crate::legendre::Legendre;
 use crate::messages::{NO_PIECES, NOT_MECHANICAL, NOT_NYSTROM};
 use crate::parse::Form;
@@ -33,7 +33,12 @@ pub(crate) struct ContactEnergy<'a> {
 }
 
 /// Derives the routines of every method.
-pub(crate) fn contact(graph: &mut Graph, of: &ContactEnergy<'_>, partial: &[Partial], positions: &[usize]) -> System {
+pub(crate) fn contact(
+    graph: &mut Graph,
+    of: &ContactEnergy<'_>,
+    partial: &[UndefinedAt],
+    positions: &[usize],
+) -> System {
     let ContactEnergy { energy, gradient, pieces: found, mechanics, lift, legendre } = *of;
     let degrees = gradient.q.len() as u32;
     let rates = lift.then(|| rates_of_lift(graph, energy, gradient));

@@ -3,7 +3,7 @@
 use super::poles::{Jumps, Poles};
 use crate::analyze::{self, Damping};
 use crate::ir::op::Domain as Defined;
-use crate::ir::{Function, Graph, Id, Node, Number, Partial, Ratio};
+use crate::ir::{Function, Graph, Id, Node, Number, Ratio, UndefinedAt};
 use crate::parse::Form;
 use crate::schedule::{Output, Routine};
 use std::collections::{BTreeSet, HashSet};
@@ -99,11 +99,11 @@ impl Domain {
         graph: &mut Graph,
         roots: Roots<'_>,
         form: Form,
-        partial: &[Partial],
+        partial: &[UndefinedAt],
         Friction { damping, rates }: Friction<'_>,
     ) -> Domain {
         let mut checks = vec![];
-        for Partial { node, condition } in partial {
+        for UndefinedAt { node, condition } in partial {
             for check in checks_of(graph, *node) {
                 checks.push(Check { argument: guarded(graph, *condition, check.argument), ..check });
             }
@@ -223,9 +223,9 @@ impl Check {
 
 /// Whether steps may lead over an edge of the domain and back unseen: a function that is not defined everywhere was simplified away, or a
 /// method with merged flows may pass.
-fn is_examined(graph: &mut Graph, roots: &[Id], partial: &[Partial]) -> bool {
+fn is_examined(graph: &mut Graph, roots: &[Id], partial: &[UndefinedAt]) -> bool {
     let computed: HashSet<Id> = graph.reachable(roots).into_iter().collect();
-    partial.iter().any(|Partial { node, condition }| {
+    partial.iter().any(|UndefinedAt { node, condition }| {
         graph.reads(*node).state()
             && !checks_of(graph, *node).is_empty()
             && (!computed.contains(node) || condition.is_some() || analyze::has_edge(graph, *node))
@@ -234,7 +234,7 @@ fn is_examined(graph: &mut Graph, roots: &[Id], partial: &[Partial]) -> bool {
 
 /// Whether values are not finite where one of the nodes is not defined: each of them has a base that is divided by on the way to a value,
 /// through nothing but sums and products.
-pub(super) fn shows(graph: &mut Graph, values: &[Id], partial: &[Partial]) -> bool {
+pub(super) fn shows(graph: &mut Graph, values: &[Id], partial: &[UndefinedAt]) -> bool {
     let mut divided: HashSet<(Id, bool)> = HashSet::new();
     let mut open = values.to_vec();
     let mut seen: HashSet<Id> = HashSet::new();
@@ -247,7 +247,7 @@ pub(super) fn shows(graph: &mut Graph, values: &[Id], partial: &[Partial]) -> bo
             _ => {}
         }
     }
-    partial.iter().all(|Partial { node, condition }| {
+    partial.iter().all(|UndefinedAt { node, condition }| {
         if !graph.reads(*node).state() || checks_of(graph, *node).is_empty() {
             return true;
         }

@@ -11,7 +11,7 @@ use crate::analyze::{self, Damping, MeanValue};
 use crate::diff;
 use crate::diff::field::Field;
 use crate::diff::flow::{self, Conserved, Order};
-use crate::ir::{Graph, Id, Partial, Symbol};
+use crate::ir::{Graph, Id, Symbol, UndefinedAt};
 use crate::messages::NOTHING_KEPT;
 use crate::schedule::{Kernel, Levels, Output, Routine, Space};
 
@@ -19,7 +19,7 @@ use crate::schedule::{Kernel, Levels, Output, Routine, Space};
 pub(crate) fn flow(
     graph: &mut Graph,
     found: &Flow,
-    partial: &[Partial],
+    partial: &[UndefinedAt],
     damping: Option<&Damping>,
     positions: &[usize],
 ) -> System {
@@ -55,7 +55,7 @@ pub(crate) fn flow(
     values.sort();
     values.dedup();
     let all = [&field[..], &values].concat();
-    let quadratic = analyze::is_polynomial(graph, field, 2);
+    let quadratic = analyze::is_polynomial_in(graph, field, 2, Symbol::is_coordinate);
     System {
         facts: if quadratic { vec![Fact::QuadraticField] } else { vec![] },
         value: value.map(|value| Routine::number("hamiltonian", value)),

@@ -7,7 +7,7 @@ use super::jet::JetKernel;
 use super::system::{ContactKernels, Implicit, Missing, System};
 use crate::analyze::{Damping, Forces};
 use crate::diff;
-use crate::ir::{Graph, Id, Partial, Symbol};
+use crate::ir::{Graph, Id, Symbol, UndefinedAt};
 use crate::messages::FORCED_ACTION;
 use crate::parse::Form;
 use crate::schedule::Routine;
@@ -25,7 +25,7 @@ pub(crate) fn forced(
     energy: Id,
     damping: Option<&Damping>,
     forces: Option<&Forces>,
-    partial: &[Partial],
+    partial: &[UndefinedAt],
     positions: &[usize],
 ) -> Forced {
     let degrees = positions.iter().product::<usize>() as u32;

@@ -6,7 +6,7 @@ use crate::diff::contact::{self, Equation};
 use crate::diff::field::{self, Field, SecondOrder};
 use crate::diff::{self, Gradient};
 use crate::ir::substitute::Substitution;
-use crate::ir::{Graph, Id, Lines, Node, Number, Ratio, Symbol};
+use crate::ir::{AffineForms, Graph, Id, Node, Number, Ratio, Symbol};
 use crate::schedule::{Argument, Kernel, Levels, Output, Routine, Space, phase};
 
 /// With more unknowns than this the runtime prefers the fixed point to Newton's iteration: an elimination costs more than the
@@ -105,7 +105,7 @@ fn equation(graph: &mut Graph, field: &Field, second_order: &SecondOrder, space:
     let mut matrix = vec![];
     let square = graph.pow(h, Ratio::integer(2));
     let half = graph.scale(Number::HALF, square);
-    let mut lines = Lines::new(|symbol| field.unknowns.contains(&symbol));
+    let mut affine_forms = AffineForms::new(|symbol| field.unknowns.contains(&symbol));
     for (i, row) in field.jacobian.iter().enumerate() {
         let mut entries = vec![];
         for j in 0..n {
@@ -115,7 +115,7 @@ fn equation(graph: &mut Graph, field: &Field, second_order: &SecondOrder, space:
                 subtract(graph, weight, *slope, &mut terms);
             }
             let entry = graph.sum(&terms);
-            entries.push(lines.straightened(graph, entry));
+            entries.push(affine_forms.shortened(graph, entry));
         }
         matrix.push(entries);
     }

@@ -1,7 +1,7 @@
 //! Poles and conditions between the ends of a step: what the runtime asks of them.
 
 use crate::analyze::{self, Jump, Pole, Quick, crossings};
-use crate::ir::{Graph, Id, Partial};
+use crate::ir::{Graph, Id, UndefinedAt};
 use crate::schedule::{Kernel, Levels, Output, Routine};
 
 /// Poles, and how zeros of what vanishes there are excluded.
@@ -101,7 +101,7 @@ impl Collected {
 
 impl Poles {
     /// The poles of an energy, if there are any.
-    pub(super) fn of(graph: &mut Graph, divided: &[Id], partial: &[Partial]) -> Option<Poles> {
+    pub(super) fn of(graph: &mut Graph, divided: &[Id], partial: &[UndefinedAt]) -> Option<Poles> {
         let all = analyze::poles(graph, divided, partial);
         if all.is_empty() {
             return None;
@@ -120,7 +120,7 @@ impl Poles {
                     values.together(&[*value]);
                     always.near(*argument);
                 }
-                Some(Quick::SineOf(..)) | None => {}
+                Some(Quick::SineOf { .. }) | None => {}
             }
         }
         let signs =

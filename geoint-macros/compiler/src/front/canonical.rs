@@ -19,7 +19,7 @@ pub(super) fn derived(compilation: &mut Compilation<'_>, terms: Terms, legendre:
     let structure = analyze::structure(graph, terms.energy, &energy.coordinates.shape);
     let forces = Forces::of(graph, terms.force, terms.friction);
     let structure = structure.damped(graph, terms.damping).forced(graph, forces);
-    let partial = legendre::at_points(graph, &terms.partial);
+    let partial = legendre::without_velocities(graph, &terms.partial);
     let groups = terms.groups.as_deref();
     let division = split::divided(graph, &structure, energy, groups);
     let pieces = split::coupled_pieces(graph, &structure, degrees, groups);

@@ -15,7 +15,7 @@ pub(super) fn derived(compilation: &mut Compilation<'_>, mut terms: Terms) -> Re
     let needs_energy = compilation.energy.options.constraint.is_some() || forced;
     let degrees = compilation.degrees();
     let graph = &mut compilation.graph;
-    let found = legendre::transform(graph, terms.energy, (degrees, needs_energy), &terms.partial);
+    let found = legendre::transform(graph, terms.energy, degrees, needs_energy, &terms.partial);
     if let (Form::Lagrangian, Err(legendre::Flaw::Linear(momenta))) = (compilation.form, &found) {
         return first_order::derived(compilation, &terms, momenta);
     }
@@ -30,11 +30,11 @@ pub(super) fn derived(compilation: &mut Compilation<'_>, mut terms: Terms) -> Re
         None => {}
     }
     let energy = match legendre.route {
-        Route::Energy(energy, _) => energy,
-        Route::Velocities(obstacle) if compilation.form == Form::Herglotz => {
+        Route::Energy { energy, .. } => energy,
+        Route::Velocities { obstacle } if compilation.form == Form::Herglotz => {
             return velocities::with_action(compilation, legendre, obstacle);
         }
-        Route::Velocities(obstacle) => return velocities::derived(compilation, terms, legendre, obstacle),
+        Route::Velocities { obstacle } => return velocities::derived(compilation, terms, legendre, obstacle),
     };
     let terms = Terms { energy, partial: legendre.partial.clone(), ..terms };
     match compilation.form {

@@ -1,4 +1,4 @@
-//! Functions, selections and conditions.
+//! Constructors of function calls, selections and conditions.
 
 use super::graph::Graph;
 use super::id::Id;
@@ -7,6 +7,7 @@ use super::number::Number;
 use super::op::{Function, Parity, Relation};
 
 impl Graph {
+    /// Builds a call. Calls of numbers are evaluated, and odd and even functions lose the sign of their argument.
     pub(crate) fn call(&mut self, function: Function, args: &[Id]) -> Id {
         let entry = function.entry();
         let numbers: Option<Vec<f64>> = args.iter().map(|id| self.as_number(*id).map(Number::to_f64)).collect();
@@ -15,19 +16,16 @@ impl Graph {
             return self.number(Number::float(value));
         }
         match (entry.parity, args) {
-            (Parity::Odd, &[x]) if self.leads_negative(x) => {
+            (Parity::Odd | Parity::Even, &[x]) if self.leads_negative(x) => {
                 let x = self.negated_sum(x);
                 let value = self.call(function, &[x]);
-                self.neg(value)
-            }
-            (Parity::Even, &[x]) if self.leads_negative(x) => {
-                let x = self.negated_sum(x);
-                self.call(function, &[x])
+                if entry.parity == Parity::Odd { self.neg(value) } else { value }
             }
             _ => self.intern(Node::Call(function, args.to_vec())),
         }
     }
 
+    /// Builds `if condition { first } else { second }`.
     pub(crate) fn select(&mut self, condition: Id, first: Id, second: Id) -> Id {
         match self.node(condition) {
             _ if first == second => first,
@@ -37,6 +35,7 @@ impl Graph {
         }
     }
 
+    /// Builds a comparison.
     pub(crate) fn compare(&mut self, relation: Relation, a: Id, b: Id) -> Id {
         match (self.as_number(a), self.as_number(b)) {
             (Some(x), Some(y)) if x.compare(y).is_some() => self.truth(relation.holds(x.to_f64(), y.to_f64())),
@@ -44,10 +43,12 @@ impl Graph {
         }
     }
 
+    /// Builds a constant condition.
     pub(crate) fn truth(&mut self, value: bool) -> Id {
         self.intern(Node::Truth(value))
     }
 
+    /// Returns the value of a constant condition.
     pub(crate) fn as_truth(&self, id: Id) -> Option<bool> {
         match self.node(id) {
             Node::Truth(value) => Some(*value),
@@ -55,6 +56,7 @@ impl Graph {
         }
     }
 
+    /// Builds the conjunction of two conditions.
     pub(crate) fn and(&mut self, a: Id, b: Id) -> Id {
         match (self.as_truth(a), self.as_truth(b)) {
             (Some(true), _) => b,
@@ -64,6 +66,7 @@ impl Graph {
         }
     }
 
+    /// Builds the disjunction of two conditions.
     pub(crate) fn or(&mut self, a: Id, b: Id) -> Id {
         match (self.as_truth(a), self.as_truth(b)) {
             (Some(false), _) => b,
@@ -73,6 +76,7 @@ impl Graph {
         }
     }
 
+    /// Builds the negation of a condition.
     pub(crate) fn not(&mut self, a: Id) -> Id {
         match *self.node(a) {
             Node::Truth(value) => self.truth(!value),

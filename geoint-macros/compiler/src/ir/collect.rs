@@ -1,49 +1,46 @@
-//! Terms that differ in parameters alone are collected: m₀·c·x + m₁·c·x becomes (m₀ + m₁)·c·x, of which the sum is known before the loop.
+//! Collects terms that differ in parameters only: m₀·c·x + m₁·c·x becomes (m₀ + m₁)·c·x. The sum of parameters is then computed before the loop.
 //!
-//! Derivatives along a recursion over links are such sums, as long as the chain. The graph keeps sums as they are written, so this is done
-//! to the results of a kernel that asks for it.
+//! Derivatives along a recursion over links are sums of this kind, with as many terms as the chain has links. The graph keeps sums as they are written,
+//! so kernels ask for this step.
 
 use super::{Graph, Id, Node, Number, Ratio, Table, hash};
 
-/// The same nodes with such terms collected, in every sum that they are made of.
+/// Collects terms in every sum below the roots.
 pub(crate) fn collected(graph: &mut Graph, roots: &[Id]) -> Vec<Id> {
     collected_with(graph, roots, &[])
 }
 
-/// The same, with some nodes replaced by others: what is rebuilt is rebuilt once.
+/// Collects terms in every sum below the roots and replaces nodes, pairs of (node, replacement), in the same pass.
 pub(crate) fn collected_with(graph: &mut Graph, roots: &[Id], replaced: &[(Id, Id)]) -> Vec<Id> {
-    let mut new: Table<Id> = Table::default();
     let values: Vec<Id> = replaced.iter().map(|(_, value)| *value).collect();
-    collect(graph, &values, &mut new);
-    let values: Vec<Id> = values.iter().map(|value| new[*value]).collect();
+    let mut of_values: Table<Id> = Table::default();
+    collect(graph, &values, &mut of_values);
     let mut new: Table<Id> = Table::default();
-    for ((id, _), value) in replaced.iter().zip(values) {
-        new.insert(*id, value);
+    for (id, value) in replaced {
+        new.insert(*id, of_values[*value]);
     }
     collect(graph, roots, &mut new);
     roots.iter().map(|root| new[*root]).collect()
 }
 
+/// Rebuilds the nodes below the roots with collected terms. `new` maps nodes to their replacements.
 fn collect(graph: &mut Graph, roots: &[Id], new: &mut Table<Id>) {
     for id in graph.unknown_of(roots, new) {
         let mut same = true;
         graph.node(id).for_each_child(|child| same &= new[child] == child);
         let rebuilt = match graph.node(id) {
-            // Conditions decide as they are written.
+            // Conditions stay as they were written, so that they decide alike.
             Node::Compare(..) | Node::And(..) | Node::Or(..) | Node::Not(_) => id,
             Node::Linear(constant, terms) => {
                 let constant = *constant;
-                let mut rebuilt = terms.clone();
-                for (_, term) in &mut rebuilt {
-                    *term = new[*term];
-                }
+                let rebuilt: Vec<(Number, Id)> = terms.iter().map(|(c, term)| (*c, new[*term])).collect();
                 match may_collect(graph, &rebuilt) {
                     true => sum(graph, constant, rebuilt),
                     false if same => id,
                     false => graph.scaled_sum(constant, &rebuilt),
                 }
             }
-            // Of powers that were merged there may be more than two factors: then they are nested, so that others meet a part of them.
+            // A merged product may have more than two factors. It is rebuilt as nested products of two, which share parts with other products.
             Node::Product(factors) if !same || factors.len() > 2 => {
                 let factors: Vec<Id> = factors.iter().map(|factor| new[*factor]).collect();
                 graph.product(&factors)
@@ -63,39 +60,46 @@ fn collect(graph: &mut Graph, roots: &[Id], new: &mut Table<Id>) {
     }
 }
 
-/// Whether two terms may have the same factors that move: they are compared by a number that seldom is the same for others.
+/// Returns whether two terms have equal hashes of their moving factors. Different factors seldom have equal hashes.
 fn may_collect(graph: &Graph, terms: &[(Number, Id)]) -> bool {
-    let mut numbers: Vec<u64> = vec![];
+    let mut hashes: Vec<u64> = vec![];
     for (_, term) in terms {
-        let number = moving(graph, *term);
-        for other in &numbers {
-            if *other == number {
-                return true;
-            }
+        let hash = hash_of_moving(graph, *term);
+        if hashes.contains(&hash) {
+            return true;
         }
-        numbers.push(number);
+        hashes.push(hash);
     }
     false
 }
 
-/// A number that does not depend on the order of factors that move, nor on the others.
-fn moving(graph: &Graph, id: Id) -> u64 {
+/// Returns a hash of the factors that read more than parameters. It depends neither on their order nor on the other factors.
+fn hash_of_moving(graph: &Graph, id: Id) -> u64 {
     match graph.node(id) {
         _ if !graph.reads(id).moves() => 0,
         Node::Product(factors) => {
-            let mut number = 0_u64;
-            for factor in factors {
-                number = number.wrapping_add(moving(graph, *factor));
-            }
-            number
+            factors.iter().fold(0, |hash, factor| hash.wrapping_add(hash_of_moving(graph, *factor)))
         }
-        Node::Linear(constant, terms) if constant.is_zero() && terms.len() == 1 => moving(graph, terms[0].1),
+        Node::Linear(constant, terms) if constant.is_zero() && terms.len() == 1 => hash_of_moving(graph, terms[0].1),
         Node::Power(base, exponent) => hash::of_words(&[base.index() as u64, exponent.word()]).into(),
         _ => hash::of_words(&[id.index() as u64, Ratio::ONE.word()]).into(),
     }
 }
 
-/// A sum with its terms collected: alone a term stays as it is.
+/// Terms with equal moving factors, the factors that read more than parameters.
+struct Group {
+    moving: Vec<(Id, Ratio)>,
+    terms: Vec<Term>,
+}
+
+/// One term of a group.
+struct Term {
+    whole: Id,
+    /// The coefficient and the factors that read parameters only.
+    weight: Id,
+}
+
+/// Builds a sum with its terms collected. A term that is alone in its group stays as it is.
 fn sum(graph: &mut Graph, constant: Number, terms: Vec<(Number, Id)>) -> Id {
     let mut groups: Vec<Group> = vec![];
     for (c, term) in terms {
@@ -111,30 +115,23 @@ fn sum(graph: &mut Graph, constant: Number, terms: Vec<(Number, Id)>) -> Id {
         moving.sort_unstable_by_key(|(base, _)| *base);
         let whole = graph.scale(c, term);
         let weight = graph.product(&weights);
-        let weight = graph.scale(c.mul(own), weight);
+        let term = Term { whole, weight: graph.scale(c.mul(own), weight) };
         match groups.iter_mut().find(|group| group.moving == moving) {
-            Some(group) => group.terms.push((whole, weight)),
-            None => groups.push(Group { moving, terms: vec![(whole, weight)] }),
+            Some(group) => group.terms.push(term),
+            None => groups.push(Group { moving, terms: vec![term] }),
         }
     }
     let mut all = vec![graph.number(constant)];
     for Group { moving, terms } in groups {
-        if let [(whole, _)] = terms[..] {
+        if let [Term { whole, .. }] = terms[..] {
             all.push(whole);
             continue;
         }
-        let weights: Vec<Id> = terms.into_iter().map(|(_, weight)| weight).collect();
+        let weights: Vec<Id> = terms.into_iter().map(|term| term.weight).collect();
         let weight = graph.sum(&weights);
         let factors: Vec<Id> = moving.into_iter().map(|(base, exponent)| graph.pow(base, exponent)).collect();
         let product = graph.product(&factors);
         all.push(graph.mul(weight, product));
     }
     graph.sum(&all)
-}
-
-/// Terms with the same factors that read more than parameters.
-struct Group {
-    moving: Vec<(Id, Ratio)>,
-    /// Each as a whole, and what it has beside these factors.
-    terms: Vec<(Id, Id)>,
 }

@@ -1,25 +1,26 @@
-//! The graph: interned nodes, simplified while they are built.
+//! The graph: interned nodes that are simplified while they are built.
 //!
-//! Equal expressions are one node, so that "is it the same" is a comparison of numbers, shared terms are differentiated
-//! once, and emitted once. Constructors fold constants, zeros, ones and signs, and merge equal terms and powers. They
-//! never expand a product: how the user factored an expression is numerically meaningful.
+//! Equal expressions are one node, so equality is a comparison of numbers, and shared terms are differentiated and emitted once. Constructors fold
+//! constants, zeros, ones and signs, and merge equal terms and powers. They never expand a product, because the user's factored form is numerically
+//! meaningful.
 
 use super::hash;
+use super::hash_index::HashIndex;
 use super::id::Id;
-use super::known::Known;
 use super::node::Node;
 use super::number::Number;
-use super::op::{Domain, Function, Symbol};
+use super::op::{Domain, Function};
 use super::reads::{Reads, Symbols};
 use super::sign::{Sign, sign};
+use super::symbol::Symbol;
 use super::table::Table;
 use std::cell::{RefCell, RefMut};
 
-/// A node that is not defined everywhere.
+/// A partial node: its value does not exist for all values of its operands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Partial {
+pub(crate) struct UndefinedAt {
     pub(crate) node: Id,
-    /// The condition under which it is computed, if there is one.
+    /// The condition under which the node is computed, if any.
     pub(crate) condition: Option<Id>,
 }
 
@@ -28,47 +29,50 @@ pub(crate) struct Partial {
 pub(crate) struct Graph {
     nodes: Vec<Node>,
     reads: Vec<Reads>,
+    /// Cache of the symbols that nodes read, filled on demand.
     symbols: RefCell<Symbols>,
-    /// Of those of which it was asked.
+    /// Cache of the signs of nodes, filled on demand.
     signs: RefCell<Table<Sign>>,
-    known: Known,
-    /// While a body is lowered, the nodes that were asked for and are not defined everywhere, known before or not.
+    /// The nodes by their hashes.
+    index: HashIndex,
+    /// UndefinedAt nodes in the order of their construction, repeated if they are built again. Present while the graph records.
     partial: Option<Vec<Id>>,
-    /// Scratch space of traversals: a bit for each node, none of them set between traversals.
+    /// Scratch space of traversals: one bit for each node. Invariant: no bit is set between traversals.
     seen: RefCell<Vec<u64>>,
 }
 
 impl Graph {
+    /// Returns a node.
     #[inline(always)]
     pub(crate) fn node(&self, id: Id) -> &Node {
         &self.nodes.as_slice()[id.index()]
     }
 
-    /// What a node reads of phase space.
+    /// Returns which kinds of coordinates a node reads.
     pub(crate) fn reads(&self, id: Id) -> Reads {
         self.reads.as_slice()[id.index()]
     }
 
-    /// The symbols that a node reads, in order.
+    /// Returns the symbols that a node reads, in order.
     pub(crate) fn symbols(&self, id: Id) -> Vec<Symbol> {
-        self.noted(id).of(id)
+        self.symbols_with(id).of(id)
     }
 
-    /// Whether a node reads a symbol that `counts`.
+    /// Returns whether a node reads a symbol that `counts`.
     pub(crate) fn reads_any(&self, id: Id, counts: impl Fn(Symbol) -> bool) -> bool {
-        self.noted(id).any(id, counts)
+        self.symbols_with(id).any(id, counts)
     }
 
-    /// The sets of symbols, with that of a node.
-    fn noted(&self, id: Id) -> RefMut<'_, Symbols> {
+    /// Fills the cache of symbols for a node and returns the cache.
+    fn symbols_with(&self, id: Id) -> RefMut<'_, Symbols> {
         let mut symbols = self.symbols.borrow_mut();
         for id in self.unknown(id, &symbols.of) {
-            symbols.note(id, self.node(id));
+            symbols.insert(id, self.node(id));
         }
         symbols
     }
 
-    /// What is known of the sign of a node from its form, whatever its symbols are.
+    /// Returns the sign of a node that its form implies for all values of its symbols.
     pub(crate) fn sign(&self, id: Id) -> Sign {
         let mut signs = self.signs.borrow_mut();
         for id in self.unknown(id, &signs) {
@@ -78,39 +82,38 @@ impl Graph {
         signs[id]
     }
 
-    /// Whether a node is positive by its form.
+    /// Returns whether the form of a node implies that it is positive.
     pub(crate) fn is_positive(&self, id: Id) -> bool {
         self.sign(id) == Sign::Positive
     }
 
+    /// Returns the number of nodes.
     pub(crate) fn len(&self) -> usize {
         self.nodes.len()
     }
 
-    /// Every node but the first ones, operands first.
+    /// Returns every node but the first `known`, operands first.
     pub(crate) fn ids_from(&self, known: usize) -> impl Iterator<Item = Id> + use<> {
         (known..self.nodes.len()).map(Id::from_index)
     }
 
-    /// Every node that the roots are built of, operands first.
+    /// Returns the roots and all their direct and indirect operands, operands first.
     pub(crate) fn reachable(&self, roots: &[Id]) -> Vec<Id> {
-        self.walk(roots, |_| true)
+        self.traverse(roots, |_| true)
     }
 
-    /// Every node that `root` is built of and that is not `known` yet, operands first. What known nodes are built of is
-    /// not looked at.
+    /// Returns the root and its direct and indirect operands without a value in `known`, operands first. The traversal stops at known nodes.
     pub(crate) fn unknown<T: Copy>(&self, root: Id, known: &Table<T>) -> Vec<Id> {
         if known.contains(root) { vec![] } else { self.unknown_of(&[root], known) }
     }
 
-    /// The same of several roots.
+    /// Returns the nodes without a value in `known` below several roots, operands first. The traversal stops at known nodes.
     pub(super) fn unknown_of<T: Copy>(&self, roots: &[Id], known: &Table<T>) -> Vec<Id> {
-        self.walk(roots, |id| !known.contains(id))
+        self.traverse(roots, |id| !known.contains(id))
     }
 
-    /// Every node that the roots are built of, operands first. Where one is not to be `entered`, it and what it is
-    /// built of are left out.
-    fn walk(&self, roots: &[Id], entered: impl Fn(Id) -> bool) -> Vec<Id> {
+    /// Returns the roots and their direct and indirect operands, operands first. The traversal stops at nodes that are not `entered`.
+    fn traverse(&self, roots: &[Id], entered: impl Fn(Id) -> bool) -> Vec<Id> {
         let mut scratch = self.seen.borrow_mut();
         let words = self.nodes.len() / 64 + 1;
         if scratch.len() < words {
@@ -123,8 +126,7 @@ impl Graph {
             let (word, bit) = (id.index() / 64, 1 << (id.index() % 64));
             if seen[word] & bit == 0 && entered(id) {
                 seen[word] |= bit;
-                first = if word < first { word } else { first };
-                last = if word > last { word } else { last };
+                (first, last) = (first.min(word), last.max(word));
                 found.push(id);
             }
         };
@@ -137,7 +139,7 @@ impl Graph {
             self.node(id).for_each_child(|child| enter(child, &mut found));
             open += 1;
         }
-        // What a node is built of has smaller numbers.
+        // Operands have smaller numbers, so the order of the bits is the order of the result.
         found.clear();
         for word in first..=last {
             while seen[word] > 0 {
@@ -148,7 +150,7 @@ impl Graph {
         found
     }
 
-    /// Whether a node is not defined for some values of its operands.
+    /// Returns whether a node is undefined for some values of its operands.
     pub(crate) fn is_partial(&self, id: Id) -> bool {
         match self.node(id) {
             Node::Power(_, exponent) => !exponent.is_integer() || exponent.numerator < 0,
@@ -158,50 +160,54 @@ impl Graph {
         }
     }
 
+    /// Returns the node that equals `node`. Adds it if it is new.
     pub(super) fn intern(&mut self, node: Node) -> Id {
         let hash = hash::of_node(&node);
-        let id = match self.known.find(hash, |number| self.nodes.as_slice()[number] == node) {
-            Some(number) => Id::from_index(number),
-            None => {
-                let number = self.nodes.len();
-                self.known.insert(hash, number);
-                self.reads.push(Reads::of_node(&node, &self.reads));
-                self.nodes.push(node);
-                Id::from_index(number)
-            }
-        };
+        let number = self.index.find(hash, |number| self.nodes.as_slice()[number] == node).unwrap_or_else(|| {
+            let number = self.nodes.len();
+            self.index.insert(hash, number);
+            self.reads.push(Reads::of_node(&node, &self.reads));
+            self.nodes.push(node);
+            number
+        });
+        let id = Id::from_index(number);
         if self.partial.is_some() && self.is_partial(id) {
             self.partial.get_or_insert_default().push(id);
         }
         id
     }
 
-    /// What of the nodes that were asked for since the last call is not defined everywhere.
+    /// Returns the partial nodes that were built since the last call, and records on.
     pub(crate) fn take_partial(&mut self) -> Vec<Id> {
         self.partial.replace(vec![]).unwrap_or_default()
     }
 
-    /// Ends the record of such nodes.
+    /// Ends the record of partial nodes.
     pub(crate) fn stop_recording(&mut self) {
         self.partial = None;
     }
 
+    /// Builds a constant.
     pub(crate) fn number(&mut self, value: Number) -> Id {
         self.intern(Node::Number(value))
     }
 
+    /// Builds an integer.
     pub(crate) fn integer(&mut self, value: i128) -> Id {
         self.number(Number::integer(value))
     }
 
+    /// Builds the number 0.
     pub(crate) fn zero(&mut self) -> Id {
         self.integer(0)
     }
 
+    /// Builds a symbol.
     pub(crate) fn symbol(&mut self, symbol: Symbol) -> Id {
         self.intern(Node::Symbol(symbol))
     }
 
+    /// Returns the value of a node that is a constant.
     pub(crate) fn as_number(&self, id: Id) -> Option<Number> {
         match self.node(id) {
             Node::Number(value) => Some(*value),
@@ -209,6 +215,7 @@ impl Graph {
         }
     }
 
+    /// Returns whether a node is the number 0.
     pub(crate) fn is_zero(&self, id: Id) -> bool {
         self.as_number(id).is_some_and(Number::is_zero)
     }

@@ -1,12 +1,12 @@
-//! A hasher for interning: short keys, no adversary, and an unoptimised build, in which std's costs more than the rest.
+//! A fast hasher for interning. Keys are short and come from no adversary. In an unoptimised build, the hasher of std costs more than all other work.
 
 use super::node::Node;
 use std::hash::{BuildHasherDefault, Hash, Hasher};
 
-/// A hash map with [`Fold`].
+/// A hash map with the hasher [`Fold`].
 pub(crate) type HashMap<K, V> = std::collections::HashMap<K, V, BuildHasherDefault<Fold>>;
 
-/// Folds words into one: rotate, xor, multiply by an odd constant (the hash of the Firefox browser).
+/// Folds words into one by rotate, xor and multiply with an odd constant. This is the hash function of Firefox.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Fold(u64);
 
@@ -16,7 +16,7 @@ impl Fold {
         self.0 = (self.0.rotate_left(5) ^ word).wrapping_mul(0x517c_c1b7_2722_0a95);
     }
 
-    /// The half that depends on all bits.
+    /// Returns the half that depends on all bits of the input.
     fn upper(self) -> u32 {
         (self.0 >> 32) as u32
     }
@@ -46,14 +46,14 @@ impl Hasher for Fold {
     }
 }
 
-/// The hash of anything.
+/// Returns the hash of a value.
 pub(crate) fn of(thing: &impl Hash) -> u32 {
     let mut fold = Fold::default();
     thing.hash(&mut fold);
     fold.upper()
 }
 
-/// The hash of some words.
+/// Returns the hash of a list of words.
 pub(super) fn of_words(words: &[u64]) -> u32 {
     let mut fold = Fold::default();
     for word in words {
@@ -62,7 +62,7 @@ pub(super) fn of_words(words: &[u64]) -> u32 {
     fold.upper()
 }
 
-/// The hash of a node.
+/// Returns the hash of a node.
 pub(super) fn of_node(node: &Node) -> u32 {
     let mut fold = Fold::default();
     match node {

@@ -1,15 +1,14 @@
-//! The graph of an energy: operations, interned nodes, what they read, their formula. Knows no syntax and no emission.
+//! The expression graph: operations, interned nodes, the symbols that a node reads, and printed formulas. It knows neither syntax nor emission.
 
+mod affine;
 mod call;
 pub(crate) mod graph;
 pub(crate) mod collect;
 pub(crate) mod hash;
+mod hash_index;
 mod id;
-mod known;
-mod line;
 mod node;
 pub(crate) mod number;
-mod of_steps;
 pub(crate) mod op;
 pub(crate) mod print;
 mod product;
@@ -17,18 +16,18 @@ mod reads;
 mod sign;
 pub(crate) mod substitute;
 mod sum;
+mod symbol;
 mod table;
 
-pub(crate) use graph::{Graph, Partial};
+pub(crate) use affine::AffineForms;
+pub(crate) use graph::{Graph, UndefinedAt};
 pub(crate) use hash::HashMap;
+pub(crate) use hash_index::HashIndex;
 pub(crate) use id::Id;
-pub(crate) use known::Known;
-pub(crate) use line::Lines;
 pub(crate) use node::Node;
-pub(crate) use number::Ratio;
-pub(crate) use number::{Number, factors_of_radicand};
-pub(crate) use of_steps::of_steps;
-pub(crate) use op::{Function, Relation, Symbol};
+pub(crate) use number::{Number, Ratio, factors_of_radicand};
+pub(crate) use op::{Function, Relation, of_steps};
 pub(crate) use reads::Reads;
 pub(crate) use sign::Sign;
+pub(crate) use symbol::Symbol;
 pub(crate) use table::Table;

@@ -1,33 +1,41 @@
-//! What an expression is: an operation, and its operands by their places in the graph.
+//! One node of the graph: an operation and its operands.
 
 use super::id::Id;
 use super::number::{Number, Ratio};
-use super::op::{Function, Relation, Symbol};
+use super::op::{Function, Relation};
+use super::symbol::Symbol;
 
-/// An expression in terms of smaller ones. A sum or product over an index that stays a loop would be one more kind of
-/// node, with a graph of its own as its body.
+/// An expression in terms of smaller expressions. Loops are unrolled: a sum over an index would need a node with a graph as its body.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Node {
+    /// A constant.
     Number(Number),
+    /// A coordinate, time, parameter or another leaf.
     Symbol(Symbol),
-    /// constant + Σ coefficient·term, terms in order of their ids; scaling and negation too.
+    /// constant + Σ coefficient·term, terms in order of their ids. Scaling and negation are sums of one term.
     Linear(Number, Vec<(Number, Id)>),
-    /// Π factors, at least two, in order of their ids; no numbers among them.
+    /// Π factors, at least two, in order of their ids. No factor is a number.
     Product(Vec<Id>),
-    /// A base to an exponent that is an integer or half of one.
+    /// A base to an exponent, which is an integer or half of an integer.
     Power(Id, Ratio),
+    /// A function of its arguments.
     Call(Function, Vec<Id>),
     /// `if condition { first } else { second }`.
     Select(Id, Id, Id),
-    /// Conditions.
+    /// A condition that compares two numbers.
     Compare(Relation, Id, Id),
+    /// The conjunction of two conditions.
     And(Id, Id),
+    /// The disjunction of two conditions.
     Or(Id, Id),
+    /// The negation of a condition.
     Not(Id),
+    /// A constant condition.
     Truth(bool),
 }
 
 impl Node {
+    /// Visits the operands in order.
     pub(crate) fn for_each_child(&self, mut visit: impl FnMut(Id)) {
         match self {
             Node::Number(_) | Node::Symbol(_) | Node::Truth(_) => {}
@@ -42,25 +50,19 @@ impl Node {
                 }
             }
             Node::Power(id, _) | Node::Not(id) => visit(*id),
-            Node::Select(condition, first, second) => {
-                visit(*condition);
-                visit(*first);
-                visit(*second);
-            }
-            Node::Compare(_, a, b) | Node::And(a, b) | Node::Or(a, b) => {
-                visit(*a);
-                visit(*b);
-            }
+            Node::Select(condition, first, second) => [condition, first, second].into_iter().for_each(|id| visit(*id)),
+            Node::Compare(_, a, b) | Node::And(a, b) | Node::Or(a, b) => [a, b].into_iter().for_each(|id| visit(*id)),
         }
     }
 
+    /// Returns the operands in order.
     pub(crate) fn children(&self) -> Vec<Id> {
         let mut children = vec![];
         self.for_each_child(|child| children.push(child));
         children
     }
 
-    /// Whether the value is true or false in place of a number.
+    /// Returns whether the value is true or false instead of a number.
     pub(crate) fn is_condition(&self) -> bool {
         matches!(self, Node::Compare(..) | Node::And(..) | Node::Or(..) | Node::Not(_) | Node::Truth(_))
     }

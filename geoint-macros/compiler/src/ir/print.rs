@@ -1,25 +1,26 @@
-//! Nodes as formulas: for messages, documentation and snapshots.
+//! Prints nodes as formulas for messages, documentation and snapshots.
 
 use super::graph::Graph;
 use super::hash::HashMap;
 use super::id::Id;
 use super::node::Node;
 use super::number::{Number, Ratio};
-use super::op::{Function, Relation, Symbol};
+use super::op::{Function, Relation};
+use super::symbol::Symbol;
 use std::cell::{Cell, RefCell};
 
-/// Longer formulas are cut in messages.
+/// Messages cut formulas with more characters than this.
 const MESSAGE_LENGTH: usize = 90;
 
-/// More than a message has room for is not printed: most nodes have a character of their own, symbols their names.
-const SIZE_OF_MESSAGE: usize = 4 * MESSAGE_LENGTH;
+/// The budget of a formula in a message. A node costs 1, and a symbol also costs the length of its name.
+const BUDGET_OF_MESSAGE: usize = 4 * MESSAGE_LENGTH;
 
-/// Of a longer formula only the beginning is printed: shared nodes are printed again wherever they are read, and a formula can
-/// be exponentially longer than its graph.
+/// The largest number of nodes in a formula. Shared nodes are printed wherever they are read, so a formula can be exponentially longer than its graph.
 const MOST_NODES: usize = 1000;
 
 /// The names that users gave to symbols.
 pub(crate) trait Naming {
+    /// Returns the name of a symbol.
     fn name(&self, symbol: Symbol) -> String;
 }
 
@@ -29,19 +30,19 @@ impl<F: Fn(Symbol) -> String> Naming for F {
     }
 }
 
-/// Prints nodes with the names that the user gave.
+/// Prints nodes with the names of a [`Naming`].
 pub(crate) struct Printer<'a> {
     graph: &'a Graph,
     naming: &'a dyn Naming,
-    /// What it has named before.
+    /// Cache of names, filled on demand.
     names: RefCell<HashMap<Symbol, String>>,
-    /// How many nodes may still be printed; or how many characters of names, and other nodes.
-    left: Cell<usize>,
-    /// Whether names count by their characters.
-    short: Cell<bool>,
+    /// The rest of the budget. The formula breaks off when it is zero.
+    budget: Cell<usize>,
+    /// Whether the names of symbols cost their lengths.
+    names_cost: Cell<bool>,
 }
 
-/// How tightly an operand must hold together.
+/// The precedence of an operator. An operand with a lower precedence than its place gets parentheses.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
 enum Precedence {
     Sum,
@@ -51,30 +52,31 @@ enum Precedence {
 }
 
 impl<'a> Printer<'a> {
+    /// Creates a printer of the nodes of a graph.
     pub(crate) fn new(graph: &'a Graph, naming: &'a dyn Naming) -> Self {
-        Printer { graph, naming, names: RefCell::default(), left: Cell::new(0), short: Cell::new(false) }
+        Printer { graph, naming, names: RefCell::default(), budget: Cell::new(0), names_cost: Cell::new(false) }
     }
 
-    /// What users call a symbol.
+    /// Returns the name of a symbol.
     pub(crate) fn named(&self, symbol: Symbol) -> String {
         self.names.borrow_mut().entry(symbol).or_insert_with(|| self.naming.name(symbol)).clone()
     }
 
-    /// The whole formula, unless it is very long.
+    /// Prints a formula. A very long formula breaks off after [`MOST_NODES`] nodes.
     pub(crate) fn formula(&self, id: Id) -> String {
-        self.left.set(MOST_NODES);
-        self.short.set(false);
+        self.budget.set(MOST_NODES);
+        self.names_cost.set(false);
         self.print(id, Precedence::Sum)
     }
 
-    /// The formula, cut if it would not fit into a message.
+    /// Prints a formula for a message and cuts it to [`MESSAGE_LENGTH`].
     pub(crate) fn excerpt(&self, id: Id) -> String {
-        self.left.set(SIZE_OF_MESSAGE);
-        self.short.set(true);
+        self.budget.set(BUDGET_OF_MESSAGE);
+        self.names_cost.set(true);
         Self::cut(self.print(id, Precedence::Sum))
     }
 
-    /// A formula, cut if it would not fit into a message.
+    /// Cuts a formula to [`MESSAGE_LENGTH`].
     pub(crate) fn cut(formula: String) -> String {
         if formula.chars().count() <= MESSAGE_LENGTH {
             return formula;
@@ -82,17 +84,21 @@ impl<'a> Printer<'a> {
         formula.chars().take(MESSAGE_LENGTH).chain(" …".chars()).collect()
     }
 
+    /// Prints a node as an operand of an operator with the precedence `outside`.
     fn print(&self, id: Id, outside: Precedence) -> String {
-        let Some(left) = self.left.get().checked_sub(1) else { return "…".into() };
-        self.left.set(left);
+        let Some(budget) = self.budget.get().checked_sub(1) else { return "…".into() };
+        self.budget.set(budget);
+        let both = |a: Id, operator: &str, b: Id, precedence: Precedence| {
+            (format!("{} {operator} {}", self.print(a, precedence), self.print(b, precedence)), Precedence::Sum)
+        };
         let (text, level) = match self.graph.node(id) {
             Node::Number(value) => {
                 (number(*value), if value.is_negative() { Precedence::Sum } else { Precedence::Atom })
             }
             Node::Symbol(symbol) => {
                 let name = self.named(*symbol);
-                if self.short.get() {
-                    self.left.set(left.saturating_sub(name.len()));
+                if self.names_cost.get() {
+                    self.budget.set(budget.saturating_sub(name.len()));
                 }
                 (name, Precedence::Atom)
             }
@@ -114,42 +120,35 @@ impl<'a> Printer<'a> {
                     Relation::LessEqual => "≤",
                     Relation::Equal => "=",
                 };
-                (
-                    format!("{} {sign} {}", self.print(*a, Precedence::Sum), self.print(*b, Precedence::Sum)),
-                    Precedence::Sum,
-                )
+                both(*a, sign, *b, Precedence::Sum)
             }
-            Node::And(a, b) => (
-                format!("{} and {}", self.print(*a, Precedence::Atom), self.print(*b, Precedence::Atom)),
-                Precedence::Sum,
-            ),
-            Node::Or(a, b) => (
-                format!("{} or {}", self.print(*a, Precedence::Atom), self.print(*b, Precedence::Atom)),
-                Precedence::Sum,
-            ),
+            Node::And(a, b) => both(*a, "and", *b, Precedence::Atom),
+            Node::Or(a, b) => both(*a, "or", *b, Precedence::Atom),
             Node::Not(a) => (format!("not {}", self.print(*a, Precedence::Atom)), Precedence::Product),
             Node::Truth(value) => (value.to_string(), Precedence::Atom),
         };
         if level < outside { format!("({text})") } else { text }
     }
 
+    /// Prints a sum. A positive term leads, if there is one.
     fn linear(&self, constant: Number, terms: &[(Number, Id)]) -> (String, Precedence) {
         let mut text = String::new();
-        // A positive term leads if there is one.
-        let mut order: Vec<_> = terms.to_vec();
+        let mut order = terms.to_vec();
         if let Some(first) = order.iter().position(|(c, _)| !c.is_negative()) {
             order[..=first].rotate_right(1);
         }
         for (c, id) in order {
             let magnitude = if c.is_negative() { c.neg() } else { c };
-            let sign = match (text.is_empty(), c.is_negative()) {
+            text += match (text.is_empty(), c.is_negative()) {
                 (true, false) => "",
                 (true, true) => "-",
                 (false, false) => " + ",
                 (false, true) => " - ",
             };
-            text += sign;
-            text += &self.scaled(magnitude, id);
+            text += &match magnitude {
+                Number::ONE => self.print(id, Precedence::Product),
+                _ => self.fraction(magnitude, id).0,
+            };
         }
         if !constant.is_zero() {
             let magnitude = if constant.is_negative() { constant.neg() } else { constant };
@@ -160,14 +159,7 @@ impl<'a> Printer<'a> {
         (text, if single { Precedence::Product } else { Precedence::Sum })
     }
 
-    fn scaled(&self, c: Number, id: Id) -> String {
-        match c {
-            Number::ONE => self.print(id, Precedence::Product),
-            _ => self.fraction(c, id).0,
-        }
-    }
-
-    /// c·node as one fraction.
+    /// Prints c·node as one fraction.
     fn fraction(&self, c: Number, id: Id) -> (String, Precedence) {
         let (mut above, mut below) = (vec![], vec![]);
         match c {
@@ -178,8 +170,13 @@ impl<'a> Printer<'a> {
             }
             _ => above.push(number(c)),
         }
-        let mut factors: Vec<(Id, Ratio)> =
-            self.graph.factors(id).into_iter().map(|factor| self.quotient(factor)).collect();
+        let mut factors = self.graph.factors(id);
+        for (base, exponent) in &mut factors {
+            // The reciprocal of a positive node is printed as 1/x.
+            if let Node::Call(Function::RecipPositive, args) = self.graph.node(*base) {
+                (*base, *exponent) = (args[0], exponent.neg());
+            }
+        }
         factors.sort_by_key(|(base, _)| *base);
         for (base, exponent) in factors {
             let side = if exponent.numerator < 0 { &mut below } else { &mut above };
@@ -197,15 +194,7 @@ impl<'a> Printer<'a> {
         (text, if alone { Precedence::Power } else { Precedence::Product })
     }
 
-    /// 1/x in the place of a reciprocal that is for positive x alone.
-    fn quotient(&self, (base, exponent): (Id, Ratio)) -> (Id, Ratio) {
-        match self.graph.node(base) {
-            Node::Call(Function::RecipPositive, args) => (args[0], exponent.neg()),
-            _ => (base, exponent),
-        }
-    }
-
-    /// A base to the magnitude of an exponent.
+    /// Prints a base to the magnitude of an exponent.
     fn power(&self, base: Id, exponent: Ratio) -> String {
         let n = exponent.numerator.abs();
         match (n, exponent.denominator) {
@@ -227,7 +216,7 @@ fn superscript(n: i128) -> String {
 fn number(value: Number) -> String {
     let (decimal, scientific) = (format!("{}", value.to_f64()), format!("{:e}", value.to_f64()));
     match value {
-        // Short decimals are read more easily than fractions, and fractions of short numbers than long decimals.
+        // Prefer short decimals to fractions, and fractions of short numbers to long decimals.
         _ if decimal.len() <= 8 => decimal,
         Number::Exact(r) if r.numerator.abs().max(r.denominator) < 100_000 => {
             format!("{}/{}", r.numerator, r.denominator)

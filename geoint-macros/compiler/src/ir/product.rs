@@ -1,13 +1,12 @@
-//! Products, quotients and powers: one node for every base, never expanded.
+//! Constructors of products, quotients and powers. Equal bases are merged, and products are never expanded.
 
 use super::graph::Graph;
 use super::id::Id;
 use super::node::Node;
-use super::number::Number;
-use super::number::Ratio;
+use super::number::{Number, Ratio};
 
 impl Graph {
-    /// A node as coefficient·rest.
+    /// Splits a node into coefficient·rest.
     pub(crate) fn coefficient(&self, id: Id) -> (Number, Id) {
         match self.node(id) {
             Node::Linear(constant, terms) if constant.is_zero() && terms.len() == 1 => terms[0],
@@ -15,7 +14,7 @@ impl Graph {
         }
     }
 
-    /// Bases and exponents of a product, however nested.
+    /// Returns the bases and exponents of a product and of the products nested in it.
     pub(crate) fn factors(&self, id: Id) -> Vec<(Id, Ratio)> {
         let mut factors = vec![];
         self.push_factors(id, &mut factors);
@@ -34,117 +33,45 @@ impl Graph {
         }
     }
 
-    /// Whether a node, or something that it is a product or power of, is one of others.
-    fn is_made_of(&self, id: Id, others: &[Id]) -> bool {
-        for other in others {
-            if *other == id {
-                return true;
-            }
-        }
-        match self.node(id) {
-            Node::Product(ids) => {
-                for id in ids {
-                    if self.is_made_of(*id, others) {
-                        return true;
-                    }
-                }
-                false
-            }
-            Node::Power(base, _) => others.contains(base),
-            _ => false,
-        }
-    }
-
-    /// Whether two nodes may have a base in common.
-    fn may_meet(&self, a: Id, b: Id) -> bool {
-        match self.node(a) {
-            Node::Product(_) => {
-                let mut bases = vec![a];
-                self.push_bases(a, &mut bases);
-                self.is_made_of(b, &bases)
-            }
-            Node::Power(base, _) => self.is_made_of(b, &[a, *base]),
-            _ => self.is_made_of(b, &[a]),
-        }
-    }
-
-    fn push_bases(&self, id: Id, bases: &mut Vec<Id>) {
-        match self.node(id) {
-            Node::Product(ids) => {
-                for id in ids {
-                    self.push_bases(*id, bases);
-                }
-            }
-            Node::Power(base, _) => bases.push(*base),
-            _ => bases.push(id),
-        }
-    }
-
-    /// a·b. Stays nested as it was written (a product that others use as well is computed once), unless some base
-    /// meets an equal one: then powers are merged.
+    /// Builds a·b. Powers of a base that both sides share are merged. Other products stay nested as they were written, so a product that other
+    /// expressions use as well is computed once.
     pub(crate) fn mul(&mut self, a: Id, b: Id) -> Id {
-        if let Node::Number(c) = *self.node(a) {
+        if let Some(c) = self.as_number(a) {
             return self.scale(c, b);
         }
-        if let Node::Number(c) = *self.node(b) {
+        if let Some(c) = self.as_number(b) {
             return self.scale(c, a);
         }
         let ((ca, a), (cb, b)) = (self.coefficient(a), self.coefficient(b));
-        let merged = if self.may_meet(a, b) { self.met(a, b) } else { self.met_opposite(a, b) };
-        let product = merged.unwrap_or_else(|| self.intern(Node::Product(if a < b { vec![a, b] } else { vec![b, a] })));
+        let (left, right) = (self.factors(a), self.factors(b));
+        let product = if let Some(factors) = with_shared_base(a, &left, b, &right) {
+            self.merged(factors)
+        } else if let Some((sign, factors)) = self.with_opposite_sum(&left, &right) {
+            let product = self.merged(factors);
+            self.scale(sign, product)
+        } else {
+            self.intern(Node::Product(if a < b { vec![a, b] } else { vec![b, a] }))
+        };
         self.scale(ca.mul(cb), product)
     }
 
-    /// a·b with merged powers, if some base meets an equal one.
-    fn met(&mut self, a: Id, b: Id) -> Option<Id> {
-        let (mut left, mut right) = (self.factors(a), self.factors(b));
-        // A product that is the base of the other side's power meets it as a whole.
-        if right.iter().any(|(base, _)| *base == a) {
-            left = vec![(a, Ratio::ONE)];
-        }
-        if left.iter().any(|(base, _)| *base == b) {
-            right = vec![(b, Ratio::ONE)];
-        }
-        let meets = right.iter().any(|(base, _)| left.iter().any(|(other, _)| other == base));
-        meets.then(|| self.merged(left.into_iter().chain(right).collect()))
-    }
-
-    /// a·b with merged powers, if a sum meets its opposite: (b − a)(a − b)² is −(a − b)³.
-    fn met_opposite(&mut self, a: Id, b: Id) -> Option<Id> {
-        if !self.any_sum(a, &|left| self.any_sum(b, &|right| self.is_opposite(left, right))) {
-            return None;
-        }
-        let (mut left, right) = (self.factors(a), self.factors(b));
-        let mut coefficient = None;
-        for (base, exponent) in left.iter_mut().filter(|(_, exponent)| exponent.is_integer()) {
+    /// Returns the sign and factors of a product in which sums on the left have their opposite on the right: (b − a)(a − b)² is −(a − b)³.
+    fn with_opposite_sum(&self, left: &[(Id, Ratio)], right: &[(Id, Ratio)]) -> Option<(Number, Vec<(Id, Ratio)>)> {
+        let (mut sign, mut found, mut factors) = (Number::ONE, false, left.to_vec());
+        for (base, exponent) in factors.iter_mut().filter(|(_, exponent)| exponent.is_integer()) {
             if let Some((opposite, _)) = right.iter().find(|(other, _)| self.is_opposite(*base, *other)) {
-                let sign = if exponent.numerator % 2 == 0 { Number::ONE } else { Number::ONE.neg() };
-                coefficient = Some(sign.mul(coefficient.unwrap_or(Number::ONE)));
+                found = true;
                 *base = *opposite;
-            }
-        }
-        let coefficient = coefficient?;
-        let product = self.merged(left.into_iter().chain(right).collect());
-        Some(self.scale(coefficient, product))
-    }
-
-    /// Whether that holds of some sum among the bases of a product.
-    fn any_sum(&self, id: Id, holds: &dyn Fn(Id) -> bool) -> bool {
-        match self.node(id) {
-            Node::Linear(..) => holds(id),
-            Node::Power(base, _) => matches!(self.node(*base), Node::Linear(..)) && holds(*base),
-            Node::Product(ids) => {
-                for id in ids {
-                    if self.any_sum(*id, holds) {
-                        return true;
-                    }
+                if exponent.numerator % 2 != 0 {
+                    sign = sign.neg();
                 }
-                false
             }
-            _ => false,
         }
+        factors.extend(right);
+        found.then_some((sign, factors))
     }
 
+    /// Returns whether two sums are opposite term by term.
     fn is_opposite(&self, a: Id, b: Id) -> bool {
         match (self.node(a), self.node(b)) {
             (Node::Linear(c, left), Node::Linear(d, right)) => {
@@ -155,13 +82,14 @@ impl Graph {
         }
     }
 
+    /// Builds the product of powers with equal bases merged.
     fn merged(&mut self, mut factors: Vec<(Id, Ratio)>) -> Id {
         factors.sort_by_key(|(base, _)| *base);
         let mut powers: Vec<(Id, Ratio)> = vec![];
         for (base, exponent) in factors {
             match powers.last_mut() {
                 Some((last, e)) if *last == base => {
-                    // Exponents are small; should their sum ever overflow, the factors stay apart.
+                    // Exponents are small. If their sum overflows, the factors stay apart.
                     match e.add(exponent) {
                         Some(total) => *e = total,
                         None => powers.push((base, exponent)),
@@ -192,29 +120,29 @@ impl Graph {
         self.scale(coefficient, product)
     }
 
+    /// Builds the product of all nodes, from left to right.
     pub(crate) fn product(&mut self, ids: &[Id]) -> Id {
         let [first, rest @ ..] = ids else { return self.integer(1) };
-        let mut product = *first;
-        for id in rest {
-            product = self.mul(product, *id);
-        }
-        product
+        rest.iter().fold(*first, |product, id| self.mul(product, *id))
     }
 
+    /// Builds 1/a.
     pub(crate) fn recip(&mut self, a: Id) -> Id {
         self.pow(a, Ratio::integer(-1))
     }
 
+    /// Builds a/b.
     pub(crate) fn div(&mut self, a: Id, b: Id) -> Id {
         let b = self.recip(b);
         self.mul(a, b)
     }
 
+    /// Builds √a.
     pub(crate) fn sqrt(&mut self, a: Id) -> Id {
         self.pow(a, Ratio::HALF)
     }
 
-    /// baseᵉ for an exponent that is an integer or half of one.
+    /// Builds baseᵉ for an exponent that is an integer or half of an integer.
     pub(crate) fn pow(&mut self, base: Id, exponent: Ratio) -> Id {
         if exponent.numerator == 0 {
             return self.integer(1);
@@ -228,7 +156,7 @@ impl Graph {
                     return self.number(power);
                 }
             }
-            // (xʳ)ᵉ = xʳᵉ unless a sign was lost on the way: √(x²) is |x|.
+            // (xʳ)ᵉ = xʳᵉ, except for an even r and a half-integral e: √(x²) is |x|.
             Node::Power(inner, r) if exponent.is_integer() || !r.is_integer() => {
                 if let Some(total) = r.mul(exponent).filter(|total| total.denominator <= 2) {
                     return self.pow(inner, total);
@@ -243,7 +171,8 @@ impl Graph {
                     return self.scale(c, power);
                 }
             }
-            // (b − a)² and (a − b)² are one node, and so are (b − a)³ and −(a − b)³. A pole is called as it was written.
+            // (b − a)² and (a − b)² are one node, and so are (b − a)³ and −(a − b)³. A reciprocal keeps its sign, because messages name its pole as
+            // the user wrote it.
             Node::Linear(..) if exponent.is_integer() && exponent.numerator != -1 && self.leads_negative(base) => {
                 let positive = self.negated_sum(base);
                 let power = self.pow(positive, exponent);
@@ -253,4 +182,13 @@ impl Graph {
         }
         self.intern(Node::Power(base, exponent))
     }
+}
+
+/// Returns the factors of a·b if both sides share a base. A side that is itself a base of the other side stays whole.
+fn with_shared_base(a: Id, left: &[(Id, Ratio)], b: Id, right: &[(Id, Ratio)]) -> Option<Vec<(Id, Ratio)>> {
+    let contains = |factors: &[(Id, Ratio)], id: Id| factors.iter().any(|(base, _)| *base == id);
+    let (whole_a, whole_b) = ([(a, Ratio::ONE)], [(b, Ratio::ONE)]);
+    let left = if contains(right, a) { &whole_a[..] } else { left };
+    let right = if contains(left, b) { &whole_b[..] } else { right };
+    right.iter().any(|(base, _)| contains(left, *base)).then(|| [left, right].concat())
 }

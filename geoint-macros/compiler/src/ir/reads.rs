@@ -1,13 +1,13 @@
-//! Which symbols a node reads.
+//! The symbols that a node reads.
 
 use super::hash;
+use super::hash_index::HashIndex;
 use super::id::Id;
-use super::known::Known;
 use super::node::Node;
-use super::op::Symbol;
+use super::symbol::Symbol;
 use super::table::Table;
 
-/// What a node reads of phase space.
+/// The kinds of coordinates that a node reads.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Reads {
     pub(crate) q: bool,
@@ -18,17 +18,17 @@ pub(crate) struct Reads {
 }
 
 impl Reads {
-    /// Whether a position, a momentum, a velocity or the action is read.
+    /// Returns whether a position, a momentum, a velocity or the action is read.
     pub(crate) fn state(self) -> bool {
         self.q || self.p || self.v || self.s
     }
 
-    /// Whether the value changes along a motion.
+    /// Returns whether the value may change along a motion.
     pub(crate) fn moves(self) -> bool {
         self.state() || self.t
     }
 
-    /// What a node reads, from what operands do.
+    /// Derives the kinds that a node reads from those of all earlier nodes.
     pub(super) fn of_node(node: &Node, operands: &[Reads]) -> Reads {
         if let Node::Symbol(symbol) = node {
             return Reads::of(*symbol);
@@ -38,7 +38,7 @@ impl Reads {
         reads
     }
 
-    /// What reading a symbol is.
+    /// Returns the kind of a symbol. Parameters have none.
     fn of(symbol: Symbol) -> Reads {
         let none = Reads::default();
         match symbol {
@@ -51,12 +51,12 @@ impl Reads {
         }
     }
 
-    /// How many of q, p and s are read.
+    /// Returns how many of q, p and s are read.
     pub(crate) fn kinds(self) -> usize {
         [self.q, self.p, self.s].into_iter().filter(|reads| *reads).count()
     }
 
-    /// What one or the other reads.
+    /// Returns the union of both sets of kinds.
     pub(crate) fn or(self, other: Reads) -> Reads {
         Reads {
             q: self.q || other.q,
@@ -68,20 +68,21 @@ impl Reads {
     }
 }
 
-/// The symbols that nodes read, of those of which it was asked: sets, of which there are few.
+/// Cache of the symbols that nodes read. Many nodes read the same symbols, so equal sets are stored once.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Symbols {
-    /// In the order in which they came.
+    /// All symbols in the order of their first occurrence.
     all: Vec<Symbol>,
-    /// Symbols as bits, 64 a word, by their places among all.
+    /// Sets of symbols. Bit i of the concatenated words stands for symbol i of `all`.
     sets: Vec<Vec<u64>>,
-    known: Known,
-    /// The set of each node.
+    /// The sets by their hashes.
+    index: HashIndex,
+    /// The place of each node's set.
     pub(super) of: Table<u32>,
 }
 
 impl Symbols {
-    /// What a node reads, in order.
+    /// Returns the symbols that a node reads, in order.
     pub(super) fn of(&self, id: Id) -> Vec<Symbol> {
         let mut symbols = vec![];
         self.for_each(id, |symbol| symbols.push(symbol));
@@ -89,7 +90,7 @@ impl Symbols {
         symbols
     }
 
-    /// Whether a node reads a symbol that `counts`.
+    /// Returns whether a node reads a symbol that `counts`.
     pub(super) fn any(&self, id: Id, counts: impl Fn(Symbol) -> bool) -> bool {
         let mut any = false;
         self.for_each(id, |symbol| any = any || counts(symbol));
@@ -108,22 +109,22 @@ impl Symbols {
         }
     }
 
-    /// Notes what a node reads, whose operands are known.
-    pub(super) fn note(&mut self, id: Id, node: &Node) {
+    /// Adds the set of a node. Precondition: the sets of its operands are present.
+    pub(super) fn insert(&mut self, id: Id, node: &Node) {
         let bits = match node {
-            Node::Symbol(symbol) => self.alone(*symbol),
-            node => self.union(node),
+            Node::Symbol(symbol) => self.singleton(*symbol),
+            node => self.union_of_operands(node),
         };
         let hash = hash::of_words(&bits);
-        let set = self.known.find(hash, |set| self.sets[set] == bits).unwrap_or_else(|| {
-            self.known.insert(hash, self.sets.len());
+        let set = self.index.find(hash, |set| self.sets[set] == bits).unwrap_or_else(|| {
+            self.index.insert(hash, self.sets.len());
             self.sets.push(bits);
             self.sets.len() - 1
         });
         self.of.insert(id, set as u32);
     }
 
-    fn alone(&mut self, symbol: Symbol) -> Vec<u64> {
+    fn singleton(&mut self, symbol: Symbol) -> Vec<u64> {
         let place = self.all.iter().position(|other| *other == symbol).unwrap_or(self.all.len());
         if place == self.all.len() {
             self.all.push(symbol);
@@ -133,16 +134,10 @@ impl Symbols {
         bits
     }
 
-    fn union(&self, node: &Node) -> Vec<u64> {
+    fn union_of_operands(&self, node: &Node) -> Vec<u64> {
         let mut bits: Vec<u64> = vec![];
-        let mut last = None;
         node.for_each_child(|child| {
-            let set = self.of[child];
-            if last == Some(set) {
-                return;
-            }
-            last = Some(set);
-            let others = self.sets[set as usize].as_slice();
+            let others = self.sets[self.of[child] as usize].as_slice();
             if bits.len() < others.len() {
                 bits.resize(others.len(), 0);
             }

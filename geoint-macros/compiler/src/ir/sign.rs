@@ -1,4 +1,4 @@
-//! The sign of a node, from its form, whatever its symbols are.
+//! The sign of a node, derived from its form and valid for all values of its symbols.
 
 use super::id::Id;
 use super::node::Node;
@@ -6,7 +6,7 @@ use super::number::Number;
 use super::op::Function;
 use super::table::Table;
 
-/// What is known of a sign.
+/// The known lower bound of a node.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Sign {
     Unknown,
@@ -14,7 +14,7 @@ pub(crate) enum Sign {
     Positive,
 }
 
-/// The sign of a node, from its operands and their signs.
+/// Derives the sign of a node from its operands and their signs.
 pub(super) fn sign(node: &Node, operands: &[Node], signs: &Table<Sign>) -> Sign {
     use Function::{Abs, Cbrt, Cos, Cosh, Exp, Exp2, Hypot, Max, Min, Sin, Tanh};
     use Sign::{NotNegative, Positive, Unknown};
@@ -26,7 +26,7 @@ pub(super) fn sign(node: &Node, operands: &[Node], signs: &Table<Sign>) -> Sign 
         Node::Number(value) if value.is_zero() => NotNegative,
         Node::Number(_) => Positive,
         Node::Linear(constant, terms) => {
-            // How far a term may go below zero.
+            // The magnitude of the lower bound of a term, if it is finite.
             let depth = |(c, term): &(Number, Id)| match operands[term.index()] {
                 Node::Call(Sin | Cos | Tanh, _) => Some(c.to_f64().abs()),
                 _ if c.is_negative() || of(*term) == Unknown => None,

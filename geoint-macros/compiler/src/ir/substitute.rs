@@ -1,33 +1,34 @@
-//! Symbols replaced by expressions.
+//! Replaces symbols by expressions.
 
 use super::graph::Graph;
 use super::id::Id;
 use super::node::Node;
-use super::op::Symbol;
+use super::symbol::Symbol;
 use super::table::Table;
 
-/// A replacement of symbols that remembers what it has rebuilt.
+/// A replacement of symbols with a cache of rebuilt nodes.
 pub(crate) struct Substitution<F> {
     replace: F,
     done: Table<Id>,
 }
 
 impl<F: Fn(&mut Graph, Symbol) -> Option<Id>> Substitution<F> {
+    /// Creates a substitution. `replace` returns the expression for a symbol, or `None` to keep it.
     pub(crate) fn new(replace: F) -> Self {
         Substitution { replace, done: Table::default() }
     }
 
-    /// What of `root` has not been rebuilt yet, operands first.
+    /// Returns the nodes below `root` that are not rebuilt yet, operands first.
     pub(crate) fn unknown(&self, graph: &Graph, root: Id) -> Vec<Id> {
         graph.unknown(root, &self.done)
     }
 
-    /// Replaces a node, whatever it is built of.
+    /// Sets the replacement of a whole node.
     pub(crate) fn insert(&mut self, id: Id, replacement: Id) {
         self.done.insert(id, replacement);
     }
 
-    /// `root` with every symbol replaced for which there is a replacement.
+    /// Rebuilds `root` with all replacements.
     pub(crate) fn apply(&mut self, graph: &mut Graph, root: Id) -> Id {
         for id in graph.unknown(root, &self.done) {
             let new = |id: &Id| self.done[*id];
@@ -40,7 +41,6 @@ impl<F: Fn(&mut Graph, Symbol) -> Option<Id>> Substitution<F> {
             let node = graph.node(id).clone();
             let rebuilt = match &node {
                 Node::Symbol(symbol) => (self.replace)(graph, *symbol).unwrap_or(id),
-                // Without operands there is nothing to rebuild.
                 Node::Number(_) | Node::Truth(_) => id,
                 Node::Linear(constant, terms) => {
                     let mut sum = graph.number(*constant);
@@ -65,7 +65,12 @@ impl<F: Fn(&mut Graph, Symbol) -> Option<Id>> Substitution<F> {
     }
 }
 
-/// A node with a symbol replaced.
+/// Returns a node with one symbol replaced.
 pub(crate) fn replaced(graph: &mut Graph, id: Id, symbol: Symbol, value: Id) -> Id {
     Substitution::new(|_: &mut Graph, other| (other == symbol).then_some(value)).apply(graph, id)
+}
+
+/// Returns a node with zero in place of the symbols that `vanishes` selects.
+pub(crate) fn at_zero(graph: &mut Graph, id: Id, vanishes: impl Fn(Symbol) -> bool) -> Id {
+    Substitution::new(|graph: &mut Graph, symbol| vanishes(symbol).then(|| graph.zero())).apply(graph, id)
 }

@@ -1,4 +1,4 @@
-//! Sums: a constant and terms with coefficients, equal terms merged.
+//! Constructors of sums: a constant and terms with coefficients. Equal terms are merged.
 
 use super::graph::Graph;
 use super::id::Id;
@@ -6,48 +6,53 @@ use super::node::Node;
 use super::number::Number;
 
 impl Graph {
-    /// A node as constant + Σ coefficient·term, where a sum with several terms may be taken apart or be one term.
-    fn terms(&self, id: Id, apart: bool) -> (Number, Vec<(Number, Id)>) {
+    /// Splits a node into constant + Σ coefficient·term.
+    fn addends(&self, id: Id) -> (Number, Vec<(Number, Id)>) {
         match self.node(id) {
             Node::Number(value) => (*value, vec![]),
-            Node::Linear(constant, terms) if apart || (terms.len() == 1 && constant.is_zero()) => {
-                (*constant, terms.clone())
-            }
+            Node::Linear(constant, terms) => (*constant, terms.clone()),
             _ => (Number::ZERO, vec![(Number::ONE, id)]),
         }
     }
 
-    /// a + b. A sum on the left is continued; one on the right stays together as it was written, unless some term of it
-    /// meets an equal one.
+    /// Builds a + b. The left sum is continued. The right sum stays one term, as it was written, unless it shares a term with the left sum.
     pub(crate) fn add(&mut self, a: Id, b: Id) -> Id {
-        let (constant, mut terms) = self.terms(a, a != b);
-        let (c, mut right) = self.terms(b, self.meets(&terms, b));
-        terms.append(&mut right);
-        self.linear(constant.add(c), terms)
+        if a == b {
+            return self.scale(Number::integer(2), a);
+        }
+        let (constant, mut terms) = self.addends(a);
+        if self.shares_term(&terms, b) || self.as_number(b).is_some() {
+            let (c, right) = self.addends(b);
+            terms.extend(right);
+            return self.linear(constant.add(c), terms);
+        }
+        terms.push(self.coefficient(b));
+        self.linear(constant, terms)
     }
 
-    /// Whether one of some terms is a term of a node.
-    fn meets(&self, terms: &[(Number, Id)], id: Id) -> bool {
-        let is_there = |id: Id| terms.iter().any(|(_, term)| *term == id);
+    /// Returns whether one of `terms` is a term of a node.
+    fn shares_term(&self, terms: &[(Number, Id)], id: Id) -> bool {
+        let contains = |id: Id| terms.iter().any(|(_, term)| *term == id);
         match self.node(id) {
             Node::Number(_) => false,
-            Node::Linear(_, terms) => terms.iter().any(|(_, term)| is_there(*term)),
-            _ => is_there(id),
+            Node::Linear(_, terms) => terms.iter().any(|(_, term)| contains(*term)),
+            _ => contains(id),
         }
     }
 
+    /// Builds −a.
     pub(crate) fn neg(&mut self, a: Id) -> Id {
         self.scale(Number::MINUS_ONE, a)
     }
 
+    /// Builds a − b. Terms that both sums share are merged.
     pub(crate) fn sub(&mut self, a: Id, b: Id) -> Id {
         if a == b {
             return self.zero();
         }
-        // Sums that share a term are taken apart.
-        let (constant, mut terms) = self.terms(a, true);
-        if self.meets(&terms, b) {
-            let (c, right) = self.terms(b, true);
+        let (constant, mut terms) = self.addends(a);
+        if self.shares_term(&terms, b) {
+            let (c, right) = self.addends(b);
             terms.extend(right.into_iter().map(|(c, t)| (c.neg(), t)));
             return self.linear(constant.add(c.neg()), terms);
         }
@@ -55,66 +60,39 @@ impl Graph {
         self.add(a, b)
     }
 
-    /// Σ aᵢ bᵢ.
+    /// Builds Σ aᵢ bᵢ.
     pub(crate) fn dot(&mut self, a: &[Id], b: &[Id]) -> Id {
         let products: Vec<Id> = a.iter().zip(b).map(|(a, b)| self.mul(*a, *b)).collect();
         self.sum(&products)
     }
 
-    /// Σ of all, equal ones merged.
+    /// Builds the sum of all nodes. Equal nodes are merged.
     pub(crate) fn sum(&mut self, ids: &[Id]) -> Id {
-        let mut constant = Number::ZERO;
-        let mut all = vec![];
-        for id in ids {
-            match self.node(*id) {
-                Node::Number(_) | Node::Linear(..) => {
-                    let (c, mut terms) = self.terms(*id, false);
-                    constant = constant.add(c);
-                    all.append(&mut terms);
-                }
-                _ => all.push((Number::ONE, *id)),
-            }
-        }
-        self.linear(constant, all)
+        let ids: Vec<(Number, Id)> = ids.iter().map(|id| (Number::ONE, *id)).collect();
+        self.scaled_sum(Number::ZERO, &ids)
     }
 
-    /// constant + Σ coefficient·node.
-    pub(super) fn scaled_sum(&mut self, constant: Number, scaled: &[(Number, Id)]) -> Id {
-        let mut constant = constant;
-        let mut all = vec![];
+    /// Builds constant + Σ coefficient·node. The nodes may be numbers or scaled nodes; nested sums stay one term.
+    pub(super) fn scaled_sum(&mut self, mut constant: Number, scaled: &[(Number, Id)]) -> Id {
+        let mut terms = vec![];
         for (c, id) in scaled {
-            match self.node(*id) {
-                Node::Number(_) | Node::Linear(..) => {
-                    let (k, terms) = self.terms(*id, false);
-                    constant = constant.add(k.mul(*c));
-                    for (k, id) in terms {
-                        all.push((k.mul(*c), id));
-                    }
+            match self.as_number(*id) {
+                Some(number) => constant = constant.add(number.mul(*c)),
+                None => {
+                    let (own, rest) = self.coefficient(*id);
+                    terms.push((own.mul(*c), rest));
                 }
-                _ => all.push((*c, *id)),
             }
         }
-        self.linear(constant, all)
+        self.linear(constant, terms)
     }
 
-    /// c·a.
+    /// Builds c·a.
     pub(crate) fn scale(&mut self, c: Number, a: Id) -> Id {
-        if c.is_one() {
-            return a;
-        }
-        match self.node(a) {
-            Node::Number(_) | Node::Linear(..) => {
-                let (constant, mut terms) = self.terms(a, false);
-                for (k, _) in &mut terms {
-                    *k = k.mul(c);
-                }
-                self.linear(constant.mul(c), terms)
-            }
-            _ => self.linear(Number::ZERO, vec![(c, a)]),
-        }
+        if c.is_one() { a } else { self.scaled_sum(Number::ZERO, &[(c, a)]) }
     }
 
-    /// constant + Σ coefficient·term, from terms that are not numbers.
+    /// Builds constant + Σ coefficient·term. Precondition: no term is a number.
     pub(crate) fn linear(&mut self, constant: Number, mut terms: Vec<(Number, Id)>) -> Id {
         if !are_in_order(&terms) {
             terms.sort_by_key(|(_, id)| *id);
@@ -127,27 +105,19 @@ impl Graph {
             });
             terms.retain(|(c, _)| !c.is_zero());
         }
-        match terms.as_slice() {
+        match terms[..] {
             [] => self.number(constant),
-            [(c, id)] if constant.is_zero() => {
-                let (c, id) = (*c, *id);
-                if c.is_one() {
-                    return id;
-                }
-                // A number times a sum times a number.
-                match self.node(id) {
-                    Node::Linear(k, inner) if k.is_zero() && inner.len() == 1 => {
-                        let (k, id) = inner[0];
-                        self.linear(Number::ZERO, vec![(c.mul(k), id)])
-                    }
-                    _ => self.intern(Node::Linear(constant, terms)),
-                }
-            }
+            [(c, id)] if constant.is_zero() && c.is_one() => id,
+            [(c, id)] if constant.is_zero() => match self.coefficient(id) {
+                (_, rest) if rest == id => self.intern(Node::Linear(constant, terms)),
+                // The term is a scaled node: c·(k·rest).
+                (k, rest) => self.linear(Number::ZERO, vec![(c.mul(k), rest)]),
+            },
             _ => self.intern(Node::Linear(constant, terms)),
         }
     }
 
-    /// Whether the first coefficient of a sum, or the only one, is negative.
+    /// Returns whether the first coefficient of a sum, or the number, is negative.
     pub(crate) fn leads_negative(&self, id: Id) -> bool {
         match self.node(id) {
             Node::Linear(_, terms) => terms[0].0.is_negative(),
@@ -156,14 +126,14 @@ impl Graph {
         }
     }
 
-    /// −u with the sign in the sum.
+    /// Builds −a with the sign moved into the terms of the sum.
     pub(crate) fn negated_sum(&mut self, id: Id) -> Id {
-        let (constant, terms) = self.terms(id, true);
+        let (constant, terms) = self.addends(id);
         self.linear(constant.neg(), terms.into_iter().map(|(c, t)| (c.neg(), t)).collect())
     }
 }
 
-/// Whether terms are as those of nodes: no term twice, in order, and none with the coefficient zero.
+/// Returns whether terms are in the form of nodes: sorted, no term twice, and no coefficient zero.
 fn are_in_order(terms: &[(Number, Id)]) -> bool {
     let mut next = 0;
     for (c, id) in terms {

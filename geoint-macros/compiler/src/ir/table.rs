@@ -2,11 +2,10 @@
 
 use super::id::Id;
 
-/// A map from nodes to values: nodes are numbered without gaps, and the number of a node leads to the place of its value.
+/// A map from nodes to values. Nodes are numbered without gaps, so the number of a node leads to the place of its value.
 #[derive(Clone, Debug)]
 pub(crate) struct Table<T> {
-    /// One more than the place of a node's value, or 0. The allocator gives zeros away; in an unoptimised build every other
-    /// initial value would be written by a loop.
+    /// One plus the place of a node's value, or 0. Zeros come from the allocator. An unoptimised build would write any other initial value in a loop.
     places: Vec<u32>,
     values: Vec<T>,
 }
@@ -18,6 +17,7 @@ impl<T> Default for Table<T> {
 }
 
 impl<T: Copy> Table<T> {
+    /// Returns the value of a node, if it has one.
     pub(crate) fn get(&self, id: Id) -> Option<T> {
         match self.place(id) {
             0 => None,
@@ -25,6 +25,7 @@ impl<T: Copy> Table<T> {
         }
     }
 
+    /// Sets the value of a node.
     pub(crate) fn insert(&mut self, id: Id, value: T) {
         let place = self.place(id);
         if place > 0 {
@@ -40,11 +41,12 @@ impl<T: Copy> Table<T> {
         self.places.as_mut_slice()[id.index()] = self.values.len() as u32;
     }
 
-    /// The nodes that have a value, in order.
+    /// Returns the nodes with a value, in order.
     pub(crate) fn ids(&self) -> impl Iterator<Item = Id> + '_ {
         self.places.iter().enumerate().filter(|(_, place)| **place > 0).map(|(i, _)| Id::from_index(i))
     }
 
+    /// Returns whether a node has a value.
     pub(crate) fn contains(&self, id: Id) -> bool {
         self.place(id) > 0
     }
@@ -59,7 +61,7 @@ impl<T: Copy> Table<T> {
 impl<T: Copy> std::ops::Index<Id> for Table<T> {
     type Output = T;
 
-    /// The value of a node that is known to have one: operands are visited before what is built of them.
+    /// Precondition: the node has a value. Traversals visit operands first, so the values of operands exist.
     fn index(&self, id: Id) -> &T {
         &self.values.as_slice()[self.places.as_slice()[id.index()] as usize - 1]
     }

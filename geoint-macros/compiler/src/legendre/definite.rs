@@ -1,86 +1,96 @@
-//! Is a Lagrangian a sum of squares of velocities, and do all of them vanish only at rest? Then its mass matrix is positive definite, wherever
-//! it is.
+//! Proves that a mass matrix is positive definite at every state: L is a sum of squares of velocities, and all squares vanish at rest only.
 
-use super::invariant;
-use super::mass::is_velocity;
+use super::{invariant, is_velocity};
 use crate::analyze::Degrees;
 use crate::diff;
 use crate::ir::{Graph, Id, Node, Ratio, Symbol};
 
-/// What parameters must be for a mass matrix to be positive definite at every state.
+/// Conditions on functions of parameters under which a mass matrix is positive definite at every state.
 #[derive(Debug, Default)]
 pub(crate) struct Definite {
-    /// Functions of them that are not negative,
+    /// These functions must not be negative.
     pub(crate) not_negative: Vec<Id>,
-    /// and those that are positive.
+    /// These functions must be positive.
     pub(crate) positive: Vec<Id>,
 }
 
-/// The square of something affine in velocities, and what it is multiplied by but for a positive number.
+/// The square of an affine function of velocities. The product of `factors` is its coefficient, up to a positive number.
 struct Square {
     factors: Vec<Id>,
     base: Id,
 }
 
-/// When ∂²L/∂v² is positive definite at every state; `None` if that is not seen.
+/// A Lagrangian as a sum of squares.
+struct Squares<'a> {
+    graph: &'a Graph,
+    /// Degrees in the velocities.
+    degrees: Degrees,
+    squares: Vec<Square>,
+    /// Coefficients of squares whose sign depends on parameters.
+    weights: Vec<Id>,
+}
+
+/// Returns the conditions under which ∂²L/∂v² is positive definite at every state. `None` without a proof.
 pub(crate) fn definite(graph: &mut Graph, lagrangian: Id, degrees: u32) -> Option<Definite> {
-    let mut definite = Definite::default();
-    let mut squares = vec![];
     let known = Degrees::of(graph, &[lagrangian], is_velocity);
-    if !is_sum(graph, &known, (lagrangian, &[]), (&mut definite.not_negative, &mut squares)) {
+    let mut sum = Squares { graph, degrees: known, squares: vec![], weights: vec![] };
+    if !sum.add(lagrangian, &[]) {
         return None;
     }
-    definite.positive = only_at_rest(graph, &squares, degrees)?;
-    Some(definite)
+    let Squares { squares, weights: not_negative, .. } = sum;
+    let positive = only_at_rest(graph, &squares, degrees)?;
+    Some(Definite { not_negative, positive })
 }
 
-/// Whether a node is a sum of squares, and of what is affine in velocities itself.
-fn is_sum(
-    graph: &Graph,
-    degrees: &Degrees,
-    (id, factors): (Id, &[Id]),
-    (weights, squares): (&mut Vec<Id>, &mut Vec<Square>),
-) -> bool {
-    let affine = |id: Id| degrees.get(id).is_some_and(|degree| degree <= 1);
-    if affine(id) {
-        return true;
-    }
-    match graph.node(id).clone() {
-        Node::Linear(_, terms) => terms.into_iter().all(|(c, term)| {
-            affine(term) || (!c.is_negative() && is_sum(graph, degrees, (term, factors), (weights, squares)))
-        }),
-        Node::Product(all) => {
-            let (still, moving): (Vec<Id>, Vec<Id>) =
-                all.into_iter().partition(|factor| degrees.get(*factor) == Some(0));
-            still.iter().all(|factor| is_weight(graph, *factor, weights))
-                && moving.len() == 1
-                && is_sum(graph, degrees, (moving[0], &[factors, &still].concat()), (weights, squares))
+impl Squares<'_> {
+    /// Adds the squares of `id`, multiplied by `factors`. Affine functions of velocities are skipped. Returns whether nothing else remains.
+    fn add(&mut self, id: Id, factors: &[Id]) -> bool {
+        if self.is_affine(id) {
+            return true;
         }
-        Node::Power(base, exponent) if exponent == Ratio::integer(2) && affine(base) => {
-            squares.push(Square { factors: factors.to_vec(), base });
-            true
+        match self.graph.node(id) {
+            Node::Linear(_, terms) => {
+                terms.iter().all(|(c, term)| self.is_affine(*term) || (!c.is_negative() && self.add(*term, factors)))
+            }
+            Node::Product(all) => {
+                let (still, moving): (Vec<Id>, Vec<Id>) =
+                    all.iter().partition(|factor| self.degrees.get(**factor) == Some(0));
+                still.iter().all(|factor| self.add_weight(*factor))
+                    && matches!(moving[..], [moving] if self.add(moving, &[factors, &still].concat()))
+            }
+            Node::Power(base, exponent) if *exponent == Ratio::integer(2) && self.is_affine(*base) => {
+                self.squares.push(Square { factors: factors.to_vec(), base: *base });
+                true
+            }
+            _ => false,
         }
-        _ => false,
+    }
+
+    fn is_affine(&self, id: Id) -> bool {
+        self.degrees.get(id).is_some_and(|degree| degree <= 1)
+    }
+
+    /// Adds a factor without velocities to the weights, unless it is an even power. Returns false if the factor is neither an even power nor a function
+    /// of parameters.
+    fn add_weight(&mut self, factor: Id) -> bool {
+        if let Node::Power(_, exponent) = self.graph.node(factor)
+            && exponent.is_integer()
+            && exponent.numerator % 2 == 0
+        {
+            return true;
+        }
+        let still = !self.graph.reads(factor).moves();
+        if still && !self.weights.contains(&factor) {
+            self.weights.push(factor);
+        }
+        still
     }
 }
 
-/// Whether a factor without velocities is never negative, or is a function of parameters whose sign can be looked at.
-fn is_weight(graph: &Graph, factor: Id, weights: &mut Vec<Id>) -> bool {
-    if let Node::Power(_, exponent) = graph.node(factor)
-        && exponent.is_integer()
-        && exponent.numerator % 2 == 0
-    {
-        return true;
-    }
-    let still = !graph.reads(factor).moves();
-    if still && !weights.contains(&factor) {
-        weights.push(factor);
-    }
-    still
-}
-
-/// What must be positive for all squares to vanish at rest alone, one velocity after the other: where those before it are zero, some squares
-/// have no velocity but the next one, and its coefficients in these do not vanish together.
+/// Returns functions of parameters that must be positive so that all squares vanish at rest only.
+///
+/// Velocities are eliminated one after the other. If the earlier velocities are zero, some squares read the next velocity only, and its coefficients in
+/// these squares do not vanish together. So this velocity is zero, too.
 fn only_at_rest(graph: &mut Graph, squares: &[Square], degrees: u32) -> Option<Vec<Id>> {
     let velocities: Vec<Symbol> = (0..degrees).map(Symbol::Velocity).collect();
     let bases: Vec<Id> = squares.iter().map(|square| square.base).collect();
@@ -88,32 +98,35 @@ fn only_at_rest(graph: &mut Graph, squares: &[Square], degrees: u32) -> Option<V
     let (mut left, mut positive): (Vec<usize>, Vec<Id>) = ((0..velocities.len()).collect(), vec![]);
     while !left.is_empty() {
         let place = left.iter().position(|j| {
-            let alone = |graph: &Graph, slopes: &[Id]| left.iter().all(|i| (i == j) != graph.is_zero(slopes[*i]));
-            let mut terms = vec![];
-            for (square, slopes) in squares.iter().zip(&slopes) {
-                if !alone(graph, slopes) {
-                    continue;
-                }
-                let slope = graph.pow(slopes[*j], Ratio::integer(2));
-                let (still, mut moving): (Vec<Id>, Vec<Id>) =
-                    square.factors.iter().partition(|factor| !graph.reads(**factor).moves());
-                moving.push(slope);
-                terms.push((graph.product(&still), graph.product(&moving)));
-            }
-            let products: Vec<Id> = terms.iter().map(|(still, moving)| graph.mul(*still, *moving)).collect();
-            let sum = graph.sum(&products);
-            let sum = invariant::simplified(graph, sum);
-            let condition = if !graph.reads(sum).moves() {
-                Some(sum)
-            } else {
-                let one = terms.iter().find(|(_, moving)| graph.is_positive(*moving));
-                one.map(|(still, _)| *still)
-            };
-            let condition = condition.filter(|condition| !graph.is_zero(*condition));
+            let condition = vanishes_alone(graph, squares, &slopes, &left, *j);
             positive.extend(condition);
             condition.is_some()
         })?;
         left.remove(place);
     }
     Some(positive)
+}
+
+/// Returns the function of parameters that must be positive so that the squares that read velocity `j`, but no other velocity of `left`, force it to zero.
+fn vanishes_alone(graph: &mut Graph, squares: &[Square], slopes: &[Vec<Id>], left: &[usize], j: usize) -> Option<Id> {
+    // Each coefficient of the velocity is a pair of factors: the first reads parameters only.
+    let mut terms = vec![];
+    for (square, slopes) in squares.iter().zip(slopes) {
+        if left.iter().all(|i| (*i == j) != graph.is_zero(slopes[*i])) {
+            let slope = graph.pow(slopes[j], Ratio::integer(2));
+            let (still, mut moving): (Vec<Id>, Vec<Id>) =
+                square.factors.iter().partition(|factor| !graph.reads(**factor).moves());
+            moving.push(slope);
+            terms.push((graph.product(&still), graph.product(&moving)));
+        }
+    }
+    let products: Vec<Id> = terms.iter().map(|(still, moving)| graph.mul(*still, *moving)).collect();
+    let sum = graph.sum(&products);
+    let sum = invariant::simplified(graph, sum);
+    let condition = if !graph.reads(sum).moves() {
+        Some(sum)
+    } else {
+        terms.iter().find(|(_, moving)| graph.is_positive(*moving)).map(|(still, _)| *still)
+    };
+    condition.filter(|condition| !graph.is_zero(*condition))
 }

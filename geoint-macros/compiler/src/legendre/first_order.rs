@@ -1,19 +1,19 @@
-//! Lagrangians that are linear in all velocities, ϑ(q)·v − H(q): equations of first order, Ω q' = ∇H with Ωᵢⱼ = ∂ᵢϑⱼ − ∂ⱼϑᵢ.
+//! Lagrangians ϑ(q)·v − H(q) that are linear in all velocities. Their equations are of first order: Ω q' = ∇H with Ωᵢⱼ = ∂ᵢϑⱼ − ∂ⱼϑᵢ.
 //!
-//! S = Ω⁻¹ is that of a Poisson bracket, since dΩ = 0. It is written by Pfaffians, without a pivot that might vanish where Ω is regular.
+//! S = Ω⁻¹ is the structure matrix of a Poisson bracket, because dΩ = 0. It is computed from Pfaffians, because a pivot might vanish where Ω is regular.
 //!
-//! Ω may vanish on half of the coordinates, called y. Then a function f exists for which ϑ + ∇f has no entries in y, and the other half, x, with
-//! P = ϑₓ + ∂f/∂x are canonical coordinates.
+//! Ω may vanish on half of the coordinates, called y. Then ϑ + ∇f has no entries in y for some function f. The other half, x, and P = ϑₓ + ∂f/∂x are
+//! canonical coordinates.
 
 use super::mass::blocks;
-use super::{at_points, at_rest, divisors, invariant};
+use super::{add_unconditional, at_rest, divisors, invariant, without_velocities};
 use crate::analyze;
 use crate::analyze::liouville::{self, Logarithm};
 use crate::diff;
-use crate::ir::{Graph, Id, Partial, Symbol};
+use crate::ir::{Graph, Id, Symbol, UndefinedAt};
 use std::collections::{HashMap, HashSet};
 
-/// A Lagrangian ϑ(q)·v − H(q) in parts.
+/// The parts of a Lagrangian ϑ(q)·v − H(q).
 #[derive(Debug)]
 pub(crate) struct FirstOrder {
     pub(crate) lagrangian: Id,
@@ -26,8 +26,8 @@ pub(crate) struct FirstOrder {
     /// The structure matrix S = Ω⁻¹.
     pub(crate) structure: Vec<Vec<Id>>,
     pub(crate) canonical: Option<Canonical>,
-    /// Nodes of L that are not defined everywhere.
-    pub(crate) partial: Vec<Partial>,
+    /// The partial nodes of L and S.
+    pub(crate) partial: Vec<UndefinedAt>,
     /// The divisors of S. One of them vanishes where Ω is singular.
     pub(crate) divisors: Vec<Id>,
 }
@@ -61,32 +61,30 @@ pub(crate) enum NotRegular {
 /// Largest number of coupled coordinates. A Pfaffian of 10 coordinates has 945 terms.
 const MOST: usize = 8;
 
-/// Takes L apart. ϑ = ∂L/∂v must be free of velocities.
+/// Splits L with the momenta ϑ = ∂L/∂v. Precondition: ϑ reads no velocity. `written` lists the partial nodes of L.
 pub(crate) fn first_order(
     graph: &mut Graph,
     lagrangian: Id,
     momenta: &[Id],
-    written: &[Partial],
+    written: &[UndefinedAt],
 ) -> Result<FirstOrder, NotRegular> {
-    let momenta: Vec<Id> = momenta.iter().map(|momentum| at_rest(graph, *momentum, |_| true)).collect();
+    let momenta: Vec<Id> = momenta.iter().map(|momentum| at_rest(graph, *momentum)).collect();
     if let Some(i) = momenta.iter().position(|momentum| graph.reads(*momentum).t) {
         return Err(NotRegular::Timed(i as u32));
     }
-    let rest = at_rest(graph, lagrangian, |_| true);
+    let rest = at_rest(graph, lagrangian);
     let energy = graph.neg(rest);
     let form = form(graph, &momenta);
-    // The divisors of Ω⁻¹ are poles, too.
+    // Record the divisors of Ω⁻¹. They are poles, too.
     graph.take_partial();
     let structure = inverse(graph, &form)?;
     let mut divided = graph.take_partial();
     graph.stop_recording();
-    let canonical = canonical(graph, &momenta, (energy, &form, &structure));
-    let mut partial = at_points(graph, written);
+    let canonical = canonical(graph, &momenta, energy, &form, &structure);
+    let mut partial = without_velocities(graph, written);
     let read: HashSet<Id> = graph.reachable(&structure.concat()).into_iter().collect();
-    let known: HashSet<Id> = partial.iter().map(|partial| partial.node).collect();
     divided.retain(|node| read.contains(node));
-    let new = divided.iter().filter(|node| !known.contains(node));
-    partial.extend(new.map(|node| Partial { node: *node, condition: None }));
+    add_unconditional(&mut partial, divided.iter().copied());
     let divisors = divisors(graph, &divided);
     Ok(FirstOrder { lagrangian, momenta, energy, form, structure, canonical, partial, divisors })
 }
@@ -120,7 +118,7 @@ fn inverse(graph: &mut Graph, form: &[Vec<Id>]) -> Result<Vec<Vec<Id>>, NotRegul
         let mut pfaffians = Pfaffians { form, block: &block, known: HashMap::new() };
         let all = (1 << block.len()) - 1;
         let whole = pfaffians.of(graph, all);
-        if graph.is_zero(whole) || analyze::identity(graph, whole).is_zero() {
+        if analyze::identity(graph, whole).is_zero() {
             return Err(NotRegular::Singular(block));
         }
         let reciprocal = graph.recip(whole);
@@ -138,7 +136,7 @@ fn inverse(graph: &mut Graph, form: &[Vec<Id>]) -> Result<Vec<Vec<Id>>, NotRegul
     Ok(inverse)
 }
 
-/// Pfaffians of the minors of a block. The key is the set of the rows that are kept.
+/// Cache of the Pfaffians of the minors of a block. The key is the set of the rows that are kept, one bit each.
 struct Pfaffians<'a> {
     form: &'a [Vec<Id>],
     block: &'a [u32],
@@ -168,13 +166,16 @@ impl Pfaffians<'_> {
     }
 }
 
-/// Finds canonical coordinates. Needs half of the coordinates on which Ω vanishes, with an elementary f.
+/// Finds canonical coordinates. They exist if Ω vanishes on half of the coordinates and f is elementary.
 fn canonical(
     graph: &mut Graph,
     momenta: &[Id],
-    (energy, form, structure): (Id, &[Vec<Id>], &[Vec<Id>]),
+    energy: Id,
+    form: &[Vec<Id>],
+    structure: &[Vec<Id>],
 ) -> Option<Canonical> {
-    let (kept, replaced) = halves(graph, momenta, form)?;
+    let replaced = replaced(graph, momenta, form)?;
+    let kept: Vec<u32> = (0..momenta.len() as u32).filter(|i| !replaced.contains(i)).collect();
     let gauge = gauge(graph, momenta, &replaced)?;
     let coordinates: Vec<Symbol> = (0..momenta.len() as u32).map(Symbol::Position).collect();
     let slopes = diff::jacobian(graph, &[gauge], &coordinates).remove(0);
@@ -197,16 +198,16 @@ fn canonical(
     Some(Canonical { gauge, values, rates, replaced: pairs })
 }
 
-/// The coordinates x that stay, and the coordinates y that are replaced.
-fn halves(graph: &Graph, momenta: &[Id], form: &[Vec<Id>]) -> Option<(Vec<u32>, Vec<u32>)> {
+/// Returns the coordinates y that are replaced by momenta.
+fn replaced(graph: &Graph, momenta: &[Id], form: &[Vec<Id>]) -> Option<Vec<u32>> {
     let mut replaced = vec![];
     for block in blocks(graph, form) {
         replaced.extend(half(graph, momenta, form, &block)?);
     }
-    Some((0..momenta.len() as u32).partition(|i| !replaced.contains(i)))
+    Some(replaced)
 }
 
-/// Pairs each y with an x to which Ω couples it, so that the block Ω(x, y) has few zeros in its diagonal. The search is greedy.
+/// Pairs each y with an x to which Ω couples it, as pairs (y, x). The block Ω(x, y) then has few zeros on its diagonal. The search is greedy.
 fn pairs(graph: &Graph, form: &[Vec<Id>], kept: &[u32], replaced: Vec<u32>) -> Vec<(u32, u32)> {
     let mut free = kept.to_vec();
     let mut pair = |y: u32| {
@@ -216,7 +217,7 @@ fn pairs(graph: &Graph, form: &[Vec<Id>], kept: &[u32], replaced: Vec<u32>) -> V
     replaced.into_iter().map(&mut pair).collect()
 }
 
-/// Finds half of the coordinates on which Ω vanishes. Among all such halves it prefers the one with the most zero entries of ϑ.
+/// Finds half of a block's coordinates on which Ω vanishes. It prefers the half with the most zero entries of ϑ.
 fn half(graph: &Graph, momenta: &[Id], form: &[Vec<Id>], block: &[u32]) -> Option<Vec<u32>> {
     let halves = (0u32..1 << block.len()).filter(|chosen| chosen.count_ones() as usize == block.len() / 2);
     let picked = halves
@@ -234,7 +235,7 @@ fn gauge(graph: &mut Graph, momenta: &[Id], replaced: &[u32]) -> Option<Id> {
     if slopes.iter().all(|slope| graph.is_zero(*slope)) {
         return Some(graph.zero());
     }
-    // A logarithm in f that ϑ does not contain would restrict the domain of P.
+    // A logarithm in f that ϑ does not contain would restrict the domain of P. So f must not contain partial nodes that ϑ does not contain.
     let known = graph.reachable(momenta);
     [Logarithm::OfNumber, Logarithm::OfMagnitude].into_iter().find_map(|logarithm| {
         let (gauge, _) = liouville::antiderivative(graph, (&variables, &slopes), logarithm).ok()?;

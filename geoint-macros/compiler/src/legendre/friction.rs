@@ -1,32 +1,32 @@
-//! Rayleigh's dissipation function R(q, v, t): the force −∂R/∂v, which is damping −Cv with C = ∂²R/∂v² where R is a quadratic form.
+//! Rayleigh's dissipation function R(q, v, t). Its force −∂R/∂v is damping −Cv with C = ∂²R/∂v² if R is a quadratic form.
 
-use super::mass::{is_velocity, masses};
-use super::{Legendre, at_rest, kinks};
+use super::mass::masses;
+use super::{Legendre, at_rest, is_velocity, kinks};
 use crate::analyze;
 use crate::diff;
 use crate::ir::{Graph, Id, Node, Symbol};
 
-/// What a function is.
+/// Friction force derived from a Rayleigh function.
 #[derive(Debug)]
 pub(crate) enum Friction {
-    /// vᵀCv/2.
+    /// The matrix C of R = vᵀCv/2.
     Damping(Vec<Vec<Id>>),
-    /// No quadratic form: ∂R/∂v.
+    /// ∂R/∂v of an R that is not a quadratic form.
     Slopes(Vec<Id>),
 }
 
-/// Why a function is no friction.
+/// The reason why a function is not a Rayleigh function.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum NoFriction {
-    /// It is a polynomial of an odd degree in them: it feeds one direction where it brakes the other.
+    /// R is odd in the velocities, so it accelerates motion in one of the two directions.
     Odd,
-    /// At rest ∂R/∂v is this, not zero.
+    /// This component of ∂R/∂v is not zero at rest.
     AtRest(Id),
-    /// This ∂R/∂v has no value at rest.
+    /// This component of ∂R/∂v has no value at rest.
     Kink(Id),
 }
 
-/// The force −∂R/∂v. Whether it takes energy at each velocity is found out at run time.
+/// Derives the force −∂R/∂v. Generated code checks at run time that the force takes energy.
 pub(crate) fn friction(graph: &mut Graph, rayleigh: Option<Id>, degrees: u32) -> Result<Option<Friction>, NoFriction> {
     let Some(rayleigh) = rayleigh else { return Ok(None) };
     let slopes = diff::gradient(graph, rayleigh, degrees).v;
@@ -34,8 +34,8 @@ pub(crate) fn friction(graph: &mut Graph, rayleigh: Option<Id>, degrees: u32) ->
         if kinks::jumps(graph, *slope) || is_divided_at_rest(graph, *slope) {
             return Err(NoFriction::Kink(*slope));
         }
-        let rest = at_rest(graph, *slope, |_| true);
-        if !graph.is_zero(rest) && !analyze::identity(graph, rest).is_zero() {
+        let rest = at_rest(graph, *slope);
+        if !analyze::identity(graph, rest).is_zero() {
             return Err(NoFriction::AtRest(rest));
         }
     }
@@ -49,34 +49,33 @@ pub(crate) fn friction(graph: &mut Graph, rayleigh: Option<Id>, degrees: u32) ->
     }
 }
 
-/// Whether a node is divided by what vanishes at rest, as v/|v| is.
+/// Returns whether a node has a divisor that vanishes at rest, such as v/|v|.
 fn is_divided_at_rest(graph: &mut Graph, slope: Id) -> bool {
     graph.reachable(&[slope]).into_iter().any(|id| {
         let Node::Power(base, exponent) = *graph.node(id) else { return false };
         exponent.numerator < 0 && graph.reads(base).v && {
-            let rest = at_rest(graph, base, |_| true);
+            let rest = at_rest(graph, base);
             graph.is_zero(rest)
         }
     })
 }
 
-/// γ with C = γM, where it reads no state and L has no terms that are linear in v: the force is −γp.
+/// Returns γ with C = γM, if γ reads no state and L has no terms that are linear in v. The force is then −γp.
 pub(crate) fn rate(graph: &mut Graph, damping: &[Vec<Id>], Legendre { mass, shift, .. }: &Legendre) -> Option<Id> {
-    let n = mass.len();
     if !shift.iter().all(|a| graph.is_zero(*a)) {
         return None;
     }
-    let (i, j) = (0..n).flat_map(|i| (0..n).map(move |j| (i, j))).find(|(i, j)| !graph.is_zero(mass[*i][*j]))?;
-    let rate = graph.div(damping[i][j], mass[i][j]);
+    let entries: Vec<(Id, Id)> = damping.concat().into_iter().zip(mass.concat()).collect();
+    let (c, m) = entries.iter().find(|(_, m)| !graph.is_zero(*m))?;
+    let rate = graph.div(*c, *m);
     let rate = super::invariant::simplified(graph, rate);
     if graph.is_zero(rate) || graph.reads(rate).state() {
         return None;
     }
-    let entries = || (0..n).flat_map(|i| (0..n).map(move |j| (i, j)));
-    let same = entries().all(|(i, j)| {
-        let expected = graph.mul(rate, mass[i][j]);
-        let rest = graph.sub(damping[i][j], expected);
-        graph.is_zero(rest) || analyze::identity(graph, rest).is_zero()
+    let same = entries.iter().all(|(c, m)| {
+        let expected = graph.mul(rate, *m);
+        let rest = graph.sub(*c, expected);
+        analyze::identity(graph, rest).is_zero()
     });
     same.then_some(rate)
 }

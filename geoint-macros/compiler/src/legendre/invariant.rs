@@ -1,15 +1,15 @@
-//! Entries of mass matrices without coordinates on which they do not depend.
+//! Removes coordinates from entries of mass matrices that do not depend on them.
 //!
-//! Kinematics that are written step by step give sin²q + cos²q for 1, and cos a cos b + sin a sin b for cos(a − b). That a derivative
-//! vanishes everywhere is proven, so that the coordinate may be put to zero.
+//! Kinematics that are written step by step give sin²q + cos²q for 1, and cos a cos b + sin a sin b for cos(a − b). If a derivative is proven to vanish
+//! everywhere, its coordinate can be set to zero.
 
 use crate::analyze::{self, Direction, vanishes};
 use crate::diff;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Number, Ratio, Symbol};
 
-/// A node that is equal to an entry wherever that is defined, and reads fewer coordinates if that is possible: zero; or without one of them;
-/// or by the difference, or sum, of two.
+/// Returns a node that equals the entry and reads fewer coordinates, if possible. The result is zero, omits a coordinate, or reads two coordinates through
+/// their sum or difference only.
 pub(super) fn simplified(graph: &mut Graph, entry: Id) -> Id {
     if !graph.reads(entry).q || !is_total(graph, entry) || jumps(graph, entry) {
         return entry;
@@ -21,7 +21,7 @@ pub(super) fn simplified(graph: &mut Graph, entry: Id) -> Id {
     analyze::retain_constant(graph, entry, &mut directions);
     let mut entry = entry;
     for direction in directions {
-        // Coordinates may be gone by now.
+        // An earlier direction may have removed a coordinate.
         let read = direction.iter().all(|(q, _)| graph.symbols(entry).contains(q));
         if read && is_constant(graph, entry, &direction) {
             entry = without_last(graph, entry, &direction);
@@ -30,7 +30,7 @@ pub(super) fn simplified(graph: &mut Graph, entry: Id) -> Id {
     entry
 }
 
-/// Of each coordinate alone, and of two, by the same or by opposite amounts.
+/// Returns the directions of each coordinate alone, and of two coordinates with equal or opposite rates.
 fn directions(positions: &[Symbol]) -> Vec<Direction> {
     let mut directions: Vec<Direction> = positions.iter().map(|q| vec![(*q, Ratio::ONE)]).collect();
     for (i, first) in positions.iter().enumerate() {
@@ -41,7 +41,7 @@ fn directions(positions: &[Symbol]) -> Vec<Direction> {
     directions
 }
 
-/// Whether a node that does not jump is proven to be constant along a direction.
+/// Returns whether a node is proven to be constant along a direction. Precondition: the node does not jump.
 fn is_constant(graph: &mut Graph, id: Id, direction: &Direction) -> bool {
     let rates: Vec<(Symbol, Id)> =
         direction.iter().map(|(symbol, rate)| (*symbol, graph.number(Number::Exact(*rate)))).collect();
@@ -50,7 +50,7 @@ fn is_constant(graph: &mut Graph, id: Id, direction: &Direction) -> bool {
     vanishes(graph, slope[0])
 }
 
-/// A node that is constant along a direction, where the last coordinate is zero.
+/// Moves a node along a direction until the last coordinate is zero. Precondition: the node is constant along the direction.
 fn without_last(graph: &mut Graph, id: Id, direction: &Direction) -> Id {
     let (last, unit) = direction[direction.len() - 1];
     let replace = |graph: &mut Graph, symbol| {
@@ -61,19 +61,17 @@ fn without_last(graph: &mut Graph, id: Id, direction: &Direction) -> Id {
     Substitution::new(replace).apply(graph, id)
 }
 
-/// Whether a node is defined everywhere.
+/// Returns whether a node is defined at every state.
 fn is_total(graph: &Graph, id: Id) -> bool {
     !graph.reachable(&[id]).into_iter().any(|id| graph.is_partial(id) && graph.reads(id).state())
 }
 
-/// Whether a node may jump: a slope that vanishes everywhere then says nothing of its values.
+/// Returns whether a node may jump at a condition on positions. A jumping node with a slope of zero need not be constant.
 fn jumps(graph: &mut Graph, id: Id) -> bool {
-    let mut conditions = analyze::conditions(graph, id);
-    conditions.retain(|condition| graph.reads(*condition).q);
-    !conditions.is_empty()
+    analyze::conditions(graph, id).into_iter().any(|condition| graph.reads(condition).q)
 }
 
-/// The coordinates that a node reads.
+/// Returns the positions that a node reads.
 fn positions(graph: &Graph, id: Id) -> Vec<Symbol> {
     graph.symbols(id).into_iter().filter(|symbol| matches!(symbol, Symbol::Position(_))).collect()
 }

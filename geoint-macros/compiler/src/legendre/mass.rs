@@ -1,28 +1,24 @@
 //! The mass matrix M = ∂²L/∂v².
 
-use super::{Flaw, at_rest, invariant};
+use super::{Flaw, at_rest, invariant, is_velocity};
 use crate::ir::{Graph, Id, Symbol};
 use crate::{analyze, diff};
 
-/// ∂²L/∂v², of equal entries one; free of v where it can be.
+/// Returns ∂²L/∂v². Entries (i, j) and (j, i) are one node, free of velocities where the momentum is affine in them.
 pub(super) fn masses(graph: &mut Graph, momenta: &[Id], symbols: &[Symbol]) -> Vec<Vec<Id>> {
     let mut mass = diff::jacobian(graph, momenta, symbols);
     for i in 0..mass.len() {
         let affine = analyze::is_polynomial_in(graph, &[momenta[i]], 1, is_velocity);
         for j in 0..=i {
-            // A constant may have been written with velocities in it.
-            let entry = if affine { at_rest(graph, mass[i][j], |_| true) } else { mass[i][j] };
+            // A constant entry may be written with velocities that cancel.
+            let entry = if affine { at_rest(graph, mass[i][j]) } else { mass[i][j] };
             (mass[i][j], mass[j][i]) = (entry, entry);
         }
     }
     mass
 }
 
-pub(super) fn is_velocity(symbol: Symbol) -> bool {
-    matches!(symbol, Symbol::Velocity(_))
-}
-
-/// M without coordinates on which its entries do not depend.
+/// Returns M without coordinates on which its entries do not depend.
 pub(super) fn simplified(graph: &mut Graph, mass: &[Vec<Id>]) -> Vec<Vec<Id>> {
     let mut simple = mass.to_vec();
     for i in 0..mass.len() {
@@ -34,13 +30,23 @@ pub(super) fn simplified(graph: &mut Graph, mass: &[Vec<Id>]) -> Vec<Vec<Id>> {
     simple
 }
 
-/// Entries of the first matrix where they read no state, else of the second.
+/// Returns the simplified entries that read no state, and the written entries elsewhere. The written entries share functions with the terms of L.
 pub(super) fn choose(graph: &Graph, simple: &[Vec<Id>], written: &[Vec<Id>]) -> Vec<Vec<Id>> {
     let entry = |(simple, written): (&Id, &Id)| if graph.reads(*simple).state() { *written } else { *simple };
     simple.iter().zip(written).map(|(simple, written)| simple.iter().zip(written).map(entry).collect()).collect()
 }
 
-/// Refuses a Lagrangian some of whose velocities have no inertia.
+/// Returns the mass matrix of some velocities.
+pub(super) fn block(mass: &[Vec<Id>], velocities: &[u32]) -> Vec<Vec<Id>> {
+    velocities.iter().map(|i| picked(&mass[*i as usize], velocities)).collect()
+}
+
+/// Returns the entries of a vector that belong to some velocities.
+pub(super) fn picked(vector: &[Id], velocities: &[u32]) -> Vec<Id> {
+    velocities.iter().map(|i| vector[*i as usize]).collect()
+}
+
+/// Refuses a Lagrangian in which a velocity has no inertia, so that its row of M is zero.
 pub(super) fn regular(graph: &Graph, momenta: &[Id], mass: &[Vec<Id>]) -> Result<(), Flaw> {
     let massless = |i: &usize| mass[*i].iter().all(|entry| graph.is_zero(*entry));
     let all: Vec<usize> = (0..mass.len()).filter(massless).collect();
@@ -49,7 +55,7 @@ pub(super) fn regular(graph: &Graph, momenta: &[Id], mass: &[Vec<Id>]) -> Result
     if all.len() == mass.len() && !linear.is_empty() {
         return Err(Flaw::Linear(momenta.to_vec()));
     }
-    // A coordinate whose velocity is not read may be the momentum of another one.
+    // A coordinate with an unread velocity may be the momentum of another coordinate.
     let is_momentum =
         |i: &usize| linear.iter().any(|j| graph.symbols(momenta[*j]).contains(&Symbol::Position(*i as u32)));
     Err(match unread.into_iter().find(|i| !is_momentum(i)) {
@@ -61,7 +67,7 @@ pub(super) fn regular(graph: &Graph, momenta: &[Id], mass: &[Vec<Id>]) -> Result
     })
 }
 
-/// The velocities that entries of M couple, directly or by others.
+/// Returns the groups of velocities that entries of M couple, directly or through other velocities.
 pub(super) fn blocks(graph: &Graph, mass: &[Vec<Id>]) -> Vec<Vec<u32>> {
     let mut blocks: Vec<Vec<u32>> = vec![];
     for i in 0..mass.len() {
@@ -77,7 +83,7 @@ pub(super) fn blocks(graph: &Graph, mass: &[Vec<Id>]) -> Vec<Vec<u32>> {
     blocks
 }
 
-/// Whether a diagonal matrix is known to be negative definite.
+/// Returns whether M is diagonal and its form implies that it is negative definite.
 pub(super) fn is_negative(graph: &mut Graph, mass: &[Vec<Id>]) -> bool {
     (0..mass.len()).all(|i| {
         let opposite = graph.neg(mass[i][i]);

@@ -1,7 +1,7 @@
 //! From a Lagrangian L(q, v, s, t) to its energy H(q, p, s, t) = p·v − L with p = ∂L/∂v, where v follows from p in closed form.
 //!
-//! Velocities that no second derivative of L couples are parts of their own. In each L is quadratic, and then M is factored once, or one
-//! term of a known conjugate with terms that are linear. What is made is one more energy: everything else follows from that.
+//! Velocities that no second derivative of L couples form separate parts. A part is quadratic in its velocities, and its mass matrix M is factored once;
+//! or it is one term with a known conjugate plus terms that are linear in the velocities. All other derived functions follow from H.
 
 mod conjugate;
 mod definite;
@@ -13,93 +13,95 @@ mod mass;
 mod parts;
 mod quadratic;
 
-use crate::analyze;
+use crate::analyze::liouville::{Logarithm, antiderivative};
 use crate::diff;
-use crate::ir::substitute::Substitution;
-use crate::ir::{Graph, Id, Node, Partial, Symbol};
+use crate::ir::substitute::{Substitution, at_zero};
+use crate::ir::{Graph, Id, Node, Symbol, UndefinedAt};
 pub(crate) use definite::{Definite, definite};
 pub(crate) use first_order::{Canonical, FirstOrder, NotRegular, first_order};
 pub(crate) use friction::{Friction, NoFriction, friction, rate};
 use parts::Parts;
 
-/// What belongs to a Lagrangian.
+/// A Lagrangian with its derivatives and the route to its steps.
 #[derive(Debug)]
 pub(crate) struct Legendre {
     pub(crate) lagrangian: Id,
     /// ∂L/∂q.
     pub(crate) forces: Vec<Id>,
-    /// ∂L/∂v.
+    /// p = ∂L/∂v.
     pub(crate) momenta: Vec<Id>,
     pub(crate) parts: Vec<Part>,
-    /// What of −L reads no velocity.
+    /// The part of −L that reads no velocity.
     pub(crate) potential: Id,
-    /// M, symmetric, and free of velocities where L is quadratic.
+    /// M = ∂²L/∂v², symmetric, and free of velocities where L is quadratic.
     pub(crate) mass: Vec<Vec<Id>>,
     /// ∂L/∂v at rest.
     pub(crate) shift: Vec<Id>,
     pub(crate) route: Route,
-    /// What of L and H is not defined everywhere.
-    pub(crate) partial: Vec<Partial>,
-    /// What H is divided by. It vanishes where M is singular.
+    /// The partial nodes of L and H.
+    pub(crate) partial: Vec<UndefinedAt>,
+    /// The divisors of H. One of them vanishes where M is singular.
     pub(crate) divisors: Vec<Id>,
-    /// Whether M is negative definite, whatever the parameters are.
+    /// Whether M is negative definite for all values of the parameters.
     pub(crate) concave: bool,
-    /// f(q, t), if what is linear in v is ∂f/∂q·v.
+    /// The function f(q, t), if the terms of L that are linear in v are ∂f/∂q·v.
     pub(crate) gauge: Option<Id>,
-    /// γ of friction γMv.
+    /// The rate γ of friction γMv.
     pub(crate) friction: Option<Id>,
 }
 
-/// What steps are derived from.
+/// The function from which steps are derived.
 #[derive(Debug)]
 pub(crate) enum Route {
-    /// H, with ∂H/∂p.
-    Energy(Id, Vec<Id>),
-    /// L itself, with velocities as unknowns: H would be long by this entry of M, or has no formula because of this term.
-    Velocities(Id),
+    /// The energy H, with the velocities ∂H/∂p.
+    Energy { energy: Id, velocities: Vec<Id> },
+    /// L itself with velocities as unknowns. The obstacle is an entry of M that makes H long, or a term without a known conjugate.
+    Velocities { obstacle: Id },
 }
 
-/// Velocities that L couples, in order, and how they follow from momenta.
+/// Velocities that L couples, in order, and their relation to momenta.
 #[derive(Debug)]
 pub(crate) struct Part {
     pub(crate) velocities: Vec<u32>,
     pub(crate) kinetic: Kinetic,
 }
 
-/// What L is in the velocities of a part.
+/// The form of L in the velocities of a part.
 #[derive(Debug)]
 pub(crate) enum Kinetic {
     /// vᵀMv/2 + a·v.
     Quadratic { mass: Vec<Vec<Id>>, shift: Vec<Id> },
-    /// A term of the table of conjugates, and its rule.
+    /// A term with a known conjugate, and the rule in words.
     Conjugate { term: Id, rule: &'static str },
-    /// Not quadratic, and of no known conjugate.
+    /// A term that is not quadratic and has no known conjugate.
     Open(Id),
 }
 
-/// Why a Lagrangian has no energy here.
+/// The reason why a Lagrangian has no energy.
 #[derive(Debug)]
 pub(crate) enum Flaw {
-    /// This velocity is read nowhere.
+    /// L does not read this velocity.
     Unread(u32),
     /// The momentum of this velocity jumps where velocities change.
     Jumps(u32, Id),
-    /// L is linear in all velocities: these are the momenta.
+    /// L is linear in all velocities, with these momenta.
     Linear(Vec<Id>),
-    /// L is linear in this velocity, and does not couple it to another one: this is its momentum.
+    /// L is linear in this velocity and does not couple it to another velocity. The node is its momentum.
     LinearIn(u32, Id),
     /// The mass matrix of these velocities is singular at every state, in this direction.
     Singular(Vec<u32>, Vec<Id>),
-    /// v is known to follow from p, but not by a formula of the table.
+    /// The velocities are functions of the momenta, but no formula for them is known because of this term.
     NotClosed(Vec<u32>, Id),
 }
 
-/// From what steps are derived, and what was found on the way. `closed` asks for H.
+/// Derives the energy of a Lagrangian, or finds the obstacle. With `needs_energy`, H is derived even if it is long, and a term without a known conjugate
+/// is an error. `written` lists the partial nodes of L.
 pub(crate) fn transform(
     graph: &mut Graph,
     lagrangian: Id,
-    (degrees, closed): (u32, bool),
-    written: &[Partial],
+    degrees: u32,
+    needs_energy: bool,
+    written: &[UndefinedAt],
 ) -> Result<Legendre, Flaw> {
     let symbols: Vec<Symbol> = (0..degrees).map(Symbol::Velocity).collect();
     let diff::Gradient { q: forces, v: momenta, .. } = diff::gradient(graph, lagrangian, degrees);
@@ -110,12 +112,12 @@ pub(crate) fn transform(
     mass::regular(graph, &momenta, &mass)?;
     let simple = mass::simplified(graph, &mass);
     mass::regular(graph, &momenta, &simple)?;
-    let shift: Vec<Id> = momenta.iter().map(|momentum| at_rest(graph, *momentum, |_| true)).collect();
+    let shift: Vec<Id> = momenta.iter().map(|momentum| at_rest(graph, *momentum)).collect();
 
-    // What is divided by here must not vanish either.
+    // Record the divisors of H. They must not vanish, either.
     graph.take_partial();
-    let Parts { parts, kinetic, potential, long } =
-        parts::parts(graph, lagrangian, (&momenta, &simple, &shift), closed)?;
+    let Parts { parts, kinetic, potential, obstacle } =
+        parts::parts(graph, lagrangian, &momenta, &simple, &shift, needs_energy)?;
     let energy = graph.add(kinetic, potential);
     let divided = graph.take_partial();
     graph.stop_recording();
@@ -124,21 +126,19 @@ pub(crate) fn transform(
         Kinetic::Open(term) => Some((&part.velocities, term)),
         _ => None,
     });
-    if let (Some((velocities, term)), true) = (open, closed) {
+    if let (Some((velocities, term)), true) = (open, needs_energy) {
         return Err(Flaw::NotClosed(velocities.clone(), term));
     }
-    // What is free of the state is; the rest of M goes best with the terms of L, which share its functions.
     let mass = mass::choose(graph, &simple, &mass);
-    let (route, partial) = match open.map(|(_, term)| term).or(long).filter(|_| !closed) {
-        Some(long) => (Route::Velocities(long), at_points(graph, written)),
+    let (route, partial) = match open.map(|(_, term)| term).or(obstacle).filter(|_| !needs_energy) {
+        Some(obstacle) => (Route::Velocities { obstacle }, without_velocities(graph, written)),
         None => {
             let velocities = diff::gradient(graph, energy, degrees).p;
-            let mut partial = carried(graph, written, &velocities, &parts);
-            let known: Vec<Id> = partial.iter().map(|partial| partial.node).collect();
-            let new = divided.iter().filter(|node| !graph.reads(**node).v && !known.contains(node));
-            partial.extend(new.map(|node| Partial { node: *node, condition: None }));
+            let mut partial = at_velocities(graph, written, &velocities, &parts);
+            let divided = divided.iter().copied().filter(|node| !graph.reads(*node).v);
+            add_unconditional(&mut partial, divided);
             partial.dedup();
-            (Route::Energy(energy, velocities), partial)
+            (Route::Energy { energy, velocities }, partial)
         }
     };
     let concave = mass::is_negative(graph, &mass);
@@ -160,27 +160,33 @@ pub(crate) fn transform(
     })
 }
 
-/// f with ∂f/∂q = a, if a(q, t) is a gradient, and not zero.
+/// Returns f with ∂f/∂q = a, if a(q, t) is a gradient and not zero.
 fn gauge(graph: &mut Graph, shift: &[Id]) -> Option<Id> {
     let zero = shift.iter().all(|a| graph.is_zero(*a));
     if zero || shift.iter().any(|a| graph.reads(*a).s) {
         return None;
     }
     let positions: Vec<Symbol> = (0..shift.len() as u32).map(Symbol::Position).collect();
-    let found =
-        analyze::liouville::antiderivative(graph, (&positions, shift), analyze::liouville::Logarithm::OfMagnitude);
-    found.ok().map(|(gauge, _)| gauge)
+    let (gauge, _) = antiderivative(graph, (&positions, shift), Logarithm::OfMagnitude).ok()?;
+    Some(gauge)
 }
 
-/// What of L, or of a force, is not defined everywhere and can be looked at without velocities.
-pub(crate) fn at_points(graph: &Graph, written: &[Partial]) -> Vec<Partial> {
+/// Returns the partial nodes of L, or of a force, that can be checked without velocities.
+pub(crate) fn without_velocities(graph: &Graph, written: &[UndefinedAt]) -> Vec<UndefinedAt> {
     let free = |id: &Id| !graph.reads(*id).v;
     let mut partial = written.to_vec();
-    partial.retain(|Partial { node, condition }| free(node) && condition.iter().all(free));
+    partial.retain(|UndefinedAt { node, condition }| free(node) && condition.iter().all(free));
     partial
 }
 
-/// The divisors of nodes that are quotients.
+/// Adds nodes that are always computed to a list of partial nodes, unless the list already contains them.
+fn add_unconditional(partial: &mut Vec<UndefinedAt>, nodes: impl Iterator<Item = Id>) {
+    let known: Vec<Id> = partial.iter().map(|partial| partial.node).collect();
+    let new = nodes.filter(|node| !known.contains(node));
+    partial.extend(new.map(|node| UndefinedAt { node, condition: None }));
+}
+
+/// Returns the divisors of the nodes that are quotients.
 fn divisors(graph: &Graph, nodes: &[Id]) -> Vec<Id> {
     let divisor = |id: &Id| match graph.node(*id) {
         Node::Power(base, exponent) if exponent.numerator < 0 => Some(*base),
@@ -189,17 +195,19 @@ fn divisors(graph: &Graph, nodes: &[Id]) -> Vec<Id> {
     nodes.iter().filter_map(divisor).collect()
 }
 
-/// A node for some velocities zero.
-fn at_rest(graph: &mut Graph, node: Id, which: impl Fn(u32) -> bool) -> Id {
-    let zero = |graph: &mut Graph, symbol| match symbol {
-        Symbol::Velocity(i) if which(i) => Some(graph.zero()),
-        _ => None,
-    };
-    Substitution::new(zero).apply(graph, node)
+/// Returns a node at zero velocities.
+fn at_rest(graph: &mut Graph, node: Id) -> Id {
+    at_zero(graph, node, is_velocity)
 }
 
-/// What of L is not defined everywhere, at the velocities that belong to momenta. Terms with a conjugate are defined for all of theirs.
-fn carried(graph: &mut Graph, written: &[Partial], velocities: &[Id], parts: &[Part]) -> Vec<Partial> {
+/// Returns whether a symbol is a velocity.
+fn is_velocity(symbol: Symbol) -> bool {
+    matches!(symbol, Symbol::Velocity(_))
+}
+
+/// Returns the partial nodes of L at the velocities that belong to momenta. Nodes of terms with a conjugate are left out: H is defined wherever these
+/// terms are.
+fn at_velocities(graph: &mut Graph, written: &[UndefinedAt], velocities: &[Id], parts: &[Part]) -> Vec<UndefinedAt> {
     let conjugate = |i: u32| {
         let mut of = parts.iter().filter(|part| matches!(part.kinetic, Kinetic::Conjugate { .. }));
         of.any(|part| part.velocities.contains(&i))
@@ -209,11 +217,10 @@ fn carried(graph: &mut Graph, written: &[Partial], velocities: &[Id], parts: &[P
         _ => None,
     });
     let mut partial = vec![];
-    for Partial { node, condition } in written {
-        let read = graph.symbols(*node);
-        if !read.iter().any(|symbol| matches!(symbol, Symbol::Velocity(i) if conjugate(*i))) {
+    for UndefinedAt { node, condition } in written {
+        if !graph.reads_any(*node, |symbol| matches!(symbol, Symbol::Velocity(i) if conjugate(i))) {
             let condition = condition.map(|condition| there.apply(graph, condition));
-            partial.push(Partial { node: there.apply(graph, *node), condition });
+            partial.push(UndefinedAt { node: there.apply(graph, *node), condition });
         }
     }
     partial

@@ -1,70 +1,72 @@
-//! L taken apart: velocities that M couples, and how each such part follows from momenta.
+//! Splits L into parts: groups of velocities that M couples, and the energy of each group.
 
-use super::{Flaw, Kinetic, Part, at_rest, conjugate, mass, quadratic};
+use super::conjugate::{self, Conjugate};
+use super::quadratic::{self, NoForm};
+use super::{Flaw, Kinetic, Part, at_rest, is_velocity, mass};
+use crate::ir::substitute::at_zero;
 use crate::ir::{Graph, Id, Number, Symbol};
 use crate::{analyze, diff};
 
-/// From so many velocities on that a full mass matrix couples, H costs more than L with its velocities as unknowns: twice as much with 3,
-/// five times with 6.
+/// From this number of velocities on, H of a full mass matrix costs more than L with its velocities as unknowns: twice as much with 3 velocities, and
+/// five times as much with 6.
 const FULL: usize = 3;
 
-/// L taken apart.
+/// A Lagrangian in parts.
 pub(super) struct Parts {
     pub(super) parts: Vec<Part>,
-    /// What is known of H in the momenta.
+    /// The terms of H that read momenta, as far as they are known.
     pub(super) kinetic: Id,
     pub(super) potential: Id,
-    /// An entry of M for which H would be long.
-    pub(super) long: Option<Id>,
+    /// An entry of M that makes H long.
+    pub(super) obstacle: Option<Id>,
 }
 
+/// Splits a Lagrangian with the mass matrix M and the momenta `shift` at rest.
 pub(super) fn parts(
     graph: &mut Graph,
     lagrangian: Id,
-    (momenta, entries, shift): (&[Id], &[Vec<Id>], &[Id]),
-    closed: bool,
+    momenta: &[Id],
+    mass: &[Vec<Id>],
+    shift: &[Id],
+    needs_energy: bool,
 ) -> Result<Parts, Flaw> {
-    let (mut parts, mut squares, mut kinetic) = (vec![], vec![], vec![]);
-    let (mut rest, mut others, mut long) = (lagrangian, vec![], None);
-    for velocities in mass::blocks(graph, entries) {
-        let picked = |row: &[Id]| velocities.iter().map(|i| row[*i as usize]).collect::<Vec<Id>>();
-        let block: Vec<Vec<Id>> = velocities.iter().map(|i| picked(&entries[*i as usize])).collect();
-        if !analyze::is_polynomial_in(graph, &picked(momenta), 1, mass::is_velocity) {
-            others.push(velocities);
+    let (mut parts, mut squares, mut obstacle) = (vec![], vec![], None);
+    let (mut rest, mut not_quadratic) = (lagrangian, vec![]);
+    for velocities in mass::blocks(graph, mass) {
+        if !analyze::is_polynomial_in(graph, &mass::picked(momenta, &velocities), 1, is_velocity) {
+            not_quadratic.push(velocities);
             continue;
         }
-        let shift = picked(shift);
+        let (block, shift) = (mass::block(mass, &velocities), mass::picked(shift, &velocities));
         let full = block.iter().flatten().copied().find(|entry| block.len() >= FULL && graph.reads(*entry).moves());
-        // Where H would be long it is not made, unless it is asked for or tells why M is singular.
-        if closed || full.is_none() || !analyze::is_regular(graph, &block) {
+        // A long H is built only if it is needed, or if it shows why M is singular.
+        if needs_energy || full.is_none() || !analyze::is_regular(graph, &block) {
             let reduced = quadratic::reduced(graph, &velocities, &shift);
             match quadratic::inverse_form(graph, &block, &reduced) {
                 Ok(mut form) => squares.append(&mut form),
-                Err(quadratic::NoForm::Singular(combination)) => return Err(singular(graph, velocities, combination)),
-                Err(quadratic::NoForm::NoPivot(entry)) => long = Some(entry),
+                Err(NoForm::Singular(combination)) => return Err(singular(graph, velocities, combination)),
+                Err(NoForm::NoPivot(entry)) => obstacle = Some(entry),
             }
         }
-        long = long.or(full);
-        rest = at_rest(graph, rest, |i| velocities.contains(&i));
+        obstacle = obstacle.or(full);
+        rest = without(graph, rest, |i| velocities.contains(&i));
         parts.push(Part { velocities, kinetic: Kinetic::Quadratic { mass: block, shift } });
     }
     let squares = quadratic::sum(graph, &squares);
-    kinetic.push(graph.scale(Number::HALF, squares));
-    let conjugates = !others.is_empty();
-    for velocities in others {
-        let alone = at_rest(graph, rest, |i| !velocities.contains(&i));
+    let mut kinetic = vec![graph.scale(Number::HALF, squares)];
+    let all_quadratic = not_quadratic.is_empty();
+    for velocities in not_quadratic {
+        let alone = without(graph, rest, |i| !velocities.contains(&i));
         let found = match conjugate::of(graph, alone, &velocities) {
-            Some(conjugate::Conjugate { term, energy, rule }) => {
+            Some(Conjugate { term, energy, rule }) => {
                 kinetic.push(energy);
                 Kinetic::Conjugate { term, rule }
             }
             None => {
-                let picked = |i: &u32| velocities.iter().map(|j| entries[*i as usize][*j as usize]).collect();
-                let block: Vec<Vec<Id>> = velocities.iter().map(picked).collect();
+                let block = mass::block(mass, &velocities);
                 let none = graph.zero();
                 let momenta = quadratic::reduced(graph, &velocities, &vec![none; block.len()]);
-                if let Err(quadratic::NoForm::Singular(combination)) = quadratic::inverse_form(graph, &block, &momenta)
-                {
+                if let Err(NoForm::Singular(combination)) = quadratic::inverse_form(graph, &block, &momenta) {
                     return Err(singular(graph, velocities, combination));
                 }
                 Kinetic::Open(alone)
@@ -72,20 +74,24 @@ pub(super) fn parts(
         };
         parts.push(Part { velocities, kinetic: found });
     }
-    // What has a conjugate goes with its velocities; of what is linear in them there may be a rest.
-    if conjugates {
-        let linear = |graph: &Graph, term: Id| analyze::is_polynomial_in(graph, &[term], 1, mass::is_velocity);
+    // Terms with a conjugate are complete in H. Terms that are linear in velocities may have a summand without velocities.
+    if !all_quadratic {
         let mut terms = conjugate::terms(graph, rest);
-        terms.retain(|term| linear(graph, *term));
+        terms.retain(|term| analyze::is_polynomial_in(graph, &[*term], 1, is_velocity));
         rest = graph.sum(&terms);
-        rest = at_rest(graph, rest, |_| true);
+        rest = at_rest(graph, rest);
     }
     parts.sort_by_key(|part| part.velocities[0]);
     let (kinetic, potential) = (graph.sum(&kinetic), graph.neg(rest));
-    Ok(Parts { parts, kinetic, potential, long })
+    Ok(Parts { parts, kinetic, potential, obstacle })
 }
 
-/// w·p = 0 at every state says that wᵀM = 0.
+/// Returns a node at zero for the velocities that `vanishes` selects.
+fn without(graph: &mut Graph, node: Id, vanishes: impl Fn(u32) -> bool) -> Id {
+    at_zero(graph, node, |symbol| matches!(symbol, Symbol::Velocity(i) if vanishes(i)))
+}
+
+/// Returns the flaw of a singular M: w·p = 0 at every state implies wᵀM = 0.
 fn singular(graph: &mut Graph, velocities: Vec<u32>, combination: Id) -> Flaw {
     let momenta: Vec<Symbol> = velocities.iter().map(|i| Symbol::Momentum(*i)).collect();
     let direction = diff::jacobian(graph, &[combination], &momenta).concat();

@@ -1,32 +1,36 @@
-//! yᵀM⁻¹y by M = LDLᵀ, without M⁻¹.
+//! The form yᵀM⁻¹y, computed from M = LDLᵀ without M⁻¹.
 
 use super::invariant::simplified;
 use crate::analyze::vanishes;
 use crate::ir::{Graph, Id, Number, Ratio, Symbol};
 
-/// A square, or a form of two, and what divides it.
-pub(super) type Square = (Id, Id);
+/// One summand of yᵀM⁻¹y: a square, or a form of two coordinates, over its pivot or determinant.
+pub(super) struct Quotient {
+    numerator: Id,
+    divisor: Id,
+}
 
-/// Why there is no such sum.
+/// The reason why yᵀM⁻¹y has no formula.
 pub(super) enum NoForm {
-    /// M is singular at every state: this combination of y is zero if y is Mv.
+    /// M is singular at every state: this combination of y is zero for every y = Mv.
     Singular(Id),
-    /// What is left of M has this entry, but none on its diagonal.
+    /// The rest of M contains this entry, but its diagonal is zero.
     NoPivot(Id),
 }
 
-/// yᵀM⁻¹y for a symmetric M, as a sum of squares; of two rows it is one form where either pivot might vanish at a state at which M is regular.
+/// Returns yᵀM⁻¹y for a symmetric M as a sum of squares. Two rows give one form if each pivot might vanish at a state at which M is regular.
 ///
-/// Zeros stay zeros, so that the pattern of M does: coordinates that couple to the fewest others come first.
-pub(super) fn inverse_form(graph: &mut Graph, mass: &[Vec<Id>], y: &[Id]) -> Result<Vec<Square>, NoForm> {
+/// Coordinates that couple to the fewest others are eliminated first, so zeros of M stay zeros.
+pub(super) fn inverse_form(graph: &mut Graph, mass: &[Vec<Id>], y: &[Id]) -> Result<Vec<Quotient>, NoForm> {
     let (mut mass, mut y): (Vec<Vec<Id>>, Vec<Id>) = (mass.to_vec(), y.to_vec());
     let mut left: Vec<usize> = (0..y.len()).collect();
-    let mut squares: Vec<(usize, Square)> = vec![];
+    let mut squares: Vec<(usize, Quotient)> = vec![];
     while !left.is_empty() {
         let k = match pivot(graph, &mass, &y, &left)? {
             Pivot::One(k) => k,
-            Pivot::Two(pair, determinant) => {
-                squares.push((pair[0], of_two(graph, &mass, &y, (pair, determinant))));
+            Pivot::Two { i, j, determinant } => {
+                let numerator = adjugate_form(graph, &mass, &y, i, j);
+                squares.push((i, Quotient { numerator, divisor: determinant }));
                 break;
             }
         };
@@ -44,46 +48,49 @@ pub(super) fn inverse_form(graph: &mut Graph, mass: &[Vec<Id>], y: &[Id]) -> Res
             y[*i] = graph.sub(y[*i], part);
         }
         let square = graph.pow(y[k], Ratio::integer(2));
-        squares.push((k, (square, d)));
+        squares.push((k, Quotient { numerator: square, divisor: d }));
     }
     squares.sort_by_key(|(k, _)| *k);
     Ok(squares.into_iter().map(|(_, square)| square).collect())
 }
 
-/// The sum; squares over equal pivots are one, as |p|²/m is written.
-pub(super) fn sum(graph: &mut Graph, squares: &[Square]) -> Id {
-    let mut terms: Vec<(Id, Vec<Id>)> = vec![];
-    for (square, d) in squares {
-        match terms.iter_mut().find(|(other, _)| other == d) {
-            Some((_, sum)) => sum.push(*square),
-            None => terms.push((*d, vec![*square])),
+/// Returns the sum of quotients. Squares over equal pivots share one division, as in |p|²/m.
+pub(super) fn sum(graph: &mut Graph, quotients: &[Quotient]) -> Id {
+    let mut groups: Vec<(Id, Vec<Id>)> = vec![];
+    for Quotient { numerator, divisor } in quotients {
+        match groups.iter_mut().find(|(other, _)| other == divisor) {
+            Some((_, numerators)) => numerators.push(*numerator),
+            None => groups.push((*divisor, vec![*numerator])),
         }
     }
-    let mut divided = vec![];
-    for (d, sum) in terms {
-        let sum = graph.sum(&sum);
-        divided.push(graph.div(sum, d));
+    let mut terms = vec![];
+    for (divisor, numerators) in groups {
+        let numerator = graph.sum(&numerators);
+        terms.push(graph.div(numerator, divisor));
     }
-    graph.sum(&divided)
+    graph.sum(&terms)
 }
 
-/// What is eliminated next.
+/// The coordinates to eliminate next.
 enum Pivot {
     One(usize),
-    /// Both of two rows, with their determinant.
-    Two([usize; 2], Id),
+    /// The last two coordinates together.
+    Two {
+        i: usize,
+        j: usize,
+        determinant: Id,
+    },
 }
 
-/// The next pivot: the one whose coordinate couples to the fewest others, of those that are not zero everywhere; of two rows one that vanishes at
-/// no state, or both at once. (Larger matrices that move have no H, and there what is left of them is long.)
+/// Chooses the coordinate that couples to the fewest others and has a pivot that does not vanish everywhere. A matrix of two rows needs a pivot that
+/// vanishes at no state; without such a pivot, both rows are eliminated together. Larger matrices that move have no H, because their minors are long.
 fn pivot(graph: &mut Graph, mass: &[Vec<Id>], y: &[Id], left: &[usize]) -> Result<Pivot, NoForm> {
     let couples = |graph: &Graph, i: usize| left.iter().filter(|j| !graph.is_zero(mass[i][**j])).count();
     let mut order = left.to_vec();
     order.sort_by_key(|i| couples(graph, *i));
-    if let ([i, j], 2) = (&order[..], mass.len())
-        && !graph.is_zero(mass[*i][*j])
+    if let (&[i, j], 2) = (&order[..], mass.len())
+        && !graph.is_zero(mass[i][j])
     {
-        let (i, j) = (*i, *j);
         if let Some(k) = order.iter().find(|i| vanishes_nowhere(graph, mass[**i][**i])) {
             return Ok(Pivot::One(*k));
         }
@@ -91,9 +98,9 @@ fn pivot(graph: &mut Graph, mass: &[Vec<Id>], y: &[Id], left: &[usize]) -> Resul
         let square = graph.pow(mass[i][j], Ratio::integer(2));
         let determinant = graph.sub(product, square);
         let determinant = simplified(graph, determinant);
-        // It vanishes where M is singular, and nowhere else.
+        // The determinant vanishes exactly where M is singular.
         if !vanishes(graph, determinant) {
-            return Ok(Pivot::Two([i, j], determinant));
+            return Ok(Pivot::Two { i, j, determinant });
         }
     }
     if let Some(k) = order.iter().find(|i| !vanishes(graph, mass[**i][**i])) {
@@ -103,7 +110,7 @@ fn pivot(graph: &mut Graph, mass: &[Vec<Id>], y: &[Id], left: &[usize]) -> Resul
     Err(entries.find(|entry| !vanishes(graph, *entry)).map_or(NoForm::Singular(y[left[0]]), NoForm::NoPivot))
 }
 
-/// Whether a node is seen to be no zero at any state: of parameters alone, positive, or negative.
+/// Returns whether a node is proven to have no zero at any state: it reads parameters only, or its form implies its sign.
 fn vanishes_nowhere(graph: &mut Graph, id: Id) -> bool {
     if !graph.reads(id).moves() {
         return !vanishes(graph, id);
@@ -112,17 +119,17 @@ fn vanishes_nowhere(graph: &mut Graph, id: Id) -> bool {
     graph.is_positive(id) || graph.is_positive(opposite)
 }
 
-/// The form of two coordinates with the mass matrix [a b; b c]: (c y₁² − 2b y₁y₂ + a y₂²)/(ac − b²).
-fn of_two(graph: &mut Graph, mass: &[Vec<Id>], y: &[Id], ([i, j], determinant): ([usize; 2], Id)) -> Square {
+/// Returns c yᵢ² − 2b yᵢyⱼ + a yⱼ² for the mass matrix [a b; b c] of two coordinates.
+fn adjugate_form(graph: &mut Graph, mass: &[Vec<Id>], y: &[Id], i: usize, j: usize) -> Id {
     let both = graph.mul(y[i], y[j]);
     let [first, second] = [y[i], y[j]].map(|y| graph.pow(y, Ratio::integer(2)));
     let [first, both, second] =
         [(mass[j][j], first), (mass[i][j], both), (mass[i][i], second)].map(|(entry, y)| graph.mul(entry, y));
-    let twice = graph.scale(Number::ONE.add(Number::ONE).neg(), both);
-    (graph.sum(&[first, twice, second]), determinant)
+    let twice = graph.scale(Number::integer(-2), both);
+    graph.sum(&[first, twice, second])
 }
 
-/// p − a for the velocities of a part.
+/// Returns p − a for some velocities.
 pub(super) fn reduced(graph: &mut Graph, velocities: &[u32], shift: &[Id]) -> Vec<Id> {
     let mut momentum = |(i, a): (&u32, &Id)| {
         let p = graph.symbol(Symbol::Momentum(*i));

@@ -26,7 +26,7 @@ mod value;
 
 use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::HashMap;
-use crate::ir::{Graph, Id, Node, Partial, Symbol};
+use crate::ir::{Graph, Id, Node, Symbol, UndefinedAt};
 use crate::parse::{Argument, Energy, Form};
 pub(crate) use flow::{Integral, Skew, canonical};
 pub(crate) use force::VELOCITY;
@@ -73,7 +73,7 @@ pub(crate) struct Terms {
     /// The pieces that the user wants, and where they are written.
     pub(crate) groups: Option<Vec<(Id, Place)>>,
     /// Nodes that are not defined everywhere, simplified away or not.
-    pub(crate) partial: Vec<Partial>,
+    pub(crate) partial: Vec<UndefinedAt>,
 }
 
 /// The first and the last token of a term.
@@ -157,7 +157,7 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
     graph.stop_recording();
     let partial = partial.into_iter().map(|(node, conditions)| {
         let all: Option<Vec<Id>> = conditions.into_iter().collect();
-        Partial { node, condition: all.and_then(|all| all.into_iter().reduce(|a, b| graph.or(a, b))) }
+        UndefinedAt { node, condition: all.and_then(|all| all.into_iter().reduce(|a, b| graph.or(a, b))) }
     });
     let partial = partial.collect();
     let energy = field[0];

@@ -2,7 +2,7 @@
 
 use super::block::{Block, Instruction, Operand, Register, Statement};
 use super::levels::{KnownLevels, Slots};
-use crate::ir::{Function, Graph, HashMap, Id, Known, Node, Number, Ratio, Symbol, Table, hash};
+use crate::ir::{Function, Graph, HashIndex, HashMap, Id, Node, Number, Ratio, Symbol, Table, hash};
 
 /// Powers of one base.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -30,7 +30,7 @@ pub(super) struct Scope {
     pub(super) block: Block,
     pub(super) values: Table<Operand>,
     /// Statements by their instructions.
-    numbered: Known,
+    numbered: HashIndex,
     /// What is computed here whatever the conditions are.
     pub(super) always: Table<()>,
 }

@@ -36,7 +36,7 @@ fn described(graph: &Graph, pole: &Pole) -> String {
             if forms.len() == 1 { format!("±{}{assumed}", all(forms)) } else { format!("{{{}}}{assumed}", all(forms)) }
         }
         Some(Quick::Angle { argument, .. }) => format!("∠{}", printer.formula(*argument)),
-        Some(Quick::SineOf(..)) => panic!("not built"),
+        Some(Quick::SineOf { .. }) => panic!("not built"),
         None => format!("?{}", printer.formula(pole.vanishes)),
     };
     if pole.noticed { text } else { format!("({text})") }

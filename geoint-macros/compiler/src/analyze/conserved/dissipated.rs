@@ -1,45 +1,48 @@
-//! Momenta of contact systems: J of degree 1 in p that commute with H for every s and t. J' = −J ∂H/∂s, so that all decay by one factor.
+//! Dissipated momenta of contact systems: functions J of degree 1 in p that commute with H for every s and t. J' = −J ∂H/∂s, so all decay by one factor.
 
 use super::momenta::{self, Momentum};
 use crate::analyze::degree::Degrees;
-use crate::analyze::{degree_in, identity};
-use crate::ir::substitute::Substitution;
+use crate::analyze::separable::is_momentum;
+use crate::analyze::{degree_in, identity, terms};
+use crate::diff;
+use crate::ir::substitute::at_zero;
 use crate::ir::{Graph, Id, Symbol};
 use crate::parse::Shape;
 
-/// What decays by one factor.
+/// The functions that decay by one common factor.
 #[derive(Debug)]
 pub(crate) struct Dissipated {
-    /// Coordinates that H does not read: their momenta decay so.
+    /// Coordinates that H does not read. Their momenta decay.
     pub(crate) cyclic: Vec<u32>,
+    /// Sums of momenta and angular momenta.
     pub(crate) momenta: Vec<Momentum>,
-    /// Whether H does, too.
+    /// Whether H decays.
     pub(crate) energy: bool,
 }
 
-/// The same of a Lagrangian L(q, v, s, t) that has no energy here: J' = J ∂L/∂s.
+/// Finds the dissipated functions of a Lagrangian L(q, v, s, t) without an energy: J' = J ∂L/∂s.
 pub(crate) fn dissipated_by_velocities(graph: &mut Graph, lagrangian: Id, coordinates: &Shape) -> Option<Dissipated> {
     let momenta = super::noether(graph, lagrangian, coordinates);
-    of(graph, lagrangian, coordinates, momenta)
+    with_cyclic(graph, lagrangian, coordinates, momenta)
 }
 
-/// Finds them, if there is an action that H reads.
+/// Finds the dissipated functions of an energy that reads the action.
 pub(crate) fn dissipated(graph: &mut Graph, energy: Id, coordinates: &Shape) -> Option<Dissipated> {
-    let degrees = Degrees::of(graph, &[energy], |symbol| matches!(symbol, Symbol::Position(_) | Symbol::Momentum(_)));
+    let degrees = Degrees::of(graph, &[energy], Symbol::is_canonical);
     let mut momenta = momenta::momenta(graph, &degrees, energy, coordinates);
     momenta.retain(|momentum| is_homogeneous(graph, momentum.value));
-    of(graph, energy, coordinates, momenta)
+    with_cyclic(graph, energy, coordinates, momenta)
 }
 
-/// −∂L/∂s, by which all of that decays.
+/// Builds the rate of decay −∂L/∂s.
 pub(crate) fn decay(graph: &mut Graph, lagrangian: Id) -> Id {
-    let growth = crate::diff::partial(graph, lagrangian, Symbol::Action);
-    let terms: Vec<Id> = crate::analyze::terms(graph, growth).into_iter().map(|term| graph.neg(term)).collect();
+    let growth = diff::partial(graph, lagrangian, Symbol::Action);
+    let terms: Vec<Id> = terms(graph, growth).into_iter().map(|term| graph.neg(term)).collect();
     graph.sum(&terms)
 }
 
-/// With what is seen from what H or L reads.
-fn of(graph: &Graph, root: Id, coordinates: &Shape, momenta: Vec<Momentum>) -> Option<Dissipated> {
+/// Adds the functions that follow from the symbols that H or L does not read. `None` if nothing decays, or if the action is not read.
+fn with_cyclic(graph: &Graph, root: Id, coordinates: &Shape, momenta: Vec<Momentum>) -> Option<Dissipated> {
     let read = graph.symbols(root);
     if !read.contains(&Symbol::Action) {
         return None;
@@ -49,10 +52,8 @@ fn of(graph: &Graph, root: Id, coordinates: &Shape, momenta: Vec<Momentum>) -> O
     (energy || !cyclic.is_empty() || !momenta.is_empty()).then_some(Dissipated { cyclic, momenta, energy })
 }
 
-/// Whether a polynomial is of degree 1 in p in every term.
+/// Returns whether every term of a polynomial has degree 1 in p.
 fn is_homogeneous(graph: &mut Graph, value: Id) -> bool {
-    let of_p = |symbol: Symbol| matches!(symbol, Symbol::Momentum(_));
-    let rest =
-        Substitution::new(move |graph: &mut Graph, symbol| of_p(symbol).then(|| graph.zero())).apply(graph, value);
-    degree_in(graph, value, of_p) == Some(1) && identity(graph, rest).is_zero()
+    let rest = at_zero(graph, value, is_momentum);
+    degree_in(graph, value, is_momentum) == Some(1) && identity(graph, rest).is_zero()
 }

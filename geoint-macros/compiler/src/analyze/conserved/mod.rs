@@ -1,4 +1,4 @@
-//! What the flow of an energy keeps, or lets decay by one factor.
+//! Functions that the flow of an energy conserves, or lets decay by one common factor.
 
 mod dissipated;
 mod generators;

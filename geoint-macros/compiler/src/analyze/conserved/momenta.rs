@@ -1,34 +1,33 @@
-//! Linear and quadratic functions J of the state that commute with every part Q that the tree of H ends at, and so with H.
+//! Linear and quadratic functions J of the state that commute with every leaf Q of the tree of H, and so with H.
 //!
-//! A step with the tree discrete gradient Σ c·∇Q(m), m the middle of the step, changes J by h Σ c·{J, Q}(m): it keeps what
-//! the flow keeps. J is sought among the combinations of a few generators, whose coefficients are numbers, or numbers times products of
-//! powers of parameters.
+//! A step with the tree discrete gradient Σ c·∇Q(m), m the middle of the step, changes J by h Σ c·{J, Q}(m). So the step conserves J, too. J is a
+//! combination of generators. Its coefficients are numbers, or numbers times powers of parameters.
 
 use super::generators::{Generator, Summand, generators, name};
-use super::weights::{Term, Weight, clear, times, weights};
+use super::weights::{Term, Weight, divide_by_common, weights};
 use crate::analyze::degree::Degrees;
 use crate::analyze::equations::{Equations, Row, add_multiple};
 use crate::analyze::leaves::leaves;
-use crate::analyze::quadratic::{Atom, Expansion, Quadratic, Variable};
+use crate::analyze::quadratic::{Atom, Expansion, Quadratic, Variable, product_of_atoms};
 use crate::ir::{Graph, Id, Ratio, Reads};
 use crate::parse::Shape;
 use std::borrow::Cow;
 
-/// A function of the state that is kept.
+/// A conserved function of the state.
 #[derive(Debug)]
 pub(crate) struct Momentum {
-    /// What people call it.
+    /// The usual name of the function.
     pub(crate) name: String,
     pub(crate) value: Id,
 }
 
-/// A generator with the product of parameters before it.
+/// A generator with a product of parameters as its weight. Its number is the unknown of the linear equations.
 struct Unknown {
     generator: usize,
     weight: Weight,
 }
 
-/// All that were found, but for single coordinates: those are kept because H does not read the conjugate one.
+/// Finds conserved functions. Single coordinates are left out: they are conserved because H does not read the conjugate coordinate.
 pub(in crate::analyze) fn momenta(
     graph: &mut Graph,
     degrees: &Degrees,
@@ -38,7 +37,7 @@ pub(in crate::analyze) fn momenta(
     of_generators(graph, degrees, energy, coordinates, &generators(coordinates))
 }
 
-/// Those that are combinations of some generators.
+/// Finds the conserved functions that are combinations of some generators.
 pub(super) fn of_generators(
     graph: &mut Graph,
     degrees: &Degrees,
@@ -48,7 +47,7 @@ pub(super) fn of_generators(
 ) -> Vec<Momentum> {
     let found = forms(graph, degrees, energy).and_then(|forms| {
         let brackets = brackets(&moves(generators, coordinates.len()), &forms)?;
-        // Weights that depend on time, on velocities, or on an action, would change.
+        // Weights must be constant, so they must not read time, velocities or the action.
         let steady = |atom: &Atom| match atom {
             Atom::Node(id) => graph.reads(*id) == Reads::default(),
             _ => true,
@@ -73,7 +72,7 @@ pub(super) fn of_generators(
     let mut momenta = vec![];
     for solution in &solutions {
         let mut weights: Vec<Weight> = solution.keys().map(|u| unknowns[*u].weight.clone()).collect();
-        clear(&mut weights);
+        divide_by_common(&mut weights);
         let summands: Vec<Summand<'_>> = solution
             .iter()
             .zip(&weights)
@@ -83,7 +82,7 @@ pub(super) fn of_generators(
                 weight,
             })
             .collect();
-        // Nor are squares of these told, nor multiples.
+        // Functions of conserved coordinates give no new conserved function.
         if summands.iter().all(|summand| summand.generator.is_function_of(&kept)) {
             continue;
         }
@@ -92,7 +91,7 @@ pub(super) fn of_generators(
             let weight = weight_node(graph, summand.weight);
             summand.generator.add_to(graph, sum, summand.number, weight)
         });
-        // The same with a parameter before it is no other one.
+        // Solutions that differ by a parameter as a factor have equal values.
         if momenta.iter().all(|known: &Momentum| known.value != value) {
             momenta.push(Momentum { name: name(coordinates, &summands), value });
         }
@@ -100,7 +99,7 @@ pub(super) fn of_generators(
     momenta
 }
 
-/// A product of powers of parameters as a node.
+/// Builds a product of powers of parameters.
 fn weight_node(graph: &mut Graph, weight: &Weight) -> Id {
     let mut product = graph.integer(1);
     for (atom, exponent) in weight {
@@ -111,25 +110,31 @@ fn weight_node(graph: &mut Graph, weight: &Weight) -> Id {
     product
 }
 
-/// The parts that the tree ends at.
+/// Expands the leaves of the tree of H.
 fn forms(graph: &Graph, degrees: &Degrees, energy: Id) -> Option<Vec<Quadratic>> {
     let leaves = leaves(graph, degrees, energy, 2)?;
     let mut expansion = Expansion::new(graph, degrees);
     leaves.iter().map(|leaf| expansion.leaf(leaf)).collect()
 }
 
-/// By variable u the generators J that move it: {u, J} as Σ coefficient·variable.
-type Moves = Vec<Vec<(usize, i128, Variable)>>;
+/// The term coefficient·variable of the bracket {u, J} of a variable u with a generator J.
+#[derive(Clone)]
+struct Move {
+    generator: usize,
+    coefficient: i128,
+    variable: Variable,
+}
 
-fn moves(generators: &[Generator], degrees_of_freedom: usize) -> Moves {
+/// Returns the terms of {u, J} for all generators J, by the variable u.
+fn moves(generators: &[Generator], degrees_of_freedom: usize) -> Vec<Vec<Move>> {
     let mut moves = vec![vec![]; 2 * degrees_of_freedom];
     for (g, generator) in generators.iter().enumerate() {
         for (c, [a, b]) in &generator.terms {
             // {u, a b} = {u, a} b + a {u, b}, and {q, p} = 1 = −{p, q}.
-            for (x, rest) in [(*a, *b), (*b, *a)] {
+            for (x, variable) in [(*a, *b), (*b, *a)] {
                 let (conjugate, sign) = if x % 2 == 0 { (x + 1, -1) } else { (x - 1, 1) };
                 if let Some(moves) = moves.get_mut(conjugate as usize) {
-                    moves.push((g, sign * c, rest));
+                    moves.push(Move { generator: g, coefficient: sign * c, variable });
                 }
             }
         }
@@ -137,28 +142,27 @@ fn moves(generators: &[Generator], degrees_of_freedom: usize) -> Moves {
     moves
 }
 
-/// The brackets of all generators with each form, in order of their variables; `None` if a number is no longer exact.
-fn brackets<'a>(moves: &Moves, forms: &'a [Quadratic]) -> Option<Vec<Vec<Term<'a>>>> {
+/// Returns the brackets of all generators with each form, sorted by variables. `None` if a number is no longer exact.
+fn brackets<'a>(moves: &[Vec<Move>], forms: &'a [Quadratic]) -> Option<Vec<Vec<Term<'a>>>> {
     let of = |form: &'a Quadratic| {
         let mut bracket = vec![];
         for monomial in form {
             let [a, b] = monomial.variables;
             for (u, rest) in [(a, b), (b, a)] {
-                for (generator, c, v) in moves.get(u as usize).into_iter().flatten() {
-                    let variables = [rest.min(*v), rest.max(*v)];
-                    let number = monomial.number.mul(Ratio::integer(*c))?;
+                for Move { generator, coefficient, variable } in moves.get(u as usize).into_iter().flatten() {
+                    let variables = [rest.min(*variable), rest.max(*variable)];
+                    let number = monomial.number.mul(Ratio::integer(*coefficient))?;
                     bracket.push(Term { variables, generator: *generator, atoms: &monomial.atoms, number });
                 }
             }
         }
-        // The order of both as one number, which is compared at once.
-        bracket.sort_by_key(|term: &Term<'_>| u64::from(term.variables[0]) << 32 | u64::from(term.variables[1]));
+        bracket.sort_by_key(|term: &Term<'_>| term.variables);
         Some(bracket)
     };
     forms.iter().map(of).collect()
 }
 
-/// The combinations of unknowns whose brackets with all forms vanish, as numbers before the unknowns.
+/// Returns a basis of the combinations of unknowns whose brackets with all forms vanish. The first `generators` unknowns have no weight.
 fn commuting(unknowns: &[Unknown], generators: usize, brackets: &[Vec<Term<'_>>]) -> Option<Vec<Row>> {
     let weighted = |g: usize| unknowns[generators..].iter().position(|unknown| unknown.generator == g);
     let weighted: Vec<Option<usize>> = (0..generators).map(|g| Some(generators + weighted(g)?)).collect();
@@ -168,10 +172,14 @@ fn commuting(unknowns: &[Unknown], generators: usize, brackets: &[Vec<Term<'_>>]
         for Term { variables, generator, atoms, number } in bracket {
             terms.push(((*variables, Cow::Borrowed(*atoms)), *generator, *number));
             if let Some(unknown) = weighted[*generator] {
-                terms.push(((*variables, Cow::Owned(times(atoms, &unknowns[unknown].weight)?)), unknown, *number));
+                terms.push((
+                    (*variables, Cow::Owned(product_of_atoms(atoms, &unknowns[unknown].weight)?)),
+                    unknown,
+                    *number,
+                ));
             }
         }
-        // Monomials are independent: the coefficient of each vanishes.
+        // Monomials are independent, so every coefficient must vanish.
         terms.sort_by(|(a, ..), (b, ..)| a.cmp(b));
         for coefficient in terms.chunk_by(|(a, ..), (b, ..)| a == b) {
             let mut row = Row::new();

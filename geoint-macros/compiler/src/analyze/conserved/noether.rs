@@ -1,6 +1,6 @@
-//! Momenta of Lagrangians that have no energy here: J = ∂L/∂v·(Aq + b) for L that is invariant under q' = Aq + b, v' = Av.
+//! Momenta of Lagrangians without an energy: J = ∂L/∂v·(Aq + b) for an L that is invariant under q' = Aq + b, v' = Av.
 //!
-//! A is antisymmetric, so that v moves as momenta do: in the place of momenta, velocities give the same brackets.
+//! A is antisymmetric, so velocities transform as momenta do. With velocities in place of momenta, the brackets are equal.
 
 use super::generators::generators;
 use super::momenta::{self, Momentum};
@@ -9,7 +9,7 @@ use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Symbol};
 use crate::parse::Shape;
 
-/// Sums of momenta and angular momenta that the flow keeps, for every s and t. Gauss methods do, too, because these are linear or bilinear.
+/// Returns sums of momenta and angular momenta that the flow conserves for every s and t. They are linear or bilinear, so Gauss methods conserve them, too.
 pub(crate) fn noether(graph: &mut Graph, lagrangian: Id, coordinates: &Shape) -> Vec<Momentum> {
     let as_momentum = |graph: &mut Graph, symbol| match symbol {
         Symbol::Velocity(i) => Some(graph.symbol(Symbol::Momentum(i))),
@@ -18,11 +18,11 @@ pub(crate) fn noether(graph: &mut Graph, lagrangian: Id, coordinates: &Shape) ->
     let energy = Substitution::new(as_momentum).apply(graph, lagrangian);
     let mut generators = generators(coordinates);
     generators.retain(|generator| generator.is_rigid());
-    let degrees = Degrees::of(graph, &[energy], |symbol| matches!(symbol, Symbol::Position(_) | Symbol::Momentum(_)));
+    let degrees = Degrees::of(graph, &[energy], Symbol::is_canonical);
     momenta::of_generators(graph, &degrees, energy, coordinates, &generators)
 }
 
-/// Sums of momenta that tree slopes of an expression by positions keep, whatever else it reads.
+/// Returns sums of momenta that the tree slopes of an expression by positions conserve. The expression may read other symbols.
 pub(crate) fn translations(graph: &mut Graph, root: Id, coordinates: &Shape) -> Vec<Momentum> {
     let mut generators = generators(coordinates);
     generators.retain(|generator| generator.is_translation());

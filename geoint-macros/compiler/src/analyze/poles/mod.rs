@@ -2,15 +2,15 @@
 //!
 //! A step of a discrete gradient goes along a straight line in phase space. If the line crosses a pole, the step may succeed with a wrong result. This
 //! file therefore collects the nodes that vanish at poles, and generated code checks for each step that none of them has a zero on its line. `structure.rs`
-//! finds cheap proofs from the form of a node; the other nodes are enclosed by intervals.
+//! finds cheap proofs from the form of a node. Intervals enclose the other nodes.
 
 mod structure;
 
 use super::enclosable::enclosable;
-use crate::ir::{Function, Graph, Id, Node, Partial, Relation, Sign, Symbol};
+use crate::ir::{Function, Graph, Id, Node, Relation, Sign, Symbol, UndefinedAt};
 use std::collections::HashSet;
 pub(crate) use structure::Quick;
-use structure::Zeros;
+use structure::{Zero, Zeros};
 
 /// A pole: a place where the energy is infinite.
 #[derive(Clone, Debug)]
@@ -41,42 +41,32 @@ pub(crate) struct Pole {
 ///
 /// A pole is left out if a step across it ends outside the domain of the energy, as for ln q. This needs a concave term: if such a term is positive at
 /// both ends of a step, it is positive between them. Poles with the same vanishing node are joined, and the result also contains the edges of domains.
-pub(crate) fn poles(graph: &mut Graph, divided: &[Id], partial: &[Partial]) -> Vec<Pole> {
-    let mut all = vec![];
-    for Partial { node, condition } in partial {
-        for Denominator { term, one_sided, only_if } in denominators(graph, *node) {
-            let condition = [*condition, only_if].into_iter().flatten().reduce(|a, b| graph.and(a, b));
-            all.push((*node, term, one_sided, condition));
-        }
-    }
+pub(crate) fn poles(graph: &mut Graph, divided: &[Id], partial: &[UndefinedAt]) -> Vec<Pole> {
+    let denominators: Vec<Denominator> = partial.iter().flat_map(|at| denominators(graph, *at)).collect();
     let computed: HashSet<Id> = graph.reachable(divided).into_iter().collect();
-    let terms: Vec<Id> = all.iter().map(|(_, term, ..)| *term).collect();
+    let terms: Vec<Id> = denominators.iter().map(|denominator| denominator.term).collect();
     let zeros = Zeros::new(graph, &terms);
     let mut found: Vec<Pole> = vec![];
-    let mut joined = vec![];
-    for (node, term, one_sided, condition) in all {
-        for (vanishes, quick) in zeros.of(graph, term) {
+    for Denominator { node, term, one_sided, condition } in denominators {
+        for Zero { node: vanishes, quick } in zeros.of(graph, term) {
             let whole = vanishes == term && condition.is_none();
-            if !(one_sided && whole && zeros.is_concave(graph, term)) {
-                // Divided differences read one time, the middle of the step.
-                let timed = graph.reads_any(term, |symbol| symbol == Symbol::Time);
-                let noticed = !timed
-                    && whole
-                    && computed.contains(&node)
-                    && quick.as_ref().is_some_and(|quick| quick.is_sign_of(term));
-                let pole = Pole { condition, noticed, quick, ..Pole::new(term, vanishes) };
-                match found.iter().position(|known| known.vanishes == vanishes) {
-                    Some(known) => joined.push((known, pole)),
-                    None => found.push(pole),
-                }
+            if one_sided && whole && zeros.is_concave(graph, term) {
+                continue;
+            }
+            // Divided differences read time at the middle of the step only.
+            let noticed = whole
+                && computed.contains(&node)
+                && !graph.reads_any(term, |symbol| symbol == Symbol::Time)
+                && quick.as_ref().is_some_and(|quick| quick.is_sign_of(term));
+            let pole = Pole { condition, noticed, quick, ..Pole::new(term, vanishes) };
+            match found.iter_mut().find(|known| known.vanishes == vanishes) {
+                Some(known) => known.join(graph, &pole),
+                None => found.push(pole),
             }
         }
     }
-    for (known, again) in joined {
-        found[known].join(graph, &again);
-    }
     let mut ends = vec![];
-    for Partial { node, condition } in partial {
+    for UndefinedAt { node, condition } in partial {
         ends.extend(edges(graph, *node).into_iter().map(|term| (term, *condition)));
     }
     let terms: Vec<Id> = ends.iter().map(|(term, _)| *term).collect();
@@ -137,7 +127,7 @@ impl Pole {
         self.of_time = reads(|symbol| symbol == Symbol::Time) && !reads(|symbol| symbol.is_coordinate());
     }
 
-    /// Merges a second occurrence of the same pole.
+    /// Merges another occurrence of the pole.
     fn join(&mut self, graph: &mut Graph, again: &Pole) {
         self.condition = match (self.condition, again.condition) {
             (Some(a), Some(b)) => Some(graph.or(a, b)),
@@ -148,18 +138,19 @@ impl Pole {
     }
 }
 
-/// What vanishes where a node is infinite.
+/// A term whose zeros are places where a node is infinite.
 struct Denominator {
+    node: Id,
     term: Id,
     /// Whether the node is defined on one side of the zero only.
     one_sided: bool,
-    /// The condition under which the node is infinite at the zero, if any.
-    only_if: Option<Id>,
+    /// The condition under which the node is computed and infinite at the zero, if any.
+    condition: Option<Id>,
 }
 
-/// Returns what vanishes where a node is infinite: the divisor, or the distance of the argument from the ends of the domain.
-fn denominators(graph: &mut Graph, node: Id) -> Vec<Denominator> {
-    let of = |term, one_sided| vec![Denominator { term, one_sided, only_if: None }];
+/// Returns the terms that vanish where a node is infinite: the divisor, or the distances of the argument from the ends of the domain.
+fn denominators(graph: &mut Graph, UndefinedAt { node, condition }: UndefinedAt) -> Vec<Denominator> {
+    let of = |term, one_sided| vec![Denominator { node, term, one_sided, condition }];
     match graph.node(node).clone() {
         Node::Power(base, exponent) if exponent.numerator < 0 => of(base, !exponent.is_integer()),
         Node::Call(Function::Ln | Function::Log2 | Function::Log10, args) => of(args[0], true),
@@ -170,7 +161,7 @@ fn denominators(graph: &mut Graph, node: Id) -> Vec<Denominator> {
         Node::Call(Function::Atanh, args) => {
             let one = graph.integer(1);
             let ends = [graph.add(one, args[0]), graph.sub(one, args[0])];
-            ends.map(|term| Denominator { term, one_sided: true, only_if: None }).into()
+            ends.map(|term| Denominator { node, term, one_sided: true, condition }).into()
         }
         Node::Call(Function::Tan, args) => of(graph.call(Function::Cos, &args), false),
         Node::Call(Function::Powf, args) => {
@@ -178,9 +169,10 @@ fn denominators(graph: &mut Graph, node: Id) -> Vec<Denominator> {
             let negative = graph.compare(Relation::Less, args[1], zero);
             match graph.as_truth(negative) {
                 Some(false) => vec![],
-                truth => {
-                    let only_if = if truth.is_none() { Some(negative) } else { None };
-                    vec![Denominator { term: args[0], one_sided: true, only_if }]
+                Some(true) => of(args[0], true),
+                None => {
+                    let condition = condition.map_or(negative, |condition| graph.and(condition, negative));
+                    vec![Denominator { node, term: args[0], one_sided: true, condition: Some(condition) }]
                 }
             }
         }

@@ -1,80 +1,100 @@
-//! The zeros of a node, from its form: where they are those of smaller nodes, and how they are excluded on a straight line.
+//! The zeros of a node, derived from its form: the smaller nodes that vanish there, and tests that exclude zeros on a straight line.
 
 use super::super::degree::Degrees;
 use crate::ir::{Function, Graph, HashMap, Id, Node, Number, Ratio, Sign, Symbol};
 use std::collections::{BTreeSet, HashSet};
 
-/// A test that excludes zeros on a straight line, from values at both of its ends.
+/// A test that excludes zeros on a straight line, given values at both ends.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Quick {
-    /// Affine forms that vanish together. Not if the vectors a and b of their values at both ends have a·b > 0: a + τ(b − a) is zero
-    /// only if a and b are opposite. That holds if the signs of parameters are as assumed.
+    /// Affine forms that vanish together, if the parameters have the given signs. The vectors a and b of their values at both ends exclude a zero if
+    /// a·b > 0, because a + τ(b − a) is zero only if a and b are opposite.
     Forms(Vec<Id>, Signs),
-    /// A sine or cosine, and its argument, which is affine: not if it has the same sign at both ends, and the argument moves by less than
-    /// π.
+    /// A sine or cosine of an affine argument. Equal signs at both ends exclude a zero if the argument changes by less than π.
     Angle { value: Id, argument: Id },
-    /// The sine of a multiple of an affine argument, which has the same zeros, before it is built.
-    SineOf(Number, Id),
+    /// A node with the zeros of sin(multiple·argument) for an affine argument. The sine is not built yet.
+    SineOf { multiple: Number, argument: Id },
 }
 
 impl Quick {
-    /// Whether the test compares signs of a node itself.
+    /// Returns whether the test compares the signs of the node itself.
     pub(super) fn is_sign_of(&self, id: Id) -> bool {
         match self {
             Quick::Forms(forms, _) => forms[..] == [id],
             Quick::Angle { value, .. } => *value == id,
-            Quick::SineOf(..) => false,
+            Quick::SineOf { .. } => false,
         }
     }
 
-    /// The test with the sine built.
+    /// Builds the sine of the test.
     pub(super) fn build(&mut self, graph: &mut Graph) {
-        if let Quick::SineOf(multiple, argument) = *self {
+        if let Quick::SineOf { multiple, argument } = *self {
             let argument = graph.scale(multiple, argument);
             *self = Quick::Angle { value: graph.call(Function::Sin, &[argument]), argument };
         }
     }
 }
 
-/// Signs of nodes that read parameters alone.
+/// Assumed signs of nodes that read parameters only.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Signs {
     pub(crate) positive: Vec<Id>,
     pub(crate) not_negative: Vec<Id>,
 }
 
-impl Signs {
-    fn join(&mut self, other: Signs) {
-        self.positive.extend(other.positive);
-        self.not_negative.extend(other.not_negative);
+/// The curvature of a function on every straight line.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Curvature {
+    Concave,
+    Convex,
+}
+
+impl Curvature {
+    fn opposite(self) -> Curvature {
+        match self {
+            Curvature::Concave => Curvature::Convex,
+            Curvature::Convex => Curvature::Concave,
+        }
     }
 }
 
-/// Finds zeros.
+/// Finds zeros of nodes.
 pub(super) struct Zeros {
-    /// In coordinates and time.
+    /// Degrees in coordinates and time.
     degrees: Degrees,
 }
 
-/// Where a node is 1.
-enum One {
-    /// Where another one vanishes.
-    At(Id),
-    /// Where the sine of a multiple of another one vanishes.
-    Periodic(Number, Id),
+/// A node whose zeros are zeros of a larger node.
+pub(super) struct Zero {
+    pub(super) node: Id,
+    /// The test that excludes a zero, if there is one.
+    pub(super) quick: Option<Quick>,
 }
 
-/// Forms that vanish together, under assumptions.
-type Forms = Option<(BTreeSet<Id>, Signs)>;
+/// The places where a node is 1.
+enum One {
+    /// The zeros of another node.
+    At(Id),
+    /// The zeros of the sine of a multiple of another node.
+    Periodic { multiple: Number, argument: Id },
+}
+
+/// Affine forms that vanish together, if parameters have the assumed signs.
+#[derive(Clone, Default)]
+struct Forms {
+    forms: BTreeSet<Id>,
+    signs: Signs,
+}
 
 impl Zeros {
+    /// Prepares the search for zeros of some nodes.
     pub(super) fn new(graph: &Graph, terms: &[Id]) -> Self {
         let degrees = Degrees::of(graph, terms, |symbol| symbol.is_coordinate() || symbol == Symbol::Time);
         Zeros { degrees }
     }
 
-    /// Nodes of which one vanishes where `root` does, those left out that do not move.
-    pub(super) fn of(&self, graph: &Graph, root: Id) -> Vec<(Id, Option<Quick>)> {
+    /// Returns nodes of which at least one vanishes wherever `root` does. Nodes that do not move are left out.
+    pub(super) fn of(&self, graph: &Graph, root: Id) -> Vec<Zero> {
         use Function::{Abs, Asin, Asinh, Atan, Cbrt, Cos, ExpM1, Sin, Sinh, Tanh};
         let (mut open, mut seen, mut zeros) = (vec![root], HashSet::new(), vec![]);
         while let Some(id) = open.pop() {
@@ -88,7 +108,7 @@ impl Zeros {
                 Node::Power(..) => {}
                 Node::Call(Abs | Cbrt | Sinh | Tanh | Asinh | Atan | Asin | ExpM1, args) => open.push(args[0]),
                 Node::Call(Sin | Cos, args) if self.is_affine(args[0]) => {
-                    zeros.push((id, Some(Quick::Angle { value: id, argument: args[0] })));
+                    zeros.push(Zero { node: id, quick: Some(Quick::Angle { value: id, argument: args[0] }) });
                 }
                 // c − c·f vanishes where f is 1.
                 Node::Linear(constant, terms)
@@ -96,30 +116,35 @@ impl Zeros {
                 {
                     match self.where_one(graph, terms[0].1) {
                         Some(One::At(argument)) => open.push(argument),
-                        Some(One::Periodic(multiple, argument)) => {
-                            zeros.push((id, Some(Quick::SineOf(multiple, argument))))
+                        Some(One::Periodic { multiple, argument }) => {
+                            zeros.push(Zero { node: id, quick: Some(Quick::SineOf { multiple, argument }) });
                         }
-                        None => zeros.push((id, None)),
+                        None => zeros.push(Zero { node: id, quick: None }),
                     }
                 }
                 _ => {
                     let forms = self.forms(graph, id, &mut HashMap::default());
-                    zeros.push((id, forms.map(|(forms, signs)| Quick::Forms(forms.into_iter().collect(), signs))));
+                    let quick = forms.map(|Forms { forms, signs }| Quick::Forms(forms.into_iter().collect(), signs));
+                    zeros.push(Zero { node: id, quick });
                 }
             }
         }
         zeros
     }
 
-    /// Where a node is 1.
+    /// Returns the places where a node is 1.
     fn where_one(&self, graph: &Graph, id: Id) -> Option<One> {
         use Function::{Cos, Cosh, Exp, Exp2};
         match graph.node(id) {
             Node::Call(Cosh | Exp | Exp2, args) => Some(One::At(args[0])),
-            Node::Call(Cos, args) if self.is_affine(args[0]) => Some(One::Periodic(Number::HALF, args[0])),
+            Node::Call(Cos, args) if self.is_affine(args[0]) => {
+                Some(One::Periodic { multiple: Number::HALF, argument: args[0] })
+            }
             // cos² = 1 where the sine vanishes.
             Node::Power(base, exponent) if *exponent == Ratio::integer(2) => match graph.node(*base) {
-                Node::Call(Cos, args) if self.is_affine(args[0]) => Some(One::Periodic(Number::ONE, args[0])),
+                Node::Call(Cos, args) if self.is_affine(args[0]) => {
+                    Some(One::Periodic { multiple: Number::ONE, argument: args[0] })
+                }
                 Node::Call(Cosh, args) => Some(One::At(args[0])),
                 _ => None,
             },
@@ -127,8 +152,8 @@ impl Zeros {
         }
     }
 
-    /// Affine forms that all vanish where `id` does, if parameters have certain signs. `known` are those of other nodes.
-    fn forms(&self, graph: &Graph, id: Id, known: &mut HashMap<Id, Forms>) -> Forms {
+    /// Returns affine forms that all vanish wherever `id` does. `known` is a cache of the forms of other nodes.
+    fn forms(&self, graph: &Graph, id: Id, known: &mut HashMap<Id, Option<Forms>>) -> Option<Forms> {
         if let Some(known) = known.get(&id) {
             return known.clone();
         }
@@ -137,19 +162,21 @@ impl Zeros {
         forms
     }
 
-    fn new_forms(&self, graph: &Graph, id: Id, known: &mut HashMap<Id, Forms>) -> Forms {
+    /// Computes the forms of a node that is not in the cache.
+    fn new_forms(&self, graph: &Graph, id: Id, known: &mut HashMap<Id, Option<Forms>>) -> Option<Forms> {
         if self.is_affine(id) {
-            return Some((BTreeSet::from([id]), Signs::default()));
+            return Some(Forms { forms: BTreeSet::from([id]), signs: Signs::default() });
         }
-        // Where a sum vanishes whose summands are nowhere negative, all of them do.
+        // If no summand is negative anywhere, the sum vanishes only where all summands vanish.
         let mut together = |parts: &[Id]| {
-            let (mut forms, mut signs) = (BTreeSet::new(), Signs::default());
+            let mut all = Forms::default();
             for part in parts {
-                let (others, assumed) = self.forms(graph, *part, known)?;
-                forms.extend(others);
-                signs.join(assumed);
+                let Forms { forms, signs } = self.forms(graph, *part, known)?;
+                all.forms.extend(forms);
+                all.signs.positive.extend(signs.positive);
+                all.signs.not_negative.extend(signs.not_negative);
             }
-            Some((forms, signs))
+            Some(all)
         };
         match graph.node(id) {
             Node::Linear(constant, terms) => {
@@ -158,17 +185,19 @@ impl Zeros {
                 }
                 let (constant, moving): (Vec<Id>, Vec<Id>) =
                     terms.iter().map(|(_, term)| term).partition(|id| !graph.reads(**id).moves());
-                let (forms, mut signs) =
-                    moving.iter().all(|id| self.is_square(graph, *id)).then(|| together(&moving))??;
-                signs.not_negative.extend(constant.iter().filter(|id| graph.sign(**id) == Sign::Unknown));
-                Some((forms, signs))
+                if !moving.iter().all(|id| self.is_square(graph, *id)) {
+                    return None;
+                }
+                let mut all = together(&moving)?;
+                all.signs.not_negative.extend(constant.iter().filter(|id| graph.sign(**id) == Sign::Unknown));
+                Some(all)
             }
             Node::Product(factors) => {
                 let (constant, moving): (Vec<Id>, Vec<Id>) = factors.iter().partition(|id| !graph.reads(**id).moves());
                 let [moving] = moving[..] else { return None };
-                let (forms, mut signs) = together(&[moving])?;
-                signs.positive.extend(constant);
-                Some((forms, signs))
+                let mut all = together(&[moving])?;
+                all.signs.positive.extend(constant);
+                Some(all)
             }
             Node::Power(base, exponent) if exponent.numerator > 0 => together(&[*base]),
             Node::Call(Function::Abs | Function::Hypot, args) => together(args),
@@ -176,7 +205,7 @@ impl Zeros {
         }
     }
 
-    /// Whether a node is nowhere negative if its constant factors are not.
+    /// Returns whether a node is nowhere negative if its constant factors are not negative.
     fn is_square(&self, graph: &Graph, id: Id) -> bool {
         match graph.node(id) {
             Node::Product(factors) => factors.iter().all(|id| !graph.reads(*id).moves() || self.is_square(graph, *id)),
@@ -184,44 +213,46 @@ impl Zeros {
         }
     }
 
-    pub(super) fn is_affine(&self, id: Id) -> bool {
-        self.degrees.get(id).is_some_and(|degree| degree <= 1)
+    /// Returns whether a node is affine in coordinates and time.
+    fn is_affine(&self, id: Id) -> bool {
+        self.degrees.at_most(id, 1)
     }
 
-    /// Whether a node may be negative between two points at which it is not.
+    /// Returns whether a node may be negative between two points at which it is not negative.
     pub(super) fn has_gap(&self, graph: &Graph, id: Id) -> bool {
         graph.sign(id) == Sign::Unknown && graph.reads(id).moves() && !self.is_concave(graph, id)
     }
 
-    /// Whether a node is concave by its form: between two points it is not below the smaller of its values there.
+    /// Returns whether the form of a node implies that it is concave. Between two points, a concave node is not below the smaller of both values.
     pub(super) fn is_concave(&self, graph: &Graph, id: Id) -> bool {
-        self.bends(graph, id, true)
+        self.bends(graph, id, Curvature::Concave)
     }
 
-    /// Whether a node is concave, or else convex, by its form.
-    fn bends(&self, graph: &Graph, id: Id, concave: bool) -> bool {
+    /// Returns whether the form of a node implies its curvature.
+    fn bends(&self, graph: &Graph, id: Id, curvature: Curvature) -> bool {
         if self.is_affine(id) {
             return true;
         }
         let affine = |args: &[Id]| args.iter().all(|arg| self.is_affine(*arg));
         match graph.node(id) {
-            Node::Linear(_, terms) => {
-                terms.iter().all(|(c, term)| self.bends(graph, *term, concave != c.is_negative()))
-            }
+            Node::Linear(_, terms) => terms.iter().all(|(c, term)| {
+                let of_term = if c.is_negative() { curvature.opposite() } else { curvature };
+                self.bends(graph, *term, of_term)
+            }),
             Node::Product(factors) => {
                 let (constant, moving): (Vec<Id>, Vec<Id>) = factors.iter().partition(|id| !graph.reads(**id).moves());
                 let signed = constant.iter().all(|id| graph.sign(*id) != Sign::Unknown);
-                signed && matches!(moving[..], [moving] if self.bends(graph, moving, concave))
+                signed && matches!(moving[..], [moving] if self.bends(graph, moving, curvature))
             }
             Node::Power(base, exponent) => {
-                !concave
+                curvature == Curvature::Convex
                     && exponent.is_integer()
                     && exponent.numerator > 0
                     && exponent.numerator % 2 == 0
                     && affine(&[*base])
             }
             Node::Call(Function::Abs | Function::Hypot | Function::Cosh | Function::Exp | Function::Exp2, args) => {
-                !concave && affine(args)
+                curvature == Curvature::Convex && affine(args)
             }
             _ => false,
         }

@@ -4,7 +4,7 @@ use crate::analyze::{Parts, Structure};
 use crate::derive::domain;
 use crate::derive::system::{FlowKernel, GradientKick, KickDrift, Missing, Modified};
 use crate::diff::{self, Gradient, modified};
-use crate::ir::{Graph, Id, Number, Partial, Symbol};
+use crate::ir::{Graph, Id, Number, Symbol, UndefinedAt};
 use crate::messages::NOT_QUADRATIC;
 use crate::schedule::{Levels, Routine};
 
@@ -19,7 +19,7 @@ pub(in crate::derive) fn kick_drift(
     parts: &Parts,
     force: &[Id],
     gradient: &Gradient,
-    partial: &[Partial],
+    partial: &[UndefinedAt],
 ) -> KickDrift {
     let degrees = gradient.q.len() as u32;
     let impulse = scaled_gradient(graph, parts.potential, Number::MINUS_ONE, degrees);

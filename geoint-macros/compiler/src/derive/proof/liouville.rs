@@ -5,7 +5,7 @@ use crate::analyze::crossings::{self, Discontinuity};
 use crate::analyze::liouville::{self, Logarithm, NoEnergy};
 use crate::analyze::{Identity, Proof, claims, search};
 use crate::derive::domain::{Check, Sign, checks_of};
-use crate::ir::{Graph, Id, Node, Partial, Symbol};
+use crate::ir::{Graph, Id, Node, Symbol, UndefinedAt};
 
 /// What is known of a field by its divergence.
 #[derive(Debug)]
@@ -53,7 +53,7 @@ pub(crate) struct Multiplier {
 }
 
 /// Decides it.
-pub(crate) fn liouville(graph: &mut Graph, field: &[Id], partial: &[Partial]) -> Liouville {
+pub(crate) fn liouville(graph: &mut Graph, field: &[Id], partial: &[UndefinedAt]) -> Liouville {
     let x = coordinates(field.len());
     let divergence = claims::divergence(graph, &x, field);
     let halves = x.split_at(x.len() / 2);
@@ -126,7 +126,7 @@ fn of_separable_orbits(graph: &mut Graph, x: &[Symbol], field: &[Id]) -> Option<
 }
 
 /// Whether a node is defined wherever a field is: all that has to be tested of it is tested of the field.
-fn is_defined(graph: &mut Graph, node: Id, field: &[Id], partial: &[Partial]) -> bool {
+fn is_defined(graph: &mut Graph, node: Id, field: &[Id], partial: &[UndefinedAt]) -> bool {
     let mut tested: Vec<Id> =
         partial.iter().filter(|partial| partial.condition.is_none()).map(|partial| partial.node).collect();
     let computed = graph.reachable(field);

@@ -223,8 +223,8 @@ impl System {
         Legendre { lagrangian, momenta, route, divisors, .. }: &Legendre,
     ) -> System {
         let velocities = match route {
-            Route::Energy(_, velocities) => Some(vector("velocity", positions, velocities)),
-            Route::Velocities(_) => None,
+            Route::Energy { velocities, .. } => Some(vector("velocity", positions, velocities)),
+            Route::Velocities { .. } => None,
         };
         let (value, momenta) = (Routine::number("lagrangian", *lagrangian), vector("momentum", positions, momenta));
         if let Some(poles) = &mut self.domain.poles {

@@ -1,4 +1,4 @@
-//! Ratios of integers, in lowest terms.
+//! Ratios of integers in lowest terms, with checked arithmetic.
 
 use std::cmp::Ordering;
 
@@ -9,22 +9,23 @@ pub(crate) struct Ratio {
     pub(crate) denominator: i128,
 }
 
-/// Parts are at most so large: a decimal such as 1.380649e-23, and the square of any number of `f64` near one, are exact.
+/// The largest numerator and denominator. A decimal such as 1.380649e-23 is exact, and so is the square of any `f64` near one.
 const LARGEST: u128 = 1 << 126;
 
-/// Integers up to here are exact in `f64`.
-const EXACT: i128 = 1 << 53;
+/// Integers up to this size are exact in `f64`.
+const EXACT_IN_F64: i128 = 1 << 53;
 
 impl Ratio {
     pub(crate) const ZERO: Ratio = Ratio::integer(0);
     pub(crate) const ONE: Ratio = Ratio::integer(1);
     pub(crate) const HALF: Ratio = Ratio { numerator: 1, denominator: 2 };
 
+    /// Returns an integer.
     pub(crate) const fn integer(n: i128) -> Ratio {
         Ratio { numerator: n, denominator: 1 }
     }
 
-    /// `None` if a part is too large, or the denominator is zero.
+    /// Returns the ratio. `None` if a part is too large or the denominator is zero.
     pub(crate) fn new(numerator: i128, denominator: i128) -> Option<Ratio> {
         if denominator == 0 {
             return None;
@@ -35,16 +36,15 @@ impl Ratio {
         (n <= LARGEST && d <= LARGEST).then_some(Ratio { numerator: sign * n as i128, denominator: d as i128 })
     }
 
-    /// `None` if the integer is too large.
+    /// Returns an integer. `None` if it is too large.
     fn whole(n: i128) -> Option<Ratio> {
         (n.unsigned_abs() <= LARGEST).then_some(Ratio::integer(n))
     }
 
-    /// The value of an `f64`, if its parts are not too large.
+    /// Returns the exact value of an `f64`. `None` if a part is too large, and for subnormal and infinite numbers.
     pub(super) fn of_f64(x: f64) -> Option<Ratio> {
         let bits = x.to_bits();
         let (biased, mantissa) = ((bits >> 52 & 0x7ff) as i32, i128::from(bits & ((1 << 52) - 1)));
-        // Neither a subnormal number nor infinite.
         let mantissa = (1..0x7ff).contains(&biased).then_some(mantissa | 1 << 52)?;
         let zeros = mantissa.trailing_zeros();
         let (mantissa, exponent) = (mantissa >> zeros, biased - 1075 + zeros as i32);
@@ -53,8 +53,9 @@ impl Ratio {
         if exponent < 0 { Ratio::new(signed, power) } else { Ratio::new(signed.checked_mul(power)?, 1) }
     }
 
+    /// Returns the sum. `None` if a part is too large.
     pub(crate) fn add(self, other: Ratio) -> Option<Ratio> {
-        // Much cheaper, and the most common.
+        // Fast path: most ratios are integers.
         if self.is_integer() && other.is_integer() {
             return Ratio::whole(self.numerator.checked_add(other.numerator)?);
         }
@@ -64,6 +65,7 @@ impl Ratio {
         Ratio::new(sum, self.denominator.checked_mul(d)?)
     }
 
+    /// Returns the product. `None` if a part is too large.
     pub(crate) fn mul(self, other: Ratio) -> Option<Ratio> {
         if self.is_integer() && other.is_integer() {
             return Ratio::whole(self.numerator.checked_mul(other.numerator)?);
@@ -77,43 +79,45 @@ impl Ratio {
         Ratio::new(a.checked_mul(c)?, b.checked_mul(d)?)
     }
 
-    /// `None` for zero.
+    /// Returns the reciprocal. `None` for zero.
     pub(crate) fn recip(self) -> Option<Ratio> {
         Ratio::new(self.denominator, self.numerator)
     }
 
-    /// Equal for equal ratios, and seldom for others.
+    /// Returns a hash that is equal for equal ratios.
     #[inline(always)]
     pub(crate) fn word(self) -> u64 {
         self.numerator as u64 ^ (self.denominator as u64) << 32
     }
 
+    /// Returns the negative.
     pub(crate) fn neg(self) -> Ratio {
         Ratio { numerator: -self.numerator, ..self }
     }
 
+    /// Returns whether the denominator is 1.
     pub(crate) fn is_integer(self) -> bool {
         self.denominator == 1
     }
 
-    /// The largest integer that is not above the ratio.
+    /// Returns the largest integer that is not above the ratio.
     pub(crate) fn floor(self) -> i128 {
         self.numerator.div_euclid(self.denominator)
     }
 
-    /// The ratio as an integer of the size of exponents.
+    /// Returns the ratio as an `i64`, if it is an integer of this size.
     pub(crate) fn to_integer(self) -> Option<i64> {
         i64::try_from(self.numerator).ok().filter(|_| self.is_integer())
     }
 
-    /// Whether both parts are exact in `f64`.
+    /// Returns whether both parts are exact in `f64`.
     pub(crate) fn is_short(self) -> bool {
-        self.numerator.abs() <= EXACT && self.denominator <= EXACT
+        self.numerator.abs() <= EXACT_IN_F64 && self.denominator <= EXACT_IN_F64
     }
 
-    /// The nearest `f64`.
+    /// Returns the nearest `f64`.
     pub(crate) fn to_f64(self) -> f64 {
-        // Much cheaper, and the most common.
+        // Fast path: most ratios are short.
         let (n, d) = (self.numerator as i32, self.denominator as i32);
         if i128::from(n) == self.numerator && i128::from(d) == self.denominator {
             return f64::from(n) / f64::from(d);
@@ -121,7 +125,7 @@ impl Ratio {
         if self.is_short() {
             return self.numerator as f64 / self.denominator as f64;
         }
-        // Long division to at least 55 bits; what remains decides ties as one more bit.
+        // Long division to at least 55 bits. The remainder enters as one more bit, which decides ties.
         let (n, d) = (self.numerator.unsigned_abs(), self.denominator.unsigned_abs());
         let (mut quotient, mut rest, mut shift) = (n / d, n % d, 0_i32);
         while quotient < 1 << 54 {
@@ -140,7 +144,7 @@ impl Ord for Ratio {
         if self.denominator == other.denominator {
             return self.numerator.cmp(&other.numerator);
         }
-        // By whole parts, then by the reciprocals of what remains: products of long parts would overflow.
+        // Compare whole parts first, then the reciprocals of the remainders. Products of long parts would overflow.
         let rest = |x: &Ratio| Ratio { numerator: x.numerator.rem_euclid(x.denominator), ..*x };
         let (a, b) = (rest(self), rest(other));
         self.floor().cmp(&other.floor()).then_with(|| match (a.recip(), b.recip()) {
@@ -156,9 +160,9 @@ impl PartialOrd for Ratio {
     }
 }
 
+/// Returns the greatest common divisor. Most numbers are short, and division of `u64` is much faster.
 fn gcd(a: u128, b: u128) -> u128 {
     match (u64::try_from(a), u64::try_from(b)) {
-        // Much cheaper.
         (Ok(mut a), Ok(mut b)) => {
             while b != 0 {
                 (a, b) = (b, a % b);

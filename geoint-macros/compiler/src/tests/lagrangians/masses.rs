@@ -41,7 +41,7 @@ fn constant_diagonal_masses_give_the_energy_as_it_is_written() {
         };
         let (graph, found) = transformed(lagrangian);
         let found = found.unwrap_or_else(|flaw| panic!("{flaw:?}"));
-        let Route::Energy(root, _) = found.route else { panic!("no energy") };
+        let Route::Energy { energy: root, .. } = found.route else { panic!("no energy") };
         let (energy, written) = lowered(hamiltonian);
         let degrees = energy.degrees();
         assert_eq!(slopes(graph, root, degrees), slopes(written.graph, written.terms.energy, degrees));

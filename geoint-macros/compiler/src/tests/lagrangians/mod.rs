@@ -14,6 +14,9 @@ use crate::{lower, parse};
 use proc_macro2::TokenStream;
 use quote::quote;
 
+/// All tests ask for the energy.
+const NEEDS_ENERGY: bool = true;
+
 /// The graph of a Lagrangian, and what belongs to it.
 fn transformed(item: TokenStream) -> (Graph, Result<Legendre, Flaw>) {
     let item = syn::parse2(item).expect("a function");
@@ -21,7 +24,7 @@ fn transformed(item: TokenStream) -> (Graph, Result<Legendre, Flaw>) {
         parse::energy(Form::Lagrangian, TokenStream::new(), item).unwrap_or_else(|e| panic!("{:?}", e.messages()));
     let lower::Lowered { mut graph, terms: lower::Terms { energy: root, partial, .. }, .. } =
         lower::body(&energy).unwrap_or_else(|e| panic!("{:?}", e.messages()));
-    let found = legendre::transform(&mut graph, root, (energy.degrees(), true), &partial);
+    let found = legendre::transform(&mut graph, root, energy.degrees(), NEEDS_ENERGY, &partial);
     (graph, found)
 }
 
@@ -30,7 +33,7 @@ fn check(item: TokenStream, velocities: [f64; 2]) {
     let text = item.to_string();
     let (mut graph, found) = transformed(item);
     let found = found.unwrap_or_else(|flaw| panic!("{flaw:?} of {text}"));
-    let Route::Energy(energy, velocities_of) = &found.route else { panic!("no energy of {text}") };
+    let Route::Energy { energy, velocities: velocities_of } = &found.route else { panic!("no energy of {text}") };
     let degrees = found.momenta.len();
     let by_q = crate::diff::gradient(&mut graph, *energy, degrees as u32).q;
     let mut noise = Noise(7);

@@ -67,7 +67,7 @@ fn pivots_may_be_of_two() {
     );
     check(falling.clone(), [-1.0, 1.0]);
     let (graph, found) = transformed(falling);
-    let Ok(Legendre { route: Route::Energy(energy, _), .. }) = found else { panic!("no energy") };
+    let Ok(Legendre { route: Route::Energy { energy, .. }, .. }) = found else { panic!("no energy") };
     let text =
         crate::ir::print::Printer::new(&graph, &|symbol: crate::ir::Symbol| format!("{symbol:?}")).formula(energy);
     assert!(!text.contains("/(1 - 2") && !text.contains("/(2·"), "{text}");
