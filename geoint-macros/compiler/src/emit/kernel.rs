@@ -211,13 +211,13 @@ impl<'a> Context<'a> {
 
     /// What users call an argument. Momenta of a Lagrangian are none, nor are velocities of an energy.
     pub(crate) fn name_of(&self, role: Role) -> String {
-        let argument = self.energy.arguments.iter().find(|(other, _)| *other == role);
+        let argument = self.energy.argument(role);
         let unnamed = match role {
             Role::Momentum => "p",
             Role::Velocity => VELOCITY,
             _ => "",
         };
-        argument.map_or_else(|| unnamed.into(), |(_, a)| a.name.to_string())
+        argument.map_or_else(|| unnamed.into(), |argument| argument.name.to_string())
     }
 
     /// What users call a number of an attitude, of an angular momentum, or of a centre of mass.
@@ -231,7 +231,7 @@ impl<'a> Context<'a> {
             Symbol::Momentum(i) => (Role::Momentum, i - attitudes, vector),
             _ => return None,
         };
-        let (_, argument) = self.energy.arguments.iter().find(|(other, _)| *other == role)?;
+        let argument = self.energy.argument(role)?;
         let body = if argument.shape.extents.len() == 1 { String::new() } else { format!("[{}]", index / 4) };
         Some(format!("{}{body}.{}", argument.name, numbers[index as usize % 4]))
     }

@@ -15,7 +15,7 @@ impl Lowering {
         let shape = &energy.coordinates.shape;
         let n = shape.len();
         if energy.form == Form::Hamiltonian {
-            if energy.arguments.iter().any(|(_, argument)| argument.name == VELOCITY) {
+            if energy.arguments.iter().any(|argument| argument.name == VELOCITY) {
                 self.refuse(expr, "in a force `v` is the velocity ∂H/∂p: give the argument `v` another name");
                 return vec![];
             }
@@ -32,8 +32,7 @@ impl Lowering {
         let fits =
             extents.is_some_and(|extents| extents == [n] || extents == shape.extents || extents.is_empty() && n == 1);
         if !fits {
-            let of = energy.arguments.iter().find(|(role, _)| *role == Role::Position);
-            let name = of.map(|(_, argument)| argument.name.to_string()).unwrap_or_default();
+            let name = energy.argument(Role::Position).map(|positions| positions.name.to_string()).unwrap_or_default();
             self.refuse(expr, format!("a force has an entry for each of the {n} coordinates, as `{name}` has"));
             return vec![];
         }

@@ -118,8 +118,8 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
         float: energy.float.to_string(),
     };
     lowering.graph.take_partial();
-    for (role, argument) in &energy.arguments {
-        let symbols = energy.symbols(*role, argument);
+    for argument in &energy.arguments {
+        let symbols = energy.symbols(argument);
         let value = lowering.argument(argument, &symbols);
         lowering.scopes.bind(&argument.name, value);
     }

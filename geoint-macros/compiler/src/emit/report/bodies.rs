@@ -26,8 +26,8 @@ fn sections(
 ) -> std::fmt::Result {
     let printer = Printer::new(graph, context);
     let name_of = |role: Role| {
-        let argument = context.energy.arguments.iter().find(|(r, _)| *r == role);
-        argument.map(|(_, argument)| argument.name.to_string()).unwrap_or_default()
+        let argument = context.energy.argument(role);
+        argument.map(|argument| argument.name.to_string()).unwrap_or_default()
     };
     let (r, m) = (name_of(Role::Attitude), name_of(Role::AngularMomentum));
     let (q, p) = (name_of(Role::Position), name_of(Role::Momentum));
