@@ -1,7 +1,7 @@
-//! How an energy gets at a function under `#[energy_function]`: attributes see their own item alone.
+//! Passes the text of functions under `#[energy_function]` to other attributes. An attribute sees only its own item.
 //!
-//! Such a function has a macro beside it, of the same name, that hands its text on to whoever asks. An attribute asks for the
-//! functions that it names one after the other, with all that it knows so far, and is called back.
+//! Each such function has a macro of the same name. The macro passes the function's text to its caller. An attribute asks for the functions in its
+//! `with(…)` in order. Each request carries the tokens collected so far, and each reply resumes the expansion.
 
 use crate::diagnostics::Result;
 use crate::parse::{self, Source};
@@ -10,19 +10,19 @@ use quote::{format_ident, quote};
 use syn::ext::IdentExt;
 use syn::{Path, Visibility};
 
-/// The macro of a function, once the functions that it names are there; until then the question for the next one.
+/// Returns the macro of an energy function, or a request for the text of the next function in its `with(…)`.
 pub(crate) fn offered(source: &Source) -> Result<TokenStream> {
     let options = parse::function_options(source.args.clone())?;
     let function: syn::ItemFn = syn::parse2(source.item.clone())?;
     Ok(match options.with.get(source.used.len()) {
-        Some(path) => ask(&options.runtime, "energy_function", path, source),
+        Some(path) => ask(&options.runtime_path(), "energy_function", path, source),
         None => offer(&function.sig.ident, &function.vis, source),
     })
 }
 
-/// Asks the macro of a function for its text; `attribute` is called back with all of it.
+/// Asks the macro of a function for its text. The reply resumes the attribute of the given name.
 ///
-/// The question goes through a macro whose name rustc says if there is nobody to ask.
+/// The request goes through `put_energy_function_above_it`. If the function has no macro, rustc's message shows this name as advice.
 pub(crate) fn ask(runtime: &TokenStream, attribute: &str, path: &Path, source: &Source) -> TokenStream {
     let attribute = format_ident!("{attribute}");
     quote! {
@@ -30,7 +30,7 @@ pub(crate) fn ask(runtime: &TokenStream, attribute: &str, path: &Path, source: &
     }
 }
 
-/// `{ path } …` as `path! { … }`, with `path` as this macro's word.
+/// Rewrites `{ path } …` to `path! { … }`. The spans of `path` point into the macro call, so rustc names the macro in its message.
 pub(crate) fn put(input: TokenStream) -> TokenStream {
     let mut input = input.into_iter();
     let Some(TokenTree::Group(path)) = input.next() else { return TokenStream::new() };
@@ -42,7 +42,7 @@ pub(crate) fn put(input: TokenStream) -> TokenStream {
     quote!(#path! { #rest })
 }
 
-/// The macro of a function, under the name of the function and as visible, but in no other crate.
+/// Returns the macro of a function, with the name and the visibility of the function. Other crates can not use the macro.
 fn offer(name: &Ident, visibility: &Visibility, source: &Source) -> TokenStream {
     let hidden = format_ident!("__energy_function_{}", name.unraw());
     let visibility = match visibility {

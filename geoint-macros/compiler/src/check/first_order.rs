@@ -57,8 +57,8 @@ pub(crate) fn first_order(
     };
     if let Some(flaw) = flaw {
         let message = format!("{LINEAR}: Ω q' = ∇H with Ωᵢⱼ = ∂ᵢϑⱼ − ∂ⱼϑᵢ, ϑ = ∂L/∂v. But {flaw}");
-        match energy.arguments.iter().find(|(role, _)| *role == Role::Velocity) {
-            Some((_, velocities)) => errors.at(&velocities.name, message),
+        match energy.argument(Role::Velocity) {
+            Some(velocities) => errors.at(&velocities.name, message),
             None => errors.at(&energy.item.sig.ident, message),
         }
     }

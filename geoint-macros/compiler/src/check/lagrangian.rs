@@ -20,8 +20,7 @@ pub(crate) fn lagrangian(
     let printer = Printer::new(graph, names);
     let [q, v] = [Symbol::Position, Symbol::Velocity].map(|kind| move |i: &u32| kind(*i));
     let named = |symbol: Symbol| printer.named(symbol);
-    let velocities =
-        energy.arguments.iter().find(|(role, _)| *role == Role::Velocity).map(|(_, argument)| &argument.name);
+    let velocities = energy.argument(Role::Velocity).map(|velocities| &velocities.name);
     match &friction {
         Err(NoFriction::Odd) => errors.at(&energy.options.rayleigh, NOT_RAYLEIGH),
         Err(NoFriction::Kink(slope)) => {

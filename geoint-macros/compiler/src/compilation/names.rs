@@ -44,13 +44,12 @@ impl Naming for Names<'_> {
 impl Names<'_> {
     /// Returns the name of an argument. A Lagrangian has no argument for momenta, and an energy has none for velocities: these have default names.
     pub(crate) fn of(&self, role: Role) -> String {
-        let argument = self.energy.arguments.iter().find(|(other, _)| *other == role);
         let default = match role {
             Role::Momentum => "p",
             Role::Velocity => VELOCITY,
             _ => "",
         };
-        argument.map_or_else(|| default.into(), |(_, argument)| argument.name.to_string())
+        self.energy.argument(role).map_or_else(|| default.into(), |argument| argument.name.to_string())
     }
 
     /// Returns the name of a scalar of a parameter, or of a constant.
@@ -75,7 +74,7 @@ impl Names<'_> {
             Symbol::Momentum(i) => (Role::Momentum, i - attitudes, vector),
             _ => return None,
         };
-        let (_, argument) = self.energy.arguments.iter().find(|(other, _)| *other == role)?;
+        let argument = self.energy.argument(role)?;
         let body = if argument.shape.extents.len() == 1 { String::new() } else { format!("[{}]", index / 4) };
         Some(format!("{}{body}.{}", argument.name, components[index as usize % 4]))
     }

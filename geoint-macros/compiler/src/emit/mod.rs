@@ -27,7 +27,7 @@ mod writer;
 use crate::compilation::Compilation;
 use crate::derive::Derived;
 use crate::lower::VELOCITY;
-use crate::parse::{Energy, Form, IMPORTED, Role};
+use crate::parse::{self, Energy, Form, Role};
 use kernel::Context;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -62,7 +62,7 @@ fn checked(energy: &Energy) -> Option<TokenStream> {
 
 /// A force, with the velocity that it may read.
 fn with_velocity(energy: &Energy, force: &syn::Expr) -> TokenStream {
-    let momenta = energy.arguments.iter().find(|(role, _)| *role == Role::Momentum).map(|(_, argument)| &argument.name);
+    let momenta = energy.argument(Role::Momentum).map(|momenta| &momenta.name);
     let velocity = momenta.map(|momenta| {
         let velocity = format_ident!("{VELOCITY}", span = proc_macro2::Span::call_site());
         quote!(#[allow(unused_variables, reason = "generated code")] let #velocity = #momenta;)
@@ -110,7 +110,7 @@ fn around(context: &Context<'_>, report: &str, implementations: &TokenStream) ->
     });
     // No lint is allowed that nothing here needs: crates that forbid it could not have this.
     let old = attributes::is_deprecated(context.energy).then(|| quote!(deprecated,));
-    let imported = IMPORTED.iter().map(|name| format_ident!("{name}"));
+    let imported = parse::imported().map(|name| format_ident!("{name}"));
     quote! {
         #structure
         #assertions

@@ -1,9 +1,11 @@
-//! Operators, powers and casts: of numbers, of vectors, of integers.
+//! Operators, powers and casts.
 
 use super::Lowering;
 use super::language::{EXPRESSIONS, is_arithmetic};
 use super::value::Value;
-use crate::ir::{Id, Number, Ratio, Relation};
+use crate::ir::{Function, Graph, Id, Number, Relation};
+use crate::parse::integer_operation;
+use proc_macro2::Literal;
 use quote::{ToTokens, quote};
 use syn::BinOp;
 
@@ -11,6 +13,7 @@ const INTEGER_BESIDE_NUMBER: &str = "an integer stands beside a number of type `
                                      for `2 * q`, and `i as f64` for a counter";
 
 impl Lowering {
+    /// Applies a binary operator.
     pub(super) fn arithmetic(&mut self, syntax: &impl ToTokens, op: &BinOp, left: Value, right: Value) -> Value {
         use Value::{Integer, Iterator, List, Opaque, Poison, Quaternion, Real, Truth, Tuple, Vector};
         match (left, right) {
@@ -21,11 +24,14 @@ impl Lowering {
                 BinOp::Or(_) => Truth(self.graph.or(a, b)),
                 _ => self.refuse(syntax, "conditions are combined with `&&`, `||` and `!`"),
             },
-            (Vector(a), Vector(b)) if a.len() == b.len() => match op {
-                BinOp::Add(_) => Vector(a.iter().zip(&b).map(|(a, b)| self.graph.add(*a, *b)).collect()),
-                BinOp::Sub(_) => Vector(a.iter().zip(&b).map(|(a, b)| self.graph.sub(*a, *b)).collect()),
-                _ => self.refuse(syntax, "two vectors have a sum, a difference, `dot` and `cross`"),
-            },
+            (Vector(a), Vector(b)) if a.len() == b.len() => {
+                let operation = match op {
+                    BinOp::Add(_) => Graph::add,
+                    BinOp::Sub(_) => Graph::sub,
+                    _ => return self.refuse(syntax, "two vectors have a sum, a difference, `dot` and `cross`"),
+                };
+                Vector(a.iter().zip(&b).map(|(a, b)| operation(&mut self.graph, *a, *b)).collect())
+            }
             (Vector(a), b @ (Real(_) | Opaque(_))) if matches!(op, BinOp::Mul(_) | BinOp::Div(_)) => {
                 let b = self.real(syntax, b);
                 let factor = if matches!(op, BinOp::Div(_)) { self.graph.recip(b) } else { b };
@@ -35,25 +41,17 @@ impl Lowering {
                 let a = self.real(syntax, a);
                 Vector(b.iter().map(|b| self.graph.mul(a, *b)).collect())
             }
-            (Quaternion(r), Vector(v)) if v.len() == 3 && matches!(op, BinOp::Mul(_)) => {
-                Vector(self.rotated(&r, &[v[0], v[1], v[2]]).to_vec())
-            }
+            (Quaternion(r), Vector(v)) if v.len() == 3 && matches!(op, BinOp::Mul(_)) => self.rotated(&r, &v),
             (Quaternion(a), Quaternion(b)) if matches!(op, BinOp::Mul(_)) => Quaternion(self.product(&a, &b)),
             (Quaternion(a), Quaternion(b)) if matches!(op, BinOp::Div(_)) => {
                 let b = self.conjugate(&b);
                 Quaternion(self.product(&a, &b))
             }
             (Quaternion(_), _) | (_, Quaternion(_)) => self.refuse(syntax, super::quaternion::OPERATORS),
-            // Whether these are integers is known to rustc alone, so that it has to do what they decide.
-            (Opaque(a), Opaque(b)) if is_arithmetic(op) => Opaque(quote!((#a #op #b))),
-            (Opaque(a), Integer(b)) if is_arithmetic(op) => {
-                let b = proc_macro2::Literal::i128_unsuffixed(b);
-                Opaque(quote!((#a #op #b)))
-            }
-            (Integer(a), Opaque(b)) if is_arithmetic(op) => {
-                let a = proc_macro2::Literal::i128_unsuffixed(a);
-                Opaque(quote!((#a #op #b)))
-            }
+            // Only rustc knows whether the constants are integers, so rustc computes the result.
+            (Opaque(a), Opaque(b)) if is_arithmetic(op) => opaque(op, &a, &b),
+            (Opaque(a), Integer(b)) if is_arithmetic(op) => opaque(op, &a, &Literal::i128_unsuffixed(b)),
+            (Integer(a), Opaque(b)) if is_arithmetic(op) => opaque(op, &Literal::i128_unsuffixed(a), &b),
             (a @ (Real(_) | Opaque(_)), b @ (Real(_) | Opaque(_))) => {
                 let (a, b) = (self.real(syntax, a), self.real(syntax, b));
                 self.reals(syntax, op, a, b)
@@ -67,55 +65,52 @@ impl Lowering {
 
     fn reals(&mut self, syntax: &impl ToTokens, op: &BinOp, a: Id, b: Id) -> Value {
         let graph = &mut self.graph;
-        Value::Real(match op {
+        let real = match op {
             BinOp::Add(_) => graph.add(a, b),
             BinOp::Sub(_) => graph.sub(a, b),
             BinOp::Mul(_) => graph.mul(a, b),
             BinOp::Div(_) => graph.div(a, b),
-            _ => {
-                let (relation, a, b, negated) = match op {
-                    BinOp::Lt(_) => (Relation::Less, a, b, false),
-                    BinOp::Le(_) => (Relation::LessEqual, a, b, false),
-                    BinOp::Gt(_) => (Relation::Less, b, a, false),
-                    BinOp::Ge(_) => (Relation::LessEqual, b, a, false),
-                    BinOp::Eq(_) => (Relation::Equal, a, b, false),
-                    BinOp::Ne(_) => (Relation::Equal, a, b, true),
-                    _ => return self.refuse(syntax, format!("numbers have no such operator; {EXPRESSIONS}")),
-                };
-                let truth = graph.compare(relation, a, b);
-                return Value::Truth(if negated { graph.not(truth) } else { truth });
+            _ => return self.comparison(syntax, op, a, b),
+        };
+        Value::Real(real)
+    }
+
+    fn comparison(&mut self, syntax: &impl ToTokens, op: &BinOp, a: Id, b: Id) -> Value {
+        let graph = &mut self.graph;
+        let truth = match op {
+            BinOp::Lt(_) => graph.compare(Relation::Less, a, b),
+            BinOp::Le(_) => graph.compare(Relation::LessEqual, a, b),
+            BinOp::Gt(_) => graph.compare(Relation::Less, b, a),
+            BinOp::Ge(_) => graph.compare(Relation::LessEqual, b, a),
+            BinOp::Eq(_) => graph.compare(Relation::Equal, a, b),
+            BinOp::Ne(_) => {
+                let equal = graph.compare(Relation::Equal, a, b);
+                graph.not(equal)
             }
-        })
+            _ => return self.refuse(syntax, format!("numbers have no such operator; {EXPRESSIONS}")),
+        };
+        Value::Truth(truth)
     }
 
     fn integers(&mut self, syntax: &impl ToTokens, op: &BinOp, a: i128, b: i128) -> Value {
         let truth = match op {
-            BinOp::Lt(_) => Some(a < b),
-            BinOp::Le(_) => Some(a <= b),
-            BinOp::Gt(_) => Some(a > b),
-            BinOp::Ge(_) => Some(a >= b),
-            BinOp::Eq(_) => Some(a == b),
-            BinOp::Ne(_) => Some(a != b),
-            _ => None,
+            BinOp::Lt(_) => a < b,
+            BinOp::Le(_) => a <= b,
+            BinOp::Gt(_) => a > b,
+            BinOp::Ge(_) => a >= b,
+            BinOp::Eq(_) => a == b,
+            BinOp::Ne(_) => a != b,
+            _ => {
+                return match integer_operation(op, a, b) {
+                    Some(n) => Value::Integer(n),
+                    None => self.refuse(syntax, "this integer cannot be computed; integers have `+ - * / %`"),
+                };
+            }
         };
-        if let Some(truth) = truth {
-            return Value::Truth(self.graph.truth(truth));
-        }
-        let result = match op {
-            BinOp::Add(_) => a.checked_add(b),
-            BinOp::Sub(_) => a.checked_sub(b),
-            BinOp::Mul(_) => a.checked_mul(b),
-            BinOp::Div(_) => a.checked_div(b),
-            BinOp::Rem(_) => a.checked_rem(b),
-            _ => None,
-        };
-        match result {
-            Some(n) => Value::Integer(n),
-            None => self.refuse(syntax, "this integer cannot be computed; integers have `+ - * / %`"),
-        }
+        Value::Truth(self.graph.truth(truth))
     }
 
-    /// xʸ: closed forms for exponents that are integers or halves.
+    /// Returns xʸ. Integers up to 64 and half-integers up to 32 become exact exponents of the graph. Other exponents call `powf`.
     pub(super) fn power(&mut self, base: Id, exponent: Id) -> Id {
         let half_integer = self.graph.as_number(exponent).and_then(|exponent| match exponent {
             Number::Exact(ratio) if ratio.denominator <= 2 && ratio.numerator.abs() <= 64 => Some(ratio),
@@ -123,20 +118,17 @@ impl Lowering {
         });
         match half_integer {
             Some(ratio) => self.graph.pow(base, ratio),
-            None => self.graph.call(crate::ir::Function::Powf, &[base, exponent]),
+            None => self.graph.call(Function::Powf, &[base, exponent]),
         }
     }
 
-    pub(super) fn integer_power(&mut self, base: Id, n: i64) -> Id {
-        self.graph.pow(base, Ratio::integer(n.into()))
-    }
-
+    /// Evaluates `expr as type`.
     pub(super) fn cast(&mut self, cast: &syn::ExprCast) -> Value {
         let value = self.expr(&cast.expr);
-        if matches!(value, Value::Poison) {
+        if value.is_poison() {
             return Value::Poison;
         }
-        let target = match &self.scopes.outside().resolve(&cast.ty) {
+        let target = match &self.scopes.outside.resolve(&cast.ty) {
             syn::Type::Path(path) => path.path.get_ident().map(ToString::to_string).unwrap_or_default(),
             _ => String::new(),
         };
@@ -160,42 +152,41 @@ impl Lowering {
         }
         match value {
             Value::Integer(n) => Value::Real(self.graph.number(Number::float(n as f64))),
-            // It is a number from here on, so that `/` is no longer that of integers.
+            // The cast makes `/` a division of floats.
             Value::Opaque(path) => Value::Real(self.constant(path)),
             Value::Real(id) if self.graph.as_number(id).is_some() => Value::Real(id),
             Value::Real(_) => {
-                let float = &self.float;
-                let message = format!("this is a number of type `{float}` already: leave the cast out");
-                self.refuse(cast, message)
+                self.refuse(cast, format!("this is a number of type `{}` already: leave the cast out", self.float))
             }
             other => self.refuse(cast, format!("{} cannot be cast to a number", other.kind())),
         }
     }
 
-    /// A value as an integer.
+    /// Returns a value as an integer.
     pub(super) fn integer(&mut self, syntax: &impl ToTokens, value: Value) -> Option<i128> {
-        match value {
+        let message = match value {
             Value::Integer(n) => return Some(n),
-            Value::Poison => {}
-            Value::Opaque(_) => {
-                self.refuse(syntax, "this number is not known to the macro: make it a `const` in the body, or repeat the one outside in the \
-                     attribute: `const N = …`");
-            }
+            Value::Poison => return None,
+            Value::Opaque(_) => UNKNOWN_INTEGER.into(),
             Value::Real(_) => {
-                self.refuse(
-                    syntax,
-                    "a bound or index that depends on data is not supported: it must be an integer constant",
-                );
+                "a bound or index that depends on data is not supported: it must be an integer constant".into()
             }
-            other => {
-                self.refuse(syntax, format!("expected an integer, found {}", other.kind()));
-            }
-        }
+            other => format!("expected an integer, found {}", other.kind()),
+        };
+        self.refuse(syntax, message);
         None
     }
 }
 
-/// `n as target`: the bits that fit. Of `usize` and `isize` only what fits on every processor.
+const UNKNOWN_INTEGER: &str = "this number is not known to the macro: make it a `const` in the body, or repeat the one outside in the \
+                               attribute: `const N = …`";
+
+/// Returns the expression `(a op b)` for rustc.
+fn opaque(op: &BinOp, a: &impl ToTokens, b: &impl ToTokens) -> Value {
+    Value::Opaque(quote!((#a #op #b)))
+}
+
+/// Returns `n as target` with wrapping. `usize` and `isize` are limited to 32 bits, which all processors have.
 fn wrapped(n: i128, target: &str) -> Option<i128> {
     match target {
         "i8" => Some((n as i8).into()),

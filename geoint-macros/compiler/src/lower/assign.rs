@@ -1,48 +1,57 @@
-//! Assignments. Loops are unrolled, so that at every point a variable has the value that was given to it last.
+//! Assignments. Loops are unrolled, so each variable has one known value at each point.
 //!
-//! Inside a branch on data, a closure or a nested function, variables from outside of it can be read only: which value they have
-//! afterwards would depend on data, or on who calls.
+//! Branches on data, closures and nested functions can only read outer variables. Otherwise the later value of the variable would depend on data or on the
+//! caller.
 
 use super::Lowering;
 use super::language::compound;
-use super::scope::Refused;
-use super::value::{Around, Value, axis};
+use super::scope::{Around, Refused};
+use super::value::{Value, axis};
 use quote::ToTokens;
-use std::rc::Rc;
 use syn::visit::Visit;
 use syn::{BinOp, Expr, ExprAssign, ExprBinary, Member};
 
-/// A variable, and the indices that lead to the part of it that is assigned to.
+/// Left side of an assignment: a variable, or a part of one.
 struct Target {
     name: String,
+    /// Indices of the part, from outside in.
     indices: Vec<usize>,
-    /// As it is written.
+    /// Text of the user.
     text: String,
 }
 
+/// Kind of an assignment. Messages suggest the same operator.
+#[derive(Clone, Copy)]
+enum Update {
+    /// `=`, `*=` and similar.
+    Replace,
+    /// `+=` and `-=`.
+    Add,
+}
+
 impl Lowering {
-    /// `target = value`.
+    /// Evaluates `target = value`.
     pub(super) fn assign(&mut self, assignment: &ExprAssign) -> Value {
         let value = self.expr(&assignment.right);
-        // The value may be on its way out of a loop: `x += if … { continue } else { … }`.
+        // The value can be a pending `continue` or `break`: `x += if … { continue } else { … }`.
         if self.is_leaving() {
             return Value::Poison;
         }
         self.assign_to(assignment, &assignment.left, value)
     }
 
-    /// `target op= value`.
+    /// Evaluates `target op= value`.
     pub(super) fn assign_with(&mut self, assignment: &ExprBinary, op: &BinOp) -> Value {
-        // rustc, too, looks at the value before it looks at what a number is added to.
+        // rustc evaluates the value before the target.
         let value = self.expr(&assignment.right);
         if self.is_leaving() {
             return Value::Poison;
         }
         let Some(target) = self.target(&assignment.left) else { return Value::Poison };
-        let Some(variable) = self.variable(assignment, &target, additive(op)) else { return Value::Poison };
-        let Some(before) = part(variable, &target.indices) else { return self.no_part(&assignment.left) };
-        let after = self.arithmetic(assignment, op, before, value);
-        let after = match after {
+        let update = if matches!(op, BinOp::Add(_) | BinOp::Sub(_)) { Update::Add } else { Update::Replace };
+        let Some(variable) = self.variable(assignment, &target, update) else { return Value::Poison };
+        let Some(before) = variable.part(&target.indices) else { return self.no_part(&assignment.left) };
+        let after = match self.arithmetic(assignment, op, before, value) {
             Value::Real(id) => self.written(id, assignment, || super::place(assignment)),
             other => other,
         };
@@ -54,31 +63,29 @@ impl Lowering {
             (Expr::Paren(inner), value) => self.assign_to(syntax, &inner.expr, value),
             (Expr::Group(inner), value) => self.assign_to(syntax, &inner.expr, value),
             (Expr::Infer(_), _) => Value::unit(),
-            // What is assigned has been refused.
             (Expr::Tuple(_) | Expr::Array(_), Value::Poison) => Value::Poison,
             (Expr::Tuple(targets), Value::Tuple(values)) if targets.elems.len() == values.len() => {
-                for (target, value) in targets.elems.iter().zip(values) {
-                    self.assign_to(target, target, value);
-                }
-                Value::unit()
+                self.assign_each(&targets.elems, &values)
             }
             (Expr::Array(targets), Value::List(values)) if targets.elems.len() == values.len() => {
-                for (target, value) in targets.elems.iter().zip(values.iter()) {
-                    self.assign_to(target, target, value.clone());
-                }
-                Value::unit()
+                self.assign_each(&targets.elems, &values)
             }
             (_, value) => {
                 let Some(place) = self.target(target) else { return Value::Poison };
-                if self.variable(syntax, &place, false).is_none() {
-                    return Value::Poison;
+                match self.variable(syntax, &place, Update::Replace) {
+                    Some(_) => self.replace(target, &place, value),
+                    None => Value::Poison,
                 }
-                self.replace(target, &place, value)
             }
         }
     }
 
-    /// The variable that a place is a part of. Its indices are evaluated.
+    fn assign_each<'a>(&mut self, targets: impl IntoIterator<Item = &'a Expr>, values: &[Value]) -> Value {
+        targets.into_iter().zip(values).for_each(|(target, value)| _ = self.assign_to(target, target, value.clone()));
+        Value::unit()
+    }
+
+    /// Returns the variable and the indices of a target. `None` after an error.
     fn target(&mut self, place: &Expr) -> Option<Target> {
         match place {
             Expr::Path(path) if path.path.get_ident().is_some() => {
@@ -96,30 +103,25 @@ impl Lowering {
                 }
                 let i = self.expr(&index.index);
                 let i = self.integer(&index.index, i)?;
-                match usize::try_from(i) {
-                    Ok(i) => {
-                        target.indices.push(i);
-                        target.text += &format!("[{}]", index.index.to_token_stream());
-                    }
-                    Err(_) => {
-                        self.refuse(&index.index, format!("the index {i} is out of bounds"));
-                        return None;
-                    }
-                }
+                let Ok(i) = usize::try_from(i) else {
+                    self.refuse(&index.index, format!("the index {i} is out of bounds"));
+                    return None;
+                };
+                target.indices.push(i);
+                target.text += &format!("[{}]", index.index.to_token_stream());
                 Some(target)
             }
             Expr::Field(field) => {
                 let mut target = self.target(&field.base)?;
-                target.indices.push(match &field.member {
-                    Member::Unnamed(index) => index.index as usize,
-                    Member::Named(name) => match axis(name) {
-                        Some(axis) => axis,
-                        None => {
-                            self.refuse(&field.member, "only components of vectors and tuples can be assigned to");
-                            return None;
-                        }
-                    },
-                });
+                let index = match &field.member {
+                    Member::Unnamed(index) => Some(index.index as usize),
+                    Member::Named(name) => axis(name),
+                };
+                let Some(index) = index else {
+                    self.refuse(&field.member, "only components of vectors and tuples can be assigned to");
+                    return None;
+                };
+                target.indices.push(index);
                 target.text += &format!(".{}", field.member.to_token_stream());
                 Some(target)
             }
@@ -130,74 +132,40 @@ impl Lowering {
         }
     }
 
-    /// The variable to assign to; says why if there is none. What has been said makes it nothing as well.
-    fn variable(&mut self, syntax: &impl ToTokens, target: &Target, additive: bool) -> Option<&mut Value> {
+    /// Returns the variable to assign to. `None` after an error, or if the value of the variable is poison.
+    fn variable(&mut self, syntax: &impl ToTokens, target: &Target, update: Update) -> Option<&mut Value> {
         let name = &target.name;
-        // Asked for twice, because messages need what the variable would borrow.
-        match self.scopes.assignable(name) {
+        let message = match self.scopes.assignable(name) {
             Ok(Value::Poison) => return None,
-            Ok(_) => {}
-            Err(Refused::Unknown) => {
-                self.refuse(syntax, format!("`{name}` is no variable of this function"));
-                return None;
-            }
-            Err(Refused::Outside(around)) => {
-                self.refuse(syntax, outside(target, around, additive));
-                return None;
-            }
-        }
-        self.scopes.assignable(name).ok()
+            // The borrow checker needs a second search.
+            Ok(_) => return self.scopes.assignable(name).ok(),
+            Err(Refused::Unknown) => format!("`{name}` is no variable of this function"),
+            Err(Refused::Outside(around)) => outside(target, around, update),
+        };
+        self.refuse(syntax, message);
+        None
     }
 
     fn replace(&mut self, syntax: &Expr, target: &Target, value: Value) -> Value {
-        match self.scopes.assignable(&target.name) {
-            Ok(variable) => match replace_part(variable, &target.indices, value) {
-                Some(()) => Value::unit(),
-                None => self.no_part(syntax),
-            },
+        match self.scopes.assignable(&target.name).map(|variable| variable.replace_part(&target.indices, value)) {
+            Ok(Some(())) => Value::unit(),
+            Ok(None) => self.no_part(syntax),
             Err(_) => Value::Poison,
         }
     }
 
-    /// Evaluating says which index is out of bounds, or what has no parts.
+    /// Reports a part that does not exist. The evaluation of the target usually gives a more precise message.
     fn no_part(&mut self, target: &Expr) -> Value {
-        let said = self.errors.len();
+        let errors = self.errors.len();
         self.expr(target);
-        if self.errors.len() == said {
+        if self.errors.len() == errors {
             self.refuse(target, "the macro does not know the parts of this: build the array from its elements first");
         }
         Value::Poison
     }
 }
 
-/// The part of a value that indices lead to.
-fn part(value: &Value, indices: &[usize]) -> Option<Value> {
-    match (indices, value) {
-        ([], value) => Some(value.clone()),
-        ([i], Value::Vector(ids)) => ids.get(*i).map(|id| Value::Real(*id)),
-        ([i, rest @ ..], Value::List(items)) => part(items.get(*i)?, rest),
-        ([i, rest @ ..], Value::Tuple(items)) => part(items.get(*i)?, rest),
-        _ => None,
-    }
-}
-
-/// Replaces the part of a value that indices lead to.
-fn replace_part(value: &mut Value, indices: &[usize], new: Value) -> Option<()> {
-    match (indices, value) {
-        ([], value) => *value = new,
-        (_, value) if matches!(new, Value::Poison) => *value = Value::Poison,
-        ([i], Value::Vector(ids)) => match new {
-            Value::Real(id) => *ids.get_mut(*i)? = id,
-            _ => return None,
-        },
-        ([i, rest @ ..], Value::List(items)) => replace_part(Rc::make_mut(items).get_mut(*i)?, rest, new)?,
-        ([i, rest @ ..], Value::Tuple(items)) => replace_part(items.get_mut(*i)?, rest, new)?,
-        _ => return None,
-    }
-    Some(())
-}
-
-/// Whether an expression contains an assignment.
+/// Returns whether an expression contains an assignment.
 fn assigns(expr: &Expr) -> bool {
     struct Assignments(bool);
     impl Visit<'_> for Assignments {
@@ -214,26 +182,17 @@ fn assigns(expr: &Expr) -> bool {
     assignments.0
 }
 
-fn additive(op: &BinOp) -> bool {
-    matches!(op, BinOp::Add(_) | BinOp::Sub(_))
-}
-
-/// Why a place cannot be assigned to, and what to write.
-fn outside(Target { name, text, .. }: &Target, around: Around, additive: bool) -> String {
-    match (around, additive) {
-        (Around::Branch, true) => format!(
-            "`{name}` is a variable outside of this branch: make the branch a value, as in \
-             `{text} += if … {{ … }} else {{ 0.0 }}`"
-        ),
-        (Around::Branch, false) => format!(
-            "`{name}` is a variable outside of this branch: make the branch a value, as in \
-             `{text} = if … {{ … }} else {{ {text} }}`"
-        ),
-        (Around::Function, true) => format!(
-            "`{name}` is a variable outside of this function: return the value, and add that with `{text} += …`"
-        ),
-        (Around::Function, false) => {
-            format!("`{name}` is a variable outside of this function: return the value, and assign that: `{text} = …`")
+/// Returns the message for an assignment to an outer variable, with an alternative.
+fn outside(Target { name, text, .. }: &Target, around: Around, update: Update) -> String {
+    let (place, advice) = match (around, update) {
+        (Around::Branch, Update::Add) => {
+            ("branch", format!("make the branch a value, as in `{text} += if … {{ … }} else {{ 0.0 }}`"))
         }
-    }
+        (Around::Branch, Update::Replace) => {
+            ("branch", format!("make the branch a value, as in `{text} = if … {{ … }} else {{ {text} }}`"))
+        }
+        (Around::Function, Update::Add) => ("function", format!("return the value, and add that with `{text} += …`")),
+        (Around::Function, Update::Replace) => ("function", format!("return the value, and assign that: `{text} = …`")),
+    };
+    format!("`{name}` is a variable outside of this {place}: {advice}")
 }

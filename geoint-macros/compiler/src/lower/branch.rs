@@ -1,4 +1,4 @@
-//! What is evaluated under a condition.
+//! Branches and connectives, whose operands are evaluated under a condition.
 
 use super::Lowering;
 use super::value::Value;
@@ -6,25 +6,21 @@ use crate::ir::Id;
 use syn::{BinOp, ExprBinary, ExprIf};
 
 impl Lowering {
-    /// `a && b` and `a || b`: what is on the right exists only if the left does not decide.
+    /// Evaluates `a && b` and `a || b`. The right side is evaluated under the condition that the left side does not decide.
     pub(super) fn connective(&mut self, binary: &ExprBinary) -> Value {
         let left = self.expr(&binary.left);
-        if let Value::Truth(id) = left
-            && self.graph.as_truth(id) == Some(matches!(binary.op, BinOp::Or(_)))
-        {
-            return left;
-        }
+        let is_or = matches!(binary.op, BinOp::Or(_));
         let condition = match left {
-            Value::Truth(id) if matches!(binary.op, BinOp::Or(_)) => self.graph.not(id),
+            Value::Truth(id) if self.graph.as_truth(id) == Some(is_or) => return left,
+            Value::Truth(id) if is_or => self.graph.not(id),
             Value::Truth(id) => id,
             _ => self.graph.truth(true),
         };
-        let before = self.enter_branch(condition);
-        let right = self.expr(&binary.right);
-        self.leave_branch(before);
+        let right = self.under(condition, |lowering| lowering.expr(&binary.right));
         self.arithmetic(binary, &binary.op, left, right)
     }
 
+    /// Evaluates an `if`.
     pub(super) fn branch(&mut self, branch: &ExprIf) -> Value {
         let condition = match self.expr(&branch.cond) {
             Value::Truth(id) => id,
@@ -33,7 +29,7 @@ impl Lowering {
                 return self.refuse(&branch.cond, format!("a condition compares numbers; this is {}", other.kind()));
             }
         };
-        // A condition on loop indices is decided now: only one branch exists.
+        // A condition on loop indices is known. Only one branch is evaluated.
         if let Some(truth) = self.graph.as_truth(condition) {
             return match (&branch.else_branch, truth) {
                 (_, true) => self.block(&branch.then_branch),
@@ -41,29 +37,22 @@ impl Lowering {
                 (None, false) => Value::unit(),
             };
         }
+        let errors = self.errors.len();
+        let first = self.under(condition, |lowering| lowering.block(&branch.then_branch));
         let Some((_, otherwise)) = &branch.else_branch else {
-            // What the branch would do is to assign; that message is the better one.
-            let said = self.errors.len();
-            let before = self.enter_branch(condition);
-            self.block(&branch.then_branch);
-            self.leave_branch(before);
-            if self.errors.len() == said {
+            // A branch without a value usually assigns. The message about the assignment is better.
+            if self.errors.len() == errors {
                 self.refuse(&branch.if_token, "give this `if` an `else`: it must have a value on both sides");
             }
             return Value::Poison;
         };
-        let before = self.enter_branch(condition);
-        let first = self.block(&branch.then_branch);
-        self.leave_branch(before);
         let opposite = self.graph.not(condition);
-        let before = self.enter_branch(opposite);
-        let second = self.expr(otherwise);
-        self.leave_branch(before);
+        let second = self.under(opposite, |lowering| lowering.expr(otherwise));
         self.select(branch, condition, first, second)
     }
 
-    /// `if condition { first } else { second }`, element by element.
-    pub(super) fn select(&mut self, syntax: &ExprIf, condition: Id, first: Value, second: Value) -> Value {
+    /// Returns `if condition { first } else { second }`, element by element.
+    fn select(&mut self, syntax: &ExprIf, condition: Id, first: Value, second: Value) -> Value {
         use Value::{List, Opaque, Poison, Real, Truth, Tuple, Vector};
         match (first, second) {
             (Poison, _) | (_, Poison) => Poison,
@@ -76,7 +65,7 @@ impl Lowering {
             }
             (List(a), List(b)) if a.len() == b.len() => {
                 let pairs = a.iter().cloned().zip(b.iter().cloned());
-                Value::list(pairs.map(|(a, b)| self.select(syntax, condition, a, b)).collect())
+                Value::list(pairs.map(|(a, b)| self.select(syntax, condition, a, b)))
             }
             (Tuple(a), Tuple(b)) if a.len() == b.len() => {
                 Tuple(a.into_iter().zip(b).map(|(a, b)| self.select(syntax, condition, a, b)).collect())

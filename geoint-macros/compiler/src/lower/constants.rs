@@ -1,10 +1,9 @@
-//! Constants of the standard library, whose values the macro knows. A constant of the user may have any of their names.
-
-use syn::{Path, UseTree};
+//! Constants of the standard library. The user may define other constants of the same names.
 
 use crate::ir::{Number, Ratio};
+use syn::{Path, UseTree};
 
-/// The value of `std::f64::consts::PI` and its like, if a path names one beyond doubt.
+/// Returns the value of a path such as `std::f64::consts::PI`. `None` if the path could name another constant.
 pub(super) fn of_path(path: &Path) -> Option<Number> {
     let segments: Vec<String> = path.segments.iter().map(|segment| segment.ident.to_string()).collect();
     let segments: Vec<&str> = segments.iter().map(String::as_str).collect();
@@ -14,40 +13,42 @@ pub(super) fn of_path(path: &Path) -> Option<Number> {
     }
 }
 
-/// Collects what a `use` inside the body brings in: name, value, whether by `*`. False if it is something else.
-pub(super) fn imported(tree: &UseTree, path: &mut Vec<String>, names: &mut Vec<(String, Number, bool)>) -> bool {
-    let inside = |path: &[String]| match path {
-        [root, float, consts] => {
-            matches!(root.as_str(), "std" | "core") && matches!(float.as_str(), "f64" | "f32") && consts == "consts"
-        }
-        _ => false,
-    };
-    let mut one = |known: String, name: String| match of_name(&known).filter(|_| inside(path)) {
-        Some(value) => {
-            names.push((name, value, false));
-            true
-        }
-        None => false,
+/// A constant that `use` imports.
+pub(super) struct Import {
+    pub(super) name: String,
+    pub(super) value: Number,
+    /// Whether the import is `*`. Imports by name have precedence.
+    pub(super) is_glob: bool,
+}
+
+/// Returns the constants that a `use` imports. `None` if it imports anything else.
+pub(super) fn imported(tree: &UseTree) -> Option<Vec<Import>> {
+    let mut imports = vec![];
+    collect(tree, &mut vec![], &mut imports).map(|()| imports)
+}
+
+fn collect(tree: &UseTree, path: &mut Vec<String>, imports: &mut Vec<Import>) -> Option<()> {
+    let names: Vec<&str> = path.iter().map(String::as_str).collect();
+    let is_inside = matches!(names[..], ["std" | "core", "f64" | "f32", "consts"]);
+    let mut one = |known: &str, name: String, is_glob: bool| {
+        imports.push(Import { name, value: of_name(known).filter(|_| is_inside)?, is_glob });
+        Some(())
     };
     match tree {
-        UseTree::Name(name) => one(name.ident.to_string(), name.ident.to_string()),
-        UseTree::Rename(name) => one(name.ident.to_string(), name.rename.to_string()),
-        UseTree::Glob(_) if inside(path) => {
-            names.extend(CONSTANTS.iter().filter_map(|(name, _)| Some((name.to_string(), of_name(name)?, true))));
-            true
-        }
-        UseTree::Glob(_) => false,
+        UseTree::Name(name) => one(&name.ident.to_string(), name.ident.to_string(), false),
+        UseTree::Rename(name) => one(&name.ident.to_string(), name.rename.to_string(), false),
+        UseTree::Glob(_) => CONSTANTS.iter().try_for_each(|(name, _)| one(name, name.to_string(), true)),
         UseTree::Path(step) => {
             path.push(step.ident.to_string());
-            let known = imported(&step.tree, path, names);
+            let known = collect(&step.tree, path, imports);
             path.pop();
             known
         }
-        UseTree::Group(group) => group.items.iter().all(|tree| imported(tree, path, names)),
+        UseTree::Group(group) => group.items.iter().try_for_each(|tree| collect(tree, path, imports)),
     }
 }
 
-/// Roots are what they are called; the others are the nearest `f64`.
+/// Returns the value of a constant. Roots are exact, other constants are the nearest `f64`.
 fn of_name(name: &str) -> Option<Number> {
     match name {
         "SQRT_2" => Number::integer(2).pow(Ratio::HALF),

@@ -1,15 +1,18 @@
-//! Expressions.
+//! Expressions of all kinds, names, literals, indices, fields and ranges.
 
 use super::language::{EXPRESSIONS, POWER, THROUGH_REFERENCE, compound, is_arithmetic, is_comparison, other_macro};
-use super::scope::Found;
-use super::value::{Callable, Item, Value, axis};
+use super::loops::Exit;
+use super::scope::{Found, Item};
+use super::value::{Callable, Closure, Value, axis};
 use super::{Lowering, constants, quaternion};
 use crate::ir::Number;
+use proc_macro2::Literal;
 use quote::{ToTokens, quote};
 use std::rc::Rc;
-use syn::{BinOp, Expr, ExprBinary, Lit, Member, Path, RangeLimits, UnOp};
+use syn::{BinOp, Expr, ExprBinary, ExprUnary, Lit, Member, Path, RangeLimits, UnOp};
 
 impl Lowering {
+    /// Evaluates an expression and notes its place.
     pub(super) fn expr(&mut self, expr: &Expr) -> Value {
         self.evaluations += 1;
         if self.is_leaving() || self.is_exhausted {
@@ -39,31 +42,11 @@ impl Lowering {
             Expr::Group(inner) => self.expr(&inner.expr),
             Expr::Reference(inner) if inner.mutability.is_none() => self.expr(&inner.expr),
             Expr::Reference(inner) => self.refuse(inner, THROUGH_REFERENCE),
-            // `x ** 2` is a product with `*2`.
+            // rustc reads `x ** 2` as `x * (*2)`.
             Expr::Unary(unary) if matches!((&unary.op, &*unary.expr), (UnOp::Deref(_), Expr::Lit(_))) => {
                 self.refuse(&unary.op, POWER)
             }
-            Expr::Unary(unary) => {
-                let value = self.expr(&unary.expr);
-                match (&unary.op, value) {
-                    (UnOp::Deref(_), value) => value,
-                    (_, Value::Poison) => Value::Poison,
-                    (UnOp::Neg(_), Value::Integer(n)) => match n.checked_neg() {
-                        Some(n) => Value::Integer(n),
-                        None => self.refuse(unary, "this integer is out of bounds"),
-                    },
-                    (UnOp::Neg(_), Value::Opaque(path)) => Value::Opaque(quote!((-#path))),
-                    (UnOp::Neg(_), Value::Vector(ids)) => {
-                        Value::Vector(ids.iter().map(|id| self.graph.neg(*id)).collect())
-                    }
-                    (UnOp::Neg(_), value) => {
-                        let id = self.real(&unary.expr, value);
-                        Value::Real(self.graph.neg(id))
-                    }
-                    (UnOp::Not(_), Value::Truth(id)) => Value::Truth(self.graph.not(id)),
-                    (_, other) => self.refuse(unary, format!("this operator does not apply to {}", other.kind())),
-                }
-            }
+            Expr::Unary(unary) => self.unary(unary),
             Expr::Binary(binary) => match (&binary.op, compound(&binary.op)) {
                 (op @ (BinOp::BitXor(_) | BinOp::BitXorAssign(_)), _) => self.refuse(op, POWER),
                 (_, Some(op)) => self.assign_with(binary, &op),
@@ -75,7 +58,7 @@ impl Lowering {
             Expr::If(branch) => self.branch(branch),
             Expr::ForLoop(for_loop) => self.for_loop(for_loop),
             Expr::Tuple(tuple) => Value::Tuple(tuple.elems.iter().map(|item| self.expr(item)).collect()),
-            Expr::Array(array) => Value::list(array.elems.iter().map(|item| self.expr(item)).collect()),
+            Expr::Array(array) => Value::list(array.elems.iter().map(|item| self.expr(item))),
             Expr::Repeat(repeat) => {
                 let (value, length) = (self.expr(&repeat.expr), self.expr(&repeat.len));
                 match self.integer(&repeat.len, length) {
@@ -97,14 +80,14 @@ impl Lowering {
                     parameters: closure.inputs.iter().cloned().collect(),
                     body: (*closure.body).clone(),
                 };
-                Value::Callable(Rc::new(callable), Rc::new(self.scopes.clone()))
+                Value::Function(Closure { callable: Rc::new(callable), scopes: Rc::new(self.scopes.clone()) })
             }
             Expr::Call(call) => self.call(call),
             Expr::MethodCall(call) => self.method_call(call),
             Expr::Macro(call) => self.refuse(call, other_macro(&call.mac)),
             Expr::Return(e) => self.refuse(e, "an energy has one exit: make the value the last expression"),
-            Expr::Continue(e) => self.leave(e, e.label.as_ref(), false),
-            Expr::Break(e) if e.expr.is_none() => self.leave(e, e.label.as_ref(), true),
+            Expr::Continue(e) => self.leave(e, e.label.as_ref(), Exit::Continue),
+            Expr::Break(e) if e.expr.is_none() => self.leave(e, e.label.as_ref(), Exit::Break),
             Expr::While(e) => self.refuse(&e.while_token, "`while` has no derivative; use `for` over a range"),
             Expr::Loop(e) => self.refuse(&e.loop_token, "`loop` has no derivative; use `for` over a range"),
             Expr::Match(e) => self.refuse(&e.match_token, "`match` is not supported; use `if … else if … else`"),
@@ -112,7 +95,26 @@ impl Lowering {
         }
     }
 
-    /// `a + b + c + …`, from the innermost operation on: a long sum is nested as deeply as it is long.
+    fn unary(&mut self, unary: &ExprUnary) -> Value {
+        match (&unary.op, self.expr(&unary.expr)) {
+            (UnOp::Deref(_), value) => value,
+            (_, Value::Poison) => Value::Poison,
+            (UnOp::Neg(_), Value::Integer(n)) => match n.checked_neg() {
+                Some(n) => Value::Integer(n),
+                None => self.refuse(unary, "this integer is out of bounds"),
+            },
+            (UnOp::Neg(_), Value::Opaque(path)) => Value::Opaque(quote!((-#path))),
+            (UnOp::Neg(_), Value::Vector(ids)) => Value::Vector(ids.iter().map(|id| self.graph.neg(*id)).collect()),
+            (UnOp::Neg(_), value) => {
+                let id = self.real(&unary.expr, value);
+                Value::Real(self.graph.neg(id))
+            }
+            (UnOp::Not(_), Value::Truth(id)) => Value::Truth(self.graph.not(id)),
+            (_, other) => self.refuse(unary, format!("this operator does not apply to {}", other.kind())),
+        }
+    }
+
+    /// Evaluates `a + b + c + …` in a loop over its operators. A recursion would be as deep as the sum is long.
     fn chain(&mut self, outermost: &ExprBinary) -> Value {
         let mut operations = vec![outermost];
         let mut first = &*outermost.left;
@@ -126,7 +128,7 @@ impl Lowering {
         if factors.count() > super::MAX_DEPTH {
             return self.refuse(outermost, format!("a product has {} factors at most", super::MAX_DEPTH));
         }
-        // A long sum is not looked at from its beginning for every term.
+        // UndefinedAt sums start at the same token. The search for the start is not repeated for each term.
         let (start, _) = super::place(first);
         let mut value = self.expr(first);
         for operation in operations.into_iter().rev() {
@@ -169,12 +171,12 @@ impl Lowering {
         if let Some(value) = constants::of_path(path) {
             return Value::Real(self.graph.number(value));
         }
-        // A constant outside: the generated code can name it, and rustc knows its value.
+        // Upper case is a constant from outside of the function. Generated code contains its path.
         if name.chars().all(|c| c.is_uppercase() || c.is_numeric() || c == '_') {
             let first = path.segments[0].ident.to_string();
             let everywhere = path.leading_colon.is_some()
                 || path.segments.len() > 1 && ["crate", "core", "std", "f64", "f32"].contains(&first.as_str());
-            if self.scopes.are_foreign() && !everywhere {
+            if self.scopes.is_foreign && !everywhere {
                 return self.refuse(
                     path,
                     format!(
@@ -185,45 +187,43 @@ impl Lowering {
             }
             return Value::Opaque(path.to_token_stream());
         }
-        self.refuse(
-            path,
-            match self.scopes.similar(&name) {
-                Some(similar) => format!("`{name}` is not known here; is `{similar}` meant?"),
-                None => format!(
-                    "`{name}` is not known here: an energy sees its arguments, its own variables, and constants. A quantity from \
-                     outside becomes an argument, `{name}: f64`"
-                ),
-            },
-        )
+        let message = match self.scopes.similar(&name) {
+            Some(similar) => format!("`{name}` is not known here; is `{similar}` meant?"),
+            None => format!(
+                "`{name}` is not known here: an energy sees its arguments, its own variables, and constants. A quantity from \
+                 outside becomes an argument, `{name}: f64`"
+            ),
+        };
+        self.refuse(path, message)
     }
 
-    /// What a name is bound to.
+    /// Returns the value of a variable or an item.
     pub(super) fn named(&mut self, syntax: &impl ToTokens, name: &str) -> Option<Value> {
         Some(match self.scopes.get(name)? {
             Found::Variable(value) | Found::Item(Item::Import(value), _) => value,
-            Found::Item(Item::Function(callable), sees) => Value::Callable(callable, Rc::new(sees)),
-            Found::Item(Item::Outside(callable, sees), _) => Value::Callable(callable, sees),
-            Found::Item(Item::Constant(constant), sees) => self.constant_item(syntax, &constant, sees),
+            Found::Item(Item::Function(callable), scopes) => {
+                Value::Function(Closure { callable, scopes: Rc::new(scopes) })
+            }
+            Found::Item(Item::Outside(function), _) => Value::Function(function),
+            Found::Item(Item::Constant(constant), scopes) => self.constant_item(syntax, &constant, scopes),
         })
     }
 
     fn index(&mut self, base_syntax: &Expr, syntax: &Expr, base: Value, index: Value) -> Value {
-        if matches!(base, Value::Poison) {
+        if base.is_poison() {
             return Value::Poison;
         }
         let Some(i) = self.integer(syntax, index) else { return Value::Poison };
-        let found = match &base {
-            Value::List(items) => usize::try_from(i).ok().and_then(|i| items.get(i).cloned()),
-            Value::Vector(ids) => usize::try_from(i).ok().and_then(|i| ids.get(i).map(|id| Value::Real(*id))),
+        match &base {
+            Value::List(_) | Value::Vector(_) => match usize::try_from(i).ok().and_then(|i| base.part(&[i])) {
+                Some(value) => value,
+                None => self.refuse(syntax, format!("the index {i} is out of bounds")),
+            },
             Value::Opaque(path) => {
-                let i = proc_macro2::Literal::i128_unsuffixed(i);
-                return Value::Opaque(quote!(#path[#i]));
+                let i = Literal::i128_unsuffixed(i);
+                Value::Opaque(quote!(#path[#i]))
             }
-            other => return self.refuse(base_syntax, format!("{} cannot be indexed", other.kind())),
-        };
-        match found {
-            Some(value) => value,
-            None => self.refuse(syntax, format!("the index {i} is out of bounds")),
+            other => self.refuse(base_syntax, format!("{} cannot be indexed", other.kind())),
         }
     }
 
@@ -235,7 +235,7 @@ impl Lowering {
                 Some(id) => Value::Real(*id),
                 None => self.refuse(&field.member, format!("a vector of length {} has no such component", ids.len())),
             },
-            (Member::Named(name), Value::Quaternion(ids)) => match self.field_of_quaternion(name, &ids) {
+            (Member::Named(name), Value::Quaternion(ids)) => match quaternion::field_of_quaternion(name, &ids) {
                 Some(value) => value,
                 None => self.refuse(&field.member, quaternion::FIELDS),
             },
@@ -252,9 +252,7 @@ impl Lowering {
             return self.refuse(range, "a range needs both ends, as in `0..3`");
         };
         let (low, high) = (self.expr(start), self.expr(end));
-        let (Some(low), Some(high)) = (self.integer(start, low), self.integer(end, high)) else {
-            return Value::Poison;
-        };
+        let (Some(low), Some(high)) = (self.integer(start, low), self.integer(end, high)) else { return Value::Poison };
         let high = if matches!(range.limits, RangeLimits::Closed(_)) { high.saturating_add(1) } else { high };
         if high.saturating_sub(low) > 100_000 {
             return self.refuse(

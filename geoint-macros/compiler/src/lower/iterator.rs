@@ -1,9 +1,9 @@
-//! Methods of arrays and iterators, whose items are known one by one.
+//! Methods of arrays and iterators. All items are known.
 
 use super::Lowering;
-use super::value::{Callable, Scopes, Value};
+use super::value::{Closure, Value};
 use std::rc::Rc;
-use syn::{Expr, ExprMethodCall};
+use syn::{BinOp, Expr, ExprMethodCall};
 
 impl Lowering {
     pub(super) fn method_of_array(
@@ -17,13 +17,9 @@ impl Lowering {
             ("iter" | "into_iter", []) => Value::Iterator(items.clone()),
             ("len", []) => Value::Integer(items.len() as i128),
             ("windows", [Value::Integer(n @ 1..)]) => {
-                let windows = items.windows(count(n));
-                Value::iterator(windows.map(|window| Value::list(window.to_vec())))
+                Value::iterator(items.windows(count(n)).map(|window| Value::list(window.iter().cloned())))
             }
-            ("map", [Value::Callable(function, sees)]) => match self.map(call, items, (function, sees)) {
-                Some(mapped) => Value::list(mapped),
-                None => Value::Poison,
-            },
+            ("map", [Value::Function(function)]) => self.map(call, items, function).map_or(Value::Poison, Value::list),
             _ => self.refuse(
                 &call.method,
                 format!("arrays have `iter`, `map`, `windows` and `len`; not `{name}` with these arguments"),
@@ -46,37 +42,26 @@ impl Lowering {
                 let pair = |(i, item): (usize, &Value)| Value::Tuple(vec![Value::Integer(i as i128), item.clone()]);
                 Value::iterator(items.iter().enumerate().map(pair))
             }
-            ("zip", [other]) => match self.list(&call.args[0], other.clone()) {
-                Some(other) => {
-                    let pair = |(a, b): (&Value, &Value)| Value::Tuple(vec![a.clone(), b.clone()]);
-                    Value::iterator(items.iter().zip(other.iter()).map(pair))
-                }
-                None => Value::Poison,
-            },
+            ("zip", [other]) => {
+                let Some(other) = self.list(&call.args[0], other.clone()) else { return Value::Poison };
+                let pair = |(a, b): (&Value, &Value)| Value::Tuple(vec![a.clone(), b.clone()]);
+                Value::iterator(items.iter().zip(other.iter()).map(pair))
+            }
             ("step_by", [Value::Integer(n @ 1..)]) => Value::iterator(items.iter().step_by(count(n)).cloned()),
             ("skip", [Value::Integer(n @ 0..)]) => Value::iterator(items.iter().skip(count(n)).cloned()),
             ("take", [Value::Integer(n @ 0..)]) => Value::iterator(items.iter().take(count(n)).cloned()),
-            ("map", [Value::Callable(function, sees)]) => match self.map(call, items, (function, sees)) {
-                Some(mapped) => Value::iterator(mapped),
-                None => Value::Poison,
-            },
-            ("flat_map", [Value::Callable(function, sees)]) => {
-                let Some(mapped) = self.map(call, items, (function, sees)) else { return Value::Poison };
-                let mut flat = vec![];
-                for inner in mapped {
-                    match self.list(&call.args[0], inner) {
-                        Some(inner) => flat.extend(inner.iter().cloned()),
-                        None => return Value::Poison,
-                    }
-                }
-                Value::iterator(flat)
+            ("map", [Value::Function(function)]) => {
+                self.map(call, items, function).map_or(Value::Poison, Value::iterator)
             }
-            ("filter", [Value::Callable(function, sees)]) => self.filter(call, items, (function, sees)),
-            ("sum", []) => self.reduced(call, items, &syn::BinOp::Add(Default::default())),
-            ("product", []) => self.reduced(call, items, &syn::BinOp::Mul(Default::default())),
-            ("fold", [start, Value::Callable(function, sees)]) => {
-                self.fold(call, items, start.clone(), (function, sees))
+            ("flat_map", [Value::Function(function)]) => {
+                let Some(mapped) = self.map(call, items, function) else { return Value::Poison };
+                let lists: Option<Vec<_>> = mapped.into_iter().map(|inner| self.list(&call.args[0], inner)).collect();
+                lists.map_or(Value::Poison, |lists| Value::iterator(lists.iter().flat_map(|list| list.iter().cloned())))
             }
+            ("filter", [Value::Function(function)]) => self.filter(call, items, function),
+            ("sum", []) => self.reduced(call, items, &BinOp::Add(Default::default())),
+            ("product", []) => self.reduced(call, items, &BinOp::Mul(Default::default())),
+            ("fold", [start, Value::Function(function)]) => self.fold(call, items, start.clone(), function),
             _ => self.refuse(
                 &call.method,
                 format!(
@@ -87,19 +72,15 @@ impl Lowering {
         }
     }
 
-    fn map(
-        &mut self,
-        call: &ExprMethodCall,
-        items: &[Value],
-        (function, sees): (&Rc<Callable>, &Rc<Scopes>),
-    ) -> Option<Vec<Value>> {
-        let said = self.errors.len();
+    /// Calls a function for each item. `None` after an error.
+    fn map(&mut self, call: &ExprMethodCall, items: &[Value], function: &Closure) -> Option<Vec<Value>> {
+        let errors = self.errors.len();
         let mut mapped = vec![];
         for item in items {
-            if self.errors.len() > said || self.exhausted(&call.method) {
+            if self.errors.len() > errors || self.exhausted(&call.method) {
                 return None;
             }
-            match self.apply(&call.method, (function, sees), vec![item.clone()]) {
+            match self.apply(&call.method, function, vec![item.clone()]) {
                 Value::Poison => return None,
                 value => mapped.push(value),
             }
@@ -107,15 +88,10 @@ impl Lowering {
         Some(mapped)
     }
 
-    fn filter(
-        &mut self,
-        call: &ExprMethodCall,
-        items: &[Value],
-        (function, sees): (&Rc<Callable>, &Rc<Scopes>),
-    ) -> Value {
+    fn filter(&mut self, call: &ExprMethodCall, items: &[Value], function: &Closure) -> Value {
         let mut kept = vec![];
         for item in items {
-            match self.apply(&call.method, (function, sees), vec![item.clone()]) {
+            match self.apply(&call.method, function, vec![item.clone()]) {
                 Value::Truth(truth) => match self.graph.as_truth(truth) {
                     Some(true) => kept.push(item.clone()),
                     Some(false) => {}
@@ -128,40 +104,30 @@ impl Lowering {
         Value::iterator(kept)
     }
 
-    /// Sum or product; of nothing it is a number.
-    fn reduced(&mut self, call: &ExprMethodCall, items: &[Value], op: &syn::BinOp) -> Value {
-        let mut items = items.iter().cloned();
-        let Some(mut total) = items.next() else {
-            let nothing = if matches!(op, syn::BinOp::Mul(_)) { 1 } else { 0 };
-            return Value::Real(self.graph.integer(nothing));
+    /// Returns the sum or product of all items. An empty iterator gives the number 0 or 1.
+    fn reduced(&mut self, call: &ExprMethodCall, items: &[Value], op: &BinOp) -> Value {
+        let Some((first, others)) = items.split_first() else {
+            let empty = if matches!(op, BinOp::Mul(_)) { 1 } else { 0 };
+            return Value::Real(self.graph.integer(empty));
         };
-        for item in items {
-            total = self.arithmetic(call, op, total, item);
-        }
-        total
+        others.iter().fold(first.clone(), |total, item| self.arithmetic(call, op, total, item.clone()))
     }
 
-    fn fold(
-        &mut self,
-        call: &ExprMethodCall,
-        items: &[Value],
-        start: Value,
-        (function, sees): (&Rc<Callable>, &Rc<Scopes>),
-    ) -> Value {
+    fn fold(&mut self, call: &ExprMethodCall, items: &[Value], start: Value, function: &Closure) -> Value {
         let mut total = start;
         for item in items {
             if self.exhausted(&call.method) {
                 return Value::Poison;
             }
-            total = self.apply(&call.method, (function, sees), vec![total, item.clone()]);
-            if matches!(total, Value::Poison) {
+            total = self.apply(&call.method, function, vec![total, item.clone()]);
+            if total.is_poison() {
                 break;
             }
         }
         total
     }
 
-    /// A value as a list to go over.
+    /// Returns the items of a value that can be iterated over.
     pub(super) fn list(&mut self, syntax: &Expr, value: Value) -> Option<Rc<Vec<Value>>> {
         match value {
             Value::List(items) | Value::Iterator(items) => return Some(items),
@@ -175,7 +141,7 @@ impl Lowering {
     }
 }
 
-/// A number of items, of which there are never more than that.
+/// Returns a number of items. Larger numbers than `usize::MAX` mean all items.
 fn count(n: &i128) -> usize {
     usize::try_from(*n).unwrap_or(usize::MAX)
 }

@@ -1,4 +1,4 @@
-//! The language of bodies: kinds of operators, and what messages say of the rest.
+//! The language of bodies: kinds of operators, and messages about unsupported code.
 
 use syn::BinOp;
 
@@ -14,7 +14,7 @@ pub(super) const POWER: &str =
 pub(super) const THROUGH_REFERENCE: &str =
     "what is changed through a reference is not followed: bind a new variable with `let`";
 
-/// Says that a macro inside the body is not understood.
+/// Returns the message for a macro in the body.
 pub(super) fn other_macro(call: &syn::Macro) -> String {
     let name = call.path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default();
     format!("this attribute cannot see into `{name}!`: check arguments where the function is called; {EXPRESSIONS}")
@@ -28,7 +28,7 @@ pub(super) fn is_comparison(op: &BinOp) -> bool {
     matches!(op, BinOp::Lt(_) | BinOp::Le(_) | BinOp::Gt(_) | BinOp::Ge(_) | BinOp::Eq(_) | BinOp::Ne(_))
 }
 
-/// The operator inside of a compound assignment.
+/// Returns the operator of a compound assignment, such as `+` of `+=`.
 pub(super) fn compound(op: &BinOp) -> Option<BinOp> {
     Some(match op {
         BinOp::AddAssign(_) => BinOp::Add(Default::default()),

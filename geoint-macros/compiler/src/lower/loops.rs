@@ -1,4 +1,4 @@
-//! Loops, which are unrolled, and the ways out of a round.
+//! Loops are unrolled. `continue` and `break` end a round or the loop.
 
 use super::value::Value;
 use super::{Lowering, MAX_EVALUATIONS, MAX_NODES};
@@ -6,32 +6,37 @@ use crate::messages::BY_HAND;
 use quote::ToTokens;
 use syn::{ExprForLoop, Lifetime};
 
-/// A loop around what is being evaluated.
+/// A loop around the current expression.
 pub(super) struct Loop {
     label: Option<Lifetime>,
-    /// Branches on data around it.
+    /// Number of branches around the loop.
     branches: usize,
 }
 
-/// A `continue` or `break` on its way to its loop.
+/// A pending `continue` or `break`.
 #[derive(Clone, Copy)]
 pub(super) struct Leaving {
-    /// How many loops are around that loop.
+    /// Number of loops around the target loop.
     depth: usize,
-    /// Whether no other round follows.
-    ends: bool,
+    exit: Exit,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Exit {
+    Continue,
+    Break,
 }
 
 impl Lowering {
     pub(super) fn for_loop(&mut self, for_loop: &ExprForLoop) -> Value {
         let domain = self.expr(&for_loop.expr);
         let Some(items) = self.list(&for_loop.expr, domain) else { return Value::Poison };
-        let (said, depth) = (self.errors.len(), self.loops.len());
+        let (errors, depth) = (self.errors.len(), self.loops.len());
         let label = for_loop.label.as_ref().map(|label| label.name.clone());
         self.loops.push(Loop { label, branches: self.conditions.len() });
         for item in items.iter() {
-            // The other rounds would say the same.
-            if self.errors.len() > said || self.exhausted(&for_loop.for_token) {
+            // Further rounds would repeat an error.
+            if self.errors.len() > errors || self.exhausted(&for_loop.for_token) {
                 break;
             }
             self.scopes.enter();
@@ -42,7 +47,7 @@ impl Lowering {
                 Some(leaving) if leaving.depth < depth => break,
                 Some(leaving) => {
                     self.leaving = None;
-                    if leaving.ends {
+                    if leaving.exit == Exit::Break {
                         break;
                     }
                 }
@@ -53,8 +58,8 @@ impl Lowering {
         Value::unit()
     }
 
-    /// `continue`, or `break`, which `ends` the loop.
-    pub(super) fn leave(&mut self, syntax: &impl ToTokens, label: Option<&Lifetime>, ends: bool) -> Value {
+    /// Evaluates `continue` or `break`.
+    pub(super) fn leave(&mut self, syntax: &impl ToTokens, label: Option<&Lifetime>, exit: Exit) -> Value {
         let depth = match label {
             Some(label) => self.loops.iter().rposition(|around| around.label.as_ref() == Some(label)),
             None => self.loops.len().checked_sub(1),
@@ -67,16 +72,16 @@ impl Lowering {
                  as in `x += if … { … } else { 0.0 }`",
             );
         }
-        self.leaving = Some(Leaving { depth, ends });
+        self.leaving = Some(Leaving { depth, exit });
         Value::Poison
     }
 
-    /// Whether what follows is not reached.
+    /// Returns whether a `continue` or `break` is pending.
     pub(super) fn is_leaving(&self) -> bool {
         self.leaving.is_some()
     }
 
-    /// Returns whether unrolled loops and inlined calls are too many. Reports it once.
+    /// Returns whether unrolled loops and inlined calls exceed a limit. Reports the limit once.
     pub(super) fn exhausted(&mut self, syntax: &impl ToTokens) -> bool {
         let exhausted = self.graph.len() > MAX_NODES || self.evaluations > MAX_EVALUATIONS;
         if exhausted && !self.is_exhausted {

@@ -1,9 +1,9 @@
-//! Methods: of numbers and of vectors.
+//! Methods of numbers, integers and vectors.
 
 use super::Lowering;
 use super::value::Value;
 use crate::ir::op::FUNCTIONS;
-use crate::ir::{Function, Id, Number};
+use crate::ir::{Function, Id, Number, Ratio};
 use quote::{ToTokens, quote};
 use syn::ExprMethodCall;
 
@@ -12,7 +12,7 @@ impl Lowering {
         let receiver = self.expr(&call.receiver);
         let name = call.method.to_string();
         let arguments: Vec<Value> = call.args.iter().map(|argument| self.expr(argument)).collect();
-        if matches!(receiver, Value::Poison) || arguments.iter().any(|value| matches!(value, Value::Poison)) {
+        if receiver.is_poison() || arguments.iter().any(Value::is_poison) {
             return Value::Poison;
         }
         if matches!(name.as_str(), "clone" | "to_owned") && arguments.is_empty() {
@@ -20,7 +20,7 @@ impl Lowering {
         }
         match receiver {
             Value::Real(id) => self.method_of_real(&call.method, &name, id, arguments),
-            // Integers have these too, and what follows may be a division of integers.
+            // The constant may be an integer, and `/` on the result a division of integers.
             Value::Opaque(path) if matches!(name.as_str(), "abs" | "signum") && arguments.is_empty() => {
                 let method = &call.method;
                 Value::Opaque(quote!(#path.#method()))
@@ -36,27 +36,26 @@ impl Lowering {
             Value::Quaternion(ids) => self.method_of_quaternion(call, &name, &ids, &arguments),
             Value::List(items) => self.method_of_array(call, &name, &items, &arguments),
             Value::Iterator(items) => self.method_of_iterator(call, &name, &items, &arguments),
-            Value::Integer(n) => match (name.as_str(), &arguments[..]) {
-                ("pow", [Value::Integer(k)]) => match u32::try_from(*k).ok().and_then(|k| n.checked_pow(k)) {
-                    Some(n) => Value::Integer(n),
-                    None => self.refuse(&call.method, "this power is out of bounds"),
-                },
-                ("abs", []) => Value::Integer(n.saturating_abs()),
-                ("min", [Value::Integer(k)]) => Value::Integer(n.min(*k)),
-                ("max", [Value::Integer(k)]) => Value::Integer(n.max(*k)),
-                ("rem_euclid", [Value::Integer(k)]) => match n.checked_rem_euclid(*k) {
-                    Some(n) => Value::Integer(n),
-                    None => self.refuse(&call.method, "this integer cannot be computed"),
-                },
-                _ => self.refuse(
-                    &call.method,
-                    "integers have `pow`, `abs`, `min`, `max` and `rem_euclid`; write `2.0` for a number",
-                ),
-            },
+            Value::Integer(n) => self.method_of_integer(call, &name, n, &arguments),
             other => self.refuse(&call.method, format!("{} has no such method", other.kind())),
         }
     }
 
+    fn method_of_integer(&mut self, call: &ExprMethodCall, name: &str, n: i128, arguments: &[Value]) -> Value {
+        let result = match (name, arguments) {
+            ("pow", [Value::Integer(k)]) => {
+                u32::try_from(*k).ok().and_then(|k| n.checked_pow(k)).ok_or("this power is out of bounds")
+            }
+            ("abs", []) => Ok(n.saturating_abs()),
+            ("min", [Value::Integer(k)]) => Ok(n.min(*k)),
+            ("max", [Value::Integer(k)]) => Ok(n.max(*k)),
+            ("rem_euclid", [Value::Integer(k)]) => n.checked_rem_euclid(*k).ok_or("this integer cannot be computed"),
+            _ => Err("integers have `pow`, `abs`, `min`, `max` and `rem_euclid`; write `2.0` for a number"),
+        };
+        result.map_or_else(|message| self.refuse(&call.method, message), Value::Integer)
+    }
+
+    /// Calls a method of a number. All functions with a derivative rule are methods.
     pub(super) fn method_of_real(&mut self, syntax: &impl ToTokens, name: &str, x: Id, arguments: Vec<Value>) -> Value {
         if let (Some(function), true) = (Function::of_method(name), name != "powf") {
             if function.entry().arity != arguments.len() + 1 {
@@ -70,7 +69,7 @@ impl Lowering {
         }
         if let ("powi", [power]) = (name, &arguments[..]) {
             return match self.integer(syntax, power.clone()) {
-                Some(n @ -64..=64) => Value::Real(self.integer_power(x, n as i64)),
+                Some(n @ -64..=64) => Value::Real(self.graph.pow(x, Ratio::integer(n))),
                 Some(_) => self.refuse(syntax, "exponents go from -64 to 64; write a larger power with `exp` and `ln`"),
                 None => Value::Poison,
             };
@@ -115,12 +114,7 @@ impl Lowering {
                 Value::Real(graph.sqrt(square))
             }
             ("cross", [Value::Vector(other)]) if ids.len() == 3 && other.len() == 3 => {
-                let mut component = |i: usize| {
-                    let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-                    let (first, second) = (graph.mul(ids[j], other[k]), graph.mul(ids[k], other[j]));
-                    graph.sub(first, second)
-                };
-                Value::Vector((0..3).map(&mut component).collect())
+                Value::Vector(self.cross_product(&ids, other).to_vec())
             }
             ("len", []) => Value::Integer(ids.len() as i128),
             ("iter", []) => Value::iterator(ids.into_iter().map(Value::Real)),
@@ -135,16 +129,18 @@ impl Lowering {
     }
 }
 
-/// The methods of numbers.
+/// Returns the names of all methods of numbers.
 fn of_numbers() -> impl Iterator<Item = &'static str> {
     let others = ["sqrt", "powi", "recip", "mul_add", "clamp", "sin_cos", "to_radians", "to_degrees"];
     FUNCTIONS.iter().filter(|entry| entry.public).map(|entry| entry.name).chain(others)
 }
 
+/// Returns whether numbers have a method of the given name.
 pub(super) fn is_of_numbers(name: &str) -> bool {
     of_numbers().any(|method| method == name)
 }
 
+/// Returns whether only rustc can evaluate the arguments.
 fn is_opaque(arguments: &[Value]) -> bool {
     arguments.iter().all(|value| matches!(value, Value::Opaque(_) | Value::Integer(_)))
 }

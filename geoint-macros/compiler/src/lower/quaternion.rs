@@ -1,8 +1,9 @@
-//! Unit quaternions of nalgebra: attitudes, and what is computed of them.
+//! Unit quaternions of nalgebra: attitudes of rigid bodies and their operations.
 
 use super::Lowering;
 use super::value::Value;
 use crate::ir::{Id, Number};
+use proc_macro2::Ident;
 use syn::ExprMethodCall;
 
 pub(super) const OPERATORS: &str =
@@ -14,16 +15,15 @@ pub(super) const FIELDS: &str =
 const METHODS: &str = "an attitude has `inverse`, `transform_vector`, `inverse_transform_vector`, `rotation_to`, `dot`, `imag`, \
                        `scalar`, the numbers `i`, `j`, `k`, `w`, and turns vectors, `r * v`";
 
-impl Lowering {
-    /// `r.i`, `r.coords`.
-    pub(super) fn field_of_quaternion(&mut self, name: &proc_macro2::Ident, ids: &[Id; 4]) -> Option<Value> {
-        if name == "coords" {
-            return Some(Value::Vector(ids.to_vec()));
-        }
-        let i = ["i", "j", "k", "w"].iter().position(|number| name == number)?;
-        Some(Value::Real(ids[i]))
+/// Returns the field `i`, `j`, `k`, `w` or `coords` of a quaternion.
+pub(super) fn field_of_quaternion(name: &Ident, r: &[Id; 4]) -> Option<Value> {
+    if name == "coords" {
+        return Some(Value::Vector(r.to_vec()));
     }
+    ["i", "j", "k", "w"].iter().zip(r).find(|(number, _)| name == *number).map(|(_, id)| Value::Real(*id))
+}
 
+impl Lowering {
     pub(super) fn method_of_quaternion(
         &mut self,
         call: &ExprMethodCall,
@@ -33,12 +33,10 @@ impl Lowering {
     ) -> Value {
         match (name, arguments) {
             ("inverse" | "conjugate", []) => Value::Quaternion(self.conjugate(r)),
-            ("transform_vector", [Value::Vector(v)]) if v.len() == 3 => {
-                Value::Vector(self.rotated(r, &[v[0], v[1], v[2]]).to_vec())
-            }
+            ("transform_vector", [Value::Vector(v)]) if v.len() == 3 => self.rotated(r, v),
             ("inverse_transform_vector", [Value::Vector(v)]) if v.len() == 3 => {
                 let inverse = self.conjugate(r);
-                Value::Vector(self.rotated(&inverse, &[v[0], v[1], v[2]]).to_vec())
+                self.rotated(&inverse, v)
             }
             ("rotation_to", [Value::Quaternion(other)]) => {
                 let inverse = self.conjugate(r);
@@ -51,45 +49,47 @@ impl Lowering {
         }
     }
 
-    /// The inverse of a unit quaternion.
+    /// Returns the inverse of a unit quaternion.
     pub(super) fn conjugate(&mut self, [i, j, k, w]: &[Id; 4]) -> [Id; 4] {
         let [i, j, k] = [i, j, k].map(|x| self.graph.neg(*x));
         [i, j, k, *w]
     }
 
-    /// a⊗b.
+    /// Returns a⊗b.
     pub(super) fn product(&mut self, a: &[Id; 4], b: &[Id; 4]) -> [Id; 4] {
-        let ([u, w], [v, z]) = ([&a[..3], &a[3..]], [&b[..3], &b[3..]]);
         let graph = &mut self.graph;
-        let mut entry = |terms: [(Id, Id, bool); 4]| {
-            let terms = terms.map(|(a, b, negative)| {
-                let product = graph.mul(a, b);
-                if negative { graph.neg(product) } else { product }
-            });
+        let mut entry = |positive: &[(usize, usize)], negative: &[(usize, usize)]| {
+            let mut terms: Vec<Id> = positive.iter().map(|(i, j)| graph.mul(a[*i], b[*j])).collect();
+            for (i, j) in negative {
+                let product = graph.mul(a[*i], b[*j]);
+                terms.push(graph.neg(product));
+            }
             graph.sum(&terms)
         };
-        let mut imaginary = |n: usize| {
+        let [i, j, k] = [0, 1, 2].map(|n| {
             let (j, k) = ((n + 1) % 3, (n + 2) % 3);
-            entry([(w[0], v[n], false), (u[n], z[0], false), (u[j], v[k], false), (u[k], v[j], true)])
-        };
-        let [x, y, z_] = [0, 1, 2].map(&mut imaginary);
-        let real = entry([(w[0], z[0], false), (u[0], v[0], true), (u[1], v[1], true), (u[2], v[2], true)]);
-        [x, y, z_, real]
+            entry(&[(3, n), (n, 3), (j, k)], &[(k, j)])
+        });
+        [i, j, k, entry(&[(3, 3)], &[(0, 0), (1, 1), (2, 2)])]
     }
 
-    /// v + 2w u×v + 2 u×(u×v), as nalgebra computes it; the vector part is u.
-    pub(super) fn rotated(&mut self, [i, j, k, w]: &[Id; 4], v: &[Id; 3]) -> [Id; 3] {
-        let u = [*i, *j, *k];
-        let twice = self.cross_product(&u, v).map(|x| self.graph.scale(Number::integer(2), x));
-        let second = self.cross_product(&u, &twice);
+    /// Returns the rotated vector v + 2w u×v + 2 u×(u×v), where u is the vector part of the quaternion. Precondition: v has three components.
+    ///
+    /// The operations and their order are those of nalgebra.
+    pub(super) fn rotated(&mut self, r: &[Id; 4], v: &[Id]) -> Value {
+        let u = &r[..3];
+        let twice = self.cross_product(u, v).map(|x| self.graph.scale(Number::integer(2), x));
+        let second = self.cross_product(u, &twice);
         let graph = &mut self.graph;
-        core::array::from_fn(|n| {
-            let first = graph.mul(*w, twice[n]);
+        let component = |n: usize| {
+            let first = graph.mul(r[3], twice[n]);
             graph.sum(&[v[n], first, second[n]])
-        })
+        };
+        Value::Vector((0..3).map(component).collect())
     }
 
-    fn cross_product(&mut self, a: &[Id; 3], b: &[Id; 3]) -> [Id; 3] {
+    /// Returns a × b. Precondition: both vectors have three components.
+    pub(super) fn cross_product(&mut self, a: &[Id], b: &[Id]) -> [Id; 3] {
         let graph = &mut self.graph;
         core::array::from_fn(|i| {
             let (j, k) = ((i + 1) % 3, (i + 2) % 3);

@@ -1,55 +1,104 @@
-//! How names are bound and found, level by level, as rustc resolves them.
+//! Scopes: names of variables and items, resolved in the same way as in rustc.
 
-use super::value::{Around, Callable, Item, Level, Scopes, Value};
+use super::value::{Callable, Closure, Value};
+use crate::ir::HashMap;
 use crate::parse::{Function, Outside};
+use std::cell::RefCell;
 use std::rc::Rc;
+use syn::Expr;
 
-/// What a name stands for.
+/// Nested scopes of one function body. A clone shares its levels until either copy changes. Closures capture their environment as a clone.
+#[derive(Clone)]
+pub(super) struct Scopes {
+    levels: Vec<Rc<Level>>,
+    pub(super) barrier: Barrier,
+    /// Constants and type aliases from outside of the function, and aliases of the blocks around.
+    pub(super) outside: Rc<Outside>,
+    /// Whether the function comes from another file or module than the energy. Unknown names may have another meaning in its file.
+    pub(super) is_foreign: bool,
+}
+
+/// A block. Its variables are visible after their `let`, its items in the whole block.
+#[derive(Clone, Default)]
+struct Level {
+    variables: HashMap<String, Value>,
+    items: HashMap<String, Item>,
+}
+
+/// Limit for assignments: variables below the level are read-only.
+#[derive(Clone, Copy)]
+pub(super) struct Barrier {
+    level: usize,
+    around: Around,
+}
+
+/// Kind of code whose outer variables are read-only.
+#[derive(Clone, Copy)]
+pub(super) enum Around {
+    Branch,
+    Function,
+}
+
+/// An item that expressions can name.
+#[derive(Clone)]
+pub(super) enum Item {
+    /// A nested function.
+    Function(Rc<Callable>),
+    /// A function under `#[energy_function]`.
+    Outside(Closure),
+    Constant(Rc<Constant>),
+    /// A constant of the standard library or of the attribute.
+    Import(Value),
+}
+
+/// A `const` item. Its value is computed at the first use, because items may refer to later items.
+pub(super) struct Constant {
+    pub(super) expr: Expr,
+    pub(super) value: RefCell<Progress>,
+}
+
+/// State of the evaluation of a constant.
+#[derive(Clone)]
+pub(super) enum Progress {
+    Untouched,
+    /// Evaluation has started. A use in this state is a cycle.
+    Underway,
+    Known(Value),
+}
+
+/// Result of the search for a name.
 pub(super) enum Found {
     Variable(Value),
-    /// An item, and what it sees: the items around it, never the variables.
+    /// An item, and the scopes of the items around it. Items see no variables.
     Item(Item, Scopes),
 }
 
-impl Default for Scopes {
-    fn default() -> Self {
-        let levels = vec![Rc::default()];
-        Scopes { levels, closed_below: (0, Around::Function), outside: Rc::default(), foreign: false }
-    }
-}
-
-/// Why a variable cannot be assigned to.
+/// Reason why a variable can not be assigned to.
 pub(super) enum Refused {
     Unknown,
     Outside(Around),
 }
 
+impl Default for Scopes {
+    fn default() -> Self {
+        let barrier = Barrier { level: 0, around: Around::Function };
+        Scopes { levels: vec![Rc::default()], barrier, outside: Rc::default(), is_foreign: false }
+    }
+}
+
 impl Scopes {
-    /// What a function sees that stands in a file by itself.
+    /// Returns the scopes of a function at the top level of its file.
     pub(super) fn of_file(outside: &Rc<Outside>, functions: &[Function]) -> Self {
         let mut scopes = Scopes { outside: outside.clone(), ..Scopes::default() };
         for (name, value) in outside.constants() {
             scopes.declare(name, Item::Import(Value::Integer(value)));
         }
         for function in functions {
-            let sees = Scopes { foreign: true, ..Scopes::of_file(&function.outside, &function.used) };
-            scopes.declare(&function.path, Item::Outside(Rc::new(Callable::of(&function.item)), Rc::new(sees)));
+            let callable = Rc::new(Callable::of(&function.item));
+            let inner = Scopes { is_foreign: true, ..Scopes::of_file(&function.outside, &function.used) };
+            scopes.declare(&function.path, Item::Outside(Closure { callable, scopes: Rc::new(inner) }));
         }
         scopes
-    }
-
-    pub(super) fn outside(&self) -> &Rc<Outside> {
-        &self.outside
-    }
-
-    /// From here on types have these names.
-    pub(super) fn name_types(&mut self, outside: Rc<Outside>) {
-        self.outside = outside;
-    }
-
-    /// Whether names that are not known mean something else than they do beside the energy.
-    pub(super) fn are_foreign(&self) -> bool {
-        self.foreign
     }
 
     pub(super) fn enter(&mut self) {
@@ -60,71 +109,61 @@ impl Scopes {
         self.levels.pop();
     }
 
-    fn innermost(&mut self) -> Option<&mut Level> {
-        self.levels.last_mut().map(Rc::make_mut)
-    }
-
+    /// Binds a variable in the innermost scope.
     pub(super) fn bind(&mut self, name: &impl ToString, value: Value) {
-        if let Some(level) = self.innermost() {
-            level.variables.insert(name.to_string(), value);
+        if let Some(level) = self.levels.last_mut() {
+            Rc::make_mut(level).variables.insert(name.to_string(), value);
         }
     }
 
+    /// Declares an item in the innermost scope.
     pub(super) fn declare(&mut self, name: &impl ToString, item: Item) {
-        if let Some(level) = self.innermost() {
-            level.items.insert(name.to_string(), item);
+        if let Some(level) = self.levels.last_mut() {
+            Rc::make_mut(level).items.insert(name.to_string(), item);
         }
     }
 
+    /// Returns the variable or item of a name.
     pub(super) fn get(&self, name: &str) -> Option<Found> {
-        let (level, names) = self.levels.iter().enumerate().rev().find(|(_, level)| level.knows(name))?;
-        Some(match names.variables.get(name) {
+        let index = self.level_of(name)?;
+        let level = &self.levels[index];
+        Some(match level.variables.get(name) {
             Some(value) => Found::Variable(value.clone()),
-            None => Found::Item(names.items.get(name)?.clone(), self.items_only(level)),
+            None => Found::Item(level.items.get(name)?.clone(), self.items_only(index)),
         })
     }
 
-    /// Returns the variable whose name is most like an unknown one: it differs in case, or by one letter that is other, missing, added or swapped.
-    pub(super) fn similar(&self, unknown: &str) -> Option<&str> {
-        let known = self.levels.iter().rev().flat_map(|level| level.variables.keys());
-        known.filter(|known| is_similar(known, unknown)).min().map(String::as_str)
+    /// Returns the innermost level that has a name.
+    fn level_of(&self, name: &str) -> Option<usize> {
+        self.levels.iter().rposition(|level| level.variables.contains_key(name) || level.items.contains_key(name))
     }
 
-    /// What an item of a level sees.
+    /// Returns the scopes of an item in the given level.
     fn items_only(&self, level: usize) -> Scopes {
         let items = |level: &Rc<Level>| Rc::new(Level { items: level.items.clone(), ..Level::default() });
         let levels = self.levels[..=level].iter().map(items).collect();
-        Scopes { levels, closed_below: (0, Around::Function), outside: self.outside.clone(), foreign: self.foreign }
+        Scopes { levels, outside: self.outside.clone(), is_foreign: self.is_foreign, ..Scopes::default() }
     }
 
-    fn level_of_variable(&self, name: &str) -> Option<usize> {
-        let level = self.levels.iter().rposition(|level| level.knows(name))?;
-        self.levels[level].variables.contains_key(name).then_some(level)
-    }
-
-    /// A variable to assign to.
+    /// Returns a variable to assign to.
     pub(super) fn assignable(&mut self, name: &str) -> Result<&mut Value, Refused> {
-        let level = self.level_of_variable(name).ok_or(Refused::Unknown)?;
-        let (outside, around) = self.closed_below;
-        if level < outside {
-            return Err(Refused::Outside(around));
+        let index = self.level_of(name).ok_or(Refused::Unknown)?;
+        let is_outside = index < self.barrier.level;
+        if is_outside && self.levels[index].variables.contains_key(name) {
+            return Err(Refused::Outside(self.barrier.around));
         }
-        Rc::make_mut(&mut self.levels[level]).variables.get_mut(name).ok_or(Refused::Unknown)
+        Rc::make_mut(&mut self.levels[index]).variables.get_mut(name).ok_or(Refused::Unknown)
     }
 
-    /// From here on outer variables may be read but not assigned to; returns what [`Scopes::open`] needs.
-    pub(super) fn close(&mut self, around: Around) -> (usize, Around) {
-        std::mem::replace(&mut self.closed_below, (self.levels.len(), around))
+    /// Makes all variables of the current scopes read-only. Returns the previous barrier.
+    pub(super) fn close(&mut self, around: Around) -> Barrier {
+        std::mem::replace(&mut self.barrier, Barrier { level: self.levels.len(), around })
     }
 
-    pub(super) fn open(&mut self, before: (usize, Around)) {
-        self.closed_below = before;
-    }
-}
-
-impl Level {
-    fn knows(&self, name: &str) -> bool {
-        self.variables.contains_key(name) || self.items.contains_key(name)
+    /// Returns the variable with the name most similar to an unknown one. The names differ in case or by one changed, missing, added or swapped letter.
+    pub(super) fn similar(&self, unknown: &str) -> Option<&str> {
+        let known = self.levels.iter().flat_map(|level| level.variables.keys());
+        known.filter(|known| is_similar(known, unknown)).min().map(String::as_str)
     }
 }
 
@@ -139,7 +178,7 @@ fn is_similar(a: &str, b: &str) -> bool {
     let (short, long) = (&short[start..], &long[start..]);
     let is_swapped =
         short.len() >= 2 && long.len() == short.len() && short[..2] == [long[1], long[0]] && short[2..] == long[2..];
-    let is_other = short.len() == long.len() && short[1..] == long[1..];
+    let is_changed = short.len() == long.len() && short[1..] == long[1..];
     let is_added = short.len() + 1 == long.len() && *short == long[1..];
-    a.len().min(b.len()) > 1 && (is_swapped || is_other || is_added)
+    a.len().min(b.len()) > 1 && (is_swapped || is_changed || is_added)
 }

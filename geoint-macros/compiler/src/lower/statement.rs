@@ -1,9 +1,10 @@
-//! Blocks, `let` and items.
+//! Blocks, statements, patterns and items.
 
 use super::Lowering;
 use super::constants::imported;
 use super::language::{STATEMENTS, THROUGH_REFERENCE, other_macro};
-use super::value::{self, Callable, Constant, Progress, Scopes, Value};
+use super::scope::{self, Constant, Progress, Scopes};
+use super::value::{Callable, Value};
 use crate::parse::Outside;
 use quote::ToTokens;
 use std::cell::RefCell;
@@ -12,8 +13,9 @@ use syn::visit::Visit;
 use syn::{Block, Expr, Item, Pat, PatIdent, Stmt};
 
 impl Lowering {
+    /// Evaluates a block. The value is the last expression.
     pub(super) fn block(&mut self, block: &Block) -> Value {
-        let types_around = self.scopes.outside().clone();
+        let aliases_around = self.scopes.outside.clone();
         self.scopes.enter();
         self.items(block);
         let mut last = Value::unit();
@@ -24,51 +26,48 @@ impl Lowering {
             }
         }
         self.scopes.leave();
-        self.scopes.name_types(types_around);
+        self.scopes.outside = aliases_around;
         last
     }
 
-    /// Items can be used before they are written, and see items only.
+    /// Declares the items of a block before its statements, because items can be used before their declaration.
     fn items(&mut self, block: &Block) {
-        let mut imports = vec![];
-        for statement in &block.stmts {
-            if let Stmt::Item(Item::Use(item)) = statement {
-                imported(&item.tree, &mut vec![], &mut imports);
-            }
-        }
-        // What is imported by name hides what comes by `*`, and items hide both.
-        imports.sort_by_key(|(_, _, glob)| !*glob);
-        for (name, value, _) in imports {
-            let value = self.graph.number(value);
-            self.scopes.declare(&name, value::Item::Import(Value::Real(value)));
+        let imports = block.stmts.iter().filter_map(|statement| match statement {
+            Stmt::Item(Item::Use(item)) => imported(&item.tree),
+            _ => None,
+        });
+        let (globs, named): (Vec<_>, Vec<_>) = imports.flatten().partition(|import| import.is_glob);
+        // Later declarations hide earlier ones. Precedence rises from imports by `*` to imports by name to items.
+        for import in globs.into_iter().chain(named) {
+            let value = Value::Real(self.graph.number(import.value));
+            self.scopes.declare(&import.name, scope::Item::Import(value));
         }
         for statement in &block.stmts {
             match statement {
                 Stmt::Item(Item::Fn(item)) => {
                     let callable = Callable::of(item);
-                    self.scopes.declare(&item.sig.ident, value::Item::Function(Rc::new(callable)));
+                    self.scopes.declare(&item.sig.ident, scope::Item::Function(Rc::new(callable)));
                 }
                 Stmt::Item(Item::Const(item)) => {
                     let constant = Constant { expr: (*item.expr).clone(), value: RefCell::new(Progress::Untouched) };
-                    self.scopes.declare(&item.ident, value::Item::Constant(Rc::new(constant)));
+                    self.scopes.declare(&item.ident, scope::Item::Constant(Rc::new(constant)));
                 }
                 Stmt::Item(Item::Type(item)) => {
-                    let named = Outside::clone(self.scopes.outside()).with_alias(&item.ident, &item.ty);
-                    self.scopes.name_types(Rc::new(named));
+                    let outside = Outside::clone(&self.scopes.outside).with_alias(&item.ident, &item.ty);
+                    self.scopes.outside = Rc::new(outside);
                 }
                 _ => {}
             }
         }
     }
 
-    /// The value of a `const` item that sees what is in `sees`.
-    pub(super) fn constant_item(&mut self, syntax: &impl ToTokens, constant: &Constant, sees: Scopes) -> Value {
-        let progress = constant.value.replace(Progress::Underway);
-        let value = match progress {
+    /// Returns the value of a `const` item. `scopes` are the items around it.
+    pub(super) fn constant_item(&mut self, syntax: &impl ToTokens, constant: &Constant, scopes: Scopes) -> Value {
+        let value = match constant.value.replace(Progress::Underway) {
             Progress::Known(value) => value,
             Progress::Underway => self.refuse(syntax, "this constant is defined in terms of itself"),
             Progress::Untouched => {
-                let before = std::mem::replace(&mut self.scopes, sees);
+                let before = std::mem::replace(&mut self.scopes, scopes);
                 let value = self.expr(&constant.expr);
                 self.scopes = before;
                 value
@@ -90,7 +89,7 @@ impl Lowering {
                 None => self.refuse_names(local, "give the variable its value here: `let name = …;`"),
             },
             Stmt::Item(Item::Fn(_) | Item::Const(_) | Item::Type(_)) => Value::unit(),
-            Stmt::Item(Item::Use(item)) if imported(&item.tree, &mut vec![], &mut vec![]) => Value::unit(),
+            Stmt::Item(Item::Use(item)) if imported(&item.tree).is_some() => Value::unit(),
             Stmt::Item(Item::Use(item)) => self.refuse(
                 item,
                 "the generated code cannot see imports inside the body: move this above the function; only \
@@ -99,14 +98,14 @@ impl Lowering {
             Stmt::Item(item) => self.refuse(item, format!("this item is not part of an energy; {STATEMENTS}")),
             Stmt::Expr(expr, semicolon) => {
                 let value = self.expr(expr);
-                // A statement that was refused may have been the value: `return x;`.
-                if semicolon.is_some() && !matches!(value, Value::Poison) { Value::unit() } else { value }
+                // A refused statement such as `return x;` may stand for the value of the block.
+                if semicolon.is_some() && !value.is_poison() { Value::unit() } else { value }
             }
             Stmt::Macro(call) => self.refuse(call, other_macro(&call.mac)),
         }
     }
 
-    /// Binds the names of a pattern.
+    /// Binds the names of a pattern to the parts of a value.
     pub(super) fn bind(&mut self, pattern: &Pat, value: Value) {
         match (pattern, value) {
             (Pat::Ident(PatIdent { by_ref: Some(_), mutability: Some(_), .. }), _) => {
@@ -119,36 +118,31 @@ impl Lowering {
             (Pat::Reference(inner), value) => self.bind(&inner.pat, value),
             (Pat::Wild(_), _) => {}
             (Pat::Tuple(pattern), Value::Tuple(values)) if pattern.elems.len() == values.len() => {
-                for (pattern, value) in pattern.elems.iter().zip(values) {
-                    self.bind(pattern, value);
-                }
+                pattern.elems.iter().zip(values).for_each(|(pattern, value)| self.bind(pattern, value));
             }
             (Pat::Slice(pattern), Value::List(values)) if pattern.elems.len() == values.len() => {
-                for (pattern, value) in pattern.elems.iter().zip(values.iter()) {
-                    self.bind(pattern, value.clone());
-                }
+                pattern.elems.iter().zip(values.iter()).for_each(|(pattern, value)| self.bind(pattern, value.clone()));
             }
-            (pattern, Value::Poison) => self.poison_names(pattern),
             (pattern, value) => {
-                let kind = value.kind();
-                self.refuse(
-                    pattern,
-                    format!(
+                if !value.is_poison() {
+                    let kind = value.kind();
+                    let message = format!(
                         "this pattern does not fit {kind}; patterns are names, tuples `(a, b)` and arrays `[a, b]`"
-                    ),
-                );
+                    );
+                    self.refuse(pattern, message);
+                }
                 self.poison_names(pattern);
             }
         }
     }
 
-    /// Refuses a `let`, but not the uses of what it would bind.
+    /// Refuses a `let`. Uses of its names report no further errors.
     fn refuse_names(&mut self, local: &syn::Local, message: &str) -> Value {
         self.poison_names(&local.pat);
         self.refuse(local, message)
     }
 
-    /// Binds every name of a pattern to nothing, so that its uses are not reported as well.
+    /// Binds all names of a pattern to poison, so that their uses report no further errors.
     fn poison_names(&mut self, pattern: &Pat) {
         struct Names<'a>(&'a mut Lowering);
         impl Visit<'_> for Names<'_> {
@@ -160,6 +154,7 @@ impl Lowering {
     }
 }
 
+/// Returns the identifier of an expression without parentheses and `*`.
 pub(super) fn simple_name(expr: &Expr) -> Option<String> {
     match expr {
         Expr::Path(path) => path.path.get_ident().map(ToString::to_string),

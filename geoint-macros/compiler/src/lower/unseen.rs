@@ -1,4 +1,4 @@
-//! What rustc accepts, and what would mean something else here: refused before anything is evaluated.
+//! Refuses code that rustc accepts and the evaluation would misinterpret. The check precedes the evaluation.
 
 use crate::diagnostics::Diagnostics;
 use crate::parse::{Energy, Function};
@@ -7,30 +7,21 @@ use quote::ToTokens;
 use syn::visit::{self, Visit};
 use syn::{Attribute, Generics, Lit};
 
-/// Reports everything that is written which the evaluation could not follow and would not notice.
+/// Reports attributes, generics and numbers of another type in the body and in the expressions of the attribute.
 pub(super) fn report(energy: &Energy, errors: &mut Diagnostics) {
-    let float = &energy.float;
-    let mut unseen = Unseen { other: if float == "f64" { "f32" } else { "f64" }, float, errors };
+    let mut unseen = Unseen { float: &energy.float, errors };
     unseen.visit_block(&energy.item.block);
     energy.expressions().chain(&energy.options.force).for_each(|expr| unseen.visit_expr(expr));
-    functions(&mut unseen, &energy.functions);
-}
-
-fn functions(unseen: &mut Unseen<'_>, all: &[Function]) {
-    for function in all {
-        unseen.visit_item_fn(&function.item);
-        functions(unseen, &function.used);
-    }
+    unseen.visit_functions(&energy.functions);
 }
 
 struct Unseen<'a> {
+    /// Type of all numbers.
     float: &'a Ident,
-    /// The float type that is not the one of the energy.
-    other: &'static str,
     errors: &'a mut Diagnostics,
 }
 
-/// Attributes that leave the code as it is.
+/// Attributes that do not change the code.
 const HARMLESS: [&str; 12] = [
     "allow",
     "expect",
@@ -65,25 +56,32 @@ impl Visit<'_> for Unseen<'_> {
         }
     }
 
-    // Numbers of another type round differently. (In an energy in `f32`, constants in `f64` are harmless, and whatever
-    // else is in `f64` needs a cast, which is refused.)
     fn visit_type_path(&mut self, path: &syn::TypePath) {
-        if self.other == "f32" && path.path.is_ident(self.other) {
-            self.mixed(path);
+        if path.path.is_ident("f32") {
+            self.narrow_number(path);
         }
         visit::visit_type_path(self, path);
     }
 
     fn visit_lit(&mut self, lit: &Lit) {
-        let suffix = lit.suffix();
-        if self.other == "f32" && suffix == self.other {
-            self.mixed(lit);
+        if lit.suffix() == "f32" {
+            self.narrow_number(lit);
         }
     }
 }
 
 impl Unseen<'_> {
-    fn mixed(&mut self, syntax: &impl ToTokens) {
-        self.errors.at(syntax, format!("all numbers of an energy have one type, here `{}`", self.float));
+    /// Refuses `f32` in an energy of `f64`, because it rounds differently. In an energy of `f32`, only casts from `f64` matter. Lowering refuses them.
+    fn narrow_number(&mut self, syntax: &impl ToTokens) {
+        if self.float == "f64" {
+            self.errors.at(syntax, format!("all numbers of an energy have one type, here `{}`", self.float));
+        }
+    }
+
+    fn visit_functions(&mut self, functions: &[Function]) {
+        for function in functions {
+            self.visit_item_fn(&function.item);
+            self.visit_functions(&function.used);
+        }
     }
 }

@@ -1,104 +1,156 @@
-//! Coordinates: positions with their momenta or velocities, x alone, or the attitudes of bodies.
+//! Coordinates of a system: positions with their momenta or velocities, x alone, or attitudes of rigid bodies.
 
-use super::arguments::{exists, is_called, is_velocity, velocity_for_momenta};
+use super::arguments::{is_called, is_velocity, names, velocity_for_momenta};
 use super::options::Options;
 use super::shape::{Leaf, Shape, plain};
-use super::{Argument, Form, Role};
+use super::{Argument, Form, Role, of_role};
 use crate::diagnostics::Diagnostics;
 use quote::{ToTokens, format_ident};
-use syn::ItemFn;
+use syn::{Ident, ItemFn};
 
-/// The shape that q and p share.
+/// Returns the argument with the shape of the coordinates. Momenta and velocities have the same shape.
 pub(super) fn coordinates(
     form: Form,
     item: &ItemFn,
     options: &Options,
-    arguments: &[(Role, Argument)],
+    arguments: &[Argument],
     errors: &mut Diagnostics,
 ) -> Option<Argument> {
     if let Some(name) = velocity_for_momenta(form, item, options) {
         errors.at(name, format!("`{name}` {VELOCITY}"));
         return None;
     }
-    let found = |role: Role| arguments.iter().find(|(r, _)| *r == role).map(|(_, argument)| argument);
-    // A wrong name in the attribute, or a wrong type, has been reported.
-    let told = |role: Role, default: &str| {
-        found(role).is_some()
-            || options.roles.iter().any(|(r, _)| *r == role)
-            || exists(item, &format_ident!("{default}"))
-            || exists(item, &format_ident!("_{default}"))
+    // Returns false if the argument is absent. An argument with a wrong name in the attribute or a wrong type has been reported.
+    let is_given = |role: Role, default: &str| {
+        options.named(role).is_some()
+            || names(item).any(|name| is_called(name, default))
+            || of_role(arguments, role).is_some()
     };
-    let mut find = |role: Role, default: &str, missing: &dyn Fn(&mut Diagnostics)| {
-        if !told(role, default) {
-            missing(errors);
+    let mut find = |role: Role, default: &str, missing: Option<&str>| {
+        if let Some(message) = missing.filter(|_| !is_given(role, default)) {
+            errors.at(&item.sig.ident, message);
         }
-        found(role).cloned()
+        of_role(arguments, role).cloned()
     };
     if form == Form::Bodies {
-        find(Role::AngularMomentum, "m", &|errors| errors.at(&item.sig.ident, ANGULAR_MOMENTUM))?;
-        return body(arguments, errors);
+        find(Role::AngularMomentum, "m", Some(ANGULAR_MOMENTUM))?;
+        return bodies(arguments, errors);
     }
     if form.is_flow() {
-        return find(Role::Position, "x", &|errors| {
-            let message = match form {
-                Form::Field => FIELD_COORDINATES,
-                _ => STRUCTURED_COORDINATES,
-            };
-            errors.at(&item.sig.ident, message);
-        });
+        let missing = if form == Form::Field { FIELD_COORDINATES } else { STRUCTURED_COORDINATES };
+        return find(Role::Position, "x", Some(missing));
     }
-    let called_x = || arguments.iter().map(|(_, argument)| &argument.name).find(|name| is_called(name, "x"));
-    let unstructured = match (&options.all, found(Role::Position)) {
-        (None, None) => called_x(),
-        (named, _) => named.as_ref(),
-    };
-    if let (Form::Hamiltonian, None, Some(x)) = (form, found(Role::Momentum), unstructured) {
-        let named = |prefix: &str, name: &syn::Ident| exists(item, &format_ident!("{prefix}{name}"));
-        match ["p", "p_", "mom_"].into_iter().find(|prefix| named(prefix, x)) {
-            Some(prefix) => errors.at(
-                x,
-                format!(
-                    "a position `{x}` with its momentum `{prefix}{x}`: say so in the attribute, `q = {x}, p = {prefix}{x}`; several \
-                     positions are one array `q: [f64; N]`, and their momenta `p`"
-                ),
-            ),
-            None => errors.at(x, WITHOUT_STRUCTURE),
-        }
+    if let (Form::Hamiltonian, None) = (form, of_role(arguments, Role::Momentum))
+        && let Some(x) = without_momenta(options, arguments)
+    {
+        errors.at(x, missing_structure(item, x));
         return None;
     }
     let (other, letter, both) = match form {
         Form::Lagrangian => (Role::Velocity, "v", POSITIONS_AND_VELOCITIES),
         _ => (Role::Momentum, "p", POSITIONS_AND_MOMENTA),
     };
-    let velocity = || arguments.iter().map(|(_, argument)| &argument.name).find(|name| is_velocity(name));
-    let neither = !told(Role::Position, "q") && !told(other, letter) && velocity().is_none();
-    let missing = if neither { both } else { POSITIONS };
-    let q = find(Role::Position, "q", &|errors| errors.at(&item.sig.ident, missing));
+    let velocity = arguments.iter().map(|argument| &argument.name).find(|name| is_velocity(name));
+    let neither = !is_given(Role::Position, "q") && !is_given(other, letter) && velocity.is_none();
+    let q = find(Role::Position, "q", Some(if neither { both } else { POSITIONS }));
     if form == Form::Lagrangian {
-        let v = find(Role::Velocity, "v", &|errors| {
-            match velocity() {
-                Some(name) => {
-                    errors.at(name, format!("velocities are called `v`; say that they are `{name}`: `v = {name}`"));
-                }
-                // Who has momenta in their place has been told.
-                None if neither || exists(item, &format_ident!("p")) => {}
-                None => errors.at(&item.sig.ident, VELOCITIES),
+        match velocity {
+            Some(name) if !is_given(other, letter) => {
+                errors.at(name, format!("velocities are called `v`; say that they are `{name}`: `v = {name}`"));
+                return None;
             }
-        });
-        return pair(q?, (&v?, "velocity"), errors);
-    }
-    let p = find(Role::Momentum, "p", &|errors| {
-        if !neither {
-            errors.at(&item.sig.ident, MOMENTA);
+            // Momenta in place of velocities have been reported.
+            _ => {
+                let reported = neither || names(item).any(|name| name == "p");
+                let v = find(other, letter, (!reported).then_some(VELOCITIES));
+                return pair(q?, &v?, "velocity", errors);
+            }
         }
-    });
-    if form == Form::Contact {
-        find(Role::Action, "s", &|errors| {
-            let rest = if options.lift.is_some() { UNREAD_ACTION } else { NO_ACTION };
-            errors.at(&item.sig.ident, format!("{MISSING_ACTION}; {rest}"));
-        });
     }
-    pair(q?, (&p?, "momentum"), errors)
+    let p = find(other, letter, (!neither).then_some(MOMENTA));
+    if form == Form::Contact {
+        let rest = if options.lift.is_some() { UNREAD_ACTION } else { NO_ACTION };
+        find(Role::Action, "s", Some(&format!("{MISSING_ACTION}; {rest}")));
+    }
+    pair(q?, &p?, "momentum", errors)
+}
+
+/// Returns the argument `x` of an energy, or of its attribute, if the energy has no positions `q`.
+fn without_momenta<'a>(options: &'a Options, arguments: &'a [Argument]) -> Option<&'a Ident> {
+    match (&options.all, of_role(arguments, Role::Position)) {
+        (None, None) => arguments.iter().map(|argument| &argument.name).find(|name| is_called(name, "x")),
+        (named, _) => named.as_ref(),
+    }
+}
+
+/// Returns the message for an energy with coordinates `x` and without a structure. An argument such as `px` suggests a pair (q, p).
+fn missing_structure(item: &ItemFn, x: &Ident) -> String {
+    let momentum = |prefix: &&str| names(item).any(|name| *name == format_ident!("{prefix}{x}"));
+    match ["p", "p_", "mom_"].into_iter().find(momentum) {
+        Some(prefix) => format!(
+            "a position `{x}` with its momentum `{prefix}{x}`: say so in the attribute, `q = {x}, p = {prefix}{x}`; several \
+             positions are one array `q: [f64; N]`, and their momenta `p`"
+        ),
+        None => WITHOUT_STRUCTURE.into(),
+    }
+}
+
+/// Returns the positions. Reports momenta or velocities of another type.
+fn pair(q: Argument, p: &Argument, conjugate: &str, errors: &mut Diagnostics) -> Option<Argument> {
+    if q.shape.leaf == Leaf::Quaternion {
+        errors.at(
+            &q.ty,
+            format!(
+                "`{}` is the attitude of a rigid body: say so, `attitude = {}`, and call its angular momentum `m`",
+                q.name, q.name
+            ),
+        );
+        return None;
+    }
+    if q.ty.to_token_stream().to_string() != p.ty.to_token_stream().to_string() {
+        let (name, ty) = (&q.name, plain(&q.ty));
+        let message = format!("`{}` must have the type of `{name}`, `{ty}`: each position has its {conjugate}", p.name);
+        errors.at(&p.ty, message);
+    }
+    Some(q)
+}
+
+/// Returns the attitudes of rigid bodies as quaternions, one row for each body. Centres of mass add the same number of rows.
+fn bodies(arguments: &[Argument], errors: &mut Diagnostics) -> Option<Argument> {
+    let find = |role: Role| of_role(arguments, role);
+    let (r, m) = (find(Role::Attitude)?, find(Role::AngularMomentum)?);
+    if r.shape.leaf != Leaf::Quaternion {
+        errors.at(&r.ty, ATTITUDE);
+        return None;
+    }
+    let bodies = r.shape.len() / 4;
+    let extents = if r.shape.extents.len() == 1 { vec![3] } else { vec![bodies, 3] };
+    let vectors = Shape { extents, leaf: Leaf::Vector };
+    let [q, p] = [Role::Position, Role::Momentum].map(find);
+    let all = [
+        (Some(m), "the angular momentum of each body, in its own frame"),
+        (q, "where the centre of mass of each body is, in space"),
+        (p, "the momentum of each centre of mass, in space"),
+    ];
+    let wrong = all.into_iter().find_map(|(given, meaning)| Some((given.filter(|a| a.shape != vectors)?, meaning)));
+    if let Some((argument, meaning)) = wrong {
+        let scalar = if r.ty.to_token_stream().to_string().contains("f32") { "f32" } else { "f64" };
+        let ty = match r.shape.extents.len() {
+            1 => format!("Vector3<{scalar}>"),
+            _ => format!("[Vector3<{scalar}>; {bodies}]"),
+        };
+        errors.at(&argument.ty, format!("`{}` must be `{ty}`: {meaning}", argument.name));
+        return None;
+    }
+    let extents = match (q, p) {
+        (None, None) => vec![bodies, 4],
+        (Some(_), Some(_)) => vec![2, bodies, 4],
+        (Some(alone), None) | (None, Some(alone)) => {
+            errors.at(&alone.name, CENTRE_ALONE);
+            return None;
+        }
+    };
+    Some(Argument { shape: Shape { extents, leaf: Leaf::Quaternion }, ..r.clone() })
 }
 
 const FIELD_COORDINATES: &str = "the coordinates are missing: call an argument `x`, or name one with `x = …`; an energy H(q, p) goes under \
@@ -131,69 +183,6 @@ const MISSING_ACTION: &str = "the action is missing: call an argument `s`, or na
 const NO_ACTION: &str = "an energy without it is one for `#[hamiltonian]`";
 
 const UNREAD_ACTION: &str = "a lift of q' = X(q), which does not read it, has the argument `_s`";
-
-/// Positions, if momenta or velocities have their type.
-fn pair(q: Argument, (p, what): (&Argument, &str), errors: &mut Diagnostics) -> Option<Argument> {
-    if q.shape.leaf == Leaf::Quaternion {
-        errors.at(
-            &q.ty,
-            format!(
-                "`{}` is the attitude of a rigid body: say so, `attitude = {}`, and call its angular momentum `m`",
-                q.name, q.name
-            ),
-        );
-        return None;
-    }
-    if q.ty.to_token_stream().to_string() != p.ty.to_token_stream().to_string() {
-        errors.at(
-            &p.ty,
-            format!(
-                "`{}` must have the type of `{}`, `{}`: each position has its {what}",
-                p.name,
-                q.name,
-                plain(&q.ty)
-            ),
-        );
-    }
-    Some(q)
-}
-
-/// Attitudes as quaternions, one row a body, if angular momenta go with them; and as many rows for centres of mass.
-fn body(arguments: &[(Role, Argument)], errors: &mut Diagnostics) -> Option<Argument> {
-    let find = |role: Role| arguments.iter().find(|(r, _)| *r == role).map(|(_, argument)| argument);
-    let (r, m) = (find(Role::Attitude)?, find(Role::AngularMomentum)?);
-    if r.shape.leaf != Leaf::Quaternion {
-        errors.at(&r.ty, ATTITUDE);
-        return None;
-    }
-    let bodies = r.shape.len() / 4;
-    let vectors = Shape { extents: [&r.shape.extents[..r.shape.extents.len() - 1], &[3]].concat(), leaf: Leaf::Vector };
-    let [q, p] = [Role::Position, Role::Momentum].map(find);
-    let all = [
-        (Some(m), "the angular momentum of each body, in its own frame"),
-        (q, "where the centre of mass of each body is, in space"),
-        (p, "the momentum of each centre of mass, in space"),
-    ];
-    let wrong = all.into_iter().find_map(|(argument, what)| Some((argument.filter(|a| a.shape != vectors)?, what)));
-    if let Some((argument, what)) = wrong {
-        let scalar = if r.ty.to_token_stream().to_string().contains("f32") { "f32" } else { "f64" };
-        let ty = match r.shape.extents.len() {
-            1 => format!("Vector3<{scalar}>"),
-            _ => format!("[Vector3<{scalar}>; {bodies}]"),
-        };
-        errors.at(&argument.ty, format!("`{}` must be `{ty}`: {what}", argument.name));
-        return None;
-    }
-    let extents = match (q, p) {
-        (None, None) => vec![bodies, 4],
-        (Some(_), Some(_)) => vec![2, bodies, 4],
-        (Some(alone), None) | (None, Some(alone)) => {
-            errors.at(&alone.name, CENTRE_ALONE);
-            return None;
-        }
-    };
-    Some(Argument { shape: Shape { extents, leaf: Leaf::Quaternion }, ..r.clone() })
-}
 
 const ATTITUDE: &str =
     "an attitude is `UnitQuaternion<f64>`, or an array of them: what turns vectors of a body into vectors of space";

@@ -1,4 +1,4 @@
-//! What attributes of systems without momenta say: the structure S of x' = S(x) ∇H, and what a vector field keeps.
+//! Attribute arguments of systems without momenta: the structure S of x' = S(x) ∇H, and the first integrals of a vector field.
 
 use crate::diagnostics::Diagnostics;
 use proc_macro2::Ident;
@@ -10,11 +10,11 @@ use syn::{Expr, Token, parenthesized};
 #[derive(Clone)]
 pub(crate) struct StructureForm {
     pub(crate) kind: StructureKind,
-    /// C of `nambu(C)`; else all that is written.
+    /// C of `nambu(C)`, otherwise the whole expression.
     pub(crate) expr: Expr,
 }
 
-/// How S is given.
+/// The notation in which S is given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum StructureKind {
     /// x' = x × ∇H.
@@ -25,18 +25,18 @@ pub(crate) enum StructureKind {
     Canonical,
     /// x' = ∇C × ∇H.
     Nambu,
-    /// By its entries: an array of arrays, or a function of i and j for i < j.
+    /// Entries of S: an array of arrays, or a function of i and j for i < j.
     Entries,
 }
 
-/// A function of x that a field keeps.
+/// A first integral I(x) of a vector field.
 #[derive(Clone)]
 pub(crate) struct Kept {
     pub(crate) name: Ident,
     pub(crate) value: Expr,
-    /// b, if the function changes by b·∇I alone.
+    /// b of a function with the rate b·∇I, for example by friction.
     pub(crate) but: Option<Expr>,
-    /// Whether that is not to be proven.
+    /// Whether the user asserts the conservation without a proof.
     pub(crate) assumed: bool,
 }
 
@@ -46,47 +46,50 @@ impl StructureKind {
 
 impl StructureForm {
     pub(super) fn new(expr: Expr) -> StructureForm {
-        let named = |expr: &Expr| match expr {
-            Expr::Path(path) => path.path.get_ident().map(ToString::to_string),
-            _ => None,
-        };
         if let Expr::Call(call) = &expr
-            && named(&call.func).as_deref() == Some("nambu")
+            && is_name(&call.func, "nambu")
             && call.args.len() == 1
         {
             return StructureForm { kind: StructureKind::Nambu, expr: call.args[0].clone() };
         }
-        let kind = match named(&expr).as_deref() {
-            Some("so3") => StructureKind::So3,
-            Some("se3") => StructureKind::Se3,
-            Some("canonical") => StructureKind::Canonical,
-            _ => StructureKind::Entries,
-        };
-        StructureForm { kind, expr }
+        let kinds = [StructureKind::So3, StructureKind::Se3, StructureKind::Canonical];
+        let kind = StructureKind::NAMES.into_iter().zip(kinds).find(|(name, _)| is_name(&expr, name));
+        StructureForm { kind: kind.map_or(StructureKind::Entries, |(_, kind)| kind), expr }
     }
 
-    /// Whether it is more than a name.
+    /// Returns whether S contains an expression of the user, beyond a name.
     pub(super) fn is_expression(&self) -> bool {
         matches!(self.kind, StructureKind::Nambu | StructureKind::Entries)
     }
 }
 
-/// `(integral = expr, but = expr, …, assume(integral = expr, …))`, behind `keeps`.
+fn is_name(expr: &Expr, name: &str) -> bool {
+    matches!(expr, Expr::Path(path) if path.path.is_ident(name))
+}
+
+/// Whether the macro has to prove an integral.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Proof {
+    Required,
+    Assumed,
+}
+
+/// Parses `(integral = expr, but = expr, …, assume(integral = expr, …))` after `keeps`.
 pub(super) fn keeps(input: ParseStream<'_>) -> syn::Result<Vec<Kept>> {
     let inner;
     parenthesized!(inner in input);
     let mut kept = vec![];
-    entries(&inner, false, &mut kept)?;
+    integrals(&inner, Proof::Required, &mut kept)?;
     Ok(kept)
 }
 
-fn entries(input: ParseStream<'_>, assumed: bool, kept: &mut Vec<Kept>) -> syn::Result<()> {
+fn integrals(input: ParseStream<'_>, proof: Proof, kept: &mut Vec<Kept>) -> syn::Result<()> {
     while !input.is_empty() {
         let name: Ident = input.parse()?;
-        if name == "assume" && !assumed && input.peek(syn::token::Paren) {
+        if name == "assume" && proof == Proof::Required && input.peek(syn::token::Paren) {
             let inner;
             parenthesized!(inner in input);
-            entries(&inner, true, kept)?;
+            integrals(&inner, Proof::Assumed, kept)?;
         } else {
             input.parse::<Token![=]>()?;
             let value: Expr = input.parse()?;
@@ -97,7 +100,7 @@ fn entries(input: ParseStream<'_>, assumed: bool, kept: &mut Vec<Kept>) -> syn::
                         "`but` stands behind the integral that changes by it: `keeps(integral = …, but = […])`";
                     return Err(syn::Error::new_spanned(name, message));
                 }
-                _ => kept.push(Kept { name, value, but: None, assumed }),
+                _ => kept.push(Kept { name, value, but: None, assumed: proof == Proof::Assumed }),
             }
         }
         if !input.is_empty() {
@@ -107,10 +110,10 @@ fn entries(input: ParseStream<'_>, assumed: bool, kept: &mut Vec<Kept>) -> syn::
     Ok(())
 }
 
-/// Functions of the generated struct that an integral cannot be called by.
+/// Functions of the generated struct. An integral can not have their names.
 const TAKEN: [&str; 4] = ["integrator", "adaptive", "taylor", "field"];
 
-/// Refuses names of integrals that are taken.
+/// Refuses names of integrals that are taken or repeated.
 pub(super) fn names(kept: &[Kept], errors: &mut Diagnostics) {
     for (i, Kept { name, .. }) in kept.iter().enumerate() {
         let plain = name.unraw();

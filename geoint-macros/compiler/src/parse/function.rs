@@ -1,4 +1,4 @@
-//! Functions from outside of an energy: what stands under `#[energy_function]`.
+//! Functions under `#[energy_function]`, and the form in which macros pass them on.
 
 use super::options::Options;
 use super::{Form, Outside};
@@ -9,9 +9,9 @@ use std::rc::Rc;
 use syn::parse::{Parse, ParseStream, Parser};
 use syn::{ItemFn, Path, braced};
 
-/// A function under an attribute, with the functions that the attribute names, as far as they are there.
+/// A function under an attribute, with the functions in its `with(…)` collected so far.
 ///
-/// Macros hand it on as `{arguments} {function} {…} {…}`: a group for every function that is named, of the same form.
+/// Its tokens are `{arguments} {function} {…} {…}`, with one further group for each collected function. Each group is a `Source` again.
 pub(crate) struct Source {
     pub(crate) args: TokenStream,
     pub(crate) item: TokenStream,
@@ -41,33 +41,23 @@ impl ToTokens for Source {
     }
 }
 
-/// What the arguments of `#[energy_function]` say.
-pub(crate) struct FunctionOptions {
-    pub(crate) runtime: TokenStream,
-    /// The functions that this one uses.
-    pub(crate) with: Vec<Path>,
-    pub(crate) outside: Rc<Outside>,
-}
-
-/// A function that an energy may call, with those that it may call.
+/// A function under `#[energy_function]`, with the functions in its `with(…)`.
 #[derive(Clone)]
 pub(crate) struct Function {
-    /// The path by which it is named, and called.
+    /// Path of the function in the `with(…)` of its caller. Calls use the same path.
     pub(crate) path: String,
     pub(crate) item: ItemFn,
-    /// What its attribute repeats of its file.
+    /// Constants and aliases that the attribute of the function repeats.
     pub(crate) outside: Rc<Outside>,
     pub(crate) used: Vec<Function>,
 }
 
-/// Reads the arguments of `#[energy_function]`.
-pub(crate) fn function_options(args: TokenStream) -> Result<FunctionOptions> {
-    let options = (|input: ParseStream<'_>| Options::parse(None, input)).parse2(args)?;
-    let Options { runtime, with, outside, .. } = options;
-    Ok(FunctionOptions { runtime: super::runtime::path_or(runtime), with, outside })
+/// Parses the arguments of `#[energy_function]`.
+pub(crate) fn function_options(args: TokenStream) -> Result<Options> {
+    Ok((|input: ParseStream<'_>| Options::parse(None, input)).parse2(args)?)
 }
 
-/// Refuses what is no plain function. (The rest is looked at where it is used.)
+/// Refuses methods and async functions. Each energy that calls the function checks the rest.
 pub(crate) fn energy_function(item: &ItemFn) -> Result<()> {
     let mut errors = Diagnostics::default();
     if let Some(receiver) = item.sig.receiver() {
@@ -79,27 +69,27 @@ pub(crate) fn energy_function(item: &ItemFn) -> Result<()> {
     errors.or(())
 }
 
-/// The functions that an attribute names, from what was handed on of them.
-pub(super) fn functions(with: &[Path], used: &[TokenStream]) -> Result<Vec<Function>> {
-    with.iter().zip(used).map(|(path, source)| function(plain_path(path), source.clone())).collect()
+/// Parses the functions in a `with(…)` from their sources.
+pub(super) fn functions(with: &[Path], sources: &[TokenStream]) -> Result<Vec<Function>> {
+    with.iter().zip(sources).map(|(path, source)| function(plain_path(path), source.clone())).collect()
 }
 
 fn function(path: String, source: TokenStream) -> Result<Function> {
     let Source { args, item, used } = syn::parse2(source)?;
-    let FunctionOptions { with, outside, .. } = function_options(args)?;
+    let Options { with, outside, .. } = function_options(args)?;
     let mut item: ItemFn = syn::parse2(item)?;
-    // An energy may be a part of another one.
+    // An energy can serve as a function of another energy. Attributes of this crate do not change their function.
     item.attrs.retain(|attribute| !is_ours(attribute.path()));
     Ok(Function { path, item, outside, used: functions(&with, &used)? })
 }
 
-/// Whether an attribute leaves its function as it is, and is one of these here.
+/// Returns whether a path names an attribute of this crate.
 fn is_ours(path: &Path) -> bool {
     let last = path.segments.last().map(|segment| segment.ident.to_string());
     last.is_some_and(|name| Form::of_attribute(&name).is_some() || name == "energy_function")
 }
 
-/// A path as one writes it.
+/// Returns a path without spaces between its tokens.
 pub(crate) fn plain_path(path: &Path) -> String {
     path.to_token_stream().to_string().replace(' ', "")
 }

@@ -1,8 +1,8 @@
-//! The arguments that attributes take: how each is written, which attributes take it, and how it is read.
+//! Table of the arguments of attributes, with their notation, their attributes and their parsers.
 
 use super::flow::{self, StructureForm};
 use super::options::Options;
-use super::values::{self, Coordinates, OF_ENERGIES, OF_LAGRANGIANS, Requirement};
+use super::values::{self, Coordinates, Requirement, listed};
 use super::{Form, Role};
 use proc_macro2::Ident;
 use std::rc::Rc;
@@ -13,43 +13,52 @@ use syn::parse::{Parse, ParseStream};
 /// An argument of attributes.
 struct Key {
     name: &'static str,
-    /// How messages say that it is written; nothing, if another argument names it.
+    /// Notation in messages. Empty if the notation of another argument includes this one.
     written: &'static str,
+    /// Attributes with this argument. `None` is `#[energy_function]`.
     attributes: &'static [Option<Form>],
-    read: fn(&mut Options, &Ident, ParseStream<'_>) -> syn::Result<()>,
+    read: Reader,
 }
 
+/// Parses the tokens after the name into the options. The identifier is the name.
+type Reader = fn(&mut Options, &Ident, ParseStream<'_>) -> syn::Result<()>;
+
 impl Key {
-    /// The argument of that name, if the attribute takes it.
+    /// Returns the argument of the given name. Errors: the attribute does not have this argument.
     fn of(attribute: Option<Form>, name: &Ident) -> syn::Result<&'static Key> {
-        let of_attribute = |key: &&Key| name == key.name && key.attributes.contains(&attribute);
-        KEYS.iter().find(of_attribute).ok_or_else(|| {
+        KEYS.iter().find(|key| name == key.name && key.attributes.contains(&attribute)).ok_or_else(|| {
             let elsewhere = ELSEWHERE.iter().find(|(other, form, _)| name == other && Some(*form) == attribute);
             let message = elsewhere.map_or_else(|| all(attribute), |(.., message)| (*message).into());
             syn::Error::new_spanned(name, message)
         })
     }
 
-    /// What was read is no such argument: the message of the parser, with what it should have been. Where nothing stands behind the name the
-    /// parser points at the whole attribute.
-    fn as_written(&self, name: &Ident, bare: bool, error: syn::Error) -> syn::Error {
+    /// Adds the notation of the argument to an error of the parser. Errors of this crate stay as they are.
+    fn with_notation(&self, error: syn::Error, name: &Ident, ending: Ending) -> syn::Error {
         let message = error.to_string();
         let is_of_the_parser = ["expected ", "unexpected "].iter().any(|begin| message.starts_with(begin));
         if self.written.is_empty() || !is_of_the_parser {
             return error;
         }
-        let span = if bare || message.starts_with("unexpected end") { name.span() } else { error.span() };
+        let at_name = ending == Ending::AtName || message.starts_with("unexpected end");
+        let span = if at_name { name.span() } else { error.span() };
         syn::Error::new(span, format!("{message}; this argument is written {}", self.written))
     }
 
-    /// Whether an attribute may have it several times.
     fn is_repeatable(&self) -> bool {
         ["require", "const", "type"].contains(&self.name)
     }
 }
 
+/// Where the tokens of an attribute end. After a bare name at the end, the parser would point at the whole attribute.
+#[derive(PartialEq)]
+enum Ending {
+    AtName,
+    Later,
+}
+
 impl Options {
-    /// Those of the attribute of a form, or of `#[energy_function]`.
+    /// Parses the arguments of the attribute of a form. `None` is `#[energy_function]`.
     pub(super) fn parse(attribute: Option<Form>, input: ParseStream<'_>) -> syn::Result<Self> {
         let mut options = Options::default();
         let mut given: Vec<Ident> = vec![];
@@ -59,8 +68,8 @@ impl Options {
             if !key.is_repeatable() && given.contains(&name) {
                 return Err(syn::Error::new_spanned(&name, format!("`{name}` is given twice")));
             }
-            let bare = input.is_empty();
-            (key.read)(&mut options, &name, input).map_err(|error| key.as_written(&name, bare, error))?;
+            let ending = if input.is_empty() { Ending::AtName } else { Ending::Later };
+            (key.read)(&mut options, &name, input).map_err(|error| key.with_notation(error, &name, ending))?;
             given.push(name);
             if !input.is_empty() {
                 input.parse::<Token![,]>()?;
@@ -70,12 +79,11 @@ impl Options {
     }
 }
 
-/// All that an attribute takes, in words.
+/// Lists the notation of all arguments of an attribute.
 fn all(attribute: Option<Form>) -> String {
     let taken = KEYS.iter().filter(|key| key.attributes.contains(&attribute) && !key.written.is_empty());
-    let taken: Vec<&str> = taken.map(|key| key.written).collect();
-    let (last, others) = taken.split_last().expect("every attribute takes arguments");
-    format!("the arguments of this attribute are {} and {last}", others.join(", "))
+    let taken: Vec<String> = taken.map(|key| key.written.into()).collect();
+    format!("the arguments of this attribute are {}", listed(&taken))
 }
 
 const H: Option<Form> = Some(Form::Hamiltonian);
@@ -85,7 +93,7 @@ const L: Option<Form> = Some(Form::Lagrangian);
 /// `#[energy_function]`.
 const E: Option<Form> = None;
 
-/// In the order of messages.
+/// All arguments, in the order of messages.
 const KEYS: [Key; 25] = [
     key("name", "`name = Type`", &[H, C, F, L], |to, _, input| set(&mut to.name, input)),
     key("x", "`x = argument`", &[F], |to, _, input| role(to, Role::Position, input)),
@@ -95,8 +103,7 @@ const KEYS: [Key; 25] = [
     key("s", "`s = argument`", &[C, L], |to, _, input| role(to, Role::Action, input)),
     key("t", "`t = argument`", &[H, C, F, L], |to, _, input| role(to, Role::Time, input)),
     key("keeps", "`keeps(integral = …, but = […])`", &[F], |to, _, input| {
-        to.keeps = flow::keeps(input)?;
-        Ok(())
+        flow::keeps(input).map(|kept| to.keeps = kept)
     }),
     key("damping", "`damping = coefficients`", &[H], |to, _, input| set(&mut to.damping, input)),
     key("rayleigh", "`rayleigh = R`", &[L], |to, _, input| set(&mut to.rayleigh, input)),
@@ -116,8 +123,7 @@ const KEYS: [Key; 25] = [
         Ok(())
     }),
     key("structure", "`structure = S` with `x = argument`", &[H], |to, _, input| {
-        to.structure = Some(StructureForm::new(value(input)?));
-        Ok(())
+        value(input).map(|expr| to.structure = Some(StructureForm::new(expr)))
     }),
     key("x", "", &[H], |to, _, input| {
         role(to, Role::Position, input)?;
@@ -137,22 +143,21 @@ const KEYS: [Key; 25] = [
         Rc::make_mut(&mut to.outside).parse_alias(input)
     }),
     key("with", "`with(function)`", &[H, C, F, L, E], |to, _, input| {
-        to.with = values::functions(input)?;
-        Ok(())
+        values::functions(input).map(|with| to.with = with)
     }),
     key("crate", "`crate = path`", &[H, C, F, L, E], |to, _, input| set(&mut to.runtime, input)),
     key("require", "`require(separable, quadratic_kinetic, conservative)`", &[H], |to, _, input| {
-        Requirement::list(&OF_ENERGIES, &mut to.requirements, input)
+        Requirement::list(Form::Hamiltonian, &mut to.requirements, input)
     }),
     key(
         "require",
         "`require(separable, quadratic_kinetic, conservative, quadratic, constant_mass, regular)`",
         &[L],
-        |to, _, input| Requirement::list(&OF_LAGRANGIANS, &mut to.requirements, input),
+        |to, _, input| Requirement::list(Form::Lagrangian, &mut to.requirements, input),
     ),
 ];
 
-/// What belongs to another attribute, or is said otherwise there.
+/// Arguments of other attributes, with the advice for this attribute.
 const ELSEWHERE: [(&str, Form, &str); 3] = [
     ("damping", Form::Contact, "a contact system is damped by the terms in `s` of its energy, such as `+ gamma * s`"),
     (
@@ -163,16 +168,11 @@ const ELSEWHERE: [(&str, Form, &str); 3] = [
     ("structure", Form::Field, "x' = S(x) ∇H follows from an energy: put H under `#[hamiltonian(structure = …)]`"),
 ];
 
-const fn key(
-    name: &'static str,
-    written: &'static str,
-    attributes: &'static [Option<Form>],
-    read: fn(&mut Options, &Ident, ParseStream<'_>) -> syn::Result<()>,
-) -> Key {
+const fn key(name: &'static str, written: &'static str, attributes: &'static [Option<Form>], read: Reader) -> Key {
     Key { name, written, attributes, read }
 }
 
-/// What stands behind `=`.
+/// Parses `= value`.
 fn value<T: Parse>(input: ParseStream<'_>) -> syn::Result<T> {
     input.parse::<Token![=]>()?;
     input.parse()

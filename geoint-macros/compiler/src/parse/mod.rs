@@ -1,4 +1,4 @@
-//! Reads the attribute's arguments and the signature: the role, shape and type of every argument.
+//! Parses the attribute's arguments and the signature. The result has the role, shape and type of every argument.
 
 mod arguments;
 mod coordinates;
@@ -17,10 +17,10 @@ pub(crate) use flow::{Kept, StructureForm, StructureKind};
 pub(crate) use function::{Function, Source, energy_function, function_options, plain_path};
 #[cfg(test)]
 pub(crate) use names::DECLARED;
-pub(crate) use names::IMPORTED;
+pub(crate) use names::imported;
 pub(crate) use options::Options;
-pub(crate) use outside::Outside;
-pub(crate) use shape::{Leaf, Shape, over_scalar};
+pub(crate) use outside::{Outside, integer_operation};
+pub(crate) use shape::{Leaf, Shape, over_scalar, vector_length};
 pub(crate) use values::{Coordinates, Requirement};
 
 use crate::diagnostics::{Diagnostics, Result};
@@ -95,10 +95,10 @@ pub(crate) struct Energy {
     /// Shape and type of x, or of q and of p.
     pub(crate) coordinates: Argument,
     /// All arguments in the order of the signature.
-    pub(crate) arguments: Vec<(Role, Argument)>,
+    pub(crate) arguments: Vec<Argument>,
     /// Arguments of the attribute.
     pub(crate) options: Options,
-    /// Definitions of the functions in `with(…)` that have been passed on so far.
+    /// Definitions of the functions in `with(…)`. Empty until all of them have been passed on.
     pub(crate) functions: Vec<Function>,
 }
 
@@ -117,9 +117,10 @@ pub(crate) enum Role {
     AngularMomentum,
 }
 
-/// An argument with its name and type.
+/// An argument of the function.
 #[derive(Clone)]
 pub(crate) struct Argument {
+    pub(crate) role: Role,
     pub(crate) name: Ident,
     pub(crate) ty: Type,
     pub(crate) shape: Shape,
@@ -128,13 +129,18 @@ pub(crate) struct Argument {
 }
 
 impl Energy {
-    /// Returns the function with the definitions that have been passed on so far.
+    /// Adds the definitions of the functions in `with(…)`.
     pub(crate) fn with_functions(self, used: &[TokenStream]) -> Result<Energy> {
         Ok(Energy { functions: function::functions(&self.options.with, used)?, ..self })
     }
 
+    /// Returns the first argument of a role.
+    pub(crate) fn argument(&self, role: Role) -> Option<&Argument> {
+        of_role(&self.arguments, role)
+    }
+
     pub(crate) fn parameters(&self) -> impl Iterator<Item = &Argument> {
-        self.arguments.iter().filter(|(role, _)| *role == Role::Parameter).map(|(_, argument)| argument)
+        self.arguments.iter().filter(|argument| argument.role == Role::Parameter)
     }
 
     /// Returns the number of rigid bodies.
@@ -145,9 +151,7 @@ impl Energy {
 
     /// Returns the type of the centres of mass of rigid bodies, if they move.
     pub(crate) fn centres(&self) -> Option<&Type> {
-        let mut centres =
-            self.arguments.iter().filter(|(role, _)| *role == Role::Position && self.form == Form::Bodies);
-        centres.next().map(|(_, argument)| &argument.ty)
+        self.argument(Role::Position).filter(|_| self.form == Form::Bodies).map(|centres| &centres.ty)
     }
 
     /// Returns the number of degrees of freedom, or of coordinates if there are no momenta.
@@ -164,13 +168,13 @@ impl Energy {
     }
 
     /// Returns the scalars of an argument as symbols. Parameters are numbered consecutively.
-    pub(crate) fn symbols(&self, role: Role, argument: &Argument) -> Vec<Symbol> {
-        let before: usize =
-            self.parameters().take_while(|other| other.name != argument.name).map(|other| other.shape.len()).sum();
+    pub(crate) fn symbols(&self, argument: &Argument) -> Vec<Symbol> {
+        let before = self.parameters().take_while(|other| other.name != argument.name);
+        let before: usize = before.map(|other| other.shape.len()).sum();
         // A vector is a pure quaternion. Centres of mass follow the attitudes.
         let pure = |i: usize| (4 * (i / 3) + i % 3) as u32;
         let attitudes = 4 * self.bodies();
-        let symbol = |i: usize| match role {
+        let symbol = |i: usize| match argument.role {
             Role::Position if self.form == Form::Bodies => Symbol::Position(attitudes + pure(i)),
             Role::Momentum if self.form == Form::Bodies => Symbol::Momentum(attitudes + pure(i)),
             Role::AngularMomentum => Symbol::Momentum(pure(i)),
@@ -185,18 +189,20 @@ impl Energy {
     }
 }
 
-/// Largest depth of nested groups. It needs a small part of rustc's stack.
+/// Returns the first argument of a role.
+fn of_role(arguments: &[Argument], role: Role) -> Option<&Argument> {
+    arguments.iter().find(|argument| argument.role == role)
+}
+
+/// Largest depth of nested groups. Parsers at this depth need a small part of rustc's stack.
 const MAX_NESTING: usize = 256;
 
-/// Refuses tokens that are nested so deeply that parsing would overflow the stack.
+/// Refuses deeply nested tokens. Their parser would overflow the stack.
 pub(crate) fn nesting(item: &TokenStream) -> Result<()> {
     let mut level: Vec<TokenStream> = vec![item.clone()];
     for _ in 0..MAX_NESTING {
-        let groups = level.into_iter().flatten().filter_map(|tree| match tree {
-            TokenTree::Group(group) => Some(group.stream()),
-            _ => None,
-        });
-        level = groups.collect();
+        let group = |tree| if let TokenTree::Group(group) = tree { Some(group.stream()) } else { None };
+        level = level.into_iter().flatten().filter_map(group).collect();
         if level.is_empty() {
             return Ok(());
         }
@@ -206,12 +212,12 @@ pub(crate) fn nesting(item: &TokenStream) -> Result<()> {
     Err(errors)
 }
 
-/// Reads the attribute's arguments and the signature.
+/// Parses the attribute's arguments and the signature.
 pub(crate) fn energy(form: Form, args: TokenStream, item: ItemFn) -> Result<Energy> {
     let options = (|input: ParseStream<'_>| Options::parse(Some(form), input)).parse2(args)?;
     let form = if options.structure.is_some() {
         Form::Structured
-    } else if options.roles.iter().any(|(role, _)| *role == Role::Attitude) {
+    } else if options.named(Role::Attitude).is_some() {
         Form::Bodies
     } else {
         form
@@ -223,7 +229,7 @@ pub(crate) fn energy(form: Form, args: TokenStream, item: ItemFn) -> Result<Ener
     let float = returned_float(form, &item, &options.outside, &mut errors);
     let arguments = arguments(form, &item, &options, &float, &mut errors);
     let coordinates = coordinates(form, &item, &options, &arguments, &mut errors);
-    let herglotz = form == Form::Lagrangian && arguments.iter().any(|(role, _)| *role == Role::Action);
+    let herglotz = form == Form::Lagrangian && of_role(&arguments, Role::Action).is_some();
     let form = if herglotz { Form::Herglotz } else { form };
     if herglotz && options.constraint.is_some() {
         errors.at(&options.constraint, "with an action there are no constraints: leave out this, or the argument `s`");
@@ -239,8 +245,8 @@ pub(crate) fn energy(form: Form, args: TokenStream, item: ItemFn) -> Result<Ener
     if is_taken(&name) {
         errors.at(&name, format!("`{name}` is a name of generated code; give the struct another one: `name = …`"));
     }
-    let runtime = runtime::path_or(options.runtime.clone());
-    if arguments.iter().all(|(role, _)| *role != Role::Parameter) && name == item.sig.ident {
+    let runtime = options.runtime_path();
+    if of_role(&arguments, Role::Parameter).is_none() && name == item.sig.ident {
         errors.at(&item.sig.ident, "the generated struct would have the name of the function; give it one: `name = …`");
     }
     match coordinates {

@@ -1,126 +1,39 @@
-//! Names of generated structs.
+//! Names of generated structs, and the names that generated code takes.
 
 use proc_macro2::Ident;
 use quote::format_ident;
 use syn::ext::IdentExt;
 
-/// What emitted code imports: no struct can have such a name.
-pub(crate) const IMPORTED: &[&str] = &[
-    "Adaptive",
-    "Array",
-    "Autonomous",
-    "ByCanonical",
-    "ByConstraint",
-    "ByField",
-    "CanonicalForm",
-    "ByPolarisation",
-    "ByTree",
-    "ByVelocities",
-    "Collocated",
-    "BodyState",
-    "Collocation",
-    "ConformalContact",
-    "Conservative",
-    "ConstrainedStep",
-    "ConstrainedSystem",
-    "ContactDiscreteGradient",
-    "ContactMidpoint",
-    "FlowPiece",
-    "FlowPieces",
-    "PieceSplitting",
-    "Placed",
-    "PlanarDiscreteGradient",
-    "PlanarItohAbe",
-    "PlanarSplitting",
-    "PolarisedForm",
-    "PoissonSplitting",
-    "ContactSplitting",
-    "ContactCollocated",
-    "ContactGraded",
-    "ContactPolarised",
-    "ContactStage",
-    "ContactStages",
-    "ContactVelocities",
-    "MassForm",
-    "contact_gradient_of",
-    "ContactState",
-    "ContactSystem",
-    "Coordinates",
-    "CotangentSpace",
-    "QuadraticField",
-    "DifferentialEquation",
-    "DiscreteField",
-    "DiscreteGradient",
-    "FirstIntegrals",
-    "SteadyIntegrals",
-    "FlowState",
-    "ForceGradient",
-    "FourthOrderField",
-    "Graded",
-    "Gradients",
-    "Hamiltonian",
-    "ImplicitStep",
-    "CanonicalEnergy",
-    "EnergyAndMomenta",
-    "KeptMomenta",
-    "Integral",
-    "KeptIntegrals",
-    "Integrator",
-    "KeepsEnergy",
-    "Inverted",
-    "Jets",
-    "LagrangianSystem",
-    "Mean",
-    "MechanicalContact",
-    "Method",
-    "ModifiedEnergy",
-    "NystromPieces",
-    "PerCoordinate",
-    "PerturbedGradient",
-    "PerturbedSystem",
-    "PhaseSpace",
-    "PieceClock",
-    "PrincipalAxes",
-    "ProofAnd",
-    "QuadraticKinetic",
-    "Rattle",
-    "Real",
-    "TaylorIntegrator",
-    "TaylorMethod",
-    "Separable",
-    "Snapshot",
-    "Span",
-    "Square",
-    "State",
-    "VelocityEnergy",
-    "StepError",
-    "Unmet",
-    "VelocityForm",
-    "canonical_rate",
-    "energy_of",
-    "from_positions",
-    "fourth_order",
-    "is_positive_semidefinite",
-    "modified_verlet",
-    "gradient_kick",
-    "planar_step",
-    "rate_of",
-    "recurrence",
-    "slope",
-    "state_on_constraint",
-    "unmet",
-    "velocity_of",
-];
+/// Items of the runtime that generated code imports, in the order of the import.
+const IMPORTED: &str = "\
+    Adaptive Array Autonomous ByCanonical ByConstraint ByField CanonicalForm ByPolarisation ByTree ByVelocities \
+    Collocated BodyState Collocation ConformalContact Conservative ConstrainedStep ConstrainedSystem \
+    ContactDiscreteGradient ContactMidpoint FlowPiece FlowPieces PieceSplitting Placed PlanarDiscreteGradient \
+    PlanarItohAbe PlanarSplitting PolarisedForm PoissonSplitting ContactSplitting ContactCollocated ContactGraded \
+    ContactPolarised ContactStage ContactStages ContactVelocities MassForm contact_gradient_of ContactState \
+    ContactSystem Coordinates CotangentSpace QuadraticField DifferentialEquation DiscreteField DiscreteGradient \
+    FirstIntegrals SteadyIntegrals FlowState ForceGradient FourthOrderField Graded Gradients Hamiltonian \
+    ImplicitStep CanonicalEnergy EnergyAndMomenta KeptMomenta Integral KeptIntegrals Integrator KeepsEnergy Inverted \
+    Jets LagrangianSystem Mean MechanicalContact Method ModifiedEnergy NystromPieces PerCoordinate PerturbedGradient \
+    PerturbedSystem PhaseSpace PieceClock PrincipalAxes ProofAnd QuadraticKinetic Rattle Real TaylorIntegrator \
+    TaylorMethod Separable Snapshot Span Square State VelocityEnergy StepError Unmet VelocityForm canonical_rate \
+    energy_of from_positions fourth_order is_positive_semidefinite modified_verlet gradient_kick planar_step rate_of \
+    recurrence slope state_on_constraint unmet velocity_of";
 
-/// What emitted code declares for itself.
-pub(crate) const DECLARED: &[&str] = &["NamedFunctions", "OfVelocities"];
-
-/// Whether emitted code has a name for something else.
-pub(super) fn is_taken(name: &Ident) -> bool {
-    IMPORTED.iter().chain(DECLARED).any(|taken| name == taken)
+/// Returns the items of the runtime that generated code imports.
+pub(crate) fn imported() -> impl Iterator<Item = &'static str> {
+    IMPORTED.split_whitespace()
 }
 
-/// `henon_heiles` → `HenonHeiles`.
+/// Items that generated code declares beside its implementations.
+pub(crate) const DECLARED: &[&str] = &["NamedFunctions", "OfVelocities"];
+
+/// Returns whether generated code uses a name for another item. A generated struct can not have this name.
+pub(super) fn is_taken(name: &Ident) -> bool {
+    imported().chain(DECLARED.iter().copied()).any(|taken| name == taken)
+}
+
+/// Returns a name in camel case: `henon_heiles` becomes `HenonHeiles`.
 pub(super) fn camel_case(name: &Ident) -> Ident {
     let text = name.unraw().to_string();
     let camel: String = text

@@ -1,83 +1,90 @@
-//! What the arguments of an attribute say.
+//! The arguments of an attribute, and the rules for their combination.
 
-use super::Role;
 use super::flow::{Kept, StructureForm};
 use super::outside::Outside;
 use super::values::{Coordinates, Requirement};
-use proc_macro2::{Ident, Span};
+use super::{Role, runtime};
+use proc_macro2::{Ident, Span, TokenStream};
 use std::rc::Rc;
 use syn::spanned::Spanned;
 use syn::{Expr, Path};
 
-/// What the arguments say; expressions are in terms of the arguments of the function.
+/// Arguments of an attribute. Expressions are written in terms of the arguments of the function.
 #[derive(Clone, Default)]
 pub(crate) struct Options {
-    /// The name of the struct.
+    /// Name of the generated struct.
     pub(super) name: Option<Ident>,
-    /// Where the runtime is.
+    /// Path of the runtime, from `crate = path`.
     pub(super) runtime: Option<Path>,
-    /// Names of arguments that are other than q, p, ….
+    /// Arguments with a role that the attribute names, such as `q = angle`.
     pub(super) roles: Vec<(Role, Ident)>,
-    /// The argument that is called `x` of an energy: all its coordinates, if it has a structure.
+    /// Argument of `x = …` for an energy. The structure of the energy needs it.
     pub(super) all: Option<Ident>,
-    /// Constants and aliases of the file.
+    /// Constants and aliases that the attribute repeats.
     pub(crate) outside: Rc<Outside>,
-    /// What is to be proven.
+    /// Properties to prove.
     pub(crate) requirements: Vec<(Requirement, Span)>,
-    /// The coefficients of damping.
+    /// Coefficients of damping.
     pub(crate) damping: Option<Expr>,
     /// Rayleigh's dissipation function R of a Lagrangian.
     pub(crate) rayleigh: Option<Expr>,
-    /// F of a force that is added.
+    /// Force F without a potential.
     pub(crate) force: Option<Expr>,
-    /// The functions of positions that are kept at zero.
+    /// Functions g of constraints g(q) = 0.
     pub(crate) constraint: Option<Expr>,
     /// S of x' = S(x) ∇H.
     pub(crate) structure: Option<StructureForm>,
-    /// What a vector field keeps.
+    /// First integrals of a vector field.
     pub(crate) keeps: Vec<Kept>,
-    /// How an energy is to be split into pieces.
+    /// Pieces into which the energy is split.
     pub(crate) split: Option<Vec<Expr>>,
-    /// The coordinates in which methods move bodies.
+    /// Coordinates in which methods move bodies.
     pub(crate) coordinates: Option<(Coordinates, Span)>,
-    /// Whether momenta of a contact Hamiltonian are not followed.
+    /// Place of `lift`. A lift p·f(q) needs no evolution of its momenta.
     pub(crate) lift: Option<Span>,
-    /// Functions under `#[energy_function]` that the attribute names.
+    /// Paths of functions under `#[energy_function]`.
     pub(crate) with: Vec<Path>,
 }
 
 impl Options {
-    /// With a structure there are neither momenta nor a kinetic part. Rigid bodies have an attitude and angular momenta, and
-    /// are not damped.
+    /// Returns the argument with the given role, if the attribute names one.
+    pub(super) fn named(&self, role: Role) -> Option<&Ident> {
+        self.roles.iter().find(|(other, _)| *other == role).map(|(_, name)| name)
+    }
+
+    /// Returns the path of the runtime in generated code.
+    pub(crate) fn runtime_path(&self) -> TokenStream {
+        runtime::path_or(self.runtime.as_ref())
+    }
+
+    /// Checks that the arguments fit together. A structure excludes momenta and a kinetic part. Rigid bodies are not damped.
     pub(super) fn consistent(self) -> syn::Result<Self> {
-        let role = |role: Role| self.roles.iter().find(|(other, _)| *other == role).map(|(_, name)| name.span());
+        let span = |role: Role| self.named(role).map(Ident::span);
+        let [attitude, angular_momentum] = [Role::Attitude, Role::AngularMomentum].map(span);
         let required = self.requirements.first().map(|(_, span)| *span);
-        let damped = self.damping.as_ref().map(Spanned::span);
-        let forced = self.force.as_ref().map(Spanned::span);
-        let split = self.split.as_ref().and_then(|groups| groups.first()).map(Spanned::span);
-        let parted = self.coordinates.map(|(_, span)| span).or(split);
-        let constrained = self.constraint.as_ref().map(Spanned::span);
-        if let Some(span) = constrained
-            && (self.structure.is_some() || role(Role::Attitude).is_some() || parted.is_some() || forced.is_some())
-        {
-            return Err(syn::Error::new(span, CONSTRAINED));
-        }
-        let [attitude, m] = [Role::Attitude, Role::AngularMomentum].map(role);
-        let wrong = match (&self.structure, attitude) {
-            (Some(_), Some(attitude)) => Some((attitude, BODY_WITH_STRUCTURE)),
-            (Some(_), None) => role(Role::Momentum).or(required).or(parted).or(forced).map(|span| (span, NO_MOMENTA)),
-            (None, None) => {
-                let both = self.coordinates.filter(|_| split.is_some()).map(|(_, span)| (span, TWO_WAYS));
-                let damped = damped.or(forced).and(parted).map(|span| (span, DAMPED_PARTS));
-                m.map(|m| (m, WITHOUT_ATTITUDE)).or(both).or(damped)
-            }
-            (None, Some(_)) => {
-                let damped = damped.or(forced).map(|span| (span, DAMPED_BODY));
-                let parted = parted.map(|span| (span, PARTS_OF_BODIES));
-                damped.or(required.map(|span| (span, ALWAYS_SEPARABLE))).or(parted)
-            }
-        };
-        wrong.map_or(Ok(()), |(span, message)| Err(syn::Error::new(span, message)))?;
+        let force = self.force.as_ref().map(Spanned::span);
+        let nonconservative = self.damping.as_ref().map(Spanned::span).or(force);
+        let split = self.split.as_ref().and_then(|pieces| pieces.first()).map(Spanned::span);
+        let coordinates = self.coordinates.map(|(_, span)| span);
+        let parts = coordinates.or(split);
+        let constraint = self.constraint.as_ref().map(Spanned::span);
+        let (structured, bodies) = (self.structure.is_some(), attitude.is_some());
+        let canonical = !structured && !bodies;
+        // An argument conflicts with the others if the condition holds. The first conflict is reported.
+        let conflicts = [
+            (constraint, !canonical || parts.is_some() || force.is_some(), CONSTRAINED),
+            (attitude, structured, BODY_WITH_STRUCTURE),
+            (span(Role::Momentum).or(required).or(parts).or(force), structured, NO_MOMENTA),
+            (angular_momentum, canonical, WITHOUT_ATTITUDE),
+            (coordinates, canonical && split.is_some(), TWO_WAYS),
+            (parts, canonical && nonconservative.is_some(), DAMPED_PARTS),
+            (nonconservative, bodies, DAMPED_BODY),
+            (required, bodies, ALWAYS_SEPARABLE),
+            (parts, bodies, PARTS_OF_BODIES),
+        ];
+        let conflict =
+            conflicts.into_iter().find_map(|(span, applies, message)| Some((span.filter(|_| applies)?, message)));
+        conflict.map_or(Ok(()), |(span, message)| Err(syn::Error::new(span, message)))?;
         Ok(self)
     }
 }

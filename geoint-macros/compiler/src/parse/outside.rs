@@ -1,15 +1,15 @@
-//! What the attribute repeats of the file, because it cannot see it: integer constants and aliases of types.
+//! Integer constants and type aliases of the user's file. An attribute can not see the file, so its arguments repeat them.
 //!
-//! `const N = …` and `type P = [f64; N]` say what the function's `N` and `P` are. Types are written out with that before anything
-//! else reads them, and emitted code asks rustc whether it is true.
+//! The arguments are `const N = …` and `type P = [f64; N]`. The compiler replaces these names in types before other stages read the types.
+//! Generated code lets rustc compare the arguments with the file.
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, quote, quote_spanned};
 use syn::parse::ParseStream;
 use syn::spanned::Spanned;
-use syn::{Expr, ExprLit, GenericArgument, Lit, PathArguments, Token, Type};
+use syn::{BinOp, Expr, ExprLit, GenericArgument, Lit, PathArguments, Token, Type};
 
-/// Constants and aliases that live outside of the function.
+/// Constants and aliases from outside of the function.
 #[derive(Clone, Default)]
 pub(crate) struct Outside {
     constants: Vec<Constant>,
@@ -19,7 +19,7 @@ pub(crate) struct Outside {
 #[derive(Clone)]
 struct Constant {
     name: Ident,
-    /// As it is written.
+    /// Expression of the user, for the assertion.
     expr: Expr,
     value: i128,
 }
@@ -31,11 +31,11 @@ struct Alias {
 }
 
 impl Outside {
-    /// `N = 3` or `N: usize = 3`, behind `const`.
+    /// Parses `N = 3` or `N: usize = 3` after `const`.
     pub(super) fn parse_constant(&mut self, input: ParseStream<'_>) -> syn::Result<()> {
         let name: Ident = input.parse()?;
         if input.parse::<Option<Token![:]>>()?.is_some() {
-            // rustc knows the type.
+            // rustc checks the type.
             input.parse::<Type>()?;
         }
         if !input.peek(Token![=]) {
@@ -55,7 +55,7 @@ impl Outside {
         Ok(())
     }
 
-    /// `P = [f64; 2]`, behind `type`.
+    /// Parses `P = [f64; 2]` after `type`.
     pub(super) fn parse_alias(&mut self, input: ParseStream<'_>) -> syn::Result<()> {
         let name: Ident = input.parse()?;
         input.parse::<Token![=]>()?;
@@ -64,11 +64,12 @@ impl Outside {
         Ok(())
     }
 
+    /// Returns the constants with their values.
     pub(crate) fn constants(&self) -> impl Iterator<Item = (&Ident, i128)> {
         self.constants.iter().map(|constant| (&constant.name, constant.value))
     }
 
-    /// Aliases, each with the type that the attribute says.
+    /// Returns the aliases with their types as text.
     pub(crate) fn aliases(&self) -> impl Iterator<Item = (&Ident, String)> {
         self.aliases.iter().map(|Alias { name, ty }| (name, ty.to_token_stream().to_string()))
     }
@@ -78,19 +79,19 @@ impl Outside {
         self.constants().find(|(constant, _)| *constant == name).map(|(_, value)| value)
     }
 
-    /// The same with an alias that hides others of its name.
+    /// Adds an alias of the body. It hides an outer alias of the same name.
     pub(crate) fn with_alias(mut self, name: &Ident, ty: &Type) -> Self {
         let ty = self.resolve(ty);
         self.aliases.insert(0, Alias { name: name.clone(), ty });
         self
     }
 
-    /// What an alias stands for.
+    /// Returns the type of an alias.
     pub(crate) fn alias(&self, name: &str) -> Option<&Type> {
         self.aliases.iter().find(|alias| alias.name == name).map(|alias| &alias.ty)
     }
 
-    /// A type with numbers for lengths and without aliases, as far as they are known.
+    /// Replaces known aliases and known constants in lengths. Unknown names remain.
     pub(crate) fn resolve(&self, ty: &Type) -> Type {
         let mut ty = ty.clone();
         match &mut ty {
@@ -105,11 +106,9 @@ impl Outside {
                 if let Some(alias) = path.path.get_ident().and_then(|name| self.alias(&name.to_string())) {
                     return alias.clone();
                 }
-                let arguments = path.path.segments.iter_mut().map(|segment| &mut segment.arguments);
-                for arguments in arguments {
-                    let PathArguments::AngleBracketed(arguments) = arguments else { continue };
-                    for argument in &mut arguments.args {
-                        self.resolve_argument(argument);
+                for segment in &mut path.path.segments {
+                    if let PathArguments::AngleBracketed(arguments) = &mut segment.arguments {
+                        arguments.args.iter_mut().for_each(|argument| self.resolve_argument(argument));
                     }
                 }
             }
@@ -122,7 +121,7 @@ impl Outside {
         match argument {
             GenericArgument::Const(length) => self.resolve_length(length),
             GenericArgument::Type(ty) => {
-                // A constant alone is parsed as if it were a type.
+                // The parser takes the name of a constant for a type.
                 let constant = match &*ty {
                     Type::Path(path) => self.constant(&path.path).and_then(|value| value.try_into().ok()),
                     _ => None,
@@ -142,7 +141,7 @@ impl Outside {
         }
     }
 
-    /// A constant in an expression that has not been repeated.
+    /// Returns a constant in an expression that the attribute does not repeat.
     fn unknown(&self, expr: &Expr) -> Option<Ident> {
         match expr {
             Expr::Path(path) => path.path.get_ident().filter(|_| self.constant(&path.path).is_none()).cloned(),
@@ -154,7 +153,7 @@ impl Outside {
         }
     }
 
-    /// The value of an expression of integers and constants.
+    /// Evaluates an expression of integers and known constants.
     fn integer(&self, expr: &Expr) -> Option<i128> {
         match expr {
             Expr::Lit(ExprLit { lit: Lit::Int(n), .. }) if !n.suffix().starts_with('f') => n.base10_parse().ok(),
@@ -167,30 +166,20 @@ impl Outside {
             },
             Expr::Unary(unary) if matches!(unary.op, syn::UnOp::Neg(_)) => self.integer(&unary.expr)?.checked_neg(),
             Expr::Binary(binary) => {
-                let (a, b) = (self.integer(&binary.left)?, self.integer(&binary.right)?);
-                match binary.op {
-                    syn::BinOp::Add(_) => a.checked_add(b),
-                    syn::BinOp::Sub(_) => a.checked_sub(b),
-                    syn::BinOp::Mul(_) => a.checked_mul(b),
-                    syn::BinOp::Div(_) => a.checked_div(b),
-                    syn::BinOp::Rem(_) => a.checked_rem(b),
-                    _ => None,
-                }
+                integer_operation(&binary.op, self.integer(&binary.left)?, self.integer(&binary.right)?)
             }
             _ => None,
         }
     }
 
-    /// What rustc refuses if the file says something else.
+    /// Returns code that does not compile if the file defines a constant or an alias differently.
     pub(crate) fn assertions(&self) -> TokenStream {
         let constants = self.constants.iter().map(|Constant { name, expr, value }| {
             let message = format!("the attribute says that `{name}` is {value}, which it is not");
             quote_spanned!(expr.span()=> ::core::assert!(#name == #expr, #message);)
         });
-        let aliases = self
-            .aliases
-            .iter()
-            .map(|Alias { name, ty }| quote_spanned!(ty.span()=> let _: fn(#name) -> #ty = |same| same;));
+        let identity = |Alias { name, ty }: &Alias| quote_spanned!(ty.span()=> let _: fn(#name) -> #ty = |same| same;);
+        let aliases = self.aliases.iter().map(identity);
         if self.constants.is_empty() && self.aliases.is_empty() {
             return TokenStream::new();
         }
@@ -201,6 +190,18 @@ impl Outside {
                 #(#aliases)*
             };
         }
+    }
+}
+
+/// Returns a `op` b. `None` on overflow, for division by zero, and for other operators than `+ - * / %`.
+pub(crate) fn integer_operation(op: &BinOp, a: i128, b: i128) -> Option<i128> {
+    match op {
+        BinOp::Add(_) => a.checked_add(b),
+        BinOp::Sub(_) => a.checked_sub(b),
+        BinOp::Mul(_) => a.checked_mul(b),
+        BinOp::Div(_) => a.checked_div(b),
+        BinOp::Rem(_) => a.checked_rem(b),
+        _ => None,
     }
 }
 

@@ -1,15 +1,16 @@
-//! Types and their shapes.
+//! Types of arguments and their shapes.
 
 use crate::messages::BY_HAND;
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::{Expr, ExprLit, GenericArgument, Lit, Path, PathArguments, Type};
 
-/// Extents from outside in; none for a scalar.
+/// Extents of nested arrays, and the type of the innermost level.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Shape {
+    /// Extents from outside in. Empty for a scalar.
     pub(crate) extents: Vec<usize>,
-    /// What the innermost level is.
+    /// Innermost level of the type.
     pub(crate) leaf: Leaf,
 }
 
@@ -20,17 +21,17 @@ pub(crate) enum Leaf {
     Plain,
     /// A vector of nalgebra.
     Vector,
-    /// A unit quaternion of nalgebra: i, j, k, w.
+    /// A unit quaternion of nalgebra, in the order i, j, k, w.
     Quaternion,
 }
 
 impl Shape {
-    /// The number of scalars.
+    /// Returns the number of scalars.
     pub(crate) fn len(&self) -> usize {
         self.extents.iter().product()
     }
 
-    /// The indices of the `i`-th scalar, from outside in.
+    /// Returns the indices of the `i`-th scalar, from outside in.
     pub(crate) fn indices(&self, i: usize) -> Vec<usize> {
         let mut rest = i;
         let mut indices = vec![];
@@ -48,115 +49,92 @@ const TYPES: &str = "`f64`, `f32`, `[f64; N]`, `[[f64; D]; N]`, vectors of nalge
 
 const INTEGERS: [&str; 12] = ["u8", "u16", "u32", "u64", "u128", "usize", "i8", "i16", "i32", "i64", "i128", "isize"];
 
-/// Names of types of the standard library, which are no aliases.
+/// Types of the standard library. A user would not define an alias with such a name.
 const FAMILIAR: [&str; 4] = ["String", "bool", "char", "Self"];
 
-/// The shape of a type.
+/// Returns the shape of a type. Errors: the type is no argument of an energy, or its numbers have another type than `float`.
 pub(super) fn shape(ty: &Type, float: &Ident) -> syn::Result<Shape> {
-    let refuse =
-        |syntax: &dyn ToTokens, message: String| Err(syn::Error::new_spanned(syntax.to_token_stream(), message));
-    match ty {
-        Type::Paren(inner) => shape(&inner.elem, float),
-        Type::Group(inner) => shape(&inner.elem, float),
+    let message = match ty {
+        Type::Paren(inner) => return shape(&inner.elem, float),
+        Type::Group(inner) => return shape(&inner.elem, float),
         Type::Array(array) => {
             let extent = length(&array.len)?;
-            let mut inner = shape(&array.elem, float)?;
-            inner.extents.insert(0, extent);
-            if inner.extents.len() > 2 {
-                return refuse(ty, format!("arrays may be nested twice at most; an argument may be {TYPES}"));
+            let mut shape = shape(&array.elem, float)?;
+            shape.extents.insert(0, extent);
+            if shape.extents.len() <= 2 {
+                return Ok(shape);
             }
-            Ok(inner)
+            format!("arrays may be nested twice at most; an argument may be {TYPES}")
         }
-        Type::Path(path) => {
-            if let Some(other) = float_type(ty) {
-                if other != *float {
-                    return refuse(ty, format!("all numbers of an energy have one type, here `{float}`"));
-                }
-                return Ok(Shape { extents: vec![], leaf: Leaf::Plain });
-            }
-            match vector(path, float)? {
-                Some(extent) => Ok(Shape { extents: vec![extent], leaf: Leaf::Vector }),
-                None if is_quaternion(path, float) => Ok(Shape { extents: vec![4], leaf: Leaf::Quaternion }),
-                None if INTEGERS.iter().any(|integer| path.path.is_ident(integer)) => refuse(
-                    ty,
-                    "an argument is a number or made of numbers, not an integer: write that as a `const` in the body"
-                        .into(),
-                ),
-                None if scalar_within(path).is_some_and(|other| other != *float) => {
-                    refuse(ty, format!("all numbers of an energy have one type, here `{float}`"))
-                }
-                None if path
-                    .path
-                    .segments
-                    .last()
-                    .is_some_and(|last| last.ident == "Vec" || last.ident == "DVector") =>
-                {
-                    refuse(
-                        ty,
-                        format!(
-                            "a length is known when the program is compiled: write `[{float}; N]`; a system whose size is read at run time is \
-                         written by hand, see {BY_HAND}"
-                        ),
-                    )
-                }
-                None => {
-                    let may_be_alias = match path.path.segments.last() {
-                        Some(last) => last.arguments.is_none() && !FAMILIAR.iter().any(|name| last.ident == name),
-                        None => false,
-                    };
-                    let hint = match path.path.get_ident() {
-                        _ if !may_be_alias => String::new(),
-                        Some(name) => format!(
-                            "; if `{name}` is another name of one, repeat it in the attribute: `type {name} = …`"
-                        ),
-                        None => {
-                            "; if this is another name of one, take it by `use`, and repeat it: `type P = …`".into()
-                        }
-                    };
-                    refuse(ty, format!("an argument may be {TYPES}{hint}"))
-                }
-            }
-        }
-        Type::Reference(_) => refuse(ty, format!("arguments are taken by value; an argument may be {TYPES}")),
-        _ => refuse(ty, format!("an argument may be {TYPES}")),
+        Type::Path(path) if path.path.is_ident(float) => return Ok(Shape { extents: vec![], leaf: Leaf::Plain }),
+        Type::Path(path) => match of_nalgebra(&path.path, float)? {
+            Some(shape) => return Ok(shape),
+            None => refusal(&path.path, float),
+        },
+        Type::Reference(_) => format!("arguments are taken by value; an argument may be {TYPES}"),
+        _ => format!("an argument may be {TYPES}"),
+    };
+    Err(syn::Error::new_spanned(ty, message))
+}
+
+/// Returns the shape of a vector or a unit quaternion of nalgebra.
+fn of_nalgebra(path: &Path, float: &Ident) -> syn::Result<Option<Shape>> {
+    let Some(last) = path.segments.last().filter(|_| scalar_within(path).as_ref() == Some(float)) else {
+        return Ok(None);
+    };
+    let PathArguments::AngleBracketed(arguments) = &last.arguments else { return Ok(None) };
+    let vector = |extent: usize| Some(Shape { extents: vec![extent], leaf: Leaf::Vector });
+    match (last.ident.to_string().as_str(), arguments.args.iter().nth(1)) {
+        ("UnitQuaternion", _) => Ok(Some(Shape { extents: vec![4], leaf: Leaf::Quaternion })),
+        ("SVector", Some(GenericArgument::Const(n))) => length(n).map(vector),
+        ("SVector", Some(n)) => Err(unknown_length(n)),
+        (name, None) => Ok(vector_length(name).and_then(vector)),
+        _ => Ok(None),
     }
 }
 
-/// Whether a type is a unit quaternion of nalgebra.
-fn is_quaternion(path: &syn::TypePath, float: &Ident) -> bool {
-    let is_named = path.path.segments.last().is_some_and(|last| last.ident == "UnitQuaternion");
-    is_named && scalar_within(path).as_ref() == Some(float)
+/// Returns the length in the name of a vector type of nalgebra, `Vector1` to `Vector6`.
+pub(crate) fn vector_length(name: &str) -> Option<usize> {
+    name.strip_prefix("Vector")?.parse().ok().filter(|n| (1..=6).contains(n))
 }
 
-/// The type of the numbers of a type of nalgebra.
-fn scalar_within(path: &syn::TypePath) -> Option<Ident> {
-    let PathArguments::AngleBracketed(arguments) = &path.path.segments.last()?.arguments else { return None };
+/// Returns the message for a path that is no type of an argument.
+fn refusal(path: &Path, float: &Ident) -> String {
+    let is_float = path.is_ident("f64") || path.is_ident("f32");
+    let last = path.segments.last();
+    if is_float || scalar_within(path).is_some_and(|scalar| scalar != *float) {
+        format!("all numbers of an energy have one type, here `{float}`")
+    } else if INTEGERS.iter().any(|integer| path.is_ident(integer)) {
+        "an argument is a number or made of numbers, not an integer: write that as a `const` in the body".into()
+    } else if last.is_some_and(|last| last.ident == "Vec" || last.ident == "DVector") {
+        format!(
+            "a length is known when the program is compiled: write `[{float}; N]`; a system whose size is read at run time is \
+             written by hand, see {BY_HAND}"
+        )
+    } else {
+        let may_be_alias =
+            last.is_some_and(|last| last.arguments.is_none() && !FAMILIAR.iter().any(|name| last.ident == name));
+        let hint = match path.get_ident() {
+            _ if !may_be_alias => String::new(),
+            Some(name) => {
+                format!("; if `{name}` is another name of one, repeat it in the attribute: `type {name} = …`")
+            }
+            None => "; if this is another name of one, take it by `use`, and repeat it: `type P = …`".into(),
+        };
+        format!("an argument may be {TYPES}{hint}")
+    }
+}
+
+/// Returns the float type in the first argument of a generic type.
+fn scalar_within(path: &Path) -> Option<Ident> {
+    let PathArguments::AngleBracketed(arguments) = &path.segments.last()?.arguments else { return None };
     match arguments.args.first()? {
         GenericArgument::Type(ty) => float_type(ty),
         _ => None,
     }
 }
 
-/// The length of a vector of nalgebra.
-fn vector(path: &syn::TypePath, float: &Ident) -> syn::Result<Option<usize>> {
-    let Some(last) = path.path.segments.last() else { return Ok(None) };
-    let PathArguments::AngleBracketed(arguments) = &last.arguments else { return Ok(None) };
-    let name = last.ident.to_string();
-    let mut arguments = arguments.args.iter();
-    match arguments.next() {
-        Some(GenericArgument::Type(ty)) if float_type(ty).as_ref() == Some(float) => {}
-        _ => return Ok(None),
-    }
-    let fixed = name.strip_prefix("Vector").and_then(|n| n.parse().ok()).filter(|n| (1..=6).contains(n));
-    match (fixed, name.as_str(), arguments.next()) {
-        (Some(n), _, None) => Ok(Some(n)),
-        (None, "SVector", Some(GenericArgument::Const(n))) => length(n).map(Some),
-        (None, "SVector", Some(n)) => Err(unknown_length(n)),
-        _ => Ok(None),
-    }
-}
-
-/// A length that is a number: constants have been written out.
+/// Returns a length. Precondition: `Outside::resolve` has replaced known constants.
 fn length(expr: &Expr) -> syn::Result<usize> {
     match expr {
         Expr::Lit(ExprLit { lit: Lit::Int(n), .. }) => match n.base10_parse() {
@@ -168,6 +146,7 @@ fn length(expr: &Expr) -> syn::Result<usize> {
     }
 }
 
+/// Returns the error for a length with unknown constants. The message is an advice to repeat them.
 fn unknown_length(length: &impl ToTokens) -> syn::Error {
     let message = match syn::parse2::<Path>(length.to_token_stream()) {
         Ok(path) if path.segments.len() > 1 => {
@@ -187,18 +166,19 @@ fn unknown_length(length: &impl ToTokens) -> syn::Error {
     syn::Error::new_spanned(length, message)
 }
 
+/// Returns the type if it is `f64` or `f32`.
 pub(super) fn float_type(ty: &Type) -> Option<Ident> {
     let Type::Path(path) = ty else { return None };
     let ident = path.path.get_ident()?;
     (ident == "f64" || ident == "f32").then(|| ident.clone())
 }
 
-/// A type as one writes it.
+/// Returns the text of a type with the usual spaces.
 pub(super) fn plain(ty: &impl ToTokens) -> String {
     ty.to_token_stream().to_string().replace(" < ", "<").replace(" >", ">").replace(" :: ", "::").replace(" ,", ",")
 }
 
-/// The type with `with` in place of the float type.
+/// Replaces the float type by another identifier, for generic code.
 pub(crate) fn over_scalar(ty: &Type, float: &Ident, with: &Ident) -> TokenStream {
     fn replace(tokens: TokenStream, float: &Ident, with: &Ident) -> TokenStream {
         tokens

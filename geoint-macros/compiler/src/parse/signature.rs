@@ -1,4 +1,4 @@
-//! The signature as a whole: what kind of function it is, and what it returns.
+//! Checks of the whole signature and of the return type.
 
 use super::Outside;
 use super::shape::{float_type, plain, shape};
@@ -8,7 +8,7 @@ use proc_macro2::Ident;
 use quote::{ToTokens, format_ident};
 use syn::{GenericArgument, ItemFn, PathArguments, ReturnType, Type};
 
-/// An energy is a plain function of numbers.
+/// Refuses all functions except plain functions of numbers.
 pub(super) fn plain_function(form: Form, item: &ItemFn, outside: &Outside, errors: &mut Diagnostics) {
     let signature = &item.sig;
     let mut refuse = |syntax: &dyn ToTokens, message: &str| errors.at(&syntax.to_token_stream(), message);
@@ -25,15 +25,11 @@ pub(super) fn plain_function(form: Form, item: &ItemFn, outside: &Outside, error
         refuse(clause, "an energy is not generic, so that `where` has nothing to say: leave it out");
     }
     for parameter in &signature.generics.params {
-        refuse(
-            parameter,
-            match parameter {
-                syn::GenericParam::Const(_) => {
-                    "an energy has one length: make it a constant above the function, and repeat it in the attribute: `const N = …`"
-                }
-                _ => "an energy cannot be generic: write `f64` or `f32`; the generated code is generic by itself",
-            },
-        );
+        let message = match parameter {
+            syn::GenericParam::Const(_) => ONE_LENGTH,
+            _ => "an energy cannot be generic: write `f64` or `f32`; the generated code is generic by itself",
+        };
+        refuse(parameter, message);
     }
     if let Some(receiver) = signature.receiver() {
         refuse(receiver, "an energy cannot have a receiver: make every quantity an argument");
@@ -46,7 +42,7 @@ pub(super) fn plain_function(form: Form, item: &ItemFn, outside: &Outside, error
     }
 }
 
-/// The float type that the function returns; every other number must have it too.
+/// Returns the float type of the return value. All other numbers must have the same type.
 pub(super) fn returned_float(form: Form, item: &ItemFn, outside: &Outside, errors: &mut Diagnostics) -> Ident {
     let (float, message): (fn(&Type) -> Option<Ident>, _) =
         if form == Form::Field { (float_inside, FIELD) } else { (float_type, ONE_NUMBER) };
@@ -60,7 +56,7 @@ pub(super) fn returned_float(form: Form, item: &ItemFn, outside: &Outside, error
     format_ident!("f64")
 }
 
-/// The float type of which a type is made.
+/// Returns the float type inside of arrays and vectors.
 fn float_inside(ty: &Type) -> Option<Ident> {
     match ty {
         Type::Array(array) => float_inside(&array.elem),
@@ -77,7 +73,7 @@ fn float_inside(ty: &Type) -> Option<Ident> {
     }
 }
 
-/// A vector field has an entry for every coordinate.
+/// Checks that a vector field returns one entry for each coordinate.
 pub(super) fn returns_shape_of(
     x: &Argument,
     item: &ItemFn,
@@ -86,14 +82,15 @@ pub(super) fn returns_shape_of(
     errors: &mut Diagnostics,
 ) {
     let ReturnType::Type(_, ty) = &item.sig.output else { return };
-    let same = shape(&outside.resolve(ty), float).is_ok_and(|shape| shape == x.shape);
-    // A type without a number has been refused already.
-    if !same && float_inside(&outside.resolve(ty)).is_some() {
+    let resolved = outside.resolve(ty);
+    let fits = shape(&resolved, float).is_ok_and(|shape| shape == x.shape);
+    // `returned_float` has refused types without a float.
+    if !fits && float_inside(&resolved).is_some() {
         let (name, shape) = (&x.name, plain(&x.ty));
-        let energy = if float_type(&outside.resolve(ty)).is_some() { OF_AN_ENERGY } else { "" };
+        let hint = if float_type(&resolved).is_some() { OF_AN_ENERGY } else { "" };
         errors.at(
             ty,
-            format!("a vector field has an entry for every coordinate: it returns `{shape}`, as `{name}` is{energy}"),
+            format!("a vector field has an entry for every coordinate: it returns `{shape}`, as `{name}` is{hint}"),
         );
     }
 }
@@ -103,7 +100,7 @@ const FIELD: &str = "a vector field returns an entry for every coordinate, in th
 const OF_AN_ENERGY: &str =
     "; an energy H(x) goes under `#[hamiltonian(structure = …)]`, and H(q, p) under `#[hamiltonian]`";
 
-/// Whether a type is one of several numbers.
+/// Returns whether a value of the type has several numbers.
 fn has_several(ty: &Type) -> bool {
     match ty {
         Type::Array(_) | Type::Slice(_) => true,
@@ -118,6 +115,9 @@ fn has_several(ty: &Type) -> bool {
         _ => false,
     }
 }
+
+const ONE_LENGTH: &str =
+    "an energy has one length: make it a constant above the function, and repeat it in the attribute: `const N = …`";
 
 const ONE_NUMBER: &str = "an energy returns one number: `-> f64` or `-> f32`";
 

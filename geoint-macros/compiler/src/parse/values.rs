@@ -1,5 +1,6 @@
-//! What arguments of attributes are set to, where it is neither a name nor an expression.
+//! Parsers for values of the attribute's arguments, except names and plain expressions.
 
+use super::Form;
 use crate::messages::NO_CONSTRAINT;
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use syn::parse::{Parse, ParseStream};
@@ -20,54 +21,54 @@ pub(crate) enum Requirement {
     Regular,
 }
 
-type Named = (&'static str, Requirement);
-
-/// What can be required of an energy.
-pub(super) const OF_ENERGIES: [Named; 3] = [
-    ("separable", Requirement::Separable),
-    ("quadratic_kinetic", Requirement::QuadraticKinetic),
-    ("conservative", Requirement::Conservative),
-];
-
-/// What can be required of a Lagrangian.
-pub(super) const OF_LAGRANGIANS: [Named; 6] = [
-    OF_ENERGIES[0],
-    OF_ENERGIES[1],
-    OF_ENERGIES[2],
-    ("quadratic", Requirement::Quadratic),
-    ("constant_mass", Requirement::ConstantMass),
-    ("regular", Requirement::Regular),
-];
-
 impl Requirement {
-    /// Those of a list in parentheses, with their places.
-    pub(super) fn list(known: &[Named], to: &mut Vec<(Requirement, Span)>, input: ParseStream<'_>) -> syn::Result<()> {
+    const NAMES: [(&str, Requirement); 6] = [
+        ("separable", Requirement::Separable),
+        ("quadratic_kinetic", Requirement::QuadraticKinetic),
+        ("conservative", Requirement::Conservative),
+        ("quadratic", Requirement::Quadratic),
+        ("constant_mass", Requirement::ConstantMass),
+        ("regular", Requirement::Regular),
+    ];
+
+    /// Parses a list in parentheses. The form decides the allowed names.
+    pub(super) fn list(form: Form, to: &mut Vec<(Requirement, Span)>, input: ParseStream<'_>) -> syn::Result<()> {
+        let allowed = || {
+            let of_form = |requirement: &Requirement| form == Form::Lagrangian || !requirement.is_of_lagrangian();
+            Self::NAMES.iter().filter(move |(_, requirement)| of_form(requirement))
+        };
         let inner;
         syn::parenthesized!(inner in input);
         for name in Punctuated::<Ident, Token![,]>::parse_terminated(&inner)? {
-            let Some((_, requirement)) = known.iter().find(|(known, _)| name == known) else {
-                let known: Vec<String> = known.iter().map(|(known, _)| format!("`{known}`")).collect();
-                let (last, others) = known.split_last().expect("something can be required");
-                let message = format!("what can be required is {} and {last}", others.join(", "));
-                return Err(syn::Error::new_spanned(name, message));
+            let Some((_, requirement)) = allowed().find(|(known, _)| name == known) else {
+                let known: Vec<String> = allowed().map(|(known, _)| format!("`{known}`")).collect();
+                return Err(syn::Error::new_spanned(name, format!("what can be required is {}", listed(&known))));
             };
             to.push((*requirement, name.span()));
         }
         Ok(())
     }
 
-    /// Whether the Lagrangian decides it, and not its energy.
+    /// Returns whether the property is one of the Lagrangian and not of its energy.
     pub(crate) fn is_of_lagrangian(self) -> bool {
         matches!(self, Requirement::Quadratic | Requirement::ConstantMass | Requirement::Regular)
+    }
+}
+
+/// Joins words to a list: `a, b and c`.
+pub(super) fn listed(words: &[String]) -> String {
+    match words {
+        [others @ .., last] if !others.is_empty() => format!("{} and {last}", others.join(", ")),
+        words => words.concat(),
     }
 }
 
 /// Coordinates in which methods move the bodies of an energy.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Coordinates {
-    /// Each body as seen from the centre of mass of those before it.
+    /// Position of each body relative to the centre of mass of the previous bodies.
     Jacobi,
-    /// Each body as seen from body 0.
+    /// Position of each body relative to body 0.
     Heliocentric,
 }
 
@@ -85,7 +86,7 @@ impl Coordinates {
     }
 }
 
-/// Functions that stay zero: one at least.
+/// Refuses an empty array of constraints.
 pub(super) fn constraint(functions: syn::Expr) -> syn::Result<syn::Expr> {
     match &functions {
         syn::Expr::Array(array) if array.elems.is_empty() => Err(syn::Error::new_spanned(functions, NO_CONSTRAINT)),
@@ -93,22 +94,22 @@ pub(super) fn constraint(functions: syn::Expr) -> syn::Result<syn::Expr> {
     }
 }
 
-/// `"terms | terms"` as expressions.
+/// Parses `"terms | terms"`. Each piece is an expression.
 pub(super) fn pieces(input: ParseStream<'_>) -> syn::Result<Vec<syn::Expr>> {
     if !input.peek(syn::LitStr) {
         return Err(input.error("the pieces are given as a string: `split = \"terms | terms\"`"));
     }
     let text: syn::LitStr = input.parse()?;
-    let parser = Punctuated::<Group, Token![|]>::parse_separated_nonempty;
-    // What is missing has no place inside of the text.
-    let groups = text.parse_with(parser).map_err(|error| syn::Error::new(text.span(), error))?;
-    Ok(groups.into_iter().map(|Group(expr)| expr).collect())
+    let parser = Punctuated::<Piece, Token![|]>::parse_separated_nonempty;
+    // Errors at the end of the text have no place inside the text. So all errors point at the whole text.
+    let pieces = text.parse_with(parser).map_err(|error| syn::Error::new(text.span(), error))?;
+    Ok(pieces.into_iter().map(|Piece(expr)| expr).collect())
 }
 
 /// An expression that ends before a `|`.
-struct Group(syn::Expr);
+struct Piece(syn::Expr);
 
-impl Parse for Group {
+impl Parse for Piece {
     fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
         let mut tokens = TokenStream::new();
         while !input.is_empty() && !input.peek(Token![|]) {
@@ -117,11 +118,11 @@ impl Parse for Group {
         if tokens.is_empty() {
             return Err(input.error("a piece without terms: write `split = \"terms | terms\"`"));
         }
-        syn::parse2(tokens).map(Group)
+        syn::parse2(tokens).map(Piece)
     }
 }
 
-/// `with(f, module::g)`, behind the name.
+/// Parses `(f, module::g)` after `with`.
 pub(super) fn functions(input: ParseStream<'_>) -> syn::Result<Vec<Path>> {
     let inner;
     syn::parenthesized!(inner in input);
