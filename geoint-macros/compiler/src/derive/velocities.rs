@@ -7,7 +7,7 @@ use super::system::{
     HerglotzKernels, Implicit, MassKernels, Missing, StepKernel, System, VelocityKernels, VelocityStages,
 };
 use crate::analyze::{self, Damping, Forces, Spared};
-use crate::diff::lagrangian::{self, Given};
+use crate::diff::lagrangian::{self, EulerLagrange, Polarised, Stage};
 use crate::ir::collect::collected;
 use crate::ir::{Graph, Id, Reads, Symbol};
 use crate::legendre::{Definite, Kinetic, Legendre, definite};
@@ -24,24 +24,25 @@ pub(crate) fn velocities(
     (long, coordinates): (Id, &Shape),
     (damping, others): (Option<&Damping>, Option<&Forces>),
 ) -> System {
-    let Legendre { lagrangian, forces, momenta, mass, shift, potential, .. } = legendre;
-    let matrix = damping.map(|damping| &damping.matrix[..]);
-    let given = Given { forces, momenta, mass, shift, potential: *potential, damping: matrix, others };
-    let (stage, force) = (lagrangian::stage(graph, given), lagrangian::force(graph, given));
-    let mut stage = collected(graph, &[stage, force].concat());
-    let force = stage.split_off(stage.len() - momenta.len());
+    let Legendre { lagrangian, forces, momenta, .. } = legendre;
+    let equation = EulerLagrange {
+        damping: damping.map(|damping| &damping.matrix[..]),
+        applied: others,
+        has_action: false,
+        ..euler_lagrange(legendre)
+    };
+    let stage = stage(graph, equation);
     let mut momenta_kept = analyze::noether(graph, legendre.lagrangian, coordinates);
     let spared = Spared { damping, forces: others };
     momenta_kept.retain(|momentum| spared.momentum(graph, momentum));
     let polarised = if is_quadratic(legendre) {
-        let equation = lagrangian::polarised(graph, given);
-        Ok(Kernel::new(Levels::Iterated, equation))
+        Ok(polarised(graph, equation).kernel)
     } else {
         Err(Missing { marker: "Polarised", term: long, why: NOT_POLARISED, pair: None })
     };
     let summed = match &polarised {
         Ok(_) => {
-            let polarisation = lagrangian::polarisation(graph, given);
+            let polarisation = lagrangian::polarisation(graph, equation);
             analyze::translations(graph, polarisation, coordinates)
         }
         Err(_) => vec![],
@@ -61,7 +62,7 @@ pub(crate) fn velocities(
         implicit: Implicit::Velocities(VelocityKernels {
             increments: (0..degrees).map(Symbol::VelocityIncrement).collect(),
             mass: mass_kernels(graph, legendre),
-            stage: Kernel { levels: Levels::Prepared, routines: vec![stage, force] },
+            stage: stage_kernel(stage),
             keeps: damping.is_none() && others.is_none() && !graph.reads(*lagrangian).t,
             polarised,
             momenta: momenta_kept
@@ -87,16 +88,11 @@ pub(crate) fn velocities(
 
 /// The same of L(q, v, s, t) with an action.
 pub(crate) fn herglotz(graph: &mut Graph, legendre: &Legendre, long: Id) -> System {
-    let Legendre { lagrangian, forces, momenta, mass, shift, potential, .. } = legendre;
-    let given = Given { forces, momenta, mass, shift, potential: *potential, damping: None, others: None };
+    let Legendre { lagrangian, forces, momenta, .. } = legendre;
     let stages = velocity_stages(graph, legendre);
     let decay = analyze::decay(graph, *lagrangian);
     let polarised = if is_quadratic(legendre) {
-        let equation = lagrangian::decaying(graph, given, *lagrangian);
-        let kernel = Kernel::new(Levels::Iterated, equation);
-        let unknowns =
-            (0..momenta.len() as u32).map(Symbol::VelocityIncrement).chain([Symbol::ActionIncrement]).collect();
-        Ok(StepKernel { unknowns, kernel })
+        Ok(polarised(graph, euler_lagrange(legendre)))
     } else {
         Err(Missing { marker: "Polarised", term: long, why: NOT_POLARISED_OF_ACTION, pair: None })
     };
@@ -124,24 +120,62 @@ pub(crate) fn herglotz(graph: &mut Graph, legendre: &Legendre, long: Id) -> Syst
     }
 }
 
+/// The terms of the equation of motion of a Lagrangian with an action, and without other forces.
+fn euler_lagrange(legendre: &Legendre) -> EulerLagrange<'_> {
+    let Legendre { lagrangian, forces, momenta, mass, shift, potential, .. } = legendre;
+    EulerLagrange {
+        lagrangian: *lagrangian,
+        momenta,
+        forces,
+        mass,
+        shift,
+        potential: *potential,
+        damping: None,
+        applied: None,
+        has_action: true,
+    }
+}
+
+/// A stage of collocation, with terms collected.
+fn stage(graph: &mut Graph, equation: EulerLagrange<'_>) -> Stage {
+    let mut stage = lagrangian::stage(graph, equation);
+    stage.collect_terms(graph);
+    stage
+}
+
+/// The routines `stage` and `force` of a stage of collocation.
+fn stage_kernel(stage: Stage) -> Kernel {
+    let Stage { momentum, force, momentum_by_q, mass, force_by_q, force_by_v, action } = stage;
+    let matrices = [momentum_by_q, mass, force_by_q, force_by_v].map(|matrix| matrix.concat()).concat();
+    let (mut all, mut rates) = ([&momentum[..], &force, &matrices].concat(), force);
+    if let Some(action) = action {
+        all.extend([action.lagrangian, action.decay]);
+        all.extend(action.momentum_by_action.into_iter().chain(action.force_by_action));
+        all.push(action.decay_by_action);
+        rates.push(action.decay);
+    }
+    Kernel { levels: Levels::Prepared, routines: vec![all, rates] }
+}
+
+/// The polarised discrete gradient.
+fn polarised(graph: &mut Graph, equation: EulerLagrange<'_>) -> StepKernel<Kernel> {
+    let Polarised { unknowns, residual, impulse, matrix, impulse_by_increment } =
+        lagrangian::polarised(graph, equation);
+    let roots = [residual, impulse, matrix.concat(), impulse_by_increment.concat()].concat();
+    StepKernel { unknowns, kernel: Kernel::new(Levels::Iterated, roots) }
+}
+
 /// Stages of collocation of L(q, v, s, t).
 fn velocity_stages(graph: &mut Graph, legendre: &Legendre) -> VelocityStages<Kernel> {
-    let Legendre { lagrangian, forces, momenta, mass, shift, potential, .. } = legendre;
-    let given = Given { forces, momenta, mass, shift, potential: *potential, damping: None, others: None };
-    let force = lagrangian::action_force(graph, given, *lagrangian);
-    let stage = lagrangian::action_stage(graph, given, *lagrangian);
-    let n = momenta.len();
-    let varying = analyze::acts_back(graph, force[n], force[..n].iter().chain(momenta).copied());
-    let [stage, force] = [stage, force].map(|roots| collected(graph, &roots));
+    let Legendre { momenta, forces, .. } = legendre;
+    let mut stage = lagrangian::stage(graph, euler_lagrange(legendre));
+    let back = stage.force.iter().chain(&stage.momentum).copied();
+    let varying = stage.action.as_ref().is_some_and(|action| analyze::acts_back(graph, action.decay, back));
+    stage.collect_terms(graph);
     let reads = |ids: &[Id], of: fn(Reads) -> bool| ids.iter().any(|id| of(graph.reads(*id)));
     let mixed =
         [reads(momenta, |momentum| momentum.q), reads(momenta, |momentum| momentum.s), reads(forces, |force| force.s)];
-    VelocityStages {
-        varying,
-        mixed,
-        mass: mass_kernels(graph, legendre),
-        stage: Kernel { levels: Levels::Prepared, routines: vec![stage, force] },
-    }
+    VelocityStages { varying, mixed, mass: mass_kernels(graph, legendre), stage: stage_kernel(stage) }
 }
 
 /// Stages of collocation of a Lagrangian with an energy, if they are solved for velocities: half of the unknowns. What has a conjugate is not,
