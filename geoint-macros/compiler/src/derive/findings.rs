@@ -34,14 +34,20 @@ pub(crate) enum Findings {
     Contact { energy: Id, gradient: Gradient, dissipated: Option<Dissipated> },
     /// H(q, p, s, t) with forces beside it. `drag` is ∂R/∂v of a quadratic Rayleigh function R.
     Forced { energy: Id, forces: Option<Forces>, drag: Option<Vec<Id>> },
-    /// L(q, v, t) with velocities as unknowns. `obstacle` is the reason why there is no H.
-    Velocities { obstacle: Id, damping: Option<Damping>, forces: Option<Forces> },
-    /// L(q, v, s, t) with velocities as unknowns. `decay` is −∂L/∂s.
-    Herglotz { obstacle: Id, decay: Id, dissipated: Option<Dissipated> },
+    /// L(q, v, s, t) with velocities as unknowns. `obstacle` is the reason why there is no H.
+    Velocities { obstacle: Id, beside: BesideVelocities },
     /// x' = f(x, t).
     Flow { flow: Flow, source: Source },
     /// H(r, m, t) of rigid bodies.
     Bodies(analyze::Bodies),
+}
+
+/// Loss of energy of a Lagrangian with velocities as unknowns.
+pub(crate) enum BesideVelocities {
+    /// Friction and forces beside L(q, v, t).
+    Forces { damping: Option<Damping>, forces: Option<Forces> },
+    /// The action of L(q, v, s, t). `decay` is −∂L/∂s.
+    Action { decay: Id, dissipated: Option<Dissipated> },
 }
 
 /// How the integrals of a flow are known.

@@ -27,7 +27,7 @@ pub(crate) use contact::{ContactEnergy, contact};
 pub(crate) use domain::{Angles, Check, Domain, Edges, Sign};
 pub(crate) use exact::parts::{Parted, parts};
 pub(crate) use facts::Fact;
-pub(crate) use findings::{Derived, FieldFindings, Findings, Source};
+pub(crate) use findings::{BesideVelocities, Derived, FieldFindings, Findings, Source};
 pub(crate) use flow::flow;
 pub(crate) use forced::{Forced, forced};
 pub(crate) use implicit::MOST_UNKNOWNS;
@@ -36,8 +36,8 @@ pub(crate) use poles::{Jumps, Margin, Margins, Poles, Signs};
 pub(crate) use proof::flow::{Flow, Named, Origin};
 pub(crate) use proof::liouville::{Liouville, Multiplier, Recovered, liouville};
 pub(crate) use system::{
-    Collocation, ConstraintKernels, ContactStages, FieldKernels, FlowKernel, GradientKick, HerglotzKernels, Implicit,
+    ActionStages, Collocation, ConstraintKernels, ContactStages, FieldKernels, FlowKernel, GradientKick, Implicit,
     Inner, Integrals, KeptMomentum, KickDrift, Lagrangian, MassKernels, Missing, Modified, NamedFunction, Pair,
     Perturbed, PieceKernel, PiecesOf, StageKernel, StepKernel, System, Undamped, VelocityKernels, VelocityStages,
 };
-pub(crate) use velocities::{herglotz, velocities};
+pub(crate) use velocities::{LagrangianOfVelocities, velocities};

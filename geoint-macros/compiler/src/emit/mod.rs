@@ -7,6 +7,7 @@ mod attributes;
 mod domain;
 mod exact;
 mod flow;
+mod implementation;
 mod implicit;
 mod jet;
 mod tokens;

@@ -19,8 +19,10 @@ pub(super) fn phase_space(context: &Context<'_>, system: &System) -> TokenStream
     // Momenta that are not followed give no energy.
     let value = match &system.value {
         Some(value) => context.returned(value),
-        None if matches!(system.implicit, Implicit::Velocities(_)) => quote!(energy_of(self, t, z, &())),
-        None if matches!(system.implicit, Implicit::Herglotz(_)) => quote!(energy_of(self, t, z, s)),
+        None if matches!(system.implicit, Implicit::Velocities(_)) => {
+            let action = if context.form.has_action() { quote!(s) } else { quote!(&()) };
+            quote!(energy_of(self, t, z, #action))
+        }
         None => quote!(R::from_f64(f64::NAN)),
     };
     let domain = domain(context, &system.domain);
@@ -36,7 +38,7 @@ pub(super) fn phase_space(context: &Context<'_>, system: &System) -> TokenStream
         }
     });
     let runtime = &context.energy.runtime;
-    let solved = matches!(system.implicit, Implicit::Velocities(_) | Implicit::Herglotz(_)).then(|| {
+    let solved = matches!(system.implicit, Implicit::Velocities(_)).then(|| {
         quote! {
             const SOLVED_FOR_VELOCITIES: bool = true;
             fn singular_mass(

@@ -31,9 +31,6 @@ pub(super) fn derived(compilation: &mut Compilation<'_>, mut terms: Terms) -> Re
     }
     let energy = match legendre.route {
         Route::Energy { energy, .. } => energy,
-        Route::Velocities { obstacle } if compilation.form == Form::Herglotz => {
-            return velocities::with_action(compilation, legendre, obstacle);
-        }
         Route::Velocities { obstacle } => return velocities::derived(compilation, terms, legendre, obstacle),
     };
     let terms = Terms { energy, partial: legendre.partial.clone(), ..terms };

@@ -15,8 +15,6 @@ pub(crate) enum Implicit {
     Contact(ContactKernels),
     /// For a Lagrangian, with velocities as unknowns.
     Velocities(VelocityKernels),
-    /// For a Lagrangian with an action, with velocities as unknowns.
-    Herglotz(HerglotzKernels),
     /// With constraints.
     Constrained(ConstraintKernels),
     /// For rigid bodies: kicks and drifts.
@@ -34,24 +32,23 @@ pub(crate) struct MassKernels {
     pub(crate) quadratic: bool,
 }
 
-/// Stages of collocation of a Lagrangian with an action, with velocities as unknowns.
+/// Stages of collocation of a Lagrangian, with velocities as unknowns.
 #[derive(Debug)]
 pub(crate) struct VelocityStages {
-    /// Whether ∂L/∂s reads the state, so that s is an unknown.
-    pub(crate) varying: bool,
-    /// Whether L has second derivatives by q and v, by v and s, and by q and s.
-    pub(crate) mixed: [bool; 3],
+    /// With an action.
+    pub(crate) action: Option<ActionStages>,
     pub(crate) mass: MassKernels,
     /// The routines `stage` and `force`.
     pub(crate) stage: Kernel,
 }
 
-/// A Lagrangian with an action.
+/// Dependence of a Lagrangian on its action.
 #[derive(Debug)]
-pub(crate) struct HerglotzKernels {
-    pub(crate) stages: VelocityStages,
-    /// The polarised discrete gradient, if L is quadratic in v.
-    pub(crate) polarised: Result<StepKernel, Missing>,
+pub(crate) struct ActionStages {
+    /// Whether ∂L/∂s reads the state, so that s is an unknown.
+    pub(crate) varying: bool,
+    /// Whether L has second derivatives by q and v, by v and s, and by q and s.
+    pub(crate) mixed: [bool; 3],
 }
 
 /// Constraints, and the steps that keep them.
@@ -74,12 +71,10 @@ pub(crate) struct ConstraintKernels {
 /// A Lagrangian by its derivatives.
 #[derive(Debug)]
 pub(crate) struct VelocityKernels {
-    pub(crate) mass: MassKernels,
-    /// The routines `stage` and `force`.
-    pub(crate) stage: Kernel,
-    /// Whether the flow keeps p·v − L: L does not read time, and there is no friction and no other force.
+    pub(crate) stages: VelocityStages,
+    /// Whether the flow keeps p·v − L: there is no action, no friction and no other force, and L does not read time.
     pub(crate) keeps: bool,
-    /// The polarised discrete gradient, if L is quadratic in v.
+    /// The polarised discrete gradient with the routine `equation`, if L is quadratic in v.
     pub(crate) polarised: Result<StepKernel, Missing>,
     /// Sums of momenta and angular momenta that the flow keeps.
     pub(crate) momenta: Vec<KeptMomentum>,
@@ -166,12 +161,7 @@ impl Implicit {
                 }
                 field.momenta.schedule(graph);
             }
-            Implicit::Velocities(VelocityKernels { mass, stage, polarised, .. }) => {
-                mass.schedule(graph);
-                stage.schedule(graph);
-                polarised.iter_mut().for_each(|step| step.kernel.schedule(graph));
-            }
-            Implicit::Herglotz(HerglotzKernels { stages, polarised }) => {
+            Implicit::Velocities(VelocityKernels { stages, polarised, .. }) => {
                 stages.schedule(graph);
                 polarised.iter_mut().for_each(|step| step.kernel.schedule(graph));
             }
@@ -193,6 +183,11 @@ impl Implicit {
 }
 
 impl VelocityStages {
+    /// Returns whether the action is an unknown of a stage.
+    pub(crate) fn has_action_unknown(&self) -> bool {
+        self.action.as_ref().is_some_and(|action| action.varying)
+    }
+
     fn schedule(&mut self, graph: &mut Graph) {
         self.mass.schedule(graph);
         self.stage.schedule(graph);

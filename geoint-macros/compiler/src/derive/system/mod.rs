@@ -4,8 +4,8 @@ mod implicit;
 mod perturbed;
 
 pub(crate) use implicit::{
-    Collocation, ConstraintKernels, ContactKernels, ContactStages, FieldKernels, HerglotzKernels, Implicit,
-    KeptMomentum, MassKernels, StageKernel, StepKernel, VelocityKernels, VelocityStages,
+    ActionStages, Collocation, ConstraintKernels, ContactKernels, ContactStages, FieldKernels, Implicit, KeptMomentum,
+    MassKernels, StageKernel, StepKernel, VelocityKernels, VelocityStages,
 };
 pub(crate) use perturbed::{Inner, Perturbed};
 

@@ -1,8 +1,10 @@
 //! Rigid bodies, with centres of mass or without: their phase space, kicks, and the exact drift.
 
+use super::kick_drift::{SEPARABLE, moves, quadratic};
 use super::{assign, flow, slots};
 use crate::derive::{BodyKernels, Shift, Turn};
 use crate::emit::given::element;
+use crate::emit::implementation::Implementation;
 use crate::emit::kernel::Context;
 use crate::emit::structure::self_type;
 use crate::emit::tokens::Tokens;
@@ -30,11 +32,9 @@ pub(in crate::emit) fn attitudes(context: &Context<'_>, bodies: &BodyKernels) ->
 
 /// `impl Separable`, `impl QuadraticKinetic`, `impl ForceGradient`.
 fn splitting(context: &Context<'_>, bodies: &BodyKernels) -> TokenStream {
-    let (name, array, phase) = (self_type(context), context.array(), context.phase());
-    let (kick_type, prepare_kick, kick) = flow(context, "kick", &bodies.kick);
-    let repeats = bodies.repeats;
+    let phase = context.phase();
+    let kick = flow(context, &bodies.kick);
     let entries = Literal::usize_unsuffixed(bodies.drift.nodes().len());
-    let drift = context.returned(&bodies.drift);
     let (count, centres) = (bodies.turns.len(), !bodies.shifts.is_empty());
     let turns = bodies.turns.iter().enumerate().map(|(body, turn)| {
         let [r, m] = ["q", "p"].map(|half| row(half, centres.then_some(0), body));
@@ -54,22 +54,21 @@ fn splitting(context: &Context<'_>, bodies: &BodyKernels) -> TokenStream {
         places = quote!([#places, [#(#shifts),*]]);
         changes = quote!([#changes, [[R::from_f64(0.0); 4]; #count]]);
     }
-    let (gradient_slots, prepare_gradient) =
-        (slots(&bodies.gradient_kick), context.stored(&bodies.gradient_kick.kernel, 0));
-    let gradient_kick = assign(context, &bodies.gradient_kick);
-    quote! {
-        impl<R: Real> Separable<R> for #name {
+    let (repeats, kick_type, drift_type) = (bodies.repeats, kick.prepared.clone(), quote!([R; #entries]));
+    let types = [("Kick", kick_type.clone()), ("Drift", drift_type.clone())];
+    let implementation = Implementation::new(context, &SEPARABLE, &types)
+        .items(quote! {
             type Proof = ();
             const KICKS_REPEAT: bool = #repeats;
             const DRIFTS_SHIFT: bool = false;
             type Kick = #kick_type;
-            type Drift = [R; #entries];
-            #prepare_kick
-            #[inline]
-            fn prepare_drift(&self, h: R) -> [R; #entries] {
-                #drift
-            }
-            #kick
+            type Drift = #drift_type;
+        })
+        .method("prepare_kick", kick.prepare.clone())
+        .method("prepare_drift", context.returned(&bodies.drift));
+    let array = context.array();
+    let separable = moves(implementation, "kick", &kick)
+        .items(quote! {
             #[inline(always)]
             fn drift(&self, drift: &[R; #entries], t: R, q: &mut #array, p: &mut #array, _: &mut ()) {
                 let d = self.drift_increments(drift, t, &PerCoordinate { z: [*q, *p], s: () });
@@ -82,22 +81,12 @@ fn splitting(context: &Context<'_>, bodies: &BodyKernels) -> TokenStream {
                 let turned = [#(#turns),*];
                 PerCoordinate { z: [#places, #changes], s: () }
             }
-        }
-        impl<R: Real> QuadraticKinetic<R> for #name {
-            type Proof = ();
-        }
-        impl<R: Real> ForceGradient<R> for #name {
-            type GradientKick = [R; #gradient_slots];
-            #[inline]
-            fn prepare_gradient_kick(&self, h: R, g: R) -> [R; #gradient_slots] {
-                #prepare_gradient
-            }
-            #[inline(always)]
-            fn gradient_kick(&self, prepared: &[R; #gradient_slots], t: R, q: &mut #array, p: &mut #array, _: &mut ()) {
-                #gradient_kick
-            }
-        }
-    }
+        })
+        .finish();
+    let slots = slots(&bodies.gradient_kick);
+    let (prepare, body) = (context.stored(&bodies.gradient_kick.kernel, 0), assign(context, &bodies.gradient_kick));
+    let gradient = quadratic(context, quote!([R; #slots]), prepare, body);
+    quote!(#separable #gradient)
 }
 
 /// `drift[k]`

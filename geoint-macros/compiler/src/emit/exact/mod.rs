@@ -14,45 +14,30 @@ pub(super) use kick_drift::splitting;
 pub(super) use perturbed::perturbed;
 pub(super) use pieces::pieces;
 use proc_macro2::{Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::quote;
 
 fn slots(flow: &FlowKernel) -> Literal {
     Literal::usize_unsuffixed(flow.kernel.slots[0])
 }
 
-/// The type of what is prepared for a flow, the function that prepares it, and the flow.
-fn flow(context: &Context<'_>, name: &str, flow_kernel: &FlowKernel) -> (TokenStream, TokenStream, TokenStream) {
-    let (array, prepare_name, name) = (context.array(), format_ident!("prepare_{name}"), format_ident!("{name}"));
-    let (slots, prepare, body) =
-        (slots(flow_kernel), context.stored(&flow_kernel.kernel, 0), assign(context, flow_kernel));
-    let action = match context.form {
-        form if form.has_action() => quote!(s: &mut R),
-        _ => quote!(_: &mut ()),
-    };
-    let prepare = quote! {
-        #[inline]
-        fn #prepare_name(&self, h: R) -> [R; #slots] {
-            #prepare
-        }
-    };
-    let flow = quote! {
-        #[inline(always)]
-        fn #name(&self, prepared: &[R; #slots], t: R, q: &mut #array, p: &mut #array, #action) {
-            #body
-        }
-    };
-    // What only adds needs no second routine.
-    let increments = flow_kernel.kernel.find("increments").map(|_| {
-        let (name, body) = (format_ident!("{name}_increments"), increments(context, flow_kernel));
-        let parts = context.per_coordinate();
-        quote! {
-            #[inline(always)]
-            fn #name(&self, prepared: &[R; #slots], t: R, x: &#parts) -> #parts {
-                #body
-            }
-        }
-    });
-    (quote!([R; #slots]), prepare, quote!(#flow #increments))
+/// The parts of a flow in an implementation.
+struct FlowTokens {
+    /// The type of the prepared numbers.
+    prepared: TokenStream,
+    /// Bodies of the functions that prepare them, that move a point, and that return the increments of a flow that does more than add.
+    prepare: TokenStream,
+    flow: TokenStream,
+    increments: Option<TokenStream>,
+}
+
+fn flow(context: &Context<'_>, flow: &FlowKernel) -> FlowTokens {
+    let slots = slots(flow);
+    FlowTokens {
+        prepared: quote!([R; #slots]),
+        prepare: context.stored(&flow.kernel, 0),
+        flow: assign(context, flow),
+        increments: flow.kernel.find("increments").map(|_| increments(context, flow)),
+    }
 }
 
 /// `d.q[i] = …; d.p[i] = …; d.s = …;`: what a flow from `x` adds.

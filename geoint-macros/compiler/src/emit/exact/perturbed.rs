@@ -1,26 +1,53 @@
-//! A part with an exact flow and a rest that is a kick; or implementations that no scalar satisfies, whose message says why there is no
-//! such part.
+//! A part with an exact flow, and a rest.
 
+use super::kick_drift::moves;
 use super::{assign, flow, slots};
 use crate::derive::{FlowKernel, Inner, Missing, Perturbed};
+use crate::emit::implementation::{Absent, Implementation, Inline, Method, Trait, Ty, absent, methods, ty};
 use crate::emit::kernel::{Context, Values};
-use crate::emit::missing::unsatisfied;
-use crate::emit::structure::self_type;
 use crate::parse::Role;
 use crate::split::OwnMotion;
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
+
+const PERTURBED_SYSTEM: Trait = Trait {
+    name: "PerturbedSystem",
+    has_proof: true,
+    associated: &[("Exact", Absent::Never), ("After", Absent::Unit), ("Rest", Absent::Never)],
+    methods: methods! {
+        Hint fn prepare_after("h": {R}) -> After;
+        Hint fn prepare_exact("h": {R}) -> Exact;
+        Always fn exact("prepared": {&Exact}, "t": {R}, "q": {&mut Array}, "p": {&mut Array}, "s or _": {&mut Action});
+        Hint fn prepare_rest("h": {R}) -> Rest;
+        Always fn rest("prepared": {&Rest}, "t": {R}, "q": {&mut Array}, "p": {&mut Array}, "s or _": {&mut Action});
+    },
+    provided: methods! {
+        Always fn exact_increments("prepared": {&Exact}, "t": {R}, "x": {&PerCoordinate}) -> PerCoordinate;
+        Always fn rest_increments("prepared": {&Rest}, "t": {R}, "x": {&PerCoordinate}) -> PerCoordinate;
+        Always fn exact_after("prepared": {&After}, "q": {&mut Array}, "p": {&mut Array}, "dp": {&Array});
+    },
+};
+
+const PERTURBED_GRADIENT: Trait = Trait {
+    name: "PerturbedGradient",
+    has_proof: true,
+    associated: &[("GradientKick", Absent::Never)],
+    methods: methods! {
+        Hint fn prepare_gradient_kick("h": {R}, "g": {R}) -> GradientKick;
+        Always fn gradient_kick("prepared": {&GradientKick}, "t": {R}, "q": {&mut Array}, "p": {&mut Array});
+    },
+    provided: &[],
+};
 
 /// `impl PerturbedSystem` and `impl PerturbedGradient`.
 pub(in crate::emit) fn perturbed(context: &Context<'_>, found: &Result<Perturbed, Missing>) -> TokenStream {
     match found {
         Ok(found) => parts(context, found),
-        Err(missing) => none(context, *missing),
+        Err(missing) => absent(context, *missing, &[&PERTURBED_SYSTEM, &PERTURBED_GRADIENT]),
     }
 }
 
 fn parts(context: &Context<'_>, found: &Perturbed) -> TokenStream {
-    let name = self_type(context);
     let (exact_in_time, repeats) = (found.exact_in_time, found.repeats);
     let may_end = may_end(context, found);
     let no_kick = (!found.is_kick).then(|| {
@@ -30,9 +57,35 @@ fn parts(context: &Context<'_>, found: &Perturbed) -> TokenStream {
             const REST_IS_EXACT: bool = #is_exact;
         }
     });
-    let (exact_type, prepare_exact, exact) = flow(context, "exact", &found.flow);
-    let after = after(context, found.flow_after_kick.as_ref());
-    let (rest_type, prepare_rest, rest) = flow(context, "rest", &found.kick);
+    let (exact, rest) = (flow(context, &found.flow), flow(context, &found.kick));
+    let after = found.flow_after_kick.as_ref().map(|after| flow(context, after));
+    let after_type = after.as_ref().map_or_else(|| quote!(()), |after| after.prepared.clone());
+    let (exact_type, rest_type) = (exact.prepared.clone(), rest.prepared.clone());
+    let types = [("Exact", exact_type.clone()), ("After", after_type.clone()), ("Rest", rest_type.clone())];
+    let implementation = Implementation::new(context, &PERTURBED_SYSTEM, &types).items(quote! {
+        type Proof = ();
+        const EXACT_IN_TIME: bool = #exact_in_time;
+        const KICKS_REPEAT: bool = #repeats;
+        #no_kick
+        #may_end
+        type Exact = #exact_type;
+        type Rest = #rest_type;
+        type After = #after_type;
+    });
+    let implementation = match &after {
+        Some(after) => implementation
+            .items(quote!(
+                const IS_LINEAR: bool = true;
+            ))
+            .method("prepare_after", after.prepare.clone())
+            .method("exact_after", after.flow.clone()),
+        None => implementation.items(quote!(
+            fn prepare_after(&self, _: R) {}
+        )),
+    };
+    let implementation =
+        implementation.method("prepare_exact", exact.prepare.clone()).method("prepare_rest", rest.prepare.clone());
+    let implementation = moves(moves(implementation, "exact", &exact), "rest", &rest);
     let inner = found.inner.as_ref().map(|inner| {
         let [enter, leave] =
             [("enter", &inner.enter), ("leave", &inner.leave)].map(|(name, map)| way(context, name, map));
@@ -44,56 +97,12 @@ fn parts(context: &Context<'_>, found: &Perturbed) -> TokenStream {
             #unsuitable
         }
     });
+    let parts = implementation.items(inner).finish();
     let gradient = match &found.gradient_kick {
         Ok(kick) => gradient_kick(context, kick),
-        Err(missing) => {
-            let (marker, tokens) = unsatisfied(context, *missing);
-            let never = no_gradient(context, &marker);
-            quote!(#tokens #never)
-        }
+        Err(missing) => absent(context, *missing, &[&PERTURBED_GRADIENT]),
     };
-    quote! {
-        impl<R: Real> PerturbedSystem<R> for #name {
-            type Proof = ();
-            const EXACT_IN_TIME: bool = #exact_in_time;
-            const KICKS_REPEAT: bool = #repeats;
-            #no_kick
-            #may_end
-            type Exact = #exact_type;
-            type Rest = #rest_type;
-            #after
-            #prepare_exact
-            #prepare_rest
-            #exact
-            #rest
-            #inner
-        }
-        #gradient
-    }
-}
-
-/// The flow of A after a kick, as one map.
-fn after(context: &Context<'_>, after: Option<&FlowKernel>) -> TokenStream {
-    let Some(after) = after else {
-        return quote! {
-            type After = ();
-            fn prepare_after(&self, _: R) {}
-        };
-    };
-    let (array, slots) = (context.array(), slots(after));
-    let (prepare, body) = (context.stored(&after.kernel, 0), assign(context, after));
-    quote! {
-        type After = [R; #slots];
-        const IS_LINEAR: bool = true;
-        #[inline]
-        fn prepare_after(&self, h: R) -> [R; #slots] {
-            #prepare
-        }
-        #[inline(always)]
-        fn exact_after(&self, prepared: &[R; #slots], q: &mut #array, p: &mut #array, dp: &#array) {
-            #body
-        }
-    }
+    quote!(#parts #gradient)
 }
 
 /// Parts of the flow of A that may end within a step.
@@ -148,69 +157,11 @@ fn unsuitable(context: &Context<'_>, inner: &Inner) -> TokenStream {
 }
 
 fn gradient_kick(context: &Context<'_>, kick: &FlowKernel) -> TokenStream {
-    let (name, array, slots) = (self_type(context), context.array(), slots(kick));
-    let (prepare, body) = (context.stored(&kick.kernel, 0), assign(context, kick));
-    quote! {
-        impl<R: Real> PerturbedGradient<R> for #name {
-            type Proof = ();
-            type GradientKick = [R; #slots];
-            #[inline]
-            fn prepare_gradient_kick(&self, h: R, g: R) -> [R; #slots] {
-                #prepare
-            }
-            #[inline(always)]
-            fn gradient_kick(&self, prepared: &[R; #slots], t: R, q: &mut #array, p: &mut #array) {
-                #body
-            }
-        }
-    }
-}
-
-/// No kick with a force gradient.
-fn no_gradient(context: &Context<'_>, marker: &Ident) -> TokenStream {
-    let (name, array) = (self_type(context), context.array());
-    let never = quote!(::core::convert::Infallible);
-    quote! {
-        impl<R: Real + #marker> PerturbedGradient<R> for #name {
-            type Proof = <R as #marker>::Proof;
-            type GradientKick = #never;
-            fn prepare_gradient_kick(&self, _: R, _: R) -> #never {
-                ::core::unreachable!()
-            }
-            fn gradient_kick(&self, never: &#never, _: R, _: &mut #array, _: &mut #array) {
-                match *never {}
-            }
-        }
-    }
-}
-
-/// Neither part.
-fn none(context: &Context<'_>, missing: Missing) -> TokenStream {
-    let (name, array) = (self_type(context), context.array());
-    let (marker, tokens) = unsatisfied(context, missing);
-    let never = quote!(::core::convert::Infallible);
-    let no_gradient = no_gradient(context, &marker);
-    let flows = ["exact", "rest"].map(|flow| {
-        let (prepare, flow) = (format_ident!("prepare_{flow}"), format_ident!("{flow}"));
-        quote! {
-            fn #prepare(&self, _: R) -> #never {
-                ::core::unreachable!()
-            }
-            fn #flow(&self, never: &#never, _: R, _: &mut #array, _: &mut #array, _: &mut ()) {
-                match *never {}
-            }
-        }
-    });
-    quote! {
-        #tokens
-        impl<R: Real + #marker> PerturbedSystem<R> for #name {
-            type Proof = <R as #marker>::Proof;
-            type Exact = #never;
-            type After = ();
-            type Rest = #never;
-            fn prepare_after(&self, _: R) {}
-            #(#flows)*
-        }
-        #no_gradient
-    }
+    let slots = slots(kick);
+    let types = [("GradientKick", quote!([R; #slots]))];
+    Implementation::new(context, &PERTURBED_GRADIENT, &types)
+        .items(quote!(type Proof = (); type GradientKick = [R; #slots];))
+        .method("prepare_gradient_kick", context.stored(&kick.kernel, 0))
+        .method("gradient_kick", assign(context, kick))
+        .finish()
 }

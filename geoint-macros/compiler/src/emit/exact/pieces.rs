@@ -2,28 +2,45 @@
 //! the term.
 
 use super::{assign, increments};
-use crate::derive::{Missing, PieceKernel, PiecesOf};
+use crate::derive::{PieceKernel, PiecesOf};
 use crate::emit::given::{Given, array, element};
+use crate::emit::implementation::{Absent, Implementation, Inline, Method, Trait, Ty, absent_with, methods, ty};
 use crate::emit::kernel::{Context, Values};
-use crate::emit::missing::unsatisfied;
-use crate::emit::structure::self_type;
 use crate::emit::tokens::Tokens;
 use crate::ir::Symbol;
 use crate::split::Clock;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
+const FLOW_PIECES: Trait = Trait {
+    name: "FlowPieces",
+    has_proof: true,
+    associated: &[("Flows", Absent::Never), ("Frozen", Absent::Unit)],
+    methods: methods! {
+        Hint fn prepare_flows("outer": {R}, "last": {R}) -> Flows;
+        Always fn freeze("flows": {&Flows}, "t": {R}) -> Frozen;
+        Always fn flow("piece": {usize}, "flows": {&Flows}, "frozen": {&Frozen}, "t": {R}, "z": {&mut Phase}, "s": {&mut Action}) wide;
+        Always fn increments("piece": {usize}, "flows": {&Flows}, "frozen": {&Frozen}, "t": {R}, "x": {&PerCoordinate}) -> PerCoordinate;
+    },
+    provided: &[],
+};
+
 /// `impl Pieces`.
 pub(in crate::emit) fn pieces(context: &Context<'_>, found: &PiecesOf) -> TokenStream {
     let name = format_ident!("{}", found.splitting);
     match &found.pieces {
         Ok(pieces) => splitting(context, &name, found, pieces),
-        Err(missing) => none(context, &name, *missing),
+        Err(missing) => {
+            let no_pieces = quote!(
+                const PIECES: &'static [FlowPiece] = &[];
+            );
+            absent_with(context, *missing, &[&FLOW_PIECES], &quote!(#name,), &no_pieces)
+        }
     }
 }
 
 fn splitting(context: &Context<'_>, splitting: &Ident, found: &PiecesOf, pieces: &[PieceKernel]) -> TokenStream {
-    let (name, phase, parts, action) = (self_type(context), context.phase(), context.parts(), context.action());
+    let parts = context.parts();
     let (symplectic, conserves_energy) = (found.symplectic, found.conserves_energy);
     let printer = context.printer();
     let table = pieces.iter().map(|piece| {
@@ -66,44 +83,22 @@ fn splitting(context: &Context<'_>, splitting: &Ident, found: &PiecesOf, pieces:
             if piece.solved { solve(context, piece, Target::Increments) } else { increments(context, &piece.flow) };
         arm(i, body)
     });
-    let per = context.per_coordinate();
-    quote! {
-        impl<R: Real> FlowPieces<#splitting, R> for #name {
+    let per_piece = [("Flows", types.clone()), ("Frozen", frozen_types.clone())];
+    Implementation::new(context, &FLOW_PIECES, &per_piece)
+        .with_parameters(quote!(#splitting,))
+        .items(quote! {
             const PIECES: &'static [FlowPiece] = &[#(#table),*];
             const SYMPLECTIC: bool = #symplectic;
             const CONSERVES_ENERGY: bool = #conserves_energy;
             type Proof = ();
             type Flows = #types;
             type Frozen = #frozen_types;
-
-            #[inline]
-            fn prepare_flows(&self, outer: R, last: R) -> #types {
-                #prepared
-            }
-            #[inline(always)]
-            fn freeze(&self, flows: &#types, t: R) -> #frozen_types {
-                #frozen
-            }
-            #[inline(always)]
-            fn flow(
-                &self,
-                piece: usize, flows: &#types, frozen: &#frozen_types, t: R, z: &mut #phase, s: &mut #action,
-            ) {
-                #parts
-                match piece {
-                    #(#arms)*
-                    _ => {}
-                }
-            }
-            #[inline(always)]
-            fn increments(&self, piece: usize, flows: &#types, frozen: &#frozen_types, t: R, x: &#per) -> #per {
-                match piece {
-                    #(#added)*
-                    _ => PerCoordinate::nothing(),
-                }
-            }
-        }
-    }
+        })
+        .method("prepare_flows", prepared)
+        .method("freeze", frozen)
+        .method("flow", quote!(#parts match piece { #(#arms)* _ => {} }))
+        .method("increments", quote!(match piece { #(#added)* _ => PerCoordinate::nothing(), }))
+        .finish()
 }
 
 /// How many members a tuple has at most: the standard library knows no traits of tuples of more than twelve.
@@ -171,30 +166,5 @@ fn solve(context: &Context<'_>, piece: &PieceKernel, target: Target) -> TokenStr
         let mut d: #parts = PerCoordinate::nothing();
         #solved
         d
-    }
-}
-
-fn none(context: &Context<'_>, splitting: &Ident, missing: Missing) -> TokenStream {
-    let (name, phase, per, action) = (self_type(context), context.phase(), context.per_coordinate(), context.action());
-    let (marker, tokens) = unsatisfied(context, missing);
-    let never = quote!(::core::convert::Infallible);
-    quote! {
-        #tokens
-        impl<R: Real + #marker> FlowPieces<#splitting, R> for #name {
-            const PIECES: &'static [FlowPiece] = &[];
-            type Proof = <R as #marker>::Proof;
-            type Flows = #never;
-            type Frozen = ();
-            fn prepare_flows(&self, _: R, _: R) -> #never {
-                ::core::unreachable!()
-            }
-            fn freeze(&self, _: &#never, _: R) {}
-            fn flow(&self, _: usize, never: &#never, _: &(), _: R, _: &mut #phase, _: &mut #action) {
-                match *never {}
-            }
-            fn increments(&self, _: usize, never: &#never, _: &(), _: R, _: &#per) -> #per {
-                match *never {}
-            }
-        }
     }
 }

@@ -1,16 +1,45 @@
 //! The field of discrete gradients, with divided differences.
 
-use super::prepared::Prepared;
+use super::prepared::{Prepared, numbers};
 use crate::analyze::MeanValue;
 use crate::derive::{FieldKernels, Missing};
+use crate::emit::implementation::{Absent, Implementation, Inline, Method, Trait, Ty, absent, methods, ty};
 use crate::emit::kernel::{Context, Values, array_type, write};
-use crate::emit::missing::unsatisfied;
 use crate::emit::structure::self_type;
 use crate::schedule::{Kernel, Routine};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-/// `impl DiscreteField`.
+/// The trait that states how steps along a discrete gradient are solved.
+macro_rules! graded {
+    ($by:literal) => {
+        Trait {
+            name: "Graded",
+            has_proof: true,
+            associated: &[("Gradient", Absent::Named($by)), ("Kept", Absent::Unit)],
+            methods: &[],
+            provided: &[],
+        }
+    };
+}
+pub(super) use graded;
+
+const GRADED: Trait = graded!("ByTree");
+
+const DISCRETE_FIELD: Trait = Trait {
+    name: "DiscreteField",
+    has_proof: true,
+    associated: &[("Parameters", Absent::Never), ("Start", Absent::Never), ("Inverse", Absent::Unit)],
+    methods: methods! {
+        Hint fn parameters("h": {R}) -> Parameters;
+        Always fn begin("prepared": {&Parameters}, "Span { start, middle: t, end }": {Span}, "y": {&Unknown}) -> Start;
+        Always fn slope("prepared": {&Parameters}, "start": {&Start}, "d": {&Unknown}, "f": {&mut Unknown}, "jacobian": {&mut Square<Unknown>}) wide;
+        Always fn drift("prepared": {&Parameters}, "sum": {&Unknown}) -> Unknown;
+    },
+    provided: &[],
+};
+
+/// `impl Graded` and `impl DiscreteField`.
 pub(super) fn discrete_field(
     context: &Context<'_>,
     field: &FieldKernels,
@@ -18,12 +47,9 @@ pub(super) fn discrete_field(
     kept: &TokenStream,
     nowhere_steep: Option<TokenStream>,
 ) -> TokenStream {
-    let (name, unknown) = (self_type(context), array_type(&field.increments.extents));
-    let names = [["Parameters", "parameters"], ["Start", "begin"]];
-    let start = quote!(Span { start, middle: t, end }: Span<R>, y: &#unknown);
-    let Prepared { types, functions, prepared, started } =
-        Prepared::for_steps(context, kernel, names, &quote!(), &start);
-    let slope = context.body(kernel.routine("slope"));
+    let unknown = array_type(&field.increments.extents);
+    let [parameters, start] = [0, 1].map(|level| numbers(kernel, level));
+    let drift = context.assigned(kernel.routine("drift"));
     let equation = kernel.find("equation").map(|equation| {
         let equation = context.body(equation);
         quote! {
@@ -31,15 +57,14 @@ pub(super) fn discrete_field(
             fn equation(
                 &self,
                 _: (&Self::Constants, R),
-                prepared: &#prepared,
-                start: &#started,
+                prepared: &#parameters,
+                start: &#start,
                 d: &#unknown,
                 image: &mut #unknown,
                 matrix: &mut Square<#unknown>,
             ) #equation
         }
     });
-    let drift = context.assigned(kernel.routine("drift"));
     let inverse = if field.linear { quote!(Inverted<#unknown>) } else { quote!(()) };
     let mean = match field.mean_value {
         MeanValue::Gauss(points) => {
@@ -52,71 +77,30 @@ pub(super) fn discrete_field(
         }
         MeanValue::NotClosed(_) => quote!(NotClosed),
     };
-    quote! {
-        impl<R: Real> Graded<R> for #name {
+    let graded = Implementation::new(context, &GRADED, &[])
+        .items(quote!(type Proof = (); type Gradient = ByTree; type Kept = #kept; #nowhere_steep))
+        .finish();
+    let types = [("Parameters", parameters.clone()), ("Start", start.clone()), ("Unknown", quote!(#unknown))];
+    let field = Implementation::new(context, &DISCRETE_FIELD, &types)
+        .items(quote! {
             type Proof = ();
-            type Gradient = ByTree;
-            type Kept = #kept;
-            #nowhere_steep
-        }
-        impl<R: Real> DiscreteField<R> for #name {
-            type Proof = ();
-            #types
+            type Parameters = #parameters;
+            type Start = #start;
             type Inverse = #inverse;
             const MEAN: Mean = Mean::#mean;
-
-            #functions
-            #[inline(always)]
-            fn slope(
-                &self,
-                prepared: &#prepared,
-                start: &#started,
-                d: &#unknown,
-                f: &mut #unknown,
-                jacobian: &mut Square<#unknown>,
-            ) #slope
-            #equation
-            #[inline(always)]
-            fn drift(&self, prepared: &#prepared, sum: &#unknown) -> #unknown {
-                let mut drift = <#unknown as Array>::zero();
-                #drift
-                drift
-            }
-        }
-    }
+        })
+        .method("parameters", context.stored(kernel, 0))
+        .method("begin", context.stored(kernel, 1))
+        .method("slope", context.assigned(kernel.routine("slope")))
+        .items(equation)
+        .method("drift", quote!(let mut drift = <#unknown as Array>::zero(); #drift drift))
+        .finish();
+    quote!(#graded #field)
 }
 
-/// `impl DiscreteField`, and what it is of, that no scalar satisfies, of a field that keeps nothing.
+/// The implementations of a field that keeps nothing, for no scalar.
 pub(super) fn nothing_kept(context: &Context<'_>, missing: Missing) -> TokenStream {
-    let (marker, tokens) = unsatisfied(context, missing);
-    let (name, phase) = (self_type(context), context.phase());
-    let never = quote!(::core::convert::Infallible);
-    quote! {
-        #tokens
-        impl<R: Real + #marker> Graded<R> for #name {
-            type Proof = <R as #marker>::Proof;
-            type Gradient = ByTree;
-            type Kept = ();
-        }
-        impl<R: Real + #marker> DiscreteField<R> for #name {
-            type Proof = <R as #marker>::Proof;
-            type Parameters = #never;
-            type Start = #never;
-            type Inverse = ();
-            fn parameters(&self, _: R) -> #never {
-                ::core::unreachable!()
-            }
-            fn begin(&self, never: &#never, _: Span<R>, _: &#phase) -> #never {
-                match *never {}
-            }
-            fn slope(&self, never: &#never, _: &#never, _: &#phase, _: &mut #phase, _: &mut Square<#phase>) {
-                match *never {}
-            }
-            fn drift(&self, never: &#never, _: &#phase) -> #phase {
-                match *never {}
-            }
-        }
-    }
+    absent(context, missing, &[&GRADED, &DISCRETE_FIELD])
 }
 
 /// `impl FourthOrderField` of a canonical system that is not damped: by the kernels of collocation and of discrete gradients.

@@ -6,7 +6,6 @@ mod collocation;
 mod constraints;
 mod contact;
 mod discrete;
-mod herglotz;
 mod prepared;
 mod velocities;
 
@@ -25,13 +24,12 @@ pub(super) fn implicit(context: &Context<'_>, system: &System) -> TokenStream {
         Implicit::Bodies(kernels) => exact::bodies(context, kernels),
         Implicit::Constrained(kernels) => constraints::constraints(context, kernels),
         Implicit::Velocities(kernels) => velocities::velocities(context, kernels),
-        Implicit::Herglotz(kernels) => herglotz::herglotz(context, kernels),
         Implicit::Contact(kernels) => {
             let steps = kernels.steps.iter().map(|(method, step)| contact::step(context, method, step));
             let stages = kernels.stages.as_ref().map(|stages| {
                 let stages = match stages {
                     ContactStages::Points(stages) => contact::stages(context, stages),
-                    ContactStages::Velocities(stages) => herglotz::stages(context, stages, &quote!(ByField)),
+                    ContactStages::Velocities(stages) => velocities::stages(context, stages, &quote!(ByField)),
                 };
                 let name = self_type(context);
                 quote! {

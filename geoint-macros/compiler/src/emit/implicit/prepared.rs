@@ -69,7 +69,7 @@ fn constants(
 }
 
 /// The type of the numbers of a level.
-fn numbers(kernel: &Kernel, level: usize) -> TokenStream {
+pub(super) fn numbers(kernel: &Kernel, level: usize) -> TokenStream {
     let count = Literal::usize_unsuffixed(kernel.slots[level]);
     quote!([R; #count])
 }

@@ -1,39 +1,153 @@
 //! A Lagrangian by its derivatives, for steps with velocities as unknowns.
 
-use super::prepared::Prepared;
-use crate::derive::{MassKernels, Missing, VelocityKernels};
-use crate::emit::kernel::Context;
-use crate::emit::missing::unsatisfied;
+use super::discrete::graded;
+use super::prepared::{Prepared, numbers};
+use crate::derive::{ActionStages, MassKernels, StepKernel, VelocityKernels, VelocityStages};
+use crate::emit::implementation::{Absent, Implementation, Inline, Method, Trait, Ty, absent, methods, ty};
+use crate::emit::kernel::{Context, Values, array_type};
 use crate::emit::structure::self_type;
 use crate::emit::system::{cotangent, keeps_energy};
-use crate::schedule::Kernel;
+use crate::schedule::Extent;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// `impl VelocityForm` and `impl PolarisedForm`, and which steps they are for.
+const GRADED: Trait = graded!("ByPolarisation");
+
+const POLARISED_FORM: Trait = Trait {
+    name: "PolarisedForm",
+    has_proof: true,
+    associated: &[("Parameters", Absent::Never), ("Start", Absent::Never)],
+    methods: methods! {
+        Hint fn parameters("h": {R}) -> Parameters;
+        Always fn begin("prepared": {&Parameters}, "t": {R}, "z": {&Phase}, "v": {&Array}) -> Start;
+        Always fn equation(
+            "prepared": {&Parameters}, "start": {&Start}, "d": {&Array},
+            "[residual, impulse]": {[&mut Array] x 2}, "[matrix, impulse_by_d]": {[&mut Square<Array>] x 2}
+        ) wide;
+    },
+    provided: &[],
+};
+
+const CONTACT_GRADED: Trait = Trait {
+    name: "ContactGraded",
+    has_proof: true,
+    associated: &[("Gradient", Absent::Named("ByPolarisation"))],
+    methods: &[],
+    provided: &[],
+};
+
+const CONTACT_POLARISED: Trait = Trait {
+    name: "ContactPolarised",
+    has_proof: true,
+    associated: &[("Unknown", Absent::Is(Ty::Array)), ("Parameters", Absent::Never), ("Start", Absent::Never)],
+    methods: methods! {
+        Hint fn parameters("h": {R}) -> Parameters;
+        Always fn begin("prepared": {&Parameters}, "t": {R}, "z": {&Phase}, "s": {&R}, "v": {&Array}) -> Start;
+        Always fn equation(
+            "prepared": {&Parameters}, "start": {&Start}, "d": {&Unknown},
+            "[residual, increments]": {[&mut Unknown] x 2}, "[matrix, increments_by_d]": {[&mut Square<Unknown>] x 2}
+        ) wide;
+    },
+    provided: &[],
+};
+
+/// Stages of collocation, and steps along the polarised discrete gradient.
 pub(super) fn velocities(context: &Context<'_>, kernels: &VelocityKernels) -> TokenStream {
-    let VelocityKernels { mass, stage, polarised, keeps, .. } = kernels;
+    let VelocityKernels { stages, polarised, keeps, .. } = kernels;
+    let (name, cotangent) = (self_type(context), cotangent(context));
+    if stages.action.is_some() {
+        let (phase, stages) = (context.phase(), self::stages(context, stages, &quote!(ByVelocities)));
+        let polarised = match polarised {
+            Ok(step) => contact_polarised(context, step),
+            Err(missing) => absent(context, *missing, &[&CONTACT_GRADED, &CONTACT_POLARISED]),
+        };
+        return quote! {
+            #cotangent
+            impl<R: Real> ContactSystem<R> for #name {
+                type Proof = ();
+                #[inline]
+                fn gradient(&self, t: R, z: &#phase, s: &R, slopes: &mut #phase, ds: &mut R) {
+                    contact_gradient_of(self, t, z, s, slopes, ds);
+                }
+            }
+            #stages
+            #polarised
+        };
+    }
+    let kept = keeps.then(|| keeps_energy(context, &quote!(VelocityEnergy), None));
+    let stages = self::stages(context, stages, &quote!());
+    let polarised = match polarised {
+        Ok(step) => self::polarised(context, step, *keeps),
+        Err(missing) => absent(context, *missing, &[&GRADED, &POLARISED_FORM]),
+    };
+    quote!(#cotangent #kept #stages #polarised)
+}
+
+/// `impl MassForm`, and `impl VelocityForm` or `impl ContactVelocities` for collocation. `midpoint` states how `ContactMidpoint` is solved.
+pub(super) fn stages(context: &Context<'_>, stages: &VelocityStages, midpoint: &TokenStream) -> TokenStream {
+    let VelocityStages { action, mass, stage } = stages;
     let (name, array) = (self_type(context), context.array());
     let mass = mass_form(context, mass);
-    let Prepared { types, functions, prepared, .. } = Prepared::for_stages(context, stage, ["Constants", "constants"]);
-    let (force, stage) = (context.assigned(stage.routine("force")), context.body(stage.routine("stage")));
-    let polarised = match polarised {
-        Ok(step) => self::polarised(context, &step.kernel, *keeps),
-        Err(missing) => not_polarised(context, *missing),
+    let Some(ActionStages { varying, mixed }) = action else {
+        let Prepared { types, functions, prepared, .. } =
+            Prepared::for_stages(context, stage, ["Constants", "constants"]);
+        let (force, stage) = (context.assigned(stage.routine("force")), context.body(stage.routine("stage")));
+        return quote! {
+            #mass
+            impl<R: Real> Collocated<R> for #name {
+                type Proof = ();
+                type Stages = ByVelocities;
+            }
+            impl<R: Real> VelocityForm<R> for #name {
+                type Proof = ();
+                #types
+
+                #functions
+                #[inline(always)]
+                fn stage(
+                    &self,
+                    prepared: &#prepared,
+                    t: R,
+                    q: &#array,
+                    v: &#array,
+                    [momentum, force]: [&mut #array; 2],
+                    [momentum_by_q, mass, force_by_q, force_by_v]: &mut [Square<#array>; 4],
+                ) #stage
+                #[inline(always)]
+                fn force(&self, prepared: &#prepared, t: R, q: &#array, v: &#array) -> #array {
+                    let mut force = <#array as Array>::zero();
+                    #force
+                    force
+                }
+            }
+        };
     };
-    let cotangent = cotangent(context);
-    let kept = keeps.then(|| keeps_energy(context, &quote!(VelocityEnergy), None));
+    let moved = if *varying { array_type(&context.with_action()) } else { array.clone() };
+    let Prepared { types, functions, prepared, .. } =
+        Prepared::for_stages(context, stage, ["StageConstants", "stage_constants"]);
+    let is_number = |values: &Values<'_>| matches!(values.output.extent, Extent::Number);
+    let force = context.outputs(stage.routine("force"), |outputs| {
+        let (numbers, arrays): (Vec<_>, Vec<_>) = outputs.into_iter().partition(is_number);
+        let arrays = arrays.iter().map(|values| values.assigned(context));
+        let decay = numbers.iter().flat_map(|values| &values.all);
+        quote!(#(#arrays)* (force, #(#decay)*))
+    });
+    let stage = context.outputs(stage.routine("stage"), |outputs| {
+        let (numbers, arrays): (Vec<_>, Vec<_>) = outputs.into_iter().partition(is_number);
+        arrays.iter().chain(&numbers).map(|values| values.assigned(context)).collect::<TokenStream>()
+    });
     quote! {
-        #cotangent
-        #kept
         #mass
-        impl<R: Real> Collocated<R> for #name {
+        impl<R: Real> ContactCollocated<R> for #name {
             type Proof = ();
             type Stages = ByVelocities;
+            type Midpoint = #midpoint;
         }
-        impl<R: Real> VelocityForm<R> for #name {
+        impl<R: Real> ContactVelocities<R> for #name {
             type Proof = ();
+            type Moved = #moved;
             #types
+            const MIXED: [bool; 3] = [#(#mixed),*];
 
             #functions
             #[inline(always)]
@@ -43,17 +157,26 @@ pub(super) fn velocities(context: &Context<'_>, kernels: &VelocityKernels) -> To
                 t: R,
                 q: &#array,
                 v: &#array,
-                [momentum, force]: [&mut #array; 2],
-                [momentum_by_q, mass, force_by_q, force_by_v]: &mut [Square<#array>; 4],
-            ) #stage
+                s: &R,
+                stage: &mut ContactStage<#array>,
+            ) {
+                let ContactStage {
+                    lagrangian,
+                    momentum,
+                    force,
+                    decay,
+                    derivatives: [momentum_by_q, mass, force_by_q, force_by_v],
+                    by_action: [momentum_by_s, force_by_s],
+                    decay_by_action,
+                } = stage;
+                #stage
+            }
             #[inline(always)]
-            fn force(&self, prepared: &#prepared, t: R, q: &#array, v: &#array) -> #array {
+            fn force(&self, prepared: &#prepared, t: R, q: &#array, v: &#array, s: &R) -> (#array, R) {
                 let mut force = <#array as Array>::zero();
                 #force
-                force
             }
         }
-        #polarised
     }
 }
 
@@ -98,72 +221,45 @@ pub(super) fn mass_form(context: &Context<'_>, kernels: &MassKernels) -> TokenSt
     }
 }
 
-/// `impl PolarisedForm`.
-fn polarised(context: &Context<'_>, kernel: &Kernel, keeps: bool) -> TokenStream {
-    let (name, array, phase) = (self_type(context), context.array(), context.phase());
-    let names = [["Parameters", "parameters"], ["Start", "begin"]];
-    let start = quote!(t: R, z: &#phase, v: &#array);
-    let Prepared { types, functions, prepared, started } =
-        Prepared::for_steps(context, kernel, names, &context.parts(), &start);
-    let equation = context.body(kernel.routine("equation"));
+/// `impl Graded` and `impl PolarisedForm`.
+fn polarised(context: &Context<'_>, StepKernel { kernel, .. }: &StepKernel, keeps: bool) -> TokenStream {
     let kept = if keeps { quote!(VelocityEnergy) } else { quote!(()) };
-    quote! {
-        impl<R: Real> Graded<R> for #name {
-            type Proof = ();
-            type Gradient = ByPolarisation;
-            type Kept = #kept;
-        }
-        impl<R: Real> PolarisedForm<R> for #name {
-            type Proof = ();
-            #types
-
-            #functions
-            #[inline(always)]
-            fn equation(
-                &self,
-                prepared: &#prepared,
-                start: &#started,
-                d: &#array,
-                [residual, impulse]: [&mut #array; 2],
-                [matrix, impulse_by_d]: [&mut Square<#array>; 2],
-            ) #equation
-        }
-    }
+    let graded = Implementation::new(context, &GRADED, &[])
+        .items(quote!(type Proof = (); type Gradient = ByPolarisation; type Kept = #kept;))
+        .finish();
+    let ([parameters, start], parts) = ([0, 1].map(|level| numbers(kernel, level)), context.parts());
+    let begin = context.stored(kernel, 1);
+    let types = [("Parameters", parameters.clone()), ("Start", start.clone())];
+    let form = Implementation::new(context, &POLARISED_FORM, &types)
+        .items(quote!(type Proof = (); type Parameters = #parameters; type Start = #start;))
+        .method("parameters", context.stored(kernel, 0))
+        .method("begin", quote!(#parts #begin))
+        .method("equation", context.assigned(kernel.routine("equation")))
+        .finish();
+    quote!(#graded #form)
 }
 
-/// The same where L is not quadratic: for no scalar, with a message.
-fn not_polarised(context: &Context<'_>, missing: Missing) -> TokenStream {
-    let (name, array, phase) = (self_type(context), context.array(), context.phase());
-    let (marker, tokens) = unsatisfied(context, missing);
-    let never = quote!(::core::convert::Infallible);
-    quote! {
-        #tokens
-        impl<R: Real + #marker> Graded<R> for #name {
-            type Proof = <R as #marker>::Proof;
+/// `impl ContactGraded` and `impl ContactPolarised`.
+fn contact_polarised(context: &Context<'_>, StepKernel { unknowns, kernel }: &StepKernel) -> TokenStream {
+    let graded = Implementation::new(context, &CONTACT_GRADED, &[])
+        .items(quote!(
+            type Proof = ();
             type Gradient = ByPolarisation;
-            type Kept = ();
-        }
-        impl<R: Real + #marker> PolarisedForm<R> for #name {
-            type Proof = <R as #marker>::Proof;
-            type Parameters = #never;
-            type Start = #never;
-
-            fn parameters(&self, _: R) -> #never {
-                ::core::unreachable!()
-            }
-            fn begin(&self, never: &#never, _: R, _: &#phase, _: &#array) -> #never {
-                match *never {}
-            }
-            fn equation(
-                &self,
-                never: &#never,
-                _: &#never,
-                _: &#array,
-                _: [&mut #array; 2],
-                _: [&mut Square<#array>; 2],
-            ) {
-                match *never {}
-            }
-        }
-    }
+        ))
+        .finish();
+    let ([parameters, start], parts) = ([0, 1].map(|level| numbers(kernel, level)), context.parts());
+    let (unknown, begin) = (array_type(&unknowns.extents), context.stored(kernel, 1));
+    let types = [("Unknown", quote!(#unknown)), ("Parameters", parameters.clone()), ("Start", start.clone())];
+    let form = Implementation::new(context, &CONTACT_POLARISED, &types)
+        .items(quote! {
+            type Proof = ();
+            type Unknown = #unknown;
+            type Parameters = #parameters;
+            type Start = #start;
+        })
+        .method("parameters", context.stored(kernel, 0))
+        .method("begin", quote!(#parts #begin))
+        .method("equation", context.assigned(kernel.routine("equation")))
+        .finish();
+    quote!(#graded #form)
 }

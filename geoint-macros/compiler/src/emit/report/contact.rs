@@ -118,7 +118,10 @@ fn implicit(report: &mut Report<'_>, system: &System) {
             let unknowns = stages.moved.len() as u32;
             (&stages.kernel, unknowns, unknowns > 2 * degrees)
         }
-        ContactStages::Velocities(stages) => (&stages.stage, degrees + u32::from(stages.varying), stages.varying),
+        ContactStages::Velocities(stages) => {
+            let varying = stages.has_action_unknown();
+            (&stages.stage, degrees + u32::from(varying), varying)
+        }
     };
     let (cost, of) = (counted(kernel.operations()), if unknowns < 2 * degrees { " (velocities)" } else { "" });
     let beside = if varying { "" } else { ": s follows, and friction costs nothing beside `Gauss`" };

@@ -11,6 +11,7 @@ mod friction;
 mod lagrangian;
 mod pieces;
 mod structure;
+mod velocities;
 
 use crate::compilation::Compilation;
 use crate::derive::{Derived, Findings, System};
@@ -84,13 +85,10 @@ pub(super) fn report(compilation: &Compilation<'_>, derived: &Derived) -> String
         Findings::Forced { energy, forces, drag } => {
             forced::report(&mut report, *energy, forces.as_ref(), drag.as_deref());
         }
-        Findings::Velocities { obstacle, damping, forces } => {
+        Findings::Velocities { obstacle, beside } => {
             if let Some(legendre) = legendre {
-                lagrangian::velocities(&mut report, legendre, *obstacle, damping.as_ref(), forces.as_ref(), system);
+                velocities::report(&mut report, legendre, *obstacle, beside, system);
             }
-        }
-        Findings::Herglotz { obstacle, decay, dissipated } => {
-            lagrangian::herglotz(&mut report, *obstacle, *decay, dissipated.as_ref(), system);
         }
         Findings::Flow { flow, source } => flow::report(&mut report, flow, source, system),
         Findings::Bodies(found) => bodies::report(&mut report, found, system),

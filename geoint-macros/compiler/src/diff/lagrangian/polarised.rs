@@ -1,0 +1,190 @@
+//! The polarised discrete gradient: a step of a Lagrangian quadratic in v, with d = v₁ − v₀ as unknown, or d = (v₁ − v₀, s₁ − s₀) with an action.
+
+use super::super::field::middle;
+use super::super::forward::jacobian;
+use super::super::gradient::{Gradient, discrete_gradient};
+use super::{EulerLagrange, ends};
+use crate::ir::collect::collected_with;
+use crate::ir::substitute::Substitution;
+use crate::ir::{Function, Graph, Id, Number, Symbol};
+
+/// The equation of a step, residual(d) = 0. Rows are those of p, followed with an action by the row of s.
+pub(crate) struct Polarised {
+    pub(crate) unknowns: Vec<Symbol>,
+    /// M(q₁)v₁ + a(q₁) − p₁, where p₁ = p₀ + impulse; with an action also s₁ − s₀ minus its increment.
+    pub(crate) residual: Vec<Id>,
+    /// p₁ − p₀; with an action also s₁ − s₀.
+    pub(crate) impulse: Vec<Id>,
+    /// ∂residual/∂d.
+    pub(crate) matrix: Vec<Vec<Id>>,
+    /// ∂impulse/∂d.
+    pub(crate) impulse_by_increment: Vec<Vec<Id>>,
+}
+
+/// Builds the equation, with terms collected that differ in parameters alone. Forces read the time of the middle of the step.
+/// With an action, time is frozen there during the step: see `ContactPolarised` of the runtime.
+pub(crate) fn polarised(graph: &mut Graph, equation: EulerLagrange<'_>) -> Polarised {
+    let EulerLagrange { lagrangian, has_action, .. } = equation;
+    let degrees = equation.degrees();
+    let mut unknowns: Vec<Symbol> = (0..degrees).map(Symbol::VelocityIncrement).collect();
+    let h = graph.symbol(Symbol::StepLength);
+    // t₁ = t + h/2 without an action.
+    let end_time = (!has_action).then(|| {
+        let t = graph.symbol(Symbol::Time);
+        let half = graph.scale(Number::HALF, h);
+        graph.add(t, half)
+    });
+    let (ends, means) = (ends(graph, degrees), means(graph, degrees));
+    let increments: Vec<Id> = means.iter().map(|mean| graph.mul(h, *mean)).collect();
+    let polarised = polarisation(graph, equation);
+    let Gradient { q, s, .. } = discrete_gradient(graph, polarised, degrees);
+    let mut at_middle = Substitution::new(middle);
+    let forces = equation.force_at(graph, &q, &means, |graph, id| at_middle.apply(graph, id));
+    let mut moved = Substitution::new(|_: &mut Graph, symbol| match symbol {
+        Symbol::PositionIncrement(i) => Some(increments[i as usize]),
+        _ => None,
+    });
+    let forces: Vec<Id> = forces.iter().map(|force| moved.apply(graph, *force)).collect();
+    let mut impulse: Vec<Id> = forces.iter().map(|force| graph.mul(h, *force)).collect();
+    // h Λ_s, with the discrete derivative Λ_s of the polarisation by s.
+    let growth = has_action.then(|| {
+        let slope = moved.apply(graph, s);
+        graph.mul(h, slope)
+    });
+
+    let momenta = momenta_at_end(graph, equation, &ends, &increments, end_time);
+    let (mut residual, mut power) = (vec![], vec![]);
+    for (i, (momentum, impulse)) in (0..).zip(momenta.iter().zip(&mut impulse)) {
+        let p = graph.symbol(Symbol::Momentum(i));
+        if let Some(growth) = growth {
+            let sum = graph.add(p, *momentum);
+            let mean = graph.scale(Number::HALF, sum);
+            power.push(graph.mul(mean, means[i as usize]));
+            let grown = graph.mul(growth, mean);
+            *impulse = graph.add(*impulse, grown);
+        }
+        let [p, impulse] = [p, *impulse].map(|id| graph.neg(id));
+        residual.push(graph.sum(&[*momentum, p, impulse]));
+    }
+    if let Some(growth) = growth {
+        // Δs = h (p̄·v̄ − H₀ φ₁(hΛ_s)), with H₀ = p₀·v₀ − L.
+        let mean_growth = graph.call(Function::Phi1, &[growth]);
+        let energy = energy_at_start(graph, lagrangian, degrees);
+        let loss = graph.mul(energy, mean_growth);
+        power.push(graph.neg(loss));
+        let power = graph.sum(&power);
+        let step = graph.mul(h, power);
+        let ds = graph.symbol(Symbol::ActionIncrement);
+        residual.push(graph.sub(ds, step));
+        impulse.push(step);
+        unknowns.push(Symbol::ActionIncrement);
+    }
+    let [momenta_by_increment, impulse_by_increment] =
+        [&momenta, &impulse].map(|values| jacobian(graph, values, &unknowns));
+    // Both branches have the same value, but they write and round its sums differently.
+    let matrix = if has_action {
+        jacobian(graph, &residual, &unknowns)
+    } else {
+        let mut difference = |(end, impulse): (&Vec<Id>, &Vec<Id>)| {
+            end.iter().zip(impulse).map(|(end, impulse)| graph.sub(*end, *impulse)).collect()
+        };
+        momenta_by_increment.iter().zip(&impulse_by_increment).map(&mut difference).collect()
+    };
+    let mut result = Polarised { unknowns, residual, impulse, matrix, impulse_by_increment };
+    let ends = ends::by_slopes(graph, equation, &increments);
+    result.collect_terms(graph, &ends);
+    result
+}
+
+impl Polarised {
+    /// Replaces nodes, and collects terms that differ in parameters alone.
+    fn collect_terms(&mut self, graph: &mut Graph, replaced: &[(Id, Id)]) {
+        let Polarised { unknowns: _, residual, impulse, matrix, impulse_by_increment } = self;
+        let mut nodes: Vec<&mut Id> = residual.iter_mut().chain(impulse).collect();
+        nodes.extend(matrix.iter_mut().chain(impulse_by_increment).flatten());
+        let roots: Vec<Id> = nodes.iter().map(|node| **node).collect();
+        for (node, collected) in nodes.into_iter().zip(collected_with(graph, &roots, replaced)) {
+            *node = collected;
+        }
+    }
+}
+
+/// p₀·v₀ − L.
+fn energy_at_start(graph: &mut Graph, lagrangian: Id, degrees: u32) -> Id {
+    let mut terms = vec![graph.neg(lagrangian)];
+    for i in 0..degrees {
+        let [p, v] = [Symbol::Momentum(i), Symbol::Velocity(i)].map(|symbol| graph.symbol(symbol));
+        terms.push(graph.mul(p, v));
+    }
+    graph.sum(&terms)
+}
+
+/// M(q₁)v₁ + a(q₁), where M and a may read the action and time as well.
+fn momenta_at_end(
+    graph: &mut Graph,
+    equation: EulerLagrange<'_>,
+    velocities: &[Id],
+    increments: &[Id],
+    end_time: Option<Id>,
+) -> Vec<Id> {
+    let mut end = Substitution::new(|graph: &mut Graph, symbol| {
+        let increment = match symbol {
+            Symbol::Position(i) => increments[i as usize],
+            Symbol::Action => graph.symbol(Symbol::ActionIncrement),
+            Symbol::Time => return end_time,
+            _ => return None,
+        };
+        let start = graph.symbol(symbol);
+        Some(graph.add(start, increment))
+    });
+    let mut momentum = |(shift, row): (&Id, &Vec<Id>)| {
+        let mut terms = vec![end.apply(graph, *shift)];
+        for (entry, v) in row.iter().zip(velocities) {
+            let entry = end.apply(graph, *entry);
+            terms.push(graph.mul(entry, *v));
+        }
+        graph.sum(&terms)
+    };
+    equation.shift.iter().zip(equation.mass).map(&mut momentum).collect()
+}
+
+/// v₁ = v₀ + d.
+fn ends(graph: &mut Graph, degrees: u32) -> Vec<Id> {
+    let mut end = |i| {
+        let [start, d] = [Symbol::Velocity(i), Symbol::VelocityIncrement(i)].map(|symbol| graph.symbol(symbol));
+        graph.add(start, d)
+    };
+    (0..degrees).map(&mut end).collect()
+}
+
+/// v̄ = v₀ + d/2.
+fn means(graph: &mut Graph, degrees: u32) -> Vec<Id> {
+    let mut mean = |i| {
+        let [start, d] = [Symbol::Velocity(i), Symbol::VelocityIncrement(i)].map(|symbol| graph.symbol(symbol));
+        let half = graph.scale(Number::HALF, d);
+        graph.add(start, half)
+    };
+    (0..degrees).map(&mut mean).collect()
+}
+
+/// The polarisation Λ(q) = ½ v₀ᵀM(q)v₁ + a(q)·v̄ − V(q) of L, symmetric in v₀ and v₁.
+pub(crate) fn polarisation(graph: &mut Graph, equation: EulerLagrange<'_>) -> Id {
+    let EulerLagrange { mass, shift, potential, .. } = equation;
+    let degrees = equation.degrees();
+    let starts: Vec<Id> = (0..degrees).map(|i| graph.symbol(Symbol::Velocity(i))).collect();
+    let (ends, means) = (ends(graph, degrees), means(graph, degrees));
+    let mut terms = vec![graph.neg(potential)];
+    for i in 0..starts.len() {
+        terms.push(graph.mul(shift[i], means[i]));
+        for j in 0..=i {
+            let mut pair = graph.mul(starts[i], ends[j]);
+            if i != j {
+                let other = graph.mul(starts[j], ends[i]);
+                pair = graph.add(pair, other);
+            }
+            let half = graph.scale(Number::HALF, pair);
+            terms.push(graph.mul(mass[i][j], half));
+        }
+    }
+    graph.sum(&terms)
+}

@@ -1,0 +1,284 @@
+//! Implementations of the runtime's traits. One description of a trait serves the systems that have it and those that lack it.
+
+use super::kernel::Context;
+use super::missing::unsatisfied;
+use super::structure::self_type;
+use crate::derive::Missing;
+use proc_macro2::{Delimiter, Group, TokenStream};
+use quote::{ToTokens, format_ident, quote};
+
+/// A type in a signature.
+#[derive(Clone, Copy)]
+pub(super) enum Ty {
+    /// The scalar.
+    Number,
+    Index,
+    /// Start, midpoint and end of a step.
+    Span,
+    /// Positions, or momenta.
+    Array,
+    /// All coordinates.
+    Phase,
+    /// `R`, or `()` without an action.
+    Action,
+    PerCoordinate,
+    /// An associated type of the trait.
+    Associated(&'static str),
+    Square(&'static Ty),
+    Pair(&'static Ty),
+    Ref(&'static Ty),
+    Mut(&'static Ty),
+}
+
+/// An associated type in the implementation of a trait that a system lacks.
+#[derive(Clone, Copy)]
+pub(super) enum Absent {
+    /// A type without values: no method that takes it can be called.
+    Never,
+    Unit,
+    Is(Ty),
+    /// A type of the runtime.
+    Named(&'static str),
+}
+
+/// Attribute of a method. Methods of a trait that a system lacks have none.
+#[derive(Clone, Copy)]
+pub(super) enum Inline {
+    Hint,
+    Always,
+}
+
+/// The signature of a method with `&self`.
+pub(super) struct Method {
+    pub(super) inline: Inline,
+    pub(super) name: &'static str,
+    /// Patterns and types. The pattern `s or _` is `_` without an action.
+    pub(super) arguments: &'static [(&'static str, Ty)],
+    pub(super) returns: Option<Ty>,
+    /// Whether a comma follows the last argument, as in a list over several lines.
+    pub(super) is_wide: bool,
+}
+
+/// A trait of the runtime that a system may lack.
+pub(super) struct Trait {
+    pub(super) name: &'static str,
+    /// Whether the trait has the type `Proof`.
+    pub(super) has_proof: bool,
+    pub(super) associated: &'static [(&'static str, Absent)],
+    /// Methods without a default.
+    pub(super) methods: &'static [Method],
+    /// Methods with a default.
+    pub(super) provided: &'static [Method],
+}
+
+/// A type of a signature as Rust writes it; `[T] x 2` is an array of two.
+macro_rules! ty {
+    (&mut $($of:tt)+) => { Ty::Mut(&ty!($($of)+)) };
+    (& $($of:tt)+) => { Ty::Ref(&ty!($($of)+)) };
+    ([$($of:tt)+] x 2) => { Ty::Pair(&ty!($($of)+)) };
+    (Square<$of:ident>) => { Ty::Square(&ty!($of)) };
+    (R) => { Ty::Number };
+    (usize) => { Ty::Index };
+    (Span) => { Ty::Span };
+    (Array) => { Ty::Array };
+    (Phase) => { Ty::Phase };
+    (Action) => { Ty::Action };
+    (PerCoordinate) => { Ty::PerCoordinate };
+    ($associated:ident) => { Ty::Associated(stringify!($associated)) };
+}
+
+/// Signatures of methods: `Always fn kick("prepared": {&Kick}, "t": {R}) -> Kick;`. The word `wide` follows the arguments of [`Method::is_wide`].
+macro_rules! methods {
+    ($($inline:ident fn $name:ident($($pattern:literal: {$($ty:tt)+}),*) $($wide:ident)? $(-> $returns:ident)?;)*) => {
+        &[$(Method {
+            inline: Inline::$inline,
+            name: stringify!($name),
+            arguments: &[$(($pattern, ty!($($ty)+))),*],
+            returns: methods!(@returns $($returns)?),
+            is_wide: methods!(@wide $($wide)?),
+        }),*]
+    };
+    (@returns) => { None };
+    (@returns $ty:ident) => { Some(ty!($ty)) };
+    (@wide) => { false };
+    (@wide wide) => { true };
+}
+pub(super) use {methods, ty};
+
+/// Associated types of a trait in one implementation.
+struct Types<'a> {
+    context: &'a Context<'a>,
+    of: &'static Trait,
+    /// Their tokens. Empty for a system that lacks the trait.
+    given: &'a [(&'static str, TokenStream)],
+}
+
+impl Types<'_> {
+    fn tokens(&self, ty: Ty) -> TokenStream {
+        let context = self.context;
+        match ty {
+            Ty::Number => quote!(R),
+            Ty::Index => quote!(usize),
+            Ty::Span => quote!(Span<R>),
+            Ty::Array => context.array().into_token_stream(),
+            Ty::Phase => context.phase().into_token_stream(),
+            Ty::Action => context.action().into_token_stream(),
+            Ty::PerCoordinate => context.per_coordinate().into_token_stream(),
+            Ty::Associated(name) => match self.given.iter().find(|(other, _)| *other == name) {
+                Some((_, ty)) => ty.clone(),
+                None => self.absent(name),
+            },
+            Ty::Square(of) => {
+                let of = self.tokens(*of);
+                quote!(Square<#of>)
+            }
+            Ty::Pair(of) => {
+                let of = self.tokens(*of);
+                quote!([#of; 2])
+            }
+            Ty::Ref(of) => {
+                let of = self.tokens(*of);
+                quote!(&#of)
+            }
+            Ty::Mut(of) => {
+                let of = self.tokens(*of);
+                quote!(&mut #of)
+            }
+        }
+    }
+
+    /// An associated type of a system that lacks the trait. The array of unknowns need not be one, and is that of all coordinates then.
+    fn find(&self, name: &str) -> Absent {
+        let found = self.of.associated.iter().find(|(other, _)| *other == name);
+        found.map_or(Absent::Is(Ty::Phase), |(_, absent)| *absent)
+    }
+
+    fn absent(&self, name: &str) -> TokenStream {
+        match self.find(name) {
+            Absent::Never => quote!(::core::convert::Infallible),
+            Absent::Unit => quote!(()),
+            Absent::Is(ty) => self.tokens(ty),
+            Absent::Named(name) => format_ident!("{name}").into_token_stream(),
+        }
+    }
+
+    /// Whether an argument has no values in a system that lacks the trait.
+    fn is_never(&self, ty: Ty) -> bool {
+        matches!(ty, Ty::Ref(Ty::Associated(name)) if matches!(self.find(name), Absent::Never))
+    }
+
+    /// A method that cannot be called.
+    fn uncallable(&self, method: &Method) -> TokenStream {
+        let unit = matches!(method.returns, Some(Ty::Associated(name)) if matches!(self.find(name), Absent::Unit));
+        let never = method.arguments.iter().position(|(_, ty)| self.is_never(*ty)).filter(|_| !unit);
+        let arguments = method.arguments.iter().enumerate().map(|(i, (_, ty))| {
+            let (pattern, ty) = (if never == Some(i) { quote!(never) } else { quote!(_) }, self.tokens(*ty));
+            quote!(#pattern: #ty)
+        });
+        let body = match never {
+            _ if unit => quote!(),
+            Some(_) => quote!(match *never {}),
+            None => quote!(::core::unreachable!()),
+        };
+        let (name, returns) = (format_ident!("{}", method.name), self.returned(method).filter(|_| !unit));
+        quote!(fn #name(&self, #(#arguments),*) #returns { #body })
+    }
+
+    fn returned(&self, method: &Method) -> Option<TokenStream> {
+        method.returns.map(|ty| {
+            let ty = self.tokens(ty);
+            quote!(-> #ty)
+        })
+    }
+}
+
+/// The items of an implementation, one after the other.
+pub(super) struct Implementation<'a> {
+    types: Types<'a>,
+    /// Parameters of the trait before the scalar.
+    parameters: TokenStream,
+    items: TokenStream,
+}
+
+impl<'a> Implementation<'a> {
+    /// Starts with the associated types of a trait.
+    pub(super) fn new(
+        context: &'a Context<'a>,
+        of: &'static Trait,
+        given: &'a [(&'static str, TokenStream)],
+    ) -> Implementation<'a> {
+        let types = Types { context, of, given };
+        Implementation { types, parameters: TokenStream::new(), items: TokenStream::new() }
+    }
+
+    /// Adds parameters of the trait before the scalar.
+    pub(super) fn with_parameters(self, parameters: TokenStream) -> Self {
+        Implementation { parameters, ..self }
+    }
+
+    /// Adds constants, types, or methods of no table.
+    pub(super) fn items(mut self, items: impl ToTokens) -> Self {
+        items.to_tokens(&mut self.items);
+        self
+    }
+
+    /// Adds a method of the trait. The body becomes one token: many tokens would be copied one by one.
+    pub(super) fn method(mut self, name: &str, body: TokenStream) -> Self {
+        let Types { context, of, .. } = self.types;
+        if let Some(method) = of.methods.iter().chain(of.provided).find(|method| method.name == name) {
+            let inline = match method.inline {
+                Inline::Hint => quote!(#[inline]),
+                Inline::Always => quote!(#[inline(always)]),
+            };
+            let arguments = method.arguments.iter().map(|(pattern, ty)| {
+                let pattern = match *pattern {
+                    "s or _" if context.form.has_action() => quote!(s),
+                    "s or _" => quote!(_),
+                    pattern => pattern.parse().unwrap_or_default(),
+                };
+                let ty = self.types.tokens(*ty);
+                quote!(#pattern: #ty)
+            });
+            let (name, returns) = (format_ident!("{name}"), self.types.returned(method));
+            let body = Group::new(Delimiter::Brace, body);
+            let comma = method.is_wide.then(|| quote!(,));
+            self.items.extend(quote!(#inline fn #name(&self, #(#arguments),* #comma) #returns #body));
+        }
+        self
+    }
+
+    pub(super) fn finish(self) -> TokenStream {
+        let Implementation { types: Types { context, of, .. }, parameters, items } = self;
+        let (name, of) = (self_type(context), format_ident!("{}", of.name));
+        quote!(impl<R: Real> #of<#parameters R> for #name { #items })
+    }
+}
+
+/// Implements traits for no scalar. The compiler's message about a missing trait names the reason.
+pub(super) fn absent(context: &Context<'_>, missing: Missing, traits: &[&'static Trait]) -> TokenStream {
+    absent_with(context, missing, traits, &TokenStream::new(), &TokenStream::new())
+}
+
+/// Implements traits with parameters before the scalar for no scalar, with some further `items`.
+pub(super) fn absent_with(
+    context: &Context<'_>,
+    missing: Missing,
+    traits: &[&'static Trait],
+    parameters: &TokenStream,
+    items: &TokenStream,
+) -> TokenStream {
+    let (marker, message) = unsatisfied(context, missing);
+    let name = self_type(context);
+    let implementations = traits.iter().map(|of| {
+        let types = Types { context, of, given: &[] };
+        let proof = of.has_proof.then(|| quote!(type Proof = <R as #marker>::Proof;));
+        let associated = of.associated.iter().map(|(name, _)| {
+            let (name, ty) = (format_ident!("{name}"), types.absent(name));
+            quote!(type #name = #ty;)
+        });
+        let methods = of.methods.iter().map(|method| types.uncallable(method));
+        let of = format_ident!("{}", of.name);
+        quote!(impl<R: Real + #marker> #of<#parameters R> for #name { #items #proof #(#associated)* #(#methods)* })
+    });
+    quote!(#message #(#implementations)*)
+}

@@ -1,0 +1,110 @@
+//! Steps of a Lagrangian with velocities as unknowns, in words.
+
+use super::contact::decaying;
+use super::{Report, counted, friction};
+use crate::analyze::{Damping, Forces, Spared};
+use crate::derive::{BesideVelocities, Implicit, KeptMomentum, System, VelocityKernels};
+use crate::ir::{Id, Symbol};
+use crate::legendre::Legendre;
+use crate::parse::Role;
+
+/// `obstacle` is the reason why there is no H.
+pub(super) fn report(
+    report: &mut Report<'_>,
+    legendre: &Legendre,
+    obstacle: Id,
+    beside: &BesideVelocities,
+    system: &System,
+) {
+    let Implicit::Velocities(kernels) = &system.implicit else { return };
+    let v = report.name_of(Role::Velocity);
+    writeln!(report, "Structure");
+    writeln!(
+        report,
+        "- steps are solved for {v}: H as a function of momenta would be long, or has no formula, by {}",
+        report.excerpt(obstacle)
+    );
+    match beside {
+        BesideVelocities::Forces { damping, forces } => {
+            writeln!(report, "- kick and drift do not exist");
+            conserved(report, legendre, damping.as_ref(), forces.as_ref(), kernels);
+        }
+        BesideVelocities::Action { decay, dissipated } => {
+            writeln!(report, "- kick and drift do not exist, nor do pieces with flows in closed form");
+            writeln!(report, "- ∂H/∂s = −∂L/∂s = {}, and H' = −H ∂H/∂s − ∂L/∂t", report.excerpt(*decay));
+            match kernels.stages.has_action_unknown() {
+                true => writeln!(report, "- s acts back on positions or momenta"),
+                false => writeln!(report, "- positions and momenta move without s: `without_action` leaves it out"),
+            }
+            if let Some(dissipated) = dissipated {
+                decaying(report, "L", *decay, dissipated);
+            }
+        }
+    }
+    let unknowns = report.compilation.degrees() + u32::from(kernels.stages.has_action_unknown());
+    writeln!(report, "\nImplicit steps, with {unknowns} unknowns a stage (a sine with its cosine counts as two)");
+    let stage = counted(kernels.stages.stage.operations());
+    let action = kernels.stages.action.is_some();
+    match action {
+        false => writeln!(report, "- stage of a Newton iteration of collocation: {stage}"),
+        true => writeln!(report, "- `ContactMidpoint` and `ContactGauss`: {stage} a stage of an iteration"),
+    }
+    let step = kernels.polarised.as_ref().map(|step| counted(step.kernel.operations()));
+    match step {
+        Ok(cost) if action => {
+            writeln!(report, "- `ContactDiscreteGradient`, the polarised one: {cost} an iteration")
+        }
+        Ok(cost) => writeln!(report, "- Newton iteration of the discrete gradient, the polarised one: {cost}"),
+        Err(_) => writeln!(report, "- there is no discrete gradient: L is not quadratic in {v}"),
+    }
+}
+
+/// Time, forces, and the integrals of the flow and of its methods.
+fn conserved(
+    report: &mut Report<'_>,
+    legendre: &Legendre,
+    damping: Option<&Damping>,
+    forces: Option<&Forces>,
+    kernels: &VelocityKernels,
+) {
+    let autonomous = !report.graph().reads(legendre.lagrangian).t;
+    writeln!(report, "- L {} on time", if autonomous { "does not depend" } else { "depends" });
+    if let Some(damping) = damping {
+        friction::damping(report, damping, autonomous);
+    }
+    if let Some(forces) = forces {
+        friction::forces(report, forces, autonomous);
+    }
+    writeln!(report, "\nConserved by the flow, at least");
+    let read = report.graph().symbols(legendre.lagrangian);
+    let spared = Spared { damping, forces };
+    let is_kept = |i: &u32| !read.contains(&Symbol::Position(*i)) && spared.coordinate(report.graph(), *i);
+    let cyclic: Vec<u32> = (0..report.compilation.degrees()).filter(is_kept).collect();
+    let energy = autonomous && damping.is_none() && forces.is_none();
+    let VelocityKernels { polarised, momenta, .. } = kernels;
+    if energy {
+        writeln!(report, "- the energy");
+    }
+    for i in &cyclic {
+        let [q, p] = [Symbol::Position(*i), Symbol::Momentum(*i)].map(|symbol| report.named(symbol));
+        writeln!(report, "- {p}: L does not read {q}");
+    }
+    for KeptMomentum { momentum, .. } in momenta {
+        writeln!(report, "- {}: {}", momentum.name, report.excerpt(momentum.value));
+    }
+    if !energy && cyclic.is_empty() && momenta.is_empty() {
+        writeln!(report, "- nothing that was found");
+    }
+    if !cyclic.is_empty() || !momenta.is_empty() {
+        writeln!(report, "`ImplicitMidpoint` and `Gauss` keep all momenta of these, to rounding");
+    }
+    let summed = momenta.iter().any(|kept| kept.by_gradient);
+    if polarised.is_ok() && (energy || summed || !cyclic.is_empty()) {
+        let others = momenta.iter().filter(|kept| !kept.by_gradient);
+        let others: Vec<String> = others.map(|kept| format!("the {}", kept.momentum.name)).collect();
+        match &others[..] {
+            [] => writeln!(report, "`DiscreteGradient` keeps all of these, to rounding"),
+            _ => writeln!(report, "`DiscreteGradient` keeps all of these but {}, to rounding", others.join(", ")),
+        }
+    }
+}
