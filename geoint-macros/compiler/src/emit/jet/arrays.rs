@@ -82,7 +82,7 @@ impl Writer<'_> {
         if rates.len() <= MOST_IN_REGISTERS { rates } else { &[] }
     }
 
-    /// Returns whether an operand has an array of its own: a sum reads it outside of packs, or a rule reads its previous coefficient.
+    /// Returns whether an operand has its own array: a sum outside of packs reads the operand, or a rule reads its previous coefficient.
     pub(super) fn has_array(&self, operand: Operand) -> bool {
         let series = &self.jet.series[operand.source];
         let (in_sums, before) = if operand.weighted { (series.weighted, false) } else { (series.kept, series.before) };

@@ -40,8 +40,8 @@ impl Writer<'_> {
         self.packs.central[place].factors.iter().map(sources).collect()
     }
 
-    /// Emits the call that stores the factors, once. The factors of all forces come first: a load of a pack waits for four separate stores, and these
-    /// are then complete.
+    /// Emits the call that stores the factors, once. The factors of all forces come first. Their stores are then complete before the first load of a pack,
+    /// which waits for four separate stores.
     pub(super) fn take_factors(&mut self, place: usize) {
         let factors = self.central_factors(place);
         factors.iter().flatten().for_each(|source| self.series(*source));

@@ -90,11 +90,11 @@ pub(super) fn jets(context: &Context<'_>, kernel: &JetKernel<Plan>) -> TokenStre
 struct Writer<'a> {
     context: &'a Context<'a>,
     jet: &'a Jet,
-    /// The sums that are computed side by side. Empty if there are few sums.
+    /// The sums in packs. Empty if there are few sums.
     packs: &'a Lanes,
-    /// The numbers computed once per step that the orders read.
+    /// The numbers computed once per step, for all orders.
     numbers: Vec<StepNumber>,
-    /// Packs of such numbers, for groups of series.
+    /// Packs of numbers computed once per step, for groups of series.
     packed_numbers: Vec<[StepNumber; LANES]>,
     order: Order,
 }
@@ -115,12 +115,12 @@ impl Writer<'_> {
         quote!(recurrence::#call::<#most, { P }>)
     }
 
-    /// Returns a number that is computed once per step.
+    /// Returns a number computed once per step.
     fn number(&mut self, number: StepNumber) -> TokenStream {
         entry(quote!(k), interned(&mut self.numbers, number))
     }
 
-    /// Returns a number that is computed once per step for one series, or a pack of numbers for four.
+    /// Returns a number computed once per step for one series, or a pack of numbers for four.
     fn numbers(&mut self, sources: &[Source], number: impl Fn(Source) -> StepNumber) -> TokenStream {
         let Ok(sources) = <[Source; LANES]>::try_from(sources) else { return self.number(number(sources[0])) };
         entry(quote!(beside), interned(&mut self.packed_numbers, sources.map(number)))

@@ -1,4 +1,4 @@
-//! Scalar expressions in the emitted coefficients: constants, and numbers that are computed once per step.
+//! Scalar expressions in the emitted coefficients: constants, and numbers computed once per step.
 
 use crate::diff::jet::{Factor, Value};
 use crate::emit::given::element;
@@ -7,7 +7,7 @@ use crate::ir::Number;
 use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, quote};
 
-/// A number that is computed once per step, from values at its start.
+/// A number computed once per step, from values at the start.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum StepNumber {
     Value(Value),

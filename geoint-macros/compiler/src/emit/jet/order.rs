@@ -16,17 +16,17 @@ use crate::diff::jet::{Jet, LANES, Lanes, Operand, Rule, Source, Weight};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
-/// The emitted code of one order, and the parts that it contains so far.
+/// The emitted code of one order, and its completed parts.
 pub(super) struct Order {
     /// The code so far.
     pub(super) body: TokenStream,
-    /// The variables that the code assigns.
+    /// The variables assigned by the code.
     names: Vec<Ident>,
-    /// True for each series that has been emitted.
+    /// True for each emitted series.
     series: Vec<bool>,
     /// True for each array of packs that contains the coefficients of order n.
     arrays: Vec<bool>,
-    /// True for each central force whose factors have been emitted.
+    /// True for each central force with emitted factors.
     pub(super) central: Vec<bool>,
 }
 

@@ -202,7 +202,7 @@ impl Writer<'_> {
         }
     }
 
-    /// Returns Σ factor·c in the order of the terms: the coefficient that is known last is added last.
+    /// Returns Σ factor·c in the order of the terms. The coefficient computed last is added last.
     fn linear(&mut self, terms: &[(Factor, Source)]) -> TokenStream {
         let add = |sum: Option<TokenStream>, (factor, source): &(Factor, Source)| {
             let c = self.now(&[*source]);
