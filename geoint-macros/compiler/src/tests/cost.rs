@@ -1,7 +1,8 @@
-//! What the compiler costs, and how good its code is in operations.
+//! The number of operations in emitted code, and the run time of the compiler.
 
+use super::{expansion, lowered};
 use crate::parse::Form;
-use crate::{analyze, attribute, diff, lower, parse, schedule};
+use crate::{analyze, attribute, diff, schedule};
 use proc_macro2::TokenStream;
 use quote::quote;
 use std::time::Instant;
@@ -41,7 +42,7 @@ fn outer_solar_system() -> TokenStream {
     }
 }
 
-/// The arm of `tests/lagrangian`.
+/// Returns the robot arm of `tests/lagrangian`.
 fn arm_in_space() -> TokenStream {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/lagrangian/space.rs");
     let file = syn::parse_file(&std::fs::read_to_string(path).expect("the file")).expect("items");
@@ -57,10 +58,7 @@ fn arm_in_space() -> TokenStream {
 
 #[test]
 fn the_gradient_of_the_double_pendulum_is_short() {
-    let item = syn::parse2(double_pendulum()).expect("a function");
-    let energy =
-        parse::energy(parse::Form::Hamiltonian, quote!(), item).unwrap_or_else(|e| panic!("{:?}", e.messages()));
-    let mut lowered = lower::body(&energy).unwrap_or_else(|e| panic!("{:?}", e.messages()));
+    let (energy, mut lowered) = lowered(double_pendulum());
     let structure = analyze::structure(&mut lowered.graph, lowered.terms.energy, &energy.coordinates.shape);
     let gradient = diff::gradient(&mut lowered.graph, structure.energy, 2);
     let roots = [gradient.q, gradient.p].concat();
@@ -69,7 +67,7 @@ fn the_gradient_of_the_double_pendulum_is_short() {
     assert!(operations.total() <= 65, "{operations:?}");
 }
 
-/// Of many unknowns, entries of matrices that are zero are written all at once.
+/// Zero entries of large matrices are emitted as one assignment of the whole matrix.
 #[test]
 fn sparse_matrices_are_short() {
     let item = quote! {
@@ -78,14 +76,14 @@ fn sparse_matrices_are_short() {
         }
     };
     let structure = quote!(structure = |i, j| if j == i + 1 { x[i] * x[j] } else { 0.0 });
-    let text = attribute::expand(Form::Hamiltonian, structure, item).to_string();
+    let text = expansion(Form::Hamiltonian, structure, item);
     let entries = text.matches("jacobian [").count();
     // Three diagonals, twice: for collocation and for discrete gradients.
     assert_eq!(entries, 2 * (20 + 2 * 19));
 }
 
-/// Every `let` opens a scope inside of the one before, down to the end of its block: thousands of them overflow the stack of rustc
-/// where it writes debug information.
+/// Each `let` opens a scope inside the previous scope, down to the end of its block. Thousands of nested scopes overflow the stack of rustc when it
+/// writes debug information.
 #[test]
 fn scopes_are_not_nested_by_statements() {
     struct Deepest(usize);
@@ -103,9 +101,9 @@ fn scopes_are_not_nested_by_statements() {
     assert!(deepest.0 <= 8, "{} scopes in one block", deepest.0);
 }
 
-/// What is applied to itself is shared: 2²⁸ paths lead through it, and each node is asked once.
+/// The iterated map has 2²⁸ paths through its graph. Each node is visited once.
 #[test]
-fn shared_sums_are_looked_at_once() {
+fn shared_sums_are_visited_once() {
     let item = quote! {
         fn iterated(q: f64, p: f64, a: f64) -> f64 {
             let mut x = q;
@@ -115,11 +113,10 @@ fn shared_sums_are_looked_at_once() {
             p * p / 2.0 + x
         }
     };
-    let tokens = attribute::expand(Form::Hamiltonian, quote!(), item);
-    assert!(!tokens.to_string().contains("compile_error"));
+    assert!(!expansion(Form::Hamiltonian, quote!(), item).contains("compile_error"));
 }
 
-/// Prints the time from tokens to tokens. Proc macros are built without optimisation, so this is what users pay.
+/// Prints the time from tokens to tokens. Proc macros are built without optimisation, so this is the time that users wait.
 #[test]
 #[ignore = "prints times, asserts nothing about them: run it by hand"]
 fn time_from_tokens_to_tokens() {

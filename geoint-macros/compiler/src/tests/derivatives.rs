@@ -1,5 +1,4 @@
-//! Derivatives against difference quotients, over the table of functions: nothing can be added to the table without being
-//! tested here.
+//! Compares derivatives with difference quotients, for all functions of the table.
 
 use super::{Noise, graph_of, lowered};
 use crate::diff;
@@ -10,7 +9,7 @@ use quote::quote;
 
 const Q: Symbol = Symbol::Position(0);
 
-/// A point well inside the domain of a function's argument.
+/// Returns a random point inside the domain of a function's argument, away from the ends.
 fn argument(function: Function, noise: &mut Noise) -> f64 {
     match function.entry().domain {
         Domain::Everywhere => noise.between(-1.5, 1.5),
@@ -22,7 +21,7 @@ fn argument(function: Function, noise: &mut Noise) -> f64 {
     }
 }
 
-/// f'(x) by a difference quotient of order 4.
+/// Returns f'(x) by a difference quotient of order 4.
 fn quotient(f: impl Fn(f64) -> f64, x: f64) -> f64 {
     let h = 1e-3;
     (8.0 * (f(x + h) - f(x - h)) - (f(x + 2.0 * h) - f(x - 2.0 * h))) / (12.0 * h)
@@ -31,8 +30,8 @@ fn quotient(f: impl Fn(f64) -> f64, x: f64) -> f64 {
 #[test]
 fn every_function_has_its_derivative() {
     let mut noise = Noise(1);
-    // Derivatives of slopes are what Newton's matrices are made of, and some flows give their momenta without derivatives; nothing asks
-    // for theirs.
+    // Nothing differentiates these functions twice: Newton's matrices need derivatives of slopes once, and some flows give their momenta without
+    // derivatives.
     let once = |entry: &Entry| {
         entry.name.ends_with("_derivative") && entry.function != Function::AbsSlopeDerivative
             || Function::KEPLER.contains(&entry.function)
@@ -48,9 +47,9 @@ fn every_function_has_its_derivative() {
         for place in 0..entry.arity.min(2) {
             let (mut graph, q) = graph_of(Q);
             let x = argument(entry.function, &mut noise);
-            // Helpers do not state where they are defined; all are between these two.
+            // Helpers do not state their domain. All of them are defined here.
             let x = if entry.public { x } else { 0.5 + x.abs() };
-            // Of two in order, the first is below all of that or the second above; so are a number and the square of one.
+            // `AtMost`, `Provided` and `Bounded` compare their arguments. This value decides the comparison for all x.
             let other = match entry.function {
                 Function::AtMost | Function::Provided => [4.0, 0.25][place],
                 Function::Bounded => [1e3, 0.25][place],
@@ -82,7 +81,7 @@ fn powers_have_their_derivative() {
     }
 }
 
-/// ∇̄H·(x₁ − x₀) = H(x₁) − H(x₀) for an energy that mixes everything that has slopes.
+/// ∇̄H·(x₁ − x₀) = H(x₁) − H(x₀) for an energy with many kinds of terms. For a zero step, ∇̄H is the gradient.
 #[test]
 fn the_discrete_gradient_satisfies_the_discrete_chain_rule() {
     let (_, mut lowered) = lowered(quote! {
@@ -127,7 +126,7 @@ fn the_discrete_gradient_satisfies_the_discrete_chain_rule() {
     }
 }
 
-/// Newton's matrix against difference quotients of the residual; the branch is taken apart, not blurred.
+/// The derivative at a branch is the derivative of the chosen side.
 #[test]
 fn a_branch_is_differentiated_on_each_side() {
     let (_, mut lowered) = lowered(quote! {

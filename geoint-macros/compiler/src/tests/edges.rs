@@ -1,11 +1,11 @@
-//! Divided differences where functions end, have a pole, a kink or a zero.
+//! Divided differences at poles, kinks, zeros and the ends of domains.
 
 use super::slopes::{Case, around_zero};
 use crate::ir::{Function, Graph, Id, Number, Ratio};
 
 type Build = Box<dyn Fn(&mut Graph, Id) -> Id>;
 
-/// Each with a start in its domain, and an end beyond that or beyond a pole.
+/// Each step starts inside the domain of a function. It ends outside, or beyond a pole.
 #[test]
 fn there_is_no_slope_across_a_pole() {
     let power = |n, m| move |g: &mut Graph, x| g.pow(x, Ratio { numerator: n, denominator: m });
@@ -46,7 +46,7 @@ fn there_is_no_slope_across_a_pole() {
     }
 }
 
-/// What rests where a function has a kink, or a power no second derivative, stays there.
+/// At a kink, or where a power has no second derivative, a zero step gives the derivative.
 #[test]
 fn slopes_at_zero_are_those_of_the_limit() {
     let half = |n| move |g: &mut Graph, x| g.pow(x, Ratio { numerator: n, denominator: 2 });
@@ -56,7 +56,7 @@ fn slopes_at_zero_are_those_of_the_limit() {
             g.call(Function::Powf, &[size, exponent])
         }
     };
-    // Overlap of two grains: it is zero most of the time.
+    // The overlap of two grains, which is zero most of the time.
     let contact = |g: &mut Graph, x| {
         let zero = g.zero();
         let overlap = g.call(Function::Max, &[x, zero]);
@@ -75,7 +75,7 @@ fn slopes_at_zero_are_those_of_the_limit() {
         let case = Case::new(name.into(), around_zero(1.0), build);
         let (met, derivative) = (case.at(case.slope, 0.0, 0.0), case.at(case.derivative, 0.0, 0.0));
         assert!((met - derivative).abs() < 1e-99, "{name}: {met:e} {derivative:e}");
-        // A jump has a slope between its sides, of which nothing is left where they meet.
+        // The slope across a jump has no limit, so `signum` has no second derivative.
         assert!(name == "signum x" || case.at(case.second, 0.0, 0.0).is_finite(), "{name}");
         for d in [1e-310, 1e-9, 0.25, 3.0] {
             let (found, change) = (case.at(case.slope, 0.0, d) * d, case.at(case.value, d, 0.0));

@@ -1,9 +1,9 @@
-//! The value of a node: the plain meaning of the graph, against which derivations and schedules are tested. Nothing is decided by it.
+//! Evaluates graphs in f64: the reference for tests of derivatives and schedules.
 
 use crate::ir::{Graph, Id, Node, Symbol};
 use std::collections::HashMap;
 
-/// The value of `root` where symbols have the values that `value` gives them.
+/// Returns the value of `root`. `value` gives the values of symbols.
 pub(crate) fn eval(graph: &Graph, root: Id, value: &impl Fn(Symbol) -> f64) -> f64 {
     let mut values: HashMap<Id, f64> = HashMap::new();
     for id in graph.reachable(&[root]) {

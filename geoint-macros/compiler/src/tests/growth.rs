@@ -1,22 +1,19 @@
-//! Energies whose lowering must not grow exponentially. A failure is a test that does not end.
+//! Lowering must not take exponential time. A failing test does not end.
 
-use crate::attribute;
+use super::expansion;
 use crate::parse::Form;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
+/// Returns the expansion of an energy with one degree of freedom.
 fn expanded(body: TokenStream) -> String {
-    let item = quote!(
-        fn h(q: f64, p: f64) -> f64 {
-            p * p / 2.0 + { #body }
-        }
-    );
-    attribute::expand(Form::Hamiltonian, quote!(), item).to_string()
+    let item = quote! { fn h(q: f64, p: f64) -> f64 { p * p / 2.0 + { #body } } };
+    expansion(Form::Hamiltonian, quote!(), item)
 }
 
 const TOO_LONG: &str = "this unrolls to more than 5000 operations";
 
-/// Functions of x, each of which calls the function before it: `let f1 = |x: f64| …;`, or `fn f1(x: f64) -> f64 { … }`.
+/// Returns a chain of functions that each call the previous one: `let f1 = |x: f64| …;`, or `fn f1(x: f64) -> f64 { … }`.
 fn chain(count: usize, closures: bool, call: impl Fn(TokenStream) -> TokenStream) -> TokenStream {
     let names: Vec<_> = (0..=count).map(|i| format_ident!("f{i}")).collect();
     let functions = names.iter().enumerate().map(|(i, name)| {
@@ -53,7 +50,7 @@ fn calls_with_other_arguments_have_a_limit() {
     }
 }
 
-/// Captured variables are part of a call.
+/// Calls with different captured variables are different calls.
 #[test]
 fn closures_of_other_variables_are_other_calls() {
     let found = expanded(quote!(
@@ -73,7 +70,7 @@ fn closures_of_other_variables_are_other_calls() {
     assert!(mistakes.contains("compile_error"), "{mistakes}");
 }
 
-/// Common factors of a sum are found in a time that is not cubic.
+/// The search for common factors of a sum does not take cubic time.
 #[test]
 fn long_sums_are_scheduled() {
     let terms = (1..=300).map(|k| {
@@ -83,7 +80,7 @@ fn long_sums_are_scheduled() {
     assert!(!expanded(quote!(#(#terms)+*)).contains("compile_error"));
 }
 
-/// A table of so many pieces.
+/// Returns a function with `count` pieces.
 fn table(count: u32) -> TokenStream {
     let pieces = (0..count).map(|k| {
         let [bound, slope] = [f64::from(k), f64::from(k) + 0.5];

@@ -1,7 +1,6 @@
-//! How many sums of series a coefficient takes: as few as by hand.
+//! The number of sums in Taylor coefficients: as few as by hand.
 
-use super::lowered;
-use crate::attribute;
+use super::{expansion, lowered};
 use crate::diff::jet::Rule;
 use crate::diff::{self, by_velocities, jet};
 use crate::ir::{Graph, Id, Symbol};
@@ -9,8 +8,15 @@ use crate::parse::Form;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// Sums in halves, a square is one: of ∂H/∂q as it is, and in velocities.
-fn sums(item: TokenStream, degrees: u32) -> (usize, Option<usize>) {
+/// The number of sums in the Taylor coefficients, counted in halves. A square counts one half.
+struct Sums {
+    /// With ∂H/∂q as it is written.
+    as_it_is: usize,
+    /// With ∂H/∂q in velocities.
+    by_velocities: Option<usize>,
+}
+
+fn sums(item: TokenStream, degrees: u32) -> Sums {
     let (_, mut lowered) = lowered(item);
     let graph = &mut lowered.graph;
     let gradient = diff::gradient(graph, lowered.terms.energy, degrees);
@@ -21,12 +27,12 @@ fn sums(item: TokenStream, degrees: u32) -> (usize, Option<usize>) {
         jet::jet(graph, &rates, &[]).half_convolutions()
     };
     let by_velocities = by_velocities::of_energy(graph, lowered.terms.energy, &gradient);
-    (sums(graph, &gradient), by_velocities.map(|gradient| sums(graph, &gradient)))
+    Sums { as_it_is: sums(graph, &gradient), by_velocities: by_velocities.map(|gradient| sums(graph, &gradient)) }
 }
 
-/// sin and cos of three angles 12, sin² 1, p·cos of both momenta 4, velocities 4, v₁v₂ and that times sin 4.
+/// sin and cos of three angles 12, sin² 1, p·cos of both momenta 4, velocities 4, v₁v₂ and its product with sin 4.
 #[test]
-fn the_double_pendulum_takes_as_many_as_by_hand() {
+fn the_double_pendulum_takes_as_few_sums_as_by_hand() {
     let pendulum = quote! {
         fn pendulum(q: [f64; 2], p: [f64; 2], m1: f64, m2: f64, l1: f64, l2: f64, g: f64) -> f64 {
             let (sin, cos) = (q[0] - q[1]).sin_cos();
@@ -35,12 +41,12 @@ fn the_double_pendulum_takes_as_many_as_by_hand() {
                 - (m1 + m2) * g * l1 * q[0].cos() - m2 * g * l2 * q[1].cos()
         }
     };
-    let (as_it_is, by_velocities) = sums(pendulum, 2);
+    let Sums { as_it_is, by_velocities } = sums(pendulum, 2);
     assert_eq!(by_velocities, Some(25));
     assert!(as_it_is > 25);
 }
 
-/// The same with what 2 and masses divide taken to other places: the determinant is a multiple of the denominator.
+/// The factors 2 and the masses stand in other places. The determinant is a multiple of the denominator.
 #[test]
 fn a_denominator_may_be_written_otherwise() {
     let pendulum = quote! {
@@ -50,10 +56,10 @@ fn a_denominator_may_be_written_otherwise() {
                 - q[0].cos() - q[1].cos()
         }
     };
-    assert_eq!(sums(pendulum, 2).1, Some(25));
+    assert_eq!(sums(pendulum, 2).by_velocities, Some(25));
 }
 
-/// An arm of two links: sin and cos of three angles 12, cos² 1, momenta times M 6, velocities 4, v₁(v₁ + v₂) and that times sin 4.
+/// An arm of two links: sin and cos of three angles 12, cos² 1, momenta times M 6, velocities 4, v₁(v₁ + v₂) and its product with sin 4.
 #[test]
 fn an_arm_has_common_factors() {
     let arm = quote! {
@@ -64,12 +70,12 @@ fn an_arm_has_common_factors() {
                 + g * (2.0 * q[0].sin() + (q[0] + q[1]).sin())
         }
     };
-    let (as_it_is, by_velocities) = sums(arm, 2);
+    let Sums { as_it_is, by_velocities } = sums(arm, 2);
     assert_eq!(by_velocities, Some(27));
     assert!(as_it_is > 27);
 }
 
-/// In polar coordinates: r² 1, the angular velocity w 2, w² 1, rw² 2; and of the spring sin and cos 4, r·sin 2.
+/// Polar coordinates: r² 1, the angular velocity w 2, w² 1, rw² 2. The spring adds sin and cos 4, r·sin 2.
 #[test]
 fn polar_coordinates_divide_by_the_square() {
     let spring = quote! {
@@ -78,10 +84,10 @@ fn polar_coordinates_divide_by_the_square() {
                 - m * g * q[0] * q[1].cos()
         }
     };
-    assert_eq!(sums(spring, 2).1, Some(12));
+    assert_eq!(sums(spring, 2).by_velocities, Some(12));
 }
 
-/// L is a number: r⁻¹ 2, r⁻² 1, r⁻³ 2; whether it is a momentum or a parameter.
+/// L is a number, as a momentum or as a parameter: r⁻¹ 2, r⁻² 1, r⁻³ 2.
 #[test]
 fn momenta_of_cyclic_coordinates_are_numbers() {
     let kepler = quote! {
@@ -94,8 +100,8 @@ fn momenta_of_cyclic_coordinates_are_numbers() {
             p * p / (2.0 * m) + l * l / (2.0 * m * q * q) - m / q
         }
     };
-    let (as_it_is, by_velocities) = sums(kepler, 2);
-    assert_eq!([Some(as_it_is), by_velocities, Some(sums(radial, 1).0)], [Some(5); 3]);
+    let Sums { as_it_is, by_velocities } = sums(kepler, 2);
+    assert_eq!([Some(as_it_is), by_velocities, Some(sums(radial, 1).as_it_is)], [Some(5); 3]);
 }
 
 /// A bead on a parabola: q² 1, v 2, v² 1, qv² 2.
@@ -106,12 +112,12 @@ fn a_mass_may_depend_on_the_position() {
             p * p / (2.0 * m * (1.0 + 4.0 * a * a * q * q)) + m * g * a * q * q
         }
     };
-    let (as_it_is, by_velocities) = sums(bead, 1);
+    let Sums { as_it_is, by_velocities } = sums(bead, 1);
     assert_eq!(by_velocities, Some(6));
     assert!(as_it_is > 6);
 }
 
-/// Where no velocity is quadratic, or M does not change, there is one form.
+/// If no velocity is quadratic, or M is constant, there is one form.
 #[test]
 fn other_energies_have_one_form() {
     let relativistic = quote! {
@@ -124,16 +130,16 @@ fn other_energies_have_one_form() {
             p * p / (2.0 * m) - q.cos()
         }
     };
-    assert_eq!(sums(relativistic, 1).1, None);
-    assert_eq!(sums(pendulum, 1).1, None);
+    assert_eq!(sums(relativistic, 1).by_velocities, None);
+    assert_eq!(sums(pendulum, 1).by_velocities, None);
 }
 
-/// Six bodies that attract each other.
+/// Returns the energy of six bodies that attract each other.
 fn bodies() -> TokenStream {
     attracting(quote!(-1.0 / square.sqrt()))
 }
 
-/// The same with an energy of two bodies by the square of their distance.
+/// Returns an energy of six bodies with a pair energy, a function of the squared distance `square`.
 fn attracting(energy: TokenStream) -> TokenStream {
     quote! {
         fn bodies(q: [[f64; 3]; 6], p: [[f64; 3]; 6], m: [f64; 6]) -> f64 {
@@ -151,7 +157,7 @@ fn attracting(energy: TokenStream) -> TokenStream {
     }
 }
 
-/// The distances of six bodies in groups of four: r⁻³ for all, and differences of positions in the same lanes for each coordinate.
+/// The distances of six bodies in groups of four: one array for r⁻³, and one for the differences of positions along each axis.
 #[test]
 fn arrays_of_pairs_serve_all_sums() {
     let (_, mut lowered) = lowered(bodies());
@@ -160,17 +166,22 @@ fn arrays_of_pairs_serve_all_sums() {
     let forces: Vec<_> = gradient.q.iter().map(|slope| graph.neg(*slope)).collect();
     let rates: Vec<_> = (0..).map(Symbol::Momentum).zip(forces).collect();
     let lanes = jet::Lanes::of(&jet::jet(graph, &rates, &[])).expect("there are many sums");
-    // Of 15 pairs r², r⁻³ and three differences; the squares of three at once, products of three, and powers.
+    // Each of the 4 groups of 15 pairs has arrays for r², r⁻³ and three differences. It has sums for the three squares, three products, and powers.
     assert_eq!([lanes.arrays.len(), lanes.groups.len()], [4 * 5, 4 * 5]);
 }
 
-/// What is emitted for an energy, without spaces.
-fn emitted(item: TokenStream) -> String {
-    attribute::expand(Form::Hamiltonian, TokenStream::new(), item).to_string().split_whitespace().collect()
+/// Returns the code emitted for an energy, without spaces.
+fn emitted_by(form: Form, item: TokenStream) -> String {
+    expansion(form, TokenStream::new(), item).split_whitespace().collect()
 }
 
-/// Forces between bodies, four pairs at a time, also softened: nothing but the differences of positions is brought together, and nothing is summed
-/// beside. The powers have the masses, and rates are sums and differences of what is read.
+/// Returns the code emitted for a Hamiltonian, without spaces.
+fn emitted(item: TokenStream) -> String {
+    emitted_by(Form::Hamiltonian, item)
+}
+
+/// Central forces are computed for four pairs at once, also with softening. The code packs the differences of positions only, and has no other sums.
+/// The powers include the masses, so the rates are sums and differences of the results.
 #[test]
 fn forces_between_bodies_are_computed_as_one() {
     for energy in [bodies(), attracting(quote!(-1.0 / (square + 0.25).sqrt())), attracting(quote!(square.powf(1.7)))] {
@@ -182,12 +193,12 @@ fn forces_between_bodies_are_computed_as_one() {
     }
 }
 
-/// Bodies with forces of two powers, which are not computed as one.
+/// Forces of two powers are not central forces.
 fn repelling() -> TokenStream {
     attracting(quote!((1.0 / square - 1.0 / square.sqrt())))
 }
 
-/// Coefficients that follow from sums side by side go to their arrays as they are: r⁻³ of four groups of pairs.
+/// Coefficients of a group are stored as packs: r⁻³ of four groups of pairs.
 #[test]
 fn coefficients_stay_in_their_lanes() {
     let emitted = emitted(repelling());
@@ -195,9 +206,9 @@ fn coefficients_stay_in_their_lanes() {
     assert!(emitted.matches("[n]=side").count() >= 4);
 }
 
-/// Few arrays: sums take the newest coefficients as they were computed, and do not wait until they can be read side by side. Of many bodies they do not.
+/// With few arrays, sums take the newest packs from registers. With many bodies, they load them.
 #[test]
-fn sums_of_few_arrays_have_their_newest_coefficients_at_hand() {
+fn sums_of_few_arrays_take_the_newest_coefficients_from_registers() {
     let double = emitted(quote! {
         fn double(q: [f64; 2], p: [f64; 2], g: f64) -> f64 {
             let (sin, cos) = (q[0] - q[1]).sin_cos();
@@ -212,8 +223,8 @@ fn sums_of_few_arrays_have_their_newest_coefficients_at_hand() {
     assert!(read[1] >= 3 * 4);
 }
 
-/// Of two powers of a distance one is the product of its square with the other, and the sum in that product is one that the other one has: beside as
-/// many others that has two sums of products. Nothing is summed alone.
+/// Of two powers of a distance, one is the product of its square and the other power. This product shares a sum with the other power, so no sum is
+/// computed alone.
 #[test]
 fn of_two_powers_of_a_base_one_is_a_product() {
     let braked = quote! {
@@ -221,32 +232,28 @@ fn of_two_powers_of_a_base_one_is_a_product() {
             (p[0] * p[0] + p[1] * p[1]) / 2.0 - 1.0 / (q[0] * q[0] + q[1] * q[1]).sqrt() + alpha * s
         }
     };
-    let emitted = attribute::expand(Form::Contact, TokenStream::new(), braked).to_string();
-    let emitted: String = emitted.split_whitespace().collect();
+    let emitted = emitted_by(Form::Contact, braked);
     let number = |what: &str| emitted.matches(what).count();
     assert_eq!([number("recurrence::power("), number("sum_of_power("), number("recurrence::sum(")], [1, 0, 0]);
 }
 
-/// The numbers of series whose squares are summed, of all such sums.
+/// Returns the number of squares in each sum of squares, sorted.
 fn squares(item: TokenStream, degrees: u32) -> Vec<usize> {
     let (_, mut lowered) = lowered(item);
     let graph = &mut lowered.graph;
     let gradient = diff::gradient(graph, lowered.terms.energy, degrees);
     let rates: Vec<_> = (0..).map(Symbol::Momentum).zip(gradient.q.iter().copied()).collect();
     let program = jet::jet(graph, &rates, &[]);
-    let mut squares: Vec<usize> = program
-        .series
-        .iter()
-        .filter_map(|series| match &series.rule {
-            Rule::Squares(all) => Some(all.len()),
-            _ => None,
-        })
-        .collect();
+    let number = |series: &jet::Series| match &series.rule {
+        Rule::Squares(all) => Some(all.len()),
+        _ => None,
+    };
+    let mut squares: Vec<usize> = program.series.iter().filter_map(number).collect();
     squares.sort_unstable();
     squares
 }
 
-/// The square of a distance is one sum, whatever stands beside it, also of a part of the squares and with another factor.
+/// The square of a distance is one sum. Other terms may stand beside it, and the squares may have a common factor.
 #[test]
 fn a_sum_of_squares_is_one_sum() {
     let softened = quote! {

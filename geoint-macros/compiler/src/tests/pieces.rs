@@ -1,18 +1,20 @@
-//! Which pieces are found of contact energies, by which rules.
+//! The pieces found in contact energies, and the rules that find them.
 
-use crate::compilation::Compilation;
-use crate::{parse, split};
+use super::{expansion, lowered_by};
+use crate::compilation::Names;
+use crate::ir::print::Printer;
+use crate::parse::Form;
+use crate::split;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// The pieces as "rule: energy", sorted; or the term that is in none.
+/// Returns the pieces as "rule: energy", sorted. Errors: the term that no rule knows.
 fn pieces(item: TokenStream) -> Result<Vec<String>, String> {
-    let item = syn::parse2(item).expect("a function");
-    let energy = parse::energy(parse::Form::Contact, quote!(), item).unwrap_or_else(|e| panic!("{:?}", e.messages()));
-    let (mut compilation, terms) = Compilation::lowered(&energy).unwrap_or_else(|e| panic!("{:?}", e.messages()));
+    let (energy, mut lowered) = lowered_by(Form::Contact, quote!(), item);
     let space = split::Space { degrees: energy.degrees(), action: true };
-    let found = split::pieces(&mut compilation.graph, terms.energy, space, None);
-    let printer = compilation.printer();
+    let found = split::pieces(&mut lowered.graph, lowered.terms.energy, space, None);
+    let names = Names { energy: &energy, constants: lowered.constants };
+    let printer = Printer::new(&lowered.graph, &names);
     let mut found: Vec<String> = found
         .map_err(|term| printer.formula(term))?
         .pieces
@@ -23,7 +25,7 @@ fn pieces(item: TokenStream) -> Result<Vec<String>, String> {
     Ok(found)
 }
 
-/// These pieces, in any order.
+/// Asserts that an energy has these pieces, in any order.
 #[track_caller]
 fn found(item: TokenStream, expected: &[&str]) {
     let mut expected = expected.to_vec();
@@ -39,15 +41,14 @@ fn damped_mechanics() {
     );
 }
 
-/// T + g·s + V however it is written: a factor before all, or before what it damps and shifts.
+/// T + g·s + V in many spellings, with a common factor of all terms or of the damping and its shift.
 #[test]
 fn mechanics_behind_a_common_factor() {
     let damping = |item| {
-        let energy = parse::energy(parse::Form::Contact, quote!(), syn::parse2(item).expect("a function"));
-        let energy = energy.unwrap_or_else(|e| panic!("{:?}", e.messages()));
-        let (mut compilation, terms) = Compilation::lowered(&energy).unwrap_or_else(|e| panic!("{:?}", e.messages()));
-        let found = split::mechanics(&mut compilation.graph, terms.energy, energy.degrees());
-        let printer = compilation.printer();
+        let (energy, mut lowered) = lowered_by(Form::Contact, quote!(), item);
+        let found = split::mechanics(&mut lowered.graph, lowered.terms.energy, energy.degrees());
+        let names = Names { energy: &energy, constants: lowered.constants };
+        let printer = Printer::new(&lowered.graph, &names);
         found.map(|found| printer.formula(found.damping)).map_err(|term| printer.formula(term))
     };
     let of = |h| damping(quote! { fn f(q: f64, p: f64, s: f64, t: f64, a: f64, b: f64) -> f64 { #h } });
@@ -64,7 +65,7 @@ fn mechanics_behind_a_common_factor() {
     assert_eq!(of(quote! { p.powi(4) + a * (s + q) * q }), Err("q·a·(q + s)".into()));
 }
 
-/// Damping whose exponential has no elementary integral: frozen.
+/// The exponential of this damping has no elementary integral, so the damping is frozen at the stage.
 #[test]
 fn perturbed_kepler() {
     found(
@@ -117,7 +118,7 @@ fn thermostat() {
     );
 }
 
-/// The same where a constant belongs to the potential.
+/// A constant belongs to the potential.
 #[test]
 fn thermostat_with_a_constant() {
     found(
@@ -142,7 +143,7 @@ fn charge() {
     );
 }
 
-/// Seven waves with one factor, and a constant torque.
+/// Seven waves with a common factor, and a constant torque.
 #[test]
 fn spin_orbit() {
     let item = quote! {
@@ -161,7 +162,7 @@ fn spin_orbit() {
     assert!(found[1].starts_with("prolongation (Stage): -e·(c[0]·cos(2·q - t)"), "{}", found[1]);
 }
 
-/// Damping of both signs and any size: one piece.
+/// Damping of any sign and size is one piece.
 #[test]
 fn damped_oscillator() {
     found(
@@ -170,7 +171,7 @@ fn damped_oscillator() {
     );
 }
 
-/// Lotka and Volterra, Lorenz, and a line with a plane: components that are linear in themselves, or in two of them.
+/// Lotka and Volterra's field, and Lorenz's: components that are linear in one coordinate, or in two.
 #[test]
 fn lifts() {
     found(
@@ -192,7 +193,7 @@ fn lifts() {
     );
 }
 
-/// What no rule knows is named.
+/// The term without a rule is named.
 #[test]
 fn terms_without_a_flow() {
     let item = quote! { fn f(q: f64, p: f64, s: f64) -> f64 { p * p / 2.0 + (q * p * s).sin() + q } };
@@ -201,15 +202,15 @@ fn terms_without_a_flow() {
     assert_eq!(pieces(item), Err("q·p²·s".to_string()));
 }
 
-/// What is said of pieces that are given.
-fn said_of(split: &str, item: &TokenStream) -> String {
-    let tokens = crate::attribute::expand(parse::Form::Contact, quote!(split = #split), item.clone()).to_string();
+/// Returns the message for pieces that the user gives.
+fn message_of(split: &str, item: &TokenStream) -> String {
+    let tokens = expansion(Form::Contact, quote!(split = #split), item.clone());
     let message = tokens.split_once("compile_error ! {").map_or("", |(_, rest)| rest);
     message.split('"').nth(1).unwrap_or_default().to_string()
 }
 
 #[test]
-fn pieces_that_are_given_add_up_however_they_are_written() {
+fn given_pieces_add_up_in_any_spelling() {
     let item = quote! {
         fn f(q: f64, p: f64, s: f64, m: f64, k: f64, gamma: f64, big: f64) -> f64 {
             let v = p / m;
@@ -222,11 +223,11 @@ fn pieces_that_are_given_add_up_however_they_are_written() {
         &format!("p * p / (2.0 * m) + gamma * s | 0.5 * k * (1.0 + q).powi(2) - 6.674e-11 * big * q.cos() + {wall}"),
         &format!("{wall} - big * q.cos() * 6.674e-11 | k * (q * q / 2.0 + q + 0.5) | s * gamma | 0.5 * p * p / m"),
     ] {
-        assert_eq!(said_of(split, &item), "", "{split}");
+        assert_eq!(message_of(split, &item), "", "{split}");
     }
     let missing = "the pieces do not add up to the energy; what is missing";
     for (split, left) in [
-        // A small term, a branch, a term twice, half of a term, a sign.
+        // Missing: a small term, a branch, the second half of a term, the sign of a term. One term occurs twice.
         (format!("p * p / (2.0 * m) + gamma * s | k * (q + 1.0).powi(2) / 2.0 + {wall}"), "is: -6.674e-11·big·cos(q)"),
         (
             "p * p / (2.0 * m) + gamma * s | k * (q + 1.0).powi(2) / 2.0 - 6.674e-11 * big * q.cos()".into(),
@@ -247,25 +248,25 @@ fn pieces_that_are_given_add_up_however_they_are_written() {
             "is: 2·s·gamma",
         ),
     ] {
-        let said = said_of(&split, &item);
-        assert_eq!(said, format!("{missing} {left}"), "{split}");
+        let message = message_of(&split, &item);
+        assert_eq!(message, format!("{missing} {left}"), "{split}");
     }
-    // As it is written, where that is shorter.
+    // The remainder as it is written, if this is shorter.
     let catenary =
         quote! { fn f(q: f64, p: f64, s: f64, a: f64) -> f64 { p * p / 2.0 + s + a * (q / a).cosh() + q.max(0.0) } };
-    assert_eq!(said_of("p * p / 2.0 | s + q.max(0.0)", &catenary), format!("{missing} is: a·cosh(q/a)"));
-    assert_eq!(said_of("p * p / 2.0 | s + a * (q / a).cosh()", &catenary), format!("{missing} is: max(q, 0)"));
+    assert_eq!(message_of("p * p / 2.0 | s + q.max(0.0)", &catenary), format!("{missing} is: a·cosh(q/a)"));
+    assert_eq!(message_of("p * p / 2.0 | s + a * (q / a).cosh()", &catenary), format!("{missing} is: max(q, 0)"));
     let logarithm = quote! { fn f(q: f64, p: f64, s: f64) -> f64 { p * p / 2.0 + s - (q - 5.0).ln() } };
-    assert_eq!(said_of("p * p / 2.0 | s", &logarithm), format!("{missing} is: -ln(q - 5)"));
-    // A relation that is not known is no proof.
+    assert_eq!(message_of("p * p / 2.0 | s", &logarithm), format!("{missing} is: -ln(q - 5)"));
+    // A relation between functions that is unknown is no proof.
     let angle = quote! { fn f(q: f64, p: f64, s: f64) -> f64 { p * p / 2.0 + s + (2.0 * q).sin() } };
-    assert_eq!(said_of("p * p / 2.0 | s + 2.0 * q.sin() * q.cos()", &angle), "");
+    assert_eq!(message_of("p * p / 2.0 | s + 2.0 * q.sin() * q.cos()", &angle), "");
     let angle = quote! { fn f(q: f64, p: f64, s: f64) -> f64 { p * p / 2.0 + s + q.acos() } };
     assert!(
-        said_of("p * p / 2.0 | s + std::f64::consts::FRAC_PI_2 - q.asin()", &angle)
+        message_of("p * p / 2.0 | s + std::f64::consts::FRAC_PI_2 - q.asin()", &angle)
             .contains("relation between functions")
     );
     let long = quote! { fn f(q: f64, p: f64, s: f64, a: f64, b: f64) -> f64 { p + s + (q + a + b + 1.0).powi(60) } };
-    assert!(said_of("p | s + (a + q + b + 1.0).powi(60)", &long).is_empty());
-    assert!(said_of("p | s + (a + q + b + 1.0).powi(60) + q", &long).contains("-q"));
+    assert!(message_of("p | s + (a + q + b + 1.0).powi(60)", &long).is_empty());
+    assert!(message_of("p | s + (a + q + b + 1.0).powi(60) + q", &long).contains("-q"));
 }

@@ -1,14 +1,15 @@
-//! Where energies are infinite, what vanishes there, and what its structure says of that.
+//! The poles of energies, and the expressions that vanish there.
 
-use super::lowered;
+use super::{expansion, lowered};
 use crate::analyze::{Pole, Quick, poles};
 use crate::ir::print::Printer;
 use crate::ir::{Graph, Id, Symbol};
+use crate::parse::Form;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// What vanishes at the poles of a potential: a test of its sign as `±x`, of forms that vanish together as `{x, y}`, of an angle as `∠x`;
-/// as `?x` where intervals decide. In parentheses what divided differences do not notice.
+/// Returns the expressions that vanish at the poles of a potential. The notation is `±x` for a test of the sign, `{x, y}` for forms that vanish
+/// together, `∠x` for an angle, and `?x` for interval arithmetic. Parentheses mark expressions that divided differences do not notice.
 fn found(potential: TokenStream) -> Vec<String> {
     let (_, mut lowered) = lowered(quote! {
         fn f(q: [f64; 2], p: [f64; 2], t: f64, m: f64, k: f64) -> f64 {
@@ -20,6 +21,7 @@ fn found(potential: TokenStream) -> Vec<String> {
     poles.iter().map(|pole| described(&lowered.graph, pole)).collect()
 }
 
+/// Describes a pole in the notation of `found`.
 fn described(graph: &Graph, pole: &Pole) -> String {
     let name = |symbol| match symbol {
         Symbol::Position(i) => ["x", "y"][i as usize].into(),
@@ -43,12 +45,12 @@ fn described(graph: &Graph, pole: &Pole) -> String {
 }
 
 #[test]
-fn structure_decides() {
+fn poles_follow_from_the_structure() {
     let table: &[(TokenStream, &[&str])] = &[
         (quote!(k / x), &["±x"]),
         (quote!(k / (x * x)), &["±x"]),
         (quote!(k / (x - y)), &["±x - y"]),
-        // Divided differences have the time of the middle alone.
+        // Divided differences read the time at the middle only.
         (quote!(k / (t - x)), &["(±t - x)"]),
         (quote!(k / x.abs()), &["(±x)"]),
         (quote!(k / (x * x).sqrt()), &["(±x)"]),
@@ -77,7 +79,7 @@ fn structure_decides() {
 }
 
 #[test]
-fn intervals_decide() {
+fn other_poles_are_tested_by_intervals() {
     let energies = [
         quote!(k / (1.0 - x * x)),
         quote!(k / (x * x - 2.0 * x + 1.0)),
@@ -92,9 +94,9 @@ fn intervals_decide() {
     }
 }
 
-/// No zero, nothing that moves, or an edge of the domain.
+/// The denominator does not vanish, does not move, or vanishes at the end of a domain only.
 #[test]
-fn no_poles() {
+fn energies_without_poles() {
     let energies = [
         quote!(x * x / (m - k)),
         quote!(1.0 / (2.0 + x.cos()) + y / x.exp() + 1.0 / y.cosh() + 1.0 / (1.0 + x * x).sqrt()),
@@ -106,9 +108,9 @@ fn no_poles() {
     }
 }
 
-/// A straight line between two points of a domain may leave it, unless what must not be negative is concave.
+/// The straight line between two points of a domain may leave the domain, unless the bounded expression is concave.
 #[test]
-fn edges() {
+fn ends_of_domains() {
     let table: &[(TokenStream, &[&str])] = &[
         (quote!((x * x - 1.0).sqrt()), &["(?x² - 1)"]),
         (quote!((x * x - k).sqrt() * (x * x - k).sqrt()), &["(?x² - k)"]),
@@ -125,9 +127,9 @@ fn edges() {
     }
 }
 
-/// Where an energy is not defined, does a kick leave momenta that are not finite? Then the end of a step need not be tested.
+/// If kicks outside of the domain give momenta that are not finite, the end of a step needs no test.
 #[test]
-fn kicks_show_what_they_divide_by() {
+fn kicks_show_vanishing_denominators() {
     let shows = |potential: TokenStream| {
         let item = quote! {
             fn f(q: [f64; 2], p: [f64; 2], m: f64, k: f64) -> f64 {
@@ -135,9 +137,7 @@ fn kicks_show_what_they_divide_by() {
                 (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) + #potential
             }
         };
-        crate::attribute::expand(crate::parse::Form::Hamiltonian, TokenStream::new(), item)
-            .to_string()
-            .contains("KICKS_SHOW")
+        expansion(Form::Hamiltonian, TokenStream::new(), item).contains("KICKS_SHOW")
     };
     assert!(shows(quote!(k * x * x)));
     assert!(shows(quote!(k / (x * x + y * y).sqrt())));
@@ -148,6 +148,6 @@ fn kicks_show_what_they_divide_by() {
     // The kick is k/x, for negative x too.
     assert!(!shows(quote!(k * x.ln())));
     assert!(!shows(quote!((x * y).sqrt() * (x * y).sqrt())));
-    // Not everywhere.
+    // The kick divides on one side only.
     assert!(!shows(quote!(if y > 1.0 { k / x } else { 0.0 })));
 }

@@ -1,4 +1,4 @@
-//! The value of a graph to hundreds of digits, by the functions of another crate.
+//! Evaluates graphs with hundreds of digits, by the functions of another crate.
 
 use crate::ir::of_steps;
 use crate::ir::{Function, Graph, Id, Node, Number, Symbol};
@@ -8,7 +8,7 @@ use std::collections::HashMap;
 
 pub(super) type Big = FBig<HalfEven, 2>;
 
-/// An exact copy, in the arithmetic of `bits`.
+/// Returns an exact copy with a precision of `bits`.
 pub(super) fn big(x: f64, bits: usize) -> Big {
     Big::try_from(x).expect("a finite number").with_precision(bits).value()
 }
@@ -21,7 +21,7 @@ fn constant(x: Number, bits: usize) -> Big {
     }
 }
 
-/// The value of `root`, or nothing where it has none or is beyond all reason.
+/// Returns the value of `root`. Returns nothing if it does not exist, or if a value on the way exceeds 10⁴⁰.
 pub(super) fn value(graph: &Graph, root: Id, bits: usize, symbol: &impl Fn(Symbol) -> Big) -> Option<Big> {
     let mut values: HashMap<Id, Option<Big>> = HashMap::new();
     for id in graph.reachable(&[root]) {
@@ -32,7 +32,7 @@ pub(super) fn value(graph: &Graph, root: Id, bits: usize, symbol: &impl Fn(Symbo
     values.remove(&root)?
 }
 
-/// The value of a node from those of its operands. A branch that is not taken need not have one.
+/// Returns the value of a node. The branch that is not chosen need not have a value.
 fn node(
     graph: &Graph,
     id: Id,
@@ -74,64 +74,43 @@ fn sign(x: &Big) -> i8 {
     }
 }
 
-/// One exhaustive match: a function that is added is compared with what it is here.
+/// Returns the value of a function inside its domain. The match is exhaustive, so that every new function is compared with its definition here.
 fn call(function: Function, args: &[Big], bits: usize) -> Option<Big> {
     let x = &args[0];
-    let inside = |holds: bool| holds.then_some(());
-    Some(match function {
+    let one = &Big::ONE;
+    let is_inside = match function {
+        Function::Asin | Function::Acos => *x >= -one && x <= one,
+        Function::Atan2 => *x != Big::ZERO || args[1] != Big::ZERO,
+        Function::Acosh => x >= one,
+        Function::Atanh => *x > -one && x < one,
+        Function::Ln | Function::Log2 | Function::Log10 | Function::Powf => *x > Big::ZERO,
+        Function::Ln1p => *x > -one,
+        _ => true,
+    };
+    is_inside.then(|| match function {
         Function::Sin => x.sin(),
         Function::Cos => x.cos(),
         Function::Tan => x.tan(),
-        Function::Asin => {
-            inside(*x >= -Big::ONE && *x <= Big::ONE)?;
-            x.asin()
-        }
-        Function::Acos => {
-            inside(*x >= -Big::ONE && *x <= Big::ONE)?;
-            x.acos()
-        }
+        Function::Asin => x.asin(),
+        Function::Acos => x.acos(),
         Function::Atan => x.atan(),
-        Function::Atan2 => {
-            inside(*x != Big::ZERO || args[1] != Big::ZERO)?;
-            x.atan2(&args[1])
-        }
+        Function::Atan2 => x.atan2(&args[1]),
         Function::Sinh => x.sinh(),
         Function::Cosh => x.cosh(),
         Function::Tanh => x.tanh(),
         Function::Asinh => x.asinh(),
-        Function::Acosh => {
-            inside(*x >= Big::ONE)?;
-            x.acosh()
-        }
-        Function::Atanh => {
-            inside(*x > -Big::ONE && *x < Big::ONE)?;
-            x.atanh()
-        }
+        Function::Acosh => x.acosh(),
+        Function::Atanh => x.atanh(),
         Function::Exp => x.exp(),
         Function::Exp2 => (x * big(2.0, bits).ln()).exp(),
         Function::ExpM1 => x.exp_m1(),
-        Function::Ln => {
-            inside(*x > Big::ZERO)?;
-            x.ln()
-        }
-        Function::Ln1p => {
-            inside(*x > -Big::ONE)?;
-            x.ln_1p()
-        }
-        Function::Log2 => {
-            inside(*x > Big::ZERO)?;
-            x.log2()
-        }
-        Function::Log10 => {
-            inside(*x > Big::ZERO)?;
-            x.log10()
-        }
+        Function::Ln => x.ln(),
+        Function::Ln1p => x.ln_1p(),
+        Function::Log2 => x.log2(),
+        Function::Log10 => x.log10(),
         Function::Cbrt => x.nth_root(3),
         Function::Hypot => x.hypot(&args[1]),
-        Function::Powf => {
-            inside(*x > Big::ZERO)?;
-            x.powf(&args[1])
-        }
+        Function::Powf => x.powf(&args[1]),
         Function::Abs => big(f64::from(sign(x)), bits) * x,
         Function::Min => x.clone().min(args[1].clone()),
         Function::Max => x.clone().max(args[1].clone()),

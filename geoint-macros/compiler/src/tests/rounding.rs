@@ -1,4 +1,4 @@
-//! The value of a graph with a bound on its rounding errors.
+//! Evaluates graphs with a bound on rounding errors.
 
 use crate::ir::{Graph, Id, Node, Symbol};
 use std::collections::HashMap;
@@ -10,8 +10,8 @@ pub(super) struct Rounded {
     pub(super) error: f64,
 }
 
-/// What `root` is, and how much of that may be rounding: each operation adds one unit of its value (a sum of all its terms)
-/// to the errors of its operands, which derivatives, taken numerically, pass on.
+/// Returns the value of `root` and a bound on its rounding error. Each operation adds one ε of its value, and a sum one ε of each term. Numerical
+/// derivatives propagate the errors of operands.
 pub(super) fn rounded(graph: &Graph, root: Id, symbol: &impl Fn(Symbol) -> f64) -> Rounded {
     let mut values: HashMap<Id, Rounded> = HashMap::new();
     for id in graph.reachable(&[root]) {
@@ -52,7 +52,7 @@ pub(super) fn rounded(graph: &Graph, root: Id, symbol: &impl Fn(Symbol) -> f64) 
                     let [mut above, mut below] = [x.clone(), x.clone()];
                     above[i] += h;
                     below[i] -= h;
-                    // Beside the end of a domain one side is enough.
+                    // At the end of a domain, one side is enough.
                     let slopes = [(f(&above) - value) / h, (value - f(&below)) / h];
                     let slope = slopes.into_iter().filter(|slope| !slope.is_nan()).fold(0.0_f64, |a, b| a.max(b.abs()));
                     slope * arg.error
@@ -72,7 +72,7 @@ pub(super) fn rounded(graph: &Graph, root: Id, symbol: &impl Fn(Symbol) -> f64) 
     values[&root]
 }
 
-/// Whether a comparison on the way to `root` is decided by rounding.
+/// Returns whether rounding decides a comparison on the way to `root`.
 pub(super) fn is_undecided(graph: &Graph, root: Id, symbol: &impl Fn(Symbol) -> f64) -> bool {
     graph.reachable(&[root]).into_iter().any(|id| match graph.node(id) {
         Node::Compare(_, a, b) => {

@@ -1,7 +1,5 @@
-//! Divided differences of every operation against quotients of hundreds of digits.
-//!
-//! The test runs over the table of functions, whose ranges are in an exhaustive match: a function that is added to
-//! the language does not compile without its entry.
+//! Compares the divided differences of all functions with quotients of hundreds of digits. The ranges of the functions are an exhaustive match, so a
+//! new function needs an entry.
 
 use super::fuzz::config;
 use super::precise::{self, Big, big};
@@ -14,19 +12,19 @@ use crate::tests::eval::eval;
 
 const Q: Symbol = Symbol::Position(0);
 const DQ: Symbol = Symbol::PositionIncrement(0);
-/// Enough for differences of the third order with gaps of 2⁻⁸⁰.
+/// Enough for differences of third order with gaps of 2⁻⁸⁰.
 const BITS: usize = 450;
 
-/// How a slope is put together.
+/// Cancellation in the derivative of a slope.
 #[derive(Clone, Copy, PartialEq)]
 enum Parts {
-    /// From parts that do not cancel in its derivative either.
+    /// The parts of the derivative do not cancel.
     Alike,
-    /// From parts that do, so that the derivative is accurate in relation to the slope only.
+    /// The parts cancel, so that the derivative is accurate relative to the slope only.
     Unlike,
 }
 
-/// Where a function is tested.
+/// The interval of test points of a function.
 pub(super) struct Range {
     low: f64,
     high: f64,
@@ -46,7 +44,7 @@ impl Range {
         Range { parts: Parts::Unlike, ..self }
     }
 
-    /// A number of any size that the range has: far from zero as likely as near.
+    /// Returns a random number of any magnitude in the range.
     fn draw(&self, noise: &mut Noise) -> f64 {
         let sign = noise.between(-1.0, 1.0).signum();
         if self.low > 0.0 {
@@ -58,7 +56,7 @@ impl Range {
         }
     }
 
-    /// Two ends: far apart, equal, adjacent, or at any distance between.
+    /// Returns two ends: distant, equal, adjacent, or at a random distance.
     fn pair(&self, kind: usize, noise: &mut Noise) -> (f64, f64) {
         let a = self.draw(noise);
         let b = match kind % 5 {
@@ -71,7 +69,7 @@ impl Range {
     }
 }
 
-/// The arguments that vary, each with its range, and a constant for the other one.
+/// Returns the ranges of the arguments that vary. A constant replaces the other argument.
 fn ranges(function: Function) -> Vec<Range> {
     match function {
         Function::Sin | Function::Cos | Function::Abs | Function::Signum => vec![around_zero(10.0)],
@@ -88,7 +86,7 @@ fn ranges(function: Function) -> Vec<Range> {
         Function::Ln1p => vec![within(-0.9, 50.0)],
         Function::Cbrt => vec![around_zero(100.0)],
         Function::Hypot => vec![around_zero(50.0).of_unlike_parts(), around_zero(50.0).of_unlike_parts()],
-        // Its exponents are given below.
+        // The exponents are listed below.
         Function::Powf => vec![within(1e-3, 1e3), around_zero(5.0)],
         Function::Min | Function::Max => vec![around_zero(2.0), around_zero(2.0)],
         Function::NotNegative | Function::Bounded | Function::RecipPositive | Function::Provided | of_steps!() => {
@@ -97,7 +95,7 @@ fn ranges(function: Function) -> Vec<Range> {
     }
 }
 
-/// A function of q and what is derived from it.
+/// A function of q, and its derivatives and slopes.
 pub(super) struct Case {
     name: String,
     range: Range,
@@ -119,7 +117,7 @@ impl Case {
         Case { name, range, graph, value, derivative, slope, second }
     }
 
-    /// A node for a step of length d that starts at a.
+    /// Returns the value of a node for a step of length d from a.
     pub(super) fn at(&self, id: Id, a: f64, d: f64) -> f64 {
         eval(&self.graph, id, &|symbol| if symbol == DQ { d } else { a })
     }
@@ -138,7 +136,7 @@ fn cases() -> Vec<Case> {
     }
     for exponent in [-2.3, -0.1, 0.3, 1.7, 12.3, 1.01] {
         let range = within(1e-3, 1e3);
-        // A second derivative that nearly vanishes.
+        // The second derivative nearly vanishes.
         let range = if exponent == 1.01 { range.of_unlike_parts() } else { range };
         cases.push(Case::new(format!("powf({exponent})"), range, |graph, q| {
             let exponent = graph.number(Number::float(exponent));
@@ -161,7 +159,7 @@ fn cases() -> Vec<Case> {
     cases
 }
 
-/// The divided difference of points and values.
+/// Returns the divided difference of points with values.
 fn divided(points: &[(Big, Big)]) -> Big {
     let mut table: Vec<Big> = points.iter().map(|(_, value)| value.clone()).collect();
     for order in 1..points.len() {
@@ -172,7 +170,7 @@ fn divided(points: &[(Big, Big)]) -> Big {
     table.swap_remove(0)
 }
 
-/// f[a, b] and f[a, b, b] for b = a + d, and how they change with the relative size of a and b.
+/// f[a, b] and f[a, b, b] for b = a + d, with their conditions: the change for a relative change of a and b.
 struct Exact {
     first: Big,
     first_scale: f64,
@@ -183,7 +181,7 @@ struct Exact {
 fn exact(case: &Case, a: f64, d: f64) -> Exact {
     let [low, high] = [big(a, BITS), big(a, BITS) + big(d, BITS)];
     let gap = |x: &Big| x * big(2_f64.powi(-80), BITS);
-    // Equal points are drawn apart, below a and above b; both may be zero.
+    // Equal points are drawn apart, below a and above b. Both may be zero.
     let [below, above] = [&low, &high].map(|x| if x.to_f64().value() < 0.0 { -gap(x) } else { gap(x) });
     let f = |x: Big| {
         let value = precise::value(&case.graph, case.value, BITS, &|_| x.clone()).expect("a value");
@@ -202,8 +200,7 @@ fn exact(case: &Case, a: f64, d: f64) -> Exact {
     Exact { first, first_scale, second, second_scale }
 }
 
-/// Between the ends of a step f[a, b] is accurate to 3 ε and f[a, b, b] to 30 ε, in relation to their conditions; where both
-/// ends meet, the slope is the derivative.
+/// f[a, b] is accurate to 3 ε and f[a, b, b] to 30 ε, relative to their conditions. If both ends meet, the slope is the derivative.
 #[test]
 fn slopes_and_their_derivatives_are_accurate() {
     let mut noise = Noise(11);
@@ -232,7 +229,7 @@ fn slopes_and_their_derivatives_are_accurate() {
     }
 }
 
-/// The bounds above are not generous: a quotient of two values misses them by far.
+/// The control: the difference quotient of two values misses the bounds by far.
 #[test]
 fn a_quotient_is_not_accurate() {
     for case in cases().iter().filter(|case| case.name.starts_with("exp,") || case.name.starts_with("atanh")) {
@@ -244,7 +241,7 @@ fn a_quotient_is_not_accurate() {
     }
 }
 
-/// To the last bit, where start, increment and end are exact. (An exponent q·ln c is rounded on the way.)
+/// Slopes are symmetric to the last bit if start, increment and end are exact. (An exponent q·ln c is rounded.)
 #[test]
 fn slopes_are_symmetric() {
     let mut noise = Noise(5);

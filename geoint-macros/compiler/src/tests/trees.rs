@@ -1,4 +1,4 @@
-//! The discrete gradient of whole energies: random ones of both kinds, and those with branches and angles.
+//! The discrete gradient of whole energies: random energies, and energies with branches and angles.
 
 use super::fuzz::{config, energy};
 use super::lowered;
@@ -11,7 +11,7 @@ use proc_macro2::TokenStream;
 use proptest::prelude::*;
 use quote::quote;
 
-/// A step in (q, p, s), and what else the energy reads.
+/// A step in (q, p, s), and the value of other symbols.
 #[derive(Clone, Copy, Debug)]
 struct Step {
     start: [f64; 3],
@@ -33,21 +33,28 @@ impl Step {
         }
     }
 
-    /// The smallest increment, of which energies are computed to 80 digits at least.
+    /// Returns the smallest increment, which decides the number of digits.
     fn smallest(&self) -> f64 {
         self.increment.iter().filter(|d| **d != 0.0).fold(1.0, |a: f64, b| a.min(b.abs()))
     }
 
-    /// What starts where this step ends.
+    /// Returns a step that starts at the end of this step.
     fn reached(&self) -> Step {
         Step { start: [0, 1, 2].map(|i| self.start[i] + self.increment[i]), ..*self }
     }
 }
 
-/// For numbers up to 10⁴⁰ whose difference matters, and on top what the smallest increment needs.
+/// A point of a step.
+#[derive(Clone, Copy, PartialEq)]
+enum At {
+    Start,
+    End,
+}
+
+/// Enough for differences of numbers up to 10⁴⁰, before the digits for the smallest increment.
 const BITS: usize = 400;
 
-/// An energy with one degree of freedom, and what is derived from it.
+/// An energy with one degree of freedom, its gradient and discrete gradient.
 struct Tree {
     graph: Graph,
     energy: Id,
@@ -68,11 +75,12 @@ impl Tree {
         Tree::new(lowered(item).1)
     }
 
+    /// Returns the values of some nodes with bounds on their rounding errors.
     fn rounded(&self, roots: [Id; 3], step: &Step) -> [Rounded; 3] {
         roots.map(|root| rounded(&self.graph, root, &|symbol| step.read(symbol)))
     }
 
-    /// Whether some condition of the energy differs between the ends of a step.
+    /// Returns whether a condition of the energy differs between the ends of a step.
     fn crosses(&self, step: &Step) -> bool {
         let ends = [*step, step.reached()];
         self.graph.reachable(&[self.energy]).into_iter().any(|id| {
@@ -81,23 +89,24 @@ impl Tree {
         })
     }
 
-    /// The energy, exactly where the step ends or starts.
-    fn energy(&self, step: &Step, end: bool) -> Option<Big> {
+    /// Returns the exact energy at a point of the step, if it exists.
+    fn energy(&self, step: &Step, at: At) -> Option<Big> {
         let bits = BITS + (-step.smallest().log2()) as usize;
         precise::value(&self.graph, self.energy, bits, &|symbol| {
             let start = big(step.read(symbol), bits);
-            match symbol {
-                Symbol::Position(_) if end => start + big(step.increment[0], bits),
-                Symbol::Momentum(_) if end => start + big(step.increment[1], bits),
-                Symbol::Action if end => start + big(step.increment[2], bits),
-                _ => start,
-            }
+            let increment = match symbol {
+                Symbol::Position(_) => step.increment[0],
+                Symbol::Momentum(_) => step.increment[1],
+                Symbol::Action => step.increment[2],
+                _ => 0.0,
+            };
+            if at == At::End { start + big(increment, bits) } else { start }
         })
     }
 
-    /// ∇̄H·d − (H(x₁) − H(x₀)), and what of that is rounding, if all of it exists.
+    /// Returns ∇̄H·d − (H(x₁) − H(x₀)) with a bound on its rounding error, if all values exist.
     fn defect(&self, step: &Step) -> Option<Rounded> {
-        let change = self.energy(step, true)? - self.energy(step, false)?;
+        let change = self.energy(step, At::End)? - self.energy(step, At::Start)?;
         let slopes = self.rounded(self.slopes, step);
         if !slopes.iter().all(|slope| slope.value.is_finite() && slope.error.is_finite()) {
             return None;
@@ -110,12 +119,13 @@ impl Tree {
     }
 }
 
+/// Returns whether rounding explains a difference. `error` is in units of ε.
 fn is_rounding(difference: f64, error: f64) -> bool {
     difference.abs() <= f64::EPSILON * error + f64::MIN_POSITIVE
 }
 
-/// Whether there are no slopes: a denominator or a cosine under a tangent changes its sign over a step, or an argument
-/// lies on the end of a domain, where the derivative is infinite.
+/// Returns whether slopes do not exist: a denominator, or the cosine under a tangent, changes its sign over a step, or an argument is at the end of a
+/// domain, where the derivative is infinite.
 fn is_singular(tree: &mut Tree, step: &Step) -> bool {
     let ends = [*step, step.reached()];
     tree.graph.reachable(&[tree.energy]).into_iter().any(|id| {
@@ -134,12 +144,12 @@ fn is_singular(tree: &mut Tree, step: &Step) -> bool {
     })
 }
 
-/// What holds for every energy and step: the discrete chain rule, the gradient where both ends meet, symmetry.
+/// Checks the discrete chain rule, the limit of a zero step, and symmetry.
 fn check(tree: &mut Tree, step: &Step) {
     match tree.defect(step) {
         Some(defect) => assert!(is_rounding(defect.value, defect.error), "chain rule: {defect:?}"),
         None => {
-            let exists = tree.energy(step, false).is_some() && tree.energy(step, true).is_some();
+            let exists = [At::Start, At::End].iter().all(|at| tree.energy(step, *at).is_some());
             let gradient = tree.rounded(tree.gradient, step).iter().all(|slope| slope.error.is_finite());
             assert!(!exists || !gradient || is_singular(tree, step), "there should be slopes");
         }
@@ -150,7 +160,7 @@ fn check(tree: &mut Tree, step: &Step) {
         let same = is_rounding(slope.value - derivative.value, error);
         assert!(same || !error.is_finite(), "gradient: {slope:?} {derivative:?}");
     }
-    // Start, increment and end of this one are exact.
+    // The start, increment and end of this step are exact.
     let coarse = |x: f64| (x * 1024.0).round() / 1024.0;
     let there = Step { start: step.start.map(coarse), increment: step.increment.map(coarse), ..*step };
     let back = Step { increment: there.increment.map(|d| -d), ..there.reached() };
@@ -160,9 +170,10 @@ fn check(tree: &mut Tree, step: &Step) {
     }
 }
 
+/// Draws a step.
 fn step() -> impl Strategy<Value = Step> {
     let point = |size: f64| prop::array::uniform3(-size..size);
-    // Steps of any size down to the smallest numbers that there are.
+    // The sizes of steps reach down to the smallest numbers.
     let exponent = prop_oneof![4 => -0.5..0.5, 3 => -16.0..0.0, 1 => -322.0..-16.0];
     (point(2.0), point(1.0), exponent, 0.5..1.5).prop_map(|(start, direction, exponent, rest)| {
         let size = 10_f64.powf(exponent);
@@ -179,7 +190,7 @@ proptest! {
         steps in prop::collection::vec(step(), 2),
     ) {
         let energy = parse::energy(form, quote!(), syn::parse_str(&text).expect("a function")).expect("an energy");
-        // Constants without a value are refused.
+        // Lowering refuses constants that are not finite.
         if let Ok(lowered) = lower::body(&energy) {
             let mut tree = Tree::new(lowered);
             for step in steps {
@@ -189,7 +200,7 @@ proptest! {
     }
 }
 
-/// Steps from everywhere to everywhere, some of them short.
+/// Calls `visit` with short and long steps between many points.
 fn steps(mut visit: impl FnMut(&Step)) {
     let places = [-1.7, -0.6, -0.04, 0.2, 0.55];
     for [q0, q1] in places.iter().flat_map(|a| places.map(|b| [*a, b])) {
@@ -202,8 +213,7 @@ fn steps(mut visit: impl FnMut(&Step)) {
     }
 }
 
-/// An `if` whose sides meet, or do not; one whose sides are defined on their side only, one in another, one within a
-/// function, one that has nothing but a jump.
+/// Branches that meet or jump, are defined on their side only, are nested, stand inside a function, or contain a jump only.
 #[test]
 fn steps_from_branch_to_branch_keep_the_chain_rule() {
     let energies = [
@@ -234,7 +244,7 @@ fn steps_from_branch_to_branch_keep_the_chain_rule() {
     }
 }
 
-/// On one side of a condition the slope is that of this side, to the last bit.
+/// On one side of a condition, the slope equals the slope of this side to the last bit.
 #[test]
 fn a_branch_that_is_not_left_has_its_own_slopes() {
     let both = Tree::of(
@@ -254,8 +264,7 @@ fn a_branch_that_is_not_left_has_its_own_slopes() {
     });
 }
 
-/// Between branches that meet smoothly the slopes are still those of a method of order 2: half the step, a quarter of the
-/// distance to the gradient at the middle.
+/// Across branches that meet smoothly, slopes have order 2: half the step gives a quarter of the distance to the gradient at the middle.
 #[test]
 fn slopes_across_a_branch_are_consistent() {
     let tree = Tree::of(quote! { fn cut(q: f64, p: f64) -> f64 {
@@ -274,7 +283,7 @@ fn slopes_across_a_branch_are_consistent() {
     assert!((3.5..4.5).contains(&ratio), "{ratio}");
 }
 
-/// What has a period of 2π in an angle does not notice where `atan2` jumps.
+/// A function with period 2π in an angle has no jump where `atan2` jumps.
 #[test]
 fn steps_across_the_cut_of_an_angle_keep_the_chain_rule() {
     let mut tree = Tree::of(quote! { fn angle(q: f64, p: f64, k: f64) -> f64 {

@@ -13,7 +13,7 @@ mod program;
 mod rules;
 mod scaled;
 
-pub(crate) use lanes::{Central, LANES, Lanes, Operand, Weight, sums};
+pub(crate) use lanes::{Central, LANES, Lanes, Operand, Sum, Weight, sums};
 pub(crate) use program::{Factor, Jet, Rate, Rule, Series, Source, Value};
 
 use crate::ir::{Graph, HashMap, Id, Node, Number, Symbol};

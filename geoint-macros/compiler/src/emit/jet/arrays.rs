@@ -1,127 +1,106 @@
-//! The arrays of coefficients, and their names.
+//! The emitted arrays of coefficients: their names, types and first entries.
+//!
+//! A *pack* is an array of four coefficients of one order, so that the compiler can use vector instructions.
 
 use super::Writer;
 use super::numbers::zero;
-use crate::diff::jet::{LANES, Lanes, Operand, Rate, Source};
+use crate::diff::jet::{LANES, Operand, Rate, Source};
 use crate::emit::tokens::Tokens;
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::{ToTokens, format_ident, quote};
 
-/// The newest entries of so many arrays stay in registers, or the newest coefficients of so many coordinates.
-const MOST_AT_HAND: usize = 8;
+/// Registers hold the newest entries of at most eight arrays of packs, or of at most eight coordinates.
+const MOST_IN_REGISTERS: usize = 8;
 
-/// An array of coefficients, an entry an order.
-pub(super) struct Stored {
+/// An array with an entry for each order.
+pub(super) struct CoefficientArray {
     pub(super) name: Ident,
-    /// Whether entries are coefficients side by side.
-    pub(super) of_lanes: bool,
-    /// The entry of order 0, if it is not zero.
-    pub(super) first: Option<Tokens>,
+    /// One operand, or the operands of a pack.
+    operands: Vec<Operand>,
 }
 
-impl Stored {
-    /// The type of an entry.
-    pub(super) fn entry(&self) -> TokenStream {
-        let lanes = Literal::usize_unsuffixed(LANES);
-        if self.of_lanes { quote!([R; #lanes]) } else { quote!(R) }
+impl CoefficientArray {
+    fn is_packed(&self) -> bool {
+        self.operands.len() == LANES
     }
 
+    /// Returns the type of an entry.
+    pub(super) fn entry_type(&self) -> TokenStream {
+        if self.is_packed() { pack_type() } else { quote!(R) }
+    }
+
+    /// Returns an array of zeros. Arrays of packs are aligned to vector registers.
     pub(super) fn zeros(&self) -> TokenStream {
-        let ([lanes, first], zero) = ([LANES, 0].map(Literal::usize_unsuffixed), zero());
-        if self.of_lanes { quote!(recurrence::Aligned([[#zero; #lanes]; P]).#first) } else { quote!([#zero; P]) }
+        let (zero, lanes, first) = (zero(), Literal::usize_unsuffixed(LANES), Literal::usize_unsuffixed(0));
+        if self.is_packed() { quote!(recurrence::Aligned([[#zero; #lanes]; P]).#first) } else { quote!([#zero; P]) }
+    }
+
+    /// Returns the entry of order 0, if it is not zero.
+    pub(super) fn first(&self, writer: &Writer<'_>, values: &[Tokens]) -> Option<TokenStream> {
+        let value = |operand: &Operand| (!operand.weighted).then(|| &values[writer.value(operand.source)]);
+        if let [operand] = &self.operands[..] {
+            return value(operand).map(ToTokens::to_token_stream);
+        }
+        let entries = self.operands.iter().map(|operand| value(operand).map_or_else(zero, |v| v.to_token_stream()));
+        Some(quote!([#(#entries),*]))
     }
 }
 
-pub(super) fn kept(source: Source) -> Ident {
+/// Returns the type of a pack.
+pub(super) fn pack_type() -> TokenStream {
+    let lanes = Literal::usize_unsuffixed(LANES);
+    quote!([R; #lanes])
+}
+
+/// Returns the name of the array of one series.
+pub(super) fn series_array(source: Source) -> Ident {
     format_ident!("u{source}")
 }
 
-pub(super) fn weighted(source: Source) -> Ident {
-    format_ident!("ju{source}")
+/// Returns the name of the array of one operand.
+pub(super) fn operand_array(operand: Operand) -> Ident {
+    let source = operand.source;
+    if operand.weighted { format_ident!("ju{source}") } else { series_array(source) }
 }
 
-/// The array of one operand.
-pub(super) fn array_of(operand: Operand) -> Ident {
-    if operand.weighted { weighted(operand.source) } else { kept(operand.source) }
-}
-
-/// The array of operands side by side.
-pub(super) fn side_by_side(array: usize) -> Ident {
+/// Returns the name of an array of packs.
+pub(super) fn pack_array(array: usize) -> Ident {
     format_ident!("lanes{array}")
 }
 
-/// The newest entry of such an array, at hand.
-pub(super) fn newest(array: usize) -> TokenStream {
-    let array = Literal::usize_unsuffixed(array);
-    quote!(newest[#array])
-}
-
-/// The newest coefficient of a coordinate, at hand, by the place of its rate.
-pub(super) fn coordinate(rate: usize) -> TokenStream {
-    let rate = Literal::usize_unsuffixed(rate);
-    quote!(coordinates[#rate])
-}
-
-pub(super) fn coefficient(source: Source) -> Ident {
-    format_ident!("c{source}")
-}
-
 impl Writer<'_> {
-    /// Whether sums take the newest entries of arrays of lanes as they were computed. Numbers that were written one by one and are read side by side are waited
-    /// for until they have left the processor: a twentieth of a step. Of more arrays they have no room in registers.
-    pub(super) fn are_at_hand(&self) -> bool {
-        (1..=MOST_AT_HAND).contains(&self.arrays_of_lanes().len())
+    /// Returns whether sums take the newest packs from registers. A load of a pack waits until four separate stores are complete: 5 % of a step.
+    /// The registers do not suffice for more arrays.
+    pub(super) fn packs_in_registers(&self) -> bool {
+        (1..=MOST_IN_REGISTERS).contains(&self.pack_arrays().count())
     }
 
-    /// The coordinates whose newest coefficients are read as they were computed: those in memory are waited for until they have been written, a twentieth
-    /// of a step (double pendulum). With many coordinates registers are better used for others (three bodies: a tenth).
-    pub(super) fn coordinates_at_hand(&self) -> &[Rate] {
+    /// Returns the coordinates whose newest coefficients stay in registers. A load would wait for the store: 5 % of a step (double pendulum).
+    /// With many coordinates, other numbers profit more from the registers (three bodies: 10 %).
+    pub(super) fn coordinates_in_registers(&self) -> &[Rate] {
         let rates = &self.jet.rates;
-        if rates.len() <= MOST_AT_HAND { rates } else { &[] }
+        if rates.len() <= MOST_IN_REGISTERS { rates } else { &[] }
     }
 
-    /// Whether the coefficients of a series have an array of their own: a coordinate has one also where orders are unrolled, and arrays
-    /// registers.
-    pub(super) fn has_array(&self, source: Source) -> bool {
-        let series = &self.jet.series[source];
-        let in_sums = series.kept && self.is_read_alone(Operand { source, weighted: false });
-        in_sums || series.before
+    /// Returns whether an operand has its own array: a sum outside of packs reads the operand, or a rule reads its previous coefficient.
+    pub(super) fn has_array(&self, operand: Operand) -> bool {
+        let series = &self.jet.series[operand.source];
+        let (in_sums, before) = if operand.weighted { (series.weighted, false) } else { (series.kept, series.before) };
+        before || in_sums && (self.packs.arrays.is_empty() || self.packs.is_read_alone(operand))
     }
 
-    pub(super) fn has_weighted_array(&self, source: Source) -> bool {
-        self.jet.series[source].weighted && self.is_read_alone(Operand { source, weighted: true })
+    /// Returns the arrays of packs, without the arrays that the runtime keeps for central forces.
+    pub(super) fn pack_arrays(&self) -> impl Iterator<Item = usize> + use<'_> {
+        (0..self.packs.arrays.len()).filter(|array| !self.packs.is_central(*array))
     }
 
-    /// Whether an operand is read in a sum that is not side by side with others.
-    fn is_read_alone(&self, operand: Operand) -> bool {
-        self.lanes.as_ref().is_none_or(|lanes| lanes.is_read_alone(operand))
-    }
-
-    /// The arrays of coefficients side by side, but for those of forces.
-    pub(super) fn arrays_of_lanes(&self) -> Vec<usize> {
-        let arrays = |lanes: &Lanes| (0..lanes.arrays.len()).filter(|array| !lanes.is_central(*array)).collect();
-        self.lanes.as_ref().map(arrays).unwrap_or_default()
-    }
-
-    /// The arrays, in order, as the body of an order and its calls name them.
-    pub(super) fn arrays(&self, values: &[Tokens]) -> Vec<Stored> {
-        let value = |source: Source| values.get(self.value(source)).cloned();
-        let (zero, mut arrays) = (Tokens::from(zero()), vec![]);
-        for source in 0..self.jet.series.len() {
-            if self.has_array(source) {
-                arrays.push(Stored { name: kept(source), of_lanes: false, first: value(source) });
-            }
-            if self.has_weighted_array(source) {
-                arrays.push(Stored { name: weighted(source), of_lanes: false, first: None });
-            }
-        }
-        for i in self.arrays_of_lanes() {
-            let Some(operands) = self.lanes.as_ref().map(|lanes| lanes.arrays[i]) else { continue };
-            let first = operands.map(|Operand { source, weighted }| {
-                value(source).filter(|_| !weighted).unwrap_or_else(|| zero.clone())
-            });
-            arrays.push(Stored { name: side_by_side(i), of_lanes: true, first: Some(quote!([#(#first),*]).into()) });
-        }
-        arrays
+    /// Returns all arrays in the order of their declaration.
+    pub(super) fn arrays(&self) -> Vec<CoefficientArray> {
+        let operands = (0..self.jet.series.len())
+            .flat_map(|source| [false, true].map(|weighted| Operand { source, weighted }))
+            .filter(|operand| self.has_array(*operand));
+        let single = operands.map(|operand| (operand_array(operand), vec![operand]));
+        let packed = self.pack_arrays().map(|array| (pack_array(array), self.packs.arrays[array].to_vec()));
+        single.chain(packed).map(|(name, operands)| CoefficientArray { name, operands }).collect()
     }
 }

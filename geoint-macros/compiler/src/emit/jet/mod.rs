@@ -1,8 +1,8 @@
-//! The Taylor coefficients of a solution: the start, and one body for every order.
+//! The emitted Taylor coefficients of a solution: the coefficients of order 0, and one body for all other orders.
 //!
-//! The body stands once, as the method of a struct of references: the runtime calls it with literal numbers for the first orders, for
-//! which the optimiser then unrolls the sums, as long as the code stays small, and the others go through a loop. Series are local arrays:
-//! then no two of them can be the same memory.
+//! The body is the method `order` of a struct of references. The runtime calls it with literal numbers for the first orders, so that the
+//! optimiser unrolls the sums while the code stays small, and in a loop for the others. Each series is a local array, because the optimiser
+//! then knows that no two arrays overlap.
 
 mod arrays;
 mod central;
@@ -15,42 +15,42 @@ use super::kernel::Context;
 use super::structure::{self_type, state};
 use super::tokens::Tokens;
 use crate::derive::JetKernel;
-use crate::diff::jet::{Jet, LANES, Lanes, Rate, Rule, Source, Value};
+use crate::diff::jet::{Jet, LANES, Lanes, Operand, Rate, Rule, Source, Value};
 use crate::ir::Symbol;
 use crate::parse::over_scalar;
-use arrays::{Stored, array_of, coordinate, kept};
-use numbers::{Prepared, prepared, zero};
+use arrays::series_array;
+use numbers::{StepNumber, entry, zero};
 use order::Order;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
-/// Code beyond this many bytes is slower than a loop.
+/// Upper limit of unrolled code in bytes. Longer code is slower than a loop.
 const MOST_CODE: usize = 16 << 10;
 
-/// Fewer unrolled orders are not worth their code.
-const FEWEST: usize = 6;
+/// Lower limit of the number of unrolled orders. Fewer orders gain less than their code costs.
+const FEWEST_ORDERS: usize = 6;
 
-/// No method has more orders than this.
+/// The highest order of a Taylor method.
 const MOST_ORDERS: usize = 31;
 
-/// With more orders code with sums side by side takes more than 1.5 s to compile (a double pendulum, order 12: 2 s), and from 15 on the compiler leaves
-/// loops over sums: twice the time.
-const MOST_ORDERS_OF_LANES: usize = 9;
+/// Upper limit of unrolled orders with packs. More orders take more than 1.5 s to compile (double pendulum, order 12: 2 s). From order 15 on, the
+/// compiler does not unroll the sums, and a step takes twice the time.
+const MOST_ORDERS_OF_PACKS: usize = 9;
 
-/// `impl Jets`, and the method that users call.
-pub(super) fn jets(context: &Context<'_>, found: &JetKernel) -> TokenStream {
-    let JetKernel { jet, start } = found;
+/// Returns `impl Jets` for the system, and the user's method `taylor`.
+pub(super) fn jets(context: &Context<'_>, kernel: &JetKernel) -> TokenStream {
+    let JetKernel { jet, start } = kernel;
     let (name, phase, parts, action) = (self_type(context), context.phase(), context.parts(), context.action());
     let energy = context.energy;
     let (plain, float, coordinates) = (&energy.name, &energy.float, &energy.coordinates.ty);
-    let scalar = format_ident!("T");
-    let (state, over) = (state(context.form), over_scalar(coordinates, float, &scalar));
+    let (state, over) = (state(context.form), over_scalar(coordinates, float, &format_ident!("T")));
     let given = if context.form.has_action() { quote!(s: &R) } else { quote!(_: &()) };
     let switches = Literal::usize_unsuffixed(jet.switches.len());
     let convolutions = Literal::usize_unsuffixed(jet.convolutions());
-    let mut writer =
-        Writer { context, jet, lanes: Lanes::of(jet), numbers: vec![], beside: vec![], order: Order::default() };
-    let order = writer.body();
+    let packs = &Lanes::of(jet).unwrap_or_default();
+    let order = Order::new(jet, packs);
+    let mut writer = Writer { context, jet, packs, numbers: vec![], packed_numbers: vec![], order };
+    let coefficients = writer.coefficients();
     let body = context.outputs(start, |outputs| {
         let values: Vec<Tokens> = outputs.into_iter().flat_map(|values| values.all).collect();
         writer.start(&values)
@@ -72,7 +72,7 @@ pub(super) fn jets(context: &Context<'_>, found: &JetKernel) -> TokenStream {
                 jet: &mut [PerCoordinate<#phase, #action>; P],
                 switches: &mut [[R; #switches]; P],
             ) {
-                #order
+                #coefficients
                 #parts
                 #body
             }
@@ -88,88 +88,76 @@ pub(super) fn jets(context: &Context<'_>, found: &JetKernel) -> TokenStream {
     }
 }
 
+/// Writes the code of one system.
 struct Writer<'a> {
     context: &'a Context<'a>,
     jet: &'a Jet,
-    /// Sums side by side; one by one if there are few.
-    lanes: Option<Lanes>,
-    /// What orders read of the start, by the values there.
-    numbers: Vec<Prepared>,
-    /// The same of series side by side.
-    beside: Vec<[Prepared; LANES]>,
+    /// The sums in packs. Empty if there are few sums.
+    packs: &'a Lanes,
+    /// The numbers computed once per step, for all orders.
+    numbers: Vec<StepNumber>,
+    /// Packs of numbers computed once per step, for groups of series.
+    packed_numbers: Vec<[StepNumber; LANES]>,
     order: Order,
 }
 
 impl Writer<'_> {
-    /// How orders are called, and how many are unrolled at most. With sums side by side all or none: where a loop is left, arrays are in memory for
-    /// all of them, and must be cleared.
+    /// Returns the function of the runtime that calls the orders, with the number of unrolled orders. With packs, it unrolls all orders or none:
+    /// a loop over the last orders would put the arrays of all orders into memory, and clear them.
     fn orders(&self) -> TokenStream {
         let sums = self.jet.convolutions();
         let code = |orders: usize| 6 * sums * orders * orders + 16 * self.jet.series.len() * orders;
-        let (call, most) = match self.lanes {
-            Some(_) => (quote!(all_orders), MOST_ORDERS_OF_LANES),
-            None => (quote!(orders), MOST_ORDERS),
+        let (call, most) = if self.packs.groups.is_empty() {
+            (quote!(orders), MOST_ORDERS)
+        } else {
+            (quote!(all_orders), MOST_ORDERS_OF_PACKS)
         };
         let most = (1..=most).take_while(|orders| code(*orders) <= MOST_CODE).last().unwrap_or(0);
-        let most = Literal::usize_unsuffixed(if most < FEWEST { 0 } else { most });
+        let most = Literal::usize_unsuffixed(if most < FEWEST_ORDERS { 0 } else { most });
         quote!(recurrence::#call::<#most, { P }>)
     }
 
-    /// A number of the start, as orders read it.
-    fn number(&mut self, number: Prepared) -> TokenStream {
-        let place = self.numbers.iter().position(|other| *other == number).unwrap_or_else(|| {
-            self.numbers.push(number);
-            self.numbers.len() - 1
-        });
-        let place = Literal::usize_unsuffixed(place);
-        quote!(k[#place])
+    /// Returns a number computed once per step.
+    fn number(&mut self, number: StepNumber) -> TokenStream {
+        entry(quote!(k), interned(&mut self.numbers, number))
     }
 
-    /// A number of the start for each of several series side by side, or for one.
-    fn numbers(&mut self, sources: &[Source], number: impl Fn(Source, &Self) -> Prepared) -> TokenStream {
-        let Ok(sources) = <[Source; LANES]>::try_from(sources) else { return self.number(number(sources[0], self)) };
-        let numbers = sources.map(|source| number(source, self));
-        let place = self.beside.iter().position(|other| *other == numbers).unwrap_or_else(|| {
-            self.beside.push(numbers);
-            self.beside.len() - 1
-        });
-        let place = Literal::usize_unsuffixed(place);
-        quote!(beside[#place])
+    /// Returns a number computed once per step for one series, or a pack of numbers for four.
+    fn numbers(&mut self, sources: &[Source], number: impl Fn(Source) -> StepNumber) -> TokenStream {
+        let Ok(sources) = <[Source; LANES]>::try_from(sources) else { return self.number(number(sources[0])) };
+        entry(quote!(beside), interned(&mut self.packed_numbers, sources.map(number)))
     }
 
     fn value(&self, source: Source) -> Value {
         self.jet.series[source].value
     }
 
-    /// The coefficient of order n + 1 of a coordinate, the place of its rate.
+    /// Returns the assignments of the coefficient of order n + 1 of a coordinate, whose rate has the index `i`.
     fn next(&mut self, i: usize, rate: Rate) -> TokenStream {
-        let place = self.place(rate.symbol);
-        let value = match rate.source {
-            Some(source) => self.times(quote!(next), source),
-            None => zero(),
-        };
-        let at_hand = self.coordinates_at_hand().get(i).map(|_| {
-            let name = coordinate(i);
-            quote!(#name = jet[n].#place;)
+        let component = self.component(rate.symbol);
+        let value = rate.source.map_or_else(zero, |source| self.times(quote!(next), source));
+        let newest = (i < self.coordinates_in_registers().len()).then(|| {
+            let name = entry(quote!(coordinates), i);
+            quote!(#name = jet[n].#component;)
         });
-        let array = self.array_of(rate.symbol).map(|array| {
+        let array = self.coordinate_array(rate.symbol).map(|array| {
             quote! {
                 if n + 1 < P {
-                    #array[n + 1] = jet[n].#place;
+                    #array[n + 1] = jet[n].#component;
                 }
             }
         });
-        quote!(jet[n].#place = #value; #at_hand #array)
+        quote!(jet[n].#component = #value; #newest #array)
     }
 
-    /// The array of a coordinate that has one.
-    fn array_of(&self, symbol: Symbol) -> Option<Ident> {
+    /// Returns the array of a coordinate, if it has one.
+    fn coordinate_array(&self, symbol: Symbol) -> Option<Ident> {
         let source = self.jet.series.iter().position(|series| series.rule == Rule::State(symbol))?;
-        self.has_array(source).then(|| kept(source))
+        self.has_array(Operand { source, weighted: false }).then(|| series_array(source))
     }
 
-    /// Where a coordinate is in a point.
-    fn place(&self, symbol: Symbol) -> Tokens {
+    /// Returns the field of a coordinate in a state.
+    fn component(&self, symbol: Symbol) -> Tokens {
         let flow = self.context.form.is_flow();
         match symbol {
             Symbol::Position(i) if flow => element("z", &self.context.coordinate(i)),
@@ -179,52 +167,62 @@ impl Writer<'_> {
         }
     }
 
+    /// Returns the coefficient of order n of a series, or zero.
     fn or_zero(&self, source: Option<Source>) -> TokenStream {
         source.map_or_else(zero, |source| self.now(&[source]))
     }
 
-    /// The values at the start, the coefficients of order 0, and all orders.
+    /// Returns the code that computes the coefficients of order 0 and calls the orders.
     fn start(&self, values: &[Tokens]) -> TokenStream {
-        let numbers = self.numbers.iter().map(|number| prepared(*number, values));
-        let beside = self.beside.iter().map(|numbers| {
-            let numbers = numbers.map(|number| prepared(number, values));
+        let numbers = self.numbers.iter().map(|number| number.tokens(values));
+        let packed_numbers = self.packed_numbers.iter().map(|numbers| {
+            let numbers = numbers.map(|number| number.tokens(values));
             quote!([#(#numbers),*])
         });
-        let beside = (!self.beside.is_empty()).then(|| quote!(beside: [#(#beside),*],));
-        let at_hand = self.are_at_hand().then(|| {
-            let [lanes, number] = [LANES, self.lanes.iter().map(|lanes| lanes.arrays.len()).sum()];
-            let [lanes, number] = [lanes, number].map(Literal::usize_unsuffixed);
-            quote!(newest: [[R::from_f64(0.0); #lanes]; #number],)
+        let packed_numbers = (!self.packed_numbers.is_empty()).then(|| quote!(beside: [#(#packed_numbers),*],));
+        let newest = self.packs_in_registers().then(|| {
+            let [lanes, count] = [LANES, self.packs.arrays.len()].map(Literal::usize_unsuffixed);
+            quote!(newest: [[R::from_f64(0.0); #lanes]; #count],)
         });
         let masks = self.jet.conditions.iter().map(|value| &values[*value]);
         let mut first = TokenStream::new();
-        let arrays = self.arrays(values);
-        for Stored { name, first: start, .. } in &arrays {
-            first.extend(start.as_ref().map(|start| quote!(#name[0] = #start;)));
+        let arrays = self.arrays();
+        for array in &arrays {
+            let name = &array.name;
+            first.extend(array.first(self, values).map(|start| quote!(#name[0] = #start;)));
         }
         for rate in &self.jet.rates {
-            let (place, value) = (self.place(rate.symbol), &values[rate.value]);
-            first.extend(quote!(jet[0].#place = unit * (#value);));
-            if let Some(array) = self.array_of(rate.symbol) {
-                first.extend(quote!(if P > 1 { #array[1] = jet[0].#place; }));
+            let (component, value) = (self.component(rate.symbol), &values[rate.value]);
+            first.extend(quote!(jet[0].#component = unit * (#value);));
+            if let Some(array) = self.coordinate_array(rate.symbol) {
+                first.extend(quote!(if P > 1 { #array[1] = jet[0].#component; }));
             }
         }
         for (i, (value, _)) in self.jet.switches.iter().enumerate() {
             let (i, value) = (Literal::usize_unsuffixed(i), &values[*value]);
             first.extend(quote!(switches[0][#i] = #value;));
         }
-        let places = self.coordinates_at_hand().iter().map(|rate| self.place(rate.symbol));
-        let coordinates = places.map(|place| quote!(jet[0].#place));
+        let coordinates = self.coordinates_in_registers().iter().map(|rate| {
+            let component = self.component(rate.symbol);
+            quote!(jet[0].#component)
+        });
         let orders = self.orders();
-        let zeros: Vec<TokenStream> = arrays.iter().map(Stored::zeros).collect();
-        let arrays: Vec<Ident> = arrays.into_iter().map(|array| array.name).collect();
-        let (central, central_starts) = (self.central_names(), self.central_starts(values));
+        let zeros = arrays.iter().map(|array| (array.name.clone(), array.zeros()));
+        let (names, starts): (Vec<Ident>, Vec<TokenStream>) = zeros.chain(self.central_starts(values)).unzip();
         quote! {
-            let (#(#arrays,)* #(#central,)*) = (#(&mut #zeros,)* #(&mut #central_starts,)*);
+            let (#(#names,)*) = (#(&mut #starts,)*);
             #first
             #orders(&mut Coefficients {
-                k: [#(#numbers),*], #beside #at_hand coordinates: [#(#coordinates),*], masks: [#(#masks),*], #(#arrays,)* #(#central,)* jet, switches,
+                k: [#(#numbers),*], #packed_numbers #newest coordinates: [#(#coordinates),*], masks: [#(#masks),*], #(#names,)* jet, switches,
             });
         }
     }
+}
+
+/// Returns the index of an element of a list, and appends a new element.
+fn interned<T: PartialEq>(list: &mut Vec<T>, element: T) -> usize {
+    list.iter().position(|other| *other == element).unwrap_or_else(|| {
+        list.push(element);
+        list.len() - 1
+    })
 }

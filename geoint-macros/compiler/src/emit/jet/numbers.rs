@@ -1,60 +1,60 @@
-//! Numbers in the coefficients: constants, and what is computed once a step.
+//! Scalar expressions in the emitted coefficients: constants, and numbers computed once per step.
 
 use crate::diff::jet::{Factor, Value};
+use crate::emit::given::element;
 use crate::emit::tokens::Tokens;
 use crate::ir::Number;
 use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, quote};
 
-/// A number that is computed once a step.
+/// A number computed once per step, from values at the start.
 #[derive(Clone, Copy, PartialEq)]
-pub(super) enum Prepared {
+pub(super) enum StepNumber {
     Value(Value),
     /// 1/v.
     Reciprocal(Value),
     /// 1/(2v).
     HalfReciprocal(Value),
-    /// α + 1.
+    /// α + 1 for an exponent α.
     Next(Factor),
-    /// α·w/u.
+    /// α·y/u, from α, y and u.
     Ratio(Factor, Value, Value),
-    /// c·v for a derivative v by time, in the unit of time of the coefficients.
+    /// c·v for a time derivative v, in the unit of time of the coefficients.
     Slope(Number, Value),
-    /// That unit.
+    /// The unit of time of the coefficients.
     Unit,
 }
 
-/// A number of the start, from the values there.
-pub(super) fn prepared(number: Prepared, values: &[Tokens]) -> TokenStream {
-    let factor = |number: Factor| factor(number, values);
-    match number {
-        Prepared::Value(value) => values[value].to_token_stream(),
-        Prepared::Reciprocal(value) => {
-            let value = &values[value];
-            quote!(R::from_f64(1.0) / #value)
+impl StepNumber {
+    /// Returns the expression of the number.
+    pub(super) fn tokens(self, values: &[Tokens]) -> TokenStream {
+        let over = |c: Number, value: Value| {
+            let (c, value) = (constant(c), &values[value]);
+            quote!(#c / #value)
+        };
+        match self {
+            StepNumber::Value(value) => values[value].to_token_stream(),
+            StepNumber::Reciprocal(value) => over(Number::ONE, value),
+            StepNumber::HalfReciprocal(value) => over(Number::HALF, value),
+            StepNumber::Next(Factor::Number(exponent)) => constant(exponent.add(Number::ONE)),
+            StepNumber::Next(Factor::Value(exponent)) => {
+                let exponent = &values[exponent];
+                quote!(#exponent + R::from_f64(1.0))
+            }
+            StepNumber::Ratio(exponent, y, u) => {
+                let (exponent, y, u) = (factor(exponent, values), &values[y], &values[u]);
+                quote!(#exponent * #y / #u)
+            }
+            StepNumber::Slope(c, value) => {
+                let slope = scaled(c, values[value].to_token_stream());
+                quote!(unit * (#slope))
+            }
+            StepNumber::Unit => quote!(unit),
         }
-        Prepared::HalfReciprocal(value) => {
-            let value = &values[value];
-            quote!(R::from_f64(0.5) / #value)
-        }
-        Prepared::Next(Factor::Number(exponent)) => constant(exponent.add(Number::ONE)),
-        Prepared::Next(Factor::Value(exponent)) => {
-            let exponent = &values[exponent];
-            quote!(#exponent + R::from_f64(1.0))
-        }
-        Prepared::Ratio(exponent, w, u) => {
-            let (exponent, w, u) = (factor(exponent), &values[w], &values[u]);
-            quote!(#exponent * #w / #u)
-        }
-        Prepared::Slope(c, value) => {
-            let slope = scaled(c, values[value].to_token_stream());
-            quote!(unit * (#slope))
-        }
-        Prepared::Unit => quote!(unit),
     }
 }
 
-/// What a coefficient is multiplied by, from the values at the start.
+/// Returns the expression of a factor at the start of a step.
 pub(super) fn factor(factor: Factor, values: &[Tokens]) -> TokenStream {
     match factor {
         Factor::Number(number) => constant(number),
@@ -62,7 +62,7 @@ pub(super) fn factor(factor: Factor, values: &[Tokens]) -> TokenStream {
     }
 }
 
-/// A constant of the scalar type.
+/// Returns a constant of the scalar type.
 pub(super) fn constant(number: Number) -> TokenStream {
     let literal = Literal::f64_unsuffixed(number.to_f64().abs());
     match number.to_f64() {
@@ -74,12 +74,17 @@ pub(super) fn constant(number: Number) -> TokenStream {
     }
 }
 
-/// 0 of the scalar type. A literal that is quoted as it stands is parsed every time.
+/// Returns 0 of the scalar type. A literal inside `quote!` would be parsed at each use.
 pub(super) fn zero() -> TokenStream {
     constant(Number::ZERO)
 }
 
-/// c·x.
+/// Returns `list[index]`.
+pub(super) fn entry(list: impl ToTokens, index: usize) -> TokenStream {
+    element(list.to_token_stream(), &[index]).to_token_stream()
+}
+
+/// Returns c·x.
 pub(super) fn scaled(c: Number, x: TokenStream) -> TokenStream {
     match c {
         Number::ONE => x,

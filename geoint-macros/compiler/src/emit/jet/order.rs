@@ -1,112 +1,91 @@
 //! The emitted code for one order n of the Taylor coefficients.
 //!
 //! - A *series* is the list of the Taylor coefficients of one node of the energy's graph. The code computes the coefficient of order n of each series.
-//! - Up to four series with the same formula form a *group*. Their coefficients are computed side by side in an array of four lanes, so that the compiler
-//!   can use vector instructions. `Lanes` of `diff/jet` finds the groups.
+//! - Up to four series with equal formulas form a *group*. Their coefficients are computed side by side in a *pack*, an array of four numbers, so that the
+//!   compiler can use vector instructions. `diff/jet` finds the groups.
 //! - A *sum* is the part of a coefficient that reads lower orders only, such as Σ uₖ vₙ₋ₖ for 0 < k < n.
-//! - *Central* groups are the forces between pairs of bodies, such as (x, y, z)/r³. The runtime computes all groups of one force in one loop.
+//! - *Central forces* act between pairs of bodies, such as (x, y, z)/r³. The runtime computes all groups of one force in one loop.
 //!
-//! This file decides the order in which the coefficients are emitted: first the sums of all groups, then each series after those that it reads at the same order.
+//! This file decides the order in which the coefficients are emitted: first the sums of all groups, then each series after the series that it reads at order n.
 
 use super::Writer;
-use super::arrays::{Stored, coefficient, kept, newest, side_by_side, weighted};
-use super::numbers::Prepared;
-use crate::diff::jet::{LANES, Operand, Rule, Source, Weight};
+use super::arrays::{CoefficientArray, operand_array, pack_array, pack_type};
+use super::central::group_name;
+use super::numbers::{StepNumber, entry};
+use crate::diff::jet::{Jet, LANES, Lanes, Operand, Rule, Source, Weight};
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::{ToTokens, format_ident, quote};
 
-/// The writer of one order, with the state of its emission.
-#[derive(Default)]
+/// The emitted code of one order, and its completed parts.
 pub(super) struct Order {
     /// The code so far.
     pub(super) body: TokenStream,
-    /// The variables that the code declares.
-    pub(super) names: Vec<Ident>,
-    /// Whether each series has been emitted.
+    /// The variables assigned by the code.
+    names: Vec<Ident>,
+    /// True for each emitted series.
     series: Vec<bool>,
-    /// Whether the coefficient of order n has been copied into each array of lanes.
+    /// True for each array of packs that contains the coefficients of order n.
     arrays: Vec<bool>,
-    /// Whether each central force has been emitted.
+    /// True for each central force with emitted factors.
     pub(super) central: Vec<bool>,
 }
 
-impl Writer<'_> {
-    /// Returns the struct of all coefficients, and the method that computes those of order n.
-    pub(super) fn body(&mut self) -> TokenStream {
-        let jet = self.jet;
-        let (groups, lane_arrays) =
-            self.lanes.as_ref().map_or((0, 0), |lanes| (lanes.groups.len(), lanes.arrays.len()));
-        self.order = Order {
+impl Order {
+    pub(super) fn new(jet: &Jet, packs: &Lanes) -> Order {
+        Order {
+            body: TokenStream::new(),
+            names: vec![],
             series: vec![false; jet.series.len()],
-            arrays: vec![false; lane_arrays],
-            central: vec![false; self.central_names().len()],
-            ..Order::default()
-        };
-        let unit = self.number(Prepared::Unit);
-        // Sums read lower orders only, so those of groups come first. Sums beside their readers would be 5 % faster for planets with registers of four
-        // numbers, and 10 % slower without such registers and for a double pendulum.
-        for place in 0..groups {
-            if !self.is_central(place) {
-                self.sums(place);
-            }
+            arrays: vec![false; packs.arrays.len()],
+            central: vec![false; packs.central.len()],
         }
-        for place in 0..self.central_names().len() {
+    }
+
+    /// Emits a variable.
+    pub(super) fn declare(&mut self, name: Ident, value: TokenStream) {
+        self.body.extend(quote!(#name = #value;));
+        self.names.push(name);
+    }
+}
+
+impl Writer<'_> {
+    /// Returns the struct of all coefficients, and its method that computes the coefficients of order n. Call it once.
+    pub(super) fn coefficients(&mut self) -> TokenStream {
+        let (jet, packs) = (self.jet, self.packs);
+        let unit = self.number(StepNumber::Unit);
+        // Sums read lower orders only, so the sums of groups come first. Sums beside their readers would be 5 % faster for planets with registers of
+        // four numbers, and 10 % slower without such registers and for a double pendulum.
+        for group in (0..packs.groups.len()).filter(|group| packs.central_of(*group).is_none()) {
+            self.group_sum(group);
+        }
+        for place in 0..packs.central.len() {
             self.take_factors(place);
         }
         for source in &jet.order {
             self.series(*source);
         }
-        for array in self.arrays_of_lanes() {
+        for array in self.pack_arrays().collect::<Vec<_>>() {
             self.pack(array);
         }
-        let Order { mut body, names, .. } = std::mem::take(&mut self.order);
         for (i, rate) in jet.rates.iter().enumerate() {
-            body.extend(self.next(i, *rate));
+            let next = self.next(i, *rate);
+            self.order.body.extend(next);
         }
         for (i, (_, source)) in jet.switches.iter().enumerate() {
             let (i, value) = (Literal::usize_unsuffixed(i), self.or_zero(*source));
-            body.extend(quote!(switches[n][#i] = #value;));
+            self.order.body.extend(quote!(switches[n][#i] = #value;));
         }
-        let (phase, action, arrays) = (self.context.phase(), self.context.action(), self.arrays(&[]));
-        let types: Vec<TokenStream> = arrays.iter().map(Stored::entry).collect();
-        let arrays: Vec<Ident> = arrays.into_iter().map(|array| array.name).collect();
-        let (central, central_types) = (self.central_names(), self.central_types());
-        let [numbers, coordinates, masks, switches] =
-            [self.numbers.len(), self.coordinates_at_hand().len(), jet.conditions.len(), jet.switches.len()]
-                .map(Literal::usize_unsuffixed);
-        let beside = (!self.beside.is_empty()).then(|| {
-            let [lanes, number] = [LANES, self.beside.len()].map(Literal::usize_unsuffixed);
-            [quote!(beside: [[R; #lanes]; #number],), quote!(beside,)]
-        });
-        let [beside, beside_name] = beside.unwrap_or_default();
-        let at_hand = self.are_at_hand().then(|| {
-            let [lanes, number] = [LANES, lane_arrays].map(Literal::usize_unsuffixed);
-            [quote!(newest: [[R; #lanes]; #number],), quote!(newest,)]
-        });
-        let [at_hand, at_hand_name] = at_hand.unwrap_or_default();
-        // The generated struct holds what the orders share:
-        // k, beside: numbers computed once per step, and the same for four series side by side
-        // newest: the newest entry of each array of lanes, which stays in registers if there are few
-        // coordinates: the newest coefficient of each coordinate, likewise
-        // masks: which branch each condition has taken at the start of the step
-        // jet, switches: the results, for each order
+        let (fields, types): (Vec<Ident>, Vec<TokenStream>) = self.fields().into_iter().unzip();
+        let Order { body, names, .. } = &self.order;
         // Braces around P, because a type of the user may be called `P`.
         quote! {
             struct Coefficients<'a, R: Real, const P: usize> {
-                k: [R; #numbers],
-                #beside
-                #at_hand
-                coordinates: [R; #coordinates],
-                masks: [R::Mask; #masks],
-                #(#arrays: &'a mut [#types; P],)*
-                #(#central: &'a mut #central_types,)*
-                jet: &'a mut [PerCoordinate<#phase, #action>; P],
-                switches: &'a mut [[R; #switches]; P],
+                #(#fields: #types,)*
             }
             impl<R: Real, const P: usize> recurrence::Series for Coefficients<'_, R, { P }> {
                 #[inline(always)]
                 fn order(&mut self, n: usize) {
-                    let Self { k, #beside_name #at_hand_name coordinates, masks, #(#arrays,)* #(#central,)* jet, switches } = self;
+                    let Self { #(#fields),* } = self;
                     let (whole, next) = (recurrence::whole::<R>(n), #unit * recurrence::inverse::<R>(n + 1));
                     let (#(#names,)*);
                     #body
@@ -115,24 +94,50 @@ impl Writer<'_> {
         }
     }
 
-    /// Returns the group of a series, with all series that are derived from it.
-    fn group_of(&self, source: Source) -> Option<(usize, [Source; LANES])> {
-        self.lanes.as_ref()?.group_of(source)
+    /// Returns the fields of the struct of coefficients, each with its type:
+    /// - `k`, `beside`: numbers computed once per step, and packs of them
+    /// - `newest`: the newest entry of each array of packs, if registers hold them
+    /// - `coordinates`: the newest coefficients of the coordinates, if registers hold them
+    /// - `masks`: the branch that each condition takes at the start of the step
+    /// - the arrays and the central forces
+    /// - `jet`, `switches`: the results, for each order
+    fn fields(&self) -> Vec<(Ident, TokenStream)> {
+        let list = |name: &str, entry: &TokenStream, count: usize| {
+            let count = Literal::usize_unsuffixed(count);
+            (format_ident!("{name}"), quote!([#entry; #count]))
+        };
+        let (number, pack) = (quote!(R), pack_type());
+        let mut fields = vec![list("k", &number, self.numbers.len())];
+        fields.extend((!self.packed_numbers.is_empty()).then(|| list("beside", &pack, self.packed_numbers.len())));
+        fields.extend(self.packs_in_registers().then(|| list("newest", &pack, self.packs.arrays.len())));
+        fields.push(list("coordinates", &number, self.coordinates_in_registers().len()));
+        fields.push(list("masks", &quote!(R::Mask), self.jet.conditions.len()));
+        let borrowed = |array: CoefficientArray| {
+            let entry = array.entry_type();
+            (array.name, quote!(&'a mut [#entry; P]))
+        };
+        fields.extend(self.arrays().into_iter().map(borrowed));
+        fields.extend(self.central_types());
+        let (phase, action) = (self.context.phase(), self.context.action());
+        fields.push((format_ident!("jet"), quote!(&'a mut [PerCoordinate<#phase, #action>; P])));
+        let switches = Literal::usize_unsuffixed(self.jet.switches.len());
+        fields.push((format_ident!("switches"), quote!(&'a mut [[R; #switches]; P])));
+        fields
     }
 
-    /// Emits a series and the others of its group, after the series that they read.
+    /// Emits a series and the others of its group, after the series that they read at order n.
     pub(super) fn series(&mut self, source: Source) {
-        let jet = self.jet;
+        let (jet, packs) = (self.jet, self.packs);
         let mut open = vec![source];
         while let Some(source) = open.pop() {
             if self.order.series[source] {
                 continue;
             }
-            let group = self.group_of(source);
+            let group = packs.group_of(source);
+            let central = group.and_then(|(group, _)| packs.central_of(group));
             let all: Vec<Source> = group.map_or(vec![source], |(_, series)| series.to_vec());
-            let central = group.and_then(|(group, _)| self.lanes.as_ref()?.central_of(group));
             let reads = match central {
-                Some(place) => self.read_by_central(place),
+                Some(place) => self.central_factors(place).concat(),
                 None => all.iter().flat_map(|source| jet.series[*source].rule.now()).collect(),
             };
             let before: Vec<Source> = reads.into_iter().filter(|read| !self.order.series[*read]).collect();
@@ -143,83 +148,76 @@ impl Writer<'_> {
             }
             if let Some(place) = central {
                 self.central(place);
-            } else if let Some((group, _)) = group {
-                for k in 0..jet.series[source].rule.operands().len() {
-                    let operands = all.iter().map(|source| jet.series[*source].rule.operands()[k]);
-                    self.pack_operands(&operands.collect::<Vec<_>>());
-                }
-                let (name, value) = (format_ident!("side{group}"), self.coefficient(&all));
-                self.order.body.extend(quote!(#name = #value;));
-                self.order.names.push(name);
+                continue;
+            }
+            let name = if let Some((group, series)) = group {
+                self.pack_operands(&series);
+                group_name(group)
             } else {
-                let (name, value) = (coefficient(source), self.coefficient(&all));
-                self.order.body.extend(quote!(#name = #value;));
-                self.order.names.push(name);
-            }
-            for source in all {
-                self.keep(source);
-            }
+                coefficient(source)
+            };
+            let value = self.coefficient(&all);
+            self.order.declare(name, value);
+            all.into_iter().for_each(|source| self.keep(source));
         }
     }
 
-    /// Emits the sum of a group, if there are groups.
-    fn sums(&mut self, place: usize) {
-        let Some(group) = self.lanes.as_ref().map(|lanes| &lanes.groups[place]) else { return };
-        let (weight, operands) = (group.weight, group.operands.clone());
-        let arrays: Vec<Ident> = operands.iter().copied().map(side_by_side).collect();
-        let sum = if weight == Weight::One && self.are_at_hand() {
-            let newest = operands.into_iter().map(newest);
+    /// Emits the sum of a group.
+    fn group_sum(&mut self, group: usize) {
+        let (weight, operands) = (self.packs.groups[group].weight, &self.packs.groups[group].operands);
+        let arrays: Vec<Ident> = operands.iter().copied().map(pack_array).collect();
+        let sum = if weight == Weight::One && self.packs_in_registers() {
+            let newest = operands.iter().map(|array| entry(quote!(newest), *array));
             quote!(recurrence::sum_with_newest(#(#arrays,)* [#(#newest),*], n))
         } else {
             self.sum_of(weight, &arrays)
         };
-        let name = format_ident!("sums{place}");
-        self.order.body.extend(quote!(#name = #sum;));
-        self.order.names.push(name);
+        self.order.declare(sums_name(group), sum);
     }
 
-    /// Emits the copy of a single series into its own array, and into the array of n times its coefficients.
+    /// Emits the copy of a series into its own array, and into the array of n times its coefficients.
     pub(super) fn keep(&mut self, source: Source) {
         if std::mem::replace(&mut self.order.series[source], true) {
             return;
         }
-        let name = self.now(&[source]);
-        if self.has_array(source) && !matches!(self.jet.series[source].rule, Rule::State(_)) {
-            let array = kept(source);
-            self.order.body.extend(quote!(#array[n] = #name;));
+        let value = self.now(&[source]);
+        let [plain, weighted] = [false, true].map(|weighted| Operand { source, weighted });
+        if self.has_array(plain) && !matches!(self.jet.series[source].rule, Rule::State(_)) {
+            let array = operand_array(plain);
+            self.order.body.extend(quote!(#array[n] = #value;));
         }
-        if self.has_weighted_array(source) {
-            let array = weighted(source);
-            self.order.body.extend(quote!(#array[n] = whole * #name;));
-        }
-    }
-
-    /// Emits the copy of the operands' coefficients into their array of lanes, if any. An operand that is read up to the previous order only may
-    /// not have its coefficient yet.
-    fn pack_operands(&mut self, operands: &[Source]) {
-        if !operands.iter().all(|source| self.order.series[*source]) {
-            return;
-        }
-        let array = <&[Source; LANES]>::try_from(operands).ok().and_then(|all| self.lanes.as_ref()?.array_of(all));
-        if let Some(array) = array {
-            self.pack(array);
+        if self.has_array(weighted) {
+            let array = operand_array(weighted);
+            self.order.body.extend(quote!(#array[n] = whole * #value;));
         }
     }
 
-    /// Emits the copy of the coefficients of order n into an array of lanes.
+    /// Emits the copies of the operands of a group into their arrays of packs. An operand that is read up to the previous order only may not have its
+    /// coefficient yet.
+    fn pack_operands(&mut self, series: &[Source; LANES]) {
+        let jet = self.jet;
+        for k in 0..jet.series[series[0]].rule.operands().len() {
+            let operands = series.map(|source| jet.series[source].rule.operands()[k]);
+            if operands.iter().all(|source| self.order.series[*source])
+                && let Some(array) = self.packs.array_of(&operands)
+            {
+                self.pack(array);
+            }
+        }
+    }
+
+    /// Emits the copy of the coefficients of order n into an array of packs, once.
     fn pack(&mut self, array: usize) {
-        let Some(operands) = self.lanes.as_ref().map(|lanes| lanes.arrays[array]) else { return };
         if std::mem::replace(&mut self.order.arrays[array], true) {
             return;
         }
-        let name = side_by_side(array);
-        let sources = operands.map(|operand| operand.source);
-        let value = if let Some((group, series)) = self.group_of(sources[0])
-            && series == sources
-            && operands.iter().all(|operand| operand.weighted == operands[0].weighted)
+        let operands = self.packs.arrays[array];
+        let (name, weighted) = (pack_array(array), operands[0].weighted);
+        let value = if let Some((group, series)) = self.packs.group_of(operands[0].source)
+            && operands == series.map(|source| Operand { source, weighted })
         {
-            let side = self.side(group);
-            if operands[0].weighted { quote!(recurrence::scaled(whole, #side)) } else { quote!(#side) }
+            let pack = self.pack_of_group(group);
+            if weighted { quote!(recurrence::scaled(whole, #pack)) } else { pack }
         } else {
             let entries = operands.map(|Operand { source, weighted }| {
                 let c = self.now(&[source]);
@@ -227,37 +225,41 @@ impl Writer<'_> {
             });
             quote!([#(#entries),*])
         };
-        self.order.body.extend(if self.are_at_hand() {
-            let newest = newest(array);
+        self.order.body.extend(if self.packs_in_registers() {
+            let newest = entry(quote!(newest), array);
             quote!(#newest = #value; #name[n] = #newest;)
         } else {
             quote!(#name[n] = #value;)
         });
     }
 
-    /// Returns the expression of the coefficient of order n of one series, or of the array of the coefficients of four.
+    /// Returns the coefficient of order n of one series, or the pack of the coefficients of four.
     pub(super) fn now(&self, sources: &[Source]) -> TokenStream {
-        if let [source] = sources {
-            let Some((group, series)) = self.group_of(*source) else {
-                let name = coefficient(*source);
-                return quote!(#name);
-            };
-            let (side, lane) = (self.side(group), series.iter().position(|other| other == source));
-            let lane = Literal::usize_unsuffixed(lane.unwrap_or(0));
-            return quote!(#side[#lane]);
-        }
-        let all = <[Source; LANES]>::try_from(sources).ok();
-        let (group, array) = (self.group_of(sources[0]), all.and_then(|all| self.lanes.as_ref()?.array_of(&all)));
-        match (group, array) {
-            (Some((group, series)), _) if Some(series) == all => self.side(group),
-            (_, Some(array)) => {
-                let array = side_by_side(array);
-                quote!(#array[n])
+        match (sources, self.packs.group_of(sources[0])) {
+            ([source], None) => coefficient(*source).into_token_stream(),
+            ([source], Some((group, series))) => {
+                let lane = series.iter().position(|other| other == source).unwrap_or(0);
+                entry(self.pack_of_group(group), lane)
             }
+            (_, Some((group, series))) if series == *sources => self.pack_of_group(group),
             _ => {
+                let array = sources.try_into().ok().and_then(|sources| self.packs.array_of(sources));
+                if let Some(array) = array.map(pack_array) {
+                    return quote!(#array[n]);
+                }
                 let entries = sources.iter().map(|source| self.now(&[*source]));
                 quote!([#(#entries),*])
             }
         }
     }
+}
+
+/// Returns the variable of the coefficient of order n of a series outside of groups.
+fn coefficient(source: Source) -> Ident {
+    format_ident!("c{source}")
+}
+
+/// Returns the variable of the pack of sums of a group.
+pub(super) fn sums_name(group: usize) -> Ident {
+    format_ident!("sums{group}")
 }

@@ -1,60 +1,47 @@
-//! The coefficient of order n by each rule.
+//! The emitted coefficient of order n of a series, for each rule.
 
-use super::numbers::{Prepared, constant, scaled, zero};
-use super::{Writer, array_of, coordinate, kept};
-use crate::diff::jet::{Factor, Lanes, Rule, Source, Weight, sums};
-use crate::ir::Number;
-use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{format_ident, quote};
+use super::Writer;
+use super::arrays::{operand_array, series_array};
+use super::numbers::{StepNumber, constant, entry, scaled, zero};
+use super::order::sums_name;
+use crate::diff::jet::{Factor, Operand, Rule, Source, Sum, Weight, sums};
+use crate::ir::{Number, Symbol};
+use proc_macro2::{Ident, TokenStream};
+use quote::{ToTokens, quote};
 
-/// Sums of more terms are multiplied as a whole.
+/// A number is multiplied into the terms of a sum of at most two terms, and into longer sums as a whole.
 const MOST_TERMS: usize = 2;
 
 impl Writer<'_> {
-    /// The coefficient of order n of a series, or of several side by side that have the same rule.
+    /// Returns the coefficient of order n of a series, or the pack of coefficients of a group. The list `own` has one series or four.
     pub(super) fn coefficient(&mut self, own: &[Source]) -> TokenStream {
         let jet = self.jet;
-        let (first, rule) = (own[0], &jet.series[own[0]].rule);
+        let value = |source: Source| jet.series[source].value;
+        let rule = &jet.series[own[0]].rule;
         let operands: Vec<Vec<Source>> = (0..rule.operands().len())
             .map(|k| own.iter().map(|source| jet.series[*source].rule.operands()[k]).collect())
             .collect();
         let operands: Vec<&[Source]> = operands.iter().map(Vec::as_slice).collect();
         match *rule {
-            Rule::State(symbol) => {
-                let at_hand = self.coordinates_at_hand().iter().position(|rate| rate.symbol == symbol);
-                match at_hand {
-                    Some(rate) => coordinate(rate),
-                    None if self.has_array(first) => {
-                        let array = kept(first);
-                        quote!(#array[n])
-                    }
-                    None => {
-                        let place = self.place(symbol);
-                        quote!(jet[n - 1].#place)
-                    }
-                }
-            }
+            Rule::State(symbol) => self.coordinate(own[0], symbol),
             Rule::Affine(slope) => {
-                let slope = self.number(Prepared::Slope(Number::ONE, slope));
+                let slope = self.number(StepNumber::Slope(Number::ONE, slope));
                 quote!(recurrence::affine(#slope, n))
             }
             Rule::Linear(ref terms) => self.linear(terms),
-            Rule::Product(..) => {
+            Rule::Product(..) | Rule::Squares(_) => {
+                let function = if let Rule::Product(..) = rule { quote!(product) } else { quote!(squares) };
                 let (starts, c, sum) = (self.starts(&operands), self.present(&operands), self.sum(own, 0));
-                quote!(recurrence::product([#(#starts),*], [#(#c),*], #sum))
+                quote!(recurrence::#function([#(#starts),*], [#(#c),*], #sum))
             }
             Rule::Shift { start, slope, of } => {
-                let start = self.number(Prepared::Value(start));
-                let slope = self.number(Prepared::Slope(Number::ONE, slope));
-                let (before, c) = (self.before(of), self.now(&[of]));
+                let start = self.number(StepNumber::Value(start));
+                let slope = self.number(StepNumber::Slope(Number::ONE, slope));
+                let (before, c) = (before(of), self.now(&[of]));
                 quote!(#start.multiply_add(#c, #slope * #before))
             }
-            Rule::Squares(_) => {
-                let (starts, c, sum) = (self.starts(&operands), self.present(&operands), self.sum(own, 0));
-                quote!(recurrence::squares([#(#starts),*], [#(#c),*], #sum))
-            }
             Rule::Quotient(..) => {
-                let over = self.numbers(operands[1], |w, writer| Prepared::Reciprocal(writer.value(w)));
+                let over = self.numbers(operands[1], |w| StepNumber::Reciprocal(value(w)));
                 let (starts, c) = (self.starts(&[operands[1], own]), self.present(&operands));
                 let sum = self.sum(own, 0);
                 quote!(recurrence::quotient([#(#starts,)* #over], [#(#c),*], #sum))
@@ -65,14 +52,14 @@ impl Writer<'_> {
                 quote!(recurrence::reciprocal([#(#starts),*], #c, #sum))
             }
             Rule::Root(_) => {
-                let over = self.numbers(own, |y, writer| Prepared::HalfReciprocal(writer.value(y)));
+                let over = self.numbers(own, |y| StepNumber::HalfReciprocal(value(y)));
                 let (starts, c, sum) = (self.starts(&[own]), self.now(operands[0]), self.sum(own, 0));
                 quote!(recurrence::root([#(#starts,)* #over], #c, #sum))
             }
             Rule::Power(_, exponent) => {
-                let ratio = self.numbers(own, |y, writer| {
-                    let u = writer.jet.series[y].rule.operands()[0];
-                    Prepared::Ratio(exponent, writer.value(y), writer.value(u))
+                let ratio = self.numbers(own, |y| {
+                    let u = jet.series[y].rule.operands()[0];
+                    StepNumber::Ratio(exponent, value(y), value(u))
                 });
                 let (starts, c, sum) = (self.starts(&operands), self.now(operands[0]), self.sum(own, 0));
                 quote!(recurrence::power([#(#starts,)* #ratio], #c, #sum, n))
@@ -82,107 +69,111 @@ impl Writer<'_> {
                 times(factor, own, quote!(recurrence::integral(#(#starts)*, #c, #sum, n)))
             }
             Rule::Wave { factor, slope, by } => {
-                let (slope, before) = (self.number(Prepared::Slope(factor, slope)), self.before(by));
+                let (slope, before) = (self.number(StepNumber::Slope(factor, slope)), before(by));
                 quote!(#slope * #before * recurrence::inverse::<R>(n))
             }
             Rule::Quadrature { factor, .. } => {
-                let inverse = self.numbers(operands[1], |over, writer| Prepared::Reciprocal(writer.value(over)));
+                let inverse = self.numbers(operands[1], |over| StepNumber::Reciprocal(value(over)));
                 let (starts, c, sum) = (self.starts(&operands[1..]), self.now(operands[0]), self.sum(own, 0));
                 let c = times(factor, own, c);
                 quote!(recurrence::quadrature([#(#starts,)* #inverse], #c, #sum, n))
             }
             Rule::Angle { square, .. } => {
-                let inverse = self.number(Prepared::Reciprocal(self.value(square)));
+                let inverse = self.number(StepNumber::Reciprocal(value(square)));
                 let (starts, c) = (self.starts(&operands), self.present(&operands[..2]));
                 let sums = [0, 1, 2].map(|i| self.sum(own, i));
                 quote!(recurrence::angle([#(#starts,)* #inverse], [#(#c),*], [#(#sums),*], n))
             }
             Rule::Select(condition, first, second) => {
-                let place = self.jet.conditions.iter().position(|other| *other == condition).unwrap_or(0);
-                let (place, [first, second]) =
-                    (Literal::usize_unsuffixed(place), [first, second].map(|source| self.or_zero(source)));
+                let place = jet.conditions.iter().position(|other| *other == condition).unwrap_or(0);
+                let (mask, [first, second]) =
+                    (entry(quote!(masks), place), [first, second].map(|source| self.or_zero(source)));
                 quote!({
-                    let [chosen] = R::choose(masks[#place], || [#first], || [#second]);
+                    let [chosen] = R::choose(#mask, || [#first], || [#second]);
                     chosen
                 })
             }
         }
     }
 
-    /// The coefficients of order 0.
-    fn starts(&mut self, all: &[&[Source]]) -> Vec<TokenStream> {
-        all.iter()
-            .map(|sources| self.numbers(sources, |source, writer| Prepared::Value(writer.value(source))))
-            .collect()
+    /// Returns the coefficient of order n of a coordinate, which the previous order has computed.
+    fn coordinate(&self, source: Source, symbol: Symbol) -> TokenStream {
+        if let Some(rate) = self.coordinates_in_registers().iter().position(|rate| rate.symbol == symbol) {
+            entry(quote!(coordinates), rate)
+        } else if self.has_array(Operand { source, weighted: false }) {
+            let array = series_array(source);
+            quote!(#array[n])
+        } else {
+            let component = self.component(symbol);
+            quote!(jet[n - 1].#component)
+        }
     }
 
-    /// The coefficients of order n.
+    /// Returns the coefficients of order 0.
+    fn starts(&mut self, all: &[&[Source]]) -> Vec<TokenStream> {
+        let jet = self.jet;
+        let start = |source: Source| StepNumber::Value(jet.series[source].value);
+        all.iter().map(|sources| self.numbers(sources, start)).collect()
+    }
+
+    /// Returns the coefficients of order n.
     fn present(&self, all: &[&[Source]]) -> Vec<TokenStream> {
         all.iter().map(|sources| self.now(sources)).collect()
     }
 
-    /// The coefficient of order n − 1.
-    fn before(&self, source: Source) -> TokenStream {
-        let array = kept(source);
-        quote!(#array[n - 1])
-    }
-
-    /// A sum in the coefficient of order n of a series, or those of several side by side.
+    /// Returns one of the sums in the coefficient of order n of a series, or a pack of sums for a group.
     fn sum(&mut self, own: &[Source], i: usize) -> TokenStream {
         let sum = sums(&self.jet.series[own[0]].rule, own[0]).swap_remove(i);
-        if let Some((group, lane)) = self.lanes.as_ref().and_then(|lanes| lanes.place(&sum)) {
-            let (group, lane) = (format_ident!("sums{group}"), Literal::usize_unsuffixed(lane));
-            return if own.len() > 1 { quote!(#group) } else { quote!(#group[#lane]) };
+        if let Some((group, lane)) = self.packs.place(&sum) {
+            let pack = sums_name(group);
+            return if own.len() > 1 { pack.into_token_stream() } else { entry(pack, lane) };
         }
-        let places = |lanes: &Lanes| sum.parts().iter().map(|part| lanes.place(part)).collect::<Option<Vec<_>>>();
-        if let Some(places) = self.lanes.as_ref().and_then(places) {
-            let mut parts = places.into_iter().map(|(group, lane)| {
-                let (group, lane) = (format_ident!("sums{group}"), Literal::usize_unsuffixed(lane));
-                quote!(#group[#lane])
-            });
-            if let Weight::Power(exponent) = sum.weight {
-                let next = self.number(Prepared::Next(exponent));
-                let [weighted, plain] = [parts.next(), parts.next()];
-                return quote!(#next.multiply_add(#weighted, -whole * #plain));
+        let lane = |part: &Sum| self.packs.place(part).map(|(group, lane)| entry(sums_name(group), lane));
+        let parts = sum.parts().iter().map(lane).collect::<Option<Vec<_>>>();
+        match (sum.weight, parts.as_deref()) {
+            (Weight::Power(exponent), Some([weighted, plain])) => {
+                let next = self.number(StepNumber::Next(exponent));
+                quote!(#next.multiply_add(#weighted, -whole * #plain))
             }
-            return quote!((#(#parts)+*));
+            (_, Some(parts)) => quote!((#(#parts)+*)),
+            (weight, None) => {
+                let arrays: Vec<Ident> = sum.operands.into_iter().map(operand_array).collect();
+                self.sum_of(weight, &arrays)
+            }
         }
-        let arrays: Vec<Ident> = sum.operands.into_iter().map(array_of).collect();
-        self.sum_of(sum.weight, &arrays)
     }
 
-    /// One sum, or many side by side.
+    /// Returns the sum over lower orders, of arrays of numbers or of packs.
     pub(super) fn sum_of(&mut self, weight: Weight, arrays: &[Ident]) -> TokenStream {
         match weight {
             Weight::One => quote!(recurrence::sum(#(#arrays,)* n)),
             Weight::Square => quote!(recurrence::sum_of_squares([#(&*#arrays),*], n)),
             Weight::Power(exponent) => {
-                let next = self.number(Prepared::Next(exponent));
+                let next = self.number(StepNumber::Next(exponent));
                 quote!(recurrence::sum_of_power(#(#arrays,)* #next, n))
             }
         }
     }
 
-    /// The coefficient of order n of a series times a number that is known before. What coefficients are multiplied by meets that number first: no
-    /// product of both is waited for. Of many terms these would be many products.
+    /// Returns a known number times the coefficient of order n of a series. The number enters the terms of a short linear combination, so that no
+    /// operation waits for the product of both. A long combination would need many such products.
     pub(super) fn times(&mut self, number: TokenStream, source: Source) -> TokenStream {
         let jet = self.jet;
-        match jet.series[source].rule {
-            Rule::Linear(ref terms) if terms.len() == 1 => {
+        match &jet.series[source].rule {
+            Rule::Linear(terms) if terms.len() == 1 => {
                 let (factor, source) = terms[0];
                 let number = self.product(number, factor);
                 self.times(number, source)
             }
-            Rule::Linear(ref terms) if (2..=MOST_TERMS).contains(&terms.len()) => {
-                let mut sum: Option<TokenStream> = None;
-                for (factor, source) in terms {
+            Rule::Linear(terms) if (2..=MOST_TERMS).contains(&terms.len()) => {
+                let add = |sum: Option<TokenStream>, (factor, source): &(Factor, Source)| {
                     let (factor, c) = (self.product(number.clone(), *factor), self.now(&[*source]));
-                    sum = Some(match sum {
+                    Some(match sum {
                         Some(sum) => quote!((#factor).multiply_add(#c, #sum)),
                         None => quote!(#factor * #c),
-                    });
-                }
-                sum.unwrap_or(number)
+                    })
+                };
+                terms.iter().fold(None, add).unwrap_or_else(zero)
             }
             _ => {
                 let c = self.now(&[source]);
@@ -191,56 +182,56 @@ impl Writer<'_> {
         }
     }
 
+    /// Returns a known number times a factor.
     fn product(&mut self, number: TokenStream, factor: Factor) -> TokenStream {
         match factor {
-            Factor::Number(factor) if factor == Number::ONE => number,
-            Factor::Number(factor) if factor == Number::MINUS_ONE => quote!(-(#number)),
-            Factor::Number(factor) => {
-                let factor = constant(factor);
-                quote!((#number) * #factor)
-            }
-            Factor::Value(value) => {
-                let factor = self.number(Prepared::Value(value));
+            Factor::Number(Number::ONE) => number,
+            Factor::Number(Number::MINUS_ONE) => quote!(-(#number)),
+            _ => {
+                let factor = self.factor(factor);
                 quote!((#number) * #factor)
             }
         }
     }
 
-    /// Σ factor·c, what is known last added last.
-    fn linear(&mut self, terms: &[(Factor, Source)]) -> TokenStream {
-        let mut sum: Option<TokenStream> = None;
-        for (factor, source) in terms {
-            let c = self.now(&[*source]);
-            let factor = match *factor {
-                Factor::Number(number) if number == Number::ONE || number == Number::MINUS_ONE => {
-                    sum = Some(match (sum, number == Number::ONE) {
-                        (Some(sum), true) => quote!(#sum + #c),
-                        (Some(sum), false) => quote!(#sum - #c),
-                        (None, true) => quote!(#c),
-                        (None, false) => quote!(-#c),
-                    });
-                    continue;
-                }
-                Factor::Number(number) => constant(number),
-                Factor::Value(value) => self.number(Prepared::Value(value)),
-            };
-            sum = Some(match sum {
-                Some(sum) => quote!(#factor.multiply_add(#c, #sum)),
-                None => quote!(#factor * #c),
-            });
+    /// Returns a factor.
+    fn factor(&mut self, factor: Factor) -> TokenStream {
+        match factor {
+            Factor::Number(number) => constant(number),
+            Factor::Value(value) => self.number(StepNumber::Value(value)),
         }
-        sum.unwrap_or_else(zero)
+    }
+
+    /// Returns Σ factor·c in the order of the terms. The coefficient computed last is added last.
+    fn linear(&mut self, terms: &[(Factor, Source)]) -> TokenStream {
+        let add = |sum: Option<TokenStream>, (factor, source): &(Factor, Source)| {
+            let c = self.now(&[*source]);
+            Some(match (sum, *factor) {
+                (Some(sum), Factor::Number(Number::ONE)) => quote!(#sum + #c),
+                (Some(sum), Factor::Number(Number::MINUS_ONE)) => quote!(#sum - #c),
+                (None, Factor::Number(Number::ONE)) => c,
+                (None, Factor::Number(Number::MINUS_ONE)) => quote!(-#c),
+                (sum, factor) => {
+                    let factor = self.factor(factor);
+                    sum.map_or_else(|| quote!(#factor * #c), |sum| quote!(#factor.multiply_add(#c, #sum)))
+                }
+            })
+        };
+        terms.iter().fold(None, add).unwrap_or_else(zero)
     }
 }
 
-/// c·x of numbers, or of numbers side by side.
+/// Returns the coefficient of order n − 1.
+fn before(source: Source) -> TokenStream {
+    let array = series_array(source);
+    quote!(#array[n - 1])
+}
+
+/// Returns c·x for a number x, or for a pack of a group.
 fn times(c: Number, own: &[Source], x: TokenStream) -> TokenStream {
-    match c {
-        _ if own.len() == 1 => scaled(c, x),
-        Number::ONE => x,
-        _ => {
-            let c = constant(c);
-            quote!(recurrence::scaled(#c, #x))
-        }
+    if own.len() == 1 || c == Number::ONE {
+        return scaled(c, x);
     }
+    let c = constant(c);
+    quote!(recurrence::scaled(#c, #x))
 }

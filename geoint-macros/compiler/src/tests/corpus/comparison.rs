@@ -59,7 +59,7 @@ fn write(tokens: &TokenStream, hasher: &mut FnvHasher) {
     }
 }
 
-/// The functions whose expansions are not those of the list, by path and name.
+/// The functions whose expansion differs from the list, by path and name.
 #[derive(Debug, Default, PartialEq, Eq)]
 pub(super) struct Differences {
     pub(super) changed: Vec<String>,

@@ -4,9 +4,8 @@
 //! The list shows whether a change of the compiler changes emitted code, and for which functions. A refactoring of the
 //! compiler must change no hash. A new or edited annotated function changes the list.
 //!
-//! The test reads Rust files and Markdown pages, and the code blocks of doc comments. It also expands each `macro_rules!` that a file both
-//! defines and calls. A function that the scan misses fails the test. A
-//! refusal by the compiler is an outcome.
+//! The test reads Rust files and Markdown pages, and the code blocks of doc comments. It also expands each `macro_rules!` that a file both defines
+//! and calls. A function that the scan misses fails the test. A refusal by the compiler is an outcome.
 //!
 //! `UPDATE_EXPECT=1` rewrites the list. `EXPANSIONS=NAME` writes all expansions as formatted code to the folder
 //! `target/geoint/expansions/NAME`. To read a difference, write the folders `before` and `after`, and compare them by `diff -r`.
@@ -64,7 +63,7 @@ To read the difference: run `EXPANSIONS=before cargo test -p geoint-compiler cor
 ";
 
 #[test]
-fn expansions_are_those_of_the_list() {
+fn expansions_equal_the_list() {
     let list = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/tests/corpus/expansions.txt");
     let found = expanded(&sources::files());
     assert!(found.len() >= AT_LEAST, "the scan finds {} functions, fewer than {AT_LEAST}", found.len());

@@ -1,7 +1,8 @@
-//! Names that emitted code declares. Types of the user in the same scope may have the same names.
+//! Names that emitted code declares must not clash with types of the user.
 
 use super::{expansions, sources};
 use crate::parse::DECLARED;
+use crate::tests::hidden_statements;
 use std::path::Path;
 use syn::visit::{Visit, visit_const_param, visit_item_struct, visit_item_trait, visit_type_path};
 
@@ -43,10 +44,10 @@ impl<'a> Visit<'a> for Names {
     }
 }
 
-/// A constant parameter `P` as a generic argument needs braces, `{ P }`: rustc takes `P` for a type of the user else. Types and traits that
-/// stand beside the implementations must be on the list of names that no struct can have.
+/// Emitted code must write a constant parameter `P` as `{ P }` in generic arguments: rustc takes `P` for a type of the user otherwise. Types and
+/// traits beside the implementations must be on the list of names that no struct can have.
 #[test]
-fn names_of_emitted_code_do_not_meet_those_of_the_user() {
+fn names_of_emitted_code_do_not_clash_with_types_of_the_user() {
     let files = sources::files();
     let chosen = files.iter().filter(|file| file.starts_with("tests/src") || file.starts_with("tests/language"));
     let (mut constants, mut count) = (0, 0);
@@ -58,7 +59,7 @@ fn names_of_emitted_code_do_not_meet_those_of_the_user() {
             _ => None,
         });
         // Every implementation is a scope of its own.
-        for item in file.items.iter().filter_map(block_of_constant).flatten() {
+        for item in file.items.iter().filter_map(hidden_statements).flatten() {
             let mut names = Names::default();
             names.visit_stmt(item);
             for constant in &names.constants {
@@ -73,15 +74,4 @@ fn names_of_emitted_code_do_not_meet_those_of_the_user() {
         }
     }
     assert!(count > 100 && constants > 100, "{count} expansions with {constants} constant parameters");
-}
-
-/// Statements of `const _: () = { … };`.
-fn block_of_constant(item: &syn::Item) -> Option<&[syn::Stmt]> {
-    match item {
-        syn::Item::Const(constant) => match &*constant.expr {
-            syn::Expr::Block(block) => Some(&block.block.stmts),
-            _ => None,
-        },
-        _ => None,
-    }
 }

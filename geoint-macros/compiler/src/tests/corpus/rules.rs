@@ -45,20 +45,33 @@ pub(super) fn rules(definition: TokenStream) -> Vec<Rule> {
         _ => None,
     });
     let groups: Vec<TokenStream> = groups.collect();
-    let rules = groups.chunks_exact(2);
-    rules.map(|rule| Rule { pattern: patterns(rule[0].clone()), body: rule[1].clone() }).collect()
+    let (rules, _) = groups.as_chunks();
+    rules.iter().map(|[pattern, body]| Rule { pattern: patterns(pattern.clone()), body: body.clone() }).collect()
 }
 
-/// Splits the tokens behind `$(…)` into a separator and the operator. Returns their number as well.
-pub(super) fn repetition(behind: &[TokenTree]) -> (Option<TokenTree>, char, usize) {
+/// The tokens behind `$(…)`.
+pub(super) struct Repeat {
+    pub(super) separator: Option<TokenTree>,
+    /// `*`, `+` or `?`.
+    operator: char,
+    /// The number of these tokens.
+    pub(super) length: usize,
+}
+
+/// Returns the separator and the operator behind `$(…)`.
+pub(super) fn repetition(behind: &[TokenTree]) -> Repeat {
     let operator = |tree: &TokenTree| match tree {
         TokenTree::Punct(punct) if matches!(punct.as_char(), '*' | '+' | '?') => Some(punct.as_char()),
         _ => None,
     };
     match behind {
-        [first, ..] if operator(first).is_some() => (None, operator(first).unwrap_or('*'), 1),
-        [separator, second, ..] => (Some(separator.clone()), operator(second).unwrap_or('*'), 2),
-        _ => (None, '*', behind.len()),
+        [first, ..] if operator(first).is_some() => {
+            Repeat { separator: None, operator: operator(first).unwrap_or('*'), length: 1 }
+        }
+        [separator, second, ..] => {
+            Repeat { separator: Some(separator.clone()), operator: operator(second).unwrap_or('*'), length: 2 }
+        }
+        _ => Repeat { separator: None, operator: '*', length: behind.len() },
     }
 }
 
@@ -76,7 +89,7 @@ fn patterns(tokens: TokenStream) -> Vec<Pattern> {
                 Pattern::Fragment { name: name.to_string(), kind: kind.to_string() }
             }
             (TokenTree::Punct(dollar), [TokenTree::Group(group), behind @ ..]) if dollar.as_char() == '$' => {
-                let (separator, operator, length) = repetition(behind);
+                let Repeat { separator, operator, length } = repetition(behind);
                 rest = &behind[length..];
                 Pattern::Repetition { pattern: patterns(group.stream()), separator, is_optional: operator == '?' }
             }

@@ -1,6 +1,6 @@
 //! Expands the `macro_rules!` of a file that have annotated functions.
 
-use super::rules::{Binding, Bindings, Rule, repetition, rules};
+use super::rules::{Binding, Bindings, Repeat, Rule, repetition, rules};
 use super::sources::mentions_attribute;
 use proc_macro2::{Group, Ident, Span, TokenStream, TokenTree};
 
@@ -61,7 +61,7 @@ fn transcribed(body: TokenStream, bindings: &Bindings) -> TokenStream {
                 }
             }
             (TokenTree::Punct(dollar), [TokenTree::Group(group), behind @ ..]) if dollar.as_char() == '$' => {
-                let (separator, _, length) = repetition(behind);
+                let Repeat { separator, length, .. } = repetition(behind);
                 rest = &behind[length..];
                 for (i, iteration) in iterations(&group.stream(), bindings).iter().enumerate() {
                     written.extend(separator.clone().filter(|_| i > 0));

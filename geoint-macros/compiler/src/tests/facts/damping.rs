@@ -1,24 +1,31 @@
-//! What damping stands for, and what is known of it while compiling.
+//! Damping matrices: their shapes, and the facts known at compile time.
 
 use crate::analyze::{self, Damping, Flaw};
 use crate::compilation::Compilation;
 use crate::ir::Reads;
 use crate::parse::Form;
-use crate::{attribute, parse};
+use crate::tests::expansion;
+use crate::parse;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// Damping of an energy with two coordinates as rows of formulas with what is known of it; or messages.
-fn damping(expr: TokenStream) -> Result<(Vec<String>, Option<Damping>), Vec<String>> {
+/// The damping matrix as rows of formulas, and its facts. There are none if nothing is damped.
+struct Found {
+    rows: Vec<String>,
+    damping: Option<Damping>,
+}
+
+/// Returns the damping of an energy with two coordinates. Errors: messages.
+fn damping(expr: TokenStream) -> Result<Found, Vec<String>> {
     damping_of(
         expr,
         quote! { fn f(q: [f64; 2], p: [f64; 2], t: f64, a: f64, b: [f64; 2]) -> f64 { q[0] * p[1] + t + a } },
     )
 }
 
-fn damping_of(expr: TokenStream, item: TokenStream) -> Result<(Vec<String>, Option<Damping>), Vec<String>> {
-    let energy =
-        parse::energy(parse::Form::Hamiltonian, quote!(damping = #expr), syn::parse2(item).expect("a function"));
+/// Returns the damping of an energy. Errors: messages.
+fn damping_of(expr: TokenStream, item: TokenStream) -> Result<Found, Vec<String>> {
+    let energy = parse::energy(Form::Hamiltonian, quote!(damping = #expr), syn::parse2(item).expect("a function"));
     let energy = energy.map_err(|e| e.messages())?;
     let (mut compilation, terms) = Compilation::lowered(&energy).map_err(|e| e.messages())?;
     let graph = &mut compilation.graph;
@@ -27,15 +34,15 @@ fn damping_of(expr: TokenStream, item: TokenStream) -> Result<(Vec<String>, Opti
     let printer = compilation.printer();
     let row = |row: &Vec<_>| row.iter().map(|id| printer.formula(*id)).collect::<Vec<_>>().join(", ");
     let rows = damping.iter().flat_map(|damping| damping.matrix.iter().map(row)).collect();
-    Ok((rows, damping))
+    Ok(Found { rows, damping })
 }
 
 fn rows(expr: TokenStream) -> Vec<String> {
-    damping(expr.clone()).unwrap_or_else(|messages| panic!("{expr}: {messages:?}")).0
+    damping(expr.clone()).unwrap_or_else(|messages| panic!("{expr}: {messages:?}")).rows
 }
 
 #[test]
-fn shapes() {
+fn shapes_of_damping_matrices() {
     assert_eq!(rows(quote!(a)), ["a, 0", "0, a"]);
     assert_eq!(rows(quote!(b)), ["b[0], 0", "0, b[1]"]);
     assert_eq!(rows(quote!([1.0, q[0] * q[0]])), ["1, 0", "0, q[0]²"]);
@@ -52,7 +59,7 @@ fn shapes() {
     assert!(rows(quote!([0.0, a - a])).is_empty(), "nothing is damped");
     let nested = quote! { fn f(q: [[f64; 2]; 1], p: [[f64; 2]; 1], a: f64) -> f64 { q[0][0] * p[0][1] + a } };
     for same in [quote!([[a, 2.0]]), quote!([a, 2.0]), quote!([[a, 0.0], [0.0, 2.0]])] {
-        assert_eq!(damping_of(same, nested.clone()).unwrap().0, ["a, 0", "0, 2"]);
+        assert_eq!(damping_of(same, nested.clone()).unwrap().rows, ["a, 0", "0, 2"]);
     }
 }
 
@@ -80,8 +87,8 @@ fn other_shapes_are_refused() {
 }
 
 #[test]
-fn flaws() {
-    let flaw = |expr| damping(expr).unwrap().1.unwrap().flaw;
+fn flaws_of_damping_matrices() {
+    let flaw = |expr| damping(expr).unwrap().damping.unwrap().flaw;
     assert_eq!(flaw(quote!([a, -a])), None, "known only when it runs");
     assert_eq!(flaw(quote!(-a * a)), None);
     assert_eq!(flaw(quote!([a, -1e-9])), Some(Flaw::Negative(1)));
@@ -98,37 +105,44 @@ fn flaws() {
         Some(Flaw::Indefinite),
         "by less than an f64 shows"
     );
-    assert!(damping(quote!([[1.0, 0.0], [0.0, 2.0 * a]])).unwrap().1.is_some_and(|damping| !damping.open), "diagonal");
-    assert!(damping(quote!([[1.0, 0.1], [0.1, a]])).unwrap().1.is_some_and(|damping| damping.open));
+    assert!(
+        damping(quote!([[1.0, 0.0], [0.0, 2.0 * a]])).unwrap().damping.is_some_and(|damping| !damping.open),
+        "diagonal"
+    );
+    assert!(damping(quote!([[1.0, 0.1], [0.1, a]])).unwrap().damping.is_some_and(|damping| damping.open));
     let three = quote! { fn f(q: [f64; 3], p: [f64; 3]) -> f64 { q[0] * p[0] } };
     let matrix = quote!({
         let c = -0.6;
         [[1.0, c, c], [c, 1.0, c], [c, c, 1.0]]
     });
-    assert_eq!(damping_of(matrix, three).unwrap().1.unwrap().flaw, Some(Flaw::Indefinite), "blocks of two are fine");
+    assert_eq!(
+        damping_of(matrix, three).unwrap().damping.unwrap().flaw,
+        Some(Flaw::Indefinite),
+        "blocks of two are fine"
+    );
 }
 
 #[test]
-fn what_is_read() {
-    let reads = |expr| damping(expr).unwrap().1.unwrap().reads;
+fn symbols_that_a_damping_reads() {
+    let reads = |expr| damping(expr).unwrap().damping.unwrap().reads;
     assert_eq!(reads(quote!(a)), Reads::default());
     assert_eq!(reads(quote!([a, p[0] * p[0]])), Reads { p: true, ..Reads::default() });
     assert_eq!(reads(quote!([[a, t], [t, q[1]]])), Reads { q: true, t: true, ..Reads::default() });
 }
 
-/// Variables and assignments of the body are its own.
+/// The damping reads the arguments of the function, not the variables and assignments of its body.
 #[test]
-fn the_body_is_not_seen() {
+fn variables_of_the_body_are_not_in_scope() {
     let item = quote! { fn f(q: f64, p: f64, mut a: f64) -> f64 { a += 1.0; let b = a; q * p + b } };
-    assert_eq!(damping_of(quote!(a), item.clone()).unwrap().0, ["a"]);
+    assert_eq!(damping_of(quote!(a), item.clone()).unwrap().rows, ["a"]);
     assert!(damping_of(quote!(b), item).is_err());
 }
 
-/// Groups within groups would overflow the stack of a parser.
+/// Deeply nested groups would overflow the stack of a parser.
 #[test]
-fn nesting() {
+fn deep_nesting_is_refused() {
     let deep = (0..5000).fold(quote!(1.0), |inner, _| quote!((#inner)));
     let item = quote! { fn f(q: f64, p: f64) -> f64 { q * p } };
-    let expanded = attribute::expand(Form::Hamiltonian, quote!(damping = #deep), item).to_string();
+    let expanded = expansion(Form::Hamiltonian, quote!(damping = #deep), item);
     assert!(expanded.contains("nested too deeply"));
 }

@@ -1,15 +1,15 @@
-//! Mean values of the gradient that are known in closed form, against quadrature.
+//! Compares mean values of the gradient that have a closed form with quadrature.
 
 use super::super::{Noise, lowered};
 use crate::analyze::{self, MeanValue};
+use crate::diff;
 use crate::ir::print::Printer;
 use crate::ir::{Id, Symbol};
 use crate::tests::eval::eval;
-use crate::{diff, parse};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// Nodes and weights of Gauss on (0, 1), by Newton's iteration on Legendre's polynomial.
+/// Returns the nodes and weights of Gauss's quadrature on (0, 1), by Newton's iteration on the Legendre polynomial.
 fn gauss(points: u32) -> Vec<(f64, f64)> {
     let n = f64::from(points);
     let node = |i: u32| {
@@ -29,9 +29,18 @@ fn gauss(points: u32) -> Vec<(f64, f64)> {
     (0..points).map(node).collect()
 }
 
-/// The fact, its term if it has one, and the largest difference of what it says from the mean of the gradient.
-fn mean_value(item: TokenStream) -> (MeanValue, Option<String>, f64) {
-    let (energy, mut lowered): (parse::Energy, _) = lowered(item);
+/// The fact about the mean of the gradient.
+struct Found {
+    fact: MeanValue,
+    /// The term that has no closed form.
+    term: Option<String>,
+    /// The largest difference between the closed form and the mean of the gradient.
+    difference: f64,
+}
+
+/// Returns the fact about the mean of the gradient, and compares it with quadrature.
+fn mean_value(item: TokenStream) -> Found {
+    let (energy, mut lowered) = lowered(item);
     let (degrees, graph) = (energy.degrees(), &mut lowered.graph);
     let structure = analyze::structure(graph, lowered.terms.energy, &energy.coordinates.shape);
     let gradient = diff::gradient(graph, lowered.terms.energy, degrees);
@@ -40,7 +49,7 @@ fn mean_value(item: TokenStream) -> (MeanValue, Option<String>, f64) {
     let mut largest = 0.0_f64;
     for _ in 0..4 {
         let values: Vec<f64> = (0..64).map(|_| noise.between(0.4, 1.3)).collect();
-        // Between two points of the line.
+        // The value between two points of the line.
         let value = |root: Id, start: f64, length: f64| {
             let coordinate = |i: u32| values[i as usize] + start * values[8 + i as usize];
             eval(graph, root, &|symbol| match symbol {
@@ -79,10 +88,10 @@ fn mean_value(item: TokenStream) -> (MeanValue, Option<String>, f64) {
         _ => "c".into(),
     };
     let printer = Printer::new(graph, &name);
-    (structure.mean_value, term.map(|term| printer.formula(term)), largest)
+    Found { fact: structure.mean_value, term: term.map(|term| printer.formula(term)), difference: largest }
 }
 
-/// What the polynomial through these points is at 0, by Neville's scheme.
+/// Returns the value at 0 of the polynomial through some points, by Neville's scheme.
 fn at_zero(points: impl Iterator<Item = (f64, f64)>) -> f64 {
     let (nodes, mut values): (Vec<f64>, Vec<f64>) = points.unzip();
     for width in 1..nodes.len() {
@@ -92,6 +101,14 @@ fn at_zero(points: impl Iterator<Item = (f64, f64)>) -> f64 {
         }
     }
     values[0]
+}
+
+/// Asserts that an energy has this fact, and that the closed form is accurate.
+#[track_caller]
+fn assert_closed(item: &TokenStream, expected: MeanValue, tolerance: f64) {
+    let Found { fact, difference, .. } = mean_value(item.clone());
+    assert_eq!(fact, expected, "{item}");
+    assert!(difference < tolerance, "{item} {difference:e}");
 }
 
 #[test]
@@ -107,9 +124,7 @@ fn ridge_functions_and_quadratic_terms() {
         } },
     ];
     for item in energies {
-        let (fact, _, difference) = mean_value(item.clone());
-        assert_eq!(fact, MeanValue::Parts(1), "{item}");
-        assert!(difference < 1e-12, "{item} {difference:e}");
+        assert_closed(&item, MeanValue::Parts(1), 1e-12);
     }
 }
 
@@ -121,9 +136,7 @@ fn polynomials_need_half_their_degree_in_points() {
         (quote! { fn f(q: [f64; 2], p: [f64; 2], k: f64) -> f64 { k * (p[0] * p[0] + q[1]).powi(3) } }, 3),
     ];
     for (item, points) in energies {
-        let (fact, _, difference) = mean_value(item.clone());
-        assert_eq!(fact, MeanValue::Gauss(points), "{item}");
-        assert!(difference < 1e-12, "{item} {difference:e}");
+        assert_closed(&item, MeanValue::Gauss(points), 1e-12);
     }
 }
 
@@ -134,14 +147,12 @@ fn polynomials_beside_ridge_functions() {
         (quote! { k * q[0].powi(4) + 3.0 * q[0] * q[0] * q[1] * p[1] - q[1].cos() + (q[0] + 2.0 * q[1]).exp() }, 2),
         (quote! { (q[0] * p[1] - k * q[1] * p[0]).powi(4) + (k + p[0] * p[0]).sqrt() }, 4),
         (quote! { (q[0] * q[0] + q[1] * q[1]).powi(3) * (k - p[0] * p[1]).powi(3) - k / p[1] }, 6),
-        // A polynomial, but for its powers of single forms more points would be needed than for the rest.
+        // Divided differences are exact for powers of single linear forms. The degree of the other term decides.
         (quote! { q[0].powi(12) + (q[0] - q[1]).powi(8) + q[0] * q[0] * q[1] }, 2),
     ];
     for (rest, parts) in energies {
         let item = quote! { fn f(q: [f64; 2], p: [f64; 2], k: f64, m: f64) -> f64 { p[0] * p[0] / (2.0 * m) + #rest } };
-        let (fact, _, difference) = mean_value(item.clone());
-        assert_eq!(fact, MeanValue::Parts(parts), "{item}");
-        assert!(difference < 1e-10, "{item} {difference:e}");
+        assert_closed(&item, MeanValue::Parts(parts), 1e-10);
     }
 }
 
@@ -155,7 +166,7 @@ fn terms_that_are_not_closed_are_named() {
     for (potential, term) in energies {
         let item =
             quote! { fn f(q: [f64; 2], p: [f64; 2], k: f64) -> f64 { p[0] * p[0] + k * p[1] * p[1] + #potential } };
-        let (fact, found, difference) = mean_value(item);
+        let Found { fact, term: found, difference } = mean_value(item);
         assert!(matches!(fact, MeanValue::NotClosed(_)), "{fact:?}");
         assert_eq!(found.as_deref(), Some(term));
         assert!(difference > 1e-4, "the tree is not the mean value here: {difference:e}");

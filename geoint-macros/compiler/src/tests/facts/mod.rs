@@ -1,4 +1,4 @@
-//! Facts about energies: what is proven, and what must not be.
+//! Facts about energies: the compiler must claim them if they are proven, and only then.
 
 mod damping;
 mod identity;

@@ -1,4 +1,4 @@
-//! What is steep in a coordinate that becomes small.
+//! Steep energies: the rounding of a coordinate at the larger end of a step changes them noticeably at the smaller end.
 
 use super::super::lowered;
 use crate::ir::Symbol;
@@ -6,12 +6,9 @@ use crate::{analyze, diff};
 use proc_macro2::TokenStream;
 use quote::quote;
 
+/// Returns whether an energy with two degrees of freedom is steep.
 fn is_steep(energy: TokenStream) -> bool {
-    let item = quote!(
-        fn f(q: [f64; 2], p: [f64; 2], a: f64) -> f64 {
-            #energy
-        }
-    );
+    let item = quote! { fn f(q: [f64; 2], p: [f64; 2], a: f64) -> f64 { #energy } };
     let (energy, mut lowered) = lowered(item);
     let gradient = diff::gradient(&mut lowered.graph, lowered.terms.energy, energy.degrees());
     let coordinates = [Symbol::Position(0), Symbol::Position(1), Symbol::Momentum(0), Symbol::Momentum(1)];
@@ -26,8 +23,8 @@ fn sums_of_powers_are_nowhere_steep() {
 }
 
 #[test]
-fn others_may_be() {
-    // Two coordinates in one term, two terms of one coordinate, which may cancel, and powers that are no powers of a number.
+fn other_energies_may_be_steep() {
+    // Two coordinates in one term, two terms of one coordinate that may cancel, and functions that are not powers of a coordinate.
     for steep in [
         quote!(q[0] * q[1]),
         quote!(q[0] * q[0] * p[1]),

@@ -1,4 +1,4 @@
-//! Facts, and the witnesses where they do not hold.
+//! Structural facts about energies, and the term that contradicts a fact.
 
 use super::super::lowered;
 use crate::analyze::{self, Split, Structure};
@@ -7,7 +7,7 @@ use crate::ir::print::Printer;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// The structure, and the term that breaks it.
+/// Returns the structure, and the term that contradicts separability or a quadratic kinetic energy.
 fn structure(item: TokenStream) -> (Structure, Option<String>) {
     let (energy, mut lowered) = lowered(item);
     let structure = analyze::structure(&mut lowered.graph, lowered.terms.energy, &energy.coordinates.shape);
@@ -91,7 +91,7 @@ fn degrees() {
     assert_eq!(degree(quote! { fn f(q: f64, p: f64) -> f64 { (p * p + q * q).sqrt().powi(4) } }), Some(4));
 }
 
-/// The graph meets equal expressions however they were written, and never expands what the user factored.
+/// The graph identifies equal expressions of different spelling. It does not expand products.
 #[test]
 fn simplification() {
     let formula = |item| {

@@ -1,9 +1,10 @@
-//! Random tokens, and random damage to energies.
+//! Random tokens, and random changes of valid energies.
 
 use crate::parse::Form;
 use proc_macro2::{Group, TokenStream, TokenTree};
 use proptest::prelude::*;
 
+/// Draws a token.
 fn word() -> impl Strategy<Value = String> {
     let words = [
         "fn", "let", "mut", "for", "in", "if", "else", "while", "match", "return", "const", "async", "unsafe",
@@ -15,6 +16,7 @@ fn word() -> impl Strategy<Value = String> {
     prop::sample::select(words.to_vec()).prop_map(str::to_string)
 }
 
+/// Draws tokens in nested groups.
 pub(super) fn token_text() -> impl Strategy<Value = String> {
     let leaf = prop::collection::vec(word(), 0..8).prop_map(|words| words.join(" "));
     leaf.prop_recursive(4, 64, 6, |inner| {
@@ -25,6 +27,7 @@ pub(super) fn token_text() -> impl Strategy<Value = String> {
     })
 }
 
+/// Valid functions of several forms.
 pub(super) const ENERGIES: [(Form, &str); 6] = [
     (
         Form::Field,
@@ -79,7 +82,7 @@ pub(super) const ENERGIES: [(Form, &str); 6] = [
     ),
 ];
 
-/// What is done to the tokens of an energy.
+/// A change of the tokens of an energy.
 #[derive(Clone, Debug)]
 pub(super) enum Damage {
     Remove,
@@ -89,6 +92,7 @@ pub(super) enum Damage {
     Insert(String),
 }
 
+/// Draws a change and the number of the token.
 pub(super) fn damage() -> impl Strategy<Value = (usize, Damage)> {
     let kind = prop_oneof![
         Just(Damage::Remove),
@@ -101,7 +105,7 @@ pub(super) fn damage() -> impl Strategy<Value = (usize, Damage)> {
     (0..400_usize, kind)
 }
 
-/// The tokens with some damage at the token number `at`, counted through all groups.
+/// Returns the tokens with damage at token `at`, counted through all groups.
 pub(super) fn damaged(stream: TokenStream, at: &mut usize, damage: &Damage) -> TokenStream {
     let mut out: Vec<TokenTree> = vec![];
     for tree in stream {

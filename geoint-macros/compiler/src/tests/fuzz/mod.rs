@@ -1,5 +1,5 @@
-//! Can input make the macro panic, hang, lose the user's function, or emit what is not Rust? Random tokens, random
-//! functions in random arithmetic, and valid energies with random damage.
+//! Checks on random input that the macro does not panic or hang, keeps the user's function, and emits valid Rust. The input is random tokens, random
+//! functions, and valid energies with random damage.
 
 mod damage;
 mod functions;
@@ -14,14 +14,15 @@ use proptest::test_runner::{Config, RngSeed};
 use quote::quote;
 
 use damage::{ENERGIES, damage, damaged, token_text};
+pub(super) use functions::one_of;
 use functions::{LEAVES, arithmetic, function};
 
-/// What holds for all input.
+/// Expands an item and checks the result.
 fn holds(form: Form, args: TokenStream, item: TokenStream) {
     check(item.clone(), attribute::expand(form, args, item));
 }
 
-/// What is emitted is Rust, and the function is the first of it.
+/// Checks that emitted code is valid Rust and starts with the user's function.
 fn check(item: TokenStream, emitted: TokenStream) {
     if syn::parse2::<syn::Item>(item.clone()).is_ok()
         && let Err(error) = syn::parse2::<syn::File>(emitted.clone())
@@ -36,29 +37,29 @@ fn tokens(text: &str) -> Option<TokenStream> {
     text.parse().ok()
 }
 
-/// Few cases, the same ones every time, unless `PROPTEST_CASES` asks for a long hunt.
+/// Returns a configuration with few cases and a fixed seed, or with `PROPTEST_CASES` cases if this variable is set.
 pub(super) fn config() -> Config {
     config_of(300)
 }
 
-/// The same with so many cases.
+/// Returns the configuration with this number of cases instead of 300.
 pub(super) fn config_of(cases: u32) -> Config {
     let few = Config { cases, rng_seed: RngSeed::Fixed(20), ..Config::default() };
     let config = if std::env::var_os("PROPTEST_CASES").is_some() { Config::default() } else { few };
     Config { failure_persistence: None, ..config }
 }
 
-/// Both kinds of systems, as often.
+/// Draws one of the two forms of energies.
 fn form() -> impl Strategy<Value = Form> {
     prop::sample::select(vec![Form::Hamiltonian, Form::Contact])
 }
 
-/// The attributes, whatever stands under them.
+/// Draws an attribute.
 fn any_form() -> impl Strategy<Value = Form> {
     prop::sample::select(vec![Form::Hamiltonian, Form::Contact, Form::Field])
 }
 
-/// A random energy of either kind.
+/// Draws a random energy with its form.
 pub(super) fn energy(leaves: &'static [&'static str]) -> impl Strategy<Value = (Form, String)> {
     form().prop_flat_map(move |form| (Just(form), arithmetic(form, leaves)))
 }

@@ -1,4 +1,4 @@
-//! Does nesting overflow the stack? Within that of a thread of rustc, 8 MB.
+//! Nested input must not overflow the stack of a rustc thread, 8 MB.
 
 use super::{holds, tokens};
 use crate::parse::Form;
@@ -6,7 +6,7 @@ use crate::{lower, parse};
 use proc_macro2::{Delimiter, Group, TokenTree};
 use quote::quote;
 
-/// What is said of a body; nothing if it is accepted.
+/// Returns the messages for a body. Empty if the macro accepts it.
 fn said(body: String) -> String {
     let run = move || {
         let item = tokens(&format!("fn energy(q: f64, p: f64) -> f64 {{ {body} }}")).expect("tokens");
@@ -45,7 +45,7 @@ fn deep_expressions_are_refused() {
 
 #[test]
 fn groups_without_delimiters() {
-    // What a macro_rules! macro hands over as `$x:expr`.
+    // `macro_rules!` passes `$x:expr` as such a group.
     let inner = TokenTree::Group(Group::new(Delimiter::None, quote!(q + 1.0)));
     holds(Form::Hamiltonian, quote!(), quote!(fn energy(q: f64, p: f64) -> f64 { p * p * #inner }));
 }

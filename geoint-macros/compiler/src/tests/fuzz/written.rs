@@ -1,20 +1,19 @@
-//! Random systems of all forms as a program: what is emitted for them is compiled and run by `.ci/random`.
+//! Writes a program with random systems of all forms. `.ci/random` compiles and runs it.
 
 use super::config;
 use super::functions::arithmetic;
-use crate::attribute;
 use crate::parse::Form;
+use crate::tests::expansion;
 use proc_macro2::TokenStream;
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
 use std::fmt::Write;
 
-/// What is easy to compute with; numbers with their types, because rustc does not guess them where a method is called.
+/// Leaves of random expressions. Numbers have their type, because rustc does not infer it at a method call.
 const LEAVES: [&str; 9] = ["q", "p", "t", "a", "w[0]", "w[1]", "2.0_f64", "0.5_f64", "K"];
 
-/// A form: its attribute, the arguments before `t: f64, a: f64, w: [f64; 2]`, what is returned, which parts of it are random, and how many
-/// coordinates there are.
+/// A template for random systems of one form. The arguments `t: f64, a: f64, w: [f64; 2]` follow `arguments`.
 struct Written {
     form: Form,
     attribute: &'static str,
@@ -83,13 +82,13 @@ const ALL: [Written; 6] = [
     },
 ];
 
-/// The arguments of an attribute as the macro gets them.
+/// Returns the arguments of an attribute.
 fn arguments(attribute: &str) -> TokenStream {
     let inner = attribute.split_once('(').map_or("", |(_, rest)| &rest[..rest.len() - 1]);
     inner.parse().expect("tokens")
 }
 
-/// A system that the macro accepts.
+/// Returns a random system that the macro accepts.
 fn accepted(written: &Written, runner: &mut TestRunner) -> String {
     let Written { form, attribute, arguments: coordinates, returned, body, .. } = written;
     let action = if *form == Form::Contact { Form::Contact } else { Form::Hamiltonian };
@@ -107,14 +106,14 @@ fn accepted(written: &Written, runner: &mut TestRunner) -> String {
             "fn energy({coordinates}, t: f64, a: f64, w: [f64; 2]) -> {returned} {{ const K: f64 = 1.5; {text} }}"
         );
         let Ok(tokens) = item.parse() else { continue };
-        let emitted = attribute::expand(*form, arguments(attribute), tokens).to_string();
+        let emitted = expansion(*form, arguments(attribute), tokens);
         if !emitted.contains("compile_error") {
             return item;
         }
     }
 }
 
-/// So many of each form as `RANDOM_SYSTEMS` says go to the file that `RANDOM_FILE` names.
+/// Writes `RANDOM_SYSTEMS` systems of each form to the file `RANDOM_FILE`.
 #[test]
 #[ignore = "writes a program: .ci/random"]
 fn write_systems() {

@@ -5,16 +5,13 @@ use crate::parse::Form;
 use proc_macro2::TokenStream;
 use quote::quote;
 
+/// Returns the messages for a field in the plane with an integral.
 fn plane(integral: TokenStream, first: TokenStream, second: TokenStream) -> String {
-    let item = quote!(
-        fn f(x: [f64; 2], t: f64, a: f64) -> [f64; 2] {
-            [#first, #second]
-        }
-    );
+    let item = quote! { fn f(x: [f64; 2], t: f64, a: f64) -> [f64; 2] { [#first, #second] } };
     messages(quote!(keeps(i = #integral)), item)
 }
 
-/// `0 < x` and `0 ≤ x` differ on x = 0 alone, which a solution crosses.
+/// `0 < x` and `0 ≤ x` differ on x = 0 only, and solutions cross this boundary.
 #[test]
 fn sides_without_an_interior_are_no_counterexample() {
     let one = quote!(1.0);
@@ -31,7 +28,7 @@ fn sides_without_an_interior_are_no_counterexample() {
         (quote!(x[1] - t.max(0.0)), one.clone(), quote!(if t > 0.0 { 1.0 } else { 0.0 })),
         (quote!(x[1] - (t - 5.0).max(0.0)), one.clone(), quote!(if t > 5.0 { 1.0 } else { 0.0 })),
         (quote!(x[1] - (x[0] - a).max(0.0)), one.clone(), quote!(if x[0] > a { 1.0 } else { 0.0 })),
-        // A difference with another sign and a positive factor.
+        // The difference has the other sign and a positive factor.
         (quote!(x[1] - x[0].max(0.0)), one.clone(), quote!(if -2.0 * x[0] < 0.0 { 1.0 } else { 0.0 })),
         // More than two conditions, which exclude each other.
         (quote!(x[1]), one.clone(), quote!(if x[0] > 1.0 && x[1] > 1.0 && x[0] + x[1] < 2.0 { 1.0 } else { 0.0 })),
@@ -43,7 +40,7 @@ fn sides_without_an_interior_are_no_counterexample() {
     }
 }
 
-/// The control: sides with an interior, a boundary on which solutions stay, and a condition on parameters alone.
+/// The control: sides with an interior, a boundary along which solutions move, and a condition on parameters only.
 #[test]
 fn true_counterexamples_are_refused() {
     let one = quote!(1.0);
@@ -53,7 +50,7 @@ fn true_counterexamples_are_refused() {
         (quote!(x[1] - x[0].max(0.0)), one.clone(), quote!(if x[0] > 0.0 && x[1] > 0.0 { 1.0 } else { 0.0 })),
         (quote!(x[1] - x[0].abs()), one.clone(), quote!(if x[0] > 0.0 { -1.0 } else { 1.0 })),
         (quote!(x[1]), one.clone(), quote!(if x[0] > 1.0 && x[1] > 1.0 && x[0] + x[1] < 3.0 { 1.0 } else { 0.0 })),
-        // x₀ = 0 for all time.
+        // x₀ = 0 at all times.
         (quote!(x[1]), quote!(0.0), quote!(if x[0] >= 0.0 && x[0] <= 0.0 { 1.0 } else { 0.0 })),
         (quote!(x[1]), quote!(x[0]), quote!(if x[0] >= 0.0 && x[0] <= 0.0 { 1.0 } else { 0.0 })),
         (
@@ -61,7 +58,7 @@ fn true_counterexamples_are_refused() {
             quote!(if x[1] > 0.0 { x[0] } else { 1.0 }),
             quote!(if x[0] >= 0.0 && x[0] <= 0.0 { 1.0 } else { 0.0 }),
         ),
-        // x₁ = 0 for all time, where x₀·x₁ is zero as well.
+        // x₁ = 0 at all times. There x₀·x₁ is zero as well.
         (quote!(x[0] - t), quote!(if x[0] * x[1] >= 0.0 && x[0] * x[1] <= 0.0 { 2.0 } else { 1.0 }), quote!(0.0)),
         (quote!(x[1]), one.clone(), quote!(if a >= 0.0 && a <= 0.0 { 1.0 } else { 0.0 })),
         (quote!(x[1]), one.clone(), quote!(if x[0] == 0.0 { 1.0 } else { 0.0 })),
@@ -71,16 +68,12 @@ fn true_counterexamples_are_refused() {
     }
 }
 
-/// S and its transpose cancel on both sides of x₀ = 0. x₀ = 0 is crossed, x₂ = 0 is kept.
+/// S and its transpose cancel on both sides of x₀ = 0. Solutions cross x₀ = 0 and stay on x₂ = 0.
 #[test]
 fn structures_are_skew_on_both_sides_of_a_boundary() {
     let structured = |above: TokenStream, below: TokenStream| {
         let structure = quote!(structure = [[0.0, #above, 0.0], [#below, 0.0, 0.0], [0.0, 0.0, 0.0]]);
-        let item = quote!(
-            fn h(x: [f64; 3]) -> f64 {
-                (x[0] * x[0] + x[1] * x[1] + x[2] * x[2]) / 2.0
-            }
-        );
+        let item = quote! { fn h(x: [f64; 3]) -> f64 { (x[0] * x[0] + x[1] * x[1] + x[2] * x[2]) / 2.0 } };
         messages_of(Form::Hamiltonian, structure, item)
     };
     let crossed = structured(quote!(if x[0] > 0.0 { 1.0 } else { 2.0 }), quote!(if x[0] >= 0.0 { -1.0 } else { -2.0 }));
@@ -108,7 +101,7 @@ fn an_integral_that_jumps_at_one_of_two_roots_is_refused() {
     );
 }
 
-/// Rounding decides the side of a boundary that solutions follow.
+/// Rounding decides on which side of the boundary a solution moves.
 #[test]
 fn an_integral_that_jumps_along_solutions_is_refused() {
     let ring = |integral: TokenStream| plane(integral, quote!(x[1]), quote!(-x[0]));
@@ -122,7 +115,7 @@ fn an_integral_that_jumps_along_solutions_is_refused() {
         let found = ring(jump.clone());
         assert!(found.contains("and solutions stay there, so that rounding decides its value"), "{jump}: {found}");
     }
-    // Both sides are equal there; the boundary reads what does not move.
+    // Both sides are equal at the boundary. In the second integral, the boundary does not move.
     assert_eq!(ring(quote!(if #square > 1.0 { #square } else { 2.0 * #square - 1.0 })), "");
     assert_eq!(ring(quote!(#square * if a > 1.0 { 2.0 } else { 1.0 })), "");
     let resting = quote!(x[1] * if x[0] > 1.0 { 2.0 } else { 1.0 });
@@ -130,18 +123,20 @@ fn an_integral_that_jumps_along_solutions_is_refused() {
     let found = plane(quote!(x[1] + if x[0] > 0.0 { 1.0 } else { 0.0 }), quote!(1.0), quote!(0.0));
     assert!(found.contains("it may jump where x[0] = 0"), "{found}");
     let assumed = quote!(keeps(assume(i = if #square > 1.0 { #square } else { 2.0 * #square })));
-    let item = quote!(
-        fn f(x: [f64; 2]) -> [f64; 2] {
-            [x[1], -x[0]]
-        }
-    );
+    let item = quote! { fn f(x: [f64; 2]) -> [f64; 2] { [x[1], -x[0]] } };
     assert_eq!(messages(assumed, item), "");
 }
 
-/// Angles whose arguments have a common factor jump by less than a turn.
+/// An angle whose arguments have a common factor jumps by less than a turn.
 #[test]
 fn angles_of_two_zeros_are_refused() {
-    let still = |integral: TokenStream| plane(integral, quote!(1.0), quote!(0.0));
+    let of_energy = |sine: &TokenStream, cosine: &TokenStream| {
+        let item = quote! { fn h(q: [f64; 2], p: [f64; 2], k: f64) -> f64 {
+            let x = q;
+            (p[0] * p[0] + p[1] * p[1]) / 2.0 + k * (#sine).atan2(#cosine)
+        } };
+        messages_of(Form::Hamiltonian, quote!(), item)
+    };
     let (x, y) = (quote!(x[0]), quote!(x[1]));
     for (sine, cosine) in [
         (quote!(#x * #x), x.clone()),
@@ -161,15 +156,8 @@ fn angles_of_two_zeros_are_refused() {
         (quote!(#x * #x - #y * #y), quote!(#x - #y)),
         (quote!(#x.cbrt() * #y), quote!(#x.cbrt())),
     ] {
-        let angle = quote!((#sine).atan2(#cosine));
-        let item = quote!(
-            fn h(q: [f64; 2], p: [f64; 2], k: f64) -> f64 {
-                let x = q;
-                (p[0] * p[0] + p[1] * p[1]) / 2.0 + k * #angle
-            }
-        );
-        let found = messages_of(Form::Hamiltonian, quote!(), item.clone());
-        assert!(found.contains("both arguments of this `atan2` vanish where"), "{angle}: {found}");
+        let found = of_energy(&sine, &cosine);
+        assert!(found.contains("both arguments of this `atan2` vanish where"), "{sine}, {cosine}: {found}");
     }
     for (sine, cosine) in [
         (y.clone(), x.clone()),
@@ -182,28 +170,15 @@ fn angles_of_two_zeros_are_refused() {
         (quote!(#x * #y), quote!(1.0 + #x * #x)),
         (quote!(#y.exp() * #x), quote!(#y.exp() * #y)),
     ] {
-        let item = quote!(
-            fn h(q: [f64; 2], p: [f64; 2], k: f64) -> f64 {
-                let x = q;
-                (p[0] * p[0] + p[1] * p[1]) / 2.0 + k * (#sine).atan2(#cosine)
-            }
-        );
-        assert_eq!(messages_of(Form::Hamiltonian, quote!(), item), "", "{sine}, {cosine}");
+        assert_eq!(of_energy(&sine, &cosine), "", "{sine}, {cosine}");
     }
-    // Integrals: crossed, not crossed, and assumed.
+    // The solution crosses the jump, does not cross it, or the integral is assumed.
     let crossed = quote!(#y - ((#x * #x).atan2(#x) - #x.atan()));
-    let found = still(crossed.clone());
+    let found = plane(crossed.clone(), quote!(1.0), quote!(0.0));
     assert!(found.contains("both arguments of this `atan2` vanish where x[0] = 0"), "{found}");
     assert_eq!(plane(crossed.clone(), quote!(#x), quote!(0.0)), "");
     assert_eq!(
-        messages(
-            quote!(keeps(assume(i = #crossed))),
-            quote!(
-                fn f(x: [f64; 2]) -> [f64; 2] {
-                    [1.0, 0.0]
-                }
-            )
-        ),
+        messages(quote!(keeps(assume(i = #crossed))), quote! { fn f(x: [f64; 2]) -> [f64; 2] { [1.0, 0.0] } }),
         ""
     );
 }

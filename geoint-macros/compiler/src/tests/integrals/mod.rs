@@ -1,26 +1,23 @@
-//! Do mean velocities of flows keep what they are to keep, with the derivative that they say?
+//! Mean velocities of conservative steps: they conserve the integrals, and their derivatives are complete.
 
 mod boundaries;
 mod messages;
-mod told;
+mod reports;
 mod turns;
 
-use super::Noise;
+use super::{Noise, lowered_by};
 use crate::derive::{Flow, proof};
 use crate::diff::field::Field;
 use crate::diff::flow::{self, Order};
 use crate::ir::{Graph, Symbol};
 use crate::parse::Form;
 use crate::tests::eval::eval;
-use crate::{lower, parse};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// A field with what it is said to keep, as nodes.
+/// Returns a field and its integrals as nodes. Checks that the integrals are conserved and independent.
 fn field(args: &TokenStream, item: &TokenStream) -> (Graph, Flow) {
-    let function = syn::parse2(item.clone()).expect("a function");
-    let energy = parse::energy(Form::Field, args.clone(), function).unwrap_or_else(|e| panic!("{:?}", e.messages()));
-    let mut lowered = lower::body(&energy).unwrap_or_else(|e| panic!("{:?}", e.messages()));
+    let (energy, mut lowered) = lowered_by(Form::Field, args.clone(), item.clone());
     let flow = Flow::of_field(&lowered.terms.field, energy.options.keeps.iter().zip(&lowered.terms.keeps));
     let found = proof::integrals(&mut lowered.graph, &flow);
     let kept = found.kept.iter().all(|verdict| verdict.is_zero());
@@ -28,27 +25,23 @@ fn field(args: &TokenStream, item: &TokenStream) -> (Graph, Flow) {
     (lowered.graph, flow)
 }
 
-/// Systems of one to four integrals; with time, and with a loss.
+/// Returns systems of one to four integrals. One depends on time, one has a loss.
 fn fields() -> Vec<(Graph, Flow)> {
     let all = [
         (
             quote!(keeps(wealth = d * x[0] - c * x[0].ln() + b * x[1] - a * x[1].ln())),
-            quote!(
-                fn f(x: [f64; 2], a: f64, b: f64, c: f64, d: f64) -> [f64; 2] {
-                    [x[0] * (a - b * x[1]), x[1] * (d * x[0] - c)]
-                }
-            ),
+            quote! { fn f(x: [f64; 2], a: f64, b: f64, c: f64, d: f64) -> [f64; 2] {
+                [x[0] * (a - b * x[1]), x[1] * (d * x[0] - c)]
+            } },
         ),
         (
             quote!(keeps(
                 energy = (a * x[0] * x[0] + b * x[1] * x[1] + c * x[2] * x[2]) / 2.0,
                 momentum = (a * a * x[0] * x[0] + b * b * x[1] * x[1] + c * c * x[2] * x[2]) / 2.0,
             )),
-            quote!(
-                fn f(x: [f64; 3], a: f64, b: f64, c: f64) -> [f64; 3] {
-                    [(b - c) / a * x[1] * x[2], (c - a) / b * x[2] * x[0], (a - b) / c * x[0] * x[1]]
-                }
-            ),
+            quote! { fn f(x: [f64; 3], a: f64, b: f64, c: f64) -> [f64; 3] {
+                [(b - c) / a * x[1] * x[2], (c - a) / b * x[2] * x[0], (a - b) / c * x[0] * x[1]]
+            } },
         ),
         (
             quote!(keeps(
@@ -59,11 +52,9 @@ fn fields() -> Vec<(Graph, Flow)> {
                     squares / 2.0 + (0..4).map(|i| x[i] * x[i + 1]).sum::<f64>()
                 }
             )),
-            quote!(
-                fn f(x: [f64; 5]) -> [f64; 5] {
-                    [x[0] * x[1], x[1] * (x[2] - x[0]), x[2] * (x[3] - x[1]), x[3] * (x[4] - x[2]), -x[4] * x[3]]
-                }
-            ),
+            quote! { fn f(x: [f64; 5]) -> [f64; 5] {
+                [x[0] * x[1], x[1] * (x[2] - x[0]), x[2] * (x[3] - x[1]), x[3] * (x[4] - x[2]), -x[4] * x[3]]
+            } },
         ),
         (
             // Lagrange's top.
@@ -73,47 +64,41 @@ fn fields() -> Vec<(Graph, Flow)> {
                 along = x[0] * x[3] + x[1] * x[4] + x[2] * x[5],
                 spin = x[2],
             )),
-            quote!(
-                fn f(x: [f64; 6], l: f64) -> [f64; 6] {
-                    let [m0, m1, m2, g0, g1, g2] = x;
-                    let [u, v, w] = [m0 / 2.0, m1 / 2.0, m2];
-                    [
-                        m1 * w - m2 * v + g1 * l,
-                        m2 * u - m0 * w - g0 * l,
-                        m0 * v - m1 * u,
-                        g1 * w - g2 * v,
-                        g2 * u - g0 * w,
-                        g0 * v - g1 * u,
-                    ]
-                }
-            ),
+            quote! { fn f(x: [f64; 6], l: f64) -> [f64; 6] {
+                let [m0, m1, m2, g0, g1, g2] = x;
+                let [u, v, w] = [m0 / 2.0, m1 / 2.0, m2];
+                [
+                    m1 * w - m2 * v + g1 * l,
+                    m2 * u - m0 * w - g0 * l,
+                    m0 * v - m1 * u,
+                    g1 * w - g2 * v,
+                    g2 * u - g0 * w,
+                    g0 * v - g1 * u,
+                ]
+            } },
         ),
         (
-            // An oscillator that is not autonomous: (x, y) turns with a frequency that rises.
+            // A non-autonomous oscillator: (x, y) turns with a frequency that rises.
             quote!(keeps(
                 radius = x[0] * x[0] + x[1] * x[1],
                 begun = x[0] * (w * t * t).cos() - x[1] * (w * t * t).sin(),
             )),
-            quote!(
-                fn f(x: [f64; 3], t: f64, w: f64) -> [f64; 3] {
-                    [2.0 * w * t * x[1], -2.0 * w * t * x[0], x[0] * x[2]]
-                }
-            ),
+            quote! { fn f(x: [f64; 3], t: f64, w: f64) -> [f64; 3] {
+                [2.0 * w * t * x[1], -2.0 * w * t * x[0], x[0] * x[2]]
+            } },
         ),
         (
             quote!(keeps(
                 half_square = (x[0] * x[0] + x[1] * x[1] + x[2] * x[2]) / 2.0,
                 but = [a * (f - x[0]), g - x[1], -x[2]],
             )),
-            quote!(
-                fn h(x: [f64; 3], a: f64, b: f64, f: f64, g: f64) -> [f64; 3] {
-                    [
-                        -x[1] * x[1] - x[2] * x[2] + a * (f - x[0]),
-                        x[0] * x[1] - b * x[0] * x[2] + g - x[1],
-                        b * x[0] * x[1] + x[0] * x[2] - x[2],
-                    ]
-                }
-            ),
+            quote! { fn h(x: [f64; 3], a: f64, b: f64, f: f64, g: f64) -> [f64; 3] {
+                [
+                    -x[1] * x[1] - x[2] * x[2] + a * (f - x[0]),
+                    x[0] * x[1] - b * x[0] * x[2] + g - x[1],
+                    b * x[0] * x[1] + x[0] * x[2] - x[2],
+                ]
+            } },
         ),
     ];
     all.iter().map(|(args, item)| field(args, item)).collect()
@@ -121,7 +106,7 @@ fn fields() -> Vec<(Graph, Flow)> {
 
 const T: f64 = 0.7;
 
-/// Random values of symbols, and of increments of about 0.1.
+/// Returns random values of symbols. Increments are at most 0.1.
 fn point(noise: &mut Noise, h: f64) -> impl Fn(Symbol) -> f64 + Clone {
     let x: [f64; 8] = std::array::from_fn(|_| noise.between(0.3, 1.5));
     let d: [f64; 8] = std::array::from_fn(|_| noise.between(-0.1, 0.1));
@@ -138,8 +123,7 @@ fn point(noise: &mut Noise, h: f64) -> impl Fn(Symbol) -> f64 + Clone {
     }
 }
 
-/// For an increment d the mean velocity v is not d/h. But h·ḡ·v is ΔI, less what moves from x to x + d: with d = h·v the
-/// step would be solved. So d is found by iterating, and then ΔI is looked at.
+/// Returns the increment d of a step, which solves d = h·v(d), by iteration. Only for this increment, h·ḡ·v is the change of the integral.
 fn solved<'a>(graph: &'a Graph, v: &'a Field, at: impl Fn(Symbol) -> f64 + Clone + 'a, h: f64) -> Vec<f64> {
     let mut d = vec![0.0; v.f.len()];
     for _ in 0..30 {
@@ -149,6 +133,7 @@ fn solved<'a>(graph: &'a Graph, v: &'a Field, at: impl Fn(Symbol) -> f64 + Clone
     d
 }
 
+/// Replaces the increments.
 fn with(at: impl Fn(Symbol) -> f64, d: Vec<f64>) -> impl Fn(Symbol) -> f64 {
     move |symbol| match symbol {
         Symbol::PositionIncrement(i) => d[i as usize],
@@ -182,7 +167,7 @@ fn steps_keep_every_integral_to_rounding() {
                         assert!(change.abs() > 1e-4, "the loss does nothing: {change:e}");
                     } else {
                         assert!(change.abs() < 4e-15 * (1.0 + before.abs()), "{order:?} {change:e}");
-                        // A control: what is not projected moves.
+                        // The control: without projection, the velocity differs.
                         let free = flow::mean_velocity(&mut graph, &flow.field, &[], order);
                         assert!(free.f != v.f);
                     }
@@ -192,9 +177,9 @@ fn steps_keep_every_integral_to_rounding() {
     }
 }
 
-/// The derivative for Newton's matrix against difference quotients of order 4, at points that are no steps.
+/// Compares the Jacobian for Newton's method with difference quotients of order 4, at points that solve no step.
 #[test]
-fn derivatives_of_mean_velocities_are_whole() {
+fn derivatives_of_mean_velocities_are_complete() {
     let mut noise = Noise(2);
     for (mut graph, flow) in fields() {
         let conserved: Vec<_> = flow.kept.iter().map(|kept| kept.conserved.clone()).collect();
@@ -217,9 +202,9 @@ fn derivatives_of_mean_velocities_are_whole() {
     }
 }
 
-/// Where two gradients are parallel, as in a permanent rotation, one of them says nothing new.
+/// In a permanent rotation, two gradients are parallel. The projection drops one of them.
 #[test]
-fn dependent_gradients_and_gradients_of_zero_take_no_part() {
+fn dependent_and_zero_gradients_are_dropped() {
     let (mut graph, flow) = fields().swap_remove(1);
     let conserved: Vec<_> = flow.kept.iter().map(|kept| kept.conserved.clone()).collect();
     for order in [Order::Two, Order::Four] {

@@ -1,38 +1,43 @@
-//! From Lagrangians to energies: what Legendre's transformation promises, on random states; and what has none.
+//! The Legendre transformation at random states, and Lagrangians without an energy.
 
 mod masses;
 mod messages;
 mod signs;
 
-use super::{Noise, lowered};
+use super::{Noise, lowered, lowered_by};
 use crate::ir::print::Printer;
-use crate::ir::{Graph, Symbol};
+use crate::ir::{Graph, Id, Symbol};
 use crate::legendre::{self, Flaw, Kinetic, Legendre, Route};
+use crate::lower::{Lowered, Terms};
 use crate::parse::Form;
 use crate::tests::eval::eval;
-use crate::{lower, parse};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// All tests ask for the energy.
-const NEEDS_ENERGY: bool = true;
-
-/// The graph of a Lagrangian, and what belongs to it.
+/// Lowers and transforms a Lagrangian.
 fn transformed(item: TokenStream) -> (Graph, Result<Legendre, Flaw>) {
-    let item = syn::parse2(item).expect("a function");
-    let energy =
-        parse::energy(Form::Lagrangian, TokenStream::new(), item).unwrap_or_else(|e| panic!("{:?}", e.messages()));
-    let lower::Lowered { mut graph, terms: lower::Terms { energy: root, partial, .. }, .. } =
-        lower::body(&energy).unwrap_or_else(|e| panic!("{:?}", e.messages()));
-    let found = legendre::transform(&mut graph, root, energy.degrees(), NEEDS_ENERGY, &partial);
+    let (energy, lowered) = lowered_by(Form::Lagrangian, TokenStream::new(), item);
+    let Lowered { mut graph, terms: Terms { energy: root, partial, .. }, .. } = lowered;
+    let found = legendre::transform(&mut graph, root, energy.degrees(), true, &partial);
     (graph, found)
 }
 
-/// With p = ∂L/∂v at random (q, v): H = p·v − L, ∂H/∂p = v, and ∂H/∂q = −∂L/∂q.
+/// Transforms a Lagrangian that has an energy. Panics with the flaw otherwise.
+fn regular(item: TokenStream) -> (Graph, Legendre) {
+    let text = item.to_string();
+    let (graph, found) = transformed(item);
+    (graph, found.unwrap_or_else(|flaw| panic!("{flaw:?} of {text}")))
+}
+
+/// Returns the formula of a node, with symbols such as `Position(0)`.
+fn printed(graph: &Graph, id: Id) -> String {
+    Printer::new(graph, &|symbol: Symbol| format!("{symbol:?}")).formula(id)
+}
+
+/// Checks the transformation at random (q, v) with p = ∂L/∂v: H = p·v − L, ∂H/∂p = v, and ∂H/∂q = −∂L/∂q.
 fn check(item: TokenStream, velocities: [f64; 2]) {
     let text = item.to_string();
-    let (mut graph, found) = transformed(item);
-    let found = found.unwrap_or_else(|flaw| panic!("{flaw:?} of {text}"));
+    let (mut graph, found) = regular(item);
     let Route::Energy { energy, velocities: velocities_of } = &found.route else { panic!("no energy of {text}") };
     let degrees = found.momenta.len();
     let by_q = crate::diff::gradient(&mut graph, *energy, degrees as u32).q;
@@ -68,185 +73,95 @@ fn check(item: TokenStream, velocities: [f64; 2]) {
 
 #[test]
 fn energies_belong_to_lagrangians() {
-    // Constant, diagonal and full mass matrices, with terms that are linear, time, and the action.
+    // Constant, diagonal and full mass matrices, with linear terms, time, and the action.
+    check(quote! { fn f(q: f64, v: f64, m: f64, k: f64) -> f64 { m * v * v / 2.0 - k * q.powi(4) } }, [-1.0, 1.0]);
     check(
-        quote!(
-            fn f(q: f64, v: f64, m: f64, k: f64) -> f64 {
-                m * v * v / 2.0 - k * q.powi(4)
-            }
-        ),
+        quote! { fn f(q: [f64; 2], v: [f64; 2], a: f64, b: f64) -> f64 {
+            a * v[0] * v[0] + v[0] * v[1] * b / 3.0 + (v[1] + q[0]).powi(2) - q[0] * q[1].cos()
+        } },
         [-1.0, 1.0],
     );
     check(
-        quote!(
-            fn f(q: [f64; 2], v: [f64; 2], a: f64, b: f64) -> f64 {
-                a * v[0] * v[0] + v[0] * v[1] * b / 3.0 + (v[1] + q[0]).powi(2) - q[0] * q[1].cos()
-            }
-        ),
+        quote! { fn f(q: f64, v: f64, t: f64, m: f64) -> f64 { (m * t).exp() * (v * v / 2.0 - q.sin()) + t * v } },
         [-1.0, 1.0],
     );
     check(
-        quote!(
-            fn f(q: f64, v: f64, t: f64, m: f64) -> f64 {
-                (m * t).exp() * (v * v / 2.0 - q.sin()) + t * v
-            }
-        ),
+        quote! { fn f(q: [f64; 3], v: [f64; 3], m: [f64; 3]) -> f64 {
+            let sin = q[0].sin();
+            m[0] * v[0] * v[0]
+                + m[1] * (v[1] * sin + v[0]).powi(2)
+                + m[2] * (v[2] + v[1] * q[1]).powi(2)
+                + v[1] * q[2]
+                - q[2] * q[0]
+        } },
         [-1.0, 1.0],
     );
     check(
-        quote!(
-            fn f(q: [f64; 3], v: [f64; 3], m: [f64; 3]) -> f64 {
-                let sin = q[0].sin();
-                m[0] * v[0] * v[0]
-                    + m[1] * (v[1] * sin + v[0]).powi(2)
-                    + m[2] * (v[2] + v[1] * q[1]).powi(2)
-                    + v[1] * q[2]
-                    - q[2] * q[0]
-            }
-        ),
+        quote! { fn f(q: f64, v: f64, s: f64, t: f64) -> f64 {
+            v * v * (1.0 + s / 5.0) / 2.0 + q.cos() - s * s / 10.0 - t.sin() * s / 4.0
+        } },
         [-1.0, 1.0],
     );
+    // Each known conjugate, with linear terms and constants that depend on positions.
     check(
-        quote!(
-            fn f(q: f64, v: f64, s: f64, t: f64) -> f64 {
-                v * v * (1.0 + s / 5.0) / 2.0 + q.cos() - s * s / 10.0 - t.sin() * s / 4.0
-            }
-        ),
-        [-1.0, 1.0],
-    );
-    // Each conjugate, with terms that are linear and constants that read positions.
-    check(
-        quote!(
-            fn f(q: [f64; 2], v: [f64; 2], m: f64, c: f64) -> f64 {
-                -m * c * c * (1.0 - (v[0] * v[0] + v[1] * v[1]) / (c * c)).sqrt() + q[0] * v[1] - q[1]
-            }
-        ),
+        quote! { fn f(q: [f64; 2], v: [f64; 2], m: f64, c: f64) -> f64 {
+            -m * c * c * (1.0 - (v[0] * v[0] + v[1] * v[1]) / (c * c)).sqrt() + q[0] * v[1] - q[1]
+        } },
         [-0.3, 0.3],
     );
-    check(
-        quote!(
-            fn f(q: f64, v: f64) -> f64 {
-                ((1.0 + v * v) / q).sqrt()
-            }
-        ),
-        [-1.0, 1.0],
-    );
-    check(
-        quote!(
-            fn f(q: f64, v: f64, a: f64) -> f64 {
-                a * q * v.powi(4) / 4.0 - q
-            }
-        ),
-        [0.2, 1.0],
-    );
-    check(
-        quote!(
-            fn f(q: f64, v: f64, a: f64) -> f64 {
-                a * (2.0 * v).abs().powf(1.5) + q * v
-            }
-        ),
-        [-1.0, -0.2],
-    );
-    check(
-        quote!(
-            fn f(q: f64, v: f64, a: f64) -> f64 {
-                a * q * (2.0 * v + q).exp() - q + 3.0 * v
-            }
-        ),
-        [-1.0, 1.0],
-    );
-    check(
-        quote!(
-            fn f(q: f64, v: f64, a: f64) -> f64 {
-                a * (v + q).ln() - q.sin()
-            }
-        ),
-        [0.2, 1.0],
-    );
-    check(
-        quote!(
-            fn f(q: f64, v: f64, a: f64) -> f64 {
-                -a * (3.0 * v).cosh() - v * q
-            }
-        ),
-        [-1.0, 1.0],
-    );
+    check(quote! { fn f(q: f64, v: f64) -> f64 { ((1.0 + v * v) / q).sqrt() } }, [-1.0, 1.0]);
+    check(quote! { fn f(q: f64, v: f64, a: f64) -> f64 { a * q * v.powi(4) / 4.0 - q } }, [0.2, 1.0]);
+    check(quote! { fn f(q: f64, v: f64, a: f64) -> f64 { a * (2.0 * v).abs().powf(1.5) + q * v } }, [-1.0, -0.2]);
+    check(quote! { fn f(q: f64, v: f64, a: f64) -> f64 { a * q * (2.0 * v + q).exp() - q + 3.0 * v } }, [-1.0, 1.0]);
+    check(quote! { fn f(q: f64, v: f64, a: f64) -> f64 { a * (v + q).ln() - q.sin() } }, [0.2, 1.0]);
+    check(quote! { fn f(q: f64, v: f64, a: f64) -> f64 { -a * (3.0 * v).cosh() - v * q } }, [-1.0, 1.0]);
     // Parts of different kinds.
     check(
-        quote!(
-            fn f(q: [f64; 3], v: [f64; 3], m: f64, a: f64) -> f64 {
-                a * (m * (v[0] + v[1] * q[0]).powi(2) / 2.0 + m * v[1] * v[1]
-                    - (1.0 - v[2] * v[2]).sqrt()
-                    - q[2] * q[1])
-            }
-        ),
+        quote! { fn f(q: [f64; 3], v: [f64; 3], m: f64, a: f64) -> f64 {
+            a * (m * (v[0] + v[1] * q[0]).powi(2) / 2.0 + m * v[1] * v[1]
+                - (1.0 - v[2] * v[2]).sqrt()
+                - q[2] * q[1])
+        } },
         [-0.9, 0.9],
     );
 }
 
 #[test]
-fn what_has_no_energy_says_why() {
+fn flaws_say_why_there_is_no_energy() {
     let flaw = |item| transformed(item).1.expect_err("a flaw");
+    assert!(matches!(flaw(quote! { fn f(q: [f64; 2], v: [f64; 2]) -> f64 { v[0] * v[0] - q[1] } }), Flaw::Unread(1)));
     assert!(matches!(
-        flaw(quote!(
-            fn f(q: [f64; 2], v: [f64; 2]) -> f64 {
-                v[0] * v[0] - q[1]
-            }
-        )),
-        Flaw::Unread(1)
-    ));
-    assert!(matches!(
-        flaw(quote!(
-            fn f(q: [f64; 2], v: [f64; 2]) -> f64 {
-                q[1] * v[0] - q[0] * v[1] - q[0]
-            }
-        )),
+        flaw(quote! { fn f(q: [f64; 2], v: [f64; 2]) -> f64 { q[1] * v[0] - q[0] * v[1] - q[0] } }),
         Flaw::Linear(_)
     ));
     assert!(matches!(
-        flaw(quote!(
-            fn f(q: [f64; 2], v: [f64; 2]) -> f64 {
-                q[1] * v[0] + v[1] * v[1] - q[0]
-            }
-        )),
+        flaw(quote! { fn f(q: [f64; 2], v: [f64; 2]) -> f64 { q[1] * v[0] + v[1] * v[1] - q[0] } }),
         Flaw::LinearIn(0, _)
     ));
-    // q[1] is the momentum of q[2]: that its velocity is not read is no flaw.
+    // q[1] is the momentum of q[2], so the missing velocity of q[1] is no flaw.
     assert!(matches!(
-        flaw(quote!(
-            fn f(q: [f64; 3], v: [f64; 3]) -> f64 {
-                v[0] * v[0] + q[1] * v[2] - q[0] * q[0] - q[1] * q[1]
-            }
-        )),
+        flaw(quote! { fn f(q: [f64; 3], v: [f64; 3]) -> f64 {
+            v[0] * v[0] + q[1] * v[2] - q[0] * q[0] - q[1] * q[1]
+        } }),
         Flaw::LinearIn(2, _)
     ));
-    let singular = quote!(
-        fn f(q: [f64; 2], v: [f64; 2], m: f64) -> f64 {
-            m * (v[0] + v[1] * q[0].cos()).powi(2) - q[1]
-        }
-    );
+    let singular = quote! { fn f(q: [f64; 2], v: [f64; 2], m: f64) -> f64 {
+        m * (v[0] + v[1] * q[0].cos()).powi(2) - q[1]
+    } };
     assert!(matches!(flaw(singular), Flaw::Singular(velocities, _) if velocities == [0, 1]));
-    // Of three velocities no energy is made, and what is wrong is found all the same.
-    let full = quote!(
-        fn f(q: [f64; 3], v: [f64; 3]) -> f64 {
-            (v[0] + v[1] * q[0].cos()).powi(2) + (v[1] + v[2] * q[1].sin()).powi(2) - q[2]
-        }
-    );
+    // Three velocities have no energy in closed form. The singular mass matrix is found all the same.
+    let full = quote! { fn f(q: [f64; 3], v: [f64; 3]) -> f64 {
+        (v[0] + v[1] * q[0].cos()).powi(2) + (v[1] + v[2] * q[1].sin()).powi(2) - q[2]
+    } };
     assert!(matches!(flaw(full), Flaw::Singular(velocities, _) if velocities == [0, 1, 2]));
-    // Of no known conjugate, and of one combination all the same.
-    let quartic = quote!(
-        fn f(q: [f64; 2], v: [f64; 2]) -> f64 {
-            (v[0] + v[1] * q[0]).powi(4) - q[1]
-        }
-    );
+    // The function has no known conjugate, but reads a single combination of velocities.
+    let quartic = quote! { fn f(q: [f64; 2], v: [f64; 2]) -> f64 { (v[0] + v[1] * q[0]).powi(4) - q[1] } };
     assert!(matches!(flaw(quartic), Flaw::Singular(velocities, _) if velocities == [0, 1]));
     // sin² + cos² − 1 is zero by a relation between functions.
-    let hidden = quote!(
-        fn f(q: [f64; 2], v: [f64; 2]) -> f64 {
-            let (s, c) = q[0].sin_cos();
-            v[0] * v[0] * (s * s + c * c) + 2.0 * v[0] * v[1] + v[1] * v[1] - q[1]
-        }
-    );
+    let hidden = quote! { fn f(q: [f64; 2], v: [f64; 2]) -> f64 {
+        let (s, c) = q[0].sin_cos();
+        v[0] * v[0] * (s * s + c * c) + 2.0 * v[0] * v[1] + v[1] * v[1] - q[1]
+    } };
     assert!(matches!(flaw(hidden), Flaw::Singular(..)));
     assert!(matches!(
         flaw(quote!(fn f(q: f64, v: f64) -> f64 { v.powi(4) + v * v - q })),

@@ -1,4 +1,4 @@
-//! Constants, integers, and numbers that are none.
+//! Constants, integers, and numbers that are not finite.
 
 use super::*;
 
@@ -89,7 +89,7 @@ fn numbers_of_another_type_are_refused() {
 }
 
 #[test]
-fn constants_that_are_no_numbers_are_refused() {
+fn constants_that_are_not_finite_are_refused() {
     refuses!("not a finite number", |q, p, t, a| { q[0] / 0.0 });
     refuses!("not a finite number", |q, p, t, a| { (1.0 / 0.0) / 2.0 });
     refuses!("not a finite number", |q, p, t, a| { 1e300 * 1e300 * q[0] });

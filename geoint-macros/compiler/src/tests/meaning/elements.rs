@@ -77,7 +77,7 @@ fn elements_are_assigned_to() {
         v[0] = v[1] * 2.0;
         v[0].norm_squared() - v[1].x
     });
-    // Fourth-order Taylor coefficients of q' = a − q².
+    // Taylor coefficients up to order 4 of q' = a − q².
     agrees!(|q, p, t, a| {
         let mut c = [q[0], 0.0, 0.0, 0.0, 0.0];
         for n in 0..4 {

@@ -86,7 +86,7 @@ fn iterators() {
     refuses!("out of bounds", |q, p, t, a| { (0..3).map(|i| q[i + 1]).sum::<f64>() });
 }
 
-/// A trait whose methods have the names of methods of iterators, on something that is none.
+/// A trait for arrays whose methods have the names of iterator and vector methods.
 trait Norms {
     fn sum(&self) -> f64;
     fn norm(&self) -> f64;

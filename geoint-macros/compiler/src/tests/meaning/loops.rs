@@ -1,4 +1,4 @@
-//! Loops that assign again, and that end early.
+//! Loops that reassign variables, and loops that end early.
 
 use super::*;
 
@@ -211,7 +211,7 @@ fn rounds_and_loops_may_end_early() {
 
 #[test]
 fn iterators_that_fold() {
-    // Horner's scheme again.
+    // Horner's scheme as a fold.
     agrees!(|q, p, t, a| { [1.0, -2.0, 0.5, a].iter().rev().fold(0.0, |value, c| value * q[0] + c) });
     agrees!(|q, p, t, a| { (1..5).fold((1.0, a), |(x, y), n| (x * q[0] + y, y / n as f64)).0 });
     agrees!(|q, p, t, a| {

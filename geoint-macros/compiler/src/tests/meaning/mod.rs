@@ -1,12 +1,12 @@
-//! Does lowering understand Rust as rustc does? Each body is compiled by rustc and lowered to a graph, and both are
-//! evaluated; or it is one that the macro has to refuse, because it could not follow what rustc makes of it.
+//! Lowering must give Rust code the meaning that rustc gives it. rustc compiles each body, the compiler lowers it, and both results are compared. The
+//! macro must refuse a body whose meaning it can not follow.
 
 use crate::ir::Symbol;
 use crate::tests::eval::eval;
 use crate::{lower, parse};
 use quote::quote;
 
-/// The value of the constant below, and how the graph is told of it.
+/// The values of constants outside of the energy.
 const OUTSIDE: [f64; 3] = [1.5, -2.5, 0.25];
 const N: i32 = 7;
 const M: i32 = 2;
@@ -17,6 +17,7 @@ mod consts {
     pub(super) const PI: f64 = 3.0;
 }
 
+/// Lowers a body. Errors: messages.
 fn lowered(body: &str) -> Result<lower::Lowered, Vec<String>> {
     let body: proc_macro2::TokenStream = body.parse().expect("tokens");
     let item = quote!(fn energy(q: [f64; 3], p: [f64; 3], t: f64, a: f64) -> f64 { #body });
@@ -25,7 +26,7 @@ fn lowered(body: &str) -> Result<lower::Lowered, Vec<String>> {
     lower::body(&energy).map_err(|errors| errors.messages())
 }
 
-/// The value of a constant outside of the energy, as rustc evaluates the tokens that are emitted for it.
+/// Returns the value of a constant outside of the energy, from the tokens that are emitted for it.
 fn outside(tokens: &str) -> f64 {
     match tokens.replace(' ', "").as_str() {
         "E" => E,
@@ -43,6 +44,7 @@ fn outside(tokens: &str) -> f64 {
     }
 }
 
+/// Asserts that a body has equal values as a graph and as compiled Rust, at two points.
 fn compare(body: &str, rust: fn([f64; 3], [f64; 3], f64, f64) -> f64) {
     let lowered = lowered(body).unwrap_or_else(|messages| panic!("{body}\nis refused: {messages:?}"));
     let points = [([0.3, -1.2, 2.5], [0.7, 0.1, -0.4], 0.9, 1.7), ([-0.8, 0.6, 0.2], [-1.1, 2.3, 0.5], -0.4, 0.35)];
@@ -61,7 +63,7 @@ fn compare(body: &str, rust: fn([f64; 3], [f64; 3], f64, f64) -> f64) {
     }
 }
 
-/// The body means to the graph what it means to rustc.
+/// Asserts that the graph of a body has the value that rustc computes.
 macro_rules! agrees {
     (|$q:pat_param, $p:pat_param, $t:pat_param, $a:pat_param| { $($body:tt)* }) => {{
         #[allow(
@@ -73,7 +75,7 @@ macro_rules! agrees {
     }};
 }
 
-/// The body compiles, but is refused with one message, of which this is a part.
+/// Asserts that a body compiles, and that the macro refuses it with one message that contains the given text.
 macro_rules! refuses {
     ($message:literal, |$q:ident, $p:ident, $t:ident, $a:ident| { $($body:tt)* }) => {{
         #[allow(
@@ -94,7 +96,7 @@ fn the_comparison_can_fail() {
     assert!(wrong.is_err());
 }
 
-// Below the macros, which they use.
+// These modules use the macros above.
 mod assignments;
 mod constants;
 mod elements;

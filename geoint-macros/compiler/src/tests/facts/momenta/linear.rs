@@ -1,4 +1,4 @@
-//! Momenta that are linear, norms, many bodies, and weights that are parameters.
+//! Linear momenta, norms, many bodies, and weights that are parameters.
 
 use super::*;
 
@@ -23,7 +23,7 @@ fn many_bodies() {
         expected.iter().flat_map(|name| ["x", "y", "z"].map(|axis| format!("{name}{axis}"))).collect();
     assert_eq!(names, expected);
     assert_eq!(found[4], "total momentum along y: p1 + p4 + p7 + p10 + p13 + p16");
-    // Two pairs that do not know of each other.
+    // Two independent pairs.
     let pairs = quote! {
         fn pairs(q: [[f64; 2]; 4], p: [[f64; 2]; 4], m: f64, k: f64) -> f64 {
             let mut energy = 0.0;
@@ -62,7 +62,7 @@ fn linear_momenta_and_norms() {
             } },
             vec!["momentum: p0 + 3·p1/2"],
         ),
-        // A charge in a magnetic field, and about a centre elsewhere.
+        // A charge in a magnetic field, then a force around a centre away from the origin.
         (
             quote! { fn charge(q: [f64; 2], p: [f64; 2], m: f64) -> f64 {
                 ((p[0] + q[1] / 4.0).powi(2) + (p[1] - q[0] / 4.0).powi(2)).powi(2) / m
@@ -85,7 +85,7 @@ fn linear_momenta_and_norms() {
             } },
             vec!["norm: q0² + p0² + q1² + p1²"],
         ),
-        // What H does not read is told elsewhere.
+        // Momenta of coordinates that H does not read are reported elsewhere.
         (quote! { fn cyclic(q: [f64; 2], p: [f64; 2]) -> f64 { (p[0] * q[0]).sin() + p[1].cosh() } }, vec![]),
         (quote! { fn one(q: f64, p: f64) -> f64 { (p * p + q * q).sqrt() } }, vec![]),
     ];
@@ -95,7 +95,7 @@ fn linear_momenta_and_norms() {
     }
 }
 
-/// Vortices of strengths Γ in q = x, p = Γy: Σ Γ y, Σ Γ x and Σ Γ (x² + y²).
+/// Vortices of strength Γ in q = x, p = Γy conserve Σ Γ y, Σ Γ x and Σ Γ (x² + y²).
 #[test]
 fn weights_may_be_parameters() {
     let vortices = quote! {
@@ -117,7 +117,7 @@ fn weights_may_be_parameters() {
     ];
     assert_eq!(momenta(vortices), expected);
     let cases = [
-        // A charge in a uniform field, in two gauges, with a central force; and without.
+        // A charge in a uniform field, in two gauges, with a central force and without.
         (
             quote! { fn f(q: [f64; 2], p: [f64; 2], m: f64, b: f64) -> f64 {
                 ((p[0] + b * q[1]).powi(2) + (p[1] - b * q[0]).powi(2)) / (2.0 * m) - 1.0 / q[0].hypot(q[1])
@@ -147,14 +147,14 @@ fn weights_may_be_parameters() {
             } },
             vec!["angular momentum: q0² - q1² + 2·q0·p1/c1 - 2·q1·p0/c1"],
         ),
-        // Oscillators that do not know of each other: quadratic energies.
+        // Independent oscillators with quadratic energies.
         (
             quote! { fn f(q: [f64; 2], p: [f64; 2], m: [f64; 2], k: [f64; 2]) -> f64 {
                 (0..2).map(|i| p[i] * p[i] / (2.0 * m[i]) + k[i] * q[i] * q[i] / 2.0).sum::<f64>()
             } },
             vec!["sum of squares: p0² + q0²·c0·c2", "sum of squares: p1² + q1²·c1·c3"],
         ),
-        // Gears of different teeth; pulled by a force that weights of which depend on time.
+        // Gears with different numbers of teeth. In the second energy, the weights depend on time.
         (
             quote! { fn f(q: [f64; 2], p: [f64; 2], m: f64, n: [f64; 2]) -> f64 {
                 p[0] * p[0] / m + p[1] * p[1] + (n[0] * q[0] - n[1] * q[1]).cos()
@@ -167,7 +167,7 @@ fn weights_may_be_parameters() {
             } },
             vec![],
         ),
-        // The weights of two pairs do not agree.
+        // The weights of the two pairs disagree.
         (
             quote! { fn f(q: [f64; 2], p: [f64; 2], a: f64, b: f64) -> f64 {
                 p[0].cosh() + p[1] * p[1] + (a * q[0] - q[1]).cos() + (b * q[0] - q[1]).cosh()

@@ -1,5 +1,4 @@
-//! Momenta that are found, each with its bracket along the flow and over a step evaluated at some state; and those that must
-//! not be claimed.
+//! Conserved momenta that the compiler finds. Each must be constant along the flow and over a step. Other momenta must not be claimed.
 
 mod linear;
 
@@ -12,7 +11,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use std::collections::HashMap;
 
-/// How much J changes along the flow, and over a step with the tree discrete gradient; relative to the sum of magnitudes.
+/// Returns the change of J along the flow and over a step with the discrete gradient, relative to the sum of magnitudes.
 fn changes(graph: &mut Graph, energy: Id, j: Id, degrees: u32) -> (f64, f64) {
     let gradient = [j, energy].map(|root| diff::gradient(graph, root, degrees));
     let tree = diff::discrete_gradient(graph, energy, degrees);
@@ -44,7 +43,7 @@ fn changes(graph: &mut Graph, energy: Id, j: Id, degrees: u32) -> (f64, f64) {
     (flow.abs(), step.abs())
 }
 
-/// Names and formulas of what is kept, which is checked.
+/// Returns names and formulas of the momenta of an energy, and checks that each is conserved.
 fn momenta(item: TokenStream) -> Vec<String> {
     let (energy, mut lowered) = lowered(item);
     let graph = &mut lowered.graph;
@@ -64,7 +63,7 @@ fn momenta(item: TokenStream) -> Vec<String> {
     structure.momenta.iter().map(|j| format!("{}: {}", j.name, printer.formula(j.value))).collect()
 }
 
-/// A planar energy with equal masses and this potential.
+/// Returns an energy in the plane with equal masses and a potential.
 fn planar(potential: TokenStream) -> TokenStream {
     quote! {
         fn f(q: [f64; 2], p: [f64; 2], t: f64, m: f64, k: f64) -> f64 {
@@ -82,15 +81,15 @@ fn angular_momentum_of_central_forces_in_the_plane() {
         quote! { (q[0].hypot(q[1]).hypot(k) - 1.0).powi(2) },
         quote! { let r = (q[0] * q[0] + q[1] * q[1]).sqrt(); (1.0 - (k - r).exp()).powi(2) + k * r.ln() },
         quote! { (q[0] * q[0] + q[1] * q[1]).sqrt() * (t * k).sin() },
-        // A sum of several forms, the terms of which are apart.
+        // The terms of a rotation-invariant sum are apart.
         quote! { let r = q[0] * q[0] + q[1] * q[1]; k * q[0] * q[0] + r * r + k * q[1] * q[1] },
         quote! { let r = q[0] * q[0] + q[1] * q[1]; k * (r.exp() + q[0] * q[0]) + q[1] * q[1] * k },
-        // A product of forms: means times gradients at the middle.
+        // A product of invariants: the step conserves the momentum as well.
         quote! { (q[0] * q[0] + q[1] * q[1] + k) * (q[0] * p[1] - q[1] * p[0]).cos() * (q[0] * p[0] + q[1] * p[1]) },
-        // Parameters that are the same in the end.
+        // The parameters are equal after simplification.
         quote! { (q[0] * q[0] * k * m * m + q[1] * q[1] / (1.0 / (m * k * m))).sqrt() },
         quote! { (0.00028558373315105 * q[0] * q[0] + 0.00028558373315105 * q[1] * q[1]).sqrt() },
-        // Both sides of a condition on parameters, and the smaller of two numbers, which is a sum with |a − b|.
+        // Both sides of a condition on parameters. The minimum of two numbers is a sum with |a − b|.
         quote! { let r = q[0] * q[0] + q[1] * q[1]; if k > 1.0 { r.sqrt() } else { -1.0 / r } },
         quote! { let r = q[0] * q[0] + q[1] * q[1]; r.min(r.sqrt()) },
     ];
@@ -126,12 +125,12 @@ fn angular_momentum_of_vectors() {
     assert_eq!(momenta(field), about[2..]);
 }
 
-/// (q₀² + q₁²)³, multiplied out.
+/// Returns (q₀² + q₁²)³, multiplied out.
 fn expanded() -> TokenStream {
     quote! { let [x, y] = q.map(|q| q * q); x.powi(3) + 3.0 * x * y * (x + y) + y.powi(3) }
 }
 
-/// What the flow may conserve all the same. A claim would be wrong for a step, or not proven.
+/// The flow may conserve the momentum. A claim would be wrong for a step, or is not proven.
 #[test]
 fn angular_momentum_is_not_claimed() {
     let potentials = [
@@ -144,7 +143,7 @@ fn angular_momentum_is_not_claimed() {
         quote! { let r = q[0] * q[0] + q[1] * q[1]; if r > 1.0 { r.sqrt() } else { r * r } },
         quote! { let r = q[0] * q[0] + q[1] * q[1]; if q[0] > k { r.sqrt() } else { r * r } },
         quote! { q[0] * q[0] * q[1] - q[1].powi(3) / 3.0 + (q[0] * q[0] + q[1] * q[1]) / 2.0 },
-        // Numbers that differ in the last place.
+        // The numbers differ in the last digit.
         quote! { (0.10000000000000001 * q[0] * q[0] + 0.10000000000000002 * q[1] * q[1]).sqrt() },
     ];
     for potential in potentials {
@@ -159,7 +158,7 @@ fn angular_momentum_is_not_claimed() {
     assert_eq!(momenta(masses), Vec::<String>::new());
 }
 
-/// The form of a sum matters to a step and not to the flow; so the check can tell.
+/// The control: an expanded potential changes the momentum in a step, but not along the flow.
 #[test]
 fn an_expanded_central_force_turns_the_step_but_not_the_flow() {
     let (_, mut lowered) = lowered(planar(expanded()));
@@ -171,7 +170,7 @@ fn an_expanded_central_force_turns_the_step_but_not_the_flow() {
     assert!(flow < 1e-14 && step > 1e-3, "{flow:e} {step:e}");
 }
 
-/// A random function of these parts.
+/// Returns a random function of some parts.
 fn composed(parts: &[&str], depth: u32, noise: &mut Noise) -> String {
     if depth == 0 {
         return parts[noise.between(0.0, parts.len() as f64) as usize].into();
@@ -187,7 +186,7 @@ fn composed(parts: &[&str], depth: u32, noise: &mut Noise) -> String {
     }
 }
 
-/// Functions of invariants keep the momentum, and one part that is no invariant spoils it.
+/// A function of invariants conserves the momentum. One part that is not invariant destroys the conservation.
 #[test]
 fn random_functions_of_invariants() {
     let invariants = ["(q[0] * q[0] + q[1] * q[1])", "p.norm_squared()", "q.dot(&p)", "(q[0] * p[1] - q[1] * p[0])"];
