@@ -161,8 +161,8 @@ impl Piece {
     ///
     /// The cost is the weight of the operations in the last routine of the flow's schedule, plus 1 for each coordinate that the flow changes.
     /// Thus one kick costs less than two kicks with the same operations. Operations that need only h, parameters and frozen time do not
-    /// count, because they run once for each step length or step. This function is the only use of the scheduler by `split`: an exact count needs
-    /// the statements that the scheduler shares and moves. The schedule is discarded, but it may add nodes to the graph.
+    /// count, because they run once for each step length or step. `split` calls the scheduler only here:
+    /// a count needs the statements that the scheduler shares and moves. The schedule is discarded, but it may add nodes to the graph.
     pub(super) fn cost(&self, graph: &mut Graph) -> usize {
         let ends: Vec<Id> = self.flow.changed(graph).into_iter().map(|(_, end)| end).collect();
         ends.len() + Kernel::new(self.levels(), ends).plan(graph).operations().weight()

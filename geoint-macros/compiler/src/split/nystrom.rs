@@ -14,15 +14,13 @@ pub(super) fn is_nystrom(graph: &mut Graph, pieces: &[Piece], degrees: u32) -> b
 
 /// Reverses two pieces if only the reversed order satisfies the condition. Returns whether the condition holds for the final order.
 pub(super) fn put_in_nystrom_order(graph: &mut Graph, pieces: &mut [Piece], degrees: u32) -> bool {
-    if is_nystrom(graph, pieces, degrees) {
-        return true;
-    }
-    pieces.reverse();
-    let reversed = is_nystrom(graph, pieces, degrees);
-    if !reversed {
+    for _ in 0..2 {
+        if is_nystrom(graph, pieces, degrees) {
+            return true;
+        }
         pieces.reverse();
     }
-    reversed
+    false
 }
 
 /// Returns the Poisson bracket {f, g} = ∂f/∂q·∂g/∂p − ∂f/∂p·∂g/∂q.

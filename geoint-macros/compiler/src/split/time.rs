@@ -16,7 +16,7 @@ pub(crate) enum Clock {
 }
 
 impl Clock {
-    /// Returns whether an expression has no change in time during a flow with this clock.
+    /// Returns whether time leaves the value of an expression unchanged during a flow with this clock.
     pub(super) fn is_steady(self, graph: &Graph, id: Id) -> bool {
         self == Clock::Stage || !reads(graph, id, Symbol::Time)
     }

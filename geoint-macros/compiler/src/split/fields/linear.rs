@@ -1,7 +1,7 @@
 //! Linear fields x' = g·(Mx + b) with M³ = −κM and M²b = −κb. The scalar factor g is constant along the flow.
 //!
-//! With τ = gh and ω² = κ, the flow is x₁ = x + s·(cos(ωτ/2)·(Mx + b) + s/2·M(Mx + b)), s = 2 sin(ωτ/2)/ω. Examples are parabolas, and rotations, shears
-//! and hyperbolic rotations about any axis and any centre.
+//! With τ = gh and ω² = κ, the flow is x₁ = x + s·(cos(ωτ/2)·(Mx + b) + s/2·M(Mx + b)), s = 2 sin(ωτ/2)/ω. Examples are parabolas,
+//! and rotations, shears and hyperbolic rotations about any axis and any centre.
 
 use super::super::polynomial::is_free;
 use super::super::products::{factors, matrix_product, times_factors};

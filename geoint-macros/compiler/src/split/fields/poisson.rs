@@ -118,8 +118,8 @@ impl System<'_> {
         Some(Group { energy, reads, involutive, ends })
     }
 
-    /// Joins three products x₁y₁, x₂y₂ and x₃y₃ if their sum has a flow: it rotates both vectors about their sum. One product alone rotates each vector
-    /// by itself.
+    /// Joins three products x₁y₁, x₂y₂ and x₃y₃ if the flow of their sum is known. The sum rotates both vectors about x + y. One product alone
+    /// rotates each vector by itself.
     fn with_scalar_products(&mut self, graph: &mut Graph, terms: Vec<Id>) -> Vec<Id> {
         let mut products: Vec<Product> = vec![];
         let mut whole = vec![];

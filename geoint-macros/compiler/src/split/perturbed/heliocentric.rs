@@ -1,8 +1,8 @@
 //! Democratic heliocentric coordinates: positions relative to body 0, and velocities relative to the centre of mass.
 //!
-//! Q_i = q_i − q₀ and V_i = v_i − V₀ with the velocity V₀ of the centre of mass. T is then Σ m_i|V_i|²/2 + |Σ m_i V_i|²/2m₀. The second term, the kinetic
-//! energy of body 0, gives all other bodies the same velocity: a jump. The order of bodies is arbitrary. M. J. Duncan, H. F. Levison & M. H. Lee,
-//! Astron. J. 116 (1998) 2067.
+//! Q_i = q_i − q₀ and V_i = v_i − V₀ with the velocity V₀ of the centre of mass. T is then Σ m_i|V_i|²/2 + |Σ m_i V_i|²/2m₀. The second term,
+//! the kinetic energy of body 0, gives all other bodies the same velocity: a jump. The order of bodies is arbitrary. M. J. Duncan, H. F. Levison &
+//! M. H. Lee, Astron. J. 116 (1998) 2067.
 
 use super::frame::{Frame, Masses, Offsets};
 use crate::ir::{Graph, Id};

@@ -1,8 +1,8 @@
 //! Jacobi coordinates: the position of each body relative to the centre of mass of the bodies before it.
 //!
-//! With η_i the mass of bodies 0…i and R_i = R_{i−1} + (m_i/η_i) Q_i: q_i = q₀ + Q_i + R_{i−1}. Q₀ is the centre of mass of all bodies. The sums are nested, so
-//! that they and their reverse sweep cost one term for each body, not for each pair. J. Wisdom & M. Holman, Astron. J. 102 (1991) 1528; H. Rein & D. Tamayo,
-//! Mon. Not. R. Astron. Soc. 452 (2015) 376.
+//! With η_i the mass of bodies 0…i and R_i = R_{i−1} + (m_i/η_i) Q_i: q_i = q₀ + Q_i + R_{i−1}. Q₀ is the centre of mass of all bodies. Nested
+//! sums, and their reverse sweep, cost one term for each body, not for each pair. J. Wisdom & M. Holman, Astron. J. 102 (1991) 1528; H. Rein &
+//! D. Tamayo, Mon. Not. R. Astron. Soc. 452 (2015) 376.
 
 use super::frame::{Frame, Masses, Offsets};
 use crate::ir::{Graph, Id};

@@ -40,7 +40,8 @@ pub(crate) struct Perturbed {
     pub(crate) parts: Vec<(OwnMotion, Range<usize>)>,
     /// The rule for the flow of A, with its energies and source, for reports.
     pub(crate) known: Vec<String>,
-    /// ∂A/∂p, if A has degree 2 in p and its quadratic coefficients are constant. Then \[B, \[A, B\]\] is a kick. Otherwise, a term that violates this.
+    /// ∂A/∂p, if A has degree 2 in p and its quadratic coefficients are constant. Then \[B, \[A, B\]\] is a kick. Otherwise, a term that violates the
+    /// condition.
     pub(crate) velocity: Result<Vec<Id>, Id>,
     /// The coordinates of the method, if they are not the coordinates of the state.
     pub(crate) inner: Option<Inner>,
@@ -175,7 +176,7 @@ fn of_parts(graph: &mut Graph, exact: Id, rest: Id, degrees: u32) -> Division {
     })
 }
 
-/// Returns ∂A/∂p, if A has degree 2 in p and its quadratic coefficients are constant. The error is a term that violates this.
+/// Returns ∂A/∂p, if A has degree 2 in p and its quadratic coefficients are constant. The error is a term that violates the condition.
 fn velocity(graph: &mut Graph, exact: Id, degrees: u32) -> Result<Vec<Id>, Id> {
     let Some(powers) = Polynomial::of(graph, exact, &is_momentum) else { return Err(exact) };
     for (monomial, coefficient) in powers.into_terms() {

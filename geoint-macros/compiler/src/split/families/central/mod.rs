@@ -1,9 +1,9 @@
 //! Families "inverse square" and "Kepler motion": motion about a centre. The potential is a function of the length of a vector y, whose
 //! components are forms in the positions.
 //!
-//! T = p·Wp/2, |y|² = Σ κₘ yₘ² and yₘ = aₘ·q + cₘ. The acceleration of y is parallel to y if κₘ aₘ·Waₙ is λ for m = n and 0 otherwise. Then y moves in a
-//! plane: y(h) = F y + G y' and y'(h) = Ḟ y + Ġ y' with numbers F to Ġ. The forces accelerate q along W aₘ and p along aₘ only, so q and p follow from y.
-//! Examples are one body about a fixed centre, two bodies about each other, and oscillators with walls of one coordinate.
+//! T = p·Wp/2, |y|² = Σ κₘ yₘ² and yₘ = aₘ·q + cₘ. The acceleration of y is parallel to y if κₘ aₘ·Waₙ is λ for m = n and 0 otherwise. Then y
+//! moves in a plane: y(h) = F y + G y' and y'(h) = Ḟ y + Ġ y' with numbers F to Ġ. The forces change q along W aₘ and p along aₘ only, so q and p
+//! follow from y. Examples are one body about a fixed centre, two bodies about each other, and oscillators with walls of one coordinate.
 
 mod centre;
 mod motion;

@@ -37,8 +37,9 @@ pub(super) struct Start<'a> {
 
 /// Returns the motion about k/2|y|² + b|y|²/2 with `bound` = b.
 ///
-/// With a = |y|, ε = y·y'/a², l² = (|y|²|y'|² − (y·y')²)/a⁴, κ = l² + λk/a⁴, C = cos ωh, S = sin ωh/ω, ω² = λb, x = C + εS and ρ² = x² + κS²: y rotates
-/// by lT with T = ∫ dt/ρ², and its length becomes ρa. Below, cos = cos lT and σ = sin(lT)/l. Quantities near 1 are computed by their difference from 1.
+/// Let a = |y|, ε = y·y'/a², l² = (|y|²|y'|² − (y·y')²)/a⁴, κ = l² + λk/a⁴, C = cos ωh, S = sin ωh/ω, ω² = λb, x = C + εS and ρ² = x² + κS².
+/// Then y rotates by lT with T = ∫ dt/ρ², and its length becomes ρa. Below, cos = cos lT and σ = sin(lT)/l. Quantities near 1 are computed by
+/// their difference from 1.
 pub(super) fn about_inverse_square(graph: &mut Graph, start: &Start<'_>, bound: Id) -> Motion {
     let (h, one) = (graph.symbol(Symbol::StepLength), graph.integer(1));
     let square = graph.mul(start.lambda, bound);
