@@ -3,6 +3,9 @@
 use crate::ir::{Graph, Id};
 use std::ops::Range;
 
+/// Combines one component of each body to one number.
+type Combine = fn(&mut Graph, &Masses, &[Id]) -> Id;
+
 /// A kind of coordinates. Each function takes one component, along one direction of space, of each body.
 pub(super) struct Frame {
     pub(super) name: &'static str,
@@ -20,7 +23,7 @@ pub(super) struct Frame {
     /// Returns the velocities for inner velocities V.
     pub(super) leave_velocities: fn(&mut Graph, &Masses, &[Id]) -> Vec<Id>,
     /// Returns the velocity that the shared part of the kinetic energy gives to all bodies but body 0.
-    pub(super) jump: Option<fn(&mut Graph, &Masses, &[Id]) -> Id>,
+    pub(super) jump: Option<Combine>,
 }
 
 /// The masses of bodies in the order of the array.
