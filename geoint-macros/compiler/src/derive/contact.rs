@@ -131,8 +131,7 @@ fn rates_of_lift(graph: &mut Graph, energy: Id, gradient: &Gradient) -> Vec<Id> 
 }
 
 fn kick_drift(graph: &mut Graph, mechanics: &Mechanics) -> KickDrift {
-    let (drift, clock) = &mechanics.drift;
-    let [kick, damped_drift] = [&mechanics.kick, drift].map(|flow| {
+    let [kick, damped_drift] = [&mechanics.kick, &mechanics.drift].map(|flow| {
         let changed = flow.changed(graph);
         FlowKernel::with_increments(graph, Levels::Prepared, changed)
     });
@@ -141,12 +140,12 @@ fn kick_drift(graph: &mut Graph, mechanics: &Mechanics) -> KickDrift {
     KickDrift {
         kick,
         drift: damped_drift,
-        exact_in_time: *clock == Clock::Own,
+        exact_in_time: mechanics.clock == Clock::Own,
         repeats: false,
         shows: false,
         undamped: Some(Undamped {
             kick: (mechanics.free_kick != mechanics.kick).then(|| kernel(&mechanics.free_kick)),
-            drift: (mechanics.free_drift != *drift).then(|| kernel(&mechanics.free_drift)),
+            drift: (mechanics.free_drift != mechanics.drift).then(|| kernel(&mechanics.free_drift)),
             damping: Routine::number("damping", mechanics.damping),
         }),
         gradient_kick: match &mechanics.gradient_kick {

@@ -4,13 +4,13 @@ use super::polynomial::is_free;
 use super::time::Clock;
 use crate::ir::op::Domain;
 use crate::ir::{Function, Graph, Id, Node, Symbol};
-use crate::schedule::Levels;
+use crate::schedule::{Kernel, Levels, Routine};
 
 /// The coordinates of a system.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Space {
     pub(crate) degrees: u32,
-    /// Whether s is a coordinate, whose flow must then be known, too.
+    /// Whether the action s is a coordinate. Its flow must then be known, too.
     pub(crate) action: bool,
 }
 
@@ -22,34 +22,34 @@ pub(super) struct Group {
     pub(super) clock: Clock,
 }
 
-/// Other families, asked for the flow of a group.
+/// A search for the flow of a group among other families.
 pub(super) type Rules<'a> = &'a dyn Fn(&mut Graph, &Group) -> Option<Flow>;
 
-/// A rule that finds the flow from flows of other energies.
+/// A rule that derives the flow of a group from flows of other energies.
 type Derived = fn(&mut Graph, &Group, Rules<'_>) -> Option<Flow>;
 
-/// How a family finds the flow of a group. Every rule returns `None` if the group does not belong to the family.
+/// The rule by which a family finds the flow of a group. Every rule returns `None` if the group does not belong to the family.
 #[derive(Clone, Copy)]
 pub(super) enum Solve {
-    /// From the energy alone.
+    /// The rule needs the energy only.
     Direct(fn(&mut Graph, &Group) -> Option<Flow>),
-    /// From the flow of another energy, by families earlier in the list.
+    /// The rule transforms the energy and asks families earlier in the list.
     Transformed(Derived),
-    /// From the flow of the energy in another gauge, by families that transform no energy.
+    /// The rule changes the gauge and asks families of the kinds `Direct` and `InParts`.
     ByGauge(Derived),
-    /// From the flows of its parts, by families earlier in the list.
+    /// The rule splits the energy and asks families earlier in the list.
     InParts(Derived),
 }
 
-/// A family of energies whose flow is known.
+/// A family of energies with a known flow.
 pub(crate) struct Family {
-    /// Its name in reports.
+    /// The name in reports.
     pub(crate) name: &'static str,
     /// The energies, with the conditions on their coefficients.
     pub(crate) energies: &'static str,
-    /// A publication about such energies, or about the method that gives their flow.
+    /// A publication about the energies or about the method for their flow.
     pub(crate) source: &'static str,
-    /// Whether the flow of s is known, as contact systems need it.
+    /// Whether the flow of s is known. Contact systems need it.
     pub(super) action: bool,
     /// The rule that finds the flow.
     pub(super) solve: Solve,
@@ -61,7 +61,7 @@ impl std::fmt::Debug for Family {
     }
 }
 
-/// q, p and s at the end of a flow of length h, as functions of q, p and s at its start. s stays where the system has no action.
+/// q, p and s at the end of a flow of length h, as functions of q, p and s at its start. Systems without an action keep s.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Flow {
     pub(crate) q: Vec<Id>,
@@ -70,16 +70,15 @@ pub(crate) struct Flow {
 }
 
 impl Flow {
-    /// Returns the flow that moves nothing.
+    /// Returns the identity: every coordinate keeps its value.
     pub(super) fn rest(graph: &mut Graph, degrees: u32) -> Flow {
-        let [q, p] = [Symbol::Position as fn(u32) -> Symbol, Symbol::Momentum]
-            .map(|of| (0..degrees).map(of).collect::<Vec<_>>());
-        let mut symbols = |all: Vec<Symbol>| all.into_iter().map(|symbol| graph.symbol(symbol)).collect();
-        Flow { q: symbols(q), p: symbols(p), s: symbols(vec![Symbol::Action]).remove(0) }
+        let q = (0..degrees).map(|i| graph.symbol(Symbol::Position(i))).collect();
+        let p = (0..degrees).map(|i| graph.symbol(Symbol::Momentum(i))).collect();
+        Flow { q, p, s: graph.symbol(Symbol::Action) }
     }
 
-    /// Sets the end of a coordinate.
-    pub(super) fn moves(&mut self, symbol: Symbol, end: Id) {
+    /// Sets the end value of a coordinate.
+    pub(super) fn set(&mut self, symbol: Symbol, end: Id) {
         match symbol {
             Symbol::Position(i) => self.q[i as usize] = end,
             Symbol::Momentum(i) => self.p[i as usize] = end,
@@ -87,7 +86,7 @@ impl Flow {
         }
     }
 
-    /// Returns the coordinates that the flow changes, with their ends.
+    /// Returns the coordinates that the flow changes, with their end values.
     pub(crate) fn changed(&self, graph: &mut Graph) -> Vec<(Symbol, Id)> {
         let start = Flow::rest(graph, self.q.len() as u32);
         let ends = self.all().into_iter().zip(start.all());
@@ -98,7 +97,7 @@ impl Flow {
         ends.filter(|(end, start)| end != start).filter_map(|(end, start)| Some((symbol(start)?, end))).collect()
     }
 
-    /// Returns whether the flow contains functions that give NaN where the flow ends early.
+    /// Returns whether the flow contains functions that give NaN at points where the flow ends early.
     pub(super) fn ends_early(&self, graph: &Graph) -> bool {
         let stops = |id: &Id| {
             matches!(
@@ -109,6 +108,7 @@ impl Flow {
         graph.reachable(&self.all()).iter().any(stops)
     }
 
+    /// Returns all end values in the order q, p, s.
     pub(super) fn all(&self) -> Vec<Id> {
         [&self.q[..], &self.p, &[self.s]].concat()
     }
@@ -138,7 +138,7 @@ fn is_constant(graph: &Graph, id: Id) -> bool {
     is_free(graph, id, &|symbol| symbol.is_coordinate() || matches!(symbol, Symbol::Time | Symbol::StepLength))
 }
 
-/// A part of the energy whose flow is known in closed form.
+/// A part of the energy with a flow in closed form.
 #[derive(Clone, Debug)]
 pub(crate) struct Piece {
     pub(crate) energy: Id,
@@ -155,5 +155,19 @@ impl Piece {
             Clock::Own => Levels::Unfrozen,
             Clock::Stage => Levels::Frozen,
         }
+    }
+
+    /// Returns the estimated cost of one evaluation of the flow, in units of one sum.
+    ///
+    /// The cost is the weight of the operations in the last routine of the flow's schedule, plus 1 for each coordinate that the flow changes.
+    /// Thus one kick costs less than two kicks with the same operations. Operations that need only h, parameters and frozen time do not
+    /// count, because they run once for each step length or step. `split` calls the scheduler only here:
+    /// a count needs the statements that the scheduler shares and moves. The schedule is discarded, but it may add nodes to the graph.
+    pub(super) fn cost(&self, graph: &mut Graph) -> usize {
+        let ends: Vec<Id> = self.flow.changed(graph).into_iter().map(|(_, end)| end).collect();
+        let changed = ends.len();
+        let mut kernel = Kernel::new(self.levels(), vec![Routine::row("end", ends)]);
+        kernel.schedule(graph);
+        changed + kernel.operations().weight()
     }
 }

@@ -1,12 +1,12 @@
-//! What a flow adds to a coordinate, without the difference of two numbers that are nearly equal: for sums that compensate.
+//! Increments of flows, end − x, without the difference of two nearly equal numbers. Compensated sums need them.
 
-use super::polynomial::factors;
-use super::scalar::mean_of_power;
+use super::products::factors;
+use super::scalar::{geometric_sum, mean_of_power};
 use crate::analyze;
 use crate::diff;
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
 
-/// end − x for every coordinate that a flow changes.
+/// Returns end − x for every changed coordinate of a flow.
 pub(crate) fn increments(graph: &mut Graph, ends: &[(Symbol, Id)]) -> Vec<Id> {
     let difference = |(symbol, end): &(Symbol, Id)| {
         let x = graph.symbol(*symbol);
@@ -16,11 +16,10 @@ pub(crate) fn increments(graph: &mut Graph, ends: &[(Symbol, Id)]) -> Vec<Id> {
     ends.iter().map(difference).collect()
 }
 
-/// Linear maps with constant coefficients as x and what they add to it. 1 + c, rounded, would make areas grow, or shrink, by the same rounding at each
-/// step: energies and lengths would have a trend.
+/// Writes linear maps with constant coefficients as x plus an increment. A rounded coefficient 1 + c would expand or contract areas by the
+/// rounding error in every step, so energies and lengths would drift.
 pub(crate) fn steady(graph: &mut Graph, ends: Vec<(Symbol, Id)>) -> Vec<(Symbol, Id)> {
-    let all: Vec<Id> = ends.iter().map(|(_, end)| *end).collect();
-    let moving: Vec<Symbol> = ends.iter().map(|(symbol, _)| *symbol).collect();
+    let (moving, all): (Vec<Symbol>, Vec<Id>) = ends.iter().copied().unzip();
     let is_moving = |symbol: Symbol| moving.contains(&symbol);
     if !analyze::is_polynomial_in(graph, &all, 1, is_moving) {
         return ends;
@@ -40,15 +39,14 @@ pub(crate) fn steady(graph: &mut Graph, ends: Vec<(Symbol, Id)>) -> Vec<(Symbol,
         .collect()
 }
 
-/// end − x, if it can be seen how x is contained in `end`.
+/// Returns end − x if x is a term of `end`, up to factors near 1.
 fn increment(graph: &mut Graph, end: Id, x: Id) -> Option<Id> {
     if end == x {
         return Some(graph.zero());
     }
     match graph.node(end).clone() {
         Node::Linear(constant, terms) => {
-            let (i, own) = contained(graph, &terms, |graph, term| increment(graph, term, x))?;
-            Some(with_others(graph, own, constant, &terms, i))
+            with_term_replaced(graph, constant, terms, |graph, term| increment(graph, term, x))
         }
         // y + y·(eᶻ − 1).
         Node::Call(Function::Grown, args) => {
@@ -56,30 +54,25 @@ fn increment(graph: &mut Graph, end: Id, x: Id) -> Option<Id> {
             Some(graph.add(own, change))
         }
         Node::Product(_) => {
-            let all = factors(graph, end);
+            let mut others = factors(graph, end);
             let single = |(base, exponent): &(Id, Ratio)| (*exponent == Ratio::ONE).then_some(*base);
             let (i, own) =
-                all.iter().enumerate().find_map(|(i, factor)| Some((i, increment(graph, single(factor)?, x)?)))?;
-            let others: Vec<(Id, Ratio)> = all.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, f)| *f).collect();
+                others.iter().enumerate().find_map(|(i, factor)| Some((i, increment(graph, single(factor)?, x)?)))?;
+            let (base, _) = others.remove(i);
             let excess = excess_of_product(graph, &others)?;
-            let change = graph.mul(all[i].0, excess);
+            let change = graph.mul(base, excess);
             Some(graph.add(own, change))
         }
         _ => None,
     }
 }
 
-/// factor − 1 of a factor that is near 1 in short steps.
+/// Returns factor − 1 for a factor that is near 1 in short steps.
 fn excess(graph: &mut Graph, factor: Id) -> Option<Id> {
     match graph.node(factor).clone() {
         Node::Number(number) if number == Number::ONE => Some(graph.zero()),
-        Node::Linear(constant, terms) if constant == Number::ONE => {
-            Some(without(graph, Number::ZERO, &terms, terms.len()))
-        }
-        Node::Linear(constant, terms) if constant.is_zero() => {
-            let (i, own) = contained(graph, &terms, excess)?;
-            Some(with_others(graph, own, constant, &terms, i))
-        }
+        Node::Linear(constant, terms) if constant == Number::ONE => Some(graph.linear(Number::ZERO, terms)),
+        Node::Linear(constant, terms) if constant.is_zero() => with_term_replaced(graph, constant, terms, excess),
         Node::Product(_) => {
             let all = factors(graph, factor);
             excess_of_product(graph, &all)
@@ -99,11 +92,11 @@ fn excess(graph: &mut Graph, factor: Id) -> Option<Id> {
             }
             Function::Powf => match (graph.node(args[0]).clone(), graph.as_number(args[1])?) {
                 (Node::Call(Function::NotNegative, base), Number::Exact(exponent)) => {
-                    positive(graph, base[0], exponent)
+                    excess_of_positive_power(graph, base[0], exponent)
                 }
                 _ => None,
             },
-            // cos w − 1 = −2 sin² w/2, of an angle that is prepared: of others it would be one more sine a step.
+            // cos w − 1 = −2 sin² w/2. If the angle w reads the state, the formula would cost one more sine in every step.
             Function::Cos if !graph.reads(args[0]).state() => {
                 let half = graph.scale(Number::HALF, args[0]);
                 let sine = graph.call(Function::Sin, &[half]);
@@ -136,23 +129,19 @@ fn excess_of_product(graph: &mut Graph, all: &[(Id, Ratio)]) -> Option<Id> {
     Some(sum)
 }
 
+/// Returns base^exponent − 1 for a base near 1.
 fn excess_of_power(graph: &mut Graph, base: Id, exponent: Ratio) -> Option<Id> {
     if exponent == Ratio::ONE {
         return excess(graph, base);
     }
     if let Node::Call(Function::NotNegative, inner) = graph.node(base).clone() {
-        return positive(graph, inner[0], exponent);
+        return excess_of_positive_power(graph, inner[0], exponent);
     }
     let (u, n) = (excess(graph, base)?, exponent.numerator);
     if !exponent.is_integer() || n.abs() > 8 {
-        return positive(graph, base, exponent);
+        return excess_of_positive_power(graph, base, exponent);
     }
-    // dⁿ − 1 = u·(1 + d + … + dⁿ⁻¹) with d = 1 + u.
-    let (mut mean, one) = (graph.zero(), graph.integer(1));
-    for _ in 0..n.abs() {
-        let inner = graph.mul(base, mean);
-        mean = graph.add(one, inner);
-    }
+    let mean = geometric_sum(graph, base, n.abs());
     let change = graph.mul(u, mean);
     if n > 0 {
         return Some(change);
@@ -162,38 +151,23 @@ fn excess_of_power(graph: &mut Graph, base: Id, exponent: Ratio) -> Option<Id> {
     Some(graph.neg(change))
 }
 
-/// d^r − 1 where d must not be negative.
-fn positive(graph: &mut Graph, d: Id, r: Ratio) -> Option<Id> {
+/// Returns d^r − 1, or NaN if d is negative.
+fn excess_of_positive_power(graph: &mut Graph, d: Id, r: Ratio) -> Option<Id> {
     let u = excess(graph, d)?;
     let mean = mean_of_power(graph, u, r)?;
     Some(graph.mul(u, mean))
 }
 
-/// The first term of a sum that is not scaled and of which `part` finds something.
-fn contained(
+/// Returns a sum in which the first term with a result of `replace` is replaced by that result. Scaled terms are not tried.
+fn with_term_replaced(
     graph: &mut Graph,
-    terms: &[(Number, Id)],
-    part: impl Fn(&mut Graph, Id) -> Option<Id>,
-) -> Option<(usize, Id)> {
-    let found = |(i, (c, term)): (usize, &(Number, Id))| {
-        if *c == Number::ONE { Some((i, part(graph, *term)?)) } else { None }
-    };
-    terms.iter().enumerate().find_map(found)
-}
-
-/// What was found of term `i`, and all others.
-fn with_others(graph: &mut Graph, own: Id, constant: Number, terms: &[(Number, Id)], i: usize) -> Id {
-    let others = without(graph, constant, terms, i);
-    graph.add(own, others)
-}
-
-/// A sum without its term `i`.
-fn without(graph: &mut Graph, constant: Number, terms: &[(Number, Id)], i: usize) -> Id {
-    let mut parts = vec![graph.number(constant)];
-    for (j, (c, term)) in terms.iter().enumerate() {
-        if j != i {
-            parts.push(graph.scale(*c, *term));
-        }
-    }
-    graph.sum(&parts)
+    constant: Number,
+    mut terms: Vec<(Number, Id)>,
+    replace: impl Fn(&mut Graph, Id) -> Option<Id>,
+) -> Option<Id> {
+    let mut unscaled = terms.iter().enumerate().filter(|(_, (c, _))| *c == Number::ONE);
+    let (i, own) = unscaled.find_map(|(i, (_, term))| Some((i, replace(graph, *term)?)))?;
+    terms.remove(i);
+    let others = graph.linear(constant, terms);
+    Some(graph.add(own, others))
 }

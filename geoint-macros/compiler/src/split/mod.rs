@@ -1,7 +1,7 @@
-//! A contact Hamiltonian as the fewest pieces whose flows are known in closed form.
+//! Splits an energy or a field into pieces with flows in closed form.
 //!
-//! A. Bravetti, M. Seri, M. Vermeeren & F. Zadra, Celest. Mech. Dyn. Astr. 132 (2020) 7; which energies split at all:
-//! P. G. Kevrekidis, arXiv:2605.09103 (2026).
+//! A. Bravetti, M. Seri, M. Vermeeren & F. Zadra, Celest. Mech. Dyn. Astr. 132 (2020) 7, for contact Hamiltonians. P. G. Kevrekidis,
+//! arXiv:2605.09103 (2026), for the energies that split.
 
 mod polynomial;
 mod products;

@@ -1,51 +1,53 @@
-//! Which family is most like an energy whose flow no rule knows: for messages.
+//! The family that resembles an energy without a known flow. Messages suggest it.
 
 use super::families::FAMILIES;
 use super::flow::{Family, Space};
-use super::polynomial::{Monomial, Polynomial, degree as sum_of_powers, is_momentum};
+use super::polynomial::{Polynomial, degree, is_momentum};
 use crate::ir::{Function, Graph, Id, Node, Ratio, Reads, Symbol};
 
-/// What families are told apart by.
+/// The features of an energy by which families are compared.
 struct Shape {
     reads: Reads,
-    /// How many terms there are in powers of all coordinates, and the largest sum of powers of one.
-    powers: Option<(usize, Ratio)>,
-    /// The largest power of momenta in a term, if H is a polynomial in them.
-    of_momenta: Option<Ratio>,
-    /// How many momenta are read.
+    /// The number of terms of a polynomial in all coordinates.
+    terms: Option<usize>,
+    /// The degree of a polynomial in all coordinates.
+    degree: Option<Ratio>,
+    /// The degree of a polynomial in the momenta.
+    degree_in_momenta: Option<Ratio>,
+    /// The number of momenta that the energy reads.
     momenta: usize,
-    /// Whether the whole is a function, or a power, of something.
-    of_one: bool,
-    /// The largest denominator of the powers of positions by which it is divided, 2 of lengths.
+    /// Whether the energy is a function or a power of an expression.
+    is_function: bool,
+    /// The largest denominator of the exponents with which the energy divides by positions. Lengths count as 2.
     divided_by: Option<i128>,
 }
 
 impl Shape {
     fn is_kinetic(&self) -> bool {
-        self.reads.q && self.of_momenta == Some(Ratio::integer(2))
+        self.reads.q && self.degree_in_momenta == Some(Ratio::integer(2))
     }
 }
 
-/// Whether energies of a shape are near to those of a family.
+/// Returns whether an energy with these features resembles a family.
 type IsNear = fn(&Shape) -> bool;
 
-/// Names of families, each with the energies that it is nearest to unless one before it is.
+/// Names of families with their conditions. The first family whose condition holds is the nearest.
 const NEAREST: &[(&str, IsNear)] = &[
     ("damped drift", |shape| shape.reads.s && !shape.reads.q),
     ("kick", |shape| !shape.reads.p),
     ("drift", |shape| !shape.reads.q),
-    ("prolongation", |shape| shape.of_momenta == Some(Ratio::ONE)),
-    ("weighted drift", |shape| shape.reads.s && shape.of_momenta == Some(Ratio::integer(2))),
+    ("prolongation", |shape| shape.degree_in_momenta == Some(Ratio::ONE)),
+    ("weighted drift", |shape| shape.reads.s && shape.degree_in_momenta == Some(Ratio::integer(2))),
     ("Kepler motion", |shape| shape.is_kinetic() && shape.momenta > 1 && shape.divided_by == Some(2)),
     ("inverse square", |shape| shape.is_kinetic() && shape.divided_by.is_some()),
-    ("coupled oscillators", |shape| shape.powers.is_some_and(|(_, degree)| degree <= Ratio::integer(2))),
-    ("monomial", |shape| shape.powers.is_some_and(|(terms, _)| terms == 1)),
-    ("geodesic", |shape| shape.momenta == 1 && shape.of_momenta == Some(Ratio::integer(2))),
-    ("function of a piece", |shape| shape.of_one),
+    ("coupled oscillators", |shape| shape.degree.is_some_and(|degree| degree <= Ratio::integer(2))),
+    ("monomial", |shape| shape.degree.is_some() && shape.terms == Some(1)),
+    ("geodesic", |shape| shape.momenta == 1 && shape.degree_in_momenta == Some(Ratio::integer(2))),
+    ("function of a piece", |shape| shape.is_function),
     ("forms in involution", |_| true),
 ];
 
-/// The family whose energies are most like this one.
+/// Returns the family that resembles an energy most.
 pub(crate) fn nearest(graph: &mut Graph, energy: Id, space: Space) -> Option<&'static Family> {
     let shape = shape(graph, energy);
     let families = NEAREST.iter().filter(|(_, is_near)| is_near(&shape)).filter_map(|(name, _)| of_name(name));
@@ -57,21 +59,17 @@ fn of_name(name: &str) -> Option<&'static Family> {
 }
 
 fn shape(graph: &mut Graph, energy: Id) -> Shape {
-    let degree = |monomial: &Monomial, counts: &dyn Fn(Symbol) -> bool| {
-        sum_of_powers(monomial.iter().filter(|(symbol, _)| counts(**symbol)).map(|(_, power)| *power))
-    };
-    let largest = |powers: &Polynomial, counts: &dyn Fn(Symbol) -> bool| {
-        powers.terms().filter_map(|(monomial, _)| degree(monomial, counts)).max()
-    };
+    let largest = |powers: &Polynomial| powers.terms().filter_map(|(monomial, _)| degree(monomial)).max();
     let all = Polynomial::of(graph, energy, &Symbol::is_coordinate);
-    let of_momenta = Polynomial::of(graph, energy, &is_momentum);
+    let in_momenta = Polynomial::of(graph, energy, &is_momentum);
     Shape {
         reads: graph.reads(energy),
-        powers: all.and_then(|powers| Some((powers.terms().count(), largest(&powers, &Symbol::is_coordinate)?))),
-        of_momenta: of_momenta.and_then(|powers| largest(&powers, &is_momentum)),
+        terms: all.as_ref().map(|powers| powers.terms().count()),
+        degree: all.as_ref().and_then(largest),
+        degree_in_momenta: in_momenta.as_ref().and_then(largest),
         momenta: graph.symbols(energy).iter().filter(|symbol| is_momentum(**symbol)).count(),
         divided_by: divided_by(graph, energy),
-        of_one: matches!(graph.node(graph.coefficient(energy).1), Node::Call(..) | Node::Power(..)),
+        is_function: matches!(graph.node(graph.coefficient(energy).1), Node::Call(..) | Node::Power(..)),
     }
 }
 

@@ -1,34 +1,29 @@
-//! Do tables of Runge–Kutta–Nyström type keep their order for two pieces?
+//! The condition under which tables of Runge–Kutta–Nyström type keep their order for two pieces.
 
 use super::flow::Piece;
 use crate::analyze;
 use crate::diff;
 use crate::ir::{Graph, Id};
 
-/// Whether these are two, A and B, with {B, {B, {B, A}}} = 0.
+/// Returns whether there are two pieces, A and B, with {B, {B, {B, A}}} = 0.
 pub(super) fn is_nystrom(graph: &mut Graph, pieces: &[Piece], degrees: u32) -> bool {
     let [a, b] = pieces else { return false };
-    let mut nested = a.energy;
-    for _ in 0..3 {
-        nested = bracket(graph, b.energy, nested, degrees);
-    }
+    let nested = (0..3).fold(a.energy, |nested, _| bracket(graph, b.energy, nested, degrees));
     analyze::identity(graph, nested).is_zero()
 }
 
-/// The same; in the other order, if that is the one.
-pub(super) fn in_order_of_nystrom(graph: &mut Graph, pieces: &mut [Piece], degrees: u32) -> bool {
-    if is_nystrom(graph, pieces, degrees) {
-        return true;
-    }
-    pieces.reverse();
-    let reversed = is_nystrom(graph, pieces, degrees);
-    if !reversed {
+/// Reverses two pieces if only the reversed order satisfies the condition. Returns whether the condition holds for the final order.
+pub(super) fn put_in_nystrom_order(graph: &mut Graph, pieces: &mut [Piece], degrees: u32) -> bool {
+    for _ in 0..2 {
+        if is_nystrom(graph, pieces, degrees) {
+            return true;
+        }
         pieces.reverse();
     }
-    reversed
+    false
 }
 
-/// {f, g} = ∂f/∂q·∂g/∂p − ∂f/∂p·∂g/∂q.
+/// Returns the Poisson bracket {f, g} = ∂f/∂q·∂g/∂p − ∂f/∂p·∂g/∂q.
 fn bracket(graph: &mut Graph, f: Id, g: Id, degrees: u32) -> Id {
     let [f, g] = [f, g].map(|root| diff::gradient(graph, root, degrees));
     let mut sum = graph.zero();

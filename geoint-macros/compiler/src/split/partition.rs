@@ -1,59 +1,59 @@
-//! Which terms go together.
+//! The search for the best partition of an energy into pieces with known flows.
 
 use super::atoms::atoms;
 use super::families::{FAMILIES, piece};
 use super::flow::{Piece, Space};
 use super::linear_motion::hidden_linear_motion;
-use super::nystrom::{in_order_of_nystrom, is_nystrom};
+use super::nystrom::{is_nystrom, put_in_nystrom_order};
 use super::powers::powers_of_forms;
 use crate::analyze::{Split, Structure};
 use crate::ir::{Graph, Id};
 use crate::lower::Place;
-use crate::schedule::{Kernel, Routine};
 use std::collections::BTreeMap;
 
-/// A flow waits for the one before it: some sums long.
-const WAIT: usize = 4;
+/// The latency of a flow, in units of one sum. A flow starts after the preceding flow has ended.
+const LATENCY: usize = 4;
 
-/// The pieces; or a term that is in no piece.
+/// The pieces, or a term that belongs to no piece.
 pub(crate) type Pieces = Result<Partition, Id>;
 
 /// H as a sum of pieces.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Partition {
-    /// In the order in which a step goes through them and back.
+    /// The pieces in the order of the first half of a step. The second half has the reverse order.
     pub(crate) pieces: Vec<Piece>,
-    /// What their flows cost a step, in units of one sum.
+    /// The estimated cost of a step, in units of one sum.
     pub(crate) cost: usize,
-    /// Whether some flow is not defined for every length.
+    /// Whether a flow may end before its full length.
     ends_early: bool,
-    /// Whether these are two, A and B, with {B, {B, {B, A}}} = 0.
+    /// Whether there are two pieces, A and B, with {B, {B, {B, A}}} = 0.
     pub(crate) nystrom: bool,
-    /// Whether it was taken because all linear motion is in A, and not for what it costs.
+    /// Whether the partition was chosen because A contains all linear motion, and not for its cost.
     pub(crate) linear: bool,
-    /// What else was found.
+    /// The other partitions that were found.
     pub(crate) rejected: Vec<Rejected>,
 }
 
-/// Pieces that were found and not taken.
+/// A partition that was found but not chosen.
 #[derive(Clone, Debug)]
 pub(crate) struct Rejected {
     pub(crate) energies: Vec<Id>,
     pub(crate) cost: usize,
 }
 
-/// Splits H; into the groups that the user wants, if there are any.
+/// Splits H into pieces. If the user gave `groups`, each group becomes a piece.
 ///
-/// With an action into the fewest pieces. Without one as a whole, where its flow is known; else into those whose flows never end, as shears,
-/// rather than such as qᵏpⁿ have; then into those whose flows cost least, which need not be the fewest. Before all that comes linear motion as a
-/// whole beside a rest, if both are an A and a B for tables of Runge–Kutta–Nyström type.
+/// With an action, the partition with the fewest pieces is chosen. Without an action, the order of preference is:
+/// 1. one piece, if its flow is known;
+/// 2. all linear motion as A and the rest as B, if tables of Runge–Kutta–Nyström type apply;
+/// 3. pieces whose flows never end early, such as shears; flows of qᵏpⁿ may end early;
+/// 4. the cheapest pieces, which need not be the fewest.
 pub(crate) fn pieces(graph: &mut Graph, energy: Id, space: Space, groups: Option<&[(Id, Place)]>) -> Pieces {
     if let Some(groups) = groups {
-        // In the order given: who groups by hand knows what is to be in the middle.
+        // The user's order stays: it determines the piece in the middle of a step.
         let pieces: Result<Vec<Piece>, Id> =
             groups.iter().map(|(group, _)| piece(graph, *group, space).ok_or(*group)).collect();
         let mut given = Partition::of(graph, pieces?);
-        // Who groups by hand says what is to be in the middle.
         given.nystrom = !space.action && is_nystrom(graph, &given.pieces, space.degrees);
         return Ok(given);
     }
@@ -69,7 +69,7 @@ pub(crate) fn pieces(graph: &mut Graph, energy: Id, space: Space, groups: Option
         found.extend(powers.map(|pieces| ordered(graph, pieces, Middle::Mixed)));
     }
     let mut found: Vec<Partition> = found.into_iter().map(|pieces| Partition::of(graph, pieces)).collect();
-    // One piece has no error, and where its flow ends the motion does.
+    // One piece comes first even if it ends early: it has no splitting error, and its flow ends only where the motion ends.
     found.sort_by_key(|partition| {
         let pieces = partition.pieces.len();
         (pieces > 1, partition.ends_early, partition.cost, pieces)
@@ -78,18 +78,17 @@ pub(crate) fn pieces(graph: &mut Graph, energy: Id, space: Space, groups: Option
     let around = if found[0].pieces.len() > 1 { around_linear_motion(graph, energy, space) } else { None };
     let mut best = around.unwrap_or_else(|| {
         let mut cheapest = found.remove(0);
-        cheapest.nystrom = !space.action && in_order_of_nystrom(graph, &mut cheapest.pieces, space.degrees);
+        cheapest.nystrom = !space.action && put_in_nystrom_order(graph, &mut cheapest.pieces, space.degrees);
         cheapest
     });
     best.rejected = found.iter().map(|other| Rejected { energies: other.energies(), cost: other.cost }).collect();
     Ok(best)
 }
 
-/// All linear motion as one piece and the rest as another, where less of it would be one otherwise.
+/// Returns all linear motion as A and the rest as B, if the cheapest partition would separate linear terms.
 ///
-/// The error of pieces that share a motion of frequency ω is as large as (hω)ⁿ allows, however small the motion; around linear motion it is as
-/// small as the rest, for a flow that costs hardly more. Measured: a charge in a field that grows takes 0.58 of the time that two shears take,
-/// and oscillators of which nothing is small 1.4 at most.
+/// If pieces share a motion of frequency ω, the error is of size (hω)ⁿ, however small the rest is. Around linear motion, the error is
+/// proportional to the rest, at almost the same cost.
 fn around_linear_motion(graph: &mut Graph, energy: Id, space: Space) -> Option<Partition> {
     if space.action {
         return None;
@@ -102,7 +101,7 @@ fn around_linear_motion(graph: &mut Graph, energy: Id, space: Space) -> Option<P
     (partition.nystrom && !partition.ends_early).then_some(partition)
 }
 
-/// The pieces of H(q, p, t) where kick and drift are none, or not the pieces that the user wants.
+/// Returns the pieces of H(q, p, t) if kick and drift do not exist or if the user gave other groups.
 pub(crate) fn coupled_pieces(
     graph: &mut Graph,
     structure: &Structure,
@@ -116,8 +115,8 @@ pub(crate) fn coupled_pieces(
 
 impl Partition {
     fn of(graph: &mut Graph, pieces: Vec<Piece>) -> Partition {
-        let costs: Vec<usize> = pieces.iter().map(|piece| WAIT + cost(graph, piece)).collect();
-        // Twice a step, but the last one; the first one is merged with that of the step before.
+        let costs: Vec<usize> = pieces.iter().map(|piece| LATENCY + piece.cost(graph)).collect();
+        // A step applies each flow twice, except for the last flow. Its first flow merges with the last flow of the preceding step.
         let ends = [costs.first(), costs.last()].into_iter().flatten().sum::<usize>();
         let cost = if costs.len() > 1 { 2 * costs.iter().sum::<usize>() - ends } else { ends / 2 };
         let ends_early = pieces.iter().any(|piece| piece.flow.ends_early(graph));
@@ -129,45 +128,44 @@ impl Partition {
     }
 }
 
-/// What is in the middle of a step.
+/// The preferred piece in the middle of a step.
 #[derive(Clone, Copy)]
 enum Middle {
-    /// A kick: it leaves the smallest error. Else the most expensive piece, which is best gone through once.
+    /// A kick, because it gives the smallest error. Without a kick, the most expensive piece, because the middle flow is applied once.
     Kick,
-    /// What reads positions and momenta, around it drifts, around these kicks: of all orders of four shears the best four are such.
+    /// A piece that reads positions and momenta. Drifts surround it, and kicks surround the drifts. This rule gives the four smallest errors among
+    /// all orders of four shears.
     Mixed,
 }
 
-/// Pieces in the order of half a step.
-fn ordered(graph: &mut Graph, found: Vec<Piece>, middle: Middle) -> Vec<Piece> {
-    let mut pieces: Vec<((usize, usize), Piece)> = vec![];
-    for piece in found {
+/// Sorts pieces into the order of half a step. Among pieces of equal rank, the cheapest is first.
+fn ordered(graph: &mut Graph, mut pieces: Vec<Piece>, middle: Middle) -> Vec<Piece> {
+    pieces.sort_by_cached_key(|piece| {
         let reads = graph.reads(piece.energy);
         let rank = match middle {
             Middle::Kick => usize::from(reads.q && reads.kinds() == 1),
             Middle::Mixed => reads.kinds() + usize::from(reads.p),
         };
-        pieces.push(((rank, cost(graph, &piece)), piece));
-    }
-    pieces.sort_by_key(|(rank, _)| *rank);
-    pieces.into_iter().map(|(_, piece)| piece).collect()
+        (rank, piece.cost(graph))
+    });
+    pieces
 }
 
-/// Which of two partitions is better.
+/// A criterion for the better of two partitions.
 #[derive(Clone, Copy)]
 enum Measure {
-    /// That with fewer pieces; of equal numbers, that whose rules come first.
+    /// Fewer pieces. For equal numbers, families earlier in the list.
     Fewest,
-    /// That whose flows cost less; of equal costs, that with fewer pieces.
+    /// A lower cost of the flows. For equal costs, fewer pieces, then families earlier in the list.
     Cheapest,
 }
 
-/// A partition of some atoms, by sets of their numbers as bits.
+/// A partition of some atoms. A set of atoms is a number: bit i stands for atom i.
 #[derive(Clone, Debug, Default)]
 struct Choice {
     cost: usize,
     groups: Vec<usize>,
-    /// Of the rules behind the groups, in order.
+    /// The positions of the groups' families in the list, in ascending order.
     ranks: Vec<usize>,
 }
 
@@ -187,7 +185,7 @@ impl Choice {
     }
 }
 
-/// All sets of atoms, with the pieces that they are and what these cost.
+/// A search over all sets of atoms. Caches the piece of each set with its cost.
 struct Search<'a> {
     atoms: &'a [Id],
     space: Space,
@@ -199,31 +197,37 @@ impl<'a> Search<'a> {
         Search { atoms, space, known: BTreeMap::new() }
     }
 
+    /// Returns the piece of a set of atoms with its cost, if a family knows its flow. With an action, costs are not compared and are zero.
     fn attempt(&mut self, graph: &mut Graph, set: usize) -> Option<(Piece, usize)> {
         let Search { atoms, space, known } = self;
         let found = known.entry(set).or_insert_with(|| {
             let terms: Vec<Id> = (0..atoms.len()).filter(|i| set >> i & 1 == 1).map(|i| atoms[i]).collect();
             let energy = graph.sum(&terms);
             let piece = piece(graph, energy, *space)?;
-            let cost = if space.action { 0 } else { cost(graph, &piece) };
+            let cost = if space.action { 0 } else { piece.cost(graph) };
             Some((piece, cost))
         });
         found.clone()
     }
 
-    /// The best partition; or a term that is in no piece.
+    /// Returns the first atom that is not a piece by itself.
+    fn first_without_flow(&mut self, graph: &mut Graph) -> Option<Id> {
+        (0..self.atoms.len()).find(|i| self.attempt(graph, 1 << i).is_none()).map(|i| self.atoms[i])
+    }
+
+    /// Returns the best partition, or a term that belongs to no piece, by dynamic programming over all sets of atoms.
     fn best(&mut self, graph: &mut Graph, energy: Id, measure: Measure) -> Result<Vec<Piece>, Id> {
-        // Without an action no family needs a term that has no flow of its own.
+        // Without an action, a term without a flow of its own belongs to no family.
         if !self.space.action
-            && let Some(alone) = (0..self.atoms.len()).find(|i| self.attempt(graph, 1 << i).is_none())
+            && let Some(term) = self.first_without_flow(graph)
         {
-            return Err(self.atoms[alone]);
+            return Err(term);
         }
         let whole = (1_usize << self.atoms.len()) - 1;
         // The best choice for every set of atoms.
         let mut best: Vec<Option<Choice>> = vec![Some(Choice::default())];
         for set in 1..=whole {
-            // One piece has the lowest atom; that alone, or with others.
+            // Exactly one group contains the lowest atom.
             let lowest = set & set.wrapping_neg();
             let mut choice: Option<Choice> = None;
             for others in subsets(set ^ lowest) {
@@ -238,33 +242,19 @@ impl<'a> Search<'a> {
             }
             best.push(choice);
         }
-        match &best[whole] {
-            Some(Choice { groups, .. }) => {
-                Ok(groups.iter().filter_map(|group| self.attempt(graph, *group)).map(|(piece, _)| piece).collect())
-            }
-            None => {
-                let alone = (0..self.atoms.len()).find(|i| self.attempt(graph, 1 << i).is_none());
-                Err(alone.map_or(energy, |i| self.atoms[i]))
-            }
-        }
+        let Some(Choice { groups, .. }) = &best[whole] else {
+            return Err(self.first_without_flow(graph).unwrap_or(energy));
+        };
+        Ok(groups.iter().filter_map(|group| self.attempt(graph, *group)).map(|(piece, _)| piece).collect())
     }
 }
 
-/// All subsets of a set of bits, the set itself first.
+/// Returns all subsets of a set of bits. The full set comes first.
 fn subsets(set: usize) -> impl Iterator<Item = usize> {
     std::iter::successors(Some(set), move |subset| (*subset != 0).then(|| (subset - 1) & set))
 }
 
+/// Returns the position of the piece's family in the list.
 fn rank(piece: &Piece) -> usize {
-    FAMILIES.iter().position(|family| std::ptr::eq(family, piece.family)).unwrap_or(FAMILIES.len())
-}
-
-/// What a flow costs wherever it is applied, after what is computed once a step: its operations, and one for each coordinate that it
-/// changes, so that two kicks are dearer than one.
-fn cost(graph: &mut Graph, piece: &Piece) -> usize {
-    let ends: Vec<Id> = piece.flow.changed(graph).into_iter().map(|(_, end)| end).collect();
-    let count = ends.len();
-    let mut kernel = Kernel::new(piece.levels(), vec![Routine::row("end", ends)]);
-    kernel.schedule(graph);
-    count + kernel.operations().weight()
+    FAMILIES.iter().position(|family| family.name == piece.family.name).unwrap_or(FAMILIES.len())
 }

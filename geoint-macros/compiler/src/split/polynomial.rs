@@ -1,31 +1,28 @@
-//! An expression as a sum of powers of some of its symbols, with coefficients that are free of them.
+//! Expressions as sums of powers of chosen symbols. The coefficients do not read these symbols.
 
 use crate::analyze;
 use crate::diff;
-use crate::ir::{Graph, Id, Node, Ratio, Symbol, Table};
+use crate::ir::{Graph, Id, Node, Number, Ratio, Symbol, Table};
 use std::collections::BTreeMap;
 
-/// Which symbols to which powers; those to the power 0 left out.
+/// The exponent of each symbol in a product of powers. Symbols with exponent 0 are absent.
 pub(super) type Monomial = BTreeMap<Symbol, Ratio>;
 
-/// Σ coefficient·monomial. Powers may be negative, or half of an odd number.
+/// Σ coefficient·monomial. Exponents are integers or halves of odd integers, and may be negative.
 #[derive(Clone, Debug)]
-pub(super) struct Polynomial(BTreeMap<Key, (Monomial, Id)>);
+pub(super) struct Polynomial(BTreeMap<Monomial, Id>);
 
-/// A monomial in an order of its own.
-type Key = Vec<(Symbol, (i128, i128))>;
-
-/// Products of sums have this many terms at most.
+/// The largest number of terms of a product of polynomials.
 const MAX_TERMS: usize = 64;
 
 impl Polynomial {
-    /// `root` as powers of the symbols that `counts` picks, if it is such a sum.
+    /// Returns `root` as a polynomial in the symbols that `counts` selects, or `None` if `root` is not a polynomial.
     pub(super) fn of(graph: &mut Graph, root: Id, counts: &impl Fn(Symbol) -> bool) -> Option<Polynomial> {
-        // Most expressions are none, and looking costs less than products do.
-        if can_be(graph, root, counts) { Self::found(graph, root, counts) } else { None }
+        // Most expressions are not polynomials, and the test costs less than the expansion of products.
+        if is_algebraic(graph, root, counts) { Self::expanded(graph, root, counts) } else { None }
     }
 
-    fn found(graph: &mut Graph, root: Id, counts: &impl Fn(Symbol) -> bool) -> Option<Polynomial> {
+    fn expanded(graph: &mut Graph, root: Id, counts: &impl Fn(Symbol) -> bool) -> Option<Polynomial> {
         match graph.node(root).clone() {
             Node::Symbol(symbol) if counts(symbol) => {
                 let one = graph.integer(1);
@@ -36,25 +33,25 @@ impl Polynomial {
                 let constant = graph.number(constant);
                 let mut sum = Self::term(Monomial::new(), constant);
                 for (c, term) in terms {
-                    for (monomial, coefficient) in Self::found(graph, term, counts)?.0.into_values() {
+                    for (monomial, coefficient) in Self::expanded(graph, term, counts)?.0 {
                         let coefficient = graph.scale(c, coefficient);
                         sum.add(graph, monomial, coefficient);
                     }
                 }
-                Some(sum.cleaned(graph))
+                Some(sum.without_zeros(graph))
             }
             Node::Product(ids) => {
                 let one = graph.integer(1);
                 ids.into_iter().try_fold(Self::term(Monomial::new(), one), |product, id| {
-                    let factor = Self::found(graph, id, counts)?;
+                    let factor = Self::expanded(graph, id, counts)?;
                     product.times(graph, &factor)
                 })
             }
             Node::Power(base, exponent) => {
-                let base = Self::found(graph, base, counts)?;
+                let base = Self::expanded(graph, base, counts)?;
                 if let Some((monomial, coefficient)) = base.single() {
                     let powers: Option<Monomial> = monomial.iter().map(|(s, r)| Some((*s, r.mul(exponent)?))).collect();
-                    // √(x²) is |x|.
+                    // √(x²) is |x|, so exponents multiply only if no sign is lost.
                     let signed = exponent.is_integer() || monomial.values().all(|r| !r.is_integer());
                     let plain = monomial.values().all(|r| *r == Ratio::ONE);
                     if signed || plain && is_one(graph, coefficient) {
@@ -72,23 +69,22 @@ impl Polynomial {
     }
 
     fn term(monomial: Monomial, coefficient: Id) -> Polynomial {
-        Polynomial(BTreeMap::from([(key(&monomial), (monomial, coefficient))]))
+        Polynomial(BTreeMap::from([(monomial, coefficient)]))
     }
 
     fn add(&mut self, graph: &mut Graph, monomial: Monomial, coefficient: Id) {
-        let entry = self.0.entry(key(&monomial));
-        entry.and_modify(|(_, sum)| *sum = graph.add(*sum, coefficient)).or_insert((monomial, coefficient));
+        self.0.entry(monomial).and_modify(|sum| *sum = graph.add(*sum, coefficient)).or_insert(coefficient);
     }
 
-    fn cleaned(mut self, graph: &Graph) -> Polynomial {
-        self.0.retain(|_, (_, coefficient)| !graph.is_zero(*coefficient));
+    fn without_zeros(mut self, graph: &Graph) -> Polynomial {
+        self.0.retain(|_, coefficient| !graph.is_zero(*coefficient));
         self
     }
 
     fn times(&self, graph: &mut Graph, other: &Polynomial) -> Option<Polynomial> {
         let mut product = Polynomial(BTreeMap::new());
-        for (left, a) in self.0.values() {
-            for (right, b) in other.0.values() {
+        for (left, a) in &self.0 {
+            for (right, b) in &other.0 {
                 let mut monomial = left.clone();
                 for (symbol, power) in right {
                     let sum = monomial.get(symbol).map_or(Some(*power), |own| own.add(*power))?;
@@ -99,39 +95,53 @@ impl Polynomial {
                 product.add(graph, monomial, coefficient);
             }
         }
-        (product.0.len() <= MAX_TERMS).then(|| product.cleaned(graph))
+        (product.0.len() <= MAX_TERMS).then(|| product.without_zeros(graph))
     }
 
-    /// The terms: powers and coefficient.
+    /// Returns the monomials with their coefficients.
     pub(super) fn terms(&self) -> impl Iterator<Item = (&Monomial, Id)> {
-        self.0.values().map(|(monomial, coefficient)| (monomial, *coefficient))
+        self.0.iter().map(|(monomial, coefficient)| (monomial, *coefficient))
     }
 
-    /// The same, kept for when the graph is written to.
+    /// Returns the monomials with their coefficients, and consumes the polynomial.
     pub(super) fn into_terms(self) -> impl Iterator<Item = (Monomial, Id)> {
-        self.0.into_values()
+        self.0.into_iter()
     }
 
-    /// The only term, if there is just one.
+    /// Returns the term of a polynomial with exactly one term.
     pub(super) fn single(&self) -> Option<(&Monomial, Id)> {
         let mut terms = self.terms();
         terms.next().filter(|_| terms.next().is_none())
     }
 
-    /// The coefficient of a product of powers; zero if there is no such term.
+    /// Returns the coefficient of a product of powers, or zero if there is no such term.
     pub(super) fn coefficient(&self, graph: &mut Graph, powers: &[(Symbol, i128)]) -> Id {
         let monomial: Monomial = powers.iter().map(|(symbol, power)| (*symbol, Ratio::integer(*power))).collect();
-        self.0.get(&key(&monomial)).map_or_else(|| graph.zero(), |(_, coefficient)| *coefficient)
+        self.0.get(&monomial).copied().unwrap_or_else(|| graph.zero())
     }
 
-    /// Whether all terms have one of these powers.
+    /// Returns the constant ∂²/∂a∂b of the quadratic terms.
+    pub(super) fn second_derivative(&self, graph: &mut Graph, a: Symbol, b: Symbol) -> Id {
+        if a == b {
+            let half = self.coefficient(graph, &[(a, 2)]);
+            return graph.scale(Number::integer(2), half);
+        }
+        self.coefficient(graph, &[(a, 1), (b, 1)])
+    }
+
+    /// Returns whether all monomials are `allowed`.
     pub(super) fn has_only(&self, allowed: impl Fn(&Monomial) -> bool) -> bool {
-        self.terms().all(|(monomial, _)| allowed(monomial))
+        self.0.keys().all(allowed)
+    }
+
+    /// Returns whether every term has degree 0 or 1.
+    pub(super) fn is_affine(&self) -> bool {
+        self.has_only(|monomial| monomial.is_empty() || is_linear(monomial))
     }
 }
 
-/// Whether nothing but sums, products and powers is between an expression and the symbols. Each node is asked once: sums of sums may share them.
-fn can_be(graph: &Graph, root: Id, counts: &impl Fn(Symbol) -> bool) -> bool {
+/// Returns whether only sums, products and powers lie between an expression and the selected symbols. Visits each node once.
+fn is_algebraic(graph: &Graph, root: Id, counts: &impl Fn(Symbol) -> bool) -> bool {
     let mut seen: Table<()> = Table::default();
     let mut open = vec![root];
     while let Some(id) = open.pop() {
@@ -150,28 +160,29 @@ fn can_be(graph: &Graph, root: Id, counts: &impl Fn(Symbol) -> bool) -> bool {
     true
 }
 
-fn key(monomial: &Monomial) -> Key {
-    monomial.iter().map(|(symbol, r)| (*symbol, (r.numerator, r.denominator))).collect()
-}
-
 fn is_one(graph: &Graph, id: Id) -> bool {
     graph.as_number(id).is_some_and(|x| x.to_f64() == 1.0)
 }
 
-/// Whether a node reads none of the symbols.
+/// Returns whether an expression reads none of the symbols that `counts` selects.
 pub(super) fn is_free(graph: &Graph, root: Id, counts: &impl Fn(Symbol) -> bool) -> bool {
     !graph.reads_any(root, counts)
 }
 
-/// a of a·x + b with a and b that are free of x. Derivatives do not show that b is another one beyond a condition that x changes.
+/// Returns whether an expression reads a symbol.
+pub(super) fn reads(graph: &Graph, root: Id, symbol: Symbol) -> bool {
+    graph.reads_any(root, |other| other == symbol)
+}
+
+/// Returns a of a·x + b if a and b do not read x. Conditions must not read x either, because derivatives do not show that b changes at a
+/// condition.
 pub(super) fn slope_of_line(graph: &mut Graph, line: Id, x: Symbol) -> Option<Id> {
     let slope = diff::partial(graph, line, x);
     let conditions = analyze::conditions(graph, line);
-    let steady = |id: &Id| is_free(graph, *id, &|symbol| symbol == x);
-    [slope].iter().chain(&conditions).all(steady).then_some(slope)
+    [slope].iter().chain(&conditions).all(|id| !reads(graph, *id, x)).then_some(slope)
 }
 
-/// coefficient·monomial.
+/// Returns coefficient·monomial.
 pub(super) fn times_powers(graph: &mut Graph, coefficient: Id, monomial: &Monomial) -> Id {
     monomial.iter().fold(coefficient, |term, (symbol, power)| {
         let symbol = graph.symbol(*symbol);
@@ -180,46 +191,27 @@ pub(super) fn times_powers(graph: &mut Graph, coefficient: Id, monomial: &Monomi
     })
 }
 
-/// The exponents of one symbol in a monomial.
+/// Returns the exponent of a symbol in a monomial.
 pub(super) fn power(monomial: &Monomial, symbol: Symbol) -> Ratio {
-    monomial.get(&symbol).copied().unwrap_or(Ratio::integer(0))
+    monomial.get(&symbol).copied().unwrap_or(Ratio::ZERO)
 }
 
-/// Bases and exponents of a product, also within powers of products.
-pub(super) fn factors(graph: &Graph, id: Id) -> Vec<(Id, Ratio)> {
-    let within = |(base, exponent): (Id, Ratio)| match graph.node(base) {
-        Node::Product(_) if exponent.is_integer() => {
-            let inner = factors(graph, base).into_iter();
-            let powers: Option<Vec<_>> = inner.map(|(base, inner)| Some((base, inner.mul(exponent)?))).collect();
-            powers.unwrap_or_else(|| vec![(base, exponent)])
-        }
-        _ => vec![(base, exponent)],
-    };
-    graph.factors(id).into_iter().flat_map(within).collect()
+/// Returns the degree of a monomial, or `None` on overflow.
+pub(super) fn degree(monomial: &Monomial) -> Option<Ratio> {
+    monomial.values().copied().try_fold(Ratio::ZERO, Ratio::add)
 }
 
-/// a/b without the factors that both have: they may be zero.
-pub(super) fn quotient(graph: &mut Graph, a: Id, b: Id) -> Id {
-    let ((above, a), (below, b)) = (graph.coefficient(a), graph.coefficient(b));
-    let (mut quotient, mut divisors) = (graph.number(above), factors(graph, b));
-    for (base, exponent) in factors(graph, a) {
-        match divisors.iter().position(|divisor| *divisor == (base, exponent)) {
-            Some(i) => drop(divisors.swap_remove(i)),
-            None => {
-                let factor = graph.pow(base, exponent);
-                quotient = graph.mul(quotient, factor);
-            }
-        }
-    }
-    let mut divisor = graph.number(below);
-    for (base, exponent) in divisors {
-        let factor = graph.pow(base, exponent);
-        divisor = graph.mul(divisor, factor);
-    }
-    graph.div(quotient, divisor)
+/// Returns whether all exponents are positive integers.
+pub(super) fn is_whole(monomial: &Monomial) -> bool {
+    monomial.values().all(|power| power.is_integer() && power.numerator > 0)
 }
 
-/// The only momentum of a monomial, and its power.
+/// Returns whether a monomial is a single symbol.
+pub(super) fn is_linear(monomial: &Monomial) -> bool {
+    monomial.values().eq([&Ratio::ONE])
+}
+
+/// Returns the momentum of a monomial that contains exactly one, as its index and exponent.
 pub(super) fn single_momentum(monomial: &Monomial) -> Option<(u32, Ratio)> {
     let mut momenta = monomial.iter().filter_map(|(symbol, power)| match symbol {
         Symbol::Momentum(i) => Some((*i, *power)),
@@ -228,23 +220,15 @@ pub(super) fn single_momentum(monomial: &Monomial) -> Option<(u32, Ratio)> {
     momenta.next().filter(|_| momenta.next().is_none())
 }
 
-/// The factors of a product that do not read a symbol, and those that do.
-pub(super) fn parted(graph: &mut Graph, id: Id, symbol: Symbol) -> (Id, Id) {
-    let (c, rest) = graph.coefficient(id);
-    let (mut free, mut reading) = (graph.number(c), graph.integer(1));
-    for (base, exponent) in factors(graph, rest) {
-        let factor = graph.pow(base, exponent);
-        let side = if is_free(graph, factor, &|other| other == symbol) { &mut free } else { &mut reading };
-        *side = graph.mul(*side, factor);
+/// Returns the index of the degree of freedom of a position or momentum.
+pub(super) fn degree_of_freedom(symbol: Symbol) -> Option<u32> {
+    match symbol {
+        Symbol::Position(i) | Symbol::Momentum(i) => Some(i),
+        _ => None,
     }
-    (free, reading)
 }
 
+/// Returns whether a symbol is a momentum.
 pub(super) fn is_momentum(symbol: Symbol) -> bool {
     matches!(symbol, Symbol::Momentum(_))
-}
-
-/// Σ powers, each of the momenta together.
-pub(super) fn degree(powers: impl IntoIterator<Item = Ratio>) -> Option<Ratio> {
-    powers.into_iter().try_fold(Ratio::ZERO, Ratio::add)
 }

@@ -1,31 +1,33 @@
-//! x' = g(x), everything else frozen: the equations with a solution in closed form, one rule each.
+//! Scalar equations x' = g(x) with a solution in closed form. All other symbols are constant.
 //!
-//! What a rule returns is x at the end of the flow; where the solution has come to a pole before that, it is not a number.
+//! Each rule returns x at the end of the flow. The result is NaN if the solution reaches a pole before the end.
 
 mod quadrature;
 
-use super::polynomial::{Monomial, Polynomial, factors, is_free, power, slope_of_line};
+use super::polynomial::{Polynomial, power, reads, slope_of_line};
+use super::products::ScaledPower;
 use super::time::{Clock, OverTime, over_time};
 use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
 
-/// An equation for one variable.
+/// A differential equation for one variable.
 pub(super) struct Equation {
     pub(super) x: Symbol,
     pub(super) rate: Id,
     pub(super) clock: Clock,
 }
 
-/// Where x is at the end of the flow.
+/// The solution of a scalar equation.
 pub(super) struct Solution {
+    /// x at the end of the flow.
     pub(super) end: Id,
-    /// ∂end/∂x, which has no sums that cancel where a flow forgets its start, as the derivative of a formula has.
+    /// ∂end/∂x. Unlike the derivative of the formula for `end`, it has no cancelling sums when a flow approaches an attractor.
     pub(super) by_start: Id,
 }
 
-/// The solutions of one kind of right-hand sides.
+/// A rule for one kind of right-hand sides.
 type Solve = fn(&mut Graph, &Equation) -> Option<Solution>;
 
-/// In order of preference: the first one that fits is taken.
+/// The rules in order of preference. The first rule with a solution is used.
 const SOLUTIONS: &[Solve] = &[
     // b
     constant,
@@ -39,42 +41,37 @@ const SOLUTIONS: &[Solve] = &[
     riccati,
     // a + b·exp(k·x)
     quadrature::exponential,
-    // a·F(k·x + c), with F one of sin, cos, sinh, tanh, 1/cosh
+    // a·F(k·x + c) with F one of sin, cos, sinh, tanh, 1/cosh
     quadrature::quadrature,
 ];
 
-/// x at the end of the flow.
+/// Returns the solution by the first rule that applies.
 pub(super) fn solve(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
     SOLUTIONS.iter().find_map(|solve| solve(graph, equation))
 }
 
 impl Equation {
-    /// The rate as a sum of powers of x.
+    /// Returns the rate as exponents of x with coefficients.
     fn powers(&self, graph: &mut Graph) -> Option<Vec<(Ratio, Id)>> {
         let x = self.x;
         let polynomial = Polynomial::of(graph, self.rate, &|symbol| symbol == x)?;
-        Some(
-            polynomial
-                .terms()
-                .map(|(monomial, coefficient): (&Monomial, Id)| (power(monomial, x), coefficient))
-                .collect(),
-        )
+        Some(polynomial.into_terms().map(|(monomial, coefficient)| (power(&monomial, x), coefficient)).collect())
     }
 
-    /// What multiplies h in a solution for coefficients that do not depend on time.
+    /// Returns h if the coefficients are constant in time. Formulas for constant coefficients multiply them by h.
     fn steady(&self, graph: &mut Graph, coefficients: &[Id]) -> Option<Id> {
-        let steady = coefficients.iter().all(|id| is_free(graph, *id, &|symbol| symbol == Symbol::Time));
-        (steady || self.clock == Clock::Stage).then(|| graph.symbol(Symbol::StepLength))
+        let steady = coefficients.iter().all(|id| self.clock.is_steady(graph, *id));
+        steady.then(|| graph.symbol(Symbol::StepLength))
     }
 }
 
+/// x + ∫b dt.
 fn constant(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
-    let x = equation.x;
-    if !is_free(graph, equation.rate, &|symbol| symbol == x) {
+    if reads(graph, equation.rate, equation.x) {
         return None;
     }
     let change = equation.clock.over_step(graph, equation.rate)?;
-    let x = graph.symbol(x);
+    let x = graph.symbol(equation.x);
     Some(Solution { end: graph.add(x, change), by_start: graph.integer(1) })
 }
 
@@ -90,16 +87,17 @@ fn affine(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
         [(Ratio::ZERO, b), (Ratio::ONE, a)] => {
             let h = equation.steady(graph, &[a, b])?;
             let z = graph.mul(a, h);
-            let (growth, mean) = growth_and_mean(graph, z);
+            // Not 1 + zφ₁(z), which cancels after a strong decay.
+            let [growth, mean] = [Function::Exp, Function::Phi1].map(|function| graph.call(function, &[z]));
             let change = graph.mul(z, mean);
-            let terms = [grown(graph, x, [z, change]), graph.product(&[b, h, mean])];
+            let terms = [grown(graph, x, z, change), graph.product(&[b, h, mean])];
             Some(Solution { end: graph.sum(&terms), by_start: growth })
         }
         _ => None,
     }
 }
 
-/// exp(∫a dt); (t₀/t₁)^k for a = −k/t.
+/// exp(∫a dt), which is (t₀/t₁)^k for a = −k/t.
 fn growth(graph: &mut Graph, equation: &Equation, a: Id) -> Option<Id> {
     if equation.clock == Clock::Own
         && let Some(OverTime { k, time }) = over_time(graph, a)
@@ -107,7 +105,7 @@ fn growth(graph: &mut Graph, equation: &Equation, a: Id) -> Option<Id> {
         return Some(match graph.as_number(k) {
             Some(Number::Exact(k)) if k.denominator <= 2 => {
                 let ratio = time.ratio(graph);
-                graph.pow(ratio, k.mul(Ratio::integer(-1))?)
+                graph.pow(ratio, k.neg())
             }
             _ => {
                 let ln = time.ln_ratio(graph);
@@ -120,15 +118,10 @@ fn growth(graph: &mut Graph, equation: &Equation, a: Id) -> Option<Id> {
     Some(graph.call(Function::Exp, &[z]))
 }
 
-/// x·eᶻ, with eᶻ − 1 at hand.
-pub(super) fn grown(graph: &mut Graph, x: Id, [z, change]: [Id; 2]) -> Id {
+/// Returns x·eᶻ, computed from `change` = eᶻ − 1.
+pub(super) fn grown(graph: &mut Graph, x: Id, z: Id, change: Id) -> Id {
     let rest = graph.call(Function::Rest, &[z, change]);
     graph.call(Function::Grown, &[x, rest, change])
-}
-
-/// eᶻ and φ₁(z). (Not 1 + zφ₁(z), of which nothing is left after a strong decay.)
-pub(super) fn growth_and_mean(graph: &mut Graph, z: Id) -> (Id, Id) {
-    (graph.call(Function::Exp, &[z]), graph.call(Function::Phi1, &[z]))
 }
 
 /// x·E·D^(−1/m) with m = k − 1, E = e^(ah), D = 1 − m·b·xᵐ·h·φ₁(m·a·h).
@@ -157,13 +150,13 @@ fn bernoulli(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
     let change = graph.mul(weight, power);
     let change = graph.scale(Number::Exact(m).neg(), change);
     let d = graph.add(one, change);
-    let inverse = m.recip()?.mul(Ratio::integer(-1))?;
+    let inverse = m.recip()?.neg();
     let [shrunk, slope] = [inverse, k.mul(inverse)?].map(|exponent| positive_power(graph, d, exponent));
     let end = graph.product(&[x, growth, shrunk]);
     Some(Solution { end, by_start: graph.mul(growth, slope) })
 }
 
-/// A power of what must not be negative.
+/// Returns a power of `base`, or NaN if `base` is negative.
 pub(super) fn positive_power(graph: &mut Graph, base: Id, exponent: Ratio) -> Id {
     let base = graph.call(Function::NotNegative, &[base]);
     if exponent.denominator <= 2 {
@@ -173,22 +166,12 @@ pub(super) fn positive_power(graph: &mut Graph, base: Id, exponent: Ratio) -> Id
     graph.call(Function::Powf, &[base, exponent])
 }
 
-/// With y = a·x + c, m = k − 1 and u = −m·a·b·h·yᵐ: x + (y/a)·((1 + u)^(−1/m) − 1), also for a = 0.
+/// x + (y/a)·((1 + u)^(−1/m) − 1) with y = a·x + c, m = k − 1 and u = −m·a·b·h·yᵐ. The formula holds for a = 0, too.
 fn shifted_power(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
-    let own = equation.x;
-    let (c, rest) = graph.coefficient(equation.rate);
-    let (mut b, mut found) = (graph.number(c), None);
-    for (base, exponent) in factors(graph, rest) {
-        if !is_free(graph, base, &|symbol| symbol == own) {
-            found = Some((base, exponent)).filter(|_| found.is_none());
-            found?;
-        } else {
-            let factor = graph.pow(base, exponent);
-            b = graph.mul(b, factor);
-        }
-    }
-    let (y, k) = found.filter(|(_, k)| *k != Ratio::ONE)?;
-    let a = slope_of_line(graph, y, own)?;
+    let x = equation.x;
+    let ScaledPower { coefficient: b, base: y, exponent: k } =
+        ScaledPower::of(graph, equation.rate, &|symbol| symbol == x).filter(|power| power.exponent != Ratio::ONE)?;
+    let a = slope_of_line(graph, y, x)?;
     equation.steady(graph, &[y])?;
     let m = k.add(Ratio::integer(-1))?;
     let weight = equation.clock.over_step(graph, b)?;
@@ -196,16 +179,16 @@ fn shifted_power(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
     let relative = graph.mul(weight, power);
     let relative = graph.scale(Number::Exact(m).neg(), relative);
     let u = graph.mul(a, relative);
-    let inverse = m.recip()?.mul(Ratio::integer(-1))?;
+    let inverse = m.recip()?.neg();
     let mean = mean_of_power(graph, u, inverse)?;
     let change = graph.product(&[y, relative, mean]);
-    let (x, one) = (graph.symbol(own), graph.integer(1));
+    let (x, one) = (graph.symbol(x), graph.integer(1));
     let d = graph.add(one, u);
     let by_start = positive_power(graph, d, k.mul(inverse)?);
     Some(Solution { end: graph.add(x, change), by_start })
 }
 
-/// ((1 + u)^r − 1)/u without a difference, also for u = 0.
+/// Returns ((1 + u)^r − 1)/u without cancellation. The value at u = 0 is r.
 pub(super) fn mean_of_power(graph: &mut Graph, u: Id, r: Ratio) -> Option<Id> {
     let one = graph.integer(1);
     let d = graph.add(one, u);
@@ -218,12 +201,7 @@ pub(super) fn mean_of_power(graph: &mut Graph, u: Id, r: Ratio) -> Option<Id> {
         let mean = graph.mul(mean_of_ln, mean);
         return Some(graph.scale(Number::Exact(r), mean));
     }
-    // (dⁿ − 1)/u = 1 + d + … + dⁿ⁻¹.
-    let mut mean = graph.zero();
-    for _ in 0..r.numerator.abs() {
-        let inner = graph.mul(d, mean);
-        mean = graph.add(one, inner);
-    }
+    let mut mean = geometric_sum(graph, d, r.numerator.abs());
     if r.denominator == 2 {
         let root = graph.pow(d, Ratio { numerator: r.numerator.abs(), ..r });
         let root = graph.add(one, root);
@@ -237,8 +215,17 @@ pub(super) fn mean_of_power(graph: &mut Graph, u: Id, r: Ratio) -> Option<Id> {
     Some(mean)
 }
 
-/// The quotient of the solutions of a linear equation: with ω² = ac − b²/4, C = c₀(ω²h²) and S = h·c₁(ω²h²),
-/// (x·(C + S·b/2) + c·S)/(C − S·(a·x + b/2)).
+/// Returns 1 + d + … + dⁿ⁻¹ = (dⁿ − 1)/(d − 1) by Horner's rule.
+pub(super) fn geometric_sum(graph: &mut Graph, d: Id, n: i128) -> Id {
+    let (one, zero) = (graph.integer(1), graph.zero());
+    (0..n).fold(zero, |sum, _| {
+        let inner = graph.mul(d, sum);
+        graph.add(one, inner)
+    })
+}
+
+/// (x·(C + S·b/2) + c·S)/(C − S·(a·x + b/2)), the quotient of the solutions of a linear equation, with ω² = ac − b²/4, C = cos ωh,
+/// S = sin ωh/ω.
 fn riccati(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
     let powers = equation.powers(graph)?;
     if powers.iter().any(|(power, _)| !power.is_integer() || !(0..=2).contains(&power.numerator)) {
@@ -254,7 +241,7 @@ fn riccati(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
     let product = graph.mul(a, c);
     let square = graph.pow(half_b, Ratio::integer(2));
     let square = graph.sub(product, square);
-    let (cosine, sine) = rotation(graph, square, h, true);
+    let (cosine, sine) = rotation(graph, square, h, Angle::BelowHalfTurn);
     let with_c = graph.mul(c, sine);
     let scaled = graph.mul(half_b, sine);
     let grown = graph.add(cosine, scaled);
@@ -269,21 +256,29 @@ fn riccati(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
     Some(Solution { end, by_start: graph.pow(below, Ratio::integer(2)) })
 }
 
-/// cos ωh and sin ωh/ω from ω², of either sign; `half` if there is a pole before half a turn.
-pub(super) fn rotation(graph: &mut Graph, square: Id, h: Id, half: bool) -> (Id, Id) {
+/// The angles ωh for which a solution with cos ωh and sin ωh is valid.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Angle {
+    Any,
+    /// The solution has a pole before half a turn. The flow is NaN beyond half a turn.
+    BelowHalfTurn,
+}
+
+/// Returns cos ωh and sin ωh/ω for ω² of either sign.
+pub(super) fn rotation(graph: &mut Graph, omega_squared: Id, h: Id, valid: Angle) -> (Id, Id) {
     let h_squared = graph.pow(h, Ratio::integer(2));
-    let mut angle = graph.mul(square, h_squared);
-    if half {
+    let mut angle_squared = graph.mul(omega_squared, h_squared);
+    if valid == Angle::BelowHalfTurn {
         let pi = std::f64::consts::PI;
         let bound = graph.number(Number::float(pi * pi));
-        angle = graph.call(Function::AtMost, &[angle, bound]);
+        angle_squared = graph.call(Function::AtMost, &[angle_squared, bound]);
     }
-    let cosine = graph.call(Function::StumpffC0, &[angle]);
-    let sine = graph.call(Function::StumpffC1, &[angle]);
+    let cosine = graph.call(Function::StumpffC0, &[angle_squared]);
+    let sine = graph.call(Function::StumpffC1, &[angle_squared]);
     (cosine, graph.mul(h, sine))
 }
 
-/// ln(1 + u)/u, or 1.
+/// Returns ln(1 + u)/u, which is 1 for u = 0.
 fn mean_of_recip(graph: &mut Graph, u: Id) -> Id {
     let one = graph.integer(1);
     let end = graph.add(one, u);

@@ -1,23 +1,29 @@
-//! ∫ f dt over a step from t to t + h, where f has an elementary antiderivative.
+//! Time in flows: the exact integral of a rate over a step from t to t + h, if the rate has an elementary antiderivative.
 
-use super::polynomial::{Polynomial, factors, is_free, power, slope_of_line};
+use super::polynomial::{Polynomial, power, reads, slope_of_line};
+use super::products::{ScaledPower, Separated, separated};
 use crate::diff;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
 
-/// How time is dealt with in the flow of a piece.
+/// The treatment of time in the flow of a piece.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Clock {
-    /// Exactly: t is where the flow begins.
+    /// Exact. `Symbol::Time` is the time at the start of the flow.
     Own,
-    /// Frozen: t is the middle of the step.
+    /// Frozen. `Symbol::Time` is the time in the middle of the step.
     Stage,
 }
 
 impl Clock {
-    /// The integral of a rate over the flow; `None` if that has to be exact and is not elementary.
+    /// Returns whether time leaves the value of an expression unchanged during a flow with this clock.
+    pub(super) fn is_steady(self, graph: &Graph, id: Id) -> bool {
+        self == Clock::Stage || !reads(graph, id, Symbol::Time)
+    }
+
+    /// Returns the integral of a rate over the flow, or `None` if it has to be exact and is not elementary.
     pub(super) fn over_step(self, graph: &mut Graph, rate: Id) -> Option<Id> {
-        if self == Clock::Stage || is_free(graph, rate, &|symbol| symbol == Symbol::Time) {
+        if self.is_steady(graph, rate) {
             let h = graph.symbol(Symbol::StepLength);
             return Some(graph.mul(h, rate));
         }
@@ -25,7 +31,7 @@ impl Clock {
     }
 }
 
-/// Σ over terms: what does not depend on t, times the integral of a power, an exponential, a sine or a cosine of t.
+/// Integrates term by term. Each term is a factor free of t times a power, an exponential, a sine or a cosine of t.
 fn integral(graph: &mut Graph, rate: Id) -> Option<Id> {
     if let Node::Linear(constant, terms) = graph.node(rate).clone() {
         let h = graph.symbol(Symbol::StepLength);
@@ -37,28 +43,21 @@ fn integral(graph: &mut Graph, rate: Id) -> Option<Id> {
         }
         return Some(sum);
     }
-    let reads_t = |symbol| symbol == Symbol::Time;
-    let (mut constant, mut changing) = (graph.integer(1), graph.integer(1));
-    for (base, exponent) in factors(graph, rate) {
-        let factor = graph.pow(base, exponent);
-        let side = if is_free(graph, factor, &reads_t) { &mut constant } else { &mut changing };
-        *side = graph.mul(*side, factor);
+    let Separated { free, reading } = separated(graph, rate, Symbol::Time);
+    if matches!(graph.node(reading), Node::Linear(..)) {
+        let whole = integral(graph, reading)?;
+        return Some(graph.mul(free, whole));
     }
-    if matches!(graph.node(changing), Node::Linear(..)) {
-        let whole = integral(graph, changing)?;
-        return Some(graph.mul(constant, whole));
-    }
-    let mean = waves(graph, changing).or_else(|| powers(graph, changing))?;
+    let mean = mean_of_wave(graph, reading).or_else(|| mean_of_powers(graph, reading))?;
     let h = graph.symbol(Symbol::StepLength);
-    Some(graph.product(&[constant, h, mean]))
+    Some(graph.product(&[free, h, mean]))
 }
 
-/// The mean of an exponential, a sine or a cosine of a·t + b, whether a is zero or not.
-fn waves(graph: &mut Graph, rate: Id) -> Option<Id> {
-    let reads_t = |symbol| symbol == Symbol::Time;
+/// Returns the mean of an exponential, a sine or a cosine of a·t + b over the step. The formula holds for a = 0, too.
+fn mean_of_wave(graph: &mut Graph, rate: Id) -> Option<Id> {
     let Node::Call(function, args) = graph.node(rate).clone() else { return None };
-    let line = Polynomial::of(graph, args[0], &reads_t)?;
-    if !line.has_only(|monomial| [Ratio::ZERO, Ratio::ONE].contains(&power(monomial, Symbol::Time))) {
+    let line = Polynomial::of(graph, args[0], &|symbol| symbol == Symbol::Time)?;
+    if !line.is_affine() {
         return None;
     }
     let (primitive, sign) = match function {
@@ -73,7 +72,7 @@ fn waves(graph: &mut Graph, rate: Id) -> Option<Id> {
     Some(graph.scale(sign, mean))
 }
 
-/// (f(a + d) − f(a))/d, or f'(a).
+/// Returns the divided difference (f(a + d) − f(a))/d, which is f'(a) for d = 0.
 pub(super) fn slope(graph: &mut Graph, f: Function, a: Id, d: Id) -> Id {
     let t = graph.symbol(Symbol::Time);
     let value = graph.call(f, &[t]);
@@ -86,20 +85,20 @@ pub(super) fn slope(graph: &mut Graph, f: Function, a: Id, d: Id) -> Id {
     Substitution::new(ends).apply(graph, slope)
 }
 
-/// The mean of a sum of powers of t.
-fn powers(graph: &mut Graph, rate: Id) -> Option<Id> {
+/// Returns the mean of a sum of powers of t over the step.
+fn mean_of_powers(graph: &mut Graph, rate: Id) -> Option<Id> {
     let powers = Polynomial::of(graph, rate, &|symbol| symbol == Symbol::Time)?;
     let mut sum = graph.zero();
-    for (exponent, coefficient) in powers.terms().map(|(m, c)| (power(m, Symbol::Time), c)).collect::<Vec<_>>() {
-        // 1/t is dealt with where it appears: its exponential has no singularity at t = 0.
-        let next = exponent.add(Ratio::ONE).filter(|next| next.numerator != 0)?;
+    for (monomial, coefficient) in powers.into_terms() {
+        // Only `ShiftedTime` integrates 1/t, because the exponential of its integral has no singularity at t = 0.
+        let next = power(&monomial, Symbol::Time).add(Ratio::ONE).filter(|next| next.numerator != 0)?;
         let singular = next.is_integer() && next.numerator < 0;
         let [t, h] = [Symbol::Time, Symbol::StepLength].map(|symbol| graph.symbol(symbol));
-        let size = if singular { next.mul(Ratio::integer(-1))? } else { next };
+        let size = if singular { next.neg() } else { next };
         let value = graph.pow(t, size);
         let mut mean = diff::mean_rate(graph, value);
         if singular {
-            // Not across t = 0: (t^−m)[a, b] is −(tᵐ)[a, b]/(ab)ᵐ.
+            // (t^−m)[a, b] = −(tᵐ)[a, b]/(ab)ᵐ. NaN if the step passes t = 0.
             let end = graph.add(t, h);
             let product = graph.mul(t, end);
             let reciprocal = graph.call(Function::RecipPositive, &[product]);
@@ -119,11 +118,11 @@ pub(super) struct OverTime {
     pub(super) time: ShiftedTime,
 }
 
-/// τ = t₀ + t, which is singular where it is zero.
+/// τ = t₀ + t. Rates k/τ are singular at τ = 0.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) struct ShiftedTime(Id);
 
-/// k and τ where a rate is k/τ: with a number before t, and whatever else is free of time.
+/// Returns k and τ of a rate k/τ. The coefficient of t has to be a number, and k must not read t.
 pub(super) fn over_time(graph: &mut Graph, rate: Id) -> Option<OverTime> {
     if let Node::Linear(Number::ZERO, terms) = graph.node(rate).clone()
         && terms.len() > 1
@@ -139,26 +138,18 @@ pub(super) fn over_time(graph: &mut Graph, rate: Id) -> Option<OverTime> {
         }
         return common.map(|time| OverTime { k: sum, time });
     }
-    let (c, rest) = graph.coefficient(rate);
-    let (mut k, mut found) = (graph.number(c), None);
-    for (base, exponent) in factors(graph, rest) {
-        if is_free(graph, base, &|symbol| symbol == Symbol::Time) {
-            let factor = graph.pow(base, exponent);
-            k = graph.mul(k, factor);
-        } else if exponent == Ratio::integer(-1) && found.is_none() {
-            found = Some(base);
-        } else {
-            return None;
-        }
+    let ScaledPower { coefficient: k, base, exponent } =
+        ScaledPower::of(graph, rate, &|symbol| symbol == Symbol::Time)?;
+    if exponent != Ratio::integer(-1) {
+        return None;
     }
-    let base = found?;
     let slope = slope_of_line(graph, base, Symbol::Time)?;
     graph.as_number(slope).filter(|slope| !slope.is_zero())?;
     Some(OverTime { k: graph.div(k, slope), time: ShiftedTime(graph.div(base, slope)) })
 }
 
 impl ShiftedTime {
-    /// τ/(τ + h); not a number if the singular time lies between both.
+    /// Returns τ/(τ + h), or NaN if the step passes τ = 0.
     pub(super) fn ratio(self, graph: &mut Graph) -> Id {
         let h = graph.symbol(Symbol::StepLength);
         let end = graph.add(self.0, h);
@@ -166,7 +157,7 @@ impl ShiftedTime {
         graph.call(Function::NotNegative, &[ratio])
     }
 
-    /// ln((τ + h)/τ); not a number if the singular time lies between both.
+    /// Returns ln((τ + h)/τ), or NaN if the step passes τ = 0.
     pub(super) fn ln_ratio(self, graph: &mut Graph) -> Id {
         let h = graph.symbol(Symbol::StepLength);
         let relative = graph.div(h, self.0);

@@ -1,30 +1,28 @@
-//! Pieces that read linear forms in involution: all of these stay, and everything else moves along a straight line.
+//! Families "kick" and "forms in involution": energies that read only linear forms in involution. The forms are constant, and all coordinates
+//! move along straight lines.
 //!
-//! ℓ = a·q + b·p with numbers or parameters for a and b; two forms are in involution if a·b' = b·a'. Kicks, drifts, F(q₀, p₁),
-//! (p₁ − A(q₀))² and (q + p)⁴ are such pieces.
+//! A form is ℓ = a·q + b·p with numbers or parameters for a and b. Two forms are in involution if a·b' = b·a'. Examples are kicks, drifts,
+//! F(q₀, p₁), (p₁ − A(q₀))² and (q + p)⁴.
 
 use super::super::flow::{Flow, Group};
 use super::super::polynomial::{Polynomial, is_free};
-use super::super::time::Clock;
 use crate::diff;
-use crate::ir::{Graph, Id, Node, Number, Ratio, Symbol};
+use crate::ir::{Graph, Id, Node, Number, Symbol};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// V(q, t).
-pub(in super::super) fn kick(graph: &mut Graph, group: &Group) -> Option<Flow> {
+/// Returns the flow of V(q, t).
+pub(super) fn kick(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let moves = |symbol| matches!(symbol, Symbol::Momentum(_) | Symbol::Action);
     if is_free(graph, group.energy, &moves) { straight(graph, group) } else { None }
 }
 
-/// Coefficients of coordinates.
+/// The coefficients of the coordinates in a form.
 type Form = BTreeMap<Symbol, Id>;
 
-/// q moves by h ∂H/∂p, p by −h ∂H/∂q, both at the start.
-pub(in super::super) fn straight(graph: &mut Graph, group: &Group) -> Option<Flow> {
+/// Returns the flow of a function of forms in involution: q grows by h ∂H/∂p and p by −h ∂H/∂q, both at the start.
+pub(super) fn straight(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let forms = forms(graph, group.energy)?;
-    let moves = |symbol| symbol == Symbol::Time;
-    let autonomous = is_free(graph, group.energy, &moves);
-    if group.clock == Clock::Own && forms.iter().any(|form| form.values().any(|c| !is_free(graph, *c, &moves))) {
+    if !forms.iter().flat_map(Form::values).all(|c| group.clock.is_steady(graph, *c)) {
         return None;
     }
     for (i, first) in forms.iter().enumerate() {
@@ -36,8 +34,8 @@ pub(in super::super) fn straight(graph: &mut Graph, group: &Group) -> Option<Flo
     }
     let mut flow = Flow::rest(graph, group.degrees);
     let h = graph.symbol(Symbol::StepLength);
-    if autonomous || group.clock == Clock::Stage {
-        // Derivatives of hH, so that h meets the constants of every term and is prepared with them.
+    if group.clock.is_steady(graph, group.energy) {
+        // The derivatives of hH combine h with the constants of each term, so that the products are computed once for each h.
         let generator = graph.mul(h, group.energy);
         let slopes = diff::gradient(graph, generator, group.degrees);
         for i in 0..group.degrees as usize {
@@ -55,7 +53,7 @@ pub(in super::super) fn straight(graph: &mut Graph, group: &Group) -> Option<Flo
     Some(flow)
 }
 
-/// Σ (aᵢ b'ᵢ − bᵢ a'ᵢ) = 0?
+/// Returns whether Σ (aᵢ b'ᵢ − bᵢ a'ᵢ) = 0.
 fn in_involution(graph: &mut Graph, first: &Form, second: &Form) -> bool {
     let mut sum = graph.zero();
     for (symbol, c) in first {
@@ -73,14 +71,15 @@ fn in_involution(graph: &mut Graph, first: &Form, second: &Form) -> bool {
     graph.is_zero(sum)
 }
 
-/// The forms by which `root` reads positions and momenta; nothing if it reads s.
+/// Returns the forms through which `root` reads positions and momenta, or `None` if it reads s.
 fn forms(graph: &mut Graph, root: Id) -> Option<Vec<Form>> {
     let (mut found, mut seen, mut open) = (vec![], BTreeSet::new(), vec![root]);
     while let Some(id) = open.pop() {
         if !seen.insert(id) || is_free(graph, id, &Symbol::is_coordinate) {
             continue;
         }
-        if let Some(form) = form(graph, id) {
+        let may_be_form = matches!(graph.node(id), Node::Symbol(_) | Node::Linear(..) | Node::Product(_));
+        if let Some(form) = may_be_form.then(|| form(graph, id)).flatten() {
             if form.contains_key(&Symbol::Action) {
                 return None;
             }
@@ -94,7 +93,7 @@ fn forms(graph: &mut Graph, root: Id) -> Option<Vec<Form>> {
             Node::Linear(_, terms) => {
                 let mut linear = graph.zero();
                 for (c, term) in terms {
-                    if form_of(graph, term).is_some() {
+                    if form(graph, term).is_some() {
                         let term = graph.scale(c, term);
                         linear = graph.add(linear, term);
                     } else {
@@ -109,16 +108,8 @@ fn forms(graph: &mut Graph, root: Id) -> Option<Vec<Form>> {
     Some(found)
 }
 
+/// Returns the coefficients of an affine expression. The constant is ignored.
 fn form(graph: &mut Graph, id: Id) -> Option<Form> {
-    match graph.node(id) {
-        Node::Symbol(_) | Node::Linear(..) | Node::Product(_) => form_of(graph, id),
-        _ => None,
-    }
-}
-
-/// The coefficients of a node of degree 1; a constant in it does not matter.
-fn form_of(graph: &mut Graph, id: Id) -> Option<Form> {
-    let powers = Polynomial::of(graph, id, &Symbol::is_coordinate)?;
-    let linear = powers.has_only(|monomial| monomial.is_empty() || monomial.values().eq([&Ratio::ONE]));
-    linear.then(|| powers.into_terms().filter_map(|(monomial, c)| Some((*monomial.keys().next()?, c))).collect())
+    let powers = Polynomial::of(graph, id, &Symbol::is_coordinate).filter(Polynomial::is_affine)?;
+    Some(powers.into_terms().filter_map(|(monomial, c)| Some((*monomial.keys().next()?, c))).collect())
 }

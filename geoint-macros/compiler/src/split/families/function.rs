@@ -1,15 +1,14 @@
-//! Functions of an energy with a known flow: F(A) moves as A does, F'(A) times as fast, and A stays.
+//! Family "function of a piece": F(A) for an energy A with a known flow. A is constant, and F(A) moves as A does, but F'(A) times as fast.
 
 use super::super::flow::{Flow, Group, Rules};
-use super::super::polynomial::is_free;
-use super::super::time::Clock;
+use super::super::polynomial::{is_free, reads};
 use crate::diff;
-use crate::ir::substitute::Substitution;
+use crate::ir::substitute::{Substitution, replaced};
 use crate::ir::{Graph, Id, Node, Symbol};
 
-/// The flow of A over h·F'(A), for the largest A of which `rules` know it.
+/// Returns the flow of A of length h·F'(A), for the largest A whose flow `rules` know.
 pub(super) fn solve(graph: &mut Graph, group: &Group, rules: Rules<'_>) -> Option<Flow> {
-    if group.clock == Clock::Own && !is_free(graph, group.energy, &|symbol| symbol == Symbol::Time) {
+    if !group.clock.is_steady(graph, group.energy) {
         return None;
     }
     let mut inner = group.energy;
@@ -18,7 +17,7 @@ pub(super) fn solve(graph: &mut Graph, group: &Group, rules: Rules<'_>) -> Optio
         if matches!(graph.node(inner), Node::Symbol(_)) {
             return None;
         }
-        // A multiple of A would be A again.
+        // If F is linear, the energy is a multiple of A, and A needs the same rules as the energy.
         let Some(speed) = speed(graph, group.energy, inner) else { continue };
         if let Some(flow) = rules(graph, &Group { energy: inner, ..*group }) {
             let h = graph.symbol(Symbol::StepLength);
@@ -32,7 +31,7 @@ pub(super) fn solve(graph: &mut Graph, group: &Group, rules: Rules<'_>) -> Optio
     None
 }
 
-/// The only operand by which a node reads coordinates.
+/// Returns the operand of a node that reads coordinates, if exactly one operand does.
 fn only_operand(graph: &Graph, id: Id) -> Option<Id> {
     let mut reading =
         graph.node(id).children().into_iter().filter(|child| !is_free(graph, *child, &Symbol::is_coordinate));
@@ -40,15 +39,16 @@ fn only_operand(graph: &Graph, id: Id) -> Option<Id> {
     reading.all(|other| other == first).then_some(first)
 }
 
-/// F'(A) where `whole` is F(A); nothing if that is free of A.
+/// Returns F'(A) for `whole` = F(A), unless F is linear.
 fn speed(graph: &mut Graph, whole: Id, inner: Id) -> Option<Id> {
+    // `ActionIncrement` stands for A.
     let name = graph.symbol(Symbol::ActionIncrement);
     let mut named = Substitution::new(|_, _| None);
     named.insert(inner, name);
     let function = named.apply(graph, whole);
     let slope = diff::partial(graph, function, Symbol::ActionIncrement);
-    if is_free(graph, slope, &|symbol| symbol == Symbol::ActionIncrement) {
+    if !reads(graph, slope, Symbol::ActionIncrement) {
         return None;
     }
-    Some(Substitution::new(|_, symbol| (symbol == Symbol::ActionIncrement).then_some(inner)).apply(graph, slope))
+    Some(replaced(graph, slope, Symbol::ActionIncrement, inner))
 }

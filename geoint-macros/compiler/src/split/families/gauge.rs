@@ -1,34 +1,35 @@
-//! Momenta that positions shift: u = p − ∇S(q) with q is canonical, so that the flow in (q, u) gives that in (q, p).
+//! Family "change of gauge": H(q, p − ∇S(q)). The map from p to u = p − ∇S(q) is canonical, so the flow in (q, u) gives the flow in (q, p).
 //!
-//! F(p₀ − a(q₀, …), …) with an a that reads the momentum's own position is such an energy, direction by direction of a field. Y. K. Wu,
-//! E. Forest & D. S. Robin, Phys. Rev. E 68 (2003) 046502.
+//! An example is F(p₀ − a(q₀, …), …) with an a that reads q₀. The gauge is changed for one direction of the field after the other.
+//! Y. K. Wu, E. Forest & D. S. Robin, Phys. Rev. E 68 (2003) 046502.
 
 use super::super::flow::{Flow, Group, Rules};
 use super::super::increment::increments;
-use super::super::polynomial::{Polynomial, is_free, is_momentum, slope_of_line, times_powers};
-use super::super::time::Clock;
+use super::super::polynomial::{Polynomial, is_free, is_momentum, reads, slope_of_line, times_powers};
 use crate::analyze::{self, liouville};
 use crate::diff;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Node, Number, Symbol};
 
-/// The flow by `rules` after a change of gauge.
+/// Returns the flow by `rules` after a change of gauge.
 pub(super) fn solve(graph: &mut Graph, group: &Group, rules: Rules<'_>) -> Option<Flow> {
-    let moves = |symbol: Symbol| symbol == Symbol::Action || symbol == Symbol::Time && group.clock == Clock::Own;
-    if !is_free(graph, group.energy, &moves) {
+    if reads(graph, group.energy, Symbol::Action) || !group.clock.is_steady(graph, group.energy) {
         return None;
     }
     let degrees = group.degrees;
-    let (mut energy, mut shift) = (group.energy, vec![graph.zero(); degrees as usize]);
+    // ∇S.
+    let mut shift = vec![graph.zero(); degrees as usize];
+    let mut energy = group.energy;
     for i in 0..degrees {
-        let Some((sum, rest, own)) = own_shift(graph, energy, i) else { continue };
+        let Some(own) = OwnShift::of(graph, energy, i) else { continue };
         let logarithm = liouville::Logarithm::OfMagnitude;
-        let Ok((potential, _)) = liouville::antiderivative(graph, (&[Symbol::Position(i)], &[own]), logarithm) else {
+        let Ok((potential, _)) = liouville::antiderivative(graph, (&[Symbol::Position(i)], &[own.shift]), logarithm)
+        else {
             continue;
         };
         let mut slopes = diff::gradient(graph, potential, degrees).q;
-        slopes[i as usize] = own;
-        energy = freed(graph, energy, (sum, rest), &slopes, i);
+        slopes[i as usize] = own.shift;
+        energy = own.removed(graph, energy, &slopes, i);
         for (shift, slope) in shift.iter_mut().zip(slopes) {
             *shift = graph.add(*shift, slope);
         }
@@ -38,7 +39,7 @@ pub(super) fn solve(graph: &mut Graph, group: &Group, rules: Rules<'_>) -> Optio
     }
     let energy = collected(graph, energy);
     let flow = rules(graph, &Group { energy, ..*group })?;
-    let back = |graph: &mut Graph, id: Id| shifted(graph, id, &shift, Number::MINUS_ONE);
+    let back = |graph: &mut Graph, id: Id| shifted_momenta(&shift, Number::MINUS_ONE).apply(graph, id);
     let mut moved = |of: fn(u32) -> Symbol, ends: &[Id]| -> Vec<Id> {
         let ends: Vec<(Symbol, Id)> = (0..degrees).map(of).zip(ends.iter().copied()).collect();
         increments(graph, &ends).into_iter().map(|increment| back(graph, increment)).collect()
@@ -48,7 +49,7 @@ pub(super) fn solve(graph: &mut Graph, group: &Group, rules: Rules<'_>) -> Optio
     for (i, end) in flow.q.iter().enumerate() {
         changed.q[i] = back(graph, *end);
     }
-    // Of shifts by divided differences: where they are nearly equal at both ends, little is left of their values.
+    // Divided differences give the change of ∇S, because the difference of its values at both ends would cancel.
     let mut along = Substitution::new(|_: &mut Graph, symbol| match symbol {
         Symbol::PositionIncrement(i) => Some(of_q[i as usize]),
         _ => None,
@@ -61,58 +62,62 @@ pub(super) fn solve(graph: &mut Graph, group: &Group, rules: Rules<'_>) -> Optio
     Some(changed)
 }
 
-/// What shifts a momentum and reads its own position, −r/c where a sum is c·pᵢ + r; with that sum, and r.
-fn own_shift(graph: &mut Graph, energy: Id, i: u32) -> Option<(Id, Id, Id)> {
-    let (own, position) = (Symbol::Momentum(i), Symbol::Position(i));
-    let momentum = graph.symbol(own);
-    if is_free(graph, energy, &|symbol| symbol == own) || is_free(graph, energy, &|symbol| symbol == position) {
-        return None;
+/// A sum c·pᵢ + r + … in the energy, where r reads qᵢ and no momenta.
+struct OwnShift {
+    sum: Id,
+    /// r.
+    rest: Id,
+    /// −r/c, the shift of pᵢ.
+    shift: Id,
+}
+
+impl OwnShift {
+    /// Returns the first such sum for the momentum with index i.
+    fn of(graph: &mut Graph, energy: Id, i: u32) -> Option<OwnShift> {
+        let (own, position) = (Symbol::Momentum(i), Symbol::Position(i));
+        let momentum = graph.symbol(own);
+        if !reads(graph, energy, own) || !reads(graph, energy, position) {
+            return None;
+        }
+        for sum in graph.reachable(&[energy]) {
+            let Node::Linear(_, terms) = graph.node(sum) else { continue };
+            let has_own = |term: &Id| match graph.node(*term) {
+                Node::Product(factors) => factors.contains(&momentum),
+                _ => *term == momentum,
+            };
+            // The terms of the energy itself are split by the search for pieces.
+            if sum == energy || !terms.iter().any(|(_, term)| has_own(term)) {
+                continue;
+            }
+            let Some(slope) = slope_of_line(graph, sum, own) else { continue };
+            if graph.is_zero(slope) || !is_free(graph, slope, &Symbol::is_coordinate) {
+                continue;
+            }
+            let mut terms = analyze::terms(graph, sum);
+            terms.retain(|term| is_free(graph, *term, &is_momentum) && reads(graph, *term, position));
+            if !terms.is_empty() {
+                let rest = graph.sum(&terms);
+                let shift = graph.div(rest, slope);
+                return Some(OwnShift { sum, rest, shift: graph.neg(shift) });
+            }
+        }
+        None
     }
-    for id in graph.reachable(&[energy]) {
-        // The terms of the whole are parted elsewhere.
-        let Node::Linear(_, terms) = graph.node(id) else { continue };
-        let has_own = |term: &Id| match graph.node(*term) {
-            Node::Product(factors) => factors.contains(&momentum),
-            _ => *term == momentum,
-        };
-        if id == energy || !terms.iter().any(|(_, term)| has_own(term)) {
-            continue;
-        }
-        let Some(slope) = slope_of_line(graph, id, own) else { continue };
-        if graph.is_zero(slope) || !is_free(graph, slope, &Symbol::is_coordinate) {
-            continue;
-        }
-        if let Some(rest) = reading(graph, id, position) {
-            let shift = graph.div(rest, slope);
-            return Some((id, rest, graph.neg(shift)));
-        }
+
+    /// Replaces p by p + slopes. The sum loses its rest, so it needs no simplification.
+    fn removed(&self, graph: &mut Graph, energy: Id, slopes: &[Id], i: u32) -> Id {
+        let mut others = slopes.to_vec();
+        others[i as usize] = graph.zero();
+        let left = graph.sub(self.sum, self.rest);
+        let left = shifted_momenta(&others, Number::ONE).apply(graph, left);
+        let mut moved = shifted_momenta(slopes, Number::ONE);
+        moved.insert(self.sum, left);
+        moved.apply(graph, energy)
     }
-    None
 }
 
-/// p + shift in place of p, where the sum loses its rest by that.
-fn freed(graph: &mut Graph, energy: Id, (sum, rest): (Id, Id), shift: &[Id], i: u32) -> Id {
-    let others: Vec<Id> = (0..).zip(shift).map(|(j, shift)| if j == i { graph.zero() } else { *shift }).collect();
-    let left = graph.sub(sum, rest);
-    let left = shifted(graph, left, &others, Number::ONE);
-    let mut moved = by_shift(shift, Number::ONE);
-    moved.insert(sum, left);
-    moved.apply(graph, energy)
-}
-
-/// The terms that read a position and no momenta.
-fn reading(graph: &mut Graph, sum: Id, position: Symbol) -> Option<Id> {
-    let mut terms = analyze::terms(graph, sum);
-    terms.retain(|term| is_free(graph, *term, &is_momentum) && !is_free(graph, *term, &|symbol| symbol == position));
-    (!terms.is_empty()).then(|| graph.sum(&terms))
-}
-
-/// p + c·shift in place of p.
-fn shifted(graph: &mut Graph, id: Id, shift: &[Id], c: Number) -> Id {
-    by_shift(shift, c).apply(graph, id)
-}
-
-fn by_shift(shift: &[Id], c: Number) -> Substitution<impl Fn(&mut Graph, Symbol) -> Option<Id>> {
+/// Returns the substitution of p by p + c·shift.
+fn shifted_momenta(shift: &[Id], c: Number) -> Substitution<impl Fn(&mut Graph, Symbol) -> Option<Id>> {
     Substitution::new(move |graph: &mut Graph, symbol| match symbol {
         Symbol::Momentum(i) => {
             let (p, shift) = (graph.symbol(symbol), graph.scale(c, shift[i as usize]));
@@ -122,7 +127,7 @@ fn by_shift(shift: &[Id], c: Number) -> Substitution<impl Fn(&mut Graph, Symbol)
     })
 }
 
-/// A polynomial by its terms, without those that are zero; anything else as it is.
+/// Expands a polynomial and drops the terms that are proven to be zero. Returns other energies unchanged.
 fn collected(graph: &mut Graph, energy: Id) -> Id {
     let Some(powers) = Polynomial::of(graph, energy, &Symbol::is_coordinate) else { return energy };
     let mut terms = vec![];

@@ -1,16 +1,21 @@
-//! Pieces in which one coordinate moves along a geodesic.
+//! Family "geodesic": c f(qᵢ) pᵢ². One coordinate moves along a geodesic.
 
 use super::super::flow::{Flow, Group};
-use super::super::polynomial::{
-    Polynomial, factors, is_free, is_momentum, parted, quotient, single_momentum, slope_of_line,
-};
-use super::super::scalar::{self, Equation, positive_power};
-use super::super::time::Clock;
+use super::super::polynomial::{Polynomial, is_free, is_momentum, single_momentum, slope_of_line};
+use super::super::products::{Separated, factors, quotient, separated};
+use super::super::scalar::{self, Equation, mean_of_power, positive_power};
+use super::monomial;
 use crate::ir::substitute::replaced;
 use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
 
-/// c f(qᵢ) pᵢ²: with R² = 2f, R pᵢ is constant and qᵢ' = c R·(R pᵢ).
-pub(in super::super) fn geodesic(graph: &mut Graph, group: &Group) -> Option<Flow> {
+/// The position at the end of a flow, and the factor by which the flow multiplies the momentum.
+struct Geodesic {
+    end: Id,
+    growth_of_p: Id,
+}
+
+/// Returns the flow of c f(qᵢ) pᵢ². With R² = 2f, R pᵢ is constant and qᵢ' = c R·(R pᵢ).
+pub(super) fn geodesic(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let powers = Polynomial::of(graph, group.energy, &is_momentum)?;
     let (monomial, coefficient) = powers.single()?;
     let (i, _) = single_momentum(monomial).filter(|(_, power)| *power == Ratio::integer(2))?;
@@ -18,25 +23,24 @@ pub(in super::super) fn geodesic(graph: &mut Graph, group: &Group) -> Option<Flo
     if !is_free(graph, coefficient, &|symbol| symbol.is_coordinate() && symbol != x) {
         return None;
     }
-    let (c, f) = parted(graph, coefficient, x);
+    let Separated { free: c, reading: f } = separated(graph, coefficient, x);
     let weight = group.clock.over_step(graph, c)?;
     let p = graph.symbol(Symbol::Momentum(i));
-    let steady = group.clock == Clock::Stage || is_free(graph, f, &|symbol| symbol == Symbol::Time);
-    let (end, change) = match factors(graph, f)[..] {
-        [(base, k)] if base == graph.symbol(x) => along_power(graph, (base, k), p, weight)?,
-        [(base, k)] if steady && slope(graph, base, x).is_some() => {
-            along_shifted_power(graph, (x, base, k), p, weight)?
-        }
-        _ if group.clock == Clock::Stage || is_free(graph, coefficient, &|symbol| symbol == Symbol::Time) => {
+    let steady = group.clock.is_steady(graph, f);
+    let Geodesic { end, growth_of_p } = match factors(graph, f)[..] {
+        [(base, k)] if base == graph.symbol(x) => along_power(graph, base, k, p, weight)?,
+        [(base, k)] if steady && slope(graph, base, x).is_some() => along_shifted_power(graph, x, base, k, p, weight)?,
+        _ if group.clock.is_steady(graph, coefficient) => {
             let double = graph.scale(Number::integer(2), f);
             let root = smooth_root(graph, double);
+            // `ActionIncrement` stands for the constant c R pᵢ while the equation is solved.
             let name = graph.symbol(Symbol::ActionIncrement);
             let constant = graph.product(&[c, root, p]);
             let rate = graph.mul(name, root);
             let end = scalar::solve(graph, &Equation { x, rate, clock: group.clock })?.end;
             let end = replaced(graph, end, Symbol::ActionIncrement, constant);
             let root_end = replaced(graph, root, x, end);
-            (end, quotient(graph, root, root_end))
+            Geodesic { end, growth_of_p: quotient(graph, root, root_end) }
         }
         _ => return None,
     };
@@ -44,60 +48,49 @@ pub(in super::super) fn geodesic(graph: &mut Graph, group: &Group) -> Option<Flo
     let gained = graph.product(&[weight, f, square]);
     let mut flow = Flow::rest(graph, group.degrees);
     flow.q[i as usize] = end;
-    flow.p[i as usize] = graph.mul(p, change);
+    flow.p[i as usize] = graph.mul(p, growth_of_p);
     flow.s = graph.add(flow.s, gained);
     Some(flow)
 }
 
-/// The same for f = qᵏ, on both sides of q = 0: with D = 1 + (2 − k) c h qᵏ⁻¹ p, Q = q D^(2/(2−k)) and P = p D^(−k/(2−k)); with
-/// z = 2 c h q p, Q = q e^z and P = p e^(−z) for k = 2. Returned are Q and P/p.
-fn along_power(graph: &mut Graph, (q, k): (Id, Ratio), p: Id, weight: Id) -> Option<(Id, Id)> {
+/// Returns the motion for f = qᵏ, which is valid for q < 0, too.
+fn along_power(graph: &mut Graph, q: Id, k: Ratio, p: Id, weight: Id) -> Option<Geodesic> {
     let lower = graph.pow(q, k.add(Ratio::integer(-1))?);
     let rise = graph.product(&[weight, lower, p]);
-    let left = Ratio::integer(2).add(k.mul(Ratio::integer(-1))?)?;
-    if left.numerator == 0 {
-        let z = graph.scale(Number::integer(2), rise);
-        let back = graph.neg(z);
-        let [grown, shrunk] = [z, back].map(|z| graph.call(Function::Exp, &[z]));
-        return Some((graph.mul(q, grown), shrunk));
-    }
-    let (one, rise) = (graph.integer(1), graph.scale(Number::Exact(left), rise));
-    let d = graph.add(one, rise);
-    let inverse = left.recip()?;
-    let grown = positive_power(graph, d, inverse.mul(Ratio::integer(2))?);
-    let shrunk = positive_power(graph, d, inverse.mul(k)?.mul(Ratio::integer(-1))?);
-    Some((graph.mul(q, grown), shrunk))
+    let growth = monomial::growth(graph, rise, k, Ratio::integer(2))?;
+    Some(Geodesic { end: graph.mul(q, growth.q), growth_of_p: growth.p })
 }
 
-/// a of a·x + b, if that does not move.
+/// Returns a of a·x + b, if a does not read coordinates.
 fn slope(graph: &mut Graph, base: Id, x: Symbol) -> Option<Id> {
     slope_of_line(graph, base, x).filter(|slope| is_free(graph, *slope, &Symbol::is_coordinate))
 }
 
-/// The same for f = uᵏ, u = a x + b: with r = (2 − k) c h uᵏ⁻¹ p and D = 1 + a r, x grows by u (D^(2/(2−k)) − 1)/a, which is a mean of powers
-/// times u r, whatever the signs of a and u, and for a = 0 too. Returned are x at the end, and P/p.
-fn along_shifted_power(graph: &mut Graph, (x, base, k): (Symbol, Id, Ratio), p: Id, weight: Id) -> Option<(Id, Id)> {
-    let a = slope(graph, base, x)?;
-    let lower = graph.pow(base, k.add(Ratio::integer(-1))?);
-    let left = Ratio::integer(2).add(k.neg())?;
-    let scale = if left.numerator == 0 { Ratio::integer(2) } else { left };
-    let scale = graph.number(Number::Exact(scale));
+/// Returns the motion for f = uᵏ with u = a x + b, r = (2 − k) c h uᵏ⁻¹ p and D = 1 + a r: x grows by u (D^(2/(2−k)) − 1)/a.
+///
+/// This increment is u r times a mean of powers of D. The formula holds for all signs of a and u, and for a = 0.
+fn along_shifted_power(graph: &mut Graph, x: Symbol, u: Id, k: Ratio, p: Id, weight: Id) -> Option<Geodesic> {
+    let a = slope(graph, u, x)?;
+    let lower = graph.pow(u, k.add(Ratio::integer(-1))?);
+    let difference = Ratio::integer(2).add(k.neg())?;
+    let is_square = difference.numerator == 0;
+    let scale = graph.number(Number::Exact(if is_square { Ratio::integer(2) } else { difference }));
     let rise = graph.product(&[scale, weight, lower, p]);
     let z = graph.mul(a, rise);
-    let (mean, shrunk) = if left.numerator == 0 {
+    let (mean, growth_of_p) = if is_square {
         let back = graph.neg(z);
         (graph.call(Function::Phi1, &[z]), graph.call(Function::Exp, &[back]))
     } else {
-        let (one, inverse) = (graph.integer(1), left.recip()?);
+        let (one, inverse) = (graph.integer(1), difference.recip()?);
         let d = graph.add(one, z);
-        let mean = scalar::mean_of_power(graph, z, inverse.mul(Ratio::integer(2))?)?;
+        let mean = mean_of_power(graph, z, inverse.mul(Ratio::integer(2))?)?;
         (mean, positive_power(graph, d, inverse.mul(k)?.neg()))
     };
-    let (x, change) = (graph.symbol(x), graph.product(&[base, rise, mean]));
-    Some((graph.add(x, change), shrunk))
+    let (x, change) = (graph.symbol(x), graph.product(&[u, rise, mean]));
+    Some(Geodesic { end: graph.add(x, change), growth_of_p })
 }
 
-/// A root that changes sign where its square touches zero: q of q².
+/// Returns a root that changes sign where its square touches zero. The root of q² is q, not |q|.
 fn smooth_root(graph: &mut Graph, square: Id) -> Id {
     let (c, rest) = graph.coefficient(square);
     let c = graph.number(c);

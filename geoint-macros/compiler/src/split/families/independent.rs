@@ -1,20 +1,18 @@
-//! Family "independent parts": a sum of energies without a common degree of freedom. A family is a shape of energies with a known flow.
+//! Family "independent parts": a sum of energies without a common degree of freedom.
 //!
 //! The flows of the parts commute, and each part moves its own degrees of freedom only. Thus the flow of the sum consists of the flows of
 //! the parts.
 
 use super::super::flow::{Flow, Group, Rules};
+use super::super::polynomial::degree_of_freedom;
 use crate::analyze;
-use crate::ir::{Graph, Id, Symbol};
+use crate::ir::{Graph, Id};
 use std::collections::BTreeSet;
 
 /// Returns the flow of a sum of energies without a common degree of freedom.
 ///
-/// Returns `None` if the energy is one part only, or if `rules`, the search over all families, finds no flow of a part. `rules` may call
-/// this function again. This recursion ends, because each part reads fewer degrees of freedom than the sum, and no family adds any.
-///
-/// `..*group` copies the clock, so all parts treat time alike. Only systems without an action use the family; the s of the result is not read.
-/// Limit: a sum that separates only in other coordinates, such as normal modes, is one part here.
+/// Returns `None` if the energy is one part only, or if `rules` find no flow of a part. Limit: a sum that separates only in other coordinates,
+/// such as normal modes, is one part here. Only systems without an action use the family, so the result keeps s.
 pub(super) fn solve(graph: &mut Graph, group: &Group, rules: Rules<'_>) -> Option<Flow> {
     let parts = parts(graph, group.energy);
     if parts.len() < 2 {
@@ -47,11 +45,8 @@ struct Part {
 fn parts(graph: &mut Graph, energy: Id) -> Vec<Part> {
     let mut parts: Vec<Part> = vec![];
     for term in analyze::single_terms(graph, energy) {
-        let degree = |symbol: &Symbol| match symbol {
-            Symbol::Position(i) | Symbol::Momentum(i) => Some(*i),
-            _ => None,
-        };
-        let mut merged = Part { degrees: graph.symbols(term).iter().filter_map(degree).collect(), terms: vec![term] };
+        let degrees = graph.symbols(term).into_iter().filter_map(degree_of_freedom).collect();
+        let mut merged = Part { degrees, terms: vec![term] };
         if merged.degrees.is_empty() {
             continue;
         }

@@ -1,55 +1,53 @@
-//! Pieces whose momenta keep their direction.
+//! Families of energies whose momenta keep their direction.
 
 use super::super::flow::{Flow, Group};
-use super::super::polynomial::{
-    Polynomial, degree, is_free, is_momentum, parted, quotient, single_momentum, times_powers,
-};
+use super::super::polynomial::{Polynomial, degree, is_free, is_momentum, reads, single_momentum, times_powers};
+use super::super::products::{Separated, quotient, separated};
 use super::super::scalar::{self, Equation, positive_power};
 use super::super::time::Clock;
 use crate::diff;
 use crate::ir::substitute::replaced;
 use crate::ir::{Graph, Id, Number, Ratio, Symbol};
 
-/// T(p, t): q moves by ∂T/∂p, s by p·∂T/∂p − T.
+/// Returns the flow of T(p, t): q grows by ∫∂T/∂p dt, and s by ∫(p·∂T/∂p − T) dt.
 pub(in super::super) fn free(graph: &mut Graph, group: &Group) -> Option<Flow> {
     if !is_free(graph, group.energy, &|symbol| matches!(symbol, Symbol::Position(_) | Symbol::Action)) {
         return None;
     }
     let mut flow = Flow::rest(graph, group.degrees);
-    let (velocity, action) = legendre(graph, group)?;
+    let velocity = diff::gradient(graph, group.energy, group.degrees).p;
+    let lagrangian = lagrangian(graph, group.energy, &velocity)?;
     for (q, velocity) in flow.q.iter_mut().zip(velocity) {
         let change = group.clock.over_step(graph, velocity)?;
         *q = graph.add(*q, change);
     }
-    let change = group.clock.over_step(graph, action)?;
+    let change = group.clock.over_step(graph, lagrangian)?;
     flow.s = graph.add(flow.s, change);
     Some(flow)
 }
 
-/// ∂H/∂p and p·∂H/∂p − H: of each power of p that has degree k, k − 1 times itself.
-fn legendre(graph: &mut Graph, group: &Group) -> Option<(Vec<Id>, Id)> {
-    let velocity = diff::gradient(graph, group.energy, group.degrees).p;
-    if let Some(powers) = Polynomial::of(graph, group.energy, &is_momentum) {
-        let mut action = graph.zero();
+/// Returns p·∂H/∂p − H. If H is a polynomial in p, each term of degree k contributes k − 1 times itself.
+fn lagrangian(graph: &mut Graph, energy: Id, velocity: &[Id]) -> Option<Id> {
+    if let Some(powers) = Polynomial::of(graph, energy, &is_momentum) {
+        let mut sum = graph.zero();
         for (monomial, coefficient) in powers.into_terms() {
-            let weight = degree(monomial.values().copied())?.add(Ratio::integer(-1))?;
+            let weight = degree(&monomial)?.add(Ratio::integer(-1))?;
             let weighted = graph.scale(Number::Exact(weight), coefficient);
             let term = times_powers(graph, weighted, &monomial);
-            action = graph.add(action, term);
+            sum = graph.add(sum, term);
         }
-        return Some((velocity, action));
+        return Some(sum);
     }
-    let mut action = graph.neg(group.energy);
-    for (i, velocity) in velocity.iter().enumerate() {
-        let p = graph.symbol(Symbol::Momentum(i as u32));
+    let negative = graph.neg(energy);
+    Some((0..).zip(velocity).fold(negative, |sum, (i, velocity)| {
+        let p = graph.symbol(Symbol::Momentum(i));
         let power = graph.mul(p, *velocity);
-        action = graph.add(action, power);
-    }
-    Some((velocity, action))
+        graph.add(sum, power)
+    }))
 }
 
-/// K(p)·F(s) with a homogeneous K of degree 2: F p is constant, and s' = K(F p)/F(s).
-pub(in super::super) fn weighted(graph: &mut Graph, group: &Group) -> Option<Flow> {
+/// Returns the flow of K(p)·F(s) for K homogeneous of degree 2. F p is constant, and s' = K(F p)/F(s).
+pub(super) fn weighted(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let powers = Polynomial::of(graph, group.energy, &is_momentum)?;
     let changes = |symbol: Symbol| symbol.is_coordinate() || symbol == Symbol::Time && group.clock == Clock::Own;
     let (mut kinetic, mut weight) = (graph.zero(), None);
@@ -57,7 +55,7 @@ pub(in super::super) fn weighted(graph: &mut Graph, group: &Group) -> Option<Flo
         let weight = *weight.get_or_insert(coefficient);
         let relative = graph.div(coefficient, weight);
         let whole = monomial.values().all(|power| power.is_integer());
-        if !whole || degree(monomial.values().copied())? != Ratio::integer(2) || !is_free(graph, relative, &changes) {
+        if !whole || degree(&monomial)? != Ratio::integer(2) || !is_free(graph, relative, &changes) {
             return None;
         }
         let term = times_powers(graph, relative, &monomial);
@@ -65,13 +63,13 @@ pub(in super::super) fn weighted(graph: &mut Graph, group: &Group) -> Option<Flo
     }
     let weight =
         weight.filter(|weight| is_free(graph, *weight, &|symbol| symbol != Symbol::Action && changes(symbol)))?;
-    // A coefficient may be zero: the weight is what is divided by.
-    let (coefficient, weight) = parted(graph, weight, Symbol::Action);
-    if is_free(graph, weight, &|symbol| symbol == Symbol::Action) {
+    // A coefficient may be zero, so only the factors that read s become the divisor.
+    let Separated { free: coefficient, reading: weight } = separated(graph, weight, Symbol::Action);
+    if !reads(graph, weight, Symbol::Action) {
         return None;
     }
     let kinetic = graph.mul(coefficient, kinetic);
-    // What is constant, under a name of its own while the equation of s is solved.
+    // `ActionIncrement` stands for the constant K(F p) while the equation of s is solved.
     let square = graph.pow(weight, Ratio::integer(2));
     let constant = graph.mul(kinetic, square);
     let name = graph.symbol(Symbol::ActionIncrement);
@@ -95,8 +93,8 @@ pub(in super::super) fn weighted(graph: &mut Graph, group: &Group) -> Option<Flo
     Some(flow)
 }
 
-/// c s pᵢᵏ: D = 1 + k c h pᵢᵏ, Qᵢ = qᵢ + k c h pᵢᵏ⁻¹ s, P = p D^(−1/k), S = s D^((k−1)/k).
-pub(in super::super) fn power(graph: &mut Graph, group: &Group) -> Option<Flow> {
+/// Returns the flow of c s pᵢᵏ. With D = 1 + k c h pᵢᵏ: Qᵢ = qᵢ + k c h pᵢᵏ⁻¹ s, P = p D^(−1/k), S = s D^((k−1)/k).
+pub(super) fn power(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let powers = Polynomial::of(graph, group.energy, &|symbol| is_momentum(symbol) || symbol == Symbol::Action)?;
     let (monomial, c) = powers.single()?;
     let (i, k) = single_momentum(monomial)?;
@@ -114,9 +112,8 @@ pub(in super::super) fn power(graph: &mut Graph, group: &Group) -> Option<Flow> 
     let full = graph.pow(p, k);
     let full = graph.mul(weight, full);
     let d = graph.add(one, full);
-    let inverse = k.recip()?;
-    let [shrunk, grown] = [inverse.mul(Ratio::integer(-1))?, Ratio::ONE.add(inverse.mul(Ratio::integer(-1))?)?]
-        .map(|exponent| positive_power(graph, d, exponent));
+    let inverse = k.recip()?.neg();
+    let [shrunk, grown] = [inverse, Ratio::ONE.add(inverse)?].map(|exponent| positive_power(graph, d, exponent));
     let mut flow = Flow::rest(graph, group.degrees);
     let q = &mut flow.q[i as usize];
     *q = graph.add(*q, moved);

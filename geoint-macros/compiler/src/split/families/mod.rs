@@ -1,9 +1,10 @@
-//! Which pieces have a flow in closed form: one entry a family. A new family is added here.
+//! The families of energies with a flow in closed form. A new family needs an entry in `FAMILIES`.
 //!
-//! H in terms of q, p, s gives q' = ∂H/∂p, p' = −∂H/∂q − p ∂H/∂s, s' = p·∂H/∂p − H.
+//! The equations of motion of H(q, p, s, t) are q' = ∂H/∂p, p' = −∂H/∂q − p ∂H/∂s, s' = p·∂H/∂p − H.
 
 pub(super) mod kinetic;
 pub(super) mod damped;
+mod monomial;
 mod geodesic;
 mod quadratic;
 pub(super) mod prolongation;
@@ -13,12 +14,10 @@ mod central;
 mod forms;
 mod function;
 mod gauge;
-mod monomial;
 mod independent;
 
 use super::flow::Solve::{ByGauge, Direct, InParts, Transformed};
 use super::flow::{Family, Flow, Group, Piece, Space};
-use super::polynomial::is_free;
 use super::time::Clock;
 use crate::ir::{Graph, Id, Symbol};
 
@@ -144,8 +143,10 @@ const ARNOLD: &str = "V. I. Arnold, Mathematical Methods of Classical Mechanics 
 
 const SEPARATION: &str = "separation of variables";
 
-/// Returns the flow of a group by the family at `index` of the list. Questions among families end: a rule asks only earlier families, except
-/// for `ByGauge`, which asks no rule that transforms energies; `InParts` splits an energy before it asks.
+/// Returns the flow of a group by the family at `index` of the list.
+///
+/// The recursion ends. `Transformed` and `InParts` ask only families with a smaller index. `ByGauge` asks only `Direct` and `InParts`, so a second
+/// change of gauge needs an energy that `InParts` has split into parts with fewer degrees of freedom.
 fn flow(graph: &mut Graph, group: &Group, index: usize) -> Option<Flow> {
     match FAMILIES[index].solve {
         Direct(solve) => solve(graph, group),
@@ -161,16 +162,14 @@ fn flow(graph: &mut Graph, group: &Group, index: usize) -> Option<Flow> {
     }
 }
 
-/// Returns the families with their indices, in the order of the list. With an `action`, families without a flow of s are left out.
+/// Returns the families with their indices, in the order of the list. With an `action`, families without a flow of s are omitted.
 pub(crate) fn tried(action: bool) -> impl Iterator<Item = (usize, &'static Family)> {
     FAMILIES.iter().enumerate().filter(move |(_, family)| family.action || !action)
 }
 
-/// Returns a piece with this energy, if a family knows its flow. A flow that is exact in time comes before a flow at frozen time.
+/// Returns a piece with this energy, if a family knows its flow. A flow that is exact in time is preferred to a flow at frozen time.
 pub(crate) fn piece(graph: &mut Graph, energy: Id, space: Space) -> Option<Piece> {
-    // An energy that does not read time needs no frozen time.
-    let steady = is_free(graph, energy, &|symbol| symbol == Symbol::Time);
-    let clocks = if steady { &[Clock::Own][..] } else { &[Clock::Own, Clock::Stage] };
+    let clocks = if graph.reads(energy).t { &[Clock::Own, Clock::Stage][..] } else { &[Clock::Own] };
     clocks.iter().find_map(|clock| {
         let group = Group { energy, degrees: space.degrees, clock: *clock };
         tried(space.action).find_map(|(index, family)| {

@@ -1,117 +1,102 @@
-//! H = p·a(q, s) + b(q, s): the base moves by itself, q' = a, s' = −b, and takes the momenta along.
+//! Family "prolongation": H = p·a(q, s) + b(q, s). The coordinates q and s move without p: q' = a, s' = −b.
 //!
-//! They follow from (Q, S) because ds − p dq is kept up to a factor: with d_j = ∂/∂q_j + p_j ∂/∂s,
+//! The flow keeps ds − p dq up to a factor. Thus the momenta follow from Q(q, s) and S(q, s): with d_j = ∂/∂q_j + p_j ∂/∂s,
 //! Σᵢ d_jQᵢ Pᵢ = d_jS.
 
 use super::super::flow::{Flow, Group};
-use super::super::polynomial::{Polynomial, is_free};
-use super::super::scalar::{self, Equation, rotation};
-use super::super::time::Clock;
+use super::super::polynomial::{Polynomial, is_linear, is_momentum, is_whole, power, reads};
+use super::super::scalar::{self, Angle, Equation, rotation};
 use crate::diff;
 use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
 
+/// Returns the flow, if the equations of q and s are single equations or pairs of equations with a closed solution.
 pub(in super::super) fn solve(graph: &mut Graph, group: &Group) -> Option<Flow> {
-    let rates = base(graph, group)?;
-    let mut moving: Vec<(Symbol, Id)> = rates.into_iter().filter(|(_, rate)| !graph.is_zero(*rate)).collect();
+    let mut moving = equations(graph, group)?;
+    moving.retain(|equation| !graph.is_zero(equation.rate));
     let (mut flow, mut by_start) = (Flow::rest(graph, group.degrees), vec![]);
-    while let Some((x, rate)) = moving.pop() {
-        let others: Vec<usize> =
-            (0..moving.len()).filter(|i| reads(graph, rate, moving[*i].0) || reads(graph, moving[*i].1, x)).collect();
-        match others[..] {
+    while let Some(first) = moving.pop() {
+        let coupled: Vec<usize> = (0..moving.len()).filter(|i| couple(graph, &first, &moving[*i])).collect();
+        match coupled[..] {
             [] => {
-                let solution = scalar::solve(graph, &Equation { x, rate, clock: group.clock })?;
-                set(&mut flow, x, solution.end);
-                by_start.push((x, solution.by_start));
+                let solution = scalar::solve(graph, &first)?;
+                flow.set(first.x, solution.end);
+                by_start.push((first.x, solution.by_start));
             }
-            [other] => {
-                let (y, other_rate) = moving.remove(other);
-                if moving
-                    .iter()
-                    .any(|(z, rate)| reads(graph, other_rate, *z) || reads(graph, *rate, y) || reads(graph, *rate, x))
-                {
+            [i] => {
+                let second = moving.remove(i);
+                if moving.iter().any(|third| couple(graph, &second, third)) {
                     return None;
                 }
-                let (first, second) = ((x, rate), (y, other_rate));
-                let ends = driven(graph, group, first, second)
-                    .or_else(|| driven(graph, group, second, first).map(|[y, x]| [x, y]))
-                    .or_else(|| pair(graph, group, [x, y], [rate, other_rate]));
-                let [x_end, y_end] = ends?;
-                set(&mut flow, x, x_end);
-                set(&mut flow, y, y_end);
+                let [x_end, y_end] = driven(graph, &first, &second)
+                    .or_else(|| driven(graph, &second, &first).map(|[y, x]| [x, y]))
+                    .or_else(|| linear_pair(graph, [&first, &second]))?;
+                flow.set(first.x, x_end);
+                flow.set(second.x, y_end);
             }
             _ => return None,
         }
     }
-    momenta(graph, &mut flow, &by_start)?;
+    set_momenta(graph, &mut flow, &by_start)?;
     Some(flow)
 }
 
-/// The rates of q and s, if H is of degree 1 in the momenta.
-fn base(graph: &mut Graph, group: &Group) -> Option<Vec<(Symbol, Id)>> {
-    let in_p = Polynomial::of(graph, group.energy, &|symbol| matches!(symbol, Symbol::Momentum(_)))?;
-    let affine = in_p.has_only(|monomial| monomial.is_empty() || monomial.values().eq([&Ratio::ONE]));
-    if !affine {
-        return None;
-    }
-    let mut rates: Vec<(Symbol, Id)> = (0..group.degrees)
-        .map(|i| (Symbol::Position(i), in_p.coefficient(graph, &[(Symbol::Momentum(i), 1)])))
+/// Returns the equations of q and s, if H is affine in the momenta.
+fn equations(graph: &mut Graph, group: &Group) -> Option<Vec<Equation>> {
+    let powers = Polynomial::of(graph, group.energy, &is_momentum).filter(Polynomial::is_affine)?;
+    let equation = |x, rate| Equation { x, rate, clock: group.clock };
+    let mut all: Vec<Equation> = (0..group.degrees)
+        .map(|i| equation(Symbol::Position(i), powers.coefficient(graph, &[(Symbol::Momentum(i), 1)])))
         .collect();
-    let b = in_p.coefficient(graph, &[]);
-    rates.push((Symbol::Action, graph.neg(b)));
-    Some(rates)
+    let b = powers.coefficient(graph, &[]);
+    all.push(equation(Symbol::Action, graph.neg(b)));
+    Some(all)
 }
 
-fn reads(graph: &Graph, id: Id, symbol: Symbol) -> bool {
-    !is_free(graph, id, &|other| other == symbol)
+/// Returns whether one of two equations reads the variable of the other equation.
+fn couple(graph: &Graph, first: &Equation, second: &Equation) -> bool {
+    reads(graph, first.rate, second.x) || reads(graph, second.rate, first.x)
 }
 
-fn set(flow: &mut Flow, symbol: Symbol, end: Id) {
-    match symbol {
-        Symbol::Position(i) => flow.q[i as usize] = end,
-        _ => flow.s = end,
-    }
-}
-
-/// x' = a·x drives y' = Σ cₖxᵏ: y + Σ cₖxᵏ·h·φ₁(kah). (Friction and the heat that it makes.)
-fn driven(graph: &mut Graph, group: &Group, (x, rate): (Symbol, Id), (y, driven): (Symbol, Id)) -> Option<[Id; 2]> {
-    if [rate, driven].into_iter().any(|id| reads(graph, id, y)) {
+/// Returns the ends of x' = a·x and y' = Σ cₖxᵏ: Y = y + Σ cₖxᵏ·h·φ₁(kah). Friction and the heat that it produces are an example.
+fn driven(graph: &mut Graph, driver: &Equation, driven: &Equation) -> Option<[Id; 2]> {
+    let (x, rates) = (driver.x, [driver.rate, driven.rate]);
+    if rates.into_iter().any(|rate| reads(graph, rate, driven.x)) {
         return None;
     }
-    let steady = [rate, driven].into_iter().all(|id| !reads(graph, id, Symbol::Time));
-    let powers = |graph: &mut Graph, id| Polynomial::of(graph, id, &|symbol| symbol == x);
-    let (own, other) = (powers(graph, rate)?, powers(graph, driven)?);
-    let whole = other.has_only(|monomial| monomial.values().all(|power| power.is_integer() && power.numerator > 0));
-    if !own.has_only(|monomial| monomial.values().eq([&Ratio::ONE])) || !whole || !steady && group.clock == Clock::Own {
+    let steady = rates.into_iter().all(|rate| driver.clock.is_steady(graph, rate));
+    let [own, other] = rates.map(|rate| Polynomial::of(graph, rate, &|symbol| symbol == x));
+    let (own, other) = (own?, other?);
+    if !own.has_only(is_linear) || !other.has_only(is_whole) || !steady {
         return None;
     }
     let a = own.coefficient(graph, &[(x, 1)]);
-    let end = scalar::solve(graph, &Equation { x, rate, clock: group.clock })?.end;
-    let [h, x, mut y] = [Symbol::StepLength, x, y].map(|symbol| graph.symbol(symbol));
+    let end = scalar::solve(graph, driver)?.end;
+    let [h, start, mut y] = [Symbol::StepLength, x, driven.x].map(|symbol| graph.symbol(symbol));
     let z = graph.mul(a, h);
-    let terms: Vec<(Ratio, Id)> =
-        other.terms().map(|(m, c)| (m.values().next().copied().unwrap_or(Ratio::ZERO), c)).collect();
-    for (k, coefficient) in terms {
+    for (monomial, coefficient) in other.into_terms() {
+        let k = power(&monomial, x);
         let z = graph.scale(Number::Exact(k), z);
         let mean = graph.call(Function::Phi1, &[z]);
-        let power = graph.pow(x, k);
+        let power = graph.pow(start, k);
         let change = graph.product(&[coefficient, power, h, mean]);
         y = graph.add(y, change);
     }
     Some([end, y])
 }
 
-/// (x, y)' = A(x, y) with constant A: e^(μh)·(C + S·(A − μ)), 2μ the trace of A, C = cos ωh, S = sin ωh/ω, ω² = det(A − μ).
-fn pair(graph: &mut Graph, group: &Group, of: [Symbol; 2], rates: [Id; 2]) -> Option<[Id; 2]> {
+/// Returns the ends of (x, y)' = A(x, y) with constant A: e^(μh)·(C + S·(A − μ)) with μ half the trace of A, ω² = det(A − μ), C = cos ωh,
+/// S = sin ωh/ω.
+fn linear_pair(graph: &mut Graph, equations: [&Equation; 2]) -> Option<[Id; 2]> {
+    let of = equations.map(|equation| equation.x);
     let mut matrix = vec![];
-    for rate in rates {
-        let linear = Polynomial::of(graph, rate, &|symbol| of.contains(&symbol))?;
-        if !linear.has_only(|monomial| monomial.values().eq([&Ratio::ONE])) {
+    for equation in equations {
+        let linear = Polynomial::of(graph, equation.rate, &|symbol| of.contains(&symbol))?;
+        if !linear.has_only(is_linear) {
             return None;
         }
         matrix.push(of.map(|symbol| linear.coefficient(graph, &[(symbol, 1)])));
     }
-    let steady = matrix.iter().flatten().all(|id| !reads(graph, *id, Symbol::Time));
-    if !steady && group.clock == Clock::Own {
+    if !matrix.iter().flatten().all(|entry| equations[0].clock.is_steady(graph, *entry)) {
         return None;
     }
     let h = graph.symbol(Symbol::StepLength);
@@ -123,8 +108,9 @@ fn pair(graph: &mut Graph, group: &Group, of: [Symbol; 2], rates: [Id; 2]) -> Op
     let square = graph.pow(d, Ratio::integer(2));
     let square = graph.add(square, cross);
     let square = graph.neg(square);
-    // The momentum that turns with s has a pole within every half a turn.
-    let (cosine, sine) = rotation(graph, square, h, of.contains(&Symbol::Action));
+    // The momentum of a coordinate that rotates with s has a pole within each half turn.
+    let valid = if of.contains(&Symbol::Action) { Angle::BelowHalfTurn } else { Angle::Any };
+    let (cosine, sine) = rotation(graph, square, h, valid);
     let z = graph.mul(mean, h);
     let growth = graph.call(Function::Exp, &[z]);
     let d = [d, graph.neg(d)];
@@ -139,11 +125,12 @@ fn pair(graph: &mut Graph, group: &Group, of: [Symbol; 2], rates: [Id; 2]) -> Op
     }))
 }
 
-/// P from Q and S, and from what is known of their derivatives.
-fn momenta(graph: &mut Graph, flow: &mut Flow, known: &[(Symbol, Id)]) -> Option<()> {
+/// Sets P from Q and S. `known` contains derivatives of ends by their own starts.
+fn set_momenta(graph: &mut Graph, flow: &mut Flow, known: &[(Symbol, Id)]) -> Option<()> {
     let n = flow.q.len();
     let symbols: Vec<Symbol> = (0..n as u32).map(Symbol::Position).chain([Symbol::Action]).collect();
     let ends = [&flow.q[..], &[flow.s]].concat();
+    // Column n contains the derivatives by s.
     let mut jacobian = diff::jacobian(graph, &ends, &symbols);
     for (i, symbol) in symbols.iter().enumerate() {
         if let Some((_, slope)) = known.iter().find(|(known, _)| known == symbol) {
@@ -151,7 +138,7 @@ fn momenta(graph: &mut Graph, flow: &mut Flow, known: &[(Symbol, Id)]) -> Option
         }
     }
     let p = flow.p.clone();
-    // d_jS, from which what momenta of moving coordinates take is subtracted.
+    // d_jS minus the terms of known momenta.
     let mut rest: Vec<Id> = vec![];
     for j in 0..n {
         let along = graph.mul(p[j], jacobian[n][n]);
@@ -160,11 +147,11 @@ fn momenta(graph: &mut Graph, flow: &mut Flow, known: &[(Symbol, Id)]) -> Option
     let zero = graph.zero();
     let start = Flow::rest(graph, n as u32);
     let moving: Vec<usize> = (0..n).filter(|i| flow.q[*i] != start.q[*i]).collect();
-    let with_s: Vec<usize> = moving.iter().copied().filter(|i| !graph.is_zero(jacobian[*i][n])).collect();
-    let mut known = vec![false; n];
+    let (with_s, mut open): (Vec<usize>, Vec<usize>) =
+        moving.into_iter().partition(|i| !graph.is_zero(jacobian[*i][n]));
 
     if with_s.len() > 1 {
-        // ∂Qᵢ/∂qⱼ + pⱼ ∂Qᵢ/∂s with Qᵢ = qᵢ + …(s): P = y − p (w·y)/(1 + w·p) for y = rest.
+        // For Qᵢ = qᵢ + wᵢ(s): P = y − p (w'·y)/(1 + w'·p) with y = rest.
         if with_s.iter().any(|i| (0..n).any(|j| jacobian[*i][j] != if *i == j { graph.integer(1) } else { zero })) {
             return None;
         }
@@ -181,11 +168,10 @@ fn momenta(graph: &mut Graph, flow: &mut Flow, known: &[(Symbol, Id)]) -> Option
             let own = graph.mul(p[j], share);
             rest[j] = graph.sub(rest[j], own);
         }
-        with_s.iter().for_each(|i| known[*i] = true);
+    } else {
+        // A coordinate that reads s comes first, because its momentum occurs in the equations of all other momenta.
+        open.splice(0..0, with_s);
     }
-    // What depends on s first: it takes from all others.
-    let mut open: Vec<usize> = moving.iter().copied().filter(|i| !known[*i]).collect();
-    open.sort_by_key(|i| !with_s.contains(i));
     while !open.is_empty() {
         let i = open.remove(0);
         let coupled: Vec<usize> = open.iter().copied().filter(|j| !graph.is_zero(jacobian[*j][i])).collect();
@@ -196,9 +182,9 @@ fn momenta(graph: &mut Graph, flow: &mut Flow, known: &[(Symbol, Id)]) -> Option
                 let reciprocal =
                     if graph.is_zero(own) { graph.recip(d) } else { graph.call(Function::RecipPositive, &[d]) };
                 rest[i] = graph.mul(rest[i], reciprocal);
-                take(graph, &mut rest, &jacobian, (&p, i));
+                subtract_known(graph, &mut rest, &jacobian[i], &p, i, &[i]);
             }
-            // Two coordinates that turn into each other, by Cramer's rule.
+            // Two coupled coordinates, by Cramer's rule.
             [j] if graph.is_zero(jacobian[i][n]) && graph.is_zero(jacobian[j][n]) => {
                 open.retain(|other| *other != j);
                 let straight = graph.mul(jacobian[i][i], jacobian[j][j]);
@@ -211,8 +197,8 @@ fn momenta(graph: &mut Graph, flow: &mut Flow, known: &[(Symbol, Id)]) -> Option
                     graph.div(above, determinant)
                 });
                 [rest[i], rest[j]] = solved;
-                take_but(graph, &mut rest, &jacobian, (&p, i), j);
-                take_but(graph, &mut rest, &jacobian, (&p, j), i);
+                subtract_known(graph, &mut rest, &jacobian[i], &p, i, &[i, j]);
+                subtract_known(graph, &mut rest, &jacobian[j], &p, j, &[i, j]);
             }
             _ => return None,
         }
@@ -221,16 +207,11 @@ fn momenta(graph: &mut Graph, flow: &mut Flow, known: &[(Symbol, Id)]) -> Option
     Some(())
 }
 
-/// Subtracts d_jQᵢ Pᵢ from what is left for all other momenta.
-fn take(graph: &mut Graph, rest: &mut [Id], jacobian: &[Vec<Id>], (p, i): (&[Id], usize)) {
-    take_but(graph, rest, jacobian, (p, i), i);
-}
-
-fn take_but(graph: &mut Graph, rest: &mut [Id], jacobian: &[Vec<Id>], (p, i): (&[Id], usize), spared: usize) {
-    let n = p.len();
-    for j in (0..n).filter(|j| *j != i && *j != spared) {
-        let along = graph.mul(p[j], jacobian[i][n]);
-        let weight = graph.add(jacobian[i][j], along);
+/// Subtracts d_jQᵢ Pᵢ from the equations of all momenta except the `solved` ones. `slopes` are the derivatives of Qᵢ.
+fn subtract_known(graph: &mut Graph, rest: &mut [Id], slopes: &[Id], p: &[Id], i: usize, solved: &[usize]) {
+    for j in (0..p.len()).filter(|j| !solved.contains(j)) {
+        let along = graph.mul(p[j], slopes[p.len()]);
+        let weight = graph.add(slopes[j], along);
         let part = graph.mul(weight, rest[i]);
         rest[j] = graph.sub(rest[j], part);
     }

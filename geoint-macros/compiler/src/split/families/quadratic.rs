@@ -1,52 +1,45 @@
-//! Pieces that are quadratic in (q, p).
+//! Families "oscillators" and "uniform field": quadratic energies with simple closed flows.
 
 use super::super::flow::{Flow, Group};
-use super::super::polynomial::{Monomial, Polynomial, is_free};
-use super::super::scalar::rotation;
-use super::super::time::Clock;
+use super::super::polynomial::{Monomial, Polynomial, degree_of_freedom, is_momentum};
+use super::super::scalar::{Angle, rotation};
+use crate::diff::flow::times;
 use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
 
-/// The coefficients of every term, if they are constant, and H has no other than these.
+/// Returns H as a polynomial, if all coefficients are constant along the flow and all monomials are `allowed`. Exponents are integers.
 pub(super) fn coefficients(
     graph: &mut Graph,
     group: &Group,
     allowed: impl Fn(&[(Symbol, i128)]) -> bool,
 ) -> Option<Polynomial> {
-    let powers = Polynomial::of(graph, group.energy, &|symbol| symbol.is_coordinate())?;
-    let mut steady = true;
-    for (monomial, coefficient) in powers.terms() {
+    let powers = Polynomial::of(graph, group.energy, &Symbol::is_coordinate)?;
+    let fits = |monomial: &Monomial| {
         let integers: Option<Vec<(Symbol, i128)>> =
             monomial.iter().map(|(symbol, power)| power.is_integer().then_some((*symbol, power.numerator))).collect();
-        if !integers.is_some_and(|integers| allowed(&integers)) {
-            return None;
-        }
-        steady &= is_free(graph, coefficient, &|symbol| symbol == Symbol::Time);
-    }
-    (steady || group.clock == Clock::Stage).then_some(powers)
+        integers.is_some_and(|integers| allowed(&integers))
+    };
+    let steady = powers.has_only(fits) && powers.terms().all(|(_, c)| group.clock.is_steady(graph, c));
+    steady.then_some(powers)
 }
 
-/// Σ (a p² + 2e q p + b q²)/2 + c s, an oscillator a degree of freedom: with d = e + c/2, ω² = ab − d², C = cos ωh and
-/// S = sin ωh/ω, Q = e^(−ch/2)·(C q + S (d q + a p)), P = e^(−ch/2)·(C p − S (b q + d p)), and s − q·p/2 decays like e^(−ct).
-pub(in super::super) fn oscillator(graph: &mut Graph, group: &Group) -> Option<Flow> {
-    let same = |a: &Symbol, b: &Symbol| {
-        let index = |symbol: &Symbol| match symbol {
-            Symbol::Position(i) | Symbol::Momentum(i) => Some(*i),
-            _ => None,
-        };
-        index(a).is_some() && index(a) == index(b)
-    };
+/// Returns the flow of Σ (a p² + 2e q p + b q²)/2 + c s, one oscillator for each degree of freedom.
+///
+/// With d = e + c/2, ω² = ab − d², C = cos ωh and S = sin ωh/ω: Q = e^(−ch/2)·(C q + S (d q + a p)), P = e^(−ch/2)·(C p − S (b q + d p)),
+/// and s − q·p/2 decays as e^(−ct).
+pub(super) fn oscillator(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let powers = coefficients(graph, group, |monomial| match monomial {
         [(Symbol::Action, 1)] => true,
         [(Symbol::Position(_) | Symbol::Momentum(_), 2)] => true,
-        [(a, 1), (b, 1)] => same(a, b),
+        [(a, 1), (b, 1)] => degree_of_freedom(*a).is_some() && degree_of_freedom(*a) == degree_of_freedom(*b),
         _ => false,
     })?;
-    // What is of degree 1 in the momenta, or reads no positions, is a simpler family.
-    let bends = |monomial: &Monomial| {
-        monomial.iter().any(|(symbol, power)| matches!(symbol, Symbol::Momentum(_)) && *power == Ratio::integer(2))
+    // Simpler families know energies of degree 1 in the momenta and energies without positions.
+    let has = |is_part: &dyn Fn(Symbol, Ratio) -> bool| {
+        powers.terms().any(|(monomial, _)| monomial.iter().any(|(symbol, power)| is_part(*symbol, *power)))
     };
-    let reads_q = |monomial: &Monomial| monomial.keys().any(|symbol| matches!(symbol, Symbol::Position(_)));
-    if powers.has_only(|monomial| !bends(monomial)) || powers.has_only(|monomial| !reads_q(monomial)) {
+    if !has(&|symbol, power| is_momentum(symbol) && power == Ratio::integer(2))
+        || !has(&|symbol, _| matches!(symbol, Symbol::Position(_)))
+    {
         return None;
     }
     let (h, one) = (graph.symbol(Symbol::StepLength), graph.integer(1));
@@ -59,20 +52,16 @@ pub(in super::super) fn oscillator(graph: &mut Graph, group: &Group) -> Option<F
     let mut action = graph.product(&[decay, decay, flow.s]);
     for i in 0..group.degrees {
         let (q, p) = (Symbol::Position(i), Symbol::Momentum(i));
-        let [a, b] = [p, q].map(|symbol| {
-            let half = powers.coefficient(graph, &[(symbol, 2)]);
-            graph.scale(Number::integer(2), half)
-        });
+        let [a, b] = [p, q].map(|symbol| powers.second_derivative(graph, symbol, symbol));
         let e = powers.coefficient(graph, &[(q, 1), (p, 1)]);
-        let e = graph.add(e, half_c);
+        let d = graph.add(e, half_c);
         let product = graph.mul(a, b);
-        let square = graph.pow(e, Ratio::integer(2));
+        let square = graph.pow(d, Ratio::integer(2));
         let square = graph.sub(product, square);
-        let (cosine, sine) = rotation(graph, square, h, false);
+        let (cosine, sine) = rotation(graph, square, h, Angle::Any);
         let [q, p] = [q, p].map(|symbol| graph.symbol(symbol));
-        let [toward_q, toward_p] = [[e, a], [b, e]].map(|[first, second]| {
-            let terms = [graph.mul(first, q), graph.mul(second, p)];
-            let sum = graph.sum(&terms);
+        let [toward_q, toward_p] = [[d, a], [b, d]].map(|[first, second]| {
+            let sum = graph.dot(&[first, second], &[q, p]);
             graph.mul(sine, sum)
         });
         let [kept_q, kept_p] = [q, p].map(|x| graph.mul(cosine, x));
@@ -80,17 +69,18 @@ pub(in super::super) fn oscillator(graph: &mut Graph, group: &Group) -> Option<F
         let p_end = graph.sub(kept_p, toward_p);
         let (q_end, p_end) = (graph.mul(decay, q_end), graph.mul(decay, p_end));
         (flow.q[i as usize], flow.p[i as usize]) = (q_end, p_end);
-        // What s − q·p/2 being free of forces leaves of q·p/2, without differences of nearly equal numbers.
+        // S (C (a p² − b q²) − S (2ab qp + d (a p² + b q²)))/2, damped, is the part of Q·P/2 beyond e^(−ch) q·p/2. The formula subtracts no nearly
+        // equal numbers.
         let [q_squared, p_squared] = [(b, q), (a, p)].map(|(weight, x)| graph.product(&[weight, x, x]));
         let lagrangian = graph.sub(p_squared, q_squared);
         let energy = graph.add(p_squared, q_squared);
         let mixed = graph.product(&[a, b, q, p]);
         let mixed = graph.scale(Number::integer(2), mixed);
-        let energy = graph.mul(e, energy);
+        let energy = graph.mul(d, energy);
         let second = graph.add(mixed, energy);
         let [first, second] = [(cosine, lagrangian), (sine, second)].map(|(weight, x)| graph.mul(weight, x));
         let change = graph.sub(first, second);
-        // Each with its decay: the square of a sine that grows may be beyond all numbers.
+        // Each factor is damped by itself, because the square of a growing sine may overflow.
         let [sine, change] = [sine, change].map(|x| graph.mul(decay, x));
         let change = graph.mul(sine, change);
         let change = graph.scale(Number::HALF, change);
@@ -100,8 +90,8 @@ pub(in super::super) fn oscillator(graph: &mut Graph, group: &Group) -> Option<F
     Some(flow)
 }
 
-/// p·Wp/2 + b·p + g·q + c: the parabola of a throw.
-pub(in super::super) fn uniform_field(graph: &mut Graph, group: &Group) -> Option<Flow> {
+/// Returns the flow of p·Wp/2 + b·p + g·q + c, the parabola of a throw.
+pub(super) fn uniform_field(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let powers = coefficients(graph, group, |monomial| {
         matches!(
             monomial,
@@ -110,35 +100,19 @@ pub(in super::super) fn uniform_field(graph: &mut Graph, group: &Group) -> Optio
                 | [(Symbol::Momentum(_), 1), (Symbol::Momentum(_), 1)]
         )
     })?;
-    let degrees = group.degrees;
-    let of = |graph: &mut Graph, powers_of: &[(Symbol, i128)]| powers.coefficient(graph, powers_of);
-    let g: Vec<Id> = (0..degrees).map(|i| of(graph, &[(Symbol::Position(i), 1)])).collect();
-    let b: Vec<Id> = (0..degrees).map(|i| of(graph, &[(Symbol::Momentum(i), 1)])).collect();
-    let c = of(graph, &[]);
-    // W x.
-    let weighted = |graph: &mut Graph, x: &[Id]| -> Vec<Id> {
-        let mut rows = vec![];
-        for i in 0..degrees {
-            let mut row = graph.zero();
-            for j in 0..degrees {
-                let entry = if i == j {
-                    let half = powers.coefficient(graph, &[(Symbol::Momentum(i), 2)]);
-                    graph.scale(Number::integer(2), half)
-                } else {
-                    powers.coefficient(graph, &[(Symbol::Momentum(i.min(j)), 1), (Symbol::Momentum(i.max(j)), 1)])
-                };
-                let part = graph.mul(entry, x[j as usize]);
-                row = graph.add(row, part);
-            }
-            rows.push(row);
-        }
-        rows
-    };
-    let mut flow = Flow::rest(graph, degrees);
+    let all = || 0..group.degrees;
+    let g: Vec<Id> = all().map(|i| powers.coefficient(graph, &[(Symbol::Position(i), 1)])).collect();
+    let b: Vec<Id> = all().map(|i| powers.coefficient(graph, &[(Symbol::Momentum(i), 1)])).collect();
+    let c = powers.coefficient(graph, &[]);
+    let mut flow = Flow::rest(graph, group.degrees);
     let (q, p, h) = (flow.q.clone(), flow.p.clone(), graph.symbol(Symbol::StepLength));
-    let (velocity, fall) = (weighted(graph, &p), weighted(graph, &g));
+    let row = |graph: &mut Graph, i| -> Vec<Id> {
+        all().map(|j| powers.second_derivative(graph, Symbol::Momentum(i), Symbol::Momentum(j))).collect()
+    };
+    let w: Vec<Vec<Id>> = all().map(|i| row(graph, i)).collect();
+    let (velocity, fall) = (times(graph, &w, &p), times(graph, &w, &g));
     let [h2, h3] = [2, 3].map(|power| graph.pow(h, Ratio::integer(power)));
-    for i in 0..degrees as usize {
+    for i in 0..q.len() {
         let rate = graph.add(velocity[i], b[i]);
         let straight = graph.mul(h, rate);
         let bent = graph.mul(h2, fall[i]);
@@ -148,7 +122,7 @@ pub(in super::super) fn uniform_field(graph: &mut Graph, group: &Group) -> Optio
         let impulse = graph.mul(h, g[i]);
         flow.p[i] = graph.sub(p[i], impulse);
     }
-    // s' = T₂(p) − g·q − c along the parabola.
+    // The integral of s' = p·Wp/2 − g·q − c along the parabola.
     let twice = graph.dot(&p, &velocity);
     let kinetic = graph.scale(Number::HALF, twice);
     let height = graph.dot(&g, &q);

@@ -1,4 +1,4 @@
-//! Fields x' = S(x) ∇H as sums of pieces whose flows are known: by terms of H, or by planes.
+//! Fields x' = S(x) ∇H as sums of parts with known flows: one part for each group of terms of H, or for each plane.
 
 mod linear;
 mod solve;
@@ -13,10 +13,10 @@ use crate::diff::field::Field;
 use crate::ir::{Graph, Id, Symbol};
 use std::collections::BTreeSet;
 
-/// What is known of a kind of fields.
+/// A rule for the flow of one kind of fields.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Rule {
-    /// What it is called in reports.
+    /// The name in reports.
     pub(crate) name: &'static str,
     /// The fields.
     pub(crate) fields: &'static str,
@@ -25,38 +25,42 @@ pub(crate) struct Rule {
 /// A part of a field.
 #[derive(Debug)]
 pub(crate) struct Part {
-    /// The term of H; of a plane, a velocity in it.
+    /// The terms of H, or a velocity in the plane.
     pub(crate) formula: Id,
     pub(crate) rules: Vec<Rule>,
     pub(crate) clock: Clock,
     pub(crate) motion: Motion,
 }
 
-/// How a part moves what it moves.
+/// The motion of the coordinates that a part moves.
 #[derive(Debug)]
 pub(crate) enum Motion {
-    /// Where a flow of length h ends.
+    /// The end of a flow of length h.
     Closed(Vec<(Symbol, Id)>),
-    /// The mean velocity of a symmetric step of order 2, with its derivative by the increments.
+    /// The mean velocity of a step in a plane, with its derivative by the increments.
     Solved([Symbol; 2], Field),
 }
 
-/// Why there are no such parts.
+/// The reason why parts do not exist.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct NoPart {
-    /// The term, or a velocity, without a flow.
+    /// The term or velocity without a flow.
     pub(crate) formula: Id,
-    /// Two coordinates: of a term, that it reads and that are not in involution; or those of the plane.
+    /// Two coordinates that the term reads and that are not in involution, or the coordinates of the plane.
     pub(crate) pair: Option<[Symbol; 2]>,
 }
 
-/// Which coordinates a node reads.
+/// Returns the indices of the coordinates that a node reads.
 fn read(graph: &Graph, id: Id) -> BTreeSet<u32> {
-    let place = |symbol: &Symbol| if let Symbol::Position(i) = symbol { Some(*i) } else { None };
-    graph.symbols(id).iter().filter_map(place).collect()
+    graph.symbols(id).into_iter().filter_map(index).collect()
 }
 
-/// Frozen in the middle of a step, unless nothing reads time.
+/// Returns the index of a coordinate.
+fn index(symbol: Symbol) -> Option<u32> {
+    if let Symbol::Position(i) = symbol { Some(i) } else { None }
+}
+
+/// Returns the clock of a part: if a rate reads time, time is frozen in the middle of a step.
 fn clock(graph: &Graph, rates: &[(Symbol, Id)]) -> Clock {
     if rates.iter().any(|(_, rate)| graph.reads(*rate).t) { Clock::Stage } else { Clock::Own }
 }

@@ -1,7 +1,7 @@
-//! x' = S(x) ∇I by planes: xᵢ' = S_ij ∂_jI, x_j' = −S_ij ∂_iI with everything else at rest keeps I, and their sum over i < j is the field.
-//! A plane has a flow in closed form, or is solved for with divided differences of I.
+//! Fields x' = S(x) ∇I by planes. In the plane i, j, xᵢ' = S_ij ∂_jI and x_j' = −S_ij ∂_iI, and all other coordinates are constant.
 //!
-//! G. R. W. Quispel & H. W. Capel, Phys. Lett. A 218 (1996) 223.
+//! Each plane keeps I, and the sum over i < j is the field. The flow of a plane has a closed form, or a step is solved for with divided
+//! differences of I. G. R. W. Quispel & H. W. Capel, Phys. Lett. A 218 (1996) 223.
 
 use super::super::polynomial::is_free;
 use super::super::scalar::{self, Equation};
@@ -10,7 +10,7 @@ use super::solve::{Ends, solve};
 use super::{Motion, NoPart, Part, Rule, clock};
 use crate::diff;
 use crate::diff::field::{Field, end, middle};
-use crate::ir::substitute::Substitution;
+use crate::ir::substitute::{Substitution, replaced};
 use crate::ir::{Graph, Id, Symbol};
 
 const LINE: Rule = Rule { name: "line", fields: "x' = w(x)·d with a constant d, w of degree 2 at most along it" };
@@ -23,28 +23,28 @@ const INCREMENTS: Rule = Rule {
     fields: "S_ij ∇I in a plane, solved for: 2 unknowns, one coordinate after the other, I kept, order 1",
 };
 
-/// Not more planes than this are solved for: each has an equation of its own, which users pay for when they compile, and which a step
-/// solves twice.
+/// The largest number of planes that are solved for. Each plane has its own equation, which costs compile time and is solved twice in each step.
 const MOST_SOLVED: usize = 12;
 
-/// The way between both ends of a step along which divided differences of I are taken, and where S_ij is.
+/// The path between both ends of a step for the divided differences of I, and the point where S_ij is evaluated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Way {
-    /// The tree discrete gradient, S_ij in the middle: symmetric.
+enum Path {
+    /// The tree discrete gradient, with S_ij in the middle. The step is symmetric.
     Straight,
-    /// The first coordinate, then the second, S_ij at the start.
+    /// The first coordinate moves before the second one. S_ij is taken at the start.
     FirstAhead,
-    /// The second coordinate, then the first, S_ij at the end: the adjoint of that.
+    /// The second coordinate moves before the first one. S_ij is taken at the end. The step is the adjoint of `FirstAhead`.
     SecondAhead,
 }
 
-/// A plane: its coordinates, S_ij, and what it moves.
+/// A plane of two coordinates.
 struct Plane {
     pair: [u32; 2],
+    /// S_ij.
     s: Id,
     /// ∂_jI and −∂_iI.
     directions: [Id; 2],
-    /// Of what moves.
+    /// The nonzero rates.
     rates: Vec<(Symbol, Id)>,
 }
 
@@ -57,8 +57,8 @@ impl Plane {
         Part { formula: self.rates[0].1, rules, clock: clock(graph, &self.rates), motion }
     }
 
-    /// The first velocity that is not linear in the plane, or the first of all.
-    fn bent(&self, graph: &mut Graph) -> NoPart {
+    /// Returns the first velocity that is not linear in the plane, or else the first velocity.
+    fn without_flow(&self, graph: &mut Graph) -> NoPart {
         let pair = self.symbols();
         let rates: Vec<Id> = self.rates.iter().map(|(_, rate)| *rate).collect();
         let slopes = diff::jacobian(graph, &rates, &pair);
@@ -68,7 +68,7 @@ impl Plane {
     }
 }
 
-/// All planes in the order of the entries of S.
+/// Returns all planes that move, in the order of the entries of S.
 fn all(graph: &mut Graph, integral: Id, structure: &[Vec<Id>]) -> Vec<Plane> {
     let n = structure.len();
     let slopes = diff::gradient(graph, integral, n as u32).q;
@@ -90,7 +90,8 @@ fn all(graph: &mut Graph, integral: Id, structure: &[Vec<Id>]) -> Vec<Plane> {
     planes
 }
 
-/// The parts in the order of half a step: neighbours first where all flows are known, else as the entries of S are written.
+/// Returns the planes in the order of half a step. If all flows have a closed form, planes of neighbouring coordinates come first. Otherwise the
+/// order is the order of the entries of S.
 pub(crate) fn planes(graph: &mut Graph, integral: Id, structure: &[Vec<Id>]) -> Result<Vec<Part>, NoPart> {
     let mut parts: Vec<([u32; 2], Part)> = vec![];
     let mut open: Vec<NoPart> = vec![];
@@ -99,10 +100,10 @@ pub(crate) fn planes(graph: &mut Graph, integral: Id, structure: &[Vec<Id>]) -> 
         let clock = clock(graph, &plane.rates);
         let closed = solve(graph, &plane.rates, clock).or_else(|| line(graph, &plane, clock));
         let (motion, rules) = match closed {
-            Some((ends, rules)) => (Motion::Closed(ends), rules),
+            Some(Ends { ends, rules }) => (Motion::Closed(ends), rules),
             None => {
-                open.push(plane.bent(graph));
-                (solved(graph, &slopes, &plane, Way::Straight), vec![DISCRETE])
+                open.push(plane.without_flow(graph));
+                (solved(graph, &slopes, &plane, Path::Straight), vec![DISCRETE])
             }
         };
         parts.push((plane.pair, plane.part(graph, motion, rules)));
@@ -116,83 +117,88 @@ pub(crate) fn planes(graph: &mut Graph, integral: Id, structure: &[Vec<Id>]) -> 
     Ok(parts.into_iter().map(|(_, part)| part).collect())
 }
 
-/// All planes as discrete gradients; and as increments, then their adjoints in reverse.
+/// Returns two lists of parts: all planes by discrete gradients, and all planes by increments, followed by their adjoints in reverse order.
 pub(crate) fn solved_planes(graph: &mut Graph, integral: Id, structure: &[Vec<Id>]) -> [Result<Vec<Part>, NoPart>; 2] {
     let planes = all(graph, integral, structure);
     if planes.len() > MOST_SOLVED {
-        let first = planes[0].bent(graph);
+        let first = planes[0].without_flow(graph);
         return [Err(first), Err(first)];
     }
     let slopes = diff::discrete_gradient(graph, integral, structure.len() as u32).q;
-    let mut parts = |planes: &mut dyn Iterator<Item = &Plane>, way, rule| -> Vec<Part> {
-        planes
-            .map(|plane| {
-                let motion = solved(graph, &slopes, plane, way);
-                plane.part(graph, motion, vec![rule])
-            })
-            .collect()
+    let mut part = |plane: &Plane, path, rule| {
+        let motion = solved(graph, &slopes, plane, path);
+        plane.part(graph, motion, vec![rule])
     };
-    let straight = parts(&mut planes.iter(), Way::Straight, DISCRETE);
-    let mut increments = parts(&mut planes.iter(), Way::FirstAhead, INCREMENTS);
-    increments.extend(parts(&mut planes.iter().rev(), Way::SecondAhead, INCREMENTS));
+    let straight = planes.iter().map(|plane| part(plane, Path::Straight, DISCRETE)).collect();
+    let mut increments: Vec<Part> = planes.iter().map(|plane| part(plane, Path::FirstAhead, INCREMENTS)).collect();
+    increments.extend(planes.iter().rev().map(|plane| part(plane, Path::SecondAhead, INCREMENTS)));
     [Ok(straight), Ok(increments)]
 }
 
-/// The ends on a line: with x + τd, τ' = S_ij(x + τd) is Riccati's equation.
+/// Returns the flow of a plane with constant directions d. On the line x + τd, τ' = S_ij(x + τd).
 fn line(graph: &mut Graph, plane: &Plane, clock: Clock) -> Option<Ends> {
     let (pair, directions) = (plane.symbols(), plane.directions);
     let moves = |symbol: Symbol| pair.contains(&symbol);
     if !directions.iter().all(|d| is_free(graph, *d, &moves)) {
         return None;
     }
-    // The way along the line is called by a symbol that nothing else here reads.
-    let way = Symbol::PositionIncrement(0);
+    // The symbol for τ does not occur in S.
+    let tau = Symbol::PositionIncrement(0);
     let on_line = |graph: &mut Graph, symbol: Symbol| {
         let place = pair.iter().position(|other| *other == symbol)?;
-        let [way, x] = [way, symbol].map(|symbol| graph.symbol(symbol));
-        let moved = graph.mul(way, directions[place]);
+        let [tau, x] = [tau, symbol].map(|symbol| graph.symbol(symbol));
+        let moved = graph.mul(tau, directions[place]);
         Some(graph.add(x, moved))
     };
     let rate = Substitution::new(on_line).apply(graph, plane.s);
-    let solution = scalar::solve(graph, &Equation { x: way, rate, clock })?;
-    let way =
-        Substitution::new(|graph: &mut Graph, symbol| (symbol == way).then(|| graph.zero())).apply(graph, solution.end);
+    let solution = scalar::solve(graph, &Equation { x: tau, rate, clock })?;
+    let zero = graph.zero();
+    let length = replaced(graph, solution.end, tau, zero);
     let mut ends = vec![];
-    for (symbol, d) in pair.into_iter().zip(directions).filter(|(_, d)| !graph.is_zero(*d)).collect::<Vec<_>>() {
-        let (x, moved) = (graph.symbol(symbol), graph.mul(way, d));
-        ends.push((symbol, graph.add(x, moved)));
+    for (symbol, d) in pair.into_iter().zip(directions) {
+        if !graph.is_zero(d) {
+            let (x, moved) = (graph.symbol(symbol), graph.mul(length, d));
+            ends.push((symbol, graph.add(x, moved)));
+        }
     }
-    Some((ends, vec![LINE]))
+    Some(Ends { ends, rules: vec![LINE] })
 }
 
-/// S_ij·(∂̄_jI, −∂̄_iI), of order 1 or 2; `slopes` is the discrete gradient of I.
-fn solved(graph: &mut Graph, slopes: &[Id], plane: &Plane, way: Way) -> Motion {
+/// The state of one coordinate of a plane while a divided difference is taken along the other coordinate.
+#[derive(Clone, Copy, PartialEq)]
+enum Beside {
+    Moving,
+    AtStart,
+    AtEnd,
+}
+
+/// Returns the step S_ij·(∂̄_jI, −∂̄_iI), whose order is 1 or 2. `slopes` is the discrete gradient of I.
+fn solved(graph: &mut Graph, slopes: &[Id], plane: &Plane, path: Path) -> Motion {
     let [i, j] = plane.pair;
     let unknowns = [i, j].map(Symbol::PositionIncrement).to_vec();
-    // Of both divided differences: which coordinates move in it, and which is at its end.
-    let [first, second] = match way {
-        Way::Straight => [(vec![i, j], None), (vec![i, j], None)],
-        Way::FirstAhead => [(vec![i], None), (vec![j], Some(i))],
-        Way::SecondAhead => [(vec![i], Some(j)), (vec![j], None)],
+    let [i_beside, j_beside] = match path {
+        Path::Straight => [Beside::Moving, Beside::Moving],
+        Path::FirstAhead => [Beside::AtEnd, Beside::AtStart],
+        Path::SecondAhead => [Beside::AtStart, Beside::AtEnd],
     };
-    let along = |graph: &mut Graph, slope: Id, (moving, ahead): (Vec<u32>, Option<u32>)| {
+    let along = |graph: &mut Graph, own: u32, other: u32, beside: Beside| {
         let place = |graph: &mut Graph, symbol| match symbol {
-            Symbol::PositionIncrement(k) if !moving.contains(&k) => Some(graph.zero()),
-            Symbol::Position(k) if ahead == Some(k) => end(graph, symbol),
+            Symbol::PositionIncrement(k) if k != own && (k != other || beside != Beside::Moving) => Some(graph.zero()),
+            Symbol::Position(k) if k == other && beside == Beside::AtEnd => end(graph, symbol),
             _ => None,
         };
-        Substitution::new(place).apply(graph, slope)
+        Substitution::new(place).apply(graph, slopes[own as usize])
     };
-    let slopes = [along(graph, slopes[j as usize], second), along(graph, slopes[i as usize], first)];
+    let [by_j, by_i] = [along(graph, j, i, i_beside), along(graph, i, j, j_beside)];
     let moves = |symbol: Symbol| plane.symbols().contains(&symbol);
-    let place = |graph: &mut Graph, symbol| match way {
-        Way::Straight if moves(symbol) => middle(graph, symbol),
-        Way::SecondAhead if moves(symbol) => end(graph, symbol),
+    let place = |graph: &mut Graph, symbol| match path {
+        Path::Straight if moves(symbol) => middle(graph, symbol),
+        Path::SecondAhead if moves(symbol) => end(graph, symbol),
         _ => None,
     };
     let s = Substitution::new(place).apply(graph, plane.s);
-    let back = graph.neg(slopes[1]);
-    let f: Vec<Id> = [slopes[0], back].into_iter().map(|slope| graph.mul(s, slope)).collect();
+    let back = graph.neg(by_i);
+    let f = vec![graph.mul(s, by_j), graph.mul(s, back)];
     let jacobian = diff::jacobian(graph, &f, &unknowns);
     Motion::Solved(plane.symbols(), Field { unknowns, f, jacobian })
 }

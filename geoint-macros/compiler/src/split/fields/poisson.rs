@@ -1,7 +1,7 @@
-//! x' = S(x) ∇H by the terms of H.
+//! Fields x' = S(x) ∇H by the terms of H.
 //!
-//! A term that reads only coordinates in involution, S_ij = 0 for i and j among them, leaves these where they are: they are constants of
-//! its flow, and what they move mostly obeys single equations, or a linear field. R. I. McLachlan, Phys. Rev. Lett. 71 (1993) 3043.
+//! If a term reads only coordinates in involution, S_ij = 0 for all i and j among them, its flow keeps these coordinates. The other
+//! coordinates then mostly obey single equations or a linear field. R. I. McLachlan, Phys. Rev. Lett. 71 (1993) 3043.
 
 use super::super::products::multiplied_out;
 use super::linear::is_zero;
@@ -14,23 +14,31 @@ use crate::ir::{Graph, Id, Symbol};
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
 
-/// Some terms that flow together.
+/// Terms that flow together.
 struct Group {
     energy: Id,
+    /// The coordinates that the terms read.
     reads: BTreeSet<u32>,
-    /// Whether these are in involution.
+    /// Whether these coordinates are in involution.
     involutive: bool,
     ends: Ends,
 }
 
 impl Group {
-    /// What a step goes through first: more coordinates that stand still; last what moves what it reads.
+    /// Returns the position in a step. Groups with more constant coordinates come first. Groups that move coordinates that they read come last.
     fn rank(&self) -> (bool, Reverse<usize>) {
         (!self.involutive, Reverse(if self.involutive { self.reads.len() } else { 0 }))
     }
 }
 
-/// The parts in the order of half a step.
+/// Whether two groups are neighbours in the order of a step.
+#[derive(Clone, Copy, PartialEq)]
+enum Distance {
+    Adjacent,
+    Apart,
+}
+
+/// Returns the parts in the order of half a step.
 pub(crate) fn parts(graph: &mut Graph, energy: Id, structure: &[Vec<Id>]) -> Result<Vec<Part>, NoPart> {
     let mut system = System { structure, involution: vec![vec![None; structure.len()]; structure.len()] };
     let terms = analyze::terms(graph, energy);
@@ -41,42 +49,58 @@ pub(crate) fn parts(graph: &mut Graph, energy: Id, structure: &[Vec<Id>]) -> Res
         if read(graph, term).is_empty() {
             continue;
         }
-        match system.group(graph, term) {
-            Some(group) => groups.push(group),
-            None => match multiplied_out(graph, term, |graph, sum| graph.reads(sum).state()) {
-                Some(products) => open.extend(products.into_iter().rev()),
-                None => {
-                    return Err(NoPart { formula: term, pair: system.not_in_involution(graph, &read(graph, term)) });
-                }
-            },
+        if let Some(group) = system.group(graph, term) {
+            groups.push(group);
+        } else if let Some(products) = multiplied_out(graph, term, |graph, sum| graph.reads(sum).state()) {
+            open.extend(products.into_iter().rev());
+        } else {
+            return Err(NoPart { formula: term, pair: system.not_in_involution(graph, &read(graph, term)) });
         }
     }
     groups.sort_by(|a, b| a.rank().cmp(&b.rank()).then_with(|| a.reads.cmp(&b.reads)));
     let mut merged: Vec<Group> = vec![];
     for group in groups {
-        let all = merged.len();
-        let together = (0..all).find_map(|i| Some((i, system.together(graph, &merged[i], &group, i + 1 == all)?)));
+        let together = (0..merged.len()).find_map(|i| {
+            let distance = if i + 1 == merged.len() { Distance::Adjacent } else { Distance::Apart };
+            Some((i, system.together(graph, &merged[i], &group, distance)?))
+        });
         match together {
             Some((i, together)) => merged[i] = together,
             None => merged.push(group),
         }
     }
     merged.sort_by_key(Group::rank);
-    let part = |graph: &mut Graph, Group { energy, ends: (ends, rules), .. }: Group| {
+    let part = |graph: &mut Graph, Group { energy, ends: Ends { ends, rules }, .. }: Group| {
         let rates = system.rates(graph, energy);
         Part { formula: energy, rules, clock: clock(graph, &rates), motion: Motion::Closed(ends) }
     };
     Ok(merged.into_iter().map(|group| part(graph, group)).collect())
 }
 
-/// S, and which coordinates are known to be in involution.
+/// A term c·xᵢxⱼ of two coordinates in involution.
+struct Product {
+    term: Id,
+    pair: [u32; 2],
+    /// c.
+    strength: Id,
+}
+
+/// Three products with a flow together.
+struct ScalarProduct {
+    energy: Id,
+    /// The terms of the second and third product.
+    others: [Id; 2],
+}
+
+/// The matrix S.
 struct System<'a> {
     structure: &'a [Vec<Id>],
+    /// Whether pairs of coordinates are in involution. Filled on demand.
     involution: Vec<Vec<Option<bool>>>,
 }
 
 impl System<'_> {
-    /// What S ∇H moves.
+    /// Returns the nonzero entries of S ∇H.
     fn rates(&self, graph: &mut Graph, energy: Id) -> Vec<(Symbol, Id)> {
         let slopes = diff::gradient(graph, energy, self.structure.len() as u32).q;
         let field = times(graph, self.structure, &slopes);
@@ -84,7 +108,7 @@ impl System<'_> {
         rates.filter(|(_, rate)| !graph.is_zero(*rate)).collect()
     }
 
-    /// Terms with a flow in closed form.
+    /// Returns an energy as a group, if its flow has a closed form.
     fn group(&mut self, graph: &mut Graph, energy: Id) -> Option<Group> {
         let rates = self.rates(graph, energy);
         let clock = clock(graph, &rates);
@@ -94,75 +118,73 @@ impl System<'_> {
         Some(Group { energy, reads, involutive, ends })
     }
 
-    /// The terms, three products x₁y₁, x₂y₂ and x₃y₃ that have a flow together as one: each turns two vectors by itself, and all of
-    /// them turn both about their sum.
+    /// Joins three products x₁y₁, x₂y₂ and x₃y₃ if the flow of their sum is known. The sum rotates both vectors about x + y. One product alone
+    /// rotates each vector by itself.
     fn with_scalar_products(&mut self, graph: &mut Graph, terms: Vec<Id>) -> Vec<Id> {
-        let mut products: Vec<(Id, [u32; 2], Id)> = vec![];
+        let mut products: Vec<Product> = vec![];
         let mut whole = vec![];
-        let mut found = false;
         for term in &terms {
-            let coordinates: Vec<u32> = read(graph, *term).into_iter().collect();
-            let second = match coordinates[..] {
-                [i, j] => {
-                    let slope = diff::partial(graph, *term, Symbol::Position(i));
-                    diff::partial(graph, slope, Symbol::Position(j))
-                }
-                _ => graph.zero(),
-            };
-            let constant = read(graph, second).is_empty() && !graph.is_zero(second);
-            match coordinates[..] {
-                [i, j] if constant && self.commute(graph, i, j) => products.push((*term, [i, j], second)),
-                _ => whole.push(*term),
+            match self.product(graph, *term) {
+                Some(product) => products.push(product),
+                None => whole.push(*term),
             }
         }
+        let mut found = false;
         while let Some(first) = products.pop() {
-            match self.scalar_product(graph, first, &products) {
-                Some((together, others)) => {
+            match self.scalar_product(graph, &first, &products) {
+                Some(ScalarProduct { energy, others }) => {
                     found = true;
-                    products.retain(|(term, ..)| !others.contains(term));
-                    whole.push(together);
+                    products.retain(|product| !others.contains(&product.term));
+                    whole.push(energy);
                 }
-                None => whole.push(first.0),
+                None => whole.push(first.term),
             }
         }
         if found { whole } else { terms }
     }
 
-    /// The sum of a product and two of the others, and these, if together they have a flow.
-    fn scalar_product(
-        &mut self,
-        graph: &mut Graph,
-        (term, own, strength): (Id, [u32; 2], Id),
-        products: &[(Id, [u32; 2], Id)],
-    ) -> Option<(Id, [Id; 2])> {
-        let mut beside: Vec<(Id, [u32; 2])> = vec![];
-        for (other, [i, j], of_other) in products {
-            let apart = !self.commute(graph, own[0], *i) && !self.commute(graph, own[1], *j);
-            if apart && *of_other == strength {
-                beside.push((*other, [*i, *j]));
+    /// Returns a term as a product of two coordinates in involution.
+    fn product(&mut self, graph: &mut Graph, term: Id) -> Option<Product> {
+        let [i, j] = read(graph, term).into_iter().collect::<Vec<_>>()[..] else { return None };
+        let slope = diff::partial(graph, term, Symbol::Position(i));
+        let strength = diff::partial(graph, slope, Symbol::Position(j));
+        let constant = read(graph, strength).is_empty() && !graph.is_zero(strength);
+        (constant && self.commute(graph, i, j)).then_some(Product { term, pair: [i, j], strength })
+    }
+
+    /// Returns the sum of a product and two others, if the sum has a flow.
+    fn scalar_product(&mut self, graph: &mut Graph, first: &Product, products: &[Product]) -> Option<ScalarProduct> {
+        let mut beside: Vec<&Product> = vec![];
+        for other in products {
+            if self.are_coupled(graph, first, other) && other.strength == first.strength {
+                beside.push(other);
             }
         }
-        for (n, (second, [i, j])) in beside.iter().enumerate() {
-            for (third, [k, l]) in &beside[..n] {
-                let apart = !self.commute(graph, *i, *k) && !self.commute(graph, *j, *l);
-                let sum = graph.sum(&[term, *second, *third]);
-                if apart && self.group(graph, sum).is_some() {
-                    return Some((sum, [*second, *third]));
+        for (n, second) in beside.iter().enumerate() {
+            for third in &beside[..n] {
+                let coupled = self.are_coupled(graph, second, third);
+                let energy = graph.sum(&[first.term, second.term, third.term]);
+                if coupled && self.group(graph, energy).is_some() {
+                    return Some(ScalarProduct { energy, others: [second.term, third.term] });
                 }
             }
         }
         None
     }
 
-    /// Two groups as one, if nothing depends on which of them flows first. `next`: the second follows the first.
-    fn together(&mut self, graph: &mut Graph, first: &Group, second: &Group, next: bool) -> Option<Group> {
+    /// Returns whether neither the first coordinates nor the second coordinates of two products commute.
+    fn are_coupled(&mut self, graph: &mut Graph, a: &Product, b: &Product) -> bool {
+        !self.commute(graph, a.pair[0], b.pair[0]) && !self.commute(graph, a.pair[1], b.pair[1])
+    }
+
+    /// Returns two groups as one, if their flows commute and the sum has a flow.
+    fn together(&mut self, graph: &mut Graph, first: &Group, second: &Group, distance: Distance) -> Option<Group> {
         let commute = if first.involutive && second.involutive {
             self.not_in_involution(graph, &(&first.reads | &second.reads)).is_none()
         } else {
-            // What moves what it reads stays where it is in the order, unless both are scalar products: these may follow each other in any
-            // order.
-            let products = [first, second].iter().all(|group| group.ends.1.contains(&SUMS));
-            (next || products)
+            // Other groups keep their places in the order, unless both are scalar products, which may be reordered.
+            let products = [first, second].iter().all(|group| group.ends.rules.contains(&SUMS));
+            (distance == Distance::Adjacent || products)
                 && first.reads.is_disjoint(&second.reads)
                 && first.reads.iter().all(|i| second.reads.iter().all(|j| self.commute(graph, *i, *j)))
         };
@@ -173,16 +195,16 @@ impl System<'_> {
         self.group(graph, energy)
     }
 
+    /// Returns whether S_ij is proven to be zero.
     fn commute(&mut self, graph: &mut Graph, i: u32, j: u32) -> bool {
         let (i, j) = (i.min(j) as usize, i.max(j) as usize);
         let entry = self.structure[i][j];
         *self.involution[i][j].get_or_insert_with(|| is_zero(graph, entry))
     }
 
-    /// The first two coordinates, if any, that are not in involution.
+    /// Returns the first two coordinates that are not in involution.
     fn not_in_involution(&mut self, graph: &mut Graph, reads: &BTreeSet<u32>) -> Option<[Symbol; 2]> {
-        let pairs = reads.iter().flat_map(|i| reads.iter().map(move |j| [*i, *j])).filter(|[i, j]| i < j);
-        let pairs: Vec<[u32; 2]> = pairs.collect();
-        pairs.into_iter().find(|[i, j]| !self.commute(graph, *i, *j)).map(|pair| pair.map(Symbol::Position))
+        let mut pairs = reads.iter().flat_map(|i| reads.range(i + 1..).map(move |j| [*i, *j]));
+        pairs.find(|[i, j]| !self.commute(graph, *i, *j)).map(|pair| pair.map(Symbol::Position))
     }
 }

@@ -1,15 +1,24 @@
-//! The flow of a field, all of whose coordinates that move depend on few others that move.
+//! Flows of fields whose moving coordinates form small independent blocks.
 
 use super::super::polynomial::{Polynomial, times_powers};
 use super::super::scalar::{self, Equation};
 use super::super::time::Clock;
-use super::{Rule, linear, read};
+use super::{Rule, index, linear, read};
 use crate::ir::substitute::Substitution;
 use crate::ir::{Function, Graph, Id, Node, Ratio, Symbol};
 use std::collections::BTreeSet;
 
-/// Where everything that moves is after h, and by which rules.
-pub(super) type Ends = (Vec<(Symbol, Id)>, Vec<Rule>);
+/// The end of a flow of length h for each moving coordinate, and the rules that found it.
+pub(super) struct Ends {
+    pub(super) ends: Vec<(Symbol, Id)>,
+    pub(super) rules: Vec<Rule>,
+}
+
+/// The end of the flow of one block.
+struct BlockEnds {
+    ends: Vec<(Symbol, Id)>,
+    rule: Rule,
+}
 
 const SCALAR: Rule = Rule { name: "single equations", fields: "x' = g(x), all else at rest" };
 
@@ -18,28 +27,28 @@ pub(super) const SUMS: Rule = Rule {
     fields: "xᵢ + xⱼ at rest for pairs of coordinates, by which half of them follow",
 };
 
-/// The ends of x' = rate for the coordinates that move, if they are known in closed form.
+/// Returns the ends of x' = rate, if all blocks have flows in closed form.
 pub(super) fn solve(graph: &mut Graph, rates: &[(Symbol, Id)], clock: Clock) -> Option<Ends> {
-    blocks(graph, rates).into_iter().try_fold((vec![], vec![]), |(mut ends, mut rules), block| {
-        let found = block_ends(graph, &block, clock)
+    let mut all = Ends { ends: vec![], rules: vec![] };
+    for block in blocks(graph, rates) {
+        let BlockEnds { ends, rule } = block_ends(graph, &block, clock)
             .or_else(|| {
-                let cleared = cleared(graph, &block)?;
-                block_ends(graph, &cleared, clock)
+                let plain = with_plain_reciprocals(graph, &block)?;
+                block_ends(graph, &plain, clock)
             })
-            .or_else(|| by_constant_sums(graph, &block, clock));
-        let (own, rule) = found?;
-        ends.extend(own);
-        if !rules.contains(&rule) {
-            rules.push(rule);
+            .or_else(|| by_constant_sums(graph, &block, clock))?;
+        all.ends.extend(ends);
+        if !all.rules.contains(&rule) {
+            all.rules.push(rule);
         }
-        Some((ends, rules))
-    })
+    }
+    Some(all)
 }
 
-/// Coordinates that move, each with its velocity.
+/// Coordinates with their velocities.
 type Rates = Vec<(Symbol, Id)>;
 
-/// The coordinates that move, in sets that do not read each other.
+/// Returns the moving coordinates in sets that do not read each other.
 fn blocks(graph: &Graph, rates: &[(Symbol, Id)]) -> Vec<Rates> {
     let mut sets: Vec<(BTreeSet<u32>, Rates)> = vec![];
     let moving: BTreeSet<u32> = rates.iter().filter_map(|(symbol, _)| index(*symbol)).collect();
@@ -47,35 +56,29 @@ fn blocks(graph: &Graph, rates: &[(Symbol, Id)]) -> Vec<Rates> {
         let mut members: BTreeSet<u32> = &read(graph, *rate) & &moving;
         members.extend(index(*symbol));
         let mut equations = vec![(*symbol, *rate)];
-        sets.retain_mut(|(others, own)| {
-            let apart = others.is_disjoint(&members);
-            if !apart {
-                members.append(others);
-                equations.append(own);
-            }
-            apart
-        });
+        for (others, own) in sets.extract_if(.., |(others, _)| !others.is_disjoint(&members)).collect::<Vec<_>>() {
+            members.extend(others);
+            equations.extend(own);
+        }
         equations.sort_unstable_by_key(|(symbol, _)| *symbol);
         sets.push((members, equations));
     }
     sets.into_iter().map(|(_, equations)| equations).collect()
 }
 
-fn index(symbol: Symbol) -> Option<u32> {
-    if let Symbol::Position(i) = symbol { Some(i) } else { None }
-}
-
-fn block_ends(graph: &mut Graph, rates: &[(Symbol, Id)], clock: Clock) -> Option<(Vec<(Symbol, Id)>, Rule)> {
+/// Returns the end of one block as a scalar equation or as a linear field.
+fn block_ends(graph: &mut Graph, rates: &[(Symbol, Id)], clock: Clock) -> Option<BlockEnds> {
     if let [(x, rate)] = *rates
         && let Some(solution) = scalar::solve(graph, &Equation { x, rate, clock })
     {
-        return Some((vec![(x, solution.end)], SCALAR));
+        return Some(BlockEnds { ends: vec![(x, solution.end)], rule: SCALAR });
     }
-    linear::ends(graph, rates)
+    Some(BlockEnds { ends: linear::ends(graph, rates)?, rule: linear::LINEAR })
 }
 
-/// Where xᵢ + xⱼ stays for pairs of coordinates, half of them are known by these sums: two spins turn about the sum of both.
-fn by_constant_sums(graph: &mut Graph, rates: &[(Symbol, Id)], clock: Clock) -> Option<(Vec<(Symbol, Id)>, Rule)> {
+/// Returns the end of a block with at least two pairs of coordinates whose sums xᵢ + xⱼ are constant. The sums give one coordinate of each pair.
+/// An example are two spins that rotate about their sum.
+fn by_constant_sums(graph: &mut Graph, rates: &[(Symbol, Id)], clock: Clock) -> Option<BlockEnds> {
     let (mut left, mut pairs): (Rates, Vec<[Symbol; 2]>) = (vec![], vec![]);
     for (x, rate) in rates {
         let opposite = |graph: &mut Graph, (y, other): &(Symbol, Id)| {
@@ -87,11 +90,11 @@ fn by_constant_sums(graph: &mut Graph, rates: &[(Symbol, Id)], clock: Clock) -> 
             None => left.push((*x, *rate)),
         }
     }
-    // One pair is a plane: its own rules add to one what they take from the other, and the sum has no trend by rounding.
+    // One pair is a plane. The rules for planes add exactly the negative increment to the second coordinate, so the sum has no drift.
     if pairs.len() < 2 {
         return None;
     }
-    // A sum is a constant under a name of its own while the equations of the others are solved.
+    // `PositionIncrement(j)` stands for the constant sum xᵢ + xⱼ while the other equations are solved.
     let name = |symbol: Symbol| index(symbol).map(Symbol::PositionIncrement);
     let partner = |symbol: Symbol| pairs.iter().find(|[_, y]| *y == symbol).map(|[x, _]| *x);
     let mut known = Substitution::new(|graph: &mut Graph, y| {
@@ -105,7 +108,7 @@ fn by_constant_sums(graph: &mut Graph, rates: &[(Symbol, Id)], clock: Clock) -> 
         let terms: Vec<Id> = powers.into_terms().map(|(monomial, c)| times_powers(graph, c, &monomial)).collect();
         reduced.push((x, graph.sum(&terms)));
     }
-    let (mut ends, _) = block_ends(graph, &reduced, clock)?;
+    let BlockEnds { mut ends, .. } = block_ends(graph, &reduced, clock)?;
     let mut named = Substitution::new(|graph: &mut Graph, symbol| {
         let [x, y] = *pairs.iter().find(|[_, y]| name(*y) == Some(symbol))?;
         let [x, y] = [x, y].map(|symbol| graph.symbol(symbol));
@@ -119,20 +122,20 @@ fn by_constant_sums(graph: &mut Graph, rates: &[(Symbol, Id)], clock: Clock) -> 
         let terms = [graph.symbol(*x), graph.symbol(*y), graph.neg(end)];
         ends.push((*y, graph.sum(&terms)));
     }
-    Some((ends, SUMS))
+    Some(BlockEnds { ends, rule: SUMS })
 }
 
-/// The same with 1/u for the reciprocals of what is positive wherever H is defined. That it is, is examined by itself.
-fn cleared(graph: &mut Graph, rates: &[(Symbol, Id)]) -> Option<Vec<(Symbol, Id)>> {
+/// Replaces checked reciprocals of positive expressions by 1/u, if there are any. The checks of the domain of H cover their sign.
+fn with_plain_reciprocals(graph: &mut Graph, rates: &[(Symbol, Id)]) -> Option<Rates> {
     let roots: Vec<Id> = rates.iter().map(|(_, rate)| *rate).collect();
-    let mut clear = Substitution::new(|_: &mut Graph, _| None);
-    let mut some = false;
+    let mut plain = Substitution::new(|_: &mut Graph, _| None);
+    let mut found = false;
     for id in graph.reachable(&roots) {
         if let Node::Call(Function::RecipPositive, args) = graph.node(id).clone() {
-            let plain = graph.pow(args[0], Ratio::integer(-1));
-            clear.insert(id, plain);
-            some = true;
+            let reciprocal = graph.pow(args[0], Ratio::integer(-1));
+            plain.insert(id, reciprocal);
+            found = true;
         }
     }
-    some.then(|| rates.iter().map(|(symbol, rate)| (*symbol, clear.apply(graph, *rate))).collect())
+    found.then(|| rates.iter().map(|(symbol, rate)| (*symbol, plain.apply(graph, *rate))).collect())
 }

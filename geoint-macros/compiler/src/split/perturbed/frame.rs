@@ -1,38 +1,39 @@
-//! Kinds of coordinates of bodies, each about a centre.
+//! Frames: coordinates of bodies in which each body moves about a centre.
 
 use crate::ir::{Graph, Id};
 use std::ops::Range;
 
-/// A number along one direction of space, by one of each body.
-pub(super) type Along = fn(&mut Graph, &Masses, &[Id]) -> Id;
+/// Combines one component of each body to one number.
+type Combine = fn(&mut Graph, &Masses, &[Id]) -> Id;
 
-/// A kind of coordinates. Each function is along one direction of space, and takes a number of each body.
+/// A kind of coordinates. Each function takes one component, along one direction of space, of each body.
 pub(super) struct Frame {
     pub(super) name: &'static str,
-    /// The bodies that attract a body to the centre of its orbit.
+    /// Returns the bodies at the centre of the orbit of a body.
     pub(super) inside: fn(usize) -> Range<usize>,
-    /// The mass of a body over that with which it moves about its centre; of body 0, which stands for all, over that of all.
+    /// Returns the mass of a body divided by its mass in the motion about the centre. For body 0, which stands for the centre of mass, the
+    /// divisor is the total mass.
     pub(super) ratio: fn(&mut Graph, &Masses, usize) -> Id,
-    /// Q of positions.
+    /// Returns the inner positions Q.
     pub(super) enter: fn(&mut Graph, &Masses, &[Id]) -> Vec<Id>,
-    /// Positions of Q.
+    /// Returns the positions for inner positions Q.
     pub(super) leave: fn(&mut Graph, &Masses, &[Id]) -> Offsets,
-    /// V of velocities.
+    /// Returns the inner velocities V.
     pub(super) enter_velocities: fn(&mut Graph, &Masses, &[Id]) -> Vec<Id>,
-    /// Velocities of V.
+    /// Returns the velocities for inner velocities V.
     pub(super) leave_velocities: fn(&mut Graph, &Masses, &[Id]) -> Vec<Id>,
-    /// The velocity with which the kinetic energy that is no body's own moves all bodies but body 0.
-    pub(super) jump: Option<Along>,
+    /// Returns the velocity that the shared part of the kinetic energy gives to all bodies but body 0.
+    pub(super) jump: Option<Combine>,
 }
 
-/// The masses of bodies in a row.
+/// The masses of bodies in the order of the array.
 pub(super) struct Masses {
     pub(super) each: Vec<Id>,
-    /// η_i, of bodies 0…i.
+    /// η_i, the mass of bodies 0…i.
     pub(super) sums: Vec<Id>,
 }
 
-/// Where bodies are: body 0, and each from there.
+/// Positions as the position of body 0 and the offset of each body from it.
 pub(super) struct Offsets {
     pub(super) first: Id,
     pub(super) each: Vec<Id>,
@@ -48,14 +49,19 @@ impl Masses {
         Masses { each: each.to_vec(), sums }
     }
 
-    /// m_i/η_j.
+    /// Returns m_i/η_j for i = `body` and j = `of`.
     pub(super) fn share(&self, graph: &mut Graph, body: usize, of: usize) -> Id {
         graph.div(self.each[body], self.sums[of])
+    }
+
+    /// Returns m_i divided by the total mass.
+    pub(super) fn share_of_all(&self, graph: &mut Graph, body: usize) -> Id {
+        self.share(graph, body, self.each.len() - 1)
     }
 }
 
 impl Offsets {
-    /// Where all of them are.
+    /// Returns the positions.
     pub(super) fn places(self, graph: &mut Graph) -> Vec<Id> {
         self.each.iter().map(|offset| graph.add(self.first, *offset)).collect()
     }

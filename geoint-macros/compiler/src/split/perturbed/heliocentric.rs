@@ -1,7 +1,8 @@
-//! Democratic heliocentric coordinates: each body as seen from body 0, with its velocity against the centre of mass.
+//! Democratic heliocentric coordinates: positions relative to body 0, and velocities relative to the centre of mass.
 //!
-//! Q_i = q_i − q₀, V_i = v_i − V₀ with the velocity V₀ of the centre. T is then Σ m_i|V_i|²/2 and |Σ m_i V_i|²/2m₀, the motion of body 0, which moves
-//! all others alike: a jump. No order of bodies is asked for. M. J. Duncan, H. F. Levison & M. H. Lee, Astron. J. 116 (1998) 2067.
+//! Q_i = q_i − q₀ and V_i = v_i − V₀ with the velocity V₀ of the centre of mass. T is then Σ m_i|V_i|²/2 + |Σ m_i V_i|²/2m₀. The second term,
+//! the kinetic energy of body 0, gives all other bodies the same velocity: a jump. The order of bodies is arbitrary. M. J. Duncan, H. F. Levison &
+//! M. H. Lee, Astron. J. 116 (1998) 2067.
 
 use super::frame::{Frame, Masses, Offsets};
 use crate::ir::{Graph, Id};
@@ -9,21 +10,23 @@ use crate::ir::{Graph, Id};
 pub(super) const HELIOCENTRIC: Frame = Frame {
     name: "heliocentric coordinates, velocities against the centre of mass",
     inside: |body| 0..body.min(1),
-    ratio,
+    ratio: |graph, masses, body| if body == 0 { masses.share_of_all(graph, 0) } else { graph.integer(1) },
     enter: |graph, masses, outer| {
-        let from_first = outer.iter().skip(1).map(|x| graph.sub(*x, outer[0])).collect();
-        with_centre(graph, masses, outer, from_first)
+        let mut inner: Vec<Id> = outer.iter().map(|x| graph.sub(*x, outer[0])).collect();
+        inner[0] = centre(graph, masses, outer);
+        inner
     },
     leave: |graph, masses, inner| {
-        let shift = mean(graph, masses, inner, |graph, masses, body| masses.share(graph, body, masses.each.len() - 1));
+        let shift = weighted_sum(graph, masses, inner, Masses::share_of_all);
         let mut each = inner.to_vec();
         each[0] = graph.zero();
         Offsets { first: graph.sub(inner[0], shift), each }
     },
     enter_velocities: |graph, masses, outer| {
         let centre = centre(graph, masses, outer);
-        let from_centre = outer.iter().skip(1).map(|x| graph.sub(*x, centre)).collect();
-        with_centre(graph, masses, outer, from_centre)
+        let mut inner: Vec<Id> = outer.iter().map(|x| graph.sub(*x, centre)).collect();
+        inner[0] = centre;
+        inner
     },
     leave_velocities: |graph, masses, inner| {
         let jump = jump(graph, masses, inner);
@@ -34,12 +37,7 @@ pub(super) const HELIOCENTRIC: Frame = Frame {
     jump: Some(jump),
 };
 
-/// 1; m₀/η of all.
-fn ratio(graph: &mut Graph, masses: &Masses, body: usize) -> Id {
-    if body == 0 { masses.share(graph, 0, masses.each.len() - 1) } else { graph.integer(1) }
-}
-
-/// Σ m_i x_i/η, from body to body.
+/// Returns the centre Σ m_i x_i/η, accumulated from body to body.
 fn centre(graph: &mut Graph, masses: &Masses, outer: &[Id]) -> Id {
     let mut centre = outer[0];
     for (body, x) in outer.iter().enumerate().skip(1) {
@@ -50,22 +48,17 @@ fn centre(graph: &mut Graph, masses: &Masses, outer: &[Id]) -> Id {
     centre
 }
 
-fn with_centre(graph: &mut Graph, masses: &Masses, outer: &[Id], mut others: Vec<Id>) -> Vec<Id> {
-    others.insert(0, centre(graph, masses, outer));
-    others
-}
-
-/// Σ wᵢ xᵢ of all bodies but body 0.
-fn mean(graph: &mut Graph, masses: &Masses, inner: &[Id], weight: fn(&mut Graph, &Masses, usize) -> Id) -> Id {
+/// Returns Σ wᵢ xᵢ over all bodies but body 0.
+fn weighted_sum(graph: &mut Graph, masses: &Masses, inner: &[Id], weight: fn(&Masses, &mut Graph, usize) -> Id) -> Id {
     let mut parts = vec![];
     for (body, x) in inner.iter().enumerate().skip(1) {
-        let weight = weight(graph, masses, body);
+        let weight = weight(masses, graph, body);
         parts.push(graph.mul(weight, *x));
     }
     graph.sum(&parts)
 }
 
-/// Σ (m_i/m₀) V_i: against the centre of mass body 0 moves with less this.
+/// Returns Σ (m_i/m₀) V_i, the negative velocity of body 0 relative to the centre of mass.
 fn jump(graph: &mut Graph, masses: &Masses, inner: &[Id]) -> Id {
-    mean(graph, masses, inner, |graph, masses, body| masses.share(graph, body, 0))
+    weighted_sum(graph, masses, inner, |masses, graph, body| masses.share(graph, body, 0))
 }

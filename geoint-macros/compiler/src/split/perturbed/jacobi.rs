@@ -1,8 +1,8 @@
-//! Jacobi's coordinates: each body as seen from the centre of mass of those before it.
+//! Jacobi coordinates: the position of each body relative to the centre of mass of the bodies before it.
 //!
-//! With η_i the mass of bodies 0…i and R_i = R_{i−1} + (m_i/η_i) Q_i: q_i = q₀ + Q_i + R_{i−1}; Q₀ is where all together are. Sums stay nested as
-//! written here, so that they, and the reverse sweep through them, cost as much for each body, not for each pair. J. Wisdom & M. Holman,
-//! Astron. J. 102 (1991) 1528; H. Rein & D. Tamayo, Mon. Not. R. Astron. Soc. 452 (2015) 376.
+//! With η_i the mass of bodies 0…i and R_i = R_{i−1} + (m_i/η_i) Q_i: q_i = q₀ + Q_i + R_{i−1}. Q₀ is the centre of mass of all bodies. Nested
+//! sums, and their reverse sweep, cost one term for each body, not for each pair. J. Wisdom & M. Holman, Astron. J. 102 (1991) 1528; H. Rein &
+//! D. Tamayo, Mon. Not. R. Astron. Soc. 452 (2015) 376.
 
 use super::frame::{Frame, Masses, Offsets};
 use crate::ir::{Graph, Id};
@@ -18,15 +18,15 @@ pub(super) const JACOBI: Frame = Frame {
     jump: None,
 };
 
-/// η_i/η_{i−1}.
+/// Returns η_i/η_{i−1}.
 fn ratio(graph: &mut Graph, masses: &Masses, body: usize) -> Id {
     match body.checked_sub(1) {
         Some(before) => graph.div(masses.sums[body], masses.sums[before]),
-        None => masses.share(graph, 0, masses.each.len() - 1),
+        None => masses.share_of_all(graph, 0),
     }
 }
 
-/// Q_i = q_i − X_{i−1} with the centre of mass X of those before.
+/// Returns Q_i = q_i − X_{i−1} with the centre of mass X_{i−1} of the bodies before.
 fn enter(graph: &mut Graph, masses: &Masses, outer: &[Id]) -> Vec<Id> {
     let (mut inner, mut centre) = (vec![outer[0]], outer[0]);
     for (body, x) in outer.iter().enumerate().skip(1) {
@@ -40,7 +40,7 @@ fn enter(graph: &mut Graph, masses: &Masses, outer: &[Id]) -> Vec<Id> {
     inner
 }
 
-/// q₀ = Q₀ − R, and Q_i + R_{i−1}.
+/// Returns q₀ = Q₀ − R and the offsets Q_i + R_{i−1}.
 fn leave(graph: &mut Graph, masses: &Masses, inner: &[Id]) -> Offsets {
     let (mut each, mut sum) = (vec![graph.zero()], graph.zero());
     for (body, q) in inner.iter().enumerate().skip(1) {

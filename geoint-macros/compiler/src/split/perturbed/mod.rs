@@ -1,7 +1,6 @@
-//! H = A + B: a part with an exact flow, and a rest that is a kick.
+//! H = A + B: A has an exact flow, and the rest B is a kick.
 //!
-//! Nothing is assumed to be small: that A + B is H is proven, and which part is to be solved exactly follows from the attribute, or is the
-//! kinetic energy with the oscillators in V.
+//! The user's attribute selects A, or A is the kinetic energy with the oscillators of V. A + B = H is proven. Neither part has to be small.
 
 mod attraction;
 mod bodies;
@@ -11,12 +10,12 @@ mod jacobi;
 
 use super::families::piece;
 use super::flow::{Flow, Space, may_end};
-use super::linear_motion::{is_whole, linear_motion};
-use super::polynomial::{Monomial, Polynomial, degree, is_momentum, times_powers};
+use super::linear_motion::linear_motion;
+use super::polynomial::{Monomial, Polynomial, degree, is_momentum, is_whole, times_powers};
 use super::time::Clock;
 use crate::analyze::{self, Split, Structure};
 use crate::diff;
-use crate::ir::{Graph, Id, Number, Ratio, Symbol};
+use crate::ir::{Graph, Id, Ratio, Symbol};
 use crate::lower::Place;
 use crate::messages::{NO_EXACT_PART, NO_FLOW_OF_EXACT_PART, NOT_A_KICK, NOT_ONE_MASS, NOT_TWO_PARTS};
 use crate::parse::{Coordinates, Energy};
@@ -25,71 +24,75 @@ use heliocentric::HELIOCENTRIC;
 use jacobi::JACOBI;
 use std::ops::Range;
 
-/// A and B, in the coordinates in which methods move.
+/// A and B, in the coordinates in which the method moves.
 #[derive(Clone, Debug)]
 pub(crate) struct Perturbed {
     /// A.
     pub(crate) exact: Id,
-    /// B without what is in `jump`: it reads positions and time.
+    /// B without `jump`. It reads positions and time.
     pub(crate) kick: Id,
-    /// The other part of B.
+    /// The part of B that moves positions.
     pub(crate) jump: Option<Jump>,
+    /// The flow of A.
     pub(crate) flow: Flow,
     pub(crate) clock: Clock,
-    /// Parts of the flow of A that may end within a step, each with the coordinates that it moves.
+    /// Parts of the flow of A that may end within a step, with the coordinates that each part moves.
     pub(crate) parts: Vec<(OwnMotion, Range<usize>)>,
-    /// What is known of the flow of A: the rule, and what it is for.
+    /// The rule for the flow of A, with its energies and source, for reports.
     pub(crate) known: Vec<String>,
-    /// ∂A/∂p, if A is of degree 2 in p with constant coefficients of its squares: then \[B, \[A, B\]\] is a kick. Else the term in the way.
+    /// ∂A/∂p, if A has degree 2 in p and its quadratic coefficients are constant. Then \[B, \[A, B\]\] is a kick. Otherwise, a term that violates the
+    /// condition.
     pub(crate) velocity: Result<Vec<Id>, Id>,
+    /// The coordinates of the method, if they are not the coordinates of the state.
     pub(crate) inner: Option<Inner>,
 }
 
-/// What a part of a flow is called.
+/// The name of a part of a flow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum OwnMotion {
-    /// By its energy.
+    /// The flow of an energy.
     Energy(Id),
     /// The orbit of a body.
     Orbit(usize),
 }
 
-/// A part of the kinetic energy that moves positions alone.
+/// A part of the kinetic energy that moves positions only.
 #[derive(Clone, Debug)]
 pub(crate) struct Jump {
     pub(crate) energy: Id,
-    /// Of each coordinate, in words of what has the place of momenta.
+    /// The velocity of each coordinate, as a function of the inner velocities.
     pub(crate) velocity: Vec<Id>,
-    /// Whether kicks leave it as it is and it leaves kicks as they are, so that both together are the flow of B.
+    /// Whether jump and kick commute, so that their composition is the flow of B.
     pub(crate) commutes: bool,
 }
 
-/// Coordinates other than those of the state.
+/// Inner coordinates of a method. Velocities take the place of momenta.
 #[derive(Clone, Debug)]
 pub(crate) struct Inner {
     pub(crate) name: &'static str,
-    /// Each of them, by those of the state.
+    /// The inner coordinates as functions of the state.
     pub(crate) enter: Vec<(Symbol, Id)>,
-    /// The state, by them.
+    /// The state as functions of the inner coordinates.
     pub(crate) leave: Vec<(Symbol, Id)>,
-    /// What has the place of each momentum is that momentum times this.
+    /// The quotients of inner velocities and inner momenta.
     pub(crate) weights: Vec<Id>,
     pub(crate) masses: Vec<Id>,
-    /// Masses, each with a sum of masses that it is divided by.
+    /// Pairs of a mass and the sum of masses by which it is divided.
     pub(crate) shares: Vec<[Id; 2]>,
 }
 
-/// Why there is no such part: the term, and what is wrong with it.
+/// The reason why H has no such parts.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct NoPart {
     pub(crate) term: Id,
+    /// The message about the term.
     pub(crate) why: &'static str,
 }
 
-/// A and B, or why there are none.
+/// A and B, or the reason why they do not exist.
 pub(crate) type Division = Result<Perturbed, NoPart>;
 
-/// A and B: as the attribute says, or T with the oscillators in V, and the rest.
+/// Divides H as the user's attribute says, or else into T with the oscillators of V and the rest.
 pub(crate) fn divided(
     graph: &mut Graph,
     structure: &Structure,
@@ -119,36 +122,39 @@ pub(crate) fn divided(
         let attraction = attraction(graph, parts, shape)?;
         return Ok(bodies::perturbed(graph, &frame, &attraction, shape));
     }
-    // All that is quadratic, or where that has no flow the squares of single positions.
-    for single in [false, true] {
-        let (bound, rest) = oscillators(graph, parts.potential, single);
+    // If the flow with all quadratic terms is not known, A contains only the squares of single positions.
+    let mut found = Err(NoPart { term: parts.potential, why: NO_EXACT_PART });
+    for oscillators in [Oscillators::Coupled, Oscillators::Single] {
+        let mut rest = analyze::single_terms(graph, parts.potential);
+        let bound: Vec<Id> = rest.extract_if(.., |term| oscillators.contain(graph, *term)).collect();
+        let [bound, rest] = [bound, rest].map(|terms| graph.sum(&terms));
         if graph.is_zero(bound) {
             return Err(NoPart { term: parts.potential, why: NO_EXACT_PART });
         }
         let exact = graph.add(parts.kinetic, bound);
-        let found = of_parts(graph, exact, rest, degrees);
-        if found.is_ok() || single {
-            return found;
+        found = of_parts(graph, exact, rest, degrees);
+        if found.is_ok() {
+            break;
         }
     }
-    Err(NoPart { term: parts.potential, why: NO_EXACT_PART })
+    found
 }
 
-/// The quadratic terms and whatever else reads momenta, and the rest.
+/// Divides a coupled H into A, which contains the linear motion and all other terms that read momenta, and the rest.
 fn coupled(graph: &mut Graph, energy: Id, term: Id, degrees: u32) -> Division {
+    let none = NoPart { term, why: NO_EXACT_PART };
     let terms = analyze::terms(graph, energy);
-    let space = Space { degrees, action: false };
-    let (bound, _) = linear_motion(graph, &terms, space).ok_or(NoPart { term, why: NO_EXACT_PART })?;
+    let bound = linear_motion(graph, &terms, Space { degrees, action: false }).ok_or(none)?.terms;
     let (exact, rest): (Vec<Id>, Vec<Id>) =
         terms.into_iter().partition(|term| bound.contains(term) || graph.reads(*term).p);
     let [exact, rest] = [exact, rest].map(|terms| graph.sum(&terms));
     if graph.is_zero(rest) {
-        return Err(NoPart { term, why: NO_EXACT_PART });
+        return Err(none);
     }
     of_parts(graph, exact, rest, degrees)
 }
 
-/// A with its flow and B, if they have flows.
+/// Returns A = `exact` with its flow and B = `rest`, if A has a known flow and B is a kick.
 fn of_parts(graph: &mut Graph, exact: Id, rest: Id, degrees: u32) -> Division {
     let reads = graph.reads(rest);
     if reads.p || reads.s {
@@ -170,41 +176,41 @@ fn of_parts(graph: &mut Graph, exact: Id, rest: Id, degrees: u32) -> Division {
     })
 }
 
-/// ∂A/∂p, if A is of degree 2 in p with constant coefficients of its squares.
+/// Returns ∂A/∂p, if A has degree 2 in p and its quadratic coefficients are constant. The error is a term that violates the condition.
 fn velocity(graph: &mut Graph, exact: Id, degrees: u32) -> Result<Vec<Id>, Id> {
     let Some(powers) = Polynomial::of(graph, exact, &is_momentum) else { return Err(exact) };
     for (monomial, coefficient) in powers.into_terms() {
-        let whole = monomial.values().all(|power| power.is_integer() && power.numerator > 0);
         let degree: i128 = monomial.values().map(|power| power.numerator).sum();
         let reads = graph.reads(coefficient);
-        if !whole || degree > 2 || degree == 2 && (reads.q || reads.t) {
+        if !is_whole(&monomial) || degree > 2 || degree == 2 && (reads.q || reads.t) {
             return Err(times_powers(graph, coefficient, &monomial));
         }
     }
     Ok(diff::gradient(graph, exact, degrees).p)
 }
 
-/// The terms of a potential that are quadratic with constant coefficients, of single positions or of any; and the others.
-fn oscillators(graph: &mut Graph, potential: Id, single: bool) -> (Id, Id) {
-    let mut terms = analyze::single_terms(graph, potential);
-    let bound = terms.extract_if(.., |term| is_oscillator(graph, *term, single)).collect::<Vec<_>>();
-    (graph.sum(&bound), graph.sum(&terms))
+/// The quadratic terms of a potential that join the kinetic energy.
+#[derive(Clone, Copy, PartialEq)]
+enum Oscillators {
+    /// All terms of degree 2, with lower powers.
+    Coupled,
+    /// Squares of single positions.
+    Single,
 }
 
-fn is_oscillator(graph: &mut Graph, term: Id, single: bool) -> bool {
-    let Some(powers) = Polynomial::of(graph, term, &|symbol| symbol.is_coordinate() || symbol == Symbol::Time) else {
-        return false;
-    };
-    let two = Some(Ratio::integer(2));
-    let of_degree = |monomial: &Monomial| degree(monomial.values().copied());
-    let allowed = |monomial: &Monomial| {
-        let whole = is_whole(monomial) && !monomial.contains_key(&Symbol::Time);
-        whole && if single { monomial.len() == 1 && of_degree(monomial) == two } else { of_degree(monomial) <= two }
-    };
-    powers.has_only(allowed) && powers.terms().any(|(monomial, _)| of_degree(monomial) == two)
-}
-
-/// Half of a number.
-fn halved(graph: &mut Graph, x: Id) -> Id {
-    graph.scale(Number::HALF, x)
+impl Oscillators {
+    /// Returns whether a term belongs to the oscillators. Its coefficients must not read time.
+    fn contain(self, graph: &mut Graph, term: Id) -> bool {
+        let counts = |symbol: Symbol| symbol.is_coordinate() || symbol == Symbol::Time;
+        let Some(powers) = Polynomial::of(graph, term, &counts) else { return false };
+        let two = Some(Ratio::integer(2));
+        let allowed = |monomial: &Monomial| {
+            let fits = match self {
+                Oscillators::Coupled => degree(monomial) <= two,
+                Oscillators::Single => monomial.len() == 1 && degree(monomial) == two,
+            };
+            fits && is_whole(monomial) && !monomial.contains_key(&Symbol::Time)
+        };
+        powers.has_only(allowed) && powers.terms().any(|(monomial, _)| degree(monomial) == two)
+    }
 }

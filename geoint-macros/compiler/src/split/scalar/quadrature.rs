@@ -1,27 +1,30 @@
-//! x' = g(x) with functions in g.
+//! Scalar equations x' = g(x) with elementary functions in g.
 
-use super::super::polynomial::{factors, is_free, slope_of_line};
+use super::super::polynomial::{reads, slope_of_line};
+use super::super::products::ScaledPower;
 use super::super::time::slope;
-use super::{Equation, Solution, growth_and_mean, mean_of_recip};
+use super::{Equation, Solution, mean_of_recip};
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
 
 /// x + ah − ln(1 − k·b·e^(kx)·h·φ₁(kah))/k.
 pub(super) fn exponential(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
     let own = equation.x;
-    let (mut a, mut b, mut found) = (graph.zero(), graph.zero(), None);
+    let (mut a, mut b, mut argument) = (graph.zero(), graph.zero(), None);
     for term in terms(graph, equation.rate, own) {
-        if is_free(graph, term, &|symbol| symbol == own) {
+        if !reads(graph, term, own) {
             a = graph.add(a, term);
             continue;
         }
-        // All with one exponential, whatever it is multiplied by.
-        let (function, argument, coefficient, exponent) = single_call(graph, term, own)?;
-        if (function, exponent) != (Function::Exp, Ratio::ONE) || *found.get_or_insert(argument) != argument {
+        // All terms must share one exponential.
+        let call = Call::of(graph, term, own)?;
+        if (call.function, call.exponent) != (Function::Exp, Ratio::ONE)
+            || *argument.get_or_insert(call.argument) != call.argument
+        {
             return None;
         }
-        b = graph.add(b, coefficient);
+        b = graph.add(b, call.coefficient);
     }
-    let argument = found?;
+    let argument = argument?;
     equation.steady(graph, &[argument])?;
     let k = slope_of_line(graph, argument, own)?;
     let value = graph.call(Function::Exp, &[argument]);
@@ -46,29 +49,29 @@ pub(super) fn exponential(graph: &mut Graph, equation: &Equation) -> Option<Solu
         let ln = graph.div(ln, k);
         return Some(Solution { end: graph.sub(drift, ln), by_start });
     }
-    // Also for k = 0.
+    // A parameter k may be zero, so the formula must not divide by k.
     let ln = mean_of_recip(graph, shrunk);
     let change = graph.mul(grown, ln);
     Some(Solution { end: graph.add(drift, change), by_start })
 }
 
-/// With u = k·x + c and U = k·∫a dt: tan u/2 for sin, tan (u/2 + π/4) for cos, tanh u/2 for sinh and sinh u for tanh are
-/// multiplied by e^U.
+/// With u = k·x + c and U = k·∫a dt, the flow multiplies a function of u by e^U: tan u/2 for sin, tan (u/2 + π/4) for cos, tanh u/2 for
+/// sinh, and sinh u for tanh. For 1/cosh, it adds U to sinh u.
 pub(super) fn quadrature(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
     let own = equation.x;
-    let (function, u, a, exponent) = single_call(graph, equation.rate, own)?;
+    let Call { function, argument: u, coefficient: a, exponent } = Call::of(graph, equation.rate, own)?;
     equation.steady(graph, &[u])?;
     let k = slope_of_line(graph, u, own)?;
     let total = equation.clock.over_step(graph, a)?;
     let z = graph.mul(k, total);
-    let (growth, mean) = growth_and_mean(graph, z);
+    let [growth, mean] = [Function::Exp, Function::Phi1].map(|function| graph.call(function, &[z]));
     let (one, two) = (graph.integer(1), graph.integer(2));
     let square = |graph: &mut Graph, x: Id| graph.pow(x, Ratio::integer(2));
-    // What is added to something that is multiplied by e^U, divided by k.
-    let gained = |graph: &mut Graph, x: Id| graph.product(&[total, mean, x]);
+    // The increment of a quantity y that the flow multiplies by e^U, divided by k.
+    let gained = |graph: &mut Graph, y: Id| graph.product(&[total, mean, y]);
     let (moved, by_start) = match (function, exponent) {
         (Function::Sin | Function::Cos, Ratio::ONE) => {
-            // tan of half the angle. Of sin u ≈ u all digits count: not 1 − cos u.
+            // The half-angle formula for sin avoids 1 − cos u, which loses digits for small u.
             let (across, along, forgotten) = if function == Function::Sin {
                 let half = graph.scale(Number::HALF, u);
                 let [sine, cosine] = [Function::Sin, Function::Cos].map(|f| graph.call(f, &[half]));
@@ -82,7 +85,7 @@ pub(super) fn quadrature(graph: &mut Graph, equation: &Equation) -> Option<Solut
             let [above, below] = [across, along].map(|x| gained(graph, x));
             let (high, below) = (graph.mul(k, above), graph.mul(k, below));
             let below = graph.add(two, below);
-            // 2E/(1 ∓ c + E²(1 ± c)).
+            // 2E/(1 ∓ c + E²(1 ± c)) with E = e^U.
             let squared = square(graph, growth);
             let kept = graph.mul(squared, along);
             let sum = graph.add(forgotten, kept);
@@ -100,7 +103,7 @@ pub(super) fn quadrature(graph: &mut Graph, equation: &Equation) -> Option<Solut
             let half = graph.scale(Number::HALF, u);
             let tanh = graph.call(Function::Tanh, &[half]);
             let gained = gained(graph, tanh);
-            let half = rise(graph, Function::Atanh, tanh, (gained, k));
+            let half = rise(graph, Function::Atanh, tanh, gained, k);
             let end = graph.mul(growth, tanh);
             let [above, below] = [tanh, end].map(|x| {
                 let squared = square(graph, x);
@@ -112,16 +115,15 @@ pub(super) fn quadrature(graph: &mut Graph, equation: &Equation) -> Option<Solut
         (Function::Tanh, Ratio::ONE) => {
             let sinh = graph.call(Function::Sinh, &[u]);
             let gained = gained(graph, sinh);
-            let moved = rise(graph, Function::Asinh, sinh, (gained, k));
+            let moved = rise(graph, Function::Asinh, sinh, gained, k);
             let end = graph.mul(growth, sinh);
             let slope = cosh_ratio(graph, u, end);
             (moved, graph.mul(growth, slope))
         }
-        // sinh u grows by U.
         (Function::Cosh, Ratio { numerator: -1, denominator: 1 }) => {
             let sinh = graph.call(Function::Sinh, &[u]);
             let end = graph.add(sinh, z);
-            (rise(graph, Function::Asinh, sinh, (total, k)), cosh_ratio(graph, u, end))
+            (rise(graph, Function::Asinh, sinh, total, k), cosh_ratio(graph, u, end))
         }
         _ => return None,
     };
@@ -129,7 +131,7 @@ pub(super) fn quadrature(graph: &mut Graph, equation: &Equation) -> Option<Solut
     Some(Solution { end: graph.add(x, moved), by_start })
 }
 
-/// cosh u/√(1 + end²).
+/// Returns cosh u/√(1 + end²).
 fn cosh_ratio(graph: &mut Graph, u: Id, end: Id) -> Id {
     let (one, cosh) = (graph.integer(1), graph.call(Function::Cosh, &[u]));
     let squared = graph.pow(end, Ratio::integer(2));
@@ -138,14 +140,14 @@ fn cosh_ratio(graph: &mut Graph, u: Id, end: Id) -> Id {
     graph.div(cosh, root)
 }
 
-/// (f(a + k·d) − f(a))/k by its slope, without a difference.
-fn rise(graph: &mut Graph, f: Function, a: Id, (d, k): (Id, Id)) -> Id {
+/// Returns (f(a + k·d) − f(a))/k by the divided difference of f, without cancellation. The formula holds for k = 0, too.
+fn rise(graph: &mut Graph, f: Function, a: Id, d: Id, k: Id) -> Id {
     let change = graph.mul(k, d);
     let slope = slope(graph, f, a, change);
     graph.mul(d, slope)
 }
 
-/// The terms of a sum, also where that is multiplied by what is free of x.
+/// Returns the terms of a sum, or of a product of a sum and factors that do not read x.
 fn terms(graph: &mut Graph, id: Id, x: Symbol) -> Vec<Id> {
     if let Node::Linear(constant, inner) = graph.node(id).clone() {
         let mut all = vec![graph.number(constant)];
@@ -154,40 +156,37 @@ fn terms(graph: &mut Graph, id: Id, x: Symbol) -> Vec<Id> {
         }
         return all;
     }
-    let reads = |graph: &Graph, id: Id| !is_free(graph, id, &|symbol| symbol == x);
-    let factors = factors(graph, id);
-    let mut reading = factors.iter().filter(|(base, _)| reads(graph, *base));
-    match (reading.next(), reading.next()) {
-        (Some((sum, Ratio::ONE)), None) if matches!(graph.node(*sum), Node::Linear(..)) => {
-            let mut others = graph.integer(1);
-            for (base, exponent) in factors.iter().filter(|(base, _)| base != sum) {
-                let factor = graph.pow(*base, *exponent);
-                others = graph.mul(others, factor);
-            }
-            terms(graph, *sum, x).into_iter().map(|term| graph.mul(others, term)).collect()
+    match ScaledPower::of(graph, id, &|symbol| symbol == x) {
+        Some(ScaledPower { coefficient, base, exponent: Ratio::ONE })
+            if matches!(graph.node(base), Node::Linear(..)) =>
+        {
+            terms(graph, base, x).into_iter().map(|term| graph.mul(coefficient, term)).collect()
         }
         _ => vec![id],
     }
 }
 
-/// coefficient·function(argument)^(±1) with a coefficient that is free of x, and that exponent.
-fn single_call(graph: &mut Graph, id: Id, x: Symbol) -> Option<(Function, Id, Id, Ratio)> {
-    let (c, rest) = graph.coefficient(id);
-    let (mut found, mut coefficient) = (None, graph.number(c));
-    for (base, exponent) in factors(graph, rest) {
-        if is_free(graph, base, &|symbol| symbol == x) {
-            let factor = graph.pow(base, exponent);
-            coefficient = graph.mul(coefficient, factor);
-            continue;
-        }
+/// A term coefficient·function(argument)^exponent in which only the argument reads x.
+struct Call {
+    coefficient: Id,
+    function: Function,
+    argument: Id,
+    exponent: Ratio,
+}
+
+impl Call {
+    /// Returns a term in this form. Powers of an exponential become factors of its argument.
+    fn of(graph: &mut Graph, id: Id, x: Symbol) -> Option<Call> {
+        let ScaledPower { coefficient, base, exponent } = ScaledPower::of(graph, id, &|symbol| symbol == x)?;
         match graph.node(base).clone() {
-            _ if found.is_some() => return None,
-            Node::Call(Function::Exp, args) => {
-                found = Some((Function::Exp, graph.scale(Number::Exact(exponent), args[0]), Ratio::ONE));
+            Node::Call(function @ Function::Exp, args) => {
+                let argument = graph.scale(Number::Exact(exponent), args[0]);
+                Some(Call { coefficient, function, argument, exponent: Ratio::ONE })
             }
-            Node::Call(function, args) if args.len() == 1 => found = Some((function, args[0], exponent)),
-            _ => return None,
+            Node::Call(function, args) if args.len() == 1 => {
+                Some(Call { coefficient, function, argument: args[0], exponent })
+            }
+            _ => None,
         }
     }
-    found.map(|(function, argument, exponent)| (function, argument, coefficient, exponent))
 }

@@ -3,9 +3,9 @@
 use crate::analyze::{self, Damping, Flaw};
 use crate::compilation::Compilation;
 use crate::ir::Reads;
+use crate::parse;
 use crate::parse::Form;
 use crate::tests::expansion;
-use crate::parse;
 use proc_macro2::TokenStream;
 use quote::quote;
 

@@ -1,55 +1,56 @@
-//! Motion about a centre: a potential of the length of y, whose components are forms in the positions.
+//! Families "inverse square" and "Kepler motion": motion about a centre. The potential is a function of the length of a vector y, whose
+//! components are forms in the positions.
 //!
-//! With T = p·Wp/2 and |y|² = Σ κₘ yₘ², yₘ = aₘ·q + cₘ, components are accelerated along y alone if κₘ aₘ·Waₙ is λ for m = n, else 0. Then
-//! y moves in a plane, y(h) = F y + G y' and y'(h) = Ḟ y + Ġ y' with numbers F to Ġ, and q and p follow, because W aₘ and aₘ are all that
-//! they are accelerated along. One body about a fixed centre and two bodies about each other are such motions, and oscillators and walls of
-//! one coordinate.
+//! T = p·Wp/2, |y|² = Σ κₘ yₘ² and yₘ = aₘ·q + cₘ. The acceleration of y is parallel to y if κₘ aₘ·Waₙ is λ for m = n and 0 otherwise. Then y
+//! moves in a plane: y(h) = F y + G y' and y'(h) = Ḟ y + Ġ y' with numbers F to Ġ. The forces change q along W aₘ and p along aₘ only, so q and p
+//! follow from y. Examples are one body about a fixed centre, two bodies about each other, and oscillators with walls of one coordinate.
 
 mod centre;
 mod motion;
 
 use super::super::flow::{Flow, Group};
-use super::super::polynomial::{Polynomial, is_free, is_momentum};
+use super::super::polynomial::{Polynomial, degree, is_free, is_momentum, is_whole, reads};
 use super::super::products::known_terms;
-use super::super::time::Clock;
 use crate::analyze;
+use crate::diff::flow::times;
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
-use centre::{Centre, centre};
+use centre::{Centre, Form};
 use motion::{Motion, Start, about_inverse_square};
 
-/// p·Wp/2 with the terms of a potential that are powers of lengths, and the sum of all others.
+/// p·Wp/2, the centres of the potential, and the sum of its other terms.
 struct Central {
     inverse_mass: Vec<Vec<Id>>,
     centres: Vec<Centre>,
     rest: Id,
 }
 
-/// p·Wp/2 + Σ k/2|y|² + b|y|²/2, of which each y is accelerated by itself.
-pub(in super::super) fn inverse_square(graph: &mut Graph, group: &Group) -> Option<Flow> {
+/// Returns the flow of p·Wp/2 + Σ k/2|y|² + b|y|²/2, if the acceleration of each y is parallel to y.
+pub(super) fn inverse_square(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let central = Central::of(graph, group, Ratio::integer(-2))?;
     let bound = central.oscillators(graph)?;
-    central.flow(graph, group, |graph, at| about_inverse_square(graph, at, bound[at.number]))
+    central.flow(graph, group.degrees, |graph, start| about_inverse_square(graph, start, bound[start.number]))
 }
 
-/// p·Wp/2 − Σ k/|y|.
-pub(in super::super) fn kepler(graph: &mut Graph, group: &Group) -> Option<Flow> {
+/// Returns the flow of p·Wp/2 − Σ k/|y|.
+pub(super) fn kepler(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let central = Central::of(graph, group, Ratio::integer(-1))?;
-    // On a line every motion ends in the centre, or leaves it alone.
-    if !is_free(graph, central.rest, &Symbol::is_coordinate) || central.centres.iter().any(|c| c.forms.len() < 2) {
+    // The motion along a line ends in the centre or started there.
+    let on_line = |centre: &Centre| centre.length.forms.len() < 2;
+    if !is_free(graph, central.rest, &Symbol::is_coordinate) || central.centres.iter().any(on_line) {
         return None;
     }
-    central.flow(graph, group, |graph, at| {
-        let attraction = graph.neg(at.strength);
-        let args = [at.square, at.falling, at.speed, attraction, graph.symbol(Symbol::StepLength)];
-        Function::KEPLER.map(|function| graph.call(function, &args))
+    central.flow(graph, group.degrees, |graph, start| {
+        let attraction = graph.neg(start.strength);
+        let args = [start.square, start.radial, start.speed, attraction, graph.symbol(Symbol::StepLength)];
+        let [f, g, f_rate, g_rate] = Function::KEPLER.map(|function| graph.call(function, &args));
+        Motion { f, g, f_rate, g_rate }
     })
 }
 
 impl Central {
-    /// The parts of an energy whose lengths stand to the power `power`.
+    /// Separates an energy into T, centres g·|y|ⁿ with n = `power`, and the rest.
     fn of(graph: &mut Graph, group: &Group, power: Ratio) -> Option<Central> {
-        let reads_time = |symbol: Symbol| symbol == Symbol::Time && group.clock == Clock::Own;
-        if !is_free(graph, group.energy, &|symbol| symbol == Symbol::Action || reads_time(symbol)) {
+        if reads(graph, group.energy, Symbol::Action) || !group.clock.is_steady(graph, group.energy) {
             return None;
         }
         let divides =
@@ -58,38 +59,29 @@ impl Central {
             return None;
         }
         let powers = Polynomial::of(graph, group.energy, &is_momentum)?;
-        let mut inverse_mass = vec![vec![graph.zero(); group.degrees as usize]; group.degrees as usize];
-        let mut potential = graph.zero();
-        for (monomial, coefficient) in powers.into_terms() {
-            let constant = is_free(graph, coefficient, &Symbol::is_coordinate);
-            let momenta: Vec<(usize, Ratio)> = monomial
-                .iter()
-                .filter_map(
-                    |(symbol, power)| if let Symbol::Momentum(i) = symbol { Some((*i as usize, *power)) } else { None },
-                )
-                .collect();
-            match momenta[..] {
-                [] => potential = coefficient,
-                [(i, power)] if constant && power == Ratio::integer(2) => {
-                    inverse_mass[i][i] = graph.scale(Number::integer(2), coefficient);
-                }
-                [(i, Ratio::ONE), (j, Ratio::ONE)] if constant => {
-                    (inverse_mass[i][j], inverse_mass[j][i]) = (coefficient, coefficient);
-                }
-                _ => return None,
+        let two = Some(Ratio::integer(2));
+        for (monomial, coefficient) in powers.terms().filter(|(monomial, _)| !monomial.is_empty()) {
+            let quadratic = is_whole(monomial) && degree(monomial) == two;
+            if !quadratic || !is_free(graph, coefficient, &Symbol::is_coordinate) {
+                return None;
             }
         }
-        let (centres, rest) = known_terms(graph, potential, |graph, term| centre(graph, term, power, group.degrees));
+        let momenta: Vec<Symbol> = (0..group.degrees).map(Symbol::Momentum).collect();
+        let row = |graph: &mut Graph, p| momenta.iter().map(|r| powers.second_derivative(graph, p, *r)).collect();
+        let inverse_mass = momenta.iter().map(|p| row(graph, *p)).collect();
+        let potential = powers.coefficient(graph, &[]);
+        let (centres, rest) =
+            known_terms(graph, potential, |graph, term| Centre::of(graph, term, power, group.degrees));
         let rest = graph.sum(&rest);
         (!centres.is_empty()).then_some(Central { inverse_mass, centres, rest })
     }
 
-    /// b of each centre, if the rest is Σ b|y|²/2 and a constant.
+    /// Returns b of each centre, if the rest is Σ b|y|²/2 and a constant.
     fn oscillators(&self, graph: &mut Graph) -> Option<Vec<Id>> {
         let powers = Polynomial::of(graph, self.rest, &Symbol::is_coordinate)?;
         let (mut bound, mut rest) = (vec![], self.rest);
-        for centre in &self.centres {
-            let own = Polynomial::of(graph, centre.square, &Symbol::is_coordinate)?;
+        for Centre { length, .. } in &self.centres {
+            let own = Polynomial::of(graph, length.square, &Symbol::is_coordinate)?;
             let of =
                 |powers: &Polynomial, graph: &mut Graph, i: u32| powers.coefficient(graph, &[(Symbol::Position(i), 2)]);
             let i = (0..self.inverse_mass.len() as u32).find(|i| {
@@ -98,7 +90,7 @@ impl Central {
             })?;
             let [square, given] = [&own, &powers].map(|powers| of(powers, graph, i));
             let half = graph.div(given, square);
-            let energy = graph.mul(half, centre.square);
+            let energy = graph.mul(half, length.square);
             rest = graph.sub(rest, energy);
             bound.push(graph.scale(Number::integer(2), half));
         }
@@ -108,59 +100,39 @@ impl Central {
         constant.then_some(bound)
     }
 
-    /// The flow, if every y is accelerated along itself.
-    fn flow(
-        &self,
-        graph: &mut Graph,
-        group: &Group,
-        motion: impl Fn(&mut Graph, &Start<'_>) -> Motion,
-    ) -> Option<Flow> {
-        let mut flow = Flow::rest(graph, group.degrees);
+    /// Returns the flow, if the acceleration of every y is parallel to y.
+    fn flow(&self, graph: &mut Graph, degrees: u32, motion: impl Fn(&mut Graph, &Start<'_>) -> Motion) -> Option<Flow> {
+        let mut flow = Flow::rest(graph, degrees);
         let (q, p, h) = (flow.q.clone(), flow.p.clone(), graph.symbol(Symbol::StepLength));
-        // W aₘ of all forms so far, with aₘ.
-        let mut before: Vec<(Vec<Id>, Vec<Id>)> = vec![];
+        // The forms of the centres so far, with W a.
+        let mut before: Vec<(&Form, Vec<Id>)> = vec![];
+        // The part of W that no centre has used.
         let mut free = self.inverse_mass.clone();
         for (number, centre) in self.centres.iter().enumerate() {
-            let forms = &centre.forms;
-            let pushes: Vec<Vec<Id>> = forms
-                .iter()
-                .map(|form| self.inverse_mass.iter().map(|row| graph.dot(row, &form.coefficients)).collect())
-                .collect();
-            for (m, form) in forms.iter().enumerate() {
-                if before.iter().any(|(push, _)| !vanishes(graph, push, &form.coefficients))
-                    || pushes[..m].iter().any(|push| !vanishes(graph, push, &form.coefficients))
-                {
+            let forms = &centre.length.forms;
+            let pushes: Vec<Vec<Id>> =
+                forms.iter().map(|form| times(graph, &self.inverse_mass, &form.coefficients)).collect();
+            for (form, push) in forms.iter().zip(&pushes) {
+                if before.iter().any(|(_, push)| !are_orthogonal(graph, push, &form.coefficients)) {
                     return None;
                 }
+                before.push((form, push.clone()));
             }
-            let of_form = |graph: &mut Graph, m: usize| {
-                let own = graph.dot(&pushes[m], &forms[m].coefficients);
-                graph.mul(forms[m].weight, own)
-            };
-            let lambda = of_form(graph, 0);
-            for m in 0..forms.len() {
-                let other = of_form(graph, m);
-                let difference = graph.sub(other, lambda);
-                if graph.is_zero(lambda) || !analyze::identity(graph, difference).is_zero() {
-                    return None;
-                }
-            }
+            let lambda = common_acceleration(graph, forms, &pushes)?;
             let y: Vec<Id> = forms.iter().map(|form| form.value(graph, &q)).collect();
             let v: Vec<Id> = pushes.iter().map(|push| graph.dot(push, &p)).collect();
-            let [square, falling, speed] = [(&y, &y), (&y, &v), (&v, &v)].map(|(a, b)| {
-                let products =
-                    (0..forms.len()).map(|m| graph.product(&[forms[m].weight, a[m], b[m]])).collect::<Vec<_>>();
+            let [square, radial, speed] = [(&y, &y), (&y, &v), (&v, &v)].map(|(a, b)| {
+                let products: Vec<Id> =
+                    (0..forms.len()).map(|m| graph.product(&[forms[m].weight, a[m], b[m]])).collect();
                 graph.sum(&products)
             });
             let strength = graph.mul(lambda, centre.strength);
-            let start = Start { number, lambda, strength, forms, y, v, square, falling, speed };
-            let [f, g, f_rate, g_rate] = motion(graph, &start);
+            let start = Start { number, lambda, strength, forms, y, v, square, radial, speed };
+            let Motion { f, g, f_rate, g_rate } = motion(graph, &start);
             for (m, push) in pushes.iter().enumerate() {
                 let share = graph.div(forms[m].weight, lambda);
-                let [moved, kicked] = [[f, g], [f_rate, g_rate]].map(|[by_y, by_v]| {
-                    let terms = [graph.mul(by_y, start.y[m]), graph.mul(by_v, start.v[m])];
-                    graph.sum(&terms)
-                });
+                let [moved, kicked] =
+                    [[f, g], [f_rate, g_rate]].map(|weights| graph.dot(&weights, &[start.y[m], start.v[m]]));
                 for i in 0..q.len() {
                     let along = graph.mul(share, push[i]);
                     let moved = graph.mul(along, moved);
@@ -173,9 +145,7 @@ impl Central {
                     }
                 }
             }
-            before.extend(pushes.into_iter().zip(forms.iter().map(|form| form.coefficients.clone())));
         }
-        // What no centre accelerates.
         for (i, row) in free.into_iter().enumerate() {
             for (entry, p) in row.into_iter().zip(&p) {
                 if !analyze::identity(graph, entry).is_zero() {
@@ -188,8 +158,22 @@ impl Central {
     }
 }
 
-/// a·b = 0?
-fn vanishes(graph: &mut Graph, a: &[Id], b: &[Id]) -> bool {
+/// Returns λ = κₘ aₘ·Waₘ, if it is nonzero and equal for all forms. `pushes` contains W aₘ.
+fn common_acceleration(graph: &mut Graph, forms: &[Form], pushes: &[Vec<Id>]) -> Option<Id> {
+    let mut lambda = None;
+    for (form, push) in forms.iter().zip(pushes) {
+        let own = graph.dot(push, &form.coefficients);
+        let own = graph.mul(form.weight, own);
+        let difference = graph.sub(own, *lambda.get_or_insert(own));
+        if graph.is_zero(own) || !analyze::identity(graph, difference).is_zero() {
+            return None;
+        }
+    }
+    lambda
+}
+
+/// Returns whether a·b is proven to be zero.
+fn are_orthogonal(graph: &mut Graph, a: &[Id], b: &[Id]) -> bool {
     let product = graph.dot(a, b);
     analyze::identity(graph, product).is_zero()
 }

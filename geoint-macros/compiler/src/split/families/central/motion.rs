@@ -1,44 +1,60 @@
-//! How y moves: in its plane, by numbers that follow from |y|², y·y' and |y'|².
+//! The motion of y in its plane, as a function of |y|², y·y' and |y'|².
 
-use super::super::super::scalar::rotation;
+use super::super::super::scalar::{Angle, rotation};
 use super::centre::Form;
 use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
 
-/// F − 1, G, Ḟ and Ġ − 1.
-pub(super) type Motion = [Id; 4];
+/// The flow of y: y(h) = F y + G y', y'(h) = Ḟ y + Ġ y'.
+pub(super) struct Motion {
+    /// F − 1.
+    pub(super) f: Id,
+    /// G.
+    pub(super) g: Id,
+    /// Ḟ.
+    pub(super) f_rate: Id,
+    /// Ġ − 1.
+    pub(super) g_rate: Id,
+}
 
-/// A centre and the motion about it at the start.
+/// A centre and the start of the motion about it.
 pub(super) struct Start<'a> {
+    /// The index of the centre.
     pub(super) number: usize,
     pub(super) lambda: Id,
     /// λg.
     pub(super) strength: Id,
     pub(super) forms: &'a [Form],
     pub(super) y: Vec<Id>,
+    /// y'.
     pub(super) v: Vec<Id>,
-    /// |y|², y·y' and |y'|².
+    /// |y|².
     pub(super) square: Id,
-    pub(super) falling: Id,
+    /// y·y'.
+    pub(super) radial: Id,
+    /// |y'|².
     pub(super) speed: Id,
 }
 
-/// With a = |y|, ε = y·y'/a² and l² = |y|²|y'|² − (y·y')² over a⁴, κ = l² + λk/a⁴, x = C + εS and ρ² = x² + κS²: y has turned by lT, T = ∫ dt/ρ²,
-/// and is ρa long. What is near 1 in short steps is written by its difference from 1.
-pub(super) fn about_inverse_square(graph: &mut Graph, at: &Start<'_>, bound: Id) -> Motion {
+/// Returns the motion about k/2|y|² + b|y|²/2 with `bound` = b.
+///
+/// Let a = |y|, ε = y·y'/a², l² = (|y|²|y'|² − (y·y')²)/a⁴, κ = l² + λk/a⁴, C = cos ωh, S = sin ωh/ω, ω² = λb, x = C + εS and ρ² = x² + κS².
+/// Then y rotates by lT with T = ∫ dt/ρ², and its length becomes ρa. Below, cos = cos lT and σ = sin(lT)/l. Quantities near 1 are computed by
+/// their difference from 1.
+pub(super) fn about_inverse_square(graph: &mut Graph, start: &Start<'_>, bound: Id) -> Motion {
     let (h, one) = (graph.symbol(Symbol::StepLength), graph.integer(1));
-    let square = graph.mul(at.lambda, bound);
+    let square = graph.mul(start.lambda, bound);
     let (cosine, sine, less) = if graph.is_zero(square) {
         (one, h, graph.zero())
     } else {
-        let (cosine, sine) = rotation(graph, square, h, false);
+        let (cosine, sine) = rotation(graph, square, h, Angle::Any);
         let h2 = graph.pow(h, Ratio::integer(2));
         let angle = graph.mul(square, h2);
         (cosine, sine, versine(graph, angle))
     };
-    let growth = graph.div(at.falling, at.square);
-    let twist = at.twist(graph);
-    let push = graph.scale(Number::integer(2), at.strength);
-    let push = (0..2).fold(push, |push, _| graph.div(push, at.square));
+    let growth = graph.div(start.radial, start.square);
+    let twist = start.twist(graph);
+    let push = graph.scale(Number::integer(2), start.strength);
+    let push = (0..2).fold(push, |push, _| graph.div(push, start.square));
     let kappa = graph.add(twist, push);
     // x − 1, ρ² − 1 and ρ − 1.
     let grown = graph.mul(growth, sine);
@@ -52,7 +68,7 @@ pub(super) fn about_inverse_square(graph: &mut Graph, at: &Start<'_>, bound: Id)
         let both = graph.add(one, spread);
         graph.div(rise, both)
     };
-    // ρ' − ε: what little of it is left where a short step is taken.
+    // ρ' − ε, which is small in a short step.
     let pull = {
         let terms = [graph.mul(ahead, cosine), graph.neg(less), graph.neg(further)];
         let shorter = graph.sum(&terms);
@@ -62,10 +78,10 @@ pub(super) fn about_inverse_square(graph: &mut Graph, at: &Start<'_>, bound: Id)
         let change = graph.sum(&terms);
         graph.div(change, spread)
     };
-    if at.forms.len() == 1 {
-        // y' is εy.
+    if start.forms.len() == 1 {
+        // y' = εy.
         let zero = graph.zero();
-        return [further, zero, pull, zero];
+        return Motion { f: further, g: zero, f_rate: pull, g_rate: zero };
     }
     let rate = graph.add(growth, pull);
     let swept_squared = graph.pow(swept, Ratio::integer(2));
@@ -96,10 +112,10 @@ pub(super) fn about_inverse_square(graph: &mut Graph, at: &Start<'_>, bound: Id)
         let short = graph.add(short, relative);
         graph.sub(grown, short)
     };
-    [f, g, f_rate, g_rate]
+    Motion { f, g, f_rate, g_rate }
 }
 
-/// 1 − cos √z = z/2·c₁(z/4)².
+/// Returns 1 − cos √z = z/2·c₁(z/4)² with Stumpff's function c₁.
 fn versine(graph: &mut Graph, z: Id) -> Id {
     let quarter = graph.scale(Number::Exact(Ratio { numerator: 1, denominator: 4 }), z);
     let half_sine = graph.call(Function::StumpffC1, &[quarter]);
@@ -108,7 +124,7 @@ fn versine(graph: &mut Graph, z: Id) -> Id {
 }
 
 impl Start<'_> {
-    /// l², without a difference of two products that are nearly equal.
+    /// Returns l² as a sum of squares, without a difference of nearly equal products.
     fn twist(&self, graph: &mut Graph) -> Id {
         let mut terms = vec![];
         for n in 0..self.forms.len() {
