@@ -1,6 +1,6 @@
-//! The attributes of `geoint-runtime`, which re-exports them. Each one passes its tokens to the compiler, `geoint-compiler`.
+//! Attributes of `geoint-runtime`. Each attribute passes its tokens to the compiler `geoint-compiler`.
 //!
-//! Depend on `geoint-runtime`, which the generated code uses.
+//! Depend on `geoint-runtime`. It re-exports the attributes, and the generated code uses it.
 
 use proc_macro::TokenStream;
 
@@ -36,7 +36,7 @@ pub fn lagrangian(args: TokenStream, item: TokenStream) -> TokenStream {
     geoint_compiler::lagrangian(args.into(), item.into()).into()
 }
 
-/// Makes a function callable in energies. It is inlined and differentiated with them.
+/// Makes a function callable in energies. Each energy inlines and differentiates the function.
 ///
 #[doc = include_str!("../docs/energy_function.md")]
 #[proc_macro_attribute]

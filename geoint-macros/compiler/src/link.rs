@@ -30,7 +30,7 @@ pub(crate) fn ask(runtime: &TokenStream, attribute: &str, path: &Path, source: &
     }
 }
 
-/// Rewrites `{ path } …` to `path! { … }`. The spans of `path` point into the macro call, so rustc names the macro in its message.
+/// Rewrites `{ path } …` to `path! { … }`. The spans of `path` keep the user's place and belong to the call of this macro, so rustc's message names it.
 pub(crate) fn put(input: TokenStream) -> TokenStream {
     let mut input = input.into_iter();
     let Some(TokenTree::Group(path)) = input.next() else { return TokenStream::new() };

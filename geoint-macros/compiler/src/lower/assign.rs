@@ -1,7 +1,6 @@
 //! Assignments. Loops are unrolled, so each variable has one known value at each point.
 //!
-//! Branches on data, closures and nested functions can only read outer variables. Otherwise the later value of the variable would depend on data or on the
-//! caller.
+//! Branches on data, closures and nested functions can only read outer variables. Otherwise the value of a variable would depend on data or on the caller.
 
 use super::Lowering;
 use super::language::compound;

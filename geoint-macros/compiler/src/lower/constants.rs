@@ -1,4 +1,4 @@
-//! Constants of the standard library. The user may define other constants of the same names.
+//! Values of constants of the standard library. Only full paths and imports count, because the user may define other constants of the same names.
 
 use crate::ir::{Number, Ratio};
 use syn::{Path, UseTree};

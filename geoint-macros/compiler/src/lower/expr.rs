@@ -24,14 +24,10 @@ impl Lowering {
         self.depth += 1;
         let value = self.evaluate(expr);
         self.depth -= 1;
-        match value {
-            Value::Real(id) => self.written(id, expr, || super::place(expr)),
-            Value::Truth(id) => {
-                self.places.entry(id).or_insert_with(|| super::place(expr));
-                self.noted(expr, value)
-            }
-            other => self.noted(expr, other),
+        if let Value::Real(id) | Value::Truth(id) = value {
+            self.places.entry(id).or_insert_with(|| super::place(expr));
         }
+        self.noted(expr, value)
     }
 
     fn evaluate(&mut self, expr: &Expr) -> Value {

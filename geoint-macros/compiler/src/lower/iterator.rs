@@ -6,15 +6,10 @@ use std::rc::Rc;
 use syn::{BinOp, Expr, ExprMethodCall};
 
 impl Lowering {
-    pub(super) fn method_of_array(
-        &mut self,
-        call: &ExprMethodCall,
-        name: &str,
-        items: &Rc<Vec<Value>>,
-        arguments: &[Value],
-    ) -> Value {
-        match (name, arguments) {
-            ("iter" | "into_iter", []) => Value::Iterator(items.clone()),
+    pub(super) fn method_of_array(&mut self, call: &ExprMethodCall, items: &[Value], arguments: &[Value]) -> Value {
+        let name = &call.method;
+        match (name.to_string().as_str(), arguments) {
+            ("iter" | "into_iter", []) => Value::iterator(items.iter().cloned()),
             ("len", []) => Value::Integer(items.len() as i128),
             ("windows", [Value::Integer(n @ 1..)]) => {
                 Value::iterator(items.windows(count(n)).map(|window| Value::list(window.iter().cloned())))
@@ -27,15 +22,10 @@ impl Lowering {
         }
     }
 
-    pub(super) fn method_of_iterator(
-        &mut self,
-        call: &ExprMethodCall,
-        name: &str,
-        items: &Rc<Vec<Value>>,
-        arguments: &[Value],
-    ) -> Value {
-        match (name, arguments) {
-            ("iter" | "into_iter" | "copied" | "cloned", []) => Value::Iterator(items.clone()),
+    pub(super) fn method_of_iterator(&mut self, call: &ExprMethodCall, items: &[Value], arguments: &[Value]) -> Value {
+        let name = &call.method;
+        match (name.to_string().as_str(), arguments) {
+            ("iter" | "into_iter" | "copied" | "cloned", []) => Value::iterator(items.iter().cloned()),
             ("rev", []) => Value::iterator(items.iter().rev().cloned()),
             ("len" | "count", []) => Value::Integer(items.len() as i128),
             ("enumerate", []) => {

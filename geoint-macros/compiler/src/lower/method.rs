@@ -32,17 +32,17 @@ impl Lowering {
                 let id = self.constant(path);
                 self.method_of_real(&call.method, &name, id, arguments)
             }
-            Value::Vector(ids) => self.method_of_vector(call, &name, ids, arguments),
-            Value::Quaternion(ids) => self.method_of_quaternion(call, &name, &ids, &arguments),
-            Value::List(items) => self.method_of_array(call, &name, &items, &arguments),
-            Value::Iterator(items) => self.method_of_iterator(call, &name, &items, &arguments),
-            Value::Integer(n) => self.method_of_integer(call, &name, n, &arguments),
+            Value::Vector(ids) => self.method_of_vector(call, &ids, &arguments),
+            Value::Quaternion(ids) => self.method_of_quaternion(call, &ids, &arguments),
+            Value::List(items) => self.method_of_array(call, &items, &arguments),
+            Value::Iterator(items) => self.method_of_iterator(call, &items, &arguments),
+            Value::Integer(n) => self.method_of_integer(call, n, &arguments),
             other => self.refuse(&call.method, format!("{} has no such method", other.kind())),
         }
     }
 
-    fn method_of_integer(&mut self, call: &ExprMethodCall, name: &str, n: i128, arguments: &[Value]) -> Value {
-        let result = match (name, arguments) {
+    fn method_of_integer(&mut self, call: &ExprMethodCall, n: i128, arguments: &[Value]) -> Value {
+        let result = match (call.method.to_string().as_str(), arguments) {
             ("pow", [Value::Integer(k)]) => {
                 u32::try_from(*k).ok().and_then(|k| n.checked_pow(k)).ok_or("this power is out of bounds")
             }
@@ -104,21 +104,21 @@ impl Lowering {
         }
     }
 
-    fn method_of_vector(&mut self, call: &ExprMethodCall, name: &str, ids: Vec<Id>, arguments: Vec<Value>) -> Value {
-        let graph = &mut self.graph;
-        match (name, &arguments[..]) {
-            ("dot", [Value::Vector(other)]) if other.len() == ids.len() => Value::Real(graph.dot(&ids, other)),
-            ("norm_squared", []) => Value::Real(graph.dot(&ids, &ids)),
+    fn method_of_vector(&mut self, call: &ExprMethodCall, ids: &[Id], arguments: &[Value]) -> Value {
+        let (name, graph) = (&call.method, &mut self.graph);
+        match (name.to_string().as_str(), arguments) {
+            ("dot", [Value::Vector(other)]) if other.len() == ids.len() => Value::Real(graph.dot(ids, other)),
+            ("norm_squared", []) => Value::Real(graph.dot(ids, ids)),
             ("norm" | "magnitude", []) => {
-                let square = graph.dot(&ids, &ids);
+                let square = graph.dot(ids, ids);
                 Value::Real(graph.sqrt(square))
             }
             ("cross", [Value::Vector(other)]) if ids.len() == 3 && other.len() == 3 => {
-                Value::Vector(self.cross_product(&ids, other).to_vec())
+                Value::Vector(self.cross_product(ids, other).to_vec())
             }
             ("len", []) => Value::Integer(ids.len() as i128),
-            ("iter", []) => Value::iterator(ids.into_iter().map(Value::Real)),
-            ("sum", []) => Value::Real(graph.sum(&ids)),
+            ("iter", []) => Value::iterator(ids.iter().map(|id| Value::Real(*id))),
+            ("sum", []) => Value::Real(graph.sum(ids)),
             _ => self.refuse(
                 &call.method,
                 format!(

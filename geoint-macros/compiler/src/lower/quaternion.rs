@@ -24,14 +24,8 @@ pub(super) fn field_of_quaternion(name: &Ident, r: &[Id; 4]) -> Option<Value> {
 }
 
 impl Lowering {
-    pub(super) fn method_of_quaternion(
-        &mut self,
-        call: &ExprMethodCall,
-        name: &str,
-        r: &[Id; 4],
-        arguments: &[Value],
-    ) -> Value {
-        match (name, arguments) {
+    pub(super) fn method_of_quaternion(&mut self, call: &ExprMethodCall, r: &[Id; 4], arguments: &[Value]) -> Value {
+        match (call.method.to_string().as_str(), arguments) {
             ("inverse" | "conjugate", []) => Value::Quaternion(self.conjugate(r)),
             ("transform_vector", [Value::Vector(v)]) if v.len() == 3 => self.rotated(r, v),
             ("inverse_transform_vector", [Value::Vector(v)]) if v.len() == 3 => {

@@ -7,8 +7,10 @@ use std::cell::RefCell;
 use std::rc::Rc;
 use syn::Expr;
 
-/// Nested scopes of one function body. A clone shares its levels until either copy changes. Closures capture their environment as a clone.
-#[derive(Clone)]
+/// Nested scopes of one function body. Empty by default.
+///
+/// A clone shares its levels until either copy changes. Closures capture their environment as a clone.
+#[derive(Clone, Default)]
 pub(super) struct Scopes {
     levels: Vec<Rc<Level>>,
     pub(super) barrier: Barrier,
@@ -26,16 +28,17 @@ struct Level {
 }
 
 /// Limit for assignments: variables below the level are read-only.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 pub(super) struct Barrier {
     level: usize,
     around: Around,
 }
 
 /// Kind of code whose outer variables are read-only.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 pub(super) enum Around {
     Branch,
+    #[default]
     Function,
 }
 
@@ -79,17 +82,11 @@ pub(super) enum Refused {
     Outside(Around),
 }
 
-impl Default for Scopes {
-    fn default() -> Self {
-        let barrier = Barrier { level: 0, around: Around::Function };
-        Scopes { levels: vec![Rc::default()], barrier, outside: Rc::default(), is_foreign: false }
-    }
-}
-
 impl Scopes {
     /// Returns the scopes of a function at the top level of its file.
     pub(super) fn of_file(outside: &Rc<Outside>, functions: &[Function]) -> Self {
         let mut scopes = Scopes { outside: outside.clone(), ..Scopes::default() };
+        scopes.enter();
         for (name, value) in outside.constants() {
             scopes.declare(name, Item::Import(Value::Integer(value)));
         }
@@ -160,7 +157,7 @@ impl Scopes {
         std::mem::replace(&mut self.barrier, Barrier { level: self.levels.len(), around })
     }
 
-    /// Returns the variable with the name most similar to an unknown one. The names differ in case or by one changed, missing, added or swapped letter.
+    /// Returns the variable with the most similar name. The names differ in case or by one changed, missing, added or swapped letter.
     pub(super) fn similar(&self, unknown: &str) -> Option<&str> {
         let known = self.levels.iter().flat_map(|level| level.variables.keys());
         known.filter(|known| is_similar(known, unknown)).min().map(String::as_str)

@@ -24,8 +24,9 @@ enum Part {
 #[derive(Clone)]
 pub(super) struct Inlined {
     pub(super) value: Value,
-    /// Conditions (`if`) around the call, if the function has nodes that are not defined everywhere, such as a root. The nodes have been noted under these
-    /// conditions, so calls under other conditions can not reuse the value. `None` if any call can reuse the value.
+    /// Conditions (`if`) around the call, if the function has nodes that are not defined everywhere, such as a root. `None` if any call can reuse the value.
+    ///
+    /// The nodes have been noted under these conditions, so calls under other conditions can not reuse the value.
     pub(super) conditions: Option<Vec<Id>>,
 }
 

@@ -22,25 +22,13 @@ struct Unseen<'a> {
 }
 
 /// Attributes that do not change the code.
-const HARMLESS: [&str; 12] = [
-    "allow",
-    "expect",
-    "warn",
-    "deny",
-    "forbid",
-    "doc",
-    "inline",
-    "cold",
-    "must_use",
-    "rustfmt",
-    "clippy",
-    "deprecated",
-];
+const HARMLESS: &str = "allow expect warn deny forbid doc inline cold must_use rustfmt clippy deprecated";
 
 impl Visit<'_> for Unseen<'_> {
     fn visit_attribute(&mut self, attribute: &Attribute) {
-        let harmless = |segment: &syn::PathSegment| HARMLESS.iter().any(|name| segment.ident == name);
-        if !attribute.path().segments.first().is_some_and(harmless) {
+        let first = attribute.path().segments.first().map(|segment| segment.ident.to_string());
+        let is_harmless = first.is_some_and(|name| HARMLESS.split(' ').any(|harmless| name == harmless));
+        if !is_harmless {
             let name = attribute.path().to_token_stream();
             let message = format!("`{name}` may change or remove this after it was differentiated: leave it out");
             self.errors.at(attribute, message);
@@ -71,7 +59,7 @@ impl Visit<'_> for Unseen<'_> {
 }
 
 impl Unseen<'_> {
-    /// Refuses `f32` in an energy of `f64`, because it rounds differently. In an energy of `f32`, only casts from `f64` matter. Lowering refuses them.
+    /// Refuses `f32` in an energy of `f64`, because it rounds differently. In an energy of `f32`, `f64` matters only with a cast, and lowering refuses it.
     fn narrow_number(&mut self, syntax: &impl ToTokens) {
         if self.float == "f64" {
             self.errors.at(syntax, format!("all numbers of an energy have one type, here `{}`", self.float));

@@ -16,6 +16,7 @@ pub(super) fn arguments(
     float: &Ident,
     errors: &mut Diagnostics,
 ) -> Vec<Argument> {
+    let conventions = conventions(form);
     let velocity = velocity_for_momenta(form, item, options);
     let mut refused: Vec<String> = vec![];
     let mut arguments: Vec<Argument> = vec![];
@@ -27,7 +28,7 @@ pub(super) fn arguments(
         };
         let name = &pattern.ident;
         attributes_of_argument(&typed.attrs, errors);
-        let by_name = conventions(form).iter().find(|convention| is_called(name, convention.name));
+        let by_name = conventions.iter().find(|convention| is_called(name, convention.name));
         if form == Form::Hamiltonian && by_name.is_some_and(|convention| convention.role == Role::Action) {
             if velocity.is_none() {
                 errors.at(name, ACTION);
@@ -51,19 +52,19 @@ pub(super) fn arguments(
             },
             (None, None) => Role::Parameter,
         };
+        let scalar = match role {
+            Role::Time => Some("is time, a scalar; for a coordinate of that name write `t = …`"),
+            Role::Action => Some("is the action, a scalar; for a parameter of that name write `s = …`"),
+            _ => None,
+        };
         let ty = options.outside.resolve(&typed.ty);
         match shape(&ty, float) {
-            Ok(shape) if role == Role::Time && !shape.extents.is_empty() => {
-                let message = format!("`{name}` is time, a scalar; for a coordinate of that name write `t = …`");
-                errors.at(&typed.ty, message);
-            }
-            Ok(shape) if role == Role::Action && !shape.extents.is_empty() => {
-                let message = format!("`{name}` is the action, a scalar; for a parameter of that name write `s = …`");
-                errors.at(&typed.ty, message);
-            }
-            Ok(shape) => {
-                arguments.push(Argument { role, name: name.clone(), ty, shape, attributes: typed.attrs.clone() });
-            }
+            Ok(shape) => match scalar.filter(|_| !shape.extents.is_empty()) {
+                Some(message) => errors.at(&typed.ty, format!("`{name}` {message}")),
+                None => {
+                    arguments.push(Argument { role, name: name.clone(), ty, shape, attributes: typed.attrs.clone() });
+                }
+            },
             Err(error) => {
                 // Positions and momenta have the same type. Each type gets one message.
                 let text = typed.ty.to_token_stream().to_string();
@@ -74,7 +75,7 @@ pub(super) fn arguments(
             }
         }
     }
-    check_roles(form, item, options, errors);
+    check_roles(&conventions, item, options, errors);
     arguments
 }
 
@@ -106,26 +107,25 @@ fn place_of_name(tokens: TokenStream, name: &Ident) -> Option<Ident> {
 }
 
 /// Checks the roles that the attribute names. Each argument exists and has one role. Its name does not suggest another role.
-fn check_roles(form: Form, item: &ItemFn, options: &Options, errors: &mut Diagnostics) {
+fn check_roles(conventions: &[Convention], item: &ItemFn, options: &Options, errors: &mut Diagnostics) {
     for (i, (role, name)) in options.roles.iter().enumerate() {
         let suggests_other = |convention: &&Convention| {
             convention.role != *role && name == convention.name && options.named(convention.role).is_none()
         };
         if let Some((other, _)) = options.roles[..i].iter().find(|(_, other)| other == name) {
-            let message = match (role, other) {
-                (Role::Time, _) | (_, Role::Time) => format!("`{name}` is time and cannot be a coordinate as well"),
-                (Role::Action, _) | (_, Role::Action) => {
-                    format!("`{name}` is the action and cannot be a coordinate as well")
-                }
-                (Role::Velocity, _) | (_, Role::Velocity) => {
-                    format!("`{name}` cannot be both positions and velocities")
-                }
-                _ => format!("`{name}` cannot be both positions and momenta"),
+            let message = if [role, other].contains(&&Role::Time) {
+                "is time and cannot be a coordinate as well"
+            } else if [role, other].contains(&&Role::Action) {
+                "is the action and cannot be a coordinate as well"
+            } else if [role, other].contains(&&Role::Velocity) {
+                "cannot be both positions and velocities"
+            } else {
+                "cannot be both positions and momenta"
             };
-            errors.at(name, message);
+            errors.at(name, format!("`{name}` {message}"));
         } else if !exists(item, name) {
             errors.at(name, format!("the function has no argument `{name}`"));
-        } else if let Some(Convention { name: letter, meaning, .. }) = conventions(form).iter().find(suggests_other) {
+        } else if let Some(Convention { name: letter, meaning, .. }) = conventions.iter().find(suggests_other) {
             let message = match *letter {
                 "t" => {
                     "`t` is time and cannot be a coordinate: rename it, or name another argument with `t = …`".into()
@@ -163,42 +163,28 @@ struct Convention {
     meaning: &'static str,
 }
 
-const fn convention(role: Role, name: &'static str, meaning: &'static str) -> Convention {
-    Convention { role, name, meaning }
-}
-
-fn conventions(form: Form) -> &'static [Convention] {
+/// Returns the roles of arguments by their names, for each form of system.
+fn conventions(form: Form) -> Vec<Convention> {
+    let convention = |role, name, meaning| Convention { role, name, meaning };
+    let positions = convention(Role::Position, "q", "the positions");
+    let action = convention(Role::Action, "s", "the action");
+    let time = convention(Role::Time, "t", "time");
     match form {
-        Form::Bodies => &OF_BODIES,
-        Form::Structured | Form::Field => &OF_FLOWS,
-        Form::Hamiltonian | Form::Contact => &OF_ENERGIES,
-        Form::Lagrangian | Form::Herglotz | Form::FirstOrder => &OF_LAGRANGIANS,
+        Form::Structured | Form::Field => vec![convention(Role::Position, "x", "the coordinates"), time],
+        Form::Bodies => vec![
+            convention(Role::AngularMomentum, "m", "the angular momenta"),
+            convention(Role::Position, "q", "the centres of mass"),
+            convention(Role::Momentum, "p", "the momenta of centres of mass"),
+            time,
+        ],
+        Form::Hamiltonian | Form::Contact => {
+            vec![positions, convention(Role::Momentum, "p", "the momenta"), action, time]
+        }
+        Form::Lagrangian | Form::Herglotz | Form::FirstOrder => {
+            vec![positions, convention(Role::Velocity, "v", "the velocities"), action, time]
+        }
     }
 }
-
-const OF_BODIES: [Convention; 4] = [
-    convention(Role::AngularMomentum, "m", "the angular momenta"),
-    convention(Role::Position, "q", "the centres of mass"),
-    convention(Role::Momentum, "p", "the momenta of centres of mass"),
-    convention(Role::Time, "t", "time"),
-];
-
-const OF_ENERGIES: [Convention; 4] = [
-    convention(Role::Position, "q", "the positions"),
-    convention(Role::Momentum, "p", "the momenta"),
-    convention(Role::Action, "s", "the action"),
-    convention(Role::Time, "t", "time"),
-];
-
-const OF_LAGRANGIANS: [Convention; 4] = [
-    convention(Role::Position, "q", "the positions"),
-    convention(Role::Velocity, "v", "the velocities"),
-    convention(Role::Action, "s", "the action"),
-    convention(Role::Time, "t", "time"),
-];
-
-const OF_FLOWS: [Convention; 2] =
-    [convention(Role::Position, "x", "the coordinates"), convention(Role::Time, "t", "time")];
 
 const ACTION: &str = "`s` is the action of a contact system: for a system that dissipates by it use `#[contact_hamiltonian]`; a \
                       parameter needs another name";

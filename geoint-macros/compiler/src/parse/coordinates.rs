@@ -20,12 +20,9 @@ pub(super) fn coordinates(
         errors.at(name, format!("`{name}` {VELOCITY}"));
         return None;
     }
-    // Returns false if the argument is absent. An argument with a wrong name in the attribute or a wrong type has been reported.
-    let is_given = |role: Role, default: &str| {
-        options.named(role).is_some()
-            || names(item).any(|name| is_called(name, default))
-            || of_role(arguments, role).is_some()
-    };
+    // Arguments with a wrong name in the attribute or a wrong type have been reported, so they count as given.
+    let is_given =
+        |role: Role, default: &str| options.named(role).is_some() || names(item).any(|name| is_called(name, default));
     let mut find = |role: Role, default: &str, missing: Option<&str>| {
         if let Some(message) = missing.filter(|_| !is_given(role, default)) {
             errors.at(&item.sig.ident, message);

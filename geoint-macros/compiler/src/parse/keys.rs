@@ -4,7 +4,7 @@ use super::flow::{self, StructureForm};
 use super::options::Options;
 use super::values::{self, Coordinates, Requirement, listed};
 use super::{Form, Role};
-use proc_macro2::Ident;
+use proc_macro2::{Ident, Span};
 use std::rc::Rc;
 use syn::Token;
 use syn::ext::IdentExt;
@@ -33,28 +33,18 @@ impl Key {
         })
     }
 
-    /// Adds the notation of the argument to an error of the parser. Errors of this crate stay as they are.
-    fn with_notation(&self, error: syn::Error, name: &Ident, ending: Ending) -> syn::Error {
+    /// Adds the notation of the argument to an error of the parser, at the given place. Errors of this crate stay as they are.
+    fn with_notation(&self, error: syn::Error, place: Span) -> syn::Error {
         let message = error.to_string();
-        let is_of_the_parser = ["expected ", "unexpected "].iter().any(|begin| message.starts_with(begin));
-        if self.written.is_empty() || !is_of_the_parser {
+        if self.written.is_empty() || !["expected ", "unexpected "].iter().any(|start| message.starts_with(start)) {
             return error;
         }
-        let at_name = ending == Ending::AtName || message.starts_with("unexpected end");
-        let span = if at_name { name.span() } else { error.span() };
-        syn::Error::new(span, format!("{message}; this argument is written {}", self.written))
+        syn::Error::new(place, format!("{message}; this argument is written {}", self.written))
     }
 
     fn is_repeatable(&self) -> bool {
         ["require", "const", "type"].contains(&self.name)
     }
-}
-
-/// Where the tokens of an attribute end. After a bare name at the end, the parser would point at the whole attribute.
-#[derive(PartialEq)]
-enum Ending {
-    AtName,
-    Later,
 }
 
 impl Options {
@@ -68,8 +58,13 @@ impl Options {
             if !key.is_repeatable() && given.contains(&name) {
                 return Err(syn::Error::new_spanned(&name, format!("`{name}` is given twice")));
             }
-            let ending = if input.is_empty() { Ending::AtName } else { Ending::Later };
-            (key.read)(&mut options, &name, input).map_err(|error| key.with_notation(error, &name, ending))?;
+            let is_last = input.is_empty();
+            (key.read)(&mut options, &name, input).map_err(|error| {
+                // At the end of the tokens, the place of the parser is the whole attribute.
+                let is_at_end = is_last || error.to_string().starts_with("unexpected end");
+                let place = if is_at_end { name.span() } else { error.span() };
+                key.with_notation(error, place)
+            })?;
             given.push(name);
             if !input.is_empty() {
                 input.parse::<Token![,]>()?;
@@ -109,25 +104,21 @@ const KEYS: [Key; 25] = [
     key("rayleigh", "`rayleigh = R`", &[L], |to, _, input| set(&mut to.rayleigh, input)),
     key("force", "`force = F`", &[H, L], |to, _, input| set(&mut to.force, input)),
     key("constraint", "`constraint = [g]`", &[H, L], |to, _, input| {
-        to.constraint = Some(values::constraint(value(input)?)?);
-        Ok(())
+        values::constraint(value(input)?).map(|functions| to.constraint = Some(functions))
     }),
     key("split", "`split = \"terms | terms\"`", &[H, C], |to, _, input| {
-        input.parse::<Token![=]>()?;
-        to.split = Some(values::pieces(input)?);
-        Ok(())
+        values::pieces(input).map(|pieces| to.split = Some(pieces))
     }),
     key("coordinates", "`coordinates = jacobi` or `heliocentric`", &[H, L], |to, _, input| {
-        let name: Ident = value(input)?;
-        to.coordinates = Some((Coordinates::named(&name)?, name.span()));
-        Ok(())
+        Coordinates::named(value(input)?).map(|named| to.coordinates = Some(named))
     }),
     key("structure", "`structure = S` with `x = argument`", &[H], |to, _, input| {
         value(input).map(|expr| to.structure = Some(StructureForm::new(expr)))
     }),
     key("x", "", &[H], |to, _, input| {
-        role(to, Role::Position, input)?;
-        to.all = to.roles.last().map(|(_, name)| name.clone());
+        let name: Ident = value(input)?;
+        to.roles.push((Role::Position, name.clone()));
+        to.all = Some(name);
         Ok(())
     }),
     key("attitude", "`attitude = argument` with `m = argument`", &[H], |to, _, input| role(to, Role::Attitude, input)),

@@ -36,7 +36,9 @@ use syn::{Attribute, Expr, ItemFn, Type};
 /// The kind of system that an attribute defines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Form {
+    /// H(q, p, t).
     Hamiltonian,
+    /// H(q, p, s, t) of a contact system.
     Contact,
     /// H(r, m, t) of rigid bodies: attitudes and angular momenta.
     Bodies,
@@ -81,16 +83,16 @@ impl Form {
     }
 }
 
-/// An annotated function with its signature parsed. The body is parsed by [`lower`](crate::lower).
+/// An annotated function with a parsed signature. The stage [`lower`](crate::lower) reads its body.
 #[derive(Clone)]
 pub(crate) struct Energy {
     pub(crate) form: Form,
     pub(crate) item: ItemFn,
     /// Name of the generated struct.
     pub(crate) name: Ident,
-    /// Path of the runtime crate in emitted code.
+    /// Path of the runtime in generated code.
     pub(crate) runtime: TokenStream,
-    /// The scalar, `f64` or `f32`.
+    /// Type of all numbers, `f64` or `f32`.
     pub(crate) float: Ident,
     /// Shape and type of x, or of q and of p.
     pub(crate) coordinates: Argument,
@@ -139,6 +141,7 @@ impl Energy {
         of_role(&self.arguments, role)
     }
 
+    /// Returns the parameters of the system in the order of the signature.
     pub(crate) fn parameters(&self) -> impl Iterator<Item = &Argument> {
         self.arguments.iter().filter(|argument| argument.role == Role::Parameter)
     }
@@ -201,15 +204,17 @@ const MAX_NESTING: usize = 256;
 pub(crate) fn nesting(item: &TokenStream) -> Result<()> {
     let mut level: Vec<TokenStream> = vec![item.clone()];
     for _ in 0..MAX_NESTING {
-        let group = |tree| if let TokenTree::Group(group) = tree { Some(group.stream()) } else { None };
+        let group = |tree| match tree {
+            TokenTree::Group(group) => Some(group.stream()),
+            _ => None,
+        };
         level = level.into_iter().flatten().filter_map(group).collect();
         if level.is_empty() {
             return Ok(());
         }
     }
-    let mut errors = Diagnostics::default();
-    errors.at(&level.into_iter().flatten().next(), "this is nested too deeply: give parts of it a name with `let`");
-    Err(errors)
+    let place = level.into_iter().flatten().next();
+    Err(syn::Error::new_spanned(place, "this is nested too deeply: give parts of it a name with `let`").into())
 }
 
 /// Parses the attribute's arguments and the signature.
@@ -224,7 +229,7 @@ pub(crate) fn energy(form: Form, args: TokenStream, item: ItemFn) -> Result<Ener
     };
     let mut errors = Diagnostics::default();
     plain_function(form, &item, &options.outside, &mut errors);
-    // Errors that follow from a wrong signature are not reported again.
+    // Further errors would follow from a wrong signature.
     let mut errors = errors.or(Diagnostics::default())?;
     let float = returned_float(form, &item, &options.outside, &mut errors);
     let arguments = arguments(form, &item, &options, &float, &mut errors);

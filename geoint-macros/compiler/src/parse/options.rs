@@ -82,10 +82,10 @@ impl Options {
             (required, bodies, ALWAYS_SEPARABLE),
             (parts, bodies, PARTS_OF_BODIES),
         ];
-        let conflict =
-            conflicts.into_iter().find_map(|(span, applies, message)| Some((span.filter(|_| applies)?, message)));
-        conflict.map_or(Ok(()), |(span, message)| Err(syn::Error::new(span, message)))?;
-        Ok(self)
+        match conflicts.into_iter().find(|(span, applies, _)| *applies && span.is_some()) {
+            Some((Some(span), _, message)) => Err(syn::Error::new(span, message)),
+            _ => Ok(self),
+        }
     }
 }
 

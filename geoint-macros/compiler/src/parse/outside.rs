@@ -91,7 +91,7 @@ impl Outside {
         self.aliases.iter().find(|alias| alias.name == name).map(|alias| &alias.ty)
     }
 
-    /// Replaces known aliases and known constants in lengths. Unknown names remain.
+    /// Replaces known aliases and known constants in lengths, and removes parentheses. Unknown names remain.
     pub(crate) fn resolve(&self, ty: &Type) -> Type {
         let mut ty = ty.clone();
         match &mut ty {

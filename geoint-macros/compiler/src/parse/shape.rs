@@ -53,10 +53,10 @@ const INTEGERS: [&str; 12] = ["u8", "u16", "u32", "u64", "u128", "usize", "i8", 
 const FAMILIAR: [&str; 4] = ["String", "bool", "char", "Self"];
 
 /// Returns the shape of a type. Errors: the type is no argument of an energy, or its numbers have another type than `float`.
+///
+/// Precondition: `Outside::resolve` has removed parentheses, aliases and known constants.
 pub(super) fn shape(ty: &Type, float: &Ident) -> syn::Result<Shape> {
     let message = match ty {
-        Type::Paren(inner) => return shape(&inner.elem, float),
-        Type::Group(inner) => return shape(&inner.elem, float),
         Type::Array(array) => {
             let extent = length(&array.len)?;
             let mut shape = shape(&array.elem, float)?;
@@ -134,7 +134,7 @@ fn scalar_within(path: &Path) -> Option<Ident> {
     }
 }
 
-/// Returns a length. Precondition: `Outside::resolve` has replaced known constants.
+/// Returns the value of a length.
 fn length(expr: &Expr) -> syn::Result<usize> {
     match expr {
         Expr::Lit(ExprLit { lit: Lit::Int(n), .. }) => match n.base10_parse() {
@@ -179,21 +179,16 @@ pub(super) fn plain(ty: &impl ToTokens) -> String {
 }
 
 /// Replaces the float type by another identifier, for generic code.
-pub(crate) fn over_scalar(ty: &Type, float: &Ident, with: &Ident) -> TokenStream {
-    fn replace(tokens: TokenStream, float: &Ident, with: &Ident) -> TokenStream {
-        tokens
-            .into_iter()
-            .map(|tree| match tree {
-                TokenTree::Ident(ident) if ident == *float => TokenTree::Ident(with.clone()),
-                TokenTree::Group(group) => {
-                    let stream = replace(group.stream(), float, with);
-                    let mut replaced = proc_macro2::Group::new(group.delimiter(), stream);
-                    replaced.set_span(group.span());
-                    TokenTree::Group(replaced)
-                }
-                other => other,
-            })
-            .collect()
-    }
-    replace(ty.to_token_stream(), float, with)
+pub(crate) fn over_scalar(ty: &impl ToTokens, float: &Ident, with: &Ident) -> TokenStream {
+    let replace = |tree| match tree {
+        TokenTree::Ident(ident) if ident == *float => TokenTree::Ident(with.clone()),
+        TokenTree::Group(group) => {
+            let stream = over_scalar(&group.stream(), float, with);
+            let mut replaced = proc_macro2::Group::new(group.delimiter(), stream);
+            replaced.set_span(group.span());
+            TokenTree::Group(replaced)
+        }
+        other => other,
+    };
+    ty.to_token_stream().into_iter().map(replace).collect()
 }

@@ -56,12 +56,10 @@ pub(super) fn returned_float(form: Form, item: &ItemFn, outside: &Outside, error
     format_ident!("f64")
 }
 
-/// Returns the float type inside of arrays and vectors.
+/// Returns the float type inside of arrays and vectors. Precondition: `Outside::resolve` has removed parentheses.
 fn float_inside(ty: &Type) -> Option<Ident> {
     match ty {
         Type::Array(array) => float_inside(&array.elem),
-        Type::Paren(inner) => float_inside(&inner.elem),
-        Type::Group(inner) => float_inside(&inner.elem),
         Type::Path(path) => float_type(ty).or_else(|| match &path.path.segments.last()?.arguments {
             PathArguments::AngleBracketed(arguments) => arguments.args.iter().find_map(|argument| match argument {
                 GenericArgument::Type(ty) => float_inside(ty),
@@ -100,7 +98,7 @@ const FIELD: &str = "a vector field returns an entry for every coordinate, in th
 const OF_AN_ENERGY: &str =
     "; an energy H(x) goes under `#[hamiltonian(structure = …)]`, and H(q, p) under `#[hamiltonian]`";
 
-/// Returns whether a value of the type has several numbers.
+/// Returns whether a value of the type has several numbers. Precondition: `Outside::resolve` has removed parentheses.
 fn has_several(ty: &Type) -> bool {
     match ty {
         Type::Array(_) | Type::Slice(_) => true,
@@ -109,8 +107,6 @@ fn has_several(ty: &Type) -> bool {
             let name = last.ident.to_string();
             name.contains("Vector") || name == "Vec"
         }),
-        Type::Paren(inner) => has_several(&inner.elem),
-        Type::Group(inner) => has_several(&inner.elem),
         Type::Reference(inner) => has_several(&inner.elem),
         _ => false,
     }

@@ -73,18 +73,18 @@ pub(crate) enum Coordinates {
 }
 
 impl Coordinates {
-    pub(super) fn named(name: &Ident) -> syn::Result<Coordinates> {
+    /// Returns the coordinates of a name, with its place.
+    pub(super) fn named(name: Ident) -> syn::Result<(Coordinates, Span)> {
         match name.to_string().as_str() {
-            "jacobi" => Ok(Coordinates::Jacobi),
-            "heliocentric" => Ok(Coordinates::Heliocentric),
-            _ => {
-                let message =
-                    "the coordinates of bodies that there are: `coordinates = jacobi`, `coordinates = heliocentric`";
-                Err(syn::Error::new_spanned(name, message))
-            }
+            "jacobi" => Ok((Coordinates::Jacobi, name.span())),
+            "heliocentric" => Ok((Coordinates::Heliocentric, name.span())),
+            _ => Err(syn::Error::new_spanned(name, UNKNOWN_COORDINATES)),
         }
     }
 }
+
+const UNKNOWN_COORDINATES: &str =
+    "the coordinates of bodies that there are: `coordinates = jacobi`, `coordinates = heliocentric`";
 
 /// Refuses an empty array of constraints.
 pub(super) fn constraint(functions: syn::Expr) -> syn::Result<syn::Expr> {
@@ -94,8 +94,9 @@ pub(super) fn constraint(functions: syn::Expr) -> syn::Result<syn::Expr> {
     }
 }
 
-/// Parses `"terms | terms"`. Each piece is an expression.
+/// Parses `= "terms | terms"`. Each piece is an expression.
 pub(super) fn pieces(input: ParseStream<'_>) -> syn::Result<Vec<syn::Expr>> {
+    input.parse::<Token![=]>()?;
     if !input.peek(syn::LitStr) {
         return Err(input.error("the pieces are given as a string: `split = \"terms | terms\"`"));
     }
