@@ -81,6 +81,6 @@ fn potential(graph: &mut Graph, applied: &[Id]) -> Option<Id> {
         return None;
     }
     let positions: Vec<Symbol> = (0..applied.len() as u32).map(Symbol::Position).collect();
-    let found = liouville::antiderivative(graph, (&positions, applied), liouville::Logarithm::OfMagnitude).ok();
+    let found = liouville::antiderivative(graph, &positions, applied, liouville::Logarithm::OfMagnitude).ok();
     found.map(|(potential, _)| potential).filter(|potential| !identity(graph, *potential).is_zero())
 }

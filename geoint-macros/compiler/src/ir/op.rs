@@ -52,7 +52,7 @@ pub(crate) enum Relation {
 }
 
 impl Relation {
-    pub(crate) fn holds(self, a: f64, b: f64) -> bool {
+    pub(crate) fn holds<T: PartialOrd>(self, a: T, b: T) -> bool {
         match self {
             Relation::Less => a < b,
             Relation::LessEqual => a <= b,

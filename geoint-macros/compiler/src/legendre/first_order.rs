@@ -237,7 +237,7 @@ fn gauge(graph: &mut Graph, momenta: &[Id], replaced: &[u32]) -> Option<Id> {
     // A logarithm in f that ϑ does not contain would restrict the domain of P.
     let known = graph.reachable(momenta);
     [Logarithm::OfNumber, Logarithm::OfMagnitude].into_iter().find_map(|logarithm| {
-        let (gauge, _) = liouville::antiderivative(graph, (&variables, &slopes), logarithm).ok()?;
+        let (gauge, _) = liouville::antiderivative(graph, &variables, &slopes, logarithm).ok()?;
         let everywhere = graph.reachable(&[gauge]).iter().all(|id| !graph.is_partial(*id) || known.contains(id));
         everywhere.then_some(gauge)
     })

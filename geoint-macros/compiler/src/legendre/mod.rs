@@ -168,7 +168,7 @@ fn gauge(graph: &mut Graph, shift: &[Id]) -> Option<Id> {
     }
     let positions: Vec<Symbol> = (0..shift.len() as u32).map(Symbol::Position).collect();
     let found =
-        analyze::liouville::antiderivative(graph, (&positions, shift), analyze::liouville::Logarithm::OfMagnitude);
+        analyze::liouville::antiderivative(graph, &positions, shift, analyze::liouville::Logarithm::OfMagnitude);
     found.ok().map(|(gauge, _)| gauge)
 }
 

@@ -23,7 +23,7 @@ pub(super) fn solve(graph: &mut Graph, group: &Group, rules: Rules<'_>) -> Optio
     for i in 0..degrees {
         let Some((sum, rest, own)) = own_shift(graph, energy, i) else { continue };
         let logarithm = liouville::Logarithm::OfMagnitude;
-        let Ok((potential, _)) = liouville::antiderivative(graph, (&[Symbol::Position(i)], &[own]), logarithm) else {
+        let Ok((potential, _)) = liouville::antiderivative(graph, &[Symbol::Position(i)], &[own], logarithm) else {
             continue;
         };
         let mut slopes = diff::gradient(graph, potential, degrees).q;

@@ -17,8 +17,7 @@ fn recovered(n: usize, field: &TokenStream, expected: &TokenStream) -> Result<()
 fn by(logarithm: Logarithm, n: usize, field: &TokenStream, expected: &TokenStream) -> Result<(), NoEnergy> {
     let (mut graph, found) = arrays(2 * n, &quote!(let (q, p) = (x[0], x[#n]);), &[field, &quote!([#expected])]);
     let symbols = |range: std::ops::Range<usize>| range.map(|i| Symbol::Position(i as u32)).collect::<Vec<_>>();
-    let canonical = (symbols(0..n), symbols(n..2 * n));
-    let (energy, _) = energy(&mut graph, (&canonical.0, &canonical.1), &found[0], logarithm)?;
+    let (energy, _) = energy(&mut graph, &symbols(0..n), &symbols(n..2 * n), &found[0], logarithm)?;
     let difference = graph.sub(energy, found[1][0]);
     let verdict = identity(&mut graph, difference);
     assert!(verdict.is_zero(), "{field}: {verdict:?}");
