@@ -24,10 +24,10 @@ pub(super) enum Shown {
 }
 
 /// The number of states at which a sum has to vanish.
-const STATES: u64 = 20;
+const STATES: usize = 20;
 
 /// The number of states for quick answers.
-const FEW: u64 = 4;
+const FEW: usize = 4;
 
 /// The number of draws. A draw is skipped where the sum is not defined.
 const DRAWS: u64 = 200;
@@ -37,13 +37,14 @@ const STEP: Ratio = Ratio { numerator: 5, denominator: 8 };
 
 /// Compares Σ terms with its rounding error at pseudorandom states.
 pub(super) fn shown(graph: &Graph, terms: &[Id], symbols: &[Symbol], open: &OpenBoundaries) -> Shown {
-    shown_at(graph, terms, symbols, open, STATES)
+    shown_at(graph, terms, open, (0..DRAWS).map(|draw| drawn(draw, symbols)), STATES)
 }
 
 /// Returns whether a few states show that a node is not zero.
 pub(super) fn differs(graph: &Graph, root: Id) -> bool {
-    let shown = shown_at(graph, &[root], &graph.symbols(root), &OpenBoundaries::default(), FEW);
-    matches!(shown, Shown::Differs(..))
+    let symbols = graph.symbols(root);
+    let states = (0..DRAWS).map(|draw| drawn(draw, &symbols));
+    matches!(shown_at(graph, &[root], &OpenBoundaries::default(), states, FEW), Shown::Differs(..))
 }
 
 /// Returns whether a node differs from zero at all drawn states at which it is defined.
@@ -53,11 +54,17 @@ pub(super) fn differs_everywhere(graph: &Graph, root: Id) -> bool {
     sums.next().is_some_and(Sized::differs) && sums.all(Sized::differs)
 }
 
-fn shown_at(graph: &Graph, terms: &[Id], symbols: &[Symbol], open: &OpenBoundaries, enough: u64) -> Shown {
+/// Compares Σ terms with its rounding error, until it differs from zero or `enough` states have been visited.
+pub(super) fn shown_at(
+    graph: &Graph,
+    terms: &[Id],
+    open: &OpenBoundaries,
+    states: impl Iterator<Item = State>,
+    enough: usize,
+) -> Shown {
     let mut evaluation = Evaluation::new(graph, terms);
-    let mut states = 0;
-    for draw in 0..DRAWS {
-        let state = drawn(draw, symbols);
+    let mut visited = 0;
+    for state in states {
         let sum = evaluation.sum(terms, &state);
         if !sum.is_finite() || evaluation.is_on_any(open) {
             continue;
@@ -65,26 +72,19 @@ fn shown_at(graph: &Graph, terms: &[Id], symbols: &[Symbol], open: &OpenBoundari
         if sum.differs() {
             return Shown::Differs(state, sum.value);
         }
-        states += 1;
-        if states == enough {
+        visited += 1;
+        if visited == enough {
             break;
         }
     }
-    if states == 0 { Shown::Nowhere } else { Shown::Zero }
-}
-
-/// The value at a state. `None` if it is zero to rounding.
-pub(super) fn value_at(graph: &Graph, terms: &[Id], state: &State, open: &OpenBoundaries) -> Option<f64> {
-    let mut evaluation = Evaluation::new(graph, terms);
-    let sum = evaluation.sum(terms, state);
-    (sum.is_finite() && sum.differs() && !evaluation.is_on_any(open)).then_some(sum.value)
+    if visited == 0 { Shown::Nowhere } else { Shown::Zero }
 }
 
 /// Retains the directions along which no evaluation shows that a node changes. The derivatives along these directions are worth a proof.
 pub(crate) fn retain_constant(graph: &Graph, root: Id, directions: &mut Vec<Direction>) {
     let symbols = graph.symbols(root);
     let mut evaluation = Evaluation::new(graph, &[root]);
-    for draw in 0..FEW {
+    for draw in 0..FEW as u64 {
         let state = drawn(draw, &symbols);
         let here = evaluation.sum(&[root], &state);
         directions.retain(|direction| {
@@ -105,7 +105,7 @@ pub(crate) fn is_regular(graph: &Graph, matrix: &[Vec<Id>]) -> bool {
     let entries = matrix.concat();
     let symbols = super::symbols(graph, &entries);
     let mut evaluation = Evaluation::new(graph, &entries);
-    (0..FEW).any(|draw| {
+    (0..FEW as u64).any(|draw| {
         let values = evaluation.at(&drawn(draw, &symbols));
         let size = entries.iter().map(|id| values[*id].size).fold(0.0, f64::max);
         let rows = matrix.iter().map(|row| row.iter().map(|id| values[*id].value).collect()).collect();

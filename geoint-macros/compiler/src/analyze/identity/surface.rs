@@ -85,7 +85,7 @@ pub(super) fn vanishes_on(graph: &mut Graph, edge: Id, node: Id) -> bool {
 /// Solutions of an equation for one symbol.
 struct Solved {
     roots: Vec<Id>,
-    /// The coefficient of the symbol. Where it is zero, the equation may hold as well.
+    /// The coefficient of the symbol. The equation may also hold where the coefficient is zero.
     coefficient: Id,
 }
 

@@ -2,7 +2,7 @@
 
 use super::OpenBoundaries;
 use super::residues::pseudorandom;
-use super::rounding::{State, value_at};
+use super::rounding::{Shown, State, shown_at};
 use crate::ir::{Function, Graph, HashMap, Id, Node, Number, Ratio, Symbol};
 
 /// A state with the value of the sum.
@@ -44,8 +44,10 @@ pub(super) fn exact_witness(graph: &Graph, terms: &[Id], symbols: &[Symbol], ope
 
 /// Returns the first candidate state at which the value is larger than its rounding error.
 pub(super) fn near_witness(graph: &Graph, terms: &[Id], symbols: &[Symbol], open: &OpenBoundaries) -> Option<Witness> {
-    let near = |state| Some(Witness { value: Value::Near(value_at(graph, terms, &state, open)?), state });
-    states(symbols).find_map(near)
+    match shown_at(graph, terms, open, states(symbols), usize::MAX) {
+        Shown::Differs(state, value) => Some(Witness { state, value: Value::Near(value) }),
+        Shown::Zero | Shown::Nowhere => None,
+    }
 }
 
 /// The candidate states: combinations of 1 and 2, then pseudorandom integers from −3 to 3.

@@ -1,4 +1,4 @@
-//! Normal forms of functions. Those that are related to roots, powers and exponentials are rewritten; others are independent unknowns.
+//! Normal forms of functions. Relatives of roots, powers and exponentials are rewritten. Other functions are independent unknowns.
 
 use super::atoms::Kind;
 use super::expand::{Expansion, Stop};

@@ -63,8 +63,8 @@ impl Plan<'_> {
         })
     }
 
-    /// An upper bound of the degree of a polynomial that vanishes at every misleading point. At such a point one of `nodes` vanishes for some
-    /// signs of square roots although it is not zero, or two different arguments of a function have one value. Infinite if it is very large.
+    /// An upper bound of the degree of a polynomial that vanishes at every misleading point. At a misleading point a node that is not zero
+    /// vanishes for some signs of square roots, or two different arguments of a function have equal values. The bound may be infinite.
     pub(super) fn degree(&self, nodes: &[Id]) -> f64 {
         let mut degrees = vec![Degree::default(); self.order.last().map_or(0, |last| last.index() + 1)];
         let (mut roots, mut functions, mut largest) = (0_i32, 0.0_f64, 0.0_f64);

@@ -38,9 +38,9 @@ impl<'a> Plan<'a> {
 /// How square roots are evaluated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum SquareRoots {
-    /// As unknowns that are independent of their radicands.
+    /// Roots are unknowns, independent of their radicands.
     Independent,
-    /// As roots in the field, with both signs.
+    /// Roots are elements of the field, with both signs.
     BothSigns,
 }
 

@@ -1,7 +1,7 @@
 //! Functions that are constant along given fields, by linear algebra. They are combinations of coordinates, products of two coordinates and
 //! logarithms of coordinates. The coefficients are numbers and products of parameters.
 //!
-//! Functions that are constant along one field are its first integrals. Those that are constant along the rows of a skew matrix are its
+//! Functions that are constant along one field are its first integrals. Functions that are constant along the rows of a skew matrix are its
 //! Casimirs. The equations state that the multiplied-out derivatives vanish, with roots, functions and reciprocals of sums as unknowns. Every
 //! listed function is proven to be constant, but the list may be incomplete.
 
@@ -96,7 +96,7 @@ fn slope(candidate: Candidate, field: &[&Normal], x: &[Atom]) -> Option<Normal> 
 }
 
 /// The parameters p in the fields, as pairs (p, 1). If the fields are divided by p, also (p, −1).
-fn parameters(graph: &Graph, sums: &Sums, fields: &[Vec<&Normal>], x: &[Symbol]) -> Vec<(Atom, Ratio)> {
+fn parameters(graph: &Graph, sums: &Sums, fields: &[Vec<&Normal>], x: &[Symbol]) -> BTreeSet<(Atom, Ratio)> {
     let is_parameter = |atom: Atom| match sums.as_symbol(atom).map(|id| graph.node(id)) {
         Some(Node::Symbol(symbol)) => *symbol != Symbol::Time && !x.contains(symbol),
         _ => false,
@@ -104,8 +104,7 @@ fn parameters(graph: &Graph, sums: &Sums, fields: &[Vec<&Normal>], x: &[Symbol])
     let sign = |exponent: Ratio| Ratio::integer(if exponent < Ratio::ZERO { -1 } else { 1 });
     let monomials = fields.iter().flatten().flat_map(|sum| sum.terms().map(|(monomial, _)| monomial));
     let parameters = monomials.flatten().filter(|(atom, _)| is_parameter(*atom));
-    let parameters: BTreeSet<_> = parameters.map(|(atom, exponent)| (*atom, sign(*exponent))).collect();
-    parameters.into_iter().collect()
+    parameters.map(|(atom, exponent)| (*atom, sign(*exponent))).collect()
 }
 
 /// The unknown coefficient of weight·candidate, where the weight is a product of parameters.
@@ -115,7 +114,12 @@ struct Unknown {
 }
 
 /// The unknowns with products of at most `degree` parameters.
-fn unknowns(candidates: &[Candidate], parameters: &[(Atom, Ratio)], degree: usize, only_linear: bool) -> Vec<Unknown> {
+fn unknowns(
+    candidates: &[Candidate],
+    parameters: &BTreeSet<(Atom, Ratio)>,
+    degree: usize,
+    only_linear: bool,
+) -> Vec<Unknown> {
     let mut weights: Vec<Monomial> = vec![vec![]];
     for _ in 0..degree {
         let products = weights.iter().flat_map(|weight| {
