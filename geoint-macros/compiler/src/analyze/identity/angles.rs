@@ -43,13 +43,8 @@ fn candidates(graph: &mut Graph, args: &[Id]) -> Vec<Id> {
     let mut candidates: Vec<Id> = vec![];
     for arg in args {
         let (_, rest) = graph.coefficient(*arg);
-        for (base, _) in graph.factors(rest) {
-            candidates.push(signed(graph, base));
-        }
-        let moving = graph.symbols(*arg).into_iter().filter(|symbol| moves(*symbol));
-        for symbol in moving.collect::<Vec<Symbol>>() {
-            candidates.push(graph.symbol(symbol));
-        }
+        candidates.extend(graph.factors(rest).into_iter().map(|(base, _)| signed(graph, base)));
+        candidates.extend(graph.symbols(*arg).into_iter().map(|symbol| graph.symbol(symbol)));
     }
     // A factor with a constant sign does not turn the direction.
     candidates.retain(|g| graph.sign(*g) == Sign::Unknown && graph.symbols(*g).into_iter().any(moves));

@@ -114,8 +114,7 @@ pub(crate) fn dependent(graph: &mut Graph, x: &[Symbol], integrals: &[Id]) -> Op
 
 /// The products a_i·b_i.
 fn product_terms(graph: &mut Graph, a: &[Id], b: &[Id]) -> Vec<Id> {
-    let products = a.iter().zip(b).map(|(a, b)| graph.mul(*a, *b));
-    products.collect()
+    a.iter().zip(b).map(|(a, b)| graph.mul(*a, *b)).collect()
 }
 
 /// Decides identities by index, up to the first one that is not proven.

@@ -40,7 +40,7 @@ pub(crate) fn edges_of_jumps(graph: &mut Graph, function: Id) -> Vec<Edge> {
 /// A surface on which a function may jump while a field is followed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Discontinuity {
-    /// The numbers that are equal there.
+    /// The two numbers that are equal on the surface.
     pub(crate) equal: [Id; 2],
     /// The condition, sign or angle that changes.
     pub(crate) node: Id,

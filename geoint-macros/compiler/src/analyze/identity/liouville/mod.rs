@@ -16,11 +16,11 @@ use primitives::{Integration, antiderivative_of_term};
 /// The reason why no energy is returned.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum NoEnergy {
-    /// ∂²H/∂x∂y = ∂²H/∂y∂x was not proven for these two variables. The identity tells about the difference.
+    /// ∂²H/∂x∂y = ∂²H/∂y∂x was not proven for these two variables. The identity is the verdict on the difference.
     NotCanonical([Symbol; 2], Identity),
     /// The field is proven to have an energy, but it was not found: this term has no antiderivative here, or the field is too long.
     NotElementary(Option<Id>, Proof),
-    /// The field is proven to have an energy. Some of its terms stay integrals.
+    /// The field is proven to have an energy. Some terms of the energy stay integrals.
     Integrals(Open),
 }
 

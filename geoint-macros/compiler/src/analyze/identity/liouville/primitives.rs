@@ -27,17 +27,13 @@ pub(super) fn antiderivative_of_term(graph: &mut Graph, term: Id, integration: I
     let (coefficient, rest) = graph.coefficient(term);
     let mut constant = graph.number(coefficient);
     let mut factors = vec![];
-    if graph.as_number(rest).is_none() {
-        for (base, exponent) in graph.factors(rest) {
-            if derivative(graph, base, x) == graph.zero() {
-                let factor = graph.pow(base, exponent);
-                constant = graph.mul(constant, factor);
-            } else {
-                factors.push((base, exponent));
-            }
+    for (base, exponent) in graph.factors(rest) {
+        if derivative(graph, base, x) == graph.zero() {
+            let factor = graph.pow(base, exponent);
+            constant = graph.mul(constant, factor);
+        } else {
+            factors.push((base, exponent));
         }
-    } else {
-        constant = term;
     }
     if factors.is_empty() {
         let x = graph.symbol(x);

@@ -27,6 +27,7 @@ pub(super) struct Expansion<'a> {
 }
 
 impl<'a> Expansion<'a> {
+    /// An expansion that may form `products` products of two terms.
     pub(super) fn new(graph: &'a Graph, assumptions: &'a Assumptions, products: usize) -> Self {
         let atoms = assumptions.atoms.clone();
         Expansion { graph, assumptions, atoms, done: HashMap::default(), products }
@@ -203,7 +204,7 @@ impl<'a> Expansion<'a> {
         Ok(cleared.is_empty())
     }
 
-    /// The last reducible atom with a negative power, and the lowest power to clear. Earlier atoms may occur inside of it.
+    /// The last reducible atom in a denominator, with the power that clears the denominator. Earlier atoms may occur inside of it.
     fn last_denominator(&self, normal: &Normal) -> Option<(Atom, Ratio)> {
         let factors = normal.terms().flat_map(|(monomial, _)| monomial);
         let negative =

@@ -109,6 +109,7 @@ impl Plan<'_> {
         2.0_f64.powi(roots.min(MOST as i32)) * (own + functions * functions * 4.0 * largest)
     }
 
+    /// The degree of baseᵉ, where `inside` is the degree of the base.
     fn power(&self, base: Id, exponent: Ratio, inside: Degree) -> Degree {
         if let Some(k) = self.arguments.power_of_root(base, exponent) {
             return unknown(1.0).power(k as f64);
@@ -121,6 +122,7 @@ impl Plan<'_> {
         root.power(exponent.numerator as f64)
     }
 
+    /// The degree of a function, where `inside` has the degrees of its arguments.
     fn function(&self, function: Function, args: &[Id], inside: &[Degree], degrees: &[Degree]) -> Degree {
         let exponent = |argument: Id| {
             let terms = self.arguments.terms(argument).iter().map(|term| {

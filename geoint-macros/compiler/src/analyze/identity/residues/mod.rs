@@ -1,6 +1,6 @@
 //! Proof of an identity by evaluation at points of a finite field, for nodes that are too long to be multiplied out.
 //!
-//! A polynomial of degree D ≠ 0 over a field with p elements vanishes at a random point with probability at most D/p (R. Zippel,
+//! A nonzero polynomial of degree D over a field with p elements vanishes at a random point with probability at most D/p (R. Zippel,
 //! EUROSAM 1979, 216; J. T. Schwartz, J. ACM 27 (1980) 701). Symbols are random residues. Functions are random unknowns, which are independent
 //! except for the relations in `functions`. A node that vanishes under these rules is zero wherever it is defined.
 //!
@@ -39,7 +39,7 @@ pub(crate) struct Bound {
 /// The number of points with each of two primes.
 const POINTS: u32 = 2;
 
-/// The largest number of draws with a prime. Draws fail where roots do not exist.
+/// The largest number of draws with a prime. A draw fails where a root does not exist.
 const DRAWS: u64 = 64;
 
 /// The largest number of combinations of roots and conditions at a point.

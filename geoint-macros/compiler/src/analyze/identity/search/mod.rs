@@ -48,7 +48,7 @@ pub(crate) fn kept_along(graph: &mut Graph, x: &[Symbol], fields: &[Vec<Id>]) ->
     let atoms: Vec<Atom> = coordinates.iter().map(|id| sums.atom_of_symbol(*id)).collect();
     let normals = |field: &Vec<Id>| field.iter().map(|id| sums.normal(*id)).collect();
     let fields: Vec<Vec<&Normal>> = fields.iter().map(normals).collect();
-    // The logarithm of a constant coordinate is a function of the coordinate.
+    // The logarithm of a constant coordinate depends on the coordinate, so it is left out.
     let candidates = candidates(x.len(), |i| fields.iter().any(|field| !field[i].is_empty()));
     let slopes = |candidate: &Candidate| fields.iter().map(|field| slope(*candidate, field, &atoms)).collect();
     let slopes: Vec<Vec<Normal>> = candidates.iter().map(slopes).collect::<Option<_>>()?;
@@ -95,7 +95,7 @@ fn slope(candidate: Candidate, field: &[&Normal], x: &[Atom]) -> Option<Normal> 
     }
 }
 
-/// The parameters p in the fields, as pairs (p, 1). If the fields are divided by p, also (p, −1).
+/// Pairs (p, 1) for parameters p that occur in numerators of the fields, and (p, −1) for those in denominators.
 fn parameters(graph: &Graph, sums: &Sums, fields: &[Vec<&Normal>], x: &[Symbol]) -> BTreeSet<(Atom, Ratio)> {
     let is_parameter = |atom: Atom| match sums.as_symbol(atom).map(|id| graph.node(id)) {
         Some(Node::Symbol(symbol)) => *symbol != Symbol::Time && !x.contains(symbol),

@@ -68,18 +68,14 @@ fn by_terms(graph: &mut Graph, field: &[Id], gradient: &[Id]) -> Option<Structur
     let mut entries: BTreeSet<Entry> = BTreeSet::new();
     for _ in 0..ROUNDS {
         let before = entries.len();
-        for i in 0..n {
-            for j in i + 1..n {
-                for (asked, slope) in [(&asked[i], slopes[j]), (&asked[j], slopes[i])] {
-                    for (asked, (divisor, _)) in
-                        asked.iter().flat_map(|asked| slope.terms().map(move |term| (asked, term)))
-                    {
-                        let Some(product) = quotient(graph, &sums, asked, divisor) else { continue };
-                        entries.insert(Entry { distance: Reverse(j - i), row: i, product });
-                        if entries.len() > UNKNOWNS {
-                            return None;
-                        }
-                    }
+        for (i, asked) in asked.iter().enumerate() {
+            for (j, slope) in slopes.iter().enumerate().filter(|(j, _)| *j != i) {
+                let pairs = asked.iter().flat_map(|asked| slope.terms().map(move |(divisor, _)| (asked, divisor)));
+                let products = pairs.filter_map(|(asked, divisor)| quotient(graph, &sums, asked, divisor));
+                let entry = |product| Entry { distance: Reverse(i.abs_diff(j)), row: i.min(j), product };
+                entries.extend(products.map(entry));
+                if entries.len() > UNKNOWNS {
+                    return None;
                 }
             }
         }
