@@ -79,6 +79,6 @@ fn potential(graph: &mut Graph, applied: &[Id]) -> Option<Id> {
         return None;
     }
     let positions: Vec<Symbol> = (0..applied.len() as u32).map(Symbol::Position).collect();
-    let (potential, _) = antiderivative(graph, (&positions, applied), Logarithm::OfMagnitude).ok()?;
+    let (potential, _) = antiderivative(graph, &positions, applied, Logarithm::OfMagnitude).ok()?;
     (!identity(graph, potential).is_zero()).then_some(potential)
 }

@@ -10,7 +10,7 @@ pub(crate) enum Relation {
 
 impl Relation {
     /// Returns whether the relation holds between `a` and `b`.
-    pub(crate) fn holds(self, a: f64, b: f64) -> bool {
+    pub(crate) fn holds<T: PartialOrd>(self, a: T, b: T) -> bool {
         match self {
             Relation::Less => a < b,
             Relation::LessEqual => a <= b,

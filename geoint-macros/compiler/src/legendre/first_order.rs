@@ -238,7 +238,7 @@ fn gauge(graph: &mut Graph, momenta: &[Id], replaced: &[u32]) -> Option<Id> {
     // A logarithm in f that ϑ does not contain would restrict the domain of P. So f must not contain partial nodes that ϑ does not contain.
     let known = graph.reachable(momenta);
     [Logarithm::OfNumber, Logarithm::OfMagnitude].into_iter().find_map(|logarithm| {
-        let (gauge, _) = liouville::antiderivative(graph, (&variables, &slopes), logarithm).ok()?;
+        let (gauge, _) = liouville::antiderivative(graph, &variables, &slopes, logarithm).ok()?;
         let everywhere = graph.reachable(&[gauge]).iter().all(|id| !graph.is_partial(*id) || known.contains(id));
         everywhere.then_some(gauge)
     })

@@ -167,7 +167,7 @@ fn gauge(graph: &mut Graph, shift: &[Id]) -> Option<Id> {
         return None;
     }
     let positions: Vec<Symbol> = (0..shift.len() as u32).map(Symbol::Position).collect();
-    let (gauge, _) = antiderivative(graph, (&positions, shift), Logarithm::OfMagnitude).ok()?;
+    let (gauge, _) = antiderivative(graph, &positions, shift, Logarithm::OfMagnitude).ok()?;
     Some(gauge)
 }
 

@@ -1,8 +1,9 @@
-//! Surfaces on which both arguments of `atan2` vanish. The angle may jump there by less than a turn, as that of (x², x) by π.
+//! Surfaces on which both arguments of `atan2` vanish. The angle may jump there by less than a turn: the angle of (x², x) jumps by π.
 
+use super::derivative;
 use super::surface::vanishes_on;
-use crate::diff;
 use crate::ir::{Function, Graph, Id, Node, Ratio, Sign, Symbol};
+use std::cmp::Ordering;
 
 /// The angles in a function that the state or time changes.
 pub(crate) fn angles(graph: &Graph, function: Id) -> Vec<Id> {
@@ -13,39 +14,39 @@ pub(crate) fn angles(graph: &Graph, function: Id) -> Vec<Id> {
     graph.reachable(&[function]).into_iter().filter(is_angle).collect()
 }
 
-/// How an argument vanishes on a surface g = 0: as a power of |g|, with the sign of g or without.
+/// A power of |g|, times the sign of g if it is odd.
+#[derive(Clone, Copy, Debug)]
+struct Power {
+    exponent: Ratio,
+    is_odd: bool,
+}
+
+/// How an argument vanishes on a surface g = 0.
 #[derive(Clone, Copy, Debug)]
 enum Zero {
     Everywhere,
-    Power {
-        exponent: Ratio,
-        is_odd: bool,
-    },
+    Power(Power),
     /// In another way, such as max(g, 0).
     Other,
 }
 
-/// The g = 0 on which both arguments of an angle vanish, unless the angle was proven to have one limit on both sides, up to turns.
+/// The functions g for which both arguments of an angle vanish on g = 0. Excludes g if the angle was proven to have one limit on both sides, up
+/// to turns.
 pub(crate) fn broken_at(graph: &mut Graph, angle: Id) -> Vec<Id> {
     let Node::Call(_, args) = graph.node(angle).clone() else { return vec![] };
     let candidates = candidates(graph, &args);
     candidates.into_iter().filter(|g| is_broken(graph, [args[0], args[1]], *g)).collect()
 }
 
-/// Factors of the arguments, and symbols, each of which may be a factor of a sum.
+/// Factors of the arguments, and symbols. A symbol may be a factor of a sum.
 fn candidates(graph: &mut Graph, args: &[Id]) -> Vec<Id> {
     let mut candidates: Vec<Id> = vec![];
     for arg in args {
         let (_, rest) = graph.coefficient(*arg);
-        for (base, _) in graph.factors(rest) {
-            candidates.push(signed(graph, base));
-        }
-        let moving = graph.symbols(*arg).into_iter().filter(|symbol| moves(*symbol));
-        for symbol in moving.collect::<Vec<Symbol>>() {
-            candidates.push(graph.symbol(symbol));
-        }
+        candidates.extend(graph.factors(rest).into_iter().map(|(base, _)| signed(graph, base)));
+        candidates.extend(graph.symbols(*arg).into_iter().map(|symbol| graph.symbol(symbol)));
     }
-    // A factor that keeps its sign turns nothing.
+    // A factor with a constant sign does not turn the direction.
     candidates.retain(|g| graph.sign(*g) == Sign::Unknown && graph.symbols(*g).into_iter().any(moves));
     candidates.sort_unstable();
     candidates.dedup();
@@ -56,7 +57,7 @@ fn moves(symbol: Symbol) -> bool {
     !matches!(symbol, Symbol::Parameter(_))
 }
 
-/// g of |g| and of ∛g.
+/// Returns g for |g| and ∛g.
 fn signed(graph: &Graph, base: Id) -> Id {
     match graph.node(base) {
         Node::Call(Function::Abs | Function::Cbrt, args) => args[0],
@@ -70,11 +71,11 @@ fn is_broken(graph: &mut Graph, [y, x]: [Id; 2], g: Id) -> bool {
     match (y, x) {
         (Zero::Everywhere, Zero::Everywhere) => false,
         (Zero::Other, _) | (_, Zero::Other) => true,
-        (Zero::Everywhere, Zero::Power { is_odd, .. }) | (Zero::Power { is_odd, .. }, Zero::Everywhere) => is_odd,
-        (Zero::Power { exponent: a, is_odd: first }, Zero::Power { exponent: b, is_odd: second }) => match a.cmp(&b) {
-            std::cmp::Ordering::Less => first,
-            std::cmp::Ordering::Equal => first || second,
-            std::cmp::Ordering::Greater => second,
+        (Zero::Everywhere, Zero::Power(power)) | (Zero::Power(power), Zero::Everywhere) => power.is_odd,
+        (Zero::Power(y), Zero::Power(x)) => match y.exponent.cmp(&x.exponent) {
+            Ordering::Less => y.is_odd,
+            Ordering::Equal => y.is_odd || x.is_odd,
+            Ordering::Greater => x.is_odd,
         },
     }
 }
@@ -85,49 +86,48 @@ fn zero_on(graph: &mut Graph, argument: Id, g: Id) -> Option<Zero> {
         return Some(Zero::Everywhere);
     }
     let (_, rest) = graph.coefficient(argument);
-    let own = graph.factors(rest).into_iter().filter(|(base, _)| signed(graph, *base) == g);
-    let mut powers: Option<(Ratio, bool)> = None;
-    for (base, exponent) in own.collect::<Vec<_>>() {
-        let Some((exponent, is_odd)) = power(graph, base, exponent) else { return Some(Zero::Other) };
-        let (sum, odd) = powers.unwrap_or((Ratio::ZERO, false));
-        let Some(sum) = sum.add(exponent) else { return Some(Zero::Other) };
-        powers = Some((sum, odd != is_odd));
+    let own: Vec<_> = graph.factors(rest).into_iter().filter(|(base, _)| signed(graph, *base) == g).collect();
+    if own.is_empty() {
+        return vanishes_on(graph, g, argument).then(|| multiplicity(graph, argument, g));
     }
-    match powers {
-        Some((exponent, is_odd)) if exponent > Ratio::ZERO => Some(Zero::Power { exponent, is_odd }),
-        Some(_) => None,
-        None => vanishes_on(graph, g, argument).then(|| multiplicity(graph, argument, g)),
+    let product =
+        own.into_iter().try_fold(Power { exponent: Ratio::ZERO, is_odd: false }, |product, (base, exponent)| {
+            let factor = power(graph, base, exponent)?;
+            Some(Power { exponent: product.exponent.add(factor.exponent)?, is_odd: product.is_odd != factor.is_odd })
+        });
+    match product {
+        None => Some(Zero::Other),
+        Some(power) => (power.exponent > Ratio::ZERO).then_some(Zero::Power(power)),
     }
 }
 
-/// The power of |g| that a factor is, and whether it has the sign of g.
-fn power(graph: &Graph, base: Id, exponent: Ratio) -> Option<(Ratio, bool)> {
+/// The power of g that baseᵉ is, where the base is g, |g| or ∛g. `None` if the exponent becomes too long.
+fn power(graph: &Graph, base: Id, exponent: Ratio) -> Option<Power> {
     let is_odd = exponent.is_integer() && exponent.numerator % 2 != 0;
     match graph.node(base) {
-        Node::Call(Function::Abs, _) => Some((exponent, false)),
-        Node::Call(Function::Cbrt, _) => Some((exponent.mul(Ratio::new(1, 3)?)?, is_odd)),
-        // A root is defined on one side.
-        _ if exponent.is_integer() => Some((exponent, is_odd)),
-        _ => Some((exponent, false)),
+        Node::Call(Function::Abs, _) => Some(Power { exponent, is_odd: false }),
+        Node::Call(Function::Cbrt, _) => Some(Power { exponent: exponent.mul(Ratio::new(1, 3)?)?, is_odd }),
+        // A square root is defined on one side only, so it has no sign.
+        _ => Some(Power { exponent, is_odd }),
     }
 }
 
-/// The derivatives that are tried: zeros of a higher order count as others.
+/// The highest order of a zero. Zeros of higher order count as [`Zero::Other`].
 const HIGHEST: i128 = 6;
 
-/// The order of a zero of a smooth function, by its derivatives across the surface.
+/// The order of the zero of a smooth function on g = 0, by its derivatives across the surface.
 fn multiplicity(graph: &mut Graph, argument: Id, g: Id) -> Zero {
     let across = graph.symbols(g).into_iter().find(|symbol| moves(*symbol));
     let Some(symbol) = across.filter(|_| is_smooth(graph, argument)) else { return Zero::Other };
-    let slope = diff::jacobian(graph, &[g], &[symbol])[0][0];
+    let slope = derivative(graph, g, symbol);
     if vanishes_on(graph, g, slope) {
         return Zero::Other;
     }
-    let mut derivative = argument;
+    let mut highest = argument;
     for order in 1..=HIGHEST {
-        derivative = diff::jacobian(graph, &[derivative], &[symbol])[0][0];
-        if !vanishes_on(graph, g, derivative) {
-            return Zero::Power { exponent: Ratio::integer(order), is_odd: order % 2 != 0 };
+        highest = derivative(graph, highest, symbol);
+        if !vanishes_on(graph, g, highest) {
+            return Zero::Power(Power { exponent: Ratio::integer(order), is_odd: order % 2 != 0 });
         }
     }
     Zero::Other

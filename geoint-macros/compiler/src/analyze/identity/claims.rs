@@ -1,12 +1,12 @@
-//! What is asked of a field, of its integrals and of its structure matrix, each as an identity.
+//! Properties of a field, its integrals and its structure matrix, each stated as an identity.
 
-use super::residues::{self};
+use super::residues::{self, Dependent};
 use super::surface::sum_is_zero_along;
-use super::{Bound, Identity, sum_is_zero};
+use super::{Identity, sum_is_zero};
 use crate::diff;
 use crate::ir::{Graph, Id, Node, Number, Symbol};
 
-/// f·∇I + ∂I/∂t − b·∇I = 0: whether `integral` is constant along `field`, but for what `but` adds to its derivative.
+/// Decides f·∇I + ∂I/∂t − b·∇I = 0 for the field f, the integral I, and the part b = `but` of the field that may change I.
 pub(crate) fn is_kept(graph: &mut Graph, x: &[Symbol], field: &[Id], integral: Id, but: Option<&[Id]>) -> Identity {
     let terms = diff::derivative_along(graph, x, field, integral, but);
     let verdict = sum_is_zero_along(graph, &terms, x, field);
@@ -17,13 +17,13 @@ pub(crate) fn is_kept(graph: &mut Graph, x: &[Symbol], field: &[Id], integral: I
     let terms = diff::derivative_along(graph, x, field, function, but);
     let mut of_function = sum_is_zero_along(graph, &terms, x, field);
     of_function.scale(graph, unit);
-    // In a sum with other coefficients these are rounded once more.
-    let alone = graph.coefficient(integral).1 != integral;
-    if of_function.is_zero() || alone { of_function } else { verdict }
+    // The division rounds the other coefficients once more. A single coefficient becomes 1.
+    let is_single_term = graph.coefficient(integral).1 != integral;
+    if of_function.is_zero() || is_single_term { of_function } else { verdict }
 }
 
-/// A function over its first coefficient, and that, if it is no ratio of integers, as 10²⁰⁰ is none: such numbers are unknowns when a sum is
-/// multiplied out.
+/// Returns the first coefficient of a function as its unit, and the function divided by it. The unit is 1 unless the coefficient is not exact, as
+/// 10²⁰⁰. Numbers that are not exact would be unknowns when the function is multiplied out.
 pub(crate) fn in_units(graph: &mut Graph, function: Id) -> (Number, Id) {
     let first = match graph.node(function) {
         Node::Linear(_, terms) => terms.first().map(|(coefficient, _)| *coefficient),
@@ -37,7 +37,7 @@ pub(crate) fn in_units(graph: &mut Graph, function: Id) -> (Number, Id) {
     }
 }
 
-/// S + Sᵀ = 0 along a field: the first entry (i, j), i ≤ j, that fails, with the verdict on S_ij + S_ji.
+/// Decides S + Sᵀ = 0 along a field. Error: the first indices i ≤ j that fail, with the verdict on S_ij + S_ji.
 pub(crate) fn is_skew(
     graph: &mut Graph,
     x: &[Symbol],
@@ -49,7 +49,7 @@ pub(crate) fn is_skew(
     first(pairs, |[i, j]| sum_is_zero_along(graph, &[matrix[i][j], matrix[j][i]], x, field))
 }
 
-/// S∇I − f = 0: the first component that fails.
+/// Decides S∇I − f = 0. Error: the first component that fails.
 pub(crate) fn is_gradient_form(
     graph: &mut Graph,
     x: &[Symbol],
@@ -65,7 +65,7 @@ pub(crate) fn is_gradient_form(
     })
 }
 
-/// S∇C = 0: the first component that fails.
+/// Decides S∇C = 0. Error: the first component that fails.
 pub(crate) fn is_casimir(
     graph: &mut Graph,
     x: &[Symbol],
@@ -79,7 +79,7 @@ pub(crate) fn is_casimir(
     })
 }
 
-/// Jacobi's identity Σ S_il ∂_l S_jk + cyclic = 0 of a skew matrix along a field: the first indices i < j < k that fail.
+/// Decides Jacobi's identity Σ S_il ∂_l S_jk + cyclic = 0 of a skew matrix along a field. Error: the first indices i < j < k that fail.
 pub(crate) fn is_poisson(
     graph: &mut Graph,
     x: &[Symbol],
@@ -88,45 +88,36 @@ pub(crate) fn is_poisson(
 ) -> Result<(), ([usize; 3], Identity)> {
     let n = x.len();
     let entries: Vec<Id> = matrix.concat();
-    // ∂_l S_ij is in row i·n + j, column l.
-    let slopes = diff::jacobian(graph, &entries, x);
+    // The gradient of S_ij is row i·n + j.
+    let gradients = diff::jacobian(graph, &entries, x);
     let triples = (0..n).flat_map(|i| (i + 1..n).flat_map(move |j| (j + 1..n).map(move |k| [i, j, k])));
     first(triples, |[i, j, k]| {
         let cycle = [[i, j, k], [j, k, i], [k, i, j]];
         let terms: Vec<Id> =
-            cycle.iter().flat_map(|[i, j, k]| product_terms(graph, &matrix[*i], &slopes[j * n + k])).collect();
+            cycle.iter().flat_map(|[i, j, k]| product_terms(graph, &matrix[*i], &gradients[j * n + k])).collect();
         sum_is_zero_along(graph, &terms, x, field)
     })
 }
 
-/// Σ ∂f_i/∂x_i, and whether it is zero.
+/// The divergence Σ ∂f_i/∂x_i, and whether it is zero along the field.
 pub(crate) fn divergence(graph: &mut Graph, x: &[Symbol], field: &[Id]) -> (Id, Identity) {
     let slopes = diff::jacobian(graph, field, x);
     let terms: Vec<Id> = (0..x.len()).map(|i| slopes[i][i]).collect();
     (graph.sum(&terms), sum_is_zero_along(graph, &terms, x, field))
 }
 
-/// Which integrals are functions of those before them.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Dependent {
-    pub(crate) integrals: Vec<usize>,
-    pub(crate) bound: Bound,
-}
-
-/// The integrals whose gradients depend on those of earlier ones at every state; `None` if that cannot be decided.
+/// Returns the integrals that are functions of earlier ones, by their gradients. `None` if this cannot be decided.
 pub(crate) fn dependent(graph: &mut Graph, x: &[Symbol], integrals: &[Id]) -> Option<Dependent> {
     let gradients = diff::jacobian(graph, integrals, x);
-    let rank = residues::rank(graph, &gradients)?;
-    Some(Dependent { integrals: rank.dependent, bound: rank.bound })
+    residues::dependent(graph, &gradients)
 }
 
 /// The products a_i·b_i.
 fn product_terms(graph: &mut Graph, a: &[Id], b: &[Id]) -> Vec<Id> {
-    let products = a.iter().zip(b).map(|(a, b)| graph.mul(*a, *b));
-    products.collect()
+    a.iter().zip(b).map(|(a, b)| graph.mul(*a, *b)).collect()
 }
 
-/// The first index for which an identity is not proven.
+/// Decides identities by index, up to the first one that is not proven.
 fn first<I: Copy>(
     indices: impl Iterator<Item = I>,
     mut identity: impl FnMut(I) -> Identity,

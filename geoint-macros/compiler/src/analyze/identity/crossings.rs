@@ -7,20 +7,31 @@ use crate::diff;
 use crate::ir::substitute::{Substitution, replaced};
 use crate::ir::{Function, Graph, Id, Node, Symbol};
 
-/// Conditions and signs that change where two numbers are equal.
+/// The surface on which two numbers are equal, and the nodes that change there.
 #[derive(Clone, Debug)]
 pub(crate) struct Edge {
     pub(crate) equal: [Id; 2],
     pub(crate) difference: Id,
-    /// Each with its values for a negative and for a positive difference.
-    decided: Vec<(Id, [Id; 2])>,
+    changing: Vec<Changing>,
+}
+
+/// A condition or sign that changes at an edge.
+#[derive(Clone, Copy, Debug)]
+struct Changing {
+    node: Id,
+    /// The value for a negative difference.
+    below: Id,
+    /// The value for a positive difference.
+    above: Id,
 }
 
 /// Returns the edges at which a function may jump: equality of both sides was not proven.
 pub(crate) fn edges_of_jumps(graph: &mut Graph, function: Id) -> Vec<Edge> {
     let mut edges = edges(graph, function);
     edges.retain(|edge| {
-        let height = height(graph, function, edge);
+        let below = on_side(graph, function, edge, |changing| changing.below);
+        let above = on_side(graph, function, edge, |changing| changing.above);
+        let height = graph.sub(above, below);
         !vanishes_on(graph, edge.difference, height)
     });
     edges
@@ -29,7 +40,7 @@ pub(crate) fn edges_of_jumps(graph: &mut Graph, function: Id) -> Vec<Edge> {
 /// A surface on which a function may jump while a field is followed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Discontinuity {
-    /// The numbers that are equal there.
+    /// The two numbers that are equal on the surface.
     pub(crate) equal: [Id; 2],
     /// The condition, sign or angle that changes.
     pub(crate) node: Id,
@@ -53,7 +64,7 @@ pub(crate) enum Kind {
 /// counts, because rounding moves states across it, unless the coordinates of the surface rest.
 pub(crate) fn may_jump(graph: &mut Graph, x: &[Symbol], field: &[Id], function: Id) -> Option<Discontinuity> {
     for edge in edges_of_jumps(graph, function) {
-        let found = |kind| Discontinuity { equal: edge.equal, node: edge.decided[0].0, kind };
+        let found = |kind| Discontinuity { equal: edge.equal, node: edge.changing[0].node, kind };
         if is_crossed(graph, x, field, edge.difference) {
             return Some(found(Kind::Crossed));
         }
@@ -95,12 +106,12 @@ fn stands_still(graph: &mut Graph, x: &[Symbol], field: &[Id], difference: Id) -
 fn edges(graph: &mut Graph, function: Id) -> Vec<Edge> {
     let mut edges: Vec<Edge> = vec![];
     for node in graph.reachable(&[function]) {
-        let ([a, b], sides) = match *graph.node(node) {
-            // One that holds on the edge alone has to make no difference there, either.
-            Node::Compare(_, a, b) => ([a, b], [false, true].map(|side| graph.truth(side))),
+        let (a, b, below, above) = match *graph.node(node) {
+            // The value on the edge itself, as of `a == b`, must not matter either.
+            Node::Compare(_, a, b) => (a, b, graph.truth(false), graph.truth(true)),
             Node::Call(Function::Signum, ref args) => {
                 let x = args[0];
-                ([graph.zero(), x], [-1, 1].map(|side| graph.integer(side)))
+                (graph.zero(), x, graph.integer(-1), graph.integer(1))
             }
             _ => continue,
         };
@@ -114,25 +125,22 @@ fn edges(graph: &mut Graph, function: Id) -> Vec<Edge> {
             vanishes(graph, rest)
         };
         if let Some(edge) = edges.iter_mut().find(|edge| equal(edge.difference, difference)) {
-            edge.decided.push((node, sides));
+            edge.changing.push(Changing { node, below, above });
         } else if let Some(edge) = edges.iter_mut().find(|edge| equal(edge.difference, opposite)) {
-            edge.decided.push((node, [sides[1], sides[0]]));
+            edge.changing.push(Changing { node, below: above, above: below });
         } else {
             let equal = if graph.as_number(a).is_some() { [b, a] } else { [a, b] };
-            edges.push(Edge { equal, difference, decided: vec![(node, sides)] });
+            edges.push(Edge { equal, difference, changing: vec![Changing { node, below, above }] });
         }
     }
     edges
 }
 
-/// The function on one side of an edge, less that on the other.
-fn height(graph: &mut Graph, function: Id, edge: &Edge) -> Id {
-    let [below, above] = [0, 1].map(|side| {
-        let mut decided = Substitution::new(|_: &mut Graph, _| None);
-        for (node, sides) in &edge.decided {
-            decided.insert(*node, sides[side]);
-        }
-        decided.apply(graph, function)
-    });
-    graph.sub(above, below)
+/// The function on one side of an edge, continued across it.
+fn on_side(graph: &mut Graph, function: Id, edge: &Edge, value: impl Fn(&Changing) -> Id) -> Id {
+    let mut fixed = Substitution::new(|_: &mut Graph, _| None);
+    for changing in &edge.changing {
+        fixed.insert(changing.node, value(changing));
+    }
+    fixed.apply(graph, function)
 }

@@ -1,10 +1,11 @@
-//! Is a node zero, whatever the values of its symbols are?
+//! Decides whether a node is zero for all values of its symbols.
 //!
-//! It is multiplied out; what is too long for that, or rests on relations between functions, is evaluated at points of a finite field.
-//! "Zero" is proven by one of the two: it holds wherever the node is defined, and the answer says by which. What is not proven is
-//! either wrong, with a state at which it is not zero, or open: floating point tells which, and proves nothing.
+//! The node is multiplied out. A node that is too long for this, or that needs relations between functions, is evaluated at points of a finite
+//! field. Only these two proofs give the answer [`Identity::Zero`]. It holds wherever the node is defined, and names its proof. A node without a
+//! proof is [`Identity::Wrong`], with a state at which it is not zero, or [`Identity::Open`]. Floating point selects between these two, and
+//! proves nothing.
 //!
-//! `claims` asks this of fields, integrals and structure matrices; `search` and `liouville` find integrals and energies.
+//! `claims` states the identities of fields, integrals and structure matrices. `search` and `liouville` find integrals and energies.
 mod angles;
 pub(crate) mod claims;
 pub(crate) mod crossings;
@@ -16,39 +17,40 @@ pub(crate) mod search;
 mod surface;
 mod witness;
 
+use crate::diff;
 use crate::ir::{Function, Graph, Id, Node, Number, Symbol};
 pub(crate) use angles::{angles, broken_at};
 pub(crate) use residues::Bound;
-pub(crate) use rounding::Direction;
 use rounding::Shown;
+pub(crate) use rounding::{Direction, is_regular, retain_constant};
 use std::collections::{BTreeSet, HashSet};
 pub(crate) use witness::{Value, Witness};
 
-/// Comparisons and signs of which only the sides count, and no state at which both numbers are equal.
+/// Comparisons and signs whose boundary, the states with equal sides, is excluded from an identity.
 type OpenBoundaries = HashSet<Id>;
 
-/// What is known of a node.
+/// The answer to the question whether a node is zero.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Identity {
-    /// It is zero wherever it is defined.
+    /// The node is zero wherever it is defined.
     Zero(Proof),
-    /// It is not zero.
+    /// The node is not zero.
     Wrong(Box<Wrong>),
-    /// It was not proven, and no state was met at which it is certainly not zero.
+    /// There is neither a proof nor a state at which the node is certainly not zero.
     Open(Open),
 }
 
-/// How an identity was proven.
+/// The proof of an identity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Proof {
-    /// Multiplied out, exactly.
+    /// Exact, by multiplying out.
     Multiplied,
-    /// Evaluated over a finite field: wrong with the probability that the bound gives, were points drawn at random.
+    /// By evaluation over a finite field. The bound limits the probability of an error, if the points count as random.
     Points(Bound),
 }
 
 impl Proof {
-    /// What two proofs are together.
+    /// The proof of a statement that needs two proofs.
     pub(crate) fn weaker(self, other: Proof) -> Proof {
         match (self, other) {
             (Proof::Points(a), Proof::Points(b)) if a.bits <= b.bits => Proof::Points(a),
@@ -61,71 +63,71 @@ impl Proof {
 /// An identity that does not hold.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Wrong {
-    /// What remains, if it could be multiplied out.
+    /// The terms that do not cancel. Present if the node could be multiplied out.
     pub(crate) rest: Option<Remainder>,
     pub(crate) witness: Witness,
-    /// Whether it holds for another choice of the signs of roots, as √(x²) = x.
+    /// The identity holds for other signs of roots, as √(x²) = x does.
     pub(crate) branch: bool,
-    /// Whether there is certainly no open set of states on which it holds nevertheless.
+    /// There is certainly no open set of states on which the identity holds.
     pub(crate) almost_everywhere: bool,
 }
 
 /// An identity that was not decided.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Open {
-    /// What remains, if it could be multiplied out.
+    /// The terms that do not cancel. Present if the node could be multiplied out.
     pub(crate) rest: Option<Remainder>,
     pub(crate) why: Why,
 }
 
-/// Why an identity was not decided.
+/// The reason why an identity was not proven.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Why {
-    /// It holds to rounding, but rests on a relation between functions, or rounded numbers, that is not known here.
+    /// It needs an unknown relation between functions or rounded numbers, or does not hold. In [`Open`] it holds to rounding.
     Relation,
-    /// It holds to rounding, but for one choice of the signs of roots only: √x·√y = √(xy).
+    /// It holds for some signs of roots only, as √x·√y = √(xy) does. In [`Open`] it holds to rounding.
     Branch,
-    /// It holds to rounding, but is too long, has too many roots and conditions, or divides by zero on some side of them.
+    /// It is too long, has too many roots and conditions, or divides by zero on one side of a condition. In [`Open`] it holds to rounding.
     TooLong,
-    /// No state was met at which it is defined.
+    /// It is not defined at any visited state.
     Nowhere,
 }
 
-/// What is left of a node.
+/// The terms of a node that do not cancel.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Remainder {
-    /// The terms that do not cancel.
+    /// The sum of these terms.
     pub(crate) rest: Id,
-    /// The conditions of the case in which they are left, and whether each holds.
+    /// The conditions of the case with this remainder, and whether each holds.
     pub(crate) case: Vec<(Id, bool)>,
-    /// Whether the rest is certainly not zero.
+    /// The sum is certainly not zero.
     pub(crate) certain: bool,
 }
 
 impl Remainder {
-    /// Whether the rest is a quotient of polynomials.
+    /// Returns whether the rest is a quotient of polynomials.
     pub(crate) fn is_rational(&self, graph: &Graph) -> bool {
-        is_made_of(graph, &[self.rest], 1, &[])
+        is_made_of(graph, &[self.rest], 1, |_| false)
     }
 
-    /// Whether the rest is analytic but for poles: then it is zero everywhere, or almost nowhere, since what poles leave of complex
-    /// space is connected.
+    /// Returns whether the rest is meromorphic. It is then zero everywhere or almost nowhere, since complex space without poles is connected.
     fn is_meromorphic(&self, graph: &Graph) -> bool {
-        self.case.is_empty() && is_made_of(graph, &[self.rest], 1, &MEROMORPHIC)
+        self.case.is_empty() && is_made_of(graph, &[self.rest], 1, is_exponential)
     }
 }
 
-const MEROMORPHIC: [Function; 9] = {
+/// Returns whether a function is rational in exponentials of its argument.
+fn is_exponential(function: Function) -> bool {
     use Function::{Cos, Cosh, Exp, Exp2, ExpM1, Sin, Sinh, Tan, Tanh};
-    [Sin, Cos, Tan, Sinh, Cosh, Tanh, Exp, Exp2, ExpM1]
-};
+    matches!(function, Exp | Exp2 | ExpM1 | Sinh | Cosh | Tanh | Sin | Cos | Tan)
+}
 
-/// Whether nodes are made of sums, products, powers whose exponents have such denominators, and functions of a list.
-fn is_made_of(graph: &Graph, nodes: &[Id], denominator: i128, functions: &[Function]) -> bool {
+/// Returns whether nodes consist of sums, products, allowed functions, and powers whose exponents have denominators up to `denominator`.
+fn is_made_of(graph: &Graph, nodes: &[Id], denominator: i128, is_allowed: fn(Function) -> bool) -> bool {
     graph.reachable(nodes).iter().all(|id| match graph.node(*id) {
         Node::Number(_) | Node::Symbol(_) | Node::Linear(..) | Node::Product(_) => true,
         Node::Power(_, exponent) => exponent.denominator <= denominator,
-        Node::Call(function, _) => functions.contains(function),
+        Node::Call(function, _) => is_allowed(*function),
         _ => false,
     })
 }
@@ -135,11 +137,8 @@ impl Identity {
         matches!(self, Identity::Zero(_))
     }
 
-    /// That of so many times as much.
+    /// Turns the answer for a node into the answer for unit·node.
     fn scale(&mut self, graph: &mut Graph, unit: Number) {
-        if unit.is_one() {
-            return;
-        }
         let rest = match self {
             Identity::Zero(_) => return,
             Identity::Open(open) => &mut open.rest,
@@ -157,7 +156,7 @@ impl Identity {
         }
     }
 
-    /// What remains, if it is not zero and could be multiplied out.
+    /// The terms that do not cancel, if the node is not zero and could be multiplied out.
     pub(crate) fn rest(&self) -> Option<&Remainder> {
         match self {
             Identity::Zero(_) => None,
@@ -167,7 +166,7 @@ impl Identity {
     }
 }
 
-/// So many products of two terms are formed in each case; from there on points are faster, and what remains is too long to be read.
+/// The largest number of products of two terms in each case. Above this number points are faster, and a remainder is too long to be read.
 const PRODUCTS: usize = 500;
 
 /// Decides whether a node is zero.
@@ -175,46 +174,34 @@ pub(crate) fn identity(graph: &mut Graph, root: Id) -> Identity {
     sum_is_zero(graph, &[root])
 }
 
-/// Whether a node is proven to be zero, where no reason is wanted if it is not: what floating point shows to differ from zero is not tried.
+/// Returns whether a node is proven to be zero. Faster than [`identity`]: no proof is tried if floating point shows that the node is not zero.
 pub(crate) fn vanishes(graph: &mut Graph, root: Id) -> bool {
     let open = OpenBoundaries::default();
-    let proven = |graph: &mut Graph| match multiplied::multiplied(graph, root, &open, PRODUCTS) {
-        multiplied::Verdict::Zero => true,
-        _ => matches!(residues::residues(graph, root, &open), residues::Verdict::Zero(_)),
+    let proven = |graph: &mut Graph| {
+        let verdict = multiplied::multiplied(graph, root, &open, PRODUCTS);
+        verdict == multiplied::Verdict::Zero || residues::residues(graph, root, &open).is_ok()
     };
     graph.is_zero(root) || !rounding::differs(graph, root) && proven(graph)
 }
 
-/// The c, a number times powers of parameters, with which a = c·b is proven.
+/// Returns c with a = c·b, proven. c is a number times powers of parameters.
 pub(crate) fn multiple(graph: &mut Graph, a: Id, b: Id) -> Option<Id> {
     let sums = multiplied::Sums::of(graph, &[a, b], PRODUCTS)?;
-    let [of_a, of_b] = [0, 1].map(|sum| sums.terms(graph, sum));
-    // One term of the one is c times a term of the other.
-    let last = *of_b.first()?;
-    for term in of_a {
-        let c = graph.div(term, last);
-        if !graph.reads(c).moves() {
-            let other = graph.mul(c, b);
-            let difference = graph.sub(a, other);
-            if vanishes(graph, difference) {
-                return Some(c);
-            }
+    let [terms_of_a, terms_of_b] = [a, b].map(|root| sums.terms(graph, root));
+    // The first term of b times c is a term of a.
+    let first = *terms_of_b.first()?;
+    terms_of_a.into_iter().find_map(|term| {
+        let c = graph.div(term, first);
+        if graph.reads(c).moves() {
+            return None;
         }
-    }
-    None
+        let other = graph.mul(c, b);
+        let difference = graph.sub(a, other);
+        vanishes(graph, difference).then_some(c)
+    })
 }
 
-/// Leaves the directions along which a node may be constant: floating point does not show that it changes, a derivative may prove that it does not.
-pub(crate) fn retain_constant(graph: &Graph, root: Id, directions: &mut Vec<Direction>) {
-    rounding::retain_constant(graph, root, directions);
-}
-
-/// Whether floating point shows that a matrix is regular at some state.
-pub(crate) fn is_regular(graph: &Graph, matrix: &[Vec<Id>]) -> bool {
-    rounding::is_regular(graph, matrix)
-}
-
-/// Decides whether a sum is zero. Terms are given apart, so that it is seen how large they were when most of them cancelled.
+/// Decides whether a sum is zero. The terms are given separately, because their sizes limit the rounding error of the sum.
 pub(crate) fn sum_is_zero(graph: &mut Graph, terms: &[Id]) -> Identity {
     sum_is_zero_off(graph, terms, &OpenBoundaries::default())
 }
@@ -228,34 +215,33 @@ fn sum_is_zero_off(graph: &mut Graph, terms: &[Id], open: &OpenBoundaries) -> Id
         multiplied::Verdict::TooLong => None,
     };
     let why = match residues::residues(graph, root, open) {
-        residues::Verdict::Zero(bound) => return Identity::Zero(Proof::Points(bound)),
-        residues::Verdict::Branch => Why::Branch,
-        residues::Verdict::NotZero => Why::Relation,
-        residues::Verdict::GivenUp => Why::TooLong,
+        Ok(bound) => return Identity::Zero(Proof::Points(bound)),
+        Err(why) => why,
     };
     let symbols = symbols(graph, terms);
-    let branch = why == Why::Branch;
     let drawn = match rounding::shown(graph, terms, &symbols, open) {
         Shown::Differs(state, value) => Some(Witness { state, value: Value::Near(value) }),
         Shown::Zero => None,
         Shown::Nowhere => return Identity::Open(Open { rest, why: Why::Nowhere }),
     };
-    // What is too small to be seen is exact all the same, unless it is left of numbers that were rounded.
+    // An exact value below the rounding error is a witness, unless the node contains rounded numbers.
     let exact = drawn.is_some() || !witness::has_rounded(graph, terms);
     let witness = exact.then(|| witness::exact_witness(graph, terms, &symbols, open)).flatten();
-    match witness.or_else(|| witness::near_witness(graph, terms, &symbols, open)).or(drawn) {
-        Some(witness) => {
-            // Points have refuted every choice of the signs of roots.
-            let with_roots = why == Why::Relation && is_made_of(graph, terms, 2, &[]);
-            let almost_everywhere = with_roots || rest.as_ref().is_some_and(|rest| rest.is_meromorphic(graph));
-            Identity::Wrong(Box::new(Wrong { rest, witness, branch, almost_everywhere }))
-        }
-        None => Identity::Open(Open { rest, why }),
-    }
+    let witness = witness.or_else(|| witness::near_witness(graph, terms, &symbols, open)).or(drawn);
+    let Some(witness) = witness else { return Identity::Open(Open { rest, why }) };
+    // Points have refuted the identity for all signs of roots.
+    let is_wrong_for_all_roots = why == Why::Relation && is_made_of(graph, terms, 2, |_| false);
+    let almost_everywhere = is_wrong_for_all_roots || rest.as_ref().is_some_and(|rest| rest.is_meromorphic(graph));
+    Identity::Wrong(Box::new(Wrong { rest, witness, branch: why == Why::Branch, almost_everywhere }))
 }
 
-/// The symbols that are read, in order.
-fn symbols(graph: &Graph, terms: &[Id]) -> Vec<Symbol> {
-    let symbols: BTreeSet<Symbol> = terms.iter().flat_map(|term| graph.symbols(*term)).collect();
+/// The symbols that nodes read, in order.
+fn symbols(graph: &Graph, nodes: &[Id]) -> Vec<Symbol> {
+    let symbols: BTreeSet<Symbol> = nodes.iter().flat_map(|node| graph.symbols(*node)).collect();
     symbols.into_iter().collect()
+}
+
+/// ∂node/∂symbol.
+fn derivative(graph: &mut Graph, node: Id, symbol: Symbol) -> Id {
+    diff::jacobian(graph, &[node], &[symbol])[0][0]
 }

@@ -1,6 +1,7 @@
-//! The boundary of a comparison, the surface on which both sides are equal: do functions vanish on it, and do solutions stay on it?
+//! Decides whether functions vanish on the boundary of a comparison, and whether solutions stay on it. The boundary is the surface on which both
+//! sides of the comparison are equal.
 
-use super::{Identity, OpenBoundaries, rounding, sum_is_zero, sum_is_zero_off, vanishes};
+use super::{Identity, OpenBoundaries, derivative, rounding, sum_is_zero, sum_is_zero_off, vanishes};
 use crate::diff;
 use crate::ir::substitute::{Substitution, replaced};
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Relation, Symbol};
@@ -51,8 +52,7 @@ fn is_left(graph: &mut Graph, difference: Id, x: &[Symbol], field: &[Id]) -> boo
     })
 }
 
-/// Returns whether a node was proven to be zero on the surface `edge` = 0. One of the terms or symbols of the edge is replaced by a function of the
-/// others.
+/// Returns whether a node was proven to be zero on the surface `edge` = 0. A term or symbol of the edge is replaced by its value on the surface.
 pub(super) fn vanishes_on(graph: &mut Graph, edge: Id, node: Id) -> bool {
     if vanishes(graph, node) {
         return true;
@@ -85,7 +85,7 @@ pub(super) fn vanishes_on(graph: &mut Graph, edge: Id, node: Id) -> bool {
 /// Solutions of an equation for one symbol.
 struct Solved {
     roots: Vec<Id>,
-    /// The coefficient of the symbol: where it is zero, the equation may hold as well.
+    /// The coefficient of the symbol. The equation may also hold where the coefficient is zero.
     coefficient: Id,
 }
 
@@ -93,11 +93,11 @@ struct Solved {
 fn solved(graph: &mut Graph, sum: Id, symbol: Symbol) -> Option<Solved> {
     let zero = graph.zero();
     let rest = replaced(graph, sum, symbol, zero);
-    let slope = diff::jacobian(graph, &[sum], &[symbol])[0][0];
+    let slope = derivative(graph, sum, symbol);
     let reads = |graph: &Graph, node: Id| graph.symbols(node).contains(&symbol);
     let is_quadratic = reads(graph, slope);
     let coefficient = if is_quadratic {
-        let second = diff::jacobian(graph, &[slope], &[symbol])[0][0];
+        let second = derivative(graph, slope, symbol);
         let at_zero = replaced(graph, slope, symbol, zero);
         if reads(graph, second) || !graph.is_zero(at_zero) {
             return None;

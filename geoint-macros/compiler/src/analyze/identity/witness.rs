@@ -1,10 +1,11 @@
-//! A state at which a sum is not zero: small integers, with the value as a ratio where there is one.
+//! States with small integers at which a sum is not zero. The value is a ratio if it can be computed exactly.
 
 use super::OpenBoundaries;
-use super::rounding::{State, value_at};
-use crate::ir::{Function, Graph, HashMap, Id, Node, Number, Ratio, Relation, Symbol};
+use super::residues::pseudorandom;
+use super::rounding::{Shown, State, shown_at};
+use crate::ir::{Function, Graph, HashMap, Id, Node, Number, Ratio, Symbol};
 
-/// A state, and the value there.
+/// A state with the value of the sum.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Witness {
     pub(crate) state: State,
@@ -15,21 +16,21 @@ pub(crate) struct Witness {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Value {
     Exact(Ratio),
-    /// To rounding.
+    /// A value with rounding errors that are smaller than the value.
     Near(f64),
 }
 
-/// So many states are tried: first ones and twos, then integers that look random.
+/// The number of states that are tried with values 1 and 2, and of those with pseudorandom integers.
 const IN_ORDER: u64 = 16;
 const RANDOM: u64 = 100;
 
-/// The first small integers at which the value is an exact ratio that is not zero.
+/// Returns the first candidate state at which the value is an exact ratio that is not zero.
 pub(super) fn exact_witness(graph: &Graph, terms: &[Id], symbols: &[Symbol], open: &OpenBoundaries) -> Option<Witness> {
     let order = graph.reachable(terms);
-    // A sum that has no exact value at the first state has none at most others.
+    // A sum without an exact value at the first states has none at most others.
     let mut failures = 0;
     for state in states(symbols) {
-        match exact(graph, &order, terms, &state, open) {
+        match exact_sum(graph, &order, terms, &state, open) {
             Some(value) if value != Ratio::ZERO => return Some(Witness { state, value: Value::Exact(value) }),
             Some(_) => {}
             None => failures += 1,
@@ -41,25 +42,26 @@ pub(super) fn exact_witness(graph: &Graph, terms: &[Id], symbols: &[Symbol], ope
     None
 }
 
-/// The first small integers at which the value is not zero to rounding.
+/// Returns the first candidate state at which the value is larger than its rounding error.
 pub(super) fn near_witness(graph: &Graph, terms: &[Id], symbols: &[Symbol], open: &OpenBoundaries) -> Option<Witness> {
-    let near = |state| Some(Witness { value: Value::Near(value_at(graph, terms, &state, open)?), state });
-    states(symbols).find_map(near)
+    match shown_at(graph, terms, open, states(symbols), usize::MAX) {
+        Shown::Differs(state, value) => Some(Witness { state, value: Value::Near(value) }),
+        Shown::Zero | Shown::Nowhere => None,
+    }
 }
 
+/// The candidate states: combinations of 1 and 2, then pseudorandom integers from −3 to 3.
 fn states(symbols: &[Symbol]) -> impl Iterator<Item = State> + '_ {
+    let state = |integer: &dyn Fn(u64) -> i128| -> State {
+        symbols.iter().zip(0..).map(|(symbol, i)| (*symbol, Ratio::integer(integer(i)))).collect()
+    };
     let pairs = 1_u64.checked_shl(symbols.len() as u32).map_or(IN_ORDER, |all| all.min(IN_ORDER));
-    let in_order = (0..pairs).map(|bits| (0..symbols.len()).map(|i| 1 + (bits >> i.min(63) & 1) as i128).collect());
-    let random = (0..RANDOM).map(|k| {
-        let integer = |i| i128::from(super::residues::noise(k * 1_000 + i as u64) % 7) - 3;
-        (0..symbols.len()).map(integer).collect()
-    });
-    in_order.chain(random).map(|integers: Vec<i128>| {
-        symbols.iter().zip(integers).map(|(symbol, integer)| (*symbol, Ratio::integer(integer))).collect()
-    })
+    let in_order = (0..pairs).map(move |bits| state(&|i| 1 + i128::from(bits >> i.min(63) & 1)));
+    let random = (0..RANDOM).map(move |k| state(&|i| i128::from(pseudorandom(k * 1_000 + i) % 7) - 3));
+    in_order.chain(random)
 }
 
-/// Whether a node has numbers in it that were rounded.
+/// Returns whether nodes contain rounded numbers.
 pub(super) fn has_rounded(graph: &Graph, terms: &[Id]) -> bool {
     graph.reachable(terms).into_iter().any(|id| match graph.node(id) {
         Node::Number(number) => number.is_rounded(),
@@ -68,76 +70,50 @@ pub(super) fn has_rounded(graph: &Graph, terms: &[Id]) -> bool {
     })
 }
 
-#[derive(Clone, Copy)]
-enum Exact {
-    Number(Ratio),
-    Truth(bool),
-}
-
-/// The sum of terms, if it is a ratio that is not too long.
-fn exact(graph: &Graph, order: &[Id], terms: &[Id], state: &State, open: &OpenBoundaries) -> Option<Ratio> {
-    let mut values: HashMap<Id, Exact> = HashMap::default();
+/// The sum of terms. `None` if it is not a ratio, is too long, or the state is on an open boundary.
+fn exact_sum(graph: &Graph, order: &[Id], terms: &[Id], state: &State, open: &OpenBoundaries) -> Option<Ratio> {
+    let mut values: HashMap<Id, Ratio> = HashMap::default();
     for id in order {
-        // What has no value may be in the branch that is not taken.
-        if let Some(value) = exact_node(graph, *id, &values, state, open) {
+        // A node without a value may belong to a branch that is not taken.
+        if let Some(value) = exact_value(graph, *id, &values, state, open) {
             values.insert(*id, value);
         }
     }
-    terms.iter().try_fold(Ratio::ZERO, |sum, term| match values.get(term)? {
-        Exact::Number(value) => sum.add(*value),
-        Exact::Truth(_) => None,
-    })
+    terms.iter().try_fold(Ratio::ZERO, |sum, term| sum.add(*values.get(term)?))
 }
 
-fn exact_node(
+/// The value of a node from those of its operands. A condition is 1 if it holds, and 0 otherwise.
+fn exact_value(
     graph: &Graph,
     id: Id,
-    values: &HashMap<Id, Exact>,
+    values: &HashMap<Id, Ratio>,
     state: &State,
     open: &OpenBoundaries,
-) -> Option<Exact> {
-    let number = |id: &Id| match values.get(id)? {
-        Exact::Number(value) => Some(*value),
-        Exact::Truth(_) => None,
-    };
-    let truth = |id: &Id| match values.get(id)? {
-        Exact::Truth(value) => Some(*value),
-        Exact::Number(_) => None,
-    };
-    let value = match graph.node(id) {
-        Node::Number(value) => ratio(*value)?,
-        Node::Symbol(symbol) => state.iter().find(|(other, _)| other == symbol)?.1,
+) -> Option<Ratio> {
+    let of = |id: &Id| values.get(id).copied();
+    let holds = |condition: &Id| Some(of(condition)? == Ratio::ONE);
+    let truth = |holds: bool| Some(Ratio::integer(holds.into()));
+    match graph.node(id) {
+        Node::Number(value) => ratio(*value),
+        Node::Symbol(symbol) => Some(state.iter().find(|(other, _)| other == symbol)?.1),
         Node::Linear(constant, terms) => {
-            terms.iter().try_fold(ratio(*constant)?, |sum, (c, term)| sum.add(ratio(*c)?.mul(number(term)?)?))?
+            terms.iter().try_fold(ratio(*constant)?, |sum, (c, term)| sum.add(ratio(*c)?.mul(of(term)?)?))
         }
-        Node::Product(ids) => ids.iter().try_fold(Ratio::ONE, |product, id| product.mul(number(id)?))?,
-        Node::Power(base, exponent) if exponent.is_integer() => ratio(Number::Exact(number(base)?).pow(*exponent)?)?,
-        Node::Power(..) => return None,
+        Node::Product(ids) => ids.iter().try_fold(Ratio::ONE, |product, id| product.mul(of(id)?)),
+        Node::Power(base, exponent) if exponent.is_integer() => ratio(Number::Exact(of(base)?).pow(*exponent)?),
+        Node::Power(..) => None,
         Node::Call(function, args) => {
-            let args: Vec<Ratio> = args.iter().map(number).collect::<Option<_>>()?;
-            if args[0] == Ratio::ZERO && open.contains(&id) {
-                return None;
-            }
-            exact_function(*function, &args)?
+            let args: Vec<Ratio> = args.iter().map(of).collect::<Option<_>>()?;
+            if args[0] == Ratio::ZERO && open.contains(&id) { None } else { exact_function(*function, &args) }
         }
-        Node::Select(condition, first, second) => number(if truth(condition)? { first } else { second })?,
-        Node::Compare(relation, a, b) => {
-            let order = number(a)?.cmp(&number(b)?);
-            if order.is_eq() && open.contains(&id) {
-                return None;
-            }
-            return Some(Exact::Truth(match relation {
-                Relation::Less => order.is_lt(),
-                Relation::LessEqual => order.is_le(),
-                Relation::Equal => order.is_eq(),
-            }));
-        }
-        Node::And(a, b) => return Some(Exact::Truth(truth(a)? && truth(b)?)),
-        Node::Or(a, b) => return Some(Exact::Truth(truth(a)? || truth(b)?)),
-        Node::Not(a) => return Some(Exact::Truth(!truth(a)?)),
-        Node::Truth(value) => return Some(Exact::Truth(*value)),
-    };
-    Some(Exact::Number(value))
+        Node::Select(condition, first, second) => of(if holds(condition)? { first } else { second }),
+        Node::Compare(_, a, b) if open.contains(&id) && of(a)? == of(b)? => None,
+        Node::Compare(relation, a, b) => truth(relation.holds(of(a)?, of(b)?)),
+        Node::And(a, b) => truth(holds(a)? && holds(b)?),
+        Node::Or(a, b) => truth(holds(a)? || holds(b)?),
+        Node::Not(a) => truth(!holds(a)?),
+        Node::Truth(holds) => truth(*holds),
+    }
 }
 
 fn exact_function(function: Function, x: &[Ratio]) -> Option<Ratio> {

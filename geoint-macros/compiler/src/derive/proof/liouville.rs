@@ -56,9 +56,9 @@ pub(crate) struct Multiplier {
 pub(crate) fn liouville(graph: &mut Graph, field: &[Id], partial: &[UndefinedAt]) -> Liouville {
     let x = coordinates(field.len());
     let divergence = claims::divergence(graph, &x, field);
-    let halves = x.split_at(x.len() / 2);
+    let (q, p) = x.split_at(x.len() / 2);
     let energy = x.len().is_multiple_of(2).then(|| {
-        let mut of = |logarithm| liouville::energy(graph, halves, field, logarithm);
+        let mut of = |logarithm| liouville::energy(graph, q, p, field, logarithm);
         let (energy, proof) = match of(Logarithm::OfMagnitude) {
             // In a part of the domain there may be one all the same.
             Err(NoEnergy::NotElementary(term, proof)) => {
@@ -93,11 +93,10 @@ fn multiplier(graph: &mut Graph, x: &[Symbol], field: &[Id]) -> Option<Multiplie
     if !claims::divergence(graph, x, &scaled).1.is_zero() {
         return None;
     }
-    let plane = |graph: &mut Graph| {
-        let halves = x.split_at(1);
-        Some(liouville::energy(graph, halves, &scaled, Logarithm::OfNumber).ok()?.0)
+    let energy = match x {
+        [x, y] => liouville::energy(graph, &[*x], &[*y], &scaled, Logarithm::OfNumber).ok().map(|(energy, _)| energy),
+        _ => None,
     };
-    let energy = if x.len() == 2 { plane(graph) } else { None };
     Some(Multiplier { value, energy })
 }
 

@@ -1,63 +1,61 @@
-//! Is a field that of an energy, and of which one?
+//! Recovers the energy of a field, if it has one.
 //!
-//! q' = ∂H/∂p, p' = −∂H/∂q has a solution H on a simply connected domain if and only if the matrix of second derivatives that it asks
-//! for is symmetric. In the plane that is div f = 0 (J. Liouville); with more degrees of freedom it is more. H is put together from
-//! antiderivatives of terms, and what is put together is checked. Time and parameters are constants here.
+//! On a simply connected domain, q' = ∂H/∂p, p' = −∂H/∂q has a solution H if and only if the matrix of the required second derivatives is
+//! symmetric. In the plane this condition is div f = 0 (J. Liouville). With more degrees of freedom it is stronger. H is a sum of
+//! antiderivatives of terms, and its derivatives are checked against the field. Time and parameters are constants here.
 
 mod primitives;
 
 use super::multiplied::Sums;
-use super::{Identity, Proof, identity, sum_is_zero};
+use super::{Identity, Proof, derivative, identity, sum_is_zero};
 use crate::diff;
 use crate::ir::{Graph, Id, Symbol};
 pub(crate) use primitives::Logarithm;
-use primitives::{By, antiderivative_of_term};
+use primitives::{Integration, antiderivative_of_term};
 
-/// Why there is no energy.
+/// The reason why no energy is returned.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum NoEnergy {
-    /// ∂²H/∂x∂y would not be ∂²H/∂y∂x: what is known of the difference.
+    /// ∂²H/∂x∂y = ∂²H/∂y∂x was not proven for these two variables. The identity is the verdict on the difference.
     NotCanonical([Symbol; 2], Identity),
-    /// The field is proven to have an energy, but this term has no antiderivative that is known here; or the field is too long.
+    /// The field is proven to have an energy, but it was not found: this term has no antiderivative here, or the field is too long.
     NotElementary(Option<Id>, Proof),
-    /// The field is proven to have this energy, of which some terms stay integrals.
+    /// The field is proven to have an energy. Some terms of the energy stay integrals.
     Integrals(Open),
 }
 
-/// An energy some terms of which have no antiderivative that is known here.
+/// An energy with terms that have no antiderivative here.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Open {
-    /// The other terms, if there are any.
+    /// The sum of the other terms, if there are any.
     pub(crate) elementary: Option<Id>,
-    /// Of what is to be integrated over which variable: it reads no other one, so that the energy is the sum.
+    /// Integrands, each with the variable of its integral. An integrand reads no other variable, so the energy is the sum of the integrals.
     pub(crate) integrals: Vec<(Id, Symbol)>,
     pub(crate) proof: Proof,
 }
 
-/// So many products of two terms for multiplying out what is integrated.
+/// The largest number of products of two terms that are formed to multiply out an integrand.
 const PRODUCTS: usize = 2_000;
 
-/// H with q' = ∂H/∂p and p' = −∂H/∂q, where `field` has q' and then p', and how that was proven; without a constant.
+/// Returns H with q' = ∂H/∂p and p' = −∂H/∂q, and its proof. `field` is (q', p'). H has no constant term.
 pub(crate) fn energy(
     graph: &mut Graph,
-    (q, p): (&[Symbol], &[Symbol]),
+    q: &[Symbol],
+    p: &[Symbol],
     field: &[Id],
     logarithm: Logarithm,
 ) -> Result<(Id, Proof), NoEnergy> {
-    // In the order in which is integrated: p first.
-    let variables = [p, q].concat();
-    let (by_p, by_q) = field.split_at(q.len());
-    let mut slopes = by_p.to_vec();
-    for component in by_q {
-        slopes.push(graph.neg(*component));
-    }
-    antiderivative(graph, (&variables, &slopes), logarithm)
+    let (velocities, forces) = field.split_at(q.len());
+    let mut slopes = velocities.to_vec();
+    slopes.extend(forces.iter().map(|force| graph.neg(*force)));
+    antiderivative(graph, &[p, q].concat(), &slopes, logarithm)
 }
 
-/// F with ∂F/∂x = `slopes` for all variables x, and how that was proven; without a constant.
+/// Returns F with ∂F/∂x = slope for all variables x, and its proof. F has no constant term.
 pub(crate) fn antiderivative(
     graph: &mut Graph,
-    (variables, slopes): (&[Symbol], &[Id]),
+    variables: &[Symbol],
+    slopes: &[Id],
     logarithm: Logarithm,
 ) -> Result<(Id, Proof), NoEnergy> {
     let second = diff::jacobian(graph, slopes, variables);
@@ -73,37 +71,38 @@ pub(crate) fn antiderivative(
     }
     let (mut energy, mut integrals) = (graph.zero(), vec![]);
     for (i, (variable, slope)) in variables.iter().zip(slopes).enumerate() {
-        let known = diff::jacobian(graph, &[energy], &[*variable])[0][0];
+        let known = derivative(graph, energy, *variable);
         let rest = graph.sub(*slope, known);
         if identity(graph, rest).is_zero() {
             continue;
         }
-        // As it is written, or multiplied out. What is left reads no variable of before: where terms still do they cancel, and their
-        // antiderivatives, of which each has a constant of its own, need not.
-        let mut written = crate::analyze::terms(graph, rest);
-        if written.iter().any(|term| variables[..i].iter().any(|before| graph.symbols(*term).contains(before)))
+        // The sum does not depend on earlier variables, but its terms may. The antiderivatives of terms that cancel need not cancel, because each
+        // has its own constant. Multiplying out removes these terms.
+        let mut terms = crate::analyze::terms(graph, rest);
+        if terms.iter().any(|term| variables[..i].iter().any(|earlier| graph.symbols(*term).contains(earlier)))
             && let Some(sums) = Sums::of(graph, &[rest], PRODUCTS)
         {
-            written = sums.terms(graph, 0);
+            terms = sums.terms(graph, rest);
         }
-        let (mut integral, mut open) = sum_of_antiderivatives(graph, &written, (*variable, logarithm));
-        if let Some(term) = open.first() {
+        let integration = Integration { variable: *variable, logarithm };
+        let mut found = sum_of_antiderivatives(graph, &terms, integration);
+        if let Some(term) = found.open.first() {
             let unknown = |term| NoEnergy::NotElementary(Some(term), proof);
             let sums = Sums::of(graph, &[rest], PRODUCTS).ok_or(unknown(*term))?;
-            let terms = sums.terms(graph, 0);
-            (integral, open) = sum_of_antiderivatives(graph, &terms, (*variable, logarithm));
-            let others =
-                |term: Id| variables.iter().any(|other| other != variable && graph.symbols(term).contains(other));
-            if let Some(term) = open.iter().find(|term| others(**term)) {
+            let terms = sums.terms(graph, rest);
+            found = sum_of_antiderivatives(graph, &terms, integration);
+            let reads_others =
+                |term: &&Id| variables.iter().any(|other| other != variable && graph.symbols(**term).contains(other));
+            if let Some(term) = found.open.iter().find(reads_others) {
                 return Err(unknown(*term));
             }
         }
-        energy = graph.add(energy, integral);
-        integrals.extend(open.into_iter().map(|term| (term, *variable)));
+        energy = graph.add(energy, found.sum);
+        integrals.extend(found.open.into_iter().map(|term| (term, *variable)));
     }
-    let found = diff::jacobian(graph, &[energy], variables).remove(0);
+    let gradient = diff::jacobian(graph, &[energy], variables).remove(0);
     let mut exact = Proof::Multiplied;
-    for ((found, slope), variable) in found.iter().zip(slopes).zip(variables) {
+    for ((found, slope), variable) in gradient.iter().zip(slopes).zip(variables) {
         let back = graph.neg(*slope);
         let open = integrals.iter().filter(|(_, over)| over == variable).map(|(term, _)| *term);
         let sum: Vec<Id> = [*found, back].into_iter().chain(open).collect();
@@ -119,14 +118,21 @@ pub(crate) fn antiderivative(
     Err(NoEnergy::Integrals(Open { elementary, integrals, proof: exact }))
 }
 
-/// ∫ Σ terms dx of the terms that have an antiderivative here, and the others.
-fn sum_of_antiderivatives(graph: &mut Graph, terms: &[Id], by: By) -> (Id, Vec<Id>) {
+/// The integral of a sum, term by term.
+struct TermByTerm {
+    /// The sum of the antiderivatives that were found.
+    sum: Id,
+    /// The other terms.
+    open: Vec<Id>,
+}
+
+fn sum_of_antiderivatives(graph: &mut Graph, terms: &[Id], integration: Integration) -> TermByTerm {
     let (mut known, mut open) = (vec![], vec![]);
     for term in terms {
-        match antiderivative_of_term(graph, *term, by) {
+        match antiderivative_of_term(graph, *term, integration) {
             Some(integral) => known.push(integral),
             None => open.push(*term),
         }
     }
-    (graph.sum(&known), open)
+    TermByTerm { sum: graph.sum(&known), open }
 }

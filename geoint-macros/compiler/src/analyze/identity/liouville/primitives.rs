@@ -1,48 +1,47 @@
 //! Antiderivatives of terms.
 
-use super::identity;
-use crate::diff;
-use crate::ir::substitute::Substitution;
+use super::{derivative, identity};
+use crate::ir::substitute::replaced;
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
 
-/// What the antiderivative of 1/u is, where u is not known to be positive.
+/// The antiderivative of 1/u, if u is not known to be positive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Logarithm {
-    /// ln u, for positive u alone; likewise atan y/x, the angle around a pole, for x that are not zero.
+    /// ln u, for positive u only. Also allows atan y/x, the angle around a pole, for x ≠ 0 only.
     OfNumber,
     /// ln|u| as ln(u²)/2, wherever 1/u is defined.
     OfMagnitude,
 }
 
-/// What is integrated over, and how reciprocals are.
-pub(super) type By = (Symbol, Logarithm);
+/// The variable of an integral, and the antiderivatives that it may use.
+#[derive(Clone, Copy)]
+pub(super) struct Integration {
+    pub(super) variable: Symbol,
+    pub(super) logarithm: Logarithm,
+}
 
-/// ∫ term dx, if it is one of: a power, or a function of the table, of something times the derivative of that; a power of x times an
-/// exponential or a wave; or the slope of an angle, over a sum of squares.
-pub(super) fn antiderivative_of_term(graph: &mut Graph, term: Id, by: By) -> Option<Id> {
-    let x = by.0;
+/// ∫ term dx, if the term has one of these forms: φ(u) u' with a power or a known function φ; a power of x times an exponential or a sine; or
+/// the reciprocal of a quadratic polynomial.
+pub(super) fn antiderivative_of_term(graph: &mut Graph, term: Id, integration: Integration) -> Option<Id> {
+    let x = integration.variable;
     let (coefficient, rest) = graph.coefficient(term);
     let mut constant = graph.number(coefficient);
     let mut factors = vec![];
-    if graph.as_number(rest).is_none() {
-        for (base, exponent) in graph.factors(rest) {
-            if diff::jacobian(graph, &[base], &[x])[0][0] == graph.zero() {
-                let factor = graph.pow(base, exponent);
-                constant = graph.mul(constant, factor);
-            } else {
-                factors.push((base, exponent));
-            }
+    for (base, exponent) in graph.factors(rest) {
+        if derivative(graph, base, x) == graph.zero() {
+            let factor = graph.pow(base, exponent);
+            constant = graph.mul(constant, factor);
+        } else {
+            factors.push((base, exponent));
         }
-    } else {
-        constant = term;
     }
     if factors.is_empty() {
         let x = graph.symbol(x);
         return Some(graph.mul(constant, x));
     }
-    let integral = by_substitution(graph, &factors, by)
-        .or_else(|| by_parts(graph, &factors, by))
-        .or_else(|| of_an_angle(graph, &factors, by))?;
+    let integral = by_substitution(graph, &factors, integration)
+        .or_else(|| by_parts(graph, &factors, integration))
+        .or_else(|| of_an_angle(graph, &factors, integration))?;
     Some(graph.mul(constant, integral))
 }
 
@@ -52,22 +51,24 @@ fn product(graph: &mut Graph, factors: &[(Id, Ratio)]) -> Id {
 }
 
 /// ∫ c·φ(u) u' dx = c·Φ(u), where φ(u) is one of the factors and c does not read x.
-fn by_substitution(graph: &mut Graph, factors: &[(Id, Ratio)], (x, logarithm): By) -> Option<Id> {
-    for k in 0..factors.len() {
+fn by_substitution(graph: &mut Graph, factors: &[(Id, Ratio)], integration: Integration) -> Option<Id> {
+    for (k, (base, exponent)) in factors.iter().enumerate() {
         let others: Vec<(Id, Ratio)> = (0..factors.len()).filter(|i| *i != k).map(|i| factors[i]).collect();
         let others = product(graph, &others);
-        // As a function of its argument, or as a power.
-        let candidates = [primitive_of_function(graph, factors[k]), primitive_of_power(graph, factors[k], logarithm)];
-        for (inner, primitive) in candidates.into_iter().flatten() {
-            let slope = diff::jacobian(graph, &[inner], &[x])[0][0];
-            // Of one that is zero on a side of a condition there is no quotient.
+        let candidates = [
+            primitive_of_function(graph, *base, *exponent),
+            primitive_of_power(graph, *base, *exponent, integration.logarithm),
+        ];
+        for Primitive { inner, value } in candidates.into_iter().flatten() {
+            let slope = derivative(graph, inner, integration.variable);
+            // A slope with conditions may be zero on one side, so the quotient may be undefined.
             if graph.reachable(&[slope]).into_iter().any(|id| matches!(graph.node(id), Node::Select(..))) {
                 continue;
             }
             let quotient = graph.div(others, slope);
-            let change = diff::jacobian(graph, &[quotient], &[x])[0][0];
+            let change = derivative(graph, quotient, integration.variable);
             if identity(graph, change).is_zero() {
-                return Some(graph.mul(quotient, primitive));
+                return Some(graph.mul(quotient, value));
             }
         }
     }
@@ -75,59 +76,58 @@ fn by_substitution(graph: &mut Graph, factors: &[(Id, Ratio)], (x, logarithm): B
 }
 
 /// ∫ xⁿφ(u) dx = xⁿΦ(u)/u' − n/u' ∫ xⁿ⁻¹Φ(u) dx, where u' does not read x.
-fn by_parts(graph: &mut Graph, factors: &[(Id, Ratio)], by: By) -> Option<Id> {
-    let x = by.0;
-    let symbol = graph.symbol(x);
-    let at = factors.iter().position(|(base, _)| *base == symbol)?;
-    let [other] = factors.iter().enumerate().filter(|(i, _)| *i != at).map(|(_, f)| *f).collect::<Vec<_>>()[..] else {
-        return None;
+fn by_parts(graph: &mut Graph, factors: &[(Id, Ratio)], integration: Integration) -> Option<Id> {
+    let x = graph.symbol(integration.variable);
+    let (power, other) = match factors {
+        [power, other] if power.0 == x => (power, other),
+        [other, power] if power.0 == x => (power, other),
+        _ => return None,
     };
-    let n = factors[at].1.to_integer().filter(|n| (1..=8).contains(n))?;
+    let n = power.1.to_integer().filter(|n| (1..=8).contains(n))?;
     let Node::Call(Function::Exp | Function::Sin | Function::Cos | Function::Sinh | Function::Cosh, _) =
         graph.node(other.0)
     else {
         return None;
     };
-    let (inner, primitive) = primitive_of_function(graph, other)?;
-    let slope = diff::jacobian(graph, &[inner], &[x])[0][0];
-    if diff::jacobian(graph, &[slope], &[x])[0][0] != graph.zero() {
+    let Primitive { inner, value } = primitive_of_function(graph, other.0, other.1)?;
+    let slope = derivative(graph, inner, integration.variable);
+    if derivative(graph, slope, integration.variable) != graph.zero() {
         return None;
     }
-    let primitive = graph.div(primitive, slope);
-    let power = graph.pow(symbol, Ratio::integer(n.into()));
+    let primitive = graph.div(value, slope);
+    let power = graph.pow(x, Ratio::integer(n.into()));
     let whole = graph.mul(power, primitive);
-    let lower = graph.pow(symbol, Ratio::integer(i128::from(n) - 1));
+    let lower = graph.pow(x, Ratio::integer(i128::from(n) - 1));
     let lower = graph.mul(lower, primitive);
     let lower = graph.scale(Number::integer((-n).into()), lower);
-    let rest = antiderivative_of_term(graph, lower, by)?;
+    let rest = antiderivative_of_term(graph, lower, integration)?;
     Some(graph.add(whole, rest))
 }
 
-/// ∫ dx/u = 2/w · atan(u'/w) with w² = 2uu'' − u'², where u has degree 2 in x, and w is no root of what may be negative.
-fn of_an_angle(graph: &mut Graph, factors: &[(Id, Ratio)], (x, logarithm): By) -> Option<Id> {
+/// ∫ dx/u = 2/w · atan(u'/w) with w² = 2uu'' − u'², where u has degree 2 in x, and w is not a root of an expression that may be negative.
+fn of_an_angle(graph: &mut Graph, factors: &[(Id, Ratio)], integration: Integration) -> Option<Id> {
     let [(u, Ratio { numerator: -1, denominator: 1 })] = *factors else { return None };
-    let derivative = |graph: &mut Graph, node: Id| diff::jacobian(graph, &[node], &[x])[0][0];
-    let first = derivative(graph, u);
-    let second = derivative(graph, first);
-    let third = derivative(graph, second);
+    let x = integration.variable;
+    let first = derivative(graph, u, x);
+    let second = derivative(graph, first, x);
+    let third = derivative(graph, second, x);
     if !identity(graph, third).is_zero() {
         return None;
     }
-    // w does not read x, and is simplest where that is 0.
+    // w does not depend on x. Its expression is simplest at x = 0.
     let zero = graph.zero();
-    let mut at_zero = Substitution::new(|_: &mut Graph, symbol| (symbol == x).then_some(zero));
-    let [u, slope, bend] = [u, first, second].map(|node| at_zero.apply(graph, node));
+    let [u, slope, bend] = [u, first, second].map(|node| replaced(graph, node, x, zero));
     let (product, square) = (graph.mul(u, bend), graph.pow(slope, Ratio::integer(2)));
     let twice = graph.scale(Number::integer(2), product);
     let discriminant = graph.sub(twice, square);
-    let w = root(graph, discriminant, logarithm)?;
+    let w = root(graph, discriminant, integration.logarithm)?;
     let tangent = graph.div(first, w);
     let angle = graph.call(Function::Atan, &[tangent]);
     let over = graph.div(angle, w);
     Some(graph.scale(Number::integer(2), over))
 }
 
-/// A w with w² = `square`, defined wherever that is, and nowhere zero if 1/w has to be as well.
+/// Returns w with w² = `square`, defined wherever `square` is. With [`Logarithm::OfMagnitude`] w is also nowhere zero.
 fn root(graph: &mut Graph, square: Id, logarithm: Logarithm) -> Option<Id> {
     if graph.is_positive(square) {
         return Some(graph.sqrt(square));
@@ -143,13 +143,21 @@ fn root(graph: &mut Graph, square: Id, logarithm: Logarithm) -> Option<Id> {
     Some(product(graph, &factors))
 }
 
-/// For baseᵉ = φ(u) with a function φ of the table: u, and Φ(u) with Φ' = φ.
-fn primitive_of_function(graph: &mut Graph, (base, exponent): (Id, Ratio)) -> Option<(Id, Id)> {
+/// Φ(u) with Φ' = φ.
+struct Primitive {
+    /// u.
+    inner: Id,
+    /// Φ(u).
+    value: Id,
+}
+
+/// The primitive for baseᵉ = φ(u), where φ is a function.
+fn primitive_of_function(graph: &mut Graph, base: Id, exponent: Ratio) -> Option<Primitive> {
     let Node::Call(function, args) = graph.node(base).clone() else { return None };
     let u = args[0];
     let call = |graph: &mut Graph, function| graph.call(function, &[u]);
     let value = match function {
-        // A power of an exponential is one.
+        // A power of an exponential is an exponential.
         Function::Exp => {
             let power = graph.pow(base, exponent);
             graph.scale(Number::Exact(exponent.recip()?), power)
@@ -181,11 +189,11 @@ fn primitive_of_function(graph: &mut Graph, (base, exponent): (Id, Ratio)) -> Op
         }
         _ => return None,
     };
-    Some((u, value))
+    Some(Primitive { inner: u, value })
 }
 
-/// For uᵉ: u, and its antiderivative.
-fn primitive_of_power(graph: &mut Graph, (base, exponent): (Id, Ratio), logarithm: Logarithm) -> Option<(Id, Id)> {
+/// The primitive for baseᵉ, where φ is the power and u the base.
+fn primitive_of_power(graph: &mut Graph, base: Id, exponent: Ratio, logarithm: Logarithm) -> Option<Primitive> {
     let next = exponent.add(Ratio::ONE)?;
     let value = match next.recip() {
         Some(reciprocal) => {
@@ -199,5 +207,5 @@ fn primitive_of_power(graph: &mut Graph, (base, exponent): (Id, Ratio), logarith
             graph.scale(Number::HALF, logarithm)
         }
     };
-    Some((base, value))
+    Some(Primitive { inner: base, value })
 }

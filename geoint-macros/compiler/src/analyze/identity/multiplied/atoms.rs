@@ -1,33 +1,33 @@
-//! What is an unknown of its own while a node is multiplied out.
+//! Atoms: the subexpressions that count as independent unknowns in a normal form.
 
 use super::normal::{Atom, Normal};
 use crate::ir::{Function, Graph, Id, Number, Ratio};
 
-/// An unknown.
+/// The subexpression of an atom.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
-    /// A symbol.
     Symbol(Id),
-    /// The magnitude of a number that is not exact, as bits; or a number of which a root is taken.
+    /// The bits of the magnitude of a number that is not exact.
     Float(u64),
+    /// A positive number under a root.
     Ratio(Ratio),
-    /// A sum, to a negative or broken power.
+    /// The base of a negative power or a root.
     Sum(Normal),
-    /// A high power of a sum, which would be too long.
+    /// A power of a sum with too many terms to be multiplied out.
     Power(Normal, i64),
-    /// The cube root of a sum, of either sign.
+    /// The cube root of a sum of either sign.
     Cbrt(Normal),
-    /// `exp` or `exp2` of a monomial with coefficient one: its powers are those of a positive number.
+    /// `exp` or `exp2` of a monomial with coefficient 1. An exponential with another coefficient is a power of this atom.
     Exponential(Function, Normal),
-    /// Any other function.
     Call(Function, Vec<Normal>),
 }
 
-/// All unknowns, each once.
+/// Table of the atoms of normal forms, without repetition.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Atoms(Vec<Kind>);
 
 impl Atoms {
+    /// Returns the atom of a subexpression. Adds it to the table if necessary.
     pub(super) fn of(&mut self, kind: Kind) -> Atom {
         let known = self.0.iter().position(|other| *other == kind);
         known.unwrap_or_else(|| {
@@ -40,12 +40,12 @@ impl Atoms {
         &self.0[atom]
     }
 
-    /// Whether an atom is positive wherever it is defined.
+    /// Returns whether an atom is positive wherever it is defined.
     pub(super) fn is_positive(&self, atom: Atom) -> bool {
         matches!(self.kind(atom), Kind::Exponential(..) | Kind::Float(_) | Kind::Ratio(_))
     }
 
-    /// From which power on there is another way to write an atom, without roots and with fewer cosines.
+    /// The lowest exponent from which on a power of the atom is rewritten: (√u)² = u, cos² = 1 − sin², (∛u)³ = u.
     pub(super) fn reducible_from(&self, atom: Atom) -> Option<i128> {
         match self.kind(atom) {
             Kind::Sum(_) | Kind::Ratio(_) => Some(1),
@@ -54,26 +54,20 @@ impl Atoms {
             _ => None,
         }
     }
-}
 
-/// A normal form with the atoms that it is made of, to be written as a node.
-pub(super) struct Formula {
-    pub(super) atoms: Atoms,
-    pub(super) normal: Normal,
-}
-
-impl Formula {
-    /// The sum as a node.
-    pub(super) fn build(&self, graph: &mut Graph) -> Id {
-        self.node(graph, &self.normal)
+    /// Returns whether a sum with at least one term is certainly not zero everywhere: it is one term, or reads symbols and numbers only.
+    pub(super) fn is_certain(&self, normal: &Normal) -> bool {
+        let mut factors = normal.monomials().flatten();
+        normal.len() == 1 || factors.all(|(atom, _)| matches!(self.kind(*atom), Kind::Symbol(_)))
     }
 
-    fn node(&self, graph: &mut Graph, normal: &Normal) -> Id {
+    /// Writes a normal form as a node.
+    pub(super) fn build(&self, graph: &mut Graph, normal: &Normal) -> Id {
         let mut sum = graph.zero();
-        for (powers, coefficient) in normal.terms() {
+        for (monomial, coefficient) in normal.terms() {
             let mut product = graph.integer(1);
-            for (atom, exponent) in powers {
-                let base = self.atom(graph, *atom);
+            for (atom, exponent) in monomial {
+                let base = self.build_atom(graph, *atom);
                 let power = if exponent.denominator <= 2 {
                     graph.pow(base, *exponent)
                 } else {
@@ -88,24 +82,21 @@ impl Formula {
         sum
     }
 
-    fn atom(&self, graph: &mut Graph, atom: Atom) -> Id {
-        match self.atoms.kind(atom) {
-            Kind::Symbol(id) => *id,
-            Kind::Float(bits) => graph.number(Number::Float(*bits)),
-            Kind::Ratio(ratio) => graph.number(Number::Exact(*ratio)),
-            Kind::Sum(base) => self.node(graph, base),
+    fn build_atom(&self, graph: &mut Graph, atom: Atom) -> Id {
+        let (function, args) = match self.kind(atom) {
+            Kind::Symbol(id) => return *id,
+            Kind::Float(bits) => return graph.number(Number::Float(*bits)),
+            Kind::Ratio(ratio) => return graph.number(Number::Exact(*ratio)),
+            Kind::Sum(base) => return self.build(graph, base),
             Kind::Power(base, exponent) => {
-                let base = self.node(graph, base);
-                graph.pow(base, Ratio::integer((*exponent).into()))
+                let base = self.build(graph, base);
+                return graph.pow(base, Ratio::integer((*exponent).into()));
             }
-            Kind::Cbrt(base) => self.call(graph, Function::Cbrt, std::slice::from_ref(base)),
-            Kind::Exponential(function, exponent) => self.call(graph, *function, std::slice::from_ref(exponent)),
-            Kind::Call(function, args) => self.call(graph, *function, args),
-        }
-    }
-
-    fn call(&self, graph: &mut Graph, function: Function, args: &[Normal]) -> Id {
-        let args: Vec<Id> = args.iter().map(|arg| self.node(graph, arg)).collect();
+            Kind::Cbrt(base) => (Function::Cbrt, std::slice::from_ref(base)),
+            Kind::Exponential(function, exponent) => (*function, std::slice::from_ref(exponent)),
+            Kind::Call(function, args) => (*function, &args[..]),
+        };
+        let args: Vec<Id> = args.iter().map(|arg| self.build(graph, arg)).collect();
         graph.call(function, &args)
     }
 }

@@ -1,44 +1,39 @@
-//! Multiplies out, under the assumptions of a case.
+//! Normal forms of nodes under the assumptions of a case.
 
-use super::atoms::{Atoms, Formula, Kind};
+use super::atoms::{Atoms, Kind};
 use super::condition::{Assumptions, Comparison};
-use super::normal::{Atom, Normal, Powers, multiplied};
-use crate::ir::{Graph, HashMap, Id, Node, Number, Ratio, Relation, factors_of_radicand};
+use super::normal::{Atom, Monomial, Normal, product_of_monomials};
+use crate::ir::{Function, Graph, HashMap, Id, Node, Number, Ratio, factors_of_radicand};
 use std::rc::Rc;
 
-/// Why there is no normal form.
+/// The reason why a node has no normal form.
 #[derive(Debug)]
 pub(super) enum Stop {
-    /// The case does not say which branch is taken.
+    /// The case does not decide a condition.
     Undecided(Comparison),
-    /// Too many terms, or numbers that are too long.
+    /// There are too many terms, or numbers are too long.
     TooLong,
 }
 
-/// What a node is.
-#[derive(Clone, Debug)]
-enum Value {
-    Number(Rc<Normal>),
-    Truth(bool),
-}
-
-/// The normal forms of nodes.
+/// Multiplies out nodes in one case.
 pub(super) struct Expansion<'a> {
     graph: &'a Graph,
     assumptions: &'a Assumptions,
     pub(super) atoms: Atoms,
-    done: HashMap<Id, Value>,
-    /// How many products of two terms may be formed yet.
+    /// Normal forms of visited nodes. A condition has the form 1 if it holds, and 0 otherwise.
+    done: HashMap<Id, Rc<Normal>>,
+    /// The number of products of two terms that may still be formed.
     products: usize,
 }
 
 impl<'a> Expansion<'a> {
+    /// An expansion that may form `products` products of two terms.
     pub(super) fn new(graph: &'a Graph, assumptions: &'a Assumptions, products: usize) -> Self {
         let atoms = assumptions.atoms.clone();
         Expansion { graph, assumptions, atoms, done: HashMap::default(), products }
     }
 
-    /// The normal form of a number. Of an `if` only the branch that is taken is looked at.
+    /// Returns the normal form of a node. An `if` needs only the branch that is taken.
     pub(super) fn normal(&mut self, root: Id) -> Result<Rc<Normal>, Stop> {
         let mut open = vec![root];
         while let Some(id) = open.last().copied() {
@@ -46,94 +41,78 @@ impl<'a> Expansion<'a> {
             match needed.iter().find(|child| !self.done.contains_key(child)) {
                 Some(child) => open.push(*child),
                 None => {
-                    let value = self.value(id)?;
-                    self.done.insert(id, value);
+                    let normal = self.of_known_operands(id)?;
+                    self.done.insert(id, Rc::new(normal));
                     open.pop();
                 }
             }
         }
-        Ok(self.number(root))
+        Ok(self.known(root))
     }
 
-    /// What has to be known before a node is.
+    /// The operands that the normal form of a node depends on, as far as conditions are known.
     fn needed(&self, id: Id) -> Vec<Id> {
         match self.graph.node(id) {
-            Node::Select(condition, first, second) => match self.done.get(condition) {
-                Some(Value::Truth(true)) => vec![*first],
-                Some(_) => vec![*second],
-                None => vec![*condition],
-            },
+            Node::Select(condition, ..) if !self.done.contains_key(condition) => vec![*condition],
+            Node::Select(condition, first, second) => vec![if self.holds(*condition) { *first } else { *second }],
             node => node.children(),
         }
     }
 
-    fn number(&self, id: Id) -> Rc<Normal> {
-        match self.done.get(&id) {
-            Some(Value::Number(normal)) => normal.clone(),
-            _ => Rc::new(Normal::default()),
-        }
+    fn known(&self, id: Id) -> Rc<Normal> {
+        self.done.get(&id).cloned().unwrap_or_default()
     }
 
-    fn holds(&self, id: Id) -> bool {
-        matches!(self.done.get(&id), Some(Value::Truth(true)))
+    fn holds(&self, condition: Id) -> bool {
+        !self.known(condition).is_empty()
     }
 
-    /// A node for which all is known that is needed.
-    fn value(&mut self, id: Id) -> Result<Value, Stop> {
-        let number = |normal| Ok(Value::Number(Rc::new(normal)));
-        match self.graph.node(id).clone() {
-            Node::Number(value) => number(self.constant(value)),
-            Node::Symbol(_) => number(Normal::atom(self.atoms.of(Kind::Symbol(id)))),
+    /// The normal form of a node whose needed operands are known.
+    fn of_known_operands(&mut self, id: Id) -> Result<Normal, Stop> {
+        let graph = self.graph;
+        let holds = match graph.node(id) {
+            Node::Number(value) => return Ok(self.constant(*value)),
+            Node::Symbol(_) => return Ok(Normal::atom(self.atoms.of(Kind::Symbol(id)))),
             Node::Linear(constant, terms) => {
-                let mut sum = self.constant(constant);
+                let mut sum = self.constant(*constant);
                 for (c, term) in terms {
-                    let (c, term) = (self.constant(c), self.number(term));
+                    let (c, term) = (self.constant(*c), self.known(*term));
                     let term = self.product(&c, &term)?;
                     sum = self.sum(sum, Ratio::ONE, &term)?;
                 }
-                number(sum)
+                return Ok(sum);
             }
             Node::Product(ids) => {
                 let mut product = Normal::number(Ratio::ONE);
                 for id in ids {
-                    let factor = self.number(id);
-                    product = self.product(&product, &factor)?;
+                    product = self.product(&product, &self.known(*id))?;
                 }
-                number(product)
+                return Ok(product);
             }
-            Node::Power(base, exponent) => {
-                let base = self.number(base);
-                number(self.power(&base, exponent)?)
-            }
+            Node::Power(base, exponent) => return self.power(&self.known(*base), *exponent),
             Node::Call(function, args) => {
-                let args: Vec<Rc<Normal>> = args.iter().map(|arg| self.number(*arg)).collect();
-                number(self.call(function, &args)?)
+                let args: Vec<Rc<Normal>> = args.iter().map(|arg| self.known(*arg)).collect();
+                return self.call(*function, &args);
             }
             Node::Select(condition, first, second) => {
-                number((*self.number(if self.holds(condition) { first } else { second })).clone())
+                return Ok((*self.known(if self.holds(*condition) { *first } else { *second })).clone());
             }
             Node::Compare(relation, a, b) => {
-                let difference = self.sum((*self.number(b)).clone(), Ratio::integer(-1), &self.number(a))?;
-                Ok(Value::Truth(self.compare(id, relation, &difference)?))
+                let difference = self.sum((*self.known(*b)).clone(), Ratio::integer(-1), &self.known(*a))?;
+                match difference.as_number() {
+                    Some(number) => relation.holds(Ratio::ZERO, number),
+                    None => {
+                        let comparison = Comparison::new(id, *relation, &difference).ok_or(Stop::TooLong)?;
+                        self.assumptions.decide(&comparison).ok_or(Stop::Undecided(comparison))?
+                    }
+                }
             }
-            Node::And(a, b) => Ok(Value::Truth(self.holds(a) && self.holds(b))),
-            Node::Or(a, b) => Ok(Value::Truth(self.holds(a) || self.holds(b))),
-            Node::Not(a) => Ok(Value::Truth(!self.holds(a))),
-            Node::Truth(value) => Ok(Value::Truth(value)),
-        }
-    }
-
-    /// Whether a difference right − left is as it has to be.
-    fn compare(&mut self, id: Id, relation: Relation, difference: &Normal) -> Result<bool, Stop> {
-        if let Some(number) = difference.as_number() {
-            return Ok(match relation {
-                Relation::Less => number > Ratio::ZERO,
-                Relation::LessEqual => number >= Ratio::ZERO,
-                Relation::Equal => number == Ratio::ZERO,
-            });
-        }
-        let comparison = Comparison::new(id, relation, difference).ok_or(Stop::TooLong)?;
-        self.assumptions.decide(&comparison).ok_or(Stop::Undecided(comparison))
+            Node::And(a, b) => self.holds(*a) && self.holds(*b),
+            Node::Or(a, b) => self.holds(*a) || self.holds(*b),
+            Node::Not(a) => !self.holds(*a),
+            Node::Truth(holds) => *holds,
+        };
+        Ok(Normal::number(Ratio::integer(holds.into())))
     }
 
     fn constant(&mut self, value: Number) -> Normal {
@@ -141,10 +120,10 @@ impl<'a> Expansion<'a> {
             Number::Exact(ratio) => Normal::number(ratio),
             Number::Root(c, r) => {
                 let factors = factors_of_radicand(r).into_iter();
-                let mut powers: Powers =
+                let mut roots: Monomial =
                     factors.map(|p| (self.atoms.of(Kind::Ratio(Ratio::integer(p.into()))), Ratio::HALF)).collect();
-                powers.sort_unstable();
-                Normal::term(powers, c)
+                roots.sort_unstable();
+                Normal::term(roots, c)
             }
             Number::Float(_) => {
                 let magnitude = self.atoms.of(Kind::Float(value.to_f64().abs().to_bits()));
@@ -154,24 +133,23 @@ impl<'a> Expansion<'a> {
         }
     }
 
-    // ------------------------------------------------------------------------------------------ sums and products
-
     /// a + factor·b.
     pub(super) fn sum(&self, a: Normal, factor: Ratio, b: &Normal) -> Result<Normal, Stop> {
         a.add(factor, b).ok_or(Stop::TooLong)
     }
 
+    /// a·b, where powers of atoms are reduced.
     pub(super) fn product(&mut self, a: &Normal, b: &Normal) -> Result<Normal, Stop> {
         self.products = self.products.checked_sub(a.len() * b.len()).ok_or(Stop::TooLong)?;
         let mut product = Normal::default();
         for (left, c) in a.terms() {
             for (right, d) in b.terms() {
-                let powers = multiplied(left, right).ok_or(Stop::TooLong)?;
+                let monomial = product_of_monomials(left, right).ok_or(Stop::TooLong)?;
                 let coefficient = c.mul(d).ok_or(Stop::TooLong)?;
-                match self.reducible(&powers) {
-                    None => product.add_term(powers, coefficient).ok_or(Stop::TooLong)?,
+                match self.reducible(&monomial) {
+                    None => product.add_term(monomial, coefficient).ok_or(Stop::TooLong)?,
                     Some(i) => {
-                        let reduced = self.reduced(powers, i)?;
+                        let reduced = self.reduced(monomial, i)?;
                         product = self.sum(product, coefficient, &reduced)?;
                     }
                 }
@@ -180,31 +158,31 @@ impl<'a> Expansion<'a> {
         Ok(product)
     }
 
-    /// The place of an atom in a monomial that can be written without that power.
-    fn reducible(&self, powers: &Powers) -> Option<usize> {
+    /// The index of the first factor of a monomial whose power has to be reduced.
+    fn reducible(&self, monomial: &Monomial) -> Option<usize> {
         let too_high = |(atom, exponent): &(Atom, Ratio)| {
             self.atoms.reducible_from(*atom).is_some_and(|from| *exponent >= Ratio::integer(from))
         };
-        powers.iter().position(too_high)
+        monomial.iter().position(too_high)
     }
 
-    /// A monomial without the whole powers of its `i`-th atom.
-    fn reduced(&mut self, mut powers: Powers, i: usize) -> Result<Normal, Stop> {
-        let (atom, exponent) = powers[i];
+    /// A monomial in which the power of the `i`-th factor is reduced.
+    fn reduced(&mut self, mut monomial: Monomial, i: usize) -> Result<Normal, Stop> {
+        let (atom, exponent) = monomial[i];
         let from = self.atoms.reducible_from(atom).unwrap_or(1);
         let times = exponent.floor() / from;
         let left = exponent.add(Ratio::integer(-times * from)).ok_or(Stop::TooLong)?;
         if left == Ratio::ZERO {
-            powers.remove(i);
+            monomial.remove(i);
         } else {
-            powers[i].1 = left;
+            monomial[i].1 = left;
         }
-        let unit = match self.atoms.kind(atom).clone() {
+        let replacement = match self.atoms.kind(atom).clone() {
             Kind::Sum(base) | Kind::Cbrt(base) => base,
             Kind::Ratio(ratio) => Normal::number(ratio),
             Kind::Call(_, args) => {
                 // cos² = 1 − sin².
-                let sine = self.atoms.of(Kind::Call(crate::ir::Function::Sin, args));
+                let sine = self.atoms.of(Kind::Call(Function::Sin, args));
                 let square = Normal::term(vec![(sine, Ratio::integer(2))], Ratio::integer(-1));
                 self.sum(square, Ratio::ONE, &Normal::number(Ratio::ONE))?
             }
@@ -212,45 +190,26 @@ impl<'a> Expansion<'a> {
         };
         let mut product = Normal::number(Ratio::ONE);
         for _ in 0..times {
-            product = self.product(&product, &unit)?;
+            product = self.product(&product, &replacement)?;
         }
-        self.product(&Normal::term(powers, Ratio::ONE), &product)
+        self.product(&Normal::term(monomial, Ratio::ONE), &product)
     }
 
-    // ----------------------------------------------------------------------------------------------------- results
-
-    /// Whether a sum is zero wherever it is defined: it is multiplied by what it is divided by.
+    /// Returns whether a sum is zero wherever it is defined. Multiplies it by its denominators.
     pub(super) fn is_zero(&mut self, normal: &Normal) -> Result<bool, Stop> {
         let mut cleared = normal.clone();
-        while let Some((atom, times)) = self.divisor(&cleared) {
-            let mut product = Normal::default();
-            for (powers, coefficient) in cleared.terms() {
-                let powers = multiplied(powers, &vec![(atom, times)]).ok_or(Stop::TooLong)?;
-                let reduced = self.product(&Normal::number(Ratio::ONE), &Normal::term(powers, Ratio::ONE))?;
-                product = self.sum(product, coefficient, &reduced)?;
-            }
-            cleared = product;
+        while let Some(denominator) = self.last_denominator(&cleared) {
+            cleared = self.product(&Normal::term(vec![denominator], Ratio::ONE), &cleared)?;
         }
         Ok(cleared.is_empty())
     }
 
-    /// The last atom that is divided by and could be reduced, and how often: earlier ones may be inside of it.
-    fn divisor(&self, normal: &Normal) -> Option<(Atom, Ratio)> {
-        let powers = normal.terms().flat_map(|(powers, _)| powers);
+    /// The last reducible atom in a denominator, with the power that clears the denominator. Earlier atoms may occur inside of it.
+    fn last_denominator(&self, normal: &Normal) -> Option<(Atom, Ratio)> {
+        let factors = normal.terms().flat_map(|(monomial, _)| monomial);
         let negative =
-            powers.filter(|(atom, exponent)| *exponent < Ratio::ZERO && self.atoms.reducible_from(*atom).is_some());
+            factors.filter(|(atom, exponent)| *exponent < Ratio::ZERO && self.atoms.reducible_from(*atom).is_some());
         let (last, lowest) = negative.max_by_key(|(atom, exponent)| (*atom, exponent.neg()))?;
         Some((*last, Ratio::integer(-lowest.floor())))
-    }
-
-    /// Whether a sum that is not empty is certainly not zero everywhere: it is one term, or made of symbols and numbers alone.
-    pub(super) fn is_plain(&self, normal: &Normal) -> bool {
-        let plain = |(atom, _): &(Atom, Ratio)| matches!(self.atoms.kind(*atom), Kind::Symbol(_));
-        normal.len() == 1 || normal.terms().all(|(powers, _)| powers.iter().all(plain))
-    }
-
-    /// A sum, to be written as a node.
-    pub(super) fn formula(&self, normal: &Normal) -> Formula {
-        Formula { atoms: self.atoms.clone(), normal: normal.clone() }
     }
 }

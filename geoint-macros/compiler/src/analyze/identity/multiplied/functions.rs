@@ -1,22 +1,22 @@
-//! Functions: what they have in common with roots, powers and exponentials; unknowns of their own for the rest.
+//! Normal forms of functions. Relatives of roots, powers and exponentials are rewritten. Other functions are independent unknowns.
 
 use super::atoms::Kind;
 use super::expand::{Expansion, Stop};
-use super::normal::Normal;
+use super::normal::{Monomial, Normal};
 use super::powers::magnitude;
 use crate::ir::op::Parity;
 use crate::ir::{Function, Ratio};
 use std::rc::Rc;
 
 impl Expansion<'_> {
-    /// A function of normal forms.
+    /// The normal form of a function of normal forms.
     pub(super) fn call(&mut self, function: Function, args: &[Rc<Normal>]) -> Result<Normal, Stop> {
-        let (one, half) = (Normal::number(Ratio::ONE), Ratio::HALF);
+        let (one, half, minus) = (Normal::number(Ratio::ONE), Ratio::HALF, Ratio::integer(-1));
         let x = &*args[0];
         match (function, args) {
             (Function::Hypot, [x, y]) => {
-                let squares = [self.product(x, x)?, self.product(y, y)?];
-                let sum = self.sum(squares[0].clone(), Ratio::ONE, &squares[1])?;
+                let (square, other) = (self.product(x, x)?, self.product(y, y)?);
+                let sum = self.sum(square, Ratio::ONE, &other)?;
                 self.power(&sum, half)
             }
             (Function::Abs, _) => {
@@ -25,42 +25,37 @@ impl Expansion<'_> {
             }
             // (x + y ∓ |x − y|)/2.
             (Function::Min | Function::Max, [x, y]) => {
-                let (sum, difference) =
-                    (self.sum((**x).clone(), Ratio::ONE, y)?, self.sum((**x).clone(), Ratio::integer(-1), y)?);
+                let sum = self.sum((**x).clone(), Ratio::ONE, y)?;
+                let difference = self.sum((**x).clone(), minus, y)?;
                 let distance = self.call(Function::Abs, &[Rc::new(difference)])?;
-                let sign = Ratio::integer(if function == Function::Min { -1 } else { 1 });
-                let twice = self.sum(sum, sign, &distance)?;
-                twice.scale(half).ok_or(Stop::TooLong)
+                let sign = if function == Function::Min { minus } else { Ratio::ONE };
+                self.sum(sum, sign, &distance)?.scale(half).ok_or(Stop::TooLong)
             }
             (Function::Powf, [x, exponent]) => match exponent.as_number() {
                 Some(exponent) => self.power(x, exponent),
                 None => Ok(self.unknown(function, args)),
             },
-            (Function::Cbrt, _) if !x.is_empty() => {
-                let atom = self.atoms.of(Kind::Cbrt(x.clone()));
-                Ok(Normal::atom(atom))
-            }
-            (Function::Exp | Function::Exp2, _) => self.exponential(function, x),
+            (Function::Cbrt, _) if !x.is_empty() => Ok(Normal::atom(self.atoms.of(Kind::Cbrt(x.clone())))),
+            (Function::Exp | Function::Exp2, _) => Ok(self.exponential(function, x)),
             (Function::ExpM1, _) => {
-                let exponential = self.exponential(Function::Exp, x)?;
-                self.sum(exponential, Ratio::integer(-1), &one)
+                let exponential = self.exponential(Function::Exp, x);
+                self.sum(exponential, minus, &one)
             }
             (Function::Cosh, _) => self.hyperbolic(x, Ratio::ONE),
-            (Function::Sinh, _) => self.hyperbolic(x, Ratio::integer(-1)),
+            (Function::Sinh, _) => self.hyperbolic(x, minus),
             (Function::Tanh, _) => {
-                let (sinh, cosh) = (self.hyperbolic(x, Ratio::integer(-1))?, self.hyperbolic(x, Ratio::ONE)?);
-                let reciprocal = self.power(&cosh, Ratio::integer(-1))?;
+                let (sinh, cosh) = (self.hyperbolic(x, minus)?, self.hyperbolic(x, Ratio::ONE)?);
+                let reciprocal = self.power(&cosh, minus)?;
                 self.product(&sinh, &reciprocal)
             }
             (Function::Tan, _) => {
                 let (sin, cos) = (self.call(Function::Sin, args)?, self.call(Function::Cos, args)?);
-                let reciprocal = self.power(&cos, Ratio::integer(-1))?;
+                let reciprocal = self.power(&cos, minus)?;
                 self.product(&sin, &reciprocal)
             }
-            // Where it is defined.
-            (Function::RecipPositive, _) => self.power(x, Ratio::integer(-1)),
+            (Function::RecipPositive, _) => self.power(x, minus),
             (Function::Root, _) => self.power(x, half),
-            // Their other arguments are conditions.
+            // The other arguments are conditions.
             (Function::NotNegative | Function::Bounded | Function::AtMost | Function::Provided, _) => Ok(x.clone()),
             (Function::Ln1p, _) => {
                 let sum = self.sum(x.clone(), Ratio::ONE, &one)?;
@@ -70,25 +65,25 @@ impl Expansion<'_> {
         }
     }
 
-    /// e^Σ is a product: a power of e^m for each monomial m, so that exponentials of sums, and their powers, meet.
-    fn exponential(&mut self, function: Function, x: &Normal) -> Result<Normal, Stop> {
-        let mut powers = vec![];
+    /// e^Σcₖmₖ as the product of the powers (e^mₖ)^cₖ, so that exponentials of sums and powers of exponentials share atoms.
+    fn exponential(&mut self, function: Function, x: &Normal) -> Normal {
+        let mut powers: Monomial = vec![];
         for (monomial, coefficient) in x.terms() {
             let atom = self.atoms.of(Kind::Exponential(function, Normal::term(monomial.clone(), Ratio::ONE)));
             powers.push((atom, coefficient));
         }
         powers.sort_by_key(|(atom, _)| *atom);
-        Ok(Normal::term(powers, Ratio::ONE))
+        Normal::term(powers, Ratio::ONE)
     }
 
     /// (eˣ + sign·e⁻ˣ)/2.
     fn hyperbolic(&mut self, x: &Normal, sign: Ratio) -> Result<Normal, Stop> {
         let back = x.scale(Ratio::integer(-1)).ok_or(Stop::TooLong)?;
-        let (up, down) = (self.exponential(Function::Exp, x)?, self.exponential(Function::Exp, &back)?);
+        let (up, down) = (self.exponential(Function::Exp, x), self.exponential(Function::Exp, &back));
         self.sum(up, sign, &down)?.scale(Ratio::HALF).ok_or(Stop::TooLong)
     }
 
-    /// A function that is known by its arguments alone, but for the sign of one that is odd or even.
+    /// An independent unknown for the function with these arguments. Odd and even functions share one unknown for ±x.
     fn unknown(&mut self, function: Function, args: &[Rc<Normal>]) -> Normal {
         let mut args: Vec<Normal> = args.iter().map(|arg| (**arg).clone()).collect();
         let (parity, leading) = (function.entry().parity, args[0].leading());

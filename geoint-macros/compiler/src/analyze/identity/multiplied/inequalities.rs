@@ -1,6 +1,6 @@
-//! Linear inequalities: Fourier–Motzkin elimination, with every monomial as an unknown.
+//! Systems of linear inequalities by Fourier–Motzkin elimination. Every monomial counts as an unknown.
 
-use super::normal::{Normal, Powers};
+use super::normal::{Monomial, Normal};
 use crate::ir::Ratio;
 
 /// sum ≥ 0, or sum > 0 if it is strict.
@@ -27,7 +27,7 @@ pub(super) fn are_contradictory(mut inequalities: Vec<Inequality>) -> bool {
 }
 
 /// Returns the consequences that do not contain one monomial; `None` if numbers become too long.
-fn eliminated(monomial: &Powers, inequalities: Vec<Inequality>) -> Option<Vec<Inequality>> {
+fn eliminated(monomial: &Monomial, inequalities: Vec<Inequality>) -> Option<Vec<Inequality>> {
     let (reading, mut rest): (Vec<Inequality>, Vec<Inequality>) =
         inequalities.into_iter().partition(|inequality| inequality.sum.coefficient(monomial) != Ratio::ZERO);
     let (above, below): (Vec<Inequality>, Vec<Inequality>) =

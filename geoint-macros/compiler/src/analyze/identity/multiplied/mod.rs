@@ -1,6 +1,6 @@
-//! Proof of an identity by multiplying out over exact ratios, with functions and roots as unknowns of their own.
+//! Proof of an identity by multiplying out over exact ratios, with functions and roots as independent unknowns.
 //!
-//! Every combination of the conditions that are read is a case. No number is rounded, and nothing is left to chance.
+//! Conditions divide the states into cases, and each case is multiplied out. No number is rounded, and no step is random.
 
 mod atoms;
 mod condition;
@@ -11,53 +11,58 @@ mod normal;
 mod powers;
 
 use super::{OpenBoundaries, Remainder};
-use crate::ir::{Graph, Id, Ratio};
-use atoms::{Atoms, Formula, Kind};
+use crate::ir::{Graph, HashMap, Id, Ratio};
+use atoms::{Atoms, Kind};
 use condition::Assumptions;
 use expand::{Expansion, Stop};
-pub(super) use normal::{Atom, Normal, Powers, multiplied as product_of_powers};
+pub(super) use normal::{Atom, Monomial, Normal, product_of_monomials};
+use std::rc::Rc;
 
-/// What multiplying out says.
+/// The result of multiplying out.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Verdict {
     Zero,
     Left(Remainder),
-    /// It has too many terms, too many conditions, or numbers that are too long.
+    /// There are too many terms or conditions, or numbers are too long.
     TooLong,
 }
 
-/// Several nodes, multiplied out over the same atoms.
+/// Normal forms of several nodes with common atoms.
 pub(super) struct Sums {
-    pub(super) sums: Vec<Normal>,
+    normals: HashMap<Id, Rc<Normal>>,
     atoms: Atoms,
 }
 
 impl Sums {
-    /// `None` if that is too long, or depends on conditions.
+    /// Multiplies out `roots`, with at most `products` products of two terms. `None` if more are needed, or the nodes have conditions.
     pub(super) fn of(graph: &Graph, roots: &[Id], products: usize) -> Option<Sums> {
         let assumptions = Assumptions::default();
         let mut expansion = Expansion::new(graph, &assumptions, products);
-        let sums: Result<Vec<Normal>, Stop> =
-            roots.iter().map(|root| expansion.normal(*root).map(|sum| (*sum).clone())).collect();
-        Some(Sums { sums: sums.ok()?, atoms: expansion.atoms })
+        let normals = roots.iter().map(|root| Some((*root, expansion.normal(*root).ok()?))).collect::<Option<_>>()?;
+        Some(Sums { normals, atoms: expansion.atoms })
     }
 
-    /// The atom that a symbol is.
-    pub(super) fn symbol(&mut self, id: Id) -> Atom {
-        self.atoms.of(Kind::Symbol(id))
+    /// The normal form of a node. Precondition: the node is one of the roots.
+    pub(super) fn normal(&self, root: Id) -> &Normal {
+        &self.normals[&root]
     }
 
-    /// The terms of one of the sums, as nodes.
-    pub(super) fn terms(&self, graph: &mut Graph, sum: usize) -> Vec<Id> {
-        self.sums[sum].terms().map(|(powers, coefficient)| self.product(graph, powers, coefficient)).collect()
+    /// The terms of the normal form of a root, as nodes.
+    pub(super) fn terms(&self, graph: &mut Graph, root: Id) -> Vec<Id> {
+        self.normal(root).terms().map(|(monomial, coefficient)| self.term(graph, monomial, coefficient)).collect()
     }
 
-    /// A number times powers of atoms, as a node.
-    pub(super) fn product(&self, graph: &mut Graph, powers: &Powers, coefficient: Ratio) -> Id {
-        Formula { atoms: self.atoms.clone(), normal: Normal::term(powers.clone(), coefficient) }.build(graph)
+    /// The node coefficient·monomial.
+    pub(super) fn term(&self, graph: &mut Graph, monomial: &Monomial, coefficient: Ratio) -> Id {
+        self.atoms.build(graph, &Normal::term(monomial.clone(), coefficient))
     }
 
-    /// The symbol that an atom is, if it is one.
+    /// Returns the atom of the node of a symbol. Adds it if necessary.
+    pub(super) fn atom_of_symbol(&mut self, symbol: Id) -> Atom {
+        self.atoms.of(Kind::Symbol(symbol))
+    }
+
+    /// The node of the symbol that an atom stands for; `None` for other atoms.
     pub(super) fn as_symbol(&self, atom: Atom) -> Option<Id> {
         match self.atoms.kind(atom) {
             Kind::Symbol(id) => Some(*id),
@@ -66,35 +71,35 @@ impl Sums {
     }
 }
 
-/// More conditions than this are not combined.
+/// The largest number of conditions that are combined.
 const MAX_CONDITIONS: usize = 8;
 
-/// Decides whether a node is zero off the open boundaries, with so many products of two terms in each case at most.
+/// Decides whether a node is zero off the open boundaries, with at most `products` products of two terms in each case.
 pub(super) fn multiplied(graph: &mut Graph, root: Id, open_boundaries: &OpenBoundaries, products: usize) -> Verdict {
-    // Cases that are open; each is divided at the first condition that it leaves undecided.
-    let (mut open, mut zeros, mut left) = (vec![Assumptions::default()], false, vec![]);
-    while let Some(case) = open.pop() {
+    // Each case is divided at the first condition that it leaves undecided.
+    let (mut cases, mut some_case_is_zero, mut left) = (vec![Assumptions::default()], false, vec![]);
+    while let Some(case) = cases.pop() {
         let mut expansion = Expansion::new(graph, &case, products);
-        match expansion.normal(root).and_then(|normal| Ok((expansion.is_zero(&normal)?, normal))) {
-            Ok((true, _)) => zeros = true,
+        let result = expansion.normal(root).and_then(|normal| Ok((expansion.is_zero(&normal)?, normal)));
+        let atoms = expansion.atoms;
+        match result {
+            Ok((true, _)) => some_case_is_zero = true,
             Ok((false, normal)) => {
-                let certain = expansion.is_plain(&normal);
-                let rest = expansion.formula(&normal).build(graph);
-                left.push(Remainder { rest, case: case.conditions(), certain });
+                let rest = atoms.build(graph, &normal);
+                left.push(Remainder { rest, case: case.conditions, certain: atoms.is_certain(&normal) });
             }
-            Err(Stop::Undecided(comparison)) if case.len() < MAX_CONDITIONS => {
-                let atoms = expansion.atoms;
+            Err(Stop::Undecided(comparison)) if case.conditions.len() < MAX_CONDITIONS => {
                 let is_open = open_boundaries.contains(&comparison.id);
-                let cases = [false, true].map(|holds| case.with(&comparison, holds, is_open, &atoms));
-                open.extend(cases.into_iter().filter(|case| !case.is_void()));
+                let divided = [false, true].map(|holds| case.with(&comparison, holds, is_open, &atoms));
+                cases.extend(divided.into_iter().filter(|case| !case.is_void()));
             }
             Err(_) => return Verdict::TooLong,
         }
     }
-    // What is left in every case is left whatever the conditions are.
-    let same = !zeros && left.windows(2).all(|pair| pair[0].rest == pair[1].rest);
+    // A remainder that is equal in all cases does not depend on the conditions.
+    let is_common = !some_case_is_zero && left.windows(2).all(|pair| pair[0].rest == pair[1].rest);
     match left.into_iter().next() {
-        Some(first) if same => Verdict::Left(Remainder { case: vec![], ..first }),
+        Some(first) if is_common => Verdict::Left(Remainder { case: vec![], ..first }),
         Some(first) => Verdict::Left(first),
         None => Verdict::Zero,
     }

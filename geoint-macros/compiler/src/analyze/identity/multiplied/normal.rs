@@ -1,23 +1,26 @@
-//! Sums of monomials with exact coefficients, multiplied out.
+//! Normal forms: sums of monomials with exact coefficients.
 
 use crate::ir::Ratio;
 use std::collections::BTreeMap;
 
-/// An unknown, by its number in the table of atoms.
+/// The number of an unknown in the table of atoms.
 pub(in super::super) type Atom = usize;
 
-/// Π atomᵉ, in order of the atoms; no exponent is zero.
-pub(in super::super) type Powers = Vec<(Atom, Ratio)>;
+/// A monomial Π atomᵉ as pairs (atom, e), sorted by atom. Invariant: no exponent is zero.
+pub(in super::super) type Monomial = Vec<(Atom, Ratio)>;
 
-/// Σ coefficient·Π atomᵉ; no coefficient is zero. Different atoms are independent, so that a sum is zero if it is empty.
+/// Σ coefficient·monomial. Invariant: no coefficient is zero. Atoms count as independent, so a sum is zero if it has no terms.
+///
+/// Arithmetic returns `None` if a number becomes too long.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(in super::super) struct Normal(BTreeMap<Powers, Ratio>);
+pub(in super::super) struct Normal(BTreeMap<Monomial, Ratio>);
 
 impl Normal {
-    pub(super) fn term(powers: Powers, coefficient: Ratio) -> Normal {
+    /// The sum with one term. It is empty if the coefficient is zero.
+    pub(super) fn term(monomial: Monomial, coefficient: Ratio) -> Normal {
         let mut normal = Normal::default();
         if coefficient != Ratio::ZERO {
-            normal.0.insert(powers, coefficient);
+            normal.0.insert(monomial, coefficient);
         }
         normal
     }
@@ -30,16 +33,16 @@ impl Normal {
         Normal::term(vec![(atom, Ratio::ONE)], Ratio::ONE)
     }
 
-    pub(in super::super) fn terms(&self) -> impl Iterator<Item = (&Powers, Ratio)> {
-        self.0.iter().map(|(powers, coefficient)| (powers, *coefficient))
+    pub(in super::super) fn terms(&self) -> impl Iterator<Item = (&Monomial, Ratio)> {
+        self.0.iter().map(|(monomial, coefficient)| (monomial, *coefficient))
     }
 
-    /// The products of atoms, without that of none.
-    pub(super) fn monomials(&self) -> impl Iterator<Item = &Powers> {
-        self.0.keys().filter(|powers| !powers.is_empty())
+    /// The monomials except 1.
+    pub(super) fn monomials(&self) -> impl Iterator<Item = &Monomial> {
+        self.0.keys().filter(|monomial| !monomial.is_empty())
     }
 
-    pub(super) fn coefficient(&self, monomial: &Powers) -> Ratio {
+    pub(super) fn coefficient(&self, monomial: &Monomial) -> Ratio {
         self.0.get(monomial).copied().unwrap_or(Ratio::ZERO)
     }
 
@@ -51,58 +54,55 @@ impl Normal {
         self.0.is_empty()
     }
 
-    /// The only term.
-    pub(super) fn single(&self) -> Option<(&Powers, Ratio)> {
+    /// The term, if the sum has exactly one.
+    pub(super) fn single(&self) -> Option<(&Monomial, Ratio)> {
         self.terms().next().filter(|_| self.len() == 1)
     }
 
-    /// The value, if it has no atoms.
+    /// The value, if the sum has no atoms.
     pub(super) fn as_number(&self) -> Option<Ratio> {
-        match self.single() {
-            None if self.is_empty() => Some(Ratio::ZERO),
-            Some((powers, value)) if powers.is_empty() => Some(value),
-            _ => None,
-        }
+        self.monomials().next().is_none().then(|| self.coefficient(&vec![]))
     }
 
-    /// The coefficient of the first term.
+    /// The coefficient of the first term, or 1 if there is none.
     pub(super) fn leading(&self) -> Ratio {
         self.terms().next().map_or(Ratio::ONE, |(_, coefficient)| coefficient)
     }
 
-    /// Adds a term; `None` if a coefficient becomes too long, as below.
-    pub(in super::super) fn add_term(&mut self, powers: Powers, coefficient: Ratio) -> Option<()> {
-        let sum = self.0.get(&powers).map_or(Some(coefficient), |own| own.add(coefficient))?;
+    pub(super) fn add_term(&mut self, monomial: Monomial, coefficient: Ratio) -> Option<()> {
+        let sum = self.coefficient(&monomial).add(coefficient)?;
         if sum == Ratio::ZERO {
-            self.0.remove(&powers);
+            self.0.remove(&monomial);
         } else {
-            self.0.insert(powers, sum);
+            self.0.insert(monomial, sum);
         }
         Some(())
     }
 
     /// self + factor·other.
     pub(in super::super) fn add(mut self, factor: Ratio, other: &Normal) -> Option<Normal> {
-        for (powers, coefficient) in other.terms() {
-            self.add_term(powers.clone(), coefficient.mul(factor)?)?;
+        for (monomial, coefficient) in other.terms() {
+            self.add_term(monomial.clone(), coefficient.mul(factor)?)?;
         }
         Some(self)
     }
 
-    pub(super) fn scale(&self, factor: Ratio) -> Option<Normal> {
+    pub(in super::super) fn scale(&self, factor: Ratio) -> Option<Normal> {
         Normal::default().add(factor, self)
     }
 
-    /// The number in it, and the rest.
-    pub(super) fn parted(&self) -> (Ratio, Normal) {
-        let mut rest = self.clone();
-        let constant = rest.0.remove(&vec![]).unwrap_or(Ratio::ZERO);
-        (constant, rest)
+    /// self·factor, where powers of atoms are not reduced.
+    pub(in super::super) fn times(&self, factor: &Monomial) -> Option<Normal> {
+        let mut product = Normal::default();
+        for (monomial, coefficient) in self.terms() {
+            product.add_term(product_of_monomials(monomial, factor)?, coefficient)?;
+        }
+        Some(product)
     }
 }
 
-/// The product of two monomials.
-pub(in super::super) fn multiplied(a: &Powers, b: &Powers) -> Option<Powers> {
+/// The product of two monomials; `None` if an exponent becomes too long.
+pub(in super::super) fn product_of_monomials(a: &Monomial, b: &Monomial) -> Option<Monomial> {
     let mut product = a.clone();
     for (atom, exponent) in b {
         match product.binary_search_by_key(atom, |(atom, _)| *atom) {

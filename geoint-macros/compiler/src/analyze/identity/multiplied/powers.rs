@@ -1,24 +1,24 @@
-//! Powers of what is multiplied out: whole ones are products, roots and reciprocals unknowns.
+//! Powers of normal forms. Positive integer powers are multiplied out; bases of roots and reciprocals are atoms.
 
 use super::atoms::Kind;
 use super::expand::{Expansion, Stop};
-use super::normal::{Atom, Normal, Powers};
+use super::normal::{Atom, Monomial, Normal};
 use crate::ir::{Number, Ratio};
 
-/// A power that would have more terms than this stays one unknown.
+/// A power with more terms than this becomes one atom.
 const MAX_POWER_TERMS: usize = 500;
 
 impl Expansion<'_> {
-    /// baseᵉ.
+    /// The normal form of baseᵉ.
     pub(super) fn power(&mut self, base: &Normal, exponent: Ratio) -> Result<Normal, Stop> {
         if exponent == Ratio::ZERO {
             return Ok(Normal::number(Ratio::ONE));
         }
-        if let Some((powers, coefficient)) = base.single() {
-            return self.power_of_term(powers, coefficient, exponent);
+        if let Some((monomial, coefficient)) = base.single() {
+            return self.power_of_term(monomial, coefficient, exponent);
         }
         match exponent.to_integer() {
-            // A power of what is zero in this case: not defined, unless it is zero as well.
+            // A division by zero. No form, because the node is not defined in this case.
             _ if base.is_empty() && exponent < Ratio::ZERO => Err(Stop::TooLong),
             _ if base.is_empty() => Ok(Normal::default()),
             Some(n) if n > 0 && terms_of_power(base.len(), n) > MAX_POWER_TERMS => {
@@ -32,7 +32,7 @@ impl Expansion<'_> {
                 Ok(product)
             }
             Some(_) => {
-                // But for its first coefficient, so that 1/(2a + 2b) is 1/(a + b) as well.
+                // The leading coefficient is taken out, so that 1/(2a + 2b) and 1/(a + b) share an atom.
                 let leading = base.leading();
                 let scaled = base.scale(leading.recip().ok_or(Stop::TooLong)?).ok_or(Stop::TooLong)?;
                 let coefficient = exact_power(leading, exponent).ok_or(Stop::TooLong)?;
@@ -50,22 +50,27 @@ impl Expansion<'_> {
         }
     }
 
-    /// (c·Π atomᵏ)ᵉ. A broken power applies to each factor that is positive; what may be negative stays together.
-    fn power_of_term(&mut self, powers: &Powers, c: Ratio, exponent: Ratio) -> Result<Normal, Stop> {
-        let raised = |(atom, power): &(Atom, Ratio)| Some((*atom, power.mul(exponent)?));
+    /// (c·Π atomᵏ)ᵉ. A fractional exponent applies to each positive factor; the factors that may be negative stay together under the root.
+    fn power_of_term(&mut self, monomial: &Monomial, c: Ratio, exponent: Ratio) -> Result<Normal, Stop> {
+        let raised = |factors: &Monomial| -> Result<Monomial, Stop> {
+            let raised = factors.iter().map(|(atom, power)| Some((*atom, power.mul(exponent)?)));
+            raised.collect::<Option<_>>().ok_or(Stop::TooLong)
+        };
         if exponent.is_integer() {
-            let powers: Option<Powers> = powers.iter().map(raised).collect();
-            let (powers, c) = (powers.ok_or(Stop::TooLong)?, exact_power(c, exponent).ok_or(Stop::TooLong)?);
+            let (powers, c) = (raised(monomial)?, exact_power(c, exponent).ok_or(Stop::TooLong)?);
             return self.product(&Normal::number(c), &Normal::term(powers, Ratio::ONE));
         }
-        let positive =
-            |(atom, power): &(Atom, Ratio)| self.atoms.is_positive(*atom) || !power.is_integer() && !self.is_odd(*atom);
-        let (positive, open): (Powers, Powers) = powers.iter().partition(|factor| positive(factor));
-        let factors: Powers = positive.iter().map(raised).collect::<Option<_>>().ok_or(Stop::TooLong)?;
-        let (mut number, mut inside) = (Ratio::ONE, c);
-        if let Some(root) = exact_power(magnitude(c), exponent) {
-            (number, inside) = (root, if c < Ratio::ZERO { Ratio::integer(-1) } else { Ratio::ONE });
-        }
+        // A root of an atom is positive, except a cube root.
+        let is_positive = |(atom, power): &&(Atom, Ratio)| {
+            let is_root = !power.is_integer() && !matches!(self.atoms.kind(*atom), Kind::Cbrt(_));
+            is_root || self.atoms.is_positive(*atom)
+        };
+        let (positive, open): (Monomial, Monomial) = monomial.iter().partition(is_positive);
+        let factors = raised(&positive)?;
+        let (number, inside) = match exact_power(magnitude(c), exponent) {
+            Some(root) => (root, if c < Ratio::ZERO { Ratio::integer(-1) } else { Ratio::ONE }),
+            None => (Ratio::ONE, c),
+        };
         let rest = match open[..] {
             [] if inside == Ratio::ONE => vec![],
             [] if inside > Ratio::ZERO => vec![(self.atoms.of(Kind::Ratio(inside)), exponent)],
@@ -74,14 +79,9 @@ impl Expansion<'_> {
         };
         self.product(&Normal::term(factors, number), &Normal::term(rest, Ratio::ONE))
     }
-
-    /// Whether broken powers of an atom do not say that it is positive.
-    fn is_odd(&self, atom: Atom) -> bool {
-        matches!(self.atoms.kind(atom), Kind::Cbrt(_))
-    }
 }
 
-/// How many terms the n-th power of a sum has at most.
+/// An upper bound of the number of terms of the n-th power of a sum.
 fn terms_of_power(terms: usize, n: i64) -> usize {
     (1..terms).fold(1_usize, |count, k| count.saturating_mul(n as usize + k) / k)
 }
@@ -90,7 +90,7 @@ pub(super) fn magnitude(x: Ratio) -> Ratio {
     if x < Ratio::ZERO { x.neg() } else { x }
 }
 
-/// xᵉ, if that is a ratio.
+/// xᵉ, if the value is a ratio.
 fn exact_power(x: Ratio, exponent: Ratio) -> Option<Ratio> {
     match Number::Exact(root(x, exponent.denominator)?).pow(Ratio::integer(exponent.numerator))? {
         Number::Exact(power) => Some(power),

@@ -1,37 +1,38 @@
-//! What has two values at a point of the field: roots, and the signs that conditions ask for. All combinations are gone through.
+//! Choices at a point of the field: the signs of roots, and the signs of numbers in conditions. All combinations are visited.
 
 use super::prime::Element;
 
-/// What is chosen. Nodes that ask for the same get the same.
+/// A choice to be made. Nodes that ask the same question get one answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Question {
-    /// Which of the two roots of a number is taken.
+    /// Which of the two roots of a number is taken?
     Root(Element),
-    /// Whether a number is positive, negative, or zero: the field has no order.
+    /// Is a number positive, negative, or zero? The field has no order.
     Sign(Element),
 }
 
-/// One more than that of each kind would take too long.
-const MOST: usize = 8;
+/// The largest number of choices of each kind.
+pub(super) const MOST: usize = 8;
 
-/// The number of a question's answer, and where it was asked first.
 #[derive(Clone, Copy, Debug)]
 struct Choice {
     question: Question,
     answer: u8,
+    /// The number of possible answers.
     answers: u8,
+    /// The position in the evaluation at which the question was first asked.
     position: usize,
 }
 
-/// The choices of one combination.
+/// One combination of choices, in the order of the questions.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Choices(Vec<Choice>);
 
 impl Choices {
-    /// The answer to a question; `None` if there are too many.
+    /// Returns the answer to a question. A new question gets the answer 0. `None` if there are too many choices.
     pub(super) fn answer(&mut self, question: Question, answers: u8, position: usize) -> Option<u8> {
-        if let Some(known) = self.0.iter().find(|choice| choice.question == question) {
-            return Some(known.answer);
+        if let Some(known) = self.known(question) {
+            return Some(known);
         }
         let is_root = |question: &Question| matches!(question, Question::Root(_));
         let alike = self.0.iter().filter(|choice| is_root(&choice.question) == is_root(&question)).count();
@@ -39,13 +40,13 @@ impl Choices {
         (alike < MOST).then_some(0)
     }
 
-    /// The answer that a question has got.
-    pub(super) fn of(&self, question: Question) -> Option<u8> {
+    /// The answer to a question, if it was asked.
+    pub(super) fn known(&self, question: Question) -> Option<u8> {
         self.0.iter().find(|choice| choice.question == question).map(|choice| choice.answer)
     }
 
-    /// Goes on to the next combination; the position from which it differs, or `None` after the last.
-    pub(super) fn next(&mut self) -> Option<usize> {
+    /// Advances to the next combination. Returns the first position that it changes, or `None` after the last combination.
+    pub(super) fn advance(&mut self) -> Option<usize> {
         while let Some(last) = self.0.last_mut() {
             if last.answer + 1 < last.answers {
                 last.answer += 1;
@@ -56,9 +57,9 @@ impl Choices {
         None
     }
 
-    /// The signs of this combination.
+    /// The signs of numbers in this combination.
     pub(super) fn signs(&self) -> Vec<(Question, u8)> {
-        let sign = |choice: &&Choice| matches!(choice.question, Question::Sign(_));
-        self.0.iter().filter(sign).map(|choice| (choice.question, choice.answer)).collect()
+        let signs = self.0.iter().filter(|choice| matches!(choice.question, Question::Sign(_)));
+        signs.map(|choice| (choice.question, choice.answer)).collect()
     }
 }

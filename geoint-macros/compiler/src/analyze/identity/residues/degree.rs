@@ -1,15 +1,18 @@
-//! How large the degrees of nodes are, as quotients of polynomials in the unknowns of a point.
+//! Upper bounds of the degrees of nodes, as quotients of polynomials in the unknowns of a point.
 //!
-//! Bounds, not estimates: sums have the product of all denominators, and nothing is assumed to cancel.
+//! The denominator of a sum is the product of all denominators, and no terms are assumed to cancel.
 
-use super::arguments::is_exponential;
+use super::super::is_exponential;
+use super::choices::MOST;
 use super::evaluate::Plan;
 use crate::ir::{Function, Id, Node, Number, Ratio};
 
-/// Degrees of numerator and denominator.
+/// The degrees of a quotient of polynomials.
 #[derive(Clone, Copy, Debug, Default)]
 struct Degree {
+    /// Degree of the numerator.
     above: f64,
+    /// Degree of the denominator.
     below: f64,
 }
 
@@ -23,6 +26,7 @@ impl Degree {
         Degree { above, below: self.below + other.below }
     }
 
+    /// An upper bound for both of two quotients.
     fn either(self, other: Degree) -> Degree {
         Degree { above: self.above.max(other.above), below: self.below.max(other.below) }
     }
@@ -38,13 +42,13 @@ impl Degree {
     }
 }
 
-/// A power of an unknown.
+/// The degree of a power of an unknown.
 fn unknown(power: f64) -> Degree {
     Degree { above: power, below: 0.0 }
 }
 
 impl Plan<'_> {
-    /// Whether a root is taken of what is no symbol.
+    /// Returns whether roots of expressions other than symbols are taken.
     pub(super) fn has_roots(&self) -> bool {
         let open = |base: Id, exponent| self.arguments.power_of_root(base, exponent).is_none();
         self.order.iter().any(|id| match self.graph.node(*id) {
@@ -59,9 +63,9 @@ impl Plan<'_> {
         })
     }
 
-    /// The degree of a polynomial that vanishes wherever a product of the roots of the graph does without being zero, for some choice of
-    /// square roots, or where functions of different arguments are taken for the same. Infinite if it is very large.
-    pub(super) fn degree(&self, of_roots: &[Id]) -> f64 {
+    /// An upper bound of the degree of a polynomial that vanishes at every misleading point. At a misleading point a node that is not zero
+    /// vanishes for some signs of square roots, or two different arguments of a function have equal values. The bound may be infinite.
+    pub(super) fn degree(&self, nodes: &[Id]) -> f64 {
         let mut degrees = vec![Degree::default(); self.order.last().map_or(0, |last| last.index() + 1)];
         let (mut roots, mut functions, mut largest) = (0_i32, 0.0_f64, 0.0_f64);
         for id in &self.order {
@@ -71,7 +75,7 @@ impl Plan<'_> {
                 Node::Number(Number::Float(_) | Number::Root(..)) => unknown(1.0),
                 Node::Linear(_, terms) => {
                     terms.iter().fold(Degree::default(), |sum, (c, term)| {
-                        // Numbers that are not exact are unknowns.
+                        // Rounded numbers are unknowns.
                         let c = unknown(if matches!(c, Number::Exact(_)) { 0.0 } else { 1.0 });
                         sum.plus(c.times(of(term)))
                     })
@@ -84,7 +88,7 @@ impl Plan<'_> {
                     self.function(*function, args, &inside, &degrees)
                 }
                 Node::Select(_, first, second) => of(first).either(of(second)),
-                // What is compared, and what is asked of signs.
+                // The degree of the difference, whose sign is asked for.
                 Node::Compare(_, a, b) => of(a).plus(of(b)),
                 _ => Degree::default(),
             };
@@ -100,11 +104,12 @@ impl Plan<'_> {
             largest = largest.max(degree.total());
             degrees[id.index()] = degree;
         }
-        let own: f64 = of_roots.iter().map(|id| degrees[id.index()].total()).sum();
-        // Conjugates multiply, but no more roots than this are combined.
-        2.0_f64.powi(roots.min(8)) * (own + functions * functions * 4.0 * largest)
+        let own: f64 = nodes.iter().map(|id| degrees[id.index()].total()).sum();
+        // The degrees of conjugates add up. The signs of further roots are not combined.
+        2.0_f64.powi(roots.min(MOST as i32)) * (own + functions * functions * 4.0 * largest)
     }
 
+    /// The degree of baseᵉ, where `inside` is the degree of the base.
     fn power(&self, base: Id, exponent: Ratio, inside: Degree) -> Degree {
         if let Some(k) = self.arguments.power_of_root(base, exponent) {
             return unknown(1.0).power(k as f64);
@@ -117,6 +122,7 @@ impl Plan<'_> {
         root.power(exponent.numerator as f64)
     }
 
+    /// The degree of a function, where `inside` has the degrees of its arguments.
     fn function(&self, function: Function, args: &[Id], inside: &[Degree], degrees: &[Degree]) -> Degree {
         let exponent = |argument: Id| {
             let terms = self.arguments.terms(argument).iter().map(|term| {

@@ -1,19 +1,21 @@
-//! The value of nodes at a point: symbols and functions are numbers that look random, roots are roots, conditions are choices.
+//! Values of nodes at a point: symbols are pseudorandom elements, square roots are roots in the field, and conditions are choices.
 
 use super::super::OpenBoundaries;
 use super::arguments::Arguments;
 use super::choices::{Choices, Question};
 use super::prime::{Element, Prime};
+use super::pseudorandom;
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Relation, factors_of_radicand};
+use std::cmp::Ordering;
 
-/// What is evaluated.
+/// The nodes to evaluate, and properties of them that hold at all points.
 pub(super) struct Plan<'a> {
     pub(super) graph: &'a Graph,
-    /// Operands first.
+    /// Operands precede the nodes that use them.
     pub(super) order: Vec<Id>,
     pub(super) arguments: Arguments,
-    /// Whether the boundary of conditions is a case of its own: with several, they need not hold on the same side of it.
-    pub(super) boundary: bool,
+    /// Zero is a third sign of a number in a condition. Necessary if several conditions may disagree about their boundary.
+    zero_is_a_sign: bool,
 }
 
 impl<'a> Plan<'a> {
@@ -21,143 +23,130 @@ impl<'a> Plan<'a> {
     pub(super) fn new(graph: &'a Graph, roots: &[Id]) -> Option<Plan<'a>> {
         let order = graph.reachable(roots);
         let arguments = Arguments::of(graph, &order)?;
-        let relations = order.iter().filter_map(|id| match graph.node(*id) {
+        let relation = |id: &Id| match graph.node(*id) {
             Node::Compare(relation, ..) => Some(*relation),
             _ => None,
-        });
-        let relations: Vec<Relation> = relations.collect();
-        let signum = |id: &Id| matches!(graph.node(*id), Node::Call(Function::Signum, _));
-        let several = relations.len() + order.iter().filter(|id| signum(id)).count().min(1) > 1;
-        let boundary = !relations.is_empty() && several || relations.contains(&Relation::Equal);
-        Some(Plan { graph, order, arguments, boundary })
+        };
+        let relations: Vec<Relation> = order.iter().filter_map(relation).collect();
+        let is_signum = |id: &Id| matches!(graph.node(*id), Node::Call(Function::Signum, _));
+        let has_several = relations.len() > 1 || relations.len() == 1 && order.iter().any(is_signum);
+        let zero_is_a_sign = has_several || relations.contains(&Relation::Equal);
+        Some(Plan { graph, order, arguments, zero_is_a_sign })
     }
 }
 
-/// Why a node has no value.
+/// How square roots are evaluated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum SquareRoots {
+    /// Roots are unknowns, independent of their radicands.
+    Independent,
+    /// Roots are elements of the field, with both signs.
+    BothSigns,
+}
+
+/// The reason why the evaluation stops.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Halt {
-    /// It divides by zero, with these choices.
+    /// The node divides by zero, with these choices.
     Undefined,
-    /// A number has no root: another point is needed.
+    /// A number has no root. Another point is needed.
     Redraw,
-    /// Too many choices, or numbers that are too long.
+    /// There are too many choices, or numbers are too long.
     GiveUp,
+    /// The identity does not hold. Further points are not needed.
+    Refuted,
 }
 
-#[derive(Clone, Copy, Debug)]
-enum Value {
-    Number(Element),
-    Truth(bool),
-    Undefined,
-}
-
-/// Values at one point.
+/// The evaluation at one point.
 pub(super) struct Evaluation<'a> {
     pub(super) plan: &'a Plan<'a>,
     pub(super) prime: Prime,
-    /// The point.
+    /// The seed of the unknowns. It defines the point.
     seed: u64,
-    /// Whether roots are unknowns of their own, of which it is not known what their squares are.
-    free_roots: bool,
-    values: Vec<Value>,
+    square_roots: SquareRoots,
+    /// Values by index of the node; `None` where undefined. A condition is 1 if it holds, and 0 otherwise.
+    values: Vec<Option<Element>>,
     pub(super) choices: Choices,
+    /// The position in the plan of the node that is being evaluated.
     position: usize,
 }
 
 impl<'a> Evaluation<'a> {
-    pub(super) fn new(plan: &'a Plan<'a>, prime: Prime, seed: u64, free_roots: bool) -> Self {
-        let values = vec![Value::Undefined; plan.order.last().map_or(0, |last| last.index() + 1)];
-        Evaluation { plan, prime, seed, free_roots, values, choices: Choices::default(), position: 0 }
+    pub(super) fn new(plan: &'a Plan<'a>, prime: Prime, seed: u64, square_roots: SquareRoots) -> Self {
+        let values = vec![None; plan.order.last().map_or(0, |last| last.index() + 1)];
+        Evaluation { plan, prime, seed, square_roots, values, choices: Choices::default(), position: 0 }
     }
 
-    /// Evaluates what comes at a position or after it.
+    /// Evaluates the nodes from a position of the plan on.
     pub(super) fn run(&mut self, from: usize) -> Result<(), Halt> {
         let plan = self.plan;
         for (position, id) in plan.order.iter().enumerate().skip(from) {
             self.position = position;
             self.values[id.index()] = match self.value(*id) {
-                Ok(value) => value,
-                Err(Halt::Undefined) => Value::Undefined,
+                Ok(value) => Some(value),
+                Err(Halt::Undefined) => None,
                 Err(halt) => return Err(halt),
             };
         }
         Ok(())
     }
 
-    /// The number that a node is.
+    /// The value of an evaluated node.
     pub(super) fn number(&self, id: Id) -> Result<Element, Halt> {
-        match self.values[id.index()] {
-            Value::Number(value) => Ok(value),
-            _ => Err(Halt::Undefined),
-        }
+        self.values[id.index()].ok_or(Halt::Undefined)
     }
 
-    fn holds(&self, id: Id) -> Result<bool, Halt> {
-        match self.values[id.index()] {
-            Value::Truth(value) => Ok(value),
-            _ => Err(Halt::Undefined),
-        }
+    fn holds(&self, condition: Id) -> Result<bool, Halt> {
+        Ok(!self.number(condition)?.is_zero())
     }
 
-    fn value(&mut self, id: Id) -> Result<Value, Halt> {
+    fn value(&mut self, id: Id) -> Result<Element, Halt> {
         let (plan, prime) = (self.plan, self.prime);
-        let number = match plan.graph.node(id) {
-            Node::Number(value) => self.constant(*value)?,
-            Node::Symbol(_) => {
-                let root = self.unknown(SYMBOL, &[], id.index() as u64);
-                self.power(root, plan.arguments.power_of_symbol(id))?
-            }
+        let holds = match plan.graph.node(id) {
+            Node::Number(value) => return self.constant(*value),
+            Node::Symbol(_) => return self.power(self.root_of_symbol(id), plan.arguments.power_of_symbol(id)),
             Node::Linear(constant, terms) => {
-                let mut sum = self.constant(*constant)?;
-                for (c, term) in terms {
-                    let (c, term) = (self.constant(*c)?, self.number(*term)?);
-                    sum = prime.sum(sum, prime.product(c, term));
-                }
-                sum
+                return terms.iter().try_fold(self.constant(*constant)?, |sum, (c, term)| {
+                    Ok(prime.sum(sum, prime.product(self.constant(*c)?, self.number(*term)?)))
+                });
             }
             Node::Product(ids) => {
-                let mut product = Element::ONE;
-                for id in ids {
-                    product = prime.product(product, self.number(*id)?);
-                }
-                product
+                return ids.iter().try_fold(Element::ONE, |product, id| Ok(prime.product(product, self.number(*id)?)));
             }
-            Node::Power(base, exponent) => self.ratio_power(*base, *exponent)?,
-            Node::Call(function, args) => self.call(*function, args)?,
+            Node::Power(base, exponent) => return self.ratio_power(*base, *exponent),
+            Node::Call(function, args) => return self.call(*function, args),
             Node::Select(condition, first, second) => {
-                self.number(if self.holds(*condition)? { *first } else { *second })?
+                return self.number(if self.holds(*condition)? { *first } else { *second });
             }
             Node::Compare(relation, a, b) => {
                 let difference = prime.difference(self.number(*b)?, self.number(*a)?);
-                return Ok(Value::Truth(self.compare(*relation, difference)?));
+                relation.holds(Ordering::Equal, self.sign(difference)?)
             }
-            Node::And(a, b) => return self.truth(self.holds(*a), self.holds(*b), false),
-            Node::Or(a, b) => return self.truth(self.holds(*a), self.holds(*b), true),
-            Node::Not(a) => return Ok(Value::Truth(!self.holds(*a)?)),
-            Node::Truth(value) => return Ok(Value::Truth(*value)),
+            // One operand may decide alone, even if the other one is undefined.
+            Node::And(a, b) => match (self.holds(*a), self.holds(*b)) {
+                (Ok(false), _) | (_, Ok(false)) => false,
+                (a, b) => a.and(b)?,
+            },
+            Node::Or(a, b) => match (self.holds(*a), self.holds(*b)) {
+                (Ok(true), _) | (_, Ok(true)) => true,
+                (a, b) => a.and(b)?,
+            },
+            Node::Not(a) => !self.holds(*a)?,
+            Node::Truth(holds) => *holds,
         };
-        Ok(Value::Number(number))
+        Ok(if holds { Element::ONE } else { Element::ZERO })
     }
 
-    /// Of two truths, one that settles the matter alone need not wait for the other.
-    fn truth(&self, a: Result<bool, Halt>, b: Result<bool, Halt>, settles: bool) -> Result<Value, Halt> {
-        if a == Ok(settles) || b == Ok(settles) {
-            return Ok(Value::Truth(settles));
-        }
-        a.and(b).map(|_| Value::Truth(!settles))
-    }
-
+    /// The value of a constant. Rounded numbers are unknowns.
     pub(super) fn constant(&self, value: Number) -> Result<Element, Halt> {
         match value {
             Number::Exact(ratio) => self.prime.ratio(ratio).ok_or(Halt::GiveUp),
-            // Which root of a prime it is does not matter: what holds for one holds for the other.
+            // Either root of a prime will do: an identity that holds for one holds for its conjugate.
             Number::Root(c, r) => {
-                let mut product = self.prime.ratio(c).ok_or(Halt::GiveUp)?;
-                for p in factors_of_radicand(r) {
+                factors_of_radicand(r).into_iter().try_fold(self.prime.ratio(c).ok_or(Halt::GiveUp)?, |product, p| {
                     let p = self.prime.ratio(Ratio::integer(p.into())).ok_or(Halt::GiveUp)?;
-                    product = self.prime.product(product, self.prime.root(p).ok_or(Halt::Redraw)?);
-                }
-                Ok(product)
+                    Ok(self.prime.product(product, self.prime.root(p).ok_or(Halt::Redraw)?))
+                })
             }
             Number::Float(_) => {
                 let size = self.unknown(FLOAT, &[], value.to_f64().abs().to_bits());
@@ -174,11 +163,15 @@ impl<'a> Evaluation<'a> {
         self.prime.reciprocal(x).ok_or(Halt::Undefined)
     }
 
-    /// baseᵉ, where the base may be a symbol that is a power itself.
+    /// The unknown of which a symbol is a power.
+    fn root_of_symbol(&self, symbol: Id) -> Element {
+        self.unknown(SYMBOL, &[], symbol.index() as u64)
+    }
+
+    /// baseᵉ. The base may be a symbol that is a power itself.
     pub(super) fn ratio_power(&mut self, base: Id, exponent: Ratio) -> Result<Element, Halt> {
         if let Some(k) = self.plan.arguments.power_of_root(base, exponent) {
-            let root = self.unknown(SYMBOL, &[], base.index() as u64);
-            return self.power(root, k);
+            return self.power(self.root_of_symbol(base), k);
         }
         let value = self.number(base)?;
         let numerator = i64::try_from(exponent.numerator).map_err(|_| Halt::GiveUp)?;
@@ -195,7 +188,7 @@ impl<'a> Evaluation<'a> {
         if radicand.is_zero() {
             return Ok(radicand);
         }
-        if self.free_roots {
+        if self.square_roots == SquareRoots::Independent {
             return Ok(self.unknown(ROOT, &[radicand], 2));
         }
         let root = self.prime.root(radicand).ok_or(Halt::Redraw)?;
@@ -203,21 +196,26 @@ impl<'a> Evaluation<'a> {
         Ok(if answer == 0 { root } else { self.prime.negative(root) })
     }
 
-    /// Whether a number is negative, zero or positive.
-    fn order(&mut self, x: Element) -> Result<std::cmp::Ordering, Halt> {
-        let (size, negative) = self.prime.without_sign(x);
+    /// The chosen order of a number relative to zero.
+    fn sign(&mut self, x: Element) -> Result<Ordering, Halt> {
+        let (size, is_negated) = self.prime.without_sign(x);
         if size.is_zero() {
-            return Ok(std::cmp::Ordering::Equal);
+            return Ok(Ordering::Equal);
         }
-        let answers = if self.plan.boundary { 3 } else { 2 };
+        let answers = if self.plan.zero_is_a_sign { 3 } else { 2 };
         match self.choices.answer(Question::Sign(size), answers, self.position).ok_or(Halt::GiveUp)? {
-            EQUAL => Ok(std::cmp::Ordering::Equal),
-            answer if (answer == 1) == negative => Ok(std::cmp::Ordering::Greater),
-            _ => Ok(std::cmp::Ordering::Less),
+            ZERO => Ok(Ordering::Equal),
+            answer if (answer == 1) == is_negated => Ok(Ordering::Greater),
+            _ => Ok(Ordering::Less),
         }
     }
 
-    /// Whether the choices put this point on a boundary.
+    /// Returns whether a number counts as negative. Zero does not.
+    pub(super) fn is_negative(&mut self, x: Element) -> Result<bool, Halt> {
+        Ok(self.sign(x)?.is_lt())
+    }
+
+    /// Returns whether the choices put this point on a boundary.
     pub(super) fn is_on_any(&self, boundaries: &OpenBoundaries) -> bool {
         boundaries.iter().any(|id| {
             let difference = match self.plan.graph.node(*id) {
@@ -227,46 +225,24 @@ impl<'a> Evaluation<'a> {
             };
             difference.is_ok_and(|difference| {
                 let (size, _) = self.prime.without_sign(difference);
-                size.is_zero() || self.choices.of(Question::Sign(size)) == Some(EQUAL)
+                size.is_zero() || self.choices.known(Question::Sign(size)) == Some(ZERO)
             })
         })
     }
 
-    /// Whether a number counts as negative; at the boundary either is right.
-    pub(super) fn is_negative(&mut self, x: Element) -> Result<bool, Halt> {
-        Ok(self.order(x)?.is_lt())
-    }
-
-    fn compare(&mut self, relation: Relation, difference: Element) -> Result<bool, Halt> {
-        let order = self.order(difference)?;
-        Ok(match relation {
-            Relation::Less => order.is_gt(),
-            Relation::LessEqual => order.is_ge(),
-            Relation::Equal => order.is_eq(),
-        })
-    }
-
-    /// A number that stands for a function of these values, the same whenever it is asked for at this point.
+    /// The unknown for a function of these values. It is the same at every use in this point.
     pub(super) fn unknown(&self, kind: u64, values: &[Element], detail: u64) -> Element {
         let words = values.iter().flat_map(|value| [value.real, value.imaginary]);
-        let hash = [kind, detail].into_iter().chain(words).fold(self.seed, |hash, word| mixed(hash ^ mixed(word)));
-        self.prime.unknown(hash)
+        let words = [kind, detail].into_iter().chain(words);
+        self.prime.unknown(words.fold(self.seed, |hash, word| pseudorandom(hash ^ pseudorandom(word))))
     }
 }
 
-/// The answer to the question for a sign by which a number is zero.
-const EQUAL: u8 = 2;
+/// The answer to [`Question::Sign`] by which a number is zero.
+const ZERO: u8 = 2;
 
-/// What numbers stand for; functions have numbers from [`FUNCTION`] on.
+/// The kinds of unknowns. The kind of a function is its number above [`FUNCTION`].
 const SYMBOL: u64 = 0;
 const FLOAT: u64 = 1;
 const ROOT: u64 = 2;
 pub(super) const FUNCTION: u64 = 8;
-
-/// A permutation of words under which they look random (G. L. Steele, D. Lea & C. H. Flood, OOPSLA 2014, SplitMix).
-pub(super) fn mixed(word: u64) -> u64 {
-    let word = word.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let word = (word ^ (word >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let word = (word ^ (word >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    word ^ (word >> 31)
-}

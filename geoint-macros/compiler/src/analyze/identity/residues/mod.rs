@@ -1,10 +1,12 @@
-//! Proof of an identity by its value at points of a finite field, for what is too long to be multiplied out.
+//! Proof of an identity by evaluation at points of a finite field, for nodes that are too long to be multiplied out.
 //!
-//! A polynomial of degree D that is not zero vanishes at a random point of a field with p elements with probability D/p at most
-//! (R. Zippel, EUROSAM 1979, 216; J. T. Schwartz, J. ACM 27 (1980) 701). Symbols are random residues, functions unknowns that are
-//! independent but for the relations in `functions`, so that what vanishes is zero wherever it is defined. Roots have all
-//! combinations of signs at every point: the product over them is a polynomial, of which the degree is known. Points that lack a root for
-//! some combination are drawn again. Two primes, since one may divide all coefficients. Seeds are fixed: builds are reproducible.
+//! A nonzero polynomial of degree D over a field with p elements vanishes at a random point with probability at most D/p (R. Zippel,
+//! EUROSAM 1979, 216; J. T. Schwartz, J. ACM 27 (1980) 701). Symbols are random residues. Functions are random unknowns, which are independent
+//! except for the relations in `functions`. A node that vanishes under these rules is zero wherever it is defined.
+//!
+//! Roots take all combinations of signs at every point. The product over the combinations is a polynomial, whose degree is bounded in `degree`.
+//! A point at which some root does not exist is drawn again. Two primes are used, since one may divide all coefficients. Seeds are fixed, so
+//! builds are reproducible.
 
 mod arguments;
 mod choices;
@@ -15,137 +17,116 @@ mod prime;
 mod rank;
 mod span;
 
-use super::OpenBoundaries;
+use super::{OpenBoundaries, Why};
 use crate::ir::{Graph, Id};
 use choices::Question;
-use evaluate::{Evaluation, Halt, Plan, mixed};
-use prime::{Element, PRIMES, Prime};
-pub(super) use rank::rank;
-pub(super) use span::Residues;
+use evaluate::{Evaluation, Halt, Plan, SquareRoots};
+pub(super) use prime::{Element, PRIMES, Prime};
+pub(crate) use rank::Dependent;
+pub(super) use rank::dependent;
+pub(super) use span::Span;
 
-/// How sure a proof by points is.
+/// The error bound of a proof by points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Bound {
-    /// The degree of the polynomial that vanishes at all points, or more.
+    /// An upper bound of the degree of the polynomial that vanishes at all points.
     pub(crate) degree: u64,
     pub(crate) points: u32,
-    /// What is no identity passes with a probability of at most 2⁻ᵇⁱᵗˢ.
+    /// An expression that is not an identity passes with a probability of at most 2⁻ᵇⁱᵗˢ.
     pub(crate) bits: u32,
 }
 
-/// What points say.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Verdict {
-    /// Zero for all signs of roots, and on all sides of conditions.
-    Zero(Bound),
-    /// Zero for some signs of roots only: √(x²) = x.
-    Branch,
-    /// It does not follow from the relations that are known here.
-    NotZero,
-    /// It is too long, or has too many roots and conditions.
-    GivenUp,
-}
-
-/// So many points with each prime.
+/// The number of points with each of two primes.
 const POINTS: u32 = 2;
 
-/// So many draws for one point, and primes for roots that are not there.
+/// The largest number of draws with a prime. A draw fails where a root does not exist.
 const DRAWS: u64 = 64;
 
-/// So many combinations of roots and conditions at a point.
+/// The largest number of combinations of roots and conditions at a point.
 const COMBINATIONS: usize = 4096;
 
-/// A point that proves less than this many bits is not worth its time.
+/// No points are evaluated if each would prove fewer bits than this.
 const FEWEST_BITS: u32 = 16;
 
-/// Decides whether a node is zero off the open boundaries.
-pub(super) fn residues(graph: &Graph, root: Id, open: &OpenBoundaries) -> Verdict {
-    let Some(plan) = Plan::new(graph, &[root]) else { return Verdict::GivenUp };
-    // Most identities hold whatever the roots are: then combinations need not be tried.
-    match decided(&plan, root, open, true) {
-        Verdict::NotZero | Verdict::Branch if plan.has_roots() => decided(&plan, root, open, false),
-        verdict => verdict,
+/// Proves that a node is zero off the open boundaries, or returns the reason why not.
+pub(super) fn residues(graph: &Graph, root: Id, open: &OpenBoundaries) -> Result<Bound, Why> {
+    let plan = Plan::new(graph, &[root]).ok_or(Why::TooLong)?;
+    // Most identities do not depend on the values of the roots. They need no combinations of signs.
+    match decided(&plan, root, open, SquareRoots::Independent) {
+        Err(Why::Relation | Why::Branch) if plan.has_roots() => decided(&plan, root, open, SquareRoots::BothSigns),
+        result => result,
     }
 }
 
-fn decided(plan: &Plan<'_>, root: Id, open: &OpenBoundaries, free_roots: bool) -> Verdict {
-    let mut all = Seen::default();
-    let points = visit_points(plan, &[root], free_roots, &mut |point| {
-        let seen = seen(point, root, open)?;
-        all = Seen { zeros: all.zeros || seen.zeros, others: all.others || seen.others, none: all.none || seen.none };
-        // Nothing more can be learned.
-        Ok(!seen.none)
+fn decided(plan: &Plan<'_>, root: Id, open: &OpenBoundaries, square_roots: SquareRoots) -> Result<Bound, Why> {
+    let (mut is_zero_always, mut is_refuted) = (true, false);
+    let bound = visit_points(plan, &[root], square_roots, &mut |point| {
+        let sides = sides(point, root, open)?;
+        is_zero_always &= sides.iter().all(|side| !side.has_nonzero);
+        is_refuted |= sides.iter().any(|side| !side.has_zero);
+        if is_refuted { Err(Halt::Refuted) } else { Ok(()) }
     });
-    match points {
-        Some(bound) if !all.others => Verdict::Zero(bound),
-        Some(_) if !all.none => Verdict::Branch,
-        None if !all.none => Verdict::GivenUp,
-        _ => Verdict::NotZero,
+    match bound {
+        Some(bound) if is_zero_always => Ok(bound),
+        Some(_) => Err(Why::Branch),
+        None if is_refuted => Err(Why::Relation),
+        None => Err(Why::TooLong),
     }
 }
 
-/// What is seen at points.
-#[derive(Clone, Copy, Debug, Default)]
-struct Seen {
-    zeros: bool,
-    others: bool,
-    /// For some signs of conditions, no choice of roots gives zero.
-    none: bool,
+/// The values of a node for one combination of signs in conditions, over all signs of roots.
+struct Side {
+    signs: Vec<(Question, u8)>,
+    has_zero: bool,
+    has_nonzero: bool,
 }
 
-fn seen(point: &mut Evaluation<'_>, root: Id, open: &OpenBoundaries) -> Result<Seen, Halt> {
-    let mut seen = Seen::default();
-    // Whether zero is reached, for each combination of conditions.
-    let mut sides: Vec<(Vec<(Question, u8)>, bool)> = vec![];
+fn sides(point: &mut Evaluation<'_>, root: Id, open: &OpenBoundaries) -> Result<Vec<Side>, Halt> {
+    let mut sides: Vec<Side> = vec![];
     visit_combinations(point, &mut |evaluation| {
         if evaluation.is_on_any(open) {
             return Ok(());
         }
-        let zero = evaluation.number(root)?.is_zero();
+        let is_zero = evaluation.number(root)?.is_zero();
         let signs = evaluation.choices.signs();
-        match sides.iter_mut().find(|(other, _)| *other == signs) {
-            Some((_, any)) => *any |= zero,
-            None => sides.push((signs, zero)),
+        match sides.iter_mut().find(|side| side.signs == signs) {
+            Some(side) if is_zero => side.has_zero = true,
+            Some(side) => side.has_nonzero = true,
+            None => sides.push(Side { signs, has_zero: is_zero, has_nonzero: !is_zero }),
         }
-        seen.zeros |= zero;
-        seen.others |= !zero;
         Ok(())
     })?;
-    seen.none = sides.iter().any(|(_, any)| !any);
-    Ok(seen)
+    Ok(sides)
 }
 
-/// Visits points until there are enough with two primes, or the visitor wants no more; `None` if there are not enough.
+/// Visits random points until there are enough with two primes. `None` if there are too few points, or the visitor stops.
 fn visit_points(
     plan: &Plan<'_>,
     roots: &[Id],
-    free_roots: bool,
-    visit: &mut impl FnMut(&mut Evaluation<'_>) -> Result<bool, Halt>,
+    square_roots: SquareRoots,
+    visit: &mut impl FnMut(&mut Evaluation<'_>) -> Result<(), Halt>,
 ) -> Option<Bound> {
     let degree = plan.degree(roots).max(1.0);
     let (mut primes, mut bits) = (0, 0);
     for prime in PRIMES {
-        // Any of the draws may be the one that counts.
-        let each = (prime.value as f64 / (2.0 * DRAWS as f64 * degree)).log2().floor();
-        if each < f64::from(FEWEST_BITS) {
+        // The visited point may be any of the draws, so their probabilities add up.
+        let bits_of_point = (prime.value as f64 / (2.0 * DRAWS as f64 * degree)).log2().floor();
+        if bits_of_point < f64::from(FEWEST_BITS) {
             return None;
         }
         let mut points = 0;
         for draw in 0..DRAWS {
-            let mut evaluation = Evaluation::new(plan, prime, mixed(draw), free_roots);
-            match visit(&mut evaluation) {
-                Ok(true) => points += 1,
-                // What divides by zero at a point does so everywhere, for some choices.
-                Ok(false) | Err(Halt::GiveUp | Halt::Undefined) => return None,
+            match visit(&mut Evaluation::new(plan, prime, pseudorandom(draw), square_roots)) {
+                Ok(()) => points += 1,
                 Err(Halt::Redraw) => {}
+                // A division by zero at a random point is a division by zero everywhere, for some choices.
+                Err(_) => return None,
             }
             if points == POINTS {
+                primes += 1;
+                bits += POINTS * bits_of_point as u32;
                 break;
             }
-        }
-        if points == POINTS {
-            primes += 1;
-            bits += POINTS * each as u32;
         }
         if primes == 2 {
             return Some(Bound { degree: degree as u64, points: 2 * POINTS, bits });
@@ -154,7 +135,7 @@ fn visit_points(
     None
 }
 
-/// Visits all combinations at a point.
+/// Visits all combinations of choices at a point.
 fn visit_combinations(
     point: &mut Evaluation<'_>,
     visit: &mut impl FnMut(&Evaluation<'_>) -> Result<(), Halt>,
@@ -163,15 +144,18 @@ fn visit_combinations(
     for _ in 0..COMBINATIONS {
         point.run(start)?;
         visit(point)?;
-        match point.choices.next() {
-            Some(next) => start = next,
+        match point.choices.advance() {
+            Some(changed) => start = changed,
             None => return Ok(()),
         }
     }
     Err(Halt::GiveUp)
 }
 
-/// A number that looks random, the same in every run.
-pub(super) fn noise(word: u64) -> u64 {
-    mixed(word)
+/// A permutation of words with pseudorandom values (G. L. Steele, D. Lea & C. H. Flood, OOPSLA 2014, SplitMix).
+pub(super) fn pseudorandom(word: u64) -> u64 {
+    let word = word.wrapping_add(0x9e37_79b9_7f4a_7c15);
+    let word = (word ^ (word >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    let word = (word ^ (word >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    word ^ (word >> 31)
 }

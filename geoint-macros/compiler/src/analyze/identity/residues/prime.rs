@@ -1,21 +1,22 @@
-//! Residues modulo a prime p ≡ 3 mod 4, and with a root i of −1 among them: the field of p² elements.
+//! The field of p² elements, p a prime with p ≡ 3 mod 4: residues modulo p, with a root i of −1.
 //!
-//! Every residue has a square root there, and e^(iθ) is a number, so that roots, sines and cosines need no other field.
+//! Every residue has a square root in this field, and e^(iθ) is an element. Roots, sines and cosines need no other field.
 
 use crate::ir::Ratio;
 
-/// 2ᵇⁱᵗˢ − less, a prime.
+/// The prime 2ᵇⁱᵗˢ − less.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Prime {
+pub(in super::super) struct Prime {
     bits: u32,
     less: u64,
     pub(super) value: u64,
 }
 
-/// In the order in which they are tried. What has no root with the first two has one with the others: 2, 3, 5, 7, 11 and 13 are squares.
-pub(super) const PRIMES: [Prime; 4] =
+/// The primes in the order in which they are tried. The numbers 2, 3, 5, 7, 11 and 13 are squares modulo the last two.
+pub(in super::super) const PRIMES: [Prime; 4] =
     [Prime::new(61, 1), Prime::new(62, 57), Prime::new(61, 11_913), Prime::new(62, 5_153)];
 
+/// Arithmetic of residues modulo p.
 impl Prime {
     const fn new(bits: u32, less: u64) -> Prime {
         Prime { bits, less, value: (1 << bits) - less }
@@ -46,10 +47,8 @@ impl Prime {
             if exponent & 1 == 1 {
                 power = self.mul(power, square);
             }
+            square = self.mul(square, square);
             exponent >>= 1;
-            if exponent > 0 {
-                square = self.mul(square, square);
-            }
         }
         power
     }
@@ -60,13 +59,13 @@ impl Prime {
         (self.mul(root, root) == a).then_some(root)
     }
 
-    /// A number that a hash stands for, not zero.
-    pub(super) fn unknown(self, hash: u64) -> Element {
+    /// A residue that is not zero, from a hash.
+    pub(in super::super) fn unknown(self, hash: u64) -> Element {
         Element::real(self.reduce(u128::from(hash)).max(1))
     }
 
-    /// `None` if the denominator is divided by p.
-    pub(super) fn ratio(self, ratio: Ratio) -> Option<Element> {
+    /// The residue of a ratio; `None` if p divides the denominator.
+    pub(in super::super) fn ratio(self, ratio: Ratio) -> Option<Element> {
         let residue = |n: u128| (n % u128::from(self.value)) as u64;
         let numerator = residue(ratio.numerator.unsigned_abs());
         let numerator = if ratio.numerator < 0 { self.neg(numerator) } else { numerator };
@@ -81,13 +80,13 @@ impl Prime {
 
 /// real + i·imaginary.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct Element {
+pub(in super::super) struct Element {
     pub(super) real: u64,
     pub(super) imaginary: u64,
 }
 
 impl Element {
-    pub(super) const ZERO: Element = Element::real(0);
+    pub(in super::super) const ZERO: Element = Element::real(0);
     pub(super) const ONE: Element = Element::real(1);
     pub(super) const I: Element = Element { real: 0, imaginary: 1 };
 
@@ -100,9 +99,9 @@ impl Element {
     }
 }
 
-/// Arithmetic with both parts.
+/// Arithmetic of elements.
 impl Prime {
-    pub(super) fn sum(self, a: Element, b: Element) -> Element {
+    pub(in super::super) fn sum(self, a: Element, b: Element) -> Element {
         Element { real: self.add(a.real, b.real), imaginary: self.add(a.imaginary, b.imaginary) }
     }
 
@@ -114,7 +113,7 @@ impl Prime {
         self.sum(a, self.negative(b))
     }
 
-    pub(super) fn product(self, a: Element, b: Element) -> Element {
+    pub(in super::super) fn product(self, a: Element, b: Element) -> Element {
         if a.imaginary == 0 && b.imaginary == 0 {
             return Element::real(self.mul(a.real, b.real));
         }
@@ -128,24 +127,18 @@ impl Prime {
         self.add(self.mul(a.real, a.real), self.mul(a.imaginary, a.imaginary))
     }
 
-    /// `None` for zero.
+    /// 1/a = ā/(a·ā); `None` for zero.
     pub(super) fn reciprocal(self, a: Element) -> Option<Element> {
         if a.is_zero() {
             return None;
-        }
-        if a.imaginary == 0 {
-            return Some(Element::real(self.pow(a.real, self.value - 2)));
         }
         let factor = self.pow(self.norm(a), self.value - 2);
         Some(Element { real: self.mul(a.real, factor), imaginary: self.mul(self.neg(a.imaginary), factor) })
     }
 
     /// baseⁿ; `None` for a negative power of zero.
-    pub(super) fn power(self, base: Element, n: i64) -> Option<Element> {
+    pub(in super::super) fn power(self, base: Element, n: i64) -> Option<Element> {
         let base = if n < 0 { self.reciprocal(base)? } else { base };
-        if base.imaginary == 0 {
-            return Some(Element::real(self.pow(base.real, n.unsigned_abs())));
-        }
         let (mut power, mut square, mut n) = (Element::ONE, base, n.unsigned_abs());
         while n > 0 {
             if n & 1 == 1 {
@@ -157,7 +150,7 @@ impl Prime {
         Some(power)
     }
 
-    /// A square root, if there is one: always that of a number without an imaginary part.
+    /// A square root, if there is one. A number without an imaginary part always has one.
     pub(super) fn root(self, a: Element) -> Option<Element> {
         if a.imaginary == 0 {
             return Some(match self.sqrt(a.real) {
@@ -165,7 +158,7 @@ impl Prime {
                 None => Element { real: 0, imaginary: self.sqrt(self.neg(a.real))? },
             });
         }
-        // (x + iy)² = a: x² − y² is the real part, x² + y² a root of the norm, of either sign.
+        // (x + iy)² = a: x² − y² is the real part of a, and x² + y² is a root of the norm, with either sign.
         let size = self.sqrt(self.norm(a))?;
         let half = self.value.div_ceil(2);
         let square = |size: u64| self.mul(self.add(a.real, size), half);
@@ -174,7 +167,7 @@ impl Prime {
         Some(Element { real: x, imaginary: y })
     }
 
-    /// One of a and −a, the same for both, and whether it is −a.
+    /// Returns a representative of the pair ±a, and whether it is −a.
     pub(super) fn without_sign(self, a: Element) -> (Element, bool) {
         let negative = self.negative(a);
         if negative < a { (negative, true) } else { (a, false) }

@@ -1,4 +1,4 @@
-//! Values in floating point, with a bound on what rounding does to them.
+//! Values in floating point with estimates of their rounding errors.
 
 use crate::analyze::identity::OpenBoundaries;
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol, Table};
@@ -6,10 +6,10 @@ use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol, Table};
 /// Values of symbols.
 pub(crate) type State = Vec<(Symbol, Ratio)>;
 
-/// What is smaller than this part of the terms may be rounding.
+/// A value below this fraction of its size may be a rounding error.
 const TOLERANCE: f64 = 1e-10;
 
-/// A value, and how large its terms are: its error is a few roundings of that.
+/// A value with the size of its terms. Its rounding error is a few roundings of numbers of that size.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sized {
     pub(super) value: f64,
@@ -17,28 +17,35 @@ pub(super) struct Sized {
 }
 
 impl Sized {
+    /// A value whose only error is its own rounding.
+    fn of(value: f64) -> Sized {
+        Sized { value, size: value.abs() }
+    }
+
     pub(super) fn is_finite(self) -> bool {
         self.value.is_finite() && self.size.is_finite()
     }
 
-    /// Whether this is not zero to rounding.
+    /// Returns whether the value is larger than a rounding error.
     pub(super) fn differs(self) -> bool {
         self.value.abs() > TOLERANCE * self.size
     }
 
-    pub(super) fn add(self, other: Sized) -> Sized {
+    fn add(self, other: Sized) -> Sized {
         Sized { value: self.value + other.value, size: self.size + other.size }
     }
 
-    pub(super) fn mul(self, other: Sized) -> Sized {
+    fn mul(self, other: Sized) -> Sized {
         Sized { value: self.value * other.value, size: self.size * other.size }
     }
 }
 
-/// The values of nodes at one state after the other.
+/// Evaluates nodes at states.
 pub(super) struct Evaluation<'a> {
     graph: &'a Graph,
+    /// Operands precede the nodes that use them.
     order: Vec<Id>,
+    /// The values at the last state.
     values: Table<Sized>,
 }
 
@@ -56,24 +63,13 @@ impl<'a> Evaluation<'a> {
         &self.values
     }
 
-    /// The value of a node at another state, where all that it is built of is the same but for what reads positions.
-    pub(super) fn moved(&mut self, root: Id, state: &State) -> Sized {
-        for id in &self.order {
-            if self.graph.reads(*id).q {
-                let value = sized(self.graph, *id, &self.values, state);
-                self.values.insert(*id, value);
-            }
-        }
-        self.values[root]
-    }
-
     /// Σ terms at a state.
     pub(super) fn sum(&mut self, terms: &[Id], state: &State) -> Sized {
         let values = self.at(state);
-        terms.iter().fold(Sized { value: 0.0, size: 0.0 }, |sum, term| sum.add(values[*term]))
+        terms.iter().fold(Sized::of(0.0), |sum, term| sum.add(values[*term]))
     }
 
-    /// Whether the last state lies on a boundary, as far as rounding lets one tell.
+    /// Returns whether the last state lies on a boundary to rounding.
     pub(super) fn is_on_any(&self, boundaries: &OpenBoundaries) -> bool {
         boundaries.iter().any(|id| match self.graph.node(*id) {
             Node::Compare(_, a, b) => {
@@ -86,34 +82,18 @@ impl<'a> Evaluation<'a> {
     }
 }
 
+/// The value of a node from those of its operands. A condition is 1 if it holds, and 0 otherwise.
 fn sized(graph: &Graph, id: Id, values: &Table<Sized>, state: &State) -> Sized {
     let of = |id: &Id| values[*id];
-    let alone = |value: f64| Sized { value, size: value.abs() };
-    let truth = |holds: bool| alone(f64::from(u8::from(holds)));
+    let truth = |holds: bool| Sized::of(f64::from(u8::from(holds)));
     match graph.node(id) {
         Node::Number(number) => constant(*number),
         Node::Symbol(symbol) => {
-            for (other, value) in state {
-                if other == symbol {
-                    return alone(value.to_f64());
-                }
-            }
-            alone(f64::NAN)
+            let known = state.iter().find(|(other, _)| other == symbol);
+            Sized::of(known.map_or(f64::NAN, |(_, value)| value.to_f64()))
         }
-        Node::Linear(c, terms) => {
-            let mut sum = constant(*c);
-            for (c, term) in terms {
-                sum = sum.add(constant(*c).mul(of(term)));
-            }
-            sum
-        }
-        Node::Product(ids) => {
-            let mut product = alone(1.0);
-            for id in ids {
-                product = product.mul(of(id));
-            }
-            product
-        }
+        Node::Linear(c, terms) => terms.iter().fold(constant(*c), |sum, (c, term)| sum.add(constant(*c).mul(of(term)))),
+        Node::Product(ids) => ids.iter().map(of).fold(Sized::of(1.0), Sized::mul),
         Node::Power(base, exponent) => perturbed(&[of(base)], |x| x[0].powf(exponent.to_f64())),
         Node::Call(function, args) => {
             perturbed(&args.iter().map(of).collect::<Vec<_>>(), |x| function_value(*function, x))
@@ -127,14 +107,14 @@ fn sized(graph: &Graph, id: Id, values: &Table<Sized>, state: &State) -> Sized {
     }
 }
 
-/// What is left when rounded numbers cancel is as uncertain as they were.
+/// The value of a constant. A tiny rounded number may be a rounding error of numbers of size 1 that cancelled.
 fn constant(number: Number) -> Sized {
     let value = number.to_f64();
-    let left_over = value.abs() < 1e-14 && number.is_rounded();
-    Sized { value, size: if left_over { 1.0 } else { value.abs() } }
+    let is_rounding_error = value.abs() < 1e-14 && number.is_rounded();
+    Sized { value, size: if is_rounding_error { 1.0 } else { value.abs() } }
 }
 
-/// A function, and its size: that of its value and of what its arguments contribute.
+/// The value of a function. Its size includes the sensitivity to the sizes of the arguments, by differences.
 fn perturbed(args: &[Sized], function: impl Fn(&[f64]) -> f64) -> Sized {
     const STEP: f64 = 1e-7;
     let mut x: Vec<f64> = args.iter().map(|arg| arg.value).collect();

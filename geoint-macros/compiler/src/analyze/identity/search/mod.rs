@@ -1,15 +1,16 @@
-//! Functions that are constant along given fields, by linear algebra: combinations of monomials of degree one and two and of
-//! logarithms of coordinates, with numbers and products of parameters as coefficients.
+//! Functions that are constant along given fields, by linear algebra. They are combinations of coordinates, products of two coordinates and
+//! logarithms of coordinates. The coefficients are numbers and products of parameters.
 //!
-//! Along one field they are its first integrals, along the rows of a skew matrix its Casimirs. The equations say that what is multiplied
-//! out vanishes, with roots, functions and reciprocals of sums as unknowns: all that is listed is proven, but not all is listed.
+//! Functions that are constant along one field are its first integrals. Functions that are constant along the rows of a skew matrix are its
+//! Casimirs. The equations state that the multiplied-out derivatives vanish, with roots, functions and reciprocals of sums as unknowns. Every
+//! listed function is proven to be constant, but the list may be incomplete.
 
 mod multiplier;
 mod span;
 mod structure;
 
-use super::multiplied::{Atom, Normal, Powers, Sums, product_of_powers};
-use crate::analyze::equations::{Equations, Row};
+use super::multiplied::{Atom, Monomial, Normal, Sums, product_of_monomials};
+use crate::analyze::equations::{Equations, Row, add_multiple};
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
 pub(crate) use multiplier::multiplier;
 use span::Span;
@@ -20,51 +21,51 @@ pub(crate) use structure::{Structure, structure};
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Kept {
     pub(crate) value: Id,
-    /// Whether it is linear: every Runge–Kutta method keeps it then.
+    /// Every Runge–Kutta method keeps a linear function.
     pub(crate) linear: bool,
 }
 
-/// What combinations are made of.
+/// A function of coordinates, given by their indices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Candidate {
     Linear(usize),
     Logarithm(usize),
+    /// The product of two coordinates.
     Square(usize, usize),
 }
 
-/// So many products of two terms for multiplying out.
+/// The largest number of products of two terms that are formed to multiply out the fields.
 const PRODUCTS: usize = 5_000;
 
-/// So many coefficients are sought at once.
+/// The largest number of coefficients that are sought at once.
 const UNKNOWNS: usize = 600;
 
-/// All independent combinations that are constant along each of `fields`, whose components are in the order of `x`; linear ones first,
-/// products of those left out. `None` if the fields are too long, or have conditions.
+/// Returns independent combinations that are constant along each of `fields`. Linear ones come first, and their products are left out. `None` if
+/// the fields are too long, or have conditions.
 pub(crate) fn kept_along(graph: &mut Graph, x: &[Symbol], fields: &[Vec<Id>]) -> Option<Vec<Kept>> {
     let coordinates: Vec<Id> = x.iter().map(|symbol| graph.symbol(*symbol)).collect();
     let mut sums = Sums::of(graph, &fields.concat(), PRODUCTS)?;
-    let atoms: Vec<Atom> = coordinates.iter().map(|id| sums.symbol(*id)).collect();
-    // The logarithm of a coordinate that stands still is a function of it.
-    let moves = |i: usize| sums.sums.chunks(x.len()).any(|field| !field[i].is_empty());
-    let candidates = candidates(x.len(), moves);
-    let slopes: Option<Vec<Vec<Normal>>> =
-        candidates.iter().map(|candidate| slopes(*candidate, &sums.sums, &atoms)).collect();
-    let slopes = slopes?;
-    let parameters = parameters(graph, &sums, x);
-    let mut span = Span::default();
+    let atoms: Vec<Atom> = coordinates.iter().map(|id| sums.atom_of_symbol(*id)).collect();
+    let normals = |field: &Vec<Id>| field.iter().map(|id| sums.normal(*id)).collect();
+    let fields: Vec<Vec<&Normal>> = fields.iter().map(normals).collect();
+    // The logarithm of a constant coordinate depends on the coordinate, so it is left out.
+    let candidates = candidates(x.len(), |i| fields.iter().any(|field| !field[i].is_empty()));
+    let slopes = |candidate: &Candidate| fields.iter().map(|field| slope(*candidate, field, &atoms)).collect();
+    let slopes: Vec<Vec<Normal>> = candidates.iter().map(slopes).collect::<Option<_>>()?;
+    let parameters = parameters(graph, &sums, &fields, x);
+    let mut span = Span::new();
     let mut found = vec![];
     for degree in 0..=2 {
-        // Linear ones, then all: products of linear ones are known by then.
+        // Linear functions come first, because their products are left out.
         for linear in [true, false] {
             let unknowns = unknowns(&candidates, &parameters, degree, linear);
             if unknowns.len() > UNKNOWNS {
                 continue;
             }
             for solution in solutions(&slopes, &unknowns)? {
-                let terms: Vec<(usize, &Powers, Ratio)> =
-                    solution.iter().map(|(u, c)| (unknowns[*u].candidate, &unknowns[*u].weight, *c)).collect();
-                if span.add(&terms, &candidates) {
-                    let value = node(graph, &coordinates, &candidates, &sums, &terms);
+                let combination: Vec<(&Unknown, Ratio)> = solution.iter().map(|(u, c)| (&unknowns[*u], *c)).collect();
+                if span.add(&combination, &candidates) {
+                    let value = node(graph, &coordinates, &candidates, &sums, &combination);
                     found.push(Kept { value, linear });
                 }
             }
@@ -84,75 +85,88 @@ fn candidates(n: usize, moves: impl Fn(usize) -> bool) -> Vec<Candidate> {
     linear.chain(logarithms).chain(squares).collect()
 }
 
-/// The derivative of a candidate along each of the fields, whose components are one after the other.
-fn slopes(candidate: Candidate, components: &[Normal], x: &[Atom]) -> Option<Vec<Normal>> {
-    let slope = |field: &[Normal]| match candidate {
+/// The derivative of a candidate along a field.
+fn slope(candidate: Candidate, field: &[&Normal], x: &[Atom]) -> Option<Normal> {
+    let times_power = |f: &Normal, atom, exponent| f.times(&vec![(atom, Ratio::integer(exponent))]);
+    match candidate {
         Candidate::Linear(i) => Some(field[i].clone()),
-        Candidate::Logarithm(i) => times(&field[i], x[i], -1),
-        Candidate::Square(i, j) => times(&field[i], x[j], 1)?.add(Ratio::ONE, &times(&field[j], x[i], 1)?),
-    };
-    components.chunks(x.len()).map(slope).collect()
-}
-
-/// A sum times a power of an atom.
-fn times(sum: &Normal, atom: Atom, power: i128) -> Option<Normal> {
-    let mut product = Normal::default();
-    for (powers, coefficient) in sum.terms() {
-        product.add_term(product_of_powers(powers, &vec![(atom, Ratio::integer(power))])?, coefficient)?;
+        Candidate::Logarithm(i) => times_power(field[i], x[i], -1),
+        Candidate::Square(i, j) => times_power(field[i], x[j], 1)?.add(Ratio::ONE, &times_power(field[j], x[i], 1)?),
     }
-    Some(product)
 }
 
-/// The parameters that the fields read, and their reciprocals if the fields are divided by them.
-fn parameters(graph: &Graph, sums: &Sums, x: &[Symbol]) -> Vec<(Atom, Ratio)> {
-    let factors = sums.sums.iter().flat_map(|sum| sum.terms().flat_map(|(powers, _)| powers.iter().copied()));
-    let parameter = |(atom, _): &(Atom, Ratio)| match sums.as_symbol(*atom).map(|id| graph.node(id)) {
+/// Pairs (p, 1) for parameters p that occur in numerators of the fields, and (p, −1) for those in denominators.
+fn parameters(graph: &Graph, sums: &Sums, fields: &[Vec<&Normal>], x: &[Symbol]) -> BTreeSet<(Atom, Ratio)> {
+    let is_parameter = |atom: Atom| match sums.as_symbol(atom).map(|id| graph.node(id)) {
         Some(Node::Symbol(symbol)) => *symbol != Symbol::Time && !x.contains(symbol),
         _ => false,
     };
     let sign = |exponent: Ratio| Ratio::integer(if exponent < Ratio::ZERO { -1 } else { 1 });
-    let parameters = factors.filter(parameter).map(|(atom, exponent)| (atom, sign(exponent)));
-    parameters.collect::<BTreeSet<_>>().into_iter().collect()
+    let monomials = fields.iter().flatten().flat_map(|sum| sum.terms().map(|(monomial, _)| monomial));
+    let parameters = monomials.flatten().filter(|(atom, _)| is_parameter(*atom));
+    parameters.map(|(atom, exponent)| (*atom, sign(*exponent))).collect()
 }
 
-/// A coefficient that is sought: a number times a product of parameters times a candidate.
+/// The unknown coefficient of weight·candidate, where the weight is a product of parameters.
 struct Unknown {
     candidate: usize,
-    weight: Powers,
+    weight: Monomial,
 }
 
-/// Products of at most so many parameters before each candidate.
-fn unknowns(candidates: &[Candidate], parameters: &[(Atom, Ratio)], degree: usize, linear: bool) -> Vec<Unknown> {
-    let mut weights: Vec<Powers> = vec![vec![]];
+/// The unknowns with products of at most `degree` parameters.
+fn unknowns(
+    candidates: &[Candidate],
+    parameters: &BTreeSet<(Atom, Ratio)>,
+    degree: usize,
+    only_linear: bool,
+) -> Vec<Unknown> {
+    let mut weights: Vec<Monomial> = vec![vec![]];
     for _ in 0..degree {
-        let products = weights
-            .iter()
-            .flat_map(|weight| parameters.iter().filter_map(|parameter| product_of_powers(weight, &vec![*parameter])));
-        let new: BTreeSet<Powers> = products.filter(|product| !weights.contains(product)).collect();
+        let products = weights.iter().flat_map(|weight| {
+            parameters.iter().filter_map(|parameter| product_of_monomials(weight, &vec![*parameter]))
+        });
+        let new: BTreeSet<Monomial> = products.filter(|product| !weights.contains(product)).collect();
         weights.extend(new);
     }
-    let chosen = |candidate: &Candidate| !linear || matches!(candidate, Candidate::Linear(_));
-    let of = |k: usize| weights.iter().map(move |weight| Unknown { candidate: k, weight: weight.clone() });
-    let all = candidates.iter().enumerate().filter(|(_, candidate)| chosen(candidate));
-    all.flat_map(|(k, _)| of(k).collect::<Vec<_>>()).collect()
+    let is_chosen = |k: &usize| !only_linear || matches!(candidates[*k], Candidate::Linear(_));
+    let weights = &weights;
+    let of = |candidate| weights.iter().map(move |weight| Unknown { candidate, weight: weight.clone() });
+    (0..candidates.len()).filter(is_chosen).flat_map(of).collect()
 }
 
-/// A basis of the coefficients for which all derivatives vanish.
+/// A basis of the coefficients for which the derivatives along all fields vanish. `slopes` has those of each candidate.
 fn solutions(slopes: &[Vec<Normal>], unknowns: &[Unknown]) -> Option<Vec<Row>> {
-    let mut rows: BTreeMap<(usize, Powers), Row> = BTreeMap::new();
+    let mut equations = Vanishing::default();
     for (u, Unknown { candidate, weight }) in unknowns.iter().enumerate() {
         for (field, slope) in slopes[*candidate].iter().enumerate() {
-            for (powers, coefficient) in slope.terms() {
-                let powers = product_of_powers(powers, weight)?;
-                rows.entry((field, powers)).or_default().insert(u, coefficient);
-            }
+            equations.add(field, u, &slope.times(weight)?)?;
         }
     }
-    let mut equations = Equations::new(unknowns.len());
-    for row in rows.into_values() {
-        equations.add(row)?;
+    equations.solutions(unknowns.len())
+}
+
+/// The condition that sums Σ unknown·normal vanish. Every monomial of a sum gives a linear equation.
+#[derive(Default)]
+struct Vanishing(BTreeMap<(usize, Monomial), Row>);
+
+impl Vanishing {
+    /// Adds unknown·normal to one of the sums. `None` if a number becomes too long.
+    fn add(&mut self, sum: usize, unknown: usize, normal: &Normal) -> Option<()> {
+        for (monomial, coefficient) in normal.terms() {
+            let equation = self.0.entry((sum, monomial.clone())).or_default();
+            add_multiple(equation, Ratio::ONE, [(unknown, coefficient)])?;
+        }
+        Some(())
     }
-    equations.solutions()
+
+    /// A basis of the solutions. `None` if a number becomes too long.
+    fn solutions(self, unknowns: usize) -> Option<Vec<Row>> {
+        let mut equations = Equations::new(unknowns);
+        for equation in self.0.into_values() {
+            equations.add(equation)?;
+        }
+        equations.solutions()
+    }
 }
 
 /// A combination as a node.
@@ -161,16 +175,16 @@ fn node(
     coordinates: &[Id],
     candidates: &[Candidate],
     sums: &Sums,
-    terms: &[(usize, &Powers, Ratio)],
+    combination: &[(&Unknown, Ratio)],
 ) -> Id {
     let mut parts = vec![];
-    for (candidate, weight, coefficient) in terms {
-        let mut product = match candidates[*candidate] {
+    for (unknown, coefficient) in combination {
+        let mut product = match candidates[unknown.candidate] {
             Candidate::Linear(i) => coordinates[i],
             Candidate::Logarithm(i) => graph.call(Function::Ln, &[coordinates[i]]),
             Candidate::Square(i, j) => graph.mul(coordinates[i], coordinates[j]),
         };
-        for (atom, exponent) in weight.iter() {
+        for (atom, exponent) in &unknown.weight {
             let Some(symbol) = sums.as_symbol(*atom) else { continue };
             let power = graph.pow(symbol, *exponent);
             product = graph.mul(power, product);

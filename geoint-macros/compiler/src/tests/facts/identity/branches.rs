@@ -1,5 +1,5 @@
-//! Random pairs of expressions, the second rewritten by rules of which some hold on one branch only: what is proven must hold in floating
-//! point wherever both are defined.
+//! Proofs about random pairs of expressions. The second expression is a rewriting of the first, and some rules of rewriting hold on one branch
+//! only. A proven equality must hold in floating point wherever both expressions are defined.
 
 use super::super::super::Noise;
 use crate::analyze::identity;
@@ -7,7 +7,7 @@ use crate::ir::print::Printer;
 use crate::ir::{Function, Graph, Id, Number, Ratio, Relation, Symbol};
 use crate::tests::eval::eval;
 
-/// An expression, and what became of it.
+/// An expression and its rewriting.
 type Pair = [Id; 2];
 
 struct Pairs {
@@ -49,7 +49,7 @@ impl Pairs {
         let a = self.pair(depth - 1);
         let b = if self.below(2) == 0 { self.pair(depth - 1) } else { self.leaf() };
         let square = |g: &mut Graph, x| g.pow(x, Ratio::integer(2));
-        // Half of the time as it is, else rewritten.
+        // Half of the expressions are rewritten.
         let rewritten = self.below(2) == 0;
         let rule = self.below(16);
         let g = &mut self.graph;
@@ -69,7 +69,7 @@ impl Pairs {
                 let [x, y] = [g.sqrt(a[1]), g.sqrt(b[1])];
                 [g.sqrt(product), g.mul(x, y)]
             }
-            // ln(ab), the same.
+            // ln(ab) is ln a + ln b where both are positive.
             6 if rewritten => {
                 let product = g.mul(a[0], b[0]);
                 let [x, y] = [g.call(Function::Ln, &[a[1]]), g.call(Function::Ln, &[b[1]])];
@@ -82,7 +82,7 @@ impl Pairs {
                 [value, g.call(Function::Min, &[a[1], b[1]])]
             }
             9 if rewritten => [g.call(Function::Max, &[a[0], b[0]]), a[1]],
-            // True ones.
+            // Rules that hold everywhere.
             10 => {
                 let sum = g.add(a[0], b[0]);
                 let [sa, ca] = [Function::Sin, Function::Cos].map(|f| g.call(f, &[a[1]]));
@@ -100,7 +100,7 @@ impl Pairs {
                 let sum = g.add(x, y);
                 [g.sqrt(sum), g.call(Function::Hypot, &[a[1], b[1]])]
             }
-            // (∛a)³, and (√a)².
+            // (∛a)³ is a, and (√(a²))² is a².
             13 => {
                 let root = g.call(Function::Cbrt, &[a[0]]);
                 [g.pow(root, Ratio::integer(3)), a[1]]
@@ -122,7 +122,7 @@ impl Pairs {
     }
 }
 
-/// How many pairs were proven to be equal, and how many were not.
+/// The numbers of pairs with and without a proof of equality.
 fn checked(seeds: std::ops::Range<u64>) -> (usize, usize) {
     let (mut proven, mut open) = (0, 0);
     for seed in seeds {
@@ -148,7 +148,7 @@ fn checked(seeds: std::ops::Range<u64>) -> (usize, usize) {
                 Symbol::Momentum(_) => state[2],
                 _ => state[3],
             };
-            // `min` of f64 hides what is not defined; large numbers have no sines.
+            // `min` of f64 hides undefined values, and sines of large numbers are inaccurate.
             let tame = graph.reachable(&[a, b]).into_iter().all(|id| eval(&graph, id, &value).abs() < 100.0);
             let [x, y] = [a, b].map(|id| eval(&graph, id, &value));
             if tame {

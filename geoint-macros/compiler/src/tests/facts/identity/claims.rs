@@ -1,4 +1,4 @@
-//! What is asked of fields and their structure: right answers, and which entry fails, by what.
+//! Claims about fields and their structure matrices are decided. A wrong entry is named with its remainder.
 
 use super::points::word;
 use super::systems::{Lowered, fields};
@@ -14,7 +14,7 @@ fn printed(graph: &Graph, id: Id) -> String {
     let name = |symbol| match symbol {
         Symbol::Position(i) => format!("x{i}"),
         Symbol::Time => "t".into(),
-        // After the weights of the test.
+        // The parameters follow the weights of the test.
         Symbol::Parameter(i) => format!("c{i}"),
         other => format!("{other:?}"),
     };
@@ -88,7 +88,7 @@ fn what_remains_of_a_wrong_integral_is_named_with_a_state() {
     let goryachev = fields().into_iter().find(|field| field.name == "Goryachev top").expect("it is in the list");
     let Lowered { mut graph, x, field, integrals, .. } = goryachev.lowered();
     let Identity::Wrong(wrong) = is_kept(&mut graph, &x, &field, integrals[3], None) else { panic!("not refuted") };
-    // −x₁·(x₀x₃ + x₁x₄ + x₂x₅): it holds where m·γ = 0.
+    // −x₁·(x₀x₃ + x₁x₄ + x₂x₅). The claim holds where m·γ = 0.
     let rest = wrong.rest.expect("it is short");
     assert_eq!(printed(&graph, rest.rest), "-x1·x2·x5 - x0·x1·x3 - x1²·x4");
     assert!(wrong.witness.state.iter().all(|(_, value)| *value == Ratio::ONE));
@@ -108,7 +108,7 @@ fn time_forcing_and_loss_are_accounted_for() {
     assert_eq!(word(&is_kept(&mut graph, &x, field, integrals[0], None)), "wrong");
     assert!(is_kept(&mut graph, &x, field, integrals[0], Some(but)).is_zero());
     assert!(is_kept(&mut graph, &x, free, integrals[0], None).is_zero());
-    // An integral that depends on time, and one by a wrong sign.
+    // An integral that depends on time, and its variant with a wrong sign.
     assert!(is_kept(&mut graph, &x, free, integrals[1], None).is_zero());
     assert_eq!(word(&is_kept(&mut graph, &x, free, integrals[2], None)), "wrong");
 }
@@ -127,7 +127,7 @@ fn dependent_integrals_are_named() {
     for field in fields() {
         let Lowered { mut graph, x, integrals, .. } = field.lowered();
         let found = dependent(&mut graph, &x, &integrals).expect("it is decided");
-        // Lagrange's top among others: four independent integrals.
+        // Lagrange's top, for example, has four independent integrals.
         assert_eq!(found.integrals, Vec::<usize>::new(), "{}", field.name);
     }
     let integrals = quote!([

@@ -1,4 +1,4 @@
-//! What is kept along fields is proven, and what is not by one sign is refuted.
+//! Integrals of fields are proven. Integrals with one wrong sign are refuted.
 
 use super::systems::{Field, Lowered, fields};
 use super::{arrays, coordinates};
@@ -22,7 +22,7 @@ fn thirty_six_integrals_are_decided() {
     assert_eq!(count, 36);
 }
 
-/// Integrals with one sign that is wrong.
+/// Integrals with one wrong sign.
 fn wrong(field: &Field) -> Vec<TokenStream> {
     match field.name {
         "Lotka–Volterra" => vec![quote!(b * x[0] + c * x[0].ln() + b * x[1] - a * x[1].ln())],
@@ -73,7 +73,7 @@ fn integrals_with_one_wrong_sign_are_refuted() {
     assert!(count >= 20, "{count}");
 }
 
-/// Three bodies in the plane: field, and energy, angular momentum, momentum, each also with a wrong sign.
+/// Three bodies in the plane: the field, its energy, angular momentum and momentum, and each integral with a wrong sign.
 fn three_bodies() -> (Graph, Vec<Symbol>, Vec<Id>, Vec<Id>) {
     let setup = quote! {
         let m = [a, b, c];
@@ -118,7 +118,7 @@ fn integrals_with_roots_are_decided() {
 #[test]
 #[ignore = "prints times"]
 fn times() {
-    // The smallest of five, each in a graph that has not seen it.
+    // The shortest of five times, each with a new graph.
     let timed = |name: &str, graph: &Graph, x: &[Symbol], field: &[Id], integral: Id| {
         let runs = (0..5).map(|_| {
             let mut graph = graph.clone();

@@ -1,5 +1,5 @@
-//! What fields keep, against attempts to pass what they do not: identities that are false by one sign, and random fields made of random
-//! integrals, with literals as decimals, roots, quotients, conditions and time.
+//! Conserved functions are proven, and no false identity passes. The tests use identities with one wrong sign, and random fields that are built
+//! from random integrals with decimals, roots, quotients, conditions and time.
 
 use super::points::word;
 use super::{arrays, coordinates, length};
@@ -12,7 +12,7 @@ use crate::tests::eval::eval;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// Each identity, and the same with one sign changed.
+/// Identities, each with a variant in which one sign is changed.
 fn pairs() -> Vec<[TokenStream; 2]> {
     macro_rules! pairs {
         ($($holds:expr, $fails:expr;)*) => { vec![$([quote!($holds), quote!($fails)]),*] };
@@ -73,7 +73,7 @@ impl Random {
         self.noise.between(0.0, n as f64) as usize
     }
 
-    /// A literal with decimals, as it is written.
+    /// A decimal literal.
     fn decimal(&mut self) -> Id {
         let tenths = self.below(39) as i128 - 19;
         let number = Ratio::new(if tenths == 0 { 7 } else { tenths }, 10).map_or(Number::ONE, Number::Exact);
@@ -121,7 +121,7 @@ impl Random {
                 let sum = g.add(square, one);
                 g.call(Function::Ln, &[sum])
             }
-            // A guard, at zero too.
+            // A guard, which may be at zero.
             _ => {
                 let zero = g.zero();
                 let relation = if strict { Relation::Less } else { Relation::LessEqual };
@@ -133,7 +133,7 @@ impl Random {
     }
 }
 
-/// Counts of what was proven of fields that keep an integral, and of what was proven of fields that do not.
+/// Counts the proofs for fields that keep an integral, and for fields that do not.
 #[derive(Debug, Default)]
 struct Counts {
     fields: usize,
@@ -141,7 +141,7 @@ struct Counts {
     wrong: usize,
 }
 
-/// Fields f = S∇I − ∂I/∂t ∇I/|∇I|² with random I and S keep I; with the sign of one term changed they do not.
+/// Fields f = S∇I − ∂I/∂t ∇I/|∇I|² with random I and S keep I; a field with one changed sign does not.
 fn checked(seeds: std::ops::Range<u64>) -> Counts {
     let mut counts = Counts::default();
     let x = coordinates(3);
@@ -149,7 +149,7 @@ fn checked(seeds: std::ops::Range<u64>) -> Counts {
         let mut random = Random { graph: Graph::default(), noise: Noise(seed + 7) };
         let time = seed % 3 == 0;
         let expression = random.expression(2 + (seed % 2) as usize, time);
-        // And something that reads all coordinates.
+        // A term that reads all coordinates.
         let [a, b, c] = [0, 1, 2].map(|i| random.graph.symbol(Symbol::Position(i)));
         let [weight, other] = [random.decimal(), random.decimal()];
         let cubic = random.graph.product(&[weight, a, b, c]);
@@ -159,7 +159,7 @@ fn checked(seeds: std::ops::Range<u64>) -> Counts {
         let Random { graph: mut g, mut noise } = random;
         let all: Vec<Symbol> = x.iter().copied().chain([Symbol::Time]).collect();
         let slopes = crate::diff::jacobian(&mut g, &[integral], &all).remove(0);
-        // v × ∇I, term by term: what is changed is one of six.
+        // v × ∇I, term by term. One of the six terms is changed.
         let mut terms: Vec<[Id; 2]> = (0..3)
             .map(|i| {
                 let (j, k) = ((i + 1) % 3, (i + 2) % 3);
@@ -194,7 +194,7 @@ fn checked(seeds: std::ops::Range<u64>) -> Counts {
         let derivative = derivative_along(&mut g, &x, &f, integral, None);
         let total = g.sum(&derivative);
         let verdict = is_kept(&mut g, &x, &f, integral, None);
-        // Whatever is said to be zero is so at states of all signs, and where conditions change sides.
+        // A proven zero is zero at states of all signs, and on both sides of conditions.
         let mut largest = 0.0_f64;
         for _ in 0..40 {
             let state: Vec<f64> = (0..6)

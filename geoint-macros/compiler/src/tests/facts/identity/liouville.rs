@@ -1,4 +1,4 @@
-//! Which fields are those of an energy, and of which one.
+//! Energies are recovered from their fields, and fields without an energy are refused.
 
 use super::arrays;
 use crate::analyze::identity;
@@ -7,7 +7,7 @@ use crate::ir::Symbol;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// q' and p' of n degrees of freedom, with the energy.
+/// Recovers the energy from q' and p' of n degrees of freedom, and compares it with the expected energy.
 fn recovered(n: usize, field: &TokenStream, expected: &TokenStream) -> Result<(), NoEnergy> {
     [Logarithm::OfNumber, Logarithm::OfMagnitude]
         .into_iter()
@@ -17,8 +17,7 @@ fn recovered(n: usize, field: &TokenStream, expected: &TokenStream) -> Result<()
 fn by(logarithm: Logarithm, n: usize, field: &TokenStream, expected: &TokenStream) -> Result<(), NoEnergy> {
     let (mut graph, found) = arrays(2 * n, &quote!(let (q, p) = (x[0], x[#n]);), &[field, &quote!([#expected])]);
     let symbols = |range: std::ops::Range<usize>| range.map(|i| Symbol::Position(i as u32)).collect::<Vec<_>>();
-    let canonical = (symbols(0..n), symbols(n..2 * n));
-    let (energy, _) = energy(&mut graph, (&canonical.0, &canonical.1), &found[0], logarithm)?;
+    let (energy, _) = energy(&mut graph, &symbols(0..n), &symbols(n..2 * n), &found[0], logarithm)?;
     let difference = graph.sub(energy, found[1][0]);
     let verdict = identity(&mut graph, difference);
     assert!(verdict.is_zero(), "{field}: {verdict:?}");
@@ -56,7 +55,7 @@ fn energies_of_plane_fields_are_recovered() {
         ),
         (quote!([p.sin() * p.cos(), -q.ln() / q]), quote!(q.ln().powi(2) / 2.0 - p.cos().powi(2) / 2.0)),
         (quote!([p.tanh(), -q.atan()]), quote!(p.cosh().ln() + q * q.atan() - (1.0 + q * q).ln() / 2.0)),
-        // Angles of one coordinate.
+        // Angles in the plane of one coordinate and a constant.
         (
             quote!([1.0 / (p * p + 2.0 * p + 2.0), -3.0 / (4.0 + q * q)]),
             quote!((p + 1.0).atan() + 1.5 * (q / 2.0).atan()),
@@ -68,7 +67,7 @@ fn energies_of_plane_fields_are_recovered() {
     }
 }
 
-/// Around the origin, and around another point in other units: no function that is defined wherever the field is.
+/// Angles around the origin, and around another point in other units. No energy is defined wherever the field is.
 #[test]
 fn angles_are_found_in_a_part_of_the_domain() {
     for (field, angle) in [
@@ -110,15 +109,15 @@ fn what_has_no_antiderivative_stays_an_integral() {
     let Err(NoEnergy::Integrals(open)) = recovered(1, &gauss, &quote!(0.0)) else { panic!("{gauss}") };
     assert_eq!((open.integrals.len(), open.integrals[0].1), (1, Symbol::Position(1)));
     assert!(open.elementary.is_some());
-    // Beside q alone nothing is left but an integral.
+    // The energy is a single integral.
     let Err(NoEnergy::Integrals(open)) = recovered(1, &quote!([0.0, (q * q).sin()]), &quote!(0.0)) else { panic!() };
     assert_eq!((open.elementary, open.integrals[0].1), (None, Symbol::Position(0)));
-    // A root of what may be negative would be left.
+    // The antiderivative would contain a root of an expression that may be negative.
     for open in [quote!([p, 1.0 / (q * q - 1.0)]), quote!([p, 1.0 / (a + q * q)]), quote!([p, 1.0 / (1.0 + q.powi(4))])]
     {
         assert!(matches!(recovered(1, &open, &quote!(0.0)), Err(NoEnergy::Integrals(_))), "{open}");
     }
-    // It reads both: a line integral, which is no sum over variables.
+    // The integrand reads both variables, so the line integral is not a sum over variables.
     let both = quote!([q * (-p * p * q * q).exp(), -p * (-p * p * q * q).exp()]);
     assert!(matches!(recovered(1, &both, &quote!(0.0)), Err(NoEnergy::NotElementary(Some(_), _))));
 }
@@ -134,7 +133,7 @@ fn with_more_degrees_of_freedom_the_divergence_is_not_enough() {
     let charge = quote!([x[2] + a * x[1], x[3] - a * x[0], a * (x[3] - a * x[0]), -a * (x[2] + a * x[1])]);
     let energy = quote!(((x[2] + a * x[1]).powi(2) + (x[3] - a * x[0]).powi(2)) / 2.0);
     assert_eq!(recovered(2, &charge, &energy), Ok(()));
-    // div f = 0, and yet no energy: the force turns.
+    // div f = 0, but there is no energy, because the force has a curl.
     let turning = quote!([x[2], x[3], -x[0] - x[1], -x[1] + x[0]]);
     let Err(NoEnergy::NotCanonical(pair, _)) = recovered(2, &turning, &quote!(0.0)) else { panic!("an energy") };
     assert_eq!(pair, [Symbol::Position(0), Symbol::Position(1)]);

@@ -1,4 +1,4 @@
-//! What is zero is seen, by which proof, and nothing else is taken for zero.
+//! Zero nodes are recognised by the expected proof, and no other node is taken for zero.
 
 mod branches;
 mod claims;
@@ -16,9 +16,9 @@ use crate::ir::{Graph, Id, Symbol};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// The components of several arrays in one graph. They see x, an array of `n` numbers, the parameters a, b, c, d, and t.
+/// The components of several arrays in one graph. The arrays read x, an array of `n` numbers, the parameters a, b, c, d, and t.
 fn arrays(n: usize, setup: &TokenStream, arrays: &[&TokenStream]) -> (Graph, Vec<Vec<Id>>) {
-    // An energy has one value: arrays are the coefficients of weights in it.
+    // An energy has one value, so components are its derivatives by weights.
     let lengths: Vec<usize> = arrays.iter().map(|array| length(array)).collect();
     let total: usize = lengths.iter().sum();
     let mut first = 0;

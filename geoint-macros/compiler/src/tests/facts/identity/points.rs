@@ -1,11 +1,11 @@
-//! The rules of a proof by points of a finite field, and what must not pass it.
+//! The rules of a proof by points of a finite field, and false identities that must not pass.
 
 use super::{arrays, length};
 use crate::analyze::{Identity, Proof, Why, identity};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// The answer to each entry of an array, in a word.
+/// A word for the answer to each entry of an array.
 fn answers(array: &TokenStream) -> Vec<String> {
     let (mut graph, roots) = arrays(4, &quote!(let [q, p, u, v] = x;), &[array]);
     roots[0].iter().map(|root| word(&identity(&mut graph, *root)).into()).collect()
@@ -42,14 +42,14 @@ macro_rules! check {
 #[test]
 fn what_vanishes_for_one_choice_of_signs_only_is_not_proven() {
     check! {
-        // Wrong where q is negative; true wherever the roots are real.
+        // The first is wrong where q is negative; the second holds wherever the roots are real.
         (q * q).sqrt() - q, "wrong, a branch";
         q.sqrt() * p.sqrt() - (q * p).sqrt(), "branch";
         (q + 1.0).sqrt() * (q - 1.0).sqrt() - (q * q - 1.0).sqrt(), "branch";
         ((q - 1.0) * (q - 1.0)).sqrt() - (q - 1.0), "wrong, a branch";
         (u * u + 1.0).sqrt() * (v * v + 1.0).sqrt() - ((u * u + 1.0) * (v * v + 1.0)).sqrt(), "branch";
         ((q * q).sqrt() - q) * ((p * p).sqrt() - p), "wrong, a branch";
-        // Both of a pair: no sign is left out.
+        // A product over both signs of a root is zero for each sign.
         ((q * q).sqrt() - q) * ((q * q).sqrt() + q), "zero";
         ((1.0 + u.sqrt()).sqrt()).powi(2) - 1.0 - u.sqrt(), "zero";
         (1.0 + u.sqrt()).sqrt() * (1.0 - u.sqrt()).sqrt() - (1.0 - u).sqrt(), "branch";
@@ -64,7 +64,7 @@ fn what_vanishes_for_one_choice_of_signs_only_is_not_proven() {
     }
 }
 
-/// Square roots of ratios are exact: that of 3 is not 1.7320508075688772.
+/// Square roots of ratios are exact: √3 is not 1.7320508075688772.
 #[test]
 fn roots_of_numbers_are_roots() {
     check! {
@@ -78,7 +78,7 @@ fn roots_of_numbers_are_roots() {
         // √3·q + √2·p and its conjugates.
         ((3.0_f64).sqrt() * q + (2.0_f64).sqrt() * p).powi(8) * ((3.0_f64).sqrt() * q - (2.0_f64).sqrt() * p).powi(8)
             - (3.0 * q * q - 2.0 * p * p).powi(8), "zero";
-        // False by one sign, or in the last digits.
+        // One sign is wrong, or the last digits are.
         (3.0_f64).sqrt() * (3.0_f64).sqrt() * q + 3.0 * q, "wrong";
         (6.0_f64).sqrt() * q + (2.0_f64).sqrt() * (3.0_f64).sqrt() * q, "wrong";
         ((3.0_f64).sqrt() * q + (2.0_f64).sqrt() * p).powi(2) - 3.0 * q * q - 2.0 * p * p + 2.0 * (6.0_f64).sqrt() * q * p, "wrong";
@@ -87,7 +87,7 @@ fn roots_of_numbers_are_roots() {
 
 #[test]
 fn factors_of_signs_that_vanish_almost_always_are_seen() {
-    // Zero unless q, p, u and v are all negative: for one of sixteen combinations it is not.
+    // The product is zero unless q, p, u and v are all negative, which is one of sixteen combinations.
     check! {
         ((q * q).sqrt() - q) * ((p * p).sqrt() - p) * ((u * u).sqrt() - u) * ((v * v).sqrt() - v), "wrong, a branch";
     }
@@ -135,7 +135,7 @@ fn relations_between_functions() {
         (q - p).atan() + (p - q).atan(), "zero";
         (q * q + 1.0).atan() + (1.0 / (q * q + 1.0)).atan() - std::f64::consts::FRAC_PI_2, "relation";
         q.asin().sin() - q, "relation";
-        // Zero inside of a function.
+        // A zero inside of a function.
         ((2.0 * q).sin() - 2.0 * q.sin() * q.cos()).atan(), "points";
         ((2.0 * q).cos() + 2.0 * q.sin().powi(2) + p).ln() - (1.0 + p).ln(), "points";
         p.atan2(q) - (p / q).atan(), "wrong";
@@ -149,7 +149,7 @@ fn decimals_are_as_they_are_written() {
         (0.1 * q).exp().powi(3) - (0.3 * q).exp(), "zero";
         (0.1 * q + 0.2 * p).sin() - (0.1 * q).sin() * (0.2 * p).cos() - (0.1 * q).cos() * (0.2 * p).sin(), "points";
         1e-20 * q * q, "wrong";
-        // A cube root of a number is rounded when it is written.
+        // The cube root of a number is rounded when the code is lowered.
         3.0_f64.cbrt().powi(3) * q - 3.0 * q, "relation";
         (3.0_f64.sqrt() * q) * (3.0_f64.sqrt() * p) - 3.0 * q * p, "zero";
     }
@@ -174,7 +174,7 @@ fn both_sides_of_conditions_are_seen() {
         if q < p { (q + p).sin() } else { q.sin() * p.cos() - q.cos() * p.sin() } - (q + p).sin(), "wrong";
         if q < 0.0 { 0.0 } else { q.abs() - q }, "points";
         if q > 0.0 { 0.0 } else { q.signum() + 1.0 }, "wrong";
-        // The boundary is a side of its own.
+        // The boundary is a separate case.
         if q < 0.0 { 0.0 } else if q <= 0.0 { (q + p).sin() } else { 0.0 }, "wrong";
         if q == 0.0 { (q + p).sin() } else { 0.0 }, "wrong";
         if q == 0.0 { p.sin().powi(2) - (1.0 - (2.0 * p).cos()) / 2.0 } else { 0.0 }, "points";
@@ -183,7 +183,7 @@ fn both_sides_of_conditions_are_seen() {
 
 #[test]
 fn what_is_divided_by_is_not_zero_for_any_choice() {
-    // For q > 0 the second term is not defined where the first one is: that is no proof.
+    // For q > 0 the second term is not defined although the first one is, so there is no proof.
     check! {
         if q < 0.0 { a / (q.abs() - q) } else { q } - a / (q.abs() - q), "too long";
     }
@@ -199,7 +199,7 @@ fn what_is_too_long_is_evaluated() {
 
 #[test]
 fn more_roots_than_are_combined_are_unknowns() {
-    // Ten roots: the identity does not depend on what they are, or it is not decided.
+    // An identity with ten roots is proven if it does not depend on their values; otherwise it is not decided.
     let sum = |signs: [i32; 10]| {
         let terms = signs.iter().enumerate().map(|(k, sign)| {
             let (k, sign) = (f64::from(k as u32) + 1.0, f64::from(*sign));

@@ -1,4 +1,4 @@
-//! What is kept is found from the field alone.
+//! Integrals, Casimirs, multipliers and structure matrices are found from the field alone.
 
 use super::systems::{Lowered, fields};
 use super::{arrays, coordinates};
@@ -7,7 +7,7 @@ use crate::analyze::search::{self, Kept, kept_along, multiplier, structure};
 use crate::ir::Ratio;
 use quote::quote;
 
-/// For each field how many integrals there are, how many of them linear, and which of the known ones are combinations of them.
+/// For each field: the number of integrals, the number of linear ones, and the known integrals that depend on them.
 #[test]
 fn integrals_up_to_degree_two_are_found() {
     let expected: [(&str, usize, usize, &[usize]); 14] = [
@@ -25,7 +25,7 @@ fn integrals_up_to_degree_two_are_found() {
         ("vortices", 3, 2, &[1, 2, 3]),
         // Σ(qq⁺ + pp⁺) and Σ(qp⁺ − pq⁺).
         ("Ablowitz–Ladik", 2, 0, &[]),
-        // Along the field nothing but the oscillator acts.
+        // Only the oscillator acts along the field.
         ("charge", 1, 0, &[]),
         ("three waves", 2, 0, &[1, 2]),
     ];
@@ -38,7 +38,7 @@ fn integrals_up_to_degree_two_are_found() {
         for Kept { value, .. } in &found {
             assert!(is_kept(&mut graph, &x, &f, *value, None).is_zero(), "{name}");
         }
-        // Gradients of known ones depend on those that are found.
+        // Gradients of known integrals depend on gradients of found ones.
         let all: Vec<_> = found.iter().map(|kept| kept.value).chain(known.iter().map(|k| integrals[*k])).collect();
         let dependent = dependent(&mut graph, &x, &all).expect("it is decided").integrals;
         assert_eq!(dependent, (count..all.len()).collect::<Vec<_>>(), "{name}");
@@ -53,7 +53,7 @@ fn casimirs_are_found() {
         }
         let Lowered { mut graph, x, matrix, integrals, .. } = field.lowered();
         let found = kept_along(&mut graph, &x, &matrix).expect("it is short");
-        // Toda's Σb; its square is a function of it. None for a charge, three waves, and two species.
+        // Toda has Σb; its square depends on it. A charge, three waves and two species have none.
         assert_eq!(found.len(), field.casimirs.len(), "{}", field.name);
         let values: Vec<_> = found.iter().map(|kept| kept.value).collect();
         for value in &values {
@@ -100,12 +100,11 @@ fn multipliers_of_jacobi_are_products_of_powers() {
     // Without divergence the multiplier is 1; with damping there is none.
     assert_eq!(found(2, quote!([x[1], -x[0] - x[0].powi(3)])), integers(&[0, 0]));
     assert_eq!(found(2, quote!([x[1], -x[0] - x[0].powi(3) - x[1] / 10.0])), None);
-    // x' = x² y, y' = x y³ has μ = x⁻²y⁻³, and others.
+    // A field with several multipliers.
     assert_eq!(found(2, quote!([2.0 * x[0] * x[1], -3.0 * x[1] * x[1]])).map(|a| a.len()), Some(2));
 }
 
-/// A skew matrix with S∇I = f from f and its first integral: whether it is the only one, whether its bracket is one of Poisson, and in
-/// how many planes.
+/// For each field, of the skew matrix with S∇I = f for its first integral: uniqueness, Jacobi's identity, and the number of planes.
 #[test]
 fn structures_are_found() {
     let expected = [
@@ -120,7 +119,7 @@ fn structures_are_found() {
         ("Goryachev top", Some((false, false, 5))),
         ("Toda", Some((true, true, 6))),
         ("vortices", Some((false, true, 4))),
-        // S is the sum that ∇I is divided by, and no quotient of terms.
+        // S is the sum in the denominators of ∇I, and not a quotient of terms.
         ("Ablowitz–Ladik", None),
         ("charge", Some((false, true, 4))),
         ("three waves", Some((true, true, 3))),
@@ -139,7 +138,7 @@ fn structures_are_found() {
     }
 }
 
-/// An integral that is linear in a coordinate, of a field that is no polynomial.
+/// The field is not a polynomial, and its integral is linear in a coordinate.
 #[test]
 fn structures_have_one_row_where_an_integral_is_linear() {
     let field = quote!([x[1].sin(), (x[0] * x[2]).cos(), -x[1].sin() - x[1] * (x[0] * x[2]).cos()]);
@@ -148,7 +147,7 @@ fn structures_have_one_row_where_an_integral_is_linear() {
     let x = coordinates(3);
     let structure = structure(&mut graph, &x, &found[0], found[1][0]).expect("one row");
     assert!(is_gradient_form(&mut graph, &x, &structure.matrix, found[1][0], &found[0]).is_ok());
-    // What is no integral has none.
+    // A function that is not an integral has no structure matrix.
     let x0 = graph.symbol(x[0]);
     assert_eq!(search::structure(&mut graph, &x, &found[0], x0), None);
 }

@@ -1,4 +1,4 @@
-//! Is it seen what is zero, and is nothing else taken for zero?
+//! Equal expressions are recognised in all spellings, and different expressions are not taken for equal.
 
 use super::super::super::lowered;
 use crate::analyze::{Remainder, identity};
@@ -24,7 +24,7 @@ fn name(symbol: Symbol) -> String {
     }
 }
 
-/// "0", or what is left, and in which case.
+/// "0", or the remainder and its case.
 fn difference(one: &TokenStream, other: &TokenStream) -> String {
     let (mut graph, root) = body(&quote!((#one) - (#other)));
     let verdict = identity(&mut graph, root);
@@ -125,13 +125,13 @@ fn what_is_left_is_named() {
         (quote!((1e-300 * x).sin()), quote!(0.0), "sin(1e-300·x)"),
         (quote!(x + TINY), quote!(x), "k"),
         (quote!((a * x).sin()), quote!((b * x).sin()), "sin(x·a) - sin(x·b) (?)"),
-        // True for one sign only.
+        // These hold for one sign only.
         (quote!((x * x).sqrt()), quote!(x), "√(x²) - x (?)"),
         (quote!(x.sqrt() * y.sqrt()), quote!((x * y).sqrt()), "√x·√y - √(x·y) (?)"),
-        // Where a factor is zero nothing follows of the other branch.
+        // A zero denominator in one branch is no proof for the other one.
         (quote!(if x < 0.0 { a / (x.abs() - x) } else { x.abs() + x + b }), quote!(a / (x.abs() - x)), ""),
         (quote!(x.exp() - 1.0), quote!(x), "exp(x) - x - 1 (?)"),
-        // Relations that are not known.
+        // These need unknown relations.
         (quote!((2.0 * x * x + 2.0).atan()), quote!(2.0 * (x * x + 1.0).atan()), "atan(2·x² + 2) - 2·atan(x² + 1) (?)"),
         (quote!((a + b + c + m + x + y).powi(40)), quote!(x), "(x + y + a + b + c + m)⁴⁰ - x (?)"),
         (quote!((a + b + c + m).powi(7) * (a + x + y + c).powi(7) * (x + y + m).powi(9)), quote!(x), "too long"),

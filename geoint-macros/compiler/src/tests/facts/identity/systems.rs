@@ -1,24 +1,24 @@
-//! Fields with integrals, and skew matrices that give them.
+//! Fields with integrals and skew matrices.
 
 use super::{arrays, coordinates};
 use crate::ir::{Graph, Id, Symbol};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// A field with its integrals, and a skew matrix with f = S∇I of the first one.
+/// A field f with its integrals, and a skew matrix S with f = S∇I for the first integral I.
 pub(super) struct Field {
     pub(super) name: &'static str,
     n: usize,
     setup: TokenStream,
     field: TokenStream,
-    /// Integrals, and whether they are some.
+    /// Functions, and whether the field keeps each.
     pub(super) integrals: Vec<(TokenStream, bool)>,
     pub(super) matrix: Option<TokenStream>,
-    /// Which integrals are Casimirs of the matrix.
+    /// Indices of the integrals that are Casimirs of the matrix.
     pub(super) casimirs: Vec<usize>,
 }
 
-/// In one graph: the field, its integrals, and rows of the matrix.
+/// The field, its integrals, and the rows of the matrix in one graph.
 pub(super) struct Lowered {
     pub(super) graph: Graph,
     pub(super) x: Vec<Symbol>,
@@ -32,7 +32,7 @@ impl Field {
         self.with(&self.integrals.iter().map(|(integral, _)| integral.clone()).collect::<Vec<_>>())
     }
 
-    /// With other integrals.
+    /// The field with other integrals.
     pub(super) fn with(&self, integrals: &[TokenStream]) -> Lowered {
         let all = quote!([#(#integrals),*]);
         let zeros = vec![quote!(0.0); self.n * self.n];
@@ -73,7 +73,7 @@ fn top(name: &'static str, inertia: [f64; 3], r: [f64; 3], last: (TokenStream, b
     }
 }
 
-/// Four point vortices: the terms of both halves of the field, and of the energy.
+/// Four point vortices. The loops sum the field and the energy over pairs.
 fn vortices() -> Field {
     Field {
         name: "vortices",
