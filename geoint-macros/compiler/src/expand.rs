@@ -69,34 +69,34 @@ fn lagrangian(energy: &Energy) -> Result<TokenStream> {
     }
 }
 
-/// L(q, v, t) with velocities as unknowns; `long` is why there is no H.
-fn velocities(energy: &Energy, mut lowered: Lowered, (legendre, long): (&Legendre, Id)) -> Result<TokenStream> {
+/// L(q, v, t) with velocities as unknowns; `obstacle` is the reason why there is no H.
+fn velocities(energy: &Energy, mut lowered: Lowered, (legendre, obstacle): (&Legendre, Id)) -> Result<TokenStream> {
     let context = emit::Context::new(energy, &lowered.constants);
     let graph = &mut lowered.graph;
     let damping = analyze::damping(graph, lowered.damping);
     let forces = Forces::of(graph, lowered.force, lowered.friction);
     let friction = (damping.as_ref(), forces.as_ref());
-    check::velocities(energy, (long, friction), graph, &lowered.places, &context)?;
-    let system = derive::velocities(graph, legendre, (long, &energy.coordinates.shape), friction)
+    check::velocities(energy, (obstacle, friction), graph, &lowered.places, &context)?;
+    let system = derive::velocities(graph, legendre, (obstacle, &energy.coordinates.shape), friction)
         .of_lagrangian(legendre)
         .scheduled(graph);
     let graph = &*graph;
     let report = emit::report::lagrangian(&context, graph, Some(legendre))
-        + &emit::report::velocities(&context, graph, (legendre, long), (&system, friction));
+        + &emit::report::velocities(&context, graph, (legendre, obstacle), (&system, friction));
     Ok(emit::items(&context, graph, &system, &report))
 }
 
-/// L(q, v, s, t) with velocities as unknowns; `long` is why there is no H.
-fn herglotz(energy: &Energy, mut lowered: Lowered, (legendre, long): (&Legendre, Id)) -> Result<TokenStream> {
+/// L(q, v, s, t) with velocities as unknowns; `obstacle` is the reason why there is no H.
+fn herglotz(energy: &Energy, mut lowered: Lowered, (legendre, obstacle): (&Legendre, Id)) -> Result<TokenStream> {
     let context = emit::Context::new(energy, &lowered.constants);
     let graph = &mut lowered.graph;
-    check::velocities(energy, (long, (None, None)), graph, &lowered.places, &context)?;
+    check::velocities(energy, (obstacle, (None, None)), graph, &lowered.places, &context)?;
     let dissipated = analyze::dissipated_by_velocities(graph, legendre.lagrangian, &energy.coordinates.shape);
     let decay = analyze::decay(graph, legendre.lagrangian);
-    let system = derive::herglotz(graph, legendre, long).of_lagrangian(legendre).scheduled(graph);
+    let system = derive::herglotz(graph, legendre, obstacle).of_lagrangian(legendre).scheduled(graph);
     let graph = &*graph;
     let report = emit::report::lagrangian(&context, graph, Some(legendre))
-        + &emit::report::herglotz(&context, graph, (long, decay, dissipated.as_ref()), &system);
+        + &emit::report::herglotz(&context, graph, (obstacle, decay, dissipated.as_ref()), &system);
     Ok(emit::items(&context, graph, &system, &report))
 }
 

@@ -143,7 +143,7 @@ fn in_the_way(graph: &Graph, requirement: Requirement, legendre: &Legendre) -> O
 /// Reports friction that is none, and what is required of an energy that is not derived.
 pub(crate) fn velocities(
     energy: &Energy,
-    (long, (damping, others)): (Id, (Option<&Damping>, Option<&Forces>)),
+    (obstacle, (damping, others)): (Id, (Option<&Damping>, Option<&Forces>)),
     graph: &Graph,
     places: &HashMap<Id, Place>,
     names: &dyn Naming,
@@ -166,9 +166,9 @@ pub(crate) fn velocities(
         if requirement.is_of_lagrangian() {
             continue;
         }
-        let place = written(graph, places, long).unwrap_or((*span, *span));
+        let place = written(graph, places, obstacle).unwrap_or((*span, *span));
         let why = if energy.form.has_action() { FULL_MASS_OF_ACTION } else { FULL_MASS };
-        errors.at_place(place, format!("{why}: {}", printer.excerpt(long)));
+        errors.at_place(place, format!("{why}: {}", printer.excerpt(obstacle)));
     }
     errors.or(())
 }

@@ -17,11 +17,11 @@ use crate::messages::{
 use crate::parse::{Form, Shape};
 use crate::schedule::{Kernel, Levels};
 
-/// Derives everything that some method needs; `long` is why there is no H.
+/// Derives everything that some method needs; `obstacle` is the reason why there is no H.
 pub(crate) fn velocities(
     graph: &mut Graph,
     legendre: &Legendre,
-    (long, coordinates): (Id, &Shape),
+    (obstacle, coordinates): (Id, &Shape),
     (damping, others): (Option<&Damping>, Option<&Forces>),
 ) -> System {
     let Legendre { lagrangian, forces, momenta, mass, shift, potential, .. } = legendre;
@@ -37,7 +37,7 @@ pub(crate) fn velocities(
         let equation = lagrangian::polarised(graph, given);
         Ok(Kernel::new(Levels::Iterated, equation))
     } else {
-        Err(Missing { marker: "Polarised", term: long, why: NOT_POLARISED, pair: None })
+        Err(Missing { marker: "Polarised", term: obstacle, why: NOT_POLARISED, pair: None })
     };
     let summed = match &polarised {
         Ok(_) => {
@@ -54,7 +54,7 @@ pub(crate) fn velocities(
         value: None,
         slopes: None,
         rate: None,
-        splitting: Some(Err(Missing { marker: "Uncoupled", term: long, why: FULL_MASS, pair: None })),
+        splitting: Some(Err(Missing { marker: "Uncoupled", term: obstacle, why: FULL_MASS, pair: None })),
         modified: None,
         pieces: vec![],
         perturbed: None,
@@ -86,7 +86,7 @@ pub(crate) fn velocities(
 }
 
 /// The same of L(q, v, s, t) with an action.
-pub(crate) fn herglotz(graph: &mut Graph, legendre: &Legendre, long: Id) -> System {
+pub(crate) fn herglotz(graph: &mut Graph, legendre: &Legendre, obstacle: Id) -> System {
     let Legendre { lagrangian, forces, momenta, mass, shift, potential, .. } = legendre;
     let given = Given { forces, momenta, mass, shift, potential: *potential, damping: None, others: None };
     let stages = velocity_stages(graph, legendre);
@@ -98,7 +98,7 @@ pub(crate) fn herglotz(graph: &mut Graph, legendre: &Legendre, long: Id) -> Syst
             (0..momenta.len() as u32).map(Symbol::VelocityIncrement).chain([Symbol::ActionIncrement]).collect();
         Ok(StepKernel { unknowns, kernel })
     } else {
-        Err(Missing { marker: "Polarised", term: long, why: NOT_POLARISED_OF_ACTION, pair: None })
+        Err(Missing { marker: "Polarised", term: obstacle, why: NOT_POLARISED_OF_ACTION, pair: None })
     };
     let roots = [&[*lagrangian, decay][..], forces, momenta].concat();
     System {
@@ -106,9 +106,9 @@ pub(crate) fn herglotz(graph: &mut Graph, legendre: &Legendre, long: Id) -> Syst
         value: None,
         slopes: None,
         rate: None,
-        splitting: Some(Err(Missing { marker: "MechanicalIn", term: long, why: FULL_MASS_OF_ACTION, pair: None })),
+        splitting: Some(Err(Missing { marker: "MechanicalIn", term: obstacle, why: FULL_MASS_OF_ACTION, pair: None })),
         modified: None,
-        pieces: vec![pieces::kernels(graph, Followed::Contact, (&Err(long), NO_PIECES_OF_VELOCITIES))],
+        pieces: vec![pieces::kernels(graph, Followed::Contact, (&Err(obstacle), NO_PIECES_OF_VELOCITIES))],
         perturbed: None,
         implicit: Implicit::Herglotz(HerglotzKernels { stages, polarised }),
         integrals: None,

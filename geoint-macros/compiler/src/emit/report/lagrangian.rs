@@ -138,12 +138,12 @@ fn mechanical(graph: &Graph, legendre: &Legendre) -> &'static str {
 pub(crate) fn velocities(
     context: &Context<'_>,
     graph: &Graph,
-    (legendre, long): (&Legendre, Id),
+    (legendre, obstacle): (&Legendre, Id),
     (system, friction): (&System<Plan>, (Option<&Damping>, Option<&Forces>)),
 ) -> String {
     let mut text = String::new();
     let printer = Printer::new(graph, context);
-    let _ = steps(&mut text, context, &printer, (legendre, long), (system, friction));
+    let _ = steps(&mut text, context, &printer, (legendre, obstacle), (system, friction));
     text
 }
 
@@ -151,7 +151,7 @@ fn steps(
     text: &mut String,
     context: &Context<'_>,
     printer: &Printer<'_>,
-    (legendre, long): (&Legendre, Id),
+    (legendre, obstacle): (&Legendre, Id),
     (system, (damping, others)): (&System<Plan>, (Option<&Damping>, Option<&Forces>)),
 ) -> Written {
     let Implicit::Velocities(kernels) = &system.implicit else { return Ok(()) };
@@ -160,7 +160,7 @@ fn steps(
     writeln!(
         text,
         "- steps are solved for {v}: H as a function of momenta would be long, or has no formula, by {}",
-        printer.excerpt(long)
+        printer.excerpt(obstacle)
     )?;
     writeln!(text, "- kick and drift do not exist")?;
     let autonomous = !printer.graph().reads(legendre.lagrangian).t;
@@ -230,12 +230,12 @@ fn steps(
 pub(crate) fn herglotz(
     context: &Context<'_>,
     graph: &Graph,
-    (long, decay, dissipated): (Id, Id, Option<&Dissipated>),
+    (obstacle, decay, dissipated): (Id, Id, Option<&Dissipated>),
     system: &System<Plan>,
 ) -> String {
     let mut text = String::new();
     let printer = Printer::new(graph, context);
-    let _ = steps_with_action(&mut text, context, &printer, (long, decay, dissipated), system);
+    let _ = steps_with_action(&mut text, context, &printer, (obstacle, decay, dissipated), system);
     text
 }
 
@@ -243,7 +243,7 @@ fn steps_with_action(
     text: &mut String,
     context: &Context<'_>,
     printer: &Printer<'_>,
-    (long, decay, dissipated): (Id, Id, Option<&Dissipated>),
+    (obstacle, decay, dissipated): (Id, Id, Option<&Dissipated>),
     system: &System<Plan>,
 ) -> Written {
     let Implicit::Herglotz(kernels) = &system.implicit else { return Ok(()) };
@@ -252,7 +252,7 @@ fn steps_with_action(
     writeln!(
         text,
         "- steps are solved for {v}: H as a function of momenta would be long, or has no formula, by {}",
-        printer.excerpt(long)
+        printer.excerpt(obstacle)
     )?;
     writeln!(text, "- kick and drift do not exist, nor do pieces with flows in closed form")?;
     writeln!(text, "- ∂H/∂s = −∂L/∂s = {}, and H' = −H ∂H/∂s − ∂L/∂t", printer.excerpt(decay))?;
