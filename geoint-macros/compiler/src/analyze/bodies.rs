@@ -1,5 +1,5 @@
-//! Rigid bodies: splits H = T(m) + V(r, t), or T(m) + T(p) + V(r, q, t) with centres of mass, into its parts. T must be quadratic in the momentum of each
-//! body and of the centres. Otherwise the term that prevents the split is returned.
+//! Rigid bodies: splits H = T(m) + V(r, t), or T(m) + T(p) + V(r, q, t) with centres of mass, into its parts. T must be quadratic in the momentum of
+//! each body and of the centres. Otherwise the term that prevents the split is returned.
 
 use super::separable::{Separated, is_momentum, not_quadratic, split};
 use super::{identity, terms};

@@ -35,8 +35,8 @@ impl Forces {
         self.applied.iter().chain(&self.friction).all(|forces| graph.is_zero(forces[i as usize]))
     }
 
-    /// Returns the forces at given velocities, in the order of coordinates. `place` moves a force to the point of evaluation first. Friction that would
-    /// accelerate the motion is NaN.
+    /// Returns the forces at given velocities, in the order of coordinates. `place` moves a force to the point of evaluation first. Friction that
+    /// would accelerate the motion is NaN.
     pub(crate) fn at(
         &self,
         graph: &mut Graph,

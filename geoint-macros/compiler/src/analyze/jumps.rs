@@ -29,8 +29,8 @@ pub(crate) fn jumps(graph: &mut Graph, energy: Id) -> Vec<Jump> {
     conditions.into_iter().map(&mut jump).collect()
 }
 
-/// Returns a node at the boundary of a condition on x, such as x < 3. There x is 3, which decides conditions such as x < 2 and x < 4. The jump at a bound
-/// in a table of pieces then reads only the two pieces beside the bound. Bounds that are not numbers decide nothing.
+/// Returns a node at the boundary of a condition on x, such as x < 3. There x is 3, which decides conditions such as x < 2 and x < 4. The jump at a
+/// bound in a table of pieces then reads only the two pieces beside the bound. Bounds that are not numbers decide nothing.
 fn at_boundary(graph: &mut Graph, node: Id, condition: Id) -> Id {
     let Node::Compare(_, left, right) = *graph.node(condition) else { return node };
     let [x, bound] = if graph.as_number(right).is_some() { [left, right] } else { [right, left] };

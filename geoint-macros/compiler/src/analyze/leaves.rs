@@ -1,7 +1,8 @@
 //! The largest parts of low degree in an expression. The divided differences of the expression end at these parts.
 //!
-//! Every rule of a divided difference is a chain rule, Δnode = Σ c·Δoperand with scalars c. The tree discrete gradient is therefore a combination of the
-//! discrete gradients of the parts. The discrete gradient of a part of degree at most 2 is its gradient at the middle of the step, independent of its form.
+//! Every rule of a divided difference is a chain rule, Δnode = Σ c·Δoperand with scalars c. The tree discrete gradient is therefore a combination of
+//! the discrete gradients of the parts. The discrete gradient of a part of degree at most 2 is its gradient at the middle of the step, independent of
+//! its form.
 
 use super::degree::Degrees;
 use super::terms::{Sums, Term};
@@ -48,7 +49,8 @@ pub(super) fn leaves(graph: &Graph, degrees: &Degrees, root: Id, degree: u32) ->
     Some(leaves)
 }
 
-/// Returns the sides of a `hypot`. The sides of a nested `hypot` replace it: the slope of a root times the mean of the root is half the slope of its square.
+/// Returns the sides of a `hypot`. The sides of a nested `hypot` replace it: the slope of a root times the mean of the root is half the slope of its
+/// square.
 fn sides(graph: &Graph, id: Id) -> Vec<Id> {
     match graph.node(id) {
         Node::Call(Function::Hypot, args) => args.iter().flat_map(|side| sides(graph, *side)).collect(),

@@ -11,15 +11,15 @@ use crate::ir::{Graph, Id, Symbol};
 pub(crate) enum MeanValue {
     /// Gauss quadrature with this number of points, for a polynomial H.
     Gauss(u32),
-    /// Extrapolation of the tree discrete gradients over the line in 1, 2, … up to this number of parts. H is a sum of ridge functions φ(l) with affine l
-    /// and of a polynomial. One part gives the tree discrete gradient.
+    /// Extrapolation of the tree discrete gradients over the line in 1, 2, … up to this number of parts. H is a sum of ridge functions φ(l) with
+    /// affine l and of a polynomial. One part gives the tree discrete gradient.
     Parts(u32),
     /// No closed form is known because of this term.
     NotClosed(Id),
 }
 
-/// Returns the number of Gauss points that integrate ∇ of a polynomial of this degree. The tree discrete gradient is a polynomial of the degree of ∇ in both
-/// ends and even in their distance, so the extrapolation needs the same number of parts.
+/// Returns the number of Gauss points that integrate ∇ of a polynomial of this degree. The tree discrete gradient is a polynomial of the degree of ∇
+/// in both ends and even in their distance, so the extrapolation needs the same number of parts.
 fn points(degree: u32) -> u32 {
     degree.div_ceil(2)
 }

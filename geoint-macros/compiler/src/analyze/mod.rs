@@ -168,8 +168,8 @@ pub(crate) fn terms(graph: &mut Graph, root: Id) -> Vec<Id> {
     terms_where(graph, root, |_| false)
 }
 
-/// Returns the terms of a sum and of nested sums. A sum with factors that are free of q and p is split if `splits` accepts the kinds of coordinates that
-/// the sum reads.
+/// Returns the terms of a sum and of nested sums. A sum with factors that are free of q and p is split if `splits` accepts the kinds of coordinates
+/// that the sum reads.
 pub(crate) fn terms_where(graph: &mut Graph, root: Id, splits: impl Fn(Reads) -> bool) -> Vec<Id> {
     let terms = terms::Sums::new(graph).terms(root, splits);
     terms.into_iter().map(|term| term.build(graph)).collect()
@@ -180,8 +180,8 @@ pub(crate) fn single_terms(graph: &mut Graph, root: Id) -> Vec<Id> {
     terms_where(graph, root, |_| true)
 }
 
-/// Finds the facts about H with constraints g(q) = 0. A momentum that commutes with the leaves of H + λ·g for every λ commutes with the leaves of H and of
-/// every g.
+/// Finds the facts about H with constraints g(q) = 0. A momentum that commutes with the leaves of H + λ·g for every λ commutes with the leaves of H
+/// and of every g.
 pub(crate) fn bound(graph: &mut Graph, energy: Id, constraints: &[Id], coordinates: &Shape) -> Structure {
     let mut terms = vec![energy];
     for (k, constraint) in (0..).zip(constraints) {
@@ -226,8 +226,8 @@ pub(crate) fn structure(graph: &mut Graph, energy: Id, coordinates: &Shape) -> S
     }
 }
 
-/// Returns whether the motion of positions and momenta depends on s. `decay` is ∂H/∂s, and `slopes` are their other derivatives. A derivative may read s
-/// through a condition even if ∂H/∂s does not read the state.
+/// Returns whether the motion of positions and momenta depends on s. `decay` is ∂H/∂s, and `slopes` are their other derivatives. A derivative may
+/// read s through a condition even if ∂H/∂s does not read the state.
 pub(crate) fn acts_back(graph: &Graph, decay: Id, slopes: impl IntoIterator<Item = Id>) -> bool {
     graph.reads(decay).state() || slopes.into_iter().any(|slope| graph.reads(slope).s)
 }

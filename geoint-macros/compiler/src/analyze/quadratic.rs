@@ -35,8 +35,8 @@ impl Atom {
 /// Π atomᵉ, in order of the atoms. No exponent is zero.
 pub(super) type Atoms = Vec<(Atom, i128)>;
 
-/// number · Π atomᵉ · the product of two variables. Atoms and variables are in order. Different products of atoms count as independent, so terms cancel
-/// only if they cancel for all values of the parameters.
+/// number · Π atomᵉ · the product of two variables. Atoms and variables are in order. Different products of atoms count as independent, so terms
+/// cancel only if they cancel for all values of the parameters.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Monomial {
     pub(super) variables: [Variable; 2],

@@ -3,8 +3,8 @@
 use super::terms::Sums;
 use crate::ir::{Graph, Id, Node, Symbol};
 
-/// Returns whether a function may change by more than its rounding error within the rounding error of a coordinate at the other end of a step. Sums of
-/// powers of single coordinates are not steep: xᵢ ∂f/∂xᵢ is a multiple of its term, and largest where xᵢ is largest.
+/// Returns whether a function may change by more than its rounding error within the rounding error of a coordinate at the other end of a step. Sums
+/// of powers of single coordinates are not steep: xᵢ ∂f/∂xᵢ is a multiple of its term, and largest where xᵢ is largest.
 ///
 /// `gradients` lists the derivatives of each function in the order of the coordinates `x`, one function after the other.
 pub(crate) fn is_steep(graph: &Graph, gradients: &[Id], x: &[Symbol]) -> bool {

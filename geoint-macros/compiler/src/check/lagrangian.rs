@@ -135,7 +135,7 @@ fn in_the_way(graph: &Graph, requirement: Requirement, legendre: &Legendre) -> O
 /// Reports friction that is none, and what is required of an energy that is not derived.
 pub(crate) fn velocities(
     compilation: &mut Compilation<'_>,
-    long: Id,
+    obstacle: Id,
     damping: Option<&Damping>,
     others: Option<&Forces>,
 ) -> Result<()> {
@@ -154,9 +154,9 @@ pub(crate) fn velocities(
         if requirement.is_of_lagrangian() {
             continue;
         }
-        let place = compilation.written(long).unwrap_or((*span, *span));
+        let place = compilation.written(obstacle).unwrap_or((*span, *span));
         let why = if has_action { FULL_MASS_OF_ACTION } else { FULL_MASS };
-        let message = format!("{why}: {}", compilation.excerpt(long));
+        let message = format!("{why}: {}", compilation.excerpt(obstacle));
         compilation.diagnostics.at_place(place, message);
     }
     compilation.checked(())

@@ -36,8 +36,8 @@ impl<F: Fn(Symbol) -> bool> AffineForms<F> {
         AffineForms { moves, known: Table::default() }
     }
 
-    /// Rewrites an expression that is affine in a moving symbol, if this shortens the chain of operations that depend on the symbol. The result rounds
-    /// differently. Use it for Newton's matrix only.
+    /// Rewrites an expression that is affine in a moving symbol, if this shortens the chain of operations that depend on the symbol. The result
+    /// rounds differently. Use it for Newton's matrix only.
     pub(crate) fn shortened(&mut self, graph: &mut Graph, root: Id) -> Id {
         for id in graph.unknown(root, &self.known) {
             let kind = self.kind(graph, id);

@@ -37,8 +37,8 @@ impl Graph {
 
     /// Builds a comparison.
     pub(crate) fn compare(&mut self, relation: Relation, a: Id, b: Id) -> Id {
-        match (self.as_number(a), self.as_number(b)) {
-            (Some(x), Some(y)) if x.compare(y).is_some() => self.truth(relation.holds(x.to_f64(), y.to_f64())),
+        match [a, b].map(|side| self.as_number(side).map(Number::to_f64).filter(|value| !value.is_nan())) {
+            [Some(x), Some(y)] => self.truth(relation.holds(x, y)),
             _ => self.intern(Node::Compare(relation, a, b)),
         }
     }

@@ -1,9 +1,9 @@
 //! Collects terms that differ in parameters only: m₀·c·x + m₁·c·x becomes (m₀ + m₁)·c·x. The sum of parameters is then computed before the loop.
 //!
-//! Derivatives along a recursion over links are sums of this kind, with as many terms as the chain has links. The graph keeps sums as they are written,
-//! so kernels ask for this step.
+//! Derivatives along a recursion over links are sums of this kind, with as many terms as the chain has links. The graph keeps sums as they are
+//! written, so kernels ask for this step.
 
-use super::{Graph, Id, Node, Number, Ratio, Table, hash};
+use super::{Graph, Id, Node, Number, Ratio, Table};
 
 /// Collects terms in every sum below the roots.
 pub(crate) fn collected(graph: &mut Graph, roots: &[Id]) -> Vec<Id> {
@@ -34,10 +34,10 @@ fn collect(graph: &mut Graph, roots: &[Id], new: &mut Table<Id>) {
             Node::Linear(constant, terms) => {
                 let constant = *constant;
                 let rebuilt: Vec<(Number, Id)> = terms.iter().map(|(c, term)| (*c, new[*term])).collect();
-                match may_collect(graph, &rebuilt) {
-                    true => sum(graph, constant, rebuilt),
-                    false if same => id,
-                    false => graph.scaled_sum(constant, &rebuilt),
+                match groups(graph, &rebuilt) {
+                    Some(groups) => sum(graph, constant, rebuilt, groups),
+                    None if same => id,
+                    None => graph.scaled_sum(constant, &rebuilt),
                 }
             }
             // A merged product may have more than two factors. It is rebuilt as nested products of two, which share parts with other products.
@@ -60,74 +60,47 @@ fn collect(graph: &mut Graph, roots: &[Id], new: &mut Table<Id>) {
     }
 }
 
-/// Returns whether two terms have equal hashes of their moving factors. Different factors seldom have equal hashes.
-fn may_collect(graph: &Graph, terms: &[(Number, Id)]) -> bool {
-    let mut hashes: Vec<u64> = vec![];
-    for (_, term) in terms {
-        let hash = hash_of_moving(graph, *term);
-        if hashes.contains(&hash) {
-            return true;
-        }
-        hashes.push(hash);
-    }
-    false
-}
-
-/// Returns a hash of the factors that read more than parameters. It depends neither on their order nor on the other factors.
-fn hash_of_moving(graph: &Graph, id: Id) -> u64 {
-    match graph.node(id) {
-        _ if !graph.reads(id).moves() => 0,
-        Node::Product(factors) => {
-            factors.iter().fold(0, |hash, factor| hash.wrapping_add(hash_of_moving(graph, *factor)))
-        }
-        Node::Linear(constant, terms) if constant.is_zero() && terms.len() == 1 => hash_of_moving(graph, terms[0].1),
-        Node::Power(base, exponent) => hash::of_words(&[base.index() as u64, exponent.word()]).into(),
-        _ => hash::of_words(&[id.index() as u64, Ratio::ONE.word()]).into(),
-    }
-}
-
 /// Terms with equal moving factors, the factors that read more than parameters.
 struct Group {
     moving: Vec<(Id, Ratio)>,
-    terms: Vec<Term>,
+    /// The places of the terms in the sum.
+    terms: Vec<usize>,
 }
 
-/// One term of a group.
-struct Term {
-    whole: Id,
-    /// The coefficient and the factors that read parameters only.
-    weight: Id,
+/// Groups terms by their moving factors. `None` if each term is alone in its group.
+fn groups(graph: &Graph, terms: &[(Number, Id)]) -> Option<Vec<Group>> {
+    let mut groups: Vec<Group> = vec![];
+    for (place, (_, term)) in terms.iter().enumerate() {
+        let mut moving = graph.factors(graph.coefficient(*term).1);
+        moving.retain(|(base, _)| graph.reads(*base).moves());
+        moving.sort_unstable_by_key(|(base, _)| *base);
+        match groups.iter_mut().find(|group| group.moving == moving) {
+            Some(group) => group.terms.push(place),
+            None => groups.push(Group { moving, terms: vec![place] }),
+        }
+    }
+    (groups.len() < terms.len()).then_some(groups)
 }
 
 /// Builds a sum with its terms collected. A term that is alone in its group stays as it is.
-fn sum(graph: &mut Graph, constant: Number, terms: Vec<(Number, Id)>) -> Id {
-    let mut groups: Vec<Group> = vec![];
+fn sum(graph: &mut Graph, constant: Number, terms: Vec<(Number, Id)>, groups: Vec<Group>) -> Id {
+    let (mut whole, mut weights) = (vec![], vec![]);
     for (c, term) in terms {
         let (own, rest) = graph.coefficient(term);
-        let (mut moving, mut weights) = (vec![], vec![]);
-        for (base, exponent) in graph.factors(rest) {
-            if graph.reads(base).moves() {
-                moving.push((base, exponent));
-            } else {
-                weights.push(graph.pow(base, exponent));
-            }
-        }
-        moving.sort_unstable_by_key(|(base, _)| *base);
-        let whole = graph.scale(c, term);
-        let weight = graph.product(&weights);
-        let term = Term { whole, weight: graph.scale(c.mul(own), weight) };
-        match groups.iter_mut().find(|group| group.moving == moving) {
-            Some(group) => group.terms.push(term),
-            None => groups.push(Group { moving, terms: vec![term] }),
-        }
+        let mut fixed = graph.factors(rest);
+        fixed.retain(|(base, _)| !graph.reads(*base).moves());
+        let fixed: Vec<Id> = fixed.into_iter().map(|(base, exponent)| graph.pow(base, exponent)).collect();
+        whole.push(graph.scale(c, term));
+        let weight = graph.product(&fixed);
+        weights.push(graph.scale(c.mul(own), weight));
     }
     let mut all = vec![graph.number(constant)];
     for Group { moving, terms } in groups {
-        if let [Term { whole, .. }] = terms[..] {
-            all.push(whole);
+        if let [term] = terms[..] {
+            all.push(whole[term]);
             continue;
         }
-        let weights: Vec<Id> = terms.into_iter().map(|term| term.weight).collect();
+        let weights: Vec<Id> = terms.into_iter().map(|term| weights[term]).collect();
         let weight = graph.sum(&weights);
         let factors: Vec<Id> = moving.into_iter().map(|(base, exponent)| graph.pow(base, exponent)).collect();
         let product = graph.product(&factors);

@@ -14,7 +14,7 @@ use super::reads::{Reads, Symbols};
 use super::sign::{Sign, sign};
 use super::symbol::Symbol;
 use super::table::Table;
-use std::cell::{RefCell, RefMut};
+use std::cell::{Cell, RefCell, RefMut};
 
 /// A partial node: its value does not exist for all values of its operands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,7 +38,7 @@ pub(crate) struct Graph {
     /// UndefinedAt nodes in the order of their construction, repeated if they are built again. Present while the graph records.
     partial: Option<Vec<Id>>,
     /// Scratch space of traversals: one bit for each node. Invariant: no bit is set between traversals.
-    seen: RefCell<Vec<u64>>,
+    marked: RefCell<Vec<u64>>,
 }
 
 impl Graph {
@@ -55,12 +55,12 @@ impl Graph {
 
     /// Returns the symbols that a node reads, in order.
     pub(crate) fn symbols(&self, id: Id) -> Vec<Symbol> {
-        self.symbols_with(id).of(id)
+        self.symbols_with(id).of(id).to_vec()
     }
 
     /// Returns whether a node reads a symbol that `counts`.
     pub(crate) fn reads_any(&self, id: Id, counts: impl Fn(Symbol) -> bool) -> bool {
-        self.symbols_with(id).any(id, counts)
+        self.symbols_with(id).of(id).iter().any(|symbol| counts(*symbol))
     }
 
     /// Fills the cache of symbols for a node and returns the cache.
@@ -113,40 +113,40 @@ impl Graph {
     }
 
     /// Returns the roots and their direct and indirect operands, operands first. The traversal stops at nodes that are not `entered`.
+    ///
+    /// Operands have smaller numbers than their node, so the traversal visits marked nodes in descending order.
     fn traverse(&self, roots: &[Id], entered: impl Fn(Id) -> bool) -> Vec<Id> {
-        let mut scratch = self.seen.borrow_mut();
-        let words = self.nodes.len() / 64 + 1;
-        if scratch.len() < words {
-            *scratch = vec![0; 2 * words];
+        let mut marked = self.marked.borrow_mut();
+        let last = self.nodes.len() / 64;
+        if marked.len() <= last {
+            marked.resize(2 * last + 1, 0);
         }
-        let seen = scratch.as_mut_slice();
-        let mut found: Vec<Id> = vec![];
-        let (mut first, mut last) = (words, 0);
-        let mut enter = |id: Id, found: &mut Vec<Id>| {
-            let (word, bit) = (id.index() / 64, 1 << (id.index() % 64));
-            if seen[word] & bit == 0 && entered(id) {
-                seen[word] |= bit;
-                (first, last) = (first.min(word), last.max(word));
-                found.push(id);
+        let (mut found, first) = (vec![], Cell::new(last));
+        let mark = |id: Id, marked: &mut [u64]| {
+            if entered(id) {
+                let word = id.index() / 64;
+                marked[word] |= 1 << (id.index() % 64);
+                first.set(first.get().min(word));
             }
         };
         for root in roots {
-            enter(*root, &mut found);
+            mark(*root, &mut marked);
         }
-        let mut open = 0;
-        while open < found.len() {
-            let id = found.as_slice()[open];
-            self.node(id).for_each_child(|child| enter(child, &mut found));
-            open += 1;
-        }
-        // Operands have smaller numbers, so the order of the bits is the order of the result.
-        found.clear();
-        for word in first..=last {
-            while seen[word] > 0 {
-                found.push(Id::from_index(64 * word + seen[word].trailing_zeros() as usize));
-                seen[word] &= seen[word] - 1;
+        let mut word = roots.iter().max().map_or(0, |root| root.index() / 64);
+        loop {
+            while marked[word] > 0 {
+                let bit = marked[word].ilog2();
+                marked[word] &= !(1 << bit);
+                let id = Id::from_index(64 * word + bit as usize);
+                found.push(id);
+                self.node(id).for_each_child(|child| mark(child, &mut marked));
             }
+            if word <= first.get() {
+                break;
+            }
+            word -= 1;
         }
+        found.reverse();
         found
     }
 

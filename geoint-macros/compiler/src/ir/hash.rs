@@ -38,9 +38,6 @@ impl Hasher for Fold {
     fn write_usize(&mut self, word: usize) {
         self.fold(word as u64);
     }
-    fn write_isize(&mut self, word: isize) {
-        self.fold(word as u64);
-    }
     fn finish(&self) -> u64 {
         self.0
     }
@@ -50,15 +47,6 @@ impl Hasher for Fold {
 pub(crate) fn of(thing: &impl Hash) -> u32 {
     let mut fold = Fold::default();
     thing.hash(&mut fold);
-    fold.upper()
-}
-
-/// Returns the hash of a list of words.
-pub(super) fn of_words(words: &[u64]) -> u32 {
-    let mut fold = Fold::default();
-    for word in words {
-        fold.fold(*word);
-    }
     fold.upper()
 }
 

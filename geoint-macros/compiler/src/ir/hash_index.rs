@@ -3,8 +3,8 @@
 /// Finds numbers by the hashes of their keys. In an unoptimised build, the table of std costs several times as much.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct HashIndex {
-    /// Pairs of a hash and one plus a number, or [0, 0] where the place is free. The length is a power of two, and at most half of the places are taken.
-    /// A pair is at the place of its hash, or at the next free place.
+    /// Pairs of a hash and one plus a number, or [0, 0] where the place is free. The length is a power of two, and at most half of the places are
+    /// taken. A pair is at the place of its hash, or at the next free place.
     places: Vec<[u32; 2]>,
     taken: usize,
 }

@@ -8,9 +8,7 @@ use super::symbol::Symbol;
 /// An expression in terms of smaller expressions. Loops are unrolled: a sum over an index would need a node with a graph as its body.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Node {
-    /// A constant.
     Number(Number),
-    /// A coordinate, time, parameter or another leaf.
     Symbol(Symbol),
     /// constant + Σ coefficient·term, terms in order of their ids. Scaling and negation are sums of one term.
     Linear(Number, Vec<(Number, Id)>),
@@ -18,19 +16,14 @@ pub(crate) enum Node {
     Product(Vec<Id>),
     /// A base to an exponent, which is an integer or half of an integer.
     Power(Id, Ratio),
-    /// A function of its arguments.
     Call(Function, Vec<Id>),
     /// `if condition { first } else { second }`.
     Select(Id, Id, Id),
-    /// A condition that compares two numbers.
+    // Conditions.
     Compare(Relation, Id, Id),
-    /// The conjunction of two conditions.
     And(Id, Id),
-    /// The disjunction of two conditions.
     Or(Id, Id),
-    /// The negation of a condition.
     Not(Id),
-    /// A constant condition.
     Truth(bool),
 }
 

@@ -79,7 +79,7 @@ macro_rules! entry {
                 let [$($arg),+] = *x else { return f64::NAN };
                 value!($name($($arg),+) $($value)? $($kind)?)
             },
-            public: public!($($value)?),
+            public: !stringify!($($value)?).is_empty(),
         }
     };
 }
@@ -102,16 +102,6 @@ macro_rules! value {
         let (value, _) = (f64::NAN, [$($arg),+]);
         value
     }};
-}
-
-/// Users may call the functions with a value.
-macro_rules! public {
-    ($value:expr) => {
-        true
-    };
-    () => {
-        false
-    };
 }
 
 use Domain::{Everywhere, Interval};
@@ -190,7 +180,8 @@ functions! {
         SineSlope (sine_slope(b, c) Neither Everywhere)
         CosineAt (cosine_at(b, c) Neither Everywhere)
         CosineSlope (cosine_slope(b, c) Neither Everywhere)
-        // Linear flows in more degrees of freedom: exp(A) − 1, given the size of A and its entries with their places; and a row of exp(A) − 1 times a vector.
+        // Linear flows in more degrees of freedom: exp(A) − 1, given the size of A and its entries with their places; and a row of exp(A) − 1 times a
+        // vector.
         FlowMatrix (flow_matrix(size, place, entry) Neither Everywhere => matrix)
         FlowChange (flow_change(row, matrix, x) Neither Everywhere => matrix)
         // Motion about a centre.

@@ -15,7 +15,8 @@ const MESSAGE_LENGTH: usize = 90;
 /// The budget of a formula in a message. A node costs 1, and a symbol also costs the length of its name.
 const BUDGET_OF_MESSAGE: usize = 4 * MESSAGE_LENGTH;
 
-/// The largest number of nodes in a formula. Shared nodes are printed wherever they are read, so a formula can be exponentially longer than its graph.
+/// The largest number of nodes in a formula. Shared nodes are printed wherever they are read, so a formula can be exponentially longer than its
+/// graph.
 const MOST_NODES: usize = 1000;
 
 /// The names that users gave to symbols.

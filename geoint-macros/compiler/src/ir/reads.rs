@@ -1,11 +1,10 @@
 //! The symbols that a node reads.
 
-use super::hash;
-use super::hash_index::HashIndex;
 use super::id::Id;
 use super::node::Node;
 use super::symbol::Symbol;
 use super::table::Table;
+use std::collections::BTreeSet;
 
 /// The kinds of coordinates that a node reads.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -68,83 +67,40 @@ impl Reads {
     }
 }
 
-/// Cache of the symbols that nodes read. Many nodes read the same symbols, so equal sets are stored once.
+/// Cache of the symbols that nodes read. Many nodes read the same symbols, so nodes share sets.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Symbols {
-    /// All symbols in the order of their first occurrence.
-    all: Vec<Symbol>,
-    /// Sets of symbols. Bit i of the concatenated words stands for symbol i of `all`.
-    sets: Vec<Vec<u64>>,
-    /// The sets by their hashes.
-    index: HashIndex,
+    /// Sorted sets of symbols.
+    sets: Vec<Vec<Symbol>>,
     /// The place of each node's set.
     pub(super) of: Table<u32>,
 }
 
 impl Symbols {
     /// Returns the symbols that a node reads, in order.
-    pub(super) fn of(&self, id: Id) -> Vec<Symbol> {
-        let mut symbols = vec![];
-        self.for_each(id, |symbol| symbols.push(symbol));
-        symbols.sort();
-        symbols
-    }
-
-    /// Returns whether a node reads a symbol that `counts`.
-    pub(super) fn any(&self, id: Id, counts: impl Fn(Symbol) -> bool) -> bool {
-        let mut any = false;
-        self.for_each(id, |symbol| any = any || counts(symbol));
-        any
-    }
-
-    fn for_each(&self, id: Id, mut visit: impl FnMut(Symbol)) {
-        let mut first = 0;
-        for word in &self.sets[self.of[id] as usize] {
-            let mut bits = *word;
-            while bits > 0 {
-                visit(self.all[first + bits.trailing_zeros() as usize]);
-                bits &= bits - 1;
-            }
-            first += 64;
-        }
+    pub(super) fn of(&self, id: Id) -> &[Symbol] {
+        &self.sets[self.of[id] as usize]
     }
 
     /// Adds the set of a node. Precondition: the sets of its operands are present.
     pub(super) fn insert(&mut self, id: Id, node: &Node) {
-        let bits = match node {
-            Node::Symbol(symbol) => self.singleton(*symbol),
-            node => self.union_of_operands(node),
+        let mut sets: Vec<u32> = vec![];
+        node.for_each_child(|child| sets.push(self.of[child]));
+        sets.sort_unstable();
+        sets.dedup();
+        let set = match (node, &sets[..]) {
+            (Node::Symbol(symbol), _) => self.push(vec![*symbol]),
+            (_, [set]) => *set,
+            _ => {
+                let union: BTreeSet<Symbol> = sets.iter().flat_map(|set| &self.sets[*set as usize]).copied().collect();
+                self.push(union.into_iter().collect())
+            }
         };
-        let hash = hash::of_words(&bits);
-        let set = self.index.find(hash, |set| self.sets[set] == bits).unwrap_or_else(|| {
-            self.index.insert(hash, self.sets.len());
-            self.sets.push(bits);
-            self.sets.len() - 1
-        });
-        self.of.insert(id, set as u32);
+        self.of.insert(id, set);
     }
 
-    fn singleton(&mut self, symbol: Symbol) -> Vec<u64> {
-        let place = self.all.iter().position(|other| *other == symbol).unwrap_or(self.all.len());
-        if place == self.all.len() {
-            self.all.push(symbol);
-        }
-        let mut bits = vec![0; place / 64 + 1];
-        bits[place / 64] = 1 << (place % 64);
-        bits
-    }
-
-    fn union_of_operands(&self, node: &Node) -> Vec<u64> {
-        let mut bits: Vec<u64> = vec![];
-        node.for_each_child(|child| {
-            let others = self.sets[self.of[child] as usize].as_slice();
-            if bits.len() < others.len() {
-                bits.resize(others.len(), 0);
-            }
-            for (word, other) in bits.iter_mut().zip(others) {
-                *word |= other;
-            }
-        });
-        bits
+    fn push(&mut self, set: Vec<Symbol>) -> u32 {
+        self.sets.push(set);
+        self.sets.len() as u32 - 1
     }
 }

@@ -3,15 +3,10 @@
 /// A leaf of the graph. Coordinates are numbered in the order of storage. The order of the variants decides the order of operations in emitted code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(crate) enum Symbol {
-    /// A position.
     Position(u32),
-    /// A momentum.
     Momentum(u32),
-    /// A velocity of a Lagrangian.
     Velocity(u32),
-    /// The action of a contact system.
     Action,
-    /// Time.
     Time,
     /// A scalar of a parameter, or a constant whose value the macro cannot read.
     Parameter(u32),

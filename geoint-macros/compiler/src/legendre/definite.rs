@@ -70,8 +70,8 @@ impl Squares<'_> {
         self.degrees.get(id).is_some_and(|degree| degree <= 1)
     }
 
-    /// Adds a factor without velocities to the weights, unless it is an even power. Returns false if the factor is neither an even power nor a function
-    /// of parameters.
+    /// Adds a factor without velocities to the weights, unless it is an even power. Returns false if the factor is neither an even power nor a
+    /// function of parameters.
     fn add_weight(&mut self, factor: Id) -> bool {
         if let Node::Power(_, exponent) = self.graph.node(factor)
             && exponent.is_integer()
@@ -89,8 +89,8 @@ impl Squares<'_> {
 
 /// Returns functions of parameters that must be positive so that all squares vanish at rest only.
 ///
-/// Velocities are eliminated one after the other. If the earlier velocities are zero, some squares read the next velocity only, and its coefficients in
-/// these squares do not vanish together. So this velocity is zero, too.
+/// Velocities are eliminated one after the other. If the earlier velocities are zero, some squares read the next velocity only, and its coefficients
+/// in these squares do not vanish together. Hence the next velocity is zero.
 fn only_at_rest(graph: &mut Graph, squares: &[Square], degrees: u32) -> Option<Vec<Id>> {
     let velocities: Vec<Symbol> = (0..degrees).map(Symbol::Velocity).collect();
     let bases: Vec<Id> = squares.iter().map(|square| square.base).collect();
@@ -107,7 +107,8 @@ fn only_at_rest(graph: &mut Graph, squares: &[Square], degrees: u32) -> Option<V
     Some(positive)
 }
 
-/// Returns the function of parameters that must be positive so that the squares that read velocity `j`, but no other velocity of `left`, force it to zero.
+/// Returns a function of parameters. If it is positive, velocity `j` is zero wherever the squares vanish that read `j` but no other velocity of
+/// `left`.
 fn vanishes_alone(graph: &mut Graph, squares: &[Square], slopes: &[Vec<Id>], left: &[usize], j: usize) -> Option<Id> {
     // Each coefficient of the velocity is a pair of factors: the first reads parameters only.
     let mut terms = vec![];

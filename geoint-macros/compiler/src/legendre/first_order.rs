@@ -1,6 +1,7 @@
 //! Lagrangians ϑ(q)·v − H(q) that are linear in all velocities. Their equations are of first order: Ω q' = ∇H with Ωᵢⱼ = ∂ᵢϑⱼ − ∂ⱼϑᵢ.
 //!
-//! S = Ω⁻¹ is the structure matrix of a Poisson bracket, because dΩ = 0. It is computed from Pfaffians, because a pivot might vanish where Ω is regular.
+//! S = Ω⁻¹ is the structure matrix of a Poisson bracket, because dΩ = 0. It is computed from Pfaffians, because a pivot might vanish where Ω is
+//! regular.
 //!
 //! Ω may vanish on half of the coordinates, called y. Then ϑ + ∇f has no entries in y for some function f. The other half, x, and P = ϑₓ + ∂f/∂x are
 //! canonical coordinates.
@@ -235,7 +236,7 @@ fn gauge(graph: &mut Graph, momenta: &[Id], replaced: &[u32]) -> Option<Id> {
     if slopes.iter().all(|slope| graph.is_zero(*slope)) {
         return Some(graph.zero());
     }
-    // A logarithm in f that ϑ does not contain would restrict the domain of P. So f must not contain partial nodes that ϑ does not contain.
+    // A logarithm in f that ϑ does not contain would restrict the domain of P. Every partial node of f must be a node of ϑ.
     let known = graph.reachable(momenta);
     [Logarithm::OfNumber, Logarithm::OfMagnitude].into_iter().find_map(|logarithm| {
         let (gauge, _) = liouville::antiderivative(graph, &variables, &slopes, logarithm).ok()?;

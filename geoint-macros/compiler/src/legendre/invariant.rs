@@ -1,15 +1,15 @@
 //! Removes coordinates from entries of mass matrices that do not depend on them.
 //!
-//! Kinematics that are written step by step give sin²q + cos²q for 1, and cos a cos b + sin a sin b for cos(a − b). If a derivative is proven to vanish
-//! everywhere, its coordinate can be set to zero.
+//! Kinematics that are written step by step give sin²q + cos²q for 1, and cos a cos b + sin a sin b for cos(a − b). If a derivative is proven to
+//! vanish everywhere, its coordinate can be set to zero.
 
 use crate::analyze::{self, Direction, vanishes};
 use crate::diff;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Number, Ratio, Symbol};
 
-/// Returns a node that equals the entry and reads fewer coordinates, if possible. The result is zero, omits a coordinate, or reads two coordinates through
-/// their sum or difference only.
+/// Returns a node that equals the entry and reads fewer coordinates, if possible. The result is zero, omits a coordinate, or reads two coordinates
+/// through their sum or difference only.
 pub(super) fn simplified(graph: &mut Graph, entry: Id) -> Id {
     if !graph.reads(entry).q || !is_total(graph, entry) || jumps(graph, entry) {
         return entry;
@@ -17,7 +17,9 @@ pub(super) fn simplified(graph: &mut Graph, entry: Id) -> Id {
     if vanishes(graph, entry) {
         return graph.zero();
     }
-    let mut directions = directions(&positions(graph, entry));
+    let mut positions = graph.symbols(entry);
+    positions.retain(|symbol| matches!(symbol, Symbol::Position(_)));
+    let mut directions = directions(&positions);
     analyze::retain_constant(graph, entry, &mut directions);
     let mut entry = entry;
     for direction in directions {
@@ -69,9 +71,4 @@ fn is_total(graph: &Graph, id: Id) -> bool {
 /// Returns whether a node may jump at a condition on positions. A jumping node with a slope of zero need not be constant.
 fn jumps(graph: &mut Graph, id: Id) -> bool {
     analyze::conditions(graph, id).into_iter().any(|condition| graph.reads(condition).q)
-}
-
-/// Returns the positions that a node reads.
-fn positions(graph: &Graph, id: Id) -> Vec<Symbol> {
-    graph.symbols(id).into_iter().filter(|symbol| matches!(symbol, Symbol::Position(_))).collect()
 }

@@ -1,7 +1,7 @@
 //! From a Lagrangian L(q, v, s, t) to its energy H(q, p, s, t) = p·v − L with p = ∂L/∂v, where v follows from p in closed form.
 //!
-//! Velocities that no second derivative of L couples form separate parts. A part is quadratic in its velocities, and its mass matrix M is factored once;
-//! or it is one term with a known conjugate plus terms that are linear in the velocities. All other derived functions follow from H.
+//! Velocities that no second derivative of L couples form separate parts. A part is quadratic in its velocities, and its mass matrix M is factored
+//! once; or it is one term with a known conjugate plus terms that are linear in the velocities. All other derived functions follow from H.
 
 mod conjugate;
 mod definite;
@@ -94,8 +94,8 @@ pub(crate) enum Flaw {
     NotClosed(Vec<u32>, Id),
 }
 
-/// Derives the energy of a Lagrangian, or finds the obstacle. With `needs_energy`, H is derived even if it is long, and a term without a known conjugate
-/// is an error. `written` lists the partial nodes of L.
+/// Derives the energy of a Lagrangian, or finds the obstacle. With `needs_energy`, H is derived even if it is long, and a term without a known
+/// conjugate is an error. `written` lists the partial nodes of L.
 pub(crate) fn transform(
     graph: &mut Graph,
     lagrangian: Id,
@@ -205,8 +205,8 @@ fn is_velocity(symbol: Symbol) -> bool {
     matches!(symbol, Symbol::Velocity(_))
 }
 
-/// Returns the partial nodes of L at the velocities that belong to momenta. Nodes of terms with a conjugate are left out: H is defined wherever these
-/// terms are.
+/// Returns the partial nodes of L at the velocities that belong to momenta. Terms with a conjugate are left out, because these velocities lie in
+/// their domain.
 fn at_velocities(graph: &mut Graph, written: &[UndefinedAt], velocities: &[Id], parts: &[Part]) -> Vec<UndefinedAt> {
     let conjugate = |i: u32| {
         let mut of = parts.iter().filter(|part| matches!(part.kinetic, Kinetic::Conjugate { .. }));

@@ -1,4 +1,5 @@
-//! Dissipated momenta of contact systems: functions J of degree 1 in p that commute with H for every s and t. J' = −J ∂H/∂s, so all decay by one factor.
+//! Dissipated momenta of contact systems: functions J of degree 1 in p that commute with H for every s and t. J' = −J ∂H/∂s, so all decay by one
+//! factor.
 
 use super::momenta::{self, Momentum};
 use crate::analyze::degree::Degrees;

@@ -1,7 +1,7 @@
 //! Linear and quadratic functions J of the state that commute with every leaf Q of the tree of H, and so with H.
 //!
-//! A step with the tree discrete gradient Σ c·∇Q(m), m the middle of the step, changes J by h Σ c·{J, Q}(m). So the step conserves J, too. J is a
-//! combination of generators. Its coefficients are numbers, or numbers times powers of parameters.
+//! A step with the tree discrete gradient Σ c·∇Q(m), m the middle of the step, changes J by h Σ c·{J, Q}(m). The bracket is zero, so the step
+//! conserves J. J is a combination of generators. Its coefficients are numbers, or numbers times powers of parameters.
 
 use super::generators::{Generator, Summand, generators, name};
 use super::weights::{Term, Weight, divide_by_common, weights};
@@ -11,7 +11,7 @@ use crate::analyze::leaves::leaves;
 use crate::analyze::quadratic::{Atom, Expansion, Quadratic, Variable, product_of_atoms};
 use crate::ir::{Graph, Id, Ratio, Reads};
 use crate::parse::Shape;
-use std::borrow::Cow;
+use std::collections::BTreeMap;
 
 /// A conserved function of the state.
 #[derive(Debug)]
@@ -21,7 +21,7 @@ pub(crate) struct Momentum {
     pub(crate) value: Id,
 }
 
-/// A generator with a product of parameters as its weight. Its number is the unknown of the linear equations.
+/// A generator with a product of parameters as its weight. The linear equations determine its coefficient, a number.
 struct Unknown {
     generator: usize,
     weight: Weight,
@@ -162,29 +162,24 @@ fn brackets<'a>(moves: &[Vec<Move>], forms: &'a [Quadratic]) -> Option<Vec<Vec<T
     forms.iter().map(of).collect()
 }
 
-/// Returns a basis of the combinations of unknowns whose brackets with all forms vanish. The first `generators` unknowns have no weight.
+/// Returns a basis of the combinations of unknowns whose brackets with all forms vanish.
 fn commuting(unknowns: &[Unknown], generators: usize, brackets: &[Vec<Term<'_>>]) -> Option<Vec<Row>> {
-    let weighted = |g: usize| unknowns[generators..].iter().position(|unknown| unknown.generator == g);
-    let weighted: Vec<Option<usize>> = (0..generators).map(|g| Some(generators + weighted(g)?)).collect();
+    let mut of_generator = vec![vec![]; generators];
+    for (number, Unknown { generator, weight }) in unknowns.iter().enumerate() {
+        of_generator[*generator].push((number, weight));
+    }
     let mut equations = Equations::new(unknowns.len());
     for bracket in brackets {
-        let mut terms = vec![];
+        // Monomials are independent, so the coefficient of each monomial must vanish.
+        let mut coefficients: BTreeMap<([Variable; 2], Weight), Row> = BTreeMap::new();
         for Term { variables, generator, atoms, number } in bracket {
-            terms.push(((*variables, Cow::Borrowed(*atoms)), *generator, *number));
-            if let Some(unknown) = weighted[*generator] {
-                terms.push((
-                    (*variables, Cow::Owned(product_of_atoms(atoms, &unknowns[unknown].weight)?)),
-                    unknown,
-                    *number,
-                ));
+            for (unknown, weight) in &of_generator[*generator] {
+                let coefficient = coefficients.entry((*variables, product_of_atoms(atoms, weight)?)).or_default();
+                add_multiple(coefficient, Ratio::ONE, [(*unknown, *number)])?;
             }
         }
-        // Monomials are independent, so every coefficient must vanish.
-        terms.sort_by(|(a, ..), (b, ..)| a.cmp(b));
-        for coefficient in terms.chunk_by(|(a, ..), (b, ..)| a == b) {
-            let mut row = Row::new();
-            add_multiple(&mut row, Ratio::ONE, coefficient.iter().map(|(_, unknown, c)| (*unknown, *c)))?;
-            equations.add(row)?;
+        for coefficient in coefficients.into_values() {
+            equations.add(coefficient)?;
         }
     }
     equations.solutions()

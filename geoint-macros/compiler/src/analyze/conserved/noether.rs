@@ -9,7 +9,8 @@ use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Symbol};
 use crate::parse::Shape;
 
-/// Returns sums of momenta and angular momenta that the flow conserves for every s and t. They are linear or bilinear, so Gauss methods conserve them, too.
+/// Returns sums of momenta and angular momenta that the flow conserves for every s and t. They are linear or bilinear, so Gauss methods conserve
+/// them, too.
 pub(crate) fn noether(graph: &mut Graph, lagrangian: Id, coordinates: &Shape) -> Vec<Momentum> {
     let as_momentum = |graph: &mut Graph, symbol| match symbol {
         Symbol::Velocity(i) => Some(graph.symbol(Symbol::Momentum(i))),

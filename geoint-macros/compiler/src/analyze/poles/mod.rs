@@ -1,8 +1,8 @@
 //! Poles of the energy: places where it is infinite, such as q = 0 of 1/|q|.
 //!
-//! A step of a discrete gradient goes along a straight line in phase space. If the line crosses a pole, the step may succeed with a wrong result. This
-//! file therefore collects the nodes that vanish at poles, and generated code checks for each step that none of them has a zero on its line. `structure.rs`
-//! finds cheap proofs from the form of a node. Intervals enclose the other nodes.
+//! A step of a discrete gradient goes along a straight line in phase space. If the line crosses a pole, the step may succeed with a wrong result.
+//! This file therefore collects the nodes that vanish at poles, and generated code checks for each step that none of them has a zero on its line.
+//! `structure.rs` finds cheap proofs from the form of a node. Intervals enclose the other nodes.
 
 mod structure;
 
@@ -39,8 +39,9 @@ pub(crate) struct Pole {
 
 /// Collects the poles of nodes that are not defined everywhere. `divided` lists the nodes of which divided differences are taken.
 ///
-/// A pole is left out if a step across it ends outside the domain of the energy, as for ln q. This needs a concave term: if such a term is positive at
-/// both ends of a step, it is positive between them. Poles with the same vanishing node are joined, and the result also contains the edges of domains.
+/// A pole is left out if a step across it ends outside the domain of the energy, as for ln q. The term must be concave: a concave term that is
+/// positive at both ends of a step is positive between them. Poles with equal vanishing nodes are joined. The result also contains the edges of
+/// domains.
 pub(crate) fn poles(graph: &mut Graph, divided: &[Id], partial: &[UndefinedAt]) -> Vec<Pole> {
     let denominators: Vec<Denominator> = partial.iter().flat_map(|at| denominators(graph, *at)).collect();
     let computed: HashSet<Id> = graph.reachable(divided).into_iter().collect();
@@ -150,29 +151,31 @@ struct Denominator {
 
 /// Returns the terms that vanish where a node is infinite: the divisor, or the distances of the argument from the ends of the domain.
 fn denominators(graph: &mut Graph, UndefinedAt { node, condition }: UndefinedAt) -> Vec<Denominator> {
-    let of = |term, one_sided| vec![Denominator { node, term, one_sided, condition }];
+    let one_sided = |term| Denominator { node, term, one_sided: true, condition };
+    let two_sided = |term| Denominator { one_sided: false, ..one_sided(term) };
     match graph.node(node).clone() {
-        Node::Power(base, exponent) if exponent.numerator < 0 => of(base, !exponent.is_integer()),
-        Node::Call(Function::Ln | Function::Log2 | Function::Log10, args) => of(args[0], true),
+        Node::Power(base, exponent) if exponent.numerator < 0 => {
+            vec![if exponent.is_integer() { two_sided(base) } else { one_sided(base) }]
+        }
+        Node::Call(Function::Ln | Function::Log2 | Function::Log10, args) => vec![one_sided(args[0])],
         Node::Call(Function::Ln1p, args) => {
             let one = graph.integer(1);
-            of(graph.add(one, args[0]), true)
+            vec![one_sided(graph.add(one, args[0]))]
         }
         Node::Call(Function::Atanh, args) => {
             let one = graph.integer(1);
-            let ends = [graph.add(one, args[0]), graph.sub(one, args[0])];
-            ends.map(|term| Denominator { node, term, one_sided: true, condition }).into()
+            [graph.add(one, args[0]), graph.sub(one, args[0])].map(one_sided).into()
         }
-        Node::Call(Function::Tan, args) => of(graph.call(Function::Cos, &args), false),
+        Node::Call(Function::Tan, args) => vec![two_sided(graph.call(Function::Cos, &args))],
         Node::Call(Function::Powf, args) => {
             let zero = graph.zero();
             let negative = graph.compare(Relation::Less, args[1], zero);
             match graph.as_truth(negative) {
                 Some(false) => vec![],
-                Some(true) => of(args[0], true),
+                Some(true) => vec![one_sided(args[0])],
                 None => {
                     let condition = condition.map_or(negative, |condition| graph.and(condition, negative));
-                    vec![Denominator { node, term: args[0], one_sided: true, condition: Some(condition) }]
+                    vec![Denominator { condition: Some(condition), ..one_sided(args[0]) }]
                 }
             }
         }
@@ -180,7 +183,7 @@ fn denominators(graph: &mut Graph, UndefinedAt { node, condition }: UndefinedAt)
     }
 }
 
-/// Returns whether a node that is not defined everywhere is undefined on one side of a point of its domain: true for √x, false for √(x²).
+/// Returns whether a partial node is undefined on one side of a point of its domain: true for √x, false for √(x²).
 pub(crate) fn has_edge(graph: &Graph, node: Id) -> bool {
     match graph.node(node) {
         Node::Power(base, exponent) => !exponent.is_integer() && graph.sign(*base) == Sign::Unknown,

@@ -8,13 +8,11 @@ mod ratio;
 mod tests;
 
 pub(crate) use ratio::Ratio;
-use std::cmp::Ordering;
 use std::hash::{Hash, Hasher};
 
 /// A constant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Number {
-    /// An exact ratio.
     Exact(Ratio),
     /// c·√r for an integer r > 1 without small square factors.
     Root(Ratio, i64),
@@ -212,11 +210,6 @@ impl Number {
             Number::Root(ratio, radicand) => ratio.word() ^ (radicand as u64) << 8,
             Number::Float(bits) => bits,
         }
-    }
-
-    /// Compares rounded values. `None` for NaN.
-    pub(crate) fn compare(self, other: Number) -> Option<Ordering> {
-        self.to_f64().partial_cmp(&other.to_f64())
     }
 }
 

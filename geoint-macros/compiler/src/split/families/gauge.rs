@@ -23,7 +23,8 @@ pub(super) fn solve(graph: &mut Graph, group: &Group, rules: Rules<'_>) -> Optio
     for i in 0..degrees {
         let Some(own) = OwnShift::of(graph, energy, i) else { continue };
         let logarithm = liouville::Logarithm::OfMagnitude;
-        let Ok((potential, _)) = liouville::antiderivative(graph, &[Symbol::Position(i)], &[own.shift], logarithm) else {
+        let Ok((potential, _)) = liouville::antiderivative(graph, &[Symbol::Position(i)], &[own.shift], logarithm)
+        else {
             continue;
         };
         let mut slopes = diff::gradient(graph, potential, degrees).q;
