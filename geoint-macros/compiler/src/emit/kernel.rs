@@ -1,14 +1,12 @@
 //! Functions of prepared coefficients and arrays: what routines read and write.
 
-use super::given::{Given, array, element};
-use super::straight_line;
-use super::tokens::{Tokens, bracketed};
-use super::writer::Names;
+use super::tokens::{Tokens, bracketed, element};
+use super::writer::{Names, routine};
 use crate::ir::Symbol;
 use crate::ir::print::Naming;
 use crate::lower::VELOCITY;
 use crate::parse::{Energy, Form, Role, Shape};
-use crate::schedule::{Block, Operand, Plan};
+use crate::schedule::{self, Array, Block, Layout, Operand, Place, Plan, arranged};
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};
 use std::cell::RefCell;
@@ -84,8 +82,7 @@ impl<'a> Context<'a> {
 
     /// The indices of the `i`-th coordinate in its array.
     pub(crate) fn coordinate(&self, i: u32) -> Vec<usize> {
-        let shape = &self.energy.coordinates.shape;
-        if shape.extents.is_empty() { vec![0] } else { shape.indices(i as usize) }
+        schedule::coordinate(&self.energy.coordinates.shape, i)
     }
 
     /// Indices of all coordinates.
@@ -167,46 +164,48 @@ impl<'a> Context<'a> {
     /// All scalars of parameters, in order.
     pub(super) fn scalars(&self) -> Vec<TokenStream> {
         let count: usize = self.energy.parameters().map(|argument| argument.shape.len()).sum();
-        (0..count as u32).map(|i| self.parameter(i).to_token_stream()).collect()
+        (0..count as u32).map(|i| self.input(Symbol::Parameter(i)).to_token_stream()).collect()
     }
 
-    /// A scalar of a parameter, or a constant from outside.
-    fn parameter(&self, index: u32) -> Given {
-        let mut rest = index as usize;
-        for (number, argument) in self.energy.parameters().enumerate() {
-            if rest < argument.shape.len() {
-                let name = &argument.name;
-                let field = Tokens::field("self", name);
-                return Given::entry(array::PARAMETERS + number, field, argument.shape.indices(rest));
+    /// Places of all inputs of a routine, which has some symbols in an array of its own.
+    pub(crate) fn layout(&self, argument: Vec<(Symbol, Vec<usize>)>) -> Layout<'_> {
+        let parameters = self.energy.parameters().map(|argument| &argument.shape).collect();
+        Layout { coordinates: &self.energy.coordinates.shape, parameters, argument }
+    }
+
+    /// The name of an array, or of a number, in every routine. Each routine names its own array of arguments.
+    pub(super) fn array_name(&self, argument: &str, array: Array) -> Tokens {
+        match array {
+            Array::Position => "q".into(),
+            Array::Momentum => "p".into(),
+            Array::Velocity => "v".into(),
+            Array::Kick => "dp".into(),
+            Array::Argument => argument.into(),
+            Array::Increment => quote!(d.z).into(),
+            Array::Parameter(number) => match self.energy.parameters().nth(number) {
+                Some(parameter) => Tokens::field("self", &parameter.name),
+                None => Tokens::default(),
+            },
+            Array::Number(Symbol::Action) => quote!(*s).into(),
+            Array::Number(Symbol::ActionIncrement) => quote!(d.s).into(),
+            Array::Number(Symbol::Time) => "t".into(),
+            Array::Number(Symbol::StepStart) => "start".into(),
+            Array::Number(Symbol::StepEnd) => "end".into(),
+            Array::Number(Symbol::StepLength) => "h".into(),
+            Array::Number(Symbol::GradientWeight) => "g".into(),
+            Array::Number(Symbol::Parameter(i)) => {
+                let scalars: usize = self.energy.parameters().map(|argument| argument.shape.len()).sum();
+                let constant = &self.constants[i as usize - scalars];
+                quote!(R::from_f64((#constant) as f64)).into()
             }
-            rest -= argument.shape.len();
+            Array::Number(_) => Tokens::default(),
         }
-        let constant = &self.constants[rest];
-        Given::alone(quote!(R::from_f64((#constant) as f64)))
     }
 
     /// What a symbol is called in every routine.
-    pub(crate) fn input(&self, symbol: Symbol) -> Given {
-        let of = |array, base, i| Given::entry(array, base, self.coordinate(i));
-        match symbol {
-            Symbol::Position(i) => of(array::POSITIONS, "q", i),
-            Symbol::Momentum(i) => of(array::MOMENTA, "p", i),
-            Symbol::Velocity(i) => of(array::VELOCITIES, "v", i),
-            Symbol::Action => Given::alone(quote!(*s)),
-            Symbol::Time => Given::alone("t"),
-            Symbol::StepStart => Given::alone("start"),
-            Symbol::StepEnd => Given::alone("end"),
-            Symbol::StepLength => Given::alone("h"),
-            Symbol::GradientWeight => Given::alone("g"),
-            Symbol::Parameter(i) => self.parameter(i),
-            // What a kick adds before a flow.
-            Symbol::MomentumIncrement(i) => of(array::KICKS, "dp", i),
-            // Other increments are unknowns wherever they are read.
-            Symbol::PositionIncrement(_)
-            | Symbol::ActionIncrement
-            | Symbol::VelocityIncrement(_)
-            | Symbol::Multiplier(_) => Given::alone(Tokens::default()),
-        }
+    pub(crate) fn input(&self, symbol: Symbol) -> Tokens {
+        let place = self.layout(vec![]).place(symbol);
+        self.array_name("", place.array).at(&place.indices)
     }
 
     /// What users call an argument. Momenta of a Lagrangian are none, nor are velocities of an energy.
@@ -236,27 +235,29 @@ impl<'a> Context<'a> {
         Some(format!("{}{body}.{}", argument.name, numbers[index as usize % 4]))
     }
 
-    /// What a symbol is called where `unknowns` are in the array `increment` or `y`.
-    pub(crate) fn input_or_unknown(&self, unknowns: &[Symbol], array: &str, symbol: Symbol) -> Given {
-        match unknowns.iter().position(|unknown| *unknown == symbol) {
-            Some(i) => Given::entry(array::UNKNOWNS, array, self.unknown_place(unknowns.len(), i)),
-            None => self.input(symbol),
-        }
-    }
-
     /// The values of a plan's only routine, or of its first.
     pub(crate) fn values<T: ToTokens>(&self, plan: &Plan, finish: impl FnOnce(Vec<Tokens>) -> T) -> TokenStream {
         self.planned(&plan.last[0], (&[], ""), finish)
     }
 
-    /// What a routine calls what it reads and computes, from what it calls its inputs.
-    pub(crate) fn names<'b>(&'b self, input: &'b dyn Fn(Symbol) -> Given) -> Names<'b> {
-        Names { registers: &self.registers, input, degrees: self.energy.degrees() as usize }
+    /// A routine that writes its results.
+    pub(crate) fn written(&self, block: &Block, targets: &[Place]) -> TokenStream {
+        let layout = self.layout(vec![]);
+        let names = Names { registers: &self.registers, layout: &layout, array: &|array| self.array_name("", array) };
+        routine(&arranged(block, &layout, targets), names, |_| TokenStream::new())
     }
 
-    /// A routine that writes its results.
-    pub(crate) fn written(&self, block: &Block, targets: &[Given]) -> TokenStream {
-        straight_line::assignments(block, self.names(&|symbol| self.input(symbol)), targets)
+    /// A routine that returns its results. It has some symbols in the array `name`.
+    pub(crate) fn routine<T: ToTokens>(
+        &self,
+        block: &Block,
+        name: &str,
+        argument: Vec<(Symbol, Vec<usize>)>,
+        finish: impl FnOnce(Vec<Tokens>) -> T,
+    ) -> TokenStream {
+        let layout = self.layout(argument);
+        let names = Names { registers: &self.registers, layout: &layout, array: &|array| self.array_name(name, array) };
+        routine(&arranged(block, &layout, &[]), names, finish)
     }
 
     /// What the routine of a level stores for later ones, as an array.
@@ -282,8 +283,8 @@ impl<'a> Context<'a> {
         (unknowns, array): (&[Symbol], &str),
         finish: impl FnOnce(Vec<Tokens>) -> T,
     ) -> TokenStream {
-        let input = |symbol| self.input_or_unknown(unknowns, array, symbol);
-        straight_line::routine(block, self.names(&input), finish)
+        let places = self.unknown_places(unknowns.len());
+        self.routine(block, array, unknowns.iter().copied().zip(places).collect(), finish)
     }
 
     /// The same in braces, as the body of a function: one token, where many would be copied one by one as they are quoted.

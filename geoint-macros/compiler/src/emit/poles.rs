@@ -1,12 +1,13 @@
 //! Poles and conditions between the ends of a step: what the runtime asks of them.
 
-use super::given::{Given, array};
 use super::kernel::Context;
-use super::straight_line;
+use super::tokens::Tokens;
+use super::writer::{Names, routine};
 use crate::analyze::Jump;
 use crate::derive::{Jumps, Margin, Margins, Poles, Signs};
 use crate::ir::{Graph, Symbol, print::Printer};
-use crate::schedule::{Block, Plan};
+use crate::parse::{Leaf, Shape};
+use crate::schedule::{Array, Block, Layout, Plan, arranged};
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -103,17 +104,22 @@ fn positive(context: &Context<'_>, Margins { values, count, margins }: &Margins<
 /// A function of `PhaseSpace` that gives so many values in any scalar, chosen by an index.
 fn enclosed(context: &Context<'_>, name: &str, count: usize, choices: &[Block]) -> TokenStream {
     let parameters = context.scalars();
-    let input = |symbol: Symbol| match symbol {
-        Symbol::Position(i) => Given::entry(array::POSITIONS, "z", vec![i as usize]),
-        Symbol::Momentum(i) => Given::entry(array::POSITIONS, "z", vec![(context.energy.degrees() + i) as usize]),
-        Symbol::Action => Given::alone("s"),
-        Symbol::Parameter(i) if (i as usize) < parameters.len() => {
-            Given::entry(array::PARAMETERS, "parameters", vec![i as usize])
-        }
-        symbol => context.input(symbol),
+    let degrees = context.energy.degrees();
+    let point = (0..degrees).map(Symbol::Position).chain((0..degrees).map(Symbol::Momentum));
+    let row = Shape { extents: vec![parameters.len()], leaf: Leaf::Plain };
+    let layout = Layout {
+        coordinates: &context.energy.coordinates.shape,
+        parameters: vec![&row],
+        argument: point.enumerate().map(|(i, symbol)| (symbol, vec![i])).collect(),
+    };
+    let array = |array| match array {
+        Array::Parameter(_) => Tokens::from("parameters"),
+        Array::Number(Symbol::Action) => Tokens::from("s"),
+        array => context.array_name("z", array),
     };
     let arms = choices.iter().enumerate().map(|(i, block)| {
-        let body = straight_line::routine(block, context.names(&input), |values| match &values[..] {
+        let names = Names { registers: &context.registers, layout: &layout, array: &array };
+        let body = routine(&arranged(block, &layout, &[]), names, |values| match &values[..] {
             [value] => quote!(#value),
             _ => quote!([#(#values),*]),
         });

@@ -1,22 +1,23 @@
-//! Common factors: a·x·y + b·x is x·(a·y + b), a product less, and what remains of the sum may be needed elsewhere.
+//! Takes common factors out of sums: a·x·y + b·x is x·(a·y + b), with one product less.
 
 use super::lowering::Lowering;
 use crate::ir::{HashMap, Id, Node, Number, Symbol};
 
-/// A summand: a number times its factors, one of which is what is known earlier, with all of the number but its sign. Without factors it stays whole.
+/// A summand: a number times factors. Factors of an earlier level are one factor, which then includes the magnitude of the number.
 struct Summand {
     scale: Number,
+    /// The factors. None if other nodes need the product as a whole.
     factors: Vec<Id>,
-    /// How many factors it is made of, a number among them.
+    /// The number of factors, a numeric one included.
     width: usize,
     whole: (Number, Id),
 }
 
-/// Operations where sums and products are fused, and where they are not.
+/// The number of operations with fused multiply-add, and without.
 type Cost = (usize, usize);
 
 impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
-    /// The same sum with common factors taken out, as long as that is fewer operations.
+    /// Returns a sum with common factors taken out, as long as this saves operations.
     pub(super) fn factored(&mut self, terms: Vec<(Number, Id)>) -> Vec<(Number, Id)> {
         if terms.len() < 2 {
             return terms;
@@ -37,7 +38,7 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
         if same { terms } else { summands.into_iter().map(|summand| summand.whole).collect() }
     }
 
-    /// A sum that is one product, as that: then it is fused with what it is added to.
+    /// Returns a sum as a product, if it is one. The product is then fused with the sum that reads it.
     pub(super) fn as_product(&mut self, c: Number, id: Id) -> (Number, Id) {
         let Node::Linear(constant, terms) = self.graph.node(id) else { return (c, id) };
         if !constant.is_zero() || terms.len() < 2 || !self.is_single(id) {
@@ -53,7 +54,7 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
         }
     }
 
-    /// Where a number is added, prefactors go into sums with a number, which are then added earlier: 1 + a·(½ + b·y) is (1 + a/2) + ab·y.
+    /// Expands products in a sum with a constant, if this moves operations to an earlier level: 1 + a·(½ + b·y) is (1 + a/2) + ab·y.
     pub(super) fn spread(&mut self, constant: Number, terms: Vec<(Number, Id)>) -> (Number, Vec<(Number, Id)>) {
         if constant.is_zero() || !terms.iter().all(|(_, id)| self.is_now(*id)) {
             return (constant, terms);
@@ -77,7 +78,8 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
         }
     }
 
-    /// Whether a prefactor went into a sum among the factors, at no cost: 2·(½ + b·y) is 1 + 2b·y, where b is known earlier.
+    /// Multiplies a prefactor into a sum among the factors, if this costs nothing: 2·(½ + b·y) is 1 + 2b·y, where b has an earlier level.
+    /// Returns whether it did.
     pub(super) fn absorbed(&mut self, prefactor: Id, factors: &mut [Id]) -> bool {
         let exact = self.graph.as_number(prefactor).is_some_and(is_power_of_two);
         let Some(place) = factors.iter().position(|id| self.absorbs(*id, exact)) else { return false };
@@ -91,11 +93,11 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
         true
     }
 
-    /// Whether all of its terms have something in front that is known earlier, and one is a number, unless what goes into it is `exact`: of other sums two terms
-    /// may be nearly opposite, and their difference exact, as in k(2x − a).
+    /// Returns whether a sum can absorb a prefactor. Each term must have a coefficient of an earlier level. One term must be a number, unless
+    /// products with the prefactor are `exact`: otherwise two terms may nearly cancel, and their exact difference would be lost, as in k(2x − a).
     fn absorbs(&mut self, id: Id, exact: bool) -> bool {
         let Node::Linear(constant, terms) = self.graph.node(id) else { return false };
-        // What was taken out does not go in again.
+        // A factor that was taken out does not return.
         if constant.is_zero() && !exact || !self.is_single(id) || self.factored_out.contains(id) {
             return false;
         }
@@ -111,7 +113,7 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
         true
     }
 
-    /// The factors of a node that are known at this level, and earlier.
+    /// Collects the factors of a node: those of this level, and those of earlier levels.
     pub(super) fn by_level(&mut self, id: Id, now: &mut Vec<Id>, early: &mut Vec<Id>) {
         let mut factors = vec![];
         self.flat_factors(id, true, &mut factors);
@@ -120,7 +122,7 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
         }
     }
 
-    /// c·node as its factors.
+    /// Returns the factors of c·node.
     fn taken_apart(&mut self, c: Number, id: Id) -> Summand {
         let (mut factors, mut early) = (vec![], vec![]);
         self.by_level(id, &mut factors, &mut early);
@@ -150,7 +152,7 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
         Summand { scale, factors: if shared { vec![] } else { now }, width, whole: (c, id) }
     }
 
-    /// The sum of all, each without one of its factors. Sums among these stay whole: a difference of neighbours is exact.
+    /// Returns the sum of all summands, each divided by a factor. Sums among the factors stay whole: a difference of close numbers is exact.
     fn divided(&mut self, summands: Vec<Summand>, factor: Id) -> Id {
         let (mut constant, mut terms) = (Number::ZERO, vec![]);
         for Summand { scale, mut factors, .. } in summands {
@@ -170,13 +172,13 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
     }
 }
 
-/// Whether a product with it is exact.
+/// Returns whether products with a number are exact.
 fn is_power_of_two(number: Number) -> bool {
     const DIGITS: u64 = (1 << (f64::MANTISSA_DIGITS - 1)) - 1;
     number.to_f64().is_normal() && number.to_f64().to_bits() & DIGITS == 0
 }
 
-/// The factor that saves most, the first one of equals.
+/// Returns the factor that saves most operations, the first one of equals. Nothing if no factor saves any.
 fn best(summands: &[Summand]) -> Option<Id> {
     let mut places: HashMap<Id, Vec<usize>> = HashMap::default();
     let mut shared = vec![];
@@ -210,26 +212,29 @@ fn best(summands: &[Summand]) -> Option<Id> {
     best
 }
 
-/// What a summand takes: how many products, the last of which may be fused with the sum.
+/// The products of a summand. The last one may be fused with the sum.
 struct Work {
     products: usize,
     fused: bool,
 }
 
 impl Work {
+    /// The summand that replaces others: the common factor times their sum.
     const PAIR: Work = Work { products: 1, fused: true };
 
+    /// Returns the products of a summand.
     fn of(summand: &Summand) -> Work {
         Work::products(summand.width, summand.factors.iter())
     }
 
+    /// Returns the products of a summand that is divided by a factor.
     fn without(summand: &Summand, factor: Id) -> Work {
         let place = summand.factors.iter().position(|other| *other == factor);
         let others = summand.factors.iter().enumerate().filter(|(other, _)| Some(*other) != place);
         Work::products(summand.width - 1, others.map(|(_, id)| id))
     }
 
-    /// Powers are not fused: x² − y² is zero where x = y.
+    /// Returns the products of some factors. Powers are not fused, so that x² − y² is zero where x = y.
     fn products<'a>(width: usize, mut factors: impl Iterator<Item = &'a Id>) -> Work {
         let first = factors.next();
         let alike = 1 + factors.filter(|other| Some(*other) == first).count();
@@ -237,7 +242,7 @@ impl Work {
     }
 }
 
-/// Numbers of summands and products of a sum.
+/// The numbers of summands, products and fused products of a sum.
 #[derive(Clone, Copy, Default)]
 struct Total {
     sums: usize,
@@ -252,6 +257,7 @@ impl FromIterator<Work> for Total {
 }
 
 impl Total {
+    /// Adds a summand.
     fn with(self, work: Work) -> Total {
         Total {
             sums: self.sums + 1,
@@ -260,7 +266,7 @@ impl Total {
         }
     }
 
-    /// One summand in place of some of them.
+    /// Replaces some summands by one.
     fn replaced(self, some: Total, by: Work) -> Total {
         let rest = Total {
             sums: self.sums - some.sums,
@@ -270,7 +276,7 @@ impl Total {
         rest.with(by)
     }
 
-    /// Operations of the sum. One summand is there at first, if possible one that has no product to be fused.
+    /// Returns the operations of the sum. It starts with one summand, if possible with one that has no product to fuse.
     fn cost(self) -> Cost {
         let Total { sums, products, fused } = self;
         let starts = usize::from(fused == sums);

@@ -1,27 +1,27 @@
-//! Kernels: the routines of one piece of work, and when the symbols that they read are known.
+//! Kernels: routines that share prepared values, and the times at which their symbols are known.
 
 use super::block::{Block, Operations};
 use super::levels::{KnownLevels, Slots};
 use super::lowering::Lowering;
 use crate::ir::{Graph, Id, Symbol};
 
-/// When symbols are known: each level is a routine that stores what later ones need, the last one excepted.
+/// The times at which symbols are known. Each level but the last is a routine that stores values for later levels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Levels {
-    /// All at once.
+    /// All symbols at once.
     One,
-    /// Parameters and h; the rest.
+    /// Parameters and h; all other symbols.
     Prepared,
     /// Parameters and h; the time at which a step is frozen; the state.
     Frozen,
-    /// The same, where time is part of the state.
+    /// Parameters and h; nothing; the state with its time.
     Unfrozen,
     /// Parameters and h; the start of a step; the iterates.
     Iterated,
 }
 
 impl Levels {
-    /// How many levels there are before the last.
+    /// Returns the number of levels before the last.
     fn stores(self) -> usize {
         match self {
             Levels::One => 0,
@@ -30,7 +30,7 @@ impl Levels {
         }
     }
 
-    /// The level at which a symbol is known.
+    /// Returns the level at which a symbol is known.
     fn of(self, symbol: Symbol) -> usize {
         match symbol {
             _ if self == Levels::One => 0,
@@ -47,7 +47,7 @@ impl Levels {
     }
 }
 
-/// Routines of the last level, each by the nodes that it computes, and their levels.
+/// The routines of the last level, as the nodes that each computes, and the levels of their symbols.
 #[derive(Clone, Debug)]
 pub(crate) struct Kernel {
     pub(crate) levels: Levels,
@@ -55,12 +55,12 @@ pub(crate) struct Kernel {
 }
 
 impl Kernel {
-    /// One routine.
+    /// Returns a kernel of one routine.
     pub(crate) fn new(levels: Levels, roots: Vec<Id>) -> Kernel {
         Kernel { levels, routines: vec![roots] }
     }
 
-    /// The statements of all routines.
+    /// Returns the statements of all routines.
     pub(crate) fn plan(&self, graph: &mut Graph) -> Plan {
         let none: &[Id] = &[];
         let routines: Vec<&[Id]> = self.routines.iter().map(Vec::as_slice).collect();
@@ -68,10 +68,10 @@ impl Kernel {
     }
 }
 
-/// Statements of all routines of a kernel.
+/// The statements of all routines of a kernel.
 #[derive(Clone, Debug)]
 pub(crate) struct Plan {
-    /// For each level but the last, the routine that stores what later levels need: results are its own roots, then
+    /// For each level but the last, the routine that stores values for later levels. Its results are its own roots, then
     /// the slots.
     pub(crate) stores: Vec<Block>,
     /// The routines of the last level.
@@ -81,13 +81,13 @@ pub(crate) struct Plan {
 }
 
 impl Plan {
-    /// What the first routine of the last level costs.
+    /// Returns the operations of the first routine of the last level.
     pub(crate) fn operations(&self) -> Operations {
         self.last[0].operations()
     }
 }
 
-/// Plans the routines of a kernel: `stores` are the own roots of the storing routines, a level each, `last` the roots of
+/// Plans the routines of a kernel. `stores` are the own roots of the routine of each level but the last, `last` the roots of
 /// the routines of the last level.
 pub(crate) fn plan(graph: &mut Graph, level: impl Fn(Symbol) -> usize, stores: &[&[Id]], last: &[&[Id]]) -> Plan {
     let mut levels = KnownLevels::new(level);
@@ -95,7 +95,7 @@ pub(crate) fn plan(graph: &mut Graph, level: impl Fn(Symbol) -> usize, stores: &
     let last = last.iter().map(|roots| Lowering::run(graph, &mut levels, &mut slots, stores.len(), roots)).collect();
     let mut store_blocks = vec![];
     for (level, own) in stores.iter().enumerate().rev() {
-        // Slots of this level are complete: only later levels ask for them.
+        // The slots of this level are complete, because only later levels read them.
         let roots = [own, &slots[level].nodes[..]].concat();
         store_blocks.push(Lowering::run(graph, &mut levels, &mut slots, level, &roots));
     }

@@ -3,11 +3,10 @@
 use super::{assign, flow, slots};
 use crate::derive::{Bodies, Shift, Turn};
 use crate::emit::domain::domain;
-use crate::emit::given::element;
 use crate::emit::kernel::Context;
 use crate::emit::structure::{self_type, state_type};
 use crate::emit::system::halves;
-use crate::emit::tokens::Tokens;
+use crate::emit::tokens::{Tokens, element};
 use crate::ir::Graph;
 use crate::parse::over_scalar;
 use crate::schedule::Plan;

@@ -5,11 +5,10 @@ mod kick_drift;
 mod perturbed;
 mod pieces;
 
-use super::given::{Given, array};
 use super::kernel::Context;
 use crate::derive::FlowKernel;
 use crate::ir::Symbol;
-use crate::schedule::Plan;
+use crate::schedule::{Array, Place, Plan};
 pub(super) use bodies::bodies;
 pub(super) use kick_drift::splitting;
 pub(super) use perturbed::perturbed;
@@ -58,15 +57,15 @@ fn flow(context: &Context<'_>, name: &str, flow_kernel: &FlowKernel<Plan>) -> (T
 
 /// `d.q[i] = …; d.p[i] = …; d.s = …;`: what a flow from `x` adds.
 fn increments(context: &Context<'_>, flow: &FlowKernel<Plan>) -> TokenStream {
-    let entry = |half: &[usize], i: u32| {
-        let indices = [half, &context.coordinate(i)[..]].concat();
-        Given::entry(array::INCREMENTS, quote!(d.z), indices)
+    let entry = |half: &[usize], i: u32| Place {
+        array: Array::Increment,
+        indices: [half, &context.coordinate(i)[..]].concat(),
     };
     let targets = flow.changes.iter().map(|symbol| match symbol {
         Symbol::Position(i) if context.energy.form.is_flow() => entry(&[], *i),
         Symbol::Position(i) => entry(&[0], *i),
         Symbol::Momentum(i) => entry(&[1], *i),
-        _ => Given::alone(quote!(d.s)),
+        _ => Place::number(Symbol::ActionIncrement),
     });
     let parts = context.per_coordinate();
     let writes = context.written(&flow.kernel.last[1], &targets.collect::<Vec<_>>());
@@ -81,6 +80,7 @@ fn increments(context: &Context<'_>, flow: &FlowKernel<Plan>) -> TokenStream {
 
 /// `q[i] = …; p[i] = …; *s = …;`
 fn assign(context: &Context<'_>, flow: &FlowKernel<Plan>) -> TokenStream {
-    let targets: Vec<Given> = flow.changes.iter().map(|symbol| context.input(*symbol)).collect();
+    let layout = context.layout(vec![]);
+    let targets: Vec<Place> = flow.changes.iter().map(|symbol| layout.place(*symbol)).collect();
     context.written(&flow.kernel.last[0], &targets)
 }

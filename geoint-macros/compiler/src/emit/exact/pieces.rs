@@ -3,12 +3,10 @@
 
 use super::{assign, increments};
 use crate::derive::{Missing, PieceKernel, PiecesOf};
-use crate::emit::given::{Given, array, element};
 use crate::emit::kernel::Context;
 use crate::emit::missing::unsatisfied;
-use crate::emit::straight_line;
 use crate::emit::structure::self_type;
-use crate::emit::tokens::Tokens;
+use crate::emit::tokens::{Tokens, element};
 use crate::ir::{Graph, Symbol, print::Printer};
 use crate::schedule::Plan;
 use crate::split::Clock;
@@ -153,15 +151,11 @@ fn solve(context: &Context<'_>, piece: &PieceKernel<Plan>, target: Target) -> To
         let i = Literal::usize_unsuffixed(i);
         quote!(#place = #place + step[#i];)
     });
-    let unknown = |symbol: Symbol| {
-        let moved = piece
-            .flow
-            .changes
-            .iter()
-            .position(|x| matches!((x, symbol), (Symbol::Position(i), Symbol::PositionIncrement(j)) if *i == j));
-        moved.map_or_else(|| context.input(symbol), |i| Given::entry(array::UNKNOWNS, "increment", vec![i]))
-    };
-    let equation = straight_line::routine(&piece.flow.kernel.last[0], context.names(&unknown), |values| {
+    let unknowns = piece.flow.changes.iter().enumerate().filter_map(|(i, symbol)| match symbol {
+        Symbol::Position(j) => Some((Symbol::PositionIncrement(*j), vec![i])),
+        _ => None,
+    });
+    let equation = context.routine(&piece.flow.kernel.last[0], "increment", unknowns.collect(), |values| {
         let [image, first, second] = [&values[..2], &values[2..4], &values[4..]];
         quote!(([#(#image),*], [[#(#first),*], [#(#second),*]]))
     });

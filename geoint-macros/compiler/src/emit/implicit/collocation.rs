@@ -3,9 +3,9 @@
 use super::prepared::Prepared;
 use super::write_field;
 use crate::derive::FieldKernels;
-use crate::emit::given::element;
 use crate::emit::kernel::{Context, write};
 use crate::emit::structure::self_type;
+use crate::emit::tokens::element;
 use crate::ir::Symbol;
 use crate::schedule::Plan;
 use proc_macro2::TokenStream;

@@ -1,8 +1,9 @@
 //! Schedules do what the graph means: statements are interpreted and compared with the value of the nodes.
 
 mod factors;
-mod lanes;
 mod machine;
+mod packs;
+mod scenes;
 
 use super::fuzz::{config, energy};
 use super::rounding::{is_undecided, rounded};
@@ -10,7 +11,7 @@ use super::{Noise, lowered};
 use crate::diff;
 use crate::ir::{Function, HashMap, Id, Symbol};
 use crate::parse::Form;
-use crate::schedule::{self, Instruction, Statement};
+use crate::schedule::{self, Call, Instruction, Routine, Statement};
 use crate::tests::eval::eval;
 use crate::{lower, parse};
 use machine::{Machine, level};
@@ -189,7 +190,7 @@ fn what_belongs_to_a_branch_is_computed_in_that_branch() {
     let roots = vec![lowered.energy, gradient.q[0]];
     let block = schedule::Kernel::new(schedule::Levels::One, roots).plan(graph).last.remove(0);
     let calls =
-        |statement: &Statement| matches!(statement, Statement::SinCos(..) | Statement::Let(_, Instruction::Call(..)));
+        |statement: &Statement| matches!(statement, Statement::Call(_) | Statement::Let(_, Instruction::Call(..)));
     assert!(!block.statements.iter().any(calls), "{block:?}");
     let branches: Vec<_> = block.statements.iter().filter(|s| matches!(s, Statement::If { .. })).collect();
     assert_eq!(branches.len(), 1, "value and slope share one branch: {block:?}");
@@ -239,7 +240,7 @@ fn orbits_of_one_level_are_one_call() {
         .statements
         .iter()
         .filter_map(|statement| match statement {
-            Statement::Kepler(registers, _) => Some(registers.len()),
+            Statement::Call(Call { routine: Routine::Kepler, results, .. }) => Some(results.len()),
             _ => None,
         })
         .collect();

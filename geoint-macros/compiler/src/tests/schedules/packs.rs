@@ -3,7 +3,8 @@
 use super::machine::{Machine, level};
 use crate::diff;
 use crate::ir::Symbol;
-use crate::schedule::{self, Block, Instruction, Statement};
+use crate::parse::{Leaf, Shape};
+use crate::schedule::{self, Block, Instruction, Layout, Statement};
 use crate::tests::{Noise, lowered};
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -32,12 +33,26 @@ fn gravity(bodies: usize) -> Block {
     forces(item, 3 * bodies as u32)
 }
 
+/// Returns a block with packs, if it has any.
+fn packed(before: &Block) -> Option<Block> {
+    let shape = Shape { extents: vec![], leaf: Leaf::Plain };
+    let layout = Layout { coordinates: &shape, parameters: vec![], argument: vec![] };
+    let after = schedule::arranged(before, &layout, &[]);
+    assert_eq!(after.operations(), before.operations());
+    (count(&after, |statement| matches!(statement, Statement::Pack { .. })) > 0).then_some(after)
+}
+
 fn count(block: &Block, what: impl Fn(&Statement) -> bool) -> usize {
     block.statements.iter().filter(|statement| what(statement)).count()
 }
 
 fn roots(block: &Block) -> usize {
-    count(block, |statement| matches!(statement, Statement::Let(_, Instruction::Sqrt(_))))
+    count(block, |statement| {
+        matches!(
+            statement,
+            Statement::Let(_, Instruction::Sqrt(_)) | Statement::Pack { instruction: Instruction::Sqrt(_), .. }
+        )
+    })
 }
 
 /// The results of a block before and after, at some points.
@@ -61,7 +76,7 @@ fn roots_of_pairs_are_side_by_side() {
     for bodies in 2..10 {
         let (before, pairs) = (gravity(bodies), bodies * (bodies - 1) / 2);
         assert_eq!(roots(&before), pairs);
-        let after = schedule::side_by_side(&before);
+        let after = packed(&before);
         let Some(after) = after else {
             assert!(pairs < 8, "{bodies} bodies");
             continue;
@@ -103,7 +118,7 @@ fn other_forces_keep_their_bits() {
     };
     for (item, degrees) in [(molecules, 12), (ring, 12)] {
         let before = forces(item, degrees);
-        let after = schedule::side_by_side(&before).expect("many quotients");
+        let after = packed(&before).expect("many quotients");
         assert!(count(&after, |statement| matches!(statement, Statement::Gather(..))) > 0);
         keeps_its_bits(&before, &after);
     }
@@ -114,7 +129,7 @@ fn other_forces_keep_their_bits() {
 #[should_panic(expected = "left == right")]
 fn exchanged_lanes_are_seen() {
     let before = gravity(6);
-    let mut after = schedule::side_by_side(&before).expect("fifteen pairs");
+    let mut after = packed(&before).expect("fifteen pairs");
     for statement in &mut after.statements {
         if let Statement::Spread(registers, _) = statement {
             registers.swap(0, 1);
@@ -140,7 +155,7 @@ fn prepared_factors_are_read_by_fours() {
     });
     let gradient = diff::gradient(&mut lowered.graph, lowered.energy, 10);
     let plan = schedule::plan(&mut lowered.graph, |symbol| level(symbol).min(1), &[&[]], &[&gradient.q]);
-    let after = schedule::side_by_side(&plan.last[0]).expect("ten pairs");
+    let after = packed(&plan.last[0]).expect("ten pairs");
     let prepared = |statement: &Statement| matches!(statement, Statement::Gather(_, four) if four.iter().all(|x| matches!(x, schedule::Operand::Slot(..))));
     assert_eq!(count(&after, prepared), 2);
 }
