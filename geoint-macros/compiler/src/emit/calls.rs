@@ -41,7 +41,7 @@ impl Writer<'_> {
         }
     }
 
-    /// Prints Kepler's motion. A row holds one number of each orbit.
+    /// Prints Kepler's motion. A row has a number for each orbit.
     fn kepler(&mut self, results: &[Vec<Register>], orbits: &[Vec<Operand>]) {
         self.grouped(Delimiter::Bracket, |writer| {
             for row in rows(results) {
@@ -101,7 +101,7 @@ impl Writer<'_> {
     }
 }
 
-/// Returns the rows of a table that is given by its columns.
+/// Returns the rows of a table from its columns.
 fn rows<T: Copy>(columns: &[Vec<T>]) -> Vec<Vec<T>> {
     let height = columns.first().map_or(0, Vec::len);
     (0..height).map(|row| columns.iter().map(|column| column[row]).collect()).collect()

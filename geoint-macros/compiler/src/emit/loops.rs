@@ -1,4 +1,4 @@
-//! Prints loops: `let array0: [_; 63] = from_fn(|i| …);`, or `for i in 0..63 { … }` if the loop writes to an array that exists.
+//! Prints loops: `let array0: [_; 63] = from_fn(|i| …);`, or `for i in 0..63 { … }` if the loop writes to an array of the caller.
 
 use super::tokens::Tokens;
 use super::writer::{SLOTS, Writer};
@@ -53,7 +53,7 @@ impl Writer<'_> {
         }
     }
 
-    /// Returns the entry that member i reads or writes.
+    /// Returns the operand or the target of member i.
     fn run(&self, run: &Run) -> TokenStream {
         let at = |k: usize| index(run.first[k], run.step[k]);
         match run.source {
@@ -66,23 +66,23 @@ impl Writer<'_> {
                 quote!(#slots[#at])
             }
             Source::Computed(computed) => entry(computed, &at(0)),
-            // An operand that all members share is no run.
+            // A shared operand is no run.
             Source::One(_) => Tokens::default().into_token_stream(),
         }
     }
 }
 
-/// Returns the name of the array that a loop computes.
+/// Returns the name of the array of a loop.
 fn name(array: usize) -> Ident {
     Ident::new(&format!("array{array}"), Span::mixed_site())
 }
 
-/// Returns the name of the index of members. Its hygiene keeps it apart from names of the user.
+/// Returns the name of the index of members. Its hygiene separates the index from names of the user.
 fn member() -> Ident {
     Ident::new("i", Span::mixed_site())
 }
 
-/// Returns an entry of a computed array: a number, or one number of a pair.
+/// Returns an entry of the array of a loop: a number, or a part of a pair.
 fn entry(computed: Computed, at: &impl ToTokens) -> TokenStream {
     let (name, part) = (name(computed.array), computed.part.map(number));
     match part {

@@ -1,7 +1,7 @@
-//! A few tokens that are quoted often.
+//! Lists of tokens with frequent quotations.
 //!
 //! A `TokenStream` belongs to rustc. Each copy of it, and each quotation, asks rustc for all of its tokens. Most of the time of an
-//! emission was spent there. A list of tokens is quoted by a push of each token.
+//! emission was spent in rustc. A list of tokens is quoted by a push of each token.
 
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use quote::ToTokens;

@@ -1,7 +1,7 @@
 //! Prints routines: declarations, inputs, statements and results.
 //!
-//! Most emitted tokens come from this file, so it pushes them one by one. Proc macros are built without optimisation. There, this is
-//! several times faster than quoting.
+//! Most emitted tokens come from this file, and are pushed one by one. In an unoptimised build, as proc macros are, a push is
+//! several times faster than a quotation.
 
 use super::tokens::Tokens;
 use crate::ir::{HashMap, Number, Symbol};
@@ -10,10 +10,10 @@ use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenS
 use quote::{ToTokens, format_ident};
 use std::cell::RefCell;
 
-/// The arrays that hold the slots of earlier levels.
+/// The arrays of slots of earlier levels.
 pub(crate) const SLOTS: [&str; 2] = ["prepared", "start"];
 
-/// Names of the values that a routine reads and computes.
+/// The names in a routine.
 pub(crate) struct Names<'a> {
     /// The registers. All routines share their names.
     pub(super) registers: &'a RefCell<Vec<Ident>>,
@@ -25,8 +25,8 @@ pub(crate) struct Names<'a> {
 
 /// Prints a routine: declarations, inputs, statements, and the end that `finish` makes of the results.
 ///
-/// One `let` declares all variables. One `let` for each would nest a scope for each, and thousands of scopes overflow the stack of rustc when
-/// it writes debug information.
+/// One `let` declares all variables. A `let` for each variable would nest a scope for each variable. Thousands of
+/// scopes overflow the stack of rustc, when rustc writes debug information.
 pub(crate) fn routine<T: ToTokens>(
     block: &Block,
     names: Names<'_>,
@@ -57,16 +57,16 @@ pub(crate) fn routine<T: ToTokens>(
 /// Prints the statements of a routine.
 pub(super) struct Writer<'a> {
     pub(super) names: Names<'a>,
-    /// Inputs, slots and constants get a name at the start of the routine, so that statements consist of names only.
+    /// Inputs, slots and constants get a name at the start of the routine, so statements consist of names only.
     given_names: HashMap<Operand, Ident>,
     /// These names in order.
     declared: Vec<Ident>,
-    /// The statements that assign these names.
+    /// The assignments of these names.
     given: Vec<TokenTree>,
     /// Cache of words, filled on demand.
     words: Vec<(&'static str, Ident)>,
     registers: Vec<Ident>,
-    /// Registers that are entries of arrays that loops compute.
+    /// The registers in arrays of loops.
     pub(super) entries: HashMap<Register, TokenStream>,
     tokens: Vec<TokenTree>,
 }
@@ -123,7 +123,7 @@ impl Writer<'_> {
             Operand::Input(Symbol::MomentumIncrement(i)) => format_ident!("dp{i}"),
             Operand::Input(Symbol::Action) => format_ident!("action"),
             Operand::Input(Symbol::ActionIncrement) => format_ident!("ds"),
-            // Not `p0`, which is a momentum.
+            // Not `p0`: momenta have this name.
             Operand::Slot(level, i) => format_ident!("{}_{i}", SLOTS[level]),
             _ => format_ident!("k{}", self.given_names.len()),
         };
@@ -160,7 +160,7 @@ impl Writer<'_> {
             if value < 0.0 {
                 writer.punct("-");
             }
-            // Coefficients of a derivative may overflow. The step then reports numbers that are not finite.
+            // Coefficients of a derivative may overflow. The step then reports a number that is not finite.
             match value.abs() {
                 magnitude if magnitude.is_finite() => writer.tokens.push(Literal::f64_unsuffixed(magnitude).into()),
                 magnitude => writer.path("f64", if magnitude.is_nan() { "NAN" } else { "INFINITY" }),
@@ -170,7 +170,7 @@ impl Writer<'_> {
 
     // ------------------------------------------------------------------------------------------------------ tokens
 
-    /// Pushes tokens that were quoted.
+    /// Pushes quoted tokens.
     pub(super) fn extend(&mut self, tokens: TokenStream) {
         self.tokens.extend(tokens);
     }
@@ -208,7 +208,7 @@ impl Writer<'_> {
         self.tokens.push(self.registers.as_slice()[register].clone().into());
     }
 
-    /// Prints one or two characters.
+    /// Prints punctuation of one or two characters.
     pub(super) fn punct(&mut self, punct: &str) {
         let (last, first) = punct.as_bytes().split_last().unwrap_or((&b' ', &[]));
         for c in first {
@@ -244,12 +244,12 @@ impl Writer<'_> {
         self.tokens.push(Group::new(delimiter, tokens).into());
     }
 
-    /// Returns the tokens that `write` prints.
+    /// Returns the tokens of `write`.
     pub(super) fn inside(&mut self, write: impl FnOnce(&mut Self)) -> TokenStream {
         self.apart(write).into_iter().collect()
     }
 
-    /// Returns the list of tokens that `write` prints.
+    /// Returns the tokens of `write` as a list.
     fn apart(&mut self, write: impl FnOnce(&mut Self)) -> Vec<TokenTree> {
         let outside = std::mem::take(&mut self.tokens);
         write(self);

@@ -19,13 +19,13 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
     /// Lowers a sum: a constant, and nodes with their coefficients.
     pub(super) fn linear(&mut self, constant: Number, terms: Vec<(Number, Id)>) -> Operand {
         let (constant, terms) = self.spread(constant, terms);
-        // Terms of an earlier level are added at that level.
+        // Terms of earlier levels are added there.
         let (mut now, mut early) = (vec![], vec![]);
         for (c, id) in terms {
             if self.is_now(id) { now.push((c, id)) } else { early.push((c, id)) }
         }
         let now = self.factored(now);
-        // The sum can start with a term that needs neither a sign nor a product.
+        // The sum can start with a term without a sign and without a product.
         let has_start = now.iter().any(|(c, id)| c.is_one() && !matches!(self.graph.node(*id), Node::Product(_)));
         let mut summands = vec![];
         match early[..] {
@@ -50,7 +50,7 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
             let (c, id) = self.as_product(c, id);
             summands.push(self.summand(c, id));
         }
-        // The term that is ready last is added last. The sum starts with a term without a sign, and without a product if possible.
+        // Terms are added in the order in which they are ready. The sum starts with a term without a sign, and without a product if possible.
         if summands.len() > 1 {
             summands.sort_by_key(|term| self.ready(&term.value).max(term.times.map_or(0, |times| self.ready(&times))));
         }
@@ -88,7 +88,7 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
         matches!(self.levels.of(self.graph, id), Some(level) if level == self.level)
     }
 
-    /// Lowers a term to one value.
+    /// Lowers a term to a value.
     fn single(&mut self, term: Term) -> Operand {
         let value = match term.times {
             Some(other) => self.emit(Instruction::Mul(term.value, other)),
@@ -105,7 +105,7 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
         self.single(term)
     }
 
-    /// Lowers c·node without its last multiplication. Factors of an earlier level are multiplied at that level, together with c.
+    /// Lowers c·node without its last multiplication. Factors of earlier levels are multiplied there, together with c.
     fn summand(&mut self, c: Number, id: Id) -> Term {
         let (mut now, mut early) = (vec![], vec![]);
         self.by_level(id, &mut now, &mut early);
@@ -135,7 +135,7 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
                 _ => above.push(self.operand(id)),
             }
         }
-        // The factor that is ready last is multiplied last.
+        // Factors are multiplied in the order in which they are ready.
         above.sort_by_key(|factor| self.ready(factor));
         let denominator = below.into_iter().reduce(|a, b| self.emit(Instruction::Mul(a, b)));
         let last = if denominator.is_none() && above.len() > 1 { above.pop() } else { None };
@@ -152,19 +152,23 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
         Term { negative, value, times: last }
     }
 
-    /// Collects the factors of a product. A factor that is a product itself is divided, too, if it has no other use.
-    pub(super) fn flat_factors(&self, id: Id, root: bool, factors: &mut Vec<Id>) {
+    /// Collects the factors of a node. A product with other uses is a single factor.
+    pub(super) fn flat_factors(&self, id: Id, factors: &mut Vec<Id>) {
         match self.graph.node(id) {
-            Node::Product(ids) if root || self.is_single(id) => {
-                for id in ids {
-                    self.flat_factors(*id, false, factors);
-                }
-            }
+            Node::Product(_) if self.is_single(id) => self.divided_factors(id, factors),
             _ => factors.push(id),
         }
     }
 
-    /// Returns whether a node has one use and no value yet.
+    /// Collects the factors of a node. A product is divided, even if it has other uses.
+    pub(super) fn divided_factors(&self, id: Id, factors: &mut Vec<Id>) {
+        match self.graph.node(id) {
+            Node::Product(ids) => ids.iter().for_each(|id| self.flat_factors(*id, factors)),
+            _ => factors.push(id),
+        }
+    }
+
+    /// Returns whether a node has a single use and no value yet.
     pub(super) fn is_single(&self, id: Id) -> bool {
         self.uses.get(id).is_none_or(|uses| uses <= 1) && self.known(id).is_none()
     }

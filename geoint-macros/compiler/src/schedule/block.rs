@@ -5,16 +5,16 @@ use super::layout::Place;
 use super::loops::Loop;
 use super::routines::{Call, Routine};
 
-/// The number of lanes of a pack: numbers that go through one operation together.
+/// The number of lanes of a pack. One operation computes all lanes.
 pub(crate) const LANES: usize = 4;
 
 /// One step of a routine.
 #[derive(Clone, Debug)]
 pub(crate) enum Statement {
     Let(Register, Instruction),
-    /// A call of a routine of the runtime that has several results.
+    /// Calls a routine of the runtime with several results.
     Call(Call),
-    /// Computes the values of two branches that depend on a condition. Each branch computes the values that only it needs.
+    /// Computes one of two branches. Values without another use are computed inside of the branch.
     If {
         registers: Vec<Register>,
         condition: Operand,
@@ -25,7 +25,7 @@ pub(crate) enum Statement {
     Loop(Loop),
     /// Collects four numbers in one register.
     Gather(Register, [Operand; LANES]),
-    /// One operation on packs. It replaces as many alike statements as it has `members`.
+    /// One operation on packs. The statement replaces `members` alike statements.
     Pack {
         register: Register,
         instruction: Instruction,
@@ -33,11 +33,11 @@ pub(crate) enum Statement {
     },
     /// Reads the numbers of a pack, or its first ones.
     Spread(Vec<Register>, Register),
-    /// Writes a value to a place that the routine was given.
+    /// Writes a value to an array of the caller.
     Write(Place, Operand),
 }
 
-/// Statements, and the values that they return.
+/// Statements and their results.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Block {
     pub(crate) statements: Vec<Statement>,
@@ -56,12 +56,12 @@ pub(crate) struct Operations {
 }
 
 impl Operations {
-    /// Returns operations that are all sums or products.
+    /// Returns a number of sums and products.
     pub(super) fn arithmetic(arithmetic: usize) -> Operations {
         Operations { arithmetic, ..Operations::default() }
     }
 
-    /// Returns operations that are all calls.
+    /// Returns a number of calls.
     pub(super) fn calls(calls: usize) -> Operations {
         Operations { calls, ..Operations::default() }
     }
@@ -96,7 +96,7 @@ impl std::ops::Mul<Operations> for usize {
 }
 
 impl Statement {
-    /// Visits the registers that a routine declares for the statement. A branch or a loop declares its own.
+    /// Visits the registers of the statement. Branches and loops declare their own registers.
     pub(super) fn for_each_register(&self, visit: &mut dyn FnMut(Register)) {
         match self {
             Statement::Let(register, _) | Statement::Gather(register, _) | Statement::Pack { register, .. } => {
@@ -110,14 +110,14 @@ impl Statement {
         }
     }
 
-    /// Returns the registers that a routine declares for the statement.
+    /// Returns the registers of the statement.
     pub(super) fn registers(&self) -> Vec<Register> {
         let mut registers = vec![];
         self.for_each_register(&mut |register| registers.push(register));
         registers
     }
 
-    /// Visits all operands, those of branches and loops included.
+    /// Visits all operands, including the operands of branches and loops.
     pub(super) fn for_each_operand(&self, visit: &mut dyn FnMut(&Operand)) {
         match self {
             Statement::Let(_, instruction) | Statement::Pack { instruction, .. } => instruction.for_each_operand(visit),
@@ -136,7 +136,7 @@ impl Statement {
         }
     }
 
-    /// Returns the operations of the statement: of two branches those of the more expensive one.
+    /// Returns the operations of the statement. Of two branches, the more expensive branch counts.
     fn operations(&self) -> Operations {
         match self {
             Statement::Let(_, instruction) => instruction.operations(),
@@ -158,7 +158,7 @@ fn sum(statements: &[Statement]) -> Operations {
 }
 
 impl Block {
-    /// Returns the registers that a routine or a branch declares for the block.
+    /// Returns the registers of all statements.
     pub(crate) fn registers(&self) -> Vec<Register> {
         let mut registers = Vec::with_capacity(self.statements.len());
         for statement in &self.statements {
@@ -190,7 +190,7 @@ impl Block {
         next
     }
 
-    /// Returns the registers that hold a matrix.
+    /// Returns the registers of matrices.
     pub(crate) fn matrices(&self) -> Vec<Register> {
         let of = |statement: &Statement| match statement {
             Statement::Call(Call { routine: Routine::FlowMatrix { .. }, results, .. }) => results.concat(),
@@ -199,7 +199,7 @@ impl Block {
         self.statements.iter().flat_map(of).collect()
     }
 
-    /// Returns the operations of all statements. Loops and packs do not change them.
+    /// Returns the operations of all statements. Loops and packs do not change this number.
     pub(crate) fn operations(&self) -> Operations {
         sum(&self.statements)
     }

@@ -3,7 +3,7 @@
 use super::lowering::Lowering;
 use crate::ir::{HashMap, Id, Node, Number, Symbol};
 
-/// A summand: a number times factors. Factors of an earlier level are one factor, which then includes the magnitude of the number.
+/// A summand: a number times factors. All factors of earlier levels are one factor, with the magnitude of the number.
 struct Summand {
     scale: Number,
     /// The factors. None if other nodes need the product as a whole.
@@ -13,8 +13,12 @@ struct Summand {
     whole: (Number, Id),
 }
 
-/// The number of operations with fused multiply-add, and without.
-type Cost = (usize, usize);
+/// The number of operations of a sum with fused multiply-add, and without.
+#[derive(Clone, Copy, PartialEq, PartialOrd)]
+struct Cost {
+    fused: usize,
+    separate: usize,
+}
 
 impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
     /// Returns a sum with common factors taken out, as long as this saves operations.
@@ -38,7 +42,7 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
         if same { terms } else { summands.into_iter().map(|summand| summand.whole).collect() }
     }
 
-    /// Returns a sum as a product, if it is one. The product is then fused with the sum that reads it.
+    /// Returns a sum as a product, if the sum is a product. The product is then fused with the sum around it.
     pub(super) fn as_product(&mut self, c: Number, id: Id) -> (Number, Id) {
         let Node::Linear(constant, terms) = self.graph.node(id) else { return (c, id) };
         if !constant.is_zero() || terms.len() < 2 || !self.is_single(id) {
@@ -78,8 +82,8 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
         }
     }
 
-    /// Multiplies a prefactor into a sum among the factors, if this costs nothing: 2·(½ + b·y) is 1 + 2b·y, where b has an earlier level.
-    /// Returns whether it did.
+    /// Multiplies a prefactor into a sum among the factors, if the product is free: 2·(½ + b·y) is 1 + 2b·y, where b has an earlier level.
+    /// Returns whether a sum absorbed the prefactor.
     pub(super) fn absorbed(&mut self, prefactor: Id, factors: &mut [Id]) -> bool {
         let exact = self.graph.as_number(prefactor).is_some_and(is_power_of_two);
         let Some(place) = factors.iter().position(|id| self.absorbs(*id, exact)) else { return false };
@@ -97,13 +101,13 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
     /// products with the prefactor are `exact`: otherwise two terms may nearly cancel, and their exact difference would be lost, as in k(2x − a).
     fn absorbs(&mut self, id: Id, exact: bool) -> bool {
         let Node::Linear(constant, terms) = self.graph.node(id) else { return false };
-        // A factor that was taken out does not return.
+        // A factor does not return into the sum from which it was taken.
         if constant.is_zero() && !exact || !self.is_single(id) || self.factored_out.contains(id) {
             return false;
         }
         for (c, id) in terms.clone() {
             let mut flat = vec![];
-            self.flat_factors(id, false, &mut flat);
+            self.flat_factors(id, &mut flat);
             let early = flat.iter().filter(|factor| !self.is_now(**factor)).count();
             let has_number = c != Number::ONE && c != Number::MINUS_ONE;
             if early == flat.len() && !exact || early == 0 && !has_number {
@@ -113,10 +117,10 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
         true
     }
 
-    /// Collects the factors of a node: those of this level, and those of earlier levels.
+    /// Collects the factors of a node, of this level and of earlier levels.
     pub(super) fn by_level(&mut self, id: Id, now: &mut Vec<Id>, early: &mut Vec<Id>) {
         let mut factors = vec![];
-        self.flat_factors(id, true, &mut factors);
+        self.divided_factors(id, &mut factors);
         for id in factors {
             if self.is_now(id) { now.push(id) } else { early.push(id) }
         }
@@ -178,7 +182,7 @@ fn is_power_of_two(number: Number) -> bool {
     number.to_f64().is_normal() && number.to_f64().to_bits() & DIGITS == 0
 }
 
-/// Returns the factor that saves most operations, the first one of equals. Nothing if no factor saves any.
+/// Returns the factor with the largest saving, if any factor saves operations. The first of equals wins.
 fn best(summands: &[Summand]) -> Option<Id> {
     let mut places: HashMap<Id, Vec<usize>> = HashMap::default();
     let mut shared = vec![];
@@ -204,7 +208,7 @@ fn best(summands: &[Summand]) -> Option<Id> {
         let inner = with().map(|summand| Work::without(summand, factor)).collect::<Total>().cost();
         let taken: Total = with().map(Work::of).collect();
         let outer = whole.replaced(taken, Work::PAIR).cost();
-        let cost = (inner.0 + outer.0, inner.1 + outer.1);
+        let cost = Cost { fused: inner.fused + outer.fused, separate: inner.separate + outer.separate };
         if cost < least {
             (least, best) = (cost, Some(factor));
         }
@@ -219,7 +223,7 @@ struct Work {
 }
 
 impl Work {
-    /// The summand that replaces others: the common factor times their sum.
+    /// The new summand: the common factor times a sum.
     const PAIR: Work = Work { products: 1, fused: true };
 
     /// Returns the products of a summand.
@@ -227,14 +231,14 @@ impl Work {
         Work::products(summand.width, summand.factors.iter())
     }
 
-    /// Returns the products of a summand that is divided by a factor.
+    /// Returns the products of a summand without a factor.
     fn without(summand: &Summand, factor: Id) -> Work {
         let place = summand.factors.iter().position(|other| *other == factor);
         let others = summand.factors.iter().enumerate().filter(|(other, _)| Some(*other) != place);
         Work::products(summand.width - 1, others.map(|(_, id)| id))
     }
 
-    /// Returns the products of some factors. Powers are not fused, so that x² − y² is zero where x = y.
+    /// Returns the products of some factors. Powers are not fused: x² − y² is zero where x = y.
     fn products<'a>(width: usize, mut factors: impl Iterator<Item = &'a Id>) -> Work {
         let first = factors.next();
         let alike = 1 + factors.filter(|other| Some(*other) == first).count();
@@ -266,7 +270,7 @@ impl Total {
         }
     }
 
-    /// Replaces some summands by one.
+    /// Replaces some summands by a new summand.
     fn replaced(self, some: Total, by: Work) -> Total {
         let rest = Total {
             sums: self.sums - some.sums,
@@ -276,10 +280,11 @@ impl Total {
         rest.with(by)
     }
 
-    /// Returns the operations of the sum. It starts with one summand, if possible with one that has no product to fuse.
+    /// Returns the operations of the sum. The sum starts with a summand, if possible without a product to fuse.
     fn cost(self) -> Cost {
         let Total { sums, products, fused } = self;
         let starts = usize::from(fused == sums);
-        (products + sums - 1 - (fused - starts), products + sums - 1)
+        let separate = products + sums - 1;
+        Cost { fused: separate - (fused - starts), separate }
     }
 }

@@ -1,19 +1,19 @@
-//! One operation of a routine, and the values that it reads.
+//! Operations of a routine and their operands.
 
 use super::block::Operations;
 use crate::ir::{Function, Number, Relation, Symbol};
 
-/// A value that a routine computes once.
+/// A computed value of a routine.
 pub(crate) type Register = usize;
 
-/// A value that an instruction reads.
+/// A value for an instruction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Operand {
     Constant(Number),
     Truth(bool),
     /// A variable of the routine, or an entry of one of its arrays.
     Input(Symbol),
-    /// A value that the routine of an earlier level has stored: the level, and the index.
+    /// A stored value of an earlier level: the level, and the index.
     Slot(usize, usize),
     Register(Register),
 }
@@ -75,7 +75,7 @@ impl Instruction {
         each_operand!(self, visit);
     }
 
-    /// Visits all operands in order. The visitor may replace them.
+    /// Visits all operands in order. The visitor may replace operands.
     fn for_each_operand_mut(&mut self, visit: &mut dyn FnMut(&mut Operand)) {
         each_operand!(self, visit);
     }
@@ -121,7 +121,7 @@ impl Instruction {
     }
 
     /// Returns the time at which the value is computed, in units of one sum, from the times of its operands. The latencies are rounded figures
-    /// that processors of the last ten years have in common. Only the order of sums depends on them.
+    /// of processors of the last ten years. Only the order of sums depends on the latencies.
     pub(super) fn ready(&self, operand: impl Fn(&Operand) -> u32) -> u32 {
         let mut last = 0;
         self.for_each_operand(&mut |x| last = operand(x).max(last));
@@ -135,7 +135,7 @@ impl Instruction {
         last + latency
     }
 
-    /// Returns the operations that the instruction takes. Conditions are free.
+    /// Returns the cost of the instruction. Conditions are free.
     pub(super) fn operations(&self) -> Operations {
         match self {
             Instruction::MulAdd(..) => Operations::arithmetic(2),

@@ -1,28 +1,28 @@
-//! Places of the inputs and results of a routine: arrays and indices. The loop pass reads them, and the printer names them.
+//! Places of the inputs and results of a routine: arrays and indices. The loop pass needs the places, and the printer names the arrays.
 
 use crate::ir::Symbol;
 use crate::parse::Shape;
 
-/// A variable that a routine reads or writes. The order of the variants decides the order of loops.
+/// A variable of a routine. The order of the variants decides the order of loops.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(crate) enum Array {
     Position,
     Momentum,
     Velocity,
-    /// The momentum that a kick adds before a flow.
+    /// The momentum increment of a kick before a flow.
     Kick,
-    /// The array that the emitted function has as its argument, such as the unknowns of an implicit step.
+    /// The array argument of the emitted function, such as the unknowns of an implicit step.
     Argument,
-    /// The increments that a flow returns.
+    /// The increments of a flow.
     Increment,
     /// A parameter, by its number.
     Parameter(usize),
-    /// A number that is not in an array.
+    /// A number outside of arrays.
     Number(Symbol),
 }
 
 impl Array {
-    /// Returns the number of an array. Hashes of it decide the order of loops.
+    /// Returns the number of an array. Hashes of these numbers decide the order of loops.
     pub(super) fn number(self) -> usize {
         match self {
             Array::Position => 0,
@@ -46,7 +46,7 @@ pub(crate) struct Place {
 }
 
 impl Place {
-    /// Returns the place of a number that is not in an array.
+    /// Returns the place of a number outside of arrays.
     pub(crate) fn number(symbol: Symbol) -> Place {
         Place { array: Array::Number(symbol), indices: vec![] }
     }
@@ -91,7 +91,7 @@ impl Layout<'_> {
     }
 }
 
-/// Returns the indices of a coordinate in its array. A single coordinate is emitted as an array of one number.
+/// Returns the indices of a coordinate in its array. A single coordinate is emitted as an array of length 1.
 pub(crate) fn coordinate(shape: &Shape, i: u32) -> Vec<usize> {
     if shape.extents.is_empty() { vec![0] } else { shape.indices(i as usize) }
 }

@@ -1,4 +1,4 @@
-//! The level of a node, and the numbers that a level stores for later ones.
+//! The levels of nodes, and the numbers that a level stores for later levels.
 
 use crate::ir::{Function, Graph, Id, Node, Symbol, Table};
 
@@ -9,12 +9,12 @@ pub(super) struct KnownLevels<F> {
 }
 
 impl<F: Fn(Symbol) -> usize> KnownLevels<F> {
-    /// Returns the levels of nodes, given those of symbols.
+    /// Returns the levels of nodes from the levels of symbols.
     pub(super) fn new(of_symbol: F) -> Self {
         KnownLevels { of_symbol, known: Table::default() }
     }
 
-    /// Returns the level of a node: the latest level of the symbols that it reads.
+    /// Returns the level of a node: the latest level of its symbols.
     pub(super) fn of(&mut self, graph: &Graph, id: Id) -> Option<usize> {
         if let Some(level) = self.known.get(id) {
             return level;
@@ -23,7 +23,7 @@ impl<F: Fn(Symbol) -> usize> KnownLevels<F> {
             let level = match graph.node(id) {
                 Node::Symbol(symbol) => Some((self.of_symbol)(*symbol)),
                 Node::Number(_) | Node::Truth(_) => None,
-                // A node such as 1/0 reads constants only, but is none. Its level is the first.
+                // A node of constants may be no constant, like 1/0. Its level is the first.
                 node => {
                     let mut last = 0;
                     node.for_each_child(|child| last = self.known[child].map_or(last, |level| level.max(last)));
@@ -36,7 +36,7 @@ impl<F: Fn(Symbol) -> usize> KnownLevels<F> {
     }
 }
 
-/// The values that a level stores for later ones.
+/// The values of a level for later levels.
 #[derive(Clone, Default)]
 pub(super) struct Slots {
     pub(super) nodes: Vec<Id>,
@@ -47,7 +47,7 @@ pub(super) struct Slots {
 }
 
 impl Slots {
-    /// Returns the first slot of a node. Adds slots if it has none.
+    /// Returns the first slot of a node. Adds slots for a new node.
     pub(super) fn slot(&mut self, graph: &Graph, id: Id) -> usize {
         if let Some(begin) = self.begins.get(id) {
             return begin;

@@ -19,7 +19,7 @@ impl Powers {
     }
 }
 
-/// The divisor of the one division that serves several negative powers of a base.
+/// The divisor of the division for several negative powers of a base.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Of {
     Base,
@@ -33,12 +33,12 @@ pub(super) struct Scope {
     pub(super) values: Table<Operand>,
     /// The numbers of statements by the hashes of their instructions.
     numbered: Known,
-    /// The nodes that the scope computes whatever the conditions are.
+    /// The unconditional nodes: the scope computes each of them in any case.
     pub(super) always: Table<()>,
 }
 
 impl Scope {
-    /// Returns the value of an instruction with a hash, if the scope has it.
+    /// Returns the value of an instruction with a hash, if the scope has one.
     fn known(&self, hash: u32, instruction: &Instruction) -> Option<Register> {
         let statements = self.block.statements.as_slice();
         let is = |number: usize| matches!(&statements[number], Statement::Let(_, other) if other == instruction);
@@ -97,7 +97,7 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
         lowering.block(roots)
     }
 
-    /// Counts the uses of sums that are multiples of other sums.
+    /// Counts the uses of multiples of sums.
     fn count_multiples(&mut self, reachable: &[Id]) {
         for id in reachable {
             let Node::Linear(_, terms) = self.graph.node(*id) else { continue };
@@ -112,7 +112,7 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
         }
     }
 
-    /// Lowers a routine or a branch that computes `roots`.
+    /// Lowers `roots` to a routine or a branch.
     pub(super) fn block(&mut self, roots: &[Id]) -> Block {
         let always = self.always(roots);
         self.scopes.push(Scope { always, ..Scope::default() });
@@ -125,7 +125,7 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
         block
     }
 
-    /// Returns the nodes of this level that `roots` need whatever the conditions are.
+    /// Returns the unconditional nodes of this level: `roots` need them in any case.
     fn always(&mut self, roots: &[Id]) -> Table<()> {
         let mut seen: Table<()> = Table::default();
         let mut open = roots.to_vec();
@@ -148,7 +148,7 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
 
     // ------------------------------------------------------------------------------------------------------ values
 
-    /// Returns the value of a node. Lowers it if the value is not known.
+    /// Returns the value of a node. Lowers the node if the value is not known.
     pub(super) fn operand(&mut self, id: Id) -> Operand {
         match self.graph.node(id) {
             Node::Number(value) => return Operand::Constant(*value),
@@ -168,7 +168,7 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
         if let Some(known) = self.known(id) {
             return known;
         }
-        // The outermost scope that needs the node whatever the conditions are computes it.
+        // The outermost scope with this unconditional node computes the value.
         let last = self.scopes.len() - 1;
         let home = self.scopes.iter().position(|scope| scope.always.contains(id)).unwrap_or(last);
         let inner = if home < last { self.scopes.split_off(home + 1) } else { vec![] };
@@ -207,7 +207,7 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
         Operand::Register(register)
     }
 
-    /// Returns a new register, which is ready at some time.
+    /// Returns a new register with the time at which the value is ready.
     pub(super) fn register(&mut self, ready: u32) -> Register {
         self.ready.push(ready);
         self.ready.len() - 1
@@ -242,7 +242,7 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
         }
     }
 
-    /// Lowers two nodes, then an instruction that reads both.
+    /// Lowers two nodes, then an instruction with both as operands.
     fn binary(&mut self, a: Id, b: Id, instruction: impl Fn(Operand, Operand) -> Instruction) -> Operand {
         let (a, b) = (self.operand(a), self.operand(b));
         self.emit(instruction(a, b))

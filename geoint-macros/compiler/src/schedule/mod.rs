@@ -1,12 +1,12 @@
 //! From nodes to statements: when each value is computed, once, and in which order.
 //!
 //! Every symbol has a binding time, a level: parameters are known before h is, h before the state, the start of a step
-//! before Newton's iterates. A node is computed at the level of the latest symbol that it reads, by the routine of that
-//! level. Later routines read it from a slot.
+//! before Newton's iterates. A node has the level of its latest symbol, and the routine of this level computes the node.
+//! Later routines read the value from a slot.
 //!
 //! The passes run in this order. `lowering` turns the nodes of a routine into statements: sums without their common factors (`factors`),
-//! operations in the order in which operands are ready (`arithmetic`), calls with several results (`routines`), and branches (`together`). Equal operations are one
-//! statement. Values that only one branch needs are computed in that branch. `passes` then arranges the statements as `loops` or `packs`.
+//! operations in the order in which operands are ready (`arithmetic`), calls with several results (`routines`), and branches (`together`).
+//! Equal operations are one statement. Values with uses in one branch only are computed in this branch. `passes` then arranges the statements as `loops` or `packs`.
 //! The printer in `emit` decides nothing.
 
 mod arithmetic;

@@ -4,9 +4,9 @@ use super::block::{Block, Statement};
 use super::layout::{Layout, Place};
 use super::{loops, packs};
 
-/// Returns a block as it is printed. If there are targets, the block writes its results there, and returns none.
+/// Returns the block for the printer. With targets, the block writes its results, and returns nothing.
 ///
-/// Many alike statements become loops. Otherwise, a few roots and quotients become packs.
+/// Many alike statements become loops. In a block without loops, alike roots and quotients become packs.
 pub(crate) fn arranged(block: &Block, layout: &Layout<'_>, targets: &[Place]) -> Block {
     if let Some(block) = loops::with_loops(block, layout, targets) {
         return block;

@@ -1,4 +1,4 @@
-//! Routines of the runtime that have several results. Their work is shared, so one statement calls each.
+//! Routines of the runtime with several results. The results share work, so one statement computes them.
 
 use super::block::{Operations, Statement};
 use super::instruction::{Instruction, Operand, Register};
@@ -13,13 +13,13 @@ pub(crate) enum Routine {
     SinCos,
     /// Kepler's motion. One call serves several orbits: each has five arguments, and the results of `Function::KEPLER`.
     Kepler,
-    /// exp(A) − 1, as an array of columns. The arguments are the entries of A that are not zero, at these places of the columns in a row.
+    /// exp(A) − 1, as an array of columns. The arguments are the nonzero entries of A. Places count all entries, column by column.
     FlowMatrix { size: usize, places: Vec<usize> },
-    /// The product of a matrix and a vector. The matrix is the first argument: a register, or the first of its slots.
+    /// The product of a matrix and a vector. The matrix is the first argument: a register, or its first slot.
     FlowChange,
 }
 
-/// A call of a routine. Results and arguments are lists, one for each of the problems that the call solves.
+/// A call of a routine for one or more problems. Each problem has a list of arguments and a list of results.
 #[derive(Clone, Debug)]
 pub(crate) struct Call {
     pub(crate) routine: Routine,
@@ -58,7 +58,7 @@ impl Call {
 }
 
 impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
-    /// Adds a call that solves some problems. Returns the results of each.
+    /// Adds a call. Returns the results of each problem.
     fn call_routine(&mut self, routine: Routine, arguments: Vec<Vec<Operand>>) -> Vec<Vec<Register>> {
         let ready = arguments.iter().flatten().map(|x| self.ready(x)).max().unwrap_or(0) + Instruction::CALL_LATENCY;
         let mut results: Vec<Vec<Register>> = vec![];
@@ -98,7 +98,7 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
         self.set_all(id, &rows, &results)
     }
 
-    /// Lowers Kepler's motion along all orbits that do not need each other as one call.
+    /// Lowers Kepler's motion along all independent orbits as one call.
     pub(super) fn kepler(&mut self, id: Id, args: &[Id]) -> Operand {
         let mut orbits = vec![args.to_vec()];
         for other in self.unconditional() {

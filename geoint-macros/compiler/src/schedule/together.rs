@@ -1,4 +1,4 @@
-//! Lowers nodes that one statement computes together: functions that share work, and selections by one condition.
+//! Lowers nodes with common work: partners among functions, and selections by one condition.
 
 use super::block::Statement;
 use super::instruction::{Instruction, Operand, Register};
@@ -32,7 +32,7 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
         own
     }
 
-    /// Lowers all selections by one condition that do not need each other as one `if`.
+    /// Lowers all independent selections by one condition as one `if`.
     pub(super) fn select(&mut self, id: Id, condition: Id) -> Operand {
         let mut group = vec![id];
         for other in self.unconditional() {
@@ -59,7 +59,7 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
         own
     }
 
-    /// Returns the nodes that the innermost scope computes whatever the conditions are.
+    /// Returns the unconditional nodes of the innermost scope.
     pub(super) fn unconditional(&self) -> Vec<Id> {
         self.scopes.last().map(|scope| scope.always.ids().collect()).unwrap_or_default()
     }
@@ -70,7 +70,7 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
         !needs(some, others) && !needs(others, some)
     }
 
-    /// Sets the values of some nodes. Returns the value of `id`, which is one of them.
+    /// Sets the values of some nodes. Returns the value of the node `id` of the list.
     pub(super) fn set_all(&mut self, id: Id, nodes: &[Id], registers: &[Register]) -> Operand {
         if let Some(scope) = self.scopes.last_mut() {
             for (node, register) in nodes.iter().zip(registers) {

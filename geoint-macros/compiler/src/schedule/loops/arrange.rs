@@ -1,4 +1,4 @@
-//! Arranges the loops of a block: loops that are computed inside of others, targets, and the order of statements.
+//! Arranges the loops of a block: loops inside of other loops, targets, and the order of statements.
 
 use super::find::{Finder, Found};
 use super::{Address, Indices, Loop, Run, Source};
@@ -8,7 +8,7 @@ use crate::schedule::instruction::{Operand, Register};
 use crate::schedule::layout::Place;
 use std::collections::{BTreeMap, HashSet};
 
-/// A statement by its number, or a loop by that of its array.
+/// The number of a statement, or of the array of a loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum Item {
     Statement(usize),
@@ -41,7 +41,7 @@ impl Finder<'_> {
             }
         }
         for (place, result) in targets.iter().zip(&block.results) {
-            // The first entry stands for the loop that writes all.
+            // The loop stands in the place of its first entry, and writes all entries.
             let entry = self.entry_of(result).map(|(home, i)| (i, &loops[&home]));
             match entry.filter(|(_, each)| each.target.is_some()) {
                 None => statements.push(Statement::Write(place.clone(), *result)),
@@ -52,13 +52,13 @@ impl Finder<'_> {
         Block { statements, results: if targets.is_empty() { block.results.clone() } else { vec![] } }
     }
 
-    /// Returns the array and the index of an operand that a loop computes.
+    /// Returns the array and the index of an operand in a loop.
     fn entry_of(&self, operand: &Operand) -> Option<(usize, usize)> {
         let Operand::Register(register) = operand else { return None };
         self.entries.get(register).map(|(computed, i)| (computed.array, *i))
     }
 
-    /// Returns the readers of each loop: loops that read it entry by entry. A number beyond all loops stands for all other readers.
+    /// Returns the readers of each array: the loops that read the array entry by entry. A number beyond all loops is any other reader.
     fn readers(&self) -> Vec<Vec<usize>> {
         let other = self.found.len();
         let mut readers: Vec<Vec<usize>> = vec![vec![]; other];
@@ -86,8 +86,8 @@ impl Finder<'_> {
         readers
     }
 
-    /// Returns the home of each loop: the loop whose body computes it. This is its only reader, if that reads entry by entry; otherwise
-    /// the loop itself.
+    /// Returns the home of each array: the loop whose body computes the entries. If one loop alone reads the array, entry by entry,
+    /// the home is this reader. Otherwise the home is the array's own loop.
     fn homes(&self, readers: &[Vec<usize>]) -> Vec<usize> {
         let mut homes: Vec<usize> = (0..self.found.len()).collect();
         let results: HashSet<usize> =
@@ -103,7 +103,7 @@ impl Finder<'_> {
         homes
     }
 
-    /// Returns the loop of an array. Its body also computes the arrays whose home it is.
+    /// Returns the loop of an array. The body also computes all other arrays with this home.
     fn fused(&self, homes: &[usize], home: usize, target: Option<Run>, written: &[Option<Address>]) -> Loop {
         let unused = 1 + self.block.registers().into_iter().max().unwrap_or_default();
         let (mut runs, mut body): (Vec<Run>, _) = (vec![], vec![]);
@@ -124,7 +124,7 @@ impl Finder<'_> {
             }
             body.push(found.deed.reading(&operands));
         }
-        // A loop that writes to an array may read no other entry of it.
+        // A member may read only its own entry of an array of the targets.
         let is_written = |source| written.iter().flatten().any(|address| address.source == source);
         let target = target.filter(|target| runs.iter().all(|run| run == target || !is_written(run.source)));
         let Found { members, deed, .. } = &self.found[home];
@@ -139,7 +139,7 @@ impl Finder<'_> {
         }
     }
 
-    /// Returns the successive entries to which the results of a loop are written, if there are any.
+    /// Returns the targets of a loop, if the results have successive targets.
     fn target(&self, home: usize, written: &[Option<Address>]) -> Option<Run> {
         let Found { members, deed, .. } = &self.found[home];
         if deed.results.len() > 1 {
@@ -161,7 +161,7 @@ impl Finder<'_> {
     }
 }
 
-/// Sorts items so that each finds its operands.
+/// Sorts items: operands first.
 struct Order<'a> {
     block: &'a Block,
     statements: HashMap<Item, Vec<usize>>,
@@ -183,7 +183,7 @@ impl Order<'_> {
         order.sorted
     }
 
-    /// Adds an item after all items that it needs.
+    /// Adds an item after the items of its operands.
     fn visit(&mut self, item: Item) {
         if !self.seen.insert(item) {
             return;

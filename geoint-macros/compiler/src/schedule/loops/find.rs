@@ -1,4 +1,4 @@
-//! Finds alike statements that read successive values.
+//! Finds alike statements with successive operands.
 
 use super::{Address, Computed, FEWEST, Indices, Run, Source};
 use crate::ir::{Function, HashMap, hash};
@@ -8,7 +8,7 @@ use crate::schedule::layout::Layout;
 use crate::schedule::routines::{Call, Routine};
 use std::collections::BTreeMap;
 
-/// Alike statements that read successive values.
+/// Alike statements with successive operands.
 pub(super) struct Found {
     /// The numbers of the statements.
     pub(super) members: Vec<usize>,
@@ -18,7 +18,7 @@ pub(super) struct Found {
     pub(super) runs: Vec<Run>,
 }
 
-/// A statement that may be a member of a loop.
+/// A possible member of a loop.
 #[derive(Clone)]
 pub(super) struct Deed {
     pub(super) results: Vec<Register>,
@@ -33,7 +33,7 @@ struct Member {
     deed: Deed,
 }
 
-/// The kind of a value: alike values have one kind. Depth is the number of operations that depend on each other.
+/// The kind of a value. Alike values have one kind. Depth is the length of the chain of operations before the value.
 #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 struct Kind {
     colour: u32,
@@ -46,17 +46,17 @@ pub(super) struct Finder<'a> {
     layout: &'a Layout<'a>,
     /// The kinds of registers.
     kinds: HashMap<Register, Kind>,
-    /// The entries that stand for registers: the array, and the index.
+    /// The array and the index of registers in loops.
     pub(super) entries: HashMap<Register, (Computed, usize)>,
     numbers: HashMap<Operand, usize>,
-    /// Operands that all members of a loop share, by their numbers.
+    /// Shared operands by their numbers: all members of a loop read the operand.
     pub(super) operands: Vec<Operand>,
-    /// The loops. A loop reads arrays of earlier ones only.
+    /// The loops. A loop reads the arrays of earlier loops only.
     pub(super) found: Vec<Found>,
 }
 
 impl<'a> Finder<'a> {
-    /// Returns a search that has not started.
+    /// Returns a new search.
     pub(super) fn new(block: &'a Block, layout: &'a Layout<'a>) -> Self {
         Finder {
             block,
@@ -129,7 +129,7 @@ impl<'a> Finder<'a> {
         known.unwrap_or_else(|| at(Source::One(self.number(*operand)), 0))
     }
 
-    /// Returns the number of an operand that all members share.
+    /// Returns the number of a shared operand.
     fn number(&mut self, operand: Operand) -> usize {
         let next = self.operands.len();
         let number = *self.numbers.entry(operand).or_insert(next);
@@ -139,7 +139,7 @@ impl<'a> Finder<'a> {
         number
     }
 
-    /// Divides the statements of one class into those that read successive values.
+    /// Divides the statements of one class into loops.
     fn divide(&mut self, class: Vec<usize>) {
         let mut members = vec![];
         for number in class {
@@ -163,7 +163,7 @@ impl<'a> Finder<'a> {
         }
     }
 
-    /// Adds a loop of statements that read successive values.
+    /// Adds a loop.
     fn add(&mut self, members: &[Member]) {
         let [first, second, ..] = members else { return };
         let mut runs = vec![];
@@ -171,7 +171,7 @@ impl<'a> Finder<'a> {
             first.addresses.iter().zip(&second.addresses).zip(first.deed.instruction.operands())
         {
             let step = next.minus(address);
-            // A value that all members share is named before the loop.
+            // A shared value gets a name before the loop.
             let source = if step == Indices::default() { Source::One(self.number(operand)) } else { address.source };
             runs.push(Run { source, first: address.indices, step });
         }
@@ -187,7 +187,7 @@ impl<'a> Finder<'a> {
     }
 }
 
-/// Returns the number of members from the first one on that do the same with successive values.
+/// Returns the length of the first run of alike members with successive operands.
 fn successive(members: &[Member]) -> usize {
     let [first, second, ..] = members else { return members.len() };
     let kind = |member: &Member| (member.deed.instruction.blank(), member.deed.results.len());

@@ -1,6 +1,6 @@
-//! Loops of alike statements. A chain of many masses has alike springs, and one loop computes them all.
+//! Loops of alike statements. A chain of many masses has alike springs, and one loop computes all springs.
 //!
-//! A loop computes an array, or writes successive entries of an array that the routine was given.
+//! A loop computes an array, or writes successive entries of an array of the caller.
 
 mod arrange;
 mod find;
@@ -11,19 +11,19 @@ use super::layout::{Array, Layout, Place};
 use crate::ir::Symbol;
 use find::Finder;
 
-/// The fewest members of a loop. Fewer statements are written one by one, and their values stay in registers of the processor.
+/// The fewest members of a loop. Fewer values stay in registers of the processor, without a loop.
 const FEWEST: usize = 16;
 
-/// A block has loops if at most one of so many statements remains outside of them.
+/// A block has loops if at most a fourth of its statements stays outside of loops.
 const MOST_ALONE: usize = 4;
 
-/// The most indices of an array that loops read.
+/// The most indices of an array in a loop.
 const MOST_INDICES: usize = 3;
 
-/// Indices of an entry, the last one first. Missing indices are 0.
+/// Indices of an entry, the last index first. Missing indices are 0.
 pub(crate) type Indices = [i32; MOST_INDICES];
 
-/// An array that a loop computes.
+/// The array of a loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Computed {
     pub(crate) array: usize,
@@ -31,12 +31,12 @@ pub(crate) struct Computed {
     pub(crate) part: Option<usize>,
 }
 
-/// The values from which the members of a loop read. The order of the variants decides the order of members.
+/// A source of operands. The order of the variants decides the order of members.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Source {
-    /// One operand for all members, by its number.
+    /// The number of an operand that all members share.
     One(usize),
-    /// An array that the routine was given, and the number of its indices.
+    /// An array of the caller, and the number of its indices.
     Given(Array, usize),
     /// The slots of an earlier level.
     Slots(usize),
@@ -62,22 +62,22 @@ pub(crate) struct Run {
 /// A loop.
 #[derive(Clone, Debug)]
 pub(crate) struct Loop {
-    /// The number of the array that the loop computes.
+    /// The number of the array.
     pub(crate) array: usize,
     pub(crate) length: usize,
-    /// The entries that a member reads, and the registers that hold them in the body.
+    /// The operands of a member, and their registers in the body.
     pub(crate) reads: Vec<(Register, Run)>,
-    /// The statements of a member, in the registers of the first one.
+    /// The statements of a member, in the registers of the first member.
     pub(crate) body: Vec<Statement>,
-    /// The registers of the body that hold an entry of the array.
+    /// The registers of an entry in the body.
     pub(crate) results: Vec<Register>,
-    /// The registers that other statements read, for each entry of the array.
+    /// The registers of each entry in statements after the loop.
     pub(crate) members: Vec<Vec<Register>>,
-    /// The entries that the loop writes instead of an array of its own.
+    /// The entries of an array of the caller, if the loop has no array of its own.
     pub(crate) target: Option<Run>,
 }
 
-/// Returns a block with loops that has the same results, or writes them to `targets` if there are any. Nothing if few statements are alike.
+/// Returns the block with loops. The new block writes its results to `targets`, if there are any. Returns nothing if few statements are alike.
 pub(super) fn with_loops(block: &Block, layout: &Layout<'_>, targets: &[Place]) -> Option<Block> {
     // Most systems are small. This test is cheap.
     if layout.coordinates.len().min(block.statements.len()) < FEWEST
@@ -92,7 +92,7 @@ pub(super) fn with_loops(block: &Block, layout: &Layout<'_>, targets: &[Place]) 
     (alike > 0 && alone * MOST_ALONE <= block.statements.len()).then(|| finder.arrange(targets))
 }
 
-/// Returns whether a statement reads a coordinate or an increment in an array that is long enough.
+/// Returns whether a statement reads a coordinate or an increment from a long array.
 fn reads_of_many(statement: &Statement, layout: &Layout<'_>) -> bool {
     use Symbol::{Momentum, MomentumIncrement, Position, PositionIncrement, Velocity};
     let mut found = false;
@@ -110,7 +110,7 @@ fn reads_of_many(statement: &Statement, layout: &Layout<'_>) -> bool {
 }
 
 impl Address {
-    /// Returns the address of a place in an array that loops can read.
+    /// Returns the address of an entry. Returns nothing for numbers outside of arrays, and for too many indices.
     fn of(place: &Place) -> Option<Address> {
         let rank = place.indices.len();
         if rank == 0 || rank > MOST_INDICES {

@@ -1,4 +1,4 @@
-//! Writes the packs of a block as statements, each after the statements that it needs.
+//! Writes the packs of a block as statements, after the statements of their operands.
 
 use super::{Pack, Packs};
 use crate::ir::HashMap;
@@ -36,12 +36,12 @@ impl Packs<'_> {
     }
 }
 
-/// Sorts statements and packs so that each finds its operands.
+/// Sorts statements and packs: operands first.
 struct Order<'a> {
     packs: &'a Packs<'a>,
-    /// Registers that a statement reads alone.
+    /// Registers with a reader outside of packs.
     alone: Vec<bool>,
-    /// Statements that are written, alone or in a pack.
+    /// Statements in the list below, alone or in a pack.
     seen: Vec<bool>,
     gathers: HashMap<[Operand; LANES], Register>,
     next: Register,
@@ -49,7 +49,7 @@ struct Order<'a> {
 }
 
 impl Order<'_> {
-    /// Adds a statement after the statements that it needs.
+    /// Adds a statement after the statements of its operands.
     fn statement(&mut self, number: usize) {
         let packs = self.packs;
         let statement = &packs.block.statements[number];
@@ -72,7 +72,7 @@ impl Order<'_> {
         }
     }
 
-    /// Adds a pack after its operands. Spreads the results if statements read them alone.
+    /// Adds a pack after its operands. Spreads the results for readers outside of packs.
     fn pack(&mut self, number: usize) {
         let packs = self.packs;
         let Pack { members, operands, register } = &packs.all[number];
@@ -90,7 +90,7 @@ impl Order<'_> {
         }
     }
 
-    /// Returns the register that holds four operands. Adds its statement.
+    /// Returns the register of four operands. Adds its statement.
     fn four(&mut self, four: &[Operand; LANES]) -> Register {
         if let Some(number) = self.packs.pack_of(four) {
             self.pack(number);

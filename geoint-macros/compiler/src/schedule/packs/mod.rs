@@ -1,7 +1,7 @@
 //! Packs: alike operations on four numbers in one register of the processor.
 //!
-//! The force of a pair of bodies takes a root and a quotient. All pairs do the same. Without this pass, rustc packs sums of different pairs,
-//! and does so differently in every program. A number has the same bits in a pack as alone.
+//! The force of a pair of bodies takes a root and a quotient. The forces of all pairs are alike. Without this pass, rustc packs sums of
+//! different pairs, differently in every program. A number has the same bits in a pack as alone.
 
 mod arrange;
 
@@ -10,13 +10,14 @@ use super::instruction::{Instruction, Operand, Register};
 use crate::ir::HashMap;
 use std::collections::BTreeMap;
 
-/// The fewest alike roots or quotients that are packed.
+/// The fewest alike roots or quotients for packs.
 const FEWEST: usize = 8;
 
 /// The fewest members of a pack. Half of the lanes of two members would be idle.
 const FEWEST_MEMBERS: usize = 3;
 
-/// Returns the block with alike roots and quotients in packs, with their operands and the operations on them. Nothing if there are few.
+/// Returns the block with packs of alike roots and quotients, of their operands, and of their readers. Returns nothing for a few roots and
+/// quotients.
 pub(super) fn with_packs(block: &Block) -> Option<Block> {
     // Most blocks have few roots and quotients. This test is cheap.
     if block.statements.iter().filter(|statement| is_slow(statement)).count() < FEWEST {
@@ -45,17 +46,17 @@ fn is_slow(statement: &Statement) -> bool {
 struct Pack {
     members: Vec<Register>,
     operands: Vec<[Operand; LANES]>,
-    /// The register that holds the results of all members.
+    /// The register of the results.
     register: Register,
 }
 
-/// Returns the contents of the lanes. The last member fills lanes that remain.
+/// Returns the contents of the lanes. The last member also fills the remaining lanes.
 fn lanes<T: Copy>(members: &[T]) -> [T; LANES] {
     std::array::from_fn(|lane| members[lane.min(members.len() - 1)])
 }
 
-/// The kind of a value: alike values have one kind. Depth is the number of operations that depend on each other. Two registers of one kind
-/// have one depth, so neither needs the other.
+/// The kind of a value. Alike values have one kind. Depth is the length of the chain of operations before the value. Two registers of one
+/// kind have one depth, so neither needs the other.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 struct Kind {
     depth: usize,
@@ -68,12 +69,12 @@ const GIVEN: Kind = Kind { depth: 0, number: 0 };
 /// The statements of a block, and their packs. Most lists are indexed by registers.
 struct Packs<'a> {
     block: &'a Block,
-    /// The statement that computes the register.
+    /// The statement of the register.
     makers: Vec<Option<usize>>,
-    /// The statements that read the register.
+    /// The readers of the register.
     readers: Vec<Vec<usize>>,
     kinds: Vec<Kind>,
-    /// The operands of the register's operation, if packs may have this operation. Of operands that may be exchanged, the lesser kind is first.
+    /// The operands of the register's operation, if packs may have this operation. Of exchangeable operands, the lesser kind is first.
     operations: Vec<Vec<Operand>>,
     /// The pack of the register, and the lane.
     lanes: Vec<Option<(usize, usize)>>,
@@ -142,7 +143,7 @@ impl<'a> Packs<'a> {
         }
     }
 
-    /// Returns the registers of roots and quotients of each kind that has enough of them, in order.
+    /// Returns the registers of roots and quotients, in order, for each kind with enough registers.
     fn classes(&self) -> Vec<Vec<Register>> {
         let mut classes: BTreeMap<Kind, Vec<Register>> = BTreeMap::new();
         for statement in self.block.statements.iter().filter(|statement| is_slow(statement)) {
@@ -182,7 +183,7 @@ impl<'a> Packs<'a> {
         }
     }
 
-    /// Makes packs of operations that read a pack, other packs, and inputs only.
+    /// Makes packs of the readers of a pack, if they read only packs and inputs.
     fn follow(&mut self, number: usize) {
         let members = self.all[number].members.clone();
         for reader in self.readers[members[0]].clone() {
@@ -193,7 +194,7 @@ impl<'a> Packs<'a> {
         }
     }
 
-    /// Returns the register of a statement that may be in a pack. A change of sign stays alone, because its reader takes a difference for a sum.
+    /// Returns the register of a possible member of a pack. A change of sign stays alone: its reader takes a difference instead of a sum.
     fn made(&self, number: usize) -> Option<Register> {
         match &self.block.statements[number] {
             Statement::Let(_, Instruction::Neg(_)) => None,
@@ -202,7 +203,7 @@ impl<'a> Packs<'a> {
         }
     }
 
-    /// Returns the register that reads `member`, which is in the lane `lane`, as the statement `first` reads the member in lane 0.
+    /// Returns the reader of `member` in the lane `lane` that is alike to the reader `first` of the member in lane 0.
     fn like(&self, first: usize, member: Register, lane: usize) -> Option<Register> {
         let first = self.made(first)?;
         let fits = |register: &Register| {

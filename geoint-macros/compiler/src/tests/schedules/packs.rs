@@ -1,4 +1,4 @@
-//! Alike roots and quotients go through registers of four, and each number keeps its bits.
+//! Packs of alike roots and quotients keep the bits of each number.
 
 use super::machine::{Machine, level};
 use crate::diff;
@@ -9,7 +9,7 @@ use crate::tests::{Noise, lowered};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// The gradient of an energy by q, as one block.
+/// Returns the gradient of an energy by q, as one block.
 fn forces(item: TokenStream, degrees: u32) -> Block {
     let (_, mut lowered) = lowered(item);
     let gradient = diff::gradient(&mut lowered.graph, lowered.energy, degrees);
@@ -55,7 +55,7 @@ fn roots(block: &Block) -> usize {
     })
 }
 
-/// The results of a block before and after, at some points.
+/// Compares the results of a block before and after the pass, at some points.
 fn keeps_its_bits(before: &Block, after: &Block) {
     let mut noise = Noise(7);
     for _ in 0..20 {
@@ -81,7 +81,7 @@ fn roots_of_pairs_are_side_by_side() {
             assert!(pairs < 8, "{bodies} bodies");
             continue;
         };
-        // Of three that are left, the last one is there twice; one or two stay alone.
+        // A pack of three remaining pairs holds the last pair twice. One or two remaining pairs stay alone.
         let alone = if pairs % 4 == 3 { 0 } else { pairs % 4 };
         assert_eq!(roots(&after), alone + pairs.div_ceil(4) - alone.min(1), "{bodies} bodies");
         assert!(after.statements.len() < before.statements.len(), "{bodies} bodies");
@@ -89,7 +89,7 @@ fn roots_of_pairs_are_side_by_side() {
     }
 }
 
-/// Quotients alone, with powers, conditions and sines around them.
+/// Quotients without roots, beside powers, conditions and sines.
 #[test]
 fn other_forces_keep_their_bits() {
     let molecules = quote! {
@@ -124,7 +124,7 @@ fn other_forces_keep_their_bits() {
     }
 }
 
-/// A control: the machine sees where two lanes are exchanged.
+/// A control: the machine detects exchanged lanes.
 #[test]
 #[should_panic(expected = "left == right")]
 fn exchanged_lanes_are_seen() {
@@ -138,7 +138,7 @@ fn exchanged_lanes_are_seen() {
     keeps_its_bits(&before, &after);
 }
 
-/// Levels of an iteration: what is prepared is read four by four.
+/// Levels of an iteration: packs read prepared numbers.
 #[test]
 fn prepared_factors_are_read_by_fours() {
     let (_, mut lowered) = lowered(quote! {
@@ -156,6 +156,7 @@ fn prepared_factors_are_read_by_fours() {
     let gradient = diff::gradient(&mut lowered.graph, lowered.energy, 10);
     let plan = schedule::plan(&mut lowered.graph, |symbol| level(symbol).min(1), &[&[]], &[&gradient.q]);
     let after = packed(&plan.last[0]).expect("ten pairs");
-    let prepared = |statement: &Statement| matches!(statement, Statement::Gather(_, four) if four.iter().all(|x| matches!(x, schedule::Operand::Slot(..))));
+    let is_slot = |x: &schedule::Operand| matches!(x, schedule::Operand::Slot(..));
+    let prepared = |statement: &Statement| matches!(statement, Statement::Gather(_, four) if four.iter().all(is_slot));
     assert_eq!(count(&after, prepared), 2);
 }
