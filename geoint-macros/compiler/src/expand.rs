@@ -14,6 +14,6 @@ pub(crate) fn system(energy: &Energy) -> Result<TokenStream> {
     let (mut compilation, terms) = Compilation::lowered(energy)?; // Rust to nodes
     check::angles(&mut compilation, &terms)?;
     let mut derived = front::derived(&mut compilation, terms)?; // facts, and nodes for every method
-    derived.system.schedule(&mut compilation.graph); // nodes to statements
+    derived.system.schedule(&mut compilation); // nodes to statements
     Ok(emit::items(&compilation, &derived)) // statements to tokens
 }

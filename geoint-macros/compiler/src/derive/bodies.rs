@@ -6,7 +6,7 @@ use crate::analyze::{self, momenta_of_body as momenta};
 use crate::diff;
 use crate::ir::{Graph, Id, Number, Symbol, UndefinedAt};
 use crate::parse::Form;
-use crate::schedule::{Levels, Output, Routine, phase};
+use crate::schedule::{Levels, Output, Routine, Scheduler, phase};
 
 /// Kicks and drifts of rigid bodies.
 #[derive(Debug)]
@@ -130,10 +130,10 @@ pub(crate) fn bodies(
 }
 
 impl BodyKernels {
-    pub(super) fn schedule(&mut self, graph: &mut Graph) {
-        self.kick.kernel.schedule(graph);
-        self.gradient_kick.kernel.schedule(graph);
-        self.drift.schedule(graph);
+    pub(super) fn schedule(&mut self, scheduler: &mut Scheduler<'_>) {
+        self.kick.kernel.schedule(scheduler);
+        self.gradient_kick.kernel.schedule(scheduler);
+        self.drift.schedule(scheduler);
     }
 }
 

@@ -1,11 +1,11 @@
 //! Where the energy is defined: what is tested at a point, at the ends of a step, and between them.
 
-use super::poles::{Jumps, Poles};
+use super::poles::{Jumps, Poles, schedule_over_any_scalar};
 use crate::analyze::{self, Damping};
 use crate::ir::op::Domain as Defined;
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, UndefinedAt};
 use crate::parse::Form;
-use crate::schedule::{Output, Routine};
+use crate::schedule::{Output, Routine, Scheduler};
 use std::collections::{BTreeSet, HashSet};
 
 /// What is tested of the domain.
@@ -162,19 +162,19 @@ impl Angles {
 }
 
 impl Domain {
-    pub(super) fn schedule(&mut self, graph: &mut Graph) {
-        self.arguments.schedule(graph);
-        self.edges.arguments.schedule(graph);
-        self.powers.arguments.schedule(graph);
+    pub(super) fn schedule(&mut self, scheduler: &mut Scheduler<'_>) {
+        self.arguments.schedule(scheduler);
+        self.edges.arguments.schedule(scheduler);
+        self.powers.arguments.schedule(scheduler);
         if let Some(poles) = &mut self.poles {
-            poles.schedule(graph);
+            poles.schedule(scheduler);
         }
         if let Some(Jumps { sides, heights, .. }) = &mut self.jumps {
-            sides.schedule(graph);
-            heights.schedule(graph);
+            sides.schedule(scheduler);
+            schedule_over_any_scalar(heights, scheduler);
         }
         if let Some(angles) = &mut self.angles {
-            angles.sides.schedule(graph);
+            angles.sides.schedule(scheduler);
         }
     }
 }

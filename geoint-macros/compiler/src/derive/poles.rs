@@ -2,7 +2,7 @@
 
 use crate::analyze::{self, Jump, Pole, Quick, crossings};
 use crate::ir::{Graph, Id, UndefinedAt};
-use crate::schedule::{Kernel, Levels, Output, Routine};
+use crate::schedule::{Kernel, Layout, Levels, Output, Routine, Scheduler};
 
 /// Poles, and how zeros of what vanishes there are excluded.
 #[derive(Debug)]
@@ -147,11 +147,11 @@ impl Poles {
         }
     }
 
-    pub(super) fn schedule(&mut self, graph: &mut Graph) {
+    pub(super) fn schedule(&mut self, scheduler: &mut Scheduler<'_>) {
         let margins = [&mut self.always, &mut self.undivided].into_iter().flatten().map(|margins| &mut margins.values);
         let signs = self.signs.iter_mut().map(|signs| &mut signs.0);
-        signs.chain(margins).for_each(|routine| routine.schedule(graph));
-        self.vanishing.schedule(graph);
+        signs.chain(margins).for_each(|routine| routine.schedule(scheduler));
+        schedule_over_any_scalar(&mut self.vanishing, scheduler);
     }
 }
 
@@ -173,4 +173,11 @@ impl Jumps {
             all,
         })
     }
+}
+
+/// Schedules functions that the runtime calls with any scalar.
+pub(super) fn schedule_over_any_scalar(kernel: &mut Kernel, scheduler: &mut Scheduler<'_>) {
+    let parameters = scheduler.layout.row_of_parameters();
+    let layout = Layout::flat(scheduler.layout.coordinates, &parameters);
+    kernel.schedule(&mut Scheduler { graph: &mut *scheduler.graph, layout, has_momenta: scheduler.has_momenta });
 }

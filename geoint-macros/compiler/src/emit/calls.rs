@@ -1,105 +1,108 @@
-//! Statements with many results, each a call of the runtime: Kepler's motion, linear flows.
+//! Prints calls of routines with several results.
 
 use super::writer::{SLOTS, Writer};
-use crate::schedule::{Operand, Register};
-use proc_macro2::{Delimiter, TokenStream};
+use crate::schedule::{Call, JointFunction, Operand, Register};
+use proc_macro2::Delimiter;
 
 impl Writer<'_> {
-    pub(super) fn kepler(&mut self, registers: &[[Register; 4]], orbits: &[Vec<Operand>]) {
-        // A row holds one number of each orbit.
-        let results = self.inside(|writer| {
-            for kind in 0..4 {
-                let row: Vec<Register> = registers.iter().map(|registers| registers[kind]).collect();
-                writer.list(Delimiter::Bracket, &row);
-                writer.punct(",");
+    /// Prints `results = function(arguments)`.
+    pub(super) fn joint_call(&mut self, Call { function, results, arguments }: &Call) {
+        match function {
+            JointFunction::SinCos => {
+                self.grouped(Delimiter::Parenthesis, |writer| writer.registers(&results.concat()));
+                self.punct("=");
+                self.sin_cos(&arguments.concat());
             }
-        });
-        self.group(Delimiter::Bracket, results);
-        self.punct("=");
-        self.word("slope");
-        self.punct("::");
-        self.word("kepler");
-        let rows = self.inside(|writer| {
-            for kind in 0..5 {
-                let row = writer.inside(|writer| {
-                    for orbit in orbits {
-                        writer.operand(&orbit[kind]);
-                        writer.punct(",");
-                    }
-                });
-                writer.group(Delimiter::Bracket, row);
-                writer.punct(",");
+            JointFunction::Kepler => self.kepler(results, arguments),
+            JointFunction::FlowMatrix { size, places } => {
+                results.concat().into_iter().for_each(|matrix| self.register(matrix));
+                self.punct("=");
+                self.path("slope", "flow_matrix");
+                self.punct("::<");
+                self.word("R");
+                self.punct(",");
+                self.literal(*size);
+                self.punct(">");
+                self.grouped(Delimiter::Parenthesis, |writer| writer.entries_of_matrix(places, &arguments.concat()));
             }
-        });
-        let rows = self.inside(|writer| writer.group(Delimiter::Bracket, rows));
-        self.group(Delimiter::Parenthesis, rows);
+            JointFunction::FlowChange => {
+                self.grouped(Delimiter::Bracket, |writer| writer.registers(&results.concat()));
+                self.punct("=");
+                self.path("slope", "flow_change");
+                self.grouped(Delimiter::Parenthesis, |writer| writer.matrix_and_vector(&arguments.concat()));
+            }
+        }
     }
 
-    /// exp(A) − 1 from the entries of A.
-    pub(super) fn flow_matrix(&mut self, register: Register, size: usize, entries: &[(usize, Operand)]) {
-        self.register(register);
+    /// Prints `x.sin_cos()`.
+    pub(super) fn sin_cos(&mut self, arguments: &[Operand]) {
+        if let [x] = arguments {
+            self.method("sin_cos", x, &[]);
+        }
+    }
+
+    /// Prints Kepler's motion. A row has a number for each orbit.
+    fn kepler(&mut self, results: &[Vec<Register>], orbits: &[Vec<Operand>]) {
+        self.grouped(Delimiter::Bracket, |writer| {
+            for row in rows(results) {
+                writer.grouped(Delimiter::Bracket, |writer| writer.registers(&row));
+                writer.punct(",");
+            }
+        });
         self.punct("=");
-        self.word("slope");
-        self.punct("::");
-        self.word("flow_matrix");
-        self.punct("::<");
-        self.word("R");
-        self.punct(",");
-        self.literal(size);
-        self.punct(">");
-        let list = self.inside(|writer| {
-            for (place, entry) in entries {
-                let pair = writer.inside(|writer| {
+        self.path("slope", "kepler");
+        self.grouped(Delimiter::Parenthesis, |writer| {
+            writer.grouped(Delimiter::Bracket, |writer| {
+                for row in rows(orbits) {
+                    writer.list(&row);
+                    writer.punct(",");
+                }
+            });
+        });
+    }
+
+    /// Prints `&[(place, entry), …]`.
+    fn entries_of_matrix(&mut self, places: &[usize], entries: &[Operand]) {
+        self.punct("&");
+        self.grouped(Delimiter::Bracket, |writer| {
+            for (place, entry) in places.iter().zip(entries) {
+                writer.grouped(Delimiter::Parenthesis, |writer| {
                     writer.literal(*place);
                     writer.punct(",");
                     writer.operand(entry);
                 });
-                writer.group(Delimiter::Parenthesis, pair);
                 writer.punct(",");
             }
         });
-        let list = self.inside(|writer| {
-            writer.punct("&");
-            writer.group(Delimiter::Bracket, list);
-        });
-        self.group(Delimiter::Parenthesis, list);
     }
 
-    /// Such a matrix times a vector.
-    pub(super) fn flow_change(&mut self, registers: &[Register], matrix: &Operand, x: &[Operand]) {
-        self.list(Delimiter::Bracket, registers);
-        self.punct("=");
-        self.word("slope");
-        self.punct("::");
-        self.word("flow_change");
-        let arguments = self.inside(|writer| {
-            match matrix {
-                Operand::Slot(level, first) => {
-                    writer.punct("&");
-                    writer.word(SLOTS[*level]);
-                    let range = writer.inside(|writer| {
-                        writer.literal(*first);
-                        writer.punct("..");
-                        writer.literal(first + x.len().pow(2));
-                    });
-                    writer.group(Delimiter::Bracket, range);
-                }
-                _ => {
-                    writer.operand(matrix);
-                    writer.punct(".");
-                    writer.word("as_flattened");
-                    writer.group(Delimiter::Parenthesis, TokenStream::new());
-                }
+    /// Prints `matrix, [x, …]`. The matrix is a register, or a range of slots.
+    fn matrix_and_vector(&mut self, arguments: &[Operand]) {
+        let [matrix, x @ ..] = arguments else { return };
+        match matrix {
+            Operand::Slot(level, first) => {
+                self.punct("&");
+                self.word(SLOTS[*level]);
+                self.grouped(Delimiter::Bracket, |writer| {
+                    writer.literal(*first);
+                    writer.punct("..");
+                    writer.literal(first + x.len().pow(2));
+                });
             }
-            writer.punct(",");
-            let x = writer.inside(|writer| {
-                for x in x {
-                    writer.operand(x);
-                    writer.punct(",");
-                }
-            });
-            writer.group(Delimiter::Bracket, x);
-        });
-        self.group(Delimiter::Parenthesis, arguments);
+            _ => {
+                self.operand(matrix);
+                self.punct(".");
+                self.word("as_flattened");
+                self.grouped(Delimiter::Parenthesis, |_| {});
+            }
+        }
+        self.punct(",");
+        self.list(x);
     }
+}
+
+/// Returns the rows of a table from its columns.
+fn rows<T: Copy>(columns: &[Vec<T>]) -> Vec<Vec<T>> {
+    let height = columns.first().map_or(0, Vec::len);
+    (0..height).map(|row| columns.iter().map(|column| column[row]).collect()).collect()
 }

@@ -1,14 +1,12 @@
 //! Routines as tokens: what they read, and where their outputs go.
 
-use super::given::{Given, array, element};
-use super::straight_line;
-use super::tokens::{Tokens, bracketed};
-use super::writer::Names;
+use super::tokens::{Tokens, bracketed, element};
+use super::writer::{Names, routine};
 use crate::compilation::Compilation;
 use crate::derive::MOST_UNKNOWNS;
 use crate::ir::{Symbol, print::Printer};
 use crate::parse::{Energy, Form, Role};
-use crate::schedule::{Argument, Block, Extent, Kernel, Operand, Output, Routine, Space};
+use crate::schedule::{Argument, Array, Block, Extent, Kernel, Layout, Operand, Output, Routine, Space, coordinate};
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};
 use std::cell::RefCell;
@@ -63,12 +61,20 @@ impl Values<'_> {
         self.all.chunks(length).map(|row| quote!([#(#row),*])).collect()
     }
 
+    /// A number, or a list.
+    pub(super) fn returned(&self) -> TokenStream {
+        match self.output.extent {
+            Extent::Number => self.all.iter().map(ToTokens::to_token_stream).collect(),
+            _ => self.listed(),
+        }
+    }
+
     /// `[[a, b], [c, d]]`
     pub(super) fn listed(&self) -> TokenStream {
         let extents = match &self.output.extent {
             Extent::Array(extents) => extents.clone(),
             Extent::Square(extents) => extents.repeat(2),
-            Extent::Number | Extent::Coordinates(_) => vec![self.all.len()],
+            Extent::Number | Extent::Coordinates(_) | Extent::Increments(_) => vec![self.all.len()],
         };
         let mut lists: Vec<TokenStream> = self.all.iter().map(ToTokens::to_token_stream).collect();
         for extent in extents.iter().rev() {
@@ -115,8 +121,7 @@ impl<'a> Context<'a> {
 
     /// The indices of the `i`-th coordinate in its array.
     pub(crate) fn coordinate(&self, i: u32) -> Vec<usize> {
-        let shape = &self.energy.coordinates.shape;
-        if shape.extents.is_empty() { vec![0] } else { shape.indices(i as usize) }
+        coordinate(&self.energy.coordinates.shape, i)
     }
 
     /// The array type of q and p.
@@ -159,60 +164,42 @@ impl<'a> Context<'a> {
     /// All scalars of parameters, in order.
     pub(super) fn scalars(&self) -> Vec<TokenStream> {
         let count: usize = self.energy.parameters().map(|argument| argument.shape.len()).sum();
-        (0..count as u32).map(|i| self.parameter(i).to_token_stream()).collect()
+        (0..count as u32).map(|i| self.input(Symbol::Parameter(i)).to_token_stream()).collect()
     }
 
-    /// A scalar of a parameter, or a constant from outside.
-    fn parameter(&self, index: u32) -> Given {
-        let mut rest = index as usize;
-        for (number, argument) in self.energy.parameters().enumerate() {
-            if rest < argument.shape.len() {
-                let name = &argument.name;
-                let field = Tokens::field("self", name);
-                return Given::entry(array::PARAMETERS + number, field, argument.shape.indices(rest));
+    /// The name of an array, or of a number, in every routine. Each routine names its own array argument.
+    pub(super) fn array_name(&self, argument: &str, array: Array) -> Tokens {
+        match array {
+            Array::Position => "q".into(),
+            Array::Momentum => "p".into(),
+            Array::Velocity => "v".into(),
+            Array::Kick => "dp".into(),
+            Array::Argument => argument.into(),
+            Array::Increment => quote!(d.z).into(),
+            Array::Parameter(number) => match self.energy.parameters().nth(number) {
+                Some(parameter) => Tokens::field("self", &parameter.name),
+                None => Tokens::default(),
+            },
+            Array::Number(Symbol::Action) => quote!(*s).into(),
+            Array::Number(Symbol::ActionIncrement) => quote!(d.s).into(),
+            Array::Number(Symbol::Time) => "t".into(),
+            Array::Number(Symbol::StepStart) => "start".into(),
+            Array::Number(Symbol::StepEnd) => "end".into(),
+            Array::Number(Symbol::StepLength) => "h".into(),
+            Array::Number(Symbol::GradientWeight) => "g".into(),
+            Array::Number(Symbol::Parameter(i)) => {
+                let scalars: usize = self.energy.parameters().map(|argument| argument.shape.len()).sum();
+                let constant = &self.compilation.names.constants[i as usize - scalars];
+                quote!(R::from_f64((#constant) as f64)).into()
             }
-            rest -= argument.shape.len();
-        }
-        let constant = &self.compilation.names.constants[rest];
-        Given::alone(quote!(R::from_f64((#constant) as f64)))
-    }
-
-    /// What a symbol is called in every routine.
-    pub(crate) fn input(&self, symbol: Symbol) -> Given {
-        let of = |array, base, i| Given::entry(array, base, self.coordinate(i));
-        match symbol {
-            Symbol::Position(i) => of(array::POSITIONS, "q", i),
-            Symbol::Momentum(i) => of(array::MOMENTA, "p", i),
-            Symbol::Velocity(i) => of(array::VELOCITIES, "v", i),
-            Symbol::Action => Given::alone(quote!(*s)),
-            Symbol::Time => Given::alone("t"),
-            Symbol::StepStart => Given::alone("start"),
-            Symbol::StepEnd => Given::alone("end"),
-            Symbol::StepLength => Given::alone("h"),
-            Symbol::GradientWeight => Given::alone("g"),
-            Symbol::Parameter(i) => self.parameter(i),
-            // What a kick adds before a flow.
-            Symbol::MomentumIncrement(i) => of(array::KICKS, "dp", i),
-            // Other increments are unknowns wherever they are read.
-            Symbol::PositionIncrement(_)
-            | Symbol::ActionIncrement
-            | Symbol::VelocityIncrement(_)
-            | Symbol::Multiplier(_) => Given::alone(Tokens::default()),
+            Array::Number(_) => Tokens::default(),
         }
     }
 
-    /// A symbol in a routine that reads some symbols from an array.
-    fn input_or_argument(&self, argument: Option<&Argument>, symbol: Symbol) -> Given {
-        let found = argument.and_then(|Argument { name, space }| {
-            let i = space.symbols.iter().position(|other| *other == symbol)?;
-            Some(Given::entry(array::UNKNOWNS, *name, space.place(i)))
-        });
-        found.unwrap_or_else(|| self.input(symbol))
-    }
-
-    /// Names of registers and inputs.
-    pub(crate) fn names<'b>(&'b self, input: &'b dyn Fn(Symbol) -> Given) -> Names<'b> {
-        Names { registers: &self.registers, input, degrees: self.energy.degrees() as usize }
+    /// The name of a symbol in every routine.
+    pub(crate) fn input(&self, symbol: Symbol) -> Tokens {
+        let place = Layout::of(self.energy).place(symbol);
+        self.array_name("", place.array).at(&place.indices)
     }
 
     /// Statements of a block, followed by tokens made of its results.
@@ -222,8 +209,11 @@ impl<'a> Context<'a> {
         argument: Option<&Argument>,
         finish: impl FnOnce(Vec<Tokens>) -> T,
     ) -> TokenStream {
-        let input = |symbol| self.input_or_argument(argument, symbol);
-        straight_line::routine(block, self.names(&input), finish)
+        let mut layout = Layout::of(self.energy);
+        layout.argument.extend(argument.iter().flat_map(|argument| argument.space.places()));
+        let name = argument.map_or("", |argument| argument.name);
+        let names = Names { registers: &self.registers, layout: &layout, array: &|array| self.array_name(name, array) };
+        routine(block, names, finish)
     }
 
     /// Statements of a routine, followed by tokens made of its outputs.
@@ -232,23 +222,7 @@ impl<'a> Context<'a> {
         routine: &Routine,
         finish: impl FnOnce(Vec<Values<'_>>) -> T,
     ) -> TokenStream {
-        let input = |symbol| self.input_or_argument(routine.argument.as_ref(), symbol);
-        self.outputs_with(routine, &input, finish)
-    }
-
-    /// The same with other names of inputs.
-    pub(super) fn outputs_with<T: ToTokens>(
-        &self,
-        routine: &Routine,
-        input: &dyn Fn(Symbol) -> Given,
-        finish: impl FnOnce(Vec<Values<'_>>) -> T,
-    ) -> TokenStream {
-        straight_line::routine(&routine.block, self.names(input), |results| {
-            let mut results = results.into_iter();
-            let values =
-                |output| Values { output, all: results.by_ref().take(output.nodes.len()).collect::<Vec<Tokens>>() };
-            finish(routine.outputs.iter().map(values).collect())
-        })
+        self.block(&routine.block, routine.argument.as_ref(), |results| finish(by_output(routine, results)))
     }
 
     /// Statements that assign all outputs of a routine to variables of their names.
@@ -256,35 +230,19 @@ impl<'a> Context<'a> {
         self.outputs(routine, |outputs| outputs.iter().map(|values| values.assigned(self)).collect::<TokenStream>())
     }
 
-    /// The same in braces, as the body of a function: one token, where many would be copied one by one as they are quoted.
+    /// The statements of [`Context::assigned`] in braces, as the body of a function. One token is quoted faster than many.
     pub(super) fn body(&self, routine: &Routine) -> TokenTree {
         Group::new(Delimiter::Brace, self.assigned(routine)).into()
     }
 
     /// A block that ends with the only number of a routine, or a list of its numbers.
     pub(super) fn returned(&self, routine: &Routine) -> TokenStream {
-        self.returned_with(routine, &|symbol| self.input_or_argument(routine.argument.as_ref(), symbol))
+        self.outputs(routine, |outputs| outputs.iter().map(Values::returned).collect::<TokenStream>())
     }
 
-    /// The same with other names of inputs.
-    pub(super) fn returned_with(&self, routine: &Routine, input: &dyn Fn(Symbol) -> Given) -> TokenStream {
-        self.outputs_with(routine, input, |outputs| {
-            let returned = |values: &Values<'_>| match values.output.extent {
-                Extent::Number => values.all.iter().map(ToTokens::to_token_stream).collect(),
-                _ => values.listed(),
-            };
-            outputs.iter().map(returned).collect::<TokenStream>()
-        })
-    }
-
-    /// Statements that assign new values, or increments, of coordinates.
-    pub(super) fn moved(&self, routine: &Routine, target: impl Fn(Symbol) -> Given) -> TokenStream {
-        let symbols = routine.outputs.iter().filter_map(|output| match &output.extent {
-            Extent::Coordinates(symbols) => Some(symbols),
-            _ => None,
-        });
-        let targets: Vec<Given> = symbols.flatten().map(|symbol| target(*symbol)).collect();
-        straight_line::assignments(&routine.block, self.names(&|symbol| self.input(symbol)), &targets)
+    /// Statements that write coordinates.
+    pub(super) fn moved(&self, routine: &Routine) -> TokenStream {
+        self.block(&routine.block, routine.argument.as_ref(), |_| TokenStream::new())
     }
 
     /// A block that ends with the numbers that the routine of a level stores.
@@ -303,4 +261,11 @@ impl<'a> Context<'a> {
             quote!(slope::joined(&[#(#parts),*]))
         })
     }
+}
+
+/// Divides the results of a routine among its outputs.
+pub(super) fn by_output(routine: &Routine, results: Vec<Tokens>) -> Vec<Values<'_>> {
+    let mut results = results.into_iter();
+    let values = |output| Values { output, all: results.by_ref().take(output.nodes.len()).collect::<Vec<Tokens>>() };
+    routine.outputs.iter().map(values).collect()
 }

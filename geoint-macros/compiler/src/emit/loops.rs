@@ -1,178 +1,116 @@
-//! Alike statements as arrays: `let a0: [_; 63] = from_fn(|i| …);`
+//! Prints loops: `let array0: [_; 63] = from_fn(|i| …);`, or `for i in 0..63 { … }` if the loop writes to an array of the caller.
 
-use super::given::Given;
 use super::tokens::Tokens;
 use super::writer::{SLOTS, Writer};
-use crate::ir::HashMap;
-use crate::schedule::{Block, Families, Family, Indices, Instruction, Item, Operand, Register, Run, Source, families};
+use crate::schedule::{Call, Computed, Loop, Register, Run, Source, Statement};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
-use quote::{format_ident, quote};
-use std::cell::RefCell;
-
-/// The arrays of a routine by their numbers, and how many indices they have.
-type Arrays = HashMap<usize, (Tokens, usize)>;
-
-/// A result of a routine.
-pub(super) enum Output {
-    Value(Tokens),
-    /// The loop that writes this one and others.
-    Loop(TokenStream),
-    /// By the loop of another one.
-    Written,
-}
+use quote::{ToTokens, format_ident, quote};
 
 impl Writer<'_> {
-    /// Families of alike statements, and the arrays that they read and write.
-    pub(super) fn families(&self, block: &Block, targets: &[Given]) -> Option<(Families, Arrays)> {
-        let arrays: RefCell<Arrays> = RefCell::default();
-        let place = |given: &Given| {
-            let mut indices: Indices = [0; 3];
-            if given.indices.is_empty() || given.indices.len() > indices.len() {
-                return None;
+    /// Prints a loop. Later statements read the entries of its array.
+    pub(super) fn print_loop(&mut self, each: &Loop) {
+        let mut body = TokenStream::new();
+        for (register, run) in &each.reads {
+            let (register, value) = (self.names_of(&[*register]), self.run(run));
+            body.extend(quote!(let #register = #value;));
+        }
+        for statement in &each.body {
+            let (registers, value) = match statement {
+                Statement::Let(register, instruction) => {
+                    (vec![*register], self.inside(|writer| writer.instruction(instruction)))
+                }
+                Statement::Call(Call { results, arguments, .. }) => {
+                    (results.concat(), self.inside(|writer| writer.sin_cos(&arguments[0])))
+                }
+                _ => continue,
+            };
+            let names = self.names_of(&registers);
+            body.extend(quote!(let #names = #value;));
+        }
+        let (length, results, i) = (number(each.length), self.names_of(&each.results), member());
+        if let Some(target) = &each.target {
+            let target = self.run(target);
+            self.extend(quote!(for #i in 0..#length { #body #target = #results; }));
+            return;
+        }
+        let name = name(each.array);
+        self.extend(quote!(let #name: [_; #length] = ::core::array::from_fn(|#i| { #body #results });));
+        for (i, registers) in each.members.iter().enumerate() {
+            for (k, register) in registers.iter().enumerate() {
+                let computed = Computed { array: each.array, part: (registers.len() > 1).then_some(k) };
+                self.entries.insert(*register, entry(computed, &number(i)));
             }
-            for (to, from) in indices.iter_mut().zip(given.indices.iter().rev()) {
-                *to = *from as i32;
-            }
-            arrays.borrow_mut().entry(given.array).or_insert_with(|| (given.base.clone(), given.indices.len()));
-            Some((given.array, indices))
-        };
-        let given = |symbol| place(&(self.names.input)(symbol));
-        let families = families((block, self.names.degrees), &given, || targets.iter().map(place).collect())?;
-        Some((families, arrays.into_inner()))
+        }
     }
 
-    /// Writes the statements and loops of a block; returns its results, and the registers that are in no array.
-    pub(super) fn with_loops(
-        &mut self,
-        block: &Block,
-        (families, arrays): (Families, Arrays),
-    ) -> (Vec<Output>, Vec<Register>) {
-        let mut alone = vec![];
-        let is_written = |number: &usize| families.all[number].target.is_some();
-        for (register, (number, result, place)) in &families.members {
-            if !is_written(number) {
-                let place = Literal::usize_unsuffixed(*place);
-                let entry = entry(&families, (*number, *result), &quote!(#place));
-                self.members.insert(*register, entry);
-            }
+    /// Returns the name of a register, or a pair of names.
+    fn names_of(&mut self, registers: &[Register]) -> TokenStream {
+        let names: Vec<TokenStream> =
+            registers.iter().map(|register| self.inside(|writer| writer.register(*register))).collect();
+        match &names[..] {
+            [name] => name.clone(),
+            names => quote!((#(#names),*)),
         }
-        for item in &families.items {
-            match item {
-                Item::Statement(number) => {
-                    let statement = &block.statements[*number];
-                    alone.extend(statement.registers());
-                    self.statement(statement);
-                }
-                Item::Family(number) if is_written(number) => {}
-                Item::Family(number) => {
-                    let array = self.array(&families, &arrays, *number);
-                    self.extend(array);
-                }
-            }
-        }
-        let mut results = vec![];
-        for operand in &block.results {
-            let member = match operand {
-                Operand::Register(register) => families.members.get(register).filter(|(number, ..)| is_written(number)),
-                _ => None,
-            };
-            results.push(match member {
-                None => Output::Value(self.result(operand)),
-                Some((number, _, 0)) => Output::Loop(self.array(&families, &arrays, *number)),
-                Some(_) => Output::Written,
-            });
-        }
-        (results, alone)
     }
 
-    /// The statement that computes an array, or writes to one.
-    fn array(&mut self, families: &Families, arrays: &Arrays, number: usize) -> TokenStream {
-        let Family { length, reads, body, results, target } = &families.all[&number];
-        let mut tokens = TokenStream::new();
-        for (register, Run { source, first, step }) in reads {
-            let register = self.inside(|writer| writer.register(*register));
-            let at = |k: usize| index(first[k], step[k]);
-            let value = match source {
-                Source::Given(array) => given(&arrays[array], at),
-                Source::Slots(level) => {
-                    let (slots, at) = (format_ident!("{}", SLOTS[*level]), at(0));
-                    quote!(#slots[#at])
-                }
-                Source::Family(family, result) => entry(families, (*family, *result), &at(0)),
-                Source::One(_) => continue,
-            };
-            tokens.extend(quote!(let #register = #value;));
+    /// Returns the operand or the target of member i.
+    fn run(&self, run: &Run) -> TokenStream {
+        let at = |k: usize| index(run.first[k], run.step[k]);
+        match run.source {
+            Source::Given(array, rank) => {
+                let (array, indices) = ((self.names.array)(array), (0..rank).rev().map(at));
+                quote!(#array #([#indices])*)
+            }
+            Source::Slots(level) => {
+                let (slots, at) = (format_ident!("{}", SLOTS[level]), at(0));
+                quote!(#slots[#at])
+            }
+            Source::Computed(computed) => entry(computed, &at(0)),
+            // A shared operand is no run.
+            Source::One(_) => Tokens::default().into_token_stream(),
         }
-        for (registers, instruction) in body {
-            let names: Vec<TokenStream> = registers.iter().map(|r| self.inside(|writer| writer.register(*r))).collect();
-            let value = match (&names[..], instruction) {
-                ([_, _], Instruction::Call(_, x)) => self.inside(|writer| writer.method("sin_cos", &x[0], &[])),
-                _ => self.inside(|writer| writer.instruction(instruction)),
-            };
-            let names = one_or_pair(&names);
-            tokens.extend(quote!(let #names = #value;));
-        }
-        let results: Vec<TokenStream> = results.iter().map(|r| self.inside(|writer| writer.register(*r))).collect();
-        let (name, length, results) = (name(number), Literal::usize_unsuffixed(*length), one_or_pair(&results));
-        if let Some(Run { source: Source::Given(array), first, step }) = target {
-            let target = given(&arrays[array], |k| index(first[k], step[k]));
-            let i = member();
-            return quote!(for #i in 0..#length { #tokens #target = #results; });
-        }
-        let i = member();
-        quote!(let #name: [_; #length] = ::core::array::from_fn(|#i| { #tokens #results });)
     }
 }
 
-/// An entry of an array that the routine is given.
-fn given((base, indices): &(Tokens, usize), at: impl Fn(usize) -> TokenStream) -> TokenStream {
-    let indices = (0..*indices).rev().map(at);
-    quote!(#base #([#indices])*)
+/// Returns the name of the array of a loop.
+fn name(array: usize) -> Ident {
+    Ident::new(&format!("array{array}"), Span::mixed_site())
 }
 
-fn name(number: usize) -> Ident {
-    Ident::new(&format!("array{number}"), Span::mixed_site())
-}
-
-/// Which member of a family it is. Nothing of the user can be meant.
+/// Returns the name of the index of members. Its hygiene separates the index from names of the user.
 fn member() -> Ident {
     Ident::new("i", Span::mixed_site())
 }
 
-fn one_or_pair(names: &[TokenStream]) -> TokenStream {
-    match names {
-        [name] => name.clone(),
-        names => quote!((#(#names),*)),
+/// Returns an entry of the array of a loop: a number, or a part of a pair.
+fn entry(computed: Computed, at: &impl ToTokens) -> TokenStream {
+    let (name, part) = (name(computed.array), computed.part.map(number));
+    match part {
+        None => quote!(#name[#at]),
+        Some(part) => quote!(#name[#at].#part),
     }
 }
 
-/// An entry of a family's array: a number, or one of a pair.
-fn entry(families: &Families, (number, result): (usize, usize), at: &TokenStream) -> TokenStream {
-    let name = name(number);
-    if families.all[&number].results.len() == 1 {
-        return quote!(#name[#at]);
-    }
-    let result = Literal::usize_unsuffixed(result);
-    quote!(#name[#at].#result)
+/// Returns a literal.
+fn number(n: usize) -> Literal {
+    Literal::usize_unsuffixed(n)
 }
 
-/// `first + i·step`.
+/// Returns `first + i·step`.
 fn index(first: i32, step: i32) -> TokenStream {
-    let number = |n: i32| Literal::usize_unsuffixed(n.unsigned_abs() as usize);
-    let i = member();
+    let number = |n: i32| number(n.unsigned_abs() as usize);
+    let (i, begin) = (member(), number(first));
     let moved = match step {
-        0 => None,
-        1 | -1 => Some(quote!(#i)),
+        0 => return quote!(#begin),
+        1 | -1 => quote!(#i),
         step => {
             let step = number(step);
-            Some(quote!(#step * #i))
+            quote!(#step * #i)
         }
     };
-    let begin = number(first);
-    match moved {
-        None => quote!(#begin),
-        Some(moved) if step < 0 => quote!(#begin - #moved),
-        Some(moved) if first == 0 => moved,
-        Some(moved) => quote!(#moved + #begin),
+    match first {
+        _ if step < 0 => quote!(#begin - #moved),
+        0 => moved,
+        _ => quote!(#moved + #begin),
     }
 }

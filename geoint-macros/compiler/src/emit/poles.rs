@@ -1,11 +1,12 @@
 //! Poles and conditions between the ends of a step: what the runtime asks of them.
 
-use super::given::{Given, array};
-use super::kernel::Context;
+use super::kernel::{Context, Values, by_output};
+use super::tokens::Tokens;
+use super::writer::{Names, routine};
 use crate::analyze::Jump;
 use crate::derive::{Jumps, Margin, Margins, Poles, Signs};
 use crate::ir::Symbol;
-use crate::schedule::Kernel;
+use crate::schedule::{Array, Kernel, Layout};
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
@@ -109,18 +110,18 @@ fn enclosed(
     outside: TokenStream,
     inside: TokenStream,
 ) -> TokenStream {
-    let parameters = context.scalars();
-    let input = |symbol: Symbol| match symbol {
-        Symbol::Position(i) => Given::entry(array::POSITIONS, "z", vec![i as usize]),
-        Symbol::Momentum(i) => Given::entry(array::POSITIONS, "z", vec![(context.energy.degrees() + i) as usize]),
-        Symbol::Action => Given::alone("s"),
-        Symbol::Parameter(i) if (i as usize) < parameters.len() => {
-            Given::entry(array::PARAMETERS, "parameters", vec![i as usize])
-        }
-        symbol => context.input(symbol),
+    let row = Layout::of(context.energy).row_of_parameters();
+    let (parameters, layout) = (context.scalars(), Layout::flat(&context.energy.coordinates.shape, &row));
+    let array = |array| match array {
+        Array::Parameter(_) => Tokens::from("parameters"),
+        Array::Number(Symbol::Action) => Tokens::from("s"),
+        array => context.array_name("z", array),
     };
-    let arms = choices.routines.iter().enumerate().map(|(i, routine)| {
-        let body = context.returned_with(routine, &input);
+    let arms = choices.routines.iter().enumerate().map(|(i, choice)| {
+        let names = Names { registers: &context.registers, layout: &layout, array: &array };
+        let body = routine(&choice.block, names, |results| {
+            by_output(choice, results).iter().map(Values::returned).collect::<TokenStream>()
+        });
         let number = Literal::usize_unsuffixed(i);
         let pattern = if i + 1 == choices.routines.len() { quote!(_) } else { quote!(#number) };
         quote!(#pattern => { #body })

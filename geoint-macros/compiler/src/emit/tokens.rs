@@ -1,16 +1,17 @@
-//! Few tokens, which are quoted often.
+//! Lists of tokens with frequent quotations.
 //!
-//! A `TokenStream` belongs to rustc, which is asked for every copy of it, and for all tokens before it where it is quoted: most of the
-//! time of an emission was that. A list is quoted by pushing its tokens.
+//! A `TokenStream` belongs to rustc. Each copy of it, and each quotation, asks rustc for all of its tokens. Most of the time of an
+//! emission was spent in rustc. A list of tokens is quoted by a push of each token.
 
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use quote::ToTokens;
 
+/// A list of tokens.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Tokens(Vec<TokenTree>);
 
 impl Tokens {
-    /// `base.field`
+    /// Returns `base.field`.
     pub(super) fn field(base: &str, field: &Ident) -> Tokens {
         let mut tokens = Tokens::from(base);
         tokens.0.push(Punct::new('.', Spacing::Alone).into());
@@ -18,7 +19,7 @@ impl Tokens {
         tokens
     }
 
-    /// `self[i][j]…`
+    /// Returns `self[i][j]…`.
     pub(super) fn at(mut self, indices: &[usize]) -> Tokens {
         for index in indices {
             let index = TokenTree::Literal(Literal::usize_unsuffixed(*index));
@@ -27,12 +28,13 @@ impl Tokens {
         self
     }
 
+    /// Appends all tokens.
     pub(super) fn push_to(self, tokens: &mut Vec<TokenTree>) {
         tokens.extend(self.0);
     }
 }
 
-/// A word.
+/// An identifier.
 impl From<&str> for Tokens {
     fn from(word: &str) -> Tokens {
         Tokens(vec![Ident::new(word, Span::call_site()).into()])
@@ -57,7 +59,12 @@ impl ToTokens for Tokens {
     }
 }
 
-/// `[of]`: one token.
+/// Returns `base[i][j]…`.
+pub(crate) fn element(base: impl Into<Tokens>, indices: &[usize]) -> Tokens {
+    base.into().at(indices)
+}
+
+/// Returns `[of]` as one token.
 pub(super) fn bracketed(of: TokenStream) -> TokenTree {
     Group::new(Delimiter::Bracket, of).into()
 }

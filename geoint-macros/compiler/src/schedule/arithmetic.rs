@@ -1,11 +1,11 @@
-//! Sums, products and powers as operations of two operands, in an order that keeps the processor busy.
+//! Lowers sums, products and powers to operations of two operands. Their order keeps the processor busy.
 
-use super::block::{Instruction, Operand};
+use super::instruction::{Instruction, Operand};
 use super::lowering::{Lowering, Of, Powers};
 use crate::analyze::has_edge;
 use crate::ir::{HashMap, Id, Node, Number, Ratio, Symbol};
 
-/// A summand or factor: a sign and a value, or a product that has not been taken yet.
+/// A summand with its sign: a value, or a product whose last multiplication may be fused with the sum.
 #[derive(Clone, Copy)]
 struct Term {
     negative: bool,
@@ -16,15 +16,16 @@ struct Term {
 impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
     // -------------------------------------------------------------------------------------------------------- sums
 
+    /// Lowers a sum: a constant, and nodes with their coefficients.
     pub(super) fn linear(&mut self, constant: Number, terms: Vec<(Number, Id)>) -> Operand {
         let (constant, terms) = self.spread(constant, terms);
-        // What is known earlier is added up earlier.
+        // Terms of earlier levels are added there.
         let (mut now, mut early) = (vec![], vec![]);
         for (c, id) in terms {
             if self.is_now(id) { now.push((c, id)) } else { early.push((c, id)) }
         }
         let now = self.factored(now);
-        // What is there and needs no sign: others are added to it.
+        // The sum can start with a term without a sign and without a product.
         let has_start = now.iter().any(|(c, id)| c.is_one() && !matches!(self.graph.node(*id), Node::Product(_)));
         let mut summands = vec![];
         match early[..] {
@@ -49,7 +50,7 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
             let (c, id) = self.as_product(c, id);
             summands.push(self.summand(c, id));
         }
-        // What is there last is added last. Start with something that is there already and needs no sign.
+        // Terms are added in the order in which they are ready. The sum starts with a term without a sign, and without a product if possible.
         if summands.len() > 1 {
             summands.sort_by_key(|term| self.ready(&term.value).max(term.times.map_or(0, |times| self.ready(&times))));
         }
@@ -73,8 +74,8 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
         sum
     }
 
-    /// c·(sum) as the sum of its multiples, if that is needed anyway: ½(2q + d) is the mean q + d/2. Of a power of two the bits are the same, but
-    /// for numbers that are too small or too large to keep all of theirs.
+    /// Returns c·(sum) as the sum of its multiples, if the routine needs this sum anyway: ½(2q + d) is the mean q + d/2. If c is a power
+    /// of two, the bits are equal, unless a number underflows or overflows.
     pub(super) fn multiple(&mut self, c: Number, id: Id) -> (Number, Id) {
         let Node::Linear(constant, terms) = self.graph.node(id) else { return (c, id) };
         let (constant, terms) = (constant.mul(c), terms.iter().map(|(k, id)| (k.mul(c), *id)).collect());
@@ -82,12 +83,12 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
         if self.uses.contains(sum) { (Number::ONE, sum) } else { (c, id) }
     }
 
-    /// Whether a node is computed at this level.
+    /// Returns whether a node is computed at this level.
     pub(super) fn is_now(&mut self, id: Id) -> bool {
         matches!(self.levels.of(self.graph, id), Some(level) if level == self.level)
     }
 
-    /// A term as one value.
+    /// Lowers a term to a value.
     fn single(&mut self, term: Term) -> Operand {
         let value = match term.times {
             Some(other) => self.emit(Instruction::Mul(term.value, other)),
@@ -98,12 +99,13 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
 
     // ---------------------------------------------------------------------------------------------------- products
 
+    /// Lowers a product.
     pub(super) fn product(&mut self, id: Id) -> Operand {
         let term = self.summand(Number::ONE, id);
         self.single(term)
     }
 
-    /// c·node, its last multiplication left to be fused. What is known earlier is multiplied earlier, c with it.
+    /// Lowers c·node without its last multiplication. Factors of earlier levels are multiplied there, together with c.
     fn summand(&mut self, c: Number, id: Id) -> Term {
         let (mut now, mut early) = (vec![], vec![]);
         self.by_level(id, &mut now, &mut early);
@@ -133,7 +135,7 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
                 _ => above.push(self.operand(id)),
             }
         }
-        // What is there last is multiplied last.
+        // Factors are multiplied in the order in which they are ready.
         above.sort_by_key(|factor| self.ready(factor));
         let denominator = below.into_iter().reduce(|a, b| self.emit(Instruction::Mul(a, b)));
         let last = if denominator.is_none() && above.len() > 1 { above.pop() } else { None };
@@ -150,25 +152,30 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
         Term { negative, value, times: last }
     }
 
-    /// The factors of a product, taken apart where nothing else needs it as a whole.
-    pub(super) fn flat_factors(&self, id: Id, root: bool, factors: &mut Vec<Id>) {
+    /// Collects the factors of a node. A product with other uses is a single factor.
+    pub(super) fn flat_factors(&self, id: Id, factors: &mut Vec<Id>) {
         match self.graph.node(id) {
-            Node::Product(ids) if root || self.is_single(id) => {
-                for id in ids {
-                    self.flat_factors(*id, false, factors);
-                }
-            }
+            Node::Product(_) if self.is_single(id) => self.divided_factors(id, factors),
             _ => factors.push(id),
         }
     }
 
-    /// Whether a node has one use and no value yet.
+    /// Collects the factors of a node. A product is divided, even if it has other uses.
+    pub(super) fn divided_factors(&self, id: Id, factors: &mut Vec<Id>) {
+        match self.graph.node(id) {
+            Node::Product(ids) => ids.iter().for_each(|id| self.flat_factors(*id, factors)),
+            _ => factors.push(id),
+        }
+    }
+
+    /// Returns whether a node has a single use and no value yet.
     pub(super) fn is_single(&self, id: Id) -> bool {
         self.uses.get(id).is_none_or(|uses| uses <= 1) && self.known(id).is_none()
     }
 
     // ------------------------------------------------------------------------------------------------------ powers
 
+    /// Finds the bases of several negative powers. One division serves them all.
     pub(super) fn find_reciprocals(&mut self, reachable: &[Id]) {
         let mut powers: HashMap<Id, [Vec<Id>; 2]> = HashMap::default();
         for id in reachable {
@@ -182,7 +189,7 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
             }
         }
         for (base, [halves, whole]) in powers {
-            // √x serves whole powers where no x has one but no other.
+            // 1/√x may also serve whole powers, unless x is negative somewhere: 1/x exists there, but √x does not.
             let together = halves.first().is_some_and(|half| !whole.is_empty() && !has_edge(self.graph, *half));
             if together || halves.len() > 1 {
                 self.reciprocals.insert((base, Powers::Halves), Of::Root);
@@ -193,6 +200,7 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
         }
     }
 
+    /// Lowers a power.
     pub(super) fn power(&mut self, base: Id, exponent: Ratio) -> Operand {
         let n = exponent.numerator.unsigned_abs();
         let powers = Powers::of(exponent);
@@ -206,7 +214,7 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
         if exponent.numerator < 0 { self.emit(Instruction::Div(Operand::Constant(Number::ONE), power)) } else { power }
     }
 
-    /// base to the magnitude of an exponent, by squaring, with one square root for halves.
+    /// Lowers the base to the magnitude of an exponent: by squaring, and one square root for half-integer exponents.
     fn positive_power(&mut self, base: Id, exponent: Ratio) -> Operand {
         let x = self.operand(base);
         let n = exponent.numerator.unsigned_abs();
@@ -223,7 +231,7 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
         }
     }
 
-    /// xⁿ for n ≥ 1.
+    /// Lowers xⁿ for n ≥ 1.
     fn repeated(&mut self, x: Operand, n: u128) -> Operand {
         if n <= 1 {
             return x;

@@ -1,22 +1,27 @@
-//! Common factors: a·x·y + b·x is x·(a·y + b), a product less, and what remains of the sum may be needed elsewhere.
+//! Takes common factors out of sums: a·x·y + b·x is x·(a·y + b), with one product less.
 
 use super::lowering::Lowering;
 use crate::ir::{HashMap, Id, Node, Number, Symbol};
 
-/// A summand: a number times its factors, one of which is what is known earlier, with all of the number but its sign. Without factors it stays whole.
+/// A summand: a number times factors. All factors of earlier levels are one factor, with the magnitude of the number.
 struct Summand {
     scale: Number,
+    /// The factors. None if other nodes need the product as a whole.
     factors: Vec<Id>,
-    /// How many factors it is made of, a number among them.
+    /// The number of factors, a numeric one included.
     width: usize,
     whole: (Number, Id),
 }
 
-/// Operations where sums and products are fused, and where they are not.
-type Cost = (usize, usize);
+/// The number of operations of a sum with fused multiply-add, and without.
+#[derive(Clone, Copy, PartialEq, PartialOrd)]
+struct Cost {
+    fused: usize,
+    separate: usize,
+}
 
 impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
-    /// The same sum with common factors taken out, as long as that is fewer operations.
+    /// Returns a sum with common factors taken out, as long as this saves operations.
     pub(super) fn factored(&mut self, terms: Vec<(Number, Id)>) -> Vec<(Number, Id)> {
         if terms.len() < 2 {
             return terms;
@@ -37,7 +42,7 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
         if same { terms } else { summands.into_iter().map(|summand| summand.whole).collect() }
     }
 
-    /// A sum that is one product, as that: then it is fused with what it is added to.
+    /// Returns a sum as a product, if the sum is a product. The product is then fused with the sum around it.
     pub(super) fn as_product(&mut self, c: Number, id: Id) -> (Number, Id) {
         let Node::Linear(constant, terms) = self.graph.node(id) else { return (c, id) };
         if !constant.is_zero() || terms.len() < 2 || !self.is_single(id) {
@@ -53,7 +58,7 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
         }
     }
 
-    /// Where a number is added, prefactors go into sums with a number, which are then added earlier: 1 + a·(½ + b·y) is (1 + a/2) + ab·y.
+    /// Expands products in a sum with a constant, if this moves operations to an earlier level: 1 + a·(½ + b·y) is (1 + a/2) + ab·y.
     pub(super) fn spread(&mut self, constant: Number, terms: Vec<(Number, Id)>) -> (Number, Vec<(Number, Id)>) {
         if constant.is_zero() || !terms.iter().all(|(_, id)| self.is_now(*id)) {
             return (constant, terms);
@@ -77,7 +82,8 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
         }
     }
 
-    /// Whether a prefactor went into a sum among the factors, at no cost: 2·(½ + b·y) is 1 + 2b·y, where b is known earlier.
+    /// Multiplies a prefactor into a sum among the factors, if the product is free: 2·(½ + b·y) is 1 + 2b·y, where b has an earlier level.
+    /// Returns whether a sum absorbed the prefactor.
     pub(super) fn absorbed(&mut self, prefactor: Id, factors: &mut [Id]) -> bool {
         let exact = self.graph.as_number(prefactor).is_some_and(is_power_of_two);
         let Some(place) = factors.iter().position(|id| self.absorbs(*id, exact)) else { return false };
@@ -91,17 +97,17 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
         true
     }
 
-    /// Whether all of its terms have something in front that is known earlier, and one is a number, unless what goes into it is `exact`: of other sums two terms
-    /// may be nearly opposite, and their difference exact, as in k(2x − a).
+    /// Returns whether a sum can absorb a prefactor. Each term must have a coefficient of an earlier level. One term must be a number, unless
+    /// products with the prefactor are `exact`: otherwise two terms may nearly cancel, and their exact difference would be lost, as in k(2x − a).
     fn absorbs(&mut self, id: Id, exact: bool) -> bool {
         let Node::Linear(constant, terms) = self.graph.node(id) else { return false };
-        // What was taken out does not go in again.
+        // A factor does not return into the sum from which it was taken.
         if constant.is_zero() && !exact || !self.is_single(id) || self.factored_out.contains(id) {
             return false;
         }
         for (c, id) in terms.clone() {
             let mut flat = vec![];
-            self.flat_factors(id, false, &mut flat);
+            self.flat_factors(id, &mut flat);
             let early = flat.iter().filter(|factor| !self.is_now(**factor)).count();
             let has_number = c != Number::ONE && c != Number::MINUS_ONE;
             if early == flat.len() && !exact || early == 0 && !has_number {
@@ -111,16 +117,16 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
         true
     }
 
-    /// The factors of a node that are known at this level, and earlier.
+    /// Collects the factors of a node, of this level and of earlier levels.
     pub(super) fn by_level(&mut self, id: Id, now: &mut Vec<Id>, early: &mut Vec<Id>) {
         let mut factors = vec![];
-        self.flat_factors(id, true, &mut factors);
+        self.divided_factors(id, &mut factors);
         for id in factors {
             if self.is_now(id) { now.push(id) } else { early.push(id) }
         }
     }
 
-    /// c·node as its factors.
+    /// Returns the factors of c·node.
     fn taken_apart(&mut self, c: Number, id: Id) -> Summand {
         let (mut factors, mut early) = (vec![], vec![]);
         self.by_level(id, &mut factors, &mut early);
@@ -150,7 +156,7 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
         Summand { scale, factors: if shared { vec![] } else { now }, width, whole: (c, id) }
     }
 
-    /// The sum of all, each without one of its factors. Sums among these stay whole: a difference of neighbours is exact.
+    /// Returns the sum of all summands, each divided by a factor. Sums among the factors stay whole: a difference of close numbers is exact.
     fn divided(&mut self, summands: Vec<Summand>, factor: Id) -> Id {
         let (mut constant, mut terms) = (Number::ZERO, vec![]);
         for Summand { scale, mut factors, .. } in summands {
@@ -170,13 +176,13 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
     }
 }
 
-/// Whether a product with it is exact.
+/// Returns whether products with a number are exact.
 fn is_power_of_two(number: Number) -> bool {
     const DIGITS: u64 = (1 << (f64::MANTISSA_DIGITS - 1)) - 1;
     number.to_f64().is_normal() && number.to_f64().to_bits() & DIGITS == 0
 }
 
-/// The factor that saves most, the first one of equals.
+/// Returns the factor with the largest saving, if any factor saves operations. The first of equals wins.
 fn best(summands: &[Summand]) -> Option<Id> {
     let mut places: HashMap<Id, Vec<usize>> = HashMap::default();
     let mut shared = vec![];
@@ -202,7 +208,7 @@ fn best(summands: &[Summand]) -> Option<Id> {
         let inner = with().map(|summand| Work::without(summand, factor)).collect::<Total>().cost();
         let taken: Total = with().map(Work::of).collect();
         let outer = whole.replaced(taken, Work::PAIR).cost();
-        let cost = (inner.0 + outer.0, inner.1 + outer.1);
+        let cost = Cost { fused: inner.fused + outer.fused, separate: inner.separate + outer.separate };
         if cost < least {
             (least, best) = (cost, Some(factor));
         }
@@ -210,26 +216,29 @@ fn best(summands: &[Summand]) -> Option<Id> {
     best
 }
 
-/// What a summand takes: how many products, the last of which may be fused with the sum.
+/// The products of a summand. The last one may be fused with the sum.
 struct Work {
     products: usize,
     fused: bool,
 }
 
 impl Work {
+    /// The new summand: the common factor times a sum.
     const PAIR: Work = Work { products: 1, fused: true };
 
+    /// Returns the products of a summand.
     fn of(summand: &Summand) -> Work {
         Work::products(summand.width, summand.factors.iter())
     }
 
+    /// Returns the products of a summand without a factor.
     fn without(summand: &Summand, factor: Id) -> Work {
         let place = summand.factors.iter().position(|other| *other == factor);
         let others = summand.factors.iter().enumerate().filter(|(other, _)| Some(*other) != place);
         Work::products(summand.width - 1, others.map(|(_, id)| id))
     }
 
-    /// Powers are not fused: x² − y² is zero where x = y.
+    /// Returns the products of some factors. Powers are not fused: x² − y² is zero where x = y.
     fn products<'a>(width: usize, mut factors: impl Iterator<Item = &'a Id>) -> Work {
         let first = factors.next();
         let alike = 1 + factors.filter(|other| Some(*other) == first).count();
@@ -237,7 +246,7 @@ impl Work {
     }
 }
 
-/// Numbers of summands and products of a sum.
+/// The numbers of summands, products and fused products of a sum.
 #[derive(Clone, Copy, Default)]
 struct Total {
     sums: usize,
@@ -252,6 +261,7 @@ impl FromIterator<Work> for Total {
 }
 
 impl Total {
+    /// Adds a summand.
     fn with(self, work: Work) -> Total {
         Total {
             sums: self.sums + 1,
@@ -260,7 +270,7 @@ impl Total {
         }
     }
 
-    /// One summand in place of some of them.
+    /// Replaces some summands by a new summand.
     fn replaced(self, some: Total, by: Work) -> Total {
         let rest = Total {
             sums: self.sums - some.sums,
@@ -270,10 +280,11 @@ impl Total {
         rest.with(by)
     }
 
-    /// Operations of the sum. One summand is there at first, if possible one that has no product to be fused.
+    /// Returns the operations of the sum. The sum starts with a summand, if possible without a product to fuse.
     fn cost(self) -> Cost {
         let Total { sums, products, fused } = self;
         let starts = usize::from(fused == sums);
-        (products + sums - 1 - (fused - starts), products + sums - 1)
+        let separate = products + sums - 1;
+        Cost { fused: separate - (fused - starts), separate }
     }
 }

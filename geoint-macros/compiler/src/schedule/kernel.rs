@@ -3,7 +3,9 @@
 use super::block::{Block, Operations};
 use super::levels::{KnownLevels, Slots};
 use super::lowering::Lowering;
+use super::passes::arranged;
 use super::routine::{Argument, Routine};
+use super::scheduler::Scheduler;
 use crate::ir::{Graph, Id, Symbol};
 
 /// When symbols are known. Every level but the last stores numbers for later levels.
@@ -48,6 +50,19 @@ impl Levels {
     }
 }
 
+impl Levels {
+    /// Schedules routines, given by their nodes.
+    fn plan(self, graph: &mut Graph, routines: &[&[Id]]) -> Plan {
+        let none: &[Id] = &[];
+        plan(graph, |symbol| self.of(symbol), &vec![none; self.stores()], routines)
+    }
+}
+
+/// Returns the cost of computing some nodes at the last level, in units of one sum.
+pub(crate) fn cost(graph: &mut Graph, levels: Levels, nodes: &[Id]) -> usize {
+    levels.plan(graph, &[nodes]).last.iter().map(|block| block.operations().weight()).sum()
+}
+
 /// Routines that share prepared numbers.
 #[derive(Clone, Debug)]
 pub(crate) struct Kernel {
@@ -81,15 +96,20 @@ impl Kernel {
     }
 
     /// Computes the statements of all routines.
-    pub(crate) fn schedule(&mut self, graph: &mut Graph) {
+    pub(crate) fn schedule(&mut self, scheduler: &mut Scheduler<'_>) {
         let nodes: Vec<Vec<Id>> = self.routines.iter().map(Routine::nodes).collect();
         let nodes: Vec<&[Id]> = nodes.iter().map(Vec::as_slice).collect();
-        let none: &[Id] = &[];
-        let plan = plan(graph, |symbol| self.levels.of(symbol), &vec![none; self.levels.stores()], &nodes);
-        for (routine, block) in self.routines.iter_mut().zip(plan.last) {
+        let Plan { stores, last, slots } = self.levels.plan(scheduler.graph, &nodes);
+        for (routine, block) in self.routines.iter_mut().zip(last) {
             routine.block = block;
+            routine.arrange(scheduler);
         }
-        (self.stores, self.slots) = (plan.stores, plan.slots);
+        let arrange = |(level, block)| {
+            let start = self.start.as_ref().filter(|_| level > 0);
+            arranged(block, &scheduler.places(start), &[])
+        };
+        self.stores = stores.into_iter().enumerate().map(arrange).collect();
+        self.slots = slots;
     }
 
     /// Returns the cost of the first routine.

@@ -1,18 +1,20 @@
-//! When a node can be computed, and how many numbers a level hands on.
+//! The levels of nodes, and the numbers that a level stores for later levels.
 
 use crate::ir::{Function, Graph, Id, Node, Symbol, Table};
 
-/// The level of every node; constants have none.
+/// The levels of nodes. Constants have none. Cached, filled on demand.
 pub(super) struct KnownLevels<F> {
     of_symbol: F,
     known: Table<Option<usize>>,
 }
 
 impl<F: Fn(Symbol) -> usize> KnownLevels<F> {
+    /// Returns the levels of nodes from the levels of symbols.
     pub(super) fn new(of_symbol: F) -> Self {
         KnownLevels { of_symbol, known: Table::default() }
     }
 
+    /// Returns the level of a node: the latest level of its symbols.
     pub(super) fn of(&mut self, graph: &Graph, id: Id) -> Option<usize> {
         if let Some(level) = self.known.get(id) {
             return level;
@@ -21,7 +23,7 @@ impl<F: Fn(Symbol) -> usize> KnownLevels<F> {
             let level = match graph.node(id) {
                 Node::Symbol(symbol) => Some((self.of_symbol)(*symbol)),
                 Node::Number(_) | Node::Truth(_) => None,
-                // What is made of constants but is not one, like 1/0, is known first.
+                // A node of constants may be no constant, like 1/0. Its level is the first.
                 node => {
                     let mut last = 0;
                     node.for_each_child(|child| last = self.known[child].map_or(last, |level| level.max(last)));
@@ -34,18 +36,18 @@ impl<F: Fn(Symbol) -> usize> KnownLevels<F> {
     }
 }
 
-/// What a level stores for later ones.
+/// The values of a level for later levels.
 #[derive(Clone, Default)]
 pub(super) struct Slots {
     pub(super) nodes: Vec<Id>,
-    /// Where each of them begins.
+    /// The first slot of each node.
     begins: Table<usize>,
-    /// How many numbers they are together: a matrix is more than one.
+    /// The number of slots. A matrix has several.
     pub(super) width: usize,
 }
 
 impl Slots {
-    /// Where a node is, which gets a slot if it has none.
+    /// Returns the first slot of a node. Adds slots for a new node.
     pub(super) fn slot(&mut self, graph: &Graph, id: Id) -> usize {
         if let Some(begin) = self.begins.get(id) {
             return begin;
@@ -61,7 +63,7 @@ impl Slots {
     }
 }
 
-/// A number that counts something.
+/// Returns a constant node as a count.
 pub(super) fn whole(graph: &Graph, id: Id) -> usize {
     graph.as_number(id).map_or(0, |number| number.to_f64() as usize)
 }

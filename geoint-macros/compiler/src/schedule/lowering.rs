@@ -1,10 +1,11 @@
-//! One routine: nodes to statements.
+//! Lowers the nodes of one routine to statements.
 
-use super::block::{Block, Instruction, Operand, Register, Statement};
+use super::block::{Block, Statement};
+use super::instruction::{Instruction, Operand, Register};
 use super::levels::{KnownLevels, Slots};
 use crate::ir::{Function, Graph, HashIndex, HashMap, Id, Node, Number, Ratio, Symbol, Table, hash};
 
-/// Powers of one base.
+/// A class of powers of one base: half-integer exponents, or whole ones.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub(super) enum Powers {
     Halves,
@@ -12,31 +13,32 @@ pub(super) enum Powers {
 }
 
 impl Powers {
+    /// Returns the class of an exponent.
     pub(super) fn of(exponent: Ratio) -> Powers {
         if exponent.is_integer() { Powers::Whole } else { Powers::Halves }
     }
 }
 
-/// What divides 1, once, for several negative powers of one base, which are products of that.
+/// The divisor of the division for several negative powers of a base.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Of {
     Base,
     Root,
 }
 
-/// A routine, or a branch in it, while it is being written.
+/// A routine, or a branch in it, during lowering.
 #[derive(Default)]
 pub(super) struct Scope {
     pub(super) block: Block,
     pub(super) values: Table<Operand>,
-    /// Statements by their instructions.
+    /// The numbers of statements by the hashes of their instructions.
     numbered: HashIndex,
-    /// What is computed here whatever the conditions are.
+    /// The unconditional nodes: the scope computes each of them in any case.
     pub(super) always: Table<()>,
 }
 
 impl Scope {
-    /// The value of an instruction with a hash, if there is one.
+    /// Returns the value of an instruction with a hash, if the scope has one.
     fn known(&self, hash: u32, instruction: &Instruction) -> Option<Register> {
         let statements = self.block.statements.as_slice();
         let is = |number: usize| matches!(&statements[number], Statement::Let(_, other) if other == instruction);
@@ -47,23 +49,24 @@ impl Scope {
     }
 }
 
+/// The lowering of a routine.
 pub(super) struct Lowering<'a, F> {
     pub(super) graph: &'a mut Graph,
     pub(super) levels: &'a mut KnownLevels<F>,
     slots: &'a mut [Slots],
     pub(super) level: usize,
     pub(super) uses: Table<usize>,
-    /// Sums out of which a factor was taken.
+    /// Sums that remain after a factor was taken out.
     pub(super) factored_out: Table<()>,
     pub(super) scopes: Vec<Scope>,
-    /// When each register is there, in units of one sum, if nothing has to wait for anything but its operands.
+    /// The time at which each register is ready, in units of one sum, if an operation waits for its operands only.
     ready: Vec<u32>,
-    /// Bases of which several negative powers are needed.
+    /// The bases of several negative powers.
     pub(super) reciprocals: HashMap<(Id, Powers), Of>,
 }
 
 impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
-    /// The routine of `level` that computes `roots`.
+    /// Returns the routine of `level` that computes `roots`.
     pub(super) fn run(
         graph: &'a mut Graph,
         levels: &'a mut KnownLevels<F>,
@@ -94,7 +97,7 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
         lowering.block(roots)
     }
 
-    /// Sums that stand for multiples of others are used there as well.
+    /// Counts the uses of multiples of sums.
     fn count_multiples(&mut self, reachable: &[Id]) {
         for id in reachable {
             let Node::Linear(_, terms) = self.graph.node(*id) else { continue };
@@ -109,7 +112,8 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
         }
     }
 
-    fn block(&mut self, roots: &[Id]) -> Block {
+    /// Lowers `roots` to a routine or a branch.
+    pub(super) fn block(&mut self, roots: &[Id]) -> Block {
         let always = self.always(roots);
         self.scopes.push(Scope { always, ..Scope::default() });
         let mut results = vec![];
@@ -121,7 +125,7 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
         block
     }
 
-    /// What is needed for `roots` whatever the conditions are, at this level.
+    /// Returns the unconditional nodes of this level: `roots` need them in any case.
     fn always(&mut self, roots: &[Id]) -> Table<()> {
         let mut seen: Table<()> = Table::default();
         let mut open = roots.to_vec();
@@ -144,14 +148,14 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
 
     // ------------------------------------------------------------------------------------------------------ values
 
-    /// The value of a node, computed if it is not known yet.
+    /// Returns the value of a node. Lowers the node if the value is not known.
     pub(super) fn operand(&mut self, id: Id) -> Operand {
         match self.graph.node(id) {
             Node::Number(value) => return Operand::Constant(*value),
             Node::Truth(value) => return Operand::Truth(*value),
             _ => {}
         }
-        // Slots hold numbers; a condition is decided again where it is needed.
+        // Slots hold numbers. A condition is decided again at each level.
         match self.levels.of(self.graph, id) {
             Some(level) if level < self.level && !self.graph.node(id).is_condition() => {
                 return Operand::Slot(level, self.slots[level].slot(self.graph, id));
@@ -164,7 +168,7 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
         if let Some(known) = self.known(id) {
             return known;
         }
-        // Computed as far outside as it is needed whatever the conditions are.
+        // The outermost scope with this unconditional node computes the value.
         let last = self.scopes.len() - 1;
         let home = self.scopes.iter().position(|scope| scope.always.contains(id)).unwrap_or(last);
         let inner = if home < last { self.scopes.split_off(home + 1) } else { vec![] };
@@ -174,6 +178,7 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
         operand
     }
 
+    /// Returns the value of a node, if it is known.
     pub(super) fn known(&self, id: Id) -> Option<Operand> {
         for scope in &self.scopes {
             if let Some(known) = scope.values.get(id) {
@@ -183,7 +188,7 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
         None
     }
 
-    /// The value of an instruction; equal ones are one statement.
+    /// Returns the value of an instruction. Equal instructions are one statement.
     pub(super) fn emit(&mut self, instruction: Instruction) -> Operand {
         if let Instruction::Neg(Operand::Constant(value)) = instruction {
             return Operand::Constant(value.neg());
@@ -197,21 +202,23 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
         let register = self.register(instruction.ready(|operand| self.ready(operand)));
         if let Some(scope) = self.scopes.last_mut() {
             scope.numbered.insert(hash, scope.block.statements.len());
-            scope.block.statements.push(Statement::Let(register, instruction));
         }
+        self.push(Statement::Let(register, instruction));
         Operand::Register(register)
     }
 
+    /// Returns a new register with the time at which the value is ready.
     pub(super) fn register(&mut self, ready: u32) -> Register {
         self.ready.push(ready);
         self.ready.len() - 1
     }
 
-    /// When an operand is there.
+    /// Returns the time at which an operand is ready.
     pub(super) fn ready(&self, operand: &Operand) -> u32 {
         if let Operand::Register(register) = operand { self.ready[*register] } else { 0 }
     }
 
+    /// Lowers a node by its kind. Its value is not known yet.
     fn compute(&mut self, id: Id) -> Operand {
         match self.graph.node(id).clone() {
             Node::Number(value) => Operand::Constant(value),
@@ -222,21 +229,12 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
             Node::Power(base, exponent) => self.power(base, exponent),
             Node::Call(function, args) if Function::KEPLER.contains(&function) => self.kepler(id, &args),
             Node::Call(Function::FlowMatrix, args) => self.flow_matrix(&args),
-            Node::Call(Function::FlowChange, args) => self.flow_change(&args),
+            Node::Call(Function::FlowChange, args) => self.flow_change(id, &args),
             Node::Call(function, args) => self.call(function, &args),
             Node::Select(condition, _, _) => self.select(id, condition),
-            Node::Compare(relation, a, b) => {
-                let (a, b) = (self.operand(a), self.operand(b));
-                self.emit(Instruction::Compare(relation, a, b))
-            }
-            Node::And(a, b) => {
-                let (a, b) = (self.operand(a), self.operand(b));
-                self.emit(Instruction::And(a, b))
-            }
-            Node::Or(a, b) => {
-                let (a, b) = (self.operand(a), self.operand(b));
-                self.emit(Instruction::Or(a, b))
-            }
+            Node::Compare(relation, a, b) => self.binary(a, b, |a, b| Instruction::Compare(relation, a, b)),
+            Node::And(a, b) => self.binary(a, b, Instruction::And),
+            Node::Or(a, b) => self.binary(a, b, Instruction::Or),
             Node::Not(a) => {
                 let a = self.operand(a);
                 self.emit(Instruction::Not(a))
@@ -244,72 +242,16 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
         }
     }
 
-    // ------------------------------------------------------------------------------------------ functions, branches
-
-    /// A function, and beside it the one that shares its work, if that is needed too: sine and cosine are one call, a mean and its
-    /// derivative have the same branches.
-    fn call(&mut self, function: Function, args: &[Id]) -> Operand {
-        let values: Vec<Operand> = args.iter().map(|arg| self.operand(*arg)).collect();
-        let partner = function.partner().map(|partner| (partner, self.graph.call(partner, args)));
-        let wanted =
-            |id: Id| self.scopes.last().is_some_and(|scope| scope.always.contains(id)) && self.known(id).is_none();
-        let Some((partner, id)) = partner.filter(|(_, id)| wanted(*id)) else {
-            return self.emit(Instruction::Call(function, values));
-        };
-        let (own, others) = match function {
-            Function::Sin | Function::Cos => {
-                let ready = self.ready(&values[0]) + Instruction::CALL_LATENCY;
-                let (sin, cos) = (self.register(ready), self.register(ready));
-                if let Some(scope) = self.scopes.last_mut() {
-                    scope.block.statements.push(Statement::SinCos(sin, cos, values[0]));
-                }
-                let both = [sin, cos].map(Operand::Register);
-                if function == Function::Sin { both.into() } else { (both[1], both[0]) }
-            }
-            _ => {
-                let own = self.emit(Instruction::Call(function, values.clone()));
-                (own, self.emit(Instruction::Call(partner, values)))
-            }
-        };
-        if let Some(scope) = self.scopes.last_mut() {
-            scope.values.insert(id, others);
-        }
-        own
+    /// Lowers two nodes, then an instruction with both as operands.
+    fn binary(&mut self, a: Id, b: Id, instruction: impl Fn(Operand, Operand) -> Instruction) -> Operand {
+        let (a, b) = (self.operand(a), self.operand(b));
+        self.emit(instruction(a, b))
     }
 
-    /// All selections by one condition that do not need each other, as one `if`.
-    fn select(&mut self, id: Id, condition: Id) -> Operand {
-        let mut group = vec![id];
-        let always: Vec<Id> = self.scopes.last().map(|scope| scope.always.ids().collect()).unwrap_or_default();
-        let candidates: Vec<Id> = always
-            .into_iter()
-            .filter(|other| matches!(self.graph.node(*other), Node::Select(c, _, _) if *c == condition))
-            .filter(|other| *other != id && self.known(*other).is_none())
-            .collect();
-        for other in candidates {
-            let needs = |a: Id, b: Id| self.graph.reachable(&[a]).contains(&b);
-            if group.iter().all(|member| !needs(other, *member) && !needs(*member, other)) {
-                group.push(other);
-            }
-        }
-        let condition = self.operand(condition);
-        let arms = |graph: &Graph, pick: fn(Id, Id) -> Id| -> Vec<Id> {
-            let arm = |id: &Id| match graph.node(*id) {
-                Node::Select(_, first, second) => pick(*first, *second),
-                _ => *id,
-            };
-            group.iter().map(arm).collect()
-        };
-        let (first, second) = (arms(self.graph, |a, _| a), arms(self.graph, |_, b| b));
-        let (first, second) = (self.block(&first), self.block(&second));
-        let ready = first.results.iter().chain(&second.results).map(|x| self.ready(x)).max().unwrap_or(0);
-        let registers: Vec<Register> = group.iter().map(|_| self.register(ready)).collect();
+    /// Adds a statement to the innermost scope.
+    pub(super) fn push(&mut self, statement: Statement) {
         if let Some(scope) = self.scopes.last_mut() {
-            for (id, register) in group.iter().zip(&registers) {
-                scope.values.insert(*id, Operand::Register(*register));
-            }
-            scope.block.statements.push(Statement::If { registers: registers.clone(), condition, first, second });
+            scope.block.statements.push(statement);
         }
-        Operand::Register(registers[0])
     }
 }

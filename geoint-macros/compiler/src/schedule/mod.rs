@@ -1,26 +1,39 @@
-//! From nodes to statements: what is computed when, once, and in which order.
+//! From nodes to statements: when each value is computed, once, and in which order.
 //!
 //! Every symbol has a binding time, a level: parameters are known before h is, h before the state, the start of a step
-//! before Newton's iterates. A node is computed at the level of the latest symbol that it reads, by the routine of that
-//! level, and later routines read it from a slot. Within a routine equal operations are one statement, and what belongs
-//! to one branch of an `if` is computed in that branch. Alike statements become loops (`families`), or four go side by side (`lanes`).
+//! before Newton's iterates. A node has the level of its latest symbol, and the routine of this level computes the node.
+//! Later routines read the value from a slot.
+//!
+//! The passes run in this order. `lowering` turns the nodes of a routine into statements: sums without their common factors (`factors`),
+//! operations in the order in which operands are ready (`arithmetic`), calls with several results (`joint`), and branches (`together`).
+//! Equal operations are one statement. Values with uses in one branch only are computed in this branch. `passes` then arranges the statements as `loops` or `packs`.
+//! The printer in `emit` decides nothing.
 
 mod arithmetic;
 mod block;
 mod factors;
-mod families;
-mod kepler;
-mod matrix;
+mod instruction;
+mod joint;
 mod kernel;
-mod lanes;
+mod layout;
 mod levels;
+mod loops;
 mod lowering;
+mod packs;
+mod passes;
 mod routine;
+mod scheduler;
+mod together;
 
-pub(crate) use block::{Block, Instruction, LANES, Operand, Operations, Register, Statement};
-pub(crate) use families::{Families, Family, Indices, Item, Run, Source, families};
-pub(crate) use kernel::{Kernel, Levels};
+pub(crate) use block::{Block, LANES, Operations, Statement};
+pub(crate) use instruction::{Instruction, Operand, Register};
+pub(crate) use joint::{Call, JointFunction};
+pub(crate) use kernel::{Kernel, Levels, cost};
 #[cfg(test)]
 pub(crate) use kernel::{Plan, plan, statements};
-pub(crate) use lanes::side_by_side;
+pub(crate) use layout::{Array, Layout, Place, coordinate};
+pub(crate) use loops::{Computed, Loop, Run, Source};
+#[cfg(test)]
+pub(crate) use passes::arranged;
 pub(crate) use routine::{Argument, Extent, Output, Routine, Space, phase};
+pub(crate) use scheduler::Scheduler;

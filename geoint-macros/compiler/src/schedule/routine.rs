@@ -2,7 +2,9 @@
 
 use super::block::{Block, Operations};
 use super::kernel::statements;
-use crate::ir::{Graph, Id, Symbol};
+use super::passes::arranged;
+use super::scheduler::Scheduler;
+use crate::ir::{Id, Symbol};
 
 /// Symbols in order, and the extents of the array that holds them.
 #[derive(Clone, Debug)]
@@ -30,9 +32,9 @@ impl Space {
         self.symbols.len()
     }
 
-    /// Returns the indices of the `i`-th symbol.
-    pub(crate) fn place(&self, i: usize) -> Vec<usize> {
-        indices(&self.extents, i)
+    /// Returns the symbols with their indices.
+    pub(crate) fn places(&self) -> Vec<(Symbol, Vec<usize>)> {
+        self.symbols.iter().enumerate().map(|(i, symbol)| (*symbol, indices(&self.extents, i))).collect()
     }
 }
 
@@ -66,8 +68,10 @@ pub(crate) enum Extent {
     Array(Vec<usize>),
     /// The derivative of an array by an array with the same extents, row by row.
     Square(Vec<usize>),
-    /// The new values of these coordinates of the state, or their increments.
+    /// New values of coordinates, which the routine writes in place.
     Coordinates(Vec<Symbol>),
+    /// Increments of coordinates, which the routine writes to the variable `d`.
+    Increments(Vec<Symbol>),
 }
 
 /// Values that a routine computes for one purpose.
@@ -97,16 +101,10 @@ impl Output {
         Output { name, extent: Extent::Square(extents.to_vec()), nodes: rows.concat() }
     }
 
-    /// Coordinates with their new values or increments.
-    pub(crate) fn coordinates(name: &'static str, values: Vec<(Symbol, Id)>) -> Output {
-        let (symbols, nodes) = values.into_iter().unzip();
-        Output { name, extent: Extent::Coordinates(symbols), nodes }
-    }
-
     /// Returns the indices of every value in its array.
     pub(crate) fn places(&self) -> Vec<Vec<usize>> {
         let extents = match &self.extent {
-            Extent::Number | Extent::Coordinates(_) => vec![],
+            Extent::Number | Extent::Coordinates(_) | Extent::Increments(_) => vec![],
             Extent::Array(extents) => extents.clone(),
             Extent::Square(extents) => extents.repeat(2),
         };
@@ -150,8 +148,25 @@ impl Routine {
     }
 
     /// Computes the statements of a routine that prepares nothing.
-    pub(crate) fn schedule(&mut self, graph: &mut Graph) {
-        self.block = statements(graph, &self.nodes());
+    pub(crate) fn schedule(&mut self, scheduler: &mut Scheduler<'_>) {
+        self.block = statements(scheduler.graph, &self.nodes());
+        self.arrange(scheduler);
+    }
+
+    /// Runs the passes over the statements.
+    pub(super) fn arrange(&mut self, scheduler: &Scheduler<'_>) {
+        let layout = scheduler.places(self.argument.as_ref());
+        let mut targets = vec![];
+        for output in &self.outputs {
+            match &output.extent {
+                Extent::Coordinates(symbols) => targets.extend(symbols.iter().map(|symbol| layout.place(*symbol))),
+                Extent::Increments(symbols) => {
+                    targets.extend(symbols.iter().map(|symbol| scheduler.increment(*symbol)))
+                }
+                _ => {}
+            }
+        }
+        self.block = arranged(std::mem::take(&mut self.block), &layout, &targets);
     }
 
     /// Returns the cost of the statements.

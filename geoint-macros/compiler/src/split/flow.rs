@@ -4,7 +4,7 @@ use super::polynomial::is_free;
 use super::time::Clock;
 use crate::ir::op::Domain;
 use crate::ir::{Function, Graph, Id, Node, Symbol};
-use crate::schedule::{Kernel, Levels, Routine};
+use crate::schedule::{Levels, cost};
 
 /// The coordinates of a system.
 #[derive(Clone, Copy, Debug)]
@@ -165,9 +165,6 @@ impl Piece {
     /// a count needs the statements that the scheduler shares and moves. The schedule is discarded, but it may add nodes to the graph.
     pub(super) fn cost(&self, graph: &mut Graph) -> usize {
         let ends: Vec<Id> = self.flow.changed(graph).into_iter().map(|(_, end)| end).collect();
-        let changed = ends.len();
-        let mut kernel = Kernel::new(self.levels(), vec![Routine::row("end", ends)]);
-        kernel.schedule(graph);
-        changed + kernel.operations().weight()
+        ends.len() + cost(graph, self.levels(), &ends)
     }
 }

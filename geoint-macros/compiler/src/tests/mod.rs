@@ -6,7 +6,7 @@ mod cost;
 mod jets;
 mod eval;
 mod facts;
-mod families;
+mod loops;
 mod flows;
 mod fuzz;
 mod growth;

@@ -12,7 +12,7 @@ use crate::derive::proof::flow::{Flow, coordinates};
 use crate::derive::system::{FlowKernel, Missing, Pair, PieceKernel, PiecesOf};
 use crate::ir::{Graph, Id, Symbol};
 use crate::messages::{AT_REST, CHANGED, DAMPED_FLOW, NO_STRUCTURE, NOT_PLANAR, NOT_POISSON, NOT_SOLVED};
-use crate::schedule::{Kernel, Levels, Output, Routine};
+use crate::schedule::{Kernel, Levels, Output, Routine, Space};
 use crate::split::{self, Clock, Motion, NoPart, Part};
 
 /// The antisymmetric matrix S and the integral I of x' = S(x) ∇I.
@@ -151,8 +151,13 @@ fn kernel(graph: &mut Graph, part: Part) -> PieceKernel {
         Motion::Solved(pair, field) => {
             let h = graph.symbol(Symbol::StepLength);
             let Scaled { image, matrix } = implicit::scaled(graph, &field, h);
-            let equation =
-                Routine::new("equation", vec![Output::row("image", image), Output::square("matrix", &[2], &matrix)]);
+            let moved = pair.map(|symbol| match symbol {
+                Symbol::Position(i) => Symbol::PositionIncrement(i),
+                other => other,
+            });
+            let moved = Space { symbols: moved.to_vec(), extents: vec![2] };
+            let outputs = vec![Output::row("image", image), Output::square("matrix", &[2], &matrix)];
+            let equation = Routine::new("equation", outputs).reading("increment", &moved);
             (true, true, FlowKernel { changes: pair.to_vec(), kernel: Kernel::new(levels, vec![equation]) })
         }
     };

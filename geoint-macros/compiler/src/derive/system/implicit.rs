@@ -3,8 +3,8 @@
 use super::Missing;
 use crate::analyze::{MeanValue, Momentum};
 use crate::derive::bodies::BodyKernels;
-use crate::ir::{Graph, Id};
-use crate::schedule::{Kernel, Routine, Space};
+use crate::ir::Id;
+use crate::schedule::{Kernel, Routine, Scheduler, Space};
 
 /// Kernels of implicit methods.
 #[derive(Debug)]
@@ -152,31 +152,31 @@ pub(crate) struct StepKernel {
 }
 
 impl Implicit {
-    pub(super) fn schedule(&mut self, graph: &mut Graph) {
+    pub(super) fn schedule(&mut self, scheduler: &mut Scheduler<'_>) {
         match self {
             Implicit::Field(field) => {
-                field.collocation.kernel.schedule(graph);
+                field.collocation.kernel.schedule(scheduler);
                 for kernel in [&mut field.discrete, &mut field.canonical, &mut field.fourth].into_iter().flatten() {
-                    kernel.schedule(graph);
+                    kernel.schedule(scheduler);
                 }
-                field.momenta.schedule(graph);
+                field.momenta.schedule(scheduler);
             }
             Implicit::Velocities(VelocityKernels { stages, polarised, .. }) => {
-                stages.schedule(graph);
-                polarised.iter_mut().for_each(|step| step.kernel.schedule(graph));
+                stages.schedule(scheduler);
+                polarised.iter_mut().for_each(|step| step.kernel.schedule(scheduler));
             }
             Implicit::Contact(ContactKernels { steps, stages }) => {
-                steps.iter_mut().for_each(|(_, step)| step.kernel.schedule(graph));
+                steps.iter_mut().for_each(|(_, step)| step.kernel.schedule(scheduler));
                 match stages {
-                    Some(ContactStages::Points(stages)) => stages.kernel.schedule(graph),
-                    Some(ContactStages::Velocities(stages)) => stages.schedule(graph),
+                    Some(ContactStages::Points(stages)) => stages.kernel.schedule(scheduler),
+                    Some(ContactStages::Velocities(stages)) => stages.schedule(scheduler),
                     None => {}
                 }
             }
-            Implicit::Bodies(kernels) => kernels.schedule(graph),
+            Implicit::Bodies(kernels) => kernels.schedule(scheduler),
             Implicit::Constrained(ConstraintKernels { values, velocity, departure, steps, .. }) => {
-                [values, velocity, departure].into_iter().for_each(|routine| routine.schedule(graph));
-                steps.iter_mut().for_each(|(_, step)| step.kernel.schedule(graph));
+                [values, velocity, departure].into_iter().for_each(|routine| routine.schedule(scheduler));
+                steps.iter_mut().for_each(|(_, step)| step.kernel.schedule(scheduler));
             }
         }
     }
@@ -188,15 +188,15 @@ impl VelocityStages {
         self.action.as_ref().is_some_and(|action| action.varying)
     }
 
-    fn schedule(&mut self, graph: &mut Graph) {
-        self.mass.schedule(graph);
-        self.stage.schedule(graph);
+    fn schedule(&mut self, scheduler: &mut Scheduler<'_>) {
+        self.mass.schedule(scheduler);
+        self.stage.schedule(scheduler);
     }
 }
 
 impl MassKernels {
-    fn schedule(&mut self, graph: &mut Graph) {
-        self.mass.schedule(graph);
-        self.definite.iter_mut().for_each(|definite| definite.schedule(graph));
+    fn schedule(&mut self, scheduler: &mut Scheduler<'_>) {
+        self.mass.schedule(scheduler);
+        self.definite.iter_mut().for_each(|definite| definite.schedule(scheduler));
     }
 }

@@ -11,11 +11,12 @@ pub(crate) use perturbed::{Inner, Perturbed};
 
 use super::domain::Domain;
 use super::jet::JetKernel;
+use crate::compilation::Compilation;
 use crate::derive::facts::Fact;
 use crate::diff;
 use crate::ir::{Graph, Id, Symbol};
 use crate::legendre::{Canonical, FirstOrder, Legendre, Route};
-use crate::schedule::{Kernel, Levels, Output, Routine};
+use crate::schedule::{Extent, Kernel, Layout, Levels, Output, Routine, Scheduler};
 use crate::split::{self, Clock, Rejected};
 
 /// Routines and facts of a system.
@@ -195,17 +196,18 @@ pub(crate) struct NamedFunction {
 impl FlowKernel {
     /// Creates a flow from the new values of coordinates.
     pub(super) fn new(levels: Levels, ends: Vec<(Symbol, Id)>) -> FlowKernel {
-        let changes = ends.iter().map(|(symbol, _)| *symbol).collect();
-        let end = Routine::new("end", vec![Output::coordinates("end", ends)]);
-        FlowKernel { changes, kernel: Kernel::new(levels, vec![end]) }
+        let (changes, nodes): (Vec<Symbol>, Vec<Id>) = ends.into_iter().unzip();
+        let end = Output { name: "end", extent: Extent::Coordinates(changes.clone()), nodes };
+        FlowKernel { changes, kernel: Kernel::new(levels, vec![Routine::new("end", vec![end])]) }
     }
 
     /// Creates a flow with the routine `increments`, for sums that compensate rounding.
     pub(super) fn with_increments(graph: &mut Graph, levels: Levels, ends: Vec<(Symbol, Id)>) -> FlowKernel {
         let increments = split::increments(graph, &ends);
         let mut flow = FlowKernel::new(levels, ends);
-        let increments = flow.changes.iter().copied().zip(increments).collect();
-        flow.kernel.routines.push(Routine::new("increments", vec![Output::coordinates("increments", increments)]));
+        let extent = Extent::Increments(flow.changes.clone());
+        let increments = Output { name: "increments", extent, nodes: increments };
+        flow.kernel.routines.push(Routine::new("increments", vec![increments]));
         flow
     }
 }
@@ -259,32 +261,34 @@ impl System {
     }
 
     /// Computes the statements of all routines. No node is added to the graph later.
-    pub(crate) fn schedule(&mut self, graph: &mut Graph) {
+    pub(crate) fn schedule(&mut self, compilation: &mut Compilation<'_>) {
+        let (layout, has_momenta) = (Layout::of(compilation.energy), !compilation.form.is_flow());
+        let scheduler = &mut Scheduler { graph: &mut compilation.graph, layout, has_momenta };
         if let Some(Ok(flows)) = &mut self.splitting {
-            flows.schedule(graph);
+            flows.schedule(scheduler);
         }
         if let Some(Ok(parts)) = &mut self.perturbed {
-            parts.schedule(graph);
+            parts.schedule(scheduler);
         }
         if let Some(Modified::Value(value)) = &mut self.modified {
-            value.schedule(graph);
+            value.schedule(scheduler);
         }
         for piece in self.pieces.iter_mut().filter_map(|found| found.pieces.as_mut().ok()).flatten() {
-            piece.flow.kernel.schedule(graph);
+            piece.flow.kernel.schedule(scheduler);
         }
-        self.implicit.schedule(graph);
-        self.domain.schedule(graph);
+        self.implicit.schedule(scheduler);
+        self.domain.schedule(scheduler);
         for routine in [&mut self.value, &mut self.rate, &mut self.gradient].into_iter().flatten() {
-            routine.schedule(graph);
+            routine.schedule(scheduler);
         }
         if let Some(Integrals { values, slopes, changes, .. }) = &mut self.integrals {
-            [values, slopes, changes].into_iter().for_each(|routine| routine.schedule(graph));
+            [values, slopes, changes].into_iter().for_each(|routine| routine.schedule(scheduler));
         }
         if let Some(Lagrangian { value, momenta, velocities }) = &mut self.lagrangian {
-            [value, momenta].into_iter().chain(velocities).for_each(|routine| routine.schedule(graph));
+            [value, momenta].into_iter().chain(velocities).for_each(|routine| routine.schedule(scheduler));
         }
         if let Some(jet) = &mut self.jet {
-            jet.start.schedule(graph);
+            jet.start.schedule(scheduler);
         }
     }
 }
@@ -295,15 +299,15 @@ fn vector(name: &'static str, positions: &[usize], nodes: &[Id]) -> Routine {
 }
 
 impl KickDrift {
-    fn schedule(&mut self, graph: &mut Graph) {
-        self.kick.kernel.schedule(graph);
-        self.drift.kernel.schedule(graph);
+    fn schedule(&mut self, scheduler: &mut Scheduler<'_>) {
+        self.kick.kernel.schedule(scheduler);
+        self.drift.kernel.schedule(scheduler);
         if let Ok(GradientKick::Flow(flow)) = &mut self.gradient_kick {
-            flow.kernel.schedule(graph);
+            flow.kernel.schedule(scheduler);
         }
         if let Some(Undamped { kick, drift, damping }) = &mut self.undamped {
-            kick.iter_mut().chain(drift).for_each(|flow| flow.kernel.schedule(graph));
-            damping.schedule(graph);
+            kick.iter_mut().chain(drift).for_each(|flow| flow.kernel.schedule(scheduler));
+            damping.schedule(scheduler);
         }
     }
 }

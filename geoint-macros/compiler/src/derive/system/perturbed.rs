@@ -1,8 +1,8 @@
 //! H = A + B: a part with an exact flow, and a rest.
 
 use super::{FlowKernel, Missing};
-use crate::ir::{Graph, Id};
-use crate::schedule::Routine;
+use crate::ir::Id;
+use crate::schedule::{Routine, Scheduler};
 use crate::split::OwnMotion;
 use std::ops::Range;
 
@@ -45,19 +45,19 @@ pub(crate) struct Inner {
 }
 
 impl Perturbed {
-    pub(super) fn schedule(&mut self, graph: &mut Graph) {
-        self.flow.kernel.schedule(graph);
+    pub(super) fn schedule(&mut self, scheduler: &mut Scheduler<'_>) {
+        self.flow.kernel.schedule(scheduler);
         if let Some(after) = &mut self.flow_after_kick {
-            after.kernel.schedule(graph);
+            after.kernel.schedule(scheduler);
         }
-        self.kick.kernel.schedule(graph);
+        self.kick.kernel.schedule(scheduler);
         if let Ok(kick) = &mut self.gradient_kick {
-            kick.kernel.schedule(graph);
+            kick.kernel.schedule(scheduler);
         }
         if let Some(inner) = &mut self.inner {
-            inner.enter.kernel.schedule(graph);
-            inner.leave.kernel.schedule(graph);
-            inner.weighed.schedule(graph);
+            inner.enter.kernel.schedule(scheduler);
+            inner.leave.kernel.schedule(scheduler);
+            inner.weighed.schedule(scheduler);
         }
     }
 }

@@ -3,11 +3,10 @@
 use super::kick_drift::{SEPARABLE, moves, quadratic};
 use super::{assign, flow, slots};
 use crate::derive::{BodyKernels, Shift, Turn};
-use crate::emit::given::element;
 use crate::emit::implementation::Implementation;
 use crate::emit::kernel::Context;
 use crate::emit::structure::self_type;
-use crate::emit::tokens::Tokens;
+use crate::emit::tokens::{Tokens, element};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 

@@ -5,10 +5,8 @@ mod kick_drift;
 mod perturbed;
 mod pieces;
 
-use super::given::{Given, array};
 use super::kernel::Context;
 use crate::derive::FlowKernel;
-use crate::ir::Symbol;
 pub(super) use bodies::{attitudes, bodies};
 pub(super) use kick_drift::splitting;
 pub(super) use perturbed::perturbed;
@@ -40,20 +38,9 @@ fn flow(context: &Context<'_>, flow: &FlowKernel) -> FlowTokens {
     }
 }
 
-/// `d.q[i] = …; d.p[i] = …; d.s = …;`: what a flow from `x` adds.
+/// `d.q[i] = …; d.p[i] = …; d.s = …;`: the increments of a flow from `x`.
 fn increments(context: &Context<'_>, flow: &FlowKernel) -> TokenStream {
-    let entry = |half: &[usize], i: u32| {
-        let indices = [half, &context.coordinate(i)[..]].concat();
-        Given::entry(array::INCREMENTS, quote!(d.z), indices)
-    };
-    let target = |symbol| match symbol {
-        Symbol::Position(i) if context.form.is_flow() => entry(&[], i),
-        Symbol::Position(i) => entry(&[0], i),
-        Symbol::Momentum(i) => entry(&[1], i),
-        _ => Given::alone(quote!(d.s)),
-    };
-    let parts = context.per_coordinate();
-    let writes = context.moved(flow.kernel.routine("increments"), target);
+    let (parts, writes) = (context.per_coordinate(), context.moved(flow.kernel.routine("increments")));
     let point = if context.form.is_flow() { quote!(q) } else { quote!([q, p]) };
     quote! {
         let PerCoordinate { z: #point, s } = x;
@@ -65,5 +52,5 @@ fn increments(context: &Context<'_>, flow: &FlowKernel) -> TokenStream {
 
 /// `q[i] = …; p[i] = …; *s = …;`
 fn assign(context: &Context<'_>, flow: &FlowKernel) -> TokenStream {
-    context.moved(flow.kernel.routine("end"), |symbol| context.input(symbol))
+    context.moved(flow.kernel.routine("end"))
 }

@@ -3,10 +3,9 @@
 
 use super::{assign, increments};
 use crate::derive::{PieceKernel, PiecesOf};
-use crate::emit::given::{Given, array, element};
 use crate::emit::implementation::{Absent, Implementation, Inline, Method, Trait, Ty, absent_with, methods, ty};
 use crate::emit::kernel::{Context, Values};
-use crate::emit::tokens::Tokens;
+use crate::emit::tokens::{Tokens, element};
 use crate::ir::Symbol;
 use crate::split::Clock;
 use proc_macro2::{Ident, Literal, TokenStream};
@@ -141,15 +140,7 @@ fn solve(context: &Context<'_>, piece: &PieceKernel, target: Target) -> TokenStr
         let i = Literal::usize_unsuffixed(i);
         quote!(#place = #place + step[#i];)
     });
-    let unknown = |symbol: Symbol| {
-        let moved = piece
-            .flow
-            .changes
-            .iter()
-            .position(|x| matches!((x, symbol), (Symbol::Position(i), Symbol::PositionIncrement(j)) if *i == j));
-        moved.map_or_else(|| context.input(symbol), |i| Given::entry(array::UNKNOWNS, "increment", vec![i]))
-    };
-    let equation = context.outputs_with(piece.flow.kernel.routine("equation"), &unknown, |outputs| {
+    let equation = context.outputs(piece.flow.kernel.routine("equation"), |outputs| {
         let parts = outputs.iter().map(Values::listed);
         quote!((#(#parts),*))
     });

@@ -2,9 +2,9 @@
 
 use super::prepared::Prepared;
 use crate::derive::{Collocation, FieldKernels};
-use crate::emit::given::element;
 use crate::emit::kernel::{Context, array_type};
 use crate::emit::structure::self_type;
+use crate::emit::tokens::element;
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -13,7 +13,7 @@ pub(super) fn collocation(context: &Context<'_>, field: &FieldKernels) -> TokenS
     let (name, phase) = (self_type(context), context.phase());
     let FieldKernels { coordinates, collocation: Collocation { second_order, kernel }, .. } = field;
     let unknown = array_type(&coordinates.extents);
-    let places: Vec<_> = (0..coordinates.len()).map(|i| coordinates.place(i)).collect();
+    let places: Vec<_> = coordinates.places().into_iter().map(|(_, place)| place).collect();
     let Prepared { types, functions, prepared, .. } = Prepared::for_stages(context, kernel, ["Constants", "constants"]);
     let evaluate = context.body(kernel.routine("field"));
     let velocity = context.assigned(kernel.routine("velocity"));

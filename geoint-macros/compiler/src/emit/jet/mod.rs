@@ -10,10 +10,9 @@ mod numbers;
 mod order;
 mod rules;
 
-use super::given::element;
 use super::kernel::Context;
 use super::structure::{self_type, state};
-use super::tokens::Tokens;
+use super::tokens::{Tokens, element};
 use crate::derive::JetKernel;
 use crate::diff::jet::{Jet, LANES, Lanes, Operand, Rate, Rule, Source, Value};
 use crate::ir::Symbol;

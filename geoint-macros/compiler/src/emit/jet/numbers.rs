@@ -1,8 +1,8 @@
 //! Scalar expressions in the emitted coefficients: constants, and numbers computed once per step.
 
 use crate::diff::jet::{Factor, Value};
-use crate::emit::given::element;
 use crate::emit::tokens::Tokens;
+use crate::emit::tokens::element;
 use crate::ir::Number;
 use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, quote};

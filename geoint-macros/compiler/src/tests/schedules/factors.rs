@@ -1,4 +1,4 @@
-//! Sums take the operations that they need by hand, and lose no digits by it.
+//! Sums take as few operations as by hand, without a loss of digits.
 
 use super::machine::{Machine, level};
 use crate::ir::{Id, Symbol};
@@ -7,13 +7,14 @@ use crate::tests::{Noise, lowered};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// The last routine for a function of q, where p and parameters are known before.
+/// Plans a function of q, where p and parameters have an earlier level.
 fn planned(item: TokenStream) -> Plan {
     let (_, mut lowered) = lowered(item);
     let energy = lowered.terms.energy;
     of(&mut lowered.graph, &[energy])
 }
 
+/// Plans nodes, where p and parameters have an earlier level.
 fn of(graph: &mut crate::ir::Graph, roots: &[Id]) -> Plan {
     let early = |symbol: Symbol| usize::from(!matches!(symbol, Symbol::Momentum(_)) && level(symbol) > 0);
     schedule::plan(graph, early, &[&[]], &[roots])
@@ -21,7 +22,7 @@ fn of(graph: &mut crate::ir::Graph, roots: &[Id]) -> Plan {
 
 #[test]
 fn common_factors_are_taken_out() {
-    // Sums and products, and how many of the products are fused with a sum.
+    // The number of sums and products, and the number of fused products.
     let cases = [
         // (a·y + b)·x
         (quote!(a * x * y + b * x), 3, 1),
@@ -37,9 +38,9 @@ fn common_factors_are_taken_out() {
         (quote!(3.0 * (2.0 * x - a)), 3, 1),
         // and 4·(2x − a) is 8x − 4a.
         (quote!(4.0 * (2.0 * x - a)), 2, 1),
-        // Nothing in common.
+        // No common factor.
         (quote!(x * y + a * z), 3, 1),
-        // What would take as many.
+        // A common factor without a saving.
         (quote!(x * y + x), 2, 1),
     ];
     for (body, operations, fused) in cases {
@@ -58,9 +59,9 @@ fn common_factors_are_taken_out() {
     }
 }
 
-/// A product that is needed as a whole stays one.
+/// A product with another use stays whole.
 #[test]
-fn what_others_need_is_not_taken_apart() {
+fn products_with_other_uses_stay_whole() {
     let (_, mut lowered) = lowered(quote! {
         fn sum(q: [f64; 2], p: [f64; 2]) -> f64 {
             let xy = q[0] * q[1];
@@ -69,11 +70,11 @@ fn what_others_need_is_not_taken_apart() {
     });
     let energy = lowered.terms.energy;
     let plan = of(&mut lowered.graph, &[energy]);
-    // x·y, a·(x·y) + b·x, and that times the sine.
+    // x·y, a·(x·y) + b·x, and the product with the sine.
     assert_eq!(plan.last[0].operations().arithmetic, 5, "{:?}", plan.last[0]);
 }
 
-/// x² − y² where x = y, and k(2x − a) near x = a/2 to the last digit: a control expands the second.
+/// x² − y² is zero for x = y, and k(2x − a) is exact near x = a/2. A control expands k(2x − a).
 #[test]
 fn differences_stay_exact() {
     let run = |item: TokenStream, values: [f64; 5]| {

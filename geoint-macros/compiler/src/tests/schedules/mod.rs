@@ -1,8 +1,9 @@
-//! Schedules do what the graph means: statements are interpreted and compared with the value of the nodes.
+//! Schedules mean what the graph means. An interpreter runs the statements. Tests compare results with the values of nodes.
 
 mod factors;
-mod lanes;
 mod machine;
+mod packs;
+mod scenes;
 
 use super::fuzz::{config, energy};
 use super::rounding::{is_undecided, rounded};
@@ -10,7 +11,7 @@ use super::{Noise, lowered};
 use crate::diff;
 use crate::ir::{Function, HashMap, Id, Symbol};
 use crate::parse::Form;
-use crate::schedule::{self, Instruction, Statement};
+use crate::schedule::{self, Call, Instruction, JointFunction, Statement};
 use crate::tests::eval::eval;
 use crate::{lower, parse};
 use machine::{Machine, level};
@@ -70,7 +71,7 @@ fn statements_mean_what_the_graph_means() {
     }
 }
 
-/// Everything that is derived for the iterations of implicit steps.
+/// Returns all functions in the iterations of implicit steps.
 fn derived(form: Form, graph: &mut crate::ir::Graph, energy: Id) -> Vec<Id> {
     let fields = match form {
         Form::Contact | Form::Herglotz => [diff::contact::midpoint, diff::contact::discrete]
@@ -90,7 +91,7 @@ fn derived(form: Form, graph: &mut crate::ir::Graph, energy: Id) -> Vec<Id> {
     fields.into_iter().flat_map(|field| [field.f, field.jacobian.concat()].concat()).collect()
 }
 
-/// ½(2q + p) beside q + p/2: two operations for the mean, the sine, and a sum.
+/// ½(2q + p) beside q + p/2: two operations for the mean, and one for the sum with the sine.
 #[test]
 fn a_sum_times_a_number_is_the_sum_of_multiples_that_is_needed_anyway() {
     let (_, mut lowered) = lowered(quote! {
@@ -102,7 +103,7 @@ fn a_sum_times_a_number_is_the_sum_of_multiples_that_is_needed_anyway() {
     assert_eq!(plan.operations().arithmetic, 3);
 }
 
-/// Negative powers of one base, seldom with a root that is needed for some values only.
+/// Negative powers of one base. A root serves whole powers only if the root exists for all values.
 #[test]
 fn roots_divide_for_whole_powers_only_where_they_exist() {
     let values = |item, q: f64| {
@@ -136,15 +137,14 @@ fn roots_divide_for_whole_powers_only_where_they_exist() {
 proptest! {
     #![proptest_config(config())]
 
-    /// Random energies of both kinds, and all that is derived from them: scheduled in levels and interpreted, they have the values that
-    /// the graph has.
+    /// Random energies of both forms and their derivatives have the values of the graph.
     #[test]
     fn random_energies_mean_what_the_graph_means(
         (form, text) in energy(&["q", "p", "q", "p", "t", "a", "w[1]", "0.5", "2.0"]),
         point in prop::array::uniform8(-1.5..1.5),
     ) {
         let energy = parse::energy(form, quote!(), syn::parse_str(&text).expect("a function")).expect("an energy");
-        // Constants without a value are refused.
+        // The compiler refuses constants without a value.
         let Ok(mut lowered) = lower::body(&energy) else { return Ok(()) };
         let roots = [vec![lowered.terms.energy], derived(form, &mut lowered.graph, lowered.terms.energy)].concat();
         let before = lowered.graph.clone();
@@ -168,7 +168,7 @@ proptest! {
         let results = Machine::new(&slots, &input).run(&plan.last[0]);
         for (root, found) in roots.iter().zip(results) {
             let expected = rounded(&before, *root, &input);
-            // What is not finite, or nothing but rounding, tells nothing.
+            // A value that is not finite, or only rounding, is no evidence.
             if expected.value.is_finite() && expected.error.is_finite() && !is_undecided(&before, *root, &input) {
                 let difference = (found - expected.value).abs();
                 prop_assert!(difference <= 4.0 * f64::EPSILON * expected.error + 1e-290, "{found} {expected:?} of {text}");
@@ -178,7 +178,7 @@ proptest! {
 }
 
 #[test]
-fn what_belongs_to_a_branch_is_computed_in_that_branch() {
+fn values_of_a_branch_are_computed_in_the_branch() {
     let (_, mut lowered) = lowered(quote! {
         fn cold_wall(q: f64, p: f64) -> f64 {
             p * p / 2.0 + if q > 0.0 { q.ln() * q.sin() } else { 0.0 }
@@ -189,14 +189,14 @@ fn what_belongs_to_a_branch_is_computed_in_that_branch() {
     let roots = vec![lowered.terms.energy, gradient.q[0]];
     let block = schedule::statements(graph, &roots);
     let calls =
-        |statement: &Statement| matches!(statement, Statement::SinCos(..) | Statement::Let(_, Instruction::Call(..)));
+        |statement: &Statement| matches!(statement, Statement::Call(_) | Statement::Let(_, Instruction::Call(..)));
     assert!(!block.statements.iter().any(calls), "{block:?}");
     let branches: Vec<_> = block.statements.iter().filter(|s| matches!(s, Statement::If { .. })).collect();
     assert_eq!(branches.len(), 1, "value and slope share one branch: {block:?}");
 }
 
 #[test]
-fn what_is_known_earlier_is_computed_earlier() {
+fn early_values_are_computed_early() {
     let (_, mut lowered) = lowered(quote! {
         fn pendulum(q: f64, p: f64, m: f64, l: f64, g: f64) -> f64 {
             p * p / (2.0 * m * l * l) - m * g * l * q.cos()
@@ -209,12 +209,12 @@ fn what_is_known_earlier_is_computed_earlier() {
     let p = graph.symbol(Symbol::Momentum(0));
     let kicked = graph.sub(p, kick);
     let plan = schedule::plan(graph, |symbol| level(symbol).min(1), &[&[]], &[&[kicked]]);
-    // A sine, and one product that joins it to p.
+    // A sine, and a product fused with the sum.
     assert_eq!(plan.slots, [1]);
     assert_eq!(plan.last[0].statements.len(), 2, "{:?}", plan.last[0]);
 }
 
-/// Orbits that are known together are one call; one that starts where another ends is the next.
+/// Orbits of one level are one call. An orbit from the end of another orbit is the next call.
 #[test]
 fn orbits_of_one_level_are_one_call() {
     let mut graph = crate::ir::Graph::default();
@@ -233,13 +233,13 @@ fn orbits_of_one_level_are_one_call() {
     let roots = [first, second, later].concat();
     let before = graph.clone();
     let plan = schedule::plan(&mut graph, level, &[&[], &[]], &[&roots]);
-    // The start of a step is the level of all of them, but that of increments has the roots.
+    // All orbits have the level of the start of a step. The roots have the level of increments.
     let block = &plan.stores[1];
     let calls: Vec<usize> = block
         .statements
         .iter()
         .filter_map(|statement| match statement {
-            Statement::Kepler(registers, _) => Some(registers.len()),
+            Statement::Call(Call { function: JointFunction::Kepler, results, .. }) => Some(results.len()),
             _ => None,
         })
         .collect();

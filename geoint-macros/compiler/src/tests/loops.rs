@@ -1,11 +1,11 @@
-//! What a routine of many alike parts is as long as.
+//! The length of a routine with many alike parts.
 
 use crate::attribute;
 use crate::parse::Form;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-/// The kick of a chain of so many masses.
+/// Returns the kick of a chain of masses.
 fn kick(masses: usize) -> String {
     let n = Literal::usize_unsuffixed(masses);
     let item = quote! {
@@ -33,12 +33,12 @@ fn long_chains_take_no_more_statements() {
     let (forty, eighty) = (kick(40), kick(80));
     assert!(forty.contains("from_fn") && forty.contains("for i in 0 .."), "{forty}");
     assert_eq!(forty.len(), eighty.len(), "{forty}\n{eighty}");
-    // A spring is a difference and a polynomial, and each mass is between two.
+    // A spring takes a difference and a polynomial. Each mass is between two springs.
     assert_eq!(forty.matches(" - ").count(), 3, "{forty}");
 }
 
 #[test]
-fn short_ones_are_written_one_by_one() {
+fn short_chains_have_no_loops() {
     let (eight, ten) = (kick(8), kick(10));
     assert!(!eight.contains("from_fn") && eight.len() < ten.len());
 }

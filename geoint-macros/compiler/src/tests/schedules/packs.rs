@@ -1,14 +1,15 @@
-//! Alike roots and quotients go through registers of four, and each number keeps its bits.
+//! Packs of alike roots and quotients keep the bits of each number.
 
 use super::machine::{Machine, level};
 use crate::diff;
 use crate::ir::Symbol;
-use crate::schedule::{self, Block, Instruction, Statement};
+use crate::parse::{Leaf, Shape};
+use crate::schedule::{self, Block, Instruction, Layout, Statement};
 use crate::tests::{Noise, lowered};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// The gradient of an energy by q, as one block.
+/// Returns the gradient of an energy by q, as one block.
 fn forces(item: TokenStream, degrees: u32) -> Block {
     let (_, mut lowered) = lowered(item);
     let gradient = diff::gradient(&mut lowered.graph, lowered.terms.energy, degrees);
@@ -32,15 +33,29 @@ fn gravity(bodies: usize) -> Block {
     forces(item, 3 * bodies as u32)
 }
 
+/// Returns a block with packs, if it has any.
+fn packed(before: &Block) -> Option<Block> {
+    let shape = Shape { extents: vec![], leaf: Leaf::Plain };
+    let layout = Layout { coordinates: &shape, parameters: vec![], argument: vec![] };
+    let after = schedule::arranged(before.clone(), &layout, &[]);
+    assert_eq!(after.operations(), before.operations());
+    (count(&after, |statement| matches!(statement, Statement::Pack { .. })) > 0).then_some(after)
+}
+
 fn count(block: &Block, what: impl Fn(&Statement) -> bool) -> usize {
     block.statements.iter().filter(|statement| what(statement)).count()
 }
 
 fn roots(block: &Block) -> usize {
-    count(block, |statement| matches!(statement, Statement::Let(_, Instruction::Sqrt(_))))
+    count(block, |statement| {
+        matches!(
+            statement,
+            Statement::Let(_, Instruction::Sqrt(_)) | Statement::Pack { instruction: Instruction::Sqrt(_), .. }
+        )
+    })
 }
 
-/// The results of a block before and after, at some points.
+/// Compares the results of a block before and after the pass, at some points.
 fn keeps_its_bits(before: &Block, after: &Block) {
     let mut noise = Noise(7);
     for _ in 0..20 {
@@ -61,12 +76,12 @@ fn roots_of_pairs_are_side_by_side() {
     for bodies in 2..10 {
         let (before, pairs) = (gravity(bodies), bodies * (bodies - 1) / 2);
         assert_eq!(roots(&before), pairs);
-        let after = schedule::side_by_side(&before);
+        let after = packed(&before);
         let Some(after) = after else {
             assert!(pairs < 8, "{bodies} bodies");
             continue;
         };
-        // Of three that are left, the last one is there twice; one or two stay alone.
+        // A pack of three remaining pairs holds the last pair twice. One or two remaining pairs stay alone.
         let alone = if pairs % 4 == 3 { 0 } else { pairs % 4 };
         assert_eq!(roots(&after), alone + pairs.div_ceil(4) - alone.min(1), "{bodies} bodies");
         assert!(after.statements.len() < before.statements.len(), "{bodies} bodies");
@@ -74,7 +89,7 @@ fn roots_of_pairs_are_side_by_side() {
     }
 }
 
-/// Quotients alone, with powers, conditions and sines around them.
+/// Quotients without roots, beside powers, conditions and sines.
 #[test]
 fn other_forces_keep_their_bits() {
     let molecules = quote! {
@@ -103,18 +118,18 @@ fn other_forces_keep_their_bits() {
     };
     for (item, degrees) in [(molecules, 12), (ring, 12)] {
         let before = forces(item, degrees);
-        let after = schedule::side_by_side(&before).expect("many quotients");
+        let after = packed(&before).expect("many quotients");
         assert!(count(&after, |statement| matches!(statement, Statement::Gather(..))) > 0);
         keeps_its_bits(&before, &after);
     }
 }
 
-/// A control: the machine sees where two lanes are exchanged.
+/// A control: the machine detects exchanged lanes.
 #[test]
 #[should_panic(expected = "left == right")]
 fn exchanged_lanes_are_seen() {
     let before = gravity(6);
-    let mut after = schedule::side_by_side(&before).expect("fifteen pairs");
+    let mut after = packed(&before).expect("fifteen pairs");
     for statement in &mut after.statements {
         if let Statement::Spread(registers, _) = statement {
             registers.swap(0, 1);
@@ -123,7 +138,7 @@ fn exchanged_lanes_are_seen() {
     keeps_its_bits(&before, &after);
 }
 
-/// Levels of an iteration: what is prepared is read four by four.
+/// Levels of an iteration: packs read prepared numbers.
 #[test]
 fn prepared_factors_are_read_by_fours() {
     let (_, mut lowered) = lowered(quote! {
@@ -140,7 +155,8 @@ fn prepared_factors_are_read_by_fours() {
     });
     let gradient = diff::gradient(&mut lowered.graph, lowered.terms.energy, 10);
     let plan = schedule::plan(&mut lowered.graph, |symbol| level(symbol).min(1), &[&[]], &[&gradient.q]);
-    let after = schedule::side_by_side(&plan.last[0]).expect("ten pairs");
-    let prepared = |statement: &Statement| matches!(statement, Statement::Gather(_, four) if four.iter().all(|x| matches!(x, schedule::Operand::Slot(..))));
+    let after = packed(&plan.last[0]).expect("ten pairs");
+    let is_slot = |x: &schedule::Operand| matches!(x, schedule::Operand::Slot(..));
+    let prepared = |statement: &Statement| matches!(statement, Statement::Gather(_, four) if four.iter().all(is_slot));
     assert_eq!(count(&after, prepared), 2);
 }

@@ -1,11 +1,12 @@
-//! Packs that are known, as statements: what is done after what.
+//! Writes the packs of a block as statements, after the statements of their operands.
 
-use super::{Lanes, Pack};
+use super::{Pack, Packs};
 use crate::ir::HashMap;
-use crate::schedule::block::{Block, LANES, Operand, Register, Statement};
+use crate::schedule::block::{Block, LANES, Statement};
+use crate::schedule::instruction::{Operand, Register};
 
-impl Lanes<'_> {
-    /// The statements in an order in which each finds what it reads.
+impl Packs<'_> {
+    /// Returns the block with packs.
     pub(super) fn arranged(&self) -> Block {
         let mut alone = vec![false; self.next];
         let mut read = |operand: &Operand| {
@@ -17,29 +18,30 @@ impl Lanes<'_> {
             statement.for_each_operand(&mut read);
         }
         self.block.results.iter().for_each(&mut read);
-        let gathered = self.packs.iter().flat_map(|pack| &pack.operands).filter(|four| self.pack_of(four).is_none());
+        let gathered = self.all.iter().flat_map(|pack| &pack.operands).filter(|four| self.pack_of(four).is_none());
         gathered.flatten().for_each(&mut read);
-        let (seen, gathers, next) = (vec![false; self.block.statements.len()], HashMap::default(), self.next);
-        let mut order = Order { lanes: self, alone, seen, gathers, next, statements: vec![] };
+        let seen = vec![false; self.block.statements.len()];
+        let mut order =
+            Order { packs: self, alone, seen, gathers: HashMap::default(), next: self.next, statements: vec![] };
         (0..self.block.statements.len()).for_each(|number| order.statement(number));
         Block { statements: order.statements, results: self.block.results.clone() }
     }
 
-    /// The pack to which a statement belongs.
+    /// Returns the pack of a statement.
     fn pack_with(&self, statement: &Statement) -> Option<usize> {
         match statement {
-            Statement::Let(register, _) => self.places[*register].map(|(pack, _)| pack),
+            Statement::Let(register, _) => self.lanes[*register].map(|(pack, _)| pack),
             _ => None,
         }
     }
 }
 
-/// What is done after what.
+/// Sorts statements and packs: operands first.
 struct Order<'a> {
-    lanes: &'a Lanes<'a>,
-    /// Registers that are read one by one.
+    packs: &'a Packs<'a>,
+    /// Registers with a reader outside of packs.
     alone: Vec<bool>,
-    /// Statements that are written, also as a part of a pack.
+    /// Statements in the list below, alone or in a pack.
     seen: Vec<bool>,
     gathers: HashMap<[Operand; LANES], Register>,
     next: Register,
@@ -47,11 +49,11 @@ struct Order<'a> {
 }
 
 impl Order<'_> {
-    /// All that a statement reads, and the statement.
+    /// Adds a statement after the statements of its operands.
     fn statement(&mut self, number: usize) {
-        let lanes = self.lanes;
-        let statement = &lanes.block.statements[number];
-        if let Some(pack) = lanes.pack_with(statement) {
+        let packs = self.packs;
+        let statement = &packs.block.statements[number];
+        if let Some(pack) = packs.pack_with(statement) {
             return self.pack(pack);
         }
         if std::mem::replace(&mut self.seen[number], true) {
@@ -61,37 +63,38 @@ impl Order<'_> {
         self.statements.push(statement.clone());
     }
 
+    /// Adds the statement of an operand.
     fn operand(&mut self, operand: &Operand) {
         if let Operand::Register(register) = operand
-            && let Some(number) = self.lanes.makers[*register]
+            && let Some(number) = self.packs.makers[*register]
         {
             self.statement(number);
         }
     }
 
-    /// All that a pack reads, the pack, and its members where they are read one by one.
+    /// Adds a pack after its operands. Spreads the results for readers outside of packs.
     fn pack(&mut self, number: usize) {
-        let lanes = self.lanes;
-        let Pack { members, operands, register } = &lanes.packs[number];
-        let Some(maker) = lanes.makers[members[0]] else { return };
-        let Statement::Let(_, instruction) = &lanes.block.statements[maker] else { return };
+        let packs = self.packs;
+        let Pack { members, operands, register } = &packs.all[number];
+        let Some(maker) = packs.makers[members[0]] else { return };
+        let Statement::Let(_, instruction) = &packs.block.statements[maker] else { return };
         if std::mem::replace(&mut self.seen[maker], true) {
             return;
         }
         let operands: Vec<Operand> = operands.iter().map(|four| Operand::Register(self.four(four))).collect();
         let mut instruction = instruction.clone();
         instruction.replace(&operands);
-        self.statements.push(Statement::Let(*register, instruction));
+        self.statements.push(Statement::Pack { register: *register, instruction, members: members.len() });
         if members.iter().any(|member| self.alone[*member]) {
             self.statements.push(Statement::Spread(members.clone(), *register));
         }
     }
 
-    /// The register that holds four operands.
+    /// Returns the register of four operands. Adds its statement.
     fn four(&mut self, four: &[Operand; LANES]) -> Register {
-        if let Some(number) = self.lanes.pack_of(four) {
+        if let Some(number) = self.packs.pack_of(four) {
             self.pack(number);
-            return self.lanes.packs[number].register;
+            return self.packs.all[number].register;
         }
         if let Some(known) = self.gathers.get(four) {
             return *known;
