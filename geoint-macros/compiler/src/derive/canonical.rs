@@ -57,12 +57,9 @@ pub(crate) fn canonical(
         (structure.degree.is_some_and(|degree| degree <= 3) && steady, Fact::QuadraticField),
         (matches!(pieces, Some(Ok(found)) if found.nystrom), Fact::NystromPieces),
     ];
-    let forms = jet::forms(graph, structure.energy, &gradient, legendre).into_iter().map(|gradient| {
-        let rates = diff::field::rates(graph, &gradient, structure);
-        // Of an equation of second order, all there is of f.
-        let force = &rates[rates.len() - degrees as usize..];
-        [&gradient.p, force].concat()
-    });
+    let forms = jet::forms(graph, structure.energy, &gradient, legendre)
+        .into_iter()
+        .map(|gradient| diff::equations::hamilton(graph, &gradient, structure, |_, entry| entry).concat());
     let forms: Vec<Vec<Id>> = forms.collect();
     let jet = JetKernel::canonical(graph, &forms, (structure.energy, degrees));
     let system = System {

@@ -20,8 +20,7 @@ pub(crate) fn flow(graph: &mut Graph, found: &Flow, partial: &[Partial], damping
     let n = field.len() as u32;
     let coordinates = coordinates(field.len());
     let conserved: Vec<Conserved> = kept.iter().map(|kept| kept.conserved.clone()).collect();
-    let collocation =
-        Field { jacobian: diff::jacobian(graph, field, &coordinates), unknowns: coordinates, f: field.clone() };
+    let collocation = Field::new(graph, coordinates, field.clone());
     let discrete = match energy {
         Some((energy, matrix)) if found.is_kept_by_structure() => Some(flow::structured(graph, *energy, matrix)),
         _ if conserved.is_empty() => None,
@@ -92,7 +91,7 @@ fn integrals(graph: &mut Graph, kept: &[Named], n: u32) -> Option<Integrals> {
     let mut change = |i: &usize| {
         let slopes = diff::discrete_gradient(graph, values[*i], n).q;
         let increments: Vec<Id> = (0..n).map(|i| graph.symbol(Symbol::PositionIncrement(i))).collect();
-        flow::times(graph, &[slopes], &increments)[0]
+        graph.dot(&slopes, &increments)
     };
     let changes = steady.iter().map(&mut change).collect();
     Some(Integrals {

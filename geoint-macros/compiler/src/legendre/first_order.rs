@@ -5,7 +5,6 @@
 //! Ω may vanish on half of the coordinates, called y. Then a function f exists for which ϑ + ∇f has no entries in y, and the other half, x, with
 //! P = ϑₓ + ∂f/∂x are canonical coordinates.
 
-use super::mass::blocks;
 use super::{at_points, at_rest, divisors, invariant};
 use crate::analyze;
 use crate::analyze::liouville::{self, Logarithm};
@@ -110,7 +109,7 @@ fn form(graph: &mut Graph, momenta: &[Id]) -> Vec<Vec<Id>> {
 /// Computes Ω⁻¹ by blocks of coupled coordinates.
 fn inverse(graph: &mut Graph, form: &[Vec<Id>]) -> Result<Vec<Vec<Id>>, NotRegular> {
     let mut inverse = vec![vec![graph.zero(); form.len()]; form.len()];
-    for block in blocks(graph, form) {
+    for block in diff::blocks(graph, form) {
         if !block.len().is_multiple_of(2) {
             return Err(NotRegular::Odd(block));
         }
@@ -179,7 +178,7 @@ fn canonical(
     let coordinates: Vec<Symbol> = (0..momenta.len() as u32).map(Symbol::Position).collect();
     let slopes = diff::jacobian(graph, &[gauge], &coordinates).remove(0);
     let gradient = diff::jacobian(graph, &[energy], &coordinates).remove(0);
-    let field = diff::flow::times(graph, structure, &gradient);
+    let field = diff::equations::structured(graph, structure, &gradient);
     let mut values: Vec<Id> = coordinates.iter().map(|symbol| graph.symbol(*symbol)).collect();
     let mut rates = field.clone();
     let pairs = pairs(graph, form, &kept, replaced);
@@ -200,7 +199,7 @@ fn canonical(
 /// The coordinates x that stay, and the coordinates y that are replaced.
 fn halves(graph: &Graph, momenta: &[Id], form: &[Vec<Id>]) -> Option<(Vec<u32>, Vec<u32>)> {
     let mut replaced = vec![];
-    for block in blocks(graph, form) {
+    for block in diff::blocks(graph, form) {
         replaced.extend(half(graph, momenta, form, &block)?);
     }
     Some((0..momenta.len() as u32).partition(|i| !replaced.contains(i)))

@@ -26,7 +26,7 @@ pub(super) fn parts(
 ) -> Result<Parts, Flaw> {
     let (mut parts, mut squares, mut kinetic) = (vec![], vec![], vec![]);
     let (mut rest, mut others, mut long) = (lagrangian, vec![], None);
-    for velocities in mass::blocks(graph, entries) {
+    for velocities in diff::blocks(graph, entries) {
         let picked = |row: &[Id]| velocities.iter().map(|i| row[*i as usize]).collect::<Vec<Id>>();
         let block: Vec<Vec<Id>> = velocities.iter().map(|i| picked(&entries[*i as usize])).collect();
         if !analyze::is_polynomial_in(graph, &picked(momenta), 1, mass::is_velocity) {

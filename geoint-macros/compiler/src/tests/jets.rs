@@ -159,7 +159,7 @@ fn arrays_of_pairs_serve_all_sums() {
     let gradient = diff::gradient(graph, lowered.energy, 18);
     let forces: Vec<_> = gradient.q.iter().map(|slope| graph.neg(*slope)).collect();
     let rates: Vec<_> = (0..).map(Symbol::Momentum).zip(forces).collect();
-    let lanes = jet::Lanes::of(&jet::jet(graph, &rates, &[])).expect("there are many sums");
+    let lanes = jet::Packs::of(&jet::jet(graph, &rates, &[])).expect("there are many sums");
     // Of 15 pairs r², r⁻³ and three differences; the squares of three at once, products of three, and powers.
     assert_eq!([lanes.arrays.len(), lanes.groups.len()], [4 * 5, 4 * 5]);
 }

@@ -2,7 +2,7 @@
 
 use super::Writer;
 use super::numbers::zero;
-use crate::diff::jet::{LANES, Lanes, Operand, Rate, Source};
+use crate::diff::jet::{LANES, Operand, Packs, Rate, Source};
 use crate::emit::tokens::Tokens;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -99,7 +99,7 @@ impl Writer<'_> {
 
     /// The arrays of coefficients side by side, but for those of forces.
     pub(super) fn arrays_of_lanes(&self) -> Vec<usize> {
-        let arrays = |lanes: &Lanes| (0..lanes.arrays.len()).filter(|array| !lanes.is_central(*array)).collect();
+        let arrays = |lanes: &Packs| (0..lanes.arrays.len()).filter(|array| !lanes.is_central(*array)).collect();
         self.lanes.as_ref().map(arrays).unwrap_or_default()
     }
 

@@ -15,7 +15,7 @@ use super::kernel::Context;
 use super::structure::{self_type, state};
 use super::tokens::Tokens;
 use crate::derive::JetKernel;
-use crate::diff::jet::{Jet, LANES, Lanes, Rate, Rule, Source, Value};
+use crate::diff::jet::{Jet, LANES, Packs, Rate, Rule, Source, Value};
 use crate::ir::Symbol;
 use crate::parse::over_scalar;
 use crate::schedule::Plan;
@@ -50,7 +50,7 @@ pub(super) fn jets(context: &Context<'_>, found: &JetKernel<Plan>) -> TokenStrea
     let switches = Literal::usize_unsuffixed(jet.switches.len());
     let convolutions = Literal::usize_unsuffixed(jet.convolutions());
     let mut writer =
-        Writer { context, jet, lanes: Lanes::of(jet), numbers: vec![], beside: vec![], order: Order::default() };
+        Writer { context, jet, lanes: Packs::of(jet), numbers: vec![], beside: vec![], order: Order::default() };
     let order = writer.body();
     let body = context.planned(&start.last[0], (&[], ""), |values| writer.start(&values));
     quote! {
@@ -90,7 +90,7 @@ struct Writer<'a> {
     context: &'a Context<'a>,
     jet: &'a Jet,
     /// Sums side by side; one by one if there are few.
-    lanes: Option<Lanes>,
+    lanes: Option<Packs>,
     /// What orders read of the start, by the values there.
     numbers: Vec<Prepared>,
     /// The same of series side by side.

@@ -2,7 +2,7 @@
 //!
 //! - A *series* is the list of the Taylor coefficients of one node of the energy's graph. The code computes the coefficient of order n of each series.
 //! - Up to four series with the same formula form a *group*. Their coefficients are computed side by side in an array of four lanes, so that the compiler
-//!   can use vector instructions. `Lanes` of `diff/jet` finds the groups.
+//!   can use vector instructions. `Packs` of `diff/jet` finds the groups.
 //! - A *sum* is the part of a coefficient that reads lower orders only, such as Σ uₖ vₙ₋ₖ for 0 < k < n.
 //! - *Central* groups are the forces between pairs of bodies, such as (x, y, z)/r³. The runtime computes all groups of one force in one loop.
 //!

@@ -2,7 +2,7 @@
 
 use super::numbers::{Prepared, constant, scaled, zero};
 use super::{Writer, array_of, coordinate, kept};
-use crate::diff::jet::{Factor, Lanes, Rule, Source, Weight, sums};
+use crate::diff::jet::{Factor, Packs, Rule, Source, Weight, sums};
 use crate::ir::Number;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -134,7 +134,7 @@ impl Writer<'_> {
             let (group, lane) = (format_ident!("sums{group}"), Literal::usize_unsuffixed(lane));
             return if own.len() > 1 { quote!(#group) } else { quote!(#group[#lane]) };
         }
-        let places = |lanes: &Lanes| sum.parts().iter().map(|part| lanes.place(part)).collect::<Option<Vec<_>>>();
+        let places = |lanes: &Packs| sum.parts().iter().map(|part| lanes.place(part)).collect::<Option<Vec<_>>>();
         if let Some(places) = self.lanes.as_ref().and_then(places) {
             let mut parts = places.into_iter().map(|(group, lane)| {
                 let (group, lane) = (format_ident!("sums{group}"), Literal::usize_unsuffixed(lane));
