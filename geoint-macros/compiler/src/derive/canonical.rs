@@ -9,7 +9,7 @@ use super::implicit;
 use super::jet::{self, JetKernel};
 use super::system::{Implicit, Missing, System};
 use crate::analyze::{Split, Structure};
-use crate::diff::{self, Gradient};
+use crate::diff::{Gradient, equations};
 use crate::ir::{Graph, Id, UndefinedAt};
 use crate::legendre::Legendre;
 use crate::messages::{COUPLED, COUPLED_IN_PIECES, DAMPED, FORCED, NO_CANONICAL_PIECES};
@@ -68,13 +68,10 @@ pub(crate) fn canonical(
         (structure.degree.is_some_and(|degree| degree <= 3) && steady, Fact::QuadraticField),
         (matches!(pieces, Some(Ok(found)) if found.nystrom), Fact::NystromPieces),
     ];
-    let forms = jet::forms(graph, structure.energy, gradient, legendre).into_iter().map(|gradient| {
-        let rates = diff::field::rates(graph, &gradient, structure);
-        // Of an equation of second order, all there is of f.
-        let force = &rates[rates.len() - degrees as usize..];
-        [&gradient.p, force].concat()
-    });
-    let forms: Vec<Vec<Id>> = forms.collect();
+    let forms: Vec<Vec<Id>> = jet::forms(graph, structure.energy, gradient, legendre)
+        .into_iter()
+        .map(|gradient| equations::hamilton(graph, &gradient, structure, |_, entry| entry).concat())
+        .collect();
     let jet = JetKernel::canonical(graph, &forms, structure.energy, degrees);
     System {
         facts: facts.into_iter().filter(|(holds, _)| *holds).map(|(_, fact)| fact).collect(),

@@ -3,7 +3,7 @@
 use super::domain::{Domain, Friction, Roots};
 use super::system::{ConstraintKernels, Implicit, Missing, StepKernel, System};
 use crate::analyze::{self, Structure};
-use crate::diff::constraint::{self, Equation, Given};
+use crate::diff::constraint::{self, Constrained, Equation};
 use crate::diff::{Gradient, field, jacobian};
 use crate::ir::{Function, Graph, Id, Symbol, UndefinedAt};
 use crate::messages::CONSTRAINED;
@@ -26,9 +26,9 @@ pub(crate) fn constrained(
     // Where T is quadratic and nothing is damped, the field is the force alone.
     let reduced = structure.reduced().is_some();
     let first = if reduced { 0 } else { n };
-    let forces = [&at_point.f[first..], &between.f[first..]];
+    let (force, mean_force) = (&at_point.f[first..], &between.f[first..]);
     let mean_velocity = (!reduced).then(|| &between.f[..n]);
-    let given = Given::new(graph, constraints, &gradient.p, forces, mean_velocity);
+    let given = Constrained::new(graph, constraints, &gradient.p, force, mean_force, mean_velocity);
     let rates = given.rates(graph);
     let steps =
         [("Rattle", constraint::rattle(graph, &given)), ("DiscreteGradient", constraint::gradient(graph, &given))];

@@ -9,9 +9,8 @@ use super::system::{
 };
 use super::{implicit, velocities};
 use crate::analyze;
-use crate::diff::Gradient;
-use crate::ir::substitute::Substitution;
-use crate::ir::{Graph, Id, Symbol, UndefinedAt};
+use crate::diff::{Gradient, equations};
+use crate::ir::{Graph, Id, UndefinedAt};
 use crate::legendre::Legendre;
 use crate::messages::{NO_PIECES, NOT_MECHANICAL, NOT_NYSTROM};
 use crate::parse::Form;
@@ -41,7 +40,7 @@ pub(crate) fn contact(
 ) -> System {
     let ContactEnergy { energy, gradient, pieces: found, mechanics, lift, legendre } = *of;
     let degrees = gradient.q.len() as u32;
-    let rates = lift.then(|| rates_of_lift(graph, energy, gradient));
+    let rates = lift.then(|| equations::lift(graph, energy, gradient).concat());
     let followed = match &rates {
         Some(rates) => vec![rates.clone()],
         None => all_rates(graph, energy, gradient, legendre),
@@ -99,35 +98,14 @@ pub(super) fn rate_routine(mut rates: Vec<Id>, positions: &[usize]) -> Routine {
     Routine::new("rate", [slopes].into_iter().chain(action).collect())
 }
 
-/// q', p' = −∂H/∂q − p ∂H/∂s and s' = p·∂H/∂p − H.
-pub(super) fn rates(graph: &mut Graph, energy: Id, gradient: &Gradient) -> Vec<Id> {
-    let (mut force, mut action) = (vec![], vec![]);
-    for (i, (by_q, by_p)) in (0..).zip(gradient.q.iter().zip(&gradient.p)) {
-        let p = graph.symbol(Symbol::Momentum(i));
-        let drag = graph.mul(p, gradient.s);
-        let slope = graph.add(*by_q, drag);
-        force.push(graph.neg(slope));
-        action.push(graph.mul(p, *by_p));
-    }
-    let work = graph.sum(&action);
-    let action = graph.sub(work, energy);
-    [&gradient.p[..], &force, &[action]].concat()
-}
-
-/// The same in all forms that are known.
+/// The rates of q, p and s for every known form of the gradient.
 fn all_rates(graph: &mut Graph, energy: Id, gradient: &Gradient, legendre: Option<&Legendre>) -> Vec<Vec<Id>> {
     let forms = jet::forms(graph, energy, gradient, legendre);
-    forms.iter().map(|gradient| rates(graph, energy, gradient)).collect()
-}
-
-/// q', p' and s' of a lift: momenta stand still, and s' = p·∂H/∂p − H is that of p = 0.
-fn rates_of_lift(graph: &mut Graph, energy: Id, gradient: &Gradient) -> Vec<Id> {
-    let zero = graph.zero();
-    let rest =
-        Substitution::new(|graph: &mut Graph, symbol| matches!(symbol, Symbol::Momentum(_)).then(|| graph.zero()))
-            .apply(graph, energy);
-    let by_action = graph.neg(rest);
-    gradient.p.iter().copied().chain(gradient.p.iter().map(|_| zero)).chain([by_action]).collect()
+    let mut rates = |gradient: &Gradient| {
+        let momenta = equations::momenta(graph, gradient);
+        equations::contact(graph, energy, gradient, &momenta, &momenta).concat()
+    };
+    forms.iter().map(&mut rates).collect()
 }
 
 fn kick_drift(graph: &mut Graph, mechanics: &Mechanics) -> KickDrift {

@@ -27,8 +27,7 @@ pub(crate) fn flow(
     let n = field.len() as u32;
     let coordinates = coordinates(field.len());
     let conserved: Vec<Conserved> = kept.iter().map(|kept| kept.conserved.clone()).collect();
-    let collocation =
-        Field { jacobian: diff::jacobian(graph, field, &coordinates), unknowns: coordinates.clone(), f: field.clone() };
+    let collocation = Field::new(graph, coordinates.clone(), field.clone());
     let discrete = match energy {
         Some((energy, matrix)) if found.is_kept_by_structure() => Some(flow::structured(graph, *energy, matrix)),
         _ if conserved.is_empty() => None,
@@ -116,7 +115,7 @@ fn integrals(graph: &mut Graph, kept: &[Named], positions: &[usize]) -> Option<I
     let mut change = |i: &usize| {
         let slopes = diff::discrete_gradient(graph, values[*i], n).q;
         let increments: Vec<Id> = (0..n).map(|i| graph.symbol(Symbol::PositionIncrement(i))).collect();
-        flow::times(graph, &[slopes], &increments)[0]
+        graph.dot(&slopes, &increments)
     };
     let changes = steady.iter().map(&mut change).collect();
     let extents = [&[steady.len()], positions].concat();

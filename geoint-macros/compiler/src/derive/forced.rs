@@ -1,12 +1,12 @@
 //! What is derived from H(q, p, s, t) with forces beside it, p' = −∂H/∂q − p ∂H/∂s + F − ∂R/∂v: rates alone, because no step is a contact map.
 
-use super::contact::{gradient_routine, rate_routine, rates};
+use super::contact::{gradient_routine, rate_routine};
 use super::domain::{Domain, Friction, Roots};
 use super::exact::pieces::{self, Followed};
 use super::jet::JetKernel;
 use super::system::{ContactKernels, Implicit, Missing, System};
 use crate::analyze::{Damping, Forces};
-use crate::diff;
+use crate::diff::{self, equations};
 use crate::ir::{Graph, Id, Symbol, UndefinedAt};
 use crate::messages::FORCED_ACTION;
 use crate::parse::Form;
@@ -30,21 +30,12 @@ pub(crate) fn forced(
 ) -> Forced {
     let degrees = positions.iter().product::<usize>() as u32;
     let gradient = diff::gradient(graph, energy, degrees);
-    let n = degrees as usize;
-    let mut rates = rates(graph, energy, &gradient);
-    if let Some(forces) = forces {
-        let forces = forces.at(graph, &gradient.p, |_, force| force);
-        rates[n..2 * n].iter_mut().zip(forces).for_each(|(rate, force)| *rate = graph.add(*rate, force));
-    }
-    if let Some(damping) = damping {
-        let drag = damping.drag(graph, &gradient.p);
-        rates[n..2 * n].iter_mut().zip(drag).for_each(|(rate, drag)| *rate = graph.sub(*rate, drag));
-    }
+    let rates = equations::forced_contact(graph, energy, &gradient, damping, forces).concat();
     let velocities: Vec<Id> = (0..degrees).map(|i| graph.symbol(Symbol::Velocity(i))).collect();
     let drag = damping.map(|damping| damping.drag(graph, &velocities));
     let applied = forces.iter().flat_map(|forces| [&forces.applied, &forces.friction]).flatten().flatten();
     let term = applied.chain(drag.iter().flatten()).copied().find(|force| !graph.is_zero(*force)).unwrap_or(energy);
-    let jet = JetKernel::canonical(graph, &[rates.clone()], energy, degrees);
+    let jet = JetKernel::canonical(graph, std::slice::from_ref(&rates), energy, degrees);
     let system = System {
         facts: vec![],
         value: Some(Routine::number("hamiltonian", energy)),

@@ -1,85 +1,88 @@
-//! ∂H/∂q in velocities, which q' = ∂H/∂p needs anyway: with H = pᵀA(q)p/2 + … and M = A⁻¹ it is −vᵀ(∂M/∂q)v/2 + …, where v = Ap.
+//! Expresses ∂H/∂q by velocities, for Taylor series: ∂H/∂q = −∂L/∂q for the Lagrangian L of H.
 //!
-//! That is ∂H/∂q = −∂L/∂q for the Lagrangian that belongs to H. Where M is shorter than A, as of most machines, so is this: a double pendulum has
-//! v₁v₂ sin(q₁ − q₂) in it, one product of series after the other, and no quotient.
+//! For H = pᵀA(q)p/2 + … and M = A⁻¹, it is −vᵀ(∂M/∂q)v/2 + … with v = Ap. The equation q' = ∂H/∂p needs v anyway. M is often shorter than A, for
+//! most machines for example. A double pendulum then has v₁v₂ sin(q₁ − q₂) in its force: products of series, and no quotient.
 
+use super::forward::{blocks, jacobian};
 use super::gradient::{Gradient, gradient};
-use super::jacobian;
 use crate::analyze;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Node, Number, Ratio, Symbol};
 
-/// ∇H with ∂H/∂q in velocities, for the parts that are quadratic in one momentum or two, and whose M is known.
+/// Computes ∇H with ∂H/∂q by velocities, for parts of H that are quadratic in one or two momenta and have a short M. Returns `None` if no part has.
 pub(crate) fn of_energy(graph: &mut Graph, energy: Id, known: &Gradient) -> Option<Gradient> {
-    // Most energies have a constant A.
+    // Most energies have a constant A and leave here.
     let moves = |graph: &Graph, id: Id| graph.reads(id).q || graph.reads(id).t || graph.reads(id).s;
     if !known.p.iter().any(|velocity| graph.reads(*velocity).p && moves(graph, *velocity)) {
         return None;
     }
     let momenta: Vec<Symbol> = (0..).map(Symbol::Momentum).take(known.p.len()).collect();
     let inverse = jacobian(graph, &known.p, &momenta);
-    let (mut kinetic, mut taken) = (vec![], vec![]);
-    for part in parts(graph, &inverse) {
-        let entries = || part.iter().flat_map(|i| &inverse[*i]);
+    let (mut kinetic, mut quadratic) = (vec![], vec![]);
+    for block in blocks(graph, &inverse) {
+        let entries = || block.iter().flat_map(|i| &inverse[*i as usize]);
         let changes = entries().any(|entry| moves(graph, *entry)) && !entries().any(|entry| graph.reads(*entry).p);
-        let Some(mass) = changes.then(|| mass(graph, &inverse, &part)).flatten() else { continue };
-        for (row, i) in mass.iter().zip(&part) {
-            for (entry, j) in row.iter().zip(&part) {
-                let velocities = [*i, *j].map(|i| graph.symbol(Symbol::Velocity(i as u32)));
+        let Some(mass) = changes.then(|| mass(graph, &inverse, &block)).flatten() else { continue };
+        for (row, i) in mass.iter().zip(&block) {
+            for (entry, j) in row.iter().zip(&block) {
+                let velocities = [*i, *j].map(|i| graph.symbol(Symbol::Velocity(i)));
                 kinetic.push(graph.product(&[*entry, velocities[0], velocities[1]]));
             }
         }
-        taken.extend(part);
+        quadratic.extend(block);
     }
-    if taken.is_empty() {
+    if quadratic.is_empty() {
         return None;
     }
     let kinetic = graph.sum(&kinetic);
     let kinetic = graph.scale(Number::HALF, kinetic);
-    // H without those squares, and velocities without what momenta do not give.
+    // Subtract the squares from H, and the velocities at p = 0 from the velocities.
     let zero = graph.zero();
     let at_rest = |_: &mut Graph, symbol: Symbol| match symbol {
-        Symbol::Momentum(i) if taken.contains(&(i as usize)) => Some(zero),
+        Symbol::Momentum(i) if quadratic.contains(&i) => Some(zero),
         _ => None,
     };
     let mut at_rest = Substitution::new(at_rest);
     let mut rest = vec![at_rest.apply(graph, energy)];
     let mut velocities = known.p.clone();
-    for i in &taken {
-        let shift = at_rest.apply(graph, known.p[*i]);
-        let momentum = graph.symbol(Symbol::Momentum(*i as u32));
+    for i in &quadratic {
+        let velocity = &mut velocities[*i as usize];
+        let shift = at_rest.apply(graph, *velocity);
+        let momentum = graph.symbol(Symbol::Momentum(*i));
         rest.push(graph.mul(shift, momentum));
-        velocities[*i] = graph.sub(velocities[*i], shift);
+        *velocity = graph.sub(*velocity, shift);
     }
     let rest = graph.sum(&rest);
     let degrees = known.q.len() as u32;
     let rest = gradient(graph, rest, degrees).q;
     let forces = gradient(graph, kinetic, degrees).q;
-    Some(replaced(graph, known, (&rest, &forces), &velocities))
+    Some(by_velocities(graph, known, &rest, &forces, &velocities))
 }
 
-/// ∇H of a Lagrangian's energy, from ∂L/∂q.
+/// Computes ∇H for the energy of a Lagrangian, from ∂L/∂q.
 pub(crate) fn of_lagrangian(graph: &mut Graph, forces: &[Id], known: &Gradient) -> Gradient {
     let rest = vec![graph.zero(); forces.len()];
-    replaced(graph, known, (&rest, forces), &known.p)
+    by_velocities(graph, known, &rest, forces, &known.p)
 }
 
-/// ∂H/∂q = rest − forces, with velocities in place of their symbols.
-fn replaced(graph: &mut Graph, known: &Gradient, (rest, forces): (&[Id], &[Id]), velocities: &[Id]) -> Gradient {
-    // Squares are those of the sum with one of both signs. Products shall be of the same, so that they have a factor in common.
-    let signed: Vec<(bool, Id)> = velocities.iter().map(|velocity| with_sign_of_square(graph, *velocity)).collect();
-    let of = |symbol: Symbol| match symbol {
+/// ∂H/∂q = rest − forces, with the symbols of velocities in the forces replaced by velocities.
+fn by_velocities(graph: &mut Graph, known: &Gradient, rest: &[Id], forces: &[Id], velocities: &[Id]) -> Gradient {
+    // The graph writes (−u)² as u². Products take this sign of u, too, and so share factors with squares. Pairs are (signed symbol, signed velocity).
+    let mut signed = vec![];
+    for (i, velocity) in (0..).zip(velocities) {
+        let symbol = graph.symbol(Symbol::Velocity(i));
+        let is_sum = matches!(graph.node(*velocity), Node::Linear(_, terms) if terms.len() > 1);
+        signed.push(match is_sum && graph.leads_negative(*velocity) {
+            true => (graph.neg(symbol), graph.negated_sum(*velocity)),
+            false => (symbol, *velocity),
+        });
+    }
+    let find = |symbol: Symbol| match symbol {
         Symbol::Velocity(i) => signed.get(i as usize).copied(),
         _ => None,
     };
-    let mut sign = Substitution::new(|graph: &mut Graph, symbol| {
-        let negative = of(symbol).is_some_and(|(negative, _)| negative);
-        negative.then(|| {
-            let symbol = graph.symbol(symbol);
-            graph.neg(symbol)
-        })
-    });
-    let mut velocity = Substitution::new(|_: &mut Graph, symbol| of(symbol).map(|(_, velocity)| velocity));
+    let mut sign = Substitution::new(|_: &mut Graph, symbol| find(symbol).map(|(symbol, _)| symbol));
+    let mut velocity = Substitution::new(|_: &mut Graph, symbol| find(symbol).map(|(_, velocity)| velocity));
     let by_q = rest.iter().zip(forces).map(|(rest, force)| {
         let force = sign.apply(graph, *force);
         let force = velocity.apply(graph, force);
@@ -88,34 +91,10 @@ fn replaced(graph: &mut Graph, known: &Gradient, (rest, forces): (&[Id], &[Id]),
     Gradient { q: by_q.collect(), ..known.clone() }
 }
 
-/// u, or −u if that is the base of u².
-fn with_sign_of_square(graph: &mut Graph, u: Id) -> (bool, Id) {
-    let sum = matches!(graph.node(u), Node::Linear(_, terms) if terms.len() > 1);
-    if sum && graph.leads_negative(u) { (true, graph.negated_sum(u)) } else { (false, u) }
-}
-
-/// Momenta that A couples, in order.
-fn parts(graph: &Graph, inverse: &[Vec<Id>]) -> Vec<Vec<usize>> {
-    let mut left: Vec<usize> = (0..inverse.len()).rev().collect();
-    let mut parts = vec![];
-    while let Some(first) = left.pop() {
-        let (mut part, mut open) = (vec![first], vec![first]);
-        while let Some(i) = open.pop() {
-            let (coupled, rest) = left.iter().partition::<Vec<usize>, _>(|j| !graph.is_zero(inverse[i][**j]));
-            left = rest;
-            part.extend(&coupled);
-            open.extend(coupled);
-        }
-        part.sort_unstable();
-        parts.push(part);
-    }
-    parts
-}
-
-/// M of one momentum or two, if that is short: A = Q/d with a determinant of Q that is proven to be a number, or c·d.
-fn mass(graph: &mut Graph, inverse: &[Vec<Id>], part: &[usize]) -> Option<Vec<Vec<Id>>> {
-    let entry = |i: usize, j: usize| inverse[part[i]][part[j]];
-    match part.len() {
+/// M of one or two momenta if it is short: A = Q/d, where the determinant of Q is constant or a constant multiple of d.
+fn mass(graph: &mut Graph, inverse: &[Vec<Id>], block: &[u32]) -> Option<Vec<Vec<Id>>> {
+    let entry = |i: usize, j: usize| inverse[block[i] as usize][block[j] as usize];
+    match block.len() {
         1 if !graph.is_zero(entry(0, 0)) => {
             let d = denominator(graph, &[entry(0, 0)]);
             let rest = graph.mul(entry(0, 0), d);
@@ -143,7 +122,7 @@ fn mass(graph: &mut Graph, inverse: &[Vec<Id>], part: &[usize]) -> Option<Vec<Ve
     }
 }
 
-/// What all of the nodes that are not zero are divided by.
+/// The common denominator of all nodes that are not zero.
 fn denominator(graph: &mut Graph, nodes: &[Id]) -> Id {
     let mut common: Option<Vec<(Id, Ratio)>> = None;
     for node in nodes.iter().filter(|node| !graph.is_zero(**node)) {
@@ -157,10 +136,7 @@ fn denominator(graph: &mut Graph, nodes: &[Id]) -> Id {
             }
         });
     }
-    let factors: Vec<Id> = common
-        .unwrap_or_default()
-        .into_iter()
-        .map(|(base, exponent)| graph.pow(base, Ratio::integer(-exponent.numerator)))
-        .collect();
+    let power = |(base, exponent): (Id, Ratio)| graph.pow(base, Ratio::integer(-exponent.numerator));
+    let factors: Vec<Id> = common.unwrap_or_default().into_iter().map(power).collect();
     graph.product(&factors)
 }

@@ -1,11 +1,12 @@
-//! The equations of implicit steps of contact systems, d = Φ(d) for an increment of x = (q, p, s).
+//! The equations of implicit steps of contact systems, d = Φ(d) for the increment d of x = (q, p, s).
 //!
-//! The field is that of hH, so that h meets the constants of every term and is prepared with them.
+//! Φ is the field of hH. The factor h thus meets the constants of every term, and is prepared with them.
 
-use super::field::{Field, middle};
+use super::equations::{self, contact_force};
+use super::field::{Field, symmetrise};
 use super::forward::jacobian;
 use super::gradient::{Gradient, discrete_gradient, gradient};
-use super::slope::Slopes;
+use super::slope::{Slopes, middle};
 use crate::ir::substitute::Substitution;
 use crate::ir::{Function, Graph, Id, Number, Symbol};
 
@@ -13,53 +14,54 @@ use crate::ir::{Function, Graph, Id, Number, Symbol};
 pub(crate) struct Equation {
     /// Φ and its derivative.
     pub(crate) field: Field,
-    /// What a solution d adds to x. Not a number if the step has none.
+    /// The increment of x that follows from a solution d. It is NaN at run time if the step has no solution.
     pub(crate) end: Vec<Id>,
 }
 
-/// The midpoint rule in the symplectisation. At x + d/2, with p as it is before the step,
+/// The midpoint rule in the symplectisation. With derivatives at x + d/2 and p before the step,
 ///
 /// Φ = h (∂H/∂p, −∂H/∂q − p ∂H/∂s, (p + dp/2)·∂H/∂p − H),
 ///
-/// and dp/(1 + h/2 ∂H/∂s) is added to p. With h/2 ∂H/∂s beyond ±1 the factor of the form would not be positive.
+/// and the step adds dp/(1 + h/2 ∂H/∂s) to p. If h/2 ∂H/∂s is outside of ±1, the factor of the contact form would not be positive, and there is no
+/// solution.
 pub(crate) fn midpoint(graph: &mut Graph, energy: Id, degrees: u32) -> Equation {
     let n = degrees as usize;
     let action = times_h(graph, energy);
-    let Gradient { q, p, s, .. } = gradient(graph, action, degrees);
-    let mut there = Substitution::new(middle);
-    let slopes = [q, p, vec![s]].concat().into_iter().map(|slope| there.apply(graph, slope)).collect::<Vec<Id>>();
-    let (along_q, along_p, along_s) = (&slopes[..n], &slopes[n..2 * n], slopes[2 * n]);
-    let value = there.apply(graph, action);
-    let before: Vec<Id> = (0..degrees).map(|i| graph.symbol(Symbol::Momentum(i))).collect();
-    let momenta: Vec<Id> = before.iter().map(|p| there.apply(graph, *p)).collect();
+    let gradient = gradient(graph, action, degrees);
+    let mut at_middle = Substitution::new(middle);
+    let mut moved = |nodes: &[Id]| nodes.iter().map(|node| at_middle.apply(graph, *node)).collect::<Vec<Id>>();
+    let (q, p, s) = (moved(&gradient.q), moved(&gradient.p), moved(&[gradient.s])[0]);
+    let value = moved(&[action])[0];
+    let before = equations::momenta(graph, &gradient);
+    let mean: Vec<Id> = before.iter().map(|p| at_middle.apply(graph, *p)).collect();
 
     let unknowns = unknowns(degrees);
-    let mut hessian = jacobian(graph, &slopes, &unknowns);
-    // Of two equal derivatives, which may be written differently, one is computed.
-    for i in 0..hessian.len() {
-        for j in 0..i {
-            hessian[j][i] = hessian[i][j];
-        }
+    let mut hessian = jacobian(graph, &[&q[..], &p, &[s]].concat(), &unknowns);
+    symmetrise(&mut hessian);
+    let (by_q, by_p, by_s) = (&hessian[..n], &hessian[n..2 * n], &hessian[2 * n]);
+    let slopes = Gradient { q, p, v: vec![], s };
+    let f = equations::contact(graph, value, &slopes, &before, &mean).concat();
+    let mut derivative = by_p.to_vec();
+    for (row, p) in by_q.iter().zip(&before) {
+        derivative.push(row.iter().zip(by_s).map(|(by_q, by_s)| contact_force(graph, *by_q, *p, *by_s)).collect());
     }
-    let f = field(graph, [along_q, along_p, &[along_s]], &before, &momenta, value);
-    let mut derivative = hessian[n..2 * n].to_vec();
-    for i in 0..n {
-        derivative
-            .push((0..unknowns.len()).map(|j| force(graph, hessian[i][j], before[i], hessian[2 * n][j])).collect());
-    }
-    // The derivatives of p at ∂H/∂p and of H at p cancel.
-    let action_row = (0..unknowns.len()).map(|j| {
-        let column: Vec<Id> = hessian[n..2 * n].iter().map(|row| row[j]).collect();
-        let power = graph.dot(&momenta, &column);
-        let own = if (n..2 * n).contains(&j) { graph.zero() } else { graph.scale(Number::HALF, slopes[j]) };
+    // In the derivative of p̄·∂H/∂p − H by dp, the terms ½ ∂H/∂p cancel.
+    let own = slopes.q.iter().map(Some).chain(slopes.p.iter().map(|_| None)).chain([Some(&slopes.s)]);
+    let action_row = own.enumerate().map(|(j, own)| {
+        let column: Vec<Id> = by_p.iter().map(|row| row[j]).collect();
+        let power = graph.dot(&mean, &column);
+        let own = match own {
+            Some(own) => graph.scale(Number::HALF, *own),
+            None => graph.zero(),
+        };
         graph.sub(power, own)
     });
     derivative.push(action_row.collect());
 
     let mut end: Vec<Id> = unknowns.iter().map(|d| graph.symbol(*d)).collect();
-    if !graph.is_zero(along_s) {
+    if !graph.is_zero(s) {
         let one = graph.integer(1);
-        let half = graph.scale(Number::HALF, along_s);
+        let half = graph.scale(Number::HALF, s);
         let (less, more) = (graph.sub(one, half), graph.add(one, half));
         let product = graph.mul(less, more);
         let positive = graph.call(Function::RecipPositive, &[product]);
@@ -71,30 +73,29 @@ pub(crate) fn midpoint(graph: &mut Graph, energy: Id, degrees: u32) -> Equation 
     Equation { field: Field { unknowns, f, jacobian: derivative }, end }
 }
 
-/// The discrete gradient g between x and x + d in the place of ∇H, with the mean momentum:
+/// The step with the discrete gradient g between x and x + d in place of ∇H, the mean momentum p̄, and H at x:
 ///
-/// Φ = h (g_p, −g_q − p̄ g_s, p̄·g_p − H φ₁(−h g_s)) with H at x.
+/// Φ = h (g_p, −g_q − p̄ g_s, p̄·g_p − H φ₁(−h g_s)).
 pub(crate) fn discrete(graph: &mut Graph, energy: Id, degrees: u32) -> Equation {
     let action = times_h(graph, energy);
-    let Gradient { q, p, s, .. } = discrete_gradient(graph, action, degrees);
+    let slopes = discrete_gradient(graph, action, degrees);
     let mut ends = Slopes::default();
     let mut mean = |i| {
         let p = graph.symbol(Symbol::Momentum(i));
         ends.mean(graph, p)
     };
-    let momenta: Vec<Id> = (0..degrees).map(&mut mean).collect();
-    let value = if graph.is_zero(s) {
+    let mean: Vec<Id> = (0..degrees).map(&mut mean).collect();
+    let value = if graph.is_zero(slopes.s) {
         action
     } else {
-        let decay = graph.neg(s);
-        let mean = graph.call(Function::Phi1, &[decay]);
-        graph.mul(action, mean)
+        let decay = graph.neg(slopes.s);
+        let weight = graph.call(Function::Phi1, &[decay]);
+        graph.mul(action, weight)
     };
-    let f = field(graph, [&q, &p, &[s]], &momenta, &momenta, value);
-    let unknowns = unknowns(degrees);
-    let jacobian = jacobian(graph, &f, &unknowns);
-    let end = unknowns.iter().map(|d| graph.symbol(*d)).collect();
-    Equation { field: Field { unknowns, f, jacobian }, end }
+    let f = equations::contact(graph, value, &slopes, &mean, &mean).concat();
+    let field = Field::new(graph, unknowns(degrees), f);
+    let end = field.unknowns.iter().map(|d| graph.symbol(*d)).collect();
+    Equation { field, end }
 }
 
 fn times_h(graph: &mut Graph, energy: Id) -> Id {
@@ -108,20 +109,4 @@ fn unknowns(degrees: u32) -> Vec<Symbol> {
         .chain((0..degrees).map(Symbol::MomentumIncrement))
         .chain([Symbol::ActionIncrement])
         .collect()
-}
-
-/// (g_p, −g_q − p g_s, p̄·g_p − value).
-fn field(graph: &mut Graph, [q, p, s]: [&[Id]; 3], before: &[Id], momenta: &[Id], value: Id) -> Vec<Id> {
-    let mut f = p.to_vec();
-    f.extend(q.iter().zip(before).map(|(slope, p)| force(graph, *slope, *p, s[0])));
-    let power = graph.dot(momenta, p);
-    f.push(graph.sub(power, value));
-    f
-}
-
-/// −slope − p·decay.
-fn force(graph: &mut Graph, slope: Id, p: Id, decay: Id) -> Id {
-    let drag = graph.mul(p, decay);
-    let sum = graph.add(slope, drag);
-    graph.neg(sum)
 }

@@ -1,49 +1,53 @@
-//! Mean velocities of steps from x to x + d that keep functions of x: of order 2 and of order 4, for every field.
+//! Mean velocities of steps from x to x + d that keep functions of x, of order 2 and of order 4, for every field.
 //!
-//! A step x + h·v keeps I if ḡ·v = 0 for its discrete gradient ḡ between both ends. The mean velocity is
-//! v = F − G(GᵀG)⁻¹GᵀF with the ḡ of all integrals in the columns of G. The exact mean velocity is orthogonal to all ḡ as well: the
-//! projection leaves it alone, so that v is as accurate as F is,
+//! A step x + h·v keeps I if ḡ·v = 0, where ḡ is the discrete gradient of I between both ends. With the ḡ of all integrals as columns of G, the
+//! mean velocity is v = F − G(GᵀG)⁻¹GᵀF. The exact mean velocity is orthogonal to every ḡ, so the projection keeps the accuracy of F:
 //!
-//! order 2: F = f(m) in the middle m,
+//! order 2: F = f(m) at the middle m,
 //! order 4: F = (f(x₀) + 4 f(c) + f(x₁))/6 with c = m + h/8 (f(x₀) − f(x₁)).
 //!
-//! In general Gᵀv = ρ: an integral that reads time has −ρ for its divided difference in time, and one that changes by b·∇I has the
-//! mean of that for ρ.
+//! In general Gᵀv = ρ. If I reads time, ρ is the negative divided difference of I in time. If I changes by b·∇I, ρ is the mean of b·∇I.
 
-use super::field::{Field, middle};
+use super::equations;
+use super::field::Field;
 use super::forward::jacobian;
-use super::gradient::{discrete_gradient, discrete_gradient_and_rate, gradient};
-use super::slope::coordinate_increment;
+use super::gradient::{DiscreteGradient, discrete_gradient, discrete_gradient_with_time, gradient};
+use super::slope::{end, middle};
 use crate::ir::substitute::Substitution;
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
 
-/// A function I(x, t) with dI/dt = b·∇I along a field, or 0.
+/// A function I(x, t) with dI/dt = b·∇I along a field, or dI/dt = 0 if `but` is absent.
 #[derive(Clone, Debug)]
 pub(crate) struct Conserved {
     pub(crate) value: Id,
+    /// The vector b.
     pub(crate) but: Option<Vec<Id>>,
 }
 
-/// How accurate a mean velocity is.
+/// Order of accuracy of a mean velocity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Order {
     Two,
     Four,
 }
 
-/// The mean velocity, with its derivative by the increment.
+/// Builds the mean velocity and its derivative by the increment.
 pub(crate) fn mean_velocity(graph: &mut Graph, f: &[Id], kept: &[Conserved], order: Order) -> Field {
     let mut points = Points::new(graph, f, order);
-    let unknowns: Vec<Symbol> = (0..f.len() as u32).map(Symbol::PositionIncrement).collect();
+    let unknowns = increments(f.len());
     let velocity = points.mean(graph, f);
     let slopes: Vec<Vec<Id>> = jacobian(graph, &velocity, &unknowns);
-    let columns: Vec<Column> =
-        kept.iter().map(|conserved| Column::new(graph, conserved, &mut points, &unknowns)).collect();
+    let mut column = |conserved: &Conserved| Column::new(graph, conserved, order, &mut points, &unknowns);
+    let columns: Vec<Column> = kept.iter().map(&mut column).collect();
     let projector = Projector::new(graph, columns);
     let rates: Vec<Id> = projector.columns.iter().map(|column| column.rate).collect();
-    let (f, weights) = projector.apply(graph, &velocity, &rates);
+    let Projection { vector: f, weights } = projector.apply(graph, &velocity, &rates);
     let jacobian = projector.derivative(graph, &slopes, &f, &weights);
     Field { unknowns, f, jacobian }
+}
+
+fn increments(n: usize) -> Vec<Symbol> {
+    (0..n as u32).map(Symbol::PositionIncrement).collect()
 }
 
 /// The points of a step at which f is evaluated, each with its weight.
@@ -59,33 +63,27 @@ impl Points {
         let h = graph.symbol(Symbol::StepLength);
         let [before, after] = [Symbol::StepStart, Symbol::StepEnd].map(|symbol| graph.symbol(symbol));
         let at_start: Replace = Box::new(move |_, symbol| (symbol == Symbol::Time).then_some(before));
-        let at_end: Replace = Box::new(move |graph, symbol| match symbol {
-            Symbol::Time => Some(after),
-            _ => {
-                let increment = coordinate_increment(graph, symbol)?;
-                let start = graph.symbol(symbol);
-                Some(graph.add(start, increment))
-            }
-        });
+        let at_end: Replace =
+            Box::new(move |graph, symbol| if symbol == Symbol::Time { Some(after) } else { end(graph, symbol) });
         let (mut start, mut end) = (Substitution::new(at_start), Substitution::new(at_end));
         let eighth = graph.scale(Number::Exact(Ratio { numerator: 1, denominator: 8 }), h);
-        let mut third = vec![];
+        let mut inner = vec![];
         for (i, f) in (0..).zip(f) {
             let (before, after) = (start.apply(graph, *f), end.apply(graph, *f));
             let change = graph.sub(before, after);
             let shift = graph.mul(eighth, change);
-            third.extend(middle(graph, Symbol::Position(i)).map(|middle| graph.add(middle, shift)));
+            inner.extend(middle(graph, Symbol::Position(i)).map(|middle| graph.add(middle, shift)));
         }
-        let at_third: Replace = Box::new(move |_, symbol| match symbol {
-            Symbol::Position(i) => third.get(i as usize).copied(),
+        let at_inner: Replace = Box::new(move |_, symbol| match symbol {
+            Symbol::Position(i) => inner.get(i as usize).copied(),
             _ => None,
         });
-        let [sixth, most] =
-            [1, 4].map(|numerator| Number::Exact(Ratio::integer(numerator).mul(SIXTH).unwrap_or(SIXTH)));
-        Points(vec![(sixth, start), (most, Substitution::new(at_third)), (sixth, end)])
+        let outer_weight = Number::Exact(Ratio { numerator: 1, denominator: 6 });
+        let inner_weight = Number::Exact(Ratio { numerator: 2, denominator: 3 });
+        Points(vec![(outer_weight, start), (inner_weight, Substitution::new(at_inner)), (outer_weight, end)])
     }
 
-    /// The means of some nodes.
+    /// The weighted mean of each node over all points.
     fn mean(&mut self, graph: &mut Graph, nodes: &[Id]) -> Vec<Id> {
         let mut means = vec![];
         for node in nodes {
@@ -100,11 +98,9 @@ impl Points {
     }
 }
 
-const SIXTH: Ratio = Ratio { numerator: 1, denominator: 6 };
-
-/// A column of G, with what its product with the velocity is to be, and the derivatives of both.
+/// A column ḡ of G, its entry of ρ, and the derivatives of both by the unknowns.
 struct Column {
-    /// Of the entries of the slope. It is scaled with the rate, so that no square overflows or vanishes; the derivatives are not.
+    /// Σ |ḡᵢ|. The fields `slope` and `rate` are divided by it, so that no square overflows or vanishes. The derivatives are not.
     size: Id,
     slope: Vec<Id>,
     rate: Id,
@@ -113,13 +109,13 @@ struct Column {
 }
 
 impl Column {
-    fn new(graph: &mut Graph, kept: &Conserved, points: &mut Points, unknowns: &[Symbol]) -> Column {
+    fn new(graph: &mut Graph, kept: &Conserved, order: Order, points: &mut Points, unknowns: &[Symbol]) -> Column {
         let n = unknowns.len() as u32;
-        let (slope, in_time) = discrete_gradient_and_rate(graph, kept.value, n);
-        let mut rate = graph.neg(in_time);
+        let DiscreteGradient { by_x: slope, by_t } = discrete_gradient_with_time(graph, kept.value, n);
+        let mut rate = graph.neg(by_t);
         if let Some(b) = &kept.but {
-            // In the middle with the discrete gradient, so that the balance is that of dissipative systems; else the mean of what changes I.
-            let power = if points.0.len() == 1 {
+            // Order 2 takes ḡ·b with b in the middle, as in the energy balance of dissipative systems. Order 4 takes the mean of b·∇I.
+            let power = if order == Order::Two {
                 let b = points.mean(graph, b);
                 graph.dot(&slope, &b)
             } else {
@@ -130,7 +126,7 @@ impl Column {
             rate = graph.add(rate, power);
         }
         let slopes = jacobian(graph, &slope, unknowns);
-        let rates = jacobian(graph, &[rate], unknowns).remove(0);
+        let rates = jacobian(graph, &[rate], unknowns).concat();
         let sizes: Vec<Id> = slope.iter().map(|entry| graph.call(Function::Abs, &[*entry])).collect();
         let size = graph.sum(&sizes);
         let slope = slope.into_iter().map(|entry| scaled(graph, entry, size)).collect();
@@ -138,15 +134,21 @@ impl Column {
     }
 }
 
-/// Orthogonal columns that span what all columns span: by Gram and Schmidt, each column twice. One of which less than 10⁻¹⁴ is left
-/// depends on those before it, and takes no part.
+/// Orthogonal columns with the span of all columns, by Gram–Schmidt with two passes for each column. A column of which less than 10⁻¹⁴ is left
+/// depends on earlier columns, and takes no part.
 struct Projector {
     columns: Vec<Column>,
     orthogonal: Vec<Vec<Id>>,
-    /// 1/|w|² of each; zero if it takes no part.
+    /// 1/|w|² of every orthogonal column w, or zero if the column takes no part.
     reciprocal: Vec<Id>,
-    /// column = orthogonal + Σ coefficient·(orthogonal before it).
+    /// Column k equals orthogonal column k plus the sum of coefficient·(earlier orthogonal column).
     coefficients: Vec<Vec<Id>>,
+}
+
+/// A vector after projection, and the weights of the orthogonal columns that were subtracted.
+struct Projection {
+    vector: Vec<Id>,
+    weights: Vec<Id>,
 }
 
 impl Projector {
@@ -171,8 +173,8 @@ impl Projector {
         Projector { columns, orthogonal, reciprocal, coefficients }
     }
 
-    /// What is next to a vector and has given products with the columns; and the weights of orthogonal columns that were taken off.
-    fn apply(&self, graph: &mut Graph, vector: &[Id], products: &[Id]) -> (Vec<Id>, Vec<Id>) {
+    /// Returns the closest vector whose products with the columns are `products`.
+    fn apply(&self, graph: &mut Graph, vector: &[Id], products: &[Id]) -> Projection {
         let mut of_orthogonal: Vec<Id> = vec![];
         for (product, own) in products.iter().zip(&self.coefficients) {
             let taken = graph.dot(own, &of_orthogonal);
@@ -186,12 +188,12 @@ impl Projector {
             rest = minus(graph, &rest, weight, w);
             weights.push(weight);
         }
-        (rest, weights)
+        Projection { vector: rest, weights }
     }
 
-    /// The derivative of v = F − Gλ with Gᵀv = ρ, from that of F: of Gᵀdv = dρ − dGᵀv, and dv + G dλ = dF − dG λ.
+    /// The derivative of v = F − Gλ with Gᵀv = ρ, from the derivative of F. It solves dv + G dλ = dF − dG λ and Gᵀdv = dρ − dGᵀv.
     fn derivative(&self, graph: &mut Graph, slopes: &[Vec<Id>], v: &[Id], weights: &[Id]) -> Vec<Vec<Id>> {
-        // λ from the weights of orthogonal columns.
+        // Solve for λ from the weights of the orthogonal columns.
         let mut lambda = weights.to_vec();
         for a in (0..lambda.len()).rev() {
             for later in a + 1..lambda.len() {
@@ -212,16 +214,15 @@ impl Projector {
                 let excess = graph.sub(column.rate_jacobian[j], power);
                 products.push(scaled(graph, excess, column.size));
             }
-            let (column, _) = self.apply(graph, &change, &products);
-            for (i, entry) in column.into_iter().enumerate() {
-                derivative[i][j] = entry;
+            for (row, entry) in derivative.iter_mut().zip(self.apply(graph, &change, &products).vector) {
+                row[j] = entry;
             }
         }
         derivative
     }
 }
 
-/// A number in the units of a column of this size. No product: that would be taken apart where it is squared.
+/// number/size, as a call. A product would be taken apart when it is squared.
 fn scaled(graph: &mut Graph, number: Id, size: Id) -> Id {
     if graph.is_zero(number) { number } else { graph.call(Function::Scaled, &[number, size]) }
 }
@@ -235,21 +236,19 @@ fn minus(graph: &mut Graph, a: &[Id], c: Id, b: &[Id]) -> Vec<Id> {
     a.iter().zip(b).map(&mut difference).collect()
 }
 
-/// S(m)·ḡ with the discrete gradient ḡ of H: keeps H for skew S.
+/// The field S(m)·ḡ with the discrete gradient ḡ of H and the middle m of the step. It keeps H if S is skew-symmetric.
 pub(crate) fn structured(graph: &mut Graph, energy: Id, matrix: &[Vec<Id>]) -> Field {
-    let n = matrix.len() as u32;
     let mut mean = Substitution::new(middle);
     let matrix: Vec<Vec<Id>> =
         matrix.iter().map(|row| row.iter().map(|entry| mean.apply(graph, *entry)).collect()).collect();
-    let gradient = discrete_gradient(graph, energy, n).q;
+    let gradient = discrete_gradient(graph, energy, matrix.len() as u32).q;
     let gradient = in_means(graph, &gradient);
-    let f: Vec<Id> = times(graph, &matrix, &gradient).into_iter().map(|f| factored(graph, f)).collect();
-    let unknowns: Vec<Symbol> = (0..n).map(Symbol::PositionIncrement).collect();
-    let jacobian = jacobian(graph, &f, &unknowns);
-    Field { unknowns, f, jacobian }
+    let rates = equations::structured(graph, &matrix, &gradient);
+    let f: Vec<Id> = rates.into_iter().map(|rate| factored(graph, rate)).collect();
+    Field::new(graph, increments(matrix.len()), f)
 }
 
-/// Slopes of squares, 2x + d, as multiples of the mean x + d/2, at which S is taken as well.
+/// Rewrites slopes 2x + d of squares as 2(x + d/2). The entries of S read the mean x + d/2, too.
 fn in_means(graph: &mut Graph, slopes: &[Id]) -> Vec<Id> {
     let mut means = Substitution::new(|_: &mut Graph, _| None);
     for i in 0..slopes.len() as u32 {
@@ -263,7 +262,7 @@ fn in_means(graph: &mut Graph, slopes: &[Id]) -> Vec<Id> {
     slopes.iter().map(|slope| means.apply(graph, *slope)).collect()
 }
 
-/// A sum with the factors that all its terms have taken out: the rest of them often depends on parameters only.
+/// Takes the common factors out of a sum. The remaining factors often depend on parameters only.
 fn factored(graph: &mut Graph, sum: Id) -> Id {
     let Node::Linear(constant, terms) = graph.node(sum).clone() else { return sum };
     let all: Vec<Vec<(Id, Ratio)>> = terms.iter().map(|(_, term)| graph.factors(*term)).collect();
@@ -282,12 +281,8 @@ fn factored(graph: &mut Graph, sum: Id) -> Id {
     graph.mul(common, rest)
 }
 
+/// The product of powers.
 fn powers(graph: &mut Graph, factors: &[&(Id, Ratio)]) -> Id {
     let powers: Vec<Id> = factors.iter().map(|(base, exponent)| graph.pow(*base, *exponent)).collect();
     graph.product(&powers)
-}
-
-/// A matrix times a vector.
-pub(crate) fn times(graph: &mut Graph, matrix: &[Vec<Id>], vector: &[Id]) -> Vec<Id> {
-    matrix.iter().map(|row| graph.dot(row, vector)).collect()
 }

@@ -1,12 +1,11 @@
-//! The flow of U = hV − g F·M⁻¹F with the force F = −∂V/∂q: the kick of force-gradient methods.
+//! The kick of force-gradient methods: the flow of U = hV − g F·M⁻¹F with the force F = −∂V/∂q.
 //!
-//! ∇(F·M⁻¹F) is twice the derivative of F along M⁻¹F, because that of F is symmetric: one forward derivative, in place of a sweep
-//! over all that F·M⁻¹F is made of.
+//! ∂F/∂q is symmetric, so ∇(F·M⁻¹F) is twice the derivative of F along M⁻¹F. One forward derivative gives it, without a reverse sweep over F·M⁻¹F.
 
 use super::forward::along;
 use crate::ir::{Graph, Id, Number, Symbol};
 
-/// What a kick with a force gradient does.
+/// A kick with a force gradient.
 #[derive(Clone, Debug)]
 pub(crate) struct GradientImpulse {
     /// −∂U/∂q.
@@ -15,7 +14,7 @@ pub(crate) struct GradientImpulse {
     pub(crate) energy: Id,
 }
 
-/// The kick of V with the force and the ∂T/∂p of a quadratic T.
+/// Builds the kick of V from the force and from the velocity ∂T/∂p of a quadratic T.
 pub(crate) fn gradient_kick(graph: &mut Graph, potential: Id, force: &[Id], velocity: &[Id]) -> GradientImpulse {
     let [h, g] = [Symbol::StepLength, Symbol::GradientWeight].map(|symbol| graph.symbol(symbol));
     let acceleration = along(graph, velocity, |symbol| match symbol {

@@ -1,26 +1,60 @@
-//! Forward derivatives with respect to several symbols at once: Hessians and Newton's matrices, zeros left out. Or along one
-//! direction.
+//! Forward derivatives with respect to several symbols at once, for Hessians and Newton's matrices, or along one direction. Blocks of such matrices.
 
 use super::rules::{Derivative, derivative};
 use crate::ir::{Graph, Id, Node, Symbol, Table};
 use std::rc::Rc;
 
-/// The derivatives of a node that are not zero, by column, in order.
+/// The nonzero derivatives of a node, as pairs (column, derivative) in the order of columns.
 type Row = Rc<[(usize, Id)]>;
 
-/// ∂root/∂symbol, a row a root.
+/// Computes the derivatives ∂root/∂symbol, with one row for each root.
 pub(crate) fn jacobian(graph: &mut Graph, roots: &[Id], symbols: &[Symbol]) -> Vec<Vec<Id>> {
     let one = graph.integer(1);
     let column = |symbol| symbols.iter().position(|other| *other == symbol).map(|column| (column, one));
     forward(graph, roots, &column, symbols.len())
 }
 
-/// The derivatives of `roots` along `direction`, which is the change of each symbol.
+/// Computes the derivatives of `roots` along `direction`, which returns the change of each symbol.
 pub(crate) fn along(graph: &mut Graph, roots: &[Id], direction: impl Fn(Symbol) -> Option<Id>) -> Vec<Id> {
     forward(graph, roots, &|symbol| direction(symbol).map(|change| (0, change)), 1).concat()
 }
 
-/// The derivatives of `roots`, if symbols change as in the column that `seed` gives them.
+/// Computes the terms of f·∇I + ∂I/∂t − b·∇I, where `but` is b, or 0 if absent. Their sum vanishes if dI/dt = b·∇I.
+pub(crate) fn derivative_along(
+    graph: &mut Graph,
+    x: &[Symbol],
+    field: &[Id],
+    integral: Id,
+    but: Option<&[Id]>,
+) -> Vec<Id> {
+    let all: Vec<Symbol> = x.iter().copied().chain([Symbol::Time]).collect();
+    let gradient = jacobian(graph, &[integral], &all).remove(0);
+    let mut terms: Vec<Id> = field.iter().zip(&gradient).map(|(f, slope)| graph.mul(*f, *slope)).collect();
+    terms.extend(gradient.last());
+    for (b, slope) in but.into_iter().flatten().zip(&gradient) {
+        let product = graph.mul(*b, *slope);
+        terms.push(graph.neg(product));
+    }
+    terms
+}
+
+/// The blocks of a symmetric matrix: sets of indices that nonzero entries couple, directly or through others.
+pub(crate) fn blocks(graph: &Graph, matrix: &[Vec<Id>]) -> Vec<Vec<u32>> {
+    let mut blocks: Vec<Vec<u32>> = vec![];
+    for i in 0..matrix.len() {
+        let coupled = |block: &Vec<u32>| block.iter().any(|j| !graph.is_zero(matrix[i][*j as usize]));
+        let (mine, others): (Vec<_>, Vec<_>) = blocks.into_iter().partition(coupled);
+        blocks = others;
+        let mut block = mine.concat();
+        block.push(i as u32);
+        block.sort_unstable();
+        blocks.push(block);
+    }
+    blocks.sort();
+    blocks
+}
+
+/// The derivatives of `roots` by columns. `seed` returns the column and the change of a symbol.
 fn forward(
     graph: &mut Graph,
     roots: &[Id],
@@ -46,7 +80,7 @@ fn forward(
     roots.iter().map(dense).collect()
 }
 
-/// The row of a node from the rows of its operands.
+/// Computes the row of a node from the rows of its operands.
 fn derivatives<'a>(
     graph: &mut Graph,
     id: Id,

@@ -1,22 +1,23 @@
-//! Derivations on the graph: gradient, Hessian, divided differences, and the field of implicit methods.
+//! Derivatives on the graph: gradients, Jacobians, divided differences and Taylor series, and the equations of motion and of steps built from them.
 
-pub(crate) mod by_velocities;
-pub(crate) mod constraint;
-pub(crate) mod contact;
+// In reading order.
+mod rules;
+mod forward;
+mod sweep;
+mod slope;
+mod gradient;
+mod force_gradient;
+pub(crate) mod equations;
 pub(crate) mod field;
 pub(crate) mod flow;
-pub(crate) mod jet;
+pub(crate) mod contact;
+pub(crate) mod constraint;
 pub(crate) mod lagrangian;
-mod force_gradient;
-mod forward;
 pub(crate) mod modified;
-mod rules;
-mod slope;
-mod sweep;
-mod gradient;
-mod rate;
+pub(crate) mod by_velocities;
+pub(crate) mod jet;
 
 pub(crate) use force_gradient::gradient_kick;
-pub(crate) use forward::{along, jacobian};
+pub(crate) use forward::{along, blocks, derivative_along, jacobian};
 pub(crate) use gradient::{Gradient, discrete_gradient, gradient, increment, mean_rate, partial};
-pub(crate) use rate::derivative_along;
+pub(crate) use slope::{end, middle};

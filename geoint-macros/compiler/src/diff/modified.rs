@@ -1,26 +1,29 @@
-//! The energy that a symmetric step of order 2 keeps, or lets decay, up to h⁴: H + h²H₂.
+//! The modified energy H + h²H₂ of a symmetric step of order 2. The step keeps it, or lets it decay, up to O(h⁴).
 //!
-//! For e^(h/2 X) e^(h Y) e^(h/2 X) it is X + Y + h²·(−{X, {X, Y}}/24 + {Y, {Y, X}}/12), with {·, ·} the bracket whose vector field is the
-//! commutator; for more pieces the same applies to what is inside, again and again. Flows that advance a clock have a conjugate
-//! of that clock added to their energy, which is linear in it: {F + e_c, G} has ∂G/∂c more than {F, G}.
+//! For e^(h/2 X) e^(h Y) e^(h/2 X) it is X + Y + h²·(−{X, {X, Y}}/24 + {Y, {Y, X}}/12), where {·, ·} is the bracket whose vector field is the
+//! commutator. With more pieces, the formula applies to the inner pieces recursively.
+//!
+//! A flow that advances a clock c has the momentum conjugate to c as a term e_c of its energy, so {F + e_c, G} = {F, G} + ∂G/∂c.
 
 use super::forward::along;
 use super::gradient::{Gradient, gradient, partial, rename};
 use crate::analyze::Parts;
 use crate::ir::{Graph, Id, Number, Ratio, Symbol};
 
-/// A piece of a step: its energy, in which clocks are coordinates of their own, and the clock that its flow advances.
+/// A piece of a step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Part {
+    /// The energy of the piece, with clocks as coordinates.
     pub(crate) energy: Id,
+    /// The clock that the flow of the piece advances.
     pub(crate) advances: Option<TimeCoordinate>,
 }
 
-/// The time of some flows of a step, as a coordinate of its own.
+/// The clock of some flows of a step, as an additional coordinate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct TimeCoordinate(pub(crate) u32);
 
-/// Clocks are symbols that no coordinate uses.
+/// Positions from this number on are clocks. No system has as many coordinates.
 const FIRST: u32 = u32::MAX / 2;
 
 impl TimeCoordinate {
@@ -28,30 +31,43 @@ impl TimeCoordinate {
         Symbol::Position(FIRST + self.0)
     }
 
-    /// An energy that reads this clock for time.
+    /// Replaces time by this clock in an energy.
     pub(crate) fn read(self, graph: &mut Graph, energy: Id) -> Id {
         rename(graph, energy, |symbol| (symbol == Symbol::Time).then(|| self.symbol()))
     }
 }
 
-/// H + h²H₂ of the step whose half is `parts` in order.
+/// The generator of a flow.
+#[derive(Clone)]
+struct Generator {
+    energy: Id,
+    /// The clocks that the flow advances.
+    clocks: Vec<TimeCoordinate>,
+}
+
+impl Generator {
+    fn without_clocks(energy: Id) -> Generator {
+        Generator { energy, clocks: vec![] }
+    }
+}
+
+/// Computes H + h²H₂ of a symmetric step from the pieces of its first half, in order.
 pub(crate) fn modified_energy(graph: &mut Graph, parts: &[Part], degrees: u32) -> Id {
-    let (mut inner, mut clocks, mut second) = (graph.zero(), vec![], graph.zero());
+    let (mut inner, mut second) = (Generator::without_clocks(graph.zero()), graph.zero());
     for part in parts.iter().rev() {
-        let outer = (part.energy, part.advances.into_iter().collect::<Vec<_>>());
-        let rest = (inner, clocks.clone());
-        let across = bracket(graph, &outer, &rest, degrees);
-        let ahead = bracket(graph, &outer, &(across, vec![]), degrees);
-        let back = bracket(graph, &rest, &(across, vec![]), degrees);
-        // {Y, {Y, X}} is −{Y, {X, Y}}.
-        for (weight, term) in [(24, ahead), (12, back)] {
+        let outer = Generator { energy: part.energy, clocks: part.advances.into_iter().collect() };
+        let commutator = Generator::without_clocks(bracket(graph, &outer, &inner, degrees));
+        let with_outer = bracket(graph, &outer, &commutator, degrees);
+        let with_inner = bracket(graph, &inner, &commutator, degrees);
+        // {Y, {Y, X}} = −{Y, {X, Y}}.
+        for (weight, term) in [(24, with_outer), (12, with_inner)] {
             let term = graph.scale(Number::Exact(Ratio { numerator: -1, denominator: weight }), term);
             second = graph.add(second, term);
         }
-        inner = graph.add(inner, part.energy);
-        clocks.extend(part.advances);
+        inner.energy = graph.add(inner.energy, part.energy);
+        inner.clocks.extend(part.advances);
     }
-    let modified = corrected(graph, inner, second);
+    let modified = corrected(graph, inner.energy, second);
     rename(graph, modified, |symbol| matches!(symbol, Symbol::Position(FIRST..)).then_some(Symbol::Time))
 }
 
@@ -63,17 +79,17 @@ fn corrected(graph: &mut Graph, energy: Id, second: Id) -> Id {
     graph.add(energy, change)
 }
 
-/// The same for half a kick, a drift, half a kick of H = T(p, t) + V(q, t), by ∇H.
+/// Computes H + h²H₂ for half a kick, a drift and half a kick of H = T(p, t) + V(q, t), from ∇H.
 ///
-/// Drifts are straight in q and the time of V, kicks in p and the time of T. What they do twice is then a second derivative along a
-/// constant direction: H₂ = V″[v, v]/12 − T″[f, f]/24 with v = (∂T/∂p, 1) and f = (−∂V/∂q, 1).
+/// A drift changes q and the time of V uniformly, a kick changes p and the time of T uniformly. The double brackets are therefore second derivatives
+/// along constant directions: H₂ = V″[v, v]/12 − T″[f, f]/24 with v = (∂T/∂p, 1) and f = (−∂V/∂q, 1).
 pub(crate) fn verlet(graph: &mut Graph, parts: &Parts, slopes: &Gradient) -> Id {
     let forces: Vec<Id> = slopes.q.iter().map(|slope| graph.neg(*slope)).collect();
-    let drifts = twice(graph, (parts.potential, &slopes.q), &slopes.p, |symbol| match symbol {
+    let drifts = second_derivative(graph, parts.potential, &slopes.q, &slopes.p, |symbol| match symbol {
         Symbol::Position(i) => Some(i),
         _ => None,
     });
-    let kicks = twice(graph, (parts.kinetic, &slopes.p), &forces, |symbol| match symbol {
+    let kicks = second_derivative(graph, parts.kinetic, &slopes.p, &forces, |symbol| match symbol {
         Symbol::Momentum(i) => Some(i),
         _ => None,
     });
@@ -83,36 +99,32 @@ pub(crate) fn verlet(graph: &mut Graph, parts: &Parts, slopes: &Gradient) -> Id 
     corrected(graph, energy, second)
 }
 
-/// The second derivative of an energy with known slopes along a direction that is constant, and 1 in time.
-fn twice(
+/// The second derivative of an energy with known slopes along a constant direction, which is 1 in time.
+fn second_derivative(
     graph: &mut Graph,
-    (energy, slopes): (Id, &[Id]),
+    energy: Id,
+    slopes: &[Id],
     direction: &[Id],
     coordinate: impl Fn(Symbol) -> Option<u32>,
 ) -> Id {
     let one = graph.integer(1);
     let rate = partial(graph, energy, Symbol::Time);
-    let changes = along(graph, &[slopes, &[rate]].concat(), |symbol| match symbol {
+    let slopes = [slopes, &[rate]].concat();
+    let changes = along(graph, &slopes, |symbol| match symbol {
         Symbol::Time => Some(one),
         _ => coordinate(symbol).map(|i| direction[i as usize]),
     });
-    let terms: Vec<Id> = direction.iter().chain([&one]).zip(changes).map(|(x, change)| graph.mul(*x, change)).collect();
-    graph.sum(&terms)
+    graph.dot(&[direction, &[one]].concat(), &changes)
 }
 
-/// ∂F/∂p·∂G/∂q − ∂F/∂q·∂G/∂p + p·(∂F/∂p ∂G/∂s − ∂F/∂s ∂G/∂p) + G ∂F/∂s − F ∂G/∂s, and what clocks add.
-fn bracket(
-    graph: &mut Graph,
-    (f, with_f): &(Id, Vec<TimeCoordinate>),
-    (g, with_g): &(Id, Vec<TimeCoordinate>),
-    degrees: u32,
-) -> Id {
-    let [df, dg] = [*f, *g].map(|energy| gradient(graph, energy, degrees));
+/// {F, G} = ∂F/∂p·∂G/∂q − ∂F/∂q·∂G/∂p + p·(∂F/∂p ∂G/∂s − ∂F/∂s ∂G/∂p) + G ∂F/∂s − F ∂G/∂s, and the terms ∂G/∂c and −∂F/∂c of clocks.
+fn bracket(graph: &mut Graph, f: &Generator, g: &Generator, degrees: u32) -> Id {
+    let [df, dg] = [f, g].map(|generator| gradient(graph, generator.energy, degrees));
     let mut terms = vec![];
     for i in 0..degrees as usize {
-        // ∂/∂q + p ∂/∂s is what the momenta are moved by.
         let p = graph.symbol(Symbol::Momentum(i as u32));
         let [lifted_f, lifted_g] = [(df.q[i], df.s), (dg.q[i], dg.s)].map(|(by_q, by_s)| {
+            // ∂/∂q + p ∂/∂s.
             let lift = graph.mul(p, by_s);
             graph.add(by_q, lift)
         });
@@ -120,14 +132,14 @@ fn bracket(
         let back = graph.mul(lifted_f, dg.p[i]);
         terms.push(graph.neg(back));
     }
-    terms.push(graph.mul(*g, df.s));
-    let back = graph.mul(*f, dg.s);
+    terms.push(graph.mul(g.energy, df.s));
+    let back = graph.mul(f.energy, dg.s);
     terms.push(graph.neg(back));
-    for clock in with_f {
-        terms.push(partial(graph, *g, clock.symbol()));
+    for clock in &f.clocks {
+        terms.push(partial(graph, g.energy, clock.symbol()));
     }
-    for clock in with_g {
-        let back = partial(graph, *f, clock.symbol());
+    for clock in &g.clocks {
+        let back = partial(graph, f.energy, clock.symbol());
         terms.push(graph.neg(back));
     }
     graph.sum(&terms)

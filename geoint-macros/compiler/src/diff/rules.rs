@@ -1,17 +1,17 @@
-//! The derivative of every operation with respect to its operands. One exhaustive match for nodes, one for functions.
+//! The derivatives of every operation with respect to its operands: one exhaustive match for nodes, and one for functions.
 
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Relation};
 
-/// How a node changes with its operands.
+/// The derivative of a node with respect to its operands.
 #[derive(Debug)]
 pub(super) enum Derivative {
-    /// Σ coefficient·(change of operand).
+    /// The change is Σ coefficient·(change of operand). The pairs are (operand, coefficient).
     Chain(Vec<(Id, Id)>),
-    /// The change of the branch that is taken.
+    /// A condition and its two branches. The change is that of the branch taken.
     Branch(Id, Id, Id),
 }
 
-/// The partial derivatives of a node.
+/// Computes the partial derivatives of a node.
 pub(super) fn derivative(graph: &mut Graph, id: Id) -> Derivative {
     Derivative::Chain(match graph.node(id).clone() {
         Node::Number(_)
@@ -27,7 +27,7 @@ pub(super) fn derivative(graph: &mut Graph, id: Id) -> Derivative {
             (0..factors.len()).map(|k| (factors[k], graph.product(&others(k).collect::<Vec<_>>()))).collect()
         }
         Node::Power(base, exponent) => {
-            // The exponent is small, so that it can be lowered by one.
+            // Exponents are small, so the subtraction does not overflow.
             let lower = exponent.add(Ratio::integer(-1)).unwrap_or(exponent);
             let power = graph.pow(base, lower);
             vec![(base, graph.scale(Number::Exact(exponent), power))]
@@ -40,18 +40,18 @@ pub(super) fn derivative(graph: &mut Graph, id: Id) -> Derivative {
     })
 }
 
-/// The partial derivatives of `value = function(args)`.
+/// Computes the partial derivatives of `value = function(args)`, in the order of the arguments.
 fn function_partials(g: &mut Graph, value: Id, function: Function, args: &[Id]) -> Vec<Id> {
     let (x, y) = (args[0], *args.get(1).unwrap_or(&args[0]));
     let one = g.integer(1);
     let square = |g: &mut Graph, x: Id| g.pow(x, Ratio::integer(2));
-    // (1 − x)(1 + x), which does not cancel at ±1 as 1 − x² does.
+    // (1 − x)(1 + x) does not cancel near ±1, unlike 1 − x².
     let circle = |g: &mut Graph, x: Id| {
         let (minus, plus) = (g.sub(one, x), g.add(one, x));
         g.mul(minus, plus)
     };
     let inverse_sqrt = |g: &mut Graph, x: Id| g.pow(x, Ratio { numerator: -1, denominator: 2 });
-    // Where a logarithm is not defined 1/x still is: a step would go through the wall and nobody would know.
+    // 1/x is finite for x < 0, where a logarithm is undefined. A step would cross the boundary of the domain unnoticed.
     let recip_positive = |g: &mut Graph, x: Id| g.call(Function::RecipPositive, &[x]);
     let logarithm = |g: &mut Graph, base: f64| {
         let reciprocal = recip_positive(g, x);
@@ -67,14 +67,10 @@ fn function_partials(g: &mut Graph, value: Id, function: Function, args: &[Id]) 
             let square = square(g, value);
             vec![g.add(one, square)]
         }
-        Function::Asin => {
+        Function::Asin | Function::Acos => {
             let circle = circle(g, x);
-            vec![inverse_sqrt(g, circle)]
-        }
-        Function::Acos => {
-            let circle = circle(g, x);
-            let root = inverse_sqrt(g, circle);
-            vec![g.neg(root)]
+            let slope = inverse_sqrt(g, circle);
+            vec![if function == Function::Asin { slope } else { g.neg(slope) }]
         }
         Function::Atan => {
             let square = square(g, x);
@@ -135,11 +131,8 @@ fn function_partials(g: &mut Graph, value: Id, function: Function, args: &[Id]) 
         Function::Abs => vec![g.call(Function::Signum, &[x])],
         Function::Min | Function::Max => {
             let zero = g.zero();
-            let first = if function == Function::Min {
-                g.compare(Relation::LessEqual, x, y)
-            } else {
-                g.compare(Relation::LessEqual, y, x)
-            };
+            let [low, high] = if function == Function::Min { [x, y] } else { [y, x] };
+            let first = g.compare(Relation::LessEqual, low, high);
             vec![g.select(first, one, zero), g.select(first, zero, one)]
         }
         Function::Signum => vec![g.zero()],
@@ -152,10 +145,10 @@ fn function_partials(g: &mut Graph, value: Id, function: Function, args: &[Id]) 
             vec![g.neg(square), g.zero()]
         }
         Function::Scaled => vec![g.call(Function::Scaled, &[one, y]), g.zero()],
-        // Conditions, not terms.
+        // The other arguments are conditions.
         Function::NotNegative => vec![one],
         Function::Bounded | Function::AtMost | Function::Provided => vec![one, g.zero()],
-        // x + x·change, with change = eᶻ − 1: what is left of x follows from that.
+        // Grown is x·eᶻ with change = eᶻ − 1. Its argument `change` carries the dependence on z.
         Function::Rest => vec![g.zero(), g.zero()],
         Function::Grown => vec![g.call(Function::Grown, &[one, y, args[2]]), g.zero(), x],
         Function::Root => {
@@ -172,7 +165,7 @@ fn function_partials(g: &mut Graph, value: Id, function: Function, args: &[Id]) 
             vec![g.call(Function::ArcDerivative, &[x, y]), g.neg(by_x)]
         }
         Function::ExpSlope => slope_partials(g, Function::ExpSlopeDerivative, args),
-        // 2ˣ is exp(x ln 2).
+        // 2ˣ = exp(x ln 2).
         Function::Exp2Slope => {
             let ln_2 = Number::float(std::f64::consts::LN_2);
             let ends = [g.scale(ln_2, x), g.scale(ln_2, y)];
@@ -181,10 +174,10 @@ fn function_partials(g: &mut Graph, value: Id, function: Function, args: &[Id]) 
         }
         Function::LnSlope => slope_partials(g, Function::LnSlopeDerivative, args),
         Function::TanhSlope => slope_partials(g, Function::TanhSlopeDerivative, args),
-        // With respect to the ends only: the exponent is constant.
+        // Only the ends vary: the exponent is constant.
         Function::PowfSlope => slope_partials(g, Function::PowfSlopeDerivative, args),
         Function::AbsSlope => slope_partials(g, Function::AbsSlopeDerivative, args),
-        // (|a| − a sgn b)/(|a| + |b|)², a part of the slope of `signum`.
+        // (|a| − a sgn b)/(|a| + |b|)² is a part of the slope of `signum`.
         Function::AbsSlopeDerivative => {
             let [sizes, signs] = [Function::Abs, Function::Signum].map(|f| [x, y].map(|end| g.call(f, &[end])));
             let size = g.sum(&sizes);
@@ -225,12 +218,12 @@ fn function_partials(g: &mut Graph, value: Id, function: Function, args: &[Id]) 
         | Function::LnSlopeDerivative
         | Function::TanhSlopeDerivative
         | Function::PowfSlopeDerivative => {
-            unreachable!("differentiated once: divided differences for Newton's matrix, flows for the momenta")
+            unreachable!("divided differences and flows are differentiated once")
         }
     }
 }
 
-/// f[a, b] = f[b, a], so that one helper is both partial derivatives.
+/// The partial derivatives of f[a, b]. By f[a, b] = f[b, a], one helper gives both.
 fn slope_partials(g: &mut Graph, derivative: Function, args: &[Id]) -> Vec<Id> {
     let mut swapped = args.to_vec();
     swapped.swap(0, 1);

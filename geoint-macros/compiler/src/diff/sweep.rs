@@ -1,25 +1,25 @@
-//! The reverse sweep, for derivatives and for divided differences: only the rules differ.
+//! The reverse sweep over the graph. Derivatives and divided differences share it, and differ in the rules for a node only.
 
 use super::rules::{Derivative, derivative};
 use crate::ir::{Graph, Id, Node, Symbol, Table};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The derivative with respect to each symbol of phase space that the root reads.
+/// The derivatives with respect to the coordinates that the root reads.
 pub(super) type Entries = BTreeMap<Symbol, Id>;
 
-/// How the change of a node is passed on.
+/// How a sweep passes the change of a node on.
 pub(super) enum Step {
-    /// Σ coefficient·(change of operand).
+    /// The change is Σ coefficient·(change of operand). The pairs are (operand, coefficient).
     Operands(Vec<(Id, Id)>),
-    /// Σ coefficient·(change of coordinate).
+    /// The change is Σ coefficient·(change of coordinate).
     Coordinates(Entries),
 }
 
-/// The derivatives of `root`.
+/// Computes the derivatives of `root`.
 pub(super) fn gradient(graph: &mut Graph, root: Id) -> Entries {
     reverse(graph, root, &mut |graph, id| match derivative(graph, id) {
         Derivative::Chain(partials) => Step::Operands(partials),
-        // Each side is swept on its own, so that what belongs to a branch is computed in that branch only.
+        // Sweep each branch separately, so that its operations are computed in that branch only.
         Derivative::Branch(condition, first, second) => {
             let (first, second) = (gradient(graph, first), gradient(graph, second));
             Step::Coordinates(select(graph, condition, &first, &second))
@@ -27,10 +27,10 @@ pub(super) fn gradient(graph: &mut Graph, root: Id) -> Entries {
     })
 }
 
-/// Sweeps from `root` to the coordinates.
+/// Sweeps from `root` to the coordinates, with `step` as the rule for a node.
 pub(super) fn reverse(graph: &mut Graph, root: Id, step: &mut impl FnMut(&mut Graph, Id) -> Step) -> Entries {
     let order = graph.reachable(&[root]);
-    // Where the contributions to the adjoint of a node are, if it reads a coordinate.
+    // Index of the contributions to the adjoint of each node that reads a coordinate.
     let mut active: Table<usize> = Table::default();
     let mut adjoints: Vec<Vec<Id>> = vec![];
     for id in &order {
@@ -74,7 +74,7 @@ pub(super) fn reverse(graph: &mut Graph, root: Id, step: &mut impl FnMut(&mut Gr
     entries.into_iter().map(|(symbol, parts)| (symbol, graph.sum(&parts))).collect()
 }
 
-/// Either side's entries.
+/// Selects between the entries of two branches.
 pub(super) fn select(graph: &mut Graph, condition: Id, first: &Entries, second: &Entries) -> Entries {
     let zero = graph.zero();
     let side = |side: &Entries, symbol| side.get(&symbol).copied().unwrap_or(zero);

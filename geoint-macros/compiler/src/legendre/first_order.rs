@@ -6,7 +6,6 @@
 //! Ω may vanish on half of the coordinates, called y. Then ϑ + ∇f has no entries in y for some function f. The other half, x, and P = ϑₓ + ∂f/∂x are
 //! canonical coordinates.
 
-use super::mass::blocks;
 use super::{add_unconditional, at_rest, divisors, invariant, without_velocities};
 use crate::analyze;
 use crate::analyze::liouville::{self, Logarithm};
@@ -109,7 +108,7 @@ fn form(graph: &mut Graph, momenta: &[Id]) -> Vec<Vec<Id>> {
 /// Computes Ω⁻¹ by blocks of coupled coordinates.
 fn inverse(graph: &mut Graph, form: &[Vec<Id>]) -> Result<Vec<Vec<Id>>, NotRegular> {
     let mut inverse = vec![vec![graph.zero(); form.len()]; form.len()];
-    for block in blocks(graph, form) {
+    for block in diff::blocks(graph, form) {
         if !block.len().is_multiple_of(2) {
             return Err(NotRegular::Odd(block));
         }
@@ -181,7 +180,7 @@ fn canonical(
     let coordinates: Vec<Symbol> = (0..momenta.len() as u32).map(Symbol::Position).collect();
     let slopes = diff::jacobian(graph, &[gauge], &coordinates).remove(0);
     let gradient = diff::jacobian(graph, &[energy], &coordinates).remove(0);
-    let field = diff::flow::times(graph, structure, &gradient);
+    let field = diff::equations::structured(graph, structure, &gradient);
     let mut values: Vec<Id> = coordinates.iter().map(|symbol| graph.symbol(*symbol)).collect();
     let mut rates = field.clone();
     let pairs = pairs(graph, form, &kept, replaced);
@@ -202,7 +201,7 @@ fn canonical(
 /// Returns the coordinates y that are replaced by momenta.
 fn replaced(graph: &Graph, momenta: &[Id], form: &[Vec<Id>]) -> Option<Vec<u32>> {
     let mut replaced = vec![];
-    for block in blocks(graph, form) {
+    for block in diff::blocks(graph, form) {
         replaced.extend(half(graph, momenta, form, &block)?);
     }
     Some(replaced)

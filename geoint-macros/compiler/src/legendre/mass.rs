@@ -67,22 +67,6 @@ pub(super) fn regular(graph: &Graph, momenta: &[Id], mass: &[Vec<Id>]) -> Result
     })
 }
 
-/// Returns the groups of velocities that entries of M couple, directly or through other velocities.
-pub(super) fn blocks(graph: &Graph, mass: &[Vec<Id>]) -> Vec<Vec<u32>> {
-    let mut blocks: Vec<Vec<u32>> = vec![];
-    for i in 0..mass.len() {
-        let coupled = |block: &Vec<u32>| block.iter().any(|j| !graph.is_zero(mass[i][*j as usize]));
-        let (mine, others): (Vec<_>, Vec<_>) = blocks.into_iter().partition(coupled);
-        blocks = others;
-        let mut block = mine.concat();
-        block.push(i as u32);
-        block.sort_unstable();
-        blocks.push(block);
-    }
-    blocks.sort();
-    blocks
-}
-
 /// Returns whether M is diagonal and its form implies that it is negative definite.
 pub(super) fn is_negative(graph: &mut Graph, mass: &[Vec<Id>]) -> bool {
     (0..mass.len()).all(|i| {

@@ -32,7 +32,7 @@ pub(super) fn parts(
 ) -> Result<Parts, Flaw> {
     let (mut parts, mut squares, mut obstacle) = (vec![], vec![], None);
     let (mut rest, mut not_quadratic) = (lagrangian, vec![]);
-    for velocities in mass::blocks(graph, mass) {
+    for velocities in diff::blocks(graph, mass) {
         if !analyze::is_polynomial_in(graph, &mass::picked(momenta, &velocities), 1, is_velocity) {
             not_quadratic.push(velocities);
             continue;

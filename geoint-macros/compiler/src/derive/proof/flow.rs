@@ -3,8 +3,8 @@
 use super::Structure;
 use crate::analyze::{Damping, claims, search};
 use crate::diff;
-use crate::diff::field::taking;
-use crate::diff::flow::{self, Conserved};
+use crate::diff::equations::{checked_damping, structured, times};
+use crate::diff::flow::Conserved;
 use crate::ir::{
     Graph, Id, Symbol,
     print::{Naming, Printer},
@@ -82,15 +82,15 @@ impl Flow {
             let mut matrix = structure.to_vec();
             for (i, row) in matrix.iter_mut().enumerate() {
                 for (j, entry) in row.iter_mut().enumerate() {
-                    let taken = taking(graph, &damping.matrix, i, j);
+                    let taken = checked_damping(graph, &damping.matrix, i, j);
                     *entry = graph.sub(*entry, taken);
                 }
             }
-            let loss = flow::times(graph, &damping.matrix, &gradient).into_iter().map(|loss| graph.neg(loss)).collect();
+            let loss = times(graph, &damping.matrix, &gradient).into_iter().map(|loss| graph.neg(loss)).collect();
             (matrix, loss)
         });
         let (matrix, loss) = damped.map_or_else(|| (structure.to_vec(), None), |(matrix, loss)| (matrix, Some(loss)));
-        let field = flow::times(graph, &matrix, &gradient);
+        let field = structured(graph, &matrix, &gradient);
         let conserved = Conserved { value: energy, but: loss.clone() };
         let kept = Named { name: ENERGY.into(), conserved, origin: Origin::Energy };
         let kept = if graph.reads(energy).t { vec![] } else { vec![kept] };

@@ -77,7 +77,7 @@ pub(crate) fn structure(graph: &mut Graph, energy: Id, skew: &Skew) -> Structure
 /// S ∇H.
 fn field_of(graph: &mut Graph, energy: Id, matrix: &[Vec<Id>]) -> Vec<Id> {
     let gradient = diff::gradient(graph, energy, matrix.len() as u32).q;
-    diff::flow::times(graph, matrix, &gradient)
+    diff::equations::structured(graph, matrix, &gradient)
 }
 
 /// The matrix of v ↦ a × v.

@@ -1,63 +1,67 @@
-//! The equations of steps with constraints g(q) = 0, whose multipliers are unknowns beside increments.
+//! The equations of steps with constraints g(q) = 0. Their unknowns are increments and one multiplier ν for each constraint.
 //!
-//! A multiplier ν is that of positions: Gᵀν/h is added to momenta on the way, W Gᵀν to positions with W = ∂²H/∂p² for a constant mass
-//! matrix. A row g(q₁) is divided by the entry of G W Gᵀ on the diagonal: then it has the unit of its multiplier, and the determinant of
-//! the iteration is positive near h = 0.
+//! With G = ∂g/∂q, a multiplier adds Gᵀν/h to the momenta, and W Gᵀν to the positions if W = ∂²H/∂p² is constant. The row of g(q₁) is divided by the
+//! diagonal entry of G W Gᵀ. The row then has the unit of its multiplier, and the determinant of the iteration is positive near h = 0.
 
 mod steps;
 
+use super::equations::times;
 use super::forward::jacobian;
-use crate::ir::substitute::Substitution;
+use super::gradient::with_values;
 use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
+use std::collections::BTreeSet;
 pub(crate) use steps::{gradient, rattle};
 
-/// What is known of a system with constraints.
-pub(crate) struct Given<'a> {
+/// A system with constraints, and derivatives of it.
+pub(crate) struct Constrained<'a> {
     pub(crate) constraints: &'a [Id],
-    /// G, a row a constraint.
+    /// G, with one row for each constraint.
     pub(crate) gradients: Vec<Vec<Id>>,
     /// ∂H/∂p.
     pub(crate) velocity: &'a [Id],
-    /// W.
+    /// W = ∂²H/∂p².
     pub(crate) inverse_mass: Vec<Vec<Id>>,
-    /// p' without multipliers, at a point and between two.
+    /// p' without multipliers at a point.
     pub(crate) force: &'a [Id],
+    /// p' without multipliers between two points.
     pub(crate) mean_force: &'a [Id],
-    /// q' between two points; nothing if the mass matrix is constant and nothing is damped: positions then follow from momenta.
+    /// q' between two points. Absent if the mass matrix is constant and nothing is damped: momenta then determine positions.
     pub(crate) mean_velocity: Option<&'a [Id]>,
 }
 
-/// The equation of a step.
+/// The equation of a step, residual = 0.
 pub(crate) struct Equation {
     pub(crate) unknowns: Vec<Symbol>,
     pub(crate) residual: Vec<Id>,
-    /// What a solution adds to positions and momenta.
+    /// The increments of positions and momenta at a solution.
     pub(crate) end: Vec<Id>,
-    /// How large a number is whose rounding an unknown has.
+    /// For every unknown a number of the size whose rounding error the unknown has.
     pub(crate) origin: Vec<Id>,
 }
 
-impl<'a> Given<'a> {
+impl<'a> Constrained<'a> {
+    /// Adds the derivatives of the constraints and of the velocity.
     pub(crate) fn new(
         graph: &mut Graph,
         constraints: &'a [Id],
         velocity: &'a [Id],
-        [force, mean_force]: [&'a [Id]; 2],
+        force: &'a [Id],
+        mean_force: &'a [Id],
         mean_velocity: Option<&'a [Id]>,
-    ) -> Given<'a> {
+    ) -> Constrained<'a> {
         let degrees = velocity.len() as u32;
         let [positions, momenta]: [Vec<Symbol>; 2] =
             [Symbol::Position, Symbol::Momentum].map(|symbol: fn(u32) -> Symbol| (0..degrees).map(symbol).collect());
         let gradients = jacobian(graph, constraints, &positions);
         let inverse_mass = jacobian(graph, velocity, &momenta);
-        Given { constraints, gradients, velocity, inverse_mass, force, mean_force, mean_velocity }
+        Constrained { constraints, gradients, velocity, inverse_mass, force, mean_force, mean_velocity }
     }
 
     fn degrees(&self) -> usize {
         self.velocity.len()
     }
 
-    /// G ∂H/∂p.
+    /// dg/dt = G ∂H/∂p.
     pub(crate) fn rates(&self, graph: &mut Graph) -> Vec<Id> {
         self.gradients.iter().map(|gradient| graph.dot(gradient, self.velocity)).collect()
     }
@@ -72,15 +76,16 @@ impl<'a> Given<'a> {
         units
     }
 
-    /// What the rounding of coordinates that constraints bind to each other moves each constraint by, in units of ε: a coordinate that stays
-    /// zero has the rounding of those that it is solved for with. Lengths are those of the kinetic energy, which are of one unit.
+    /// The change of each constraint by rounding errors of the coordinates that it couples, in units of ε.
+    ///
+    /// A coordinate near zero has the rounding error of the coordinates that are solved for with it. The kinetic energy measures lengths, which gives
+    /// all coordinates one unit.
     pub(crate) fn sizes(&self, graph: &mut Graph) -> Vec<Id> {
         let units = self.units(graph);
-        let bound = self.bound_together(graph);
         let mut sizes = vec![];
-        for (unit, bound) in units.into_iter().zip(bound) {
+        for (unit, coupled) in units.into_iter().zip(self.coupled_coordinates(graph)) {
             let mut lengths = vec![];
-            for i in bound {
+            for i in coupled {
                 let q = graph.symbol(Symbol::Position(i as u32));
                 let square = graph.pow(q, Ratio::integer(2));
                 let length = graph.div(square, self.inverse_mass[i][i]);
@@ -93,44 +98,35 @@ impl<'a> Given<'a> {
         sizes
     }
 
-    /// The coordinates with inertia that each constraint reads, or others that share one with it.
-    fn bound_together(&self, graph: &Graph) -> Vec<Vec<usize>> {
+    /// For each constraint the coordinates with inertia that it couples: its own, and those of constraints that share a coordinate with it, directly or
+    /// through other constraints.
+    fn coupled_coordinates(&self, graph: &Graph) -> Vec<Vec<usize>> {
         let n = self.degrees();
-        let own = |gradient: &Vec<Id>| (0..n).filter(|i| !graph.is_zero(gradient[*i])).collect::<Vec<_>>();
-        let mut all: Vec<Vec<usize>> = self.gradients.iter().map(own).collect();
+        let own = |gradient: &Vec<Id>| (0..n).filter(|i| !graph.is_zero(gradient[*i])).collect();
+        let mut all: Vec<BTreeSet<usize>> = self.gradients.iter().map(own).collect();
         for _ in 0..all.len() {
             for k in 0..all.len() {
-                let shares = |other: &&Vec<usize>| other.iter().any(|i| all[k].contains(i));
-                let mut joined = all.iter().filter(shares).cloned().collect::<Vec<_>>().concat();
-                joined.sort_unstable();
-                joined.dedup();
-                all[k] = joined;
+                all[k] = all.iter().filter(|other| !other.is_disjoint(&all[k])).flatten().copied().collect();
             }
         }
-        let heavy = |i: &usize| !graph.is_zero(self.inverse_mass[*i][*i]);
-        all.into_iter().map(|bound| bound.into_iter().filter(heavy).collect()).collect()
+        let has_inertia = |i: &usize| !graph.is_zero(self.inverse_mass[*i][*i]);
+        all.into_iter().map(|coupled| coupled.into_iter().filter(has_inertia).collect()).collect()
     }
 
     /// W x.
     fn along(&self, graph: &mut Graph, x: &[Id]) -> Vec<Id> {
-        self.inverse_mass.iter().map(|row| graph.dot(row, x)).collect()
+        times(graph, &self.inverse_mass, x)
     }
 
     /// g(q₁) in units of multipliers.
-    fn bound(&self, graph: &mut Graph, end: &[Id]) -> Vec<Id> {
+    fn constraints_at(&self, graph: &mut Graph, end: &[Id]) -> Vec<Id> {
         let units = self.units(graph);
-        let mut there = Substitution::new(|_: &mut Graph, symbol| match symbol {
-            Symbol::Position(i) => Some(end[i as usize]),
-            _ => None,
-        });
-        let mut row = |(constraint, unit): (&Id, &Id)| {
-            let value = there.apply(graph, *constraint);
-            graph.div(value, *unit)
-        };
-        self.constraints.iter().zip(&units).map(&mut row).collect()
+        let values = with_values(graph, self.constraints, Symbol::Position, end);
+        values.iter().zip(&units).map(|(value, unit)| graph.div(*value, *unit)).collect()
     }
 
-    /// A multiplier has the rounding of positions, a position that of multipliers as well, and a momentum that of `pull` times Gᵀν/h.
+    /// The origin of every unknown, see [`Equation`]. A multiplier has the rounding error of positions. A position adds the error of W Gᵀν, and a
+    /// momentum adds the error of `pull`·Gᵀν/h.
     fn origin(&self, graph: &mut Graph, unknowns: &[Symbol], pull: Number) -> Vec<Id> {
         let units = self.units(graph);
         let mut multipliers = vec![];
@@ -150,7 +146,7 @@ impl<'a> Given<'a> {
         let weight = graph.scale(pull, weight);
         let directions: Vec<Vec<Id>> = self.gradients.iter().map(|gradient| self.along(graph, gradient)).collect();
         let mut size = |symbol: &Symbol| {
-            let (own, weights, weight, i) = match symbol {
+            let (own, rows, weight, i) = match symbol {
                 Symbol::Multiplier(k) => return multipliers[*k as usize],
                 Symbol::PositionIncrement(i) => (Symbol::Position(*i), &directions, graph.integer(1), *i),
                 Symbol::MomentumIncrement(i) => (Symbol::Momentum(*i), &self.gradients, weight, *i),
@@ -158,7 +154,7 @@ impl<'a> Given<'a> {
             };
             let own = graph.symbol(own);
             let mut terms = vec![graph.call(Function::Abs, &[own])];
-            for (row, multiplier) in weights.iter().zip(&multipliers) {
+            for (row, multiplier) in rows.iter().zip(&multipliers) {
                 let slope = graph.call(Function::Abs, &[row[i as usize]]);
                 terms.push(graph.product(&[weight, slope, *multiplier]));
             }
@@ -166,28 +162,4 @@ impl<'a> Given<'a> {
         };
         unknowns.iter().map(&mut size).collect()
     }
-}
-
-/// Coordinates after increments.
-fn ends(graph: &mut Graph, coordinate: fn(u32) -> Symbol, increments: &[Id]) -> Vec<Id> {
-    let mut end = |(i, increment): (u32, &Id)| {
-        let start = graph.symbol(coordinate(i));
-        graph.add(start, *increment)
-    };
-    (0..).zip(increments).map(&mut end).collect()
-}
-
-/// Nodes at other positions, perhaps other momenta, and another time.
-fn moved(graph: &mut Graph, nodes: &[Id], (positions, momenta): (&[Id], Option<&[Id]>), time: Id) -> Vec<Id> {
-    let mut there = Substitution::new(|_: &mut Graph, symbol| match symbol {
-        Symbol::Position(i) => Some(positions[i as usize]),
-        Symbol::Momentum(i) => momenta.map(|momenta| momenta[i as usize]),
-        Symbol::Time => Some(time),
-        _ => None,
-    });
-    nodes.iter().map(|node| there.apply(graph, *node)).collect()
-}
-
-fn sums(graph: &mut Graph, a: &[Id], b: &[Id]) -> Vec<Id> {
-    a.iter().zip(b).map(|(a, b)| graph.add(*a, *b)).collect()
 }

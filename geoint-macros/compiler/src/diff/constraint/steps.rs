@@ -1,111 +1,103 @@
 //! RATTLE and the discrete gradient with constraints.
 
-use super::{Equation, Given, ends, moved, sums};
-use crate::diff::gradient::discrete_gradient;
+use super::{Constrained, Equation};
+use crate::diff::gradient::{discrete_gradient, with_values};
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Number, Symbol};
 
-/// RATTLE up to the momentum that is to be made tangent at the end.
-pub(crate) fn rattle(graph: &mut Graph, given: &Given<'_>) -> Equation {
-    let n = given.degrees();
+/// RATTLE up to the momentum at the end. The projection of that momentum to the tangent space is a separate equation.
+pub(crate) fn rattle(graph: &mut Graph, system: &Constrained<'_>) -> Equation {
+    let n = system.degrees();
     let [h, t] = [Symbol::StepLength, Symbol::Time].map(|symbol| graph.symbol(symbol));
-    let (half, later) = (graph.scale(Number::HALF, h), graph.add(t, h));
-    let pull = pulls(graph, &given.gradients, Number::ONE);
-    let impulse =
-        |graph: &mut Graph, force: &[Id]| force.iter().map(|force| graph.mul(half, *force)).collect::<Vec<_>>();
-    if given.mean_velocity.is_none() {
-        let kick = impulse(graph, given.force);
+    let (half, end_time) = (graph.scale(Number::HALF, h), graph.add(t, h));
+    let pull = pulls(graph, &system.gradients, Number::ONE);
+    if system.mean_velocity.is_none() {
+        let kick = scaled(graph, half, system.force);
         let increments = sums(graph, &kick, &pull);
-        let shift = shifts(graph, given.velocity, &increments, Number::ONE);
+        let shift = shifts(graph, system.velocity, &increments, Number::ONE);
         let end = ends(graph, Symbol::Position, &shift);
-        let there = moved(graph, given.force, (&end, None), later);
-        let last = impulse(graph, &there);
-        let unknowns = multipliers(given);
+        let force = moved(graph, system.force, &end, None, end_time);
+        let last = scaled(graph, half, &force);
+        let unknowns = multipliers(system);
         return Equation {
-            residual: given.bound(graph, &end),
+            residual: system.constraints_at(graph, &end),
             end: [shift, sums(graph, &increments, &last)].concat(),
-            origin: given.origin(graph, &unknowns, Number::ONE),
+            origin: system.origin(graph, &unknowns, Number::ONE),
             unknowns,
         };
     }
     let [dq, dp] = increments(graph, n);
     let [end, middle] = [ends(graph, Symbol::Position, &dq), ends(graph, Symbol::Momentum, &dp)];
     let start: Vec<Id> = (0..n as u32).map(|i| graph.symbol(Symbol::Position(i))).collect();
-    let mut at = |nodes: &[Id], positions: &[Id], time| moved(graph, nodes, (positions, Some(&middle)), time);
-    let (first, last) = (at(given.velocity, &start, t), at(given.velocity, &end, later));
-    let (kick, kicked) = (at(given.force, &start, t), at(given.force, &end, later));
-    let mut residual = vec![];
-    for i in 0..n {
-        let velocity = graph.add(first[i], last[i]);
-        let shift = graph.mul(half, velocity);
-        residual.push(graph.sub(dq[i], shift));
-    }
-    let kick = impulse(graph, &kick);
-    for i in 0..n {
-        let increment = graph.add(kick[i], pull[i]);
-        residual.push(graph.sub(dp[i], increment));
-    }
-    residual.extend(given.bound(graph, &end));
-    let last = impulse(graph, &kicked);
-    let unknowns = all(given);
+    let mut at = |nodes: &[Id], positions: &[Id], time| moved(graph, nodes, positions, Some(&middle), time);
+    let (first, last) = (at(system.velocity, &start, t), at(system.velocity, &end, end_time));
+    let (first_force, last_force) = (at(system.force, &start, t), at(system.force, &end, end_time));
+    let velocity = sums(graph, &first, &last);
+    let shift = scaled(graph, half, &velocity);
+    let mut residual = differences(graph, &dq, &shift);
+    let kick = scaled(graph, half, &first_force);
+    let impulse = sums(graph, &kick, &pull);
+    residual.extend(differences(graph, &dp, &impulse));
+    residual.extend(system.constraints_at(graph, &end));
+    let last = scaled(graph, half, &last_force);
+    let unknowns = all_unknowns(system);
     Equation {
         residual,
         end: [dq, sums(graph, &dp, &last)].concat(),
-        origin: given.origin(graph, &unknowns, Number::ONE),
+        origin: system.origin(graph, &unknowns, Number::ONE),
         unknowns,
     }
 }
 
-/// The discrete gradient with constraints; time is that of the middle of the step.
-pub(crate) fn gradient(graph: &mut Graph, given: &Given<'_>) -> Equation {
-    let n = given.degrees();
+/// The discrete gradient with constraints. Time is the middle of the step.
+pub(crate) fn gradient(graph: &mut Graph, system: &Constrained<'_>) -> Equation {
+    let n = system.degrees();
     let h = graph.symbol(Symbol::StepLength);
-    let two = Number::ONE.add(Number::ONE);
+    let two = Number::integer(2);
     let slopes: Vec<Vec<Id>> =
-        given.constraints.iter().map(|constraint| discrete_gradient(graph, *constraint, n as u32).q).collect();
+        system.constraints.iter().map(|constraint| discrete_gradient(graph, *constraint, n as u32).q).collect();
     let pull = pulls(graph, &slopes, two);
-    let impulse: Vec<Id> = given.mean_force.iter().map(|force| graph.mul(h, *force)).collect();
+    let impulse = scaled(graph, h, system.mean_force);
     let impulse = sums(graph, &impulse, &pull);
     let [dq, dp] = increments(graph, n);
-    let end = ends(graph, Symbol::Position, &dq);
-    let less =
-        |graph: &mut Graph, a: &[Id], b: &[Id]| a.iter().zip(b).map(|(a, b)| graph.sub(*a, *b)).collect::<Vec<_>>();
-    let (unknowns, mut residual, added) = match given.mean_velocity {
+    let at_end = ends(graph, Symbol::Position, &dq);
+    let (unknowns, mut residual, end) = match system.mean_velocity {
         None => {
-            let shift = shifts(graph, given.velocity, &impulse, Number::HALF);
-            let unknowns = [(0..n as u32).map(Symbol::PositionIncrement).collect(), multipliers(given)].concat();
-            (unknowns, less(graph, &dq, &shift), [shift, impulse].concat())
+            let shift = shifts(graph, system.velocity, &impulse, Number::HALF);
+            let unknowns = [(0..n as u32).map(Symbol::PositionIncrement).collect(), multipliers(system)].concat();
+            (unknowns, differences(graph, &dq, &shift), [shift, impulse].concat())
         }
         Some(velocity) => {
-            let shift: Vec<Id> = velocity.iter().map(|velocity| graph.mul(h, *velocity)).collect();
-            let rows = [less(graph, &dq, &shift), less(graph, &dp, &impulse)].concat();
-            (all(given), rows, [dq, dp].concat())
+            let shift = scaled(graph, h, velocity);
+            let rows = [differences(graph, &dq, &shift), differences(graph, &dp, &impulse)].concat();
+            (all_unknowns(system), rows, [dq, dp].concat())
         }
     };
-    residual.extend(given.bound(graph, &end));
-    Equation { residual, end: added, origin: given.origin(graph, &unknowns, two), unknowns }
+    residual.extend(system.constraints_at(graph, &at_end));
+    Equation { residual, end, origin: system.origin(graph, &unknowns, two), unknowns }
 }
 
-fn multipliers(given: &Given<'_>) -> Vec<Symbol> {
-    (0..given.constraints.len() as u32).map(Symbol::Multiplier).collect()
+fn multipliers(system: &Constrained<'_>) -> Vec<Symbol> {
+    (0..system.constraints.len() as u32).map(Symbol::Multiplier).collect()
 }
 
-fn all(given: &Given<'_>) -> Vec<Symbol> {
-    let n = given.degrees() as u32;
+/// The increments of positions and momenta, and the multipliers.
+fn all_unknowns(system: &Constrained<'_>) -> Vec<Symbol> {
+    let n = system.degrees() as u32;
     (0..n)
         .map(Symbol::PositionIncrement)
         .chain((0..n).map(Symbol::MomentumIncrement))
-        .chain(multipliers(given))
+        .chain(multipliers(system))
         .collect()
 }
 
-/// The increments of positions and momenta as unknowns.
+/// The increments of positions and of momenta as nodes.
 fn increments(graph: &mut Graph, n: usize) -> [Vec<Id>; 2] {
     [Symbol::PositionIncrement, Symbol::MomentumIncrement]
         .map(|symbol: fn(u32) -> Symbol| (0..n as u32).map(|i| graph.symbol(symbol(i))).collect())
 }
 
-/// What multipliers add to momenta: a number of times Gᵀν/h.
+/// The impulse `times`·Gᵀν/h of the multipliers.
 fn pulls(graph: &mut Graph, gradients: &[Vec<Id>], times: Number) -> Vec<Id> {
     let h = graph.symbol(Symbol::StepLength);
     let weight = graph.recip(h);
@@ -121,18 +113,43 @@ fn pulls(graph: &mut Graph, gradients: &[Vec<Id>], times: Number) -> Vec<Id> {
     (0..gradients.first().map_or(0, Vec::len)).map(&mut pull).collect()
 }
 
-/// h ∂H/∂p where part of the increments was added to momenta.
+/// h ∂H/∂p at the momenta p + part·increments.
 fn shifts(graph: &mut Graph, velocity: &[Id], increments: &[Id], part: Number) -> Vec<Id> {
     let h = graph.symbol(Symbol::StepLength);
     let added: Vec<Id> = increments.iter().map(|increment| graph.scale(part, *increment)).collect();
     let momenta = ends(graph, Symbol::Momentum, &added);
-    let mut there = Substitution::new(|_: &mut Graph, symbol| match symbol {
-        Symbol::Momentum(i) => Some(momenta[i as usize]),
+    let velocity = with_values(graph, velocity, Symbol::Momentum, &momenta);
+    scaled(graph, h, &velocity)
+}
+
+/// Coordinates after increments.
+fn ends(graph: &mut Graph, coordinate: fn(u32) -> Symbol, increments: &[Id]) -> Vec<Id> {
+    let mut end = |(i, increment): (u32, &Id)| {
+        let start = graph.symbol(coordinate(i));
+        graph.add(start, *increment)
+    };
+    (0..).zip(increments).map(&mut end).collect()
+}
+
+/// Nodes at other positions, at other momenta if given, and at another time.
+fn moved(graph: &mut Graph, nodes: &[Id], positions: &[Id], momenta: Option<&[Id]>, time: Id) -> Vec<Id> {
+    let mut moved = Substitution::new(|_: &mut Graph, symbol| match symbol {
+        Symbol::Position(i) => Some(positions[i as usize]),
+        Symbol::Momentum(i) => momenta.map(|momenta| momenta[i as usize]),
+        Symbol::Time => Some(time),
         _ => None,
     });
-    let mut shift = |velocity: &Id| {
-        let velocity = there.apply(graph, *velocity);
-        graph.mul(h, velocity)
-    };
-    velocity.iter().map(&mut shift).collect()
+    nodes.iter().map(|node| moved.apply(graph, *node)).collect()
+}
+
+fn scaled(graph: &mut Graph, factor: Id, vector: &[Id]) -> Vec<Id> {
+    vector.iter().map(|entry| graph.mul(factor, *entry)).collect()
+}
+
+fn sums(graph: &mut Graph, a: &[Id], b: &[Id]) -> Vec<Id> {
+    a.iter().zip(b).map(|(a, b)| graph.add(*a, *b)).collect()
+}
+
+fn differences(graph: &mut Graph, a: &[Id], b: &[Id]) -> Vec<Id> {
+    a.iter().zip(b).map(|(a, b)| graph.sub(*a, *b)).collect()
 }

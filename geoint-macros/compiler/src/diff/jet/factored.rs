@@ -1,15 +1,15 @@
-//! Sums whose terms have factors in common: a·x + a·y is a·(x + y), one multiplication of series in place of two.
+//! Factors sums whose terms share factors: a·x + a·y = a·(x + y) takes one multiplication of series in place of two.
 //!
-//! The graph itself stays as it is: the order of its operations is that of the rates of every other method.
+//! The nodes of the rates stay unchanged, because other methods emit them in their order.
 
 use super::Builder;
 use crate::ir::{Id, Node, Number, Ratio};
 
-/// What moves in a product, each factor as often as it occurs.
+/// The factors of a product that move, repeated by multiplicity.
 type Factors = Vec<(Id, Ratio)>;
 
 impl Builder<'_> {
-    /// The terms with those together that have a factor in common.
+    /// Factors the terms of a sum as long as two terms share a factor.
     pub(super) fn factored(&mut self, mut terms: Vec<(Number, Id)>) -> Vec<(Number, Id)> {
         while let Some(next) = self.with_common_factor(&terms) {
             terms = next;
@@ -17,8 +17,7 @@ impl Builder<'_> {
         terms
     }
 
-    /// Terms of a sum by their factors, with those squares together that nothing else reads and that have the same one: a sum of squares is
-    /// one sum over coefficients.
+    /// Joins squares with equal factors that are read nowhere else: a sum of squares is one sum over coefficients. Terms are pairs (factor, node).
     pub(super) fn with_squares_together(&mut self, terms: Vec<(Id, Id)>) -> Vec<(Id, Id)> {
         let mut rest: Vec<(Id, Id)> = vec![];
         let mut together: Vec<(Id, Vec<Id>)> = vec![];
@@ -36,7 +35,7 @@ impl Builder<'_> {
         rest
     }
 
-    /// What is squared, of a square or a sum of squares that nothing else reads.
+    /// The bases of a square or of a sum of squares. Returns `None` if a square is read elsewhere.
     pub(super) fn own_squares(&mut self, id: Id) -> Option<Vec<Id>> {
         match self.graph.node(id).clone() {
             Node::Linear(_, terms) => {
@@ -47,7 +46,7 @@ impl Builder<'_> {
         }
     }
 
-    /// What is squared, of a square that nothing else reads.
+    /// The base of a square that is read nowhere else.
     fn own_square(&mut self, id: Id) -> Option<Id> {
         let shared = self.uses.get(&id).is_some_and(|uses| *uses > 1) || self.sources.contains_key(&id);
         match *self.graph.node(id) {
@@ -58,7 +57,7 @@ impl Builder<'_> {
         }
     }
 
-    /// Two terms or more as a product of what they have in common with the sum of the rest.
+    /// Writes the terms that contain the most frequent factor as one product. Returns `None` if no two terms share a factor.
     fn with_common_factor(&mut self, terms: &[(Number, Id)]) -> Option<Vec<(Number, Id)>> {
         let all: Vec<Option<Factors>> = terms.iter().map(|(_, term)| self.own_factors(*term)).collect();
         let has =
@@ -87,7 +86,7 @@ impl Builder<'_> {
         for (c, own, term) in inner {
             let (scale, term) = self.graph.coefficient(term);
             let mut left = self.graph.number(c.mul(scale));
-            // What stands still, and what moves and is not in common.
+            // Keep constant factors, and moving factors outside of the common ones.
             let mut taken = common.clone();
             for (base, exponent) in self.graph.factors(term) {
                 for part in parts(base, exponent) {
@@ -101,7 +100,7 @@ impl Builder<'_> {
             }
             sum = self.graph.add(sum, left);
         }
-        // What has cancelled, or has no more to it than a factor, is none the better.
+        // If the sum in brackets cancels or is constant, nothing is gained.
         if self.is_constant(sum) {
             return None;
         }
@@ -115,7 +114,7 @@ impl Builder<'_> {
         Some(rest)
     }
 
-    /// The factors that move, of a product of two or more that nothing else reads.
+    /// The moving factors of a product that is read once. Returns `None` if there are fewer than two.
     fn own_factors(&mut self, term: Id) -> Option<Factors> {
         let shared = self.uses.get(&term).is_some_and(|uses| *uses > 1);
         let all = self.graph.factors(self.graph.coefficient(term).1);
@@ -128,7 +127,7 @@ impl Builder<'_> {
     }
 }
 
-/// A power as that many factors.
+/// Splits a small integer power into single factors.
 fn parts(base: Id, exponent: Ratio) -> Vec<(Id, Ratio)> {
     let times = exponent.numerator.unsigned_abs();
     if exponent.is_integer() && (1..=4).contains(&times) {
@@ -137,7 +136,7 @@ fn parts(base: Id, exponent: Ratio) -> Vec<(Id, Ratio)> {
     vec![(base, exponent)]
 }
 
-/// What both have, as often as both have it.
+/// The common factors of both, with multiplicity.
 fn shared(a: &Factors, b: &Factors) -> Factors {
     let mut left = b.clone();
     let taken = a.iter().filter(|factor| {

@@ -1,10 +1,11 @@
-//! The recurrence of every function: one exhaustive match.
+//! The recurrences of functions, in one exhaustive match.
 
 use super::{Builder, Factor, Rule};
 use crate::ir::of_steps;
 use crate::ir::{Function, Id, Number, Ratio, Relation};
 
 impl Builder<'_> {
+    /// The rule of `id = function(args)`.
     pub(super) fn call(&mut self, id: Id, function: Function, args: &[Id]) -> Rule {
         let (x, y) = (args[0], *args.get(1).unwrap_or(&args[0]));
         let one = self.graph.integer(1);
@@ -14,39 +15,30 @@ impl Builder<'_> {
             Function::Cos => self.integral(Function::Sin, minus, x),
             Function::Sinh => self.integral(Function::Cosh, Number::ONE, x),
             Function::Cosh => self.integral(Function::Sinh, Number::ONE, x),
-            Function::Tan => {
+            Function::Tan | Function::Tanh => {
                 let square = self.graph.pow(id, Ratio::integer(2));
-                let by = self.graph.add(one, square);
-                self.integral_by(by, Number::ONE, x)
-            }
-            Function::Tanh => {
-                let square = self.graph.pow(id, Ratio::integer(2));
-                let by = self.graph.sub(one, square);
+                let is_tan = function == Function::Tan;
+                let by = if is_tan { self.graph.add(one, square) } else { self.graph.sub(one, square) };
                 self.integral_by(by, Number::ONE, x)
             }
             Function::Exp => self.integral_by(id, Number::ONE, x),
             Function::Exp2 => self.integral_by(id, Number::float(std::f64::consts::LN_2), x),
-            Function::ExpM1 => self.same_as(Function::Exp, x, Number::ONE),
+            Function::ExpM1 => self.multiple_of(Function::Exp, x, Number::ONE),
             Function::Ln => Rule::Quadrature { factor: Number::ONE, of: self.series(x), over: self.series(x) },
-            Function::Log2 => self.same_as(Function::Ln, x, Number::float(1.0 / std::f64::consts::LN_2)),
-            Function::Log10 => self.same_as(Function::Ln, x, Number::float(1.0 / std::f64::consts::LN_10)),
+            Function::Log2 => self.multiple_of(Function::Ln, x, Number::float(1.0 / std::f64::consts::LN_2)),
+            Function::Log10 => self.multiple_of(Function::Ln, x, Number::float(1.0 / std::f64::consts::LN_10)),
             Function::Ln1p => {
                 let sum = self.graph.add(one, x);
                 Rule::Quadrature { factor: Number::ONE, of: self.series(x), over: self.series(sum) }
             }
-            Function::Asin | Function::Acos | Function::Atanh => {
-                let (less, more) = (self.graph.sub(one, x), self.graph.add(one, x));
+            Function::Asin | Function::Acos | Function::Atanh | Function::Acosh => {
+                let (a, b) = if function == Function::Acosh { (x, one) } else { (one, x) };
+                let (less, more) = (self.graph.sub(a, b), self.graph.add(a, b));
                 let mut over = self.graph.mul(less, more);
                 if function != Function::Atanh {
                     over = self.graph.sqrt(over);
                 }
                 self.quadrature(if function == Function::Acos { minus } else { Number::ONE }, x, over)
-            }
-            Function::Acosh => {
-                let (less, more) = (self.graph.sub(x, one), self.graph.add(x, one));
-                let product = self.graph.mul(less, more);
-                let over = self.graph.sqrt(product);
-                self.quadrature(Number::ONE, x, over)
             }
             Function::Atan | Function::Asinh => {
                 let square = self.graph.pow(x, Ratio::integer(2));
@@ -76,7 +68,7 @@ impl Builder<'_> {
                 self.integral_by(id, Number::ONE, exponent)
             }
             Function::Abs => {
-                self.decides(x);
+                self.add_switch(x);
                 let sign = self.graph.call(Function::Signum, &[x]);
                 self.scaled(sign, x)
             }
@@ -86,13 +78,13 @@ impl Builder<'_> {
                 self.select(first, x, y)
             }
             Function::RecipPositive => Rule::Reciprocal(self.series(x)),
-            // Conditions, not terms: at the start they are not a number where they do not hold.
+            // The value at the start is NaN if the condition fails. Coefficients need not check it again.
             Function::NotNegative | Function::Bounded | Function::Provided => self.scaled(one, x),
             Function::Signum => {
-                self.decides(x);
+                self.add_switch(x);
                 Rule::Linear(vec![])
             }
-            of_steps!() => unreachable!("of divided differences and of flows: no part of a vector field"),
+            of_steps!() => unreachable!("vector fields contain no divided differences and no flows"),
         }
     }
 
@@ -104,7 +96,7 @@ impl Builder<'_> {
 
     /// y' = k·d·u'.
     fn integral_by(&mut self, by: Id, factor: Number, u: Id) -> Rule {
-        // A sign that was drawn out of d.
+        // The graph may have taken a sign out of d.
         let (c, by) = self.graph.coefficient(by);
         let (factor, by) = (factor.mul(c), self.series(by));
         match self.slope(u) {
@@ -118,12 +110,13 @@ impl Builder<'_> {
         Rule::Quadrature { factor, of: self.series(u), over: self.series(over) }
     }
 
-    /// c·f(u), but for the value.
-    fn same_as(&mut self, function: Function, u: Id, c: Number) -> Rule {
-        let same = self.graph.call(function, &[u]);
-        Rule::Linear(vec![(Factor::Number(c), self.series(same))])
+    /// c·f(u) for orders n ≥ 1. The value may differ.
+    fn multiple_of(&mut self, function: Function, u: Id, c: Number) -> Rule {
+        let value = self.graph.call(function, &[u]);
+        self.scaled_by(c, value)
     }
 
+    /// The angle of the point (x, y).
     fn angle(&mut self, y: Id, x: Id) -> Rule {
         let squares = [x, y].map(|x| self.graph.pow(x, Ratio::integer(2)));
         let square = self.graph.sum(&squares);
@@ -135,7 +128,7 @@ impl Builder<'_> {
         }
     }
 
-    /// r²·y' = ±c·u' where the other coordinate is the number c.
+    /// r²·y' = ±c·u', the angle of a point with one constant coordinate c.
     fn angle_of_one(&mut self, u: Id, c: Id, sign: Number, square: Id) -> Rule {
         let by = self.graph.div(c, square);
         self.integral_by(by, sign, u)

@@ -1,32 +1,30 @@
-//! The Taylor coefficients of a solution x' = f(x, t): a program that is run once for every order.
+//! The Taylor coefficients of a solution of x' = f(x, t), as a program that runs once for every order.
 //!
-//! A coefficient is no expression of the graph, so this derivation makes no nodes for coefficients: it makes a series of each node
-//! that f is built of, with the recurrence that gives its coefficient of order n from coefficients of operands up to n and its own
-//! up to n − 1. Coefficients of order 0 are values of nodes, and are scheduled as all values are.
+//! Each node of f becomes a series. A recurrence gives its coefficient of order n from the coefficients of its operands up to order n, and from its
+//! own coefficients up to order n − 1. Coefficients are no nodes of the graph, except for order 0: these are values of nodes, scheduled like all values.
 //!
 //! Coefficients are normalised: u⁽ⁿ⁾/n!.
 
 mod factored;
 mod functions;
-mod lanes;
+mod packs;
 mod program;
 mod rules;
 mod scaled;
 
-pub(crate) use lanes::{Central, LANES, Lanes, Operand, Sum, Weight, sums};
+pub(crate) use packs::{Central, LANES, Operand, Packs, Sum, Weight, sums};
 pub(crate) use program::{Factor, Jet, Rate, Rule, Series, Source, Value};
 
 use crate::ir::{Graph, HashMap, Id, Node, Number, Symbol};
 use std::collections::{HashSet, VecDeque};
 
-/// The program for coordinates by their rates; the signs of what is `watched` decide as conditions do.
-pub(crate) fn jet(graph: &mut Graph, rates: &[(Symbol, Id)], watched: &[Id]) -> Jet {
-    let roots: Vec<Id> = rates.iter().map(|(_, rate)| *rate).chain(watched.iter().copied()).collect();
+/// Builds the program from the rates of coordinates. The signs of the `checked` nodes decide about branches, as conditions do.
+pub(crate) fn jet(graph: &mut Graph, rates: &[(Symbol, Id)], checked: &[Id]) -> Jet {
+    let roots: Vec<Id> = rates.iter().map(|(_, rate)| *rate).chain(checked.iter().copied()).collect();
     let resting = rates.iter().filter(|(_, rate)| graph.is_zero(*rate)).map(|(symbol, _)| *symbol).collect();
-    let resting = Resting(resting);
     let mut builder = Builder {
         graph,
-        resting,
+        resting: Resting(resting),
         uses: HashMap::default(),
         alone: HashSet::default(),
         depths: Depths::default(),
@@ -35,19 +33,19 @@ pub(crate) fn jet(graph: &mut Graph, rates: &[(Symbol, Id)], watched: &[Id]) -> 
         values: HashMap::default(),
         open: VecDeque::new(),
     };
-    builder.look(&roots);
+    builder.count_uses(&roots);
     for (symbol, rate) in rates {
         let (value, source) = (builder.value(*rate), builder.source(*rate));
         builder.jet.rates.push(Rate { symbol: *symbol, value, source });
     }
-    for id in watched {
-        builder.decides(*id);
+    for id in checked {
+        builder.add_switch(*id);
     }
-    builder.close();
+    builder.complete();
     builder.jet
 }
 
-/// How many multiplications of series the coefficient of each node waits for.
+/// The longest chain of multiplications of series before the coefficient of each node.
 #[derive(Default)]
 struct Depths(Vec<u32>);
 
@@ -64,10 +62,11 @@ impl Depths {
     }
 }
 
-/// The coordinates that stand still, as the momenta of cyclic ones.
+/// The constant coordinates, for example momenta of cyclic coordinates.
 struct Resting(Vec<Symbol>);
 
 impl Resting {
+    /// Returns whether a node is constant along solutions.
     fn is_constant(&self, graph: &Graph, id: Id) -> bool {
         let reads = graph.reads(id);
         let rests = |symbol: &Symbol| matches!(symbol, Symbol::Parameter(_)) || self.0.contains(symbol);
@@ -75,37 +74,39 @@ impl Resting {
     }
 }
 
-/// Terms, with the first one positive.
-fn of_either_sign(terms: &[(Number, Id)]) -> Vec<(Number, Id)> {
+/// The terms of a sum up to sign: the first coefficient is made positive.
+fn up_to_sign(terms: &[(Number, Id)]) -> Vec<(Number, Id)> {
     let negative = terms.first().is_some_and(|(c, _)| c.is_negative());
     terms.iter().map(|(c, term)| (if negative { c.neg() } else { *c }, *term)).collect()
 }
 
+/// The state of the construction of a program.
 struct Builder<'a> {
     graph: &'a mut Graph,
     resting: Resting,
+    /// How often each node is read.
     uses: HashMap<Id, usize>,
-    /// What something reads other than in products with something else that moves, it or a multiple of it.
+    /// Nodes that are read, themselves or as a multiple, outside of products with another node that moves.
     alone: HashSet<Id>,
     depths: Depths,
     jet: Jet,
     sources: HashMap<Id, Source>,
     values: HashMap<Id, Value>,
-    /// Series that have a number but no place in the order yet.
+    /// Series without a rule yet.
     open: VecDeque<Source>,
 }
 
 impl Builder<'_> {
-    /// What is read, how often, and how.
-    fn look(&mut self, roots: &[Id]) {
+    /// Fills `uses` and `alone`.
+    fn count_uses(&mut self, roots: &[Id]) {
         let mut sums = HashSet::new();
         self.alone.extend(roots);
         for id in self.graph.reachable(roots).into_iter().rev() {
             let node = self.graph.node(id).clone();
             let moving = node.children().into_iter().filter(|child| !self.is_constant(*child)).count();
             let alone = match &node {
-                // A sum with the other sign is the same sum.
-                Node::Linear(_, terms) if moving > 1 && !sums.insert(of_either_sign(terms)) => continue,
+                // A sum and its negative count as one sum.
+                Node::Linear(_, terms) if moving > 1 && !sums.insert(up_to_sign(terms)) => continue,
                 Node::Product(_) => moving == 1 && self.alone.contains(&id),
                 Node::Linear(constant, terms) if constant.is_zero() && terms.len() == 1 => self.alone.contains(&id),
                 _ => true,
@@ -124,12 +125,12 @@ impl Builder<'_> {
         self.depths.of(self.graph, id)
     }
 
-    /// Whether a node is a number in a step.
+    /// Returns whether a node is constant during a step.
     fn is_constant(&self, id: Id) -> bool {
         self.resting.is_constant(self.graph, id)
     }
 
-    /// A value at the start.
+    /// The index of the value of a node at the start of a step.
     fn value(&mut self, id: Id) -> Value {
         let next = self.jet.values.len();
         *self.values.entry(id).or_insert_with(|| {
@@ -138,11 +139,12 @@ impl Builder<'_> {
         })
     }
 
-    /// The series of a node that is no number.
+    /// The series of a node, or `None` if it is constant.
     fn source(&mut self, id: Id) -> Option<Source> {
         (!self.is_constant(id)).then(|| self.series(id))
     }
 
+    /// The series of a node. Its rule follows later.
     fn series(&mut self, id: Id) -> Source {
         if let Some(source) = self.sources.get(&id) {
             return *source;
@@ -150,14 +152,14 @@ impl Builder<'_> {
         let value = self.value(id);
         let source = self.jet.series.len();
         self.sources.insert(id, source);
-        // A place, so that what reads it knows its number.
+        // A placeholder, so that readers can refer to the series.
         self.jet.series.push(Series { rule: Rule::Linear(vec![]), value, kept: false, weighted: false, before: false });
         self.open.push_back(source);
         source
     }
 
-    /// Gives every series that is asked for its rule, then the order.
-    fn close(&mut self) {
+    /// Adds the rule of every series, then the order of evaluation.
+    fn complete(&mut self) {
         while let Some(source) = self.open.pop_front() {
             let id = self.jet.values[self.jet.series[source].value];
             self.jet.series[source].rule = self.rule(id);
@@ -166,18 +168,22 @@ impl Builder<'_> {
         self.order();
         let rules: Vec<Rule> = self.jet.series.iter().map(|series| series.rule.clone()).collect();
         for (source, rule) in rules.iter().enumerate() {
-            let (kept, weighted) = rule.own();
-            self.jet.series[source].kept |= kept || matches!(rule, Rule::State(_));
-            self.jet.series[source].weighted |= weighted;
-            rule.in_sums().into_iter().for_each(|read| self.jet.series[read].kept = true);
+            self.jet.series[source].kept |= matches!(rule, Rule::State(_));
             if let Rule::Shift { of: read, .. } | Rule::Wave { by: read, .. } = rule {
                 self.jet.series[*read].before = true;
             }
-            rule.weighted().into_iter().for_each(|read| self.jet.series[read].weighted = true);
+            for Operand { source, weighted } in sums(rule, source).into_iter().flat_map(|sum| sum.operands) {
+                let series = &mut self.jet.series[source];
+                if weighted {
+                    series.weighted = true;
+                } else {
+                    series.kept = true;
+                }
+            }
         }
     }
 
-    /// Operands of the same order first.
+    /// Orders the series, with operands of the same order first.
     fn order(&mut self) {
         let mut state = vec![0; self.jet.series.len()];
         for root in 0..state.len() {

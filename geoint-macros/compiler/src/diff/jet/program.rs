@@ -1,30 +1,31 @@
-//! Programs of recurrences: series, the rule of each, and what a rule reads.
+//! Programs of recurrences: series, their rules, and the operands of rules.
 
+use super::packs::sums;
 use crate::ir::{Id, Number, Symbol};
 
-/// A number of a step, by its place among the values at the start.
+/// A number that is constant during a step, as an index into [`Jet::values`].
 pub(crate) type Value = usize;
 
-/// The coefficients of a series of this program.
+/// A series, as an index into [`Jet::series`].
 pub(crate) type Source = usize;
 
-/// What a coefficient is multiplied by.
+/// A constant factor of a coefficient.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Factor {
     Number(Number),
     Value(Value),
 }
 
-/// How the coefficient of order n ≥ 1 follows. In comments y is the series itself, and a sum runs over j.
+/// The recurrence for the coefficient of order n ≥ 1. In the comments, y is the series itself, and sums run over j.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Rule {
-    /// A coordinate: its rate of order n − 1, over n.
+    /// A coordinate: the coefficient of order n − 1 of its rate, divided by n.
     State(Symbol),
-    /// A function a + b·t: b at n = 1, zero beyond.
+    /// A function a + b·t: b for n = 1, zero for n > 1.
     Affine(Value),
     /// Σ factor·u.
     Linear(Vec<(Factor, Source)>),
-    /// Σ uⱼwₙ₋ⱼ; the second factor is known last.
+    /// Σ uⱼwₙ₋ⱼ. The second factor is computed last.
     Product(Source, Source),
     /// (a + b·t)·u.
     Shift { start: Value, slope: Value, of: Source },
@@ -40,13 +41,13 @@ pub(crate) enum Rule {
     Power(Source, Factor),
     /// y' = k·d·u', with d up to the order n − 1.
     Integral { factor: Number, by: Source, of: Source },
-    /// The same for u = a + b·t.
+    /// y' = k·d·b, the integral for u = a + b·t.
     Wave { factor: Number, slope: Value, by: Source },
     /// y'·d = k·u', with d up to the order n − 1.
     Quadrature { factor: Number, of: Source, over: Source },
     /// r²·y' = x·y₂' − y₂·x': the angle of (x, y₂).
     Angle { y: Source, x: Source, square: Source },
-    /// One of two, where nothing is zero, by a condition at the start.
+    /// One of two series by a condition at the start. `None` is zero.
     Select(Value, Option<Source>, Option<Source>),
 }
 
@@ -54,13 +55,13 @@ pub(crate) enum Rule {
 #[derive(Clone, Debug)]
 pub(crate) struct Series {
     pub(crate) rule: Rule,
-    /// Its value at the start.
+    /// The value at the start.
     pub(crate) value: Value,
-    /// Whether coefficients of lower orders are read.
+    /// Rules read coefficients uⱼ of lower orders.
     pub(crate) kept: bool,
-    /// Whether j·uⱼ are read.
+    /// Rules read j·uⱼ.
     pub(crate) weighted: bool,
-    /// Whether the coefficient of the order before is read by itself.
+    /// Rules read the coefficient of the previous order outside of sums.
     pub(crate) before: bool,
 }
 
@@ -72,61 +73,34 @@ pub(crate) struct Rate {
     pub(crate) source: Option<Source>,
 }
 
-/// A program.
+/// A program for the coefficients of all orders.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Jet {
     pub(crate) series: Vec<Series>,
-    /// In this order coefficients of one order are computed.
+    /// The order in which the series are evaluated.
     pub(crate) order: Vec<Source>,
     pub(crate) rates: Vec<Rate>,
-    /// What is computed at the start: numbers, and conditions.
+    /// Nodes that are computed at the start of a step: numbers and conditions.
     pub(crate) values: Vec<Id>,
-    /// Which of them are conditions.
+    /// The values that are conditions.
     pub(crate) conditions: Vec<Value>,
-    /// What decides a condition by its sign.
+    /// Numbers whose signs decide conditions, each with its series if it is not constant.
     pub(crate) switches: Vec<(Value, Option<Source>)>,
 }
 
 impl Rule {
-    /// The series whose coefficients of the same order are read.
+    /// The series whose coefficients of order n the coefficient of order n reads.
     pub(crate) fn now(&self) -> Vec<Source> {
         match self {
-            Rule::State(_) | Rule::Affine(_) | Rule::Wave { .. } => vec![],
             Rule::Linear(terms) => terms.iter().map(|(_, source)| *source).collect(),
-            Rule::Product(a, b) | Rule::Quotient(a, b) => vec![*a, *b],
-            Rule::Shift { of, .. } | Rule::Integral { of, .. } | Rule::Quadrature { of, .. } => vec![*of],
-            Rule::Squares(all) => all.clone(),
-            Rule::Reciprocal(a) | Rule::Root(a) | Rule::Power(a, _) => vec![*a],
-            Rule::Angle { y, x, square } => vec![*y, *x, *square],
+            Rule::Integral { of, .. } | Rule::Quadrature { of, .. } => vec![*of],
+            Rule::Wave { .. } => vec![],
             Rule::Select(_, a, b) => a.iter().chain(b).copied().collect(),
+            _ => self.operands(),
         }
     }
 
-    /// The series whose coefficients of lower orders are read in sums, itself excepted.
-    pub(super) fn in_sums(&self) -> Vec<Source> {
-        match self {
-            Rule::State(_) | Rule::Affine(_) | Rule::Linear(_) | Rule::Select(..) | Rule::Root(_) => vec![],
-            Rule::Product(a, b) => vec![*a, *b],
-            Rule::Quotient(_, b) => vec![*b],
-            Rule::Squares(all) => all.clone(),
-            Rule::Reciprocal(a) | Rule::Power(a, _) => vec![*a],
-            Rule::Shift { .. } | Rule::Wave { .. } => vec![],
-            Rule::Integral { by, .. } => vec![*by],
-            Rule::Quadrature { over, .. } => vec![*over],
-            Rule::Angle { y, x, square } => vec![*y, *x, *square],
-        }
-    }
-
-    /// The series whose coefficients are read with their orders as factors.
-    pub(super) fn weighted(&self) -> Vec<Source> {
-        match self {
-            Rule::Integral { of, .. } => vec![*of],
-            Rule::Angle { y, x, .. } => vec![*y, *x],
-            _ => vec![],
-        }
-    }
-
-    /// What is multiplied or divided, in the order in which it is written down above.
+    /// The series that are multiplied or divided, in the order of the fields above.
     pub(crate) fn operands(&self) -> Vec<Source> {
         match self {
             Rule::State(_) | Rule::Affine(_) | Rule::Linear(_) | Rule::Select(..) => vec![],
@@ -140,7 +114,7 @@ impl Rule {
         }
     }
 
-    /// Whether coefficients follow by the same operations, from one sum each.
+    /// Returns whether the coefficients follow from one sum each, by the same operations.
     pub(super) fn is_like(&self, other: &Rule) -> bool {
         match (self, other) {
             (Rule::Squares(all), Rule::Squares(others)) => all.len() == others.len(),
@@ -154,45 +128,16 @@ impl Rule {
             _ => false,
         }
     }
-
-    /// Whether it reads its own coefficients, and whether with orders as factors.
-    pub(super) fn own(&self) -> (bool, bool) {
-        match self {
-            Rule::Quotient(..) | Rule::Reciprocal(_) | Rule::Root(_) | Rule::Power(..) => (true, false),
-            Rule::Quadrature { .. } | Rule::Angle { .. } => (false, true),
-            _ => (false, false),
-        }
-    }
-
-    /// Sums of n terms in the coefficient of order n, in halves.
-    pub(crate) fn half_convolutions(&self) -> usize {
-        match self {
-            Rule::State(_)
-            | Rule::Affine(_)
-            | Rule::Linear(_)
-            | Rule::Shift { .. }
-            | Rule::Wave { .. }
-            | Rule::Select(..) => 0,
-            Rule::Squares(all) => all.len(),
-            Rule::Root(_) => 1,
-            Rule::Product(..)
-            | Rule::Quotient(..)
-            | Rule::Reciprocal(_)
-            | Rule::Integral { .. }
-            | Rule::Quadrature { .. } => 2,
-            Rule::Power(..) => 4,
-            Rule::Angle { .. } => 6,
-        }
-    }
 }
 
 impl Jet {
-    /// Sums of n terms in all coefficients of order n, in halves.
+    /// The cost of all coefficients of order n, in halves of a sum of n terms.
     pub(crate) fn half_convolutions(&self) -> usize {
-        self.series.iter().map(|series| series.rule.half_convolutions()).sum()
+        let all = self.series.iter().enumerate().flat_map(|(own, series)| sums(&series.rule, own));
+        all.map(|sum| sum.half_convolutions()).sum()
     }
 
-    /// Sums of n terms in all coefficients of order n.
+    /// The cost of all coefficients of order n, in sums of n terms.
     pub(crate) fn convolutions(&self) -> usize {
         self.half_convolutions().div_ceil(2)
     }

@@ -1,4 +1,4 @@
-//! The recurrence of every operation: one exhaustive match for nodes.
+//! The recurrences of operations, in one exhaustive match over nodes.
 //!
 //! R. E. Moore, *Interval Analysis* (1966) ch. 11; A. Griewank & A. Walther, *Evaluating Derivatives* (2008) tables 13.1 and 13.2;
 //! À. Jorba & M. Zou, Exp. Math. 14 (2005) 99.
@@ -7,7 +7,7 @@ use super::{Builder, Factor, Rule};
 use crate::ir::{Function, Id, Node, Number, Ratio, Symbol};
 
 impl Builder<'_> {
-    /// The rule of a node; of a number of the step, which a simplification may have made, all coefficients are zero.
+    /// The rule of a node. All coefficients are zero if a simplification has made the node constant.
     pub(super) fn rule(&mut self, id: Id) -> Rule {
         if self.is_constant(id) {
             return Rule::Linear(vec![]);
@@ -34,7 +34,7 @@ impl Builder<'_> {
         }
     }
 
-    /// The derivative by time of a function a + b·t.
+    /// The slope b of a function a + b·t of time. Returns `None` for other nodes.
     pub(super) fn slope(&mut self, id: Id) -> Option<Id> {
         let reads = self.graph.reads(id);
         if reads.state() {
@@ -63,7 +63,7 @@ impl Builder<'_> {
         }
     }
 
-    /// A sum that is read and is this one but for its sign, where that is how squares have it.
+    /// The negative of a sum, if it has the sign that the graph gives to bases of squares, and is read.
     fn with_other_sign(&mut self, id: Id) -> Option<Id> {
         if !self.graph.leads_negative(id) || self.graph.coefficient(id).1 != id {
             return None;
@@ -72,6 +72,7 @@ impl Builder<'_> {
         self.uses.contains_key(&other).then_some(other)
     }
 
+    /// A sum of terms, factored and with like terms joined.
     fn linear(&mut self, terms: Vec<(Number, Id)>) -> Rule {
         let mut parts: Vec<(Id, Id)> = vec![];
         for (c, term) in self.factored(terms) {
@@ -93,7 +94,7 @@ impl Builder<'_> {
         {
             return Rule::Squares(bases.into_iter().map(|base| self.series(base)).collect());
         }
-        // What is known last is added last.
+        // The terms that are computed last are added last.
         parts.sort_by_key(|(_, moving)| self.depth(*moving));
         let terms = parts.into_iter().filter_map(|(factor, moving)| {
             let source = self.source(moving)?;
@@ -102,8 +103,8 @@ impl Builder<'_> {
         Rule::Linear(terms.collect())
     }
 
-    /// A node that moves as a number of the step times what moves of it, wherever in products within each other that number stands: what is scaled
-    /// twice would be waited for twice, and products of the same series are one.
+    /// Splits a moving node into a constant factor and the moving rest. Constants are taken out of nested products, so that a series is scaled once
+    /// and equal products of series share one series.
     pub(super) fn parted(&mut self, id: Id) -> (Id, Id) {
         let (c, inner) = self.graph.coefficient(id);
         let mut constant = self.graph.number(c);
@@ -131,7 +132,7 @@ impl Builder<'_> {
         (self.graph.scale(c, constant), moving)
     }
 
-    /// A multiple of a sum of which one term moves is a multiple of that term, but for its value.
+    /// Replaces a sum with one moving term by that term. Only the value of order 0 differs.
     fn of_one_term(&mut self, mut factor: Id, mut moving: Id) -> (Id, Id) {
         while let Node::Linear(_, terms) = self.graph.node(moving) {
             let mut terms = terms.iter().copied().filter(|(_, term)| !self.is_constant(*term));
@@ -143,6 +144,7 @@ impl Builder<'_> {
         (factor, moving)
     }
 
+    /// A product of two series, after constants are taken out.
     fn product(&mut self, id: Id) -> Rule {
         let (constant, moving) = self.parted(id);
         if self.graph.as_number(constant) != Some(Number::ONE) {
@@ -151,7 +153,7 @@ impl Builder<'_> {
         let Node::Product(mut moving) = self.graph.node(moving).clone() else {
             return self.scaled(constant, moving);
         };
-        // What is constant in a step alone.
+        // A sign is constant between its switches, so it scales the rest. Its series registers the switch.
         let sign = moving.iter().position(|factor| matches!(self.graph.node(*factor), Node::Call(Function::Signum, _)));
         if let (Some(sign), true) = (sign, moving.len() > 1) {
             let sign = moving.remove(sign);
@@ -159,7 +161,7 @@ impl Builder<'_> {
             let rest = self.graph.product(&moving);
             return self.scaled(sign, rest);
         }
-        // A reciprocal that is read in products alone is divided by: no series of it is needed.
+        // Divide by a reciprocal that is read in products only. It then needs no series.
         let single = moving.iter().position(|factor| {
             matches!(self.graph.node(*factor), Node::Power(_, Ratio { numerator: -2..=-1, denominator: 1 }))
                 && !self.alone.contains(factor)
@@ -177,7 +179,7 @@ impl Builder<'_> {
         self.times(first, last)
     }
 
-    /// a·b for series a and b, where b is known last.
+    /// a·b for two series, of which b is computed last.
     fn times(&mut self, a: Id, b: Id) -> Rule {
         if a == b {
             return Rule::Squares(vec![self.series(a)]);
@@ -191,17 +193,19 @@ impl Builder<'_> {
         Rule::Product(self.series(a), self.series(b))
     }
 
-    fn scaled_by(&mut self, c: Number, u: Id) -> Rule {
+    /// c·u.
+    pub(super) fn scaled_by(&mut self, c: Number, u: Id) -> Rule {
         Rule::Linear(vec![(Factor::Number(c), self.series(u))])
     }
 
-    /// factor·u for a number of the step.
+    /// factor·u for a constant factor.
     pub(super) fn scaled(&mut self, factor: Id, u: Id) -> Rule {
         let (factor, u) = self.of_one_term(factor, u);
         let factor = self.factor(factor);
         Rule::Linear(self.source(u).map(|source| (factor, source)).into_iter().collect())
     }
 
+    /// A constant as a factor.
     pub(super) fn factor(&mut self, id: Id) -> Factor {
         match self.graph.as_number(id) {
             Some(number) => Factor::Number(number),
@@ -209,8 +213,9 @@ impl Builder<'_> {
         }
     }
 
+    /// baseⁿ.
     fn power(&mut self, base: Id, exponent: Ratio) -> Rule {
-        // The square of a reciprocal stands beside other squares; the power rule has a sum of its own kind.
+        // The square of a reciprocal can be packed with other squares. The power rule has a sum of another kind.
         if exponent == Ratio::integer(-2) {
             let reciprocal = self.graph.recip(base);
             return Rule::Squares(vec![self.series(reciprocal)]);
@@ -226,14 +231,14 @@ impl Builder<'_> {
                 _ => Rule::Power(u, Factor::Number(Number::Exact(exponent))),
             };
         }
-        // The power rule divides by the base, which may be zero, and has twice the multiplications of a product.
+        // Use a product: the power rule divides by the base, which may be zero, and takes twice the multiplications.
         let half = Ratio::integer(exponent.numerator / 2);
         let rest = Ratio::integer(exponent.numerator - half.numerator);
         let [half, rest] = [half, rest].map(|exponent| self.graph.pow(base, exponent));
         self.times(half, rest)
     }
 
-    /// The power of the same base of which a broken one is the product with that base: the sum of it is one that the power rule has as well.
+    /// The power with an exponent smaller by 1, for a fractional exponent, if it is read. The power then is its product with the base.
     fn lower(&mut self, base: Id, exponent: Ratio) -> Option<Id> {
         if exponent.is_integer() || exponent == (Ratio { numerator: 1, denominator: 2 }) {
             return None;
@@ -242,7 +247,7 @@ impl Builder<'_> {
         self.uses.contains_key(&lower).then_some(lower)
     }
 
-    /// Whether powers are there of which a negative one is the product.
+    /// Returns whether the reciprocal or its square is read, so that a lower negative power is a product.
     fn has_lower(&mut self, base: Id, exponent: Ratio) -> bool {
         let mut is_read = |exponent| {
             let power = self.graph.pow(base, Ratio::integer(exponent));
@@ -251,8 +256,9 @@ impl Builder<'_> {
         exponent.numerator < -2 && (is_read(-1) || is_read(-2))
     }
 
+    /// One of two branches by a condition.
     pub(super) fn select(&mut self, condition: Id, first: Id, second: Id) -> Rule {
-        self.switch(condition);
+        self.add_switches(condition);
         let value = self.value(condition);
         if !self.jet.conditions.contains(&value) {
             self.jet.conditions.push(value);
@@ -260,24 +266,24 @@ impl Builder<'_> {
         Rule::Select(value, self.source(first), self.source(second))
     }
 
-    /// What decides a condition.
-    fn switch(&mut self, condition: Id) {
+    /// Adds the numbers whose signs decide a condition.
+    fn add_switches(&mut self, condition: Id) {
         match *self.graph.node(condition) {
             Node::Compare(_, a, b) => {
                 let difference = self.graph.sub(a, b);
-                self.decides(difference);
+                self.add_switch(difference);
             }
             Node::And(a, b) | Node::Or(a, b) => {
-                self.switch(a);
-                self.switch(b);
+                self.add_switches(a);
+                self.add_switches(b);
             }
-            Node::Not(a) => self.switch(a),
+            Node::Not(a) => self.add_switches(a),
             _ => {}
         }
     }
 
-    /// A number whose sign decides.
-    pub(super) fn decides(&mut self, id: Id) {
+    /// Adds a number whose sign decides.
+    pub(super) fn add_switch(&mut self, id: Id) {
         if self.is_constant(id) {
             return;
         }

@@ -1,17 +1,19 @@
-//! Powers that carry a constant: what a force between two bodies is multiplied by for both, masses and the constant of gravity, the power may have from
-//! the start. The rates of the bodies are sums and differences then.
+//! Moves a constant from the terms of sums into a power.
+//!
+//! A force between two bodies enters both rates with a common constant, such as the gravitational constant. If the power of the distance carries the
+//! constant, the rates are plain sums and differences.
 
 use super::{Builder, Factor, Rule, Source, Value};
 use crate::ir::{Id, Number};
 
 impl Builder<'_> {
-    /// Scales powers whose products are all read several times, and by nothing but multiples of one constant.
+    /// Scales powers whose products are all read several times, and only as multiples of one constant.
     pub(super) fn scale_powers(&mut self) {
         let mut readers = vec![vec![]; self.jet.series.len()];
         for (source, series) in self.jet.series.iter().enumerate() {
             series.rule.now().into_iter().for_each(|read: Source| readers[read].push(source));
         }
-        // What is read outside of series is left as it is.
+        // Series that rates or switches read keep their values.
         let outside = |source: &Source| {
             let mut rates = self.jet.rates.iter().map(|rate| rate.source);
             let mut switches = self.jet.switches.iter().map(|(_, source)| *source);
@@ -33,15 +35,13 @@ impl Builder<'_> {
                 let scaled = self.graph.mul(constant, value);
                 self.jet.series[source].value = self.value(scaled);
             }
-            for (product, reader) in
-                products.iter().flat_map(|product| readers[*product].iter().map(move |sum| (*product, *sum)))
-            {
-                self.take_signs_of(product, reader);
+            for product in products {
+                readers[*product].iter().for_each(|reader| self.reduce_to_signs(*product, *reader));
             }
         }
     }
 
-    /// The constant of which all sums that read some products read multiples by 1 and −1, if it is not 1.
+    /// The constant c such that all readers of the products are sums with factors c and −c. Returns `None` if there is none, or if c is a number.
     fn common_constant(&mut self, products: &[Source], readers: &[Vec<Source>]) -> Option<Id> {
         let mut common = None;
         for product in products {
@@ -61,13 +61,13 @@ impl Builder<'_> {
         common
     }
 
-    /// A constant as a number times what is left.
+    /// A constant as a number times a node.
     fn parts(&self, value: Value) -> (Number, Id) {
         self.graph.coefficient(self.jet.values[value])
     }
 
-    /// Leaves of the multiples of a product in a sum their signs.
-    fn take_signs_of(&mut self, product: Source, reader: Source) {
+    /// Replaces the factors of a product in a sum by their signs.
+    fn reduce_to_signs(&mut self, product: Source, reader: Source) {
         let Rule::Linear(mut terms) = self.jet.series[reader].rule.clone() else { return };
         for (factor, _) in terms.iter_mut().filter(|(_, source)| *source == product) {
             if let Factor::Value(value) = *factor {

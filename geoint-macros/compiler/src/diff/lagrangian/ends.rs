@@ -2,9 +2,9 @@
 //!
 //! The step needs the divided difference f[q₀, q₁] anyway. The formula takes two operations in place of a call.
 
+use super::super::gradient::with_values;
 use super::super::slope::Slopes;
 use super::EulerLagrange;
-use crate::ir::substitute::Substitution;
 use crate::ir::{Function, Graph, Id, Node, Symbol};
 
 /// Returns pairs of a sine or cosine at the end of a step and its expression by a divided difference, for M, a and V.
@@ -12,10 +12,6 @@ pub(super) fn by_slopes(graph: &mut Graph, equation: EulerLagrange<'_>, incremen
     let EulerLagrange { mass, shift, potential, .. } = equation;
     let roots: Vec<Id> = mass.iter().flatten().chain(shift).chain([&potential]).copied().collect();
     let mut slopes = Slopes::default();
-    let mut moved = Substitution::new(|_: &mut Graph, symbol| match symbol {
-        Symbol::PositionIncrement(i) => Some(increments[i as usize]),
-        _ => None,
-    });
     let mut replaced = vec![];
     for id in graph.reachable(&roots) {
         let circular = matches!(graph.node(id), Node::Call(Function::Sin | Function::Cos, _));
@@ -23,9 +19,9 @@ pub(super) fn by_slopes(graph: &mut Graph, equation: EulerLagrange<'_>, incremen
         if !circular || graph.reads(id).t || slopes.is_constant(graph, id) {
             continue;
         }
-        let [end, increment] =
-            [slopes.end(graph, id), slopes.increment(graph, id)].map(|node| moved.apply(graph, node));
-        replaced.push((end, graph.add(id, increment)));
+        let nodes = [slopes.end(graph, id), slopes.increment(graph, id)];
+        let nodes = with_values(graph, &nodes, Symbol::PositionIncrement, increments);
+        replaced.push((nodes[0], graph.add(id, nodes[1])));
     }
     replaced
 }

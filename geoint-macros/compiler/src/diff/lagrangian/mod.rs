@@ -3,11 +3,12 @@
 mod ends;
 mod polarised;
 
-use super::field::taking;
+use super::equations;
+use super::field::symmetrise;
 use super::forward::jacobian;
 use super::gradient::partial;
 use crate::analyze::Forces;
-use crate::ir::collect::collected;
+use crate::ir::collect::collected_with;
 use crate::ir::{Graph, Id, Symbol};
 pub(crate) use polarised::{Polarised, polarisation, polarised};
 
@@ -29,6 +30,7 @@ pub(crate) struct EulerLagrange<'a> {
     pub(crate) damping: Option<&'a [Vec<Id>]>,
     /// The applied forces and nonlinear friction F. Absent with an action.
     pub(crate) applied: Option<&'a Forces>,
+    /// L has an action s with s' = L.
     pub(crate) has_action: bool,
 }
 
@@ -40,37 +42,7 @@ impl EulerLagrange<'_> {
     /// ∂L/∂q − Cv + F.
     fn force(&self, graph: &mut Graph) -> Vec<Id> {
         let velocities: Vec<Id> = (0..self.degrees()).map(|i| graph.symbol(Symbol::Velocity(i))).collect();
-        self.force_at(graph, self.forces, &velocities, |_, id| id)
-    }
-
-    /// `conservative` − Cv + F at given velocities. `place` moves C and F to the point of evaluation.
-    fn force_at(
-        &self,
-        graph: &mut Graph,
-        conservative: &[Id],
-        velocities: &[Id],
-        mut place: impl FnMut(&mut Graph, Id) -> Id,
-    ) -> Vec<Id> {
-        let mut force = conservative.to_vec();
-        if let Some(damping) = self.damping {
-            let matrix: Vec<Vec<Id>> =
-                damping.iter().map(|row| row.iter().map(|entry| place(graph, *entry)).collect()).collect();
-            for (i, force) in force.iter_mut().enumerate() {
-                let mut terms = vec![*force];
-                for (j, velocity) in velocities.iter().enumerate() {
-                    let coefficient = taking(graph, &matrix, i, j);
-                    let drag = graph.mul(coefficient, *velocity);
-                    terms.push(graph.neg(drag));
-                }
-                *force = graph.sum(&terms);
-            }
-        }
-        if let Some(applied) = self.applied {
-            for (force, applied) in force.iter_mut().zip(applied.at(graph, velocities, place)) {
-                *force = graph.add(*force, applied);
-            }
-        }
-        force
+        equations::euler_lagrange(graph, self.forces, &velocities, self.damping, self.applied, |_, id| id)
     }
 }
 
@@ -111,16 +83,10 @@ pub(crate) fn stage(graph: &mut Graph, equation: EulerLagrange<'_>) -> Stage {
     let momentum_by_q = jacobian(graph, momenta, &positions);
     let mut force_by_q = jacobian(graph, &force, &positions);
     let mut force_by_v = jacobian(graph, &force, &velocities);
-    // Second derivatives of L are equal in pairs, but may be written differently. Compute one of each pair.
     if equation.damping.is_none() && equation.applied.is_none() {
-        for i in 0..force.len() {
-            for j in 0..force.len() {
-                force_by_v[i][j] = momentum_by_q[j][i];
-                if i < j {
-                    force_by_q[i][j] = force_by_q[j][i];
-                }
-            }
-        }
+        // ∂²L/∂q∂v = (∂²L/∂v∂q)ᵀ, and ∂²L/∂q² is symmetric.
+        force_by_v = (0..force.len()).map(|i| momentum_by_q.iter().map(|row| row[i]).collect()).collect();
+        symmetrise(&mut force_by_q);
     }
     let action = decay.map(|decay| {
         let mut by_action = |nodes: &[Id]| jacobian(graph, nodes, &[Symbol::Action]).concat();
@@ -146,9 +112,14 @@ impl Stage {
             nodes.extend([lagrangian, decay, decay_by_action]);
             nodes.extend(momentum_by_action.iter_mut().chain(force_by_action));
         }
-        let roots: Vec<Id> = nodes.iter().map(|node| **node).collect();
-        for (node, collected) in nodes.into_iter().zip(collected(graph, &roots)) {
-            *node = collected;
-        }
+        collect_terms(graph, nodes, &[]);
+    }
+}
+
+/// Replaces nodes in `nodes`, and collects terms that differ in parameters alone.
+fn collect_terms(graph: &mut Graph, nodes: Vec<&mut Id>, replaced: &[(Id, Id)]) {
+    let roots: Vec<Id> = nodes.iter().map(|node| **node).collect();
+    for (node, collected) in nodes.into_iter().zip(collected_with(graph, &roots, replaced)) {
+        *node = collected;
     }
 }

@@ -1,19 +1,19 @@
 //! The polarised discrete gradient: a step of a Lagrangian quadratic in v, with d = v₁ − v₀ as unknown, or d = (v₁ − v₀, s₁ − s₀) with an action.
 
-use super::super::field::middle;
+use super::super::equations;
 use super::super::forward::jacobian;
-use super::super::gradient::{Gradient, discrete_gradient};
-use super::{EulerLagrange, ends};
-use crate::ir::collect::collected_with;
+use super::super::gradient::{Gradient, discrete_gradient, with_values};
+use super::super::slope::middle;
+use super::{EulerLagrange, collect_terms, ends};
 use crate::ir::substitute::Substitution;
 use crate::ir::{Function, Graph, Id, Number, Symbol};
 
-/// The equation of a step, residual(d) = 0. Rows are those of p, followed with an action by the row of s.
+/// The equation of a step, residual(d) = 0. It has one row for each momentum, and with an action one more for s.
 pub(crate) struct Polarised {
     pub(crate) unknowns: Vec<Symbol>,
-    /// M(q₁)v₁ + a(q₁) − p₁, where p₁ = p₀ + impulse; with an action also s₁ − s₀ minus its increment.
+    /// M(q₁)v₁ + a(q₁) − p₀ − impulse. The row of the action is d − impulse.
     pub(crate) residual: Vec<Id>,
-    /// p₁ − p₀; with an action also s₁ − s₀.
+    /// The increments of the momenta, and of the action.
     pub(crate) impulse: Vec<Id>,
     /// ∂residual/∂d.
     pub(crate) matrix: Vec<Vec<Id>>,
@@ -21,10 +21,11 @@ pub(crate) struct Polarised {
     pub(crate) impulse_by_increment: Vec<Vec<Id>>,
 }
 
-/// Builds the equation, with terms collected that differ in parameters alone. Forces read the time of the middle of the step.
-/// With an action, time is frozen there during the step: see `ContactPolarised` of the runtime.
+/// Builds the equation, and collects terms that differ in parameters alone.
+///
+/// Forces read the time of the middle of the step. With an action, the whole step does: see `ContactPolarised` of the runtime.
 pub(crate) fn polarised(graph: &mut Graph, equation: EulerLagrange<'_>) -> Polarised {
-    let EulerLagrange { lagrangian, has_action, .. } = equation;
+    let EulerLagrange { damping, applied, has_action, .. } = equation;
     let degrees = equation.degrees();
     let mut unknowns: Vec<Symbol> = (0..degrees).map(Symbol::VelocityIncrement).collect();
     let h = graph.symbol(Symbol::StepLength);
@@ -39,16 +40,12 @@ pub(crate) fn polarised(graph: &mut Graph, equation: EulerLagrange<'_>) -> Polar
     let polarised = polarisation(graph, equation);
     let Gradient { q, s, .. } = discrete_gradient(graph, polarised, degrees);
     let mut at_middle = Substitution::new(middle);
-    let forces = equation.force_at(graph, &q, &means, |graph, id| at_middle.apply(graph, id));
-    let mut moved = Substitution::new(|_: &mut Graph, symbol| match symbol {
-        Symbol::PositionIncrement(i) => Some(increments[i as usize]),
-        _ => None,
-    });
-    let forces: Vec<Id> = forces.iter().map(|force| moved.apply(graph, *force)).collect();
+    let forces = equations::euler_lagrange(graph, &q, &means, damping, applied, |graph, id| at_middle.apply(graph, id));
+    let forces = with_values(graph, &forces, Symbol::PositionIncrement, &increments);
     let mut impulse: Vec<Id> = forces.iter().map(|force| graph.mul(h, *force)).collect();
     // h Λ_s, with the discrete derivative Λ_s of the polarisation by s.
     let growth = has_action.then(|| {
-        let slope = moved.apply(graph, s);
+        let slope = with_values(graph, &[s], Symbol::PositionIncrement, &increments)[0];
         graph.mul(h, slope)
     });
 
@@ -60,20 +57,13 @@ pub(crate) fn polarised(graph: &mut Graph, equation: EulerLagrange<'_>) -> Polar
             let sum = graph.add(p, *momentum);
             let mean = graph.scale(Number::HALF, sum);
             power.push(graph.mul(mean, means[i as usize]));
-            let grown = graph.mul(growth, mean);
-            *impulse = graph.add(*impulse, grown);
+            *impulse = equations::herglotz(graph, *impulse, mean, growth);
         }
         let [p, impulse] = [p, *impulse].map(|id| graph.neg(id));
         residual.push(graph.sum(&[*momentum, p, impulse]));
     }
     if let Some(growth) = growth {
-        // Δs = h (p̄·v̄ − H₀ φ₁(hΛ_s)), with H₀ = p₀·v₀ − L.
-        let mean_growth = graph.call(Function::Phi1, &[growth]);
-        let energy = energy_at_start(graph, lagrangian, degrees);
-        let loss = graph.mul(energy, mean_growth);
-        power.push(graph.neg(loss));
-        let power = graph.sum(&power);
-        let step = graph.mul(h, power);
+        let step = action_step(graph, equation, power, growth);
         let ds = graph.symbol(Symbol::ActionIncrement);
         residual.push(graph.sub(ds, step));
         impulse.push(step);
@@ -91,32 +81,28 @@ pub(crate) fn polarised(graph: &mut Graph, equation: EulerLagrange<'_>) -> Polar
         momenta_by_increment.iter().zip(&impulse_by_increment).map(&mut difference).collect()
     };
     let mut result = Polarised { unknowns, residual, impulse, matrix, impulse_by_increment };
+    let Polarised { residual, impulse, matrix, impulse_by_increment, .. } = &mut result;
+    let mut nodes: Vec<&mut Id> = residual.iter_mut().chain(impulse).collect();
+    nodes.extend(matrix.iter_mut().chain(impulse_by_increment).flatten());
     let ends = ends::by_slopes(graph, equation, &increments);
-    result.collect_terms(graph, &ends);
+    collect_terms(graph, nodes, &ends);
     result
 }
 
-impl Polarised {
-    /// Replaces nodes, and collects terms that differ in parameters alone.
-    fn collect_terms(&mut self, graph: &mut Graph, replaced: &[(Id, Id)]) {
-        let Polarised { unknowns: _, residual, impulse, matrix, impulse_by_increment } = self;
-        let mut nodes: Vec<&mut Id> = residual.iter_mut().chain(impulse).collect();
-        nodes.extend(matrix.iter_mut().chain(impulse_by_increment).flatten());
-        let roots: Vec<Id> = nodes.iter().map(|node| **node).collect();
-        for (node, collected) in nodes.into_iter().zip(collected_with(graph, &roots, replaced)) {
-            *node = collected;
-        }
-    }
-}
-
-/// p₀·v₀ − L.
-fn energy_at_start(graph: &mut Graph, lagrangian: Id, degrees: u32) -> Id {
-    let mut terms = vec![graph.neg(lagrangian)];
-    for i in 0..degrees {
+/// The increment of the action, h (p̄·v̄ − H₀ φ₁(hΛ_s)) with H₀ = p₀·v₀ − L, from the terms of the power p̄·v̄ and from the growth hΛ_s.
+fn action_step(graph: &mut Graph, equation: EulerLagrange<'_>, mut power: Vec<Id>, growth: Id) -> Id {
+    let mean_growth = graph.call(Function::Phi1, &[growth]);
+    let mut energy = vec![graph.neg(equation.lagrangian)];
+    for i in 0..equation.degrees() {
         let [p, v] = [Symbol::Momentum(i), Symbol::Velocity(i)].map(|symbol| graph.symbol(symbol));
-        terms.push(graph.mul(p, v));
+        energy.push(graph.mul(p, v));
     }
-    graph.sum(&terms)
+    let energy = graph.sum(&energy);
+    let loss = graph.mul(energy, mean_growth);
+    power.push(graph.neg(loss));
+    let power = graph.sum(&power);
+    let h = graph.symbol(Symbol::StepLength);
+    graph.mul(h, power)
 }
 
 /// M(q₁)v₁ + a(q₁), where M and a may read the action and time as well.
@@ -148,23 +134,24 @@ fn momenta_at_end(
     equation.shift.iter().zip(equation.mass).map(&mut momentum).collect()
 }
 
-/// v₁ = v₀ + d.
+/// The velocities v₁ = v₀ + d at the end.
 fn ends(graph: &mut Graph, degrees: u32) -> Vec<Id> {
-    let mut end = |i| {
-        let [start, d] = [Symbol::Velocity(i), Symbol::VelocityIncrement(i)].map(|symbol| graph.symbol(symbol));
-        graph.add(start, d)
-    };
-    (0..degrees).map(&mut end).collect()
+    velocities(graph, degrees, Number::ONE)
 }
 
-/// v̄ = v₀ + d/2.
+/// The mean velocities v̄ = v₀ + d/2.
 fn means(graph: &mut Graph, degrees: u32) -> Vec<Id> {
-    let mut mean = |i| {
+    velocities(graph, degrees, Number::HALF)
+}
+
+/// v₀ + part·d.
+fn velocities(graph: &mut Graph, degrees: u32, part: Number) -> Vec<Id> {
+    let mut velocity = |i| {
         let [start, d] = [Symbol::Velocity(i), Symbol::VelocityIncrement(i)].map(|symbol| graph.symbol(symbol));
-        let half = graph.scale(Number::HALF, d);
-        graph.add(start, half)
+        let change = graph.scale(part, d);
+        graph.add(start, change)
     };
-    (0..degrees).map(&mut mean).collect()
+    (0..degrees).map(&mut velocity).collect()
 }
 
 /// The polarisation Λ(q) = ½ v₀ᵀM(q)v₁ + a(q)·v̄ − V(q) of L, symmetric in v₀ and v₁.

@@ -1,16 +1,16 @@
-//! The discrete gradient of an `if`: that of a branch if both ends of the step are in it, and a secant between two branches otherwise.
+//! The discrete gradient of an `if`: the gradient of a branch if both ends of the step are in it, and a secant between two branches otherwise.
 //!
-//! The ends alone are compared: a step that leaves a branch and comes back is in it.
+//! Only the ends are compared. A step that leaves a branch and returns counts as inside.
 
 use super::super::sweep::{self, Entries};
 use super::ends::{Slopes, coordinate_increment};
 use crate::ir::{Graph, Id, Node, Ratio};
 
 impl Slopes {
-    /// The slopes of `if`, or of a whole chain of `else if`. Each piece is swept on its own, and stays a branch.
+    /// The slopes of an `if`, or of a whole chain of `else if`. Each piece is swept separately, and stays a branch.
     ///
-    /// One secant serves all pairs of pieces. A secant for each condition would contain the whole rest of the chain, and the code would grow with the
-    /// square of the number of conditions.
+    /// One secant serves all pairs of pieces. A secant for each condition would contain the rest of the chain, and the code would grow quadratically with
+    /// the number of conditions.
     pub(super) fn branch(&mut self, graph: &mut Graph, id: Id) -> Entries {
         let mut pieces = vec![];
         let mut rest = id;
@@ -32,8 +32,9 @@ impl Slopes {
         sweep::select(graph, same, &inside, &across)
     }
 
-    /// m + ((Δf − m·d)/(d·d)) d with the mean m of the gradients at both ends. Each branch is evaluated at its own
-    /// end, and so in its own domain. O. Gonzalez, J. Nonlinear Sci. 6 (1996) 449, eq. 2.8.
+    /// m + ((Δf − m·d)/(d·d)) d with the mean m of the gradients at both ends. Each branch is evaluated at its own end, and so in its own domain.
+    ///
+    /// O. Gonzalez, J. Nonlinear Sci. 6 (1996) 449, eq. 2.8.
     fn secant(&mut self, graph: &mut Graph, id: Id) -> Entries {
         let gradient = sweep::gradient(graph, id);
         let (mut along, mut squares, mut means) = (vec![], vec![], vec![]);
@@ -58,7 +59,7 @@ impl Slopes {
     }
 }
 
-/// Whether a condition holds at both ends of a step, or fails at both and `rest` is true.
+/// A condition that is true if another condition holds at both ends of a step, or fails at both ends and `rest` is true.
 fn same_piece(graph: &mut Graph, [start, end]: [Id; 2], rest: Id) -> Id {
     // The condition reads no coordinate.
     if start == end {

@@ -1,4 +1,4 @@
-//! A node at both ends of a step: its value there, the mean of both, and the increment.
+//! The value of a node at the end of a step, its mean and its increment.
 
 use super::super::sweep::Step;
 use crate::ir::substitute::Substitution;
@@ -15,11 +15,6 @@ pub(in super::super) struct Slopes {
 
 impl Default for Slopes {
     fn default() -> Self {
-        let end: Replace = |graph, symbol| {
-            let increment = coordinate_increment(graph, symbol)?;
-            let start = graph.symbol(symbol);
-            Some(graph.add(start, increment))
-        };
         Slopes { end: Substitution::new(end), affine_increments: HashMap::default(), increments: HashMap::default() }
     }
 }
@@ -34,13 +29,27 @@ pub(in super::super) fn coordinate_increment(graph: &mut Graph, symbol: Symbol) 
     }
 }
 
+/// A coordinate in the middle of a step.
+pub(crate) fn middle(graph: &mut Graph, symbol: Symbol) -> Option<Id> {
+    let increment = coordinate_increment(graph, symbol)?;
+    let (start, half) = (graph.symbol(symbol), graph.scale(Number::HALF, increment));
+    Some(graph.add(start, half))
+}
+
+/// A coordinate at the end of a step.
+pub(crate) fn end(graph: &mut Graph, symbol: Symbol) -> Option<Id> {
+    let increment = coordinate_increment(graph, symbol)?;
+    let start = graph.symbol(symbol);
+    Some(graph.add(start, increment))
+}
+
 impl Slopes {
     /// The value at the end of the step.
     pub(in super::super) fn end(&mut self, graph: &mut Graph, id: Id) -> Id {
         if let Some(increment) = self.affine_increment(graph, id) {
             return graph.add(id, increment);
         }
-        // An angle goes on across its cut: nothing that has a period of 2π notices the cut, and no step jumps there.
+        // Continue an angle across its branch cut, so that no step jumps there. Functions of period 2π have the same values.
         for angle in self.end.unknown(graph, id) {
             if matches!(graph.node(angle), Node::Call(Function::Atan2, _)) {
                 let increment = self.increment(graph, angle);
@@ -51,7 +60,7 @@ impl Slopes {
         self.end.apply(graph, id)
     }
 
-    /// (start + end)/2.
+    /// The mean (start + end)/2 of the values at both ends.
     pub(in super::super) fn mean(&mut self, graph: &mut Graph, id: Id) -> Id {
         match self.affine_increment(graph, id) {
             Some(increment) => {
@@ -66,7 +75,7 @@ impl Slopes {
         }
     }
 
-    /// end − start, from the increments of the coordinates: never a difference of two values.
+    /// The increment end − start from the increments of the coordinates, without a difference of two values.
     pub(in super::super) fn increment(&mut self, graph: &mut Graph, id: Id) -> Id {
         if let Some(increment) = self.affine_increment(graph, id).or_else(|| self.increments.get(&id).copied()) {
             return increment;
@@ -92,12 +101,12 @@ impl Slopes {
         increment
     }
 
-    /// Whether a node has the same value at both ends.
+    /// Returns whether a node is known to have equal values at both ends.
     pub(in super::super) fn is_constant(&mut self, graph: &mut Graph, id: Id) -> bool {
         self.affine_increment(graph, id).is_some_and(|increment| graph.is_zero(increment))
     }
 
-    /// The increment of a node that is affine in the coordinates; it does not depend on where the step starts.
+    /// The increment of a node that is affine in the coordinates, else `None`. It does not depend on the start of the step.
     fn affine_increment(&mut self, graph: &mut Graph, id: Id) -> Option<Id> {
         if let Some(known) = self.affine_increments.get(&id) {
             return *known;

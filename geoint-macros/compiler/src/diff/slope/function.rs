@@ -1,4 +1,4 @@
-//! Divided differences of the functions of the language.
+//! Divided differences of functions.
 
 use super::ends::Slopes;
 use super::power;
@@ -18,7 +18,7 @@ impl Slopes {
             }
             Function::Sinh => self.about_mean(g, x, Function::Cosh, Function::Sinhc),
             Function::Cosh => self.about_mean(g, x, Function::Sinh, Function::Sinhc),
-            // sinc(d)/(cos a·cos b), on one side of all poles.
+            // sinc(d)/(cos a·cos b) if no pole lies between a and b.
             Function::Tan => {
                 let (end, increment) = (self.end(g, x), self.increment(g, x));
                 let cosines = [x, end].map(|x| g.call(Function::Cos, &[x]));
@@ -57,7 +57,7 @@ impl Slopes {
                     g.sqrt(square)
                 });
                 let sum = g.sum(&roots);
-                // d·coth d is flat where both ends meet, so that a difference of two values does no harm.
+                // d·coth d is stationary at d = 0, so rounding errors of a difference of two values do not matter.
                 let end = self.end(g, id);
                 let angle = g.sub(end, id);
                 let half = g.scale(Number::HALF, angle);
@@ -66,7 +66,7 @@ impl Slopes {
                 let product = g.mul(sinhc, sum);
                 g.div(twice, product)
             }
-            // ln[(1 + a)(1 − b), (1 − a)(1 + b)], whose ends differ by twice the increment.
+            // ln[(1 + a)(1 − b), (1 − a)(1 + b)]. These arguments differ by twice the increment.
             Function::Atanh => {
                 let [plus, minus] = [1, -1].map(|sign| self.at_ends(g, x, |g, x| offset(g, 1, sign, x)));
                 let ends = [g.mul(plus[0], minus[1]), g.mul(minus[0], plus[1])];
@@ -101,7 +101,7 @@ impl Slopes {
                 return args.iter().copied().zip(self.of_two(g, id, function, x, args[1])).collect();
             }
             Function::RecipPositive | Function::NotNegative | Function::Provided | Function::Bounded | of_steps!() => {
-                unreachable!("an energy is not written with divided differences")
+                unreachable!("energies contain no divided differences")
             }
         };
         vec![(x, slope)]
@@ -110,7 +110,7 @@ impl Slopes {
     /// The slopes of `id = function(x, y)`.
     fn of_two(&mut self, g: &mut Graph, id: Id, function: Function, x: Id, y: Id) -> [Id; 2] {
         match function {
-            // The mean of r² over that of r.
+            // Both slopes are mean(x)/mean(r).
             Function::Hypot => {
                 let radius = self.mean(g, id);
                 [x, y].map(|side| {
@@ -118,7 +118,7 @@ impl Slopes {
                     g.div(mean, radius)
                 })
             }
-            // The angle between both ends, from their cross and dot products; args are (y, x).
+            // The angle between both ends from their cross and dot products. The arguments are (y, x).
             Function::Atan2 => {
                 let (y, x) = (x, y);
                 let [(x_mean, dx), (y_mean, dy)] = [x, y].map(|x| (self.mean(g, x), self.increment(g, x)));
@@ -158,7 +158,7 @@ impl Slopes {
         }
     }
 
-    /// function(mean)·quotient(increment/2), from a sum turned into a product.
+    /// function(mean)·quotient(increment/2), by a sum-to-product identity.
     fn about_mean(&mut self, g: &mut Graph, x: Id, function: Function, quotient: Function) -> Id {
         let (mean, increment) = (self.mean(g, x), self.increment(g, x));
         let half = g.scale(Number::HALF, increment);

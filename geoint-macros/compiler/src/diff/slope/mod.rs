@@ -1,9 +1,8 @@
 //! Divided differences f[a, b] = (f(b) − f(a))/(b − a) of every operation, in closed form.
 //!
-//! A node has a value at both ends of a step and an increment; its rule gives coefficients c with
-//! Δnode = Σ c·Δoperand, exactly. Swept in reverse these are the tree discrete gradient: symmetric in both ends, the
-//! gradient where they meet, and without cancellation or 0/0. A denominator or argument of a logarithm that changes sign
-//! on the way has no slope: it is not a number then.
+//! A node has a value at both ends of a step, and an increment. Its rule gives coefficients c, called slopes, with Δnode = Σ c·Δoperand exactly. A
+//! reverse sweep over them gives the tree discrete gradient. It is symmetric in both ends, equals the gradient if the ends coincide, and is free of
+//! cancellation and of 0/0. If a denominator or the argument of a logarithm changes its sign during the step, the slope is NaN.
 //!
 //! W. Kahan & R. Fateman, SIGSAM Bulletin 33 (1999) 7; T. Matsubara, A. Ishikawa & T. Yaguchi, NeurIPS 2020.
 
@@ -14,15 +13,16 @@ mod power;
 
 use super::sweep::{Entries, Step, reverse};
 use crate::ir::{Graph, Id, Node};
-pub(super) use ends::{Slopes, coordinate_increment};
+pub(super) use ends::Slopes;
+pub(crate) use ends::{end, middle};
 
 impl Slopes {
-    /// The tree discrete gradient of `root`.
+    /// Computes the tree discrete gradient of `root`.
     pub(super) fn gradient(&mut self, graph: &mut Graph, root: Id) -> Entries {
         reverse(graph, root, &mut |graph, id| self.step(graph, id))
     }
 
-    /// The slopes of a node with respect to its operands, or at once to the coordinates.
+    /// The slopes of a node with respect to its operands, or directly to the coordinates.
     fn step(&mut self, graph: &mut Graph, id: Id) -> Step {
         Step::Operands(match graph.node(id).clone() {
             Node::Number(_)
@@ -43,7 +43,7 @@ impl Slopes {
         })
     }
 
-    /// (f g)[a, b] = f[a, b]·mean(g) + mean(f)·g[a, b], factor after factor.
+    /// (f g)[a, b] = f[a, b]·mean(g) + mean(f)·g[a, b], applied factor by factor.
     fn product(&mut self, graph: &mut Graph, factors: Vec<Id>) -> Vec<(Id, Id)> {
         let one = graph.integer(1);
         let (mut before, mut slopes) = (one, Vec::<(Id, Id)>::new());

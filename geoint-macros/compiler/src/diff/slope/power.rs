@@ -1,4 +1,4 @@
-//! Powers whose exponent is an integer or half of one: exact polynomials of both ends.
+//! Divided differences of powers with an integer or half-integer exponent: exact polynomials of both ends.
 
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio};
 
@@ -6,11 +6,11 @@ use crate::ir::{Function, Graph, Id, Node, Number, Ratio};
 pub(super) fn slope(graph: &mut Graph, a: Id, b: Id, exponent: Ratio) -> Id {
     let n = exponent.numerator;
     if !exponent.is_integer() {
-        // xᵐᐟ² = (√x)ᵐ and √[a, b] = 1/(√a + √b), which has to stay finite at 0 where xᵐᐟ² has a slope.
+        // xᵐᐟ² = (√x)ᵐ and √[a, b] = 1/(√a + √b). For m > 1, xᵐᐟ² has a slope at 0, so the quotient must stay finite there.
         let [a, b] = [a, b].map(|x| if n > 1 { graph.call(Function::Root, &[x]) } else { graph.sqrt(x) });
         let sum = graph.add(a, b);
         if n == -1 {
-            // One division in place of two, −1/(ab(a + b)).
+            // −1/(ab(a + b)) takes one division instead of two.
             let product = graph.product(&[a, b, sum]);
             let reciprocal = graph.recip(product);
             return graph.neg(reciprocal);
@@ -40,7 +40,7 @@ pub(super) fn slope(graph: &mut Graph, a: Id, b: Id, exponent: Ratio) -> Id {
             let sum = sum_of_powers(graph, a, b, half);
             graph.mul(outer, sum)
         }
-        // xⁿ = x·xⁿ⁻¹: two parts that are not negative.
+        // xⁿ = x·xⁿ⁻¹. Both parts are nonnegative.
         _ => {
             let even = Ratio::integer(n - 1);
             let (outer, sum) = (slope(graph, a, b, even), graph.add(a, b));
@@ -57,7 +57,7 @@ fn sum_of_powers(graph: &mut Graph, a: Id, b: Id, n: Ratio) -> Id {
     graph.add(a, b)
 }
 
-/// 1/(ab), which is not a number if there is a pole between a and b. Roots have one sign.
+/// 1/(ab), or NaN if there is a pole between a and b. Roots are nonnegative and need no check.
 fn reciprocal(graph: &mut Graph, a: Id, b: Id) -> Id {
     let product = graph.mul(a, b);
     match graph.node(a) {

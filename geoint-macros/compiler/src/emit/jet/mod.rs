@@ -14,7 +14,7 @@ use super::kernel::Context;
 use super::structure::{self_type, state};
 use super::tokens::{Tokens, element};
 use crate::derive::JetKernel;
-use crate::diff::jet::{Jet, LANES, Lanes, Operand, Rate, Rule, Source, Value};
+use crate::diff::jet::{Jet, LANES, Operand, Packs, Rate, Rule, Source, Value};
 use crate::ir::Symbol;
 use crate::parse::over_scalar;
 use arrays::series_array;
@@ -46,7 +46,7 @@ pub(super) fn jets(context: &Context<'_>, kernel: &JetKernel) -> TokenStream {
     let given = if context.form.has_action() { quote!(s: &R) } else { quote!(_: &()) };
     let switches = Literal::usize_unsuffixed(jet.switches.len());
     let convolutions = Literal::usize_unsuffixed(jet.convolutions());
-    let packs = &Lanes::of(jet).unwrap_or_default();
+    let packs = &Packs::of(jet).unwrap_or_default();
     let order = Order::new(jet, packs);
     let mut writer = Writer { context, jet, packs, numbers: vec![], packed_numbers: vec![], order };
     let coefficients = writer.coefficients();
@@ -92,7 +92,7 @@ struct Writer<'a> {
     context: &'a Context<'a>,
     jet: &'a Jet,
     /// The sums in packs. Empty if there are few sums.
-    packs: &'a Lanes,
+    packs: &'a Packs,
     /// The numbers computed once per step, for all orders.
     numbers: Vec<StepNumber>,
     /// Packs of numbers computed once per step, for groups of series.

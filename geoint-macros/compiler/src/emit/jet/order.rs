@@ -12,7 +12,7 @@ use super::Writer;
 use super::arrays::{CoefficientArray, operand_array, pack_array, pack_type};
 use super::central::group_name;
 use super::numbers::{StepNumber, entry};
-use crate::diff::jet::{Jet, LANES, Lanes, Operand, Rule, Source, Weight};
+use crate::diff::jet::{Jet, LANES, Operand, Packs, Rule, Source, Weight};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
@@ -31,7 +31,7 @@ pub(super) struct Order {
 }
 
 impl Order {
-    pub(super) fn new(jet: &Jet, packs: &Lanes) -> Order {
+    pub(super) fn new(jet: &Jet, packs: &Packs) -> Order {
         Order {
             body: TokenStream::new(),
             names: vec![],

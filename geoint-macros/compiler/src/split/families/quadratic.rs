@@ -3,7 +3,7 @@
 use super::super::flow::{Flow, Group};
 use super::super::polynomial::{Monomial, Polynomial, degree_of_freedom, is_momentum};
 use super::super::scalar::{Angle, rotation};
-use crate::diff::flow::times;
+use crate::diff::equations::times;
 use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
 
 /// Returns H as a polynomial, if all coefficients are constant along the flow and all monomials are `allowed`. Exponents are integers.

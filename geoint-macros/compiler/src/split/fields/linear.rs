@@ -9,7 +9,7 @@ use super::super::scalar::{Angle, rotation};
 use super::Rule;
 use crate::analyze;
 use crate::diff;
-use crate::diff::flow::times;
+use crate::diff::equations::times;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
 

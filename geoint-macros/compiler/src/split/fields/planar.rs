@@ -9,7 +9,8 @@ use super::super::time::Clock;
 use super::solve::{Ends, solve};
 use super::{Motion, NoPart, Part, Rule, clock};
 use crate::diff;
-use crate::diff::field::{Field, end, middle};
+use crate::diff::field::Field;
+use crate::diff::{end, middle};
 use crate::ir::substitute::{Substitution, replaced};
 use crate::ir::{Graph, Id, Symbol};
 

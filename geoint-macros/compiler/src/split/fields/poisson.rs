@@ -9,7 +9,7 @@ use super::solve::{Ends, SUMS, solve};
 use super::{Motion, NoPart, Part, clock, read};
 use crate::analyze;
 use crate::diff;
-use crate::diff::flow::times;
+use crate::diff::equations::times;
 use crate::ir::{Graph, Id, Symbol};
 use std::cmp::Reverse;
 use std::collections::BTreeSet;

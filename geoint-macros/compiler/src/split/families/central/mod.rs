@@ -12,7 +12,7 @@ use super::super::flow::{Flow, Group};
 use super::super::polynomial::{Polynomial, degree, is_free, is_momentum, is_whole, reads};
 use super::super::products::known_terms;
 use crate::analyze;
-use crate::diff::flow::times;
+use crate::diff::equations::times;
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
 use centre::{Centre, Form};
 use motion::{Motion, Start, about_inverse_square};

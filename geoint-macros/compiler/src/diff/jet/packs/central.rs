@@ -1,27 +1,28 @@
-//! Which groups of sums are the forces between bodies?
+//! Finds the groups of sums that form central forces between bodies.
 
-use super::{Group, LANES, Lanes, Operand, Source, Weight};
+use super::{Group, LANES, Operand, Packs, Source, Weight};
 
-/// Groups that are computed as one, as are those of the forces between bodies: squares, a power of their sum, and the products of this power with all
-/// that is squared. Nothing else reads their arrays.
+/// Groups of a central force, which one function of the runtime computes: squares, a power of their sum, and the products of this power with every
+/// squared factor. No other group reads their arrays.
 #[derive(Clone, Debug)]
 pub(crate) struct Central {
-    /// The arrays of what is squared.
+    /// The arrays of the squared factors.
     pub(crate) factors: Vec<usize>,
-    /// Of each of these the group of its product.
+    /// The group of the product of each factor.
     pub(crate) products: Vec<usize>,
     pub(crate) squares: usize,
     pub(crate) power: usize,
 }
 
 impl Central {
+    /// All groups of the force.
     pub(crate) fn groups(&self) -> Vec<usize> {
         self.products.iter().copied().chain([self.squares, self.power]).collect()
     }
 }
 
-impl Lanes {
-    /// Finds the groups that are computed as one.
+impl Packs {
+    /// Finds all central forces.
     pub(super) fn find_central(&mut self) {
         for power in 0..self.groups.len() {
             if let Some(central) = self.central(power) {
@@ -33,7 +34,7 @@ impl Lanes {
         }
     }
 
-    /// The groups around a group of powers.
+    /// The central force with a given group of powers, if there is one.
     fn central(&self, power: usize) -> Option<Central> {
         let (Weight::Power(_), [base, own]) = (self.groups[power].weight, &self.groups[power].operands[..]) else {
             return None;
@@ -55,12 +56,12 @@ impl Lanes {
         (!others.any(is_read)).then_some(central)
     }
 
-    /// The place of a group among those that are computed as one.
+    /// The index in `central` of the force that contains a group.
     pub(crate) fn central_of(&self, group: usize) -> Option<usize> {
         self.central_of.get(&group).copied()
     }
 
-    /// Whether an array is in the hands of groups that are computed as one.
+    /// Returns whether the groups of a central force read an array.
     pub(crate) fn is_central(&self, array: usize) -> bool {
         self.held.contains(&array)
     }

@@ -1,162 +1,69 @@
-//! Which sums are computed side by side?
+//! Packs: up to four sums over coefficients that are computed side by side.
 //!
-//! A sum over coefficients of lower orders waits for none of its own order. So all sums of one kind may stand side by side, whatever
-//! depends on whatever: in arrays of four coefficients an order, which the optimiser makes vectors of.
+//! A sum over coefficients of lower orders waits for no coefficient of its own order. All sums of one kind may therefore be packed, in arrays of four
+//! coefficients for every order. The optimiser turns operations on such arrays into vector instructions.
 
 mod central;
+mod sums;
 
 pub(crate) use central::Central;
+pub(crate) use sums::{Operand, Sum, Weight, sums};
 
-use super::{Factor, Jet, Rule, Source};
+use super::{Jet, Source};
 use crate::ir::HashMap;
 use std::collections::{HashSet, VecDeque};
 
-/// Sums side by side.
+/// Sums in a pack.
 pub(crate) const LANES: usize = 4;
 
-/// With fewer sums there is less to gain than it costs to bring coefficients together: three or four of them take a fifth longer (a free body, Kepler).
+/// With fewer sums, packing coefficients costs more than it gains. Three or four packed sums take a fifth longer (a free body, Kepler).
 const FEWEST: usize = 7;
 
-/// Coefficients uⱼ, or j·uⱼ.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) struct Operand {
-    pub(crate) source: Source,
-    pub(crate) weighted: bool,
-}
-
-impl Operand {
-    fn plain(source: Source) -> Operand {
-        Operand { source, weighted: false }
-    }
-
-    fn weighted(source: Source) -> Operand {
-        Operand { source, weighted: true }
-    }
-}
-
-/// What is multiplied with uⱼwₙ₋ⱼ in a sum over 0 < j < n.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Weight {
-    One,
-    /// 1, where both are the same: terms j and n − j are equal. Of several operands the squares are added.
-    Square,
-    /// j(α + 1) − n.
-    Power(Factor),
-}
-
-/// A sum over 0 < j < n.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(crate) struct Sum {
-    /// Both factors, or all that are squared.
-    pub(crate) operands: Vec<Operand>,
-    pub(crate) weight: Weight,
-}
-
-impl Sum {
-    fn new(u: Operand, w: Operand) -> Sum {
-        if u == w { Sum::of_squares(vec![u]) } else { Sum { operands: vec![u, w], weight: Weight::One } }
-    }
-
-    fn of_squares(operands: Vec<Operand>) -> Sum {
-        Sum { operands, weight: Weight::Square }
-    }
-
-    /// What an operand is multiplied with.
-    fn other(&self, operand: Operand) -> Operand {
-        self.operands[usize::from(self.operands[0] == operand)]
-    }
-
-    /// One of the factors of a product, which a square is too.
-    fn factor(&self, k: usize) -> Operand {
-        self.operands[k.min(self.operands.len() - 1)]
-    }
-
-    /// Sums of one kind from which this one follows: each square, or those of j·uⱼyₙ₋ⱼ and uⱼyₙ₋ⱼ where it has j(α + 1) − n.
-    pub(crate) fn parts(&self) -> Vec<Sum> {
-        match (self.weight, &self.operands[..]) {
-            (Weight::Square, all) => all.iter().map(|operand| Sum::of_squares(vec![*operand])).collect(),
-            (Weight::Power(_), [u, y]) => vec![Sum::new(Operand::weighted(u.source), *y), Sum::new(*u, *y)],
-            _ => vec![self.clone()],
-        }
-    }
-
-    /// Whether sums of both kinds are computed by the same operations.
-    fn is_like(&self, other: &Sum) -> bool {
-        self.weight == other.weight && self.operands.len() == other.operands.len()
-    }
-}
-
-/// The sums in the coefficient of a series.
-pub(crate) fn sums(rule: &Rule, own: Source) -> Vec<Sum> {
-    let [plain, weighted] = [Operand::plain, Operand::weighted];
-    match *rule {
-        Rule::State(_)
-        | Rule::Affine(_)
-        | Rule::Linear(_)
-        | Rule::Shift { .. }
-        | Rule::Wave { .. }
-        | Rule::Select(..) => vec![],
-        Rule::Product(a, b) => vec![Sum::new(plain(a), plain(b))],
-        Rule::Squares(ref all) => vec![Sum::of_squares(all.iter().copied().map(plain).collect())],
-        Rule::Quotient(_, w) | Rule::Reciprocal(w) => vec![Sum::new(plain(w), plain(own))],
-        Rule::Root(_) => vec![Sum::new(plain(own), plain(own))],
-        Rule::Power(u, exponent) => {
-            vec![Sum { operands: vec![plain(u), plain(own)], weight: Weight::Power(exponent) }]
-        }
-        Rule::Integral { by, of, .. } => vec![Sum::new(weighted(of), plain(by))],
-        Rule::Quadrature { over, .. } => vec![Sum::new(weighted(own), plain(over))],
-        Rule::Angle { y, x, square } => vec![
-            Sum::new(weighted(y), plain(x)),
-            Sum::new(weighted(x), plain(y)),
-            Sum::new(weighted(own), plain(square)),
-        ],
-    }
-}
-
-/// Sums of one kind side by side.
+/// A group: a pack of sums of one kind.
 #[derive(Clone, Debug)]
 pub(crate) struct Group {
-    /// The places of the operands among the arrays.
+    /// The operands as indices into `Packs::arrays`.
     pub(crate) operands: Vec<usize>,
     pub(crate) weight: Weight,
-    /// The series whose coefficients have these sums, if all follow from them by the same operations and are known at the same time: then they
-    /// stay side by side.
+    /// The series whose coefficients follow from these sums. Present if all follow by the same operations at the same time, and so stay packed.
     pub(crate) series: Option<[Source; LANES]>,
 }
 
-/// All sums of a program in groups.
+/// All sums of a program in packs.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Lanes {
+pub(crate) struct Packs {
+    /// Operands that are read side by side.
     pub(crate) arrays: Vec<[Operand; LANES]>,
     pub(crate) groups: Vec<Group>,
     pub(crate) central: Vec<Central>,
-    /// Sums that would be alone in a group.
+    /// Sums without a group.
     alone: Vec<Sum>,
+    /// The index of every array.
     known: HashMap<[Operand; LANES], usize>,
-    /// Of every sum the group and the place in it.
+    /// The group and the lane of every sum.
     places: HashMap<Sum, (usize, usize)>,
-    /// Of every series the group from which it follows side by side with others.
+    /// The group from which each packed series follows.
     groups_of: HashMap<Source, usize>,
-    /// The groups that are computed with others as one, by the place of these.
+    /// The index in `central` of every group in it.
     central_of: HashMap<usize, usize>,
-    /// Arrays in the hands of such groups.
+    /// The arrays that groups in `central` read.
     held: HashSet<usize>,
 }
 
-impl Lanes {
-    /// The groups, if there are enough sums.
-    pub(crate) fn of(jet: &Jet) -> Option<Lanes> {
+impl Packs {
+    /// Packs the sums of a program, if there are enough.
+    pub(crate) fn of(jet: &Jet) -> Option<Packs> {
         let mut known: HashSet<Sum> = HashSet::new();
-        // In the order in which they are read: then those of a group are read, and their operands known, at nearly the same time.
+        // In the order of evaluation, so that the operands of a group become known at nearly the same time.
         let all = jet.order.iter().flat_map(|own| sums(&jet.series[*own].rule, *own));
         let all: Vec<Sum> = all.filter(|sum| known.insert(sum.clone())).collect();
         if all.len() < FEWEST {
             return None;
         }
-        let mut lanes = Lanes::default();
-        lanes.along_powers(&all);
+        let mut packs = Packs::default();
+        packs.pack_powers(&all);
         let (mut common, mut kinds): (Vec<Sum>, Vec<Vec<Sum>>) = (vec![], vec![]);
-        for sum in all.into_iter().filter(|sum| !lanes.places.contains_key(sum)) {
+        for sum in all.into_iter().filter(|sum| !packs.places.contains_key(sum)) {
             match kinds.iter_mut().find(|kind| kind[0].is_like(&sum)) {
                 _ if sum.weight == Weight::One => common.push(sum),
                 Some(kind) => kind.push(sum),
@@ -167,11 +74,11 @@ impl Lanes {
         for kind in kinds {
             let (weight, single) = (kind[0].weight, kind[0].operands.len() == 1);
             let (whole, rest) = kind.split_at(kind.len() - kind.len() % LANES);
-            whole.chunks(LANES).for_each(|group| lanes.push(weight, group));
+            whole.chunks(LANES).for_each(|group| packs.push(weight, group));
             let free = common.len().next_multiple_of(LANES) - common.len();
             match rest.len() {
                 0 => {}
-                // Few powers fill lanes of others, in parts; few squares do as well.
+                // Too few powers for a group, and too few squares, fill free lanes of other groups.
                 1 | 2 if matches!(weight, Weight::Power(_)) => {
                     for part in rest.iter().flat_map(Sum::parts) {
                         if !common.contains(&part) {
@@ -182,7 +89,7 @@ impl Lanes {
                 1 if !single => alone.push(rest[0].clone()),
                 1 if single && free > 0 => common.extend_from_slice(rest),
                 2..LANES if single && rest.len() < LANES - 1 => common.extend_from_slice(rest),
-                _ => lanes.push(weight, rest),
+                _ => packs.push(weight, rest),
             }
         }
         for sum in alone {
@@ -190,16 +97,16 @@ impl Lanes {
             if parts.len() <= common.len().next_multiple_of(LANES) - common.len() {
                 common.extend(parts);
             } else {
-                lanes.push(sum.weight, &[sum]);
+                packs.push(sum.weight, &[sum]);
             }
         }
-        common.chunks(LANES).for_each(|group| lanes.push(Weight::One, group));
-        lanes.find_series(jet);
-        lanes.find_central();
-        Some(lanes)
+        common.chunks(LANES).for_each(|group| packs.push(Weight::One, group));
+        packs.find_series(jet);
+        packs.find_central();
+        Some(packs)
     }
 
-    /// Of every group the series that follow from it.
+    /// Finds the series that follow from every group.
     fn find_series(&mut self, jet: &Jet) {
         let mut depths = vec![0; jet.series.len()];
         let mut reading: Vec<Vec<(usize, Source)>> = vec![vec![]; self.groups.len()];
@@ -212,14 +119,14 @@ impl Lanes {
                 }
             }
         }
-        // Parts of sums are read by none as a whole.
+        // The parts of a sum also fill lanes, but no series reads them alone. Such groups have fewer readers than lanes.
         let mut filled = vec![0; self.groups.len()];
         self.places.values().for_each(|(group, _)| filled[*group] += 1);
         for (place, (group, mut reading)) in self.groups.iter_mut().zip(reading).enumerate() {
             reading.sort_unstable();
             let rule = |(_, source): (usize, Source)| &jet.series[source].rule;
             let alike = |(lane, read): (usize, &(usize, Source))| {
-                // Series of one depth do not wait for each other, whatever else stands side by side.
+                // Series of one depth do not wait for each other.
                 read.0 == lane && rule(*read).is_like(rule(reading[0])) && depths[read.1] == depths[reading[0].1]
             };
             if reading.len() + 1 >= LANES && reading.len() == filled[place] && reading.iter().enumerate().all(alike) {
@@ -229,9 +136,9 @@ impl Lanes {
         }
     }
 
-    /// Powers side by side, as those of the distances of bodies; then all that they are multiplied with, in the same lanes, and squares of that. So an
-    /// array of operands serves all sums in which they are, and what follows from sums stays in its lane.
-    fn along_powers(&mut self, all: &[Sum]) {
+    /// Packs powers first, for example powers of the distances of bodies. Then packs the products with these powers in the same lanes, and the squares of
+    /// their factors. An array of operands thus serves all sums that read it, and the results of sums stay in their lanes.
+    fn pack_powers(&mut self, all: &[Sum]) {
         let mut reading: HashMap<Operand, Vec<Sum>> = HashMap::default();
         for sum in all {
             for operand in &sum.operands {
@@ -261,7 +168,7 @@ impl Lanes {
         }
     }
 
-    /// A sum with each of the operands that is in no group.
+    /// For each operand, one sum that reads it and is in no group. Returns `None` if an operand has none.
     fn next_of_each(
         &self,
         weight: Weight,
@@ -276,6 +183,7 @@ impl Lanes {
         found.iter().all(|sum| sum.is_like(&found[0])).then_some(found)
     }
 
+    /// Adds a group, or notes a single sum.
     fn push(&mut self, weight: Weight, sums: &[Sum]) {
         if let [sum] = sums {
             self.alone.push(sum.clone());
@@ -286,28 +194,29 @@ impl Lanes {
         self.group(weight, sums, &operands);
     }
 
-    /// A group of sums with these operands.
+    /// Adds a group of sums with the given factors.
     fn group(&mut self, weight: Weight, sums: &[Sum], operands: &[Vec<Operand>]) {
         let place = self.groups.len();
         self.places.extend(sums.iter().enumerate().map(|(lane, sum)| (sum.clone(), (place, lane))));
-        // Lanes that nothing needs repeat the last.
+        // Free lanes repeat the last operand.
         let last = sums.len() - 1;
         let operands =
             operands.iter().map(|operands| self.array(std::array::from_fn(|lane| operands[lane.min(last)]))).collect();
         self.groups.push(Group { operands, weight, series: None });
     }
 
-    /// The group from which a series follows side by side with others, and all of these.
+    /// The group from which a packed series follows, and all series of that group.
     pub(crate) fn group_of(&self, source: Source) -> Option<(usize, [Source; LANES])> {
         let group = *self.groups_of.get(&source)?;
         Some((group, self.groups[group].series?))
     }
 
-    /// The array of the coefficients of these series.
+    /// The array of the coefficients of the given series.
     pub(crate) fn array_of(&self, series: &[Source; LANES]) -> Option<usize> {
         self.known.get(&series.map(Operand::plain)).copied().filter(|array| !self.is_central(*array))
     }
 
+    /// The index of an array, which is added if it is new.
     fn array(&mut self, operands: [Operand; LANES]) -> usize {
         let next = self.arrays.len();
         *self.known.entry(operands).or_insert_with(|| {
@@ -316,12 +225,12 @@ impl Lanes {
         })
     }
 
-    /// Whether an operand is read in a sum that is alone.
+    /// Returns whether a sum without a group reads an operand.
     pub(crate) fn is_read_alone(&self, operand: Operand) -> bool {
         self.alone.iter().any(|sum| sum.operands.contains(&operand))
     }
 
-    /// The group of a sum, and the place in it.
+    /// The group and the lane of a sum.
     pub(crate) fn place(&self, sum: &Sum) -> Option<(usize, usize)> {
         self.places.get(sum).copied()
     }
