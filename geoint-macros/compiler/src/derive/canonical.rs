@@ -88,7 +88,7 @@ pub(crate) fn canonical(
             .map(|pieces| pieces::kernels(graph, Followed::Canonical, pieces, NO_CANONICAL_PIECES))
             .into_iter()
             .collect(),
-        implicit: Implicit::Field(fields.kernels(graph, structure, positions)),
+        implicit: Implicit::Field(Box::new(fields.kernels(graph, structure, positions))),
         integrals: None,
         lagrangian: None,
         jet,

@@ -61,7 +61,7 @@ pub(crate) fn contact(
     let conformal = !analyze::acts_back(graph, gradient.s, gradient.q.iter().chain(&gradient.p).copied());
     let by_velocities = legendre.and_then(|legendre| velocities::stages_of_energy(graph, legendre, positions));
     let stages = match by_velocities {
-        Some(stages) => ContactStages::Velocities(stages),
+        Some(stages) => ContactStages::Velocities(Box::new(stages)),
         None => ContactStages::Points(implicit::stages(graph, energy, gradient, positions)),
     };
     System {

@@ -74,7 +74,7 @@ pub(crate) fn flow(
             partial,
             Friction { damping, rates: &[] },
         ),
-        implicit: Implicit::Field(FieldKernels {
+        implicit: Implicit::Field(Box::new(FieldKernels {
             linear: false,
             mean_value: MeanValue::NotClosed(field[0]),
             collocation: Collocation {
@@ -97,7 +97,7 @@ pub(crate) fn flow(
             momenta: Routine::default(),
             coordinates: x.clone(),
             increments: dx.clone(),
-        }),
+        })),
     }
 }
 

@@ -10,7 +10,7 @@ use crate::schedule::{Kernel, Routine, Scheduler, Space};
 #[derive(Debug)]
 pub(crate) enum Implicit {
     /// For a field.
-    Field(FieldKernels),
+    Field(Box<FieldKernels>),
     /// For contact systems.
     Contact(ContactKernels),
     /// For a Lagrangian, with velocities as unknowns.
@@ -132,7 +132,7 @@ pub(crate) struct ContactKernels {
 #[derive(Debug)]
 pub(crate) enum ContactStages {
     Points(StageKernel),
-    Velocities(VelocityStages),
+    Velocities(Box<VelocityStages>),
 }
 
 /// The field of a contact system at a stage.
