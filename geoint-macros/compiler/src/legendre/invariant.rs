@@ -1,15 +1,16 @@
-//! Removes coordinates from entries of mass matrices that do not depend on them.
+//! Removes coordinates that an entry of a mass matrix reads without depending on them.
 //!
-//! Kinematics that are written step by step give sin²q + cos²q for 1, and cos a cos b + sin a sin b for cos(a − b). If a derivative is proven to
-//! vanish everywhere, its coordinate can be set to zero.
+//! Kinematics that are written step by step give sin²q + cos²q for 1, and cos a cos b + sin a sin b for cos(a − b). If the derivative by a coordinate is
+//! proven to vanish everywhere, the coordinate is set to zero. If the derivative along a sum or a difference of two coordinates vanishes, the entry depends
+//! on the other combination only. Other directions, such as 2a − b, are not tried.
 
 use crate::analyze::{self, Direction, vanishes};
 use crate::diff;
 use crate::ir::substitute::Substitution;
-use crate::ir::{Graph, Id, Number, Ratio, Symbol};
+use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
 
-/// Returns a node that equals the entry and reads fewer coordinates, if possible. The result is zero, omits a coordinate, or reads two coordinates
-/// through their sum or difference only.
+/// Returns a node that equals the entry. It is zero, or omits coordinates, or reads two coordinates through their sum or difference only. Returns the
+/// entry itself if nothing is proven.
 pub(super) fn simplified(graph: &mut Graph, entry: Id) -> Id {
     if !graph.reads(entry).q || !is_total(graph, entry) || jumps(graph, entry) {
         return entry;
@@ -20,6 +21,7 @@ pub(super) fn simplified(graph: &mut Graph, entry: Id) -> Id {
     let mut positions = graph.symbols(entry);
     positions.retain(|symbol| matches!(symbol, Symbol::Position(_)));
     let mut directions = directions(&positions);
+    // A quick test at points drops most directions. Each remaining direction is proven below.
     analyze::retain_constant(graph, entry, &mut directions);
     let mut entry = entry;
     for direction in directions {
@@ -43,7 +45,7 @@ fn directions(positions: &[Symbol]) -> Vec<Direction> {
     directions
 }
 
-/// Returns whether a node is proven to be constant along a direction. Precondition: the node does not jump.
+/// Returns whether a node is proven to be constant along a direction. Precondition: the node is defined everywhere and does not jump.
 fn is_constant(graph: &mut Graph, id: Id, direction: &Direction) -> bool {
     let rates: Vec<(Symbol, Id)> =
         direction.iter().map(|(symbol, rate)| (*symbol, graph.number(Number::Exact(*rate)))).collect();
@@ -52,13 +54,14 @@ fn is_constant(graph: &mut Graph, id: Id, direction: &Direction) -> bool {
     vanishes(graph, slope[0])
 }
 
-/// Moves a node along a direction until the last coordinate is zero. Precondition: the node is constant along the direction.
+/// Follows a direction to the point at which its last coordinate is zero, and returns the node there: f(q) → f(0), f(a, b) → f(a − b, 0) or
+/// f(a + b, 0). Precondition: the node is constant along the direction. All rates are 1 or −1.
 fn without_last(graph: &mut Graph, id: Id, direction: &Direction) -> Id {
-    let (last, unit) = direction[direction.len() - 1];
+    let (last, rate_of_last) = direction[direction.len() - 1];
     let replace = |graph: &mut Graph, symbol| {
         let (_, rate) = direction.iter().find(|(other, _)| *other == symbol)?;
-        let [q, last] = [symbol, last].map(|symbol| graph.symbol(symbol));
-        Some(if *rate == unit { graph.sub(q, last) } else { graph.add(q, last) })
+        let [q, way] = [symbol, last].map(|symbol| graph.symbol(symbol));
+        Some(if *rate == rate_of_last { graph.sub(q, way) } else { graph.add(q, way) })
     };
     Substitution::new(replace).apply(graph, id)
 }
@@ -68,7 +71,10 @@ fn is_total(graph: &Graph, id: Id) -> bool {
     !graph.reachable(&[id]).into_iter().any(|id| graph.is_partial(id) && graph.reads(id).state())
 }
 
-/// Returns whether a node may jump at a condition on positions. A jumping node with a slope of zero need not be constant.
+/// Returns whether a node may jump: it has a condition on positions, a sign, or an angle by `atan2`. A node with jumps need not be constant if its slope
+/// is zero.
 fn jumps(graph: &mut Graph, id: Id) -> bool {
-    analyze::conditions(graph, id).into_iter().any(|condition| graph.reads(condition).q)
+    let is_angle = |id: Id| matches!(graph.node(id), Node::Call(Function::Atan2, _)) && graph.reads(id).q;
+    let angle = graph.reachable(&[id]).into_iter().any(is_angle);
+    angle || analyze::conditions(graph, id).into_iter().any(|condition| graph.reads(condition).q)
 }

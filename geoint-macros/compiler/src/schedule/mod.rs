@@ -1,12 +1,17 @@
 //! From nodes to statements: when each value is computed, once, and in which order.
 //!
-//! Every symbol has a binding time, a level: parameters are known before h is, h before the state, the start of a step
-//! before Newton's iterates. A node has the level of its latest symbol, and the routine of this level computes the node.
-//! Later routines read the value from a slot.
+//! A routine is a function of the emitted code, given by the nodes of its outputs (`routine`). A kernel is a list of routines that share prepared numbers
+//! (`kernel`). `Scheduler` holds the graph and the places of symbols in arrays (`scheduler`, `layout`).
 //!
-//! The passes run in this order. `lowering` turns the nodes of a routine into statements: sums without their common factors (`factors`),
-//! operations in the order in which operands are ready (`arithmetic`), calls with several results (`joint`), and branches (`together`).
-//! Equal operations are one statement. Values with uses in one branch only are computed in this branch. `passes` then arranges the statements as `loops` or `packs`.
+//! Every symbol has a level, the time at which it is known (`levels`): parameters before h, h before the state, the start of a step before
+//! Newton's iterates. A node has the level of its latest symbol. The routine of this level computes the node and stores it in a slot, an entry of an array, from
+//! which routines of later levels read it.
+//!
+//! 1. `lowering` turns nodes into statements (`block`, `instruction`). Equal operations are one statement. Values that only one branch uses are computed in this
+//!    branch. Helpers of this step: `factors` takes common factors out of sums; `arithmetic` orders operations by the time at which their operands are ready; `joint`
+//!    computes several results by one call, such as sine and cosine; `together` merges selections by one condition into one branch.
+//! 2. `passes` arranges the statements: alike statements become `loops`, or four alike operations side by side become `packs`.
+//!
 //! The printer in `emit` decides nothing.
 
 mod arithmetic;

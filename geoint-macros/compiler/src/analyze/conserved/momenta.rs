@@ -1,7 +1,11 @@
-//! Linear and quadratic functions J of the state that commute with every leaf Q of the tree of H, and so with H.
+//! Linear and quadratic functions J of the state that commute with H, such as momenta and angular momenta.
 //!
-//! A step with the tree discrete gradient Σ c·∇Q(m), m the middle of the step, changes J by h Σ c·{J, Q}(m). The bracket is zero, so the step
-//! conserves J. J is a combination of generators. Its coefficients are numbers, or numbers times powers of parameters.
+//! H is a function of quadratic expressions Q, the leaves of its tree: in p²/2m − k/√(q·q) these are p² and q·q. J is sought among the functions that commute
+//! with every leaf, so J commutes with H. The discrete gradient of the tree is Σ c·∇Q(m), with numbers c and the midpoint m of the step. J is at most quadratic,
+//! so a step changes J by exactly h Σ c·{J, Q}(m) = 0.
+//!
+//! J is a linear combination of generators, the monomials of degree 1 and 2 with usual names. Coefficients are numbers, or numbers times powers of parameters.
+//! For each generator one such power is tried beside 1. An integral with other coefficients is not found.
 
 use super::generators::{Generator, Summand, generators, name};
 use super::weights::{Term, Weight, divide_by_common, weights};
@@ -27,7 +31,7 @@ struct Unknown {
     weight: Weight,
 }
 
-/// Finds conserved functions. Single coordinates are left out: they are conserved because H does not read the conjugate coordinate.
+/// Finds conserved functions. Single coordinates are left out: the report states them as coordinates whose conjugate H does not read.
 pub(in crate::analyze) fn momenta(
     graph: &mut Graph,
     degrees: &Degrees,
@@ -110,14 +114,14 @@ fn weight_node(graph: &mut Graph, weight: &Weight) -> Id {
     product
 }
 
-/// Expands the leaves of the tree of H.
+/// Expands the leaves of the tree of H, which are polynomials of degree 2 at most. `None` if a coefficient is no longer exact.
 fn forms(graph: &Graph, degrees: &Degrees, energy: Id) -> Option<Vec<Quadratic>> {
     let leaves = leaves(graph, degrees, energy, 2)?;
     let mut expansion = Expansion::new(graph, degrees);
     leaves.iter().map(|leaf| expansion.leaf(leaf)).collect()
 }
 
-/// The term coefficient·variable of the bracket {u, J} of a variable u with a generator J.
+/// A term of the bracket {u, J} of a variable u with a generator J: `coefficient·variable`.
 #[derive(Clone)]
 struct Move {
     generator: usize,
@@ -130,7 +134,7 @@ fn moves(generators: &[Generator], degrees_of_freedom: usize) -> Vec<Vec<Move>> 
     let mut moves = vec![vec![]; 2 * degrees_of_freedom];
     for (g, generator) in generators.iter().enumerate() {
         for (c, [a, b]) in &generator.terms {
-            // {u, a b} = {u, a} b + a {u, b}, and {q, p} = 1 = −{p, q}.
+            // {u, a b} = {u, a} b + a {u, b}, and {q, p} = 1 = −{p, q}. Variables 2i and 2i + 1 are qᵢ and pᵢ; the last variable is the constant 1.
             for (x, variable) in [(*a, *b), (*b, *a)] {
                 let (conjugate, sign) = if x % 2 == 0 { (x + 1, -1) } else { (x - 1, 1) };
                 if let Some(moves) = moves.get_mut(conjugate as usize) {
@@ -170,7 +174,7 @@ fn commuting(unknowns: &[Unknown], generators: usize, brackets: &[Vec<Term<'_>>]
     }
     let mut equations = Equations::new(unknowns.len());
     for bracket in brackets {
-        // Monomials are independent, so the coefficient of each monomial must vanish.
+        // The coefficient of each monomial must vanish. Relations between atoms, such as sin² + cos² = 1, are not used: J may be missed, never wrong.
         let mut coefficients: BTreeMap<([Variable; 2], Weight), Row> = BTreeMap::new();
         for Term { variables, generator, atoms, number } in bracket {
             for (unknown, weight) in &of_generator[*generator] {

@@ -1,16 +1,20 @@
 //! Surfaces on which a function may jump along a field. The derivative of the function does not show these jumps.
+//!
+//! Conditions, signs and angles by `atan2` jump. A proof uses identities of the graph; a failed proof counts as a jump, so all answers are on the safe
+//! side.
 
 use super::angles::{angles, broken_at};
 use super::surface::vanishes_on;
 use super::vanishes;
 use crate::diff;
 use crate::ir::substitute::{Substitution, replaced};
-use crate::ir::{Function, Graph, Id, Node, Symbol};
+use crate::ir::{Function, Graph, Id, Node, Ratio, Symbol};
 
-/// The surface on which two numbers are equal, and the nodes that change there.
+/// An edge: the surface on which two numbers are equal, with the conditions and signs that change there.
 #[derive(Clone, Debug)]
 pub(crate) struct Edge {
     pub(crate) equal: [Id; 2],
+    /// Zero on the surface.
     pub(crate) difference: Id,
     changing: Vec<Changing>,
 }
@@ -25,7 +29,7 @@ struct Changing {
     above: Id,
 }
 
-/// Returns the edges at which a function may jump: equality of both sides was not proven.
+/// Returns the edges on which the limits of a function from both sides are not proven to be equal.
 pub(crate) fn edges_of_jumps(graph: &mut Graph, function: Id) -> Vec<Edge> {
     let mut edges = edges(graph, function);
     edges.retain(|edge| {
@@ -40,9 +44,9 @@ pub(crate) fn edges_of_jumps(graph: &mut Graph, function: Id) -> Vec<Edge> {
 /// A surface on which a function may jump while a field is followed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Discontinuity {
-    /// The two numbers that are equal on the surface.
+    /// Two numbers that are equal on the surface. For an angle, a common factor of both arguments of `atan2`, and zero.
     pub(crate) equal: [Id; 2],
-    /// The condition, sign or angle that changes.
+    /// A condition, sign or angle that changes. A message points at this node.
     pub(crate) node: Id,
     pub(crate) kind: Kind,
 }
@@ -54,21 +58,21 @@ pub(crate) enum Kind {
     Crossed,
     /// Solutions stay on the surface: rounding decides on which side.
     Followed,
-    /// Both arguments of an angle vanish, and solutions lead across the surface.
+    /// Both arguments of an angle have a common factor that changes its sign: solutions lead across its zeros, where the angle jumps by π.
     Angle,
 }
 
-/// A surface on which a function may jump while a field is followed; `None` if it was proven not to.
+/// Returns a surface on which a function may jump along a field. Returns `None` if the function is proven not to jump.
 ///
-/// A function does not jump if both sides are equal, or if no solution leads from one side to the other. A surface that solutions follow
-/// counts, because rounding moves states across it, unless the coordinates of the surface rest.
+/// A function does not jump if the limits from both sides are equal, or if no solution leads from one side to the other. A surface that contains whole
+/// solutions counts as well, because rounding moves states across it, unless [`is_exact`] holds.
 pub(crate) fn may_jump(graph: &mut Graph, x: &[Symbol], field: &[Id], function: Id) -> Option<Discontinuity> {
     for edge in edges_of_jumps(graph, function) {
         let found = |kind| Discontinuity { equal: edge.equal, node: edge.changing[0].node, kind };
         if is_crossed(graph, x, field, edge.difference) {
             return Some(found(Kind::Crossed));
         }
-        if !stands_still(graph, x, field, edge.difference) {
+        if !is_exact(graph, x, field, edge.difference) {
             return Some(found(Kind::Followed));
         }
     }
@@ -82,32 +86,37 @@ pub(crate) fn may_jump(graph: &mut Graph, x: &[Symbol], field: &[Id], function: 
     None
 }
 
-/// Returns whether it was not proven that solutions stay where a difference is zero.
+/// Returns whether solutions may lead across the zeros of a difference. They do not if the rate of the difference is proven to vanish there: each
+/// zero then belongs to a solution within the surface.
 fn is_crossed(graph: &mut Graph, x: &[Symbol], field: &[Id], difference: Id) -> bool {
     let rate = diff::derivative_along(graph, x, field, difference, None);
     let rate = graph.sum(&rate);
     !vanishes_on(graph, difference, rate)
 }
 
-/// Returns whether rounding moves no state off the surface: its coordinates rest, or a coordinate that is zero stays zero.
-fn stands_still(graph: &mut Graph, x: &[Symbol], field: &[Id], difference: Id) -> bool {
+/// Returns whether no rounding moves a state off the zeros of a difference.
+///
+/// Each factor of the difference must read resting coordinates only, or must be a coordinate whose rate vanishes with it: steps keep both exactly.
+fn is_exact(graph: &mut Graph, x: &[Symbol], field: &[Id], difference: Id) -> bool {
     let (read, zero) = (graph.symbols(difference), graph.zero());
-    let rests = |(symbol, rate): (&Symbol, &Id)| {
-        let mut is_zero_at_zero = |node: Id| {
-            let there = replaced(graph, node, *symbol, zero);
-            graph.is_zero(there)
-        };
-        !read.contains(symbol) || is_zero_at_zero(*rate) && (*rate == zero || is_zero_at_zero(difference))
+    let factors = graph.factors(graph.coefficient(difference).1);
+    let mut keeps = |(factor, _): &(Id, Ratio)| {
+        let read = graph.symbols(*factor);
+        x.iter().zip(field).all(|(symbol, rate)| {
+            let is_coordinate = *graph.node(*factor) == Node::Symbol(*symbol);
+            let rate = if is_coordinate { replaced(graph, *rate, *symbol, zero) } else { *rate };
+            !read.contains(symbol) || graph.is_zero(rate)
+        })
     };
-    !read.contains(&Symbol::Time) && x.iter().zip(field).all(rests)
+    !read.contains(&Symbol::Time) && factors.iter().all(&mut keeps)
 }
 
-/// The edges of all conditions and signs that read the state or time.
+/// Returns the edges of all conditions and signs that read more than parameters.
 fn edges(graph: &mut Graph, function: Id) -> Vec<Edge> {
     let mut edges: Vec<Edge> = vec![];
     for node in graph.reachable(&[function]) {
         let (a, b, below, above) = match *graph.node(node) {
-            // The value on the edge itself, as of `a == b`, must not matter either.
+            // `<`, `≤` and `==` differ on the edge only. The limits from both sides decide.
             Node::Compare(_, a, b) => (a, b, graph.truth(false), graph.truth(true)),
             Node::Call(Function::Signum, ref args) => {
                 let x = args[0];

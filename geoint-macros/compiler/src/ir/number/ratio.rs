@@ -2,14 +2,15 @@
 
 use std::cmp::Ordering;
 
-/// A ratio in lowest terms with positive denominator.
+/// A ratio in lowest terms with positive denominator. Invariant: [`Ratio::new`] and the arithmetic keep it; code that builds the fields must, too.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Ratio {
     pub(crate) numerator: i128,
     pub(crate) denominator: i128,
 }
 
-/// The largest numerator and denominator. A decimal such as 1.380649e-23 is exact, and so is the square of any `f64` near one.
+/// The largest numerator and denominator. A decimal such as 1.380649e-23 is exact, and so is the square of any `f64` near one. Two such numbers add
+/// within an `i128`.
 const LARGEST: u128 = 1 << 126;
 
 /// Integers up to this size are exact in `f64`.
@@ -20,7 +21,7 @@ impl Ratio {
     pub(crate) const ONE: Ratio = Ratio::integer(1);
     pub(crate) const HALF: Ratio = Ratio { numerator: 1, denominator: 2 };
 
-    /// Returns an integer.
+    /// Returns an integer, which is not checked for its size.
     pub(crate) const fn integer(n: i128) -> Ratio {
         Ratio { numerator: n, denominator: 1 }
     }
@@ -36,24 +37,25 @@ impl Ratio {
         (n <= LARGEST && d <= LARGEST).then_some(Ratio { numerator: sign * n as i128, denominator: d as i128 })
     }
 
-    /// Returns an integer. `None` if it is too large.
+    /// Returns an integer of checked size. `None` if it is too large.
     fn whole(n: i128) -> Option<Ratio> {
         (n.unsigned_abs() <= LARGEST).then_some(Ratio::integer(n))
     }
 
-    /// Returns the exact value of an `f64`. `None` if a part is too large, and for subnormal and infinite numbers.
+    /// Returns the exact value of a normal `f64`. `None` if a part is too large, and for zero, subnormal numbers, infinities and NaN.
     pub(super) fn of_f64(x: f64) -> Option<Ratio> {
         let bits = x.to_bits();
         let (biased, mantissa) = ((bits >> 52 & 0x7ff) as i32, i128::from(bits & ((1 << 52) - 1)));
         let mantissa = (1..0x7ff).contains(&biased).then_some(mantissa | 1 << 52)?;
         let zeros = mantissa.trailing_zeros();
+        // x = mantissa · 2^(biased − 1023 − 52).
         let (mantissa, exponent) = (mantissa >> zeros, biased - 1075 + zeros as i32);
         let signed = if x < 0.0 { -mantissa } else { mantissa };
         let power = 1_i128.checked_shl(exponent.unsigned_abs()).filter(|power| *power > 0)?;
         if exponent < 0 { Ratio::new(signed, power) } else { Ratio::new(signed.checked_mul(power)?, 1) }
     }
 
-    /// Returns the sum. `None` if a part is too large.
+    /// Returns the sum. `None` if a part or an intermediate product is too large.
     pub(crate) fn add(self, other: Ratio) -> Option<Ratio> {
         // Fast path: most ratios are integers.
         if self.is_integer() && other.is_integer() {
@@ -65,7 +67,7 @@ impl Ratio {
         Ratio::new(sum, self.denominator.checked_mul(d)?)
     }
 
-    /// Returns the product. `None` if a part is too large.
+    /// Returns the product. Common factors are cancelled first. `None` if a part is too large.
     pub(crate) fn mul(self, other: Ratio) -> Option<Ratio> {
         if self.is_integer() && other.is_integer() {
             return Ratio::whole(self.numerator.checked_mul(other.numerator)?);
@@ -84,7 +86,7 @@ impl Ratio {
         Ratio::new(self.denominator, self.numerator)
     }
 
-    /// Returns a hash that is equal for equal ratios.
+    /// Returns a hash that is equal for equal ratios. The graph hashes millions of numbers, and this word is faster than `Hash`.
     #[inline(always)]
     pub(crate) fn word(self) -> u64 {
         self.numerator as u64 ^ (self.denominator as u64) << 32
@@ -117,7 +119,7 @@ impl Ratio {
 
     /// Returns the nearest `f64`.
     pub(crate) fn to_f64(self) -> f64 {
-        // Fast path: most ratios are short.
+        // Fast path: most numerators and denominators fit into 32 bits.
         let (n, d) = (self.numerator as i32, self.denominator as i32);
         if i128::from(n) == self.numerator && i128::from(d) == self.denominator {
             return f64::from(n) / f64::from(d);

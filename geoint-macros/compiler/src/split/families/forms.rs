@@ -10,7 +10,7 @@ use crate::diff;
 use crate::ir::{Graph, Id, Node, Number, Symbol};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Returns the flow of V(q, t).
+/// Returns the flow of V(q, t): q rests, and p grows by −∫ ∂V/∂q dt. An action must not occur, because it would grow by −∫ V dt.
 pub(super) fn kick(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let moves = |symbol| matches!(symbol, Symbol::Momentum(_) | Symbol::Action);
     if is_free(graph, group.energy, &moves) { straight(graph, group) } else { None }
@@ -19,7 +19,9 @@ pub(super) fn kick(graph: &mut Graph, group: &Group) -> Option<Flow> {
 /// The coefficients of the coordinates in a form.
 type Form = BTreeMap<Symbol, Id>;
 
-/// Returns the flow of a function of forms in involution: q grows by h ∂H/∂p and p by −h ∂H/∂q, both at the start.
+/// Returns the flow of a function of forms in involution: q grows by h ∂H/∂p and p by −h ∂H/∂q, both at the start. For an H that reads time, h times the
+/// rate becomes the integral of the rate over the step. `None` if the forms are not in involution, if their coefficients read time, or if an integral is
+/// not known in closed form.
 pub(super) fn straight(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let forms = forms(graph, group.energy)?;
     if !forms.iter().flat_map(Form::values).all(|c| group.clock.is_steady(graph, *c)) {
@@ -35,7 +37,7 @@ pub(super) fn straight(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let mut flow = Flow::rest(graph, group.degrees);
     let h = graph.symbol(Symbol::StepLength);
     if group.clock.is_steady(graph, group.energy) {
-        // The derivatives of hH combine h with the constants of each term, so that the products are computed once for each h.
+        // The derivatives of hH contain h in the constants of each term. These products are computed once for each h, before all steps.
         let generator = graph.mul(h, group.energy);
         let slopes = diff::gradient(graph, generator, group.degrees);
         for i in 0..group.degrees as usize {
@@ -57,6 +59,7 @@ pub(super) fn straight(graph: &mut Graph, group: &Group) -> Option<Flow> {
 fn in_involution(graph: &mut Graph, first: &Form, second: &Form) -> bool {
     let mut sum = graph.zero();
     for (symbol, c) in first {
+        // `forms` has refused the action.
         let (other, sign) = match *symbol {
             Symbol::Position(i) => (Symbol::Momentum(i), Number::ONE),
             Symbol::Momentum(i) => (Symbol::Position(i), Number::MINUS_ONE),
@@ -78,6 +81,7 @@ fn forms(graph: &mut Graph, root: Id) -> Option<Vec<Form>> {
         if !seen.insert(id) || is_free(graph, id, &Symbol::is_coordinate) {
             continue;
         }
+        // Other nodes are not affine. The test avoids their expansion.
         let may_be_form = matches!(graph.node(id), Node::Symbol(_) | Node::Linear(..) | Node::Product(_));
         if let Some(form) = may_be_form.then(|| form(graph, id)).flatten() {
             if form.contains_key(&Symbol::Action) {
@@ -89,7 +93,7 @@ fn forms(graph: &mut Graph, root: Id) -> Option<Vec<Form>> {
             continue;
         }
         match graph.node(id).clone() {
-            // The linear terms of a sum are one form.
+            // The linear terms of a sum are one form: q and p alone are not in involution, but q + p is a single form.
             Node::Linear(_, terms) => {
                 let mut linear = graph.zero();
                 for (c, term) in terms {

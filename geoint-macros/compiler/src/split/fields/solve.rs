@@ -1,4 +1,4 @@
-//! Flows of fields whose moving coordinates form small independent blocks.
+//! Flows of fields whose moving coordinates form independent blocks: each block is a scalar equation, a linear field, or has pairs with constant sums.
 
 use super::super::polynomial::{Polynomial, times_powers};
 use super::super::scalar::{self, Equation};
@@ -27,7 +27,7 @@ pub(super) const SUMS: Rule = Rule {
     fields: "xᵢ + xⱼ at rest for pairs of coordinates, by which half of them follow",
 };
 
-/// Returns the ends of x' = rate, if all blocks have flows in closed form.
+/// Returns the ends of x' = rate, if all blocks have flows in closed form. The rules are tried from the simplest to the longest code.
 pub(super) fn solve(graph: &mut Graph, rates: &[(Symbol, Id)], clock: Clock) -> Option<Ends> {
     let mut all = Ends { ends: vec![], rules: vec![] };
     for block in blocks(graph, rates) {
@@ -48,7 +48,7 @@ pub(super) fn solve(graph: &mut Graph, rates: &[(Symbol, Id)], clock: Clock) -> 
 /// Coordinates with their velocities.
 type Rates = Vec<(Symbol, Id)>;
 
-/// Returns the moving coordinates in sets that do not read each other.
+/// Returns the moving coordinates in sets: no rate reads a coordinate of another set.
 fn blocks(graph: &Graph, rates: &[(Symbol, Id)]) -> Vec<Rates> {
     let mut sets: Vec<(BTreeSet<u32>, Rates)> = vec![];
     let moving: BTreeSet<u32> = rates.iter().filter_map(|(symbol, _)| index(*symbol)).collect();
@@ -66,7 +66,7 @@ fn blocks(graph: &Graph, rates: &[(Symbol, Id)]) -> Vec<Rates> {
     sets.into_iter().map(|(_, equations)| equations).collect()
 }
 
-/// Returns the end of one block as a scalar equation or as a linear field.
+/// Returns the end of one block, solved as a scalar equation or as a linear field. A linear field must not read time.
 fn block_ends(graph: &mut Graph, rates: &[(Symbol, Id)], clock: Clock) -> Option<BlockEnds> {
     if let [(x, rate)] = *rates
         && let Some(solution) = scalar::solve(graph, &Equation { x, rate, clock })
@@ -77,7 +77,7 @@ fn block_ends(graph: &mut Graph, rates: &[(Symbol, Id)], clock: Clock) -> Option
 }
 
 /// Returns the end of a block with at least two pairs of coordinates whose sums xᵢ + xⱼ are constant. The sums give one coordinate of each pair.
-/// An example are two spins that rotate about their sum.
+/// Example: two spins rotate about their sum.
 fn by_constant_sums(graph: &mut Graph, rates: &[(Symbol, Id)], clock: Clock) -> Option<BlockEnds> {
     let (mut left, mut pairs): (Rates, Vec<[Symbol; 2]>) = (vec![], vec![]);
     for (x, rate) in rates {
@@ -90,11 +90,11 @@ fn by_constant_sums(graph: &mut Graph, rates: &[(Symbol, Id)], clock: Clock) -> 
             None => left.push((*x, *rate)),
         }
     }
-    // One pair is a plane. The rules for planes add exactly the negative increment to the second coordinate, so the sum has no drift.
+    // A single pair is left to the rules for planes, which keep the sum exactly: they add the negative increment to the second coordinate.
     if pairs.len() < 2 {
         return None;
     }
-    // `PositionIncrement(j)` stands for the constant sum xᵢ + xⱼ while the other equations are solved.
+    // Fields read no increments, so `PositionIncrement(j)` can stand for the constant sum xᵢ + xⱼ while the other equations are solved.
     let name = |symbol: Symbol| index(symbol).map(Symbol::PositionIncrement);
     let partner = |symbol: Symbol| pairs.iter().find(|[_, y]| *y == symbol).map(|[x, _]| *x);
     let mut known = Substitution::new(|graph: &mut Graph, y| {
@@ -125,7 +125,8 @@ fn by_constant_sums(graph: &mut Graph, rates: &[(Symbol, Id)], clock: Clock) -> 
     Some(BlockEnds { ends, rule: SUMS })
 }
 
-/// Replaces checked reciprocals of positive expressions by 1/u, if there are any. The checks of the domain of H cover their sign.
+/// Replaces checked reciprocals of positive expressions by 1/u, if there are any. The solvers know powers only. The check is not lost: the domain of H
+/// includes u > 0, and every step tests it.
 fn with_plain_reciprocals(graph: &mut Graph, rates: &[(Symbol, Id)]) -> Option<Rates> {
     let roots: Vec<Id> = rates.iter().map(|(_, rate)| *rate).collect();
     let mut plain = Substitution::new(|_: &mut Graph, _| None);
