@@ -3,109 +3,11 @@
 
 use super::kernel::Context;
 use super::missing::unsatisfied;
+use super::signature::{Absent, Inline, Method, Trait, Ty};
 use super::structure::self_type;
 use crate::derive::Missing;
 use proc_macro2::{Delimiter, Group, TokenStream};
 use quote::{ToTokens, format_ident, quote};
-
-/// A type in a signature.
-#[derive(Clone, Copy)]
-pub(super) enum Ty {
-    /// The scalar.
-    Number,
-    Index,
-    /// Start, midpoint and end of a step.
-    Span,
-    /// The array of positions, or of momenta.
-    Array,
-    /// The array of all coordinates.
-    Phase,
-    /// `R`, or `()` without an action.
-    Action,
-    /// A number for each coordinate.
-    PerCoordinate,
-    /// An associated type of the trait.
-    Associated(&'static str),
-    Square(&'static Ty),
-    Pair(&'static Ty),
-    Ref(&'static Ty),
-    Mut(&'static Ty),
-}
-
-/// An associated type in the implementation of a trait that a system lacks.
-#[derive(Clone, Copy)]
-pub(super) enum Absent {
-    /// A type without values. A method that takes a reference to it cannot be called.
-    Never,
-    Unit,
-    Is(Ty),
-    /// A type of the runtime.
-    Named(&'static str),
-}
-
-/// The attribute `inline` of a method. Methods of an absent trait have no attribute.
-#[derive(Clone, Copy)]
-pub(super) enum Inline {
-    Hint,
-    Always,
-}
-
-/// The signature of a method with `&self`.
-pub(super) struct Method {
-    pub(super) inline: Inline,
-    pub(super) name: &'static str,
-    /// Patterns and types. The pattern `s or _` is `_` in a system without an action.
-    pub(super) arguments: &'static [(&'static str, Ty)],
-    pub(super) returns: Option<Ty>,
-    /// True if a comma follows the last argument, as in a list over several lines.
-    pub(super) is_wide: bool,
-}
-
-/// A trait of the runtime that a system may lack.
-pub(super) struct Trait {
-    pub(super) name: &'static str,
-    /// True if the trait has the associated type `Proof`.
-    pub(super) has_proof: bool,
-    pub(super) associated: &'static [(&'static str, Absent)],
-    /// The required methods.
-    pub(super) methods: &'static [Method],
-    /// The methods with a default.
-    pub(super) provided: &'static [Method],
-}
-
-/// A type of a signature in the syntax of Rust. `[T] x 2` is an array of two.
-macro_rules! ty {
-    (&mut $($of:tt)+) => { Ty::Mut(&ty!($($of)+)) };
-    (& $($of:tt)+) => { Ty::Ref(&ty!($($of)+)) };
-    ([$($of:tt)+] x 2) => { Ty::Pair(&ty!($($of)+)) };
-    (Square<$of:ident>) => { Ty::Square(&ty!($of)) };
-    (R) => { Ty::Number };
-    (usize) => { Ty::Index };
-    (Span) => { Ty::Span };
-    (Array) => { Ty::Array };
-    (Phase) => { Ty::Phase };
-    (Action) => { Ty::Action };
-    (PerCoordinate) => { Ty::PerCoordinate };
-    ($associated:ident) => { Ty::Associated(stringify!($associated)) };
-}
-
-/// Signatures of methods: `Always fn kick("prepared": {&Kick}, "t": {R}) -> Kick;`. The word `wide` after the arguments sets [`Method::is_wide`].
-macro_rules! methods {
-    ($($inline:ident fn $name:ident($($pattern:literal: {$($ty:tt)+}),*) $($wide:ident)? $(-> $returns:ident)?;)*) => {
-        &[$(Method {
-            inline: Inline::$inline,
-            name: stringify!($name),
-            arguments: &[$(($pattern, ty!($($ty)+))),*],
-            returns: methods!(@returns $($returns)?),
-            is_wide: methods!(@wide $($wide)?),
-        }),*]
-    };
-    (@returns) => { None };
-    (@returns $ty:ident) => { Some(ty!($ty)) };
-    (@wide) => { false };
-    (@wide wide) => { true };
-}
-pub(super) use {methods, ty};
 
 /// The associated types of a trait in one implementation.
 struct Types<'a> {
@@ -131,21 +33,14 @@ impl Types<'_> {
                 Some((_, ty)) => ty.clone(),
                 None => self.absent(name),
             },
-            Ty::Square(of) => {
+            Ty::Square(of) | Ty::Pair(of) | Ty::Ref(of) | Ty::Mut(of) => {
                 let of = self.tokens(*of);
-                quote!(Square<#of>)
-            }
-            Ty::Pair(of) => {
-                let of = self.tokens(*of);
-                quote!([#of; 2])
-            }
-            Ty::Ref(of) => {
-                let of = self.tokens(*of);
-                quote!(&#of)
-            }
-            Ty::Mut(of) => {
-                let of = self.tokens(*of);
-                quote!(&mut #of)
+                match ty {
+                    Ty::Square(_) => quote!(Square<#of>),
+                    Ty::Pair(_) => quote!([#of; 2]),
+                    Ty::Ref(_) => quote!(&#of),
+                    _ => quote!(&mut #of),
+                }
             }
         }
     }
@@ -290,6 +185,19 @@ impl<'a> Implementation<'a> {
 pub(super) fn proven(context: &Context<'_>, of: TokenStream, items: TokenStream) -> TokenStream {
     let name = self_type(context);
     quote!(impl<R: Real> #of for #name { type Proof = (); #items })
+}
+
+/// Returns the implementation of a trait with associated types only.
+pub(super) fn typed<const N: usize>(
+    context: &Context<'_>,
+    of: TokenStream,
+    types: [(&'static str, TokenStream); N],
+) -> TokenStream {
+    let types = types.map(|(name, ty)| {
+        let name = format_ident!("{name}");
+        quote!(type #name = #ty;)
+    });
+    proven(context, of, quote!(#(#types)*))
 }
 
 /// Returns `const name: bool = value;`.

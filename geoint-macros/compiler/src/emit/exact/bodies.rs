@@ -136,18 +136,18 @@ fn rotations(context: &Context<'_>, bodies: &BodyKernels) -> TokenStream {
         let inverse = (0..3).map(|i| or_zero(turn.linear[i][i]));
         quote!(slope::five_rotations(&[#(#inverse),*], &mut #r, &mut #m);)
     });
-    let centres = bodies.centres.iter().enumerate();
-    let shifts =
-        centres.flat_map(|(body, centre)| centre.iter().enumerate().map(move |(axis, each)| (body, axis, each)));
-    let shifts = shifts.map(|(body, axis, each)| {
-        let (place, change) = (element("q", &[1, body, axis]), shift(context, each));
-        quote!(#place = #place + (#change);)
-    });
+    let mut shifts = TokenStream::new();
+    for (body, centre) in bodies.centres.iter().enumerate() {
+        for (axis, each) in centre.iter().enumerate() {
+            let (place, change) = (element("q", &[1, body, axis]), shift(context, each));
+            shifts.extend(quote!(#place = #place + (#change);));
+        }
+    }
     let items = quote! {
         #[inline(always)]
         fn rotate(&self, drift: &[R; #entries], q: &mut #array, p: &mut #array) {
             #(#rotations)*
-            #(#shifts)*
+            #shifts
         }
     };
     proven(context, quote!(PrincipalAxes<R>), items)

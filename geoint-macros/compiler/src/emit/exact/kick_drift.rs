@@ -2,8 +2,9 @@
 
 use super::{FlowTokens, assign, flow, slots};
 use crate::derive::{GradientKick, KickDrift, Missing, Undamped};
-use crate::emit::implementation::{Absent, Implementation, Inline, Method, Trait, Ty, absent, flag, methods, ty};
+use crate::emit::implementation::{Implementation, absent, flag};
 use crate::emit::kernel::Context;
+use crate::emit::signature::{Absent, Trait, methods};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 

@@ -3,8 +3,9 @@
 use super::kick_drift::moves;
 use super::{assign, flow, slots};
 use crate::derive::{FlowKernel, Inner, Missing, Perturbed};
-use crate::emit::implementation::{Absent, Implementation, Inline, Method, Trait, Ty, absent, flag, methods, ty};
+use crate::emit::implementation::{Implementation, absent, flag};
 use crate::emit::kernel::{Context, Values};
+use crate::emit::signature::{Absent, Trait, methods};
 use crate::parse::Role;
 use crate::split::OwnMotion;
 use proc_macro2::TokenStream;

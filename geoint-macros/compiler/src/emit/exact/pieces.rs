@@ -2,10 +2,9 @@
 
 use super::{assign, increments};
 use crate::derive::{PieceKernel, PiecesOf};
-use crate::emit::implementation::{
-    Absent, Implementation, Inline, Leading, Method, Trait, Ty, absent_with, flag, methods, ty,
-};
+use crate::emit::implementation::{Implementation, Leading, absent_with, flag};
 use crate::emit::kernel::{Context, Values};
+use crate::emit::signature::{Absent, Trait, methods};
 use crate::emit::tokens::{Tokens, element};
 use crate::ir::Symbol;
 use crate::split::Clock;
@@ -56,16 +55,16 @@ fn table(context: &Context<'_>, pieces: &[PieceKernel]) -> TokenStream {
     quote!(const PIECES: &'static [FlowPiece] = &[#(#table),*];)
 }
 
-/// Returns the implementation for a system with pieces. All pieces prepare their numbers for the step, and then for its start time.
+/// Returns the implementation for a system with pieces. Each piece has numbers for a step length, and numbers for a start time.
 fn flows(context: &Context<'_>, pieces: &[PieceKernel], leading: Leading) -> TokenStream {
     let types = |level: usize| {
         let slots = pieces.iter().map(|piece| Literal::usize_unsuffixed(piece.flow.kernel.slots[level]));
         nested(slots.map(|slots| quote!([R; #slots])).collect())
     };
-    let (count, last) = (pieces.len(), pieces.len() - 1);
+    let count = pieces.len();
     let stored = |piece: &PieceKernel, level: usize| context.stored(&piece.flow.kernel, level);
     let prepared = pieces.iter().enumerate().map(|(i, piece)| {
-        let (length, prepare) = (if i == last { quote!(last) } else { quote!(outer) }, stored(piece, 0));
+        let (length, prepare) = (if i + 1 == count { quote!(last) } else { quote!(outer) }, stored(piece, 0));
         quote!({ let h = #length; #prepare })
     });
     let frozen = pieces.iter().enumerate().map(|(i, piece)| {

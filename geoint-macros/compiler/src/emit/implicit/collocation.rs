@@ -2,7 +2,7 @@
 
 use super::prepared::Prepared;
 use crate::derive::{Collocation, FieldKernels};
-use crate::emit::implementation::proven;
+use crate::emit::implementation::{proven, typed};
 use crate::emit::kernel::{Context, array_type};
 use crate::emit::tokens::element;
 use proc_macro2::TokenStream;
@@ -30,7 +30,7 @@ pub(super) fn collocation(context: &Context<'_>, field: &FieldKernels) -> TokenS
         [quote!(1), quote!((*z, *z)), add, quote!(*change)]
     };
     let stages = if field.canonical.is_some() { quote!(ByCanonical) } else { quote!(ByField) };
-    let collocated = proven(context, quote!(Collocated<R>), quote!(type Stages = #stages;));
+    let collocated = typed(context, quote!(Collocated<R>), [("Stages", stages)]);
     let items = quote! {
         type Unknown = #unknown;
         #types

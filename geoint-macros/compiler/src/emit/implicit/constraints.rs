@@ -2,7 +2,7 @@
 
 use super::prepared::Prepared;
 use crate::derive::{ConstraintKernels, StepKernel};
-use crate::emit::implementation::{flag, proven};
+use crate::emit::implementation::{flag, proven, typed};
 use crate::emit::kernel::{Context, array_type};
 use crate::emit::system::cotangent;
 use proc_macro2::TokenStream;
@@ -43,14 +43,8 @@ pub(super) fn constraints(context: &Context<'_>, kernels: &ConstraintKernels) ->
     };
     let cotangent = cotangent(context);
     let constrained = proven(context, quote!(ConstrainedSystem<R>), items);
-    let graded = proven(
-        context,
-        quote!(Graded<R>),
-        quote!(
-            type Gradient = ByConstraint;
-            type Kept = ();
-        ),
-    );
+    let graded = [("Gradient", quote!(ByConstraint)), ("Kept", quote!(()))];
+    let graded = typed(context, quote!(Graded<R>), graded);
     let steps = steps.iter().map(|(method, kernel)| step(context, method, kernel));
     let inherent = inherent(context);
     quote!(#cotangent #constrained #graded #(#steps)* #inherent)

@@ -2,7 +2,7 @@
 
 use super::prepared::Prepared;
 use crate::derive::{StageKernel, StepKernel};
-use crate::emit::implementation::proven;
+use crate::emit::implementation::{proven, typed};
 use crate::emit::kernel::{Context, array_type};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -46,11 +46,8 @@ pub(super) fn stages(context: &Context<'_>, stages: &StageKernel) -> TokenStream
     let body = context.body(kernel.routine("stage"));
     let [decay, action] = ["decay", "action"].map(|name| context.returned(kernel.routine(name)));
     let (phase, parts) = (context.phase(), context.parts());
-    let solved = quote!(
-        type Stages = ByField;
-        type Midpoint = ByField;
-    );
-    let collocated = proven(context, quote!(ContactCollocated<R>), solved);
+    let solved = ["Stages", "Midpoint"].map(|name| (name, quote!(ByField)));
+    let collocated = typed(context, quote!(ContactCollocated<R>), solved);
     let items = quote! {
         type Moved = #unknown;
         #types

@@ -2,9 +2,10 @@
 
 use super::prepared::{Prepared, numbers};
 use crate::analyze::MeanValue;
-use crate::derive::{FieldKernels, Missing};
-use crate::emit::implementation::{Absent, Implementation, Inline, Method, Trait, Ty, absent, methods, proven, ty};
+use crate::derive::{Fact, FieldKernels, Missing, System};
+use crate::emit::implementation::{Implementation, absent, proven};
 use crate::emit::kernel::{Context, Values, array_type, write};
+use crate::emit::signature::{Absent, Trait, methods};
 use crate::emit::structure::self_type;
 use crate::schedule::{Kernel, Routine};
 use proc_macro2::{Literal, TokenStream};
@@ -94,14 +95,15 @@ pub(super) fn nothing_kept(context: &Context<'_>, missing: Missing) -> TokenStre
 }
 
 /// Returns `impl FourthOrderField` for a canonical system without damping. It uses the routines of collocation and of discrete gradients.
-pub(super) fn canonical_fourth_order(context: &Context<'_>, momenta: &Routine, autonomous: bool) -> TokenStream {
+pub(super) fn canonical_fourth_order(context: &Context<'_>, momenta: &Routine, system: &System) -> TokenStream {
+    let autonomous = system.has(Fact::Autonomous);
     let (name, phase, array, parts) = (self_type(context), context.phase(), context.array(), context.parts());
     let count = momenta.nodes().len() / (2 * context.energy.degrees() as usize);
     let columns = Literal::usize_unsuffixed(1 + count);
     let slopes = context.outputs(momenta, |outputs| {
         let written = |values: &Values<'_>| {
             let mut places = values.output.places();
-            // The gradient of the energy has index 0 and is filled by the runtime.
+            // The entry of the energy comes first. The runtime does not read it.
             places.iter_mut().for_each(|indices| indices[0] += 1);
             write("slopes", &places, &values.all)
         };

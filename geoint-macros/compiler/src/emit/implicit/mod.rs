@@ -10,7 +10,7 @@ mod prepared;
 mod velocities;
 
 use super::exact;
-use super::implementation::{flag, proven};
+use super::implementation::{flag, typed};
 use super::kernel::Context;
 use crate::derive::{ContactStages, Fact, FieldKernels, Implicit, System};
 use proc_macro2::TokenStream;
@@ -30,13 +30,7 @@ pub(super) fn implicit(context: &Context<'_>, system: &System) -> TokenStream {
                     ContactStages::Points(stages) => contact::stages(context, stages),
                     ContactStages::Velocities(stages) => velocities::stages(context, stages, &quote!(ByField)),
                 };
-                let graded = proven(
-                    context,
-                    quote!(ContactGraded<R>),
-                    quote!(
-                        type Gradient = ByTree;
-                    ),
-                );
+                let graded = typed(context, quote!(ContactGraded<R>), [("Gradient", quote!(ByTree))]);
                 quote!(#graded #stages)
             });
             quote!(#(#steps)* #stages)
@@ -54,10 +48,9 @@ fn field(context: &Context<'_>, field: &FieldKernels, system: &System) -> TokenS
     let nothing_kept = field.nothing_kept.map(|missing| discrete::nothing_kept(context, missing));
     let fourth = match &field.fourth {
         Some(plan) => Some(discrete::fourth_order(context, field, plan)),
-        None => system.has(Fact::Conservative).then(|| {
-            let autonomous = system.has(Fact::Autonomous);
-            discrete::canonical_fourth_order(context, &field.momenta, autonomous)
-        }),
+        None => {
+            system.has(Fact::Conservative).then(|| discrete::canonical_fourth_order(context, &field.momenta, system))
+        }
     };
     let collocation = collocation::collocation(context, field);
     let canonical = field.canonical.as_ref().map(|plan| canonical::canonical(context, plan));

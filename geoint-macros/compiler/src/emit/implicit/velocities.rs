@@ -3,10 +3,9 @@
 use super::discrete;
 use super::prepared::{Prepared, numbers};
 use crate::derive::{ActionStages, MassKernels, StepKernel, VelocityKernels, VelocityStages};
-use crate::emit::implementation::{
-    Absent, Implementation, Inline, Method, Trait, Ty, absent, flag, methods, proven, ty,
-};
+use crate::emit::implementation::{Implementation, absent, flag, proven, typed};
 use crate::emit::kernel::{Context, Values, array_type};
+use crate::emit::signature::{Absent, Trait, Ty, methods};
 use crate::emit::system::{cotangent, keeps_energy};
 use crate::schedule::{Extent, Kernel};
 use proc_macro2::TokenStream;
@@ -71,13 +70,14 @@ pub(super) fn velocities(context: &Context<'_>, kernels: &VelocityKernels) -> To
         let contact = proven(context, quote!(ContactSystem<R>), gradient);
         return quote!(#cotangent #contact #stages #polarised);
     }
-    let kept = keeps.then(|| keeps_energy(context, &quote!(VelocityEnergy), None));
+    let keeps_energy = keeps.then(|| keeps_energy(context, &quote!(VelocityEnergy), None));
+    let kept = if *keeps { quote!(VelocityEnergy) } else { quote!(()) };
     let stages = self::stages(context, stages, &quote!());
     let polarised = match polarised {
-        Ok(step) => self::polarised(context, step, *keeps),
+        Ok(step) => self::polarised(context, step, kept),
         Err(missing) => absent(context, *missing, &[&GRADED, &POLARISED_FORM]),
     };
-    quote!(#cotangent #kept #stages #polarised)
+    quote!(#cotangent #keeps_energy #stages #polarised)
 }
 
 /// Returns `impl MassForm`, and `impl VelocityForm` or `impl ContactVelocities` for collocation. The type `midpoint` states how `ContactMidpoint` is
@@ -97,33 +97,27 @@ fn velocity_form(context: &Context<'_>, stage: &Kernel) -> TokenStream {
     let Prepared { types, functions, prepared, .. } = Prepared::for_stages(context, stage, ["Constants", "constants"]);
     let (force, stage) = (context.assigned(stage.routine("force")), context.body(stage.routine("stage")));
     let items = quote! {
-                #types
+        #types
 
-                #functions
-                #[inline(always)]
-                fn stage(
-                    &self,
-                    prepared: &#prepared,
-                    t: R,
-                    q: &#array,
-                    v: &#array,
-                    [momentum, force]: [&mut #array; 2],
-                    [momentum_by_q, mass, force_by_q, force_by_v]: &mut [Square<#array>; 4],
-                ) #stage
-                #[inline(always)]
-                fn force(&self, prepared: &#prepared, t: R, q: &#array, v: &#array) -> #array {
-                    let mut force = <#array as Array>::zero();
-                    #force
-                    force
-                }
+        #functions
+        #[inline(always)]
+        fn stage(
+            &self,
+            prepared: &#prepared,
+            t: R,
+            q: &#array,
+            v: &#array,
+            [momentum, force]: [&mut #array; 2],
+            [momentum_by_q, mass, force_by_q, force_by_v]: &mut [Square<#array>; 4],
+        ) #stage
+        #[inline(always)]
+        fn force(&self, prepared: &#prepared, t: R, q: &#array, v: &#array) -> #array {
+            let mut force = <#array as Array>::zero();
+            #force
+            force
+        }
     };
-    let collocated = proven(
-        context,
-        quote!(Collocated<R>),
-        quote!(
-            type Stages = ByVelocities;
-        ),
-    );
+    let collocated = typed(context, quote!(Collocated<R>), [("Stages", quote!(ByVelocities))]);
     let form = proven(context, quote!(VelocityForm<R>), items);
     quote!(#collocated #form)
 }
@@ -150,8 +144,8 @@ fn contact_velocities(
         let (numbers, arrays): (Vec<_>, Vec<_>) = outputs.into_iter().partition(is_number);
         arrays.iter().chain(&numbers).map(|values| values.assigned(context)).collect::<TokenStream>()
     });
-    let solved = quote!(type Stages = ByVelocities; type Midpoint = #midpoint;);
-    let collocated = proven(context, quote!(ContactCollocated<R>), solved);
+    let solved = [("Stages", quote!(ByVelocities)), ("Midpoint", quote!(#midpoint))];
+    let collocated = typed(context, quote!(ContactCollocated<R>), solved);
     let items = quote! {
         type Moved = #moved;
         #types
@@ -229,11 +223,8 @@ fn mass_form(context: &Context<'_>, kernels: &MassKernels) -> TokenStream {
 }
 
 /// Returns `impl Graded` and `impl PolarisedForm`.
-fn polarised(context: &Context<'_>, StepKernel { kernel, .. }: &StepKernel, keeps: bool) -> TokenStream {
-    let kept = if keeps { quote!(VelocityEnergy) } else { quote!(()) };
-    let graded = Implementation::new(context, &GRADED, &[])
-        .items(quote!(type Gradient = ByPolarisation; type Kept = #kept;))
-        .finish();
+fn polarised(context: &Context<'_>, StepKernel { kernel, .. }: &StepKernel, kept: TokenStream) -> TokenStream {
+    let graded = typed(context, quote!(Graded<R>), [("Gradient", quote!(ByPolarisation)), ("Kept", kept)]);
     let ([parameters, start], parts) = ([0, 1].map(|level| numbers(kernel, level)), context.parts());
     let begin = context.stored(kernel, 1);
     let types = [("Parameters", parameters), ("Start", start)];
@@ -248,8 +239,7 @@ fn polarised(context: &Context<'_>, StepKernel { kernel, .. }: &StepKernel, keep
 
 /// Returns `impl ContactGraded` and `impl ContactPolarised`.
 fn contact_polarised(context: &Context<'_>, StepKernel { unknowns, kernel }: &StepKernel) -> TokenStream {
-    let graded = [("Gradient", quote!(ByPolarisation))];
-    let graded = Implementation::new(context, &CONTACT_GRADED, &graded).types().finish();
+    let graded = typed(context, quote!(ContactGraded<R>), [("Gradient", quote!(ByPolarisation))]);
     let ([parameters, start], parts) = ([0, 1].map(|level| numbers(kernel, level)), context.parts());
     let (unknown, begin) = (array_type(&unknowns.extents), context.stored(kernel, 1));
     let types = [("Unknown", quote!(#unknown)), ("Parameters", parameters), ("Start", start)];
