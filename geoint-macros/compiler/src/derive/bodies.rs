@@ -17,8 +17,8 @@ pub(crate) struct BodyKernels {
     pub(crate) drift: Routine,
     /// Where the entries of each body are.
     pub(crate) turns: Vec<Turn>,
-    /// Where the entries of each coordinate of the centres of mass are.
-    pub(crate) shifts: Vec<Shift>,
+    /// The places of the entries for the coordinates of each centre of mass.
+    pub(crate) centres: Vec<[Shift; 3]>,
     /// Whether all frames are those of principal axes.
     pub(crate) principal: bool,
     /// Whether the impulse of a kick depends on positions only.
@@ -95,19 +95,20 @@ pub(crate) fn bodies(
         let constant = inertia.constant.map(|entry| place(graph, entry));
         turns.push(Turn { linear, constant, symmetry: inertia.symmetry(graph) });
     }
-    let centres: Vec<Symbol> =
-        (found.inertia.len()..found.velocity.len()).flat_map(|row| momenta(row as u32)).collect();
-    let mut shifts = vec![];
-    for (row, constant) in found.inverse_mass.iter().zip(&found.streaming) {
-        let places = row.iter().zip(&centres).map(|(entry, symbol)| Some((place(graph, *entry)?, *symbol)));
-        shifts.push(Shift { linear: places.flatten().collect(), constant: place(graph, *constant) });
-    }
+    let rows = found.inertia.len()..found.velocity.len();
+    let momenta_of_centres: Vec<Symbol> = rows.clone().flat_map(|row| momenta(row as u32)).collect();
+    let mut shift = |coordinate: usize| {
+        let entries = found.inverse_mass[coordinate].iter().zip(&momenta_of_centres);
+        let linear = entries.filter_map(|(entry, symbol)| Some((place(graph, *entry)?, *symbol))).collect();
+        Shift { linear, constant: place(graph, found.streaming[coordinate]) }
+    };
+    let centres = (0..rows.len()).map(|centre| [0, 1, 2].map(|axis| shift(3 * centre + axis))).collect();
     let kernels = BodyKernels {
         kick,
         gradient_kick,
         drift: Routine::row("prepare_drift", entries),
         turns,
-        shifts,
+        centres,
         principal: found.inertia.iter().all(|inertia| inertia.is_principal(graph)),
         repeats: found.autonomous,
     };

@@ -1,7 +1,6 @@
-//! Attributes of the user's function, and of its arguments, that the struct has too.
+//! Attributes of the user's function and its arguments that the struct repeats.
 //!
-//! The struct repeats names of the function, so that what a lint says of the function it says of the struct as well. What is
-//! about calls (`inline`, `must_use`, …) stays with the function.
+//! The struct repeats names of the function, so lints about these names concern both. Attributes about calls (`inline`, `must_use`, …) stay with the function.
 
 use crate::parse::Energy;
 use proc_macro2::TokenStream;
@@ -9,11 +8,11 @@ use quote::{ToTokens, quote};
 use syn::punctuated::Punctuated;
 use syn::{Attribute, Meta, Path, Token};
 
-/// The attributes that are repeated, as they are written on a struct.
+/// Returns the repeated attributes in their form for a struct.
 pub(super) fn repeated(attributes: &[Attribute]) -> impl Iterator<Item = TokenStream> {
     attributes.iter().filter_map(|attribute| {
         if attribute.path().is_ident("expect") {
-            // The lint may be silent here, where nobody expects anything of it.
+            // The struct may not trigger the lint. An unfulfilled `expect` would be a warning.
             let lints = &attribute.meta.require_list().ok()?.tokens;
             return Some(quote!(#[allow(#lints)]));
         }
@@ -22,12 +21,12 @@ pub(super) fn repeated(attributes: &[Attribute]) -> impl Iterator<Item = TokenSt
     })
 }
 
-/// Whether those who use the function, or what is made of it, are told not to.
+/// Returns whether the function is deprecated.
 pub(super) fn is_deprecated(energy: &Energy) -> bool {
     energy.item.attrs.iter().any(|attribute| attribute.path().is_ident("deprecated"))
 }
 
-/// Whether the user expects that nobody calls the function.
+/// Returns whether the user expects the lint about unused code for the function.
 pub(super) fn expected_dead(energy: &Energy) -> bool {
     let dead = |lint: &Path| lint.is_ident("dead_code") || lint.is_ident("unused");
     energy.item.attrs.iter().filter(|attribute| attribute.path().is_ident("expect")).any(|attribute| {

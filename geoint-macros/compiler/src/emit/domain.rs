@@ -1,5 +1,6 @@
-//! Where the energy is defined: what is tested at a point.
+//! Tests of a point: domain of definition, boundary, parameters, powers and angles.
 
+use super::implementation::flag;
 use super::kernel::{Context, Values};
 use super::poles;
 use crate::derive::{Angles, Check, Domain, Edges, Sign};
@@ -8,14 +9,14 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 use syn::ext::IdentExt;
 
-/// The items of `PhaseSpace` that speak of the domain.
+/// Returns the items of `PhaseSpace` about the domain of the energy.
 pub(super) fn domain(context: &Context<'_>, domain: &Domain) -> TokenStream {
     let (phase, parts, action) = (context.phase(), context.parts(), context.action());
     let outside = first_of(context, &domain.checks, &domain.arguments);
     let names: Vec<&Ident> = context.energy.parameters().map(|parameter| &parameter.name).collect();
     let parameters = (!names.is_empty()).then(|| {
         let shown = names.iter().map(|name| name.unraw().to_string());
-        // NaN is the one value that differs from itself.
+        // NaN is the only value that differs from itself.
         quote! {
             fn invalid_parameter(&self) -> ::core::option::Option<&'static str> {
                 #(if self.#names != self.#names {
@@ -56,11 +57,7 @@ pub(super) fn domain(context: &Context<'_>, domain: &Domain) -> TokenStream {
             }
         }
     });
-    let examined = domain.examined.then(|| {
-        quote!(
-            const EXAMINED: bool = true;
-        )
-    });
+    let examined = domain.examined.then(|| flag("EXAMINED", true));
     quote! {
         fn outside_domain(
             &self, t: R, z: &#phase, s: &#action,
@@ -78,7 +75,7 @@ pub(super) fn domain(context: &Context<'_>, domain: &Domain) -> TokenStream {
     }
 }
 
-/// Shows every angle with its sides y and x.
+/// Returns the calls that visit every angle with its sides y and x.
 fn angles(context: &Context<'_>, angles: &Angles) -> TokenStream {
     let printer = context.printer();
     context.outputs(&angles.sides, |outputs| {
@@ -91,7 +88,7 @@ fn angles(context: &Context<'_>, angles: &Angles) -> TokenStream {
     })
 }
 
-/// Shows every power with what it is a power of.
+/// Returns the calls that visit every power with the value of its base.
 fn powers(context: &Context<'_>, Edges { checks, arguments }: &Edges) -> TokenStream {
     let printer = context.printer();
     context.outputs(arguments, |outputs| {
@@ -104,7 +101,7 @@ fn powers(context: &Context<'_>, Edges { checks, arguments }: &Edges) -> TokenSt
     })
 }
 
-/// The first condition that does not hold, by the outputs `arguments`, `enough` and `damping` of a routine.
+/// Returns the statements that return the first violated condition. They read the outputs `arguments`, `enough` and `damping` of a routine.
 fn first_of(context: &Context<'_>, checks: &[Check], arguments: &Routine) -> TokenStream {
     let printer = context.printer();
     context.outputs(arguments, |outputs| {
@@ -127,7 +124,7 @@ fn first_of(context: &Context<'_>, checks: &[Check], arguments: &Routine) -> Tok
     })
 }
 
-/// The statement that tests a matrix of which it is not known yet whether it is positive semidefinite.
+/// Returns the statement that tests whether a damping matrix is positive semidefinite, unless the compiler has proven it.
 fn matrix_test(matrix: &Values<'_>) -> TokenStream {
     if matrix.all.is_empty() {
         return TokenStream::new();

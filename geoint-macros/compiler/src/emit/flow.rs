@@ -1,5 +1,6 @@
-//! What flows offer beside the common part: their field, and what they keep.
+//! Items of flows x' = f(x, t) only: the field, and the integrals.
 
+use super::implementation::proven;
 use super::kernel::Context;
 use super::structure::self_type;
 use super::system::keeps_energy;
@@ -8,12 +9,12 @@ use crate::parse::Energy;
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
-/// The functions that users call.
+/// Returns the user's methods: the field, and a method for each callable integral.
 pub(super) fn inherent(context: &Context<'_>, system: &System) -> TokenStream {
     let Energy { name, float, coordinates, .. } = context.energy;
     let coordinates = &coordinates.ty;
     let all = system.integrals.iter().flat_map(|integrals| integrals.all.iter().enumerate());
-    // The energy has a function already.
+    // The energy already has a method.
     let callable = all.filter(|(_, of)| of.callable && (system.value.is_none() || of.name != "energy"));
     let functions = callable.map(|(i, NamedFunction { name: integral, .. })| {
         let (function, i) = (format_ident!("{integral}"), Literal::usize_unsuffixed(i));
@@ -38,7 +39,7 @@ pub(super) fn inherent(context: &Context<'_>, system: &System) -> TokenStream {
     }
 }
 
-/// What is kept, or changes in a known way; and `impl FirstIntegrals` of what is kept.
+/// Returns the trait of all named functions with its implementation, and `impl FirstIntegrals` and `impl SteadyIntegrals` for the constant functions.
 pub(super) fn integrals(context: &Context<'_>, integrals: &Integrals) -> TokenStream {
     let (name, phase, parts) = (self_type(context), context.phase(), context.parts());
     let count = Literal::usize_unsuffixed(integrals.all.len());
@@ -61,7 +62,7 @@ pub(super) fn integrals(context: &Context<'_>, integrals: &Integrals) -> TokenSt
     }
 }
 
-/// What is kept.
+/// Returns `impl FirstIntegrals`.
 fn constant(context: &Context<'_>, integrals: &Integrals) -> TokenStream {
     let (name, phase) = (self_type(context), context.phase());
     let names = integrals.constant.iter().map(|i| &integrals.all[*i].name);
@@ -81,33 +82,31 @@ fn constant(context: &Context<'_>, integrals: &Integrals) -> TokenStream {
     }
 }
 
-/// What is kept and does not read time, with what projections need of it.
+/// Returns `impl SteadyIntegrals`: gradients and changes of the integrals that do not depend on time. Projections use them.
 fn steady(context: &Context<'_>, integrals: &Integrals) -> TokenStream {
-    let (name, phase, parts) = (self_type(context), context.phase(), context.parts());
+    let (phase, parts) = (context.phase(), context.parts());
     let count = Literal::usize_unsuffixed(integrals.steady.len());
     let (slopes, changes) = (context.assigned(&integrals.slopes), context.returned(&integrals.changes));
     let energy = integrals.energy.map(|k| {
         let (k, i) = (Literal::usize_unsuffixed(k), Literal::usize_unsuffixed(integrals.steady[k]));
         keeps_energy(context, &quote!(Integral<#k>), Some(quote!(NamedFunctions::values(self, t, z)[#i])))
     });
-    quote! {
-        impl<R: Real> SteadyIntegrals<R> for #name {
-            type Proof = ();
-            type Steady = [R; #count];
+    let items = quote! {
+        type Steady = [R; #count];
 
-            #[inline]
-            fn slopes(&self, z: &#phase) -> [#phase; #count] {
-                #parts
-                let mut slopes = [<#phase as Array>::zero(); #count];
-                #slopes
-                slopes
-            }
-            #[inline]
-            fn changes(&self, z: &#phase, dz: &#phase) -> [R; #count] {
-                #parts
-                #changes
-            }
+        #[inline]
+        fn slopes(&self, z: &#phase) -> [#phase; #count] {
+            #parts
+            let mut slopes = [<#phase as Array>::zero(); #count];
+            #slopes
+            slopes
         }
-        #energy
-    }
+        #[inline]
+        fn changes(&self, z: &#phase, dz: &#phase) -> [R; #count] {
+            #parts
+            #changes
+        }
+    };
+    let steady = proven(context, quote!(SteadyIntegrals<R>), items);
+    quote!(#steady #energy)
 }

@@ -1,119 +1,24 @@
-//! Implementations of the runtime's traits. One description of a trait serves the systems that have it and those that lack it.
+//! Implementations of the runtime's traits. A table describes each trait that some systems lack. The table gives both the implementation for a system with
+//! the trait, and the implementation that no scalar satisfies for a system without it.
 
 use super::kernel::Context;
 use super::missing::unsatisfied;
+use super::signature::{Absent, Inline, Method, Trait, Ty};
 use super::structure::self_type;
 use crate::derive::Missing;
 use proc_macro2::{Delimiter, Group, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
-/// A type in a signature.
-#[derive(Clone, Copy)]
-pub(super) enum Ty {
-    /// The scalar.
-    Number,
-    Index,
-    /// Start, midpoint and end of a step.
-    Span,
-    /// Positions, or momenta.
-    Array,
-    /// All coordinates.
-    Phase,
-    /// `R`, or `()` without an action.
-    Action,
-    PerCoordinate,
-    /// An associated type of the trait.
-    Associated(&'static str),
-    Square(&'static Ty),
-    Pair(&'static Ty),
-    Ref(&'static Ty),
-    Mut(&'static Ty),
-}
-
-/// An associated type in the implementation of a trait that a system lacks.
-#[derive(Clone, Copy)]
-pub(super) enum Absent {
-    /// A type without values: no method that takes it can be called.
-    Never,
-    Unit,
-    Is(Ty),
-    /// A type of the runtime.
-    Named(&'static str),
-}
-
-/// Attribute of a method. Methods of a trait that a system lacks have none.
-#[derive(Clone, Copy)]
-pub(super) enum Inline {
-    Hint,
-    Always,
-}
-
-/// The signature of a method with `&self`.
-pub(super) struct Method {
-    pub(super) inline: Inline,
-    pub(super) name: &'static str,
-    /// Patterns and types. The pattern `s or _` is `_` without an action.
-    pub(super) arguments: &'static [(&'static str, Ty)],
-    pub(super) returns: Option<Ty>,
-    /// Whether a comma follows the last argument, as in a list over several lines.
-    pub(super) is_wide: bool,
-}
-
-/// A trait of the runtime that a system may lack.
-pub(super) struct Trait {
-    pub(super) name: &'static str,
-    /// Whether the trait has the type `Proof`.
-    pub(super) has_proof: bool,
-    pub(super) associated: &'static [(&'static str, Absent)],
-    /// Methods without a default.
-    pub(super) methods: &'static [Method],
-    /// Methods with a default.
-    pub(super) provided: &'static [Method],
-}
-
-/// A type of a signature as Rust writes it; `[T] x 2` is an array of two.
-macro_rules! ty {
-    (&mut $($of:tt)+) => { Ty::Mut(&ty!($($of)+)) };
-    (& $($of:tt)+) => { Ty::Ref(&ty!($($of)+)) };
-    ([$($of:tt)+] x 2) => { Ty::Pair(&ty!($($of)+)) };
-    (Square<$of:ident>) => { Ty::Square(&ty!($of)) };
-    (R) => { Ty::Number };
-    (usize) => { Ty::Index };
-    (Span) => { Ty::Span };
-    (Array) => { Ty::Array };
-    (Phase) => { Ty::Phase };
-    (Action) => { Ty::Action };
-    (PerCoordinate) => { Ty::PerCoordinate };
-    ($associated:ident) => { Ty::Associated(stringify!($associated)) };
-}
-
-/// Signatures of methods: `Always fn kick("prepared": {&Kick}, "t": {R}) -> Kick;`. The word `wide` follows the arguments of [`Method::is_wide`].
-macro_rules! methods {
-    ($($inline:ident fn $name:ident($($pattern:literal: {$($ty:tt)+}),*) $($wide:ident)? $(-> $returns:ident)?;)*) => {
-        &[$(Method {
-            inline: Inline::$inline,
-            name: stringify!($name),
-            arguments: &[$(($pattern, ty!($($ty)+))),*],
-            returns: methods!(@returns $($returns)?),
-            is_wide: methods!(@wide $($wide)?),
-        }),*]
-    };
-    (@returns) => { None };
-    (@returns $ty:ident) => { Some(ty!($ty)) };
-    (@wide) => { false };
-    (@wide wide) => { true };
-}
-pub(super) use {methods, ty};
-
-/// Associated types of a trait in one implementation.
+/// The associated types of a trait in one implementation.
 struct Types<'a> {
     context: &'a Context<'a>,
     of: &'static Trait,
-    /// Their tokens. Empty for a system that lacks the trait.
+    /// The name and tokens of each associated type. Empty for a system that lacks the trait.
     given: &'a [(&'static str, TokenStream)],
 }
 
 impl Types<'_> {
+    /// Returns the tokens of a type.
     fn tokens(&self, ty: Ty) -> TokenStream {
         let context = self.context;
         match ty {
@@ -128,31 +33,26 @@ impl Types<'_> {
                 Some((_, ty)) => ty.clone(),
                 None => self.absent(name),
             },
-            Ty::Square(of) => {
+            Ty::Square(of) | Ty::Pair(of) | Ty::Ref(of) | Ty::Mut(of) => {
                 let of = self.tokens(*of);
-                quote!(Square<#of>)
-            }
-            Ty::Pair(of) => {
-                let of = self.tokens(*of);
-                quote!([#of; 2])
-            }
-            Ty::Ref(of) => {
-                let of = self.tokens(*of);
-                quote!(&#of)
-            }
-            Ty::Mut(of) => {
-                let of = self.tokens(*of);
-                quote!(&mut #of)
+                match ty {
+                    Ty::Square(_) => quote!(Square<#of>),
+                    Ty::Pair(_) => quote!([#of; 2]),
+                    Ty::Ref(_) => quote!(&#of),
+                    _ => quote!(&mut #of),
+                }
             }
         }
     }
 
-    /// An associated type of a system that lacks the trait. The array of unknowns need not be one, and is that of all coordinates then.
+    /// Returns an associated type for a system that lacks the trait. The array of unknowns is no associated type of some traits. It is then the array of
+    /// all coordinates.
     fn find(&self, name: &str) -> Absent {
         let found = self.of.associated.iter().find(|(other, _)| *other == name);
         found.map_or(Absent::Is(Ty::Phase), |(_, absent)| *absent)
     }
 
+    /// Returns the tokens of an associated type for a system that lacks the trait.
     fn absent(&self, name: &str) -> TokenStream {
         match self.find(name) {
             Absent::Never => quote!(::core::convert::Infallible),
@@ -162,12 +62,12 @@ impl Types<'_> {
         }
     }
 
-    /// Whether an argument has no values in a system that lacks the trait.
+    /// Returns whether an argument has no values in a system that lacks the trait.
     fn is_never(&self, ty: Ty) -> bool {
         matches!(ty, Ty::Ref(Ty::Associated(name)) if matches!(self.find(name), Absent::Never))
     }
 
-    /// A method that cannot be called.
+    /// Returns a method of an absent trait, which cannot be called.
     fn uncallable(&self, method: &Method) -> TokenStream {
         let unit = matches!(method.returns, Some(Ty::Associated(name)) if matches!(self.find(name), Absent::Unit));
         let never = method.arguments.iter().position(|(_, ty)| self.is_never(*ty)).filter(|_| !unit);
@@ -184,6 +84,7 @@ impl Types<'_> {
         quote!(fn #name(&self, #(#arguments),*) #returns { #body })
     }
 
+    /// Returns `-> T` for a method with a result.
     fn returned(&self, method: &Method) -> Option<TokenStream> {
         method.returns.map(|ty| {
             let ty = self.tokens(ty);
@@ -192,37 +93,56 @@ impl Types<'_> {
     }
 }
 
-/// The items of an implementation, one after the other.
+/// The leading tokens of an implementation.
+#[derive(Default)]
+pub(super) struct Leading {
+    /// Parameters of the trait before the scalar.
+    pub(super) parameters: TokenStream,
+    /// Items before the type `Proof`.
+    pub(super) items: TokenStream,
+}
+
+/// The implementation of a trait for a system that has it, built item by item.
 pub(super) struct Implementation<'a> {
     types: Types<'a>,
-    /// Parameters of the trait before the scalar.
-    parameters: TokenStream,
+    leading: Leading,
     items: TokenStream,
 }
 
 impl<'a> Implementation<'a> {
-    /// Starts with the associated types of a trait.
+    /// Returns an implementation without items. The list `given` has the tokens of the types in the signatures of the methods.
     pub(super) fn new(
         context: &'a Context<'a>,
         of: &'static Trait,
         given: &'a [(&'static str, TokenStream)],
     ) -> Implementation<'a> {
         let types = Types { context, of, given };
-        Implementation { types, parameters: TokenStream::new(), items: TokenStream::new() }
+        Implementation { types, leading: Leading::default(), items: TokenStream::new() }
     }
 
-    /// Adds parameters of the trait before the scalar.
-    pub(super) fn with_parameters(self, parameters: TokenStream) -> Self {
-        Implementation { parameters, ..self }
+    /// Sets the leading tokens.
+    pub(super) fn leading(self, leading: Leading) -> Self {
+        Implementation { leading, ..self }
     }
 
-    /// Adds constants, types, or methods of no table.
+    /// Adds the associated types of the trait in the order of the given types.
+    pub(super) fn types(self) -> Self {
+        let Types { of, given, .. } = self.types;
+        let own = given.iter().filter(|(name, _)| of.associated.iter().any(|(other, _)| other == name));
+        let types = own.map(|(name, ty)| {
+            let name = format_ident!("{name}");
+            quote!(type #name = #ty;)
+        });
+        self.items(quote!(#(#types)*))
+    }
+
+    /// Adds items that the table of the trait does not describe.
     pub(super) fn items(mut self, items: impl ToTokens) -> Self {
         items.to_tokens(&mut self.items);
         self
     }
 
-    /// Adds a method of the trait. The body becomes one token: many tokens would be copied one by one.
+    /// Adds a method from the table of the trait. The body becomes one token, because many tokens would be copied one by one.
     pub(super) fn method(mut self, name: &str, body: TokenStream) -> Self {
         let Types { context, of, .. } = self.types;
         if let Some(method) = of.methods.iter().chain(of.provided).find(|method| method.name == name) {
@@ -247,25 +167,56 @@ impl<'a> Implementation<'a> {
         self
     }
 
+    /// Returns the implementation. The type `Proof` comes before the items.
     pub(super) fn finish(self) -> TokenStream {
-        let Implementation { types: Types { context, of, .. }, parameters, items } = self;
+        let Implementation { types: Types { context, of, .. }, leading, items } = self;
+        let Leading { parameters, items: first } = leading;
+        let proof = of.has_proof.then(|| {
+            quote!(
+                type Proof = ();
+            )
+        });
         let (name, of) = (self_type(context), format_ident!("{}", of.name));
-        quote!(impl<R: Real> #of<#parameters R> for #name { #items })
+        quote!(impl<R: Real> #of<#parameters R> for #name { #first #proof #items })
     }
 }
 
-/// Implements traits for no scalar. The compiler's message about a missing trait names the reason.
-pub(super) fn absent(context: &Context<'_>, missing: Missing, traits: &[&'static Trait]) -> TokenStream {
-    absent_with(context, missing, traits, &TokenStream::new(), &TokenStream::new())
+/// Returns `impl<R: Real> of<R>` for the system, with the type `Proof` and further items. Use it for traits without a table.
+pub(super) fn proven(context: &Context<'_>, of: TokenStream, items: TokenStream) -> TokenStream {
+    let name = self_type(context);
+    quote!(impl<R: Real> #of for #name { type Proof = (); #items })
 }
 
-/// Implements traits with parameters before the scalar for no scalar, with some further `items`.
+/// Returns the implementation of a trait with associated types only.
+pub(super) fn typed<const N: usize>(
+    context: &Context<'_>,
+    of: TokenStream,
+    types: [(&'static str, TokenStream); N],
+) -> TokenStream {
+    let types = types.map(|(name, ty)| {
+        let name = format_ident!("{name}");
+        quote!(type #name = #ty;)
+    });
+    proven(context, of, quote!(#(#types)*))
+}
+
+/// Returns `const name: bool = value;`.
+pub(super) fn flag(name: &str, value: bool) -> TokenStream {
+    let name = format_ident!("{name}");
+    quote!(const #name: bool = #value;)
+}
+
+/// Implements traits for no scalar. The message of rustc about the missing implementation states the reason.
+pub(super) fn absent(context: &Context<'_>, missing: Missing, traits: &[&'static Trait]) -> TokenStream {
+    absent_with(context, missing, traits, &Leading::default())
+}
+
+/// Implements traits with leading tokens for no scalar.
 pub(super) fn absent_with(
     context: &Context<'_>,
     missing: Missing,
     traits: &[&'static Trait],
-    parameters: &TokenStream,
-    items: &TokenStream,
+    Leading { parameters, items }: &Leading,
 ) -> TokenStream {
     let (marker, message) = unsatisfied(context, missing);
     let name = self_type(context);

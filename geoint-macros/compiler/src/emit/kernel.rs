@@ -1,4 +1,4 @@
-//! Routines as tokens: what they read, and where their outputs go.
+//! Routines as tokens: names of inputs, statements, and the destinations of outputs.
 
 use super::tokens::{Tokens, bracketed, element};
 use super::writer::{Names, routine};
@@ -18,18 +18,18 @@ pub(crate) struct Context<'a> {
     pub(super) form: Form,
     /// Extents of the array of positions.
     positions: Vec<usize>,
-    /// Names of registers in all routines.
+    /// Cache of the names of registers, filled on demand.
     pub(super) registers: RefCell<Vec<Ident>>,
 }
 
-/// Values of an output as tokens.
+/// The values of an output as tokens.
 pub(super) struct Values<'a> {
     pub(super) output: &'a Output,
     pub(super) all: Vec<Tokens>,
 }
 
 impl Values<'_> {
-    /// `name[i][j]… = value;` for every value, or `*name = value;`.
+    /// Returns `name[i][j]… = value;` for every value, or `*name = value;` for a number.
     pub(super) fn assigned(&self, context: &Context<'_>) -> TokenStream {
         let Output { name, extent, nodes } = self.output;
         let places = self.output.places();
@@ -38,7 +38,7 @@ impl Values<'_> {
                 let (name, value) = (format_ident!("{name}"), &self.all);
                 quote!(#(*#name = #value;)*)
             }
-            // Many unknowns depend on few others: zeros are written all at once.
+            // A large matrix is sparse, so one statement writes all zeros.
             Extent::Square(extents) if extents.iter().product::<usize>() > MOST_UNKNOWNS => {
                 let graph = &context.compilation.graph;
                 let entries = || (0..nodes.len()).filter(|i| !graph.is_zero(nodes[*i]));
@@ -54,14 +54,14 @@ impl Values<'_> {
         }
     }
 
-    /// The rows of a matrix, each as `[a, b]`.
+    /// Returns the rows of a matrix, each as `[a, b]`.
     pub(super) fn rows(&self) -> Vec<TokenStream> {
         let Extent::Array(extents) = &self.output.extent else { return vec![] };
         let length = extents.last().copied().unwrap_or(1).max(1);
         self.all.chunks(length).map(|row| quote!([#(#row),*])).collect()
     }
 
-    /// A number, or a list.
+    /// Returns a number, or a list.
     pub(super) fn returned(&self) -> TokenStream {
         match self.output.extent {
             Extent::Number => self.all.iter().map(ToTokens::to_token_stream).collect(),
@@ -69,7 +69,7 @@ impl Values<'_> {
         }
     }
 
-    /// `[[a, b], [c, d]]`
+    /// Returns all values as a nested list: `[[a, b], [c, d]]`.
     pub(super) fn listed(&self) -> TokenStream {
         let extents = match &self.output.extent {
             Extent::Array(extents) => extents.clone(),
@@ -84,7 +84,7 @@ impl Values<'_> {
     }
 }
 
-/// `base[i][j]… = value;` for every value.
+/// Returns `base[i][j]… = value;` for every value.
 pub(crate) fn write(base: &str, places: &[Vec<usize>], values: &[Tokens]) -> TokenStream {
     let punct = |c| TokenTree::Punct(Punct::new(c, Spacing::Alone));
     let mut tokens: Vec<TokenTree> = vec![];
@@ -97,7 +97,7 @@ pub(crate) fn write(base: &str, places: &[Vec<usize>], values: &[Tokens]) -> Tok
     tokens.into_iter().collect()
 }
 
-/// The type of an array of numbers.
+/// Returns the type of an array of numbers.
 pub(super) fn array_type(extents: &[usize]) -> TokenTree {
     extents.iter().rev().fold(format_ident!("R").into(), |inner: TokenTree, extent| {
         let extent = Literal::usize_unsuffixed(*extent);
@@ -106,48 +106,51 @@ pub(super) fn array_type(extents: &[usize]) -> TokenTree {
 }
 
 impl<'a> Context<'a> {
+    /// Returns the context of a system.
     pub(crate) fn new(compilation: &'a Compilation<'a>) -> Self {
         let (energy, form, positions) = (compilation.energy, compilation.form, compilation.positions());
         Context { compilation, energy, form, positions, registers: RefCell::default() }
     }
 
+    /// Returns the printer of expressions for messages.
     pub(super) fn printer(&self) -> Printer<'a> {
         self.compilation.printer()
     }
 
+    /// Returns the user's name of coordinates.
     pub(super) fn name_of(&self, role: Role) -> String {
         self.compilation.names.of(role)
     }
 
-    /// The indices of the `i`-th coordinate in its array.
+    /// Returns the indices of the `i`-th coordinate in its array.
     pub(crate) fn coordinate(&self, i: u32) -> Vec<usize> {
         coordinate(&self.energy.coordinates.shape, i)
     }
 
-    /// The array type of q and p.
+    /// Returns the array type of positions or momenta.
     pub(crate) fn array(&self) -> TokenTree {
         array_type(&self.positions)
     }
 
-    /// The array type of all coordinates.
+    /// Returns the array type of all coordinates.
     pub(crate) fn phase(&self) -> TokenTree {
         let array = self.array();
-        let two = Literal::usize_unsuffixed(2); // literals are parsed where they are quoted
+        let two = Literal::usize_unsuffixed(2); // A literal inside `quote!` is parsed at each use.
         if self.form.is_flow() { array } else { bracketed(quote!(#array; #two)) }
     }
 
-    /// The statement that names the parts of the point `z`.
+    /// Returns the statement that names the parts of the point `z`.
     pub(crate) fn parts(&self) -> TokenStream {
         if self.form.is_flow() { quote!(let q = z;) } else { quote!(let [q, p] = z;) }
     }
 
-    /// The extents of an array of unknowns: velocities, and the action.
+    /// Returns the extents of the array of the unknown velocities and the action.
     pub(super) fn with_action(&self) -> Vec<usize> {
         let unknowns = (0..self.energy.degrees()).map(Symbol::VelocityIncrement).chain([Symbol::ActionIncrement]);
         Space::of_unknowns(unknowns.collect(), &self.positions).extents
     }
 
-    /// The type of the action: `R` or `()`.
+    /// Returns the type of the action: `R`, or `()` without an action.
     pub(crate) fn action(&self) -> TokenTree {
         match self.form.has_action() {
             true => format_ident!("R").into(),
@@ -155,19 +158,19 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// The type of a number for every coordinate.
+    /// Returns the type with a number for every coordinate.
     pub(super) fn per_coordinate(&self) -> Tokens {
         let (phase, action) = (self.phase(), self.action());
         quote!(PerCoordinate<#phase, #action>).into()
     }
 
-    /// All scalars of parameters, in order.
+    /// Returns all scalars of the parameters, in order.
     pub(super) fn scalars(&self) -> Vec<TokenStream> {
         let count: usize = self.energy.parameters().map(|argument| argument.shape.len()).sum();
         (0..count as u32).map(|i| self.input(Symbol::Parameter(i)).to_token_stream()).collect()
     }
 
-    /// The name of an array, or of a number, in every routine. Each routine names its own array argument.
+    /// Returns the name of an array or a number. All routines share these names, except the name `argument` of their own array.
     pub(super) fn array_name(&self, argument: &str, array: Array) -> Tokens {
         match array {
             Array::Position => "q".into(),
@@ -196,13 +199,13 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// The name of a symbol in every routine.
+    /// Returns the name of a symbol in all routines.
     pub(crate) fn input(&self, symbol: Symbol) -> Tokens {
         let place = Layout::of(self.energy).place(symbol);
         self.array_name("", place.array).at(&place.indices)
     }
 
-    /// Statements of a block, followed by tokens made of its results.
+    /// Returns the statements of a block, and the tokens that `finish` makes of its results.
     fn block<T: ToTokens>(
         &self,
         block: &Block,
@@ -216,7 +219,7 @@ impl<'a> Context<'a> {
         routine(block, names, finish)
     }
 
-    /// Statements of a routine, followed by tokens made of its outputs.
+    /// Returns the statements of a routine, and the tokens that `finish` makes of its outputs.
     pub(super) fn outputs<T: ToTokens>(
         &self,
         routine: &Routine,
@@ -225,27 +228,27 @@ impl<'a> Context<'a> {
         self.block(&routine.block, routine.argument.as_ref(), |results| finish(by_output(routine, results)))
     }
 
-    /// Statements that assign all outputs of a routine to variables of their names.
+    /// Returns the statements that assign all outputs of a routine to variables with their names.
     pub(super) fn assigned(&self, routine: &Routine) -> TokenStream {
         self.outputs(routine, |outputs| outputs.iter().map(|values| values.assigned(self)).collect::<TokenStream>())
     }
 
-    /// The statements of [`Context::assigned`] in braces, as the body of a function. One token is quoted faster than many.
+    /// Returns the statements of [`Context::assigned`] in braces, as the body of a function. One token is quoted faster than many.
     pub(super) fn body(&self, routine: &Routine) -> TokenTree {
         Group::new(Delimiter::Brace, self.assigned(routine)).into()
     }
 
-    /// A block that ends with the only number of a routine, or a list of its numbers.
+    /// Returns the statements of a routine with one output, and its value as the result.
     pub(super) fn returned(&self, routine: &Routine) -> TokenStream {
         self.outputs(routine, |outputs| outputs.iter().map(Values::returned).collect::<TokenStream>())
     }
 
-    /// Statements that write coordinates.
+    /// Returns the statements of a routine that writes coordinates.
     pub(super) fn moved(&self, routine: &Routine) -> TokenStream {
         self.block(&routine.block, routine.argument.as_ref(), |_| TokenStream::new())
     }
 
-    /// A block that ends with the numbers that the routine of a level stores.
+    /// Returns the statements of a level of a kernel, and its stored numbers as the result.
     pub(crate) fn stored(&self, kernel: &Kernel, level: usize) -> TokenStream {
         let block = &kernel.stores[level];
         let matrices = block.matrices();

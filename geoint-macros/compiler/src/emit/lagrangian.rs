@@ -1,5 +1,6 @@
-//! From velocities to momenta and back: what a system has that was written as a Lagrangian.
+//! Items of systems that are given by a Lagrangian: its value, and the maps between velocities and momenta.
 
+use super::implementation::proven;
 use super::kernel::Context;
 use super::structure::{self_type, state};
 use crate::derive::Lagrangian;
@@ -7,10 +8,9 @@ use crate::parse::Energy;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// `impl Lagrangian`, and what users call.
+/// Returns `impl LagrangianSystem` and the user's methods.
 pub(super) fn lagrangian(context: &Context<'_>, found: &Lagrangian) -> TokenStream {
-    let (name, array, phase, parts) = (self_type(context), context.array(), context.phase(), context.parts());
-    let action = context.action();
+    let (array, phase, parts, action) = (context.array(), context.phase(), context.parts(), context.action());
     let (value, momenta) = (context.returned(&found.value), context.assigned(&found.momenta));
     let velocities = match &found.velocities {
         Some(velocities) => {
@@ -26,10 +26,11 @@ pub(super) fn lagrangian(context: &Context<'_>, found: &Lagrangian) -> TokenStre
     };
     let Energy { name: plain, float, coordinates, runtime, .. } = context.energy;
     let (form, state, coordinates) = (context.form, state(context.form), &coordinates.ty);
-    // The action, where there is one.
+    // Argument and value of the action.
     let [takes, hands] = if form.has_action() { [quote!(, s: #float), quote!(, s)] } else { [quote!(), quote!()] };
     let given = if form.has_action() { quote!(&s) } else { quote!(&()) };
-    // By an iteration: it may find another velocity of the same momenta.
+    // Without a formula for velocities, an iteration may find another velocity with the same momenta. The momentum is
+    // NaN for such a velocity.
     let momenta_of_state = match found.velocities {
         Some(_) => quote!(#state::at(t, q, self.momentum(t, q, v #hands) #hands)),
         None => quote! {
@@ -49,24 +50,25 @@ pub(super) fn lagrangian(context: &Context<'_>, found: &Lagrangian) -> TokenStre
             }
         }
     });
-    quote! {
-        impl<R: Real> LagrangianSystem<R> for #name {
-            type Proof = ();
-            #[inline]
-            fn lagrangian(&self, t: R, q: &#array, v: &#array, s: &#action) -> R {
-                #value
-            }
-            #[inline]
-            fn momentum(&self, t: R, q: &#array, v: &#array, s: &#action) -> #array {
-                let mut momentum = <#array as Array>::zero();
-                #momenta
-                momentum
-            }
-            #[inline]
-            fn velocity(&self, t: R, z: &#phase, s: &#action) -> #array {
-                #velocities
-            }
+    let items = quote! {
+        #[inline]
+        fn lagrangian(&self, t: R, q: &#array, v: &#array, s: &#action) -> R {
+            #value
         }
+        #[inline]
+        fn momentum(&self, t: R, q: &#array, v: &#array, s: &#action) -> #array {
+            let mut momentum = <#array as Array>::zero();
+            #momenta
+            momentum
+        }
+        #[inline]
+        fn velocity(&self, t: R, z: &#phase, s: &#action) -> #array {
+            #velocities
+        }
+    };
+    let implementation = proven(context, quote!(LagrangianSystem<R>), items);
+    quote! {
+        #implementation
         impl #plain {
             /// The state with these positions and velocities, at t = 0. The first step reports velocities without a finite momentum of their own.
             pub fn at(&self, q: #coordinates, v: #coordinates #takes) -> #state<#coordinates> {
@@ -101,7 +103,7 @@ pub(super) fn lagrangian(context: &Context<'_>, found: &Lagrangian) -> TokenStre
     }
 }
 
-/// What users call where L is linear in velocities.
+/// Returns the user's methods of a Lagrangian that is linear in velocities.
 pub(super) fn first_order(context: &Context<'_>, found: &Lagrangian) -> TokenStream {
     let (name, array) = (self_type(context), context.array());
     let (value, momenta) = (context.returned(&found.value), context.assigned(&found.momenta));

@@ -1,11 +1,11 @@
-//! What a system lacks, as a trait that no scalar implements.
+//! Traits that no scalar implements. The error message of such a trait states why a system lacks a property.
 
 use super::kernel::Context;
 use crate::derive::{Missing, Pair};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-/// A trait that nothing implements, whose message says why a system lacks a property.
+/// Returns the name and the definition of a trait without implementations. Its message states why the system lacks a property.
 pub(super) fn unsatisfied(context: &Context<'_>, missing: Missing) -> (Ident, TokenStream) {
     let Missing { marker, term, why, pair } = missing;
     let name = &context.energy.name;
@@ -16,7 +16,7 @@ pub(super) fn unsatisfied(context: &Context<'_>, missing: Missing) -> (Ident, To
         format!("; {} and {} {verb}", printer.named(a), printer.named(b))
     });
     let label = format!("the term is: {}{pair}", printer.excerpt(term));
-    // Braces in a message are read as parameters.
+    // rustc reads braces in a message as parameters.
     let (message, label) = (message.replace(['{', '}'], "|"), label.replace(['{', '}'], "|"));
     let tokens = quote! {
         #[diagnostic::on_unimplemented(message = #message, label = #label)]

@@ -1,7 +1,6 @@
-//! Tokens: the struct with its docs, and the implementations of the runtime's traits.
+//! Emission of tokens: the struct with its docs, and the implementations of the runtime's traits.
 //!
-//! Tokens are built, never printed and parsed again. They name nothing but `::core` and the runtime, and what the
-//! user's own signature names.
+//! Tokens are built directly, never parsed from text. They name items of `::core`, of the runtime, and of the user's signature only.
 
 mod attributes;
 mod domain;
@@ -19,6 +18,7 @@ mod missing;
 mod outside;
 mod poles;
 mod report;
+mod signature;
 mod calls;
 mod structure;
 mod system;
@@ -32,18 +32,18 @@ use kernel::Context;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-/// The user's function as it is. Coordinates and parameters may be many: clippy would not have it beyond seven.
+/// Returns the user's function. More than seven arguments would be a warning of clippy.
 pub(crate) fn function(energy: &Energy, item: TokenStream) -> TokenStream {
     let function = checked(energy).unwrap_or(item);
     if energy.item.sig.inputs.len() > 7 { quote!(#[allow(clippy::too_many_arguments)] #function) } else { function }
 }
 
-/// The function with the expressions of its attribute inside, where rustc checks them as it does the body, and where an argument that
-/// nothing else reads is read.
+/// Returns the function with the expressions of its attribute in its body, if there are some. There rustc checks the expressions, and sees that they use
+/// their arguments.
 fn checked(energy: &Energy) -> Option<TokenStream> {
     let mut item = energy.item.clone();
     let used = energy.expressions().map(|expr| match expr {
-        // Entries of a structure, by their indices.
+        // The entries of a structure matrix, by their indices.
         syn::Expr::Closure(_) => {
             let float = &energy.float;
             quote! {
@@ -60,7 +60,7 @@ fn checked(energy: &Energy) -> Option<TokenStream> {
     some.then(|| quote!(#item))
 }
 
-/// A force, with the velocity that it may read.
+/// Returns the statement that evaluates a force, with the velocity in scope.
 fn with_velocity(energy: &Energy, force: &syn::Expr) -> TokenStream {
     let momenta = energy.argument(Role::Momentum).map(|momenta| &momenta.name);
     let velocity = momenta.map(|momenta| {
@@ -70,7 +70,7 @@ fn with_velocity(energy: &Energy, force: &syn::Expr) -> TokenStream {
     quote!(#velocity let _ = #force;)
 }
 
-/// The items that are emitted beside the user's function.
+/// Returns the items that are emitted beside the user's function.
 pub(crate) fn items(compilation: &Compilation<'_>, derived: &Derived) -> TokenStream {
     let (context, system) = (&Context::new(compilation), &derived.system);
     let report = report::report(compilation, derived);
@@ -93,13 +93,13 @@ pub(crate) fn items(compilation: &Compilation<'_>, derived: &Derived) -> TokenSt
     around(context, &report, &implementations)
 }
 
-/// The struct with its docs, and implementations, in a scope of their own.
+/// Returns the struct with its docs, and the implementations in a scope of their own.
 fn around(context: &Context<'_>, report: &str, implementations: &TokenStream) -> TokenStream {
     let docs = format!("\n# What was derived\n\n```text\n{report}```");
     let Energy { runtime, .. } = context.energy;
     let structure = structure::structure(context, &docs);
     let (assertions, existence) = (context.energy.options.outside.assertions(), outside::existence(context));
-    // The function is the source of all this, and the user need not call it.
+    // This use prevents a warning about an unused function, because the user need not call the function.
     let used = (!attributes::expected_dead(context.energy)).then(|| {
         let function = &context.energy.item.sig.ident;
         quote! {
@@ -108,7 +108,7 @@ fn around(context: &Context<'_>, report: &str, implementations: &TokenStream) ->
             };
         }
     });
-    // No lint is allowed that nothing here needs: crates that forbid it could not have this.
+    // Only necessary lints are allowed. A crate that forbids a lint rejects code that allows it.
     let old = attributes::is_deprecated(context.energy).then(|| quote!(deprecated,));
     let imported = parse::imported().map(|name| format_ident!("{name}"));
     quote! {

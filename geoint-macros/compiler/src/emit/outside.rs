@@ -1,32 +1,32 @@
-//! Refusal of constants and aliases that the attribute repeats and the file does not define.
+//! Error messages for constants and aliases that the attribute repeats but the file does not define.
 
 use super::kernel::Context;
 use proc_macro2::{Ident, TokenStream};
 use quote::{quote, quote_spanned};
 
-/// Code that rustc refuses if the module of the function has no constant or alias of a name that the attribute repeats. The refusal contains
-/// the missing item.
+/// Returns code that rustc rejects if the attribute repeats a constant or an alias that the module of the function lacks. The message contains the missing
+/// item.
 ///
 /// An import of all names of the module hides the items of the block around the import. So a name stands for the item of the block only if the
-/// module has no such name. The name of the struct tells in the same way whether the function is an item of the module. A function inside of a
-/// body sees the names of this body, and rustc's own message remains.
+/// module lacks the name. The code finds out in the same way, from the name of the struct, whether the function is an item of the module. A function inside
+/// a body can use the names of this body. The check accepts such a function, and rustc reports missing names.
 pub(super) fn existence(context: &Context<'_>) -> TokenStream {
     let (outside, system) = (&context.energy.options.outside, &context.energy.name);
     let constants = outside.constants().map(|(name, value)| {
         let fallback = quote!(const #name: _Absent = _Absent; let _ = &#name;);
         let question = quote_spanned!(name.span()=> _PLACE._place()._has_value(|| #name););
-        check(name, &format!("const {name}: usize = {value};"), [quote!(#system), fallback, question])
+        check(system, name, &format!("const {name}: usize = {value};"), fallback, question)
     });
     let aliases = outside.aliases().map(|(name, ty)| {
         let fallback = quote!(type #name = _Absent; let _: fn(#name) = |_| (););
         let question = quote_spanned!(name.span()=> _PLACE._place()._has_type::<#name>(););
-        check(name, &format!("type {name} = {ty};"), [quote!(#system), fallback, question])
+        check(system, name, &format!("type {name} = {ty};"), fallback, question)
     });
     constants.chain(aliases).collect()
 }
 
-/// The check of one name. `advice` is the missing item.
-fn check(name: &Ident, advice: &str, [system, fallback, question]: [TokenStream; 3]) -> TokenStream {
+/// Returns the check of one name. The text `advice` is the missing item.
+fn check(system: &Ident, name: &Ident, advice: &str, fallback: TokenStream, question: TokenStream) -> TokenStream {
     let message =
         format!("the attribute says what `{name}` is, and does not define it: write `{advice}` above the function");
     let label = format!("there is no `{name}` beside the function");

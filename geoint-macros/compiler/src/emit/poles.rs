@@ -1,5 +1,6 @@
-//! Poles and conditions between the ends of a step: what the runtime asks of them.
+//! Poles of the energy, and changes of conditions, between the start and the end of a step.
 
+use super::implementation::flag;
 use super::kernel::{Context, Values, by_output};
 use super::tokens::Tokens;
 use super::writer::{Names, routine};
@@ -10,7 +11,7 @@ use crate::schedule::{Array, Kernel, Layout};
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
-/// The items of `PhaseSpace` that speak of poles.
+/// Returns the items of `PhaseSpace` about poles.
 pub(super) fn poles(context: &Context<'_>, poles: &Poles) -> TokenStream {
     let list = list(context, poles);
     let signs = poles.signs.as_ref().map(|signs| signs_hold(context, signs));
@@ -19,10 +20,10 @@ pub(super) fn poles(context: &Context<'_>, poles: &Poles) -> TokenStream {
     quote!(#list #signs #clear #vanishing)
 }
 
-/// What is known of each without looking.
+/// Returns the list of all poles, with their known properties.
 fn list(context: &Context<'_>, poles: &Poles) -> TokenStream {
     let printer = context.printer();
-    // By its path: users' structs may have this name.
+    // The path is full, because a struct of the user may have this name.
     let runtime = &context.energy.runtime;
     let pole = quote!(#runtime::private::Pole);
     let entries = poles.all.iter().map(|each| {
@@ -40,7 +41,7 @@ fn list(context: &Context<'_>, poles: &Poles) -> TokenStream {
     quote!(const POLES: &'static [#pole] = &[#(#entries),*];)
 }
 
-/// The signs of parameters on which tests by structure rely.
+/// Returns the function that checks the signs of parameters. Tests by structure rely on these signs.
 fn signs_hold(context: &Context<'_>, signs: &Signs) -> TokenStream {
     let body = context.outputs(&signs.0, |outputs| {
         let tests = outputs.iter().flat_map(|values| {
@@ -55,7 +56,7 @@ fn signs_hold(context: &Context<'_>, signs: &Signs) -> TokenStream {
     quote!(fn signs_hold(&self) -> bool { #body })
 }
 
-/// Tests by structure: those that divided differences do not make, and the rest.
+/// Returns the function with the tests by structure. Divided differences make some of the tests themselves.
 fn clear_of_poles(context: &Context<'_>, poles: &Poles) -> Option<TokenStream> {
     let (phase, action) = (context.phase(), context.action());
     let always = poles.always.as_ref().map(|margins| positive(context, margins));
@@ -77,7 +78,7 @@ fn clear_of_poles(context: &Context<'_>, poles: &Poles) -> Option<TokenStream> {
     })
 }
 
-/// `false` where a margin is not positive.
+/// Returns the statements that return `false` if a margin is not positive.
 fn positive(context: &Context<'_>, Margins { values, margins }: &Margins) -> TokenStream {
     let (phase, parts, action) = (context.phase(), context.parts(), context.action());
     let (count, values) = (Literal::usize_unsuffixed(values.nodes().len()), context.returned(values));
@@ -102,7 +103,7 @@ fn positive(context: &Context<'_>, Margins { values, margins }: &Margins) -> Tok
     }
 }
 
-/// A function of `PhaseSpace` that gives so many values in any scalar, chosen by an index.
+/// Returns a generic function of `PhaseSpace`. It evaluates one of several expressions, chosen by an index, in any scalar type.
 fn enclosed(
     context: &Context<'_>,
     name: &str,
@@ -139,7 +140,7 @@ fn enclosed(
     }
 }
 
-/// The items of `PhaseSpace` that speak of conditions.
+/// Returns the items of `PhaseSpace` about jumps at conditions.
 pub(super) fn jumps(context: &Context<'_>, jumps: &Jumps) -> TokenStream {
     let printer = context.printer();
     let height = |jump: &Jump| printer.excerpt(jump.shown);
@@ -154,11 +155,7 @@ pub(super) fn jumps(context: &Context<'_>, jumps: &Jumps) -> TokenStream {
     });
     let (phase, parts, action) = (context.phase(), context.parts(), context.action());
     let count = Literal::usize_unsuffixed(jumps.all.len());
-    let may_jump = jumps.edge.map(|_| {
-        quote!(
-            const CONTINUOUS: bool = false;
-        )
-    });
+    let may_jump = jumps.edge.map(|_| flag("CONTINUOUS", false));
     let sides = context.returned(&jumps.sides);
     let heights = enclosed(context, "jump", &jumps.heights, quote!([Scalar; 2]), quote!([R; 2]));
     quote! {

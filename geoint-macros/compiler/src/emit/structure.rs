@@ -1,4 +1,4 @@
-//! The struct, its types, and what users call.
+//! The generated struct, its types, and the user's methods.
 
 use super::attributes;
 use super::kernel::Context;
@@ -8,11 +8,11 @@ use crate::parse::{Energy, Form, Leaf, over_scalar};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-/// The generated struct: a field a parameter.
+/// Returns the generated struct. Each parameter is a field.
 pub(super) fn structure(context: &Context<'_>, docs: &str) -> TokenStream {
     let energy = context.energy;
     let (name, vis, float) = (&energy.name, &energy.item.vis, &energy.float);
-    // rustc asks the struct, not the field, whether the name of a field is as it should be.
+    // Lints about the name of a field need an attribute of the struct. An attribute of the field has no effect.
     let of_arguments = energy.parameters().flat_map(|parameter| attributes::repeated(&parameter.attributes));
     let own: Vec<TokenStream> = attributes::repeated(&energy.item.attrs).chain(of_arguments).collect();
     let scalar = format_ident!("R");
@@ -24,7 +24,7 @@ pub(super) fn structure(context: &Context<'_>, docs: &str) -> TokenStream {
             quote!(#[doc = #doc] pub #name: #ty)
         })
         .collect();
-    // Quaternions are compared for scalars alone, which a derived comparison does not ask for.
+    // Quaternions are comparable for scalars `R: Real` only. A derived comparison lacks this bound.
     let compared = energy.parameters().any(|parameter| parameter.shape.leaf == Leaf::Quaternion).then(|| {
         let (runtime, fields) = (&energy.runtime, energy.parameters().map(|parameter| &parameter.name));
         let old = attributes::is_deprecated(energy).then(|| quote!(#[allow(deprecated, reason = "generated code")]));
@@ -38,7 +38,7 @@ pub(super) fn structure(context: &Context<'_>, docs: &str) -> TokenStream {
         }
     });
     let equal = compared.is_none().then(|| quote!(, ::core::cmp::PartialEq));
-    // Numbers are equal to numbers, but not all of them to themselves.
+    // NaN differs from itself, so the struct has no `Eq`.
     let derives = quote! {
         #[allow(clippy::derive_partial_eq_without_eq, reason = "generated code")]
         #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug #equal)]
@@ -50,8 +50,7 @@ pub(super) fn structure(context: &Context<'_>, docs: &str) -> TokenStream {
     }
 }
 
-/// What users call, in the float type of the function: the traits are generic, and literals would leave their scalar
-/// open.
+/// Returns the user's methods in the float type of the function. Methods of the generic traits would leave the scalar of literals open.
 pub(super) fn inherent(context: &Context<'_>, system: &System, flow: Option<TokenStream>, report: &str) -> TokenStream {
     let Energy { name, float, .. } = context.energy;
     let state = state_type(context, |ty| quote!(#ty));
@@ -64,7 +63,7 @@ pub(super) fn inherent(context: &Context<'_>, system: &System, flow: Option<Toke
             }
         }
     });
-    // An adaptive run guesses its first step from rates.
+    // An adaptive run guesses its first step from the rates, which systems with constraints lack.
     let adaptive = (!matches!(system.implicit, Implicit::Constrained(_))).then(|| {
         quote! {
             /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
@@ -106,7 +105,7 @@ pub(super) fn inherent(context: &Context<'_>, system: &System, flow: Option<Toke
     }
 }
 
-/// The type of states.
+/// Returns the name of the type of states.
 pub(super) fn state(form: Form) -> TokenStream {
     match form {
         Form::Hamiltonian | Form::Lagrangian => quote!(State),
@@ -116,7 +115,7 @@ pub(super) fn state(form: Form) -> TokenStream {
     }
 }
 
-/// The same with the types of its coordinates.
+/// Returns the type of states with the types of its coordinates. The function `ty` maps the user's types.
 pub(super) fn state_type(context: &Context<'_>, ty: impl Fn(&syn::Type) -> TokenStream) -> TokenStream {
     let (state, coordinates) = (state(context.form), ty(&context.energy.coordinates.ty));
     let centres = (context.form == Form::Bodies).then(|| context.energy.centres()).flatten().map(ty);
@@ -126,7 +125,7 @@ pub(super) fn state_type(context: &Context<'_>, ty: impl Fn(&syn::Type) -> Token
     }
 }
 
-/// `Name<R>`, or `Name` if there are no parameters.
+/// Returns `Name<R>`, or `Name` for a system without parameters.
 pub(super) fn self_type(context: &Context<'_>) -> Tokens {
     let name = &context.energy.name;
     if context.energy.parameters().next().is_some() {

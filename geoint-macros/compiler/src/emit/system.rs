@@ -1,7 +1,8 @@
-//! What every system offers: its energy, its gradient.
+//! Implementations of all systems: energy, gradient, vector field, and proven facts.
 
 use super::domain::domain;
 use super::exact;
+use super::implementation::{flag, proven};
 use super::kernel::Context;
 use super::structure::{self_type, state, state_type};
 use crate::derive::{Fact, Implicit, Modified, System};
@@ -10,13 +11,13 @@ use crate::schedule::Routine;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-/// The energy with its gradient and where it is defined, and the traits of what was proven.
+/// Returns `impl PhaseSpace`, the gradient, the vector field, and the traits of proven facts.
 pub(super) fn phase_space(context: &Context<'_>, system: &System) -> TokenStream {
     let (name, action) = (self_type(context), context.action());
     let (phase, parts) = (context.phase(), context.parts());
     let scalar = format_ident!("R");
     let state = state_type(context, |ty| over_scalar(ty, &context.energy.float, &scalar));
-    // Momenta that are not followed give no energy.
+    // Without a formula, the runtime computes the energy from the velocities. A field without momenta has no energy.
     let value = match &system.value {
         Some(value) => context.returned(value),
         None if matches!(system.implicit, Implicit::Velocities(_)) => {
@@ -48,11 +49,8 @@ pub(super) fn phase_space(context: &Context<'_>, system: &System) -> TokenStream
             }
         }
     });
-    let of_velocities = matches!(context.form, Form::Lagrangian | Form::Herglotz).then(|| {
-        quote!(
-            const OF_VELOCITIES: bool = true;
-        )
-    });
+    let is_lagrangian = matches!(context.form, Form::Lagrangian | Form::Herglotz);
+    let of_velocities = is_lagrangian.then(|| flag("OF_VELOCITIES", true));
     let (attitudes, cotangent) = match &system.implicit {
         Implicit::Bodies(kernels) => {
             let attitudes = exact::attitudes(context, kernels);
@@ -60,9 +58,12 @@ pub(super) fn phase_space(context: &Context<'_>, system: &System) -> TokenStream
         }
         _ => (None, None),
     };
-    let facts = system.facts.iter().map(|fact| format_ident!("{}", fact.trait_name()));
+    let facts = system.facts.iter().map(|fact| {
+        let fact = format_ident!("{}", fact.trait_name());
+        proven(context, quote!(#fact<R>), quote!())
+    });
     quote! {
-        #(impl<R: Real> #facts<R> for #name { type Proof = (); })*
+        #(#facts)*
         impl<R: Real> PhaseSpace<R> for #name {
             type State = #state;
             type Phase = #phase;
@@ -86,9 +87,9 @@ pub(super) fn phase_space(context: &Context<'_>, system: &System) -> TokenStream
     }
 }
 
-/// `impl KeepsEnergy`; with the value of what is kept where it is not that of H.
+/// Returns `impl KeepsEnergy`. The tokens `value` compute the conserved quantity if it is not H.
 pub(super) fn keeps_energy(context: &Context<'_>, kept: &TokenStream, value: Option<TokenStream>) -> TokenStream {
-    let (name, phase) = (self_type(context), context.phase());
+    let phase = context.phase();
     let value = value.map(|value| {
         quote! {
             #[inline]
@@ -97,18 +98,12 @@ pub(super) fn keeps_energy(context: &Context<'_>, kept: &TokenStream, value: Opt
             }
         }
     });
-    quote! {
-        impl<R: Real> KeepsEnergy<R> for #name {
-            type Proof = ();
-            type Kept = #kept;
-            #value
-        }
-    }
+    proven(context, quote!(KeepsEnergy<R>), quote!(type Kept = #kept; #value))
 }
 
-/// `impl DifferentialEquation`; nothing for contact systems.
+/// Returns `impl DifferentialEquation`. Systems with an action or with constraints have none.
 fn vector_field(context: &Context<'_>, system: &System) -> Option<TokenStream> {
-    let (name, phase, parts) = (self_type(context), context.phase(), context.parts());
+    let (phase, parts) = (context.phase(), context.parts());
     let body = match (context.form, &system.rate) {
         (form, _) if form.has_action() => return None,
         _ if matches!(system.implicit, Implicit::Constrained(_)) => return None,
@@ -116,19 +111,17 @@ fn vector_field(context: &Context<'_>, system: &System) -> Option<TokenStream> {
         (Form::Lagrangian, None) if system.gradient.is_none() => quote!(rate_of(self, t, z, slopes);),
         (_, None) => quote!(canonical_rate(self, t, z, slopes);),
     };
-    Some(quote! {
-        impl<R: Real> DifferentialEquation<R> for #name {
-            type Proof = ();
-            #[inline(always)]
-            fn rate(&self, t: R, z: &#phase, slopes: &mut #phase) {
-                #parts
-                #body
-            }
+    let items = quote! {
+        #[inline(always)]
+        fn rate(&self, t: R, z: &#phase, slopes: &mut #phase) {
+            #parts
+            #body
         }
-    })
+    };
+    Some(proven(context, quote!(DifferentialEquation<R>), items))
 }
 
-/// `impl CotangentSpace`.
+/// Returns `impl CotangentSpace`.
 pub(super) fn cotangent(context: &Context<'_>) -> TokenStream {
     let (name, array) = (self_type(context), context.array());
     let over_scalar = |ty| over_scalar(ty, &context.energy.float, &format_ident!("R"));
@@ -144,9 +137,9 @@ pub(super) fn cotangent(context: &Context<'_>) -> TokenStream {
     }
 }
 
-/// `impl CotangentSpace`, and the gradient of an energy on it.
+/// Returns `impl CotangentSpace`, and `impl Hamiltonian` or `impl ContactSystem` with the gradient of the energy.
 fn gradient(context: &Context<'_>, system: &System, slopes: &Routine) -> TokenStream {
-    let (name, phase, parts) = (self_type(context), context.phase(), context.parts());
+    let (phase, parts) = (context.phase(), context.parts());
     let (form, receives, returned) = match context.form {
         form if form.has_action() => (quote!(ContactSystem), quote!(s: &R,), quote!(ds: &mut R,)),
         _ => (quote!(Hamiltonian), quote!(), quote!()),
@@ -162,22 +155,19 @@ fn gradient(context: &Context<'_>, system: &System, slopes: &Routine) -> TokenSt
         }
     });
     let slopes = context.assigned(slopes);
-    let cotangent = cotangent(context);
-    quote! {
-        #cotangent
-        impl<R: Real> #form<R> for #name {
-            type Proof = ();
-            #[inline]
-            fn gradient(&self, t: R, z: &#phase, #receives slopes: &mut #phase, #returned) {
-                #parts
-                #slopes
-            }
-            #rate
+    let items = quote! {
+        #[inline]
+        fn gradient(&self, t: R, z: &#phase, #receives slopes: &mut #phase, #returned) {
+            #parts
+            #slopes
         }
-    }
+        #rate
+    };
+    let (cotangent, gradient) = (cotangent(context), proven(context, quote!(#form<R>), items));
+    quote!(#cotangent #gradient)
 }
 
-/// `impl ModifiedEnergy`, and the method that users call.
+/// Returns `impl ModifiedEnergy`, and the user's method.
 pub(super) fn modified_energy(context: &Context<'_>, modified: &Modified) -> TokenStream {
     let value = match modified {
         Modified::Implicit => quote!(modified_verlet(self, h, t, z)),

@@ -1,4 +1,4 @@
-//! Lists of tokens with frequent quotations.
+//! Lists of tokens that are quoted often.
 //!
 //! A `TokenStream` belongs to rustc. Each copy of it, and each quotation, asks rustc for all of its tokens. Most of the time of an
 //! emission was spent in rustc. A list of tokens is quoted by a push of each token.

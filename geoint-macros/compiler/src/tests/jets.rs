@@ -165,9 +165,9 @@ fn arrays_of_pairs_serve_all_sums() {
     let gradient = diff::gradient(graph, lowered.terms.energy, 18);
     let forces: Vec<_> = gradient.q.iter().map(|slope| graph.neg(*slope)).collect();
     let rates: Vec<_> = (0..).map(Symbol::Momentum).zip(forces).collect();
-    let lanes = jet::Packs::of(&jet::jet(graph, &rates, &[])).expect("there are many sums");
+    let packs = jet::Packs::of(&jet::jet(graph, &rates, &[])).expect("there are many sums");
     // Each of the 4 groups of 15 pairs has arrays for r², r⁻³ and three differences. It has sums for the three squares, three products, and powers.
-    assert_eq!([lanes.arrays.len(), lanes.groups.len()], [4 * 5, 4 * 5]);
+    assert_eq!([packs.arrays.len(), packs.groups.len()], [4 * 5, 4 * 5]);
 }
 
 /// Returns the code emitted for an energy, without spaces.

@@ -1,26 +1,25 @@
-//! Rigid bodies, with centres of mass or without: their phase space, kicks, and the exact drift.
+//! Flows of rigid bodies, with or without centres of mass: kicks, the drift, and rotations about principal axes.
 
 use super::kick_drift::{SEPARABLE, moves, quadratic};
 use super::{assign, flow, slots};
 use crate::derive::{BodyKernels, Shift, Turn};
-use crate::emit::implementation::Implementation;
+use crate::emit::implementation::{Implementation, flag, proven};
 use crate::emit::kernel::Context;
-use crate::emit::structure::self_type;
 use crate::emit::tokens::{Tokens, element};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-/// Kicks and drifts.
+/// Returns the implementations for rigid bodies.
 pub(in crate::emit) fn bodies(context: &Context<'_>, bodies: &BodyKernels) -> TokenStream {
     let splitting = splitting(context, bodies);
     let rotations = bodies.principal.then(|| rotations(context, bodies));
     quote!(#splitting #rotations)
 }
 
-/// The function of `PhaseSpace` that returns the attitudes among the coordinates.
+/// Returns the function of `PhaseSpace` that returns the attitudes of the bodies.
 pub(in crate::emit) fn attitudes(context: &Context<'_>, bodies: &BodyKernels) -> TokenStream {
     let phase = context.phase();
-    let rows = if bodies.shifts.is_empty() { quote!(z[0]) } else { quote!(z[0][0]) };
+    let rows = if bodies.centres.is_empty() { quote!(z[0]) } else { quote!(z[0][0]) };
     quote! {
         #[inline(always)]
         fn attitudes(z: &mut #phase) -> &mut [[R; 4]] {
@@ -29,40 +28,35 @@ pub(in crate::emit) fn attitudes(context: &Context<'_>, bodies: &BodyKernels) ->
     }
 }
 
-/// `impl Separable`, `impl QuadraticKinetic`, `impl ForceGradient`.
+/// Returns `impl Separable`, `impl QuadraticKinetic`, `impl ForceGradient`.
 fn splitting(context: &Context<'_>, bodies: &BodyKernels) -> TokenStream {
     let phase = context.phase();
     let kick = flow(context, &bodies.kick);
     let entries = Literal::usize_unsuffixed(bodies.drift.nodes().len());
-    let (count, centres) = (bodies.turns.len(), !bodies.shifts.is_empty());
+    let count = bodies.turns.len();
     let turns = bodies.turns.iter().enumerate().map(|(body, turn)| {
-        let [r, m] = ["q", "p"].map(|half| row(half, centres.then_some(0), body));
-        free_rotation(turn, &r, &m)
+        let [attitude, momentum] = rows(bodies, body);
+        free_rotation(turn, &attitude, &momentum)
     });
     let numbers = (0..count).map(Literal::usize_unsuffixed).collect::<Vec<_>>();
     let [mut places, mut changes] = [0, 1].map(|half| {
         let half = Literal::usize_unsuffixed(half);
         quote!([#(turned[#numbers][#half]),*])
     });
-    if centres {
-        let shifts = bodies.shifts.chunks(3).map(|row| {
-            let shifts = row.iter().map(|each| shift(context, each));
+    if !bodies.centres.is_empty() {
+        let shifts = bodies.centres.iter().map(|centre| {
+            let shifts = centre.iter().map(|each| shift(context, each));
             quote!([#(#shifts,)* R::from_f64(0.0)])
         });
         let count = Literal::usize_unsuffixed(count);
         places = quote!([#places, [#(#shifts),*]]);
         changes = quote!([#changes, [[R::from_f64(0.0); 4]; #count]]);
     }
-    let (repeats, kick_type, drift_type) = (bodies.repeats, kick.prepared.clone(), quote!([R; #entries]));
-    let types = [("Kick", kick_type.clone()), ("Drift", drift_type.clone())];
+    let types = [("Kick", kick.prepared.clone()), ("Drift", quote!([R; #entries]))];
     let implementation = Implementation::new(context, &SEPARABLE, &types)
-        .items(quote! {
-            type Proof = ();
-            const KICKS_REPEAT: bool = #repeats;
-            const DRIFTS_SHIFT: bool = false;
-            type Kick = #kick_type;
-            type Drift = #drift_type;
-        })
+        .items(flag("KICKS_REPEAT", bodies.repeats))
+        .items(flag("DRIFTS_SHIFT", false))
+        .types()
         .method("prepare_kick", kick.prepare.clone())
         .method("prepare_drift", context.returned(&bodies.drift));
     let array = context.array();
@@ -88,23 +82,24 @@ fn splitting(context: &Context<'_>, bodies: &BodyKernels) -> TokenStream {
     quote!(#separable #gradient)
 }
 
-/// `drift[k]`
+/// Returns a prepared number: `drift[place]`.
 fn prepared(place: usize) -> TokenStream {
     let place = Literal::usize_unsuffixed(place);
     quote!(drift[#place])
 }
 
-/// A place, or zero.
+/// Returns a prepared number, or zero.
 fn or_zero(place: Option<usize>) -> TokenStream {
     place.map_or_else(|| quote!(R::from_f64(0.0)), prepared)
 }
 
-/// `q[0][body]`, or `q[body]`
-fn row(half: &str, level: Option<usize>, body: usize) -> Tokens {
-    element(half, &level.into_iter().chain([body]).collect::<Vec<_>>())
+/// Returns the attitude and the momentum of a body: `q[body]` and `p[body]`, or `q[0][body]` and `p[0][body]` with centres of mass.
+fn rows(bodies: &BodyKernels, body: usize) -> [Tokens; 2] {
+    let indices = if bodies.centres.is_empty() { vec![body] } else { vec![0, body] };
+    ["q", "p"].map(|half| element(half, &indices))
 }
 
-/// What a drift adds to a coordinate of a centre of mass.
+/// Returns the increment of a coordinate of a centre of mass in a drift.
 fn shift(context: &Context<'_>, Shift { linear, constant }: &Shift) -> TokenStream {
     let products = linear.iter().map(|(place, symbol)| {
         let (entry, p) = (prepared(*place), context.input(*symbol));
@@ -114,7 +109,7 @@ fn shift(context: &Context<'_>, Shift { linear, constant }: &Shift) -> TokenStre
     terms.reduce(|sum, term| quote!(#sum + #term)).unwrap_or_else(|| quote!(R::from_f64(0.0)))
 }
 
-/// What a free rotation adds to the attitude and the momentum of a body.
+/// Returns the increments of the attitude `r` and the momentum `m` of a body in a free rotation.
 fn free_rotation(turn: &Turn, r: &Tokens, m: &Tokens) -> TokenStream {
     if let Some(axis) = turn.symmetry {
         let moments = [(axis + 1) % 3, axis].map(|i| or_zero(turn.linear[i][i]));
@@ -133,28 +128,27 @@ fn free_rotation(turn: &Turn, r: &Tokens, m: &Tokens) -> TokenStream {
     quote!(slope::free_rotation(|m: &[R; 3]| [#(#rows),*], &[#(#constant),*], &#r, &#m))
 }
 
-/// `impl PrincipalAxes`.
+/// Returns `impl PrincipalAxes`.
 fn rotations(context: &Context<'_>, bodies: &BodyKernels) -> TokenStream {
-    let (name, array) = (self_type(context), context.array());
-    let entries = Literal::usize_unsuffixed(bodies.drift.nodes().len());
-    let centres = !bodies.shifts.is_empty();
+    let (array, entries) = (context.array(), Literal::usize_unsuffixed(bodies.drift.nodes().len()));
     let rotations = bodies.turns.iter().enumerate().map(|(body, turn)| {
-        let [r, m] = ["q", "p"].map(|half| row(half, centres.then_some(0), body));
+        let [r, m] = rows(bodies, body);
         let inverse = (0..3).map(|i| or_zero(turn.linear[i][i]));
         quote!(slope::five_rotations(&[#(#inverse),*], &mut #r, &mut #m);)
     });
-    let shifts = bodies.shifts.iter().enumerate().map(|(i, each)| {
-        let (place, change) = (element("q", &[1, i / 3, i % 3]), shift(context, each));
-        quote!(#place = #place + (#change);)
-    });
-    quote! {
-        impl<R: Real> PrincipalAxes<R> for #name {
-            type Proof = ();
-            #[inline(always)]
-            fn rotate(&self, drift: &[R; #entries], q: &mut #array, p: &mut #array) {
-                #(#rotations)*
-                #(#shifts)*
-            }
+    let mut shifts = TokenStream::new();
+    for (body, centre) in bodies.centres.iter().enumerate() {
+        for (axis, each) in centre.iter().enumerate() {
+            let (place, change) = (element("q", &[1, body, axis]), shift(context, each));
+            shifts.extend(quote!(#place = #place + (#change);));
         }
     }
+    let items = quote! {
+        #[inline(always)]
+        fn rotate(&self, drift: &[R; #entries], q: &mut #array, p: &mut #array) {
+            #(#rotations)*
+            #shifts
+        }
+    };
+    proven(context, quote!(PrincipalAxes<R>), items)
 }

@@ -1,12 +1,14 @@
-//! Kick and drift.
+//! Flows of separable energies: kicks, drifts, kicks with force gradients, and kick and drift of contact systems without damping.
 
 use super::{FlowTokens, assign, flow, slots};
 use crate::derive::{GradientKick, KickDrift, Missing, Undamped};
-use crate::emit::implementation::{Absent, Implementation, Inline, Method, Trait, Ty, absent, methods, ty};
+use crate::emit::implementation::{Implementation, absent, flag};
 use crate::emit::kernel::Context;
+use crate::emit::signature::{Absent, Trait, methods};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
+/// Kick and drift.
 pub(super) const SEPARABLE: Trait = Trait {
     name: "Separable",
     has_proof: true,
@@ -23,9 +25,11 @@ pub(super) const SEPARABLE: Trait = Trait {
     },
 };
 
+/// The property that the kinetic energy is quadratic in momenta.
 const QUADRATIC_KINETIC: Trait =
     Trait { name: "QuadraticKinetic", has_proof: true, associated: &[], methods: &[], provided: &[] };
 
+/// Kicks with the gradient of the squared force.
 const FORCE_GRADIENT: Trait = Trait {
     name: "ForceGradient",
     has_proof: false,
@@ -37,6 +41,7 @@ const FORCE_GRADIENT: Trait = Trait {
     provided: &[],
 };
 
+/// Kick and drift of a contact system without its damping, and the damping.
 const MECHANICAL_CONTACT: Trait = Trait {
     name: "MechanicalContact",
     has_proof: true,
@@ -51,7 +56,7 @@ const MECHANICAL_CONTACT: Trait = Trait {
     provided: &[],
 };
 
-/// `impl Separable`, `impl QuadraticKinetic`, `impl ForceGradient`, and `impl MechanicalContact` of contact systems.
+/// Returns `impl Separable`, `impl QuadraticKinetic`, `impl ForceGradient`, and for contact systems `impl MechanicalContact`.
 pub(in crate::emit) fn splitting(context: &Context<'_>, found: &Result<KickDrift, Missing>) -> TokenStream {
     match found {
         Ok(flows) => separable(context, flows),
@@ -62,23 +67,15 @@ pub(in crate::emit) fn splitting(context: &Context<'_>, found: &Result<KickDrift
     }
 }
 
+/// Returns the implementations for a system with kick and drift.
 fn separable(context: &Context<'_>, flows: &KickDrift) -> TokenStream {
     let [kick, drift] = [&flows.kick, &flows.drift].map(|each| flow(context, each));
-    let repeats = flows.repeats;
-    let shows = flows.shows.then(|| {
-        quote!(
-            const KICKS_SHOW: bool = true;
-        )
-    });
-    let exact = flows.exact_in_time.then(|| {
-        quote!(
-            const DRIFTS_ARE_EXACT_IN_TIME: bool = true;
-        )
-    });
-    let (kick_type, drift_type) = (kick.prepared.clone(), drift.prepared.clone());
-    let types = [("Kick", kick_type.clone()), ("Drift", drift_type.clone())];
+    let types = [("Kick", kick.prepared.clone()), ("Drift", drift.prepared.clone())];
     let implementation = Implementation::new(context, &SEPARABLE, &types)
-        .items(quote!(type Proof = (); const KICKS_REPEAT: bool = #repeats; #shows type Kick = #kick_type; type Drift = #drift_type; #exact))
+        .items(flag("KICKS_REPEAT", flows.repeats))
+        .items(flows.shows.then(|| flag("KICKS_SHOW", true)))
+        .types()
+        .items(flows.exact_in_time.then(|| flag("DRIFTS_ARE_EXACT_IN_TIME", true)))
         .method("prepare_kick", kick.prepare.clone())
         .method("prepare_drift", drift.prepare.clone());
     let implementation = moves(moves(implementation, "kick", &kick), "drift", &drift).finish();
@@ -99,7 +96,7 @@ fn separable(context: &Context<'_>, flows: &KickDrift) -> TokenStream {
     quote!(#implementation #gradient_kick #mechanical)
 }
 
-/// Adds the methods of a flow.
+/// Adds the methods of a flow to an implementation.
 pub(super) fn moves<'a>(implementation: Implementation<'a>, name: &str, flow: &FlowTokens) -> Implementation<'a> {
     let implementation = implementation.method(name, flow.flow.clone());
     match &flow.increments {
@@ -108,49 +105,43 @@ pub(super) fn moves<'a>(implementation: Implementation<'a>, name: &str, flow: &F
     }
 }
 
-/// `impl MechanicalContact`: kick and drift without damping, and the damping.
+/// Returns `impl MechanicalContact`. A kick or drift that the damping does not change is the kick or drift of `Separable`.
 fn mechanical(context: &Context<'_>, undamped: &Undamped) -> TokenStream {
     let damping = context.returned(&undamped.damping);
     let own = [&undamped.kick, &undamped.drift].map(|own| own.as_ref().map(|own| flow(context, own)));
     let [kick, drift] = &own;
     let free = |own: &Option<FlowTokens>, name: TokenStream| own.as_ref().map_or(name, |own| own.prepared.clone());
     let types = [("FreeKick", free(kick, quote!(Self::FreeKick))), ("FreeDrift", free(drift, quote!(Self::FreeDrift)))];
-    let mut implementation = Implementation::new(context, &MECHANICAL_CONTACT, &types).items(quote!(
-        type Proof = ();
-    ));
-    for (own, upper, lower) in [(kick, "Kick", "kick"), (drift, "Drift", "drift")] {
-        let (prepare_free, free) = (format!("prepare_free_{lower}"), format!("free_{lower}"));
-        let [ty, upper, prepare, lower] =
-            [&format!("Free{upper}"), upper, &format!("prepare_{lower}"), lower].map(|name| format_ident!("{name}"));
-        implementation = match own {
-            Some(FlowTokens { prepared, prepare, flow, .. }) => implementation
-                .items(quote!(type #ty = #prepared;))
-                .method(&prepare_free, prepare.clone())
-                .method(&free, flow.clone()),
-            None => implementation
-                .items(quote!(type #ty = <Self as Separable<R>>::#upper;))
-                .method(&prepare_free, quote!(self.#prepare(h)))
-                .method(&free, quote!(self.#lower(prepared, t, q, p, s);)),
+    let mut implementation = Implementation::new(context, &MECHANICAL_CONTACT, &types);
+    for (own, ty, name) in [(kick, "Kick", "kick"), (drift, "Drift", "drift")] {
+        let [ty, free_type] = [format_ident!("{ty}"), format_ident!("Free{ty}")];
+        let (given, prepare, flow) = match own {
+            Some(FlowTokens { prepared, prepare, flow, .. }) => (prepared.clone(), prepare.clone(), flow.clone()),
+            None => {
+                let [prepare, name] = [format_ident!("prepare_{name}"), format_ident!("{name}")];
+                let flow = quote!(self.#name(prepared, t, q, p, s););
+                (quote!(<Self as Separable<R>>::#ty), quote!(self.#prepare(h)), flow)
+            }
         };
+        implementation = implementation
+            .items(quote!(type #free_type = #given;))
+            .method(&format!("prepare_free_{name}"), prepare)
+            .method(&format!("free_{name}"), flow);
     }
     implementation.method("damping", damping).finish()
 }
 
-/// `impl QuadraticKinetic` and `impl ForceGradient`, by the type of numbers for a kick, their computation, and the kick.
+/// Returns `impl QuadraticKinetic` and `impl ForceGradient`, from the type of the numbers for a kick, their computation, and the kick.
 pub(super) fn quadratic(
     context: &Context<'_>,
     prepared: TokenStream,
     prepare: TokenStream,
     body: TokenStream,
 ) -> TokenStream {
-    let proof = Implementation::new(context, &QUADRATIC_KINETIC, &[])
-        .items(quote!(
-            type Proof = ();
-        ))
-        .finish();
-    let types = [("GradientKick", prepared.clone())];
+    let proof = Implementation::new(context, &QUADRATIC_KINETIC, &[]).finish();
+    let types = [("GradientKick", prepared)];
     let kick = Implementation::new(context, &FORCE_GRADIENT, &types)
-        .items(quote!(type GradientKick = #prepared;))
+        .types()
         .method("prepare_gradient_kick", prepare)
         .method("gradient_kick", body)
         .finish();

@@ -1,4 +1,4 @@
-//! Exact flows of parts of an energy, and what they are written with.
+//! Exact flows of parts of an energy: kick and drift, perturbed systems, pieces, and rigid bodies.
 
 mod bodies;
 mod kick_drift;
@@ -14,20 +14,24 @@ pub(super) use pieces::pieces;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
+/// Returns the count of the prepared numbers of a flow.
 fn slots(flow: &FlowKernel) -> Literal {
     Literal::usize_unsuffixed(flow.kernel.slots[0])
 }
 
-/// The parts of a flow in an implementation.
+/// Tokens of a flow.
 struct FlowTokens {
     /// The type of the prepared numbers.
     prepared: TokenStream,
-    /// Bodies of the functions that prepare them, that move a point, and that return the increments of a flow that does more than add.
+    /// Body of the function that computes the prepared numbers.
     prepare: TokenStream,
+    /// Body of the function that moves a point.
     flow: TokenStream,
+    /// Body of the function that returns the increments of a point. Absent if the flow only adds to coordinates.
     increments: Option<TokenStream>,
 }
 
+/// Returns the tokens of a flow.
 fn flow(context: &Context<'_>, flow: &FlowKernel) -> FlowTokens {
     let slots = slots(flow);
     FlowTokens {
@@ -38,7 +42,7 @@ fn flow(context: &Context<'_>, flow: &FlowKernel) -> FlowTokens {
     }
 }
 
-/// `d.q[i] = …; d.p[i] = …; d.s = …;`: the increments of a flow from `x`.
+/// Returns the body of a function with the increments of a flow from `x`: `d.z[0][i] = …; d.z[1][i] = …; d.s = …;`.
 fn increments(context: &Context<'_>, flow: &FlowKernel) -> TokenStream {
     let (parts, writes) = (context.per_coordinate(), context.moved(flow.kernel.routine("increments")));
     let point = if context.form.is_flow() { quote!(q) } else { quote!([q, p]) };
@@ -50,7 +54,7 @@ fn increments(context: &Context<'_>, flow: &FlowKernel) -> TokenStream {
     }
 }
 
-/// `q[i] = …; p[i] = …; *s = …;`
+/// Returns the statements that move a point: `q[i] = …; p[i] = …; *s = …;`.
 fn assign(context: &Context<'_>, flow: &FlowKernel) -> TokenStream {
     context.moved(flow.kernel.routine("end"))
 }

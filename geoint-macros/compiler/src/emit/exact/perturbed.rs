@@ -1,15 +1,17 @@
-//! A part with an exact flow, and a rest.
+//! Perturbed systems H = A + B: the exact flow of A, and the flow of the perturbation B.
 
 use super::kick_drift::moves;
 use super::{assign, flow, slots};
 use crate::derive::{FlowKernel, Inner, Missing, Perturbed};
-use crate::emit::implementation::{Absent, Implementation, Inline, Method, Trait, Ty, absent, methods, ty};
+use crate::emit::implementation::{Implementation, absent, flag};
 use crate::emit::kernel::{Context, Values};
+use crate::emit::signature::{Absent, Trait, methods};
 use crate::parse::Role;
 use crate::split::OwnMotion;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
+/// The flows of A and B.
 const PERTURBED_SYSTEM: Trait = Trait {
     name: "PerturbedSystem",
     has_proof: true,
@@ -28,6 +30,7 @@ const PERTURBED_SYSTEM: Trait = Trait {
     },
 };
 
+/// Kicks of B with the gradient of the squared force.
 const PERTURBED_GRADIENT: Trait = Trait {
     name: "PerturbedGradient",
     has_proof: true,
@@ -39,7 +42,7 @@ const PERTURBED_GRADIENT: Trait = Trait {
     provided: &[],
 };
 
-/// `impl PerturbedSystem` and `impl PerturbedGradient`.
+/// Returns `impl PerturbedSystem` and `impl PerturbedGradient`.
 pub(in crate::emit) fn perturbed(context: &Context<'_>, found: &Result<Perturbed, Missing>) -> TokenStream {
     match found {
         Ok(found) => parts(context, found),
@@ -47,36 +50,22 @@ pub(in crate::emit) fn perturbed(context: &Context<'_>, found: &Result<Perturbed
     }
 }
 
+/// Returns the implementations for a system with an exact flow of A.
 fn parts(context: &Context<'_>, found: &Perturbed) -> TokenStream {
-    let (exact_in_time, repeats) = (found.exact_in_time, found.repeats);
-    let may_end = may_end(context, found);
-    let no_kick = (!found.is_kick).then(|| {
-        let is_exact = found.is_exact;
-        quote! {
-            const REST_IS_KICK: bool = false;
-            const REST_IS_EXACT: bool = #is_exact;
-        }
-    });
+    let no_kick = (!found.is_kick).then(|| [flag("REST_IS_KICK", false), flag("REST_IS_EXACT", found.is_exact)]);
     let (exact, rest) = (flow(context, &found.flow), flow(context, &found.kick));
     let after = found.flow_after_kick.as_ref().map(|after| flow(context, after));
     let after_type = after.as_ref().map_or_else(|| quote!(()), |after| after.prepared.clone());
-    let (exact_type, rest_type) = (exact.prepared.clone(), rest.prepared.clone());
-    let types = [("Exact", exact_type.clone()), ("After", after_type.clone()), ("Rest", rest_type.clone())];
-    let implementation = Implementation::new(context, &PERTURBED_SYSTEM, &types).items(quote! {
-        type Proof = ();
-        const EXACT_IN_TIME: bool = #exact_in_time;
-        const KICKS_REPEAT: bool = #repeats;
-        #no_kick
-        #may_end
-        type Exact = #exact_type;
-        type Rest = #rest_type;
-        type After = #after_type;
-    });
+    let types = [("Exact", exact.prepared.clone()), ("Rest", rest.prepared.clone()), ("After", after_type)];
+    let implementation = Implementation::new(context, &PERTURBED_SYSTEM, &types)
+        .items(flag("EXACT_IN_TIME", found.exact_in_time))
+        .items(flag("KICKS_REPEAT", found.repeats))
+        .items(no_kick.map(TokenStream::from_iter))
+        .items(may_end(context, found))
+        .types();
     let implementation = match &after {
         Some(after) => implementation
-            .items(quote!(
-                const IS_LINEAR: bool = true;
-            ))
+            .items(flag("IS_LINEAR", true))
             .method("prepare_after", after.prepare.clone())
             .method("exact_after", after.flow.clone()),
         None => implementation.items(quote!(
@@ -105,13 +94,13 @@ fn parts(context: &Context<'_>, found: &Perturbed) -> TokenStream {
     quote!(#parts #gradient)
 }
 
-/// Parts of the flow of A that may end within a step.
+/// Returns the list of the parts of A whose flows may end within a step.
 fn may_end(context: &Context<'_>, found: &Perturbed) -> TokenStream {
-    // By its path: users' structs may have this name.
+    // The path is full, because a struct of the user may have this name.
     let runtime = &context.energy.runtime;
     let part = quote!(#runtime::private::FlowPart);
-    let entries = found.parts.iter().map(|(part_of, coordinates)| {
-        let name = match part_of {
+    let entries = found.parts.iter().map(|(motion, coordinates)| {
+        let name = match motion {
             OwnMotion::Energy(energy) => context.printer().excerpt(*energy),
             OwnMotion::Orbit(body) => format!("Kepler's motion of {}[{body}]", context.name_of(Role::Position)),
         };
@@ -121,7 +110,7 @@ fn may_end(context: &Context<'_>, found: &Perturbed) -> TokenStream {
     quote!(const PARTS: &'static [#part] = &[#(#entries),*];)
 }
 
-/// A map of all coordinates, in place.
+/// Returns a function that maps all coordinates in place.
 fn way(context: &Context<'_>, name: &str, map: &FlowKernel) -> TokenStream {
     let (name, phase, parts, body) = (format_ident!("{name}"), context.phase(), context.parts(), assign(context, map));
     quote! {
@@ -133,7 +122,7 @@ fn way(context: &Context<'_>, name: &str, map: &FlowKernel) -> TokenStream {
     }
 }
 
-/// The first mass beside which nothing is left of what it is divided by.
+/// Returns the function that reports a mass beside which no digit of its divisor is left.
 fn unsuitable(context: &Context<'_>, inner: &Inner) -> TokenStream {
     let runtime = &context.energy.runtime;
     let printer = context.printer();
@@ -156,11 +145,12 @@ fn unsuitable(context: &Context<'_>, inner: &Inner) -> TokenStream {
     }
 }
 
+/// Returns `impl PerturbedGradient`.
 fn gradient_kick(context: &Context<'_>, kick: &FlowKernel) -> TokenStream {
     let slots = slots(kick);
     let types = [("GradientKick", quote!([R; #slots]))];
     Implementation::new(context, &PERTURBED_GRADIENT, &types)
-        .items(quote!(type Proof = (); type GradientKick = [R; #slots];))
+        .types()
         .method("prepare_gradient_kick", context.stored(&kick.kernel, 0))
         .method("gradient_kick", assign(context, kick))
         .finish()

@@ -1,16 +1,17 @@
-//! The exact flows of pieces; or, if some term is in no piece, an implementation that no scalar satisfies, whose message names
-//! the term.
+//! Flows of the pieces of an energy or a field. If a term is in no piece, no scalar satisfies the implementation, and the message names the term.
 
 use super::{assign, increments};
 use crate::derive::{PieceKernel, PiecesOf};
-use crate::emit::implementation::{Absent, Implementation, Inline, Method, Trait, Ty, absent_with, methods, ty};
+use crate::emit::implementation::{Implementation, Leading, absent_with, flag};
 use crate::emit::kernel::{Context, Values};
+use crate::emit::signature::{Absent, Trait, methods};
 use crate::emit::tokens::{Tokens, element};
 use crate::ir::Symbol;
 use crate::split::Clock;
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
+/// The flow of each piece, by its index.
 const FLOW_PIECES: Trait = Trait {
     name: "FlowPieces",
     has_proof: true,
@@ -24,23 +25,22 @@ const FLOW_PIECES: Trait = Trait {
     provided: &[],
 };
 
-/// `impl Pieces`.
+/// Returns `impl FlowPieces` for one splitting.
 pub(in crate::emit) fn pieces(context: &Context<'_>, found: &PiecesOf) -> TokenStream {
     let name = format_ident!("{}", found.splitting);
+    let leading = |items: TokenStream| Leading { parameters: quote!(#name,), items };
     match &found.pieces {
-        Ok(pieces) => splitting(context, &name, found, pieces),
-        Err(missing) => {
-            let no_pieces = quote!(
-                const PIECES: &'static [FlowPiece] = &[];
-            );
-            absent_with(context, *missing, &[&FLOW_PIECES], &quote!(#name,), &no_pieces)
+        Ok(pieces) => {
+            let constants = [flag("SYMPLECTIC", found.symplectic), flag("CONSERVES_ENERGY", found.conserves_energy)];
+            let table = table(context, pieces);
+            flows(context, pieces, leading(quote!(#table #(#constants)*)))
         }
+        Err(missing) => absent_with(context, *missing, &[&FLOW_PIECES], &leading(table(context, &[]))),
     }
 }
 
-fn splitting(context: &Context<'_>, splitting: &Ident, found: &PiecesOf, pieces: &[PieceKernel]) -> TokenStream {
-    let parts = context.parts();
-    let (symplectic, conserves_energy) = (found.symplectic, found.conserves_energy);
+/// Returns the constant that lists the pieces.
+fn table(context: &Context<'_>, pieces: &[PieceKernel]) -> TokenStream {
     let printer = context.printer();
     let table = pieces.iter().map(|piece| {
         let (solved, may_end) = (piece.solved, piece.may_end);
@@ -52,15 +52,19 @@ fn splitting(context: &Context<'_>, splitting: &Ident, found: &PiecesOf, pieces:
         };
         quote!(FlowPiece { name: #name, clock: PieceClock::#clock, solved: #solved, may_end: #may_end })
     });
+    quote!(const PIECES: &'static [FlowPiece] = &[#(#table),*];)
+}
+
+/// Returns the implementation for a system with pieces. Each piece has numbers for a step length, and numbers for a start time.
+fn flows(context: &Context<'_>, pieces: &[PieceKernel], leading: Leading) -> TokenStream {
     let types = |level: usize| {
         let slots = pieces.iter().map(|piece| Literal::usize_unsuffixed(piece.flow.kernel.slots[level]));
         nested(slots.map(|slots| quote!([R; #slots])).collect())
     };
-    let (types, frozen_types) = (types(0), types(1));
-    let (count, last) = (pieces.len(), pieces.len() - 1);
+    let count = pieces.len();
     let stored = |piece: &PieceKernel, level: usize| context.stored(&piece.flow.kernel, level);
     let prepared = pieces.iter().enumerate().map(|(i, piece)| {
-        let (length, prepare) = (if i == last { quote!(last) } else { quote!(outer) }, stored(piece, 0));
+        let (length, prepare) = (if i + 1 == count { quote!(last) } else { quote!(outer) }, stored(piece, 0));
         quote!({ let h = #length; #prepare })
     });
     let frozen = pieces.iter().enumerate().map(|(i, piece)| {
@@ -68,42 +72,34 @@ fn splitting(context: &Context<'_>, splitting: &Ident, found: &PiecesOf, pieces:
         quote!({ let prepared = &#own; #freeze })
     });
     let [prepared, frozen] = [nested(prepared.collect()), nested(frozen.collect())];
-    let arm = |i: usize, body: TokenStream| {
-        let [flow, start] = [quote!(flows), quote!(frozen)].map(|all| member(all, i, count));
-        let i = Literal::usize_unsuffixed(i);
-        quote!(#i => { let (prepared, start) = (&#flow, &#start); #body })
+    let arms = |target: Target| {
+        let arms = pieces.iter().enumerate().map(|(i, piece)| {
+            let [flow, start] = [quote!(flows), quote!(frozen)].map(|all| member(all, i, count));
+            let body = match target {
+                _ if piece.solved => solve(context, piece, target),
+                Target::State => assign(context, &piece.flow),
+                Target::Increments => increments(context, &piece.flow),
+            };
+            let i = Literal::usize_unsuffixed(i);
+            quote!(#i => { let (prepared, start) = (&#flow, &#start); #body })
+        });
+        arms.collect::<TokenStream>()
     };
-    let arms = pieces.iter().enumerate().map(|(i, piece)| {
-        let body = if piece.solved { solve(context, piece, Target::State) } else { assign(context, &piece.flow) };
-        arm(i, body)
-    });
-    let added = pieces.iter().enumerate().map(|(i, piece)| {
-        let body =
-            if piece.solved { solve(context, piece, Target::Increments) } else { increments(context, &piece.flow) };
-        arm(i, body)
-    });
-    let per_piece = [("Flows", types.clone()), ("Frozen", frozen_types.clone())];
-    Implementation::new(context, &FLOW_PIECES, &per_piece)
-        .with_parameters(quote!(#splitting,))
-        .items(quote! {
-            const PIECES: &'static [FlowPiece] = &[#(#table),*];
-            const SYMPLECTIC: bool = #symplectic;
-            const CONSERVES_ENERGY: bool = #conserves_energy;
-            type Proof = ();
-            type Flows = #types;
-            type Frozen = #frozen_types;
-        })
+    let (parts, moves, added) = (context.parts(), arms(Target::State), arms(Target::Increments));
+    Implementation::new(context, &FLOW_PIECES, &[("Flows", types(0)), ("Frozen", types(1))])
+        .leading(leading)
+        .types()
         .method("prepare_flows", prepared)
         .method("freeze", frozen)
-        .method("flow", quote!(#parts match piece { #(#arms)* _ => {} }))
-        .method("increments", quote!(match piece { #(#added)* _ => PerCoordinate::nothing(), }))
+        .method("flow", quote!(#parts match piece { #moves _ => {} }))
+        .method("increments", quote!(match piece { #added _ => PerCoordinate::nothing(), }))
         .finish()
 }
 
-/// How many members a tuple has at most: the standard library knows no traits of tuples of more than twelve.
+/// The largest number of members of a tuple. The standard library implements its traits for tuples of at most twelve members.
 const MOST_MEMBERS: usize = 12;
 
-/// A tuple of any number of values or types, in tuples of tuples where they are many.
+/// Returns a tuple of values or types. Many members are nested in tuples of tuples.
 fn nested(mut members: Vec<TokenStream>) -> TokenStream {
     while members.len() > MOST_MEMBERS {
         members = members.chunks(MOST_MEMBERS).map(|some| quote!((#(#some,)*))).collect();
@@ -111,21 +107,23 @@ fn nested(mut members: Vec<TokenStream>) -> TokenStream {
     quote!((#(#members,)*))
 }
 
-/// The i-th of so many members of it.
+/// Returns member `i` of a nested tuple with `count` members.
 fn member(all: TokenStream, i: usize, count: usize) -> TokenStream {
     let inner = if count > MOST_MEMBERS { member(all, i / MOST_MEMBERS, count.div_ceil(MOST_MEMBERS)) } else { all };
-    let i = Literal::usize_unsuffixed(if count > MOST_MEMBERS { i % MOST_MEMBERS } else { i });
+    let i = Literal::usize_unsuffixed(i % MOST_MEMBERS);
     quote!(#inner.#i)
 }
 
-/// What the step of a plane is added to.
+/// The destination of the increments of a piece.
 #[derive(Clone, Copy)]
 enum Target {
+    /// The coordinates of the state, in place.
     State,
+    /// A new point with the increments.
     Increments,
 }
 
-/// The step of a plane, added to the target.
+/// Returns the step of a piece whose equation is solved in its plane. The increments of both coordinates are added to the target.
 fn solve(context: &Context<'_>, piece: &PieceKernel, target: Target) -> TokenStream {
     let coordinates = match target {
         Target::State => quote!(q),

@@ -1,36 +1,33 @@
-//! Canonical coordinates of a flow, in which collocation is symplectic.
+//! Canonical coordinates of a flow. Collocation is symplectic in these coordinates.
 
 use super::prepared::Prepared;
+use crate::emit::implementation::proven;
 use crate::emit::kernel::Context;
-use crate::emit::structure::self_type;
 use crate::schedule::Kernel;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// `impl CanonicalForm`.
+/// Returns `impl CanonicalForm`.
 pub(super) fn canonical(context: &Context<'_>, stage: &Kernel) -> TokenStream {
-    let (name, phase) = (self_type(context), context.phase());
     let Prepared { types, functions, prepared, .. } =
         Prepared::for_stages(context, stage, ["CanonicalConstants", "canonical_constants"]);
-    let (parts, body) = (context.parts(), context.assigned(stage.routine("canonical")));
-    quote! {
-        impl<R: Real> CanonicalForm<R> for #name {
-            type Proof = ();
-            #types
+    let (phase, parts, body) = (context.phase(), context.parts(), context.assigned(stage.routine("canonical")));
+    let items = quote! {
+        #types
 
-            #functions
-            #[inline(always)]
-            fn canonical(
-                &self,
-                prepared: &#prepared,
-                t: R,
-                z: &#phase,
-                [value, rate]: [&mut #phase; 2],
-                [value_by, rate_by]: &mut [Square<#phase>; 2],
-            ) {
-                #parts
-                #body
-            }
+        #functions
+        #[inline(always)]
+        fn canonical(
+            &self,
+            prepared: &#prepared,
+            t: R,
+            z: &#phase,
+            [value, rate]: [&mut #phase; 2],
+            [value_by, rate_by]: &mut [Square<#phase>; 2],
+        ) {
+            #parts
+            #body
         }
-    }
+    };
+    proven(context, quote!(CanonicalForm<R>), items)
 }

@@ -1,16 +1,16 @@
-//! The field of collocation, with its derivatives.
+//! The field of collocation methods, with its derivatives.
 
 use super::prepared::Prepared;
 use crate::derive::{Collocation, FieldKernels};
+use crate::emit::implementation::{proven, typed};
 use crate::emit::kernel::{Context, array_type};
-use crate::emit::structure::self_type;
 use crate::emit::tokens::element;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// `impl Collocation`.
+/// Returns `impl Collocated` and `impl Collocation`.
 pub(super) fn collocation(context: &Context<'_>, field: &FieldKernels) -> TokenStream {
-    let (name, phase) = (self_type(context), context.phase());
+    let phase = context.phase();
     let FieldKernels { coordinates, collocation: Collocation { second_order, kernel }, .. } = field;
     let unknown = array_type(&coordinates.extents);
     let places: Vec<_> = coordinates.places().into_iter().map(|(_, place)| place).collect();
@@ -30,45 +30,41 @@ pub(super) fn collocation(context: &Context<'_>, field: &FieldKernels) -> TokenS
         [quote!(1), quote!((*z, *z)), add, quote!(*change)]
     };
     let stages = if field.canonical.is_some() { quote!(ByCanonical) } else { quote!(ByField) };
-    quote! {
-        impl<R: Real> Collocated<R> for #name {
-            type Proof = ();
-            type Stages = #stages;
-        }
-        impl<R: Real> Collocation<R> for #name {
-            type Proof = ();
-            type Unknown = #unknown;
-            #types
-            const DERIVATIVE: usize = #derivative;
+    let collocated = typed(context, quote!(Collocated<R>), [("Stages", stages)]);
+    let items = quote! {
+        type Unknown = #unknown;
+        #types
+        const DERIVATIVE: usize = #derivative;
 
-            #functions
-            #[inline(always)]
-            fn start(z: &#phase) -> (#unknown, #unknown) {
-                #start
-            }
-            #[inline(always)]
-            fn velocity(&self, prepared: &#prepared, p: &#unknown) -> #unknown {
-                let mut velocity = <#unknown as Array>::zero();
-                #velocity
-                velocity
-            }
-            #[inline(always)]
-            fn field(
-                &self,
-                prepared: &#prepared,
-                t: R,
-                y: &#unknown,
-                f: &mut #unknown,
-                jacobian: &mut Square<#unknown>,
-            ) #evaluate
-            #[inline(always)]
-            fn add(&self, prepared: &#prepared, w: R, f: &#unknown, y: &mut #unknown) {
-                #add
-            }
-            #[inline(always)]
-            fn increments(change: &#unknown, impulse: &#unknown) -> #phase {
-                #increments
-            }
+        #functions
+        #[inline(always)]
+        fn start(z: &#phase) -> (#unknown, #unknown) {
+            #start
         }
-    }
+        #[inline(always)]
+        fn velocity(&self, prepared: &#prepared, p: &#unknown) -> #unknown {
+            let mut velocity = <#unknown as Array>::zero();
+            #velocity
+            velocity
+        }
+        #[inline(always)]
+        fn field(
+            &self,
+            prepared: &#prepared,
+            t: R,
+            y: &#unknown,
+            f: &mut #unknown,
+            jacobian: &mut Square<#unknown>,
+        ) #evaluate
+        #[inline(always)]
+        fn add(&self, prepared: &#prepared, w: R, f: &#unknown, y: &mut #unknown) {
+            #add
+        }
+        #[inline(always)]
+        fn increments(change: &#unknown, impulse: &#unknown) -> #phase {
+            #increments
+        }
+    };
+    let collocation = proven(context, quote!(Collocation<R>), items);
+    quote!(#collocated #collocation)
 }

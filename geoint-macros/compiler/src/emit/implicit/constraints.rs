@@ -1,17 +1,17 @@
-//! Constraints, and the equations of steps that keep them.
+//! Constraints, and the equations of the steps that keep them.
 
 use super::prepared::Prepared;
 use crate::derive::{ConstraintKernels, StepKernel};
+use crate::emit::implementation::{flag, proven, typed};
 use crate::emit::kernel::{Context, array_type};
-use crate::emit::structure::self_type;
 use crate::emit::system::cotangent;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-/// `impl ConstrainedSystem`, `impl ConstrainedStep` for each method, and what users call.
+/// Returns `impl ConstrainedSystem`, `impl ConstrainedStep` for each method, and the user's methods.
 pub(super) fn constraints(context: &Context<'_>, kernels: &ConstraintKernels) -> TokenStream {
     let ConstraintKernels { constraints, quadratic, values, velocity, departure, steps } = kernels;
-    let (name, array, phase, parts) = (self_type(context), context.array(), context.phase(), context.parts());
+    let (array, phase, parts) = (context.array(), context.phase(), context.parts());
     let multipliers = array_type(&[constraints.len()]);
     let printer = context.printer();
     let formulas = constraints.iter().map(|constraint| {
@@ -21,84 +21,77 @@ pub(super) fn constraints(context: &Context<'_>, kernels: &ConstraintKernels) ->
     });
     let [values, velocity] = [values, velocity].map(|routine| context.assigned(routine));
     let departure = context.returned(departure);
+    let quadratic = flag("QUADRATIC", *quadratic);
+    let items = quote! {
+        type Multipliers = #multipliers;
+        const CONSTRAINTS: &'static [[&'static str; 2]] = &[#(#formulas),*];
+        #quadratic
+
+        #[inline]
+        fn constraints(&self, q: &#array, values: &mut #multipliers, gradients: &mut Gradients<Self, R>) {
+            #values
+        }
+        #[inline]
+        fn velocity(&self, t: R, z: &#phase, velocity: &mut #array, inverse_mass: &mut Square<#array>) {
+            #parts
+            #velocity
+        }
+        fn departure(&self, t: R, z: &#phase) -> [[#multipliers; 2]; 2] {
+            #parts
+            #departure
+        }
+    };
     let cotangent = cotangent(context);
+    let constrained = proven(context, quote!(ConstrainedSystem<R>), items);
+    let graded = [("Gradient", quote!(ByConstraint)), ("Kept", quote!(()))];
+    let graded = typed(context, quote!(Graded<R>), graded);
     let steps = steps.iter().map(|(method, kernel)| step(context, method, kernel));
     let inherent = inherent(context);
-    quote! {
-        #cotangent
-        impl<R: Real> ConstrainedSystem<R> for #name {
-            type Proof = ();
-            type Multipliers = #multipliers;
-            const CONSTRAINTS: &'static [[&'static str; 2]] = &[#(#formulas),*];
-            const QUADRATIC: bool = #quadratic;
-
-            #[inline]
-            fn constraints(&self, q: &#array, values: &mut #multipliers, gradients: &mut Gradients<Self, R>) {
-                #values
-            }
-            #[inline]
-            fn velocity(&self, t: R, z: &#phase, velocity: &mut #array, inverse_mass: &mut Square<#array>) {
-                #parts
-                #velocity
-            }
-            fn departure(&self, t: R, z: &#phase) -> [[#multipliers; 2]; 2] {
-                #parts
-                #departure
-            }
-        }
-        impl<R: Real> Graded<R> for #name {
-            type Proof = ();
-            type Gradient = ByConstraint;
-            type Kept = ();
-        }
-        #(#steps)*
-        #inherent
-    }
+    quote!(#cotangent #constrained #graded #(#steps)* #inherent)
 }
 
+/// Returns `impl ConstrainedStep` for a method.
 fn step(context: &Context<'_>, method: &str, step: &StepKernel) -> TokenStream {
     let StepKernel { unknowns, kernel } = step;
-    let (name, method) = (self_type(context), format_ident!("{method}"));
+    let method = format_ident!("{method}");
     let (phase, parts, unknown) = (context.phase(), context.parts(), array_type(&unknowns.extents));
     let names = [["Constants", "constants"], ["Start", "begin"]];
     let Prepared { types, functions, prepared, started } =
         Prepared::for_steps(context, kernel, names, &parts, &quote!(t: R, z: &#phase));
     let [residual, end, origin] = ["residual", "end", "origin"].map(|name| context.assigned(kernel.routine(name)));
-    quote! {
-        impl<R: Real> ConstrainedStep<#method, R> for #name {
-            type Proof = ();
-            type Unknown = #unknown;
-            #types
+    let items = quote! {
+        type Unknown = #unknown;
+        #types
 
-            #functions
-            #[inline(always)]
-            fn residual(
-                &self,
-                prepared: &#prepared,
-                start: &#started,
-                x: &#unknown,
-                residual: &mut #unknown,
-                matrix: &mut Square<#unknown>,
-            ) {
-                #residual
-            }
-            #[inline(always)]
-            fn end(&self, prepared: &#prepared, start: &#started, x: &#unknown) -> #phase {
-                let mut end = <#phase as Array>::zero();
-                #end
-                end
-            }
-            #[inline(always)]
-            fn origin(&self, prepared: &#prepared, start: &#started) -> #unknown {
-                let mut origin = <#unknown as Array>::zero();
-                #origin
-                origin
-            }
+        #functions
+        #[inline(always)]
+        fn residual(
+            &self,
+            prepared: &#prepared,
+            start: &#started,
+            x: &#unknown,
+            residual: &mut #unknown,
+            matrix: &mut Square<#unknown>,
+        ) {
+            #residual
         }
-    }
+        #[inline(always)]
+        fn end(&self, prepared: &#prepared, start: &#started, x: &#unknown) -> #phase {
+            let mut end = <#phase as Array>::zero();
+            #end
+            end
+        }
+        #[inline(always)]
+        fn origin(&self, prepared: &#prepared, start: &#started) -> #unknown {
+            let mut origin = <#unknown as Array>::zero();
+            #origin
+            origin
+        }
+    };
+    proven(context, quote!(ConstrainedStep<#method, R>), items)
 }
 
-/// What users call.
+/// Returns the user's methods.
 fn inherent(context: &Context<'_>) -> TokenStream {
     let (name, float, coordinates) = (&context.energy.name, &context.energy.float, &context.energy.coordinates.ty);
     quote! {

@@ -1,84 +1,77 @@
-//! The equations of implicit steps of contact systems.
+//! Equations of the implicit steps and of the stages of contact systems.
 
 use super::prepared::Prepared;
 use crate::derive::{StageKernel, StepKernel};
+use crate::emit::implementation::{proven, typed};
 use crate::emit::kernel::{Context, array_type};
-use crate::emit::structure::self_type;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-/// `impl ImplicitStep` for a method.
+/// Returns `impl ImplicitStep` for a method.
 pub(super) fn step(context: &Context<'_>, method: &str, step: &StepKernel) -> TokenStream {
     let StepKernel { unknowns, kernel } = step;
-    let (name, method) = (self_type(context), format_ident!("{method}"));
-    let unknown = array_type(&unknowns.extents);
+    let (method, unknown) = (format_ident!("{method}"), array_type(&unknowns.extents));
     let names = [["Constants", "constants"], ["Start", "begin"]];
     let Prepared { types, functions, prepared, started } =
         Prepared::for_steps(context, kernel, names, &quote!(), &quote!(t: R, x: &#unknown));
     let (image, end) = (context.body(kernel.routine("image")), context.returned(kernel.routine("end")));
-    quote! {
-        impl<R: Real> ImplicitStep<#method, R> for #name {
-            type Proof = ();
-            type Unknown = #unknown;
-            #types
+    let items = quote! {
+        type Unknown = #unknown;
+        #types
 
-            #functions
-            #[inline(always)]
-            fn image(
-                &self,
-                prepared: &#prepared,
-                start: &#started,
-                d: &#unknown,
-                f: &mut #unknown,
-                matrix: &mut Square<#unknown>,
-            ) #image
-            #[inline(always)]
-            fn end(&self, prepared: &#prepared, start: &#started, d: &#unknown) -> #unknown {
-                #end
-            }
+        #functions
+        #[inline(always)]
+        fn image(
+            &self,
+            prepared: &#prepared,
+            start: &#started,
+            d: &#unknown,
+            f: &mut #unknown,
+            matrix: &mut Square<#unknown>,
+        ) #image
+        #[inline(always)]
+        fn end(&self, prepared: &#prepared, start: &#started, d: &#unknown) -> #unknown {
+            #end
         }
-    }
+    };
+    proven(context, quote!(ImplicitStep<#method, R>), items)
 }
 
-/// `impl ContactStages`, and which steps there are.
+/// Returns `impl ContactCollocated` and `impl ContactStages`.
 pub(super) fn stages(context: &Context<'_>, stages: &StageKernel) -> TokenStream {
     let StageKernel { moved, kernel } = stages;
-    let (name, unknown) = (self_type(context), array_type(&moved.extents));
+    let unknown = array_type(&moved.extents);
     let Prepared { types, functions, prepared, .. } =
         Prepared::for_stages(context, kernel, ["StageConstants", "stage_constants"]);
     let body = context.body(kernel.routine("stage"));
     let [decay, action] = ["decay", "action"].map(|name| context.returned(kernel.routine(name)));
     let (phase, parts) = (context.phase(), context.parts());
-    quote! {
-        impl<R: Real> ContactCollocated<R> for #name {
-            type Proof = ();
-            type Stages = ByField;
-            type Midpoint = ByField;
-        }
-        impl<R: Real> ContactStages<R> for #name {
-            type Proof = ();
-            type Moved = #unknown;
-            #types
+    let solved = ["Stages", "Midpoint"].map(|name| (name, quote!(ByField)));
+    let collocated = typed(context, quote!(ContactCollocated<R>), solved);
+    let items = quote! {
+        type Moved = #unknown;
+        #types
 
-            #functions
-            #[inline(always)]
-            fn stage(
-                &self,
-                prepared: &#prepared,
-                t: R,
-                x: &#unknown,
-                (f, decay): (&mut #unknown, &mut R),
-                (f_by, decay_by): (&mut Square<#unknown>, &mut #unknown),
-            ) #body
-            #[inline]
-            fn decay(&self, prepared: &#prepared, t: R, x: &#unknown) -> R {
-                #decay
-            }
-            #[inline(always)]
-            fn action(&self, prepared: &#prepared, t: R, z: &#phase, s: &R) -> R {
-                #parts
-                #action
-            }
+        #functions
+        #[inline(always)]
+        fn stage(
+            &self,
+            prepared: &#prepared,
+            t: R,
+            x: &#unknown,
+            (f, decay): (&mut #unknown, &mut R),
+            (f_by, decay_by): (&mut Square<#unknown>, &mut #unknown),
+        ) #body
+        #[inline]
+        fn decay(&self, prepared: &#prepared, t: R, x: &#unknown) -> R {
+            #decay
         }
-    }
+        #[inline(always)]
+        fn action(&self, prepared: &#prepared, t: R, z: &#phase, s: &R) -> R {
+            #parts
+            #action
+        }
+    };
+    let stages = proven(context, quote!(ContactStages<R>), items);
+    quote!(#collocated #stages)
 }

@@ -1,31 +1,26 @@
-//! The field of discrete gradients, with divided differences.
+//! The field of discrete gradients, with divided differences, and its correction to order 4.
 
 use super::prepared::{Prepared, numbers};
 use crate::analyze::MeanValue;
-use crate::derive::{FieldKernels, Missing};
-use crate::emit::implementation::{Absent, Implementation, Inline, Method, Trait, Ty, absent, methods, ty};
+use crate::derive::{Fact, FieldKernels, Missing, System};
+use crate::emit::implementation::{Implementation, absent, proven};
 use crate::emit::kernel::{Context, Values, array_type, write};
+use crate::emit::signature::{Absent, Trait, methods};
 use crate::emit::structure::self_type;
 use crate::schedule::{Kernel, Routine};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-/// The trait that states how steps along a discrete gradient are solved.
-macro_rules! graded {
-    ($by:literal) => {
-        Trait {
-            name: "Graded",
-            has_proof: true,
-            associated: &[("Gradient", Absent::Named($by)), ("Kept", Absent::Unit)],
-            methods: &[],
-            provided: &[],
-        }
-    };
-}
-pub(super) use graded;
+/// The kind of the discrete gradient, and the quantities that its steps keep.
+pub(super) const GRADED: Trait = Trait {
+    name: "Graded",
+    has_proof: true,
+    associated: &[("Gradient", Absent::Named("ByTree")), ("Kept", Absent::Unit)],
+    methods: &[],
+    provided: &[],
+};
 
-const GRADED: Trait = graded!("ByTree");
-
+/// The equation of a step along the discrete gradient.
 const DISCRETE_FIELD: Trait = Trait {
     name: "DiscreteField",
     has_proof: true,
@@ -39,7 +34,7 @@ const DISCRETE_FIELD: Trait = Trait {
     provided: &[],
 };
 
-/// `impl Graded` and `impl DiscreteField`.
+/// Returns `impl Graded` and `impl DiscreteField`.
 pub(super) fn discrete_field(
     context: &Context<'_>,
     field: &FieldKernels,
@@ -78,17 +73,13 @@ pub(super) fn discrete_field(
         MeanValue::NotClosed(_) => quote!(NotClosed),
     };
     let graded = Implementation::new(context, &GRADED, &[])
-        .items(quote!(type Proof = (); type Gradient = ByTree; type Kept = #kept; #nowhere_steep))
+        .items(quote!(type Gradient = ByTree; type Kept = #kept; #nowhere_steep))
         .finish();
-    let types = [("Parameters", parameters.clone()), ("Start", start.clone()), ("Unknown", quote!(#unknown))];
+    let unknown_type = quote!(#unknown);
+    let types = [("Parameters", parameters), ("Start", start), ("Inverse", inverse), ("Unknown", unknown_type)];
     let field = Implementation::new(context, &DISCRETE_FIELD, &types)
-        .items(quote! {
-            type Proof = ();
-            type Parameters = #parameters;
-            type Start = #start;
-            type Inverse = #inverse;
-            const MEAN: Mean = Mean::#mean;
-        })
+        .types()
+        .items(quote!(const MEAN: Mean = Mean::#mean;))
         .method("parameters", context.stored(kernel, 0))
         .method("begin", context.stored(kernel, 1))
         .method("slope", context.assigned(kernel.routine("slope")))
@@ -98,25 +89,22 @@ pub(super) fn discrete_field(
     quote!(#graded #field)
 }
 
-/// The implementations of a field that keeps nothing, for no scalar.
+/// Returns the implementations for a field without conserved quantities. No scalar satisfies them.
 pub(super) fn nothing_kept(context: &Context<'_>, missing: Missing) -> TokenStream {
     absent(context, missing, &[&GRADED, &DISCRETE_FIELD])
 }
 
-/// `impl FourthOrderField` of a canonical system that is not damped: by the kernels of collocation and of discrete gradients.
-pub(super) fn canonical_fourth_order(context: &Context<'_>, momenta: &Routine, autonomous: bool) -> TokenStream {
-    let (name, phase, array) = (self_type(context), context.phase(), context.array());
-    let parts = context.parts();
+/// Returns `impl FourthOrderField` for a canonical system without damping. It uses the routines of collocation and of discrete gradients.
+pub(super) fn canonical_fourth_order(context: &Context<'_>, momenta: &Routine, system: &System) -> TokenStream {
+    let autonomous = system.has(Fact::Autonomous);
+    let (name, phase, array, parts) = (self_type(context), context.phase(), context.array(), context.parts());
     let count = momenta.nodes().len() / (2 * context.energy.degrees() as usize);
     let columns = Literal::usize_unsuffixed(1 + count);
-    // The first gradient is that of the energy.
-    let after_energy = |mut place: Vec<usize>| {
-        place[0] += 1;
-        place
-    };
     let slopes = context.outputs(momenta, |outputs| {
         let written = |values: &Values<'_>| {
-            let places: Vec<_> = values.output.places().into_iter().map(after_energy).collect();
+            let mut places = values.output.places();
+            // The entry of the energy comes first. The runtime does not read it.
+            places.iter_mut().for_each(|indices| indices[0] += 1);
             write("slopes", &places, &values.all)
         };
         outputs.iter().map(written).collect::<TokenStream>()
@@ -129,6 +117,33 @@ pub(super) fn canonical_fourth_order(context: &Context<'_>, momenta: &Routine, a
             }
         }
     });
+    let items = quote! {
+        type FourthParameters = fourth_order::ParametersOf<Self, R>;
+        type FourthStart = fourth_order::Begun<#array>;
+
+        #[inline]
+        fn fourth_parameters(&self, h: R) -> Self::FourthParameters {
+            fourth_order::parameters(self, h)
+        }
+        #[inline(always)]
+        fn fourth_begin(&self, parameters: &Self::FourthParameters, span: Span<R>, z: &#phase) -> Self::FourthStart {
+            fourth_order::begin(self, parameters, span, z)
+        }
+        #[inline(always)]
+        fn fourth_slope<const NEARLY: bool>(
+            &self,
+            parameters: &Self::FourthParameters,
+            start: &Self::FourthStart,
+            d: &#phase,
+            image: &mut #phase,
+            matrix: &mut Square<#phase>,
+        ) {
+            let momenta = |z: &#phase| self.momenta(z);
+            fourth_order::slope::<{ NEARLY }, #autonomous, #columns, _, _>(self, parameters, start, momenta, d, (image, matrix));
+        }
+        #loosen
+    };
+    let fourth = proven(context, quote!(FourthOrderField<R>), items);
     quote! {
         impl<R: Real> KeptMomenta<R> for #name {
             type Values = [R; #columns];
@@ -141,59 +156,31 @@ pub(super) fn canonical_fourth_order(context: &Context<'_>, momenta: &Routine, a
                 slopes
             }
         }
-        impl<R: Real> FourthOrderField<R> for #name {
-            type Proof = ();
-            type FourthParameters = fourth_order::ParametersOf<Self, R>;
-            type FourthStart = fourth_order::Begun<#array>;
-
-            #[inline]
-            fn fourth_parameters(&self, h: R) -> Self::FourthParameters {
-                fourth_order::parameters(self, h)
-            }
-            #[inline(always)]
-            fn fourth_begin(&self, parameters: &Self::FourthParameters, span: Span<R>, z: &#phase) -> Self::FourthStart {
-                fourth_order::begin(self, parameters, span, z)
-            }
-            #[inline(always)]
-            fn fourth_slope<const NEARLY: bool>(
-                &self,
-                parameters: &Self::FourthParameters,
-                start: &Self::FourthStart,
-                d: &#phase,
-                image: &mut #phase,
-                matrix: &mut Square<#phase>,
-            ) {
-                let momenta = |z: &#phase| self.momenta(z);
-                fourth_order::slope::<{ NEARLY }, #autonomous, #columns, _, _>(self, parameters, start, momenta, d, (image, matrix));
-            }
-            #loosen
-        }
+        #fourth
     }
 }
 
-/// `impl FourthOrderField`.
+/// Returns `impl FourthOrderField` with an equation of its own.
 pub(super) fn fourth_order(context: &Context<'_>, field: &FieldKernels, kernel: &Kernel) -> TokenStream {
-    let (name, unknown) = (self_type(context), array_type(&field.increments.extents));
+    let unknown = array_type(&field.increments.extents);
     let names = [["FourthParameters", "fourth_parameters"], ["FourthStart", "fourth_begin"]];
     let start = quote!(Span { start, middle: t, end }: Span<R>, y: &#unknown);
     let Prepared { types, functions, prepared, started } =
         Prepared::for_steps(context, kernel, names, &quote!(), &start);
     let image = context.body(kernel.routine("equation"));
-    quote! {
-        impl<R: Real> FourthOrderField<R> for #name {
-            type Proof = ();
-            #types
+    let items = quote! {
+        #types
 
-            #functions
-            #[inline(always)]
-            fn fourth_slope<const NEARLY: bool>(
-                &self,
-                prepared: &#prepared,
-                start: &#started,
-                d: &#unknown,
-                image: &mut #unknown,
-                matrix: &mut Square<#unknown>,
-            ) #image
-        }
-    }
+        #functions
+        #[inline(always)]
+        fn fourth_slope<const NEARLY: bool>(
+            &self,
+            prepared: &#prepared,
+            start: &#started,
+            d: &#unknown,
+            image: &mut #unknown,
+            matrix: &mut Square<#unknown>,
+        ) #image
+    };
+    proven(context, quote!(FourthOrderField<R>), items)
 }

@@ -1,5 +1,5 @@
-//! What implicit methods solve: fields with derivatives for collocation, with divided differences for discrete gradients; and the equations
-//! of whole steps.
+//! Equations of implicit methods: fields with derivatives for collocation, fields with divided differences for discrete gradients, and equations of whole
+//! steps.
 
 mod canonical;
 mod collocation;
@@ -10,14 +10,13 @@ mod prepared;
 mod velocities;
 
 use super::exact;
+use super::implementation::{flag, typed};
 use super::kernel::Context;
-use super::structure::self_type;
 use crate::derive::{ContactStages, Fact, FieldKernels, Implicit, System};
-
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// The implementations for implicit methods, of any form.
+/// Returns the implementations for implicit methods.
 pub(super) fn implicit(context: &Context<'_>, system: &System) -> TokenStream {
     match &system.implicit {
         Implicit::Field(kernels) => field(context, kernels, system),
@@ -31,40 +30,35 @@ pub(super) fn implicit(context: &Context<'_>, system: &System) -> TokenStream {
                     ContactStages::Points(stages) => contact::stages(context, stages),
                     ContactStages::Velocities(stages) => velocities::stages(context, stages, &quote!(ByField)),
                 };
-                let name = self_type(context);
-                quote! {
-                    impl<R: Real> ContactGraded<R> for #name {
-                        type Proof = ();
-                        type Gradient = ByTree;
-                    }
-                    #stages
-                }
+                let graded = typed(context, quote!(ContactGraded<R>), [("Gradient", quote!(ByTree))]);
+                quote!(#graded #stages)
             });
             quote!(#(#steps)* #stages)
         }
     }
 }
 
+/// Returns the implementations for a system that is given by its field.
 fn field(context: &Context<'_>, field: &FieldKernels, system: &System) -> TokenStream {
     let kept = kept(field, system);
-    let discrete = field
-        .discrete
-        .as_ref()
-        .map(|kernel| discrete::discrete_field(context, field, kernel, &kept, nowhere_steep(system)));
+    // The conserved quantities of this field are nowhere steep.
+    let nowhere_steep = system.integrals.as_ref().filter(|integrals| !integrals.steep).map(|_| flag("STEEP", false));
+    let discrete = field.discrete.as_ref();
+    let discrete = discrete.map(|kernel| discrete::discrete_field(context, field, kernel, &kept, nowhere_steep));
     let nothing_kept = field.nothing_kept.map(|missing| discrete::nothing_kept(context, missing));
     let fourth = match &field.fourth {
         Some(plan) => Some(discrete::fourth_order(context, field, plan)),
-        None => system.has(Fact::Conservative).then(|| {
-            let autonomous = system.has(Fact::Autonomous);
-            discrete::canonical_fourth_order(context, &field.momenta, autonomous)
-        }),
+        None => {
+            system.has(Fact::Conservative).then(|| discrete::canonical_fourth_order(context, &field.momenta, system))
+        }
     };
     let collocation = collocation::collocation(context, field);
     let canonical = field.canonical.as_ref().map(|plan| canonical::canonical(context, plan));
     quote!(#discrete #nothing_kept #fourth #collocation #canonical)
 }
 
-/// What steps along discrete gradients keep and does not read time: the energy and the momenta beside it, or all integrals of a field.
+/// Returns the type of the quantities that steps along discrete gradients keep: the energy, with momenta if there are some, or the integrals of a field.
+/// The integrals do not depend on time.
 fn kept(field: &FieldKernels, system: &System) -> TokenStream {
     let autonomous = system.has(Fact::Autonomous);
     match &system.integrals {
@@ -73,14 +67,4 @@ fn kept(field: &FieldKernels, system: &System) -> TokenStream {
         Some(integrals) if !integrals.steady.is_empty() => quote!(KeptIntegrals),
         _ => quote!(()),
     }
-}
-
-/// That what a field keeps is nowhere steep, if so.
-fn nowhere_steep(system: &System) -> Option<TokenStream> {
-    let steep = system.integrals.as_ref().is_none_or(|integrals| integrals.steep);
-    (!steep).then(|| {
-        quote!(
-            const STEEP: bool = false;
-        )
-    })
 }

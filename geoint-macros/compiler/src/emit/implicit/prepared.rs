@@ -1,32 +1,33 @@
-//! What the code of a step has ready: numbers for a system, or for a step length, and numbers for the point where a step starts.
+//! Numbers that the code of a step prepares: for a system or a step length, and for the point where a step starts.
 
 use crate::emit::kernel::Context;
 use crate::schedule::Kernel;
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
-/// Types and functions for what is ready, in the implementation of a trait.
+/// Types and functions of the prepared numbers, as items of an implementation.
 pub(super) struct Prepared {
     pub(super) types: TokenStream,
     pub(super) functions: TokenStream,
-    /// The type of numbers for a system or a step length, and of those for a point.
+    /// The type of the numbers for a system or a step length.
     pub(super) prepared: TokenStream,
+    /// The type of the numbers for the start of a step. Empty for stages.
     pub(super) started: TokenStream,
 }
 
-/// Names of a type and of the function that gives it.
+/// The name of an associated type, and the name of the function that computes its value.
 type Names<'a> = [&'a str; 2];
 
 impl Prepared {
-    /// For stages: numbers of the system alone.
+    /// Returns the items for stages, with numbers of the system alone.
     pub(super) fn for_stages(context: &Context<'_>, kernel: &Kernel, names: Names<'_>) -> Self {
         let (prepared, started) = (numbers(kernel, 0), quote!());
         let (types, functions) = constants(context, kernel, names, &quote!(&self));
         Prepared { types, functions, prepared, started }
     }
 
-    /// For whole steps: numbers for a length h, and numbers for a point. The `arguments` of the second function give the point, whose `parts` get
-    /// names first.
+    /// Returns the items for whole steps, with numbers for a step length h and for a point. The second function takes the point in `arguments`, and starts
+    /// with the statements `parts`.
     pub(super) fn for_steps(
         context: &Context<'_>,
         kernel: &Kernel,
@@ -51,6 +52,7 @@ impl Prepared {
     }
 }
 
+/// Returns the associated type and the function of level 0.
 fn constants(
     context: &Context<'_>,
     kernel: &Kernel,
@@ -68,7 +70,7 @@ fn constants(
     (quote!(type #ty = #numbers;), function)
 }
 
-/// The type of the numbers of a level.
+/// Returns the type of the numbers of a level.
 pub(super) fn numbers(kernel: &Kernel, level: usize) -> TokenStream {
     let count = Literal::usize_unsuffixed(kernel.slots[level]);
     quote!([R; #count])

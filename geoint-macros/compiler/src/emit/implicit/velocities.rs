@@ -1,18 +1,21 @@
-//! A Lagrangian by its derivatives, for steps with velocities as unknowns.
+//! Derivatives of a Lagrangian, for steps with velocities as unknowns.
 
-use super::discrete::graded;
+use super::discrete;
 use super::prepared::{Prepared, numbers};
 use crate::derive::{ActionStages, MassKernels, StepKernel, VelocityKernels, VelocityStages};
-use crate::emit::implementation::{Absent, Implementation, Inline, Method, Trait, Ty, absent, methods, ty};
+use crate::emit::implementation::{Implementation, absent, flag, proven, typed};
 use crate::emit::kernel::{Context, Values, array_type};
-use crate::emit::structure::self_type;
+use crate::emit::signature::{Absent, Trait, Ty, methods};
 use crate::emit::system::{cotangent, keeps_energy};
-use crate::schedule::Extent;
+use crate::schedule::{Extent, Kernel};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-const GRADED: Trait = graded!("ByPolarisation");
+/// The kind of the discrete gradient, and the quantities that its steps keep.
+const GRADED: Trait =
+    Trait { associated: &[("Gradient", Absent::Named("ByPolarisation")), ("Kept", Absent::Unit)], ..discrete::GRADED };
 
+/// The equation of a step along the polarised discrete gradient.
 const POLARISED_FORM: Trait = Trait {
     name: "PolarisedForm",
     has_proof: true,
@@ -28,14 +31,11 @@ const POLARISED_FORM: Trait = Trait {
     provided: &[],
 };
 
-const CONTACT_GRADED: Trait = Trait {
-    name: "ContactGraded",
-    has_proof: true,
-    associated: &[("Gradient", Absent::Named("ByPolarisation"))],
-    methods: &[],
-    provided: &[],
-};
+/// The kind of the discrete gradient of a contact system.
+const CONTACT_GRADED: Trait =
+    Trait { name: "ContactGraded", associated: &[("Gradient", Absent::Named("ByPolarisation"))], ..discrete::GRADED };
 
+/// The equation of a step of a contact system along the polarised discrete gradient.
 const CONTACT_POLARISED: Trait = Trait {
     name: "ContactPolarised",
     has_proof: true,
@@ -51,77 +51,85 @@ const CONTACT_POLARISED: Trait = Trait {
     provided: &[],
 };
 
-/// Stages of collocation, and steps along the polarised discrete gradient.
+/// Returns the implementations for stages of collocation, and for steps along the polarised discrete gradient.
 pub(super) fn velocities(context: &Context<'_>, kernels: &VelocityKernels) -> TokenStream {
     let VelocityKernels { stages, polarised, keeps, .. } = kernels;
-    let (name, cotangent) = (self_type(context), cotangent(context));
+    let cotangent = cotangent(context);
     if stages.action.is_some() {
         let (phase, stages) = (context.phase(), self::stages(context, stages, &quote!(ByVelocities)));
         let polarised = match polarised {
             Ok(step) => contact_polarised(context, step),
             Err(missing) => absent(context, *missing, &[&CONTACT_GRADED, &CONTACT_POLARISED]),
         };
-        return quote! {
-            #cotangent
-            impl<R: Real> ContactSystem<R> for #name {
-                type Proof = ();
-                #[inline]
-                fn gradient(&self, t: R, z: &#phase, s: &R, slopes: &mut #phase, ds: &mut R) {
-                    contact_gradient_of(self, t, z, s, slopes, ds);
-                }
+        let gradient = quote! {
+            #[inline]
+            fn gradient(&self, t: R, z: &#phase, s: &R, slopes: &mut #phase, ds: &mut R) {
+                contact_gradient_of(self, t, z, s, slopes, ds);
             }
-            #stages
-            #polarised
         };
+        let contact = proven(context, quote!(ContactSystem<R>), gradient);
+        return quote!(#cotangent #contact #stages #polarised);
     }
-    let kept = keeps.then(|| keeps_energy(context, &quote!(VelocityEnergy), None));
+    let keeps_energy = keeps.then(|| keeps_energy(context, &quote!(VelocityEnergy), None));
+    let kept = if *keeps { quote!(VelocityEnergy) } else { quote!(()) };
     let stages = self::stages(context, stages, &quote!());
     let polarised = match polarised {
-        Ok(step) => self::polarised(context, step, *keeps),
+        Ok(step) => self::polarised(context, step, kept),
         Err(missing) => absent(context, *missing, &[&GRADED, &POLARISED_FORM]),
     };
-    quote!(#cotangent #kept #stages #polarised)
+    quote!(#cotangent #keeps_energy #stages #polarised)
 }
 
-/// `impl MassForm`, and `impl VelocityForm` or `impl ContactVelocities` for collocation. `midpoint` states how `ContactMidpoint` is solved.
+/// Returns `impl MassForm`, and `impl VelocityForm` or `impl ContactVelocities` for collocation. The type `midpoint` states how `ContactMidpoint` is
+/// solved.
 pub(super) fn stages(context: &Context<'_>, stages: &VelocityStages, midpoint: &TokenStream) -> TokenStream {
-    let VelocityStages { action, mass, stage } = stages;
-    let (name, array) = (self_type(context), context.array());
-    let mass = mass_form(context, mass);
-    let Some(ActionStages { varying, mixed }) = action else {
-        let Prepared { types, functions, prepared, .. } =
-            Prepared::for_stages(context, stage, ["Constants", "constants"]);
-        let (force, stage) = (context.assigned(stage.routine("force")), context.body(stage.routine("stage")));
-        return quote! {
-            #mass
-            impl<R: Real> Collocated<R> for #name {
-                type Proof = ();
-                type Stages = ByVelocities;
-            }
-            impl<R: Real> VelocityForm<R> for #name {
-                type Proof = ();
-                #types
-
-                #functions
-                #[inline(always)]
-                fn stage(
-                    &self,
-                    prepared: &#prepared,
-                    t: R,
-                    q: &#array,
-                    v: &#array,
-                    [momentum, force]: [&mut #array; 2],
-                    [momentum_by_q, mass, force_by_q, force_by_v]: &mut [Square<#array>; 4],
-                ) #stage
-                #[inline(always)]
-                fn force(&self, prepared: &#prepared, t: R, q: &#array, v: &#array) -> #array {
-                    let mut force = <#array as Array>::zero();
-                    #force
-                    force
-                }
-            }
-        };
+    let mass = mass_form(context, &stages.mass);
+    let stages = match &stages.action {
+        None => velocity_form(context, &stages.stage),
+        Some(action) => contact_velocities(context, action, &stages.stage, midpoint),
     };
+    quote!(#mass #stages)
+}
+
+/// Returns `impl Collocated` and `impl VelocityForm`.
+fn velocity_form(context: &Context<'_>, stage: &Kernel) -> TokenStream {
+    let array = context.array();
+    let Prepared { types, functions, prepared, .. } = Prepared::for_stages(context, stage, ["Constants", "constants"]);
+    let (force, stage) = (context.assigned(stage.routine("force")), context.body(stage.routine("stage")));
+    let items = quote! {
+        #types
+
+        #functions
+        #[inline(always)]
+        fn stage(
+            &self,
+            prepared: &#prepared,
+            t: R,
+            q: &#array,
+            v: &#array,
+            [momentum, force]: [&mut #array; 2],
+            [momentum_by_q, mass, force_by_q, force_by_v]: &mut [Square<#array>; 4],
+        ) #stage
+        #[inline(always)]
+        fn force(&self, prepared: &#prepared, t: R, q: &#array, v: &#array) -> #array {
+            let mut force = <#array as Array>::zero();
+            #force
+            force
+        }
+    };
+    let collocated = typed(context, quote!(Collocated<R>), [("Stages", quote!(ByVelocities))]);
+    let form = proven(context, quote!(VelocityForm<R>), items);
+    quote!(#collocated #form)
+}
+
+/// Returns `impl ContactCollocated` and `impl ContactVelocities`.
+fn contact_velocities(
+    context: &Context<'_>,
+    ActionStages { varying, mixed }: &ActionStages,
+    stage: &Kernel,
+    midpoint: &TokenStream,
+) -> TokenStream {
+    let array = context.array();
     let moved = if *varying { array_type(&context.with_action()) } else { array.clone() };
     let Prepared { types, functions, prepared, .. } =
         Prepared::for_stages(context, stage, ["StageConstants", "stage_constants"]);
@@ -136,55 +144,50 @@ pub(super) fn stages(context: &Context<'_>, stages: &VelocityStages, midpoint: &
         let (numbers, arrays): (Vec<_>, Vec<_>) = outputs.into_iter().partition(is_number);
         arrays.iter().chain(&numbers).map(|values| values.assigned(context)).collect::<TokenStream>()
     });
-    quote! {
-        #mass
-        impl<R: Real> ContactCollocated<R> for #name {
-            type Proof = ();
-            type Stages = ByVelocities;
-            type Midpoint = #midpoint;
-        }
-        impl<R: Real> ContactVelocities<R> for #name {
-            type Proof = ();
-            type Moved = #moved;
-            #types
-            const MIXED: [bool; 3] = [#(#mixed),*];
+    let solved = [("Stages", quote!(ByVelocities)), ("Midpoint", quote!(#midpoint))];
+    let collocated = typed(context, quote!(ContactCollocated<R>), solved);
+    let items = quote! {
+        type Moved = #moved;
+        #types
+        const MIXED: [bool; 3] = [#(#mixed),*];
 
-            #functions
-            #[inline(always)]
-            fn stage(
-                &self,
-                prepared: &#prepared,
-                t: R,
-                q: &#array,
-                v: &#array,
-                s: &R,
-                stage: &mut ContactStage<#array>,
-            ) {
-                let ContactStage {
-                    lagrangian,
-                    momentum,
-                    force,
-                    decay,
-                    derivatives: [momentum_by_q, mass, force_by_q, force_by_v],
-                    by_action: [momentum_by_s, force_by_s],
-                    decay_by_action,
-                } = stage;
-                #stage
-            }
-            #[inline(always)]
-            fn force(&self, prepared: &#prepared, t: R, q: &#array, v: &#array, s: &R) -> (#array, R) {
-                let mut force = <#array as Array>::zero();
-                #force
-            }
+        #functions
+        #[inline(always)]
+        fn stage(
+            &self,
+            prepared: &#prepared,
+            t: R,
+            q: &#array,
+            v: &#array,
+            s: &R,
+            stage: &mut ContactStage<#array>,
+        ) {
+            let ContactStage {
+                lagrangian,
+                momentum,
+                force,
+                decay,
+                derivatives: [momentum_by_q, mass, force_by_q, force_by_v],
+                by_action: [momentum_by_s, force_by_s],
+                decay_by_action,
+            } = stage;
+            #stage
         }
-    }
+        #[inline(always)]
+        fn force(&self, prepared: &#prepared, t: R, q: &#array, v: &#array, s: &R) -> (#array, R) {
+            let mut force = <#array as Array>::zero();
+            #force
+        }
+    };
+    let velocities = proven(context, quote!(ContactVelocities<R>), items);
+    quote!(#collocated #velocities)
 }
 
-/// `impl MassForm`.
-pub(super) fn mass_form(context: &Context<'_>, kernels: &MassKernels) -> TokenStream {
+/// Returns `impl MassForm`.
+fn mass_form(context: &Context<'_>, kernels: &MassKernels) -> TokenStream {
     let MassKernels { mass, definite, quadratic } = kernels;
-    let (name, array, action) = (self_type(context), context.array(), context.action());
-    let mass = context.body(mass);
+    let (array, action, mass) = (context.array(), context.action(), context.body(mass));
+    let quadratic = flag("QUADRATIC", *quadratic);
     let definite = definite.as_ref().map(|definite| {
         let holds = context.outputs(definite, |outputs| {
             let tests = outputs.iter().flat_map(|values| {
@@ -202,36 +205,31 @@ pub(super) fn mass_form(context: &Context<'_>, kernels: &MassKernels) -> TokenSt
             }
         }
     });
-    quote! {
-        impl<R: Real> MassForm<R> for #name {
-            type Proof = ();
-            const QUADRATIC: bool = #quadratic;
+    let items = quote! {
+        #quadratic
 
-            #definite
-            #[inline(always)]
-            fn mass(
-                &self,
-                t: R,
-                q: &#array,
-                v: &#array,
-                s: &#action,
-                (momentum, mass): (&mut #array, &mut Square<#array>),
-            ) #mass
-        }
-    }
+        #definite
+        #[inline(always)]
+        fn mass(
+            &self,
+            t: R,
+            q: &#array,
+            v: &#array,
+            s: &#action,
+            (momentum, mass): (&mut #array, &mut Square<#array>),
+        ) #mass
+    };
+    proven(context, quote!(MassForm<R>), items)
 }
 
-/// `impl Graded` and `impl PolarisedForm`.
-fn polarised(context: &Context<'_>, StepKernel { kernel, .. }: &StepKernel, keeps: bool) -> TokenStream {
-    let kept = if keeps { quote!(VelocityEnergy) } else { quote!(()) };
-    let graded = Implementation::new(context, &GRADED, &[])
-        .items(quote!(type Proof = (); type Gradient = ByPolarisation; type Kept = #kept;))
-        .finish();
+/// Returns `impl Graded` and `impl PolarisedForm`.
+fn polarised(context: &Context<'_>, StepKernel { kernel, .. }: &StepKernel, kept: TokenStream) -> TokenStream {
+    let graded = typed(context, quote!(Graded<R>), [("Gradient", quote!(ByPolarisation)), ("Kept", kept)]);
     let ([parameters, start], parts) = ([0, 1].map(|level| numbers(kernel, level)), context.parts());
     let begin = context.stored(kernel, 1);
-    let types = [("Parameters", parameters.clone()), ("Start", start.clone())];
+    let types = [("Parameters", parameters), ("Start", start)];
     let form = Implementation::new(context, &POLARISED_FORM, &types)
-        .items(quote!(type Proof = (); type Parameters = #parameters; type Start = #start;))
+        .types()
         .method("parameters", context.stored(kernel, 0))
         .method("begin", quote!(#parts #begin))
         .method("equation", context.assigned(kernel.routine("equation")))
@@ -239,24 +237,14 @@ fn polarised(context: &Context<'_>, StepKernel { kernel, .. }: &StepKernel, keep
     quote!(#graded #form)
 }
 
-/// `impl ContactGraded` and `impl ContactPolarised`.
+/// Returns `impl ContactGraded` and `impl ContactPolarised`.
 fn contact_polarised(context: &Context<'_>, StepKernel { unknowns, kernel }: &StepKernel) -> TokenStream {
-    let graded = Implementation::new(context, &CONTACT_GRADED, &[])
-        .items(quote!(
-            type Proof = ();
-            type Gradient = ByPolarisation;
-        ))
-        .finish();
+    let graded = typed(context, quote!(ContactGraded<R>), [("Gradient", quote!(ByPolarisation))]);
     let ([parameters, start], parts) = ([0, 1].map(|level| numbers(kernel, level)), context.parts());
     let (unknown, begin) = (array_type(&unknowns.extents), context.stored(kernel, 1));
-    let types = [("Unknown", quote!(#unknown)), ("Parameters", parameters.clone()), ("Start", start.clone())];
+    let types = [("Unknown", quote!(#unknown)), ("Parameters", parameters), ("Start", start)];
     let form = Implementation::new(context, &CONTACT_POLARISED, &types)
-        .items(quote! {
-            type Proof = ();
-            type Unknown = #unknown;
-            type Parameters = #parameters;
-            type Start = #start;
-        })
+        .types()
         .method("parameters", context.stored(kernel, 0))
         .method("begin", quote!(#parts #begin))
         .method("equation", context.assigned(kernel.routine("equation")))

@@ -20,6 +20,7 @@ pub(super) struct CoefficientArray {
 }
 
 impl CoefficientArray {
+    /// Returns whether an entry is a pack.
     fn is_packed(&self) -> bool {
         self.operands.len() == LANES
     }

@@ -77,6 +77,7 @@ impl Writer<'_> {
     }
 }
 
+/// Returns the variable of a central force.
 fn central_name(place: usize) -> Ident {
     format_ident!("central{place}")
 }

@@ -10,8 +10,9 @@ mod numbers;
 mod order;
 mod rules;
 
+use super::implementation::proven;
 use super::kernel::Context;
-use super::structure::{self_type, state};
+use super::structure::state;
 use super::tokens::{Tokens, element};
 use crate::derive::JetKernel;
 use crate::diff::jet::{Jet, LANES, Operand, Packs, Rate, Rule, Source, Value};
@@ -39,43 +40,46 @@ const MOST_ORDERS_OF_PACKS: usize = 9;
 /// Returns `impl Jets` for the system, and the user's method `taylor`.
 pub(super) fn jets(context: &Context<'_>, kernel: &JetKernel) -> TokenStream {
     let JetKernel { jet, start } = kernel;
-    let (name, phase, parts, action) = (self_type(context), context.phase(), context.parts(), context.action());
+    let (phase, parts, action) = (context.phase(), context.parts(), context.action());
     let energy = context.energy;
     let (plain, float, coordinates) = (&energy.name, &energy.float, &energy.coordinates.ty);
     let (state, over) = (state(context.form), over_scalar(coordinates, float, &format_ident!("T")));
     let given = if context.form.has_action() { quote!(s: &R) } else { quote!(_: &()) };
     let switches = Literal::usize_unsuffixed(jet.switches.len());
     let convolutions = Literal::usize_unsuffixed(jet.convolutions());
-    let packs = &Packs::of(jet).unwrap_or_default();
+    let packs = Packs::of(jet);
+    let orders = orders(jet, packs.as_ref());
+    let packs = &packs.unwrap_or_default();
     let order = Order::new(jet, packs);
-    let mut writer = Writer { context, jet, packs, numbers: vec![], packed_numbers: vec![], order };
+    let mut writer = Writer { context, jet, packs, orders, numbers: vec![], packed_numbers: vec![], order };
     let coefficients = writer.coefficients();
     let body = context.outputs(start, |outputs| {
         let values: Vec<Tokens> = outputs.into_iter().flat_map(|values| values.all).collect();
         writer.start(&values)
     });
-    quote! {
-        impl<R: Real> Jets<R> for #name {
-            type Proof = ();
-            type Switches = [R; #switches];
-            type Over<T: Real> = #state<#over>;
-            const CONVOLUTIONS: usize = #convolutions;
+    let items = quote! {
+        type Switches = [R; #switches];
+        type Over<T: Real> = #state<#over>;
+        const CONVOLUTIONS: usize = #convolutions;
 
-            #[inline]
-            fn jet<const P: usize>(
-                &self,
-                unit: R,
-                t: R,
-                z: &#phase,
-                #given,
-                jet: &mut [PerCoordinate<#phase, #action>; P],
-                switches: &mut [[R; #switches]; P],
-            ) {
-                #coefficients
-                #parts
-                #body
-            }
+        #[inline]
+        fn jet<const P: usize>(
+            &self,
+            unit: R,
+            t: R,
+            z: &#phase,
+            #given,
+            jet: &mut [PerCoordinate<#phase, #action>; P],
+            switches: &mut [[R; #switches]; P],
+        ) {
+            #coefficients
+            #parts
+            #body
         }
+    };
+    let jets = proven(context, quote!(Jets<R>), items);
+    quote! {
+        #jets
         impl #plain {
             /// This system by Taylor series of its solution, from `state` on.
             ///
@@ -93,29 +97,31 @@ struct Writer<'a> {
     jet: &'a Jet,
     /// The sums in packs. Empty if there are few sums.
     packs: &'a Packs,
+    /// The function of the runtime that calls the orders.
+    orders: TokenStream,
     /// The numbers computed once per step, for all orders.
     numbers: Vec<StepNumber>,
     /// Packs of numbers computed once per step, for groups of series.
     packed_numbers: Vec<[StepNumber; LANES]>,
+    /// The code of one order so far.
     order: Order,
 }
 
-impl Writer<'_> {
-    /// Returns the function of the runtime that calls the orders, with the number of unrolled orders. With packs, it unrolls all orders or none:
-    /// a loop over the last orders would put the arrays of all orders into memory, and clear them.
-    fn orders(&self) -> TokenStream {
-        let sums = self.jet.convolutions();
-        let code = |orders: usize| 6 * sums * orders * orders + 16 * self.jet.series.len() * orders;
-        let (call, most) = if self.packs.groups.is_empty() {
-            (quote!(orders), MOST_ORDERS)
-        } else {
-            (quote!(all_orders), MOST_ORDERS_OF_PACKS)
-        };
-        let most = (1..=most).take_while(|orders| code(*orders) <= MOST_CODE).last().unwrap_or(0);
-        let most = Literal::usize_unsuffixed(if most < FEWEST_ORDERS { 0 } else { most });
-        quote!(recurrence::#call::<#most, { P }>)
-    }
+/// Returns the function of the runtime that calls the orders, with the number of unrolled orders. With packs, it unrolls all orders or none.
+/// A loop over the last orders would put the arrays of all orders into memory, and clear them.
+fn orders(jet: &Jet, packs: Option<&Packs>) -> TokenStream {
+    let sums = jet.convolutions();
+    let code = |orders: usize| 6 * sums * orders * orders + 16 * jet.series.len() * orders;
+    let (call, most) = match packs {
+        None => (quote!(orders), MOST_ORDERS),
+        Some(_) => (quote!(all_orders), MOST_ORDERS_OF_PACKS),
+    };
+    let most = (1..=most).take_while(|orders| code(*orders) <= MOST_CODE).last().unwrap_or(0);
+    let most = Literal::usize_unsuffixed(if most < FEWEST_ORDERS { 0 } else { most });
+    quote!(recurrence::#call::<#most, { P }>)
+}
 
+impl Writer<'_> {
     /// Returns a number computed once per step.
     fn number(&mut self, number: StepNumber) -> TokenStream {
         entry(quote!(k), interned(&mut self.numbers, number))
@@ -127,6 +133,7 @@ impl Writer<'_> {
         entry(quote!(beside), interned(&mut self.packed_numbers, sources.map(number)))
     }
 
+    /// Returns the value at the start of a step from which a series begins.
     fn value(&self, source: Source) -> Value {
         self.jet.series[source].value
     }
@@ -201,11 +208,11 @@ impl Writer<'_> {
             let (i, value) = (Literal::usize_unsuffixed(i), &values[*value]);
             first.extend(quote!(switches[0][#i] = #value;));
         }
+        let orders = &self.orders;
         let coordinates = self.coordinates_in_registers().iter().map(|rate| {
             let component = self.component(rate.symbol);
             quote!(jet[0].#component)
         });
-        let orders = self.orders();
         let zeros = arrays.iter().map(|array| (array.name.clone(), array.zeros()));
         let (names, starts): (Vec<Ident>, Vec<TokenStream>) = zeros.chain(self.central_starts(values)).unzip();
         quote! {

@@ -6,7 +6,7 @@
 //! - A *sum* is the part of a coefficient that reads lower orders only, such as Σ uₖ vₙ₋ₖ for 0 < k < n.
 //! - *Central forces* act between pairs of bodies, such as (x, y, z)/r³. The runtime computes all groups of one force in one loop.
 //!
-//! This file decides the order in which the coefficients are emitted: first the sums of all groups, then each series after the series that it reads at order n.
+//! The sums of all groups are emitted first. Each series then follows the series that it reads at order n.
 
 use super::Writer;
 use super::arrays::{CoefficientArray, operand_array, pack_array, pack_type};
@@ -31,6 +31,7 @@ pub(super) struct Order {
 }
 
 impl Order {
+    /// Returns the state before the first emission.
     pub(super) fn new(jet: &Jet, packs: &Packs) -> Order {
         Order {
             body: TokenStream::new(),
