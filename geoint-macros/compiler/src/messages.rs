@@ -1,6 +1,6 @@
-//! What is said of a term that a method cannot do with, at compile time and by the type system.
+//! Messages about terms that rule out a method. Checks report them at compile time; unimplemented traits carry them to the type system.
 
-/// The page of the runtime's documentation on systems that the macro cannot compile.
+/// Page of the runtime's documentation on systems that the macro cannot compile.
 pub(crate) const BY_HAND: &str = "`geoint_runtime::guide::_14_by_hand`";
 
 pub(crate) const NO_PIECES: &str = "no flow in closed form is known for this term, so the energy cannot be split; use \

@@ -27,7 +27,7 @@ pub(crate) use damping::{Damping, Flaw};
 pub(crate) use degree::Degrees;
 pub(crate) use forces::Forces;
 pub(crate) use identity::{
-    Direction, Identity, Proof, Remainder, Value, Why, Witness, angles, broken_at, claims, crossings, identity,
+    Direction, Identity, Proof, Remainder, Value, Why, Witness, Wrong, angles, broken_at, claims, crossings, identity,
     is_regular, liouville, multiple, retain_constant, search, vanishes,
 };
 pub(crate) use jumps::{Jump, conditions, jump_of, jumps};

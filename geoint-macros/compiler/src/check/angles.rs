@@ -1,4 +1,4 @@
-//! Angles that jump by less than a turn.
+//! Checks angles by `atan2`: an angle whose arguments have a common factor jumps by less than a turn.
 
 use crate::analyze::{angles, broken_at};
 use crate::compilation::Compilation;
@@ -7,8 +7,8 @@ use crate::ir::{Id, print::Printer};
 use crate::lower::Terms;
 use crate::parse::Form;
 
-/// Reports the angles of an energy and of constraints whose arguments have a common factor. A field may jump; the proof of each function that
-/// it keeps checks the angles of this function.
+/// Reports angles of an energy and of constraints whose arguments have a common factor. A field may jump: the proofs of its integrals check the
+/// angles of each integral.
 pub(crate) fn of_energy(compilation: &mut Compilation<'_>, terms: &Terms) -> Result<()> {
     if compilation.form == Form::Field {
         return Ok(());
@@ -21,7 +21,7 @@ pub(crate) fn of_energy(compilation: &mut Compilation<'_>, terms: &Terms) -> Res
     if found.is_empty() {
         return Ok(());
     }
-    // The search adds nodes. Their order must not change the code of energies without such angles.
+    // The search adds nodes to a copy, so that the numbers of later nodes, and with them the emitted code, do not depend on it.
     let graph = &mut compilation.graph.clone();
     for angle in found {
         let Some(g) = broken_at(graph, angle).first().copied() else { continue };

@@ -1,4 +1,4 @@
-//! Checks that damping takes energy.
+//! Checks that damping takes energy from the system.
 
 use crate::analyze::{Damping, Flaw};
 use crate::compilation::Compilation;

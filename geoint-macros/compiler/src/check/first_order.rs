@@ -1,70 +1,70 @@
-//! Lagrangians that are linear in velocities: whether velocities follow from positions.
+//! Checks Lagrangians that are linear in the velocities: the equations Ω q' = ∇H must determine q'.
 
+use super::velocity;
+use super::wording::quoted;
 use crate::compilation::Compilation;
 use crate::diagnostics::Result;
-use crate::ir::{Symbol, print::Printer};
+use crate::ir::Symbol;
 use crate::legendre::{FirstOrder, NotRegular};
-use crate::parse::{Requirement, Role};
+use crate::parse::Requirement;
 
-/// Reports a Lagrangian whose velocities do not follow, and what has no meaning for one whose velocities do.
+/// Reports a Lagrangian whose equations do not determine q', and options without a meaning for equations of first order.
 pub(crate) fn first_order(
     compilation: &mut Compilation<'_>,
     found: std::result::Result<FirstOrder, NotRegular>,
 ) -> Result<FirstOrder> {
-    let energy = compilation.energy;
-    let Compilation { graph, names, diagnostics: errors, .. } = compilation;
-    let printer = Printer::new(graph, names);
-    for expr in energy.options.rayleigh.iter().chain(&energy.options.force) {
-        errors.at(expr, NO_FORCE);
+    let options = &compilation.energy.options;
+    for expr in options.rayleigh.iter().chain(&options.force) {
+        compilation.diagnostics.at(expr, NO_FORCE);
     }
-    if let Some(constraint) = &energy.options.constraint {
-        errors.at(constraint, NO_CONSTRAINTS);
+    if let Some(constraint) = &options.constraint {
+        compilation.diagnostics.at(constraint, NO_CONSTRAINTS);
     }
-    for (requirement, span) in &energy.options.requirements {
+    for (requirement, span) in &options.requirements {
         let why = if *requirement == Requirement::Regular { NO_VELOCITIES } else { NO_KINETIC };
-        errors.at_place((*span, *span), why);
-    }
-    let all = |coordinates: &[u32]| {
-        coordinates.iter().map(|i| format!("`{}`", printer.named(Symbol::Position(*i)))).collect::<Vec<_>>().join(", ")
-    };
-    let flaw = match &found {
-        Ok(_) => None,
-        Err(NotRegular::Odd(alone)) if alone.len() == 1 => {
-            let q = printer.named(Symbol::Position(alone[0]));
-            Some(format!(
-                "no entry of Ω has `{q}`: what ϑ has of it adds a total derivative to L, which changes no motion, and ∂H/∂{q} = 0 is no \
-                 differential equation; give `{q}` a mass, or solve that for it and put it in"
-            ))
-        }
-        Err(NotRegular::Odd(coordinates)) => Some(format!(
-            "Ω of {} has an odd number of rows, so that it is singular: positions and their momenta ϑ come in pairs; add the missing \
-             coordinate, or take one out by what is constant",
-            all(coordinates)
-        )),
-        Err(NotRegular::Singular(coordinates)) => Some(format!(
-            "Ω of {} is singular at every state: some combination of them has no equation of motion",
-            all(coordinates)
-        )),
-        Err(NotRegular::Timed(i)) => Some(format!(
-            "ϑ of `{}` reads time: write the equations as `#[vector_field]`, or take time for one more coordinate",
-            printer.named(Symbol::Velocity(*i))
-        )),
-        Err(NotRegular::Large(coordinates)) => Some(format!(
-            "Ω couples {} coordinates, {}; it is inverted in closed form for 8 at most: give its inverse, `#[hamiltonian(structure = S)]`",
-            coordinates.len(),
-            all(coordinates)
-        )),
-    };
-    if let Some(flaw) = flaw {
-        let message = format!("{LINEAR}: Ω q' = ∇H with Ωᵢⱼ = ∂ᵢϑⱼ − ∂ⱼϑᵢ, ϑ = ∂L/∂v. But {flaw}");
-        match energy.argument(Role::Velocity) {
-            Some(velocities) => errors.at(&velocities.name, message),
-            None => errors.at(&energy.item.sig.ident, message),
-        }
+        compilation.report_at(*span, why);
     }
     match found {
         Ok(found) => compilation.checked(found),
-        Err(_) => Err(std::mem::take(&mut compilation.diagnostics)),
+        Err(flaw) => {
+            let message =
+                format!("{LINEAR}: Ω q' = ∇H with Ωᵢⱼ = ∂ᵢϑⱼ − ∂ⱼϑᵢ, ϑ = ∂L/∂v. But {}", explain(compilation, &flaw));
+            compilation.report_at(velocity(compilation.energy), message);
+            Err(std::mem::take(&mut compilation.diagnostics))
+        }
+    }
+}
+
+/// Explains why Ω does not determine q'.
+fn explain(compilation: &Compilation<'_>, flaw: &NotRegular) -> String {
+    let printer = compilation.printer();
+    let all = |coordinates: &[u32]| quoted(&printer, Symbol::Position, coordinates);
+    match flaw {
+        NotRegular::Odd(alone) if alone.len() == 1 => {
+            let q = printer.named(Symbol::Position(alone[0]));
+            format!(
+                "no entry of Ω has `{q}`: what ϑ has of it adds a total derivative to L, which changes no motion, and ∂H/∂{q} = 0 is no \
+                 differential equation; give `{q}` a mass, or solve that for it and put it in"
+            )
+        }
+        NotRegular::Odd(coordinates) => format!(
+            "Ω of {} has an odd number of rows, so that it is singular: positions and their momenta ϑ come in pairs; add the missing \
+             coordinate, or take one out by what is constant",
+            all(coordinates)
+        ),
+        NotRegular::Singular(coordinates) => format!(
+            "Ω of {} is singular at every state: some combination of them has no equation of motion",
+            all(coordinates)
+        ),
+        NotRegular::Timed(i) => format!(
+            "ϑ of `{}` reads time: write the equations as `#[vector_field]`, or take time for one more coordinate",
+            printer.named(Symbol::Velocity(*i))
+        ),
+        NotRegular::Large(coordinates) => format!(
+            "Ω couples {} coordinates, {}; it is inverted in closed form for 8 at most: give its inverse, `#[hamiltonian(structure = S)]`",
+            coordinates.len(),
+            all(coordinates)
+        ),
     }
 }
 

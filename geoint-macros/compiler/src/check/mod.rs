@@ -1,4 +1,4 @@
-//! What the user asked for against what was proven.
+//! Compares the user's requests with the proven facts, and reports contradictions at the source position of a term.
 
 mod angles;
 mod constraints;
@@ -23,16 +23,32 @@ use crate::ir::Id;
 use crate::messages::{
     COUPLED, DAMPED, DOES_WORK, FORCED, NOT_MECHANICAL, NOT_NYSTROM, NOT_QUADRATIC, READS_ACTION, TAKES_ENERGY,
 };
-use crate::parse::Requirement;
+use crate::parse::{Energy, Requirement, Role};
 use crate::split::Mechanics;
 use damping::report_damping;
+use proc_macro2::Span;
 
-/// Reports damping that is none, and every requirement that does not hold, at the term that breaks it.
+/// Returns the requirements on the energy with their source positions, without the requirements on a Lagrangian.
+fn required(energy: &Energy) -> impl Iterator<Item = (Requirement, Span)> + '_ {
+    energy.options.requirements.iter().copied().filter(|(requirement, _)| !requirement.is_of_lagrangian())
+}
+
+/// Returns the source position of the argument for velocities, or of the function's name.
+fn velocity(energy: &Energy) -> Span {
+    energy.argument(Role::Velocity).map_or(&energy.item.sig.ident, |argument| &argument.name).span()
+}
+
+/// Reports a compound term at its source position, or at `span`. Symbols and numbers are reported at `span`.
+fn blame_written(compilation: &mut Compilation<'_>, term: Id, span: Span, why: &str) {
+    let place = compilation.written(term).unwrap_or((span, span));
+    let message = format!("{why}: {}", compilation.excerpt(term));
+    compilation.diagnostics.at_place(place, message);
+}
+
+/// Reports damping that feeds energy, and every violated requirement at the violating term.
 pub(crate) fn requests(compilation: &mut Compilation<'_>, structure: &Structure) -> Result<()> {
     report_damping(compilation, structure.damping.as_ref());
-    for (requirement, span) in
-        compilation.energy.options.requirements.iter().filter(|(requirement, _)| !requirement.is_of_lagrangian())
-    {
+    for (requirement, span) in required(compilation.energy) {
         if !structure.conservative() {
             let why = match (requirement, structure.damping.is_some()) {
                 (Requirement::Conservative, true) => TAKES_ENERGY,
@@ -40,7 +56,7 @@ pub(crate) fn requests(compilation: &mut Compilation<'_>, structure: &Structure)
                 (_, true) => DAMPED,
                 (_, false) => FORCED,
             };
-            compilation.report_at(*span, why);
+            compilation.report_at(span, why);
             continue;
         }
         let witness = match (requirement, &structure.split) {
@@ -51,13 +67,13 @@ pub(crate) fn requests(compilation: &mut Compilation<'_>, structure: &Structure)
             _ => None,
         };
         if let Some((term, why)) = witness {
-            compilation.blame(term, *span, why);
+            compilation.blame(term, span, why);
         }
     }
     compilation.checked(())
 }
 
-/// Reports every requirement on an energy H(q, p, s, t) that does not hold, at the term that breaks it.
+/// Reports every violated requirement on an energy H(q, p, s, t) at the violating term. `mechanics` is H = T + g·s + V, or a term that prevents it.
 pub(crate) fn of_action(
     compilation: &mut Compilation<'_>,
     root: Id,
@@ -79,7 +95,7 @@ pub(crate) fn of_action(
     compilation.checked(())
 }
 
-/// Reports the term by which an energy is not that of rigid bodies.
+/// Reports the term that prevents the form of an energy of rigid bodies.
 pub(crate) fn bodies(
     compilation: &mut Compilation<'_>,
     found: std::result::Result<analyze::Bodies, (Id, &'static str)>,

@@ -1,5 +1,6 @@
-//! Pieces that were asked for against those that were found.
+//! Compares the user's pieces of an energy with the pieces that have a known flow.
 
+use super::blame_written;
 use super::wording::in_case;
 use crate::analyze::{self, Identity, Remainder};
 use crate::compilation::Compilation;
@@ -9,7 +10,7 @@ use crate::lower::Place;
 use crate::split::{self, Division, NoExactPart, Pieces, Space};
 use proc_macro2::Span;
 
-/// Reports pieces that were asked for and have no flow, or do not add up to H, and momenta that cannot be dropped.
+/// Reports the user's pieces if one has no known flow or their sum is not H. Reports a `lift` whose positions depend on momenta.
 pub(crate) fn pieces(
     compilation: &mut Compilation<'_>,
     root: Id,
@@ -38,17 +39,15 @@ pub(crate) fn pieces(
     compilation.checked(())
 }
 
-/// Reports coordinates that were asked for, and in which no part has an exact flow.
+/// Reports the user's `coordinates` if no part has an exact flow in them.
 pub(crate) fn division(compilation: &mut Compilation<'_>, found: &Division) -> Result<()> {
     if let (Some((_, asked)), Err(NoExactPart { term, why })) = (compilation.energy.options.coordinates, found) {
-        let place = compilation.written(*term).unwrap_or((asked, asked));
-        let message = format!("{why}: {}", compilation.excerpt(*term));
-        compilation.diagnostics.at_place(place, message);
+        blame_written(compilation, *term, asked, why);
     }
     compilation.checked(())
 }
 
-/// Reports what groups miss of the energy.
+/// Reports the difference between the energy and the sum of the user's pieces.
 fn adds_up(compilation: &mut Compilation<'_>, root: Id, groups: &[(Id, Place)]) {
     let graph = &mut compilation.graph;
     let sum = graph.sum(&groups.iter().map(|(group, _)| *group).collect::<Vec<_>>());
@@ -60,9 +59,9 @@ fn adds_up(compilation: &mut Compilation<'_>, root: Id, groups: &[(Id, Place)]) 
     let message = match verdict.rest() {
         _ if verdict.is_zero() => None,
         Some(Remainder { rest, certain, case }) => {
-            let (told, rest) = (in_case(&printer, case), shorter(&printer, missing, *rest, case));
+            let (condition, rest) = (in_case(&printer, case), shorter(&printer, missing, *rest, case));
             let advice = if wrong || *certain || is_term(graph, missing) { "" } else { SAME_SPELLING };
-            Some(format!("{NOT_THE_SUM}{told} is: {rest}{advice}"))
+            Some(format!("{NOT_THE_SUM}{condition} is: {rest}{advice}"))
         }
         None if wrong => Some(format!("{NOT_THE_SUM} is: {}", printer.excerpt(missing))),
         None => Some(format!("{NOT_COMPARED}: {}", printer.excerpt(missing))),
@@ -72,26 +71,26 @@ fn adds_up(compilation: &mut Compilation<'_>, root: Id, groups: &[(Id, Place)]) 
     }
 }
 
-/// From the first group to the last.
+/// Returns the source position of all pieces.
 fn whole(groups: &[(Id, Place)]) -> Place {
     let [first, last] =
         [groups.first(), groups.last()].map(|group| group.map_or_else(Span::call_site, |(_, place)| place.0));
     (first, last)
 }
 
-/// a − b, in which terms that are written alike have cancelled.
+/// Returns a − b. Equal terms cancel.
 fn difference(graph: &mut Graph, a: Id, b: Id) -> Id {
     let [mut terms, other] = [a, b].map(|root| analyze::terms(graph, root));
     terms.extend(other.into_iter().map(|term| graph.neg(term)));
     graph.sum(&terms)
 }
 
-/// Whether a node is one term.
+/// Returns whether a node is a single term.
 fn is_term(graph: &Graph, id: Id) -> bool {
     !matches!(graph.node(graph.coefficient(id).1), Node::Linear(..))
 }
 
-/// What is left, as it is written or multiplied out.
+/// Returns the shorter text of the difference: as written, or multiplied out. Only the latter belongs to a case.
 fn shorter(printer: &Printer<'_>, missing: Id, rest: Id, case: &[(Id, bool)]) -> String {
     let [written, rest] = [missing, rest].map(|id| printer.excerpt(id));
     if case.is_empty() && written.chars().count() <= rest.chars().count() { written } else { rest }

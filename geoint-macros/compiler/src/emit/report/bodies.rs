@@ -1,10 +1,11 @@
-//! Facts about H(r, m, t) of rigid bodies, in words.
+//! Reports H(r, m, t) of rigid bodies.
 
-use super::{Report, counted};
+use super::Report;
 use crate::analyze;
 use crate::derive::{Implicit, System};
 use crate::parse::Role;
 
+/// Reports the equations, the structure of T, the tensors of inertia, and the costs of kick and drift.
 pub(super) fn report(report: &mut Report<'_>, found: &analyze::Bodies, system: &System) {
     let Implicit::Bodies(kernels) = &system.implicit else { return };
     let (r, m) = (report.name_of(Role::Attitude), report.name_of(Role::AngularMomentum));
@@ -40,8 +41,7 @@ pub(super) fn report(report: &mut Report<'_>, found: &analyze::Bodies, system: &
         };
         writeln!(report, "- {body}{axes}");
     }
-    let reads_time = if found.autonomous { "does not depend" } else { "depends" };
-    writeln!(report, "- H {reads_time} on time");
+    report.time("H", found.autonomous);
 
     writeln!(report, "\nConserved by the flow, at least");
     if found.autonomous {
@@ -50,8 +50,8 @@ pub(super) fn report(report: &mut Report<'_>, found: &analyze::Bodies, system: &
     writeln!(report, "- the length of {r}, which is 1: by drifts to rounding, and normalised once in 1024 steps");
 
     writeln!(report, "\nOperations");
-    writeln!(report, "- kick: {}", counted(kernels.kick.kernel.operations()));
-    writeln!(report, "- kick with a force gradient: {}", counted(kernels.gradient_kick.kernel.operations()));
+    writeln!(report, "- kick: {}", kernels.kick.kernel.operations());
+    writeln!(report, "- kick with a force gradient: {}", kernels.gradient_kick.kernel.operations());
     if kernels.turns.iter().any(|turn| turn.symmetry.is_none()) {
         writeln!(
             report,

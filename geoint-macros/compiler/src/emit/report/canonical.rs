@@ -1,21 +1,18 @@
-//! Facts about H(q, p, t), in words.
+//! Reports H(q, p, t).
 
-use super::{Report, counted, friction, pieces};
+use super::{Report, friction, pieces, solver};
 use crate::analyze::{MeanValue, Split, Structure};
-use crate::derive::{Fact, FieldKernels, Implicit, MOST_UNKNOWNS, Perturbed, System};
+use crate::derive::{Fact, FieldKernels, Implicit, Perturbed, System};
 use crate::diff::Gradient;
 use crate::ir::{Id, Symbol, print::Printer};
 use crate::parse::Role;
 
-/// Lines are short enough for a terminal unless a formula is not.
+/// Reports the equations, structure, conserved functions, splittings and costs. Only long formulas exceed the width of a terminal.
 pub(super) fn report(report: &mut Report<'_>, structure: &Structure, gradient: &Gradient, system: &System) {
     let (q, p) = (report.name_of(Role::Position), report.name_of(Role::Momentum));
     writeln!(report, "H = {}", report.formula(structure.energy));
-    for (symbol, slopes) in [(Symbol::Position as fn(u32) -> Symbol, &gradient.q), (Symbol::Momentum, &gradient.p)] {
-        for (i, slope) in (0..).zip(slopes) {
-            writeln!(report, "∂H/∂{} = {}", report.named(symbol(i)), formula(report, *slope));
-        }
-    }
+    report.derivatives("H", Symbol::Position, &gradient.q, formula);
+    report.derivatives("H", Symbol::Momentum, &gradient.p, formula);
 
     writeln!(report, "\nStructure");
     match &structure.split {
@@ -42,8 +39,7 @@ pub(super) fn report(report: &mut Report<'_>, structure: &Structure, gradient: &
         Some(degree) => writeln!(report, "- H is a polynomial of degree {degree} in {q} and {p}"),
         None => writeln!(report, "- H is not a polynomial in {q} and {p}"),
     }
-    let reads_time = if structure.autonomous { "does not depend" } else { "depends" };
-    writeln!(report, "- H {reads_time} on time");
+    report.time("H", structure.autonomous);
 
     if let Some(damping) = &structure.damping {
         friction::damping(report, damping, structure.autonomous);
@@ -56,7 +52,7 @@ pub(super) fn report(report: &mut Report<'_>, structure: &Structure, gradient: &
 
     for found in &system.pieces {
         writeln!(report, "\nPieces with flows in closed form, in the order of half a step of `PieceSplitting`");
-        pieces::of_energy(report, found, pieces::Alphabet::Canonical);
+        pieces::of_energy(report, found);
         if system.has(Fact::NystromPieces) {
             writeln!(
                 report,
@@ -70,11 +66,11 @@ pub(super) fn report(report: &mut Report<'_>, structure: &Structure, gradient: &
 
     writeln!(report, "\nOperations (a sine with its cosine counts as two)");
     if let Some(slopes) = &system.gradient {
-        writeln!(report, "- gradient of H: {}", counted(slopes.operations()));
+        writeln!(report, "- gradient of H: {}", slopes.operations());
     }
     if let Some(Ok(flows)) = &system.splitting {
-        writeln!(report, "- kick: {}", counted(flows.kick.kernel.operations()));
-        writeln!(report, "- drift: {}", counted(flows.drift.kernel.operations()));
+        writeln!(report, "- kick: {}", flows.kick.kernel.operations());
+        writeln!(report, "- drift: {}", flows.drift.kernel.operations());
     }
     if let Implicit::Field(field) = &system.implicit {
         implicit(report, field);
@@ -91,7 +87,7 @@ pub(super) fn report(report: &mut Report<'_>, structure: &Structure, gradient: &
         writeln!(report, "- the clock: H does not depend on time");
     }
     if !structure.cyclic.is_empty() {
-        writeln!(report, "- the force on {}: it is zero", listed(report, Symbol::Momentum, &structure.cyclic));
+        writeln!(report, "- the force on {}: it is zero", report.names(Symbol::Momentum, &structure.cyclic));
     }
     writeln!(report, "- recomputing what depends on parameters and the step size: prepared once");
     match structure.split {
@@ -104,7 +100,7 @@ pub(super) fn report(report: &mut Report<'_>, structure: &Structure, gradient: &
     }
 }
 
-/// The part with an exact flow, and the rest.
+/// Reports A with an exact flow and the rest B.
 fn perturbed(report: &mut Report<'_>, parts: &Perturbed) {
     writeln!(report, "\nA + B, an exact flow and a kick (`Perturbation`, `WisdomHolman`, `Aba10_6_4` …)");
     if let Some(inner) = &parts.inner {
@@ -114,9 +110,9 @@ fn perturbed(report: &mut Report<'_>, parts: &Perturbed) {
     for known in &parts.known {
         writeln!(report, "  {known}");
     }
-    writeln!(report, "  {}", counted(parts.flow.kernel.operations()));
+    writeln!(report, "  {}", parts.flow.kernel.operations());
     writeln!(report, "- B = {}", report.excerpt(parts.rest));
-    writeln!(report, "  {}", counted(parts.kick.kernel.operations()));
+    writeln!(report, "  {}", parts.kick.kernel.operations());
     match (parts.is_kick, parts.is_exact) {
         (true, _) => {}
         (false, true) => {
@@ -133,99 +129,83 @@ fn perturbed(report: &mut Report<'_>, parts: &Perturbed) {
     }
 }
 
-/// What implicit steps cost, and how they are solved.
+/// Reports the costs of implicit steps, and their solver.
 fn implicit(report: &mut Report<'_>, field: &FieldKernels) {
-    writeln!(
-        report,
-        "- stage of a Newton iteration of collocation: {}",
-        counted(field.collocation.kernel.operations())
-    );
+    writeln!(report, "- stage of a Newton iteration of collocation: {}", field.collocation.kernel.operations());
     if let Some(discrete) = &field.discrete {
-        writeln!(report, "- Newton iteration of the discrete gradient: {}", counted(discrete.operations()));
+        writeln!(report, "- Newton iteration of the discrete gradient: {}", discrete.operations());
     }
-
-    writeln!(report, "\nImplicit steps");
     let unknowns = field.coordinates.len();
-    let solver = match unknowns {
-        _ if field.linear => "the equation is linear, its matrix inverted once".into(),
-        1 => "Newton's iteration for one number".into(),
-        2..=MOST_UNKNOWNS => "Newton's iteration with elimination".into(),
-        _ => format!(
-            "the fixed point while it attracts, Newton's iteration elsewhere: measured to be faster beyond {MOST_UNKNOWNS}"
-        ),
-    };
-    writeln!(report, "- `DiscreteGradient`, unknowns {unknowns}: {solver}")
+    let solver =
+        if field.linear { "the equation is linear, its matrix inverted once".into() } else { solver(unknowns) };
+    writeln!(report, "\nImplicit steps\n- `DiscreteGradient`, unknowns {unknowns}: {solver}")
 }
 
-/// Names of coordinates, separated by commas.
-fn listed(report: &Report<'_>, symbol: fn(u32) -> Symbol, indices: &[u32]) -> String {
-    indices.iter().map(|i| report.named(symbol(*i))).collect::<Vec<_>>().join(", ")
-}
-
-/// Integrals of the flow, and those that discrete gradients keep.
+/// Reports integrals of the flow, and the integrals that discrete gradients keep.
 fn conserved(report: &mut Report<'_>, structure: &Structure) {
+    let Structure { cyclic, resting, momenta, .. } = structure;
     let mut lines = vec![];
     if structure.conserves_energy() {
         lines.push("the energy".into());
     }
-    let unread = [
-        (Symbol::Momentum as fn(u32) -> Symbol, Symbol::Position as fn(u32) -> Symbol, &structure.cyclic),
-        (Symbol::Position, Symbol::Momentum, &structure.resting),
-    ];
-    for (kept, unread, indices) in unread.into_iter().filter(|(.., indices)| !indices.is_empty()) {
-        lines.push(format!("{}: H does not read {}", listed(report, kept, indices), listed(report, unread, indices)));
+    let [q, p]: [fn(u32) -> Symbol; 2] = [Symbol::Position, Symbol::Momentum];
+    for (kept, unread, indices) in [(p, q, cyclic), (q, p, resting)] {
+        if !indices.is_empty() {
+            lines.push(format!("{}: H does not read {}", report.names(kept, indices), report.names(unread, indices)));
+        }
     }
-    let momenta = structure.momenta.iter();
-    lines.extend(momenta.map(|momentum| format!("{}: {}", momentum.name, report.excerpt(momentum.value))));
+    lines.extend(momenta.iter().map(|momentum| report.momentum(momentum)));
     writeln!(report, "\nConserved by the flow, at least");
-    for line in &lines {
-        writeln!(report, "- {line}");
-    }
-    if lines.is_empty() {
-        writeln!(report, "- nothing that was found");
-    }
+    report.conserved(&lines);
 
-    let mut discrete: Vec<String> = vec![];
+    let conservative = structure.conservative();
+    if !lines.is_empty() || structure.switches || conservative {
+        writeln!(report, "\nDiscrete gradients");
+    }
     if !lines.is_empty() {
-        let fourth = if structure.conservative() { " and `FourthOrder(DiscreteGradient)` keep" } else { " keeps" };
-        discrete.push(format!("`DiscreteGradient`{fourth} all of that, to rounding"));
-        if structure.conservative() && structure.autonomous && !structure.momenta.is_empty() {
-            discrete.push(
-                "on an orbit on which the gradient of a momentum depends on that of H all along, as on a circle, \
+        let methods = if conservative { " and `FourthOrder(DiscreteGradient)` keep" } else { " keeps" };
+        writeln!(report, "- `DiscreteGradient`{methods} all of that, to rounding");
+        if conservative && structure.autonomous && !momenta.is_empty() {
+            writeln!(
+                report,
+                "- on an orbit on which the gradient of a momentum depends on that of H all along, as on a circle, \
                  `FourthOrder(DiscreteGradient)` keeps H alone"
-                    .into(),
             );
         }
     }
     if structure.switches {
-        discrete.push(
-            "across an `if` that is on different sides at both ends of a step they take the secant of the whole `if`"
-                .into(),
+        writeln!(
+            report,
+            "- across an `if` that is on different sides at both ends of a step they take the secant of the whole `if`"
         );
     }
-    // It is for systems that keep their energy.
-    if structure.conservative() {
-        discrete.push(match structure.mean_value {
-            MeanValue::Parts(1) => "`MeanValue` has a closed form: it is `DiscreteGradient`".into(),
-            MeanValue::Parts(parts) => {
-                format!("`MeanValue::<{parts}>` is exact: `DiscreteGradient` over parts of a step, extrapolated")
-            }
-            MeanValue::Gauss(points) => format!("`MeanValue::<{points}>` is exact: Gauss points for a polynomial"),
-            MeanValue::NotClosed(term) => {
-                let term = report.excerpt(term);
-                format!("`MeanValue::<N>` is a quadrature with N Gauss points: no closed form was found for {term}")
-            }
-        });
-    }
-    if !discrete.is_empty() {
-        writeln!(report, "\nDiscrete gradients");
-    }
-    for line in &discrete {
-        writeln!(report, "- {line}");
+    // `MeanValue` needs a conservative system.
+    if conservative {
+        mean_value(report, structure.mean_value);
     }
 }
 
-/// A derivative, written out unless it fills the screen.
+/// Reports how `MeanValue` computes the mean of the gradient over a step.
+fn mean_value(report: &mut Report<'_>, mean_value: MeanValue) {
+    match mean_value {
+        MeanValue::Parts(1) => writeln!(report, "- `MeanValue` has a closed form: it is `DiscreteGradient`"),
+        MeanValue::Parts(parts) => {
+            writeln!(report, "- `MeanValue::<{parts}>` is exact: `DiscreteGradient` over parts of a step, extrapolated")
+        }
+        MeanValue::Gauss(points) => {
+            writeln!(report, "- `MeanValue::<{points}>` is exact: Gauss points for a polynomial");
+        }
+        MeanValue::NotClosed(term) => {
+            let term = report.excerpt(term);
+            writeln!(
+                report,
+                "- `MeanValue::<N>` is a quadrature with N Gauss points: no closed form was found for {term}"
+            );
+        }
+    }
+}
+
+/// Returns the formula of a derivative. Cuts a formula that would fill the screen.
 fn formula(report: &Report<'_>, id: Id) -> String {
     let formula = report.formula(id);
     if formula.chars().count() > 400 { Printer::cut(formula) } else { formula }

@@ -1,62 +1,59 @@
-//! Facts about H(q, p, t) with constraints, in words.
+//! Reports H(q, p, t) with constraints.
 
-use super::{Report, counted, friction, plural};
+use super::{Report, friction, plural};
 use crate::analyze::Structure;
 use crate::derive::{Implicit, System};
 use crate::diff::Gradient;
 use crate::ir::{Id, Symbol};
 use crate::parse::Role;
 
-/// The energy, its gradient, the constraints, and damping.
-pub(super) fn equations(report: &mut Report<'_>, structure: &Structure, constraints: &[Id], gradient: &Gradient) {
+/// Reports the equations, conserved functions and steps. `kept` holds the functions that commute with H and with every constraint.
+pub(super) fn report(
+    report: &mut Report<'_>,
+    structure: &Structure,
+    kept: &Structure,
+    constraints: &[Id],
+    gradient: &Gradient,
+    system: &System,
+) {
+    equations(report, structure, constraints, gradient);
+    writeln!(report, "\nConserved by the flow and by `DiscreteGradient`, at least");
+    let energy = kept.conserves_energy().then(|| "the energy".to_string());
+    let cyclic = kept.cyclic.iter().map(|i| {
+        let [q, p] = [Symbol::Position(*i), Symbol::Momentum(*i)].map(|symbol| report.named(symbol));
+        format!("{p}: neither H nor a constraint reads {q}")
+    });
+    let momenta = kept.momenta.iter().map(|momentum| report.momentum(momentum));
+    let conserved: Vec<String> = energy.into_iter().chain(cyclic).chain(momenta).collect();
+    report.conserved(&conserved);
+    steps(report, structure, system);
+}
+
+/// Writes the energy, its gradient, the constraints, and damping.
+fn equations(report: &mut Report<'_>, structure: &Structure, constraints: &[Id], gradient: &Gradient) {
     let (q, p) = (report.name_of(Role::Position), report.name_of(Role::Momentum));
     writeln!(report, "H = {}", report.formula(structure.energy));
-    for (symbol, slopes) in [(Symbol::Position as fn(u32) -> Symbol, &gradient.q), (Symbol::Momentum, &gradient.p)] {
-        for (i, slope) in (0..).zip(slopes) {
-            writeln!(report, "∂H/∂{} = {}", report.named(symbol(i)), report.excerpt(*slope));
-        }
-    }
+    report.derivatives("H", Symbol::Position, &gradient.q, Report::excerpt);
+    report.derivatives("H", Symbol::Momentum, &gradient.p, Report::excerpt);
     writeln!(report, "\nConstraints: {p}' = −∂H/∂{q} − Gᵀλ with G = ∂g/∂{q}");
     for constraint in constraints {
         writeln!(report, "- 0 = {}", report.excerpt(*constraint));
     }
     let (n, m) = (gradient.q.len(), constraints.len());
-    writeln!(report, "- {n} coordinates and {m} constraint{}: {} of freedom", plural(m), degrees(n - m));
+    let (constraints, free) = (plural(m), plural(n - m));
+    writeln!(report, "- {n} coordinates and {m} constraint{constraints}: {} degree{free} of freedom", n - m);
     writeln!(report, "- a state starts with g = 0 and G ∂H/∂{p} = 0; `state_on_constraint` gives the nearest one");
     if let Some(found) = &structure.damping {
         friction::damping(report, found, structure.autonomous);
     }
 }
 
-fn degrees(count: usize) -> String {
-    format!("{count} degree{}", plural(count))
-}
-
-/// What the flow keeps, and the discrete gradient with it: it commutes with H and with every constraint.
-pub(super) fn conserved(report: &mut Report<'_>, kept: &Structure) {
-    writeln!(report, "\nConserved by the flow and by `DiscreteGradient`, at least");
-    let mut lines: Vec<String> = vec![];
-    if kept.conserves_energy() {
-        lines.push("the energy".into());
-    }
-    lines.extend(kept.cyclic.iter().map(|i| {
-        let [q, p] = [Symbol::Position(*i), Symbol::Momentum(*i)].map(|symbol| report.named(symbol));
-        format!("{p}: neither H nor a constraint reads {q}")
-    }));
-    lines.extend(kept.momenta.iter().map(|momentum| format!("{}: {}", momentum.name, report.excerpt(momentum.value))));
-    if lines.is_empty() {
-        lines.push("nothing that was found".into());
-    }
-    for line in &lines {
-        writeln!(report, "- {line}");
-    }
-}
-
-pub(super) fn steps(report: &mut Report<'_>, structure: &Structure, system: &System) {
+/// Writes the costs of steps and the omitted methods.
+fn steps(report: &mut Report<'_>, structure: &Structure, system: &System) {
     let Implicit::Constrained(kernels) = &system.implicit else { return };
     writeln!(report, "\nSteps");
     for (method, step) in &kernels.steps {
-        let (unknowns, operations) = (step.unknowns.len(), counted(step.kernel.operations()));
+        let (unknowns, operations) = (step.unknowns.len(), step.kernel.operations());
         writeln!(report, "- `{method}`, {unknowns} unknown{}, an iteration: {operations}", plural(unknowns));
     }
     writeln!(report, "- both may be composed: `Suzuki4.of(Rattle)`");

@@ -1,12 +1,12 @@
-//! Facts about H(q, p, s, t), in words.
+//! Reports H(q, p, s, t).
 
-use super::pieces::{Alphabet, of_energy};
-use super::{Report, counted};
+use super::{Report, pieces};
 use crate::analyze::{self, Dissipated};
 use crate::derive::{ContactStages, Implicit, KickDrift, System, Undamped};
 use crate::diff::Gradient;
-use crate::ir::{Id, Symbol};
+use crate::ir::Id;
 
+/// Reports the structure, decaying functions, pieces, and costs of implicit steps.
 pub(super) fn report(
     report: &mut Report<'_>,
     energy: Id,
@@ -19,10 +19,11 @@ pub(super) fn report(
         decaying(report, "H", gradient.s, found);
     }
     writeln!(report, "\nPieces with flows in closed form, in the order of half a step");
-    system.pieces.iter().for_each(|found| of_energy(report, found, Alphabet::Contact));
+    system.pieces.iter().for_each(|found| pieces::of_energy(report, found));
     implicit(report, system);
 }
 
+/// Writes H, its change along the flow, and whether kick and drift exist.
 fn structure(report: &mut Report<'_>, energy: Id, gradient: &Gradient, system: &System) {
     let graph = report.graph();
     writeln!(report, "H = {}", report.formula(energy));
@@ -63,10 +64,10 @@ fn structure(report: &mut Report<'_>, energy: Id, gradient: &Gradient, system: &
     }
 }
 
-/// What decays by one factor, by H or L.
+/// Reports functions that decay by one common factor. `function` is H or L, which does not read the cyclic coordinates.
 pub(super) fn decaying(
     report: &mut Report<'_>,
-    by: &str,
+    function: &str,
     rate: Id,
     Dissipated { cyclic, momenta, energy }: &Dissipated,
 ) {
@@ -78,15 +79,10 @@ pub(super) fn decaying(
     };
     writeln!(report, "\nDecaying by the factor {factor}, all alike, so that quotients are constant");
     for i in cyclic {
-        writeln!(
-            report,
-            "- {}: {by} does not read {}",
-            report.named(Symbol::Momentum(*i)),
-            report.named(Symbol::Position(*i))
-        );
+        writeln!(report, "- {}", report.cyclic(function, *i));
     }
     for momentum in momenta {
-        writeln!(report, "- {}: {}", momentum.name, report.excerpt(momentum.value));
+        writeln!(report, "- {}", report.momentum(momentum));
     }
     if *energy {
         writeln!(report, "- H: it does not read time");
@@ -102,13 +98,14 @@ pub(super) fn decaying(
     }
 }
 
+/// Writes the costs of implicit steps.
 fn implicit(report: &mut Report<'_>, system: &System) {
     let degrees = report.compilation.degrees();
     writeln!(report, "\nImplicit steps, for the increments of all positions, momenta and the action");
     let Implicit::Contact(kernels) = &system.implicit else { return };
     for (method, step) in &kernels.steps {
-        let cost = counted(step.kernel.operations());
-        writeln!(report, "- `{method}`, unknowns {}: {cost} an iteration", 2 * degrees + 1);
+        let (unknowns, cost) = (2 * degrees + 1, step.kernel.operations());
+        writeln!(report, "- `{method}`, unknowns {unknowns}: {cost} an iteration");
     }
     let Some(stages) = &kernels.stages else {
         return writeln!(report, "- none: the momenta of a lift are not followed");
@@ -123,7 +120,7 @@ fn implicit(report: &mut Report<'_>, system: &System) {
             (&stages.stage, degrees + u32::from(varying), varying)
         }
     };
-    let (cost, of) = (counted(kernel.operations()), if unknowns < 2 * degrees { " (velocities)" } else { "" });
+    let (cost, of) = (kernel.operations(), if unknowns < 2 * degrees { " (velocities)" } else { "" });
     let beside = if varying { "" } else { ": s follows, and friction costs nothing beside `Gauss`" };
     writeln!(report, "- `ContactGauss`, unknowns {unknowns}{of} a stage: {cost} a stage of an iteration{beside}")
 }

@@ -1,21 +1,17 @@
-//! Damping and other forces in words.
+//! Reports damping and other forces.
 
 use super::Report;
 use crate::analyze::{Damping, Forces};
+use crate::check::wording::commas;
 use crate::ir::Id;
 
-/// What becomes of the energy.
+/// Reports the damping matrix and the loss of energy.
 pub(super) fn damping(report: &mut Report<'_>, damping: &Damping, autonomous: bool) {
-    let entry = |id: &Id| report.excerpt(*id);
-    let row = |row: &[Id]| row.iter().map(entry).collect::<Vec<_>>().join(", ");
     let diagonal: Vec<Id> = (0..damping.matrix.len()).map(|i| damping.matrix[i][i]).collect();
     let matrix = match damping.diagonal {
-        true if diagonal.iter().all(|entry| *entry == diagonal[0]) => entry(&diagonal[0]),
-        true => format!("diag({})", row(&diagonal)),
-        false => {
-            let rows: Vec<String> = damping.matrix.iter().map(|entries| format!("[{}]", row(entries))).collect();
-            format!("[{}]", rows.join(", "))
-        }
+        true if diagonal.iter().all(|entry| *entry == diagonal[0]) => report.excerpt(diagonal[0]),
+        true => format!("diag({})", report.excerpts(&diagonal)),
+        false => format!("[{}]", commas(damping.matrix.iter().map(|row| report.vector(row)))),
     };
     let explicit = if autonomous { "" } else { " + ∂H/∂t" };
     writeln!(report, "\nDamping");
@@ -27,7 +23,7 @@ pub(super) fn damping(report: &mut Report<'_>, damping: &Damping, autonomous: bo
     writeln!(report, "- kick and drift do not exist: damping is no part of either")
 }
 
-/// What forces beside the energy do to it.
+/// Reports applied forces, friction, and their power.
 pub(super) fn forces(report: &mut Report<'_>, forces: &Forces, autonomous: bool) {
     writeln!(report, "\nForces beside the energy");
     let mut power = vec![];
@@ -39,8 +35,7 @@ pub(super) fn forces(report: &mut Report<'_>, forces: &Forces, autonomous: bool)
         writeln!(report, "- friction −∂R/∂v with ∂R/∂v = {}", report.vector(friction));
         power.push("− v·∂R/∂v");
     }
-    let power = power.join(" ");
-    writeln!(report, "- they add {power} to dH/dt, with v = ∂H/∂p");
+    writeln!(report, "- they add {} to dH/dt, with v = ∂H/∂p", power.join(" "));
     if autonomous {
         writeln!(
             report,

@@ -1,45 +1,33 @@
-//! Facts about a Lagrangian, in words.
+//! Reports a Lagrangian and its energy.
 
 use super::Report;
-use crate::ir::{Graph, Id, Symbol};
+use crate::ir::{Graph, Symbol};
 use crate::legendre::{Kinetic, Legendre, Part};
 use crate::parse::Role;
 
-/// L, its derivatives, and the relation of momenta and velocities.
+/// Reports L, its derivatives, and the relation between momenta and velocities.
 pub(super) fn report(report: &mut Report<'_>, legendre: &Legendre) {
     let graph = report.graph();
     writeln!(report, "L = {}", report.formula(legendre.lagrangian));
-    for (symbol, slopes) in
-        [(Symbol::Position as fn(u32) -> Symbol, &legendre.forces), (Symbol::Velocity, &legendre.momenta)]
-    {
-        for (i, slope) in (0..).zip(slopes) {
-            writeln!(report, "∂L/∂{} = {}", report.named(symbol(i)), report.excerpt(*slope));
-        }
-    }
+    report.derivatives("L", Symbol::Position, &legendre.forces, Report::excerpt);
+    report.derivatives("L", Symbol::Velocity, &legendre.momenta, Report::excerpt);
 
-    let p = report.name_of(Role::Momentum);
-    writeln!(
-        report,
-        "\nFrom velocities to momenta: {p} = ∂L/∂{}, H = {p}·{1} − L",
-        report.name_of(Role::Velocity),
-        report.name_of(Role::Velocity)
-    );
+    let (p, v) = (report.name_of(Role::Momentum), report.name_of(Role::Velocity));
+    writeln!(report, "\nFrom velocities to momenta: {p} = ∂L/∂{v}, H = {p}·{v} − L");
     legendre.parts.iter().for_each(|part| self::part(report, part));
     if !graph.is_zero(legendre.potential) {
         writeln!(report, "- without velocities, −L = {}", report.excerpt(legendre.potential));
     }
     writeln!(report, "- H is {}", mechanical(graph, legendre));
     if let Some(gauge) = legendre.gauge {
+        let (rate, effect) = match graph.reads(gauge).t {
+            true => (" − ∂f/∂t", "a potential ∂f/∂t to the energy"),
+            false => ("", "changes no motion: without it the energy has fewer terms that couple positions and momenta"),
+        };
+        let (f, q) = (report.excerpt(gauge), report.name_of(Role::Position));
         writeln!(
             report,
-            "- what is linear in velocities is d/dt f{} with f = {}: it adds ∂f/∂{} to momenta, and {}",
-            if graph.reads(gauge).t { " − ∂f/∂t" } else { "" },
-            report.excerpt(gauge),
-            report.name_of(Role::Position),
-            match graph.reads(gauge).t {
-                true => "a potential ∂f/∂t to the energy",
-                false => "changes no motion: without it the energy has fewer terms that couple positions and momenta",
-            }
+            "- what is linear in velocities is d/dt f{rate} with f = {f}: it adds ∂f/∂{q} to momenta, and {effect}"
         );
     }
     if legendre.concave {
@@ -62,49 +50,39 @@ pub(super) fn report(report: &mut Report<'_>, legendre: &Legendre) {
     writeln!(report)
 }
 
-/// What the mass matrix of a part is, entry by entry, or what rule there is.
-fn part(report: &mut Report<'_>, part: &Part) {
-    let Part { velocities, kinetic } = part;
+/// Reports the mass matrix of a part, or the rule for its conjugate.
+fn part(report: &mut Report<'_>, Part { velocities, kinetic }: &Part) {
     let graph = report.graph();
-    let names: Vec<String> = velocities.iter().map(|i| report.named(Symbol::Velocity(*i))).collect();
-    let names = names.join(", ");
+    let names = report.names(Symbol::Velocity, velocities);
     match kinetic {
         Kinetic::Conjugate { term, rule } => {
             writeln!(report, "- {names}: a conjugate in closed form of {}: {rule}", report.excerpt(*term))
         }
         Kinetic::Open(term) => {
+            let term = report.excerpt(*term);
             writeln!(
                 report,
-                "- {names}: neither quadratic nor of a known conjugate, found by Newton's iteration: {}",
-                report.excerpt(*term)
+                "- {names}: neither quadratic nor of a known conjugate, found by Newton's iteration: {term}"
             )
         }
         Kinetic::Quadratic { mass, shift } => {
             let entries = || (0..mass.len()).flat_map(|i| (0..=i).map(move |j| (i, j)));
             let constant = entries().all(|(i, j)| !graph.reads(mass[i][j]).moves());
             let kind = if constant { "constant" } else { "not constant" };
-            let how = match mass.len() {
-                1 => "",
-                _ => ", factored as LDLᵀ",
-            };
+            let how = if mass.len() == 1 { "" } else { ", factored as LDLᵀ" };
             writeln!(report, "- {names}: L is quadratic, with a mass matrix that is {kind}{how}");
             for (i, j) in entries().filter(|(i, j)| !graph.is_zero(mass[*i][*j])) {
-                let [i_name, j_name] = [i, j].map(|i| report.named(Symbol::Velocity(velocities[i])));
-                writeln!(report, "  - ∂²L/∂{i_name}∂{j_name} = {}", report.excerpt(mass[i][j]));
+                let [row, column] = [i, j].map(|i| report.named(Symbol::Velocity(velocities[i])));
+                writeln!(report, "  - ∂²L/∂{row}∂{column} = {}", report.excerpt(mass[i][j]));
             }
-            linear(report, velocities, shift)
+            for (i, a) in velocities.iter().zip(shift).filter(|(_, a)| !graph.is_zero(**a)) {
+                writeln!(report, "  - linear in {}: {}", report.named(Symbol::Velocity(*i)), report.excerpt(*a));
+            }
         }
     }
 }
 
-fn linear(report: &mut Report<'_>, velocities: &[u32], shift: &[Id]) {
-    let graph = report.graph();
-    for (i, a) in velocities.iter().zip(shift).filter(|(_, a)| !graph.is_zero(**a)) {
-        writeln!(report, "  - linear in {}: {}", report.named(Symbol::Velocity(*i)), report.excerpt(*a));
-    }
-}
-
-/// Whether H is the sum of kinetic and potential energy.
+/// Returns the form of H, and whether H is the sum of kinetic and potential energy.
 fn mechanical(graph: &Graph, legendre: &Legendre) -> &'static str {
     let quadratic = |part: &Part| match &part.kinetic {
         Kinetic::Quadratic { shift, .. } => shift.iter().all(|a| graph.is_zero(*a)),

@@ -1,4 +1,4 @@
-//! The facts about a system in words: the text of `REPORT` and of the docs of the generated struct.
+//! Writes the facts about a system: the text of `REPORT` and of the documentation of the generated struct.
 
 mod bodies;
 mod canonical;
@@ -13,14 +13,16 @@ mod pieces;
 mod structure;
 mod velocities;
 
+use crate::analyze::Momentum;
+use crate::check::wording::commas;
 use crate::compilation::Compilation;
-use crate::derive::{Derived, Findings, System};
+use crate::derive::{Derived, Findings, MOST_UNKNOWNS, System};
 use crate::ir::{Graph, Id, Symbol, print::Printer};
 use crate::parse::{Form, Role};
 use crate::schedule::Operations;
 use std::fmt;
 
-/// A text that grows line by line.
+/// A report under construction.
 struct Report<'a> {
     text: String,
     compilation: &'a Compilation<'a>,
@@ -48,10 +50,14 @@ impl<'a> Report<'a> {
         self.printer.excerpt(id)
     }
 
+    /// Returns `a, b` with the formulas of nodes.
+    fn excerpts(&self, ids: &[Id]) -> String {
+        commas(ids.iter().map(|id| self.excerpt(*id)))
+    }
+
     /// Returns `[a, b]` with the formulas of nodes.
     fn vector(&self, entries: &[Id]) -> String {
-        let entries: Vec<String> = entries.iter().map(|id| self.excerpt(*id)).collect();
-        format!("[{}]", entries.join(", "))
+        format!("[{}]", self.excerpts(entries))
     }
 
     /// Returns the user's name of a symbol.
@@ -59,9 +65,45 @@ impl<'a> Report<'a> {
         self.printer.named(symbol)
     }
 
+    /// Returns `a, b` with the user's names of coordinates.
+    fn names(&self, kind: fn(u32) -> Symbol, coordinates: &[u32]) -> String {
+        commas(coordinates.iter().map(|i| self.named(kind(*i))))
+    }
+
     /// Returns the user's name of an argument.
     fn name_of(&self, role: Role) -> String {
         self.compilation.names.of(role)
+    }
+
+    /// Returns the line of a conserved momentum.
+    fn momentum(&self, momentum: &Momentum) -> String {
+        format!("{}: {}", momentum.name, self.excerpt(momentum.value))
+    }
+
+    /// Returns the line of a momentum whose coordinate `i` does not occur in `function`.
+    fn cyclic(&self, function: &str, i: u32) -> String {
+        let [q, p] = [Symbol::Position(i), Symbol::Momentum(i)].map(|symbol| self.named(symbol));
+        format!("{p}: {function} does not read {q}")
+    }
+
+    /// Writes the partial derivatives of a function by one kind of coordinates.
+    fn derivatives(&mut self, function: &str, kind: fn(u32) -> Symbol, slopes: &[Id], text: fn(&Self, Id) -> String) {
+        for (i, slope) in (0..).zip(slopes) {
+            writeln!(self, "∂{function}/∂{} = {}", self.named(kind(i)), text(self, *slope));
+        }
+    }
+
+    /// Writes whether a function depends on time.
+    fn time(&mut self, function: &str, autonomous: bool) {
+        writeln!(self, "- {function} {} on time", if autonomous { "does not depend" } else { "depends" });
+    }
+
+    /// Writes a list of conserved functions.
+    fn conserved(&mut self, functions: &[String]) {
+        functions.iter().for_each(|function| writeln!(self, "- {function}"));
+        if functions.is_empty() {
+            writeln!(self, "- nothing that was found");
+        }
     }
 }
 
@@ -75,9 +117,7 @@ pub(super) fn report(compilation: &Compilation<'_>, derived: &Derived) -> String
     match findings {
         Findings::Canonical { structure, gradient } => canonical::report(&mut report, structure, gradient, system),
         Findings::Constrained { structure, kept, constraints, gradient } => {
-            constraints::equations(&mut report, structure, constraints, gradient);
-            constraints::conserved(&mut report, kept);
-            constraints::steps(&mut report, structure, system);
+            constraints::report(&mut report, structure, kept, constraints, gradient, system);
         }
         Findings::Contact { energy, gradient, dissipated } => {
             contact::report(&mut report, *energy, gradient, dissipated.as_ref(), system);
@@ -98,7 +138,7 @@ pub(super) fn report(compilation: &Compilation<'_>, derived: &Derived) -> String
     report.text
 }
 
-/// Reports the condition where the energy may jump. Most steps use derivatives only, and end there.
+/// Reports the condition at which the energy may jump. Most steps use derivatives only, and end there.
 fn jumps(report: &mut Report<'_>, system: &System) {
     let has_energy = !report.compilation.form.is_flow() || system.value.is_some();
     if let Some([a, b]) = system.domain.jumps.as_ref().filter(|_| has_energy).and_then(|jumps| jumps.edge) {
@@ -110,7 +150,7 @@ fn jumps(report: &mut Report<'_>, system: &System) {
     }
 }
 
-/// Reports terms that jump where an angle by `atan2` comes round. A field reports them beside each function that it keeps.
+/// Reports terms that jump after a full turn of an angle by `atan2`. A field reports them beside each of its integrals.
 fn turns(report: &mut Report<'_>, system: &System) {
     let turning = &system.domain.turning;
     if turning.is_empty() || report.compilation.form == Form::Field {
@@ -126,13 +166,26 @@ fn turns(report: &mut Report<'_>, system: &System) {
     }
 }
 
-/// Returns a count of operations in words.
-fn counted(operations: Operations) -> String {
-    let Operations { arithmetic, divisions, calls } = operations;
-    let kinds = [("sums and products", arithmetic), ("divisions and roots", divisions), ("functions", calls)];
-    let parts: Vec<String> =
-        kinds.iter().filter(|(_, count)| *count > 0).map(|(kind, count)| format!("{kind} {count}")).collect();
-    if parts.is_empty() { "nothing".into() } else { parts.join(", ") }
+/// Counts operations by kind: "sums and products 3, functions 1".
+impl fmt::Display for Operations {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Operations { arithmetic, divisions, calls } = *self;
+        let kinds = [("sums and products", arithmetic), ("divisions and roots", divisions), ("functions", calls)];
+        let counts =
+            commas(kinds.iter().filter(|(_, count)| *count > 0).map(|(kind, count)| format!("{kind} {count}")));
+        formatter.write_str(if counts.is_empty() { "nothing" } else { &counts })
+    }
+}
+
+/// Returns the solver of an implicit step by its number of unknowns.
+fn solver(unknowns: usize) -> String {
+    match unknowns {
+        1 => "Newton's iteration for one number".into(),
+        2..=MOST_UNKNOWNS => "Newton's iteration with elimination".into(),
+        _ => format!(
+            "the fixed point while it attracts, Newton's iteration elsewhere: measured to be faster beyond {MOST_UNKNOWNS}"
+        ),
+    }
 }
 
 /// Returns the plural ending of a noun.

@@ -1,51 +1,36 @@
-//! What was found of pieces, in words.
+//! Reports pieces with known flows.
 
-use super::{Report, counted};
+use super::Report;
+use crate::check::wording::commas;
 use crate::derive::{Pair, PieceKernel, PiecesOf, System};
 use crate::split::{Clock, Rejected, tried};
 
-/// The coordinates of the pieces.
-#[derive(Clone, Copy, PartialEq)]
-pub(super) enum Alphabet {
-    /// q and p.
-    Canonical,
-    /// q, p and s.
-    Contact,
-}
-
-/// The pieces of an energy, and what else was found.
-pub(super) fn of_energy(report: &mut Report<'_>, found: &PiecesOf, alphabet: Alphabet) {
+/// Reports the pieces of an energy, and the rejected partitions.
+pub(super) fn of_energy(report: &mut Report<'_>, found: &PiecesOf) {
     let pieces = match &found.pieces {
         Ok(pieces) => pieces,
         Err(missing) => {
             writeln!(report, "- none: no rule knows the flow of {}", report.excerpt(missing.term));
-            let names: Vec<&str> = tried(alphabet == Alphabet::Contact).map(|(_, family)| family.name).collect();
-            writeln!(report, "- families that were tried: {}", names.join(", "));
-            return;
+            let families = tried(report.compilation.form.has_action()).map(|(_, family)| family.name.into());
+            return writeln!(report, "- families that were tried: {}", commas(families));
         }
     };
-    pieces.iter().for_each(|each| piece(report, each));
+    for piece in pieces {
+        writeln!(report, "- {}", report.excerpt(piece.energy));
+        flow(report, piece);
+    }
     if found.linear {
         writeln!(report, "- linear motion is one piece, beside which errors are as small as the rest is");
     }
     for Rejected { energies, cost } in &found.rejected {
         let energies: Vec<String> = energies.iter().map(|energy| report.excerpt(*energy)).collect();
-        writeln!(
-            report,
-            "- rejected, at a cost of {cost} a step where these have {}: {}",
-            found.cost,
-            energies.join(" | ")
-        );
+        let (energies, chosen) = (energies.join(" | "), found.cost);
+        writeln!(report, "- rejected, at a cost of {cost} a step where these have {chosen}: {energies}");
     }
 }
 
-/// A piece, and how its flow is known.
-fn piece(report: &mut Report<'_>, piece: &PieceKernel) {
-    writeln!(report, "- {}", report.excerpt(piece.energy));
-    of_piece(report, piece)
-}
-
-fn of_piece(report: &mut Report<'_>, piece: &PieceKernel) {
+/// Writes the rules, time dependence and cost of the flow of a piece.
+fn flow(report: &mut Report<'_>, piece: &PieceKernel) {
     for known in &piece.known {
         writeln!(report, "  {known}");
     }
@@ -54,10 +39,10 @@ fn of_piece(report: &mut Report<'_>, piece: &PieceKernel) {
         Clock::Stage => "time frozen in the middle of a step",
     };
     let each = if piece.solved { " an iteration" } else { "" };
-    writeln!(report, "  {clock}; {}{each}", counted(piece.flow.kernel.operations()))
+    writeln!(report, "  {clock}; {}{each}", piece.flow.kernel.operations())
 }
 
-/// The pieces of all splittings of a flow, and what becomes of `integral`, by whose gradient it is split.
+/// Reports the pieces of all splittings of a flow x' = S ∇I. `integral` is the name of I.
 pub(super) fn of_flow(report: &mut Report<'_>, system: &System, integral: &str) {
     for PiecesOf { splitting, pieces, symplectic, conserves_energy, .. } in &system.pieces {
         let by_planes = *splitting != "PoissonSplitting";
@@ -72,13 +57,15 @@ pub(super) fn of_flow(report: &mut Report<'_>, system: &System, integral: &str) 
         match pieces {
             Ok(pieces) => {
                 for piece in pieces {
-                    let moved: Vec<String> = piece.flow.changes.iter().map(|symbol| report.named(*symbol)).collect();
-                    let moved = if moved.is_empty() { "nothing".into() } else { moved.join(", ") };
+                    let moved = match &piece.flow.changes[..] {
+                        [] => "nothing".into(),
+                        changes => commas(changes.iter().map(|symbol| report.named(*symbol))),
+                    };
                     match by_planes {
                         true => writeln!(report, "- the plane of {moved}"),
                         false => writeln!(report, "- {}, moves {moved}", report.excerpt(piece.energy)),
                     }
-                    of_piece(report, piece);
+                    flow(report, piece);
                 }
                 match (symplectic, conserves_energy) {
                     (true, _) => {

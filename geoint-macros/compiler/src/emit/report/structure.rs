@@ -1,18 +1,81 @@
-//! A skew matrix S of x' = S ∇H in words, entry by entry.
+//! Reports the skew matrix S of x' = S ∇H, entry by entry.
 
 use super::Report;
-use crate::ir::{Graph, Id, Symbol};
+use crate::analyze::Identity;
+use crate::derive::Parted;
+use crate::derive::proof::Structure;
+use crate::ir::{Id, Symbol};
+use crate::legendre::FirstOrder;
 
-/// {xᵢ, xⱼ} for i < j, if it is not zero.
-pub(super) fn brackets(report: &mut Report<'_>, matrix: &[Vec<Id>]) {
-    for [i, j] in entries(report.graph(), matrix) {
-        let [a, b] = [i, j].map(|i| report.named(Symbol::Position(i as u32)));
-        writeln!(report, "- {{{a}, {b}}} = {}", report.excerpt(matrix[i][j]));
+/// Reports a matrix S of the user.
+pub(super) fn given(report: &mut Report<'_>, structure: &Structure) {
+    writeln!(report, "\nStructure");
+    writeln!(report, "- x' = S ∇H with skew S");
+    brackets(report, &structure.matrix);
+    match &structure.poisson {
+        Ok(()) => writeln!(report, "- a Poisson structure: Jacobi's identity holds"),
+        Err(([i, j, k], verdict)) => {
+            let rest = verdict.rest().map_or_else(String::new, |rest| format!(" leave {}", report.excerpt(rest.rest)));
+            let word = if matches!(verdict, Identity::Wrong(_)) { "not" } else { "not proven to be" };
+            writeln!(report, "- {word} a Poisson structure: in Jacobi's identity indices ({i}, {j}, {k}){rest}")
+        }
     }
 }
 
-/// The indices i < j of all entries that are not zero.
-pub(super) fn entries(graph: &Graph, matrix: &[Vec<Id>]) -> Vec<[usize; 2]> {
-    let pairs = (0..matrix.len()).flat_map(|i| (i + 1..matrix.len()).map(move |j| [i, j]));
-    pairs.filter(|[i, j]| !graph.is_zero(matrix[*i][*j])).collect()
+/// Reports a matrix S that was found for a field and its integral I.
+pub(super) fn found(report: &mut Report<'_>, Parted { integral, matrix, poisson, unique }: &Parted) {
+    let alone = if *unique == Some(true) { "" } else { ", one of many" };
+    writeln!(report, "\nStructure");
+    writeln!(report, "- x' = S ∇I with I = {} and skew S, found{alone}", report.excerpt(*integral));
+    brackets(report, matrix);
+    match poisson {
+        true => writeln!(report, "- a Poisson structure: Jacobi's identity holds"),
+        false => writeln!(report, "- not proven to be a Poisson structure"),
+    }
+}
+
+/// Reports Ω and S = Ω⁻¹ of a Lagrangian that is linear in the velocities, and canonical coordinates.
+pub(super) fn of_lagrangian(report: &mut Report<'_>, found: &FirstOrder) {
+    writeln!(report, "\nStructure");
+    entries(report, &found.form, |_, [i, j]| format!("Ω[{i}][{j}]"));
+    writeln!(report, "- x' = S ∇H with S = Ω⁻¹, a Poisson structure because Ω = dϑ");
+    brackets(report, &found.structure);
+    let Some(canonical) = &found.canonical else {
+        return writeln!(
+            report,
+            "- no canonical coordinates: Ω vanishes on no half of the coordinates, or a change of gauge for it is not elementary; \
+             `Gauss` and `ImplicitMidpoint` are those of x' = S ∇H, which are not symplectic"
+        );
+    };
+    if !report.graph().is_zero(canonical.gauge) {
+        writeln!(report, "- gauge: ϑ + ∇f with f = {}", report.excerpt(canonical.gauge));
+    }
+    for (replaced, position) in &canonical.replaced {
+        writeln!(
+            report,
+            "- canonical coordinates: {} and, in the place of {}, {}",
+            report.named(Symbol::Position(*position)),
+            report.named(Symbol::Position(*replaced)),
+            report.excerpt(canonical.values[*replaced as usize])
+        );
+    }
+    writeln!(report, "- `Gauss` and `ImplicitMidpoint` are those of canonical coordinates: symplectic")
+}
+
+/// Writes the brackets {xᵢ, xⱼ} = S[i][j].
+fn brackets(report: &mut Report<'_>, matrix: &[Vec<Id>]) {
+    entries(report, matrix, |report, indices| {
+        let [a, b] = indices.map(|i| report.named(Symbol::Position(i as u32)));
+        format!("{{{a}, {b}}}")
+    });
+}
+
+/// Writes the nonzero entries of a skew matrix above its diagonal.
+fn entries(report: &mut Report<'_>, matrix: &[Vec<Id>], name: fn(&Report<'_>, [usize; 2]) -> String) {
+    let graph = report.graph();
+    for (i, row) in matrix.iter().enumerate() {
+        for (j, entry) in row.iter().enumerate().skip(i + 1).filter(|(_, entry)| !graph.is_zero(**entry)) {
+            writeln!(report, "- {} = {}", name(report, [i, j]), report.excerpt(*entry));
+        }
+    }
 }

@@ -1,14 +1,15 @@
-//! Steps of a Lagrangian with velocities as unknowns, in words.
+//! Reports steps of a Lagrangian with velocities as unknowns.
 
 use super::contact::decaying;
-use super::{Report, counted, friction};
+use super::{Report, friction};
 use crate::analyze::{Damping, Forces, Spared};
+use crate::check::wording::commas;
 use crate::derive::{BesideVelocities, Implicit, KeptMomentum, System, VelocityKernels};
 use crate::ir::{Id, Symbol};
 use crate::legendre::Legendre;
 use crate::parse::Role;
 
-/// `obstacle` is the reason why there is no H.
+/// Reports the structure, conserved functions, and costs of implicit steps. `obstacle` is the term that prevents a short H.
 pub(super) fn report(
     report: &mut Report<'_>,
     legendre: &Legendre,
@@ -43,14 +44,13 @@ pub(super) fn report(
     }
     let unknowns = report.compilation.degrees() + u32::from(kernels.stages.has_action_unknown());
     writeln!(report, "\nImplicit steps, with {unknowns} unknowns a stage (a sine with its cosine counts as two)");
-    let stage = counted(kernels.stages.stage.operations());
+    let stage = kernels.stages.stage.operations();
     let action = kernels.stages.action.is_some();
     match action {
         false => writeln!(report, "- stage of a Newton iteration of collocation: {stage}"),
         true => writeln!(report, "- `ContactMidpoint` and `ContactGauss`: {stage} a stage of an iteration"),
     }
-    let step = kernels.polarised.as_ref().map(|step| counted(step.kernel.operations()));
-    match step {
+    match kernels.polarised.as_ref().map(|step| step.kernel.operations()) {
         Ok(cost) if action => {
             writeln!(report, "- `ContactDiscreteGradient`, the polarised one: {cost} an iteration")
         }
@@ -59,7 +59,7 @@ pub(super) fn report(
     }
 }
 
-/// Time, forces, and the integrals of the flow and of its methods.
+/// Reports time, damping, forces, and integrals of the flow and of its methods.
 fn conserved(
     report: &mut Report<'_>,
     legendre: &Legendre,
@@ -68,7 +68,7 @@ fn conserved(
     kernels: &VelocityKernels,
 ) {
     let autonomous = !report.graph().reads(legendre.lagrangian).t;
-    writeln!(report, "- L {} on time", if autonomous { "does not depend" } else { "depends" });
+    report.time("L", autonomous);
     if let Some(damping) = damping {
         friction::damping(report, damping, autonomous);
     }
@@ -82,29 +82,18 @@ fn conserved(
     let cyclic: Vec<u32> = (0..report.compilation.degrees()).filter(is_kept).collect();
     let energy = autonomous && damping.is_none() && forces.is_none();
     let VelocityKernels { polarised, momenta, .. } = kernels;
-    if energy {
-        writeln!(report, "- the energy");
-    }
-    for i in &cyclic {
-        let [q, p] = [Symbol::Position(*i), Symbol::Momentum(*i)].map(|symbol| report.named(symbol));
-        writeln!(report, "- {p}: L does not read {q}");
-    }
-    for KeptMomentum { momentum, .. } in momenta {
-        writeln!(report, "- {}: {}", momentum.name, report.excerpt(momentum.value));
-    }
-    if !energy && cyclic.is_empty() && momenta.is_empty() {
-        writeln!(report, "- nothing that was found");
-    }
+    let mut lines: Vec<String> = energy.then(|| "the energy".into()).into_iter().collect();
+    lines.extend(cyclic.iter().map(|i| report.cyclic("L", *i)));
+    lines.extend(momenta.iter().map(|KeptMomentum { momentum, .. }| report.momentum(momentum)));
+    report.conserved(&lines);
     if !cyclic.is_empty() || !momenta.is_empty() {
         writeln!(report, "`ImplicitMidpoint` and `Gauss` keep all momenta of these, to rounding");
     }
     let summed = momenta.iter().any(|kept| kept.by_gradient);
     if polarised.is_ok() && (energy || summed || !cyclic.is_empty()) {
         let others = momenta.iter().filter(|kept| !kept.by_gradient);
-        let others: Vec<String> = others.map(|kept| format!("the {}", kept.momentum.name)).collect();
-        match &others[..] {
-            [] => writeln!(report, "`DiscreteGradient` keeps all of these, to rounding"),
-            _ => writeln!(report, "`DiscreteGradient` keeps all of these but {}, to rounding", others.join(", ")),
-        }
+        let others = commas(others.map(|kept| format!("the {}", kept.momentum.name)));
+        let but = if others.is_empty() { String::new() } else { format!(" but {others}") };
+        writeln!(report, "`DiscreteGradient` keeps all of these{but}, to rounding");
     }
 }
