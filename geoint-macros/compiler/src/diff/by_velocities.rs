@@ -6,6 +6,7 @@
 use super::forward::{blocks, jacobian};
 use super::gradient::{Gradient, gradient};
 use crate::analyze;
+use crate::ir::formula::squared;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Node, Number, Ratio, Symbol};
 
@@ -34,8 +35,8 @@ pub(crate) fn of_energy(graph: &mut Graph, energy: Id, known: &Gradient) -> Opti
     if quadratic.is_empty() {
         return None;
     }
-    let kinetic = graph.sum(&kinetic);
-    let kinetic = graph.scale(Number::HALF, kinetic);
+    let twice = graph.sum(&kinetic);
+    let kinetic = graph.build(Number::HALF * twice);
     // Subtract the squares from H, and the velocities at p = 0 from the velocities.
     let zero = graph.zero();
     let at_rest = |_: &mut Graph, symbol: Symbol| match symbol {
@@ -97,16 +98,14 @@ fn mass(graph: &mut Graph, inverse: &[Vec<Id>], block: &[u32]) -> Option<Vec<Vec
     match block.len() {
         1 if !graph.is_zero(entry(0, 0)) => {
             let d = denominator(graph, &[entry(0, 0)]);
-            let rest = graph.mul(entry(0, 0), d);
-            Some(vec![vec![graph.div(d, rest)]])
+            Some(vec![vec![graph.build(d / (entry(0, 0) * d))]])
         }
         2 => {
             let entries = [entry(0, 0), entry(0, 1), entry(1, 1)];
             let d = denominator(graph, &entries);
             let [first, mixed, second] = entries.map(|entry| graph.mul(entry, d));
-            let square = graph.pow(mixed, Ratio::integer(2));
-            let product = graph.mul(first, second);
-            let determinant = graph.sub(product, square);
+            let square = graph.build(squared(mixed));
+            let determinant = graph.build(first * second - square);
             let factor = match graph.reads(determinant).moves() {
                 true => {
                     let c = analyze::multiple(graph, determinant, d)?;

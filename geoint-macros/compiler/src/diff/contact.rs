@@ -7,6 +7,7 @@ use super::field::{Field, symmetrise};
 use super::forward::jacobian;
 use super::gradient::{Gradient, discrete_gradient, gradient};
 use super::slope::{Slopes, middle};
+use crate::ir::formula::call;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Function, Graph, Id, Number, Symbol};
 
@@ -60,12 +61,9 @@ pub(crate) fn midpoint(graph: &mut Graph, energy: Id, degrees: u32) -> Equation 
 
     let mut end: Vec<Id> = unknowns.iter().map(|d| graph.symbol(*d)).collect();
     if !graph.is_zero(s) {
-        let one = graph.integer(1);
         let half = graph.scale(Number::HALF, s);
-        let (less, more) = (graph.sub(one, half), graph.add(one, half));
-        let product = graph.mul(less, more);
-        let positive = graph.call(Function::RecipPositive, &[product]);
-        let factor = graph.mul(less, positive);
+        let (less, more) = (graph.build(1 - half), graph.build(1 + half));
+        let factor = graph.build(less * call(Function::RecipPositive, [less * more]));
         for dp in &mut end[n..2 * n] {
             *dp = graph.mul(*dp, factor);
         }
@@ -85,13 +83,7 @@ pub(crate) fn discrete(graph: &mut Graph, energy: Id, degrees: u32) -> Equation 
         ends.mean(graph, p)
     };
     let mean: Vec<Id> = (0..degrees).map(&mut mean).collect();
-    let value = if graph.is_zero(slopes.s) {
-        action
-    } else {
-        let decay = graph.neg(slopes.s);
-        let weight = graph.call(Function::Phi1, &[decay]);
-        graph.mul(action, weight)
-    };
+    let value = if graph.is_zero(slopes.s) { action } else { graph.build(action * call(Function::Phi1, [-slopes.s])) };
     let f = equations::contact(graph, value, &slopes, &mean, &mean).concat();
     let field = Field::new(graph, unknowns(degrees), f);
     let end = field.unknowns.iter().map(|d| graph.symbol(*d)).collect();

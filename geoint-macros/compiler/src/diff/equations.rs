@@ -62,9 +62,7 @@ pub(crate) fn contact(graph: &mut Graph, energy: Id, gradient: &Gradient, p: &[I
 
 /// One entry of p' = −∂H/∂q − p ∂H/∂s.
 pub(crate) fn contact_force(graph: &mut Graph, by_q: Id, p: Id, by_s: Id) -> Id {
-    let drag = graph.mul(p, by_s);
-    let sum = graph.add(by_q, drag);
-    graph.neg(sum)
+    graph.build(-(by_q + p * by_s))
 }
 
 /// The equations of a contact Hamiltonian with damping C and forces F: p' = −∂H/∂q − p ∂H/∂s + F − C ∂H/∂p.
@@ -133,8 +131,7 @@ pub(crate) fn euler_lagrange(
 
 /// Herglotz's equation for a Lagrangian L(q, v, s, t) with s' = L, one entry of d/dt ∂L/∂v = ∂L/∂q + ∂L/∂v ∂L/∂s.
 pub(crate) fn herglotz(graph: &mut Graph, by_q: Id, by_v: Id, by_s: Id) -> Id {
-    let gain = graph.mul(by_s, by_v);
-    graph.add(by_q, gain)
+    graph.build(by_q + by_s * by_v)
 }
 
 /// The momenta p as symbols.

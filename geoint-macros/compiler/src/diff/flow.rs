@@ -70,8 +70,7 @@ impl Points {
         let mut inner = vec![];
         for (i, f) in (0..).zip(f) {
             let (before, after) = (start.apply(graph, *f), end.apply(graph, *f));
-            let change = graph.sub(before, after);
-            let shift = graph.mul(eighth, change);
+            let shift = graph.build(eighth * (before - after));
             inner.extend(middle(graph, Symbol::Position(i)).map(|middle| graph.add(middle, shift)));
         }
         let at_inner: Replace = Box::new(move |_, symbol| match symbol {
@@ -183,8 +182,7 @@ impl Projector {
         let (mut rest, mut weights) = (vector.to_vec(), vec![]);
         for (a, w) in self.orthogonal.iter().enumerate() {
             let product = graph.dot(vector, w);
-            let excess = graph.sub(product, of_orthogonal[a]);
-            let weight = graph.mul(excess, self.reciprocal[a]);
+            let weight = graph.build((product - of_orthogonal[a]) * self.reciprocal[a]);
             rest = minus(graph, &rest, weight, w);
             weights.push(weight);
         }
@@ -197,8 +195,7 @@ impl Projector {
         let mut lambda = weights.to_vec();
         for a in (0..lambda.len()).rev() {
             for later in a + 1..lambda.len() {
-                let product = graph.mul(self.coefficients[later][a], lambda[later]);
-                lambda[a] = graph.sub(lambda[a], product);
+                lambda[a] = graph.build(lambda[a] - self.coefficients[later][a] * lambda[later]);
             }
         }
         let n = v.len();
@@ -229,11 +226,7 @@ fn scaled(graph: &mut Graph, number: Id, size: Id) -> Id {
 
 /// a − c·b.
 fn minus(graph: &mut Graph, a: &[Id], c: Id, b: &[Id]) -> Vec<Id> {
-    let mut difference = |(a, b): (&Id, &Id)| {
-        let product = graph.mul(c, *b);
-        graph.sub(*a, product)
-    };
-    a.iter().zip(b).map(&mut difference).collect()
+    a.iter().zip(b).map(|(a, b)| graph.build(*a - c * *b)).collect()
 }
 
 /// The field S(m)·ḡ with the discrete gradient ḡ of H and the middle m of the step. It keeps H if S is skew-symmetric.

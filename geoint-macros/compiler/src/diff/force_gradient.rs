@@ -3,7 +3,7 @@
 //! ∂F/∂q is symmetric, so ∇(F·M⁻¹F) is twice the derivative of F along M⁻¹F. One forward derivative gives it, without a reverse sweep over F·M⁻¹F.
 
 use super::forward::along;
-use crate::ir::{Graph, Id, Number, Symbol};
+use crate::ir::{Graph, Id, Symbol};
 
 /// A kick with a force gradient.
 #[derive(Clone, Debug)]
@@ -21,19 +21,16 @@ pub(crate) fn gradient_kick(graph: &mut Graph, potential: Id, force: &[Id], velo
         Symbol::Momentum(i) => Some(force[i as usize]),
         _ => None,
     });
-    let twice = graph.scale(Number::integer(2), g);
-    let direction: Vec<Id> = acceleration.iter().map(|change| graph.mul(twice, *change)).collect();
+    let direction: Vec<Id> = acceleration.iter().map(|change| graph.build(2 * g * *change)).collect();
     let change = along(graph, force, |symbol| match symbol {
         Symbol::Position(i) => Some(direction[i as usize]),
         _ => None,
     });
     let (mut impulse, mut squares) = (vec![], vec![]);
     for (i, force) in force.iter().enumerate() {
-        let plain = graph.mul(h, *force);
-        impulse.push(graph.add(plain, change[i]));
+        impulse.push(graph.build(h * *force + change[i]));
         squares.push(graph.mul(*force, acceleration[i]));
     }
     let square = graph.sum(&squares);
-    let (plain, correction) = (graph.mul(h, potential), graph.mul(g, square));
-    GradientImpulse { impulse, energy: graph.sub(plain, correction) }
+    GradientImpulse { impulse, energy: graph.build(h * potential - g * square) }
 }

@@ -8,6 +8,7 @@
 use super::forward::along;
 use super::gradient::{Gradient, gradient, partial, rename};
 use crate::analyze::Parts;
+use crate::ir::formula::squared;
 use crate::ir::{Graph, Id, Number, Ratio, Symbol};
 
 /// A piece of a step.
@@ -61,8 +62,7 @@ pub(crate) fn modified_energy(graph: &mut Graph, parts: &[Part], degrees: u32) -
         let with_inner = bracket(graph, &inner, &commutator, degrees);
         // {Y, {Y, X}} = −{Y, {X, Y}}.
         for (weight, term) in [(24, with_outer), (12, with_inner)] {
-            let term = graph.scale(Number::Exact(Ratio { numerator: -1, denominator: weight }), term);
-            second = graph.add(second, term);
+            second = graph.build(second + Number::Exact(Ratio { numerator: -1, denominator: weight }) * term);
         }
         inner.energy = graph.add(inner.energy, part.energy);
         inner.clocks.extend(part.advances);
@@ -74,9 +74,7 @@ pub(crate) fn modified_energy(graph: &mut Graph, parts: &[Part], degrees: u32) -
 /// H + h²H₂.
 fn corrected(graph: &mut Graph, energy: Id, second: Id) -> Id {
     let h = graph.symbol(Symbol::StepLength);
-    let square = graph.pow(h, Ratio::integer(2));
-    let change = graph.mul(square, second);
-    graph.add(energy, change)
+    graph.build(energy + squared(h) * second)
 }
 
 /// Computes H + h²H₂ for half a kick, a drift and half a kick of H = T(p, t) + V(q, t), from ∇H.
@@ -123,18 +121,13 @@ fn bracket(graph: &mut Graph, f: &Generator, g: &Generator, degrees: u32) -> Id 
     let mut terms = vec![];
     for i in 0..degrees as usize {
         let p = graph.symbol(Symbol::Momentum(i as u32));
-        let [lifted_f, lifted_g] = [(df.q[i], df.s), (dg.q[i], dg.s)].map(|(by_q, by_s)| {
-            // ∂/∂q + p ∂/∂s.
-            let lift = graph.mul(p, by_s);
-            graph.add(by_q, lift)
-        });
+        // ∂/∂q + p ∂/∂s.
+        let [lifted_f, lifted_g] = [&df, &dg].map(|slopes| graph.build(slopes.q[i] + p * slopes.s));
         terms.push(graph.mul(df.p[i], lifted_g));
-        let back = graph.mul(lifted_f, dg.p[i]);
-        terms.push(graph.neg(back));
+        terms.push(graph.build(-(lifted_f * dg.p[i])));
     }
     terms.push(graph.mul(g.energy, df.s));
-    let back = graph.mul(f.energy, dg.s);
-    terms.push(graph.neg(back));
+    terms.push(graph.build(-(f.energy * dg.s)));
     for clock in &f.clocks {
         terms.push(partial(graph, g.energy, clock.symbol()));
     }

@@ -2,6 +2,7 @@
 
 mod affine;
 mod call;
+pub(crate) mod formula;
 pub(crate) mod graph;
 pub(crate) mod collect;
 pub(crate) mod hash;

@@ -4,6 +4,7 @@ use super::products::factors;
 use super::scalar::{geometric_sum, mean_of_power};
 use crate::analyze;
 use crate::diff;
+use crate::ir::formula::{call, pow, squared};
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
 
 /// Returns end − x for every changed coordinate of a flow.
@@ -50,8 +51,8 @@ fn increment(graph: &mut Graph, end: Id, x: Id) -> Option<Id> {
         }
         // y + y·(eᶻ − 1).
         Node::Call(Function::Grown, args) => {
-            let (own, change) = (increment(graph, args[0], x)?, graph.mul(args[0], args[2]));
-            Some(graph.add(own, change))
+            let own = increment(graph, args[0], x)?;
+            Some(graph.build(own + args[0] * args[2]))
         }
         Node::Product(_) => {
             let mut others = factors(graph, end);
@@ -60,8 +61,7 @@ fn increment(graph: &mut Graph, end: Id, x: Id) -> Option<Id> {
                 others.iter().enumerate().find_map(|(i, factor)| Some((i, increment(graph, single(factor)?, x)?)))?;
             let (base, _) = others.remove(i);
             let excess = excess_of_product(graph, &others)?;
-            let change = graph.mul(base, excess);
-            Some(graph.add(own, change))
+            Some(graph.build(own + base * excess))
         }
         _ => None,
     }
@@ -81,14 +81,13 @@ fn excess(graph: &mut Graph, factor: Id) -> Option<Id> {
         Node::Call(function, args) => match function {
             Function::Exp => Some(graph.call(Function::ExpM1, &[args[0]])),
             Function::Grown => {
-                let (own, change) = (excess(graph, args[0])?, graph.mul(args[0], args[2]));
-                Some(graph.add(own, change))
+                let own = excess(graph, args[0])?;
+                Some(graph.build(own + args[0] * args[2]))
             }
             // −u/(1 + u).
             Function::RecipPositive => {
                 let u = excess(graph, args[0])?;
-                let change = graph.mul(u, factor);
-                Some(graph.neg(change))
+                Some(graph.build(-(u * factor)))
             }
             Function::Powf => match (graph.node(args[0]).clone(), graph.as_number(args[1])?) {
                 (Node::Call(Function::NotNegative, base), Number::Exact(exponent)) => {
@@ -98,17 +97,12 @@ fn excess(graph: &mut Graph, factor: Id) -> Option<Id> {
             },
             // cos w − 1 = −2 sin² w/2. If the angle w reads the state, the formula would cost one more sine in every step.
             Function::Cos if !graph.reads(args[0]).state() => {
-                let half = graph.scale(Number::HALF, args[0]);
-                let sine = graph.call(Function::Sin, &[half]);
-                let square = graph.mul(sine, sine);
-                Some(graph.scale(Number::integer(-2), square))
+                Some(graph.build(-2 * squared(call(Function::Sin, [Number::HALF * args[0]]))))
             }
             Function::StumpffC0 => {
                 let half = graph.scale(Number::HALF, args[0]);
-                let quarter = graph.scale(Number::HALF, half);
-                let sine = graph.call(Function::StumpffC1, &[quarter]);
-                let change = graph.product(&[half, sine, sine]);
-                Some(graph.neg(change))
+                let sine = graph.build(call(Function::StumpffC1, [Number::HALF * half]));
+                Some(graph.build(-(half * sine * sine)))
             }
             _ => None,
         },
@@ -121,10 +115,8 @@ fn excess_of_product(graph: &mut Graph, all: &[(Id, Ratio)]) -> Option<Id> {
     let (mut sum, mut product) = (graph.zero(), graph.integer(1));
     for (base, exponent) in all {
         let own = excess_of_power(graph, *base, *exponent)?;
-        let own = graph.mul(product, own);
-        sum = graph.add(sum, own);
-        let factor = graph.pow(*base, *exponent);
-        product = graph.mul(product, factor);
+        sum = graph.build(sum + product * own);
+        product = graph.build(product * pow(*base, *exponent));
     }
     Some(sum)
 }
@@ -146,9 +138,7 @@ fn excess_of_power(graph: &mut Graph, base: Id, exponent: Ratio) -> Option<Id> {
     if n > 0 {
         return Some(change);
     }
-    let whole = graph.pow(base, exponent);
-    let change = graph.mul(change, whole);
-    Some(graph.neg(change))
+    Some(graph.build(-(change * pow(base, exponent))))
 }
 
 /// Returns d^r − 1, or NaN if d is negative.

@@ -52,8 +52,7 @@ pub(crate) fn mechanics(graph: &mut Graph, energy: Id, degrees: u32) -> Result<M
     let free_kick = prolongation::solve(graph, &group(potential, Clock::Stage)).ok_or(potential)?;
     let free_drift = free(graph, Clock::Stage).ok_or(kinetic)?;
     let s = graph.symbol(Symbol::Action);
-    let loss = graph.mul(damping, s);
-    let with_damping = graph.add(kinetic, loss);
+    let with_damping = graph.build(kinetic + damping * s);
     let undamped = graph.is_zero(damping);
     let drift = [Clock::Own, Clock::Stage].into_iter().find_map(|clock| {
         let flow = if undamped { free(graph, clock) } else { damped::drift(graph, &group(with_damping, clock)) };

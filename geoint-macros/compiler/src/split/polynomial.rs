@@ -2,6 +2,7 @@
 
 use crate::analyze;
 use crate::diff;
+use crate::ir::formula::pow;
 use crate::ir::{Graph, Id, Node, Number, Ratio, Symbol, Table};
 use std::collections::BTreeMap;
 
@@ -186,8 +187,7 @@ pub(super) fn slope_of_line(graph: &mut Graph, line: Id, x: Symbol) -> Option<Id
 pub(super) fn times_powers(graph: &mut Graph, coefficient: Id, monomial: &Monomial) -> Id {
     monomial.iter().fold(coefficient, |term, (symbol, power)| {
         let symbol = graph.symbol(*symbol);
-        let power = graph.pow(symbol, *power);
-        graph.mul(term, power)
+        graph.build(term * pow(symbol, *power))
     })
 }
 

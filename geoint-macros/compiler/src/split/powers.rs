@@ -7,6 +7,7 @@ use super::flow::Space;
 use super::linear_motion::is_of_degree;
 use super::polynomial::{Monomial, Polynomial, is_whole};
 use crate::analyze;
+use crate::ir::formula::pow;
 use crate::ir::{Graph, Id, Number, Ratio, Symbol};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -54,14 +55,11 @@ pub(super) fn powers_of_forms(graph: &mut Graph, atoms: &[Id], space: Space) -> 
         let mut sum = graph.zero();
         for (symbol, c) in &form {
             let symbol = graph.symbol(*symbol);
-            let term = graph.scale(Number::integer(*c), symbol);
-            sum = graph.add(sum, term);
+            sum = graph.build(sum + *c * symbol);
         }
         let mut energy = graph.zero();
         for (degree, coefficient) in powers {
-            let power = graph.pow(sum, Ratio::integer(degree));
-            let term = graph.mul(coefficient, power);
-            energy = graph.add(energy, term);
+            energy = graph.build(energy + coefficient * pow(sum, Ratio::integer(degree)));
         }
         match graph.reads(energy).kinds() {
             0 => {}

@@ -7,6 +7,7 @@ mod quadrature;
 use super::polynomial::{Polynomial, power, reads, slope_of_line};
 use super::products::ScaledPower;
 use super::time::{Clock, OverTime, over_time};
+use crate::ir::formula::{call, pow, squared};
 use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
 
 /// A differential equation for one variable.
@@ -86,7 +87,7 @@ fn affine(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
         }
         [(Ratio::ZERO, b), (Ratio::ONE, a)] => {
             let h = equation.steady(graph, &[a, b])?;
-            let z = graph.mul(a, h);
+            let z = graph.build(a * h);
             // Not 1 + zφ₁(z), which cancels after a strong decay.
             let [growth, mean] = [Function::Exp, Function::Phi1].map(|function| graph.call(function, &[z]));
             let change = graph.mul(z, mean);
@@ -109,8 +110,7 @@ fn growth(graph: &mut Graph, equation: &Equation, a: Id) -> Option<Id> {
             }
             _ => {
                 let ln = time.ln_ratio(graph);
-                let z = graph.mul(k, ln);
-                graph.call(Function::Exp, &[z])
+                graph.build(call(Function::Exp, [k * ln]))
             }
         });
     }
@@ -120,8 +120,7 @@ fn growth(graph: &mut Graph, equation: &Equation, a: Id) -> Option<Id> {
 
 /// Returns x·eᶻ, computed from `change` = eᶻ − 1.
 pub(super) fn grown(graph: &mut Graph, x: Id, z: Id, change: Id) -> Id {
-    let rest = graph.call(Function::Rest, &[z, change]);
-    graph.call(Function::Grown, &[x, rest, change])
+    graph.build(call(Function::Grown, [x.into(), call(Function::Rest, [z, change]), change.into()]))
 }
 
 /// x·E·D^(−1/m) with m = k − 1, E = e^(ah), D = 1 − m·b·xᵐ·h·φ₁(m·a·h).
@@ -132,24 +131,19 @@ fn bernoulli(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
     if k.numerator == 0 {
         return None;
     }
-    let (x, one) = (graph.symbol(equation.x), graph.integer(1));
+    let x = graph.symbol(equation.x);
     let m = k.add(Ratio::integer(-1))?;
     let (growth, weight) = match linear[..] {
-        [] => (one, equation.clock.over_step(graph, b)?),
+        [] => (graph.integer(1), equation.clock.over_step(graph, b)?),
         [(_, a)] => {
             let h = equation.steady(graph, &[a, b])?;
-            let z = graph.mul(a, h);
-            let growth = graph.call(Function::Exp, &[z]);
-            let z = graph.scale(Number::Exact(m), z);
-            let mean = graph.call(Function::Phi1, &[z]);
-            (growth, graph.product(&[b, h, mean]))
+            let growth = graph.build(call(Function::Exp, [a * h]));
+            let mean = graph.build(call(Function::Phi1, [Number::Exact(m) * (a * h)]));
+            (growth, graph.build(b * h * mean))
         }
         _ => return None,
     };
-    let power = graph.pow(x, m);
-    let change = graph.mul(weight, power);
-    let change = graph.scale(Number::Exact(m).neg(), change);
-    let d = graph.add(one, change);
+    let d = graph.build(1 + Number::Exact(m).neg() * (weight * pow(x, m)));
     let inverse = m.recip()?.neg();
     let [shrunk, slope] = [inverse, k.mul(inverse)?].map(|exponent| positive_power(graph, d, exponent));
     let end = graph.product(&[x, growth, shrunk]);
@@ -175,53 +169,38 @@ fn shifted_power(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
     equation.steady(graph, &[y])?;
     let m = k.add(Ratio::integer(-1))?;
     let weight = equation.clock.over_step(graph, b)?;
-    let power = graph.pow(y, m);
-    let relative = graph.mul(weight, power);
-    let relative = graph.scale(Number::Exact(m).neg(), relative);
+    let relative = graph.build(Number::Exact(m).neg() * (weight * pow(y, m)));
     let u = graph.mul(a, relative);
     let inverse = m.recip()?.neg();
     let mean = mean_of_power(graph, u, inverse)?;
-    let change = graph.product(&[y, relative, mean]);
-    let (x, one) = (graph.symbol(x), graph.integer(1));
-    let d = graph.add(one, u);
+    let change = graph.build(y * relative * mean);
+    let (x, d) = (graph.symbol(x), graph.build(1 + u));
     let by_start = positive_power(graph, d, k.mul(inverse)?);
     Some(Solution { end: graph.add(x, change), by_start })
 }
 
 /// Returns ((1 + u)^r − 1)/u without cancellation. The value at u = 0 is r.
 pub(super) fn mean_of_power(graph: &mut Graph, u: Id, r: Ratio) -> Option<Id> {
-    let one = graph.integer(1);
-    let d = graph.add(one, u);
-    let d = graph.call(Function::NotNegative, &[d]);
+    let d = graph.build(call(Function::NotNegative, [1 + u]));
     if r.denominator > 2 || r.numerator.abs() > 8 {
-        let ln = graph.call(Function::Ln1p, &[u]);
-        let ln = graph.scale(Number::Exact(r), ln);
-        let mean = graph.call(Function::Phi1, &[ln]);
+        let mean = graph.build(call(Function::Phi1, [Number::Exact(r) * call(Function::Ln1p, [u])]));
         let mean_of_ln = mean_of_recip(graph, u);
-        let mean = graph.mul(mean_of_ln, mean);
-        return Some(graph.scale(Number::Exact(r), mean));
+        return Some(graph.build(Number::Exact(r) * (mean_of_ln * mean)));
     }
     let mut mean = geometric_sum(graph, d, r.numerator.abs());
     if r.denominator == 2 {
-        let root = graph.pow(d, Ratio { numerator: r.numerator.abs(), ..r });
-        let root = graph.add(one, root);
-        mean = graph.div(mean, root);
+        mean = graph.build(mean / (1 + pow(d, Ratio { numerator: r.numerator.abs(), ..r })));
     }
     if r.numerator < 0 {
-        let whole = graph.pow(d, r);
-        mean = graph.mul(mean, whole);
-        mean = graph.neg(mean);
+        mean = graph.build(-(mean * pow(d, r)));
     }
     Some(mean)
 }
 
 /// Returns 1 + d + … + dⁿ⁻¹ = (dⁿ − 1)/(d − 1) by Horner's rule.
 pub(super) fn geometric_sum(graph: &mut Graph, d: Id, n: i128) -> Id {
-    let (one, zero) = (graph.integer(1), graph.zero());
-    (0..n).fold(zero, |sum, _| {
-        let inner = graph.mul(d, sum);
-        graph.add(one, inner)
-    })
+    let zero = graph.zero();
+    (0..n).fold(zero, |sum, _| graph.build(1 + d * sum))
 }
 
 /// (x·(C + S·b/2) + c·S)/(C − S·(a·x + b/2)), the quotient of the solutions of a linear equation, with ω² = ac − b²/4, C = cos ωh,
@@ -238,22 +217,12 @@ fn riccati(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
     let h = equation.steady(graph, &[a, b, c])?;
     let x = graph.symbol(equation.x);
     let half_b = graph.scale(Number::HALF, b);
-    let product = graph.mul(a, c);
-    let square = graph.pow(half_b, Ratio::integer(2));
-    let square = graph.sub(product, square);
+    let square = graph.build(a * c - squared(half_b));
     let (cosine, sine) = rotation(graph, square, h, Angle::BelowHalfTurn);
     let with_c = graph.mul(c, sine);
-    let scaled = graph.mul(half_b, sine);
-    let grown = graph.add(cosine, scaled);
-    let moved = graph.mul(x, grown);
-    let above = graph.add(moved, with_c);
-    let slope = graph.mul(a, x);
-    let slope = graph.add(slope, half_b);
-    let slope = graph.mul(slope, sine);
-    let below = graph.sub(cosine, slope);
-    let below = graph.call(Function::RecipPositive, &[below]);
-    let end = graph.mul(above, below);
-    Some(Solution { end, by_start: graph.pow(below, Ratio::integer(2)) })
+    let above = graph.build(x * (cosine + half_b * sine) + with_c);
+    let below = graph.build(call(Function::RecipPositive, [cosine - (a * x + half_b) * sine]));
+    Some(Solution { end: graph.build(above * below), by_start: graph.build(squared(below)) })
 }
 
 /// The angles ωh for which a solution with cos ωh and sin ωh is valid.
@@ -266,21 +235,17 @@ pub(super) enum Angle {
 
 /// Returns cos ωh and sin ωh/ω for ω² of either sign.
 pub(super) fn rotation(graph: &mut Graph, omega_squared: Id, h: Id, valid: Angle) -> (Id, Id) {
-    let h_squared = graph.pow(h, Ratio::integer(2));
-    let mut angle_squared = graph.mul(omega_squared, h_squared);
+    let mut angle_squared = graph.build(omega_squared * squared(h));
     if valid == Angle::BelowHalfTurn {
         let pi = std::f64::consts::PI;
         let bound = graph.number(Number::float(pi * pi));
         angle_squared = graph.call(Function::AtMost, &[angle_squared, bound]);
     }
     let cosine = graph.call(Function::StumpffC0, &[angle_squared]);
-    let sine = graph.call(Function::StumpffC1, &[angle_squared]);
-    (cosine, graph.mul(h, sine))
+    (cosine, graph.build(h * call(Function::StumpffC1, [angle_squared])))
 }
 
 /// Returns ln(1 + u)/u, which is 1 for u = 0.
 fn mean_of_recip(graph: &mut Graph, u: Id) -> Id {
-    let one = graph.integer(1);
-    let end = graph.add(one, u);
-    graph.call(Function::LnSlope, &[one, end])
+    graph.build(call(Function::LnSlope, [1.into(), 1 + u]))
 }

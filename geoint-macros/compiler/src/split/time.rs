@@ -3,6 +3,7 @@
 use super::polynomial::{Polynomial, power, reads, slope_of_line};
 use super::products::{ScaledPower, Separated, separated};
 use crate::diff;
+use crate::ir::formula::{call, pow};
 use crate::ir::substitute::Substitution;
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
 
@@ -38,8 +39,7 @@ fn integral(graph: &mut Graph, rate: Id) -> Option<Id> {
         let mut sum = graph.scale(constant, h);
         for (c, term) in terms {
             let term = Clock::Own.over_step(graph, term)?;
-            let term = graph.scale(c, term);
-            sum = graph.add(sum, term);
+            sum = graph.build(sum + c * term);
         }
         return Some(sum);
     }
@@ -99,15 +99,9 @@ fn mean_of_powers(graph: &mut Graph, rate: Id) -> Option<Id> {
         let mut mean = diff::mean_rate(graph, value);
         if singular {
             // (t^−m)[a, b] = −(tᵐ)[a, b]/(ab)ᵐ. NaN if the step passes t = 0.
-            let end = graph.add(t, h);
-            let product = graph.mul(t, end);
-            let reciprocal = graph.call(Function::RecipPositive, &[product]);
-            let reciprocal = graph.pow(reciprocal, size);
-            mean = graph.mul(mean, reciprocal);
+            mean = graph.build(mean * pow(call(Function::RecipPositive, [t * (t + h)]), size));
         }
-        let mean = graph.scale(Number::Exact(size.recip()?), mean);
-        let mean = graph.mul(coefficient, mean);
-        sum = graph.add(sum, mean);
+        sum = graph.build(sum + coefficient * (Number::Exact(size.recip()?) * mean));
     }
     Some(sum)
 }
@@ -133,8 +127,7 @@ pub(super) fn over_time(graph: &mut Graph, rate: Id) -> Option<OverTime> {
             if *common.get_or_insert(time) != time {
                 return None;
             }
-            let k = graph.scale(c, k);
-            sum = graph.add(sum, k);
+            sum = graph.build(sum + c * k);
         }
         return common.map(|time| OverTime { k: sum, time });
     }
@@ -152,15 +145,12 @@ impl ShiftedTime {
     /// Returns τ/(τ + h), or NaN if the step passes τ = 0.
     pub(super) fn ratio(self, graph: &mut Graph) -> Id {
         let h = graph.symbol(Symbol::StepLength);
-        let end = graph.add(self.0, h);
-        let ratio = graph.div(self.0, end);
-        graph.call(Function::NotNegative, &[ratio])
+        graph.build(call(Function::NotNegative, [self.0 / (self.0 + h)]))
     }
 
     /// Returns ln((τ + h)/τ), or NaN if the step passes τ = 0.
     pub(super) fn ln_ratio(self, graph: &mut Graph) -> Id {
         let h = graph.symbol(Symbol::StepLength);
-        let relative = graph.div(h, self.0);
-        graph.call(Function::Ln1p, &[relative])
+        graph.build(call(Function::Ln1p, [h / self.0]))
     }
 }

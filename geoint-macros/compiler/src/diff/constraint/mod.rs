@@ -8,6 +8,7 @@ mod steps;
 use super::equations::times;
 use super::forward::jacobian;
 use super::gradient::with_values;
+use crate::ir::formula::{call, pow, squared};
 use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
 use std::collections::BTreeSet;
 pub(crate) use steps::{gradient, rattle};
@@ -87,13 +88,10 @@ impl<'a> Constrained<'a> {
             let mut lengths = vec![];
             for i in coupled {
                 let q = graph.symbol(Symbol::Position(i as u32));
-                let square = graph.pow(q, Ratio::integer(2));
-                let length = graph.div(square, self.inverse_mass[i][i]);
-                lengths.push(graph.call(Function::Abs, &[length]));
+                lengths.push(graph.build(call(Function::Abs, [squared(q) / self.inverse_mass[i][i]])));
             }
-            let (length, unit) = (graph.sum(&lengths), graph.call(Function::Abs, &[unit]));
-            let square = graph.mul(length, unit);
-            sizes.push(graph.sqrt(square));
+            let length = graph.sum(&lengths);
+            sizes.push(graph.build(pow(length * call(Function::Abs, [unit]), Ratio::HALF)));
         }
         sizes
     }
@@ -134,16 +132,13 @@ impl<'a> Constrained<'a> {
             let mut terms = vec![];
             for (i, slope) in (0..).zip(gradient) {
                 let q = graph.symbol(Symbol::Position(i));
-                let term = graph.mul(*slope, q);
-                terms.push(graph.call(Function::Abs, &[term]));
+                terms.push(graph.build(call(Function::Abs, [*slope * q])));
             }
-            let (size, unit) = (graph.sum(&terms), graph.call(Function::Abs, &[*unit]));
-            multipliers.push(graph.div(size, unit));
+            let size = graph.sum(&terms);
+            multipliers.push(graph.build(size / call(Function::Abs, [*unit])));
         }
         let h = graph.symbol(Symbol::StepLength);
-        let h = graph.call(Function::Abs, &[h]);
-        let weight = graph.recip(h);
-        let weight = graph.scale(pull, weight);
+        let weight = graph.build(pull * pow(call(Function::Abs, [h]), Ratio::integer(-1)));
         let directions: Vec<Vec<Id>> = self.gradients.iter().map(|gradient| self.along(graph, gradient)).collect();
         let mut size = |symbol: &Symbol| {
             let (own, rows, weight, i) = match symbol {
@@ -155,8 +150,7 @@ impl<'a> Constrained<'a> {
             let own = graph.symbol(own);
             let mut terms = vec![graph.call(Function::Abs, &[own])];
             for (row, multiplier) in rows.iter().zip(&multipliers) {
-                let slope = graph.call(Function::Abs, &[row[i as usize]]);
-                terms.push(graph.product(&[weight, slope, *multiplier]));
+                terms.push(graph.build(weight * call(Function::Abs, [row[i as usize]]) * *multiplier));
             }
             graph.sum(&terms)
         };

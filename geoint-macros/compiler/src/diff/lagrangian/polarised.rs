@@ -32,8 +32,7 @@ pub(crate) fn polarised(graph: &mut Graph, equation: EulerLagrange<'_>) -> Polar
     // t₁ = t + h/2 without an action.
     let end_time = (!has_action).then(|| {
         let t = graph.symbol(Symbol::Time);
-        let half = graph.scale(Number::HALF, h);
-        graph.add(t, half)
+        graph.build(t + Number::HALF * h)
     });
     let (ends, means) = (ends(graph, degrees), means(graph, degrees));
     let increments: Vec<Id> = means.iter().map(|mean| graph.mul(h, *mean)).collect();
@@ -54,8 +53,7 @@ pub(crate) fn polarised(graph: &mut Graph, equation: EulerLagrange<'_>) -> Polar
     for (i, (momentum, impulse)) in (0..).zip(momenta.iter().zip(&mut impulse)) {
         let p = graph.symbol(Symbol::Momentum(i));
         if let Some(growth) = growth {
-            let sum = graph.add(p, *momentum);
-            let mean = graph.scale(Number::HALF, sum);
+            let mean = graph.build(Number::HALF * (p + *momentum));
             power.push(graph.mul(mean, means[i as usize]));
             *impulse = equations::herglotz(graph, *impulse, mean, growth);
         }
@@ -98,8 +96,7 @@ fn action_step(graph: &mut Graph, equation: EulerLagrange<'_>, mut power: Vec<Id
         energy.push(graph.mul(p, v));
     }
     let energy = graph.sum(&energy);
-    let loss = graph.mul(energy, mean_growth);
-    power.push(graph.neg(loss));
+    power.push(graph.build(-(energy * mean_growth)));
     let power = graph.sum(&power);
     let h = graph.symbol(Symbol::StepLength);
     graph.mul(h, power)
@@ -148,8 +145,7 @@ fn means(graph: &mut Graph, degrees: u32) -> Vec<Id> {
 fn velocities(graph: &mut Graph, degrees: u32, part: Number) -> Vec<Id> {
     let mut velocity = |i| {
         let [start, d] = [Symbol::Velocity(i), Symbol::VelocityIncrement(i)].map(|symbol| graph.symbol(symbol));
-        let change = graph.scale(part, d);
-        graph.add(start, change)
+        graph.build(start + part * d)
     };
     (0..degrees).map(&mut velocity).collect()
 }
@@ -166,11 +162,9 @@ pub(crate) fn polarisation(graph: &mut Graph, equation: EulerLagrange<'_>) -> Id
         for j in 0..=i {
             let mut pair = graph.mul(starts[i], ends[j]);
             if i != j {
-                let other = graph.mul(starts[j], ends[i]);
-                pair = graph.add(pair, other);
+                pair = graph.build(pair + starts[j] * ends[i]);
             }
-            let half = graph.scale(Number::HALF, pair);
-            terms.push(graph.mul(mass[i][j], half));
+            terms.push(graph.build(mass[i][j] * (Number::HALF * pair)));
         }
     }
     graph.sum(&terms)

@@ -48,14 +48,11 @@ impl Slopes {
         }
         let (along, squares) = (graph.sum(&along), graph.sum(&squares));
         let end = self.end(graph, id);
-        let change = graph.sub(end, id);
-        let missing = graph.sub(change, along);
-        let correction = graph.div(missing, squares);
-        let entry = |(symbol, mean, increment)| {
-            let part = graph.mul(correction, increment);
-            (symbol, graph.add(mean, part))
-        };
-        means.into_iter().map(entry).collect()
+        let correction = graph.build((end - id - along) / squares);
+        means
+            .into_iter()
+            .map(|(symbol, mean, increment)| (symbol, graph.build(mean + correction * increment)))
+            .collect()
     }
 }
 

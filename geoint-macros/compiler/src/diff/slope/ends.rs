@@ -32,8 +32,8 @@ pub(in super::super) fn coordinate_increment(graph: &mut Graph, symbol: Symbol) 
 /// A coordinate in the middle of a step.
 pub(crate) fn middle(graph: &mut Graph, symbol: Symbol) -> Option<Id> {
     let increment = coordinate_increment(graph, symbol)?;
-    let (start, half) = (graph.symbol(symbol), graph.scale(Number::HALF, increment));
-    Some(graph.add(start, half))
+    let start = graph.symbol(symbol);
+    Some(graph.build(start + Number::HALF * increment))
 }
 
 /// A coordinate at the end of a step.
@@ -63,14 +63,10 @@ impl Slopes {
     /// The mean (start + end)/2 of the values at both ends.
     pub(in super::super) fn mean(&mut self, graph: &mut Graph, id: Id) -> Id {
         match self.affine_increment(graph, id) {
-            Some(increment) => {
-                let half = graph.scale(Number::HALF, increment);
-                graph.add(id, half)
-            }
+            Some(increment) => graph.build(id + Number::HALF * increment),
             None => {
                 let end = self.end(graph, id);
-                let sum = graph.add(id, end);
-                graph.scale(Number::HALF, sum)
+                graph.build(Number::HALF * (id + end))
             }
         }
     }

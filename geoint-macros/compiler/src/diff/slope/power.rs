@@ -1,5 +1,6 @@
 //! Divided differences of powers with an integer or half-integer exponent: exact polynomials of both ends.
 
+use crate::ir::formula::pow;
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio};
 
 /// (xʳ)[a, b].
@@ -11,9 +12,7 @@ pub(super) fn slope(graph: &mut Graph, a: Id, b: Id, exponent: Ratio) -> Id {
         let sum = graph.add(a, b);
         if n == -1 {
             // −1/(ab(a + b)) takes one division instead of two.
-            let product = graph.product(&[a, b, sum]);
-            let reciprocal = graph.recip(product);
-            return graph.neg(reciprocal);
+            return graph.build(-pow(a * b * sum, Ratio::integer(-1)));
         }
         let outer = slope(graph, a, b, Ratio::integer(n));
         return graph.div(outer, sum);
@@ -22,9 +21,7 @@ pub(super) fn slope(graph: &mut Graph, a: Id, b: Id, exponent: Ratio) -> Id {
         // −(x⁻ⁿ)[a, b]/(ab)⁻ⁿ
         let slope = slope(graph, a, b, Ratio::integer(-n));
         let reciprocal = reciprocal(graph, a, b);
-        let power = graph.pow(reciprocal, Ratio::integer(-n));
-        let product = graph.mul(slope, power);
-        return graph.neg(product);
+        return graph.build(-(slope * pow(reciprocal, Ratio::integer(-n))));
     }
     match n {
         0 => graph.zero(),
@@ -53,8 +50,7 @@ pub(super) fn slope(graph: &mut Graph, a: Id, b: Id, exponent: Ratio) -> Id {
 
 /// aⁿ + bⁿ.
 fn sum_of_powers(graph: &mut Graph, a: Id, b: Id, n: Ratio) -> Id {
-    let (a, b) = (graph.pow(a, n), graph.pow(b, n));
-    graph.add(a, b)
+    graph.build(pow(a, n) + pow(b, n))
 }
 
 /// 1/(ab), or NaN if there is a pole between a and b. Roots are nonnegative and need no check.

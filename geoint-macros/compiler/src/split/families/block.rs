@@ -11,6 +11,7 @@ use super::super::flow::{Flow, Group};
 use super::super::polynomial::{Polynomial, degree_of_freedom};
 use super::super::products::matrix_product;
 use super::quadratic::coefficients;
+use crate::ir::formula::{call, pow, squared};
 use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
 
 type Matrix = Vec<Vec<Id>>;
@@ -132,38 +133,32 @@ fn exponential(graph: &mut Graph, m: &Matrix) -> Exponential {
     let n = matrix_product(graph, m, m);
     let trace: Vec<Id> = (0..m.len()).map(|i| n[i][i]).collect();
     let trace = graph.sum(&trace);
-    let h2 = graph.pow(h, Ratio::integer(2));
+    let h2 = graph.build(squared(h));
     let b = graph.scale(Number::HALF.neg(), trace);
     let scaled_b = graph.mul(h2, b);
     if m.len() == 2 {
         // N = −b, and both roots are −bh²: S = c₁(bh²), D = c₁(bh²/4)²/2 with Stumpff's function c₁.
         let sine = graph.call(Function::StumpffC1, &[scaled_b]);
-        let quarter = graph.scale(Number::Exact(Ratio { numerator: 1, denominator: 4 }), scaled_b);
-        let half_sine = graph.call(Function::StumpffC1, &[quarter]);
-        let square = graph.pow(half_sine, Ratio::integer(2));
-        let d = graph.scale(Number::HALF, square);
+        let quarter = Number::Exact(Ratio { numerator: 1, denominator: 4 });
+        let d = graph.build(Number::HALF * squared(call(Function::StumpffC1, [quarter * scaled_b])));
         let by_m = graph.mul(h, d);
         let mean = combined(graph, sine, &[(m, by_m)]);
         let along = graph.mul(h, sine);
-        let bent = graph.product(&[h2, b, d]);
-        let bent = graph.neg(bent);
+        let bent = graph.build(-(h2 * b * d));
         return Exponential { change: combined(graph, bent, &[(m, along)]), mean };
     }
     let c = determinant(graph, m);
-    let h4 = graph.pow(h, Ratio::integer(4));
-    let scaled_c = graph.mul(h4, c);
+    let scaled_c = graph.build(pow(h, Ratio::integer(4)) * c);
     // The line of D is given by its value `across` at z = −bh² and its slope d₂.
     let [s0, s2, across, d2] = Function::LINEAR_FLOW.map(|function| graph.call(function, &[scaled_b, scaled_c]));
     let cube = matrix_product(graph, m, &n);
     let h3 = graph.pow(h, Ratio::integer(3));
-    let rise = graph.mul(scaled_b, d2);
-    let d0 = graph.add(across, rise);
+    let d0 = graph.build(across + scaled_b * d2);
     let (by_n, by_m, by_cube) = (graph.mul(h2, s2), graph.mul(h, d0), graph.mul(h3, d2));
     let mean = combined(graph, s0, &[(&n, by_n), (m, by_m), (&cube, by_cube)]);
     let (by_m, by_cube) = (graph.mul(h, s0), graph.mul(h3, s2));
     let by_n = graph.mul(h2, across);
-    let by_one = graph.mul(scaled_c, d2);
-    let by_one = graph.neg(by_one);
+    let by_one = graph.build(-(scaled_c * d2));
     Exponential { change: combined(graph, by_one, &[(m, by_m), (&cube, by_cube), (&n, by_n)]), mean }
 }
 
@@ -175,8 +170,7 @@ fn combined(graph: &mut Graph, by_one: Id, parts: &[(&Matrix, Id)]) -> Matrix {
     for (matrix, weight) in parts {
         for (i, row) in sum.iter_mut().enumerate() {
             for (j, entry) in row.iter_mut().enumerate() {
-                let part = graph.mul(*weight, matrix[i][j]);
-                *entry = graph.add(*entry, part);
+                *entry = graph.build(*entry + *weight * matrix[i][j]);
             }
         }
     }
@@ -187,9 +181,7 @@ fn combined(graph: &mut Graph, by_one: Id, parts: &[(&Matrix, Id)]) -> Matrix {
 fn determinant(graph: &mut Graph, m: &Matrix) -> Id {
     let minor = |graph: &mut Graph, rows: [usize; 2], [a, b]: [usize; 2]| {
         let [first, second] = rows.map(|row| &m[row]);
-        let straight = graph.mul(first[a], second[b]);
-        let crossed = graph.mul(first[b], second[a]);
-        graph.sub(straight, crossed)
+        graph.build(first[a] * second[b] - first[b] * second[a])
     };
     let pairs = [
         ([0, 1], [2, 3], 1),
@@ -202,9 +194,7 @@ fn determinant(graph: &mut Graph, m: &Matrix) -> Id {
     let mut sum = graph.zero();
     for (upper, lower, sign) in pairs {
         let [upper, lower] = [minor(graph, [0, 1], upper), minor(graph, [2, 3], lower)];
-        let term = graph.mul(upper, lower);
-        let term = graph.scale(Number::integer(sign), term);
-        sum = graph.add(sum, term);
+        sum = graph.build(sum + sign * (upper * lower));
     }
     sum
 }

@@ -15,8 +15,7 @@ pub(super) fn solve(graph: &mut Graph, group: &Group, rules: Rules<'_>) -> Optio
     let mut s = back(graph, flow.s);
     let q: Vec<Id> = q.into_iter().map(|q| graph.neg(q)).collect();
     for (q, p) in q.iter().zip(&p) {
-        let product = graph.mul(*q, *p);
-        s = graph.add(s, product);
+        s = graph.build(s + *q * *p);
     }
     Some(Flow { q, p, s })
 }

@@ -5,6 +5,7 @@ use super::super::polynomial::{Polynomial, degree, is_free, is_linear, is_moment
 use super::super::scalar::grown;
 use super::super::time::{OverTime, over_time};
 use crate::diff;
+use crate::ir::formula::call;
 use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
 
 /// An energy T(p) + g s. T is homogeneous of degree 2. Its coefficients and g do not read coordinates.
@@ -46,14 +47,12 @@ pub(in super::super) fn drift(graph: &mut Graph, group: &Group) -> Option<Flow> 
     let mut flow = Flow::rest(graph, group.degrees);
     let velocity = diff::gradient(graph, kinetic, group.degrees).p;
     for (q, velocity) in flow.q.iter_mut().zip(velocity) {
-        let change = graph.mul(decay.integral, velocity);
-        *q = graph.add(*q, change);
+        *q = graph.build(*q + decay.integral * velocity);
     }
     for p in &mut flow.p {
         *p = decay.of(graph, *p);
     }
-    let change = graph.mul(decay.integral, kinetic);
-    let moved = graph.add(flow.s, change);
+    let moved = graph.build(flow.s + decay.integral * kinetic);
     flow.s = decay.of(graph, moved);
     Some(flow)
 }
@@ -77,8 +76,7 @@ impl Decay {
     /// Returns the decay for constant g: E = e^(−gh), w = h·φ₁(−gh).
     fn constant(graph: &mut Graph, g: Id) -> Decay {
         let h = graph.symbol(Symbol::StepLength);
-        let z = graph.mul(g, h);
-        let z = graph.neg(z);
+        let z = graph.build(-(g * h));
         let mean = graph.call(Function::Phi1, &[z]);
         let change = graph.mul(z, mean);
         Decay { factor: Factor::Exponential { z, change }, integral: graph.mul(h, mean) }
@@ -95,19 +93,16 @@ impl Decay {
             Some(Number::Exact(k)) if k.is_integer() && (2..=16).contains(&k.numerator) => k,
             _ => {
                 let ln = time.ln_ratio(graph);
-                let z = graph.mul(k, ln);
-                let z = graph.neg(z);
+                let z = graph.build(-(k * ln));
                 let change = graph.call(Function::ExpM1, &[z]);
-                let mean = graph.call(Function::DecayMean, &[ratio, k]);
-                return Some(Decay { factor: Factor::Exponential { z, change }, integral: graph.mul(h, mean) });
+                let integral = graph.build(h * call(Function::DecayMean, [ratio, k]));
+                return Some(Decay { factor: Factor::Exponential { z, change }, integral });
             }
         };
         // Horner's rule.
         let mut sum = graph.zero();
         for _ in 1..k.numerator {
-            let one = graph.integer(1);
-            let inner = graph.add(one, sum);
-            sum = graph.mul(ratio, inner);
+            sum = graph.build(ratio * (1 + sum));
         }
         let mean = graph.scale(Number::Exact(Ratio::integer(k.numerator - 1).recip()?), sum);
         Some(Decay { factor: Factor::Plain(graph.pow(ratio, k)), integral: graph.mul(h, mean) })
@@ -127,8 +122,7 @@ pub(in super::super) fn kick(graph: &mut Graph, potential: Id, g: Id, degrees: u
     let decay = Decay::constant(graph, g);
     let mut flow = Flow::rest(graph, degrees);
     // The derivatives of −wV combine w with the constants of each term, so that the products are computed once for each h.
-    let loss = graph.mul(decay.integral, potential);
-    let gain = graph.neg(loss);
+    let gain = graph.build(-(decay.integral * potential));
     let impulses = diff::gradient(graph, gain, degrees).q;
     for (p, impulse) in flow.p.iter_mut().zip(impulses) {
         let kept = decay.of(graph, *p);

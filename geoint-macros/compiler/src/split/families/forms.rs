@@ -66,9 +66,7 @@ fn in_involution(graph: &mut Graph, first: &Form, second: &Form) -> bool {
             _ => return false,
         };
         if let Some(other) = second.get(&other) {
-            let product = graph.mul(*c, *other);
-            let product = graph.scale(sign, product);
-            sum = graph.add(sum, product);
+            sum = graph.build(sum + sign * (*c * *other));
         }
     }
     graph.is_zero(sum)

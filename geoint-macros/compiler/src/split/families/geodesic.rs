@@ -5,6 +5,7 @@ use super::super::polynomial::{Polynomial, is_free, is_momentum, single_momentum
 use super::super::products::{Separated, factors, quotient, separated};
 use super::super::scalar::{self, Equation, mean_of_power, positive_power};
 use super::monomial;
+use crate::ir::formula::{call, pow, squared};
 use crate::ir::substitute::replaced;
 use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
 
@@ -31,7 +32,7 @@ pub(super) fn geodesic(graph: &mut Graph, group: &Group) -> Option<Flow> {
         [(base, k)] if base == graph.symbol(x) => along_power(graph, base, k, p, weight)?,
         [(base, k)] if steady && slope(graph, base, x).is_some() => along_shifted_power(graph, x, base, k, p, weight)?,
         _ if group.clock.is_steady(graph, coefficient) => {
-            let double = graph.scale(Number::integer(2), f);
+            let double = graph.build(2 * f);
             let root = smooth_root(graph, double);
             // `ActionIncrement` stands for the constant c R pᵢ while the equation is solved.
             let name = graph.symbol(Symbol::ActionIncrement);
@@ -44,8 +45,8 @@ pub(super) fn geodesic(graph: &mut Graph, group: &Group) -> Option<Flow> {
         }
         _ => return None,
     };
-    let square = graph.pow(p, Ratio::integer(2));
-    let gained = graph.product(&[weight, f, square]);
+    let square = graph.build(squared(p));
+    let gained = graph.build(weight * f * square);
     let mut flow = Flow::rest(graph, group.degrees);
     flow.q[i as usize] = end;
     flow.p[i as usize] = graph.mul(p, growth_of_p);
@@ -55,8 +56,7 @@ pub(super) fn geodesic(graph: &mut Graph, group: &Group) -> Option<Flow> {
 
 /// Returns the motion for f = qᵏ, which is valid for q < 0, too.
 fn along_power(graph: &mut Graph, q: Id, k: Ratio, p: Id, weight: Id) -> Option<Geodesic> {
-    let lower = graph.pow(q, k.add(Ratio::integer(-1))?);
-    let rise = graph.product(&[weight, lower, p]);
+    let rise = graph.build(weight * pow(q, k.add(Ratio::integer(-1))?) * p);
     let growth = monomial::growth(graph, rise, k, Ratio::integer(2))?;
     Some(Geodesic { end: graph.mul(q, growth.q), growth_of_p: growth.p })
 }
@@ -74,20 +74,19 @@ fn along_shifted_power(graph: &mut Graph, x: Symbol, u: Id, k: Ratio, p: Id, wei
     let lower = graph.pow(u, k.add(Ratio::integer(-1))?);
     let difference = Ratio::integer(2).add(k.neg())?;
     let is_square = difference.numerator == 0;
-    let scale = graph.number(Number::Exact(if is_square { Ratio::integer(2) } else { difference }));
-    let rise = graph.product(&[scale, weight, lower, p]);
+    let scale = Number::Exact(if is_square { Ratio::integer(2) } else { difference });
+    let rise = graph.build(scale * weight * lower * p);
     let z = graph.mul(a, rise);
     let (mean, growth_of_p) = if is_square {
-        let back = graph.neg(z);
-        (graph.call(Function::Phi1, &[z]), graph.call(Function::Exp, &[back]))
+        (graph.call(Function::Phi1, &[z]), graph.build(call(Function::Exp, [-z])))
     } else {
-        let (one, inverse) = (graph.integer(1), difference.recip()?);
-        let d = graph.add(one, z);
+        let inverse = difference.recip()?;
+        let d = graph.build(1 + z);
         let mean = mean_of_power(graph, z, inverse.mul(Ratio::integer(2))?)?;
         (mean, positive_power(graph, d, inverse.mul(k)?.neg()))
     };
-    let (x, change) = (graph.symbol(x), graph.product(&[u, rise, mean]));
-    Some(Geodesic { end: graph.add(x, change), growth_of_p })
+    let x = graph.symbol(x);
+    Some(Geodesic { end: graph.build(x + u * rise * mean), growth_of_p })
 }
 
 /// Returns a root that changes sign where its square touches zero. The root of q² is q, not |q|.
@@ -98,10 +97,7 @@ fn smooth_root(graph: &mut Graph, square: Id) -> Id {
     for (base, exponent) in factors(graph, rest) {
         let factor = match exponent.mul(Ratio::HALF).filter(|half| half.denominator <= 2) {
             Some(half) => graph.pow(base, half),
-            None => {
-                let power = graph.pow(base, exponent);
-                graph.sqrt(power)
-            }
+            None => graph.build(pow(pow(base, exponent), Ratio::HALF)),
         };
         root = graph.mul(root, factor);
     }

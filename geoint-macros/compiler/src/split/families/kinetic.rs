@@ -6,6 +6,7 @@ use super::super::products::{Separated, quotient, separated};
 use super::super::scalar::{self, Equation, positive_power};
 use super::super::time::Clock;
 use crate::diff;
+use crate::ir::formula::{pow, squared};
 use crate::ir::substitute::replaced;
 use crate::ir::{Graph, Id, Number, Ratio, Symbol};
 
@@ -41,8 +42,7 @@ fn lagrangian(graph: &mut Graph, energy: Id, velocity: &[Id]) -> Option<Id> {
     let negative = graph.neg(energy);
     Some((0..).zip(velocity).fold(negative, |sum, (i, velocity)| {
         let p = graph.symbol(Symbol::Momentum(i));
-        let power = graph.mul(p, *velocity);
-        graph.add(sum, power)
+        graph.build(sum + p * *velocity)
     }))
 }
 
@@ -70,8 +70,7 @@ pub(super) fn weighted(graph: &mut Graph, group: &Group) -> Option<Flow> {
     }
     let kinetic = graph.mul(coefficient, kinetic);
     // `ActionIncrement` stands for the constant K(F p) while the equation of s is solved.
-    let square = graph.pow(weight, Ratio::integer(2));
-    let constant = graph.mul(kinetic, square);
+    let constant = graph.build(kinetic * squared(weight));
     let name = graph.symbol(Symbol::ActionIncrement);
     let rate = graph.div(name, weight);
     let end = scalar::solve(graph, &Equation { x: Symbol::Action, rate, clock: group.clock })?.end;
@@ -83,8 +82,7 @@ pub(super) fn weighted(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let velocity = diff::gradient(graph, kinetic, group.degrees).p;
     let h = graph.symbol(Symbol::StepLength);
     for (q, velocity) in flow.q.iter_mut().zip(velocity) {
-        let moved = graph.product(&[h, weight, velocity]);
-        *q = graph.add(*q, moved);
+        *q = graph.build(*q + h * weight * velocity);
     }
     for p in &mut flow.p {
         *p = graph.mul(*p, change);
@@ -106,12 +104,9 @@ pub(super) fn power(graph: &mut Graph, group: &Group) -> Option<Flow> {
     }
     let c = graph.scale(Number::Exact(k), c);
     let weight = group.clock.over_step(graph, c)?;
-    let [p, s, one] = [graph.symbol(Symbol::Momentum(i)), graph.symbol(Symbol::Action), graph.integer(1)];
-    let lower = graph.pow(p, k.add(Ratio::integer(-1))?);
-    let moved = graph.product(&[weight, lower, s]);
-    let full = graph.pow(p, k);
-    let full = graph.mul(weight, full);
-    let d = graph.add(one, full);
+    let [p, s] = [Symbol::Momentum(i), Symbol::Action].map(|symbol| graph.symbol(symbol));
+    let moved = graph.build(weight * pow(p, k.add(Ratio::integer(-1))?) * s);
+    let d = graph.build(1 + weight * pow(p, k));
     let inverse = k.recip()?.neg();
     let [shrunk, grown] = [inverse, Ratio::ONE.add(inverse)?].map(|exponent| positive_power(graph, d, exponent));
     let mut flow = Flow::rest(graph, group.degrees);

@@ -7,7 +7,8 @@ use super::super::flow::{Flow, Group};
 use super::super::polynomial::{Polynomial, is_linear, is_momentum, is_whole, power, reads};
 use super::super::scalar::{self, Angle, Equation, rotation};
 use crate::diff;
-use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
+use crate::ir::formula::{call, pow, squared};
+use crate::ir::{Function, Graph, Id, Number, Symbol};
 
 /// Returns the flow, if the equations of q and s are single equations or pairs of equations with a closed solution.
 pub(in super::super) fn solve(graph: &mut Graph, group: &Group) -> Option<Flow> {
@@ -72,14 +73,10 @@ fn driven(graph: &mut Graph, driver: &Equation, driven: &Equation) -> Option<[Id
     let a = own.coefficient(graph, &[(x, 1)]);
     let end = scalar::solve(graph, driver)?.end;
     let [h, start, mut y] = [Symbol::StepLength, x, driven.x].map(|symbol| graph.symbol(symbol));
-    let z = graph.mul(a, h);
     for (monomial, coefficient) in other.into_terms() {
         let k = power(&monomial, x);
-        let z = graph.scale(Number::Exact(k), z);
-        let mean = graph.call(Function::Phi1, &[z]);
-        let power = graph.pow(start, k);
-        let change = graph.product(&[coefficient, power, h, mean]);
-        y = graph.add(y, change);
+        let mean = graph.build(call(Function::Phi1, [Number::Exact(k) * (a * h)]));
+        y = graph.build(y + coefficient * pow(start, k) * h * mean);
     }
     Some([end, y])
 }
@@ -100,28 +97,19 @@ fn linear_pair(graph: &mut Graph, equations: [&Equation; 2]) -> Option<[Id; 2]> 
         return None;
     }
     let h = graph.symbol(Symbol::StepLength);
-    let trace = graph.add(matrix[0][0], matrix[1][1]);
-    let mean = graph.scale(Number::HALF, trace);
-    let difference = graph.sub(matrix[0][0], matrix[1][1]);
-    let d = graph.scale(Number::HALF, difference);
+    let mean = graph.build(Number::HALF * (matrix[0][0] + matrix[1][1]));
+    let d = graph.build(Number::HALF * (matrix[0][0] - matrix[1][1]));
     let cross = graph.mul(matrix[0][1], matrix[1][0]);
-    let square = graph.pow(d, Ratio::integer(2));
-    let square = graph.add(square, cross);
-    let square = graph.neg(square);
+    let square = graph.build(-(squared(d) + cross));
     // The momentum of a coordinate that rotates with s has a pole within each half turn.
     let valid = if of.contains(&Symbol::Action) { Angle::BelowHalfTurn } else { Angle::Any };
     let (cosine, sine) = rotation(graph, square, h, valid);
-    let z = graph.mul(mean, h);
-    let growth = graph.call(Function::Exp, &[z]);
+    let growth = graph.build(call(Function::Exp, [mean * h]));
     let d = [d, graph.neg(d)];
     let start = of.map(|symbol| graph.symbol(symbol));
     Some([0, 1].map(|i| {
-        let own = graph.mul(d[i], sine);
-        let own = graph.add(cosine, own);
-        let own = graph.mul(own, start[i]);
-        let other = graph.product(&[matrix[i][1 - i], sine, start[1 - i]]);
-        let sum = graph.add(own, other);
-        graph.mul(growth, sum)
+        let other = 1 - i;
+        graph.build(growth * ((cosine + d[i] * sine) * start[i] + matrix[i][other] * sine * start[other]))
     }))
 }
 
@@ -139,11 +127,7 @@ fn set_momenta(graph: &mut Graph, flow: &mut Flow, known: &[(Symbol, Id)]) -> Op
     }
     let p = flow.p.clone();
     // d_jS minus the terms of known momenta.
-    let mut rest: Vec<Id> = vec![];
-    for j in 0..n {
-        let along = graph.mul(p[j], jacobian[n][n]);
-        rest.push(graph.add(jacobian[n][j], along));
-    }
+    let mut rest: Vec<Id> = (0..n).map(|j| graph.build(jacobian[n][j] + p[j] * jacobian[n][n])).collect();
     let zero = graph.zero();
     let start = Flow::rest(graph, n as u32);
     let moving: Vec<usize> = (0..n).filter(|i| flow.q[*i] != start.q[*i]).collect();
@@ -157,16 +141,12 @@ fn set_momenta(graph: &mut Graph, flow: &mut Flow, known: &[(Symbol, Id)]) -> Op
         }
         let (mut along, mut taken) = (graph.integer(1), zero);
         for i in &with_s {
-            let own = graph.mul(jacobian[*i][n], p[*i]);
-            along = graph.add(along, own);
-            let own = graph.mul(jacobian[*i][n], rest[*i]);
-            taken = graph.add(taken, own);
+            along = graph.build(along + jacobian[*i][n] * p[*i]);
+            taken = graph.build(taken + jacobian[*i][n] * rest[*i]);
         }
-        let reciprocal = graph.call(Function::RecipPositive, &[along]);
-        let share = graph.mul(taken, reciprocal);
+        let share = graph.build(taken * call(Function::RecipPositive, [along]));
         for j in 0..n {
-            let own = graph.mul(p[j], share);
-            rest[j] = graph.sub(rest[j], own);
+            rest[j] = graph.build(rest[j] - p[j] * share);
         }
     } else {
         // A coordinate that reads s comes first, because its momentum occurs in the equations of all other momenta.
@@ -187,16 +167,9 @@ fn set_momenta(graph: &mut Graph, flow: &mut Flow, known: &[(Symbol, Id)]) -> Op
             // Two coupled coordinates, by Cramer's rule.
             [j] if graph.is_zero(jacobian[i][n]) && graph.is_zero(jacobian[j][n]) => {
                 open.retain(|other| *other != j);
-                let straight = graph.mul(jacobian[i][i], jacobian[j][j]);
-                let crossed = graph.mul(jacobian[i][j], jacobian[j][i]);
-                let determinant = graph.sub(straight, crossed);
-                let solved = [(i, j), (j, i)].map(|(a, b)| {
-                    let first = graph.mul(jacobian[b][b], rest[a]);
-                    let second = graph.mul(jacobian[b][a], rest[b]);
-                    let above = graph.sub(first, second);
-                    graph.div(above, determinant)
-                });
-                [rest[i], rest[j]] = solved;
+                let determinant = graph.build(jacobian[i][i] * jacobian[j][j] - jacobian[i][j] * jacobian[j][i]);
+                [rest[i], rest[j]] = [(i, j), (j, i)]
+                    .map(|(a, b)| graph.build((jacobian[b][b] * rest[a] - jacobian[b][a] * rest[b]) / determinant));
                 subtract_known(graph, &mut rest, &jacobian[i], &p, i, &[i, j]);
                 subtract_known(graph, &mut rest, &jacobian[j], &p, j, &[i, j]);
             }
@@ -210,9 +183,6 @@ fn set_momenta(graph: &mut Graph, flow: &mut Flow, known: &[(Symbol, Id)]) -> Op
 /// Subtracts d_jQᵢ Pᵢ from the equations of all momenta except the `solved` ones. `slopes` are the derivatives of Qᵢ.
 fn subtract_known(graph: &mut Graph, rest: &mut [Id], slopes: &[Id], p: &[Id], i: usize, solved: &[usize]) {
     for j in (0..p.len()).filter(|j| !solved.contains(j)) {
-        let along = graph.mul(p[j], slopes[p.len()]);
-        let weight = graph.add(slopes[j], along);
-        let part = graph.mul(weight, rest[i]);
-        rest[j] = graph.sub(rest[j], part);
+        rest[j] = graph.build(rest[j] - (slopes[j] + p[j] * slopes[p.len()]) * rest[i]);
     }
 }

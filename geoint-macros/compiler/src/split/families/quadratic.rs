@@ -4,6 +4,7 @@ use super::super::flow::{Flow, Group};
 use super::super::polynomial::{Monomial, Polynomial, degree_of_freedom, is_momentum};
 use super::super::scalar::{Angle, rotation};
 use crate::diff::equations::times;
+use crate::ir::formula::{call, squared, sum};
 use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
 
 /// Returns H as a polynomial, if all coefficients are constant along the flow and all monomials are `allowed`. Exponents are integers.
@@ -42,12 +43,10 @@ pub(super) fn oscillator(graph: &mut Graph, group: &Group) -> Option<Flow> {
     {
         return None;
     }
-    let (h, one) = (graph.symbol(Symbol::StepLength), graph.integer(1));
+    let h = graph.symbol(Symbol::StepLength);
     let c = powers.coefficient(graph, &[(Symbol::Action, 1)]);
     let half_c = graph.scale(Number::HALF, c);
-    let z = graph.mul(half_c, h);
-    let z = graph.neg(z);
-    let decay = if graph.is_zero(c) { one } else { graph.call(Function::Exp, &[z]) };
+    let decay = if graph.is_zero(c) { graph.integer(1) } else { graph.build(call(Function::Exp, [-(half_c * h)])) };
     let mut flow = Flow::rest(graph, group.degrees);
     let mut action = graph.product(&[decay, decay, flow.s]);
     for i in 0..group.degrees {
@@ -55,9 +54,7 @@ pub(super) fn oscillator(graph: &mut Graph, group: &Group) -> Option<Flow> {
         let [a, b] = [p, q].map(|symbol| powers.second_derivative(graph, symbol, symbol));
         let e = powers.coefficient(graph, &[(q, 1), (p, 1)]);
         let d = graph.add(e, half_c);
-        let product = graph.mul(a, b);
-        let square = graph.pow(d, Ratio::integer(2));
-        let square = graph.sub(product, square);
+        let square = graph.build(a * b - squared(d));
         let (cosine, sine) = rotation(graph, square, h, Angle::Any);
         let [q, p] = [q, p].map(|symbol| graph.symbol(symbol));
         let [toward_q, toward_p] = [[d, a], [b, d]].map(|[first, second]| {
@@ -65,26 +62,17 @@ pub(super) fn oscillator(graph: &mut Graph, group: &Group) -> Option<Flow> {
             graph.mul(sine, sum)
         });
         let [kept_q, kept_p] = [q, p].map(|x| graph.mul(cosine, x));
-        let q_end = graph.add(kept_q, toward_q);
-        let p_end = graph.sub(kept_p, toward_p);
-        let (q_end, p_end) = (graph.mul(decay, q_end), graph.mul(decay, p_end));
-        (flow.q[i as usize], flow.p[i as usize]) = (q_end, p_end);
+        let (q_end, p_end) = (graph.add(kept_q, toward_q), graph.sub(kept_p, toward_p));
+        flow.q[i as usize] = graph.mul(decay, q_end);
+        flow.p[i as usize] = graph.mul(decay, p_end);
         // S (C (a p² − b q²) − S (2ab qp + d (a p² + b q²)))/2, damped, is the part of Q·P/2 beyond e^(−ch) q·p/2. The formula subtracts no nearly
         // equal numbers.
         let [q_squared, p_squared] = [(b, q), (a, p)].map(|(weight, x)| graph.product(&[weight, x, x]));
-        let lagrangian = graph.sub(p_squared, q_squared);
-        let energy = graph.add(p_squared, q_squared);
-        let mixed = graph.product(&[a, b, q, p]);
-        let mixed = graph.scale(Number::integer(2), mixed);
-        let energy = graph.mul(d, energy);
-        let second = graph.add(mixed, energy);
-        let [first, second] = [(cosine, lagrangian), (sine, second)].map(|(weight, x)| graph.mul(weight, x));
-        let change = graph.sub(first, second);
+        let (lagrangian, energy) = (graph.sub(p_squared, q_squared), graph.add(p_squared, q_squared));
+        let second = graph.build(2 * (a * b * q * p) + d * energy);
+        let change = graph.build(cosine * lagrangian - sine * second);
         // Each factor is damped by itself, because the square of a growing sine may overflow.
-        let [sine, change] = [sine, change].map(|x| graph.mul(decay, x));
-        let change = graph.mul(sine, change);
-        let change = graph.scale(Number::HALF, change);
-        action = graph.add(action, change);
+        action = graph.build(action + Number::HALF * ((decay * sine) * (decay * change)));
     }
     flow.s = action;
     Some(flow)
@@ -113,29 +101,18 @@ pub(super) fn uniform_field(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let (velocity, fall) = (times(graph, &w, &p), times(graph, &w, &g));
     let [h2, h3] = [2, 3].map(|power| graph.pow(h, Ratio::integer(power)));
     for i in 0..q.len() {
-        let rate = graph.add(velocity[i], b[i]);
-        let straight = graph.mul(h, rate);
-        let bent = graph.mul(h2, fall[i]);
-        let bent = graph.scale(Number::HALF, bent);
-        let moved = graph.sub(straight, bent);
-        flow.q[i] = graph.add(q[i], moved);
-        let impulse = graph.mul(h, g[i]);
-        flow.p[i] = graph.sub(p[i], impulse);
+        flow.q[i] = graph.build(q[i] + (h * (velocity[i] + b[i]) - Number::HALF * (h2 * fall[i])));
+        flow.p[i] = graph.build(p[i] - h * g[i]);
     }
     // The integral of s' = p·Wp/2 − g·q − c along the parabola.
     let twice = graph.dot(&p, &velocity);
     let kinetic = graph.scale(Number::HALF, twice);
     let height = graph.dot(&g, &q);
-    let first = graph.sub(kinetic, height);
-    let first = graph.sub(first, c);
+    let first = graph.build(kinetic - height - c);
     let (with_p, with_b, with_g) = (graph.dot(&g, &velocity), graph.dot(&g, &b), graph.dot(&g, &fall));
-    let half = graph.scale(Number::HALF, with_b);
-    let second = graph.add(with_p, half);
+    let second = graph.build(with_p + Number::HALF * with_b);
     let third = graph.scale(Number::Exact(Ratio::integer(3).recip()?), with_g);
-    let terms = [graph.mul(h, first), graph.mul(h3, third)];
-    let sum = graph.sum(&terms);
-    let second = graph.mul(h2, second);
-    let change = graph.sub(sum, second);
+    let change = graph.build(sum([h * first, h3 * third]) - h2 * second);
     flow.s = graph.add(flow.s, change);
     Some(flow)
 }

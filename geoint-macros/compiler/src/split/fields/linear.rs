@@ -59,8 +59,7 @@ fn space_rotation(
     let kappa = graph.scale(Number::HALF.neg(), trace);
     let pushed = times(graph, &square, constant);
     for (third, first) in cube.iter().flatten().zip(matrix.iter().flatten()).chain(pushed.iter().zip(constant)) {
-        let scaled = graph.mul(kappa, *first);
-        let sum = graph.add(*third, scaled);
+        let sum = graph.build(*third + kappa * *first);
         if !is_zero(graph, sum) {
             return None;
         }
@@ -116,8 +115,7 @@ fn plane_rotation(graph: &mut Graph, matrix: &[Vec<Id>], velocity: &[Id], x: &[I
 /// rounding error in many steps, and the invariants of the flow would drift.
 fn moved_along(graph: &mut Graph, x: Id, c: Id, terms: &[Id]) -> Id {
     let sum = graph.sum(terms);
-    let change = graph.mul(c, sum);
-    graph.add(x, change)
+    graph.build(x + c * sum)
 }
 
 /// A field g·velocity.

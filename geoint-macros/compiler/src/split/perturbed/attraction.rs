@@ -4,7 +4,8 @@ use super::super::polynomial::{Polynomial, is_free, is_momentum, times_powers};
 use super::super::products::{factors, known_terms};
 use super::NoPart;
 use crate::analyze::{self, Parts};
-use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
+use crate::ir::formula::squared;
+use crate::ir::{Function, Graph, Id, Node, Ratio, Symbol};
 use crate::messages::{NO_ATTRACTION, NO_CENTRE, NO_MASS, NOT_BODIES, NOT_ONE_MASS};
 use crate::parse::Shape;
 use std::collections::BTreeSet;
@@ -52,8 +53,7 @@ fn masses(graph: &mut Graph, kinetic: Id, bodies: usize, dimensions: usize) -> R
     }
     let square_of = |graph: &mut Graph, coefficient: Id, p: Symbol| {
         let p = graph.symbol(p);
-        let square = graph.pow(p, Ratio::integer(2));
-        graph.mul(coefficient, square)
+        graph.build(coefficient * squared(p))
     };
     let mut masses = vec![];
     for body in 0..bodies {
@@ -69,8 +69,7 @@ fn masses(graph: &mut Graph, kinetic: Id, bodies: usize, dimensions: usize) -> R
                 return Err(no(square_of(graph, coefficient, p)));
             }
         }
-        let twice = graph.scale(Number::integer(2), first);
-        masses.push(graph.recip(twice));
+        masses.push(graph.build(1 / (2 * first)));
         let sum = graph.sum(&masses);
         if analyze::identity(graph, sum).is_zero() {
             return Err(NoPart { term: square_of(graph, first, momentum(0)), why: NO_CENTRE });
@@ -119,8 +118,7 @@ impl Pair {
         let mut squares = vec![];
         for d in 0..dimensions {
             let [a, b] = [j, i].map(|body| graph.symbol(Symbol::Position((body * dimensions + d) as u32)));
-            let difference = graph.sub(a, b);
-            squares.push(graph.pow(difference, Ratio::integer(2)));
+            squares.push(graph.build(squared(a - b)));
         }
         let distance = graph.sum(&squares);
         let difference = graph.sub(square, distance);

@@ -10,6 +10,7 @@ use super::frame::{Frame, Masses, Offsets};
 use super::{Inner, Jump, OwnMotion, Perturbed};
 use crate::analyze;
 use crate::diff;
+use crate::ir::formula::{pow, squared};
 use crate::ir::substitute::Substitution;
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
 use crate::parse::Shape;
@@ -107,8 +108,7 @@ impl Bodies<'_> {
         for pair in
             self.attraction.pairs.iter().filter(|pair| pair.bodies[1] == body && inside.contains(&pair.bodies[0]))
         {
-            let part = graph.div(pair.strength, self.masses.each[body]);
-            sum = graph.add(sum, part);
+            sum = graph.build(sum + pair.strength / self.masses.each[body]);
         }
         sum
     }
@@ -132,8 +132,7 @@ impl Bodies<'_> {
             let strength = graph.mul(strength, self.masses.each[body]);
             let q: Vec<Id> = (0..self.dimensions).map(|d| self.position(graph, body, d)).collect();
             let square = graph.dot(&q, &q);
-            let recip = graph.pow(square, Ratio { numerator: -1, denominator: 2 });
-            terms.push(graph.mul(strength, recip));
+            terms.push(graph.build(strength * pow(square, Ratio { numerator: -1, denominator: 2 })));
         }
         graph.sum(&terms)
     }
@@ -184,13 +183,10 @@ impl Bodies<'_> {
             let weighted: Vec<Id> = inner
                 .iter()
                 .zip(&self.masses.each)
-                .map(|(p, mass)| {
-                    let ratio = graph.div(self.masses.each[0], *mass);
-                    graph.mul(ratio, *p)
-                })
+                .map(|(p, mass)| graph.build(self.masses.each[0] / *mass * *p))
                 .collect();
             let momentum = jump(graph, &self.masses, &weighted);
-            squares.push(graph.pow(momentum, Ratio::integer(2)));
+            squares.push(graph.build(squared(momentum)));
         }
         let square = graph.sum(&squares);
         let twice = graph.div(square, self.masses.each[0]);
@@ -217,13 +213,11 @@ impl Bodies<'_> {
             let inverse = graph.div(ratio, mass);
             weights.extend(of_body.clone().map(|_| inverse));
             let speed = graph.dot(&v, &v);
-            let twice_kinetic = graph.mul(inverse, speed);
-            terms.push(graph.scale(Number::HALF, twice_kinetic));
+            terms.push(graph.build(Number::HALF * (inverse * speed)));
             let over_mass = self.strength_over_mass(graph, body);
             if body == 0 || graph.is_zero(over_mass) {
                 for (i, v) in of_body.zip(v) {
-                    let shift = graph.mul(h, v);
-                    flow.q[i] = graph.add(flow.q[i], shift);
+                    flow.q[i] = graph.build(flow.q[i] + h * v);
                 }
                 continue;
             }
@@ -232,8 +226,7 @@ impl Bodies<'_> {
             let args = [square, radial, speed, strength, h];
             let [f, g, f_rate, g_rate] = Function::KEPLER.map(|function| graph.call(function, &args));
             let recip = graph.pow(square, Ratio { numerator: -1, denominator: 2 });
-            let attraction = graph.product(&[over_mass, mass, recip]);
-            terms.push(graph.neg(attraction));
+            terms.push(graph.build(-(over_mass * mass * recip)));
             for (i, (q, v)) in of_body.zip(q.into_iter().zip(v)) {
                 for (x, weights) in [(&mut flow.q[i], [f, g]), (&mut flow.p[i], [f_rate, g_rate])] {
                     let added = graph.dot(&weights, &[q, v]);

@@ -4,6 +4,7 @@ use super::super::polynomial::{reads, slope_of_line};
 use super::super::products::ScaledPower;
 use super::super::time::slope;
 use super::{Equation, Solution, mean_of_recip};
+use crate::ir::formula::{call, pow, squared};
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
 
 /// x + ah − ln(1 − k·b·e^(kx)·h·φ₁(kah))/k.
@@ -33,26 +34,18 @@ pub(super) fn exponential(graph: &mut Graph, equation: &Equation) -> Option<Solu
         (x, equation.clock.over_step(graph, b)?)
     } else {
         let h = equation.steady(graph, &[a, b])?;
-        let z = graph.product(&[k, a, h]);
-        let mean = graph.call(Function::Phi1, &[z]);
-        let change = graph.mul(a, h);
-        (graph.add(x, change), graph.product(&[b, h, mean]))
+        let mean = graph.build(call(Function::Phi1, [k * a * h]));
+        (graph.build(x + a * h), graph.build(b * h * mean))
     };
     let grown = graph.mul(weight, value);
-    let shrunk = graph.mul(k, grown);
-    let shrunk = graph.neg(shrunk);
-    let one = graph.integer(1);
-    let d = graph.add(one, shrunk);
-    let by_start = graph.call(Function::RecipPositive, &[d]);
+    let shrunk = graph.build(-(k * grown));
+    let by_start = graph.build(call(Function::RecipPositive, [1 + shrunk]));
     if graph.as_number(k).is_some() {
-        let ln = graph.call(Function::Ln1p, &[shrunk]);
-        let ln = graph.div(ln, k);
-        return Some(Solution { end: graph.sub(drift, ln), by_start });
+        return Some(Solution { end: graph.build(drift - call(Function::Ln1p, [shrunk]) / k), by_start });
     }
     // A parameter k may be zero, so the formula must not divide by k.
     let ln = mean_of_recip(graph, shrunk);
-    let change = graph.mul(grown, ln);
-    Some(Solution { end: graph.add(drift, change), by_start })
+    Some(Solution { end: graph.build(drift + grown * ln), by_start })
 }
 
 /// With u = k·x + c and U = k·∫a dt, the flow multiplies a function of u by e^U: tan u/2 for sin, tan (u/2 + π/4) for cos, tanh u/2 for
@@ -65,8 +58,6 @@ pub(super) fn quadrature(graph: &mut Graph, equation: &Equation) -> Option<Solut
     let total = equation.clock.over_step(graph, a)?;
     let z = graph.mul(k, total);
     let [growth, mean] = [Function::Exp, Function::Phi1].map(|function| graph.call(function, &[z]));
-    let (one, two) = (graph.integer(1), graph.integer(2));
-    let square = |graph: &mut Graph, x: Id| graph.pow(x, Ratio::integer(2));
     // The increment of a quantity y that the flow multiplies by e^U, divided by k.
     let gained = |graph: &mut Graph, y: Id| graph.product(&[total, mean, y]);
     let (moved, by_start) = match (function, exponent) {
@@ -80,37 +71,27 @@ pub(super) fn quadrature(graph: &mut Graph, equation: &Equation) -> Option<Solut
                 [across, along, forgotten].map(|x| graph.scale(Number::integer(2), x)).into()
             } else {
                 let [sine, cosine] = [Function::Sin, Function::Cos].map(|f| graph.call(f, &[u]));
-                (cosine, graph.add(one, sine), graph.sub(one, sine))
+                (cosine, graph.build(1 + sine), graph.build(1 - sine))
             };
             let [above, below] = [across, along].map(|x| gained(graph, x));
-            let (high, below) = (graph.mul(k, above), graph.mul(k, below));
-            let below = graph.add(two, below);
-            // 2E/(1 ∓ c + E²(1 ± c)) with E = e^U.
-            let squared = square(graph, growth);
-            let kept = graph.mul(squared, along);
-            let sum = graph.add(forgotten, kept);
-            let by_start = graph.div(growth, sum);
+            let (high, below) = (graph.mul(k, above), graph.build(2 + k * below));
+            // E/(1 ∓ c + E²(1 ± c)) with E = e^U.
+            let by_start = graph.build(growth / (forgotten + squared(growth) * along));
             let half = if graph.as_number(k).is_some() {
-                let half = graph.call(Function::Atan2, &[high, below]);
-                graph.div(half, k)
+                graph.build(call(Function::Atan2, [high, below]) / k)
             } else {
-                let arc = graph.call(Function::Arc, &[high, below]);
-                graph.mul(above, arc)
+                graph.build(above * call(Function::Arc, [high, below]))
             };
-            [half, by_start].map(|x| graph.scale(Number::integer(2), x)).into()
+            [half, by_start].map(|x| graph.build(2 * x)).into()
         }
         (Function::Sinh, Ratio::ONE) => {
-            let half = graph.scale(Number::HALF, u);
-            let tanh = graph.call(Function::Tanh, &[half]);
+            let tanh = graph.build(call(Function::Tanh, [Number::HALF * u]));
             let gained = gained(graph, tanh);
             let half = rise(graph, Function::Atanh, tanh, gained, k);
             let end = graph.mul(growth, tanh);
-            let [above, below] = [tanh, end].map(|x| {
-                let squared = square(graph, x);
-                graph.sub(one, squared)
-            });
+            let [above, below] = [tanh, end].map(|x| graph.build(1 - squared(x)));
             let below = graph.call(Function::RecipPositive, &[below]);
-            (graph.scale(Number::integer(2), half), graph.product(&[growth, above, below]))
+            (graph.build(2 * half), graph.build(growth * above * below))
         }
         (Function::Tanh, Ratio::ONE) => {
             let sinh = graph.call(Function::Sinh, &[u]);
@@ -133,11 +114,7 @@ pub(super) fn quadrature(graph: &mut Graph, equation: &Equation) -> Option<Solut
 
 /// Returns cosh u/√(1 + end²).
 fn cosh_ratio(graph: &mut Graph, u: Id, end: Id) -> Id {
-    let (one, cosh) = (graph.integer(1), graph.call(Function::Cosh, &[u]));
-    let squared = graph.pow(end, Ratio::integer(2));
-    let squared = graph.add(one, squared);
-    let root = graph.sqrt(squared);
-    graph.div(cosh, root)
+    graph.build(call(Function::Cosh, [u]) / pow(1 + squared(end), Ratio::HALF))
 }
 
 /// Returns (f(a + k·d) − f(a))/k by the divided difference of f, without cancellation. The formula holds for k = 0, too.

@@ -90,8 +90,7 @@ impl Central {
             })?;
             let [square, given] = [&own, &powers].map(|powers| of(powers, graph, i));
             let half = graph.div(given, square);
-            let energy = graph.mul(half, length.square);
-            rest = graph.sub(rest, energy);
+            rest = graph.build(rest - half * length.square);
             bound.push(graph.scale(Number::integer(2), half));
         }
         let left = Polynomial::of(graph, rest, &Symbol::is_coordinate)?;
@@ -135,13 +134,10 @@ impl Central {
                     [[f, g], [f_rate, g_rate]].map(|weights| graph.dot(&weights, &[start.y[m], start.v[m]]));
                 for i in 0..q.len() {
                     let along = graph.mul(share, push[i]);
-                    let moved = graph.mul(along, moved);
-                    flow.q[i] = graph.add(flow.q[i], moved);
-                    let kicked = graph.product(&[share, forms[m].coefficients[i], kicked]);
-                    flow.p[i] = graph.add(flow.p[i], kicked);
+                    flow.q[i] = graph.build(flow.q[i] + along * moved);
+                    flow.p[i] = graph.build(flow.p[i] + share * forms[m].coefficients[i] * kicked);
                     for j in 0..q.len() {
-                        let bound = graph.mul(along, push[j]);
-                        free[i][j] = graph.sub(free[i][j], bound);
+                        free[i][j] = graph.build(free[i][j] - along * push[j]);
                     }
                 }
             }
@@ -149,8 +145,7 @@ impl Central {
         for (i, row) in free.into_iter().enumerate() {
             for (entry, p) in row.into_iter().zip(&p) {
                 if !analyze::identity(graph, entry).is_zero() {
-                    let moved = graph.product(&[h, entry, *p]);
-                    flow.q[i] = graph.add(flow.q[i], moved);
+                    flow.q[i] = graph.build(flow.q[i] + h * entry * *p);
                 }
             }
         }

@@ -2,6 +2,7 @@
 
 use super::super::super::scalar::{Angle, rotation};
 use super::centre::Form;
+use crate::ir::formula::{call, squared, sum};
 use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
 
 /// The flow of y: y(h) = F y + G y', y'(h) = Ḟ y + Ġ y'.
@@ -47,8 +48,7 @@ pub(super) fn about_inverse_square(graph: &mut Graph, start: &Start<'_>, bound: 
         (one, h, graph.zero())
     } else {
         let (cosine, sine) = rotation(graph, square, h, Angle::Any);
-        let h2 = graph.pow(h, Ratio::integer(2));
-        let angle = graph.mul(square, h2);
+        let angle = graph.build(square * squared(h));
         (cosine, sine, versine(graph, angle))
     };
     let growth = graph.div(start.radial, start.square);
@@ -57,70 +57,40 @@ pub(super) fn about_inverse_square(graph: &mut Graph, start: &Start<'_>, bound: 
     let push = (0..2).fold(push, |push, _| graph.div(push, start.square));
     let kappa = graph.add(twist, push);
     // x − 1, ρ² − 1 and ρ − 1.
-    let grown = graph.mul(growth, sine);
-    let ahead = graph.sub(grown, less);
-    let x = graph.add(one, ahead);
+    let ahead = graph.build(growth * sine - less);
+    let x = graph.build(1 + ahead);
     let [spread, swept] = [Function::Spread, Function::Swept].map(|f| graph.call(f, &[x, sine, kappa, square, h]));
-    let further = {
-        let twice = graph.add(one, x);
-        let terms = [graph.mul(ahead, twice), graph.product(&[kappa, sine, sine])];
-        let rise = graph.sum(&terms);
-        let both = graph.add(one, spread);
-        graph.div(rise, both)
-    };
+    let further = graph.build(sum([ahead * (1 + x), kappa * sine * sine]) / (1 + spread));
     // ρ' − ε, which is small in a short step.
-    let pull = {
-        let terms = [graph.mul(ahead, cosine), graph.neg(less), graph.neg(further)];
-        let shorter = graph.sum(&terms);
-        let turned = graph.product(&[square, x, sine]);
-        let pushed = graph.product(&[kappa, sine, cosine]);
-        let terms = [graph.mul(growth, shorter), graph.neg(turned), pushed];
-        let change = graph.sum(&terms);
-        graph.div(change, spread)
-    };
+    let shorter = graph.build(sum([ahead * cosine, -less, -further]));
+    let (turned, pushed) = (graph.build(square * x * sine), graph.build(kappa * sine * cosine));
+    let pull = graph.build(sum([growth * shorter, -turned, pushed.into()]) / spread);
     if start.forms.len() == 1 {
         // y' = εy.
         let zero = graph.zero();
         return Motion { f: further, g: zero, f_rate: pull, g_rate: zero };
     }
     let rate = graph.add(growth, pull);
-    let swept_squared = graph.pow(swept, Ratio::integer(2));
-    let angle = graph.mul(twist, swept_squared);
+    let angle = graph.build(twist * squared(swept));
     let (along, short) = (graph.call(Function::StumpffC0, &[angle]), versine(graph, angle));
-    let across = graph.call(Function::StumpffC1, &[angle]);
-    let across = graph.mul(swept, across);
+    let across = graph.build(swept * call(Function::StumpffC1, [angle]));
     // F − 1 = (ρ − 1) cos − (1 − cos) − ρεσ and G = ρσ.
     let g = graph.mul(spread, across);
-    let f = {
-        let further = graph.mul(further, along);
-        let back = graph.mul(growth, g);
-        let back = graph.add(short, back);
-        graph.sub(further, back)
-    };
+    let f = graph.build(further * along - (short + growth * g));
     // Ḟ = cos (ρ' − ε/ρ) − σ (ερ' + l²/ρ) and Ġ − 1 = ρ'σ − ((1 − cos) + (ρ − 1))/ρ.
     let relative = graph.div(further, spread);
-    let f_rate = {
-        let outward = graph.mul(growth, relative);
-        let outward = graph.add(pull, outward);
-        let [turned, grown] = [graph.div(twist, spread), graph.mul(growth, rate)];
-        let inward = graph.add(turned, grown);
-        let [outward, inward] = [(along, outward), (across, inward)].map(|(a, b)| graph.mul(a, b));
-        graph.sub(outward, inward)
-    };
-    let g_rate = {
-        let [grown, short] = [graph.mul(rate, across), graph.div(short, spread)];
-        let short = graph.add(short, relative);
-        graph.sub(grown, short)
-    };
+    let outward = graph.build(pull + growth * relative);
+    let inward = graph.build(twist / spread + growth * rate);
+    let f_rate = graph.build(along * outward - across * inward);
+    let g_rate = graph.build(rate * across - (short / spread + relative));
     Motion { f, g, f_rate, g_rate }
 }
 
 /// Returns 1 − cos √z = z/2·c₁(z/4)² with Stumpff's function c₁.
 fn versine(graph: &mut Graph, z: Id) -> Id {
-    let quarter = graph.scale(Number::Exact(Ratio { numerator: 1, denominator: 4 }), z);
-    let half_sine = graph.call(Function::StumpffC1, &[quarter]);
-    let product = graph.product(&[z, half_sine, half_sine]);
-    graph.scale(Number::HALF, product)
+    let quarter = Number::Exact(Ratio { numerator: 1, denominator: 4 });
+    let half_sine = graph.build(call(Function::StumpffC1, [quarter * z]));
+    graph.build(Number::HALF * (z * half_sine * half_sine))
 }
 
 impl Start<'_> {
@@ -129,11 +99,9 @@ impl Start<'_> {
         let mut terms = vec![];
         for n in 0..self.forms.len() {
             for m in 0..n {
-                let [first, second] = [(m, n), (n, m)].map(|(i, j)| graph.mul(self.y[i], self.v[j]));
-                let area = graph.sub(first, second);
-                let area = graph.div(area, self.square);
-                let area = graph.pow(area, Ratio::integer(2));
-                terms.push(graph.product(&[self.forms[m].weight, self.forms[n].weight, area]));
+                let [y, v] = [&self.y, &self.v];
+                let area = graph.build(squared((y[m] * v[n] - y[n] * v[m]) / self.square));
+                terms.push(graph.build(self.forms[m].weight * self.forms[n].weight * area));
             }
         }
         graph.sum(&terms)
