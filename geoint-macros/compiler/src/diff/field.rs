@@ -3,7 +3,7 @@
 //! If nothing is damped and T is quadratic, the equation is of second order in q, and f is the force −∂V/∂q.
 //! T then enters all methods in one form, [`SecondOrder`].
 
-use super::equations;
+use super::equations::{self, Rates};
 use super::forward::jacobian;
 use super::gradient::{Gradient, discrete_gradient};
 use super::slope::middle;
@@ -42,9 +42,9 @@ pub(crate) struct SecondOrder {
 
 /// The field at a point.
 pub(crate) fn field(graph: &mut Graph, gradient: &Gradient, structure: &Structure, degrees: u32) -> Field {
-    let f = right_side(graph, gradient, structure, |_, entry| entry);
+    let rates = equations::hamilton(graph, gradient, structure, |_, entry| entry);
     let unknowns = unknowns(structure, degrees, Symbol::Position, Symbol::Momentum);
-    let mut field = Field::new(graph, unknowns, f);
+    let mut field = Field::new(graph, unknowns, right_side(rates, structure));
     if structure.conservative() {
         match structure.reduced() {
             Some(_) => symmetrise(&mut field.jacobian),
@@ -79,22 +79,21 @@ fn share_canonical(graph: &mut Graph, jacobian: &mut [Vec<Id>]) {
 
 /// The field between two points, with the tree discrete gradient, and with damping and forces at their mean. Time is the middle of the step.
 pub(crate) fn discrete(graph: &mut Graph, structure: &Structure, degrees: u32) -> Field {
+    let rates = mean_rates(graph, structure, degrees);
+    let unknowns = unknowns(structure, degrees, Symbol::PositionIncrement, Symbol::MomentumIncrement);
+    Field::new(graph, unknowns, right_side(rates, structure))
+}
+
+/// The rates between two points. For an equation of second order, T is left out, and q' is zero.
+pub(crate) fn mean_rates(graph: &mut Graph, structure: &Structure, degrees: u32) -> Rates {
     let root = structure.reduced().map_or(structure.energy, |parts| parts.potential);
     let gradient = discrete_gradient(graph, root, degrees);
     let mut mean = Substitution::new(middle);
-    let f = right_side(graph, &gradient, structure, |graph, entry| mean.apply(graph, entry));
-    let unknowns = unknowns(structure, degrees, Symbol::PositionIncrement, Symbol::MomentumIncrement);
-    Field::new(graph, unknowns, f)
+    equations::hamilton(graph, &gradient, structure, |graph, entry| mean.apply(graph, entry))
 }
 
 /// The rates of q and p, or for an equation of second order the force alone.
-fn right_side(
-    graph: &mut Graph,
-    gradient: &Gradient,
-    structure: &Structure,
-    place: impl FnMut(&mut Graph, Id) -> Id,
-) -> Vec<Id> {
-    let rates = equations::hamilton(graph, gradient, structure, place);
+fn right_side(rates: Rates, structure: &Structure) -> Vec<Id> {
     if structure.reduced().is_some() { rates.p } else { rates.concat() }
 }
 

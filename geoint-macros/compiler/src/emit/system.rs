@@ -4,7 +4,7 @@ use super::domain::domain;
 use super::exact;
 use super::kernel::Context;
 use super::structure::{self_type, state, state_type};
-use crate::derive::{Fact, Implicit, Modified, System};
+use crate::derive::{Fact, Kernels, Modified, System};
 use crate::parse::{Energy, Form, over_scalar};
 use crate::schedule::Routine;
 use proc_macro2::TokenStream;
@@ -19,7 +19,7 @@ pub(super) fn phase_space(context: &Context<'_>, system: &System) -> TokenStream
     // Momenta that are not followed give no energy.
     let value = match &system.value {
         Some(value) => context.returned(value),
-        None if matches!(system.implicit, Implicit::Velocities(_)) => {
+        None if matches!(system.kernels, Kernels::Velocities(_)) => {
             let action = if context.form.has_action() { quote!(s) } else { quote!(&()) };
             quote!(energy_of(self, t, z, #action))
         }
@@ -30,7 +30,7 @@ pub(super) fn phase_space(context: &Context<'_>, system: &System) -> TokenStream
     let rate = vector_field(context, system);
     let gradient = system.gradient.as_ref().map(|slopes| gradient(context, system, slopes));
     let kept = system.has(Fact::Autonomous).then(|| keeps_energy(context, &quote!(CanonicalEnergy), None));
-    let constrained = matches!(system.implicit, Implicit::Constrained(_)).then(|| {
+    let constrained = matches!(system.kernels, Kernels::Constrained(_)).then(|| {
         quote! {
             fn unmet(&self, t: R, h: R, z: &#phase) -> ::core::option::Option<Unmet> {
                 unmet(self, t, h, z)
@@ -38,7 +38,7 @@ pub(super) fn phase_space(context: &Context<'_>, system: &System) -> TokenStream
         }
     });
     let runtime = &context.energy.runtime;
-    let solved = matches!(system.implicit, Implicit::Velocities(_)).then(|| {
+    let solved = matches!(system.kernels, Kernels::Velocities(_)).then(|| {
         quote! {
             const SOLVED_FOR_VELOCITIES: bool = true;
             fn singular_mass(
@@ -53,8 +53,8 @@ pub(super) fn phase_space(context: &Context<'_>, system: &System) -> TokenStream
             const OF_VELOCITIES: bool = true;
         )
     });
-    let (attitudes, cotangent) = match &system.implicit {
-        Implicit::Bodies(kernels) => {
+    let (attitudes, cotangent) = match &system.kernels {
+        Kernels::Bodies(kernels) => {
             let attitudes = exact::attitudes(context, kernels);
             (Some(attitudes), Some(cotangent(context)))
         }
@@ -111,7 +111,7 @@ fn vector_field(context: &Context<'_>, system: &System) -> Option<TokenStream> {
     let (name, phase, parts) = (self_type(context), context.phase(), context.parts());
     let body = match (context.form, &system.rate) {
         (form, _) if form.has_action() => return None,
-        _ if matches!(system.implicit, Implicit::Constrained(_)) => return None,
+        _ if matches!(system.kernels, Kernels::Constrained(_)) => return None,
         (_, Some(rate)) => context.assigned(rate),
         (Form::Lagrangian, None) if system.gradient.is_none() => quote!(rate_of(self, t, z, slopes);),
         (_, None) => quote!(canonical_rate(self, t, z, slopes);),

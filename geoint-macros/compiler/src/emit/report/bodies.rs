@@ -2,11 +2,11 @@
 
 use super::{Report, counted};
 use crate::analyze;
-use crate::derive::{Implicit, System};
+use crate::derive::{Kernels, System};
 use crate::parse::Role;
 
 pub(super) fn report(report: &mut Report<'_>, found: &analyze::Bodies, system: &System) {
-    let Implicit::Bodies(kernels) = &system.implicit else { return };
+    let Kernels::Bodies(kernels) = &system.kernels else { return };
     let (r, m) = (report.name_of(Role::Attitude), report.name_of(Role::AngularMomentum));
     let (q, p) = (report.name_of(Role::Position), report.name_of(Role::Momentum));
     let centres = !found.streaming.is_empty();

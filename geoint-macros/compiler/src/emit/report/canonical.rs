@@ -2,7 +2,7 @@
 
 use super::{Report, counted, friction, pieces};
 use crate::analyze::{MeanValue, Split, Structure};
-use crate::derive::{Fact, FieldKernels, Implicit, MOST_UNKNOWNS, Perturbed, System};
+use crate::derive::{Fact, FieldKernels, Kernels, MOST_UNKNOWNS, Perturbed, System};
 use crate::diff::Gradient;
 use crate::ir::{Id, Symbol, print::Printer};
 use crate::parse::Role;
@@ -76,7 +76,7 @@ pub(super) fn report(report: &mut Report<'_>, structure: &Structure, gradient: &
         writeln!(report, "- kick: {}", counted(flows.kick.kernel.operations()));
         writeln!(report, "- drift: {}", counted(flows.drift.kernel.operations()));
     }
-    if let Implicit::Field(field) = &system.implicit {
+    if let Kernels::Field(field) = &system.kernels {
         implicit(report, field);
     }
 

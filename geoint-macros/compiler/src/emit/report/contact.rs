@@ -3,7 +3,7 @@
 use super::pieces::{Alphabet, of_energy};
 use super::{Report, counted};
 use crate::analyze::{self, Dissipated};
-use crate::derive::{ContactStages, Implicit, KickDrift, System, Undamped};
+use crate::derive::{ContactStages, Kernels, KickDrift, System, Undamped};
 use crate::diff::Gradient;
 use crate::ir::{Id, Symbol};
 
@@ -105,7 +105,7 @@ pub(super) fn decaying(
 fn implicit(report: &mut Report<'_>, system: &System) {
     let degrees = report.compilation.degrees();
     writeln!(report, "\nImplicit steps, for the increments of all positions, momenta and the action");
-    let Implicit::Contact(kernels) = &system.implicit else { return };
+    let Kernels::Contact(kernels) = &system.kernels else { return };
     for (method, step) in &kernels.steps {
         let cost = counted(step.kernel.operations());
         writeln!(report, "- `{method}`, unknowns {}: {cost} an iteration", 2 * degrees + 1);

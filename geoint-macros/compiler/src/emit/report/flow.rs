@@ -6,7 +6,7 @@ use super::{Report, counted, pieces};
 use crate::analyze::{self, Identity};
 use crate::check::wording::proven;
 use crate::derive::proof::Structure;
-use crate::derive::{Flow, Implicit, MOST_UNKNOWNS, Named, Origin, Source, System};
+use crate::derive::{Flow, Kernels, MOST_UNKNOWNS, Named, Origin, Source, System};
 use crate::ir::{Graph, Id, Symbol};
 use crate::legendre::FirstOrder;
 use crate::parse::Form;
@@ -156,7 +156,7 @@ fn operations(report: &mut Report<'_>, flow: &Flow, system: &System) {
     if let Some(rate) = &system.rate {
         writeln!(report, "- x': {}", counted(rate.operations()));
     }
-    let Implicit::Field(field) = &system.implicit else { return };
+    let Kernels::Field(field) = &system.kernels else { return };
     writeln!(
         report,
         "- stage of a Newton iteration of collocation: {}",
