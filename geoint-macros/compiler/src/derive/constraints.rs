@@ -5,7 +5,7 @@ use super::system::{ConstraintKernels, Kernels, Missing, StepKernel, System};
 use crate::analyze::{self, Structure};
 use crate::compilation::Compilation;
 use crate::diff::constraint::{self, Constrained, Equation};
-use crate::diff::{Gradient, equations, field, jacobian};
+use crate::diff::{Gradient, field, jacobian};
 use crate::ir::{Function, Graph, Id, Symbol, UndefinedAt};
 use crate::messages::CONSTRAINED;
 use crate::schedule::{Kernel, Levels, Output, Routine, Space, phase};
@@ -19,10 +19,11 @@ pub(crate) fn constrained(
     partial: &[UndefinedAt],
 ) -> System {
     let (degrees, positions, graph) = (compilation.degrees(), compilation.positions(), &mut compilation.graph);
-    let at_point = equations::hamilton(graph, gradient, structure, |_, entry| entry);
-    let between = field::mean_rates(graph, structure, degrees);
-    let mean_velocity = structure.reduced().is_none().then_some(&between.q[..]);
-    let given = Constrained::new(graph, constraints, &gradient.p, &at_point.p, &between.p, mean_velocity);
+    let at_point = field::field(graph, gradient, structure, degrees);
+    let between = field::discrete(graph, structure, degrees);
+    let n = degrees as usize;
+    let (force, mean_force, mean_velocity) = (at_point.force(n), between.force(n), between.velocity(n));
+    let given = Constrained::new(graph, constraints, &gradient.p, force, mean_force, mean_velocity);
     let rates = given.rates(graph);
     let steps =
         [("Rattle", constraint::rattle(graph, &given)), ("DiscreteGradient", constraint::gradient(graph, &given))];

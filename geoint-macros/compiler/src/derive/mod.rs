@@ -34,7 +34,7 @@ pub(crate) use forced::{Forced, forced};
 pub(crate) use implicit::MOST_UNKNOWNS;
 pub(crate) use jet::JetKernel;
 pub(crate) use poles::{Angles, Jumps, Margin, Margins, Poles, Signs};
-pub(crate) use proof::flow::{Flow, Named, Origin};
+pub(crate) use proof::flow::{Constant, Flow, Named, Origin};
 pub(crate) use proof::liouville::{Liouville, Multiplier, Recovered, liouville};
 pub(crate) use system::{
     ActionStages, Collocation, ConstraintKernels, ContactStages, FieldKernels, FlowKernel, GradientKick, Inner,

@@ -3,7 +3,7 @@
 //! If nothing is damped and T is quadratic, the equation is of second order in q, and f is the force −∂V/∂q.
 //! T then enters all methods in one form, [`SecondOrder`].
 
-use super::equations::{self, Rates};
+use super::equations;
 use super::forward::jacobian;
 use super::gradient::{Gradient, discrete_gradient};
 use super::slope::middle;
@@ -27,6 +27,16 @@ impl Field {
         let jacobian = jacobian(graph, &f, &unknowns);
         Field { unknowns, f, jacobian }
     }
+
+    /// Returns the rates of positions. Absent in an equation of second order, whose right-hand side is the force alone.
+    pub(crate) fn velocity(&self, degrees: usize) -> Option<&[Id]> {
+        (self.f.len() > degrees).then(|| &self.f[..degrees])
+    }
+
+    /// Returns the rates of momenta.
+    pub(crate) fn force(&self, degrees: usize) -> &[Id] {
+        &self.f[self.f.len() - degrees..]
+    }
 }
 
 /// The part of a quadratic T in an equation of second order, as functions of the momenta.
@@ -42,9 +52,9 @@ pub(crate) struct SecondOrder {
 
 /// The field at a point.
 pub(crate) fn field(graph: &mut Graph, gradient: &Gradient, structure: &Structure, degrees: u32) -> Field {
-    let rates = equations::hamilton(graph, gradient, structure, |_, entry| entry);
+    let f = right_side(graph, gradient, structure, |_, entry| entry);
     let unknowns = unknowns(structure, degrees, Symbol::Position, Symbol::Momentum);
-    let mut field = Field::new(graph, unknowns, right_side(rates, structure));
+    let mut field = Field::new(graph, unknowns, f);
     if structure.conservative() {
         match structure.reduced() {
             Some(_) => symmetrise(&mut field.jacobian),
@@ -79,21 +89,22 @@ fn share_canonical(graph: &mut Graph, jacobian: &mut [Vec<Id>]) {
 
 /// The field between two points, with the tree discrete gradient, and with damping and forces at their mean. Time is the middle of the step.
 pub(crate) fn discrete(graph: &mut Graph, structure: &Structure, degrees: u32) -> Field {
-    let rates = mean_rates(graph, structure, degrees);
-    let unknowns = unknowns(structure, degrees, Symbol::PositionIncrement, Symbol::MomentumIncrement);
-    Field::new(graph, unknowns, right_side(rates, structure))
-}
-
-/// The rates between two points. For an equation of second order, T is left out, and q' is zero.
-pub(crate) fn mean_rates(graph: &mut Graph, structure: &Structure, degrees: u32) -> Rates {
     let root = structure.reduced().map_or(structure.energy, |parts| parts.potential);
     let gradient = discrete_gradient(graph, root, degrees);
     let mut mean = Substitution::new(middle);
-    equations::hamilton(graph, &gradient, structure, |graph, entry| mean.apply(graph, entry))
+    let f = right_side(graph, &gradient, structure, |graph, entry| mean.apply(graph, entry));
+    let unknowns = unknowns(structure, degrees, Symbol::PositionIncrement, Symbol::MomentumIncrement);
+    Field::new(graph, unknowns, f)
 }
 
 /// The rates of q and p, or for an equation of second order the force alone.
-fn right_side(rates: Rates, structure: &Structure) -> Vec<Id> {
+fn right_side(
+    graph: &mut Graph,
+    gradient: &Gradient,
+    structure: &Structure,
+    place: impl FnMut(&mut Graph, Id) -> Id,
+) -> Vec<Id> {
+    let rates = equations::hamilton(graph, gradient, structure, place);
     if structure.reduced().is_some() { rates.p } else { rates.concat() }
 }
 

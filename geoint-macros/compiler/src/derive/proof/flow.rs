@@ -28,10 +28,17 @@ pub(crate) struct Flow {
     loss: Option<Vec<Id>>,
     /// Functions that steps keep, or whose change is known.
     pub(crate) kept: Vec<Named>,
-    /// Constant functions that steps do not keep, each with whether it is a Casimir.
-    pub(crate) also: Vec<(Id, bool)>,
+    /// Constant functions that steps do not keep.
+    pub(crate) also: Vec<Constant>,
     /// The divergence of the field, if it is not zero. Then the field has no energy.
     pub(crate) divergent: Option<Id>,
+}
+
+/// A constant function that steps do not keep.
+#[derive(Debug)]
+pub(crate) struct Constant {
+    pub(crate) value: Id,
+    pub(crate) is_casimir: bool,
 }
 
 /// A function that a flow keeps, or whose change is known.
@@ -141,7 +148,7 @@ impl Flow {
             if everywhere && kept.linear && self.form == Form::Field && !self.kept.is_empty() {
                 self.keep_found(graph, kept.value, names);
             } else {
-                self.also.push((kept.value, false));
+                self.also.push(Constant { value: kept.value, is_casimir: false });
             }
         }
     }
@@ -164,7 +171,7 @@ impl Flow {
             if everywhere {
                 self.keep_found(graph, kept.value, names);
             } else if self.loss.is_none() {
-                self.also.push((kept.value, true));
+                self.also.push(Constant { value: kept.value, is_casimir: true });
             }
         }
     }
@@ -186,7 +193,7 @@ impl Flow {
             .kept
             .iter()
             .map(|kept| kept.conserved.value)
-            .chain(self.also.iter().map(|(value, _)| *value))
+            .chain(self.also.iter().map(|constant| constant.value))
             .collect();
         let defined: HashSet<Id> = graph.reachable(&[&known[..], &self.field].concat()).into_iter().collect();
         let all: Vec<Id> = known.iter().copied().chain(found.iter().map(|kept| kept.value)).collect();

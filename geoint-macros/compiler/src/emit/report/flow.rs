@@ -6,7 +6,7 @@ use super::{Report, counted, pieces};
 use crate::analyze::{self, Identity};
 use crate::check::wording::proven;
 use crate::derive::proof::Structure;
-use crate::derive::{Flow, Kernels, MOST_UNKNOWNS, Named, Origin, Source, System};
+use crate::derive::{Constant, Flow, Kernels, MOST_UNKNOWNS, Named, Origin, Source, System};
 use crate::ir::{Graph, Id, Symbol};
 use crate::legendre::FirstOrder;
 use crate::parse::Form;
@@ -125,7 +125,7 @@ fn kept(report: &mut Report<'_>, flow: &Flow, source: &Source) {
             }
         }
     }
-    for (value, is_casimir) in &flow.also {
+    for Constant { value, is_casimir } in &flow.also {
         let word = if *is_casimir {
             "a Casimir; `FourthOrder` does not take it, because it is not defined wherever the field is"
         } else {
