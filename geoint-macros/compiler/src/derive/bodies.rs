@@ -1,31 +1,32 @@
-//! What is derived from H(r, m, t) of rigid bodies, and from H(r, q, m, p, t) of those with centres of mass.
+//! Routines of H(r, m, t) of rigid bodies, and of H(r, q, m, p, t) of rigid bodies with centres of mass.
 
-use super::domain::{Domain, Friction, Roots};
-use super::system::{FlowKernel, Implicit, System};
+use super::domain::{Domain, Formulas};
+use super::poles::DistinctNodes;
+use super::system::{FlowKernel, Kernels, System, grown};
 use crate::analyze::{self, momenta_of_body as momenta};
+use crate::compilation::Compilation;
 use crate::diff;
 use crate::ir::{Graph, Id, Number, Symbol, UndefinedAt};
-use crate::parse::Form;
-use crate::schedule::{Levels, Output, Routine, Scheduler, phase};
+use crate::schedule::{Levels, Routine, Scheduler, phase};
 
 /// Kicks and drifts of rigid bodies.
 #[derive(Debug)]
 pub(crate) struct BodyKernels {
     pub(crate) kick: FlowKernel,
     pub(crate) gradient_kick: FlowKernel,
-    /// Entries of hJ and hb of every body that are not zero, and of hM⁻¹.
+    /// The nonzero entries of hJ and hb of every body, and of hM⁻¹, each once.
     pub(crate) drift: Routine,
-    /// Where the entries of each body are.
+    /// The rotation of each body, by indices of these entries.
     pub(crate) turns: Vec<Turn>,
-    /// The places of the entries for the coordinates of each centre of mass.
+    /// The shift of each coordinate of the centres of mass, by indices of these entries.
     pub(crate) centres: Vec<[Shift; 3]>,
-    /// Whether all frames are those of principal axes.
+    /// True if the frames of all bodies are frames of principal axes.
     pub(crate) principal: bool,
-    /// Whether the impulse of a kick depends on positions only.
+    /// True if the impulse of a kick depends on positions only.
     pub(crate) repeats: bool,
 }
 
-/// hω = hJm + hb of one body, by places in what is prepared for a drift.
+/// The rotation vector hω = hJm + hb of one body in a drift, by indices of prepared numbers. Zero entries are absent.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Turn {
     pub(crate) linear: [[Option<usize>; 3]; 3],
@@ -34,22 +35,18 @@ pub(crate) struct Turn {
     pub(crate) symmetry: Option<usize>,
 }
 
-/// What a drift adds to a coordinate of a centre of mass: Σ of prepared numbers times momenta, and a number alone.
+/// The increment of a coordinate of a centre of mass in a drift: a linear form in the momenta, and a constant. Both are indices of prepared numbers.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Shift {
     pub(crate) linear: Vec<(usize, Symbol)>,
     pub(crate) constant: Option<usize>,
 }
 
-/// Derives everything that some method needs.
-pub(crate) fn bodies(
-    graph: &mut Graph,
-    found: &analyze::Bodies,
-    partial: &[UndefinedAt],
-    positions: &[usize],
-) -> System {
+/// Derives the routines of every method.
+pub(crate) fn bodies(compilation: &mut Compilation<'_>, found: &analyze::Bodies, partial: &[UndefinedAt]) -> System {
+    let (positions, graph) = (compilation.positions(), &mut compilation.graph);
     let [h, g] = [Symbol::StepLength, Symbol::GradientWeight].map(|symbol| graph.symbol(symbol));
-    // Of −hV as a whole, so that h meets the constants of every term.
+    // The factor h is inside the derivative. It thus meets the constants of every term.
     let generator = graph.mul(h, found.potential);
     let generator = graph.neg(generator);
     let impulse = impulses(graph, generator, found);
@@ -60,34 +57,20 @@ pub(crate) fn bodies(
     // [V, [T, V]] = τ·Jτ + F·M⁻¹F is a function of r and q.
     let mut squares = vec![];
     for (torque, inertia) in torque.iter().zip(&found.inertia) {
-        for i in 0..3 {
-            for j in 0..3 {
-                squares.push(graph.product(&[inertia.inverse[i][j], torque[i], torque[j]]));
-            }
-        }
+        squares.extend(quadratic_form(graph, &inertia.inverse, torque));
     }
     let forces = torque[found.inertia.len()..].concat();
-    for (row, force) in found.inverse_mass.iter().zip(&forces) {
-        for (entry, other) in row.iter().zip(&forces) {
-            squares.push(graph.product(&[*entry, *force, *other]));
-        }
-    }
+    squares.extend(quadratic_form(graph, &found.inverse_mass, &forces));
     let square = graph.sum(&squares);
     let correction = graph.mul(g, square);
     let generator = graph.add(generator, correction);
     let impulse = impulses(graph, generator, found);
     let gradient_kick = self::kick(graph, &impulse);
 
-    let mut entries: Vec<Id> = vec![];
-    // Equal ones are one.
+    let mut entries = DistinctNodes::default();
     let mut place = |graph: &mut Graph, entry: Id| {
-        (!graph.is_zero(entry)).then(|| {
-            let entry = graph.mul(h, entry);
-            entries.iter().position(|other| *other == entry).unwrap_or_else(|| {
-                entries.push(entry);
-                entries.len() - 1
-            })
-        })
+        let scaled = (!graph.is_zero(entry)).then(|| graph.mul(h, entry));
+        scaled.map(|entry| entries.place(entry))
     };
     let mut turns = vec![];
     for inertia in &found.inertia {
@@ -106,31 +89,23 @@ pub(crate) fn bodies(
     let kernels = BodyKernels {
         kick,
         gradient_kick,
-        drift: Routine::row("prepare_drift", entries),
+        drift: Routine::row("prepare_drift", entries.0),
         turns,
         centres,
         principal: found.inertia.iter().all(|inertia| inertia.is_principal(graph)),
         repeats: found.autonomous,
     };
     let rates = rates(graph, found, &torque);
+    let domain = Domain::of(graph, compilation.form, Formulas::new(&[found.energy], partial));
     System {
-        facts: vec![],
         value: Some(Routine::number("hamiltonian", found.energy)),
-        gradient: None,
-        rate: Some(Routine::new("rate", vec![Output::array("slopes", &phase(positions), rates)])),
-        splitting: None,
-        perturbed: None,
-        modified: None,
-        pieces: vec![],
-        implicit: Implicit::Bodies(kernels),
-        integrals: None,
-        lagrangian: None,
-        jet: None,
-        domain: Domain::of(graph, Roots::of_energy(&found.energy), Form::Bodies, partial, Friction::NONE),
+        rate: Some(Routine::array("rate", "slopes", &phase(&positions), rates)),
+        ..System::new(Kernels::Bodies(kernels), domain)
     }
 }
 
 impl BodyKernels {
+    /// Computes the statements of all routines.
     pub(super) fn schedule(&mut self, scheduler: &mut Scheduler<'_>) {
         self.kick.kernel.schedule(scheduler);
         self.gradient_kick.kernel.schedule(scheduler);
@@ -138,74 +113,70 @@ impl BodyKernels {
     }
 }
 
-/// The attitude of a body as nodes: i, j, k, w.
+/// Returns the terms of v·Av.
+fn quadratic_form(graph: &mut Graph, matrix: &[impl AsRef<[Id]>], v: &[Id]) -> Vec<Id> {
+    let mut terms = vec![];
+    for (row, x) in matrix.iter().zip(v) {
+        for (entry, y) in row.as_ref().iter().zip(v) {
+            terms.push(graph.product(&[*entry, *x, *y]));
+        }
+    }
+    terms
+}
+
+/// Returns the attitude of a body: the components i, j, k and w of a quaternion.
 fn attitude(graph: &mut Graph, body: u32) -> [Id; 4] {
     [0, 1, 2, 3].map(|i| graph.symbol(Symbol::Position(4 * body + i)))
 }
 
-/// What turns every body and moves every centre of mass: ½ (r⊗eᵢ)·∂G/∂r, the rate of G as a body turns about each of its axes, and ∂G/∂q.
+/// Returns the derivatives of a function G(r, q): ½ (r⊗eᵢ)·∂G/∂r for rotations of each body about its axes, then ∂G/∂q for each centre of mass.
 fn impulses(graph: &mut Graph, generator: Id, found: &analyze::Bodies) -> Vec<[Id; 3]> {
-    let (bodies, rows) = (found.inertia.len() as u32, found.velocity.len() as u32);
-    let slopes = diff::gradient(graph, generator, 4 * rows).q;
-    let half = Number::HALF;
+    let (bodies, rows) = (found.inertia.len(), found.velocity.len());
+    let slopes = diff::gradient(graph, generator, 4 * rows as u32).q;
+    let (zero, one) = (graph.zero(), graph.integer(1));
     let mut impulses = vec![];
     for row in 0..rows {
-        let slope = &slopes[4 * row as usize..][..4];
+        let slope: [Id; 4] = core::array::from_fn(|i| slopes[4 * row + i]);
         if row >= bodies {
             impulses.push([slope[0], slope[1], slope[2]]);
             continue;
         }
-        let r = attitude(graph, row);
-        let torque = [0, 1, 2].map(|axis| {
-            let mut unit = [None; 3];
-            unit[axis] = Some(graph.integer(1));
-            let turned = turned(graph, &r, &unit);
-            let terms: Vec<Id> = turned.iter().zip(slope).map(|(r, slope)| graph.mul(*r, *slope)).collect();
-            let sum = graph.sum(&terms);
-            graph.scale(half, sum)
-        });
-        impulses.push(torque);
+        let r = attitude(graph, row as u32);
+        impulses.push([[one, zero, zero], [zero, one, zero], [zero, zero, one]].map(|axis| {
+            let turned = turned(graph, r, axis);
+            let rate = graph.dot(&turned, &slope);
+            graph.scale(Number::HALF, rate)
+        }));
     }
     impulses
 }
 
-/// r⊗(0, v) with some components that are zero.
-fn turned(graph: &mut Graph, [i, j, k, w]: &[Id; 4], v: &[Option<Id>; 3]) -> [Id; 4] {
-    let mut sum = |terms: [(Id, Option<Id>, bool); 3]| {
-        let mut products = vec![];
-        for (x, v, negative) in terms {
-            let Some(v) = v else { continue };
-            let product = graph.mul(x, v);
-            products.push(if negative { graph.neg(product) } else { product });
+/// Returns r⊗(0, v).
+fn turned(graph: &mut Graph, [i, j, k, w]: [Id; 4], [a, b, c]: [Id; 3]) -> [Id; 4] {
+    let mut sum = |plus: &[[Id; 2]], minus: &[[Id; 2]]| {
+        let mut terms: Vec<Id> = plus.iter().map(|[x, v]| graph.mul(*x, *v)).collect();
+        for [x, v] in minus {
+            let product = graph.mul(*x, *v);
+            terms.push(graph.neg(product));
         }
-        graph.sum(&products)
+        graph.sum(&terms)
     };
-    let [a, b, c] = *v;
     [
-        sum([(*w, a, false), (*j, c, false), (*k, b, true)]),
-        sum([(*w, b, false), (*k, a, false), (*i, c, true)]),
-        sum([(*w, c, false), (*i, b, false), (*j, a, true)]),
-        sum([(*i, a, true), (*j, b, true), (*k, c, true)]),
+        sum(&[[w, a], [j, c]], &[[k, b]]),
+        sum(&[[w, b], [k, a]], &[[i, c]]),
+        sum(&[[w, c], [i, b]], &[[j, a]]),
+        sum(&[], &[[i, a], [j, b], [k, c]]),
     ]
 }
 
-/// m ← m + impulse. An impulse is summed before it is added: m is rounded once.
+/// Creates the flow m ← m + impulse. The terms of an impulse are summed first, so that m is rounded once.
 fn kick(graph: &mut Graph, impulses: &[[Id; 3]]) -> FlowKernel {
-    let mut ends = vec![];
-    for (impulse, body) in impulses.iter().zip(0..) {
-        for (symbol, impulse) in momenta(body).into_iter().zip(impulse) {
-            if !graph.is_zero(*impulse) {
-                let start = graph.symbol(symbol);
-                ends.push((symbol, graph.add(start, *impulse)));
-            }
-        }
-    }
-    FlowKernel::new(Levels::Prepared, ends)
+    let changes = impulses.iter().zip(0..).flat_map(|(impulse, body)| momenta(body).into_iter().zip(*impulse));
+    FlowKernel::new(Levels::Prepared, grown(graph, changes))
 }
 
-/// r' = ½ r⊗(0, ω) of all bodies and q' of their centres of mass, then m' = m × ω + τ and p', as quaternions.
+/// Returns the rates as an array of quaternions: r' = ½ r⊗(0, ω) and q', then m' = m × ω + τ and p'.
 fn rates(graph: &mut Graph, found: &analyze::Bodies, impulses: &[[Id; 3]]) -> Vec<Id> {
-    let half = Number::HALF;
     let bodies = found.inertia.len() as u32;
     let zero = graph.zero();
     let (mut places, mut changes) = (vec![], vec![]);
@@ -216,8 +187,7 @@ fn rates(graph: &mut Graph, found: &analyze::Bodies, impulses: &[[Id; 3]]) -> Ve
             continue;
         }
         let r = attitude(graph, row);
-        let turned = turned(graph, &r, &velocity.map(Some));
-        places.extend(turned.map(|x| graph.scale(half, x)));
+        places.extend(turned(graph, r, *velocity).map(|x| graph.scale(Number::HALF, x)));
         let m = momenta(row).map(|symbol| graph.symbol(symbol));
         for (i, torque) in impulse.iter().enumerate() {
             let (j, k) = ((i + 1) % 3, (i + 2) % 3);

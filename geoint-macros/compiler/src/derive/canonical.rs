@@ -1,25 +1,25 @@
-//! What is derived from H(q, p, t).
+//! Routines of H(q, p, t).
 
-use super::domain::{Domain, Friction, Roots};
+use super::domain::{Domain, Formulas};
 use super::exact::kick_drift::{kick_drift, modified_energy};
 use super::exact::perturbed;
 use super::exact::pieces::{self, Followed};
 use super::facts::Fact;
 use super::implicit;
 use super::jet::{self, JetKernel};
-use super::system::{Implicit, Missing, System};
+use super::system::{Kernels, Missing, System};
 use crate::analyze::{Split, Structure};
+use crate::compilation::Compilation;
 use crate::diff::{Gradient, equations};
-use crate::ir::{Graph, Id, UndefinedAt};
+use crate::ir::{Id, UndefinedAt};
 use crate::legendre::Legendre;
 use crate::messages::{COUPLED, COUPLED_IN_PIECES, DAMPED, FORCED, NO_CANONICAL_PIECES};
-use crate::parse::Form;
-use crate::schedule::{Output, Routine, phase};
+use crate::schedule::{Routine, phase};
 use crate::split::{Division, Pieces};
 
 /// Decompositions of H into parts with exact flows.
 pub(crate) struct Decompositions<'a> {
-    /// A part with an exact flow, and a rest.
+    /// A part with an exact flow, and the rest.
     pub(crate) division: &'a Division,
     /// Flows in closed form beside kick and drift.
     pub(crate) pieces: Option<&'a Pieces>,
@@ -27,16 +27,15 @@ pub(crate) struct Decompositions<'a> {
 
 /// Derives the routines of every method.
 pub(crate) fn canonical(
-    graph: &mut Graph,
+    compilation: &mut Compilation<'_>,
     structure: &Structure,
     gradient: &Gradient,
     Decompositions { division, pieces }: Decompositions<'_>,
     partial: &[UndefinedAt],
-    positions: &[usize],
     legendre: Option<&Legendre>,
 ) -> System {
-    let degrees = gradient.q.len() as u32;
-    let fields = implicit::field(graph, gradient, structure, degrees);
+    let (degrees, positions, graph) = (compilation.degrees(), compilation.positions(), &mut compilation.graph);
+    let fields = implicit::fields(graph, gradient, structure, degrees);
     let some = |entry: &Id| !graph.is_zero(*entry);
     let drag = structure.damping.as_ref().and_then(|damping| damping.matrix.iter().flatten().copied().find(some));
     let forces = structure.forces.iter().flat_map(|forces| [&forces.applied, &forces.friction]);
@@ -57,10 +56,9 @@ pub(crate) fn canonical(
     let splitting = separable.map(|parts| kick_drift(graph, parts, &fields.field.f, gradient, partial));
     let modified = separable.ok().map(|parts| modified_energy(graph, structure, parts, gradient));
     let rates = fields.field.f.clone();
-    let extents = phase(positions);
-    let rate = (!structure.conservative())
-        .then(|| Routine::new("rate", vec![Output::array("slopes", &extents, rates.clone())]));
-    // Damping that depends on the state makes a field of a higher degree.
+    let slopes = |name, nodes| Routine::array(name, "slopes", &phase(&positions), nodes);
+    let rate = (!structure.conservative()).then(|| slopes("rate", rates.clone()));
+    // Damping that depends on the state increases the degree of the field.
     let steady = structure.forces.is_none() && structure.damping.as_ref().is_none_or(|damping| !damping.reads.state());
     let facts = [
         (structure.conservative(), Fact::Conservative),
@@ -73,31 +71,20 @@ pub(crate) fn canonical(
         .map(|gradient| equations::hamilton(graph, &gradient, structure, |_, entry| entry).concat())
         .collect();
     let jet = JetKernel::canonical(graph, &forms, structure.energy, degrees);
+    let pieces = pieces.map(|pieces| pieces::kernels(graph, Followed::Canonical, pieces, NO_CANONICAL_PIECES));
+    let kernels = Kernels::Field(Box::new(fields.kernels(graph, structure, &positions)));
+    let formulas = &[structure.energy];
+    let formulas = Formulas { damping: structure.damping.as_ref(), rates: &rates, ..Formulas::new(formulas, partial) };
     System {
         facts: facts.into_iter().filter(|(holds, _)| *holds).map(|(_, fact)| fact).collect(),
         value: Some(Routine::number("hamiltonian", structure.energy)),
-        gradient: Some(Routine::new(
-            "gradient",
-            vec![Output::array("slopes", &extents, [&gradient.q[..], &gradient.p].concat())],
-        )),
+        gradient: Some(slopes("gradient", [&gradient.q[..], &gradient.p].concat())),
         rate,
         splitting: Some(splitting),
         perturbed: Some(perturbed),
         modified,
-        pieces: pieces
-            .map(|pieces| pieces::kernels(graph, Followed::Canonical, pieces, NO_CANONICAL_PIECES))
-            .into_iter()
-            .collect(),
-        implicit: Implicit::Field(Box::new(fields.kernels(graph, structure, positions))),
-        integrals: None,
-        lagrangian: None,
+        pieces: pieces.into_iter().collect(),
         jet,
-        domain: Domain::of(
-            graph,
-            Roots::of_energy(&structure.energy),
-            Form::Hamiltonian,
-            partial,
-            Friction { damping: structure.damping.as_ref(), rates: &rates },
-        ),
+        ..System::new(kernels, Domain::of(graph, compilation.form, formulas))
     }
 }

@@ -1,19 +1,19 @@
-//! What is derived from H(q, p, s, t).
+//! Routines of H(q, p, s, t).
 
-use super::domain::{Domain, Friction, Roots};
+use super::domain::{Domain, Formulas};
 use super::exact::pieces::{self, Followed};
 use super::facts::Fact;
 use super::jet::{self, JetKernel};
 use super::system::{
-    ContactKernels, ContactStages, FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, System, Undamped,
+    ContactKernels, ContactStages, FlowKernel, GradientKick, Kernels, KickDrift, Missing, Modified, System, Undamped,
 };
 use super::{implicit, velocities};
 use crate::analyze;
+use crate::compilation::Compilation;
 use crate::diff::{Gradient, equations};
 use crate::ir::{Graph, Id, UndefinedAt};
 use crate::legendre::Legendre;
 use crate::messages::{NO_PIECES, NOT_MECHANICAL, NOT_NYSTROM};
-use crate::parse::Form;
 use crate::schedule::{Levels, Output, Routine, phase};
 use crate::split::{self, Clock, Flow, Mechanics, Pieces};
 
@@ -25,30 +25,25 @@ pub(crate) struct ContactEnergy<'a> {
     pub(crate) pieces: &'a Pieces,
     /// T + g·s + V, or the term that does not fit.
     pub(crate) mechanics: &'a Result<Mechanics, Id>,
-    /// Whether the system is the lift of a field. Its momenta are not followed.
+    /// True if the system is the lift of a field. Its momenta are not followed.
     pub(crate) lift: bool,
     /// The Lagrangian of the energy.
     pub(crate) legendre: Option<&'a Legendre>,
 }
 
 /// Derives the routines of every method.
-pub(crate) fn contact(
-    graph: &mut Graph,
-    of: &ContactEnergy<'_>,
-    partial: &[UndefinedAt],
-    positions: &[usize],
-) -> System {
+pub(crate) fn contact(compilation: &mut Compilation<'_>, of: &ContactEnergy<'_>, partial: &[UndefinedAt]) -> System {
     let ContactEnergy { energy, gradient, pieces: found, mechanics, lift, legendre } = *of;
-    let degrees = gradient.q.len() as u32;
+    let (degrees, positions, graph) = (compilation.degrees(), compilation.positions(), &mut compilation.graph);
     let rates = lift.then(|| equations::lift(graph, energy, gradient).concat());
-    let followed = match &rates {
+    let forms = match &rates {
         Some(rates) => vec![rates.clone()],
         None => all_rates(graph, energy, gradient, legendre),
     };
-    let jet = JetKernel::canonical(graph, &followed, energy, degrees);
-    let rate = rates.map(|rates| rate_routine(rates, positions));
-    let what = if lift { Followed::Lift } else { Followed::Contact };
-    let pieces = pieces::kernels(graph, what, found, NO_PIECES);
+    let jet = JetKernel::canonical(graph, &forms, energy, degrees);
+    let rate = rates.map(|rates| rate_routine(rates, &positions));
+    let followed = if lift { Followed::Lift } else { Followed::Contact };
+    let pieces = pieces::kernels(graph, followed, found, NO_PIECES);
     let modified = found.as_ref().ok().filter(|_| !lift).map(|found| {
         let modified = split::modified_energy(graph, &found.pieces, degrees);
         Modified::Value(Routine::number("modified", modified))
@@ -57,48 +52,46 @@ pub(crate) fn contact(
         Ok(mechanics) => Ok(kick_drift(graph, mechanics)),
         Err(term) => Err(Missing::new("MechanicalIn", *term, NOT_MECHANICAL)),
     };
-    // Positions and momenta move without s.
+    // The rates of positions and momenta do not read s, and friction reads time alone.
     let conformal = !analyze::acts_back(graph, gradient.s, gradient.q.iter().chain(&gradient.p).copied());
-    let by_velocities = legendre.and_then(|legendre| velocities::stages_of_energy(graph, legendre, positions));
+    let by_velocities = legendre.and_then(|legendre| velocities::stages_of_energy(graph, legendre, &positions));
     let stages = match by_velocities {
         Some(stages) => ContactStages::Velocities(Box::new(stages)),
-        None => ContactStages::Points(implicit::stages(graph, energy, gradient, positions)),
+        None => ContactStages::Points(implicit::stages(graph, energy, gradient, &positions)),
     };
+    let kernels = if lift {
+        ContactKernels { steps: vec![], stages: None }
+    } else {
+        ContactKernels { steps: implicit::steps(graph, energy, degrees, &positions), stages: Some(stages) }
+    };
+    let domain = Domain::of(graph, compilation.form, Formulas::new(&[energy], partial));
     System {
         facts: if conformal { vec![Fact::ConformalContact] } else { vec![] },
         value: (!lift).then(|| Routine::number("hamiltonian", energy)),
-        gradient: Some(gradient_routine(gradient, positions)),
+        gradient: Some(gradient_routine(gradient, &positions)),
         rate,
         splitting: Some(splitting),
-        perturbed: None,
         modified,
         pieces: vec![pieces],
-        implicit: Implicit::Contact(if lift {
-            ContactKernels { steps: vec![], stages: None }
-        } else {
-            ContactKernels { steps: implicit::steps(graph, energy, positions), stages: Some(stages) }
-        }),
-        integrals: None,
-        lagrangian: None,
         jet,
-        domain: Domain::of(graph, Roots::of_energy(&energy), Form::Contact, partial, Friction::NONE),
+        ..System::new(Kernels::Contact(kernels), domain)
     }
 }
 
-/// The routine of ∂H/∂q, ∂H/∂p and ∂H/∂s.
+/// Creates the routine of ∂H/∂q, ∂H/∂p and ∂H/∂s.
 pub(super) fn gradient_routine(gradient: &Gradient, positions: &[usize]) -> Routine {
     let slopes = Output::array("slopes", &phase(positions), [&gradient.q[..], &gradient.p].concat());
     Routine::new("gradient", vec![slopes, Output::number("ds", gradient.s)])
 }
 
-/// The routine of q', p' and s'.
+/// Creates the routine of q', p' and s'.
 pub(super) fn rate_routine(mut rates: Vec<Id>, positions: &[usize]) -> Routine {
     let action = rates.pop().map(|rate| Output::number("ds", rate));
     let slopes = Output::array("slopes", &phase(positions), rates);
     Routine::new("rate", [slopes].into_iter().chain(action).collect())
 }
 
-/// The rates of q, p and s for every known form of the gradient.
+/// Returns the rates of q, p and s for every known form of the gradient.
 fn all_rates(graph: &mut Graph, energy: Id, gradient: &Gradient, legendre: Option<&Legendre>) -> Vec<Vec<Id>> {
     let forms = jet::forms(graph, energy, gradient, legendre);
     let mut rates = |gradient: &Gradient| {
@@ -108,12 +101,13 @@ fn all_rates(graph: &mut Graph, energy: Id, gradient: &Gradient, legendre: Optio
     forms.iter().map(&mut rates).collect()
 }
 
+/// Derives kick and drift of an energy T + g·s + V.
 fn kick_drift(graph: &mut Graph, mechanics: &Mechanics) -> KickDrift {
     let [kick, damped_drift] = [&mechanics.kick, &mechanics.drift].map(|flow| {
         let changed = flow.changed(graph);
         FlowKernel::with_increments(graph, Levels::Prepared, changed)
     });
-    // Without damping flows add.
+    // Flows without damping only add increments.
     let mut kernel = |flow: &Flow| FlowKernel::new(Levels::Prepared, flow.changed(graph));
     KickDrift {
         kick,

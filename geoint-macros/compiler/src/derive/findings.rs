@@ -3,6 +3,7 @@
 use super::proof::{Integrals, Structure};
 use super::{Flow, Liouville, Parted, System};
 use crate::analyze::{self, Damping, Dissipated, Forces};
+use crate::compilation::Compilation;
 use crate::diff::Gradient;
 use crate::ir::Id;
 use crate::legendre::{FirstOrder, Legendre};
@@ -17,9 +18,9 @@ pub(crate) struct Derived {
 
 impl Derived {
     /// Adds the routines of the Lagrangian, if there is one.
-    pub(crate) fn with_velocities(self, positions: &[usize]) -> Derived {
+    pub(crate) fn with_velocities(self, compilation: &Compilation<'_>) -> Derived {
         let Derived { legendre, findings, system } = self;
-        let system = legendre.iter().fold(system, |system, legendre| system.of_lagrangian(positions, legendre));
+        let system = legendre.iter().fold(system, |system, legendre| system.of_lagrangian(compilation, legendre));
         Derived { legendre, findings, system }
     }
 }
@@ -28,7 +29,7 @@ impl Derived {
 pub(crate) enum Findings {
     /// H(q, p, t).
     Canonical { structure: analyze::Structure, gradient: Gradient },
-    /// H(q, p, t) with constraints. `kept` states what H and the constraints keep together.
+    /// H(q, p, t) with constraints. `kept` has the integrals of the system with constraints.
     Constrained { structure: analyze::Structure, kept: analyze::Structure, constraints: Vec<Id>, gradient: Gradient },
     /// H(q, p, s, t).
     Contact { energy: Id, gradient: Gradient, dissipated: Option<Dissipated> },
@@ -50,13 +51,13 @@ pub(crate) enum BesideVelocities {
     Action { decay: Id, dissipated: Option<Dissipated> },
 }
 
-/// How the integrals of a flow are known.
+/// The origin of the integrals of a flow, by form.
 pub(crate) enum Source {
-    /// S is skew.
+    /// A skew matrix S that the user has written.
     Structure(Structure),
-    /// Each one was proven or found.
+    /// A field. Each integral was proven or found.
     Field(FieldFindings),
-    /// S is the inverse of a skew matrix.
+    /// A Lagrangian that is linear in velocities. S is the inverse of a skew matrix.
     Lagrangian(FirstOrder),
 }
 

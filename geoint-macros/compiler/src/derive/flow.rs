@@ -1,31 +1,31 @@
-//! What is derived of a flow x' = f(x, t), and of one that an energy makes, x' = S(x) ∇H.
+//! Routines of a flow x' = f(x, t), and of the flow x' = S(x) ∇H of an energy.
 
-use super::domain::{Domain, Friction, Roots};
+use super::domain::{Domain, Formulas};
 use super::facts::Fact;
-use super::implicit;
-use super::implicit::Scaled;
+use super::implicit::{self, Scaled};
 use super::jet::JetKernel;
 use super::proof::flow::{ENERGY, Flow, Named, Origin, coordinates};
-use super::system::{Collocation, FieldKernels, Implicit, Integrals, Missing, NamedFunction, System};
+use super::system::{Collocation, FieldKernels, Integrals, Kernels, Missing, NamedFunction, System};
 use crate::analyze::{self, Damping, MeanValue};
+use crate::compilation::Compilation;
 use crate::diff;
 use crate::diff::field::Field;
 use crate::diff::flow::{self, Conserved, Order};
 use crate::ir::{Graph, Id, Symbol, UndefinedAt};
 use crate::messages::NOTHING_KEPT;
-use crate::schedule::{Kernel, Levels, Output, Routine, Space};
+use crate::schedule::{Kernel, Levels, Routine, Space};
 
 /// Derives the routines of every method but those of pieces.
 pub(crate) fn flow(
-    graph: &mut Graph,
+    compilation: &mut Compilation<'_>,
     found: &Flow,
     partial: &[UndefinedAt],
     damping: Option<&Damping>,
-    positions: &[usize],
 ) -> System {
-    let Flow { form, field, energy, kept, .. } = found;
-    let n = field.len() as u32;
-    let coordinates = coordinates(field.len());
+    let (positions, graph) = (compilation.positions(), &mut compilation.graph);
+    let Flow { field, energy, kept, .. } = found;
+    let [coordinates, increments] = [Symbol::Position, Symbol::PositionIncrement]
+        .map(|symbol: fn(u32) -> Symbol| (0..field.len() as u32).map(symbol).collect::<Vec<Symbol>>());
     let conserved: Vec<Conserved> = kept.iter().map(|kept| kept.conserved.clone()).collect();
     let collocation = Field::new(graph, coordinates.clone(), field.clone());
     let discrete = match energy {
@@ -36,8 +36,8 @@ pub(crate) fn flow(
     let missing = |term: &Id| Missing::new("KeepsIn", *term, NOTHING_KEPT);
     let nothing_kept = found.divergent.as_ref().filter(|_| discrete.is_none()).map(missing);
     let h = graph.symbol(Symbol::StepLength);
-    let x = Space { symbols: coordinates.clone(), extents: positions.to_vec() };
-    let dx = Space { symbols: (0..n).map(Symbol::PositionIncrement).collect(), extents: positions.to_vec() };
+    let x = Space { symbols: coordinates, extents: positions.clone() };
+    let dx = Space { symbols: increments, extents: positions.clone() };
     let equation = |graph: &mut Graph, field: &Field| {
         let Scaled { image, matrix } = implicit::scaled(graph, field, h);
         implicit::equation_routine("equation", image, &matrix, &dx).reading("d", &dx)
@@ -47,66 +47,55 @@ pub(crate) fn flow(
         let equation = equation(graph, &field);
         implicit::iterated(vec![equation], &x)
     });
-    // Of a field, what it keeps under that name.
+    // The energy of a field is the integral with this name.
     let named = kept.iter().find(|kept| kept.name == ENERGY).map(|kept| kept.conserved.value);
-    let value = named.or(energy.as_ref().map(|(energy, _)| *energy));
+    let energy = energy.as_ref().map(|(energy, _)| *energy);
+    let value = named.or(energy);
     let mut values: Vec<Id> = value.into_iter().chain(conserved.iter().map(|kept| kept.value)).collect();
     values.sort();
     values.dedup();
     let all = [&field[..], &values].concat();
     let quadratic = analyze::is_polynomial_in(graph, field, 2, Symbol::is_coordinate);
+    let integrals = integrals(graph, kept, &dx);
+    let jet = JetKernel::of_field(graph, field, energy);
+    let formulas = Formulas { all: &all, damping, ..Formulas::new(&values, partial) };
+    let domain = Domain::of(graph, compilation.form, formulas);
+    let stages = vec![implicit::field_routine("field", &collocation, &x).reading("y", &x)];
+    let discrete = discrete.map(|found| {
+        let mut routines = vec![implicit::field_routine("slope", &found, &dx).reading("d", &dx)];
+        if field.len() <= implicit::MOST_UNKNOWNS {
+            routines.push(equation(graph, &found));
+        }
+        implicit::iterated(routines, &x)
+    });
+    let kernels = FieldKernels {
+        linear: false,
+        mean_value: MeanValue::NotClosed(field[0]),
+        collocation: Collocation { second_order: false, kernel: Kernel::new(Levels::Prepared, stages) },
+        discrete,
+        nothing_kept,
+        canonical: None,
+        fourth,
+        momenta: Routine::default(),
+        coordinates: x,
+        increments: dx,
+    };
     System {
         facts: if quadratic { vec![Fact::QuadraticField] } else { vec![] },
         value: value.map(|value| Routine::number("hamiltonian", value)),
-        gradient: None,
-        rate: Some(Routine::new("rate", vec![Output::array("slopes", positions, field.clone())])),
-        splitting: None,
-        perturbed: None,
-        modified: None,
-        pieces: vec![],
-        integrals: integrals(graph, kept, positions),
-        lagrangian: None,
-        jet: JetKernel::of_field(graph, field, energy.as_ref().map(|(energy, _)| *energy)),
-        domain: Domain::of(
-            graph,
-            Roots { all: &all, divided: &values },
-            *form,
-            partial,
-            Friction { damping, rates: &[] },
-        ),
-        implicit: Implicit::Field(Box::new(FieldKernels {
-            linear: false,
-            mean_value: MeanValue::NotClosed(field[0]),
-            collocation: Collocation {
-                second_order: false,
-                kernel: Kernel::new(
-                    Levels::Prepared,
-                    vec![implicit::field_routine("field", &collocation, &x).reading("y", &x)],
-                ),
-            },
-            discrete: discrete.map(|found| {
-                let mut routines = vec![implicit::field_routine("slope", &found, &dx).reading("d", &dx)];
-                if field.len() <= implicit::MOST_UNKNOWNS {
-                    routines.push(equation(graph, &found));
-                }
-                implicit::iterated(routines, &x)
-            }),
-            nothing_kept,
-            canonical: None,
-            fourth,
-            momenta: Routine::default(),
-            coordinates: x.clone(),
-            increments: dx.clone(),
-        })),
+        rate: Some(Routine::array("rate", "slopes", &positions, field.clone())),
+        integrals,
+        jet,
+        ..System::new(Kernels::Field(Box::new(kernels)), domain)
     }
 }
 
-/// The functions that users call, and those of them that are constant, with their gradients.
-fn integrals(graph: &mut Graph, kept: &[Named], positions: &[usize]) -> Option<Integrals> {
+/// Derives the routines of the functions that a flow keeps, or changes at a known rate. `increments` are the increments of x.
+fn integrals(graph: &mut Graph, kept: &[Named], increments: &Space) -> Option<Integrals> {
     if kept.is_empty() {
         return None;
     }
-    let n = positions.iter().product::<usize>() as u32;
+    let n = increments.len() as u32;
     let values: Vec<Id> = kept.iter().map(|kept| kept.conserved.value).collect();
     let constant: Vec<usize> = (0..kept.len()).filter(|i| kept[*i].conserved.but.is_none()).collect();
     let steady: Vec<usize> = constant.iter().copied().filter(|i| !graph.reads(values[*i]).t).collect();
@@ -114,12 +103,11 @@ fn integrals(graph: &mut Graph, kept: &[Named], positions: &[usize]) -> Option<I
     let slopes: Vec<Id> = steady.iter().flat_map(|i| diff::gradient(graph, values[*i], n).q).collect();
     let mut change = |i: &usize| {
         let slopes = diff::discrete_gradient(graph, values[*i], n).q;
-        let increments: Vec<Id> = (0..n).map(|i| graph.symbol(Symbol::PositionIncrement(i))).collect();
+        let increments: Vec<Id> = increments.symbols.iter().map(|symbol| graph.symbol(*symbol)).collect();
         graph.dot(&slopes, &increments)
     };
     let changes = steady.iter().map(&mut change).collect();
-    let extents = [&[steady.len()], positions].concat();
-    let dx = Space { symbols: (0..n).map(Symbol::PositionIncrement).collect(), extents: positions.to_vec() };
+    let extents = [&[steady.len()], &increments.extents[..]].concat();
     Some(Integrals {
         all: kept
             .iter()
@@ -130,7 +118,7 @@ fn integrals(graph: &mut Graph, kept: &[Named], positions: &[usize]) -> Option<I
         energy,
         steep: analyze::is_steep(graph, &slopes, &coordinates(n as usize)),
         values: Routine::row("values", values),
-        slopes: Routine::new("slopes", vec![Output::array("slopes", &extents, slopes)]),
-        changes: Routine::row("changes", changes).reading("dz", &dx),
+        slopes: Routine::array("slopes", "slopes", &extents, slopes),
+        changes: Routine::row("changes", changes).reading("dz", increments),
     })
 }

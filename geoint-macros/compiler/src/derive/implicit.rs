@@ -3,51 +3,54 @@
 use super::system::{Collocation, FieldKernels, StageKernel, StepKernel};
 use crate::analyze::{self, Structure};
 use crate::diff::contact::{self, Equation};
+use crate::diff::equations;
 use crate::diff::field::{self, Field, SecondOrder};
 use crate::diff::{self, Gradient};
 use crate::ir::substitute::Substitution;
 use crate::ir::{AffineForms, Graph, Id, Node, Number, Ratio, Symbol};
 use crate::schedule::{Argument, Kernel, Levels, Output, Routine, Space, phase};
 
-/// With more unknowns than this the runtime prefers the fixed point to Newton's iteration: an elimination costs more than the
-/// evaluations that it saves. For six bodies (18 unknowns) a step with the fixed point takes a third to a tenth of the time.
+/// The largest number of unknowns with a kernel of Newton's iteration. With more unknowns the runtime prefers the fixed point, because an elimination
+/// costs more than the evaluations that it saves. For six bodies (18 unknowns) a step with the fixed point takes a third to a tenth of the time.
 ///
-/// The runtime reads this number, which has to be one: with a smaller one here, Newton's iteration would do without its own
-/// kernel; with a larger one, that kernel would be compiled for nothing.
+/// The runtime reads this number, so that it uses the kernel exactly if it was emitted.
 pub(crate) const MOST_UNKNOWNS: usize = 12;
 
-/// The field, with derivatives and with divided differences, and what T adds to it.
-pub(super) fn field(graph: &mut Graph, gradient: &Gradient, structure: &Structure, degrees: u32) -> Fields {
+/// Derives the right-hand sides of collocation and of discrete gradients.
+pub(super) fn fields(graph: &mut Graph, gradient: &Gradient, structure: &Structure, degrees: u32) -> Fields {
     let field = field::field(graph, gradient, structure, degrees);
     let discrete = field::discrete(graph, structure, degrees);
     let second_order = field::second_order(graph, gradient, structure, degrees);
     Fields { field, discrete, second_order }
 }
 
-/// The field of implicit methods.
+/// The right-hand sides of implicit methods of a canonical system.
 pub(super) struct Fields {
+    /// With derivatives at a point.
     pub(super) field: Field,
+    /// With divided differences between two points.
     discrete: Field,
+    /// The part of T, if the equation is of second order.
     second_order: Option<SecondOrder>,
 }
 
 impl Fields {
-    /// The kernels of collocation and of discrete gradients.
+    /// Creates the kernels of collocation and of discrete gradients.
     pub(super) fn kernels(self, graph: &mut Graph, structure: &Structure, positions: &[usize]) -> FieldKernels {
         let Fields { field, discrete, second_order } = self;
         let [coordinates, increments] =
             [&field, &discrete].map(|field| Space::of_unknowns(field.unknowns.clone(), positions));
-        let degrees = positions.iter().product::<usize>() as u32;
         let mut stages = vec![field_routine("field", &field, &coordinates).reading("y", &coordinates)];
         let mut steps = vec![field_routine("slope", &discrete, &increments).reading("d", &increments)];
         if let Some(found) = &second_order {
             if field.unknowns.len() <= MOST_UNKNOWNS {
                 steps.push(equation(graph, &discrete, found, &increments).reading("d", &increments));
             }
-            let momenta = Space { symbols: (0..degrees).map(Symbol::Momentum).collect(), extents: positions.to_vec() };
-            let sums =
-                Space { symbols: (0..degrees).map(Symbol::MomentumIncrement).collect(), extents: positions.to_vec() };
-            let vector = |name, nodes| Routine::new(name, vec![Output::array(name, positions, nodes)]);
+            let degrees = found.velocity.len() as u32;
+            let [momenta, sums] = [Symbol::Momentum, Symbol::MomentumIncrement].map(|symbol: fn(u32) -> Symbol| {
+                Space { symbols: (0..degrees).map(symbol).collect(), extents: positions.to_vec() }
+            });
+            let vector = |name, nodes| Routine::array(name, name, positions, nodes);
             stages.push(vector("velocity", found.velocity.clone()).reading("p", &momenta));
             stages.push(vector("acceleration", found.acceleration.clone()).reading("f", &momenta));
             steps.push(vector("drift", drift(graph, &found.velocity)).reading("sum", &sums));
@@ -70,7 +73,7 @@ impl Fields {
     }
 }
 
-/// Gradients of the momenta that are kept beside H. Single coordinates are kept without them.
+/// Creates the routine of the gradients of the momenta that steps keep in addition to H. Methods keep momenta that are single coordinates anyway.
 fn momenta(graph: &mut Graph, structure: &Structure, positions: &[usize]) -> Routine {
     let degrees = positions.iter().product::<usize>() as u32;
     let kept = if structure.conservative() { &structure.momenta[..] } else { &[] };
@@ -80,25 +83,25 @@ fn momenta(graph: &mut Graph, structure: &Structure, positions: &[usize]) -> Rou
         slopes.extend([gradient.q, gradient.p].concat());
     }
     let extents = [&[kept.len()], &phase(positions)[..]].concat();
-    Routine::new("momenta", vec![Output::array("slopes", &extents, slopes)])
+    Routine::array("momenta", "slopes", &extents, slopes)
 }
 
-/// The routine of f and its derivative.
+/// Creates the routine of f and its derivative.
 pub(super) fn field_routine(name: &'static str, field: &Field, space: &Space) -> Routine {
     let f = Output::array("f", &space.extents, field.f.clone());
     Routine::new(name, vec![f, Output::square("jacobian", &space.extents, &field.jacobian)])
 }
 
-/// A kernel whose steps start at `y`.
+/// Creates the kernel of a step that starts at `y`.
 pub(super) fn iterated(routines: Vec<Routine>, start: &Space) -> Kernel {
     let start = Some(Argument { name: "y", space: start.clone() });
     Kernel { start, ..Kernel::new(Levels::Iterated, routines) }
 }
 
-/// What Newton's iteration needs where T is quadratic: h·f̄, and 1 − h·(∂f̄/∂d)·(∂d/∂impulse) with d = h·M⁻¹(p + impulse/2).
-/// What is known before the step is one factor.
+/// Derives the equation of Newton's iteration for a quadratic T: h·f̄, and 1 − h·(∂f̄/∂d)·(∂d/∂impulse) with d = h·M⁻¹(p + impulse/2). Factors that
+/// are known before the step are multiplied first.
 ///
-/// Other systems are left to the runtime: the compiler would take a quarter longer.
+/// For other systems the runtime composes this matrix, because a kernel would make compilation a quarter longer.
 fn equation(graph: &mut Graph, field: &Field, second_order: &SecondOrder, space: &Space) -> Routine {
     let (h, n) = (graph.symbol(Symbol::StepLength), field.unknowns.len());
     let image = field.f.iter().map(|f| graph.mul(h, *f)).collect();
@@ -122,14 +125,14 @@ fn equation(graph: &mut Graph, field: &Field, second_order: &SecondOrder, space:
     equation_routine("equation", image, &matrix, space)
 }
 
-/// The routine of an equation d = image(d): the image, and 1 − ∂image/∂d.
+/// Creates the routine of an equation d = image(d): the image, and 1 − ∂image/∂d.
 pub(super) fn equation_routine(name: &'static str, image: Vec<Id>, matrix: &[Vec<Id>], space: &Space) -> Routine {
     let image = Output::array("image", &space.extents, image);
     Routine::new(name, vec![image, Output::square("matrix", &space.extents, matrix)])
 }
 
-/// −weight·x, a sum term by term: the chain of dependent operations is shorter. So is that of a multiple of a sum of products, each of which takes
-/// the factor in.
+/// Adds −weight·x to the terms. A sum is multiplied term by term, which makes the chain of dependent operations shorter. A known factor of a sum of
+/// products is moved into the products for the same reason.
 fn subtract(graph: &mut Graph, weight: Id, x: Id, terms: &mut Vec<Id>) {
     let (weight, x) = match multiple_of_products(graph, x) {
         Some((factors, sum)) => (graph.product(&[&[weight], &factors[..]].concat()), sum),
@@ -146,7 +149,7 @@ fn subtract(graph: &mut Graph, weight: Id, x: Id, terms: &mut Vec<Id>) {
     }
 }
 
-/// What parameters alone decide, and the sum of products that it multiplies.
+/// Splits a product into factors that read parameters only, and one sum of products. Returns `None` if it has another form.
 fn multiple_of_products(graph: &Graph, x: Id) -> Option<(Vec<Id>, Id)> {
     let Node::Product(factors) = graph.node(x) else { return None };
     let is_known = |id: &Id| !graph.reads(*id).moves();
@@ -157,7 +160,7 @@ fn multiple_of_products(graph: &Graph, x: Id) -> Option<(Vec<Id>, Id)> {
     summands.iter().all(is_product).then_some((known, sum))
 }
 
-/// h ∂T/∂p at the mean of two momenta, as a function of what stands for their sum: the half of it is a part of what is known before.
+/// Returns h ∂T/∂p at the mean of two momenta, as a function of their sum. The factor ½ is then prepared with h.
 fn drift(graph: &mut Graph, velocity: &[Id]) -> Vec<Id> {
     let h = graph.symbol(Symbol::StepLength);
     let mut mean = Substitution::new(|graph: &mut Graph, symbol| match symbol {
@@ -174,31 +177,29 @@ fn drift(graph: &mut Graph, velocity: &[Id]) -> Vec<Id> {
     velocity.iter().map(&mut scaled).collect()
 }
 
-type Derive = fn(&mut Graph, Id, u32) -> Equation;
-
-/// The methods of contact systems whose steps are solved.
-const METHODS: [(&str, Derive); 2] =
-    [("ContactMidpoint", contact::midpoint), ("ContactDiscreteGradient", contact::discrete)];
-
-/// The equation of each method for contact systems.
-pub(super) fn steps(graph: &mut Graph, energy: Id, positions: &[usize]) -> Vec<(&'static str, StepKernel)> {
-    let degrees = positions.iter().product::<usize>() as u32;
-    let step = |(method, derive): (_, Derive)| {
-        let equation = derive(graph, energy, degrees);
-        (method, step(graph, equation, positions))
-    };
-    METHODS.into_iter().map(step).collect()
+/// Derives the equation of each implicit method for contact systems.
+pub(super) fn steps(
+    graph: &mut Graph,
+    energy: Id,
+    degrees: u32,
+    positions: &[usize],
+) -> Vec<(&'static str, StepKernel)> {
+    let midpoint = contact::midpoint(graph, energy, degrees);
+    let midpoint = step(graph, midpoint, degrees, positions);
+    let discrete = contact::discrete(graph, energy, degrees);
+    let discrete = step(graph, discrete, degrees, positions);
+    vec![("ContactMidpoint", midpoint), ("ContactDiscreteGradient", discrete)]
 }
 
-/// The field at a stage of collocation: without s where ∂H/∂s reads time alone, and positions and momenta do not read s.
+/// Derives the field at a stage of collocation of a contact system, without the friction −p ∂H/∂s, which the runtime adds. The action is no unknown if
+/// ∂H/∂s reads time alone, and the rates of positions and momenta do not read s.
 pub(super) fn stages(graph: &mut Graph, energy: Id, gradient: &Gradient, positions: &[usize]) -> StageKernel {
     let degrees = gradient.q.len() as u32;
     let mut moved: Vec<Symbol> = (0..degrees).map(Symbol::Position).chain((0..degrees).map(Symbol::Momentum)).collect();
     let mut rates = gradient.p.clone();
     rates.extend(gradient.q.iter().map(|slope| graph.neg(*slope)));
     let mut terms = vec![graph.neg(energy)];
-    for (i, velocity) in (0..degrees).zip(&gradient.p) {
-        let p = graph.symbol(Symbol::Momentum(i));
+    for (p, velocity) in equations::momenta(graph, gradient).into_iter().zip(&gradient.p) {
         terms.push(graph.mul(p, *velocity));
     }
     let action = graph.sum(&terms);
@@ -223,13 +224,11 @@ pub(super) fn stages(graph: &mut Graph, energy: Id, gradient: &Gradient, positio
     StageKernel { moved, kernel: Kernel::new(Levels::Prepared, routines) }
 }
 
-/// Φ and 1 − ∂Φ/∂d, and the increments of a solution.
-fn step(graph: &mut Graph, Equation { field, end }: Equation, positions: &[usize]) -> StepKernel {
+/// Creates the kernel of a step: Φ with 1 − ∂Φ/∂d, and the increments of a solution.
+fn step(graph: &mut Graph, Equation { field, end }: Equation, degrees: u32, positions: &[usize]) -> StepKernel {
     let one = graph.integer(1);
-    let degrees = positions.iter().product::<usize>() as u32;
-    let indices = 0..degrees;
-    let start: Vec<Symbol> = indices.clone().map(Symbol::Position).chain(indices.map(Symbol::Momentum)).collect();
-    let start = Space::of_unknowns([start, vec![Symbol::Action]].concat(), positions);
+    let start = (0..degrees).map(Symbol::Position).chain((0..degrees).map(Symbol::Momentum)).chain([Symbol::Action]);
+    let start = Space::of_unknowns(start.collect(), positions);
     let unknowns = Space::of_unknowns(field.unknowns.clone(), positions);
     let Scaled { image, matrix } = scaled(graph, &field, one);
     let image = Output::array("f", &unknowns.extents, image);
@@ -247,7 +246,7 @@ pub(super) struct Scaled {
     pub(super) matrix: Vec<Vec<Id>>,
 }
 
-/// Φ = scale·f and 1 − ∂Φ/∂d.
+/// Returns Φ = scale·f and 1 − ∂Φ/∂d.
 pub(super) fn scaled(graph: &mut Graph, field: &Field, scale: Id) -> Scaled {
     let (zero, one) = (graph.zero(), graph.integer(1));
     let image: Vec<Id> = field.f.iter().map(|f| graph.mul(scale, *f)).collect();

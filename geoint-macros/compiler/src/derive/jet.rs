@@ -1,4 +1,4 @@
-//! The Taylor coefficients of a solution, of every form whose rates are nodes.
+//! Programs that compute the Taylor coefficients of a solution.
 
 use crate::analyze::crossings;
 use crate::diff::jet::{self, Jet};
@@ -7,10 +7,10 @@ use crate::ir::{Graph, Id, Symbol};
 use crate::legendre::Legendre;
 use crate::schedule::Routine;
 
-/// With more series than this users would wait for code that is run slowly.
+/// The largest number of series in a program. Larger programs compile slowly, and the emitted code runs slowly.
 const MOST_SERIES: usize = 6000;
 
-/// A program, and the values with which it starts.
+/// A program and its initial values.
 #[derive(Debug)]
 pub(crate) struct JetKernel {
     pub(crate) jet: Jet,
@@ -18,24 +18,24 @@ pub(crate) struct JetKernel {
 }
 
 impl JetKernel {
-    /// Of coordinates by their rates, in the form of them that takes the fewest sums. Steps end where the energy may jump, of which rates need
-    /// not know.
+    /// Creates a program from the rates of coordinates. If several forms of the rates are known, the form with the fewest sums is used. A step ends where
+    /// the energy may jump. These conditions are observed explicitly, because rates may not contain them.
     fn new(graph: &mut Graph, forms: &[Vec<(Symbol, Id)>], energy: Option<Id>) -> Option<JetKernel> {
         let edges = energy.map_or_else(Vec::new, |energy| crossings::edges_of_jumps(graph, energy));
-        let watched: Vec<Id> = edges.iter().map(|edge| edge.difference).collect();
-        let jets = forms.iter().map(|rates| jet::jet(graph, rates, &watched));
+        let observed: Vec<Id> = edges.iter().map(|edge| edge.difference).collect();
+        let jets = forms.iter().map(|rates| jet::jet(graph, rates, &observed));
         let jet = jets.min_by_key(Jet::half_convolutions)?;
         let start = Routine::row("start", jet.values.clone());
         (jet.series.len() <= MOST_SERIES).then_some(JetKernel { jet, start })
     }
 
-    /// Of x' = f(x, t), which may have an energy.
+    /// Creates the program of x' = f(x, t).
     pub(super) fn of_field(graph: &mut Graph, field: &[Id], energy: Option<Id>) -> Option<JetKernel> {
         let rates = (0..).map(Symbol::Position).zip(field.iter().copied()).collect();
         JetKernel::new(graph, &[rates], energy)
     }
 
-    /// Of q' and p', and s' if there is an action, which are given one after the other.
+    /// Creates the program of a system with momenta. Each form lists the rates of q, p, and s if there is an action.
     pub(super) fn canonical(graph: &mut Graph, forms: &[Vec<Id>], energy: Id, degrees: u32) -> Option<JetKernel> {
         let symbols =
             || (0..degrees).map(Symbol::Position).chain((0..degrees).map(Symbol::Momentum)).chain([Symbol::Action]);
@@ -44,7 +44,7 @@ impl JetKernel {
     }
 }
 
-/// ∇H, and if it is another formula with ∂H/∂q in velocities.
+/// Returns ∇H, and a second form with ∂H/∂q as a function of velocities if that is another formula.
 pub(super) fn forms(graph: &mut Graph, energy: Id, gradient: &Gradient, legendre: Option<&Legendre>) -> Vec<Gradient> {
     let by_velocities = match legendre {
         Some(legendre) => legendre

@@ -1,12 +1,13 @@
-//! Routines of L(q, v, s, t) with velocities as unknowns.
+//! Routines of L(q, v, s, t) whose implicit methods solve for velocities.
 
-use super::domain::{Domain, Friction, Roots};
+use super::domain::{Domain, Formulas};
 use super::exact::pieces::{self, Followed};
 use super::facts::Fact;
 use super::system::{
-    ActionStages, Implicit, KeptMomentum, MassKernels, Missing, StepKernel, System, VelocityKernels, VelocityStages,
+    ActionStages, KeptMomentum, Kernels, MassKernels, Missing, StepKernel, System, VelocityKernels, VelocityStages,
 };
 use crate::analyze::{self, Damping, Forces, Spared};
+use crate::compilation::Compilation;
 use crate::diff::lagrangian::{self, EulerLagrange, Polarised};
 use crate::ir::collect::collected;
 use crate::ir::{Graph, Id, Reads};
@@ -14,7 +15,7 @@ use crate::legendre::{Definite, Kinetic, Legendre, definite};
 use crate::messages::{
     FULL_MASS, FULL_MASS_OF_ACTION, NO_PIECES_OF_VELOCITIES, NOT_POLARISED, NOT_POLARISED_OF_ACTION,
 };
-use crate::parse::{Form, Shape};
+use crate::parse::Shape;
 use crate::schedule::{Kernel, Levels, Output, Routine, Space};
 
 /// A Lagrangian without a short energy.
@@ -22,18 +23,16 @@ pub(crate) struct LagrangianOfVelocities<'a> {
     pub(crate) legendre: &'a Legendre,
     /// The reason why there is no H.
     pub(crate) obstacle: Id,
-    pub(crate) shape: &'a Shape,
-    /// Extents of the array of positions.
-    pub(crate) positions: &'a [usize],
     /// Friction and forces beside L. Absent with an action.
     pub(crate) damping: Option<&'a Damping>,
     pub(crate) applied: Option<&'a Forces>,
-    pub(crate) has_action: bool,
 }
 
 /// Derives the routines of every method.
-pub(crate) fn velocities(graph: &mut Graph, of: &LagrangianOfVelocities<'_>) -> System {
-    let LagrangianOfVelocities { legendre, obstacle, shape, positions, damping, applied, has_action } = *of;
+pub(crate) fn velocities(compilation: &mut Compilation<'_>, of: &LagrangianOfVelocities<'_>) -> System {
+    let LagrangianOfVelocities { legendre, obstacle, damping, applied } = *of;
+    let (positions, has_action) = (compilation.positions(), compilation.form.has_action());
+    let (shape, graph) = (&compilation.energy.coordinates.shape, &mut compilation.graph);
     let Legendre { lagrangian, forces, momenta, .. } = legendre;
     let equation = EulerLagrange {
         damping: damping.map(|damping| &damping.matrix[..]),
@@ -41,7 +40,7 @@ pub(crate) fn velocities(graph: &mut Graph, of: &LagrangianOfVelocities<'_>) -> 
         has_action,
         ..euler_lagrange(legendre)
     };
-    let stages = stages(graph, legendre, equation, positions);
+    let stages = stages(graph, legendre, equation, &positions);
     let mut momenta_kept = if has_action { vec![] } else { analyze::noether(graph, *lagrangian, shape) };
     let spared = Spared { damping, forces: applied };
     momenta_kept.retain(|momentum| spared.momentum(graph, momentum));
@@ -53,7 +52,7 @@ pub(crate) fn velocities(graph: &mut Graph, of: &LagrangianOfVelocities<'_>) -> 
     let why = if has_action { NOT_POLARISED_OF_ACTION } else { NOT_POLARISED };
     let (polarised, summed) = match is_quadratic(legendre) {
         true => {
-            let step = polarised(graph, equation, positions);
+            let step = polarised(graph, equation, &positions);
             (Ok(step), if has_action { vec![] } else { summed_momenta(graph, equation, shape) })
         }
         false => (Err(Missing::new("Polarised", obstacle, why)), vec![]),
@@ -62,48 +61,37 @@ pub(crate) fn velocities(graph: &mut Graph, of: &LagrangianOfVelocities<'_>) -> 
         let by_gradient = summed.contains(&momentum.value);
         KeptMomentum { momentum, by_gradient }
     });
-    let (marker, why, form) = match has_action {
-        true => ("MechanicalIn", FULL_MASS_OF_ACTION, Form::Contact),
-        false => ("Uncoupled", FULL_MASS, Form::Lagrangian),
+    let (marker, why) = match has_action {
+        true => ("MechanicalIn", FULL_MASS_OF_ACTION),
+        false => ("Uncoupled", FULL_MASS),
     };
     let no_pieces = || pieces::kernels(graph, Followed::Contact, &Err(obstacle), NO_PIECES_OF_VELOCITIES);
+    let pieces = has_action.then(no_pieces).into_iter().collect();
     let conformal = stages.action.as_ref().is_some_and(|action| !action.varying);
+    let kernels = Kernels::Velocities(VelocityKernels {
+        keeps: !has_action && damping.is_none() && applied.is_none() && !graph.reads(*lagrangian).t,
+        stages,
+        polarised,
+        momenta: kept.collect(),
+    });
+    // The discrete gradient divides L as a whole, with the parts that do not read velocities.
+    let divided = &[*lagrangian];
+    let formulas = Formulas { all: &roots, damping, ..Formulas::new(divided, &legendre.partial) };
     System {
         facts: if conformal { vec![Fact::ConformalContact] } else { vec![] },
-        value: None,
-        gradient: None,
-        rate: None,
         splitting: Some(Err(Missing::new(marker, obstacle, why))),
-        modified: None,
-        pieces: has_action.then(no_pieces).into_iter().collect(),
-        perturbed: None,
-        implicit: Implicit::Velocities(VelocityKernels {
-            keeps: !has_action && damping.is_none() && applied.is_none() && !graph.reads(*lagrangian).t,
-            stages,
-            polarised,
-            momenta: kept.collect(),
-        }),
-        integrals: None,
-        // The parts of L without velocities are divided as divided differences divide them.
-        domain: Domain::of(
-            graph,
-            Roots { all: &roots, divided: &[*lagrangian] },
-            form,
-            &legendre.partial,
-            Friction { damping, rates: &[] },
-        ),
-        lagrangian: None,
-        jet: None,
+        pieces,
+        ..System::new(kernels, Domain::of(graph, compilation.form, formulas))
     }
 }
 
-/// Stages of collocation of a contact system whose energy belongs to a Lagrangian: velocities are half of the unknowns. Absent unless L is quadratic
-/// in v. A conjugate energy has states whose momenta belong to no velocity.
+/// Derives stages of collocation of a contact system whose energy belongs to a Lagrangian. Half of the unknowns are velocities. Returns `None` unless L
+/// is quadratic in v: other energies may have states whose momenta belong to no velocity.
 pub(super) fn stages_of_energy(graph: &mut Graph, legendre: &Legendre, positions: &[usize]) -> Option<VelocityStages> {
     is_quadratic(legendre).then(|| stages(graph, legendre, euler_lagrange(legendre), positions))
 }
 
-/// The terms of the equation of motion of a Lagrangian with an action, and without other forces.
+/// Returns the terms of the equation of motion of a Lagrangian with an action, and without other forces.
 fn euler_lagrange(legendre: &Legendre) -> EulerLagrange<'_> {
     let Legendre { lagrangian, forces, momenta, mass, shift, potential, .. } = legendre;
     EulerLagrange {
@@ -119,7 +107,7 @@ fn euler_lagrange(legendre: &Legendre) -> EulerLagrange<'_> {
     }
 }
 
-/// Stages of collocation: the routines `stage` and `force`.
+/// Derives stages of collocation: the routines `stage` and `force`.
 fn stages(graph: &mut Graph, legendre: &Legendre, equation: EulerLagrange<'_>, positions: &[usize]) -> VelocityStages {
     let Legendre { momenta, forces, .. } = legendre;
     let mut stage = lagrangian::stage(graph, equation);
@@ -155,7 +143,7 @@ fn stages(graph: &mut Graph, legendre: &Legendre, equation: EulerLagrange<'_>, p
     }
 }
 
-/// The polarised discrete gradient: the routine `equation`.
+/// Derives the polarised discrete gradient: the routine `equation`.
 fn polarised(graph: &mut Graph, equation: EulerLagrange<'_>, positions: &[usize]) -> StepKernel {
     let Polarised { unknowns, residual, impulse, matrix, impulse_by_increment } =
         lagrangian::polarised(graph, equation);
@@ -172,17 +160,18 @@ fn polarised(graph: &mut Graph, equation: EulerLagrange<'_>, positions: &[usize]
     StepKernel { unknowns, kernel: Kernel::new(Levels::Iterated, vec![equation]) }
 }
 
-/// Momenta that the polarised discrete gradient keeps.
+/// Returns the momenta that the polarised discrete gradient keeps.
 fn summed_momenta(graph: &mut Graph, equation: EulerLagrange<'_>, shape: &Shape) -> Vec<Id> {
     let polarisation = lagrangian::polarisation(graph, equation);
     analyze::translations(graph, polarisation, shape).into_iter().map(|momentum| momentum.value).collect()
 }
 
+/// Returns whether L is quadratic in v.
 fn is_quadratic(legendre: &Legendre) -> bool {
     legendre.parts.iter().all(|part| matches!(part.kinetic, Kinetic::Quadratic { .. }))
 }
 
-/// ∂L/∂v and M, with terms collected that differ in parameters only.
+/// Derives ∂L/∂v and M. Terms that differ in parameters only are collected.
 fn mass_kernels(graph: &mut Graph, legendre: &Legendre, positions: &[usize]) -> MassKernels {
     let Legendre { lagrangian, momenta, mass, .. } = legendre;
     let mut outputs = [Output::array("momentum", positions, momenta.clone()), Output::square("mass", positions, mass)];

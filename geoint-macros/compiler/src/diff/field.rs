@@ -27,6 +27,16 @@ impl Field {
         let jacobian = jacobian(graph, &f, &unknowns);
         Field { unknowns, f, jacobian }
     }
+
+    /// Returns the rates of positions. Absent in an equation of second order, whose right-hand side is the force alone.
+    pub(crate) fn velocity(&self, degrees: usize) -> Option<&[Id]> {
+        (self.f.len() > degrees).then(|| &self.f[..degrees])
+    }
+
+    /// Returns the rates of momenta.
+    pub(crate) fn force(&self, degrees: usize) -> &[Id] {
+        &self.f[self.f.len() - degrees..]
+    }
 }
 
 /// The part of a quadratic T in an equation of second order, as functions of the momenta.

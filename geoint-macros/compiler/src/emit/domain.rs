@@ -94,7 +94,7 @@ fn powers(context: &Context<'_>, Edges { checks, arguments }: &Edges) -> TokenSt
     context.outputs(arguments, |outputs| {
         let values = outputs.iter().flat_map(|values| &values.all);
         let shown = checks.iter().zip(values).map(|(check, value)| {
-            let message = format!("{}: {}", check.what, printer.excerpt(check.term));
+            let message = format!("{}: {}", check.message, printer.excerpt(check.term));
             quote!(visit(#message, #value);)
         });
         quote!(#(#shown)*)
@@ -109,13 +109,13 @@ fn first_of(context: &Context<'_>, checks: &[Check], arguments: &Routine) -> Tok
         let values = |name: &str| named(name).map_or(&[][..], |values| &values.all);
         let mut enough = values("enough").iter();
         let tests = checks.iter().zip(values("arguments")).map(|(check, value)| {
-            let test = match check.if_it_is {
+            let test = match check.forbidden {
                 Sign::Negative => quote!(.any_below(0.0)),
                 Sign::NotPositive => quote!(.any_not_positive()),
                 Sign::Zero => quote!(.abs().any_not_positive()),
             };
             let enough = check.enough.and_then(|_| enough.next()).map(|enough| quote!(#enough.any_not_positive() &&));
-            let message = format!("{}: {}", check.what, printer.excerpt(check.term));
+            let message = format!("{}: {}", check.message, printer.excerpt(check.term));
             quote!(if #enough #value #test { return ::core::option::Option::Some(#message); })
         });
         let tests: Vec<TokenStream> = tests.collect();

@@ -3,7 +3,7 @@
 use super::attributes;
 use super::kernel::Context;
 use super::tokens::Tokens;
-use crate::derive::{Implicit, System};
+use crate::derive::{Kernels, System};
 use crate::parse::{Energy, Form, Leaf, over_scalar};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -64,7 +64,7 @@ pub(super) fn inherent(context: &Context<'_>, system: &System, flow: Option<Toke
         }
     });
     // An adaptive run guesses its first step from the rates, which systems with constraints lack.
-    let adaptive = (!matches!(system.implicit, Implicit::Constrained(_))).then(|| {
+    let adaptive = (!matches!(system.kernels, Kernels::Constrained(_))).then(|| {
         quote! {
             /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
             ///

@@ -5,7 +5,7 @@ use super::exact;
 use super::implementation::{flag, proven};
 use super::kernel::Context;
 use super::structure::{self_type, state, state_type};
-use crate::derive::{Fact, Implicit, Modified, System};
+use crate::derive::{Fact, Kernels, Modified, System};
 use crate::parse::{Energy, Form, over_scalar};
 use crate::schedule::Routine;
 use proc_macro2::TokenStream;
@@ -20,7 +20,7 @@ pub(super) fn phase_space(context: &Context<'_>, system: &System) -> TokenStream
     // Without a formula, the runtime computes the energy from the velocities. A field without momenta has no energy.
     let value = match &system.value {
         Some(value) => context.returned(value),
-        None if matches!(system.implicit, Implicit::Velocities(_)) => {
+        None if matches!(system.kernels, Kernels::Velocities(_)) => {
             let action = if context.form.has_action() { quote!(s) } else { quote!(&()) };
             quote!(energy_of(self, t, z, #action))
         }
@@ -31,7 +31,7 @@ pub(super) fn phase_space(context: &Context<'_>, system: &System) -> TokenStream
     let rate = vector_field(context, system);
     let gradient = system.gradient.as_ref().map(|slopes| gradient(context, system, slopes));
     let kept = system.has(Fact::Autonomous).then(|| keeps_energy(context, &quote!(CanonicalEnergy), None));
-    let constrained = matches!(system.implicit, Implicit::Constrained(_)).then(|| {
+    let constrained = matches!(system.kernels, Kernels::Constrained(_)).then(|| {
         quote! {
             fn unmet(&self, t: R, h: R, z: &#phase) -> ::core::option::Option<Unmet> {
                 unmet(self, t, h, z)
@@ -39,7 +39,7 @@ pub(super) fn phase_space(context: &Context<'_>, system: &System) -> TokenStream
         }
     });
     let runtime = &context.energy.runtime;
-    let solved = matches!(system.implicit, Implicit::Velocities(_)).then(|| {
+    let solved = matches!(system.kernels, Kernels::Velocities(_)).then(|| {
         quote! {
             const SOLVED_FOR_VELOCITIES: bool = true;
             fn singular_mass(
@@ -51,8 +51,8 @@ pub(super) fn phase_space(context: &Context<'_>, system: &System) -> TokenStream
     });
     let is_lagrangian = matches!(context.form, Form::Lagrangian | Form::Herglotz);
     let of_velocities = is_lagrangian.then(|| flag("OF_VELOCITIES", true));
-    let (attitudes, cotangent) = match &system.implicit {
-        Implicit::Bodies(kernels) => {
+    let (attitudes, cotangent) = match &system.kernels {
+        Kernels::Bodies(kernels) => {
             let attitudes = exact::attitudes(context, kernels);
             (Some(attitudes), Some(cotangent(context)))
         }
@@ -106,7 +106,7 @@ fn vector_field(context: &Context<'_>, system: &System) -> Option<TokenStream> {
     let (phase, parts) = (context.phase(), context.parts());
     let body = match (context.form, &system.rate) {
         (form, _) if form.has_action() => return None,
-        _ if matches!(system.implicit, Implicit::Constrained(_)) => return None,
+        _ if matches!(system.kernels, Kernels::Constrained(_)) => return None,
         (_, Some(rate)) => context.assigned(rate),
         (Form::Lagrangian, None) if system.gradient.is_none() => quote!(rate_of(self, t, z, slopes);),
         (_, None) => quote!(canonical_rate(self, t, z, slopes);),

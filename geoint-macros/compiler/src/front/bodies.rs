@@ -7,9 +7,9 @@ use crate::lower::Terms;
 use crate::{analyze, check};
 
 pub(super) fn derived(compilation: &mut Compilation<'_>, terms: &Terms) -> Result<Derived> {
-    let (bodies, rows, positions) = (compilation.energy.bodies(), compilation.degrees() / 4, compilation.positions());
+    let (bodies, rows) = (compilation.energy.bodies(), compilation.degrees() / 4);
     let found = analyze::bodies(&mut compilation.graph, terms.energy, bodies, rows); // T and V, or the term in the way
     let found = check::bodies(compilation, found)?;
-    let system = derive::bodies(&mut compilation.graph, &found, &terms.partial, &positions);
+    let system = derive::bodies(compilation, &found, &terms.partial);
     Ok(Derived { system, legendre: None, findings: Findings::Bodies(found) })
 }

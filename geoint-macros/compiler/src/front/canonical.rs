@@ -14,7 +14,7 @@ pub(super) fn derived(compilation: &mut Compilation<'_>, terms: Terms, legendre:
     if compilation.energy.options.constraint.is_some() {
         return constrained::derived(compilation, terms, legendre);
     }
-    let (energy, degrees, positions) = (compilation.energy, compilation.degrees(), compilation.positions());
+    let (energy, degrees) = (compilation.energy, compilation.degrees());
     let graph = &mut compilation.graph;
     let structure = analyze::structure(graph, terms.energy, &energy.coordinates.shape);
     let forces = Forces::of(graph, terms.force, terms.friction);
@@ -25,12 +25,11 @@ pub(super) fn derived(compilation: &mut Compilation<'_>, terms: Terms, legendre:
     let pieces = split::coupled_pieces(graph, &structure, degrees, groups);
     let gradient = diff::gradient(graph, structure.energy, degrees);
     let decompositions = Decompositions { division: &division, pieces: pieces.as_ref() };
-    let system =
-        derive::canonical(graph, &structure, &gradient, decompositions, &partial, &positions, legendre.as_ref());
+    let system = derive::canonical(compilation, &structure, &gradient, decompositions, &partial, legendre.as_ref());
     check::requests(compilation, &structure)?;
     check::division(compilation, &division)?;
     if let Some(pieces) = &pieces {
         check::pieces(compilation, structure.energy, groups, pieces)?;
     }
-    Ok(Derived { system, legendre, findings: Findings::Canonical { structure, gradient } }.with_velocities(&positions))
+    Ok(Derived { system, legendre, findings: Findings::Canonical { structure, gradient } }.with_velocities(compilation))
 }

@@ -13,7 +13,7 @@ pub(super) fn derived(
     mut terms: Terms,
     legendre: Option<Legendre>,
 ) -> Result<Derived> {
-    let (degrees, positions) = (compilation.degrees(), compilation.positions());
+    let degrees = compilation.degrees();
     let (shape, damping) = (&compilation.energy.coordinates.shape, terms.damping.take());
     let graph = &mut compilation.graph;
     let structure = analyze::structure(graph, terms.energy, shape).damped(graph, damping.clone());
@@ -23,7 +23,7 @@ pub(super) fn derived(
     let constraints: Vec<Id> = terms.constraints.iter().map(|(constraint, _)| *constraint).collect();
     let kept = analyze::bound(graph, terms.energy, &constraints, shape).damped(graph, damping);
     let gradient = diff::gradient(graph, structure.energy, degrees);
-    let system = derive::constrained(graph, &structure, &constraints, &gradient, &terms.partial, &positions);
+    let system = derive::constrained(compilation, &structure, &constraints, &gradient, &terms.partial);
     let findings = Findings::Constrained { structure, kept, constraints, gradient };
-    Ok(Derived { system, legendre, findings }.with_velocities(&positions))
+    Ok(Derived { system, legendre, findings }.with_velocities(compilation))
 }

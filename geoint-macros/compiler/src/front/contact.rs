@@ -10,7 +10,7 @@ use crate::{check, diff, split};
 
 /// Derives a system from its energy, which may be that of a Lagrangian.
 pub(super) fn derived(compilation: &mut Compilation<'_>, terms: &Terms, legendre: Option<Legendre>) -> Result<Derived> {
-    let (energy, degrees, positions) = (terms.energy, compilation.degrees(), compilation.positions());
+    let (energy, degrees) = (terms.energy, compilation.degrees());
     let (shape, lift) = (&compilation.energy.coordinates.shape, compilation.energy.options.lift.is_some());
     let (graph, groups) = (&mut compilation.graph, terms.groups.as_deref());
     let dissipated = analyze::dissipated(graph, energy, shape).filter(|_| !lift);
@@ -25,16 +25,15 @@ pub(super) fn derived(compilation: &mut Compilation<'_>, terms: &Terms, legendre
         lift,
         legendre: legendre.as_ref(),
     };
-    let system = derive::contact(graph, &of, &terms.partial, &positions);
+    let system = derive::contact(compilation, &of, &terms.partial);
     check::of_action(compilation, energy, &mechanics)?;
     check::pieces(compilation, energy, groups, &pieces)?;
     let findings = Findings::Contact { energy, gradient, dissipated };
-    Ok(Derived { system, legendre, findings }.with_velocities(&positions))
+    Ok(Derived { system, legendre, findings }.with_velocities(compilation))
 }
 
 /// Derives a system with forces beside the energy of a Lagrangian. Its steps are no contact maps.
 pub(super) fn forced(compilation: &mut Compilation<'_>, mut terms: Terms, legendre: Legendre) -> Result<Derived> {
-    let positions = compilation.positions();
     let graph = &mut compilation.graph;
     let damping = analyze::damping(graph, terms.damping.take());
     let forces = Forces::of(graph, terms.force.take(), terms.friction.take());
@@ -42,9 +41,9 @@ pub(super) fn forced(compilation: &mut Compilation<'_>, mut terms: Terms, legend
         return derived(compilation, &terms, Some(legendre)); // all forces are zero
     }
     check::forced_action(compilation, damping.as_ref())?;
-    let (graph, energy) = (&mut compilation.graph, terms.energy);
+    let energy = terms.energy;
     let Forced { system, drag } =
-        derive::forced(graph, energy, damping.as_ref(), forces.as_ref(), &terms.partial, &positions);
+        derive::forced(compilation, energy, damping.as_ref(), forces.as_ref(), &terms.partial);
     let findings = Findings::Forced { energy, forces, drag };
-    Ok(Derived { system, legendre: Some(legendre), findings }.with_velocities(&positions))
+    Ok(Derived { system, legendre: Some(legendre), findings }.with_velocities(compilation))
 }

@@ -1,4 +1,4 @@
-//! x' = f(x, t), and the functions that f keeps.
+//! x' = f(x, t), with integrals.
 
 use crate::check;
 use crate::compilation::Compilation;
@@ -7,7 +7,6 @@ use crate::diagnostics::Result;
 use crate::lower::Terms;
 
 pub(super) fn derived(compilation: &mut Compilation<'_>, terms: &Terms) -> Result<Derived> {
-    let positions = compilation.positions();
     let mut flow = Flow::of_field(&terms.field, compilation.energy.options.keeps.iter().zip(&terms.keeps));
     let proofs = proof::integrals(&mut compilation.graph, &flow);
     check::integrals(compilation, &terms.keeps, &proofs)?;
@@ -20,7 +19,7 @@ pub(super) fn derived(compilation: &mut Compilation<'_>, terms: &Terms) -> Resul
     flow.search(graph, names); // other constants
     let parted = Parted::of_field(graph, &flow); // S, known or searched for
     let pieces = derive::parts(graph, &flow, parted.as_ref(), None);
-    let system = System { pieces, ..derive::flow(graph, &flow, &terms.partial, None, &positions) };
+    let system = System { pieces, ..derive::flow(compilation, &flow, &terms.partial, None) };
     let source = Source::Field(FieldFindings { proofs, liouville, parted });
     Ok(Derived { system, legendre: None, findings: Findings::Flow { flow, source } })
 }

@@ -10,14 +10,13 @@ use crate::{check, legendre};
 
 pub(super) fn derived(compilation: &mut Compilation<'_>, terms: &Terms, momenta: &[Id]) -> Result<Derived> {
     compilation.form = Form::FirstOrder;
-    let positions = compilation.positions();
     let found = legendre::first_order(&mut compilation.graph, terms.energy, momenta, &terms.partial);
     let found = check::first_order(compilation, found)?;
     let graph = &mut compilation.graph;
     let flow = Flow::structured(graph, found.energy, &found.structure, None);
     let parted = Parted::of_structure(found.energy, &found.structure, true);
     let pieces = derive::parts(graph, &flow, Some(&parted), None); // by terms of H, and by planes
-    let system = derive::flow(graph, &flow, &found.partial, None, &positions);
-    let system = System { pieces, ..system.of_first_order(graph, &positions, &found) };
+    let system = derive::flow(compilation, &flow, &found.partial, None).of_first_order(compilation, &found);
+    let system = System { pieces, ..system };
     Ok(Derived { system, legendre: None, findings: Findings::Flow { flow, source: Source::Lagrangian(found) } })
 }

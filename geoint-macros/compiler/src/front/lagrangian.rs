@@ -1,4 +1,4 @@
-//! L(q, v, s, t): by the energy H(q, p, s, t) that belongs to it, or with velocities as unknowns if H has no short formula.
+//! L(q, v, s, t). If the energy H(q, p, s, t) has a short formula, methods are derived from H, otherwise with velocities as unknowns.
 
 use super::{canonical, contact, first_order, velocities};
 use crate::check;
@@ -10,7 +10,7 @@ use crate::lower::Terms;
 use crate::parse::Form;
 
 pub(super) fn derived(compilation: &mut Compilation<'_>, mut terms: Terms) -> Result<Derived> {
-    // Steps with constraints are derived from H, and so are rates with an action and forces beside it.
+    // Methods with constraints need H. Rates with both an action and forces need H, too.
     let forced = compilation.form == Form::Herglotz && (terms.force.is_some() || terms.rayleigh.is_some());
     let needs_energy = compilation.energy.options.constraint.is_some() || forced;
     let degrees = compilation.degrees();

@@ -1,4 +1,4 @@
-//! Fronts: from the expressions of each form to a system with its routines.
+//! One file for each form: from the expressions of the user to a system with its routines.
 
 mod bodies;
 mod canonical;

@@ -7,7 +7,7 @@ use crate::lower::Terms;
 use crate::{analyze, check};
 
 pub(super) fn derived(compilation: &mut Compilation<'_>, terms: Terms) -> Result<Derived> {
-    let (energy, positions) = (terms.energy, compilation.positions());
+    let energy = terms.energy;
     let graph = &mut compilation.graph;
     let structure = proof::structure(graph, energy, &terms.structure);
     let damping = analyze::damping(graph, terms.damping);
@@ -18,7 +18,7 @@ pub(super) fn derived(compilation: &mut Compilation<'_>, terms: Terms) -> Result
     flow.search(graph, names); // other constants
     let parted = Parted::of_structure(energy, &structure.matrix, structure.poisson.is_ok());
     let pieces = derive::parts(graph, &flow, Some(&parted), damping.as_ref()); // by terms of H, and by planes
-    let system = derive::flow(graph, &flow, &terms.partial, damping.as_ref(), &positions);
+    let system = derive::flow(compilation, &flow, &terms.partial, damping.as_ref());
     let findings = Findings::Flow { flow, source: Source::Structure(structure) };
     Ok(Derived { system: System { pieces, ..system }, legendre: None, findings })
 }

@@ -16,7 +16,7 @@ pub(super) fn derived(
     legendre: Legendre,
     obstacle: Id,
 ) -> Result<Derived> {
-    let (positions, has_action) = (compilation.positions(), compilation.form.has_action());
+    let has_action = compilation.form.has_action();
     // With an action, forces beside L are derived from H.
     let graph = &mut compilation.graph;
     let damping = if has_action { None } else { analyze::damping(graph, terms.damping) };
@@ -27,17 +27,10 @@ pub(super) fn derived(
         let dissipated = analyze::dissipated_by_velocities(graph, legendre.lagrangian, shape);
         BesideVelocities::Action { decay: analyze::decay(graph, legendre.lagrangian), dissipated }
     });
-    let of = LagrangianOfVelocities {
-        legendre: &legendre,
-        obstacle,
-        shape,
-        positions: &positions,
-        damping: damping.as_ref(),
-        applied: forces.as_ref(),
-        has_action,
-    };
-    let system = derive::velocities(graph, &of);
+    let of =
+        LagrangianOfVelocities { legendre: &legendre, obstacle, damping: damping.as_ref(), applied: forces.as_ref() };
+    let system = derive::velocities(compilation, &of);
     let beside = action.unwrap_or(BesideVelocities::Forces { damping, forces });
     let findings = Findings::Velocities { obstacle, beside };
-    Ok(Derived { system, legendre: Some(legendre), findings }.with_velocities(&positions))
+    Ok(Derived { system, legendre: Some(legendre), findings }.with_velocities(compilation))
 }

@@ -1,4 +1,4 @@
-//! Kernels: routines that share prepared numbers, and when the symbols that they read are known.
+//! Kernels: routines that share prepared numbers. Each symbol is known at one level; each level has a routine.
 
 use super::block::{Block, Operations};
 use super::levels::{KnownLevels, Slots};
@@ -8,23 +8,23 @@ use super::routine::{Argument, Routine};
 use super::scheduler::Scheduler;
 use crate::ir::{Graph, Id, Symbol};
 
-/// When symbols are known. Every level but the last stores numbers for later levels.
+/// The levels at which symbols become known. Every level but the last stores numbers for later levels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Levels {
-    /// All at once.
+    /// All symbols at one level.
     One,
-    /// Parameters and h; the rest.
+    /// Parameters and h; then all other symbols.
     Prepared,
-    /// Parameters and h; the time at which a step is frozen; the state.
+    /// Parameters and h; then the time at which a step is frozen; then the state.
     Frozen,
-    /// Parameters and h; nothing; the state and time.
+    /// Parameters and h; then nothing; then the state and time. Pieces with their own clock have as many levels as frozen pieces.
     Unfrozen,
-    /// Parameters and h; the start of a step; the iterates.
+    /// Parameters and h; then the start of a step; then the iterates.
     Iterated,
 }
 
 impl Levels {
-    /// The number of levels before the last.
+    /// Returns the number of levels before the last.
     fn stores(self) -> usize {
         match self {
             Levels::One => 0,
@@ -33,24 +33,18 @@ impl Levels {
         }
     }
 
-    /// The level at which a symbol is known.
+    /// Returns the level at which a symbol is known.
     fn of(self, symbol: Symbol) -> usize {
         match symbol {
             _ if self == Levels::One => 0,
             Symbol::Parameter(_) | Symbol::StepLength | Symbol::GradientWeight => 0,
             Symbol::Time if self == Levels::Frozen => 1,
-            Symbol::Position(_) | Symbol::Momentum(_) | Symbol::Velocity(_) | Symbol::Action
-                if self == Levels::Iterated =>
-            {
-                1
-            }
             Symbol::Time | Symbol::StepStart | Symbol::StepEnd if self == Levels::Iterated => 1,
+            _ if self == Levels::Iterated && symbol.is_coordinate() => 1,
             _ => self.stores(),
         }
     }
-}
 
-impl Levels {
     /// Schedules routines, given by their nodes.
     fn plan(self, graph: &mut Graph, routines: &[&[Id]]) -> Plan {
         let none: &[Id] = &[];
@@ -70,22 +64,23 @@ pub(crate) struct Kernel {
     /// The array with the start of a step, for [`Levels::Iterated`].
     pub(crate) start: Option<Argument>,
     pub(crate) routines: Vec<Routine>,
-    /// The routine of each level but the last. It returns the numbers that later levels read.
+    /// The routine of each level but the last. Its results are the numbers that later levels read.
     pub(crate) stores: Vec<Block>,
-    /// How many numbers each of them returns.
+    /// The number of results of each of these routines.
     pub(crate) slots: Vec<usize>,
 }
 
-/// What [`Kernel::routine`] returns for a name that the kernel does not have.
+/// The result of [`Kernel::routine`] for an unknown name.
 static NONE: Routine =
     Routine { name: "", argument: None, outputs: vec![], block: Block { statements: vec![], results: vec![] } };
 
 impl Kernel {
+    /// Creates a kernel without statements.
     pub(crate) fn new(levels: Levels, routines: Vec<Routine>) -> Kernel {
         Kernel { levels, start: None, routines, stores: vec![], slots: vec![] }
     }
 
-    /// Returns a routine by name; an empty one if there is none.
+    /// Returns a routine by name, or an empty routine if the kernel lacks it.
     pub(crate) fn routine(&self, name: &str) -> &Routine {
         self.find(name).unwrap_or(&NONE)
     }
@@ -121,7 +116,7 @@ impl Kernel {
 /// Statements of routines that share prepared numbers.
 #[derive(Clone, Debug)]
 pub(crate) struct Plan {
-    /// The routine of each level but the last: its results are its own roots, then the slots.
+    /// The routine of each level but the last. Its results are its own roots, then the slots.
     pub(crate) stores: Vec<Block>,
     /// The routines of the last level.
     pub(crate) last: Vec<Block>,
@@ -134,15 +129,14 @@ pub(crate) fn statements(graph: &mut Graph, nodes: &[Id]) -> Block {
     Lowering::run(graph, &mut KnownLevels::new(|_| 0), &mut [], 0, nodes)
 }
 
-/// Schedules routines: `stores` are the own roots of the storing routines, one list a level; `last` are the roots of the routines of the last
-/// level.
+/// Schedules routines. `stores` has the roots of the routine of each storing level, `last` the roots of each routine of the last level.
 pub(crate) fn plan(graph: &mut Graph, level: impl Fn(Symbol) -> usize, stores: &[&[Id]], last: &[&[Id]]) -> Plan {
     let mut levels = KnownLevels::new(level);
     let mut slots = vec![Slots::default(); stores.len()];
     let last = last.iter().map(|roots| Lowering::run(graph, &mut levels, &mut slots, stores.len(), roots)).collect();
     let mut store_blocks = vec![];
     for (level, own) in stores.iter().enumerate().rev() {
-        // Slots of this level are complete: only later levels ask for them.
+        // The slots of this level are complete, because only later levels read them.
         let roots = [own, &slots[level].nodes[..]].concat();
         store_blocks.push(Lowering::run(graph, &mut levels, &mut slots, level, &roots));
     }

@@ -1,4 +1,4 @@
-//! Routines by name, with named outputs.
+//! Routines: functions of the emitted code, with named outputs.
 
 use super::block::{Block, Operations};
 use super::kernel::statements;
@@ -15,8 +15,8 @@ pub(crate) struct Space {
 }
 
 impl Space {
-    /// Arranges unknowns in an array: positions or momenta alone in the array of positions, both in one array after the other, and all others
-    /// in a row.
+    /// Arranges unknowns in an array by their number. One array of positions has the extents `positions`, positions with momenta are two of them, and
+    /// any other unknowns form a row.
     pub(crate) fn of_unknowns(symbols: Vec<Symbol>, positions: &[usize]) -> Space {
         let degrees: usize = positions.iter().product();
         let extents = match symbols.len() {
@@ -38,7 +38,7 @@ impl Space {
     }
 }
 
-/// Extents of the array of positions and momenta.
+/// Returns the extents of the array of positions and momenta.
 pub(crate) fn phase(positions: &[usize]) -> Vec<usize> {
     [&[2], positions].concat()
 }
@@ -53,7 +53,7 @@ pub(crate) fn indices(extents: &[usize], mut i: usize) -> Vec<usize> {
     indices
 }
 
-/// An array that a routine reads beside the names of the system.
+/// An array that a routine reads in addition to coordinates and parameters.
 #[derive(Clone, Debug)]
 pub(crate) struct Argument {
     pub(crate) name: &'static str,
@@ -66,7 +66,7 @@ pub(crate) enum Extent {
     Number,
     /// An array with these extents.
     Array(Vec<usize>),
-    /// The derivative of an array by an array with the same extents, row by row.
+    /// The derivative of an array by an array of equal extents, row by row.
     Square(Vec<usize>),
     /// New values of coordinates, which the routine writes in place.
     Coordinates(Vec<Symbol>),
@@ -84,19 +84,22 @@ pub(crate) struct Output {
 }
 
 impl Output {
+    /// Creates an output with one number.
     pub(crate) fn number(name: &'static str, node: Id) -> Output {
         Output { name, extent: Extent::Number, nodes: vec![node] }
     }
 
+    /// Creates an output with an array of numbers.
     pub(crate) fn array(name: &'static str, extents: &[usize], nodes: Vec<Id>) -> Output {
         Output { name, extent: Extent::Array(extents.to_vec()), nodes }
     }
 
-    /// Numbers in a row.
+    /// Creates an output with an array of one dimension.
     pub(crate) fn row(name: &'static str, nodes: Vec<Id>) -> Output {
         Output { name, extent: Extent::Array(vec![nodes.len()]), nodes }
     }
 
+    /// Creates an output with the derivative of an array by an array of equal extents.
     pub(crate) fn square(name: &'static str, extents: &[usize], rows: &[Vec<Id>]) -> Output {
         Output { name, extent: Extent::Square(extents.to_vec()), nodes: rows.concat() }
     }
@@ -123,21 +126,27 @@ pub(crate) struct Routine {
 }
 
 impl Routine {
+    /// Creates a routine from its outputs.
     pub(crate) fn new(name: &'static str, outputs: Vec<Output>) -> Routine {
         Routine { name, outputs, ..Routine::default() }
     }
 
-    /// A routine with one number as its output.
+    /// Creates a routine with one number as its output.
     pub(crate) fn number(name: &'static str, node: Id) -> Routine {
         Routine::new(name, vec![Output::number(name, node)])
     }
 
-    /// A routine that returns numbers in a row.
+    /// Creates a routine with one row of numbers as its output.
     pub(crate) fn row(name: &'static str, nodes: Vec<Id>) -> Routine {
         Routine::new(name, vec![Output::row(name, nodes)])
     }
 
-    /// The same routine with these symbols in an array.
+    /// Creates a routine with one array as its output.
+    pub(crate) fn array(name: &'static str, output: &'static str, extents: &[usize], nodes: Vec<Id>) -> Routine {
+        Routine::new(name, vec![Output::array(output, extents, nodes)])
+    }
+
+    /// Adds an array that the routine reads.
     pub(crate) fn reading(self, name: &'static str, space: &Space) -> Routine {
         Routine { argument: Some(Argument { name, space: space.clone() }), ..self }
     }

@@ -1,4 +1,4 @@
-//! The input of scheduling: the graph, and the places of the numbers of a system.
+//! The input of scheduling: the graph, and the places of coordinates and parameters in emitted code.
 
 use super::layout::{Array, Layout, Place};
 use super::routine::Argument;
@@ -9,7 +9,7 @@ pub(crate) struct Scheduler<'a> {
     pub(crate) graph: &'a mut Graph,
     /// Places of coordinates and parameters.
     pub(crate) layout: Layout<'a>,
-    /// Whether positions and momenta are halves of the array of coordinates.
+    /// True if positions and momenta are halves of the array of coordinates.
     pub(crate) has_momenta: bool,
 }
 

@@ -1,19 +1,18 @@
-//! Kicks and drifts in kernels, and the energy that steps of them keep up to h⁴.
+//! Kernels of kick and drift, and the energy that their steps keep up to h⁴.
 
 use crate::analyze::{Parts, Structure};
 use crate::derive::domain;
-use crate::derive::system::{FlowKernel, GradientKick, KickDrift, Missing, Modified};
+use crate::derive::system::{FlowKernel, GradientKick, KickDrift, Missing, Modified, grown};
 use crate::diff::{self, Gradient, modified};
 use crate::ir::{Graph, Id, Number, Symbol, UndefinedAt};
 use crate::messages::NOT_QUADRATIC;
 use crate::schedule::{Levels, Routine};
 
-/// In so few degrees of freedom a kick with a force gradient is made of the kernel of implicit methods, whose derivative is hardly
-/// more than the one direction that is needed of it: users do not pay for compiling another one.
+/// The largest number of degrees of freedom in which a kick with a force gradient uses the derivative from the kernel of implicit methods. In so few
+/// degrees of freedom, a kernel of the directional derivative alone would hardly be shorter, and users would have to compile it.
 const FEW: u32 = 3;
 
-/// The flows of V and T by derivatives of −hV and hT, not −h and h times those of V and T: then h meets the constants of every term and
-/// is prepared with them, instead of being multiplied to the sum.
+/// Derives the flows of V and T from the derivatives of −hV and hT. The factor h thus meets the constants of every term, and is prepared with them.
 pub(in crate::derive) fn kick_drift(
     graph: &mut Graph,
     parts: &Parts,
@@ -39,11 +38,12 @@ pub(in crate::derive) fn kick_drift(
     KickDrift { kick, drift, exact_in_time: false, repeats, shows, gradient_kick, undamped: None }
 }
 
-/// What the flow of V adds to the momenta.
+/// Returns the increments of momenta in the flow of V.
 pub(super) fn impulse(graph: &mut Graph, potential: Id, degrees: u32) -> Vec<Id> {
     scaled_gradient(graph, potential, Number::MINUS_ONE, degrees).q
 }
 
+/// Returns the gradient of ±h times a part of the energy.
 fn scaled_gradient(graph: &mut Graph, part: Id, sign: Number, degrees: u32) -> Gradient {
     let h = graph.symbol(Symbol::StepLength);
     let generator = graph.mul(h, part);
@@ -51,20 +51,14 @@ fn scaled_gradient(graph: &mut Graph, part: Id, sign: Number, degrees: u32) -> G
     diff::gradient(graph, generator, degrees)
 }
 
-/// x ← x + increment. An increment is summed before it is added: x is rounded once.
+/// Creates the flow x ← x + increment.
 pub(super) fn increments(graph: &mut Graph, coordinate: fn(u32) -> Symbol, increments: &[Id]) -> FlowKernel {
-    let mut ends = vec![];
-    for (coordinate, increment) in (0..).map(coordinate).zip(increments) {
-        if !graph.is_zero(*increment) {
-            let start = graph.symbol(coordinate);
-            ends.push((coordinate, graph.add(start, *increment)));
-        }
-    }
-    FlowKernel::new(Levels::Prepared, ends)
+    let increments = (0..).map(coordinate).zip(increments.iter().copied());
+    FlowKernel::new(Levels::Prepared, grown(graph, increments))
 }
 
-/// The energy that steps of Störmer and Verlet keep up to h⁴: in closed form, or where nothing reads time by the kernels of implicit
-/// methods, which costs users no time to compile.
+/// Derives the energy that steps of Störmer and Verlet keep up to h⁴. If T is quadratic and no part reads time, the kernels of implicit methods can
+/// compute it, and no other code has to be compiled.
 pub(in crate::derive) fn modified_energy(
     graph: &mut Graph,
     structure: &Structure,

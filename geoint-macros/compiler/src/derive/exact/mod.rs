@@ -1,4 +1,4 @@
-//! Parts of an energy with exact flows, in kernels.
+//! Kernels of the parts of an energy with exact flows.
 
 pub(super) mod kick_drift;
 pub(super) mod parts;

@@ -1,4 +1,4 @@
-//! The pieces of x' = S(x) ∇H, for four splittings:
+//! Kernels of the pieces of x' = S(x) ∇H, for four splittings:
 //!
 //! - by terms of H, whose flows are known,
 //! - by planes, in each of which two coordinates move and the flow is known,
@@ -21,14 +21,14 @@ pub(crate) struct Parted {
     /// I.
     pub(crate) integral: Id,
     pub(crate) matrix: Vec<Vec<Id>>,
-    /// Whether S is proven to satisfy the Jacobi identity, so that it makes a Poisson bracket.
+    /// True if S is proven to satisfy the Jacobi identity, so that {f, g} = ∇f·S∇g is a Poisson bracket.
     pub(crate) poisson: bool,
-    /// If S was searched for: whether no other S of the same form exists.
+    /// Present if S was found by a search. True if no other S of this form exists.
     pub(crate) unique: Option<bool>,
 }
 
 impl Parted {
-    /// Returns the matrix that the user has written.
+    /// Uses the matrix that the user has written.
     pub(crate) fn of_structure(integral: Id, matrix: &[Vec<Id>], poisson: bool) -> Parted {
         Parted { integral, matrix: matrix.to_vec(), poisson, unique: None }
     }
@@ -46,7 +46,7 @@ impl Parted {
         {
             return Some(Parted { integral, matrix: matrix.clone(), poisson: true, unique: None });
         }
-        // An integral in other units, I/c, is kept as well as I. For one of the two the search may succeed.
+        // An integral in other units, I/c, is kept, too. The search may succeed for one of both only.
         let (_, unit) = claims::in_units(graph, integral);
         let (integral, search::Structure { matrix, unique }) = [integral, unit].into_iter().find_map(|integral| {
             let found = search::structure(graph, &x, &flow.field, integral)?;
@@ -77,7 +77,7 @@ const BY_GRADIENTS: Splitting =
 const BY_INCREMENTS: Splitting =
     Splitting { name: "PlanarItohAbe", marker: "InIncrements", why: NOT_SOLVED, pair: "span the plane" };
 
-/// The pieces of every splitting of a flow.
+/// Derives the pieces of every splitting of a flow.
 pub(crate) fn parts(
     graph: &mut Graph,
     flow: &Flow,
@@ -124,17 +124,18 @@ pub(crate) fn parts(
     found.into_iter().map(pieces).collect()
 }
 
-/// No pieces of any splitting.
+/// Returns the reason why there are no pieces, for every splitting.
 fn none(term: Id, why: &'static str) -> Vec<PiecesOf> {
     let none = |Splitting { name, marker, .. }| pieces_of(name, Err(Missing::new(marker, term, why)));
     [BY_TERMS, BY_PLANES, BY_GRADIENTS, BY_INCREMENTS].map(none).into()
 }
 
-/// The pieces of a splitting that preserves nothing.
+/// Creates the pieces of a splitting that preserves nothing.
 fn pieces_of(splitting: &'static str, pieces: Result<Vec<PieceKernel>, Missing>) -> PiecesOf {
     PiecesOf { splitting, pieces, cost: 0, linear: false, rejected: vec![], symplectic: false, conserves_energy: false }
 }
 
+/// Creates the kernel of one piece.
 fn kernel(graph: &mut Graph, part: Part) -> PieceKernel {
     let levels = match part.clock {
         Clock::Own => Levels::Unfrozen,

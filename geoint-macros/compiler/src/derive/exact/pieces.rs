@@ -1,28 +1,28 @@
-//! The pieces of an energy in kernels.
+//! Kernels of the pieces of an energy.
 
 use crate::derive::system::{FlowKernel, Missing, PieceKernel, PiecesOf};
 use crate::ir::{Graph, Id, Symbol};
 use crate::split::{self, Pieces};
 
-/// What the flows of pieces follow.
+/// The coordinates that the flows of pieces change.
 #[derive(Clone, Copy, PartialEq)]
 pub(in crate::derive) enum Followed {
-    /// q and p. Areas are kept: what would shrink or grow them by rounding of one sign is looked for.
+    /// q and p. Flows preserve areas, so they are rewritten if their rounding errors would change areas with one sign.
     Canonical,
-    /// q, p and s. Friction lets areas shrink anyway.
+    /// q, p and s. Friction contracts areas, so rounding does not matter.
     Contact,
-    /// q and s: momenta of a lift are not asked for.
+    /// q and s. The momenta of a lift are not followed.
     Lift,
 }
 
 impl Followed {
-    /// The splitting of these pieces.
+    /// Returns the name of the splitting.
     fn splitting(self) -> &'static str {
         if self == Followed::Canonical { "PieceSplitting" } else { "ContactSplitting" }
     }
 }
 
-/// The flows of pieces, or what is said of the term that is in none.
+/// Creates the kernels of all pieces. If a term is in no piece, `why` is the message.
 pub(in crate::derive) fn kernels(graph: &mut Graph, followed: Followed, found: &Pieces, why: &'static str) -> PiecesOf {
     let pieces = match found {
         Ok(found) => Ok(found.pieces.iter().map(|piece| kernel(graph, piece, followed)).collect()),
@@ -40,6 +40,7 @@ pub(in crate::derive) fn kernels(graph: &mut Graph, followed: Followed, found: &
     }
 }
 
+/// Creates the kernel of one piece.
 fn kernel(graph: &mut Graph, piece: &split::Piece, followed: Followed) -> PieceKernel {
     let mut changed = piece.flow.changed(graph);
     changed.retain(|(symbol, _)| !(followed == Followed::Lift && matches!(symbol, Symbol::Momentum(_))));

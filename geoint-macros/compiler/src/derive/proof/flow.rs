@@ -1,4 +1,4 @@
-//! A flow x' = f(x, t), or one that an energy makes, x' = S(x) ∇H, and what it keeps: known before its methods are derived.
+//! A flow x' = f(x, t), or the flow x' = S(x) ∇H of an energy, with the functions that it keeps.
 
 use super::Structure;
 use crate::analyze::{Damping, claims, search};
@@ -13,28 +13,35 @@ use crate::lower::{Integral, canonical};
 use crate::parse::{Form, Kept};
 use std::collections::HashSet;
 
-/// What the energy of a flow is called.
+/// The name of the energy among the functions that a flow keeps.
 pub(in crate::derive) const ENERGY: &str = "energy";
 
-/// A flow before its methods are derived.
+/// A flow and its integrals.
 #[derive(Debug)]
 pub(crate) struct Flow {
     pub(crate) form: Form,
     /// f.
     pub(crate) field: Vec<Id>,
-    /// H with S − C, if x' = (S − C) ∇H is known.
+    /// H and the matrix S − C of x' = (S − C) ∇H, if they are known.
     pub(crate) energy: Option<(Id, Vec<Vec<Id>>)>,
-    /// What damping adds to the field, −C ∇H.
+    /// The damping −C ∇H in the field.
     loss: Option<Vec<Id>>,
-    /// What steps keep.
+    /// Functions that steps keep, or whose change is known.
     pub(crate) kept: Vec<Named>,
-    /// What is constant as well, and not kept; with whether it is a Casimir.
-    pub(crate) also: Vec<(Id, bool)>,
-    /// Its divergence, if no energy has the field because of that.
+    /// Constant functions that steps do not keep.
+    pub(crate) also: Vec<Constant>,
+    /// The divergence of the field, if it is not zero. Then the field has no energy.
     pub(crate) divergent: Option<Id>,
 }
 
-/// A function that is kept, or whose change is known.
+/// A constant function that steps do not keep.
+#[derive(Debug)]
+pub(crate) struct Constant {
+    pub(crate) value: Id,
+    pub(crate) is_casimir: bool,
+}
+
+/// A function that a flow keeps, or whose change is known.
 #[derive(Clone, Debug)]
 pub(crate) struct Named {
     pub(crate) name: String,
@@ -42,21 +49,21 @@ pub(crate) struct Named {
     pub(crate) origin: Origin,
 }
 
-/// Who says that a function is kept.
+/// The origin of an integral.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Origin {
-    /// The user, and it was proven.
+    /// Listed by the user, and proven.
     Listed,
-    /// The user alone.
+    /// Listed by the user, without a proof.
     Assumed,
-    /// It is the energy.
+    /// The energy.
     Energy,
-    /// It was found.
+    /// Found by the search.
     Found,
 }
 
 impl Flow {
-    /// x' = f(x, t), and what it is said to keep.
+    /// Creates the flow x' = f(x, t) with the integrals that the user lists.
     pub(crate) fn of_field<'a>(field: &[Id], keeps: impl Iterator<Item = (&'a Kept, &'a Integral)>) -> Flow {
         let named = |(kept, integral): (&Kept, &Integral)| Named {
             name: kept.name.to_string(),
@@ -74,7 +81,7 @@ impl Flow {
         }
     }
 
-    /// x' = (S − C) ∇H, and what it keeps.
+    /// Creates the flow x' = (S − C) ∇H, which keeps H unless H reads time.
     pub(crate) fn structured(graph: &mut Graph, energy: Id, structure: &[Vec<Id>], damping: Option<&Damping>) -> Flow {
         let n = structure.len();
         let gradient = diff::gradient(graph, energy, n as u32).q;
@@ -105,7 +112,7 @@ impl Flow {
         }
     }
 
-    /// x' = J ∇H with an energy that was recovered from the field: it is kept as well, unless it is a function of what is listed.
+    /// Adds an energy that was recovered from the field: x' = J ∇H. It is kept, too, unless it is a function of the listed integrals.
     pub(crate) fn recovered(&mut self, graph: &mut Graph, energy: Id, names: &dyn Naming) {
         self.energy = Some((energy, canonical(graph, self.field.len())));
         let functions: Vec<Id> = self.kept.iter().map(|named| named.conserved.value).chain([energy]).collect();
@@ -120,18 +127,18 @@ impl Flow {
         }
     }
 
-    /// The first function that is kept, by whose gradient a field is split.
+    /// Returns the first function that the flow keeps. Splittings of a field use its gradient.
     pub(crate) fn first(&self) -> Option<&Named> {
         self.kept.iter().find(|named| named.conserved.but.is_none())
     }
 
-    /// Whether S(m) ∇̄H keeps all that is kept: H alone, or with Casimirs.
+    /// Returns whether the step with S(m) ∇̄H keeps all integrals: H alone, or H with Casimirs.
     pub(in crate::derive) fn is_kept_by_structure(&self) -> bool {
         self.form == Form::Structured || self.kept.iter().all(|named| named.origin == Origin::Energy)
     }
 
-    /// Adds what is found to be constant: linear functions to what a field keeps, because a projection onto others would lose them;
-    /// and all the rest for the report.
+    /// Searches for constant functions. Linear functions of a field become integrals, because a projection onto other integrals would violate them. All
+    /// others are listed for the report.
     pub(crate) fn search(&mut self, graph: &mut Graph, names: &dyn Naming) {
         let x = coordinates(self.field.len());
         let found = search::kept_along(graph, &x, std::slice::from_ref(&self.field)).unwrap_or_default();
@@ -141,12 +148,12 @@ impl Flow {
             if everywhere && kept.linear && self.form == Form::Field && !self.kept.is_empty() {
                 self.keep_found(graph, kept.value, names);
             } else {
-                self.also.push((kept.value, false));
+                self.also.push(Constant { value: kept.value, is_casimir: false });
             }
         }
     }
 
-    /// Adds Casimirs, which are constant along the rows of S, with one that S was made of. Damping changes them as it changes H.
+    /// Adds Casimirs, which are constant along the rows of S. One of them may be the function from which S was built. Damping changes them as it changes H.
     pub(crate) fn search_casimirs(
         &mut self,
         graph: &mut Graph,
@@ -154,29 +161,30 @@ impl Flow {
         names: &dyn Naming,
     ) {
         let x = coordinates(self.field.len());
-        // The one that was written comes first: what is found may be a function of it that is defined at fewer states, as its logarithm.
+        // The Casimir of the user comes first. The search may find a function of it with a smaller domain, such as its logarithm.
         let mut found: Vec<_> = written.iter().map(|value| search::Kept { value: *value, linear: false }).collect();
         found.extend(search::kept_along(graph, &x, rows).unwrap_or_default());
-        // What reads time is constant along the rows, and not along the flow.
+        // A function that reads time is constant along the rows, but not along the flow.
         found.retain(|kept| !graph.reads(kept.value).t);
         found.retain(|kept| claims::is_casimir(graph, &x, rows, kept.value).is_ok());
         for (kept, everywhere) in self.new_among(graph, found) {
             if everywhere {
                 self.keep_found(graph, kept.value, names);
             } else if self.loss.is_none() {
-                self.also.push((kept.value, true));
+                self.also.push(Constant { value: kept.value, is_casimir: true });
             }
         }
     }
 
+    /// Adds a found integral. Its name is its formula.
     fn keep_found(&mut self, graph: &Graph, value: Id, names: &dyn Naming) {
         let name = Printer::new(graph, names).excerpt(value);
         let conserved = Conserved { value, but: self.loss.clone() };
         self.kept.push(Named { name, conserved, origin: Origin::Found });
     }
 
-    /// Those that are no functions of what is known already, each with whether it is defined wherever that and the field are: a logarithm that
-    /// nothing else takes would leave steps with fewer states than the flow has.
+    /// Returns the functions that are independent of all known ones. Each has a flag: whether it is defined wherever the known functions and the field
+    /// are. A logarithm that the field does not contain, for example, would make the domain of steps smaller than the domain of the flow.
     fn new_among(&self, graph: &mut Graph, found: Vec<search::Kept>) -> Vec<(search::Kept, bool)> {
         if found.is_empty() {
             return vec![];
@@ -185,7 +193,7 @@ impl Flow {
             .kept
             .iter()
             .map(|kept| kept.conserved.value)
-            .chain(self.also.iter().map(|(value, _)| *value))
+            .chain(self.also.iter().map(|constant| constant.value))
             .collect();
         let defined: HashSet<Id> = graph.reachable(&[&known[..], &self.field].concat()).into_iter().collect();
         let all: Vec<Id> = known.iter().copied().chain(found.iter().map(|kept| kept.value)).collect();
@@ -201,7 +209,7 @@ impl Flow {
     }
 }
 
-/// x, in order.
+/// Returns the symbols of x.
 pub(in crate::derive) fn coordinates(n: usize) -> Vec<Symbol> {
     (0..n as u32).map(Symbol::Position).collect()
 }

@@ -1,25 +1,26 @@
-//! What the divergence of a field says: whether it is that of an energy (J. Liouville), and Jacobi's last multiplier where it is not zero.
+//! The divergence of a field. If it is zero, Liouville's theory decides whether the field has an elementary energy. If not, Jacobi's last multiplier is
+//! searched for.
 
 use super::coordinates;
 use crate::analyze::crossings::{self, Discontinuity};
 use crate::analyze::liouville::{self, Logarithm, NoEnergy};
 use crate::analyze::{Identity, Proof, claims, search};
-use crate::derive::domain::{Check, Sign, checks_of};
+use crate::derive::checks::{Check, Sign, checks_of};
 use crate::ir::{Graph, Id, Node, Symbol, UndefinedAt};
 
-/// What is known of a field by its divergence.
+/// Facts that follow from the divergence of a field.
 #[derive(Debug)]
 pub(crate) struct Liouville {
-    /// div f, and whether it is zero.
+    /// div f, and the result of its test for zero.
     pub(crate) divergence: (Id, Identity),
-    /// H with q' = ∂H/∂p and p' = −∂H/∂q for the halves of x, or why there is none; nothing for an odd number of coordinates.
+    /// H with q' = ∂H/∂p and p' = −∂H/∂q for the halves of x, or the reason why there is none. Absent for an odd number of coordinates.
     pub(crate) energy: Option<Result<Recovered, NoEnergy>>,
-    /// Where div f is not zero.
+    /// Present only if div f is not zero.
     pub(crate) multiplier: Option<Multiplier>,
 }
 
 impl Liouville {
-    /// The energy, if steps may keep it.
+    /// Returns the energy, if steps may keep it.
     pub(crate) fn kept(&self) -> Option<Id> {
         match self.energy {
             Some(Ok(Recovered { energy, everywhere: true, jump: None, .. })) => Some(energy),
@@ -27,24 +28,24 @@ impl Liouville {
         }
     }
 
-    /// The divergence, if it is certainly not zero.
+    /// Returns the divergence, if it is proven not to be zero.
     pub(crate) fn divergent(&self) -> Option<Id> {
         matches!(self.divergence.1, Identity::Wrong(_)).then_some(self.divergence.0)
     }
 }
 
-/// The energy of a field.
+/// An energy that was recovered from a field.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Recovered {
     pub(crate) energy: Id,
     pub(crate) proof: Proof,
-    /// Whether it is defined wherever the field is: then it has one value there, and steps may keep it.
+    /// True if the energy is defined wherever the field is. Steps may then keep it.
     pub(crate) everywhere: bool,
-    /// Where it may jump while the field is followed: the field does not know of that.
+    /// A place where the energy may jump along the field. The field does not show such jumps.
     pub(crate) jump: Option<Discontinuity>,
 }
 
-/// μ with div(μf) = 0.
+/// Jacobi's last multiplier: a function μ with div(μf) = 0.
 #[derive(Debug)]
 pub(crate) struct Multiplier {
     pub(crate) value: Id,
@@ -52,7 +53,7 @@ pub(crate) struct Multiplier {
     pub(crate) energy: Option<Id>,
 }
 
-/// Decides it.
+/// Derives all facts from the divergence.
 pub(crate) fn liouville(graph: &mut Graph, field: &[Id], partial: &[UndefinedAt]) -> Liouville {
     let x = coordinates(field.len());
     let divergence = claims::divergence(graph, &x, field);
@@ -60,14 +61,14 @@ pub(crate) fn liouville(graph: &mut Graph, field: &[Id], partial: &[UndefinedAt]
     let energy = x.len().is_multiple_of(2).then(|| {
         let mut of = |logarithm| liouville::energy(graph, q, p, field, logarithm);
         let (energy, proof) = match of(Logarithm::OfMagnitude) {
-            // In a part of the domain there may be one all the same.
+            // An energy may still exist in a part of the domain.
             Err(NoEnergy::NotElementary(term, proof)) => {
                 of(Logarithm::OfNumber).map_err(|_| NoEnergy::NotElementary(term, proof))?
             }
             found => found?,
         };
         let everywhere = is_defined(graph, energy, field, partial);
-        // One that reads time is not kept.
+        // The flow does not keep an energy that reads time.
         let steady = !graph.reads(energy).t;
         let jump = steady.then(|| crossings::may_jump(graph, &x, field, energy)).flatten();
         Ok(Recovered { energy, proof, everywhere, jump })
@@ -76,6 +77,7 @@ pub(crate) fn liouville(graph: &mut Graph, field: &[Id], partial: &[UndefinedAt]
     Liouville { divergence, energy, multiplier }
 }
 
+/// Searches for a multiplier, and proves it.
 fn multiplier(graph: &mut Graph, x: &[Symbol], field: &[Id]) -> Option<Multiplier> {
     let found = match search::multiplier(graph, x, field) {
         Some(exponents) => {
@@ -100,7 +102,7 @@ fn multiplier(graph: &mut Graph, x: &[Symbol], field: &[Id]) -> Option<Multiplie
     Some(Multiplier { value, energy })
 }
 
-/// 1/(A(x)D(y)) of a field x' = A(x)B(y), y' = C(x)D(y) in the plane, whose orbits are separable: dy/dx = C/A · D/B.
+/// Returns 1/(A(x)D(y)) for a field x' = A(x)B(y), y' = C(x)D(y) in the plane. Its orbits are separable: dy/dx = C/A · D/B.
 fn of_separable_orbits(graph: &mut Graph, x: &[Symbol], field: &[Id]) -> Option<Id> {
     let ([x, y], [first, second]) = (x, field) else { return None };
     let mut own = |component: Id, own: Symbol, other: Symbol| {
@@ -119,12 +121,12 @@ fn of_separable_orbits(graph: &mut Graph, x: &[Symbol], field: &[Id]) -> Option<
         }
         Some(product)
     };
-    // Their reciprocals.
+    // 1/A and 1/D.
     let (a, d) = (own(*first, *x, *y)?, own(*second, *y, *x)?);
     Some(graph.mul(a, d))
 }
 
-/// Whether a node is defined wherever a field is: all that has to be tested of it is tested of the field.
+/// Returns whether a node is defined wherever a field is: the conditions of the field include all conditions of the node.
 fn is_defined(graph: &mut Graph, node: Id, field: &[Id], partial: &[UndefinedAt]) -> bool {
     let mut tested: Vec<Id> =
         partial.iter().filter(|partial| partial.condition.is_none()).map(|partial| partial.node).collect();
@@ -141,12 +143,12 @@ fn is_defined(graph: &mut Graph, node: Id, field: &[Id], partial: &[UndefinedAt]
     })
 }
 
-/// What must not be, and where: a square is positive where its base is not zero.
+/// Returns the forbidden signs of the arguments in some nodes. A square is positive where its base is not zero, so its base is the argument.
 fn conditions(graph: &mut Graph, nodes: &[Id]) -> Vec<(Id, Sign)> {
     let checks: Vec<Check> = nodes.iter().flat_map(|id| checks_of(graph, *id)).collect();
     let condition = |check: &Check| match graph.node(check.argument) {
         Node::Power(base, exponent) if exponent.is_integer() && exponent.numerator % 2 == 0 => (*base, Sign::Zero),
-        _ => (check.argument, check.if_it_is),
+        _ => (check.argument, check.forbidden),
     };
     checks.iter().map(condition).collect()
 }

@@ -1,4 +1,4 @@
-//! What is proven of a flow before methods rely on it: what it keeps, and what its structure S is. Witnesses, no messages.
+//! Proofs about a flow: its integrals, and its structure matrix S. Methods rely on them. `check` turns counterexamples into messages.
 
 pub(super) mod flow;
 pub(super) mod liouville;
@@ -10,18 +10,18 @@ use crate::ir::{Graph, Id};
 use crate::lower::Skew;
 use flow::{Flow, Named, coordinates};
 
-/// What is known of the functions that a flow is said to keep.
+/// Proofs about the integrals that the user lists.
 #[derive(Debug)]
 pub(crate) struct Integrals {
-    /// Whether each is kept: (f − b)·∇I + ∂I/∂t = 0.
+    /// For each integral I, whether it is kept: (f − b)·∇I + ∂I/∂t = 0.
     pub(crate) kept: Vec<Identity>,
-    /// Where each may jump on the way along the field: its derivative does not show that.
+    /// For each integral, a place where it may jump along the field. Its derivative does not show jumps.
     pub(crate) jumps: Vec<Option<Discontinuity>>,
-    /// The first of them, if any, that is a function of those before it.
+    /// The first integral that is a function of earlier ones.
     pub(crate) dependent: Option<usize>,
 }
 
-/// Decides what a flow keeps.
+/// Decides whether a flow keeps its integrals.
 pub(crate) fn integrals(graph: &mut Graph, flow: &Flow) -> Integrals {
     let x = coordinates(flow.field.len());
     let mut decide = |Named { conserved, .. }: &Named| {
@@ -35,20 +35,20 @@ pub(crate) fn integrals(graph: &mut Graph, flow: &Flow) -> Integrals {
     Integrals { kept, jumps, dependent: dependent.and_then(|found| found.integrals.first().copied()) }
 }
 
-/// S of x' = S ∇H.
+/// The matrix S of x' = S ∇H, with proofs.
 #[derive(Debug)]
 pub(crate) struct Structure {
-    /// As it is computed: skew to the last bit if it was proven to be skew.
+    /// S in the emitted code. If S is proven to be skew, one of each pair of entries is computed, so that it is skew to the last bit.
     pub(crate) matrix: Vec<Vec<Id>>,
-    /// Whether it is skew; else the first pair of entries whose sum is not zero, and what is known of that.
+    /// Ok if S is skew. Errors: the indices of the first entries whose sum is not zero, and the result of the test for zero.
     pub(crate) skew: Result<(), ([usize; 2], Identity)>,
-    /// Whether {f, g} = ∇f·S∇g is a Poisson bracket; else the first three indices for which Jacobi's identity fails.
+    /// Ok if {f, g} = ∇f·S∇g is a Poisson bracket. Errors: the first three indices for which Jacobi's identity fails, and the result of the test.
     pub(crate) poisson: Result<(), ([usize; 3], Identity)>,
-    /// The function that the user has made S of.
+    /// The function from which the user has built S.
     pub(crate) casimir: Option<Id>,
 }
 
-/// Decides what S of x' = S ∇H is.
+/// Decides whether S of x' = S ∇H is skew, and makes a Poisson bracket.
 pub(crate) fn structure(graph: &mut Graph, energy: Id, skew: &Skew) -> Structure {
     let (mut matrix, casimir) = match skew {
         Skew::Matrix(matrix) => (matrix.clone(), None),
@@ -74,13 +74,13 @@ pub(crate) fn structure(graph: &mut Graph, energy: Id, skew: &Skew) -> Structure
     Structure { matrix, skew: is_skew, poisson, casimir }
 }
 
-/// S ∇H.
+/// Returns S ∇H.
 fn field_of(graph: &mut Graph, energy: Id, matrix: &[Vec<Id>]) -> Vec<Id> {
     let gradient = diff::gradient(graph, energy, matrix.len() as u32).q;
     diff::equations::structured(graph, matrix, &gradient)
 }
 
-/// The matrix of v ↦ a × v.
+/// Returns the matrix of v ↦ a × v.
 fn cross(graph: &mut Graph, a: &[Id]) -> Vec<Vec<Id>> {
     let zero = graph.zero();
     let negative: Vec<Id> = a.iter().map(|entry| graph.neg(*entry)).collect();

@@ -12,18 +12,18 @@ mod velocities;
 use super::exact;
 use super::implementation::{flag, typed};
 use super::kernel::Context;
-use crate::derive::{ContactStages, Fact, FieldKernels, Implicit, System};
+use crate::derive::{ContactStages, Fact, FieldKernels, Kernels, System};
 use proc_macro2::TokenStream;
 use quote::quote;
 
 /// Returns the implementations for implicit methods.
 pub(super) fn implicit(context: &Context<'_>, system: &System) -> TokenStream {
-    match &system.implicit {
-        Implicit::Field(kernels) => field(context, kernels, system),
-        Implicit::Bodies(kernels) => exact::bodies(context, kernels),
-        Implicit::Constrained(kernels) => constraints::constraints(context, kernels),
-        Implicit::Velocities(kernels) => velocities::velocities(context, kernels),
-        Implicit::Contact(kernels) => {
+    match &system.kernels {
+        Kernels::Field(kernels) => field(context, kernels, system),
+        Kernels::Bodies(kernels) => exact::bodies(context, kernels),
+        Kernels::Constrained(kernels) => constraints::constraints(context, kernels),
+        Kernels::Velocities(kernels) => velocities::velocities(context, kernels),
+        Kernels::Contact(kernels) => {
             let steps = kernels.steps.iter().map(|(method, step)| contact::step(context, method, step));
             let stages = kernels.stages.as_ref().map(|stages| {
                 let stages = match stages {

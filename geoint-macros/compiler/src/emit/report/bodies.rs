@@ -2,12 +2,12 @@
 
 use super::Report;
 use crate::analyze;
-use crate::derive::{Implicit, System};
+use crate::derive::{Kernels, System};
 use crate::parse::Role;
 
 /// Reports the equations, the structure of T, the tensors of inertia, and the costs of kick and drift.
 pub(super) fn report(report: &mut Report<'_>, found: &analyze::Bodies, system: &System) {
-    let Implicit::Bodies(kernels) = &system.implicit else { return };
+    let Kernels::Bodies(kernels) = &system.kernels else { return };
     let (r, m) = (report.name_of(Role::Attitude), report.name_of(Role::AngularMomentum));
     let (q, p) = (report.name_of(Role::Position), report.name_of(Role::Momentum));
     let centres = !found.streaming.is_empty();

@@ -2,7 +2,7 @@
 
 use super::{Report, friction, pieces, solver};
 use crate::analyze::{MeanValue, Split, Structure};
-use crate::derive::{Fact, FieldKernels, Implicit, Perturbed, System};
+use crate::derive::{Fact, FieldKernels, Kernels, Perturbed, System};
 use crate::diff::Gradient;
 use crate::ir::{Id, Symbol, print::Printer};
 use crate::parse::Role;
@@ -72,7 +72,7 @@ pub(super) fn report(report: &mut Report<'_>, structure: &Structure, gradient: &
         writeln!(report, "- kick: {}", flows.kick.kernel.operations());
         writeln!(report, "- drift: {}", flows.drift.kernel.operations());
     }
-    if let Implicit::Field(field) = &system.implicit {
+    if let Kernels::Field(field) = &system.kernels {
         implicit(report, field);
     }
 

@@ -2,7 +2,7 @@
 
 use super::{Report, friction, plural};
 use crate::analyze::Structure;
-use crate::derive::{Implicit, System};
+use crate::derive::{Kernels, System};
 use crate::diff::Gradient;
 use crate::ir::{Id, Symbol};
 use crate::parse::Role;
@@ -50,7 +50,7 @@ fn equations(report: &mut Report<'_>, structure: &Structure, constraints: &[Id],
 
 /// Writes the costs of steps and the omitted methods.
 fn steps(report: &mut Report<'_>, structure: &Structure, system: &System) {
-    let Implicit::Constrained(kernels) = &system.implicit else { return };
+    let Kernels::Constrained(kernels) = &system.kernels else { return };
     writeln!(report, "\nSteps");
     for (method, step) in &kernels.steps {
         let (unknowns, operations) = (step.unknowns.len(), step.kernel.operations());

@@ -2,7 +2,7 @@
 
 use super::{Report, pieces};
 use crate::analyze::{self, Dissipated};
-use crate::derive::{ContactStages, Implicit, KickDrift, System, Undamped};
+use crate::derive::{ContactStages, Kernels, KickDrift, System, Undamped};
 use crate::diff::Gradient;
 use crate::ir::Id;
 
@@ -102,7 +102,7 @@ pub(super) fn decaying(
 fn implicit(report: &mut Report<'_>, system: &System) {
     let degrees = report.compilation.degrees();
     writeln!(report, "\nImplicit steps, for the increments of all positions, momenta and the action");
-    let Implicit::Contact(kernels) = &system.implicit else { return };
+    let Kernels::Contact(kernels) = &system.kernels else { return };
     for (method, step) in &kernels.steps {
         let (unknowns, cost) = (2 * degrees + 1, step.kernel.operations());
         writeln!(report, "- `{method}`, unknowns {unknowns}: {cost} an iteration");

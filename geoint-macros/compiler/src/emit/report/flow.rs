@@ -3,7 +3,7 @@
 use super::{Report, field, pieces, solver, structure};
 use crate::analyze::{self, Identity};
 use crate::check::wording::{commas, proven};
-use crate::derive::{Flow, Implicit, Named, Origin, Source, System};
+use crate::derive::{Constant, Flow, Kernels, Named, Origin, Source, System};
 use crate::ir::{Graph, Id, Symbol};
 use crate::legendre::FirstOrder;
 use crate::parse::Form;
@@ -78,7 +78,7 @@ fn kept(report: &mut Report<'_>, flow: &Flow, source: &Source) {
             }
         }
     }
-    for (value, is_casimir) in &flow.also {
+    for Constant { value, is_casimir } in &flow.also {
         let word = if *is_casimir {
             "a Casimir; `FourthOrder` does not take it, because it is not defined wherever the field is"
         } else {
@@ -110,7 +110,7 @@ fn operations(report: &mut Report<'_>, flow: &Flow, system: &System) {
     if let Some(rate) = &system.rate {
         writeln!(report, "- x': {}", rate.operations());
     }
-    let Implicit::Field(field) = &system.implicit else { return };
+    let Kernels::Field(field) = &system.kernels else { return };
     writeln!(report, "- stage of a Newton iteration of collocation: {}", field.collocation.kernel.operations());
     if let Some(discrete) = &field.discrete {
         writeln!(report, "- Newton iteration of `DiscreteGradient`: {}", discrete.operations());

@@ -4,7 +4,7 @@ use super::contact::decaying;
 use super::{Report, friction};
 use crate::analyze::{Damping, Forces, Spared};
 use crate::check::wording::commas;
-use crate::derive::{BesideVelocities, Implicit, KeptMomentum, System, VelocityKernels};
+use crate::derive::{BesideVelocities, KeptMomentum, Kernels, System, VelocityKernels};
 use crate::ir::{Id, Symbol};
 use crate::legendre::Legendre;
 use crate::parse::Role;
@@ -17,7 +17,7 @@ pub(super) fn report(
     beside: &BesideVelocities,
     system: &System,
 ) {
-    let Implicit::Velocities(kernels) = &system.implicit else { return };
+    let Kernels::Velocities(kernels) = &system.kernels else { return };
     let v = report.name_of(Role::Velocity);
     writeln!(report, "Structure");
     writeln!(

@@ -1,4 +1,4 @@
-//! Kernels of implicit methods, by form.
+//! Kernels of the methods of one form: implicit methods, and splittings of rigid bodies.
 
 use super::Missing;
 use crate::analyze::{MeanValue, Momentum};
@@ -6,18 +6,18 @@ use crate::derive::bodies::BodyKernels;
 use crate::ir::Id;
 use crate::schedule::{Kernel, Routine, Scheduler, Space};
 
-/// Kernels of implicit methods.
+/// Kernels of the methods of one form.
 #[derive(Debug)]
-pub(crate) enum Implicit {
-    /// For a field.
+pub(crate) enum Kernels {
+    /// Implicit methods of a canonical system or a flow.
     Field(Box<FieldKernels>),
-    /// For contact systems.
+    /// Implicit methods of a contact system.
     Contact(ContactKernels),
-    /// For a Lagrangian, with velocities as unknowns.
+    /// Implicit methods of a Lagrangian, with velocities as unknowns.
     Velocities(VelocityKernels),
-    /// With constraints.
+    /// Implicit methods of a system with constraints.
     Constrained(ConstraintKernels),
-    /// For rigid bodies: kicks and drifts.
+    /// Kicks and drifts of rigid bodies.
     Bodies(BodyKernels),
 }
 
@@ -26,16 +26,16 @@ pub(crate) enum Implicit {
 pub(crate) struct MassKernels {
     /// ∂L/∂v and M.
     pub(crate) mass: Routine,
-    /// Functions of the parameters. M is positive definite at every state if some are not negative and the others are positive.
+    /// Functions of the parameters: the outputs `not_negative` and `positive`. If the names hold, M is positive definite at every state.
     pub(crate) definite: Option<Routine>,
-    /// Whether L is quadratic in v.
+    /// True if L is quadratic in v.
     pub(crate) quadratic: bool,
 }
 
 /// Stages of collocation of a Lagrangian, with velocities as unknowns.
 #[derive(Debug)]
 pub(crate) struct VelocityStages {
-    /// With an action.
+    /// Present if L reads the action.
     pub(crate) action: Option<ActionStages>,
     pub(crate) mass: MassKernels,
     /// The routines `stage` and `force`.
@@ -45,9 +45,9 @@ pub(crate) struct VelocityStages {
 /// Dependence of a Lagrangian on its action.
 #[derive(Debug)]
 pub(crate) struct ActionStages {
-    /// Whether ∂L/∂s reads the state, so that s is an unknown.
+    /// True if ∂L/∂s reads the state, so that s is an unknown.
     pub(crate) varying: bool,
-    /// Whether L has second derivatives by q and v, by v and s, and by q and s.
+    /// True if L has second derivatives by q and v, by v and s, and by q and s.
     pub(crate) mixed: [bool; 3],
 }
 
@@ -56,7 +56,7 @@ pub(crate) struct ActionStages {
 pub(crate) struct ConstraintKernels {
     /// g.
     pub(crate) constraints: Vec<Id>,
-    /// Whether ∂H/∂p is affine in p.
+    /// True if ∂H/∂p is affine in p.
     pub(crate) quadratic: bool,
     /// g and G.
     pub(crate) values: Routine,
@@ -72,7 +72,7 @@ pub(crate) struct ConstraintKernels {
 #[derive(Debug)]
 pub(crate) struct VelocityKernels {
     pub(crate) stages: VelocityStages,
-    /// Whether the flow keeps p·v − L: there is no action, no friction and no other force, and L does not read time.
+    /// True if the flow keeps p·v − L: there is no action, no friction and no other force, and L does not read time.
     pub(crate) keeps: bool,
     /// The polarised discrete gradient with the routine `equation`, if L is quadratic in v.
     pub(crate) polarised: Result<StepKernel, Missing>,
@@ -84,7 +84,7 @@ pub(crate) struct VelocityKernels {
 #[derive(Debug)]
 pub(crate) struct KeptMomentum {
     pub(crate) momentum: Momentum,
-    /// Whether the polarised discrete gradient keeps it, too.
+    /// True if the polarised discrete gradient keeps it, too.
     pub(crate) by_gradient: bool,
 }
 
@@ -97,7 +97,7 @@ pub(crate) struct FieldKernels {
     pub(crate) collocation: Collocation,
     /// The routines `slope` and `drift`, and `equation` if Newton's iteration has one.
     pub(crate) discrete: Option<Kernel>,
-    /// Why there is no discrete gradient, if there is more to say than that nothing is kept.
+    /// The reason why there is no discrete gradient, if the divergence of the field is known to be the reason.
     pub(crate) nothing_kept: Option<Missing>,
     /// Canonical coordinates and their rates, with derivatives. Collocation moves these if they are known.
     pub(crate) canonical: Option<Kernel>,
@@ -105,7 +105,7 @@ pub(crate) struct FieldKernels {
     pub(crate) fourth: Option<Kernel>,
     /// Gradients of the momenta that steps of order 4 of a canonical system keep.
     pub(crate) momenta: Routine,
-    /// Whether the equation of a step is linear.
+    /// True if the equation of a step is linear.
     pub(crate) linear: bool,
     pub(crate) mean_value: MeanValue,
 }
@@ -113,7 +113,7 @@ pub(crate) struct FieldKernels {
 /// Stages of collocation: y' = f(y), or q'' = f(q).
 #[derive(Debug)]
 pub(crate) struct Collocation {
-    /// Whether the equation is of second order.
+    /// True if the equation is of second order.
     pub(crate) second_order: bool,
     /// The routines `field`, and `velocity` and `acceleration` of an equation of second order.
     pub(crate) kernel: Kernel,
@@ -151,21 +151,22 @@ pub(crate) struct StepKernel {
     pub(crate) kernel: Kernel,
 }
 
-impl Implicit {
+impl Kernels {
+    /// Computes the statements of all routines.
     pub(super) fn schedule(&mut self, scheduler: &mut Scheduler<'_>) {
         match self {
-            Implicit::Field(field) => {
+            Kernels::Field(field) => {
                 field.collocation.kernel.schedule(scheduler);
                 for kernel in [&mut field.discrete, &mut field.canonical, &mut field.fourth].into_iter().flatten() {
                     kernel.schedule(scheduler);
                 }
                 field.momenta.schedule(scheduler);
             }
-            Implicit::Velocities(VelocityKernels { stages, polarised, .. }) => {
+            Kernels::Velocities(VelocityKernels { stages, polarised, .. }) => {
                 stages.schedule(scheduler);
                 polarised.iter_mut().for_each(|step| step.kernel.schedule(scheduler));
             }
-            Implicit::Contact(ContactKernels { steps, stages }) => {
+            Kernels::Contact(ContactKernels { steps, stages }) => {
                 steps.iter_mut().for_each(|(_, step)| step.kernel.schedule(scheduler));
                 match stages {
                     Some(ContactStages::Points(stages)) => stages.kernel.schedule(scheduler),
@@ -173,8 +174,8 @@ impl Implicit {
                     None => {}
                 }
             }
-            Implicit::Bodies(kernels) => kernels.schedule(scheduler),
-            Implicit::Constrained(ConstraintKernels { values, velocity, departure, steps, .. }) => {
+            Kernels::Bodies(kernels) => kernels.schedule(scheduler),
+            Kernels::Constrained(ConstraintKernels { values, velocity, departure, steps, .. }) => {
                 [values, velocity, departure].into_iter().for_each(|routine| routine.schedule(scheduler));
                 steps.iter_mut().for_each(|(_, step)| step.kernel.schedule(scheduler));
             }
