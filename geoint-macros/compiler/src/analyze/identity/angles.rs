@@ -1,8 +1,8 @@
 //! Surfaces on which both arguments of `atan2` vanish. The angle may jump there by less than a turn: the angle of (x², x) jumps by π.
 
 use super::derivative;
-use super::surface::vanishes_on;
-use crate::ir::{Function, Graph, Id, Node, Ratio, Sign, Symbol};
+use super::surface::{moves, vanishes_on_a_part};
+use crate::ir::{Function, Graph, Id, Node, Ratio, Sign};
 use std::cmp::Ordering;
 
 /// The angles in a function that the state or time changes.
@@ -53,10 +53,6 @@ fn candidates(graph: &mut Graph, args: &[Id]) -> Vec<Id> {
     candidates
 }
 
-fn moves(symbol: Symbol) -> bool {
-    !matches!(symbol, Symbol::Parameter(_))
-}
-
 /// Returns g for |g| and ∛g.
 fn signed(graph: &Graph, base: Id) -> Id {
     match graph.node(base) {
@@ -88,7 +84,7 @@ fn zero_on(graph: &mut Graph, argument: Id, g: Id) -> Option<Zero> {
     let (_, rest) = graph.coefficient(argument);
     let own: Vec<_> = graph.factors(rest).into_iter().filter(|(base, _)| signed(graph, *base) == g).collect();
     if own.is_empty() {
-        return vanishes_on(graph, g, argument).then(|| multiplicity(graph, argument, g));
+        return vanishes_on_a_part(graph, g, argument).then(|| multiplicity(graph, argument, g));
     }
     let product =
         own.into_iter().try_fold(Power { exponent: Ratio::ZERO, is_odd: false }, |product, (base, exponent)| {
@@ -120,13 +116,13 @@ fn multiplicity(graph: &mut Graph, argument: Id, g: Id) -> Zero {
     let across = graph.symbols(g).into_iter().find(|symbol| moves(*symbol));
     let Some(symbol) = across.filter(|_| is_smooth(graph, argument)) else { return Zero::Other };
     let slope = derivative(graph, g, symbol);
-    if vanishes_on(graph, g, slope) {
+    if vanishes_on_a_part(graph, g, slope) {
         return Zero::Other;
     }
     let mut highest = argument;
     for order in 1..=HIGHEST {
         highest = derivative(graph, highest, symbol);
-        if !vanishes_on(graph, g, highest) {
+        if !vanishes_on_a_part(graph, g, highest) {
             return Zero::Power(Power { exponent: Ratio::integer(order), is_odd: order % 2 != 0 });
         }
     }

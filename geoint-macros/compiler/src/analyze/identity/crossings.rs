@@ -1,14 +1,16 @@
 //! Surfaces on which a function may jump along a field. The derivative of the function does not show these jumps.
 //!
-//! Conditions, signs and angles by `atan2` jump. A proof uses identities of the graph; a failed proof counts as a jump, so all answers are on the safe
-//! side.
+//! Conditions, signs and angles by `atan2` jump; no other operation of energies does. Whole turns of an angle are not counted: values of angles are
+//! compared up to turns. Poles and ends of domains are the subject of `derive/domain`.
+//!
+//! A proof uses identities of the graph. A failed proof counts as a jump, so all answers are on the safe side.
 
 use super::angles::{angles, broken_at};
-use super::surface::vanishes_on;
+use super::surface::{moves, parts, vanishes_on};
 use super::vanishes;
 use crate::diff;
 use crate::ir::substitute::{Substitution, replaced};
-use crate::ir::{Function, Graph, Id, Node, Ratio, Symbol};
+use crate::ir::{Function, Graph, Id, Node, Ratio, Relation, Symbol};
 
 /// An edge: the surface on which two numbers are equal, with the conditions and signs that change there.
 #[derive(Clone, Debug)]
@@ -16,27 +18,31 @@ pub(crate) struct Edge {
     pub(crate) equal: [Id; 2],
     /// Zero on the surface.
     pub(crate) difference: Id,
+    /// The conditions and signs. There is at least one.
     changing: Vec<Changing>,
 }
 
-/// A condition or sign that changes at an edge.
+/// A condition or sign that changes at an edge, with its values for a negative difference, on the edge, and for a positive difference.
 #[derive(Clone, Copy, Debug)]
 struct Changing {
     node: Id,
-    /// The value for a negative difference.
     below: Id,
-    /// The value for a positive difference.
+    on_edge: Id,
     above: Id,
 }
 
-/// Returns the edges on which the limits of a function from both sides are not proven to be equal.
+/// Returns the edges on which a function is not proven to have one value: its limits from both sides, and its value on the edge itself.
 pub(crate) fn edges_of_jumps(graph: &mut Graph, function: Id) -> Vec<Edge> {
     let mut edges = edges(graph, function);
     edges.retain(|edge| {
-        let below = on_side(graph, function, edge, |changing| changing.below);
-        let above = on_side(graph, function, edge, |changing| changing.above);
-        let height = graph.sub(above, below);
-        !vanishes_on(graph, edge.difference, height)
+        let [below, on_edge, above] =
+            [|node: &Changing| node.below, |node: &Changing| node.on_edge, |node: &Changing| node.above]
+                .map(|value| continued(graph, function, edge, value));
+        let heights = [graph.sub(above, below), graph.sub(on_edge, below)];
+        // On the edge the function often is one of its two continuations.
+        let is_on_one_side = on_edge == below || on_edge == above;
+        let heights = if is_on_one_side { &heights[..1] } else { &heights[..] };
+        !heights.iter().all(|height| vanishes_on(graph, edge.difference, *height))
     });
     edges
 }
@@ -86,46 +92,69 @@ pub(crate) fn may_jump(graph: &mut Graph, x: &[Symbol], field: &[Id], function: 
     None
 }
 
-/// Returns whether solutions may lead across the zeros of a difference. They do not if the rate of the difference is proven to vanish there: each
-/// zero then belongs to a solution within the surface.
-fn is_crossed(graph: &mut Graph, x: &[Symbol], field: &[Id], difference: Id) -> bool {
-    let rate = diff::derivative_along(graph, x, field, difference, None);
-    let rate = graph.sum(&rate);
-    !vanishes_on(graph, difference, rate)
-}
-
-/// Returns whether no rounding moves a state off the zeros of a difference.
+/// Returns whether solutions may lead across the zeros of a difference.
 ///
-/// Each factor of the difference must read resting coordinates only, or must be a coordinate whose rate vanishes with it: steps keep both exactly.
-fn is_exact(graph: &mut Graph, x: &[Symbol], field: &[Id], difference: Id) -> bool {
-    let (read, zero) = (graph.symbols(difference), graph.zero());
-    let factors = graph.factors(graph.coefficient(difference).1);
-    let mut keeps = |(factor, _): &(Id, Ratio)| {
-        let read = graph.symbols(*factor);
-        x.iter().zip(field).all(|(symbol, rate)| {
-            let is_coordinate = *graph.node(*factor) == Node::Symbol(*symbol);
-            let rate = if is_coordinate { replaced(graph, *rate, *symbol, zero) } else { *rate };
-            !read.contains(symbol) || graph.is_zero(rate)
-        })
-    };
-    !read.contains(&Symbol::Time) && factors.iter().all(&mut keeps)
+/// They do not if each factor of the difference is proven to have the rate zero where it vanishes, and solutions are unique. Each zero then belongs to a
+/// solution within the surface.
+fn is_crossed(graph: &mut Graph, x: &[Symbol], field: &[Id], difference: Id) -> bool {
+    parts(graph, difference).into_iter().any(|part| {
+        let rate = diff::derivative_along(graph, x, field, part, None);
+        let rate = graph.sum(&rate);
+        !vanishes(graph, rate) && !(vanishes_on(graph, part, rate) && is_lipschitz(graph, rate))
+    })
 }
 
-/// Returns the edges of all conditions and signs that read more than parameters.
+/// Returns whether a rate has no jumps and no infinite slopes where it is defined. Otherwise solutions need not be unique: x' = ∛x² leads across x = 0.
+fn is_lipschitz(graph: &mut Graph, rate: Id) -> bool {
+    let is_steep = |id: Id| match graph.node(id) {
+        Node::Power(base, exponent) => (Ratio::ZERO..Ratio::ONE).contains(exponent) && !graph.is_positive(*base),
+        // Functions with an end of their domain, such as asin, and functions that are not smooth.
+        Node::Call(Function::Cbrt | Function::Atan2, _) => true,
+        Node::Call(..) => graph.is_partial(id),
+        _ => false,
+    };
+    let has_steep = graph.reachable(&[rate]).into_iter().any(|id| graph.reads_any(id, moves) && is_steep(id));
+    !has_steep && edges_of_jumps(graph, rate).is_empty()
+}
+
+/// Returns whether no step moves a state off the zeros of a difference, not even by rounding.
+///
+/// Each factor of the difference must read resting coordinates only, or must be a coordinate whose rate vanishes with it. Every method keeps both bit by
+/// bit: its increments of such a coordinate are zero. One factor that rounding moves is enough to change the sign of the difference.
+fn is_exact(graph: &mut Graph, x: &[Symbol], field: &[Id], difference: Id) -> bool {
+    let zero = graph.zero();
+    parts(graph, difference).into_iter().all(|factor| {
+        let read = graph.symbols(factor);
+        !read.contains(&Symbol::Time)
+            && x.iter().zip(field).filter(|(symbol, _)| read.contains(symbol)).all(|(symbol, rate)| {
+                let is_coordinate = *graph.node(factor) == Node::Symbol(*symbol);
+                let rate = if is_coordinate { replaced(graph, *rate, *symbol, zero) } else { *rate };
+                graph.is_zero(rate)
+            })
+    })
+}
+
+/// Returns the edges of all conditions and signs, except those that read parameters only: parameters are constant during a run.
 fn edges(graph: &mut Graph, function: Id) -> Vec<Edge> {
     let mut edges: Vec<Edge> = vec![];
     for node in graph.reachable(&[function]) {
-        let (a, b, below, above) = match *graph.node(node) {
-            // `<`, `≤` and `==` differ on the edge only. The limits from both sides decide.
-            Node::Compare(_, a, b) => (a, b, graph.truth(false), graph.truth(true)),
+        let (a, b, [below, on_edge, above]) = match *graph.node(node) {
+            Node::Compare(relation, a, b) => {
+                let holds = match relation {
+                    Relation::Less => [false, false, true],
+                    Relation::LessEqual => [false, true, true],
+                    Relation::Equal => [false, true, false],
+                };
+                (a, b, holds.map(|holds| graph.truth(holds)))
+            }
             Node::Call(Function::Signum, ref args) => {
                 let x = args[0];
-                (graph.zero(), x, graph.integer(-1), graph.integer(1))
+                (graph.zero(), x, [-1, 1, 1].map(|sign| graph.integer(sign)))
             }
             _ => continue,
         };
         let difference = graph.sub(b, a);
-        if graph.symbols(difference).iter().all(|symbol| matches!(symbol, Symbol::Parameter(_))) {
+        if !graph.reads_any(difference, moves) {
             continue;
         }
         let opposite = graph.neg(difference);
@@ -134,19 +163,19 @@ fn edges(graph: &mut Graph, function: Id) -> Vec<Edge> {
             vanishes(graph, rest)
         };
         if let Some(edge) = edges.iter_mut().find(|edge| equal(edge.difference, difference)) {
-            edge.changing.push(Changing { node, below, above });
+            edge.changing.push(Changing { node, below, on_edge, above });
         } else if let Some(edge) = edges.iter_mut().find(|edge| equal(edge.difference, opposite)) {
-            edge.changing.push(Changing { node, below: above, above: below });
+            edge.changing.push(Changing { node, below: above, on_edge, above: below });
         } else {
             let equal = if graph.as_number(a).is_some() { [b, a] } else { [a, b] };
-            edges.push(Edge { equal, difference, changing: vec![Changing { node, below, above }] });
+            edges.push(Edge { equal, difference, changing: vec![Changing { node, below, on_edge, above }] });
         }
     }
     edges
 }
 
-/// The function on one side of an edge, continued across it.
-fn on_side(graph: &mut Graph, function: Id, edge: &Edge, value: impl Fn(&Changing) -> Id) -> Id {
+/// Returns the function with one choice of the values of all conditions and signs that change at an edge, at all states.
+fn continued(graph: &mut Graph, function: Id, edge: &Edge, value: impl Fn(&Changing) -> Id) -> Id {
     let mut fixed = Substitution::new(|_: &mut Graph, _| None);
     for changing in &edge.changing {
         fixed.insert(changing.node, value(changing));

@@ -52,16 +52,42 @@ fn is_left(graph: &mut Graph, difference: Id, x: &[Symbol], field: &[Id]) -> boo
     })
 }
 
-/// Returns whether a node was proven to be zero on the surface `edge` = 0. A term or symbol of the edge is replaced by its value on the surface.
+/// Returns whether a node was proven to be zero on all parts of the surface `edge` = 0.
 pub(super) fn vanishes_on(graph: &mut Graph, edge: Id, node: Id) -> bool {
-    if vanishes(graph, node) {
-        return true;
-    }
+    vanishes(graph, node)
+        || parts(graph, edge).into_iter().all(|part| {
+            vanishes_by_term(graph, part, node)
+                // The equation may also hold where a coefficient that moves is zero.
+                || vanishes_at_roots(graph, part, node, |graph, solved| !graph.reads_any(solved.coefficient, moves))
+        })
+}
+
+/// Returns whether a node was proven to be zero on a part of the surface `edge` = 0.
+pub(super) fn vanishes_on_a_part(graph: &mut Graph, edge: Id, node: Id) -> bool {
+    vanishes(graph, node) || vanishes_by_term(graph, edge, node) || vanishes_at_roots(graph, edge, node, |_, _| true)
+}
+
+/// Returns the factors of an edge. The surface consists of their zeros. Factors of parameters alone are omitted: where one is zero, the edge is zero
+/// at every state, and no solution crosses it.
+pub(super) fn parts(graph: &Graph, edge: Id) -> Vec<Id> {
+    let (_, without_number) = graph.coefficient(edge);
+    let may_vanish =
+        |(base, exponent): (Id, Ratio)| (exponent > Ratio::ZERO && graph.reads_any(base, moves)).then_some(base);
+    graph.factors(without_number).into_iter().filter_map(may_vanish).collect()
+}
+
+/// Returns whether a symbol may change during a run.
+pub(super) fn moves(symbol: Symbol) -> bool {
+    !matches!(symbol, Symbol::Parameter(_))
+}
+
+/// Returns whether a node is zero after one term of the edge is replaced by its value on the surface.
+fn vanishes_by_term(graph: &mut Graph, edge: Id, node: Id) -> bool {
     let terms = match graph.node(edge) {
         Node::Linear(_, terms) => terms.clone(),
-        _ => vec![],
+        _ => vec![(Number::ONE, edge)],
     };
-    let by_term = terms.into_iter().any(|(coefficient, term)| {
+    terms.into_iter().any(|(coefficient, term)| {
         let own = graph.scale(coefficient, term);
         let rest = graph.sub(edge, own);
         let coefficient = graph.number(coefficient.neg());
@@ -70,16 +96,18 @@ pub(super) fn vanishes_on(graph: &mut Graph, edge: Id, node: Id) -> bool {
         there.insert(term, value);
         let there = there.apply(graph, node);
         vanishes(graph, there)
-    });
-    let candidates = graph.symbols(edge);
-    by_term
-        || candidates.into_iter().any(|symbol| {
-            let Some(Solved { roots, .. }) = solved(graph, edge, symbol) else { return false };
-            roots.into_iter().all(|root| {
-                let there = replaced(graph, node, symbol, root);
-                vanishes(graph, there)
-            })
+    })
+}
+
+/// Returns whether a node is zero after one symbol is replaced by each of its values on the surface. `accepts` selects the solutions that may be used.
+fn vanishes_at_roots(graph: &mut Graph, edge: Id, node: Id, accepts: impl Fn(&Graph, &Solved) -> bool) -> bool {
+    graph.symbols(edge).into_iter().any(|symbol| {
+        let Some(solved) = solved(graph, edge, symbol).filter(|solved| accepts(graph, solved)) else { return false };
+        solved.roots.into_iter().all(|root| {
+            let there = replaced(graph, node, symbol, root);
+            vanishes(graph, there)
         })
+    })
 }
 
 /// Solutions of an equation for one symbol.

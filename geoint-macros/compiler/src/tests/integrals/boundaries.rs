@@ -134,10 +134,38 @@ fn every_factor_of_a_boundary_counts() {
         let integral = quote!((x[0] * x[0] + x[1] * x[1]) * if #boundary > 0.0 { 2.0 } else { 1.0 });
         plane(integral, quote!(-x[0] * x[1] * x[1]), quote!(x[0] * x[0] * x[1]))
     };
-    assert_eq!(of_boundary(quote!(x[0] * x[1])), "");
+    for boundary in [quote!(x[0]), quote!(x[0] * x[1]), quote!(x[0].powi(3)), quote!(a * x[0])] {
+        assert_eq!(of_boundary(boundary), "");
+    }
     assert_eq!(of_boundary(quote!(-3.0 * x[0].powi(3) * x[1])), "");
     let found = of_boundary(quote!(x[0] * x[1] * (x[0] * x[0] + x[1] * x[1] - 1.0)));
-    assert!(found.contains("it may jump where"), "{found}");
+    assert!(found.contains("and solutions stay there"), "{found}");
+}
+
+/// Every part of a boundary counts, and the values on the boundary do, too.
+#[test]
+fn jumps_on_parts_of_a_boundary_are_refused() {
+    let (zero, one, x, y) = (quote!(0.0), quote!(1.0), quote!(x[0]), quote!(x[1]));
+    for (integral, first, second) in [
+        // The jump x vanishes on x = 0 only, and solutions cross y = 0.
+        (quote!(if #x * #y > 0.0 { #x } else { 2.0 * #x }), &zero, &one),
+        (quote!(if #x * #y + #x > 0.0 { #x } else { 2.0 * #x }), &zero, &one),
+        (quote!(if #x * #x * #y > 0.0 { #x } else { 2.0 * #x }), &zero, &one),
+        (quote!(if #x.sin() * #y > 0.0 { #x.sin() } else { 2.0 * #x.sin() }), &zero, &one),
+        // `==` holds on neither side.
+        (quote!(#y + if #x == 0.0 { 1.0 } else if #x < 0.0 { -1.0 } else { 1.0 }), &one, &zero),
+        (quote!(#y + if #x <= 0.0 && !(#x < 0.0) { 1.0 } else { 0.0 }), &one, &zero),
+        (quote!(#y + if #x != 0.0 { 1.0 } else { 0.0 }), &one, &zero),
+        // Solutions leave or reach x = 0, although the rate vanishes there: it has no finite slope, or jumps.
+        (quote!((2.0 + #y) * if #x < 0.0 { 1.0 } else { 2.0 }), &quote!(if x[0] < 0.0 { 1.0 } else { x[0] }), &zero),
+        (quote!((2.0 + #y) * if #x > 0.0 { 1.0 } else { 2.0 }), &quote!((x[0] * x[0]).cbrt()), &zero),
+        (quote!((2.0 + #y) * if #x > 0.0 { 1.0 } else { 2.0 }), &quote!(x[0].abs().sqrt()), &zero),
+        (quote!((2.0 + #y) * if #x > 0.0 { 1.0 } else { 2.0 }), &quote!(x[0].abs().powf(0.25)), &zero),
+        (quote!((2.0 + #y) * if (#x - 1.0).powi(3) > 0.0 { 1.0 } else { 2.0 }), &one, &zero),
+    ] {
+        let found = plane(integral.clone(), first.clone(), second.clone());
+        assert!(found.contains("it may jump where"), "{integral}: {found}");
+    }
 }
 
 /// An angle whose arguments have a common factor jumps by less than a turn.
