@@ -58,9 +58,9 @@ impl Damping {
         if self.open { self.matrix.concat() } else { vec![] }
     }
 
-    /// Returns whether row `i` is zero.
-    pub(super) fn spares(&self, graph: &Graph, i: u32) -> bool {
-        self.matrix[i as usize].iter().all(|entry| graph.is_zero(*entry))
+    /// Returns whether a coefficient of row `i` is not zero.
+    pub(super) fn acts_on(&self, graph: &Graph, i: u32) -> bool {
+        self.matrix[i as usize].iter().any(|entry| !graph.is_zero(*entry))
     }
 
     /// Builds Cv.

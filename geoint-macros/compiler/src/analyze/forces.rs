@@ -30,9 +30,9 @@ impl Forces {
         Some(Forces { applied, friction, reads, potential })
     }
 
-    /// Returns whether the forces on coordinate `i` are zero.
-    pub(super) fn spare(&self, graph: &Graph, i: u32) -> bool {
-        self.applied.iter().chain(&self.friction).all(|forces| graph.is_zero(forces[i as usize]))
+    /// Returns whether a force acts on coordinate `i`.
+    pub(super) fn act_on(&self, graph: &Graph, i: u32) -> bool {
+        self.applied.iter().chain(&self.friction).any(|forces| !graph.is_zero(forces[i as usize]))
     }
 
     /// Returns the forces at given velocities, in the order of coordinates. `place` moves a force to the point of evaluation first. Friction that

@@ -1,5 +1,6 @@
 //! Facts about an energy, proven from its graph. A fact that does not hold has a witness. Messages are elsewhere.
 
+mod acting;
 mod damping;
 mod degree;
 mod terms;
@@ -10,7 +11,6 @@ mod leaves;
 mod quadratic;
 mod equations;
 mod forces;
-mod spared;
 mod conserved;
 mod mean_value;
 mod enclosable;
@@ -21,21 +21,21 @@ mod identity;
 
 use crate::ir::{Graph, Id, Node, Reads, Symbol};
 use crate::parse::Shape;
+pub(crate) use acting::Acting;
 pub(crate) use bodies::{Bodies, bodies, momenta as momenta_of_body};
-pub(crate) use conserved::{Dissipated, Momentum, decay, dissipated, dissipated_by_velocities, noether, translations};
+pub(crate) use conserved::{Conserved, Dissipated, decay, dissipated, dissipated_by_velocities, noether, translations};
 pub(crate) use damping::{Damping, Flaw};
 pub(crate) use degree::Degrees;
 pub(crate) use forces::Forces;
 pub(crate) use identity::{
     Direction, Identity, Proof, Remainder, Value, Why, Witness, Wrong, angles, broken_at, claims, crossings, identity,
-    is_regular, liouville, multiple, retain_constant, search, vanishes,
+    is_regular, liouville, multiple, retain_likely_constant, search, vanishes,
 };
 pub(crate) use jumps::{Jump, conditions, jump_of, jumps};
 pub(crate) use mean_value::MeanValue;
 pub(crate) use poles::{Pole, Quick, has_edge, poles};
 use separable::Separated;
 pub(crate) use separable::{not_affine, not_quadratic};
-pub(crate) use spared::Spared;
 pub(crate) use steep::is_steep;
 pub(crate) use turns::turning_terms;
 
@@ -55,7 +55,7 @@ pub(crate) struct Structure {
     /// The degree of H, if it is a polynomial in (q, p).
     pub(crate) degree: Option<u32>,
     /// Other functions that the flow and the tree discrete gradient conserve.
-    pub(crate) momenta: Vec<Momentum>,
+    pub(crate) momenta: Vec<Conserved>,
     pub(crate) mean_value: MeanValue,
     pub(crate) damping: Option<Damping>,
     pub(crate) forces: Option<Forces>,
@@ -108,9 +108,9 @@ impl Structure {
 
     /// Removes momenta that damping or a force changes.
     fn remove_changed_momenta(&mut self, graph: &Graph) {
-        let spared = Spared { damping: self.damping.as_ref(), forces: self.forces.as_ref() };
-        self.cyclic.retain(|i| spared.coordinate(graph, *i));
-        self.momenta.retain(|momentum| spared.momentum(graph, momentum));
+        let acting = Acting { damping: self.damping.as_ref(), forces: self.forces.as_ref() };
+        self.cyclic.retain(|i| !acting.on_momentum(graph, *i));
+        self.momenta.retain(|momentum| !acting.on(graph, momentum));
     }
 
     /// Returns whether neither damping nor other forces act.

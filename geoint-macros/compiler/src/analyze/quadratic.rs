@@ -58,7 +58,7 @@ impl Monomial {
     fn number(number: Number, power: i128) -> Option<Monomial> {
         let magnitude = match number {
             // Long ratios would soon be too long to be multiplied.
-            Number::Exact(ratio) if ratio.is_short() => {
+            Number::Exact(ratio) if ratio.fits_f64() => {
                 return match number.pow(Ratio::integer(power))? {
                     Number::Exact(number) => Some(Monomial { number, ..Monomial::ONE }),
                     Number::Root(..) | Number::Float(_) => None,

@@ -1,17 +1,20 @@
-//! Checks Lagrangians that are linear in the velocities: the equations Ω q' = ∇H must determine q'.
+//! Checks Lagrangians that are linear in the velocities, L = ϑ(q)·v − H(q).
+//!
+//! Their equations are Ω q' = ∇H with Ωᵢⱼ = ∂ᵢϑⱼ − ∂ⱼϑᵢ. They determine q' if Ω is regular. A matrix Ω that is singular at some states only is accepted: its divisors
+//! are poles, and steps refuse these states.
 
 use super::velocity;
 use super::wording::quoted;
 use crate::compilation::Compilation;
 use crate::diagnostics::Result;
 use crate::ir::Symbol;
-use crate::legendre::{FirstOrder, NotRegular};
+use crate::legendre::{FirstOrder, FirstOrderFlaw, LARGEST_BLOCK};
 use crate::parse::Requirement;
 
 /// Reports a Lagrangian whose equations do not determine q', and options without a meaning for equations of first order.
 pub(crate) fn first_order(
     compilation: &mut Compilation<'_>,
-    found: std::result::Result<FirstOrder, NotRegular>,
+    analysis: std::result::Result<FirstOrder, FirstOrderFlaw>,
 ) -> Result<FirstOrder> {
     let options = &compilation.energy.options;
     for expr in options.rayleigh.iter().chain(&options.force) {
@@ -21,11 +24,12 @@ pub(crate) fn first_order(
         compilation.diagnostics.at(constraint, NO_CONSTRAINTS);
     }
     for (requirement, span) in &options.requirements {
-        let why = if *requirement == Requirement::Regular { NO_VELOCITIES } else { NO_KINETIC };
+        // All other requirements are properties of the kinetic energy.
+        let why = if *requirement == Requirement::Regular { NOT_REGULAR } else { NO_KINETIC };
         compilation.report_at(*span, why);
     }
-    match found {
-        Ok(found) => compilation.checked(found),
+    match analysis {
+        Ok(system) => compilation.checked(system),
         Err(flaw) => {
             let message =
                 format!("{LINEAR}: Ω q' = ∇H with Ωᵢⱼ = ∂ᵢϑⱼ − ∂ⱼϑᵢ, ϑ = ∂L/∂v. But {}", explain(compilation, &flaw));
@@ -36,32 +40,33 @@ pub(crate) fn first_order(
 }
 
 /// Explains why Ω does not determine q'.
-fn explain(compilation: &Compilation<'_>, flaw: &NotRegular) -> String {
+fn explain(compilation: &Compilation<'_>, flaw: &FirstOrderFlaw) -> String {
     let printer = compilation.printer();
     let all = |coordinates: &[u32]| quoted(&printer, Symbol::Position, coordinates);
     match flaw {
-        NotRegular::Odd(alone) if alone.len() == 1 => {
+        FirstOrderFlaw::OddBlock(alone) if alone.len() == 1 => {
             let q = printer.named(Symbol::Position(alone[0]));
             format!(
-                "no entry of Ω has `{q}`: what ϑ has of it adds a total derivative to L, which changes no motion, and ∂H/∂{q} = 0 is no \
-                 differential equation; give `{q}` a mass, or solve that for it and put it in"
+                "the row of `{q}` in Ω is zero, so the rate of `{q}` is in no equation, and ∂H/∂{q} = 0 remains; solve this equation for \
+                 `{q}` and insert the result into L, or give `{q}` a mass"
             )
         }
-        NotRegular::Odd(coordinates) => format!(
-            "Ω of {} has an odd number of rows, so that it is singular: positions and their momenta ϑ come in pairs; add the missing \
-             coordinate, or take one out by what is constant",
+        FirstOrderFlaw::OddBlock(coordinates) => format!(
+            "Ω of {} has an odd number of rows, so it is singular: coordinates come in pairs, as a position and its momentum; add the \
+             missing coordinate, or eliminate one by a conserved function",
             all(coordinates)
         ),
-        NotRegular::Singular(coordinates) => format!(
+        FirstOrderFlaw::Singular(coordinates) => format!(
             "Ω of {} is singular at every state: some combination of them has no equation of motion",
             all(coordinates)
         ),
-        NotRegular::Timed(i) => format!(
-            "ϑ of `{}` reads time: write the equations as `#[vector_field]`, or take time for one more coordinate",
+        FirstOrderFlaw::ReadsTime(i) => format!(
+            "ϑ of `{}` reads time: write the equations as `#[vector_field]`",
             printer.named(Symbol::Velocity(*i))
         ),
-        NotRegular::Large(coordinates) => format!(
-            "Ω couples {} coordinates, {}; it is inverted in closed form for 8 at most: give its inverse, `#[hamiltonian(structure = S)]`",
+        FirstOrderFlaw::TooLarge(coordinates) => format!(
+            "Ω couples {} coordinates, {}; it is inverted in closed form for {LARGEST_BLOCK} at most: give S = Ω⁻¹, \
+             `#[hamiltonian(structure = S)]`",
             coordinates.len(),
             all(coordinates)
         ),
@@ -77,4 +82,4 @@ const NO_FORCE: &str = "this Lagrangian is linear in the velocities: its equatio
 
 const NO_KINETIC: &str = "this Lagrangian is linear in the velocities: there is no kinetic energy";
 
-const NO_VELOCITIES: &str = "this Lagrangian is linear in the velocities, so that these do not follow from momenta";
+const NOT_REGULAR: &str = "this Lagrangian is linear in the velocities, so that these do not follow from momenta";

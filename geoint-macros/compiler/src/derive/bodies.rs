@@ -23,7 +23,7 @@ pub(crate) struct BodyKernels {
     /// True if the frames of all bodies are frames of principal axes.
     pub(crate) principal: bool,
     /// True if the impulse of a kick depends on positions only.
-    pub(crate) repeats: bool,
+    pub(crate) kicks_repeat: bool,
 }
 
 /// The rotation vector hω = hJm + hb of one body in a drift, by indices of prepared numbers. Zero entries are absent.
@@ -93,7 +93,7 @@ pub(crate) fn bodies(compilation: &mut Compilation<'_>, found: &analyze::Bodies,
         turns,
         centres,
         principal: found.inertia.iter().all(|inertia| inertia.is_principal(graph)),
-        repeats: found.autonomous,
+        kicks_repeat: found.autonomous,
     };
     let rates = rates(graph, found, &torque);
     let domain = Domain::of(graph, compilation.form, Formulas::new(&[found.energy], partial));

@@ -112,9 +112,9 @@ fn kick_drift(graph: &mut Graph, mechanics: &Mechanics) -> KickDrift {
     KickDrift {
         kick,
         drift: damped_drift,
-        exact_in_time: mechanics.clock == Clock::Own,
-        repeats: false,
-        shows: false,
+        time_passes_in_drift: mechanics.clock == Clock::Own,
+        kicks_repeat: false,
+        kicks_show: false,
         undamped: Some(Undamped {
             kick: (mechanics.free_kick != mechanics.kick).then(|| kernel(&mechanics.free_kick)),
             drift: (mechanics.free_drift != mechanics.drift).then(|| kernel(&mechanics.free_drift)),

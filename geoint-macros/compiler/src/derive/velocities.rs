@@ -6,7 +6,7 @@ use super::facts::Fact;
 use super::system::{
     ActionStages, KeptMomentum, Kernels, MassKernels, Missing, StepKernel, System, VelocityKernels, VelocityStages,
 };
-use crate::analyze::{self, Damping, Forces, Spared};
+use crate::analyze::{self, Acting, Damping, Forces};
 use crate::compilation::Compilation;
 use crate::diff::lagrangian::{self, EulerLagrange, Polarised};
 use crate::ir::collect::collected;
@@ -42,8 +42,8 @@ pub(crate) fn velocities(compilation: &mut Compilation<'_>, of: &LagrangianOfVel
     };
     let stages = stages(graph, legendre, equation, &positions);
     let mut momenta_kept = if has_action { vec![] } else { analyze::noether(graph, *lagrangian, shape) };
-    let spared = Spared { damping, forces: applied };
-    momenta_kept.retain(|momentum| spared.momentum(graph, momentum));
+    let acting = Acting { damping, forces: applied };
+    momenta_kept.retain(|momentum| !acting.on(graph, momentum));
     let mut roots = vec![*lagrangian];
     if has_action {
         roots.push(analyze::decay(graph, *lagrangian));

@@ -1,16 +1,18 @@
 //! Derivatives on the graph, and the equations that are built from them.
 //!
-//! - Derivatives at a point: `rules` (one table), `forward` (along a direction, Jacobians), `sweep` and `gradient` (all entries by one reverse sweep).
-//! - Divided differences between two points without cancellation: `slope`.
+//! - Derivatives at a point: `rules` (the derivative of each operation, in one table), `forward` (one direction, or a Jacobian).
+//! - Divided differences between two points, without cancellation: `slope`.
+//! - Gradients and discrete gradients: `gradient`. One reverse sweep (`sweep`) computes all entries of either kind; only the rules differ.
 //! - Kicks with a force gradient: `force_gradient`.
 //! - Equations of motion of every form: `equations`.
-//! - Equations of implicit steps, built from both kinds of derivatives: `field` for (q, p), `flow` for x, `contact`, `constraint`, and `lagrangian` for velocities.
-//! - The energy that a symmetric step of order 2 keeps up to h⁴: `modified`.
-//! - Forces by velocities in place of momenta: `by_velocities`.
+//! - Equations of implicit steps, built from both kinds of derivatives: `field` for (q, p), `flow` for x' = f(x), `contact`, `constraint`, and `lagrangian` for
+//!   velocities.
+//! - The energy H + h²H₂ that a symmetric splitting of order 2 keeps with an error of O(h⁴): `modified`.
+//! - Forces as functions of (q, v) in place of (q, p): `by_velocities`.
 //! - Recurrences of Taylor coefficients: `jet`.
 //!
-//! All functions accept nodes that are not defined everywhere; `derive/domain` adds the tests. The derivative of a selection selects between the derivatives, so
-//! a jump has no derivative.
+//! All functions accept nodes that are not defined everywhere; `derive/domain` adds the tests. The derivative of a selection selects between the derivatives of
+//! its branches, so a jump adds nothing to it. `analyze/identity/crossings` finds jumps.
 
 // In reading order.
 mod rules;

@@ -1,7 +1,7 @@
 //! Tests of a point: domain of definition, boundary, parameters, powers and angles.
 
+use super::context::{Context, Values};
 use super::implementation::flag;
-use super::kernel::{Context, Values};
 use super::poles;
 use crate::derive::{Angles, Check, Domain, Edges, Sign};
 use crate::schedule::Routine;
@@ -79,7 +79,7 @@ pub(super) fn domain(context: &Context<'_>, domain: &Domain) -> TokenStream {
 fn angles(context: &Context<'_>, angles: &Angles) -> TokenStream {
     let printer = context.printer();
     context.outputs(&angles.sides, |outputs| {
-        let sides = outputs.iter().flat_map(Values::rows);
+        let sides = outputs.iter().flat_map(Values::rows_of_array);
         let shown = angles.all.iter().zip(sides).map(|(angle, sides)| {
             let what = printer.excerpt(*angle);
             quote!(visit(#what, #sides);)

@@ -1,7 +1,7 @@
 //! Items of flows x' = f(x, t) only: the field, and the integrals.
 
+use super::context::Context;
 use super::implementation::proven;
-use super::kernel::Context;
 use super::structure::self_type;
 use super::system::keeps_energy;
 use crate::derive::{Integrals, NamedFunction, System};

@@ -1,7 +1,7 @@
 //! Implementations of the runtime's traits. A table describes each trait that some systems lack. The table gives both the implementation for a system with
 //! the trait, and the implementation that no scalar satisfies for a system without it.
 
-use super::kernel::Context;
+use super::context::Context;
 use super::missing::unsatisfied;
 use super::signature::{Absent, Inline, Method, Trait, Ty};
 use super::structure::self_type;

@@ -1,7 +1,7 @@
 //! Items of systems that are given by a Lagrangian: its value, and the maps between velocities and momenta.
 
+use super::context::Context;
 use super::implementation::proven;
-use super::kernel::Context;
 use super::structure::{self_type, state};
 use crate::derive::Lagrangian;
 use crate::parse::Energy;

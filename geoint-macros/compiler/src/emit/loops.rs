@@ -2,7 +2,7 @@
 
 use super::tokens::Tokens;
 use super::writer::{SLOTS, Writer};
-use crate::schedule::{Call, Computed, Loop, Register, Run, Source, Statement};
+use crate::schedule::{Call, Computed, Loop, Register, Source, Statement, Successive};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
@@ -10,8 +10,8 @@ impl Writer<'_> {
     /// Prints a loop. Later statements read the entries of its array.
     pub(super) fn print_loop(&mut self, each: &Loop) {
         let mut body = TokenStream::new();
-        for (register, run) in &each.reads {
-            let (register, value) = (self.names_of(&[*register]), self.run(run));
+        for (register, successive) in &each.reads {
+            let (register, value) = (self.names_of(&[*register]), self.entry_of(successive));
             body.extend(quote!(let #register = #value;));
         }
         for statement in &each.body {
@@ -29,7 +29,7 @@ impl Writer<'_> {
         }
         let (length, results, i) = (number(each.length), self.names_of(&each.results), member());
         if let Some(target) = &each.target {
-            let target = self.run(target);
+            let target = self.entry_of(target);
             self.extend(quote!(for #i in 0..#length { #body #target = #results; }));
             return;
         }
@@ -54,9 +54,9 @@ impl Writer<'_> {
     }
 
     /// Returns the operand or the target of member i.
-    fn run(&self, run: &Run) -> TokenStream {
-        let at = |k: usize| index(run.first[k], run.step[k]);
-        match run.source {
+    fn entry_of(&self, successive: &Successive) -> TokenStream {
+        let at = |k: usize| index(successive.first[k], successive.step[k]);
+        match successive.source {
             Source::Given(array, rank) => {
                 let (array, indices) = ((self.names.array)(array), (0..rank).rev().map(at));
                 quote!(#array #([#indices])*)
@@ -66,7 +66,7 @@ impl Writer<'_> {
                 quote!(#slots[#at])
             }
             Source::Computed(computed) => entry(computed, &at(0)),
-            // A shared operand is no run.
+            // A shared operand is read before the loop.
             Source::One(_) => Tokens::default().into_token_stream(),
         }
     }

@@ -1,6 +1,6 @@
 //! Traits that no scalar implements. The error message of such a trait states why a system lacks a property.
 
-use super::kernel::Context;
+use super::context::Context;
 use crate::derive::{Missing, Pair};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};

@@ -10,7 +10,7 @@ mod implementation;
 mod implicit;
 mod jet;
 mod tokens;
-mod kernel;
+mod context;
 mod lagrangian;
 mod loops;
 mod statements;
@@ -28,7 +28,7 @@ use crate::compilation::Compilation;
 use crate::derive::Derived;
 use crate::lower::VELOCITY;
 use crate::parse::{self, Energy, Form, Role};
-use kernel::Context;
+use context::Context;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 

@@ -1,6 +1,6 @@
 //! Error messages for constants and aliases that the attribute repeats but the file does not define.
 
-use super::kernel::Context;
+use super::context::Context;
 use proc_macro2::{Ident, TokenStream};
 use quote::{quote, quote_spanned};
 

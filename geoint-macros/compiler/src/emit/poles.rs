@@ -1,7 +1,7 @@
 //! Poles of the energy, and changes of conditions, between the start and the end of a step.
 
+use super::context::{Context, Values, by_output};
 use super::implementation::flag;
-use super::kernel::{Context, Values, by_output};
 use super::tokens::Tokens;
 use super::writer::{Names, routine};
 use crate::analyze::Jump;

@@ -1,7 +1,7 @@
 //! The generated struct, its types, and the user's methods.
 
 use super::attributes;
-use super::kernel::Context;
+use super::context::Context;
 use super::tokens::Tokens;
 use crate::derive::{Kernels, System};
 use crate::parse::{Energy, Form, Leaf, over_scalar};

@@ -1,9 +1,9 @@
 //! Implementations of all systems: energy, gradient, vector field, and proven facts.
 
+use super::context::Context;
 use super::domain::domain;
 use super::exact;
 use super::implementation::{flag, proven};
-use super::kernel::Context;
 use super::structure::{self_type, state, state_type};
 use crate::derive::{Fact, Kernels, Modified, System};
 use crate::parse::{Energy, Form, over_scalar};

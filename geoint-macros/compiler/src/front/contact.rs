@@ -2,7 +2,7 @@
 
 use crate::analyze::{self, Forces};
 use crate::compilation::Compilation;
-use crate::derive::{self, ContactEnergy, Derived, Findings, Forced};
+use crate::derive::{self, ContactEnergy, Derived, Findings, ForcedContact};
 use crate::diagnostics::Result;
 use crate::legendre::Legendre;
 use crate::lower::Terms;
@@ -42,8 +42,8 @@ pub(super) fn forced(compilation: &mut Compilation<'_>, mut terms: Terms, legend
     }
     check::forced_action(compilation, damping.as_ref())?;
     let energy = terms.energy;
-    let Forced { system, drag } =
-        derive::forced(compilation, energy, damping.as_ref(), forces.as_ref(), &terms.partial);
+    let ForcedContact { system, drag } =
+        derive::forced_contact(compilation, energy, damping.as_ref(), forces.as_ref(), &terms.partial);
     let findings = Findings::Forced { energy, forces, drag };
     Ok(Derived { system, legendre: Some(legendre), findings }.with_velocities(compilation))
 }

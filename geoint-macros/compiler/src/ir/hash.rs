@@ -54,17 +54,17 @@ pub(crate) fn of(thing: &impl Hash) -> u32 {
 pub(super) fn of_node(node: &Node) -> u32 {
     let mut fold = Fold::default();
     match node {
-        Node::Number(value) => fold.fold(value.word()),
+        Node::Number(value) => fold.fold(value.hash_word()),
         Node::Symbol(symbol) => symbol.hash(&mut fold),
         Node::Linear(constant, terms) => {
-            fold.fold(constant.word());
+            fold.fold(constant.hash_word());
             for (c, id) in terms {
-                fold.fold(c.word());
+                fold.fold(c.hash_word());
                 fold.fold(id.index() as u64);
             }
         }
         Node::Power(base, exponent) => {
-            fold.fold(exponent.word());
+            fold.fold(exponent.hash_word());
             fold.fold(base.index() as u64);
         }
         Node::Call(function, _) => fold.fold(*function as u64),

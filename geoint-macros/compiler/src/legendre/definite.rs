@@ -1,6 +1,6 @@
 //! Proves that a mass matrix is positive definite at every state: L is a sum of squares of velocities, and all squares vanish at rest only.
 
-use super::{invariant, is_velocity};
+use super::{idle_coordinates::without_idle_coordinates, is_velocity};
 use crate::analyze::Degrees;
 use crate::diff;
 use crate::ir::{Graph, Id, Node, Ratio, Symbol};
@@ -123,7 +123,7 @@ fn vanishes_alone(graph: &mut Graph, squares: &[Square], slopes: &[Vec<Id>], lef
     }
     let products: Vec<Id> = terms.iter().map(|(still, moving)| graph.mul(*still, *moving)).collect();
     let sum = graph.sum(&products);
-    let sum = invariant::simplified(graph, sum);
+    let sum = without_idle_coordinates(graph, sum);
     let condition = if !graph.reads(sum).moves() {
         Some(sum)
     } else {

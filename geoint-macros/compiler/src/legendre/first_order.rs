@@ -6,7 +6,7 @@
 //! Ω may vanish on half of the coordinates, called y. Then ϑ + ∇f has no entries in y for some function f. The other half, x, and P = ϑₓ + ∂f/∂x are
 //! canonical coordinates.
 
-use super::{add_unconditional, at_rest, divisors, invariant, without_velocities};
+use super::{add_unconditional, at_rest, divisors, idle_coordinates::without_idle_coordinates, without_velocities};
 use crate::analyze;
 use crate::analyze::liouville::{self, Logarithm};
 use crate::diff;
@@ -47,19 +47,19 @@ pub(crate) struct Canonical {
 
 /// The reason why the equations do not determine q'.
 #[derive(Debug)]
-pub(crate) enum NotRegular {
+pub(crate) enum FirstOrderFlaw {
     /// An odd number of coordinates that Ω couples with each other, but with no others.
-    Odd(Vec<u32>),
+    OddBlock(Vec<u32>),
     /// Ω is singular at every state on these coordinates.
     Singular(Vec<u32>),
     /// ϑ depends on time.
-    Timed(u32),
-    /// Ω couples more than [`MOST`] coordinates.
-    Large(Vec<u32>),
+    ReadsTime(u32),
+    /// Ω couples more than [`LARGEST_BLOCK`] coordinates.
+    TooLarge(Vec<u32>),
 }
 
 /// Largest number of coupled coordinates. A Pfaffian of 10 coordinates has 945 terms.
-const MOST: usize = 8;
+pub(crate) const LARGEST_BLOCK: usize = 8;
 
 /// Splits L with the momenta ϑ = ∂L/∂v. Precondition: ϑ reads no velocity. `written` lists the partial nodes of L.
 pub(crate) fn first_order(
@@ -67,10 +67,10 @@ pub(crate) fn first_order(
     lagrangian: Id,
     momenta: &[Id],
     written: &[UndefinedAt],
-) -> Result<FirstOrder, NotRegular> {
+) -> Result<FirstOrder, FirstOrderFlaw> {
     let momenta: Vec<Id> = momenta.iter().map(|momentum| at_rest(graph, *momentum)).collect();
     if let Some(i) = momenta.iter().position(|momentum| graph.reads(*momentum).t) {
-        return Err(NotRegular::Timed(i as u32));
+        return Err(FirstOrderFlaw::ReadsTime(i as u32));
     }
     let rest = at_rest(graph, lagrangian);
     let energy = graph.neg(rest);
@@ -93,12 +93,12 @@ pub(crate) fn first_order(
 fn form(graph: &mut Graph, momenta: &[Id]) -> Vec<Vec<Id>> {
     let n = momenta.len();
     let coordinates: Vec<Symbol> = (0..n as u32).map(Symbol::Position).collect();
-    let slopes = diff::jacobian(graph, momenta, &coordinates);
+    let jacobian = diff::jacobian(graph, momenta, &coordinates);
     let mut form = vec![vec![graph.zero(); n]; n];
     for i in 0..n {
         for j in 0..i {
-            let entry = graph.sub(slopes[i][j], slopes[j][i]);
-            form[j][i] = invariant::simplified(graph, entry);
+            let entry = graph.sub(jacobian[i][j], jacobian[j][i]);
+            form[j][i] = without_idle_coordinates(graph, entry);
             form[i][j] = graph.neg(form[j][i]);
         }
     }
@@ -106,20 +106,20 @@ fn form(graph: &mut Graph, momenta: &[Id]) -> Vec<Vec<Id>> {
 }
 
 /// Computes Ω⁻¹ by blocks of coupled coordinates.
-fn inverse(graph: &mut Graph, form: &[Vec<Id>]) -> Result<Vec<Vec<Id>>, NotRegular> {
+fn inverse(graph: &mut Graph, form: &[Vec<Id>]) -> Result<Vec<Vec<Id>>, FirstOrderFlaw> {
     let mut inverse = vec![vec![graph.zero(); form.len()]; form.len()];
     for block in diff::blocks(graph, form) {
         if !block.len().is_multiple_of(2) {
-            return Err(NotRegular::Odd(block));
+            return Err(FirstOrderFlaw::OddBlock(block));
         }
-        if block.len() > MOST {
-            return Err(NotRegular::Large(block));
+        if block.len() > LARGEST_BLOCK {
+            return Err(FirstOrderFlaw::TooLarge(block));
         }
         let mut pfaffians = Pfaffians { form, block: &block, known: HashMap::new() };
         let all = (1 << block.len()) - 1;
         let whole = pfaffians.of(graph, all);
         if analyze::identity(graph, whole).is_zero() {
-            return Err(NotRegular::Singular(block));
+            return Err(FirstOrderFlaw::Singular(block));
         }
         let reciprocal = graph.recip(whole);
         for i in 0..block.len() {

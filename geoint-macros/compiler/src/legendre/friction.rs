@@ -1,5 +1,6 @@
 //! Rayleigh's dissipation function R(q, v, t). Its force −∂R/∂v is damping −Cv with C = ∂²R/∂v² if R is a quadratic form.
 
+use super::idle_coordinates::without_idle_coordinates;
 use super::mass::masses;
 use super::{Legendre, at_rest, is_velocity, kinks};
 use crate::analyze;
@@ -68,7 +69,7 @@ pub(crate) fn rate(graph: &mut Graph, damping: &[Vec<Id>], Legendre { mass, shif
     let entries: Vec<(Id, Id)> = damping.concat().into_iter().zip(mass.concat()).collect();
     let (c, m) = entries.iter().find(|(_, m)| !graph.is_zero(*m))?;
     let rate = graph.div(*c, *m);
-    let rate = super::invariant::simplified(graph, rate);
+    let rate = without_idle_coordinates(graph, rate);
     if graph.is_zero(rate) || graph.reads(rate).state() {
         return None;
     }

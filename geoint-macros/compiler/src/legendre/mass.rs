@@ -1,6 +1,6 @@
 //! The mass matrix M = ∂²L/∂v².
 
-use super::{Flaw, at_rest, invariant, is_velocity};
+use super::{Flaw, at_rest, idle_coordinates::without_idle_coordinates, is_velocity};
 use crate::ir::{Graph, Id, Symbol};
 use crate::{analyze, diff};
 
@@ -23,7 +23,8 @@ pub(super) fn simplified(graph: &mut Graph, mass: &[Vec<Id>]) -> Vec<Vec<Id>> {
     let mut simple = mass.to_vec();
     for i in 0..mass.len() {
         for j in 0..=i {
-            let entry = if graph.reads(mass[i][j]).v { mass[i][j] } else { invariant::simplified(graph, mass[i][j]) };
+            let entry =
+                if graph.reads(mass[i][j]).v { mass[i][j] } else { without_idle_coordinates(graph, mass[i][j]) };
             (simple[i][j], simple[j][i]) = (entry, entry);
         }
     }

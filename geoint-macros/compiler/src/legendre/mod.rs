@@ -7,7 +7,7 @@ mod conjugate;
 mod definite;
 mod first_order;
 mod friction;
-mod invariant;
+mod idle_coordinates;
 mod kinks;
 mod mass;
 mod parts;
@@ -18,7 +18,7 @@ use crate::diff;
 use crate::ir::substitute::{Substitution, at_zero};
 use crate::ir::{Graph, Id, Node, Symbol, UndefinedAt};
 pub(crate) use definite::{Definite, definite};
-pub(crate) use first_order::{Canonical, FirstOrder, NotRegular, first_order};
+pub(crate) use first_order::{Canonical, FirstOrder, FirstOrderFlaw, LARGEST_BLOCK, first_order};
 pub(crate) use friction::{Friction, NoFriction, friction, rate};
 use parts::Parts;
 

@@ -1,6 +1,6 @@
 //! The form yᵀM⁻¹y, computed from M = LDLᵀ without M⁻¹.
 
-use super::invariant::simplified;
+use super::idle_coordinates::without_idle_coordinates;
 use crate::analyze::vanishes;
 use crate::ir::{Graph, Id, Number, Ratio, Symbol};
 
@@ -97,7 +97,7 @@ fn pivot(graph: &mut Graph, mass: &[Vec<Id>], y: &[Id], left: &[usize]) -> Resul
         let product = graph.mul(mass[i][i], mass[j][j]);
         let square = graph.pow(mass[i][j], Ratio::integer(2));
         let determinant = graph.sub(product, square);
-        let determinant = simplified(graph, determinant);
+        let determinant = without_idle_coordinates(graph, determinant);
         // The determinant vanishes exactly where M is singular.
         if !vanishes(graph, determinant) {
             return Ok(Pivot::Two { i, j, determinant });

@@ -1,18 +1,19 @@
-//! From nodes to statements: when each value is computed, once, and in which order.
+//! From nodes to statements. Each value is computed once: here it is decided at which level, in which branch and in which order.
 //!
 //! A routine is a function of the emitted code, given by the nodes of its outputs (`routine`). A kernel is a list of routines that share prepared numbers
-//! (`kernel`). `Scheduler` holds the graph and the places of symbols in arrays (`scheduler`, `layout`).
+//! (`kernel`; its `cost` lets `split` compare partitions of an energy). `Scheduler` holds the graph and the places of symbols in arrays (`scheduler`, `layout`).
 //!
-//! Every symbol has a level, the time at which it is known (`levels`): parameters before h, h before the state, the start of a step before
-//! Newton's iterates. A node has the level of its latest symbol. The routine of this level computes the node and stores it in a slot, an entry of an array, from
-//! which routines of later levels read it.
+//! Every symbol has a level, the moment at which it is known (`levels`): parameters before h, h before the state, the start of a step before
+//! Newton's iterates. A node has the level of its latest symbol. The routine of this level computes the node. If a later level reads it, it is stored in a slot, an
+//! entry of an array.
 //!
 //! 1. `lowering` turns nodes into statements (`block`, `instruction`). Equal operations are one statement. Values that only one branch uses are computed in this
-//!    branch. Helpers of this step: `factors` takes common factors out of sums; `arithmetic` orders operations by the time at which their operands are ready; `joint`
-//!    computes several results by one call, such as sine and cosine; `together` merges selections by one condition into one branch.
-//! 2. `passes` arranges the statements: alike statements become `loops`, or four alike operations side by side become `packs`.
+//!    branch. Helpers of this step: `factors` takes common factors out of sums; `arithmetic` orders the operands of sums and products by the moment at which they are
+//!    ready; `joint` computes several results by one call, such as sine and cosine; `together` merges selections by one condition into one branch.
+//! 2. `passes` arranges the statements: repeated statements become `loops`, and four alike operations become `packs`, which the processor computes as one vector.
 //!
-//! The printer in `emit` decides nothing.
+//! `factors` and `arithmetic` decide how results are rounded. Later passes keep every operation and its operands, so no bit of a result changes. The output is the
+//! same in every build, and the printer in `emit` decides nothing.
 
 mod arithmetic;
 mod block;
@@ -37,7 +38,7 @@ pub(crate) use kernel::{Kernel, Levels, cost};
 #[cfg(test)]
 pub(crate) use kernel::{Plan, plan, statements};
 pub(crate) use layout::{Array, Layout, Place, coordinate};
-pub(crate) use loops::{Computed, Loop, Run, Source};
+pub(crate) use loops::{Computed, Loop, Source, Successive};
 #[cfg(test)]
 pub(crate) use passes::arranged;
 pub(crate) use routine::{Argument, Extent, Output, Routine, Space, phase};

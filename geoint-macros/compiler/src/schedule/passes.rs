@@ -7,15 +7,17 @@ use super::{loops, packs};
 /// Arranges a block for the printer.
 ///
 /// - If nearly all statements repeat with moving indices, as along a chain of masses, they become loops: the code stays short.
-/// - Otherwise square roots and quotients with the same operands become packs, four operations side by side. Only these pay for moving numbers in and out of
-///   vector registers. The bodies of loops have none: rustc vectorises them.
+/// - Otherwise independent square roots and quotients of alike expressions become packs, four operations side by side. Cheaper operations would not repay
+///   the cost of moving numbers into vector registers and out of them. Bodies of loops have no packs, because rustc vectorises loops itself.
 ///
-/// `targets` are the places of the results in arrays. With targets, the block writes its results there and returns none. Without targets, it returns them.
+/// `targets` lists one place in an array for each result, or is empty. With targets, the block writes its results there and returns none: bodies of loops write their
+/// own results, and other writes come last. Without targets, the block returns its results.
 pub(crate) fn arranged(block: Block, layout: &Layout<'_>, targets: &[Place]) -> Block {
     if let Some(block) = loops::with_loops(&block, layout, targets) {
         return block;
     }
     let mut block = packs::with_packs(&block).unwrap_or(block);
+    debug_assert!(targets.is_empty() || targets.len() == block.results.len());
     if !targets.is_empty() {
         let results = std::mem::take(&mut block.results);
         let writes = targets.iter().zip(results).map(|(place, result)| Statement::Write(place.clone(), result));

@@ -1,7 +1,7 @@
 //! Dissipated momenta of contact systems: functions J of degree 1 in p that commute with H for every s and t. J' = −J ∂H/∂s, so all decay by one
 //! factor.
 
-use super::momenta::{self, Momentum};
+use super::momenta::{self, Conserved};
 use crate::analyze::degree::Degrees;
 use crate::analyze::separable::is_momentum;
 use crate::analyze::{degree_in, identity, terms};
@@ -16,7 +16,7 @@ pub(crate) struct Dissipated {
     /// Coordinates that H does not read. Their momenta decay.
     pub(crate) cyclic: Vec<u32>,
     /// Sums of momenta and angular momenta.
-    pub(crate) momenta: Vec<Momentum>,
+    pub(crate) momenta: Vec<Conserved>,
     /// Whether H decays.
     pub(crate) energy: bool,
 }
@@ -43,7 +43,7 @@ pub(crate) fn decay(graph: &mut Graph, lagrangian: Id) -> Id {
 }
 
 /// Adds the functions that follow from the symbols that H or L does not read. `None` if nothing decays, or if the action is not read.
-fn with_cyclic(graph: &Graph, root: Id, coordinates: &Shape, momenta: Vec<Momentum>) -> Option<Dissipated> {
+fn with_cyclic(graph: &Graph, root: Id, coordinates: &Shape, momenta: Vec<Conserved>) -> Option<Dissipated> {
     let read = graph.symbols(root);
     if !read.contains(&Symbol::Action) {
         return None;

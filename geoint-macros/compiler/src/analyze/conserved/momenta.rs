@@ -4,8 +4,9 @@
 //! with every leaf, so J commutes with H. The discrete gradient of the tree is Σ c·∇Q(m), with numbers c and the midpoint m of the step. J is at most quadratic,
 //! so a step changes J by exactly h Σ c·{J, Q}(m) = 0.
 //!
-//! J is a linear combination of generators, the monomials of degree 1 and 2 with usual names. Coefficients are numbers, or numbers times powers of parameters.
-//! For each generator one such power is tried beside 1. An integral with other coefficients is not found.
+//! J is a linear combination of generators: polynomials of degree 1 or 2 that have a usual name, such as pₓ or x p_y − y p_x. Coefficients are numbers, or numbers
+//! times a weight, a product of powers of parameters. For each generator one weight is tried beside 1: the weight by which its bracket can cancel brackets of other
+//! generators. This keeps the linear equations small. An integral with other coefficients is not found.
 
 use super::generators::{Generator, Summand, generators, name};
 use super::weights::{Term, Weight, divide_by_common, weights};
@@ -17,9 +18,9 @@ use crate::ir::{Graph, Id, Ratio, Reads};
 use crate::parse::Shape;
 use std::collections::BTreeMap;
 
-/// A conserved function of the state.
+/// A conserved function of the state, linear or quadratic.
 #[derive(Debug)]
-pub(crate) struct Momentum {
+pub(crate) struct Conserved {
     /// The usual name of the function.
     pub(crate) name: String,
     pub(crate) value: Id,
@@ -37,7 +38,7 @@ pub(in crate::analyze) fn momenta(
     degrees: &Degrees,
     energy: Id,
     coordinates: &Shape,
-) -> Vec<Momentum> {
+) -> Vec<Conserved> {
     of_generators(graph, degrees, energy, coordinates, &generators(coordinates))
 }
 
@@ -48,10 +49,10 @@ pub(super) fn of_generators(
     energy: Id,
     coordinates: &Shape,
     generators: &[Generator],
-) -> Vec<Momentum> {
-    let found = forms(graph, degrees, energy).and_then(|forms| {
-        let brackets = brackets(&moves(generators, coordinates.len()), &forms)?;
-        // Weights must be constant, so they must not read time, velocities or the action.
+) -> Vec<Conserved> {
+    let found = quadratics(graph, degrees, energy).and_then(|quadratics| {
+        let brackets = brackets(&brackets_of_variables(generators, coordinates.len()), &quadratics)?;
+        // Weights must be constant, so they must read parameters only.
         let steady = |atom: &Atom| match atom {
             Atom::Node(id) => graph.reads(*id) == Reads::default(),
             _ => true,
@@ -68,11 +69,12 @@ pub(super) fn of_generators(
     });
     let Some((unknowns, solutions)) = found else { return vec![] };
 
-    let alone = |solution: &Row| match solution.keys().collect::<Vec<_>>()[..] {
+    // The solutions are a reduced basis, so each conserved coordinate is a solution with one entry.
+    let single_coordinate = |solution: &Row| match solution.keys().collect::<Vec<_>>()[..] {
         [u] => generators[unknowns[*u].generator].coordinate(),
         _ => None,
     };
-    let kept: Vec<Variable> = solutions.iter().filter_map(alone).collect();
+    let conserved_coordinates: Vec<Variable> = solutions.iter().filter_map(single_coordinate).collect();
     let mut momenta = vec![];
     for solution in &solutions {
         let mut weights: Vec<Weight> = solution.keys().map(|u| unknowns[*u].weight.clone()).collect();
@@ -87,7 +89,7 @@ pub(super) fn of_generators(
             })
             .collect();
         // Functions of conserved coordinates give no new conserved function.
-        if summands.iter().all(|summand| summand.generator.is_function_of(&kept)) {
+        if summands.iter().all(|summand| summand.generator.is_function_of(&conserved_coordinates)) {
             continue;
         }
         let zero = graph.zero();
@@ -95,9 +97,9 @@ pub(super) fn of_generators(
             let weight = weight_node(graph, summand.weight);
             summand.generator.add_to(graph, sum, summand.number, weight)
         });
-        // Solutions that differ by a parameter as a factor have equal values.
-        if momenta.iter().all(|known: &Momentum| known.value != value) {
-            momenta.push(Momentum { name: name(coordinates, &summands), value });
+        // After the division, solutions that differ by a parameter as a factor have equal values.
+        if momenta.iter().all(|known: &Conserved| known.value != value) {
+            momenta.push(Conserved { name: name(coordinates, &summands), value });
         }
     }
     momenta
@@ -114,8 +116,8 @@ fn weight_node(graph: &mut Graph, weight: &Weight) -> Id {
     product
 }
 
-/// Expands the leaves of the tree of H, which are polynomials of degree 2 at most. `None` if a coefficient is no longer exact.
-fn forms(graph: &Graph, degrees: &Degrees, energy: Id) -> Option<Vec<Quadratic>> {
+/// Expands the leaves of the tree of H, which are polynomials of degree 2 at most. `None` if a rational number overflows; then no function is found.
+fn quadratics(graph: &Graph, degrees: &Degrees, energy: Id) -> Option<Vec<Quadratic>> {
     let leaves = leaves(graph, degrees, energy, 2)?;
     let mut expansion = Expansion::new(graph, degrees);
     leaves.iter().map(|leaf| expansion.leaf(leaf)).collect()
@@ -123,37 +125,40 @@ fn forms(graph: &Graph, degrees: &Degrees, energy: Id) -> Option<Vec<Quadratic>>
 
 /// A term of the bracket {u, J} of a variable u with a generator J: `coefficient·variable`.
 #[derive(Clone)]
-struct Move {
+struct BracketTerm {
     generator: usize,
     coefficient: i128,
     variable: Variable,
 }
 
 /// Returns the terms of {u, J} for all generators J, by the variable u.
-fn moves(generators: &[Generator], degrees_of_freedom: usize) -> Vec<Vec<Move>> {
-    let mut moves = vec![vec![]; 2 * degrees_of_freedom];
+fn brackets_of_variables(generators: &[Generator], degrees_of_freedom: usize) -> Vec<Vec<BracketTerm>> {
+    let mut terms = vec![vec![]; 2 * degrees_of_freedom];
     for (g, generator) in generators.iter().enumerate() {
         for (c, [a, b]) in &generator.terms {
             // {u, a b} = {u, a} b + a {u, b}, and {q, p} = 1 = −{p, q}. Variables 2i and 2i + 1 are qᵢ and pᵢ; the last variable is the constant 1.
             for (x, variable) in [(*a, *b), (*b, *a)] {
                 let (conjugate, sign) = if x % 2 == 0 { (x + 1, -1) } else { (x - 1, 1) };
-                if let Some(moves) = moves.get_mut(conjugate as usize) {
-                    moves.push(Move { generator: g, coefficient: sign * c, variable });
+                // The constant has no conjugate: its number is out of range.
+                if let Some(terms) = terms.get_mut(conjugate as usize) {
+                    terms.push(BracketTerm { generator: g, coefficient: sign * c, variable });
                 }
             }
         }
     }
-    moves
+    terms
 }
 
-/// Returns the brackets of all generators with each form, sorted by variables. `None` if a number is no longer exact.
-fn brackets<'a>(moves: &[Vec<Move>], forms: &'a [Quadratic]) -> Option<Vec<Vec<Term<'a>>>> {
-    let of = |form: &'a Quadratic| {
+/// Returns the brackets of all generators with each quadratic expression, sorted by variables. `None` if a rational number overflows.
+fn brackets<'a>(of_variables: &[Vec<BracketTerm>], quadratics: &'a [Quadratic]) -> Option<Vec<Vec<Term<'a>>>> {
+    let of = |quadratic: &'a Quadratic| {
         let mut bracket = vec![];
-        for monomial in form {
+        for monomial in quadratic {
             let [a, b] = monomial.variables;
             for (u, rest) in [(a, b), (b, a)] {
-                for Move { generator, coefficient, variable } in moves.get(u as usize).into_iter().flatten() {
+                for BracketTerm { generator, coefficient, variable } in
+                    of_variables.get(u as usize).into_iter().flatten()
+                {
                     let variables = [rest.min(*variable), rest.max(*variable)];
                     let number = monomial.number.mul(Ratio::integer(*coefficient))?;
                     bracket.push(Term { variables, generator: *generator, atoms: &monomial.atoms, number });
@@ -163,10 +168,10 @@ fn brackets<'a>(moves: &[Vec<Move>], forms: &'a [Quadratic]) -> Option<Vec<Vec<T
         bracket.sort_by_key(|term: &Term<'_>| term.variables);
         Some(bracket)
     };
-    forms.iter().map(of).collect()
+    quadratics.iter().map(of).collect()
 }
 
-/// Returns a basis of the combinations of unknowns whose brackets with all forms vanish.
+/// Returns a reduced basis of the combinations of unknowns whose brackets with all quadratic expressions vanish.
 fn commuting(unknowns: &[Unknown], generators: usize, brackets: &[Vec<Term<'_>>]) -> Option<Vec<Row>> {
     let mut of_generator = vec![vec![]; generators];
     for (number, Unknown { generator, weight }) in unknowns.iter().enumerate() {

@@ -100,7 +100,7 @@ fn is_crossed(graph: &mut Graph, x: &[Symbol], field: &[Id], difference: Id) -> 
     parts(graph, difference).into_iter().any(|part| {
         let rate = diff::derivative_along(graph, x, field, part, None);
         let rate = graph.sum(&rate);
-        !vanishes(graph, rate) && !(vanishes_on(graph, part, rate) && is_lipschitz(graph, rate))
+        !(vanishes(graph, rate) || vanishes_on(graph, part, rate) && is_lipschitz(graph, rate))
     })
 }
 
@@ -119,8 +119,9 @@ fn is_lipschitz(graph: &mut Graph, rate: Id) -> bool {
 
 /// Returns whether no step moves a state off the zeros of a difference, not even by rounding.
 ///
-/// Each factor of the difference must read resting coordinates only, or must be a coordinate whose rate vanishes with it. Every method keeps both bit by
-/// bit: its increments of such a coordinate are zero. One factor that rounding moves is enough to change the sign of the difference.
+/// Each factor of the difference must read resting coordinates only, or must be a coordinate whose rate vanishes with it. Every method keeps a resting coordinate,
+/// and a coordinate that is zero, bit by bit. One factor that rounding moves is enough to change the sign of the difference. States beside the surface are not
+/// covered: a step that is much too long may lead across it.
 fn is_exact(graph: &mut Graph, x: &[Symbol], field: &[Id], difference: Id) -> bool {
     let zero = graph.zero();
     parts(graph, difference).into_iter().all(|factor| {

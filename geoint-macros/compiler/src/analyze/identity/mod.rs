@@ -22,7 +22,7 @@ use crate::ir::{Function, Graph, Id, Node, Number, Symbol};
 pub(crate) use angles::{angles, broken_at};
 pub(crate) use residues::Bound;
 use rounding::Shown;
-pub(crate) use rounding::{Direction, is_regular, retain_constant};
+pub(crate) use rounding::{Direction, is_regular, retain_likely_constant};
 use std::collections::{BTreeSet, HashSet};
 pub(crate) use witness::{Value, Witness};
 

@@ -81,7 +81,7 @@ pub(super) fn shown_at(
 }
 
 /// Retains the directions along which no evaluation shows that a node changes. The derivatives along these directions are worth a proof.
-pub(crate) fn retain_constant(graph: &Graph, root: Id, directions: &mut Vec<Direction>) {
+pub(crate) fn retain_likely_constant(graph: &Graph, root: Id, directions: &mut Vec<Direction>) {
     let symbols = graph.symbols(root);
     let mut evaluation = Evaluation::new(graph, &[root]);
     for draw in 0..FEW as u64 {

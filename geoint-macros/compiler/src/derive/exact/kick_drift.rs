@@ -33,9 +33,9 @@ pub(in crate::derive) fn kick_drift(
         }
         Some(term) => Err(Missing::new("QuadraticIn", term, NOT_QUADRATIC)),
     };
-    let repeats = ![parts.kinetic, parts.potential].iter().any(|part| graph.reads(*part).t);
-    let shows = repeats && domain::shows(graph, &impulse.q, partial);
-    KickDrift { kick, drift, exact_in_time: false, repeats, shows, gradient_kick, undamped: None }
+    let kicks_repeat = ![parts.kinetic, parts.potential].iter().any(|part| graph.reads(*part).t);
+    let kicks_show = kicks_repeat && domain::shows(graph, &impulse.q, partial);
+    KickDrift { kick, drift, time_passes_in_drift: false, kicks_repeat, kicks_show, gradient_kick, undamped: None }
 }
 
 /// Returns the increments of momenta in the flow of V.

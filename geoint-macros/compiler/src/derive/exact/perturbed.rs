@@ -41,23 +41,23 @@ pub(in crate::derive) fn kernels(graph: &mut Graph, division: &Division, degrees
     let flow = FlowKernel::with_increments(graph, Levels::Prepared, changed);
     let impulse = impulse(graph, parts.kick, degrees);
     let impulse = weighted(graph, parts, impulse);
-    let kick = match &parts.jump {
+    let flow_of_b = match &parts.jump {
         Some(jump) if jump.commutes => beside_jump(graph, jump, &impulse),
         Some(jump) => between_jumps(graph, jump, &impulse),
         None => increments(graph, Symbol::Momentum, &impulse),
     };
     Ok(Perturbed {
-        exact: parts.exact,
-        rest,
-        is_kick: parts.jump.is_none(),
-        is_exact: parts.jump.as_ref().is_none_or(|jump| jump.commutes),
-        parts: parts.parts.clone(),
-        known: parts.known.clone(),
-        flow,
-        flow_after_kick,
-        exact_in_time: parts.clock == Clock::Own,
-        kick,
-        repeats: parts.jump.is_none() && !graph.reads(parts.kick).t,
+        a: parts.exact,
+        b: rest,
+        b_is_kick: parts.jump.is_none(),
+        b_is_exact: parts.jump.as_ref().is_none_or(|jump| jump.commutes),
+        own_motions: parts.parts.clone(),
+        rules: parts.known.clone(),
+        flow_of_a: flow,
+        flow_of_a_after_kick: flow_after_kick,
+        time_passes_in_a: parts.clock == Clock::Own,
+        flow_of_b,
+        kicks_repeat: parts.jump.is_none() && !graph.reads(parts.kick).t,
         gradient_kick,
         inner: parts.inner.as_ref().map(|inner| {
             let shares = Output::array("shares", &[inner.shares.len(), 2], inner.shares.concat());
@@ -66,7 +66,7 @@ pub(in crate::derive) fn kernels(graph: &mut Graph, division: &Division, degrees
                 enter: FlowKernel::new(Levels::One, inner.enter.clone()),
                 leave: FlowKernel::new(Levels::One, inner.leave.clone()),
                 shares: inner.shares.clone(),
-                weighed: Routine::new("unsuitable", vec![Output::row("masses", inner.masses.clone()), shares]),
+                check_of_masses: Routine::new("unsuitable", vec![Output::row("masses", inner.masses.clone()), shares]),
             }
         }),
     })

@@ -1,7 +1,7 @@
 //! Kernels of the methods of one form: implicit methods, and splittings of rigid bodies.
 
 use super::Missing;
-use crate::analyze::{MeanValue, Momentum};
+use crate::analyze::{Conserved, MeanValue};
 use crate::derive::bodies::BodyKernels;
 use crate::ir::Id;
 use crate::schedule::{Kernel, Routine, Scheduler, Space};
@@ -83,7 +83,7 @@ pub(crate) struct VelocityKernels {
 /// A momentum that a flow keeps.
 #[derive(Debug)]
 pub(crate) struct KeptMomentum {
-    pub(crate) momentum: Momentum,
+    pub(crate) momentum: Conserved,
     /// True if the polarised discrete gradient keeps it, too.
     pub(crate) by_gradient: bool,
 }

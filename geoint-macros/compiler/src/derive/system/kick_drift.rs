@@ -8,12 +8,12 @@ use crate::schedule::{Routine, Scheduler};
 pub(crate) struct KickDrift {
     pub(crate) kick: FlowKernel,
     pub(crate) drift: FlowKernel,
-    /// True if a drift is exact in its own time.
-    pub(crate) exact_in_time: bool,
-    /// True if the impulse of a kick depends on positions only.
-    pub(crate) repeats: bool,
-    /// True if a kick outside the domain of the energy makes momenta that are not finite.
-    pub(crate) shows: bool,
+    /// True if time passes during a drift. Otherwise T is followed at the fixed time of the kick.
+    pub(crate) time_passes_in_drift: bool,
+    /// True if the impulse of a kick depends on positions only. Two kicks at the same positions then have the same impulse, and the runtime computes it once.
+    pub(crate) kicks_repeat: bool,
+    /// True if a kick outside the domain of the energy makes momenta that are not finite. The runtime then sees them without a test of the domain.
+    pub(crate) kicks_show: bool,
     pub(crate) gradient_kick: Result<GradientKick, Missing>,
     /// For contact systems.
     pub(crate) undamped: Option<Undamped>,
@@ -36,7 +36,7 @@ pub(crate) struct Undamped {
 }
 
 impl KickDrift {
-    /// Computes the statements of all routines.
+    /// Schedules all routines. The caller has built all nodes.
     pub(super) fn schedule(&mut self, scheduler: &mut Scheduler<'_>) {
         self.kick.kernel.schedule(scheduler);
         self.drift.kernel.schedule(scheduler);

@@ -1,4 +1,6 @@
-//! H = A + B: a part A with an exact flow, and the rest B.
+//! Kernels of methods for H = A + B, such as planets around a sun: A has an exact flow, and B is small. `split` has chosen A.
+//!
+//! A step alternates the flows of A and B, so its error is proportional to B. The runtime's traits are `PerturbedSystem` and `PerturbedGradient`.
 
 use super::{FlowKernel, Missing};
 use crate::ir::Id;
@@ -6,57 +8,61 @@ use crate::schedule::{Routine, Scheduler};
 use crate::split::OwnMotion;
 use std::ops::Range;
 
-/// Flows of A and B.
+/// Both parts of H and their flows.
 #[derive(Debug)]
 pub(crate) struct Perturbed {
-    /// A.
-    pub(crate) exact: Id,
-    /// B.
-    pub(crate) rest: Id,
-    /// True if the flow of B is a kick.
-    pub(crate) is_kick: bool,
-    /// True if the flow of B is exact. Otherwise it is replaced by a step of order 2.
-    pub(crate) is_exact: bool,
-    /// Parts of the flow of A that may end within a step.
-    pub(crate) parts: Vec<(OwnMotion, Range<usize>)>,
-    /// Rules of the flow of A: their names, energies and sources.
-    pub(crate) known: Vec<String>,
-    pub(crate) flow: FlowKernel,
-    /// Flow of A after a kick that adds Dp to the momenta. Present if the flow is linear in p. The kick then enters through one product and one
-    /// sum.
-    pub(crate) flow_after_kick: Option<FlowKernel>,
-    /// True if the flow of A is exact in its own time.
-    pub(crate) exact_in_time: bool,
-    pub(crate) kick: FlowKernel,
-    /// True if the impulse of a kick depends on positions only.
-    pub(crate) repeats: bool,
+    pub(crate) a: Id,
+    pub(crate) b: Id,
+    /// Motions inside A that may end within a step, such as a fall into the centre of attraction, each with the range of coordinates that it moves.
+    pub(crate) own_motions: Vec<(OwnMotion, Range<usize>)>,
+    /// Lines of the report: the rules that gave the flow of A, with energies and sources.
+    pub(crate) rules: Vec<String>,
+    /// True if time passes during the flow of A. Otherwise A is followed at the fixed time of the kick.
+    pub(crate) time_passes_in_a: bool,
+    pub(crate) flow_of_a: FlowKernel,
+    /// Flow of A from momenta p + Δp, where Δp is the impulse of a kick. Present if the flow of A is linear in p with constant coefficients. The sums of
+    /// the flow then do not wait for Δp, which enters through one product and one sum.
+    pub(crate) flow_of_a_after_kick: Option<FlowKernel>,
+    /// Flow of B: a kick, or a kick and a motion of the positions.
+    pub(crate) flow_of_b: FlowKernel,
+    /// True if B moves momenta only.
+    pub(crate) b_is_kick: bool,
+    /// True if `flow_of_b` is exact. Otherwise it is a symmetric step of order 2.
+    pub(crate) b_is_exact: bool,
+    /// True if the impulse of a kick depends on positions only. Two kicks at the same positions then have the same impulse, and the runtime computes it once.
+    pub(crate) kicks_repeat: bool,
+    /// Kick by B with a force gradient.
     pub(crate) gradient_kick: Result<FlowKernel, Missing>,
+    /// Coordinates in which A and B move, if these differ from the coordinates of the state.
     pub(crate) inner: Option<Inner>,
 }
 
-/// Coordinates in which A and B move, if these differ from the coordinates of the state.
+/// Coordinates of a method, such as Jacobi's for bodies that attract each other.
 #[derive(Debug)]
 pub(crate) struct Inner {
+    /// Name in the report.
     pub(crate) name: &'static str,
+    /// From the coordinates of the state.
     pub(crate) enter: FlowKernel,
+    /// Back to the coordinates of the state.
     pub(crate) leave: FlowKernel,
-    /// Masses, each with its divisor.
+    /// Pairs (m, M) of a mass and a sum of masses: the coordinates divide m by M.
     pub(crate) shares: Vec<[Id; 2]>,
-    /// The values of all masses and shares, which the runtime checks.
-    pub(crate) weighed: Routine,
+    /// Evaluates the masses and `shares`. The runtime refuses parameters with |M| below the rounding error of m.
+    pub(crate) check_of_masses: Routine,
 }
 
 impl Perturbed {
-    /// Computes the statements of all routines.
+    /// Schedules all routines. The caller has built all nodes.
     pub(super) fn schedule(&mut self, scheduler: &mut Scheduler<'_>) {
-        let kicks = [&mut self.kick].into_iter().chain(&mut self.gradient_kick);
-        for flow in [&mut self.flow].into_iter().chain(&mut self.flow_after_kick).chain(kicks) {
+        let kicks = [&mut self.flow_of_b].into_iter().chain(&mut self.gradient_kick);
+        for flow in [&mut self.flow_of_a].into_iter().chain(&mut self.flow_of_a_after_kick).chain(kicks) {
             flow.kernel.schedule(scheduler);
         }
-        if let Some(Inner { enter, leave, weighed, .. }) = &mut self.inner {
+        if let Some(Inner { enter, leave, check_of_masses, .. }) = &mut self.inner {
             enter.kernel.schedule(scheduler);
             leave.kernel.schedule(scheduler);
-            weighed.schedule(scheduler);
+            check_of_masses.schedule(scheduler);
         }
     }
 }

@@ -3,8 +3,8 @@
 use super::kick_drift::{SEPARABLE, moves, quadratic};
 use super::{assign, flow, slots};
 use crate::derive::{BodyKernels, Shift, Turn};
+use crate::emit::context::Context;
 use crate::emit::implementation::{Implementation, flag, proven};
-use crate::emit::kernel::Context;
 use crate::emit::tokens::{Tokens, element};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -54,7 +54,7 @@ fn splitting(context: &Context<'_>, bodies: &BodyKernels) -> TokenStream {
     }
     let types = [("Kick", kick.prepared.clone()), ("Drift", quote!([R; #entries]))];
     let implementation = Implementation::new(context, &SEPARABLE, &types)
-        .items(flag("KICKS_REPEAT", bodies.repeats))
+        .items(flag("KICKS_REPEAT", bodies.kicks_repeat))
         .items(flag("DRIFTS_SHIFT", false))
         .types()
         .method("prepare_kick", kick.prepare.clone())

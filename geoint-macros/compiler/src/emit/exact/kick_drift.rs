@@ -2,8 +2,8 @@
 
 use super::{FlowTokens, assign, flow, slots};
 use crate::derive::{GradientKick, KickDrift, Missing, Undamped};
+use crate::emit::context::Context;
 use crate::emit::implementation::{Implementation, absent, flag};
-use crate::emit::kernel::Context;
 use crate::emit::signature::{Absent, Trait, methods};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -72,10 +72,10 @@ fn separable(context: &Context<'_>, flows: &KickDrift) -> TokenStream {
     let [kick, drift] = [&flows.kick, &flows.drift].map(|each| flow(context, each));
     let types = [("Kick", kick.prepared.clone()), ("Drift", drift.prepared.clone())];
     let implementation = Implementation::new(context, &SEPARABLE, &types)
-        .items(flag("KICKS_REPEAT", flows.repeats))
-        .items(flows.shows.then(|| flag("KICKS_SHOW", true)))
+        .items(flag("KICKS_REPEAT", flows.kicks_repeat))
+        .items(flows.kicks_show.then(|| flag("KICKS_SHOW", true)))
         .types()
-        .items(flows.exact_in_time.then(|| flag("DRIFTS_ARE_EXACT_IN_TIME", true)))
+        .items(flows.time_passes_in_drift.then(|| flag("DRIFTS_ARE_EXACT_IN_TIME", true)))
         .method("prepare_kick", kick.prepare.clone())
         .method("prepare_drift", drift.prepare.clone());
     let implementation = moves(moves(implementation, "kick", &kick), "drift", &drift).finish();

@@ -5,7 +5,7 @@ mod kick_drift;
 mod perturbed;
 mod pieces;
 
-use super::kernel::Context;
+use super::context::Context;
 use crate::derive::FlowKernel;
 pub(super) use bodies::{attitudes, bodies};
 pub(super) use kick_drift::splitting;
@@ -44,7 +44,7 @@ fn flow(context: &Context<'_>, flow: &FlowKernel) -> FlowTokens {
 
 /// Returns the body of a function with the increments of a flow from `x`: `d.z[0][i] = …; d.z[1][i] = …; d.s = …;`.
 fn increments(context: &Context<'_>, flow: &FlowKernel) -> TokenStream {
-    let (parts, writes) = (context.per_coordinate(), context.moved(flow.kernel.routine("increments")));
+    let (parts, writes) = (context.per_coordinate(), context.coordinates_written(flow.kernel.routine("increments")));
     let point = if context.form.is_flow() { quote!(q) } else { quote!([q, p]) };
     quote! {
         let PerCoordinate { z: #point, s } = x;
@@ -56,5 +56,5 @@ fn increments(context: &Context<'_>, flow: &FlowKernel) -> TokenStream {
 
 /// Returns the statements that move a point: `q[i] = …; p[i] = …; *s = …;`.
 fn assign(context: &Context<'_>, flow: &FlowKernel) -> TokenStream {
-    context.moved(flow.kernel.routine("end"))
+    context.coordinates_written(flow.kernel.routine("end"))
 }

@@ -3,8 +3,8 @@
 use super::kick_drift::moves;
 use super::{assign, flow, slots};
 use crate::derive::{FlowKernel, Inner, Missing, Perturbed};
+use crate::emit::context::{Context, Values};
 use crate::emit::implementation::{Implementation, absent, flag};
-use crate::emit::kernel::{Context, Values};
 use crate::emit::signature::{Absent, Trait, methods};
 use crate::parse::Role;
 use crate::split::OwnMotion;
@@ -52,14 +52,14 @@ pub(in crate::emit) fn perturbed(context: &Context<'_>, found: &Result<Perturbed
 
 /// Returns the implementations for a system with an exact flow of A.
 fn parts(context: &Context<'_>, found: &Perturbed) -> TokenStream {
-    let no_kick = (!found.is_kick).then(|| [flag("REST_IS_KICK", false), flag("REST_IS_EXACT", found.is_exact)]);
-    let (exact, rest) = (flow(context, &found.flow), flow(context, &found.kick));
-    let after = found.flow_after_kick.as_ref().map(|after| flow(context, after));
+    let no_kick = (!found.b_is_kick).then(|| [flag("REST_IS_KICK", false), flag("REST_IS_EXACT", found.b_is_exact)]);
+    let (exact, rest) = (flow(context, &found.flow_of_a), flow(context, &found.flow_of_b));
+    let after = found.flow_of_a_after_kick.as_ref().map(|after| flow(context, after));
     let after_type = after.as_ref().map_or_else(|| quote!(()), |after| after.prepared.clone());
     let types = [("Exact", exact.prepared.clone()), ("Rest", rest.prepared.clone()), ("After", after_type)];
     let implementation = Implementation::new(context, &PERTURBED_SYSTEM, &types)
-        .items(flag("EXACT_IN_TIME", found.exact_in_time))
-        .items(flag("KICKS_REPEAT", found.repeats))
+        .items(flag("EXACT_IN_TIME", found.time_passes_in_a))
+        .items(flag("KICKS_REPEAT", found.kicks_repeat))
         .items(no_kick.map(TokenStream::from_iter))
         .items(may_end(context, found))
         .types();
@@ -99,7 +99,7 @@ fn may_end(context: &Context<'_>, found: &Perturbed) -> TokenStream {
     // The path is full, because a struct of the user may have this name.
     let runtime = &context.energy.runtime;
     let part = quote!(#runtime::private::FlowPart);
-    let entries = found.parts.iter().map(|(motion, coordinates)| {
+    let entries = found.own_motions.iter().map(|(motion, coordinates)| {
         let name = match motion {
             OwnMotion::Energy(energy) => context.printer().excerpt(*energy),
             OwnMotion::Orbit(body) => format!("Kepler's motion of {}[{body}]", context.name_of(Role::Position)),
@@ -126,15 +126,17 @@ fn way(context: &Context<'_>, name: &str, map: &FlowKernel) -> TokenStream {
 fn unsuitable(context: &Context<'_>, inner: &Inner) -> TokenStream {
     let runtime = &context.energy.runtime;
     let printer = context.printer();
-    let body = context.outputs(&inner.weighed, |outputs| {
+    let body = context.outputs(&inner.check_of_masses, |outputs| {
         let values = |name: &'static str| outputs.iter().filter(move |values| values.output.name == name);
         let masses = values("masses").map(Values::listed);
-        let shares = inner.shares.iter().zip(values("shares").flat_map(Values::rows)).map(|([mass, sum], values)| {
-            let (mass, sum) = (printer.excerpt(*mass), printer.excerpt(*sum));
-            let what =
-                format!("coordinates in which no digit of {sum} is left beside {mass}; let heavy bodies come first");
-            quote!((#values, #what))
-        });
+        let shares =
+            inner.shares.iter().zip(values("shares").flat_map(Values::rows_of_array)).map(|([mass, sum], values)| {
+                let (mass, sum) = (printer.excerpt(*mass), printer.excerpt(*sum));
+                let what = format!(
+                    "coordinates in which no digit of {sum} is left beside {mass}; let heavy bodies come first"
+                );
+                quote!((#values, #what))
+            });
         quote!(#runtime::private::unsuitable(#(&#masses)*, &[#(#shares),*]))
     });
     quote! {

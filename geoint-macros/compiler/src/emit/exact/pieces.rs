@@ -2,8 +2,8 @@
 
 use super::{assign, increments};
 use crate::derive::{PieceKernel, PiecesOf};
+use crate::emit::context::{Context, Values};
 use crate::emit::implementation::{Implementation, Leading, absent_with, flag};
-use crate::emit::kernel::{Context, Values};
 use crate::emit::signature::{Absent, Trait, methods};
 use crate::emit::tokens::{Tokens, element};
 use crate::ir::Symbol;

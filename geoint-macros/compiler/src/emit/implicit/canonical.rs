@@ -1,8 +1,8 @@
 //! Canonical coordinates of a flow. Collocation is symplectic in these coordinates.
 
 use super::prepared::Prepared;
+use crate::emit::context::Context;
 use crate::emit::implementation::proven;
-use crate::emit::kernel::Context;
 use crate::schedule::Kernel;
 use proc_macro2::TokenStream;
 use quote::quote;

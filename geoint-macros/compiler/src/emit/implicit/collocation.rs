@@ -2,8 +2,8 @@
 
 use super::prepared::Prepared;
 use crate::derive::{Collocation, FieldKernels};
+use crate::emit::context::{Context, array_type};
 use crate::emit::implementation::{proven, typed};
-use crate::emit::kernel::{Context, array_type};
 use crate::emit::tokens::element;
 use proc_macro2::TokenStream;
 use quote::quote;

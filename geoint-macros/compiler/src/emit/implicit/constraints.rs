@@ -2,8 +2,8 @@
 
 use super::prepared::Prepared;
 use crate::derive::{ConstraintKernels, StepKernel};
+use crate::emit::context::{Context, array_type};
 use crate::emit::implementation::{flag, proven, typed};
-use crate::emit::kernel::{Context, array_type};
 use crate::emit::system::cotangent;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};

@@ -2,8 +2,8 @@
 
 use super::prepared::Prepared;
 use crate::derive::{StageKernel, StepKernel};
+use crate::emit::context::{Context, array_type};
 use crate::emit::implementation::{proven, typed};
-use crate::emit::kernel::{Context, array_type};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 

@@ -3,8 +3,8 @@
 use super::prepared::{Prepared, numbers};
 use crate::analyze::MeanValue;
 use crate::derive::{Fact, FieldKernels, Missing, System};
+use crate::emit::context::{Context, Values, array_type, write};
 use crate::emit::implementation::{Implementation, absent, proven};
-use crate::emit::kernel::{Context, Values, array_type, write};
 use crate::emit::signature::{Absent, Trait, methods};
 use crate::emit::structure::self_type;
 use crate::schedule::{Kernel, Routine};

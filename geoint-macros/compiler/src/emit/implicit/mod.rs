@@ -9,9 +9,9 @@ mod discrete;
 mod prepared;
 mod velocities;
 
+use super::context::Context;
 use super::exact;
 use super::implementation::{flag, typed};
-use super::kernel::Context;
 use crate::derive::{ContactStages, Fact, FieldKernels, Kernels, System};
 use proc_macro2::TokenStream;
 use quote::quote;

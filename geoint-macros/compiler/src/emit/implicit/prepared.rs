@@ -1,6 +1,6 @@
 //! Numbers that the code of a step prepares: for a system or a step length, and for the point where a step starts.
 
-use crate::emit::kernel::Context;
+use crate::emit::context::Context;
 use crate::schedule::Kernel;
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};

@@ -3,8 +3,8 @@
 use super::discrete;
 use super::prepared::{Prepared, numbers};
 use crate::derive::{ActionStages, MassKernels, StepKernel, VelocityKernels, VelocityStages};
+use crate::emit::context::{Context, Values, array_type};
 use crate::emit::implementation::{Implementation, absent, flag, proven, typed};
-use crate::emit::kernel::{Context, Values, array_type};
 use crate::emit::signature::{Absent, Trait, Ty, methods};
 use crate::emit::system::{cotangent, keeps_energy};
 use crate::schedule::{Extent, Kernel};
@@ -130,7 +130,7 @@ fn contact_velocities(
     midpoint: &TokenStream,
 ) -> TokenStream {
     let array = context.array();
-    let moved = if *varying { array_type(&context.with_action()) } else { array.clone() };
+    let moved = if *varying { array_type(&context.extents_with_action()) } else { array.clone() };
     let Prepared { types, functions, prepared, .. } =
         Prepared::for_stages(context, stage, ["StageConstants", "stage_constants"]);
     let is_number = |values: &Values<'_>| matches!(values.output.extent, Extent::Number);

@@ -10,8 +10,8 @@ mod numbers;
 mod order;
 mod rules;
 
+use super::context::Context;
 use super::implementation::proven;
-use super::kernel::Context;
 use super::structure::state;
 use super::tokens::{Tokens, element};
 use crate::derive::JetKernel;

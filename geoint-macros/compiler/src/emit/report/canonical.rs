@@ -106,14 +106,14 @@ fn perturbed(report: &mut Report<'_>, parts: &Perturbed) {
     if let Some(inner) = &parts.inner {
         writeln!(report, "- in {}", inner.name);
     }
-    writeln!(report, "- A = {}", report.excerpt(parts.exact));
-    for known in &parts.known {
+    writeln!(report, "- A = {}", report.excerpt(parts.a));
+    for known in &parts.rules {
         writeln!(report, "  {known}");
     }
-    writeln!(report, "  {}", parts.flow.kernel.operations());
-    writeln!(report, "- B = {}", report.excerpt(parts.rest));
-    writeln!(report, "  {}", parts.kick.kernel.operations());
-    match (parts.is_kick, parts.is_exact) {
+    writeln!(report, "  {}", parts.flow_of_a.kernel.operations());
+    writeln!(report, "- B = {}", report.excerpt(parts.b));
+    writeln!(report, "  {}", parts.flow_of_b.kernel.operations());
+    match (parts.b_is_kick, parts.b_is_exact) {
         (true, _) => {}
         (false, true) => {
             writeln!(report, "  a motion of all bodies alike and a kick, which leave each other as they are")

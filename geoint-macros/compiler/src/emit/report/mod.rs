@@ -13,7 +13,7 @@ mod pieces;
 mod structure;
 mod velocities;
 
-use crate::analyze::Momentum;
+use crate::analyze::Conserved;
 use crate::check::wording::commas;
 use crate::compilation::Compilation;
 use crate::derive::{Derived, Findings, MOST_UNKNOWNS, System};
@@ -76,7 +76,7 @@ impl<'a> Report<'a> {
     }
 
     /// Returns the line of a conserved momentum.
-    fn momentum(&self, momentum: &Momentum) -> String {
+    fn momentum(&self, momentum: &Conserved) -> String {
         format!("{}: {}", momentum.name, self.excerpt(momentum.value))
     }
 

@@ -2,7 +2,7 @@
 
 use super::contact::decaying;
 use super::{Report, friction};
-use crate::analyze::{Damping, Forces, Spared};
+use crate::analyze::{Acting, Damping, Forces};
 use crate::check::wording::commas;
 use crate::derive::{BesideVelocities, KeptMomentum, Kernels, System, VelocityKernels};
 use crate::ir::{Id, Symbol};
@@ -77,8 +77,8 @@ fn conserved(
     }
     writeln!(report, "\nConserved by the flow, at least");
     let read = report.graph().symbols(legendre.lagrangian);
-    let spared = Spared { damping, forces };
-    let is_kept = |i: &u32| !read.contains(&Symbol::Position(*i)) && spared.coordinate(report.graph(), *i);
+    let acting = Acting { damping, forces };
+    let is_kept = |i: &u32| !read.contains(&Symbol::Position(*i)) && !acting.on_momentum(report.graph(), *i);
     let cyclic: Vec<u32> = (0..report.compilation.degrees()).filter(is_kept).collect();
     let energy = autonomous && damping.is_none() && forces.is_none();
     let VelocityKernels { polarised, momenta, .. } = kernels;

@@ -204,10 +204,10 @@ impl Number {
     }
 
     /// Returns a hash that is equal for equal numbers.
-    pub(crate) fn word(self) -> u64 {
+    pub(crate) fn hash_word(self) -> u64 {
         match self {
-            Number::Exact(ratio) => ratio.word(),
-            Number::Root(ratio, radicand) => ratio.word() ^ (radicand as u64) << 8,
+            Number::Exact(ratio) => ratio.hash_word(),
+            Number::Root(ratio, radicand) => ratio.hash_word() ^ (radicand as u64) << 8,
             Number::Float(bits) => bits,
         }
     }
@@ -224,7 +224,7 @@ fn root_plus_ratio(c: Ratio, r: i64, q: Ratio) -> Option<Number> {
 
 impl Hash for Number {
     fn hash<H: Hasher>(&self, state: &mut H) {
-        state.write_u64(self.word());
+        state.write_u64(self.hash_word());
     }
 }
 

@@ -2,15 +2,15 @@
 
 use std::cmp::Ordering;
 
-/// A ratio in lowest terms with positive denominator. Invariant: [`Ratio::new`] and the arithmetic keep it; code that builds the fields must, too.
+/// A ratio of two integers. Invariants: lowest terms, a positive denominator, and no part above [`LARGEST`]. All constructors and operations keep them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Ratio {
     pub(crate) numerator: i128,
     pub(crate) denominator: i128,
 }
 
-/// The largest numerator and denominator. A decimal such as 1.380649e-23 is exact, and so is the square of any `f64` near one. Two such numbers add
-/// within an `i128`.
+/// The largest numerator and denominator. A decimal such as 1.380649e-23 is exact, and so is the square of any `f64` near one. The limit is below `i128::MAX`, so
+/// `neg` cannot overflow. All other operations are checked.
 const LARGEST: u128 = 1 << 126;
 
 /// Integers up to this size are exact in `f64`.
@@ -21,7 +21,7 @@ impl Ratio {
     pub(crate) const ONE: Ratio = Ratio::integer(1);
     pub(crate) const HALF: Ratio = Ratio { numerator: 1, denominator: 2 };
 
-    /// Returns an integer, which is not checked for its size.
+    /// Returns an integer. Precondition: its size is at most [`LARGEST`]; a constant function cannot return an error here.
     pub(crate) const fn integer(n: i128) -> Ratio {
         Ratio { numerator: n, denominator: 1 }
     }
@@ -31,7 +31,7 @@ impl Ratio {
         if denominator == 0 {
             return None;
         }
-        let divisor = gcd(numerator.unsigned_abs(), denominator.unsigned_abs()).max(1);
+        let divisor = gcd(numerator.unsigned_abs(), denominator.unsigned_abs());
         let (n, d) = (numerator.unsigned_abs() / divisor, denominator.unsigned_abs() / divisor);
         let sign = if (numerator < 0) == (denominator < 0) { 1 } else { -1 };
         (n <= LARGEST && d <= LARGEST).then_some(Ratio { numerator: sign * n as i128, denominator: d as i128 })
@@ -42,7 +42,7 @@ impl Ratio {
         (n.unsigned_abs() <= LARGEST).then_some(Ratio::integer(n))
     }
 
-    /// Returns the exact value of a normal `f64`. `None` if a part is too large, and for zero, subnormal numbers, infinities and NaN.
+    /// Returns the exact value of a normal `f64`. `None` if a part is too large, and for zero, subnormal numbers, infinities and NaN, which the caller handles.
     pub(super) fn of_f64(x: f64) -> Option<Ratio> {
         let bits = x.to_bits();
         let (biased, mantissa) = ((bits >> 52 & 0x7ff) as i32, i128::from(bits & ((1 << 52) - 1)));
@@ -51,6 +51,7 @@ impl Ratio {
         // x = mantissa · 2^(biased − 1023 − 52).
         let (mantissa, exponent) = (mantissa >> zeros, biased - 1075 + zeros as i32);
         let signed = if x < 0.0 { -mantissa } else { mantissa };
+        // 1 << 127 is negative.
         let power = 1_i128.checked_shl(exponent.unsigned_abs()).filter(|power| *power > 0)?;
         if exponent < 0 { Ratio::new(signed, power) } else { Ratio::new(signed.checked_mul(power)?, 1) }
     }
@@ -73,7 +74,7 @@ impl Ratio {
             return Ratio::whole(self.numerator.checked_mul(other.numerator)?);
         }
         let cancelled = |n: i128, d: i128| {
-            let common = gcd(n.unsigned_abs(), d.unsigned_abs()).max(1) as i128;
+            let common = gcd(n.unsigned_abs(), d.unsigned_abs()) as i128;
             (n / common, d / common)
         };
         let ((a, d), (c, b)) =
@@ -86,9 +87,9 @@ impl Ratio {
         Ratio::new(self.denominator, self.numerator)
     }
 
-    /// Returns a hash that is equal for equal ratios. The graph hashes millions of numbers, and this word is faster than `Hash`.
+    /// Returns a hash that is equal for equal ratios, made of the low bits of both parts. The graph hashes millions of numbers, and `Hash` is slower.
     #[inline(always)]
-    pub(crate) fn word(self) -> u64 {
+    pub(crate) fn hash_word(self) -> u64 {
         self.numerator as u64 ^ (self.denominator as u64) << 32
     }
 
@@ -108,12 +109,12 @@ impl Ratio {
     }
 
     /// Returns the ratio as an `i64`, if it is an integer of this size.
-    pub(crate) fn to_integer(self) -> Option<i64> {
+    pub(crate) fn to_i64(self) -> Option<i64> {
         i64::try_from(self.numerator).ok().filter(|_| self.is_integer())
     }
 
-    /// Returns whether both parts are exact in `f64`.
-    pub(crate) fn is_short(self) -> bool {
+    /// Returns whether both parts are at most 2⁵³. They are then exact in `f64`, and their quotient is rounded once.
+    pub(crate) fn fits_f64(self) -> bool {
         self.numerator.abs() <= EXACT_IN_F64 && self.denominator <= EXACT_IN_F64
     }
 
@@ -124,10 +125,10 @@ impl Ratio {
         if i128::from(n) == self.numerator && i128::from(d) == self.denominator {
             return f64::from(n) / f64::from(d);
         }
-        if self.is_short() {
+        if self.fits_f64() {
             return self.numerator as f64 / self.denominator as f64;
         }
-        // Long division to at least 55 bits. The remainder enters as one more bit, which decides ties.
+        // Long division to at least 55 bits. A remainder sets the last bit, which lies below the rounding bit, so there is no false tie.
         let (n, d) = (self.numerator.unsigned_abs(), self.denominator.unsigned_abs());
         let (mut quotient, mut rest, mut shift) = (n / d, n % d, 0_i32);
         while quotient < 1 << 54 {
@@ -136,6 +137,7 @@ impl Ratio {
             rest = if rest >= d { rest - d } else { rest };
             shift += 1;
         }
+        // The factor is an exact power of two: the shift is at most 180.
         let magnitude = (quotient | u128::from(rest > 0)) as f64 * 2.0_f64.powi(-shift);
         if self.numerator < 0 { -magnitude } else { magnitude }
     }
@@ -146,7 +148,7 @@ impl Ord for Ratio {
         if self.denominator == other.denominator {
             return self.numerator.cmp(&other.numerator);
         }
-        // Compare whole parts first, then the reciprocals of the remainders. Products of long parts would overflow.
+        // Compare whole parts first, then the reciprocals of the remainders, and so on, as in Euclid's algorithm. Products of long parts would overflow.
         let rest = |x: &Ratio| Ratio { numerator: x.numerator.rem_euclid(x.denominator), ..*x };
         let (a, b) = (rest(self), rest(other));
         self.floor().cmp(&other.floor()).then_with(|| match (a.recip(), b.recip()) {

@@ -1,7 +1,7 @@
 //! Arranges the loops of a block: loops inside of other loops, targets, and the order of statements.
 
 use super::find::{Finder, Found};
-use super::{Address, Indices, Loop, Run, Source};
+use super::{Address, Indices, Loop, Source, Successive};
 use crate::ir::HashMap;
 use crate::schedule::block::{Block, Statement};
 use crate::schedule::instruction::{Operand, Register};
@@ -75,9 +75,9 @@ impl Finder<'_> {
             }
         }
         for (reader, found) in self.found.iter().enumerate() {
-            for run in &found.runs {
-                if let Source::Computed(computed) = run.source {
-                    let one_by_one = run.first == [0; 3] && run.step == [1, 0, 0];
+            for successive in &found.entries {
+                if let Source::Computed(computed) = successive.source {
+                    let one_by_one = successive.first == [0; 3] && successive.step == [1, 0, 0];
                     let as_long = self.found[computed.array].members.len() == found.members.len();
                     readers[computed.array].push(if one_by_one && as_long { reader } else { other });
                 }
@@ -104,21 +104,21 @@ impl Finder<'_> {
     }
 
     /// Returns the loop of an array. The body also computes all other arrays with this home.
-    fn fused(&self, homes: &[usize], home: usize, target: Option<Run>, written: &[Option<Address>]) -> Loop {
+    fn fused(&self, homes: &[usize], home: usize, target: Option<Successive>, written: &[Option<Address>]) -> Loop {
         let unused = 1 + self.block.registers().into_iter().max().unwrap_or_default();
-        let (mut runs, mut body): (Vec<Run>, _) = (vec![], vec![]);
+        let (mut entries, mut body): (Vec<Successive>, _) = (vec![], vec![]);
         for found in (0..=home).filter(|other| homes[*other] == home).map(|other| &self.found[other]) {
             let mut operands = vec![];
-            for run in &found.runs {
-                operands.push(match run.source {
+            for successive in &found.entries {
+                operands.push(match successive.source {
                     Source::One(number) => self.operands[number],
                     Source::Computed(computed) if homes[computed.array] == home => {
                         Operand::Register(self.found[computed.array].deed.result(computed.part))
                     }
                     _ => {
-                        let known = runs.iter().position(|other| other == run);
-                        runs.extend(known.is_none().then_some(*run));
-                        Operand::Register(unused + known.unwrap_or(runs.len() - 1))
+                        let known = entries.iter().position(|other| other == successive);
+                        entries.extend(known.is_none().then_some(*successive));
+                        Operand::Register(unused + known.unwrap_or(entries.len() - 1))
                     }
                 });
             }
@@ -126,12 +126,13 @@ impl Finder<'_> {
         }
         // A member may read only its own entry of an array of the targets.
         let is_written = |source| written.iter().flatten().any(|address| address.source == source);
-        let target = target.filter(|target| runs.iter().all(|run| run == target || !is_written(run.source)));
+        let target = target
+            .filter(|target| entries.iter().all(|successive| successive == target || !is_written(successive.source)));
         let Found { members, deed, .. } = &self.found[home];
         Loop {
             array: home,
             length: members.len(),
-            reads: runs.into_iter().enumerate().map(|(k, run)| (unused + k, run)).collect(),
+            reads: entries.into_iter().enumerate().map(|(k, successive)| (unused + k, successive)).collect(),
             body,
             results: deed.results.clone(),
             members: members.iter().map(|number| self.block.statements[*number].registers()).collect(),
@@ -140,7 +141,7 @@ impl Finder<'_> {
     }
 
     /// Returns the targets of a loop, if the results have successive targets.
-    fn target(&self, home: usize, written: &[Option<Address>]) -> Option<Run> {
+    fn target(&self, home: usize, written: &[Option<Address>]) -> Option<Successive> {
         let Found { members, deed, .. } = &self.found[home];
         if deed.results.len() > 1 {
             return None;
@@ -157,7 +158,7 @@ impl Finder<'_> {
         let [first, second, ..] = addresses[..] else { return None };
         let step: Indices = second.minus(&first);
         let follows = |pair: &[Address]| pair[1].source == first.source && pair[1].minus(&pair[0]) == step;
-        addresses.windows(2).all(follows).then_some(Run { source: first.source, first: first.indices, step })
+        addresses.windows(2).all(follows).then_some(Successive { source: first.source, first: first.indices, step })
     }
 }
 

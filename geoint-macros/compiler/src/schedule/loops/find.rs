@@ -1,6 +1,6 @@
 //! Finds alike statements with successive operands.
 
-use super::{Address, Computed, FEWEST, Indices, Run, Source};
+use super::{Address, Computed, FEWEST, Indices, Source, Successive};
 use crate::ir::{Function, HashMap, hash};
 use crate::schedule::block::{Block, Statement};
 use crate::schedule::instruction::{Instruction, Operand, Register};
@@ -14,8 +14,8 @@ pub(super) struct Found {
     pub(super) members: Vec<usize>,
     /// The first statement.
     pub(super) deed: Deed,
-    /// One run for each operand.
-    pub(super) runs: Vec<Run>,
+    /// One `Successive` for each operand.
+    pub(super) entries: Vec<Successive>,
 }
 
 /// A possible member of a loop.
@@ -166,14 +166,14 @@ impl<'a> Finder<'a> {
     /// Adds a loop.
     fn add(&mut self, members: &[Member]) {
         let [first, second, ..] = members else { return };
-        let mut runs = vec![];
+        let mut entries = vec![];
         for ((address, next), operand) in
             first.addresses.iter().zip(&second.addresses).zip(first.deed.instruction.operands())
         {
             let step = next.minus(address);
             // A shared value gets a name before the loop.
             let source = if step == Indices::default() { Source::One(self.number(operand)) } else { address.source };
-            runs.push(Run { source, first: address.indices, step });
+            entries.push(Successive { source, first: address.indices, step });
         }
         let array = self.found.len();
         for (i, Member { deed: Deed { results, .. }, .. }) in members.iter().enumerate() {
@@ -183,11 +183,11 @@ impl<'a> Finder<'a> {
             }
         }
         let numbers = members.iter().map(|member| member.number).collect();
-        self.found.push(Found { members: numbers, deed: first.deed.clone(), runs });
+        self.found.push(Found { members: numbers, deed: first.deed.clone(), entries });
     }
 }
 
-/// Returns the length of the first run of alike members with successive operands.
+/// Returns the length of the first sequence of alike members with successive operands.
 fn successive(members: &[Member]) -> usize {
     let [first, second, ..] = members else { return members.len() };
     let kind = |member: &Member| (member.deed.instruction.blank(), member.deed.results.len());

@@ -53,7 +53,7 @@ struct Address {
 
 /// Successive entries of a source. Member i reads the entry at `first + i·step`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Run {
+pub(crate) struct Successive {
     pub(crate) source: Source,
     pub(crate) first: Indices,
     pub(crate) step: Indices,
@@ -66,7 +66,7 @@ pub(crate) struct Loop {
     pub(crate) array: usize,
     pub(crate) length: usize,
     /// The operands of a member, and their registers in the body.
-    pub(crate) reads: Vec<(Register, Run)>,
+    pub(crate) reads: Vec<(Register, Successive)>,
     /// The statements of a member, in the registers of the first member.
     pub(crate) body: Vec<Statement>,
     /// The registers of an entry in the body.
@@ -74,7 +74,7 @@ pub(crate) struct Loop {
     /// The registers of each entry in statements after the loop.
     pub(crate) members: Vec<Vec<Register>>,
     /// The entries of an array of the caller, if the loop has no array of its own.
-    pub(crate) target: Option<Run>,
+    pub(crate) target: Option<Successive>,
 }
 
 /// Returns the block with loops. The new block writes its results to `targets`, if there are any. Returns nothing if few statements are alike.

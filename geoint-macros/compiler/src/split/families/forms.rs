@@ -1,8 +1,11 @@
-//! Families "kick" and "forms in involution": energies that read only linear forms in involution. The forms are constant, and all coordinates
-//! move along straight lines.
+//! Families "kick" and "forms in involution": energies that read q and p through linear forms in involution only.
 //!
-//! A form is ℓ = a·q + b·p with numbers or parameters for a and b. Two forms are in involution if a·b' = b·a'. Examples are kicks, drifts,
-//! F(q₀, p₁), (p₁ − A(q₀))² and (q + p)⁴.
+//! A form is ℓ = a·q + b·p, where a and b read parameters only. Two forms are in involution if a·b' = b·a', so their Poisson bracket vanishes. Then
+//! ℓᵢ' = Σⱼ {ℓᵢ, ℓⱼ} ∂H/∂ℓⱼ = 0: every form keeps its value, and so do all rates, except for their dependence on time. The flow is one step with the rates at its
+//! start, or the integrals of the rates. Examples are kicks, drifts, F(q₀, p₁), (p₁ − A(q₀))² and (q + p)⁴.
+//!
+//! Forms are read from the graph as the user wrote H. The expanded form of (q + p)⁴ is not found. Systems with an action have families of their own, because
+//! the action moves, too.
 
 use super::super::flow::{Flow, Group};
 use super::super::polynomial::{Polynomial, is_free};
@@ -10,26 +13,27 @@ use crate::diff;
 use crate::ir::{Graph, Id, Node, Number, Symbol};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Returns the flow of V(q, t): q rests, and p grows by −∫ ∂V/∂q dt. An action must not occur, because it would grow by −∫ V dt.
+/// Returns the flow of V(q, t): q rests, and p grows by −∫ ∂V/∂q dt. A special case of [`in_involution`] with a name of its own, because methods and the
+/// report treat kicks apart. `None` if V reads p or the action s.
 pub(super) fn kick(graph: &mut Graph, group: &Group) -> Option<Flow> {
-    let moves = |symbol| matches!(symbol, Symbol::Momentum(_) | Symbol::Action);
-    if is_free(graph, group.energy, &moves) { straight(graph, group) } else { None }
+    let excluded = |symbol| matches!(symbol, Symbol::Momentum(_) | Symbol::Action);
+    if is_free(graph, group.energy, &excluded) { in_involution(graph, group) } else { None }
 }
 
 /// The coefficients of the coordinates in a form.
 type Form = BTreeMap<Symbol, Id>;
 
 /// Returns the flow of a function of forms in involution: q grows by h ∂H/∂p and p by −h ∂H/∂q, both at the start. For an H that reads time, h times the
-/// rate becomes the integral of the rate over the step. `None` if the forms are not in involution, if their coefficients read time, or if an integral is
-/// not known in closed form.
-pub(super) fn straight(graph: &mut Graph, group: &Group) -> Option<Flow> {
+/// rate becomes the integral of the rate over the step. `None` if the forms are not in involution, if their coefficients read time, if H reads the action s, or
+/// if an integral is not known in closed form.
+pub(super) fn in_involution(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let forms = forms(graph, group.energy)?;
     if !forms.iter().flat_map(Form::values).all(|c| group.clock.is_steady(graph, *c)) {
         return None;
     }
     for (i, first) in forms.iter().enumerate() {
         for second in &forms[..i] {
-            if !in_involution(graph, first, second) {
+            if !commute(graph, first, second) {
                 return None;
             }
         }
@@ -39,24 +43,24 @@ pub(super) fn straight(graph: &mut Graph, group: &Group) -> Option<Flow> {
     if group.clock.is_steady(graph, group.energy) {
         // The derivatives of hH contain h in the constants of each term. These products are computed once for each h, before all steps.
         let generator = graph.mul(h, group.energy);
-        let slopes = diff::gradient(graph, generator, group.degrees);
+        let gradient = diff::gradient(graph, generator, group.degrees);
         for i in 0..group.degrees as usize {
-            flow.q[i] = graph.add(flow.q[i], slopes.p[i]);
-            flow.p[i] = graph.sub(flow.p[i], slopes.q[i]);
+            flow.q[i] = graph.add(flow.q[i], gradient.p[i]);
+            flow.p[i] = graph.sub(flow.p[i], gradient.q[i]);
         }
         return Some(flow);
     }
-    let slopes = diff::gradient(graph, group.energy, group.degrees);
+    let gradient = diff::gradient(graph, group.energy, group.degrees);
     for i in 0..group.degrees as usize {
-        let [moved, impulse] = [slopes.p[i], slopes.q[i]].map(|rate| group.clock.over_step(graph, rate));
+        let [moved, impulse] = [gradient.p[i], gradient.q[i]].map(|rate| group.clock.over_step(graph, rate));
         flow.q[i] = graph.add(flow.q[i], moved?);
         flow.p[i] = graph.sub(flow.p[i], impulse?);
     }
     Some(flow)
 }
 
-/// Returns whether Σ (aᵢ b'ᵢ − bᵢ a'ᵢ) = 0.
-fn in_involution(graph: &mut Graph, first: &Form, second: &Form) -> bool {
+/// Returns whether the bracket Σ (aᵢ b'ᵢ − bᵢ a'ᵢ) of two forms vanishes.
+fn commute(graph: &mut Graph, first: &Form, second: &Form) -> bool {
     let mut sum = graph.zero();
     for (symbol, c) in first {
         // `forms` has refused the action.
@@ -72,14 +76,14 @@ fn in_involution(graph: &mut Graph, first: &Form, second: &Form) -> bool {
     graph.is_zero(sum)
 }
 
-/// Returns the forms through which `root` reads positions and momenta, or `None` if it reads s.
+/// Returns the forms through which `root` reads positions and momenta, or `None` if it reads the action s.
 fn forms(graph: &mut Graph, root: Id) -> Option<Vec<Form>> {
     let (mut found, mut seen, mut open) = (vec![], BTreeSet::new(), vec![root]);
     while let Some(id) = open.pop() {
         if !seen.insert(id) || is_free(graph, id, &Symbol::is_coordinate) {
             continue;
         }
-        // Other nodes are not affine. The test avoids their expansion.
+        // Only these nodes can be affine. The test spares all others the expansion into a polynomial.
         let may_be_form = matches!(graph.node(id), Node::Symbol(_) | Node::Linear(..) | Node::Product(_));
         if let Some(form) = may_be_form.then(|| form(graph, id)).flatten() {
             if form.contains_key(&Symbol::Action) {

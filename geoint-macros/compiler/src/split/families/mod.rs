@@ -107,7 +107,7 @@ pub(crate) static FAMILIES: &[Family] = &[
         energies: "F(ℓ₁, …, ℓₖ), ℓ = a·q + b·p with {ℓᵢ, ℓⱼ} = 0",
         source: "Y. K. Wu, E. Forest & D. S. Robin, Phys. Rev. E 68 (2003) 046502",
         action: false,
-        solve: Direct(forms::straight),
+        solve: Direct(forms::in_involution),
     },
     Family {
         name: "monomial",

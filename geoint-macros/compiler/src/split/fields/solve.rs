@@ -1,4 +1,6 @@
-//! Flows of fields whose moving coordinates form independent blocks: each block is a scalar equation, a linear field, or has pairs with constant sums.
+//! Flows of fields x' = f(x) whose moving coordinates form independent blocks: each block is a scalar equation, a linear field, or has pairs with constant sums.
+//!
+//! All coordinates here are `Symbol::Position`, as in all forms without momenta.
 
 use super::super::polynomial::{Polynomial, times_powers};
 use super::super::scalar::{self, Equation};
@@ -7,6 +9,9 @@ use super::{Rule, index, linear, read};
 use crate::ir::substitute::Substitution;
 use crate::ir::{Function, Graph, Id, Node, Ratio, Symbol};
 use std::collections::BTreeSet;
+
+/// Moving coordinates x with x'. Coordinates at rest are absent.
+type Rates = Vec<(Symbol, Id)>;
 
 /// The end of a flow of length h for each moving coordinate, and the rules that found it.
 pub(super) struct Ends {
@@ -24,10 +29,12 @@ const SCALAR: Rule = Rule { name: "single equations", fields: "x' = g(x), all el
 
 pub(super) const SUMS: Rule = Rule {
     name: "constant sums",
-    fields: "xᵢ + xⱼ at rest for pairs of coordinates, by which half of them follow",
+    fields: "xᵢ + xⱼ constant for at least two pairs, and a linear field without the xⱼ",
 };
 
-/// Returns the ends of x' = rate, if all blocks have flows in closed form. The rules are tried from the simplest to the longest code.
+/// Returns the ends of x' = rate, if all blocks have flows in closed form. `clock` treats the time in rates.
+///
+/// Rules with shorter code are tried first, and the first that succeeds is kept. Plain reciprocals and constant sums are not combined.
 pub(super) fn solve(graph: &mut Graph, rates: &[(Symbol, Id)], clock: Clock) -> Option<Ends> {
     let mut all = Ends { ends: vec![], rules: vec![] };
     for block in blocks(graph, rates) {
@@ -36,7 +43,7 @@ pub(super) fn solve(graph: &mut Graph, rates: &[(Symbol, Id)], clock: Clock) -> 
                 let plain = with_plain_reciprocals(graph, &block)?;
                 block_ends(graph, &plain, clock)
             })
-            .or_else(|| by_constant_sums(graph, &block, clock))?;
+            .or_else(|| by_constant_sums(graph, &block))?;
         all.ends.extend(ends);
         if !all.rules.contains(&rule) {
             all.rules.push(rule);
@@ -44,9 +51,6 @@ pub(super) fn solve(graph: &mut Graph, rates: &[(Symbol, Id)], clock: Clock) -> 
     }
     Some(all)
 }
-
-/// Coordinates with their velocities.
-type Rates = Vec<(Symbol, Id)>;
 
 /// Returns the moving coordinates in sets: no rate reads a coordinate of another set.
 fn blocks(graph: &Graph, rates: &[(Symbol, Id)]) -> Vec<Rates> {
@@ -66,7 +70,7 @@ fn blocks(graph: &Graph, rates: &[(Symbol, Id)]) -> Vec<Rates> {
     sets.into_iter().map(|(_, equations)| equations).collect()
 }
 
-/// Returns the end of one block, solved as a scalar equation or as a linear field. A linear field must not read time.
+/// Returns the end of one block, solved as a scalar equation or as a linear field. A linear field that reads time has no end here.
 fn block_ends(graph: &mut Graph, rates: &[(Symbol, Id)], clock: Clock) -> Option<BlockEnds> {
     if let [(x, rate)] = *rates
         && let Some(solution) = scalar::solve(graph, &Equation { x, rate, clock })
@@ -76,46 +80,47 @@ fn block_ends(graph: &mut Graph, rates: &[(Symbol, Id)], clock: Clock) -> Option
     Some(BlockEnds { ends: linear::ends(graph, rates)?, rule: linear::LINEAR })
 }
 
-/// Returns the end of a block with at least two pairs of coordinates whose sums xᵢ + xⱼ are constant. The sums give one coordinate of each pair.
-/// Example: two spins rotate about their sum.
-fn by_constant_sums(graph: &mut Graph, rates: &[(Symbol, Id)], clock: Clock) -> Option<BlockEnds> {
-    let (mut left, mut pairs): (Rates, Vec<[Symbol; 2]>) = (vec![], vec![]);
+/// Returns the end of a block with at least two pairs of coordinates whose sums xᵢ + xⱼ are constant. The other equations, without the xⱼ, must be a linear field;
+/// they are not divided into blocks again. Then xⱼ is the sum minus xᵢ. Example: two spins rotate about their sum.
+fn by_constant_sums(graph: &mut Graph, rates: &[(Symbol, Id)]) -> Option<BlockEnds> {
+    let (mut independent, mut pairs): (Rates, Vec<[Symbol; 2]>) = (vec![], vec![]);
     for (x, rate) in rates {
-        let opposite = |graph: &mut Graph, (y, other): &(Symbol, Id)| {
+        let is_opposite = |graph: &mut Graph, (y, other): &(Symbol, Id)| {
             let sum = graph.add(*rate, *other);
             linear::is_zero(graph, sum) && pairs.iter().all(|pair| !pair.contains(y))
         };
-        match left.iter().find(|other| opposite(graph, other)) {
+        match independent.iter().find(|other| is_opposite(graph, other)) {
             Some((y, _)) => pairs.push([*y, *x]),
-            None => left.push((*x, *rate)),
+            None => independent.push((*x, *rate)),
         }
     }
-    // A single pair is left to the rules for planes, which keep the sum exactly: they add the negative increment to the second coordinate.
+    // A single pair is left to `planar`, which keeps the sum exactly: it adds the negative increment to the second coordinate.
     if pairs.len() < 2 {
         return None;
     }
     // Fields read no increments, so `PositionIncrement(j)` can stand for the constant sum xᵢ + xⱼ while the other equations are solved.
-    let name = |symbol: Symbol| index(symbol).map(Symbol::PositionIncrement);
+    let sum_symbol = |symbol: Symbol| index(symbol).map(Symbol::PositionIncrement);
     let partner = |symbol: Symbol| pairs.iter().find(|[_, y]| *y == symbol).map(|[x, _]| *x);
-    let mut known = Substitution::new(|graph: &mut Graph, y| {
-        let [sum, x] = [name(y)?, partner(y)?].map(|symbol| graph.symbol(symbol));
+    let mut without_partners = Substitution::new(|graph: &mut Graph, y| {
+        let [sum, x] = [sum_symbol(y)?, partner(y)?].map(|symbol| graph.symbol(symbol));
         Some(graph.sub(sum, x))
     });
     let mut reduced: Rates = vec![];
-    for (x, rate) in left {
-        let rate = known.apply(graph, rate);
+    for (x, rate) in independent {
+        let rate = without_partners.apply(graph, rate);
+        // Expanded, because quadratic terms cancel, and the field is linear then.
         let powers = Polynomial::of(graph, rate, &|symbol| matches!(symbol, Symbol::Position(_)))?;
         let terms: Vec<Id> = powers.into_terms().map(|(monomial, c)| times_powers(graph, c, &monomial)).collect();
         reduced.push((x, graph.sum(&terms)));
     }
-    let BlockEnds { mut ends, .. } = block_ends(graph, &reduced, clock)?;
-    let mut named = Substitution::new(|graph: &mut Graph, symbol| {
-        let [x, y] = *pairs.iter().find(|[_, y]| name(*y) == Some(symbol))?;
+    let mut ends = linear::ends(graph, &reduced)?;
+    let mut restored_sums = Substitution::new(|graph: &mut Graph, symbol| {
+        let [x, y] = *pairs.iter().find(|[_, y]| sum_symbol(*y) == Some(symbol))?;
         let [x, y] = [x, y].map(|symbol| graph.symbol(symbol));
         Some(graph.add(x, y))
     });
     for (_, end) in &mut ends {
-        *end = named.apply(graph, *end);
+        *end = restored_sums.apply(graph, *end);
     }
     for [x, y] in &pairs {
         let end = ends.iter().find(|(symbol, _)| symbol == x)?.1;
@@ -125,7 +130,7 @@ fn by_constant_sums(graph: &mut Graph, rates: &[(Symbol, Id)], clock: Clock) -> 
     Some(BlockEnds { ends, rule: SUMS })
 }
 
-/// Replaces checked reciprocals of positive expressions by 1/u, if there are any. The solvers know powers only. The check is not lost: the domain of H
+/// Replaces checked reciprocals of positive expressions by 1/u. `None` if there are none. The solvers know powers only. The check is not lost: the domain of H
 /// includes u > 0, and every step tests it.
 fn with_plain_reciprocals(graph: &mut Graph, rates: &[(Symbol, Id)]) -> Option<Rates> {
     let roots: Vec<Id> = rates.iter().map(|(_, rate)| *rate).collect();

@@ -2,8 +2,8 @@
 
 use crate::ir::{Function, HashMap, Symbol};
 use crate::schedule::{
-    Array, Block, Call, Computed, Instruction, JointFunction, Layout, Loop, Operand, Place, Register, Run, Source,
-    Statement,
+    Array, Block, Call, Computed, Instruction, JointFunction, Layout, Loop, Operand, Place, Register, Source,
+    Statement, Successive,
 };
 
 /// Contents of a pack.
@@ -132,8 +132,8 @@ impl<'a> Machine<'a> {
 
     fn repeat(&mut self, each: &Loop) {
         for i in 0..each.length {
-            for (register, run) in &each.reads {
-                let value = self.entry(run, i);
+            for (register, successive) in &each.reads {
+                let value = self.entry(successive, i);
                 self.registers.insert(*register, value);
             }
             each.body.iter().for_each(|statement| self.statement(statement));
@@ -161,14 +161,14 @@ impl<'a> Machine<'a> {
         }
     }
 
-    /// Returns the entry of a run that member i reads.
-    fn entry(&self, run: &Run, i: usize) -> f64 {
-        let index = place(run, i).indices.last().copied().unwrap_or_default();
-        match run.source {
-            Source::Given(..) => self.memory[&place(run, i)],
+    /// Returns the entry of a loop that member i reads.
+    fn entry(&self, successive: &Successive, i: usize) -> f64 {
+        let index = place(successive, i).indices.last().copied().unwrap_or_default();
+        match successive.source {
+            Source::Given(..) => self.memory[&place(successive, i)],
             Source::Slots(level) => self.slots[level][index],
             Source::Computed(Computed { array, part }) => self.arrays[&array][index][part.unwrap_or(0)],
-            Source::One(_) => panic!("an operand that all members share is no run"),
+            Source::One(_) => panic!("an operand that all members share is read before the loop"),
         }
     }
 
@@ -208,13 +208,13 @@ fn registers(statement: &Statement) -> Vec<Register> {
     Block { statements: vec![statement.clone()], results: vec![] }.registers()
 }
 
-/// Returns the place of the entry of a run that belongs to member i.
-fn place(run: &Run, i: usize) -> Place {
-    let (array, rank) = match run.source {
+/// Returns the place of the entry of a loop that belongs to member i.
+fn place(successive: &Successive, i: usize) -> Place {
+    let (array, rank) = match successive.source {
         Source::Given(array, rank) => (array, rank),
         _ => (Array::Number(Symbol::Time), 1),
     };
-    let index = |k: usize| usize::try_from(run.first[k] + run.step[k] * i as i32).expect("an index");
+    let index = |k: usize| usize::try_from(successive.first[k] + successive.step[k] * i as i32).expect("an index");
     Place { array, indices: (0..rank).rev().map(index).collect() }
 }
 

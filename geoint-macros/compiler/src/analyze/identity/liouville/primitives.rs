@@ -83,7 +83,7 @@ fn by_parts(graph: &mut Graph, factors: &[(Id, Ratio)], integration: Integration
         [other, power] if power.0 == x => (power, other),
         _ => return None,
     };
-    let n = power.1.to_integer().filter(|n| (1..=8).contains(n))?;
+    let n = power.1.to_i64().filter(|n| (1..=8).contains(n))?;
     let Node::Call(Function::Exp | Function::Sin | Function::Cos | Function::Sinh | Function::Cosh, _) =
         graph.node(other.0)
     else {
@@ -138,7 +138,7 @@ fn root(graph: &mut Graph, square: Id, logarithm: Logarithm) -> Option<Id> {
     }
     let mut factors = vec![(graph.number(coefficient), Ratio::HALF)];
     for (base, exponent) in graph.factors(rest) {
-        factors.push((base, exponent.to_integer().filter(|n| n % 2 == 0).map(|n| Ratio::integer((n / 2).into()))?));
+        factors.push((base, exponent.to_i64().filter(|n| n % 2 == 0).map(|n| Ratio::integer((n / 2).into()))?));
     }
     Some(product(graph, &factors))
 }

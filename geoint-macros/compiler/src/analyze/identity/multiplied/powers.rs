@@ -17,7 +17,7 @@ impl Expansion<'_> {
         if let Some((monomial, coefficient)) = base.single() {
             return self.power_of_term(monomial, coefficient, exponent);
         }
-        match exponent.to_integer() {
+        match exponent.to_i64() {
             // A division by zero. No form, because the node is not defined in this case.
             _ if base.is_empty() && exponent < Ratio::ZERO => Err(Stop::TooLong),
             _ if base.is_empty() => Ok(Normal::default()),

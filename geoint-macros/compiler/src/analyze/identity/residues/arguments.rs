@@ -20,7 +20,7 @@ impl Term {
 
     /// The number before the factors, if it is an integer.
     pub(super) fn integer_coefficient(&self) -> Option<i64> {
-        self.coefficient.to_integer().filter(|_| self.scale == Ratio::ONE)
+        self.coefficient.to_i64().filter(|_| self.scale == Ratio::ONE)
     }
 
     /// The term with a scale between 1 and 2, and a coefficient ±2ᵏ. `None` if numbers are too long.
@@ -175,7 +175,7 @@ impl Arguments {
 
     /// coefficient·denominator.
     pub(super) fn times_denominator(&self, coefficient: Ratio) -> Option<i64> {
-        coefficient.mul(Ratio::integer(self.denominator.into()))?.to_integer()
+        coefficient.mul(Ratio::integer(self.denominator.into()))?.to_i64()
     }
 
     /// The n for which a symbol is the n-th power of an unknown.
@@ -186,7 +186,7 @@ impl Arguments {
     /// The integer k for which baseᵉ is the k-th power of an unknown. `None` unless the base is a symbol with a root of this degree.
     pub(super) fn power_of_root(&self, base: Id, exponent: Ratio) -> Option<i64> {
         let n = *self.powers.get(&base)?;
-        exponent.mul(Ratio::integer(n.into()))?.to_integer()
+        exponent.mul(Ratio::integer(n.into()))?.to_i64()
     }
 }
 

@@ -51,7 +51,7 @@ impl Span {
 /// The value of coefficient·monomial, where atoms are pseudorandom residues.
 fn value(monomial: &Monomial, coefficient: Ratio) -> Option<Element> {
     monomial.iter().try_fold(PRIME.ratio(coefficient)?, |value, (atom, exponent)| {
-        let power = PRIME.power(PRIME.unknown(pseudorandom(*atom as u64)), exponent.to_integer()?)?;
+        let power = PRIME.power(PRIME.unknown(pseudorandom(*atom as u64)), exponent.to_i64()?)?;
         Some(PRIME.product(value, power))
     })
 }

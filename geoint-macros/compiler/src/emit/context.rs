@@ -1,4 +1,6 @@
-//! Routines as tokens: names of inputs, statements, and the destinations of outputs.
+//! Prints the routines of one system: names of their inputs, types of their arrays, and the destinations of their outputs.
+//!
+//! Results that are quoted often are a `Tokens`, a list that is quoted without rustc, or a `TokenTree`, a single token. All others are a `TokenStream`.
 
 use super::tokens::{Tokens, bracketed, element};
 use super::writer::{Names, routine};
@@ -11,7 +13,7 @@ use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, TokenStream,
 use quote::{ToTokens, format_ident, quote};
 use std::cell::RefCell;
 
-/// The emission of one system.
+/// The facts about a system that its printed routines share.
 pub(crate) struct Context<'a> {
     compilation: &'a Compilation<'a>,
     pub(super) energy: &'a Energy,
@@ -38,7 +40,7 @@ impl Values<'_> {
                 let (name, value) = (format_ident!("{name}"), &self.all);
                 quote!(#(*#name = #value;)*)
             }
-            // A large matrix is sparse, so one statement writes all zeros.
+            // A matrix for more unknowns than dense solvers take is sparse. One statement writes all zeros.
             Extent::Square(extents) if extents.iter().product::<usize>() > MOST_UNKNOWNS => {
                 let graph = &context.compilation.graph;
                 let entries = || (0..nodes.len()).filter(|i| !graph.is_zero(nodes[*i]));
@@ -54,8 +56,8 @@ impl Values<'_> {
         }
     }
 
-    /// Returns the rows of a matrix, each as `[a, b]`.
-    pub(super) fn rows(&self) -> Vec<TokenStream> {
+    /// Returns the rows of an output with [`Extent::Array`], each as `[a, b]`. Other outputs have none.
+    pub(super) fn rows_of_array(&self) -> Vec<TokenStream> {
         let Extent::Array(extents) = &self.output.extent else { return vec![] };
         let length = extents.last().copied().unwrap_or(1).max(1);
         self.all.chunks(length).map(|row| quote!([#(#row),*])).collect()
@@ -139,13 +141,13 @@ impl<'a> Context<'a> {
         if self.form.is_flow() { array } else { bracketed(quote!(#array; #two)) }
     }
 
-    /// Returns the statement that names the parts of the point `z`.
+    /// Returns the statement that names the parts of the point `z`. A vector field has one array of coordinates, and no momenta.
     pub(crate) fn parts(&self) -> TokenStream {
         if self.form.is_flow() { quote!(let q = z;) } else { quote!(let [q, p] = z;) }
     }
 
     /// Returns the extents of the array of the unknown velocities and the action.
-    pub(super) fn with_action(&self) -> Vec<usize> {
+    pub(super) fn extents_with_action(&self) -> Vec<usize> {
         let unknowns = (0..self.energy.degrees()).map(Symbol::VelocityIncrement).chain([Symbol::ActionIncrement]);
         Space::of_unknowns(unknowns.collect(), &self.positions).extents
     }
@@ -170,7 +172,8 @@ impl<'a> Context<'a> {
         (0..count as u32).map(|i| self.input(Symbol::Parameter(i)).to_token_stream()).collect()
     }
 
-    /// Returns the name of an array or a number. All routines share these names, except the name `argument` of their own array.
+    /// Returns the name of an array or a number. All routines share these names, except the name `argument` of their own array. `d` is the increment of a step,
+    /// with the fields `z` and `s`. The action is passed by reference.
     pub(super) fn array_name(&self, argument: &str, array: Array) -> Tokens {
         match array {
             Array::Position => "q".into(),
@@ -179,10 +182,10 @@ impl<'a> Context<'a> {
             Array::Kick => "dp".into(),
             Array::Argument => argument.into(),
             Array::Increment => quote!(d.z).into(),
-            Array::Parameter(number) => match self.energy.parameters().nth(number) {
-                Some(parameter) => Tokens::field("self", &parameter.name),
-                None => Tokens::default(),
-            },
+            Array::Parameter(number) => {
+                let parameter = self.energy.parameters().nth(number);
+                parameter.map(|parameter| Tokens::field("self", &parameter.name)).unwrap_or_default()
+            }
             Array::Number(Symbol::Action) => quote!(*s).into(),
             Array::Number(Symbol::ActionIncrement) => quote!(d.s).into(),
             Array::Number(Symbol::Time) => "t".into(),
@@ -190,11 +193,13 @@ impl<'a> Context<'a> {
             Array::Number(Symbol::StepEnd) => "end".into(),
             Array::Number(Symbol::StepLength) => "h".into(),
             Array::Number(Symbol::GradientWeight) => "g".into(),
+            // Parameters beyond the arguments of the energy are constants of the user's module.
             Array::Number(Symbol::Parameter(i)) => {
                 let scalars: usize = self.energy.parameters().map(|argument| argument.shape.len()).sum();
                 let constant = &self.compilation.names.constants[i as usize - scalars];
                 quote!(R::from_f64((#constant) as f64)).into()
             }
+            // All other symbols lie in one of the arrays.
             Array::Number(_) => Tokens::default(),
         }
     }
@@ -243,12 +248,13 @@ impl<'a> Context<'a> {
         self.outputs(routine, |outputs| outputs.iter().map(Values::returned).collect::<TokenStream>())
     }
 
-    /// Returns the statements of a routine that writes coordinates.
-    pub(super) fn moved(&self, routine: &Routine) -> TokenStream {
+    /// Returns the statements of a routine that writes coordinates. The statements contain the writes, so there are no results.
+    pub(super) fn coordinates_written(&self, routine: &Routine) -> TokenStream {
         self.block(&routine.block, routine.argument.as_ref(), |_| TokenStream::new())
     }
 
-    /// Returns the statements of a level of a kernel, and its stored numbers as the result.
+    /// Returns the statements of a level of a kernel, and its stored numbers as the result. Levels after the first also read the argument `start` of the kernel.
+    /// If a statement returns a matrix, its numbers and all other numbers are joined as slices.
     pub(crate) fn stored(&self, kernel: &Kernel, level: usize) -> TokenStream {
         let block = &kernel.stores[level];
         let matrices = block.matrices();
