@@ -37,7 +37,7 @@ pub(crate) use poles::{Pole, Quick, has_edge, poles};
 use separable::Separated;
 pub(crate) use separable::{not_affine, not_quadratic};
 pub(crate) use steep::is_steep;
-pub(crate) use turns::turning_terms;
+pub(crate) use turns::{irregular_turn, turning_terms};
 
 /// The facts on which emission relies. Facts about H do not depend on damping.
 #[derive(Debug)]

@@ -144,6 +144,9 @@ fn discontinuity(
             "`{name}` jumps where {a} = {b}, and solutions stay there, so that rounding decides its value: make both sides equal \
              there, or keep what this condition compares"
         ),
+        Kind::Turn => format!(
+            "`{name}` jumps where this angle by `atan2` comes round: keep the angle times a constant, or a function of its sine and cosine"
+        ),
         Kind::Angle => format!(
             "{unproven}: both arguments of this `atan2` vanish where {a} = {b}, and the angle jumps there by less than a turn; take \
              the common factor out of both"

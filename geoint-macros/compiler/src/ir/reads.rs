@@ -91,12 +91,23 @@ impl Symbols {
         let set = match (node, &sets[..]) {
             (Node::Symbol(symbol), _) => self.push(vec![*symbol]),
             (_, [set]) => *set,
-            _ => {
-                let union: BTreeSet<Symbol> = sets.iter().flat_map(|set| &self.sets[*set as usize]).copied().collect();
-                self.push(union.into_iter().collect())
-            }
+            _ => self.union(&sets),
         };
         self.of.insert(id, set);
+    }
+
+    /// Returns the place of a union. Often one of the sets contains all others.
+    fn union(&mut self, sets: &[u32]) -> u32 {
+        let of = |set: &u32| &self.sets[*set as usize];
+        let largest = sets.iter().max_by_key(|set| of(set).len());
+        let all = || sets.iter().flat_map(of);
+        match largest {
+            Some(largest) if all().all(|symbol| of(largest).binary_search(symbol).is_ok()) => *largest,
+            _ => {
+                let union: BTreeSet<Symbol> = all().copied().collect();
+                self.push(union.into_iter().collect())
+            }
+        }
     }
 
     fn push(&mut self, set: Vec<Symbol>) -> u32 {

@@ -1,13 +1,15 @@
-//! Surfaces on which a function may jump along a field. The derivative of the function does not show these jumps.
+//! Surfaces on which a function may jump along a field.
 //!
-//! Conditions, signs and angles by `atan2` jump; no other operation of energies does. Whole turns of an angle are not counted: values of angles are
-//! compared up to turns. Poles and ends of domains are the subject of `derive/domain`.
+//! An integral needs two proofs: its derivative along the field is zero (`claims`), and it does not jump along solutions (here). Energies are tested for edges
+//! only, because steps end at a jump of the energy. Conditions, signs and angles by `atan2` jump; no other operation of energies does. Poles and ends of domains
+//! are the subject of `derive/domain`.
 //!
-//! A proof uses identities of the graph. A failed proof counts as a jump, so all answers are on the safe side.
+//! A proof uses identities of the graph. A failed proof counts as a jump.
 
 use super::angles::{angles, broken_at};
-use super::surface::{moves, parts, vanishes_on};
+use super::surface::{moves, parts, vanishes_on, vanishes_on_a_part};
 use super::vanishes;
+use crate::analyze::irregular_turn;
 use crate::diff;
 use crate::ir::substitute::{Substitution, replaced};
 use crate::ir::{Function, Graph, Id, Node, Ratio, Relation, Symbol};
@@ -33,18 +35,30 @@ struct Changing {
 
 /// Returns the edges on which a function is not proven to have one value: its limits from both sides, and its value on the edge itself.
 pub(crate) fn edges_of_jumps(graph: &mut Graph, function: Id) -> Vec<Edge> {
-    let mut edges = edges(graph, function);
-    edges.retain(|edge| {
-        let [below, on_edge, above] =
-            [|node: &Changing| node.below, |node: &Changing| node.on_edge, |node: &Changing| node.above]
-                .map(|value| continued(graph, function, edge, value));
-        let heights = [graph.sub(above, below), graph.sub(on_edge, below)];
-        // On the edge the function often is one of its two continuations.
-        let is_on_one_side = on_edge == below || on_edge == above;
-        let heights = if is_on_one_side { &heights[..1] } else { &heights[..] };
-        !heights.iter().all(|height| vanishes_on(graph, edge.difference, *height))
-    });
-    edges
+    let edges = edges(graph, function);
+    edges.iter().filter(|edge| may_jump_at(graph, function, edge, &edges)).cloned().collect()
+}
+
+/// Returns whether a function is not proven to have one value on an edge. `all` contains all edges of the function.
+fn may_jump_at(graph: &mut Graph, function: Id, edge: &Edge, all: &[Edge]) -> bool {
+    let [below, on_edge, above] =
+        [|node: &Changing| node.below, |node: &Changing| node.on_edge, |node: &Changing| node.above]
+            .map(|value| continued(graph, function, edge, value));
+    let heights = [graph.sub(above, below), graph.sub(on_edge, below)];
+    // On the edge the function often is one of its two continuations.
+    let is_on_one_side = on_edge == below || on_edge == above;
+    let heights = if is_on_one_side { &heights[..1] } else { &heights[..] };
+    // The proof takes all other conditions as fixed. So none may change on the same surface, as x < 0 and 2x < 0 do.
+    let read = graph.reachable(heights);
+    let other_edges = all.iter().filter(|other| other.difference != edge.difference);
+    let mut remaining = other_edges.filter(|other| other.changing.iter().any(|changing| read.contains(&changing.node)));
+    remaining.any(|other| share_a_part(graph, edge, other))
+        || !heights.iter().all(|height| vanishes_on(graph, edge.difference, *height))
+}
+
+/// Returns whether the difference of one edge vanishes on a part of another.
+fn share_a_part(graph: &mut Graph, edge: &Edge, other: &Edge) -> bool {
+    parts(graph, edge.difference).into_iter().any(|part| vanishes_on_a_part(graph, part, other.difference))
 }
 
 /// A surface on which a function may jump while a field is followed.
@@ -66,12 +80,16 @@ pub(crate) enum Kind {
     Followed,
     /// Both arguments of an angle have a common factor that changes its sign: solutions lead across its zeros, where the angle jumps by π.
     Angle,
+    /// An angle turns, and its turns do not add multiples of one constant to the function.
+    Turn,
 }
 
 /// Returns a surface on which a function may jump along a field. Returns `None` if the function is proven not to jump.
 ///
-/// A function does not jump if the limits from both sides are equal, or if no solution leads from one side to the other. A surface that contains whole
-/// solutions counts as well, because rounding moves states across it, unless [`is_exact`] holds.
+/// A function does not jump if the limits from both sides are equal, or if no solution leads from one side to the other. A surface of conditions that contains
+/// whole solutions counts as well, because rounding moves states across it, unless [`is_exact`] holds. On the surface of an angle, the angle is undefined.
+///
+/// Turns of an angle that add a multiple of one constant do not count: the values of such a function are compared up to turns.
 pub(crate) fn may_jump(graph: &mut Graph, x: &[Symbol], field: &[Id], function: Id) -> Option<Discontinuity> {
     for edge in edges_of_jumps(graph, function) {
         let found = |kind| Discontinuity { equal: edge.equal, node: edge.changing[0].node, kind };
@@ -89,22 +107,23 @@ pub(crate) fn may_jump(graph: &mut Graph, x: &[Symbol], field: &[Id], function: 
             }
         }
     }
-    None
+    irregular_turn(graph, function).map(|angle| Discontinuity { equal: [angle, angle], node: angle, kind: Kind::Turn })
 }
 
 /// Returns whether solutions may lead across the zeros of a difference.
 ///
-/// They do not if each factor of the difference is proven to have the rate zero where it vanishes, and solutions are unique. Each zero then belongs to a
-/// solution within the surface.
+/// A factor g keeps its sign if its rate is zero, or if its rate is Lipschitz and vanishes where g does: then |g'| ≤ L·|g|. The second proof needs a g with
+/// simple zeros. [`parts`] has removed all powers, and [`is_exact`] accepts only coordinates and resting factors.
 fn is_crossed(graph: &mut Graph, x: &[Symbol], field: &[Id], difference: Id) -> bool {
     parts(graph, difference).into_iter().any(|part| {
+        // ∇g·f + ∂g/∂t.
         let rate = diff::derivative_along(graph, x, field, part, None);
         let rate = graph.sum(&rate);
         !(vanishes(graph, rate) || vanishes_on(graph, part, rate) && is_lipschitz(graph, rate))
     })
 }
 
-/// Returns whether a rate has no jumps and no infinite slopes where it is defined. Otherwise solutions need not be unique: x' = ∛x² leads across x = 0.
+/// Returns whether a rate has no jumps and no infinite slopes where it is defined. Otherwise a factor may change its sign: x' = ∛x² leads across x = 0.
 fn is_lipschitz(graph: &mut Graph, rate: Id) -> bool {
     let is_steep = |id: Id| match graph.node(id) {
         Node::Power(base, exponent) => (Ratio::ZERO..Ratio::ONE).contains(exponent) && !graph.is_positive(*base),
@@ -121,7 +140,7 @@ fn is_lipschitz(graph: &mut Graph, rate: Id) -> bool {
 ///
 /// Each factor of the difference must read resting coordinates only, or must be a coordinate whose rate vanishes with it. Every method keeps a resting coordinate,
 /// and a coordinate that is zero, bit by bit. One factor that rounding moves is enough to change the sign of the difference. States beside the surface are not
-/// covered: a step that is much too long may lead across it.
+/// covered: a step that is much too long may lead across it. The sign of a coordinate that starts as −0 is not covered either: a sum makes +0 of it.
 fn is_exact(graph: &mut Graph, x: &[Symbol], field: &[Id], difference: Id) -> bool {
     let zero = graph.zero();
     parts(graph, difference).into_iter().all(|factor| {
@@ -150,6 +169,7 @@ fn edges(graph: &mut Graph, function: Id) -> Vec<Edge> {
             }
             Node::Call(Function::Signum, ref args) => {
                 let x = args[0];
+                // The sign of +0 is 1.
                 (graph.zero(), x, [-1, 1, 1].map(|sign| graph.integer(sign)))
             }
             _ => continue,

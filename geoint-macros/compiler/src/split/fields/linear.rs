@@ -30,7 +30,8 @@ pub(super) fn ends(graph: &mut Graph, rates: &[(Symbol, Id)]) -> Option<Vec<(Sym
     // g must be constant along Mx + b.
     let slopes = diff::jacobian(graph, &[g], &symbols);
     let change = times(graph, &slopes, &velocity)[0];
-    if !is_zero(graph, change) || analyze::crossings::may_jump(graph, &symbols, &velocity, g).is_some() {
+    let may_jump = analyze::crossings::may_jump(graph, &symbols, &velocity, g).is_some();
+    if !is_zero(graph, change) || may_jump || !analyze::turning_terms(graph, g).is_empty() {
         return None;
     }
     let h = graph.symbol(Symbol::StepLength);

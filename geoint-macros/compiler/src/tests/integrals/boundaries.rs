@@ -156,6 +156,11 @@ fn jumps_on_parts_of_a_boundary_are_refused() {
         (quote!(#y + if #x == 0.0 { 1.0 } else if #x < 0.0 { -1.0 } else { 1.0 }), &one, &zero),
         (quote!(#y + if #x <= 0.0 && !(#x < 0.0) { 1.0 } else { 0.0 }), &one, &zero),
         (quote!(#y + if #x != 0.0 { 1.0 } else { 0.0 }), &one, &zero),
+        // Several conditions change on one surface.
+        (quote!(#y + if #x > 0.0 && 2.0 * #x > 0.0 { 1.0 } else { 0.0 }), &one, &zero),
+        (quote!(#y + if #x > 0.0 && #x.powi(3) > 0.0 { 1.0 } else { 0.0 }), &one, &zero),
+        (quote!(#y + if #x < a && #x / a < 1.0 { 1.0 } else { 0.0 }), &one, &zero),
+        (quote!(#y + if #x > 0.0 && #x.sinh() > 0.0 { 1.0 } else { 0.0 }), &one, &zero),
         // Solutions leave or reach x = 0, although the rate vanishes there: it has no finite slope, or jumps.
         (quote!((2.0 + #y) * if #x < 0.0 { 1.0 } else { 2.0 }), &quote!(if x[0] < 0.0 { 1.0 } else { x[0] }), &zero),
         (quote!((2.0 + #y) * if #x > 0.0 { 1.0 } else { 2.0 }), &quote!((x[0] * x[0]).cbrt()), &zero),
@@ -164,7 +169,26 @@ fn jumps_on_parts_of_a_boundary_are_refused() {
         (quote!((2.0 + #y) * if (#x - 1.0).powi(3) > 0.0 { 1.0 } else { 2.0 }), &one, &zero),
     ] {
         let found = plane(integral.clone(), first.clone(), second.clone());
-        assert!(found.contains("it may jump where"), "{integral}: {found}");
+        assert!(found.contains(" jump where") || found.contains("solutions stay there"), "{integral}: {found}");
+    }
+}
+
+/// A turn of an angle may add a multiple of one constant to an integral, and nothing else.
+#[test]
+fn turns_that_change_more_than_a_constant_are_refused() {
+    let angle = quote!(x[1].atan2(x[0]));
+    let turning = |integral: TokenStream| plane(integral, quote!(-x[1]), quote!(x[0]));
+    for integral in [quote!(#angle - t), quote!(a * #angle - a * t), quote!((2.0 * (#angle - t)).cos())] {
+        assert_eq!(turning(integral), "");
+    }
+    for integral in [
+        quote!((#angle - t).powi(2)),
+        quote!((0.5 * (#angle - t)).cos()),
+        quote!((#angle - t).max(0.0)),
+        quote!((x[0] * x[0] + x[1] * x[1]) * (#angle - t)),
+    ] {
+        let found = turning(integral.clone());
+        assert!(found.contains("jump"), "{integral}: {found}");
     }
 }
 
