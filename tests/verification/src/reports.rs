@@ -19,7 +19,7 @@ const SENTENCES: &[(&str, &str)] = &[
     ("a polynomial", "geoint-macros/compiler/src/tests::degrees"),
     ("T and V have exact flows", "geoint-macros/compiler/src/tests::separable_with_quadratic_t"),
     ("half of the unknowns of implicit methods", "tests/accuracy::every_problem"),
-    ("prepared once", "geoint-macros/compiler/src/tests::what_is_known_earlier_is_computed_earlier"),
+    ("prepared once", "geoint-macros/compiler/src/tests::early_values_are_computed_early"),
     ("they need a quadratic T", "tests/accuracy::nystrom_tables_lose_their_order_elsewhere"),
     ("Conserved by the flow", "geoint-macros/compiler/src/tests::linear_momenta_and_norms"),
     ("does not read", "geoint-macros/compiler/src/tests::coordinates_that_are_not_read_and_time"),
@@ -71,7 +71,7 @@ const SENTENCES: &[(&str, &str)] = &[
     ("kept, the energy of the field", "tests/accuracy::what_is_recovered_is_kept"),
     ("kept, because S is skew", "tests/accuracy::euler_top"),
     ("constant as well, not listed", "tests/accuracy::what_is_found_is_reported"),
-    ("{of} keep {names}, to rounding", "geoint-macros/compiler/src/tests::steps_keep_every_integral_to_rounding"),
+    ("{methods} keep {kept}, to rounding", "geoint-macros/compiler/src/tests::steps_keep_every_integral_to_rounding"),
     ("by h times the mean of b·∇I, to rounding", "tests/accuracy::what_a_drive_changes_is_known"),
     ("takes h ∇̄H·C ∇̄H off the energy", "tests/stability::energy_falls_by_what_is_dissipated"),
     ("keeps the energy to rounding, and every C", "tests/accuracy::euler_top"),
@@ -93,7 +93,7 @@ const SENTENCES: &[(&str, &str)] = &[
         "tests/lagrangian::angular_momenta_stay_under_gauss_methods",
     ),
     ("`DiscreteGradient` keeps all of these", "tests/lagrangian::sums_of_momenta_stay"),
-    ("keeps all of these but {}", "tests/lagrangian::angular_momenta_stay_under_gauss_methods"),
+    ("`DiscreteGradient` keeps all of these{but}", "tests/lagrangian::angular_momenta_stay_under_gauss_methods"),
     ("decay by one factor", "tests/lagrangian::dissipated_momenta_decay_alike"),
     ("neither quadratic nor of a known conjugate", "tests/lagrangian::other_powers_of_velocities"),
     ("L is quadratic, with a mass matrix", "geoint-macros/compiler/src/tests::energies_belong_to_lagrangians"),
@@ -153,7 +153,7 @@ pub(crate) fn section(page: &mut Page) {
         page.claim(names.is_test(test), format_args!("{test} is no test"));
     }
     let mut files = sources::below("geoint-macros/compiler/src/emit/report");
-    files.push("geoint-macros/compiler/src/emit/damping.rs".into());
+    files.push("geoint-macros/compiler/src/emit/domain.rs".into());
     let texts: Vec<(String, String)> = files.into_iter().map(|path| (sources::read(&path), path)).collect();
     for (words, _) in SENTENCES {
         page.claim(texts.iter().any(|(text, _)| text.contains(words)), format_args!("no report says “{words}”"));

@@ -2,45 +2,12 @@
 
 use super::domain::{Domain, Formulas};
 use super::poles::DistinctNodes;
-use super::system::{FlowKernel, Kernels, System, grown};
+use super::system::{BodyKernels, FlowKernel, Kernels, Shift, System, Turn, grown};
 use crate::analyze::{self, momenta_of_body as momenta};
 use crate::compilation::Compilation;
 use crate::diff;
 use crate::ir::{Graph, Id, Number, Symbol, UndefinedAt};
-use crate::schedule::{Levels, Routine, Scheduler, phase};
-
-/// Kicks and drifts of rigid bodies.
-#[derive(Debug)]
-pub(crate) struct BodyKernels {
-    pub(crate) kick: FlowKernel,
-    pub(crate) gradient_kick: FlowKernel,
-    /// The nonzero entries of hJ and hb of every body, and of hM⁻¹, each once.
-    pub(crate) drift: Routine,
-    /// The rotation of each body, by indices of these entries.
-    pub(crate) turns: Vec<Turn>,
-    /// The shift of each coordinate of the centres of mass, by indices of these entries.
-    pub(crate) centres: Vec<[Shift; 3]>,
-    /// True if the frames of all bodies are frames of principal axes.
-    pub(crate) principal: bool,
-    /// True if the impulse of a kick depends on positions only.
-    pub(crate) kicks_repeat: bool,
-}
-
-/// The rotation vector hω = hJm + hb of one body in a drift, by indices of prepared numbers. Zero entries are absent.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Turn {
-    pub(crate) linear: [[Option<usize>; 3]; 3],
-    pub(crate) constant: [Option<usize>; 3],
-    /// An axis about which the body is symmetric.
-    pub(crate) symmetry: Option<usize>,
-}
-
-/// The increment of a coordinate of a centre of mass in a drift: a linear form in the momenta, and a constant. Both are indices of prepared numbers.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Shift {
-    pub(crate) linear: Vec<(usize, Symbol)>,
-    pub(crate) constant: Option<usize>,
-}
+use crate::schedule::{Levels, Routine, phase};
 
 /// Derives the routines of every method.
 pub(crate) fn bodies(compilation: &mut Compilation<'_>, found: &analyze::Bodies, partial: &[UndefinedAt]) -> System {
@@ -101,15 +68,6 @@ pub(crate) fn bodies(compilation: &mut Compilation<'_>, found: &analyze::Bodies,
         value: Some(Routine::number("hamiltonian", found.energy)),
         rate: Some(Routine::array("rate", "slopes", &phase(&positions), rates)),
         ..System::new(Kernels::Bodies(kernels), domain)
-    }
-}
-
-impl BodyKernels {
-    /// Computes the statements of all routines.
-    pub(super) fn schedule(&mut self, scheduler: &mut Scheduler<'_>) {
-        self.kick.kernel.schedule(scheduler);
-        self.gradient_kick.kernel.schedule(scheduler);
-        self.drift.schedule(scheduler);
     }
 }
 

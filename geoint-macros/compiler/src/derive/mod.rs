@@ -20,7 +20,7 @@ mod velocities;
 mod constraints;
 mod findings;
 
-pub(crate) use bodies::{BodyKernels, Shift, Turn, bodies};
+pub(crate) use bodies::bodies;
 pub(crate) use canonical::{Decompositions, canonical};
 pub(crate) use checks::{Check, Sign};
 pub(crate) use constraints::constrained;
@@ -37,8 +37,9 @@ pub(crate) use poles::{Angles, Jumps, Margin, Margins, Poles, Signs};
 pub(crate) use proof::flow::{Constant, Flow, Named, Origin};
 pub(crate) use proof::liouville::{Liouville, Multiplier, Recovered, liouville};
 pub(crate) use system::{
-    ActionStages, Collocation, ConstraintKernels, ContactStages, FieldKernels, FlowKernel, GradientKick, Inner,
-    Integrals, KeptMomentum, Kernels, KickDrift, Lagrangian, MassKernels, Missing, Modified, NamedFunction, Pair,
-    Perturbed, PieceKernel, PiecesOf, StageKernel, StepKernel, System, Undamped, VelocityKernels, VelocityStages,
+    ActionStages, BodyKernels, Collocation, ConstraintKernels, ContactStages, FieldKernels, FlowKernel, GradientKick,
+    Inner, Integrals, KeptMomentum, Kernels, KickDrift, Lagrangian, MassKernels, Missing, Modified, NamedFunction,
+    Pair, Perturbed, PieceKernel, PiecesOf, Shift, StageKernel, StepKernel, System, Turn, Undamped, VelocityKernels,
+    VelocityStages,
 };
 pub(crate) use velocities::{LagrangianOfVelocities, velocities};

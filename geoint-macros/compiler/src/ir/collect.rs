@@ -3,7 +3,7 @@
 //! Derivatives along a recursion over links are sums of this kind, with as many terms as the chain has links. The graph keeps sums as they are
 //! written, so kernels ask for this step.
 
-use super::{Graph, Id, Node, Number, Ratio, Table, hash};
+use super::{Graph, Id, Node, Number, Ratio, Table};
 
 /// Collects terms in every sum below the roots.
 pub(crate) fn collected(graph: &mut Graph, roots: &[Id]) -> Vec<Id> {
@@ -69,11 +69,6 @@ struct Group {
 
 /// Groups terms by their moving factors. `None` if each term is alone in its group.
 fn groups(graph: &Graph, terms: &[(Number, Id)]) -> Option<Vec<Group>> {
-    // In most sums all terms are alone. Their hashes show it without lists of factors.
-    let hashes: Vec<u64> = terms.iter().map(|(_, term)| hash_of_moving(graph, *term)).collect();
-    if (1..hashes.len()).all(|i| !hashes[..i].contains(&hashes[i])) {
-        return None;
-    }
     let mut groups: Vec<Group> = vec![];
     for (place, (_, term)) in terms.iter().enumerate() {
         let mut moving = graph.factors(graph.coefficient(*term).1);
@@ -85,20 +80,6 @@ fn groups(graph: &Graph, terms: &[(Number, Id)]) -> Option<Vec<Group>> {
         }
     }
     (groups.len() < terms.len()).then_some(groups)
-}
-
-/// Returns a hash of the moving factors of a term, in any order.
-fn hash_of_moving(graph: &Graph, id: Id) -> u64 {
-    let of_power = |base: Id, exponent: Ratio| u64::from(hash::of(&(base.index(), exponent.hash_word())));
-    match graph.node(id) {
-        _ if !graph.reads(id).moves() => 0,
-        Node::Product(factors) => {
-            factors.iter().fold(0, |sum, factor| sum.wrapping_add(hash_of_moving(graph, *factor)))
-        }
-        Node::Linear(constant, terms) if constant.is_zero() && terms.len() == 1 => hash_of_moving(graph, terms[0].1),
-        Node::Power(base, exponent) => of_power(*base, *exponent),
-        _ => of_power(id, Ratio::ONE),
-    }
 }
 
 /// Builds a sum with its terms collected. A term that is alone in its group stays as it is.

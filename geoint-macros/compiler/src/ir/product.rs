@@ -57,18 +57,25 @@ impl Graph {
 
     /// Returns the sign and factors of a product in which sums on the left have their opposite on the right: (b − a)(a − b)² is −(a − b)³.
     fn with_opposite_sum(&self, left: &[(Id, Ratio)], right: &[(Id, Ratio)]) -> Option<(Number, Vec<(Id, Ratio)>)> {
-        let (mut sign, mut found, mut factors) = (Number::ONE, false, left.to_vec());
-        for (base, exponent) in factors.iter_mut().filter(|(_, exponent)| exponent.is_integer()) {
-            if let Some((opposite, _)) = right.iter().find(|(other, _)| self.is_opposite(*base, *other)) {
-                found = true;
-                *base = *opposite;
-                if exponent.numerator % 2 != 0 {
+        let opposite = |(base, exponent): &(Id, Ratio)| {
+            let (opposite, _) = right.iter().find(|(other, _)| self.is_opposite(*base, *other))?;
+            exponent.is_integer().then_some(*opposite)
+        };
+        // Most products have none.
+        if !left.iter().any(|factor| opposite(factor).is_some()) {
+            return None;
+        }
+        let (mut sign, mut factors) = (Number::ONE, left.to_vec());
+        for factor in &mut factors {
+            if let Some(base) = opposite(factor) {
+                factor.0 = base;
+                if factor.1.numerator % 2 != 0 {
                     sign = sign.neg();
                 }
             }
         }
         factors.extend(right);
-        found.then_some((sign, factors))
+        Some((sign, factors))
     }
 
     /// Returns whether two sums are opposite term by term.

@@ -1,5 +1,6 @@
 //! The symbols that a node reads.
 
+use super::hash::HashMap;
 use super::id::Id;
 use super::node::Node;
 use super::symbol::Symbol;
@@ -70,8 +71,10 @@ impl Reads {
 /// Cache of the symbols that nodes read. Many nodes read the same symbols, so nodes share sets.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Symbols {
-    /// Sorted sets of symbols.
+    /// Sorted sets of symbols, all different.
     sets: Vec<Vec<Symbol>>,
+    /// The places of the unions of sets, by the places of these sets.
+    unions: HashMap<Vec<u32>, u32>,
     /// The place of each node's set.
     pub(super) of: Table<u32>,
 }
@@ -91,27 +94,26 @@ impl Symbols {
         let set = match (node, &sets[..]) {
             (Node::Symbol(symbol), _) => self.push(vec![*symbol]),
             (_, [set]) => *set,
-            _ => self.union(&sets),
+            _ => match self.unions.get(&sets) {
+                Some(union) => *union,
+                None => {
+                    let union: BTreeSet<Symbol> =
+                        sets.iter().flat_map(|set| &self.sets[*set as usize]).copied().collect();
+                    let union = self.push(union.into_iter().collect());
+                    self.unions.insert(sets, union);
+                    union
+                }
+            },
         };
         self.of.insert(id, set);
     }
 
-    /// Returns the place of a union. Often one of the sets contains all others.
-    fn union(&mut self, sets: &[u32]) -> u32 {
-        let of = |set: &u32| &self.sets[*set as usize];
-        let largest = sets.iter().max_by_key(|set| of(set).len());
-        let all = || sets.iter().flat_map(of);
-        match largest {
-            Some(largest) if all().all(|symbol| of(largest).binary_search(symbol).is_ok()) => *largest,
-            _ => {
-                let union: BTreeSet<Symbol> = all().copied().collect();
-                self.push(union.into_iter().collect())
-            }
-        }
-    }
-
+    /// Returns the place of a set, and adds it if it is new. There are few sets.
     fn push(&mut self, set: Vec<Symbol>) -> u32 {
-        self.sets.push(set);
-        self.sets.len() as u32 - 1
+        let place = self.sets.iter().position(|known| *known == set).unwrap_or(self.sets.len());
+        if place == self.sets.len() {
+            self.sets.push(set);
+        }
+        place as u32
     }
 }

@@ -4,8 +4,8 @@
 
 use super::Lowering;
 use super::language::compound;
-use super::scope::{Around, Refused};
-use super::value::{Value, axis};
+use super::scope::Refused;
+use super::value::{Around, Value, axis};
 use quote::ToTokens;
 use syn::visit::Visit;
 use syn::{BinOp, Expr, ExprAssign, ExprBinary, Member};

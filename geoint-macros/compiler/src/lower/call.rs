@@ -1,9 +1,8 @@
 //! Calls. Closures, nested functions and energy functions are inlined. A few functions of numbers and vectors are known.
 
-use super::scope::Around;
 use super::shared::{Call, Inlined};
 use super::statement::simple_name;
-use super::value::{Closure, Value};
+use super::value::{Around, Closure, Value};
 use super::{Lowering, method};
 use crate::ir::Number;
 use crate::messages::BY_HAND;

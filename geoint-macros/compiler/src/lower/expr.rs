@@ -2,8 +2,8 @@
 
 use super::language::{EXPRESSIONS, POWER, THROUGH_REFERENCE, compound, is_arithmetic, is_comparison, other_macro};
 use super::loops::Exit;
-use super::scope::{Found, Item};
-use super::value::{Callable, Closure, Value, axis};
+use super::scope::Found;
+use super::value::{Callable, Closure, Item, Value, axis};
 use super::{Lowering, constants, quaternion};
 use crate::ir::Number;
 use proc_macro2::Literal;

@@ -31,11 +31,11 @@ pub(crate) use flow::{Integral, Skew, canonical};
 use loops::{Leaving, Loop};
 use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
-use scope::Scopes;
 use shared::Calls;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Display;
 use std::rc::Rc;
+use value::Scopes;
 use value::{Callable, Value};
 
 /// A body as a graph.

@@ -1,7 +1,6 @@
 //! Notes about new nodes: places, heights, and the conditions under which partial functions are computed.
 
-use super::scope::Around;
-use super::value::Value;
+use super::value::{Around, Value};
 use super::{Lowering, MAX_HEIGHT, Place};
 use crate::ir::{Id, Node, UndefinedAt};
 use quote::ToTokens;

@@ -1,73 +1,8 @@
-//! Scopes: names of variables and items, resolved in the same way as in rustc.
+//! The search for names in scopes, with the same rules as in rustc.
 
-use super::value::{Callable, Closure, Value};
-use crate::ir::HashMap;
+use super::value::{Around, Barrier, Callable, Closure, Item, Level, Scopes, Value};
 use crate::parse::{Function, Outside};
-use std::cell::RefCell;
 use std::rc::Rc;
-use syn::Expr;
-
-/// Nested scopes of one function body. Empty by default.
-///
-/// A clone shares its levels until either copy changes. Closures capture their environment as a clone.
-#[derive(Clone, Default)]
-pub(super) struct Scopes {
-    levels: Vec<Rc<Level>>,
-    pub(super) barrier: Barrier,
-    /// Constants and type aliases from outside of the function, and aliases of the blocks around.
-    pub(super) outside: Rc<Outside>,
-    /// Whether the function comes from another file or module than the energy. Unknown names may have another meaning in its file.
-    pub(super) is_foreign: bool,
-}
-
-/// A block. Its variables are visible after their `let`, its items in the whole block.
-#[derive(Clone, Default)]
-struct Level {
-    variables: HashMap<String, Value>,
-    items: HashMap<String, Item>,
-}
-
-/// Limit for assignments: variables below the level are read-only.
-#[derive(Clone, Copy, Default)]
-pub(super) struct Barrier {
-    level: usize,
-    around: Around,
-}
-
-/// Kind of code whose outer variables are read-only.
-#[derive(Clone, Copy, Default)]
-pub(super) enum Around {
-    Branch,
-    #[default]
-    Function,
-}
-
-/// An item that expressions can name.
-#[derive(Clone)]
-pub(super) enum Item {
-    /// A nested function.
-    Function(Rc<Callable>),
-    /// A function under `#[energy_function]`.
-    Outside(Closure),
-    Constant(Rc<Constant>),
-    /// A constant of the standard library or of the attribute.
-    Import(Value),
-}
-
-/// A `const` item. Its value is computed at the first use, because items may refer to later items.
-pub(super) struct Constant {
-    pub(super) expr: Expr,
-    pub(super) value: RefCell<Progress>,
-}
-
-/// State of the evaluation of a constant.
-#[derive(Clone)]
-pub(super) enum Progress {
-    Untouched,
-    /// Evaluation has started. A use in this state is a cycle.
-    Underway,
-    Known(Value),
-}
 
 /// Result of the search for a name.
 pub(super) enum Found {

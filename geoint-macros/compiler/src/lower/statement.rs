@@ -3,8 +3,7 @@
 use super::Lowering;
 use super::constants::imported;
 use super::language::{STATEMENTS, THROUGH_REFERENCE, other_macro};
-use super::scope::{self, Constant, Progress, Scopes};
-use super::value::{Callable, Value};
+use super::value::{self, Callable, Constant, Progress, Scopes, Value};
 use crate::parse::Outside;
 use quote::ToTokens;
 use std::cell::RefCell;
@@ -40,17 +39,17 @@ impl Lowering {
         // Later declarations hide earlier ones. Precedence rises from imports by `*` to imports by name to items.
         for import in globs.into_iter().chain(named) {
             let value = Value::Real(self.graph.number(import.value));
-            self.scopes.declare(&import.name, scope::Item::Import(value));
+            self.scopes.declare(&import.name, value::Item::Import(value));
         }
         for statement in &block.stmts {
             match statement {
                 Stmt::Item(Item::Fn(item)) => {
                     let callable = Callable::of(item);
-                    self.scopes.declare(&item.sig.ident, scope::Item::Function(Rc::new(callable)));
+                    self.scopes.declare(&item.sig.ident, value::Item::Function(Rc::new(callable)));
                 }
                 Stmt::Item(Item::Const(item)) => {
                     let constant = Constant { expr: (*item.expr).clone(), value: RefCell::new(Progress::Untouched) };
-                    self.scopes.declare(&item.ident, scope::Item::Constant(Rc::new(constant)));
+                    self.scopes.declare(&item.ident, value::Item::Constant(Rc::new(constant)));
                 }
                 Stmt::Item(Item::Type(item)) => {
                     let outside = Outside::clone(&self.scopes.outside).with_alias(&item.ident, &item.ty);

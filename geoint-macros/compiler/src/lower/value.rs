@@ -1,9 +1,9 @@
-//! Values of expressions during lowering.
+//! Values of expressions, and scopes, which bind names to values. A closure is a value with the scopes around it, so one file defines both.
 
-use super::scope::Scopes;
-use crate::ir::Id;
-use crate::parse::{Leaf, Shape};
+use crate::ir::{HashMap, Id};
+use crate::parse::{Leaf, Outside, Shape};
 use proc_macro2::{Ident, TokenStream};
+use std::cell::RefCell;
 use std::rc::Rc;
 use syn::{Expr, ExprBlock, FnArg, ItemFn, Pat};
 
@@ -45,6 +45,68 @@ pub(super) struct Callable {
     pub(super) name: Option<String>,
     pub(super) parameters: Vec<Pat>,
     pub(super) body: Expr,
+}
+
+/// Nested scopes of one function body. Empty by default.
+///
+/// A clone shares its levels until either copy changes. Closures capture their environment as a clone.
+#[derive(Clone, Default)]
+pub(super) struct Scopes {
+    pub(super) levels: Vec<Rc<Level>>,
+    pub(super) barrier: Barrier,
+    /// Constants and type aliases from outside of the function, and aliases of the blocks around.
+    pub(super) outside: Rc<Outside>,
+    /// Whether the function comes from another file or module than the energy. Unknown names may have another meaning in its file.
+    pub(super) is_foreign: bool,
+}
+
+/// A block. Its variables are visible after their `let`, its items in the whole block.
+#[derive(Clone, Default)]
+pub(super) struct Level {
+    pub(super) variables: HashMap<String, Value>,
+    pub(super) items: HashMap<String, Item>,
+}
+
+/// Limit for assignments: variables below the level are read-only.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Barrier {
+    pub(super) level: usize,
+    pub(super) around: Around,
+}
+
+/// Kind of code whose outer variables are read-only.
+#[derive(Clone, Copy, Default)]
+pub(super) enum Around {
+    Branch,
+    #[default]
+    Function,
+}
+
+/// An item that expressions can name.
+#[derive(Clone)]
+pub(super) enum Item {
+    /// A nested function.
+    Function(Rc<Callable>),
+    /// A function under `#[energy_function]`.
+    Outside(Closure),
+    Constant(Rc<Constant>),
+    /// A constant of the standard library or of the attribute.
+    Import(Value),
+}
+
+/// A `const` item. Its value is computed at the first use, because items may refer to later items.
+pub(super) struct Constant {
+    pub(super) expr: Expr,
+    pub(super) value: RefCell<Progress>,
+}
+
+/// State of the evaluation of a constant.
+#[derive(Clone)]
+pub(super) enum Progress {
+    Untouched,
+    /// Evaluation has started. A use in this state is a cycle.
+    Underway,
+    Known(Value),
 }
 
 impl Callable {

@@ -1,9 +1,10 @@
 //! Statements: the work of a routine, in order.
 
+use super::address::Successive;
+use super::call::{Call, JointFunction};
 use super::instruction::{Instruction, Operand, Register};
-use super::joint::{Call, JointFunction};
 use super::layout::Place;
-use super::loops::Loop;
+use super::operations::Operations;
 
 /// The number of lanes of a pack. One operation computes all lanes.
 pub(crate) const LANES: usize = 4;
@@ -37,62 +38,29 @@ pub(crate) enum Statement {
     Write(Place, Operand),
 }
 
+/// A loop over alike statements.
+#[derive(Clone, Debug)]
+pub(crate) struct Loop {
+    /// The number of the array.
+    pub(crate) array: usize,
+    pub(crate) length: usize,
+    /// The operands of a member, and their registers in the body.
+    pub(crate) reads: Vec<(Register, Successive)>,
+    /// The statements of a member, in the registers of the first member.
+    pub(crate) body: Vec<Statement>,
+    /// The registers of an entry in the body.
+    pub(crate) results: Vec<Register>,
+    /// The registers of each entry in statements after the loop.
+    pub(crate) members: Vec<Vec<Register>>,
+    /// The entries of an array of the caller, if the loop has no array of its own.
+    pub(crate) target: Option<Successive>,
+}
+
 /// Statements and their results.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Block {
     pub(crate) statements: Vec<Statement>,
     pub(crate) results: Vec<Operand>,
-}
-
-/// The number of operations in a block.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Operations {
-    /// Sums, differences, products.
-    pub(crate) arithmetic: usize,
-    /// Divisions and square roots.
-    pub(crate) divisions: usize,
-    /// Functions. A sine and its cosine are two.
-    pub(crate) calls: usize,
-}
-
-impl Operations {
-    /// Returns a number of sums and products.
-    pub(super) fn arithmetic(arithmetic: usize) -> Operations {
-        Operations { arithmetic, ..Operations::default() }
-    }
-
-    /// Returns a number of calls.
-    pub(super) fn calls(calls: usize) -> Operations {
-        Operations { calls, ..Operations::default() }
-    }
-
-    /// Returns the number of all operations. A fused a·b + c counts as two.
-    pub(crate) fn total(self) -> usize {
-        self.arithmetic + self.divisions + self.calls
-    }
-
-    /// Returns a rough duration in units of one sum.
-    pub(crate) fn weight(self) -> usize {
-        self.arithmetic + 4 * self.divisions + 20 * self.calls
-    }
-}
-
-impl std::ops::Add for Operations {
-    type Output = Operations;
-    fn add(self, other: Operations) -> Operations {
-        Operations {
-            arithmetic: self.arithmetic + other.arithmetic,
-            divisions: self.divisions + other.divisions,
-            calls: self.calls + other.calls,
-        }
-    }
-}
-
-impl std::ops::Mul<Operations> for usize {
-    type Output = Operations;
-    fn mul(self, one: Operations) -> Operations {
-        Operations { arithmetic: self * one.arithmetic, divisions: self * one.divisions, calls: self * one.calls }
-    }
 }
 
 impl Statement {

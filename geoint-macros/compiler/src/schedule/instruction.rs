@@ -1,6 +1,6 @@
 //! Operations of a routine and their operands.
 
-use super::block::Operations;
+use super::operations::Operations;
 use crate::ir::{Function, Number, Relation, Symbol};
 
 /// A computed value of a routine.

@@ -1,11 +1,13 @@
 //! Kernels: routines that share prepared numbers. Each symbol is known at one level; each level has a routine.
 
-use super::block::{Block, Operations};
+use super::block::Block;
 use super::levels::{KnownLevels, Slots};
 use super::lowering::Lowering;
+use super::operations::Operations;
 use super::passes::arranged;
-use super::routine::{Argument, Routine};
+use super::routine::Routine;
 use super::scheduler::Scheduler;
+use super::space::Argument;
 use crate::ir::{Graph, Id, Symbol};
 
 /// The levels at which symbols become known. Every level but the last stores numbers for later levels.
@@ -122,11 +124,6 @@ pub(crate) struct Plan {
     pub(crate) last: Vec<Block>,
     /// The number of slots of each level but the last.
     pub(crate) slots: Vec<usize>,
-}
-
-/// Returns the statements that compute some nodes, if all symbols are known at once.
-pub(crate) fn statements(graph: &mut Graph, nodes: &[Id]) -> Block {
-    Lowering::run(graph, &mut KnownLevels::new(|_| 0), &mut [], 0, nodes)
 }
 
 /// Schedules routines. `stores` has the roots of the routine of each storing level, `last` the roots of each routine of the last level.

@@ -49,6 +49,11 @@ impl Scope {
     }
 }
 
+/// Returns the statements that compute some nodes, if all symbols are known at once.
+pub(crate) fn statements(graph: &mut Graph, nodes: &[Id]) -> Block {
+    Lowering::run(graph, &mut KnownLevels::new(|_| 0), &mut [], 0, nodes)
+}
+
 /// The lowering of a routine.
 pub(super) struct Lowering<'a, F> {
     pub(super) graph: &'a mut Graph,

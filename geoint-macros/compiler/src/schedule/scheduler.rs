@@ -1,7 +1,7 @@
 //! The input of scheduling: the graph, and the places of coordinates and parameters in emitted code.
 
 use super::layout::{Array, Layout, Place};
-use super::routine::Argument;
+use super::space::Argument;
 use crate::ir::{Graph, Symbol};
 
 /// Turns the nodes of routines into statements.

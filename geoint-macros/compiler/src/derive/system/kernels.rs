@@ -1,8 +1,8 @@
 //! Kernels of the methods of one form: implicit methods, and splittings of rigid bodies.
 
 use super::Missing;
+use super::bodies::BodyKernels;
 use crate::analyze::{Conserved, MeanValue};
-use crate::derive::bodies::BodyKernels;
 use crate::ir::Id;
 use crate::schedule::{Kernel, Routine, Scheduler, Space};
 

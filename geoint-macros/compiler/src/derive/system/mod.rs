@@ -1,10 +1,12 @@
 //! A system with the routines of all methods: the input of emission.
 
 mod lagrangian;
+mod bodies;
 mod kernels;
 mod kick_drift;
 mod perturbed;
 
+pub(crate) use bodies::{BodyKernels, Shift, Turn};
 pub(crate) use kernels::{
     ActionStages, Collocation, ConstraintKernels, ContactKernels, ContactStages, FieldKernels, KeptMomentum, Kernels,
     MassKernels, StageKernel, StepKernel, VelocityKernels, VelocityStages,

@@ -1,9 +1,9 @@
 //! Arranges the loops of a block: loops inside of other loops, targets, and the order of statements.
 
 use super::find::{Finder, Found};
-use super::{Address, Indices, Loop, Source, Successive};
 use crate::ir::HashMap;
-use crate::schedule::block::{Block, Statement};
+use crate::schedule::address::{Address, Indices, Source, Successive};
+use crate::schedule::block::{Block, Loop, Statement};
 use crate::schedule::instruction::{Operand, Register};
 use crate::schedule::layout::Place;
 use std::collections::{BTreeMap, HashSet};

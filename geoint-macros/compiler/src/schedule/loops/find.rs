@@ -1,10 +1,11 @@
 //! Finds alike statements with successive operands.
 
-use super::{Address, Computed, FEWEST, Indices, Source, Successive};
+use super::FEWEST;
 use crate::ir::{Function, HashMap, hash};
+use crate::schedule::address::{Address, Computed, Indices, Source, Successive};
 use crate::schedule::block::{Block, Statement};
+use crate::schedule::call::{Call, JointFunction};
 use crate::schedule::instruction::{Instruction, Operand, Register};
-use crate::schedule::joint::{Call, JointFunction};
 use crate::schedule::layout::Layout;
 use std::collections::BTreeMap;
 
