@@ -1,4 +1,4 @@
-//! Removes idle coordinates: those that an entry of a mass matrix reads without depending on them.
+//! Removes idle coordinates, alone or in pairs: those that an entry of a mass matrix reads without depending on them.
 //!
 //! Kinematics that are written step by step give sin²q + cos²q for 1, and cos a cos b + sin a sin b for cos(a − b). Without idle coordinates more mass matrices
 //! are constant, and all derivatives are shorter.
@@ -18,14 +18,17 @@ pub(super) fn without_idle_coordinates(graph: &mut Graph, entry: Id) -> Id {
     if !graph.reads(entry).q || !is_total(graph, entry) || jumps(graph, entry) {
         return entry;
     }
-    if vanishes(graph, entry) {
-        return graph.zero();
-    }
     let mut positions = graph.symbols(entry);
     positions.retain(|symbol| matches!(symbol, Symbol::Position(_)));
     let mut directions = directions(&positions);
     // A quick test at points drops most directions. Each remaining direction is proven below.
     analyze::retain_likely_constant(graph, entry, &mut directions);
+    if directions.is_empty() {
+        return entry;
+    }
+    if vanishes(graph, entry) {
+        return graph.zero();
+    }
     let mut entry = entry;
     for direction in directions {
         // An earlier direction may have removed a coordinate.
