@@ -1,4 +1,4 @@
-//! Which momenta do friction and forces change? Reports and proofs of conserved momenta ask.
+//! Which momenta do friction and forces change? The report and the proofs of conserved momenta use the answer.
 //!
 //! Friction by the action s of contact systems is a part of their energy, and not a subject of this file.
 

@@ -108,7 +108,7 @@ fn depends(graph: &mut Graph, velocity: &[Id; 3], momenta: &[Symbol]) -> bool {
 /// Returns the first term of T that makes the velocity of a body depend on some momenta.
 fn coupling_term(graph: &mut Graph, kinetic: Id, body: u32, others: &[Symbol]) -> Id {
     let couples = |graph: &mut Graph, term: Id| {
-        let velocity = momenta(body).map(|momentum| diff::partial(graph, term, momentum));
+        let velocity = momenta(body).map(|momentum| diff::partial_derivative(graph, term, momentum));
         depends(graph, &velocity, others)
     };
     terms(graph, kinetic).into_iter().find(|term| couples(graph, *term)).unwrap_or(kinetic)

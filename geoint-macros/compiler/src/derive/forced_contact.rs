@@ -1,9 +1,9 @@
-//! Systems of H(q, p, s, t) with forces F and a Rayleigh function R beside H, in terms of v = ∂H/∂p:
+//! Systems of H(q, p, s, t) with forces F, or a Rayleigh function R, or both, in terms of v = ∂H/∂p:
 //!
 //! q' = v, p' = −∂H/∂q − p ∂H/∂s + F − ∂R/∂v, s' = p·v − H.
 //!
-//! With forces, the flow is no contact map, so methods that preserve the contact form are absent. Routines that any method can use are derived: the energy,
-//! its gradient, rates, the domain, and Taylor coefficients.
+//! With forces, the flow is no contact map, so methods that preserve the contact form are absent. Taylor methods and the methods of Runge and Kutta remain. They
+//! use the energy, its gradient, rates, the domain, and Taylor coefficients.
 
 use super::contact::{gradient_routine, rate_routine};
 use super::domain::{Domain, Formulas};
@@ -51,6 +51,7 @@ pub(crate) fn forced_contact(
         value: Some(Routine::number("hamiltonian", energy)),
         gradient: Some(gradient_routine(&gradient, &positions)),
         rate: Some(rate_routine(rates, &positions)),
+        // The name of the trait appears in rustc's error about an absent method.
         splitting: Some(Err(Missing::new("MechanicalIn", obstacle, FORCED_ACTION))),
         pieces: vec![pieces],
         jet,

@@ -6,7 +6,7 @@ use super::equations::{self, contact_force};
 use super::field::{Field, symmetrise};
 use super::forward::jacobian;
 use super::gradient::{Gradient, discrete_gradient, gradient};
-use super::slope::{Slopes, middle};
+use super::slope::{Slopes, coordinate_in_middle};
 use crate::ir::formula::call;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Function, Graph, Id, Number, Symbol};
@@ -29,7 +29,7 @@ pub(crate) fn midpoint(graph: &mut Graph, energy: Id, degrees: u32) -> Equation 
     let n = degrees as usize;
     let action = times_h(graph, energy);
     let gradient = gradient(graph, action, degrees);
-    let mut at_middle = Substitution::new(middle);
+    let mut at_middle = Substitution::new(coordinate_in_middle);
     let mut moved = |nodes: &[Id]| nodes.iter().map(|node| at_middle.apply(graph, *node)).collect::<Vec<Id>>();
     let (q, p, s) = (moved(&gradient.q), moved(&gradient.p), moved(&[gradient.s])[0]);
     let value = moved(&[action])[0];

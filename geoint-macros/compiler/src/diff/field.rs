@@ -6,7 +6,7 @@
 use super::equations;
 use super::forward::jacobian;
 use super::gradient::{Gradient, discrete_gradient};
-use super::slope::middle;
+use super::slope::coordinate_in_middle;
 use crate::analyze::Structure;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Symbol};
@@ -91,7 +91,7 @@ fn share_canonical(graph: &mut Graph, jacobian: &mut [Vec<Id>]) {
 pub(crate) fn discrete(graph: &mut Graph, structure: &Structure, degrees: u32) -> Field {
     let root = structure.reduced().map_or(structure.energy, |parts| parts.potential);
     let gradient = discrete_gradient(graph, root, degrees);
-    let mut mean = Substitution::new(middle);
+    let mut mean = Substitution::new(coordinate_in_middle);
     let f = right_side(graph, &gradient, structure, |graph, entry| mean.apply(graph, entry));
     let unknowns = unknowns(structure, degrees, Symbol::PositionIncrement, Symbol::MomentumIncrement);
     Field::new(graph, unknowns, f)

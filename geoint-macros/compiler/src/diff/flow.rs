@@ -12,7 +12,7 @@ use super::equations;
 use super::field::Field;
 use super::forward::jacobian;
 use super::gradient::{DiscreteGradient, discrete_gradient, discrete_gradient_with_time, gradient};
-use super::slope::{end, middle};
+use super::slope::{coordinate_at_end, coordinate_in_middle};
 use crate::ir::substitute::Substitution;
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
 
@@ -58,20 +58,24 @@ type Replace = Box<dyn Fn(&mut Graph, Symbol) -> Option<Id>>;
 impl Points {
     fn new(graph: &mut Graph, f: &[Id], order: Order) -> Points {
         if order == Order::Two {
-            return Points(vec![(Number::ONE, Substitution::new(Box::new(middle)))]);
+            return Points(vec![(Number::ONE, Substitution::new(Box::new(coordinate_in_middle)))]);
         }
         let h = graph.symbol(Symbol::StepLength);
         let [before, after] = [Symbol::StepStart, Symbol::StepEnd].map(|symbol| graph.symbol(symbol));
         let at_start: Replace = Box::new(move |_, symbol| (symbol == Symbol::Time).then_some(before));
         let at_end: Replace =
-            Box::new(move |graph, symbol| if symbol == Symbol::Time { Some(after) } else { end(graph, symbol) });
+            Box::new(
+                move |graph, symbol| {
+                    if symbol == Symbol::Time { Some(after) } else { coordinate_at_end(graph, symbol) }
+                },
+            );
         let (mut start, mut end) = (Substitution::new(at_start), Substitution::new(at_end));
         let eighth = graph.scale(Number::Exact(Ratio { numerator: 1, denominator: 8 }), h);
         let mut inner = vec![];
         for (i, f) in (0..).zip(f) {
             let (before, after) = (start.apply(graph, *f), end.apply(graph, *f));
             let shift = graph.build(eighth * (before - after));
-            inner.extend(middle(graph, Symbol::Position(i)).map(|middle| graph.add(middle, shift)));
+            inner.extend(coordinate_in_middle(graph, Symbol::Position(i)).map(|middle| graph.add(middle, shift)));
         }
         let at_inner: Replace = Box::new(move |_, symbol| match symbol {
             Symbol::Position(i) => inner.get(i as usize).copied(),
@@ -231,7 +235,7 @@ fn minus(graph: &mut Graph, a: &[Id], c: Id, b: &[Id]) -> Vec<Id> {
 
 /// The field S(m)·ḡ with the discrete gradient ḡ of H and the middle m of the step. It keeps H if S is skew-symmetric.
 pub(crate) fn structured(graph: &mut Graph, energy: Id, matrix: &[Vec<Id>]) -> Field {
-    let mut mean = Substitution::new(middle);
+    let mut mean = Substitution::new(coordinate_in_middle);
     let matrix: Vec<Vec<Id>> =
         matrix.iter().map(|row| row.iter().map(|entry| mean.apply(graph, *entry)).collect()).collect();
     let gradient = discrete_gradient(graph, energy, matrix.len() as u32).q;
@@ -247,8 +251,8 @@ fn in_means(graph: &mut Graph, slopes: &[Id]) -> Vec<Id> {
     for i in 0..slopes.len() as u32 {
         let [x, d] = [Symbol::Position(i), Symbol::PositionIncrement(i)].map(|symbol| graph.symbol(symbol));
         let slope = graph.sum(&[x, x, d]);
-        if let Some(middle) = middle(graph, Symbol::Position(i)) {
-            let twice = graph.scale(Number::Exact(Ratio::integer(2)), middle);
+        if let Some(coordinate_in_middle) = coordinate_in_middle(graph, Symbol::Position(i)) {
+            let twice = graph.scale(Number::Exact(Ratio::integer(2)), coordinate_in_middle);
             means.insert(slope, twice);
         }
     }

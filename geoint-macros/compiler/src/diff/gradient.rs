@@ -118,6 +118,6 @@ pub(super) fn rename(graph: &mut Graph, root: Id, new: impl Fn(Symbol) -> Option
 }
 
 /// Computes ∂root/∂symbol.
-pub(crate) fn partial(graph: &mut Graph, root: Id, symbol: Symbol) -> Id {
+pub(crate) fn partial_derivative(graph: &mut Graph, root: Id, symbol: Symbol) -> Id {
     jacobian(graph, &[root], &[symbol])[0][0]
 }

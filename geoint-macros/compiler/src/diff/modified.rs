@@ -6,7 +6,7 @@
 //! A flow that advances a clock c has the momentum conjugate to c as a term e_c of its energy, so {F + e_c, G} = {F, G} + ∂G/∂c.
 
 use super::forward::along;
-use super::gradient::{Gradient, gradient, partial, rename};
+use super::gradient::{Gradient, gradient, partial_derivative, rename};
 use crate::analyze::Parts;
 use crate::ir::formula::squared;
 use crate::ir::{Graph, Id, Number, Ratio, Symbol};
@@ -106,7 +106,7 @@ fn second_derivative(
     coordinate: impl Fn(Symbol) -> Option<u32>,
 ) -> Id {
     let one = graph.integer(1);
-    let rate = partial(graph, energy, Symbol::Time);
+    let rate = partial_derivative(graph, energy, Symbol::Time);
     let slopes = [slopes, &[rate]].concat();
     let changes = along(graph, &slopes, |symbol| match symbol {
         Symbol::Time => Some(one),
@@ -129,10 +129,10 @@ fn bracket(graph: &mut Graph, f: &Generator, g: &Generator, degrees: u32) -> Id 
     terms.push(graph.mul(g.energy, df.s));
     terms.push(graph.build(-(f.energy * dg.s)));
     for clock in &f.clocks {
-        terms.push(partial(graph, g.energy, clock.symbol()));
+        terms.push(partial_derivative(graph, g.energy, clock.symbol()));
     }
     for clock in &g.clocks {
-        let back = partial(graph, f.energy, clock.symbol());
+        let back = partial_derivative(graph, f.energy, clock.symbol());
         terms.push(graph.neg(back));
     }
     graph.sum(&terms)

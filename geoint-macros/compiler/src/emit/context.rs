@@ -40,7 +40,7 @@ impl Values<'_> {
                 let (name, value) = (format_ident!("{name}"), &self.all);
                 quote!(#(*#name = #value;)*)
             }
-            // A matrix for more unknowns than dense solvers take is sparse. One statement writes all zeros.
+            // A matrix for more unknowns than dense solvers take is sparse, and a statement for each zero would be most of the code. One statement writes them all.
             Extent::Square(extents) if extents.iter().product::<usize>() > MOST_UNKNOWNS => {
                 let graph = &context.compilation.graph;
                 let entries = || (0..nodes.len()).filter(|i| !graph.is_zero(nodes[*i]));
@@ -130,13 +130,13 @@ impl<'a> Context<'a> {
     }
 
     /// Returns the array type of positions or momenta.
-    pub(crate) fn array(&self) -> TokenTree {
+    pub(crate) fn positions_type(&self) -> TokenTree {
         array_type(&self.positions)
     }
 
     /// Returns the array type of all coordinates.
-    pub(crate) fn phase(&self) -> TokenTree {
-        let array = self.array();
+    pub(crate) fn phase_type(&self) -> TokenTree {
+        let array = self.positions_type();
         let two = Literal::usize_unsuffixed(2); // A literal inside `quote!` is parsed at each use.
         if self.form.is_flow() { array } else { bracketed(quote!(#array; #two)) }
     }
@@ -153,7 +153,7 @@ impl<'a> Context<'a> {
     }
 
     /// Returns the type of the action: `R`, or `()` without an action.
-    pub(crate) fn action(&self) -> TokenTree {
+    pub(crate) fn action_type(&self) -> TokenTree {
         match self.form.has_action() {
             true => format_ident!("R").into(),
             false => Group::new(Delimiter::Parenthesis, TokenStream::new()).into(),
@@ -161,8 +161,8 @@ impl<'a> Context<'a> {
     }
 
     /// Returns the type with a number for every coordinate.
-    pub(super) fn per_coordinate(&self) -> Tokens {
-        let (phase, action) = (self.phase(), self.action());
+    pub(super) fn per_coordinate_type(&self) -> Tokens {
+        let (phase, action) = (self.phase_type(), self.action_type());
         quote!(PerCoordinate<#phase, #action>).into()
     }
 
@@ -199,7 +199,7 @@ impl<'a> Context<'a> {
                 let constant = &self.compilation.names.constants[i as usize - scalars];
                 quote!(R::from_f64((#constant) as f64)).into()
             }
-            // All other symbols lie in one of the arrays.
+            // Unreachable: all other symbols lie in one of the arrays. An empty name would be an error of rustc at once.
             Array::Number(_) => Tokens::default(),
         }
     }
@@ -254,7 +254,7 @@ impl<'a> Context<'a> {
     }
 
     /// Returns the statements of a level of a kernel, and its stored numbers as the result. Levels after the first also read the argument `start` of the kernel.
-    /// If a statement returns a matrix, its numbers and all other numbers are joined as slices.
+    /// If a statement returns a matrix, its numbers and all other numbers are joined as slices, because the array of stored numbers is flat.
     pub(crate) fn stored(&self, kernel: &Kernel, level: usize) -> TokenStream {
         let block = &kernel.stores[level];
         let matrices = block.matrices();

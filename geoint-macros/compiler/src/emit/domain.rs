@@ -11,7 +11,7 @@ use syn::ext::IdentExt;
 
 /// Returns the items of `PhaseSpace` about the domain of the energy.
 pub(super) fn domain(context: &Context<'_>, domain: &Domain) -> TokenStream {
-    let (phase, parts, action) = (context.phase(), context.parts(), context.action());
+    let (phase, parts, action) = (context.phase_type(), context.parts(), context.action_type());
     let outside = first_of(context, &domain.checks, &domain.arguments);
     let names: Vec<&Ident> = context.energy.parameters().map(|parameter| &parameter.name).collect();
     let parameters = (!names.is_empty()).then(|| {

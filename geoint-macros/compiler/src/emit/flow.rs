@@ -41,7 +41,7 @@ pub(super) fn inherent(context: &Context<'_>, system: &System) -> TokenStream {
 
 /// Returns the trait of all named functions with its implementation, and `impl FirstIntegrals` and `impl SteadyIntegrals` for the constant functions.
 pub(super) fn integrals(context: &Context<'_>, integrals: &Integrals) -> TokenStream {
-    let (name, phase, parts) = (self_type(context), context.phase(), context.parts());
+    let (name, phase, parts) = (self_type(context), context.phase_type(), context.parts());
     let count = Literal::usize_unsuffixed(integrals.all.len());
     let values = context.returned(&integrals.values);
     let constant = (!integrals.constant.is_empty()).then(|| constant(context, integrals));
@@ -64,7 +64,7 @@ pub(super) fn integrals(context: &Context<'_>, integrals: &Integrals) -> TokenSt
 
 /// Returns `impl FirstIntegrals`.
 fn constant(context: &Context<'_>, integrals: &Integrals) -> TokenStream {
-    let (name, phase) = (self_type(context), context.phase());
+    let (name, phase) = (self_type(context), context.phase_type());
     let names = integrals.constant.iter().map(|i| &integrals.all[*i].name);
     let indices = integrals.constant.iter().map(|i| Literal::usize_unsuffixed(*i));
     let count = Literal::usize_unsuffixed(integrals.constant.len());
@@ -84,7 +84,7 @@ fn constant(context: &Context<'_>, integrals: &Integrals) -> TokenStream {
 
 /// Returns `impl SteadyIntegrals`: gradients and changes of the integrals that do not depend on time. Projections use them.
 fn steady(context: &Context<'_>, integrals: &Integrals) -> TokenStream {
-    let (phase, parts) = (context.phase(), context.parts());
+    let (phase, parts) = (context.phase_type(), context.parts());
     let count = Literal::usize_unsuffixed(integrals.steady.len());
     let (slopes, changes) = (context.assigned(&integrals.slopes), context.returned(&integrals.changes));
     let energy = integrals.energy.map(|k| {

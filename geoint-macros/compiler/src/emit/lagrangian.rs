@@ -10,7 +10,8 @@ use quote::quote;
 
 /// Returns `impl LagrangianSystem` and the user's methods.
 pub(super) fn lagrangian(context: &Context<'_>, found: &Lagrangian) -> TokenStream {
-    let (array, phase, parts, action) = (context.array(), context.phase(), context.parts(), context.action());
+    let (array, phase, parts, action) =
+        (context.positions_type(), context.phase_type(), context.parts(), context.action_type());
     let (value, momenta) = (context.returned(&found.value), context.assigned(&found.momenta));
     let velocities = match &found.velocities {
         Some(velocities) => {
@@ -105,7 +106,7 @@ pub(super) fn lagrangian(context: &Context<'_>, found: &Lagrangian) -> TokenStre
 
 /// Returns the user's methods of a Lagrangian that is linear in velocities.
 pub(super) fn first_order(context: &Context<'_>, found: &Lagrangian) -> TokenStream {
-    let (name, array) = (self_type(context), context.array());
+    let (name, array) = (self_type(context), context.positions_type());
     let (value, momenta) = (context.returned(&found.value), context.assigned(&found.momenta));
     let Energy { name: plain, float, coordinates, .. } = context.energy;
     let (state, coordinates) = (state(context.form), &coordinates.ty);

@@ -58,7 +58,7 @@ fn signs_hold(context: &Context<'_>, signs: &Signs) -> TokenStream {
 
 /// Returns the function with the tests by structure. Divided differences make some of the tests themselves.
 fn clear_of_poles(context: &Context<'_>, poles: &Poles) -> Option<TokenStream> {
-    let (phase, action) = (context.phase(), context.action());
+    let (phase, action) = (context.phase_type(), context.action_type());
     let always = poles.always.as_ref().map(|margins| positive(context, margins));
     let undivided = poles.undivided.as_ref().map(|margins| {
         let tests = positive(context, margins);
@@ -80,7 +80,7 @@ fn clear_of_poles(context: &Context<'_>, poles: &Poles) -> Option<TokenStream> {
 
 /// Returns the statements that return `false` if a margin is not positive.
 fn positive(context: &Context<'_>, Margins { values, margins }: &Margins) -> TokenStream {
-    let (phase, parts, action) = (context.phase(), context.parts(), context.action());
+    let (phase, parts, action) = (context.phase_type(), context.parts(), context.action_type());
     let (count, values) = (Literal::usize_unsuffixed(values.nodes().len()), context.returned(values));
     let margin = |margin: &Margin| match margin {
         Margin::Together(places) => {
@@ -153,7 +153,7 @@ pub(super) fn jumps(context: &Context<'_>, jumps: &Jumps) -> TokenStream {
             height(jump)
         ),
     });
-    let (phase, parts, action) = (context.phase(), context.parts(), context.action());
+    let (phase, parts, action) = (context.phase_type(), context.parts(), context.action_type());
     let count = Literal::usize_unsuffixed(jumps.all.len());
     let may_jump = jumps.edge.map(|_| flag("CONTINUOUS", false));
     let sides = context.returned(&jumps.sides);

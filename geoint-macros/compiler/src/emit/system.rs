@@ -13,8 +13,8 @@ use quote::{format_ident, quote};
 
 /// Returns `impl PhaseSpace`, the gradient, the vector field, and the traits of proven facts.
 pub(super) fn phase_space(context: &Context<'_>, system: &System) -> TokenStream {
-    let (name, action) = (self_type(context), context.action());
-    let (phase, parts) = (context.phase(), context.parts());
+    let (name, action) = (self_type(context), context.action_type());
+    let (phase, parts) = (context.phase_type(), context.parts());
     let scalar = format_ident!("R");
     let state = state_type(context, |ty| over_scalar(ty, &context.energy.float, &scalar));
     // Without a formula, the runtime computes the energy from the velocities. A field without momenta has no energy.
@@ -89,7 +89,7 @@ pub(super) fn phase_space(context: &Context<'_>, system: &System) -> TokenStream
 
 /// Returns `impl KeepsEnergy`. The tokens `value` compute the conserved quantity if it is not H.
 pub(super) fn keeps_energy(context: &Context<'_>, kept: &TokenStream, value: Option<TokenStream>) -> TokenStream {
-    let phase = context.phase();
+    let phase = context.phase_type();
     let value = value.map(|value| {
         quote! {
             #[inline]
@@ -103,7 +103,7 @@ pub(super) fn keeps_energy(context: &Context<'_>, kept: &TokenStream, value: Opt
 
 /// Returns `impl DifferentialEquation`. Systems with an action or with constraints have none.
 fn vector_field(context: &Context<'_>, system: &System) -> Option<TokenStream> {
-    let (phase, parts) = (context.phase(), context.parts());
+    let (phase, parts) = (context.phase_type(), context.parts());
     let body = match (context.form, &system.rate) {
         (form, _) if form.has_action() => return None,
         _ if matches!(system.kernels, Kernels::Constrained(_)) => return None,
@@ -123,7 +123,7 @@ fn vector_field(context: &Context<'_>, system: &System) -> Option<TokenStream> {
 
 /// Returns `impl CotangentSpace`.
 pub(super) fn cotangent(context: &Context<'_>) -> TokenStream {
-    let (name, array) = (self_type(context), context.array());
+    let (name, array) = (self_type(context), context.positions_type());
     let over_scalar = |ty| over_scalar(ty, &context.energy.float, &format_ident!("R"));
     let mut coordinates = over_scalar(&context.energy.coordinates.ty);
     if let Some(centres) = context.energy.centres().map(over_scalar) {
@@ -139,7 +139,7 @@ pub(super) fn cotangent(context: &Context<'_>) -> TokenStream {
 
 /// Returns `impl CotangentSpace`, and `impl Hamiltonian` or `impl ContactSystem` with the gradient of the energy.
 fn gradient(context: &Context<'_>, system: &System, slopes: &Routine) -> TokenStream {
-    let (phase, parts) = (context.phase(), context.parts());
+    let (phase, parts) = (context.phase_type(), context.parts());
     let (form, receives, returned) = match context.form {
         form if form.has_action() => (quote!(ContactSystem), quote!(s: &R,), quote!(ds: &mut R,)),
         _ => (quote!(Hamiltonian), quote!(), quote!()),
@@ -173,7 +173,7 @@ pub(super) fn modified_energy(context: &Context<'_>, modified: &Modified) -> Tok
         Modified::Implicit => quote!(modified_verlet(self, h, t, z)),
         Modified::Value(value) => context.returned(value),
     };
-    let (name, phase, parts) = (self_type(context), context.phase(), context.parts());
+    let (name, phase, parts) = (self_type(context), context.phase_type(), context.parts());
     let state = state(context.form);
     let Energy { name: plain, float, coordinates, .. } = context.energy;
     let coordinates = &coordinates.ty;

@@ -52,7 +52,7 @@ pub(crate) enum FirstOrderFlaw {
     OddBlock(Vec<u32>),
     /// Ω is singular at every state on these coordinates.
     Singular(Vec<u32>),
-    /// ϑ depends on time.
+    /// ϑ depends on time: then ∂ϑ/∂t is a force, and Ω q' = ∇H is not the whole equation.
     ReadsTime(u32),
     /// Ω couples more than [`LARGEST_BLOCK`] coordinates.
     TooLarge(Vec<u32>),
@@ -105,7 +105,7 @@ fn form(graph: &mut Graph, momenta: &[Id]) -> Vec<Vec<Id>> {
     form
 }
 
-/// Computes Ω⁻¹ by blocks of coupled coordinates.
+/// Computes Ω⁻¹ by blocks of coupled coordinates: (Ω⁻¹)ᵢⱼ is a Pfaffian without rows i and j, divided by the Pfaffian of the block, up to the sign.
 fn inverse(graph: &mut Graph, form: &[Vec<Id>]) -> Result<Vec<Vec<Id>>, FirstOrderFlaw> {
     let mut inverse = vec![vec![graph.zero(); form.len()]; form.len()];
     for block in diff::blocks(graph, form) {

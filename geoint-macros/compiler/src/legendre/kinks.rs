@@ -22,7 +22,7 @@ pub(super) fn jumps(graph: &mut Graph, momentum: Id) -> bool {
 
 /// Returns the jump of a node at the zero of the difference that a condition compares. The difference must be affine in the velocity `v`.
 fn height(graph: &mut Graph, node: Id, condition: Id, difference: Id, v: Symbol) -> Option<Id> {
-    let slope = diff::partial(graph, difference, v);
+    let slope = diff::partial_derivative(graph, difference, v);
     if !analyze::is_polynomial_in(graph, &[difference], 1, |symbol| symbol == v) || graph.is_zero(slope) {
         return None;
     }

@@ -13,11 +13,11 @@ use super::{loops, packs};
 /// `targets` lists one place in an array for each result, or is empty. With targets, the block writes its results there and returns none: bodies of loops write their
 /// own results, and other writes come last. Without targets, the block returns its results.
 pub(crate) fn arranged(block: Block, layout: &Layout<'_>, targets: &[Place]) -> Block {
+    debug_assert!(targets.is_empty() || targets.len() == block.results.len());
     if let Some(block) = loops::with_loops(&block, layout, targets) {
         return block;
     }
     let mut block = packs::with_packs(&block).unwrap_or(block);
-    debug_assert!(targets.is_empty() || targets.len() == block.results.len());
     if !targets.is_empty() {
         let results = std::mem::take(&mut block.results);
         let writes = targets.iter().zip(results).map(|(place, result)| Statement::Write(place.clone(), result));

@@ -178,7 +178,7 @@ pub(super) fn reads(graph: &Graph, root: Id, symbol: Symbol) -> bool {
 /// Returns a of a·x + b if a and b do not read x. Conditions must not read x either, because derivatives do not show that b changes at a
 /// condition.
 pub(super) fn slope_of_line(graph: &mut Graph, line: Id, x: Symbol) -> Option<Id> {
-    let slope = diff::partial(graph, line, x);
+    let slope = diff::partial_derivative(graph, line, x);
     let conditions = analyze::conditions(graph, line);
     [slope].iter().chain(&conditions).all(|id| !reads(graph, *id, x)).then_some(slope)
 }

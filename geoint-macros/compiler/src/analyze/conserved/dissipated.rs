@@ -37,7 +37,7 @@ pub(crate) fn dissipated(graph: &mut Graph, energy: Id, coordinates: &Shape) -> 
 
 /// Builds the rate of decay −∂L/∂s.
 pub(crate) fn decay(graph: &mut Graph, lagrangian: Id) -> Id {
-    let growth = diff::partial(graph, lagrangian, Symbol::Action);
+    let growth = diff::partial_derivative(graph, lagrangian, Symbol::Action);
     let terms: Vec<Id> = terms(graph, growth).into_iter().map(|term| graph.neg(term)).collect();
     graph.sum(&terms)
 }

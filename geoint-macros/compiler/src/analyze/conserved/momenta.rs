@@ -1,12 +1,16 @@
 //! Linear and quadratic functions J of the state that commute with H, such as momenta and angular momenta.
 //!
-//! H is a function of quadratic expressions Q, the leaves of its tree: in p²/2m − k/√(q·q) these are p² and q·q. J is sought among the functions that commute
-//! with every leaf, so J commutes with H. The discrete gradient of the tree is Σ c·∇Q(m), with numbers c and the midpoint m of the step. J is at most quadratic,
-//! so a step changes J by exactly h Σ c·{J, Q}(m) = 0.
+//! H is a function of quadratic expressions Q, the leaves of its tree: in p²/2m − k/√(q·q) these are p² and q·q. At worst the leaves are single coordinates. J is
+//! sought among the functions that commute with every leaf, so J commutes with H.
+//!
+//! Discrete-gradient steps keep J, too: the discrete gradient of the tree is Σ c·∇Q(m), with numbers c and the midpoint m of the step. J is at most quadratic, so
+//! a step changes J by exactly h Σ c·{J, Q}(m) = 0.
 //!
 //! J is a linear combination of generators: polynomials of degree 1 or 2 that have a usual name, such as pₓ or x p_y − y p_x. Coefficients are numbers, or numbers
-//! times a weight, a product of powers of parameters. For each generator one weight is tried beside 1: the weight by which its bracket can cancel brackets of other
+//! times a weight, a product of powers of parameters: the centre of mass m₁q₁ + m₂q₂ has the weights m₁ and m₂. For each generator one weight is tried beside 1: the weight by which its bracket can cancel brackets of other
 //! generators. This keeps the linear equations small. An integral with other coefficients is not found.
+//!
+//! In lists of variables, 2i and 2i + 1 are qᵢ and pᵢ, and the last variable is the constant 1.
 
 use super::generators::{Generator, Summand, generators, name};
 use super::weights::{Term, Weight, divide_by_common, weights};
@@ -136,7 +140,7 @@ fn brackets_of_variables(generators: &[Generator], degrees_of_freedom: usize) ->
     let mut terms = vec![vec![]; 2 * degrees_of_freedom];
     for (g, generator) in generators.iter().enumerate() {
         for (c, [a, b]) in &generator.terms {
-            // {u, a b} = {u, a} b + a {u, b}, and {q, p} = 1 = −{p, q}. Variables 2i and 2i + 1 are qᵢ and pᵢ; the last variable is the constant 1.
+            // {u, a b} = {u, a} b + a {u, b}, and {q, p} = 1 = −{p, q}.
             for (x, variable) in [(*a, *b), (*b, *a)] {
                 let (conjugate, sign) = if x % 2 == 0 { (x + 1, -1) } else { (x - 1, 1) };
                 // The constant has no conjugate: its number is out of range.

@@ -1,6 +1,7 @@
 //! Kernels of methods for H = A + B, such as planets around a sun: A has an exact flow, and B is small. `split` has chosen A.
 //!
-//! A step alternates the flows of A and B, so its error is proportional to B. The runtime's traits are `PerturbedSystem` and `PerturbedGradient`.
+//! A step alternates the flows of A and B, so its error is proportional to B. The methods are correct for any B and pay off for a small one. The runtime's traits
+//! are `PerturbedSystem` and, for kicks with a force gradient, `PerturbedGradient`.
 
 use super::{FlowKernel, Missing};
 use crate::ir::Id;
@@ -11,17 +12,20 @@ use std::ops::Range;
 /// Both parts of H and their flows.
 #[derive(Debug)]
 pub(crate) struct Perturbed {
+    /// Energy A, in the coordinates in which the method moves.
     pub(crate) a: Id,
+    /// Energy B = H − A, in the same coordinates.
     pub(crate) b: Id,
-    /// Motions inside A that may end within a step, such as a fall into the centre of attraction, each with the range of coordinates that it moves.
+    /// Motions inside A that may end within a step, such as a fall into the centre of attraction, each with the range of coordinates that it moves. The runtime names
+    /// the motion in its error.
     pub(crate) own_motions: Vec<(OwnMotion, Range<usize>)>,
     /// Lines of the report: the rules that gave the flow of A, with energies and sources.
     pub(crate) rules: Vec<String>,
-    /// True if time passes during the flow of A. Otherwise A is followed at the fixed time of the kick.
+    /// True if the flow of A is exact in its own time, from t to t + h. Otherwise it takes place at the frozen time of the kicks beside it.
     pub(crate) time_passes_in_a: bool,
     pub(crate) flow_of_a: FlowKernel,
     /// Flow of A from momenta p + Δp, where Δp is the impulse of a kick. Present if the flow of A is linear in p with constant coefficients. The sums of
-    /// the flow then do not wait for Δp, which enters through one product and one sum.
+    /// the flow then do not wait for Δp, which enters through one product and one sum. If absent, the runtime adds Δp to p and calls `flow_of_a`.
     pub(crate) flow_of_a_after_kick: Option<FlowKernel>,
     /// Flow of B: a kick, or a kick and a motion of the positions.
     pub(crate) flow_of_b: FlowKernel,

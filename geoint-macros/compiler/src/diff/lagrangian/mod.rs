@@ -6,7 +6,7 @@ mod polarised;
 use super::equations;
 use super::field::symmetrise;
 use super::forward::jacobian;
-use super::gradient::partial;
+use super::gradient::partial_derivative;
 use crate::analyze::Forces;
 use crate::ir::collect::collected_with;
 use crate::ir::{Graph, Id, Symbol};
@@ -74,7 +74,7 @@ pub(crate) struct ActionStage {
 pub(crate) fn stage(graph: &mut Graph, equation: EulerLagrange<'_>) -> Stage {
     let EulerLagrange { lagrangian, momenta, has_action, .. } = equation;
     let decay = has_action.then(|| {
-        let by_action = partial(graph, lagrangian, Symbol::Action);
+        let by_action = partial_derivative(graph, lagrangian, Symbol::Action);
         graph.neg(by_action)
     });
     let force = equation.force(graph);

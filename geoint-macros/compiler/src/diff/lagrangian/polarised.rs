@@ -3,7 +3,7 @@
 use super::super::equations;
 use super::super::forward::jacobian;
 use super::super::gradient::{Gradient, discrete_gradient, with_values};
-use super::super::slope::middle;
+use super::super::slope::coordinate_in_middle;
 use super::{EulerLagrange, collect_terms, ends};
 use crate::ir::substitute::Substitution;
 use crate::ir::{Function, Graph, Id, Number, Symbol};
@@ -38,7 +38,7 @@ pub(crate) fn polarised(graph: &mut Graph, equation: EulerLagrange<'_>) -> Polar
     let increments: Vec<Id> = means.iter().map(|mean| graph.mul(h, *mean)).collect();
     let polarised = polarisation(graph, equation);
     let Gradient { q, s, .. } = discrete_gradient(graph, polarised, degrees);
-    let mut at_middle = Substitution::new(middle);
+    let mut at_middle = Substitution::new(coordinate_in_middle);
     let forces = equations::euler_lagrange(graph, &q, &means, damping, applied, |graph, id| at_middle.apply(graph, id));
     let forces = with_values(graph, &forces, Symbol::PositionIncrement, &increments);
     let mut impulse: Vec<Id> = forces.iter().map(|force| graph.mul(h, *force)).collect();

@@ -15,7 +15,11 @@ pub(in super::super) struct Slopes {
 
 impl Default for Slopes {
     fn default() -> Self {
-        Slopes { end: Substitution::new(end), affine_increments: HashMap::default(), increments: HashMap::default() }
+        Slopes {
+            end: Substitution::new(coordinate_at_end),
+            affine_increments: HashMap::default(),
+            increments: HashMap::default(),
+        }
     }
 }
 
@@ -30,14 +34,14 @@ pub(in super::super) fn coordinate_increment(graph: &mut Graph, symbol: Symbol) 
 }
 
 /// A coordinate in the middle of a step.
-pub(crate) fn middle(graph: &mut Graph, symbol: Symbol) -> Option<Id> {
+pub(crate) fn coordinate_in_middle(graph: &mut Graph, symbol: Symbol) -> Option<Id> {
     let increment = coordinate_increment(graph, symbol)?;
     let start = graph.symbol(symbol);
     Some(graph.build(start + Number::HALF * increment))
 }
 
 /// A coordinate at the end of a step.
-pub(crate) fn end(graph: &mut Graph, symbol: Symbol) -> Option<Id> {
+pub(crate) fn coordinate_at_end(graph: &mut Graph, symbol: Symbol) -> Option<Id> {
     let increment = coordinate_increment(graph, symbol)?;
     let start = graph.symbol(symbol);
     Some(graph.add(start, increment))

@@ -14,7 +14,7 @@ mod power;
 use super::sweep::{Entries, Step, reverse};
 use crate::ir::{Graph, Id, Node};
 pub(super) use ends::Slopes;
-pub(crate) use ends::{end, middle};
+pub(crate) use ends::{coordinate_at_end, coordinate_in_middle};
 
 impl Slopes {
     /// Computes the tree discrete gradient of `root`.

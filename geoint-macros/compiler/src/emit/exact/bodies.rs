@@ -18,7 +18,7 @@ pub(in crate::emit) fn bodies(context: &Context<'_>, bodies: &BodyKernels) -> To
 
 /// Returns the function of `PhaseSpace` that returns the attitudes of the bodies.
 pub(in crate::emit) fn attitudes(context: &Context<'_>, bodies: &BodyKernels) -> TokenStream {
-    let phase = context.phase();
+    let phase = context.phase_type();
     let rows = if bodies.centres.is_empty() { quote!(z[0]) } else { quote!(z[0][0]) };
     quote! {
         #[inline(always)]
@@ -30,7 +30,7 @@ pub(in crate::emit) fn attitudes(context: &Context<'_>, bodies: &BodyKernels) ->
 
 /// Returns `impl Separable`, `impl QuadraticKinetic`, `impl ForceGradient`.
 fn splitting(context: &Context<'_>, bodies: &BodyKernels) -> TokenStream {
-    let phase = context.phase();
+    let phase = context.phase_type();
     let kick = flow(context, &bodies.kick);
     let entries = Literal::usize_unsuffixed(bodies.drift.nodes().len());
     let count = bodies.turns.len();
@@ -59,7 +59,7 @@ fn splitting(context: &Context<'_>, bodies: &BodyKernels) -> TokenStream {
         .types()
         .method("prepare_kick", kick.prepare.clone())
         .method("prepare_drift", context.returned(&bodies.drift));
-    let array = context.array();
+    let array = context.positions_type();
     let separable = moves(implementation, "kick", &kick)
         .items(quote! {
             #[inline(always)]
@@ -130,7 +130,7 @@ fn free_rotation(turn: &Turn, r: &Tokens, m: &Tokens) -> TokenStream {
 
 /// Returns `impl PrincipalAxes`.
 fn rotations(context: &Context<'_>, bodies: &BodyKernels) -> TokenStream {
-    let (array, entries) = (context.array(), Literal::usize_unsuffixed(bodies.drift.nodes().len()));
+    let (array, entries) = (context.positions_type(), Literal::usize_unsuffixed(bodies.drift.nodes().len()));
     let rotations = bodies.turns.iter().enumerate().map(|(body, turn)| {
         let [r, m] = rows(bodies, body);
         let inverse = (0..3).map(|i| or_zero(turn.linear[i][i]));

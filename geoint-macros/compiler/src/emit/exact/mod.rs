@@ -44,7 +44,8 @@ fn flow(context: &Context<'_>, flow: &FlowKernel) -> FlowTokens {
 
 /// Returns the body of a function with the increments of a flow from `x`: `d.z[0][i] = …; d.z[1][i] = …; d.s = …;`.
 fn increments(context: &Context<'_>, flow: &FlowKernel) -> TokenStream {
-    let (parts, writes) = (context.per_coordinate(), context.coordinates_written(flow.kernel.routine("increments")));
+    let (parts, writes) =
+        (context.per_coordinate_type(), context.coordinates_written(flow.kernel.routine("increments")));
     let point = if context.form.is_flow() { quote!(q) } else { quote!([q, p]) };
     quote! {
         let PerCoordinate { z: #point, s } = x;

@@ -112,7 +112,8 @@ fn may_end(context: &Context<'_>, found: &Perturbed) -> TokenStream {
 
 /// Returns a function that maps all coordinates in place.
 fn way(context: &Context<'_>, name: &str, map: &FlowKernel) -> TokenStream {
-    let (name, phase, parts, body) = (format_ident!("{name}"), context.phase(), context.parts(), assign(context, map));
+    let (name, phase, parts, body) =
+        (format_ident!("{name}"), context.phase_type(), context.parts(), assign(context, map));
     quote! {
         #[inline]
         fn #name(&self, z: &mut #phase) {

@@ -149,7 +149,7 @@ fn solve(context: &Context<'_>, piece: &PieceKernel, target: Target) -> TokenStr
     if let Target::State = target {
         return solved;
     }
-    let parts = context.per_coordinate();
+    let parts = context.per_coordinate_type();
     quote! {
         let PerCoordinate { z: q, s } = x;
         let mut d: #parts = PerCoordinate::nothing();

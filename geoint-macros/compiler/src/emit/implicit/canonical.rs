@@ -11,7 +11,7 @@ use quote::quote;
 pub(super) fn canonical(context: &Context<'_>, stage: &Kernel) -> TokenStream {
     let Prepared { types, functions, prepared, .. } =
         Prepared::for_stages(context, stage, ["CanonicalConstants", "canonical_constants"]);
-    let (phase, parts, body) = (context.phase(), context.parts(), context.assigned(stage.routine("canonical")));
+    let (phase, parts, body) = (context.phase_type(), context.parts(), context.assigned(stage.routine("canonical")));
     let items = quote! {
         #types
 

@@ -10,7 +10,7 @@ use quote::quote;
 
 /// Returns `impl Collocated` and `impl Collocation`.
 pub(super) fn collocation(context: &Context<'_>, field: &FieldKernels) -> TokenStream {
-    let phase = context.phase();
+    let phase = context.phase_type();
     let FieldKernels { coordinates, collocation: Collocation { second_order, kernel }, .. } = field;
     let unknown = array_type(&coordinates.extents);
     let places: Vec<_> = coordinates.places().into_iter().map(|(_, place)| place).collect();

@@ -11,7 +11,7 @@ use quote::{format_ident, quote};
 /// Returns `impl ConstrainedSystem`, `impl ConstrainedStep` for each method, and the user's methods.
 pub(super) fn constraints(context: &Context<'_>, kernels: &ConstraintKernels) -> TokenStream {
     let ConstraintKernels { constraints, quadratic, values, velocity, departure, steps } = kernels;
-    let (array, phase, parts) = (context.array(), context.phase(), context.parts());
+    let (array, phase, parts) = (context.positions_type(), context.phase_type(), context.parts());
     let multipliers = array_type(&[constraints.len()]);
     let printer = context.printer();
     let formulas = constraints.iter().map(|constraint| {
@@ -54,7 +54,7 @@ pub(super) fn constraints(context: &Context<'_>, kernels: &ConstraintKernels) ->
 fn step(context: &Context<'_>, method: &str, step: &StepKernel) -> TokenStream {
     let StepKernel { unknowns, kernel } = step;
     let method = format_ident!("{method}");
-    let (phase, parts, unknown) = (context.phase(), context.parts(), array_type(&unknowns.extents));
+    let (phase, parts, unknown) = (context.phase_type(), context.parts(), array_type(&unknowns.extents));
     let names = [["Constants", "constants"], ["Start", "begin"]];
     let Prepared { types, functions, prepared, started } =
         Prepared::for_steps(context, kernel, names, &parts, &quote!(t: R, z: &#phase));

@@ -45,7 +45,7 @@ pub(super) fn stages(context: &Context<'_>, stages: &StageKernel) -> TokenStream
         Prepared::for_stages(context, kernel, ["StageConstants", "stage_constants"]);
     let body = context.body(kernel.routine("stage"));
     let [decay, action] = ["decay", "action"].map(|name| context.returned(kernel.routine(name)));
-    let (phase, parts) = (context.phase(), context.parts());
+    let (phase, parts) = (context.phase_type(), context.parts());
     let solved = ["Stages", "Midpoint"].map(|name| (name, quote!(ByField)));
     let collocated = typed(context, quote!(ContactCollocated<R>), solved);
     let items = quote! {

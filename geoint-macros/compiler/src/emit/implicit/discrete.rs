@@ -97,7 +97,8 @@ pub(super) fn nothing_kept(context: &Context<'_>, missing: Missing) -> TokenStre
 /// Returns `impl FourthOrderField` for a canonical system without damping. It uses the routines of collocation and of discrete gradients.
 pub(super) fn canonical_fourth_order(context: &Context<'_>, momenta: &Routine, system: &System) -> TokenStream {
     let autonomous = system.has(Fact::Autonomous);
-    let (name, phase, array, parts) = (self_type(context), context.phase(), context.array(), context.parts());
+    let (name, phase, array, parts) =
+        (self_type(context), context.phase_type(), context.positions_type(), context.parts());
     let count = momenta.nodes().len() / (2 * context.energy.degrees() as usize);
     let columns = Literal::usize_unsuffixed(1 + count);
     let slopes = context.outputs(momenta, |outputs| {

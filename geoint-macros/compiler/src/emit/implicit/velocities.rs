@@ -56,7 +56,7 @@ pub(super) fn velocities(context: &Context<'_>, kernels: &VelocityKernels) -> To
     let VelocityKernels { stages, polarised, keeps, .. } = kernels;
     let cotangent = cotangent(context);
     if stages.action.is_some() {
-        let (phase, stages) = (context.phase(), self::stages(context, stages, &quote!(ByVelocities)));
+        let (phase, stages) = (context.phase_type(), self::stages(context, stages, &quote!(ByVelocities)));
         let polarised = match polarised {
             Ok(step) => contact_polarised(context, step),
             Err(missing) => absent(context, *missing, &[&CONTACT_GRADED, &CONTACT_POLARISED]),
@@ -93,7 +93,7 @@ pub(super) fn stages(context: &Context<'_>, stages: &VelocityStages, midpoint: &
 
 /// Returns `impl Collocated` and `impl VelocityForm`.
 fn velocity_form(context: &Context<'_>, stage: &Kernel) -> TokenStream {
-    let array = context.array();
+    let array = context.positions_type();
     let Prepared { types, functions, prepared, .. } = Prepared::for_stages(context, stage, ["Constants", "constants"]);
     let (force, stage) = (context.assigned(stage.routine("force")), context.body(stage.routine("stage")));
     let items = quote! {
@@ -129,7 +129,7 @@ fn contact_velocities(
     stage: &Kernel,
     midpoint: &TokenStream,
 ) -> TokenStream {
-    let array = context.array();
+    let array = context.positions_type();
     let moved = if *varying { array_type(&context.extents_with_action()) } else { array.clone() };
     let Prepared { types, functions, prepared, .. } =
         Prepared::for_stages(context, stage, ["StageConstants", "stage_constants"]);
@@ -186,7 +186,7 @@ fn contact_velocities(
 /// Returns `impl MassForm`.
 fn mass_form(context: &Context<'_>, kernels: &MassKernels) -> TokenStream {
     let MassKernels { mass, definite, quadratic } = kernels;
-    let (array, action, mass) = (context.array(), context.action(), context.body(mass));
+    let (array, action, mass) = (context.positions_type(), context.action_type(), context.body(mass));
     let quadratic = flag("QUADRATIC", *quadratic);
     let definite = definite.as_ref().map(|definite| {
         let holds = context.outputs(definite, |outputs| {

@@ -40,7 +40,7 @@ const MOST_ORDERS_OF_PACKS: usize = 9;
 /// Returns `impl Jets` for the system, and the user's method `taylor`.
 pub(super) fn jets(context: &Context<'_>, kernel: &JetKernel) -> TokenStream {
     let JetKernel { jet, start } = kernel;
-    let (phase, parts, action) = (context.phase(), context.parts(), context.action());
+    let (phase, parts, action) = (context.phase_type(), context.parts(), context.action_type());
     let energy = context.energy;
     let (plain, float, coordinates) = (&energy.name, &energy.float, &energy.coordinates.ty);
     let (state, over) = (state(context.form), over_scalar(coordinates, float, &format_ident!("T")));

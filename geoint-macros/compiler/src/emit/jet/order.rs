@@ -119,7 +119,7 @@ impl Writer<'_> {
         };
         fields.extend(self.arrays().into_iter().map(borrowed));
         fields.extend(self.central_types());
-        let (phase, action) = (self.context.phase(), self.context.action());
+        let (phase, action) = (self.context.phase_type(), self.context.action_type());
         fields.push((format_ident!("jet"), quote!(&'a mut [PerCoordinate<#phase, #action>; P])));
         let switches = Literal::usize_unsuffixed(self.jet.switches.len());
         fields.push((format_ident!("switches"), quote!(&'a mut [[R; #switches]; P])));

@@ -1,8 +1,9 @@
-//! Ratios of integers in lowest terms, with checked arithmetic.
+//! Ratios of integers in lowest terms, with checked arithmetic. Constants of an energy stay exact in derivatives and proofs.
 
 use std::cmp::Ordering;
 
-/// A ratio of two integers. Invariants: lowest terms, a positive denominator, and no part above [`LARGEST`]. All constructors and operations keep them.
+/// A ratio of two integers. Invariants: lowest terms, a positive denominator, and no part above [`LARGEST`]. All constructors and operations keep them, but `integer` trusts
+/// its caller.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Ratio {
     pub(crate) numerator: i128,
@@ -38,7 +39,7 @@ impl Ratio {
     }
 
     /// Returns an integer of checked size. `None` if it is too large.
-    fn whole(n: i128) -> Option<Ratio> {
+    fn checked_integer(n: i128) -> Option<Ratio> {
         (n.unsigned_abs() <= LARGEST).then_some(Ratio::integer(n))
     }
 
@@ -60,7 +61,7 @@ impl Ratio {
     pub(crate) fn add(self, other: Ratio) -> Option<Ratio> {
         // Fast path: most ratios are integers.
         if self.is_integer() && other.is_integer() {
-            return Ratio::whole(self.numerator.checked_add(other.numerator)?);
+            return Ratio::checked_integer(self.numerator.checked_add(other.numerator)?);
         }
         let common = gcd(self.denominator.unsigned_abs(), other.denominator.unsigned_abs()) as i128;
         let (b, d) = (self.denominator / common, other.denominator / common);
@@ -71,7 +72,7 @@ impl Ratio {
     /// Returns the product. Common factors are cancelled first. `None` if a part is too large.
     pub(crate) fn mul(self, other: Ratio) -> Option<Ratio> {
         if self.is_integer() && other.is_integer() {
-            return Ratio::whole(self.numerator.checked_mul(other.numerator)?);
+            return Ratio::checked_integer(self.numerator.checked_mul(other.numerator)?);
         }
         let cancelled = |n: i128, d: i128| {
             let common = gcd(n.unsigned_abs(), d.unsigned_abs()) as i128;

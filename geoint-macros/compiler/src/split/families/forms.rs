@@ -6,6 +6,9 @@
 //!
 //! Forms are read from the graph as the user wrote H. The expanded form of (q + p)⁴ is not found. Systems with an action have families of their own, because
 //! the action moves, too.
+//!
+//! With the clock `Clock::Own`, time passes in the flow: rates that read time are integrated from t to t + h. With `Clock::Stage`, time stands still, so nothing
+//! reads it as a variable.
 
 use super::super::flow::{Flow, Group};
 use super::super::polynomial::{Polynomial, is_free};
@@ -14,7 +17,7 @@ use crate::ir::{Graph, Id, Node, Number, Symbol};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Returns the flow of V(q, t): q rests, and p grows by −∫ ∂V/∂q dt. A special case of [`in_involution`] with a name of its own, because methods and the
-/// report treat kicks apart. `None` if V reads p or the action s.
+/// report treat kicks apart. `None` if V reads p or the action s, or if [`in_involution`] finds no flow.
 pub(super) fn kick(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let excluded = |symbol| matches!(symbol, Symbol::Momentum(_) | Symbol::Action);
     if is_free(graph, group.energy, &excluded) { in_involution(graph, group) } else { None }
@@ -59,7 +62,7 @@ pub(super) fn in_involution(graph: &mut Graph, group: &Group) -> Option<Flow> {
     Some(flow)
 }
 
-/// Returns whether the bracket Σ (aᵢ b'ᵢ − bᵢ a'ᵢ) of two forms vanishes.
+/// Returns whether the bracket Σ (aᵢ b'ᵢ − bᵢ a'ᵢ) of two forms is the number zero after the graph's simplification. No proof is tried.
 fn commute(graph: &mut Graph, first: &Form, second: &Form) -> bool {
     let mut sum = graph.zero();
     for (symbol, c) in first {

@@ -46,7 +46,7 @@ fn speed(graph: &mut Graph, whole: Id, inner: Id) -> Option<Id> {
     let mut named = Substitution::new(|_, _| None);
     named.insert(inner, name);
     let function = named.apply(graph, whole);
-    let slope = diff::partial(graph, function, Symbol::ActionIncrement);
+    let slope = diff::partial_derivative(graph, function, Symbol::ActionIncrement);
     if !reads(graph, slope, Symbol::ActionIncrement) {
         return None;
     }

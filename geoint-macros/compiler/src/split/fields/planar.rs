@@ -10,7 +10,7 @@ use super::solve::{Ends, solve};
 use super::{Motion, NoPart, Part, Rule, clock};
 use crate::diff;
 use crate::diff::field::Field;
-use crate::diff::{end, middle};
+use crate::diff::{coordinate_at_end, coordinate_in_middle};
 use crate::ir::substitute::{Substitution, replaced};
 use crate::ir::{Graph, Id, Symbol};
 
@@ -185,7 +185,7 @@ fn solved(graph: &mut Graph, slopes: &[Id], plane: &Plane, path: Path) -> Motion
     let along = |graph: &mut Graph, own: u32, other: u32, beside: Beside| {
         let place = |graph: &mut Graph, symbol| match symbol {
             Symbol::PositionIncrement(k) if k != own && (k != other || beside != Beside::Moving) => Some(graph.zero()),
-            Symbol::Position(k) if k == other && beside == Beside::AtEnd => end(graph, symbol),
+            Symbol::Position(k) if k == other && beside == Beside::AtEnd => coordinate_at_end(graph, symbol),
             _ => None,
         };
         Substitution::new(place).apply(graph, slopes[own as usize])
@@ -193,8 +193,8 @@ fn solved(graph: &mut Graph, slopes: &[Id], plane: &Plane, path: Path) -> Motion
     let [by_j, by_i] = [along(graph, j, i, i_beside), along(graph, i, j, j_beside)];
     let moves = |symbol: Symbol| plane.symbols().contains(&symbol);
     let place = |graph: &mut Graph, symbol| match path {
-        Path::Straight if moves(symbol) => middle(graph, symbol),
-        Path::SecondAhead if moves(symbol) => end(graph, symbol),
+        Path::Straight if moves(symbol) => coordinate_in_middle(graph, symbol),
+        Path::SecondAhead if moves(symbol) => coordinate_at_end(graph, symbol),
         _ => None,
     };
     let s = Substitution::new(place).apply(graph, plane.s);

@@ -146,8 +146,8 @@ impl System<'_> {
     /// Returns a term as a product of two coordinates in involution.
     fn product(&mut self, graph: &mut Graph, term: Id) -> Option<Product> {
         let [i, j] = read(graph, term).into_iter().collect::<Vec<_>>()[..] else { return None };
-        let slope = diff::partial(graph, term, Symbol::Position(i));
-        let strength = diff::partial(graph, slope, Symbol::Position(j));
+        let slope = diff::partial_derivative(graph, term, Symbol::Position(i));
+        let strength = diff::partial_derivative(graph, slope, Symbol::Position(j));
         let constant = read(graph, strength).is_empty() && !graph.is_zero(strength);
         (constant && self.commute(graph, i, j)).then_some(Product { term, pair: [i, j], strength })
     }

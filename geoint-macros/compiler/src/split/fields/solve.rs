@@ -70,7 +70,7 @@ fn blocks(graph: &Graph, rates: &[(Symbol, Id)]) -> Vec<Rates> {
     sets.into_iter().map(|(_, equations)| equations).collect()
 }
 
-/// Returns the end of one block, solved as a scalar equation or as a linear field. A linear field that reads time has no end here.
+/// Returns the end of one block, solved as a scalar equation or as a linear field with constant coefficients.
 fn block_ends(graph: &mut Graph, rates: &[(Symbol, Id)], clock: Clock) -> Option<BlockEnds> {
     if let [(x, rate)] = *rates
         && let Some(solution) = scalar::solve(graph, &Equation { x, rate, clock })
@@ -94,15 +94,15 @@ fn by_constant_sums(graph: &mut Graph, rates: &[(Symbol, Id)]) -> Option<BlockEn
             None => independent.push((*x, *rate)),
         }
     }
-    // A single pair is left to `planar`, which keeps the sum exactly: it adds the negative increment to the second coordinate.
+    // A single pair is left to the rule `planar`, which callers try next. It keeps the sum exactly: it adds the negative increment to the second coordinate.
     if pairs.len() < 2 {
         return None;
     }
     // Fields read no increments, so `PositionIncrement(j)` can stand for the constant sum xᵢ + xⱼ while the other equations are solved.
-    let sum_symbol = |symbol: Symbol| index(symbol).map(Symbol::PositionIncrement);
+    let stand_in = |symbol: Symbol| index(symbol).map(Symbol::PositionIncrement);
     let partner = |symbol: Symbol| pairs.iter().find(|[_, y]| *y == symbol).map(|[x, _]| *x);
     let mut without_partners = Substitution::new(|graph: &mut Graph, y| {
-        let [sum, x] = [sum_symbol(y)?, partner(y)?].map(|symbol| graph.symbol(symbol));
+        let [sum, x] = [stand_in(y)?, partner(y)?].map(|symbol| graph.symbol(symbol));
         Some(graph.sub(sum, x))
     });
     let mut reduced: Rates = vec![];
@@ -115,7 +115,7 @@ fn by_constant_sums(graph: &mut Graph, rates: &[(Symbol, Id)]) -> Option<BlockEn
     }
     let mut ends = linear::ends(graph, &reduced)?;
     let mut restored_sums = Substitution::new(|graph: &mut Graph, symbol| {
-        let [x, y] = *pairs.iter().find(|[_, y]| sum_symbol(*y) == Some(symbol))?;
+        let [x, y] = *pairs.iter().find(|[_, y]| stand_in(*y) == Some(symbol))?;
         let [x, y] = [x, y].map(|symbol| graph.symbol(symbol));
         Some(graph.add(x, y))
     });
