@@ -23,14 +23,6 @@ fn shadowing() {
     agrees!(|q, p, t, a| {
         let mut e = a;
         {
-            let mut e = 1.0;
-            e += q[0];
-        }
-        e
-    });
-    agrees!(|q, p, t, a| {
-        let mut e = a;
-        {
             e += q[0];
             let mut e = 1.0;
             e += 100.0;
@@ -56,17 +48,6 @@ fn shadowing() {
         let a = f(2.0);
         f(a)
     });
-    agrees!(|q, p, t, a| {
-        let mut s = 0.0;
-        for i in 0..3 {
-            let mut s2 = 0.0;
-            for j in 0..3 {
-                s2 += q[j];
-            }
-            s += s2 * p[i];
-        }
-        s
-    });
 }
 
 #[test]
@@ -80,11 +61,6 @@ fn items_see_items_where_they_are_written() {
             const K: f64 = 3.0;
             f(q[0]) + K
         }
-    });
-    agrees!(|q, p, t, a| {
-        const A: f64 = B + 1.0;
-        const B: f64 = 2.0;
-        A * q[0]
     });
     agrees!(|q, p, t, a| {
         const E: f64 = TAU;
