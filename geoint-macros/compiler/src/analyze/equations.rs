@@ -1,4 +1,4 @@
-//! Homogeneous linear equations with exact coefficients.
+//! Homogeneous linear equations with exact coefficients. Their solutions are the coefficients of conserved functions.
 
 use crate::ir::Ratio;
 use std::collections::BTreeMap;
@@ -6,7 +6,8 @@ use std::collections::BTreeMap;
 /// Coefficients by the number of the unknown. Invariant: no coefficient is zero.
 pub(super) type Row = BTreeMap<usize, Ratio>;
 
-/// Linear equations in echelon form. Row i is an equation whose last unknown is i, with the coefficient 1.
+/// Linear equations in echelon form. Row i is an equation whose last unknown is i, with the coefficient 1. Thus early unknowns stay free, and a
+/// solution that uses them alone is a basis vector of its own.
 pub(super) struct Equations(Vec<Option<Row>>);
 
 impl Equations {
@@ -15,7 +16,7 @@ impl Equations {
         Equations(vec![None; unknowns])
     }
 
-    /// Adds the equation row·x = 0. `None` if a number is no longer exact.
+    /// Adds the equation row·x = 0. `None` if a number is no longer exact: the system then lacks the equation and must not be solved.
     pub(super) fn add(&mut self, mut row: Row) -> Option<()> {
         while let Some((last, c)) = row.last_key_value().map(|(last, c)| (*last, *c)) {
             let Some(known) = &self.0[last] else {

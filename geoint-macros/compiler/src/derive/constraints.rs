@@ -25,8 +25,10 @@ pub(crate) fn constrained(
     let (force, mean_force, mean_velocity) = (at_point.force(n), between.force(n), between.velocity(n));
     let given = Constrained::new(graph, constraints, &gradient.p, force, mean_force, mean_velocity);
     let rates = given.rates(graph);
-    let steps =
-        [("Rattle", constraint::rattle(graph, &given)), ("DiscreteGradient", constraint::gradient(graph, &given))];
+    let steps = [
+        ("Rattle", constraint::rattle(graph, &given)),
+        ("DiscreteGradient", constraint::discrete_gradient_step(graph, &given)),
+    ];
     let steps = steps.into_iter().map(|(method, equation)| (method, step(graph, equation, &positions))).collect();
     let (own, bound) = (sizes(graph, constraints), given.sizes(graph));
     let reaches: Vec<Id> = own.iter().zip(&bound).map(|(own, bound)| graph.add(*own, *bound)).collect();

@@ -15,7 +15,8 @@ use crate::ir::{Graph, Id, Symbol, UndefinedAt};
 use crate::messages::NOTHING_KEPT;
 use crate::schedule::{Kernel, Levels, Routine, Space};
 
-/// Derives the routines of every method but those of pieces.
+/// Derives the routines of every method but those of pieces, which the fronts add. `partial` lists the nodes that are undefined at some states. `damping` is
+/// that of a structured system; a field has its friction in f.
 pub(crate) fn flow(
     compilation: &mut Compilation<'_>,
     found: &Flow,
@@ -28,11 +29,13 @@ pub(crate) fn flow(
         .map(|symbol: fn(u32) -> Symbol| (0..field.len() as u32).map(symbol).collect::<Vec<Symbol>>());
     let conserved: Vec<Conserved> = kept.iter().map(|kept| kept.conserved.clone()).collect();
     let collocation = Field::new(graph, coordinates.clone(), field.clone());
+    // With S and H, the step S(m) ∇̄H keeps H. Without them, the mean velocity is projected so that the integrals are kept.
     let discrete = match energy {
         Some((energy, matrix)) if found.is_kept_by_structure() => Some(flow::structured(graph, *energy, matrix)),
         _ if conserved.is_empty() => None,
         _ => Some(flow::mean_velocity(graph, field, &conserved, Order::Two)),
     };
+    // A field with a divergence has no integral that the search knows. `KeepsIn` is the trait that rustc names in its error.
     let missing = |term: &Id| Missing::new("KeepsIn", *term, NOTHING_KEPT);
     let nothing_kept = found.divergent.as_ref().filter(|_| discrete.is_none()).map(missing);
     let h = graph.symbol(Symbol::StepLength);
@@ -68,6 +71,7 @@ pub(crate) fn flow(
         }
         implicit::iterated(routines, &x)
     });
+    // What only canonical systems have is absent.
     let kernels = FieldKernels {
         linear: false,
         mean_value: MeanValue::NotClosed(field[0]),
@@ -97,8 +101,10 @@ fn integrals(graph: &mut Graph, kept: &[Named], increments: &Space) -> Option<In
     }
     let n = increments.len() as u32;
     let values: Vec<Id> = kept.iter().map(|kept| kept.conserved.value).collect();
+    // Without the option `but`.
     let constant: Vec<usize> = (0..kept.len()).filter(|i| kept[*i].conserved.but.is_none()).collect();
     let steady: Vec<usize> = constant.iter().copied().filter(|i| !graph.reads(values[*i]).t).collect();
+    // The runtime measures the energy error of a run by this integral.
     let energy = steady.iter().position(|i| kept[*i].name == ENERGY).or((!steady.is_empty()).then_some(0));
     let slopes: Vec<Id> = steady.iter().flat_map(|i| diff::gradient(graph, values[*i], n).q).collect();
     let mut change = |i: &usize| {

@@ -24,7 +24,7 @@ pub(crate) struct ForcedContact {
     pub(crate) drag: Option<Vec<Id>>,
 }
 
-/// Derives the system. `damping` is a quadratic Rayleigh function. `forces` contains F, and the friction of other Rayleigh functions. One of both is present.
+/// Derives the system. `damping` is a quadratic Rayleigh function. `forces` contains F, and the friction of other Rayleigh functions. At least one is present.
 /// `partial` lists the nodes of the energy that are undefined at some states.
 pub(crate) fn forced_contact(
     compilation: &mut Compilation<'_>,
@@ -41,6 +41,7 @@ pub(crate) fn forced_contact(
     let applied = forces.iter().flat_map(|forces| [&forces.applied, &forces.friction]).flatten().flatten();
     // Messages about absent methods point at the first force that acts.
     let obstacle = applied.chain(drag.iter().flatten()).copied().find(|force| !graph.is_zero(*force)).unwrap_or(energy);
+    // One rate for each coordinate, in one piece.
     let jet = JetKernel::canonical(graph, std::slice::from_ref(&rates), energy, degrees);
     // There are no pieces. Their absence is reported with a reason.
     let pieces = pieces::kernels(graph, Followed::Contact, &Err(obstacle), FORCED_ACTION);

@@ -16,7 +16,7 @@ use super::slope::{coordinate_at_end, coordinate_in_middle};
 use crate::ir::substitute::Substitution;
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
 
-/// A function I(x, t) with dI/dt = b·∇I along a field, or dI/dt = 0 if `but` is absent.
+/// A function I(x, t) with dI/dt = b·∇I along a field, or dI/dt = 0 if `but` is absent. Users state b by the option `but = b`.
 #[derive(Clone, Debug)]
 pub(crate) struct Conserved {
     pub(crate) value: Id,

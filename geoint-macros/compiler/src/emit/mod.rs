@@ -1,6 +1,11 @@
 //! Emission of tokens: the struct with its docs, and the implementations of the runtime's traits.
 //!
 //! Tokens are built directly, never parsed from text. They name items of `::core`, of the runtime, and of the user's signature only.
+//!
+//! - The user's items: `structure` (the struct), `attributes` (of the function and the struct), `outside` (constants and aliases of the user's module), `report`.
+//! - Implementations: `system`, `flow`, `lagrangian`, `poles`, `domain`, `exact` (splittings), `implicit` (implicit steps), `jet` (Taylor coefficients). Their
+//!   signatures are data in `signature`; `implementation` builds them, `missing` builds absent ones.
+//! - Printing of routines: `context`, `writer`, `statements`, `loops`, `calls`, `tokens`.
 
 mod attributes;
 mod domain;
@@ -39,7 +44,7 @@ pub(crate) fn function(energy: &Energy, item: TokenStream) -> TokenStream {
 }
 
 /// Returns the function with the expressions of its attribute in its body, if there are some. There rustc checks the expressions, and sees that they use
-/// their arguments.
+/// their arguments. They stand in closures that are never called.
 fn checked(energy: &Energy) -> Option<TokenStream> {
     let mut item = energy.item.clone();
     let used = energy.expressions().map(|expr| match expr {
@@ -60,7 +65,8 @@ fn checked(energy: &Energy) -> Option<TokenStream> {
     some.then(|| quote!(#item))
 }
 
-/// Returns the statement that evaluates a force, with the velocity in scope.
+/// Returns the statement that reads a force, with a variable for the velocity in scope. The statement never runs, so the momenta, which have the same type, stand
+/// for the velocity.
 fn with_velocity(energy: &Energy, force: &syn::Expr) -> TokenStream {
     let momenta = energy.argument(Role::Momentum).map(|momenta| &momenta.name);
     let velocity = momenta.map(|momenta| {
@@ -108,7 +114,7 @@ fn around(context: &Context<'_>, report: &str, implementations: &TokenStream) ->
             };
         }
     });
-    // Only necessary lints are allowed. A crate that forbids a lint rejects code that allows it.
+    // Of rustc's lints only those that occur are allowed, because a crate that forbids a lint rejects code that allows it.
     let old = attributes::is_deprecated(context.energy).then(|| quote!(deprecated,));
     let imported = parse::imported().map(|name| format_ident!("{name}"));
     quote! {

@@ -1,4 +1,4 @@
-//! The operations of expressions. One table holds the names, arities, domains and values of all functions.
+//! Comparisons and functions. One table holds the names, arities, domains and values of all functions. Sums, products and powers are nodes of their own.
 
 /// A comparison of two numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -31,14 +31,15 @@ pub(crate) enum Parity {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Domain {
     Everywhere,
-    /// The first argument lies in this interval. At its ends the derivative is not finite. The text names an argument outside of the interval.
+    /// The first argument lies in this interval. The value at an end may exist, as for asin, or not, as for ln; the derivative there is not finite. The text names
+    /// an argument outside of the interval. Poles inside the interval, as of tan, are found where the graph divides.
     Interval(f64, f64, &'static str),
 }
 
 /// The row of a function in the table.
 pub(crate) struct Entry {
     pub(crate) function: Function,
-    /// The name of the method of `f64` and of `Real`, also used in formulas.
+    /// The name of the method of `f64` and of `Real`, or of the helper in the runtime's module `slope`. Formulas in messages use the name, too.
     pub(crate) name: &'static str,
     pub(crate) arity: usize,
     pub(crate) parity: Parity,
@@ -136,14 +137,15 @@ functions! {
         Min (min(x, y) Neither Everywhere, x.min(y))
         Max (max(x, y) Neither Everywhere, x.max(y))
         Signum (signum(x) Neither Everywhere, x.signum())
-        // Helpers of the runtime module `slope`. Users cannot call them. Projections and damping use them.
+        // Helpers of the runtime's module `slope`, which states their formulas. Users cannot call them. They are here because energies contain them: projections and
+        // damping put them into f.
         RecipPositive (recip_positive(x) Neither Everywhere)
         NotNegative (not_negative(x) Neither Everywhere)
         Bounded (bounded(x, y) Neither Everywhere)
         Provided (provided(x, y) Neither Everywhere)
     }
     steps {
-        // Projections.
+        // All of these are helpers of the runtime's module `slope`, which states their formulas. Projections.
         RecipAbove (recip_above(x, y) Neither Everywhere)
         Scaled (scaled(x, y) Neither Everywhere)
         // Divided differences.
@@ -180,8 +182,8 @@ functions! {
         SineSlope (sine_slope(b, c) Neither Everywhere)
         CosineAt (cosine_at(b, c) Neither Everywhere)
         CosineSlope (cosine_slope(b, c) Neither Everywhere)
-        // Linear flows in more degrees of freedom: exp(A) − 1, given the size of A and its entries with their places; and a row of exp(A) − 1 times a
-        // vector.
+        // Linear flows in more degrees of freedom: exp(A) − 1, with the size of A and then, for each entry, its place and its value; and a row of exp(A) − 1 times
+        // a vector.
         FlowMatrix (flow_matrix(size, place, entry) Neither Everywhere => matrix)
         FlowChange (flow_change(row, matrix, x) Neither Everywhere => matrix)
         // Motion about a centre.
@@ -195,7 +197,7 @@ functions! {
     }
 }
 
-/// Pairs of functions of the same arguments that share their work.
+/// Pairs of functions of the same arguments that share their work, and that the runtime computes by one call.
 const PARTNERS: [[Function; 2]; 10] = {
     use Function::*;
     [
@@ -221,7 +223,8 @@ impl Function {
     pub(crate) const LINEAR_FLOW: [Function; 4] =
         [Function::SineAt, Function::SineSlope, Function::CosineAt, Function::CosineSlope];
 
-    /// Returns whether the value is NaN after a flow has ended.
+    /// Returns whether flows use the function to become NaN where they have ended, as a fall into a centre. Other functions with a domain, such as ln, do so by
+    /// chance only.
     pub(crate) fn ends_flows(self) -> bool {
         use Function::*;
         matches!(self, NotNegative | RecipPositive | AtMost | Powf | Spread | Swept) || Self::KEPLER.contains(&self)

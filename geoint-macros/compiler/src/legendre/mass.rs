@@ -18,7 +18,7 @@ pub(super) fn masses(graph: &mut Graph, momenta: &[Id], symbols: &[Symbol]) -> V
     mass
 }
 
-/// Returns M without coordinates on which its entries do not depend.
+/// Returns M without idle coordinates, which cancel in its entries, as in sin²q + cos²q. Entries with velocities stay as they are: velocities may cancel as well.
 pub(super) fn simplified(graph: &mut Graph, mass: &[Vec<Id>]) -> Vec<Vec<Id>> {
     let mut simple = mass.to_vec();
     for i in 0..mass.len() {
@@ -47,7 +47,8 @@ pub(super) fn picked(vector: &[Id], velocities: &[u32]) -> Vec<Id> {
     velocities.iter().map(|i| vector[*i as usize]).collect()
 }
 
-/// Refuses a Lagrangian in which a velocity has no inertia, so that its row of M is zero.
+/// Refuses a Lagrangian in which a velocity has no inertia, so that its row of M is zero: L does not read the velocity (`Unread`), is linear in it (`LinearIn`),
+/// or is linear in all velocities (`Linear`). A singular M without a zero row is found later, by its inverse.
 pub(super) fn regular(graph: &Graph, momenta: &[Id], mass: &[Vec<Id>]) -> Result<(), Flaw> {
     let massless = |i: &usize| mass[*i].iter().all(|entry| graph.is_zero(*entry));
     let all: Vec<usize> = (0..mass.len()).filter(massless).collect();

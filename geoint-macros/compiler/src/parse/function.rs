@@ -47,7 +47,7 @@ pub(crate) struct Function {
     /// Path of the function in the `with(…)` of its caller. Calls use the same path.
     pub(crate) path: String,
     pub(crate) item: ItemFn,
-    /// Constants and aliases that the attribute of the function repeats.
+    /// Constants and aliases of the user's module. The macro cannot see them, so the attribute of the function states them again.
     pub(crate) outside: Rc<Outside>,
     pub(crate) used: Vec<Function>,
 }
@@ -69,7 +69,7 @@ pub(crate) fn energy_function(item: &ItemFn) -> Result<()> {
     errors.or(())
 }
 
-/// Parses the functions in a `with(…)` from their sources.
+/// Parses the functions in a `with(…)` from their sources. `link` has collected one source for each path, in the same order.
 pub(super) fn functions(with: &[Path], sources: &[TokenStream]) -> Result<Vec<Function>> {
     with.iter().zip(sources).map(|(path, source)| function(plain_path(path), source.clone())).collect()
 }
@@ -78,7 +78,7 @@ fn function(path: String, source: TokenStream) -> Result<Function> {
     let Source { args, item, used } = syn::parse2(source)?;
     let Options { with, outside, .. } = function_options(args)?;
     let mut item: ItemFn = syn::parse2(item)?;
-    // An energy can serve as a function of another energy. Attributes of this crate do not change their function.
+    // An energy can serve as a function of another energy. Attributes of this crate do not change the value of their function.
     item.attrs.retain(|attribute| !is_ours(attribute.path()));
     Ok(Function { path, item, outside, used: functions(&with, &used)? })
 }

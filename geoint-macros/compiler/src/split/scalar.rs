@@ -1,6 +1,7 @@
 //! Scalar equations x' = g(x) with a solution in closed form. All other symbols are constant.
 //!
-//! Each rule returns x at the end of the flow. The result is NaN if the solution reaches a pole before the end.
+//! Each rule returns x at the end of the flow. The result is NaN if the solution reaches a pole before the end, or if a power in the formula is
+//! undefined at the start. [`Clock`] tells whether coefficients may read time.
 
 mod quadrature;
 
@@ -98,7 +99,7 @@ fn affine(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
     }
 }
 
-/// exp(∫a dt), which is (t₀/t₁)^k for a = −k/t.
+/// exp(∫a dt), which is (τ₀/τ₁)^−k for a = k/τ, where τ₀ and τ₁ are the times at the ends of the step.
 fn growth(graph: &mut Graph, equation: &Equation, a: Id) -> Option<Id> {
     if equation.clock == Clock::Own
         && let Some(OverTime { k, time }) = over_time(graph, a)
@@ -118,7 +119,7 @@ fn growth(graph: &mut Graph, equation: &Equation, a: Id) -> Option<Id> {
     Some(graph.call(Function::Exp, &[z]))
 }
 
-/// Returns x·eᶻ, computed from `change` = eᶻ − 1.
+/// Returns x·eᶻ, computed from `change` = eᶻ − 1. The function `Rest` supplies the digits of eᶻ that 1 + change loses if z is very negative.
 pub(super) fn grown(graph: &mut Graph, x: Id, z: Id, change: Id) -> Id {
     graph.build(call(Function::Grown, [x.into(), call(Function::Rest, [z, change]), change.into()]))
 }
@@ -182,11 +183,13 @@ fn shifted_power(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
 /// Returns ((1 + u)^r − 1)/u without cancellation. The value at u = 0 is r.
 pub(super) fn mean_of_power(graph: &mut Graph, u: Id, r: Ratio) -> Option<Id> {
     let d = graph.build(call(Function::NotNegative, [1 + u]));
+    // Short sums of products are faster than exp and ln.
     if r.denominator > 2 || r.numerator.abs() > 8 {
         let mean = graph.build(call(Function::Phi1, [Number::Exact(r) * call(Function::Ln1p, [u])]));
         let mean_of_ln = mean_of_recip(graph, u);
         return Some(graph.build(Number::Exact(r) * (mean_of_ln * mean)));
     }
+    // With n = |numerator|: (d^(n/2) − 1)(d^(n/2) + 1) = dⁿ − 1, and d^−r − 1 = −d^−r (d^r − 1).
     let mut mean = geometric_sum(graph, d, r.numerator.abs());
     if r.denominator == 2 {
         mean = graph.build(mean / (1 + pow(d, Ratio { numerator: r.numerator.abs(), ..r })));
@@ -222,6 +225,7 @@ fn riccati(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
     let with_c = graph.mul(c, sine);
     let above = graph.build(x * (cosine + half_b * sine) + with_c);
     let below = graph.build(call(Function::RecipPositive, [cosine - (a * x + half_b) * sine]));
+    // A Möbius map with determinant 1 has the derivative 1/denominator².
     Some(Solution { end: graph.build(above * below), by_start: graph.build(squared(below)) })
 }
 

@@ -1,4 +1,7 @@
 //! Surfaces on which both arguments of `atan2` vanish. The angle may jump there by less than a turn: the angle of (x², x) jumps by π.
+//!
+//! Only surfaces of factors and of single coordinates are found. A jump elsewhere is not found here; the proofs that ask for jumps refuse angles whose arguments are
+//! not understood.
 
 use super::derivative;
 use super::surface::{moves, vanishes_on_a_part};
@@ -30,15 +33,15 @@ enum Zero {
     Other,
 }
 
-/// The functions g for which both arguments of an angle vanish on g = 0. Excludes g if the angle was proven to have one limit on both sides, up
-/// to turns.
+/// The functions g among the candidates for which both arguments of an angle vanish on g = 0. Excludes g if the angle was proven to have one limit on both
+/// sides, up to turns.
 pub(crate) fn broken_at(graph: &mut Graph, angle: Id) -> Vec<Id> {
     let Node::Call(_, args) = graph.node(angle).clone() else { return vec![] };
     let candidates = candidates(graph, &args);
     candidates.into_iter().filter(|g| is_broken(graph, [args[0], args[1]], *g)).collect()
 }
 
-/// Factors of the arguments, and symbols. A symbol may be a factor of a sum.
+/// Factors of the arguments, and symbols. A symbol may be a factor of a sum that is not written as a product, such as x y + x².
 fn candidates(graph: &mut Graph, args: &[Id]) -> Vec<Id> {
     let mut candidates: Vec<Id> = vec![];
     for arg in args {
@@ -61,7 +64,8 @@ fn signed(graph: &Graph, base: Id) -> Id {
     }
 }
 
-/// Returns whether the direction of (x, y) may differ on both sides of g = 0, where both vanish. The argument with the lower power decides.
+/// Returns whether the direction of (x, y) may differ on both sides of g = 0, where both vanish. The argument with the lower power decides
+/// the direction near the surface: if its sign changes, the direction is reversed. With equal powers, a change of either sign turns the direction.
 fn is_broken(graph: &mut Graph, [y, x]: [Id; 2], g: Id) -> bool {
     let (Some(y), Some(x)) = (zero_on(graph, y, g), zero_on(graph, x, g)) else { return false };
     match (y, x) {
@@ -97,24 +101,25 @@ fn zero_on(graph: &mut Graph, argument: Id, g: Id) -> Option<Zero> {
     }
 }
 
-/// The power of g that baseᵉ is, where the base is g, |g| or ∛g. `None` if the exponent becomes too long.
+/// The power of g that baseᵉ is, where the base is g, |g| or ∛g. `None` if the exponent is no longer exact.
 fn power(graph: &Graph, base: Id, exponent: Ratio) -> Option<Power> {
     let is_odd = exponent.is_integer() && exponent.numerator % 2 != 0;
     match graph.node(base) {
         Node::Call(Function::Abs, _) => Some(Power { exponent, is_odd: false }),
         Node::Call(Function::Cbrt, _) => Some(Power { exponent: exponent.mul(Ratio::new(1, 3)?)?, is_odd }),
-        // A square root is defined on one side only, so it has no sign.
+        // Roots of g are defined on one side only, so they have no sign.
         _ => Some(Power { exponent, is_odd }),
     }
 }
 
-/// The highest order of a zero. Zeros of higher order count as [`Zero::Other`].
+/// The highest order of a zero. Zeros of higher order count as [`Zero::Other`]; they are rare, and each derivative is longer than the one before.
 const HIGHEST: i128 = 6;
 
 /// The order of the zero of a smooth function on g = 0, by its derivatives across the surface.
 fn multiplicity(graph: &mut Graph, argument: Id, g: Id) -> Zero {
     let across = graph.symbols(g).into_iter().find(|symbol| moves(*symbol));
     let Some(symbol) = across.filter(|_| is_smooth(graph, argument)) else { return Zero::Other };
+    // The symbol must lead across the surface.
     let slope = derivative(graph, g, symbol);
     if vanishes_on_a_part(graph, g, slope) {
         return Zero::Other;

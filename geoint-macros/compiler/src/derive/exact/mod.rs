@@ -1,4 +1,9 @@
-//! Kernels of the parts of an energy with exact flows.
+//! Kernels of splittings: the parts of H, or of x' = S ∇H, and their flows.
+//!
+//! - `kick_drift`: H = T + V.
+//! - `perturbed`: H = A + B with a small B.
+//! - `pieces`: any number of pieces of H(q, p) or H(q, p, s).
+//! - `parts`: pieces of x' = S(x) ∇H. Pieces in planes may be implicit equations; all other flows are exact.
 
 pub(super) mod kick_drift;
 pub(super) mod parts;

@@ -95,7 +95,7 @@ pub(crate) struct FieldKernels {
     pub(crate) coordinates: Space,
     pub(crate) increments: Space,
     pub(crate) collocation: Collocation,
-    /// The routines `slope` and `drift`, and `equation` if Newton's iteration has one.
+    /// The routines `slope`, `drift` if there are momenta, and `equation` if Newton's iteration has one.
     pub(crate) discrete: Option<Kernel>,
     /// The reason why there is no discrete gradient, if the divergence of the field is known to be the reason.
     pub(crate) nothing_kept: Option<Missing>,
@@ -105,7 +105,7 @@ pub(crate) struct FieldKernels {
     pub(crate) fourth: Option<Kernel>,
     /// Gradients of the momenta that steps of order 4 of a canonical system keep.
     pub(crate) momenta: Routine,
-    /// True if the equation of a step is linear.
+    /// True if the equation of a step is known to be linear. Only canonical systems ask.
     pub(crate) linear: bool,
     pub(crate) mean_value: MeanValue,
 }

@@ -11,7 +11,7 @@ use super::gradient::with_values;
 use crate::ir::formula::{call, pow, squared};
 use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
 use std::collections::BTreeSet;
-pub(crate) use steps::{gradient, rattle};
+pub(crate) use steps::{discrete_gradient_step, rattle};
 
 /// A system with constraints, and derivatives of it.
 pub(crate) struct Constrained<'a> {
@@ -26,7 +26,8 @@ pub(crate) struct Constrained<'a> {
     pub(crate) force: &'a [Id],
     /// p' without multipliers between two points.
     pub(crate) mean_force: &'a [Id],
-    /// q' between two points. Absent if the mass matrix is constant and nothing is damped: momenta then determine positions.
+    /// q' between two points. Absent if H = T(p) + V(q), the mass matrix is constant, and nothing is damped: momenta then
+    /// determine positions.
     pub(crate) mean_velocity: Option<&'a [Id]>,
 }
 

@@ -1,11 +1,17 @@
-//! RATTLE and the discrete gradient with constraints.
+//! RATTLE and the discrete gradient with constraints, with multipliers ν, f = −∂H/∂q and v = ∂H/∂p.
+//!
+//! - RATTLE: p½ = p₀ + (h/2) f(q₀, p½) + Gᵀ(q₀) ν/h, q₁ = q₀ + (h/2) (v(q₀, p½) + v(q₁, p½)), g(q₁) = 0, p₁ = p½ + (h/2) f(q₁, p½). The runtime then projects p₁
+//!   to the tangent space, with `Constrained::rates`. (H. C. Andersen 1983; L. O. Jay 1996 for general H.)
+//! - Discrete gradient: q₁ = q₀ + h v̄, p₁ = p₀ + h f̄ + 2 Ḡᵀ ν/h, g(q₁) = 0, with discrete gradients v̄, f̄ and Ḡ (O. Gonzalez 1999).
+//!
+//! If H = T(p) + V(q) with a constant mass matrix, momenta determine positions: the unknowns are fewer then, and `mean_velocity` is absent.
 
 use super::{Constrained, Equation};
 use crate::diff::gradient::{discrete_gradient, with_values};
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Number, Symbol};
 
-/// RATTLE up to the momentum at the end. The projection of that momentum to the tangent space is a separate equation.
+/// RATTLE up to the momentum at the end, before its projection to the tangent space.
 pub(crate) fn rattle(graph: &mut Graph, system: &Constrained<'_>) -> Equation {
     let n = system.degrees();
     let [h, t] = [Symbol::StepLength, Symbol::Time].map(|symbol| graph.symbol(symbol));
@@ -26,6 +32,7 @@ pub(crate) fn rattle(graph: &mut Graph, system: &Constrained<'_>) -> Equation {
             unknowns,
         };
     }
+    // Here Δp leads to the momenta in the middle of the step.
     let [dq, dp] = increments(graph, n);
     let [end, middle] = [ends(graph, Symbol::Position, &dq), ends(graph, Symbol::Momentum, &dp)];
     let start: Vec<Id> = (0..n as u32).map(|i| graph.symbol(Symbol::Position(i))).collect();
@@ -49,10 +56,11 @@ pub(crate) fn rattle(graph: &mut Graph, system: &Constrained<'_>) -> Equation {
     }
 }
 
-/// The discrete gradient with constraints. Time is the middle of the step.
-pub(crate) fn gradient(graph: &mut Graph, system: &Constrained<'_>) -> Equation {
+/// The discrete gradient with constraints. The mean force already reads time in the middle of the step.
+pub(crate) fn discrete_gradient_step(graph: &mut Graph, system: &Constrained<'_>) -> Equation {
     let n = system.degrees();
     let h = graph.symbol(Symbol::StepLength);
+    // The mean of the momenta takes half of the impulse to the positions, as in RATTLE, where ν has weight 1.
     let two = Number::integer(2);
     let slopes: Vec<Vec<Id>> =
         system.constraints.iter().map(|constraint| discrete_gradient(graph, *constraint, n as u32).q).collect();

@@ -50,7 +50,7 @@ impl Order {
 }
 
 impl Writer<'_> {
-    /// Returns the struct of all coefficients, and its method that computes the coefficients of order n. Call it once.
+    /// Returns the struct of all coefficients, and its method that computes the coefficients of order n. Call it once, because the statements are collected in `self`.
     pub(super) fn coefficients(&mut self) -> TokenStream {
         let (jet, packs) = (self.jet, self.packs);
         let unit = self.number(StepNumber::Unit);
@@ -96,12 +96,12 @@ impl Writer<'_> {
     }
 
     /// Returns the fields of the struct of coefficients, each with its type:
-    /// - `k`, `beside`: numbers computed once per step, and packs of them
+    /// - `k`, `beside`: numbers computed once per step, and packs of four of them, which stand beside packs of coefficients in sums
     /// - `newest`: the newest entry of each array of packs, if registers hold them
     /// - `coordinates`: the newest coefficients of the coordinates, if registers hold them
-    /// - `masks`: the branch that each condition takes at the start of the step
+    /// - `masks`: the branch that each condition takes at the start of the step; all orders follow this branch
     /// - the arrays and the central forces
-    /// - `jet`, `switches`: the results, for each order
+    /// - `jet`, `switches`: the results, for each order: coefficients of the coordinates, and of functions whose sign decides a condition
     fn fields(&self) -> Vec<(Ident, TokenStream)> {
         let list = |name: &str, entry: &TokenStream, count: usize| {
             let count = Literal::usize_unsuffixed(count);
@@ -194,7 +194,7 @@ impl Writer<'_> {
     }
 
     /// Emits the copies of the operands of a group into their arrays of packs. An operand that is read up to the previous order only may not have its
-    /// coefficient yet.
+    /// coefficient yet; the last statements of the order copy it.
     fn pack_operands(&mut self, series: &[Source; LANES]) {
         let jet = self.jet;
         for k in 0..jet.series[series[0]].rule.operands().len() {

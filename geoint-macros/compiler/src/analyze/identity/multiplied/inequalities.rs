@@ -1,4 +1,5 @@
-//! Systems of linear inequalities by Fourier–Motzkin elimination. Every monomial counts as an unknown.
+//! Systems of linear inequalities by Fourier–Motzkin elimination. Every monomial counts as an unknown. A case of a selection whose conditions exclude each other contains
+//! no state, and proofs skip it.
 
 use super::normal::{Monomial, Normal};
 use crate::ir::Ratio;
@@ -10,7 +11,7 @@ pub(super) struct Inequality {
     pub(super) is_strict: bool,
 }
 
-/// Elimination stops at more inequalities than this.
+/// Elimination stops at more inequalities than this: each step may square their number.
 const LIMIT: usize = 200;
 
 /// Returns whether inequalities are proven to exclude each other. `false` proves nothing.
@@ -30,12 +31,13 @@ pub(super) fn are_contradictory(mut inequalities: Vec<Inequality>) -> bool {
 fn eliminated(monomial: &Monomial, inequalities: Vec<Inequality>) -> Option<Vec<Inequality>> {
     let (reading, mut rest): (Vec<Inequality>, Vec<Inequality>) =
         inequalities.into_iter().partition(|inequality| inequality.sum.coefficient(monomial) != Ratio::ZERO);
-    let (above, below): (Vec<Inequality>, Vec<Inequality>) =
+    // A positive coefficient bounds the monomial from below.
+    let (lower_bounds, upper_bounds): (Vec<Inequality>, Vec<Inequality>) =
         reading.into_iter().partition(|inequality| inequality.sum.coefficient(monomial) > Ratio::ZERO);
-    for lower in &above {
-        for upper in &below {
-            let (up, down) = (lower.sum.coefficient(monomial), upper.sum.coefficient(monomial));
-            let sum = lower.sum.scale(down.neg())?.add(up, &upper.sum)?;
+    for lower in &lower_bounds {
+        for upper in &upper_bounds {
+            let (positive, negative) = (lower.sum.coefficient(monomial), upper.sum.coefficient(monomial));
+            let sum = lower.sum.scale(negative.neg())?.add(positive, &upper.sum)?;
             rest.push(Inequality { sum, is_strict: lower.is_strict || upper.is_strict });
         }
     }
@@ -45,6 +47,7 @@ fn eliminated(monomial: &Monomial, inequalities: Vec<Inequality>) -> Option<Vec<
 impl Inequality {
     /// Returns whether an inequality between numbers is false.
     fn fails(&self) -> bool {
+        // No monomial is left. Another sum would prove nothing, as 1 ≥ 0 does.
         let value = self.sum.as_number().unwrap_or(Ratio::ONE);
         value < Ratio::ZERO || value == Ratio::ZERO && self.is_strict
     }

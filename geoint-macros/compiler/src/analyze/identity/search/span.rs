@@ -1,4 +1,8 @@
-//! Linear dependence of combinations, with functions of the parameters as coefficients, on each other and on products of linear ones.
+//! Which conserved functions are new? Combinations of candidates, and products of two linear combinations, depend on each other linearly. The coefficients may be any
+//! functions of the parameters.
+//!
+//! Dependence is decided with residues of a prime at random values of the parameters, because exact ratios of long monomials would be slow. An accidental dependence only
+//! shortens the list of conserved functions.
 
 use super::{Candidate, Unknown};
 use crate::analyze::identity::multiplied::Monomial;
@@ -10,6 +14,7 @@ const PRIME: Prime = PRIMES[0];
 /// The known combinations as vectors of coefficients of candidates, at random values of the parameters.
 pub(super) struct Span {
     rows: residues::Span,
+    /// Those of the known combinations that are linear in the coordinates.
     linear: Vec<Vec<Element>>,
 }
 
@@ -18,11 +23,12 @@ impl Span {
         Span { rows: residues::Span::new(PRIME), linear: vec![] }
     }
 
-    /// Adds a combination, and its products with linear ones. Returns whether it is new.
+    /// Adds a combination, and its products with the linear combinations so far. Returns whether it is new. Linear combinations must come first, so that
+    /// all products are known when others are asked.
     pub(super) fn add(&mut self, combination: &[(&Unknown, Ratio)], candidates: &[Candidate]) -> bool {
         let mut row = vec![Element::ZERO; candidates.len()];
         for (unknown, coefficient) in combination {
-            // A number without a residue makes the combination unusable.
+            // A combination with a number without a residue, or with a root of a parameter, counts as known.
             let Some(value) = value(&unknown.weight, *coefficient) else { return false };
             row[unknown.candidate] = PRIME.sum(row[unknown.candidate], value);
         }
