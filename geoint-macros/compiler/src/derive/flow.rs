@@ -71,7 +71,7 @@ pub(crate) fn flow(
         }
         implicit::iterated(routines, &x)
     });
-    // What only canonical systems have is absent.
+    // Fields that only canonical systems use are empty.
     let kernels = FieldKernels {
         linear: false,
         mean_value: MeanValue::NotClosed(field[0]),
@@ -104,7 +104,7 @@ fn integrals(graph: &mut Graph, kept: &[Named], increments: &Space) -> Option<In
     // Without the option `but`.
     let constant: Vec<usize> = (0..kept.len()).filter(|i| kept[*i].conserved.but.is_none()).collect();
     let steady: Vec<usize> = constant.iter().copied().filter(|i| !graph.reads(values[*i]).t).collect();
-    // The runtime measures the energy error of a run by this integral.
+    // The runtime uses this integral where methods need an energy.
     let energy = steady.iter().position(|i| kept[*i].name == ENERGY).or((!steady.is_empty()).then_some(0));
     let slopes: Vec<Id> = steady.iter().flat_map(|i| diff::gradient(graph, values[*i], n).q).collect();
     let mut change = |i: &usize| {
