@@ -29,13 +29,14 @@ pub(crate) fn flow(
         .map(|symbol: fn(u32) -> Symbol| (0..field.len() as u32).map(symbol).collect::<Vec<Symbol>>());
     let conserved: Vec<Conserved> = kept.iter().map(|kept| kept.conserved.clone()).collect();
     let collocation = Field::new(graph, coordinates.clone(), field.clone());
-    // With S and H, the step S(m) ∇̄H keeps H. Without them, the mean velocity is projected so that the integrals are kept.
+    // If S and H are known and all integrals are H and Casimirs, the step S(m) ∇̄H with the midpoint m keeps them. Otherwise the mean velocity is projected, so that
+    // the integrals are kept.
     let discrete = match energy {
         Some((energy, matrix)) if found.is_kept_by_structure() => Some(flow::structured(graph, *energy, matrix)),
         _ if conserved.is_empty() => None,
         _ => Some(flow::mean_velocity(graph, field, &conserved, Order::Two)),
     };
-    // A field with a divergence has no integral that the search knows. `KeepsIn` is the trait that rustc names in its error.
+    // The user named no integral, and a divergence excludes an energy. `KeepsIn` is the trait that rustc names in its error.
     let missing = |term: &Id| Missing::new("KeepsIn", *term, NOTHING_KEPT);
     let nothing_kept = found.divergent.as_ref().filter(|_| discrete.is_none()).map(missing);
     let h = graph.symbol(Symbol::StepLength);
@@ -50,7 +51,7 @@ pub(crate) fn flow(
         let equation = equation(graph, &field);
         implicit::iterated(vec![equation], &x)
     });
-    // The energy of a field is the integral with this name.
+    // Users give the energy of a field as the integral with the name `ENERGY`.
     let named = kept.iter().find(|kept| kept.name == ENERGY).map(|kept| kept.conserved.value);
     let energy = energy.as_ref().map(|(energy, _)| *energy);
     let value = named.or(energy);
@@ -71,7 +72,7 @@ pub(crate) fn flow(
         }
         implicit::iterated(routines, &x)
     });
-    // Fields that only canonical systems use are empty.
+    // The mean value, linearity and momenta are placeholders: only canonical systems use them.
     let kernels = FieldKernels {
         linear: false,
         mean_value: MeanValue::NotClosed(field[0]),
@@ -101,7 +102,7 @@ fn integrals(graph: &mut Graph, kept: &[Named], increments: &Space) -> Option<In
     }
     let n = increments.len() as u32;
     let values: Vec<Id> = kept.iter().map(|kept| kept.conserved.value).collect();
-    // Without the option `but`.
+    // Functions with the option `but` change.
     let constant: Vec<usize> = (0..kept.len()).filter(|i| kept[*i].conserved.but.is_none()).collect();
     let steady: Vec<usize> = constant.iter().copied().filter(|i| !graph.reads(values[*i]).t).collect();
     // The runtime uses this integral where methods need an energy.

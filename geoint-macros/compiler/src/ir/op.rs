@@ -32,7 +32,7 @@ pub(crate) enum Parity {
 pub(crate) enum Domain {
     Everywhere,
     /// The first argument lies in this interval. The value at an end may exist, as for asin, or not, as for ln; the derivative there is not finite. The text names
-    /// an argument outside of the interval. Poles inside the interval, as of tan, are found where the graph divides.
+    /// an argument outside of the interval. `analyze/poles` knows the poles of tan.
     Interval(f64, f64, &'static str),
 }
 
@@ -145,7 +145,8 @@ functions! {
         Provided (provided(x, y) Neither Everywhere)
     }
     steps {
-        // All of these are helpers of the runtime's module `slope`, which states their formulas. Projections.
+        // All of these are helpers of the runtime's module `slope`, which states their formulas.
+        // Projections.
         RecipAbove (recip_above(x, y) Neither Everywhere)
         Scaled (scaled(x, y) Neither Everywhere)
         // Divided differences.
@@ -182,7 +183,7 @@ functions! {
         SineSlope (sine_slope(b, c) Neither Everywhere)
         CosineAt (cosine_at(b, c) Neither Everywhere)
         CosineSlope (cosine_slope(b, c) Neither Everywhere)
-        // Linear flows in more degrees of freedom: exp(A) − 1, with the size of A and then, for each entry, its place and its value; and a row of exp(A) − 1 times
+        // Linear flows in more degrees of freedom: exp(A) − 1, with the size of A and then, for each entry, its place and its value (the arity is the least number); and a row of exp(A) − 1 times
         // a vector.
         FlowMatrix (flow_matrix(size, place, entry) Neither Everywhere => matrix)
         FlowChange (flow_change(row, matrix, x) Neither Everywhere => matrix)

@@ -3,16 +3,18 @@
 /// A leaf of the graph. Coordinates are numbered in the order of storage. The order of the variants decides the order of operations in emitted code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(crate) enum Symbol {
+    /// A position q, or a coordinate x of a field.
     Position(u32),
     Momentum(u32),
     Velocity(u32),
     Action,
+    /// The time at which an energy or a field is evaluated.
     Time,
-    /// A scalar of a parameter, or a constant whose value the macro cannot read.
+    /// One number of a parameter, or a constant whose value the macro cannot read.
     Parameter(u32),
     /// The length of a step or flow.
     StepLength,
-    /// The time at the start of a step.
+    /// The time at the start of a step, in formulas that read it beside [`Symbol::Time`].
     StepStart,
     /// The time at the end of a step, where the next step starts.
     StepEnd,

@@ -23,7 +23,7 @@ impl<F: Fn(Symbol) -> usize> KnownLevels<F> {
             let level = match graph.node(id) {
                 Node::Symbol(symbol) => Some((self.of_symbol)(*symbol)),
                 Node::Number(_) | Node::Truth(_) => None,
-                // A node of constants may be no constant, like 1/0. Its level is the first.
+                // A node of constants may be left as it is, like 1/0. Its level is the first.
                 node => {
                     let mut last = 0;
                     node.for_each_child(|child| last = self.known[child].map_or(last, |level| level.max(last)));

@@ -1,10 +1,10 @@
-//! The input of scheduling: the graph, and the places of coordinates and parameters in emitted code.
+//! What all routines of a system share when they are scheduled: the graph, and the places of coordinates and parameters in emitted code.
 
 use super::layout::{Array, Layout, Place};
 use super::space::Argument;
 use crate::ir::{Graph, Symbol};
 
-/// Turns the nodes of routines into statements.
+/// The graph and the places. Routines and kernels turn their nodes into statements with it.
 pub(crate) struct Scheduler<'a> {
     pub(crate) graph: &'a mut Graph,
     /// Places of coordinates and parameters.

@@ -1,10 +1,11 @@
 //! Surfaces on which both arguments of `atan2` vanish. The angle may jump there by less than a turn: the angle of (x², x) jumps by π.
 //!
-//! Only surfaces of factors and of single coordinates are found. A jump elsewhere is not found here; the proofs that ask for jumps refuse angles whose arguments are
-//! not understood.
+//! Each factor of an argument and each symbol is a candidate for such a surface. If both arguments, multiplied out, have a common factor that is no candidate, the
+//! whole argument stands for its surface.
 
+use super::common_factor::has_hidden_factor;
 use super::derivative;
-use super::surface::{moves, vanishes_on_a_part};
+use super::surface::{differs_on, moves, vanishes_on_a_part};
 use crate::ir::{Function, Graph, Id, Node, Ratio, Sign};
 use std::cmp::Ordering;
 
@@ -37,23 +38,40 @@ enum Zero {
 /// sides, up to turns.
 pub(crate) fn broken_at(graph: &mut Graph, angle: Id) -> Vec<Id> {
     let Node::Call(_, args) = graph.node(angle).clone() else { return vec![] };
-    let candidates = candidates(graph, &args);
-    candidates.into_iter().filter(|g| is_broken(graph, [args[0], args[1]], *g)).collect()
+    let args = [args[0], args[1]];
+    let (mut broken, mut known) = (vec![], vec![]);
+    for g in candidates(graph, &args) {
+        // A factor with a constant sign does not turn the direction.
+        let is_broken = if graph.sign(g) == Sign::Unknown { is_broken(graph, args, g) } else { Some(false) };
+        known.extend(is_broken.map(|_| g));
+        broken.extend((is_broken == Some(true)).then_some(g));
+    }
+    // |g| and ∛g vanish where g does.
+    let factors: Vec<Id> = args.iter().flat_map(|arg| factors(graph, *arg)).collect();
+    known.extend(factors.into_iter().filter(|base| known.contains(&signed(graph, *base))).collect::<Vec<Id>>());
+    if broken.is_empty() && has_hidden_factor(graph, args, &known) {
+        broken.push(args[1]);
+    }
+    broken
 }
 
 /// Factors of the arguments, and symbols. A symbol may be a factor of a sum that is not written as a product, such as x y + x².
 fn candidates(graph: &mut Graph, args: &[Id]) -> Vec<Id> {
     let mut candidates: Vec<Id> = vec![];
     for arg in args {
-        let (_, rest) = graph.coefficient(*arg);
-        candidates.extend(graph.factors(rest).into_iter().map(|(base, _)| signed(graph, base)));
+        candidates.extend(factors(graph, *arg).into_iter().map(|base| signed(graph, base)));
         candidates.extend(graph.symbols(*arg).into_iter().map(|symbol| graph.symbol(symbol)));
     }
-    // A factor with a constant sign does not turn the direction.
-    candidates.retain(|g| graph.sign(*g) == Sign::Unknown && graph.symbols(*g).into_iter().any(moves));
+    candidates.retain(|g| graph.symbols(*g).into_iter().any(moves));
     candidates.sort_unstable();
     candidates.dedup();
     candidates
+}
+
+/// Returns the factors of an argument without their exponents, and without its coefficient.
+fn factors(graph: &Graph, argument: Id) -> Vec<Id> {
+    let (_, rest) = graph.coefficient(argument);
+    graph.factors(rest).into_iter().map(|(base, _)| base).collect()
 }
 
 /// Returns g for |g| and ∛g.
@@ -64,11 +82,11 @@ fn signed(graph: &Graph, base: Id) -> Id {
     }
 }
 
-/// Returns whether the direction of (x, y) may differ on both sides of g = 0, where both vanish. The argument with the lower power decides
+/// Returns whether the direction of (x, y) may differ on both sides of g = 0. `None` if one of both was not proven to vanish there. The argument with the lower power decides
 /// the direction near the surface: if its sign changes, the direction is reversed. With equal powers, a change of either sign turns the direction.
-fn is_broken(graph: &mut Graph, [y, x]: [Id; 2], g: Id) -> bool {
-    let (Some(y), Some(x)) = (zero_on(graph, y, g), zero_on(graph, x, g)) else { return false };
-    match (y, x) {
+fn is_broken(graph: &mut Graph, [y, x]: [Id; 2], g: Id) -> Option<bool> {
+    let (y, x) = (zero_on(graph, y, g)?, zero_on(graph, x, g)?);
+    Some(match (y, x) {
         (Zero::Everywhere, Zero::Everywhere) => false,
         (Zero::Other, _) | (_, Zero::Other) => true,
         (Zero::Everywhere, Zero::Power(power)) | (Zero::Power(power), Zero::Everywhere) => power.is_odd,
@@ -77,7 +95,7 @@ fn is_broken(graph: &mut Graph, [y, x]: [Id; 2], g: Id) -> bool {
             Ordering::Equal => y.is_odd || x.is_odd,
             Ordering::Greater => x.is_odd,
         },
-    }
+    })
 }
 
 /// How an argument vanishes on g = 0; `None` if it was not proven to vanish.
@@ -86,9 +104,16 @@ fn zero_on(graph: &mut Graph, argument: Id, g: Id) -> Option<Zero> {
         return Some(Zero::Everywhere);
     }
     let (_, rest) = graph.coefficient(argument);
-    let own: Vec<_> = graph.factors(rest).into_iter().filter(|(base, _)| signed(graph, *base) == g).collect();
+    let (own, others): (Vec<_>, Vec<_>) =
+        graph.factors(rest).into_iter().partition(|(base, _)| signed(graph, *base) == g);
     if own.is_empty() {
         return vanishes_on_a_part(graph, g, argument).then(|| multiplicity(graph, argument, g));
+    }
+    // Another factor may vanish on the same surface and change the power.
+    for (base, _) in others {
+        if graph.symbols(base).into_iter().any(moves) && !differs_on(graph, g, base) {
+            return Some(Zero::Other);
+        }
     }
     let product =
         own.into_iter().try_fold(Power { exponent: Ratio::ZERO, is_odd: false }, |product, (base, exponent)| {
@@ -121,13 +146,17 @@ fn multiplicity(graph: &mut Graph, argument: Id, g: Id) -> Zero {
     let Some(symbol) = across.filter(|_| is_smooth(graph, argument)) else { return Zero::Other };
     // The symbol must lead across the surface.
     let slope = derivative(graph, g, symbol);
-    if vanishes_on_a_part(graph, g, slope) {
+    if !differs_on(graph, g, slope) {
         return Zero::Other;
     }
     let mut highest = argument;
     for order in 1..=HIGHEST {
         highest = derivative(graph, highest, symbol);
         if !vanishes_on_a_part(graph, g, highest) {
+            // A derivative that vanishes without a proof would give a wrong order.
+            if !differs_on(graph, g, highest) {
+                return Zero::Other;
+            }
             return Zero::Power(Power { exponent: Ratio::integer(order), is_odd: order % 2 != 0 });
         }
     }

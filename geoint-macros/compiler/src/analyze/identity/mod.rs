@@ -8,6 +8,7 @@
 //! `claims` states the identities of fields, integrals and structure matrices. `search` and `liouville` find integrals and energies.
 mod angles;
 pub(crate) mod claims;
+mod common_factor;
 pub(crate) mod crossings;
 pub(crate) mod liouville;
 mod multiplied;

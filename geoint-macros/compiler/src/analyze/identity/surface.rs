@@ -1,7 +1,7 @@
 //! Decides whether functions vanish on the boundary of a comparison, and whether solutions stay on it. The boundary is the surface on which both
 //! sides of the comparison are equal.
 
-use super::{Identity, OpenBoundaries, derivative, rounding, sum_is_zero, sum_is_zero_off, vanishes};
+use super::{Identity, OpenBoundaries, derivative, identity, rounding, sum_is_zero, sum_is_zero_off, vanishes};
 use crate::diff;
 use crate::ir::substitute::{Substitution, replaced};
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Relation, Symbol};
@@ -65,6 +65,18 @@ pub(super) fn vanishes_on(graph: &mut Graph, edge: Id, node: Id) -> bool {
 /// Returns whether a node was proven to be zero on a part of the surface `edge` = 0.
 pub(super) fn vanishes_on_a_part(graph: &mut Graph, edge: Id, node: Id) -> bool {
     vanishes(graph, node) || vanishes_by_term(graph, edge, node) || vanishes_at_roots(graph, edge, node, |_, _| true)
+}
+
+/// Returns whether a node was shown to differ from zero on the surface `edge` = 0: at a point of each of its solutions for one symbol.
+pub(super) fn differs_on(graph: &mut Graph, edge: Id, node: Id) -> bool {
+    let symbols = graph.symbols(edge);
+    symbols.into_iter().filter(|symbol| moves(*symbol)).any(|symbol| {
+        let Some(solved) = solved(graph, edge, symbol) else { return false };
+        solved.roots.into_iter().all(|root| {
+            let there = replaced(graph, node, symbol, root);
+            matches!(identity(graph, there), Identity::Wrong(_))
+        })
+    })
 }
 
 /// Returns the factors of an edge. The surface consists of their zeros. Factors of parameters alone are omitted: where one is zero, the edge is zero

@@ -26,7 +26,8 @@ pub(crate) enum Kernels {
 pub(crate) struct MassKernels {
     /// ∂L/∂v and M.
     pub(crate) mass: Routine,
-    /// Functions of the parameters: the outputs `not_negative` and `positive`. If the names hold, M is positive definite at every state.
+    /// Functions of the parameters: the outputs `not_negative` and `positive`. If all their values have these signs, M is positive definite at
+    /// every state.
     pub(crate) definite: Option<Routine>,
     /// True if L is quadratic in v.
     pub(crate) quadratic: bool,
@@ -99,9 +100,9 @@ pub(crate) struct FieldKernels {
     pub(crate) discrete: Option<Kernel>,
     /// The reason why there is no discrete gradient, if the divergence of the field is known to be the reason.
     pub(crate) nothing_kept: Option<Missing>,
-    /// Canonical coordinates and their rates, with derivatives. Collocation moves these if they are known.
+    /// Canonical coordinates of a Lagrangian that is linear in the velocities, and their rates, with derivatives. If collocation moves them, it is symplectic.
     pub(crate) canonical: Option<Kernel>,
-    /// A step of order 4 of a flow: h·f̄ and 1 − ∂(h·f̄)/∂d.
+    /// A step of order 4, of a flow or of a canonical system: h·f̄ and 1 − ∂(h·f̄)/∂d.
     pub(crate) fourth: Option<Kernel>,
     /// Gradients of the momenta that steps of order 4 of a canonical system keep.
     pub(crate) momenta: Routine,
@@ -122,7 +123,7 @@ pub(crate) struct Collocation {
 /// Implicit steps of a contact system.
 #[derive(Debug)]
 pub(crate) struct ContactKernels {
-    /// A step of each method by name: the routines `image` and `end`.
+    /// A step of each method by name, such as `ContactMidpoint`: the routines `image` and `end`.
     pub(crate) steps: Vec<(&'static str, StepKernel)>,
     /// Collocation. Absent if momenta are not followed.
     pub(crate) stages: Option<ContactStages>,

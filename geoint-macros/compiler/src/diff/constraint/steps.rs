@@ -60,7 +60,7 @@ pub(crate) fn rattle(graph: &mut Graph, system: &Constrained<'_>) -> Equation {
 pub(crate) fn discrete_gradient_step(graph: &mut Graph, system: &Constrained<'_>) -> Equation {
     let n = system.degrees();
     let h = graph.symbol(Symbol::StepLength);
-    // The mean of the momenta takes half of the impulse to the positions, as in RATTLE, where ν has weight 1.
+    // The mean momentum takes half of the impulse to the positions. With the factor 2, they move by W Gᵀν, as in RATTLE.
     let two = Number::integer(2);
     let slopes: Vec<Vec<Id>> =
         system.constraints.iter().map(|constraint| discrete_gradient(graph, *constraint, n as u32).q).collect();

@@ -2,6 +2,9 @@
 //!
 //! A force between two bodies enters both rates with a common constant, such as the gravitational constant. If the power of the distance carries the
 //! constant, the rates are plain sums and differences.
+//!
+//! The recurrences of powers and products are linear in their own coefficients. Thus a factor of the value at the start of a step, the coefficient of order 0, is a
+//! factor of all orders.
 
 use super::{Builder, Factor, Rule, Source, Value};
 use crate::ir::{Id, Number};
