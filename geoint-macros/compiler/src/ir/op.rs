@@ -224,8 +224,8 @@ impl Function {
     pub(crate) const LINEAR_FLOW: [Function; 4] =
         [Function::SineAt, Function::SineSlope, Function::CosineAt, Function::CosineSlope];
 
-    /// Returns whether flows use the function to become NaN where they have ended, as a fall into a centre. Other functions with a domain, such as ln, do so by
-    /// chance only.
+    /// Returns whether flows use the function to become NaN where they have ended, as a fall into a centre. A logarithm is NaN outside its domain, too, but no flow relies
+    /// on it.
     pub(crate) fn ends_flows(self) -> bool {
         use Function::*;
         matches!(self, NotNegative | RecipPositive | AtMost | Powf | Spread | Swept) || Self::KEPLER.contains(&self)

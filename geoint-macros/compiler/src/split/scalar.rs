@@ -1,4 +1,4 @@
-//! Scalar equations x' = g(x) with a solution in closed form. All other symbols are constant.
+//! Scalar equations x' = g(x) with a solution in closed form. All symbols but x and time are constant.
 //!
 //! Each rule returns x at the end of the flow. The result is NaN if the solution reaches a pole before the end, or if a power in the formula is
 //! undefined at the start. [`Clock`] tells whether coefficients may read time.
@@ -89,7 +89,7 @@ fn affine(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
         [(Ratio::ZERO, b), (Ratio::ONE, a)] => {
             let h = equation.steady(graph, &[a, b])?;
             let z = graph.build(a * h);
-            // Not 1 + zφ₁(z), which cancels after a strong decay.
+            // e^z − 1 = zφ₁(z) is added to x without a rounding of e^z. `grown` takes another way after a strong decay, where the sum cancels.
             let [growth, mean] = [Function::Exp, Function::Phi1].map(|function| graph.call(function, &[z]));
             let change = graph.mul(z, mean);
             let terms = [grown(graph, x, z, change), graph.product(&[b, h, mean])];
@@ -189,7 +189,7 @@ pub(super) fn mean_of_power(graph: &mut Graph, u: Id, r: Ratio) -> Option<Id> {
         let mean_of_ln = mean_of_recip(graph, u);
         return Some(graph.build(Number::Exact(r) * (mean_of_ln * mean)));
     }
-    // With n = |numerator|: (d^(n/2) − 1)(d^(n/2) + 1) = dⁿ − 1, and d^−r − 1 = −d^−r (d^r − 1).
+    // With n = |numerator|: (d^(n/2) − 1)(d^(n/2) + 1) = dⁿ − 1, and d^−|r| − 1 = −d^−|r| (d^|r| − 1).
     let mut mean = geometric_sum(graph, d, r.numerator.abs());
     if r.denominator == 2 {
         mean = graph.build(mean / (1 + pow(d, Ratio { numerator: r.numerator.abs(), ..r })));

@@ -39,6 +39,7 @@ enum Zero {
 pub(crate) fn broken_at(graph: &mut Graph, angle: Id) -> Vec<Id> {
     let Node::Call(_, args) = graph.node(angle).clone() else { return vec![] };
     let args = [args[0], args[1]];
+    // `known` lists the surfaces that are decided.
     let (mut broken, mut known) = (vec![], vec![]);
     for g in candidates(graph, &args) {
         // A factor with a constant sign does not turn the direction.
@@ -49,6 +50,7 @@ pub(crate) fn broken_at(graph: &mut Graph, angle: Id) -> Vec<Id> {
     // |g| and ∛g vanish where g does.
     let factors: Vec<Id> = args.iter().flat_map(|arg| factors(graph, *arg)).collect();
     known.extend(factors.into_iter().filter(|base| known.contains(&signed(graph, *base))).collect::<Vec<Id>>());
+    // A hidden factor has no node of its own. One message about an angle is enough.
     if broken.is_empty() && has_hidden_factor(graph, args, &known) {
         broken.push(args[1]);
     }

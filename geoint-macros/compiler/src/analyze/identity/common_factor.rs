@@ -2,7 +2,7 @@
 //!
 //! Both are multiplied out. All atoms but one get random values of a finite field, and Euclid's algorithm finds the common divisor of the two polynomials in the
 //! remaining atom. Relations between atoms, such as sin² + cos² = 1, are not used, so factors that only they reveal are not found. Neither are factors of expressions
-//! that are too long.
+//! that are too long. An accident of the random values, with a probability near 1e-17, reports a factor that is none.
 
 use super::multiplied::{Atom, Normal, Sums};
 use super::residues::{Element, PRIMES, Polynomial, Prime, pseudorandom};
@@ -18,10 +18,12 @@ const PRODUCTS: usize = 2_000;
 /// The largest degree of a polynomial, and the largest common denominator of its exponents.
 const HIGHEST: i128 = 64;
 
-/// Returns whether two nodes have a common factor that may change during a run, apart from powers of `known`.
+/// Returns whether two nodes have a common factor that may change during a run, after division by the factors in `known`, which the caller has examined.
 pub(super) fn has_hidden_factor(graph: &mut Graph, nodes: [Id; 2], known: &[Id]) -> bool {
     let roots = [&nodes[..], known].concat();
     let Some(sums) = Sums::of(graph, &roots, PRODUCTS) else { return false };
+    let Some(denominator) = common_denominator(roots.iter().map(|root| sums.normal(*root))) else { return false };
+    let polynomial = |normal: &Normal, atom| polynomial(normal, atom, denominator);
     let normals = nodes.map(|node| sums.normal(node));
     let atoms = |normal: &Normal| -> BTreeSet<Atom> {
         normal.terms().flat_map(|(monomial, _)| monomial.iter().map(|(atom, _)| *atom)).collect()
@@ -38,13 +40,17 @@ pub(super) fn has_hidden_factor(graph: &mut Graph, nodes: [Id; 2], known: &[Id])
     })
 }
 
-/// Returns a sum as a polynomial in x, where `atom` = xᵈ with the common denominator d of all exponents. `None` if the degree is too high.
-fn polynomial(normal: &Normal, atom: Atom) -> Option<Polynomial> {
-    let exponents = || normal.terms().flat_map(|(monomial, _)| monomial.iter().map(|(_, exponent)| *exponent));
-    let denominator = exponents().try_fold(1, |all: i128, exponent| {
+/// Returns the common denominator of all exponents. `None` if it is too large.
+fn common_denominator<'a>(normals: impl Iterator<Item = &'a Normal>) -> Option<i128> {
+    let monomials = normals.flat_map(|normal| normal.terms().map(|(monomial, _)| monomial));
+    monomials.flatten().try_fold(1, |all: i128, (_, exponent)| {
         let all = all / gcd(all, exponent.denominator) * exponent.denominator;
         (all <= HIGHEST).then_some(all)
-    })?;
+    })
+}
+
+/// Returns a sum as a polynomial in x, where `atom` = xᵈ and all other atoms are d-th powers of random numbers. `None` if the degree is too high.
+fn polynomial(normal: &Normal, atom: Atom, denominator: i128) -> Option<Polynomial> {
     let whole = |exponent: Ratio| exponent.numerator * (denominator / exponent.denominator);
     let mut terms = vec![];
     for (monomial, coefficient) in normal.terms() {

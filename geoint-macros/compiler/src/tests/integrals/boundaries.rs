@@ -222,6 +222,7 @@ fn angles_of_two_zeros_are_refused() {
         (quote!(#x.cbrt() * #y), quote!(#x.cbrt())),
         // The order of a zero is hidden: in a factor that vanishes on the same surface, and behind a relation that is not proven.
         (quote!(#x * #x - #y * #y), quote!(#x * #x - 2.0 * #x * #y + #y * #y)),
+        (quote!(#x - #y - 1.0), quote!(#x * k.sqrt() - #y * k.sqrt() - k.sqrt())),
         (quote!((#x * #x) * (#x + #x * #y).powi(2)), quote!(#x.powi(3))),
         (quote!(#x * #x * (#y.sinh().asinh() - #y) + #x.powi(3)), quote!(#x.powi(4))),
     ] {
@@ -237,6 +238,7 @@ fn angles_of_two_zeros_are_refused() {
         (quote!(#x.abs() * #y), quote!(#x.abs())),
         (quote!(k * #y), quote!(k * #x)),
         (quote!(#x * #y), quote!(1.0 + #x * #x)),
+        (quote!(k.sqrt() * (#x - #y)), quote!(#x + #y)),
         (quote!(#y.exp() * #x), quote!(#y.exp() * #y)),
     ] {
         assert_eq!(of_energy(&sine, &cosine), "", "{sine}, {cosine}");
