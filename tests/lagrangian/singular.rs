@@ -279,7 +279,12 @@ fn no_stage_is_behind_a_wall() {
     }
     assert!(sim.state().x[1] > 0.0);
     let start = Together.at([1.0, 0.2, 0.1], [-3.0, 0.0, 0.0]);
-    assert!(taken(Together, Gauss::<3>, 2.0, start) < 40);
+    // A step that is solved from afar turns the momentum round, too. Its error is that of the method.
+    let mut sim = Integrator::new(Together, Gauss::<3>, 2.0, start);
+    let energy = sim.energy();
+    sim.step().unwrap();
+    assert!(sim.state().q[0] > 3.0 && sim.state().p[0] > 2.8, "{:?}", sim.state());
+    assert!((sim.energy() - energy).abs() < 0.4, "{}", sim.energy() - energy);
     // With shorter steps all come back.
     assert_eq!(taken(Wall, Gauss::<2>, 0.005, State::new(1.0, -3.0)), 40);
     assert_eq!(taken(Together, Gauss::<3>, 0.02, start), 40);

@@ -187,13 +187,14 @@ impl<A: Array> Iteration<A> {
             let (mut found, iterations) = self.iterate((guess, first.take()), &attempt, &scale, &equation, watch);
             let from_afar = iterations > FEW || matches!(attempt, Attempt::Damped);
             // Steps without patience leave the check to a repetition with patience.
-            if found.outcome.is_ok()
-                && from_afar
-                && !equation.is_bound_by_energy()
-                && !(E::PATIENT && self.is_continuous(found.x, &sizes, equation, watch))
-            {
-                found.outcome = Err(Refusal::Singular);
-                self.sizes = sizes;
+            if found.outcome.is_ok() && from_afar && !equation.is_bound_by_energy() {
+                if E::PATIENT && self.is_continuous(found.x, &sizes, equation, watch) {
+                    // The observer, and methods that use the last evaluation, must see the solution last.
+                    equation.residual(watch, &found.x, &mut A::fill(A::zero()));
+                } else {
+                    found.outcome = Err(Refusal::Singular);
+                    self.sizes = sizes;
+                }
             }
             if found.outcome.is_ok() {
                 let extrapolated = matches!(attempt, Attempt::Extrapolated(_));
