@@ -1,8 +1,8 @@
 //! Checks Lagrangians that are linear in the velocities, L = ϑ(q)·v − H(q).
 //!
-//! Their equations are Ω q' = ∇H with Ωᵢⱼ = ∂ᵢϑⱼ − ∂ⱼϑᵢ. They determine q' if Ω is regular. A matrix Ω that is singular at some states only is accepted: the divisors
-//! of Ω⁻¹ are poles, and steps refuse these states. ϑ may not read time, because −∂ϑ/∂t would be a further force, and at most [`LARGEST_BLOCK`] coordinates may be
-//! coupled.
+//! Their equations are Ω q' = ∇H with Ωᵢⱼ = ∂ᵢϑⱼ − ∂ⱼϑᵢ. They determine q' if Ω is regular. A matrix Ω that is singular at some states only is
+//! accepted: the divisors of Ω⁻¹ are poles, and steps refuse these states. ϑ may not read time, because −∂ϑ/∂t would be a further force, and at most
+//! [`LARGEST_BLOCK`] coordinates may be coupled.
 
 use super::velocity;
 use super::wording::quoted;

@@ -183,8 +183,8 @@ functions! {
         SineSlope (sine_slope(b, c) Neither Everywhere)
         CosineAt (cosine_at(b, c) Neither Everywhere)
         CosineSlope (cosine_slope(b, c) Neither Everywhere)
-        // Linear flows in more degrees of freedom: exp(A) − 1, with the size of A and then, for each entry, its place and its value (the arity is the least number); and a row of exp(A) − 1 times
-        // a vector.
+        // Linear flows in more degrees of freedom: exp(A) − 1, with the size of A and then, for each entry, its place and its value (the arity is the
+        // least number); and a row of exp(A) − 1 times a vector.
         FlowMatrix (flow_matrix(size, place, entry) Neither Everywhere => matrix)
         FlowChange (flow_change(row, matrix, x) Neither Everywhere => matrix)
         // Motion about a centre.
@@ -224,8 +224,8 @@ impl Function {
     pub(crate) const LINEAR_FLOW: [Function; 4] =
         [Function::SineAt, Function::SineSlope, Function::CosineAt, Function::CosineSlope];
 
-    /// Returns whether flows use the function to become NaN where they have ended, as a fall into a centre. A logarithm is NaN outside its domain, too, but no flow relies
-    /// on it.
+    /// Returns whether flows use the function to become NaN where they have ended, as a fall into a centre. A logarithm is NaN outside its domain,
+    /// too, but no flow relies on it.
     pub(crate) fn ends_flows(self) -> bool {
         use Function::*;
         matches!(self, NotNegative | RecipPositive | AtMost | Powf | Spread | Swept) || Self::KEPLER.contains(&self)

@@ -7,8 +7,9 @@
 //! a step changes J by exactly h Σ c·{J, Q}(m) = 0.
 //!
 //! J is a linear combination of generators: polynomials of degree 1 or 2 that have a usual name, such as pₓ or x p_y − y p_x. Coefficients are numbers, or numbers
-//! times a weight, a product of powers of parameters: the centre of mass m₁q₁ + m₂q₂ has the weights m₁ and m₂. For each generator one weight is tried beside 1: the weight by which its bracket can cancel brackets of other
-//! generators. This keeps the linear equations small. An integral with other coefficients is not found.
+//! times a weight, a product of powers of parameters. For each generator one weight is
+//! tried beside 1: the weight by which its bracket can cancel brackets of other generators. This keeps the linear equations small. An integral with
+//! other coefficients is not found.
 //!
 //! In lists of variables, 2i and 2i + 1 are qᵢ and pᵢ, and the last variable is the constant 1.
 

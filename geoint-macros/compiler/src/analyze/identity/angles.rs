@@ -84,8 +84,9 @@ fn signed(graph: &Graph, base: Id) -> Id {
     }
 }
 
-/// Returns whether the direction of (x, y) may differ on both sides of g = 0. `None` if one of both was not proven to vanish there. The argument with the lower power decides
-/// the direction near the surface: if its sign changes, the direction is reversed. With equal powers, a change of either sign turns the direction.
+/// Returns whether the direction of (x, y) may differ on both sides of g = 0. `None` if one of both was not proven to vanish there. The argument with
+/// the lower power decides the direction near the surface: if its sign changes, the direction is reversed. With equal powers, a change of either sign
+/// turns the direction.
 fn is_broken(graph: &mut Graph, [y, x]: [Id; 2], g: Id) -> Option<bool> {
     let (y, x) = (zero_on(graph, y, g)?, zero_on(graph, x, g)?);
     Some(match (y, x) {

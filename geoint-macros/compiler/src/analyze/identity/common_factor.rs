@@ -1,8 +1,8 @@
 //! Common factors of two expressions that are hidden in sums, as x − y in x² − y² and x² − 2xy + y².
 //!
 //! Both are multiplied out. All atoms but one get random values of a finite field, and Euclid's algorithm finds the common divisor of the two polynomials in the
-//! remaining atom. Relations between atoms, such as sin² + cos² = 1, are not used, so factors that only they reveal are not found. Neither are factors of expressions
-//! that are too long. An accident of the random values, with a probability near 1e-17, reports a factor that is none.
+//! remaining atom. Relations between atoms, such as sin² + cos² = 1, are not used, so factors that only they reveal are not found. Neither are
+//! factors of expressions that are too long. An accident of the random values, with a probability near 1e-17, reports a factor that is none.
 
 use super::multiplied::{Atom, Normal, Sums};
 use super::residues::{Element, PRIMES, Polynomial, Prime, pseudorandom};
@@ -43,10 +43,8 @@ pub(super) fn has_hidden_factor(graph: &mut Graph, nodes: [Id; 2], known: &[Id])
 /// Returns the common denominator of all exponents. `None` if it is too large.
 fn common_denominator<'a>(normals: impl Iterator<Item = &'a Normal>) -> Option<i128> {
     let monomials = normals.flat_map(|normal| normal.terms().map(|(monomial, _)| monomial));
-    monomials.flatten().try_fold(1, |all: i128, (_, exponent)| {
-        let all = all / gcd(all, exponent.denominator) * exponent.denominator;
-        (all <= HIGHEST).then_some(all)
-    })
+    let denominators: BTreeSet<i128> = monomials.flatten().map(|(_, exponent)| exponent.denominator).collect();
+    (1..=HIGHEST).find(|all| denominators.iter().all(|denominator| all % denominator == 0))
 }
 
 /// Returns a sum as a polynomial in x, where `atom` = xᵈ and all other atoms are d-th powers of random numbers. `None` if the degree is too high.
@@ -75,8 +73,4 @@ fn polynomial(normal: &Normal, atom: Atom, denominator: i128) -> Option<Polynomi
         *entry = PRIME.sum(*entry, value);
     }
     Some(Polynomial::new(PRIME, coefficients))
-}
-
-fn gcd(a: i128, b: i128) -> i128 {
-    if b == 0 { a } else { gcd(b, a % b) }
 }

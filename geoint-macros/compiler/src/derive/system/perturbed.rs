@@ -16,8 +16,8 @@ pub(crate) struct Perturbed {
     pub(crate) a: Id,
     /// Energy B = H − A, in the same coordinates.
     pub(crate) b: Id,
-    /// Motions inside A that may end within a step, such as a fall into the centre of attraction, each with the range of coordinates that it moves. The runtime names
-    /// the motion in its error.
+    /// Motions inside A that may end within a step, such as a fall into the centre of attraction, each with the range of coordinates that it moves.
+    /// The runtime names the motion in its error.
     pub(crate) own_motions: Vec<(OwnMotion, Range<usize>)>,
     /// Lines of the report: the rules that gave the flow of A, with energies and sources.
     pub(crate) rules: Vec<String>,

@@ -50,7 +50,8 @@ impl Order {
 }
 
 impl Writer<'_> {
-    /// Returns the struct of all coefficients, and its method that computes the coefficients of order n. Call it once, because the statements are collected in `self`.
+    /// Returns the struct of all coefficients, and its method that computes the coefficients of order n. Call it once, because the statements are
+    /// collected in `self`.
     pub(super) fn coefficients(&mut self) -> TokenStream {
         let (jet, packs) = (self.jet, self.packs);
         let unit = self.number(StepNumber::Unit);

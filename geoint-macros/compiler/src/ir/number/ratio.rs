@@ -2,8 +2,8 @@
 
 use std::cmp::Ordering;
 
-/// A ratio of two integers. Invariants: lowest terms, a positive denominator, and no part above [`LARGEST`]. All constructors and operations keep them, but `integer` trusts
-/// its caller.
+/// A ratio of two integers. Invariants: lowest terms, a positive denominator, and no part above [`LARGEST`]. All constructors and operations keep
+/// them, but `integer` trusts its caller.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Ratio {
     pub(crate) numerator: i128,

@@ -1,5 +1,5 @@
-//! Systems of linear inequalities by Fourier–Motzkin elimination. Every monomial counts as an unknown. A case of a selection whose conditions exclude each other contains
-//! no state, and proofs skip it.
+//! Systems of linear inequalities by Fourier–Motzkin elimination. Every monomial counts as an unknown. A case of a selection whose conditions exclude
+//! each other contains no state, and proofs skip it.
 
 use super::normal::{Monomial, Normal};
 use crate::ir::Ratio;

@@ -1,8 +1,8 @@
 //! Which conserved functions are new? A combination of candidates is new if it is outside the span of the known ones and of the products of two linear ones. The
 //! coefficients of the span may be any functions of the parameters. Logarithms take no part in products.
 //!
-//! Dependence is decided with residues of a prime at random values of the parameters, because exact ratios of long monomials would be slow. An accidental dependence only
-//! shortens the list of conserved functions.
+//! Dependence is decided with residues of a prime at random values of the parameters, because exact ratios of long monomials would be slow. An
+//! accidental dependence only shortens the list of conserved functions.
 
 use super::{Candidate, Unknown};
 use crate::analyze::identity::multiplied::Monomial;
@@ -23,7 +23,8 @@ impl Span {
         Span { rows: residues::Span::new(PRIME), linear: vec![] }
     }
 
-    /// Adds a combination, and its products with the linear combinations so far. Returns whether it is new. Linear combinations of a degree in the parameters come first, so that their products are known when others are asked.
+    /// Adds a combination, and its products with the linear combinations so far. Returns whether it is new. Linear combinations of a degree in the
+    /// parameters come first, so that their products are known when others are asked.
     pub(super) fn add(&mut self, combination: &[(&Unknown, Ratio)], candidates: &[Candidate]) -> bool {
         let mut row = vec![Element::ZERO; candidates.len()];
         for (unknown, coefficient) in combination {
