@@ -41,8 +41,8 @@ pub use geoint_macros::{put_energy_function_above_it, resume};
 pub fn compiled() -> [[*const (); 2]; 12] {
     use crate::method::corrected::kept::compiled as kept;
     use crate::method::discrete_gradient::gonzalez::compiled as metric;
-    use crate::solving::newton::compiled as search;
     use crate::solving::noise::compiled as noise;
+    use crate::solving::rescue::compiled as search;
     use crate::system::compiled as poles;
     let [one, two, three, four] =
         [search::<[f64; 1]>(), search::<[f64; 2]>(), search::<[f64; 3]>(), search::<[f64; 4]>()];

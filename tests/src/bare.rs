@@ -5,7 +5,7 @@
 
 use crate::scalars::Scalar;
 use crate::scene::{Scene, flat, point};
-use geoint_runtime::method::{Observer, Probe, Refusal, Step};
+use geoint_runtime::method::{Effort, Observer, Probe, Refusal, Step};
 use geoint_runtime::space::{Plain, Point, Snapshot};
 use geoint_runtime::{Method, PhaseSpace, Real};
 
@@ -34,7 +34,7 @@ impl Observer for Count {
 }
 
 impl<S: PhaseSpace<R>, R: Real> Probe<S, R> for Count {
-    const PATIENT: bool = false;
+    const EFFORT: Effort = Effort::Fast;
 
     fn visit(&mut self, _: R, _: &S::Phase, _: &S::Action) {
         self.0 += 1;

@@ -234,7 +234,7 @@ fn what_is_of_another_run_is_refused() {
         assert!(expected(&error) && !error.to_string().is_empty(), "{error:?}");
         assert_eq!(sim.saved(), good);
     };
-    refuses(Saved { format: 7, ..good.clone() }, |error| *error == ResumeError::Format(7));
+    refuses(Saved { format: 6, ..good.clone() }, |error| *error == ResumeError::Format(6));
     refuses(Saved { method: "RK4".into(), ..good.clone() }, |error| matches!(error, ResumeError::Method(_)));
     let other = HenonHeiles::system::<f64>().integrator(DiscreteGradient, 0.05, HenonHeiles::initial(0.0)).saved();
     refuses(other, |error| matches!(error, ResumeError::Words { .. }));

@@ -29,7 +29,7 @@
 use crate::method::perturbed::Perturbation;
 use crate::method::splitting::{DriftFirst, KickFirst, PositionVerlet, Splitting, StormerVerlet};
 use crate::method::tables::total::adds_up;
-use crate::method::{Claims, Earlier, Method, Name, Probe, Refusal, Step};
+use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::space::{Array, Summation};
 use crate::system::PhaseSpace;
@@ -146,9 +146,6 @@ pub struct Substep<P, R> {
     map: P,
     /// The time, after the start of the step, at which it begins.
     after: R,
-    /// Weights that extrapolate along a straight line in time from the middles of the two substeps before to that of this one, and the
-    /// length of this one over theirs.
-    before: [(R, R); 2],
 }
 
 /// A symmetric composition of a map whose steps share nothing: one substep after the other.
@@ -191,18 +188,9 @@ impl<S: PhaseSpace<R>, R: Real, M: Method<S, R>, const K: usize> Method<S, R> fo
 
     fn prepare(&self, system: &S, h: R) -> Self::Prepared {
         let gamma = &self.composition.gamma;
-        // Middles of substeps, in units of h, and in those of steps before.
-        let middle = |i: usize, steps: usize| gamma[..i].iter().sum::<f64>() + 0.5 * gamma[i] - steps as f64;
-        let before = |i: usize, k: usize| if i >= k { middle(i - k, 0) } else { middle((K + i - k) % K, 1) };
-        core::array::from_fn(|i| {
-            let [now, last, other] = [middle(i, 0), before(i, 1), before(i, 2)];
-            let weight = if last == other { 1.0 } else { (now - other) / (last - other) };
-            let ratio = |k: usize| R::from_f64(gamma[i] / gamma[(2 * K + i - k) % K]);
-            Substep {
-                map: self.map.prepare(system, R::from_f64(gamma[i]) * h),
-                after: R::from_f64(gamma[..i].iter().sum()) * h,
-                before: [(R::from_f64(weight), ratio(1)), (R::from_f64(1.0 - weight), ratio(2))],
-            }
+        core::array::from_fn(|i| Substep {
+            map: self.map.prepare(system, R::from_f64(gamma[i]) * h),
+            after: R::from_f64(gamma[..i].iter().sum()) * h,
         })
     }
 
@@ -217,17 +205,7 @@ impl<S: PhaseSpace<R>, R: Real, M: Method<S, R>, const K: usize> Method<S, R> fo
         mut step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         let [t, end] = [step.t, step.end];
-        for (i, substep) in prepared.iter().enumerate() {
-            let (done, rest) = memory.split_at_mut(i);
-            let Some((memory, later)) = rest.split_first_mut() else { break };
-            // Of one or two substeps there are no two others.
-            if K > 2 {
-                let earlier = |k: usize| {
-                    let (weight, ratio) = substep.before[k - 1];
-                    Earlier { memory: if i >= k { &done[i - k] } else { &later[K - 1 - k] }, weight, ratio }
-                };
-                M::follow(memory, [earlier(1), earlier(2)]);
-            }
+        for (i, (substep, memory)) in prepared.iter().zip(memory).enumerate() {
             let after = |i: usize| prepared.get(i).map_or(end, |substep| t + substep.after);
             M::step(&substep.map, memory, step.part([i, i + 1].map(after)))?;
         }

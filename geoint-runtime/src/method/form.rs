@@ -1,6 +1,6 @@
 //! Methods whose equation is posed in one way or another, as the system has it.
 
-use crate::method::{Earlier, Estimate, Probe, Refusal, Step};
+use crate::method::{Estimate, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::space::{Record, Summation};
 use crate::system::PhaseSpace;
@@ -22,10 +22,6 @@ pub trait StepsOf<M, S: PhaseSpace<R>, R: Real> {
 
     /// The memory before the first step.
     fn memory() -> Self::Memory;
-
-    /// See [`Method::follow`](super::Method::follow).
-    #[inline(always)]
-    fn follow(_memory: &mut Self::Memory, _before: [Earlier<'_, Self::Memory, R>; 2]) {}
 
     /// One step, in place.
     ///

@@ -23,7 +23,6 @@ mod probe;
 pub mod splitting;
 pub mod tables;
 
-pub use crate::solving::equation::Observer;
 pub use catalogue::Visitor;
 pub use clock::Clock;
 pub use explicit::tableau;
@@ -34,7 +33,7 @@ pub(crate) use probe::{Deciding, check_conditions, check_end, check_poles, check
 pub use probe::{Probe, Unwatched};
 pub use splitting::{gradient_kick, modified_verlet};
 
-pub use crate::solving::Refusal;
+pub use crate::solving::{Effort, Observer, Refusal};
 
 use crate::scalar::Real;
 use crate::space::vector::difference;
@@ -147,10 +146,6 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
     /// The memory before the first step.
     fn memory() -> Self::Memory;
 
-    /// Improves the next initial guess by what those of the two substeps before have missed, where this method is composed.
-    #[inline(always)]
-    fn follow(_memory: &mut Self::Memory, _before: [Earlier<'_, Self::Memory, R>; 2]) {}
-
     /// Whether steps keep invariants to rounding: [`way_back`](Self::way_back) then leads back to where they were.
     const KEEPS: bool = false;
 
@@ -244,29 +239,6 @@ pub(crate) fn outer_step<S: PhaseSpace<R>, R: Real, M: Method<S, R>, C: Summatio
     x.s = inner.s;
     x.doubtful |= inner.doubtful;
     Ok(())
-}
-
-/// A substep before the one that is about to be taken.
-#[derive(Clone, Copy, Debug)]
-pub struct Earlier<'a, M, R> {
-    /// What it has handed on.
-    pub memory: &'a M,
-    /// With these weights what is known of two of them is extrapolated in time.
-    pub weight: R,
-    /// The length of the next substep over that of this one.
-    pub ratio: R,
-}
-
-impl<'a, M, R: Real> Earlier<'a, M, R> {
-    /// For unknowns that are derivatives.
-    pub(crate) fn of_rates<N>(self, part: impl FnOnce(&'a M) -> &'a N) -> (R, &'a N) {
-        (self.weight, part(self.memory))
-    }
-
-    /// For unknowns that are increments.
-    pub(crate) fn of_increments<N>(self, part: impl FnOnce(&'a M) -> &'a N) -> (R, &'a N) {
-        (self.weight * self.ratio, part(self.memory))
-    }
 }
 
 /// Both of two proofs: known where both are.

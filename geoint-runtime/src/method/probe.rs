@@ -3,15 +3,14 @@
 use crate::method::Step;
 use crate::scalar::Real;
 use crate::solving::Refusal;
-use crate::solving::equation::Observer;
+use crate::solving::{Effort, Observer};
 use crate::space::{Array, Point};
 use crate::system::{Ends, Known, PhaseSpace, Poles, jump_between};
 
 /// Is shown every point at which a step evaluates the energy.
 pub trait Probe<S: PhaseSpace<R>, R: Real>: Observer {
-    /// Whether a step that finds no solution is to search for one from afar. What is searched for has to be in memory, which all
-    /// other steps would pay for: the fast path refuses, and the step is repeated, watched.
-    const PATIENT: bool = true;
+    /// The effort that a step spends on a solution. A step that is refused with [`Effort::Fast`] is repeated with [`Effort::Thorough`], and watched.
+    const EFFORT: Effort = Effort::Thorough;
 
     /// The energy is about to be evaluated here.
     fn visit(&mut self, t: R, z: &S::Phase, s: &S::Action);
@@ -39,7 +38,7 @@ impl Observer for Unwatched {
 }
 
 impl<S: PhaseSpace<R>, R: Real> Probe<S, R> for Unwatched {
-    const PATIENT: bool = false;
+    const EFFORT: Effort = Effort::Fast;
 
     #[inline(always)]
     fn visit(&mut self, _: R, _: &S::Phase, _: &S::Action) {}
@@ -115,7 +114,7 @@ pub(crate) fn check_way<S: PhaseSpace<R>, R: Real, P: Probe<S, R>>(
     ends: Ends<'_, S, R>,
     doubtful: &mut bool,
 ) -> Result<(), Refusal> {
-    if P::PATIENT || Known::<S, R>::SEARCHED {
+    if P::EFFORT.is_thorough() || Known::<S, R>::SEARCHED {
         return Refusal::outside(poles.between(system, divided, ends));
     }
     *doubtful |= !poles.is_clear(system, divided, ends);

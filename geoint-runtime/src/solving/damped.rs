@@ -1,40 +1,25 @@
-//! The way to a solution from far: corrections are halved until the residual falls.
+//! Damped corrections: each one is halved until the residual falls.
 //!
-//! Only where an iteration with whole corrections has failed. From steep walls and in stiff wells an explicit guess may lie beyond the
-//! domain of the energy, or so far off that corrections run away, although a solution that is continuous in h exists.
+//! They are tried after whole corrections have failed. At steep walls and in stiff wells, the explicit guess may be outside of the domain of the energy, or so far
+//! from the solution that whole corrections run away.
 
 use crate::scalar::Real;
 use crate::solving::Refusal;
-use crate::solving::equation::{Observer, StepEquation};
 use crate::solving::linear;
 use crate::solving::size::Sizes;
 use crate::space::vector::{moved, scaled};
 use crate::space::{Array, Square};
 
-/// A correction of less than this, relative to the state, is small enough for the iteration that follows.
+/// A whole correction below this part of the state ends the approach. Newton's iteration follows.
 const NEAR: f64 = 1e-3;
 
-/// Corrections that would have to be shortened more than this lead nowhere.
+/// The least part of a correction that is tried.
 const SHORTEST: f64 = 1e-6;
 
 const MAX_ITERATIONS: u32 = 100;
 
-/// Something near a solution of an equation, if there is one on the way down from where nothing moves: there the energy is defined if it is
-/// at the start of the step.
-#[cold]
-#[inline(never)]
-pub(crate) fn approach_solution<A: Array, W: Observer + ?Sized>(
-    sizes: &Sizes<A>,
-    equation: impl StepEquation<A, W>,
-    watch: &mut W,
-) -> A {
-    approach(&equation.origin(), equation.standstill(), sizes, |x, residual, matrix| {
-        *residual = equation.residual(watch, x, matrix);
-        Ok(())
-    })
-}
-
-/// The same for any residual of an increment of `origin`, on the way down from `still` times `origin`.
+/// Returns a point near a solution of residual(x) = 0, if there is one on the way from `still` times the origin, where nothing moves: the energy is defined there if
+/// it is defined at the start of the step.
 #[cold]
 #[inline(never)]
 pub(crate) fn approach<A: Array>(

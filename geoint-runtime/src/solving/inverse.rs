@@ -1,4 +1,4 @@
-//! The inverse of a matrix that is the same in all steps.
+//! Keeps the inverse of a matrix that is the same in all steps.
 
 use super::linear;
 use super::size::Sizes;
@@ -7,17 +7,17 @@ use crate::space::vector::product;
 use crate::space::{Array, Square};
 use core::fmt::Debug;
 
-/// The inverse of the matrix of implicit steps, where that is the same in all of them: [`Inverted`]; or `()`, where it is not.
+/// The inverse of the matrix of implicit steps. The type is [`Inverted`] if the matrix is the same in all steps, and `()` if the matrix changes.
 pub trait Inverse<A: Array>: Clone + Debug {
-    /// Whether there is one.
+    /// `true` if the type holds an inverse.
     const EXISTS: bool;
-    /// The inverse of `matrix`. Not a number if that is singular, or its determinant negative.
+    /// Returns the inverse of `matrix`. The entries are NaN if the matrix is singular or its determinant is negative.
     fn new(matrix: impl FnOnce() -> Square<A>) -> Self;
-    /// The product with a vector.
+    /// Returns the product of the inverse and a vector.
     fn times(&self, x: &A) -> A;
 }
 
-/// The matrix changes from step to step: nothing is kept.
+/// The matrix changes from step to step, so no inverse is kept.
 impl<A: Array> Inverse<A> for () {
     const EXISTS: bool = false;
 
@@ -33,7 +33,7 @@ impl<A: Array> Inverse<A> for () {
 pub struct Inverted<A: Array>(Square<A>);
 
 impl<A: Array> Inverted<A> {
-    /// The inverse, and whether the determinant is positive; `None` where the matrix is singular.
+    /// Returns the inverse and whether the determinant is positive, or `None` if the matrix is singular.
     pub(crate) fn of(matrix: &Square<A>, sizes: &Sizes<A>) -> Option<(Self, bool)> {
         let (mut inverse, mut positive) = (A::fill(A::zero()), true);
         for j in 0..A::LEN {
@@ -47,7 +47,7 @@ impl<A: Array> Inverted<A> {
         Some((Inverted(inverse), positive))
     }
 
-    /// The inverse of a matrix from that of the same with its rows times these factors.
+    /// Returns the inverse of a matrix. `self` is the inverse of this matrix with its rows multiplied by `scales`.
     pub(crate) fn of_rows_scaled(mut self, scales: &A) -> Self {
         for row in A::entries::<A>(&mut self.0) {
             *row = product(row, scales);

@@ -1,17 +1,20 @@
-//! Small linear systems, of a size known to the compiler.
+//! Solves small linear systems. The compiler knows their size.
 
 use crate::ablation;
 use crate::scalar::Real;
 use crate::solving::size::Sizes;
 use crate::space::{Array, Square};
 
-/// A pivot on the diagonal that is smaller than this is compared with the entries below it.
+/// The magnitude below which a pivot on the diagonal is compared with the entries below it. A determinant that is smaller than this part of its terms
+/// has cancelled.
 const SMALL: f64 = 1.0 / 8.0;
 
 /// Solves `matrix·x = rhs` in place of `rhs`; destroys `matrix`.
 ///
-/// Row i has the unit of unknown i: the matrix is 1 − g' for x = g(x). Up to four unknowns are solved for in the least time where determinants do not
-/// cancel, else, as are more, by [`pivots`]. Returns whether the determinant is positive; `None` if a pivot vanishes or is not a finite number.
+/// Row i has the unit of unknown i: the matrix is 1 − g' for x = g(x). Two, three and four unknowns have fast rules of their own. The rules for three
+/// and four unknowns apply only if determinants do not cancel. All other systems are solved by [`pivots`].
+///
+/// Returns whether the determinant is positive, or `None` if a pivot vanishes or is not a finite number.
 #[inline(always)]
 pub(crate) fn solve<A: Array>(matrix: &mut Square<A>, rhs: &mut A, sizes: &Sizes<A>) -> Option<bool> {
     if const { ablation::CRAMER_TWO && A::LEN == 2 } {
@@ -32,8 +35,8 @@ pub(crate) fn solve<A: Array>(matrix: &mut Square<A>, rhs: &mut A, sizes: &Sizes
     pivots(matrix, rhs, sizes)
 }
 
-/// Out of line, with copies: where both ways write to one place in memory, what is solved for is read from there in other pieces than it was
-/// written in, for which a processor waits.
+/// Solves by [`pivots`], out of line and with copies. If both solvers wrote to one place in memory, the processor would wait there: it would read the
+/// solution in other pieces than it was written in.
 #[cold]
 #[inline(never)]
 fn pivots_apart<A: Array>(mut matrix: Square<A>, mut rhs: A, sizes: &Sizes<A>) -> (A, Option<bool>) {
@@ -41,9 +44,10 @@ fn pivots_apart<A: Array>(mut matrix: Square<A>, mut rhs: A, sizes: &Sizes<A>) -
     (rhs, positive)
 }
 
-/// The same by elimination with partial pivoting.
+/// Solves `matrix·x = rhs` in place of `rhs` by elimination with partial pivoting; destroys `matrix`.
 ///
-/// Where entries of a column are compared, then in units of `sizes`, those of the unknowns: which of them is the pivot does not depend on units.
+/// Entries of a column are compared in units of `sizes`, the sizes of the unknowns. The choice of the pivot therefore does not depend on units.
+/// Returns whether the determinant is positive, or `None` if a pivot vanishes or is not a finite number.
 #[inline(always)]
 pub(super) fn pivots<A: Array>(matrix: &mut Square<A>, rhs: &mut A, sizes: &Sizes<A>) -> Option<bool> {
     let n = A::LEN;
@@ -53,13 +57,12 @@ pub(super) fn pivots<A: Array>(matrix: &mut Square<A>, rhs: &mut A, sizes: &Size
     let b = rhs.as_mut_slice();
     let (mut positive, mut ordered) = (true, true);
     for k in 0..n {
-        // On the diagonal an entry has no unit, and is near 1 in the matrix of a step that is not too long: it stays.
+        // An entry on the diagonal has no unit, and is near 1 in the matrix of a step that is not too long. The entry stays unless it is small.
         if !ordered || rows[k].as_slice()[k].magnitude() < SMALL {
-            // The largest entry comes up by exchanges of neighbours in the search: all indices are known to the compiler, so
-            // that a small matrix stays in registers.
+            // The search exchanges rows until the largest entry is on top. The compiler then knows all indices and keeps a small matrix in registers.
             for i in k + 1..n {
                 let [below, pivot] = [i, k].map(|i| rows[i].as_slice()[k].magnitude());
-                // An entry that has no size yet is no reason to keep a pivot of zero.
+                // A pivot of zero is replaced even if sizes are still zero.
                 if below * sizes[k].magnitude() > pivot * sizes[i].magnitude() || pivot == 0.0 && below > 0.0 {
                     rows.swap(k, i);
                     b.swap(k, i);
@@ -75,7 +78,7 @@ pub(super) fn pivots<A: Array>(matrix: &mut Square<A>, rhs: &mut A, sizes: &Size
             return None;
         }
         positive ^= top[k].any_below(0.0);
-        // One division a row.
+        // The reciprocal saves divisions: each row takes one.
         let reciprocal = A::Real::from_f64(1.0) / top[k];
         top[k] = reciprocal;
         for (i, row) in lower.iter_mut().enumerate() {
@@ -98,8 +101,10 @@ pub(super) fn pivots<A: Array>(matrix: &mut Square<A>, rhs: &mut A, sizes: &Size
     Some(positive)
 }
 
-/// The same in the least time, where the determinant is positive and its terms do not cancel: returns whether that is so. Elimination with
-/// exchanges would be inlined as well. One unknown may be no number, where its pivot vanishes.
+/// Solves `matrix·x = rhs` in place of `rhs` in the least time; destroys `matrix`.
+///
+/// Returns whether the determinant is positive and its terms do not cancel. Up to four unknowns have no fallback to elimination with exchanges,
+/// because it would be inlined as well. The solution for one unknown may be infinite or NaN if its pivot vanishes.
 #[inline(always)]
 pub(crate) fn solve_fast<A: Array>(matrix: &mut Square<A>, rhs: &mut A) -> bool {
     if const { !has_rule(A::LEN) } {
@@ -118,7 +123,7 @@ pub(crate) fn solve_fast<A: Array>(matrix: &mut Square<A>, rhs: &mut A) -> bool 
     }
 }
 
-/// Whether so many unknowns have a rule of their own, which the ablation benchmark may switch off.
+/// Returns whether systems of this many unknowns have a rule of their own. The ablation benchmark may switch off a rule.
 const fn has_rule(unknowns: usize) -> bool {
     match unknowns {
         0 | 1 => true,
@@ -128,23 +133,7 @@ const fn has_rule(unknowns: usize) -> bool {
     }
 }
 
-/// The second term of the series r + Ar + A²r + … for the solution x of x = r + Ax, where `matrix` is 1 − A (C. Neumann, 1877): no division, and
-/// nothing waits for a determinant.
-#[inline(always)]
-pub(crate) fn second_term<A: Array>(matrix: &Square<A>, r: &A) -> A {
-    let mut term = *r;
-    for (i, row) in A::entries_of::<A>(matrix).iter().enumerate() {
-        for k in 0..A::LEN {
-            // Of two unknowns the diagonal first: the sums of both are then paired.
-            let j = if const { A::LEN == 2 } { (i + k) % A::LEN } else { k };
-            let sum = &mut term.as_mut_slice()[i];
-            *sum = (-row.as_slice()[j]).multiply_add(r.as_slice()[j], *sum);
-        }
-    }
-    term
-}
-
-/// The determinant, by elimination with partial pivoting; destroys `matrix`.
+/// Returns the determinant by elimination with partial pivoting; destroys `matrix`.
 pub(crate) fn determinant<A: Array>(matrix: &mut Square<A>) -> f64 {
     let rows = A::entries::<A>(matrix);
     let mut product = 1.0;
@@ -169,13 +158,14 @@ pub(crate) fn determinant<A: Array>(matrix: &mut Square<A>) -> f64 {
     product
 }
 
-/// In two operations: the optimiser makes a dozen of `f64::is_finite`.
+/// Returns whether `x` is finite. This takes two operations, whereas the optimiser makes a dozen of `f64::is_finite`.
 #[inline(always)]
 fn is_finite(x: f64) -> bool {
     0.0 * x == 0.0
 }
 
-/// Two unknowns, by Cramer's rule: one division in place of two that wait for each other.
+/// Solves for two unknowns by Cramer's rule. This takes one division instead of two that wait for each other. Returns whether the determinant is
+/// positive, or `None` if the determinant vanishes or is not finite.
 #[inline(always)]
 fn of_two<A: Array>(rows: &[A], b: &mut [A::Real]) -> Option<bool> {
     let ([a, b0], [c, d]) = ([0, 1].map(|j| rows[0].as_slice()[j]), [0, 1].map(|j| rows[1].as_slice()[j]));
@@ -189,13 +179,13 @@ fn of_two<A: Array>(rows: &[A], b: &mut [A::Real]) -> Option<bool> {
     Some(!determinant.any_below(0.0))
 }
 
-/// Two unknowns eliminated at a time, by Cramer's rule: half of the divisions that wait for each other. Nothing where the terms of a
-/// determinant cancel, or it is small: exchanges lose less there.
+/// Solves by eliminating two unknowns at a time by Cramer's rule. This halves the number of divisions that wait for each other. Returns whether the
+/// determinant is positive, or `None` if a determinant is small or its terms cancel. Exchanges lose fewer digits there.
 #[inline(always)]
 pub(super) fn of_pairs<A: Array>(rows: &mut [A], b: &mut [A::Real]) -> Option<bool> {
     let n = A::LEN;
     let mut positive = true;
-    // Two rounds the compiler unrolls itself; of more it knows the indices only if they are written.
+    // The compiler unrolls two rounds by itself. It knows the indices of more rounds only if they are written out.
     let written = if n < 6 { 0 } else { 3 };
     if written > 0 {
         positive ^= eliminate_pair(rows, b, 0)?;
@@ -223,7 +213,7 @@ pub(super) fn of_pairs<A: Array>(rows: &mut [A], b: &mut [A::Real]) -> Option<bo
     Some(positive)
 }
 
-/// Eliminates unknowns k and k + 1. Whether their determinant is negative; nothing where its terms cancel.
+/// Eliminates unknowns k and k + 1. Returns whether their determinant is negative, or `None` if the determinant is small or its terms cancel.
 #[inline(always)]
 fn eliminate_pair<A: Array>(rows: &mut [A], b: &mut [A::Real], k: usize) -> Option<bool> {
     let n = A::LEN;
@@ -260,18 +250,18 @@ fn eliminate_pair<A: Array>(rows: &mut [A], b: &mut [A::Real], k: usize) -> Opti
     Some(negative)
 }
 
-/// Three unknowns, by the adjugate: one division, where elimination has three that wait for each other. Nothing where the terms of the
-/// determinant cancel: pivots lose less there.
+/// Solves for three unknowns by the adjugate. This takes one division, whereas elimination takes three that wait for each other. Returns whether the
+/// determinant is positive, or `None` if its terms cancel. Pivots lose fewer digits there.
 #[inline(always)]
 fn of_three<A: Array>(rows: &[A], b: &mut [A::Real]) -> Option<bool> {
-    // Not by `map`, which leaves a loop through memory.
+    // The entries are written out, because `map` would leave a loop through memory.
     let row = |i: usize| (rows[i].as_slice()[0], rows[i].as_slice()[1], rows[i].as_slice()[2]);
     let ((a, d, g), (e, f, k), (l, m, n)) = (row(0), row(1), row(2));
     let [x, y, z] = [f * n - k * m, k * l - e * n, e * m - f * l];
     let terms = [a * x, d * y, g * z];
     let determinant = terms[0] + (terms[1] + terms[2]);
     let sizes = terms.map(|term| term.magnitude());
-    // What is no finite number is not large either.
+    // A determinant that is not finite does not count as large.
     let large = determinant.magnitude() > SMALL * (sizes[0] + (sizes[1] + sizes[2]));
     if !large || !is_finite(determinant.magnitude()) {
         return None;

@@ -1,6 +1,6 @@
 //! Elimination in pairs beside elimination with exchanges. In a file of its own: a bench compiles the other one once more.
 
-use super::linear::{of_pairs, pivots, second_term, solve};
+use super::linear::{of_pairs, pivots, solve};
 use super::size::Sizes;
 use crate::space::{Array, Square};
 
@@ -77,29 +77,4 @@ fn four_unknowns_are_solved_for_where_pairs_cancel() {
         assert!(solve::<[f64; 4]>(&mut square, &mut found, &Sizes::equal()).is_some());
         assert!(found.iter().zip(&x).all(|(found, x)| (found - x).abs() < 1e-12), "{found:?}");
     }
-}
-
-/// Two terms leave what is of third order in the distance of the matrix from 1, and one leaves more.
-#[test]
-fn two_terms_of_the_series() {
-    let (far, r) = (near_one::<3>(1.0), [1.3, -0.7, 0.4]);
-    let left = |small: f64| {
-        let matrix: [[f64; 3]; 3] = core::array::from_fn(|i| {
-            core::array::from_fn(|j| {
-                let one = f64::from(u8::from(i == j));
-                one + small * (far[i][j] - one)
-            })
-        });
-        let mut solution = r;
-        solve::<[f64; 3]>(&mut matrix.clone(), &mut solution, &Sizes::equal()).expect("near 1");
-        let second = second_term::<[f64; 3]>(&matrix, &r);
-        let largest = |x: [f64; 3]| x.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
-        [0.0, 1.0].map(|terms| largest(core::array::from_fn(|i| solution[i] - r[i] - terms * second[i])))
-    };
-    let ([one, two], [half, quarter]) = (left(1e-3), left(5e-4));
-    assert!(two < 1e-3 * one, "{two:e} {one:e}");
-    assert!(
-        (one / half - 2.0).abs() < 1e-2 && (two / quarter - 4.0).abs() < 1e-2,
-        "{one:e} {half:e} {two:e} {quarter:e}"
-    );
 }

@@ -1,15 +1,17 @@
-//! The equation of a step in a plane.
+//! Solves the equation of a step in a plane.
 
-use super::equation::StepEquation;
+use super::equation::{Effort, StepEquation};
 use super::newton::Newton;
 use crate::scalar::{Real, zero};
+use crate::space::vector::difference;
 
-/// The increment d = g(d) of two coordinates from `origin`, to rounding; `equation` gives g and 1 − g'. Not a number where there is none.
+/// Solves d = g(d) for the increment of two coordinates from `origin`, to rounding. `equation` returns g and 1 − g'. The result is NaN if no solution
+/// exists.
 #[inline]
 pub fn planar_step<R: Real>(origin: [R; 2], equation: impl Fn(&[R; 2]) -> ([R; 2], [[R; 2]; 2]) + Copy) -> [R; 2] {
-    // Two kinds: the coordinates may have different units.
-    let found = Newton::<[R; 2]>::new(1, 2).solve(&Planar { origin, equation }, &mut ());
-    if found.outcome.is_ok() { found.x } else { [R::from_f64(f64::NAN); 2] }
+    // The coordinates form two kinds, because their units may differ.
+    let solution = Newton::<[R; 2]>::new(1, 2).solve(&Planar { origin, equation }, &mut ());
+    solution.map_or([R::from_f64(f64::NAN); 2], |solution| solution.x)
 }
 
 #[derive(Clone, Copy)]
@@ -19,20 +21,20 @@ struct Planar<R, F> {
 }
 
 impl<R: Real, F: Fn(&[R; 2]) -> ([R; 2], [[R; 2]; 2]) + Copy> StepEquation<[R; 2], ()> for Planar<R, F> {
-    const PATIENT: bool = false;
+    const EFFORT: Effort = Effort::Fast;
 
     fn origin(&self) -> [R; 2] {
         self.origin
     }
 
-    fn explicit(&self) -> [R; 2] {
+    fn guess(&self) -> [R; 2] {
         (self.equation)(&[zero(); 2]).0
     }
 
     #[inline(always)]
-    fn evaluate(&self, (): &mut (), d: &[R; 2], matrix: &mut [[R; 2]; 2]) -> [R; 2] {
+    fn residual(&self, (): &mut (), d: &[R; 2], matrix: &mut [[R; 2]; 2]) -> [R; 2] {
         let (image, slopes) = (self.equation)(d);
         *matrix = slopes;
-        image
+        difference(d, &image)
     }
 }

@@ -1,4 +1,4 @@
-//! Newton's iteration with a matrix that is not quite the derivative: corrections shrink by a factor, not by squares.
+//! Solves equations by Newton's iteration with an approximate derivative. Corrections shrink by a factor, not by squares.
 
 use crate::scalar::Real;
 use crate::solving::Refusal;
@@ -8,17 +8,17 @@ use crate::solving::size::{Sizes, largest, sum};
 use crate::solving::{damped, linear, noise};
 use crate::space::{Array, Record, Square, Tape};
 
-/// Solves one equation a step for increments of positions and momenta, and remembers their sizes.
+/// A solver of one equation per step for increments of positions and momenta. It remembers the sizes of the unknowns.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct QuasiNewton<A> {
     sizes: Sizes<A>,
-    /// Whether the last solution leaves a residual that was measured as rounding.
+    /// `true` if the last solution leaves a residual that was measured as rounding.
     pub(crate) leaves_rounding: bool,
 }
 
 impl<A: Array> Record<A::Real> for QuasiNewton<A> {
     fn record(&mut self, tape: &mut impl Tape<A::Real>) {
-        // `leaves_rounding` is asked before the step ends.
+        // `leaves_rounding` is not recorded, because it is read before the step ends.
         self.sizes.record(tape);
     }
 }
@@ -28,12 +28,14 @@ impl<A: Array> QuasiNewton<A> {
         QuasiNewton { sizes: Sizes::new(), leaves_rounding: false }
     }
 
-    /// Solves `residual(x) = 0` for an increment of `origin`, to rounding, from `guess` on. If that fails, with a matrix of
-    /// difference quotients; if that fails, from where damped corrections lead.
+    /// Solves `residual(x) = 0` for an increment of `origin`, to rounding, starting from `guess`. If the iteration fails, it is repeated with a
+    /// matrix of difference quotients. If the repetition fails, it starts again from the end of damped corrections.
     ///
-    /// `residual` writes the residual and a matrix near its derivative, seen by `watch`. What is left after a correction is about the next one:
-    /// the iteration ends where that is bound to be below rounding, or where rounding keeps corrections from shrinking.
-    /// The determinant has the meaning that it has for Newton's iteration.
+    /// `residual` writes the residual and a matrix near its derivative; `watch` observes the evaluations. The error after a correction is about as
+    /// large as the next correction. The iteration ends if the next correction is bound to be below rounding, or if rounding keeps corrections from
+    /// shrinking.
+    ///
+    /// The determinant has the same meaning as in Newton's iteration: a solution with a negative determinant is refused.
     #[inline(always)]
     pub(crate) fn solve<W: Observer>(
         &mut self,
@@ -42,9 +44,9 @@ impl<A: Array> QuasiNewton<A> {
         watch: &mut W,
         mut residual: impl FnMut(&mut W, &A, &mut A, &mut Square<A>) -> Result<(), Refusal>,
     ) -> Result<A, Refusal> {
-        // A guess may look beyond the domain of the energy where the solution need not.
+        // A guess is not finite if it evaluates the energy outside its domain. The solution may still exist.
         let guess = if guess.is_finite() { guess } else { A::zero() };
-        // Sizes for pivots and differences. A guess may be wild: no correction is compared with it.
+        // These sizes serve pivots and difference quotients. The guess may be wild, so no correction is compared with them.
         let mut scale = self.sizes;
         scale.include(origin, &guess);
         let mut noise = A::zero();
@@ -52,6 +54,7 @@ impl<A: Array> QuasiNewton<A> {
             .or_else(|refusal| self.otherwise(origin, (guess, &scale), noise, watch, residual).map_err(|_| refusal))
     }
 
+    /// Repeats the iteration with difference quotients, then from the end of damped corrections.
     #[cold]
     fn otherwise<W: Observer>(
         &mut self,
@@ -71,8 +74,8 @@ impl<A: Array> QuasiNewton<A> {
         })
     }
 
-    /// The matrix is made of difference quotients if the noise of the residual is given that they have to exceed. `noise` becomes the one where
-    /// the iteration was stuck last.
+    /// Iterates from `x`. If `differences` is present, the matrix consists of difference quotients, and `differences` is the noise of the residual
+    /// that they have to exceed. `noise` becomes the noise at the point where the iteration was stuck last.
     fn iterate<W: Observer>(
         &mut self,
         origin: &A,
@@ -98,18 +101,18 @@ impl<A: Array> QuasiNewton<A> {
             let relative = self.sizes.relative(&delta, origin, &x);
             let mut solved = None;
             match corrections.judge::<A::Real>(relative) {
-                // Where the matrix is large beyond measure, corrections are small wherever x is.
+                // If the matrix is large beyond measure, corrections are small at any `x`. The residual must therefore be small, too.
                 Verdict::Solved if self.sizes.resolve(&left, origin, &before) => solved = Some(x),
                 Verdict::Solved => break,
                 Verdict::Stuck => {
                     let (mut left, mut sizes) = (A::zero(), self.sizes);
                     residual(watch, &before, &mut left, &mut matrix)?;
-                    // Without the unknowns: far from where the system has been, all may be rounding.
+                    // The unknowns are not included yet. Far from all earlier states, any residual could be rounding.
                     sizes.include(origin, &A::zero());
                     let mut rounding = is_of_last_digits(&sizes, &left, &matrix);
                     if !rounding {
                         sizes.include(origin, &before);
-                        // Positions, then momenta.
+                        // The first kind are the positions, the second kind the momenta.
                         let kinds = [A::LEN / 2, 2];
                         watch.pause(true);
                         *noise = noise::measure(&sizes, &before, (&delta, corrections.farther()), kinds, |x| {
@@ -117,7 +120,7 @@ impl<A: Array> QuasiNewton<A> {
                             residual(watch, x, &mut r, &mut matrix).is_ok().then_some(r)
                         });
                         watch.pause(false);
-                        // Here last: who watches has seen the solution last.
+                        // The solution is evaluated last, because the observer remembers the last point.
                         residual(watch, &before, &mut left, &mut matrix)?;
                         rounding = noise::explains(noise, &left, &sizes);
                     }
@@ -139,8 +142,8 @@ impl<A: Array> QuasiNewton<A> {
     }
 }
 
-/// The derivative of the residual `r` at `x` by difference quotients; a column whose unknown has no size stays as it is. Unknowns are
-/// moved so far that the `noise` of the residual is a small part of what it changes by.
+/// Computes the derivative of the residual `r` at `x` by difference quotients. A column whose unknown has no size stays unchanged. Unknowns move so
+/// far that the `noise` of the residual is a small part of its change.
 fn differentiate<A: Array, W>(
     sizes: &Sizes<A>,
     origin: &A,
@@ -152,7 +155,7 @@ fn differentiate<A: Array, W>(
 ) -> Result<(), Refusal> {
     let size = |i: usize| sizes.of(i).max(sum(origin, x, i));
     let parts = (0..A::LEN).filter(|i| size(*i) > 0.0).map(|i| noise.as_slice()[i].magnitude() / size(i));
-    // √ε, or what takes the place of ε. A quotient over a longer way is no derivative.
+    // The part is √ε, or noise/√ε if the relative noise exceeds ε. A quotient over a distance above ε^(1/4) is no derivative.
     let root = Real::sqrt(A::Real::epsilon());
     let part = (A::Real::epsilon().max(largest(parts)) / root).min(Real::sqrt(root));
     let mut unused = A::fill(A::zero());

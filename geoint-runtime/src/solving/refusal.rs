@@ -1,26 +1,25 @@
-//! Why a step has no result.
+//! Reasons why a step has no result.
 
 use core::fmt;
 
-/// Why a step has no result.
+/// The reason why a step has no result.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Refusal {
-    /// The iteration gave up.
+    /// The iteration ended without a solution.
     NotConverged {
-        /// Iterations spent.
+        /// The number of iterations.
         iterations: u32,
-        /// The last correction relative to what it corrects.
+        /// The last correction, relative to the quantity that it corrects.
         correction: f64,
     },
-    /// The equation of the step has no solution that is continuous in h from h = 0 on: its matrix is singular, or changed its
-    /// orientation on the way.
+    /// The equation of the step has no solution that is continuous in h from h = 0 on. Its matrix is singular, or changed its orientation on the way.
     Singular,
-    /// An increment is orthogonal to the direction along which it is to change the energy.
+    /// An increment is orthogonal to the direction along which it must change the energy.
     SingularDirection,
-    /// Constraints depend on each other at an end of the step, or on the way.
+    /// The constraints depend on each other at an end of the step, or on the way.
     DependentConstraints {
-        /// The formula of one that depends on others.
+        /// The formula of a constraint that depends on others.
         what: &'static str,
     },
     /// An angle `atan2(y, x)` moves by more than half a turn, or passes the point at which it is not defined.
@@ -28,15 +27,15 @@ pub enum Refusal {
         /// The formula of the angle.
         what: &'static str,
     },
-    /// Rounding on the way changes what the step keeps by more than its last digits.
+    /// Rounding on the way changes an invariant of the step by more than its last digits.
     Rounded,
-    /// A projection would have to lead back more than half of the step.
+    /// The projection to the invariants would have to undo more than half of the step.
     LedAstray,
-    /// What the step keeps underflows or overflows.
+    /// An invariant of the step underflows or overflows.
     OutOfRange,
-    /// The energy is not defined, or has a pole, on the way.
+    /// The energy is not defined on the way, or has a pole there.
     OutsideDomain {
-        /// The function and the term.
+        /// The function and the term that cause the refusal.
         what: &'static str,
     },
 }
@@ -68,7 +67,7 @@ impl fmt::Display for Refusal {
 impl core::error::Error for Refusal {}
 
 impl Refusal {
-    /// Nothing wrong if nothing was found.
+    /// Returns [`Refusal::OutsideDomain`] with the term that was found, or `Ok` if no term was found.
     #[inline(always)]
     pub(crate) fn outside(found: Option<&'static str>) -> Result<(), Refusal> {
         found.map_or(Ok(()), |what| Err(Refusal::OutsideDomain { what }))

@@ -1,45 +1,47 @@
-//! The rounding of a residual, from its values beside a point where an iteration is stuck.
+//! Measures the rounding of a residual from its values near a point at which an iteration is stuck.
 //!
 //! The method compares second differences d(δ) = r(0) − 2 r(δ) + r(2δ) at distances δ that double:
 //!
-//! - Of a smooth residual, d grows by 4 from each δ to the next. At a bend it grows by 2.
-//! - Of noise, d does not grow.
+//! - For a smooth residual, d grows by 4 from each δ to the next. At a bend, d grows by 2.
+//! - For noise, d does not grow.
 //! - A single jump by rounding makes d grow once, where δ reaches the jump.
 //!
-//! The rounding is the largest d before growth shows in three successive distances. The first two of these still count, because a jump could explain them.
-//! Both sides of the point are examined and the smaller result counts, so that a bend on one side is not taken for rounding. It can still be fooled, for
-//! instance where bends lie on both sides, so callers bound the result.
+//! The rounding is the largest d before growth shows in three successive distances. The first two of these distances still count, because a jump
+//! could explain them. Both sides of the point are examined and the smaller result counts. A bend on one side is therefore not taken for rounding.
+//! The method still fails in some cases, for instance if bends lie on both sides, so callers bound the result.
 //!
-//! The points lie along the last correction. This suits invariants, in which all coordinates take part in the correction. In equations of implicit steps,
-//! some unknowns may have tiny corrections and large rounding: [`noise`](crate::solving::noise) moves every unknown and serves these equations. One
-//! measurement here takes 329 evaluations of the residual, so callers ask only where an iteration is stuck.
+//! The points lie along the last correction. This suits invariants, because all coordinates take part in their correction. In equations of implicit
+//! steps, some unknowns may have tiny corrections and large rounding. For these equations, [`noise`](crate::solving::noise) moves every unknown. One
+//! measurement here takes 329 evaluations of the residual, so callers measure only if an iteration is stuck.
 
 use crate::scalar::{Real, zero};
 use crate::space::Array;
 use crate::space::vector::{moved, sum};
 
-/// Parts of a distance at which the residual is evaluated. They are irregular, so that not all points are rounded alike.
+/// The points at which the residual is evaluated, as parts of a distance. Irregular parts keep the points from being rounded alike.
 const POINTS: [f64; 4] = [0.59, 0.73, 0.87, 1.0];
 
 /// The nearest and the farthest distance as powers of 2, in units of the last correction.
 ///
-/// A wild correction may be much longer than the scale on which the residual is curved, so the nearest points lie far within it. Jumps by rounding may
-/// be many corrections apart, so the farthest points lie far beyond it.
+/// A wild correction may be much longer than the scale on which the residual is curved, so the nearest points lie far within the correction. Jumps by
+/// rounding may be many corrections apart, so the farthest points lie far beyond it.
 const NEAREST: i32 = -30;
 const FARTHEST: i32 = 10;
 
-/// Growth of d to the next distance that counts as curvature: the geometric mean of 2, for a bend, and 4, for a parabola.
+/// The least growth of d to the next distance that counts as curvature. It is the geometric mean of 2, for a bend, and 4, for a parabola.
 const CURVED: f64 = 2.83;
 
-/// Growth of d that is too large for curvature, so that it contains a jump by rounding. That of x⁵ grows by exactly this.
+/// The largest growth of d that counts as curvature. Larger growth contains a jump by rounding. For x⁵, d grows by exactly this factor.
 const JUMP: f64 = 32.0;
 
-/// A d below this part of the residual does not count as curvature: between two jumps by rounding, the residual may be a smooth curve of this height.
+/// The least d that counts as curvature, as a part of the residual. Between two jumps by rounding, the residual may be a smooth curve of a smaller
+/// height.
 const VISIBLE: f64 = 1.0 / 64.0;
 
-/// Returns for each entry of a residual how large its rounding is.
+/// Returns the size of the rounding of each entry of a residual.
 ///
-/// `residual` is evaluated at multiples of the last correction, of either sign. The result is zero if the residual does not exist at one of the points.
+/// `residual` is evaluated at multiples of the last correction, of either sign. The result is zero if the residual does not exist at one of the
+/// points.
 #[cold]
 #[inline(never)]
 pub(crate) fn rounding<A: Array>(mut residual: impl FnMut(A::Real) -> Option<A>) -> A {
@@ -56,7 +58,7 @@ pub(crate) fn rounding<A: Array>(mut residual: impl FnMut(A::Real) -> Option<A>)
     least
 }
 
-/// Returns the rounding that is seen on one side of a point at which the residual is `here`.
+/// Returns the rounding on one side of the point, where the residual is `here`. Returns `None` if the residual does not exist at some point.
 fn on_side<A: Array>(sign: f64, here: &A, residual: &mut impl FnMut(A::Real) -> Option<A>) -> Option<A> {
     let mut at = |power: i32| {
         let mut residuals = [A::zero(); POINTS.len()];

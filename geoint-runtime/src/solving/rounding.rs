@@ -1,76 +1,73 @@
-//! Is a correction rounding? The one answer for every iteration.
+//! Is a correction rounding? All iterations use this answer.
 //!
-//! An iteration ends where the next correction is bound to be below the last digit, or where corrections are small and do not shrink
-//! any more. Small is what a correction is relative to the size of what it corrects, and that includes the terms which are added up
-//! on the way to it: see [`noise`](crate::solving::noise).
+//! An iteration ends where the next correction is bound to be below the last digit, or where corrections are small and no longer shrink. A correction is compared with
+//! the size of what it corrects. If large terms cancel in a residual, their rounding is measured: see [`noise`](crate::solving::noise).
 
 use crate::scalar::Real;
 use crate::solving::Refusal;
 use crate::solving::size::Sizes;
 use crate::space::{Array, Square};
 
-/// Reached only where there is no convergence.
+/// The largest number of iterations. Iterations that converge need far fewer.
 pub(crate) const MAX_ITERATIONS: u32 = 100;
 
-/// Bound on the error that an iteration leaves behind, in units of ε. That error has the same sign in every step, and adds up: at
-/// ε/1024 a drift of the energy is seen after a million steps.
+/// Bound on the error that an iteration leaves, in units of ε. This error has the same sign in every step, so it adds up: with 1/1024, the energy drifts visibly in a
+/// million steps.
 pub(crate) const REMAINDER: f64 = 1.0 / 1_048_576.0;
 
-/// A relative correction of so many ε that does not shrink any more is rounding.
+/// A relative correction that no longer shrinks is rounding if it is at most this many ε.
 pub(crate) const ROUNDINGS: f64 = 64.0;
 
-/// The rounding of an unknown in a residual, in ε: positions, distances and forces each lose their last digits.
+/// The rounding of an unknown in a residual, in ε. Positions, distances and forces each lose their last digits.
 const LAST_DIGITS: f64 = 8.0;
 
-/// A residual of more than so many times the unknown is no rounding, whatever the digits of its terms are: far from all that a state has been, and
-/// in a step of many turns, they may be larger than the state.
+/// A residual larger than this many times the unknown is no rounding, however large its terms are. Far away from all earlier states, and in steps of many turns, terms
+/// may be larger than the state.
 const LARGEST: f64 = 1024.0;
 
-/// Iterations without a correction that is smaller than all before, by this factor. Once may be chance, and corrections that turn round one
-/// another shrink on the whole.
+/// An iteration is stuck after this many corrections that are not smaller than all before by the factor `SMALLER`. One such correction may be chance.
 const MOST_STUCK: u32 = 4;
 const SMALLER: f64 = 0.75;
 
-/// Where convergence is quadratic, near a solution a correction is less than this part of the one before.
+/// Near a solution with quadratic convergence, a correction is below this part of the correction before it.
 const SLOW: f64 = 0.25;
 
-/// Rounding by which corrections do not shrink is seen at points that are farther apart than they are large, by this, and by the second
-/// factor more each time that it is not seen.
+/// The distance of the points at which rounding is measured, in units of the last correction, and the factor by which it grows with each measurement.
 const FARTHER: f64 = 16.0;
 const AND_FARTHER: f64 = 4.0;
 
-/// How often rounding is looked for: it costs more evaluations than a step. Where corrections are stuck again they do not shrink for
-/// another reason.
+/// The largest number of measurements. Each one costs more evaluations than a step. If corrections are stuck after all of them, there is another reason.
 const MOST_LOOKS: u32 = 5;
 
-/// What a correction says of the iteration.
+/// The answer to a correction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Verdict {
-    /// Another one follows.
+    /// Another correction follows.
     Continue,
-    /// It was the last one.
+    /// This was the last correction.
     Solved,
-    /// Corrections have stopped to shrink, and are larger than rounding of what they correct. They may shrink again later.
+    /// Corrections have stopped to shrink, but are larger than the rounding of the unknowns. They may shrink again later.
     Stuck,
 }
 
 /// The corrections of an iteration so far.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Corrections {
-    /// The convergence that the iteration has near the solution: from c₁ to c₂, the next correction is c₂(c₂/c₁)ᵒʳᵈᵉʳ.
+    /// The order of convergence near the solution: after c₁ and c₂, the next correction is c₂(c₂/c₁)ᵒʳᵈᵉʳ.
     order: i32,
     iterations: u32,
-    /// The last one, relative to what it corrects.
+    /// The last correction, relative to the size of what it corrects.
     before: f64,
     smallest: f64,
     stuck: u32,
     slow: bool,
     looks: u32,
-    /// Of the points at which rounding is looked for, in units of a correction.
+    /// The distance of the points at which rounding is measured, in units of a correction.
     distance: f64,
 }
 
 impl Corrections {
+    /// Creates an empty list. `order` is 2 for Newton's iteration, and 1 for iterations with an approximate derivative.
     pub(crate) fn of_order(order: i32) -> Self {
         Corrections {
             order,
@@ -84,32 +81,30 @@ impl Corrections {
         }
     }
 
-    /// Corrections that follow are relative to something else.
+    /// Forgets the corrections so far, because those that follow are relative to another size.
     pub(crate) fn restart(&mut self) {
         let (looks, distance) = (self.looks + 1, AND_FARTHER * self.distance);
         *self = Self { before: f64::INFINITY, smallest: f64::INFINITY, stuck: 0, looks, distance, ..*self };
     }
 
-    /// At points that are so many times farther apart than the last correction is large, rounding is looked for that keeps corrections from
-    /// shrinking.
+    /// Returns the distance of the points at which rounding is measured, in units of the last correction.
     pub(crate) fn farther(&self) -> f64 {
         self.distance
     }
 
-    /// Whether the last one is larger than it would be near a solution to which convergence is quadratic: what the iteration takes for the
-    /// derivative may be rounding.
+    /// Returns whether the last correction is larger than it would be with quadratic convergence. The derivative may then be wrong, or rounding.
     #[inline(always)]
     pub(crate) fn slow(&self) -> bool {
         self.slow
     }
 
-    /// The last one, relative to what it corrects; infinite if there is none.
+    /// Returns the last correction, relative to the size of what it corrects, or infinity if there is none.
     #[inline(always)]
     pub(crate) fn last(&self) -> f64 {
         self.before
     }
 
-    /// The verdict on the next correction, `relative` to what it corrects.
+    /// Returns the answer to the next correction, which is `relative` to the size of what it corrects.
     #[inline(always)]
     pub(crate) fn judge<R: Real>(&mut self, relative: f64) -> Verdict {
         let (first, shrunk) = (self.before == f64::INFINITY, relative / self.before);
@@ -132,20 +127,20 @@ impl Corrections {
         if self.stuck == MOST_STUCK && self.looks < MOST_LOOKS { Verdict::Stuck } else { Verdict::Continue }
     }
 
-    /// The refusal of an iteration that ends here without a solution.
+    /// Returns the refusal of an iteration that ends without a solution.
     #[cold]
     pub(crate) fn not_converged(&self) -> Refusal {
         Refusal::NotConverged { iterations: self.iterations, correction: self.before }
     }
 }
 
-/// Whether a relative correction that does not shrink is rounding.
+/// Returns whether a relative correction that does not shrink is rounding.
 #[inline(always)]
 pub(crate) fn is_rounding<R: Real>(relative: f64) -> bool {
     relative <= ROUNDINGS * R::epsilon()
 }
 
-/// Whether a residual is small enough to be rounding of terms that add up to an unknown of this size.
+/// Returns whether a residual is small enough to be rounding of terms that add up to an unknown of this size.
 #[inline(always)]
 pub(crate) fn may_be_rounding(residual: f64, size: f64) -> bool {
     residual <= LARGEST * size
@@ -164,10 +159,10 @@ pub(crate) fn is_of_last_digits<A: Array>(sizes: &Sizes<A>, residual: &A, matrix
     })
 }
 
-/// Subtracts corrections of coordinates from `x` until nothing but rounding is left. Corrections shrink by a factor.
+/// Subtracts corrections from `x` until nothing but rounding is left. Corrections shrink by a factor.
 ///
-/// `correction` gives the one at a point, and how large it is relative to the terms of what it corrects. Where they are stuck `is_noise` says of
-/// the last point and the correction there whether the residual is rounding of larger terms.
+/// `correction` returns the correction at a point, and its size relative to the terms of what it corrects. If corrections are stuck, `is_noise` decides for the last
+/// point and its correction whether the residual is rounding of larger terms.
 pub(crate) fn correct<A: Array>(
     mut x: A,
     mut is_noise: impl FnMut(&A, &A) -> bool,

@@ -1,17 +1,18 @@
-//! Does a function vanish on the straight line between two points?
+//! Decides by interval arithmetic whether a function vanishes on the straight line between two points.
 
 use crate::scalar::Interval;
 
-/// Parts of the line that may wait: each halving leaves one behind.
+/// The largest number of parts of the line that may wait. Each halving leaves one part behind.
 const DEPTH: usize = 48;
 
-/// Parts of the line are not divided further.
+/// The length of the shortest part of the line that is divided further.
 const SHORTEST: f64 = 1e-14;
 
-/// Parts that are judged before a question is given up. Lines that pass a zero at 10⁻¹⁰ of their length take some thirty.
+/// The largest number of parts that are examined before the question is given up. A line that passes a zero at 10⁻¹⁰ of its length takes about thirty
+/// parts.
 const MOST_JUDGED: u32 = 500;
 
-/// A coordinate on the way from one value to another.
+/// A coordinate on the straight line from one value to another.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Line {
     start: Interval,
@@ -20,14 +21,14 @@ pub(crate) struct Line {
 }
 
 impl Line {
-    /// Between values of which nothing is known.
+    /// The line between two unknown values.
     pub(crate) const WHOLE: Line = Line { start: Interval::WHOLE, end: Interval::WHOLE, change: Interval::WHOLE };
 
     pub(crate) fn new([start, end]: [Interval; 2]) -> Self {
         Line { start, end, change: end - start }
     }
 
-    /// Its values on a part of the way from 0 to 1, and its rate there.
+    /// Returns the values of the coordinate on a part of the way from 0 to 1, and its rate on this part.
     #[inline(never)]
     pub(crate) fn on(&self, part: Interval) -> (Interval, Interval) {
         let Line { start, end, change } = *self;
@@ -40,15 +41,15 @@ impl Line {
     }
 }
 
-/// What is known of a part of the way.
+/// The result for a part of the way.
 enum Judgement {
     Holds,
     Fails,
-    /// Halves may be judged.
+    /// The part is undecided, and its halves may be examined.
     Open,
 }
 
-/// Whether something holds on the whole way from 0 to 1: a part that is open is halved. What stays open does not hold.
+/// Returns whether a property holds on the whole way from 0 to 1. An undecided part is halved. A part that stays undecided counts as a failure.
 fn holds(judge: impl Fn(f64, f64) -> Judgement) -> bool {
     let mut open = [(0.0_f64, 1.0_f64); DEPTH];
     let (mut waiting, mut judged) = (1, 0);
@@ -70,10 +71,11 @@ fn holds(judge: impl Fn(f64, f64) -> Judgement) -> bool {
     true
 }
 
-/// Whether `term`, a function on a part of the way from 0 to 1 by its values and its rate, is proven to have no zero behind 0, up to 1 and with it.
+/// Returns whether a function is proven to have no zero in (0, 1]. `term` returns the values and the rate of the function on a part of the way from 0
+/// to 1.
 ///
-/// A zero at 0 itself does not count if the function leaves it at once: a step may begin there. What cannot be decided, because
-/// the function vanishes, or comes nearer to zero than its rounding errors, is `false`.
+/// A zero at 0 itself does not count if the function leaves zero at once, because a step may begin there. The result is `false` if the question
+/// cannot be decided: the function vanishes, or comes nearer to zero than its rounding errors.
 #[cold]
 #[inline(never)]
 pub(crate) fn vanishes_nowhere(term: &dyn Fn(Interval) -> (Interval, Interval)) -> bool {
@@ -81,13 +83,13 @@ pub(crate) fn vanishes_nowhere(term: &dyn Fn(Interval) -> (Interval, Interval)) 
         let (value, rate) = term(Interval::new(a, b));
         let at = |x: f64| term(Interval::new(x, x)).0;
         let middle = 0.5 * (a + b);
-        // The mean value theorem.
+        // By the mean value theorem, the function lies within `reach` of its value at the middle.
         let reach = rate * Interval::new(a - middle, b - middle);
         if !value.contains_zero() || !(at(middle) + reach).contains_zero() {
             return Judgement::Holds;
         }
         if !rate.contains_zero() {
-            // Monotonic: the ends decide.
+            // The function is monotonic, so its ends decide.
             let (first, last) = (at(a), at(b));
             let leaves = a == 0.0 && first.contains_zero();
             if !last.contains_zero() && (leaves || (first.signum() == last.signum() && !first.contains_zero())) {
@@ -101,12 +103,12 @@ pub(crate) fn vanishes_nowhere(term: &dyn Fn(Interval) -> (Interval, Interval)) 
     })
 }
 
-/// A part of the way on which a function is negative, and that is shorter, is not told from a point at which it touches zero: near such a
-/// point a square that is multiplied out is rounding for √ε of the way.
+/// The length below which a part with negative values does not count. A shorter part cannot be distinguished from a point at which the function
+/// touches zero. Near such a point, a square that is multiplied out is rounding for √ε of the way.
 const SHORTEST_GAP: f64 = 1e-7;
 
-/// Whether `term`, a function as above, is negative on a part of the way, or may be because that cannot be decided. It may touch zero, as a
-/// distance does.
+/// Returns whether a function is negative on a part of the way, or may be negative because the question cannot be decided. The function may touch
+/// zero, as a distance does. `term` returns its values and its rate on a part of the way from 0 to 1.
 #[cold]
 #[inline(never)]
 pub(crate) fn is_negative_somewhere(term: &dyn Fn(Interval) -> (Interval, Interval)) -> bool {
@@ -118,7 +120,7 @@ pub(crate) fn is_negative_somewhere(term: &dyn Fn(Interval) -> (Interval, Interv
         if value.low >= 0.0 || (at_middle + reach).low >= 0.0 || b - a < SHORTEST_GAP {
             return Judgement::Holds;
         }
-        // What is not a number is not defined.
+        // A function with the value NaN is undefined, so the part fails.
         if at_middle.high >= 0.0 { Judgement::Open } else { Judgement::Fails }
     })
 }
@@ -128,7 +130,7 @@ mod tests {
     use super::*;
     use crate::scalar::{Enclosure, Real};
 
-    /// A function along the way from `a` to `b`.
+    /// Returns whether `f` is proven to have no zero on the way from `a` to `b`.
     fn nowhere(f: impl Fn(Enclosure<f64>) -> Enclosure<f64>, a: f64, b: f64) -> bool {
         let end = |x: f64| Interval::point(a) + Interval::point(b - a) * Interval::point(x);
         vanishes_nowhere(&|part| {
@@ -141,13 +143,13 @@ mod tests {
     fn zeros_are_seen_and_near_misses_pass() {
         let number = Enclosure::<f64>::from_f64;
         let square = |x: Enclosure<f64>| x.abs() * x.abs();
-        // From one side to the other, to the zero itself, and from there.
+        // The line crosses the zero, ends at the zero, or starts there.
         assert!(!nowhere(|x| x, -1.0, 2.0) && !nowhere(square, -1.0, 2.0) && !nowhere(square, 1.0, 0.0));
         assert!(nowhere(|x| x, 0.0, 1.0) && nowhere(|x| x, 1.0, 2.0) && nowhere(square, 0.3, 2.0));
         for miss in [1.0, 1e-3, 1e-6, 1e-9, 1e-12] {
             assert!(nowhere(|x| square(x) + number(miss * miss), -0.7, 2.0), "{miss}");
             assert!(nowhere(|x| number(1.0) - x.cos(), miss.max(1e-7), 6.2), "{miss}");
-            // Without structure, and far below the size of its terms.
+            // The expanded square has no structure, and its minimum is far below the size of its terms.
             let expanded = |x: Enclosure<f64>| square(x) - (x + x) + number(1.0 + miss);
             assert_eq!(nowhere(expanded, -0.7, 2.0), miss > 1e-13, "{miss}");
         }

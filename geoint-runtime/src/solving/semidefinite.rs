@@ -1,11 +1,11 @@
-//! Is a matrix of damping one that takes energy away?
+//! Checks that a damping matrix takes energy away.
 
 use crate::scalar::Real;
 
-/// Whether vᵀCv ≥ 0 for all v, to rounding, by elimination; C is symmetric.
+/// Returns whether vᵀCv ≥ 0 for all v, to rounding. C is symmetric. The method is elimination.
 ///
-/// The diagonal is enlarged by more than what rounding takes away on the way (J. Demmel 1989: LAPACK Working Note 14), so
-/// that a matrix that is singular on paper passes.
+/// The diagonal is enlarged by more than the rounding errors of the elimination (J. Demmel 1989: LAPACK Working Note 14). A matrix that is singular
+/// on paper therefore passes.
 pub fn is_positive_semidefinite<R: Real, const N: usize>(mut c: [[R; N]; N]) -> bool {
     let margin = R::from_f64(1.0 + 8.0 * (N * N) as f64 * R::epsilon());
     for (k, row) in c.iter_mut().enumerate() {
@@ -15,7 +15,7 @@ pub fn is_positive_semidefinite<R: Real, const N: usize>(mut c: [[R; N]; N]) -> 
         if c[k][k].any_below(0.0) {
             return false;
         }
-        // Below a pivot of zero there must be zeros.
+        // A pivot of zero requires zeros below it.
         let pivot = c[k][k];
         if pivot.any_not_positive() && (k + 1..N).any(|i| c[i][k].magnitude() > 0.0) {
             return false;
@@ -43,18 +43,18 @@ mod tests {
         assert!(!is_positive_semidefinite([[0.0, 1e-9], [1e-9, 1.0]]));
         assert!(!is_positive_semidefinite([[0.0_f32, 1e-9], [1e-9, 1.0]]));
         assert!(!is_positive_semidefinite([[-1e-30]]));
-        // In any units.
+        // The result is the same in any units.
         for unit in [1e-200, 1.0, 1e200] {
             let scaled = |c: [[f64; 2]; 2]| c.map(|row| row.map(|x| x * unit));
             assert!(is_positive_semidefinite(scaled([[2.0, -1.0], [-1.0, 3.0]])));
             assert!(!is_positive_semidefinite(scaled([[1.0, 2.0], [2.0, 3.9]])));
         }
-        // Every block of two is positive, the whole is not: the eigenvalue of (1, 1, 1) is 1 − 2·0.6.
+        // Every block of two is positive, but the whole matrix is not: the eigenvalue of (1, 1, 1) is 1 − 2·0.6.
         let c = [[1.0, -0.6, -0.6], [-0.6, 1.0, -0.6], [-0.6, -0.6, 1.0]];
         assert!(!is_positive_semidefinite(c));
     }
 
-    /// v vᵀ + w wᵀ of irrational v and w: positive semidefinite of rank 2 on paper, rounded here.
+    /// Checks v vᵀ + w wᵀ for irrational v and w. On paper, this matrix is positive semidefinite of rank 2. Here its entries are rounded.
     #[test]
     fn rounding_is_no_reason() {
         let [v, w]: [[f64; 5]; 2] =

@@ -1,20 +1,20 @@
-//! The size of a coordinate: the one measure for all comparisons of coordinates with different units.
+//! Defines the size of a coordinate, the only measure for comparisons of coordinates with different units.
 
 use crate::scalar::Real;
 use crate::slope::before_squares;
 use crate::space::{Array, Record, Square, Tape};
 
-/// Factor by which a size fades with every point that is included. A size has halved after some fifty points.
+/// The factor by which a size fades with every point that is included. A size has halved after some fifty points.
 const FADING: f64 = 1.0 - 1.0 / 64.0;
 
-/// Largest residual, as a part of the unknown, with which the equation determines the unknown. Above this limit a small correction proves nothing.
+/// The largest residual, as a part of the unknown, with which the equation determines the unknown. Above this limit, a small correction proves
+/// nothing.
 const RESOLVED: f64 = 1.0 / 16.0;
 
-/// The largest recent magnitude of every entry: of a coordinate, of its increment, or of the terms that are added up to it. Earlier
-/// magnitudes fade.
+/// The largest recent magnitude of every entry. An entry is a coordinate, its increment, or the terms that add up to it. Earlier magnitudes fade.
 ///
-/// An entry is compared with its own size only. A change of its unit by a power of two therefore changes no result by a single bit. An
-/// entry that has not moved yet has size zero.
+/// An entry is compared with its own size only. A change of its unit by a power of two therefore changes no result by a single bit. An entry that has
+/// not moved yet has size zero.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sizes<A>(A);
 
@@ -40,6 +40,12 @@ impl<A: Array> Sizes<A> {
         }
     }
 
+    /// Returns sizes that also include the point `x`.
+    pub(crate) fn with(mut self, x: &A) -> Self {
+        self.include(x, &A::zero());
+        self
+    }
+
     /// Returns the sizes of one point.
     #[inline(always)]
     pub(crate) fn at(x: &A) -> Self {
@@ -50,7 +56,7 @@ impl<A: Array> Sizes<A> {
         Sizes(sizes)
     }
 
-    /// Returns the point next to `x` at which every entry is larger by this part of its size.
+    /// Returns the point next to `x` at which every entry is larger by the fraction `part` of its size.
     pub(crate) fn beside(&self, x: &A, part: f64) -> A {
         let mut beside = *x;
         for (i, x) in beside.as_mut_slice().iter_mut().enumerate() {
@@ -80,8 +86,8 @@ impl<A: Array> Sizes<A> {
         Sizes(largest)
     }
 
-    /// Returns units for the positions and for the momenta, the two halves of the unknowns, from a matrix that maps unknowns to unknowns. An
-    /// entry of the matrix has the unit of its row over the unit of its column.
+    /// Returns units for the positions and for the momenta, the two halves of the unknowns. They follow from a matrix that maps unknowns to unknowns.
+    /// An entry of the matrix has the unit of its row over the unit of its column.
     pub(crate) fn of_blocks(matrix: &Square<A>) -> Self {
         let half = A::LEN / 2;
         let block = |rows: core::ops::Range<usize>, columns: core::ops::Range<usize>| {
@@ -123,8 +129,8 @@ impl<A: Array> Sizes<A> {
         }
     }
 
-    /// Converts a gradient to units of the sizes and divides it by the sum of its magnitudes. Returns the sum: rounding of the coordinates
-    /// changes the function by ε times the sum. A gradient of zero stays.
+    /// Converts a gradient to units of the sizes and divides it by the sum of its magnitudes. Returns the sum: rounding of the coordinates changes
+    /// the function by ε times the sum. A gradient of zero stays unchanged.
     pub(crate) fn normalise(&self, gradient: &mut A) -> A::Real {
         // The scale keeps products with small sizes from vanishing.
         let scale = before_squares(A::Real::from_f64(gradient.as_slice().iter().map(|x| x.magnitude()).sum()));
@@ -165,7 +171,7 @@ impl<A: Array> Sizes<A> {
     /// Returns whether every entry of `delta` is at most `bound` times the size of its coordinate.
     #[inline(always)]
     pub(crate) fn all_within(&self, delta: &A, bound: f64) -> bool {
-        // Without squares, which overflow or vanish in large or tiny units.
+        // Squares are avoided, because they overflow or vanish in large or tiny units.
         let mut within = true;
         for i in 0..A::LEN {
             let (change, size) = (delta.as_slice()[i].magnitude(), self.of(i));
@@ -180,17 +186,17 @@ impl<A: Array> Sizes<A> {
         (0..A::LEN).all(|i| residual.as_slice()[i].magnitude() <= RESOLVED * self.of(i).max(sum(origin, x, i)))
     }
 
-    /// Returns the largest entry of `delta` relative to the size of the entry of `origin + x` that it corrects. The result is at most 1 where an
-    /// entry has no size but the correction. It is NaN if `delta` contains NaN.
+    /// Returns the largest entry of `delta` relative to the size of the entry of `origin + x` that it corrects. The result is at most 1 if an entry
+    /// has no size but the correction. It is NaN if `delta` contains NaN.
     #[inline(always)]
     pub(crate) fn relative(&self, delta: &A, origin: &A, x: &A) -> f64 {
-        // Sizes first, by conditional moves: a processor mispredicts branches where sizes and coordinates are nearly equal.
+        // Sizes come first, by conditional moves, because a processor mispredicts branches if sizes and coordinates are nearly equal.
         let mut sizes = A::zero();
         for (i, size) in sizes.as_mut_slice().iter_mut().enumerate() {
             let (before, now) = (self.of(i), sum(origin, x, i) + delta.as_slice()[i].magnitude());
             // `f64::max` would take three instructions more, and drop NaN.
             let largest = if before > now { before } else { now };
-            // A size of zero implies a change of zero; the ratio is then zero.
+            // A size of zero implies a change of zero. The ratio is then zero.
             *size = A::Real::from_f64(if largest == 0.0 { 1.0 } else { largest });
         }
         let ratio = |(change, size): (&A::Real, &A::Real)| change.magnitude() / size.magnitude();
@@ -198,7 +204,7 @@ impl<A: Array> Sizes<A> {
     }
 }
 
-/// Returns the kind of entry `i`, where so many entries of one unit follow each other, in so many kinds.
+/// Returns the kind of entry `i`. Each kind has `each` successive entries of one unit, and the number of kinds is `kinds`.
 pub(crate) fn kind([each, kinds]: [usize; 2], i: usize) -> usize {
     i / each % kinds
 }

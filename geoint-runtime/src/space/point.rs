@@ -7,7 +7,6 @@ use super::record::{Record, Tape};
 use super::state::Action;
 use super::summation::{Summation, add_compensated};
 use crate::scalar::{Real, zero};
-use core::ops::Range;
 
 /// A point with sums of kind `C`, and an action if its space has one.
 #[derive(Clone, Copy, Debug)]
@@ -78,15 +77,6 @@ impl<Z: Array, C: Summation<Z>, S: Action<Z::Real>> Point<Z, C, S> {
         }
         sums.add(&mut self.z, |z| z.add_scaled(Z::Real::from_f64(1.0), dz));
         sums.compensate(lost);
-    }
-
-    /// The same for some coordinates.
-    #[inline(always)]
-    pub(crate) fn add_some_with<D: Summation<Z>>(&mut self, sums: &mut D, some: Range<usize>, dz: &Z, lost: &Z) {
-        if !C::PLAIN {
-            return self.sums.add_some(some, &mut self.z, dz, lost);
-        }
-        sums.add_some(some, &mut self.z, dz, lost);
     }
 
     /// Copies what sums have lost, if they compensate.

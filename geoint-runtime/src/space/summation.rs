@@ -5,7 +5,6 @@ use super::record::{Record, Tape};
 use crate::scalar::{Real, exact_sum, sum_with_small};
 use crate::sealed::Sealed;
 use core::fmt::Debug;
-use core::ops::Range;
 
 /// How increments are added to a coordinate.
 ///
@@ -24,8 +23,6 @@ pub trait Summation<A: Array>: Sealed + Copy + Debug + Record<A::Real> {
     fn add(&mut self, x: &mut A, flow: impl FnOnce(&mut A));
     /// Adds the rounding error of an increment to the compensation.
     fn compensate(&mut self, error: &A);
-    /// Adds some coordinates of an increment with a known rounding error.
-    fn add_some(&mut self, some: Range<usize>, x: &mut A, increment: &A, error: &A);
     /// The compensation: what the sum is too small by.
     fn compensation(&self) -> A;
 }
@@ -55,12 +52,6 @@ impl<A: Array, const ACTION: bool> Summation<A> for Plain<ACTION> {
     }
     #[inline(always)]
     fn compensate(&mut self, _: &A) {}
-    #[inline(always)]
-    fn add_some(&mut self, some: Range<usize>, x: &mut A, increment: &A, _: &A) {
-        for i in some {
-            x.as_mut_slice()[i] += increment.as_slice()[i];
-        }
-    }
     #[inline(always)]
     fn compensation(&self) -> A {
         A::zero()
@@ -110,14 +101,6 @@ impl<A: Array> Summation<A> for Compensated<A> {
     #[inline(always)]
     fn compensate(&mut self, error: &A) {
         self.compensation.add_scaled(A::Real::from_f64(1.0), error);
-    }
-    #[inline(always)]
-    fn add_some(&mut self, some: Range<usize>, x: &mut A, increment: &A, error: &A) {
-        let compensation = self.compensation.as_mut_slice();
-        for i in some {
-            add_compensated(&mut x.as_mut_slice()[i], &mut compensation[i], increment.as_slice()[i]);
-            compensation[i] += error.as_slice()[i];
-        }
     }
     #[inline(always)]
     fn compensation(&self) -> A {

@@ -7,7 +7,7 @@
 /// Schemes by increments of one coordinate after another: Itoh–Abe and `CoordinateIncrement`.
 mod increments;
 /// Approximate Newton matrix of `FourthOrder(DiscreteGradient)`.
-mod nearly;
+mod fourth_matrix;
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Hamiltonian, Method, Reason};

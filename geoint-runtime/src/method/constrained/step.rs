@@ -2,9 +2,9 @@
 
 use crate::method::{Deciding, Probe, Refusal};
 use crate::scalar::Real;
-use crate::solving::equation::StepEquation;
+use crate::solving::equation::{Effort, Solution, StepEquation};
 use crate::solving::newton::Newton;
-use crate::space::vector::{difference, sum};
+use crate::space::vector::sum;
 use crate::space::{Array, Square};
 use crate::system::{ConstrainedStep, Poles, on_one_side};
 
@@ -47,8 +47,8 @@ impl<S: ConstrainedStep<M, R>, M, R: Real> Equation<'_, S, M, R> {
         newton: &mut Newton<S::Unknown>,
         deciding: &mut Deciding<'_, P, S::Phase>,
     ) -> Result<S::Phase, Refusal> {
-        match newton.solve(self, deciding).checked() {
-            Ok((x, _)) => Ok(self.system.end(self.constants, &self.begun, &x)),
+        match newton.solve(self, deciding) {
+            Ok(Solution { x, .. }) => Ok(self.system.end(self.constants, &self.begun, &x)),
             Err(refusal) => Err(self.explained(refusal)),
         }
     }
@@ -65,7 +65,7 @@ impl<S: ConstrainedStep<M, R>, M, R: Real> Equation<'_, S, M, R> {
 impl<S: ConstrainedStep<M, R>, M, R: Real, P: Probe<S, R>> StepEquation<S::Unknown, Deciding<'_, P, S::Phase>>
     for Equation<'_, S, M, R>
 {
-    const PATIENT: bool = P::PATIENT;
+    const EFFORT: Effort = P::EFFORT;
 
     #[inline(always)]
     fn origin(&self) -> S::Unknown {
@@ -73,26 +73,15 @@ impl<S: ConstrainedStep<M, R>, M, R: Real, P: Probe<S, R>> StepEquation<S::Unkno
     }
 
     /// The first iteration finds what an explicit step would.
-    fn explicit(&self) -> S::Unknown {
+    fn guess(&self) -> S::Unknown {
         S::Unknown::zero()
     }
 
     #[inline(always)]
-    fn evaluate(
+    fn residual(
         &self,
         watch: &mut Deciding<'_, P, S::Phase>,
         x: &S::Unknown,
-        matrix: &mut Square<S::Unknown>,
-    ) -> S::Unknown {
-        difference(x, &self.residual_at(watch, x, x, matrix))
-    }
-
-    #[inline(always)]
-    fn residual_at(
-        &self,
-        watch: &mut Deciding<'_, P, S::Phase>,
-        x: &S::Unknown,
-        _: &S::Unknown,
         matrix: &mut Square<S::Unknown>,
     ) -> S::Unknown {
         let Equation { system, constants, begun, t, z } = self;

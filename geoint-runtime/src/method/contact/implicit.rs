@@ -2,11 +2,11 @@
 
 use super::{ContactDiscreteGradient, ContactMidpoint};
 use crate::method::composition::substeps;
-use crate::method::{Claims, Earlier, Method, Name, Probe, Refusal, Step, StepsOf, check_end, start};
+use crate::method::{Claims, Method, Name, Probe, Refusal, Step, StepsOf, check_end, start};
 use crate::scalar::{Real, zero};
-use crate::solving::equation::StepEquation;
-use crate::solving::newton::{Found, Newton};
-use crate::space::vector::moved;
+use crate::solving::equation::{Effort, Solution, StepEquation};
+use crate::solving::newton::Newton;
+use crate::space::vector::{difference, moved};
 use crate::space::{Array, PerCoordinate, Square, Summation};
 use crate::system::{ByField, ByTree, ContactCollocated, ContactGraded, ImplicitStep, Poles};
 
@@ -41,7 +41,7 @@ impl<S: ImplicitStep<M, R>, M, R: Real> Clone for Equation<'_, S, M, R> {
 impl<S: ImplicitStep<M, R>, M, R: Real> Copy for Equation<'_, S, M, R> {}
 
 impl<S: ImplicitStep<M, R>, M, R: Real, P: Probe<S, R>> StepEquation<S::Unknown, P> for Equation<'_, S, M, R> {
-    const PATIENT: bool = P::PATIENT;
+    const EFFORT: Effort = P::EFFORT;
 
     #[inline(always)]
     fn origin(&self) -> S::Unknown {
@@ -49,7 +49,7 @@ impl<S: ImplicitStep<M, R>, M, R: Real, P: Probe<S, R>> StepEquation<S::Unknown,
     }
 
     /// Φ(Φ(0)) is the explicit midpoint rule, or as good.
-    fn explicit(&self) -> S::Unknown {
+    fn guess(&self) -> S::Unknown {
         let Equation { system, constants, begun, .. } = self;
         let none = S::Unknown::zero();
         let [mut once, mut twice] = [none; 2];
@@ -60,13 +60,13 @@ impl<S: ImplicitStep<M, R>, M, R: Real, P: Probe<S, R>> StepEquation<S::Unknown,
     }
 
     #[inline(always)]
-    fn evaluate(&self, probe: &mut P, d: &S::Unknown, matrix: &mut Square<S::Unknown>) -> S::Unknown {
+    fn residual(&self, probe: &mut P, d: &S::Unknown, matrix: &mut Square<S::Unknown>) -> S::Unknown {
         let Equation { system, constants, begun, middle, origin, ahead } = self;
         let PerCoordinate { z, s } = apart::<S, M, R>(&moved(origin, R::from_f64(*ahead), d));
         probe.visit(*middle, &z, &s);
         let mut image = S::Unknown::zero();
         system.image(constants, begun, d, &mut image, matrix);
-        image
+        difference(d, &image)
     }
 }
 
@@ -85,8 +85,7 @@ fn step<S: ImplicitStep<M, R>, M, R: Real, C: Summation<S::Phase>, P: Probe<S, R
     entries[n] = x.s;
     let begun = system.begin(constants, middle, &origin);
     let equation = Equation::<S, M, R> { system, constants, begun, middle, origin, ahead };
-    let Found { x: d, outcome, .. } = newton.solve(&equation, probe);
-    outcome?;
+    let Solution { x: d, .. } = newton.solve(&equation, probe)?;
 
     let increments = system.end(constants, &equation.begun, &d);
     if !increments.is_finite() {
@@ -118,11 +117,6 @@ macro_rules! steps {
 
             fn memory() -> Self::Memory {
                 Newton::new(S::Array::LEN, 3)
-            }
-
-            #[inline(always)]
-            fn follow(newton: &mut Self::Memory, before: [Earlier<'_, Self::Memory, R>; 2]) {
-                newton.follow(before.map(|earlier| earlier.of_increments(|newton| newton)));
             }
 
             #[inline(always)]
@@ -167,11 +161,6 @@ macro_rules! methods {
 
             fn memory() -> Self::Memory {
                 <S::$of as StepsOf<$method, S, R>>::memory()
-            }
-
-            #[inline(always)]
-            fn follow(memory: &mut Self::Memory, before: [Earlier<'_, Self::Memory, R>; 2]) {
-                <S::$of as StepsOf<$method, S, R>>::follow(memory, before);
             }
 
             #[inline(always)]

@@ -1,10 +1,10 @@
 //! Steps of the polarised discrete gradient of a Lagrangian with an action: see [`ContactPolarised`].
 
 use super::ContactDiscreteGradient;
-use crate::ablation;
-use crate::method::{Earlier, Probe, Refusal, Step, StepsOf, check_end, start};
+use crate::method::{Probe, Refusal, Step, StepsOf, check_end, start};
 use crate::scalar::{Real, zero};
-use crate::solving::equation::{Observer, StepEquation};
+use crate::solving::Observer;
+use crate::solving::equation::{Effort, Solution, StepEquation};
 use crate::solving::newton::Newton;
 use crate::space::vector::{difference, dot, moved, product, scaled, sum};
 use crate::space::{Array, PerCoordinate, Record, Square, Summation, Tape};
@@ -50,11 +50,6 @@ impl<S: ContactPolarised<R>, R: Real> StepsOf<ContactDiscreteGradient, S, R> for
     }
 
     #[inline(always)]
-    fn follow(memory: &mut Self::Memory, before: [Earlier<'_, Self::Memory, R>; 2]) {
-        memory.newton.follow(before.map(|earlier| earlier.of_increments(|memory| &memory.newton)));
-    }
-
-    #[inline(always)]
     fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         Prepared { parameters, poles, h, is_definite }: &Self::Prepared,
         Memory { newton, regular, v: near }: &mut Self::Memory,
@@ -64,19 +59,13 @@ impl<S: ContactPolarised<R>, R: Real> StepsOf<ContactDiscreteGradient, S, R> for
         probe.visit(t, &z, &s);
         // With time frozen in the middle of the step.
         let sign = regular.begin(system, *is_definite, (t, &z, &s))?;
-        if const { !ablation::LAST_VELOCITY } {
-            *near = S::Array::zero();
-        }
         let v = velocity_near(system, middle, &z, &s, *near).ok_or(Refusal::Singular)?;
         let begun = system.begin(parameters, middle, &z, &s, &v);
         let units = units(system, middle, &z, &s, (&v, sign));
         let equation = Equation { system, parameters, middle, h: *h, z, s, v, begun, units };
         let none = S::Unknown::zero();
         let mut seen = Seen { probe, d: none, increments: none, by_d: S::Unknown::fill(none) };
-        let (d, _) = newton.solve(&equation, &mut seen).checked()?;
-        if const { !ablation::LAST_EVALUATION } {
-            equation.residual_at(&mut seen, &d, &d, &mut S::Unknown::fill(none));
-        }
+        let Solution { x: d, .. } = newton.solve(&equation, &mut seen)?;
         // Increments where they were evaluated last, and what the last correction changes them by: its square is rounding.
         let correction = difference(&d, &seen.d);
         let mut increments = seen.increments;
@@ -177,7 +166,7 @@ impl<P: Observer, D: Array> Observer for Seen<'_, P, D> {
 impl<S: ContactPolarised<R>, R: Real, P: Probe<S, R>> StepEquation<S::Unknown, Seen<'_, P, S::Unknown>>
     for Equation<'_, S, R>
 {
-    const PATIENT: bool = P::PATIENT;
+    const EFFORT: Effort = P::EFFORT;
 
     #[inline(always)]
     fn origin(&self) -> S::Unknown {
@@ -185,28 +174,17 @@ impl<S: ContactPolarised<R>, R: Real, P: Probe<S, R>> StepEquation<S::Unknown, S
     }
 
     /// The increments as if v' and s' were constant.
-    fn explicit(&self) -> S::Unknown {
+    fn guess(&self) -> S::Unknown {
         let mut at = ContactStage::none();
         self.system.stage(&self.system.stage_constants(), self.middle, &self.z[0], &self.v, &self.s, &mut at);
         scaled(self.h, &self.together(&at.acceleration(&self.v), at.lagrangian))
     }
 
     #[inline(always)]
-    fn evaluate(
-        &self,
-        seen: &mut Seen<'_, P, S::Unknown>,
-        d: &S::Unknown,
-        matrix: &mut Square<S::Unknown>,
-    ) -> S::Unknown {
-        difference(d, &self.residual_at(seen, d, d, matrix))
-    }
-
-    #[inline(always)]
-    fn residual_at(
+    fn residual(
         &self,
         Seen { probe, d: last, increments, by_d }: &mut Seen<'_, P, S::Unknown>,
         d: &S::Unknown,
-        _: &S::Unknown,
         matrix: &mut Square<S::Unknown>,
     ) -> S::Unknown {
         let s = self.s + self.apart(d).1;

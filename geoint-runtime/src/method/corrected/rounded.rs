@@ -38,10 +38,10 @@ pub(crate) fn check_step<S: Graded<R>, R: Real, P: Probe<S, R>, C>(
     x: &mut Point<S::Phase, C, S::Action>,
 ) -> Result<(), Refusal> {
     if const { S::State::MOMENTA } {
-        return if P::PATIENT || S::ANGLES { check_energy(system, before, &x.z) } else { Ok(()) };
+        return if P::EFFORT.is_thorough() || S::ANGLES { check_energy(system, before, &x.z) } else { Ok(()) };
     }
     Refusal::outside(jump_of_integral(system, t, [before, &x.z], x.s))?;
-    if P::PATIENT {
+    if P::EFFORT.is_thorough() {
         let kept = KeptBy::<S, R>::default();
         let changes = kept.changes(system, before, &difference(&x.z, before));
         return refuse(system, &kept, &changes, [before, &x.z, &x.z]);

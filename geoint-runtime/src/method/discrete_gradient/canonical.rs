@@ -61,17 +61,8 @@ pub fn loosen<A: Array>(start: &mut Begun<A>) -> bool {
 ///
 /// Lengths of a correction need a metric M, because positions and momenta have different units: that of
 /// [`Gonzalez`](super::Gonzalez), at the point c, with positions and momenta exchanged, which for an oscillator is its inverse.
-///
-/// `NEARLY`, and with no momenta, the matrix is 1 − h/2 J∇²H(c): what that lacks of 1 − A is of the order of A², as what is left out of a correction
-/// by two terms of a series.
 #[inline(always)]
-pub fn slope<
-    const NEARLY: bool,
-    const AUTONOMOUS: bool,
-    const N: usize,
-    S: DiscreteField<R> + Conservative<R>,
-    R: Real,
->(
+pub fn slope<const AUTONOMOUS: bool, const N: usize, S: DiscreteField<R> + Conservative<R>, R: Real>(
     system: &S,
     parameters: &ParametersOf<S, R>,
     &Begun { span, z, rate, loose }: &Begun<S::Array>,
@@ -94,19 +85,14 @@ pub fn slope<
     velocity.add_scaled(R::from_f64(4.0), &turned(&third.g));
     let velocity = scaled(sixth, &velocity);
     let mut slope = turned_rows(&third.derivative);
-    if NEARLY {
-        slope.rows().iter_mut().for_each(|row| *row = scaled(half, row));
-    } else {
-        let end_rows = turned_rows(&end.derivative);
-        let by_third = slope;
-        for (i, (slope, end_row)) in slope.rows().iter_mut().zip(end_rows.rows_of()).enumerate() {
-            let (mut along, bent) = (<S::Phase as Array>::zero(), by_third.rows_of()[i]);
-            for (bent, end_row) in Array::as_slice(&bent).iter().zip(end_rows.rows_of()) {
-                along.add_scaled(*bent, end_row);
-            }
-            let by_end = moved(&scaled(half, &bent), -eighth * h, &along);
-            *slope = scaled(sixth, &moved(end_row, R::from_f64(4.0), &by_end));
+    let (end_rows, by_third) = (turned_rows(&end.derivative), slope);
+    for (i, (slope, end_row)) in slope.rows().iter_mut().zip(end_rows.rows_of()).enumerate() {
+        let (mut along, bent) = (<S::Phase as Array>::zero(), by_third.rows_of()[i]);
+        for (bent, end_row) in Array::as_slice(&bent).iter().zip(end_rows.rows_of()) {
+            along.add_scaled(*bent, end_row);
         }
+        let by_end = moved(&scaled(half, &bent), -eighth * h, &along);
+        *slope = scaled(sixth, &moved(end_row, R::from_f64(4.0), &by_end));
     }
 
     let mut mean = velocity;
@@ -127,15 +113,13 @@ pub fn slope<
         } else {
             let weights;
             (mean, weights) = projector.projected(&velocity);
-            if !NEARLY {
-                projector.derivative((&mut slope, &mean), (&mut of_g, &weights), |z| {
-                    let (mut bent, constant) = (momenta(z), momenta(&<S::Phase>::zero()));
-                    for (bent, constant) in bent.iter_mut().zip(&constant) {
-                        *bent = scaled(half, &difference(bent, constant));
-                    }
-                    bent
-                });
-            }
+            projector.derivative((&mut slope, &mean), (&mut of_g, &weights), |z| {
+                let (mut bent, constant) = (momenta(z), momenta(&<S::Phase>::zero()));
+                for (bent, constant) in bent.iter_mut().zip(&constant) {
+                    *bent = scaled(half, &difference(bent, constant));
+                }
+                bent
+            });
         }
     }
     *image = scaled(h, &mean);

@@ -3,7 +3,7 @@
 use super::matrix::Matrix;
 use crate::method::Probe;
 use crate::scalar::Real;
-use crate::solving::equation::Observer;
+use crate::solving::Observer;
 use crate::space::vector::{entries, moved, opposite, sum};
 use crate::space::{Array, Square};
 use crate::system::{Conservative, DiscreteField, Span};

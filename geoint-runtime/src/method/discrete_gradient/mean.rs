@@ -120,7 +120,7 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Prepared<G
         })?;
         point.add_with(sums, &d, &S::Phase::zero());
         if G::is_exact::<S, R>() {
-            point.doubtful |= !P::PATIENT && solver.leaves_rounding;
+            point.doubtful |= !P::EFFORT.is_thorough() && solver.leaves_rounding;
             rounded::check_step::<S, R, P, C>(system, [t, end], &x, point)?;
         }
         check_conditions(system, t + half, &decided, point)?;

@@ -2,20 +2,16 @@
 
 use super::mean::MeanGradient;
 use super::{DiscreteGradient, FourthOrder};
-use crate::ablation;
 use crate::method::corrected::range::is_representable;
 use crate::method::corrected::{kept, rounded};
 use crate::method::{Claims, Deciding, Method, Name, Probe, Refusal, Step, check_conditions, check_end, start};
 use crate::scalar::Real;
-use crate::solving::equation::StepEquation;
-use crate::solving::newton::{Found, Newton};
+use crate::solving::equation::Magnitudes;
+use crate::solving::equation::{Effort, Solution, StepEquation};
+use crate::solving::newton::Newton;
 use crate::space::vector::{difference, moved, scaled, sum};
 use crate::space::{Array, Compensated, Record, Snapshot, Square, Summation, Tape};
 use crate::system::{FourthOrderField, Invariants, KeptBy, Poles, Span};
-
-/// From so many unknowns on what is evaluated is so long that a call costs nothing beside it: Kepler's problem, with four, takes the same time, and
-/// two thirds of the code. With two, as a pendulum, a call costs a fifth of the time.
-const LONG: usize = 4;
 
 /// Coefficients of a step.
 #[derive(Clone, Debug)]
@@ -63,33 +59,20 @@ impl<S: FourthOrderField<R>, R: Real> Copy for Equation<'_, S, R> {}
 impl<S: FourthOrderField<R>, R: Real, P: Probe<S, R>> StepEquation<S::Phase, Deciding<'_, P, S::Phase>>
     for Equation<'_, S, R>
 {
-    const PATIENT: bool = P::PATIENT;
-    const SETTLED: bool = <KeptBy<S, R> as Invariants<S, R>>::Values::LEN > 0;
-    const OF_NOW: bool = !S::State::MOMENTA;
-    /// For the gradients of momenta it would not do: they may nearly depend on that of the energy, and then the projection changes much on a short way.
-    const NEARLY: bool = ablation::SERIES_MATRIX
-        && S::State::MOMENTA
-        && S::Phase::LEN >= LONG
-        && <KeptBy<S, R> as Invariants<S, R>>::Values::LEN == 1;
+    const EFFORT: Effort = P::EFFORT;
+    const MAGNITUDES: Magnitudes = if S::State::MOMENTA { Magnitudes::Recent } else { Magnitudes::Present };
+
+    fn is_bound_by_energy(&self) -> bool {
+        <KeptBy<S, R> as Invariants<S, R>>::Values::LEN > 0
+    }
 
     #[inline(always)]
     fn origin(&self) -> S::Phase {
         self.z
     }
 
-    /// What counts is the mean z + d/2, as in steps of order 2.
-    #[inline(always)]
-    fn point(&self, d: &S::Phase) -> S::Phase {
-        if ablation::CARRIES { moved(d, R::from_f64(2.0), &self.compensation) } else { *d }
-    }
-
-    #[inline(always)]
-    fn unknown(&self, point: &S::Phase) -> S::Phase {
-        if ablation::CARRIES { moved(point, R::from_f64(-2.0), &self.compensation) } else { *point }
-    }
-
     /// The explicit midpoint rule.
-    fn explicit(&self) -> S::Phase {
+    fn guess(&self) -> S::Phase {
         let Equation { system, t, h, z, .. } = self;
         let half = R::from_f64(0.5) * *h;
         let mut rate = S::Phase::zero();
@@ -99,64 +82,14 @@ impl<S: FourthOrderField<R>, R: Real, P: Probe<S, R>> StepEquation<S::Phase, Dec
     }
 
     #[inline(always)]
-    fn evaluate(&self, watch: &mut Deciding<'_, P, S::Phase>, d: &S::Phase, matrix: &mut Square<S::Phase>) -> S::Phase {
-        if const { S::Phase::LEN >= LONG } {
-            return self.apart::<false, P>(watch, d, matrix);
-        }
+    fn residual(&self, watch: &mut Deciding<'_, P, S::Phase>, d: &S::Phase, matrix: &mut Square<S::Phase>) -> S::Phase {
         watch.visit(self.t, &sum(&self.z, d));
         let mut image = S::Phase::zero();
-        self.system.fourth_slope::<false>(self.parameters, &self.begun, d, &mut image, matrix);
-        image
+        // What counts is the mean z + d/2, as in steps of order 2.
+        let point = moved(d, R::from_f64(2.0), &self.compensation);
+        self.system.fourth_slope(self.parameters, &self.begun, &point, &mut image, matrix);
+        difference(d, &image)
     }
-
-    #[inline(always)]
-    fn nearly(&self, watch: &mut Deciding<'_, P, S::Phase>, d: &S::Phase, matrix: &mut Square<S::Phase>) -> S::Phase {
-        self.apart::<true, P>(watch, d, matrix)
-    }
-
-    /// Of a step that needs more than one evaluation, or is watched: apart for few unknowns, too. A pendulum is a fifth less to compile, and 3 to 5 %
-    /// slower in long steps; kernels of fields are short, and up to a tenth slower.
-    #[inline(always)]
-    fn residual(&self, watch: &mut Deciding<'_, P, S::Phase>, x: &S::Phase, matrix: &mut Square<S::Phase>) -> S::Phase {
-        let point = <Self as StepEquation<S::Phase, Deciding<'_, P, S::Phase>>>::point(self, x);
-        if const { S::State::MOMENTA } {
-            difference(x, &self.apart::<false, P>(watch, &point, matrix))
-        } else {
-            difference(x, &self.evaluate(watch, &point, matrix))
-        }
-    }
-}
-
-impl<S: FourthOrderField<R>, R: Real> Equation<'_, S, R> {
-    #[inline(always)]
-    fn apart<const NEARLY: bool, P: Probe<S, R>>(
-        &self,
-        watch: &mut Deciding<'_, P, S::Phase>,
-        d: &S::Phase,
-        matrix: &mut Square<S::Phase>,
-    ) -> S::Phase {
-        watch.visit(self.t, &sum(&self.z, d));
-        let mut image = S::Phase::zero();
-        if const { ablation::ONE_FUNCTION } {
-            slope_apart::<NEARLY, _, _>(self.system, self.parameters, &self.begun, d, &mut image, matrix);
-        } else {
-            self.system.fourth_slope::<NEARLY>(self.parameters, &self.begun, d, &mut image, matrix);
-        }
-        image
-    }
-}
-
-/// Here once for all evaluations that are not in the loop over steps.
-#[inline(never)]
-fn slope_apart<const NEARLY: bool, S: FourthOrderField<R>, R: Real>(
-    system: &S,
-    parameters: &S::FourthParameters,
-    begun: &S::FourthStart,
-    d: &S::Phase,
-    image: &mut S::Phase,
-    matrix: &mut Square<S::Phase>,
-) {
-    system.fourth_slope::<NEARLY>(parameters, begun, d, image, matrix);
 }
 
 impl<S: FourthOrderField<R>, R: Real> Method<S, R> for FourthOrder<DiscreteGradient> {
@@ -204,9 +137,9 @@ impl<S: FourthOrderField<R>, R: Real> Method<S, R> for FourthOrder<DiscreteGradi
         let compensation = if C::PLAIN { sums.compensation() } else { x.sums.compensation() };
         let mut deciding = Deciding::of::<S, R>(probe, &z);
         let equation = Equation { system, parameters, t, h, z, compensation, begun };
-        let before = P::PATIENT.then_some(*newton);
+        let before = P::EFFORT.is_thorough().then_some(*newton);
         let mut found = newton.solve(&equation, &mut deciding);
-        if let (Some(before), Err(_)) = (before, found.outcome) {
+        if let (Some(before), Err(_)) = (before, found) {
             // On an orbit on which gradients depend on each other all along, as a circle, no step keeps all in this way.
             let mut loose = equation;
             if S::fourth_loosen(&mut loose.begun) {
@@ -214,11 +147,10 @@ impl<S: FourthOrderField<R>, R: Real> Method<S, R> for FourthOrder<DiscreteGradi
                 found = newton.solve(&loose, &mut deciding);
             }
         }
-        let Found { x: d, lost, outcome } = found;
-        outcome?;
+        let Solution { x: d, rounding_error } = found?;
         let Deciding { probe, decided } = deciding;
         let before = start::<S, R, C>(x);
-        x.add_with(sums, &d, &if ablation::CARRIES { lost } else { S::Phase::zero() });
+        x.add_with(sums, &d, &rounding_error);
         rounded::check_step::<S, R, P, C>(system, [t, end], &before.0, x)?;
         check_conditions(system, span.middle, &decided, x)?;
         check_end(poles, &before, Step { system, t, end, x, probe })

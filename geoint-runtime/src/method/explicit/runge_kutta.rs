@@ -130,7 +130,7 @@ impl<R: Real, const K: usize> Prepared<R, K> {
                 }
             )* };
         }
-        if const { !P::PATIENT && K <= 16 } {
+        if const { !P::EFFORT.is_thorough() && K <= 16 } {
             stages!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);
         } else {
             for i in 0..K {

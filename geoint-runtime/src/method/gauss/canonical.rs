@@ -4,9 +4,9 @@
 
 use super::prepared::Prepared;
 use super::{Gauss, GaussTableau};
-use crate::method::{Earlier, Probe, Refusal, Step, StepsOf, check_end, check_way, start};
+use crate::method::{Probe, Refusal, Step, StepsOf, check_end, check_way, start};
 use crate::scalar::Real;
-use crate::solving::equation::StepEquation;
+use crate::solving::equation::{Effort, Solution, StepEquation};
 use crate::solving::newton::Newton;
 use crate::solving::rounding::{Corrections, MAX_ITERATIONS, Verdict};
 use crate::solving::size::Sizes;
@@ -31,11 +31,6 @@ where
     }
 
     #[inline(always)]
-    fn follow(newton: &mut Self::Memory, before: [Earlier<'_, Self::Memory, R>; 2]) {
-        newton.follow(before.map(|earlier| earlier.of_increments(|newton| newton)));
-    }
-
-    #[inline(always)]
     fn step<C: Summation<Y::Phase>, P: Probe<Y, R>>(
         prepared: &Self::Prepared,
         newton: &mut Self::Memory,
@@ -45,7 +40,7 @@ where
         let begun = At::new(system, &prepared.constants, t, x.z);
         let (inverse, _) = inverse(&begun.derivatives[VALUE], &x.z).ok_or(Refusal::Singular)?;
         let equation = StagePoints { system, prepared, t, z: x.z, y: begun.value, rate: begun.rate, inverse: &inverse };
-        let (d, _) = newton.solve(&equation, probe).checked()?;
+        let Solution { x: d, .. } = newton.solve(&equation, probe)?;
 
         let mut change = Y::Phase::zero();
         for i in 0..S {
@@ -134,31 +129,20 @@ impl<Y: CanonicalForm<R>, R: Real, const S: usize> StagePoints<'_, Y, R, S> {
 impl<Y: CanonicalForm<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<[Y::Phase; S], P>
     for StagePoints<'_, Y, R, S>
 {
-    const PATIENT: bool = P::PATIENT;
+    const EFFORT: Effort = P::EFFORT;
 
     #[inline(always)]
     fn origin(&self) -> [Y::Phase; S] {
         [self.z; S]
     }
 
-    fn explicit(&self) -> [Y::Phase; S] {
+    fn guess(&self) -> [Y::Phase; S] {
         let rate = self.inverse.times(&self.rate);
         self.prepared.nodes.map(|node| scaled(node, &rate))
     }
 
     #[inline(always)]
-    fn evaluate(&self, probe: &mut P, d: &[Y::Phase; S], matrix: &mut Square<[Y::Phase; S]>) -> [Y::Phase; S] {
-        difference(d, &self.residual_at(probe, d, d, matrix))
-    }
-
-    #[inline(always)]
-    fn residual_at(
-        &self,
-        probe: &mut P,
-        d: &[Y::Phase; S],
-        _: &[Y::Phase; S],
-        matrix: &mut Square<[Y::Phase; S]>,
-    ) -> [Y::Phase; S] {
+    fn residual(&self, probe: &mut P, d: &[Y::Phase; S], matrix: &mut Square<[Y::Phase; S]>) -> [Y::Phase; S] {
         let stages: [At<Y::Phase>; S] = core::array::from_fn(|i| {
             let (t, z) = (self.t + self.prepared.nodes[i], sum(&self.z, &d[i]));
             probe.visit(t, &z, &());

@@ -5,9 +5,10 @@ use super::prepared::{Prepared, PreparedFields};
 use super::stages::Stages;
 use super::{Gauss, GaussTableau};
 use crate::method::explicit::tableau::Tableau;
-use crate::method::{Earlier, Estimate, Probe, Refusal, Step, StepsOf, check_end, check_way, start};
+use crate::method::{Estimate, Probe, Refusal, Step, StepsOf, check_end, check_way, start};
 use crate::scalar::Real;
-use crate::solving::newton::{Found, Newton};
+use crate::solving::equation::Solution;
+use crate::solving::newton::Newton;
 use crate::space::{Array, PerCoordinate, Snapshot, Summation};
 use crate::system::{ByField, Collocation};
 use core::array::from_fn;
@@ -47,11 +48,6 @@ where
 
     fn memory() -> Self::Memory {
         Newton::new(Y::State::ALIKE, Y::Unknown::LEN / Y::State::ALIKE)
-    }
-
-    #[inline(always)]
-    fn follow(newton: &mut Self::Memory, before: [Earlier<'_, Self::Memory, R>; 2]) {
-        newton.follow(before.map(|earlier| earlier.of_rates(|newton| newton)));
     }
 
     #[inline(always)]
@@ -95,8 +91,7 @@ fn taken<Y: Collocation<R>, R: Real, C: Summation<Y::Phase>, P: Probe<Y, R>, con
 ) -> Result<[Y::Unknown; S], Refusal> {
     let zero = Y::Unknown::zero();
     probe.visit(t, &x.z, &());
-    let Found { x: k, outcome, .. } = newton.solve(equation, probe);
-    outcome?;
+    let Solution { x: k, .. } = newton.solve(equation, probe)?;
 
     let PreparedFields { stages: Prepared { poles, constants, h, nodes, weights, .. }, increments, .. } =
         equation.prepared;

@@ -32,7 +32,7 @@ pub(in crate::method) mod velocities;
 pub use tableau::GaussTableau;
 
 use crate::method::composition::{Composed, Composition, SymmetricMap};
-use crate::method::{And, Claims, Earlier, Estimate, Method, Name, Probe, Refusal, Step, StepsOf};
+use crate::method::{And, Claims, Estimate, Method, Name, Probe, Refusal, Step, StepsOf};
 use crate::scalar::Real;
 use crate::space::Summation;
 use crate::system::Collocated;
@@ -85,11 +85,6 @@ where
     }
 
     #[inline(always)]
-    fn follow(memory: &mut Self::Memory, before: [Earlier<'_, Self::Memory, R>; 2]) {
-        <Y::Stages as StepsOf<Self, Y, R>>::follow(memory, before);
-    }
-
-    #[inline(always)]
     fn step<C: Summation<Y::Phase>, P: Probe<Y, R>>(
         prepared: &Self::Prepared,
         memory: &mut Self::Memory,
@@ -134,11 +129,6 @@ where
 
     fn memory() -> Self::Memory {
         <Gauss<1> as Method<Y, R>>::memory()
-    }
-
-    #[inline(always)]
-    fn follow(memory: &mut Self::Memory, before: [Earlier<'_, Self::Memory, R>; 2]) {
-        <Gauss<1> as Method<Y, R>>::follow(memory, before);
     }
 
     #[inline(always)]

@@ -3,8 +3,8 @@
 use super::prepared::{Prepared, PreparedFields};
 use crate::method::Probe;
 use crate::scalar::Real;
-use crate::solving::equation::StepEquation;
-use crate::space::vector::{scaled, sum};
+use crate::solving::equation::{Effort, StepEquation};
+use crate::space::vector::{difference, scaled, sum};
 use crate::space::{Array, Square};
 use crate::system::Collocation;
 
@@ -94,7 +94,7 @@ impl<'a, Y: Collocation<R>, R: Real, const S: usize> Stages<'a, Y, R, S> {
 impl<Y: Collocation<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<[Y::Unknown; S], P>
     for Stages<'_, Y, R, S>
 {
-    const PATIENT: bool = P::PATIENT;
+    const EFFORT: Effort = P::EFFORT;
 
     /// −2p/h turns p round in the middle of the step.
     fn standstill(&self) -> f64 {
@@ -108,7 +108,7 @@ impl<Y: Collocation<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<[Y
     }
 
     /// The stages as if y' were constant.
-    fn explicit(&self) -> [Y::Unknown; S] {
+    fn guess(&self) -> [Y::Unknown; S] {
         let Prepared { constants, nodes, .. } = &self.prepared.stages;
         let mut slope = Y::Unknown::fill(Y::Unknown::zero());
         let mut rate = self.velocity;
@@ -129,7 +129,7 @@ impl<Y: Collocation<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<[Y
     }
 
     #[inline(always)]
-    fn evaluate(&self, probe: &mut P, k: &[Y::Unknown; S], matrix: &mut Square<[Y::Unknown; S]>) -> [Y::Unknown; S] {
+    fn residual(&self, probe: &mut P, k: &[Y::Unknown; S], matrix: &mut Square<[Y::Unknown; S]>) -> [Y::Unknown; S] {
         let PreparedFields { stages: Prepared { constants, .. }, coupling, .. } = self.prepared;
         let rows = <[Y::Unknown; S]>::entries::<[Y::Unknown; S]>(matrix);
         let mut all = [Y::Unknown::zero(); S];
@@ -147,6 +147,6 @@ impl<Y: Collocation<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<[Y
                 row[i].as_mut_slice()[r] += R::from_f64(1.0);
             }
         }
-        all
+        difference(k, &all)
     }
 }

@@ -4,10 +4,10 @@
 
 use super::prepared::Prepared;
 use super::{Gauss, GaussTableau};
-use crate::ablation;
-use crate::method::{Earlier, Probe, Refusal, Step, StepsOf, check_end, check_way, start};
+use crate::method::{Probe, Refusal, Step, StepsOf, check_end, check_way, start};
 use crate::scalar::Real;
-use crate::solving::equation::{Observer, StepEquation};
+use crate::solving::Observer;
+use crate::solving::equation::{Effort, Solution, StepEquation};
 use crate::solving::newton::Newton;
 use crate::space::vector::{difference, dot, moved, scaled, sum};
 use crate::space::{Array, Record, Square, Summation, Tape};
@@ -54,11 +54,6 @@ where
     }
 
     #[inline(always)]
-    fn follow(memory: &mut Self::Memory, before: [Earlier<'_, Self::Memory, R>; 2]) {
-        memory.newton.follow(before.map(|earlier| earlier.of_rates(|memory| &memory.newton)));
-    }
-
-    #[inline(always)]
     fn step<C: Summation<Y::Phase>, P: Probe<Y, R>>(
         PreparedVelocities { stages: prepared, is_definite }: &Self::Prepared,
         Memory { newton, regular }: &mut Self::Memory,
@@ -69,10 +64,7 @@ where
         let sign = regular.begin(system, *is_definite, (t, &z, &()))?;
         let equation = StageVelocities { system, prepared, t, z, sign };
         let mut seen = Seen { probe, v: [none; S], stages: [Stage::none(); S] };
-        let (v, _) = newton.solve(&equation, &mut seen).checked()?;
-        if const { !ablation::LAST_EVALUATION } {
-            equation.residual_at(&mut seen, &v, &v, &mut <[Y::Array; S]>::fill(<[Y::Array; S]>::zero()));
-        }
+        let Solution { x: v, .. } = newton.solve(&equation, &mut seen)?;
 
         let Prepared { poles, h, coupling, nodes, weights, .. } = prepared;
         for (i, node) in nodes.iter().enumerate() {
@@ -181,7 +173,7 @@ impl<P: Observer, A: Array, const S: usize> Observer for Seen<'_, P, A, S> {
 impl<Y: VelocityForm<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<[Y::Array; S], Seen<'_, P, Y::Array, S>>
     for StageVelocities<'_, Y, R, S>
 {
-    const PATIENT: bool = P::PATIENT;
+    const EFFORT: Effort = P::EFFORT;
 
     /// The accuracy of a velocity that can be seen in the position which h times it is added to.
     #[inline(always)]
@@ -190,30 +182,19 @@ impl<Y: VelocityForm<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<[
     }
 
     /// The velocities as if v' were constant.
-    fn explicit(&self) -> [Y::Array; S] {
+    fn guess(&self) -> [Y::Array; S] {
         let none = Y::Array::zero();
         let v = velocity_near(self.system, self.t, &self.z, &(), none).unwrap_or(none);
         let rate = acceleration(self.system, self.t, &self.z[0], &v);
         self.prepared.nodes.map(|node| moved(&v, node, &rate))
     }
 
-    #[inline(always)]
-    fn evaluate(
-        &self,
-        seen: &mut Seen<'_, P, Y::Array, S>,
-        v: &[Y::Array; S],
-        matrix: &mut Square<[Y::Array; S]>,
-    ) -> [Y::Array; S] {
-        difference(v, &self.residual_at(seen, v, v, matrix))
-    }
-
     /// What the momentum of each stage is too large by, and its derivative, a row over |Mᵢᵢ|: then it has the unit of the velocity.
     #[inline(always)]
-    fn residual_at(
+    fn residual(
         &self,
         Seen { probe, v: last, stages }: &mut Seen<'_, P, Y::Array, S>,
         v: &[Y::Array; S],
-        _: &[Y::Array; S],
         matrix: &mut Square<[Y::Array; S]>,
     ) -> [Y::Array; S] {
         let coupling = &self.prepared.coupling;

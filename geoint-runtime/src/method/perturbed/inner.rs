@@ -2,7 +2,7 @@
 
 use crate::method::Probe;
 use crate::scalar::Real;
-use crate::solving::equation::Observer;
+use crate::solving::{Effort, Observer};
 use crate::space::PerCoordinate;
 use crate::system::{
     Cotangent, FlowPart, ForceGradient, Perturbed, PerturbedGradient, PhaseSpace, QuadraticKinetic, Separable,
@@ -114,12 +114,12 @@ impl<S, P: Observer> Observer for Seen<'_, S, P> {
 }
 
 impl<S: Perturbed<R>, R: Real, P: Probe<S, R>> Probe<Inner<S>, R> for Seen<'_, S, P> {
-    const PATIENT: bool = P::PATIENT;
+    const EFFORT: Effort = P::EFFORT;
 
     #[inline(always)]
     fn visit(&mut self, t: R, z: &S::Phase, s: &()) {
         // The fast path sees nothing.
-        if P::PATIENT {
+        if P::EFFORT.is_thorough() {
             self.probe.visit(t, &outer(self.system, z), s);
         }
     }

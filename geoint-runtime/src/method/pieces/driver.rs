@@ -173,7 +173,7 @@ pub(super) fn pass<S: Pieces<M, R>, M, R: Real, C: Summation<S::Phase>, P: Probe
     for piece in pieces {
         let solved = const { solves(S::PIECES) } && S::PIECES[piece].solved;
         let before = (x.z, x.s);
-        let named = P::PATIENT && S::PIECES[piece].may_end && x.is_finite();
+        let named = P::EFFORT.is_thorough() && S::PIECES[piece].may_end && x.is_finite();
         if C::PLAIN {
             // An action that is not followed is dropped here, and with it what it is computed from.
             let mut unread = x.s;

@@ -225,9 +225,9 @@ pub(super) fn seen<S: Separable<R>, R: Real, C: Summation<S::Phase>, P: Probe<S,
 ) -> T {
     probe.visit(t, &x.z, &x.s);
     // The constant first: nothing is compiled of what is not asked.
-    let named = P::PATIENT && const { !S::DRIFT_PARTS.is_empty() } && is_drift && x.is_finite();
+    let named = P::EFFORT.is_thorough() && const { !S::DRIFT_PARTS.is_empty() } && is_drift && x.is_finite();
     let told = flow(Moving::of(system, x));
-    if P::PATIENT && const { !S::DRIFT_PARTS.is_empty() } && named {
+    if P::EFFORT.is_thorough() && const { !S::DRIFT_PARTS.is_empty() } && named {
         for part in S::DRIFT_PARTS {
             probe.flown(part.name, || part.is_finite(&x.z));
         }
@@ -268,7 +268,7 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Method<S, R> for 
         open: &mut Self::Memory,
         step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
-        if P::PATIENT {
+        if P::EFFORT.is_thorough() {
             prepared.watched(step);
         } else {
             let Step { system, t, end, x, .. } = step;

@@ -79,16 +79,20 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
     #[inline(never)]
     fn run(&self, steps: u64, memory: &mut M::Memory, x: &mut Point<S::Phase, C, S::Action>) -> bool {
         let (mut clock, mut taken) = (self.clock, 0);
+        // Copies in local variables: what a pointer leads to would be in memory in each step.
+        let (target_memory, target) = (memory, x);
+        let (mut memory, mut x) = (target_memory.clone(), *target);
         let at_once = if S::EXAMINED || !S::CONTINUOUS { 1 } else { steps };
         while taken < steps {
-            let before = *x;
-            let outcome = M::advance(&self.prepared, memory, &self.system, &clock, at_once, x);
+            let before = x;
+            let outcome = M::advance(&self.prepared, &mut memory, &self.system, &clock, at_once, &mut x);
             taken += at_once;
             clock.pass(at_once);
-            if outcome.is_err() || !self.is_good(taken, x) || self.jump(taken, [&before, x]).is_some() {
+            if outcome.is_err() || !self.is_good(taken, &x) || self.jump(taken, [&before, &x]).is_some() {
                 return false;
             }
         }
+        (*target_memory, *target) = (memory, x);
         true
     }
 

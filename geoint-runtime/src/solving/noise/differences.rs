@@ -1,22 +1,23 @@
-//! Divided differences of a residual at points on a line, and what they say of it: smooth, or rounded to so much.
+//! Computes divided differences of a residual at points on a line. They show whether the residual is smooth, and how large its rounding is.
 
 use super::points::{GOLDEN, Start};
 use crate::scalar::{Real, zero};
 use crate::solving::size::kind;
 
-/// Points on a line at which the residual is evaluated.
+/// The number of points on a line at which the residual is evaluated.
 pub(super) const POINTS: usize = 16;
 
-/// Places for a spread, two deviations, curves, and for differences of lower orders.
+/// The number of spare rows: for the spread, two deviations, the curves, and the differences of each lower order.
 pub(super) const SPARE: usize = 4 + LOWER;
 
-/// The order of the differences, and how many lower ones, from 2 on, are compared with it.
+/// The order of the differences, and the number of lower orders, from 2 on, with which they are compared.
 const ORDER: usize = 4;
 const LOWER: usize = ORDER - 2;
 
-/// Distances from the first point. Were they all alike, digits of a coordinate that is large beside what it changes by would come in a
-/// pattern of few: a coordinate is rounded by the same again and again where the distance is nearly a multiple of its last digit, and nothing is
-/// seen of it.
+/// The distances of the points from the first point.
+///
+/// They are irregular. With equal distances, the digits of a coordinate that is large beside its change would follow a short pattern. If the distance
+/// is nearly a multiple of the last digit, the coordinate is rounded by the same amount again and again, and its rounding remains hidden.
 const NODES: [f64; POINTS] = {
     let (mut nodes, mut j) = ([0.0; POINTS], 0);
     while j < POINTS {
@@ -27,49 +28,55 @@ const NODES: [f64; POINTS] = {
     nodes
 };
 
-/// Differences by rank: a jump changes as many of them as their order is. A quarter of them, half of them, as many as a jump leaves as they were,
-/// and all. Of normal noise half reach to 0.67 of the standard deviation.
+/// Ranks of differences in ascending order: a quarter of them, half of them, as many as a jump leaves unchanged, and all. A jump changes as many
+/// differences as their order.
 const QUARTER: usize = 3;
 const HALF: usize = 5;
 const MOST: usize = POINTS - 2 * ORDER - 1;
 const ALL: usize = POINTS - ORDER - 1;
+/// The median magnitude of normal noise, in standard deviations.
 const MEDIAN: f64 = 0.67;
 
-/// Differences that all shrink by more than this from order to order are those of a smooth function. One of two orders may have a zero.
+/// The largest ratio of differences of one order to the order below for a smooth function. Differences of one of the two lower orders may be zero, so
+/// both orders are compared.
 const SMOOTH: f64 = 0.25;
 
-/// Distances grow by ε^(−1/8): where the differences of order 4 leave the rounding, they are smooth at the next distance.
+/// The number of distances in a range of 1/ε. Distances grow by ε^(−1/8). If the differences of order 4 exceed the rounding at one distance, they are
+/// smooth at the next distance.
 const DISTANCES_PER_EPSILON: i32 = 8;
 
-/// Unknowns that are moved by more than this part of them are far away. Noise of less than so many ε of what the residual changes by is
-/// none of the point then.
+/// The largest distance that counts as near, as a part of the unknowns.
 const NEAR: f64 = 1.0 / 16.0;
+/// The least noise at a distant point that counts, in ε times the change of the residual. Smaller noise is not noise of the point itself.
 const GROWN: f64 = 8.0;
 
-/// Rounding is at most this times √ε of what the residual changes by up to where it is smooth: curves of a function with terms of size 1 are as
-/// large as its rounding, ε, at √ε of its length.
+/// The largest rounding up to the distance at which the residual is smooth, in √ε times the change of the residual. If a function has terms of size
+/// 1, its curves are as large as its rounding, ε, at √ε of its length.
 const ROUGH: f64 = 64.0;
 
-/// Rounding at one distance is at most this times that at another.
+/// The largest ratio of the rounding at one distance to the rounding at another.
 const ALIKE: f64 = 8.0;
 
-/// Distances reach from the last digit of the unknowns to this power of 1/ε times it.
+/// The power of 1/ε by which the distances grow in all, from the last digit of the unknowns on.
 const REACH: i32 = 2;
 
-/// A residual at so much of a direction; whether there is one.
+/// A function that writes the residual at a multiple of the direction. It returns whether the residual exists there.
 pub(super) type Residual<'a, R> = dyn FnMut(R, &mut [R]) -> bool + 'a;
 
-/// What is remembered while rounding is measured. No shape of unknowns is known here: it is compiled once for all of them.
+/// The working memory of a measurement. It knows no shape of the unknowns, so its code is compiled once for all shapes.
 pub(super) struct Memory<'a, R> {
-    /// The residuals at all points, and in spare places how they spread, and their differences of lower orders.
+    /// The residuals at all points. Spare rows hold their spread, the deviations, the curves and the differences of lower orders.
     pub(super) values: &'a mut [R],
-    /// Entries that have been smooth, and those of which the rounding was seen.
+    /// The entries that were smooth at some distance.
     pub(super) smooth: &'a mut [bool],
+    /// The entries whose rounding was seen.
     pub(super) resolved: &'a mut [bool],
+    /// The standard deviation of the rounding of every entry, which is the result.
     pub(super) noise: &'a mut [R],
 }
 
 impl<R: Real> Memory<'_, R> {
+    /// Measures the rounding at growing distances, from `nearest` on, and writes it to `noise`.
     #[cold]
     #[inline(never)]
     pub(super) fn measure(
@@ -90,9 +97,9 @@ impl<R: Real> Memory<'_, R> {
         curves.fill(zero());
         noise.fill(zero());
         let growth = libm::pow(R::epsilon(), -1.0 / f64::from(DISTANCES_PER_EPSILON));
-        // Corrections are as large as rounding, curves as its root.
+        // The distance at which curves come into sight. Corrections are as large as the rounding, and this distance is as large as its root.
         let sight = nearest / (farther * ROUGH * Real::sqrt(R::epsilon()));
-        // Differences of order 2 grow by the square of the distance.
+        // Differences of order 2 grow with the square of the distance. The threshold is the power 3/2.
         let steepest = growth * Real::sqrt(growth);
         let mut distance = nearest;
         'distances: for _ in 0..REACH * DISTANCES_PER_EPSILON {
@@ -122,35 +129,35 @@ impl<R: Real> Memory<'_, R> {
                 let orders = lower.chunks_exact(n);
                 let last = orders.fold(0.0, |last, lower| lower[i].magnitude().max(SMOOTH * last));
                 let high = by_rank(&differences[..(POINTS - ORDER) * n], i, n, &deviations);
-                // Two jumps are in most of the high differences, and in few of the lower ones.
+                // Two jumps affect most of the high differences, but few of the lower differences.
                 let deviation = (high[HALF] / MEDIAN).min(least[i].magnitude());
                 let curved = if high[MOST] < SMOOTH * last { last } else { 0.0 };
                 let rounded = deviation <= GROWN * R::epsilon() * spread[i].magnitude();
-                // Far away other terms are rounded: those that the residual has grown by.
+                // Far away, other terms are rounded: the terms by which the residual has grown.
                 let grown = match start {
                     Start::Near => {
                         smooth[i] |= curved > 0.0;
                         rounded && distance > NEAR
                     }
                     Start::Corrections => {
-                        // Beside rounding the residual has changed by much when its curves come into sight; and they grow.
+                        // When the curves of a residual come into sight, they grow, and the residual has changed by much more than its rounding.
                         let changed = ROUGH * Real::sqrt(R::epsilon()) * spread[i].magnitude();
                         let grows = curves[i].magnitude() > 0.0 && curved > steepest * curves[i].magnitude();
                         smooth[i] |= grows && distance >= sight && noise[i].magnitude() <= changed;
                         curves[i] = R::from_f64(curved);
-                        // Not even one stair.
+                        // The residual does not have a single stair.
                         noise[i].magnitude() == 0.0 && high[ALL] <= GROWN * R::epsilon() * spread[i].magnitude()
                     }
                 };
                 over &= smooth[i] || grown;
                 resolved[i] |= smooth[i] || grown;
-                // Rounding is there at the distance before as well; jumps and kinks come into reach at one distance.
+                // Rounding also shows at the distance before. A jump or a kink comes into reach at one distance only.
                 let both = [deviation, before[i].magnitude()];
                 before[i] = R::from_f64(deviation);
                 let seen = both[0].min(both[1]);
                 let counts = match start {
                     Start::Near => !(smooth[i] || grown),
-                    // That of stairs is alike at both.
+                    // The rounding of stairs is alike at both distances.
                     Start::Corrections => {
                         !(smooth[i] || grown || rounded || curved > 0.0) && both[0].max(both[1]) <= ALIKE * seen
                     }
@@ -165,7 +172,8 @@ impl<R: Real> Memory<'_, R> {
             distance *= growth;
         }
         for i in (0..n).filter(|i| !resolved[*i]) {
-            // Among stairs one entry may be smooth at no distance where others of its unit are: it is rounded as they are.
+            // Among stairs, an entry may be smooth at no distance while other entries of its unit are. If these are at least half of the entries, its
+            // rounding is at most as large as theirs.
             let alike = |j: &usize| kind(kinds, *j) == kind(kinds, i);
             let known = (0..n).filter(alike).filter(|j| resolved[*j]);
             let (count, least) =
@@ -176,7 +184,8 @@ impl<R: Real> Memory<'_, R> {
     }
 }
 
-/// Divided differences of an order of those of the order before, each of `n` entries, in place of all values but the last.
+/// Replaces the divided differences of the order below by the divided differences of `order`. Each difference has `n` entries. The last difference
+/// stays unchanged.
 fn divide<R: Real>(values: &mut [R], n: usize, order: usize) {
     for j in 0..values.len() - n {
         let width = NODES[j / n + order] - NODES[j / n];
@@ -184,7 +193,7 @@ fn divide<R: Real>(values: &mut [R], n: usize, order: usize) {
     }
 }
 
-/// The standard deviation of each divided difference of an order, for noise of 1.
+/// Returns the standard deviation of each divided difference of an order, for noise with standard deviation 1.
 fn deviations(order: usize) -> [f64; POINTS] {
     core::array::from_fn(|first| {
         let Some(nodes) = NODES.get(first..=first + order) else { return f64::INFINITY };
@@ -193,10 +202,10 @@ fn deviations(order: usize) -> [f64; POINTS] {
     })
 }
 
-/// The magnitudes of entry `i` of `n` in units of their deviations, in order; those that are not there are infinite.
+/// Returns the magnitudes of entry `i` of `n` in ascending order, in units of their deviations. Missing values count as infinite.
 fn by_rank<R: Real>(values: &[R], i: usize, n: usize, deviations: &[f64; POINTS]) -> [f64; POINTS] {
     let mut sizes = [f64::INFINITY; POINTS];
-    // A sort of the standard library is code for lists of any length.
+    // The standard library's sort is avoided because it contains code for lists of any length.
     for (filled, (value, deviation)) in values.chunks_exact(n).zip(deviations).enumerate() {
         let size = value[i].magnitude() / deviation;
         let mut place = filled;

@@ -1,8 +1,9 @@
-//! How large is the rounding of a residual?
+//! Measures the rounding of a residual.
 //!
-//! Forces between neighbours cancel, and quotients divide by small numbers: a residual may be rounded to far more than the last digits of the
-//! unknowns. Its terms are not known to a solver, but their rounding is seen where the residual is evaluated at neighbouring points: high
-//! differences of a smooth function are small, those of its rounding are not. J. J. Moré & S. M. Wild, SIAM J. Sci. Comput. 33 (2011) 1292.
+//! Forces between neighbours cancel, and quotients divide by small numbers. The rounding of a residual may therefore be far larger than the last
+//! digits of the unknowns. A solver does not know the terms of the residual, but the rounding shows if the residual is evaluated at neighbouring
+//! points: high differences of a smooth function are small, and high differences of rounding are not. J. J. Moré & S. M. Wild, SIAM J. Sci. Comput.
+//! 33 (2011) 1292.
 
 mod differences;
 mod points;
@@ -15,21 +16,24 @@ use crate::space::vector::difference;
 use differences::{Memory, POINTS, SPARE};
 use points::{Start, along, begin};
 
-/// A residual of so many standard deviations of its rounding is nothing but that: it is the sum of several, and they are known from a
-/// few differences only.
+/// The largest residual that counts as rounding, in standard deviations of its rounding. A residual is the sum of several rounding errors, and a few
+/// differences determine the deviations only roughly.
 const DEVIATIONS: f64 = 16.0;
 
-/// The standard deviation of the rounding of every entry of a residual near `x`.
+/// Returns the standard deviation of the rounding of every entry of a residual near `x`.
 ///
-/// Zero where the residual is smooth at no distance: the digits of the unknowns do not resolve it, and nothing is known of its rounding.
+/// `residual` returns `None` at points at which no residual exists. `kinds` contains the number of successive unknowns that share a unit, and the
+/// number of such kinds. Unknowns move in proportion to the largest unknown of their kind.
 ///
-/// Where unknowns are as small as the rounding of what they are added to, corrections are as large as they are, and the residual has stairs. So it
-/// is looked at from there on, too.
+/// The first measurement starts close to `x`. Points nearer than `farther` times the last correction `delta` may share equally rounded terms, and the
+/// residual then looks as smooth as `x`. If the first points are too far apart, the residual of a small unknown beside large unknowns is already
+/// smooth, and its rounding remains hidden.
 ///
-/// Unknowns come in `kinds` of so many that have one unit: they are moved by as much as the largest of them. Nearer than `farther` times the
-/// last correction `delta` all points may have terms that are rounded alike, and the residual is as smooth as x. Where the first points are too far
-/// apart, the residual of a small unknown beside large ones is smooth already, and its rounding is not seen. The residual is `None` where there is
-/// none.
+/// The second measurement starts at the distance of the corrections. An unknown may be as small as the rounding of the quantity to which it is added.
+/// Its corrections are then as large as the unknown itself, and the residual has stairs.
+///
+/// Differences yield zero for an entry that is smooth at no distance. The digits of the unknowns do not resolve this entry, and its rounding is
+/// unknown.
 #[cold]
 #[inline(never)]
 pub(crate) fn measure<A: Array>(
@@ -41,7 +45,7 @@ pub(crate) fn measure<A: Array>(
 ) -> A {
     let (mut direction, mut noise) = (A::zero(), A::zero());
     along(sizes.as_slice(), kinds, direction.as_mut_slice());
-    // What the last digits of coordinates change is no less rounding than what is computed with them.
+    // The last digits of the coordinates also change the residual. This change counts as rounding, like the rounding of the terms.
     let mut largest = last_digits(x, &direction, &mut residual);
     for start in [Start::Near, Start::Corrections] {
         let mut direction = direction;
@@ -74,8 +78,8 @@ pub(crate) fn measure<A: Array>(
     largest
 }
 
-/// What a residual changes by where coordinates are moved by their last digit, to the side to which it changes less: to the other one there may be a
-/// jump.
+/// Returns the change of a residual if the coordinates move by their last digit to one side. The side with the smaller change counts, because the
+/// other side may contain a jump.
 fn last_digits<A: Array>(x: &A, direction: &A, residual: &mut impl FnMut(&A) -> Option<A>) -> A {
     let Some(here) = residual(x) else { return A::zero() };
     let mut change = |sign: f64| {
@@ -85,13 +89,15 @@ fn last_digits<A: Array>(x: &A, direction: &A, residual: &mut impl FnMut(&A) -> 
     };
     let (mut least, other) = (change(1.0), change(-1.0));
     for (least, other) in least.as_mut_slice().iter_mut().zip(other.as_slice()) {
-        // What is not a number is no change.
-        *least = if least.magnitude() <= other.magnitude() { *least } else { *other };
+        // NaN does not count on either side.
+        let (first, second) = (least.magnitude(), other.magnitude());
+        *least = if second < first || first.is_nan() { *other } else { *least };
     }
     least
 }
 
-/// Whether a residual at `x` is nothing but rounding: its own, of which the standard deviation is `noise`, or that of the unknowns.
+/// Returns whether rounding explains a residual. The rounding is either its own, with the standard deviation `noise`, or the rounding of the
+/// unknowns.
 pub(crate) fn explains<A: Array>(noise: &A, residual: &A, sizes: &Sizes<A>) -> bool {
     (0..A::LEN).all(|i| {
         let left = residual.as_slice()[i].magnitude();
@@ -100,7 +106,7 @@ pub(crate) fn explains<A: Array>(noise: &A, residual: &A, sizes: &Sizes<A>) -> b
     })
 }
 
-/// The addresses of what is compiled once for a scalar.
+/// Returns the addresses of the functions that are compiled once for each scalar.
 pub(crate) fn compiled<R: Real>() -> [*const (); 2] {
     [Memory::<R>::measure as *const (), along::<R> as *const ()]
 }

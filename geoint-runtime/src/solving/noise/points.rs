@@ -1,37 +1,39 @@
-//! Where a residual is evaluated to see its rounding: how far apart, in which direction.
+//! Chooses the points at which a residual is evaluated to measure its rounding: their distances and their direction.
 
 use crate::scalar::Real;
 use crate::solving::size::{kind, largest, largest_of_kind};
 
-/// The irrational number that has the worst approximations by ratios.
+/// The fractional part of the golden ratio, the irrational number with the worst approximations by ratios.
 pub(super) const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
-/// Farther than this a function that is smooth may not look so.
+/// The largest distance at which a smooth function is sure to look smooth.
 const MOST_NEAR: f64 = 1e-3;
 
-/// Where the first points are.
+/// The position of the first points.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Start {
-    /// Where functions of the unknowns are smooth.
+    /// Close to the point, where functions of the unknowns are smooth.
     Near,
-    /// As far as corrections are large, even beside the unknowns. There a function that changes faster does not look smooth either: what looks
-    /// like rounding is believed only if the function is smooth farther away.
+    /// At the distance of corrections that are large even beside the unknowns. Functions that change faster do not look smooth there either. Apparent
+    /// rounding is therefore accepted only if the function is smooth farther away.
     Corrections,
 }
 
-/// The direction in which unknowns are moved.
+/// Writes the direction in which the unknowns move.
 #[inline(never)]
 pub(super) fn along<R: Real>(sizes: &[R], kinds: [usize; 2], direction: &mut [R]) {
     for (i, d) in direction.iter_mut().enumerate() {
         let unit = largest_of_kind(sizes, kinds, i);
-        // By different parts of that, so that differences of neighbours change, and each by something else.
+        // Each unknown moves by a different part of its unit. Differences of neighbours then change as well, each by a different amount.
         let golden = GOLDEN * ((i + 1) * (i + 1)) as f64;
         *d = R::from_f64(unit * (0.5 + (golden - libm::floor(golden))));
     }
 }
 
-/// How much of a direction the first distance is. Unknowns of each kind begin near their own corrections: an angle may be large beside all in
-/// which a function of it changes. `None` if corrections are nowhere large beside the unknowns.
+/// Returns the first distance in units of `direction`, and shortens `direction` for each kind of unknowns. Unknowns of each kind start near their own
+/// corrections, because an angle may be large beside the scale on which its functions change.
+///
+/// Returns `None` for [`Start::Corrections`] if corrections are nowhere large beside the unknowns.
 #[inline(never)]
 pub(super) fn begin<R: Real>(
     (delta, farther): (&[R], f64),
@@ -39,7 +41,7 @@ pub(super) fn begin<R: Real>(
     start: Start,
     direction: &mut [R],
 ) -> Option<f64> {
-    // The largest part of the direction that corrections of a kind are.
+    // The first distance for the unknowns of one kind. It follows from the largest ratio of their corrections to the direction.
     let first = |direction: &[R], k: usize| {
         let part = |(i, (delta, size)): (usize, (&R, &R))| {
             if kind(kinds, i) != k || delta.magnitude() == 0.0 { 0.0 } else { delta.magnitude() / size.magnitude() }

@@ -182,9 +182,8 @@ pub trait FourthOrderField<R: Real = f64>: VectorField<R> + Graded<R> {
     fn fourth_parameters(&self, h: R) -> Self::FourthParameters;
     /// What all evaluations of a step from `z` have in common.
     fn fourth_begin(&self, parameters: &Self::FourthParameters, span: Span<R>, z: &Self::Phase) -> Self::FourthStart;
-    /// h times the mean velocity, and 1 − ∂(that)/∂d; or `NEARLY` that, as far as two terms of a series for a correction need it: with less to do for
-    /// an energy beside which no momenta are kept.
-    fn fourth_slope<const NEARLY: bool>(
+    /// Writes h times the mean velocity to `image`, and 1 − ∂(image)/∂d to `matrix`.
+    fn fourth_slope(
         &self,
         parameters: &Self::FourthParameters,
         start: &Self::FourthStart,

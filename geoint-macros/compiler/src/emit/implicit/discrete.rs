@@ -131,7 +131,7 @@ pub(super) fn canonical_fourth_order(context: &Context<'_>, momenta: &Routine, s
             fourth_order::begin(self, parameters, span, z)
         }
         #[inline(always)]
-        fn fourth_slope<const NEARLY: bool>(
+        fn fourth_slope(
             &self,
             parameters: &Self::FourthParameters,
             start: &Self::FourthStart,
@@ -140,7 +140,7 @@ pub(super) fn canonical_fourth_order(context: &Context<'_>, momenta: &Routine, s
             matrix: &mut Square<#phase>,
         ) {
             let momenta = |z: &#phase| self.momenta(z);
-            fourth_order::slope::<{ NEARLY }, #autonomous, #columns, _, _>(self, parameters, start, momenta, d, (image, matrix));
+            fourth_order::slope::<#autonomous, #columns, _, _>(self, parameters, start, momenta, d, (image, matrix));
         }
         #loosen
     };
@@ -174,7 +174,7 @@ pub(super) fn fourth_order(context: &Context<'_>, field: &FieldKernels, kernel: 
 
         #functions
         #[inline(always)]
-        fn fourth_slope<const NEARLY: bool>(
+        fn fourth_slope(
             &self,
             prepared: &#prepared,
             start: &#started,

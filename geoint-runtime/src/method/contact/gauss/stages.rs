@@ -2,17 +2,16 @@
 
 use super::ContactGauss;
 use super::factors::Factors;
-use crate::ablation;
 use crate::method::explicit::tableau::Tableau;
 use crate::method::gauss::prepared::Prepared;
 use crate::method::gauss::{Gauss, GaussTableau};
 use crate::method::{Probe, Refusal, Step, StepsOf, check_end, check_way, start};
 use crate::scalar::{Real, zero};
-use crate::solving::equation::StepEquation;
+use crate::solving::equation::{Effort, Solution, StepEquation};
 use crate::solving::linear;
 use crate::solving::newton::Newton;
 use crate::solving::size::Sizes;
-use crate::space::vector::{difference, scaled, sum, sum_of_products};
+use crate::space::vector::{scaled, sum, sum_of_products};
 use crate::space::{Array, PerCoordinate, Square, Summation};
 use crate::system::{ByField, ContactStages};
 
@@ -151,14 +150,14 @@ where
         }
         probe.visit(t, &x.z, &x.s);
         let Prepared { poles, constants, nodes, coupling, .. } = &prepared.stages;
-        let known = if varying::<Y, R>() || !ablation::KNOWN_FACTORS {
+        let known = if varying::<Y, R>() {
             None
         } else {
             let decay = nodes.map(|node| system.decay(constants, t + node, &Y::Moved::zero()));
             Some(Factors::new::<false>(coupling, &decay).ok_or(Refusal::Singular)?)
         };
         let equation = StagePoints { system, prepared, t, origin, known };
-        let (d, _) = newton.solve(&equation, probe).checked()?;
+        let Solution { x: d, .. } = newton.solve(&equation, probe)?;
         let before = start::<Y, R, C>(x);
         for i in 0..if varying::<Y, R>() { S } else { 0 } {
             let (z, s) = StagePoints::<Y, R, S>::state(&sum(&origin, &d[i]));
@@ -183,7 +182,7 @@ fn shares<const S: usize>(Tableau { a, b, .. }: &Tableau<S>) -> [f64; S] {
 impl<Y: ContactStages<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<[Y::Moved; S], P>
     for StagePoints<'_, Y, R, S>
 {
-    const PATIENT: bool = P::PATIENT;
+    const EFFORT: Effort = P::EFFORT;
 
     #[inline(always)]
     fn origin(&self) -> [Y::Moved; S] {
@@ -191,7 +190,7 @@ impl<Y: ContactStages<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<
     }
 
     /// As if the rates were constant.
-    fn explicit(&self) -> [Y::Moved; S] {
+    fn guess(&self) -> [Y::Moved; S] {
         let At { mut f, decay, .. } = self.evaluated(self.t, &self.origin);
         let n = Y::Array::LEN;
         for (f, p) in f.as_mut_slice()[n..2 * n].iter_mut().zip(&self.origin.as_slice()[n..2 * n]) {
@@ -201,18 +200,7 @@ impl<Y: ContactStages<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<
     }
 
     #[inline(always)]
-    fn evaluate(&self, probe: &mut P, d: &[Y::Moved; S], matrix: &mut Square<[Y::Moved; S]>) -> [Y::Moved; S] {
-        difference(d, &self.residual_at(probe, d, d, matrix))
-    }
-
-    #[inline(always)]
-    fn residual_at(
-        &self,
-        probe: &mut P,
-        d: &[Y::Moved; S],
-        _: &[Y::Moved; S],
-        matrix: &mut Square<[Y::Moved; S]>,
-    ) -> [Y::Moved; S] {
+    fn residual(&self, probe: &mut P, d: &[Y::Moved; S], matrix: &mut Square<[Y::Moved; S]>) -> [Y::Moved; S] {
         let coupling = &self.prepared.stages.coupling;
         let (n, length) = (Y::Array::LEN, Y::Moved::LEN);
         let stages: [At<Y::Moved>; S] = core::array::from_fn(|i| {

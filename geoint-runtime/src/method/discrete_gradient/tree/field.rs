@@ -2,12 +2,12 @@
 
 use super::DiscreteGradient;
 use super::equation::{Coefficients, Equation};
-use crate::ablation;
 use crate::method::corrected::rounded;
-use crate::method::{Deciding, Earlier, Probe, Refusal, Step, StepsOf, check_conditions, check_poles, start};
+use crate::method::{Deciding, Probe, Refusal, Step, StepsOf, check_conditions, check_poles, start};
 use crate::scalar::Real;
 use crate::solving::Inverse;
-use crate::solving::newton::{Found, Newton};
+use crate::solving::equation::Solution;
+use crate::solving::newton::Newton;
 use crate::space::{Array, Compensated, Record, Snapshot, Summation, Tape};
 use crate::system::{ByTree, DiscreteField, Poles};
 
@@ -50,11 +50,6 @@ impl<S: DiscreteField<R>, R: Real> StepsOf<DiscreteGradient, S, R> for ByTree {
     }
 
     #[inline(always)]
-    fn follow(memory: &mut Self::Memory, before: [Earlier<'_, Self::Memory, R>; 2]) {
-        memory.newton.follow(before.map(|earlier| earlier.of_increments(|memory| &memory.newton)));
-    }
-
-    #[inline(always)]
     fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         Prepared { coefficients, inverse, poles }: &Prepared<S, R>,
         Memory { newton, sums }: &mut Memory<S, R>,
@@ -65,7 +60,7 @@ impl<S: DiscreteField<R>, R: Real> StepsOf<DiscreteGradient, S, R> for ByTree {
         let mut deciding = Deciding::of::<S, R>(probe, &x.z);
 
         // h·f̄ is affine in the impulse: one product with the inverse of its matrix.
-        if ablation::CONSTANT_MATRIX && S::Inverse::EXISTS {
+        if S::Inverse::EXISTS {
             let (impulse, increments) = equation.affine(inverse, &mut deciding);
             let before = start::<S, R, C>(x);
             x.add_with(sums, &increments, &S::Phase::zero());
@@ -76,29 +71,12 @@ impl<S: DiscreteField<R>, R: Real> StepsOf<DiscreteGradient, S, R> for ByTree {
             return check_poles(poles, true, &before, Step { system, t, end, x, probe });
         }
 
-        // One momentum before the sequence of increments moves on: side by side with the position, it would be added in one register with that, which is
-        // known later, and the next step waits for it.
-        let apart = const { S::DERIVATIVE != 1 && S::Unknown::LEN == 1 };
-        let Found { x: impulse, lost, outcome } = match apart {
-            true => newton.solution(&equation, &mut deciding),
-            false => newton.solve(&equation, &mut deciding),
-        };
-        if P::PATIENT || !apart {
-            outcome?;
-        }
+        let Solution { x: impulse, rounding_error } = newton.solve(&equation, &mut deciding)?;
         let Deciding { probe, decided } = deciding;
 
         let before = start::<S, R, C>(x);
-        let increments = equation.increments(&impulse);
-        let lost = equation.lost::<C>(&impulse, &lost);
-        if apart {
-            x.add_some_with(sums, 1..2, &increments, &lost);
-            newton.pass(&impulse);
-            outcome?;
-            x.add_some_with(sums, 0..1, &increments, &lost);
-        } else {
-            x.add_with(sums, &increments, &lost);
-        }
+        let lost = equation.lost::<C>(&impulse, &rounding_error);
+        x.add_with(sums, &equation.increments(&impulse), &lost);
         rounded::check_step::<S, R, P, C>(system, [t, end], &before.0, x)?;
         check_conditions(system, t + R::from_f64(0.5) * coefficients.h, &decided, x)?;
         check_poles(poles, true, &before, Step { system, t, end, x, probe })

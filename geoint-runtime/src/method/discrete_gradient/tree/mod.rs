@@ -8,7 +8,7 @@ use super::energy::{Energy, Slope};
 use super::mean::MeanGradient;
 use crate::method::composition::substeps;
 use crate::method::corrected::kept;
-use crate::method::{Claims, Earlier, Method, Name, Probe, Refusal, Step, StepsOf};
+use crate::method::{Claims, Method, Name, Probe, Refusal, Step, StepsOf};
 use crate::scalar::Real;
 use crate::space::{Array, Summation};
 use crate::system::{Conservative, DiscreteField, Graded, Invariants, KeptBy};
@@ -55,11 +55,6 @@ where
 
     fn memory() -> Self::Memory {
         <S::Gradient as StepsOf<Self, S, R>>::memory()
-    }
-
-    #[inline(always)]
-    fn follow(memory: &mut Self::Memory, before: [Earlier<'_, Self::Memory, R>; 2]) {
-        <S::Gradient as StepsOf<Self, S, R>>::follow(memory, before);
     }
 
     #[inline(always)]

@@ -1,15 +1,14 @@
 //! Steps of the polarised discrete gradient of a Lagrangian that is quadratic in v: see [`PolarisedForm`].
 
 use super::DiscreteGradient;
-use crate::method::{Deciding, Earlier, Probe, Refusal, Step, StepsOf, check_conditions, check_poles, start};
+use crate::method::{Deciding, Probe, Refusal, Step, StepsOf, check_conditions, check_poles, start};
 use crate::scalar::Real;
-use crate::solving::equation::{Observer, StepEquation};
+use crate::solving::Observer;
+use crate::solving::equation::{Effort, Solution, StepEquation};
 use crate::solving::newton::Newton;
 use crate::space::vector::{difference, dot, moved, scaled, sum};
 use crate::space::{Array, Compensated, Record, Square, Summation, Tape};
-use crate::system::{
-    ByPolarisation, Invariants, KeptBy, PolarisedForm, Poles, Regular, acceleration, row_scale, velocity_near,
-};
+use crate::system::{ByPolarisation, PolarisedForm, Poles, Regular, acceleration, row_scale, velocity_near};
 
 /// Coefficients of a step.
 #[derive(Clone, Copy, Debug)]
@@ -76,11 +75,6 @@ impl<S: PolarisedForm<R>, R: Real> StepsOf<DiscreteGradient, S, R> for ByPolaris
     }
 
     #[inline(always)]
-    fn follow(memory: &mut Self::Memory, before: [Earlier<'_, Self::Memory, R>; 2]) {
-        memory.newton.follow(before.map(|earlier| earlier.of_increments(|memory| &memory.newton)));
-    }
-
-    #[inline(always)]
     fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         Prepared { parameters, poles, h, is_definite }: &Self::Prepared,
         Memory { newton, regular, last, sums }: &mut Self::Memory,
@@ -101,7 +95,7 @@ impl<S: PolarisedForm<R>, R: Real> StepsOf<DiscreteGradient, S, R> for ByPolaris
         let none = S::Array::zero();
         let deciding = Deciding::of::<S, R>(probe, &z);
         let mut seen = Seen { deciding, d: none, impulse: none, by_d: S::Array::fill(none) };
-        let (d, _) = newton.solve(&equation, &mut seen).checked()?;
+        let Solution { x: d, .. } = newton.solve(&equation, &mut seen)?;
         // The impulse where it was evaluated last, and what the last correction changes it by: its square is rounding.
         let correction = difference(&d, &seen.d);
         let mut impulse = seen.impulse;
@@ -184,8 +178,7 @@ impl<P: Observer, Z, A: Array> Observer for Seen<'_, P, Z, A> {
 impl<S: PolarisedForm<R>, R: Real, P: Probe<S, R>> StepEquation<S::Array, Seen<'_, P, S::Phase, S::Array>>
     for Equation<'_, S, R>
 {
-    const PATIENT: bool = P::PATIENT;
-    const SETTLED: bool = <KeptBy<S, R> as Invariants<S, R>>::Values::LEN > 0;
+    const EFFORT: Effort = P::EFFORT;
 
     /// Friction takes energy away, and only explicit time may add some.
     fn is_bound_by_energy(&self) -> bool {
@@ -202,26 +195,15 @@ impl<S: PolarisedForm<R>, R: Real, P: Probe<S, R>> StepEquation<S::Array, Seen<'
         self.v
     }
 
-    fn explicit(&self) -> S::Array {
+    fn guess(&self) -> S::Array {
         scaled(self.h, &acceleration(self.system, self.t, &self.z[0], &self.v))
     }
 
     #[inline(always)]
-    fn evaluate(
-        &self,
-        seen: &mut Seen<'_, P, S::Phase, S::Array>,
-        d: &S::Array,
-        matrix: &mut Square<S::Array>,
-    ) -> S::Array {
-        difference(d, &self.residual_at(seen, d, d, matrix))
-    }
-
-    #[inline(always)]
-    fn residual_at(
+    fn residual(
         &self,
         Seen { deciding, d: last, impulse, by_d }: &mut Seen<'_, P, S::Phase, S::Array>,
         d: &S::Array,
-        _: &S::Array,
         matrix: &mut Square<S::Array>,
     ) -> S::Array {
         deciding.visit(self.t, &[sum(&self.z[0], &self.shift(d)), self.z[1]]);

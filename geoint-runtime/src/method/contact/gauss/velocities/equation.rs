@@ -1,12 +1,12 @@
 //! The equations of all stages for their velocities, and what a solution of them adds.
 
 use super::varying;
-use crate::ablation;
 use crate::method::Probe;
 use crate::method::contact::gauss::factors::Factors;
 use crate::method::gauss::prepared::Prepared;
 use crate::scalar::{Real, zero};
-use crate::solving::equation::{Observer, StepEquation};
+use crate::solving::Observer;
+use crate::solving::equation::{Effort, StepEquation};
 use crate::space::vector::{difference, dot, moved, scaled, sum, sum_of_products};
 use crate::space::{Array, PerCoordinate, Square};
 use crate::system::{ContactStage, ContactVelocities, row_scale, velocity_near};
@@ -112,7 +112,7 @@ fn after<Y: ContactVelocities<R>, R: Real>(
     dq: &Y::Array,
     (dv, ds): (Y::Array, R),
 ) -> (Y::Array, R, R) {
-    let [by_q_and_v, by_v_and_s, by_q_and_s] = if ablation::ZERO_BLOCKS { Y::MIXED } else { [true; 3] };
+    let [by_q_and_v, by_v_and_s, by_q_and_s] = Y::MIXED;
     let [.., by_q, by_v] = &stage.derivatives;
     let [momentum_by_s, force_by_s] = &stage.by_action;
     let mut force = if by_q_and_s { moved(&stage.force, ds, force_by_s) } else { stage.force };
@@ -162,7 +162,7 @@ impl<P: Observer, D, A: Array, const S: usize> Observer for Seen<'_, P, D, A, S>
 impl<Y: ContactVelocities<R>, R: Real, P: Probe<Y, R>, const S: usize>
     StepEquation<[Y::Moved; S], Seen<'_, P, Y::Moved, Y::Array, S>> for StageVelocities<'_, Y, R, S>
 {
-    const PATIENT: bool = P::PATIENT;
+    const EFFORT: Effort = P::EFFORT;
 
     /// The accuracy of a velocity that can be seen in the position which h times it is added to.
     #[inline(always)]
@@ -171,7 +171,7 @@ impl<Y: ContactVelocities<R>, R: Real, P: Probe<Y, R>, const S: usize>
     }
 
     /// The velocities as if v' and s' were constant.
-    fn explicit(&self) -> [Y::Moved; S] {
+    fn guess(&self) -> [Y::Moved; S] {
         let StageVelocities { system, prepared, t, z, s, .. } = self;
         let v = velocity_near(*system, *t, z, s, Y::Array::zero()).unwrap_or_else(Y::Array::zero);
         let mut at = ContactStage::none();
@@ -180,23 +180,12 @@ impl<Y: ContactVelocities<R>, R: Real, P: Probe<Y, R>, const S: usize>
         prepared.nodes.map(|node| self.together(&moved(&v, node, &rate), node * at.lagrangian))
     }
 
-    #[inline(always)]
-    fn evaluate(
-        &self,
-        seen: &mut Seen<'_, P, Y::Moved, Y::Array, S>,
-        d: &[Y::Moved; S],
-        matrix: &mut Square<[Y::Moved; S]>,
-    ) -> [Y::Moved; S] {
-        difference(d, &self.residual_at(seen, d, d, matrix))
-    }
-
     /// What the momentum of each stage is too large by, a row over |Mᵢᵢ|, and the increment of s.
     #[inline(always)]
-    fn residual_at(
+    fn residual(
         &self,
         Seen { probe, last }: &mut Seen<'_, P, Y::Moved, Y::Array, S>,
         d: &[Y::Moved; S],
-        _: &[Y::Moved; S],
         matrix: &mut Square<[Y::Moved; S]>,
     ) -> [Y::Moved; S] {
         let Prepared { coupling, constants, nodes, .. } = self.prepared;
@@ -216,7 +205,7 @@ impl<Y: ContactVelocities<R>, R: Real, P: Probe<Y, R>, const S: usize>
         };
         let (stages, Factors { r, by_decay, .. }) = (&last.stages, &last.factors);
         // What L has no second derivatives by is not multiplied.
-        let [by_q_and_v, by_v_and_s, by_q_and_s] = if ablation::ZERO_BLOCKS { Y::MIXED } else { [true; 3] };
+        let [by_q_and_v, by_v_and_s, by_q_and_s] = Y::MIXED;
         // −∂σ/∂v: how the velocities of stages move the decay at each.
         let moves_decay = varying::<Y, R>() && (by_v_and_s || by_q_and_s);
         let mut decays = [[Y::Array::zero(); S]; S];

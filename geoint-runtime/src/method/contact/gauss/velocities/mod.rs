@@ -6,14 +6,13 @@ mod equation;
 
 use super::ContactGauss;
 use super::factors::Factors;
-use crate::ablation;
 use crate::method::contact::ContactMidpoint;
 use crate::method::gauss::prepared::Prepared;
 use crate::method::gauss::velocities::{Memory, PreparedVelocities};
 use crate::method::gauss::{Gauss, GaussTableau};
-use crate::method::{Earlier, Probe, Refusal, Step, StepsOf, check_end, check_way, start};
+use crate::method::{Probe, Refusal, Step, StepsOf, check_end, check_way, start};
 use crate::scalar::Real;
-use crate::solving::equation::StepEquation;
+use crate::solving::equation::Solution;
 use crate::solving::newton::Newton;
 use crate::space::{Array, Summation};
 use crate::system::{ByVelocities, ContactVelocities, Regular};
@@ -30,11 +29,6 @@ impl<Y: ContactVelocities<R>, R: Real> StepsOf<ContactMidpoint, Y, R> for ByVelo
 
     fn memory() -> Self::Memory {
         <ByVelocities as StepsOf<ContactGauss<1>, Y, R>>::memory()
-    }
-
-    #[inline(always)]
-    fn follow(memory: &mut Self::Memory, before: [Earlier<'_, Self::Memory, R>; 2]) {
-        <ByVelocities as StepsOf<ContactGauss<1>, Y, R>>::follow(memory, before);
     }
 
     #[inline(always)]
@@ -67,11 +61,6 @@ where
     }
 
     #[inline(always)]
-    fn follow(memory: &mut Self::Memory, before: [Earlier<'_, Self::Memory, R>; 2]) {
-        memory.newton.follow(before.map(|earlier| earlier.of_rates(|memory| &memory.newton)));
-    }
-
-    #[inline(always)]
     fn step<C: Summation<Y::Phase>, P: Probe<Y, R>>(
         PreparedVelocities { stages: prepared, is_definite }: &Self::Prepared,
         Memory { newton, regular }: &mut Self::Memory,
@@ -81,7 +70,7 @@ where
         probe.visit(t, &z, &s);
         let sign = regular.begin(system, *is_definite, (t, &z, &s))?;
         let Prepared { poles, coupling, nodes, constants, .. } = prepared;
-        let known = if varying::<Y, R>() || !ablation::KNOWN_FACTORS {
+        let known = if varying::<Y, R>() {
             None
         } else {
             let decay = nodes.map(|node| ContactVelocities::force(system, constants, t + node, &none, &none, &s).1);
@@ -89,10 +78,7 @@ where
         };
         let equation = StageVelocities { system, prepared, t, z, s, sign, known };
         let mut seen = Seen { probe, last: Last::none() };
-        let (d, _) = newton.solve(&equation, &mut seen).checked()?;
-        if const { !ablation::LAST_EVALUATION } {
-            equation.residual_at(&mut seen, &d, &d, &mut <[Y::Moved; S]>::fill(<[Y::Moved; S]>::zero()));
-        }
+        let Solution { x: d, .. } = newton.solve(&equation, &mut seen)?;
 
         let Seen { probe, last } = seen;
         for i in 0..if varying::<Y, R>() { S } else { 0 } {

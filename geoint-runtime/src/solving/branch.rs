@@ -4,9 +4,8 @@
 //! methods this file follows the solution of x = λ g(x) from λ = 1 to λ = 0, where x = 0: λ stands for the size of the step. For Gauss methods of
 //! autonomous systems λh is the size of the step.
 
-use super::iteration::Iteration;
+use super::distant::{Distant, Residual};
 use crate::scalar::Real;
-use crate::solving::equation::{Observer, StepEquation};
 use crate::solving::size::Sizes;
 use crate::solving::{linear, noise};
 use crate::space::vector::{difference, moved, scaled};
@@ -19,7 +18,7 @@ const FIRST: f64 = 1.0 / 8.0;
 const MOST: f64 = 1.0 / 2.0;
 const LEAST: f64 = 1.0 / 4096.0;
 
-/// A solution that is connected to x = 0 is near it for small λ, and is found from there. One that is not found down to this λ is another one.
+/// A solution that is connected to x = 0 is near it for small λ, and is found from there. A solution that is not found down to this λ is another one.
 const END: f64 = 1e-12;
 
 /// The most corrections of one guess.
@@ -41,85 +40,73 @@ const SAME: f64 = 1e-4;
 /// proves nothing.
 const HIDDEN: f64 = 1.0 / 131_072.0;
 
-impl<A: Array> Iteration<A> {
+/// The equation x = λ g(x) of a step, for all λ.
+pub(super) struct Continuation<'a, A> {
+    /// The sizes before the step.
+    pub(super) sizes: Sizes<A>,
+    pub(super) kinds: [usize; 2],
+    pub(super) equation: &'a Distant<A>,
+    pub(super) residual: &'a mut dyn Residual<A>,
+}
+
+impl<A: Array> Continuation<'_, A> {
     /// Returns whether the solution of x = g(x) is connected to x = 0 by solutions of x = λ g(x), where λ falls from 1 to 0.
     ///
     /// The answer is no if the way ends, as where two solutions meet, or if the solution stays away from zero down to [`END`]. The answer is also yes if
-    /// nothing is known: the equation is not defined on the way, or rounding hides the way. `sizes` are those before this step.
+    /// nothing is known: the equation is not defined on the way, or rounding hides the way.
     ///
     /// Newton's iteration follows the solution. E. L. Allgower & K. Georg, *Numerical Continuation Methods* (1990), section 2.
-    #[cold]
-    #[inline(never)]
-    pub(super) fn is_continuous<W: Observer + ?Sized, E: StepEquation<A, W>>(
-        &self,
-        solution: A,
-        sizes: &Sizes<A>,
-        equation: E,
-        watch: &mut W,
-    ) -> bool {
-        watch.pause(true);
-        let explicit = equation.explicit();
-        let (mut x, mut lambda, mut reduction) = (solution, 1.0, FIRST);
+    pub(super) fn is_continuous(&mut self, solution: &A) -> bool {
+        self.residual.pause(true);
+        let is_continuous = self.leads_to_zero(solution);
+        self.residual.pause(false);
+        is_continuous
+    }
+
+    fn leads_to_zero(&mut self, solution: &A) -> bool {
+        let (mut x, mut lambda, mut reduction) = (*solution, 1.0, FIRST);
         let mut has_advanced = true;
-        let is_continuous = loop {
+        loop {
             // Newton's iteration from x = 0, with corrections that shrink fast, leads to this solution: so does the rest of the way.
             if has_advanced
-                && let Followed::To(there) = self.followed(lambda, (A::zero(), 1.0), sizes, &equation, watch)
-                && self.relative(&difference(&x, &there), [&there, &scaled(A::Real::from_f64(lambda), &explicit)])
-                    <= SAME
+                && let Followed::To(there) = self.follow(lambda, A::zero(), 1.0)
+                && self.relative(&difference(&x, &there), lambda, &there) <= SAME
             {
-                break true;
+                return true;
             }
             let next = lambda * (1.0 - reduction);
             let guess = scaled(A::Real::from_f64(next / lambda), &x);
-            let followed = self.followed(next, (guess, NEIGHBOURING), sizes, &equation, watch);
+            let followed = self.follow(next, guess, NEIGHBOURING);
             has_advanced = matches!(followed, Followed::To(_));
             match followed {
                 Followed::To(there) if next > END => {
                     (x, lambda, reduction) = (there, next, f64::min(2.0 * reduction, MOST))
                 }
                 Followed::Lost if reduction > LEAST => reduction *= 0.5,
-                Followed::Undefined => break true,
-                _ => break self.is_hidden(solution, sizes, &equation, watch),
+                Followed::Undefined => return true,
+                _ => return self.is_hidden(solution),
             }
-        };
-        watch.pause(false);
-        is_continuous
+        }
     }
 
     /// Returns whether the equation is rounded by more than [`HIDDEN`] of its solution `x`.
-    fn is_hidden<W: Observer + ?Sized, E: StepEquation<A, W>>(
-        &self,
-        x: A,
-        sizes: &Sizes<A>,
-        equation: &E,
-        watch: &mut W,
-    ) -> bool {
+    fn is_hidden(&mut self, x: &A) -> bool {
         let mut unused = A::fill(A::zero());
-        let mut sizes = *sizes;
-        sizes.include(&equation.origin(), &x);
-        let residual = |x: &A| Some(equation.residual(watch, x, &mut unused));
-        let noise = noise::measure(&sizes, &x, (&x, 1.0), self.kinds, residual);
-        let (noise, whole) = (Sizes::at(&noise).of_kinds(self.kinds), Sizes::at(&x).of_kinds(self.kinds));
+        let mut sizes = self.sizes;
+        sizes.include(&self.equation.origin, x);
+        let noise = noise::measure(&sizes, x, (x, 1.0), self.kinds, |x| Some(self.residual.at(x, &mut unused)));
+        let (noise, whole) = (Sizes::at(&noise).of_kinds(self.kinds), Sizes::at(x).of_kinds(self.kinds));
         (0..A::LEN).any(|i| noise.of(i) > HIDDEN * whole.of(i))
     }
 
-    /// Solves x = λ g(x) from a guess whose first correction is at most the part `first` of the solution.
-    fn followed<W: Observer + ?Sized, E: StepEquation<A, W>>(
-        &self,
-        lambda: f64,
-        (guess, first): (A, f64),
-        sizes: &Sizes<A>,
-        equation: &E,
-        watch: &mut W,
-    ) -> Followed<A> {
-        let (mut x, mut most) = (guess, first);
+    /// Solves x = λ g(x) from a guess. The first correction may be the part `most` of the solution.
+    fn follow(&mut self, lambda: f64, guess: A, mut most: f64) -> Followed<A> {
+        let mut x = guess;
         let (one, part) = (A::Real::from_f64(1.0), A::Real::from_f64(lambda));
-        let explicit = scaled(part, &equation.explicit());
         let mut matrix: Square<A> = A::fill(A::zero());
         for _ in 0..MOST_CORRECTIONS {
             // x − λ g = (1 − λ) x + λ (x − g), and its derivative.
-            let residual = equation.residual(watch, &x, &mut matrix);
+            let residual = self.residual.at(&x, &mut matrix);
             let mut delta = moved(&scaled(one - part, &x), part, &residual);
             if !delta.is_finite() {
                 return Followed::Undefined;
@@ -128,13 +115,13 @@ impl<A: Array> Iteration<A> {
                 *row = scaled(part, row);
                 row.as_mut_slice()[i] += one - part;
             }
-            let mut sizes = *sizes;
-            sizes.include(&equation.origin(), &x);
+            let mut sizes = self.sizes;
+            sizes.include(&self.equation.origin, &x);
             if linear::solve(&mut matrix, &mut delta, &sizes) != Some(true) {
                 return Followed::Lost;
             }
             x = difference(&x, &delta);
-            let correction = self.relative(&delta, [&x, &explicit]);
+            let correction = self.relative(&delta, lambda, &x);
             if correction <= NEAR {
                 return Followed::To(x);
             }
@@ -146,11 +133,11 @@ impl<A: Array> Iteration<A> {
         Followed::Lost
     }
 
-    /// Returns the largest entry of `delta` relative to the largest entry of its kind in `delta`, in the solution `x`, or in the explicit increment: the
-    /// solution may be zero at some λ. Positions are one kind, momenta another.
-    fn relative(&self, delta: &A, [x, explicit]: [&A; 2]) -> f64 {
+    /// Returns the largest entry of `delta` relative to the largest entry of its kind in `delta`, in the solution `x`, or in the guess for λ: the solution may be
+    /// zero at some λ. Positions are one kind, momenta another.
+    fn relative(&self, delta: &A, lambda: f64, x: &A) -> f64 {
         let mut sizes = Sizes::at(x);
-        sizes.include(&A::zero(), explicit);
+        sizes.include(&A::zero(), &scaled(A::Real::from_f64(lambda), &self.equation.guess));
         sizes.of_kinds(self.kinds).relative(delta, &A::zero(), &A::zero())
     }
 }

@@ -1,0 +1,88 @@
+//! What earlier steps tell about the next equation: sizes of the unknowns, speed of convergence, and the better guess.
+
+use super::predictor::Predictor;
+use super::rounding::REMAINDER;
+use super::size::Sizes;
+use crate::ablation;
+use crate::scalar::Real;
+use crate::space::{Array, Record, Tape};
+
+/// The number of steps of which one takes a second evaluation, to measure sizes and the constant of convergence.
+const SECOND_LOOK: u32 = 64;
+
+/// The largest number of evaluations. A solution that takes more may belong to another branch, so [`rescue`] examines it.
+pub(super) const MOST_EVALUATIONS: u32 = 5;
+
+/// An explicit guess costs two evaluations. If it needs this number of evaluations more, an extrapolated guess may be better.
+const ROUGH: u32 = 3;
+
+/// Lower bound of the measured constant of convergence.
+const LEAST_CURVATURE: f64 = 1e-3;
+
+/// Knowledge about the next equation from earlier steps.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Experience<A> {
+    pub(super) sizes: Sizes<A>,
+    /// Number of unknowns of one kind, and number of kinds: positions and momenta have different units. Unknowns of a kind follow each other.
+    pub(super) kinds: [usize; 2],
+    /// The largest correction, in units of the sizes, after which the next one is below rounding.
+    pub(super) reach: f64,
+    pub(super) steps: u32,
+    /// The number of terms that the predictor has.
+    terms: usize,
+    /// True if the next guess is extrapolated. Otherwise it is computed from the start of the step.
+    pub(super) extrapolates: bool,
+}
+
+impl<A: Array> Record<A::Real> for Experience<A> {
+    fn record(&mut self, tape: &mut impl Tape<A::Real>) {
+        // The kinds follow from the method.
+        let Experience { sizes, kinds: _, reach, steps, terms, extrapolates } = self;
+        sizes.record(tape);
+        tape.number(reach);
+        let (mut counted, mut known) = (u64::from(*steps), *terms as u64);
+        tape.count(&mut counted);
+        tape.count(&mut known);
+        (*steps, *terms) = (counted as u32, (known as usize).min(Predictor::<A>::TERMS));
+        tape.flag(extrapolates);
+    }
+}
+
+impl<A: Array> Experience<A> {
+    /// Creates the experience of no step, for unknowns that come in `kinds` of `n` with one unit each.
+    pub(super) fn new(n: usize, kinds: usize) -> Self {
+        let reach = Real::sqrt(A::Real::epsilon() * REMAINDER);
+        Experience { sizes: Sizes::new(), kinds: [n, kinds], reach, steps: 0, terms: 0, extrapolates: false }
+    }
+
+    /// Returns whether this step measures what other steps take as known.
+    #[inline(always)]
+    pub(super) fn looks(&self) -> bool {
+        ablation::MEASURED_CURVATURE && self.steps.is_multiple_of(SECOND_LOOK)
+    }
+
+    /// Counts a solution, and chooses the next guess.
+    #[inline(always)]
+    pub(super) fn settle(&mut self, evaluations: u32, extrapolates: bool) {
+        let fills = self.terms + 1 == Predictor::<A>::TERMS;
+        self.terms = (self.terms + 1).min(Predictor::<A>::TERMS);
+        let good = fills || evaluations < ROUGH + u32::from(extrapolates);
+        self.extrapolates = ablation::EXTRAPOLATION && good && self.terms == Predictor::<A>::TERMS;
+    }
+
+    /// Determines the constant C of quadratic convergence from two corrections, and the correction c with C c² below rounding. The second correction may be
+    /// rounding; then C is at most what it says.
+    #[inline(always)]
+    pub(super) fn measure_curvature(&mut self, correction: f64, before: f64) {
+        if const { !ablation::MEASURED_CURVATURE } {
+            return;
+        }
+        // C is not the same all along an orbit, so it gets a margin of 16.
+        let before = before.min(1.0);
+        let curvature = 16.0 * correction / (before * before);
+        let reach = Real::sqrt(A::Real::epsilon() * REMAINDER / curvature.max(LEAST_CURVATURE));
+        if correction > 64.0 * A::Real::epsilon() || reach > self.reach {
+            self.reach = reach;
+        }
+    }
+}

@@ -1,0 +1,169 @@
+//! Newton's iteration for the unknown of one step, from the unknowns of the steps before.
+//!
+//! A step predicts its unknown x, evaluates the residual and its derivative, and corrects x. It accepts x where the next correction is bound to be below the
+//! rounding of `origin + x`, entry by entry: convergence is quadratic, and its constant is measured in each 64th step. No tolerance ends the iteration,
+//! because a step is symmetric, and keeps the energy, only at the solution.
+//!
+//! Where h goes to 0, the derivative is 1. If its determinant is negative at a solution, the solution is not continuous in h, and the step is refused.
+//!
+//! The loop owns its state in local variables, and cold functions take and return copies. A pointer to the state would keep it in memory, and the next
+//! step would wait for it: 1.5 of the time of short steps.
+
+use super::equation::{Magnitudes, Solution, StepEquation, explicit_guess};
+use super::experience::{Experience, MOST_EVALUATIONS};
+use super::predictor::Predictor;
+use super::rounding::{REMAINDER, is_rounding};
+use super::size::Sizes;
+use super::{Effort, Observer, Refusal, linear, rescue};
+use crate::ablation;
+use crate::scalar::Real;
+use crate::space::vector::difference;
+use crate::space::{Array, Record, Tape};
+
+/// With more unknowns than this, an elimination costs more than the evaluations that it saves. Up to it, the compiler emits a kernel for Newton's
+/// iteration. The compiler has the same constant, and a test of it compares both.
+pub const MOST_UNKNOWNS: usize = 12;
+
+/// The largest first correction of an extrapolated guess, in units of the sizes. Beyond it there may be another solution.
+const FAR_OFF: f64 = 1.0 / 8.0;
+
+/// The factor by which corrections of the fixed point must shrink.
+const SHRINKING: f64 = 0.3;
+
+/// Solves one equation per step.
+#[derive(Clone, Copy, Debug)]
+pub struct Newton<A> {
+    predictor: Predictor<A>,
+    experience: Experience<A>,
+}
+
+impl<A: Array> Record<A::Real> for Newton<A> {
+    fn record(&mut self, tape: &mut impl Tape<A::Real>) {
+        self.predictor.record(tape);
+        self.experience.record(tape);
+    }
+}
+
+impl<A: Array> Newton<A> {
+    /// Creates a solver for unknowns that come in `kinds` of `n` with one unit each.
+    pub(crate) fn new(n: usize, kinds: usize) -> Self {
+        Newton { predictor: Predictor::new(), experience: Experience::new(n, kinds) }
+    }
+
+    /// Solves r(x) = 0 to rounding. After an error, the solver must not be used again.
+    #[inline(always)]
+    pub(crate) fn solve<W: Observer + ?Sized, E: StepEquation<A, W>>(
+        &mut self,
+        equation: &E,
+        watch: &mut W,
+    ) -> Result<Solution<A>, Refusal> {
+        if const { matches!(E::MAGNITUDES, Magnitudes::Present) } {
+            self.experience.sizes = Sizes::at(&equation.origin());
+        }
+        let solution = match self.iterate(equation, watch) {
+            Some(solution) => solution,
+            None => {
+                let (solution, experience) = rescue::from_start(self.experience, *equation, watch);
+                self.experience = experience;
+                solution?
+            }
+        };
+        self.predictor.push(&solution.x);
+        self.experience.steps = self.experience.steps.wrapping_add(1);
+        Ok(solution)
+    }
+
+    /// Predicts, evaluates, corrects, accepts. `None` if the iteration converges too slowly, or may lead to another solution.
+    #[inline(always)]
+    fn iterate<W: Observer + ?Sized, E: StepEquation<A, W>>(
+        &mut self,
+        equation: &E,
+        watch: &mut W,
+    ) -> Option<Solution<A>> {
+        // Steps with more effort are seldom. Their equations are compiled once, for `rescue`.
+        if const { matches!(E::EFFORT, Effort::Thorough) } {
+            return None;
+        }
+        let (origin, experience) = (equation.origin(), &mut self.experience);
+        let (extrapolates, looks) = (experience.extrapolates, experience.looks());
+        let mut x = if extrapolates { self.predictor.predict() } else { explicit_guess(*equation) };
+        if const { ablation::FIXED_POINT && A::LEN > MOST_UNKNOWNS }
+            && let Some(x) = experience.fixed_point(x, equation, watch)
+        {
+            return Some(Solution { x, rounding_error: A::zero() });
+        }
+        let (mut matrix, mut before) = (A::fill(A::zero()), f64::INFINITY);
+        for evaluation in 1..=MOST_EVALUATIONS {
+            let (residual, point) = (equation.residual(watch, &x, &mut matrix), x);
+            let mut delta = residual;
+            if !linear::solve_fast(&mut matrix, &mut delta) {
+                return None;
+            }
+            let solution = Solution::corrected(&x, &delta);
+            x = solution.x;
+            let foreseen = extrapolates && experience.sizes.all_within(&delta, experience.reach);
+            let is_solved = if foreseen && (evaluation > 2 || !looks) {
+                true
+            } else if evaluation == 1 && extrapolates && !experience.sizes.all_within(&delta, FAR_OFF) {
+                return None;
+            } else {
+                let correction = experience.sizes.relative(&delta, &origin, &x);
+                if evaluation == 2 {
+                    experience.measure_curvature(correction, before);
+                }
+                let is_last = correction == 0.0 || evaluation > 1 && is_last::<A::Real>(correction, before);
+                before = correction;
+                // Far away, the derivative may be large beyond measure. Corrections are small there although x is no solution.
+                is_last && (extrapolates || experience.sizes.resolve(&residual, &origin, &point))
+            };
+            if is_solved {
+                if evaluation > 1 {
+                    experience.sizes.include(&origin, &x);
+                }
+                experience.settle(evaluation, extrapolates);
+                return Some(solution);
+            }
+        }
+        None
+    }
+}
+
+impl<A: Array> Experience<A> {
+    /// Iterates x ← x − r(x), if it converges fast. Then there is one solution, and it is continuous in h.
+    #[inline(always)]
+    fn fixed_point<W: Observer + ?Sized, E: StepEquation<A, W>>(
+        &mut self,
+        guess: A,
+        equation: &E,
+        watch: &mut W,
+    ) -> Option<A> {
+        let (origin, mut x, mut before) = (equation.origin(), guess, f64::INFINITY);
+        loop {
+            let next = equation.image(watch, &x);
+            let delta = difference(&x, &next);
+            x = next;
+            let correction = self.sizes.relative(&delta, &origin, &x);
+            let next_correction = correction * (correction / before);
+            let converged =
+                correction == 0.0 || before.is_finite() && next_correction <= REMAINDER * A::Real::epsilon();
+            let slow = correction.is_nan() || correction > SHRINKING * before;
+            if converged || slow && is_rounding::<A::Real>(correction) {
+                self.sizes.include(&origin, &x);
+                self.settle(0, true);
+                return Some(x);
+            }
+            if slow {
+                return None;
+            }
+            before = correction;
+        }
+    }
+}
+
+/// Returns whether nothing is left to correct after a relative correction that follows another one: convergence is quadratic, or rounding keeps corrections
+/// from shrinking.
+#[inline(always)]
+fn is_last<R: Real>(correction: f64, before: f64) -> bool {
+    let shrunk = correction / before;
+    correction * shrunk * shrunk <= REMAINDER * R::epsilon() || shrunk > 0.5 && is_rounding::<R>(correction)
+}

@@ -1,0 +1,111 @@
+//! Newton's iteration on x = a + b x + c x², beside an origin of 100, as the impulses of steps are beside a momentum.
+
+use super::equation::{Effort, Solution, StepEquation};
+use super::newton::{MOST_UNKNOWNS, Newton};
+use super::{Observer, Refusal};
+use crate::space::Array;
+
+/// Numbers of evaluations with and without a derivative.
+#[derive(Default)]
+struct Count {
+    residuals: u32,
+    images: u32,
+}
+
+impl Observer for Count {
+    fn pause(&mut self, _: bool) {}
+}
+
+/// The same equation for each unknown.
+#[derive(Clone, Copy)]
+struct Curved {
+    a: f64,
+    b: f64,
+    c: f64,
+}
+
+impl Curved {
+    fn right_side(&self, x: f64) -> f64 {
+        self.a + x * (self.b + self.c * x)
+    }
+}
+
+impl<const N: usize> StepEquation<[f64; N], Count> for Curved
+where
+    [f64; N]: Array<Real = f64, Map<[f64; N]> = [[f64; N]; N]>,
+{
+    const EFFORT: Effort = Effort::Fast;
+
+    fn origin(&self) -> [f64; N] {
+        [100.0; N]
+    }
+    fn guess(&self) -> [f64; N] {
+        [self.a; N]
+    }
+    fn residual(&self, count: &mut Count, x: &[f64; N], matrix: &mut [[f64; N]; N]) -> [f64; N] {
+        count.residuals += 1;
+        *matrix = [[0.0; N]; N];
+        for i in 0..N {
+            matrix[i][i] = 1.0 - self.b - 2.0 * self.c * x[i];
+        }
+        x.map(|x| x - self.right_side(x))
+    }
+    fn image(&self, count: &mut Count, x: &[f64; N]) -> [f64; N] {
+        count.images += 1;
+        x.map(|x| self.right_side(x))
+    }
+}
+
+/// The solution with x = 0 for a = 0.
+fn solution(Curved { a, b, c }: Curved) -> f64 {
+    let p = 1.0 - b;
+    2.0 * a / (p + (p * p - 4.0 * a * c).sqrt())
+}
+
+fn slowly_changing(n: u32) -> Curved {
+    let phase = 0.05 * f64::from(n);
+    Curved { a: 1.5 + phase.sin(), b: 0.1 * phase.cos(), c: 0.01 }
+}
+
+#[test]
+fn extrapolated_guesses_need_one_evaluation() {
+    let (mut newton, mut count) = (Newton::<[f64; 1]>::new(1, 1), Count::default());
+    for n in 0..1000 {
+        let equation = slowly_changing(n);
+        let Solution { x, rounding_error } = newton.solve(&equation, &mut count).expect("a solution");
+        let error = x[0] + rounding_error[0] - solution(equation);
+        assert!(error.abs() < 2e-15, "step {n}: {error:e}");
+        if n == 11 {
+            count = Count::default();
+        }
+    }
+    // Each 64th step evaluates twice.
+    assert_eq!(count.residuals, 988 + 15);
+}
+
+#[test]
+fn many_unknowns_are_solved_without_a_matrix() {
+    const N: usize = MOST_UNKNOWNS + 4;
+    let (mut newton, mut count) = (Newton::<[f64; N]>::new(N, 1), Count::default());
+    for n in 0..100 {
+        let equation = slowly_changing(n);
+        let Solution { x, .. } = newton.solve(&equation, &mut count).expect("a solution");
+        assert!((x[3] - solution(equation)).abs() < 1e-14, "step {n}");
+    }
+    assert!(count.residuals == 0 && count.images > 100);
+}
+
+/// x = a + 3x has one solution, at which 1 − g' is negative: it does not lead to x = 0 for a short step.
+#[test]
+fn solutions_with_a_negative_determinant_are_refused() {
+    let found = Newton::<[f64; 2]>::new(1, 2).solve(&Curved { a: 1.0, b: 3.0, c: 0.1 }, &mut Count::default());
+    assert!(found.is_ok(), "the determinant of two unknowns is positive");
+    let found = Newton::<[f64; 1]>::new(1, 1).solve(&Curved { a: 1.0, b: 3.0, c: 0.0 }, &mut Count::default());
+    assert_eq!(found.map(|found| found.x), Err(Refusal::Singular));
+}
+
+#[test]
+fn equations_without_a_solution_are_refused() {
+    let found = Newton::<[f64; 1]>::new(1, 1).solve(&Curved { a: 1.0, b: 0.0, c: 1.0 }, &mut Count::default());
+    assert!(found.is_err());
+}

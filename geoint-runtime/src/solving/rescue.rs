@@ -1,0 +1,181 @@
+//! Equations that Newton's iteration does not solve in a few evaluations.
+//!
+//! 1. From the guess at the start of the step, with as many corrections as it takes. Corrections that stop to shrink are accepted if the residual is
+//!    rounding: of the last digits of coordinates, or measured ([`noise`]).
+//! 2. With [`Effort::Thorough`], from where [`damped`] corrections lead.
+//!
+//! A solution that took many corrections may not be continuous in h. With more effort, [`branch`] follows it to h = 0; with less, it is refused, and the step is
+//! repeated. All of this is compiled once for all equations with the same number of unknowns.
+
+use super::branch::Continuation;
+use super::distant::{Distant, Residual, ResidualOf};
+use super::equation::{Magnitudes, Solution, StepEquation, explicit_guess};
+use super::experience::{Experience, MOST_EVALUATIONS};
+use super::rounding::{Corrections, MAX_ITERATIONS, Verdict, is_of_last_digits};
+use super::size::Sizes;
+use super::{Effort, Observer, Refusal, damped, linear, noise};
+use crate::space::Array;
+
+/// Solves an equation from the start of the step. Returns the changed experience, too.
+#[cold]
+#[inline(never)]
+pub(super) fn from_start<A: Array, W: Observer + ?Sized, E: StepEquation<A, W>>(
+    mut experience: Experience<A>,
+    equation: E,
+    watch: &mut W,
+) -> (Result<Solution<A>, Refusal>, Experience<A>) {
+    let distant = Distant {
+        origin: equation.origin(),
+        guess: explicit_guess(equation),
+        standstill: equation.standstill(),
+        is_bound_by_energy: equation.is_bound_by_energy(),
+        effort: E::EFFORT,
+        magnitudes: E::MAGNITUDES,
+    };
+    let solution = experience.rescue(&distant, &mut ResidualOf { equation, watch });
+    (solution, experience)
+}
+
+impl<A: Array> Experience<A> {
+    /// Tries one way after the other.
+    #[inline(never)]
+    fn rescue(&mut self, equation: &Distant<A>, residual: &mut dyn Residual<A>) -> Result<Solution<A>, Refusal> {
+        // Sizes for pivots. A guess may be wild, so corrections are not compared with it.
+        let mut pivots = self.sizes;
+        pivots.include(&equation.origin, &equation.guess);
+        let mut refusal = match self.search(equation.guess, false, &pivots, equation, residual) {
+            Ok(solution) => return Ok(solution),
+            Err(refusal) => refusal,
+        };
+        if equation.effort == Effort::Thorough {
+            let guess = damped::approach(&equation.origin, equation.standstill, &self.sizes, |x, r, matrix| {
+                *r = residual.at(x, matrix);
+                Ok(())
+            });
+            let pivots = self.sizes;
+            match self.search(guess, true, &pivots, equation, residual) {
+                Ok(solution) => return Ok(solution),
+                Err(last) => refusal = last,
+            }
+        }
+        Err(refusal)
+    }
+
+    /// Iterates from a guess, and examines a solution that is far from it.
+    fn search(
+        &mut self,
+        guess: A,
+        is_far: bool,
+        pivots: &Sizes<A>,
+        equation: &Distant<A>,
+        residual: &mut dyn Residual<A>,
+    ) -> Result<Solution<A>, Refusal> {
+        let sizes = self.sizes;
+        let Converged { solution, evaluations } = self.converge(guess, pivots, equation, residual)?;
+        if (is_far || evaluations > MOST_EVALUATIONS) && !equation.is_bound_by_energy {
+            let is_continuous = equation.effort == Effort::Thorough
+                && Continuation { sizes, kinds: self.kinds, equation, residual }.is_continuous(&solution.x);
+            if !is_continuous {
+                self.sizes = sizes;
+                return Err(Refusal::Singular);
+            }
+        }
+        self.settle(evaluations, false);
+        Ok(solution)
+    }
+
+    /// Corrects a guess until nothing but rounding is left. One correction is not enough, however small it is: far away it may be small although the next one is
+    /// larger.
+    fn converge(
+        &mut self,
+        guess: A,
+        pivots: &Sizes<A>,
+        equation: &Distant<A>,
+        residual: &mut dyn Residual<A>,
+    ) -> Result<Converged<A>, Refusal> {
+        let Distant { origin, effort, magnitudes, .. } = *equation;
+        let mut solution = Solution { x: guess, rounding_error: A::zero() };
+        let mut matrix = A::fill(A::zero());
+        let (mut corrections, mut stuck) = (Corrections::of_order(2), None);
+        for evaluations in 1..=MAX_ITERATIONS {
+            let x = solution.x;
+            let left = residual.at(&x, &mut matrix);
+            // Integrals of a field may be steep, so there only the watched step decides what is rounding.
+            let decides = effort == Effort::Thorough || magnitudes == Magnitudes::Recent;
+            let mut is_rounding =
+                decides && corrections.slow() && is_of_last_digits(&self.sizes.with(&origin), &left, &matrix);
+            if let (false, Some(last)) = (is_rounding, stuck.take()) {
+                if effort == Effort::Fast {
+                    break;
+                }
+                is_rounding = self.is_noise(&x, last, equation, residual);
+            }
+            let mut delta = left;
+            let is_positive = match linear::solve(&mut matrix, &mut delta, pivots) {
+                Some(is_positive) => is_positive,
+                None if delta.is_finite() => return Err(Refusal::Singular),
+                None => break,
+            };
+            let mut is_solved = is_rounding;
+            if !is_rounding {
+                solution = Solution::corrected(&x, &delta);
+                let correction = self.sizes.relative(&delta, &origin, &solution.x);
+                if evaluations == 2 {
+                    self.measure_curvature(correction, corrections.last());
+                }
+                match corrections.judge::<A::Real>(correction) {
+                    // Where the derivative is large beyond measure, corrections are small wherever x is.
+                    Verdict::Solved => is_solved = self.sizes.resolve(&left, &origin, &x),
+                    Verdict::Stuck => {
+                        stuck = Some(Stuck { delta, distance: corrections.farther() });
+                        corrections.restart();
+                    }
+                    Verdict::Continue => {}
+                }
+                if !correction.is_finite() {
+                    break;
+                }
+            }
+            if is_solved {
+                self.sizes.include(&origin, &solution.x);
+                return if is_positive { Ok(Converged { solution, evaluations }) } else { Err(Refusal::Singular) };
+            }
+        }
+        Err(corrections.not_converged())
+    }
+
+    /// Returns whether the residual at x is rounding, by measurement.
+    fn is_noise(
+        &self,
+        x: &A,
+        Stuck { delta, distance }: Stuck<A>,
+        equation: &Distant<A>,
+        residual: &mut dyn Residual<A>,
+    ) -> bool {
+        let mut unused = A::fill(A::zero());
+        let mut sizes = self.sizes;
+        sizes.include(&equation.origin, x);
+        residual.pause(true);
+        let noise = noise::measure(&sizes, x, (&delta, distance), self.kinds, |x| Some(residual.at(x, &mut unused)));
+        residual.pause(false);
+        // The solution is evaluated last, because the observer remembers the last point.
+        noise::explains(&noise, &residual.at(x, &mut unused), &sizes)
+    }
+}
+
+/// A solution, and the number of evaluations that it took.
+struct Converged<A> {
+    solution: Solution<A>,
+    evaluations: u32,
+}
+
+/// The last correction of an iteration that is stuck, and the distance of the points at which rounding is measured, in units of this correction.
+struct Stuck<A> {
+    delta: A,
+    distance: f64,
+}
+
+/// The addresses of what is compiled once for a shape of unknowns.
+pub(crate) fn compiled<A: Array>() -> [*const (); 2] {
+    [Experience::<A>::rescue as *const (), Experience::<A>::converge as *const ()]
+}
