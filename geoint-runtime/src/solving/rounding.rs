@@ -159,26 +159,46 @@ pub(crate) fn is_of_last_digits<A: Array>(sizes: &Sizes<A>, residual: &A, matrix
     })
 }
 
-/// Subtracts corrections from `x` until nothing but rounding is left. Corrections shrink by a factor.
+/// A correction at a point, and its size relative to the terms of what it corrects.
+pub(crate) struct Correction<A> {
+    pub(crate) delta: A,
+    pub(crate) relative: f64,
+}
+
+/// The last two points of an iteration that is stuck, and the correction between them.
+pub(crate) struct Stuck<'a, A> {
+    pub(crate) before: &'a A,
+    pub(crate) delta: &'a A,
+    pub(crate) after: &'a A,
+}
+
+/// Subtracts corrections from `start` until nothing but rounding is left. This is the iteration of all equations that are no equations of steps.
 ///
-/// `correction` returns the correction at a point, and its size relative to the terms of what it corrects. If corrections are stuck, `is_noise` decides for the last
-/// point and its correction whether the residual is rounding of larger terms.
+/// `corrections` is an empty list with the order of convergence. `correction` returns the correction at a point. If corrections are stuck, `accept` returns the solution
+/// if the residual is rounding.
+///
+/// # Errors
+/// Returns an error if `correction` returns one, or if corrections do not shrink.
+#[inline(always)]
 pub(crate) fn correct<A: Array>(
-    mut x: A,
-    mut is_noise: impl FnMut(&A, &A) -> bool,
-    mut correction: impl FnMut(&A) -> Result<(A, f64), Refusal>,
+    start: A,
+    mut corrections: Corrections,
+    mut accept: impl FnMut(Stuck<'_, A>) -> Option<A>,
+    mut correction: impl FnMut(&A) -> Result<Correction<A>, Refusal>,
 ) -> Result<A, Refusal> {
-    let mut corrections = Corrections::of_order(1);
+    let mut x = start;
     for _ in 0..MAX_ITERATIONS {
-        let (delta, relative) = correction(&x)?;
+        let Correction { delta, relative } = correction(&x)?;
         let before = x;
         x.add_scaled(A::Real::from_f64(-1.0), &delta);
         match corrections.judge::<A::Real>(relative) {
             Verdict::Solved => return Ok(x),
-            Verdict::Stuck if is_noise(&before, &delta) => return Ok(before),
-            Verdict::Stuck => corrections.restart(),
-            _ if !relative.is_finite() => break,
-            Verdict::Continue => {}
+            Verdict::Stuck => match accept(Stuck { before: &before, delta: &delta, after: &x }) {
+                Some(solution) => return Ok(solution),
+                None => corrections.restart(),
+            },
+            Verdict::Continue if relative.is_finite() => {}
+            Verdict::Continue => break,
         }
     }
     Err(corrections.not_converged())

@@ -5,7 +5,7 @@ use super::invariants::Invariants;
 use super::scales::{Scales, part_of_rounding, rounding};
 use crate::method::Refusal;
 use crate::scalar::{Real, zero};
-use crate::solving::rounding::correct;
+use crate::solving::rounding::{Correction, Corrections, Stuck, correct};
 use crate::solving::size::Sizes;
 use crate::solving::{noise, roughness};
 use crate::space::Array;
@@ -60,10 +60,11 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
     let simplified = |multipliers: &I::Values| {
         let mut delta = equation.residual(&increment(multipliers));
         let relative = at_end.multipliers(&mut delta);
-        Ok((delta, relative))
+        Ok(Correction { delta, relative })
     };
-    let is_noise =
-        |multipliers: &I::Values, delta: &I::Values| equation.is_noise(&increment(multipliers), &at_end.back(delta));
+    let accept = |Stuck { before, delta, .. }: Stuck<'_, I::Values>| {
+        equation.is_noise(&increment(before), &at_end.back(delta)).then_some(*before)
+    };
     let longest = LONGEST_PART * LONGEST_PART * sizes.square(moved);
     let turning = |increment: &S::Phase| {
         let gradients = invariants.gradients(system, &sum(before, increment));
@@ -73,13 +74,18 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
         let correction = frame.back(&delta);
         // Where gradients nearly depend on each other, Newton's corrections lead far away. They are shortened to what a way back may be.
         let length = Real::sqrt(sizes.square(&correction) / longest);
-        Ok((if length > 1.0 { scaled(R::from_f64(1.0 / length), &correction) } else { correction }, relative))
+        let delta = if length > 1.0 { scaled(R::from_f64(1.0 / length), &correction) } else { correction };
+        Ok(Correction { delta, relative })
     };
+    // Both iterations use old gradients, so corrections shrink by a factor.
+    let convergence = Corrections::of_order(1);
     let turning_from = |start: S::Phase| {
-        let end = correct(start, |increment, delta| equation.is_noise(increment, delta), turning)?;
+        let accept =
+            |Stuck { before, delta, .. }: Stuck<'_, S::Phase>| equation.is_noise(before, delta).then_some(*before);
+        let end = correct(start, convergence, accept, turning)?;
         Ok(difference(&end, moved))
     };
-    let back = match correct(I::Values::zero(), is_noise, simplified) {
+    let back = match correct(I::Values::zero(), convergence, accept, simplified) {
         Ok(multipliers) => {
             let back = at_end.back(&multipliers);
             // After a long way, the accepted residual was measured at `end`, where the terms may be much larger than at the solution.

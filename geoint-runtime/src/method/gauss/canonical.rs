@@ -8,7 +8,7 @@ use crate::method::{Probe, Refusal, Step, StepsOf, check_end, check_way, start};
 use crate::scalar::Real;
 use crate::solving::equation::{Effort, Solution, StepEquation};
 use crate::solving::newton::Newton;
-use crate::solving::rounding::{Corrections, MAX_ITERATIONS, Verdict};
+use crate::solving::rounding::{Correction, Corrections, Stuck, correct};
 use crate::solving::size::Sizes;
 use crate::solving::{Inverse, Inverted, linear};
 use crate::space::vector::{difference, scaled, sum};
@@ -107,22 +107,18 @@ impl<Y: CanonicalForm<R>, R: Real, const S: usize> Copy for StagePoints<'_, Y, R
 impl<Y: CanonicalForm<R>, R: Real, const S: usize> StagePoints<'_, Y, R, S> {
     /// The increment at whose end y has changed by this much, from a guess on.
     fn end(&self, change: &Y::Phase, guess: Y::Phase) -> Result<Y::Phase, Refusal> {
-        let (mut d, mut corrections) = (guess, Corrections::of_order(2));
-        for _ in 0..MAX_ITERATIONS {
-            let at = At::new(self.system, &self.prepared.constants, self.t + self.prepared.h, sum(&self.z, &d));
+        let mut is_positive = true;
+        let correction = |d: &Y::Phase| {
+            let at = At::new(self.system, &self.prepared.constants, self.t + self.prepared.h, sum(&self.z, d));
             let mut delta = self.inverse.times(&difference(&difference(&at.value, &self.y), change));
             let mut matrix = scaled_rows(self.inverse, &at.derivatives[VALUE]);
-            // At the start the matrix is 1: where its determinant is negative, Ω has vanished on the way.
-            let positive = linear::solve(&mut matrix, &mut delta, &Sizes::equal()).ok_or(Refusal::Singular)?;
-            d = difference(&d, &delta);
-            let correction = Sizes::new().relative(&delta, &self.z, &d);
-            match corrections.judge::<R>(correction) {
-                Verdict::Solved | Verdict::Stuck => return if positive { Ok(d) } else { Err(Refusal::Singular) },
-                Verdict::Continue if correction.is_finite() => {}
-                Verdict::Continue => break,
-            }
-        }
-        Err(corrections.not_converged())
+            is_positive = linear::solve(&mut matrix, &mut delta, &Sizes::equal()).ok_or(Refusal::Singular)?;
+            let relative = Sizes::new().relative(&delta, &self.z, &difference(d, &delta));
+            Ok(Correction { delta, relative })
+        };
+        let d = correct(guess, Corrections::of_order(2), |Stuck { after, .. }| Some(*after), correction)?;
+        // At the start the matrix is 1. If its determinant is negative, Ω has vanished on the way.
+        if is_positive { Ok(d) } else { Err(Refusal::Singular) }
     }
 }
 

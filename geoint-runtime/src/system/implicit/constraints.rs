@@ -4,10 +4,10 @@
 use crate::system::{Cotangent, PhaseSpace};
 
 use crate::scalar::Real;
-use crate::solving::rounding::{Corrections, MAX_ITERATIONS, ROUNDINGS, Verdict};
+use crate::solving::rounding::{Correction, Corrections, ROUNDINGS, Stuck, correct};
 use crate::solving::size::Sizes;
 use crate::solving::{Refusal, linear};
-use crate::space::vector::{dot, scaled};
+use crate::space::vector::{difference, dot, scaled};
 use crate::space::{Array, Square, State};
 /// A system with constraints.
 #[diagnostic::on_unimplemented(
@@ -167,13 +167,12 @@ pub(crate) fn on_one_side<S: Constrained<R>, R: Real>(
 
 /// The momenta at z without what leads away from the constraints: p − Gᵀμ with G ∂H/∂p = 0.
 #[inline(always)]
-pub(crate) fn tangent<S: Constrained<R>, R: Real>(system: &S, t: R, mut z: S::Phase) -> Result<S::Array, Refusal> {
-    let (none, minus) = (S::Array::zero(), R::from_f64(-1.0));
+pub(crate) fn tangent<S: Constrained<R>, R: Real>(system: &S, t: R, z: S::Phase) -> Result<S::Array, Refusal> {
+    let none = S::Array::zero();
     let (_, gradients) = gradients(system, &z[0]);
     let rows = S::Multipliers::entries_of::<S::Array>(&gradients);
-    let mut corrections = Corrections::of_order(2);
-    for _ in 0..MAX_ITERATIONS {
-        let (velocity, inverse_mass) = velocity(system, t, &z);
+    let correction = |p: &S::Array| {
+        let (velocity, inverse_mass) = velocity(system, t, &[z[0], *p]);
         let mut multipliers = S::Multipliers::zero();
         for (multiplier, gradient) in multipliers.as_mut_slice().iter_mut().zip(rows) {
             *multiplier = dot(gradient, &velocity);
@@ -183,18 +182,11 @@ pub(crate) fn tangent<S: Constrained<R>, R: Real>(system: &S, t: R, mut z: S::Ph
         for (multiplier, gradient) in multipliers.as_slice().iter().zip(rows) {
             delta.add_scaled(*multiplier, gradient);
         }
-        z[1].add_scaled(minus, &delta);
-        if S::QUADRATIC {
-            return Ok(z[1]);
-        }
-        let correction = Sizes::new().relative(&delta, &none, &z[1]);
-        match corrections.judge::<R>(correction) {
-            Verdict::Solved | Verdict::Stuck => return Ok(z[1]),
-            Verdict::Continue if correction.is_finite() => {}
-            Verdict::Continue => break,
-        }
-    }
-    Err(corrections.not_converged())
+        // The first correction of a linear equation is its solution.
+        let relative = if S::QUADRATIC { 0.0 } else { Sizes::new().relative(&delta, &none, &difference(p, &delta)) };
+        Ok(Correction { delta, relative })
+    };
+    correct(z[1], Corrections::of_order(2), |Stuck { after, .. }| Some(*after), correction)
 }
 
 /// The state nearest to another one that is on the constraints: positions are moved in the metric of the mass matrix, then the momentum
@@ -202,32 +194,24 @@ pub(crate) fn tangent<S: Constrained<R>, R: Real>(system: &S, t: R, mut z: S::Ph
 #[cold]
 #[inline(never)]
 pub(crate) fn projected<S: Constrained<R>, R: Real>(system: &S, t: R, z: &S::Phase) -> Result<S::Phase, Refusal> {
-    let (none, minus) = (S::Array::zero(), R::from_f64(-1.0));
+    let none = S::Array::zero();
     on_one_side(system, (t, z), [&z[0], &z[0]]).map_err(|what| Refusal::DependentConstraints { what })?;
     let (_, inverse_mass) = velocity(system, t, z);
     let (_, start) = gradients(system, &z[0]);
     let directions = S::Multipliers::entries_of::<S::Array>(&start);
-    let mut q = z[0];
-    let mut corrections = Corrections::of_order(2);
-    for _ in 0..MAX_ITERATIONS {
-        let (mut multipliers, here) = gradients(system, &q);
+    let correction = |q: &S::Array| {
+        let (mut multipliers, here) = gradients(system, q);
         solve::<S, R>(&here, &start, &inverse_mass, &mut multipliers)?;
         let mut delta = none;
         for (multiplier, gradient) in multipliers.as_slice().iter().zip(directions) {
             delta.add_scaled(*multiplier, &times::<S::Array>(&inverse_mass, gradient));
         }
-        q.add_scaled(minus, &delta);
-        let correction = Sizes::new().relative(&delta, &z[0], &q);
-        match corrections.judge::<R>(correction) {
-            Verdict::Solved | Verdict::Stuck => {
-                on_one_side(system, (t, z), [&q, &q]).map_err(|what| Refusal::DependentConstraints { what })?;
-                return Ok([q, tangent(system, t, [q, z[1]])?]);
-            }
-            Verdict::Continue if correction.is_finite() => {}
-            Verdict::Continue => break,
-        }
-    }
-    Err(corrections.not_converged())
+        let relative = Sizes::new().relative(&delta, &z[0], &difference(q, &delta));
+        Ok(Correction { delta, relative })
+    };
+    let q = correct(z[0], Corrections::of_order(2), |Stuck { after, .. }| Some(*after), correction)?;
+    on_one_side(system, (t, z), [&q, &q]).map_err(|what| Refusal::DependentConstraints { what })?;
+    Ok([q, tangent(system, t, [q, z[1]])?])
 }
 
 /// Solves G W G₀ᵀ ν = r in place of r.

@@ -1,8 +1,9 @@
 //! Lagrangians whose steps are solved for velocities: v follows from p by an equation, and no energy as a function of p is emitted.
 
 use crate::scalar::Real;
+use crate::solving::Refusal;
 use crate::solving::linear;
-use crate::solving::rounding::{Corrections, MAX_ITERATIONS, Verdict};
+use crate::solving::rounding::{Correction, Corrections, Stuck, correct};
 use crate::solving::size::Sizes;
 use crate::space::vector::{difference, dot};
 use crate::space::{Array, Square};
@@ -100,28 +101,18 @@ pub(crate) fn velocity_near<S: MassForm<R>, R: Real>(
     s: &S::Action,
     guess: S::Array,
 ) -> Option<S::Array> {
-    let minus = R::from_f64(-1.0);
-    let (mut v, none) = (guess, S::Array::zero());
-    let mut corrections = Corrections::of_order(2);
-    for _ in 0..MAX_ITERATIONS {
+    let none = S::Array::zero();
+    let correction = |v: &S::Array| {
         let (mut delta, mut mass) = (none, S::Array::fill(none));
-        system.mass(t, q, &v, s, (&mut delta, &mut mass));
-        delta.add_scaled(minus, p);
-        solve_for_velocity(&mut mass, &mut delta)?;
-        v.add_scaled(minus, &delta);
-        if S::QUADRATIC {
-            return v.is_finite().then_some(v);
-        }
-        let correction = Sizes::new().relative(&delta, &none, &v);
-        match corrections.judge::<R>(correction) {
-            Verdict::Solved => return Some(v),
-            Verdict::Stuck if has_momentum(system, t, [q, p], s, &v) => return Some(v),
-            Verdict::Stuck => corrections.restart(),
-            Verdict::Continue if correction.is_finite() => {}
-            Verdict::Continue => return None,
-        }
-    }
-    None
+        system.mass(t, q, v, s, (&mut delta, &mut mass));
+        delta.add_scaled(R::from_f64(-1.0), p);
+        solve_for_velocity(&mut mass, &mut delta).ok_or(Refusal::Singular)?;
+        // The first correction of a linear equation is its solution.
+        let relative = if S::QUADRATIC { 0.0 } else { Sizes::new().relative(&delta, &none, &difference(v, &delta)) };
+        Ok(Correction { delta, relative })
+    };
+    let accept = |Stuck { after, .. }: Stuck<'_, S::Array>| has_momentum(system, t, [q, p], s, after).then_some(*after);
+    correct(guess, Corrections::of_order(2), accept, correction).ok().filter(S::Array::is_finite)
 }
 
 /// Returns whether a velocity solves ∂L/∂v = p up to rounding.
