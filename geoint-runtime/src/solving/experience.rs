@@ -13,7 +13,8 @@ const SECOND_LOOK: u32 = 64;
 /// The largest number of evaluations. A solution that takes more may belong to another branch, so [`rescue`] examines it.
 pub(super) const MOST_EVALUATIONS: u32 = 5;
 
-/// An explicit guess costs two evaluations. If it needs this number of evaluations more, an extrapolated guess may be better.
+/// A guess is good if its equation takes fewer evaluations than this. An extrapolated guess may take one more, because an explicit guess costs evaluations itself. After
+/// a guess that is not good, the next one is explicit.
 const ROUGH: u32 = 3;
 
 /// Lower bound of the measured constant of convergence.

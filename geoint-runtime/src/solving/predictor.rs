@@ -4,14 +4,16 @@ use crate::ablation;
 use crate::scalar::Real;
 use crate::space::{Array, Record, Tape};
 
-/// The number of unknowns that are extrapolated. At usual step sizes the eleventh difference is below the accuracy at which one evaluation is enough.
+/// The number of earlier steps whose unknowns are extrapolated. Steps have equal lengths. At usual step sizes the eleventh difference is below the accuracy at which one
+/// evaluation is enough.
 const POINTS: usize = if ablation::ELEVEN_POINTS { 11 } else { 4 };
 
 /// (−1)ʲ (n choose j + 1) for n = `POINTS`: the n-th difference of the sequence is taken for zero.
 const WEIGHTS: [f64; POINTS] = {
     let (mut weights, mut j, mut binomial) = ([0.0; POINTS], 0, 1.0);
     while j < POINTS {
-        binomial *= (POINTS - j) as f64 / (j + 1) as f64;
+        // The product is divisible, so no digit is lost.
+        binomial = binomial * (POINTS - j) as f64 / (j + 1) as f64;
         weights[j] = if j % 2 == 0 { binomial } else { -binomial };
         j += 1;
     }

@@ -12,7 +12,6 @@ use super::distant::{Distant, Residual, ResidualOf};
 use super::equation::{Magnitudes, Solution, StepEquation, explicit_guess};
 use super::experience::{Experience, MOST_EVALUATIONS};
 use super::rounding::{Corrections, MAX_ITERATIONS, Verdict, is_of_last_digits};
-use super::size::Sizes;
 use super::{Effort, Observer, Refusal, damped, linear, noise};
 use crate::space::Array;
 
@@ -37,48 +36,40 @@ pub(super) fn from_start<A: Array, W: Observer + ?Sized, E: StepEquation<A, W>>(
 }
 
 impl<A: Array> Experience<A> {
-    /// Tries one way after the other.
+    /// Tries one way after the other. A way that fails leaves no trace.
     #[inline(never)]
     fn rescue(&mut self, equation: &Distant<A>, residual: &mut dyn Residual<A>) -> Result<Solution<A>, Refusal> {
-        // Sizes for pivots. A guess may be wild, so corrections are not compared with it.
-        let mut pivots = self.sizes;
-        pivots.include(&equation.origin, &equation.guess);
-        let mut refusal = match self.search(equation.guess, false, &pivots, equation, residual) {
-            Ok(solution) => return Ok(solution),
-            Err(refusal) => refusal,
-        };
-        if equation.effort == Effort::Thorough {
-            let guess = damped::approach(&equation.origin, equation.standstill, &self.sizes, |x, r, matrix| {
-                *r = residual.at(x, matrix);
-                Ok(())
-            });
-            let pivots = self.sizes;
-            match self.search(guess, true, &pivots, equation, residual) {
-                Ok(solution) => return Ok(solution),
-                Err(last) => refusal = last,
-            }
+        let start = *self;
+        let found = self.search(&equation.guess, Distance::Near, equation, residual);
+        if found.is_ok() || equation.effort == Effort::Fast {
+            return found;
         }
-        Err(refusal)
+        *self = start;
+        let guess = damped::approach(&equation.origin, equation.standstill, &self.sizes, |x, r, matrix| {
+            *r = residual.at(x, matrix);
+            Ok(())
+        });
+        self.search(&guess, Distance::Far, equation, residual)
     }
 
-    /// Iterates from a guess, and examines a solution that is far from it.
+    /// Iterates from a guess, and examines a solution that may be another one than that of a short step.
     fn search(
         &mut self,
-        guess: A,
-        is_far: bool,
-        pivots: &Sizes<A>,
+        guess: &A,
+        distance: Distance,
         equation: &Distant<A>,
         residual: &mut dyn Residual<A>,
     ) -> Result<Solution<A>, Refusal> {
         let sizes = self.sizes;
-        let Converged { solution, evaluations } = self.converge(guess, pivots, equation, residual)?;
-        if (is_far || evaluations > MOST_EVALUATIONS) && !equation.is_bound_by_energy {
+        let Converged { solution, evaluations } = self.converge(guess, equation, residual)?;
+        if (distance == Distance::Far || evaluations > MOST_EVALUATIONS) && !equation.is_bound_by_energy {
             let is_continuous = equation.effort == Effort::Thorough
                 && Continuation { sizes, kinds: self.kinds, equation, residual }.is_continuous(&solution.x);
             if !is_continuous {
-                self.sizes = sizes;
                 return Err(Refusal::Singular);
             }
+            // The observer, and methods that use the last evaluation, must see the solution last.
+            residual.at(&solution.x, &mut A::fill(A::zero()));
         }
         self.settle(evaluations, false);
         Ok(solution)
@@ -88,13 +79,15 @@ impl<A: Array> Experience<A> {
     /// larger.
     fn converge(
         &mut self,
-        guess: A,
-        pivots: &Sizes<A>,
+        guess: &A,
         equation: &Distant<A>,
         residual: &mut dyn Residual<A>,
     ) -> Result<Converged<A>, Refusal> {
         let Distant { origin, effort, magnitudes, .. } = *equation;
-        let mut solution = Solution { x: guess, rounding_error: A::zero() };
+        let mut solution = Solution { x: *guess, rounding_error: A::zero() };
+        // Pivots are compared in units of these sizes. Corrections are not, because a guess may be wild.
+        let mut pivots = self.sizes;
+        pivots.include(&origin, guess);
         let mut matrix = A::fill(A::zero());
         let (mut corrections, mut stuck) = (Corrections::of_order(2), None);
         for evaluations in 1..=MAX_ITERATIONS {
@@ -111,7 +104,7 @@ impl<A: Array> Experience<A> {
                 is_rounding = self.is_noise(&x, last, equation, residual);
             }
             let mut delta = left;
-            let is_positive = match linear::solve(&mut matrix, &mut delta, pivots) {
+            let is_positive = match linear::solve(&mut matrix, &mut delta, &pivots) {
                 Some(is_positive) => is_positive,
                 None if delta.is_finite() => return Err(Refusal::Singular),
                 None => break,
@@ -136,9 +129,12 @@ impl<A: Array> Experience<A> {
                     break;
                 }
             }
+            if is_solved && !is_positive {
+                return Err(Refusal::Singular);
+            }
             if is_solved {
                 self.sizes.include(&origin, &solution.x);
-                return if is_positive { Ok(Converged { solution, evaluations }) } else { Err(Refusal::Singular) };
+                return Ok(Converged { solution, evaluations });
             }
         }
         Err(corrections.not_converged())
@@ -161,6 +157,13 @@ impl<A: Array> Experience<A> {
         // The solution is evaluated last, because the observer remembers the last point.
         noise::explains(&noise, &residual.at(x, &mut unused), &sizes)
     }
+}
+
+/// The distance of a guess from the solution of a short step.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Distance {
+    Near,
+    Far,
 }
 
 /// A solution, and the number of evaluations that it took.

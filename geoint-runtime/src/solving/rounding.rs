@@ -115,7 +115,7 @@ impl Corrections {
             return if relative == 0.0 { Verdict::Solved } else { Verdict::Continue };
         }
         let next = relative * if self.order == 2 { shrunk * shrunk } else { shrunk };
-        if next <= REMAINDER * R::epsilon() || shrunk > 0.5 && is_rounding::<R>(relative) {
+        if relative == 0.0 || next <= REMAINDER * R::epsilon() || shrunk > 0.5 && is_rounding::<R>(relative) {
             return Verdict::Solved;
         }
         if relative < SMALLER * self.smallest {
