@@ -2,7 +2,7 @@
 //!
 //! The equation x = g(x) of a step far too large has several solutions. Methods that keep the energy reject the wrong ones by their energy. For other
 //! methods this file follows the solution of x = λ g(x) from λ = 1 to λ = 0, where x = 0: λ stands for the size of the step. For Gauss methods of
-//! autonomous systems λh is the size of the step.
+//! autonomous systems of first order, λh is the size of the step.
 
 use super::distant::{Distant, Residual};
 use crate::scalar::Real;
@@ -27,7 +27,7 @@ const MOST_CORRECTIONS: u32 = 5;
 /// The largest first correction, as a part of the solution, where the guess is the scaled solution at the λ before.
 const NEIGHBOURING: f64 = 1.0 / 4.0;
 
-/// Each correction is at most this part of the one before: Newton's iteration then has one solution near the guess (L. V. Kantorovich, 1948).
+/// Each correction is at most this part of the one before: A heuristic after L. V. Kantorovich (1948): with such corrections, there is one solution near the guess.
 const SHRINKING: f64 = 1.0 / 4.0;
 
 /// A correction by this part of the solution is the last one.

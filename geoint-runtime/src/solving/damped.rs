@@ -18,8 +18,8 @@ const SHORTEST: f64 = 1e-6;
 
 const MAX_ITERATIONS: u32 = 100;
 
-/// Returns a point near a solution of residual(x) = 0, if there is one on the way from `still` times the origin, where nothing moves: the energy is defined there if
-/// it is defined at the start of the step.
+/// Returns the end of a damped iteration from `still`·origin, where nothing moves and the energy is defined. The point is near a solution of residual(x) = 0, or at a
+/// minimum of the residual with a singular derivative; the caller finds out.
 #[cold]
 #[inline(never)]
 pub(crate) fn approach<A: Array>(

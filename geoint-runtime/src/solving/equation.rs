@@ -1,4 +1,4 @@
-//! The equation of an implicit step: r(x) = 0 for an increment x, or for another unknown of the size of a step.
+//! The equation of an implicit step: r(x) = 0 for an increment x, or for the rates or velocities of stages.
 
 use crate::ablation;
 use crate::space::vector::difference;
@@ -6,7 +6,8 @@ use crate::space::{Array, Square};
 
 /// Sees the points at which an equation is evaluated.
 pub trait Observer {
-    /// Points that follow are no points of the step if `paused`. They are evaluated to measure rounding, or to follow a solution.
+    /// Starts or ends a pause. Points of a pause are no points of the step: they are evaluated to measure rounding, or to follow a solution. An observer that explains
+    /// refusals ignores them. After a pause, the solution is evaluated again.
     fn pause(&mut self, paused: bool);
 }
 
@@ -47,12 +48,13 @@ pub(crate) trait StepEquation<A: Array, W: Observer + ?Sized>: Copy {
     const EFFORT: Effort;
     const MAGNITUDES: Magnitudes = Magnitudes::Recent;
 
-    /// Returns whether all solutions have the energy of the start, so that none is far away.
+    /// Returns whether all solutions have the energy of the start. Solutions are then not followed to h = 0.
     fn is_bound_by_energy(&self) -> bool {
         false
     }
 
-    /// Returns the multiple of the origin at which nothing moves. The energy is defined there if it is defined at the start of the step.
+    /// Returns the factor f for which x = f·origin moves nothing: 0 for an increment, −2 for an impulse that reverses a momentum. The energy is defined there if it is
+    /// defined at the start of the step.
     fn standstill(&self) -> f64 {
         0.0
     }
@@ -73,8 +75,7 @@ pub(crate) trait StepEquation<A: Array, W: Observer + ?Sized>: Copy {
     }
 }
 
-/// A solution, and the part of its last correction that does not fit into the digits of x. The error of x has a bias, because small corrections are
-/// nearly multiples of the last digit.
+/// A solution x + `rounding_error`: the second part of the last correction does not fit into the digits of x. Without it, the errors of many steps would have a bias.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Solution<A> {
     pub(crate) x: A,

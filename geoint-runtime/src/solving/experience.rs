@@ -26,7 +26,7 @@ pub(super) struct Experience<A> {
     pub(super) sizes: Sizes<A>,
     /// Number of unknowns of one kind, and number of kinds: positions and momenta have different units. Unknowns of a kind follow each other.
     pub(super) kinds: [usize; 2],
-    /// The largest correction, in units of the sizes, after which the next one is below rounding.
+    /// The largest correction, in units of the sizes, after which the next one is below [`REMAINDER`] of the last digit.
     pub(super) reach: f64,
     pub(super) steps: u32,
     /// The number of terms that the predictor has.

@@ -1,13 +1,13 @@
 //! Newton's iteration for the unknown of one step, from the unknowns of the steps before.
 //!
 //! A step predicts its unknown x, evaluates the residual and its derivative, and corrects x. It accepts x where the next correction is bound to be below the
-//! rounding of `origin + x`, entry by entry: convergence is quadratic, and its constant is measured in each 64th step. No tolerance ends the iteration,
+//! rounding of `origin + x`, entry by entry: convergence is quadratic, and its constant is measured in each 64th step at least. No tolerance ends the iteration,
 //! because a step is symmetric, and keeps the energy, only at the solution.
 //!
 //! Where h goes to 0, the derivative is 1. If its determinant is negative at a solution, the solution is not continuous in h, and the step is refused.
 //!
 //! The loop owns its state in local variables, and cold functions take and return copies. A pointer to the state would keep it in memory, and the next
-//! step would wait for it: 1.5 of the time of short steps.
+//! step would wait for it: short steps would take up to 1.5 times as long.
 
 use super::equation::{Magnitudes, Solution, StepEquation, explicit_guess};
 use super::experience::{Experience, MOST_EVALUATIONS};
@@ -50,7 +50,7 @@ impl<A: Array> Newton<A> {
         Newton { predictor: Predictor::new(), experience: Experience::new(n, kinds) }
     }
 
-    /// Solves r(x) = 0 to rounding. After an error, the solver must not be used again.
+    /// Solves r(x) = 0 to rounding. After an error, the run begins with a new solver, because the sequence of unknowns has a gap.
     #[inline(always)]
     pub(crate) fn solve<W: Observer + ?Sized, E: StepEquation<A, W>>(
         &mut self,
@@ -102,34 +102,36 @@ impl<A: Array> Newton<A> {
             let solution = Solution::corrected(&x, &delta);
             x = solution.x;
             let foreseen = extrapolates && experience.sizes.all_within(&delta, experience.reach);
-            let is_solved = if foreseen && (evaluation > 2 || !looks) {
-                true
-            } else if evaluation == 1 && extrapolates && !experience.sizes.all_within(&delta, FAR_OFF) {
-                return None;
-            } else {
-                let correction = experience.sizes.relative(&delta, &origin, &x);
-                if evaluation == 2 {
-                    experience.measure_curvature(correction, before);
-                }
-                let is_last = correction == 0.0 || evaluation > 1 && is_last::<A::Real>(correction, before);
-                before = correction;
-                // Far away, the derivative may be large beyond measure. Corrections are small there although x is no solution.
-                is_last && (extrapolates || experience.sizes.resolve(&residual, &origin, &point))
-            };
-            if is_solved {
+            // Steep integrals need a measured correction, unless one evaluation is enough.
+            let is_trusted = evaluation == 1 || matches!(E::MAGNITUDES, Magnitudes::Recent);
+            if foreseen && is_trusted && (evaluation > 2 || !looks) {
                 if evaluation > 1 {
-                    experience.sizes.include(&origin, &x);
+                    experience.settle(evaluation, extrapolates);
                 }
+                return Some(solution);
+            }
+            if evaluation == 1 && extrapolates && !experience.sizes.all_within(&delta, FAR_OFF) {
+                return None;
+            }
+            let correction = experience.sizes.relative(&delta, &origin, &x);
+            if evaluation == 2 {
+                experience.measure_curvature(correction, before);
+            }
+            let is_last = correction == 0.0 || evaluation > 1 && is_last::<A::Real>(correction, before);
+            // Far away, the derivative may be large beyond measure. Corrections are small there although x is no solution.
+            if is_last && (extrapolates || experience.sizes.resolve(&residual, &origin, &point)) {
+                experience.sizes.include(&origin, &x);
                 experience.settle(evaluation, extrapolates);
                 return Some(solution);
             }
+            before = correction;
         }
         None
     }
 }
 
 impl<A: Array> Experience<A> {
-    /// Iterates x ← x − r(x), if it converges fast. Then there is one solution, and it is continuous in h.
+    /// Iterates x ← x − r(x), if it converges fast. Fast convergence is taken as the sign of a contraction, which has one solution.
     #[inline(always)]
     fn fixed_point<W: Observer + ?Sized, E: StepEquation<A, W>>(
         &mut self,

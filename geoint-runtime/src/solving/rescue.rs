@@ -93,7 +93,7 @@ impl<A: Array> Experience<A> {
         for evaluations in 1..=MAX_ITERATIONS {
             let x = solution.x;
             let left = residual.at(&x, &mut matrix);
-            // Integrals of a field may be steep, so there only the watched step decides what is rounding.
+            // Integrals of a field may be steep. There, only a step with more effort decides what is rounding, because such a step is checked by an observer.
             let decides = effort == Effort::Thorough || magnitudes == Magnitudes::Recent;
             let mut is_rounding =
                 decides && corrections.slow() && is_of_last_digits(&self.sizes.with(&origin), &left, &matrix);

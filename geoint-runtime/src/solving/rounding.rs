@@ -1,4 +1,4 @@
-//! Is a correction rounding? All iterations use this answer.
+//! Is a correction rounding? Iterations use this answer. Newton's loop has a short form of it.
 //!
 //! An iteration ends where the next correction is bound to be below the last digit, or where corrections are small and no longer shrink. A correction is compared with
 //! the size of what it corrects. If large terms cancel in a residual, their rounding is measured: see [`noise`](crate::solving::noise).
@@ -81,7 +81,7 @@ impl Corrections {
         }
     }
 
-    /// Forgets the corrections so far, because those that follow are relative to another size.
+    /// Forgets the corrections so far after a measurement of rounding. The next measurement, if there is one, uses points that are farther apart.
     pub(crate) fn restart(&mut self) {
         let (looks, distance) = (self.looks + 1, AND_FARTHER * self.distance);
         *self = Self { before: f64::INFINITY, smallest: f64::INFINITY, stuck: 0, looks, distance, ..*self };
@@ -92,7 +92,8 @@ impl Corrections {
         self.distance
     }
 
-    /// Returns whether the last correction is larger than it would be with quadratic convergence. The derivative may then be wrong, or rounding.
+    /// Returns whether the last correction is larger than it would be with quadratic convergence. The derivative may then be wrong, or rounding. For iterations of order 1,
+    /// this is usual.
     #[inline(always)]
     pub(crate) fn slow(&self) -> bool {
         self.slow
