@@ -1,12 +1,17 @@
 //! What emitted code may name. Not part of the public interface.
 
-pub use crate::method::constrained::Rattle;
-pub use crate::method::contact::{ContactDiscreteGradient, ContactMidpoint};
+pub use crate::method::constrained::{BoundStep, Rattle};
+pub use crate::method::contact::{
+    ContactDiscreteGradient, ContactFieldStages, ContactGauss as ContactGaussCollocation, ContactMidpoint, ContactPolarisedStep, ContactStep,
+    ContactVelocityStages,
+};
 pub use crate::method::corrected::invariants::{
     CanonicalEnergy, EnergyAndMomenta, Integral, Integrals as KeptIntegrals, VelocityEnergy,
 };
-pub use crate::method::discrete_gradient::DiscreteGradient;
+pub use crate::method::discrete_gradient::{DiscreteGradient, PolarisedStep, TreeStep};
 pub use crate::method::discrete_gradient::canonical as fourth_order;
+pub use crate::method::gauss::{CanonicalStages, FieldStages, Gauss as GaussCollocation, GaussTableau, VelocityStages};
+pub use crate::method::implicit::ImplicitMethod;
 pub use crate::method::pieces::{
     ContactSplitting, PieceSplitting, PlanarDiscreteGradient, PlanarItohAbe, PlanarSplitting, PoissonSplitting,
 };
@@ -21,11 +26,9 @@ pub use crate::space::{
     Array, BodyState, ContactState, Coordinates, FlowState, PerCoordinate, Placed, Snapshot, Square, State,
 };
 pub use crate::system::{
-    Autonomous, ByCanonical, ByConstraint, ByField, ByPolarisation, ByTree, ByVelocities, CanonicalForm,
-    Clock as PieceClock, Collocated, Collocation, Conformal as ConformalContact, Conservative,
-    Constrained as ConstrainedSystem, ConstrainedStep, Contact as ContactSystem, ContactCollocated, ContactGraded,
-    ContactPolarised, ContactStage, ContactStages, ContactVelocities, Cotangent as CotangentSpace, DiscreteField,
-    FirstIntegrals, FlowPart, ForceGradient, FourthOrderField, Graded, Gradients, Hamiltonian, ImplicitStep, Jets,
+    Autonomous, CanonicalForm, Clock as PieceClock, Collocation, Conformal as ConformalContact, Conservative,
+    Constrained as ConstrainedSystem, ConstrainedStep, Contact as ContactSystem, ContactEquation, ContactPolarised, ContactStage, ContactStages, ContactVelocities, Cotangent as CotangentSpace, DiscreteField,
+    FirstIntegrals, FlowPart, ForceGradient, FourthOrderField, Gradients, Hamiltonian, Jets, Keeping,
     KeepsEnergy, KeptMomenta, Lagrangian as LagrangianSystem, MassForm, Mean, Mechanical as MechanicalContact,
     ModifiedEnergy, NystromPieces, Perturbed as PerturbedSystem, PerturbedGradient, PhaseSpace, Piece as FlowPiece,
     Pieces as FlowPieces, PolarisedForm, Pole, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable, Span,

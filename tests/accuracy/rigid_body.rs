@@ -9,7 +9,10 @@
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::space::Square;
-use geoint_runtime::system::{ByField, ByTree, Collocated, Collocation, DiscreteField, Graded, QuadraticField, Span};
+use geoint_runtime::method::discrete_gradient::TreeStep;
+use geoint_runtime::method::gauss::{FieldStages, GaussTableau};
+use geoint_runtime::method::implicit::ImplicitMethod;
+use geoint_runtime::system::{Collocation, DiscreteField, Keeping, QuadraticField, Span};
 use geoint_runtime::{Method, VectorField};
 use geoint_tests::measure::distance;
 
@@ -63,9 +66,16 @@ impl QuadraticField for RigidBody {
     type Proof = ();
 }
 
-impl Collocated for RigidBody {
+impl<const S: usize> ImplicitMethod<RigidBody> for Gauss<S>
+where
+    Gauss<S>: GaussTableau<S>,
+{
     type Proof = ();
-    type Stages = ByField;
+    type Step = FieldStages<S>;
+
+    fn step(self) -> FieldStages<S> {
+        FieldStages
+    }
 }
 
 impl Collocation for RigidBody {
@@ -94,10 +104,17 @@ impl Collocation for RigidBody {
     }
 }
 
-impl Graded for RigidBody {
-    type Proof = ();
-    type Gradient = ByTree;
+impl Keeping for RigidBody {
     type Kept = ();
+}
+
+impl ImplicitMethod<RigidBody> for DiscreteGradient {
+    type Proof = ();
+    type Step = TreeStep;
+
+    fn step(self) -> TreeStep {
+        TreeStep
+    }
 }
 
 /// c g₁ × g₂ with the discrete gradients g of the energy and of half the square of angular momentum, 1/c = the product of all

@@ -1,7 +1,9 @@
 //! Walking along a trajectory: counts, last times, errors that end it, and the bare loop against single steps.
 
+use geoint_runtime::method::gauss::SolvedByGauss;
+use geoint_runtime::method::implicit::SolvedBy;
 use geoint_runtime::prelude::*;
-use geoint_runtime::system::{ByField, Collocated, Conservative, DiscreteField};
+use geoint_runtime::system::{Conservative, DiscreteField};
 use geoint_runtime::{Method, Separable};
 use geoint_tests::measure::distance;
 use geoint_tests::methods::{self, Visitor};
@@ -45,7 +47,7 @@ fn advance_is_so_many_steps() {
     fn lists<S>(bulk: &mut Bulk)
     where
         Bulk: Visitor<S, f64>,
-        S: DiscreteField + Collocated<Stages = ByField> + Conservative + Separable,
+        S: DiscreteField + SolvedByGauss + SolvedBy<DiscreteGradient> + Conservative + Separable,
     {
         methods::general::<S, f64>(bulk);
         methods::discrete_gradient::<S, f64>(bulk);

@@ -5,7 +5,7 @@ use super::laws::decays;
 use geoint_runtime::Claims;
 use geoint_runtime::prelude::*;
 use geoint_runtime::space::Array;
-use geoint_runtime::system::ImplicitStep;
+use geoint_runtime::system::ContactEquation;
 use geoint_tests::measure::distance;
 use geoint_tests::scalars::Dual;
 
@@ -77,9 +77,9 @@ claims! {
 /// Newton's matrix against dual numbers through the equation.
 fn newtons_matrix<P: Case, M>()
 where
-    P::Over<Dual>: ImplicitStep<M, Dual>,
+    P::Over<Dual>: ContactEquation<M, Dual>,
 {
-    type Unknown<P, M> = <<P as Case>::Over<Dual> as ImplicitStep<M, Dual>>::Unknown;
+    type Unknown<P, M> = <<P as Case>::Over<Dual> as ContactEquation<M, Dual>>::Unknown;
     let n = 2 * P::LEN + 1;
     let system = P::system::<Dual>();
     let constants = system.constants(0.3.into());

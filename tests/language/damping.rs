@@ -1,5 +1,6 @@
 #![deny(warnings)]
 
+use geoint_runtime::method::implicit::SolvedBy;
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::DiscreteField;
 use nalgebra::Vector2;
@@ -43,7 +44,7 @@ fn rank_one(x: [f64; 2], p: [f64; 2], t: f64) -> f64 {
 }
 
 /// The energy falls in every step.
-fn falls<S: DiscreteField<State = State<[f64; 2]>>>(system: S) {
+fn falls<S: SolvedBy<DiscreteGradient> + DiscreteField<State = State<[f64; 2]>>>(system: S) {
     let mut sim = system.integrator(DiscreteGradient, 0.1, State::new([0.3, 0.4], [0.5, -0.2]));
     let mut energy = sim.energy();
     for _ in 0..100 {

@@ -13,10 +13,10 @@ pub use geoint_runtime::method::catalogue::{
 use geoint_runtime::Real;
 use geoint_runtime::method::catalogue;
 use geoint_runtime::prelude::*;
-use geoint_runtime::system::{
-    ByConstraint, ByField, ByTree, Collocated, Collocation, Conservative, ConstrainedStep, ContactGraded,
-    ContactStages, DiscreteField, Graded, ImplicitStep, QuadraticField,
-};
+use geoint_runtime::method::contact::SolvedByContactGauss;
+use geoint_runtime::method::gauss::SolvedByGauss;
+use geoint_runtime::method::implicit::SolvedBy;
+use geoint_runtime::system::{Collocation, Conservative, DiscreteField, QuadraticField};
 use geoint_runtime::{
     ForceGradient, Mechanical, Perturbation, Perturbed, PerturbedGradient, PhaseSpace, Pieces, PlanarSplitting,
     PoissonSplitting, QuadraticKinetic, Rattle, Separable,
@@ -32,7 +32,10 @@ pub fn processed<S: PerturbedGradient<R> + ForceGradient<R> + PhaseSpace<R, Acti
 
 /// Methods by discrete gradients that treat all coordinates alike, for every H with known divided differences. Compositions of such methods
 /// are included.
-pub fn discrete_gradient<S: DiscreteField<R> + Conservative<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+pub fn discrete_gradient<S, R: Real>(visitor: &mut impl Visitor<S, R>)
+where
+    S: DiscreteField<R> + Conservative<R> + SolvedBy<DiscreteGradient, R>,
+{
     catalogue::discrete_gradient(visitor);
     catalogue::mean_gradients(visitor);
     visitor.visit(FourthOrder(MeanValue::<3>));
@@ -78,10 +81,10 @@ macro_rules! kinds {
 
 kinds! {
     /// Kinds of [`general`].
-    kinds_of_general [Collocation<R> + Collocated<R, Stages = ByField>]:
+    kinds_of_general [Collocation<R> + SolvedByGauss<R>]:
         ExplicitEuler, RK4, ImplicitMidpoint, Gauss::<3>, Suzuki4.of(ImplicitMidpoint);
     /// Kinds of [`discrete_gradient`].
-    kinds_of_discrete_gradient [DiscreteField<R> + Conservative<R>]:
+    kinds_of_discrete_gradient [DiscreteField<R> + Conservative<R> + SolvedBy<DiscreteGradient, R>]:
         DiscreteGradient, Gonzalez, MeanValue::<2>, FourthOrder(DiscreteGradient), Suzuki4.of(DiscreteGradient);
     /// Kinds of [`itoh_abe`].
     kinds_of_itoh_abe [DiscreteField<R> + Conservative<R>]: SymmetrisedItohAbe, ItohAbePair, FourthOrder(SymmetrisedItohAbe);
@@ -100,17 +103,15 @@ kinds! {
     /// Kinds of [`coupled`].
     kinds_of_coupled [Pieces<PieceSplitting, R>]: PieceSplitting, BlanesMoan4X.of(PieceSplitting), Suzuki4.of(PieceSplitting);
     /// Kinds of [`constrained`].
-    kinds_of_constrained [
-        ConstrainedStep<Rattle, R> + ConstrainedStep<DiscreteGradient, R> + Graded<R, Gradient = ByConstraint>
-    ]: Rattle, DiscreteGradient, Suzuki4.of(Rattle), Suzuki4.of(DiscreteGradient);
+    kinds_of_constrained [SolvedBy<Rattle, R> + SolvedBy<DiscreteGradient, R>]:
+        Rattle, DiscreteGradient, Suzuki4.of(Rattle), Suzuki4.of(DiscreteGradient);
     /// Kinds of [`pieces`], for contact systems.
     kinds_of_pieces [Pieces<ContactSplitting, R>]: ContactSplitting, BlanesMoan4X, Suzuki4.of(ContactSplitting);
     /// Kinds of [`catalogue::mechanical`].
     kinds_of_mechanical [Mechanical<R>]: ContactLeapfrog, Suzuki4.of(ContactLeapfrog);
     /// Kinds of [`catalogue::contact`].
     kinds_of_contact [
-        ImplicitStep<ContactMidpoint, R> + ImplicitStep<ContactDiscreteGradient, R> + ContactStages<R>
-            + ContactGraded<R, Gradient = ByTree>
+        SolvedByContactGauss<R> + SolvedBy<ContactMidpoint, R> + SolvedBy<ContactDiscreteGradient, R>
     ]: ContactGauss::<1>, ContactGauss::<3>, ContactMidpoint, ContactDiscreteGradient, Suzuki4.of(ContactMidpoint),
         Suzuki4.of(ContactDiscreteGradient);
     /// Kinds of [`catalogue::poisson`].

@@ -3,8 +3,10 @@
 //! The tests cover three difficulties. The compiler may simplify the function that bounds the domain. `advance` merges the last flow of a step with
 //! the first flow of the next one, so the state between them is not computed. The signs of parameters may decide where the domain ends.
 
+use geoint_runtime::method::gauss::SolvedByGauss;
+use geoint_runtime::method::implicit::SolvedBy;
 use geoint_runtime::prelude::*;
-use geoint_runtime::system::{ByField, Collocated, DiscreteField};
+use geoint_runtime::system::DiscreteField;
 use geoint_runtime::{Autonomous, Hamiltonian, Method, QuadraticKinetic, Separable};
 use geoint_tests::methods::{self, Visitor};
 
@@ -61,7 +63,7 @@ impl<S: Hamiltonian<Coordinates = f64>> Visitor<S, f64> for Alike<S> {
 }
 
 /// Compares the implicit methods, RK4 and relaxed methods on a system.
-fn alike<S: DiscreteField + Autonomous<Coordinates = f64> + Collocated<Stages = ByField>>(
+fn alike<S: DiscreteField + Autonomous<Coordinates = f64> + SolvedByGauss + SolvedBy<DiscreteGradient>>(
     name: &'static str,
     system: S,
 ) -> Alike<S> {
@@ -78,7 +80,7 @@ fn alike<S: DiscreteField + Autonomous<Coordinates = f64> + Collocated<Stages = 
 }
 
 /// Compares the methods of `alike`, and then splitting methods from `tables`. The splitting methods must end at least six runs with an error.
-fn split<S: DiscreteField + Autonomous<Coordinates = f64> + Collocated<Stages = ByField>>(
+fn split<S: DiscreteField + Autonomous<Coordinates = f64> + SolvedByGauss + SolvedBy<DiscreteGradient>>(
     name: &'static str,
     system: S,
     tables: impl Fn(&mut Alike<S>),

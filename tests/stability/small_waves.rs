@@ -1,7 +1,8 @@
 //! Forces that cancel: the rounding of a residual is that of its terms. What is solved to it is accepted, and nothing else.
 
+use geoint_runtime::method::implicit::SolvedBy;
 use geoint_runtime::prelude::*;
-use geoint_runtime::system::{ByField, Collocated, Collocation};
+use geoint_runtime::system::Collocation;
 use geoint_runtime::{Hamiltonian, IntoIntegrator, Method, Real};
 use geoint_tests::measure::Noise;
 use geoint_tests::problems::*;
@@ -200,7 +201,7 @@ fn residual<S: Hamiltonian<f64>>(system: &S, h: f64, from: &State<S::Coordinates
 /// Long steps from random starts: refused, or a solution to rounding.
 #[test]
 fn what_is_accepted_is_a_solution() {
-    fn check<S: Collocation<f64> + Hamiltonian<f64> + Collocated<Stages = ByField>>(
+    fn check<S: Collocation<f64> + Hamiltonian<f64> + SolvedBy<ImplicitMidpoint> + SolvedBy<Gauss<3>>>(
         name: &str,
         system: S,
         reach: f64,

@@ -1,5 +1,6 @@
 //! Energies that jump, or bend, at a condition.
 
+use geoint_runtime::method::implicit::SolvedBy;
 use geoint_runtime::prelude::*;
 use geoint_runtime::scalar::Real;
 use geoint_runtime::system::{DiscreteField, StateOf};
@@ -73,7 +74,7 @@ impl<S: Hamiltonian<Coordinates = f64>> Visitor<S, f64> for Kept<S> {
     }
 }
 
-fn check<S: DiscreteField + Autonomous<Coordinates = f64>>(system: S, mass: f64, smooth: bool) {
+fn check<S: SolvedBy<DiscreteGradient> + DiscreteField + Autonomous<Coordinates = f64>>(system: S, mass: f64, smooth: bool) {
     let mut kept = Kept { system, mass, smooth, taken: 0, rounding: 1e-12 };
     kept.visit(DiscreteGradient);
     kept.visit(Gonzalez);
@@ -122,7 +123,7 @@ fn jumps_are_no_rounding() {
         (0.6683098163242362, 0.8295365974591673),
         (-0.8110975934743747, 0.8682373154441223),
     ];
-    fn check<S: DiscreteField + Autonomous<Coordinates = f64>>(system: S, starts: &[(f64, f64)]) {
+    fn check<S: SolvedBy<DiscreteGradient> + DiscreteField + Autonomous<Coordinates = f64>>(system: S, starts: &[(f64, f64)]) {
         fn runs<S: Hamiltonian<Coordinates = f64>, M: Method<S>>(system: S, method: M, starts: &[(f64, f64)]) {
             for (q, p) in starts {
                 for h in [0.05, 0.2, 0.7, -0.3] {

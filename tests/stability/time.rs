@@ -1,7 +1,9 @@
 //! Time of a run with every method, in `f64` and `f32`: exact to rounding, also if the step size changes; `until` ends at the requested time.
 
+use geoint_runtime::method::gauss::SolvedByGauss;
+use geoint_runtime::method::implicit::SolvedBy;
 use geoint_runtime::prelude::*;
-use geoint_runtime::system::{Autonomous, ByField, Collocated, DiscreteField, QuadraticField};
+use geoint_runtime::system::{Autonomous, DiscreteField, QuadraticField};
 use geoint_runtime::{ForceGradient, Method, Separable};
 use geoint_tests::methods::{self, Visitor};
 use geoint_tests::problems::*;
@@ -11,7 +13,7 @@ use geoint_tests::scalars::Scalar;
 pub(crate) fn every<S, R: Scalar, V: Visitor<S, R>>(visitor: &mut V)
 where
     S: DiscreteField<R>
-        + Collocated<R, Stages = ByField>
+        + SolvedByGauss<R> + SolvedBy<DiscreteGradient, R>
         + Autonomous<R>
         + QuadraticField<R>
         + Separable<R>
@@ -33,7 +35,7 @@ where
 pub(crate) fn kinds<S, R: Scalar, V: Visitor<S, R>>(visitor: &mut V)
 where
     S: DiscreteField<R>
-        + Collocated<R, Stages = ByField>
+        + SolvedByGauss<R> + SolvedBy<DiscreteGradient, R>
         + Autonomous<R>
         + QuadraticField<R>
         + Separable<R>

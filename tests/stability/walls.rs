@@ -3,8 +3,10 @@
 //! The energies have denominators that touch zero, several poles within one step, and poles that depend on a parameter. Poles divide the axis of q
 //! into cells. An accepted step has no pole on the straight line between its ends, so a system with one degree of freedom stays in its cell.
 
+use geoint_runtime::method::gauss::SolvedByGauss;
+use geoint_runtime::method::implicit::SolvedBy;
 use geoint_runtime::prelude::*;
-use geoint_runtime::system::{Autonomous, ByField, Collocated, DiscreteField};
+use geoint_runtime::system::{Autonomous, DiscreteField};
 use geoint_runtime::{Hamiltonian, Method};
 use geoint_tests::grid::pairs;
 use geoint_tests::methods::{self, Visitor};
@@ -30,7 +32,7 @@ macro_rules! walls {
 trait Walls {
     fn wall<S>(&mut self, name: &str, system: S, cell: fn(f64) -> f64, start: f64)
     where
-        S: DiscreteField + Autonomous<Coordinates = f64> + Collocated<Stages = ByField>;
+        S: DiscreteField + Autonomous<Coordinates = f64> + SolvedByGauss + SolvedBy<DiscreteGradient>;
 }
 
 walls! { kinds:
@@ -120,7 +122,7 @@ struct Every;
 impl Walls for Every {
     fn wall<S>(&mut self, name: &str, system: S, cell: fn(f64) -> f64, start: f64)
     where
-        S: DiscreteField + Autonomous<Coordinates = f64> + Collocated<Stages = ByField>,
+        S: DiscreteField + Autonomous<Coordinates = f64> + SolvedByGauss + SolvedBy<DiscreteGradient>,
     {
         let mut stay = Stay { wall: name.into(), system, cell, start, few: 1, refused: 0 };
         methods::kinds_of_general(&mut stay);
@@ -145,7 +147,7 @@ struct Families;
 impl Walls for Families {
     fn wall<S>(&mut self, name: &str, system: S, cell: fn(f64) -> f64, start: f64)
     where
-        S: DiscreteField + Autonomous<Coordinates = f64> + Collocated<Stages = ByField>,
+        S: DiscreteField + Autonomous<Coordinates = f64> + SolvedByGauss + SolvedBy<DiscreteGradient>,
     {
         let mut stay = Stay { wall: name.into(), system, cell, start, few: 3, refused: 0 };
         stay.visit(DiscreteGradient);

@@ -36,14 +36,15 @@
 
 use crate::method::Method;
 use crate::method::constrained::Rattle;
-use crate::method::contact::{ContactDiscreteGradient, ContactGauss, ContactLeapfrog, ContactMidpoint};
+use crate::method::contact::{ContactDiscreteGradient, ContactGauss, ContactLeapfrog, ContactMidpoint, SolvedByContactGauss};
 use crate::method::corrected::{Energy, Projection, Relaxation};
 use crate::method::discrete_gradient::{
     CoordinateIncrement, DiscreteGradient, FourthOrder, Gonzalez, ItohAbe, ItohAbeAdjoint, ItohAbePair, MeanValue,
     SymmetrisedItohAbe,
 };
 use crate::method::explicit::{DOP853, ExplicitEuler, RK4};
-use crate::method::gauss::{Gauss, ImplicitMidpoint};
+use crate::method::gauss::{Gauss, ImplicitMidpoint, SolvedByGauss};
+use crate::method::implicit::SolvedBy;
 use crate::method::kahan::Kahan;
 use crate::method::perturbed::Perturbation;
 use crate::method::pieces::{
@@ -54,8 +55,7 @@ use crate::method::splitting::{FiveRotations, PositionVerlet, StormerVerlet, Sym
 use crate::method::tables::*;
 use crate::scalar::Real;
 use crate::system::{
-    Autonomous, ByConstraint, ByField, ByTree, Collocated, Collocation, Conservative, ConstrainedStep, ContactGraded,
-    ContactStages, DiscreteField, ForceGradient, Graded, ImplicitStep, Mechanical, NystromPieces, Perturbed,
+    Autonomous, Collocation, Conservative, DiscreteField, ForceGradient, Mechanical, NystromPieces, Perturbed,
     PerturbedGradient, PhaseSpace, Pieces, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
 };
 
@@ -78,7 +78,7 @@ macro_rules! compositions {
 }
 
 /// Methods for every H(q, p, t).
-pub fn general<S: Collocation<R> + Collocated<R, Stages = ByField>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+pub fn general<S: Collocation<R> + SolvedByGauss<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     show!(visitor: ExplicitEuler, RK4, DOP853, ImplicitMidpoint);
     show!(visitor: Gauss::<1>, Gauss::<2>, Gauss::<3>, Gauss::<4>, Gauss::<5>, Gauss::<6>);
     compositions!(visitor: ImplicitMidpoint);
@@ -132,7 +132,7 @@ pub fn principal_axes<S: PrincipalAxes<R>, R: Real>(visitor: &mut impl Visitor<S
 }
 
 /// The method that keeps the energy, or takes away what damping does.
-pub fn discrete_gradient<S: DiscreteField<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+pub fn discrete_gradient<S: SolvedBy<DiscreteGradient, R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     show!(visitor: DiscreteGradient);
     compositions!(visitor: DiscreteGradient);
 }
@@ -202,7 +202,7 @@ pub fn nystrom_pieces<S: NystromPieces<R> + Pieces<PieceSplitting, R>, R: Real>(
 /// Methods for systems with constraints.
 pub fn constrained<S, R: Real>(visitor: &mut impl Visitor<S, R>)
 where
-    S: ConstrainedStep<Rattle, R> + ConstrainedStep<DiscreteGradient, R> + Graded<R, Gradient = ByConstraint>,
+    S: SolvedBy<Rattle, R> + SolvedBy<DiscreteGradient, R>,
 {
     show!(visitor: Rattle, DiscreteGradient);
     compositions!(visitor: Rattle, DiscreteGradient);
@@ -244,10 +244,7 @@ pub fn mechanical<S: Mechanical<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
 /// Methods for every contact system by its energy.
 pub fn contact<S, R: Real>(visitor: &mut impl Visitor<S, R>)
 where
-    S: ImplicitStep<ContactMidpoint, R>
-        + ImplicitStep<ContactDiscreteGradient, R>
-        + ContactStages<R>
-        + ContactGraded<R, Gradient = ByTree>,
+    S: SolvedByContactGauss<R> + SolvedBy<ContactMidpoint, R> + SolvedBy<ContactDiscreteGradient, R>,
 {
     show!(visitor: ContactGauss::<1>, ContactGauss::<2>, ContactGauss::<3>, ContactGauss::<4>, ContactGauss::<5>, ContactGauss::<6>);
     show!(visitor: ContactMidpoint, ContactDiscreteGradient);

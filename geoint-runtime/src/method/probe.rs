@@ -44,39 +44,6 @@ impl<S: PhaseSpace<R>, R: Real> Probe<S, R> for Unwatched {
     fn visit(&mut self, _: R, _: &S::Phase, _: &S::Action) {}
 }
 
-/// A probe that remembers the end of the step at which an equation decided conditions of the energy last.
-pub(crate) struct Deciding<'a, P, Z> {
-    pub probe: &'a mut P,
-    pub decided: Z,
-}
-
-impl<P: Observer, Z> Observer for Deciding<'_, P, Z> {
-    fn pause(&mut self, paused: bool) {
-        self.probe.pause(paused);
-    }
-}
-
-impl<'a, P, Z: Array> Deciding<'a, P, Z> {
-    /// From the start of a step on. Where nothing decides nobody looks: then it is no copy of the start, which would be read from memory in other pieces
-    /// than the step before wrote it in.
-    #[inline(always)]
-    pub(crate) fn of<S: PhaseSpace<R, Phase = Z>, R: Real>(probe: &'a mut P, start: &Z) -> Self {
-        Deciding { probe, decided: if const { S::JUMPS.is_empty() } { Z::zero() } else { *start } }
-    }
-
-    /// The energy is about to be evaluated for a step that ends here, if its conditions matter.
-    #[inline(always)]
-    pub(crate) fn visit<S: PhaseSpace<R, Phase = Z, Action = ()>, R: Real>(&mut self, t: R, end: &Z)
-    where
-        P: Probe<S, R>,
-    {
-        self.probe.visit(t, end, &());
-        if !S::JUMPS.is_empty() {
-            self.decided = *end;
-        }
-    }
-}
-
 /// Whether the energy is defined at the end of a step from `before`, and has no pole on the way there, for methods that evaluate it in
 /// between only.
 #[inline(always)]

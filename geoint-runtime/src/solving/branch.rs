@@ -6,7 +6,7 @@
 
 use super::distant::{Distant, Residual};
 use crate::scalar::Real;
-use crate::solving::size::Sizes;
+use crate::solving::size::{Sizes, Units};
 use crate::solving::{linear, noise};
 use crate::space::vector::{difference, moved, scaled};
 use crate::space::{Array, Square};
@@ -44,7 +44,7 @@ const HIDDEN: f64 = 1.0 / 131_072.0;
 pub(super) struct Continuation<'a, A> {
     /// The sizes before the step.
     pub(super) sizes: Sizes<A>,
-    pub(super) kinds: [usize; 2],
+    pub(super) units: Units,
     pub(super) equation: &'a Distant<A>,
     pub(super) residual: &'a mut dyn Residual<A>,
 }
@@ -94,8 +94,8 @@ impl<A: Array> Continuation<'_, A> {
         let mut unused = A::fill(A::zero());
         let mut sizes = self.sizes;
         sizes.include(&self.equation.origin, x);
-        let noise = noise::measure(&sizes, x, (x, 1.0), self.kinds, |x| Some(self.residual.at(x, &mut unused)));
-        let (noise, whole) = (Sizes::at(&noise).of_kinds(self.kinds), Sizes::at(x).of_kinds(self.kinds));
+        let noise = noise::measure(&sizes, x, (x, 1.0), self.units, |x| Some(self.residual.at(x, &mut unused)));
+        let (noise, whole) = (Sizes::at(&noise).of_kinds(self.units), Sizes::at(x).of_kinds(self.units));
         (0..A::LEN).any(|i| noise.of(i) > HIDDEN * whole.of(i))
     }
 
@@ -138,7 +138,7 @@ impl<A: Array> Continuation<'_, A> {
     fn relative(&self, delta: &A, lambda: f64, x: &A) -> f64 {
         let mut sizes = Sizes::at(x);
         sizes.include(&A::zero(), &scaled(A::Real::from_f64(lambda), &self.equation.guess));
-        sizes.of_kinds(self.kinds).relative(delta, &A::zero(), &A::zero())
+        sizes.of_kinds(self.units).relative(delta, &A::zero(), &A::zero())
     }
 }
 

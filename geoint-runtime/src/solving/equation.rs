@@ -2,7 +2,9 @@
 
 use crate::ablation;
 use crate::space::vector::difference;
-use crate::space::{Array, Square};
+use super::Refusal;
+pub use super::size::Units;
+use crate::space::{Array, Record, Square};
 
 /// Sees the points at which an equation is evaluated.
 pub trait Observer {
@@ -34,7 +36,7 @@ impl Effort {
 
 /// The magnitudes of coordinates with which corrections are compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Magnitudes {
+pub enum Magnitudes {
     /// The largest of the last steps. If forces cancel, a momentum is rounded as much as it was large.
     Recent,
     /// Those at the start of the step. Integrals of a field may be steep where coordinates become small, as a logarithm is.
@@ -44,7 +46,7 @@ pub(crate) enum Magnitudes {
 /// r(x) = 0 for the unknown of one step. The derivative of r is near 1 for short steps. `W` sees where r is evaluated.
 ///
 /// An equation is `Copy`, because cold functions get a copy: the optimiser keeps an equation in registers only if nothing points to it.
-pub(crate) trait StepEquation<A: Array, W: Observer + ?Sized>: Copy {
+pub trait StepEquation<A: Array, W: Observer + ?Sized>: Copy {
     const EFFORT: Effort;
     const MAGNITUDES: Magnitudes = Magnitudes::Recent;
 
@@ -77,18 +79,40 @@ pub(crate) trait StepEquation<A: Array, W: Observer + ?Sized>: Copy {
 
 /// A solution x + `rounding_error`: the second part of the last correction does not fit into the digits of x. Without it, the errors of many steps would have a bias.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Solution<A> {
-    pub(crate) x: A,
-    pub(crate) rounding_error: A,
+pub struct Solution<A> {
+    /// The solution.
+    pub x: A,
+    /// The digits of the last correction that do not fit into `x`.
+    pub rounding_error: A,
+    /// Whether the residual that is left was measured to be rounding.
+    pub leaves_noise: bool,
 }
 
 impl<A: Array> Solution<A> {
+    /// Returns the solution x, without a rounding error.
+    #[inline(always)]
+    pub fn of(x: A) -> Self {
+        Solution { x, rounding_error: A::zero(), leaves_noise: false }
+    }
+
     /// Returns the solution x − delta.
     #[inline(always)]
     pub(crate) fn corrected(x: &A, delta: &A) -> Self {
         let after = difference(x, delta);
-        Solution { x: after, rounding_error: difference(&difference(x, &after), delta) }
+        Solution { x: after, rounding_error: difference(&difference(x, &after), delta), leaves_noise: false }
     }
+}
+
+/// An iteration that solves one equation per step, and remembers what earlier steps tell about the next one.
+pub trait Solver<A: Array>: Clone + Record<A::Real> {
+    /// Creates a solver of unknowns with these units.
+    fn new(units: Units) -> Self;
+
+    /// Solves r(x) = 0 to rounding. After an error, the run begins with a new solver, because the sequence of unknowns has a gap.
+    ///
+    /// # Errors
+    /// Where no solution is found, or not that of short steps.
+    fn solve<W: Observer, E: StepEquation<A, W>>(&mut self, equation: &E, watch: &mut W) -> Result<Solution<A>, Refusal>;
 }
 
 /// Returns the guess from the start of the step, or zero: the guess may be outside of the domain of the energy where the solution is inside.

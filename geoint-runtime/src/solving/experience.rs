@@ -1,5 +1,6 @@
 //! What earlier steps tell about the next equation: sizes of the unknowns, speed of convergence, and the better guess.
 
+use super::equation::Units;
 use super::predictor::Predictor;
 use super::rounding::REMAINDER;
 use super::size::Sizes;
@@ -24,8 +25,7 @@ const LEAST_CURVATURE: f64 = 1e-3;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Experience<A> {
     pub(super) sizes: Sizes<A>,
-    /// Number of unknowns of one kind, and number of kinds: positions and momenta have different units. Unknowns of a kind follow each other.
-    pub(super) kinds: [usize; 2],
+    pub(super) units: Units,
     /// The largest correction, in units of the sizes, after which the next one is below [`REMAINDER`] of the last digit.
     pub(super) reach: f64,
     pub(super) steps: u32,
@@ -37,8 +37,8 @@ pub(super) struct Experience<A> {
 
 impl<A: Array> Record<A::Real> for Experience<A> {
     fn record(&mut self, tape: &mut impl Tape<A::Real>) {
-        // The kinds follow from the method.
-        let Experience { sizes, kinds: _, reach, steps, terms, extrapolates } = self;
+        // The units follow from the method.
+        let Experience { sizes, units: _, reach, steps, terms, extrapolates } = self;
         sizes.record(tape);
         tape.number(reach);
         let (mut counted, mut known) = (u64::from(*steps), *terms as u64);
@@ -50,10 +50,10 @@ impl<A: Array> Record<A::Real> for Experience<A> {
 }
 
 impl<A: Array> Experience<A> {
-    /// Creates the experience of no step, for unknowns that come in `kinds` of `n` with one unit each.
-    pub(super) fn new(n: usize, kinds: usize) -> Self {
+    /// Creates the experience of no step, for unknowns with these units.
+    pub(super) fn new(units: Units) -> Self {
         let reach = Real::sqrt(A::Real::epsilon() * REMAINDER);
-        Experience { sizes: Sizes::new(), kinds: [n, kinds], reach, steps: 0, terms: 0, extrapolates: false }
+        Experience { sizes: Sizes::new(), units, reach, steps: 0, terms: 0, extrapolates: false }
     }
 
     /// Returns whether this step measures what other steps take as known.

@@ -29,7 +29,7 @@ impl<A: Array> Inverse<A> for () {
 }
 
 /// The inverse of a matrix.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Inverted<A: Array>(Square<A>);
 
 impl<A: Array> Inverted<A> {

@@ -9,7 +9,7 @@
 //! The loop owns its state in local variables, and cold functions take and return copies. A pointer to the state would keep it in memory, and the next
 //! step would wait for it: short steps would take up to 1.5 times as long.
 
-use super::equation::{Magnitudes, Solution, StepEquation, explicit_guess};
+use super::equation::{Magnitudes, Solution, Solver, StepEquation, Units, explicit_guess};
 use super::experience::{Experience, MOST_EVALUATIONS};
 use super::predictor::Predictor;
 use super::rounding::{REMAINDER, is_rounding};
@@ -44,15 +44,13 @@ impl<A: Array> Record<A::Real> for Newton<A> {
     }
 }
 
-impl<A: Array> Newton<A> {
-    /// Creates a solver for unknowns that come in `kinds` of `n` with one unit each.
-    pub(crate) fn new(n: usize, kinds: usize) -> Self {
-        Newton { predictor: Predictor::new(), experience: Experience::new(n, kinds) }
+impl<A: Array> Solver<A> for Newton<A> {
+    fn new(units: Units) -> Self {
+        Newton { predictor: Predictor::new(), experience: Experience::new(units) }
     }
 
-    /// Solves r(x) = 0 to rounding. After an error, the run begins with a new solver, because the sequence of unknowns has a gap.
     #[inline(always)]
-    pub(crate) fn solve<W: Observer + ?Sized, E: StepEquation<A, W>>(
+    fn solve<W: Observer, E: StepEquation<A, W>>(
         &mut self,
         equation: &E,
         watch: &mut W,
@@ -72,7 +70,9 @@ impl<A: Array> Newton<A> {
         self.experience.steps = self.experience.steps.wrapping_add(1);
         Ok(solution)
     }
+}
 
+impl<A: Array> Newton<A> {
     /// Predicts, evaluates, corrects, accepts. `None` if the iteration converges too slowly, or may lead to another solution.
     #[inline(always)]
     fn iterate<W: Observer + ?Sized, E: StepEquation<A, W>>(
@@ -90,7 +90,7 @@ impl<A: Array> Newton<A> {
         if const { ablation::FIXED_POINT && A::LEN > MOST_UNKNOWNS }
             && let Some(x) = experience.fixed_point(x, equation, watch)
         {
-            return Some(Solution { x, rounding_error: A::zero() });
+            return Some(Solution::of(x));
         }
         let (mut matrix, mut before) = (A::fill(A::zero()), f64::INFINITY);
         for evaluation in 1..=MOST_EVALUATIONS {

@@ -1,6 +1,6 @@
 //! Solves the equation of a step in a plane.
 
-use super::equation::{Effort, StepEquation};
+use super::equation::{Effort, Solver, StepEquation, Units};
 use super::newton::Newton;
 use crate::scalar::{Real, zero};
 use crate::space::vector::difference;
@@ -10,7 +10,7 @@ use crate::space::vector::difference;
 #[inline]
 pub fn planar_step<R: Real>(origin: [R; 2], equation: impl Fn(&[R; 2]) -> ([R; 2], [[R; 2]; 2]) + Copy) -> [R; 2] {
     // The coordinates form two kinds, because their units may differ.
-    let solution = Newton::<[R; 2]>::new(1, 2).solve(&Planar { origin, equation }, &mut ());
+    let solution = Newton::<[R; 2]>::new(Units { alike: 1, kinds: 2 }).solve(&Planar { origin, equation }, &mut ());
     solution.map_or([R::from_f64(f64::NAN); 2], |solution| solution.x)
 }
 

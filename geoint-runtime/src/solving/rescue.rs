@@ -64,7 +64,7 @@ impl<A: Array> Experience<A> {
         let Converged { solution, evaluations } = self.converge(guess, equation, residual)?;
         if (distance == Distance::Far || evaluations > MOST_EVALUATIONS) && !equation.is_bound_by_energy {
             let is_continuous = equation.effort == Effort::Thorough
-                && Continuation { sizes, kinds: self.kinds, equation, residual }.is_continuous(&solution.x);
+                && Continuation { sizes, units: self.units, equation, residual }.is_continuous(&solution.x);
             if !is_continuous {
                 return Err(Refusal::Singular);
             }
@@ -84,7 +84,7 @@ impl<A: Array> Experience<A> {
         residual: &mut dyn Residual<A>,
     ) -> Result<Converged<A>, Refusal> {
         let Distant { origin, effort, magnitudes, .. } = *equation;
-        let mut solution = Solution { x: *guess, rounding_error: A::zero() };
+        let mut solution = Solution::of(*guess);
         // Pivots are compared in units of these sizes. Corrections are not, because a guess may be wild.
         let mut pivots = self.sizes;
         pivots.include(&origin, guess);
@@ -152,7 +152,7 @@ impl<A: Array> Experience<A> {
         let mut sizes = self.sizes;
         sizes.include(&equation.origin, x);
         residual.pause(true);
-        let noise = noise::measure(&sizes, x, (&delta, distance), self.kinds, |x| Some(residual.at(x, &mut unused)));
+        let noise = noise::measure(&sizes, x, (&delta, distance), self.units, |x| Some(residual.at(x, &mut unused)));
         residual.pause(false);
         // The solution is evaluated last, because the observer remembers the last point.
         noise::explains(&noise, &residual.at(x, &mut unused), &sizes)

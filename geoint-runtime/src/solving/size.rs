@@ -78,10 +78,10 @@ impl<A: Array> Sizes<A> {
     }
 
     /// Returns for each entry the largest size of its kind.
-    pub(crate) fn of_kinds(&self, kinds: [usize; 2]) -> Self {
+    pub(crate) fn of_kinds(&self, units: Units) -> Self {
         let mut largest = A::zero();
         for (i, size) in largest.as_mut_slice().iter_mut().enumerate() {
-            *size = A::Real::from_f64(largest_of_kind(self.as_slice(), kinds, i));
+            *size = A::Real::from_f64(largest_of_kind(self.as_slice(), units, i));
         }
         Sizes(largest)
     }
@@ -204,14 +204,23 @@ impl<A: Array> Sizes<A> {
     }
 }
 
-/// Returns the kind of entry `i`. Each kind has `each` successive entries of one unit, and the number of kinds is `kinds`.
-pub(crate) fn kind([each, kinds]: [usize; 2], i: usize) -> usize {
-    i / each % kinds
+/// The number of unknowns that follow each other and have one unit, and the number of such kinds: positions and momenta are two kinds.
+#[derive(Clone, Copy, Debug)]
+pub struct Units {
+    /// Unknowns of one kind.
+    pub alike: usize,
+    /// Kinds of unknowns.
+    pub kinds: usize,
+}
+
+/// Returns the kind of entry `i`.
+pub(crate) fn kind(Units { alike, kinds }: Units, i: usize) -> usize {
+    i / alike % kinds
 }
 
 /// Returns the largest size of the kind of entry `i`.
-pub(crate) fn largest_of_kind<R: Real>(sizes: &[R], kinds: [usize; 2], i: usize) -> f64 {
-    let alike = sizes.iter().enumerate().filter(|(j, _)| kind(kinds, *j) == kind(kinds, i));
+pub(crate) fn largest_of_kind<R: Real>(sizes: &[R], units: Units, i: usize) -> f64 {
+    let alike = sizes.iter().enumerate().filter(|(j, _)| kind(units, *j) == kind(units, i));
     alike.map(|(_, size)| size.magnitude()).fold(0.0, f64::max)
 }
 

@@ -54,6 +54,12 @@ impl<Z: Array, C: Summation<Z>, S: Action<Z::Real>> Point<Z, C, S> {
         add_action::<Z, C, S>(&mut self.s, &mut self.compensation, d.s);
     }
 
+    /// Adds to the action.
+    #[inline(always)]
+    pub(crate) fn add_action(&mut self, ds: S) {
+        add_action::<Z, C, S>(&mut self.s, &mut self.compensation, ds);
+    }
+
     /// Adds a correction to a step that led from `before` by `moved` to here: both together, with sums of the method's own unless those
     /// of the point compensate.
     #[inline(always)]

@@ -1,5 +1,6 @@
 //! Points, increments and gradients as vectors.
 
+use super::Square;
 use super::array::Array;
 use crate::scalar::{Real, zero};
 
@@ -61,4 +62,29 @@ pub(crate) fn dot<X: Array>(x: &X, y: &X) -> X::Real {
 #[inline(always)]
 pub(crate) fn sum_of_products<R: Real>(x: &[R], y: &[R]) -> R {
     x.iter().zip(y).fold(zero(), |sum: R, (x, y)| x.multiply_add(*y, sum))
+}
+
+/// The product of a matrix with a vector.
+#[inline(always)]
+pub(crate) fn times<A: Array>(matrix: &Square<A>, x: &A) -> A {
+    let mut product = A::zero();
+    for (y, row) in product.as_mut_slice().iter_mut().zip(A::entries_of::<A>(matrix)) {
+        *y = dot(row, x);
+    }
+    product
+}
+
+/// The value of a function after a small correction, from its value and its derivative: the square of the correction is rounding.
+#[inline(always)]
+pub(crate) fn extrapolated<A: Array>(value: &A, derivative: &Square<A>, correction: &A) -> A {
+    sum(value, &times(derivative, correction))
+}
+
+/// Multiplies the rows of an equation with numbers.
+#[inline(always)]
+pub(crate) fn scale_rows<A: Array>(scales: &A, residual: &mut A, matrix: &mut Square<A>) {
+    *residual = product(residual, scales);
+    for (row, scale) in A::entries::<A>(matrix).iter_mut().zip(scales.as_slice()) {
+        *row = scaled(*scale, row);
+    }
 }

@@ -143,7 +143,7 @@ pub trait NystromPieces<R: Real = f64>: PhaseSpace<R> {
 }
 
 /// The equation d = Φ(d) of a step of the method `M` from x = (q, p, s), in a row, for its increment.
-pub trait ImplicitStep<M, R: Real = f64>: Contact<R> {
+pub trait ContactEquation<M, R: Real = f64>: Contact<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// q, p and s in a row.

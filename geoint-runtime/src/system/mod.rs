@@ -27,16 +27,15 @@ mod separable; // H = T + V: kicks and drifts.
 mod timed; // Search for a pole of H that depends on time only.
 
 pub use bodies::PrincipalAxes;
-pub use contact::{Clock, Conformal, Contact, ImplicitStep, Mechanical, NystromPieces, Piece, Pieces};
+pub use contact::{Clock, Conformal, Contact, ContactEquation, Mechanical, NystromPieces, Piece, Pieces};
 pub use implicit::{
-    ByCanonical, ByConstraint, ByField, ByPolarisation, ByTree, ByVelocities, CanonicalForm, Collocated, Collocation,
-    Constrained, ConstrainedStep, ContactCollocated, ContactGraded, ContactPolarised, ContactStage, ContactStages,
-    ContactVelocities, DiscreteField, FourthOrderField, Graded, Gradients, MassForm, Mean, PolarisedForm,
+    CanonicalForm, Collocation, Constrained, ConstrainedStep, ContactPolarised, ContactStage, ContactStages,
+    ContactVelocities, DiscreteField, FourthOrderField, Gradients, Keeping, MassForm, Mean, PolarisedForm,
     QuadraticField, Span, Unmet, VelocityForm, contact_gradient_of, energy_of, own_momentum, rate_of, singular_mass,
     unmet, velocity_of,
 };
 pub(crate) use implicit::{
-    KeptBy, Regular, acceleration, held, on_one_side, projected, row_scale, tangent, velocity_near,
+    KeptBy, Regular, acceleration, held, mass_units, on_one_side, projected, row_scale, tangent, velocity_near,
 };
 pub use integrals::{FirstIntegrals, Invariants, KeepsEnergy, KeptMomenta, SteadyIntegrals};
 pub use jets::Jets;

@@ -2,8 +2,10 @@
 
 mod scenes;
 
+use geoint_runtime::method::gauss::SolvedByGauss;
+use geoint_runtime::method::implicit::SolvedBy;
 use geoint_runtime::prelude::*;
-use geoint_runtime::system::{ByField, Collocated, DiscreteField, Inverse};
+use geoint_runtime::system::{DiscreteField, Inverse};
 use geoint_runtime::{Conservative, Separable};
 use geoint_tests::measure::{distance, extrapolated, observed_order};
 use geoint_tests::problems::{flat, state};
@@ -133,7 +135,7 @@ fn linear_systems_are_solved_at_once() {
 
 #[test]
 fn parameters_that_feed_energy_are_refused() {
-    fn check<S: DiscreteField<f64> + Hamiltonian<f64> + Collocated<Stages = ByField>>(
+    fn check<S: DiscreteField<f64> + Hamiltonian<f64> + SolvedByGauss + SolvedBy<DiscreteGradient>>(
         system: S,
         start: State<S::Coordinates>,
         reason: &str,

@@ -1,8 +1,10 @@
 //! Damped systems, and by what each dissipates.
 
 use super::ByHand;
+use geoint_runtime::method::gauss::SolvedByGauss;
+use geoint_runtime::method::implicit::SolvedBy;
 use geoint_runtime::prelude::*;
-use geoint_runtime::system::{ByField, Collocated, DiscreteField};
+use geoint_runtime::system::DiscreteField;
 use geoint_tests::scalars::Scalar;
 
 /// Duffing's oscillator with the same damping everywhere.
@@ -52,7 +54,7 @@ pub(super) fn twist(q: [f64; 2], p: [f64; 2], m: [f64; 2], c: f64) -> f64 {
 
 /// A damped system, and what it is by hand.
 pub(super) trait Damped {
-    type Over<R: Scalar>: DiscreteField<R> + Hamiltonian<R> + Collocated<R, Stages = ByField>;
+    type Over<R: Scalar>: DiscreteField<R> + Hamiltonian<R> + SolvedByGauss<R> + SolvedBy<DiscreteGradient, R>;
     const START: (&'static [f64], &'static [f64]);
     fn system<R: Scalar>() -> Self::Over<R>;
     fn by_hand<R: Scalar>(t: R, q: &[R], p: &[R]) -> ByHand<R>;

@@ -58,7 +58,6 @@ impl Types<'_> {
             Absent::Never => quote!(::core::convert::Infallible),
             Absent::Unit => quote!(()),
             Absent::Is(ty) => self.tokens(ty),
-            Absent::Named(name) => format_ident!("{name}").into_token_stream(),
         }
     }
 
@@ -185,19 +184,6 @@ impl<'a> Implementation<'a> {
 pub(super) fn proven(context: &Context<'_>, of: TokenStream, items: TokenStream) -> TokenStream {
     let name = self_type(context);
     quote!(impl<R: Real> #of for #name { type Proof = (); #items })
-}
-
-/// Returns the implementation of a trait with associated types only.
-pub(super) fn typed<const N: usize>(
-    context: &Context<'_>,
-    of: TokenStream,
-    types: [(&'static str, TokenStream); N],
-) -> TokenStream {
-    let types = types.map(|(name, ty)| {
-        let name = format_ident!("{name}");
-        quote!(type #name = #ty;)
-    });
-    proven(context, of, quote!(#(#types)*))
 }
 
 /// Returns `const name: bool = value;`.

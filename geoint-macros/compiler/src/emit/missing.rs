@@ -5,11 +5,15 @@ use crate::derive::{Missing, Pair};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
+/// Returns the name of the trait without implementations that states why a system lacks a property.
+pub(super) fn marker(context: &Context<'_>, missing: Missing) -> Ident {
+    format_ident!("{}{}", missing.marker, context.energy.name)
+}
+
 /// Returns the name and the definition of a trait without implementations. Its message states why the system lacks a property.
 pub(super) fn unsatisfied(context: &Context<'_>, missing: Missing) -> (Ident, TokenStream) {
-    let Missing { marker, term, why, pair } = missing;
-    let name = &context.energy.name;
-    let marker = format_ident!("{marker}{name}");
+    let Missing { term, why, pair, .. } = missing;
+    let (name, marker) = (&context.energy.name, marker(context, missing));
     let printer = context.printer();
     let message = format!("`{name}`: {why}");
     let pair = pair.map_or_else(String::new, |Pair { coordinates: [a, b], verb }| {

@@ -31,8 +31,6 @@ pub(super) enum Absent {
     Never,
     Unit,
     Is(Ty),
-    /// A type of the runtime.
-    Named(&'static str),
 }
 
 /// The attribute `inline` of a method. Methods of an absent trait have no attribute.

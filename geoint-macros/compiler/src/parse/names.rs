@@ -6,15 +6,16 @@ use syn::ext::IdentExt;
 
 /// Items of the runtime that generated code imports, in the order of the import.
 const IMPORTED: &str = "\
-    Adaptive Array Autonomous ByCanonical ByConstraint ByField CanonicalForm ByPolarisation ByTree ByVelocities \
-    Collocated BodyState Collocation ConformalContact Conservative ConstrainedStep ConstrainedSystem \
-    ContactDiscreteGradient ContactMidpoint FlowPiece FlowPieces PieceSplitting Placed PlanarDiscreteGradient \
-    PlanarItohAbe PlanarSplitting PolarisedForm PoissonSplitting ContactSplitting ContactCollocated ContactGraded \
-    ContactPolarised ContactStage ContactStages ContactVelocities MassForm contact_gradient_of ContactState \
-    ContactSystem Coordinates CotangentSpace QuadraticField DifferentialEquation DiscreteField DiscreteGradient \
-    FirstIntegrals SteadyIntegrals FlowState ForceGradient FourthOrderField Graded Gradients Hamiltonian \
-    ImplicitStep CanonicalEnergy EnergyAndMomenta KeptMomenta Integral KeptIntegrals Integrator KeepsEnergy Inverted \
-    Jets LagrangianSystem Mean MechanicalContact Method ModifiedEnergy NystromPieces PerCoordinate PerturbedGradient \
+    BoundStep CanonicalStages ContactEquation ContactFieldStages ContactGaussCollocation ContactPolarisedStep \
+    ContactStep ContactVelocityStages FieldStages GaussCollocation GaussTableau ImplicitMethod Keeping PolarisedStep \
+    TreeStep VelocityStages Adaptive Array Autonomous CanonicalForm BodyState Collocation ConformalContact \
+    Conservative ConstrainedStep ConstrainedSystem ContactDiscreteGradient ContactMidpoint FlowPiece FlowPieces \
+    PieceSplitting Placed PlanarDiscreteGradient PlanarItohAbe PlanarSplitting PolarisedForm PoissonSplitting \
+    ContactSplitting ContactPolarised ContactStage ContactStages ContactVelocities MassForm contact_gradient_of \
+    ContactState ContactSystem Coordinates CotangentSpace QuadraticField DifferentialEquation DiscreteField \
+    DiscreteGradient FirstIntegrals SteadyIntegrals FlowState ForceGradient FourthOrderField Gradients Hamiltonian \
+    CanonicalEnergy EnergyAndMomenta KeptMomenta Integral KeptIntegrals Integrator KeepsEnergy Inverted Jets \
+    LagrangianSystem Mean MechanicalContact Method ModifiedEnergy NystromPieces PerCoordinate PerturbedGradient \
     PerturbedSystem PhaseSpace PieceClock PrincipalAxes ProofAnd QuadraticKinetic Rattle Real TaylorIntegrator \
     TaylorMethod Separable Snapshot Span Square State VelocityEnergy StepError Unmet VelocityForm canonical_rate \
     energy_of from_positions fourth_order is_positive_semidefinite modified_verlet gradient_kick planar_step rate_of \

@@ -27,8 +27,8 @@
 //! # Ok::<(), StepError>(())
 //! ```
 
-mod gradient;
 mod rattle;
 mod step;
 
 pub use rattle::Rattle;
+pub use step::{BoundStep, Bound, Momenta};

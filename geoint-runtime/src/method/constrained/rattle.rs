@@ -1,13 +1,12 @@
 //! RATTLE.
 
-use super::step::{Equation, Prepared};
+use super::BoundStep;
+use crate::implicit_method;
 use crate::method::composition::substeps;
-use crate::method::{Claims, Deciding, Method, Name, Probe, Refusal, Step, check_end, start};
+use crate::method::implicit::ImplicitMethod;
+use crate::method::{Claims, Name};
 use crate::scalar::Real;
-use crate::solving::newton::Newton;
-use crate::space::vector::{difference, sum};
-use crate::space::{Array, Summation};
-use crate::system::{ConstrainedStep, held, on_one_side, tangent};
+use crate::system::ConstrainedStep;
 
 /// p½ = p₀ − h/2 (∂H/∂q + Gᵀλ)(q₀, p½), q₁ = q₀ + h/2 (∂H/∂p(q₀, p½) + ∂H/∂p(q₁, p½)) with g(q₁) = 0, and
 /// p₁ = p½ − h/2 (∂H/∂q + Gᵀμ)(q₁, p½) with G ∂H/∂p(q₁, p₁) = 0.
@@ -23,49 +22,14 @@ use crate::system::{ConstrainedStep, held, on_one_side, tangent};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Rattle;
 
-impl<S: ConstrainedStep<Rattle, R>, R: Real> Method<S, R> for Rattle {
+implicit_method!(Rattle, |_| Name::new("Rattle"), Claims::of_order(2).symmetric().symplectic());
+substeps!([] Rattle);
+
+impl<S: ConstrainedStep<Rattle, R>, R: Real> ImplicitMethod<S, R> for Rattle {
     type Proof = <S as ConstrainedStep<Rattle, R>>::Proof;
-    type Prepared = Prepared<S::Constants, R>;
-    type Memory = Newton<S::Unknown>;
+    type Step = BoundStep<Rattle>;
 
-    fn claims(&self) -> Claims {
-        Claims::of_order(2).symmetric().symplectic()
-    }
-
-    fn name(&self) -> Name {
-        Name::new("Rattle")
-    }
-
-    fn prepare(&self, system: &S, h: R) -> Self::Prepared {
-        Prepared::new(system, h)
-    }
-
-    fn memory() -> Self::Memory {
-        Newton::new(S::Unknown::LEN, 1)
-    }
-
-    #[inline(always)]
-    fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
-        Prepared { constants, poles, .. }: &Self::Prepared,
-        newton: &mut Self::Memory,
-        Step { system, t, end, x, probe }: Step<'_, S, R, C, P>,
-    ) -> Result<(), Refusal> {
-        let z = x.z;
-        probe.visit(t, &z, &());
-        let equation = Equation { system, constants, begun: system.begin(constants, t, &z), t, z };
-        let mut deciding = Deciding::of::<S, R>(probe, &z);
-        let mut increments = equation.solve(newton, &mut deciding)?;
-        let Deciding { probe, .. } = deciding;
-
-        // The momentum where the step ends, made tangent there.
-        let [q, p] = sum(&z, &increments);
-        increments[1] = difference(&tangent(system, end, [q, p])?, &z[1]);
-        on_one_side(system, (t, &z), [&z[0], &q]).map_err(|what| Refusal::DependentConstraints { what })?;
-        let before = start::<S, R, C>(x);
-        x.add(&increments);
-        held(system, end, [&z, &x.z])?;
-        check_end(poles, &before, Step { system, t, end, x, probe })
+    fn step(self) -> Self::Step {
+        BoundStep(self)
     }
 }
-
-substeps!([] Rattle);

@@ -1,93 +1,156 @@
-//! The equation of a step with multipliers among its unknowns, and what both methods have in common.
+//! The step of a system with constraints: increments and multipliers are solved for together.
 
-use crate::method::{Deciding, Probe, Refusal};
+use super::Rattle;
+use crate::method::discrete_gradient::DiscreteGradient;
+use crate::method::implicit::{
+    Arrival, Departure, Equation, Evaluated, ImplicitStep, Increment, Policy, Sums, Units, Watch,
+};
+use crate::method::{Probe, Refusal};
 use crate::scalar::Real;
-use crate::solving::equation::{Effort, Solution, StepEquation};
+use crate::solving::equation::Solution;
 use crate::solving::newton::Newton;
-use crate::space::vector::sum;
+use crate::space::vector::{difference, moved, sum};
 use crate::space::{Array, Square};
-use crate::system::{ConstrainedStep, Poles, on_one_side};
+use crate::system::{ConstrainedStep, held, on_one_side, tangent};
 
-/// Coefficients of a step.
+/// The step of the method `M`, whose equation is [`ConstrainedStep`].
 #[derive(Clone, Copy, Debug)]
-pub struct Prepared<P, R> {
-    pub(super) constants: P,
-    pub(super) poles: Poles,
-    pub(super) h: R,
+pub struct BoundStep<M>(
+    /// The method.
+    pub M,
+);
+
+/// How a method with constraints treats momenta.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Momenta {
+    /// At the end of a step they are made tangent to the constraints.
+    MadeTangent,
+    /// They carry along what leads away from the constraints.
+    Carried,
 }
 
-impl<P, R: Real> Prepared<P, R> {
-    pub(super) fn new<M, S: ConstrainedStep<M, R, Constants = P>>(system: &S, h: R) -> Self {
-        Prepared { constants: system.constants(h), poles: Poles::of(system), h }
+/// A method for systems with constraints.
+pub trait Bound: Copy + core::fmt::Debug {
+    /// How it treats momenta.
+    const MOMENTA: Momenta;
+}
+
+impl Bound for Rattle {
+    const MOMENTA: Momenta = Momenta::MadeTangent;
+}
+
+/// q₁ − q₀ = h ∇̄ₚH, p₁ − p₀ = −h (∇̄_qH + ḡᵀλ), g(q₁) = 0 with the tree slopes of H and of every g: H changes by −λ·(g(q₁) − g(q₀)) = 0.
+impl Bound for DiscreteGradient {
+    const MOMENTA: Momenta = Momenta::Carried;
+}
+
+impl<S: ConstrainedStep<M, R>, M: Bound, R: Real> ImplicitStep<S, R> for BoundStep<M> {
+    type Unknown = S::Unknown;
+    type Constants = S::Constants;
+    type Start = S::Start;
+    type History = ();
+    type Seen = ();
+    type Kept = ();
+    type Solver = Newton<S::Unknown>;
+
+    const POLICY: Policy = Policy {
+        sums: match M::MOMENTA {
+            Momenta::MadeTangent => Sums::OfTheRun,
+            Momenta::Carried => Sums::Compensated,
+        },
+        evaluated: match M::MOMENTA {
+            Momenta::MadeTangent => Evaluated::Elsewhere,
+            Momenta::Carried => Evaluated::ByDifferences,
+        },
+        ..Policy::of(Units { alike: S::Unknown::LEN, kinds: 1 })
+    };
+    /// What momenta carry along is of order h². Made tangent in the end, they change the energy by h⁴.
+    const COMPOSES_TO: u32 = match M::MOMENTA {
+        Momenta::MadeTangent => u32::MAX,
+        Momenta::Carried => 4,
+    };
+    /// What multiplies h²λ is known to the rounding of q, and nothing makes momenta tangent again.
+    const ROUGH_IF_SHORT: bool = matches!(M::MOMENTA, Momenta::Carried);
+
+    fn constants(self, system: &S, h: R) -> S::Constants {
+        system.constants(h)
     }
-}
 
-/// A step of `M` from z.
-pub(super) struct Equation<'a, S: ConstrainedStep<M, R>, M, R: Real> {
-    pub(super) system: &'a S,
-    pub(super) constants: &'a S::Constants,
-    pub(super) begun: S::Start,
-    pub(super) t: R,
-    pub(super) z: S::Phase,
-}
+    fn history() {}
 
-impl<S: ConstrainedStep<M, R>, M, R: Real> Clone for Equation<'_, S, M, R> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
+    fn unseen() {}
 
-impl<S: ConstrainedStep<M, R>, M, R: Real> Copy for Equation<'_, S, M, R> {}
-
-impl<S: ConstrainedStep<M, R>, M, R: Real> Equation<'_, S, M, R> {
-    /// What a step adds to z, and what only constraints that depend on each other at its start can be the reason of.
     #[inline(always)]
-    pub(super) fn solve<P: Probe<S, R>>(
-        &self,
-        newton: &mut Newton<S::Unknown>,
-        deciding: &mut Deciding<'_, P, S::Phase>,
-    ) -> Result<S::Phase, Refusal> {
-        match newton.solve(self, deciding) {
-            Ok(Solution { x, .. }) => Ok(self.system.end(self.constants, &self.begun, &x)),
-            Err(refusal) => Err(self.explained(refusal)),
-        }
+    fn begin(from: &Departure<'_, S, R>, constants: &S::Constants, (): &mut ()) -> Result<S::Start, Refusal> {
+        let t = match M::MOMENTA {
+            Momenta::MadeTangent => from.t,
+            Momenta::Carried => from.middle(),
+        };
+        Ok(from.system.begin(constants, t, &from.z))
     }
-
-    #[cold]
-    fn explained(&self, refusal: Refusal) -> Refusal {
-        match on_one_side(self.system, (self.t, &self.z), [&self.z[0], &self.z[0]]) {
-            Err(what) => Refusal::DependentConstraints { what },
-            Ok(()) => refusal,
-        }
-    }
-}
-
-impl<S: ConstrainedStep<M, R>, M, R: Real, P: Probe<S, R>> StepEquation<S::Unknown, Deciding<'_, P, S::Phase>>
-    for Equation<'_, S, M, R>
-{
-    const EFFORT: Effort = P::EFFORT;
 
     #[inline(always)]
-    fn origin(&self) -> S::Unknown {
-        self.system.origin(self.constants, &self.begun)
+    fn origin(Equation { from, constants, start }: &Equation<'_, Self, S, R>) -> S::Unknown {
+        from.system.origin(constants, start)
     }
 
     /// The first iteration finds what an explicit step would.
-    fn guess(&self) -> S::Unknown {
+    fn guess(_: &Equation<'_, Self, S, R>) -> S::Unknown {
         S::Unknown::zero()
     }
 
     #[inline(always)]
-    fn residual(
-        &self,
-        watch: &mut Deciding<'_, P, S::Phase>,
+    fn residual<P: Probe<S, R>>(
+        Equation { from, constants, start }: &Equation<'_, Self, S, R>,
+        watch: &mut Watch<'_, S, R, P, ()>,
         x: &S::Unknown,
         matrix: &mut Square<S::Unknown>,
     ) -> S::Unknown {
-        let Equation { system, constants, begun, t, z } = self;
-        watch.visit(*t, &sum(z, &system.end(constants, begun, x)));
+        watch.visit(from.t, &sum(&from.z, &from.system.end(constants, start, x)), &());
         let mut residual = S::Unknown::zero();
-        system.residual(constants, begun, x, &mut residual, matrix);
+        from.system.residual(constants, start, x, &mut residual, matrix);
         residual
     }
+
+    #[inline(always)]
+    fn update(
+        Equation { from, constants, start }: &Equation<'_, Self, S, R>,
+        solution: &Solution<S::Unknown>,
+        (): &(),
+    ) -> Result<Increment<S::Phase, ()>, Refusal> {
+        let mut increments = from.system.end(constants, start, &solution.x);
+        let [q, p] = sum(&from.z, &increments);
+        let seen = match M::MOMENTA {
+            Momenta::MadeTangent => {
+                increments[1] = difference(&tangent(from.system, from.end, [q, p])?, &from.z[1]);
+                q
+            }
+            // The equation itself has the gradients in the middle beside those at the end.
+            Momenta::Carried => moved(&from.z[0], R::from_f64(0.5), &increments[0]),
+        };
+        independent(from, &seen)?;
+        Ok(Increment::of(increments))
+    }
+
+    #[inline(always)]
+    fn finish<P: Probe<S, R>>(
+        Equation { from, .. }: &Equation<'_, Self, S, R>,
+        _: &Solution<S::Unknown>,
+        (): &mut (),
+        end: Arrival<'_, S, R>,
+    ) -> Result<(), Refusal> {
+        held(from.system, from.end, [&from.z, end.z])
+    }
+
+    /// Constraints that depend on each other at the start are the reason, if they do.
+    #[cold]
+    fn explained(Equation { from, .. }: &Equation<'_, Self, S, R>, (): &(), refusal: Refusal) -> Refusal {
+        independent(from, &from.z[0]).err().unwrap_or(refusal)
+    }
+}
+
+/// Refuses a step if constraints depend on each other at its start, or on the way to q.
+#[inline(always)]
+fn independent<S: ConstrainedStep<M, R>, M, R: Real>(from: &Departure<'_, S, R>, q: &S::Array) -> Result<(), Refusal> {
+    on_one_side(from.system, (from.t, &from.z), [&from.z[0], q]).map_err(|what| Refusal::DependentConstraints { what })
 }

@@ -1,182 +1,134 @@
-//! Implicit steps of contact systems: one equation for the increments of q, p and s together.
+//! The step of a contact system that is solved for the increments of q, p and s together: d = Φ(d), with Φ of [`ContactEquation`].
 
 use super::{ContactDiscreteGradient, ContactMidpoint};
+use crate::implicit_method;
 use crate::method::composition::substeps;
-use crate::method::{Claims, Method, Name, Probe, Refusal, Step, StepsOf, check_end, start};
+use crate::method::implicit::{
+    Departure, Equation, ImplicitStep, Increment, Policy, Units, Watch,
+};
+use crate::method::{Claims, Name, Probe, Refusal};
 use crate::scalar::{Real, zero};
-use crate::solving::equation::{Effort, Solution, StepEquation};
+use crate::solving::equation::Solution;
 use crate::solving::newton::Newton;
 use crate::space::vector::{difference, moved};
-use crate::space::{Array, PerCoordinate, Square, Summation};
-use crate::system::{ByField, ByTree, ContactCollocated, ContactGraded, ImplicitStep, Poles};
+use crate::space::{Array, PerCoordinate, Square};
+use crate::system::ContactEquation;
 
-/// What a step needs.
+implicit_method!(ContactMidpoint, |_| Name::new("ContactMidpoint"), Claims::of_order(2).symmetric().symplectic());
+implicit_method!(
+    ContactDiscreteGradient,
+    |_| Name::new("ContactDiscreteGradient"),
+    Claims::of_order(2).symmetric().conserving_energy()
+);
+substeps!([] ContactMidpoint; [] ContactDiscreteGradient);
+
+/// The step of the method `M`.
 #[derive(Clone, Copy, Debug)]
-pub struct Prepared<P, R> {
-    constants: P,
-    half: R,
-    poles: Poles,
+pub struct ContactStep<M>(
+    /// The method.
+    pub M,
+);
+
+/// A method whose equation evaluates the energy at x + w·d.
+pub trait Looks: Copy + core::fmt::Debug {
+    /// w.
+    const AHEAD: f64;
 }
 
-/// What a step of `M` needs.
-type PreparedFor<S, M, R> = Prepared<<S as ImplicitStep<M, R>>::Constants, R>;
-
-/// d = Φ(d), where the energy is evaluated at x + `ahead`·d.
-struct Equation<'a, S: ImplicitStep<M, R>, M, R: Real> {
-    system: &'a S,
-    constants: &'a S::Constants,
-    begun: S::Start,
-    /// The time of the middle of the step.
-    middle: R,
-    origin: S::Unknown,
-    ahead: f64,
+impl Looks for ContactMidpoint {
+    const AHEAD: f64 = 0.5;
 }
 
-impl<S: ImplicitStep<M, R>, M, R: Real> Clone for Equation<'_, S, M, R> {
-    fn clone(&self) -> Self {
-        *self
+impl Looks for ContactDiscreteGradient {
+    const AHEAD: f64 = 1.0;
+}
+
+/// What depends on the start of a step.
+#[derive(Clone, Copy, Debug)]
+pub struct Start<K, A> {
+    /// q, p and s in a row.
+    x: A,
+    kernel: K,
+}
+
+impl<S: ContactEquation<M, R>, M: Looks, R: Real> ImplicitStep<S, R> for ContactStep<M> {
+    type Unknown = S::Unknown;
+    type Constants = S::Constants;
+    type Start = Start<S::Start, S::Unknown>;
+    type History = ();
+    type Seen = ();
+    type Kept = ();
+    type Solver = Newton<S::Unknown>;
+
+    const POLICY: Policy = Policy::of(Units { alike: S::Array::LEN, kinds: 3 });
+
+    fn constants(self, system: &S, h: R) -> S::Constants {
+        system.constants(h)
     }
-}
 
-impl<S: ImplicitStep<M, R>, M, R: Real> Copy for Equation<'_, S, M, R> {}
+    fn history() {}
 
-impl<S: ImplicitStep<M, R>, M, R: Real, P: Probe<S, R>> StepEquation<S::Unknown, P> for Equation<'_, S, M, R> {
-    const EFFORT: Effort = P::EFFORT;
+    fn unseen() {}
 
     #[inline(always)]
-    fn origin(&self) -> S::Unknown {
-        self.origin
+    fn begin(from: &Departure<'_, S, R>, constants: &S::Constants, (): &mut ()) -> Result<Self::Start, Refusal> {
+        let mut x = S::Unknown::zero();
+        let (entries, n) = (x.as_mut_slice(), S::Phase::LEN);
+        entries[..n].copy_from_slice(Array::as_slice(&from.z));
+        entries[n] = from.s;
+        Ok(Start { x, kernel: from.system.begin(constants, from.middle(), &x) })
+    }
+
+    #[inline(always)]
+    fn origin(equation: &Equation<'_, Self, S, R>) -> S::Unknown {
+        equation.start.x
     }
 
     /// Φ(Φ(0)) is the explicit midpoint rule, or as good.
-    fn guess(&self) -> S::Unknown {
-        let Equation { system, constants, begun, .. } = self;
-        let none = S::Unknown::zero();
-        let [mut once, mut twice] = [none; 2];
-        let mut unused = S::Unknown::fill(none);
-        system.image(constants, begun, &none, &mut once, &mut unused);
-        system.image(constants, begun, &once, &mut twice, &mut unused);
-        twice
+    fn guess(Equation { from, constants, start }: &Equation<'_, Self, S, R>) -> S::Unknown {
+        let mut unused = S::Unknown::fill(S::Unknown::zero());
+        let mut image = |d: &S::Unknown| {
+            let mut image = S::Unknown::zero();
+            from.system.image(constants, &start.kernel, d, &mut image, &mut unused);
+            image
+        };
+        let once = image(&S::Unknown::zero());
+        image(&once)
     }
 
     #[inline(always)]
-    fn residual(&self, probe: &mut P, d: &S::Unknown, matrix: &mut Square<S::Unknown>) -> S::Unknown {
-        let Equation { system, constants, begun, middle, origin, ahead } = self;
-        let PerCoordinate { z, s } = apart::<S, M, R>(&moved(origin, R::from_f64(*ahead), d));
-        probe.visit(*middle, &z, &s);
+    fn residual<P: Probe<S, R>>(
+        Equation { from, constants, start }: &Equation<'_, Self, S, R>,
+        watch: &mut Watch<'_, S, R, P, ()>,
+        d: &S::Unknown,
+        matrix: &mut Square<S::Unknown>,
+    ) -> S::Unknown {
+        let PerCoordinate { z, s } = apart::<S, M, R>(&moved(&start.x, R::from_f64(M::AHEAD), d));
+        watch.visit(from.middle(), &z, &s);
         let mut image = S::Unknown::zero();
-        system.image(constants, begun, d, &mut image, matrix);
+        from.system.image(constants, &start.kernel, d, &mut image, matrix);
         difference(d, &image)
     }
-}
 
-/// A step that evaluates the energy at x + `ahead`·d.
-#[inline(always)]
-fn step<S: ImplicitStep<M, R>, M, R: Real, C: Summation<S::Phase>, P: Probe<S, R>>(
-    Prepared { constants, half, poles }: &PreparedFor<S, M, R>,
-    newton: &mut Newton<S::Unknown>,
-    ahead: f64,
-    Step { system, t, end, x, probe }: Step<'_, S, R, C, P>,
-) -> Result<(), Refusal> {
-    let (n, middle) = (S::Phase::LEN, t + *half);
-    let mut origin = S::Unknown::zero();
-    let entries = origin.as_mut_slice();
-    entries[..n].copy_from_slice(Array::as_slice(&x.z));
-    entries[n] = x.s;
-    let begun = system.begin(constants, middle, &origin);
-    let equation = Equation::<S, M, R> { system, constants, begun, middle, origin, ahead };
-    let Solution { x: d, .. } = newton.solve(&equation, probe)?;
-
-    let increments = system.end(constants, &equation.begun, &d);
-    if !increments.is_finite() {
-        return Err(Refusal::Singular);
+    #[inline(always)]
+    fn update(
+        Equation { from, constants, start }: &Equation<'_, Self, S, R>,
+        solution: &Solution<S::Unknown>,
+        (): &(),
+    ) -> Result<Increment<S::Phase, R>, Refusal> {
+        let increments = from.system.end(constants, &start.kernel, &solution.x);
+        if !increments.is_finite() {
+            return Err(Refusal::Singular);
+        }
+        let PerCoordinate { z, s } = apart::<S, M, R>(&increments);
+        Ok(Increment { z, s, lost: S::Phase::zero() })
     }
-    let before = start::<S, R, C>(x);
-    x.add_everywhere(&apart::<S, M, R>(&increments));
-    check_end(poles, &before, Step { system, t, end, x, probe })
 }
 
 /// Positions, momenta and the action.
 #[inline(always)]
-fn apart<S: ImplicitStep<M, R>, M, R: Real>(x: &S::Unknown) -> PerCoordinate<S::Phase, R> {
+fn apart<S: ContactEquation<M, R>, M, R: Real>(x: &S::Unknown) -> PerCoordinate<S::Phase, R> {
     let mut z = S::Phase::zero();
     Array::as_mut_slice(&mut z).copy_from_slice(&x.as_slice()[..S::Phase::LEN]);
     PerCoordinate { z, s: x.as_slice().last().copied().unwrap_or_else(zero) }
 }
-
-/// The steps of methods whose equation is that of increments: where they look at the energy.
-macro_rules! steps {
-    ($($method:ident by $form:ident: $ahead:literal;)*) => { $(
-        impl<S: ImplicitStep<$method, R>, R: Real> StepsOf<$method, S, R> for $form {
-            type Prepared = PreparedFor<S, $method, R>;
-            type Memory = Newton<S::Unknown>;
-
-            fn prepare(system: &S, h: R) -> Self::Prepared {
-                Prepared { constants: system.constants(h), half: R::from_f64(0.5) * h, poles: Poles::of(system) }
-            }
-
-            fn memory() -> Self::Memory {
-                Newton::new(S::Array::LEN, 3)
-            }
-
-            #[inline(always)]
-            fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
-                prepared: &Self::Prepared,
-                memory: &mut Self::Memory,
-                at: Step<'_, S, R, C, P>,
-            ) -> Result<(), Refusal> {
-                step::<S, $method, R, C, P>(prepared, memory, $ahead, at)
-            }
-        }
-    )* };
-}
-
-steps! {
-    ContactMidpoint by ByField: 0.5;
-    ContactDiscreteGradient by ByTree: 1.0;
-}
-
-/// Makes methods of this: in which form systems have them, and what they claim.
-macro_rules! methods {
-    ($($method:ident: $form:ident, $of:ident, $claims:expr;)*) => { $(
-        impl<S: $form<R>, R: Real> Method<S, R> for $method
-        where
-            S::$of: StepsOf<$method, S, R>,
-        {
-            type Proof = <S as $form<R>>::Proof;
-            type Prepared = <S::$of as StepsOf<$method, S, R>>::Prepared;
-            type Memory = <S::$of as StepsOf<$method, S, R>>::Memory;
-
-            fn claims(&self) -> Claims {
-                $claims
-            }
-
-            fn name(&self) -> Name {
-                Name::new(stringify!($method))
-            }
-
-            fn prepare(&self, system: &S, h: R) -> Self::Prepared {
-                <S::$of as StepsOf<$method, S, R>>::prepare(system, h)
-            }
-
-            fn memory() -> Self::Memory {
-                <S::$of as StepsOf<$method, S, R>>::memory()
-            }
-
-            #[inline(always)]
-            fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
-                prepared: &Self::Prepared,
-                memory: &mut Self::Memory,
-                at: Step<'_, S, R, C, P>,
-            ) -> Result<(), Refusal> {
-                <S::$of as StepsOf<$method, S, R>>::step(prepared, memory, at)
-            }
-        }
-    )* };
-}
-
-methods! {
-    ContactMidpoint: ContactCollocated, Midpoint, Claims::of_order(2).symmetric().symplectic();
-    ContactDiscreteGradient: ContactGraded, Gradient, Claims::of_order(2).symmetric().conserving_energy();
-}
-substeps!([] ContactMidpoint; [] ContactDiscreteGradient);

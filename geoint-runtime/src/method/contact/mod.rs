@@ -34,6 +34,8 @@ mod midpoint;
 mod polarised;
 
 pub use discrete_gradient::ContactDiscreteGradient;
-pub use gauss::ContactGauss;
+pub use gauss::{ContactFieldStages, ContactGauss, ContactVelocityStages, SolvedByContactGauss};
+pub use implicit::{ContactStep, Looks};
 pub use leapfrog::ContactLeapfrog;
 pub use midpoint::ContactMidpoint;
+pub use polarised::ContactPolarisedStep;

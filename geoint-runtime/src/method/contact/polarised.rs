@@ -1,200 +1,173 @@
-//! Steps of the polarised discrete gradient of a Lagrangian with an action: see [`ContactPolarised`].
+//! The step of the polarised discrete gradient of a Lagrangian with an action: ∂L/∂v = p₁ at the end, and the increment of s, for the increments of v and s. See
+//! [`ContactPolarised`].
 
-use super::ContactDiscreteGradient;
-use crate::method::{Probe, Refusal, Step, StepsOf, check_end, start};
+use crate::method::implicit::{
+    Arrival, Departure, Equation, ImplicitStep, Increment, Policy, Units, Watch,
+};
+use crate::method::{Probe, Refusal};
 use crate::scalar::{Real, zero};
-use crate::solving::Observer;
-use crate::solving::equation::{Effort, Solution, StepEquation};
+use crate::solving::equation::Solution;
 use crate::solving::newton::Newton;
-use crate::space::vector::{difference, dot, moved, product, scaled, sum};
-use crate::space::{Array, PerCoordinate, Record, Square, Summation, Tape};
-use crate::system::{ByPolarisation, ContactPolarised, ContactStage, Poles, Regular, row_scale, velocity_near};
+use crate::space::vector::{difference, extrapolated, moved, scale_rows, scaled, sum};
+use crate::space::{Array, Record, Square, Tape};
+use crate::system::{ContactPolarised, ContactStage, Regular, mass_units, velocity_near};
 
-/// Coefficients of a step.
+/// The step along the polarised discrete gradient of a contact system.
 #[derive(Clone, Copy, Debug)]
-pub struct Prepared<P, R> {
+pub struct ContactPolarisedStep;
+
+/// What depends on parameters and h.
+#[derive(Clone, Copy, Debug)]
+pub struct Constants<P> {
     parameters: P,
-    poles: Poles,
-    h: R,
     /// The mass matrix is positive definite everywhere.
     is_definite: bool,
 }
 
-/// What a step hands on to the next one.
+/// The mass matrix of the run, and the velocity at the end of the last step.
 #[derive(Clone, Copy, Debug)]
-pub struct Memory<D, A: Array> {
-    newton: Newton<D>,
+pub struct History<A: Array> {
     regular: Regular<A>,
-    /// The velocity at the end of the last step.
     v: A,
 }
 
-impl<D: Array, A: Array<Real = D::Real>> Record<D::Real> for Memory<D, A> {
-    fn record(&mut self, tape: &mut impl Tape<D::Real>) {
-        self.newton.record(tape);
+impl<A: Array> Record<A::Real> for History<A> {
+    fn record(&mut self, tape: &mut impl Tape<A::Real>) {
         self.regular.record(tape);
-        self.v.as_mut_slice().iter_mut().for_each(|x| tape.scalar(x));
+        tape.array(&mut self.v);
     }
 }
 
-impl<S: ContactPolarised<R>, R: Real> StepsOf<ContactDiscreteGradient, S, R> for ByPolarisation {
-    type Prepared = Prepared<S::Parameters, R>;
-    type Memory = Memory<S::Unknown, S::Array>;
-
-    fn prepare(system: &S, h: R) -> Self::Prepared {
-        Prepared { parameters: system.parameters(h), poles: Poles::of(system), h, is_definite: system.is_definite() }
-    }
-
-    fn memory() -> Self::Memory {
-        Memory { newton: Newton::new(S::Array::LEN, 2), regular: Regular::unknown(), v: S::Array::zero() }
-    }
-
-    #[inline(always)]
-    fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
-        Prepared { parameters, poles, h, is_definite }: &Self::Prepared,
-        Memory { newton, regular, v: near }: &mut Self::Memory,
-        Step { system, t, end, x, probe }: Step<'_, S, R, C, P>,
-    ) -> Result<(), Refusal> {
-        let (z, s, middle) = (x.z, x.s, t + R::from_f64(0.5) * *h);
-        probe.visit(t, &z, &s);
-        // With time frozen in the middle of the step.
-        let sign = regular.begin(system, *is_definite, (t, &z, &s))?;
-        let v = velocity_near(system, middle, &z, &s, *near).ok_or(Refusal::Singular)?;
-        let begun = system.begin(parameters, middle, &z, &s, &v);
-        let units = units(system, middle, &z, &s, (&v, sign));
-        let equation = Equation { system, parameters, middle, h: *h, z, s, v, begun, units };
-        let none = S::Unknown::zero();
-        let mut seen = Seen { probe, d: none, increments: none, by_d: S::Unknown::fill(none) };
-        let Solution { x: d, .. } = newton.solve(&equation, &mut seen)?;
-        // Increments where they were evaluated last, and what the last correction changes them by: its square is rounding.
-        let correction = difference(&d, &seen.d);
-        let mut increments = seen.increments;
-        for (x, row) in increments.as_mut_slice().iter_mut().zip(S::Unknown::entries_of::<S::Unknown>(&seen.by_d)) {
-            *x += dot(row, &correction);
-        }
-        let Seen { probe, .. } = seen;
-
-        let (impulse, ds) = equation.apart(&increments);
-        let before = start::<S, R, C>(x);
-        x.add_everywhere(&PerCoordinate { z: [equation.shift(&d), impulse], s: ds });
-        *near = sum(&v, &equation.apart(&d).0);
-        regular.follow(system, *is_definite, [(t, &z, &s), (t + *h, &x.z, &x.s)], *near)?;
-        check_end(poles, &before, Step { system, t, end, x, probe })
-    }
+/// What depends on the start of a step.
+#[derive(Clone, Copy, Debug)]
+pub struct Start<K, A, D> {
+    kernel: K,
+    v: A,
+    /// 1/|Mᵢᵢ| for rows of momenta, and 1 for that of the action; the first with the sign of the determinant of M.
+    units: D,
 }
 
-/// 1/|Mᵢᵢ| for rows of momenta, and 1 for that of the action; the first with the sign of the determinant of M.
-#[inline(always)]
-fn units<S: ContactPolarised<R>, R: Real>(
-    system: &S,
-    t: R,
-    z: &S::Phase,
-    s: &R,
-    (v, sign): (&S::Array, R),
-) -> S::Unknown {
-    let (mut p, mut mass, mut units) = (S::Array::zero(), S::Array::fill(S::Array::zero()), S::Unknown::zero());
-    system.mass(t, &z[0], v, s, (&mut p, &mut mass));
-    units.as_mut_slice().fill(R::from_f64(1.0));
-    let rows = S::Array::entries_of::<S::Array>(&mass).iter().enumerate();
-    for (unit, (i, row)) in units.as_mut_slice().iter_mut().zip(rows) {
-        *unit = R::from_f64(1.0) / row_scale(row, i);
-    }
-    units.as_mut_slice()[0] *= sign;
-    units
-}
-
-/// ∂L/∂v = p₁ at the end, and the increment of s, for those of v and s.
-struct Equation<'a, S: ContactPolarised<R>, R: Real> {
-    system: &'a S,
-    parameters: &'a S::Parameters,
-    middle: R,
-    h: R,
-    z: S::Phase,
-    s: R,
-    v: S::Array,
-    begun: S::Start,
-    units: S::Unknown,
-}
-
-impl<S: ContactPolarised<R>, R: Real> Clone for Equation<'_, S, R> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<S: ContactPolarised<R>, R: Real> Copy for Equation<'_, S, R> {}
-
-impl<S: ContactPolarised<R>, R: Real> Equation<'_, S, R> {
-    /// What belongs to coordinates, and to the action.
-    #[inline(always)]
-    fn apart(&self, d: &S::Unknown) -> (S::Array, R) {
-        let mut v = S::Array::zero();
-        v.as_mut_slice().copy_from_slice(&d.as_slice()[..S::Array::LEN]);
-        (v, d.as_slice().last().copied().unwrap_or_else(zero))
-    }
-
-    /// The same in a row.
-    #[inline(always)]
-    fn together(&self, v: &S::Array, s: R) -> S::Unknown {
-        let mut row = S::Unknown::zero();
-        row.as_mut_slice().fill(s);
-        row.as_mut_slice()[..S::Array::LEN].copy_from_slice(v.as_slice());
-        row
-    }
-
-    /// q₁ − q₀ = h (v₀ + d/2).
-    #[inline(always)]
-    fn shift(&self, d: &S::Unknown) -> S::Array {
-        scaled(self.h, &moved(&self.v, R::from_f64(0.5), &self.apart(d).0))
-    }
-}
-
-/// Who watches, and the increments that were evaluated last, for which d, with their derivatives.
-struct Seen<'a, P, D: Array> {
-    probe: &'a mut P,
+/// The increments of p and s that were evaluated last, for which d, with their derivatives.
+#[derive(Clone, Copy, Debug)]
+pub struct Seen<D: Array> {
     d: D,
     increments: D,
     by_d: Square<D>,
 }
 
-impl<P: Observer, D: Array> Observer for Seen<'_, P, D> {
-    fn pause(&mut self, paused: bool) {
-        self.probe.pause(paused);
+impl<S: ContactPolarised<R>, R: Real> Equation<'_, ContactPolarisedStep, S, R> {
+    /// q₁ − q₀ = h (v₀ + d/2).
+    #[inline(always)]
+    fn shift(&self, d: &S::Unknown) -> S::Array {
+        scaled(self.from.h, &moved(&self.start.v, R::from_f64(0.5), &apart::<S, R>(d).0))
     }
 }
 
-impl<S: ContactPolarised<R>, R: Real, P: Probe<S, R>> StepEquation<S::Unknown, Seen<'_, P, S::Unknown>>
-    for Equation<'_, S, R>
-{
-    const EFFORT: Effort = P::EFFORT;
+impl<S: ContactPolarised<R>, R: Real> ImplicitStep<S, R> for ContactPolarisedStep {
+    type Unknown = S::Unknown;
+    type Constants = Constants<S::Parameters>;
+    type Start = Start<S::Start, S::Array, S::Unknown>;
+    type History = History<S::Array>;
+    type Seen = Seen<S::Unknown>;
+    type Kept = ();
+    type Solver = Newton<S::Unknown>;
+
+    const POLICY: Policy = Policy::of(Units { alike: S::Array::LEN, kinds: 2 });
+
+    fn constants(self, system: &S, h: R) -> Self::Constants {
+        Constants { parameters: system.parameters(h), is_definite: system.is_definite() }
+    }
+
+    fn history() -> Self::History {
+        History { regular: Regular::unknown(), v: S::Array::zero() }
+    }
+
+    fn unseen() -> Self::Seen {
+        let none = S::Unknown::zero();
+        Seen { d: none, increments: none, by_d: S::Unknown::fill(none) }
+    }
+
+    /// With time frozen in the middle of the step.
+    #[inline(always)]
+    fn begin(
+        from: &Departure<'_, S, R>,
+        constants: &Self::Constants,
+        history: &mut Self::History,
+    ) -> Result<Self::Start, Refusal> {
+        let Departure { system, t, z, s, .. } = from;
+        let sign = history.regular.begin(*system, constants.is_definite, (*t, z, s))?;
+        let v = velocity_near(*system, from.middle(), z, s, history.v).ok_or(Refusal::Singular)?;
+        let mut units = together::<S, R>(&mass_units(*system, from.middle(), z, s, &v), R::from_f64(1.0));
+        units.as_mut_slice()[0] *= sign;
+        Ok(Start { kernel: system.begin(&constants.parameters, from.middle(), z, s, &v), v, units })
+    }
 
     #[inline(always)]
-    fn origin(&self) -> S::Unknown {
-        self.together(&self.v, self.s)
+    fn origin(Equation { from, start, .. }: &Equation<'_, Self, S, R>) -> S::Unknown {
+        together::<S, R>(&start.v, from.s)
     }
 
     /// The increments as if v' and s' were constant.
-    fn guess(&self) -> S::Unknown {
+    fn guess(equation: &Equation<'_, Self, S, R>) -> S::Unknown {
+        let Equation { from: from @ Departure { system, z, s, h, .. }, start: Start { v, .. }, .. } = equation;
         let mut at = ContactStage::none();
-        self.system.stage(&self.system.stage_constants(), self.middle, &self.z[0], &self.v, &self.s, &mut at);
-        scaled(self.h, &self.together(&at.acceleration(&self.v), at.lagrangian))
+        system.stage(&system.stage_constants(), from.middle(), &z[0], v, s, &mut at);
+        scaled(*h, &together::<S, R>(&at.acceleration(v), at.lagrangian))
     }
 
     #[inline(always)]
-    fn residual(
-        &self,
-        Seen { probe, d: last, increments, by_d }: &mut Seen<'_, P, S::Unknown>,
+    fn residual<P: Probe<S, R>>(
+        equation: &Equation<'_, Self, S, R>,
+        watch: &mut Watch<'_, S, R, P, Self::Seen>,
         d: &S::Unknown,
         matrix: &mut Square<S::Unknown>,
     ) -> S::Unknown {
-        let s = self.s + self.apart(d).1;
-        probe.visit(self.middle, &[sum(&self.z[0], &self.shift(d)), self.z[1]], &s);
-        let mut residual = S::Unknown::zero();
+        let Equation { from, constants, start } = equation;
+        let s = from.s + apart::<S, R>(d).1;
+        watch.visit(from.middle(), &[sum(&from.z[0], &equation.shift(d)), from.z[1]], &s);
+        let (Seen { d: last, increments, by_d }, mut residual) = (&mut watch.seen, S::Unknown::zero());
         *last = *d;
-        self.system.equation(self.parameters, &self.begun, d, [&mut residual, increments], [matrix, by_d]);
-        for (row, unit) in S::Unknown::entries::<S::Unknown>(matrix).iter_mut().zip(self.units.as_slice()) {
-            *row = scaled(*unit, row);
-        }
-        product(&residual, &self.units)
+        from.system.equation(&constants.parameters, &start.kernel, d, [&mut residual, increments], [matrix, by_d]);
+        scale_rows(&start.units, &mut residual, matrix);
+        residual
     }
+
+    #[inline(always)]
+    fn update(
+        equation: &Equation<'_, Self, S, R>,
+        Solution { x: d, .. }: &Solution<S::Unknown>,
+        Seen { d: last, increments, by_d }: &Self::Seen,
+    ) -> Result<Increment<S::Phase, R>, Refusal> {
+        let (impulse, s) = apart::<S, R>(&extrapolated(increments, by_d, &difference(d, last)));
+        Ok(Increment { z: [equation.shift(d), impulse], s, lost: S::Phase::zero() })
+    }
+
+    #[inline(always)]
+    fn finish<P: Probe<S, R>>(
+        Equation { from, constants, start }: &Equation<'_, Self, S, R>,
+        Solution { x: d, .. }: &Solution<S::Unknown>,
+        History { regular, v }: &mut Self::History,
+        Arrival { z, s, .. }: Arrival<'_, S, R>,
+    ) -> Result<(), Refusal> {
+        *v = sum(&start.v, &apart::<S, R>(d).0);
+        let ends = [(from.t, &from.z, &from.s), (from.t + from.h, z, s)];
+        regular.follow(from.system, constants.is_definite, ends, *v)
+    }
+}
+
+/// What belongs to coordinates, and to the action.
+#[inline(always)]
+fn apart<S: ContactPolarised<R>, R: Real>(d: &S::Unknown) -> (S::Array, R) {
+    let mut v = S::Array::zero();
+    v.as_mut_slice().copy_from_slice(&d.as_slice()[..S::Array::LEN]);
+    (v, d.as_slice().last().copied().unwrap_or_else(zero))
+}
+
+/// The same in a row.
+#[inline(always)]
+fn together<S: ContactPolarised<R>, R: Real>(v: &S::Array, s: R) -> S::Unknown {
+    let mut row = S::Unknown::zero();
+    row.as_mut_slice().fill(s);
+    row.as_mut_slice()[..S::Array::LEN].copy_from_slice(v.as_slice());
+    row
 }

@@ -7,11 +7,12 @@
 //! is quick, and may only mark its result as doubtful.
 
 use super::kept::steepness;
-use crate::method::{Probe, Refusal};
+use crate::method::implicit::{Arrival, Departure};
+use crate::method::{Effort, Refusal};
 use crate::scalar::Real;
 use crate::space::vector::difference;
-use crate::space::{Array, PerCoordinate, Point, Snapshot};
-use crate::system::{Graded, Invariants, KeptBy, PhaseSpace, jump_of_integral};
+use crate::space::{Array, PerCoordinate, Snapshot};
+use crate::system::{Keeping, Invariants, KeptBy, PhaseSpace, jump_of_integral};
 
 /// A step is refused if an invariant changes by more than this many of its roundings.
 ///
@@ -31,23 +32,22 @@ const MOST_OF_ENERGY: f64 = 4_194_304.0;
 ///
 /// In canonical systems only the energy is checked, by [`check_energy`]: in attempts with patience, and always if the energy reads an angle.
 #[inline(always)]
-pub(crate) fn check_step<S: Graded<R>, R: Real, P: Probe<S, R>, C>(
-    system: &S,
-    t: [R; 2],
-    before: &S::Phase,
-    x: &mut Point<S::Phase, C, S::Action>,
+pub(crate) fn check_step<S: Keeping<R>, R: Real>(
+    effort: Effort,
+    Departure { system, t, end, z: before, .. }: &Departure<'_, S, R>,
+    Arrival { z, s, doubtful }: Arrival<'_, S, R>,
 ) -> Result<(), Refusal> {
     if const { S::State::MOMENTA } {
-        return if P::EFFORT.is_thorough() || S::ANGLES { check_energy(system, before, &x.z) } else { Ok(()) };
+        return if effort.is_thorough() || S::ANGLES { check_energy(*system, before, z) } else { Ok(()) };
     }
-    Refusal::outside(jump_of_integral(system, t, [before, &x.z], x.s))?;
-    if P::EFFORT.is_thorough() {
+    Refusal::outside(jump_of_integral(*system, [*t, *end], [before, z], *s))?;
+    if effort.is_thorough() {
         let kept = KeptBy::<S, R>::default();
-        let changes = kept.changes(system, before, &difference(&x.z, before));
-        return refuse(system, &kept, &changes, [before, &x.z, &x.z]);
+        let changes = kept.changes(*system, before, &difference(z, before));
+        return refuse(*system, &kept, &changes, [before, z, z]);
     }
     if const { S::STEEP } {
-        x.doubtful |= leaps(before, &x.z);
+        *doubtful |= leaps(before, z);
     }
     Ok(())
 }
@@ -61,7 +61,7 @@ pub(crate) fn check_step<S: Graded<R>, R: Real, P: Probe<S, R>, C>(
 /// [`MOST_OF_ENERGY`] leaves room for their rounding.
 #[cold]
 #[inline(never)]
-fn check_energy<S: Graded<R>, R: Real>(system: &S, before: &S::Phase, after: &S::Phase) -> Result<(), Refusal> {
+fn check_energy<S: Keeping<R>, R: Real>(system: &S, before: &S::Phase, after: &S::Phase) -> Result<(), Refusal> {
     let kept = KeptBy::<S, R>::default();
     if !<KeptBy<S, R> as Invariants<S, R>>::KEEP_ENERGY {
         return Ok(());

@@ -2,9 +2,10 @@
 
 use super::energy::{Energy, Slope, Staircase};
 use super::matrix::Matrix;
-use super::mean::{MeanGradient, Memory, Prepared};
+use super::mean::{MeanGradient, MeanStep};
 use crate::method::composition::substeps;
 use crate::method::corrected::kept;
+use crate::method::implicit::{Memory, Prepared};
 use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::space::vector::{moved, opposite, scaled, sum};
@@ -90,11 +91,49 @@ impl MeanGradient for SymmetrisedItohAbe {
     }
 }
 
+/// The mean of one half of a pair. Both halves have one type, so that they share a memory.
+#[derive(Clone, Copy, Debug)]
+pub enum Half {
+    /// [`ItohAbe`].
+    There,
+    /// [`ItohAbeAdjoint`].
+    Back,
+}
+
+impl MeanGradient for Half {
+    fn mean_name(&self) -> Name {
+        match self {
+            Half::There => ItohAbe.mean_name(),
+            Half::Back => ItohAbeAdjoint.mean_name(),
+        }
+    }
+
+    fn between<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>>(
+        &self,
+        energy: &mut Energy<'_, S, R, P>,
+        x: &S::Phase,
+        d: &S::Phase,
+    ) -> Result<Slope<S::Array>, Refusal> {
+        match self {
+            Half::There => ItohAbe.between(energy, x, d),
+            Half::Back => ItohAbeAdjoint.between(energy, x, d),
+        }
+    }
+}
+
+/// Both halves of a pair.
+#[derive(Clone)]
+pub struct PreparedPair<S: DiscreteField<R> + Conservative<R>, R: Real> {
+    there: Prepared<MeanStep<Half>, S, R>,
+    back: Prepared<MeanStep<Half>, S, R>,
+    /// h/2.
+    half: R,
+}
+
 impl<S: DiscreteField<R> + Conservative<R>, R: Real> Method<S, R> for ItohAbePair {
     type Proof = <S as Conservative<R>>::Proof;
-    /// Both halves, and h/2.
-    type Prepared = (Prepared<ItohAbe, S, R>, Prepared<ItohAbeAdjoint, S, R>, R);
-    type Memory = Memory<S::Array>;
+    type Prepared = PreparedPair<S, R>;
+    type Memory = Memory<MeanStep<Half>, S, R>;
     const KEEPS: bool = <KeptBy<S, R> as Invariants<S, R>>::Values::LEN > 0;
 
     #[inline]
@@ -103,7 +142,7 @@ impl<S: DiscreteField<R> + Conservative<R>, R: Real> Method<S, R> for ItohAbePai
     }
 
     fn claims(&self) -> Claims {
-        Claims { order: 2, symmetric: true, symplectic: false, conserves_energy: true, perturbed: &[], forces: None }
+        Claims::of_order(2).symmetric().conserving_energy()
     }
 
     fn name(&self) -> Name {
@@ -112,7 +151,8 @@ impl<S: DiscreteField<R> + Conservative<R>, R: Real> Method<S, R> for ItohAbePai
 
     fn prepare(&self, system: &S, h: R) -> Self::Prepared {
         let half = R::from_f64(0.5) * h;
-        (Prepared::new(ItohAbe, system, half), Prepared::new(ItohAbeAdjoint, system, half), half)
+        let [there, back] = [Half::There, Half::Back].map(|mean| Prepared::new(MeanStep(mean), system, half));
+        PreparedPair { there, back, half }
     }
 
     fn memory() -> Self::Memory {
@@ -121,13 +161,13 @@ impl<S: DiscreteField<R> + Conservative<R>, R: Real> Method<S, R> for ItohAbePai
 
     #[inline]
     fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
-        (first, second, half): &Self::Prepared,
+        PreparedPair { there, back, half }: &Self::Prepared,
         memory: &mut Self::Memory,
         mut step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         let [start, middle, end] = [step.t, step.t + *half, step.end];
-        first.step(memory, step.part([start, middle]))?;
-        second.step(memory, step.part([middle, end]))
+        there.step(memory, step.part([start, middle]))?;
+        back.step(memory, step.part([middle, end]))
     }
 }
 

@@ -1,16 +1,20 @@
-//! Steps along a mean of ∇H between their ends: one driver for all of them.
+//! Steps along a mean of ∇H between their ends: d = h J g(x₀, x₀ + d).
 
 use super::energy::{Energy, Slope};
 use super::matrix::turned;
 use crate::method::composition::SymmetricMap;
-use crate::method::corrected::rounded;
-use crate::method::{Name, Probe, Refusal, Step, check_conditions, check_end};
+use crate::method::corrected::range::is_representable;
+use crate::method::corrected::{kept, rounded};
+use crate::method::implicit::{
+    Arrival, Departure, Equation, Evaluated, ImplicitStep, Increment, Policy, Sums, Units, Watch,
+};
+use crate::method::{Claims, Name, Probe, Refusal, Unwatched};
 use crate::scalar::Real;
+use crate::solving::equation::Solution;
 use crate::solving::quasi_newton::QuasiNewton;
-use crate::space::Array;
 use crate::space::vector::{entries, moved, scaled, sum};
-use crate::space::{Compensated, Record, Summation, Tape};
-use crate::system::{Conservative, DiscreteField, Poles};
+use crate::space::{Array, Square};
+use crate::system::{Conservative, DiscreteField, KeptBy};
 
 /// A mean g of ∇H between x and x + d: the step is x₁ = x₀ + h J g(x₀, x₁).
 ///
@@ -19,7 +23,7 @@ use crate::system::{Conservative, DiscreteField, Poles};
     message = "`{Self}` is not a step along a mean of gradients",
     note = "means of order 2: `DiscreteGradient`, `Gonzalez`, `MeanValue`, `SymmetrisedItohAbe`"
 )]
-pub trait MeanGradient: Copy {
+pub trait MeanGradient: Copy + core::fmt::Debug {
     /// Whether ∂g/∂d is symmetric.
     const CURL_FREE: bool = false;
 
@@ -32,6 +36,11 @@ pub trait MeanGradient: Copy {
     /// Whether g is a discrete gradient of the system, so that steps keep the energy.
     fn is_exact<S: DiscreteField<R>, R: Real>() -> bool {
         true
+    }
+
+    /// Whether steps are a symplectic map.
+    fn is_symplectic<S: DiscreteField<R>, R: Real>() -> bool {
+        false
     }
 
     /// g and ∂g/∂d. Something near the latter is enough for the solution to converge, but not for [`FourthOrder`](crate::FourthOrder), which has
@@ -50,80 +59,145 @@ pub trait MeanGradient: Copy {
 /// A symmetric mean for which a modified structure matrix is needed to have order 4. The tree discrete gradient is projected instead.
 pub trait Corrected: MeanGradient + SymmetricMap {}
 
-/// Coefficients of a step.
+/// The step along the mean `G`. The derivative of g is known approximately, so corrections shrink by a factor.
+#[derive(Clone, Copy, Debug)]
+pub struct MeanStep<G>(
+    /// The mean.
+    pub G,
+);
+
+/// What depends on the mean, on parameters, and on h.
 #[derive(Clone, Debug)]
-pub struct Prepared<G, S: DiscreteField<R>, R: Real> {
+pub struct Constants<G, S: DiscreteField<R>, R: Real> {
     mean: G,
     constants: S::Constants,
     parameters: S::Parameters,
-    h: R,
-    poles: Poles,
 }
 
-/// What a step hands on to the next one: the compensations of the sums of q and p, and sizes of increments.
-#[derive(Clone, Debug)]
-pub struct Memory<A: Array> {
-    sums: Compensated<[A; 2]>,
-    solver: QuasiNewton<[A; 2]>,
-}
-
-impl<A: Array> Record<A::Real> for Memory<A> {
-    fn record(&mut self, tape: &mut impl Tape<A::Real>) {
-        self.sums.record(tape);
-        self.solver.record(tape);
+impl<'a, G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Equation<'a, MeanStep<G>, S, R> {
+    /// The energy as the step sees it.
+    #[inline(always)]
+    fn energy<'b, P>(&self, probe: &'b mut P) -> Energy<'b, S, R, P>
+    where
+        'a: 'b,
+    {
+        let Constants { constants, parameters, .. } = self.constants;
+        Energy { system: self.from.system, constants, parameters, probe, t: self.from.middle(), h: self.from.h }
     }
 }
 
-impl<A: Array> Memory<A> {
-    pub(super) fn new() -> Self {
-        Memory { sums: Compensated::new(), solver: QuasiNewton::new() }
-    }
-}
+impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> ImplicitStep<S, R> for MeanStep<G> {
+    type Unknown = S::Phase;
+    type Constants = Constants<G, S, R>;
+    type Start = ();
+    type History = ();
+    /// Why g does not exist, where it does not.
+    type Seen = Option<Refusal>;
+    type Kept = KeptBy<S, R>;
+    type Solver = QuasiNewton<S::Phase>;
 
-impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Prepared<G, S, R> {
-    pub(super) fn new(mean: G, system: &S, h: R) -> Self {
-        Prepared { mean, constants: system.constants(), parameters: system.parameters(h), h, poles: Poles::of(system) }
+    const POLICY: Policy = Policy {
+        sums: Sums::Compensated,
+        evaluated: Evaluated::AtTheEnd,
+        ..Policy::of(Units { alike: S::Array::LEN, kinds: 2 })
+    };
+
+    fn constants(self, system: &S, h: R) -> Constants<G, S, R> {
+        Constants { mean: self.0, constants: system.constants(), parameters: system.parameters(h) }
     }
 
+    fn claims(claims: Claims) -> Claims {
+        Claims { symplectic: G::is_symplectic::<S, R>(), conserves_energy: G::is_exact::<S, R>(), ..claims }
+    }
+
+    fn history() {}
+
+    fn unseen() -> Option<Refusal> {
+        None
+    }
+
+    #[inline(always)]
+    fn begin(_: &Departure<'_, S, R>, _: &Self::Constants, (): &mut ()) -> Result<(), Refusal> {
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn origin(equation: &Equation<'_, Self, S, R>) -> S::Phase {
+        equation.from.z
+    }
+
+    /// The explicit midpoint rule.
+    fn guess(equation: &Equation<'_, Self, S, R>) -> S::Phase {
+        let (mut unwatched, Departure { t, h, z, .. }) = (Unwatched, equation.from);
+        let (mut energy, half) = (equation.energy(&mut unwatched), R::from_f64(0.5) * h);
+        let rate = turned(&energy.gradient(t, &z).g);
+        let rate = turned(&energy.gradient(t + half, &moved(&z, half, &rate)).g);
+        scaled(h, &rate)
+    }
+
+    /// d − h J g and 1 − h J ∂g/∂d.
     #[inline]
-    pub(super) fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
-        &self,
-        Memory { sums, solver }: &mut Memory<S::Array>,
-        Step { system, t, end, x: point, probe }: Step<'_, S, R, C, P>,
-    ) -> Result<(), Refusal> {
-        let Prepared { mean, constants, parameters, h, poles } = self;
-        let (n, half) = (S::Array::LEN, R::from_f64(0.5) * *h);
-        let mut energy = Energy { system, constants, parameters, probe, t: t + half, h: *h };
-        let x = point.z;
-        // The explicit midpoint rule.
-        let rate = turned(&energy.gradient(t, &x).g);
-        let rate = turned(&energy.gradient(t + half, &moved(&x, half, &rate)).g);
-        let guess = scaled(*h, &rate);
-        // The end of the step at which conditions of the energy were decided last.
-        let mut decided = x;
-        let d = solver.solve(&x, guess, &mut energy, |energy, d, residual, matrix| {
-            let Slope { g, mut derivative } = mean.between(energy, &x, d)?;
-            if !S::JUMPS.is_empty() {
-                decided = sum(&x, d);
+    fn residual<P: Probe<S, R>>(
+        equation: &Equation<'_, Self, S, R>,
+        watch: &mut Watch<'_, S, R, P, Self::Seen>,
+        d: &S::Phase,
+        matrix: &mut Square<S::Phase>,
+    ) -> S::Phase {
+        let (n, Departure { h, z, .. }) = (S::Array::LEN, equation.from);
+        watch.decide(&sum(&z, d), &());
+        let slope = match equation.constants.mean.between(&mut equation.energy(watch.probe()), &z, d) {
+            Ok(slope) => slope,
+            Err(refusal) => {
+                watch.seen = Some(refusal);
+                return scaled(R::from_f64(f64::NAN), d);
             }
-            // d − h J g and 1 − h J ∂g/∂d.
-            *residual = moved(d, -*h, &turned(&g));
-            let (derivative, rows) = (derivative.rows(), <S::Phase>::entries::<S::Phase>(matrix));
-            for i in 0..n {
-                rows[i] = scaled(-*h, &derivative[n + i]);
-                rows[n + i] = scaled(*h, &derivative[i]);
-            }
-            for (i, row) in rows.iter_mut().enumerate() {
-                entries(row)[i] += R::from_f64(1.0);
-            }
-            Ok(())
-        })?;
-        point.add_with(sums, &d, &S::Phase::zero());
-        if G::is_exact::<S, R>() {
-            point.doubtful |= !P::EFFORT.is_thorough() && solver.leaves_rounding;
-            rounded::check_step::<S, R, P, C>(system, [t, end], &x, point)?;
+        };
+        let Slope { g, mut derivative } = slope;
+        let (derivative, rows) = (derivative.rows(), <S::Phase>::entries::<S::Phase>(matrix));
+        for i in 0..n {
+            rows[i] = scaled(-h, &derivative[n + i]);
+            rows[n + i] = scaled(h, &derivative[i]);
         }
-        check_conditions(system, t + half, &decided, point)?;
-        check_end(poles, &(x, ()), Step { system, t, end, x: point, probe })
+        for (i, row) in rows.iter_mut().enumerate() {
+            entries(row)[i] += R::from_f64(1.0);
+        }
+        moved(d, -h, &turned(&g))
+    }
+
+    #[inline(always)]
+    fn update(
+        _: &Equation<'_, Self, S, R>,
+        solution: &Solution<S::Phase>,
+        _: &Self::Seen,
+    ) -> Result<Increment<S::Phase, ()>, Refusal> {
+        Ok(Increment::of(solution.x))
+    }
+
+    #[inline(always)]
+    fn finish<P: Probe<S, R>>(
+        Equation { from, .. }: &Equation<'_, Self, S, R>,
+        solution: &Solution<S::Phase>,
+        (): &mut (),
+        end: Arrival<'_, S, R>,
+    ) -> Result<(), Refusal> {
+        if !G::is_exact::<S, R>() {
+            return Ok(());
+        }
+        *end.doubtful |= !P::EFFORT.is_thorough() && solution.leaves_noise;
+        rounded::check_step::<S, R>(P::EFFORT, from, end)
+    }
+
+    #[cold]
+    fn explained(_: &Equation<'_, Self, S, R>, seen: &Self::Seen, refusal: Refusal) -> Refusal {
+        seen.unwrap_or(refusal)
+    }
+
+    fn is_in_range(system: &S, z: &S::Phase) -> bool {
+        !G::OF_ENERGIES || is_representable(system, &KeptBy::<S, R>::default(), z)
+    }
+
+    /// A mean that is no discrete gradient of the system keeps nothing.
+    fn way_back(system: &S, origin: &S::Phase, z: &S::Phase) -> S::Phase {
+        if G::is_exact::<S, R>() { kept::way_back(system, &Self::Kept::default(), origin, z) } else { S::Phase::zero() }
     }
 }

@@ -22,13 +22,6 @@ use crate::system::{Conservative, DiscreteField, Mean};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct MeanValue<const K: usize>;
 
-impl<const K: usize> MeanValue<K> {
-    /// Whether the only point is the middle: the step is then that of [`ImplicitMidpoint`](crate::ImplicitMidpoint).
-    pub(super) fn is_midpoint<S: DiscreteField<R>, R: Real>() -> bool {
-        K == 1 && S::MEAN != Mean::Parts(1)
-    }
-}
-
 impl<const K: usize> MeanGradient for MeanValue<K>
 where
     Gauss<K>: GaussTableau<K>,
@@ -43,6 +36,11 @@ where
 
     fn is_exact<S: DiscreteField<R>, R: Real>() -> bool {
         matches!(S::MEAN, Mean::Gauss(least) | Mean::Parts(least) if least <= K)
+    }
+
+    /// If the only point is the middle, the step is that of [`ImplicitMidpoint`](crate::ImplicitMidpoint).
+    fn is_symplectic<S: DiscreteField<R>, R: Real>() -> bool {
+        K == 1 && S::MEAN != Mean::Parts(1)
     }
 
     fn between<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>>(

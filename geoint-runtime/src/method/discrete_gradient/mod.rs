@@ -34,6 +34,7 @@ mod matrix;
 mod mean;
 mod mean_value;
 mod methods;
+mod polarised;
 mod projected;
 mod tree;
 
@@ -43,6 +44,7 @@ pub use fourth_order::FourthOrder;
 pub use gonzalez::Gonzalez;
 pub use itoh_abe::{ItohAbe, ItohAbeAdjoint, ItohAbePair, SymmetrisedItohAbe};
 pub use matrix::Matrix;
-pub use mean::MeanGradient;
+pub use mean::{MeanGradient, MeanStep};
 pub use mean_value::MeanValue;
-pub use tree::DiscreteGradient;
+pub use polarised::PolarisedStep;
+pub use tree::{DiscreteGradient, TreeStep};

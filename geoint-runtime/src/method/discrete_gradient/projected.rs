@@ -1,158 +1,138 @@
-//! Order 4 by projection of a mean velocity: the equation is the system's, the step is here.
+//! The step of order 4 by projection of a mean velocity: d = h·f̄(z, z + d), with f̄ of [`FourthOrderField`].
 
 use super::mean::MeanGradient;
 use super::{DiscreteGradient, FourthOrder};
+use crate::implicit_method;
 use crate::method::corrected::range::is_representable;
-use crate::method::corrected::{kept, rounded};
-use crate::method::{Claims, Deciding, Method, Name, Probe, Refusal, Step, check_conditions, check_end, start};
+use crate::method::corrected::rounded;
+use crate::method::implicit::{
+    Arrival, Branch, Departure, Equation, Evaluated, ImplicitMethod, ImplicitStep, Increment, Policy, Sums, Units, Watch,
+};
+use crate::method::{Claims, Name, Probe, Refusal};
 use crate::scalar::Real;
-use crate::solving::equation::Magnitudes;
-use crate::solving::equation::{Effort, Solution, StepEquation};
+use crate::solving::equation::{Magnitudes, Solution, Solver};
 use crate::solving::newton::Newton;
 use crate::space::vector::{difference, moved, scaled, sum};
-use crate::space::{Array, Compensated, Record, Snapshot, Square, Summation, Tape};
-use crate::system::{FourthOrderField, Invariants, KeptBy, Poles, Span};
+use crate::space::{Array, Snapshot, Square};
+use crate::system::{FourthOrderField, Invariants, KeptBy, Span};
 
-/// Coefficients of a step.
-#[derive(Clone, Debug)]
-pub struct Prepared<S: FourthOrderField<R>, R: Real> {
-    parameters: S::FourthParameters,
-    h: R,
-    poles: Poles,
-}
+implicit_method!(
+    FourthOrder<DiscreteGradient>,
+    |_| Name::new("FourthOrder").of(DiscreteGradient.mean_name()),
+    Claims::of_order(4).symmetric().conserving_energy()
+);
 
-/// What a step hands on to the next one.
-#[derive(Clone, Debug)]
-pub struct Memory<Z: Array> {
-    newton: Newton<Z>,
-    /// What is kept is worth compensated sums.
-    sums: Compensated<Z>,
-}
+impl<S: FourthOrderField<R>, R: Real> ImplicitMethod<S, R> for FourthOrder<DiscreteGradient> {
+    type Proof = <S as FourthOrderField<R>>::Proof;
+    type Step = Self;
 
-impl<Z: Array> Record<Z::Real> for Memory<Z> {
-    fn record(&mut self, tape: &mut impl Tape<Z::Real>) {
-        self.newton.record(tape);
-        self.sums.record(tape);
+    fn step(self) -> Self {
+        self
     }
 }
 
-/// d = h·f̄(z, z + d).
-struct Equation<'a, S: FourthOrderField<R>, R: Real> {
-    system: &'a S,
-    parameters: &'a S::FourthParameters,
-    t: R,
-    h: R,
-    z: S::Phase,
-    /// What z is too small by. Without it, what is kept drifts by some 10⁻²⁰ a step.
-    compensation: S::Phase,
-    begun: S::FourthStart,
-}
+impl<S: FourthOrderField<R>, R: Real> ImplicitStep<S, R> for FourthOrder<DiscreteGradient> {
+    type Unknown = S::Phase;
+    type Constants = S::FourthParameters;
+    type Start = S::FourthStart;
+    type History = ();
+    type Seen = ();
+    type Kept = KeptBy<S, R>;
+    type Solver = Newton<S::Phase>;
 
-impl<S: FourthOrderField<R>, R: Real> Clone for Equation<'_, S, R> {
-    fn clone(&self) -> Self {
-        *self
+    const POLICY: Policy = Policy {
+        magnitudes: if S::State::MOMENTA { Magnitudes::Recent } else { Magnitudes::Present },
+        branch: if <KeptBy<S, R> as Invariants<S, R>>::Values::LEN > 0 { Branch::OfEnergy } else { Branch::Continuous },
+        sums: Sums::Compensated,
+        evaluated: Evaluated::AtTheEnd,
+        ..Policy::of(Units { alike: S::State::ALIKE, kinds: S::Phase::LEN / S::State::ALIKE })
+    };
+
+    fn constants(self, system: &S, h: R) -> S::FourthParameters {
+        system.fourth_parameters(h)
     }
-}
 
-impl<S: FourthOrderField<R>, R: Real> Copy for Equation<'_, S, R> {}
+    fn history() {}
 
-impl<S: FourthOrderField<R>, R: Real, P: Probe<S, R>> StepEquation<S::Phase, Deciding<'_, P, S::Phase>>
-    for Equation<'_, S, R>
-{
-    const EFFORT: Effort = P::EFFORT;
-    const MAGNITUDES: Magnitudes = if S::State::MOMENTA { Magnitudes::Recent } else { Magnitudes::Present };
+    fn unseen() {}
 
-    fn is_bound_by_energy(&self) -> bool {
-        <KeptBy<S, R> as Invariants<S, R>>::Values::LEN > 0
+    #[inline(always)]
+    fn begin(
+        from: &Departure<'_, S, R>,
+        parameters: &S::FourthParameters,
+        (): &mut (),
+    ) -> Result<S::FourthStart, Refusal> {
+        Ok(from.system.fourth_begin(parameters, Span::of([from.t, from.end], from.h), &from.z))
     }
 
     #[inline(always)]
-    fn origin(&self) -> S::Phase {
-        self.z
+    fn origin(equation: &Equation<'_, Self, S, R>) -> S::Phase {
+        equation.from.z
     }
 
     /// The explicit midpoint rule.
-    fn guess(&self) -> S::Phase {
-        let Equation { system, t, h, z, .. } = self;
-        let half = R::from_f64(0.5) * *h;
-        let mut rate = S::Phase::zero();
+    fn guess(Equation { from: Departure { system, t, h, z, .. }, .. }: &Equation<'_, Self, S, R>) -> S::Phase {
+        let (half, mut rate) = (R::from_f64(0.5) * *h, S::Phase::zero());
         system.rate(*t, z, &mut rate);
         system.rate(*t + half, &moved(z, half, &rate), &mut rate);
         scaled(*h, &rate)
     }
 
     #[inline(always)]
-    fn residual(&self, watch: &mut Deciding<'_, P, S::Phase>, d: &S::Phase, matrix: &mut Square<S::Phase>) -> S::Phase {
-        watch.visit(self.t, &sum(&self.z, d));
-        let mut image = S::Phase::zero();
-        // What counts is the mean z + d/2, as in steps of order 2.
-        let point = moved(d, R::from_f64(2.0), &self.compensation);
-        self.system.fourth_slope(self.parameters, &self.begun, &point, &mut image, matrix);
+    fn residual<P: Probe<S, R>>(
+        Equation { from, constants, start }: &Equation<'_, Self, S, R>,
+        watch: &mut Watch<'_, S, R, P, ()>,
+        d: &S::Phase,
+        matrix: &mut Square<S::Phase>,
+    ) -> S::Phase {
+        watch.visit(from.t, &sum(&from.z, d), &());
+        // f̄ reads the mean z + d/2, and z is too small by the compensation.
+        let (d_of_mean, mut image) = (moved(d, R::from_f64(2.0), &from.compensation), S::Phase::zero());
+        from.system.fourth_slope(constants, start, &d_of_mean, &mut image, matrix);
         difference(d, &image)
     }
-}
 
-impl<S: FourthOrderField<R>, R: Real> Method<S, R> for FourthOrder<DiscreteGradient> {
-    type Proof = <S as FourthOrderField<R>>::Proof;
-    type Prepared = Prepared<S, R>;
-    type Memory = Memory<S::Phase>;
-    const KEEPS: bool = <KeptBy<S, R> as Invariants<S, R>>::Values::LEN > 0;
+    /// On an orbit along which gradients depend on each other, as a circle, no step keeps all in this way. A thorough attempt then leaves momenta out.
+    #[inline(always)]
+    fn solve<P: Probe<S, R>>(
+        mut equation: Equation<'_, Self, S, R>,
+        newton: &mut Newton<S::Phase>,
+        watch: &mut Watch<'_, S, R, P, ()>,
+    ) -> Result<Solution<S::Phase>, Refusal> {
+        if !P::EFFORT.is_thorough() {
+            return newton.solve(&equation, watch);
+        }
+        let before = *newton;
+        newton.solve(&equation, watch).or_else(|refusal| {
+            if !S::fourth_loosen(&mut equation.start) {
+                return Err(refusal);
+            }
+            *newton = before;
+            newton.solve(&equation, watch)
+        })
+    }
 
-    #[inline]
-    fn way_back(_: &Self::Prepared, system: &S, origin: &S::Phase, z: &S::Phase) -> S::Phase {
-        kept::way_back(system, &KeptBy::<S, R>::default(), origin, z)
+    #[inline(always)]
+    fn update(
+        _: &Equation<'_, Self, S, R>,
+        Solution { x: z, rounding_error: lost, .. }: &Solution<S::Phase>,
+        (): &(),
+    ) -> Result<Increment<S::Phase, ()>, Refusal> {
+        Ok(Increment { z: *z, s: (), lost: *lost })
+    }
+
+    #[inline(always)]
+    fn finish<P: Probe<S, R>>(
+        Equation { from, .. }: &Equation<'_, Self, S, R>,
+        _: &Solution<S::Phase>,
+        (): &mut (),
+        end: Arrival<'_, S, R>,
+    ) -> Result<(), Refusal> {
+        rounded::check_step::<S, R>(P::EFFORT, from, end)
     }
 
     /// The metric of a canonical system has the energy in it. That of a field has not.
-    #[inline]
-    fn is_in_range(_: &Self::Prepared, system: &S, z: &S::Phase) -> bool {
+    fn is_in_range(system: &S, z: &S::Phase) -> bool {
         !S::State::MOMENTA || is_representable(system, &KeptBy::<S, R>::default(), z)
-    }
-
-    fn claims(&self) -> Claims {
-        Claims { order: 4, symmetric: true, symplectic: false, conserves_energy: true, perturbed: &[], forces: None }
-    }
-
-    fn name(&self) -> Name {
-        Name::new("FourthOrder").of(self.0.mean_name())
-    }
-
-    fn prepare(&self, system: &S, h: R) -> Self::Prepared {
-        Prepared { parameters: system.fourth_parameters(h), h, poles: Poles::of(system) }
-    }
-
-    fn memory() -> Self::Memory {
-        Memory { newton: Newton::new(S::State::ALIKE, S::Phase::LEN / S::State::ALIKE), sums: Compensated::new() }
-    }
-
-    #[inline]
-    fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
-        Prepared { parameters, h, poles }: &Self::Prepared,
-        Memory { newton, sums }: &mut Self::Memory,
-        Step { system, t, end, x, probe }: Step<'_, S, R, C, P>,
-    ) -> Result<(), Refusal> {
-        let (z, h, span) = (x.z, *h, Span::of([t, end], *h));
-        probe.visit(t, &z, &());
-        let begun = system.fourth_begin(parameters, span, &z);
-        let compensation = if C::PLAIN { sums.compensation() } else { x.sums.compensation() };
-        let mut deciding = Deciding::of::<S, R>(probe, &z);
-        let equation = Equation { system, parameters, t, h, z, compensation, begun };
-        let before = P::EFFORT.is_thorough().then_some(*newton);
-        let mut found = newton.solve(&equation, &mut deciding);
-        if let (Some(before), Err(_)) = (before, found) {
-            // On an orbit on which gradients depend on each other all along, as a circle, no step keeps all in this way.
-            let mut loose = equation;
-            if S::fourth_loosen(&mut loose.begun) {
-                *newton = before;
-                found = newton.solve(&loose, &mut deciding);
-            }
-        }
-        let Solution { x: d, rounding_error } = found?;
-        let Deciding { probe, decided } = deciding;
-        let before = start::<S, R, C>(x);
-        x.add_with(sums, &d, &rounding_error);
-        rounded::check_step::<S, R, P, C>(system, [t, end], &before.0, x)?;
-        check_conditions(system, span.middle, &decided, x)?;
-        check_end(poles, &before, Step { system, t, end, x, probe })
     }
 }

@@ -2,59 +2,39 @@
 //!
 //! y(xᵢ) = y(x₀) + h Σ aᵢⱼ y'(xⱼ), and y(x₁) = y(x₀) + h Σ bⱼ y'(xⱼ).
 
-use super::prepared::Prepared;
+use super::prepared::Scaled;
 use super::{Gauss, GaussTableau};
-use crate::method::{Probe, Refusal, Step, StepsOf, check_end, check_way, start};
+use crate::method::implicit::{
+    Departure, Equation, ImplicitStep, Increment, Policy, Stage, Units, Watch,
+};
+use crate::method::{Probe, Refusal};
 use crate::scalar::Real;
-use crate::solving::equation::{Effort, Solution, StepEquation};
+use crate::solving::equation::Solution;
 use crate::solving::newton::Newton;
 use crate::solving::rounding::{Correction, Corrections, Stuck, correct};
 use crate::solving::size::Sizes;
 use crate::solving::{Inverse, Inverted, linear};
 use crate::space::vector::{difference, scaled, sum};
-use crate::space::{Array, Snapshot, Square, Summation};
-use crate::system::{ByCanonical, CanonicalForm, row_scale};
+use crate::space::{Array, Snapshot, Square};
+use crate::system::{CanonicalForm, row_scale};
 
-impl<Y: CanonicalForm<R>, R: Real, const S: usize> StepsOf<Gauss<S>, Y, R> for ByCanonical
-where
-    Gauss<S>: GaussTableau<S>,
-{
-    type Prepared = Prepared<Y::CanonicalConstants, R, S>;
-    type Memory = Newton<[Y::Phase; S]>;
+/// The step that is solved for the points of its stages.
+#[derive(Clone, Copy, Debug)]
+pub struct CanonicalStages<const S: usize>;
 
-    fn prepare(system: &Y, h: R) -> Self::Prepared {
-        Prepared::new(system, system.canonical_constants(), h)
-    }
+/// Coefficients of a step.
+#[derive(Clone, Copy, Debug)]
+pub struct Constants<P, R, const S: usize> {
+    kernel: P,
+    scaled: Scaled<R, S>,
+}
 
-    fn memory() -> Self::Memory {
-        Newton::new(Y::State::ALIKE, Y::Phase::LEN / Y::State::ALIKE)
-    }
-
-    #[inline(always)]
-    fn step<C: Summation<Y::Phase>, P: Probe<Y, R>>(
-        prepared: &Self::Prepared,
-        newton: &mut Self::Memory,
-        Step { system, t, end, x, probe }: Step<'_, Y, R, C, P>,
-    ) -> Result<(), Refusal> {
-        probe.visit(t, &x.z, &());
-        let begun = At::new(system, &prepared.constants, t, x.z);
-        let (inverse, _) = inverse(&begun.derivatives[VALUE], &x.z).ok_or(Refusal::Singular)?;
-        let equation = StagePoints { system, prepared, t, z: x.z, y: begun.value, rate: begun.rate, inverse: &inverse };
-        let Solution { x: d, .. } = newton.solve(&equation, probe)?;
-
-        let mut change = Y::Phase::zero();
-        for i in 0..S {
-            let (time, point) = (t + prepared.nodes[i], sum(&x.z, &d[i]));
-            let way = ([t, time], [&equation.z, &point], [&(), &()]);
-            check_way::<Y, R, P>(&prepared.poles, false, system, way, &mut x.doubtful)?;
-            let stage = At::new(system, &prepared.constants, time, point);
-            change.add_scaled(prepared.weights[i], &stage.rate);
-        }
-        let increment = equation.end(&change, d[S - 1])?;
-        let before = start::<Y, R, C>(x);
-        x.add(&increment);
-        check_end(&prepared.poles, &before, Step { system, t, end, x, probe })
-    }
+/// y and y' at the start, and (∂y/∂x)⁻¹.
+#[derive(Clone, Copy, Debug)]
+pub struct Start<A: Array> {
+    y: A,
+    rate: A,
+    inverse: Inverted<A>,
 }
 
 /// y and y' at a point, and the derivatives of both.
@@ -84,36 +64,31 @@ impl<A: Array> At<A> {
     }
 }
 
-/// The equations of all stages for their increments xᵢ − x₀, times (∂y/∂x)⁻¹ at the start: then they have the units of x, and their
-/// matrix is near 1.
-struct StagePoints<'a, Y: CanonicalForm<R>, R: Real, const S: usize> {
-    system: &'a Y,
-    prepared: &'a Prepared<Y::CanonicalConstants, R, S>,
-    t: R,
-    z: Y::Phase,
-    y: Y::Phase,
-    rate: Y::Phase,
-    inverse: &'a Inverted<Y::Phase>,
-}
-
-impl<Y: CanonicalForm<R>, R: Real, const S: usize> Clone for StagePoints<'_, Y, R, S> {
-    fn clone(&self) -> Self {
-        *self
+impl<Y: CanonicalForm<R>, R: Real, const S: usize> Equation<'_, CanonicalStages<S>, Y, R>
+where
+    Gauss<S>: GaussTableau<S>,
+{
+    /// The time and the point of a stage.
+    #[inline(always)]
+    fn place(&self, i: usize, d: &[Y::Phase; S]) -> (R, Y::Phase) {
+        (self.from.t + self.constants.scaled.nodes[i], sum(&self.from.z, &d[i]))
     }
-}
 
-impl<Y: CanonicalForm<R>, R: Real, const S: usize> Copy for StagePoints<'_, Y, R, S> {}
+    /// y and y' there.
+    #[inline(always)]
+    fn at(&self, (t, z): (R, Y::Phase)) -> At<Y::Phase> {
+        At::new(self.from.system, &self.constants.kernel, t, z)
+    }
 
-impl<Y: CanonicalForm<R>, R: Real, const S: usize> StagePoints<'_, Y, R, S> {
     /// The increment at whose end y has changed by this much, from a guess on.
     fn end(&self, change: &Y::Phase, guess: Y::Phase) -> Result<Y::Phase, Refusal> {
-        let mut is_positive = true;
+        let (Start { y, inverse, .. }, mut is_positive) = (&self.start, true);
         let correction = |d: &Y::Phase| {
-            let at = At::new(self.system, &self.prepared.constants, self.t + self.prepared.h, sum(&self.z, d));
-            let mut delta = self.inverse.times(&difference(&difference(&at.value, &self.y), change));
-            let mut matrix = scaled_rows(self.inverse, &at.derivatives[VALUE]);
+            let at = self.at((self.from.t + self.from.h, sum(&self.from.z, d)));
+            let mut delta = inverse.times(&difference(&difference(&at.value, y), change));
+            let mut matrix = scaled_rows(inverse, &at.derivatives[VALUE]);
             is_positive = linear::solve(&mut matrix, &mut delta, &Sizes::equal()).ok_or(Refusal::Singular)?;
-            let relative = Sizes::new().relative(&delta, &self.z, &difference(d, &delta));
+            let relative = Sizes::new().relative(&delta, &self.from.z, &difference(d, &delta));
             Ok(Correction { delta, relative })
         };
         let d = correct(guess, Corrections::of_order(2), |Stuck { after, .. }| Some(*after), correction)?;
@@ -122,34 +97,67 @@ impl<Y: CanonicalForm<R>, R: Real, const S: usize> StagePoints<'_, Y, R, S> {
     }
 }
 
-impl<Y: CanonicalForm<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<[Y::Phase; S], P>
-    for StagePoints<'_, Y, R, S>
+/// The equations of all stages for their increments xᵢ − x₀, times (∂y/∂x)⁻¹ at the start: then they have the units of x, and their
+/// matrix is near 1.
+impl<Y: CanonicalForm<R>, R: Real, const S: usize> ImplicitStep<Y, R> for CanonicalStages<S>
+where
+    Gauss<S>: GaussTableau<S>,
 {
-    const EFFORT: Effort = P::EFFORT;
+    type Unknown = [Y::Phase; S];
+    type Constants = Constants<Y::CanonicalConstants, R, S>;
+    type Start = Start<Y::Phase>;
+    type History = ();
+    type Seen = ();
+    type Kept = ();
+    type Solver = Newton<[Y::Phase; S]>;
 
-    #[inline(always)]
-    fn origin(&self) -> [Y::Phase; S] {
-        [self.z; S]
+    const POLICY: Policy = Policy::of(Units { alike: Y::State::ALIKE, kinds: Y::Phase::LEN / Y::State::ALIKE });
+    const STAGES: usize = S;
+
+    fn constants(self, system: &Y, h: R) -> Self::Constants {
+        Constants { kernel: system.canonical_constants(), scaled: Scaled::by(h) }
     }
 
-    fn guess(&self) -> [Y::Phase; S] {
-        let rate = self.inverse.times(&self.rate);
-        self.prepared.nodes.map(|node| scaled(node, &rate))
+    fn history() {}
+
+    fn unseen() {}
+
+    #[inline(always)]
+    fn begin(from: &Departure<'_, Y, R>, constants: &Self::Constants, (): &mut ()) -> Result<Self::Start, Refusal> {
+        let At { value, rate, derivatives } = At::new(from.system, &constants.kernel, from.t, from.z);
+        let (inverse, _) = inverse(&derivatives[VALUE], &from.z).ok_or(Refusal::Singular)?;
+        Ok(Start { y: value, rate, inverse })
     }
 
     #[inline(always)]
-    fn residual(&self, probe: &mut P, d: &[Y::Phase; S], matrix: &mut Square<[Y::Phase; S]>) -> [Y::Phase; S] {
+    fn origin(equation: &Equation<'_, Self, Y, R>) -> [Y::Phase; S] {
+        [equation.from.z; S]
+    }
+
+    fn guess(Equation { constants, start, .. }: &Equation<'_, Self, Y, R>) -> [Y::Phase; S] {
+        let rate = start.inverse.times(&start.rate);
+        constants.scaled.nodes.map(|node| scaled(node, &rate))
+    }
+
+    #[inline(always)]
+    fn residual<P: Probe<Y, R>>(
+        equation: &Equation<'_, Self, Y, R>,
+        watch: &mut Watch<'_, Y, R, P, ()>,
+        d: &[Y::Phase; S],
+        matrix: &mut Square<[Y::Phase; S]>,
+    ) -> [Y::Phase; S] {
+        let Equation { constants, start: Start { y, inverse, .. }, .. } = equation;
         let stages: [At<Y::Phase>; S] = core::array::from_fn(|i| {
-            let (t, z) = (self.t + self.prepared.nodes[i], sum(&self.z, &d[i]));
-            probe.visit(t, &z, &());
-            At::new(self.system, &self.prepared.constants, t, z)
+            let (t, z) = equation.place(i, d);
+            watch.visit(t, &z, &());
+            equation.at((t, z))
         });
         let rows = <[Y::Phase; S]>::entries::<[Y::Phase; S]>(matrix);
         let n = Y::Phase::LEN;
         core::array::from_fn(|i| {
-            let mut residual = difference(&stages[i].value, &self.y);
+            let mut residual = difference(&stages[i].value, y);
             for (k, stage) in stages.iter().enumerate() {
-                let a = self.prepared.coupling[i][k];
+                let a = constants.scaled.coupling[i][k];
                 residual.add_scaled(-a, &stage.rate);
                 let mut block = Y::Phase::fill(Y::Phase::zero());
                 let rates = Y::Phase::entries_of::<Y::Phase>(&stage.derivatives[RATE]).iter();
@@ -161,13 +169,32 @@ impl<Y: CanonicalForm<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<
                     }
                     row.add_scaled(-a, rate);
                 }
-                let block = scaled_rows(self.inverse, &block);
+                let block = scaled_rows(inverse, &block);
                 for (r, row) in Y::Phase::entries_of::<Y::Phase>(&block).iter().enumerate() {
                     rows[i * n + r][k] = *row;
                 }
             }
-            self.inverse.times(&residual)
+            inverse.times(&residual)
         })
+    }
+
+    #[inline(always)]
+    fn stage(equation: &Equation<'_, Self, Y, R>, i: usize, d: &[Y::Phase; S]) -> Stage<Y, R> {
+        let (t, z) = equation.place(i, d);
+        Stage { t, z, s: () }
+    }
+
+    #[inline(always)]
+    fn update(
+        equation: &Equation<'_, Self, Y, R>,
+        Solution { x: d, .. }: &Solution<[Y::Phase; S]>,
+        (): &(),
+    ) -> Result<Increment<Y::Phase, ()>, Refusal> {
+        let mut change = Y::Phase::zero();
+        for i in 0..S {
+            change.add_scaled(equation.constants.scaled.weights[i], &equation.at(equation.place(i, d)).rate);
+        }
+        Ok(Increment::of(equation.end(&change, d[S - 1])?))
     }
 }
 

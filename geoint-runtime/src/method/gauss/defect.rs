@@ -14,9 +14,10 @@
 //! hJ(1 − γhJ)⁻¹ in place of that, and defects are seen through (1 − γhJ)⁻¹, with γ = 1/2s, the mean eigenvalue of the coefficients A. E. Hairer &
 //! G. Wanner, *Solving Ordinary Differential Equations II* (1996), section IV.8, filter estimates in this way.
 
-use super::stages::Stages;
+use super::fields::FieldStages;
 use super::{Gauss, GaussTableau};
 use crate::method::Probe;
+use crate::method::implicit::Equation;
 use crate::method::explicit::tableau::Tableau;
 use crate::scalar::Real;
 use crate::solving::linear;
@@ -138,12 +139,15 @@ impl<const S: usize> Look<S> {
     #[inline(always)]
     fn add<Y: Collocation<R>, R: Real, P: Probe<Y, R>>(
         &self,
-        equation: &Stages<'_, Y, R, S>,
+        equation: &Equation<'_, FieldStages<S>, Y, R>,
         k: &[Y::Unknown; S],
         probe: &mut P,
         sums: &mut [Y::Unknown; 2],
-    ) -> Square<Y::Unknown> {
-        let h = equation.prepared.stages.h;
+    ) -> Square<Y::Unknown>
+    where
+        Gauss<S>: GaussTableau<S>,
+    {
+        let h = equation.from.h;
         let (mut defect, slope) = equation.at(probe, R::from_f64(self.at) * h, k, &self.changes[Y::DERIVATIVE - 1]);
         for (rate, k) in self.rates.iter().zip(k) {
             defect.add_scaled(R::from_f64(-rate), k);
@@ -218,7 +222,7 @@ impl<Y: Collocation<R>, R: Real> Filter<'_, Y, R> {
 /// An estimate of the error of a step with the values `k` of f at its stages; `None` where a motion away from the solution is so fast that there is none.
 #[inline]
 pub(super) fn error<Y: Collocation<R>, R: Real, P: Probe<Y, R>, const S: usize>(
-    equation: &Stages<'_, Y, R, S>,
+    equation: &Equation<'_, FieldStages<S>, Y, R>,
     k: &[Y::Unknown; S],
     probe: &mut P,
 ) -> Option<Y::Phase>
@@ -227,8 +231,8 @@ where
 {
     let looks = const { &Looks::<S>::new(&Gauss::<S>::TABLEAU) };
     let (zero, number) = (Y::Unknown::zero(), R::from_f64);
-    let Stages { system, prepared, changed, .. } = equation;
-    let (constants, h) = (&prepared.stages.constants, prepared.stages.h);
+    let (system, h, changed) = (equation.from.system, equation.from.h, &equation.start.changed);
+    let constants = &equation.constants.kernel;
     let mut sums = [zero; 2];
     let slope = looks.start.add(equation, k, probe, &mut sums);
     for other in &looks.others {
@@ -238,7 +242,7 @@ where
 
     let mut sizes = Sizes::new();
     sizes.include(changed, &scaled(h, &k[0]));
-    let filter = Filter { system: *system, constants, length: number(Looks::<S>::GAMMA) * h, slope, sizes };
+    let filter = Filter { system, constants, length: number(Looks::<S>::GAMMA) * h, slope, sizes };
     let first = filter.times(&if Y::DERIVATIVE == 1 { [quadrature, zero] } else { [zero, quadrature] })?;
     let mut second = if Y::DERIVATIVE == 1 { [ends, zero] } else { [zero, ends] };
     if Y::DERIVATIVE > 1 {

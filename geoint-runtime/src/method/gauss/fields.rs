@@ -1,17 +1,24 @@
-//! Stages of a differential equation y' = f(y, t), or q'' = M⁻¹f(q, t): solved for the values of f.
+//! The step of a differential equation y' = f(y, t), or q'' = M⁻¹f(q, t): kᵢ = f(Yᵢ) for the derivatives at all stages.
 
 use super::defect;
-use super::prepared::{Prepared, PreparedFields};
-use super::stages::Stages;
+use super::prepared::Scaled;
 use super::{Gauss, GaussTableau};
 use crate::method::explicit::tableau::Tableau;
-use crate::method::{Estimate, Probe, Refusal, Step, StepsOf, check_end, check_way, start};
+use crate::method::implicit::{
+    Departure, Equation, ImplicitStep, Increment, Policy, Stage, Units, Watch,
+};
+use crate::method::{Estimate, Probe, Refusal};
 use crate::scalar::Real;
 use crate::solving::equation::Solution;
 use crate::solving::newton::Newton;
-use crate::space::{Array, PerCoordinate, Snapshot, Summation};
-use crate::system::{ByField, Collocation};
+use crate::space::vector::{difference, scaled, sum};
+use crate::space::{Array, PerCoordinate, Snapshot, Square};
+use crate::system::Collocation;
 use core::array::from_fn;
+
+/// The step that is solved for values of f at its stages.
+#[derive(Clone, Copy, Debug)]
+pub struct FieldStages<const S: usize>;
 
 /// Steps of fewer stages are compared with their halves because three solved equations cost less than one and a look at its defect; those of more
 /// because 4ˢ times the rounding of a step is more than tolerances near 10⁻¹² allow.
@@ -20,93 +27,215 @@ const STAGES: [usize; 2] = [3, 4];
 /// With more unknowns the eliminations that an estimate takes cost more than two equations that are solved by evaluations.
 const MOST_UNKNOWNS: usize = 6;
 
-/// Whether steps estimate their errors.
-const fn estimates<Y: Collocation<R>, R: Real, const S: usize>() -> bool {
-    STAGES[0] <= S && S <= STAGES[1] && Y::Unknown::LEN <= MOST_UNKNOWNS
+/// Coefficients of a step.
+#[derive(Clone, Copy, Debug)]
+pub struct Constants<P, R, const S: usize> {
+    pub(super) kernel: P,
+    pub(super) scaled: Scaled<R, S>,
+    /// What stage j adds to stage i: h·A, or h²·A².
+    coupling: [[R; S]; S],
+    /// What a stage adds to the end: h·b, or h²·b(1 − c).
+    increments: [R; S],
 }
 
-impl<Y: Collocation<R>, R: Real, const S: usize> StepsOf<Gauss<S>, Y, R> for ByField
+/// What depends on the start of a step.
+#[derive(Clone, Copy, Debug)]
+pub struct Start<A> {
+    y: A,
+    /// What h·k is added to.
+    pub(super) changed: A,
+    velocity: A,
+}
+
+impl<Y: Collocation<R>, R: Real, const S: usize> Equation<'_, FieldStages<S>, Y, R>
 where
     Gauss<S>: GaussTableau<S>,
 {
-    type Prepared = PreparedFields<Y::Constants, R, S>;
-    type Memory = Newton<[Y::Unknown; S]>;
+    /// f and f' where the polynomial of the step is after the time `x`, with these coefficients of k over h, or h² if f is y''.
+    #[inline(always)]
+    pub(super) fn at<P: Probe<Y, R>>(
+        &self,
+        probe: &mut P,
+        x: R,
+        k: &[Y::Unknown; S],
+        coefficients: &[f64; S],
+    ) -> (Y::Unknown, Square<Y::Unknown>) {
+        let h = self.from.h;
+        let power = if Y::DERIVATIVE == 1 { h } else { h * h };
+        let mut change = scaled(x, &self.start.velocity);
+        for (coefficient, k) in coefficients.iter().zip(k) {
+            self.from.system.add(&self.constants.kernel, R::from_f64(*coefficient) * power, k, &mut change);
+        }
+        let mut slope = Y::Unknown::fill(Y::Unknown::zero());
+        probe.visit(self.from.t + x, &self.point(&change), &());
+        (self.field(x, &change, &mut slope), slope)
+    }
 
-    fn prepare(system: &Y, h: R) -> Self::Prepared {
-        let stages = Prepared::new(system, system.constants(), h);
+    /// Yᵢ − y₀.
+    #[inline(always)]
+    fn change(&self, i: usize, k: &[Y::Unknown; S]) -> Y::Unknown {
+        let Constants { kernel, scaled: Scaled { nodes, .. }, coupling, .. } = self.constants;
+        let mut change = scaled(nodes[i], &self.start.velocity);
+        for j in 0..S {
+            self.from.system.add(kernel, coupling[i][j], &k[j], &mut change);
+        }
+        change
+    }
+
+    /// Where a stage with this change is, with the momenta before the step if they are not solved for.
+    #[inline(always)]
+    fn point(&self, change: &Y::Unknown) -> Y::Phase {
+        sum(&self.from.z, &Y::increments(change, &Y::Unknown::zero()))
+    }
+
+    /// f and f' after the time `x` and a change of y.
+    #[inline(always)]
+    fn field(&self, x: R, change: &Y::Unknown, slope: &mut Square<Y::Unknown>) -> Y::Unknown {
+        let mut f = Y::Unknown::zero();
+        self.from.system.field(&self.constants.kernel, self.from.t + x, &sum(&self.start.y, change), &mut f, slope);
+        f
+    }
+
+    /// f(Yᵢ) and f'(Yᵢ).
+    #[inline(always)]
+    fn stage<P: Probe<Y, R>>(
+        &self,
+        watch: &mut Watch<'_, Y, R, P, ()>,
+        i: usize,
+        k: &[Y::Unknown; S],
+        slope: &mut Square<Y::Unknown>,
+    ) -> Y::Unknown {
+        let (node, change) = (self.constants.scaled.nodes[i], self.change(i, k));
+        watch.visit(self.from.t + node, &self.point(&change), &());
+        self.field(node, &change, slope)
+    }
+}
+
+impl<Y: Collocation<R>, R: Real, const S: usize> ImplicitStep<Y, R> for FieldStages<S>
+where
+    Gauss<S>: GaussTableau<S>,
+{
+    type Unknown = [Y::Unknown; S];
+    type Constants = Constants<Y::Constants, R, S>;
+    type Start = Start<Y::Unknown>;
+    type History = ();
+    type Seen = ();
+    type Kept = ();
+    type Solver = Newton<[Y::Unknown; S]>;
+
+    const POLICY: Policy = Policy {
+        // −2p/h turns p round in the middle of the step.
+        standstill: if Y::DERIVATIVE == 1 { 0.0 } else { -2.0 },
+        ..Policy::of(Units { alike: Y::State::ALIKE, kinds: Y::Unknown::LEN / Y::State::ALIKE })
+    };
+    const STAGES: usize = S;
+    const ORDER_OF_ESTIMATE: Option<u32> =
+        if STAGES[0] <= S && S <= STAGES[1] && Y::Unknown::LEN <= MOST_UNKNOWNS { Some(2 * S as u32) } else { None };
+
+    fn constants(self, system: &Y, h: R) -> Self::Constants {
+        let (kernel, scaled) = (system.constants(), Scaled::by(h));
         if Y::DERIVATIVE == 1 {
-            return PreparedFields { stages, coupling: stages.coupling, increments: stages.weights };
+            return Constants { kernel, scaled, coupling: scaled.coupling, increments: scaled.weights };
         }
         let Tableau { a, b, c } = Gauss::<S>::TABLEAU;
         let square = |i: usize, j: usize| (0..S).map(|k| a[i][k] * a[k][j]).sum();
-        PreparedFields {
-            stages,
+        Constants {
+            kernel,
+            scaled,
             coupling: from_fn(|i| from_fn(|j| R::from_f64(square(i, j)) * h * h)),
             increments: from_fn(|i| R::from_f64(b[i] * (1.0 - c[i])) * h * h),
         }
     }
 
-    fn memory() -> Self::Memory {
-        Newton::new(Y::State::ALIKE, Y::Unknown::LEN / Y::State::ALIKE)
+    fn history() {}
+
+    fn unseen() {}
+
+    #[inline(always)]
+    fn begin(from: &Departure<'_, Y, R>, constants: &Self::Constants, (): &mut ()) -> Result<Self::Start, Refusal> {
+        let (y, changed) = Y::start(&from.z);
+        Ok(Start { y, changed, velocity: from.system.velocity(&constants.kernel, &changed) })
+    }
+
+    /// The accuracy of kᵢ that can be seen in what h·kᵢ is added to.
+    #[inline(always)]
+    fn origin(equation: &Equation<'_, Self, Y, R>) -> [Y::Unknown; S] {
+        [scaled(R::from_f64(1.0) / equation.from.h, &equation.start.changed); S]
+    }
+
+    /// The stages as if y' were constant.
+    fn guess(equation: &Equation<'_, Self, Y, R>) -> [Y::Unknown; S] {
+        let mut slope = Y::Unknown::fill(Y::Unknown::zero());
+        let mut rate = equation.start.velocity;
+        if Y::DERIVATIVE == 1 {
+            rate = equation.field(R::from_f64(0.0), &Y::Unknown::zero(), &mut slope);
+        }
+        equation.constants.scaled.nodes.map(|node| equation.field(node, &scaled(node, &rate), &mut slope))
     }
 
     #[inline(always)]
-    fn step<C: Summation<Y::Phase>, P: Probe<Y, R>>(
-        prepared: &Self::Prepared,
-        newton: &mut Self::Memory,
-        step: Step<'_, Y, R, C, P>,
-    ) -> Result<(), Refusal> {
-        let equation = Stages::new(step.system, prepared, step.t, step.x.z);
-        taken(&equation, newton, step).map(drop)
+    fn image<P: Probe<Y, R>>(
+        equation: &Equation<'_, Self, Y, R>,
+        watch: &mut Watch<'_, Y, R, P, ()>,
+        k: &[Y::Unknown; S],
+    ) -> [Y::Unknown; S] {
+        from_fn(|i| equation.stage(watch, i, k, &mut Y::Unknown::fill(Y::Unknown::zero())))
     }
 
-    fn order_of_estimate() -> Option<u32> {
-        const { estimates::<Y, R, S>() }.then_some(2 * S as u32)
+    #[inline(always)]
+    fn residual<P: Probe<Y, R>>(
+        equation: &Equation<'_, Self, Y, R>,
+        watch: &mut Watch<'_, Y, R, P, ()>,
+        k: &[Y::Unknown; S],
+        matrix: &mut Square<[Y::Unknown; S]>,
+    ) -> [Y::Unknown; S] {
+        let Constants { kernel, coupling, .. } = equation.constants;
+        let rows = <[Y::Unknown; S]>::entries::<[Y::Unknown; S]>(matrix);
+        let mut all = [Y::Unknown::zero(); S];
+        // Not by `from_fn`, whose closure would be a function of its own, and its result read in other pieces than it was written in.
+        for (i, f) in all.iter_mut().enumerate() {
+            // f'(Yᵢ)·∂Yᵢ/∂kⱼ.
+            let mut slope = Y::Unknown::fill(Y::Unknown::zero());
+            *f = equation.stage(watch, i, k, &mut slope);
+            for (r, slope_row) in Y::Unknown::entries::<Y::Unknown>(&mut slope).iter().enumerate() {
+                let row = &mut rows[i * Y::Unknown::LEN + r];
+                for j in 0..S {
+                    row[j] = Y::Unknown::zero();
+                    equation.from.system.add(kernel, -coupling[i][j], slope_row, &mut row[j]);
+                }
+                row[i].as_mut_slice()[r] += R::from_f64(1.0);
+            }
+        }
+        difference(k, &all)
+    }
+
+    #[inline(always)]
+    fn stage(equation: &Equation<'_, Self, Y, R>, i: usize, k: &[Y::Unknown; S]) -> Stage<Y, R> {
+        let t = equation.from.t + equation.constants.scaled.nodes[i];
+        Stage { t, z: equation.point(&equation.change(i, k)), s: () }
+    }
+
+    #[inline(always)]
+    fn update(
+        Equation { from, constants, start }: &Equation<'_, Self, Y, R>,
+        Solution { x: k, .. }: &Solution<[Y::Unknown; S]>,
+        (): &(),
+    ) -> Result<Increment<Y::Phase, ()>, Refusal> {
+        let (mut change, mut impulse) = (scaled(from.h, &start.velocity), Y::Unknown::zero());
+        for i in 0..S {
+            from.system.add(&constants.kernel, constants.increments[i], &k[i], &mut change);
+            impulse.add_scaled(constants.scaled.weights[i], &k[i]);
+        }
+        Ok(Increment::of(Y::increments(&change, &impulse)))
     }
 
     #[inline]
-    fn estimated<C: Summation<Y::Phase>, P: Probe<Y, R>>(
-        prepared: &Self::Prepared,
-        newton: &mut Self::Memory,
-        mut step: Step<'_, Y, R, C, P>,
-    ) -> Option<Result<Estimate<Y, R>, Refusal>> {
-        if const { !estimates::<Y, R, S>() } {
-            return None;
-        }
-        let equation = Stages::new(step.system, prepared, step.t, step.x.z);
-        let error = taken(&equation, newton, step.part([step.t, step.end])).and_then(|k| {
-            let z = defect::error(&equation, &k, step.probe).ok_or(Refusal::Singular)?;
-            Ok([PerCoordinate { z, s: () }, PerCoordinate::zero()])
-        });
-        Some(error)
+    fn estimate<P: Probe<Y, R>>(
+        equation: &Equation<'_, Self, Y, R>,
+        k: &[Y::Unknown; S],
+        probe: &mut P,
+    ) -> Result<Estimate<Y, R>, Refusal> {
+        let z = defect::error(equation, k, probe).ok_or(Refusal::Singular)?;
+        Ok([PerCoordinate { z, s: () }, PerCoordinate::zero()])
     }
-}
-
-/// A step by the solution of its equation: the values of f at its stages.
-#[inline(always)]
-fn taken<Y: Collocation<R>, R: Real, C: Summation<Y::Phase>, P: Probe<Y, R>, const S: usize>(
-    equation: &Stages<'_, Y, R, S>,
-    newton: &mut Newton<[Y::Unknown; S]>,
-    Step { system, t, end, x, probe }: Step<'_, Y, R, C, P>,
-) -> Result<[Y::Unknown; S], Refusal> {
-    let zero = Y::Unknown::zero();
-    probe.visit(t, &x.z, &());
-    let Solution { x: k, .. } = newton.solve(equation, probe)?;
-
-    let PreparedFields { stages: Prepared { poles, constants, h, nodes, weights, .. }, increments, .. } =
-        equation.prepared;
-    for (i, node) in nodes.iter().enumerate() {
-        let way = ([t, t + *node], [&equation.z, &equation.point(&equation.change(i, &k))], [&(), &()]);
-        check_way::<Y, R, P>(poles, false, system, way, &mut x.doubtful)?;
-    }
-    let (mut change, mut impulse) = (zero, zero);
-    change.add_scaled(*h, &equation.velocity);
-    for i in 0..S {
-        system.add(constants, increments[i], &k[i], &mut change);
-        impulse.add_scaled(weights[i], &k[i]);
-    }
-    let before = start::<Y, R, C>(x);
-    x.add(&Y::increments(&change, &impulse));
-    check_end(poles, &before, Step { system, t, end, x, probe })?;
-    Ok(k)
 }

@@ -25,17 +25,20 @@ mod canonical;
 mod defect;
 mod fields;
 pub(crate) mod prepared;
-mod stages;
 mod tableau;
 pub(in crate::method) mod velocities;
 
+pub use canonical::CanonicalStages;
+pub use fields::FieldStages;
 pub use tableau::GaussTableau;
+pub use velocities::VelocityStages;
 
-use crate::method::composition::{Composed, Composition, SymmetricMap};
-use crate::method::{And, Claims, Estimate, Method, Name, Probe, Refusal, Step, StepsOf};
+use crate::implicit_method;
+use crate::method::composition::substeps;
+use crate::method::implicit::{ImplicitMethod, SolvedBy, StepFor};
+use crate::method::{Claims, Name};
 use crate::scalar::Real;
-use crate::space::Summation;
-use crate::system::Collocated;
+use crate::system::PhaseSpace;
 
 /// Gauss collocation with `S` stages, 1 to 6. Order 2S, symmetric, symplectic, for every H; keeps quadratic invariants.
 ///
@@ -59,91 +62,52 @@ pub struct Gauss<const S: usize>;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ImplicitMidpoint;
 
-impl<Y: Collocated<R>, R: Real, const S: usize> Method<Y, R> for Gauss<S>
+implicit_method!(
+    [const S: usize] Gauss<S>,
+    |_| Name::new(["Gauss<1>", "Gauss<2>", "Gauss<3>", "Gauss<4>", "Gauss<5>", "Gauss<6>"][S - 1]),
+    Claims::of_order(2 * S as u32).symmetric().symplectic()
+);
+implicit_method!(
+    ImplicitMidpoint,
+    |_| Name::new("ImplicitMidpoint"),
+    Claims::of_order(2).symmetric().symplectic()
+);
+substeps!([] ImplicitMidpoint);
+
+/// One stage is the midpoint rule.
+impl<Y: PhaseSpace<R>, R: Real> ImplicitMethod<Y, R> for ImplicitMidpoint
 where
-    Y::Stages: StepsOf<Gauss<S>, Y, R>,
-    Gauss<S>: GaussTableau<S>,
+    Gauss<1>: ImplicitMethod<Y, R>,
 {
-    type Proof = <<Gauss<S> as GaussTableau<S>>::Proof as And<<Y as Collocated<R>>::Proof>>::Both;
-    type Prepared = <Y::Stages as StepsOf<Self, Y, R>>::Prepared;
-    type Memory = <Y::Stages as StepsOf<Self, Y, R>>::Memory;
+    type Proof = <Gauss<1> as ImplicitMethod<Y, R>>::Proof;
+    type Step = StepFor<Gauss<1>, Y, R>;
 
-    fn claims(&self) -> Claims {
-        Claims::of_order(2 * S as u32).symmetric().symplectic()
-    }
-
-    fn name(&self) -> Name {
-        Name::new(["Gauss<1>", "Gauss<2>", "Gauss<3>", "Gauss<4>", "Gauss<5>", "Gauss<6>"][S - 1])
-    }
-
-    fn prepare(&self, system: &Y, h: R) -> Self::Prepared {
-        <Y::Stages as StepsOf<Self, Y, R>>::prepare(system, h)
-    }
-
-    fn memory() -> Self::Memory {
-        <Y::Stages as StepsOf<Self, Y, R>>::memory()
-    }
-
-    #[inline(always)]
-    fn step<C: Summation<Y::Phase>, P: Probe<Y, R>>(
-        prepared: &Self::Prepared,
-        memory: &mut Self::Memory,
-        step: Step<'_, Y, R, C, P>,
-    ) -> Result<(), Refusal> {
-        <Y::Stages as StepsOf<Self, Y, R>>::step(prepared, memory, step)
-    }
-
-    fn order_of_estimate(&self) -> Option<u32> {
-        <Y::Stages as StepsOf<Self, Y, R>>::order_of_estimate()
-    }
-
-    #[inline(always)]
-    fn estimated<C: Summation<Y::Phase>, P: Probe<Y, R>>(
-        prepared: &Self::Prepared,
-        memory: &mut Self::Memory,
-        step: Step<'_, Y, R, C, P>,
-    ) -> Option<Result<Estimate<Y, R>, Refusal>> {
-        <Y::Stages as StepsOf<Self, Y, R>>::estimated(prepared, memory, step)
+    fn step(self) -> Self::Step {
+        Gauss::<1>.step()
     }
 }
 
-impl<Y: Collocated<R>, R: Real> Method<Y, R> for ImplicitMidpoint
-where
-    Y::Stages: StepsOf<Gauss<1>, Y, R>,
+/// A system that has Gauss methods with each number of stages.
+pub trait SolvedByGauss<R: Real = f64>:
+    PhaseSpace<R>
+    + SolvedBy<Gauss<1>, R>
+    + SolvedBy<Gauss<2>, R>
+    + SolvedBy<Gauss<3>, R>
+    + SolvedBy<Gauss<4>, R>
+    + SolvedBy<Gauss<5>, R>
+    + SolvedBy<Gauss<6>, R>
+    + SolvedBy<ImplicitMidpoint, R>
 {
-    type Proof = <Y as Collocated<R>>::Proof;
-    type Prepared = <Gauss<1> as Method<Y, R>>::Prepared;
-    type Memory = <Gauss<1> as Method<Y, R>>::Memory;
-
-    fn claims(&self) -> Claims {
-        Method::<Y, R>::claims(&Gauss::<1>)
-    }
-
-    fn name(&self) -> Name {
-        Name::new("ImplicitMidpoint")
-    }
-
-    fn prepare(&self, system: &Y, h: R) -> Self::Prepared {
-        Gauss::<1>.prepare(system, h)
-    }
-
-    fn memory() -> Self::Memory {
-        <Gauss<1> as Method<Y, R>>::memory()
-    }
-
-    #[inline(always)]
-    fn step<C: Summation<Y::Phase>, P: Probe<Y, R>>(
-        prepared: &Self::Prepared,
-        memory: &mut Self::Memory,
-        step: Step<'_, Y, R, C, P>,
-    ) -> Result<(), Refusal> {
-        Gauss::<1>::step(prepared, memory, step)
-    }
 }
 
-impl SymmetricMap for ImplicitMidpoint {
-    type Composed<const K: usize> = Composed<ImplicitMidpoint, K>;
-    fn compose<const K: usize>(self, composition: Composition<K>) -> Self::Composed<K> {
-        Composed { map: self, composition }
-    }
+impl<Y, R: Real> SolvedByGauss<R> for Y where
+    Y: PhaseSpace<R>
+        + SolvedBy<Gauss<1>, R>
+        + SolvedBy<Gauss<2>, R>
+        + SolvedBy<Gauss<3>, R>
+        + SolvedBy<Gauss<4>, R>
+        + SolvedBy<Gauss<5>, R>
+        + SolvedBy<Gauss<6>, R>
+        + SolvedBy<ImplicitMidpoint, R>
+{
 }

@@ -2,7 +2,7 @@
 
 use super::points::{GOLDEN, Start};
 use crate::scalar::{Real, zero};
-use crate::solving::size::kind;
+use crate::solving::size::{Units, kind};
 
 /// The number of points on a line at which the residual is evaluated.
 pub(super) const POINTS: usize = 16;
@@ -83,7 +83,7 @@ impl<R: Real> Memory<'_, R> {
         self,
         (nearest, farther): (f64, f64),
         start: Start,
-        kinds: [usize; 2],
+        units: Units,
         residual: &mut Residual<'_, R>,
     ) {
         let Memory { values, smooth, resolved, noise } = self;
@@ -174,7 +174,7 @@ impl<R: Real> Memory<'_, R> {
         for i in (0..n).filter(|i| !resolved[*i]) {
             // Among stairs, an entry may be smooth at no distance while other entries of its unit are. If these are at least half of the entries, its
             // rounding is at most as large as theirs.
-            let alike = |j: &usize| kind(kinds, *j) == kind(kinds, i);
+            let alike = |j: &usize| kind(units, *j) == kind(units, i);
             let known = (0..n).filter(alike).filter(|j| resolved[*j]);
             let (count, least) =
                 known.fold((0, noise[i].magnitude()), |(count, least), j| (count + 1, least.min(noise[j].magnitude())));

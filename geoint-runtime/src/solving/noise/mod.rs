@@ -10,7 +10,7 @@ mod points;
 
 use crate::scalar::Real;
 use crate::solving::rounding::{is_rounding, may_be_rounding};
-use crate::solving::size::Sizes;
+use crate::solving::size::{Sizes, Units};
 use crate::space::Array;
 use crate::space::vector::difference;
 use differences::{Memory, POINTS, SPARE};
@@ -22,8 +22,7 @@ const DEVIATIONS: f64 = 16.0;
 
 /// Returns the standard deviation of the rounding of every entry of a residual near `x`.
 ///
-/// `residual` returns `None` at points at which no residual exists. `kinds` contains the number of successive unknowns that share a unit, and the
-/// number of such kinds. Unknowns move in proportion to the largest unknown of their kind.
+/// `residual` returns `None` at points at which no residual exists. Unknowns move in proportion to the largest unknown of their kind.
 ///
 /// The first measurement starts close to `x`. Points nearer than `farther` times the last correction `delta` may share equally rounded terms, and the
 /// residual then looks as smooth as `x`. If the first points are too far apart, the residual of a small unknown beside large unknowns is already
@@ -40,16 +39,16 @@ pub(crate) fn measure<A: Array>(
     sizes: &Sizes<A>,
     x: &A,
     (delta, farther): (&A, f64),
-    kinds: [usize; 2],
+    units: Units,
     mut residual: impl FnMut(&A) -> Option<A>,
 ) -> A {
     let (mut direction, mut noise) = (A::zero(), A::zero());
-    along(sizes.as_slice(), kinds, direction.as_mut_slice());
+    along(sizes.as_slice(), units, direction.as_mut_slice());
     // The last digits of the coordinates also change the residual. This change counts as rounding, like the rounding of the terms.
     let mut largest = last_digits(x, &direction, &mut residual);
     for start in [Start::Near, Start::Corrections] {
         let mut direction = direction;
-        let Some(nearest) = begin((delta.as_slice(), farther), kinds, start, direction.as_mut_slice()) else { break };
+        let Some(nearest) = begin((delta.as_slice(), farther), units, start, direction.as_mut_slice()) else { break };
         let (mut memory, mut marks) = ([A::zero(); POINTS + SPARE], [A::fill(false); 2]);
         let [smooth, resolved] = &mut marks;
         let memory = Memory {
@@ -58,7 +57,7 @@ pub(crate) fn measure<A: Array>(
             resolved: A::entries(resolved),
             noise: noise.as_mut_slice(),
         };
-        memory.measure((nearest, farther), start, kinds, &mut |distance, value| {
+        memory.measure((nearest, farther), start, units, &mut |distance, value| {
             let mut moved = *x;
             moved.add_scaled(distance, &direction);
             match residual(&moved) {

@@ -1,7 +1,7 @@
 //! Chooses the points at which a residual is evaluated to measure its rounding: their distances and their direction.
 
 use crate::scalar::Real;
-use crate::solving::size::{kind, largest, largest_of_kind};
+use crate::solving::size::{Units, kind, largest, largest_of_kind};
 
 /// The fractional part of the golden ratio, the irrational number with the worst approximations by ratios.
 pub(super) const GOLDEN: f64 = 0.618_033_988_749_894_9;
@@ -21,9 +21,9 @@ pub(super) enum Start {
 
 /// Writes the direction in which the unknowns move.
 #[inline(never)]
-pub(super) fn along<R: Real>(sizes: &[R], kinds: [usize; 2], direction: &mut [R]) {
+pub(super) fn along<R: Real>(sizes: &[R], units: Units, direction: &mut [R]) {
     for (i, d) in direction.iter_mut().enumerate() {
-        let unit = largest_of_kind(sizes, kinds, i);
+        let unit = largest_of_kind(sizes, units, i);
         // Each unknown moves by a different part of its unit. Differences of neighbours then change as well, each by a different amount.
         let golden = GOLDEN * ((i + 1) * (i + 1)) as f64;
         *d = R::from_f64(unit * (0.5 + (golden - libm::floor(golden))));
@@ -37,25 +37,25 @@ pub(super) fn along<R: Real>(sizes: &[R], kinds: [usize; 2], direction: &mut [R]
 #[inline(never)]
 pub(super) fn begin<R: Real>(
     (delta, farther): (&[R], f64),
-    kinds: [usize; 2],
+    units: Units,
     start: Start,
     direction: &mut [R],
 ) -> Option<f64> {
     // The first distance for the unknowns of one kind. It follows from the largest ratio of their corrections to the direction.
     let first = |direction: &[R], k: usize| {
         let part = |(i, (delta, size)): (usize, (&R, &R))| {
-            if kind(kinds, i) != k || delta.magnitude() == 0.0 { 0.0 } else { delta.magnitude() / size.magnitude() }
+            if kind(units, i) != k || delta.magnitude() == 0.0 { 0.0 } else { delta.magnitude() / size.magnitude() }
         };
         let nearest = farther * largest(delta.iter().zip(direction).enumerate().map(part));
         if nearest <= MOST_NEAR || start == Start::Corrections { nearest.max(R::epsilon()) } else { R::epsilon() }
     };
-    let nearest = (0..kinds[1]).map(|k| first(direction, k)).fold(0.0, f64::max);
+    let nearest = (0..units.kinds).map(|k| first(direction, k)).fold(0.0, f64::max);
     if start == Start::Corrections && nearest <= MOST_NEAR {
         return None;
     }
-    for k in 0..kinds[1] {
+    for k in 0..units.kinds {
         let less = R::from_f64(first(direction, k) / nearest);
-        direction.iter_mut().enumerate().filter(|(i, _)| kind(kinds, *i) == k).for_each(|(_, d)| *d *= less);
+        direction.iter_mut().enumerate().filter(|(i, _)| kind(units, *i) == k).for_each(|(_, d)| *d *= less);
     }
     Some(nearest)
 }

@@ -2,12 +2,12 @@
 
 use crate::scalar::Real;
 use crate::space::Square;
-use crate::system::{ByCanonical, Collocated, VectorField};
+use crate::system::VectorField;
 
 /// x' = S ∇H with functions y of x, as many as coordinates, in which S is the canonical matrix: half of the coordinates, and their momenta.
 ///
 /// Of a Lagrangian ϑ(q)·v − H(q) the momenta are entries of ϑ, and no inverse of y is needed: stages are solved for x.
-pub trait CanonicalForm<R: Real = f64>: VectorField<R> + Collocated<R, Stages = ByCanonical> {
+pub trait CanonicalForm<R: Real = f64>: VectorField<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// What depends on parameters only.

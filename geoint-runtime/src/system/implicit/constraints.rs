@@ -7,7 +7,7 @@ use crate::scalar::Real;
 use crate::solving::rounding::{Correction, Corrections, ROUNDINGS, Stuck, correct};
 use crate::solving::size::Sizes;
 use crate::solving::{Refusal, linear};
-use crate::space::vector::{difference, dot, scaled};
+use crate::space::vector::{difference, dot, scaled, times};
 use crate::space::{Array, Square, State};
 /// A system with constraints.
 #[diagnostic::on_unimplemented(
@@ -139,7 +139,7 @@ pub(crate) fn on_one_side<S: Constrained<R>, R: Real>(
     let mut matrix = S::Multipliers::fill(S::Multipliers::zero());
     let rows = S::Multipliers::entries::<S::Multipliers>(&mut matrix);
     for (row, gradient) in rows.iter_mut().zip(S::Multipliers::entries_of::<S::Array>(&first)) {
-        let direction = times::<S::Array>(&inverse_mass, gradient);
+        let direction = times(&inverse_mass, gradient);
         // In units of its own square: then pivots have none.
         let scale = R::from_f64(1.0) / dot(gradient, &direction);
         for (x, other) in row.as_mut_slice().iter_mut().zip(S::Multipliers::entries_of::<S::Array>(&last)) {
@@ -204,7 +204,7 @@ pub(crate) fn projected<S: Constrained<R>, R: Real>(system: &S, t: R, z: &S::Pha
         solve::<S, R>(&here, &start, &inverse_mass, &mut multipliers)?;
         let mut delta = none;
         for (multiplier, gradient) in multipliers.as_slice().iter().zip(directions) {
-            delta.add_scaled(*multiplier, &times::<S::Array>(&inverse_mass, gradient));
+            delta.add_scaled(*multiplier, &times(&inverse_mass, gradient));
         }
         let relative = Sizes::new().relative(&delta, &z[0], &difference(q, &delta));
         Ok(Correction { delta, relative })
@@ -226,7 +226,7 @@ fn solve<S: Constrained<R>, R: Real>(
     let gradients = S::Multipliers::entries_of::<S::Array>(gradients);
     let rows = S::Multipliers::entries::<S::Multipliers>(&mut matrix);
     for (l, start) in S::Multipliers::entries_of::<S::Array>(starts).iter().enumerate() {
-        let direction = times::<S::Array>(inverse_mass, start);
+        let direction = times(inverse_mass, start);
         for (row, gradient) in rows.iter_mut().zip(gradients) {
             row.as_mut_slice()[l] = dot(gradient, &direction);
         }
@@ -255,14 +255,4 @@ fn gradients<S: Constrained<R>, R: Real>(system: &S, q: &S::Array) -> (S::Multip
     let (mut values, mut gradients) = (S::Multipliers::zero(), S::Multipliers::fill(S::Array::zero()));
     system.constraints(q, &mut values, &mut gradients);
     (values, gradients)
-}
-
-/// The product of a matrix with a vector.
-#[inline(always)]
-fn times<A: Array>(matrix: &Square<A>, x: &A) -> A {
-    let mut product = A::zero();
-    for (y, row) in product.as_mut_slice().iter_mut().zip(A::entries_of::<A>(matrix)) {
-        *y = dot(row, x);
-    }
-    product
 }

@@ -1,7 +1,7 @@
 //! Lagrangians with an action whose steps are solved for velocities: Herglotz' principle without an energy as a function of momenta.
 
 use super::velocities::{MassForm, accelerated, velocity_of};
-use super::{ByPolarisation, ByVelocities, ContactCollocated, ContactGraded};
+use crate::system::Contact;
 use crate::scalar::{Real, zero};
 use crate::space::vector::{moved, opposite};
 use crate::space::{Array, Square};
@@ -48,7 +48,7 @@ impl<A: Array> ContactStage<A> {
 }
 
 /// The equations of s' = L, d/dt ∂L/∂v = ∂L/∂q + ∂L/∂s ∂L/∂v.
-pub trait ContactVelocities<R: Real = f64>: MassForm<R> + ContactCollocated<R, Stages = ByVelocities> {
+pub trait ContactVelocities<R: Real = f64>: MassForm<R> + Contact<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// v and s of a stage, in a row; or v alone, where ∂L/∂s depends on time alone.
@@ -87,7 +87,7 @@ pub trait ContactVelocities<R: Real = f64>: MassForm<R> + ContactCollocated<R, S
 /// energy p·v − L before the step, all with time frozen in its middle:
 ///
 /// q₁ − q₀ = h v̄, p₁ − p₀ = h(Λ_q + Λ_s p̄), s₁ − s₀ = h(p̄·v̄ − H₀ φ₁(hΛ_s)) with p = ∂L/∂v at both ends. Then H₁ = H₀ exp(hΛ_s).
-pub trait ContactPolarised<R: Real = f64>: ContactVelocities<R> + ContactGraded<R, Gradient = ByPolarisation> {
+pub trait ContactPolarised<R: Real = f64>: ContactVelocities<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// The increments of v and s in a row.

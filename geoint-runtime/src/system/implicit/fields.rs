@@ -3,7 +3,7 @@
 use crate::scalar::Real;
 use crate::solving::Inverse;
 use crate::space::{Array, Square};
-use crate::system::{ByField, ByTree, Collocated, ContactCollocated, Graded, VectorField};
+use crate::system::{Contact, Keeping, VectorField};
 
 /// The field is a polynomial of degree 2 at most: of an energy, one of degree 3.
 #[diagnostic::on_unimplemented(
@@ -25,7 +25,7 @@ pub trait QuadraticField<R: Real = f64>: Collocation<R> {
     note = "methods that keep a `constraint`: `Rattle`, `DiscreteGradient`",
     note = "methods for rigid bodies (`attitude = r`): tables of kicks and drifts such as `BlanesMoanSrkn14a`, `FiveRotations`, `RK4`, `DOP853`"
 )]
-pub trait Collocation<R: Real = f64>: VectorField<R> + Collocated<R> {
+pub trait Collocation<R: Real = f64>: VectorField<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// y: all coordinates, or q alone. f has the same shape.
@@ -105,7 +105,7 @@ impl<R: Real> Span<R> {
     note = "methods that keep a `constraint`: `Rattle`, `DiscreteGradient`",
     note = "methods for rigid bodies (`attitude = r`): tables of kicks and drifts such as `BlanesMoanSrkn14a`, `FiveRotations`, `RK4`, `DOP853`"
 )]
-pub trait DiscreteField<R: Real = f64>: Collocation<R> + Graded<R, Gradient = ByTree> {
+pub trait DiscreteField<R: Real = f64>: Collocation<R> + Keeping<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// What depends on parameters and h only.
@@ -170,7 +170,7 @@ pub trait DiscreteField<R: Real = f64>: Collocation<R> + Graded<R, Gradient = By
     note = "methods for every field: `Gauss`, `ImplicitMidpoint`, `RK4`, `DOP853`",
     note = "with a `constraint`: `Suzuki4.of(DiscreteGradient)`, `Suzuki4.of(Rattle)`"
 )]
-pub trait FourthOrderField<R: Real = f64>: VectorField<R> + Graded<R> {
+pub trait FourthOrderField<R: Real = f64>: VectorField<R> + Keeping<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// What depends on parameters and h.
@@ -199,7 +199,7 @@ pub trait FourthOrderField<R: Real = f64>: VectorField<R> + Graded<R> {
 }
 
 /// The field of H as contact Gauss methods evaluate it at their stages.
-pub trait ContactStages<R: Real = f64>: ContactCollocated<R, Stages = ByField, Midpoint = ByField> {
+pub trait ContactStages<R: Real = f64>: Contact<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// q, p and s in a row; or q and p, where ∂H/∂s depends on time alone, and positions and momenta do not read s.

@@ -1,6 +1,6 @@
 //! Check that the mass matrix of a Lagrangian stays regular during a run.
 
-use super::velocities::{MassForm, row_scale, velocity_from_rest, velocity_near};
+use super::velocities::{MassForm, mass_units, velocity_from_rest, velocity_near};
 use crate::scalar::Real;
 use crate::solving::{Refusal, linear};
 use crate::space::vector::{difference, moved};
@@ -25,7 +25,7 @@ pub(crate) type Moment<'a, S, R> =
 
 /// The mass matrix M at the last point of a run. Empty before the first step, or if M was proven to be regular.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Regular<A: Array> {
+pub struct Regular<A: Array> {
     last: Option<Known<A>>,
 }
 
@@ -125,13 +125,8 @@ pub fn singular_mass<S: MassForm<R>, R: Real>(
 #[inline(never)]
 fn known<S: MassForm<R>, R: Real>(system: &S, start: Moment<'_, S, R>) -> Option<Known<S::Array>> {
     let (t, z, s) = start;
-    let none = S::Array::zero();
     let v = velocity_from_rest(system, t, z, s)?;
-    let (mut p, mut mass, mut units) = (none, S::Array::fill(none), none);
-    system.mass(t, &z[0], &v, s, (&mut p, &mut mass));
-    for (i, row) in S::Array::entries_of::<S::Array>(&mass).iter().enumerate() {
-        units.as_mut_slice()[i] = R::from_f64(1.0) / row_scale(row, i);
-    }
+    let units = mass_units(system, t, z, s, &v);
     let determinant = determinant(system, (t, &z[0], &v, s), &units);
     (determinant != 0.0 && determinant.is_finite()).then_some(Known { units, v, determinant })
 }

@@ -7,7 +7,7 @@ use crate::solving::rounding::{Correction, Corrections, Stuck, correct};
 use crate::solving::size::Sizes;
 use crate::space::vector::{difference, dot};
 use crate::space::{Array, Square};
-use crate::system::{ByPolarisation, ByVelocities, Collocated, Graded, Lagrangian};
+use crate::system::{Keeping, Lagrangian};
 
 /// The momenta of L(q, v, s, t), and how they depend on v: by the mass matrix M = ∂²L/∂v².
 pub trait MassForm<R: Real = f64>: Lagrangian<R> {
@@ -32,9 +32,7 @@ pub trait MassForm<R: Real = f64>: Lagrangian<R> {
 }
 
 /// L(q, v, t) by its derivatives: half of the unknowns of an energy, and no inverse of the mass matrix.
-pub trait VelocityForm<R: Real = f64>:
-    MassForm<R> + Lagrangian<R, Action = ()> + Collocated<R, Stages = ByVelocities>
-{
+pub trait VelocityForm<R: Real = f64>: MassForm<R> + Lagrangian<R, Action = ()> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// Coefficients that depend on parameters only.
@@ -61,7 +59,7 @@ pub trait VelocityForm<R: Real = f64>:
 /// With Λ(q; v₀, v₁) = ½v₀ᵀM(q)v₁ + a(q)·(v₀ + v₁)/2 − V(q), its tree slopes Λ[q₀, q₁] in q, and friction C:
 /// q₁ − q₀ = h v̄, p₁ − p₀ = h(Λ[q₀, q₁; v₀, v₁] − C v̄) with v̄ = (v₀ + v₁)/2, and p = M(q)v + a(q) at both ends. Then
 /// p·v − L changes by −h v̄·C v̄.
-pub trait PolarisedForm<R: Real = f64>: VelocityForm<R> + Graded<R, Gradient = ByPolarisation> {
+pub trait PolarisedForm<R: Real = f64>: VelocityForm<R> + Keeping<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// Coefficients that depend on parameters and h only.
@@ -151,6 +149,17 @@ fn solve_for_velocity<A: Array>(mass: &mut Square<A>, p: &mut A) -> Option<()> {
         }
     }
     linear::solve(mass, p, &Sizes::of_magnitudes(sizes)).map(drop)
+}
+
+/// 1/|Mᵢᵢ|: a row of the momentum equation times this has the unit of the velocity.
+pub(crate) fn mass_units<S: MassForm<R>, R: Real>(system: &S, t: R, z: &S::Phase, s: &S::Action, v: &S::Array) -> S::Array {
+    let none = S::Array::zero();
+    let (mut p, mut mass, mut units) = (none, S::Array::fill(none), none);
+    system.mass(t, &z[0], v, s, (&mut p, &mut mass));
+    for (i, (unit, row)) in units.as_mut_slice().iter_mut().zip(S::Array::entries_of::<S::Array>(&mass)).enumerate() {
+        *unit = R::from_f64(1.0) / row_scale(row, i);
+    }
+    units
 }
 
 /// |Mᵢᵢ|, or the largest magnitude of the row where that is zero.

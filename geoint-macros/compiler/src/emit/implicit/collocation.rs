@@ -1,14 +1,15 @@
 //! The field of collocation methods, with its derivatives.
 
+use super::methods;
 use super::prepared::Prepared;
 use crate::derive::{Collocation, FieldKernels};
 use crate::emit::context::{Context, array_type};
-use crate::emit::implementation::{proven, typed};
+use crate::emit::implementation::proven;
 use crate::emit::tokens::element;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// Returns `impl Collocated` and `impl Collocation`.
+/// Returns `impl Collocation`, and the stages of `Gauss`.
 pub(super) fn collocation(context: &Context<'_>, field: &FieldKernels) -> TokenStream {
     let phase = context.phase_type();
     let FieldKernels { coordinates, collocation: Collocation { second_order, kernel }, .. } = field;
@@ -29,8 +30,8 @@ pub(super) fn collocation(context: &Context<'_>, field: &FieldKernels) -> TokenS
         let add = quote!(#(#y = w.multiply_add(#f, #y);)*);
         [quote!(1), quote!((*z, *z)), add, quote!(*change)]
     };
-    let stages = if field.canonical.is_some() { quote!(ByCanonical) } else { quote!(ByField) };
-    let collocated = typed(context, quote!(Collocated<R>), [("Stages", stages)]);
+    let stages = if field.canonical.is_some() { "CanonicalStages" } else { "FieldStages" };
+    let collocated = methods::collocated(context, "GaussCollocation", stages);
     let items = quote! {
         type Unknown = #unknown;
         #types

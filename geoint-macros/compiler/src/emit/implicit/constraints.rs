@@ -1,9 +1,10 @@
 //! Constraints, and the equations of the steps that keep them.
 
+use super::methods;
 use super::prepared::Prepared;
 use crate::derive::{ConstraintKernels, StepKernel};
 use crate::emit::context::{Context, array_type};
-use crate::emit::implementation::{flag, proven, typed};
+use crate::emit::implementation::{flag, proven};
 use crate::emit::system::cotangent;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -43,11 +44,10 @@ pub(super) fn constraints(context: &Context<'_>, kernels: &ConstraintKernels) ->
     };
     let cotangent = cotangent(context);
     let constrained = proven(context, quote!(ConstrainedSystem<R>), items);
-    let graded = [("Gradient", quote!(ByConstraint)), ("Kept", quote!(()))];
-    let graded = typed(context, quote!(Graded<R>), graded);
+    let solved = methods::solved_by(context, "DiscreteGradient", "BoundStep");
     let steps = steps.iter().map(|(method, kernel)| step(context, method, kernel));
     let inherent = inherent(context);
-    quote!(#cotangent #constrained #graded #(#steps)* #inherent)
+    quote!(#cotangent #constrained #solved #(#steps)* #inherent)
 }
 
 /// Returns `impl ConstrainedStep` for a method.

@@ -1,13 +1,14 @@
 //! Equations of the implicit steps and of the stages of contact systems.
 
+use super::methods;
 use super::prepared::Prepared;
 use crate::derive::{StageKernel, StepKernel};
 use crate::emit::context::{Context, array_type};
-use crate::emit::implementation::{proven, typed};
+use crate::emit::implementation::proven;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-/// Returns `impl ImplicitStep` for a method.
+/// Returns `impl ContactEquation` for a method.
 pub(super) fn step(context: &Context<'_>, method: &str, step: &StepKernel) -> TokenStream {
     let StepKernel { unknowns, kernel } = step;
     let (method, unknown) = (format_ident!("{method}"), array_type(&unknowns.extents));
@@ -34,10 +35,10 @@ pub(super) fn step(context: &Context<'_>, method: &str, step: &StepKernel) -> To
             #end
         }
     };
-    proven(context, quote!(ImplicitStep<#method, R>), items)
+    proven(context, quote!(ContactEquation<#method, R>), items)
 }
 
-/// Returns `impl ContactCollocated` and `impl ContactStages`.
+/// Returns `impl ContactStages`, and the stages of `ContactGauss`.
 pub(super) fn stages(context: &Context<'_>, stages: &StageKernel) -> TokenStream {
     let StageKernel { moved, kernel } = stages;
     let unknown = array_type(&moved.extents);
@@ -46,8 +47,7 @@ pub(super) fn stages(context: &Context<'_>, stages: &StageKernel) -> TokenStream
     let body = context.body(kernel.routine("stage"));
     let [decay, action] = ["decay", "action"].map(|name| context.returned(kernel.routine(name)));
     let (phase, parts) = (context.phase_type(), context.parts());
-    let solved = ["Stages", "Midpoint"].map(|name| (name, quote!(ByField)));
-    let collocated = typed(context, quote!(ContactCollocated<R>), solved);
+    let collocated = methods::collocated(context, "ContactGaussCollocation", "ContactFieldStages");
     let items = quote! {
         type Moved = #unknown;
         #types

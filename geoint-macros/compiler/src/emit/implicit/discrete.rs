@@ -1,5 +1,6 @@
 //! The field of discrete gradients, with divided differences, and its correction to order 4.
 
+use super::methods;
 use super::prepared::{Prepared, numbers};
 use crate::analyze::MeanValue;
 use crate::derive::{Fact, FieldKernels, Missing, System};
@@ -11,11 +12,11 @@ use crate::schedule::{Kernel, Routine};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-/// The kind of the discrete gradient, and the quantities that its steps keep.
-pub(super) const GRADED: Trait = Trait {
-    name: "Graded",
-    has_proof: true,
-    associated: &[("Gradient", Absent::Named("ByTree")), ("Kept", Absent::Unit)],
+/// The quantities that steps along the discrete gradient keep.
+pub(super) const KEEPING: Trait = Trait {
+    name: "Keeping",
+    has_proof: false,
+    associated: &[("Kept", Absent::Unit)],
     methods: &[],
     provided: &[],
 };
@@ -34,7 +35,7 @@ const DISCRETE_FIELD: Trait = Trait {
     provided: &[],
 };
 
-/// Returns `impl Graded` and `impl DiscreteField`.
+/// Returns `impl Keeping` and `impl DiscreteField`, and the step of `DiscreteGradient`.
 pub(super) fn discrete_field(
     context: &Context<'_>,
     field: &FieldKernels,
@@ -72,9 +73,8 @@ pub(super) fn discrete_field(
         }
         MeanValue::NotClosed(_) => quote!(NotClosed),
     };
-    let graded = Implementation::new(context, &GRADED, &[])
-        .items(quote!(type Gradient = ByTree; type Kept = #kept; #nowhere_steep))
-        .finish();
+    let keeping =
+        Implementation::new(context, &KEEPING, &[]).items(quote!(type Kept = #kept; #nowhere_steep)).finish();
     let unknown_type = quote!(#unknown);
     let types = [("Parameters", parameters), ("Start", start), ("Inverse", inverse), ("Unknown", unknown_type)];
     let field = Implementation::new(context, &DISCRETE_FIELD, &types)
@@ -86,12 +86,15 @@ pub(super) fn discrete_field(
         .items(equation)
         .method("drift", quote!(let mut drift = <#unknown as Array>::zero(); #drift drift))
         .finish();
-    quote!(#graded #field)
+    let solved = methods::solved(context, "DiscreteGradient", "TreeStep");
+    quote!(#keeping #field #solved)
 }
 
 /// Returns the implementations for a field without conserved quantities. No scalar satisfies them.
 pub(super) fn nothing_kept(context: &Context<'_>, missing: Missing) -> TokenStream {
-    absent(context, missing, &[&GRADED, &DISCRETE_FIELD])
+    let absent = absent(context, missing, &[&KEEPING, &DISCRETE_FIELD]);
+    let unsolved = methods::unsolved(context, missing, "DiscreteGradient", "TreeStep");
+    quote!(#absent #unsolved)
 }
 
 /// Returns `impl FourthOrderField` for a canonical system without damping. It uses the routines of collocation and of discrete gradients.

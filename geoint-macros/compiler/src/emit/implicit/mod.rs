@@ -6,12 +6,13 @@ mod collocation;
 mod constraints;
 mod contact;
 mod discrete;
+mod methods;
 mod prepared;
 mod velocities;
 
 use super::context::Context;
 use super::exact;
-use super::implementation::{flag, typed};
+use super::implementation::flag;
 use crate::derive::{ContactStages, Fact, FieldKernels, Kernels, System};
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -28,10 +29,11 @@ pub(super) fn implicit(context: &Context<'_>, system: &System) -> TokenStream {
             let stages = kernels.stages.as_ref().map(|stages| {
                 let stages = match stages {
                     ContactStages::Points(stages) => contact::stages(context, stages),
-                    ContactStages::Velocities(stages) => velocities::stages(context, stages, &quote!(ByField)),
+                    ContactStages::Velocities(stages) => velocities::stages(context, stages),
                 };
-                let graded = typed(context, quote!(ContactGraded<R>), [("Gradient", quote!(ByTree))]);
-                quote!(#graded #stages)
+                let solved = ["ContactMidpoint", "ContactDiscreteGradient"];
+                let solved = solved.map(|method| methods::solved_by(context, method, "ContactStep"));
+                quote!(#(#solved)* #stages)
             });
             quote!(#(#steps)* #stages)
         }

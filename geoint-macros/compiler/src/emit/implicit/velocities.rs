@@ -1,19 +1,15 @@
 //! Derivatives of a Lagrangian, for steps with velocities as unknowns.
 
-use super::discrete;
+use super::{discrete, methods};
 use super::prepared::{Prepared, numbers};
 use crate::derive::{ActionStages, MassKernels, StepKernel, VelocityKernels, VelocityStages};
 use crate::emit::context::{Context, Values, array_type};
-use crate::emit::implementation::{Implementation, absent, flag, proven, typed};
+use crate::emit::implementation::{Implementation, absent, flag, proven};
 use crate::emit::signature::{Absent, Trait, Ty, methods};
 use crate::emit::system::{cotangent, keeps_energy};
 use crate::schedule::{Extent, Kernel};
 use proc_macro2::TokenStream;
 use quote::quote;
-
-/// The kind of the discrete gradient, and the quantities that its steps keep.
-const GRADED: Trait =
-    Trait { associated: &[("Gradient", Absent::Named("ByPolarisation")), ("Kept", Absent::Unit)], ..discrete::GRADED };
 
 /// The equation of a step along the polarised discrete gradient.
 const POLARISED_FORM: Trait = Trait {
@@ -30,10 +26,6 @@ const POLARISED_FORM: Trait = Trait {
     },
     provided: &[],
 };
-
-/// The kind of the discrete gradient of a contact system.
-const CONTACT_GRADED: Trait =
-    Trait { name: "ContactGraded", associated: &[("Gradient", Absent::Named("ByPolarisation"))], ..discrete::GRADED };
 
 /// The equation of a step of a contact system along the polarised discrete gradient.
 const CONTACT_POLARISED: Trait = Trait {
@@ -56,11 +48,17 @@ pub(super) fn velocities(context: &Context<'_>, kernels: &VelocityKernels) -> To
     let VelocityKernels { stages, polarised, keeps, .. } = kernels;
     let cotangent = cotangent(context);
     if stages.action.is_some() {
-        let (phase, stages) = (context.phase_type(), self::stages(context, stages, &quote!(ByVelocities)));
+        let (phase, stages) = (context.phase_type(), self::stages(context, stages));
         let polarised = match polarised {
             Ok(step) => contact_polarised(context, step),
-            Err(missing) => absent(context, *missing, &[&CONTACT_GRADED, &CONTACT_POLARISED]),
+            Err(missing) => {
+                let absent = absent(context, *missing, &[&CONTACT_POLARISED]);
+                let unsolved =
+                    methods::unsolved(context, *missing, "ContactDiscreteGradient", "ContactPolarisedStep");
+                quote!(#absent #unsolved)
+            }
         };
+        let midpoint = methods::solved_in_one_stage(context, "ContactMidpoint", "ContactVelocityStages");
         let gradient = quote! {
             #[inline]
             fn gradient(&self, t: R, z: &#phase, s: &R, slopes: &mut #phase, ds: &mut R) {
@@ -68,30 +66,33 @@ pub(super) fn velocities(context: &Context<'_>, kernels: &VelocityKernels) -> To
             }
         };
         let contact = proven(context, quote!(ContactSystem<R>), gradient);
-        return quote!(#cotangent #contact #stages #polarised);
+        return quote!(#cotangent #contact #stages #midpoint #polarised);
     }
     let keeps_energy = keeps.then(|| keeps_energy(context, &quote!(VelocityEnergy), None));
     let kept = if *keeps { quote!(VelocityEnergy) } else { quote!(()) };
-    let stages = self::stages(context, stages, &quote!());
+    let stages = self::stages(context, stages);
     let polarised = match polarised {
         Ok(step) => self::polarised(context, step, kept),
-        Err(missing) => absent(context, *missing, &[&GRADED, &POLARISED_FORM]),
+        Err(missing) => {
+            let absent = absent(context, *missing, &[&discrete::KEEPING, &POLARISED_FORM]);
+            let unsolved = methods::unsolved(context, *missing, "DiscreteGradient", "PolarisedStep");
+            quote!(#absent #unsolved)
+        }
     };
     quote!(#cotangent #keeps_energy #stages #polarised)
 }
 
-/// Returns `impl MassForm`, and `impl VelocityForm` or `impl ContactVelocities` for collocation. The type `midpoint` states how `ContactMidpoint` is
-/// solved.
-pub(super) fn stages(context: &Context<'_>, stages: &VelocityStages, midpoint: &TokenStream) -> TokenStream {
+/// Returns `impl MassForm`, and `impl VelocityForm` or `impl ContactVelocities` for collocation.
+pub(super) fn stages(context: &Context<'_>, stages: &VelocityStages) -> TokenStream {
     let mass = mass_form(context, &stages.mass);
     let stages = match &stages.action {
         None => velocity_form(context, &stages.stage),
-        Some(action) => contact_velocities(context, action, &stages.stage, midpoint),
+        Some(action) => contact_velocities(context, action, &stages.stage),
     };
     quote!(#mass #stages)
 }
 
-/// Returns `impl Collocated` and `impl VelocityForm`.
+/// Returns `impl VelocityForm`, and the stages of `Gauss`.
 fn velocity_form(context: &Context<'_>, stage: &Kernel) -> TokenStream {
     let array = context.positions_type();
     let Prepared { types, functions, prepared, .. } = Prepared::for_stages(context, stage, ["Constants", "constants"]);
@@ -117,17 +118,16 @@ fn velocity_form(context: &Context<'_>, stage: &Kernel) -> TokenStream {
             force
         }
     };
-    let collocated = typed(context, quote!(Collocated<R>), [("Stages", quote!(ByVelocities))]);
+    let collocated = methods::collocated(context, "GaussCollocation", "VelocityStages");
     let form = proven(context, quote!(VelocityForm<R>), items);
     quote!(#collocated #form)
 }
 
-/// Returns `impl ContactCollocated` and `impl ContactVelocities`.
+/// Returns `impl ContactVelocities`, and the stages of `ContactGauss`.
 fn contact_velocities(
     context: &Context<'_>,
     ActionStages { varying, mixed }: &ActionStages,
     stage: &Kernel,
-    midpoint: &TokenStream,
 ) -> TokenStream {
     let array = context.positions_type();
     let moved = if *varying { array_type(&context.extents_with_action()) } else { array.clone() };
@@ -144,8 +144,7 @@ fn contact_velocities(
         let (numbers, arrays): (Vec<_>, Vec<_>) = outputs.into_iter().partition(is_number);
         arrays.iter().chain(&numbers).map(|values| values.assigned(context)).collect::<TokenStream>()
     });
-    let solved = [("Stages", quote!(ByVelocities)), ("Midpoint", quote!(#midpoint))];
-    let collocated = typed(context, quote!(ContactCollocated<R>), solved);
+    let collocated = methods::collocated(context, "ContactGaussCollocation", "ContactVelocityStages");
     let items = quote! {
         type Moved = #moved;
         #types
@@ -222,9 +221,11 @@ fn mass_form(context: &Context<'_>, kernels: &MassKernels) -> TokenStream {
     proven(context, quote!(MassForm<R>), items)
 }
 
-/// Returns `impl Graded` and `impl PolarisedForm`.
+/// Returns `impl Keeping` and `impl PolarisedForm`, and the step of `DiscreteGradient`.
 fn polarised(context: &Context<'_>, StepKernel { kernel, .. }: &StepKernel, kept: TokenStream) -> TokenStream {
-    let graded = typed(context, quote!(Graded<R>), [("Gradient", quote!(ByPolarisation)), ("Kept", kept)]);
+    let keeping =
+        Implementation::new(context, &discrete::KEEPING, &[]).items(quote!(type Kept = #kept;)).finish();
+    let solved = methods::solved(context, "DiscreteGradient", "PolarisedStep");
     let ([parameters, start], parts) = ([0, 1].map(|level| numbers(kernel, level)), context.parts());
     let begin = context.stored(kernel, 1);
     let types = [("Parameters", parameters), ("Start", start)];
@@ -234,12 +235,12 @@ fn polarised(context: &Context<'_>, StepKernel { kernel, .. }: &StepKernel, kept
         .method("begin", quote!(#parts #begin))
         .method("equation", context.assigned(kernel.routine("equation")))
         .finish();
-    quote!(#graded #form)
+    quote!(#keeping #form #solved)
 }
 
-/// Returns `impl ContactGraded` and `impl ContactPolarised`.
+/// Returns `impl ContactPolarised`, and the step of `ContactDiscreteGradient`.
 fn contact_polarised(context: &Context<'_>, StepKernel { unknowns, kernel }: &StepKernel) -> TokenStream {
-    let graded = typed(context, quote!(ContactGraded<R>), [("Gradient", quote!(ByPolarisation))]);
+    let solved = methods::solved(context, "ContactDiscreteGradient", "ContactPolarisedStep");
     let ([parameters, start], parts) = ([0, 1].map(|level| numbers(kernel, level)), context.parts());
     let (unknown, begin) = (array_type(&unknowns.extents), context.stored(kernel, 1));
     let types = [("Unknown", quote!(#unknown)), ("Parameters", parameters), ("Start", start)];
@@ -249,5 +250,5 @@ fn contact_polarised(context: &Context<'_>, StepKernel { unknowns, kernel }: &St
         .method("begin", quote!(#parts #begin))
         .method("equation", context.assigned(kernel.routine("equation")))
         .finish();
-    quote!(#graded #form)
+    quote!(#form #solved)
 }

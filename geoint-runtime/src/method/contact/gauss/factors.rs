@@ -6,7 +6,7 @@ use crate::solving::size::Sizes;
 use crate::space::vector::sum_of_products;
 
 /// rᵢ = 1 + h Σ aᵢⱼ rⱼ σⱼ, and ∂rᵢ/∂σⱼ.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Factors<R, const S: usize> {
     /// σᵢ = ∂H/∂s at the stages.
     pub(super) decay: [R; S],

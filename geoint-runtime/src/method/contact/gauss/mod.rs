@@ -4,11 +4,14 @@ mod factors;
 mod stages;
 mod velocities;
 
-use crate::method::gauss::{Gauss, GaussTableau};
-use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, StepsOf};
+use crate::implicit_method;
+use crate::method::implicit::SolvedBy;
+use crate::method::{Claims, Name};
 use crate::scalar::Real;
-use crate::space::Summation;
-use crate::system::ContactCollocated;
+use crate::system::PhaseSpace;
+
+pub use stages::ContactFieldStages;
+pub use velocities::ContactVelocityStages;
 
 /// Gauss collocation with `S` stages, 1 to 6, in the symplectisation. Order 2S, symmetric, a contact map, for every H.
 ///
@@ -26,45 +29,40 @@ use crate::system::ContactCollocated;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ContactGauss<const S: usize>;
 
-impl<Y: ContactCollocated<R>, R: Real, const S: usize> Method<Y, R> for ContactGauss<S>
-where
-    Y::Stages: StepsOf<ContactGauss<S>, Y, R>,
-    Gauss<S>: GaussTableau<S>,
-{
-    type Proof = <<Gauss<S> as GaussTableau<S>>::Proof as And<<Y as ContactCollocated<R>>::Proof>>::Both;
-    type Prepared = <Y::Stages as StepsOf<Self, Y, R>>::Prepared;
-    type Memory = <Y::Stages as StepsOf<Self, Y, R>>::Memory;
-
-    fn claims(&self) -> Claims {
-        Claims::of_order(2 * S as u32).symmetric().symplectic()
-    }
-
-    fn name(&self) -> Name {
-        let names = [
+implicit_method!(
+    [const S: usize] ContactGauss<S>,
+    |_| Name::new(
+        [
             "ContactGauss<1>",
             "ContactGauss<2>",
             "ContactGauss<3>",
             "ContactGauss<4>",
             "ContactGauss<5>",
             "ContactGauss<6>",
-        ];
-        Name::new(names[S - 1])
-    }
+        ][S - 1]
+    ),
+    Claims::of_order(2 * S as u32).symmetric().symplectic()
+);
 
-    fn prepare(&self, system: &Y, h: R) -> Self::Prepared {
-        <Y::Stages as StepsOf<Self, Y, R>>::prepare(system, h)
-    }
+/// A contact system that has Gauss methods with each number of stages.
+pub trait SolvedByContactGauss<R: Real = f64>:
+    PhaseSpace<R>
+    + SolvedBy<ContactGauss<1>, R>
+    + SolvedBy<ContactGauss<2>, R>
+    + SolvedBy<ContactGauss<3>, R>
+    + SolvedBy<ContactGauss<4>, R>
+    + SolvedBy<ContactGauss<5>, R>
+    + SolvedBy<ContactGauss<6>, R>
+{
+}
 
-    fn memory() -> Self::Memory {
-        <Y::Stages as StepsOf<Self, Y, R>>::memory()
-    }
-
-    #[inline(always)]
-    fn step<C: Summation<Y::Phase>, P: Probe<Y, R>>(
-        prepared: &Self::Prepared,
-        memory: &mut Self::Memory,
-        step: Step<'_, Y, R, C, P>,
-    ) -> Result<(), Refusal> {
-        <Y::Stages as StepsOf<Self, Y, R>>::step(prepared, memory, step)
-    }
+impl<Y, R: Real> SolvedByContactGauss<R> for Y where
+    Y: PhaseSpace<R>
+        + SolvedBy<ContactGauss<1>, R>
+        + SolvedBy<ContactGauss<2>, R>
+        + SolvedBy<ContactGauss<3>, R>
+        + SolvedBy<ContactGauss<4>, R>
+        + SolvedBy<ContactGauss<5>, R>
+        + SolvedBy<ContactGauss<6>, R>
+{
 }

@@ -1,0 +1,116 @@
+//! From implicit steps to methods.
+
+use super::ImplicitStep;
+use crate::scalar::Real;
+use crate::system::PhaseSpace;
+
+/// A method whose steps of systems `S` are implicit. The attributes implement this for each system and each method that the system has.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a method for `{S}`",
+    label = "this method does not fit this kind of system",
+    note = "of a vector field name what it keeps: `#[vector_field(keeps(name = expression))]`",
+    note = "methods for every contact Hamiltonian: `ContactGauss`, `ContactMidpoint`, `ContactDiscreteGradient`",
+    note = "methods that keep a `constraint`: `Rattle`, `DiscreteGradient`",
+    note = "methods for rigid bodies (`attitude = r`): tables of kicks and drifts such as `BlanesMoanSrkn14a`, `FiveRotations`, `RK4`, `DOP853`"
+)]
+pub trait ImplicitMethod<S: PhaseSpace<R>, R: Real = f64>: Copy {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
+    /// The step of this method for systems of this kind.
+    type Step: ImplicitStep<S, R>;
+
+    /// Returns the step.
+    fn step(self) -> Self::Step;
+}
+
+/// A system for which `M` is an [`ImplicitMethod`]: the same statement as a bound of the system, which traits may have as a supertrait.
+pub trait SolvedBy<M, R: Real = f64>: PhaseSpace<R> {
+    /// See [`ImplicitMethod::Proof`].
+    type Proof;
+    /// See [`ImplicitMethod::Step`].
+    type Step: ImplicitStep<Self, R>;
+
+    /// See [`ImplicitMethod::step`].
+    fn step_of(method: M) -> Self::Step;
+}
+
+impl<M: ImplicitMethod<S, R>, S: PhaseSpace<R>, R: Real> SolvedBy<M, R> for S {
+    type Proof = <M as ImplicitMethod<S, R>>::Proof;
+    type Step = <M as ImplicitMethod<S, R>>::Step;
+
+    fn step_of(method: M) -> Self::Step {
+        method.step()
+    }
+}
+
+/// Makes a [`Method`](crate::Method) of an [`ImplicitMethod`], by its name and its [`Claims`](crate::method::Claims).
+#[macro_export]
+macro_rules! implicit_method {
+    ([$($generic:tt)*] $method:ty, |$this:pat_param| $name:expr, $claims:expr $(, $bounded:ty: $bound:path)?) => {
+        impl<System, Number, $($generic)*> $crate::Method<System, Number> for $method
+        where
+            System: $crate::method::implicit::SolvedBy<$method, Number>,
+            Number: $crate::Real,
+            $($bounded: $bound,)?
+        {
+            type Proof = <System as $crate::method::implicit::SolvedBy<$method, Number>>::Proof;
+            type Prepared = $crate::method::implicit::PreparedFor<$method, System, Number>;
+            type Memory = $crate::method::implicit::MemoryFor<$method, System, Number>;
+            const COMPOSES_TO: u32 = $crate::method::implicit::composes_to::<$method, System, Number>();
+            const ROUGH_IF_SHORT: bool = $crate::method::implicit::is_rough_if_short::<$method, System, Number>();
+            const KEEPS: bool = $crate::method::implicit::keeps::<$method, System, Number>();
+
+            fn claims(&self) -> $crate::method::Claims {
+                <$crate::method::implicit::StepFor<$method, System, Number> as $crate::method::implicit::ImplicitStep<System, Number>>::claims($claims)
+            }
+
+            fn name(&self) -> $crate::method::Name {
+                let $this = self;
+                $name
+            }
+
+            fn prepare(&self, system: &System, h: Number) -> Self::Prepared {
+                Self::Prepared::new(<System as $crate::method::implicit::SolvedBy<$method, Number>>::step_of(*self), system, h)
+            }
+
+            fn memory() -> Self::Memory {
+                Self::Memory::new()
+            }
+
+            #[inline(always)]
+            fn step<C: $crate::space::Summation<System::Phase>, P: $crate::method::Probe<System, Number>>(
+                prepared: &Self::Prepared,
+                memory: &mut Self::Memory,
+                step: $crate::method::Step<'_, System, Number, C, P>,
+            ) -> Result<(), $crate::method::Refusal> {
+                prepared.step(memory, step)
+            }
+
+            #[inline]
+            fn way_back(_: &Self::Prepared, system: &System, origin: &System::Phase, z: &System::Phase) -> System::Phase {
+                <$crate::method::implicit::StepFor<$method, System, Number> as $crate::method::implicit::ImplicitStep<System, Number>>::way_back(system, origin, z)
+            }
+
+            #[inline]
+            fn is_in_range(_: &Self::Prepared, system: &System, z: &System::Phase) -> bool {
+                <$crate::method::implicit::StepFor<$method, System, Number> as $crate::method::implicit::ImplicitStep<System, Number>>::is_in_range(system, z)
+            }
+
+            fn order_of_estimate(&self) -> Option<u32> {
+                Self::Prepared::ORDER_OF_ESTIMATE
+            }
+
+            #[inline(always)]
+            fn estimated<C: $crate::space::Summation<System::Phase>, P: $crate::method::Probe<System, Number>>(
+                prepared: &Self::Prepared,
+                memory: &mut Self::Memory,
+                step: $crate::method::Step<'_, System, Number, C, P>,
+            ) -> Option<Result<$crate::method::Estimate<System, Number>, $crate::method::Refusal>> {
+                prepared.estimated(memory, step)
+            }
+        }
+    };
+    ($method:ty, |$this:pat_param| $name:expr, $claims:expr) => {
+        $crate::implicit_method!([] $method, |$this| $name, $claims);
+    };
+}
