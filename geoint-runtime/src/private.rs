@@ -2,14 +2,14 @@
 
 pub use crate::method::constrained::{BoundStep, Rattle};
 pub use crate::method::contact::{
-    ContactDiscreteGradient, ContactFieldStages, ContactGauss as ContactGaussCollocation, ContactMidpoint, ContactPolarisedStep, ContactStep,
-    ContactVelocityStages,
+    ContactDiscreteGradient, ContactFieldStages, ContactGauss as ContactGaussCollocation, ContactMidpoint,
+    ContactPolarisedStep, ContactStep, ContactVelocityStages,
 };
 pub use crate::method::corrected::invariants::{
     CanonicalEnergy, EnergyAndMomenta, Integral, Integrals as KeptIntegrals, VelocityEnergy,
 };
-pub use crate::method::discrete_gradient::{DiscreteGradient, PolarisedStep, TreeStep};
 pub use crate::method::discrete_gradient::canonical as fourth_order;
+pub use crate::method::discrete_gradient::{DiscreteGradient, PolarisedStep, TreeStep};
 pub use crate::method::gauss::{CanonicalStages, FieldStages, Gauss as GaussCollocation, GaussTableau, VelocityStages};
 pub use crate::method::implicit::ImplicitMethod;
 pub use crate::method::pieces::{
@@ -27,13 +27,14 @@ pub use crate::space::{
 };
 pub use crate::system::{
     Autonomous, CanonicalForm, Clock as PieceClock, Collocation, Conformal as ConformalContact, Conservative,
-    Constrained as ConstrainedSystem, ConstrainedStep, Contact as ContactSystem, ContactEquation, ContactPolarised, ContactStage, ContactStages, ContactVelocities, Cotangent as CotangentSpace, DiscreteField,
-    FirstIntegrals, FlowPart, ForceGradient, FourthOrderField, Gradients, Hamiltonian, Jets, Keeping,
-    KeepsEnergy, KeptMomenta, Lagrangian as LagrangianSystem, MassForm, Mean, Mechanical as MechanicalContact,
-    ModifiedEnergy, NystromPieces, Perturbed as PerturbedSystem, PerturbedGradient, PhaseSpace, Piece as FlowPiece,
-    Pieces as FlowPieces, PolarisedForm, Pole, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable, Span,
-    SteadyIntegrals, Unmet, VectorField as DifferentialEquation, VelocityForm, canonical_rate, contact_gradient_of,
-    energy_of, from_positions, own_momentum, rate_of, singular_mass, unmet, unsuitable, velocity_of,
+    Constrained as ConstrainedSystem, ConstrainedStep, Contact as ContactSystem, ContactEquation, ContactPolarised,
+    ContactStage, ContactStages, ContactVelocities, Cotangent as CotangentSpace, DiscreteField, FirstIntegrals,
+    FlowPart, ForceGradient, FourthOrderField, Gradients, Hamiltonian, Jets, Keeping, KeepsEnergy, KeptMomenta,
+    Lagrangian as LagrangianSystem, MassForm, Mean, Mechanical as MechanicalContact, ModifiedEnergy, NystromPieces,
+    Perturbed as PerturbedSystem, PerturbedGradient, PhaseSpace, Piece as FlowPiece, Pieces as FlowPieces,
+    PolarisedForm, Pole, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable, Span, SteadyIntegrals, Unmet,
+    VectorField as DifferentialEquation, VelocityForm, canonical_rate, contact_gradient_of, energy_of, from_positions,
+    own_momentum, rate_of, singular_mass, unmet, unsuitable, velocity_of,
 };
 pub use crate::taylor::{TaylorMethod, recurrence};
 pub use geoint_macros::{put_energy_function_above_it, resume};

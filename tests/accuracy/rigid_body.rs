@@ -7,11 +7,11 @@
 //! Two rows of that table are left out, both explicit splittings of the field, into planes or along the three terms of the
 //! energy: splittings here are of T(p) + V(q).
 
-use geoint_runtime::prelude::*;
-use geoint_runtime::space::Square;
 use geoint_runtime::method::discrete_gradient::TreeStep;
 use geoint_runtime::method::gauss::{FieldStages, GaussTableau};
 use geoint_runtime::method::implicit::ImplicitMethod;
+use geoint_runtime::prelude::*;
+use geoint_runtime::space::Square;
 use geoint_runtime::system::{Collocation, DiscreteField, Keeping, QuadraticField, Span};
 use geoint_runtime::{Method, VectorField};
 use geoint_tests::measure::distance;

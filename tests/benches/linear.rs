@@ -8,7 +8,7 @@ mod paired;
 #[path = "../../geoint-runtime/src/ablation.rs"]
 mod ablation;
 // The elimination is private to the runtime; its files are compiled here once more, with the modules that they name.
-#[allow(dead_code, reason = "sizes have more uses than elimination")]
+#[allow(dead_code, unreachable_pub, reason = "sizes have more uses than elimination, in public interfaces too")]
 #[path = "../../geoint-runtime/src/solving"]
 mod solving {
     pub(crate) mod linear;

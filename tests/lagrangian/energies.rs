@@ -2,9 +2,9 @@
 
 use crate::references::DOUBLE_PENDULUM;
 use crate::systems::*;
-use geoint_runtime::method::{Visitor, catalogue};
 use geoint_runtime::method::gauss::SolvedByGauss;
 use geoint_runtime::method::implicit::SolvedBy;
+use geoint_runtime::method::{Visitor, catalogue};
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::DiscreteField;
 use geoint_tests::problems;
@@ -59,7 +59,11 @@ thread_local! {
 fn constant_masses_give_the_same_bits() {
     fn all<S>(visitor: &mut SameBits)
     where
-        S: geoint_runtime::ForceGradient + geoint_runtime::Autonomous + DiscreteField + SolvedByGauss + SolvedBy<DiscreteGradient>,
+        S: geoint_runtime::ForceGradient
+            + geoint_runtime::Autonomous
+            + DiscreteField
+            + SolvedByGauss
+            + SolvedBy<DiscreteGradient>,
         SameBits: Visitor<S>,
     {
         catalogue::separable::<S, f64>(visitor);

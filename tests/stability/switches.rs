@@ -74,7 +74,11 @@ impl<S: Hamiltonian<Coordinates = f64>> Visitor<S, f64> for Kept<S> {
     }
 }
 
-fn check<S: SolvedBy<DiscreteGradient> + DiscreteField + Autonomous<Coordinates = f64>>(system: S, mass: f64, smooth: bool) {
+fn check<S: SolvedBy<DiscreteGradient> + DiscreteField + Autonomous<Coordinates = f64>>(
+    system: S,
+    mass: f64,
+    smooth: bool,
+) {
     let mut kept = Kept { system, mass, smooth, taken: 0, rounding: 1e-12 };
     kept.visit(DiscreteGradient);
     kept.visit(Gonzalez);
@@ -123,7 +127,10 @@ fn jumps_are_no_rounding() {
         (0.6683098163242362, 0.8295365974591673),
         (-0.8110975934743747, 0.8682373154441223),
     ];
-    fn check<S: SolvedBy<DiscreteGradient> + DiscreteField + Autonomous<Coordinates = f64>>(system: S, starts: &[(f64, f64)]) {
+    fn check<S: SolvedBy<DiscreteGradient> + DiscreteField + Autonomous<Coordinates = f64>>(
+        system: S,
+        starts: &[(f64, f64)],
+    ) {
         fn runs<S: Hamiltonian<Coordinates = f64>, M: Method<S>>(system: S, method: M, starts: &[(f64, f64)]) {
             for (q, p) in starts {
                 for h in [0.05, 0.2, 0.7, -0.3] {

@@ -13,7 +13,8 @@ use geoint_tests::scalars::Scalar;
 pub(crate) fn every<S, R: Scalar, V: Visitor<S, R>>(visitor: &mut V)
 where
     S: DiscreteField<R>
-        + SolvedByGauss<R> + SolvedBy<DiscreteGradient, R>
+        + SolvedByGauss<R>
+        + SolvedBy<DiscreteGradient, R>
         + Autonomous<R>
         + QuadraticField<R>
         + Separable<R>
@@ -35,7 +36,8 @@ where
 pub(crate) fn kinds<S, R: Scalar, V: Visitor<S, R>>(visitor: &mut V)
 where
     S: DiscreteField<R>
-        + SolvedByGauss<R> + SolvedBy<DiscreteGradient, R>
+        + SolvedByGauss<R>
+        + SolvedBy<DiscreteGradient, R>
         + Autonomous<R>
         + QuadraticField<R>
         + Separable<R>

@@ -36,7 +36,9 @@
 
 use crate::method::Method;
 use crate::method::constrained::Rattle;
-use crate::method::contact::{ContactDiscreteGradient, ContactGauss, ContactLeapfrog, ContactMidpoint, SolvedByContactGauss};
+use crate::method::contact::{
+    ContactDiscreteGradient, ContactGauss, ContactLeapfrog, ContactMidpoint, SolvedByContactGauss,
+};
 use crate::method::corrected::{Energy, Projection, Relaxation};
 use crate::method::discrete_gradient::{
     CoordinateIncrement, DiscreteGradient, FourthOrder, Gonzalez, ItohAbe, ItohAbeAdjoint, ItohAbePair, MeanValue,

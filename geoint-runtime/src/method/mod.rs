@@ -28,8 +28,8 @@ pub use clock::Clock;
 pub use explicit::tableau;
 pub use name::Name;
 pub use open::Open;
-pub(crate) use probe::{check_conditions, check_end, check_poles, check_way, start};
 pub use probe::{Probe, Unwatched};
+pub(crate) use probe::{check_conditions, check_end, check_poles, check_way, start};
 pub use splitting::{gradient_kick, modified_verlet};
 
 pub use crate::solving::{Effort, Observer, Refusal};

@@ -1,9 +1,9 @@
 //! The equation of an implicit step: r(x) = 0 for an increment x, or for the rates or velocities of stages.
 
-use crate::ablation;
-use crate::space::vector::difference;
 use super::Refusal;
 pub use super::size::Units;
+use crate::ablation;
+use crate::space::vector::difference;
 use crate::space::{Array, Record, Square};
 
 /// Sees the points at which an equation is evaluated.
@@ -112,7 +112,11 @@ pub trait Solver<A: Array>: Clone + Record<A::Real> {
     ///
     /// # Errors
     /// Where no solution is found, or not that of short steps.
-    fn solve<W: Observer, E: StepEquation<A, W>>(&mut self, equation: &E, watch: &mut W) -> Result<Solution<A>, Refusal>;
+    fn solve<W: Observer, E: StepEquation<A, W>>(
+        &mut self,
+        equation: &E,
+        watch: &mut W,
+    ) -> Result<Solution<A>, Refusal>;
 }
 
 /// Returns the guess from the start of the step, or zero: the guess may be outside of the domain of the energy where the solution is inside.

@@ -1,6 +1,6 @@
 //! Newton's iteration on x = a + b x + c x², beside an origin of 100, as the impulses of steps are beside a momentum.
 
-use super::equation::{Effort, Solution, StepEquation};
+use super::equation::{Effort, Solution, Solver, StepEquation, Units};
 use super::newton::{MOST_UNKNOWNS, Newton};
 use super::{Observer, Refusal};
 use crate::space::Array;
@@ -69,10 +69,10 @@ fn slowly_changing(n: u32) -> Curved {
 
 #[test]
 fn extrapolated_guesses_need_one_evaluation() {
-    let (mut newton, mut count) = (Newton::<[f64; 1]>::new(1, 1), Count::default());
+    let (mut newton, mut count) = (Newton::<[f64; 1]>::new(Units { alike: 1, kinds: 1 }), Count::default());
     for n in 0..1000 {
         let equation = slowly_changing(n);
-        let Solution { x, rounding_error } = newton.solve(&equation, &mut count).expect("a solution");
+        let Solution { x, rounding_error, .. } = newton.solve(&equation, &mut count).expect("a solution");
         let error = x[0] + rounding_error[0] - solution(equation);
         assert!(error.abs() < 2e-15, "step {n}: {error:e}");
         if n == 11 {
@@ -86,7 +86,7 @@ fn extrapolated_guesses_need_one_evaluation() {
 #[test]
 fn many_unknowns_are_solved_without_a_matrix() {
     const N: usize = MOST_UNKNOWNS + 4;
-    let (mut newton, mut count) = (Newton::<[f64; N]>::new(N, 1), Count::default());
+    let (mut newton, mut count) = (Newton::<[f64; N]>::new(Units { alike: N, kinds: 1 }), Count::default());
     for n in 0..100 {
         let equation = slowly_changing(n);
         let Solution { x, .. } = newton.solve(&equation, &mut count).expect("a solution");
@@ -98,14 +98,17 @@ fn many_unknowns_are_solved_without_a_matrix() {
 /// x = a + 3x has one solution, at which 1 − g' is negative: it does not lead to x = 0 for a short step.
 #[test]
 fn solutions_with_a_negative_determinant_are_refused() {
-    let found = Newton::<[f64; 2]>::new(1, 2).solve(&Curved { a: 1.0, b: 3.0, c: 0.1 }, &mut Count::default());
+    let found = Newton::<[f64; 2]>::new(Units { alike: 1, kinds: 2 })
+        .solve(&Curved { a: 1.0, b: 3.0, c: 0.1 }, &mut Count::default());
     assert!(found.is_ok(), "the determinant of two unknowns is positive");
-    let found = Newton::<[f64; 1]>::new(1, 1).solve(&Curved { a: 1.0, b: 3.0, c: 0.0 }, &mut Count::default());
+    let found = Newton::<[f64; 1]>::new(Units { alike: 1, kinds: 1 })
+        .solve(&Curved { a: 1.0, b: 3.0, c: 0.0 }, &mut Count::default());
     assert_eq!(found.map(|found| found.x), Err(Refusal::Singular));
 }
 
 #[test]
 fn equations_without_a_solution_are_refused() {
-    let found = Newton::<[f64; 1]>::new(1, 1).solve(&Curved { a: 1.0, b: 0.0, c: 1.0 }, &mut Count::default());
+    let found = Newton::<[f64; 1]>::new(Units { alike: 1, kinds: 1 })
+        .solve(&Curved { a: 1.0, b: 0.0, c: 1.0 }, &mut Count::default());
     assert!(found.is_err());
 }

@@ -31,13 +31,18 @@ impl<A: Array> Solver<A> for QuasiNewton<A> {
     /// The error after a correction is about as large as the next correction. The iteration ends if the next correction is bound to be below rounding, or if rounding
     /// keeps corrections from shrinking. The determinant has the same meaning as in Newton's iteration: a solution with a negative determinant is refused.
     #[inline(always)]
-    fn solve<W: Observer, E: StepEquation<A, W>>(&mut self, equation: &E, watch: &mut W) -> Result<Solution<A>, Refusal> {
+    fn solve<W: Observer, E: StepEquation<A, W>>(
+        &mut self,
+        equation: &E,
+        watch: &mut W,
+    ) -> Result<Solution<A>, Refusal> {
         let (guess, mut noise) = (explicit_guess(*equation), A::zero());
         // These sizes serve pivots and difference quotients. The guess may be wild, so no correction is compared with them.
         let mut scale = self.sizes;
         scale.include(&equation.origin(), &guess);
-        self.iterate(equation, Start { x: guess, scale: &scale }, None, &mut noise, watch)
-            .or_else(|refusal| self.otherwise(*equation, Start { x: guess, scale: &scale }, noise, watch).map_err(|_| refusal))
+        self.iterate(equation, Start { x: guess, scale: &scale }, None, &mut noise, watch).or_else(|refusal| {
+            self.otherwise(*equation, Start { x: guess, scale: &scale }, noise, watch).map_err(|_| refusal)
+        })
     }
 }
 

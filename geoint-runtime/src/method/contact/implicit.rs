@@ -3,9 +3,7 @@
 use super::{ContactDiscreteGradient, ContactMidpoint};
 use crate::implicit_method;
 use crate::method::composition::substeps;
-use crate::method::implicit::{
-    Departure, Equation, ImplicitStep, Increment, Policy, Units, Watch,
-};
+use crate::method::implicit::{Departure, Equation, ImplicitStep, Increment, Policy, Units, Watch};
 use crate::method::{Claims, Name, Probe, Refusal};
 use crate::scalar::{Real, zero};
 use crate::solving::equation::Solution;

@@ -1,9 +1,7 @@
 //! The step of the polarised discrete gradient of a Lagrangian with an action: ∂L/∂v = p₁ at the end, and the increment of s, for the increments of v and s. See
 //! [`ContactPolarised`].
 
-use crate::method::implicit::{
-    Arrival, Departure, Equation, ImplicitStep, Increment, Policy, Units, Watch,
-};
+use crate::method::implicit::{Arrival, Departure, Equation, ImplicitStep, Increment, Policy, Units, Watch};
 use crate::method::{Probe, Refusal};
 use crate::scalar::{Real, zero};
 use crate::solving::equation::Solution;

@@ -12,7 +12,7 @@ use crate::method::{Effort, Refusal};
 use crate::scalar::Real;
 use crate::space::vector::difference;
 use crate::space::{Array, PerCoordinate, Snapshot};
-use crate::system::{Keeping, Invariants, KeptBy, PhaseSpace, jump_of_integral};
+use crate::system::{Invariants, Keeping, KeptBy, PhaseSpace, jump_of_integral};
 
 /// A step is refused if an invariant changes by more than this many of its roundings.
 ///

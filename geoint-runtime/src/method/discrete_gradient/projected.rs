@@ -6,7 +6,8 @@ use crate::implicit_method;
 use crate::method::corrected::range::is_representable;
 use crate::method::corrected::rounded;
 use crate::method::implicit::{
-    Arrival, Branch, Departure, Equation, Evaluated, ImplicitMethod, ImplicitStep, Increment, Policy, Sums, Units, Watch,
+    Arrival, Branch, Departure, Equation, Evaluated, ImplicitMethod, ImplicitStep, Increment, Policy, Sums, Units,
+    Watch,
 };
 use crate::method::{Claims, Name, Probe, Refusal};
 use crate::scalar::Real;

@@ -212,11 +212,7 @@ impl<S: DiscreteField<R>, R: Real> ImplicitStep<S, R> for TreeStep {
     fn unseen() {}
 
     #[inline(always)]
-    fn begin(
-        from: &Departure<'_, S, R>,
-        constants: &Constants<S, R>,
-        (): &mut (),
-    ) -> Result<Start<S, R>, Refusal> {
+    fn begin(from: &Departure<'_, S, R>, constants: &Constants<S, R>, (): &mut ()) -> Result<Start<S, R>, Refusal> {
         let (y, changed) = S::start(&from.z);
         let kernel = from.system.begin(&constants.parameters, Span::of([from.t, from.end], from.h), &y);
         let (of_y, _) = S::start(&from.compensation);

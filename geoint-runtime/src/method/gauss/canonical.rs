@@ -4,9 +4,7 @@
 
 use super::prepared::Scaled;
 use super::{Gauss, GaussTableau};
-use crate::method::implicit::{
-    Departure, Equation, ImplicitStep, Increment, Policy, Stage, Units, Watch,
-};
+use crate::method::implicit::{Departure, Equation, ImplicitStep, Increment, Policy, Stage, Units, Watch};
 use crate::method::{Probe, Refusal};
 use crate::scalar::Real;
 use crate::solving::equation::Solution;

@@ -17,8 +17,8 @@
 use super::fields::FieldStages;
 use super::{Gauss, GaussTableau};
 use crate::method::Probe;
-use crate::method::implicit::Equation;
 use crate::method::explicit::tableau::Tableau;
+use crate::method::implicit::Equation;
 use crate::scalar::Real;
 use crate::solving::linear;
 use crate::solving::size::Sizes;

@@ -4,9 +4,7 @@ use super::defect;
 use super::prepared::Scaled;
 use super::{Gauss, GaussTableau};
 use crate::method::explicit::tableau::Tableau;
-use crate::method::implicit::{
-    Departure, Equation, ImplicitStep, Increment, Policy, Stage, Units, Watch,
-};
+use crate::method::implicit::{Departure, Equation, ImplicitStep, Increment, Policy, Stage, Units, Watch};
 use crate::method::{Estimate, Probe, Refusal};
 use crate::scalar::Real;
 use crate::solving::equation::Solution;

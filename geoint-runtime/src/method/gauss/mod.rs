@@ -67,11 +67,7 @@ implicit_method!(
     |_| Name::new(["Gauss<1>", "Gauss<2>", "Gauss<3>", "Gauss<4>", "Gauss<5>", "Gauss<6>"][S - 1]),
     Claims::of_order(2 * S as u32).symmetric().symplectic()
 );
-implicit_method!(
-    ImplicitMidpoint,
-    |_| Name::new("ImplicitMidpoint"),
-    Claims::of_order(2).symmetric().symplectic()
-);
+implicit_method!(ImplicitMidpoint, |_| Name::new("ImplicitMidpoint"), Claims::of_order(2).symmetric().symplectic());
 substeps!([] ImplicitMidpoint);
 
 /// One stage is the midpoint rule.

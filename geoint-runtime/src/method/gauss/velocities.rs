@@ -4,9 +4,7 @@
 
 use super::prepared::Scaled;
 use super::{Gauss, GaussTableau};
-use crate::method::implicit::{
-    Arrival, Departure, Equation, ImplicitStep, Increment, Policy, Stage, Units, Watch,
-};
+use crate::method::implicit::{Arrival, Departure, Equation, ImplicitStep, Increment, Policy, Stage, Units, Watch};
 use crate::method::{Probe, Refusal};
 use crate::scalar::Real;
 use crate::solving::equation::Solution;
@@ -142,7 +140,8 @@ where
         v: &[Y::Array; S],
         matrix: &mut Square<[Y::Array; S]>,
     ) -> [Y::Array; S] {
-        let Equation { from, constants: Constants { kernel, scaled: Scaled { coupling, nodes, .. }, .. }, start } = equation;
+        let Equation { from, constants: Constants { kernel, scaled: Scaled { coupling, nodes, .. }, .. }, start } =
+            equation;
         watch.seen.v = *v;
         for i in 0..S {
             let (t, z) = (from.t + nodes[i], equation.point(i, v));

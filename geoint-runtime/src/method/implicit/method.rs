@@ -9,7 +9,8 @@ use crate::system::PhaseSpace;
     message = "`{Self}` is not a method for `{S}`",
     label = "this method does not fit this kind of system",
     note = "of a vector field name what it keeps: `#[vector_field(keeps(name = expression))]`",
-    note = "methods for every contact Hamiltonian: `ContactGauss`, `ContactMidpoint`, `ContactDiscreteGradient`",
+    note = "methods for contact Hamiltonians: `ContactGauss`, `ContactMidpoint`, `ContactDiscreteGradient`; for a `lift`: `ContactSplitting`",
+    note = "methods with forces beside an action: `DOP853`, `RK4`, and Taylor series by `system.taylor`",
     note = "methods that keep a `constraint`: `Rattle`, `DiscreteGradient`",
     note = "methods for rigid bodies (`attitude = r`): tables of kicks and drifts such as `BlanesMoanSrkn14a`, `FiveRotations`, `RK4`, `DOP853`"
 )]

@@ -28,7 +28,8 @@ impl<'a, S: PhaseSpace<R>, R: Real, P: Probe<S, R>, E> Watch<'a, S, R, P, E> {
     #[inline(always)]
     pub(super) fn new(probe: &'a mut P, from: &Departure<'_, S, R>, seen: E) -> Self {
         // Without conditions nobody looks at the point. A copy of the start would be read from memory in other pieces than it was written in.
-        let decided = if const { S::JUMPS.is_empty() } { (S::Phase::zero(), S::Action::zero()) } else { (from.z, from.s) };
+        let decided =
+            if const { S::JUMPS.is_empty() } { (S::Phase::zero(), S::Action::zero()) } else { (from.z, from.s) };
         Watch { probe, decided, seen }
     }
 

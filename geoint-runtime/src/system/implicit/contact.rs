@@ -1,10 +1,10 @@
 //! Lagrangians with an action whose steps are solved for velocities: Herglotz' principle without an energy as a function of momenta.
 
 use super::velocities::{MassForm, accelerated, velocity_of};
-use crate::system::Contact;
 use crate::scalar::{Real, zero};
 use crate::space::vector::{moved, opposite};
 use crate::space::{Array, Square};
+use crate::system::Contact;
 
 /// L(q, v, s, t) at a stage, by its derivatives: those by q, v and s of L are f, p and −σ.
 #[derive(Clone, Copy, Debug)]

@@ -152,7 +152,13 @@ fn solve_for_velocity<A: Array>(mass: &mut Square<A>, p: &mut A) -> Option<()> {
 }
 
 /// 1/|Mᵢᵢ|: a row of the momentum equation times this has the unit of the velocity.
-pub(crate) fn mass_units<S: MassForm<R>, R: Real>(system: &S, t: R, z: &S::Phase, s: &S::Action, v: &S::Array) -> S::Array {
+pub(crate) fn mass_units<S: MassForm<R>, R: Real>(
+    system: &S,
+    t: R,
+    z: &S::Phase,
+    s: &S::Action,
+    v: &S::Array,
+) -> S::Array {
     let none = S::Array::zero();
     let (mut p, mut mass, mut units) = (none, S::Array::fill(none), none);
     system.mass(t, &z[0], v, s, (&mut p, &mut mass));

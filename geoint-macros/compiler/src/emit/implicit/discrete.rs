@@ -13,13 +13,8 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 /// The quantities that steps along the discrete gradient keep.
-pub(super) const KEEPING: Trait = Trait {
-    name: "Keeping",
-    has_proof: false,
-    associated: &[("Kept", Absent::Unit)],
-    methods: &[],
-    provided: &[],
-};
+pub(super) const KEEPING: Trait =
+    Trait { name: "Keeping", has_proof: false, associated: &[("Kept", Absent::Unit)], methods: &[], provided: &[] };
 
 /// The equation of a step along the discrete gradient.
 const DISCRETE_FIELD: Trait = Trait {
@@ -73,8 +68,7 @@ pub(super) fn discrete_field(
         }
         MeanValue::NotClosed(_) => quote!(NotClosed),
     };
-    let keeping =
-        Implementation::new(context, &KEEPING, &[]).items(quote!(type Kept = #kept; #nowhere_steep)).finish();
+    let keeping = Implementation::new(context, &KEEPING, &[]).items(quote!(type Kept = #kept; #nowhere_steep)).finish();
     let unknown_type = quote!(#unknown);
     let types = [("Parameters", parameters), ("Start", start), ("Inverse", inverse), ("Unknown", unknown_type)];
     let field = Implementation::new(context, &DISCRETE_FIELD, &types)

@@ -16,7 +16,12 @@ pub(super) fn solved(context: &Context<'_>, method: &str, step: &str) -> TokenSt
 /// Returns `impl ImplicitMethod` of a method whose step contains it.
 pub(super) fn solved_by(context: &Context<'_>, method: &str, step: &str) -> TokenStream {
     let [method, step] = [method, step].map(|name| format_ident!("{name}"));
-    implementation(context, &quote!(R: Real), &quote!(#method), [quote!(()), quote!(#step<#method>), quote!(#step(self))])
+    implementation(
+        context,
+        &quote!(R: Real),
+        &quote!(#method),
+        [quote!(()), quote!(#step<#method>), quote!(#step(self))],
+    )
 }
 
 /// Returns `impl ImplicitMethod` of a method with Gauss stages, for each number of stages.
@@ -24,12 +29,12 @@ pub(super) fn collocated(context: &Context<'_>, method: &str, stages: &str) -> T
     let [method, stages] = [method, stages].map(|name| format_ident!("{name}"));
     let name = self_type(context);
     quote! {
-        impl<R: Real, const STAGES: usize> ImplicitMethod<#name, R> for #method<STAGES>
+        impl<R: Real, const STAGES: usize> ImplicitMethod<#name, R> for #method<{ STAGES }>
         where
-            GaussCollocation<STAGES>: GaussTableau<STAGES>,
+            GaussCollocation<{ STAGES }>: GaussTableau<{ STAGES }>,
         {
-            type Proof = <GaussCollocation<STAGES> as GaussTableau<STAGES>>::Proof;
-            type Step = #stages<STAGES>;
+            type Proof = <GaussCollocation<{ STAGES }> as GaussTableau<{ STAGES }>>::Proof;
+            type Step = #stages<{ STAGES }>;
             fn step(self) -> Self::Step {
                 #stages
             }

@@ -1,7 +1,7 @@
 //! Derivatives of a Lagrangian, for steps with velocities as unknowns.
 
-use super::{discrete, methods};
 use super::prepared::{Prepared, numbers};
+use super::{discrete, methods};
 use crate::derive::{ActionStages, MassKernels, StepKernel, VelocityKernels, VelocityStages};
 use crate::emit::context::{Context, Values, array_type};
 use crate::emit::implementation::{Implementation, absent, flag, proven};
@@ -53,8 +53,7 @@ pub(super) fn velocities(context: &Context<'_>, kernels: &VelocityKernels) -> To
             Ok(step) => contact_polarised(context, step),
             Err(missing) => {
                 let absent = absent(context, *missing, &[&CONTACT_POLARISED]);
-                let unsolved =
-                    methods::unsolved(context, *missing, "ContactDiscreteGradient", "ContactPolarisedStep");
+                let unsolved = methods::unsolved(context, *missing, "ContactDiscreteGradient", "ContactPolarisedStep");
                 quote!(#absent #unsolved)
             }
         };
@@ -223,8 +222,7 @@ fn mass_form(context: &Context<'_>, kernels: &MassKernels) -> TokenStream {
 
 /// Returns `impl Keeping` and `impl PolarisedForm`, and the step of `DiscreteGradient`.
 fn polarised(context: &Context<'_>, StepKernel { kernel, .. }: &StepKernel, kept: TokenStream) -> TokenStream {
-    let keeping =
-        Implementation::new(context, &discrete::KEEPING, &[]).items(quote!(type Kept = #kept;)).finish();
+    let keeping = Implementation::new(context, &discrete::KEEPING, &[]).items(quote!(type Kept = #kept;)).finish();
     let solved = methods::solved(context, "DiscreteGradient", "PolarisedStep");
     let ([parameters, start], parts) = ([0, 1].map(|level| numbers(kernel, level)), context.parts());
     let begin = context.stored(kernel, 1);

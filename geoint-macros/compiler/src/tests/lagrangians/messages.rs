@@ -91,6 +91,6 @@ fn branches_on_velocities_are_solved_for() {
     } };
     let expanded = expansion(Form::Lagrangian, quote!(), ratchet.clone());
     assert!(!expanded.contains("compile_error"), "{expanded}");
-    assert!(expanded.contains("type Stages = ByVelocities"), "{expanded}");
+    assert!(expanded.contains("type Step = VelocityStages"), "{expanded}");
     assert!(message(quote!(require(separable)), ratchet).contains("kick and drift do not exist"));
 }

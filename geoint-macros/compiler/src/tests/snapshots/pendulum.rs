@@ -10,10 +10,11 @@
 //! - PerturbedSystem
 //! - PerturbedGradient
 //! - ModifiedEnergy
-//! - Graded
+//! - Keeping
+//! - ImplicitMethod
 //! - KeptMomenta
 //! - FourthOrderField
-//! - Collocated
+//! - ImplicitMethod
 //! - Collocation
 //! - Jets
 
@@ -89,25 +90,28 @@ pub struct Pendulum<R = f64> {
 )]
 const _: () = {
     use ::geoint_runtime::private::{
-        Adaptive, Array, Autonomous, ByCanonical, ByConstraint, ByField, CanonicalForm,
-        ByPolarisation, ByTree, ByVelocities, Collocated, BodyState, Collocation,
-        ConformalContact, Conservative, ConstrainedStep, ConstrainedSystem,
-        ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces, PieceSplitting,
-        Placed, PlanarDiscreteGradient, PlanarItohAbe, PlanarSplitting, PolarisedForm,
-        PoissonSplitting, ContactSplitting, ContactCollocated, ContactGraded,
-        ContactPolarised, ContactStage, ContactStages, ContactVelocities, MassForm,
-        contact_gradient_of, ContactState, ContactSystem, Coordinates, CotangentSpace,
-        QuadraticField, DifferentialEquation, DiscreteField, DiscreteGradient,
-        FirstIntegrals, SteadyIntegrals, FlowState, ForceGradient, FourthOrderField,
-        Graded, Gradients, Hamiltonian, ImplicitStep, CanonicalEnergy, EnergyAndMomenta,
-        KeptMomenta, Integral, KeptIntegrals, Integrator, KeepsEnergy, Inverted, Jets,
-        LagrangianSystem, Mean, MechanicalContact, Method, ModifiedEnergy, NystromPieces,
-        PerCoordinate, PerturbedGradient, PerturbedSystem, PhaseSpace, PieceClock,
-        PrincipalAxes, ProofAnd, QuadraticKinetic, Rattle, Real, TaylorIntegrator,
-        TaylorMethod, Separable, Snapshot, Span, Square, State, VelocityEnergy,
-        StepError, Unmet, VelocityForm, canonical_rate, energy_of, from_positions,
-        fourth_order, is_positive_semidefinite, modified_verlet, gradient_kick,
-        planar_step, rate_of, recurrence, slope, state_on_constraint, unmet, velocity_of,
+        BoundStep, CanonicalStages, ContactEquation, ContactFieldStages,
+        ContactGaussCollocation, ContactPolarisedStep, ContactStep,
+        ContactVelocityStages, FieldStages, GaussCollocation, GaussTableau,
+        ImplicitMethod, Keeping, PolarisedStep, TreeStep, VelocityStages, Adaptive,
+        Array, Autonomous, CanonicalForm, BodyState, Collocation, ConformalContact,
+        Conservative, ConstrainedStep, ConstrainedSystem, ContactDiscreteGradient,
+        ContactMidpoint, FlowPiece, FlowPieces, PieceSplitting, Placed,
+        PlanarDiscreteGradient, PlanarItohAbe, PlanarSplitting, PolarisedForm,
+        PoissonSplitting, ContactSplitting, ContactPolarised, ContactStage,
+        ContactStages, ContactVelocities, MassForm, contact_gradient_of, ContactState,
+        ContactSystem, Coordinates, CotangentSpace, QuadraticField, DifferentialEquation,
+        DiscreteField, DiscreteGradient, FirstIntegrals, SteadyIntegrals, FlowState,
+        ForceGradient, FourthOrderField, Gradients, Hamiltonian, CanonicalEnergy,
+        EnergyAndMomenta, KeptMomenta, Integral, KeptIntegrals, Integrator, KeepsEnergy,
+        Inverted, Jets, LagrangianSystem, Mean, MechanicalContact, Method,
+        ModifiedEnergy, NystromPieces, PerCoordinate, PerturbedGradient, PerturbedSystem,
+        PhaseSpace, PieceClock, PrincipalAxes, ProofAnd, QuadraticKinetic, Rattle, Real,
+        TaylorIntegrator, TaylorMethod, Separable, Snapshot, Span, Square, State,
+        VelocityEnergy, StepError, Unmet, VelocityForm, canonical_rate, energy_of,
+        from_positions, fourth_order, is_positive_semidefinite, modified_verlet,
+        gradient_kick, planar_step, rate_of, recurrence, slope, state_on_constraint,
+        unmet, velocity_of,
     };
     const _: fn() = || {
         let _ = pendulum;

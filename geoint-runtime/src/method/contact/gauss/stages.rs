@@ -4,9 +4,7 @@ use super::factors::Factors;
 use crate::method::explicit::tableau::Tableau;
 use crate::method::gauss::prepared::Scaled;
 use crate::method::gauss::{Gauss, GaussTableau};
-use crate::method::implicit::{
-    Departure, Equation, ImplicitStep, Increment, Policy, Stage, Units, Watch,
-};
+use crate::method::implicit::{Departure, Equation, ImplicitStep, Increment, Policy, Stage, Units, Watch};
 use crate::method::{Probe, Refusal};
 use crate::scalar::{Real, zero};
 use crate::solving::equation::Solution;
@@ -131,7 +129,8 @@ where
     type Kept = ();
     type Solver = Newton<[Y::Moved; S]>;
 
-    const POLICY: Policy = Policy::of(Units { alike: Y::Array::LEN, kinds: 2 + (Y::Moved::LEN - <Y::Phase as Array>::LEN) });
+    const POLICY: Policy =
+        Policy::of(Units { alike: Y::Array::LEN, kinds: 2 + (Y::Moved::LEN - <Y::Phase as Array>::LEN) });
     const STAGES: usize = if varying::<Y, R>() { S } else { 0 };
 
     fn constants(self, system: &Y, h: R) -> Self::Constants {

@@ -6,9 +6,7 @@ use super::factors::Factors;
 use crate::method::gauss::prepared::Scaled;
 use crate::method::gauss::velocities::Constants;
 use crate::method::gauss::{Gauss, GaussTableau};
-use crate::method::implicit::{
-    Arrival, Departure, Equation, ImplicitStep, Increment, Policy, Stage, Units, Watch,
-};
+use crate::method::implicit::{Arrival, Departure, Equation, ImplicitStep, Increment, Policy, Stage, Units, Watch};
 use crate::method::{Probe, Refusal};
 use crate::scalar::{Real, zero};
 use crate::solving::equation::Solution;
@@ -194,7 +192,8 @@ where
         d: &[Y::Moved; S],
         matrix: &mut Square<[Y::Moved; S]>,
     ) -> [Y::Moved; S] {
-        let Equation { from, constants: Constants { kernel, scaled: Scaled { coupling, nodes, .. }, .. }, start } = equation;
+        let Equation { from, constants: Constants { kernel, scaled: Scaled { coupling, nodes, .. }, .. }, start } =
+            equation;
         let (n, length, one) = (Y::Array::LEN, Y::Moved::LEN, R::from_f64(1.0));
         watch.seen.d = *d;
         for i in 0..S {
