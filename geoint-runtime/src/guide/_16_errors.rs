@@ -81,7 +81,7 @@
 //! | an integer stands beside a number of type `f64` or `f32` | Write `0.5 * p * p`: Rust has no conversion between integers and floating-point numbers, and 1/2 is 0. |
 //! | leave out this, or `structure`, `attitude`, `split`, `coordinates` and `force` | `constraint` excludes these. Write a motor as a term of the energy, see [mechanisms](super::_10_mechanisms). |
 //! | rigid bodies are moved by their energy alone | `attitude` excludes `force` and `damping`. Write the equations, see [fields](super::_11_fields). |
-//! | has no discrete gradient | Rigid bodies need kicks and drifts such as `BlanesMoanSrkn14a`; contact systems `ContactDiscreteGradient`. |
+//! | is not a method for | Rigid bodies need kicks and drifts such as `BlanesMoanSrkn14a`; contact systems `ContactDiscreteGradient`. |
 //! | are no functions of its state | Explicit methods do not keep a `constraint`. Take `Rattle` or `DiscreteGradient`. |
 //! | is singular at every state, so that these velocities do not follow from momenta | A motion has no kinetic energy. Give it a mass, or write the equations. |
 //! | is not constant along the field: what remains of its derivative is | The named function is no first integral. Correct it, or the field. |

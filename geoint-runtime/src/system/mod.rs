@@ -35,7 +35,8 @@ pub use implicit::{
     unmet, velocity_of,
 };
 pub(crate) use implicit::{
-    KeptBy, Regular, acceleration, held, mass_units, on_one_side, projected, row_scale, tangent, velocity_near,
+    KeptBy, Regular, acceleration, held, mass_units, on_one_side, projected, row_scale, row_units, tangent,
+    velocity_near,
 };
 pub use integrals::{FirstIntegrals, Invariants, KeepsEnergy, KeptMomenta, SteadyIntegrals};
 pub use jets::Jets;

@@ -1,6 +1,6 @@
 //! RATTLE.
 
-use super::BoundStep;
+use super::step::{Bound, BoundStep, Momenta};
 use crate::implicit_method;
 use crate::method::composition::substeps;
 use crate::method::implicit::ImplicitMethod;
@@ -24,6 +24,10 @@ pub struct Rattle;
 
 implicit_method!(Rattle, |_| Name::new("Rattle"), Claims::of_order(2).symmetric().symplectic());
 substeps!([] Rattle);
+
+impl Bound for Rattle {
+    const MOMENTA: Momenta = Momenta::MadeTangent;
+}
 
 impl<S: ConstrainedStep<Rattle, R>, R: Real> ImplicitMethod<S, R> for Rattle {
     type Proof = <S as ConstrainedStep<Rattle, R>>::Proof;

@@ -1,6 +1,5 @@
 //! The step of a system with constraints: increments and multipliers are solved for together.
 
-use super::Rattle;
 use crate::method::discrete_gradient::DiscreteGradient;
 use crate::method::implicit::{
     Arrival, Departure, Equation, Evaluated, ImplicitStep, Increment, Policy, Sums, Units, Watch,
@@ -33,10 +32,6 @@ pub enum Momenta {
 pub trait Bound: Copy + core::fmt::Debug {
     /// How it treats momenta.
     const MOMENTA: Momenta;
-}
-
-impl Bound for Rattle {
-    const MOMENTA: Momenta = Momenta::MadeTangent;
 }
 
 /// q₁ − q₀ = h ∇̄ₚH, p₁ − p₀ = −h (∇̄_qH + ḡᵀλ), g(q₁) = 0 with the tree slopes of H and of every g: H changes by −λ·(g(q₁) − g(q₀)) = 0.

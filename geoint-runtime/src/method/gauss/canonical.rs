@@ -3,6 +3,7 @@
 //! y(xᵢ) = y(x₀) + h Σ aᵢⱼ y'(xⱼ), and y(x₁) = y(x₀) + h Σ bⱼ y'(xⱼ).
 
 use super::prepared::Scaled;
+use super::stages::{Form, Part, Rows, Slopes, Values, assemble};
 use super::{Gauss, GaussTableau};
 use crate::method::implicit::{Departure, Equation, ImplicitStep, Increment, Policy, Stage, Units, Watch};
 use crate::method::{Probe, Refusal};
@@ -19,6 +20,13 @@ use crate::system::{CanonicalForm, row_scale};
 /// The step that is solved for the points of its stages.
 #[derive(Clone, Copy, Debug)]
 pub struct CanonicalStages<const S: usize>;
+
+/// What the equation has.
+const FORM: Form = Form {
+    value: Slopes { by_unknown: Part::Given, by_shift: Part::Zero },
+    rate: Slopes { by_unknown: Part::Given, by_shift: Part::Zero },
+    rows: Rows::Plain,
+};
 
 /// Coefficients of a step.
 #[derive(Clone, Copy, Debug)]
@@ -145,35 +153,17 @@ where
         matrix: &mut Square<[Y::Phase; S]>,
     ) -> [Y::Phase; S] {
         let Equation { constants, start: Start { y, inverse, .. }, .. } = equation;
-        let stages: [At<Y::Phase>; S] = core::array::from_fn(|i| {
+        let mut stages = [Values::none(); S];
+        for (i, stage) in stages.iter_mut().enumerate() {
             let (t, z) = equation.place(i, d);
             watch.visit(t, &z, &());
-            equation.at((t, z))
-        });
-        let rows = <[Y::Phase; S]>::entries::<[Y::Phase; S]>(matrix);
-        let n = Y::Phase::LEN;
-        core::array::from_fn(|i| {
-            let mut residual = difference(&stages[i].value, y);
-            for (k, stage) in stages.iter().enumerate() {
-                let a = constants.scaled.coupling[i][k];
-                residual.add_scaled(-a, &stage.rate);
-                let mut block = Y::Phase::fill(Y::Phase::zero());
-                let rates = Y::Phase::entries_of::<Y::Phase>(&stage.derivatives[RATE]).iter();
-                let values = Y::Phase::entries_of::<Y::Phase>(&stages[i].derivatives[VALUE]).iter();
-                for ((row, rate), value) in Y::Phase::entries::<Y::Phase>(&mut block).iter_mut().zip(rates).zip(values)
-                {
-                    if i == k {
-                        *row = *value;
-                    }
-                    row.add_scaled(-a, rate);
-                }
-                let block = scaled_rows(inverse, &block);
-                for (r, row) in Y::Phase::entries_of::<Y::Phase>(&block).iter().enumerate() {
-                    rows[i * n + r][k] = *row;
-                }
-            }
-            inverse.times(&residual)
-        })
+            let At { value, rate, derivatives } = equation.at((t, z));
+            stage.value = inverse.times(&difference(&value, y));
+            stage.rate = inverse.times(&rate);
+            stage.value_slopes.by_unknown = scaled_rows(inverse, &derivatives[VALUE]);
+            stage.rate_slopes.by_unknown = scaled_rows(inverse, &derivatives[RATE]);
+        }
+        assemble(FORM, &constants.scaled.coupling, &stages, None, matrix)
     }
 
     #[inline(always)]

@@ -14,11 +14,8 @@
 //! hJ(1 − γhJ)⁻¹ in place of that, and defects are seen through (1 − γhJ)⁻¹, with γ = 1/2s, the mean eigenvalue of the coefficients A. E. Hairer &
 //! G. Wanner, *Solving Ordinary Differential Equations II* (1996), section IV.8, filter estimates in this way.
 
-use super::fields::FieldStages;
 use super::{Gauss, GaussTableau};
-use crate::method::Probe;
 use crate::method::explicit::tableau::Tableau;
-use crate::method::implicit::Equation;
 use crate::scalar::Real;
 use crate::solving::linear;
 use crate::solving::size::Sizes;
@@ -137,18 +134,14 @@ impl<const S: usize> Look<S> {
 
     /// Adds what hδ counts in both parts of the error; f' is computed where it is used.
     #[inline(always)]
-    fn add<Y: Collocation<R>, R: Real, P: Probe<Y, R>>(
+    fn add<Y: Collocation<R>, R: Real>(
         &self,
-        equation: &Equation<'_, FieldStages<S>, Y, R>,
+        h: R,
         k: &[Y::Unknown; S],
-        probe: &mut P,
+        at: &mut impl FnMut(R, &[f64; S]) -> (Y::Unknown, Square<Y::Unknown>),
         sums: &mut [Y::Unknown; 2],
-    ) -> Square<Y::Unknown>
-    where
-        Gauss<S>: GaussTableau<S>,
-    {
-        let h = equation.from.h;
-        let (mut defect, slope) = equation.at(probe, R::from_f64(self.at) * h, k, &self.changes[Y::DERIVATIVE - 1]);
+    ) -> Square<Y::Unknown> {
+        let (mut defect, slope) = at(R::from_f64(self.at) * h, &self.changes[Y::DERIVATIVE - 1]);
         for (rate, k) in self.rates.iter().zip(k) {
             defect.add_scaled(R::from_f64(-rate), k);
         }
@@ -219,24 +212,32 @@ impl<Y: Collocation<R>, R: Real> Filter<'_, Y, R> {
     }
 }
 
+/// A step of a system.
+pub(super) struct Step<'a, Y: Collocation<R>, R: Real> {
+    pub(super) system: &'a Y,
+    pub(super) constants: &'a Y::Constants,
+    pub(super) h: R,
+    /// What h·k is added to.
+    pub(super) changed: &'a Y::Unknown,
+}
+
 /// An estimate of the error of a step with the values `k` of f at its stages; `None` where a motion away from the solution is so fast that there is none.
+/// `at` returns f and f' where the polynomial of the step is after a time, with these coefficients of k.
 #[inline]
-pub(super) fn error<Y: Collocation<R>, R: Real, P: Probe<Y, R>, const S: usize>(
-    equation: &Equation<'_, FieldStages<S>, Y, R>,
+pub(super) fn error<Y: Collocation<R>, R: Real, const S: usize>(
+    Step { system, constants, h, changed }: Step<'_, Y, R>,
     k: &[Y::Unknown; S],
-    probe: &mut P,
+    mut at: impl FnMut(R, &[f64; S]) -> (Y::Unknown, Square<Y::Unknown>),
 ) -> Option<Y::Phase>
 where
     Gauss<S>: GaussTableau<S>,
 {
     let looks = const { &Looks::<S>::new(&Gauss::<S>::TABLEAU) };
     let (zero, number) = (Y::Unknown::zero(), R::from_f64);
-    let (system, h, changed) = (equation.from.system, equation.from.h, &equation.start.changed);
-    let constants = &equation.constants.kernel;
     let mut sums = [zero; 2];
-    let slope = looks.start.add(equation, k, probe, &mut sums);
+    let slope = looks.start.add::<Y, R>(h, k, &mut at, &mut sums);
     for other in &looks.others {
-        other.add(equation, k, probe, &mut sums);
+        other.add::<Y, R>(h, k, &mut at, &mut sums);
     }
     let [quadrature, ends] = sums;
 

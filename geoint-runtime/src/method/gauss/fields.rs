@@ -2,6 +2,7 @@
 
 use super::defect;
 use super::prepared::Scaled;
+use super::stages::{Form, Part, Rows, Slopes, Values, assemble};
 use super::{Gauss, GaussTableau};
 use crate::method::explicit::tableau::Tableau;
 use crate::method::implicit::{Departure, Equation, ImplicitStep, Increment, Policy, Stage, Units, Watch};
@@ -24,6 +25,13 @@ const STAGES: [usize; 2] = [3, 4];
 
 /// With more unknowns the eliminations that an estimate takes cost more than two equations that are solved by evaluations.
 const MOST_UNKNOWNS: usize = 6;
+
+/// What the equation has: kᵢ − f(Yᵢ), without a rate.
+const FORM: Form = Form {
+    value: Slopes { by_unknown: Part::One, by_shift: Part::Given },
+    rate: Slopes { by_unknown: Part::Zero, by_shift: Part::Zero },
+    rows: Rows::Plain,
+};
 
 /// Coefficients of a step.
 #[derive(Clone, Copy, Debug)]
@@ -188,23 +196,17 @@ where
         matrix: &mut Square<[Y::Unknown; S]>,
     ) -> [Y::Unknown; S] {
         let Constants { kernel, coupling, .. } = equation.constants;
-        let rows = <[Y::Unknown; S]>::entries::<[Y::Unknown; S]>(matrix);
-        let mut all = [Y::Unknown::zero(); S];
-        // Not by `from_fn`, whose closure would be a function of its own, and its result read in other pieces than it was written in.
-        for (i, f) in all.iter_mut().enumerate() {
-            // f'(Yᵢ)·∂Yᵢ/∂kⱼ.
+        let mut stages = [Values::none(); S];
+        for i in 0..S {
             let mut slope = Y::Unknown::fill(Y::Unknown::zero());
-            *f = equation.stage(watch, i, k, &mut slope);
-            for (r, slope_row) in Y::Unknown::entries::<Y::Unknown>(&mut slope).iter().enumerate() {
-                let row = &mut rows[i * Y::Unknown::LEN + r];
-                for j in 0..S {
-                    row[j] = Y::Unknown::zero();
-                    equation.from.system.add(kernel, -coupling[i][j], slope_row, &mut row[j]);
-                }
-                row[i].as_mut_slice()[r] += R::from_f64(1.0);
+            stages[i].value = difference(&k[i], &equation.stage(watch, i, k, &mut slope));
+            // −f'(Yᵢ), or −f'(Yᵢ)M⁻¹: a shift is a sum of M⁻¹k.
+            let rows = Y::Unknown::entries::<Y::Unknown>(&mut stages[i].value_slopes.by_shift).iter_mut();
+            for (row, slope) in rows.zip(Y::Unknown::entries_of::<Y::Unknown>(&slope)) {
+                equation.from.system.add(kernel, R::from_f64(-1.0), slope, row);
             }
         }
-        difference(k, &all)
+        assemble(FORM, coupling, &stages, None, matrix)
     }
 
     #[inline(always)]
@@ -233,7 +235,10 @@ where
         k: &[Y::Unknown; S],
         probe: &mut P,
     ) -> Result<Estimate<Y, R>, Refusal> {
-        let z = defect::error(equation, k, probe).ok_or(Refusal::Singular)?;
+        let Equation { from: Departure { system, h, .. }, constants, start } = equation;
+        let step = defect::Step { system: *system, constants: &constants.kernel, h: *h, changed: &start.changed };
+        let at = |x, coefficients: &[f64; S]| equation.at(probe, x, k, coefficients);
+        let z = defect::error(step, k, at).ok_or(Refusal::Singular)?;
         Ok([PerCoordinate { z, s: () }, PerCoordinate::zero()])
     }
 }

@@ -23,8 +23,10 @@
 
 mod canonical;
 mod defect;
+pub(in crate::method) mod factors;
 mod fields;
 pub(crate) mod prepared;
+pub(in crate::method) mod stages;
 mod tableau;
 pub(in crate::method) mod velocities;
 

@@ -3,15 +3,16 @@
 //! ∂L/∂v(Qᵢ, Vᵢ) = pᵢ, fⱼ = ∂L/∂q(Qⱼ, Vⱼ) less friction.
 
 use super::prepared::Scaled;
+use super::stages::{Form, Part, Rows, Slopes, Values, assemble, shifts};
 use super::{Gauss, GaussTableau};
 use crate::method::implicit::{Arrival, Departure, Equation, ImplicitStep, Increment, Policy, Stage, Units, Watch};
 use crate::method::{Probe, Refusal};
 use crate::scalar::Real;
 use crate::solving::equation::Solution;
 use crate::solving::newton::Newton;
-use crate::space::vector::{difference, dot, moved, scaled, sum};
+use crate::space::vector::{difference, moved, scaled, sum};
 use crate::space::{Array, Square};
-use crate::system::{Regular, VelocityForm, acceleration, row_scale, velocity_near};
+use crate::system::{Regular, VelocityForm, acceleration, row_units, velocity_near};
 
 /// The step that is solved for velocities at its stages.
 #[derive(Clone, Copy, Debug)]
@@ -32,32 +33,12 @@ pub struct Start<R> {
     sign: R,
 }
 
-/// Values at a stage, and [∂p/∂q, ∂p/∂v, ∂f/∂q, ∂f/∂v].
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Values<A: Array> {
-    momentum: A,
-    force: A,
-    derivatives: [Square<A>; 4],
-}
-
-impl<A: Array> Values<A> {
-    fn none() -> Self {
-        let none = A::zero();
-        Values { momentum: none, force: none, derivatives: [A::fill(none); 4] }
-    }
-
-    /// The force after small changes of position and velocity.
-    #[inline(always)]
-    fn force_after(&self, dq: &A, dv: &A) -> A {
-        let mut force = self.force;
-        let rows = A::entries_of::<A>(&self.derivatives[FORCE_BY_Q]).iter();
-        let rows = rows.zip(A::entries_of::<A>(&self.derivatives[FORCE_BY_V]));
-        for (f, (by_q, by_v)) in force.as_mut_slice().iter_mut().zip(rows) {
-            *f += dot(by_q, dq) + dot(by_v, dv);
-        }
-        force
-    }
-}
+/// What the equation has.
+const FORM: Form = Form {
+    value: Slopes { by_unknown: Part::Given, by_shift: Part::Given },
+    rate: Slopes { by_unknown: Part::Given, by_shift: Part::Given },
+    rows: Rows::Scaled,
+};
 
 /// What was evaluated last, at which velocities.
 #[derive(Clone, Copy, Debug)]
@@ -146,39 +127,20 @@ where
         for i in 0..S {
             let (t, z) = (from.t + nodes[i], equation.point(i, v));
             watch.visit(t, &z, &());
-            let Values { momentum, force, derivatives } = &mut watch.seen.stages[i];
-            from.system.stage(kernel, t, &z[0], &v[i], [momentum, force], derivatives);
+            let stage = &mut watch.seen.stages[i];
+            let mut slopes = [Y::Array::fill(Y::Array::zero()); 4];
+            from.system.stage(kernel, t, &z[0], &v[i], [&mut stage.value, &mut stage.rate], &mut slopes);
+            let [momentum_by_q, mass, force_by_q, force_by_v] = slopes;
+            stage.value = difference(&stage.value, &from.z[1]);
+            stage.value_slopes = Slopes { by_unknown: mass, by_shift: momentum_by_q };
+            stage.rate_slopes = Slopes { by_unknown: force_by_v, by_shift: force_by_q };
+            stage.scales = row_units(&mass);
         }
-        let stages = &watch.seen.stages;
-        let rows = <[Y::Array; S]>::entries::<[Y::Array; S]>(matrix);
-        let mut residuals = [Y::Array::zero(); S];
-        for (i, residual) in residuals.iter_mut().enumerate() {
-            *residual = difference(&stages[i].momentum, &from.z[1]);
-            for j in 0..S {
-                residual.add_scaled(-coupling[i][j], &stages[j].force);
-            }
-            for (r, residual) in residual.as_mut_slice().iter_mut().enumerate() {
-                let entry =
-                    |stage: &Values<Y::Array>, of: usize| Y::Array::entries_of::<Y::Array>(&stage.derivatives[of])[r];
-                let mass = entry(&stages[i], MASS);
-                let mut scale = R::from_f64(1.0) / row_scale(&mass, r);
-                // As many mass matrices as stages: with an even number of them the determinant is positive.
-                if S % 2 == 1 && i == 0 && r == 0 {
-                    scale *= start.sign;
-                }
-                for k in 0..S {
-                    let mut row = if i == k { mass } else { Y::Array::zero() };
-                    let turning = difference(&entry(&stages[i], MOMENTUM_BY_Q), &entry(&stages[k], FORCE_BY_V));
-                    row.add_scaled(coupling[i][k], &turning);
-                    for j in 0..S {
-                        row.add_scaled(-(coupling[i][j] * coupling[j][k]), &entry(&stages[j], FORCE_BY_Q));
-                    }
-                    rows[i * Y::Array::LEN + r][k] = scaled(scale, &row);
-                }
-                *residual *= scale;
-            }
+        // As many mass matrices as stages: with an even number of them the determinant is positive.
+        if S % 2 == 1 {
+            watch.seen.stages[0].scales.as_mut_slice()[0] *= start.sign;
         }
-        residuals
+        assemble(FORM, coupling, &watch.seen.stages, None, matrix)
     }
 
     #[inline(always)]
@@ -194,16 +156,12 @@ where
         seen: &Self::Seen,
     ) -> Result<Increment<Y::Phase, ()>, Refusal> {
         let Scaled { coupling, weights, .. } = &equation.constants.scaled;
-        let none = Y::Array::zero();
         let corrections: [Y::Array; S] = core::array::from_fn(|i| difference(&v[i], &seen.v[i]));
-        let (mut change, mut impulse) = (none, none);
+        let moved = shifts(coupling, &corrections);
+        let (mut change, mut impulse) = (Y::Array::zero(), Y::Array::zero());
         for i in 0..S {
             change.add_scaled(weights[i], &v[i]);
-            let mut moved = none;
-            for (a, correction) in coupling[i].iter().zip(&corrections) {
-                moved.add_scaled(*a, correction);
-            }
-            impulse.add_scaled(weights[i], &seen.stages[i].force_after(&moved, &corrections[i]));
+            impulse.add_scaled(weights[i], &seen.stages[i].rate_after(FORM, &corrections[i], &moved[i]));
         }
         Ok(Increment::of([change, impulse]))
     }
@@ -219,9 +177,3 @@ where
         regular.follow(from.system, constants.is_definite, ends, v[S - 1])
     }
 }
-
-/// The places of derivatives.
-const MOMENTUM_BY_Q: usize = 0;
-const MASS: usize = 1;
-const FORCE_BY_Q: usize = 2;
-const FORCE_BY_V: usize = 3;

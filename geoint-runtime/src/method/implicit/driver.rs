@@ -1,12 +1,13 @@
 //! The driver of implicit steps: guess, residual, update, and reasons to refuse a step.
 
+use super::points::{Arrival, Departure, Increment, Stage};
+use super::step::{Branch, Equation, Evaluated, ImplicitStep, Sums};
 use super::watch::Watch;
-use super::{Arrival, Branch, Departure, Equation, Evaluated, ImplicitStep, Increment, SolvedBy, Stage, Sums};
 use crate::method::{Effort, Estimate, Probe, Refusal, Step, check_end, check_poles, check_way, start};
 use crate::scalar::Real;
 use crate::solving::equation::{Magnitudes, Solution, Solver, StepEquation};
-use crate::space::{Array, Compensated, Record, Square, Summation, Tape};
-use crate::system::{Invariants, PhaseSpace, Poles, jump_between};
+use crate::space::{Compensated, Record, Square, Summation, Tape};
+use crate::system::{PhaseSpace, Poles, jump_between};
 
 /// Coefficients of steps of one length.
 #[derive(Clone)]
@@ -169,27 +170,3 @@ where
         M::image(self, watch, x)
     }
 }
-
-/// Returns whether steps keep anything.
-pub const fn keeps<M, S: SolvedBy<M, R>, R: Real>() -> bool {
-    <<StepFor<M, S, R> as ImplicitStep<S, R>>::Kept as Invariants<S, R>>::Values::LEN > 0
-}
-
-/// Returns [`ImplicitStep::COMPOSES_TO`] of the steps of a method.
-pub const fn composes_to<M, S: SolvedBy<M, R>, R: Real>() -> u32 {
-    <StepFor<M, S, R> as ImplicitStep<S, R>>::COMPOSES_TO
-}
-
-/// Returns [`ImplicitStep::ROUGH_IF_SHORT`] of the steps of a method.
-pub const fn is_rough_if_short<M, S: SolvedBy<M, R>, R: Real>() -> bool {
-    <StepFor<M, S, R> as ImplicitStep<S, R>>::ROUGH_IF_SHORT
-}
-
-/// The step of a method for a system.
-pub type StepFor<M, S, R> = <S as SolvedBy<M, R>>::Step;
-
-/// What the steps of a method prepare.
-pub type PreparedFor<M, S, R> = Prepared<StepFor<M, S, R>, S, R>;
-
-/// What the steps of a method hand on.
-pub type MemoryFor<M, S, R> = Memory<StepFor<M, S, R>, S, R>;

@@ -1,8 +1,10 @@
 //! From implicit steps to methods.
 
-use super::ImplicitStep;
+use super::driver::{Memory, Prepared};
+use super::step::ImplicitStep;
 use crate::scalar::Real;
-use crate::system::PhaseSpace;
+use crate::space::Array;
+use crate::system::{Invariants, PhaseSpace};
 
 /// A method whose steps of systems `S` are implicit. The attributes implement this for each system and each method that the system has.
 #[diagnostic::on_unimplemented(
@@ -43,6 +45,30 @@ impl<M: ImplicitMethod<S, R>, S: PhaseSpace<R>, R: Real> SolvedBy<M, R> for S {
         method.step()
     }
 }
+
+/// Returns whether steps keep anything.
+pub const fn keeps<M, S: SolvedBy<M, R>, R: Real>() -> bool {
+    <<StepFor<M, S, R> as ImplicitStep<S, R>>::Kept as Invariants<S, R>>::Values::LEN > 0
+}
+
+/// Returns [`ImplicitStep::COMPOSES_TO`] of the steps of a method.
+pub const fn composes_to<M, S: SolvedBy<M, R>, R: Real>() -> u32 {
+    <StepFor<M, S, R> as ImplicitStep<S, R>>::COMPOSES_TO
+}
+
+/// Returns [`ImplicitStep::ROUGH_IF_SHORT`] of the steps of a method.
+pub const fn is_rough_if_short<M, S: SolvedBy<M, R>, R: Real>() -> bool {
+    <StepFor<M, S, R> as ImplicitStep<S, R>>::ROUGH_IF_SHORT
+}
+
+/// The step of a method for a system.
+pub type StepFor<M, S, R> = <S as SolvedBy<M, R>>::Step;
+
+/// What the steps of a method prepare.
+pub type PreparedFor<M, S, R> = Prepared<StepFor<M, S, R>, S, R>;
+
+/// What the steps of a method hand on.
+pub type MemoryFor<M, S, R> = Memory<StepFor<M, S, R>, S, R>;
 
 /// Makes a [`Method`](crate::Method) of an [`ImplicitMethod`], by its name and its [`Claims`](crate::method::Claims).
 #[macro_export]

@@ -113,13 +113,17 @@
 
 mod driver;
 mod method;
+mod points;
 mod step;
 mod watch;
 
 #[doc(hidden)]
-pub use driver::{Memory, MemoryFor, Prepared, PreparedFor, StepFor, composes_to, is_rough_if_short, keeps};
+pub use driver::{Memory, Prepared};
 pub use method::{ImplicitMethod, SolvedBy};
-pub use step::{Arrival, Branch, Departure, Equation, Evaluated, ImplicitStep, Increment, Policy, Stage, Sums};
+#[doc(hidden)]
+pub use method::{MemoryFor, PreparedFor, StepFor, composes_to, is_rough_if_short, keeps};
+pub use points::{Arrival, Departure, Increment, Stage};
+pub use step::{Branch, Equation, Evaluated, ImplicitStep, Policy, Sums};
 pub use watch::Watch;
 
 pub use crate::solving::equation::{Magnitudes, Solution, Solver, Units};

@@ -1,6 +1,6 @@
 //! What sees the points at which the equation of a step is evaluated, and what the last evaluation leaves.
 
-use super::Departure;
+use super::points::Departure;
 use crate::method::Probe;
 use crate::scalar::Real;
 use crate::solving::Observer;

@@ -31,4 +31,4 @@ pub(crate) use kept::KeptBy;
 pub(crate) use regular::Regular;
 pub use regular::singular_mass;
 pub use velocities::{MassForm, PolarisedForm, VelocityForm, energy_of, own_momentum, rate_of, velocity_of};
-pub(crate) use velocities::{acceleration, mass_units, row_scale, velocity_near};
+pub(crate) use velocities::{acceleration, mass_units, row_scale, row_units, velocity_near};

@@ -160,10 +160,17 @@ pub(crate) fn mass_units<S: MassForm<R>, R: Real>(
     v: &S::Array,
 ) -> S::Array {
     let none = S::Array::zero();
-    let (mut p, mut mass, mut units) = (none, S::Array::fill(none), none);
+    let (mut p, mut mass) = (none, S::Array::fill(none));
     system.mass(t, &z[0], v, s, (&mut p, &mut mass));
-    for (i, (unit, row)) in units.as_mut_slice().iter_mut().zip(S::Array::entries_of::<S::Array>(&mass)).enumerate() {
-        *unit = R::from_f64(1.0) / row_scale(row, i);
+    row_units(&mass)
+}
+
+/// 1/|Mᵢᵢ| for the rows of a mass matrix.
+#[inline(always)]
+pub(crate) fn row_units<A: Array>(mass: &Square<A>) -> A {
+    let mut units = A::zero();
+    for (i, (unit, row)) in units.as_mut_slice().iter_mut().zip(A::entries_of::<A>(mass)).enumerate() {
+        *unit = A::Real::from_f64(1.0) / row_scale(row, i);
     }
     units
 }

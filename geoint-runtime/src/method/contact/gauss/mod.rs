@@ -1,6 +1,5 @@
 //! Gauss collocation one dimension up, for contact systems.
 
-mod factors;
 mod stages;
 mod velocities;
 

@@ -1,8 +1,9 @@
 //! The step of a contact system that is solved for positions, momenta and perhaps the action of all stages.
 
-use super::factors::Factors;
 use crate::method::explicit::tableau::Tableau;
+use crate::method::gauss::factors::Factors;
 use crate::method::gauss::prepared::Scaled;
+use crate::method::gauss::stages::{Form, Part, Rows, Slopes, Values, Weights, assemble};
 use crate::method::gauss::{Gauss, GaussTableau};
 use crate::method::implicit::{Departure, Equation, ImplicitStep, Increment, Policy, Stage, Units, Watch};
 use crate::method::{Probe, Refusal};
@@ -18,6 +19,13 @@ use crate::system::ContactStages;
 /// The step that is solved for the increments of its stages.
 #[derive(Clone, Copy, Debug)]
 pub struct ContactFieldStages<const S: usize>;
+
+/// What the equation has.
+const FORM: Form = Form {
+    value: Slopes { by_unknown: Part::One, by_shift: Part::Zero },
+    rate: Slopes { by_unknown: Part::Given, by_shift: Part::Zero },
+    rows: Rows::Plain,
+};
 
 /// Coefficients of a step.
 #[derive(Clone, Copy, Debug)]
@@ -37,15 +45,6 @@ pub struct Start<A: Array, const S: usize> {
     known: Option<Factors<A::Real, S>>,
 }
 
-/// f = (∂H/∂p, −∂H/∂q, s') and ∂H/∂s at a stage, and the derivatives of both.
-#[derive(Clone, Copy)]
-struct At<A: Array> {
-    f: A,
-    decay: A::Real,
-    f_by: Square<A>,
-    decay_by: A,
-}
-
 /// Whether the factors depend on what is solved for: those of H = g(t)·s + H₀ do not.
 const fn varying<Y: ContactStages<R>, R: Real>() -> bool {
     Y::Moved::LEN > <Y::Phase as Array>::LEN
@@ -63,13 +62,12 @@ where
         (z, x.as_slice().get(phase).copied().unwrap_or_else(zero))
     }
 
+    /// The rates and σ at a point, with their derivatives.
     #[inline(always)]
-    fn evaluated(&self, t: R, x: &Y::Moved) -> At<Y::Moved> {
-        let none = Y::Moved::zero();
-        let mut at = At { f: none, decay: zero(), f_by: Y::Moved::fill(none), decay_by: none };
-        let values = (&mut at.f, &mut at.decay);
-        self.from.system.stage(&self.constants.kernel, t, x, values, (&mut at.f_by, &mut at.decay_by));
-        at
+    fn evaluate(&self, t: R, x: &Y::Moved, values: &mut Values<Y::Moved>) {
+        let Values { rate, rate_slopes, decay, decay_slopes, .. } = values;
+        let slopes = (&mut rate_slopes.by_unknown, &mut decay_slopes.by_unknown);
+        self.from.system.stage(&self.constants.kernel, t, x, (rate, decay), slopes);
     }
 
     /// What the step adds; `None` where the form would not be multiplied by a positive number.
@@ -167,9 +165,11 @@ where
 
     /// As if the rates were constant.
     fn guess(equation: &Equation<'_, Self, Y, R>) -> [Y::Moved; S] {
-        let At { mut f, decay, .. } = equation.evaluated(equation.from.t, &equation.start.x);
+        let (mut values, x) = (Values::none(), &equation.start.x);
+        equation.evaluate(equation.from.t, x, &mut values);
+        let Values { rate: mut f, decay, .. } = values;
         let n = Y::Array::LEN;
-        for (f, p) in f.as_mut_slice()[n..2 * n].iter_mut().zip(&equation.start.x.as_slice()[n..2 * n]) {
+        for (f, p) in f.as_mut_slice()[n..2 * n].iter_mut().zip(&x.as_slice()[n..2 * n]) {
             *f = (-decay).multiply_add(*p, *f);
         }
         equation.constants.scaled.nodes.map(|node| scaled(node, &f))
@@ -183,54 +183,23 @@ where
         matrix: &mut Square<[Y::Moved; S]>,
     ) -> [Y::Moved; S] {
         let (Scaled { coupling, nodes, .. }, origin) = (&equation.constants.scaled, &equation.start.x);
-        let (n, length) = (Y::Array::LEN, Y::Moved::LEN);
-        let stages: [At<Y::Moved>; S] = core::array::from_fn(|i| {
+        let (n, mut stages) = (Y::Array::LEN, [Values::none(); S]);
+        for i in 0..S {
             let (x, t) = (sum(origin, &d[i]), equation.from.t + nodes[i]);
             let (z, s) = equation.state(&x);
             watch.visit(t, &z, &s);
-            equation.evaluated(t, &x)
-        });
-        let Factors { r, by_decay, .. } = match equation.start.known {
+            equation.evaluate(t, &x, &mut stages[i]);
+            (stages[i].value, stages[i].whole) = (d[i], x);
+        }
+        let factors = match equation.start.known {
             Some(known) => known,
             None => Factors::new::<true>(coupling, &stages.map(|stage| stage.decay)).unwrap_or_else(Factors::unknown),
         };
-        let one = R::from_f64(1.0);
-        let rows = <[Y::Moved; S]>::entries::<[Y::Moved; S]>(matrix);
-        let varying = varying::<Y, R>();
-        core::array::from_fn(|i| {
-            let mut residual = d[i];
-            for row in 0..length {
-                let momentum = (n..2 * n).contains(&row);
-                let weight = |j: usize| if momentum { r[j] } else { one };
-                let value = &mut residual.as_mut_slice()[row];
-                if momentum {
-                    // rᵢ pᵢ − p₀.
-                    let p = origin.as_slice()[row];
-                    *value = (r[i] - one).multiply_add(p + *value, *value);
-                }
-                for j in 0..S {
-                    *value = (-(coupling[i][j] * weight(j))).multiply_add(stages[j].f.as_slice()[row], *value);
-                }
-                for k in 0..S {
-                    let target = &mut rows[i * length + row][k];
-                    let by = &Y::Moved::entries_of::<Y::Moved>(&stages[k].f_by)[row];
-                    *target = scaled(-(coupling[i][k] * weight(k)), by);
-                    if i == k {
-                        target.as_mut_slice()[row] += if momentum { r[i] } else { one };
-                    }
-                    if momentum && varying {
-                        let mut by_factor = (origin.as_slice()[row] + d[i].as_slice()[row]) * by_decay[i][k];
-                        for j in 0..S {
-                            by_factor = (-(coupling[i][j] * by_decay[j][k]))
-                                .multiply_add(stages[j].f.as_slice()[row], by_factor);
-                        }
-                        target.add_scaled(by_factor, &stages[k].decay_by);
-                    }
-                }
-            }
-            residual
-        })
+        let by_unknown = if varying::<Y, R>() { Part::Given } else { Part::Zero };
+        let decay = Slopes { by_unknown, by_shift: Part::Zero };
+        assemble(FORM, coupling, &stages, Some(Weights { factors: &factors, rows: n..2 * n, decay }), matrix)
     }
+
     #[inline(always)]
     fn stage(equation: &Equation<'_, Self, Y, R>, i: usize, d: &[Y::Moved; S]) -> Stage<Y, R> {
         let (z, s) = equation.state(&sum(&equation.start.x, &d[i]));

@@ -2,8 +2,9 @@
 //!
 //! rᵢ ∂L/∂v(qᵢ, vᵢ, sᵢ) = p₀ + h Σ aᵢⱼ rⱼ fⱼ, sᵢ = s₀ + h Σ aᵢⱼ Lⱼ, rᵢ = 1 + h Σ aᵢⱼ rⱼ σⱼ with f = ∂L/∂q and σ = −∂L/∂s.
 
-use super::factors::Factors;
+use crate::method::gauss::factors::Factors;
 use crate::method::gauss::prepared::Scaled;
+use crate::method::gauss::stages::{Form, Part, Rows, Slopes, Values, Weights, assemble};
 use crate::method::gauss::velocities::Constants;
 use crate::method::gauss::{Gauss, GaussTableau};
 use crate::method::implicit::{Arrival, Departure, Equation, ImplicitStep, Increment, Policy, Stage, Units, Watch};
@@ -11,9 +12,9 @@ use crate::method::{Probe, Refusal};
 use crate::scalar::{Real, zero};
 use crate::solving::equation::Solution;
 use crate::solving::newton::Newton;
-use crate::space::vector::{difference, dot, moved, scaled, sum, sum_of_products};
+use crate::space::vector::{difference, dot, moved, opposite, scaled, sum, sum_of_products};
 use crate::space::{Array, Square};
-use crate::system::{ContactStage, ContactVelocities, Regular, row_scale, velocity_near};
+use crate::system::{ContactStage, ContactVelocities, Regular, row_units, velocity_near};
 
 /// The step that is solved for velocities of its stages, and for the increments of s if they read it.
 #[derive(Clone, Copy, Debug)]
@@ -40,6 +41,24 @@ impl<D: Array<Real = A::Real>, A: Array, const S: usize> Last<D, A, S> {
     fn none() -> Self {
         Last { d: [D::zero(); S], stages: [ContactStage::none(); S], factors: Factors::unknown() }
     }
+}
+
+/// Returns what the equation has. Second derivatives that L does not have are not multiplied.
+const fn form<Y: ContactVelocities<R>, R: Real>() -> Form {
+    let [by_q_and_v, _, by_q_and_s] = Y::MIXED;
+    let is_given = by_q_and_v || by_q_and_s || varying::<Y, R>();
+    Form {
+        value: Slopes { by_unknown: Part::Given, by_shift: Part::given_if(by_q_and_v) },
+        rate: Slopes { by_unknown: Part::given_if(is_given), by_shift: Part::Given },
+        rows: Rows::Scaled,
+    }
+}
+
+/// Returns which derivatives σ has.
+const fn decay_slopes<Y: ContactVelocities<R>, R: Real>() -> Slopes<Part> {
+    let [_, _, by_q_and_s] = Y::MIXED;
+    let varying = varying::<Y, R>();
+    Slopes { by_unknown: Part::given_if(varying), by_shift: Part::given_if(varying && by_q_and_s) }
 }
 
 /// Whether the factors, and s, depend on what is solved for: where L = L₀(q, v, t) − g(t)·s they do not.
@@ -88,6 +107,41 @@ where
     #[inline(always)]
     fn place(&self, i: usize, d: &[Y::Moved; S]) -> (Y::Phase, R) {
         ([sum(&self.from.z[0], &self.shift(i, d)), self.from.z[1]], self.from.s + self.apart(&d[i]).1)
+    }
+
+    /// Writes the values of a stage in rows for v, and for s if that is solved for.
+    #[inline(always)]
+    fn fill(&self, values: &mut Values<Y::Moved>, stage: &ContactStage<Y::Array>, d: &Y::Moved) {
+        let (n, one) = (Y::Array::LEN, R::from_f64(1.0));
+        let [momentum_by_q, mass, force_by_q, force_by_v] = &stage.derivatives;
+        let [momentum_by_s, force_by_s] = &stage.by_action;
+        values.value = self.together(&difference(&stage.momentum, &self.from.z[1]), self.apart(d).1);
+        values.whole = self.together(&stage.momentum, zero());
+        values.rate = self.together(&stage.force, stage.lagrangian);
+        values.scales = self.together(&row_units(mass), one);
+        values.decay = stage.decay;
+        values.decay_slopes.by_unknown = self.together(&opposite(momentum_by_s), stage.decay_by_action);
+        values.decay_slopes.by_shift = self.together(&opposite(force_by_s), zero());
+        let rows = |slopes: &mut Square<Y::Moved>, by: &Square<Y::Array>, by_s: &Y::Array| {
+            let rows = Y::Moved::entries::<Y::Moved>(slopes).iter_mut().zip(Y::Array::entries_of::<Y::Array>(by));
+            for ((row, by), by_s) in rows.zip(by_s.as_slice()) {
+                *row = self.together(by, *by_s);
+            }
+        };
+        let none = Y::Array::zero();
+        rows(&mut values.value_slopes.by_unknown, mass, momentum_by_s);
+        rows(&mut values.value_slopes.by_shift, momentum_by_q, &none);
+        rows(&mut values.rate_slopes.by_unknown, force_by_v, force_by_s);
+        rows(&mut values.rate_slopes.by_shift, force_by_q, &none);
+        // The row of the action: its increment, and L.
+        if varying::<Y, R>() {
+            let last = |slopes: &mut Square<Y::Moved>, v: &Y::Array, s: R| {
+                Y::Moved::entries::<Y::Moved>(slopes)[n] = self.together(v, s);
+            };
+            last(&mut values.value_slopes.by_unknown, &none, one);
+            last(&mut values.rate_slopes.by_unknown, &stage.momentum, -stage.decay);
+            last(&mut values.rate_slopes.by_shift, &stage.force, zero());
+        }
     }
 
     /// What the step adds, from stages at `last` and what the last correction changes them by: its square is rounding. `None` where the form
@@ -194,110 +248,28 @@ where
     ) -> [Y::Moved; S] {
         let Equation { from, constants: Constants { kernel, scaled: Scaled { coupling, nodes, .. }, .. }, start } =
             equation;
-        let (n, length, one) = (Y::Array::LEN, Y::Moved::LEN, R::from_f64(1.0));
         watch.seen.d = *d;
-        for i in 0..S {
+        let mut stages = [Values::none(); S];
+        for (i, values) in stages.iter_mut().enumerate() {
             let (t, (z, s)) = (from.t + nodes[i], equation.place(i, d));
             watch.visit(t, &z, &s);
-            from.system.stage(kernel, t, &z[0], &equation.apart(&d[i]).0, &s, &mut watch.seen.stages[i]);
+            let stage = &mut watch.seen.stages[i];
+            from.system.stage(kernel, t, &z[0], &equation.apart(&d[i]).0, &s, stage);
+            equation.fill(values, stage, &d[i]);
         }
-        let last = &mut watch.seen;
-        last.factors = match start.known {
+        // As many mass matrices as stages: with an even number of them the determinant is positive.
+        if S % 2 == 1 {
+            stages[0].scales.as_mut_slice()[0] *= start.sign;
+        }
+        let factors = &mut watch.seen.factors;
+        *factors = match start.known {
             Some(known) => known,
-            None => {
-                let decay = core::array::from_fn(|i| last.stages[i].decay);
-                Factors::new::<true>(coupling, &decay).unwrap_or_else(Factors::unknown)
-            }
+            None => Factors::new::<true>(coupling, &stages.map(|stage| stage.decay)).unwrap_or_else(Factors::unknown),
         };
-        let (stages, Factors { r, by_decay, .. }) = (&last.stages, &last.factors);
-        // What L has no second derivatives by is not multiplied.
-        let [by_q_and_v, by_v_and_s, by_q_and_s] = Y::MIXED;
-        // −∂σ/∂v: how the velocities of stages move the decay at each.
-        let moves_decay = varying::<Y, R>() && (by_v_and_s || by_q_and_s);
-        let mut decays = [[Y::Array::zero(); S]; S];
-        for m in 0..if moves_decay { S } else { 0 } {
-            for k in 0..S {
-                if by_q_and_s {
-                    decays[m][k] = scaled(coupling[m][k], &stages[m].by_action[1]);
-                }
-                if m == k && by_v_and_s {
-                    decays[m][k].add_scaled(one, &stages[m].by_action[0]);
-                }
-            }
-        }
-        let rows = <[Y::Moved; S]>::entries::<[Y::Moved; S]>(matrix);
-        let mut residuals = [Y::Moved::zero(); S];
-        for (i, residual) in residuals.iter_mut().enumerate() {
-            for row in 0..n {
-                let entry = |stage: &ContactStage<Y::Array>, of: usize| {
-                    Y::Array::entries_of::<Y::Array>(&stage.derivatives[of])[row]
-                };
-                let mass = entry(&stages[i], MASS);
-                let mut scale = one / row_scale(&mass, row);
-                // As many mass matrices as stages: with an even number of them the determinant is positive.
-                if S % 2 == 1 && i == 0 && row == 0 {
-                    scale *= start.sign;
-                }
-                let p = stages[i].momentum.as_slice()[row];
-                let mut value = (r[i] - one).multiply_add(p, p - from.z[1].as_slice()[row]);
-                for j in 0..S {
-                    value = (-(coupling[i][j] * r[j])).multiply_add(stages[j].force.as_slice()[row], value);
-                }
-                residual.as_mut_slice()[row] = scale * value;
-                let by_decay_of: [R; S] = core::array::from_fn(|m| {
-                    let mut by = p * by_decay[i][m];
-                    for j in 0..S {
-                        let f = stages[j].force.as_slice()[row];
-                        by = (-(coupling[i][j] * by_decay[j][m])).multiply_add(f, by);
-                    }
-                    by
-                });
-                for k in 0..S {
-                    let mut by_v = if i == k { scaled(r[i], &mass) } else { Y::Array::zero() };
-                    if by_q_and_v {
-                        by_v.add_scaled(coupling[i][k] * r[i], &entry(&stages[i], MOMENTUM_BY_Q));
-                        by_v.add_scaled(-(coupling[i][k] * r[k]), &entry(&stages[k], FORCE_BY_V));
-                    }
-                    for j in 0..S {
-                        by_v.add_scaled(-(coupling[i][j] * r[j] * coupling[j][k]), &entry(&stages[j], FORCE_BY_Q));
-                    }
-                    let mut by_s = zero();
-                    if varying::<Y, R>() {
-                        if by_q_and_s {
-                            by_s = -(coupling[i][k] * r[k] * stages[k].by_action[1].as_slice()[row]);
-                        }
-                        if i == k && by_v_and_s {
-                            by_s = r[i].multiply_add(stages[i].by_action[0].as_slice()[row], by_s);
-                        }
-                        // What σ of all stages does by all factors.
-                        for m in 0..if moves_decay { S } else { 0 } {
-                            by_v.add_scaled(-by_decay_of[m], &decays[m][k]);
-                        }
-                        by_s = by_decay_of[k].multiply_add(stages[k].decay_by_action, by_s);
-                    }
-                    rows[i * length + row][k] = equation.together(&scaled(scale, &by_v), scale * by_s);
-                }
-            }
-            // s₀ + h Σ aᵢⱼ Lⱼ, if it is solved for.
-            for row in n..length {
-                let mut value = d[i].as_slice()[row];
-                for j in 0..S {
-                    value = (-coupling[i][j]).multiply_add(stages[j].lagrangian, value);
-                }
-                residual.as_mut_slice()[row] = value;
-                for k in 0..S {
-                    let mut by_v = scaled(-coupling[i][k], &stages[k].momentum);
-                    for j in 0..S {
-                        by_v.add_scaled(-(coupling[i][j] * coupling[j][k]), &stages[j].force);
-                    }
-                    let own = if i == k { one } else { zero() };
-                    let by_s = coupling[i][k].multiply_add(stages[k].decay, own);
-                    rows[i * length + row][k] = equation.together(&by_v, by_s);
-                }
-            }
-        }
-        residuals
+        let weights = Weights { factors, rows: 0..Y::Array::LEN, decay: decay_slopes::<Y, R>() };
+        assemble(form::<Y, R>(), coupling, &stages, Some(weights), matrix)
     }
+
     #[inline(always)]
     fn stage(equation: &Equation<'_, Self, Y, R>, i: usize, d: &[Y::Moved; S]) -> Stage<Y, R> {
         let (z, s) = equation.place(i, d);
@@ -354,9 +326,3 @@ fn after<Y: ContactVelocities<R>, R: Real>(
     let lagrangian = stage.lagrangian + dot(&stage.momentum, &dv) + dot(&stage.force, dq) - stage.decay * ds;
     (force, decay, lagrangian)
 }
-
-/// The places of derivatives.
-const MOMENTUM_BY_Q: usize = 0;
-const MASS: usize = 1;
-const FORCE_BY_Q: usize = 2;
-const FORCE_BY_V: usize = 3;

@@ -7,17 +7,17 @@ use crate::space::vector::sum_of_products;
 
 /// rᵢ = 1 + h Σ aᵢⱼ rⱼ σⱼ, and ∂rᵢ/∂σⱼ.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Factors<R, const S: usize> {
+pub(in crate::method) struct Factors<R, const S: usize> {
     /// σᵢ = ∂H/∂s at the stages.
-    pub(super) decay: [R; S],
-    pub(super) r: [R; S],
-    pub(super) by_decay: [[R; S]; S],
+    pub(in crate::method) decay: [R; S],
+    pub(in crate::method) r: [R; S],
+    pub(in crate::method) by_decay: [[R; S]; S],
 }
 
 impl<R: Real, const S: usize> Factors<R, S> {
     /// Derivatives are wanted where they are not known beforehand. `None` where there are no factors.
     #[inline(always)]
-    pub(super) fn new<const DERIVED: bool>(coupling: &[[R; S]; S], decay: &[R; S]) -> Option<Self> {
+    pub(in crate::method) fn new<const DERIVED: bool>(coupling: &[[R; S]; S], decay: &[R; S]) -> Option<Self> {
         let one = R::from_f64(1.0);
         let matrix: [[R; S]; S] = core::array::from_fn(|i| {
             core::array::from_fn(|j| (if i == j { one } else { zero() }) - coupling[i][j] * decay[j])
@@ -39,7 +39,7 @@ impl<R: Real, const S: usize> Factors<R, S> {
 
     /// After small changes of σ: their squares are rounding.
     #[inline(always)]
-    pub(super) fn after(&self, decay: &[R; S]) -> Self {
+    pub(in crate::method) fn after(&self, decay: &[R; S]) -> Self {
         let mut factors = Factors { decay: *decay, ..*self };
         for i in 0..S {
             for j in 0..S {
@@ -50,14 +50,14 @@ impl<R: Real, const S: usize> Factors<R, S> {
     }
 
     /// Where there are none no solution is found.
-    pub(super) fn unknown() -> Self {
+    pub(in crate::method) fn unknown() -> Self {
         let unknown = R::from_f64(f64::NAN);
         Factors { decay: [unknown; S], r: [unknown; S], by_decay: [[unknown; S]; S] }
     }
 
     /// r₁ − 1 = h Σ bᵢ rᵢ σᵢ; `None` where the form would not be multiplied by a positive number.
     #[inline(always)]
-    pub(super) fn growth(&self, weights: &[R; S]) -> Option<R> {
+    pub(in crate::method) fn growth(&self, weights: &[R; S]) -> Option<R> {
         let grown = sum_of_products(weights, &core::array::from_fn::<_, S, _>(|i| self.r[i] * self.decay[i]));
         let factor = R::from_f64(1.0) + grown;
         let positive = factor.magnitude() > 0.0 && !factor.any_below(0.0);
@@ -66,7 +66,7 @@ impl<R: Real, const S: usize> Factors<R, S> {
 
     /// s' at the stages from its values at s₀: aᵢ = kᵢ + σᵢ h Σ aᵢⱼ kⱼ.
     #[inline(always)]
-    pub(super) fn rates_of_action(&self, coupling: &[[R; S]; S], mut at_start: [R; S]) -> Option<[R; S]> {
+    pub(in crate::method) fn rates_of_action(&self, coupling: &[[R; S]; S], mut at_start: [R; S]) -> Option<[R; S]> {
         let one = R::from_f64(1.0);
         let mut matrix: [[R; S]; S] = core::array::from_fn(|i| {
             core::array::from_fn(|j| (if i == j { one } else { zero() }) + self.decay[i] * coupling[i][j])
