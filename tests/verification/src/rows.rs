@@ -30,7 +30,9 @@ pub(crate) fn complete(page: &mut Page) {
     let folder = "geoint-runtime/src/method";
     for path in sources::below(folder) {
         let text = sources::read(&path);
+        // Methods in comments are examples.
         let code = text.split("#[cfg(test)]").next().unwrap_or_default();
+        let code: String = code.lines().filter(|line| !line.starts_with("//")).flat_map(|line| [line, "\n"]).collect();
         let after = |start: &str, end: char| -> Vec<String> {
             code.split(start).skip(1).filter_map(|rest| Some(rest.split_once(end)?.0.to_owned())).collect()
         };
