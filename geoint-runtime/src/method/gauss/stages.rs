@@ -1,4 +1,4 @@
-//! The equations of all stages of a Gauss step, assembled once for every form of a system.
+//! The equations of all stages of a Gauss step, assembled once for every form that is not solved for values of a field.
 //!
 //! A stage has the unknown xᵢ and the shift Qᵢ = h Σ aᵢⱼ xⱼ. A form gives a value P and a rate F there, with their derivatives, and the equation of stage i is
 //!
@@ -6,7 +6,6 @@
 //!
 //! | form | xᵢ | Pᵢ − P₀ | Fᵢ |
 //! |---|---|---|---|
-//! | y' = f(y), or q'' = M⁻¹f(q) | kᵢ | kᵢ − f(y₀ + Qᵢ) | none |
 //! | Lagrangian | vᵢ | ∂L/∂v − p₀ | ∂L/∂q |
 //! | canonical coordinates y(x) | xᵢ − x₀ | y(xᵢ) − y₀ | y'(xᵢ) |
 //! | contact Hamiltonian | increments of q, p, s | the same | ∂H/∂p, −∂H/∂q, s' |
@@ -115,7 +114,6 @@ pub(in crate::method) fn assemble<A: Array, const S: usize>(
 ) -> [A; S] {
     let (one, rows) = (A::Real::from_f64(1.0), <[A; S]>::entries::<[A; S]>(matrix));
     let entry = |slope: &Square<A>, row: usize| A::entries_of::<A>(slope)[row];
-    let has_rates = form.rate.by_unknown != Part::Zero || form.rate.by_shift != Part::Zero;
     let mut residuals = [A::zero(); S];
     for (i, residual) in residuals.iter_mut().enumerate() {
         *residual = stages[i].value;
@@ -126,7 +124,7 @@ pub(in crate::method) fn assemble<A: Array, const S: usize>(
             if weighted.is_some() {
                 *value = (weight(i) - one).multiply_add(stages[i].whole.as_slice()[row], *value);
             }
-            for j in 0..if has_rates { S } else { 0 } {
+            for j in 0..S {
                 *value = (-(coupling[i][j] * weight(j))).multiply_add(stages[j].rate.as_slice()[row], *value);
             }
             let by_decay = weighted.map(|weights| slopes_by_decay(weights, coupling, stages, (i, row)));
