@@ -1,7 +1,7 @@
 //! Is a solution the one that is continuous in the step size?
 //!
-//! The equation x = g(x) of a step far too large has several solutions. Methods that keep the energy reject the wrong ones by their energy. For other
-//! methods this file follows the solution of x = λ g(x) from λ = 1 to λ = 0, where x = 0: λ stands for the size of the step. For Gauss methods of
+//! The equation x = g(x) of a step far too large has several solutions. If a method keeps an energy balance, all of them satisfy it, and none is examined. For
+//! other methods this file follows the solution of x = λ g(x) from λ = 1 to λ = 0, where x = 0: λ stands for the size of the step. For Gauss methods of
 //! autonomous systems of first order, λh is the size of the step.
 
 use super::distant::{Distant, Residual};
@@ -18,7 +18,8 @@ const FIRST: f64 = 1.0 / 8.0;
 const MOST: f64 = 1.0 / 2.0;
 const LEAST: f64 = 1.0 / 4096.0;
 
-/// A solution that is connected to x = 0 is near it for small λ, and is found from there. A solution that is not found down to this λ is another one.
+/// A solution that is connected to x = 0 is near it for small λ, and is found from there. If Newton's iteration from x = 0 has not found it at this λ, it belongs to another
+/// branch.
 const END: f64 = 1e-12;
 
 /// The most corrections of one guess.
@@ -27,7 +28,7 @@ const MOST_CORRECTIONS: u32 = 5;
 /// The largest first correction, as a part of the solution, where the guess is the scaled solution at the λ before.
 const NEIGHBOURING: f64 = 1.0 / 4.0;
 
-/// Each correction is at most this part of the one before: A heuristic after L. V. Kantorovich (1948): with such corrections, there is one solution near the guess.
+/// Each correction is at most this part of the one before. This is a heuristic after L. V. Kantorovich (1948): such corrections indicate one solution near the guess.
 const SHRINKING: f64 = 1.0 / 4.0;
 
 /// A correction by this part of the solution is the last one.
@@ -36,8 +37,8 @@ const NEAR: f64 = 1e-6;
 /// Two solutions are the same if they differ by at most this part.
 const SAME: f64 = 1e-4;
 
-/// If the equation is rounded by more than this part of the solution, corrections may never reach `NEAR`, and a failure to follow the solution
-/// proves nothing.
+/// If the rounding error of g exceeds this part of the solution, corrections may never reach `NEAR`, and a failure to follow the solution proves
+/// nothing.
 const HIDDEN: f64 = 1.0 / 131_072.0;
 
 /// The equation x = λ g(x) of a step, for all λ.
@@ -52,8 +53,8 @@ pub(super) struct Continuation<'a, A> {
 impl<A: Array> Continuation<'_, A> {
     /// Returns whether the solution of x = g(x) is connected to x = 0 by solutions of x = λ g(x), where λ falls from 1 to 0.
     ///
-    /// The answer is no if the way ends, as where two solutions meet, or if the solution stays away from zero down to [`END`]. The answer is also yes if
-    /// nothing is known: the equation is not defined on the way, or rounding hides the way.
+    /// The answer is no if the way ends, as where two solutions meet, or if the solution stays away from zero down to [`END`]. The answer is yes if the way leads
+    /// to zero, and also if nothing is known: the equation is not defined on the way, or rounding hides the way.
     ///
     /// Newton's iteration follows the solution. E. L. Allgower & K. Georg, *Numerical Continuation Methods* (1990), section 2.
     pub(super) fn is_continuous(&mut self, solution: &A) -> bool {

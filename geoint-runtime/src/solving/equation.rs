@@ -6,10 +6,10 @@ use crate::ablation;
 use crate::space::vector::difference;
 use crate::space::{Array, Record, Square};
 
-/// Sees the points at which an equation is evaluated.
+/// Sees the points at which an equation is evaluated. Equations show points to the concrete type. A solver only pauses it.
 pub trait Observer {
-    /// Starts or ends a pause. Points of a pause are no points of the step: they are evaluated to measure rounding, or to follow a solution. An observer that explains
-    /// refusals ignores them. After a pause, the solution is evaluated again.
+    /// Starts or ends a pause. Points of a pause do not belong to the step: they are evaluated to measure rounding, or to follow a solution. An observer that
+    /// explains refusals ignores them. After a pause, the solution is evaluated again.
     fn pause(&mut self, paused: bool);
 }
 
@@ -37,9 +37,9 @@ impl Effort {
 /// The magnitudes of coordinates with which corrections are compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Magnitudes {
-    /// The largest of the last steps. If forces cancel, a momentum is rounded as much as it was large.
+    /// The largest of the last steps. If large forces cancel, the rounding error of a momentum is that of its largest recent value.
     Recent,
-    /// Those at the start of the step. Integrals of a field may be steep where coordinates become small, as a logarithm is.
+    /// Those at the start of the step. First integrals, such as a logarithm, may have large derivatives where coordinates are small.
     Present,
 }
 
@@ -50,13 +50,13 @@ pub trait StepEquation<A: Array, W: Observer + ?Sized>: Copy {
     const EFFORT: Effort;
     const MAGNITUDES: Magnitudes = Magnitudes::Recent;
 
-    /// Returns whether all solutions have the energy of the start. Solutions are then not followed to h = 0.
+    /// Returns whether all solutions satisfy the energy balance of the step. Solutions are then not followed to h = 0.
     fn is_bound_by_energy(&self) -> bool {
         false
     }
 
-    /// Returns the factor f for which x = f·origin moves nothing: 0 for an increment, −2 for an impulse that reverses a momentum. The energy is defined there if it is
-    /// defined at the start of the step.
+    /// Returns the factor f for which x = f·origin leaves the positions unchanged: 0 for an increment. It is −2 for an impulse: the momentum is reversed, and its
+    /// mean is 0. The energy is defined there if it is defined at the start of the step.
     fn standstill(&self) -> f64 {
         0.0
     }
@@ -77,14 +77,14 @@ pub trait StepEquation<A: Array, W: Observer + ?Sized>: Copy {
     }
 }
 
-/// A solution x + `rounding_error`: the second part of the last correction does not fit into the digits of x. Without it, the errors of many steps would have a bias.
+/// A solution x + `rounding_error`. Without the second part, the errors of many steps would have a bias.
 #[derive(Clone, Copy, Debug)]
 pub struct Solution<A> {
     /// The solution.
     pub x: A,
-    /// The digits of the last correction that do not fit into `x`.
+    /// The part of the last correction that was lost when `x` was rounded.
     pub rounding_error: A,
-    /// Whether the residual that is left was measured to be rounding.
+    /// True if a quasi-Newton iteration has measured that the residual is rounding. Newton's iteration leaves it false.
     pub leaves_noise: bool,
 }
 
@@ -111,7 +111,7 @@ pub trait Solver<A: Array>: Clone + Record<A::Real> {
     /// Solves r(x) = 0 to rounding. After an error, the run begins with a new solver, because the sequence of unknowns has a gap.
     ///
     /// # Errors
-    /// Where no solution is found, or not that of short steps.
+    /// If no solution is found, or if the solution is not connected to h = 0.
     fn solve<W: Observer, E: StepEquation<A, W>>(
         &mut self,
         equation: &E,

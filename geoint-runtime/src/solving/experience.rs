@@ -2,20 +2,20 @@
 
 use super::equation::Units;
 use super::predictor::Predictor;
-use super::rounding::REMAINDER;
+use super::rounding::{REMAINDER, is_rounding};
 use super::size::Sizes;
 use crate::ablation;
 use crate::scalar::Real;
 use crate::space::{Array, Record, Tape};
 
-/// The number of steps of which one takes a second evaluation, to measure sizes and the constant of convergence.
-const SECOND_LOOK: u32 = 64;
+/// Each step of this number takes a second evaluation at least, which measures sizes and the constant of convergence.
+const MEASURED_STEP: u32 = 64;
 
-/// The largest number of evaluations. A solution that takes more may belong to another branch, so [`rescue`] examines it.
+/// The largest number of evaluations. A solution that takes more may belong to another branch, so `rescue` examines it.
 pub(super) const MOST_EVALUATIONS: u32 = 5;
 
-/// A guess is good if its equation takes fewer evaluations than this. An extrapolated guess may take one more, because an explicit guess costs evaluations itself. After
-/// a guess that is not good, the next one is explicit.
+/// A guess is good if its equation takes fewer evaluations than this. An extrapolated guess may take one more, because an explicit guess costs evaluations itself.
+/// After a guess that is not good, the next one is explicit. The step that completes the terms of the predictor is an exception: extrapolation is then tried once.
 const ROUGH: u32 = 3;
 
 /// Lower bound of the measured constant of convergence.
@@ -52,14 +52,15 @@ impl<A: Array> Record<A::Real> for Experience<A> {
 impl<A: Array> Experience<A> {
     /// Creates the experience of no step, for unknowns with these units.
     pub(super) fn new(units: Units) -> Self {
+        // For C = 1.
         let reach = Real::sqrt(A::Real::epsilon() * REMAINDER);
         Experience { sizes: Sizes::new(), units, reach, steps: 0, terms: 0, extrapolates: false }
     }
 
-    /// Returns whether this step measures what other steps take as known.
+    /// Returns whether this step measures sizes and convergence, which other steps take as known.
     #[inline(always)]
-    pub(super) fn looks(&self) -> bool {
-        ablation::MEASURED_CURVATURE && self.steps.is_multiple_of(SECOND_LOOK)
+    pub(super) fn measures(&self) -> bool {
+        ablation::MEASURED_CURVATURE && self.steps.is_multiple_of(MEASURED_STEP)
     }
 
     /// Counts a solution, and chooses the next guess.
@@ -71,18 +72,17 @@ impl<A: Array> Experience<A> {
         self.extrapolates = ablation::EXTRAPOLATION && good && self.terms == Predictor::<A>::TERMS;
     }
 
-    /// Determines the constant C of quadratic convergence from two corrections, and the correction c with C c² below rounding. The second correction may be
-    /// rounding; then C is at most what it says.
+    /// Determines the constant C of quadratic convergence from two corrections, and the correction c with C c² below rounding. If the second correction is
+    /// rounding itself, it is an upper bound of C only: the reach then may grow, but not shrink.
     #[inline(always)]
     pub(super) fn measure_curvature(&mut self, correction: f64, before: f64) {
-        if const { !ablation::MEASURED_CURVATURE } {
+        if const { !ablation::MEASURED_CURVATURE } || !correction.is_finite() || !before.is_finite() {
             return;
         }
         // C is not the same all along an orbit, so it gets a margin of 16.
-        let before = before.min(1.0);
         let curvature = 16.0 * correction / (before * before);
         let reach = Real::sqrt(A::Real::epsilon() * REMAINDER / curvature.max(LEAST_CURVATURE));
-        if correction > 64.0 * A::Real::epsilon() || reach > self.reach {
+        if !is_rounding::<A::Real>(correction) || reach > self.reach {
             self.reach = reach;
         }
     }

@@ -1,13 +1,14 @@
 //! Newton's iteration for the unknown of one step, from the unknowns of the steps before.
 //!
-//! A step predicts its unknown x, evaluates the residual and its derivative, and corrects x. It accepts x where the next correction is bound to be below the
-//! rounding of `origin + x`, entry by entry: convergence is quadratic, and its constant is measured in each 64th step at least. No tolerance ends the iteration,
-//! because a step is symmetric, and keeps the energy, only at the solution.
+//! A step predicts its unknown x, evaluates the residual and its derivative, and corrects x. It accepts x if the next correction is bound to be below 2⁻²⁰ ε
+//! (`REMAINDER`), relative to the size of each entry. Convergence is quadratic, and each 64th step measures its constant. No tolerance of the user ends the
+//! iteration, because a step is symmetric, and keeps the energy, only at the solution.
 //!
-//! Where h goes to 0, the derivative is 1. If its determinant is negative at a solution, the solution is not continuous in h, and the step is refused.
+//! As h goes to 0, the derivative of r tends to the identity, so its determinant is positive. A negative determinant means that solutions from h = 0 to here pass a
+//! singular point. The step is then refused.
 //!
-//! The loop owns its state in local variables, and cold functions take and return copies. A pointer to the state would keep it in memory, and the next
-//! step would wait for it: short steps would take up to 1.5 times as long.
+//! All functions of this loop are inlined, so the state of the solver stays in local variables of the run. Cold functions take and return copies. A pointer to the
+//! state would keep it in memory, and the next step would wait for it: short steps would take up to 1.5 times as long.
 
 use super::equation::{Magnitudes, Solution, Solver, StepEquation, Units, explicit_guess};
 use super::experience::{Experience, MOST_EVALUATIONS};
@@ -21,7 +22,7 @@ use crate::space::vector::difference;
 use crate::space::{Array, Record, Tape};
 
 /// With more unknowns than this, an elimination costs more than the evaluations that it saves. Up to it, the compiler emits a kernel for Newton's
-/// iteration. The compiler has the same constant, and a test of it compares both.
+/// iteration. The attribute macros have the same constant, and a test compares both.
 pub const MOST_UNKNOWNS: usize = 12;
 
 /// The largest first correction of an extrapolated guess, in units of the sizes. Beyond it there may be another solution.
@@ -85,7 +86,7 @@ impl<A: Array> Newton<A> {
             return None;
         }
         let (origin, experience) = (equation.origin(), &mut self.experience);
-        let (extrapolates, looks) = (experience.extrapolates, experience.looks());
+        let (extrapolates, measures) = (experience.extrapolates, experience.measures());
         let mut x = if extrapolates { self.predictor.predict() } else { explicit_guess(*equation) };
         if const { ablation::FIXED_POINT && A::LEN > MOST_UNKNOWNS }
             && let Some(x) = experience.fixed_point(x, equation, watch)
@@ -102,9 +103,9 @@ impl<A: Array> Newton<A> {
             let solution = Solution::corrected(&x, &delta);
             x = solution.x;
             let foreseen = extrapolates && experience.sizes.all_within(&delta, experience.reach);
-            // Steep integrals need a measured correction, unless one evaluation is enough.
+            // With present magnitudes, the bound counts after the first evaluation only. Later ones compare two corrections.
             let is_trusted = evaluation == 1 || matches!(E::MAGNITUDES, Magnitudes::Recent);
-            if foreseen && is_trusted && (evaluation > 2 || !looks) {
+            if foreseen && is_trusted && (evaluation > 2 || !measures) {
                 if evaluation > 1 {
                     experience.settle(evaluation, extrapolates);
                 }
@@ -118,7 +119,7 @@ impl<A: Array> Newton<A> {
                 experience.measure_curvature(correction, before);
             }
             let is_last = correction == 0.0 || evaluation > 1 && is_last::<A::Real>(correction, before);
-            // Far away, the derivative may be large beyond measure. Corrections are small there although x is no solution.
+            // Far from a solution the derivative may be huge. Corrections are then small although the residual is not.
             if is_last && (extrapolates || experience.sizes.resolve(&residual, &origin, &point)) {
                 experience.sizes.include(&origin, &x);
                 experience.settle(evaluation, extrapolates);
@@ -151,6 +152,7 @@ impl<A: Array> Experience<A> {
             let slow = correction.is_nan() || correction > SHRINKING * before;
             if converged || slow && is_rounding::<A::Real>(correction) {
                 self.sizes.include(&origin, &x);
+                // A fixed point takes no evaluation of a matrix, and its guess was good.
                 self.settle(0, true);
                 return Some(x);
             }

@@ -1,4 +1,4 @@
-//! Solves equations by Newton's iteration with an approximate derivative. Corrections shrink by a factor, not by squares.
+//! Solves equations by Newton's iteration with an approximate derivative. Convergence is linear, not quadratic.
 
 use super::equation::{Solution, Solver, StepEquation, Units, explicit_guess};
 use super::rounding::{Corrections, MAX_ITERATIONS, Verdict, is_of_last_digits};
@@ -28,8 +28,8 @@ impl<A: Array> Solver<A> for QuasiNewton<A> {
     /// Iterates from the guess. If the iteration fails, it is repeated with a matrix of difference quotients. If the repetition fails, it starts again from the end
     /// of damped corrections.
     ///
-    /// The error after a correction is about as large as the next correction. The iteration ends if the next correction is bound to be below rounding, or if rounding
-    /// keeps corrections from shrinking. The determinant has the same meaning as in Newton's iteration: a solution with a negative determinant is refused.
+    /// The iteration ends if the predicted next correction is below rounding. If corrections stop shrinking, it ends if the residual is rounding. As in Newton's
+    /// iteration, a solution with a negative determinant is refused. If all attempts fail, the first refusal is returned.
     #[inline(always)]
     fn solve<W: Observer, E: StepEquation<A, W>>(
         &mut self,
@@ -37,11 +37,11 @@ impl<A: Array> Solver<A> for QuasiNewton<A> {
         watch: &mut W,
     ) -> Result<Solution<A>, Refusal> {
         let (guess, mut noise) = (explicit_guess(*equation), A::zero());
-        // These sizes serve pivots and difference quotients. The guess may be wild, so no correction is compared with them.
+        // These sizes serve pivots and difference quotients. The guess may be far off, so corrections are not compared with them.
         let mut scale = self.sizes;
         scale.include(&equation.origin(), &guess);
         self.iterate(equation, Start { x: guess, scale: &scale }, None, &mut noise, watch).or_else(|refusal| {
-            self.otherwise(*equation, Start { x: guess, scale: &scale }, noise, watch).map_err(|_| refusal)
+            self.retry(*equation, Start { x: guess, scale: &scale }, noise, watch).map_err(|_| refusal)
         })
     }
 }
@@ -56,7 +56,7 @@ struct Start<'a, A> {
 impl<A: Array> QuasiNewton<A> {
     /// Repeats the iteration with difference quotients, then from the end of damped corrections.
     #[cold]
-    fn otherwise<W: Observer, E: StepEquation<A, W>>(
+    fn retry<W: Observer, E: StepEquation<A, W>>(
         &mut self,
         equation: E,
         start: Start<'_, A>,
@@ -100,18 +100,18 @@ impl<A: Array> QuasiNewton<A> {
             let relative = self.sizes.relative(&delta, origin, &x);
             let mut solved = None;
             match corrections.judge::<A::Real>(relative) {
-                // If the matrix is large beyond measure, corrections are small at any `x`. The residual must therefore be small, too.
+                // A huge matrix makes every correction small. The residual must be small as well.
                 Verdict::Solved if self.sizes.resolve(&left, origin, &before) => solved = Some(Solution::of(x)),
                 Verdict::Solved => break,
                 Verdict::Stuck => {
                     let (mut left, mut sizes) = (equation.residual(watch, &before, &mut matrix), self.sizes);
-                    // The unknowns are not included yet. Far from all earlier states, any residual could be rounding.
+                    // Without the size of x: far from all earlier states, any residual would pass as rounding.
                     sizes.include(origin, &A::zero());
                     let mut rounding = is_of_last_digits(&sizes, &left, &matrix);
                     if !rounding {
                         sizes.include(origin, &before);
                         watch.pause(true);
-                        *noise = noise::measure(&sizes, &before, (&delta, corrections.farther()), self.units, |x| {
+                        *noise = noise::measure(&sizes, &before, (&delta, corrections.distance()), self.units, |x| {
                             Some(equation.residual(watch, x, &mut matrix))
                         });
                         watch.pause(false);
@@ -125,6 +125,10 @@ impl<A: Array> QuasiNewton<A> {
                 Verdict::Continue => {}
             }
             if let Some(solution) = solved {
+                // The observer must see the solution last, not a point of a difference quotient.
+                if differences.is_some() {
+                    equation.residual(watch, &solution.x, &mut matrix);
+                }
                 self.sizes.include(origin, &solution.x);
                 return if positive { Ok(solution) } else { Err(Refusal::Singular) };
             }
@@ -153,6 +157,7 @@ fn differentiate<A: Array, W: Observer, E: StepEquation<A, W>>(
     let root = Real::sqrt(A::Real::epsilon());
     let part = (A::Real::epsilon().max(largest(parts)) / root).min(Real::sqrt(root));
     let mut unused = A::fill(A::zero());
+    watch.pause(true);
     for j in 0..A::LEN {
         let mut moved = *x;
         moved.as_mut_slice()[j] += A::Real::from_f64(part * size(j));
@@ -165,4 +170,5 @@ fn differentiate<A: Array, W: Observer, E: StepEquation<A, W>>(
             row.as_mut_slice()[j] = (there.as_slice()[i] - r.as_slice()[i]) / distance;
         }
     }
+    watch.pause(false);
 }

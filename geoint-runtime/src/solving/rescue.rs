@@ -1,11 +1,11 @@
 //! Equations that Newton's iteration does not solve in a few evaluations.
 //!
-//! 1. From the guess at the start of the step, with as many corrections as it takes. Corrections that stop to shrink are accepted if the residual is
-//!    rounding: of the last digits of coordinates, or measured ([`noise`]).
-//! 2. With [`Effort::Thorough`], from where [`damped`] corrections lead.
+//! 1. From the guess at the start of the step, with at most 100 evaluations. If corrections stop shrinking, the solution is accepted if the residual is rounding
+//!    of the last digits of coordinates, or, with [`Effort::Thorough`], if its rounding is measured to be as large ([`noise`]).
+//! 2. With [`Effort::Thorough`], from the end of [`damped`] corrections.
 //!
-//! A solution that took many corrections may not be continuous in h. With more effort, [`branch`] follows it to h = 0; with less, it is refused, and the step is
-//! repeated. All of this is compiled once for all equations with the same number of unknowns.
+//! A solution that took many corrections may not be continuous in h. With [`Effort::Thorough`], [`branch`] follows it to h = 0. With [`Effort::Fast`], the step
+//! is refused, and the caller repeats it. The searches are compiled once for all equations with the same number of unknowns.
 
 use super::branch::Continuation;
 use super::distant::{Distant, Residual, ResidualOf};
@@ -36,7 +36,7 @@ pub(super) fn from_start<A: Array, W: Observer + ?Sized, E: StepEquation<A, W>>(
 }
 
 impl<A: Array> Experience<A> {
-    /// Tries one way after the other. A way that fails leaves no trace.
+    /// Tries one way after the other. The second one starts from the experience before the first one.
     #[inline(never)]
     fn rescue(&mut self, equation: &Distant<A>, residual: &mut dyn Residual<A>) -> Result<Solution<A>, Refusal> {
         let start = *self;
@@ -52,7 +52,7 @@ impl<A: Array> Experience<A> {
         self.search(&guess, Distance::Far, equation, residual)
     }
 
-    /// Iterates from a guess, and examines a solution that may be another one than that of a short step.
+    /// Iterates from a guess, and checks that a solution after many corrections is connected to h = 0.
     fn search(
         &mut self,
         guess: &A,
@@ -60,6 +60,7 @@ impl<A: Array> Experience<A> {
         equation: &Distant<A>,
         residual: &mut dyn Residual<A>,
     ) -> Result<Solution<A>, Refusal> {
+        // Those before a solution that may be wrong is included.
         let sizes = self.sizes;
         let Converged { solution, evaluations } = self.converge(guess, equation, residual)?;
         if (distance == Distance::Far || evaluations > MOST_EVALUATIONS) && !equation.is_bound_by_energy {
@@ -89,15 +90,15 @@ impl<A: Array> Experience<A> {
         let mut pivots = self.sizes;
         pivots.include(&origin, guess);
         let mut matrix = A::fill(A::zero());
-        let (mut corrections, mut stuck) = (Corrections::of_order(2), None);
+        let (mut corrections, mut stalled) = (Corrections::of_order(2), None);
         for evaluations in 1..=MAX_ITERATIONS {
             let x = solution.x;
             let left = residual.at(&x, &mut matrix);
-            // Integrals of a field may be steep. There, only a step with more effort decides what is rounding, because such a step is checked by an observer.
+            // First integrals may be steep. For them only a thorough attempt may take a residual for rounding, because the caller checks such a step.
             let decides = effort == Effort::Thorough || magnitudes == Magnitudes::Recent;
             let mut is_rounding =
                 decides && corrections.slow() && is_of_last_digits(&self.sizes.with(&origin), &left, &matrix);
-            if let (false, Some(last)) = (is_rounding, stuck.take()) {
+            if let (false, Some(last)) = (is_rounding, stalled.take()) {
                 if effort == Effort::Fast {
                     break;
                 }
@@ -117,10 +118,10 @@ impl<A: Array> Experience<A> {
                     self.measure_curvature(correction, corrections.last());
                 }
                 match corrections.judge::<A::Real>(correction) {
-                    // Where the derivative is large beyond measure, corrections are small wherever x is.
+                    // A huge derivative makes every correction small.
                     Verdict::Solved => is_solved = self.sizes.resolve(&left, &origin, &x),
                     Verdict::Stuck => {
-                        stuck = Some(Stuck { delta, distance: corrections.farther() });
+                        stalled = Some(Stalled { delta, distance: corrections.distance() });
                         corrections.restart();
                     }
                     Verdict::Continue => {}
@@ -144,7 +145,7 @@ impl<A: Array> Experience<A> {
     fn is_noise(
         &self,
         x: &A,
-        Stuck { delta, distance }: Stuck<A>,
+        Stalled { delta, distance }: Stalled<A>,
         equation: &Distant<A>,
         residual: &mut dyn Residual<A>,
     ) -> bool {
@@ -172,8 +173,8 @@ struct Converged<A> {
     evaluations: u32,
 }
 
-/// The last correction of an iteration that is stuck, and the distance of the points at which rounding is measured, in units of this correction.
-struct Stuck<A> {
+/// The last correction of an iteration whose corrections stopped shrinking, and the distance of the points at which rounding is measured, in units of this correction.
+struct Stalled<A> {
     delta: A,
     distance: f64,
 }

@@ -1,7 +1,8 @@
-//! Is a correction rounding? Iterations use this answer. Newton's loop has a short form of it.
+//! The stopping criteria of iterations. Newton's loop has a short form of them.
 //!
-//! An iteration ends where the next correction is bound to be below the last digit, or where corrections are small and no longer shrink. A correction is compared with
-//! the size of what it corrects. If large terms cancel in a residual, their rounding is measured: see [`noise`](crate::solving::noise).
+//! An iteration ends if the next correction is bound to be below 2⁻²⁰ ε, or if corrections are small and no longer shrink. A correction is relative to the size of
+//! the unknown that it corrects, and ε is the machine epsilon of the scalar. If large terms cancel in a residual, their rounding is measured: see
+//! [`noise`](crate::solving::noise).
 
 use crate::scalar::Real;
 use crate::solving::Refusal;
@@ -25,19 +26,19 @@ const LAST_DIGITS: f64 = 8.0;
 /// may be larger than the state.
 const LARGEST: f64 = 1024.0;
 
-/// An iteration is stuck after this many corrections that are not smaller than all before by the factor `SMALLER`. One such correction may be chance.
+/// An iteration is stuck after this many successive corrections of at least `SMALLER` times the smallest one before. One such correction may be chance.
 const MOST_STUCK: u32 = 4;
 const SMALLER: f64 = 0.75;
 
 /// Near a solution with quadratic convergence, a correction is below this part of the correction before it.
 const SLOW: f64 = 0.25;
 
-/// The distance of the points at which rounding is measured, in units of the last correction, and the factor by which it grows with each measurement.
-const FARTHER: f64 = 16.0;
-const AND_FARTHER: f64 = 4.0;
+/// The distance of the points at which rounding is measured first, in units of the last correction, and the factor by which it grows with each measurement.
+const FIRST_DISTANCE: f64 = 16.0;
+const DISTANCE_GROWTH: f64 = 4.0;
 
 /// The largest number of measurements. Each one costs more evaluations than a step. If corrections are stuck after all of them, there is another reason.
-const MOST_LOOKS: u32 = 5;
+const MOST_MEASUREMENTS: u32 = 5;
 
 /// The answer to a correction.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,7 +47,7 @@ pub(crate) enum Verdict {
     Continue,
     /// This was the last correction.
     Solved,
-    /// Corrections have stopped to shrink, but are larger than the rounding of the unknowns. They may shrink again later.
+    /// Corrections have stopped shrinking, but are larger than the rounding of the unknowns. They may shrink again later.
     Stuck,
 }
 
@@ -56,12 +57,12 @@ pub(crate) struct Corrections {
     /// The order of convergence near the solution: after c₁ and c₂, the next correction is c₂(c₂/c₁)ᵒʳᵈᵉʳ.
     order: i32,
     iterations: u32,
-    /// The last correction, relative to the size of what it corrects.
+    /// The last correction, relative to the size of the unknown.
     before: f64,
     smallest: f64,
     stuck: u32,
     slow: bool,
-    looks: u32,
+    measurements: u32,
     /// The distance of the points at which rounding is measured, in units of a correction.
     distance: f64,
 }
@@ -76,36 +77,36 @@ impl Corrections {
             smallest: f64::INFINITY,
             stuck: 0,
             slow: false,
-            looks: 0,
-            distance: FARTHER,
+            measurements: 0,
+            distance: FIRST_DISTANCE,
         }
     }
 
-    /// Forgets the corrections so far after a measurement of rounding. The next measurement, if there is one, uses points that are farther apart.
+    /// Forgets the sizes of the corrections so far after a measurement of rounding. The next measurement, if there is one, uses points that are farther apart.
     pub(crate) fn restart(&mut self) {
-        let (looks, distance) = (self.looks + 1, AND_FARTHER * self.distance);
-        *self = Self { before: f64::INFINITY, smallest: f64::INFINITY, stuck: 0, looks, distance, ..*self };
+        let (measurements, distance) = (self.measurements + 1, DISTANCE_GROWTH * self.distance);
+        *self = Self { before: f64::INFINITY, smallest: f64::INFINITY, stuck: 0, measurements, distance, ..*self };
     }
 
     /// Returns the distance of the points at which rounding is measured, in units of the last correction.
-    pub(crate) fn farther(&self) -> f64 {
+    pub(crate) fn distance(&self) -> f64 {
         self.distance
     }
 
-    /// Returns whether the last correction is larger than it would be with quadratic convergence. The derivative may then be wrong, or rounding. For iterations of order 1,
+    /// Returns whether the last correction that followed another one is larger than it would be with quadratic convergence. The derivative may then be wrong, or rounding. For iterations of order 1,
     /// this is usual.
     #[inline(always)]
     pub(crate) fn slow(&self) -> bool {
         self.slow
     }
 
-    /// Returns the last correction, relative to the size of what it corrects, or infinity if there is none.
+    /// Returns the last correction, relative to the size of the unknown, or infinity if there is none.
     #[inline(always)]
     pub(crate) fn last(&self) -> f64 {
         self.before
     }
 
-    /// Returns the answer to the next correction, which is `relative` to the size of what it corrects.
+    /// Returns the answer to the next correction, which is `relative` to the size of the unknown.
     #[inline(always)]
     pub(crate) fn judge<R: Real>(&mut self, relative: f64) -> Verdict {
         let (first, shrunk) = (self.before == f64::INFINITY, relative / self.before);
@@ -125,7 +126,11 @@ impl Corrections {
             self.stuck += 1;
         }
         self.slow = shrunk > SLOW;
-        if self.stuck == MOST_STUCK && self.looks < MOST_LOOKS { Verdict::Stuck } else { Verdict::Continue }
+        if self.stuck == MOST_STUCK && self.measurements < MOST_MEASUREMENTS {
+            Verdict::Stuck
+        } else {
+            Verdict::Continue
+        }
     }
 
     /// Returns the refusal of an iteration that ends without a solution.
@@ -160,7 +165,7 @@ pub(crate) fn is_of_last_digits<A: Array>(sizes: &Sizes<A>, residual: &A, matrix
     })
 }
 
-/// A correction at a point, and its size relative to the terms of what it corrects.
+/// A correction at a point, and its size relative to the unknown.
 pub(crate) struct Correction<A> {
     pub(crate) delta: A,
     pub(crate) relative: f64,
@@ -173,13 +178,13 @@ pub(crate) struct Stuck<'a, A> {
     pub(crate) after: &'a A,
 }
 
-/// Subtracts corrections from `start` until nothing but rounding is left. This is the iteration of all equations that are no equations of steps.
+/// Subtracts corrections from `start` until nothing but rounding is left. Small equations beside that of a step use it, such as projections.
 ///
 /// `corrections` is an empty list with the order of convergence. `correction` returns the correction at a point. If corrections are stuck, `accept` returns the solution
 /// if the residual is rounding.
 ///
 /// # Errors
-/// Returns an error if `correction` returns one, or if corrections do not shrink.
+/// If `correction` returns an error, and if corrections do not shrink or are not finite.
 #[inline(always)]
 pub(crate) fn correct<A: Array>(
     start: A,

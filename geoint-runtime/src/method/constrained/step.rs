@@ -1,4 +1,4 @@
-//! The step of a system with constraints: increments and multipliers are solved for together.
+//! The step of a system with constraints g(q) = 0. Its equation is given by [`ConstrainedStep`]: the unknowns are increments and multipliers, in units of positions.
 
 use crate::method::discrete_gradient::DiscreteGradient;
 use crate::method::implicit::{
@@ -19,22 +19,23 @@ pub struct BoundStep<M>(
     pub M,
 );
 
-/// How a method with constraints treats momenta.
+/// The treatment of momenta by a method with constraints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Momenta {
     /// At the end of a step they are made tangent to the constraints.
     MadeTangent,
-    /// They carry along what leads away from the constraints.
+    /// Momenta are not projected: they keep a component normal to the constraints, of order h².
     Carried,
 }
 
 /// A method for systems with constraints.
 pub trait Bound: Copy + core::fmt::Debug {
-    /// How it treats momenta.
+    /// The treatment of momenta.
     const MOMENTA: Momenta;
 }
 
-/// q₁ − q₀ = h ∇̄ₚH, p₁ − p₀ = −h (∇̄_qH + ḡᵀλ), g(q₁) = 0 with the tree slopes of H and of every g: H changes by −λ·(g(q₁) − g(q₀)) = 0.
+/// q₁ − q₀ = h ∇̄ₚH, p₁ − p₀ = −h (∇̄_qH + ḡᵀλ), g(q₁) = 0 with multipliers λ. ∇̄H and ḡ are the tree slopes of H and of
+/// every g, so H changes by −λ·(g(q₁) − g(q₀)) = 0.
 impl Bound for DiscreteGradient {
     const MOMENTA: Momenta = Momenta::Carried;
 }
@@ -59,12 +60,12 @@ impl<S: ConstrainedStep<M, R>, M: Bound, R: Real> ImplicitStep<S, R> for BoundSt
         },
         ..Policy::of(Units { alike: S::Unknown::LEN, kinds: 1 })
     };
-    /// What momenta carry along is of order h². Made tangent in the end, they change the energy by h⁴.
+    /// The normal component of momenta is of order h². A state with tangent momenta has another energy by O(h⁴), so compositions have order 4 at most.
     const COMPOSES_TO: u32 = match M::MOMENTA {
         Momenta::MadeTangent => u32::MAX,
         Momenta::Carried => 4,
     };
-    /// What multiplies h²λ is known to the rounding of q, and nothing makes momenta tangent again.
+    /// g(q₁) = 0 determines h²λ to the rounding of q, so momenta have an error of ε|q|/h. No projection removes it.
     const ROUGH_IF_SHORT: bool = matches!(M::MOMENTA, Momenta::Carried);
 
     fn constants(self, system: &S, h: R) -> S::Constants {
@@ -89,7 +90,7 @@ impl<S: ConstrainedStep<M, R>, M: Bound, R: Real> ImplicitStep<S, R> for BoundSt
         from.system.origin(constants, start)
     }
 
-    /// The first iteration finds what an explicit step would.
+    /// Zero: the first correction is that of an explicit step.
     fn guess(_: &Equation<'_, Self, S, R>) -> S::Unknown {
         S::Unknown::zero()
     }
@@ -115,15 +116,15 @@ impl<S: ConstrainedStep<M, R>, M: Bound, R: Real> ImplicitStep<S, R> for BoundSt
     ) -> Result<Increment<S::Phase, ()>, Refusal> {
         let mut increments = from.system.end(constants, start, &solution.x);
         let [q, p] = sum(&from.z, &increments);
-        let seen = match M::MOMENTA {
+        let checked = match M::MOMENTA {
             Momenta::MadeTangent => {
                 increments[1] = difference(&tangent(from.system, from.end, [q, p])?, &from.z[1]);
                 q
             }
-            // The equation itself has the gradients in the middle beside those at the end.
+            // The matrix of the equation pairs gradients in the middle with those at the end, and its determinant was positive.
             Momenta::Carried => moved(&from.z[0], R::from_f64(0.5), &increments[0]),
         };
-        independent(from, &seen)?;
+        independent(from, &checked)?;
         Ok(Increment::of(increments))
     }
 
@@ -137,7 +138,7 @@ impl<S: ConstrainedStep<M, R>, M: Bound, R: Real> ImplicitStep<S, R> for BoundSt
         held(from.system, from.end, [&from.z, end.z])
     }
 
-    /// Constraints that depend on each other at the start are the reason, if they do.
+    /// If constraints depend on each other at the start, this is the reason.
     #[cold]
     fn explained(Equation { from, .. }: &Equation<'_, Self, S, R>, (): &(), refusal: Refusal) -> Refusal {
         independent(from, &from.z[0]).err().unwrap_or(refusal)

@@ -1,4 +1,5 @@
-//! Steps along a mean of ∇H between their ends: d = h J g(x₀, x₀ + d).
+//! Steps along a mean g of ∇H between their ends: d = h J g(x₀, x₀ + d) for the increment d. Not every g is a discrete gradient, so a solution is not accepted by
+//! its energy: it has to be continuous in h.
 
 use super::energy::{Energy, Slope};
 use super::matrix::turned;
@@ -27,7 +28,7 @@ pub trait MeanGradient: Copy + core::fmt::Debug {
     /// Whether ∂g/∂d is symmetric.
     const CURL_FREE: bool = false;
 
-    /// Whether g is computed from the change of the energy: that must neither underflow nor overflow.
+    /// True if g is computed from differences of H, which must be representable.
     const OF_ENERGIES: bool = false;
 
     /// The name of the method.
@@ -43,11 +44,11 @@ pub trait MeanGradient: Copy + core::fmt::Debug {
         false
     }
 
-    /// g and ∂g/∂d. Something near the latter is enough for the solution to converge, but not for [`FourthOrder`](crate::FourthOrder), which has
-    /// its order from it.
+    /// Returns g and ∂g/∂d. An approximate derivative is enough for convergence. [`FourthOrder`](crate::FourthOrder) needs the exact one, because its order follows from
+    /// it.
     ///
     /// # Errors
-    /// Where g does not exist.
+    /// If g does not exist.
     fn between<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>>(
         &self,
         energy: &mut Energy<'_, S, R, P>,
@@ -56,7 +57,8 @@ pub trait MeanGradient: Copy + core::fmt::Debug {
     ) -> Result<Slope<S::Array>, Refusal>;
 }
 
-/// A symmetric mean for which a modified structure matrix is needed to have order 4. The tree discrete gradient is projected instead.
+/// A symmetric mean that [`FourthOrder`](crate::FourthOrder) raises to order 4 by a modified structure matrix. (For the tree discrete gradient, it projects a mean
+/// velocity instead.)
 pub trait Corrected: MeanGradient + SymmetricMap {}
 
 /// The step along the mean `G`. The derivative of g is known approximately, so corrections shrink by a factor.
@@ -66,7 +68,7 @@ pub struct MeanStep<G>(
     pub G,
 );
 
-/// What depends on the mean, on parameters, and on h.
+/// Values that depend on the mean, on parameters, and on h.
 #[derive(Clone, Debug)]
 pub struct Constants<G, S: DiscreteField<R>, R: Real> {
     mean: G,
@@ -75,7 +77,7 @@ pub struct Constants<G, S: DiscreteField<R>, R: Real> {
 }
 
 impl<'a, G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Equation<'a, MeanStep<G>, S, R> {
-    /// The energy as the step sees it.
+    /// Returns the energy, at the time in the middle of the step unless stated otherwise.
     #[inline(always)]
     fn energy<'b, P>(&self, probe: &'b mut P) -> Energy<'b, S, R, P>
     where
@@ -91,7 +93,7 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> ImplicitSt
     type Constants = Constants<G, S, R>;
     type Start = ();
     type History = ();
-    /// Why g does not exist, where it does not.
+    /// The reason if g does not exist at the last point.
     type Seen = Option<Refusal>;
     type Kept = KeptBy<S, R>;
     type Solver = QuasiNewton<S::Phase>;
@@ -146,7 +148,10 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> ImplicitSt
         let (n, Departure { h, z, .. }) = (S::Array::LEN, equation.from);
         watch.decide(&sum(&z, d), &());
         let slope = match equation.constants.mean.between(&mut equation.energy(watch.probe()), &z, d) {
-            Ok(slope) => slope,
+            Ok(slope) => {
+                watch.seen = None;
+                slope
+            }
             Err(refusal) => {
                 watch.seen = Some(refusal);
                 return scaled(R::from_f64(f64::NAN), d);
@@ -183,6 +188,7 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> ImplicitSt
         if !G::is_exact::<S, R>() {
             return Ok(());
         }
+        // A fast attempt cannot tell noise of the residual from an error of the energy.
         *end.doubtful |= !P::EFFORT.is_thorough() && solution.leaves_noise;
         rounded::check_step::<S, R>(P::EFFORT, from, end)
     }

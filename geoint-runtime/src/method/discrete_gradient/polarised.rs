@@ -1,4 +1,6 @@
-//! The step of the polarised discrete gradient of a Lagrangian that is quadratic in v: M(q₁)v₁ + a(q₁) = p₁ for d = v₁ − v₀. See [`PolarisedForm`].
+//! The step of the polarised discrete gradient of a Lagrangian that is quadratic in v. The unknown is d = v₁ − v₀:
+//!
+//! M(q₁)v₁ + a(q₁) = p₁ with q₁ = q₀ + h v̄, p₁ = p₀ + h (Λ[q₀, q₁; v₀, v₁] − C v̄) and v̄ = v₀ + d/2. [`PolarisedForm`] defines Λ.
 
 use crate::method::implicit::{
     Arrival, Branch, Departure, Equation, Evaluated, ImplicitStep, Increment, Policy, Sums, Units, Watch,
@@ -15,12 +17,12 @@ use crate::system::{KeptBy, PolarisedForm, Regular, acceleration, mass_units, ve
 #[derive(Clone, Copy, Debug)]
 pub struct PolarisedStep;
 
-/// What is known of a point.
+/// The end of a step.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Known<Z, A> {
     z: Z,
     v: A,
-    /// 1/|Mᵢᵢ|, perhaps of a point before.
+    /// 1/|Mᵢᵢ| at the last point whose velocity was solved for from p. These are scales only, so they need not be new.
     units: A,
 }
 
@@ -46,16 +48,16 @@ impl<Z: Array, A: Array<Real = Z::Real>> Record<Z::Real> for History<Z, A> {
     }
 }
 
-/// What depends on the start of a step.
+/// Values that depend on the start of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Start<K, A> {
     kernel: K,
     v: A,
-    /// A row over |Mᵢᵢ| has the unit of the velocity. The first one has the sign of the determinant of M.
+    /// Scales of the rows: a row over |Mᵢᵢ| has the unit of the velocity. The sign of det M on the first row makes the determinant of the equation positive.
     units: A,
 }
 
-/// What depends on parameters and h.
+/// Values that depend on parameters and h.
 #[derive(Clone, Debug)]
 pub struct Constants<P> {
     parameters: P,
@@ -63,7 +65,7 @@ pub struct Constants<P> {
     is_definite: bool,
 }
 
-/// The impulse that was evaluated last, for which d, with its derivative.
+/// The last evaluation: d, the impulse p₁ − p₀, and its derivative by d.
 #[derive(Clone, Copy, Debug)]
 pub struct Seen<A: Array> {
     d: A,
@@ -72,7 +74,7 @@ pub struct Seen<A: Array> {
 }
 
 impl<S: PolarisedForm<R>, R: Real> Equation<'_, PolarisedStep, S, R> {
-    /// q₁ − q₀ = h (v₀ + d/2).
+    /// Returns q₁ − q₀ = h (v₀ + d/2).
     #[inline(always)]
     fn shift(&self, d: &S::Array) -> S::Array {
         scaled(self.from.h, &moved(&self.start.v, R::from_f64(0.5), d))
@@ -89,7 +91,7 @@ impl<S: PolarisedForm<R>, R: Real> ImplicitStep<S, R> for PolarisedStep {
     type Solver = Newton<S::Array>;
 
     const POLICY: Policy = Policy {
-        // Friction takes energy away, and only explicit time may add some.
+        // All solutions satisfy the energy balance: it changes by −h v̄·C v̄.
         branch: Branch::OfEnergy,
         // −2v₀ turns v round: nothing moves.
         standstill: -2.0,
@@ -118,7 +120,7 @@ impl<S: PolarisedForm<R>, R: Real> ImplicitStep<S, R> for PolarisedStep {
         history: &mut Self::History,
     ) -> Result<Self::Start, Refusal> {
         let sign = history.regular.begin(from.system, constants.is_definite, (from.t, &from.z, &()))?;
-        // Nobody may have moved the point since the last step.
+        // The velocity of the last step is that of this point, unless something else has moved the point, such as a projection.
         let known = match history.last {
             Some(known) if known.z == from.z => known,
             _ => known(from.system, from.t, from.z)?,
@@ -171,6 +173,7 @@ impl<S: PolarisedForm<R>, R: Real> ImplicitStep<S, R> for PolarisedStep {
         Arrival { z, .. }: Arrival<'_, S, R>,
     ) -> Result<(), Refusal> {
         let (mut v, later) = (sum(&start.v, d), from.t + from.h);
+        // Near a singular M the rounding of p matters: the velocity is that of the rounded momentum.
         if !constants.is_definite {
             regular.follow(from.system, false, [(from.t, &from.z, &()), (later, z, &())], v)?;
             v = velocity_near(from.system, later, z, &(), v).ok_or(Refusal::Singular)?;

@@ -1,7 +1,7 @@
-//! The step of the tree discrete gradient of an energy, or of what a field keeps: impulse = h·f̄(y, y + d(impulse)).
+//! The step of the tree discrete gradient ∇̄H of an energy, or of a first integral of a field: u = h·f̄(y, y + d(u)) for the impulse u.
 //!
-//! The impulse is what f̄ adds to what it changes: to y = (q, p) itself; or, if T is quadratic, to the momenta alone, and then the increment of y = q is
-//! d = h ∂T/∂p at the mean momentum.
+//! f̄ is the mean right-hand side, J∇̄H for y = (q, p), and the impulse is the increment d of y. If T is quadratic, y = q and f̄ = −∇̄V: the impulse is the increment
+//! of the momenta, and d = h ∂T/∂p at the mean momentum.
 
 use super::energy::{Energy, Slope};
 use super::mean::MeanGradient;
@@ -23,12 +23,12 @@ use crate::system::{Conservative, DiscreteField, Invariants, KeptBy, Span};
 /// x₁ = x₀ + h J ∇̄H(x₀, x₁) with the tree discrete gradient: the energy is kept to rounding for every h.
 ///
 /// Order 2, symmetric, for every H; not symplectic. ∇̄H is the reverse sweep of H with divided differences in place of
-/// derivatives, in forms without cancellation. Quadratic and linear momenta that commute with the innermost quadratic
-/// and linear forms in which H is written are kept as well: write central forces as functions of `x * x + y * y`. One
-/// Newton solve a step, for half of the unknowns if T is quadratic. With damping C the energy falls by exactly h ∇̄H·C ∇̄H
-/// instead (in compositions with steps back in time, only that of each of their steps is so balanced).
+/// derivatives, in forms without cancellation. Linear and quadratic momenta are kept as well, if they commute with each innermost
+/// linear or quadratic form in which H is written: write central forces as functions of `x * x + y * y`. One
+/// Newton solve a step, for half of the unknowns if T is quadratic, and none if H is a quadratic polynomial. With damping C the energy falls by exactly h ∇̄H·C ∇̄H
+/// instead. In compositions with steps back in time, this balance holds for each substep.
 /// T. Matsubara, A. Ishikawa & T. Yaguchi, NeurIPS 2020; R. A. LaBudde & D. Greenspan, Numer. Math. 25 (1976) 323.
-#[doc(alias("energy-momentum", "energy conserving", "energy-preserving", "AVF"))]
+#[doc(alias("energy-momentum", "energy conserving", "energy-preserving"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct DiscreteGradient;
 
@@ -64,7 +64,7 @@ pub struct TreeStep;
 pub struct Constants<S: DiscreteField<R>, R: Real> {
     constants: S::Constants,
     parameters: S::Parameters,
-    /// The inverse of the matrix where that is the same in all steps.
+    /// The inverse of the matrix, if the matrix is the same in all steps.
     inverse: S::Inverse,
 }
 
@@ -72,9 +72,9 @@ pub struct Constants<S: DiscreteField<R>, R: Real> {
 #[derive(Clone, Copy, Debug)]
 pub struct Start<S: DiscreteField<R>, R: Real> {
     y: S::Unknown,
-    /// What the impulse is added to.
+    /// The coordinates to which the impulse is added: y, or p.
     changed: S::Unknown,
-    /// What y is too small by, in steps that count with it.
+    /// The compensation of y. Nothing if runs remove drift.
     compensation: S::Unknown,
     kernel: S::Start,
 }
@@ -91,10 +91,10 @@ fn turns<R: Real>(mean: R, p: R) -> bool {
 }
 
 impl<S: DiscreteField<R>, R: Real> Equation<'_, TreeStep, S, R> {
-    /// The increment d of y that goes with an impulse.
+    /// Returns the increment d of y that belongs to an impulse dp.
     ///
-    /// It is one product of h/2m with 2p + dp, which is rounded as p + dp/2 is. h p/m + h dp/2m is not the same: where h is 0.1, roundings of its
-    /// two products do not average out, and the energy of a pendulum drifts by 10⁻¹² in a million steps.
+    /// It is one product of h/2m with 2p + dp, which is rounded as p + dp/2 is. With h p/m + h dp/2m and h = 0.1, the roundings of the two products do not average
+    /// out, and the energy of a pendulum drifts by 10⁻¹² in a million steps.
     #[inline(always)]
     fn change(&self, impulse: &S::Unknown) -> S::Unknown {
         if S::DERIVATIVE == 1 {
@@ -104,16 +104,16 @@ impl<S: DiscreteField<R>, R: Real> Equation<'_, TreeStep, S, R> {
         self.from.system.drift(&self.constants.parameters, &sum(&sum(p, p), impulse))
     }
 
-    /// The increment of y at which f̄ is evaluated for an impulse.
+    /// Returns the increment of y at which f̄ is evaluated for an impulse.
     #[inline(always)]
     fn evaluated<P: Probe<S, R>>(&self, watch: &mut Watch<'_, S, R, P, ()>, impulse: &S::Unknown) -> S::Unknown {
         let change = self.change(impulse);
         watch.visit(self.from.t, &sum(&self.from.z, &S::increments(&change, impulse)), &());
-        // f̄ reads the mean y + d/2. Doubled first: what is nothing leaves no operation behind where the compiler knows it.
+        // Twice, because f̄ reads the mean y + d/2. The sum of the compensation with itself comes first: if it is nothing, the optimiser removes both sums.
         sum(&change, &sum(&self.start.compensation, &self.start.compensation))
     }
 
-    /// h·f̄ at an increment of y, with the matrix of Newton's iteration.
+    /// Returns h·f̄ at an increment of y, and writes the matrix of Newton's iteration.
     #[inline(always)]
     fn impulse(&self, d: &S::Unknown, matrix: &mut Square<S::Unknown>) -> S::Unknown {
         let Constants { constants, parameters, .. } = self.constants;
@@ -122,11 +122,11 @@ impl<S: DiscreteField<R>, R: Real> Equation<'_, TreeStep, S, R> {
         impulse
     }
 
-    /// The increments of (q, p) where h·f̄ is affine in the impulse.
+    /// Returns the increments of (q, p) if h·f̄ is affine in the impulse.
     ///
-    /// Where a step is much longer than an oscillation, an impulse turns p round, and no digits are left of the mean of p. The mean is then solved for itself,
-    /// K p̄ = p + ½ h f̄(y, y) with the matrix K of the impulse, and the impulse follows from it. Without this the energy of an oscillator changes by hω roundings
-    /// in every step.
+    /// In a step much longer than an oscillation, an impulse turns p round, and the mean of p has no digits left. The mean p̄ is then solved for itself,
+    /// K p̄ = p + ½ h f̄(y, y) with the matrix K of the impulse, and the impulse follows from it. Without this, the energy of an oscillator changes by hω roundings
+    /// in each step.
     #[inline(always)]
     fn affine_increments(&self, impulse: &S::Unknown) -> S::Phase {
         let (p, half) = (&self.start.changed, R::from_f64(0.5));
@@ -138,12 +138,13 @@ impl<S: DiscreteField<R>, R: Real> Equation<'_, TreeStep, S, R> {
         self.turned(mean, *impulse)
     }
 
-    /// The increments of (q, p) by a mean that is solved for where an impulse turns p round.
+    /// Returns the increments of (q, p), with the mean of each momentum that turns round solved for itself.
     #[cold]
     #[inline(never)]
     fn turned(&self, mut mean: S::Unknown, mut impulse: S::Unknown) -> S::Phase {
         let (p, half) = (&self.start.changed, R::from_f64(0.5));
-        let at_start = self.impulse(&S::Unknown::zero(), &mut S::Unknown::fill(S::Unknown::zero()));
+        let compensation = &self.start.compensation;
+        let at_start = self.impulse(&sum(compensation, compensation), &mut S::Unknown::fill(S::Unknown::zero()));
         let solved = self.constants.inverse.times(&moved(p, half, &at_start));
         let entries = mean.as_mut_slice().iter_mut().zip(impulse.as_mut_slice());
         for ((mean, impulse), (solved, p)) in entries.zip(solved.as_slice().iter().zip(p.as_slice())) {
@@ -154,9 +155,10 @@ impl<S: DiscreteField<R>, R: Real> Equation<'_, TreeStep, S, R> {
         S::increments(&self.from.system.drift(&self.constants.parameters, &sum(&mean, &mean)), &impulse)
     }
 
-    /// The rounding errors of the increments of (q, p): that of the impulse, and for y the rounding of the mean in [`change`](Self::change).
+    /// Returns the rounding errors of the increments of (q, p): the error of the impulse, and for y the error of the mean in [`change`](Self::change).
     ///
-    /// Without them, the energy of a pendulum drifts by 4·10⁻²⁰ a step at h = 0.1, and by 10⁻¹⁹ at 0.2. They matter only if runs do not remove drift.
+    /// Without them, the energy of a pendulum drifts by 4·10⁻²⁰ a step at h = 0.1, and by 10⁻¹⁹ at 0.2. The error of the mean matters only if runs do not remove
+    /// drift. In single precision, the error of the impulse matters in all runs.
     #[inline(always)]
     fn lost(&self, Solution { x: impulse, rounding_error, .. }: &Solution<S::Unknown>) -> S::Phase {
         let mut change = S::Unknown::nothing();
@@ -186,7 +188,7 @@ impl<S: DiscreteField<R>, R: Real> ImplicitStep<S, R> for TreeStep {
 
     const POLICY: Policy = Policy {
         magnitudes: if S::State::MOMENTA { Magnitudes::Recent } else { Magnitudes::Present },
-        // Friction takes energy away, and only explicit time may add some.
+        // All solutions satisfy the energy balance, in which friction takes energy away. With explicit time the energy at frozen time is kept.
         branch: if S::State::MOMENTA || removes_drift::<S, R>() { Branch::OfEnergy } else { Branch::Continuous },
         // −2p turns p round, and the mean of p is 0.
         standstill: if S::DERIVATIVE == 1 { 0.0 } else { -2.0 },
@@ -247,7 +249,7 @@ impl<S: DiscreteField<R>, R: Real> ImplicitStep<S, R> for TreeStep {
         difference(impulse, &equation.impulse(&equation.evaluated(watch, impulse), matrix))
     }
 
-    /// Without a matrix: its entries would be computed, because the optimiser cannot see that nobody reads them.
+    /// By `slope` instead of `equation`: the optimiser removes the unused derivative of `slope`, but not the matrix of `equation`.
     #[inline(always)]
     fn image<P: Probe<S, R>>(
         equation: &Equation<'_, Self, S, R>,
@@ -261,7 +263,7 @@ impl<S: DiscreteField<R>, R: Real> ImplicitStep<S, R> for TreeStep {
         scaled(from.h, &f)
     }
 
-    /// Where h·f̄ is affine in the impulse, by one product with the inverse of its matrix.
+    /// If h·f̄ is affine in the impulse, the solution is one product with the inverse of the matrix.
     #[inline(always)]
     fn solve<P: Probe<S, R>>(
         equation: Equation<'_, Self, S, R>,

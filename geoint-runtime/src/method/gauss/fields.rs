@@ -1,4 +1,4 @@
-//! The step of a differential equation y' = f(y, t), or q'' = M⁻¹f(q, t): kᵢ = f(Yᵢ) for the derivatives at all stages.
+//! The step of y' = f(y, t), or of q'' = M⁻¹f(q, t). The unknowns are the rates, or the forces, of all stages: kᵢ = f(Yᵢ).
 
 use super::defect;
 use super::prepared::Scaled;
@@ -18,11 +18,11 @@ use core::array::from_fn;
 #[derive(Clone, Copy, Debug)]
 pub struct FieldStages<const S: usize>;
 
-/// Steps of fewer stages are compared with their halves because three solved equations cost less than one and a look at its defect; those of more
-/// because 4ˢ times the rounding of a step is more than tolerances near 10⁻¹² allow.
-const STAGES: [usize; 2] = [3, 4];
+/// The smallest and the largest number of stages with an estimate of the error by the defect. With fewer stages, step doubling is cheaper, although it solves three
+/// equations. With more stages, the estimate multiplies rounding by 4ˢ, which is too much for tolerances near 10⁻¹².
+const ESTIMATED_STAGES: [usize; 2] = [3, 4];
 
-/// With more unknowns the eliminations that an estimate takes cost more than two equations that are solved by evaluations.
+/// The largest number of unknowns of a stage with an estimate. With more, the eliminations of an estimate cost more than the two steps of step doubling.
 const MOST_UNKNOWNS: usize = 6;
 
 /// Coefficients of a step.
@@ -30,18 +30,19 @@ const MOST_UNKNOWNS: usize = 6;
 pub struct Constants<P, R, const S: usize> {
     pub(super) kernel: P,
     pub(super) scaled: Scaled<R, S>,
-    /// What stage j adds to stage i: h·A, or h²·A².
+    /// The weight of kⱼ in Yᵢ: h·A, or h²·A².
     coupling: [[R; S]; S],
-    /// What a stage adds to the end: h·b, or h²·b(1 − c).
+    /// The weight of kⱼ in the increment of y: h·b, or h²·b(1 − c).
     increments: [R; S],
 }
 
-/// What depends on the start of a step.
+/// Values that depend on the start of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Start<A> {
     y: A,
-    /// What h·k is added to.
+    /// The coordinates to which h·k is added: y₀, or p₀.
     pub(super) changed: A,
+    /// M⁻¹p₀, or zero for an equation of first order.
     velocity: A,
 }
 
@@ -49,7 +50,7 @@ impl<Y: Collocation<R>, R: Real, const S: usize> Equation<'_, FieldStages<S>, Y,
 where
     Gauss<S>: GaussTableau<S>,
 {
-    /// f and f' where the polynomial of the step is after the time `x`, with these coefficients of k over h, or h² if f is y''.
+    /// Returns f and f' on the collocation polynomial at t + `x`. The coefficients multiply h·k, or h²·M⁻¹k.
     #[inline(always)]
     pub(super) fn at<P: Probe<Y, R>>(
         &self,
@@ -69,7 +70,7 @@ where
         (self.field(x, &change, &mut slope), slope)
     }
 
-    /// Yᵢ − y₀.
+    /// Returns Yᵢ − y₀.
     #[inline(always)]
     fn change(&self, i: usize, k: &[Y::Unknown; S]) -> Y::Unknown {
         let Constants { kernel, scaled: Scaled { nodes, .. }, coupling, .. } = self.constants;
@@ -80,13 +81,13 @@ where
         change
     }
 
-    /// Where a stage with this change is, with the momenta before the step if they are not solved for.
+    /// Returns the point of a stage with this change of y. Momenta are those before the step if they are not unknowns.
     #[inline(always)]
     fn point(&self, change: &Y::Unknown) -> Y::Phase {
         sum(&self.from.z, &Y::increments(change, &Y::Unknown::zero()))
     }
 
-    /// f and f' after the time `x` and a change of y.
+    /// Returns f at t + `x` after a change of y, and writes f'.
     #[inline(always)]
     fn field(&self, x: R, change: &Y::Unknown, slope: &mut Square<Y::Unknown>) -> Y::Unknown {
         let mut f = Y::Unknown::zero();
@@ -94,7 +95,7 @@ where
         f
     }
 
-    /// f(Yᵢ) and f'(Yᵢ).
+    /// Returns f(Yᵢ), and writes f'(Yᵢ).
     #[inline(always)]
     fn stage<P: Probe<Y, R>>(
         &self,
@@ -122,13 +123,17 @@ where
     type Solver = Newton<[Y::Unknown; S]>;
 
     const POLICY: Policy = Policy {
-        // −2p/h turns p round in the middle of the step.
+        // k = −2p₀/h reverses the momentum: q₁ = q₀.
         standstill: if Y::DERIVATIVE == 1 { 0.0 } else { -2.0 },
         ..Policy::of(Units { alike: Y::State::ALIKE, kinds: Y::Unknown::LEN / Y::State::ALIKE })
     };
     const STAGES: usize = S;
     const ORDER_OF_ESTIMATE: Option<u32> =
-        if STAGES[0] <= S && S <= STAGES[1] && Y::Unknown::LEN <= MOST_UNKNOWNS { Some(2 * S as u32) } else { None };
+        if ESTIMATED_STAGES[0] <= S && S <= ESTIMATED_STAGES[1] && Y::Unknown::LEN <= MOST_UNKNOWNS {
+            Some(2 * S as u32)
+        } else {
+            None
+        };
 
     fn constants(self, system: &Y, h: R) -> Self::Constants {
         let (kernel, scaled) = (system.constants(), Scaled::by(h));
@@ -155,7 +160,7 @@ where
         Ok(Start { y, changed, velocity: from.system.velocity(&constants.kernel, &changed) })
     }
 
-    /// The accuracy of kᵢ that can be seen in what h·kᵢ is added to.
+    /// y₀/h, or p₀/h: rounding of kᵢ is relative to it, because h·kᵢ is added to y₀, or p₀.
     #[inline(always)]
     fn origin(equation: &Equation<'_, Self, Y, R>) -> [Y::Unknown; S] {
         [scaled(R::from_f64(1.0) / equation.from.h, &equation.start.changed); S]
@@ -180,8 +185,8 @@ where
         from_fn(|i| equation.stage(watch, i, k, &mut Y::Unknown::fill(Y::Unknown::zero())))
     }
 
-    /// Row i has 1 − f'(Yᵢ)·∂Yᵢ/∂kⱼ. A form for [`stages`](super::stages) would need the slopes of all stages in memory first: steps of two and more stages would
-    /// take 1.1 to 1.8 times as long.
+    /// Block (i, j) is δᵢⱼ − f'(Yᵢ) ∂Yᵢ/∂kⱼ. [`assemble`](super::stages::assemble) would need the slopes of all stages in memory first: steps of two and more stages
+    /// would take 1.1 to 1.8 times as long.
     #[inline(always)]
     fn residual<P: Probe<Y, R>>(
         equation: &Equation<'_, Self, Y, R>,
@@ -192,7 +197,7 @@ where
         let Constants { kernel, coupling, .. } = equation.constants;
         let rows = <[Y::Unknown; S]>::entries::<[Y::Unknown; S]>(matrix);
         let mut all = [Y::Unknown::zero(); S];
-        // Not by `from_fn`, whose closure would be a function of its own, and its result read in other pieces than it was written in.
+        // Not by `from_fn`: its closure is not inlined, and the processor stalls when it reads the result in other pieces than it was written in.
         for (i, f) in all.iter_mut().enumerate() {
             let mut slope = Y::Unknown::fill(Y::Unknown::zero());
             *f = equation.stage(watch, i, k, &mut slope);
@@ -238,6 +243,7 @@ where
         let step = defect::Step { system: *system, constants: &constants.kernel, h: *h, changed: &start.changed };
         let at = |x, coefficients: &[f64; S]| equation.at(probe, x, k, coefficients);
         let z = defect::error(step, k, at).ok_or(Refusal::Singular)?;
+        // There is one estimate only.
         Ok([PerCoordinate { z, s: () }, PerCoordinate::zero()])
     }
 }

@@ -1,17 +1,19 @@
-//! The equations of all stages of a Gauss step, assembled once for every form that is not solved for values of a field.
+//! The equations of all stages of a Gauss step, assembled once for every kind of system whose unknowns are not values of a vector field.
 //!
-//! A stage has the unknown xᵢ and the shift Qᵢ = h Σ aᵢⱼ xⱼ. A form gives a value P and a rate F there, with their derivatives, and the equation of stage i is
+//! A form is a kind of system: a row of the table. A stage has the unknown xᵢ and the shift Qᵢ = h Σ aᵢⱼ xⱼ. A form gives a value P and a rate F there, with their
+//! derivatives, and the equation of stage i is
 //!
 //! wᵢ Pᵢ − P₀ − h Σ aᵢⱼ wⱼ Fⱼ = 0.
 //!
 //! | form | xᵢ | Pᵢ − P₀ | Fᵢ |
 //! |---|---|---|---|
 //! | Lagrangian | vᵢ | ∂L/∂v − p₀ | ∂L/∂q |
-//! | canonical coordinates y(x) | xᵢ − x₀ | y(xᵢ) − y₀ | y'(xᵢ) |
+//! | canonical coordinates y(x) | xᵢ − x₀ | y(xᵢ) − y₀ | dy/dt at xᵢ |
 //! | contact Hamiltonian | increments of q, p, s | the same | ∂H/∂p, −∂H/∂q, s' |
 //! | Lagrangian with an action | vᵢ, increment of s | ∂L/∂v − p₀, increment of s | ∂L/∂q, L |
 //!
-//! Weights w are 1, but for momenta of contact systems: there w is the factor r of the step, which may depend on all stages by r' = r σ.
+//! Weights w are 1, but for momenta of contact systems: there w is the factor r of the step, dr/dt = r σ with the decay rate σ = ∂H/∂s. It may depend on the
+//! unknowns of all stages.
 
 use super::factors::Factors;
 use crate::scalar::{Real, zero};
@@ -39,10 +41,11 @@ pub(in crate::method) struct Values<A: Array> {
     pub(in crate::method) rate: A,
     pub(in crate::method) value_slopes: Slopes<Square<A>>,
     pub(in crate::method) rate_slopes: Slopes<Square<A>>,
-    /// Numbers that multiply the rows: with them a row has the unit of the unknown.
+    /// Factors of the rows, for forms with [`Rows::Scaled`]: with them a row has the unit of the unknown.
     pub(in crate::method) scales: A,
-    /// P itself, σ and its derivatives, where weights are not 1.
+    /// P itself. It is read in rows with a weight, as are the next two.
     pub(in crate::method) whole: A,
+    /// σ.
     pub(in crate::method) decay: A::Real,
     pub(in crate::method) decay_slopes: Slopes<A>,
 }
@@ -63,7 +66,7 @@ impl<A: Array> Values<A> {
     }
 }
 
-/// A derivative of a form. What is zero in every stage is not read.
+/// A derivative of a form: zero in every stage, the identity, or given. Only the derivative of the value by the unknown may be `One`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::method) enum Part {
     Zero,
@@ -78,14 +81,14 @@ impl Part {
     }
 }
 
-/// Which numbers multiply rows.
+/// Rows as they are, or multiplied by [`Values::scales`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::method) enum Rows {
     Plain,
     Scaled,
 }
 
-/// What a form has.
+/// The derivatives of a form that are not zero, and its rows.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::method) struct Form {
     pub(in crate::method) value: Slopes<Part>,
@@ -103,7 +106,7 @@ pub(in crate::method) struct Weights<'a, R, const S: usize> {
     pub(in crate::method) decay: Slopes<Part>,
 }
 
-/// Returns the residuals of all stages, and writes their derivatives by all unknowns to `matrix`.
+/// Returns the residuals of all stages, and writes their derivatives by all unknowns to `matrix`. `coupling` is h·A.
 #[inline(always)]
 pub(in crate::method) fn assemble<A: Array, const S: usize>(
     form: Form,
@@ -167,7 +170,7 @@ pub(in crate::method) fn assemble<A: Array, const S: usize>(
     residuals
 }
 
-/// Returns what σ of each stage changes in a row of stage i by way of the factors: P ∂rᵢ/∂σₘ − h Σ aᵢⱼ Fⱼ ∂rⱼ/∂σₘ.
+/// Returns the derivatives of a row of stage i by σ of each stage, through the factors: P ∂rᵢ/∂σₘ − h Σ aᵢⱼ Fⱼ ∂rⱼ/∂σₘ.
 #[inline(always)]
 fn slopes_by_decay<A: Array, const S: usize>(
     Weights { factors, .. }: &Weights<'_, A::Real, S>,
@@ -186,7 +189,7 @@ fn slopes_by_decay<A: Array, const S: usize>(
 }
 
 impl<A: Array> Values<A> {
-    /// Returns the rate after small corrections of the unknown and of the shift: their squares are rounding.
+    /// Returns the rate after corrections of the unknown and of the shift, to first order. The squares of the last corrections are rounding.
     #[inline(always)]
     pub(in crate::method) fn rate_after(&self, form: Form, unknown: &A, shift: &A) -> A {
         let mut rate = self.rate;
@@ -200,7 +203,7 @@ impl<A: Array> Values<A> {
     }
 }
 
-/// Returns the corrections of all shifts for corrections of all unknowns.
+/// Returns the shifts h Σ aᵢⱼ xⱼ of all stages.
 #[inline(always)]
 pub(in crate::method) fn shifts<A: Array, const S: usize>(coupling: &[[A::Real; S]; S], x: &[A; S]) -> [A; S] {
     coupling.map(|weights| {

@@ -1,4 +1,4 @@
-//! The step of a Lagrangian that is solved for velocities: with Qᵢ = q₀ + h Σ aᵢⱼ Vⱼ and pᵢ = p₀ + h Σ aᵢⱼ fⱼ,
+//! The step of a Lagrangian. The unknowns are the velocities Vᵢ of all stages: with Qᵢ = q₀ + h Σ aᵢⱼ Vⱼ and pᵢ = p₀ + h Σ aᵢⱼ fⱼ,
 //!
 //! ∂L/∂v(Qᵢ, Vᵢ) = pᵢ, fⱼ = ∂L/∂q(Qⱼ, Vⱼ) less friction.
 
@@ -33,14 +33,14 @@ pub struct Start<R> {
     sign: R,
 }
 
-/// What the equation has.
+/// All derivatives of momentum and force are given.
 const FORM: Form = Form {
     value: Slopes { by_unknown: Part::Given, by_shift: Part::Given },
     rate: Slopes { by_unknown: Part::Given, by_shift: Part::Given },
     rows: Rows::Scaled,
 };
 
-/// What was evaluated last, at which velocities.
+/// The last evaluation, and its velocities.
 #[derive(Clone, Copy, Debug)]
 pub struct Seen<A: Array, const S: usize> {
     v: [A; S],
@@ -99,7 +99,7 @@ where
         Ok(Start { sign: regular.begin(from.system, constants.is_definite, (from.t, &from.z, &()))? })
     }
 
-    /// The accuracy of a velocity that can be seen in the position which h times it is added to.
+    /// q₀/h: rounding of a velocity is relative to it, because h times the velocity is added to q₀.
     #[inline(always)]
     fn origin(Equation { from, .. }: &Equation<'_, Self, Y, R>) -> [Y::Array; S] {
         [scaled(R::from_f64(1.0) / from.h, &from.z[0]); S]
@@ -113,7 +113,7 @@ where
         constants.scaled.nodes.map(|node| moved(&v, node, &rate))
     }
 
-    /// What the momentum of each stage is too large by, and its derivative, a row over |Mᵢᵢ|: then it has the unit of the velocity.
+    /// ∂L/∂v − pᵢ, each row over |Mᵢᵢ|, so that it has the unit of the velocity.
     #[inline(always)]
     fn residual<P: Probe<Y, R>>(
         equation: &Equation<'_, Self, Y, R>,
@@ -136,7 +136,7 @@ where
             stage.rate_slopes = Slopes { by_unknown: force_by_v, by_shift: force_by_q };
             stage.scales = row_units(&mass);
         }
-        // As many mass matrices as stages: with an even number of them the determinant is positive.
+        // The determinant has the sign of (det M)ˢ.
         if S % 2 == 1 {
             watch.seen.stages[0].scales.as_mut_slice()[0] *= start.sign;
         }
@@ -148,7 +148,7 @@ where
         Stage { t: equation.from.t + equation.constants.scaled.nodes[i], z: equation.point(i, v), s: () }
     }
 
-    /// By the forces where they were evaluated last, and what the last correction changes them by: its square is rounding.
+    /// The forces are those of the last evaluation, corrected to first order: the square of the last correction is rounding.
     #[inline(always)]
     fn update(
         equation: &Equation<'_, Self, Y, R>,

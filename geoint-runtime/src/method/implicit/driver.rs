@@ -1,4 +1,4 @@
-//! The driver of implicit steps: guess, residual, update, and reasons to refuse a step.
+//! The driver of implicit steps: it begins a step, lets the solver solve its equation, adds the increments, and checks the end.
 
 use super::points::{Arrival, Departure, Increment, Stage};
 use super::step::{Branch, Equation, Evaluated, ImplicitStep, Sums};
@@ -9,6 +9,10 @@ use crate::solving::equation::{Magnitudes, Solution, Solver, StepEquation};
 use crate::space::{Compensated, Record, Square, Summation, Tape};
 use crate::system::{PhaseSpace, Poles, jump_between};
 
+/// Whether a step evaluates divided differences: a pole between their ends is a pole of most of them.
+const BY_DIFFERENCES: bool = true;
+const BY_POINTS: bool = false;
+
 /// Coefficients of steps of one length.
 #[derive(Clone)]
 pub struct Prepared<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> {
@@ -17,7 +21,7 @@ pub struct Prepared<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> {
     poles: Poles,
 }
 
-/// What steps hand on to the next one.
+/// Values that a step passes to the next one.
 #[derive(Clone)]
 pub struct Memory<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> {
     solver: M::Solver,
@@ -35,7 +39,7 @@ impl<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> Record<R> for Memory<M, S
 
 impl<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> Memory<M, S, R> {
     /// Creates the memory before the first step.
-    #[expect(clippy::new_without_default, reason = "the memory of no step is no default of anything")]
+    #[expect(clippy::new_without_default, reason = "a default memory would look valid in the middle of a run")]
     pub fn new() -> Self {
         Memory { solver: M::Solver::new(M::POLICY.units), history: M::history(), sums: Compensated::new() }
     }
@@ -53,7 +57,7 @@ impl<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> Prepared<M, S, R> {
     /// Takes one step, in place.
     ///
     /// # Errors
-    /// Where the step has no result.
+    /// If the step has no result. The point and the memory are then not valid, and the caller restores the point.
     #[inline(always)]
     pub fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         &self,
@@ -84,6 +88,7 @@ impl<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> Prepared<M, S, R> {
         Step { t, end, x, probe, .. }: Step<'_, S, R, C, P>,
     ) -> Result<Taken<'a, M, S, R>, Refusal> {
         let before = start::<S, R, C>(x);
+        // A run that compensates has the compensation in its point, and keeps it when h changes. Otherwise the method has it.
         let compensation = if C::PLAIN { sums.compensation() } else { x.sums.compensation() };
         let from = Departure { system, t, end, h: self.h, z: before.0, s: before.1, compensation };
         probe.visit(t, &from.z, &from.s);
@@ -99,7 +104,7 @@ impl<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> Prepared<M, S, R> {
         for i in 0..M::STAGES {
             let Stage { t: later, z, s } = M::stage(&equation, i, &solution.x);
             let way = ([t, later], [&from.z, &z], [&from.s, &s]);
-            check_way::<S, R, P>(&self.poles, false, system, way, &mut x.doubtful)?;
+            check_way::<S, R, P>(&self.poles, BY_POINTS, system, way, &mut x.doubtful)?;
         }
         let Increment { z, s, lost } = M::update(&equation, &solution, &seen)?;
         match const { M::POLICY.sums } {
@@ -110,12 +115,12 @@ impl<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> Prepared<M, S, R> {
         let arrival = Arrival { z: &x.z, s: &x.s, doubtful: &mut x.doubtful };
         M::finish::<P>(&equation, &solution, history, arrival)?;
         if const { !matches!(M::POLICY.evaluated, Evaluated::Elsewhere) } {
-            // Rounding may have decided a condition otherwise than the equation has.
+            // After rounding, the end may lie on the other side of a condition than the end in the equation.
             Refusal::outside(jump_between(system, from.middle(), [&decided.0, &x.z], [&decided.1, &x.s]))?;
         }
         let step = Step { system, t, end, x, probe };
         match const { M::POLICY.evaluated } {
-            Evaluated::ByDifferences => check_poles(&self.poles, true, &before, step)?,
+            Evaluated::ByDifferences => check_poles(&self.poles, BY_DIFFERENCES, &before, step)?,
             _ => check_end(&self.poles, &before, step)?,
         }
         Ok(Taken { equation, solution })

@@ -6,7 +6,7 @@ use crate::scalar::Real;
 use crate::space::Array;
 use crate::system::{Invariants, PhaseSpace};
 
-/// A method whose steps of systems `S` are implicit. The attributes implement this for each system and each method that the system has.
+/// A method whose steps of systems `S` are implicit. The attribute macros implement this for each system and each method that the system has.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a method for `{S}`",
     label = "this method does not fit this kind of system",
@@ -17,7 +17,7 @@ use crate::system::{Invariants, PhaseSpace};
     note = "methods for rigid bodies (`attitude = r`): tables of kicks and drifts such as `BlanesMoanSrkn14a`, `FiveRotations`, `RK4`, `DOP853`"
 )]
 pub trait ImplicitMethod<S: PhaseSpace<R>, R: Real = f64>: Copy {
-    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    /// `()` if the system has the properties that the method needs; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// The step of this method for systems of this kind.
     type Step: ImplicitStep<S, R>;
@@ -26,7 +26,7 @@ pub trait ImplicitMethod<S: PhaseSpace<R>, R: Real = f64>: Copy {
     fn step(self) -> Self::Step;
 }
 
-/// A system for which `M` is an [`ImplicitMethod`]: the same statement as a bound of the system, which traits may have as a supertrait.
+/// A system for which `M` is an [`ImplicitMethod`]. It states the bound `M: ImplicitMethod<S>` as a bound of the system, so that it can be a supertrait.
 pub trait SolvedBy<M, R: Real = f64>: PhaseSpace<R> {
     /// See [`ImplicitMethod::Proof`].
     type Proof;
@@ -46,7 +46,7 @@ impl<M: ImplicitMethod<S, R>, S: PhaseSpace<R>, R: Real> SolvedBy<M, R> for S {
     }
 }
 
-/// Returns whether steps keep anything.
+/// Returns whether steps keep an invariant.
 pub const fn keeps<M, S: SolvedBy<M, R>, R: Real>() -> bool {
     <<StepFor<M, S, R> as ImplicitStep<S, R>>::Kept as Invariants<S, R>>::Values::LEN > 0
 }
@@ -64,13 +64,16 @@ pub const fn is_rough_if_short<M, S: SolvedBy<M, R>, R: Real>() -> bool {
 /// The step of a method for a system.
 pub type StepFor<M, S, R> = <S as SolvedBy<M, R>>::Step;
 
-/// What the steps of a method prepare.
+/// The coefficients that the steps of a method prepare.
 pub type PreparedFor<M, S, R> = Prepared<StepFor<M, S, R>, S, R>;
 
-/// What the steps of a method hand on.
+/// The values that a step of a method passes to the next one.
 pub type MemoryFor<M, S, R> = Memory<StepFor<M, S, R>, S, R>;
 
-/// Makes a [`Method`](crate::Method) of an [`ImplicitMethod`], by its name and its [`Claims`](crate::method::Claims).
+/// Implements [`Method`](crate::Method) for an [`ImplicitMethod`].
+///
+/// Arguments: the type, a closure from the method to its [`Name`](crate::method::Name), and its [`Claims`](crate::method::Claims). Parameters of the type stand in
+/// brackets before it, and a bound of one type may follow: `implicit_method!([const S: usize] Gauss<S>, |_| …, …, Gauss<S>: Bound)`.
 #[macro_export]
 macro_rules! implicit_method {
     ([$($generic:tt)*] $method:ty, |$this:pat_param| $name:expr, $claims:expr $(, $bounded:ty: $bound:path)?) => {

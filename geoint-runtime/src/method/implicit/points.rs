@@ -1,4 +1,4 @@
-//! The points of a step: where it starts, what it passes, what it adds, and where it ends.
+//! The points of a step: departure, stages, increments, and arrival.
 
 use crate::scalar::Real;
 use crate::space::Array;
@@ -11,7 +11,7 @@ pub struct Departure<'a, S: PhaseSpace<R>, R: Real> {
     pub system: &'a S,
     /// The time at the start of the step.
     pub t: R,
-    /// The time at its end, which is when the next one starts: t + h, but for rounding.
+    /// The time at its end, which is the start of the next step. It differs from t + h by a rounding.
     pub end: R,
     /// The length of the step.
     pub h: R,
@@ -19,7 +19,7 @@ pub struct Departure<'a, S: PhaseSpace<R>, R: Real> {
     pub z: S::Phase,
     /// The action at the start.
     pub s: S::Action,
-    /// What z is too small by, where sums compensate.
+    /// The compensation of the sums: the coordinates are z + `compensation`. Zero for plain sums.
     pub compensation: S::Phase,
 }
 
@@ -39,19 +39,19 @@ impl<S: PhaseSpace<R>, R: Real> Departure<'_, S, R> {
     }
 }
 
-/// What a step adds to the state.
+/// The increments of the state in a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Increment<Z, A> {
     /// The increments of coordinates.
     pub z: Z,
     /// The increment of the action.
     pub s: A,
-    /// The rounding error of the increments of coordinates.
+    /// The part of the increments of coordinates that was lost by rounding: they are z + `lost`. Compensated sums add it.
     pub lost: Z,
 }
 
 impl<Z: Array> Increment<Z, ()> {
-    /// The increment of a system without an action.
+    /// Returns the increments of a system without an action, without a rounding error.
     #[inline(always)]
     pub fn of(z: Z) -> Self {
         Increment { z, s: (), lost: Z::zero() }
@@ -68,12 +68,12 @@ pub struct Stage<S: PhaseSpace<R>, R: Real> {
     pub s: S::Action,
 }
 
-/// The end of a step, where a method looks for reasons to refuse it.
+/// The end of a step, which a method may refuse.
 pub struct Arrival<'a, S: PhaseSpace<R>, R: Real> {
     /// Coordinates.
     pub z: &'a S::Phase,
     /// The action.
     pub s: &'a S::Action,
-    /// Is set where a step of the fast path cannot tell that it was good. The step is then repeated with more effort.
+    /// Set it to true if a fast attempt cannot verify the step. The caller then repeats the step thoroughly.
     pub doubtful: &'a mut bool,
 }

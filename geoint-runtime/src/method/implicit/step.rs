@@ -1,4 +1,4 @@
-//! One implicit step, as a method states it: the unknown, a guess, the residual, and what a solution adds to the state.
+//! One implicit step, as a method states it: unknown, guess, residual, and the increments of the state that belong to a solution.
 
 use super::points::{Arrival, Departure, Increment, Stage};
 use super::watch::Watch;
@@ -10,27 +10,26 @@ use crate::space::vector::difference;
 use crate::space::{Array, Record, Square};
 use crate::system::{Invariants, PhaseSpace};
 
-/// What each equation of a method has in common with the others.
+/// The properties that all equations of a method have in common.
 #[derive(Clone, Copy, Debug)]
 pub struct Policy {
-    /// The number of unknowns that follow each other and have one unit, and the number of such kinds.
+    /// The units of the unknowns.
     pub units: Units,
     /// The coordinates with which corrections are compared.
     pub magnitudes: Magnitudes,
-    /// Which one of several solutions is the step.
+    /// The solution that is the step, if there are several.
     pub branch: Branch,
-    /// The factor f for which x = f·origin moves nothing: 0 for an increment, −2 for an impulse that reverses a momentum. The energy is defined there if it is
-    /// defined at the start of the step.
+    /// The factor f for which x = f·origin leaves the positions unchanged: 0 for an increment. It is −2 for an impulse: the momentum is reversed, and its mean is 0.
+    /// The search for a distant solution starts there, because the energy is defined there if it is defined at the start of the step.
     pub standstill: f64,
-    /// How the step is added to the state.
+    /// The sums by which the step is added to the state.
     pub sums: Sums,
-    /// Where the equation evaluates the energy.
+    /// The points at which the equation evaluates the energy.
     pub evaluated: Evaluated,
 }
 
 impl Policy {
-    /// The policy of most methods, for unknowns with these units: the solution that is continuous in h is added plainly, and the energy is not evaluated at
-    /// the end.
+    /// Returns the policy of most methods: the solution that is continuous in h is added as the run adds, and the energy is not evaluated at the end.
     pub const fn of(units: Units) -> Self {
         Policy {
             units,
@@ -43,33 +42,33 @@ impl Policy {
     }
 }
 
-/// Which one of several solutions is the step.
+/// The solution that is the step, if there are several.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Branch {
-    /// The one that is continuous in h. A solution that took many corrections is followed to h = 0.
+    /// The solution that is continuous in h. A solution that took many corrections is followed to h = 0.
     Continuous,
-    /// Each one: all solutions have the energy of the start.
+    /// Each solution at which the derivative has a positive determinant, because all of them satisfy the energy balance of the step. Friction is part of this balance.
     OfEnergy,
 }
 
-/// How a step is added to the state.
+/// The sums by which a step is added to the state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sums {
-    /// As the run adds: plainly, unless it compensates.
+    /// The sums of the run. They are plain, unless the user has asked for compensation.
     OfTheRun,
-    /// With compensation for rounding errors. The energy of a method that keeps it is worth that: with plain sums, rounding errors have a bias at some step sizes,
-    /// and the energy drifts by 10⁻¹² in a million steps. The cost is a twentieth.
+    /// Sums of the method with compensation for rounding errors. Methods that keep the energy need them: with plain sums, rounding errors have a bias at some step
+    /// sizes, and the energy drifts by 10⁻¹² in a million steps. They cost a twentieth of a short step.
     Compensated,
 }
 
-/// Where an equation evaluates the energy. The driver examines the remaining points.
+/// The points at which an equation evaluates the energy. The driver checks what follows from them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Evaluated {
-    /// At other points than the end. The energy has to be defined at the end, and to have no pole on the way there.
+    /// Points other than the end. The driver checks that the energy is defined at the end, and that there is no pole on the way.
     Elsewhere,
-    /// At the end, where it decides conditions. It has to have no pole on the way there.
+    /// The end, too. The driver also checks that the rounded end lies on the same side of each condition of the energy (`if`, `abs`) as the end in the equation.
     AtTheEnd,
-    /// At both ends, by divided differences. They are defined on the whole way, unless a pole of the energy is not one of its differences.
+    /// Both ends, by divided differences. A pole between the ends is a pole of most differences. The driver checks conditions, and the poles that differences miss.
     ByDifferences,
 }
 
@@ -79,9 +78,9 @@ pub enum Evaluated {
 pub struct Equation<'a, M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> {
     /// The point from which the step leads.
     pub from: Departure<'a, S, R>,
-    /// What depends on parameters and h.
+    /// Values that depend on the method, on parameters, and on h.
     pub constants: &'a M::Constants,
-    /// What depends on the start of the step.
+    /// Values that depend on the start of the step.
     pub start: M::Start,
 }
 
@@ -93,27 +92,27 @@ impl<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> Clone for Equation<'_, M,
 
 impl<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> Copy for Equation<'_, M, S, R> {}
 
-/// An implicit step of systems `S`: an equation r(x) = 0 for the unknown of each step, and what its solution adds to the state.
+/// An implicit step of systems `S`: an equation r(x) = 0 for the unknown of each step, and the increments of the state that belong to its solution.
 ///
-/// A driver predicts x from the steps before, solves the equation to rounding, and refuses the step where the solution is not the one of short steps, or where the
-/// energy has a pole on the way. The functions have the names of the parts of a step: begin, guess, residual, update, finish.
+/// The solver predicts x from the steps before, and solves the equation to rounding. The driver adds the increments. It refuses the step if the solution is not
+/// connected to h = 0, or if the energy has a pole on the way. The functions are the parts of a step in their order: begin, guess, residual, update, finish.
 pub trait ImplicitStep<S: PhaseSpace<R>, R: Real = f64>: Copy + core::fmt::Debug {
     /// The unknown x.
     type Unknown: Array<Real = R>;
-    /// What depends on the method, on parameters, and on h.
+    /// Values that depend on the method, on parameters, and on h.
     type Constants: Clone;
-    /// What depends on the start of a step. All evaluations have it in common.
+    /// Values that depend on the start of a step. All evaluations have them in common.
     type Start: Copy;
-    /// What steps hand on to the next one, beside the unknowns: `()` for most methods.
+    /// Values that a step passes to the next one, beside the unknowns: `()` for most methods.
     type History: Clone + Record<R>;
-    /// What the last evaluation leaves for [`update`](Self::update), so that it is not evaluated again: `()` for most methods.
+    /// Values of the last evaluation that [`update`](Self::update) reads, so that it does not evaluate them again: `()` for most methods.
     type Seen;
-    /// What steps keep to rounding; what roundings add up to is taken away once in 1024 steps. `()` if they keep nothing.
+    /// The invariants that a step keeps to rounding. After each 1024 steps the accumulated rounding error is removed. `()` if a step keeps none.
     type Kept: Invariants<S, R> + Default;
     /// The iteration.
     type Solver: Solver<Self::Unknown>;
 
-    /// What each equation has in common with the others.
+    /// The properties that all equations have in common.
     const POLICY: Policy;
     /// The number of [stages](Self::stage) of a step.
     const STAGES: usize = 0;
@@ -124,10 +123,10 @@ pub trait ImplicitStep<S: PhaseSpace<R>, R: Real = f64>: Copy + core::fmt::Debug
     /// The order of the error that [`estimate`](Self::estimate) finds, if it does.
     const ORDER_OF_ESTIMATE: Option<u32> = None;
 
-    /// Returns what depends on the method, on parameters, and on h.
+    /// Returns the values that depend on the method, on parameters, and on h.
     fn constants(self, system: &S, h: R) -> Self::Constants;
 
-    /// Returns what the method claims for systems of this type, from what it claims for others.
+    /// Adjusts the claims of the method to systems of this type.
     fn claims(claims: Claims) -> Claims {
         claims
     }
@@ -135,13 +134,13 @@ pub trait ImplicitStep<S: PhaseSpace<R>, R: Real = f64>: Copy + core::fmt::Debug
     /// Returns the history before the first step.
     fn history() -> Self::History;
 
-    /// Returns what the last evaluation has left before the first one.
+    /// Returns the values of `Seen` before the first evaluation.
     fn unseen() -> Self::Seen;
 
-    /// Returns what all evaluations of a step have in common.
+    /// Returns the values that all evaluations of a step have in common.
     ///
     /// # Errors
-    /// Where a step cannot start.
+    /// If a step cannot start here.
     fn begin(
         from: &Departure<'_, S, R>,
         constants: &Self::Constants,
@@ -162,7 +161,8 @@ pub trait ImplicitStep<S: PhaseSpace<R>, R: Real = f64>: Copy + core::fmt::Debug
         matrix: &mut Square<Self::Unknown>,
     ) -> Self::Unknown;
 
-    /// Returns g(x) of the equation x = g(x), where r(x) = x − g(x). With many unknowns, x is iterated by this, without a matrix.
+    /// Returns g(x) of the equation x = g(x), where r(x) = x − g(x). With more than twelve unknowns, the solver iterates x = g(x). The default computes the matrix and
+    /// discards it.
     #[inline(always)]
     fn image<P: Probe<S, R>>(
         equation: &Equation<'_, Self, S, R>,
@@ -175,7 +175,7 @@ pub trait ImplicitStep<S: PhaseSpace<R>, R: Real = f64>: Copy + core::fmt::Debug
     /// Returns the solution.
     ///
     /// # Errors
-    /// Where none is found, or not that of short steps.
+    /// If no solution is found, or if the solution is not connected to h = 0.
     #[inline(always)]
     fn solve<P: Probe<S, R>>(
         equation: Equation<'_, Self, S, R>,
@@ -185,17 +185,17 @@ pub trait ImplicitStep<S: PhaseSpace<R>, R: Real = f64>: Copy + core::fmt::Debug
         solver.solve(&equation, watch)
     }
 
-    /// Returns the `i`-th point between which and the start the energy must not have a pole.
+    /// Returns stage `i`. The energy must not have a pole on the line from the start to this stage.
     fn stage(equation: &Equation<'_, Self, S, R>, i: usize, x: &Self::Unknown) -> Stage<S, R> {
         let _ = (i, x);
         let Departure { t, z, s, .. } = equation.from;
         Stage { t, z, s }
     }
 
-    /// Returns what a solution adds to the state.
+    /// Returns the increments of the state that belong to a solution.
     ///
     /// # Errors
-    /// Where the step has no end.
+    /// If the step has no end.
     fn update(
         equation: &Equation<'_, Self, S, R>,
         solution: &Solution<Self::Unknown>,
@@ -205,7 +205,7 @@ pub trait ImplicitStep<S: PhaseSpace<R>, R: Real = f64>: Copy + core::fmt::Debug
     /// Refuses the end of a step, or prepares the next one.
     ///
     /// # Errors
-    /// Where a step ends otherwise than the method promises.
+    /// If the end does not have the properties that the method promises.
     #[inline(always)]
     fn finish<P: Probe<S, R>>(
         equation: &Equation<'_, Self, S, R>,
@@ -217,17 +217,18 @@ pub trait ImplicitStep<S: PhaseSpace<R>, R: Real = f64>: Copy + core::fmt::Debug
         Ok(())
     }
 
-    /// Returns the reason for which an equation has no solution, if it is another one than the solver sees.
+    /// Replaces the refusal of the solver by a more specific one, if the method knows it.
     #[cold]
     fn explained(equation: &Equation<'_, Self, S, R>, seen: &Self::Seen, refusal: Refusal) -> Refusal {
         let _ = (equation, seen);
         refusal
     }
 
-    /// Returns two estimates of the error of a step, for steps that adapt.
+    /// Returns two estimates of the error of a step, for steps that adapt. See [`Method::estimated`](crate::Method::estimated). It is called only if
+    /// [`ORDER_OF_ESTIMATE`](Self::ORDER_OF_ESTIMATE) is not `None`.
     ///
     /// # Errors
-    /// Where there are none.
+    /// If the error cannot be estimated.
     fn estimate<P: Probe<S, R>>(
         equation: &Equation<'_, Self, S, R>,
         x: &Self::Unknown,
@@ -237,13 +238,13 @@ pub trait ImplicitStep<S: PhaseSpace<R>, R: Real = f64>: Copy + core::fmt::Debug
         Err(Refusal::Singular)
     }
 
-    /// Returns what leads from `z` to where the invariants that steps keep were at the `origin` of a run.
+    /// Returns the correction of `z` that restores the invariants which steps keep to their values at the `origin` of a run.
     #[inline]
     fn way_back(system: &S, origin: &S::Phase, z: &S::Phase) -> S::Phase {
         kept::way_back(system, &Self::Kept::default(), origin, z)
     }
 
-    /// Returns whether the invariants that steps compare are numbers with all their digits at the start of a run.
+    /// Returns whether the invariants that steps compare are finite and not subnormal at the start of a run.
     fn is_in_range(system: &S, z: &S::Phase) -> bool {
         let _ = (system, z);
         true

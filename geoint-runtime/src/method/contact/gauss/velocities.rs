@@ -1,6 +1,8 @@
-//! The step of a Lagrangian with an action that is solved for velocities: with qᵢ = q₀ + h Σ aᵢⱼ vⱼ,
+//! The step of a Lagrangian with an action. The unknowns are the velocities vᵢ of all stages, and sᵢ − s₀ if f, p or σ depend on s: with qᵢ = q₀ + h Σ aᵢⱼ vⱼ,
 //!
 //! rᵢ ∂L/∂v(qᵢ, vᵢ, sᵢ) = p₀ + h Σ aᵢⱼ rⱼ fⱼ, sᵢ = s₀ + h Σ aᵢⱼ Lⱼ, rᵢ = 1 + h Σ aᵢⱼ rⱼ σⱼ with f = ∂L/∂q and σ = −∂L/∂s.
+//!
+//! r is an integrating factor, d(r p)/dt = r f. A step multiplies the contact form ds − p dq by 1/r₁.
 
 use crate::method::gauss::factors::Factors;
 use crate::method::gauss::prepared::Scaled;
@@ -16,20 +18,20 @@ use crate::space::vector::{difference, dot, moved, opposite, scaled, sum, sum_of
 use crate::space::{Array, Square};
 use crate::system::{ContactStage, ContactVelocities, Regular, row_units, velocity_near};
 
-/// The step that is solved for velocities of its stages, and for the increments of s if they read it.
+/// The step that is solved for velocities of its stages, and perhaps for their increments of s.
 #[derive(Clone, Copy, Debug)]
 pub struct ContactVelocityStages<const S: usize>;
 
-/// What depends on the start of a step.
+/// Values that depend on the start of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Start<R, const S: usize> {
     /// The sign of the determinant of the mass matrix.
     sign: R,
-    /// The factors, where they do not depend on what is solved for.
+    /// The factors, if they do not depend on the unknowns.
     known: Option<Factors<R, S>>,
 }
 
-/// What was evaluated last, for which unknowns.
+/// The last evaluation, and its unknowns.
 #[derive(Clone, Copy, Debug)]
 pub struct Last<D, A: Array, const S: usize> {
     d: [D; S],
@@ -43,10 +45,10 @@ impl<D: Array<Real = A::Real>, A: Array, const S: usize> Last<D, A, S> {
     }
 }
 
-/// Returns what the equation has. Second derivatives that L does not have are not multiplied.
+/// Returns which derivatives are not zero. Second derivatives that L does not have are not multiplied.
 const fn form<Y: ContactVelocities<R>, R: Real>() -> Form {
     let [by_q_and_v, _, by_q_and_s] = Y::MIXED;
-    let is_given = by_q_and_v || by_q_and_s || varying::<Y, R>();
+    let is_given = by_q_and_v || by_q_and_s || solves_for_action::<Y, R>();
     Form {
         value: Slopes { by_unknown: Part::Given, by_shift: Part::given_if(by_q_and_v) },
         rate: Slopes { by_unknown: Part::given_if(is_given), by_shift: Part::Given },
@@ -57,12 +59,12 @@ const fn form<Y: ContactVelocities<R>, R: Real>() -> Form {
 /// Returns which derivatives σ has.
 const fn decay_slopes<Y: ContactVelocities<R>, R: Real>() -> Slopes<Part> {
     let [_, _, by_q_and_s] = Y::MIXED;
-    let varying = varying::<Y, R>();
-    Slopes { by_unknown: Part::given_if(varying), by_shift: Part::given_if(varying && by_q_and_s) }
+    let solved = solves_for_action::<Y, R>();
+    Slopes { by_unknown: Part::given_if(solved), by_shift: Part::given_if(solved && by_q_and_s) }
 }
 
-/// Whether the factors, and s, depend on what is solved for: where L = L₀(q, v, t) − g(t)·s they do not.
-const fn varying<Y: ContactVelocities<R>, R: Real>() -> bool {
+/// Returns whether sᵢ are among the unknowns. If L = L₀(q, v, t) − g(t)·s they are not: the factors are known beforehand, and s follows from the solution.
+const fn solves_for_action<Y: ContactVelocities<R>, R: Real>() -> bool {
     Y::Moved::LEN > Y::Array::LEN
 }
 
@@ -70,9 +72,9 @@ impl<Y: ContactVelocities<R>, R: Real, const S: usize> Equation<'_, ContactVeloc
 where
     Gauss<S>: GaussTableau<S>,
 {
-    /// The velocity of a stage, and the increment of s.
+    /// Returns the velocity of a stage, and the increment of s.
     #[inline(always)]
-    fn apart(&self, d: &Y::Moved) -> (Y::Array, R) {
+    fn split(&self, d: &Y::Moved) -> (Y::Array, R) {
         let mut v = Y::Array::zero();
         for (v, d) in v.as_mut_slice().iter_mut().zip(d.as_slice()) {
             *v = *d;
@@ -80,9 +82,9 @@ where
         (v, d.as_slice().get(Y::Array::LEN).copied().unwrap_or_else(zero))
     }
 
-    /// The same in a row, with what belongs to s if that is solved for.
+    /// Returns a row with these entries for v, and for s if s is an unknown.
     #[inline(always)]
-    fn together(&self, v: &Y::Array, s: R) -> Y::Moved {
+    fn join(&self, v: &Y::Array, s: R) -> Y::Moved {
         let mut row = Y::Moved::zero();
         for (x, v) in row.as_mut_slice().iter_mut().zip(v.as_slice()) {
             *x = *v;
@@ -93,39 +95,39 @@ where
         row
     }
 
-    /// What velocities of stages move positions by.
+    /// Returns h Σ aᵢⱼ vⱼ.
     #[inline(always)]
     fn shift(&self, i: usize, d: &[Y::Moved; S]) -> Y::Array {
         let mut change = Y::Array::zero();
         for (a, d) in self.constants.scaled.coupling[i].iter().zip(d) {
-            change.add_scaled(*a, &self.apart(d).0);
+            change.add_scaled(*a, &self.split(d).0);
         }
         change
     }
 
-    /// Where a stage is: positions and s, with the momenta before the step.
+    /// Returns the point of a stage: positions and s, with the momenta before the step.
     #[inline(always)]
     fn place(&self, i: usize, d: &[Y::Moved; S]) -> (Y::Phase, R) {
-        ([sum(&self.from.z[0], &self.shift(i, d)), self.from.z[1]], self.from.s + self.apart(&d[i]).1)
+        ([sum(&self.from.z[0], &self.shift(i, d)), self.from.z[1]], self.from.s + self.split(&d[i]).1)
     }
 
-    /// Writes the values of a stage in rows for v, and for s if that is solved for.
+    /// Writes the values of a stage: rows of v with P = ∂L/∂v and F = f, and a row of s with P = sᵢ and F = L if s is an unknown.
     #[inline(always)]
     fn fill(&self, values: &mut Values<Y::Moved>, stage: &ContactStage<Y::Array>, d: &Y::Moved) {
         let (n, one) = (Y::Array::LEN, R::from_f64(1.0));
         let [momentum_by_q, mass, force_by_q, force_by_v] = &stage.derivatives;
         let [momentum_by_s, force_by_s] = &stage.by_action;
-        values.value = self.together(&difference(&stage.momentum, &self.from.z[1]), self.apart(d).1);
-        values.whole = self.together(&stage.momentum, zero());
-        values.rate = self.together(&stage.force, stage.lagrangian);
-        values.scales = self.together(&row_units(mass), one);
+        values.value = self.join(&difference(&stage.momentum, &self.from.z[1]), self.split(d).1);
+        values.whole = self.join(&stage.momentum, zero());
+        values.rate = self.join(&stage.force, stage.lagrangian);
+        values.scales = self.join(&row_units(mass), one);
         values.decay = stage.decay;
-        values.decay_slopes.by_unknown = self.together(&opposite(momentum_by_s), stage.decay_by_action);
-        values.decay_slopes.by_shift = self.together(&opposite(force_by_s), zero());
+        values.decay_slopes.by_unknown = self.join(&opposite(momentum_by_s), stage.decay_by_action);
+        values.decay_slopes.by_shift = self.join(&opposite(force_by_s), zero());
         let rows = |slopes: &mut Square<Y::Moved>, by: &Square<Y::Array>, by_s: &Y::Array| {
             let rows = Y::Moved::entries::<Y::Moved>(slopes).iter_mut().zip(Y::Array::entries_of::<Y::Array>(by));
             for ((row, by), by_s) in rows.zip(by_s.as_slice()) {
-                *row = self.together(by, *by_s);
+                *row = self.join(by, *by_s);
             }
         };
         let none = Y::Array::zero();
@@ -134,9 +136,9 @@ where
         rows(&mut values.rate_slopes.by_unknown, force_by_v, force_by_s);
         rows(&mut values.rate_slopes.by_shift, force_by_q, &none);
         // The row of the action: its increment, and L.
-        if varying::<Y, R>() {
+        if solves_for_action::<Y, R>() {
             let last = |slopes: &mut Square<Y::Moved>, v: &Y::Array, s: R| {
-                Y::Moved::entries::<Y::Moved>(slopes)[n] = self.together(v, s);
+                Y::Moved::entries::<Y::Moved>(slopes)[n] = self.join(v, s);
             };
             last(&mut values.value_slopes.by_unknown, &none, one);
             last(&mut values.rate_slopes.by_unknown, &stage.momentum, -stage.decay);
@@ -144,8 +146,8 @@ where
         }
     }
 
-    /// What the step adds, from stages at `last` and what the last correction changes them by: its square is rounding. `None` where the form
-    /// would not be multiplied by a positive number.
+    /// Returns the increments of the step, from the stages at `last`, corrected to first order: the square of the last correction is rounding. `None` if the contact
+    /// form would not be multiplied by a positive number.
     #[inline(always)]
     fn end(&self, d: &[Y::Moved; S], last: &Last<Y::Moved, Y::Array, S>) -> Option<Increment<Y::Phase, R>> {
         let Scaled { coupling, weights, .. } = &self.constants.scaled;
@@ -155,18 +157,18 @@ where
         }
         let (mut forces, mut decay, mut rates) = ([Y::Array::zero(); S], [zero(); S], [zero(); S]);
         for i in 0..S {
-            let moved = (self.shift(i, &corrections), self.apart(&corrections[i]));
+            let moved = (self.shift(i, &corrections), self.split(&corrections[i]));
             (forces[i], decay[i], rates[i]) = after::<Y, R>(&last.stages[i], &moved.0, moved.1);
         }
         let factors = self.start.known.unwrap_or_else(|| last.factors.after(&decay));
         let grown = factors.growth(weights)?;
         let (mut change, mut impulse) = (Y::Array::zero(), scaled(-grown, &self.from.z[1]));
         for i in 0..S {
-            change.add_scaled(weights[i], &self.apart(&d[i]).0);
+            change.add_scaled(weights[i], &self.split(&d[i]).0);
             impulse.add_scaled(weights[i] * factors.r[i], &forces[i]);
         }
         let impulse = scaled(R::from_f64(1.0) / (R::from_f64(1.0) + grown), &impulse);
-        if !varying::<Y, R>() {
+        if !solves_for_action::<Y, R>() {
             rates = factors.rates_of_action(coupling, rates)?;
         }
         Some(Increment { z: [change, impulse], s: sum_of_products(weights, &rates), lost: Y::Phase::zero() })
@@ -185,11 +187,9 @@ where
     type Kept = ();
     type Solver = Newton<[Y::Moved; S]>;
 
-    const POLICY: Policy = Policy {
-        // Each unknown of a stage is of a kind of its own.
-        ..Policy::of(Units { alike: 1, kinds: Y::Moved::LEN })
-    };
-    const STAGES: usize = if varying::<Y, R>() { S } else { 0 };
+    /// Each unknown of a stage may have a unit of its own.
+    const POLICY: Policy = Policy::of(Units { alike: 1, kinds: Y::Moved::LEN });
+    const STAGES: usize = if solves_for_action::<Y, R>() { S } else { 0 };
 
     fn constants(self, system: &Y, h: R) -> Self::Constants {
         Constants { kernel: system.stage_constants(), scaled: Scaled::by(h), is_definite: system.is_definite() }
@@ -211,7 +211,7 @@ where
     ) -> Result<Self::Start, Refusal> {
         let Departure { system, t, z, s, .. } = from;
         let sign = regular.begin(*system, *is_definite, (*t, z, s))?;
-        let known = if varying::<Y, R>() {
+        let known = if solves_for_action::<Y, R>() {
             None
         } else {
             let none = Y::Array::zero();
@@ -221,11 +221,11 @@ where
         Ok(Start { sign, known })
     }
 
-    /// The accuracy of a velocity that can be seen in the position which h times it is added to.
+    /// (q₀/h, s₀): rounding of a velocity is relative to q₀/h, that of an increment of s to s₀.
     #[inline(always)]
     fn origin(equation: &Equation<'_, Self, Y, R>) -> [Y::Moved; S] {
         let Departure { h, z, s, .. } = &equation.from;
-        [equation.together(&scaled(R::from_f64(1.0) / *h, &z[0]), *s); S]
+        [equation.join(&scaled(R::from_f64(1.0) / *h, &z[0]), *s); S]
     }
 
     /// The velocities as if v' and s' were constant.
@@ -235,10 +235,10 @@ where
         let mut at = ContactStage::none();
         system.stage(&constants.kernel, *t, &z[0], &v, s, &mut at);
         let rate = at.acceleration(&v);
-        constants.scaled.nodes.map(|node| equation.together(&moved(&v, node, &rate), node * at.lagrangian))
+        constants.scaled.nodes.map(|node| equation.join(&moved(&v, node, &rate), node * at.lagrangian))
     }
 
-    /// What the momentum of each stage is too large by, a row over |Mᵢᵢ|, and the increment of s.
+    /// (rᵢ ∂L/∂v − p₀ − h Σ aᵢⱼ rⱼ fⱼ)/|Mᵢᵢ|, and sᵢ − s₀ − h Σ aᵢⱼ Lⱼ.
     #[inline(always)]
     fn residual<P: Probe<Y, R>>(
         equation: &Equation<'_, Self, Y, R>,
@@ -254,10 +254,10 @@ where
             let (t, (z, s)) = (from.t + nodes[i], equation.place(i, d));
             watch.visit(t, &z, &s);
             let stage = &mut watch.seen.stages[i];
-            from.system.stage(kernel, t, &z[0], &equation.apart(&d[i]).0, &s, stage);
+            from.system.stage(kernel, t, &z[0], &equation.split(&d[i]).0, &s, stage);
             equation.fill(values, stage, &d[i]);
         }
-        // As many mass matrices as stages: with an even number of them the determinant is positive.
+        // The determinant has the sign of (det M)ˢ.
         if S % 2 == 1 {
             stages[0].scales.as_mut_slice()[0] *= start.sign;
         }
@@ -294,11 +294,11 @@ where
     ) -> Result<(), Refusal> {
         let Equation { from, constants, .. } = equation;
         let ends = [(from.t, &from.z, &from.s), (from.end, z, s)];
-        regular.follow(from.system, constants.is_definite, ends, equation.apart(&solution.x[S - 1]).0)
+        regular.follow(from.system, constants.is_definite, ends, equation.split(&solution.x[S - 1]).0)
     }
 }
 
-/// f, σ and L after small changes of q, v and s.
+/// Returns f, σ and L after small changes of q, v and s.
 #[inline(always)]
 fn after<Y: ContactVelocities<R>, R: Real>(
     stage: &ContactStage<Y::Array>,
