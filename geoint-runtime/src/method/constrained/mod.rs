@@ -1,4 +1,4 @@
-//! Positions that are bound to g(q) = 0: mechanisms in Cartesian coordinates, closed chains.
+//! Systems whose positions satisfy g(q) = 0: mechanisms in Cartesian coordinates, closed chains.
 //!
 //! ```
 //! use geoint_runtime::prelude::*;

@@ -1,4 +1,4 @@
-//! The step of a contact system that is solved for the increments of q, p and s together: d = Φ(d), with Φ of [`ContactEquation`].
+//! Step of a contact system, solved for the increments of q, p and s together: d = Φ(d), with Φ of [`ContactEquation`].
 
 use super::{ContactDiscreteGradient, ContactMidpoint};
 use crate::implicit_method;
@@ -41,7 +41,7 @@ impl Looks for ContactDiscreteGradient {
     const AHEAD: f64 = 1.0;
 }
 
-/// What depends on the start of a step.
+/// Values that depend on the start of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Start<K, A> {
     /// q, p and s in a row.
@@ -82,7 +82,7 @@ impl<S: ContactEquation<M, R>, M: Looks, R: Real> ImplicitStep<S, R> for Contact
         equation.start.x
     }
 
-    /// Φ(Φ(0)) is the explicit midpoint rule, or as good.
+    /// Returns Φ(Φ(0)), which is the explicit midpoint rule, or as good.
     fn guess(Equation { from, constants, start }: &Equation<'_, Self, S, R>) -> S::Unknown {
         let mut unused = S::Unknown::fill(S::Unknown::zero());
         let mut image = |d: &S::Unknown| {
@@ -123,7 +123,7 @@ impl<S: ContactEquation<M, R>, M: Looks, R: Real> ImplicitStep<S, R> for Contact
     }
 }
 
-/// Positions, momenta and the action.
+/// Splits a row into positions, momenta and the action.
 #[inline(always)]
 fn apart<S: ContactEquation<M, R>, M, R: Real>(x: &S::Unknown) -> PerCoordinate<S::Phase, R> {
     let mut z = S::Phase::zero();

@@ -6,11 +6,11 @@ use crate::scalar::Real;
 use crate::space::{Array, PerCoordinate, Point, Summation};
 use crate::system::Mechanical;
 
-/// p₁ = [(1 − h g₀/2) p₀ − h/2 (V'(q₀, t₀) + V'(q₁, t₁))]/(1 + h g₁/2), with g₀ = g(t₀), g₁ = g(t₁) and q₁ = q₀ + h T'(p) of the
-/// momentum p in between: leapfrog with trapezoidal damping, solved for. Order 2, symmetric, a contact map, one force a step.
+/// p₁ = [(1 − h g₀/2) p₀ − h/2 (V'(q₀, t₀) + V'(q₁, t₁))]/(1 + h g₁/2), with g₀ = g(t₀) and g₁ = g(t₁). q₁ = q₀ + h T'(p), where p is the momentum in
+/// between. The method is leapfrog with trapezoidal damping, in explicit form. Order 2, symmetric, a contact map, one force a step.
 ///
-/// For H = T(p) + g(t)·s + V(q, t). Damping enters by a quotient that is not positive for h g ≥ 2: such a step is refused, where
-/// [`ContactSplitting`] keeps e^(−hg). With constant g it is velocity Verlet with trapezoidal damping.
+/// For H = T(p) + g(t)·s + V(q, t). Damping enters as a quotient, which is not positive for h g ≥ 2. Such a step is refused. [`ContactSplitting`] keeps
+/// the factor e^(−hg) instead. With constant g the method is velocity Verlet with trapezoidal damping.
 /// M. Vermeeren, A. Bravetti & M. Seri, J. Phys. A 52 (2019) 445206; both halves of the time dependence are taken into account.
 ///
 /// [`ContactSplitting`]: crate::ContactSplitting
@@ -18,7 +18,7 @@ use crate::system::Mechanical;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ContactLeapfrog;
 
-/// What a step needs.
+/// Coefficients of a step.
 #[derive(Clone)]
 pub struct Prepared<S: Mechanical<R>, R: Real> {
     h: R,
@@ -63,7 +63,7 @@ impl<S: Mechanical<R>, R: Real> Method<S, R> for ContactLeapfrog {
         probe.visit(t, &x.z, &x.s);
         if C::PLAIN {
             scale(before, x);
-            // An action that is not followed is dropped here, and with it what it is computed from.
+            // If the action is not followed, its new value is dropped here, together with the terms of its computation.
             let unread = x.s;
             let [q, p] = &mut x.z;
             system.free_kick(half_kick, t, q, p, &mut x.s);
@@ -76,7 +76,8 @@ impl<S: Mechanical<R>, R: Real> Method<S, R> for ContactLeapfrog {
                 x.s = unread;
             }
         } else {
-            // The same, where each flow gives what it adds: free ones add to what they are given, and read the other half of x.
+            // As above, with the increment of each flow in `d`. Free flows add to the coordinates that are passed to them, and read the other half of
+            // x.
             add(x, |x, d| add_scaled(-drag[0], x, d));
             add(x, |x, d| system.free_kick(half_kick, t, &mut x.z[0], &mut d.z[1], &mut d.s));
             add(x, |x, d| system.free_drift(drift, t + half, &mut d.z[0], &mut x.z[1], &mut d.s));
@@ -88,7 +89,7 @@ impl<S: Mechanical<R>, R: Real> Method<S, R> for ContactLeapfrog {
     }
 }
 
-/// (p, s) ← w·(p, s).
+/// Computes (p, s) ← w·(p, s).
 #[inline(always)]
 fn scale<A: Array, C>(w: A::Real, x: &mut Point<[A; 2], C, A::Real>) {
     for p in x.z[1].as_mut_slice() {
@@ -97,7 +98,7 @@ fn scale<A: Array, C>(w: A::Real, x: &mut Point<[A; 2], C, A::Real>) {
     x.s = w * x.s;
 }
 
-/// Adds what `flow` writes, from the coordinates of a point.
+/// Adds the increment that `flow` computes from the coordinates of a point.
 #[inline(always)]
 fn add<Z: Array, C: Summation<Z>>(
     x: &mut Point<Z, C, Z::Real>,
@@ -108,7 +109,7 @@ fn add<Z: Array, C: Summation<Z>>(
     x.add_everywhere(&d);
 }
 
-/// (p, s) ← (p, s) + w·(p, s) of x.
+/// Adds w·(p, s) of `x` to (p, s) of `d`.
 #[inline(always)]
 fn add_scaled<A: Array>(w: A::Real, x: &PerCoordinate<[A; 2], A::Real>, d: &mut PerCoordinate<[A; 2], A::Real>) {
     d.z[1].add_scaled(w, &x.z[1]);

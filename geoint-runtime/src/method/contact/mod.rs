@@ -1,7 +1,7 @@
-//! Dissipative and driven systems: what `#[contact_hamiltonian]` implements, and the methods for it.
+//! Dissipative and driven systems: the systems of `#[contact_hamiltonian]`, and their methods.
 //!
-//! H(q, p, s, t) moves q' = ∂H/∂p, p' = −∂H/∂q − p ∂H/∂s, s' = p·∂H/∂p − H. The flow multiplies the form ds − p dq by a factor,
-//! and so do all methods here but those that keep the decay of H instead.
+//! H(q, p, s, t) defines the flow q' = ∂H/∂p, p' = −∂H/∂q − p ∂H/∂s, s' = p·∂H/∂p − H. The flow multiplies the contact form ds − p dq by a factor. All
+//! methods here multiply it by a factor, too, except the methods that keep the decay of H instead.
 //!
 //! ```
 //! use geoint_runtime::prelude::*;

@@ -1,5 +1,5 @@
-//! The step of the polarised discrete gradient of a Lagrangian with an action: ∂L/∂v = p₁ at the end, and the increment of s, for the increments of v and s. See
-//! [`ContactPolarised`].
+//! Step of the polarised discrete gradient of a Lagrangian with an action. The unknowns are the increments of v and s. The equations are ∂L/∂v = p₁ at
+//! the end, and the increment of s. See [`ContactPolarised`].
 
 use crate::method::implicit::{Arrival, Departure, Equation, ImplicitStep, Increment, Policy, Units, Watch};
 use crate::method::{Probe, Refusal};
@@ -14,15 +14,15 @@ use crate::system::{ContactPolarised, ContactStage, Regular, mass_units, velocit
 #[derive(Clone, Copy, Debug)]
 pub struct ContactPolarisedStep;
 
-/// What depends on parameters and h.
+/// Coefficients that depend on parameters and h.
 #[derive(Clone, Copy, Debug)]
 pub struct Constants<P> {
     parameters: P,
-    /// The mass matrix is positive definite everywhere.
+    /// True if the mass matrix is positive definite everywhere.
     is_definite: bool,
 }
 
-/// The mass matrix of the run, and the velocity at the end of the last step.
+/// Mass matrix of the run, and velocity at the end of the last step.
 #[derive(Clone, Copy, Debug)]
 pub struct History<A: Array> {
     regular: Regular<A>,
@@ -36,16 +36,16 @@ impl<A: Array> Record<A::Real> for History<A> {
     }
 }
 
-/// What depends on the start of a step.
+/// Values that depend on the start of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Start<K, A, D> {
     kernel: K,
     v: A,
-    /// 1/|Mᵢᵢ| for rows of momenta, and 1 for that of the action; the first with the sign of the determinant of M.
+    /// Units of the rows: 1/|Mᵢᵢ| for rows of momenta, and 1 for the row of the action. The first unit has the sign of the determinant of M.
     units: D,
 }
 
-/// The increments of p and s that were evaluated last, for which d, with their derivatives.
+/// Last evaluated increments of p and s, with their argument d and their derivatives.
 #[derive(Clone, Copy, Debug)]
 pub struct Seen<D: Array> {
     d: D,
@@ -54,7 +54,7 @@ pub struct Seen<D: Array> {
 }
 
 impl<S: ContactPolarised<R>, R: Real> Equation<'_, ContactPolarisedStep, S, R> {
-    /// q₁ − q₀ = h (v₀ + d/2).
+    /// Returns q₁ − q₀ = h (v₀ + d/2).
     #[inline(always)]
     fn shift(&self, d: &S::Unknown) -> S::Array {
         scaled(self.from.h, &moved(&self.start.v, R::from_f64(0.5), &apart::<S, R>(d).0))
@@ -85,7 +85,7 @@ impl<S: ContactPolarised<R>, R: Real> ImplicitStep<S, R> for ContactPolarisedSte
         Seen { d: none, increments: none, by_d: S::Unknown::fill(none) }
     }
 
-    /// With time frozen in the middle of the step.
+    /// Begins a step, with time frozen in its middle.
     #[inline(always)]
     fn begin(
         from: &Departure<'_, S, R>,
@@ -105,7 +105,7 @@ impl<S: ContactPolarised<R>, R: Real> ImplicitStep<S, R> for ContactPolarisedSte
         together::<S, R>(&start.v, from.s)
     }
 
-    /// The increments as if v' and s' were constant.
+    /// Returns the increments for constant v' and s'.
     fn guess(equation: &Equation<'_, Self, S, R>) -> S::Unknown {
         let Equation { from: from @ Departure { system, z, s, h, .. }, start: Start { v, .. }, .. } = equation;
         let mut at = ContactStage::none();
@@ -153,7 +153,7 @@ impl<S: ContactPolarised<R>, R: Real> ImplicitStep<S, R> for ContactPolarisedSte
     }
 }
 
-/// What belongs to coordinates, and to the action.
+/// Splits a row into the entries of the coordinates and of the action.
 #[inline(always)]
 fn apart<S: ContactPolarised<R>, R: Real>(d: &S::Unknown) -> (S::Array, R) {
     let mut v = S::Array::zero();
@@ -161,7 +161,7 @@ fn apart<S: ContactPolarised<R>, R: Real>(d: &S::Unknown) -> (S::Array, R) {
     (v, d.as_slice().last().copied().unwrap_or_else(zero))
 }
 
-/// The same in a row.
+/// Joins the entries of the coordinates and of the action in a row.
 #[inline(always)]
 fn together<S: ContactPolarised<R>, R: Real>(v: &S::Array, s: R) -> S::Unknown {
     let mut row = S::Unknown::zero();

@@ -1,10 +1,10 @@
-//! Does rounding on the way of a step change what the step keeps?
+//! Checks whether rounding on the way of a step changes an invariant of the step.
 //!
 //! A coordinate is rounded by ε times its largest size on the way of a step. If a step goes far out and comes back, as over a pole, its result has the
-//! rounding of the far point. Where an invariant is steep, this rounding changes it by much more than its own digits. Such steps are refused.
+//! rounding of the far point. This rounding changes a steep invariant by much more than its own digits. Such steps are refused.
 //!
-//! An attempt *with patience* is the second one: it iterates longer, and accepts an equation that is solved to its measured rounding. The first attempt
-//! is quick, and may only mark its result as doubtful.
+//! A *thorough* attempt is the second one: it iterates longer, and accepts an equation that is solved to its measured rounding. The first attempt is
+//! quick, and may only mark its result as doubtful.
 
 use super::kept::steepness;
 use crate::method::implicit::{Arrival, Departure};
@@ -16,9 +16,9 @@ use crate::system::{Invariants, Keeping, KeptBy, PhaseSpace, jump_of_integral};
 
 /// A step is refused if an invariant changes by more than this many of its roundings.
 ///
-/// It is also the factor of a leap: a coordinate moves by more than this many times the smaller of its values at both ends. First attempts and corrections
-/// are looked at only if a coordinate leaps, since otherwise rounding on the way is within the bound. A smaller factor would make each passage through zero
-/// a leap, and long runs a tenth slower.
+/// The constant is also the factor of a leap: a coordinate moves by more than this many times the smaller of its values at both ends. First attempts
+/// and corrections are checked only if a coordinate leaps, because otherwise rounding on the way is within the bound. A smaller factor would make each
+/// passage through zero a leap, and long runs a tenth slower.
 const MOST: f64 = 16384.0;
 
 /// A step of a canonical system may change the energy by this many of its roundings (2²², empirical). The terms of forces that cancel are rounded by more, and are
@@ -27,10 +27,10 @@ const MOST_OF_ENERGY: f64 = 4_194_304.0;
 
 /// Refuses the step of a field from `before` to `x` if rounding changes an integral, or the step leads across a jump of an integral.
 ///
-/// Of fields, jumps refuse any attempt, rounding only attempts with patience. The first attempt of a steep field is marked as doubtful if a coordinate leaps, and
-/// the caller repeats it with patience.
+/// For fields, a jump refuses any attempt, and rounding refuses only thorough attempts. The first attempt of a steep field is marked as doubtful if a
+/// coordinate leaps, and the caller repeats it as a thorough attempt.
 ///
-/// In canonical systems only the energy is checked, by [`check_energy`]: in attempts with patience, and always if the energy reads an angle.
+/// In canonical systems only the energy is checked, by [`check_energy`]. This check runs in thorough attempts, and always if the energy reads an angle.
 #[inline(always)]
 pub(crate) fn check_step<S: Keeping<R>, R: Real>(
     effort: Effort,
@@ -54,11 +54,11 @@ pub(crate) fn check_step<S: Keeping<R>, R: Real>(
 
 /// Refuses a step of a canonical system, from `before` to `after`, that changes the energy by more than rounding.
 ///
-/// A step with patience trusts the measured rounding of its equation. Next to a bend of the energy (`abs`), the bend may look like rounding. Where an
-/// angle moves by half a turn, its divided differences jump, and an equation may look solved on both sides of the jump.
+/// A thorough attempt trusts the measured rounding of its equation. Next to a bend of the energy (`abs`), the bend may look like rounding. If an angle
+/// moves by half a turn, its divided differences jump, and an equation may look solved on both sides of the jump.
 ///
-/// The bound is relative to the energy and to the products of coordinates and forces. Terms that cancel are not among them:
-/// [`MOST_OF_ENERGY`] leaves room for their rounding.
+/// The bound is relative to the energy and to the products of coordinates and forces. Terms that cancel are not among them: [`MOST_OF_ENERGY`] leaves
+/// room for their rounding.
 #[cold]
 #[inline(never)]
 fn check_energy<S: Keeping<R>, R: Real>(system: &S, before: &S::Phase, after: &S::Phase) -> Result<(), Refusal> {
@@ -66,11 +66,11 @@ fn check_energy<S: Keeping<R>, R: Real>(system: &S, before: &S::Phase, after: &S
     if !<KeptBy<S, R> as Invariants<S, R>>::KEEP_ENERGY {
         return Ok(());
     }
-    // The first change is that of the energy. Momenta are not checked: not every discrete gradient keeps them.
+    // The first change is the change of the energy. Momenta are not checked, because some discrete gradients do not keep them.
     let change = kept.changes(system, before, &difference(after, before)).as_slice()[0];
     let terms =
         system.hamiltonian(R::from_f64(0.0), before, &PerCoordinate::<S::Phase, S::Action>::zero().s).magnitude();
-    // Coordinates are rounded as large as they are on the way.
+    // The rounding of a coordinate follows its largest size on the way.
     let way = [before, after].map(Array::as_slice);
     let at_ends = [before, after].map(|z| {
         let mut gradients = kept.gradients(system, z);
@@ -80,10 +80,10 @@ fn check_energy<S: Keeping<R>, R: Real>(system: &S, before: &S::Phase, after: &S
     if change.magnitude() > most { Err(Refusal::Rounded) } else { Ok(()) }
 }
 
-/// Refuses a way that any method has led from `before` to `end`, and a projection from there to `after`. `t` holds the times of the last step.
+/// Refuses a step of any method from `before` to `end`, followed by a projection from `end` to `after`. `t` holds the times of the last step.
 ///
-/// It is refused if it leads across a jump of an integral, or if a coordinate leaps and rounding on the way changes an invariant. The change of the
-/// invariants themselves is not checked again: the correction has already reduced it to rounding.
+/// The step is refused if it leads across a jump of an integral, or if a coordinate leaps and rounding on the way changes an invariant. The change of
+/// the invariants themselves is not checked again. The correction has already reduced this change to rounding.
 #[inline(always)]
 pub(super) fn check_correction<S: PhaseSpace<R, Action = ()>, R: Real, I: Invariants<S, R>>(
     system: &S,
@@ -98,7 +98,7 @@ pub(super) fn check_correction<S: PhaseSpace<R, Action = ()>, R: Real, I: Invari
     Ok(())
 }
 
-/// Whether a coordinate becomes smaller or larger by many orders of magnitude.
+/// Returns whether a coordinate becomes smaller or larger by many orders of magnitude.
 #[inline(always)]
 fn leaps<A: Array>(before: &A, after: &A) -> bool {
     let mut leaps = false;

@@ -1,4 +1,4 @@
-//! The mean velocity of order 4 of canonical systems, from the kernels of collocation and of discrete gradients.
+//! Mean velocity of order 4 for canonical systems, from the kernels of collocation and of discrete gradients.
 
 use super::columns::Projector;
 use super::energy::{Energy, Slope};
@@ -10,7 +10,7 @@ use crate::space::vector::{difference, entries, moved, scaled, sum};
 use crate::space::{Array, Square};
 use crate::system::{Collocation, Conservative, DiscreteField, Span};
 
-/// What depends on parameters and h.
+/// Coefficients that depend on parameters and h.
 #[derive(Clone, Copy, Debug)]
 pub struct Parameters<C, P, R> {
     constants: C,
@@ -21,22 +21,22 @@ pub struct Parameters<C, P, R> {
 /// [`Parameters`] of a system.
 pub type ParametersOf<S, R> = Parameters<<S as Collocation<R>>::Constants, <S as DiscreteField<R>>::Parameters, R>;
 
-/// Where a step starts: its times, the point, and f there.
+/// Start of a step: its times, the point, and f at the point.
 #[derive(Clone, Copy, Debug)]
 pub struct Begun<A: Array> {
     span: Span<A::Real>,
     z: [A; 2],
     rate: [A; 2],
-    /// Whether momenta whose gradients nearly depend on that of the energy take no part.
+    /// If true, momenta take no part if their gradients nearly depend on the gradient of the energy.
     loose: bool,
 }
 
-/// [`FourthOrderField::fourth_parameters`](crate::system::FourthOrderField::fourth_parameters) of a canonical system.
+/// Implements [`FourthOrderField::fourth_parameters`](crate::system::FourthOrderField::fourth_parameters) for a canonical system.
 pub fn parameters<S: DiscreteField<R> + Conservative<R>, R: Real>(system: &S, h: R) -> ParametersOf<S, R> {
     Parameters { constants: system.constants(), kernel: system.parameters(h), h }
 }
 
-/// [`FourthOrderField::fourth_begin`](crate::system::FourthOrderField::fourth_begin).
+/// Implements [`FourthOrderField::fourth_begin`](crate::system::FourthOrderField::fourth_begin).
 #[inline(always)]
 pub fn begin<S: DiscreteField<R> + Conservative<R>, R: Real>(
     system: &S,
@@ -49,18 +49,18 @@ pub fn begin<S: DiscreteField<R> + Conservative<R>, R: Real>(
     Begun { span, z: *z, rate, loose: false }
 }
 
-/// [`FourthOrderField::fourth_loosen`](crate::system::FourthOrderField::fourth_loosen).
+/// Implements [`FourthOrderField::fourth_loosen`](crate::system::FourthOrderField::fourth_loosen).
 pub fn loosen<A: Array>(start: &mut Begun<A>) -> bool {
     start.loose = true;
     true
 }
 
-/// [`FourthOrderField::fourth_slope`](crate::system::FourthOrderField::fourth_slope): F − MG(GᵀMG)⁻¹GᵀF. The first column of G is the
-/// tree discrete gradient of an `AUTONOMOUS` H, the others are gradients of momenta in the middle of the step: `momenta` gives those, which
-/// are affine, at a point, behind an entry that is not read.
+/// Implements [`FourthOrderField::fourth_slope`](crate::system::FourthOrderField::fourth_slope): F − MG(GᵀMG)⁻¹GᵀF. The first column of G is the tree
+/// discrete gradient of an `AUTONOMOUS` H. The other columns are gradients of momenta in the middle of the step. `momenta` returns these affine
+/// gradients at a point, behind an entry that is not read.
 ///
-/// Lengths of a correction need a metric M, because positions and momenta have different units: that of
-/// [`Gonzalez`](super::Gonzalez), at the point c, with positions and momenta exchanged, which for an oscillator is its inverse.
+/// Lengths of a correction need a metric M, because positions and momenta have different units. M is the metric of [`Gonzalez`](super::Gonzalez) at the
+/// point c, with positions and momenta exchanged. For an oscillator the exchange gives the inverse metric.
 #[inline(always)]
 pub fn slope<const AUTONOMOUS: bool, const N: usize, S: DiscreteField<R> + Conservative<R>, R: Real>(
     system: &S,
@@ -80,7 +80,7 @@ pub fn slope<const AUTONOMOUS: bool, const N: usize, S: DiscreteField<R> + Conse
     let change = difference(&rate, &end_rate);
     let third = energy.gradient(t, &moved(&moved(&z, half, d), eighth * h, &change));
 
-    // F = (f₀ + 4 f(c) + f₁)/6 with f = J∇H, and its derivative, where ∂c/∂d = 1/2 − h/8 J∇²H₁.
+    // F = (f₀ + 4 f(c) + f₁)/6 with f = J∇H, and its derivative, with ∂c/∂d = 1/2 − h/8 J∇²H₁.
     let mut velocity = sum(&rate, &end_rate);
     velocity.add_scaled(R::from_f64(4.0), &turned(&third.g));
     let velocity = scaled(sixth, &velocity);
@@ -105,8 +105,7 @@ pub fn slope<const AUTONOMOUS: bool, const N: usize, S: DiscreteField<R> + Conse
             (columns[0], of_g) = (g, derivative);
         }
         let projector = Projector::new([of_p, of_q], columns, loose);
-        // Across a condition F knows nothing of a jump, and where the metric vanishes there is no direction: the step is then that of
-        // the tree discrete gradient.
+        // Across a condition, F contains no jump. If the metric vanishes, no direction exists. In both cases the step uses the tree discrete gradient.
         if AUTONOMOUS && (projector.is_without_first() || !system.same_sides(t, [&z, &end_of_step], [&(), &()])) {
             mean = turned(&columns[0]);
             slope = turned_rows(&of_g);
@@ -138,7 +137,7 @@ fn energy<'a, S: DiscreteField<R>, R: Real>(
     Energy { system, constants, parameters: kernel, probe, t, h: *h }
 }
 
-/// J times a matrix.
+/// Returns J times a matrix.
 fn turned_rows<A: Array>(matrix: &Matrix<A>) -> Matrix<A> {
     let (n, mut product) = (A::LEN, Matrix::zero());
     for (i, row) in matrix.rows_of().iter().enumerate() {

@@ -1,4 +1,4 @@
-//! Projection of a mean velocity onto what has no product with some columns, in a metric: v = F − MG(GᵀMG)⁻¹GᵀF.
+//! Projection of a mean velocity onto the vectors v with Gᵀv = 0, for given columns G, in a metric M: v = F − MG(GᵀMG)⁻¹GᵀF.
 
 use super::matrix::Matrix;
 use crate::scalar::{Real, zero};
@@ -6,21 +6,21 @@ use crate::slope::{before_squares, recip_above};
 use crate::space::Array;
 use crate::space::vector::{dot, moved, product, scaled};
 
-/// A column of which less than this part is left nearly depends on those before it.
+/// Smallest part of a column that is independent of the columns before it. A column with a smaller part nearly depends on them.
 const NEARLY: f64 = 1.0 / 64.0;
 
-/// Columns orthogonal in the metric, by Gram and Schmidt, that span what the given ones do.
+/// Columns that are orthogonal in the metric, by Gram and Schmidt, and span the space of the given columns.
 pub(super) struct Projector<A: Array, const N: usize> {
     metric: [A; 2],
-    /// Powers of two that columns are multiplied by, so that no square overflows or vanishes.
+    /// Powers of two by which columns are multiplied, so that no square overflows or vanishes.
     scales: [A::Real; N],
     orthogonal: [[A; 2]; N],
-    /// Each times the metric.
+    /// Each orthogonal column times the metric.
     weighted: [[A; 2]; N],
-    /// 1/(w·Mw) of each; zero for one that depends on those before it, to rounding or, `loose`, nearly, or of which the metric sees nothing: it
-    /// takes no part.
+    /// 1/(w·Mw) of each orthogonal column w. Zero for a column that takes no part. Such a column depends on the columns before it, to rounding or, if
+    /// `loose`, nearly, or its square in the metric vanishes.
     reciprocals: [A::Real; N],
-    /// column = orthogonal + Σ coefficient·(orthogonal before it).
+    /// Coefficients of column = orthogonal + Σ coefficient·(orthogonal columns before it).
     coefficients: [[A::Real; N]; N],
 }
 
@@ -36,7 +36,7 @@ impl<A: Array, const N: usize> Projector<A, N> {
         let (mut weighted, mut reciprocals) = ([<[A; 2]>::zero(); N], [none; N]);
         let (mut orthogonal, mut coefficients) = (columns, [[none; N]; N]);
         for a in 0..N {
-            // Twice, because rounding leaves something of columns that are almost parallel.
+            // Orthogonalise twice, because rounding leaves a residue of columns that are almost parallel.
             for _ in 0..if a == 0 { 0 } else { 2 } {
                 for b in 0..a {
                     let coefficient = dot(&orthogonal[a], &weighted[b]) * reciprocals[b];
@@ -59,13 +59,13 @@ impl<A: Array, const N: usize> Projector<A, N> {
         Projector { metric, scales, orthogonal, weighted, reciprocals, coefficients }
     }
 
-    /// Whether the metric sees nothing of the first column.
+    /// Returns whether the first column vanishes in the metric.
     #[inline(always)]
     pub(super) fn is_without_first(&self) -> bool {
         self.reciprocals[0] == zero()
     }
 
-    /// F − MGλ, and λ of the orthogonal columns.
+    /// Returns F − MGλ, and λ of the orthogonal columns.
     #[inline(always)]
     pub(super) fn projected(&self, velocity: &[A; 2]) -> ([A; 2], [A::Real; N]) {
         let (mut mean, mut weights) = (*velocity, [zero(); N]);
@@ -76,8 +76,9 @@ impl<A: Array, const N: usize> Projector<A, N> {
         (mean, weights)
     }
 
-    /// The derivative of v by d from that of F, of Gᵀdv = −dGᵀv and dv + MG dλ = dF − M dG λ: with `of_first` for the derivative of the
-    /// first column, and symmetric ones of the others as functions of a vector. What M adds is of the order of λ.
+    /// Turns the derivative of F by d into the derivative of v, from Gᵀdv = −dGᵀv and dv + MG dλ = dF − M dG λ. `of_first` is the derivative of the
+    /// first column. `of_others` gives the symmetric derivatives of the other columns as functions of a vector. The derivative of M is left out: its
+    /// term is of the order of λ.
     #[inline(always)]
     pub(super) fn derivative(
         &self,
@@ -106,7 +107,7 @@ impl<A: Array, const N: usize> Projector<A, N> {
                 }
             }
         }
-        // −dGᵀv, and of orthogonal columns.
+        // dGᵀv of the given columns, then of the orthogonal columns.
         let mut products = if N > 1 { of_others(v) } else { [<[A; 2]>::zero(); N] };
         products[0] = of_first.transpose_times(v);
         for a in 0..N {

@@ -1,4 +1,4 @@
-//! The scheme of Chorin, Hughes, McCracken and Marsden: q along ∂H/∂p, then p along ∂H/∂q, as far as the energy asks.
+//! The scheme of Chorin, Hughes, McCracken and Marsden: q moves along ∂H/∂p, then p along ∂H/∂q, as far as the energy requires.
 
 use super::energy::{Energy, Slope, Staircase};
 use super::matrix::denominator;
@@ -9,32 +9,31 @@ use crate::space::Array;
 use crate::space::vector::{difference, dot, moved};
 use crate::system::{Conservative, DiscreteField};
 
-/// Where the terms of the product of a direction and an increment cancel down to this part of them, it is no basis for a quotient.
+/// Bound for the product of a direction and an increment, relative to the terms of the product. If the terms cancel down to this bound, the product is
+/// no basis for a quotient.
 const SINGULAR: f64 = 1e-8;
 
-/// q₁ = q₀ + h λ (H(q₁, p₁) − H(q₁, p₀))/(λ·(p₁ − p₀)), p₁ = p₀ − h μ (H(q₁, p₀) − H(q₀, p₀))/(μ·(q₁ − q₀)), with
-/// λ = ∂H/∂p at (αq₁ + (1 − α)q₀, βp₁ + (1 − β)p₀) and μ = ∂H/∂q at (γq₁ + (1 − γ)q₀, δp₁ + (1 − δ)p₀). The energy is kept
-/// to rounding for every h.
+/// q₁ = q₀ + h λ (H(q₁, p₁) − H(q₁, p₀))/(λ·(p₁ − p₀)), p₁ = p₀ − h μ (H(q₁, p₀) − H(q₀, p₀))/(μ·(q₁ − q₀)). The directions are λ = ∂H/∂p at
+/// (αq₁ + (1 − α)q₀, βp₁ + (1 − β)p₀) and μ = ∂H/∂q at (γq₁ + (1 − γ)q₀, δp₁ + (1 − δ)p₀). The energy is kept to rounding for every h.
 ///
-/// Order 1, for every H. Order 2 and symmetric for T(p) + V(q) if β = γ = ½, as by default: then λ and μ are at midpoints, and α
-/// and δ do not matter. With one degree of freedom λ and μ cancel, and this is [`ItohAbe`](super::ItohAbe), with its orders. With more,
-/// there is no step where an increment is orthogonal to its direction: [`StepError::SingularDirection`](crate::StepError::SingularDirection).
-/// Differences of H are taken from the tree discrete gradient. A. J. Chorin, T. J. R. Hughes, M. F. McCracken &
-/// J. E. Marsden, Comm. Pure Appl. Math. 31 (1978) 205.
+/// Order 1, for every H. Order 2 and symmetric for T(p) + V(q) if β = γ = ½, as by default. Then λ and μ are at midpoints, and α and δ do not matter.
+/// With one degree of freedom λ and μ cancel. The method is then [`ItohAbe`](super::ItohAbe), with its orders. With more degrees of freedom, no step
+/// exists if an increment is orthogonal to its direction: [`StepError::SingularDirection`](crate::StepError::SingularDirection). Differences of H are
+/// taken from the tree discrete gradient. A. J. Chorin, T. J. R. Hughes, M. F. McCracken & J. E. Marsden, Comm. Pure Appl. Math. 31 (1978) 205.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CoordinateIncrement {
-    /// Where between q₀ and q₁ the direction of q is taken.
+    /// Position between q₀ and q₁ at which the direction of q is taken.
     pub alpha: f64,
-    /// Where between p₀ and p₁ the direction of q is taken.
+    /// Position between p₀ and p₁ at which the direction of q is taken.
     pub beta: f64,
-    /// Where between q₀ and q₁ the direction of p is taken.
+    /// Position between q₀ and q₁ at which the direction of p is taken.
     pub gamma: f64,
-    /// Where between p₀ and p₁ the direction of p is taken.
+    /// Position between p₀ and p₁ at which the direction of p is taken.
     pub delta: f64,
 }
 
 impl Default for CoordinateIncrement {
-    /// Directions at midpoints.
+    /// Returns directions at midpoints.
     fn default() -> Self {
         CoordinateIncrement { alpha: 0.5, beta: 0.5, gamma: 0.5, delta: 0.5 }
     }
@@ -64,14 +63,14 @@ impl MeanGradient for CoordinateIncrement {
     }
 }
 
-/// The multiple of `direction` that has the same product with `d` as `g`.
+/// Returns the multiple of `direction` whose product with `d` equals the product of `g` with `d`.
 fn along<A: Array>(direction: &A, g: &A, d: &A) -> Result<A, Refusal> {
     let product = dot(direction, d);
     let terms = direction.as_slice().iter().zip(d.as_slice()).map(|(a, b)| (*a * *b).magnitude());
     if product.magnitude() <= SINGULAR * terms.sum::<f64>() && !direction.is_zero() && !d.is_zero() {
         return Err(Refusal::SingularDirection);
     }
-    // The excess over 1: where d = 0 that is 0/0 and means 0.
+    // Excess of the factor over 1. For d = 0 this excess is 0/0 and means 0.
     let ratio = dot(&difference(g, direction), d) / (product.signum() * denominator(product.abs()));
     Ok(moved(direction, ratio, direction))
 }

@@ -1,4 +1,4 @@
-//! The tree discrete gradient, ∇H and their derivatives in all coordinates x = (q, p), from the field of implicit methods.
+//! Tree discrete gradient, ∇H and their derivatives in all coordinates x = (q, p), from the field of implicit methods.
 
 use super::matrix::Matrix;
 use crate::method::Probe;
@@ -13,11 +13,11 @@ use crate::system::{Conservative, DiscreteField, Span};
 pub struct Slope<A: Array> {
     /// The gradient.
     pub g: [A; 2],
-    /// ∂gᵢ/∂xⱼ or ∂gᵢ/∂dⱼ, a row an entry of g.
+    /// ∂gᵢ/∂xⱼ or ∂gᵢ/∂dⱼ, with one row for each entry of g.
     pub derivative: Matrix<A>,
 }
 
-/// A mean gradient between x and x + d that depends on the way there.
+/// A mean gradient between x and x + d that depends on the path.
 #[derive(Clone, Copy, Debug)]
 pub struct Staircase<A: Array> {
     /// The mean gradient.
@@ -28,7 +28,7 @@ pub struct Staircase<A: Array> {
     pub end: Matrix<A>,
 }
 
-/// An energy seen during one step, at the time of its middle unless said otherwise.
+/// Energy during one step, at the time of its middle unless stated otherwise.
 #[derive(Debug)]
 pub struct Energy<'a, S: DiscreteField<R>, R: Real, P> {
     pub(super) system: &'a S,
@@ -48,7 +48,7 @@ impl<S: DiscreteField<R>, R: Real, P: Observer> Observer for Energy<'_, S, R, P>
 }
 
 impl<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>> Energy<'_, S, R, P> {
-    /// The tree discrete gradient between x and x + d, and its derivative with respect to d.
+    /// Computes the tree discrete gradient between x and x + d, and its derivative with respect to d.
     #[inline]
     pub fn tree(&mut self, x: &S::Phase, d: &S::Phase) -> Slope<S::Array> {
         let end = sum(x, d);
@@ -64,7 +64,7 @@ impl<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>> Energy<'_, 
         self.slope(&mean, half, &f, &mut jacobian)
     }
 
-    /// ∇H and the Hessian at a point.
+    /// Computes ∇H and the Hessian at a point.
     #[inline]
     pub fn gradient(&mut self, t: R, x: &S::Phase) -> Slope<S::Array> {
         self.probe.visit(t, x, &());
@@ -74,7 +74,7 @@ impl<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>> Energy<'_, 
         self.slope(&p, R::from_f64(1.0), &f, &mut jacobian)
     }
 
-    /// g with Jg = f; or with f as −∂V/∂q alone, if T is quadratic: ∂T/∂p at the momentum p then has the derivative w·M⁻¹.
+    /// Returns g with Jg = f. If T is quadratic, f is −∂V/∂q alone. ∂T/∂p is then computed at the momentum p, and its derivative is w·M⁻¹.
     #[inline(always)]
     fn slope(&self, p: &S::Unknown, w: R, f: &S::Unknown, jacobian: &mut Square<S::Unknown>) -> Slope<S::Array> {
         let (none, n) = (S::Unknown::zero(), S::Array::LEN);
@@ -103,10 +103,10 @@ impl<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>> Energy<'_, 
         slope
     }
 
-    /// The tree discrete gradient along corners between x and x + d, of which neighbours differ in `block` coordinates.
+    /// Computes the tree discrete gradient along corners between x and x + d. Neighbouring corners differ in `block` coordinates.
     ///
-    /// Each entry comes from the edge along which its coordinate moves. With blocks of one coordinate that entry is the
-    /// exact divided difference of H: the discrete chain rule has no other term.
+    /// Each entry comes from the edge along which its coordinate moves. With blocks of one coordinate, this entry is the exact divided difference of H,
+    /// because the discrete chain rule has no other term.
     #[inline]
     pub fn staircase(&mut self, x: &S::Phase, d: &S::Phase, block: usize) -> Staircase<S::Array> {
         let mut stairs = Staircase { g: Array::zero(), start: Matrix::zero(), end: Matrix::zero() };
@@ -116,7 +116,7 @@ impl<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>> Energy<'_, 
             let mut edge = <S::Phase>::zero();
             entries(&mut edge)[moving.clone()].copy_from_slice(&Array::as_slice(d)[moving.clone()]);
             let next = moved(&corner, R::from_f64(1.0), &edge);
-            // The tree gradient is symmetric: from the other end, the derivative is that with respect to this one.
+            // The tree gradient is symmetric. From the other end, its derivative is the derivative with respect to this end.
             let mut ahead = self.tree(&corner, &edge);
             let mut back = self.tree(&next, &opposite(&edge));
             for i in moving.clone() {
@@ -130,7 +130,7 @@ impl<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>> Energy<'_, 
                     if moving.contains(&j) {
                         (start[j], end[j]) = (*at_start, *at_end);
                     } else {
-                        // The coordinate is where it has been moved to already, or where it still is, at both corners.
+                        // At both corners the coordinate has its new value already, or still has its old value.
                         let here = if j < first { &mut end[j] } else { &mut start[j] };
                         *here = *at_start + *at_end;
                     }

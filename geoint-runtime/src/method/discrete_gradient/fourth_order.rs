@@ -9,28 +9,32 @@ use crate::space::Array;
 use crate::space::vector::{difference, moved, opposite, scaled, sum};
 use crate::system::{Conservative, DiscreteField};
 
-/// A step of order 4 that keeps what a symmetric method of order 2 keeps, in one solve.
+/// A step of order 4 that keeps the invariants of a symmetric method of order 2, in one solve.
 ///
-/// `FourthOrder(DiscreteGradient)` projects a mean velocity, x₁ = x₀ + h (F − G(GᵀG)⁻¹GᵀF): the tree discrete gradients of what is kept
-/// are the columns of G, and F = (f(x₀) + 4 f(c) + f(x₁))/6. It is for every energy without damping, with the momenta that its report
-/// names, and every field with first integrals; see
-/// [`FourthOrderField`](crate::system::FourthOrderField). For canonical systems the projection has a metric, so that it does not
-/// depend on units, and across a condition of the energy the step is that of [`DiscreteGradient`](super::DiscreteGradient), of order 2. On a
-/// circle, and on other orbits all along which the gradient of a momentum depends on that of the energy, no step keeps both in this way: there
-/// it keeps the energy, and loses of the momentum the square of what it is off the orbit by; which steps do so need not be the same on the way back.
-/// An oscillation that turns by more than half a turn in a step, hω > √12, would be projected along the surface of constant energy: the change
-/// of the energy by a correction λ, λ ∇H(x₁)·(1 − h ∂F)⁻¹MG, is in it as 1 − (hω)²/12. Such steps are refused where a part of the energy is in
+/// `FourthOrder(DiscreteGradient)` projects a mean velocity, x₁ = x₀ + h (F − G(GᵀG)⁻¹GᵀF). The columns of G are the tree discrete gradients of the
+/// invariants, and F = (f(x₀) + 4 f(c) + f(x₁))/6. The method is for every energy without damping, with the momenta that its report names. It is also
+/// for every field with first integrals; see [`FourthOrderField`](crate::system::FourthOrderField). For canonical systems the projection has a metric,
+/// so that it does not depend on units. Across a condition of the energy the step is the step of [`DiscreteGradient`](super::DiscreteGradient), of
+/// order 2.
+///
+/// On a circle, and on some other orbits, the gradient of a momentum depends on the gradient of the energy all along the orbit. No step keeps both
+/// invariants in this way there. The step then keeps the energy. The error of the momentum is the square of the distance from the orbit. On the way
+/// back, other steps may have this error.
+///
+/// An oscillation that turns by more than half a turn in a step, hω > √12, would be projected along the surface of constant energy. A correction λ
+/// changes the energy by λ ∇H(x₁)·(1 − h ∂F)⁻¹MG, in which the oscillation appears as 1 − (hω)²/12. Steps are refused if a part of the energy is in
 /// such oscillations.
 ///
-/// With another mean g of gradients, as in `FourthOrder(Gonzalez)`, x₁ = x₀ + h S̃ g(x₀, x₁) and S̃ = J + ⅔h JQJ − h²/12 JBJBJ, where B =
-/// ∇²H((x₀ + x₁)/2) and Q = ½(Dᵀ − D), D half the difference of ∂g/∂x₁ and ∂g/∂x₀.
+/// Another mean g of gradients, as in `FourthOrder(Gonzalez)`, gives x₁ = x₀ + h S̃ g(x₀, x₁) with S̃ = J + ⅔h JQJ − h²/12 JBJBJ. Here
+/// B = ∇²H((x₀ + x₁)/2) and Q = ½(Dᵀ − D). D is half the difference of ∂g/∂x₁ and ∂g/∂x₀.
 ///
-/// Order 4, symmetric, for every H; S̃ is skew, so that the energy is kept where g keeps it, to rounding for every h. If H depends on time, terms of Magnus' series, with differences of ∇H over the step, keep the order.
-/// At the same h, [`Suzuki4`](crate::Suzuki4) of the same map costs about as much as this second form, and has a tenth of its error.
+/// Order 4, symmetric, for every H. S̃ is skew, so the energy is kept if g keeps the energy, to rounding for every h. If H depends on time, terms of
+/// Magnus' series, with differences of ∇H over the step, keep the order. At equal h, [`Suzuki4`](crate::Suzuki4) of the underlying method of order 2
+/// costs about as much as this second form, and has a tenth of its error.
 ///
-/// After S. Eidnes, BIT 62 (2022) 1207; Q is taken from both ends, because with that of one end, ∂g(x₀, y)/∂y at
-/// y = (x₀ + 2x₁)/3, the step is not symmetric, and of order 3 where third derivatives are not constant. For
-/// [`MeanValue`](super::MeanValue), where Q = 0: G. R. W. Quispel & D. I. McLaren, J. Phys. A 41 (2008) 045206.
+/// After S. Eidnes, BIT 62 (2022) 1207. Q is taken from both ends. With Q of one end, ∂g(x₀, y)/∂y at y = (x₀ + 2x₁)/3, the step is not symmetric, and
+/// has order 3 if third derivatives are not constant. For [`MeanValue`](super::MeanValue), where Q = 0: G. R. W. Quispel & D. I. McLaren, J. Phys. A 41
+/// (2008) 045206.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct FourthOrder<G>(
     /// The symmetric method of order 2.
@@ -48,7 +52,7 @@ impl<G: Corrected> MeanGradient for FourthOrder<G> {
         G::is_exact::<S, R>()
     }
 
-    /// (1 + ⅔h QJ − h²/12 BJBJ)g with the derivative of g: what is left out of that is O(h²).
+    /// Returns (1 + ⅔h QJ − h²/12 BJBJ)g, and the derivative of g. The terms left out of the derivative are O(h²).
     fn between<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>>(
         &self,
         energy: &mut Energy<'_, S, R, P>,
@@ -59,7 +63,7 @@ impl<G: Corrected> MeanGradient for FourthOrder<G> {
         let Slope { g, mut derivative } = self.0.between(energy, x, d)?;
         let (rate, mut w) = (turned(&g), g);
         if !G::CURL_FREE {
-            // g is symmetric: with the ends exchanged, the derivative is that with respect to x₀.
+            // g is symmetric. With the ends exchanged, its derivative is the derivative with respect to x₀.
             let end = sum(x, d);
             let mut start = self.0.between(energy, &end, &opposite(d))?.derivative;
             let twist = |slope: &mut Matrix<_>| difference(&slope.transpose_times(&rate), &slope.times(&rate));
@@ -75,9 +79,9 @@ impl<G: Corrected> MeanGradient for FourthOrder<G> {
     }
 }
 
-/// h²/24 ∇H'' + h²/12 (B'J∇H − BJ∇H'), with differences over the step for derivatives with respect to time.
+/// Returns h²/24 ∇H'' + h²/12 (B'J∇H − BJ∇H'). Differences over the step replace derivatives with respect to time.
 ///
-/// Zero, to the last bit, if H does not depend on time.
+/// The result is zero, to the last bit, if H does not depend on time.
 fn driving<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>>(
     energy: &mut Energy<'_, S, R, P>,
     m: &S::Phase,

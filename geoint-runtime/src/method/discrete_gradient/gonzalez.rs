@@ -1,4 +1,4 @@
-//! The gradient at the midpoint, corrected along the increment.
+//! Gradient at the midpoint, corrected along the increment.
 
 use super::energy::{Energy, Slope};
 use super::matrix::turned;
@@ -11,17 +11,17 @@ use crate::space::Array;
 use crate::space::vector::{difference, dot, entries, moved, product, scaled};
 use crate::system::{Conservative, DiscreteField};
 
-/// x₁ = x₀ + h J g with g = ∇H(m) + (H(x₁) − H(x₀) − ∇H(m)·d)/(d·Wd) Wd, m the midpoint, d = x₁ − x₀. The energy is kept to
-/// rounding for every h.
+/// x₁ = x₀ + h J g with g = ∇H(m) + (H(x₁) − H(x₀) − ∇H(m)·d)/(d·Wd) Wd, where m is the midpoint and d = x₁ − x₀. The energy is kept to rounding for
+/// every h.
 ///
-/// Order 2, symmetric, for every H. H(x₁) − H(x₀) is taken from the tree discrete gradient, not from a difference, so that short
-/// steps lose nothing. O. Gonzalez, J. Nonlinear Sci. 6 (1996) 449, with W = 1.
+/// Order 2, symmetric, for every H. H(x₁) − H(x₀) is taken from the tree discrete gradient, not from a difference, so that short steps lose no digits.
+/// O. Gonzalez, J. Nonlinear Sci. 6 (1996) 449, with W = 1.
 ///
-/// The metric W is a choice. Lengths of d need one, because positions and momenta, or lengths and angles, have different units: with
-/// W = 1, as published, the step depends on them. Here W is diagonal, wᵢ² = (ε Hᵢᵢ)² + (ω ∂H/∂xᵢ)⁴, taken at m with
-/// ε² = Σ(ẋᵢHᵢⱼẋⱼ)² and ω⁴ = Σ(FᵢⱼFⱼᵢ)², F = J∇²H: energies in place of lengths. For an oscillator wᵢ is the stiffness or the
-/// reciprocal mass, up to a factor. It is zero for a cyclic coordinate, so that its momentum is kept; it is not the same in rotated
-/// axes. Where d·Wd = 0, as in front of a jump of a constant potential, g is the tree discrete gradient itself.
+/// The metric W is a choice. Lengths of d need a metric, because positions and momenta, or lengths and angles, have different units. With W = 1, as
+/// published, the step depends on the units. Here W is diagonal, wᵢ² = (ε Hᵢᵢ)² + (ω ∂H/∂xᵢ)⁴, taken at m with ε² = Σ(ẋᵢHᵢⱼẋⱼ)² and ω⁴ = Σ(FᵢⱼFⱼᵢ)²,
+/// F = J∇²H. These are energies in place of lengths. For an oscillator wᵢ is the stiffness or the reciprocal mass, up to a factor. For a cyclic
+/// coordinate wᵢ is zero, so that its momentum is kept. W changes if the axes are rotated. If d·Wd = 0, as in front of a jump of a constant potential,
+/// g is the tree discrete gradient itself.
 #[doc(alias = "midpoint discrete gradient")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Gonzalez;
@@ -46,13 +46,13 @@ impl MeanGradient for Gonzalez {
         let weighted = product(&metric, d);
         let square = dot(&weighted, d);
         if square == zero() {
-            // A correction along W d is none, and the energy may have jumped between the ends.
+            // A correction along W d vanishes, and the energy may have jumped between the ends.
             return Ok(tree);
         }
         let excess = difference(&tree.g, &middle.g);
         let factor = dot(&excess, d) / square;
 
-        // ∂factor/∂d. What W adds to that is of higher order, and the same from both ends.
+        // ∂factor/∂d. The derivative of W adds a term of higher order, which is equal from both ends.
         let mut slope = moved(&excess, one, &tree.derivative.transpose_times(d));
         slope.add_scaled(-half, &middle.derivative.transpose_times(d));
         slope.add_scaled(-(factor + factor), &weighted);
@@ -67,14 +67,14 @@ impl MeanGradient for Gonzalez {
     }
 }
 
-/// The diagonal of W; `coupled` is whether ∂²H/∂q∂p need not be zero. No system is known here: it is compiled once for a number of degrees of
-/// freedom.
+/// Computes the diagonal of W. `coupled` is true if ∂²H/∂q∂p need not be zero. The function has no system as a parameter, so it is compiled once for a
+/// number of degrees of freedom.
 #[inline(never)]
 pub(super) fn metric<A: Array>(h: A::Real, middle: &Slope<A>, coupled: bool) -> [A; 2] {
     let one = A::Real::from_f64(1.0);
     let [_, energy, cycles] = squares(h, middle, coupled, one);
     let (mut scale, mut energy) = (one, energy.sqrt());
-    // Energies have a unit, and may need another one: also where nothing is left of their squares, or these are infinite.
+    // Energies may need another unit, also if their squares vanish or are infinite.
     let is_number = energy.magnitude() > 0.0 && energy.magnitude().is_finite();
     if !is_number || before_squares(energy) != one {
         (scale, energy) = in_their_unit(h, middle, coupled);
@@ -87,7 +87,7 @@ pub(super) fn metric<A: Array>(h: A::Real, middle: &Slope<A>, coupled: bool) -> 
     metric
 }
 
-/// ε in a unit in which it has all its digits, and by what that is multiplied.
+/// Returns the factor of a unit in which ε has all its digits, and ε in this unit.
 #[cold]
 #[inline(never)]
 fn in_their_unit<A: Array>(h: A::Real, middle: &Slope<A>, coupled: bool) -> (A::Real, A::Real) {
@@ -97,8 +97,8 @@ fn in_their_unit<A: Array>(h: A::Real, middle: &Slope<A>, coupled: bool) -> (A::
     (scale, energy.sqrt())
 }
 
-/// Σ|ẋᵢHᵢⱼẋⱼ|, ε² = Σ(ẋᵢHᵢⱼẋⱼ)² and ω⁴/2 = Σ(FᵢⱼFⱼᵢ)²/2, each pair of blocks of F = J∇²H once; energies times `scale`, and all times powers of h,
-/// so that numbers are not far from 1 in any units.
+/// Computes Σ|ẋᵢHᵢⱼẋⱼ|, ε² = Σ(ẋᵢHᵢⱼẋⱼ)² and ω⁴/2 = Σ(FᵢⱼFⱼᵢ)²/2, with each pair of blocks of F = J∇²H once. Energies are multiplied by `scale`, and
+/// all numbers by powers of h, so that numbers are not far from 1 in any units.
 #[inline(always)]
 fn squares<A: Array>(h: A::Real, middle: &Slope<A>, coupled: bool, scale: A::Real) -> [A::Real; 3] {
     let (n, change, rows) = (A::LEN, scaled(h, &turned(&middle.g)), middle.derivative.rows_of());
@@ -126,7 +126,7 @@ fn squares<A: Array>(h: A::Real, middle: &Slope<A>, coupled: bool, scale: A::Rea
     [size, energy, cycles]
 }
 
-/// √(x² + y²) of what is not negative, without overflow on the way; `hypot` need not give the same digits in other units.
+/// Returns √(x² + y²) of numbers that are not negative, without overflow on the way. `hypot` need not give equal digits in other units.
 #[inline(always)]
 fn length<R: Real>(x: R, y: R) -> R {
     let (scale, one) = (before_squares(x + y), R::from_f64(1.0));
@@ -137,7 +137,7 @@ fn length<R: Real>(x: R, y: R) -> R {
     (x * x + y * y).sqrt() / scale
 }
 
-/// The address of what is compiled once for a shape of positions.
+/// Returns the address of the code that is compiled once for a shape of positions.
 pub(crate) fn compiled<A: Array>() -> *const () {
     metric::<A> as *const ()
 }

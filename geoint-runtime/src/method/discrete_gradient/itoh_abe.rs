@@ -12,16 +12,16 @@ use crate::space::vector::{moved, opposite, scaled, sum};
 use crate::space::{Array, Summation};
 use crate::system::{Conservative, DiscreteField, Invariants, KeptBy};
 
-/// x₁ = x₀ + h J g with gᵢ = (H(…, x₁ᵢ, x₀ᵢ₊₁, …) − H(…, x₀ᵢ, x₀ᵢ₊₁, …))/(x₁ᵢ − x₀ᵢ), where coordinates before i have their new values: all of q, then
-/// all of p. If H does not read time, every accepted step keeps the energy to rounding.
+/// x₁ = x₀ + h J g with gᵢ = (H(…, x₁ᵢ, x₀ᵢ₊₁, …) − H(…, x₀ᵢ, x₀ᵢ₊₁, …))/(x₁ᵢ − x₀ᵢ). Coordinates before i have their new values: all of q, then all of
+/// p. If H does not read time, every accepted step keeps the energy to rounding.
 ///
-/// Order 1. Order 2 and symmetric if H = Σ Tᵢ(pᵢ) + Σ Vᵢ(qᵢ). The momentum of a cyclic coordinate is kept. Used in the literature; take
-/// [`DiscreteGradient`](crate::DiscreteGradient) otherwise. T. Itoh & K. Abe, J. Comput. Phys. 76 (1988) 85.
+/// Order 1. Order 2 and symmetric if H = Σ Tᵢ(pᵢ) + Σ Vᵢ(qᵢ). The momentum of a cyclic coordinate is kept. The method is used in the literature.
+/// Otherwise prefer [`DiscreteGradient`](crate::DiscreteGradient). T. Itoh & K. Abe, J. Comput. Phys. 76 (1988) 85.
 #[doc(alias("coordinate increment discrete gradient", "Itoh-Abe"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ItohAbe;
 
-/// The adjoint of [`ItohAbe`]: its step from x₁ with −h leads to x₀. Coordinates change in the reverse order.
+/// The adjoint of [`ItohAbe`]: a step of [`ItohAbe`] from x₁ with −h leads to x₀. Coordinates change in the reverse order.
 ///
 /// Order 1. Keeps the energy as [`ItohAbe`] does.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -91,7 +91,7 @@ impl MeanGradient for SymmetrisedItohAbe {
     }
 }
 
-/// The mean of one half of a pair. Both halves have one type, so that they share a memory.
+/// Mean gradient of one half of a pair. Both halves have one type, so that they share a memory.
 #[derive(Clone, Copy, Debug)]
 pub enum Half {
     /// [`ItohAbe`].

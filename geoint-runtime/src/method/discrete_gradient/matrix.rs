@@ -4,30 +4,30 @@ use crate::scalar::Real;
 use crate::space::vector::{dot, entries, opposite};
 use crate::space::{Array, Square};
 
-/// A square matrix in all coordinates, a row an entry of (q, p).
+/// A square matrix in all coordinates, with one row for each entry of (q, p).
 #[derive(Clone, Copy, Debug)]
 pub struct Matrix<A: Array>(Square<[A; 2]>);
 
 impl<A: Array> Matrix<A> {
-    /// All zeros.
+    /// Returns a matrix of zeros.
     #[inline(always)]
     pub fn zero() -> Self {
         Matrix(<[A; 2]>::fill(<[A; 2]>::zero()))
     }
 
-    /// The rows.
+    /// Returns the rows, for writing.
     #[inline(always)]
     pub fn rows(&mut self) -> &mut [[A; 2]] {
         <[A; 2]>::entries::<[A; 2]>(&mut self.0)
     }
 
-    /// The rows, to be read.
+    /// Returns the rows, for reading.
     #[inline(always)]
     pub(super) fn rows_of(&self) -> &[[A; 2]] {
         <[A; 2]>::entries_of::<[A; 2]>(&self.0)
     }
 
-    /// The product with a vector.
+    /// Returns the product with a vector.
     #[inline(always)]
     pub(super) fn times(&mut self, x: &[A; 2]) -> [A; 2] {
         let mut y = <[A; 2]>::zero();
@@ -37,7 +37,7 @@ impl<A: Array> Matrix<A> {
         y
     }
 
-    /// The product of the transpose with a vector.
+    /// Returns the product of the transpose with a vector.
     #[inline(always)]
     pub(super) fn transpose_times(&mut self, x: &[A; 2]) -> [A; 2] {
         let mut y = <[A; 2]>::zero();
@@ -47,7 +47,7 @@ impl<A: Array> Matrix<A> {
         y
     }
 
-    /// self ← self + w·other.
+    /// Adds w·other.
     #[inline(always)]
     pub(super) fn add_scaled(&mut self, w: A::Real, other: &mut Self) {
         for (row, other) in self.rows().iter_mut().zip(other.rows()) {
@@ -56,13 +56,13 @@ impl<A: Array> Matrix<A> {
     }
 }
 
-/// J·(q, p) = (p, −q).
+/// Returns J·(q, p) = (p, −q).
 #[inline(always)]
 pub(super) fn turned<A: Array>([q, p]: &[A; 2]) -> [A; 2] {
     [*p, opposite(q)]
 }
 
-/// `x`, which is not negative, as a denominator: 0/0 is 0.
+/// Returns a number `x` that is not negative as a denominator: 0/0 is 0.
 #[inline(always)]
 pub(super) fn denominator<R: Real>(x: R) -> R {
     x.max(R::from_f64(R::smallest()))

@@ -1,4 +1,4 @@
-//! The mean value of the gradient along the segment.
+//! Mean value of the gradient along the segment.
 
 use super::energy::{Energy, Slope};
 use super::matrix::Matrix;
@@ -13,11 +13,11 @@ use crate::system::{Conservative, DiscreteField, Mean};
 
 /// x₁ = x₀ + h J ∫₀¹ ∇H(x₀ + s(x₁ − x₀)) ds, the averaged vector field, with `K` Gauss points for the integral, 1 to 6.
 ///
-/// Order 2, symmetric, for every H. The energy is kept to rounding for every h where the integral is exact: if H is a sum of
-/// functions of linear forms and of a polynomial of degree 2K at most. The system's report says whether that was proven, or
-/// which term is in the way: then the energy is kept to O(h²ᴷ).
-/// R. I. McLachlan, G. R. W. Quispel & N. Robidoux, Phil. Trans. R. Soc. A 357 (1999) 1021;
-/// G. R. W. Quispel & D. I. McLaren, J. Phys. A 41 (2008) 045206.
+/// Order 2, symmetric, for every H. The energy is kept to rounding for every h if the integral is exact. The integral is exact if H is a sum of
+/// functions of linear forms and of a polynomial of degree 2K at most. The system's report states a proof of exactness, or the term that is in the way.
+/// In the second case the energy is kept to O(h²ᴷ).
+/// R. I. McLachlan, G. R. W. Quispel & N. Robidoux, Phil. Trans. R. Soc. A 357 (1999) 1021; G. R. W. Quispel & D. I. McLaren, J. Phys. A 41
+/// (2008) 045206.
 #[doc(alias("average vector field", "averaged vector field"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct MeanValue<const K: usize>;
@@ -38,7 +38,7 @@ where
         matches!(S::MEAN, Mean::Gauss(least) | Mean::Parts(least) if least <= K)
     }
 
-    /// If the only point is the middle, the step is that of [`ImplicitMidpoint`](crate::ImplicitMidpoint).
+    /// Returns whether the only point is the middle. The step is then the step of [`ImplicitMidpoint`](crate::ImplicitMidpoint).
     fn is_symplectic<S: DiscreteField<R>, R: Real>() -> bool {
         K == 1 && S::MEAN != Mean::Parts(1)
     }
@@ -68,11 +68,11 @@ where
     }
 }
 
-/// The mean over n equal parts of their tree discrete gradients, from n = 1, 2, … `most` extrapolated to infinity.
+/// Returns the mean over n equal parts of their tree discrete gradients, extrapolated from n = 1, 2, … `most` to infinity.
 ///
-/// Of a function of a linear form it is the mean value of the gradient for every n. Of a polynomial of degree 2·`most` at most it
-/// is a polynomial of degree `most` − 1 in 1/n², since the tree discrete gradient is a symmetric polynomial of both ends. And
-/// it is a discrete gradient of every H.
+/// For a function of a linear form, the mean over the parts is the mean value of the gradient for every n. For a polynomial of degree 2·`most` at most,
+/// it is a polynomial of degree `most` − 1 in 1/n², because the tree discrete gradient is a symmetric polynomial of both ends. The result is a discrete
+/// gradient of every H.
 fn extrapolated<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>>(
     energy: &mut Energy<'_, S, R, P>,
     x: &S::Phase,

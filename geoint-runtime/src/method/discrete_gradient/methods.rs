@@ -14,7 +14,7 @@ impl Corrected for Gonzalez {}
 impl<const K: usize> Corrected for MeanValue<K> where MeanValue<K>: MeanGradient + SymmetricMap {}
 impl Corrected for SymmetrisedItohAbe {}
 
-/// Makes methods of means: the order, and whether it is symmetric. Whether it keeps the energy depends on the system.
+/// Makes methods from mean gradients, with their order and symmetry. Conservation of the energy depends on the system.
 macro_rules! methods {
     ($([$($generic:tt)*] $mean:ty $(where $bounded:ty: $bound:path)?: $claims:expr;)*) => { $(
         impl<S, R, $($generic)*> ImplicitMethod<S, R> for $mean
@@ -35,7 +35,7 @@ macro_rules! methods {
     )* };
 }
 
-// `FourthOrder` of each mean by itself: where there is one implementation for a type, the compiler says which of its bounds fails.
+// `FourthOrder` has one row for each mean. If a type has one implementation, the compiler names the bound that fails.
 methods! {
     [] ItohAbe: Claims::of_order(1);
     [] ItohAbeAdjoint: Claims::of_order(1);

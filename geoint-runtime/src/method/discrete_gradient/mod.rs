@@ -1,4 +1,4 @@
-//! x₁ = x₀ + h (J − R) ∇̄H(x₀, x₁): steps that keep the energy to rounding, or lose what damping R takes.
+//! Steps x₁ = x₀ + h (J − R) ∇̄H(x₀, x₁) that keep the energy to rounding. With damping R, they lose the energy that R dissipates.
 //!
 //! ```
 //! use geoint_runtime::prelude::*;

@@ -1,4 +1,4 @@
-//! The step of order 4 by projection of a mean velocity: d = h·f̄(z, z + d), with f̄ of [`FourthOrderField`].
+//! Step of order 4 by projection of a mean velocity: d = h·f̄(z, z + d), with f̄ of [`FourthOrderField`].
 
 use super::mean::MeanGradient;
 use super::{DiscreteGradient, FourthOrder};
@@ -71,7 +71,7 @@ impl<S: FourthOrderField<R>, R: Real> ImplicitStep<S, R> for FourthOrder<Discret
         equation.from.z
     }
 
-    /// The explicit midpoint rule.
+    /// Returns the increment of the explicit midpoint rule.
     fn guess(Equation { from: Departure { system, t, h, z, .. }, .. }: &Equation<'_, Self, S, R>) -> S::Phase {
         let (half, mut rate) = (R::from_f64(0.5) * *h, S::Phase::zero());
         system.rate(*t, z, &mut rate);
@@ -93,7 +93,8 @@ impl<S: FourthOrderField<R>, R: Real> ImplicitStep<S, R> for FourthOrder<Discret
         difference(d, &image)
     }
 
-    /// On an orbit along which gradients depend on each other, as a circle, no step keeps all in this way. A thorough attempt then leaves momenta out.
+    /// Solves the equation. On an orbit along which gradients depend on each other, such as a circle, no step keeps all invariants in this way. A
+    /// thorough attempt then leaves momenta out.
     #[inline(always)]
     fn solve<P: Probe<S, R>>(
         mut equation: Equation<'_, Self, S, R>,
@@ -132,7 +133,7 @@ impl<S: FourthOrderField<R>, R: Real> ImplicitStep<S, R> for FourthOrder<Discret
         rounded::check_step::<S, R>(P::EFFORT, from, end)
     }
 
-    /// The metric of a canonical system has the energy in it. That of a field has not.
+    /// Checks the range of canonical systems only. Their metric contains the energy. The metric of a field does not.
     fn is_in_range(system: &S, z: &S::Phase) -> bool {
         !S::State::MOMENTA || is_representable(system, &KeptBy::<S, R>::default(), z)
     }

@@ -17,11 +17,11 @@ use crate::space::vector::{difference, scaled, sum};
 use crate::space::{Array, Snapshot, Square};
 use crate::system::{CanonicalForm, row_scale};
 
-/// The step that is solved for the points of its stages.
+/// Step whose unknowns are the points of its stages.
 #[derive(Clone, Copy, Debug)]
 pub struct CanonicalStages<const S: usize>;
 
-/// What the equation has.
+/// Terms that occur in the equation.
 const FORM: Form = Form {
     value: Slopes { by_unknown: Part::Given, by_shift: Part::Zero },
     rate: Slopes { by_unknown: Part::Given, by_shift: Part::Zero },
@@ -51,7 +51,7 @@ struct At<A: Array> {
     derivatives: [Square<A>; 2],
 }
 
-/// The places of derivatives.
+/// Indices into the derivatives.
 const VALUE: usize = 0;
 const RATE: usize = 1;
 
@@ -74,19 +74,19 @@ impl<Y: CanonicalForm<R>, R: Real, const S: usize> Equation<'_, CanonicalStages<
 where
     Gauss<S>: GaussTableau<S>,
 {
-    /// The time and the point of a stage.
+    /// Returns the time and the point of a stage.
     #[inline(always)]
     fn place(&self, i: usize, d: &[Y::Phase; S]) -> (R, Y::Phase) {
         (self.from.t + self.constants.scaled.nodes[i], sum(&self.from.z, &d[i]))
     }
 
-    /// y and y' there.
+    /// Evaluates y and y' at a time and a point.
     #[inline(always)]
     fn at(&self, (t, z): (R, Y::Phase)) -> At<Y::Phase> {
         At::new(self.from.system, &self.constants.kernel, t, z)
     }
 
-    /// The increment at whose end y has changed by this much, from a guess on.
+    /// Solves for the increment of x that changes y by `change`, starting from a guess.
     fn end(&self, change: &Y::Phase, guess: Y::Phase) -> Result<Y::Phase, Refusal> {
         let (Start { y, inverse, .. }, mut is_positive) = (&self.start, true);
         let correction = |d: &Y::Phase| {
@@ -103,7 +103,7 @@ where
     }
 }
 
-/// The equations of all stages for their increments xᵢ − x₀, times (∂y/∂x)⁻¹ at the start: then they have the units of x, and their
+/// Equations of all stages for the increments xᵢ − x₀. They are multiplied by (∂y/∂x)⁻¹ at the start. The equations then have the units of x, and their
 /// matrix is near 1.
 impl<Y: CanonicalForm<R>, R: Real, const S: usize> ImplicitStep<Y, R> for CanonicalStages<S>
 where
@@ -186,7 +186,7 @@ where
     }
 }
 
-/// The product of an inverse with a matrix.
+/// Returns the product of an inverse with a matrix.
 #[inline(always)]
 fn scaled_rows<A: Array>(inverse: &Inverted<A>, matrix: &Square<A>) -> Square<A> {
     let mut product = A::fill(A::zero());
@@ -203,7 +203,7 @@ fn scaled_rows<A: Array>(inverse: &Inverted<A>, matrix: &Square<A>) -> Square<A>
     product
 }
 
-/// (∂y/∂x)⁻¹. Rows of the matrix have the units of y: divided by their diagonals they have those of x, as entries for pivots need them.
+/// Returns (∂y/∂x)⁻¹. Rows of the matrix have the units of y. Divided by their diagonals, rows have the units of x, as the choice of pivots requires.
 #[inline(always)]
 fn inverse<A: Array>(matrix: &Square<A>, z: &A) -> Option<(Inverted<A>, bool)> {
     let (mut scaled_matrix, mut scales, mut sizes) = (*matrix, A::zero(), Sizes::new());

@@ -1,18 +1,18 @@
-//! What the polynomial of a step tells of its error.
+//! Error estimate of a Gauss step from the defect of its collocation polynomial.
 //!
-//! Collocation finds a polynomial u with u' = f(u) at the nodes cᵢ. Elsewhere there is a defect δ = f(u) − u', which is M(x) = Π (x − cᵢ) times something,
-//! and the error of the step is ∫ R δ, R what leads from there to the end. As M is orthogonal to all polynomials of lower degree, of the order h²ˢ⁺¹ of
-//! this error are, with R = 1 and with δ/M = const,
+//! Collocation finds a polynomial u with u' = f(u) at the nodes cᵢ. At other times u has a defect δ = f(u) − u'. The defect is the product of M(x) = Π
+//! (x − cᵢ) and another function. The error of the step is ∫ R δ, where R propagates a defect to the end of the step. M is orthogonal to all
+//! polynomials of lower degree. The error therefore contains two terms of order h²ˢ⁺¹, the first for R = 1 and the second for δ/M = const:
 //!
-//! h δ[c₁, …, c_s, x₀, …, x_s] ∫M² and (hJ)ˢ D (s!)³/((2s)!(2s+1)!), D = h δ/M at the ends:
+//! h δ[c₁, …, c_s, x₀, …, x_s] ∫M² and (hJ)ˢ D (s!)³/((2s)!(2s+1)!), with D = h δ/M at the ends.
 //!
-//! the first is the whole error where f depends on time alone, the second where f is linear. Both are taken by their magnitudes, so that they do not
-//! cancel. Where f is neither there are terms between the two, of the same order. No order is extrapolated from others: a vibration that is small beside a slow
-//! motion is seen by what f does with it.
+//! The first term is the whole error if f depends on time alone. The second term is the whole error if f is linear. The estimate adds the magnitudes of
+//! both terms, so that they do not cancel. Any other f has intermediate terms of equal order. No order is extrapolated from others. The estimate
+//! detects a vibration that is small beside a slow motion by the action of f on the vibration.
 //!
-//! Where h is long beside the fastest motion, J = f' at the start would let a defect grow without bounds, that of Gauss's methods does not: hJ is
-//! hJ(1 − γhJ)⁻¹ in place of that, and defects are seen through (1 − γhJ)⁻¹, with γ = 1/2s, the mean eigenvalue of the coefficients A. E. Hairer &
-//! G. Wanner, *Solving Ordinary Differential Equations II* (1996), section IV.8, filter estimates in this way.
+//! If h is long beside the fastest motion, J = f' at the start would let a defect grow without bounds. The defect of a Gauss method does not grow in
+//! this way. The estimate therefore replaces hJ by hJ(1 − γhJ)⁻¹, and multiplies defects by (1 − γhJ)⁻¹. Here γ = 1/2s is the mean eigenvalue of the
+//! coefficients A. Estimates are filtered in this way by E. Hairer & G. Wanner, *Solving Ordinary Differential Equations II* (1996), section IV.8.
 
 use super::{Gauss, GaussTableau};
 use crate::method::explicit::tableau::Tableau;
@@ -23,29 +23,30 @@ use crate::space::vector::{difference, dot, scaled};
 use crate::space::{Array, Square};
 use crate::system::Collocation;
 
-/// A point of a step at which the defect is looked at.
+/// Point of a step at which the defect is evaluated.
 #[derive(Clone, Copy)]
 struct Look<const S: usize> {
-    /// As a fraction of the step.
+    /// Position as a fraction of the step.
     at: f64,
-    /// u' = Σ rates·k.
+    /// Coefficients in u' = Σ rates·k.
     rates: [f64; S],
-    /// u = y₀ + h Σ changes·k, and the same in place of y' where f is y'': q₀ + hx q'₀ + h² Σ changes·M⁻¹k.
+    /// First row: coefficients in u = y₀ + h Σ changes·k. Second row, for f = y'' in place of y': q₀ + hx q'₀ + h² Σ changes·M⁻¹k.
     changes: [[f64; S]; 2],
-    /// What δ counts in hδ[…]∫M², and in D.
+    /// Weights of δ in hδ[…]∫M² and in D.
     weights: [f64; 2],
 }
 
-/// All of them, and the numbers of both parts of an error.
+/// All points of a step, and the coefficients of both parts of the error.
 struct Looks<const S: usize> {
     start: Look<S>,
     others: [Look<S>; S],
-    /// Of k, for the highest coefficient of the polynomial of p where f is y'': the defect of q' is that times M.
+    /// Weights of k in the highest coefficient of the polynomial of p, if f is y''. The defect of q' is this coefficient times M(x).
     highest: [f64; S],
-    /// By what an error is multiplied, 4ˢ: so much less than what they are judged by is the error of the halves of a step. Of Kepler's, Hénon's and
-    /// Heiles's and other orbits errors are a tenth of the product at most, while h is shorter than a vibration (`tests/benches/README.md`).
+    /// Factor of an error, 4ˢ. The error of the two halves of a step is smaller by this factor than the estimate that judges them. For orbits of
+    /// Kepler, of Hénon and Heiles, and others, errors are a tenth of the product at most, while h is shorter than a vibration
+    /// (`tests/benches/README.md`).
     margin: f64,
-    /// (s!)³/((2s)!(2s+1)!) for γhJ in place of hJ.
+    /// (s!)³/((2s)!(2s+1)!), for γhJ in place of hJ.
     linear: f64,
 }
 
@@ -89,7 +90,7 @@ impl<const S: usize> Looks<S> {
 }
 
 impl<const S: usize> Look<S> {
-    /// The `i`-th point: the start, the middle between two nodes, or the end.
+    /// Returns the `i`-th point: the start, the middle between two nodes, or the end.
     const fn place(c: &[f64; S], i: usize) -> f64 {
         match i {
             0 => 0.0,
@@ -103,7 +104,7 @@ impl<const S: usize> Look<S> {
         let (mut rates, mut changes, mut monic, mut j) = ([0.0; S], [[0.0; S]; 2], 1.0, 0);
         while j < S {
             rates[j] = lagrange(c, j, at);
-            // The integral from 0 to x, by the method's own weights.
+            // Integral from 0 to x, by the weights of the method.
             let mut n = 0;
             while n < S {
                 changes[0][j] += at * b[n] * lagrange(c, j, at * c[n]);
@@ -132,7 +133,7 @@ impl<const S: usize> Look<S> {
         Look { at, rates, changes, weights: [square / (monic * others), end] }
     }
 
-    /// Adds what hδ counts in both parts of the error; f' is computed where it is used.
+    /// Adds the contribution of hδ to both parts of the error. Returns f', which is computed only where it is used.
     #[inline(always)]
     fn add<Y: Collocation<R>, R: Real>(
         &self,
@@ -152,7 +153,7 @@ impl<const S: usize> Look<S> {
     }
 }
 
-/// The polynomial that is 1 at the node `j` and 0 at the others.
+/// Returns the value at `x` of the polynomial that is 1 at the node `j` and 0 at the other nodes.
 const fn lagrange<const S: usize>(c: &[f64; S], j: usize, x: f64) -> f64 {
     let (mut value, mut n) = (1.0, 0);
     while n < S {
@@ -164,7 +165,7 @@ const fn lagrange<const S: usize>(c: &[f64; S], j: usize, x: f64) -> f64 {
     value
 }
 
-/// Errors of y, and of momenta where y are positions alone.
+/// Errors of y, and of the momenta if y holds positions alone.
 type Errors<Y, R> = [<Y as Collocation<R>>::Unknown; 2];
 
 /// (1 − γhJ)⁻¹.
@@ -178,7 +179,7 @@ struct Filter<'a, Y: Collocation<R>, R: Real> {
 }
 
 impl<Y: Collocation<R>, R: Real> Filter<'_, Y, R> {
-    /// `None` where the matrix is singular.
+    /// Multiplies errors by (1 − γhJ)⁻¹. Returns `None` if the matrix is singular.
     #[inline(always)]
     fn times(&self, [y, p]: &Errors<Y, R>) -> Option<Errors<Y, R>> {
         let mut matrix = Y::Unknown::fill(Y::Unknown::zero());
@@ -201,7 +202,7 @@ impl<Y: Collocation<R>, R: Real> Filter<'_, Y, R> {
         Some([position, x])
     }
 
-    /// What an error of that which f changes is in all coordinates.
+    /// Returns the errors of all coordinates that follow from an error of the quantity that f changes.
     #[inline(always)]
     fn spread(&self, x: Y::Unknown) -> Errors<Y, R> {
         let mut y = if Y::DERIVATIVE == 1 { x } else { Y::Unknown::zero() };
@@ -217,12 +218,14 @@ pub(super) struct Step<'a, Y: Collocation<R>, R: Real> {
     pub(super) system: &'a Y,
     pub(super) constants: &'a Y::Constants,
     pub(super) h: R,
-    /// What h·k is added to.
+    /// Quantity to which h·k is added.
     pub(super) changed: &'a Y::Unknown,
 }
 
-/// An estimate of the error of a step with the values `k` of f at its stages; `None` where a motion away from the solution is so fast that there is none.
-/// `at` returns f and f' where the polynomial of the step is after a time, with these coefficients of k.
+/// Estimates the error of a step from the values `k` of f at its stages. Returns `None` if a motion away from the solution is so fast that there is no
+/// estimate.
+///
+/// `at` takes a time and coefficients of k. It returns f and f' on the polynomial of the step after this time.
 #[inline]
 pub(super) fn error<Y: Collocation<R>, R: Real, const S: usize>(
     Step { system, constants, h, changed }: Step<'_, Y, R>,
@@ -256,7 +259,7 @@ where
         let filtered = filter.times(&second)?;
         second = [difference(&filtered[0], &second[0]), difference(&filtered[1], &second[1])];
     }
-    // What is found of h·k is found up to its last digit.
+    // Each h·k is known up to its last digit.
     let mut digits = zero;
     for k in k {
         for (digit, k) in digits.as_mut_slice().iter_mut().zip(k.as_slice()) {
@@ -269,7 +272,7 @@ where
     for (i, error) in error.as_mut_slice().iter_mut().enumerate() {
         let [first, second, rounding] = [&first, &second, &rounding].map(|part| part.as_slice()[i].abs());
         let found = first + number(looks.linear) * second - rounding;
-        // What is not a number stays none.
+        // NaN stays NaN.
         *error = if found.any_below(0.0) { number(0.0) } else { number(looks.margin) * found };
     }
     Some(error)

@@ -1,11 +1,11 @@
-//! What the factors of a step are, and what they do.
+//! Factors of the stages of a step, and their effects.
 
 use crate::scalar::{Real, zero};
 use crate::solving::linear;
 use crate::solving::size::Sizes;
 use crate::space::vector::sum_of_products;
 
-/// rᵢ = 1 + h Σ aᵢⱼ rⱼ σⱼ, and ∂rᵢ/∂σⱼ.
+/// Factors rᵢ = 1 + h Σ aᵢⱼ rⱼ σⱼ, and their derivatives ∂rᵢ/∂σⱼ.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::method) struct Factors<R, const S: usize> {
     /// σᵢ = ∂H/∂s at the stages.
@@ -15,7 +15,8 @@ pub(in crate::method) struct Factors<R, const S: usize> {
 }
 
 impl<R: Real, const S: usize> Factors<R, S> {
-    /// Derivatives are wanted where they are not known beforehand. `None` where there are no factors.
+    /// Solves for the factors, and for their derivatives if `DERIVED`. Derivatives are needed only if the factors are not known beforehand. Returns
+    /// `None` if there are no factors.
     #[inline(always)]
     pub(in crate::method) fn new<const DERIVED: bool>(coupling: &[[R; S]; S], decay: &[R; S]) -> Option<Self> {
         let one = R::from_f64(1.0);
@@ -37,7 +38,7 @@ impl<R: Real, const S: usize> Factors<R, S> {
         Some(Factors { decay: *decay, r, by_decay })
     }
 
-    /// After small changes of σ: their squares are rounding.
+    /// Returns the factors after small changes of σ. The squares of these changes are rounding errors.
     #[inline(always)]
     pub(in crate::method) fn after(&self, decay: &[R; S]) -> Self {
         let mut factors = Factors { decay: *decay, ..*self };
@@ -49,13 +50,13 @@ impl<R: Real, const S: usize> Factors<R, S> {
         factors
     }
 
-    /// Where there are none no solution is found.
+    /// Returns NaN for all factors, if none exist. No solution is then found.
     pub(in crate::method) fn unknown() -> Self {
         let unknown = R::from_f64(f64::NAN);
         Factors { decay: [unknown; S], r: [unknown; S], by_decay: [[unknown; S]; S] }
     }
 
-    /// r₁ − 1 = h Σ bᵢ rᵢ σᵢ; `None` where the form would not be multiplied by a positive number.
+    /// Returns r₁ − 1 = h Σ bᵢ rᵢ σᵢ. Returns `None` if the step would not multiply the contact form by a positive number.
     #[inline(always)]
     pub(in crate::method) fn growth(&self, weights: &[R; S]) -> Option<R> {
         let grown = sum_of_products(weights, &core::array::from_fn::<_, S, _>(|i| self.r[i] * self.decay[i]));
@@ -64,7 +65,7 @@ impl<R: Real, const S: usize> Factors<R, S> {
         positive.then_some(grown)
     }
 
-    /// s' at the stages from its values at s₀: aᵢ = kᵢ + σᵢ h Σ aᵢⱼ kⱼ.
+    /// Solves for s' at the stages, kᵢ, from the values of s' at s₀: aᵢ = kᵢ + σᵢ h Σ aᵢⱼ kⱼ.
     #[inline(always)]
     pub(in crate::method) fn rates_of_action(&self, coupling: &[[R; S]; S], mut at_start: [R; S]) -> Option<[R; S]> {
         let one = R::from_f64(1.0);

@@ -1,4 +1,4 @@
-//! Gauss collocation, the implicit midpoint rule among it, for every H.
+//! Gauss collocation for every H, including the implicit midpoint rule.
 //!
 //! ```
 //! use geoint_runtime::prelude::*;
@@ -42,24 +42,24 @@ use crate::method::{Claims, Name};
 use crate::scalar::Real;
 use crate::system::PhaseSpace;
 
-/// Gauss collocation with `S` stages, 1 to 6. Order 2S, symmetric, symplectic, for every H; keeps quadratic invariants.
+/// Gauss collocation with `S` stages, 1 to 6. Order 2S, symmetric, symplectic, for every H. Keeps quadratic invariants.
 ///
-/// Solved for the stage derivatives kᵢ = f(Yᵢ), all together: Yᵢ = y₀ + h Σ aᵢⱼ kⱼ; or, if T is quadratic, for the stage
-/// forces alone: Yᵢ = q₀ + cᵢh q'₀ + h² Σ (A²)ᵢⱼ M⁻¹kⱼ. The reference for energies that are not separable. A Lagrangian whose mass
-/// matrix is full is solved for stage velocities Vᵢ: Qᵢ = q₀ + h Σ aᵢⱼVⱼ, ∂L/∂v(Qᵢ, Vᵢ) = p₀ + h Σ aᵢⱼ ∂L/∂q(Qⱼ, Vⱼ), which is the same
-/// map with half of the unknowns. Of a Lagrangian that is linear in velocities, with momenta of which half may be zero, it is moved by
-/// canonical coordinates, positions and momenta ϑ(q), and solved for q: symplectic for Ω = dϑ.
+/// The unknowns are the stage derivatives kᵢ = f(Yᵢ) of all stages together, with Yᵢ = y₀ + h Σ aᵢⱼ kⱼ. If T is quadratic, the unknowns are the stage
+/// forces alone, with Yᵢ = q₀ + cᵢh q'₀ + h² Σ (A²)ᵢⱼ M⁻¹kⱼ. `Gauss` is the reference method for energies that are not separable.
 ///
-/// Where it is solved for derivatives, with three and four stages of at most six unknowns, [adaptive](crate::Adaptive) steps estimate their errors
-/// by f between the stages: the estimate is of order 2S, and sees what is small beside other motions, however fast.
+/// For a Lagrangian with a full mass matrix, the unknowns are the stage velocities Vᵢ: Qᵢ = q₀ + h Σ aᵢⱼVⱼ, ∂L/∂v(Qᵢ, Vᵢ) = p₀ + h Σ aᵢⱼ ∂L/∂q(Qⱼ, Vⱼ).
+/// The map does not change, and the number of unknowns is halved. A Lagrangian that is linear in the velocities has momenta ϑ(q), of which half may be
+/// zero. The method then advances canonical coordinates, which are positions and momenta, and solves for q. The step is symplectic for Ω = dϑ.
+///
+/// If the unknowns are derivatives, with three and four stages of at most six unknowns, [adaptive](crate::Adaptive) steps estimate their errors from f
+/// between the stages. The estimate has order 2S. It detects a motion that is small beside other motions, however fast the small motion is.
 #[doc(alias("Gauss-Legendre", "collocation", "IRK", "implicit Runge-Kutta"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Gauss<const S: usize>;
 
-/// x₁ = x₀ + h J∇H((x₀ + x₁)/2), the Gauss method with one stage. Order 2, symmetric, symplectic, for every H; keeps
-/// quadratic invariants.
+/// x₁ = x₀ + h J∇H((x₀ + x₁)/2), the Gauss method with one stage. Order 2, symmetric, symplectic, for every H. Keeps quadratic invariants.
 ///
-/// For a higher order prefer [`Gauss`] to a composition of this.
+/// For a higher order prefer [`Gauss`] to a composition of this method.
 #[doc(alias = "midpoint rule")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ImplicitMidpoint;
@@ -72,7 +72,7 @@ implicit_method!(
 implicit_method!(ImplicitMidpoint, |_| Name::new("ImplicitMidpoint"), Claims::of_order(2).symmetric().symplectic());
 substeps!([] ImplicitMidpoint);
 
-/// One stage is the midpoint rule.
+/// The midpoint rule is the Gauss method with one stage.
 impl<Y: PhaseSpace<R>, R: Real> ImplicitMethod<Y, R> for ImplicitMidpoint
 where
     Gauss<1>: ImplicitMethod<Y, R>,

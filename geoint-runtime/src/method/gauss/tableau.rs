@@ -1,7 +1,7 @@
 //! Gauss collocation: nodes c, weights b and coefficients a of s stages.
 //!
-//! Fifty digits each, rounded once, by the compiler. J. C. Butcher, Math. Comp. 18 (1964) 50; Hairer, Lubich & Wanner,
-//! section II.1.3; computed from the roots of the Legendre polynomials.
+//! Each number has fifty digits and is rounded once, by the compiler. J. C. Butcher, Math. Comp. 18 (1964) 50; Hairer, Lubich & Wanner, section II.1.3.
+//! The numbers are computed from the roots of the Legendre polynomials.
 
 #![allow(clippy::excessive_precision, reason = "all digits that are known, rounded once")]
 
@@ -9,13 +9,13 @@ use super::Gauss;
 use crate::method::explicit::tableau::Tableau;
 use crate::sealed::Sealed;
 
-/// The number of stages of a Gauss method, 1 to 6.
+/// Number of stages of a Gauss method, 1 to 6.
 ///
-/// Sealed: the tables are those of Gauss.
+/// Sealed: the tableaux are Gauss's tableaux.
 pub trait GaussTableau<const S: usize>: Sealed {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// The coefficients.
+    /// The tableau.
     const TABLEAU: Tableau<S>;
 }
 

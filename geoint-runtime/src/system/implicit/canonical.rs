@@ -1,21 +1,22 @@
-//! Flows that are canonical in other coordinates than those of their states.
+//! Flows that are canonical in other coordinates than the coordinates of their states.
 
 use crate::scalar::Real;
 use crate::space::Square;
 use crate::system::VectorField;
 
-/// x' = S ∇H with functions y of x, as many as coordinates, in which S is the canonical matrix: half of the coordinates, and their momenta.
+/// x' = S ∇H with functions y of x, as many as coordinates, in which S is the canonical matrix. Half of the functions are coordinates, the other half
+/// are their momenta.
 ///
-/// Of a Lagrangian ϑ(q)·v − H(q) the momenta are entries of ϑ, and no inverse of y is needed: stages are solved for x.
+/// The momenta of a Lagrangian ϑ(q)·v − H(q) are entries of ϑ. Stages are solved for x, so that no inverse of y is needed.
 pub trait CanonicalForm<R: Real = f64>: VectorField<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// What depends on parameters only.
+    /// Coefficients that depend on parameters only.
     type CanonicalConstants: Copy + core::fmt::Debug;
 
-    /// What depends on parameters only.
+    /// Computes the coefficients that depend on parameters only.
     fn canonical_constants(&self) -> Self::CanonicalConstants;
-    /// [y, y'] at a point, and the derivatives of both by x.
+    /// Computes [y, y'] at a point, and the derivatives of both by x.
     fn canonical(
         &self,
         constants: &Self::CanonicalConstants,

@@ -1,6 +1,6 @@
-//! Positions that are bound to g(q) = 0: q' = ∂H/∂p, p' = −∂H/∂q − Gᵀλ with G = ∂g/∂q.
+//! Systems whose positions satisfy g(q) = 0: q' = ∂H/∂p, p' = −∂H/∂q − Gᵀλ with G = ∂g/∂q.
 //!
-//! A state is on a constraint if g(q) = 0 and the velocity does not lead away from it, G ∂H/∂p = 0.
+//! A state is on a constraint if g(q) = 0 and the velocity does not lead away from the constraint, G ∂H/∂p = 0.
 use crate::system::{Cotangent, PhaseSpace};
 
 use crate::scalar::Real;
@@ -20,25 +20,25 @@ pub trait Constrained<R: Real = f64>:
 {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// A number for each constraint.
+    /// One number for each constraint.
     type Multipliers: Array<Real = R>;
-    /// The formula of each g, then that of its rate.
+    /// Formulas of each g and of its rate.
     const CONSTRAINTS: &'static [[&'static str; 2]];
-    /// Whether ∂H/∂p is affine in p.
+    /// True if ∂H/∂p is affine in p.
     const QUADRATIC: bool;
 
-    /// g, and a row of G for each.
+    /// Computes g, and a row of G for each constraint.
     fn constraints(&self, q: &Self::Array, values: &mut Self::Multipliers, gradients: &mut Gradients<Self, R>);
-    /// ∂H/∂p and W = ∂²H/∂p².
+    /// Computes ∂H/∂p and W = ∂²H/∂p².
     fn velocity(&self, t: R, z: &Self::Phase, velocity: &mut Self::Array, inverse_mass: &mut Square<Self::Array>);
-    /// g and G ∂H/∂p; and by how much they change, at most, where each coordinate and parameter changes by its own size.
+    /// Computes g and G ∂H/∂p, each with the largest change that it undergoes if each coordinate and parameter changes by its own size.
     fn departure(&self, t: R, z: &Self::Phase) -> [[Self::Multipliers; 2]; 2];
 }
 
-/// A row of the shape of positions for each constraint.
+/// One row of the shape of positions for each constraint.
 pub type Gradients<S, R> = <<S as Constrained<R>>::Multipliers as Array>::Map<<S as Cotangent<R>>::Array>;
 
-/// The equation of a step of the method `M` from z, for its increments and multipliers in a row.
+/// Equation of a step of the method `M` from z, for its increments and multipliers in a row.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no constraints",
     label = "`{M}` is for systems with `constraint = [g]`",
@@ -49,16 +49,16 @@ pub trait ConstrainedStep<M, R: Real = f64>: Constrained<R> {
     type Proof;
     /// The unknowns in a row.
     type Unknown: Array<Real = R>;
-    /// What depends on parameters and h.
+    /// Coefficients that depend on parameters and h.
     type Constants: Copy + core::fmt::Debug;
-    /// What depends on z and t.
+    /// Coefficients that depend on z and t.
     type Start: Copy + core::fmt::Debug;
 
-    /// What depends on parameters and h.
+    /// Computes the coefficients that depend on parameters and h.
     fn constants(&self, h: R) -> Self::Constants;
-    /// What all evaluations of a step from z have in common.
+    /// Computes the coefficients that all evaluations of a step from z have in common.
     fn begin(&self, constants: &Self::Constants, t: R, z: &Self::Phase) -> Self::Start;
-    /// The residual and its derivative; row i has the unit of unknown i.
+    /// Computes the residual and its derivative. Row i has the unit of unknown i.
     fn residual(
         &self,
         constants: &Self::Constants,
@@ -67,24 +67,24 @@ pub trait ConstrainedStep<M, R: Real = f64>: Constrained<R> {
         residual: &mut Self::Unknown,
         matrix: &mut Square<Self::Unknown>,
     );
-    /// The increments of positions and momenta that belong to unknowns.
+    /// Returns the increments of positions and momenta that belong to unknowns.
     fn end(&self, constants: &Self::Constants, start: &Self::Start, x: &Self::Unknown) -> Self::Phase;
-    /// The magnitude of each unknown whose rounding is that of positions.
+    /// Returns the magnitude of each unknown whose rounding is the rounding of positions.
     fn origin(&self, constants: &Self::Constants, start: &Self::Start) -> Self::Unknown;
 }
 
-/// What a state of a system with constraints lacks.
+/// Condition that a state of a system with constraints violates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unmet {
-    /// This is not zero.
+    /// The quantity with this formula is not zero.
     Off(&'static str),
-    /// The gradient of this constraint depends on those of the constraints before it, or there is none.
+    /// The gradient of this constraint depends on the gradients of the constraints before it, or there is no gradient.
     Dependent(&'static str),
 }
 
-/// What a state lacks at the start of steps of length `h`, if anything.
+/// Returns the condition that a state violates at the start of steps of length `h`, if any.
 ///
-/// Rounding is no departure: that of coordinates and parameters, and of a velocity that moves nothing in a step but by rounding.
+/// Rounding is no violation. This includes rounding of coordinates and parameters, and a velocity that moves positions in a step by rounding only.
 #[cold]
 #[inline(never)]
 pub fn unmet<S: Constrained<R>, R: Real>(system: &S, t: R, h: R, z: &S::Phase) -> Option<Unmet> {
@@ -93,7 +93,7 @@ pub fn unmet<S: Constrained<R>, R: Real>(system: &S, t: R, h: R, z: &S::Phase) -
     let numbers = |x: &S::Multipliers, k: usize| x.as_slice()[k].magnitude();
     for (k, [formula, rate]) in S::CONSTRAINTS.iter().enumerate() {
         let reach = rounding * numbers(&sizes, k);
-        // What is not a number is off as well. Zero is on, also where the gradient, and with it all rounding, is none, as at the tip of a cone.
+        // NaN is off as well. Zero is on, also if the gradient, and with it all rounding, vanishes, as at the tip of a cone.
         let on = numbers(&values, k) <= reach || numbers(&values, k) == 0.0;
         let moves = numbers(&rates, k);
         if on && moves.is_nan() {
@@ -108,7 +108,7 @@ pub fn unmet<S: Constrained<R>, R: Real>(system: &S, t: R, h: R, z: &S::Phase) -
     Some(Unmet::Dependent(dependent))
 }
 
-/// Refuses a step at whose end a constraint is not zero: one so long that h ∂H/∂p rounds positions away.
+/// Refuses a step if a constraint is not zero at its end. Such a step is so long that h ∂H/∂p rounds positions away.
 #[inline(always)]
 pub(crate) fn held<S: Constrained<R>, R: Real>(system: &S, t: R, [before, z]: [&S::Phase; 2]) -> Result<(), Refusal> {
     let [[values, sizes], _] = system.departure(t, z);
@@ -118,16 +118,15 @@ pub(crate) fn held<S: Constrained<R>, R: Real>(system: &S, t: R, [before, z]: [&
         let mut reaches = sizes.map(|(end, start)| rounding * (end.magnitude() + start.magnitude()));
         values.as_slice().iter().all(|value| reaches.next().is_some_and(|reach| value.magnitude() <= reach))
     };
-    // The rounding of increments is that of positions at both ends.
+    // The rounding of increments is the rounding of positions at both ends.
     if are_small(&S::Multipliers::zero()) || are_small(&system.departure(t, before)[0][1]) {
         return Ok(());
     }
     Err(Refusal::Singular)
 }
 
-/// Whether the constraints are independent at two positions, and their gradients span nearly the same directions there: on the way from
-/// one to the other, where they depend on each other, the space that they span changes its orientation. The formula of a constraint that
-/// fails.
+/// Checks that the constraints are independent at two positions, and that their gradients span nearly equal spaces there. If constraints depend on each
+/// other between the positions, the space that they span changes its orientation. Returns the formula of a constraint that fails.
 #[inline(always)]
 pub(crate) fn on_one_side<S: Constrained<R>, R: Real>(
     system: &S,
@@ -140,7 +139,7 @@ pub(crate) fn on_one_side<S: Constrained<R>, R: Real>(
     let rows = S::Multipliers::entries::<S::Multipliers>(&mut matrix);
     for (row, gradient) in rows.iter_mut().zip(S::Multipliers::entries_of::<S::Array>(&first)) {
         let direction = times(&inverse_mass, gradient);
-        // In units of its own square: then pivots have none.
+        // Each row is in units of its own square, so that pivots have no units.
         let scale = R::from_f64(1.0) / dot(gradient, &direction);
         for (x, other) in row.as_mut_slice().iter_mut().zip(S::Multipliers::entries_of::<S::Array>(&last)) {
             *x = scale * dot(&direction, other);
@@ -165,7 +164,7 @@ pub(crate) fn on_one_side<S: Constrained<R>, R: Real>(
     if positive { Ok(()) } else { Err(S::CONSTRAINTS[rows.len() - 1][0]) }
 }
 
-/// The momenta at z without what leads away from the constraints: p − Gᵀμ with G ∂H/∂p = 0.
+/// Returns the momenta at z without the part that leads away from the constraints: p − Gᵀμ with G ∂H/∂p = 0.
 #[inline(always)]
 pub(crate) fn tangent<S: Constrained<R>, R: Real>(system: &S, t: R, z: S::Phase) -> Result<S::Array, Refusal> {
     let none = S::Array::zero();
@@ -189,8 +188,8 @@ pub(crate) fn tangent<S: Constrained<R>, R: Real>(system: &S, t: R, z: S::Phase)
     correct(z[1], Corrections::of_order(2), |Stuck { after, .. }| Some(*after), correction)
 }
 
-/// The state nearest to another one that is on the constraints: positions are moved in the metric of the mass matrix, then the momentum
-/// is made tangent.
+/// Returns the state on the constraints that is nearest to another state. Positions are moved in the metric of the mass matrix, then the momentum is
+/// made tangent.
 #[cold]
 #[inline(never)]
 pub(crate) fn projected<S: Constrained<R>, R: Real>(system: &S, t: R, z: &S::Phase) -> Result<S::Phase, Refusal> {
@@ -231,7 +230,7 @@ fn solve<S: Constrained<R>, R: Real>(
             row.as_mut_slice()[l] = dot(gradient, &direction);
         }
     }
-    // Row k gets the unit of the multiplier k, that of 1/√(G W Gᵀ).
+    // Row k gets the unit of the multiplier k, which is the unit of 1/√(G W Gᵀ).
     let mut sizes = S::Multipliers::zero();
     for (k, (row, r)) in rows.iter_mut().zip(r.as_mut_slice()).enumerate() {
         let diagonal = row.as_slice()[k];

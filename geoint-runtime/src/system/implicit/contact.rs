@@ -6,7 +6,7 @@ use crate::space::vector::{moved, opposite};
 use crate::space::{Array, Square};
 use crate::system::Contact;
 
-/// L(q, v, s, t) at a stage, by its derivatives: those by q, v and s of L are f, p and −σ.
+/// L(q, v, s, t) and its derivatives at a stage. The derivatives of L by q, v and s are f, p and −σ.
 #[derive(Clone, Copy, Debug)]
 pub struct ContactStage<A: Array> {
     /// L.
@@ -39,7 +39,7 @@ impl<A: Array> ContactStage<A> {
         }
     }
 
-    /// v' at velocity v, but for the change of L in time.
+    /// Returns v' at velocity v, without the change of L in time.
     pub(crate) fn acceleration(&self, v: &A) -> A {
         let ContactStage { derivatives: [by_q, mass, ..], by_action: [by_s, _], .. } = self;
         let rate = moved(&moved(&self.force, -self.decay, &self.momentum), -self.lagrangian, by_s);
@@ -47,20 +47,20 @@ impl<A: Array> ContactStage<A> {
     }
 }
 
-/// The equations of s' = L, d/dt ∂L/∂v = ∂L/∂q + ∂L/∂s ∂L/∂v.
+/// Equations of s' = L, d/dt ∂L/∂v = ∂L/∂q + ∂L/∂s ∂L/∂v.
 pub trait ContactVelocities<R: Real = f64>: MassForm<R> + Contact<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// v and s of a stage, in a row; or v alone, where ∂L/∂s depends on time alone.
+    /// v and s of a stage, in a row; or v alone, if ∂L/∂s depends on time alone.
     type Moved: Array<Real = R>;
-    /// What depends on parameters only.
+    /// Coefficients that depend on parameters only.
     type StageConstants: Copy + core::fmt::Debug;
-    /// Whether L has second derivatives by q and v, by v and s, and by q and s.
+    /// Second derivatives that L has: by q and v, by v and s, and by q and s.
     const MIXED: [bool; 3];
 
-    /// What depends on parameters only.
+    /// Computes the coefficients that depend on parameters only.
     fn stage_constants(&self) -> Self::StageConstants;
-    /// Everything of a stage.
+    /// Computes all entries of a stage.
     fn stage(
         &self,
         constants: &Self::StageConstants,
@@ -70,7 +70,7 @@ pub trait ContactVelocities<R: Real = f64>: MassForm<R> + Contact<R> {
         s: &R,
         stage: &mut ContactStage<Self::Array>,
     );
-    /// f and σ alone.
+    /// Computes f and σ alone.
     fn force(
         &self,
         constants: &Self::StageConstants,
@@ -83,26 +83,28 @@ pub trait ContactVelocities<R: Real = f64>: MassForm<R> + Contact<R> {
 
 /// The polarised discrete gradient of an L that is quadratic in v, with decay.
 ///
-/// With Λ(q, s; v₀, v₁) as in [`PolarisedForm`](super::PolarisedForm), its tree slopes Λ_q, Λ_s in q and s, p̄ = (p₀ + p₁)/2, and H₀ the
-/// energy p·v − L before the step, all with time frozen in its middle:
+/// Λ(q, s; v₀, v₁) is defined in [`PolarisedForm`](super::PolarisedForm). Its tree slopes in q and s are Λ_q and Λ_s, p̄ = (p₀ + p₁)/2, and H₀ is the
+/// energy p·v − L before the step. Time is frozen in the middle of the step. With p = ∂L/∂v at both ends, the step is
 ///
-/// q₁ − q₀ = h v̄, p₁ − p₀ = h(Λ_q + Λ_s p̄), s₁ − s₀ = h(p̄·v̄ − H₀ φ₁(hΛ_s)) with p = ∂L/∂v at both ends. Then H₁ = H₀ exp(hΛ_s).
+/// q₁ − q₀ = h v̄, p₁ − p₀ = h(Λ_q + Λ_s p̄), s₁ − s₀ = h(p̄·v̄ − H₀ φ₁(hΛ_s)).
+///
+/// Then H₁ = H₀ exp(hΛ_s).
 pub trait ContactPolarised<R: Real = f64>: ContactVelocities<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// The increments of v and s in a row.
     type Unknown: Array<Real = R>;
-    /// What depends on parameters and h only.
+    /// Coefficients that depend on parameters and h only.
     type Parameters: Copy + core::fmt::Debug;
-    /// What depends on the start of a step.
+    /// Coefficients that depend on the start of a step.
     type Start: Copy + core::fmt::Debug;
 
-    /// What depends on parameters and h only.
+    /// Computes the coefficients that depend on parameters and h only.
     fn parameters(&self, h: R) -> Self::Parameters;
-    /// What all evaluations from a point have in common; `t` is the time of the middle of the step.
+    /// Computes the coefficients that all evaluations from a point have in common. `t` is the time of the middle of the step.
     fn begin(&self, parameters: &Self::Parameters, t: R, z: &Self::Phase, s: &R, v: &Self::Array) -> Self::Start;
-    /// ∂L/∂v at the end less p₁ as the step gives it, and the increment of s less that of the step; then the increments of p and s as the
-    /// step gives them; and the derivatives of all that.
+    /// Computes the residuals, the increments of p and s, and the derivatives of both. The residuals are ∂L/∂v at the end minus p₁ of the step, and the
+    /// increment of s minus its increment by the step.
     fn equation(
         &self,
         parameters: &Self::Parameters,
@@ -113,7 +115,7 @@ pub trait ContactPolarised<R: Real = f64>: ContactVelocities<R> {
     );
 }
 
-/// ∂H/∂q = −∂L/∂q, ∂H/∂p = v and ∂H/∂s = −∂L/∂s at a point.
+/// Computes ∂H/∂q = −∂L/∂q, ∂H/∂p = v and ∂H/∂s = −∂L/∂s at a point.
 #[inline]
 pub fn contact_gradient_of<S: ContactVelocities<R>, R: Real>(
     system: &S,

@@ -1,11 +1,11 @@
-//! The differential equation as implicit methods solve it.
+//! Differential equations in the form that implicit methods solve.
 
 use crate::scalar::Real;
 use crate::solving::Inverse;
 use crate::space::{Array, Square};
 use crate::system::{Contact, Keeping, VectorField};
 
-/// The field is a polynomial of degree 2 at most: of an energy, one of degree 3.
+/// A system whose field is a polynomial of degree 2 at most. If the field belongs to an energy, the energy is a polynomial of degree 3 at most.
 #[diagnostic::on_unimplemented(
     message = "the field of `{Self}` was not proven to be a polynomial of degree 2 at most",
     label = "Kahan's method needs such a field: an energy of degree 3",
@@ -16,8 +16,8 @@ pub trait QuadraticField<R: Real = f64>: Collocation<R> {
     type Proof;
 }
 
-/// The differential equation in the form in which implicit methods solve it: y' = f(y, t) for all coordinates y = z; or, if T is
-/// quadratic, q'' = M⁻¹f(q, t) with the force f = −∂V/∂q.
+/// The differential equation in the form in which implicit methods solve it: y' = f(y, t) for all coordinates y = z. If T is quadratic, the form is
+/// q'' = M⁻¹f(q, t) with the force f = −∂V/∂q.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no system of `#[hamiltonian]`, or has a `constraint`, an `attitude` or an action `s`",
     label = "this method does not fit this kind of system",
@@ -28,20 +28,20 @@ pub trait QuadraticField<R: Real = f64>: Collocation<R> {
 pub trait Collocation<R: Real = f64>: VectorField<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// y: all coordinates, or q alone. f has the same shape.
+    /// y: all coordinates, or q alone. f has the shape of y.
     type Unknown: Array<Real = R>;
-    /// What depends on parameters only.
+    /// Coefficients that depend on parameters only.
     type Constants: Copy + core::fmt::Debug;
     /// The order of the differential equation, 1 or 2.
     const DERIVATIVE: usize;
 
-    /// What depends on parameters only.
+    /// Computes the coefficients that depend on parameters only.
     fn constants(&self) -> Self::Constants;
-    /// y, and what f changes: y, or p.
+    /// Returns y, and the variable that f changes: y, or p.
     fn start(z: &Self::Phase) -> (Self::Unknown, Self::Unknown);
-    /// What y' is apart from f: nothing, or q' = ∂T/∂p.
+    /// Returns the part of y' apart from f: nothing, or q' = ∂T/∂p.
     fn velocity(&self, constants: &Self::Constants, p: &Self::Unknown) -> Self::Unknown;
-    /// f and ∂f/∂y.
+    /// Computes f and ∂f/∂y.
     fn field(
         &self,
         constants: &Self::Constants,
@@ -50,18 +50,18 @@ pub trait Collocation<R: Real = f64>: VectorField<R> {
         f: &mut Self::Unknown,
         jacobian: &mut Square<Self::Unknown>,
     );
-    /// y ← y + w·f, or y + w·M⁻¹f.
+    /// Computes y ← y + w·f, or y + w·M⁻¹f.
     fn add(&self, constants: &Self::Constants, w: R, f: &Self::Unknown, y: &mut Self::Unknown);
-    /// The increments of all coordinates: that of y; or that of q = y, and the impulse.
+    /// Returns the increments of all coordinates: the increment of y; or the increment of q = y, and the impulse.
     fn increments(change: &Self::Unknown, impulse: &Self::Unknown) -> Self::Phase;
 }
 
-/// How the mean of ∇H along a line is had: exactly, if H is a sum of functions of linear forms and of a polynomial.
+/// Computation of the mean of ∇H along a line. The mean is exact if H is a sum of functions of linear forms and of a polynomial.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mean {
-    /// By so many points of Gauss: H is a polynomial.
+    /// Number of Gauss points: H is a polynomial.
     Gauss(usize),
-    /// By extrapolation of ∇̄H over the parts of the line in 1, 2, … so many; with 1 it is ∇̄H.
+    /// Extrapolation of ∇̄H over the parts of the line in 1, 2, … up to this number. With 1 the mean is ∇̄H.
     Parts(usize),
     /// No closed form is known.
     NotClosed,
@@ -80,23 +80,23 @@ pub struct Span<R> {
 }
 
 impl<R: Real> Span<R> {
-    /// Those of a step of length `h` between its `ends`.
+    /// Returns the times of a step of length `h` between its `ends`.
     #[inline(always)]
     pub fn of([start, end]: [R; 2], h: R) -> Self {
         Span { start, middle: start + R::from_f64(0.5) * h, end }
     }
 
-    /// Those of what is evaluated at one moment.
+    /// Returns the times of an evaluation at one moment.
     #[inline(always)]
     pub fn at(t: R) -> Self {
         Span { start: t, middle: t, end: t }
     }
 }
 
-/// The field with the tree discrete gradient ∇̄H between y and y + d in place of ∇H: f̄ = J∇̄H; or −∇̄V, if T is quadratic.
-/// With damping f̄ = (J − R)∇̄H, R at the mean of the two points.
+/// The field with the tree discrete gradient ∇̄H between y and y + d in place of ∇H: f̄ = J∇̄H, or −∇̄V if T is quadratic. With damping
+/// f̄ = (J − R)∇̄H, with R at the mean of the two points.
 ///
-/// The mean gradient of a quadratic T is that of the mean momentum, so that it needs no kernel of its own.
+/// The mean gradient of a quadratic T is the gradient at the mean momentum, so that it needs no kernel of its own.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no system of `#[hamiltonian]`, or has a `constraint`, an `attitude` or an action `s`",
     label = "this method does not fit this kind of system",
@@ -108,21 +108,21 @@ impl<R: Real> Span<R> {
 pub trait DiscreteField<R: Real = f64>: Collocation<R> + Keeping<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// What depends on parameters and h only.
+    /// Coefficients that depend on parameters and h only.
     type Parameters: Copy + core::fmt::Debug;
-    /// What depends on y and on times.
+    /// Coefficients that depend on y and on times.
     type Start: Copy + core::fmt::Debug;
-    /// [`Inverted`](crate::system::Inverted) where f̄ is affine in d, so that the matrix of a step is constant: H is a polynomial of
-    /// degree 2 that does not depend on time, and damping is constant. Elsewhere `()`.
+    /// [`Inverted`](crate::system::Inverted) if f̄ is affine in d, so that the matrix of a step is constant. H is then a polynomial of degree 2 that
+    /// does not depend on time, and damping is constant. Otherwise `()`.
     type Inverse: Inverse<Self::Unknown>;
-    /// How the mean of ∇H along the line from y to y + d is had.
+    /// Computation of the mean of ∇H along the line from y to y + d.
     const MEAN: Mean = Mean::NotClosed;
 
-    /// What depends on parameters and h only. f̄ does not depend on h.
+    /// Computes the coefficients that depend on parameters and h only. f̄ does not depend on h.
     fn parameters(&self, h: R) -> Self::Parameters;
-    /// What all evaluations from `y` have in common.
+    /// Computes the coefficients that all evaluations from `y` have in common.
     fn begin(&self, parameters: &Self::Parameters, span: Span<R>, y: &Self::Unknown) -> Self::Start;
-    /// f̄ and ∂f̄/∂d.
+    /// Computes f̄ and ∂f̄/∂d.
     fn slope(
         &self,
         parameters: &Self::Parameters,
@@ -131,7 +131,7 @@ pub trait DiscreteField<R: Real = f64>: Collocation<R> + Keeping<R> {
         f: &mut Self::Unknown,
         jacobian: &mut Square<Self::Unknown>,
     );
-    /// h·f̄, and 1 − ∂(h·f̄)/∂(impulse) for d = impulse, or d = h ∂T/∂p(p + impulse/2).
+    /// Computes h·f̄, and 1 − ∂(h·f̄)/∂(impulse) for d = impulse, or d = h ∂T/∂p(p + impulse/2).
     ///
     /// A kernel of few unknowns is written with h and masses in its constants instead.
     #[inline(always)]
@@ -155,15 +155,15 @@ pub trait DiscreteField<R: Real = f64>: Collocation<R> + Keeping<R> {
             row.as_mut_slice()[i] += R::from_f64(1.0);
         }
     }
-    /// h ∂T/∂p at the mean of two momenta whose sum this is, if T is quadratic.
+    /// Returns h ∂T/∂p at the mean of two momenta with this sum, if T is quadratic.
     fn drift(&self, parameters: &Self::Parameters, sum: &Self::Unknown) -> Self::Unknown;
 }
 
-/// The equation of a step of order 4 that keeps first integrals, z₁ − z₀ = h (F − G(GᵀG)⁻¹GᵀF): the tree discrete gradients of the
-/// integrals are the columns of G, and F = (f(z₀) + 4 f(c) + f(z₁))/6 with c = m + h/8 (f(z₀) − f(z₁)) and the middle m.
+/// Equation of a step of order 4 that keeps first integrals, z₁ − z₀ = h (F − G(GᵀG)⁻¹GᵀF). The columns of G are the tree discrete gradients of the
+/// integrals. F = (f(z₀) + 4 f(c) + f(z₁))/6 with c = m + h/8 (f(z₀) − f(z₁)) and the middle m.
 ///
-/// The exact mean velocity is orthogonal to every discrete gradient, by the discrete chain rule: the projection leaves it alone, so that
-/// the step has the order of F, whatever the integrals are.
+/// The exact mean velocity is orthogonal to every discrete gradient, by the discrete chain rule. The projection does not change the exact mean
+/// velocity, so that the step has the order of F for all integrals.
 #[diagnostic::on_unimplemented(
     message = "`FourthOrder(DiscreteGradient)` has nothing to keep in `{Self}`, or constraints stand in its way",
     label = "it keeps an energy, or first integrals",
@@ -173,14 +173,14 @@ pub trait DiscreteField<R: Real = f64>: Collocation<R> + Keeping<R> {
 pub trait FourthOrderField<R: Real = f64>: VectorField<R> + Keeping<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// What depends on parameters and h.
+    /// Coefficients that depend on parameters and h.
     type FourthParameters: Copy + core::fmt::Debug;
-    /// What depends on the start of a step.
+    /// Coefficients that depend on the start of a step.
     type FourthStart: Copy;
 
-    /// What depends on parameters and h.
+    /// Computes the coefficients that depend on parameters and h.
     fn fourth_parameters(&self, h: R) -> Self::FourthParameters;
-    /// What all evaluations of a step from `z` have in common.
+    /// Computes the coefficients that all evaluations of a step from `z` have in common.
     fn fourth_begin(&self, parameters: &Self::FourthParameters, span: Span<R>, z: &Self::Phase) -> Self::FourthStart;
     /// Writes h times the mean velocity to `image`, and 1 − ∂(image)/∂d to `matrix`.
     fn fourth_slope(
@@ -191,25 +191,26 @@ pub trait FourthOrderField<R: Real = f64>: VectorField<R> + Keeping<R> {
         image: &mut Self::Phase,
         matrix: &mut Square<Self::Phase>,
     );
-    /// From now on gradients of momenta that nearly depend on that of the energy take no part, if there are momenta that nobody has named.
+    /// Excludes gradients of momenta that nearly depend on the gradient of the energy from all later evaluations, if there are momenta that the user
+    /// has not named.
     fn fourth_loosen(start: &mut Self::FourthStart) -> bool {
         let _ = start;
         false
     }
 }
 
-/// The field of H as contact Gauss methods evaluate it at their stages.
+/// The field of H in the form that contact Gauss methods evaluate at their stages.
 pub trait ContactStages<R: Real = f64>: Contact<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// q, p and s in a row; or q and p, where ∂H/∂s depends on time alone, and positions and momenta do not read s.
+    /// q, p and s in a row; or q and p, if ∂H/∂s depends on time alone, and positions and momenta do not read s.
     type Moved: Array<Real = R>;
-    /// What depends on parameters only.
+    /// Coefficients that depend on parameters only.
     type StageConstants: Copy + core::fmt::Debug;
 
-    /// What depends on parameters only.
+    /// Computes the coefficients that depend on parameters only.
     fn stage_constants(&self) -> Self::StageConstants;
-    /// ∂H/∂p, −∂H/∂q, and p·∂H/∂p − H if s is among the unknowns; ∂H/∂s; and the derivatives of both.
+    /// Computes ∂H/∂p, −∂H/∂q, and p·∂H/∂p − H if s is an unknown; ∂H/∂s; and the derivatives of both.
     fn stage(
         &self,
         constants: &Self::StageConstants,
@@ -218,8 +219,8 @@ pub trait ContactStages<R: Real = f64>: Contact<R> {
         values: (&mut Self::Moved, &mut R),
         derivatives: (&mut Square<Self::Moved>, &mut Self::Moved),
     );
-    /// ∂H/∂s alone.
+    /// Computes ∂H/∂s alone.
     fn decay(&self, constants: &Self::StageConstants, t: R, x: &Self::Moved) -> R;
-    /// s' = p·∂H/∂p − H.
+    /// Computes s' = p·∂H/∂p − H.
     fn action(&self, constants: &Self::StageConstants, t: R, z: &Self::Phase, s: &R) -> R;
 }

@@ -1,9 +1,9 @@
-//! What steps along a discrete gradient keep.
+//! Invariants of steps along a discrete gradient.
 
 use crate::scalar::Real;
 use crate::system::{Invariants, PhaseSpace};
 
-/// A system whose energy, or what it keeps, has a discrete gradient.
+/// A system with a discrete gradient of its energy, or of its invariants.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no discrete gradient",
     label = "this method is for systems of `#[hamiltonian]` without `attitude`, and for Lagrangians that are quadratic in v or of a known conjugate",
@@ -12,11 +12,12 @@ use crate::system::{Invariants, PhaseSpace};
     note = "methods for every contact Hamiltonian: `ContactGauss`, `ContactMidpoint`, `ContactDiscreteGradient`"
 )]
 pub trait Keeping<R: Real = f64>: PhaseSpace<R> {
-    /// What steps along the discrete gradient keep, and does not read time: rounding of many steps is taken away from that. `()` where damping takes it.
+    /// Invariants of steps along the discrete gradient that do not read time. The rounding of many steps is removed from these invariants. `()` if
+    /// damping changes them.
     type Kept: Invariants<Self, R> + Default;
-    /// Whether that may be steep in a coordinate which has become small: a sum of powers of single coordinates is not.
+    /// True if an invariant may be steep in a coordinate that has become small. A sum of powers of single coordinates is not steep.
     const STEEP: bool = true;
 }
 
-/// What steps along the discrete gradient of a system keep.
+/// Invariants of steps along the discrete gradient of a system.
 pub(crate) type KeptBy<S, R> = <S as Keeping<R>>::Kept;

@@ -1,4 +1,4 @@
-//! Lagrangians whose steps are solved for velocities: v follows from p by an equation, and no energy as a function of p is emitted.
+//! Lagrangians whose steps are solved for velocities. v follows from p by an equation, and no energy as a function of p is emitted.
 
 use crate::scalar::Real;
 use crate::solving::Refusal;
@@ -9,7 +9,7 @@ use crate::space::vector::{difference, dot};
 use crate::space::{Array, Square};
 use crate::system::{Keeping, Lagrangian};
 
-/// The momenta of L(q, v, s, t), and how they depend on v: by the mass matrix M = ∂²L/∂v².
+/// Momenta of L(q, v, s, t), and their dependence on v by the mass matrix M = ∂²L/∂v².
 pub trait MassForm<R: Real = f64>: Lagrangian<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
@@ -20,7 +20,7 @@ pub trait MassForm<R: Real = f64>: Lagrangian<R> {
     fn is_definite(&self) -> bool {
         false
     }
-    /// p = ∂L/∂v, and M.
+    /// Computes p = ∂L/∂v, and M.
     fn mass(
         &self,
         t: R,
@@ -31,7 +31,7 @@ pub trait MassForm<R: Real = f64>: Lagrangian<R> {
     );
 }
 
-/// L(q, v, t) by its derivatives: half of the unknowns of an energy, and no inverse of the mass matrix.
+/// L(q, v, t) and its derivatives. A step has half of the unknowns of an energy, and needs no inverse of the mass matrix.
 pub trait VelocityForm<R: Real = f64>: MassForm<R> + Lagrangian<R, Action = ()> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
@@ -40,7 +40,7 @@ pub trait VelocityForm<R: Real = f64>: MassForm<R> + Lagrangian<R, Action = ()> 
 
     /// Computes the coefficients that depend on parameters only.
     fn constants(&self) -> Self::Constants;
-    /// p = ∂L/∂v, f = ∂L/∂q less friction, and [∂p/∂q, ∂p/∂v, ∂f/∂q, ∂f/∂v].
+    /// Computes p = ∂L/∂v, f = ∂L/∂q less friction, and [∂p/∂q, ∂p/∂v, ∂f/∂q, ∂f/∂v].
     fn stage(
         &self,
         constants: &Self::Constants,
@@ -50,15 +50,14 @@ pub trait VelocityForm<R: Real = f64>: MassForm<R> + Lagrangian<R, Action = ()> 
         values: [&mut Self::Array; 2],
         derivatives: &mut [Square<Self::Array>; 4],
     );
-    /// f alone.
+    /// Computes f alone.
     fn force(&self, constants: &Self::Constants, t: R, q: &Self::Array, v: &Self::Array) -> Self::Array;
 }
 
 /// The polarised discrete gradient of an L that is quadratic in v.
 ///
-/// With Λ(q; v₀, v₁) = ½v₀ᵀM(q)v₁ + a(q)·(v₀ + v₁)/2 − V(q), its tree slopes Λ[q₀, q₁] in q, and friction C:
-/// q₁ − q₀ = h v̄, p₁ − p₀ = h(Λ[q₀, q₁; v₀, v₁] − C v̄) with v̄ = (v₀ + v₁)/2, and p = M(q)v + a(q) at both ends. Then
-/// p·v − L changes by −h v̄·C v̄.
+/// Λ(q; v₀, v₁) = ½v₀ᵀM(q)v₁ + a(q)·(v₀ + v₁)/2 − V(q) has the tree slopes Λ[q₀, q₁] in q. C is the friction, v̄ = (v₀ + v₁)/2, and p = M(q)v + a(q) at
+/// both ends. The step is q₁ − q₀ = h v̄, p₁ − p₀ = h(Λ[q₀, q₁; v₀, v₁] − C v̄). Then p·v − L changes by −h v̄·C v̄.
 pub trait PolarisedForm<R: Real = f64>: VelocityForm<R> + Keeping<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
@@ -71,7 +70,7 @@ pub trait PolarisedForm<R: Real = f64>: VelocityForm<R> + Keeping<R> {
     fn parameters(&self, h: R) -> Self::Parameters;
     /// Computes the coefficients of all evaluations from a point. `t` is the time of the middle of the step.
     fn begin(&self, parameters: &Self::Parameters, t: R, z: &Self::Phase, v: &Self::Array) -> Self::Start;
-    /// M(q₁)v₁ + a(q₁) − p₁ and p₁ − p₀, with p₁ as the step gives it, and the derivatives of both by d = v₁ − v₀.
+    /// Computes M(q₁)v₁ + a(q₁) − p₁ and p₁ − p₀, with p₁ of the step, and the derivatives of both by d = v₁ − v₀.
     fn equation(
         &self,
         parameters: &Self::Parameters,
@@ -133,10 +132,10 @@ fn has_momentum<S: MassForm<R>, R: Real>(
     })
 }
 
-/// Solves M·x = p in place of p; `None` where M is singular.
+/// Solves M·x = p in place of p. Returns `None` if M is singular.
 #[inline(always)]
 fn solve_for_velocity<A: Array>(mass: &mut Square<A>, p: &mut A) -> Option<()> {
-    // Row i gets the unit of the velocity i, which is that of √(E/Mᵢᵢ).
+    // Row i gets the unit of the velocity i, which is the unit of √(E/Mᵢᵢ).
     let mut sizes = A::zero();
     let rows = A::entries::<A>(mass).iter_mut();
     for (i, ((p, row), size)) in p.as_mut_slice().iter_mut().zip(rows).zip(sizes.as_mut_slice()).enumerate() {
@@ -151,7 +150,7 @@ fn solve_for_velocity<A: Array>(mass: &mut Square<A>, p: &mut A) -> Option<()> {
     linear::solve(mass, p, &Sizes::of_magnitudes(sizes)).map(drop)
 }
 
-/// 1/|Mᵢᵢ|: a row of the momentum equation times this has the unit of the velocity.
+/// Returns 1/|Mᵢᵢ|. A row of the momentum equation times this factor has the unit of the velocity.
 pub(crate) fn mass_units<S: MassForm<R>, R: Real>(
     system: &S,
     t: R,
@@ -165,7 +164,7 @@ pub(crate) fn mass_units<S: MassForm<R>, R: Real>(
     row_units(&mass)
 }
 
-/// 1/|Mᵢᵢ| for the rows of a mass matrix.
+/// Returns 1/|Mᵢᵢ| for the rows of a mass matrix.
 #[inline(always)]
 pub(crate) fn row_units<A: Array>(mass: &Square<A>) -> A {
     let mut units = A::zero();
@@ -175,7 +174,7 @@ pub(crate) fn row_units<A: Array>(mass: &Square<A>) -> A {
     units
 }
 
-/// |Mᵢᵢ|, or the largest magnitude of the row where that is zero.
+/// Returns |Mᵢᵢ|, or the largest magnitude of the row if |Mᵢᵢ| is zero.
 #[inline(always)]
 pub(crate) fn row_scale<A: Array>(row: &A, i: usize) -> A::Real {
     let diagonal = row.as_slice()[i].abs();
@@ -186,7 +185,8 @@ pub(crate) fn row_scale<A: Array>(row: &A, i: usize) -> A::Real {
     A::Real::from_f64(if largest > 0.0 { largest } else { 1.0 })
 }
 
-/// Returns the velocity of a state: the one that Newton's iteration finds from rest. `None` if it finds none.
+/// Returns the velocity of a state, which Newton's iteration finds from rest. If L is not quadratic and this iteration fails, `velocity_beyond` tries
+/// another guess. Returns `None` if no velocity is found.
 #[inline]
 pub(crate) fn velocity_from_rest<S: MassForm<R>, R: Real>(
     system: &S,
@@ -217,7 +217,7 @@ pub fn velocity_of<S: MassForm<R>, R: Real>(system: &S, t: R, z: &S::Phase, s: &
     velocity_from_rest(system, t, z, s).unwrap_or_else(unknown)
 }
 
-/// Returns the momentum of a velocity. Returns NaN if another velocity belongs to this momentum, the one of [`velocity_of`].
+/// Returns the momentum of a velocity. Returns NaN if [`velocity_of`] finds another velocity for this momentum.
 pub fn own_momentum<S: MassForm<R>, R: Real>(system: &S, t: R, q: &S::Array, v: &S::Array, s: &S::Action) -> S::Array {
     let p = system.momentum(t, q, v, s);
     if S::QUADRATIC || !p.is_finite() {
@@ -226,7 +226,7 @@ pub fn own_momentum<S: MassForm<R>, R: Real>(system: &S, t: R, q: &S::Array, v: 
     let mut away = difference(&velocity_of(system, t, &[*q, p], s), v);
     let (mut units, mut mass, mut size) = (S::Array::zero(), S::Array::fill(S::Array::zero()), *v);
     system.mass(t, q, v, s, (&mut units, &mut mass));
-    // Row i of M has the unit of an energy over that of v² of coordinate i.
+    // Row i of M has the unit of an energy over the unit of v² of coordinate i.
     for (i, row) in S::Array::entries_of::<S::Array>(&mass).iter().enumerate() {
         let unit = R::from_f64(Real::sqrt(row_scale(row, i).magnitude()));
         away.as_mut_slice()[i] *= unit;
@@ -244,7 +244,7 @@ fn unknown<A: Array>() -> A {
     v
 }
 
-/// p·v − L at a point.
+/// Returns p·v − L at a point.
 #[inline]
 pub fn energy_of<S: MassForm<R>, R: Real>(system: &S, t: R, z: &S::Phase, s: &S::Action) -> R {
     let v = velocity_of(system, t, z, s);
@@ -255,14 +255,14 @@ pub fn energy_of<S: MassForm<R>, R: Real>(system: &S, t: R, z: &S::Phase, s: &S:
     energy
 }
 
-/// (q', p') at a point.
+/// Computes (q', p') at a point.
 #[inline]
 pub fn rate_of<S: VelocityForm<R>, R: Real>(system: &S, t: R, z: &S::Phase, dz: &mut S::Phase) {
     let v = velocity_of(system, t, z, &());
     *dz = [v, system.force(&system.constants(), t, &z[0], &v)];
 }
 
-/// v' at a point, for a first guess: without the change of L in time.
+/// Returns v' at a point, for a first guess. The change of L in time is left out.
 #[inline]
 pub(crate) fn acceleration<S: VelocityForm<R>, R: Real>(system: &S, t: R, q: &S::Array, v: &S::Array) -> S::Array {
     let none = S::Array::zero();
@@ -272,7 +272,7 @@ pub(crate) fn acceleration<S: VelocityForm<R>, R: Real>(system: &S, t: R, q: &S:
     accelerated(f, &by_q, v, mass)
 }
 
-/// M⁻¹(p' − ∂p/∂q v), or zeros where M is singular.
+/// Returns M⁻¹(p' − ∂p/∂q v), or zeros if M is singular.
 #[inline]
 pub(crate) fn accelerated<A: Array>(mut rate: A, by_q: &Square<A>, v: &A, mut mass: Square<A>) -> A {
     for (f, row) in rate.as_mut_slice().iter_mut().zip(A::entries_of::<A>(by_q)) {

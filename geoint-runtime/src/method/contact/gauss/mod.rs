@@ -14,17 +14,17 @@ pub use velocities::ContactVelocityStages;
 
 /// Gauss collocation with `S` stages, 1 to 6, in the symplectisation. Order 2S, symmetric, a contact map, for every H.
 ///
-/// With P = r p, r' = r ∂H/∂s and r = 1 at the start of a step, (q, P, s) and r are moved by the Hamiltonian r H(q, P/r, s), whose collocation
-/// commutes with scaling of (P, r): so it is a contact map, which multiplies ds − p dq by 1/r₁. With all derivatives at the stages,
+/// Let P = r p, r' = r ∂H/∂s, and r = 1 at the start of a step. The Hamiltonian r H(q, P/r, s) then moves (q, P, s) and r. Its collocation commutes
+/// with scaling of (P, r). It is therefore a contact map, which multiplies ds − p dq by 1/r₁. With all derivatives at the stages, the equations are
 ///
 /// qᵢ = q₀ + h Σ aᵢⱼ ∂H/∂p, rᵢ pᵢ = p₀ − h Σ aᵢⱼ rⱼ ∂H/∂q, sᵢ = s₀ + h Σ aᵢⱼ (p·∂H/∂p − H), rᵢ = 1 + h Σ aᵢⱼ rⱼ ∂H/∂s.
 ///
-/// One stage is [`ContactMidpoint`](crate::ContactMidpoint). Solved for q, p and s of all stages; where H = g(t)·s + H₀(q, p, t) the factors rᵢ
-/// are known beforehand and s follows, so that friction costs nothing beside [`Gauss`]. A step is refused where r₁ is not positive. All
-/// p·(Aq + b) that the flow multiplies by one factor are multiplied by 1/r₁.
+/// With one stage the method is [`ContactMidpoint`](crate::ContactMidpoint). The unknowns are q, p and s of all stages. If H = g(t)·s + H₀(q, p, t),
+/// the factors rᵢ are known beforehand and s follows. Friction then costs nothing beside [`Gauss`]. A step is refused if r₁ is not positive. If the
+/// flow multiplies p·(Aq + b) by one factor, a step multiplies it by 1/r₁.
 ///
-/// A Lagrangian whose mass matrix is full, or whose velocities follow from momenta by no formula, is solved for stage velocities, and for s
-/// where that acts back: rᵢ ∂L/∂v(qᵢ, vᵢ, sᵢ) = p₀ + h Σ aᵢⱼ rⱼ ∂L/∂q, which is the same map with half of the unknowns.
+/// Some Lagrangians have a full mass matrix, or velocities that follow from momenta by no formula. Such a Lagrangian is solved for stage velocities,
+/// and for s if s acts back: rᵢ ∂L/∂v(qᵢ, vᵢ, sᵢ) = p₀ + h Σ aᵢⱼ rⱼ ∂L/∂q. The map does not change, and the number of unknowns is halved.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ContactGauss<const S: usize>;
 

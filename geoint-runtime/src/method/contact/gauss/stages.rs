@@ -1,4 +1,4 @@
-//! The step of a contact system that is solved for positions, momenta and perhaps the action of all stages.
+//! Step of a contact system, solved for positions, momenta and perhaps the action of all stages.
 
 use crate::method::explicit::tableau::Tableau;
 use crate::method::gauss::factors::Factors;
@@ -16,11 +16,11 @@ use crate::space::vector::{scaled, sum, sum_of_products};
 use crate::space::{Array, Square};
 use crate::system::ContactStages;
 
-/// The step that is solved for the increments of its stages.
+/// Step whose unknowns are the increments of its stages.
 #[derive(Clone, Copy, Debug)]
 pub struct ContactFieldStages<const S: usize>;
 
-/// What the equation has.
+/// Terms that occur in the equation.
 const FORM: Form = Form {
     value: Slopes { by_unknown: Part::One, by_shift: Part::Zero },
     rate: Slopes { by_unknown: Part::Given, by_shift: Part::Zero },
@@ -32,20 +32,20 @@ const FORM: Form = Form {
 pub struct Constants<P, R, const S: usize> {
     kernel: P,
     scaled: Scaled<R, S>,
-    /// bᵀA⁻¹: what increments of the stages add up to in the end.
+    /// bᵀA⁻¹: weights of the increments of the stages in the increment of the step.
     shares: [R; S],
 }
 
-/// What depends on the start of a step.
+/// Values that depend on the start of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Start<A: Array, const S: usize> {
-    /// q, p, and s if it is solved for.
+    /// q and p, and s if s is an unknown.
     x: A,
-    /// The factors, where they do not depend on what is solved for.
+    /// Factors, if they do not depend on the unknowns.
     known: Option<Factors<A::Real, S>>,
 }
 
-/// Whether the factors depend on what is solved for: those of H = g(t)·s + H₀ do not.
+/// Returns whether the factors depend on the unknowns. The factors of H = g(t)·s + H₀ do not.
 const fn varying<Y: ContactStages<R>, R: Real>() -> bool {
     Y::Moved::LEN > <Y::Phase as Array>::LEN
 }
@@ -54,7 +54,7 @@ impl<Y: ContactStages<R>, R: Real, const S: usize> Equation<'_, ContactFieldStag
 where
     Gauss<S>: GaussTableau<S>,
 {
-    /// The state at a point, without s if it is not solved for.
+    /// Returns the state at a point. s is zero if it is not an unknown.
     #[inline(always)]
     fn state(&self, x: &Y::Moved) -> (Y::Phase, R) {
         let (mut z, phase) = (Y::Phase::zero(), Y::Phase::LEN);
@@ -62,7 +62,7 @@ where
         (z, x.as_slice().get(phase).copied().unwrap_or_else(zero))
     }
 
-    /// The rates and σ at a point, with their derivatives.
+    /// Evaluates the rates and σ at a point, with their derivatives.
     #[inline(always)]
     fn evaluate(&self, t: R, x: &Y::Moved, values: &mut Values<Y::Moved>) {
         let Values { rate, rate_slopes, decay, decay_slopes, .. } = values;
@@ -70,7 +70,7 @@ where
         self.from.system.stage(&self.constants.kernel, t, x, (rate, decay), slopes);
     }
 
-    /// What the step adds; `None` where the form would not be multiplied by a positive number.
+    /// Returns the increment of the step. Returns `None` if the step would not multiply the contact form by a positive number.
     #[inline(always)]
     fn end(&self, d: &[Y::Moved; S]) -> Option<Increment<Y::Phase, R>> {
         let Constants { kernel, scaled: Scaled { coupling, nodes, weights }, shares } = self.constants;
@@ -86,7 +86,7 @@ where
         let z = Array::as_mut_slice(&mut end.z);
         for k in 0..n {
             z[k] = sum_of_products(shares, &d.map(|d| d.as_slice()[k]));
-            // What h Σ aᵢⱼ rⱼ ∂H/∂q has taken of p₀ at each stage.
+            // Impulse rᵢpᵢ − p₀ = −h Σ aᵢⱼ rⱼ ∂H/∂q at each stage.
             let impulse = |i: usize| {
                 let p = d[i].as_slice()[n + k];
                 (factors.r[i] - one).multiply_add(origin[n + k] + p, p)
@@ -101,7 +101,7 @@ where
         Some(end)
     }
 
-    /// s' at the stages where it is not solved for.
+    /// Computes s' at the stages, if s is not an unknown.
     #[inline(always)]
     fn actions(&self, factors: &Factors<R, S>, d: &[Y::Moved; S]) -> Option<[R; S]> {
         let Constants { kernel, scaled: Scaled { coupling, nodes, .. }, .. } = self.constants;
@@ -163,7 +163,7 @@ where
         [equation.start.x; S]
     }
 
-    /// As if the rates were constant.
+    /// Returns the increments for constant rates.
     fn guess(equation: &Equation<'_, Self, Y, R>) -> [Y::Moved; S] {
         let (mut values, x) = (Values::none(), &equation.start.x);
         equation.evaluate(equation.from.t, x, &mut values);
@@ -216,7 +216,7 @@ where
     }
 }
 
-/// bᵀA⁻¹.
+/// Returns bᵀA⁻¹.
 fn shares<const S: usize>(Tableau { a, b, .. }: &Tableau<S>) -> [f64; S] {
     let mut transposed: [[f64; S]; S] = core::array::from_fn(|i| core::array::from_fn(|j| a[j][i]));
     let mut shares = *b;
