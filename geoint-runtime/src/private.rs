@@ -1,6 +1,6 @@
 //! What emitted code may name. Not part of the public interface.
 
-pub use crate::method::constrained::{BoundStep, Rattle};
+pub use crate::method::constrained::{MultiplierStep, Rattle};
 pub use crate::method::contact::{
     ContactDiscreteGradient, ContactFieldStages, ContactGauss as ContactGaussCollocation, ContactMidpoint,
     ContactPolarisedStep, ContactStep, ContactVelocityStages,

@@ -39,7 +39,7 @@ impl Effort {
 pub enum Magnitudes {
     /// The largest of the last steps. If large forces cancel, the rounding error of a momentum is that of its largest recent value.
     Recent,
-    /// Those at the start of the step. First integrals, such as a logarithm, may have large derivatives where coordinates are small.
+    /// The magnitudes at the start of the step. First integrals, such as a logarithm, may have large derivatives where coordinates are small.
     Present,
 }
 
@@ -103,7 +103,7 @@ impl<A: Array> Solution<A> {
     }
 }
 
-/// An iteration that solves one equation per step, and remembers what earlier steps tell about the next one.
+/// An iteration that solves one equation per step, with the experience of earlier steps.
 pub trait Solver<A: Array>: Clone + Record<A::Real> {
     /// Creates a solver of unknowns with these units.
     fn new(units: Units) -> Self;

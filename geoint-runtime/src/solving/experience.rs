@@ -1,4 +1,4 @@
-//! What earlier steps tell about the next equation: sizes of the unknowns, speed of convergence, and the better guess.
+//! Experience of earlier steps for the next equation: sizes of the unknowns, speed of convergence, and the better guess.
 
 use super::equation::Units;
 use super::predictor::Predictor;

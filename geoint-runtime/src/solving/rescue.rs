@@ -60,7 +60,7 @@ impl<A: Array> Experience<A> {
         equation: &Distant<A>,
         residual: &mut dyn Residual<A>,
     ) -> Result<Solution<A>, Refusal> {
-        // Those before a solution that may be wrong is included.
+        // The sizes before the search: the solution may be wrong.
         let sizes = self.sizes;
         let Converged { solution, evaluations } = self.converge(guess, equation, residual)?;
         if (distance == Distance::Far || evaluations > MOST_EVALUATIONS) && !equation.is_bound_by_energy {

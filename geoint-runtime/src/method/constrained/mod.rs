@@ -31,4 +31,4 @@ mod rattle;
 mod step;
 
 pub use rattle::Rattle;
-pub use step::{Bound, BoundStep, Momenta};
+pub use step::{ConstrainedMethod, Momenta, MultiplierStep};

@@ -1,6 +1,6 @@
 //! The method RATTLE for systems with constraints.
 
-use super::step::{Bound, BoundStep, Momenta};
+use super::step::{ConstrainedMethod, Momenta, MultiplierStep};
 use crate::implicit_method;
 use crate::method::composition::substeps;
 use crate::method::implicit::ImplicitMethod;
@@ -25,15 +25,15 @@ pub struct Rattle;
 implicit_method!(Rattle, |_| Name::new("Rattle"), Claims::of_order(2).symmetric().symplectic());
 substeps!([] Rattle);
 
-impl Bound for Rattle {
+impl ConstrainedMethod for Rattle {
     const MOMENTA: Momenta = Momenta::MadeTangent;
 }
 
 impl<S: ConstrainedStep<Rattle, R>, R: Real> ImplicitMethod<S, R> for Rattle {
     type Proof = <S as ConstrainedStep<Rattle, R>>::Proof;
-    type Step = BoundStep<Rattle>;
+    type Step = MultiplierStep<Rattle>;
 
     fn step(self) -> Self::Step {
-        BoundStep(self)
+        MultiplierStep(self)
     }
 }

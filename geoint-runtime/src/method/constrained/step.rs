@@ -14,7 +14,7 @@ use crate::system::{ConstrainedStep, held, on_one_side, tangent};
 
 /// The step of the method `M`, whose equation is [`ConstrainedStep`].
 #[derive(Clone, Copy, Debug)]
-pub struct BoundStep<M>(
+pub struct MultiplierStep<M>(
     /// The method.
     pub M,
 );
@@ -29,18 +29,18 @@ pub enum Momenta {
 }
 
 /// A method for systems with constraints.
-pub trait Bound: Copy + core::fmt::Debug {
+pub trait ConstrainedMethod: Copy + core::fmt::Debug {
     /// The treatment of momenta.
     const MOMENTA: Momenta;
 }
 
 /// q₁ − q₀ = h ∇̄ₚH, p₁ − p₀ = −h (∇̄_qH + ḡᵀλ), g(q₁) = 0 with multipliers λ. ∇̄H and ḡ are the tree slopes of H and of
 /// every g, so H changes by −λ·(g(q₁) − g(q₀)) = 0.
-impl Bound for DiscreteGradient {
+impl ConstrainedMethod for DiscreteGradient {
     const MOMENTA: Momenta = Momenta::Carried;
 }
 
-impl<S: ConstrainedStep<M, R>, M: Bound, R: Real> ImplicitStep<S, R> for BoundStep<M> {
+impl<S: ConstrainedStep<M, R>, M: ConstrainedMethod, R: Real> ImplicitStep<S, R> for MultiplierStep<M> {
     type Unknown = S::Unknown;
     type Constants = S::Constants;
     type Start = S::Start;

@@ -28,16 +28,16 @@ pub struct ContactStep<M>(
 );
 
 /// A method whose equation evaluates the energy at x + w·d.
-pub trait Looks: Copy + core::fmt::Debug {
+pub trait EvaluatesAhead: Copy + core::fmt::Debug {
     /// w.
     const AHEAD: f64;
 }
 
-impl Looks for ContactMidpoint {
+impl EvaluatesAhead for ContactMidpoint {
     const AHEAD: f64 = 0.5;
 }
 
-impl Looks for ContactDiscreteGradient {
+impl EvaluatesAhead for ContactDiscreteGradient {
     const AHEAD: f64 = 1.0;
 }
 
@@ -49,7 +49,7 @@ pub struct Start<K, A> {
     kernel: K,
 }
 
-impl<S: ContactEquation<M, R>, M: Looks, R: Real> ImplicitStep<S, R> for ContactStep<M> {
+impl<S: ContactEquation<M, R>, M: EvaluatesAhead, R: Real> ImplicitStep<S, R> for ContactStep<M> {
     type Unknown = S::Unknown;
     type Constants = S::Constants;
     type Start = Start<S::Start, S::Unknown>;

@@ -35,7 +35,7 @@ mod polarised;
 
 pub use discrete_gradient::ContactDiscreteGradient;
 pub use gauss::{ContactFieldStages, ContactGauss, ContactVelocityStages, SolvedByContactGauss};
-pub use implicit::{ContactStep, Looks};
+pub use implicit::{ContactStep, EvaluatesAhead};
 pub use leapfrog::ContactLeapfrog;
 pub use midpoint::ContactMidpoint;
 pub use polarised::ContactPolarisedStep;

@@ -34,7 +34,7 @@ pub trait MeanGradient: Copy + core::fmt::Debug {
     /// The name of the method.
     fn mean_name(&self) -> Name;
 
-    /// Whether g is a discrete gradient of the system, so that steps keep the energy.
+    /// Returns whether g is a discrete gradient of the system. Steps then keep the energy.
     fn is_exact<S: DiscreteField<R>, R: Real>() -> bool {
         true
     }

@@ -59,7 +59,7 @@ impl MeanGradient for DiscreteGradient {
 #[derive(Clone, Copy, Debug)]
 pub struct TreeStep;
 
-/// What depends on parameters and h.
+/// Values that depend on parameters and h.
 #[derive(Clone, Debug)]
 pub struct Constants<S: DiscreteField<R>, R: Real> {
     constants: S::Constants,
@@ -68,7 +68,7 @@ pub struct Constants<S: DiscreteField<R>, R: Real> {
     inverse: S::Inverse,
 }
 
-/// What depends on the start of a step.
+/// Values that depend on the start of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Start<S: DiscreteField<R>, R: Real> {
     y: S::Unknown,

@@ -44,7 +44,7 @@ pub(super) fn constraints(context: &Context<'_>, kernels: &ConstraintKernels) ->
     };
     let cotangent = cotangent(context);
     let constrained = proven(context, quote!(ConstrainedSystem<R>), items);
-    let solved = methods::solved_by(context, "DiscreteGradient", "BoundStep");
+    let solved = methods::solved_by(context, "DiscreteGradient", "MultiplierStep");
     let steps = steps.iter().map(|(method, kernel)| step(context, method, kernel));
     let inherent = inherent(context);
     quote!(#cotangent #constrained #solved #(#steps)* #inherent)

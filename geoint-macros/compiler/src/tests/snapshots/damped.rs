@@ -69,7 +69,7 @@ struct Damped<R = f64> {
 )]
 const _: () = {
     use ::geoint_runtime::private::{
-        BoundStep, CanonicalStages, ContactEquation, ContactFieldStages,
+        MultiplierStep, CanonicalStages, ContactEquation, ContactFieldStages,
         ContactGaussCollocation, ContactPolarisedStep, ContactStep,
         ContactVelocityStages, FieldStages, GaussCollocation, GaussTableau,
         ImplicitMethod, Keeping, PolarisedStep, TreeStep, VelocityStages, Adaptive,

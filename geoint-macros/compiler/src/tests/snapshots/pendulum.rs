@@ -90,7 +90,7 @@ pub struct Pendulum<R = f64> {
 )]
 const _: () = {
     use ::geoint_runtime::private::{
-        BoundStep, CanonicalStages, ContactEquation, ContactFieldStages,
+        MultiplierStep, CanonicalStages, ContactEquation, ContactFieldStages,
         ContactGaussCollocation, ContactPolarisedStep, ContactStep,
         ContactVelocityStages, FieldStages, GaussCollocation, GaussTableau,
         ImplicitMethod, Keeping, PolarisedStep, TreeStep, VelocityStages, Adaptive,
