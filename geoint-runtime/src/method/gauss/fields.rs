@@ -185,7 +185,7 @@ where
         from_fn(|i| equation.stage(watch, i, k, &mut Y::Unknown::fill(Y::Unknown::zero())))
     }
 
-    /// Block (i, j) is δᵢⱼ − f'(Yᵢ) ∂Yᵢ/∂kⱼ. [`assemble`](super::stages::assemble) would need the slopes of all stages in memory first: steps of two and more stages
+    /// Block (i, j) is δᵢⱼ − f'(Yᵢ) ∂Yᵢ/∂kⱼ. `stages::assemble` would need the slopes of all stages in memory first: steps of two and more stages
     /// would take 1.1 to 1.8 times as long.
     #[inline(always)]
     fn residual<P: Probe<Y, R>>(

@@ -20,7 +20,7 @@ pub use velocities::ContactVelocityStages;
 /// qᵢ = q₀ + h Σ aᵢⱼ ∂H/∂p, rᵢ pᵢ = p₀ − h Σ aᵢⱼ rⱼ ∂H/∂q, sᵢ = s₀ + h Σ aᵢⱼ (p·∂H/∂p − H), rᵢ = 1 + h Σ aᵢⱼ rⱼ ∂H/∂s.
 ///
 /// With one stage the method is [`ContactMidpoint`](crate::ContactMidpoint). The unknowns are q, p and s of all stages. If H = g(t)·s + H₀(q, p, t),
-/// the factors rᵢ are known beforehand and s follows. Friction then costs nothing beside [`Gauss`]. A step is refused if r₁ is not positive. If the
+/// the factors rᵢ are known beforehand and s follows. Friction then costs nothing beside [`Gauss`](crate::Gauss). A step is refused if r₁ is not positive. If the
 /// flow multiplies p·(Aq + b) by one factor, a step multiplies it by 1/r₁.
 ///
 /// Some Lagrangians have a full mass matrix, or velocities that follow from momenta by no formula. Such a Lagrangian is solved for stage velocities,
