@@ -4,7 +4,6 @@
 //! from the solution that whole corrections run away.
 
 use crate::scalar::Real;
-use crate::solving::Refusal;
 use crate::solving::linear;
 use crate::solving::size::Sizes;
 use crate::space::vector::{moved, scaled};
@@ -26,15 +25,11 @@ pub(crate) fn approach<A: Array>(
     origin: &A,
     still: f64,
     sizes: &Sizes<A>,
-    mut residual: impl FnMut(&A, &mut A, &mut Square<A>) -> Result<(), Refusal>,
+    mut residual: impl FnMut(&A, &mut Square<A>) -> A,
 ) -> A {
     let mut matrix = A::fill(A::zero());
-    let mut evaluate = |x: &A, matrix: &mut Square<A>| {
-        let mut r = A::zero();
-        residual(x, &mut r, matrix).map(|()| r)
-    };
     let mut x = scaled(A::Real::from_f64(still), origin);
-    let Ok(mut r) = evaluate(&x, &mut matrix) else { return x };
+    let mut r = residual(&x, &mut matrix);
     // The residual has the units of the unknowns.
     let mut units = *sizes;
     units.include(origin, &x);
@@ -49,11 +44,14 @@ pub(crate) fn approach<A: Array>(
         let falls = |w: f64, next: &A| units.square(next) < (1.0 - 0.5 * w) * units.square(&r);
         let (next, less) = loop {
             let next = moved(&x, A::Real::from_f64(-w), &delta);
-            match evaluate(&next, &mut matrix) {
-                Ok(less) if falls(w, &less) => break (next, less),
-                _ if w < SHORTEST => return x,
-                _ => w *= 0.5,
+            let less = residual(&next, &mut matrix);
+            if falls(w, &less) {
+                break (next, less);
             }
+            if w < SHORTEST {
+                return x;
+            }
+            w *= 0.5;
         };
         (x, r) = (next, less);
         if w == 1.0 && units.square(&delta) <= NEAR * NEAR {

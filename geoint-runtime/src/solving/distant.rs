@@ -1,6 +1,7 @@
 //! Equations behind pointers. Rescues are compiled once for all equations with the same number of unknowns.
 
 use super::equation::{Magnitudes, StepEquation};
+use super::rounding::Convergence;
 use super::{Effort, Observer};
 use crate::space::{Array, Square};
 
@@ -13,6 +14,7 @@ pub(super) struct Distant<A> {
     pub(super) is_bound_by_energy: bool,
     pub(super) effort: Effort,
     pub(super) magnitudes: Magnitudes,
+    pub(super) convergence: Convergence,
 }
 
 /// The residual of an equation behind a pointer.

@@ -84,22 +84,20 @@ pub struct Solution<A> {
     pub x: A,
     /// The part of the last correction that was lost when `x` was rounded.
     pub rounding_error: A,
-    /// True if a quasi-Newton iteration has measured that the residual is rounding. Newton's iteration leaves it false.
-    pub leaves_noise: bool,
 }
 
 impl<A: Array> Solution<A> {
     /// Returns the solution x, without a rounding error.
     #[inline(always)]
     pub fn of(x: A) -> Self {
-        Solution { x, rounding_error: A::zero(), leaves_noise: false }
+        Solution { x, rounding_error: A::zero() }
     }
 
     /// Returns the solution x − delta.
     #[inline(always)]
     pub(crate) fn corrected(x: &A, delta: &A) -> Self {
         let after = difference(x, delta);
-        Solution { x: after, rounding_error: difference(&difference(x, &after), delta), leaves_noise: false }
+        Solution { x: after, rounding_error: difference(&difference(x, &after), delta) }
     }
 }
 

@@ -10,6 +10,7 @@
 
 mod branch;
 mod damped;
+mod differences;
 mod distant;
 pub(crate) mod equation;
 mod experience;

@@ -13,7 +13,7 @@
 use super::equation::{Magnitudes, Solution, Solver, StepEquation, Units, explicit_guess};
 use super::experience::{Experience, MOST_EVALUATIONS};
 use super::predictor::Predictor;
-use super::rounding::{REMAINDER, is_rounding};
+use super::rounding::{Convergence, REMAINDER, is_rounding};
 use super::size::Sizes;
 use super::{Effort, Observer, Refusal, linear, rescue};
 use crate::ablation;
@@ -62,7 +62,8 @@ impl<A: Array> Solver<A> for Newton<A> {
         let solution = match self.iterate(equation, watch) {
             Some(solution) => solution,
             None => {
-                let (solution, experience) = rescue::from_start(self.experience, *equation, watch);
+                let (solution, experience) =
+                    rescue::from_start(self.experience, *equation, Convergence::Quadratic, watch);
                 self.experience = experience;
                 solution?
             }

@@ -1,17 +1,19 @@
-//! Equations that Newton's iteration does not solve in a few evaluations.
+//! Equations that Newton's iteration does not solve in a few evaluations, and equations whose derivative is known approximately.
 //!
 //! 1. From the guess at the start of the step, with at most 100 evaluations. If corrections stop shrinking, the solution is accepted if the residual is rounding
 //!    of the last digits of coordinates, or, with [`Effort::Thorough`], if its rounding is measured to be as large ([`noise`]).
-//! 2. With [`Effort::Thorough`], from the end of [`damped`] corrections.
+//! 2. With [`Effort::Thorough`] and an approximate derivative, the same with a matrix of difference quotients.
+//! 3. With [`Effort::Thorough`], from the end of [`damped`] corrections.
 //!
 //! A solution that took many corrections may not be continuous in h. With [`Effort::Thorough`], [`branch`] follows it to h = 0. With [`Effort::Fast`], the step
 //! is refused, and the caller repeats it. The searches are compiled once for all equations with the same number of unknowns.
 
 use super::branch::Continuation;
+use super::differences::Differences;
 use super::distant::{Distant, Residual, ResidualOf};
 use super::equation::{Magnitudes, Solution, StepEquation, explicit_guess};
 use super::experience::{Experience, MOST_EVALUATIONS};
-use super::rounding::{Corrections, MAX_ITERATIONS, Verdict, is_of_last_digits};
+use super::rounding::{Convergence, Corrections, MAX_ITERATIONS, Verdict, is_of_last_digits};
 use super::{Effort, Observer, Refusal, damped, linear, noise};
 use crate::space::Array;
 
@@ -21,6 +23,7 @@ use crate::space::Array;
 pub(super) fn from_start<A: Array, W: Observer + ?Sized, E: StepEquation<A, W>>(
     mut experience: Experience<A>,
     equation: E,
+    convergence: Convergence,
     watch: &mut W,
 ) -> (Result<Solution<A>, Refusal>, Experience<A>) {
     let distant = Distant {
@@ -30,6 +33,7 @@ pub(super) fn from_start<A: Array, W: Observer + ?Sized, E: StepEquation<A, W>>(
         is_bound_by_energy: equation.is_bound_by_energy(),
         effort: E::EFFORT,
         magnitudes: E::MAGNITUDES,
+        convergence,
     };
     let solution = experience.rescue(&distant, &mut ResidualOf { equation, watch });
     (solution, experience)
@@ -44,11 +48,36 @@ impl<A: Array> Experience<A> {
         if found.is_ok() || equation.effort == Effort::Fast {
             return found;
         }
-        *self = start;
-        let guess = damped::approach(&equation.origin, equation.standstill, &self.sizes, |x, r, matrix| {
-            *r = residual.at(x, matrix);
-            Ok(())
-        });
+        match equation.convergence {
+            Convergence::Quadratic => {
+                *self = start;
+                self.from_afar(equation, residual)
+            }
+            Convergence::Linear => {
+                let noise =
+                    self.noise(&equation.guess, Stalled { delta: equation.guess, distance: 1.0 }, equation, residual);
+                *self = start;
+                let (origin, mut sizes) = (equation.origin, self.sizes);
+                sizes.include(&origin, &equation.guess);
+                let mut differences = Differences { residual, origin, sizes, noise };
+                let solution = match self.search(&equation.guess, Distance::Near, equation, &mut differences) {
+                    Ok(solution) => solution,
+                    Err(_) => {
+                        *self = start;
+                        self.from_afar(equation, &mut differences).or(found)?
+                    }
+                };
+                // The observer must see the solution last, not a point of a difference quotient.
+                differences.residual.at(&solution.x, &mut A::fill(A::zero()));
+                Ok(solution)
+            }
+        }
+    }
+
+    /// Iterates from the end of damped corrections.
+    fn from_afar(&mut self, equation: &Distant<A>, residual: &mut dyn Residual<A>) -> Result<Solution<A>, Refusal> {
+        let guess =
+            damped::approach(&equation.origin, equation.standstill, &self.sizes, |x, matrix| residual.at(x, matrix));
         self.search(&guess, Distance::Far, equation, residual)
     }
 
@@ -84,21 +113,23 @@ impl<A: Array> Experience<A> {
         equation: &Distant<A>,
         residual: &mut dyn Residual<A>,
     ) -> Result<Converged<A>, Refusal> {
-        let Distant { origin, effort, magnitudes, .. } = *equation;
+        let Distant { origin, effort, magnitudes, convergence, .. } = *equation;
         let mut solution = Solution::of(*guess);
         // Pivots are compared in units of these sizes. Corrections are not, because a guess may be wild.
         let mut pivots = self.sizes;
         pivots.include(&origin, guess);
         let mut matrix = A::fill(A::zero());
-        let (mut corrections, mut stalled) = (Corrections::of_order(2), None);
+        let (mut corrections, mut stalled) = (Corrections::of(convergence), None);
         for evaluations in 1..=MAX_ITERATIONS {
             let x = solution.x;
             let left = residual.at(&x, &mut matrix);
             // First integrals may be steep. For them only a thorough attempt may take a residual for rounding, because the caller checks such a step.
             let decides = effort == Effort::Thorough || magnitudes == Magnitudes::Recent;
-            let mut is_rounding =
-                decides && corrections.slow() && is_of_last_digits(&self.sizes.with(&origin), &left, &matrix);
-            if let (false, Some(last)) = (is_rounding, stalled.take()) {
+            let last = stalled.take();
+            // Linear convergence is slow everywhere, so it is examined only if corrections stop shrinking.
+            let is_suspect = last.is_some() || convergence == Convergence::Quadratic && corrections.slow();
+            let mut is_rounding = decides && is_suspect && is_of_last_digits(&self.sizes.with(&origin), &left, &matrix);
+            if let (false, Some(last)) = (is_rounding, last) {
                 if effort == Effort::Fast {
                     break;
                 }
@@ -114,7 +145,7 @@ impl<A: Array> Experience<A> {
             if !is_rounding {
                 solution = Solution::corrected(&x, &delta);
                 let correction = self.sizes.relative(&delta, &origin, &solution.x);
-                if evaluations == 2 {
+                if evaluations == 2 && convergence == Convergence::Quadratic {
                     self.measure_curvature(correction, corrections.last());
                 }
                 match corrections.judge::<A::Real>(correction) {
@@ -142,21 +173,28 @@ impl<A: Array> Experience<A> {
     }
 
     /// Returns whether the residual at x is rounding, by measurement.
-    fn is_noise(
+    fn is_noise(&self, x: &A, last: Stalled<A>, equation: &Distant<A>, residual: &mut dyn Residual<A>) -> bool {
+        let noise = self.noise(x, last, equation, residual);
+        let mut sizes = self.sizes;
+        sizes.include(&equation.origin, x);
+        // The solution is evaluated last, because the observer remembers the last point.
+        noise::explains(&noise, &residual.at(x, &mut A::fill(A::zero())), &sizes)
+    }
+
+    /// Returns the rounding of the residual at x.
+    fn noise(
         &self,
         x: &A,
         Stalled { delta, distance }: Stalled<A>,
         equation: &Distant<A>,
         residual: &mut dyn Residual<A>,
-    ) -> bool {
-        let mut unused = A::fill(A::zero());
-        let mut sizes = self.sizes;
+    ) -> A {
+        let (mut unused, mut sizes) = (A::fill(A::zero()), self.sizes);
         sizes.include(&equation.origin, x);
         residual.pause(true);
         let noise = noise::measure(&sizes, x, (&delta, distance), self.units, |x| Some(residual.at(x, &mut unused)));
         residual.pause(false);
-        // The solution is evaluated last, because the observer remembers the last point.
-        noise::explains(&noise, &residual.at(x, &mut unused), &sizes)
+        noise
     }
 }
 

@@ -51,11 +51,20 @@ pub(crate) enum Verdict {
     Stuck,
 }
 
+/// The convergence of an iteration near the solution.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Convergence {
+    /// With an approximate derivative.
+    Linear,
+    /// With the derivative.
+    Quadratic,
+}
+
 /// The corrections of an iteration so far.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Corrections {
-    /// The order of convergence near the solution: after c₁ and c₂, the next correction is c₂(c₂/c₁)ᵒʳᵈᵉʳ.
-    order: i32,
+    /// After c₁ and c₂, the next correction is c₂(c₂/c₁), or c₂(c₂/c₁)².
+    convergence: Convergence,
     iterations: u32,
     /// The last correction, relative to the size of the unknown.
     before: f64,
@@ -68,10 +77,10 @@ pub(crate) struct Corrections {
 }
 
 impl Corrections {
-    /// Creates an empty list. `order` is 2 for Newton's iteration, and 1 for iterations with an approximate derivative.
-    pub(crate) fn of_order(order: i32) -> Self {
+    /// Creates an empty list.
+    pub(crate) fn of(convergence: Convergence) -> Self {
         Corrections {
-            order,
+            convergence,
             iterations: 0,
             before: f64::INFINITY,
             smallest: f64::INFINITY,
@@ -116,7 +125,10 @@ impl Corrections {
             self.smallest = relative;
             return if relative == 0.0 { Verdict::Solved } else { Verdict::Continue };
         }
-        let next = relative * if self.order == 2 { shrunk * shrunk } else { shrunk };
+        let next = match self.convergence {
+            Convergence::Linear => relative * shrunk,
+            Convergence::Quadratic => relative * shrunk * shrunk,
+        };
         if relative == 0.0 || next <= REMAINDER * R::epsilon() || shrunk > 0.5 && is_rounding::<R>(relative) {
             return Verdict::Solved;
         }

@@ -5,7 +5,7 @@ use super::invariants::Invariants;
 use super::scales::{Scales, part_of_rounding, rounding};
 use crate::method::Refusal;
 use crate::scalar::{Real, zero};
-use crate::solving::rounding::{Correction, Corrections, Stuck, correct};
+use crate::solving::rounding::{Convergence, Correction, Corrections, Stuck, correct};
 use crate::solving::size::Sizes;
 use crate::solving::{noise, roughness};
 use crate::space::Array;
@@ -78,7 +78,7 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
         Ok(Correction { delta, relative })
     };
     // Both iterations use old gradients, so corrections shrink by a factor.
-    let convergence = Corrections::of_order(1);
+    let convergence = Corrections::of(Convergence::Linear);
     let turning_from = |start: S::Phase| {
         let accept =
             |Stuck { before, delta, .. }: Stuck<'_, S::Phase>| equation.is_noise(before, delta).then_some(*before);

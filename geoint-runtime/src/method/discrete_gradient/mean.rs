@@ -1,5 +1,4 @@
-//! Steps along a mean g of ∇H between their ends: d = h J g(x₀, x₀ + d) for the increment d. Not every g is a discrete gradient, so a solution is not accepted by
-//! its energy: it has to be continuous in h.
+//! Steps along a mean g of ∇H between their ends: d = h J g(x₀, x₀ + d) for the increment d.
 
 use super::energy::{Energy, Slope};
 use super::matrix::turned;
@@ -7,7 +6,7 @@ use crate::method::composition::SymmetricMap;
 use crate::method::corrected::range::is_representable;
 use crate::method::corrected::{kept, rounded};
 use crate::method::implicit::{
-    Arrival, Departure, Equation, Evaluated, ImplicitStep, Increment, Policy, Sums, Units, Watch,
+    Arrival, Branch, Departure, Equation, Evaluated, ImplicitStep, Increment, Policy, Sums, Units, Watch,
 };
 use crate::method::{Claims, Name, Probe, Refusal, Unwatched};
 use crate::scalar::Real;
@@ -99,6 +98,8 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> ImplicitSt
     type Solver = QuasiNewton<S::Phase>;
 
     const POLICY: Policy = Policy {
+        // Discrete gradients keep the energy. Other means are symmetric, and their solutions are not examined either.
+        branch: Branch::OfEnergy,
         sums: Sums::Compensated,
         evaluated: Evaluated::AtTheEnd,
         ..Policy::of(Units { alike: S::Array::LEN, kinds: 2 })
@@ -181,15 +182,13 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> ImplicitSt
     #[inline(always)]
     fn finish<P: Probe<S, R>>(
         Equation { from, .. }: &Equation<'_, Self, S, R>,
-        solution: &Solution<S::Phase>,
+        _: &Solution<S::Phase>,
         (): &mut (),
         end: Arrival<'_, S, R>,
     ) -> Result<(), Refusal> {
         if !G::is_exact::<S, R>() {
             return Ok(());
         }
-        // A fast attempt cannot tell noise of the residual from an error of the energy.
-        *end.doubtful |= !P::EFFORT.is_thorough() && solution.leaves_noise;
         rounded::check_step::<S, R>(P::EFFORT, from, end)
     }
 

@@ -10,7 +10,7 @@ use crate::method::{Probe, Refusal};
 use crate::scalar::Real;
 use crate::solving::equation::Solution;
 use crate::solving::newton::Newton;
-use crate::solving::rounding::{Correction, Corrections, Stuck, correct};
+use crate::solving::rounding::{Convergence, Correction, Corrections, Stuck, correct};
 use crate::solving::size::Sizes;
 use crate::solving::{Inverse, Inverted, linear};
 use crate::space::vector::{difference, scaled, sum};
@@ -97,7 +97,8 @@ where
             let relative = Sizes::new().relative(&delta, &self.from.z, &difference(d, &delta));
             Ok(Correction { delta, relative })
         };
-        let d = correct(guess, Corrections::of_order(2), |Stuck { after, .. }| Some(*after), correction)?;
+        let d =
+            correct(guess, Corrections::of(Convergence::Quadratic), |Stuck { after, .. }| Some(*after), correction)?;
         // At the start the matrix is 1. If its determinant is negative, Ω has vanished on the way.
         if is_positive { Ok(d) } else { Err(Refusal::Singular) }
     }

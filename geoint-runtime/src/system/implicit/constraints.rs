@@ -4,7 +4,7 @@
 use crate::system::{Cotangent, PhaseSpace};
 
 use crate::scalar::Real;
-use crate::solving::rounding::{Correction, Corrections, ROUNDINGS, Stuck, correct};
+use crate::solving::rounding::{Convergence, Correction, Corrections, ROUNDINGS, Stuck, correct};
 use crate::solving::size::Sizes;
 use crate::solving::{Refusal, linear};
 use crate::space::vector::{difference, dot, scaled, times};
@@ -185,7 +185,7 @@ pub(crate) fn tangent<S: Constrained<R>, R: Real>(system: &S, t: R, z: S::Phase)
         let relative = if S::QUADRATIC { 0.0 } else { Sizes::new().relative(&delta, &none, &difference(p, &delta)) };
         Ok(Correction { delta, relative })
     };
-    correct(z[1], Corrections::of_order(2), |Stuck { after, .. }| Some(*after), correction)
+    correct(z[1], Corrections::of(Convergence::Quadratic), |Stuck { after, .. }| Some(*after), correction)
 }
 
 /// Returns the state on the constraints that is nearest to another state. Positions are moved in the metric of the mass matrix, then the momentum is
@@ -208,7 +208,7 @@ pub(crate) fn projected<S: Constrained<R>, R: Real>(system: &S, t: R, z: &S::Pha
         let relative = Sizes::new().relative(&delta, &z[0], &difference(q, &delta));
         Ok(Correction { delta, relative })
     };
-    let q = correct(z[0], Corrections::of_order(2), |Stuck { after, .. }| Some(*after), correction)?;
+    let q = correct(z[0], Corrections::of(Convergence::Quadratic), |Stuck { after, .. }| Some(*after), correction)?;
     on_one_side(system, (t, z), [&q, &q]).map_err(|what| Refusal::DependentConstraints { what })?;
     Ok([q, tangent(system, t, [q, z[1]])?])
 }

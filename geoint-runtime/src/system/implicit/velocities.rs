@@ -3,7 +3,7 @@
 use crate::scalar::Real;
 use crate::solving::Refusal;
 use crate::solving::linear;
-use crate::solving::rounding::{Correction, Corrections, Stuck, correct};
+use crate::solving::rounding::{Convergence, Correction, Corrections, Stuck, correct};
 use crate::solving::size::Sizes;
 use crate::space::vector::{difference, dot};
 use crate::space::{Array, Square};
@@ -109,7 +109,7 @@ pub(crate) fn velocity_near<S: MassForm<R>, R: Real>(
         Ok(Correction { delta, relative })
     };
     let accept = |Stuck { after, .. }: Stuck<'_, S::Array>| has_momentum(system, t, [q, p], s, after).then_some(*after);
-    correct(guess, Corrections::of_order(2), accept, correction).ok().filter(S::Array::is_finite)
+    correct(guess, Corrections::of(Convergence::Quadratic), accept, correction).ok().filter(S::Array::is_finite)
 }
 
 /// Returns whether a velocity solves ∂L/∂v = p up to rounding.
