@@ -1,8 +1,8 @@
 //! Is a solution the one that is continuous in the step size?
 //!
 //! The equation x = g(x) of a step far too large has several solutions. If a method keeps an energy balance, all of them satisfy it, and none is examined. For
-//! other methods this file follows the solution of x = λ g(x) from λ = 1 to λ = 0, where x = 0: λ stands for the size of the step. For Gauss methods of
-//! autonomous systems of first order, λh is the size of the step.
+//! other methods this file follows the solution of x = λ g(x) from λ = 1 to λ = 0, where x = 0. For Gauss methods of autonomous systems of first order,
+//! this is the solution of a step of length λh. Otherwise it is a homotopy only.
 
 use super::distant::{Distant, Residual};
 use crate::scalar::Real;
@@ -53,7 +53,7 @@ pub(super) struct Continuation<'a, A> {
 impl<A: Array> Continuation<'_, A> {
     /// Returns whether the solution of x = g(x) is connected to x = 0 by solutions of x = λ g(x), where λ falls from 1 to 0.
     ///
-    /// The answer is no if the way ends, as where two solutions meet, or if the solution stays away from zero down to [`END`]. The answer is yes if the way leads
+    /// The answer is no if the way ends, for example at a fold, or if the solution stays away from zero down to [`END`]. The answer is yes if the way leads
     /// to zero, and also if nothing is known: the equation is not defined on the way, or rounding hides the way.
     ///
     /// Newton's iteration follows the solution. E. L. Allgower & K. Georg, *Numerical Continuation Methods* (1990), section 2.

@@ -6,7 +6,7 @@ use crate::ablation;
 use crate::space::vector::difference;
 use crate::space::{Array, Record, Square};
 
-/// Sees the points at which an equation is evaluated. Equations show points to the concrete type. A solver only pauses it.
+/// Sees the points at which an equation is evaluated. The equation shows points to the type of its observer. The solver can only pause it.
 pub trait Observer {
     /// Starts or ends a pause. Points of a pause do not belong to the step: they are evaluated to measure rounding, or to follow a solution. An observer that
     /// explains refusals ignores them. After a pause, the solution is evaluated again.
@@ -17,7 +17,7 @@ impl Observer for () {
     fn pause(&mut self, _: bool) {}
 }
 
-/// How much work may be spent on a solution.
+/// The work that may be spent on a solution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Effort {
     /// For steps in a loop. Steps that are refused are repeated with the other effort.
@@ -106,7 +106,7 @@ pub trait Solver<A: Array>: Clone + Record<A::Real> {
     /// Creates a solver of unknowns with these units.
     fn new(units: Units) -> Self;
 
-    /// Solves r(x) = 0 to rounding. After an error, the run begins with a new solver, because the sequence of unknowns has a gap.
+    /// Solves r(x) = 0 to rounding. After an error, the caller creates a new solver, because the sequence of unknowns has a gap.
     ///
     /// # Errors
     /// If no solution is found, or if the solution is not connected to h = 0.

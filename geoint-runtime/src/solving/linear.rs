@@ -44,7 +44,9 @@ fn pivots_apart<A: Array>(mut matrix: Square<A>, mut rhs: A, sizes: &Sizes<A>) -
     (rhs, positive)
 }
 
-/// Solves `matrix·x = rhs` in place of `rhs` by elimination with partial pivoting; destroys `matrix`.
+/// Solves `matrix·x = rhs` in place of `rhs` by elimination with threshold pivoting; destroys `matrix`.
+///
+/// An entry on the diagonal of at least [`SMALL`] stays. After the first exchange, each column is searched.
 ///
 /// Entries of a column are compared in units of `sizes`, the sizes of the unknowns. The choice of the pivot therefore does not depend on units.
 /// Returns whether the determinant is positive, or `None` if a pivot vanishes or is not a finite number.
@@ -78,7 +80,7 @@ pub(super) fn pivots<A: Array>(matrix: &mut Square<A>, rhs: &mut A, sizes: &Size
             return None;
         }
         positive ^= top[k].any_below(0.0);
-        // The reciprocal saves divisions: each row takes one.
+        // One division for each row.
         let reciprocal = A::Real::from_f64(1.0) / top[k];
         top[k] = reciprocal;
         for (i, row) in lower.iter_mut().enumerate() {

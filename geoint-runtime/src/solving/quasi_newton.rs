@@ -1,7 +1,7 @@
 //! Newton's iteration with an approximate derivative. Convergence is linear, not quadratic.
 //!
-//! Each step starts from the guess of its equation, and takes as many corrections as it needs. The iteration, and the ways to repeat it, are those of
-//! [`rescue`](super::rescue).
+//! Steps along means of gradients need it: the derivative of their mean is exact only near the solution. Each step starts from the guess of its equation, and takes
+//! at most 100 evaluations. The iteration, and the ways to repeat it, are those of [`rescue`](super::rescue), which are cold for Newton's iteration only.
 
 use super::equation::{Solution, Solver, StepEquation, Units};
 use super::experience::Experience;
@@ -9,7 +9,7 @@ use super::rounding::Convergence;
 use super::{Observer, Refusal, rescue};
 use crate::space::{Array, Record, Tape};
 
-/// Solves one equation per step whose derivative is known approximately. It remembers the sizes of the unknowns.
+/// Solves equations with an approximate derivative, one per step. It remembers the sizes of the unknowns.
 #[derive(Clone, Copy, Debug)]
 pub struct QuasiNewton<A> {
     experience: Experience<A>,

@@ -40,7 +40,7 @@ pub(super) fn from_start<A: Array, W: Observer + ?Sized, E: StepEquation<A, W>>(
 }
 
 impl<A: Array> Experience<A> {
-    /// Tries one way after the other. The second one starts from the experience before the first one.
+    /// Tries one way after the other. Each one starts from the experience before the first one. If all fail, the caller discards the experience.
     #[inline(never)]
     fn rescue(&mut self, equation: &Distant<A>, residual: &mut dyn Residual<A>) -> Result<Solution<A>, Refusal> {
         let start = *self;
@@ -115,7 +115,7 @@ impl<A: Array> Experience<A> {
     ) -> Result<Converged<A>, Refusal> {
         let Distant { origin, effort, magnitudes, convergence, .. } = *equation;
         let mut solution = Solution::of(*guess);
-        // Pivots are compared in units of these sizes. Corrections are not, because a guess may be wild.
+        // Pivots are compared in units of these sizes. Corrections are not, because a guess that is far off would inflate them.
         let mut pivots = self.sizes;
         pivots.include(&origin, guess);
         let mut matrix = A::fill(A::zero());
@@ -126,7 +126,7 @@ impl<A: Array> Experience<A> {
             // First integrals may be steep. For them only a thorough attempt may take a residual for rounding, because the caller checks such a step.
             let decides = effort == Effort::Thorough || magnitudes == Magnitudes::Recent;
             let last = stalled.take();
-            // Linear convergence is slow everywhere, so it is examined only if corrections stop shrinking.
+            // Linear convergence is always slow, so the residual is examined only if corrections stop shrinking.
             let is_suspect = last.is_some() || convergence == Convergence::Quadratic && corrections.slow();
             let mut is_rounding = decides && is_suspect && is_of_last_digits(&self.sizes.with(&origin), &left, &matrix);
             if let (false, Some(last)) = (is_rounding, last) {

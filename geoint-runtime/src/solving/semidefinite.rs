@@ -1,8 +1,8 @@
-//! Checks that a damping matrix takes energy away.
+//! Checks that a damping matrix never adds energy.
 
 use crate::scalar::Real;
 
-/// Returns whether vᵀCv ≥ 0 for all v, to rounding. C is symmetric. The method is elimination.
+/// Returns whether vᵀCv ≥ 0 for all v, to rounding, by symmetric elimination without exchanges. Only the lower triangle of C is read. NaN is refused.
 ///
 /// The diagonal is enlarged by more than the rounding errors of the elimination (J. Demmel 1989: LAPACK Working Note 14). A matrix that is singular
 /// on paper therefore passes.
@@ -12,10 +12,10 @@ pub fn is_positive_semidefinite<R: Real, const N: usize>(mut c: [[R; N]; N]) -> 
         row[k] *= margin;
     }
     for k in 0..N {
-        if c[k][k].any_below(0.0) {
+        if !c[k][k].all_at_least_zero() {
             return false;
         }
-        // A pivot of zero requires zeros below it.
+        // A pivot that is zero, or so small that it has lost digits, requires zeros below it.
         let pivot = c[k][k];
         if pivot.any_not_positive() && (k + 1..N).any(|i| c[i][k].magnitude() > 0.0) {
             return false;
@@ -42,7 +42,7 @@ mod tests {
         assert!(!is_positive_semidefinite([[1.0, 2.0], [2.0, 3.9]]));
         assert!(!is_positive_semidefinite([[0.0, 1e-9], [1e-9, 1.0]]));
         assert!(!is_positive_semidefinite([[0.0_f32, 1e-9], [1e-9, 1.0]]));
-        assert!(!is_positive_semidefinite([[-1e-30]]));
+        assert!(!is_positive_semidefinite([[-1e-30]]) && !is_positive_semidefinite([[f64::NAN]]));
         // The result is the same in any units.
         for unit in [1e-200, 1.0, 1e200] {
             let scaled = |c: [[f64; 2]; 2]| c.map(|row| row.map(|x| x * unit));

@@ -92,7 +92,7 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> ImplicitSt
     type Constants = Constants<G, S, R>;
     type Start = ();
     type History = ();
-    /// The reason if g does not exist at the last point.
+    /// The reason if g did not exist at a point. It explains an equation without a solution.
     type Seen = Option<Refusal>;
     type Kept = KeptBy<S, R>;
     type Solver = QuasiNewton<S::Phase>;
@@ -149,10 +149,7 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> ImplicitSt
         let (n, Departure { h, z, .. }) = (S::Array::LEN, equation.from);
         watch.decide(&sum(&z, d), &());
         let slope = match equation.constants.mean.between(&mut equation.energy(watch.probe()), &z, d) {
-            Ok(slope) => {
-                watch.seen = None;
-                slope
-            }
+            Ok(slope) => slope,
             Err(refusal) => {
                 watch.seen = Some(refusal);
                 return scaled(R::from_f64(f64::NAN), d);

@@ -20,7 +20,7 @@ use crate::space::vector::{difference, moved, scaled, sum};
 use crate::space::{Array, Snapshot, Square};
 use crate::system::{Conservative, DiscreteField, Invariants, KeptBy, Span};
 
-/// x₁ = x₀ + h J ∇̄H(x₀, x₁) with the tree discrete gradient: the energy is kept to rounding for every h.
+/// x₁ = x₀ + h J ∇̄H(x₀, x₁) with the tree discrete gradient: accepted steps keep the energy to rounding, for every h.
 ///
 /// Order 2, symmetric, for every H; not symplectic. ∇̄H is the reverse sweep of H with divided differences in place of
 /// derivatives, in forms without cancellation. Linear and quadratic momenta are kept as well, if they commute with each innermost
@@ -39,7 +39,7 @@ implicit_method!(
 );
 substeps!([] DiscreteGradient);
 
-/// The tree discrete gradient as others use it.
+/// The tree discrete gradient, for methods that build on it.
 impl MeanGradient for DiscreteGradient {
     fn mean_name(&self) -> Name {
         Name::new("DiscreteGradient")
@@ -79,12 +79,12 @@ pub struct Start<S: DiscreteField<R>, R: Real> {
     kernel: S::Start,
 }
 
-/// Returns whether runs remove the drift of what steps keep. Rounding errors of single steps then do not matter.
+/// Returns whether runs remove the drift of what steps keep. The rounding error of the mean then does not matter.
 const fn removes_drift<S: DiscreteField<R>, R: Real>() -> bool {
     <KeptBy<S, R> as Invariants<S, R>>::Values::LEN > 0
 }
 
-/// Returns whether an impulse turns a momentum round, so that digits of the mean are lost.
+/// Returns whether an impulse nearly reverses a momentum: the mean falls below p/8, and loses digits.
 #[inline(always)]
 fn turns<R: Real>(mean: R, p: R) -> bool {
     mean.magnitude() < 0.125 * p.magnitude()
@@ -188,7 +188,8 @@ impl<S: DiscreteField<R>, R: Real> ImplicitStep<S, R> for TreeStep {
 
     const POLICY: Policy = Policy {
         magnitudes: if S::State::MOMENTA { Magnitudes::Recent } else { Magnitudes::Present },
-        // All solutions satisfy the energy balance, in which friction takes energy away. With explicit time the energy at frozen time is kept.
+        // With momenta, or with a first integral, all solutions satisfy the balance: friction takes energy away, and with explicit time the energy at frozen time
+        // is kept. Otherwise solutions are followed to h = 0.
         branch: if S::State::MOMENTA || removes_drift::<S, R>() { Branch::OfEnergy } else { Branch::Continuous },
         // −2p turns p round, and the mean of p is 0.
         standstill: if S::DERIVATIVE == 1 { 0.0 } else { -2.0 },

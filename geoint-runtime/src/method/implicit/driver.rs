@@ -67,7 +67,7 @@ impl<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> Prepared<M, S, R> {
         self.take(step.system, memory, step).map(drop)
     }
 
-    /// Takes one step, and estimates its error. `None`, and no step, if steps do not estimate errors.
+    /// Takes one step, and estimates its error. Returns `None`, and takes no step, if the method has no estimate.
     #[inline]
     pub fn estimated<C: Summation<S::Phase>, P: Probe<S, R>>(
         &self,
@@ -88,7 +88,7 @@ impl<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> Prepared<M, S, R> {
         Step { t, end, x, probe, .. }: Step<'_, S, R, C, P>,
     ) -> Result<Taken<'a, M, S, R>, Refusal> {
         let before = start::<S, R, C>(x);
-        // A run that compensates has the compensation in its point, and keeps it when h changes. Otherwise the method has it.
+        // A run that compensates stores the compensation in its point, and keeps it when h changes. In a plain run the method stores it.
         let compensation = if C::PLAIN { sums.compensation() } else { x.sums.compensation() };
         let from = Departure { system, t, end, h: self.h, z: before.0, s: before.1, compensation };
         probe.visit(t, &from.z, &from.s);

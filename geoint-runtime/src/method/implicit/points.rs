@@ -19,7 +19,7 @@ pub struct Departure<'a, S: PhaseSpace<R>, R: Real> {
     pub z: S::Phase,
     /// The action at the start.
     pub s: S::Action,
-    /// The compensation of the sums: the coordinates are z + `compensation`. Zero for plain sums.
+    /// The compensation of the sums: the coordinates are z + `compensation`. Zero if neither the run nor the method compensates.
     pub compensation: S::Phase,
 }
 
@@ -46,7 +46,8 @@ pub struct Increment<Z, A> {
     pub z: Z,
     /// The increment of the action.
     pub s: A,
-    /// The part of the increments of coordinates that was lost by rounding: they are z + `lost`. Compensated sums add it.
+    /// The part of the increments of coordinates that was lost by rounding: the exact increments are z + `lost`. Only methods with
+    /// compensated sums add it.
     pub lost: Z,
 }
 
@@ -58,7 +59,7 @@ impl<Z: Array> Increment<Z, ()> {
     }
 }
 
-/// A point that a step evaluates, or passes.
+/// A point that a step evaluates, and reaches without crossing a pole.
 pub struct Stage<S: PhaseSpace<R>, R: Real> {
     /// Its time.
     pub t: R,
