@@ -51,9 +51,10 @@ impl<A: Array> Experience<A> {
         match equation.convergence {
             Convergence::Quadratic => {
                 *self = start;
-                self.from_afar(equation, residual)
+                self.search_from_afar(equation, residual)
             }
             Convergence::Linear => {
+                // The guess is the direction of the measurement.
                 let noise =
                     self.noise(&equation.guess, Stalled { delta: equation.guess, distance: 1.0 }, equation, residual);
                 *self = start;
@@ -64,7 +65,7 @@ impl<A: Array> Experience<A> {
                     Ok(solution) => solution,
                     Err(_) => {
                         *self = start;
-                        self.from_afar(equation, &mut differences).or(found)?
+                        self.search_from_afar(equation, &mut differences).or(found)?
                     }
                 };
                 // The observer must see the solution last, not a point of a difference quotient.
@@ -75,7 +76,11 @@ impl<A: Array> Experience<A> {
     }
 
     /// Iterates from the end of damped corrections.
-    fn from_afar(&mut self, equation: &Distant<A>, residual: &mut dyn Residual<A>) -> Result<Solution<A>, Refusal> {
+    fn search_from_afar(
+        &mut self,
+        equation: &Distant<A>,
+        residual: &mut dyn Residual<A>,
+    ) -> Result<Solution<A>, Refusal> {
         let guess =
             damped::approach(&equation.origin, equation.standstill, &self.sizes, |x, matrix| residual.at(x, matrix));
         self.search(&guess, Distance::Far, equation, residual)
