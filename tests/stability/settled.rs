@@ -1,4 +1,4 @@
-//! What steps keep to rounding is kept so over long runs: what roundings add up to is taken away once in 1024 steps.
+//! Steps keep invariants to rounding, and so do long runs: after each 1024 steps the accumulated rounding error is removed.
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::StateOf;

@@ -36,7 +36,7 @@ energies! {
 const STARTS: [(f64, f64); 6] = [(1.0, -2.0), (1.0, -1.0), (0.5, -2.0), (-1.0, 1.3), (-1.0, 2.6), (0.0, 0.0)];
 const STEPS: [f64; 5] = [0.05, 0.1, 0.125, 0.325, 0.65];
 
-/// What claims to keep the energy keeps it in every step that it takes.
+/// A method that claims to keep the energy keeps it in every accepted step.
 struct Kept<S> {
     system: S,
     mass: f64,

@@ -127,8 +127,7 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
     /// What it is called.
     fn name(&self) -> Name;
 
-    /// Whether the method moves another point than that of states: it has other coordinates, or goes a way before the first step that it
-    /// goes back after the last one.
+    /// True if the method moves another point than that of states: a point in other coordinates, or a point that a processor has mapped.
     const INNER: bool = false;
 
     /// From the point of a state at time `t` to the one that the method moves.
@@ -148,8 +147,8 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
     /// Whether steps keep invariants to rounding: [`way_back`](Self::way_back) then leads back to where they were.
     const KEEPS: bool = false;
 
-    /// What leads from `z` to where the invariants that steps keep are what they were at the `origin` of a run. Steps keep them up to rounding,
-    /// which walks at random, or drifts: once in 1024 steps it is taken away.
+    /// Returns the correction of `z` that restores the kept invariants to their values at the `origin` of a run. Steps keep invariants up to rounding, which walks
+    /// at random, or drifts. After each 1024 steps a run adds this correction.
     #[inline]
     fn way_back(_prepared: &Self::Prepared, _system: &S, _origin: &S::Phase, _z: &S::Phase) -> S::Phase {
         S::Phase::zero()

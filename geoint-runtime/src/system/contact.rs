@@ -103,7 +103,7 @@ pub trait Pieces<M, R: Real = f64>: PhaseSpace<R> {
     const CONSERVES_ENERGY: bool = false;
     /// What flows of given lengths need from the parameters.
     type Flows: Copy + core::fmt::Debug;
-    /// What they need from the time at which it is frozen.
+    /// Values of flows that depend on the frozen time.
     type Frozen: Copy + core::fmt::Debug;
 
     /// Coefficients for flows of length `last` of the last piece, and of length `outer` of the others.
@@ -120,7 +120,7 @@ pub trait Pieces<M, R: Real = f64>: PhaseSpace<R> {
         z: &mut Self::Phase,
         s: &mut Self::Action,
     );
-    /// What that flow adds to `x`, for sums that compensate.
+    /// The increments of `x` by that flow, for compensated sums.
     fn increments(
         &self,
         piece: usize,

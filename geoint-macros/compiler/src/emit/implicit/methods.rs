@@ -4,24 +4,20 @@ use crate::derive::Missing;
 use crate::emit::context::Context;
 use crate::emit::missing::marker;
 use crate::emit::structure::self_type;
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 /// Returns `impl ImplicitMethod` of a method with one step for the system.
 pub(super) fn solved(context: &Context<'_>, method: &str, step: &str) -> TokenStream {
     let [method, step] = [method, step].map(|name| format_ident!("{name}"));
-    implementation(context, &quote!(R: Real), &quote!(#method), [quote!(()), quote!(#step), quote!(#step)])
+    Solved { marker: None, method, step: quote!(#step), value: quote!(#step) }.implementation(context)
 }
 
 /// Returns `impl ImplicitMethod` of a method whose step contains it.
 pub(super) fn solved_by(context: &Context<'_>, method: &str, step: &str) -> TokenStream {
     let [method, step] = [method, step].map(|name| format_ident!("{name}"));
-    implementation(
-        context,
-        &quote!(R: Real),
-        &quote!(#method),
-        [quote!(()), quote!(#step<#method>), quote!(#step(self))],
-    )
+    let (step, value) = (quote!(#step<#method>), quote!(#step(self)));
+    Solved { marker: None, method, step, value }.implementation(context)
 }
 
 /// Returns `impl ImplicitMethod` of a method with Gauss stages, for each number of stages.
@@ -45,30 +41,42 @@ pub(super) fn collocated(context: &Context<'_>, method: &str, stages: &str) -> T
 /// Returns `impl ImplicitMethod` of a method that is solved as one of its own kind with one stage.
 pub(super) fn solved_in_one_stage(context: &Context<'_>, method: &str, stages: &str) -> TokenStream {
     let [method, stages] = [method, stages].map(|name| format_ident!("{name}"));
-    implementation(context, &quote!(R: Real), &quote!(#method), [quote!(()), quote!(#stages<1>), quote!(#stages)])
+    Solved { marker: None, method, step: quote!(#stages<1>), value: quote!(#stages) }.implementation(context)
 }
 
 /// Returns `impl ImplicitMethod` for no scalar. The message of rustc states what the system lacks.
 pub(super) fn unsolved(context: &Context<'_>, missing: Missing, method: &str, step: &str) -> TokenStream {
-    let ([method, step], marker) = ([method, step].map(|name| format_ident!("{name}")), marker(context, missing));
-    let proof = quote!(<R as #marker>::Proof);
-    implementation(context, &quote!(R: Real + #marker), &quote!(#method), [proof, quote!(#step), quote!(#step)])
+    let [method, step] = [method, step].map(|name| format_ident!("{name}"));
+    let marker = Some(marker(context, missing));
+    Solved { marker, method, step: quote!(#step), value: quote!(#step) }.implementation(context)
 }
 
-/// Returns `impl ImplicitMethod` with these types `Proof` and `Step`, and the value of the step.
-fn implementation(
-    context: &Context<'_>,
-    generics: &TokenStream,
-    method: &TokenStream,
-    [proof, step, value]: [TokenStream; 3],
-) -> TokenStream {
-    let name = self_type(context);
-    quote! {
-        impl<#generics> ImplicitMethod<#name, R> for #method {
-            type Proof = #proof;
-            type Step = #step;
-            fn step(self) -> Self::Step {
-                #value
+/// One implementation of `ImplicitMethod`.
+struct Solved {
+    /// The trait without implementations, if the system lacks the step.
+    marker: Option<Ident>,
+    method: Ident,
+    /// The type of the step.
+    step: TokenStream,
+    /// The expression of the step.
+    value: TokenStream,
+}
+
+impl Solved {
+    fn implementation(self, context: &Context<'_>) -> TokenStream {
+        let (name, Solved { marker, method, step, value }) = (self_type(context), self);
+        let proof = match &marker {
+            Some(marker) => quote!(<R as #marker>::Proof),
+            None => quote!(()),
+        };
+        let bound = marker.map(|marker| quote!(+ #marker));
+        quote! {
+            impl<R: Real #bound> ImplicitMethod<#name, R> for #method {
+                type Proof = #proof;
+                type Step = #step;
+                fn step(self) -> Self::Step {
+                    #value
+                }
             }
         }
     }
