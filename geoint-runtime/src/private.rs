@@ -2,8 +2,7 @@
 
 pub use crate::method::constrained::{MultiplierStep, Rattle};
 pub use crate::method::contact::{
-    ContactDiscreteGradient, ContactFieldStages, ContactGauss as ContactGaussCollocation, ContactMidpoint,
-    ContactPolarisedStep, ContactStep, ContactVelocityStages,
+    ContactDiscreteGradient, ContactFieldStages, ContactGauss as ContactGaussCollocation, ContactMidpoint, ContactStep,
 };
 pub use crate::method::corrected::invariants::{
     CanonicalEnergy, EnergyAndMomenta, Integral, Integrals as KeptIntegrals, VelocityEnergy,
@@ -14,27 +13,28 @@ pub use crate::method::gauss::{CanonicalStages, FieldStages, Gauss as GaussCollo
 pub use crate::method::implicit::ImplicitMethod;
 pub use crate::method::pieces::{
     ContactSplitting, PieceSplitting, PlanarDiscreteGradient, PlanarItohAbe, PlanarSplitting, PoissonSplitting,
+    planar_step,
 };
 pub use crate::method::{And as ProofAnd, Method};
 pub use crate::method::{gradient_kick, modified_verlet};
 pub use crate::running::{Adaptive, Integrator, StepError, TaylorIntegrator, state_on_constraint};
 pub use crate::scalar::Real;
 pub use crate::slope;
+pub use crate::solving::Inverted;
 pub use crate::solving::newton::MOST_UNKNOWNS;
-pub use crate::solving::{Inverted, is_positive_semidefinite, planar_step};
 pub use crate::space::{
     Array, BodyState, ContactState, Coordinates, FlowState, PerCoordinate, Placed, Snapshot, Square, State,
 };
 pub use crate::system::{
     Autonomous, CanonicalForm, Clock as PieceClock, Collocation, Conformal as ConformalContact, Conservative,
-    Constrained as ConstrainedSystem, ConstrainedStep, Contact as ContactSystem, ContactEquation, ContactPolarised,
-    ContactStage, ContactStages, ContactVelocities, Cotangent as CotangentSpace, DiscreteField, FirstIntegrals,
-    FlowPart, ForceGradient, FourthOrderField, Gradients, Hamiltonian, Jets, Keeping, KeepsEnergy, KeptMomenta,
-    Lagrangian as LagrangianSystem, MassForm, Mean, Mechanical as MechanicalContact, ModifiedEnergy, NystromPieces,
-    Perturbed as PerturbedSystem, PerturbedGradient, PhaseSpace, Piece as FlowPiece, Pieces as FlowPieces,
-    PolarisedForm, Pole, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable, Span, SteadyIntegrals, Unmet,
-    VectorField as DifferentialEquation, VelocityForm, canonical_rate, contact_gradient_of, energy_of, from_positions,
-    own_momentum, rate_of, singular_mass, unmet, unsuitable, velocity_of,
+    Constrained as ConstrainedSystem, ConstrainedStep, Contact as ContactSystem, ContactEquation, ContactStages,
+    Cotangent as CotangentSpace, DiscreteField, FirstIntegrals, FlowPart, ForceGradient, FourthOrderField, Gradients,
+    Hamiltonian, Jets, Keeping, KeepsEnergy, KeptMomenta, Lagrangian as LagrangianSystem, MassForm, Mean,
+    Mechanical as MechanicalContact, MixedDerivatives, ModifiedEnergy, NystromPieces, Perturbed as PerturbedSystem,
+    PerturbedGradient, PhaseSpace, Piece as FlowPiece, Pieces as FlowPieces, PolarisedForm, Pole, PrincipalAxes,
+    QuadraticField, QuadraticKinetic, Separable, Span, SteadyIntegrals, Unmet, VectorField as DifferentialEquation,
+    VelocityForm, VelocityStage, canonical_rate, contact_gradient_of, energy_of, from_positions,
+    is_positive_semidefinite, own_momentum, rate_of, singular_mass, unmet, unsuitable, velocity_of,
 };
 pub use crate::taylor::{TaylorMethod, recurrence};
 pub use geoint_macros::{put_energy_function_above_it, resume};

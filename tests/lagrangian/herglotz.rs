@@ -5,7 +5,7 @@ use crate::systems::*;
 use geoint_runtime::Contact;
 use geoint_runtime::prelude::*;
 use geoint_runtime::space::{Array, Snapshot, Square};
-use geoint_runtime::system::{ContactStage, ContactVelocities};
+use geoint_runtime::system::{MixedDerivatives, VelocityForm, VelocityStage};
 
 /// The talk's damped oscillator.
 #[lagrangian]
@@ -250,12 +250,24 @@ fn woven(q: f64, v: f64, s: f64) -> f64 {
     0.5 * v * v * (1.0 + q * q) * (1.0 + 0.2 * s) - 0.5 * q * q - 0.1 * s * q
 }
 
+/// A particle whose inertia grows with its speed.
+#[lagrangian]
+fn stiffening(q: f64, v: f64) -> f64 {
+    0.5 * v * v + 0.1 * v.powi(4) + 0.03 * v.powi(6) - 0.5 * q * q
+}
+
+/// The same with friction.
+#[lagrangian(rayleigh = c * v * v / 2.0)]
+fn rubbing(q: f64, v: f64, c: f64) -> f64 {
+    0.5 * v * v + 0.1 * v.powi(4) + 0.03 * v.powi(6) - 0.5 * q * q
+}
+
 /// What L is said to have no second derivatives by is not multiplied by.
 #[test]
 fn second_derivatives_that_are_left_out_are_zero() {
-    fn check<S: ContactVelocities>(system: S, expected: [bool; 3]) {
+    fn check<S: VelocityForm>(system: S, s: S::Action, expected: MixedDerivatives) {
         let none = S::Array::zero();
-        let mut stage = ContactStage {
+        let mut stage = VelocityStage {
             lagrangian: 0.0,
             momentum: none,
             force: none,
@@ -268,19 +280,24 @@ fn second_derivatives_that_are_left_out_are_zero() {
         for (i, (q, v)) in q.as_mut_slice().iter_mut().zip(v.as_mut_slice()).enumerate() {
             (*q, *v) = (0.7 + 0.5 * i as f64, 0.4 - 0.9 * i as f64);
         }
-        system.stage(&system.stage_constants(), 0.2, &q, &v, &0.3, &mut stage);
+        system.stage(&system.stage_constants(), 0.2, &q, &v, &s, &mut stage);
         let moves = |matrix: &Square<S::Array>| {
             S::Array::entries_of::<S::Array>(matrix).iter().any(|row| row.as_slice().iter().any(|x| *x != 0.0))
         };
         let [by_q, _, _, by_v] = &stage.derivatives;
-        let [momentum, force] = stage.by_action.map(|by| by.as_slice().iter().any(|x| *x != 0.0));
-        assert_eq!([moves(by_q), momentum, force], expected);
-        assert_eq!(moves(by_v), expected[0]);
+        let [momentum_by_s, force_by_s] = stage.by_action.map(|by| by.as_slice().iter().any(|x| *x != 0.0));
+        let [momentum_by_q, force_by_v] = [moves(by_q), moves(by_v)];
+        assert_eq!(MixedDerivatives { momentum_by_q, momentum_by_s, force_by_v, force_by_s }, expected);
         assert_eq!(S::MIXED, expected);
     }
-    check(Fading { a: 0.1 }, [false, false, false]);
-    check(BRAKED, [true, false, false]);
-    check(Growing { a: 0.1 }, [false, true, false]);
-    check(Pulled, [false, false, true]);
-    check(Woven, [true, true, true]);
+    let none = MixedDerivatives { momentum_by_q: false, momentum_by_s: false, force_by_v: false, force_by_s: false };
+    let of_position = MixedDerivatives { momentum_by_q: true, force_by_v: true, ..none };
+    check(Fading { a: 0.1 }, 0.3, none);
+    check(BRAKED, 0.3, of_position);
+    check(Growing { a: 0.1 }, 0.3, MixedDerivatives { momentum_by_s: true, ..none });
+    check(Pulled, 0.3, MixedDerivatives { force_by_s: true, ..none });
+    check(Woven, 0.3, MixedDerivatives { momentum_by_s: true, force_by_s: true, ..of_position });
+    // Without an action. Friction alone is ∂f/∂v.
+    check(Stiffening, (), none);
+    check(Rubbing { c: 0.1 }, (), MixedDerivatives { force_by_v: true, ..none });
 }

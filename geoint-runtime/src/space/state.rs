@@ -179,8 +179,8 @@ pub trait Action<R: Real>: Sealed + Copy + Debug + PartialEq {
     fn is_finite(&self) -> bool;
     /// The action, if there is one.
     fn scalar(&self) -> Option<R>;
-    /// Not a number.
-    fn unknown() -> Self;
+    /// The action with this value, if there is one.
+    fn of(number: R) -> Self;
 }
 
 impl Sealed for () {}
@@ -206,7 +206,8 @@ impl<R: Real> Action<R> for () {
     fn scalar(&self) -> Option<R> {
         None
     }
-    fn unknown() {}
+    #[inline(always)]
+    fn of(_: R) {}
 }
 
 impl<R: Real> Action<R> for R {
@@ -231,7 +232,8 @@ impl<R: Real> Action<R> for R {
     fn scalar(&self) -> Option<R> {
         Some(*self)
     }
-    fn unknown() -> R {
-        R::from_f64(f64::NAN)
+    #[inline(always)]
+    fn of(number: R) -> Self {
+        number
     }
 }

@@ -10,6 +10,16 @@ pub(crate) fn entries<X: Array>(x: &mut X) -> &mut [X::Real] {
     x.as_mut_slice()
 }
 
+/// The first entries of x, as many as `Y` has; entries that x does not have are `rest`.
+#[inline(always)]
+pub(crate) fn resized<X: Array, Y: Array<Real = X::Real>>(x: &X, rest: X::Real) -> Y {
+    let mut y = Y::zero();
+    let shared = usize::min(X::LEN, Y::LEN);
+    y.as_mut_slice()[..shared].copy_from_slice(&x.as_slice()[..shared]);
+    y.as_mut_slice()[shared..].fill(rest);
+    y
+}
+
 /// x + w·d.
 #[inline(always)]
 pub(crate) fn moved<X: Array>(x: &X, w: X::Real, d: &X) -> X {

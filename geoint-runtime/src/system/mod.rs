@@ -23,19 +23,20 @@ mod modified; // The modified energy of a step of order 2.
 mod perturbed; // H = A + B: an exact flow and a perturbation.
 mod poles; // Search for a pole of H between two points.
 mod rates; // The rates of systems with and without an action.
+mod segment; // Whether a function vanishes on a line, by interval arithmetic.
+mod semidefinite; // Check that a damping matrix never adds energy.
 mod separable; // H = T + V: kicks and drifts.
 mod timed; // Search for a pole of H that depends on time only.
 
 pub use bodies::PrincipalAxes;
 pub use contact::{Clock, Conformal, Contact, ContactEquation, Mechanical, NystromPieces, Piece, Pieces};
 pub use implicit::{
-    CanonicalForm, Collocation, Constrained, ConstrainedStep, ContactPolarised, ContactStage, ContactStages,
-    ContactVelocities, DiscreteField, FourthOrderField, Gradients, Keeping, MassForm, Mean, PolarisedForm,
-    QuadraticField, Span, Unmet, VelocityForm, contact_gradient_of, energy_of, own_momentum, rate_of, singular_mass,
-    unmet, velocity_of,
+    CanonicalForm, Collocation, Constrained, ConstrainedStep, ContactStages, DiscreteField, FourthOrderField,
+    Gradients, Keeping, MassForm, Mean, MixedDerivatives, PolarisedForm, QuadraticField, Span, Unmet, VelocityForm,
+    VelocityStage, contact_gradient_of, energy_of, own_momentum, rate_of, singular_mass, unmet, velocity_of,
 };
 pub(crate) use implicit::{
-    KeptBy, Regular, acceleration, held, mass_units, on_one_side, projected, row_scale, row_units, tangent,
+    KeptBy, Regular, held, mass_units, on_one_side, projected, rates_of_velocity, row_scale, row_units, tangent,
     velocity_near,
 };
 pub use integrals::{FirstIntegrals, Invariants, KeepsEnergy, KeptMomenta, SteadyIntegrals};
@@ -47,6 +48,7 @@ pub use perturbed::{Perturbed, PerturbedGradient, unsuitable};
 pub use poles::Pole;
 pub(crate) use poles::{Ends, Known, Poles, compiled};
 pub use rates::Rates;
+pub use semidefinite::is_positive_semidefinite;
 pub use separable::{FlowPart, ForceGradient, QuadraticKinetic, Separable};
 pub(crate) use timed::Clear;
 

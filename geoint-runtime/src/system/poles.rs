@@ -4,8 +4,8 @@
 //! structure, else by intervals. What cannot be proven is refused.
 
 use super::PhaseSpace;
+use super::segment::{Line, is_negative_somewhere, vanishes_nowhere};
 use crate::scalar::{Enclosure, Interval, Real, bounds};
-use crate::solving::segment::{Line, is_negative_somewhere, vanishes_nowhere};
 use crate::space::{Action, Array};
 use core::marker::PhantomData;
 

@@ -37,9 +37,9 @@ pub(crate) use poles::{Angles, Jumps, Margin, Margins, Poles, Signs};
 pub(crate) use proof::flow::{Constant, Flow, Named, Origin};
 pub(crate) use proof::liouville::{Liouville, Multiplier, Recovered, liouville};
 pub(crate) use system::{
-    ActionStages, BodyKernels, Collocation, ConstraintKernels, ContactStages, FieldKernels, FlowKernel, GradientKick,
-    Inner, Integrals, KeptMomentum, Kernels, KickDrift, Lagrangian, MassKernels, Missing, Modified, NamedFunction,
-    Pair, Perturbed, PieceKernel, PiecesOf, Shift, StageKernel, StepKernel, System, Turn, Undamped, VelocityKernels,
-    VelocityStages,
+    BodyKernels, Collocation, ConstraintKernels, ContactStages, Decay, FieldKernels, FlowKernel, GradientKick, Inner,
+    Integrals, KeptMomentum, Kernels, KickDrift, Lagrangian, MassKernels, Missing, MixedDerivatives, Modified,
+    NamedFunction, Pair, Perturbed, PieceKernel, PiecesOf, Shift, StageKernel, StepKernel, System, Turn, Undamped,
+    VelocityKernels, VelocityStages,
 };
 pub(crate) use velocities::{LagrangianOfVelocities, velocities};

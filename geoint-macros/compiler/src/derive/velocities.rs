@@ -4,13 +4,14 @@ use super::domain::{Domain, Formulas};
 use super::exact::pieces::{self, Followed};
 use super::facts::Fact;
 use super::system::{
-    ActionStages, KeptMomentum, Kernels, MassKernels, Missing, StepKernel, System, VelocityKernels, VelocityStages,
+    Decay, KeptMomentum, Kernels, MassKernels, Missing, MixedDerivatives, StepKernel, System, VelocityKernels,
+    VelocityStages,
 };
 use crate::analyze::{self, Acting, Damping, Forces};
 use crate::compilation::Compilation;
 use crate::diff::lagrangian::{self, EulerLagrange, Polarised};
 use crate::ir::collect::collected;
-use crate::ir::{Graph, Id, Reads};
+use crate::ir::{Graph, Id};
 use crate::legendre::{Definite, Kinetic, Legendre, definite};
 use crate::messages::{
     FULL_MASS, FULL_MASS_OF_ACTION, NO_PIECES_OF_VELOCITIES, NOT_POLARISED, NOT_POLARISED_OF_ACTION,
@@ -67,7 +68,7 @@ pub(crate) fn velocities(compilation: &mut Compilation<'_>, of: &LagrangianOfVel
     };
     let no_pieces = || pieces::kernels(graph, Followed::Contact, &Err(obstacle), NO_PIECES_OF_VELOCITIES);
     let pieces = has_action.then(no_pieces).into_iter().collect();
-    let conformal = stages.action.as_ref().is_some_and(|action| !action.varying);
+    let conformal = stages.decay == Decay::OfTime;
     let kernels = Kernels::Velocities(VelocityKernels {
         keeps: !has_action && damping.is_none() && applied.is_none() && !graph.reads(*lagrangian).t,
         stages,
@@ -109,23 +110,29 @@ fn euler_lagrange(legendre: &Legendre) -> EulerLagrange<'_> {
 
 /// Derives stages of collocation: the routines `stage` and `force`.
 fn stages(graph: &mut Graph, legendre: &Legendre, equation: EulerLagrange<'_>, positions: &[usize]) -> VelocityStages {
-    let Legendre { momenta, forces, .. } = legendre;
     let mut stage = lagrangian::stage(graph, equation);
-    let mixed = |graph: &Graph| {
-        let reads = |ids: &[Id], of: fn(Reads) -> bool| ids.iter().any(|id| of(graph.reads(*id)));
-        [reads(momenta, |momentum| momentum.q), reads(momenta, |momentum| momentum.s), reads(forces, |force| force.s)]
-    };
     let back = stage.force.iter().chain(&stage.momentum).copied();
-    let varying = stage.action.as_ref().map(|action| analyze::acts_back(graph, action.decay, back));
+    let decay = match &stage.action {
+        None => Decay::None,
+        Some(action) if analyze::acts_back(graph, action.decay, back) => Decay::OfState,
+        Some(_) => Decay::OfTime,
+    };
     stage.collect_terms(graph);
-    let action = varying.map(|varying| ActionStages { varying, mixed: mixed(graph) });
     let lagrangian::Stage { momentum, force, momentum_by_q, mass, force_by_q, force_by_v, action: of_action } = stage;
+    let given = |ids: &[Id]| ids.iter().any(|id| !graph.is_zero(*id));
+    let mixed = MixedDerivatives {
+        momentum_by_q: given(&momentum_by_q.concat()),
+        momentum_by_s: of_action.as_ref().is_some_and(|of_action| given(&of_action.momentum_by_action)),
+        force_by_v: given(&force_by_v.concat()),
+        force_by_s: of_action.as_ref().is_some_and(|of_action| given(&of_action.force_by_action)),
+    };
     let vector = |name, nodes| Output::array(name, positions, nodes);
     let (mut all, mut rates) =
         (vec![vector("momentum", momentum), vector("force", force.clone())], vec![vector("force", force)]);
     let matrices =
         [("momentum_by_q", momentum_by_q), ("mass", mass), ("force_by_q", force_by_q), ("force_by_v", force_by_v)];
     all.extend(matrices.map(|(name, rows)| Output::square(name, positions, &rows)));
+    let rate_of_decay = of_action.as_ref().map_or(graph.zero(), |of_action| of_action.decay);
     if let Some(of_action) = of_action {
         all.extend([Output::number("lagrangian", of_action.lagrangian), Output::number("decay", of_action.decay)]);
         all.extend([
@@ -133,11 +140,12 @@ fn stages(graph: &mut Graph, legendre: &Legendre, equation: EulerLagrange<'_>, p
             vector("force_by_s", of_action.force_by_action),
         ]);
         all.push(Output::number("decay_by_action", of_action.decay_by_action));
-        rates.push(Output::number("decay", of_action.decay));
     }
+    rates.push(Output::number("decay", rate_of_decay));
     let routines = vec![Routine::new("stage", all), Routine::new("force", rates)];
     VelocityStages {
-        action,
+        decay,
+        mixed,
         mass: mass_kernels(graph, legendre, positions),
         stage: Kernel::new(Levels::Prepared, routines),
     }
@@ -148,13 +156,11 @@ fn polarised(graph: &mut Graph, equation: EulerLagrange<'_>, positions: &[usize]
     let Polarised { unknowns, residual, impulse, matrix, impulse_by_increment } =
         lagrangian::polarised(graph, equation);
     let unknowns = Space::of_unknowns(unknowns, positions);
-    let (name, by_d) =
-        if equation.has_action { ("increments", "increments_by_d") } else { ("impulse", "impulse_by_d") };
     let outputs = vec![
         Output::array("residual", &unknowns.extents, residual),
-        Output::array(name, &unknowns.extents, impulse),
+        Output::array("increments", &unknowns.extents, impulse),
         Output::square("matrix", &unknowns.extents, &matrix),
-        Output::square(by_d, &unknowns.extents, &impulse_by_increment),
+        Output::square("increments_by_d", &unknowns.extents, &impulse_by_increment),
     ];
     let equation = Routine::new("equation", outputs).reading("d", &unknowns);
     StepKernel { unknowns, kernel: Kernel::new(Levels::Iterated, vec![equation]) }

@@ -6,12 +6,12 @@ use syn::ext::IdentExt;
 
 /// Items of the runtime that generated code imports, in the order of the import.
 const IMPORTED: &str = "\
-    MultiplierStep CanonicalStages ContactEquation ContactFieldStages ContactGaussCollocation ContactPolarisedStep \
-    ContactStep ContactVelocityStages FieldStages GaussCollocation GaussTableau ImplicitMethod Keeping PolarisedStep \
+    MultiplierStep CanonicalStages ContactEquation ContactFieldStages ContactGaussCollocation \
+    ContactStep FieldStages GaussCollocation GaussTableau ImplicitMethod Keeping PolarisedStep \
     TreeStep VelocityStages Adaptive Array Autonomous CanonicalForm BodyState Collocation ConformalContact \
     Conservative ConstrainedStep ConstrainedSystem ContactDiscreteGradient ContactMidpoint FlowPiece FlowPieces \
     PieceSplitting Placed PlanarDiscreteGradient PlanarItohAbe PlanarSplitting PolarisedForm PoissonSplitting \
-    ContactSplitting ContactPolarised ContactStage ContactStages ContactVelocities MassForm contact_gradient_of \
+    ContactSplitting VelocityStage ContactStages MassForm MixedDerivatives contact_gradient_of \
     ContactState ContactSystem Coordinates CotangentSpace QuadraticField DifferentialEquation DiscreteField \
     DiscreteGradient FirstIntegrals SteadyIntegrals FlowState ForceGradient FourthOrderField Gradients Hamiltonian \
     CanonicalEnergy EnergyAndMomenta KeptMomenta Integral KeptIntegrals Integrator KeepsEnergy Inverted Jets \

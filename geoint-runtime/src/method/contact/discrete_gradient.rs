@@ -15,7 +15,7 @@
 /// of decay use [`ContactMidpoint`](crate::ContactMidpoint).
 ///
 /// A Lagrangian whose mass matrix is full is solved for velocities, and has the polarised discrete gradient. The law is unchanged, with p·v − L for H.
-/// See [`ContactPolarised`](crate::system::ContactPolarised).
+/// See [`PolarisedForm`](crate::system::PolarisedForm).
 ///
 /// The equation: A. Bravetti, H. Cruz & D. Tapias, Ann. Phys. 376 (2017) 17. g is the discrete gradient of
 /// [`DiscreteGradient`](crate::DiscreteGradient). We are not aware of this method in the literature.

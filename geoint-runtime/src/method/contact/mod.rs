@@ -31,11 +31,9 @@ mod gauss;
 mod implicit;
 mod leapfrog;
 mod midpoint;
-mod polarised;
 
 pub use discrete_gradient::ContactDiscreteGradient;
-pub use gauss::{ContactFieldStages, ContactGauss, ContactVelocityStages, SolvedByContactGauss};
+pub use gauss::{ContactFieldStages, ContactGauss, SolvedByContactGauss};
 pub use implicit::{ContactStep, EvaluatesAhead};
 pub use leapfrog::ContactLeapfrog;
 pub use midpoint::ContactMidpoint;
-pub use polarised::ContactPolarisedStep;

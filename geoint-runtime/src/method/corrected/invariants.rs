@@ -108,7 +108,7 @@ impl<S: DiscreteField<R> + KeptMomenta<R>, R: Real, const ENERGY: bool> Invarian
 #[derive(Clone, Copy, Debug, Default)]
 pub struct VelocityEnergy;
 
-impl<S: VelocityForm<R> + VectorField<R>, R: Real> Invariants<S, R> for VelocityEnergy {
+impl<S: VelocityForm<R> + VectorField<R> + PhaseSpace<R, Action = ()>, R: Real> Invariants<S, R> for VelocityEnergy {
     type Values = R;
     const KEEP_ENERGY: bool = true;
     const DERIVED: bool = true;
@@ -123,7 +123,8 @@ impl<S: VelocityForm<R> + VectorField<R>, R: Real> Invariants<S, R> for Velocity
     #[inline]
     fn gradients(&self, system: &S, z: &S::Phase) -> S::Phase {
         let v = velocity_of(system, zero(), z, &());
-        [opposite(&system.force(&VelocityForm::constants(system), zero(), &z[0], &v)), v]
+        let (force, _) = system.force(&system.stage_constants(), zero(), &z[0], &v, &());
+        [opposite(&force), v]
     }
 }
 

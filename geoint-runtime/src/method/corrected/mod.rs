@@ -32,6 +32,7 @@ pub(crate) mod kept;
 pub mod projection;
 pub(crate) mod range;
 pub mod relaxation;
+mod roughness;
 pub(crate) mod rounded;
 mod scales;
 mod series;

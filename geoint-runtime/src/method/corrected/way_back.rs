@@ -2,12 +2,13 @@
 
 use super::frame::Frame;
 use super::invariants::Invariants;
+use super::roughness;
 use super::scales::{Scales, part_of_rounding, rounding};
 use crate::method::Refusal;
 use crate::scalar::{Real, zero};
+use crate::solving::noise;
 use crate::solving::rounding::{Convergence, Correction, Corrections, Stuck, correct};
 use crate::solving::size::Sizes;
-use crate::solving::{noise, roughness};
 use crate::space::Array;
 use crate::space::vector::{self, difference, scaled, sum};
 use crate::system::VectorField;

@@ -28,7 +28,7 @@ mod fields;
 pub(crate) mod prepared;
 pub(in crate::method) mod stages;
 mod tableau;
-pub(in crate::method) mod velocities;
+mod velocities;
 
 pub use canonical::CanonicalStages;
 pub use fields::FieldStages;

@@ -7,17 +7,16 @@
 //!
 //! | form | xᵢ | Pᵢ − P₀ | Fᵢ |
 //! |---|---|---|---|
-//! | Lagrangian | vᵢ | ∂L/∂v − p₀ | ∂L/∂q |
 //! | canonical coordinates y(x) | xᵢ − x₀ | y(xᵢ) − y₀ | dy/dt at xᵢ |
 //! | contact Hamiltonian | increments of q, p, s | the same | ∂H/∂p, −∂H/∂q, s' |
-//! | Lagrangian with an action | vᵢ, increment of s | ∂L/∂v − p₀, increment of s | ∂L/∂q, L |
+//! | Lagrangian | vᵢ, and with an action the increment of s | ∂L/∂v − p₀, increment of s | ∂L/∂q, L |
 //!
 //! Weights w are 1, but for momenta of contact systems: there w is the factor r of the step, dr/dt = r σ with the decay rate σ = ∂H/∂s. It may depend on the
 //! unknowns of all stages.
 
 use super::factors::Factors;
 use crate::scalar::{Real, zero};
-use crate::space::vector::{extrapolated, scaled};
+use crate::space::vector::{dot, extrapolated, scaled};
 use crate::space::{Array, Square};
 use core::ops::Range;
 
@@ -200,6 +199,19 @@ impl<A: Array> Values<A> {
             rate = extrapolated(&rate, &self.rate_slopes.by_shift, shift);
         }
         rate
+    }
+
+    /// Returns σ after corrections of the unknown and of the shift, to first order.
+    #[inline(always)]
+    pub(in crate::method) fn decay_after(&self, slopes: Slopes<Part>, unknown: &A, shift: &A) -> A::Real {
+        let mut decay = self.decay;
+        if slopes.by_unknown == Part::Given {
+            decay += dot(&self.decay_slopes.by_unknown, unknown);
+        }
+        if slopes.by_shift == Part::Given {
+            decay += dot(&self.decay_slopes.by_shift, shift);
+        }
+        decay
     }
 }
 

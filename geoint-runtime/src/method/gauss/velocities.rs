@@ -1,85 +1,216 @@
-//! The step of a Lagrangian. The unknowns are the velocities Vᵢ of all stages: with Qᵢ = q₀ + h Σ aᵢⱼ Vⱼ and pᵢ = p₀ + h Σ aᵢⱼ fⱼ,
+//! The step of a Lagrangian, with or without an action. The unknowns are the velocities vᵢ of all stages, and sᵢ − s₀ if f, p or σ depend on s: with
+//! qᵢ = q₀ + h Σ aᵢⱼ vⱼ, f = ∂L/∂q less friction, and σ = −∂L/∂s,
 //!
-//! ∂L/∂v(Qᵢ, Vᵢ) = pᵢ, fⱼ = ∂L/∂q(Qⱼ, Vⱼ) less friction.
+//! rᵢ ∂L/∂v(qᵢ, vᵢ, sᵢ) = p₀ + h Σ aᵢⱼ rⱼ fⱼ, sᵢ = s₀ + h Σ aᵢⱼ Lⱼ, rᵢ = 1 + h Σ aᵢⱼ rⱼ σⱼ.
+//!
+//! r is an integrating factor, d(r p)/dt = r f. A step multiplies the contact form ds − p dq by 1/r₁. Without an action, r is 1.
 
+use super::factors::Factors;
 use super::prepared::Scaled;
-use super::stages::{Form, Part, Rows, Slopes, Values, assemble, shifts};
+use super::stages::{Form, Part, Rows, Slopes, Values, Weights, assemble, shifts};
 use super::{Gauss, GaussTableau};
 use crate::method::implicit::{Arrival, Departure, Equation, ImplicitStep, Increment, Policy, Stage, Units, Watch};
 use crate::method::{Probe, Refusal};
-use crate::scalar::Real;
+use crate::scalar::{Real, zero};
 use crate::solving::equation::Solution;
 use crate::solving::newton::Newton;
-use crate::space::vector::{difference, moved, scaled, sum};
-use crate::space::{Array, Square};
-use crate::system::{Regular, VelocityForm, acceleration, row_units, velocity_near};
+use crate::space::vector::{difference, moved, opposite, resized, scaled, sum, sum_of_products};
+use crate::space::{Action, Array, Square};
+use crate::system::{Regular, VelocityForm, VelocityStage, rates_of_velocity, row_units, velocity_near};
 
-/// The step that is solved for velocities at its stages.
+/// The step that is solved for velocities of its stages, and perhaps for their increments of s.
 #[derive(Clone, Copy, Debug)]
 pub struct VelocityStages<const S: usize>;
 
 /// Coefficients of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Constants<P, R, const S: usize> {
-    pub(in crate::method) kernel: P,
-    pub(in crate::method) scaled: Scaled<R, S>,
+    kernel: P,
+    scaled: Scaled<R, S>,
     /// The mass matrix is positive definite everywhere.
-    pub(in crate::method) is_definite: bool,
+    is_definite: bool,
 }
 
-/// The sign of the determinant of the mass matrix.
+/// Values that depend on the start of a step.
 #[derive(Clone, Copy, Debug)]
-pub struct Start<R> {
+pub struct Start<R, const S: usize> {
+    /// The sign of the determinant of the mass matrix.
     sign: R,
+    /// The factors r, with [`Decay::OfTime`].
+    known: Option<Factors<R, S>>,
 }
 
-/// All derivatives of momentum and force are given.
-const FORM: Form = Form {
-    value: Slopes { by_unknown: Part::Given, by_shift: Part::Given },
-    rate: Slopes { by_unknown: Part::Given, by_shift: Part::Given },
-    rows: Rows::Scaled,
-};
+impl<R: Real, const S: usize> Start<R, S> {
+    /// Returns the factors, from those of the last evaluation. `None` if they are 1.
+    #[inline(always)]
+    fn factors<'a, Y: VelocityForm<R>>(&'a self, solved: &'a Factors<R, S>) -> Option<&'a Factors<R, S>> {
+        match const { decay::<Y, R>() } {
+            Decay::None => None,
+            Decay::OfTime => Some(self.known.as_ref().unwrap_or(solved)),
+            Decay::OfState => Some(solved),
+        }
+    }
+}
 
-/// The last evaluation, and its velocities.
+/// The last evaluation, and its unknowns.
 #[derive(Clone, Copy, Debug)]
-pub struct Seen<A: Array, const S: usize> {
-    v: [A; S],
-    stages: [Values<A>; S],
+pub struct Seen<D: Array, const S: usize> {
+    d: [D; S],
+    stages: [Values<D>; S],
+    /// L at the stages.
+    lagrangians: [D::Real; S],
+    /// The factors r, with [`Decay::OfState`].
+    factors: Factors<D::Real, S>,
+}
+
+/// The decay rate σ of a system.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Decay {
+    /// L does not read s: σ is 0, and there is no action.
+    None,
+    /// L = L₀(q, v, t) − g(t)·s: σ is g. The factors are known beforehand, and s follows from the solution.
+    OfTime,
+    /// sᵢ are among the unknowns.
+    OfState,
+}
+
+const fn decay<Y: VelocityForm<R>, R: Real>() -> Decay {
+    if <Y::Action as Action<R>>::LEN == 0 {
+        Decay::None
+    } else if Y::Unknown::LEN == Y::Array::LEN {
+        Decay::OfTime
+    } else {
+        Decay::OfState
+    }
+}
+
+const fn solves_for_action<Y: VelocityForm<R>, R: Real>() -> bool {
+    matches!(decay::<Y, R>(), Decay::OfState)
+}
+
+/// Returns which derivatives are not zero. Second derivatives that L does not have are not multiplied.
+const fn form<Y: VelocityForm<R>, R: Real>() -> Form {
+    // With s as an unknown, L is a rate, and has the derivatives p and −σ.
+    let rate_by_unknown = Y::MIXED.force_by_v || solves_for_action::<Y, R>();
+    Form {
+        value: Slopes { by_unknown: Part::Given, by_shift: Part::given_if(Y::MIXED.momentum_by_q) },
+        rate: Slopes { by_unknown: Part::given_if(rate_by_unknown), by_shift: Part::Given },
+        rows: Rows::Scaled,
+    }
+}
+
+/// Returns which derivatives σ has.
+const fn decay_slopes<Y: VelocityForm<R>, R: Real>() -> Slopes<Part> {
+    let solved = solves_for_action::<Y, R>();
+    Slopes { by_unknown: Part::given_if(solved), by_shift: Part::given_if(solved && Y::MIXED.force_by_s) }
 }
 
 impl<Y: VelocityForm<R>, R: Real, const S: usize> Equation<'_, VelocityStages<S>, Y, R>
 where
     Gauss<S>: GaussTableau<S>,
 {
-    /// Qᵢ, with the momenta before the step.
+    /// Returns s₀, or zero.
     #[inline(always)]
-    fn point(&self, i: usize, v: &[Y::Array; S]) -> Y::Phase {
-        let mut change = Y::Array::zero();
-        for (a, v) in self.constants.scaled.coupling[i].iter().zip(v) {
-            change.add_scaled(*a, v);
-        }
-        [sum(&self.from.z[0], &change), self.from.z[1]]
+    fn action(&self) -> R {
+        self.from.s.scalar().unwrap_or_else(zero)
     }
+
+    /// Returns the point of a stage, with the momenta before the step.
+    #[inline(always)]
+    fn place(&self, i: usize, d: &[Y::Unknown; S]) -> Stage<Y, R> {
+        let Scaled { coupling, nodes, .. } = &self.constants.scaled;
+        let mut change = Y::Array::zero();
+        for (a, d) in coupling[i].iter().zip(d) {
+            change.add_scaled(*a, &resized(d, zero()));
+        }
+        let z = [sum(&self.from.z[0], &change), self.from.z[1]];
+        Stage { t: self.from.t + nodes[i], z, s: Y::Action::of(self.action() + of_action::<Y, R>(&d[i])) }
+    }
+
+    /// Writes the values of a stage: rows of v with P = ∂L/∂v and F = f, and a row of s with P = sᵢ and F = L if s is an unknown.
+    #[inline(always)]
+    fn fill(&self, values: &mut Values<Y::Unknown>, stage: &VelocityStage<Y::Array>, d: &Y::Unknown) {
+        let (n, one, none) = (Y::Array::LEN, R::from_f64(1.0), Y::Array::zero());
+        let [momentum_by_q, mass, force_by_q, force_by_v] = &stage.derivatives;
+        let [momentum_by_s, force_by_s] = &stage.by_action;
+        values.value = resized(&difference(&stage.momentum, &self.from.z[1]), of_action::<Y, R>(d));
+        values.rate = resized(&stage.force, stage.lagrangian);
+        values.scales = resized::<Y::Array, _>(&row_units(mass), one);
+        if const { !matches!(decay::<Y, R>(), Decay::None) } {
+            values.whole = resized(&stage.momentum, zero());
+            values.decay = stage.decay;
+            values.decay_slopes.by_unknown = resized(&opposite(momentum_by_s), stage.decay_by_action);
+            values.decay_slopes.by_shift = resized(&opposite(force_by_s), zero());
+        }
+        let rows = |slopes: &mut Square<Y::Unknown>, by: &Square<Y::Array>, by_s: &Y::Array| {
+            let rows = Y::Unknown::entries::<Y::Unknown>(slopes).iter_mut().zip(Y::Array::entries_of::<Y::Array>(by));
+            for ((row, by), by_s) in rows.zip(by_s.as_slice()) {
+                *row = resized(by, *by_s);
+            }
+        };
+        rows(&mut values.value_slopes.by_unknown, mass, momentum_by_s);
+        rows(&mut values.value_slopes.by_shift, momentum_by_q, &none);
+        rows(&mut values.rate_slopes.by_unknown, force_by_v, force_by_s);
+        rows(&mut values.rate_slopes.by_shift, force_by_q, &none);
+        // The row of the action: its increment, and L.
+        if const { solves_for_action::<Y, R>() } {
+            let last = |slopes: &mut Square<Y::Unknown>, v: &Y::Array, s: R| {
+                Y::Unknown::entries::<Y::Unknown>(slopes)[n] = resized(v, s);
+            };
+            last(&mut values.value_slopes.by_unknown, &none, one);
+            last(&mut values.rate_slopes.by_unknown, &stage.momentum, -stage.decay);
+            last(&mut values.rate_slopes.by_shift, &stage.force, zero());
+        }
+    }
+
+    /// Returns s' = L of the solution at all stages, if s is not an unknown.
+    #[inline(always)]
+    fn rates_of_action(
+        &self,
+        factors: &Factors<R, S>,
+        seen: &Seen<Y::Unknown, S>,
+        corrections: &[Y::Unknown; S],
+    ) -> Option<[R; S]> {
+        let coupling = &self.constants.scaled.coupling;
+        let shifts = shifts(coupling, corrections);
+        let at_start = core::array::from_fn(|i| {
+            let Values { whole: momentum, rate: force, .. } = &seen.stages[i];
+            let [by_v, by_q] = [(momentum, &corrections[i]), (force, &shifts[i])]
+                .map(|(slope, correction)| sum_of_products(slope.as_slice(), correction.as_slice()));
+            seen.lagrangians[i] + by_v + by_q
+        });
+        factors.rates_of_action(coupling, at_start)
+    }
+}
+
+/// Returns the part of a row that belongs to s.
+#[inline(always)]
+fn of_action<Y: VelocityForm<R>, R: Real>(d: &Y::Unknown) -> R {
+    d.as_slice().get(Y::Array::LEN).copied().unwrap_or_else(zero)
 }
 
 impl<Y: VelocityForm<R>, R: Real, const S: usize> ImplicitStep<Y, R> for VelocityStages<S>
 where
     Gauss<S>: GaussTableau<S>,
 {
-    type Unknown = [Y::Array; S];
-    type Constants = Constants<<Y as VelocityForm<R>>::Constants, R, S>;
-    type Start = Start<R>;
+    type Unknown = [Y::Unknown; S];
+    type Constants = Constants<Y::StageConstants, R, S>;
+    type Start = Start<R, S>;
     type History = Regular<Y::Array>;
-    type Seen = Seen<Y::Array, S>;
+    type Seen = Seen<Y::Unknown, S>;
     type Kept = ();
-    type Solver = Newton<[Y::Array; S]>;
+    type Solver = Newton<[Y::Unknown; S]>;
 
-    const POLICY: Policy = Policy::of(Units { alike: Y::Array::LEN, kinds: 1 });
-    const STAGES: usize = S;
+    const POLICY: Policy = Policy::of(match decay::<Y, R>() {
+        // s has a unit of its own.
+        Decay::OfState => Units { alike: 1, kinds: Y::Unknown::LEN },
+        _ => Units { alike: Y::Array::LEN, kinds: 1 },
+    });
+    /// Stages of which s is not known are not checked for poles.
+    const STAGES: usize = if matches!(decay::<Y, R>(), Decay::OfTime) { 0 } else { S };
 
     fn constants(self, system: &Y, h: R) -> Self::Constants {
-        let kernel = VelocityForm::constants(system);
-        Constants { kernel, scaled: Scaled::by(h), is_definite: system.is_definite() }
+        Constants { kernel: system.stage_constants(), scaled: Scaled::by(h), is_definite: system.is_definite() }
     }
 
     fn history() -> Self::History {
@@ -87,93 +218,133 @@ where
     }
 
     fn unseen() -> Self::Seen {
-        Seen { v: [Y::Array::zero(); S], stages: [Values::none(); S] }
+        let none = Y::Unknown::zero();
+        Seen { d: [none; S], stages: [Values::none(); S], lagrangians: [zero(); S], factors: Factors::unknown() }
     }
 
     #[inline(always)]
     fn begin(
         from: &Departure<'_, Y, R>,
-        constants: &Self::Constants,
+        Constants { kernel, scaled: Scaled { coupling, nodes, .. }, is_definite }: &Self::Constants,
         regular: &mut Self::History,
     ) -> Result<Self::Start, Refusal> {
-        Ok(Start { sign: regular.begin(from.system, constants.is_definite, (from.t, &from.z, &()))? })
+        let Departure { system, t, z, s, .. } = from;
+        let sign = regular.begin(*system, *is_definite, (*t, z, s))?;
+        let mut known = None;
+        if const { matches!(decay::<Y, R>(), Decay::OfTime) } {
+            let none = Y::Array::zero();
+            let decay = nodes.map(|node| system.force(kernel, *t + node, &none, &none, s).1);
+            known = Some(Factors::new::<false>(coupling, &decay).ok_or(Refusal::Singular)?);
+        }
+        Ok(Start { sign, known })
     }
 
-    /// q₀/h: rounding of a velocity is relative to it, because h times the velocity is added to q₀.
+    /// (q₀/h, s₀): rounding of a velocity is relative to q₀/h, because h times the velocity is added to q₀; that of an increment of s is relative to s₀.
     #[inline(always)]
-    fn origin(Equation { from, .. }: &Equation<'_, Self, Y, R>) -> [Y::Array; S] {
-        [scaled(R::from_f64(1.0) / from.h, &from.z[0]); S]
+    fn origin(equation: &Equation<'_, Self, Y, R>) -> [Y::Unknown; S] {
+        let Departure { h, z, .. } = &equation.from;
+        [resized(&scaled(R::from_f64(1.0) / *h, &z[0]), equation.action()); S]
     }
 
-    /// The velocities as if v' were constant.
-    fn guess(Equation { from, constants, .. }: &Equation<'_, Self, Y, R>) -> [Y::Array; S] {
-        let none = Y::Array::zero();
-        let v = velocity_near(from.system, from.t, &from.z, &(), none).unwrap_or(none);
-        let rate = acceleration(from.system, from.t, &from.z[0], &v);
-        constants.scaled.nodes.map(|node| moved(&v, node, &rate))
+    /// The velocities as if v' and s' were constant.
+    fn guess(equation: &Equation<'_, Self, Y, R>) -> [Y::Unknown; S] {
+        let Equation { from: Departure { system, t, z, s, .. }, constants, .. } = equation;
+        let v = velocity_near(*system, *t, z, s, Y::Array::zero()).unwrap_or_else(Y::Array::zero);
+        let (acceleration, lagrangian) = rates_of_velocity(*system, *t, &z[0], &v, s);
+        constants.scaled.nodes.map(|node| resized(&moved(&v, node, &acceleration), node * lagrangian))
     }
 
-    /// ∂L/∂v − pᵢ, each row over |Mᵢᵢ|, so that it has the unit of the velocity.
+    /// (rᵢ ∂L/∂v − p₀ − h Σ aᵢⱼ rⱼ fⱼ)/|Mᵢᵢ|, and sᵢ − s₀ − h Σ aᵢⱼ Lⱼ.
     #[inline(always)]
     fn residual<P: Probe<Y, R>>(
         equation: &Equation<'_, Self, Y, R>,
         watch: &mut Watch<'_, Y, R, P, Self::Seen>,
-        v: &[Y::Array; S],
-        matrix: &mut Square<[Y::Array; S]>,
-    ) -> [Y::Array; S] {
-        let Equation { from, constants: Constants { kernel, scaled: Scaled { coupling, nodes, .. }, .. }, start } =
-            equation;
-        watch.seen.v = *v;
+        d: &[Y::Unknown; S],
+        matrix: &mut Square<[Y::Unknown; S]>,
+    ) -> [Y::Unknown; S] {
+        let Equation { from, constants, start } = equation;
+        let coupling = &constants.scaled.coupling;
+        watch.seen.d = *d;
         for i in 0..S {
-            let (t, z) = (from.t + nodes[i], equation.point(i, v));
-            watch.visit(t, &z, &());
-            let stage = &mut watch.seen.stages[i];
-            let mut slopes = [Y::Array::fill(Y::Array::zero()); 4];
-            from.system.stage(kernel, t, &z[0], &v[i], [&mut stage.value, &mut stage.rate], &mut slopes);
-            let [momentum_by_q, mass, force_by_q, force_by_v] = slopes;
-            stage.value = difference(&stage.value, &from.z[1]);
-            stage.value_slopes = Slopes { by_unknown: mass, by_shift: momentum_by_q };
-            stage.rate_slopes = Slopes { by_unknown: force_by_v, by_shift: force_by_q };
-            stage.scales = row_units(&mass);
+            let (Stage { t, z, s }, mut stage) = (equation.place(i, d), VelocityStage::none());
+            watch.visit(t, &z, &s);
+            from.system.stage(&constants.kernel, t, &z[0], &resized(&d[i], zero()), &s, &mut stage);
+            equation.fill(&mut watch.seen.stages[i], &stage, &d[i]);
+            watch.seen.lagrangians[i] = stage.lagrangian;
         }
+        let Seen { stages, factors, .. } = &mut watch.seen;
         // The determinant has the sign of (det M)ˢ.
         if S % 2 == 1 {
-            watch.seen.stages[0].scales.as_mut_slice()[0] *= start.sign;
+            stages[0].scales.as_mut_slice()[0] *= start.sign;
         }
-        assemble(FORM, coupling, &watch.seen.stages, None, matrix)
+        if const { solves_for_action::<Y, R>() } {
+            let decay = core::array::from_fn(|i| stages[i].decay);
+            *factors = Factors::new::<true>(coupling, &decay).unwrap_or_else(Factors::unknown);
+        }
+        let weights = start.factors::<Y>(factors).map(|factors| Weights {
+            factors,
+            rows: 0..Y::Array::LEN,
+            decay: decay_slopes::<Y, R>(),
+        });
+        assemble(form::<Y, R>(), coupling, stages, weights, matrix)
     }
 
     #[inline(always)]
-    fn stage(equation: &Equation<'_, Self, Y, R>, i: usize, v: &[Y::Array; S]) -> Stage<Y, R> {
-        Stage { t: equation.from.t + equation.constants.scaled.nodes[i], z: equation.point(i, v), s: () }
+    fn stage(equation: &Equation<'_, Self, Y, R>, i: usize, d: &[Y::Unknown; S]) -> Stage<Y, R> {
+        equation.place(i, d)
     }
 
-    /// The forces are those of the last evaluation, corrected to first order: the square of the last correction is rounding.
+    /// The rates are those of the last evaluation, corrected to first order: the square of the last correction is rounding. The step is refused if it would not
+    /// multiply the contact form by a positive number.
     #[inline(always)]
     fn update(
         equation: &Equation<'_, Self, Y, R>,
-        Solution { x: v, .. }: &Solution<[Y::Array; S]>,
+        Solution { x: d, .. }: &Solution<[Y::Unknown; S]>,
         seen: &Self::Seen,
-    ) -> Result<Increment<Y::Phase, ()>, Refusal> {
+    ) -> Result<Increment<Y::Phase, Y::Action>, Refusal> {
         let Scaled { coupling, weights, .. } = &equation.constants.scaled;
-        let corrections: [Y::Array; S] = core::array::from_fn(|i| difference(&v[i], &seen.v[i]));
-        let moved = shifts(coupling, &corrections);
-        let (mut change, mut impulse) = (Y::Array::zero(), Y::Array::zero());
+        let mut corrections = [Y::Unknown::zero(); S];
         for i in 0..S {
-            change.add_scaled(weights[i], &v[i]);
-            impulse.add_scaled(weights[i], &seen.stages[i].rate_after(FORM, &corrections[i], &moved[i]));
+            corrections[i] = difference(&d[i], &seen.d[i]);
         }
-        Ok(Increment::of([change, impulse]))
+        let shifts = shifts(coupling, &corrections);
+        let (mut rates, mut decays) = ([Y::Unknown::zero(); S], [zero(); S]);
+        for i in 0..S {
+            rates[i] = seen.stages[i].rate_after(form::<Y, R>(), &corrections[i], &shifts[i]);
+            decays[i] = seen.stages[i].decay_after(decay_slopes::<Y, R>(), &corrections[i], &shifts[i]);
+        }
+        let (mut change, mut impulse) = (Y::Unknown::zero(), Y::Unknown::zero());
+        for i in 0..S {
+            change.add_scaled(weights[i], &d[i]);
+        }
+        let solved = if const { solves_for_action::<Y, R>() } { seen.factors.after(&decays) } else { seen.factors };
+        let factors = equation.start.factors::<Y>(&solved);
+        let mut s = zero();
+        for i in 0..S {
+            impulse.add_scaled(factors.map_or(weights[i], |factors| weights[i] * factors.r[i]), &rates[i]);
+        }
+        let mut impulse: Y::Array = resized(&impulse, zero());
+        if let Some(factors) = factors {
+            let grown = factors.growth(weights).ok_or(Refusal::Singular)?;
+            impulse.add_scaled(-grown, &equation.from.z[1]);
+            impulse = scaled(R::from_f64(1.0) / (R::from_f64(1.0) + grown), &impulse);
+            let mut of_action = rates.map(|rate| of_action::<Y, R>(&rate));
+            if const { matches!(decay::<Y, R>(), Decay::OfTime) } {
+                of_action = equation.rates_of_action(factors, seen, &corrections).ok_or(Refusal::Singular)?;
+            }
+            s = sum_of_products(weights, &of_action);
+        }
+        Ok(Increment { z: [resized(&change, zero()), impulse], s: Y::Action::of(s), lost: Y::Phase::zero() })
     }
 
     #[inline(always)]
     fn finish<P: Probe<Y, R>>(
         Equation { from, constants, .. }: &Equation<'_, Self, Y, R>,
-        Solution { x: v, .. }: &Solution<[Y::Array; S]>,
+        Solution { x: d, .. }: &Solution<[Y::Unknown; S]>,
         regular: &mut Self::History,
-        Arrival { z, .. }: Arrival<'_, Y, R>,
+        Arrival { z, s, .. }: Arrival<'_, Y, R>,
     ) -> Result<(), Refusal> {
-        let ends = [(from.t, &from.z, &()), (from.t + from.h, z, &())];
-        regular.follow(from.system, constants.is_definite, ends, v[S - 1])
+        let ends = [(from.t, &from.z, &from.s), (from.end, z, s)];
+        regular.follow(from.system, constants.is_definite, ends, resized(&d[S - 1], zero()))
     }
 }

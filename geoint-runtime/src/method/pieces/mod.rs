@@ -2,10 +2,12 @@
 
 mod driver;
 mod increments;
+mod planar_step;
 mod splittings;
 mod table;
 
 pub use driver::Splitting;
 pub use increments::{PlanarItohAbe, PlanarItohAbeAdjoint, PlanarItohAbePair};
+pub use planar_step::planar_step;
 pub use splittings::{ContactSplitting, PieceSplitting, PlanarDiscreteGradient, PlanarSplitting, PoissonSplitting};
 pub use table::{PieceComposition, PieceNystrom};

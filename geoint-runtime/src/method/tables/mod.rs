@@ -9,6 +9,7 @@
 
 mod composition;
 mod force_gradient;
+pub(crate) mod gauss;
 mod near_integrable;
 mod nystrom;
 mod pieces;

@@ -226,7 +226,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integra
     /// The action now, if it is followed.
     #[inline(always)]
     fn action(&self) -> S::Action {
-        if C::ACTION { self.steps.x.s } else { S::Action::unknown() }
+        if C::ACTION { self.steps.x.s } else { S::Action::of(R::from_f64(f64::NAN)) }
     }
 
     /// The number of steps taken.

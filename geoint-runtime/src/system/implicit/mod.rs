@@ -5,30 +5,32 @@
 //! | system | kernels of stages, of discrete gradients | unknown |
 //! |---|---|---|
 //! | energies and fields | `Collocation`, `DiscreteField` | values of the field, increments |
-//! | Lagrangians without a short formula for H | `VelocityForm`, `PolarisedForm` | velocities |
+//! | contact Hamiltonians | `ContactStages`, `ContactEquation` | increments |
+//! | Lagrangians without a short formula for H, with or without an action | `VelocityForm`, `PolarisedForm` | velocities, and s |
 //! | Lagrangians linear in the velocities | `CanonicalForm`, `DiscreteField` | points, which have canonical coordinates y(x) |
 //! | energies with constraints | none, `ConstrainedStep` | increments and multipliers |
 //!
-//! Contact systems have kernels with an action s. The steps themselves are in the module `method`, and the iterations in the module `solving`.
+//! The steps themselves are in the module `method`, and the iterations in the module `solving`.
 //!
 //! Limits: a system has only the forms that the macros can derive. A method that needs another form is a type error for this system.
 
 mod canonical; // Systems that are canonical in other coordinates y(x), such as logarithms. The stages are solved for x itself.
 mod constraints; // Positions on g(q) = 0: the check of a state, the equation of a step, and the projection onto the constraints.
-mod contact; // Lagrangians with an action: stages and steps are solved for velocities and s.
 mod fields; // z' = f(z, t), or q'' = M⁻¹f(q, t): stages and discrete gradients, also those of contact Hamiltonians.
 mod kept; // What steps along a discrete gradient keep.
+mod mass; // The mass matrix of a Lagrangian, and v from p = ∂L/∂v.
 mod regular; // Proof that the mass matrix of a Lagrangian stays regular during a run.
-mod velocities; // Lagrangians without an action: stages and steps are solved for velocities. Also computes v from p = ∂L/∂v, for all Lagrangians.
+mod velocities; // Lagrangians: stages and steps are solved for velocities.
 
 pub use canonical::CanonicalForm;
 pub use constraints::{Constrained, ConstrainedStep, Gradients, Unmet, unmet};
 pub(crate) use constraints::{held, on_one_side, projected, tangent};
-pub use contact::{ContactPolarised, ContactStage, ContactVelocities, contact_gradient_of};
 pub use fields::{Collocation, ContactStages, DiscreteField, FourthOrderField, Mean, QuadraticField, Span};
 pub use kept::Keeping;
 pub(crate) use kept::KeptBy;
+pub use mass::{MassForm, energy_of, own_momentum, velocity_of};
+pub(crate) use mass::{mass_units, row_scale, row_units, velocity_near};
 pub(crate) use regular::Regular;
 pub use regular::singular_mass;
-pub use velocities::{MassForm, PolarisedForm, VelocityForm, energy_of, own_momentum, rate_of, velocity_of};
-pub(crate) use velocities::{acceleration, mass_units, row_scale, row_units, velocity_near};
+pub(crate) use velocities::rates_of_velocity;
+pub use velocities::{MixedDerivatives, PolarisedForm, VelocityForm, VelocityStage, contact_gradient_of, rate_of};

@@ -1,6 +1,6 @@
 //! Check that the mass matrix of a Lagrangian stays regular during a run.
 
-use super::velocities::{MassForm, mass_units, velocity_from_rest, velocity_near};
+use super::mass::{MassForm, mass_units, velocity_from_rest, velocity_near};
 use crate::scalar::Real;
 use crate::solving::{Refusal, linear};
 use crate::space::vector::{difference, moved};

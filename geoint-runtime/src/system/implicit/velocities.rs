@@ -1,66 +1,112 @@
-//! Lagrangians whose steps are solved for velocities. v follows from p by an equation, and no energy as a function of p is emitted.
+//! Lagrangians whose steps are solved for velocities, with or without an action s: the kernels of stages and of the polarised discrete gradient.
 
-use crate::scalar::Real;
-use crate::solving::Refusal;
-use crate::solving::linear;
-use crate::solving::rounding::{Convergence, Correction, Corrections, Stuck, correct};
-use crate::solving::size::Sizes;
-use crate::space::vector::{difference, dot};
+use super::mass::{MassForm, accelerated, velocity_of};
+use crate::scalar::{Real, zero};
+use crate::space::vector::{moved, opposite};
 use crate::space::{Array, Square};
-use crate::system::{Keeping, Lagrangian};
+use crate::system::{Contact, Invariants, PhaseSpace};
 
-/// Momenta of L(q, v, s, t), and their dependence on v by the mass matrix M = ∂²L/∂v².
-pub trait MassForm<R: Real = f64>: Lagrangian<R> {
+/// L(q, v, s, t) and its derivatives at a stage. The derivatives of L by q, v and s are f, p and −σ. Without an action, kernels write p, f and `derivatives` only.
+#[derive(Clone, Copy, Debug)]
+pub struct VelocityStage<A: Array> {
+    /// L.
+    pub lagrangian: A::Real,
+    /// p = ∂L/∂v.
+    pub momentum: A,
+    /// f = ∂L/∂q, less friction.
+    pub force: A,
+    /// σ = −∂L/∂s.
+    pub decay: A::Real,
+    /// ∂p/∂q, ∂p/∂v, ∂f/∂q and ∂f/∂v.
+    pub derivatives: [Square<A>; 4],
+    /// ∂p/∂s and ∂f/∂s, which are −∂σ/∂v and −∂σ/∂q.
+    pub by_action: [A; 2],
+    /// ∂σ/∂s.
+    pub decay_by_action: A::Real,
+}
+
+/// The derivatives of p and f that are not zero everywhere, beside the mass matrix and ∂f/∂q.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct MixedDerivatives {
+    /// ∂p/∂q.
+    pub momentum_by_q: bool,
+    /// ∂p/∂s.
+    pub momentum_by_s: bool,
+    /// ∂f/∂v. Friction is a part of it.
+    pub force_by_v: bool,
+    /// ∂f/∂s.
+    pub force_by_s: bool,
+}
+
+impl<A: Array> VelocityStage<A> {
+    pub(crate) fn none() -> Self {
+        let none = A::zero();
+        VelocityStage {
+            lagrangian: zero(),
+            momentum: none,
+            force: none,
+            decay: zero(),
+            derivatives: [A::fill(none); 4],
+            by_action: [none; 2],
+            decay_by_action: zero(),
+        }
+    }
+}
+
+/// L(q, v, s, t) and its derivatives: d/dt ∂L/∂v = ∂L/∂q + ∂L/∂s ∂L/∂v and s' = L. A step has half of the unknowns of an energy, and needs no inverse of
+/// the mass matrix.
+pub trait VelocityForm<R: Real = f64>: MassForm<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// `true` if L is quadratic in v. One linear equation then gives v.
-    const QUADRATIC: bool;
+    /// The unknowns of a stage in a row: v, and s if σ depends on more than time.
+    type Unknown: Array<Real = R>;
+    /// Coefficients that depend on parameters only.
+    type StageConstants: Copy + core::fmt::Debug;
+    /// The derivatives of p and f that are not zero everywhere.
+    const MIXED: MixedDerivatives;
 
-    /// Returns whether M was proven to be positive definite at every state, for these parameters.
-    fn is_definite(&self) -> bool {
-        false
-    }
-    /// Computes p = ∂L/∂v, and M.
-    fn mass(
+    /// Computes the coefficients that depend on parameters only.
+    fn stage_constants(&self) -> Self::StageConstants;
+    /// Computes L and its derivatives at a stage.
+    fn stage(
         &self,
+        constants: &Self::StageConstants,
         t: R,
         q: &Self::Array,
         v: &Self::Array,
         s: &Self::Action,
-        values: (&mut Self::Array, &mut Square<Self::Array>),
+        stage: &mut VelocityStage<Self::Array>,
     );
-}
-
-/// L(q, v, t) and its derivatives. A step has half of the unknowns of an energy, and needs no inverse of the mass matrix.
-pub trait VelocityForm<R: Real = f64>: MassForm<R> + Lagrangian<R, Action = ()> {
-    /// `()`; see [`Method::Proof`](crate::Method::Proof).
-    type Proof;
-    /// Coefficients that depend on parameters only.
-    type Constants: Copy + core::fmt::Debug;
-
-    /// Computes the coefficients that depend on parameters only.
-    fn constants(&self) -> Self::Constants;
-    /// Computes p = ∂L/∂v, f = ∂L/∂q less friction, and [∂p/∂q, ∂p/∂v, ∂f/∂q, ∂f/∂v].
-    fn stage(
+    /// Computes f and σ alone. Without an action, σ is zero.
+    fn force(
         &self,
-        constants: &Self::Constants,
+        constants: &Self::StageConstants,
         t: R,
         q: &Self::Array,
         v: &Self::Array,
-        values: [&mut Self::Array; 2],
-        derivatives: &mut [Square<Self::Array>; 4],
-    );
-    /// Computes f alone.
-    fn force(&self, constants: &Self::Constants, t: R, q: &Self::Array, v: &Self::Array) -> Self::Array;
+        s: &Self::Action,
+    ) -> (Self::Array, R);
 }
 
 /// The polarised discrete gradient of an L that is quadratic in v.
 ///
-/// Λ(q; v₀, v₁) = ½v₀ᵀM(q)v₁ + a(q)·(v₀ + v₁)/2 − V(q) has the tree slopes Λ[q₀, q₁] in q. C is the friction, v̄ = (v₀ + v₁)/2, and p = M(q)v + a(q) at
-/// both ends. The step is q₁ − q₀ = h v̄, p₁ − p₀ = h(Λ[q₀, q₁; v₀, v₁] − C v̄). Then p·v − L changes by −h v̄·C v̄.
-pub trait PolarisedForm<R: Real = f64>: VelocityForm<R> + Keeping<R> {
+/// Λ(q, s; v₀, v₁) = ½v₀ᵀM v₁ + a·v̄ − V with v̄ = (v₀ + v₁)/2 has the tree slopes Λ_q and Λ_s. C is the friction of a system without an action, and
+/// p = M v + a at both ends. Without an action, a step is
+///
+/// q₁ − q₀ = h v̄, p₁ − p₀ = h(Λ_q − C v̄).
+///
+/// Then H = p·v − L changes by −h v̄·C v̄. With an action, time is frozen in the middle of the step, p̄ = (p₀ + p₁)/2, H₀ is the energy before the step, and
+///
+/// q₁ − q₀ = h v̄, p₁ − p₀ = h(Λ_q + Λ_s p̄), s₁ − s₀ = h(p̄·v̄ − H₀ φ₁(hΛ_s)).
+///
+/// Then H₁ = H₀ exp(hΛ_s).
+pub trait PolarisedForm<R: Real = f64>: VelocityForm<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
+    /// The increments of v and s in a row.
+    type Increments: Array<Real = R>;
+    /// The invariants that steps keep to rounding: the energy, or `()`.
+    type Kept: Invariants<Self, R> + Default;
     /// Coefficients that depend on parameters and h only.
     type Parameters: Copy + core::fmt::Debug;
     /// Coefficients that depend on the start of a step.
@@ -68,218 +114,64 @@ pub trait PolarisedForm<R: Real = f64>: VelocityForm<R> + Keeping<R> {
 
     /// Computes the coefficients that depend on parameters and h only.
     fn parameters(&self, h: R) -> Self::Parameters;
-    /// Computes the coefficients of all evaluations from a point. `t` is the time of the middle of the step.
-    fn begin(&self, parameters: &Self::Parameters, t: R, z: &Self::Phase, v: &Self::Array) -> Self::Start;
-    /// Computes M(q₁)v₁ + a(q₁) − p₁ and p₁ − p₀, with p₁ of the step, and the derivatives of both by d = v₁ − v₀.
+    /// Computes the coefficients that all evaluations from a point have in common. `t` is the time of the middle of the step.
+    fn begin(
+        &self,
+        parameters: &Self::Parameters,
+        t: R,
+        z: &Self::Phase,
+        s: &Self::Action,
+        v: &Self::Array,
+    ) -> Self::Start;
+    /// Computes the residuals and the increments of p and s, and the derivatives of both by the increments d of v and s. The residuals are ∂L/∂v at the end
+    /// minus p₁ of the step, and the increment of s minus its increment by the step.
     fn equation(
         &self,
         parameters: &Self::Parameters,
         start: &Self::Start,
-        d: &Self::Array,
-        values: [&mut Self::Array; 2],
-        derivatives: [&mut Square<Self::Array>; 2],
+        d: &Self::Increments,
+        values: [&mut Self::Increments; 2],
+        derivatives: [&mut Square<Self::Increments>; 2],
     );
-}
-
-/// Largest residual of ∂L/∂v = p that counts as rounding, in units of ε times the terms of the equation.
-const ROUNDED_RESIDUAL: f64 = 1024.0;
-
-/// Largest distance of two velocities that counts as rounding, in units of √ε: near a singular M the momentum determines half of the digits.
-const SAME_VELOCITY: f64 = 16.0;
-
-/// Solves ∂L/∂v = p for the velocity of a point by Newton's iteration from `guess`. One linear equation suffices if L is quadratic.
-///
-/// Returns `None` if M is singular on the way, or if the iteration finds no root.
-#[inline]
-pub(crate) fn velocity_near<S: MassForm<R>, R: Real>(
-    system: &S,
-    t: R,
-    [q, p]: &S::Phase,
-    s: &S::Action,
-    guess: S::Array,
-) -> Option<S::Array> {
-    let none = S::Array::zero();
-    let correction = |v: &S::Array| {
-        let (mut delta, mut mass) = (none, S::Array::fill(none));
-        system.mass(t, q, v, s, (&mut delta, &mut mass));
-        delta.add_scaled(R::from_f64(-1.0), p);
-        solve_for_velocity(&mut mass, &mut delta).ok_or(Refusal::Singular)?;
-        // The first correction of a linear equation is its solution.
-        let relative = if S::QUADRATIC { 0.0 } else { Sizes::new().relative(&delta, &none, &difference(v, &delta)) };
-        Ok(Correction { delta, relative })
-    };
-    let accept = |Stuck { after, .. }: Stuck<'_, S::Array>| has_momentum(system, t, [q, p], s, after).then_some(*after);
-    correct(guess, Corrections::of(Convergence::Quadratic), accept, correction).ok().filter(S::Array::is_finite)
-}
-
-/// Returns whether a velocity solves ∂L/∂v = p up to rounding.
-#[cold]
-#[inline(never)]
-fn has_momentum<S: MassForm<R>, R: Real>(
-    system: &S,
-    t: R,
-    [q, p]: [&S::Array; 2],
-    s: &S::Action,
-    v: &S::Array,
-) -> bool {
-    let (mut found, mut mass) = (S::Array::zero(), S::Array::fill(S::Array::zero()));
-    system.mass(t, q, v, s, (&mut found, &mut mass));
-    let rows = S::Array::entries_of::<S::Array>(&mass).iter().zip(found.as_slice().iter().zip(p.as_slice()));
-    rows.into_iter().all(|(row, (found, p))| {
-        let products = row.as_slice().iter().zip(v.as_slice()).map(|(entry, v)| (*entry * *v).magnitude());
-        let terms = p.magnitude() + products.sum::<f64>();
-        (*found - *p).magnitude() <= ROUNDED_RESIDUAL * R::epsilon() * terms
-    })
-}
-
-/// Solves M·x = p in place of p. Returns `None` if M is singular.
-#[inline(always)]
-fn solve_for_velocity<A: Array>(mass: &mut Square<A>, p: &mut A) -> Option<()> {
-    // Row i gets the unit of the velocity i, which is the unit of √(E/Mᵢᵢ).
-    let mut sizes = A::zero();
-    let rows = A::entries::<A>(mass).iter_mut();
-    for (i, ((p, row), size)) in p.as_mut_slice().iter_mut().zip(rows).zip(sizes.as_mut_slice()).enumerate() {
-        let scale = row_scale(row, i);
-        *size = A::Real::from_f64(1.0 / Real::sqrt(scale.magnitude()));
-        let scale = A::Real::from_f64(1.0) / scale;
-        *p *= scale;
-        for x in row.as_mut_slice() {
-            *x *= scale;
-        }
-    }
-    linear::solve(mass, p, &Sizes::of_magnitudes(sizes)).map(drop)
-}
-
-/// Returns 1/|Mᵢᵢ|. A row of the momentum equation times this factor has the unit of the velocity.
-pub(crate) fn mass_units<S: MassForm<R>, R: Real>(
-    system: &S,
-    t: R,
-    z: &S::Phase,
-    s: &S::Action,
-    v: &S::Array,
-) -> S::Array {
-    let none = S::Array::zero();
-    let (mut p, mut mass) = (none, S::Array::fill(none));
-    system.mass(t, &z[0], v, s, (&mut p, &mut mass));
-    row_units(&mass)
-}
-
-/// Returns 1/|Mᵢᵢ| for the rows of a mass matrix.
-#[inline(always)]
-pub(crate) fn row_units<A: Array>(mass: &Square<A>) -> A {
-    let mut units = A::zero();
-    for (i, (unit, row)) in units.as_mut_slice().iter_mut().zip(A::entries_of::<A>(mass)).enumerate() {
-        *unit = A::Real::from_f64(1.0) / row_scale(row, i);
-    }
-    units
-}
-
-/// Returns |Mᵢᵢ|, or the largest magnitude of the row if |Mᵢᵢ| is zero.
-#[inline(always)]
-pub(crate) fn row_scale<A: Array>(row: &A, i: usize) -> A::Real {
-    let diagonal = row.as_slice()[i].abs();
-    if diagonal.magnitude() > 0.0 {
-        return diagonal;
-    }
-    let largest = row.as_slice().iter().fold(0.0, |largest, x| f64::max(largest, x.magnitude()));
-    A::Real::from_f64(if largest > 0.0 { largest } else { 1.0 })
-}
-
-/// Returns the velocity of a state, which Newton's iteration finds from rest. If L is not quadratic and this iteration fails, `velocity_beyond` tries
-/// another guess. Returns `None` if no velocity is found.
-#[inline]
-pub(crate) fn velocity_from_rest<S: MassForm<R>, R: Real>(
-    system: &S,
-    t: R,
-    z: &S::Phase,
-    s: &S::Action,
-) -> Option<S::Array> {
-    let found = velocity_near(system, t, z, s, S::Array::zero());
-    if S::QUADRATIC || found.is_some() { found } else { velocity_beyond(system, t, z, s) }
-}
-
-/// Returns the velocity that Newton's iteration finds from the point opposite to its first one. If M changes its sign between rest and the velocity,
-/// the first step from rest has the wrong direction.
-#[cold]
-#[inline(never)]
-fn velocity_beyond<S: MassForm<R>, R: Real>(system: &S, t: R, z: &S::Phase, s: &S::Action) -> Option<S::Array> {
-    let none = S::Array::zero();
-    let (mut opposite, mut mass) = (none, S::Array::fill(none));
-    system.mass(t, &z[0], &none, s, (&mut opposite, &mut mass));
-    opposite.add_scaled(R::from_f64(-1.0), &z[1]);
-    solve_for_velocity(&mut mass, &mut opposite)?;
-    velocity_near(system, t, z, s, opposite)
-}
-
-/// Returns the velocity of a state. Returns NaN if Newton's iteration finds none.
-#[inline]
-pub fn velocity_of<S: MassForm<R>, R: Real>(system: &S, t: R, z: &S::Phase, s: &S::Action) -> S::Array {
-    velocity_from_rest(system, t, z, s).unwrap_or_else(unknown)
-}
-
-/// Returns the momentum of a velocity. Returns NaN if [`velocity_of`] finds another velocity for this momentum.
-pub fn own_momentum<S: MassForm<R>, R: Real>(system: &S, t: R, q: &S::Array, v: &S::Array, s: &S::Action) -> S::Array {
-    let p = system.momentum(t, q, v, s);
-    if S::QUADRATIC || !p.is_finite() {
-        return p;
-    }
-    let mut away = difference(&velocity_of(system, t, &[*q, p], s), v);
-    let (mut units, mut mass, mut size) = (S::Array::zero(), S::Array::fill(S::Array::zero()), *v);
-    system.mass(t, q, v, s, (&mut units, &mut mass));
-    // Row i of M has the unit of an energy over the unit of v² of coordinate i.
-    for (i, row) in S::Array::entries_of::<S::Array>(&mass).iter().enumerate() {
-        let unit = R::from_f64(Real::sqrt(row_scale(row, i).magnitude()));
-        away.as_mut_slice()[i] *= unit;
-        size.as_mut_slice()[i] *= unit;
-    }
-    let largest = |x: &S::Array| x.as_slice().iter().map(|x| x.magnitude()).fold(0.0, f64::max);
-    // NaN is not within the bound.
-    let is_same = away.is_finite() && largest(&away) <= SAME_VELOCITY * Real::sqrt(R::epsilon()) * largest(&size);
-    if is_same { p } else { unknown() }
-}
-
-fn unknown<A: Array>() -> A {
-    let mut v = A::zero();
-    v.as_mut_slice().fill(A::Real::from_f64(f64::NAN));
-    v
-}
-
-/// Returns p·v − L at a point.
-#[inline]
-pub fn energy_of<S: MassForm<R>, R: Real>(system: &S, t: R, z: &S::Phase, s: &S::Action) -> R {
-    let v = velocity_of(system, t, z, s);
-    let mut energy = -system.lagrangian(t, &z[0], &v, s);
-    for (p, v) in z[1].as_slice().iter().zip(v.as_slice()) {
-        energy = p.multiply_add(*v, energy);
-    }
-    energy
 }
 
 /// Computes (q', p') at a point.
 #[inline]
-pub fn rate_of<S: VelocityForm<R>, R: Real>(system: &S, t: R, z: &S::Phase, dz: &mut S::Phase) {
+pub fn rate_of<S, R: Real>(system: &S, t: R, z: &S::Phase, dz: &mut S::Phase)
+where
+    S: VelocityForm<R> + PhaseSpace<R, Action = ()>,
+{
     let v = velocity_of(system, t, z, &());
-    *dz = [v, system.force(&system.constants(), t, &z[0], &v)];
+    *dz = [v, system.force(&system.stage_constants(), t, &z[0], &v, &()).0];
 }
 
-/// Returns v' at a point, for a first guess. The change of L in time is left out.
+/// Computes ∂H/∂q = −∂L/∂q, ∂H/∂p = v and ∂H/∂s = −∂L/∂s at a point.
 #[inline]
-pub(crate) fn acceleration<S: VelocityForm<R>, R: Real>(system: &S, t: R, q: &S::Array, v: &S::Array) -> S::Array {
-    let none = S::Array::zero();
-    let (mut p, mut f, mut derivatives) = (none, none, [S::Array::fill(none); 4]);
-    system.stage(&system.constants(), t, q, v, [&mut p, &mut f], &mut derivatives);
-    let [by_q, mass, ..] = derivatives;
-    accelerated(f, &by_q, v, mass)
+pub fn contact_gradient_of<S: VelocityForm<R> + Contact<R>, R: Real>(
+    system: &S,
+    t: R,
+    z: &S::Phase,
+    s: &R,
+    slopes: &mut S::Phase,
+    ds: &mut R,
+) {
+    let v = velocity_of(system, t, z, s);
+    let (force, decay) = system.force(&system.stage_constants(), t, &z[0], &v, s);
+    (*slopes, *ds) = ([opposite(&force), v], decay);
 }
 
-/// Returns M⁻¹(p' − ∂p/∂q v), or zeros if M is singular.
+/// Returns v' and s' at a point, for a first guess. The change of L in time is left out.
 #[inline]
-pub(crate) fn accelerated<A: Array>(mut rate: A, by_q: &Square<A>, v: &A, mut mass: Square<A>) -> A {
-    for (f, row) in rate.as_mut_slice().iter_mut().zip(A::entries_of::<A>(by_q)) {
-        *f -= dot(row, v);
-    }
-    match solve_for_velocity(&mut mass, &mut rate) {
-        Some(()) => rate,
-        None => A::zero(),
-    }
+pub(crate) fn rates_of_velocity<S: VelocityForm<R>, R: Real>(
+    system: &S,
+    t: R,
+    q: &S::Array,
+    v: &S::Array,
+    s: &S::Action,
+) -> (S::Array, R) {
+    let mut at = VelocityStage::none();
+    system.stage(&system.stage_constants(), t, q, v, s, &mut at);
+    let rate = moved(&moved(&at.force, -at.decay, &at.momentum), -at.lagrangian, &at.by_action[0]);
+    let [by_q, mass, ..] = at.derivatives;
+    (accelerated(rate, &by_q, v, mass), at.lagrangian)
 }

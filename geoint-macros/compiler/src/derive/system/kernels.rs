@@ -36,20 +36,31 @@ pub(crate) struct MassKernels {
 /// Stages of collocation of a Lagrangian, with velocities as unknowns.
 #[derive(Debug)]
 pub(crate) struct VelocityStages {
-    /// Present if L reads the action.
-    pub(crate) action: Option<ActionStages>,
+    pub(crate) decay: Decay,
+    pub(crate) mixed: MixedDerivatives,
     pub(crate) mass: MassKernels,
     /// The routines `stage` and `force`.
     pub(crate) stage: Kernel,
 }
 
-/// Dependence of a Lagrangian on its action.
-#[derive(Debug)]
-pub(crate) struct ActionStages {
-    /// True if ∂L/∂s reads the state, so that s is an unknown.
-    pub(crate) varying: bool,
-    /// True if L has second derivatives by q and v, by v and s, and by q and s.
-    pub(crate) mixed: [bool; 3],
+/// The derivatives of p = ∂L/∂v and of the force that are not zero everywhere, beside the mass matrix and ∂f/∂q.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct MixedDerivatives {
+    pub(crate) momentum_by_q: bool,
+    pub(crate) momentum_by_s: bool,
+    pub(crate) force_by_v: bool,
+    pub(crate) force_by_s: bool,
+}
+
+/// The decay rate σ = −∂L/∂s.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Decay {
+    /// There is no action.
+    None,
+    /// σ reads time alone. The action follows from the velocities.
+    OfTime,
+    /// σ reads the state. The action is an unknown of each stage.
+    OfState,
 }
 
 /// Constraints, and the steps that keep them.
@@ -187,7 +198,7 @@ impl Kernels {
 impl VelocityStages {
     /// Returns whether the action is an unknown of a stage.
     pub(crate) fn has_action_unknown(&self) -> bool {
-        self.action.as_ref().is_some_and(|action| action.varying)
+        self.decay == Decay::OfState
     }
 
     fn schedule(&mut self, scheduler: &mut Scheduler<'_>) {

@@ -8,8 +8,8 @@ mod perturbed;
 
 pub(crate) use bodies::{BodyKernels, Shift, Turn};
 pub(crate) use kernels::{
-    ActionStages, Collocation, ConstraintKernels, ContactKernels, ContactStages, FieldKernels, KeptMomentum, Kernels,
-    MassKernels, StageKernel, StepKernel, VelocityKernels, VelocityStages,
+    Collocation, ConstraintKernels, ContactKernels, ContactStages, Decay, FieldKernels, KeptMomentum, Kernels,
+    MassKernels, MixedDerivatives, StageKernel, StepKernel, VelocityKernels, VelocityStages,
 };
 pub(crate) use kick_drift::{GradientKick, KickDrift, Undamped};
 pub(crate) use lagrangian::Lagrangian;

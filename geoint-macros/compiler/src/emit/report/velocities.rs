@@ -4,7 +4,7 @@ use super::contact::decaying;
 use super::{Report, friction};
 use crate::analyze::{Acting, Damping, Forces};
 use crate::check::wording::commas;
-use crate::derive::{BesideVelocities, KeptMomentum, Kernels, System, VelocityKernels};
+use crate::derive::{BesideVelocities, Decay, KeptMomentum, Kernels, System, VelocityKernels};
 use crate::ir::{Id, Symbol};
 use crate::legendre::Legendre;
 use crate::parse::Role;
@@ -45,7 +45,7 @@ pub(super) fn report(
     let unknowns = report.compilation.degrees() + u32::from(kernels.stages.has_action_unknown());
     writeln!(report, "\nImplicit steps, with {unknowns} unknowns a stage (a sine with its cosine counts as two)");
     let stage = kernels.stages.stage.operations();
-    let action = kernels.stages.action.is_some();
+    let action = kernels.stages.decay != Decay::None;
     match action {
         false => writeln!(report, "- stage of a Newton iteration of collocation: {stage}"),
         true => writeln!(report, "- `ContactMidpoint` and `ContactGauss`: {stage} a stage of an iteration"),

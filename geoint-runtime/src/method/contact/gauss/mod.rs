@@ -1,7 +1,6 @@
 //! Gauss collocation one dimension up, for contact systems.
 
 mod stages;
-mod velocities;
 
 use crate::implicit_method;
 use crate::method::implicit::SolvedBy;
@@ -10,7 +9,6 @@ use crate::scalar::Real;
 use crate::system::PhaseSpace;
 
 pub use stages::ContactFieldStages;
-pub use velocities::ContactVelocityStages;
 
 /// Gauss collocation with `S` stages, 1 to 6, in the symplectisation. Order 2S, symmetric, a contact map, for every H.
 ///

@@ -1,8 +1,8 @@
 //! Solves the equation of a step in a plane.
 
-use super::equation::{Effort, Solver, StepEquation, Units};
-use super::newton::Newton;
 use crate::scalar::{Real, zero};
+use crate::solving::equation::{Effort, Solver, StepEquation, Units};
+use crate::solving::newton::Newton;
 use crate::space::vector::difference;
 
 /// Solves d = g(d) for the increment of two coordinates from `origin`, to rounding. `equation` returns g and 1 − g'. The result is NaN if no solution
