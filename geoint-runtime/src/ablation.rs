@@ -6,9 +6,6 @@
 /// Implicit steps extrapolate the increments of the steps before them. Without: each step starts from the explicit guess.
 pub(crate) const EXTRAPOLATION: bool = !cfg!(geoint_without = "extrapolation");
 
-/// The extrapolation uses eleven increments. Without: four.
-pub(crate) const ELEVEN_POINTS: bool = !cfg!(geoint_without = "eleven_points");
-
 /// The first guess is an explicit step. Without: the increment zero.
 pub(crate) const EXPLICIT_GUESS: bool = !cfg!(geoint_without = "explicit_guess");
 

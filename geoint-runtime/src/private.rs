@@ -28,13 +28,13 @@ pub use crate::space::{
 pub use crate::system::{
     Autonomous, CanonicalForm, Clock as PieceClock, Collocation, Conformal as ConformalContact, Conservative,
     Constrained as ConstrainedSystem, ConstrainedStep, Contact as ContactSystem, ContactEquation, ContactStages,
-    Cotangent as CotangentSpace, DiscreteField, FirstIntegrals, FlowPart, ForceGradient, FourthOrderField, Gradients,
-    Hamiltonian, Jets, Keeping, KeepsEnergy, KeptMomenta, Lagrangian as LagrangianSystem, MassForm, Mean,
-    Mechanical as MechanicalContact, MixedDerivatives, ModifiedEnergy, NystromPieces, Perturbed as PerturbedSystem,
-    PerturbedGradient, PhaseSpace, Piece as FlowPiece, Pieces as FlowPieces, PolarisedForm, Pole, PrincipalAxes,
-    QuadraticField, QuadraticKinetic, Separable, Span, SteadyIntegrals, Unmet, VectorField as DifferentialEquation,
-    VelocityForm, VelocityStage, canonical_rate, contact_gradient_of, energy_of, from_positions,
-    is_positive_semidefinite, own_momentum, rate_of, singular_mass, unmet, unsuitable, velocity_of,
+    Cotangent as CotangentSpace, DiscreteField, EquationOrder, FirstIntegrals, FlowPart, ForceGradient,
+    FourthOrderField, Gradients, Hamiltonian, Jets, Keeping, KeepsEnergy, KeptMomenta, Lagrangian as LagrangianSystem,
+    MassForm, Mean, Mechanical as MechanicalContact, MixedDerivatives, ModifiedEnergy, NystromPieces,
+    Perturbed as PerturbedSystem, PerturbedGradient, PhaseSpace, Piece as FlowPiece, Pieces as FlowPieces,
+    PolarisedForm, Pole, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable, Span, SteadyIntegrals, Unmet,
+    VectorField as DifferentialEquation, VelocityForm, VelocityStage, canonical_rate, contact_gradient_of, energy_of,
+    from_positions, is_positive_semidefinite, own_momentum, rate_of, singular_mass, unmet, unsuitable, velocity_of,
 };
 pub use crate::taylor::{TaylorMethod, recurrence};
 pub use geoint_macros::{put_energy_function_above_it, resume};

@@ -89,7 +89,7 @@ pub(crate) fn check_field<S: Collocation<f64> + Hamiltonian<f64>, D: Collocation
     let slopes = gradient(plain, t, q, p);
     let force = slopes[..n].iter().map(|x| -x);
     let expected: Vec<f64> =
-        if S::DERIVATIVE == 1 { slopes[n..].iter().copied().chain(force).collect() } else { force.collect() };
+        if S::EQUATION_ORDER.is_first() { slopes[n..].iter().copied().chain(force).collect() } else { force.collect() };
     for (f, expected) in f.as_slice().iter().zip(&expected) {
         assert_near("the field", *f, *expected, 1e-13);
     }
@@ -103,7 +103,7 @@ pub(crate) fn check_field<S: Collocation<f64> + Hamiltonian<f64>, D: Collocation
         for (row, f) in rows.iter().zip(f.as_slice()) {
             assert_near("the Jacobian of the field", row.as_slice()[column], f.derivative(), 1e-12);
         }
-        if S::DERIVATIVE == 2 {
+        if !S::EQUATION_ORDER.is_first() {
             assert_near("q'", velocity.as_slice()[column], slopes[n + column], 1e-14);
             let mut along: D::Unknown = array(&seeded(y.as_slice(), usize::MAX));
             let mut unit = D::Unknown::zero();
@@ -163,7 +163,7 @@ where
     let y = &[q, p].concat()[..S::Unknown::LEN];
     let (parameters, exact) = (plain.parameters(h), dual.parameters(h.into()));
     let sum: Vec<f64> = p.iter().zip(impulse).map(|(p, impulse)| 2.0 * p + impulse).collect();
-    let first_order = S::DERIVATIVE == 1;
+    let first_order = S::EQUATION_ORDER.is_first();
     let d: S::Unknown = if first_order { array(impulse) } else { plain.drift(&parameters, &array(&sum)) };
     let (mut f, mut image) = (S::Unknown::zero(), S::Unknown::zero());
     let mut matrix = S::Unknown::fill(S::Unknown::zero());

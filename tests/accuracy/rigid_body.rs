@@ -12,7 +12,7 @@ use geoint_runtime::method::gauss::{FieldStages, GaussTableau};
 use geoint_runtime::method::implicit::ImplicitMethod;
 use geoint_runtime::prelude::*;
 use geoint_runtime::space::Square;
-use geoint_runtime::system::{Collocation, DiscreteField, Keeping, QuadraticField, Span};
+use geoint_runtime::system::{Collocation, DiscreteField, EquationOrder, Keeping, QuadraticField, Span};
 use geoint_runtime::{Method, VectorField};
 use geoint_tests::measure::distance;
 
@@ -82,7 +82,7 @@ impl Collocation for RigidBody {
     type Proof = ();
     type Unknown = [f64; 3];
     type Constants = ();
-    const DERIVATIVE: usize = 1;
+    const EQUATION_ORDER: EquationOrder = EquationOrder::First;
 
     fn constants(&self) {}
     fn start(w: &[f64; 3]) -> ([f64; 3], [f64; 3]) {

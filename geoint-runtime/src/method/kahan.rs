@@ -77,7 +77,7 @@ impl<S: QuadraticField<R>, R: Real> Method<S, R> for Kahan {
 
         // (1 − h/2 f'·∂dy/∂impulse) impulse = h f + h/2 f'·dy for the dy without impulse.
         let velocity = system.velocity(constants, &changed);
-        let w = if S::DERIVATIVE == 1 { -half } else { -half * half };
+        let w = if S::EQUATION_ORDER.is_first() { -half } else { -half * half };
         let mut impulse = zero;
         for (i, row) in S::Unknown::entries::<S::Unknown>(&mut matrix).iter_mut().enumerate() {
             let slope = core::mem::replace(row, zero);
@@ -96,7 +96,7 @@ impl<S: QuadraticField<R>, R: Real> Method<S, R> for Kahan {
             Some(true) if impulse.is_finite() => {}
             _ => return Err(Refusal::Singular),
         }
-        let change = if S::DERIVATIVE == 1 {
+        let change = if S::EQUATION_ORDER.is_first() {
             impulse
         } else {
             let (mut mean, mut change) = (changed, zero);

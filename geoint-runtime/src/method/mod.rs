@@ -235,7 +235,7 @@ pub(crate) fn outer_step<S: PhaseSpace<R>, R: Real, M: Method<S, R>, C: Summatio
     M::leave(prepared, system, end, &mut inner.z);
     x.add(&difference(&inner.z, &x.z));
     x.s = inner.s;
-    x.doubtful |= inner.doubtful;
+    x.needs_recheck |= inner.needs_recheck;
     Ok(())
 }
 

@@ -1,34 +1,36 @@
-//! What sees the points at which a step evaluates the energy.
+//! Probes, which receive the points at which a step evaluates the energy, and the checks of the end of a step.
+//!
+//! A step runs fast and [`Unwatched`] first. If it is refused, the caller repeats it with a probe that finds the reason.
 
 use crate::method::Step;
 use crate::scalar::Real;
 use crate::solving::Refusal;
 use crate::solving::{Effort, Observer};
 use crate::space::{Array, Point};
-use crate::system::{Ends, Known, PhaseSpace, Poles, jump_between};
+use crate::system::{Ends, Evaluations, Known, PhaseSpace, Poles, jump_between};
 
-/// Is shown every point at which a step evaluates the energy.
+/// Receives every point at which a step evaluates the energy.
 pub trait Probe<S: PhaseSpace<R>, R: Real>: Observer {
-    /// The effort that a step spends on a solution. A step that is refused with [`Effort::Fast`] is repeated with [`Effort::Thorough`], and watched.
+    /// The effort that a step spends on a solution. A step that is refused with [`Effort::Fast`] is repeated with [`Effort::Thorough`].
     const EFFORT: Effort = Effort::Thorough;
 
-    /// The energy is about to be evaluated here.
+    /// Called before the energy is evaluated at a time and a point.
     fn visit(&mut self, t: R, z: &S::Phase, s: &S::Action);
 
-    /// An exact flow of a piece of the energy has been applied, with a result that is finite or not.
+    /// Called after an exact flow of a piece of the energy. `finite` returns whether the result is finite.
     #[inline(always)]
     fn flown(&mut self, piece: &'static str, finite: impl FnOnce() -> bool) {
         let _ = (piece, finite);
     }
 
-    /// A plane of these coordinates was not solved for.
+    /// Called if the equation of a step in a plane has no solution. `plane` names its coordinates.
     #[inline(always)]
     fn unsolved(&mut self, plane: &'static str) {
         let _ = plane;
     }
 }
 
-/// Sees nothing: the probe of the fast path.
+/// The probe of fast steps. It ignores all points.
 #[derive(Clone, Copy, Debug)]
 pub struct Unwatched;
 
@@ -44,8 +46,8 @@ impl<S: PhaseSpace<R>, R: Real> Probe<S, R> for Unwatched {
     fn visit(&mut self, _: R, _: &S::Phase, _: &S::Action) {}
 }
 
-/// Whether the energy is defined at the end of a step from `before`, and has no pole on the way there, for methods that evaluate it in
-/// between only.
+/// Refuses a step from `before` if the energy is not defined at its end, or may have a pole on the straight line to it. For methods that do not evaluate
+/// the energy at the end.
 #[inline(always)]
 pub(crate) fn check_end<S: PhaseSpace<R>, R: Real, C, P: Probe<S, R>>(
     poles: &Poles,
@@ -54,42 +56,42 @@ pub(crate) fn check_end<S: PhaseSpace<R>, R: Real, C, P: Probe<S, R>>(
 ) -> Result<(), Refusal> {
     let x = &*step.x;
     Refusal::outside(step.system.outside_domain(step.end, &x.z, &x.s))?;
-    check_poles(poles, false, before, step)
+    check_poles(poles, Evaluations::AtPoints, before, step)
 }
 
-/// Whether the energy has no pole on the way of a step from `before`; `divided` as in [`PhaseSpace::clear_of_poles`].
+/// Refuses a step from `before` if the energy may have a pole on the straight line to its end.
 ///
-/// Without patience the step is marked where only a search can tell, so that it is repeated: one more way out of the loop over steps
-/// would cost a tenth of a short step.
+/// A fast attempt does not search for poles, unless the system has a pole without a quick test. It sets `needs_recheck`, and the caller repeats the step
+/// thoroughly: one more exit from the loop over steps would cost a tenth of a short step.
 #[inline(always)]
 pub(crate) fn check_poles<S: PhaseSpace<R>, R: Real, C, P: Probe<S, R>>(
     poles: &Poles,
-    divided: bool,
+    evaluations: Evaluations,
     (z, s): &Start<S, R>,
     Step { system, t, end: later, x, .. }: Step<'_, S, R, C, P>,
 ) -> Result<(), Refusal> {
-    let Point { z: end, s: end_s, doubtful, .. } = x;
-    check_way::<S, R, P>(poles, divided, system, ([t, later], [z, end], [s, end_s]), doubtful)
+    let Point { z: end, s: end_s, needs_recheck, .. } = x;
+    check_way::<S, R, P>(poles, evaluations, system, ([t, later], [z, end], [s, end_s]), needs_recheck)
 }
 
-/// The same of any way: that to a stage need not be between the ends of a step.
+/// Refuses a step if the energy may have a pole on the straight line between two points, such as its start and a stage. See [`check_poles`].
 #[inline(always)]
 pub(crate) fn check_way<S: PhaseSpace<R>, R: Real, P: Probe<S, R>>(
     poles: &Poles,
-    divided: bool,
+    evaluations: Evaluations,
     system: &S,
     ends: Ends<'_, S, R>,
-    doubtful: &mut bool,
+    needs_recheck: &mut bool,
 ) -> Result<(), Refusal> {
     if P::EFFORT.is_thorough() || Known::<S, R>::SEARCHED {
-        return Refusal::outside(poles.between(system, divided, ends));
+        return Refusal::outside(poles.between(system, evaluations, ends));
     }
-    *doubtful |= !poles.is_clear(system, divided, ends);
+    *needs_recheck |= !poles.is_clear(system, evaluations, ends);
     Ok(())
 }
 
-/// Refuses the end of a step where rounding has decided a condition otherwise than the equation of the step has, which decided it at
-/// `decided`, and the energy jumps there.
+/// Refuses a step if the energy jumps between `z` and the end of the step `x`, which differ by rounding. The equation of the step has evaluated the
+/// conditions of the energy (`if`, `abs`) at `z`.
 #[inline(always)]
 pub(crate) fn check_conditions<S: PhaseSpace<R, Action = ()>, R: Real, C>(
     system: &S,
@@ -100,10 +102,10 @@ pub(crate) fn check_conditions<S: PhaseSpace<R, Action = ()>, R: Real, C>(
     Refusal::outside(jump_between(system, t, [z, &x.z], [&(), &()]))
 }
 
-/// Where a step starts: z, s.
+/// The start of a step: z and s.
 pub(crate) type Start<S, R> = (<S as PhaseSpace<R>>::Phase, <S as PhaseSpace<R>>::Action);
 
-/// A copy of a point, entry by entry, so that both may stay in registers.
+/// Returns a copy of z and s of a point. It is made entry by entry, so that both copies may stay in registers.
 #[inline(always)]
 pub(crate) fn start<S: PhaseSpace<R>, R: Real, C>(x: &Point<S::Phase, C, S::Action>) -> Start<S, R> {
     let mut start = (S::Phase::zero(), x.s);

@@ -6,7 +6,7 @@ use crate::scalar::Real;
 use crate::solving::Refusal;
 use crate::solving::equation::Observer;
 use crate::space::Point;
-use crate::system::{Known, PhaseSpace, Poles};
+use crate::system::{Evaluations, Known, PhaseSpace, Poles};
 
 /// Remembers the first point outside the domain of the energy, or beyond a pole as seen from the start of the step; or the first flow
 /// that ended before it was through.
@@ -51,7 +51,7 @@ impl<S: PhaseSpace<R>, R: Real> Watch<'_, S, Start<S, R>> {
     fn examine(&mut self, t: R, z: &S::Phase, s: &S::Action) {
         if self.looks() {
             let (t0, z0, s0) = &self.start;
-            let pole = || self.poles.between(self.system, false, ([*t0, t], [z0, z], [s0, s]));
+            let pole = || self.poles.between(self.system, Evaluations::AtPoints, ([*t0, t], [z0, z], [s0, s]));
             self.seen.found = self.system.outside_domain(t, z, s).or_else(pole).map(Found::OutsideDomain);
             self.seen.edge = self.seen.edge.or_else(|| self.system.edge(t, z, s));
         }

@@ -1,7 +1,7 @@
-//! Damped corrections: each one is halved until the residual falls.
+//! Damped Newton corrections x ← x − w δ with δ = J⁻¹ r(x): w starts at 1 and is halved until the residual r falls. J is the derivative of r.
 //!
-//! They are tried after whole corrections have failed. At steep walls and in stiff wells, the explicit guess may be outside of the domain of the energy, or so far
-//! from the solution that whole corrections run away.
+//! They are tried after whole corrections have failed. At steep walls and in stiff wells, the explicit guess may be outside of the domain of the energy, or so
+//! far from the solution that whole corrections diverge.
 
 use crate::scalar::Real;
 use crate::solving::linear;
@@ -9,26 +9,30 @@ use crate::solving::size::Sizes;
 use crate::space::vector::{moved, scaled};
 use crate::space::{Array, Square};
 
-/// A whole correction below this part of the state ends the approach. Newton's iteration follows.
+/// The approach ends after a whole correction (w = 1) below this part of the state. Newton's iteration follows, and needs about three more corrections. A
+/// smaller value would repeat its work here.
 const NEAR: f64 = 1e-3;
 
-/// The least part of a correction that is tried.
+/// The approach ends if the residual does not fall for a w below this value. A smaller value would only delay this end at a minimum of the residual.
 const SHORTEST: f64 = 1e-6;
 
+/// The largest number of corrections. The approach then ends without an error.
 const MAX_ITERATIONS: u32 = 100;
 
-/// Returns the end of a damped iteration from `still`·origin, where nothing moves and the energy is defined. The point is near a solution of residual(x) = 0, or at a
-/// minimum of the residual with a singular derivative; the caller finds out.
+/// Returns the end of a damped iteration from `standstill`·origin, where positions do not move and the energy is defined. The point is near a solution of
+/// residual(x) = 0, or at a minimum of the residual with a singular derivative. The caller decides which by Newton's iteration.
+///
+/// A step w is accepted if |r(x − w δ)|² < (1 − w/2) |r(x)|². The norm sums the squares of entries in units of their sizes.
 #[cold]
 #[inline(never)]
 pub(crate) fn approach<A: Array>(
     origin: &A,
-    still: f64,
+    standstill: f64,
     sizes: &Sizes<A>,
     mut residual: impl FnMut(&A, &mut Square<A>) -> A,
 ) -> A {
     let mut matrix = A::fill(A::zero());
-    let mut x = scaled(A::Real::from_f64(still), origin);
+    let mut x = scaled(A::Real::from_f64(standstill), origin);
     let mut r = residual(&x, &mut matrix);
     // The residual has the units of the unknowns.
     let mut units = *sizes;
@@ -40,7 +44,7 @@ pub(crate) fn approach<A: Array>(
             break;
         }
         let mut w = 1.0;
-        // Not a number is not less.
+        // NaN does not fall, so a point outside of the domain of the energy halves w.
         let falls = |w: f64, next: &A| units.square(next) < (1.0 - 0.5 * w) * units.square(&r);
         let (next, less) = loop {
             let next = moved(&x, A::Real::from_f64(-w), &delta);

@@ -1,34 +1,40 @@
-//! An equation whose derivative is computed by difference quotients.
+//! Replaces the derivative of a residual r by difference quotients (r(x + d eⱼ) − r(x))/d, where eⱼ is the direction of unknown j.
+//!
+//! The search of [`rescue`](super::rescue) uses them if an approximate derivative fails. A matrix for n unknowns takes n + 1 evaluations.
 
 use super::Observer;
 use super::distant::Residual;
-use super::size::{Sizes, largest, sum};
+use super::size::{Sizes, largest, sum_of_magnitudes};
 use crate::scalar::Real;
 use crate::space::{Array, Square};
 
-/// A residual with a matrix of difference quotients.
+/// A residual with a matrix of difference quotients. An unknown without a size keeps the column of the approximate derivative.
 pub(super) struct Differences<'a, A> {
     pub(super) residual: &'a mut dyn Residual<A>,
     pub(super) origin: A,
+    /// The sizes of the unknowns, which scale the distances d.
     pub(super) sizes: Sizes<A>,
-    /// The rounding of the residual, which differences have to exceed.
+    /// The standard deviation of the rounding of the residual, which differences have to exceed.
     pub(super) noise: A,
+    /// True in a pause of the caller, which the points of difference quotients do not end.
+    pub(super) paused: bool,
 }
 
 impl<A> Observer for Differences<'_, A> {
     fn pause(&mut self, paused: bool) {
+        self.paused = paused;
         self.residual.pause(paused);
     }
 }
 
 impl<A: Array> Residual<A> for Differences<'_, A> {
-    /// Replaces each column of the matrix by a difference quotient, unless its unknown has no size. Unknowns move so far that the noise of the residual is a
+    /// Returns r(x), and writes difference quotients to `matrix`. Each unknown moves by the same part of its size: so far that the noise of the residual is a
     /// small part of its change.
     fn at(&mut self, x: &A, matrix: &mut Square<A>) -> A {
         let residual = self.residual.at(x, matrix);
-        let size = |i: usize| self.sizes.of(i).max(sum(&self.origin, x, i));
+        let size = |i: usize| self.sizes.of(i).max(sum_of_magnitudes(&self.origin, x, i));
         let parts = (0..A::LEN).filter(|i| size(*i) > 0.0).map(|i| self.noise.as_slice()[i].magnitude() / size(i));
-        // √ε of the size, or noise/√ε if the relative noise exceeds ε. Beyond ε^(1/4) the truncation error is too large.
+        // √ε, which balances rounding and truncation, or noise/√ε if the largest relative noise exceeds ε. Beyond ε^(1/4) the truncation error is too large.
         let root = Real::sqrt(A::Real::epsilon());
         let part = (A::Real::epsilon().max(largest(parts)) / root).min(Real::sqrt(root));
         let mut unused = A::fill(A::zero());
@@ -45,7 +51,7 @@ impl<A: Array> Residual<A> for Differences<'_, A> {
                 row.as_mut_slice()[j] = (there.as_slice()[i] - residual.as_slice()[i]) / distance;
             }
         }
-        self.residual.pause(false);
+        self.residual.pause(self.paused);
         residual
     }
 }

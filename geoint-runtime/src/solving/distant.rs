@@ -1,11 +1,14 @@
-//! Equations behind pointers. Rescues are compiled once for all equations with the same number of unknowns.
+//! A *distant* equation: its residual is called through a pointer, and its other values are copied.
+//!
+//! The long searches of [`rescue`](super::rescue) are therefore compiled once for all equations with unknowns of the same shape. The price is an indirect call
+//! for each evaluation.
 
 use super::equation::{Magnitudes, StepEquation};
 use super::rounding::Convergence;
 use super::{Effort, Observer};
 use crate::space::{Array, Square};
 
-/// The parts of an equation that a rescue reads.
+/// The values of a [`StepEquation`] that a search reads, and the convergence of its iteration.
 #[derive(Clone, Copy)]
 pub(super) struct Distant<A> {
     pub(super) origin: A,
@@ -17,13 +20,13 @@ pub(super) struct Distant<A> {
     pub(super) convergence: Convergence,
 }
 
-/// The residual of an equation behind a pointer.
+/// A residual r(x) that is called through a pointer.
 pub(super) trait Residual<A: Array>: Observer {
     /// Returns r(x), and writes its derivative to `matrix`.
     fn at(&mut self, x: &A, matrix: &mut Square<A>) -> A;
 }
 
-/// The residual of one equation, and who watches.
+/// The residual of `equation`, with its observer `watch`.
 pub(super) struct ResidualOf<'a, E, W: ?Sized> {
     pub(super) equation: E,
     pub(super) watch: &'a mut W,

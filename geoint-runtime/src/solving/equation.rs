@@ -1,4 +1,7 @@
-//! The equation of an implicit step: r(x) = 0 for an increment x, or for the rates or velocities of stages.
+//! The equation of an implicit step, r(x) = x − g(x) = 0, and the interface of its solvers.
+//!
+//! The unknown x is an increment, or the rates or velocities of stages. A method states its equation as a [`StepEquation`]. A [`Solver`] returns a
+//! [`Solution`], or the [`Refusal`] of the step. Solvers use the derivative of r, so r has to be smooth near the solution.
 
 use super::Refusal;
 pub use super::size::Units;
@@ -6,10 +9,10 @@ use crate::ablation;
 use crate::space::vector::difference;
 use crate::space::{Array, Record, Square};
 
-/// Sees the points at which an equation is evaluated. The equation shows points to the type of its observer. The solver can only pause it.
+/// Receives the points at which an equation is evaluated. The equation passes points by functions of the concrete type. Solvers call `pause` only.
 pub trait Observer {
-    /// Starts or ends a pause. Points of a pause do not belong to the step: they are evaluated to measure rounding, or to follow a solution. An observer that
-    /// explains refusals ignores them. After a pause, the solution is evaluated again.
+    /// Starts a pause if `paused` is true, and ends it otherwise. Points of a pause do not belong to the step: they are evaluated to measure rounding, or to
+    /// follow a solution. An observer that explains refusals ignores them. After a pause, the solution is evaluated again.
     fn pause(&mut self, paused: bool);
 }
 
@@ -22,7 +25,7 @@ impl Observer for () {
 pub enum Effort {
     /// For steps in a loop. Steps that are refused are repeated with the other effort.
     Fast,
-    /// With damped corrections from far away, and with measurements of the rounding of the residual.
+    /// For refused steps: with damped corrections, and with measurements of the rounding of the residual.
     Thorough,
 }
 
@@ -43,11 +46,14 @@ pub enum Magnitudes {
     Present,
 }
 
-/// r(x) = 0 for the unknown of one step. The derivative of r is near 1 for short steps. `W` sees where r is evaluated.
+/// r(x) = 0 for the unknown of one step. The derivative of r tends to the identity for short steps. The observer `W` receives the points at which r is
+/// evaluated.
 ///
 /// An equation is `Copy`, because cold functions get a copy: the optimiser keeps an equation in registers only if nothing points to it.
 pub trait StepEquation<A: Array, W: Observer + ?Sized>: Copy {
+    /// The work that may be spent on the solution.
     const EFFORT: Effort;
+    /// The magnitudes with which corrections are compared.
     const MAGNITUDES: Magnitudes = Magnitudes::Recent;
 
     /// Returns whether all solutions satisfy the energy balance of the step. Solutions are then not followed to h = 0.
@@ -55,8 +61,8 @@ pub trait StepEquation<A: Array, W: Observer + ?Sized>: Copy {
         false
     }
 
-    /// Returns the factor f for which x = f·origin leaves the positions unchanged: 0 for an increment. It is −2 for an impulse: the momentum is reversed, and its
-    /// mean is 0. The energy is defined there if it is defined at the start of the step.
+    /// Returns the factor f for which x = f·origin leaves the positions unchanged: 0 for an increment. It is −2 for an impulse: the momentum is reversed, and
+    /// its mean is 0. Damped corrections start at this x, because the energy is defined there if it is defined at the start of the step.
     fn standstill(&self) -> f64 {
         0.0
     }
@@ -70,7 +76,7 @@ pub trait StepEquation<A: Array, W: Observer + ?Sized>: Copy {
     /// Returns r(x), and writes its derivative to `matrix`. Row i has the unit of unknown i.
     fn residual(&self, watch: &mut W, x: &A, matrix: &mut Square<A>) -> A;
 
-    /// Returns g(x) of the equation x = g(x), where r(x) = x − g(x).
+    /// Returns g(x) of the equation x = g(x), where r(x) = x − g(x). The default computes the matrix and discards it.
     #[inline(always)]
     fn image(&self, watch: &mut W, x: &A) -> A {
         difference(x, &self.residual(watch, x, &mut A::fill(A::zero())))
@@ -87,13 +93,13 @@ pub struct Solution<A> {
 }
 
 impl<A: Array> Solution<A> {
-    /// Returns the solution x, without a rounding error.
+    /// Returns the solution x with the rounding error 0.
     #[inline(always)]
     pub fn of(x: A) -> Self {
         Solution { x, rounding_error: A::zero() }
     }
 
-    /// Returns the solution x − delta.
+    /// Returns the solution x − δ, rounded to x₁, with the rounding error (x − x₁) − δ. This error is exact in entries with |δ| ≤ |x|.
     #[inline(always)]
     pub(crate) fn corrected(x: &A, delta: &A) -> Self {
         let after = difference(x, delta);
@@ -117,7 +123,8 @@ pub trait Solver<A: Array>: Clone + Record<A::Real> {
     ) -> Result<Solution<A>, Refusal>;
 }
 
-/// Returns the guess from the start of the step, or zero: the guess may be outside of the domain of the energy where the solution is inside.
+/// Returns the guess from the start of the step. Returns zero if this guess is not finite: an explicit step may leave the domain of the energy although the
+/// solution lies inside.
 #[cold]
 #[inline(never)]
 pub(super) fn explicit_guess<A: Array, W: Observer + ?Sized, E: StepEquation<A, W>>(equation: E) -> A {

@@ -1,4 +1,6 @@
-//! Keeps the inverse of a matrix that is the same in all steps.
+//! Keeps the inverse of a matrix that is the same in all steps, or in all equations of one step. A product with a vector then replaces an elimination.
+//!
+//! The inverse is computed column by column. Limit: the product loses more digits than an elimination if the matrix is nearly singular.
 
 use super::linear;
 use super::size::Sizes;
@@ -7,13 +9,14 @@ use crate::space::vector::product;
 use crate::space::{Array, Square};
 use core::fmt::Debug;
 
-/// The inverse of the matrix of implicit steps. The type is [`Inverted`] if the matrix is the same in all steps, and `()` if the matrix changes.
+/// The inverse of the matrix of implicit steps. The type is [`Inverted`] if the matrix is the same in all steps. It is `()` if the matrix changes.
 pub trait Inverse<A: Array>: Clone + Debug {
     /// `true` if the type holds an inverse.
     const EXISTS: bool;
-    /// Returns the inverse of `matrix`. The entries are NaN if the matrix is singular or its determinant is negative.
+    /// Returns the inverse of `matrix`. The entries are NaN if the matrix is singular or its determinant is negative: the step is then refused. `()` does not
+    /// call `matrix`.
     fn new(matrix: impl FnOnce() -> Square<A>) -> Self;
-    /// Returns the product of the inverse and a vector.
+    /// Returns the product of the inverse and a vector. `()` has no inverse, and returns `x`: callers check [`EXISTS`](Self::EXISTS) first.
     fn times(&self, x: &A) -> A;
 }
 
@@ -33,7 +36,8 @@ impl<A: Array> Inverse<A> for () {
 pub struct Inverted<A: Array>(Square<A>);
 
 impl<A: Array> Inverted<A> {
-    /// Returns the inverse and whether the determinant is positive, or `None` if the matrix is singular.
+    /// Returns the inverse and whether the determinant is positive. Returns `None` if the matrix is singular or not finite. `sizes` are the sizes of the
+    /// unknowns, by which elimination chooses pivots.
     pub(crate) fn of(matrix: &Square<A>, sizes: &Sizes<A>) -> Option<(Self, bool)> {
         let (mut inverse, mut positive) = (A::fill(A::zero()), true);
         for j in 0..A::LEN {
@@ -47,7 +51,7 @@ impl<A: Array> Inverted<A> {
         Some((Inverted(inverse), positive))
     }
 
-    /// Returns the inverse of a matrix. `self` is the inverse of this matrix with its rows multiplied by `scales`.
+    /// Returns M⁻¹ = (D M)⁻¹ D, where `self` is (D M)⁻¹ and the diagonal matrix D has the entries `scales`.
     pub(crate) fn of_rows_scaled(mut self, scales: &A) -> Self {
         for row in A::entries::<A>(&mut self.0) {
             *row = product(row, scales);

@@ -1,22 +1,34 @@
-//! Solves small linear systems. The compiler knows their size.
+//! Solves small linear systems M x = b, whose size the compiler knows.
+//!
+//! In the equation of a step, M is the derivative of r(x) = x − g(x): its diagonal has no units, and M is near the identity for short steps. Two unknowns are
+//! solved by Cramer's rule, three by the adjugate, and more by elimination of pairs or of single unknowns. The rules without exchanges of rows take fewer
+//! divisions that wait for each other. They fail where terms cancel, and exchanges then lose fewer digits.
+//!
+//! Solvers return the sign of the determinant, because a negative one shows that a step passes a singular point. Limit: no solver estimates the condition of M.
 
 use crate::ablation;
 use crate::scalar::Real;
 use crate::solving::size::Sizes;
 use crate::space::{Array, Square};
 
-/// The magnitude below which a pivot on the diagonal is compared with the entries below it. A determinant that is smaller than this part of its terms
-/// has cancelled.
-const SMALL: f64 = 1.0 / 8.0;
+/// A pivot on the diagonal below this magnitude is compared with the entries below it. Pivots of short steps are near 1. A pivot of 1/8 beside entries of 1 may
+/// lose three bits. A larger threshold would search more columns.
+const PIVOT_THRESHOLD: f64 = 1.0 / 8.0;
+
+/// A determinant below this part of the sum of its terms has cancelled, and may have lost more than three bits.
+const CANCELLATION: f64 = 1.0 / 8.0;
+
+/// The sign of a determinant: `true` if it is positive, and `false` if it is negative.
+pub(crate) type IsPositive = bool;
 
 /// Solves `matrix·x = rhs` in place of `rhs`; destroys `matrix`.
 ///
-/// Row i has the unit of unknown i: the matrix is 1 − g' for x = g(x). Two, three and four unknowns have fast rules of their own. The rules for three
-/// and four unknowns apply only if determinants do not cancel. All other systems are solved by [`pivots`].
+/// Precondition: row i has the unit of unknown i, and `sizes` are the sizes of the unknowns. Two, three and four unknowns have fast rules. Three and four
+/// unknowns are solved by [`pivots`] if their rule finds that a determinant cancels. More unknowns are always solved by [`pivots`].
 ///
-/// Returns whether the determinant is positive, or `None` if a pivot vanishes or is not a finite number.
+/// Returns `Some` with the sign of the determinant. Returns `None` if a pivot or determinant vanishes or is not finite: `rhs` is then not a solution.
 #[inline(always)]
-pub(crate) fn solve<A: Array>(matrix: &mut Square<A>, rhs: &mut A, sizes: &Sizes<A>) -> Option<bool> {
+pub(crate) fn solve<A: Array>(matrix: &mut Square<A>, rhs: &mut A, sizes: &Sizes<A>) -> Option<IsPositive> {
     if const { ablation::CRAMER_TWO && A::LEN == 2 } {
         return of_two(A::entries::<A>(matrix), rhs.as_mut_slice());
     }
@@ -35,23 +47,23 @@ pub(crate) fn solve<A: Array>(matrix: &mut Square<A>, rhs: &mut A, sizes: &Sizes
     pivots(matrix, rhs, sizes)
 }
 
-/// Solves by [`pivots`], out of line and with copies. If both solvers wrote to one place in memory, the processor would wait there: it would read the
-/// solution in other pieces than it was written in.
+/// Solves by [`pivots`], out of line and with copies. Returns the solution and the result of [`pivots`]. If both solvers wrote to one place in memory, the
+/// processor would wait there: it would read the solution in other pieces than it was written in.
 #[cold]
 #[inline(never)]
-fn pivots_apart<A: Array>(mut matrix: Square<A>, mut rhs: A, sizes: &Sizes<A>) -> (A, Option<bool>) {
+fn pivots_apart<A: Array>(mut matrix: Square<A>, mut rhs: A, sizes: &Sizes<A>) -> (A, Option<IsPositive>) {
     let positive = pivots(&mut matrix, &mut rhs, sizes);
     (rhs, positive)
 }
 
 /// Solves `matrix·x = rhs` in place of `rhs` by elimination with threshold pivoting; destroys `matrix`.
 ///
-/// An entry on the diagonal of at least [`SMALL`] stays. After the first exchange, each column is searched.
+/// An entry on the diagonal of at least [`PIVOT_THRESHOLD`] stays. After the first exchange, each column is searched.
 ///
 /// Entries of a column are compared in units of `sizes`, the sizes of the unknowns. The choice of the pivot therefore does not depend on units.
-/// Returns whether the determinant is positive, or `None` if a pivot vanishes or is not a finite number.
+/// Returns `Some` with the sign of the determinant. Returns `None` if a pivot vanishes or is not finite.
 #[inline(always)]
-pub(super) fn pivots<A: Array>(matrix: &mut Square<A>, rhs: &mut A, sizes: &Sizes<A>) -> Option<bool> {
+pub(super) fn pivots<A: Array>(matrix: &mut Square<A>, rhs: &mut A, sizes: &Sizes<A>) -> Option<IsPositive> {
     let n = A::LEN;
     let mut sizes = *sizes;
     let sizes = sizes.entries();
@@ -59,8 +71,7 @@ pub(super) fn pivots<A: Array>(matrix: &mut Square<A>, rhs: &mut A, sizes: &Size
     let b = rhs.as_mut_slice();
     let (mut positive, mut ordered) = (true, true);
     for k in 0..n {
-        // An entry on the diagonal has no unit, and is near 1 in the matrix of a step that is not too long. The entry stays unless it is small.
-        if !ordered || rows[k].as_slice()[k].magnitude() < SMALL {
+        if !ordered || rows[k].as_slice()[k].magnitude() < PIVOT_THRESHOLD {
             // The search exchanges rows until the largest entry is on top. The compiler then knows all indices and keeps a small matrix in registers.
             for i in k + 1..n {
                 let [below, pivot] = [i, k].map(|i| rows[i].as_slice()[k].magnitude());
@@ -80,7 +91,7 @@ pub(super) fn pivots<A: Array>(matrix: &mut Square<A>, rhs: &mut A, sizes: &Size
             return None;
         }
         positive ^= top[k].any_below(0.0);
-        // One division for each row.
+        // The reciprocal stays in place of the pivot, for the substitution below.
         let reciprocal = A::Real::from_f64(1.0) / top[k];
         top[k] = reciprocal;
         for (i, row) in lower.iter_mut().enumerate() {
@@ -103,10 +114,11 @@ pub(super) fn pivots<A: Array>(matrix: &mut Square<A>, rhs: &mut A, sizes: &Size
     Some(positive)
 }
 
-/// Solves `matrix·x = rhs` in place of `rhs` in the least time; destroys `matrix`.
+/// Solves `matrix·x = rhs` in place of `rhs` without exchanges of rows; destroys `matrix`.
 ///
-/// Returns whether the determinant is positive and its terms do not cancel. Up to four unknowns have no fallback to elimination with exchanges,
-/// because it would be inlined as well. The solution for one unknown may be infinite or NaN if its pivot vanishes.
+/// Returns `true` if the solution counts: the determinant is positive and, for three unknowns and more, no determinant is seen to cancel. For two unknowns,
+/// cancellation is not checked. For one unknown, a zero matrix also returns `true`, and the solution is infinite or NaN. There is no fallback to exchanges,
+/// because it would be inlined as well: after `false`, the caller solves the equation in another way.
 #[inline(always)]
 pub(crate) fn solve_fast<A: Array>(matrix: &mut Square<A>, rhs: &mut A) -> bool {
     if const { !has_rule(A::LEN) } {
@@ -135,7 +147,8 @@ const fn has_rule(unknowns: usize) -> bool {
     }
 }
 
-/// Returns the determinant by elimination with partial pivoting; destroys `matrix`.
+/// Returns the determinant by elimination with partial pivoting; destroys `matrix`. Entries of a column are compared without regard to their units. The product
+/// may underflow or overflow.
 pub(crate) fn determinant<A: Array>(matrix: &mut Square<A>) -> f64 {
     let rows = A::entries::<A>(matrix);
     let mut product = 1.0;
@@ -166,10 +179,10 @@ fn is_finite(x: f64) -> bool {
     0.0 * x == 0.0
 }
 
-/// Solves for two unknowns by Cramer's rule. This takes one division instead of two that wait for each other. Returns whether the determinant is
-/// positive, or `None` if the determinant vanishes or is not finite.
+/// Solves for two unknowns by Cramer's rule. This takes one division instead of two that wait for each other. Returns `Some` with the sign of the determinant.
+/// Returns `None` if the determinant vanishes or is not finite. Limit: cancellation of its two terms is not detected.
 #[inline(always)]
-fn of_two<A: Array>(rows: &[A], b: &mut [A::Real]) -> Option<bool> {
+fn of_two<A: Array>(rows: &[A], b: &mut [A::Real]) -> Option<IsPositive> {
     let ([a, b0], [c, d]) = ([0, 1].map(|j| rows[0].as_slice()[j]), [0, 1].map(|j| rows[1].as_slice()[j]));
     let determinant = a * d - b0 * c;
     let size = determinant.magnitude();
@@ -181,13 +194,14 @@ fn of_two<A: Array>(rows: &[A], b: &mut [A::Real]) -> Option<bool> {
     Some(!determinant.any_below(0.0))
 }
 
-/// Solves by eliminating two unknowns at a time by Cramer's rule. This halves the number of divisions that wait for each other. Returns whether the
-/// determinant is positive, or `None` if a determinant is small or its terms cancel. Exchanges lose fewer digits there.
+/// Solves by eliminating two unknowns at a time by Cramer's rule. This halves the number of divisions that wait for each other. Returns `Some` with the sign of
+/// the determinant. Returns `None` if the determinant of a pair is small or its terms cancel, or if the pivot of an odd last unknown vanishes or is not finite.
 #[inline(always)]
-pub(super) fn of_pairs<A: Array>(rows: &mut [A], b: &mut [A::Real]) -> Option<bool> {
+pub(super) fn of_pairs<A: Array>(rows: &mut [A], b: &mut [A::Real]) -> Option<IsPositive> {
     let n = A::LEN;
     let mut positive = true;
-    // The compiler unrolls two rounds by itself. It knows the indices of more rounds only if they are written out.
+    // The compiler unrolls two rounds by itself. It knows the indices of more rounds only if they are written out. From six unknowns on, there are at least
+    // three.
     let written = if n < 6 { 0 } else { 3 };
     if written > 0 {
         positive ^= eliminate_pair(rows, b, 0)?;
@@ -215,7 +229,8 @@ pub(super) fn of_pairs<A: Array>(rows: &mut [A], b: &mut [A::Real]) -> Option<bo
     Some(positive)
 }
 
-/// Eliminates unknowns k and k + 1. Returns whether their determinant is negative, or `None` if the determinant is small or its terms cancel.
+/// Eliminates unknowns k and k + 1. Returns `Some(true)` if their determinant is negative, and `Some(false)` if it is positive. Returns `None` if the
+/// determinant is small (below [`PIVOT_THRESHOLD`]², as of two pivots), not finite, or if its terms cancel.
 #[inline(always)]
 fn eliminate_pair<A: Array>(rows: &mut [A], b: &mut [A::Real], k: usize) -> Option<bool> {
     let n = A::LEN;
@@ -226,7 +241,8 @@ fn eliminate_pair<A: Array>(rows: &mut [A], b: &mut [A::Real], k: usize) -> Opti
     let terms = [top[k] * next[k + 1], top[k + 1] * next[k]];
     let determinant = terms[0] - terms[1];
     let size = determinant.magnitude();
-    let large = size > SMALL * (terms[0].magnitude() + terms[1].magnitude()) && size > SMALL * SMALL;
+    let large =
+        size > CANCELLATION * (terms[0].magnitude() + terms[1].magnitude()) && size > PIVOT_THRESHOLD * PIVOT_THRESHOLD;
     if !large || !is_finite(size) {
         return None;
     }
@@ -252,10 +268,12 @@ fn eliminate_pair<A: Array>(rows: &mut [A], b: &mut [A::Real], k: usize) -> Opti
     Some(negative)
 }
 
-/// Solves for three unknowns by the adjugate. This takes one division, whereas elimination takes three that wait for each other. Returns whether the
-/// determinant is positive, or `None` if its terms cancel. Pivots lose fewer digits there.
+/// Solves for three unknowns by the adjugate. This takes one division, whereas elimination takes three that wait for each other. Returns `Some` with the sign
+/// of the determinant. Returns `None` if its three terms cancel or it is not finite.
+///
+/// Limit: cancellation within a minor, such as f n − k m, is not detected. The solution then loses as many digits as the minor.
 #[inline(always)]
-fn of_three<A: Array>(rows: &[A], b: &mut [A::Real]) -> Option<bool> {
+fn of_three<A: Array>(rows: &[A], b: &mut [A::Real]) -> Option<IsPositive> {
     // The entries are written out, because `map` would leave a loop through memory.
     let row = |i: usize| (rows[i].as_slice()[0], rows[i].as_slice()[1], rows[i].as_slice()[2]);
     let ((a, d, g), (e, f, k), (l, m, n)) = (row(0), row(1), row(2));
@@ -264,7 +282,7 @@ fn of_three<A: Array>(rows: &[A], b: &mut [A::Real]) -> Option<bool> {
     let determinant = terms[0] + (terms[1] + terms[2]);
     let sizes = terms.map(|term| term.magnitude());
     // A determinant that is not finite does not count as large.
-    let large = determinant.magnitude() > SMALL * (sizes[0] + (sizes[1] + sizes[2]));
+    let large = determinant.magnitude() > CANCELLATION * (sizes[0] + (sizes[1] + sizes[2]));
     if !large || !is_finite(determinant.magnitude()) {
         return None;
     }

@@ -1,15 +1,17 @@
-//! Elimination in pairs beside elimination with exchanges. In a file of its own: a bench compiles the other one once more.
+//! Compares elimination in pairs with elimination with exchanges. The tests have a file of their own, because the benchmark `linear` compiles `linear.rs` once
+//! more.
 
 use super::linear::{of_pairs, pivots, solve};
 use super::size::Sizes;
 use crate::space::{Array, Square};
 
-/// 1 plus what looks random, smaller than a third.
+/// Returns the identity plus pseudorandom entries between −0.3 and 0.3.
 fn near_one<const N: usize>(seed: f64) -> [[f64; N]; N] {
     let random = |i: usize, j: usize| 0.3 * libm::sin(seed + 7.3 * i as f64 + 3.1 * (j * j) as f64);
     core::array::from_fn(|i| core::array::from_fn(|j| random(i, j) + if i == j { 1.0 } else { 0.0 }))
 }
 
+/// Returns the sign of the determinant (true if positive) and the solution of [`of_pairs`].
 fn in_pairs<const N: usize>(mut matrix: [[f64; N]; N], mut b: [f64; N]) -> Option<(bool, [f64; N])>
 where
     [f64; N]: Array<Real = f64>,
@@ -17,6 +19,7 @@ where
     of_pairs(&mut matrix, &mut b).map(|positive| (positive, b))
 }
 
+/// Asserts that both eliminations find the known solution of 50 systems, and the same sign of the determinant.
 fn agree<const N: usize>()
 where
     [f64; N]: Array<Real = f64>,
@@ -56,7 +59,7 @@ fn pairs_that_cancel_are_left_to_exchanges() {
     for matrix in [cancels, small, unknown] {
         assert_eq!(in_pairs(matrix, [1.0; 4]), None, "{matrix:?}");
     }
-    // A diagonal of zeros is none.
+    // A diagonal of zeros does not cancel: the determinants of the pairs are 1 and 4.
     let turned = [[0.0, 1.0, 0.0, 0.0], [-1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, -2.0], [0.0, 0.0, 2.0, 0.0]];
     assert_eq!(in_pairs(turned, [1.0, 2.0, 4.0, 6.0]), Some((true, [-2.0, 1.0, 3.0, -2.0])));
 }
@@ -64,7 +67,7 @@ fn pairs_that_cancel_are_left_to_exchanges() {
 #[test]
 fn four_unknowns_are_solved_for_where_pairs_cancel() {
     let mut cancels: [[f64; 4]; 4] = near_one(1.0);
-    // The first pair at once, the second one when unknowns have been eliminated.
+    // In `first`, the first pair cancels. In `cancels`, the second pair is small after the first one has been eliminated.
     let first = [[1.0, 1.0, 0.0, 0.5], [1.0, 1.0, 0.25, 0.0], [0.0, 0.5, 1.0, 0.0], [0.25, 0.0, 0.0, 1.0]];
     (cancels[2], cancels[3]) = ([0.0, 0.0, 0.0, 1e-3], [0.0, 0.0, 1e-3, 0.0]);
     let x = [1.0, -2.0, 3.0, 0.5];

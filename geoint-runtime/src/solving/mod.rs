@@ -1,11 +1,12 @@
-//! Solution of the equations of implicit steps.
+//! Solves the equations of implicit steps, r(x) = 0, to rounding.
 //!
-//! - A step states r(x) = 0 as a [`StepEquation`](equation::StepEquation). `newton` solves it in a few evaluations, with guesses of the `predictor` and the `experience`
-//!   of earlier steps.
-//! - `rescue` solves equations that take more: with many corrections, `damped` corrections, and a measurement of the `noise` of the residual. `branch` decides whether
-//!   the solution is the one that is continuous in h. These files see an equation behind pointers (`distant`).
+//! - `equation` has the interface: a method states r as a [`StepEquation`](equation::StepEquation). A [`Refusal`] is the reason why a step has no result.
+//! - `newton` solves most equations in at most five evaluations. It uses guesses of the `predictor` and bounds from the `experience` of earlier steps.
+//! - `rescue` solves the equations that take more: with up to 100 evaluations, `damped` corrections, and a measurement of the `noise` of r. `branch` decides
+//!   whether the solution is the one that is continuous in the step size h. These files reach the equation through a pointer (`distant`).
+//! - `quasi_newton` solves equations whose derivative is approximate, by the searches of `rescue`. If they fail, `differences` replaces the derivative by
+//!   difference quotients.
 //! - `rounding` decides when corrections are rounding, relative to the `size` of each unknown. `linear` and `inverse` solve small linear systems.
-//! - `quasi_newton` solves equations whose derivative is known approximately.
 
 mod branch;
 mod damped;

@@ -1,14 +1,17 @@
-//! Newton's iteration for the unknown of one step, from the unknowns of the steps before.
+//! Newton's iteration for the unknown of one step: x ← x − J⁻¹ r(x), where J is the derivative of the residual r.
 //!
-//! A step predicts its unknown x, evaluates the residual and its derivative, and corrects x. It accepts x if the next correction is bound to be below 2⁻²⁰ ε
-//! (`REMAINDER`), relative to the size of each entry. Convergence is quadratic, and each 64th step measures its constant. No tolerance of the user ends the
-//! iteration, because a step is symmetric, and keeps the energy, only at the solution.
+//! A step predicts x from the unknowns of the steps before, evaluates r and J, and corrects x. Corrections shrink as |c₂| ≤ C |c₁|², and each 64th step
+//! measures C. A step accepts x if the next correction is bound to be below 2⁻²⁰ ε ([`REMAINDER`]), relative to the size of each entry; ε is the machine
+//! epsilon. No tolerance of the user ends the iteration, because a step is symmetric, and keeps the energy, only at the solution.
 //!
-//! As h goes to 0, the derivative of r tends to the identity, so its determinant is positive. A negative determinant means that solutions from h = 0 to here pass a
-//! singular point. The step is then refused.
+//! J tends to the identity as h goes to 0, so its determinant is positive. A negative determinant means that solutions from h = 0 to here pass a singular
+//! point, and the step is refused. A positive determinant proves nothing, because two changes of its sign cancel.
 //!
-//! All functions of this loop are inlined, so the state of the solver stays in local variables of the run. Cold functions take and return copies. A pointer to the
-//! state would keep it in memory, and the next step would wait for it: short steps would take up to 1.5 times as long.
+//! The loop makes at most five evaluations. An equation that takes more, or whose guess is far off, goes to [`rescue`]. More than 12 unknowns are first
+//! iterated without a matrix, as x ← x − r(x).
+//!
+//! All functions of this loop are inlined, so the state of the solver stays in local variables of the run. Cold functions take and return copies, because a
+//! pointer to the state would keep it in memory, and the next step would wait for it.
 
 use super::equation::{Magnitudes, Solution, Solver, StepEquation, Units, explicit_guess};
 use super::experience::{Experience, MOST_EVALUATIONS};
@@ -21,17 +24,19 @@ use crate::scalar::Real;
 use crate::space::vector::difference;
 use crate::space::{Array, Record, Tape};
 
-/// With more unknowns than this, an elimination costs more than the evaluations that it saves. Up to it, the compiler emits a kernel for Newton's
-/// iteration. The attribute macros have the same constant, and a test compares both.
+/// With more unknowns than this, an elimination costs more than the evaluations that it saves: the fixed-point iteration is tried first. Up to it, the compiler
+/// emits a kernel for Newton's iteration. The attribute macros have the same constant, and a test compares both.
 pub const MOST_UNKNOWNS: usize = 12;
 
-/// The largest first correction of an extrapolated guess, in units of the sizes. Beyond it there may be another solution.
-const FAR_OFF: f64 = 1.0 / 8.0;
+/// The largest first correction of an extrapolated guess, in units of the sizes. Beyond it the iteration may reach another solution. A smaller limit would send
+/// more steps to [`rescue`].
+const FIRST_CORRECTION_LIMIT: f64 = 1.0 / 8.0;
 
-/// The factor by which corrections of the fixed point must shrink.
-const SHRINKING: f64 = 0.3;
+/// The largest ratio of successive corrections with which the fixed-point iteration continues. With a larger ratio it takes more evaluations, and is a weaker
+/// sign of a contraction. With a smaller ratio more steps need a matrix.
+const CONTRACTION_LIMIT: f64 = 0.3;
 
-/// Solves one equation per step.
+/// Solves one equation per step. The extrapolation assumes successive steps of equal length.
 #[derive(Clone, Copy, Debug)]
 pub struct Newton<A> {
     predictor: Predictor<A>,
@@ -63,7 +68,7 @@ impl<A: Array> Solver<A> for Newton<A> {
             Some(solution) => solution,
             None => {
                 let (solution, experience) =
-                    rescue::from_start(self.experience, *equation, Convergence::Quadratic, watch);
+                    rescue::solve_from_explicit_guess(self.experience, *equation, Convergence::Quadratic, watch);
                 self.experience = experience;
                 solution?
             }
@@ -75,14 +80,15 @@ impl<A: Array> Solver<A> for Newton<A> {
 }
 
 impl<A: Array> Newton<A> {
-    /// Predicts, evaluates, corrects, accepts. `None` if the iteration converges too slowly, or may lead to another solution.
+    /// Predicts, evaluates, corrects, accepts. Returns `None` if the iteration converges too slowly, may lead to another solution, or if
+    /// [`solve_fast`](linear::solve_fast) fails.
     #[inline(always)]
     fn iterate<W: Observer + ?Sized, E: StepEquation<A, W>>(
         &mut self,
         equation: &E,
         watch: &mut W,
     ) -> Option<Solution<A>> {
-        // Steps with more effort are seldom. Their equations are compiled once, for `rescue`.
+        // Thorough steps are seldom. Their equations are compiled once, for `rescue`.
         if const { matches!(E::EFFORT, Effort::Thorough) } {
             return None;
         }
@@ -103,16 +109,16 @@ impl<A: Array> Newton<A> {
             }
             let solution = Solution::corrected(&x, &delta);
             x = solution.x;
-            let foreseen = extrapolates && experience.sizes.all_within(&delta, experience.reach);
+            let next_is_negligible = extrapolates && experience.sizes.all_within(&delta, experience.reach);
             // With present magnitudes, the bound counts after the first evaluation only. Later ones compare two corrections.
             let is_trusted = evaluation == 1 || matches!(E::MAGNITUDES, Magnitudes::Recent);
-            if foreseen && is_trusted && (evaluation > 2 || !measures) {
+            if next_is_negligible && is_trusted && (evaluation > 2 || !measures) {
                 if evaluation > 1 {
-                    experience.settle(evaluation, extrapolates);
+                    experience.choose_next_guess(evaluation, extrapolates);
                 }
                 return Some(solution);
             }
-            if evaluation == 1 && extrapolates && !experience.sizes.all_within(&delta, FAR_OFF) {
+            if evaluation == 1 && extrapolates && !experience.sizes.all_within(&delta, FIRST_CORRECTION_LIMIT) {
                 return None;
             }
             let correction = experience.sizes.relative(&delta, &origin, &x);
@@ -120,10 +126,11 @@ impl<A: Array> Newton<A> {
                 experience.measure_curvature(correction, before);
             }
             let is_last = correction == 0.0 || evaluation > 1 && is_last::<A::Real>(correction, before);
-            // Far from a solution the derivative may be huge. Corrections are then small although the residual is not.
+            // Far from a solution the derivative may be huge. Corrections are then small although the residual is not. Extrapolated guesses are assumed to be
+            // near.
             if is_last && (extrapolates || experience.sizes.resolve(&residual, &origin, &point)) {
                 experience.sizes.include(&origin, &x);
-                experience.settle(evaluation, extrapolates);
+                experience.choose_next_guess(evaluation, extrapolates);
                 return Some(solution);
             }
             before = correction;
@@ -133,7 +140,8 @@ impl<A: Array> Newton<A> {
 }
 
 impl<A: Array> Experience<A> {
-    /// Iterates x ← x − r(x), if it converges fast. Fast convergence is taken as the sign of a contraction, which has one solution.
+    /// Iterates x ← x − r(x) = g(x), if it converges fast. Returns `None` if corrections shrink too slowly or are NaN. Fast convergence is taken as the sign of
+    /// a contraction, which has one solution.
     #[inline(always)]
     fn fixed_point<W: Observer + ?Sized, E: StepEquation<A, W>>(
         &mut self,
@@ -150,11 +158,11 @@ impl<A: Array> Experience<A> {
             let next_correction = correction * (correction / before);
             let converged =
                 correction == 0.0 || before.is_finite() && next_correction <= REMAINDER * A::Real::epsilon();
-            let slow = correction.is_nan() || correction > SHRINKING * before;
+            let slow = correction.is_nan() || correction > CONTRACTION_LIMIT * before;
             if converged || slow && is_rounding::<A::Real>(correction) {
                 self.sizes.include(&origin, &x);
                 // A fixed point takes no evaluation of a matrix, and its guess was good.
-                self.settle(0, true);
+                self.choose_next_guess(0, true);
                 return Some(x);
             }
             if slow {
@@ -165,8 +173,8 @@ impl<A: Array> Experience<A> {
     }
 }
 
-/// Returns whether nothing is left to correct after a relative correction that follows another one: convergence is quadratic, or rounding keeps corrections
-/// from shrinking.
+/// Returns whether a relative correction that follows the correction `before` is the last one. It is if the next one, c₂(c₂/c₁)² with quadratic convergence, is
+/// below 2⁻²⁰ ε, or if rounding keeps corrections from shrinking.
 #[inline(always)]
 fn is_last<R: Real>(correction: f64, before: f64) -> bool {
     let shrunk = correction / before;

@@ -1,11 +1,11 @@
-//! Newton's iteration on x = a + b x + c x², beside an origin of 100, as the impulses of steps are beside a momentum.
+//! Tests Newton's iteration on x = a + b x + c x² with the origin 100. The unknown is small beside its origin, as an impulse is beside a momentum.
 
 use super::equation::{Effort, Solution, Solver, StepEquation, Units};
 use super::newton::{MOST_UNKNOWNS, Newton};
 use super::{Observer, Refusal};
 use crate::space::Array;
 
-/// Numbers of evaluations with and without a derivative.
+/// Counts evaluations with a derivative (`residuals`) and without (`images`).
 #[derive(Default)]
 struct Count {
     residuals: u32,
@@ -16,7 +16,7 @@ impl Observer for Count {
     fn pause(&mut self, _: bool) {}
 }
 
-/// The same equation for each unknown.
+/// The equation x = a + b x + c x² for each unknown.
 #[derive(Clone, Copy)]
 struct Curved {
     a: f64,
@@ -56,12 +56,13 @@ where
     }
 }
 
-/// The solution with x = 0 for a = 0.
+/// Returns the solution that is 0 for a = 0.
 fn solution(Curved { a, b, c }: Curved) -> f64 {
     let p = 1.0 - b;
     2.0 * a / (p + (p * p - 4.0 * a * c).sqrt())
 }
 
+/// Returns the equation of step n, whose coefficients oscillate with 0.05 rad per step.
 fn slowly_changing(n: u32) -> Curved {
     let phase = 0.05 * f64::from(n);
     Curved { a: 1.5 + phase.sin(), b: 0.1 * phase.cos(), c: 0.01 }
@@ -79,7 +80,7 @@ fn extrapolated_guesses_need_one_evaluation() {
             count = Count::default();
         }
     }
-    // Each 64th step evaluates twice.
+    // Steps 12 to 999, of which 15 are multiples of 64 and evaluate twice.
     assert_eq!(count.residuals, 988 + 15);
 }
 
@@ -95,7 +96,8 @@ fn many_unknowns_are_solved_without_a_matrix() {
     assert!(count.residuals == 0 && count.images > 100);
 }
 
-/// x = a + 3x has one solution, at which 1 − g' is negative: it does not lead to x = 0 for a short step.
+/// x = g(x) = a + 3x has one solution. There 1 − g' = −2 is negative, so the solution is not connected to x = 0. For two unknowns the determinant is
+/// about (−2)² > 0.
 #[test]
 fn solutions_with_a_negative_determinant_are_refused() {
     let found = Newton::<[f64; 2]>::new(Units { alike: 1, kinds: 2 })

@@ -1,7 +1,11 @@
-//! Newton's iteration with an approximate derivative. Convergence is linear, not quadratic.
+//! Newton's iteration x ← x − J⁻¹ r(x) with an approximate derivative J of the residual r. Corrections shrink by a factor: convergence is linear, not
+//! quadratic.
 //!
-//! Steps along means of gradients need it: the derivative of their mean is exact only near the solution. Each step starts from the guess of its equation, and takes
-//! at most 100 evaluations. The iteration, and the ways to repeat it, are those of [`rescue`](super::rescue), which are cold for Newton's iteration only.
+//! Steps along means of gradients need it, because the derivative of their mean is exact only near the solution. Each step starts from the guess of its
+//! equation. The searches are those of [`rescue`](super::rescue): at most 100 evaluations each. For thorough steps, difference quotients replace J if the first
+//! search fails.
+//!
+//! Limit: a solution after more than five evaluations is followed to h = 0, unless the equation is bound by energy. A fast step is then refused and repeated.
 
 use super::equation::{Solution, Solver, StepEquation, Units};
 use super::experience::Experience;
@@ -31,7 +35,8 @@ impl<A: Array> Solver<A> for QuasiNewton<A> {
         equation: &E,
         watch: &mut W,
     ) -> Result<Solution<A>, Refusal> {
-        let (solution, experience) = rescue::from_start(self.experience, *equation, Convergence::Linear, watch);
+        let (solution, experience) =
+            rescue::solve_from_explicit_guess(self.experience, *equation, Convergence::Linear, watch);
         self.experience = experience;
         solution
     }

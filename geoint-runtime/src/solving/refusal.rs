@@ -1,21 +1,23 @@
-//! Reasons why a step has no result.
+//! Reasons why a step has no result. A run adds the time of the last good state, and reports them as [`StepError`](crate::StepError).
 
 use core::fmt;
 
-/// The reason why a step has no result.
+/// The reason why a step has no result. Most reasons vanish if h is smaller.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Refusal {
     /// The iteration ended without a solution.
     NotConverged {
-        /// The number of iterations.
+        /// The number of corrections.
         iterations: u32,
-        /// The last correction, relative to the quantity that it corrects.
+        /// The last correction, relative to the quantity that it corrects. It is infinite if the iteration ended when corrections stopped shrinking.
         correction: f64,
     },
-    /// The equation of the step has no solution that is continuous in h from h = 0 on. Its matrix is singular, or changed its orientation on the way.
+    /// The equation of the step has no solution that is continuous in h from h = 0 on. Its matrix is singular, or its determinant is negative, or the solution
+    /// could not be followed to h = 0.
     Singular,
-    /// An increment is orthogonal to the direction along which it must change the energy.
+    /// An increment is orthogonal to the direction along which it must change the energy. [`CoordinateIncrement`](crate::CoordinateIncrement) divides by their
+    /// product.
     SingularDirection,
     /// The constraints depend on each other at an end of the step, or on the way.
     DependentConstraints {
@@ -27,13 +29,14 @@ pub enum Refusal {
         /// The formula of the angle.
         what: &'static str,
     },
-    /// Rounding on the way changes an invariant of the step by more than its last digits.
+    /// Rounding on the way changes an invariant of the step by more than its last digits. Causes are terms that change by orders of magnitude, nearly parallel
+    /// gradients, or a force that jumps.
     Rounded,
-    /// The projection to the invariants would have to undo more than half of the step.
+    /// The projection to the invariants would have to undo more than half of the step. It might lead to an unrelated state with the same invariants.
     LedAstray,
     /// An invariant of the step underflows or overflows.
     OutOfRange,
-    /// The energy is not defined on the way, or has a pole there.
+    /// The energy is not defined on the way, has a pole there, or jumps at the end.
     OutsideDomain {
         /// The function and the term that cause the refusal.
         what: &'static str,
@@ -67,7 +70,7 @@ impl fmt::Display for Refusal {
 impl core::error::Error for Refusal {}
 
 impl Refusal {
-    /// Returns [`Refusal::OutsideDomain`] with the term that was found, or `Ok` if no term was found.
+    /// Returns the error [`Refusal::OutsideDomain`] if a term was `found` that is not defined, and `Ok` otherwise.
     #[inline(always)]
     pub(crate) fn outside(found: Option<&'static str>) -> Result<(), Refusal> {
         found.map_or(Ok(()), |what| Err(Refusal::OutsideDomain { what }))

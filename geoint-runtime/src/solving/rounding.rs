@@ -1,8 +1,12 @@
 //! The stopping criteria of iterations. Newton's loop has a short form of them.
 //!
-//! An iteration ends if the next correction is bound to be below 2⁻²⁰ ε, or if corrections are small and no longer shrink. A correction is relative to the size of
-//! the unknown that it corrects, and ε is the machine epsilon of the scalar. If large terms cancel in a residual, their rounding is measured: see
-//! [`noise`](crate::solving::noise).
+//! An iteration ends if the predicted next correction is below 2⁻²⁰ ε, or if a correction is below 64 ε and above half of the one before. A correction is
+//! relative to the size of the unknown that it corrects, and ε is the machine epsilon of the scalar. The next correction after c₁ and c₂ is predicted as
+//! c₂(c₂/c₁) for linear convergence, and as c₂(c₂/c₁)² for quadratic convergence. No tolerance of the user takes part, because invariants hold at the solution
+//! only.
+//!
+//! If large terms cancel in a residual, corrections stop shrinking earlier. The residual is then compared with the last digits of the unknowns
+//! ([`is_of_last_digits`]), or its rounding is measured ([`noise`](crate::solving::noise)).
 
 use crate::scalar::Real;
 use crate::solving::Refusal;
@@ -12,35 +16,38 @@ use crate::space::{Array, Square};
 /// The largest number of iterations. Iterations that converge need far fewer.
 pub(crate) const MAX_ITERATIONS: u32 = 100;
 
-/// Bound on the error that an iteration leaves, in units of ε. This error has the same sign in every step, so it adds up: with 1/1024, the energy drifts visibly in a
-/// million steps.
+/// Bound on the error that an iteration leaves, in units of ε. This error has the same sign in every step, so it adds up: with 1/1024, the energy drifts
+/// visibly in a million steps.
 pub(crate) const REMAINDER: f64 = 1.0 / 1_048_576.0;
 
-/// A relative correction that no longer shrinks is rounding if it is at most this many ε.
+/// A relative correction that no longer shrinks is rounding if it is at most this many ε. A larger number would accept solutions with visible errors. With a
+/// smaller one, more steps would need a measurement of their rounding.
 pub(crate) const ROUNDINGS: f64 = 64.0;
 
 /// The rounding of an unknown in a residual, in ε. Positions, distances and forces each lose their last digits.
 const LAST_DIGITS: f64 = 8.0;
 
-/// A residual larger than this many times the unknown is no rounding, however large its terms are. Far away from all earlier states, and in steps of many turns, terms
-/// may be larger than the state.
-const LARGEST: f64 = 1024.0;
+/// A residual larger than this many times the unknown is no rounding, however large its terms are. Far away from all earlier states, and in steps of many
+/// turns, terms may be larger than the state. Without the limit, points far away would pass as solutions.
+const RESIDUAL_LIMIT: f64 = 1024.0;
 
-/// An iteration is stuck after this many successive corrections of at least `SMALLER` times the smallest one before. One such correction may be chance.
-const MOST_STUCK: u32 = 4;
-const SMALLER: f64 = 0.75;
+/// An iteration is stuck after this many successive corrections of at least `NOT_SMALLER` times the smallest one before. One such correction may be chance.
+const STUCK_CORRECTIONS: u32 = 4;
+const NOT_SMALLER: f64 = 0.75;
 
-/// Near a solution with quadratic convergence, a correction is below this part of the correction before it.
+/// With quadratic convergence, a correction near the solution is below this part of the correction before it. A larger part is a sign of rounding, or of a
+/// wrong derivative.
 const SLOW: f64 = 0.25;
 
-/// The distance of the points at which rounding is measured first, in units of the last correction, and the factor by which it grows with each measurement.
+/// The distance of the points at which rounding is measured first, in units of the last correction. Nearer points may share equally rounded terms. Each further
+/// measurement takes points that are farther apart by the factor `DISTANCE_GROWTH`.
 const FIRST_DISTANCE: f64 = 16.0;
 const DISTANCE_GROWTH: f64 = 4.0;
 
 /// The largest number of measurements. Each one costs more evaluations than a step. If corrections are stuck after all of them, there is another reason.
 const MOST_MEASUREMENTS: u32 = 5;
 
-/// The answer to a correction.
+/// The decision after a correction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Verdict {
     /// Another correction follows.
@@ -60,24 +67,27 @@ pub(crate) enum Convergence {
     Quadratic,
 }
 
-/// The corrections of an iteration so far.
+/// The corrections of an iteration so far. Each one is relative to the size of the unknown.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Corrections {
-    /// After c₁ and c₂, the next correction is c₂(c₂/c₁), or c₂(c₂/c₁)².
     convergence: Convergence,
     iterations: u32,
-    /// The last correction, relative to the size of the unknown.
+    /// The last correction, or infinity if there is none since the start or the last [`restart`](Self::restart).
     before: f64,
+    /// The smallest correction, counted only if it is below [`NOT_SMALLER`] times the value before.
     smallest: f64,
+    /// The number of corrections since `smallest`.
     stuck: u32,
+    /// See [`slow`](Self::slow).
     slow: bool,
+    /// The number of measurements of rounding.
     measurements: u32,
-    /// The distance of the points at which rounding is measured, in units of a correction.
+    /// See [`distance`](Self::distance).
     distance: f64,
 }
 
 impl Corrections {
-    /// Creates an empty list.
+    /// Creates the state before the first correction.
     pub(crate) fn of(convergence: Convergence) -> Self {
         Corrections {
             convergence,
@@ -91,7 +101,7 @@ impl Corrections {
         }
     }
 
-    /// Forgets the sizes of the corrections so far after a measurement of rounding. The next measurement, if there is one, uses points that are farther apart.
+    /// Drops the corrections so far when an iteration is stuck, and counts a measurement. The next measurement uses points that are farther apart.
     pub(crate) fn restart(&mut self) {
         let (measurements, distance) = (self.measurements + 1, DISTANCE_GROWTH * self.distance);
         *self = Self { before: f64::INFINITY, smallest: f64::INFINITY, stuck: 0, measurements, distance, ..*self };
@@ -102,20 +112,20 @@ impl Corrections {
         self.distance
     }
 
-    /// Returns whether the last correction that followed another one is larger than it would be with quadratic convergence. The derivative may then be wrong, or rounding. For iterations of order 1,
-    /// this is usual.
+    /// Returns whether the last ratio of two corrections was above 1/4, which is larger than with quadratic convergence. The derivative may then be wrong, or
+    /// corrections consist of rounding. With linear convergence such ratios are usual.
     #[inline(always)]
     pub(crate) fn slow(&self) -> bool {
         self.slow
     }
 
-    /// Returns the last correction, relative to the size of the unknown, or infinity if there is none.
+    /// Returns the last correction, or infinity if there is none since the start or the last [`restart`](Self::restart).
     #[inline(always)]
     pub(crate) fn last(&self) -> f64 {
         self.before
     }
 
-    /// Returns the answer to the next correction, which is `relative` to the size of the unknown.
+    /// Adds a correction, which is `relative` to the size of the unknown, and returns the decision. NaN never solves.
     #[inline(always)]
     pub(crate) fn judge<R: Real>(&mut self, relative: f64) -> Verdict {
         let (first, shrunk) = (self.before == f64::INFINITY, relative / self.before);
@@ -132,27 +142,27 @@ impl Corrections {
         if relative == 0.0 || next <= REMAINDER * R::epsilon() || shrunk > 0.5 && is_rounding::<R>(relative) {
             return Verdict::Solved;
         }
-        if relative < SMALLER * self.smallest {
+        if relative < NOT_SMALLER * self.smallest {
             (self.smallest, self.stuck) = (relative, 0);
         } else {
             self.stuck += 1;
         }
         self.slow = shrunk > SLOW;
-        if self.stuck == MOST_STUCK && self.measurements < MOST_MEASUREMENTS {
+        if self.stuck == STUCK_CORRECTIONS && self.measurements < MOST_MEASUREMENTS {
             Verdict::Stuck
         } else {
             Verdict::Continue
         }
     }
 
-    /// Returns the refusal of an iteration that ends without a solution.
+    /// Returns the refusal of an iteration that ends without a solution. Its correction is infinite directly after a [`restart`](Self::restart).
     #[cold]
     pub(crate) fn not_converged(&self) -> Refusal {
         Refusal::NotConverged { iterations: self.iterations, correction: self.before }
     }
 }
 
-/// Returns whether a relative correction that does not shrink is rounding.
+/// Returns whether a relative correction is at most 64 ε. Precondition: corrections do not shrink, otherwise it may be a true correction.
 #[inline(always)]
 pub(crate) fn is_rounding<R: Real>(relative: f64) -> bool {
     relative <= ROUNDINGS * R::epsilon()
@@ -161,11 +171,11 @@ pub(crate) fn is_rounding<R: Real>(relative: f64) -> bool {
 /// Returns whether a residual is small enough to be rounding of terms that add up to an unknown of this size.
 #[inline(always)]
 pub(crate) fn may_be_rounding(residual: f64, size: f64) -> bool {
-    residual <= LARGEST * size
+    residual <= RESIDUAL_LIMIT * size
 }
 
-/// Returns whether changes of the unknowns in their last digits explain a residual with the derivative `matrix`. If large forces cancel, corrections never
-/// become smaller than such changes.
+/// Returns whether changes of the unknowns in their last digits explain a residual r with the derivative J = `matrix`: |rᵢ| ≤ 8 ε Σⱼ |Jᵢⱼ| sⱼ with the sizes
+/// sⱼ. If large forces cancel, corrections never become smaller than such changes. Rounding within the formula of r is not part of this bound.
 ///
 /// W. Oettli & W. Prager, Numer. Math. 6 (1964) 405.
 pub(crate) fn is_of_last_digits<A: Array>(sizes: &Sizes<A>, residual: &A, matrix: &Square<A>) -> bool {
@@ -190,13 +200,13 @@ pub(crate) struct Stuck<'a, A> {
     pub(crate) after: &'a A,
 }
 
-/// Subtracts corrections from `start` until nothing but rounding is left. Small equations beside that of a step use it, such as projections.
+/// Subtracts corrections from `start` until nothing but rounding is left. Small equations beside the equation of a step use it, such as projections.
 ///
-/// `corrections` is an empty list with the order of convergence. `correction` returns the correction at a point. If corrections are stuck, `accept` returns the solution
-/// if the residual is rounding.
+/// `corrections` is the state before the first correction. `correction` returns the correction at a point. If corrections are stuck, `accept` returns the
+/// solution if the residual is rounding, and `None` if the iteration has to continue.
 ///
 /// # Errors
-/// If `correction` returns an error, and if corrections do not shrink or are not finite.
+/// If `correction` returns an error, if a correction is not finite, or after [`MAX_ITERATIONS`] corrections.
 #[inline(always)]
 pub(crate) fn correct<A: Array>(
     start: A,

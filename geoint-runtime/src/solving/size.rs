@@ -1,20 +1,21 @@
-//! Defines the size of a coordinate, the only measure for comparisons of coordinates with different units.
+//! The size of a coordinate: its largest recent magnitude. It is the only measure for comparisons of coordinates with different units.
+//!
+//! An entry is compared with its own size, or with the largest size of its kind ([`Units`]). A change of units by a power of two therefore changes no result by
+//! a single bit. Limit: a coordinate that has not moved yet has size zero, and no correction of it is small.
 
 use crate::scalar::Real;
 use crate::slope::before_squares;
 use crate::space::{Array, Record, Square, Tape};
 
-/// The factor by which a size fades with every point that is included. A size has halved after some fifty points.
+/// The factor by which a size fades with every point that is included. A size has halved after 44 points. Slower fading would keep the sizes of a close
+/// encounter too long. Faster fading would lose the largest magnitude within one oscillation.
 const FADING: f64 = 1.0 - 1.0 / 64.0;
 
-/// The largest residual, as a part of the unknown, with which the equation determines the unknown. Above this limit, a small correction proves
-/// nothing.
+/// The largest residual, as a part of the unknown, beside which a small correction proves a solution. It is far above rounding, because it only has to exclude
+/// points with a huge derivative.
 const RESOLVED: f64 = 1.0 / 16.0;
 
 /// The largest recent magnitude of every entry. An entry is a coordinate, its increment, or the terms that add up to it. Earlier magnitudes fade.
-///
-/// An entry is compared with its own size only. A change of its unit by a power of two therefore changes no result by a single bit. An entry that has
-/// not moved yet has size zero.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sizes<A>(A);
 
@@ -25,16 +26,16 @@ impl<A: Array> Record<A::Real> for Sizes<A> {
 }
 
 impl<A: Array> Sizes<A> {
-    /// Returns sizes that include no point yet.
+    /// Returns sizes that include no point yet: zeros.
     pub(crate) fn new() -> Self {
         Sizes(A::zero())
     }
 
-    /// Includes a point and an increment of it.
+    /// Includes a point and an increment of it: sᵢ ← max(|originᵢ| + |xᵢ|, 63/64 sᵢ).
     #[inline(always)]
     pub(crate) fn include(&mut self, origin: &A, x: &A) {
         for (i, size) in self.0.as_mut_slice().iter_mut().enumerate() {
-            let (now, before) = (sum(origin, x, i), FADING * size.magnitude());
+            let (now, before) = (sum_of_magnitudes(origin, x, i), FADING * size.magnitude());
             // NaN does not enter a size.
             *size = A::Real::from_f64(if now > before { now } else { before });
         }
@@ -65,12 +66,12 @@ impl<A: Array> Sizes<A> {
         beside
     }
 
-    /// Returns sizes with these magnitudes.
+    /// Returns sizes with these magnitudes. Precondition: none is negative.
     pub(crate) fn of_magnitudes(sizes: A) -> Self {
         Sizes(sizes)
     }
 
-    /// Returns size 1 for all entries, which have one unit.
+    /// Returns size 1 for all entries. Precondition: they have one unit.
     pub(crate) fn equal() -> Self {
         let mut sizes = A::zero();
         sizes.as_mut_slice().fill(A::Real::from_f64(1.0));
@@ -86,8 +87,10 @@ impl<A: Array> Sizes<A> {
         Sizes(largest)
     }
 
-    /// Returns units for the positions and for the momenta, the two halves of the unknowns. They follow from a matrix that maps unknowns to unknowns.
-    /// An entry of the matrix has the unit of its row over the unit of its column.
+    /// Returns one size for all positions and one for all momenta, the two halves of the unknowns. They follow from a matrix that maps unknowns to unknowns.
+    ///
+    /// An entry of the matrix has the unit of its row over the unit of its column. Let u be the largest entry of the upper right block, and l of the lower left
+    /// one. The ratio √u : √l of the sizes then has the unit of positions over momenta. All sizes are 1 if u or l is zero.
     pub(crate) fn of_blocks(matrix: &Square<A>) -> Self {
         let half = A::LEN / 2;
         let block = |rows: core::ops::Range<usize>, columns: core::ops::Range<usize>| {
@@ -104,7 +107,7 @@ impl<A: Array> Sizes<A> {
         sizes
     }
 
-    /// Returns the sizes in order, to be changed.
+    /// Returns the sizes in order, mutable.
     #[inline(always)]
     pub(crate) fn entries(&mut self) -> &mut [A::Real] {
         self.0.as_mut_slice()
@@ -129,10 +132,10 @@ impl<A: Array> Sizes<A> {
         }
     }
 
-    /// Converts a gradient to units of the sizes and divides it by the sum of its magnitudes. Returns the sum: rounding of the coordinates changes
-    /// the function by ε times the sum. A gradient of zero stays unchanged.
+    /// Multiplies a gradient by the sizes, and divides it by the sum of its magnitudes. Returns this sum Σ|gᵢ|sᵢ: rounding of the coordinates changes the
+    /// function by ε times the sum. A gradient of zero stays zero.
     pub(crate) fn normalise(&self, gradient: &mut A) -> A::Real {
-        // The scale keeps products with small sizes from vanishing.
+        // The scale is a power of two. It keeps products with small sizes from vanishing.
         let scale = before_squares(A::Real::from_f64(gradient.as_slice().iter().map(|x| x.magnitude()).sum()));
         for x in gradient.as_mut_slice() {
             *x *= scale;
@@ -147,8 +150,7 @@ impl<A: Array> Sizes<A> {
         terms / scale
     }
 
-    /// Returns the sum of the magnitudes of a gradient in units of the sizes: rounding of the coordinates changes the function by ε times the
-    /// sum.
+    /// Returns Σ|gᵢ|sᵢ for a gradient g and the sizes s: rounding of the coordinates changes the function by ε times this sum.
     #[inline(always)]
     pub(crate) fn terms(&self, gradient: &A) -> f64 {
         self.0
@@ -159,7 +161,7 @@ impl<A: Array> Sizes<A> {
             .sum()
     }
 
-    /// Returns the sum of the squares of all entries in units of their sizes.
+    /// Returns Σ(xᵢ/sᵢ)² for the sizes s. A zero entry counts as zero. The sum is infinite if another entry has size zero.
     pub(crate) fn square(&self, x: &A) -> f64 {
         let square = |(i, x): (usize, &A::Real)| {
             let ratio = if x.magnitude() == 0.0 { 0.0 } else { x.magnitude() / self.of(i) };
@@ -168,7 +170,7 @@ impl<A: Array> Sizes<A> {
         x.as_slice().iter().enumerate().map(square).sum()
     }
 
-    /// Returns whether every entry of `delta` is at most `bound` times the size of its coordinate.
+    /// Returns whether every entry of `delta` is at most `bound` times the size of its coordinate. NaN is not.
     #[inline(always)]
     pub(crate) fn all_within(&self, delta: &A, bound: f64) -> bool {
         // Squares are avoided, because they overflow or vanish in large or tiny units.
@@ -180,21 +182,22 @@ impl<A: Array> Sizes<A> {
         within
     }
 
-    /// Returns whether every entry of a residual is small beside the entry of `origin + x`.
+    /// Returns whether every entry of a residual is at most 1/16 of its size or of |origin| + |x|. A small correction then proves a solution.
     #[inline(always)]
     pub(crate) fn resolve(&self, residual: &A, origin: &A, x: &A) -> bool {
-        (0..A::LEN).all(|i| residual.as_slice()[i].magnitude() <= RESOLVED * self.of(i).max(sum(origin, x, i)))
+        (0..A::LEN)
+            .all(|i| residual.as_slice()[i].magnitude() <= RESOLVED * self.of(i).max(sum_of_magnitudes(origin, x, i)))
     }
 
-    /// Returns the largest entry of `delta` relative to the size of the entry of `origin + x` that it corrects. The result is at most 1 if an entry
-    /// has no size but the correction. It is NaN if `delta` contains NaN.
+    /// Returns the largest entry of `delta` relative to its size, or to |origin| + |x| + |delta| if this is larger. The result is therefore at most 1. It is
+    /// NaN if `delta` contains NaN or infinity.
     #[inline(always)]
     pub(crate) fn relative(&self, delta: &A, origin: &A, x: &A) -> f64 {
         // Sizes come first, by conditional moves, because a processor mispredicts branches if sizes and coordinates are nearly equal.
         let mut sizes = A::zero();
         for (i, size) in sizes.as_mut_slice().iter_mut().enumerate() {
-            let (before, now) = (self.of(i), sum(origin, x, i) + delta.as_slice()[i].magnitude());
-            // `f64::max` would take three instructions more, and drop NaN.
+            let (before, now) = (self.of(i), sum_of_magnitudes(origin, x, i) + delta.as_slice()[i].magnitude());
+            // `f64::max` would take three instructions more, and ignore NaN.
             let largest = if before > now { before } else { now };
             // A size of zero implies a change of zero. The ratio is then zero.
             *size = A::Real::from_f64(if largest == 0.0 { 1.0 } else { largest });
@@ -204,12 +207,14 @@ impl<A: Array> Sizes<A> {
     }
 }
 
-/// The number of unknowns that follow each other and have one unit, and the number of such kinds: positions and momenta are two kinds.
+/// The units of unknowns. Unknowns of one unit are a kind: positions and momenta are two kinds.
+///
+/// Unknown i has the kind (i / `alike`) mod `kinds`. Two positions and two momenta at each of several stages have `alike` = 2 and `kinds` = 2.
 #[derive(Clone, Copy, Debug)]
 pub struct Units {
-    /// Unknowns of one kind.
+    /// The number of unknowns of one kind that follow each other.
     pub alike: usize,
-    /// Kinds of unknowns.
+    /// The number of kinds.
     pub kinds: usize,
 }
 
@@ -226,11 +231,11 @@ pub(crate) fn largest_of_kind<R: Real>(sizes: &[R], units: Units, i: usize) -> f
 
 /// Returns |origin| + |x| of entry `i`.
 #[inline(always)]
-pub(crate) fn sum<A: Array>(origin: &A, x: &A, i: usize) -> f64 {
+pub(crate) fn sum_of_magnitudes<A: Array>(origin: &A, x: &A, i: usize) -> f64 {
     origin.as_slice()[i].magnitude() + x.as_slice()[i].magnitude()
 }
 
-/// Returns the largest number, or NaN if there is one. `f64::max` would drop NaN.
+/// Returns the largest of numbers that are not negative, 0 if there is none, or NaN if one of them is NaN. `f64::max` would ignore NaN.
 #[inline(always)]
 pub(crate) fn largest(numbers: impl Iterator<Item = f64>) -> f64 {
     numbers.fold(0.0, |largest, x| if x > largest || x.is_nan() { x } else { largest })

@@ -21,13 +21,13 @@ pub struct Point<Z: Array, C, S = ()> {
     /// How far time is ahead of t₀ + n·h: methods that scale their steps say so here.
     pub ahead: DoubleWord<Z::Real>,
     /// A step of the fast path can not tell that it was good: it is to be repeated, watched.
-    pub(crate) doubtful: bool,
+    pub(crate) needs_recheck: bool,
 }
 
 impl<Z: Array, C: Summation<Z>, S: Action<Z::Real>> Point<Z, C, S> {
     /// A point without rounding errors so far.
     pub fn with_action(z: Z, s: S) -> Self {
-        Point { z, s, sums: C::new(), compensation: S::zero(), ahead: DoubleWord::new(zero()), doubtful: false }
+        Point { z, s, sums: C::new(), compensation: S::zero(), ahead: DoubleWord::new(zero()), needs_recheck: false }
     }
 
     /// The same point with sums of another kind, without rounding errors so far.
@@ -38,7 +38,7 @@ impl<Z: Array, C: Summation<Z>, S: Action<Z::Real>> Point<Z, C, S> {
     /// Whether every coordinate is a finite number, and no step is in doubt.
     #[inline(always)]
     pub fn is_finite(&self) -> bool {
-        !self.doubtful && self.z.is_finite() && self.s.is_finite()
+        !self.needs_recheck && self.z.is_finite() && self.s.is_finite()
     }
 
     /// z ← z + dz.
@@ -74,15 +74,15 @@ impl<Z: Array, C: Summation<Z>, S: Action<Z::Real>> Point<Z, C, S> {
     }
 
     /// The same, with sums of the method's own unless those of the point compensate: those outlive a change of the step size.
-    /// `lost` is the rounding error of dz.
+    /// `rounding_error` is the rounding error of dz.
     #[inline(always)]
-    pub fn add_with<D: Summation<Z>>(&mut self, sums: &mut D, dz: &Z, lost: &Z) {
+    pub fn add_with<D: Summation<Z>>(&mut self, sums: &mut D, dz: &Z, rounding_error: &Z) {
         if !C::PLAIN {
             self.add(dz);
-            return self.sums.compensate(lost);
+            return self.sums.compensate(rounding_error);
         }
         sums.add(&mut self.z, |z| z.add_scaled(Z::Real::from_f64(1.0), dz));
-        sums.compensate(lost);
+        sums.compensate(rounding_error);
     }
 
     /// Copies what sums have lost, if they compensate.
@@ -129,6 +129,6 @@ impl<Z: Array, C: Summation<Z>, S: Action<Z::Real>> Record<Z::Real> for Point<Z,
         self.sums.record(tape);
         self.compensation.numbers_mut().iter_mut().for_each(|s| tape.scalar(s));
         self.ahead.record(tape);
-        tape.flag(&mut self.doubtful);
+        tape.flag(&mut self.needs_recheck);
     }
 }

@@ -1,16 +1,16 @@
-//! Points, increments and gradients as vectors.
+//! Vector algebra of points, increments and gradients. Nested arrays count as flat rows of numbers.
 
 use super::Square;
 use super::array::Array;
 use crate::scalar::{Real, zero};
 
-/// The entries of a vector: arrays have a method of their own called `as_mut_slice`.
+/// Returns the entries of a vector. `x.as_mut_slice()` would call the method of this name that Rust's arrays have, and return inner arrays.
 #[inline(always)]
 pub(crate) fn entries<X: Array>(x: &mut X) -> &mut [X::Real] {
     x.as_mut_slice()
 }
 
-/// The first entries of x, as many as `Y` has; entries that x does not have are `rest`.
+/// Returns the first entries of x, as many as `Y` has. Further entries of the result are `rest`.
 #[inline(always)]
 pub(crate) fn resized<X: Array, Y: Array<Real = X::Real>>(x: &X, rest: X::Real) -> Y {
     let mut y = Y::zero();
@@ -20,7 +20,7 @@ pub(crate) fn resized<X: Array, Y: Array<Real = X::Real>>(x: &X, rest: X::Real) 
     y
 }
 
-/// x + w·d.
+/// Returns x + w·d.
 #[inline(always)]
 pub(crate) fn moved<X: Array>(x: &X, w: X::Real, d: &X) -> X {
     let mut end = *x;
@@ -28,13 +28,13 @@ pub(crate) fn moved<X: Array>(x: &X, w: X::Real, d: &X) -> X {
     end
 }
 
-/// w·x.
+/// Returns w·x.
 #[inline(always)]
 pub(crate) fn scaled<X: Array>(w: X::Real, x: &X) -> X {
     moved(&X::zero(), w, x)
 }
 
-/// The products of entries.
+/// Returns the products xᵢyᵢ of entries.
 #[inline(always)]
 pub(crate) fn product<X: Array>(x: &X, y: &X) -> X {
     let mut z = *x;
@@ -44,37 +44,37 @@ pub(crate) fn product<X: Array>(x: &X, y: &X) -> X {
     z
 }
 
-/// −x.
+/// Returns −x.
 #[inline(always)]
 pub(crate) fn opposite<X: Array>(x: &X) -> X {
     scaled(X::Real::from_f64(-1.0), x)
 }
 
-/// x + y.
+/// Returns x + y.
 #[inline(always)]
 pub(crate) fn sum<X: Array>(x: &X, y: &X) -> X {
     moved(x, X::Real::from_f64(1.0), y)
 }
 
-/// x − y.
+/// Returns x − y.
 #[inline(always)]
 pub(crate) fn difference<X: Array>(x: &X, y: &X) -> X {
     moved(x, X::Real::from_f64(-1.0), y)
 }
 
-/// x·y.
+/// Returns the scalar product x·y.
 #[inline(always)]
 pub(crate) fn dot<X: Array>(x: &X, y: &X) -> X::Real {
     sum_of_products(x.as_slice(), y.as_slice())
 }
 
-/// Σ xᵢ·yᵢ.
+/// Returns Σ xᵢ·yᵢ, up to the end of the shorter slice.
 #[inline(always)]
 pub(crate) fn sum_of_products<R: Real>(x: &[R], y: &[R]) -> R {
     x.iter().zip(y).fold(zero(), |sum: R, (x, y)| x.multiply_add(*y, sum))
 }
 
-/// The product of a matrix with a vector.
+/// Returns the product of a matrix and a vector.
 #[inline(always)]
 pub(crate) fn times<A: Array>(matrix: &Square<A>, x: &A) -> A {
     let mut product = A::zero();
@@ -84,13 +84,14 @@ pub(crate) fn times<A: Array>(matrix: &Square<A>, x: &A) -> A {
     product
 }
 
-/// The value of a function after a small correction, from its value and its derivative: the square of the correction is rounding.
+/// Returns a function after a correction of its argument, to first order, from its value and its derivative. Precondition: the square of the correction is
+/// below rounding errors.
 #[inline(always)]
 pub(crate) fn extrapolated<A: Array>(value: &A, derivative: &Square<A>, correction: &A) -> A {
     sum(value, &times(derivative, correction))
 }
 
-/// Multiplies the rows of an equation with numbers.
+/// Multiplies the rows of an equation, its residual and its matrix, by `scales`.
 #[inline(always)]
 pub(crate) fn scale_rows<A: Array>(scales: &A, residual: &mut A, matrix: &mut Square<A>) {
     *residual = product(residual, scales);

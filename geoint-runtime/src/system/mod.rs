@@ -31,9 +31,10 @@ mod timed; // Search for a pole of H that depends on time only.
 pub use bodies::PrincipalAxes;
 pub use contact::{Clock, Conformal, Contact, ContactEquation, Mechanical, NystromPieces, Piece, Pieces};
 pub use implicit::{
-    CanonicalForm, Collocation, Constrained, ConstrainedStep, ContactStages, DiscreteField, FourthOrderField,
-    Gradients, Keeping, MassForm, Mean, MixedDerivatives, PolarisedForm, QuadraticField, Span, Unmet, VelocityForm,
-    VelocityStage, contact_gradient_of, energy_of, own_momentum, rate_of, singular_mass, unmet, velocity_of,
+    CanonicalForm, Collocation, Constrained, ConstrainedStep, ContactStages, DiscreteField, EquationOrder,
+    FourthOrderField, Gradients, Keeping, MassForm, Mean, MixedDerivatives, PolarisedForm, QuadraticField, Span, Unmet,
+    VelocityForm, VelocityStage, contact_gradient_of, energy_of, own_momentum, rate_of, singular_mass, unmet,
+    velocity_of,
 };
 pub(crate) use implicit::{
     KeptBy, Regular, held, mass_units, on_one_side, projected, rates_of_velocity, row_scale, row_units, tangent,
@@ -46,7 +47,7 @@ pub use lagrangian::{Lagrangian, from_positions};
 pub use modified::ModifiedEnergy;
 pub use perturbed::{Perturbed, PerturbedGradient, unsuitable};
 pub use poles::Pole;
-pub(crate) use poles::{Ends, Known, Poles, compiled};
+pub(crate) use poles::{Ends, Evaluations, Known, Poles, compiled};
 pub use rates::Rates;
 pub use semidefinite::is_positive_semidefinite;
 pub use separable::{FlowPart, ForceGradient, QuadraticKinetic, Separable};

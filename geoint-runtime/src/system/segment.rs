@@ -1,22 +1,27 @@
-//! Decides by interval arithmetic whether a function vanishes on the straight line between two points.
+//! Decides by interval arithmetic whether a function vanishes, or is negative, on the straight line between two points.
+//!
+//! The line parameter runs from 0 to 1. Intervals that contain the values and the rate of the function decide a part of the line, else the part is halved
+//! (R. E. Moore, R. B. Kearfott & M. J. Cloud, *Introduction to Interval Analysis*, 2009). A question that stays undecided counts as a zero, or as a
+//! negative value.
 
 use crate::scalar::Interval;
 
-/// The largest number of parts of the line that may wait. Each halving leaves one part behind.
+/// The largest number of parts of the line that may wait. Each halving leaves one part behind, and 47 halvings reach [`SHORTEST`].
 const DEPTH: usize = 48;
 
-/// The length of the shortest part of the line that is divided further.
+/// The length of the shortest part of the line that is divided further. Shorter parts are near the rounding of the parameter.
 const SHORTEST: f64 = 1e-14;
 
 /// The largest number of parts that are examined before the question is given up. A line that passes a zero at 10⁻¹⁰ of its length takes about thirty
 /// parts.
 const MOST_JUDGED: u32 = 500;
 
-/// A coordinate on the straight line from one value to another.
+/// A coordinate along the line from `start` to `end`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Line {
     start: Interval,
     end: Interval,
+    /// `end` − `start`, the rate of the coordinate.
     change: Interval,
 }
 
@@ -24,11 +29,12 @@ impl Line {
     /// The line between two unknown values.
     pub(crate) const WHOLE: Line = Line { start: Interval::WHOLE, end: Interval::WHOLE, change: Interval::WHOLE };
 
+    /// Returns the line between two values.
     pub(crate) fn new([start, end]: [Interval; 2]) -> Self {
         Line { start, end, change: end - start }
     }
 
-    /// Returns the values of the coordinate on a part of the way from 0 to 1, and its rate on this part.
+    /// Returns the values of the coordinate on a part of the line, and its rate there: the derivative by the line parameter.
     #[inline(never)]
     pub(crate) fn on(&self, part: Interval) -> (Interval, Interval) {
         let Line { start, end, change } = *self;
@@ -41,15 +47,16 @@ impl Line {
     }
 }
 
-/// The result for a part of the way.
+/// The result for a property on a part of the line.
 enum Judgement {
     Holds,
+    /// The property fails somewhere on the part, or counts as failed.
     Fails,
     /// The part is undecided, and its halves may be examined.
     Open,
 }
 
-/// Returns whether a property holds on the whole way from 0 to 1. An undecided part is halved. A part that stays undecided counts as a failure.
+/// Returns whether a property holds on the whole line. An undecided part is halved. A part that stays undecided counts as a failure.
 fn holds(judge: impl Fn(f64, f64) -> Judgement) -> bool {
     let mut open = [(0.0_f64, 1.0_f64); DEPTH];
     let (mut waiting, mut judged) = (1, 0);
@@ -71,11 +78,10 @@ fn holds(judge: impl Fn(f64, f64) -> Judgement) -> bool {
     true
 }
 
-/// Returns whether a function is proven to have no zero in (0, 1]. `term` returns the values and the rate of the function on a part of the way from 0
-/// to 1.
+/// Returns whether a function is proven to have no zero in (0, 1]. `term` returns the values and the rate of the function on a part of the line.
 ///
-/// A zero at 0 itself does not count if the function leaves zero at once, because a step may begin there. The result is `false` if the question
-/// cannot be decided: the function vanishes, or comes nearer to zero than its rounding errors.
+/// A zero at 0 itself does not count if the function leaves zero at once, because a step may begin there. The result is `false` if the function vanishes,
+/// or comes nearer to zero than its rounding errors.
 #[cold]
 #[inline(never)]
 pub(crate) fn vanishes_nowhere(term: &dyn Fn(Interval) -> (Interval, Interval)) -> bool {
@@ -89,7 +95,7 @@ pub(crate) fn vanishes_nowhere(term: &dyn Fn(Interval) -> (Interval, Interval)) 
             return Judgement::Holds;
         }
         if !rate.contains_zero() {
-            // The function is monotonic, so its ends decide.
+            // The function is monotonic, so its ends decide. A part that starts at 0 may start at a zero.
             let (first, last) = (at(a), at(b));
             let leaves = a == 0.0 && first.contains_zero();
             if !last.contains_zero() && (leaves || (first.signum() == last.signum() && !first.contains_zero())) {
@@ -103,12 +109,12 @@ pub(crate) fn vanishes_nowhere(term: &dyn Fn(Interval) -> (Interval, Interval)) 
     })
 }
 
-/// The length below which a part with negative values does not count. A shorter part cannot be distinguished from a point at which the function
-/// touches zero. Near such a point, a square that is multiplied out is rounding for √ε of the way.
+/// The length below which a part with negative values does not count. A shorter part cannot be distinguished from a point at which the function touches
+/// zero. Near such a point, a square that is multiplied out is rounding on a part of length √ε ≈ 10⁻⁸.
 const SHORTEST_GAP: f64 = 1e-7;
 
-/// Returns whether a function is negative on a part of the way, or may be negative because the question cannot be decided. The function may touch
-/// zero, as a distance does. `term` returns its values and its rate on a part of the way from 0 to 1.
+/// Returns whether a function is negative on a part of the line, or whether this is undecided. The function may touch zero, as a distance does. `term`
+/// returns its values and its rate on a part of the line.
 #[cold]
 #[inline(never)]
 pub(crate) fn is_negative_somewhere(term: &dyn Fn(Interval) -> (Interval, Interval)) -> bool {
@@ -130,7 +136,7 @@ mod tests {
     use super::*;
     use crate::scalar::{Enclosure, Real};
 
-    /// Returns whether `f` is proven to have no zero on the way from `a` to `b`.
+    /// Returns whether `f` is proven to have no zero on the line from `a` to `b`.
     fn nowhere(f: impl Fn(Enclosure<f64>) -> Enclosure<f64>, a: f64, b: f64) -> bool {
         let end = |x: f64| Interval::point(a) + Interval::point(b - a) * Interval::point(x);
         vanishes_nowhere(&|part| {

@@ -1,11 +1,11 @@
-//! Checks that a damping matrix never adds energy.
+//! Checks that a damping matrix C never adds energy: its power −vᵀCv must not be positive for any velocity v.
 
 use crate::scalar::Real;
 
-/// Returns whether vᵀCv ≥ 0 for all v, to rounding, by symmetric elimination without exchanges. Only the lower triangle of C is read. NaN is refused.
+/// Returns whether vᵀCv ≥ 0 for all v, to rounding, by symmetric elimination without exchanges. The result is `false` if an entry that is read is NaN.
 ///
-/// The diagonal is enlarged by more than the rounding errors of the elimination (J. Demmel 1989: LAPACK Working Note 14). A matrix that is singular
-/// on paper therefore passes.
+/// Precondition: C is symmetric. Only its lower triangle is read. The diagonal is enlarged by the factor 1 + 8N²ε, more than the rounding errors of the
+/// elimination (J. Demmel 1989: LAPACK Working Note 14). A matrix that is singular on paper therefore passes.
 pub fn is_positive_semidefinite<R: Real, const N: usize>(mut c: [[R; N]; N]) -> bool {
     let margin = R::from_f64(1.0 + 8.0 * (N * N) as f64 * R::epsilon());
     for (k, row) in c.iter_mut().enumerate() {
@@ -15,7 +15,7 @@ pub fn is_positive_semidefinite<R: Real, const N: usize>(mut c: [[R; N]; N]) -> 
         if !c[k][k].all_at_least_zero() {
             return false;
         }
-        // A pivot that is zero, or so small that it has lost digits, requires zeros below it.
+        // A pivot that is zero, or subnormal, requires zeros below it.
         let pivot = c[k][k];
         if pivot.any_not_positive() && (k + 1..N).any(|i| c[i][k].magnitude() > 0.0) {
             return false;

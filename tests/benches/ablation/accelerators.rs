@@ -45,7 +45,6 @@ macro_rules! accelerators {
 /// All accelerators.
 pub(crate) const ACCELERATORS: &[Accelerator] = accelerators! {
     extrapolation: 100, [Gauss, Contact, OrderFour, Many], "increments are extrapolated";
-    eleven_points: 12, [Gauss, Contact, OrderFour, Many], "eleven increments, not four";
     explicit_guess: 70, [Gauss, Contact, OrderFour, Many], "explicit step as the first guess";
     measured_curvature: 20, [Gauss, Contact, OrderFour, Many], "curvature measured each 64th step";
     cramer_two: 14, [Gauss, Contact, OrderFour], "Cramer's rule, 2 unknowns";

@@ -12,7 +12,7 @@ const IMPORTED: &str = "\
     Conservative ConstrainedStep ConstrainedSystem ContactDiscreteGradient ContactMidpoint FlowPiece FlowPieces \
     PieceSplitting Placed PlanarDiscreteGradient PlanarItohAbe PlanarSplitting PolarisedForm PoissonSplitting \
     ContactSplitting VelocityStage ContactStages MassForm MixedDerivatives contact_gradient_of \
-    ContactState ContactSystem Coordinates CotangentSpace QuadraticField DifferentialEquation DiscreteField \
+    ContactState ContactSystem Coordinates CotangentSpace QuadraticField DifferentialEquation DiscreteField EquationOrder \
     DiscreteGradient FirstIntegrals SteadyIntegrals FlowState ForceGradient FourthOrderField Gradients Hamiltonian \
     CanonicalEnergy EnergyAndMomenta KeptMomenta Integral KeptIntegrals Integrator KeepsEnergy Inverted Jets \
     LagrangianSystem Mean MechanicalContact Method ModifiedEnergy NystromPieces PerCoordinate PerturbedGradient \

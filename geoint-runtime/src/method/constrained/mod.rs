@@ -1,4 +1,6 @@
-//! Systems whose positions satisfy g(q) = 0: mechanisms in Cartesian coordinates, closed chains.
+//! Methods for systems whose positions satisfy g(q) = 0: mechanisms in Cartesian coordinates, closed chains.
+//!
+//! Two methods keep constraints: [`Rattle`], which is symplectic, and [`DiscreteGradient`](crate::DiscreteGradient), which keeps the energy.
 //!
 //! ```
 //! use geoint_runtime::prelude::*;
@@ -10,19 +12,17 @@
 //! }
 //!
 //! let system = SphericalPendulum { m: 0.7, l: 1.3, g: 9.81 };
-//! // Somewhere near: the nearest state of a pendulum.
+//! // The first state is near the sphere only. This is the nearest state on it.
 //! let start = system.state_on_constraint(&State::new([1.0, 0.0, -0.8], [0.0, 1.5, 0.0]))?;
-//! for _ in 0..2 {
-//!     let mut rattle = system.integrator(Rattle, 0.01, start);
-//!     let mut gradient = system.integrator(DiscreteGradient, 0.01, start);
-//!     let energy = gradient.energy();
-//!     rattle.advance(1000)?;
-//!     gradient.advance(1000)?;
-//!     assert!((gradient.energy() - energy).abs() < 1e-12);
-//!     for q in [rattle.state().q, gradient.state().q] {
-//!         let length = q.iter().map(|x| x * x).sum::<f64>().sqrt();
-//!         assert!((length - 1.3).abs() < 1e-15);
-//!     }
+//! let mut rattle = system.integrator(Rattle, 0.01, start);
+//! let mut gradient = system.integrator(DiscreteGradient, 0.01, start);
+//! let energy = gradient.energy();
+//! rattle.advance(1000)?;
+//! gradient.advance(1000)?;
+//! assert!((gradient.energy() - energy).abs() < 1e-12);
+//! for q in [rattle.state().q, gradient.state().q] {
+//!     let length = q.iter().map(|x| x * x).sum::<f64>().sqrt();
+//!     assert!((length - 1.3).abs() < 1e-15);
 //! }
 //! # Ok::<(), StepError>(())
 //! ```

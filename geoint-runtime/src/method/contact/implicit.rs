@@ -1,14 +1,16 @@
-//! Step of a contact system, solved for the increments of q, p and s together: d = Φ(d), with Φ of [`ContactEquation`].
+//! The step of `ContactMidpoint` and `ContactDiscreteGradient`. It solves d = Φ(d) for the increments d of q, p and s together.
+//!
+//! The attributes write Φ of each method for a system, as [`ContactEquation`]. A step is refused if its solution has no finite end.
 
 use super::{ContactDiscreteGradient, ContactMidpoint};
 use crate::implicit_method;
 use crate::method::composition::substeps;
-use crate::method::implicit::{Departure, Equation, ImplicitStep, Increment, Policy, Units, Watch};
+use crate::method::implicit::{Departure, Equation, Evaluated, ImplicitStep, Increment, Policy, Units, Watch};
 use crate::method::{Claims, Name, Probe, Refusal};
 use crate::scalar::{Real, zero};
 use crate::solving::equation::Solution;
 use crate::solving::newton::Newton;
-use crate::space::vector::{difference, moved};
+use crate::space::vector::{difference, moved, resized};
 use crate::space::{Array, PerCoordinate, Square};
 use crate::system::ContactEquation;
 
@@ -27,9 +29,9 @@ pub struct ContactStep<M>(
     pub M,
 );
 
-/// A method whose equation evaluates the energy at x + w·d.
+/// A method whose equation evaluates the energy at x₀ + w·d, with the start x₀ of the step. This point is shown to the probe.
 pub trait EvaluatesAhead: Copy + core::fmt::Debug {
-    /// w.
+    /// w: 1/2 for the midpoint, 1 for the end of the step.
     const AHEAD: f64;
 }
 
@@ -46,35 +48,36 @@ impl EvaluatesAhead for ContactDiscreteGradient {
 pub struct Start<K, A> {
     /// q, p and s in a row.
     x: A,
+    /// Coefficients of Φ.
     kernel: K,
 }
 
 impl<S: ContactEquation<M, R>, M: EvaluatesAhead, R: Real> ImplicitStep<S, R> for ContactStep<M> {
     type Unknown = S::Unknown;
-    type Constants = S::Constants;
+    type Coefficients = S::Constants;
     type Start = Start<S::Start, S::Unknown>;
     type History = ();
-    type Seen = ();
+    type LastEvaluation = ();
     type Kept = ();
     type Solver = Newton<S::Unknown>;
 
-    const POLICY: Policy = Policy::of(Units { alike: S::Array::LEN, kinds: 3 });
+    const POLICY: Policy = Policy {
+        evaluated: if M::AHEAD == 1.0 { Evaluated::AtTheEnd } else { Evaluated::Elsewhere },
+        ..Policy::of(Units { alike: S::Array::LEN, kinds: 3 })
+    };
 
-    fn constants(self, system: &S, h: R) -> S::Constants {
+    fn coefficients(self, system: &S, h: R) -> S::Constants {
         system.constants(h)
     }
 
     fn history() {}
 
-    fn unseen() {}
+    fn no_evaluation() {}
 
     #[inline(always)]
-    fn begin(from: &Departure<'_, S, R>, constants: &S::Constants, (): &mut ()) -> Result<Self::Start, Refusal> {
-        let mut x = S::Unknown::zero();
-        let (entries, n) = (x.as_mut_slice(), S::Phase::LEN);
-        entries[..n].copy_from_slice(Array::as_slice(&from.z));
-        entries[n] = from.s;
-        Ok(Start { x, kernel: from.system.begin(constants, from.middle(), &x) })
+    fn begin(from: &Departure<'_, S, R>, coefficients: &S::Constants, (): &mut ()) -> Result<Self::Start, Refusal> {
+        let x = resized(&from.z, from.s);
+        Ok(Start { x, kernel: from.system.begin(coefficients, from.middle(), &x) })
     }
 
     #[inline(always)]
@@ -82,12 +85,12 @@ impl<S: ContactEquation<M, R>, M: EvaluatesAhead, R: Real> ImplicitStep<S, R> fo
         equation.start.x
     }
 
-    /// Returns Φ(Φ(0)), which is the explicit midpoint rule, or as good.
-    fn guess(Equation { from, constants, start }: &Equation<'_, Self, S, R>) -> S::Unknown {
+    /// Returns Φ(Φ(0)). Each application of Φ gains one order, so the error is of order h³.
+    fn guess(Equation { from, coefficients, start }: &Equation<'_, Self, S, R>) -> S::Unknown {
         let mut unused = S::Unknown::fill(S::Unknown::zero());
         let mut image = |d: &S::Unknown| {
             let mut image = S::Unknown::zero();
-            from.system.image(constants, &start.kernel, d, &mut image, &mut unused);
+            from.system.image(coefficients, &start.kernel, d, &mut image, &mut unused);
             image
         };
         let once = image(&S::Unknown::zero());
@@ -96,7 +99,7 @@ impl<S: ContactEquation<M, R>, M: EvaluatesAhead, R: Real> ImplicitStep<S, R> fo
 
     #[inline(always)]
     fn residual<P: Probe<S, R>>(
-        Equation { from, constants, start }: &Equation<'_, Self, S, R>,
+        Equation { from, coefficients, start }: &Equation<'_, Self, S, R>,
         watch: &mut Watch<'_, S, R, P, ()>,
         d: &S::Unknown,
         matrix: &mut Square<S::Unknown>,
@@ -104,29 +107,27 @@ impl<S: ContactEquation<M, R>, M: EvaluatesAhead, R: Real> ImplicitStep<S, R> fo
         let PerCoordinate { z, s } = apart::<S, M, R>(&moved(&start.x, R::from_f64(M::AHEAD), d));
         watch.visit(from.middle(), &z, &s);
         let mut image = S::Unknown::zero();
-        from.system.image(constants, &start.kernel, d, &mut image, matrix);
+        from.system.image(coefficients, &start.kernel, d, &mut image, matrix);
         difference(d, &image)
     }
 
     #[inline(always)]
     fn update(
-        Equation { from, constants, start }: &Equation<'_, Self, S, R>,
+        Equation { from, coefficients, start }: &Equation<'_, Self, S, R>,
         solution: &Solution<S::Unknown>,
         (): &(),
     ) -> Result<Increment<S::Phase, R>, Refusal> {
-        let increments = from.system.end(constants, &start.kernel, &solution.x);
+        let increments = from.system.end(coefficients, &start.kernel, &solution.x);
         if !increments.is_finite() {
             return Err(Refusal::Singular);
         }
         let PerCoordinate { z, s } = apart::<S, M, R>(&increments);
-        Ok(Increment { z, s, lost: S::Phase::zero() })
+        Ok(Increment::of(z, s))
     }
 }
 
-/// Splits a row into positions, momenta and the action.
+/// Splits a row into z = (q, p) and s.
 #[inline(always)]
 fn apart<S: ContactEquation<M, R>, M, R: Real>(x: &S::Unknown) -> PerCoordinate<S::Phase, R> {
-    let mut z = S::Phase::zero();
-    Array::as_mut_slice(&mut z).copy_from_slice(&x.as_slice()[..S::Phase::LEN]);
-    PerCoordinate { z, s: x.as_slice().last().copied().unwrap_or_else(zero) }
+    PerCoordinate { z: resized(x, zero()), s: x.as_slice().last().copied().unwrap_or_else(zero) }
 }

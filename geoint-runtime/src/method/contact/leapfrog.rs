@@ -1,4 +1,4 @@
-//! The variational integrator of Herglotz' principle.
+//! The variational integrator of Herglotz' principle, for H = T(p) + g(t)·s + V(q, t).
 
 use crate::method::composition::substeps;
 use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
@@ -6,12 +6,14 @@ use crate::scalar::Real;
 use crate::space::{Array, PerCoordinate, Point, Summation};
 use crate::system::Mechanical;
 
-/// p₁ = [(1 − h g₀/2) p₀ − h/2 (V'(q₀, t₀) + V'(q₁, t₁))]/(1 + h g₁/2), with g₀ = g(t₀) and g₁ = g(t₁). q₁ = q₀ + h T'(p), where p is the momentum in
-/// between. The method is leapfrog with trapezoidal damping, in explicit form. Order 2, symmetric, a contact map, one force a step.
+/// p½ = (1 − h g₀/2) p₀ − h/2 V'(q₀, t₀), q₁ = q₀ + h T'(p½), p₁ = [p½ − h/2 V'(q₁, t₁)]/(1 + h g₁/2), with g₀ = g(t₀), g₁ = g(t₁) and V' = ∂V/∂q.
 ///
-/// For H = T(p) + g(t)·s + V(q, t). Damping enters as a quotient, which is not positive for h g ≥ 2. Such a step is refused. [`ContactSplitting`] keeps
-/// the factor e^(−hg) instead. With constant g the method is velocity Verlet with trapezoidal damping.
-/// M. Vermeeren, A. Bravetti & M. Seri, J. Phys. A 52 (2019) 445206; both halves of the time dependence are taken into account.
+/// For H = T(p) + g(t)·s + V(q, t). Velocity Verlet with trapezoidal damping, explicit. Order 2, symmetric, a contact map, one force a step.
+///
+/// A step damps by the quotient (1 − h g₀/2)/(1 + h g₁/2). A step is refused if a term is not positive, for instance if h g₀ ≥ 2. [`ContactSplitting`] damps by
+/// the exact factor e^(−hg) and has no such limit.
+///
+/// M. Vermeeren, A. Bravetti & M. Seri, J. Phys. A 52 (2019) 445206. Here g and V may depend on time: each half step uses the time at its end of the step.
 ///
 /// [`ContactSplitting`]: crate::ContactSplitting
 #[doc(alias = "contact variational integrator")]
@@ -63,7 +65,7 @@ impl<S: Mechanical<R>, R: Real> Method<S, R> for ContactLeapfrog {
         probe.visit(t, &x.z, &x.s);
         if C::PLAIN {
             scale(before, x);
-            // If the action is not followed, its new value is dropped here, together with the terms of its computation.
+            // A run without the action restores s at the end. The compiler then drops the terms of s.
             let unread = x.s;
             let [q, p] = &mut x.z;
             system.free_kick(half_kick, t, q, p, &mut x.s);
@@ -76,8 +78,8 @@ impl<S: Mechanical<R>, R: Real> Method<S, R> for ContactLeapfrog {
                 x.s = unread;
             }
         } else {
-            // As above, with the increment of each flow in `d`. Free flows add to the coordinates that are passed to them, and read the other half of
-            // x.
+            // The formulas of the plain branch, with the increment of each flow in `d`. A kick adds to p and s and reads q. A drift adds to q and s and
+            // reads p.
             add(x, |x, d| add_scaled(-drag[0], x, d));
             add(x, |x, d| system.free_kick(half_kick, t, &mut x.z[0], &mut d.z[1], &mut d.s));
             add(x, |x, d| system.free_drift(drift, t + half, &mut d.z[0], &mut x.z[1], &mut d.s));
@@ -98,7 +100,7 @@ fn scale<A: Array, C>(w: A::Real, x: &mut Point<[A; 2], C, A::Real>) {
     x.s = w * x.s;
 }
 
-/// Adds the increment that `flow` computes from the coordinates of a point.
+/// Adds to `x` the increment that `flow` computes from the coordinates of `x`.
 #[inline(always)]
 fn add<Z: Array, C: Summation<Z>>(
     x: &mut Point<Z, C, Z::Real>,

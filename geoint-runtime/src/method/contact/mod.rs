@@ -1,7 +1,8 @@
 //! Dissipative and driven systems: the systems of `#[contact_hamiltonian]`, and their methods.
 //!
-//! H(q, p, s, t) defines the flow q' = ∂H/∂p, p' = −∂H/∂q − p ∂H/∂s, s' = p·∂H/∂p − H. The flow multiplies the contact form ds − p dq by a factor. All
-//! methods here multiply it by a factor, too, except the methods that keep the decay of H instead.
+//! H(q, p, s, t) defines the flow q' = ∂H/∂p, p' = −∂H/∂q − p ∂H/∂s, s' = p·∂H/∂p − H (A. Bravetti, H. Cruz & D. Tapias, Ann. Phys. 376 (2017) 17). The
+//! action s is one number. The flow multiplies the contact form ds − p dq by a positive factor. A contact map is a map with this property. All methods here
+//! are contact maps, except [`ContactDiscreteGradient`], which keeps the decay law of H instead.
 //!
 //! ```
 //! use geoint_runtime::prelude::*;
@@ -16,7 +17,7 @@
 //! let start = ContactState::new(2.0, 0.0, 0.0);
 //! // Explicit: the exact flows of two pieces, here composed to order 4.
 //! let mut splitting = system.integrator(Suzuki4.of(ContactSplitting), 0.02, start);
-//! // Implicit: H falls as it should, H₁ = H₀ e^(−γh), to rounding.
+//! // Implicit: H decays as in the flow, H₁ = H₀ e^(−γh), to rounding.
 //! let mut gradient = system.integrator(ContactDiscreteGradient, 0.02, start);
 //! let energy = gradient.energy();
 //! splitting.advance(500)?;

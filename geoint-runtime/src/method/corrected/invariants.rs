@@ -52,7 +52,7 @@ impl<S: DiscreteField<R> + Hamiltonian<R>, R: Real> Invariants<S, R> for Canonic
         let parameters = system.parameters(zero());
         let start = system.begin(&parameters, Span::at(zero()), &y);
         system.slope(&parameters, &start, &d, &mut f, &mut jacobian);
-        if S::DERIVATIVE == 1 {
+        if S::EQUATION_ORDER.is_first() {
             // f̄ = J∇̄H: the rates of q and of p.
             let ((rate_q, rate_p), [dq, dp]) = (f.as_slice().split_at(S::Array::LEN), dz);
             return sum_of_products(rate_q, dp.as_slice()) - sum_of_products(rate_p, dq.as_slice());

@@ -10,7 +10,7 @@ use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_condi
 use crate::scalar::Real;
 use crate::space::vector::{difference, sum};
 use crate::space::{Array, Compensated, Record, Summation, Tape};
-use crate::system::{Poles, VectorField};
+use crate::system::{Evaluations, Poles, VectorField};
 
 /// A method, and the invariants that each of its steps is projected onto: `Projection(RK4, Energy)`.
 ///
@@ -126,7 +126,7 @@ impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
         if I::KEEP_ENERGY {
             check_conditions(system, t, &sum(&before, &way.decided), x)?;
         }
-        check_poles(poles, false, &(before, ()), Step::at(t, (system, &mut *x, probe)))?;
+        check_poles(poles, Evaluations::AtPoints, &(before, ()), Step::at(t, (system, &mut *x, probe)))?;
         rounded::check_correction(system, [t, later], invariants, [&before, &end, &x.z])
     }
 }

@@ -10,7 +10,7 @@ use crate::solving::rounding::MAX_ITERATIONS;
 use crate::solving::size::Sizes;
 use crate::space::vector::{difference, dot, scaled, sum};
 use crate::space::{Array, Compensated, Record, Summation, Tape};
-use crate::system::{KeepsEnergy, Poles};
+use crate::system::{Evaluations, KeepsEnergy, Poles};
 use core::cell::Cell;
 
 /// Far beyond γ = 1 + O(hᵖ⁻¹): no relaxation of this step.
@@ -144,7 +144,7 @@ impl<S: KeepsEnergy<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M>
         x.correct(sums, &before, &moved, &scaled(excess, &moved));
         x.ahead.add(excess * *h);
         check_conditions(system, t, &sum(&before, &decided.get()), x)?;
-        check_poles(poles, false, &(before, ()), Step::at(t, (system, &mut *x, probe)))?;
+        check_poles(poles, Evaluations::AtPoints, &(before, ()), Step::at(t, (system, &mut *x, probe)))?;
         rounded::check_correction(system, [t, later], &energy, [&before, &end, &x.z])
     }
 }

@@ -1,14 +1,15 @@
-//! Measures the rounding of a residual from its values near a point at which an iteration is stuck.
+//! Measures the rounding of a residual r from its values near a point at which an iteration is stuck.
 //!
-//! The method compares second differences d(δ) = r(0) − 2 r(δ) + r(2δ) at distances δ that double:
+//! Let r(δ) be the residual at the distance δ from the point, in units of the last correction. The method compares second differences at distances δ that
+//! double, d(δ) = r(0) − 2 r(δ) + r(2δ):
 //!
 //! - For a smooth residual, d grows by 4 from each δ to the next. At a bend, d grows by 2.
 //! - For noise, d does not grow.
 //! - A single jump by rounding makes d grow once, where δ reaches the jump.
 //!
-//! The rounding is the largest d before growth shows in three successive distances. The first two of these distances still count, because a jump
-//! could explain them. Both sides of the point are examined and the smaller result counts. A bend on one side is therefore not taken for rounding.
-//! The method still fails in some cases, for instance if bends lie on both sides, so callers bound the result.
+//! The rounding is the largest d before growth shows over three successive distances. The first two of them still count as rounding, because a jump could
+//! explain them. Both sides of the point are examined, and the smaller result counts. A bend on one side is therefore not taken for rounding. The method
+//! fails in some cases, for instance if bends lie on both sides, so callers bound the result.
 //!
 //! The points lie along the last correction. This suits invariants, because all coordinates take part in their correction. In equations of implicit
 //! steps, some unknowns may have tiny corrections and large rounding. For these equations, [`noise`](crate::solving::noise) moves every unknown. One
@@ -18,7 +19,8 @@ use crate::scalar::{Real, zero};
 use crate::space::Array;
 use crate::space::vector::{moved, sum};
 
-/// The points at which the residual is evaluated, as parts of a distance. Irregular parts keep the points from being rounded alike.
+/// The points at which the residual is evaluated, as parts of a distance. d is the largest over the points. Irregular parts keep the points from being
+/// rounded alike.
 const POINTS: [f64; 4] = [0.59, 0.73, 0.87, 1.0];
 
 /// The nearest and the farthest distance as powers of 2, in units of the last correction.
@@ -31,17 +33,18 @@ const FARTHEST: i32 = 10;
 /// The least growth of d to the next distance that counts as curvature. It is the geometric mean of 2, for a bend, and 4, for a parabola.
 const CURVED: f64 = 2.83;
 
-/// The largest growth of d that counts as curvature. Larger growth contains a jump by rounding. For x⁵, d grows by exactly this factor.
+/// The largest growth of d to the next distance that counts as curvature. Larger growth contains a jump by rounding. For a residual r = δ⁵, d grows by
+/// exactly this factor.
 const JUMP: f64 = 32.0;
 
-/// The least d that counts as curvature, as a part of the residual. Between two jumps by rounding, the residual may be a smooth curve of a smaller
-/// height.
+/// The least d that counts as curvature, as a part of the residual r(0). Between two jumps by rounding, the residual may be a smooth curve of a smaller
+/// height, which must not end the measurement.
 const VISIBLE: f64 = 1.0 / 64.0;
 
 /// Returns the size of the rounding of each entry of a residual.
 ///
-/// `residual` is evaluated at multiples of the last correction, of either sign. The result is zero if the residual does not exist at one of the
-/// points.
+/// `residual` takes a multiple of the last correction, of either sign, and returns the residual there, or `None` if it does not exist. The result is then
+/// zero.
 #[cold]
 #[inline(never)]
 pub(crate) fn rounding<A: Array>(mut residual: impl FnMut(A::Real) -> Option<A>) -> A {
@@ -58,7 +61,8 @@ pub(crate) fn rounding<A: Array>(mut residual: impl FnMut(A::Real) -> Option<A>)
     least
 }
 
-/// Returns the rounding on one side of the point, where the residual is `here`. Returns `None` if the residual does not exist at some point.
+/// Returns the rounding on one side of the point, at which the residual is `here`. `sign` is the side. Returns `None` if the residual does not exist at one
+/// of the points.
 fn on_side<A: Array>(sign: f64, here: &A, residual: &mut impl FnMut(A::Real) -> Option<A>) -> Option<A> {
     let mut at = |power: i32| {
         let mut residuals = [A::zero(); POINTS.len()];
@@ -68,6 +72,7 @@ fn on_side<A: Array>(sign: f64, here: &A, residual: &mut impl FnMut(A::Real) -> 
         Some(residuals)
     };
     let (mut rounding, mut is_curved) = (A::zero(), A::fill(false));
+    // `before` holds d at the last two distances.
     let (mut near, mut before) = (at(NEAREST)?, [A::zero(); 2]);
     for power in NEAREST + 1..=FARTHEST {
         let far = at(power)?;

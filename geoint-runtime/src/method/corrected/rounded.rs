@@ -4,7 +4,7 @@
 //! rounding of the far point. This rounding changes a steep invariant by much more than its own digits. Such steps are refused.
 //!
 //! A *thorough* attempt is the second one: it iterates longer, and accepts an equation that is solved to its measured rounding. The first attempt is
-//! quick, and may only mark its result as doubtful.
+//! quick, and may only mark its result as needs_recheck.
 
 use super::kept::steepness;
 use crate::method::implicit::{Arrival, Departure};
@@ -27,7 +27,7 @@ const MOST_OF_ENERGY: f64 = 4_194_304.0;
 
 /// Refuses the step of a field from `before` to `x` if rounding changes an integral, or the step leads across a jump of an integral.
 ///
-/// For fields, a jump refuses any attempt, and rounding refuses only thorough attempts. The first attempt of a steep field is marked as doubtful if a
+/// For fields, a jump refuses any attempt, and rounding refuses only thorough attempts. The first attempt of a steep field is marked as needs_recheck if a
 /// coordinate leaps, and the caller repeats it as a thorough attempt.
 ///
 /// In canonical systems only the energy is checked, by [`check_energy`]. This check runs in thorough attempts, and always if the energy reads an angle.
@@ -35,7 +35,7 @@ const MOST_OF_ENERGY: f64 = 4_194_304.0;
 pub(crate) fn check_step<S: Keeping<R>, R: Real>(
     effort: Effort,
     Departure { system, t, end, z: before, .. }: &Departure<'_, S, R>,
-    Arrival { z, s, doubtful }: Arrival<'_, S, R>,
+    Arrival { z, s, needs_recheck }: Arrival<'_, S, R>,
 ) -> Result<(), Refusal> {
     if const { S::State::MOMENTA } {
         return if effort.is_thorough() || S::ANGLES { check_energy(*system, before, z) } else { Ok(()) };
@@ -47,7 +47,7 @@ pub(crate) fn check_step<S: Keeping<R>, R: Real>(
         return refuse(*system, &kept, &changes, [before, z, z]);
     }
     if const { S::STEEP } {
-        *doubtful |= leaps(before, z);
+        *needs_recheck |= leaps(before, z);
     }
     Ok(())
 }

@@ -1,9 +1,12 @@
-//! Mean velocity of order 4 for canonical systems, from the kernels of collocation and of discrete gradients.
+//! The projected mean velocity of `FourthOrder(DiscreteGradient)` for canonical systems x' = f(x) = J∇H(x), with x = (q, p) and J(q, p) = (p, −q).
+//!
+//! Emitted code implements [`FourthOrderField`](crate::system::FourthOrderField) by these functions. They use the kernels of [`Collocation`] and
+//! [`DiscreteField`], so the method needs no kernel of its own.
 
 use super::columns::Projector;
 use super::energy::{Energy, Slope};
 use super::gonzalez::metric;
-use super::matrix::{Matrix, turned};
+use super::matrix::{Matrix, j_times};
 use crate::method::Unwatched;
 use crate::scalar::Real;
 use crate::space::vector::{difference, entries, moved, scaled, sum};
@@ -13,8 +16,10 @@ use crate::system::{Collocation, Conservative, DiscreteField, Span};
 /// Coefficients that depend on parameters and h.
 #[derive(Clone, Copy, Debug)]
 pub struct Parameters<C, P, R> {
-    constants: C,
-    kernel: P,
+    /// Coefficients of the field f = J∇H, or of the force.
+    field: C,
+    /// Coefficients of the tree discrete gradient.
+    mean_field: P,
     h: R,
 }
 
@@ -27,13 +32,13 @@ pub struct Begun<A: Array> {
     span: Span<A::Real>,
     z: [A; 2],
     rate: [A; 2],
-    /// If true, momenta take no part if their gradients nearly depend on the gradient of the energy.
-    loose: bool,
+    /// If true, the step does not keep momenta whose gradients nearly depend on the gradient of the energy, or on each other.
+    drop_dependent_columns: bool,
 }
 
 /// Implements [`FourthOrderField::fourth_parameters`](crate::system::FourthOrderField::fourth_parameters) for a canonical system.
 pub fn parameters<S: DiscreteField<R> + Conservative<R>, R: Real>(system: &S, h: R) -> ParametersOf<S, R> {
-    Parameters { constants: system.constants(), kernel: system.parameters(h), h }
+    Parameters { field: system.constants(), mean_field: system.parameters(h), h }
 }
 
 /// Implements [`FourthOrderField::fourth_begin`](crate::system::FourthOrderField::fourth_begin).
@@ -45,27 +50,29 @@ pub fn begin<S: DiscreteField<R> + Conservative<R>, R: Real>(
     z: &S::Phase,
 ) -> Begun<S::Array> {
     let mut unwatched = Unwatched;
-    let rate = turned(&energy(system, parameters, span.middle, &mut unwatched).gradient(span.start, z).g);
-    Begun { span, z: *z, rate, loose: false }
+    let rate = j_times(&energy(system, parameters, span.middle, &mut unwatched).gradient(span.start, z).g);
+    Begun { span, z: *z, rate, drop_dependent_columns: false }
 }
 
 /// Implements [`FourthOrderField::fourth_loosen`](crate::system::FourthOrderField::fourth_loosen).
 pub fn loosen<A: Array>(start: &mut Begun<A>) -> bool {
-    start.loose = true;
+    start.drop_dependent_columns = true;
     true
 }
 
-/// Implements [`FourthOrderField::fourth_slope`](crate::system::FourthOrderField::fourth_slope): F − MG(GᵀMG)⁻¹GᵀF. The first column of G is the tree
-/// discrete gradient of an `AUTONOMOUS` H. The other columns are gradients of momenta in the middle of the step. `momenta` returns these affine
-/// gradients at a point, behind an entry that is not read.
+/// Implements [`FourthOrderField::fourth_slope`](crate::system::FourthOrderField::fourth_slope): writes h f̄ with f̄ = F − MG(GᵀMG)⁻¹GᵀF, and 1 − h ∂f̄/∂d.
 ///
-/// Lengths of a correction need a metric M, because positions and momenta have different units. M is the metric of [`Gonzalez`](super::Gonzalez) at the
-/// point c, with positions and momenta exchanged. For an oscillator the exchange gives the inverse metric.
+/// F is the mean velocity of the Lobatto IIIA method of order 4. The first of the N columns of G is the tree discrete gradient of H if H is `AUTONOMOUS`,
+/// otherwise zero. The other columns are gradients of momenta at the midpoint. `momenta` returns these gradients at a point, and zero as its first
+/// entry. Precondition: momenta are quadratic polynomials, so the gradients are affine functions.
+///
+/// The length of a correction needs a metric M, because positions and momenta have different units. M is the metric of [`Gonzalez`](super::Gonzalez) at
+/// the point c, with positions and momenta exchanged. For an oscillator the exchange gives the inverse metric, up to a factor.
 #[inline(always)]
 pub fn slope<const AUTONOMOUS: bool, const N: usize, S: DiscreteField<R> + Conservative<R>, R: Real>(
     system: &S,
     parameters: &ParametersOf<S, R>,
-    &Begun { span, z, rate, loose }: &Begun<S::Array>,
+    &Begun { span, z, rate, drop_dependent_columns }: &Begun<S::Array>,
     momenta: impl Fn(&S::Phase) -> [S::Phase; N],
     d: &S::Phase,
     (image, matrix): (&mut S::Phase, &mut Square<S::Phase>),
@@ -76,48 +83,50 @@ pub fn slope<const AUTONOMOUS: bool, const N: usize, S: DiscreteField<R> + Conse
     let mut energy = energy(system, parameters, t, &mut unwatched);
     let end_of_step = sum(&z, d);
     let end = energy.gradient(span.end, &end_of_step);
-    let end_rate = turned(&end.g);
+    let end_rate = j_times(&end.g);
     let change = difference(&rate, &end_rate);
-    let third = energy.gradient(t, &moved(&moved(&z, half, d), eighth * h, &change));
+    // c = z + d/2 + h/8 (f₀ − f₁).
+    let at_c = energy.gradient(t, &moved(&moved(&z, half, d), eighth * h, &change));
 
-    // F = (f₀ + 4 f(c) + f₁)/6 with f = J∇H, and its derivative, with ∂c/∂d = 1/2 − h/8 J∇²H₁.
+    // F = (f₀ + 4 f(c) + f₁)/6, and its derivative, with ∂c/∂d = 1/2 − h/8 J∇²H(x₁).
     let mut velocity = sum(&rate, &end_rate);
-    velocity.add_scaled(R::from_f64(4.0), &turned(&third.g));
+    velocity.add_scaled(R::from_f64(4.0), &j_times(&at_c.g));
     let velocity = scaled(sixth, &velocity);
-    let mut slope = turned_rows(&third.derivative);
-    let (end_rows, by_third) = (turned_rows(&end.derivative), slope);
+    let mut slope = j_times_matrix(&at_c.derivative);
+    let (end_rows, c_rows) = (j_times_matrix(&end.derivative), slope);
     for (i, (slope, end_row)) in slope.rows().iter_mut().zip(end_rows.rows_of()).enumerate() {
-        let (mut along, bent) = (<S::Phase as Array>::zero(), by_third.rows_of()[i]);
-        for (bent, end_row) in Array::as_slice(&bent).iter().zip(end_rows.rows_of()) {
-            along.add_scaled(*bent, end_row);
+        let (mut product_row, c_row) = (<S::Phase as Array>::zero(), c_rows.rows_of()[i]);
+        for (entry, end_row) in Array::as_slice(&c_row).iter().zip(end_rows.rows_of()) {
+            product_row.add_scaled(*entry, end_row);
         }
-        let by_end = moved(&scaled(half, &bent), -eighth * h, &along);
+        let by_end = moved(&scaled(half, &c_row), -eighth * h, &product_row);
         *slope = scaled(sixth, &moved(end_row, R::from_f64(4.0), &by_end));
     }
 
     let mut mean = velocity;
     if AUTONOMOUS || N > 1 {
-        let [of_q, of_p] = metric(h, &third, S::DERIVATIVE == 1);
+        let [of_q, of_p] = metric(h, &at_c, S::EQUATION_ORDER.is_first());
         let mut columns = momenta(&moved(&z, half, d));
-        let mut of_g = Matrix::zero();
+        let mut tree_slope = Matrix::zero();
         if AUTONOMOUS {
             let Slope { g, derivative } = energy.tree(&z, d);
-            (columns[0], of_g) = (g, derivative);
+            (columns[0], tree_slope) = (g, derivative);
         }
-        let projector = Projector::new([of_p, of_q], columns, loose);
-        // Across a condition, F contains no jump. If the metric vanishes, no direction exists. In both cases the step uses the tree discrete gradient.
-        if AUTONOMOUS && (projector.is_without_first() || !system.same_sides(t, [&z, &end_of_step], [&(), &()])) {
-            mean = turned(&columns[0]);
-            slope = turned_rows(&of_g);
+        let projector = Projector::new([of_p, of_q], columns, drop_dependent_columns);
+        // F does not contain the jump of H across a condition. If the metric vanishes, the projection has no direction. Both cases use the tree gradient.
+        if AUTONOMOUS && (projector.excludes_first() || !system.same_sides(t, [&z, &end_of_step], [&(), &()])) {
+            mean = j_times(&columns[0]);
+            slope = j_times_matrix(&tree_slope);
         } else {
             let weights;
             (mean, weights) = projector.projected(&velocity);
-            projector.derivative((&mut slope, &mean), (&mut of_g, &weights), |z| {
-                let (mut bent, constant) = (momenta(z), momenta(&<S::Phase>::zero()));
-                for (bent, constant) in bent.iter_mut().zip(&constant) {
-                    *bent = scaled(half, &difference(bent, constant));
+            // The linear part of an affine gradient. The factor ½ is ∂(z + d/2)/∂d.
+            projector.derivative((&mut slope, &mean), (&mut tree_slope, &weights), |z| {
+                let (mut products, constant) = (momenta(z), momenta(&<S::Phase>::zero()));
+                for (product, constant) in products.iter_mut().zip(&constant) {
+                    *product = scaled(half, &difference(product, constant));
                 }
-                bent
+                products
             });
         }
     }
@@ -128,17 +137,18 @@ pub fn slope<const AUTONOMOUS: bool, const N: usize, S: DiscreteField<R> + Conse
     }
 }
 
+/// Returns the evaluator of the gradients of H, with the time `t` for the tree discrete gradient.
 fn energy<'a, S: DiscreteField<R>, R: Real>(
     system: &'a S,
-    Parameters { constants, kernel, h }: &'a ParametersOf<S, R>,
+    Parameters { field, mean_field, h }: &'a ParametersOf<S, R>,
     t: R,
     probe: &'a mut Unwatched,
 ) -> Energy<'a, S, R, Unwatched> {
-    Energy { system, constants, parameters: kernel, probe, t, h: *h }
+    Energy { system, field_coefficients: field, mean_field_coefficients: mean_field, probe, t, h: *h }
 }
 
 /// Returns J times a matrix.
-fn turned_rows<A: Array>(matrix: &Matrix<A>) -> Matrix<A> {
+fn j_times_matrix<A: Array>(matrix: &Matrix<A>) -> Matrix<A> {
     let (n, mut product) = (A::LEN, Matrix::zero());
     for (i, row) in matrix.rows_of().iter().enumerate() {
         match i.checked_sub(n) {

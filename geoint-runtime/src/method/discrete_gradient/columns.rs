@@ -1,4 +1,7 @@
-//! Projection of a mean velocity onto the vectors v with Gᵀv = 0, for given columns G, in a metric M: v = F − MG(GᵀMG)⁻¹GᵀF.
+//! Projection of a mean velocity F onto the vectors v with Gᵀv = 0: v = F − MGλ with λ = (GᵀMG)⁻¹GᵀF.
+//!
+//! The N columns of G are discrete gradients of invariants, so a step along v keeps the invariants. The diagonal matrix M is a metric, because
+//! coordinates have different units. The columns are orthogonalised, so that dependent columns are recognised and excluded.
 
 use super::matrix::Matrix;
 use crate::scalar::{Real, zero};
@@ -6,27 +9,31 @@ use crate::slope::{before_squares, recip_above};
 use crate::space::Array;
 use crate::space::vector::{dot, moved, product, scaled};
 
-/// Smallest part of a column that is independent of the columns before it. A column with a smaller part nearly depends on them.
-const NEARLY: f64 = 1.0 / 64.0;
+/// Smallest length of the part of a column that is independent of the columns before it, relative to the column. A chosen bound: with a smaller part, the
+/// projection would amplify errors of the column by more than 64. Used only if dependent columns are dropped.
+const LEAST_INDEPENDENT_PART: f64 = 1.0 / 64.0;
 
-/// Columns that are orthogonal in the metric, by Gram and Schmidt, and span the space of the given columns.
+/// Columns that are orthogonal in the metric, and span the space of the given columns, by the Gram–Schmidt process.
 pub(super) struct Projector<A: Array, const N: usize> {
+    /// The diagonal of M.
     metric: [A; 2],
-    /// Powers of two by which columns are multiplied, so that no square overflows or vanishes.
+    /// Powers of two that multiply the given columns, so that no square overflows or vanishes.
     scales: [A::Real; N],
+    /// The orthogonal columns w.
     orthogonal: [[A; 2]; N],
-    /// Each orthogonal column times the metric.
+    /// Mw of each orthogonal column.
     weighted: [[A; 2]; N],
-    /// 1/(w·Mw) of each orthogonal column w. Zero for a column that takes no part. Such a column depends on the columns before it, to rounding or, if
-    /// `loose`, nearly, or its square in the metric vanishes.
+    /// 1/(w·Mw) of each orthogonal column. Zero excludes a column: its square w·Mw vanishes, or it depends on the columns before it up to rounding. If
+    /// dependent columns are dropped, the bound is [`LEAST_INDEPENDENT_PART`] instead of rounding.
     reciprocals: [A::Real; N],
-    /// Coefficients of column = orthogonal + Σ coefficient·(orthogonal columns before it).
+    /// Column a (scaled) is w_a + Σ `coefficients[a][b]` w_b, summed over the orthogonal columns b < a.
     coefficients: [[A::Real; N]; N],
 }
 
 impl<A: Array, const N: usize> Projector<A, N> {
+    /// Orthogonalises the `columns` of G. If `drop_dependent` is true, it excludes columns that nearly depend on the columns before them.
     #[inline(always)]
-    pub(super) fn new(metric: [A; 2], columns: [[A; 2]; N], loose: bool) -> Self {
+    pub(super) fn new(metric: [A; 2], columns: [[A; 2]; N], drop_dependent: bool) -> Self {
         let none = zero::<A::Real>();
         let scales = columns.map(|column| {
             let sizes = Array::as_slice(&column).iter().map(|x| x.abs());
@@ -36,7 +43,7 @@ impl<A: Array, const N: usize> Projector<A, N> {
         let (mut weighted, mut reciprocals) = ([<[A; 2]>::zero(); N], [none; N]);
         let (mut orthogonal, mut coefficients) = (columns, [[none; N]; N]);
         for a in 0..N {
-            // Orthogonalise twice, because rounding leaves a residue of columns that are almost parallel.
+            // Orthogonalise twice, because rounding leaves a residue if columns are almost parallel.
             for _ in 0..if a == 0 { 0 } else { 2 } {
                 for b in 0..a {
                     let coefficient = dot(&orthogonal[a], &weighted[b]) * reciprocals[b];
@@ -48,8 +55,9 @@ impl<A: Array, const N: usize> Projector<A, N> {
             let square = dot(&orthogonal[a], &weighted[a]);
             reciprocals[a] = if a > 0 {
                 let whole = dot(&columns[a], &product(&metric, &columns[a]));
-                let dependent = loose && square.magnitude() < NEARLY * NEARLY * whole.magnitude();
-                if dependent { none } else { recip_above(square, whole) }
+                let is_dropped = drop_dependent
+                    && square.magnitude() < LEAST_INDEPENDENT_PART * LEAST_INDEPENDENT_PART * whole.magnitude();
+                if is_dropped { none } else { recip_above(square, whole) }
             } else if square == none {
                 none
             } else {
@@ -59,26 +67,28 @@ impl<A: Array, const N: usize> Projector<A, N> {
         Projector { metric, scales, orthogonal, weighted, reciprocals, coefficients }
     }
 
-    /// Returns whether the first column vanishes in the metric.
+    /// Returns whether the first column is excluded, because its square in the metric is zero.
     #[inline(always)]
-    pub(super) fn is_without_first(&self) -> bool {
+    pub(super) fn excludes_first(&self) -> bool {
         self.reciprocals[0] == zero()
     }
 
-    /// Returns F − MGλ, and λ of the orthogonal columns.
+    /// Returns v = F − MGλ for the given `velocity` F, and the weights λ of the orthogonal columns.
     #[inline(always)]
     pub(super) fn projected(&self, velocity: &[A; 2]) -> ([A; 2], [A::Real; N]) {
-        let (mut mean, mut weights) = (*velocity, [zero(); N]);
+        let (mut projected, mut weights) = (*velocity, [zero(); N]);
         for a in 0..N {
             weights[a] = dot(&self.orthogonal[a], velocity) * self.reciprocals[a];
-            mean = moved(&mean, -weights[a], &self.weighted[a]);
+            projected = moved(&projected, -weights[a], &self.weighted[a]);
         }
-        (mean, weights)
+        (projected, weights)
     }
 
-    /// Turns the derivative of F by d into the derivative of v, from Gᵀdv = −dGᵀv and dv + MG dλ = dF − M dG λ. `of_first` is the derivative of the
-    /// first column. `of_others` gives the symmetric derivatives of the other columns as functions of a vector. The derivative of M is left out: its
-    /// term is of the order of λ.
+    /// Replaces the derivative ∂F/∂d in `slope` by ∂v/∂d. It follows from the differentials Gᵀdv = −dGᵀv and dv + MG dλ = dF − M dG λ.
+    ///
+    /// `weights` are those that [`projected`](Self::projected) returned with v. `of_first` is the derivative of the first column. `of_others` returns the
+    /// products of a vector with the derivatives of the other columns. Precondition: these derivatives are symmetric. The derivative of M is omitted. Its
+    /// term is of the order of λ, so the result is approximate.
     #[inline(always)]
     pub(super) fn derivative(
         &self,
@@ -86,6 +96,7 @@ impl<A: Array, const N: usize> Projector<A, N> {
         (of_first, weights): (&mut Matrix<A>, &[A::Real; N]),
         of_others: impl Fn(&[A; 2]) -> [[A; 2]; N],
     ) {
+        // λ of the given columns, from the weights of the orthogonal ones.
         let mut lambda = *weights;
         for a in (0..N).rev() {
             for later in a + 1..N {
@@ -101,13 +112,13 @@ impl<A: Array, const N: usize> Projector<A, N> {
             if N > 1 {
                 let mut unit = <[A; 2]>::zero();
                 Array::as_mut_slice(&mut unit)[i] = A::Real::from_f64(1.0);
-                let bent = of_others(&unit);
+                let derivative_rows = of_others(&unit);
                 for a in 1..N {
-                    row.add_scaled(-lambda[a] * weight, &bent[a]);
+                    row.add_scaled(-lambda[a] * weight, &derivative_rows[a]);
                 }
             }
         }
-        // dGᵀv of the given columns, then of the orthogonal columns.
+        // dGᵀv of the given columns, then of the orthogonal ones.
         let mut products = if N > 1 { of_others(v) } else { [<[A; 2]>::zero(); N] };
         products[0] = of_first.transpose_times(v);
         for a in 0..N {
@@ -116,13 +127,13 @@ impl<A: Array, const N: usize> Projector<A, N> {
                 products[a] = moved(&products[a], -self.coefficients[a][b], &products[b]);
             }
         }
-        let powers: [[A; 2]; N] = core::array::from_fn(|a| {
-            let power = moved(&products[a], A::Real::from_f64(1.0), &slope.transpose_times(&self.orthogonal[a]));
-            scaled(self.reciprocals[a], &power)
+        let weight_slopes: [[A; 2]; N] = core::array::from_fn(|a| {
+            let rate = moved(&products[a], A::Real::from_f64(1.0), &slope.transpose_times(&self.orthogonal[a]));
+            scaled(self.reciprocals[a], &rate)
         });
         for (i, row) in slope.rows().iter_mut().enumerate() {
             for a in 0..N {
-                row.add_scaled(-Array::as_slice(&self.weighted[a])[i], &powers[a]);
+                row.add_scaled(-Array::as_slice(&self.weighted[a])[i], &weight_slopes[a]);
             }
         }
     }

@@ -1,4 +1,4 @@
-//! The scheme of Chorin, Hughes, McCracken and Marsden: q moves along ∂H/∂p, then p along ∂H/∂q, as far as the energy requires.
+//! The scheme of Chorin, Hughes, McCracken and Marsden (1978). A step moves q along ∂H/∂p, and p along −∂H/∂q. It scales both directions so that H is kept.
 
 use super::energy::{Energy, Slope, Staircase};
 use super::matrix::denominator;
@@ -9,8 +9,8 @@ use crate::space::Array;
 use crate::space::vector::{difference, dot, moved};
 use crate::system::{Conservative, DiscreteField};
 
-/// Bound for the product of a direction and an increment, relative to the terms of the product. If the terms cancel down to this bound, the product is
-/// no basis for a quotient.
+/// Smallest product of a direction and an increment, relative to the sum of the magnitudes of its terms. It is near √ε of double precision: a smaller
+/// product has fewer than half of its digits. The step divides by the product, and is refused if the product is smaller.
 const SINGULAR: f64 = 1e-8;
 
 /// q₁ = q₀ + h λ (H(q₁, p₁) − H(q₁, p₀))/(λ·(p₁ − p₀)), p₁ = p₀ − h μ (H(q₁, p₀) − H(q₀, p₀))/(μ·(q₁ − q₀)). The directions are λ = ∂H/∂p at
@@ -19,7 +19,9 @@ const SINGULAR: f64 = 1e-8;
 /// Order 1, for every H. Order 2 and symmetric for T(p) + V(q) if β = γ = ½, as by default. Then λ and μ are at midpoints, and α and δ do not matter.
 /// With one degree of freedom λ and μ cancel. The method is then [`ItohAbe`](super::ItohAbe), with its orders. With more degrees of freedom, no step
 /// exists if an increment is orthogonal to its direction: [`StepError::SingularDirection`](crate::StepError::SingularDirection). Differences of H are
-/// taken from the tree discrete gradient. A. J. Chorin, T. J. R. Hughes, M. F. McCracken & J. E. Marsden, Comm. Pure Appl. Math. 31 (1978) 205.
+/// taken from the tree discrete gradient, so that short steps lose no digits.
+///
+/// A. J. Chorin, T. J. R. Hughes, M. F. McCracken & J. E. Marsden, Comm. Pure Appl. Math. 31 (1978) 205.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CoordinateIncrement {
     /// Position between q₀ and q₁ at which the direction of q is taken.
@@ -50,27 +52,31 @@ impl MeanGradient for CoordinateIncrement {
         x: &S::Phase,
         d: &S::Phase,
     ) -> Result<Slope<S::Array>, Refusal> {
+        // Two edges: q changes at p₀, then p at q₁. The products of g with the increments are the two differences of H.
         let Staircase { g, end, .. } = energy.staircase(x, d, S::Array::LEN);
         if S::Array::LEN == 1 {
             return Ok(Slope { g, derivative: end });
         }
-        let mut between = |q: f64, p: f64| {
+        let mut gradient_at = |q: f64, p: f64| {
             let [q, p] = [(0, q), (1, p)].map(|(i, w)| moved(&x[i], R::from_f64(w), &d[i]));
             energy.gradient(energy.t, &[q, p]).g
         };
-        let ([mu, _], [_, lambda]) = (between(self.gamma, self.delta), between(self.alpha, self.beta));
+        let ([mu, _], [_, lambda]) = (gradient_at(self.gamma, self.delta), gradient_at(self.alpha, self.beta));
         Ok(Slope { g: [along(&mu, &g[0], &d[0])?, along(&lambda, &g[1], &d[1])?], derivative: end })
     }
 }
 
-/// Returns the multiple of `direction` whose product with `d` equals the product of `g` with `d`.
+/// Returns the multiple of `direction` whose product with `d` equals g·d.
+///
+/// # Errors
+/// [`Refusal::SingularDirection`] if `direction` and `d` are orthogonal up to [`SINGULAR`], and neither is zero.
 fn along<A: Array>(direction: &A, g: &A, d: &A) -> Result<A, Refusal> {
     let product = dot(direction, d);
     let terms = direction.as_slice().iter().zip(d.as_slice()).map(|(a, b)| (*a * *b).magnitude());
     if product.magnitude() <= SINGULAR * terms.sum::<f64>() && !direction.is_zero() && !d.is_zero() {
         return Err(Refusal::SingularDirection);
     }
-    // Excess of the factor over 1. For d = 0 this excess is 0/0 and means 0.
-    let ratio = dot(&difference(g, direction), d) / (product.signum() * denominator(product.abs()));
-    Ok(moved(direction, ratio, direction))
+    // The factor is 1 + excess. For d = 0 the excess is 0/0, which `denominator` makes 0.
+    let excess = dot(&difference(g, direction), d) / (product.signum() * denominator(product.abs()));
+    Ok(moved(direction, excess, direction))
 }

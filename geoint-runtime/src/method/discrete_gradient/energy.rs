@@ -1,4 +1,7 @@
-//! Tree discrete gradient, ∇H and their derivatives in all coordinates x = (q, p), from the field of implicit methods.
+//! The tree discrete gradient and ∇H in all coordinates x = (q, p), with their derivatives. Other discrete gradients are built on them.
+//!
+//! The kernels of [`DiscreteField`] return the field f = J∇H. If T is quadratic, they return the force −∂V/∂q alone. [`Energy`] completes both to
+//! gradients in all coordinates.
 
 use super::matrix::Matrix;
 use crate::method::Probe;
@@ -8,7 +11,7 @@ use crate::space::vector::{entries, moved, opposite, sum};
 use crate::space::{Array, Square};
 use crate::system::{Conservative, DiscreteField, Span};
 
-/// A gradient, or a mean of gradients between x and x + d, and its derivative with respect to x, or d.
+/// A gradient at x with its derivative with respect to x, or a mean of gradients between x and x + d with its derivative with respect to d.
 #[derive(Clone, Copy, Debug)]
 pub struct Slope<A: Array> {
     /// The gradient.
@@ -17,7 +20,7 @@ pub struct Slope<A: Array> {
     pub derivative: Matrix<A>,
 }
 
-/// A mean gradient between x and x + d that depends on the path.
+/// A mean gradient between x and x + d along a path with corners; see [`Energy::staircase`].
 #[derive(Clone, Copy, Debug)]
 pub struct Staircase<A: Array> {
     /// The mean gradient.
@@ -28,14 +31,16 @@ pub struct Staircase<A: Array> {
     pub end: Matrix<A>,
 }
 
-/// Energy during one step, at the time of its middle unless stated otherwise.
+/// Evaluator of the gradients of H in one step. It shows each point of an evaluation to a [`Probe`].
 #[derive(Debug)]
 pub struct Energy<'a, S: DiscreteField<R>, R: Real, P> {
     pub(super) system: &'a S,
-    pub(super) constants: &'a S::Constants,
-    pub(super) parameters: &'a S::Parameters,
+    /// Coefficients of the field f = J∇H, or of the force.
+    pub(super) field_coefficients: &'a S::Constants,
+    /// Coefficients of the tree discrete gradient.
+    pub(super) mean_field_coefficients: &'a S::Parameters,
     pub(super) probe: &'a mut P,
-    /// The time of the middle of the step.
+    /// The time of the middle of the step, at which [`tree`](Self::tree) evaluates H.
     pub t: R,
     /// The step size.
     pub h: R,
@@ -48,7 +53,7 @@ impl<S: DiscreteField<R>, R: Real, P: Observer> Observer for Energy<'_, S, R, P>
 }
 
 impl<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>> Energy<'_, S, R, P> {
-    /// Computes the tree discrete gradient between x and x + d, and its derivative with respect to d.
+    /// Returns the tree discrete gradient between x and x + d, and its derivative with respect to d.
     #[inline]
     pub fn tree(&mut self, x: &S::Phase, d: &S::Phase) -> Slope<S::Array> {
         let end = sum(x, d);
@@ -57,29 +62,38 @@ impl<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>> Energy<'_, 
         let (y, mut mean) = S::start(x);
         let (change, impulse) = S::start(d);
         let (mut f, mut jacobian) = (S::Unknown::zero(), S::Unknown::fill(S::Unknown::zero()));
-        let start = self.system.begin(self.parameters, Span::at(self.t), &y);
-        self.system.slope(self.parameters, &start, &change, &mut f, &mut jacobian);
+        let start = self.system.begin(self.mean_field_coefficients, Span::at(self.t), &y);
+        self.system.slope(self.mean_field_coefficients, &start, &change, &mut f, &mut jacobian);
         let half = R::from_f64(0.5);
         mean.add_scaled(half, &impulse);
-        self.slope(&mean, half, &f, &mut jacobian)
+        self.gradient_of_field(&mean, half, &f, &mut jacobian)
     }
 
-    /// Computes ∇H and the Hessian at a point.
+    /// Returns ∇H and the Hessian of H at the time `t` and the point x.
     #[inline]
     pub fn gradient(&mut self, t: R, x: &S::Phase) -> Slope<S::Array> {
         self.probe.visit(t, x, &());
         let (y, p) = S::start(x);
         let (mut f, mut jacobian) = (S::Unknown::zero(), S::Unknown::fill(S::Unknown::zero()));
-        self.system.field(self.constants, t, &y, &mut f, &mut jacobian);
-        self.slope(&p, R::from_f64(1.0), &f, &mut jacobian)
+        self.system.field(self.field_coefficients, t, &y, &mut f, &mut jacobian);
+        self.gradient_of_field(&p, R::from_f64(1.0), &f, &mut jacobian)
     }
 
-    /// Returns g with Jg = f. If T is quadratic, f is −∂V/∂q alone. ∂T/∂p is then computed at the momentum p, and its derivative is w·M⁻¹.
+    /// Returns g with Jg = f, and its derivative from the `jacobian` of f.
+    ///
+    /// If T is quadratic, f is −∂V/∂q alone. ∂T/∂p = M⁻¹p is then computed at the momentum p, and its derivative is w·M⁻¹. The weight w is 1 for a
+    /// gradient. It is ½ for a mean gradient, because p is then the mean momentum.
     #[inline(always)]
-    fn slope(&self, p: &S::Unknown, w: R, f: &S::Unknown, jacobian: &mut Square<S::Unknown>) -> Slope<S::Array> {
+    fn gradient_of_field(
+        &self,
+        p: &S::Unknown,
+        w: R,
+        f: &S::Unknown,
+        jacobian: &mut Square<S::Unknown>,
+    ) -> Slope<S::Array> {
         let (none, n) = (S::Unknown::zero(), S::Array::LEN);
-        let first_order = S::DERIVATIVE == 1;
-        let rate = if first_order { *f } else { self.system.velocity(self.constants, p) };
+        let first_order = S::EQUATION_ORDER.is_first();
+        let rate = if first_order { *f } else { self.system.velocity(self.field_coefficients, p) };
         let [rate, force] = S::increments(&rate, f);
         let mut slope = Slope { g: [opposite(&force), rate], derivative: Matrix::zero() };
         let rows = slope.derivative.rows();
@@ -96,17 +110,17 @@ impl<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>> Energy<'_, 
             for i in 0..n {
                 let (mut unit, mut row) = (none, none);
                 unit.as_mut_slice()[i] = R::from_f64(1.0);
-                self.system.add(self.constants, w, &unit, &mut row);
+                self.system.add(self.field_coefficients, w, &unit, &mut row);
                 rows[n + i] = S::increments(&none, &row);
             }
         }
         slope
     }
 
-    /// Computes the tree discrete gradient along corners between x and x + d. Neighbouring corners differ in `block` coordinates.
+    /// Returns the mean gradient along a path with corners from x to x + d. Each edge of the path changes the next `block` coordinates.
     ///
-    /// Each entry comes from the edge along which its coordinate moves. With blocks of one coordinate, this entry is the exact divided difference of H,
-    /// because the discrete chain rule has no other term.
+    /// An entry is the entry of the tree discrete gradient of the edge that changes its coordinate. With blocks of one coordinate, it is the divided
+    /// difference of H, because the discrete chain rule has no other term. Precondition: `block` divides the number of coordinates.
     #[inline]
     pub fn staircase(&mut self, x: &S::Phase, d: &S::Phase, block: usize) -> Staircase<S::Array> {
         let mut stairs = Staircase { g: Array::zero(), start: Matrix::zero(), end: Matrix::zero() };
@@ -116,7 +130,7 @@ impl<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>> Energy<'_, 
             let mut edge = <S::Phase>::zero();
             entries(&mut edge)[moving.clone()].copy_from_slice(&Array::as_slice(d)[moving.clone()]);
             let next = moved(&corner, R::from_f64(1.0), &edge);
-            // The tree gradient is symmetric. From the other end, its derivative is the derivative with respect to this end.
+            // The tree discrete gradient is symmetric in both ends. The derivative of `back` is therefore the derivative with respect to this corner.
             let mut ahead = self.tree(&corner, &edge);
             let mut back = self.tree(&next, &opposite(&edge));
             for i in moving.clone() {
@@ -130,9 +144,9 @@ impl<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>> Energy<'_, 
                     if moving.contains(&j) {
                         (start[j], end[j]) = (*at_start, *at_end);
                     } else {
-                        // At both corners the coordinate has its new value already, or still has its old value.
-                        let here = if j < first { &mut end[j] } else { &mut start[j] };
-                        *here = *at_start + *at_end;
+                        // Both corners have the same value of coordinate j: the new one if j < first, otherwise the old one.
+                        let derivative = if j < first { &mut end[j] } else { &mut start[j] };
+                        *derivative = *at_start + *at_end;
                     }
                 }
             }

@@ -1,36 +1,40 @@
-//! Order 4 by a modified structure matrix in place of J.
+//! Methods of order 4 from symmetric discrete gradients of order 2: by a modified structure matrix in place of J (Eidnes 2022), or by a projection.
+//!
+//! This file documents both, and computes the first one. The second one is in `projected.rs` and `canonical.rs`.
 
 use super::energy::{Energy, Slope};
-use super::matrix::{Matrix, turned};
-use super::mean::{Corrected, MeanGradient};
+use super::matrix::{Matrix, j_times};
+use super::mean::{FourthOrderBase, MeanGradient};
 use crate::method::{Name, Probe, Refusal};
 use crate::scalar::Real;
 use crate::space::Array;
 use crate::space::vector::{difference, moved, opposite, scaled, sum};
 use crate::system::{Conservative, DiscreteField};
 
-/// A step of order 4 that keeps the invariants of a symmetric method of order 2, in one solve.
+/// A step of order 4 that keeps the invariants of a symmetric method of order 2, in one solve. It has two forms.
 ///
-/// `FourthOrder(DiscreteGradient)` projects a mean velocity, x₁ = x₀ + h (F − G(GᵀG)⁻¹GᵀF). The columns of G are the tree discrete gradients of the
-/// invariants, and F = (f(x₀) + 4 f(c) + f(x₁))/6. The method is for every energy without damping, with the momenta that its report names. It is also
-/// for every field with first integrals; see [`FourthOrderField`](crate::system::FourthOrderField). For canonical systems the projection has a metric,
-/// so that it does not depend on units. Across a condition of the energy the step is the step of [`DiscreteGradient`](super::DiscreteGradient), of
-/// order 2.
+/// # `FourthOrder(DiscreteGradient)`
+/// The step projects a mean velocity, x₁ = x₀ + h (F − G(GᵀG)⁻¹GᵀF). The columns of G are the tree discrete gradients of the invariants. The mean
+/// velocity of x' = f(x) is F = (f(x₀) + 4 f(c) + f(x₁))/6 with c = (x₀ + x₁)/2 + h/8 (f(x₀) − f(x₁)). The form is for every energy without damping, and
+/// also keeps the momenta that the report of the system names. It is also for every field with first integrals; see
+/// [`FourthOrderField`](crate::system::FourthOrderField). For canonical systems the projection has a metric M, so that it does not depend on units.
+/// Across a condition of the energy the step is the step of [`DiscreteGradient`](super::DiscreteGradient), of order 2.
 ///
 /// On a circle, and on some other orbits, the gradient of a momentum depends on the gradient of the energy all along the orbit. No step keeps both
-/// invariants in this way there. The step then keeps the energy. The error of the momentum is the square of the distance from the orbit. On the way
-/// back, other steps may have this error.
+/// invariants in this way there. The step then keeps the energy only. The error of the momentum is the square of the distance from the orbit. On the
+/// way back in time, other steps may have this error.
 ///
-/// An oscillation that turns by more than half a turn in a step, hω > √12, would be projected along the surface of constant energy. A correction λ
-/// changes the energy by λ ∇H(x₁)·(1 − h ∂F)⁻¹MG, in which the oscillation appears as 1 − (hω)²/12. Steps are refused if a part of the energy is in
-/// such oscillations.
+/// Steps are refused if a part of the energy is in oscillations of a frequency ω with hω > √12. They turn by more than half a turn in a step. A
+/// correction λ changes the energy by λ ∇H(x₁)·(1 − h ∂F/∂x₁)⁻¹MG, in which such an oscillation has the factor 1 − (hω)²/12. At hω = √12 the projection
+/// would therefore move along the surface of constant energy.
 ///
-/// Another mean g of gradients, as in `FourthOrder(Gonzalez)`, gives x₁ = x₀ + h S̃ g(x₀, x₁) with S̃ = J + ⅔h JQJ − h²/12 JBJBJ. Here
-/// B = ∇²H((x₀ + x₁)/2) and Q = ½(Dᵀ − D). D is half the difference of ∂g/∂x₁ and ∂g/∂x₀.
+/// # `FourthOrder(Gonzalez)` and other means
+/// With a mean g of gradients, the step is x₁ = x₀ + h S̃ g(x₀, x₁) with S̃ = J + ⅔h JQJ − h²/12 JBJBJ. Here J(q, p) = (p, −q),
+/// B = ∇²H((x₀ + x₁)/2), and Q = ½(Dᵀ − D). D is half the difference of ∂g/∂x₁ and ∂g/∂x₀.
 ///
-/// Order 4, symmetric, for every H. S̃ is skew, so the energy is kept if g keeps the energy, to rounding for every h. If H depends on time, terms of
-/// Magnus' series, with differences of ∇H over the step, keep the order. At equal h, [`Suzuki4`](crate::Suzuki4) of the underlying method of order 2
-/// costs about as much as this second form, and has a tenth of its error.
+/// Order 4, symmetric, for every H. S̃ is skew, so the step keeps the energy to rounding for every h if g is a discrete gradient. If H depends on time,
+/// terms of Magnus' series, with differences of ∇H over the step, keep the order. At equal h, [`Suzuki4`](crate::Suzuki4) of the underlying method of
+/// order 2 costs about as much as this form, and has a tenth of its error.
 ///
 /// After S. Eidnes, BIT 62 (2022) 1207. Q is taken from both ends. With Q of one end, ∂g(x₀, y)/∂y at y = (x₀ + 2x₁)/3, the step is not symmetric, and
 /// has order 3 if third derivatives are not constant. For [`MeanValue`](super::MeanValue), where Q = 0: G. R. W. Quispel & D. I. McLaren, J. Phys. A 41
@@ -41,7 +45,7 @@ pub struct FourthOrder<G>(
     pub G,
 );
 
-impl<G: Corrected> MeanGradient for FourthOrder<G> {
+impl<G: FourthOrderBase> MeanGradient for FourthOrder<G> {
     const OF_ENERGIES: bool = G::OF_ENERGIES;
 
     fn mean_name(&self) -> Name {
@@ -52,7 +56,8 @@ impl<G: Corrected> MeanGradient for FourthOrder<G> {
         G::is_exact::<S, R>()
     }
 
-    /// Returns (1 + ⅔h QJ − h²/12 BJBJ)g, and the derivative of g. The terms left out of the derivative are O(h²).
+    /// Returns (1 + ⅔h QJ − h²/12 BJBJ)g, plus terms for a time-dependent H, and the derivative of g alone. The omitted derivatives are O(h²).
+    /// The product with J is S̃g.
     fn between<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>>(
         &self,
         energy: &mut Energy<'_, S, R, P>,
@@ -61,28 +66,31 @@ impl<G: Corrected> MeanGradient for FourthOrder<G> {
     ) -> Result<Slope<S::Array>, Refusal> {
         let (h, [one, half, sixth, twelfth]) = (energy.h, [1.0, 1.0 / 2.0, 1.0 / 6.0, 1.0 / 12.0].map(R::from_f64));
         let Slope { g, mut derivative } = self.0.between(energy, x, d)?;
-        let (rate, mut w) = (turned(&g), g);
+        let (rate, mut modified) = (j_times(&g), g);
         if !G::CURL_FREE {
-            // g is symmetric. With the ends exchanged, its derivative is the derivative with respect to x₀.
+            // g is symmetric in both ends. With the ends exchanged, its derivative is the derivative with respect to x₀.
             let end = sum(x, d);
             let mut start = self.0.between(energy, &end, &opposite(d))?.derivative;
-            let twist = |slope: &mut Matrix<_>| difference(&slope.transpose_times(&rate), &slope.times(&rate));
-            w.add_scaled(sixth * h, &difference(&twist(&mut derivative), &twist(&mut start)));
+            let skew_times_rate =
+                |slope: &mut Matrix<_>| difference(&slope.transpose_times(&rate), &slope.times(&rate));
+            modified
+                .add_scaled(sixth * h, &difference(&skew_times_rate(&mut derivative), &skew_times_rate(&mut start)));
         }
         let m = moved(x, half, d);
         let mut middle = energy.gradient(energy.t, &m);
-        let bend = turned(&middle.derivative.times(&rate));
-        w.add_scaled(-h * h * twelfth, &middle.derivative.times(&bend));
+        let acceleration = j_times(&middle.derivative.times(&rate));
+        modified.add_scaled(-h * h * twelfth, &middle.derivative.times(&acceleration));
 
-        w.add_scaled(one, &driving(energy, &m, &mut middle));
-        Ok(Slope { g: w, derivative })
+        modified.add_scaled(one, &magnus_terms(energy, &m, &mut middle));
+        Ok(Slope { g: modified, derivative })
     }
 }
 
-/// Returns h²/24 ∇H'' + h²/12 (B'J∇H − BJ∇H'). Differences over the step replace derivatives with respect to time.
+/// Returns h²/24 ∇H'' + h²/12 (B'J∇H − BJ∇H') at the midpoint `m`, where a prime is a derivative with respect to time. Differences over the step
+/// replace these derivatives.
 ///
-/// The result is zero, to the last bit, if H does not depend on time.
-fn driving<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>>(
+/// The result is exactly zero if H does not depend on time.
+fn magnus_terms<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>>(
     energy: &mut Energy<'_, S, R, P>,
     m: &S::Phase,
     middle: &mut Slope<S::Array>,
@@ -90,9 +98,9 @@ fn driving<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>>(
     let (h, [half, sixth, twelfth]) = (energy.h, [1.0 / 2.0, 1.0 / 6.0, 1.0 / 12.0].map(R::from_f64));
     let mut before = energy.gradient(energy.t - half * h, m);
     let mut after = energy.gradient(energy.t + half * h, m);
-    let (rate, change) = (turned(&middle.g), difference(&after.g, &before.g));
+    let (rate, change) = (j_times(&middle.g), difference(&after.g, &before.g));
     let mut bracket = difference(&after.derivative.times(&rate), &before.derivative.times(&rate));
-    bracket = difference(&bracket, &middle.derivative.times(&turned(&change)));
+    bracket = difference(&bracket, &middle.derivative.times(&j_times(&change)));
     let curvature = difference(&difference(&after.g, &middle.g), &difference(&middle.g, &before.g));
     moved(&scaled(sixth, &curvature), h * twelfth, &bracket)
 }

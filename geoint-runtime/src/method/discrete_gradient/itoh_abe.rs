@@ -1,4 +1,6 @@
-//! Discrete gradients whose entry i is the divided difference of H when only coordinate i changes.
+//! Discrete gradients whose entry i is the divided difference of H along an edge that changes coordinate i only.
+//!
+//! The edges form a path from x₀ to x₁. Its direction distinguishes [`ItohAbe`] from its adjoint; [`SymmetrisedItohAbe`] and [`ItohAbePair`] combine both.
 
 use super::energy::{Energy, Slope, Staircase};
 use super::matrix::Matrix;
@@ -12,11 +14,11 @@ use crate::space::vector::{moved, opposite, scaled, sum};
 use crate::space::{Array, Summation};
 use crate::system::{Conservative, DiscreteField, Invariants, KeptBy};
 
-/// x₁ = x₀ + h J g with gᵢ = (H(…, x₁ᵢ, x₀ᵢ₊₁, …) − H(…, x₀ᵢ, x₀ᵢ₊₁, …))/(x₁ᵢ − x₀ᵢ). Coordinates before i have their new values: all of q, then all of
-/// p. If H does not read time, every accepted step keeps the energy to rounding.
+/// x₁ = x₀ + h J g with gᵢ = (H(…, x₁ᵢ, x₀ᵢ₊₁, …) − H(…, x₀ᵢ, x₀ᵢ₊₁, …))/(x₁ᵢ − x₀ᵢ). Here x = (q, p) and J(q, p) = (p, −q). Coordinates before i have
+/// their new values: all of q, then all of p. If H does not read time, every accepted step keeps the energy to rounding.
 ///
-/// Order 1. Order 2 and symmetric if H = Σ Tᵢ(pᵢ) + Σ Vᵢ(qᵢ). The momentum of a cyclic coordinate is kept. The method is used in the literature.
-/// Otherwise prefer [`DiscreteGradient`](crate::DiscreteGradient). T. Itoh & K. Abe, J. Comput. Phys. 76 (1988) 85.
+/// Order 1. Order 2 and symmetric if H = Σ Tᵢ(pᵢ) + Σ Vᵢ(qᵢ). The momentum of a cyclic coordinate is kept. Use the method for comparison with the
+/// literature. Otherwise prefer [`DiscreteGradient`](crate::DiscreteGradient). T. Itoh & K. Abe, J. Comput. Phys. 76 (1988) 85.
 #[doc(alias("coordinate increment discrete gradient", "Itoh-Abe"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ItohAbe;
@@ -29,12 +31,11 @@ pub struct ItohAbeAdjoint;
 
 /// [`ItohAbe`] for h/2, then [`ItohAbeAdjoint`] for h/2. Order 2, symmetric. Keeps the energy as [`ItohAbe`] does.
 ///
-/// Two equations a step, for about a quarter of the error of [`SymmetrisedItohAbe`] in the example `which_discrete_gradient`.
+/// A step solves two equations. Its error is about a quarter of the error of [`SymmetrisedItohAbe`] in the example `which_discrete_gradient`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ItohAbePair;
 
-/// The mean of the discrete gradients of [`ItohAbe`] and [`ItohAbeAdjoint`]. Order 2, symmetric. Keeps the
-/// energy as [`ItohAbe`] does.
+/// The mean of the discrete gradients of [`ItohAbe`] and [`ItohAbeAdjoint`]. Order 2, symmetric. Keeps the energy as [`ItohAbe`] does.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SymmetrisedItohAbe;
 
@@ -83,28 +84,28 @@ impl MeanGradient for SymmetrisedItohAbe {
         d: &S::Phase,
     ) -> Result<Slope<S::Array>, Refusal> {
         let half = R::from_f64(0.5);
-        let (mut there, mut back) = (ItohAbe.between(energy, x, d)?, ItohAbeAdjoint.between(energy, x, d)?);
-        let mut slope = Slope { g: moved(&scaled(half, &there.g), half, &back.g), derivative: Matrix::zero() };
-        slope.derivative.add_scaled(half, &mut there.derivative);
-        slope.derivative.add_scaled(half, &mut back.derivative);
+        let (mut forward, mut backward) = (ItohAbe.between(energy, x, d)?, ItohAbeAdjoint.between(energy, x, d)?);
+        let mut slope = Slope { g: moved(&scaled(half, &forward.g), half, &backward.g), derivative: Matrix::zero() };
+        slope.derivative.add_scaled(half, &mut forward.derivative);
+        slope.derivative.add_scaled(half, &mut backward.derivative);
         Ok(slope)
     }
 }
 
-/// Mean gradient of one half of a pair. Both halves have one type, so that they share a memory.
+/// Mean gradient of one half of a step of [`ItohAbePair`]. Both halves have one type, so that they share a memory.
 #[derive(Clone, Copy, Debug)]
 pub enum Half {
     /// [`ItohAbe`].
-    There,
+    First,
     /// [`ItohAbeAdjoint`].
-    Back,
+    Second,
 }
 
 impl MeanGradient for Half {
     fn mean_name(&self) -> Name {
         match self {
-            Half::There => ItohAbe.mean_name(),
-            Half::Back => ItohAbeAdjoint.mean_name(),
+            Half::First => ItohAbe.mean_name(),
+            Half::Second => ItohAbeAdjoint.mean_name(),
         }
     }
 
@@ -115,19 +116,19 @@ impl MeanGradient for Half {
         d: &S::Phase,
     ) -> Result<Slope<S::Array>, Refusal> {
         match self {
-            Half::There => ItohAbe.between(energy, x, d),
-            Half::Back => ItohAbeAdjoint.between(energy, x, d),
+            Half::First => ItohAbe.between(energy, x, d),
+            Half::Second => ItohAbeAdjoint.between(energy, x, d),
         }
     }
 }
 
-/// Both halves of a pair.
+/// Coefficients of both halves of a step of [`ItohAbePair`].
 #[derive(Clone)]
 pub struct PreparedPair<S: DiscreteField<R> + Conservative<R>, R: Real> {
-    there: Prepared<MeanStep<Half>, S, R>,
-    back: Prepared<MeanStep<Half>, S, R>,
+    first: Prepared<MeanStep<Half>, S, R>,
+    second: Prepared<MeanStep<Half>, S, R>,
     /// h/2.
-    half: R,
+    half_step: R,
 }
 
 impl<S: DiscreteField<R> + Conservative<R>, R: Real> Method<S, R> for ItohAbePair {
@@ -150,9 +151,9 @@ impl<S: DiscreteField<R> + Conservative<R>, R: Real> Method<S, R> for ItohAbePai
     }
 
     fn prepare(&self, system: &S, h: R) -> Self::Prepared {
-        let half = R::from_f64(0.5) * h;
-        let [there, back] = [Half::There, Half::Back].map(|mean| Prepared::new(MeanStep(mean), system, half));
-        PreparedPair { there, back, half }
+        let half_step = R::from_f64(0.5) * h;
+        let [first, second] = [Half::First, Half::Second].map(|mean| Prepared::new(MeanStep(mean), system, half_step));
+        PreparedPair { first, second, half_step }
     }
 
     fn memory() -> Self::Memory {
@@ -161,13 +162,13 @@ impl<S: DiscreteField<R> + Conservative<R>, R: Real> Method<S, R> for ItohAbePai
 
     #[inline]
     fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
-        PreparedPair { there, back, half }: &Self::Prepared,
+        PreparedPair { first, second, half_step }: &Self::Prepared,
         memory: &mut Self::Memory,
         mut step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
-        let [start, middle, end] = [step.t, step.t + *half, step.end];
-        there.step(memory, step.part([start, middle]))?;
-        back.step(memory, step.part([middle, end]))
+        let [start, middle, end] = [step.t, step.t + *half_step, step.end];
+        first.step(memory, step.part([start, middle]))?;
+        second.step(memory, step.part([middle, end]))
     }
 }
 

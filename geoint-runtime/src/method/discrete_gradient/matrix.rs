@@ -1,4 +1,4 @@
-//! Vectors and square matrices in all coordinates (q, p).
+//! Square matrices in all coordinates (q, p), and the product J(q, p) = (p, −q).
 
 use crate::scalar::Real;
 use crate::space::vector::{dot, entries, opposite};
@@ -27,7 +27,7 @@ impl<A: Array> Matrix<A> {
         <[A; 2]>::entries_of::<[A; 2]>(&self.0)
     }
 
-    /// Returns the product with a vector.
+    /// Returns the product of the matrix and a vector.
     #[inline(always)]
     pub(super) fn times(&mut self, x: &[A; 2]) -> [A; 2] {
         let mut y = <[A; 2]>::zero();
@@ -58,11 +58,11 @@ impl<A: Array> Matrix<A> {
 
 /// Returns J·(q, p) = (p, −q).
 #[inline(always)]
-pub(super) fn turned<A: Array>([q, p]: &[A; 2]) -> [A; 2] {
+pub(super) fn j_times<A: Array>([q, p]: &[A; 2]) -> [A; 2] {
     [*p, opposite(q)]
 }
 
-/// Returns a number `x` that is not negative as a denominator: 0/0 is 0.
+/// Returns `x`, or the smallest normal number if `x` is smaller. As a denominator, it makes 0/0 zero. Precondition: `x` is not negative.
 #[inline(always)]
 pub(super) fn denominator<R: Real>(x: R) -> R {
     x.max(R::from_f64(R::smallest()))

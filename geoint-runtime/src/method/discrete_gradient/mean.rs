@@ -1,7 +1,10 @@
-//! Steps along a mean g of ∇H between their ends: d = h J g(x₀, x₀ + d) for the increment d.
+//! Steps along a mean g of ∇H between their ends: d = h J g(x₀, x₀ + d) for the increment d = x₁ − x₀. Here x = (q, p) and J(q, p) = (p, −q).
+//!
+//! [`MeanGradient`] defines g. [`MeanStep`] solves the equation for all coordinates (q, p), even if T is quadratic. The dedicated step of
+//! [`DiscreteGradient`](super::DiscreteGradient) is cheaper; see [`TreeStep`](super::TreeStep).
 
 use super::energy::{Energy, Slope};
-use super::matrix::turned;
+use super::matrix::j_times;
 use crate::method::composition::SymmetricMap;
 use crate::method::corrected::range::is_representable;
 use crate::method::corrected::{kept, rounded};
@@ -16,38 +19,38 @@ use crate::space::vector::{entries, moved, scaled, sum};
 use crate::space::{Array, Square};
 use crate::system::{Conservative, DiscreteField, KeptBy};
 
-/// A mean g of ∇H between x and x + d: the step is x₁ = x₀ + h J g(x₀, x₁).
+/// A mean g of ∇H between x and x + d. The step is x₁ = x₀ + h J g(x₀, x₁).
 ///
-/// A discrete gradient has g·d = H(x + d) − H(x), and then the energy is kept: d·g = h Jg·g = 0.
+/// A discrete gradient satisfies g·d = H(x + d) − H(x). The step then keeps the energy, because g·d = h g·Jg = 0.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a step along a mean of gradients",
     note = "means of order 2: `DiscreteGradient`, `Gonzalez`, `MeanValue`, `SymmetrisedItohAbe`"
 )]
 pub trait MeanGradient: Copy + core::fmt::Debug {
-    /// Whether ∂g/∂d is symmetric.
+    /// Whether ∂g/∂d is symmetric. [`FourthOrder`](crate::FourthOrder) then omits its term with Q, which is zero.
     const CURL_FREE: bool = false;
 
-    /// True if g is computed from differences of H, which must be representable.
+    /// True if energies are factors in g, as in the metric of [`Gonzalez`](super::Gonzalez). They must then neither underflow nor overflow.
     const OF_ENERGIES: bool = false;
 
-    /// The name of the method.
+    /// Returns the name of the method.
     fn mean_name(&self) -> Name;
 
-    /// Returns whether g is a discrete gradient of the system. Steps then keep the energy.
+    /// Returns whether g is proven to be a discrete gradient of the system. Steps then keep the energy.
     fn is_exact<S: DiscreteField<R>, R: Real>() -> bool {
         true
     }
 
-    /// Whether steps are a symplectic map.
+    /// Returns whether steps are a symplectic map.
     fn is_symplectic<S: DiscreteField<R>, R: Real>() -> bool {
         false
     }
 
-    /// Returns g and ∂g/∂d. An approximate derivative is enough for convergence. [`FourthOrder`](crate::FourthOrder) needs the exact one, because its order follows from
-    /// it.
+    /// Returns g between x and x + d, and ∂g/∂d. The solver accepts an approximate derivative. Unless [`CURL_FREE`](Self::CURL_FREE),
+    /// [`FourthOrder`](crate::FourthOrder) computes its matrix Q from ∂g/∂d at both ends. Its order 4 needs an exact Q.
     ///
     /// # Errors
-    /// If g does not exist.
+    /// If g does not exist between these points.
     fn between<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>>(
         &self,
         energy: &mut Energy<'_, S, R, P>,
@@ -56,57 +59,66 @@ pub trait MeanGradient: Copy + core::fmt::Debug {
     ) -> Result<Slope<S::Array>, Refusal>;
 }
 
-/// A symmetric mean that [`FourthOrder`](crate::FourthOrder) raises to order 4 by a modified structure matrix. (For the tree discrete gradient, it projects a mean
-/// velocity instead.)
-pub trait Corrected: MeanGradient + SymmetricMap {}
+/// A symmetric mean that [`FourthOrder`](crate::FourthOrder) raises to order 4 by a modified structure matrix. The tree discrete gradient is not among
+/// them, because `FourthOrder` projects a mean velocity for it.
+pub trait FourthOrderBase: MeanGradient + SymmetricMap {}
 
-/// The step along the mean `G`. The derivative of g is known approximately, so corrections shrink by a factor.
+/// The step along the mean `G`. The derivative of g may be approximate, so the solver is [`QuasiNewton`], with linear convergence.
 #[derive(Clone, Copy, Debug)]
 pub struct MeanStep<G>(
     /// The mean.
     pub G,
 );
 
-/// Values that depend on the mean, on parameters, and on h.
+/// The mean gradient, and coefficients that depend on the parameters of the system and on h.
 #[derive(Clone, Debug)]
-pub struct Constants<G, S: DiscreteField<R>, R: Real> {
+pub struct Coefficients<G, S: DiscreteField<R>, R: Real> {
     mean: G,
-    constants: S::Constants,
-    parameters: S::Parameters,
+    /// Coefficients of the field f = J∇H.
+    field: S::Constants,
+    /// Coefficients of the tree discrete gradient.
+    mean_field: S::Parameters,
 }
 
 impl<'a, G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Equation<'a, MeanStep<G>, S, R> {
-    /// Returns the energy, at the time in the middle of the step unless stated otherwise.
+    /// Returns the evaluator of the gradients of H, at the time of the middle of the step. It shows the points of evaluations to `probe`.
     #[inline(always)]
     fn energy<'b, P>(&self, probe: &'b mut P) -> Energy<'b, S, R, P>
     where
         'a: 'b,
     {
-        let Constants { constants, parameters, .. } = self.constants;
-        Energy { system: self.from.system, constants, parameters, probe, t: self.from.middle(), h: self.from.h }
+        let Coefficients { field, mean_field, .. } = self.coefficients;
+        Energy {
+            system: self.from.system,
+            field_coefficients: field,
+            mean_field_coefficients: mean_field,
+            probe,
+            t: self.from.middle(),
+            h: self.from.h,
+        }
     }
 }
 
 impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> ImplicitStep<S, R> for MeanStep<G> {
     type Unknown = S::Phase;
-    type Constants = Constants<G, S, R>;
+    type Coefficients = Coefficients<G, S, R>;
     type Start = ();
     type History = ();
-    /// The reason if g did not exist at a point. It explains an equation without a solution.
-    type Seen = Option<Refusal>;
+    /// The reason if g did not exist at a point of the iteration. It replaces the refusal of the solver.
+    type LastEvaluation = Option<Refusal>;
     type Kept = KeptBy<S, R>;
     type Solver = QuasiNewton<S::Phase>;
 
     const POLICY: Policy = Policy {
-        // Discrete gradients keep the energy. Other means are symmetric, and their solutions are not examined either.
+        // All solutions of a discrete gradient keep the energy. Solutions of inexact means are not followed to h = 0 either.
         branch: Branch::OfEnergy,
         sums: Sums::Compensated,
         evaluated: Evaluated::AtTheEnd,
         ..Policy::of(Units { alike: S::Array::LEN, kinds: 2 })
     };
 
-    fn constants(self, system: &S, h: R) -> Constants<G, S, R> {
-        Constants { mean: self.0, constants: system.constants(), parameters: system.parameters(h) }
+    fn coefficients(self, system: &S, h: R) -> Coefficients<G, S, R> {
+        Coefficients { mean: self.0, field: system.constants(), mean_field: system.parameters(h) }
     }
 
     fn claims(claims: Claims) -> Claims {
@@ -115,12 +127,12 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> ImplicitSt
 
     fn history() {}
 
-    fn unseen() -> Option<Refusal> {
+    fn no_evaluation() -> Option<Refusal> {
         None
     }
 
     #[inline(always)]
-    fn begin(_: &Departure<'_, S, R>, _: &Self::Constants, (): &mut ()) -> Result<(), Refusal> {
+    fn begin(_: &Departure<'_, S, R>, _: &Self::Coefficients, (): &mut ()) -> Result<(), Refusal> {
         Ok(())
     }
 
@@ -129,29 +141,29 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> ImplicitSt
         equation.from.z
     }
 
-    /// The explicit midpoint rule.
+    /// Returns the increment of the explicit midpoint rule.
     fn guess(equation: &Equation<'_, Self, S, R>) -> S::Phase {
         let (mut unwatched, Departure { t, h, z, .. }) = (Unwatched, equation.from);
         let (mut energy, half) = (equation.energy(&mut unwatched), R::from_f64(0.5) * h);
-        let rate = turned(&energy.gradient(t, &z).g);
-        let rate = turned(&energy.gradient(t + half, &moved(&z, half, &rate)).g);
+        let rate = j_times(&energy.gradient(t, &z).g);
+        let rate = j_times(&energy.gradient(t + half, &moved(&z, half, &rate)).g);
         scaled(h, &rate)
     }
 
-    /// d − h J g and 1 − h J ∂g/∂d.
+    /// Returns d − h J g, and writes 1 − h J ∂g/∂d. Returns NaN if g does not exist, so that the solver refuses the step.
     #[inline]
     fn residual<P: Probe<S, R>>(
         equation: &Equation<'_, Self, S, R>,
-        watch: &mut Watch<'_, S, R, P, Self::Seen>,
+        watch: &mut Watch<'_, S, R, P, Self::LastEvaluation>,
         d: &S::Phase,
         matrix: &mut Square<S::Phase>,
     ) -> S::Phase {
         let (n, Departure { h, z, .. }) = (S::Array::LEN, equation.from);
-        watch.decide(&sum(&z, d), &());
-        let slope = match equation.constants.mean.between(&mut equation.energy(watch.probe()), &z, d) {
+        watch.record_end(&sum(&z, d), &());
+        let slope = match equation.coefficients.mean.between(&mut equation.energy(watch.probe()), &z, d) {
             Ok(slope) => slope,
             Err(refusal) => {
-                watch.seen = Some(refusal);
+                watch.last = Some(refusal);
                 return scaled(R::from_f64(f64::NAN), d);
             }
         };
@@ -164,16 +176,16 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> ImplicitSt
         for (i, row) in rows.iter_mut().enumerate() {
             entries(row)[i] += R::from_f64(1.0);
         }
-        moved(d, -h, &turned(&g))
+        moved(d, -h, &j_times(&g))
     }
 
     #[inline(always)]
     fn update(
         _: &Equation<'_, Self, S, R>,
         solution: &Solution<S::Phase>,
-        _: &Self::Seen,
+        _: &Self::LastEvaluation,
     ) -> Result<Increment<S::Phase, ()>, Refusal> {
-        Ok(Increment::of(solution.x))
+        Ok(Increment::of(solution.x, ()))
     }
 
     #[inline(always)]
@@ -190,15 +202,15 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> ImplicitSt
     }
 
     #[cold]
-    fn explained(_: &Equation<'_, Self, S, R>, seen: &Self::Seen, refusal: Refusal) -> Refusal {
-        seen.unwrap_or(refusal)
+    fn explained(_: &Equation<'_, Self, S, R>, last: &Self::LastEvaluation, refusal: Refusal) -> Refusal {
+        last.unwrap_or(refusal)
     }
 
     fn is_in_range(system: &S, z: &S::Phase) -> bool {
         !G::OF_ENERGIES || is_representable(system, &KeptBy::<S, R>::default(), z)
     }
 
-    /// A mean that is no discrete gradient of the system keeps nothing.
+    /// Returns zero for a mean that is not a discrete gradient of the system, because its steps keep no invariant.
     fn way_back(system: &S, origin: &S::Phase, z: &S::Phase) -> S::Phase {
         if G::is_exact::<S, R>() { kept::way_back(system, &Self::Kept::default(), origin, z) } else { S::Phase::zero() }
     }

@@ -1,4 +1,11 @@
-//! Steps x₁ = x₀ + h (J − R) ∇̄H(x₀, x₁) that keep the energy to rounding. With damping R, they lose the energy that R dissipates.
+//! Steps along a discrete gradient, x₁ = x₀ + h J ∇̄H(x₀, x₁). They keep the energy H to rounding, for every step size h.
+//!
+//! Here x = (q, p) and J(q, p) = (p, −q). A discrete gradient ∇̄H satisfies ∇̄H·(x₁ − x₀) = H(x₁) − H(x₀), and tends to ∇H if x₁ tends to x₀
+//! (O. Gonzalez, J. Nonlinear Sci. 6 (1996) 449). The energy is kept because H(x₁) − H(x₀) = h ∇̄H·J∇̄H = 0. With damping R, the step has J − R in
+//! place of J, and H falls by h ∇̄H·R∇̄H; see [`DiscreteGradient`].
+//!
+//! [`DiscreteGradient`] is the usual choice: it has the fewest unknowns, and is the one for damped systems. Steps are not symplectic in general. If H
+//! reads time, it is not constant, and no step keeps it.
 //!
 //! ```
 //! use geoint_runtime::prelude::*;
@@ -10,13 +17,13 @@
 //!         + (q[0] - q[1]).exp() + (q[1] - q[2]).exp() + (q[2] - q[0]).exp()
 //! }
 //!
-//! // The energy is kept by steps of any length; the smaller they are the better is the rest.
+//! // Steps of any length keep the energy. Shorter steps improve the trajectory.
 //! for h in [0.01, 0.1, 0.5] {
 //!     let mut sim = Toda { m: 1.5 }.integrator(DiscreteGradient, h, State::new([0.3, -0.1, 0.0], [0.5, 0.1, -0.2]));
 //!     let (energy, momentum) = (sim.energy(), 0.5 + 0.1 - 0.2);
 //!     sim.advance(1000)?;
 //!     assert!((sim.energy() / energy - 1.0).abs() < 1e-13);
-//!     // Σp commutes with the differences in which H is written.
+//!     // H reads differences of positions only, so Σp is kept as well.
 //!     assert!((sim.state().p.iter().sum::<f64>() - momentum).abs() < 1e-13);
 //! }
 //! # Ok::<(), StepError>(())

@@ -1,6 +1,11 @@
-//! The step of the polarised discrete gradient of a Lagrangian that is quadratic in v, with or without an action. The unknowns are the increments d of v, and of s:
+//! The step of the polarised discrete gradient of a Lagrangian that is quadratic in v, L = ½vᵀM v + a·v − V, with or without an action s.
+//!
+//! The unknowns are the increment d of the velocity v, and the increment of s. The equation relates v₁ to the momentum p₁ = ∂L/∂v at the end of the step:
 //!
 //! M(q₁)v₁ + a(q₁) = p₁ with q₁ = q₀ + h v̄, v₁ = v₀ + d and v̄ = v₀ + d/2. [`PolarisedForm`] defines p₁ − p₀ and s₁ − s₀.
+//!
+//! A step solved for velocities has half of the unknowns of a step for (q, p), and needs no inverse of the mass matrix M. M may be indefinite. A step is
+//! refused if det M vanishes on its way.
 
 use crate::method::implicit::{
     Arrival, Branch, Departure, Equation, Evaluated, ImplicitStep, Increment, Policy, Sums, Units, Watch,
@@ -17,78 +22,84 @@ use crate::system::{MassForm, PolarisedForm, Regular, mass_units, rates_of_veloc
 #[derive(Clone, Copy, Debug)]
 pub struct PolarisedStep;
 
-/// A point with its velocity.
+/// A point of a run with its velocity.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Known<Z: Array, A> {
+pub(super) struct PointWithVelocity<Z: Array, A> {
     /// The time at which M and a are evaluated.
     t: Z::Real,
     z: Z,
     v: A,
-    /// 1/|Mᵢᵢ| at the last point whose velocity was solved for from p. These are scales only, so they need not be new.
-    units: A,
+    /// 1/|Mᵢᵢ| at the last point whose velocity was computed from p. They only scale rows, so old values suffice.
+    row_scales: A,
 }
 
-impl<Z: Array, A: Array<Real = Z::Real>> Record<Z::Real> for Known<Z, A> {
+impl<Z: Array, A: Array<Real = Z::Real>> Record<Z::Real> for PointWithVelocity<Z, A> {
     fn record(&mut self, tape: &mut impl Tape<Z::Real>) {
         tape.scalar(&mut self.t);
         tape.array(&mut self.z);
         tape.array(&mut self.v);
-        tape.array(&mut self.units);
+        tape.array(&mut self.row_scales);
     }
 }
 
-/// The mass matrix of the run, and the end of the last step.
+/// Values that a step passes to the next one.
 #[derive(Clone, Copy, Debug)]
 pub struct History<Z: Array, A: Array> {
+    /// The check that M stays regular in a run.
     regular: Regular<A>,
-    last: Option<Known<Z, A>>,
+    /// The end of the last step.
+    last: Option<PointWithVelocity<Z, A>>,
 }
 
 impl<Z: Array, A: Array<Real = Z::Real>> Record<Z::Real> for History<Z, A> {
     fn record(&mut self, tape: &mut impl Tape<Z::Real>) {
         self.regular.record(tape);
-        tape.option(&mut self.last, || Known { t: zero(), z: Z::zero(), v: A::zero(), units: A::zero() });
+        let none = || PointWithVelocity { t: zero(), z: Z::zero(), v: A::zero(), row_scales: A::zero() };
+        tape.option(&mut self.last, none);
     }
 }
 
 /// Values that depend on the start of a step.
 #[derive(Clone, Copy, Debug)]
-pub struct Start<K, A, D> {
-    kernel: K,
+pub struct Start<C, A, D> {
+    /// Coefficients of [`PolarisedForm`] that depend on the start.
+    form: C,
+    /// The velocity at the start.
     v: A,
-    /// Scales of the rows: a row over |Mᵢᵢ| has the unit of the velocity, and the row of s has the scale 1. The sign of det M on the first row makes the determinant
-    /// of the equation positive.
-    scales: D,
+    /// Scales of the rows of the equation. A row over |Mᵢᵢ| has the unit of the velocity, and the row of s has the scale 1. The sign of det M multiplies
+    /// the scale of the first row. The determinant of the equation is then positive for short steps, as the solver requires.
+    row_scales: D,
 }
 
-/// Values that depend on parameters and h.
+/// Coefficients that depend on the parameters of the system and on h.
 #[derive(Clone, Debug)]
-pub struct Constants<P> {
-    parameters: P,
-    /// The mass matrix is positive definite everywhere.
+pub struct Coefficients<P> {
+    /// Coefficients of [`PolarisedForm`].
+    form: P,
+    /// True if M is proven to be positive definite everywhere. The checks of det M are then omitted.
     is_definite: bool,
 }
 
-/// The last evaluation: d, the increments of p and s, and their derivatives by d.
+/// The last evaluation: the unknowns d, the increments of p and s, and the derivatives of these increments with respect to d.
 #[derive(Clone, Copy, Debug)]
-pub struct Seen<D: Array> {
+pub struct LastEvaluation<D: Array> {
     d: D,
     increments: D,
     by_d: Square<D>,
 }
 
-/// Whether the system has an action. Time is then frozen in the middle of a step.
+/// Returns whether the system has an action. A step then evaluates L at the time of its middle only.
 const fn has_action<S: PolarisedForm<R>, R: Real>() -> bool {
     <S::Action as Action<R>>::LEN > 0
 }
 
-/// Returns the times at which M and a are evaluated at the start and at the end of a step.
+/// Returns the times at which M and a are evaluated at the start and at the end of a step. Both are the time of the middle if there is an action.
 #[inline(always)]
 fn times<S: PolarisedForm<R>, R: Real>(from: &Departure<'_, S, R>) -> [R; 2] {
     if const { has_action::<S, R>() } { [from.middle(); 2] } else { [from.t, from.end] }
 }
 
-/// Returns the part of a row that belongs to s.
+/// Returns the entry of s in a row of increments, or zero if there is no action.
 #[inline(always)]
 fn of_action<S: PolarisedForm<R>, R: Real>(d: &S::Increments) -> R {
     d.as_slice().get(S::Array::LEN).copied().unwrap_or_else(zero)
@@ -101,7 +112,7 @@ impl<S: PolarisedForm<R>, R: Real> Equation<'_, PolarisedStep, S, R> {
         scaled(self.from.h, &moved(&self.start.v, R::from_f64(0.5), &resized(d, zero())))
     }
 
-    /// Returns s₀, or zero.
+    /// Returns the action s₀ at the start, or zero if there is no action.
     #[inline(always)]
     fn action(&self) -> R {
         self.from.s.scalar().unwrap_or_else(zero)
@@ -110,20 +121,20 @@ impl<S: PolarisedForm<R>, R: Real> Equation<'_, PolarisedStep, S, R> {
 
 impl<S: PolarisedForm<R>, R: Real> ImplicitStep<S, R> for PolarisedStep {
     type Unknown = S::Increments;
-    type Constants = Constants<S::Parameters>;
+    type Coefficients = Coefficients<S::Parameters>;
     type Start = Start<S::Start, S::Array, S::Increments>;
     type History = History<S::Phase, S::Array>;
-    type Seen = Seen<S::Increments>;
+    type LastEvaluation = LastEvaluation<S::Increments>;
     type Kept = S::Kept;
     type Solver = Newton<S::Increments>;
 
     const POLICY: Policy = if has_action::<S, R>() {
-        Policy::of(Units { alike: S::Array::LEN, kinds: 2 })
+        Policy { evaluated: Evaluated::AtTheEnd, ..Policy::of(Units { alike: S::Array::LEN, kinds: 2 }) }
     } else {
         Policy {
-            // All solutions satisfy the energy balance: it changes by −h v̄·C v̄.
+            // All solutions satisfy the energy balance: H changes by −h v̄·C v̄ with the friction C.
             branch: Branch::OfEnergy,
-            // −2v₀ turns v round: nothing moves.
+            // The increment −2v₀ reverses v, so v̄ = 0, and q does not move.
             standstill: -2.0,
             sums: Sums::Compensated,
             evaluated: Evaluated::ByDifferences,
@@ -131,38 +142,38 @@ impl<S: PolarisedForm<R>, R: Real> ImplicitStep<S, R> for PolarisedStep {
         }
     };
 
-    fn constants(self, system: &S, h: R) -> Constants<S::Parameters> {
-        Constants { parameters: system.parameters(h), is_definite: system.is_definite() }
+    fn coefficients(self, system: &S, h: R) -> Coefficients<S::Parameters> {
+        Coefficients { form: system.parameters(h), is_definite: system.is_definite() }
     }
 
     fn history() -> Self::History {
         History { regular: Regular::unknown(), last: None }
     }
 
-    fn unseen() -> Self::Seen {
+    fn no_evaluation() -> Self::LastEvaluation {
         let none = S::Increments::zero();
-        Seen { d: none, increments: none, by_d: S::Increments::fill(none) }
+        LastEvaluation { d: none, increments: none, by_d: S::Increments::fill(none) }
     }
 
     #[inline(always)]
     fn begin(
         from: &Departure<'_, S, R>,
-        constants: &Self::Constants,
+        coefficients: &Self::Coefficients,
         history: &mut Self::History,
     ) -> Result<Self::Start, Refusal> {
         let Departure { system, z, s, .. } = from;
-        let sign = history.regular.begin(*system, constants.is_definite, (from.t, z, s))?;
+        let sign = history.regular.begin(*system, coefficients.is_definite, (from.t, z, s))?;
         let [t, _] = times(from);
-        // The velocity of the last step is that of this point, unless time was frozen, or something else has moved the point, such as a projection.
-        let known = match history.last {
-            Some(known) if known.t == t && known.z == *z => known,
-            last => known(*system, t, (*z, *s), last.map_or_else(S::Array::zero, |last| last.v))?,
+        // The velocity of the last end belongs to this start, unless M is evaluated at another time, or the point was moved, for example by a projection.
+        let point = match history.last {
+            Some(last) if last.t == t && last.z == *z => last,
+            last => with_velocity(*system, t, (*z, *s), last.map_or_else(S::Array::zero, |last| last.v))?,
         };
-        history.last = Some(known);
-        let Known { v, units, .. } = known;
-        let mut scales: S::Increments = resized(&units, R::from_f64(1.0));
-        scales.as_mut_slice()[0] *= sign;
-        Ok(Start { kernel: system.begin(&constants.parameters, from.middle(), z, s, &v), v, scales })
+        history.last = Some(point);
+        let PointWithVelocity { v, row_scales, .. } = point;
+        let mut row_scales: S::Increments = resized(&row_scales, R::from_f64(1.0));
+        row_scales.as_mut_slice()[0] *= sign;
+        Ok(Start { form: system.begin(&coefficients.form, from.middle(), z, s, &v), v, row_scales })
     }
 
     #[inline(always)]
@@ -170,68 +181,73 @@ impl<S: PolarisedForm<R>, R: Real> ImplicitStep<S, R> for PolarisedStep {
         resized(&equation.start.v, equation.action())
     }
 
-    /// The increments for constant v' and s'.
+    /// Returns the increments for constant rates v' and s'.
     fn guess(Equation { from, start, .. }: &Equation<'_, Self, S, R>) -> S::Increments {
         let [t, _] = times(from);
         let (acceleration, lagrangian) = rates_of_velocity(from.system, t, &from.z[0], &start.v, &from.s);
         scaled(from.h, &resized(&acceleration, lagrangian))
     }
 
+    /// Returns the residual of the equation, with scaled rows, and stores the increments of p and s.
     #[inline(always)]
     fn residual<P: Probe<S, R>>(
         equation: &Equation<'_, Self, S, R>,
-        watch: &mut Watch<'_, S, R, P, Self::Seen>,
+        watch: &mut Watch<'_, S, R, P, Self::LastEvaluation>,
         d: &S::Increments,
         matrix: &mut Square<S::Increments>,
     ) -> S::Increments {
-        let Equation { from, constants, start } = equation;
+        let Equation { from, coefficients, start } = equation;
         let s = S::Action::of(equation.action() + of_action::<S, R>(d));
         watch.visit(from.middle(), &[sum(&from.z[0], &equation.shift(d)), from.z[1]], &s);
-        let (Seen { d: last, increments, by_d }, mut residual) = (&mut watch.seen, S::Increments::zero());
+        let (LastEvaluation { d: last, increments, by_d }, mut residual) = (&mut watch.last, S::Increments::zero());
         *last = *d;
-        from.system.equation(&constants.parameters, &start.kernel, d, [&mut residual, increments], [matrix, by_d]);
-        scale_rows(&start.scales, &mut residual, matrix);
+        from.system.equation(&coefficients.form, &start.form, d, [&mut residual, increments], [matrix, by_d]);
+        scale_rows(&start.row_scales, &mut residual, matrix);
         residual
     }
 
+    /// Returns the increments. Those of p and s are extrapolated linearly from the last evaluation by the last correction of d.
     #[inline(always)]
     fn update(
         equation: &Equation<'_, Self, S, R>,
         Solution { x: d, .. }: &Solution<S::Increments>,
-        Seen { d: last, increments, by_d }: &Self::Seen,
+        LastEvaluation { d: last, increments, by_d }: &Self::LastEvaluation,
     ) -> Result<Increment<S::Phase, S::Action>, Refusal> {
         let increments = extrapolated(increments, by_d, &difference(d, last));
         let z = [equation.shift(d), resized(&increments, zero())];
-        Ok(Increment { z, s: S::Action::of(of_action::<S, R>(&increments)), lost: S::Phase::zero() })
+        Ok(Increment::of(z, S::Action::of(of_action::<S, R>(&increments))))
     }
 
     #[inline(always)]
     fn finish<P: Probe<S, R>>(
-        Equation { from, constants, start }: &Equation<'_, Self, S, R>,
+        Equation { from, coefficients, start }: &Equation<'_, Self, S, R>,
         Solution { x: d, .. }: &Solution<S::Increments>,
         History { regular, last }: &mut Self::History,
         Arrival { z, s, .. }: Arrival<'_, S, R>,
     ) -> Result<(), Refusal> {
         let (mut v, [_, t]) = (sum(&start.v, &resized(d, zero())), times(from));
-        // Near a singular M the rounding of p matters: the velocity is that of the rounded momentum.
-        if !constants.is_definite {
+        // Near a singular M the rounding of p changes the velocity. The velocity is therefore computed from the rounded momentum.
+        if !coefficients.is_definite {
             regular.follow(from.system, false, [(from.t, &from.z, &from.s), (from.end, z, s)], v)?;
             v = velocity_near(from.system, t, z, s, v).ok_or(Refusal::Singular)?;
         }
-        *last = last.map(|known| Known { t, z: *z, v, ..known });
+        *last = last.map(|last| PointWithVelocity { t, z: *z, v, ..last });
         Ok(())
     }
 }
 
-/// Returns the velocity of a point, which is near `guess`, and units.
+/// Returns a point with its velocity, which solves ∂L/∂v = p from `guess`, and with the scales of its rows.
+///
+/// # Errors
+/// [`Refusal::Singular`] if M is singular at the point, or the velocity is not finite.
 #[cold]
 #[inline(never)]
-fn known<S: MassForm<R>, R: Real>(
+fn with_velocity<S: MassForm<R>, R: Real>(
     system: &S,
     t: R,
     (z, s): (S::Phase, S::Action),
     guess: S::Array,
-) -> Result<Known<S::Phase, S::Array>, Refusal> {
+) -> Result<PointWithVelocity<S::Phase, S::Array>, Refusal> {
     let v = velocity_near(system, t, &z, &s, guess).ok_or(Refusal::Singular)?;
-    Ok(Known { t, z, v, units: mass_units(system, t, &z, &s, &v) })
+    Ok(PointWithVelocity { t, z, v, row_scales: mass_units(system, t, &z, &s, &v) })
 }

@@ -1,4 +1,5 @@
-//! Step of order 4 by projection of a mean velocity: d = h·f̄(z, z + d), with f̄ of [`FourthOrderField`].
+//! The step of `FourthOrder(DiscreteGradient)`: d = h·f̄(z, z + d) for the increment d of all coordinates z. [`FourthOrderField`] defines the projected
+//! mean velocity f̄, and [`FourthOrder`] documents the method.
 
 use super::mean::MeanGradient;
 use super::{DiscreteGradient, FourthOrder};
@@ -34,10 +35,10 @@ impl<S: FourthOrderField<R>, R: Real> ImplicitMethod<S, R> for FourthOrder<Discr
 
 impl<S: FourthOrderField<R>, R: Real> ImplicitStep<S, R> for FourthOrder<DiscreteGradient> {
     type Unknown = S::Phase;
-    type Constants = S::FourthParameters;
+    type Coefficients = S::FourthParameters;
     type Start = S::FourthStart;
     type History = ();
-    type Seen = ();
+    type LastEvaluation = ();
     type Kept = KeptBy<S, R>;
     type Solver = Newton<S::Phase>;
 
@@ -49,13 +50,13 @@ impl<S: FourthOrderField<R>, R: Real> ImplicitStep<S, R> for FourthOrder<Discret
         ..Policy::of(Units { alike: S::State::ALIKE, kinds: S::Phase::LEN / S::State::ALIKE })
     };
 
-    fn constants(self, system: &S, h: R) -> S::FourthParameters {
+    fn coefficients(self, system: &S, h: R) -> S::FourthParameters {
         system.fourth_parameters(h)
     }
 
     fn history() {}
 
-    fn unseen() {}
+    fn no_evaluation() {}
 
     #[inline(always)]
     fn begin(
@@ -79,22 +80,23 @@ impl<S: FourthOrderField<R>, R: Real> ImplicitStep<S, R> for FourthOrder<Discret
         scaled(*h, &rate)
     }
 
+    /// Returns d − h·f̄, and writes its derivative.
     #[inline(always)]
     fn residual<P: Probe<S, R>>(
-        Equation { from, constants, start }: &Equation<'_, Self, S, R>,
+        Equation { from, coefficients, start }: &Equation<'_, Self, S, R>,
         watch: &mut Watch<'_, S, R, P, ()>,
         d: &S::Phase,
         matrix: &mut Square<S::Phase>,
     ) -> S::Phase {
         watch.visit(from.t, &sum(&from.z, d), &());
-        // f̄ reads the mean z + d/2, and z is too small by the compensation.
-        let (d_of_mean, mut image) = (moved(d, R::from_f64(2.0), &from.compensation), S::Phase::zero());
-        from.system.fourth_slope(constants, start, &d_of_mean, &mut image, matrix);
+        // The exact start is z + compensation. An increment by d + 2·compensation has the exact mean z + compensation + d/2.
+        let (compensated, mut image) = (moved(d, R::from_f64(2.0), &from.compensation), S::Phase::zero());
+        from.system.fourth_slope(coefficients, start, &compensated, &mut image, matrix);
         difference(d, &image)
     }
 
-    /// Solves the equation. On an orbit along which gradients depend on each other, such as a circle, no step keeps all invariants in this way. A
-    /// thorough attempt then leaves momenta out.
+    /// Returns the solution of the equation. On an orbit along which the gradients of invariants depend on each other, such as a circle, no step keeps
+    /// all invariants in this way. If a thorough attempt finds no solution, it therefore excludes dependent momenta, and tries again.
     #[inline(always)]
     fn solve<P: Probe<S, R>>(
         mut equation: Equation<'_, Self, S, R>,
@@ -117,10 +119,10 @@ impl<S: FourthOrderField<R>, R: Real> ImplicitStep<S, R> for FourthOrder<Discret
     #[inline(always)]
     fn update(
         _: &Equation<'_, Self, S, R>,
-        Solution { x: z, rounding_error: lost, .. }: &Solution<S::Phase>,
+        Solution { x: z, rounding_error, .. }: &Solution<S::Phase>,
         (): &(),
     ) -> Result<Increment<S::Phase, ()>, Refusal> {
-        Ok(Increment { z: *z, s: (), lost: *lost })
+        Ok(Increment { z: *z, s: (), rounding_error: *rounding_error })
     }
 
     #[inline(always)]
@@ -133,7 +135,7 @@ impl<S: FourthOrderField<R>, R: Real> ImplicitStep<S, R> for FourthOrder<Discret
         rounded::check_step::<S, R>(P::EFFORT, from, end)
     }
 
-    /// Checks the range of canonical systems only. Their metric contains the energy. The metric of a field does not.
+    /// Returns whether the kept invariants neither underflow nor overflow. Only canonical systems are checked, because their metric contains the energy.
     fn is_in_range(system: &S, z: &S::Phase) -> bool {
         !S::State::MOMENTA || is_representable(system, &KeptBy::<S, R>::default(), z)
     }

@@ -1,7 +1,10 @@
-//! The step of the tree discrete gradient ∇̄H of an energy, or of a first integral of a field: u = h·f̄(y, y + d(u)) for the impulse u.
+//! The step along the tree discrete gradient ∇̄H of an energy, or of first integrals of a field: u = h·f̄(y, y + d(u)) for the impulse u.
 //!
-//! f̄ is the mean right-hand side, J∇̄H for y = (q, p), and the impulse is the increment d of y. If T is quadratic, y = q and f̄ = −∇̄V: the impulse is the increment
-//! of the momenta, and d = h ∂T/∂p at the mean momentum.
+//! [`DiscreteField`] defines the mean right-hand side f̄, and d is the increment of y. There are two forms:
+//!
+//! - y = (q, p), f̄ = J∇̄H, and d = u. For a field with first integrals, y are all coordinates.
+//! - If T is quadratic, y = q and f̄ = −∇̄V. The impulse u is the increment of the momenta p, and d = h ∂T/∂p(p + u/2). This form has half of the
+//!   unknowns.
 
 use super::energy::{Energy, Slope};
 use super::mean::MeanGradient;
@@ -20,13 +23,16 @@ use crate::space::vector::{difference, moved, scaled, sum};
 use crate::space::{Array, Snapshot, Square};
 use crate::system::{Conservative, DiscreteField, Invariants, KeptBy, Span};
 
-/// x₁ = x₀ + h J ∇̄H(x₀, x₁) with the tree discrete gradient: accepted steps keep the energy to rounding, for every h.
+/// x₁ = x₀ + h J ∇̄H(x₀, x₁) with J(q, p) = (p, −q) and the tree discrete gradient ∇̄H. Accepted steps keep the energy to rounding, for every h.
 ///
-/// Order 2, symmetric, for every H; not symplectic. ∇̄H is the reverse sweep of H with divided differences in place of
-/// derivatives, in forms without cancellation. Linear and quadratic momenta are kept as well, if they commute with each innermost
-/// linear or quadratic form in which H is written: write central forces as functions of `x * x + y * y`. One
-/// Newton solve a step, for half of the unknowns if T is quadratic, and none if H is a quadratic polynomial. With damping C the energy falls by exactly h ∇̄H·C ∇̄H
-/// instead. In compositions with steps back in time, this balance holds for each substep.
+/// Order 2, symmetric, for every H; not symplectic. ∇̄H is reverse-mode differentiation of the expression tree of H, with divided differences in
+/// place of derivatives, in forms without cancellation. Linear and quadratic momenta are kept as well, if they commute with each innermost linear or quadratic
+/// form in which H is written. Write central forces as functions of `x * x + y * y`.
+///
+/// A step solves one equation by Newton's iteration. If T is quadratic, it has half of the unknowns. If H is a quadratic polynomial, a product with a
+/// constant inverse solves it. With damping C, the step has J − C in place of J, and the energy falls by exactly h ∇̄H·C∇̄H. In compositions with steps
+/// back in time, this balance holds for each substep.
+///
 /// T. Matsubara, A. Ishikawa & T. Yaguchi, NeurIPS 2020; R. A. LaBudde & D. Greenspan, Numer. Math. 25 (1976) 323.
 #[doc(alias("energy-momentum", "energy conserving", "energy-preserving"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -39,7 +45,7 @@ implicit_method!(
 );
 substeps!([] DiscreteGradient);
 
-/// The tree discrete gradient, for methods that build on it.
+/// The tree discrete gradient in all coordinates, for methods that build on it.
 impl MeanGradient for DiscreteGradient {
     fn mean_name(&self) -> Name {
         Name::new("DiscreteGradient")
@@ -55,16 +61,18 @@ impl MeanGradient for DiscreteGradient {
     }
 }
 
-/// The step along the tree discrete gradient of [`DiscreteField`].
+/// The step of [`DiscreteGradient`] along the tree discrete gradient of [`DiscreteField`].
 #[derive(Clone, Copy, Debug)]
 pub struct TreeStep;
 
-/// Values that depend on parameters and h.
+/// Coefficients that depend on the parameters of the system and on h.
 #[derive(Clone, Debug)]
-pub struct Constants<S: DiscreteField<R>, R: Real> {
-    constants: S::Constants,
-    parameters: S::Parameters,
-    /// The inverse of the matrix, if the matrix is the same in all steps.
+pub struct Coefficients<S: DiscreteField<R>, R: Real> {
+    /// Coefficients of the field f. They do not depend on h.
+    field: S::Constants,
+    /// Coefficients of the mean field f̄, and of the drift h ∂T/∂p.
+    mean_field: S::Parameters,
+    /// The inverse of the matrix K = 1 − ∂(h·f̄)/∂u, if K is the same in all steps.
     inverse: S::Inverse,
 }
 
@@ -72,174 +80,186 @@ pub struct Constants<S: DiscreteField<R>, R: Real> {
 #[derive(Clone, Copy, Debug)]
 pub struct Start<S: DiscreteField<R>, R: Real> {
     y: S::Unknown,
-    /// The coordinates to which the impulse is added: y, or p.
-    changed: S::Unknown,
-    /// The compensation of y. Nothing if runs remove drift.
+    /// The origin of the impulse: the coordinates to which it is added, y or p.
+    origin: S::Unknown,
+    /// The compensation of the sums of y. Zero if runs remove the drift of invariants.
     compensation: S::Unknown,
-    kernel: S::Start,
+    /// Coefficients of f̄ that depend on y and on the times of the step.
+    mean_field: S::Start,
 }
 
-/// Returns whether runs remove the drift of what steps keep. The rounding error of the mean then does not matter.
-const fn removes_drift<S: DiscreteField<R>, R: Real>() -> bool {
+/// Returns whether steps keep invariants. Runs then remove the drift of these invariants, so the rounding error of the mean has no lasting effect.
+const fn drift_is_removed<S: DiscreteField<R>, R: Real>() -> bool {
     <KeptBy<S, R> as Invariants<S, R>>::Values::LEN > 0
 }
 
-/// Returns whether an impulse nearly reverses a momentum: the mean falls below p/8, and loses digits.
+/// Returns whether an impulse nearly reverses a momentum p: the mean momentum is below p/8, so the sum p + u/2 has lost at least three bits.
 #[inline(always)]
-fn turns<R: Real>(mean: R, p: R) -> bool {
+fn nearly_reverses<R: Real>(mean: R, p: R) -> bool {
     mean.magnitude() < 0.125 * p.magnitude()
 }
 
 impl<S: DiscreteField<R>, R: Real> Equation<'_, TreeStep, S, R> {
-    /// Returns the increment d of y that belongs to an impulse dp.
+    /// Returns the increment d of y that follows from an impulse u.
     ///
-    /// It is one product of h/2m with 2p + dp, which is rounded as p + dp/2 is. With h p/m + h dp/2m and h = 0.1, the roundings of the two products do not average
-    /// out, and the energy of a pendulum drifts by 10⁻¹² in a million steps.
+    /// If T is quadratic, it is one product of h/2m with 2p + u, which has the rounding of p + u/2. The roundings of two products, h p/m + h u/2m, would
+    /// not average out. At h = 0.1 the energy of a pendulum would drift by 10⁻¹² in a million steps.
     #[inline(always)]
-    fn change(&self, impulse: &S::Unknown) -> S::Unknown {
-        if S::DERIVATIVE == 1 {
+    fn increment(&self, impulse: &S::Unknown) -> S::Unknown {
+        if S::EQUATION_ORDER.is_first() {
             return *impulse;
         }
-        let p = &self.start.changed;
-        self.from.system.drift(&self.constants.parameters, &sum(&sum(p, p), impulse))
+        let p = &self.start.origin;
+        self.from.system.drift(&self.coefficients.mean_field, &sum(&sum(p, p), impulse))
     }
 
-    /// Returns the increment of y at which f̄ is evaluated for an impulse.
+    /// Returns the increment of y at which f̄ must be evaluated for an impulse: d plus twice the compensation. Shows the end of the step to `watch`.
     #[inline(always)]
-    fn evaluated<P: Probe<S, R>>(&self, watch: &mut Watch<'_, S, R, P, ()>, impulse: &S::Unknown) -> S::Unknown {
-        let change = self.change(impulse);
-        watch.visit(self.from.t, &sum(&self.from.z, &S::increments(&change, impulse)), &());
-        // Twice, because f̄ reads the mean y + d/2. The sum of the compensation with itself comes first: if it is nothing, the optimiser removes both sums.
-        sum(&change, &sum(&self.start.compensation, &self.start.compensation))
+    fn compensated_increment<P: Probe<S, R>>(
+        &self,
+        watch: &mut Watch<'_, S, R, P, ()>,
+        impulse: &S::Unknown,
+    ) -> S::Unknown {
+        let d = self.increment(impulse);
+        watch.visit(self.from.t, &sum(&self.from.z, &S::increments(&d, impulse)), &());
+        // f̄ reads the mean y + d/2, hence the factor 2. Its sum comes first, so that the optimiser removes both sums if the compensation is absent.
+        sum(&d, &sum(&self.start.compensation, &self.start.compensation))
     }
 
-    /// Returns h·f̄ at an increment of y, and writes the matrix of Newton's iteration.
+    /// Returns the impulse h·f̄(y, y + d), and writes the matrix K = 1 − ∂(h·f̄)/∂u of Newton's iteration.
     #[inline(always)]
     fn impulse(&self, d: &S::Unknown, matrix: &mut Square<S::Unknown>) -> S::Unknown {
-        let Constants { constants, parameters, .. } = self.constants;
+        let Coefficients { field, mean_field, .. } = self.coefficients;
         let mut impulse = S::Unknown::zero();
-        self.from.system.equation((constants, self.from.h), parameters, &self.start.kernel, d, &mut impulse, matrix);
+        self.from.system.equation((field, self.from.h), mean_field, &self.start.mean_field, d, &mut impulse, matrix);
         impulse
     }
 
-    /// Returns the increments of (q, p) if h·f̄ is affine in the impulse.
+    /// Returns the increments of (q, p) for an impulse, if h·f̄ is affine in the impulse.
     ///
-    /// In a step much longer than an oscillation, an impulse turns p round, and the mean of p has no digits left. The mean p̄ is then solved for itself,
-    /// K p̄ = p + ½ h f̄(y, y) with the matrix K of the impulse, and the impulse follows from it. Without this, the energy of an oscillator changes by hω roundings
-    /// in each step.
+    /// In a step much longer than an oscillation, the impulse nearly reverses p, and the mean momentum p̄ = p + u/2 has no digits left. The mean is then
+    /// computed by its own equation, K p̄ = p + ½ h f̄(y, y), and the impulse follows from it. Otherwise the energy of an oscillator of frequency ω would
+    /// change by hω roundings in each step.
     #[inline(always)]
     fn affine_increments(&self, impulse: &S::Unknown) -> S::Phase {
-        let (p, half) = (&self.start.changed, R::from_f64(0.5));
+        let (p, half) = (&self.start.origin, R::from_f64(0.5));
         let mean = moved(p, half, impulse);
-        let mut ends = mean.as_slice().iter().zip(p.as_slice());
-        if S::DERIVATIVE == 1 || !ends.any(|(mean, p)| turns(*mean, *p)) {
-            return S::increments(&self.change(impulse), impulse);
+        let mut momenta = mean.as_slice().iter().zip(p.as_slice());
+        if S::EQUATION_ORDER.is_first() || !momenta.any(|(mean, p)| nearly_reverses(*mean, *p)) {
+            return S::increments(&self.increment(impulse), impulse);
         }
-        self.turned(mean, *impulse)
+        self.increments_of_solved_means(mean, *impulse)
     }
 
-    /// Returns the increments of (q, p), with the mean of each momentum that turns round solved for itself.
+    /// Returns the increments of (q, p). The mean of each momentum that is nearly reversed is computed by its own equation.
     #[cold]
     #[inline(never)]
-    fn turned(&self, mut mean: S::Unknown, mut impulse: S::Unknown) -> S::Phase {
-        let (p, half) = (&self.start.changed, R::from_f64(0.5));
+    fn increments_of_solved_means(&self, mut mean: S::Unknown, mut impulse: S::Unknown) -> S::Phase {
+        let (p, half) = (&self.start.origin, R::from_f64(0.5));
         let compensation = &self.start.compensation;
         let at_start = self.impulse(&sum(compensation, compensation), &mut S::Unknown::fill(S::Unknown::zero()));
-        let solved = self.constants.inverse.times(&moved(p, half, &at_start));
+        let solved = self.coefficients.inverse.times(&moved(p, half, &at_start));
         let entries = mean.as_mut_slice().iter_mut().zip(impulse.as_mut_slice());
         for ((mean, impulse), (solved, p)) in entries.zip(solved.as_slice().iter().zip(p.as_slice())) {
-            if turns(*mean, *p) {
+            if nearly_reverses(*mean, *p) {
                 (*mean, *impulse) = (*solved, R::from_f64(2.0) * (*solved - *p));
             }
         }
-        S::increments(&self.from.system.drift(&self.constants.parameters, &sum(&mean, &mean)), &impulse)
+        S::increments(&self.from.system.drift(&self.coefficients.mean_field, &sum(&mean, &mean)), &impulse)
     }
 
-    /// Returns the rounding errors of the increments of (q, p): the error of the impulse, and for y the error of the mean in [`change`](Self::change).
+    /// Returns the rounding errors of the increments of (q, p): for p the error of the impulse, for q the error that the mean momentum causes in
+    /// [`increment`](Self::increment). If y = (q, p), both are the error of the impulse.
     ///
-    /// Without them, the energy of a pendulum drifts by 4·10⁻²⁰ a step at h = 0.1, and by 10⁻¹⁹ at 0.2. The error of the mean matters only if runs do not remove
-    /// drift. In single precision, the error of the impulse matters in all runs.
+    /// Without them, the energy of a pendulum drifts by 4·10⁻²⁰ a step at h = 0.1, and by 10⁻¹⁹ at h = 0.2. The error of the mean is omitted if runs remove
+    /// drift. The error of the impulse is not, because single precision needs it in all runs.
     #[inline(always)]
-    fn lost(&self, Solution { x: impulse, rounding_error, .. }: &Solution<S::Unknown>) -> S::Phase {
-        let mut change = S::Unknown::nothing();
-        if S::DERIVATIVE == 1 {
-            change = *rounding_error;
-        } else if const { !removes_drift::<S, R>() } {
+    fn rounding_errors(&self, Solution { x: impulse, rounding_error, .. }: &Solution<S::Unknown>) -> S::Phase {
+        let mut error = S::Unknown::nothing();
+        if S::EQUATION_ORDER.is_first() {
+            error = *rounding_error;
+        } else if const { !drift_is_removed::<S, R>() } {
             let half = R::from_f64(0.5);
             let (_, mut mean) = S::start(&self.from.compensation);
             mean.add_scaled(half, rounding_error);
             for (i, mean) in mean.as_mut_slice().iter_mut().enumerate() {
-                *mean += exact_sum(self.start.changed.as_slice()[i], half * impulse.as_slice()[i]).1;
+                *mean += exact_sum(self.start.origin.as_slice()[i], half * impulse.as_slice()[i]).1;
             }
-            self.from.system.add(&self.constants.constants, self.from.h, &mean, &mut change);
+            self.from.system.add(&self.coefficients.field, self.from.h, &mean, &mut error);
         }
-        S::increments(&change, rounding_error)
+        S::increments(&error, rounding_error)
     }
 }
 
 impl<S: DiscreteField<R>, R: Real> ImplicitStep<S, R> for TreeStep {
     type Unknown = S::Unknown;
-    type Constants = Constants<S, R>;
+    type Coefficients = Coefficients<S, R>;
     type Start = Start<S, R>;
     type History = ();
-    type Seen = ();
+    type LastEvaluation = ();
     type Kept = KeptBy<S, R>;
     type Solver = Newton<S::Unknown>;
 
     const POLICY: Policy = Policy {
         magnitudes: if S::State::MOMENTA { Magnitudes::Recent } else { Magnitudes::Present },
-        // With momenta, or with a first integral, all solutions satisfy the balance: friction takes energy away, and with explicit time the energy at frozen time
-        // is kept. Otherwise solutions are followed to h = 0.
-        branch: if S::State::MOMENTA || removes_drift::<S, R>() { Branch::OfEnergy } else { Branch::Continuous },
-        // −2p turns p round, and the mean of p is 0.
-        standstill: if S::DERIVATIVE == 1 { 0.0 } else { -2.0 },
+        // With momenta, or with a first integral, all solutions satisfy the balance of the energy or of the integral. The balance includes friction. If H
+        // reads time, it holds at frozen time. Otherwise solutions are followed to h = 0.
+        branch: if S::State::MOMENTA || drift_is_removed::<S, R>() { Branch::OfEnergy } else { Branch::Continuous },
+        // The impulse −2p reverses p, so the mean of p is 0, and q does not move.
+        standstill: if S::EQUATION_ORDER.is_first() { 0.0 } else { -2.0 },
         sums: Sums::Compensated,
         evaluated: Evaluated::ByDifferences,
         ..Policy::of(Units { alike: S::State::ALIKE, kinds: S::Phase::LEN / S::State::ALIKE })
     };
 
-    fn constants(self, system: &S, h: R) -> Constants<S, R> {
-        let (constants, parameters) = (system.constants(), system.parameters(h));
+    fn coefficients(self, system: &S, h: R) -> Coefficients<S, R> {
+        let (field, mean_field) = (system.constants(), system.parameters(h));
+        // If K is the same in all steps, it may be evaluated at any point, here at zero.
         let inverse = S::Inverse::new(|| {
             let none = S::Unknown::zero();
-            let start = system.begin(&parameters, Span::at(zero()), &none);
+            let start = system.begin(&mean_field, Span::at(zero()), &none);
             let (mut f, mut matrix) = (none, S::Unknown::fill(none));
-            system.equation((&constants, h), &parameters, &start, &none, &mut f, &mut matrix);
+            system.equation((&field, h), &mean_field, &start, &none, &mut f, &mut matrix);
             matrix
         });
-        Constants { constants, parameters, inverse }
+        Coefficients { field, mean_field, inverse }
     }
 
     fn history() {}
 
-    fn unseen() {}
+    fn no_evaluation() {}
 
     #[inline(always)]
-    fn begin(from: &Departure<'_, S, R>, constants: &Constants<S, R>, (): &mut ()) -> Result<Start<S, R>, Refusal> {
-        let (y, changed) = S::start(&from.z);
-        let kernel = from.system.begin(&constants.parameters, Span::of([from.t, from.end], from.h), &y);
+    fn begin(
+        from: &Departure<'_, S, R>,
+        coefficients: &Coefficients<S, R>,
+        (): &mut (),
+    ) -> Result<Start<S, R>, Refusal> {
+        let (y, origin) = S::start(&from.z);
+        let mean_field = from.system.begin(&coefficients.mean_field, Span::of([from.t, from.end], from.h), &y);
         let (of_y, _) = S::start(&from.compensation);
-        let compensation = if const { removes_drift::<S, R>() } { S::Unknown::nothing() } else { of_y };
-        Ok(Start { y, changed, compensation, kernel })
+        let compensation = if const { drift_is_removed::<S, R>() } { S::Unknown::nothing() } else { of_y };
+        Ok(Start { y, origin, compensation, mean_field })
     }
 
     #[inline(always)]
     fn origin(equation: &Equation<'_, Self, S, R>) -> S::Unknown {
-        equation.start.changed
+        equation.start.origin
     }
 
-    /// The impulse of the explicit midpoint rule.
-    fn guess(Equation { from, constants, start: Start { y, changed, .. } }: &Equation<'_, Self, S, R>) -> S::Unknown {
-        let (half, constants) = (R::from_f64(0.5) * from.h, &constants.constants);
+    /// Returns the impulse of the explicit midpoint rule.
+    fn guess(Equation { from, coefficients, start: Start { y, origin, .. } }: &Equation<'_, Self, S, R>) -> S::Unknown {
+        let (half, field) = (R::from_f64(0.5) * from.h, &coefficients.field);
         let (mut f, mut unused) = (S::Unknown::zero(), S::Unknown::fill(S::Unknown::zero()));
-        let mut rate = from.system.velocity(constants, changed);
-        if S::DERIVATIVE == 1 {
-            from.system.field(constants, from.t, y, &mut rate, &mut unused);
+        let mut rate = from.system.velocity(field, origin);
+        if S::EQUATION_ORDER.is_first() {
+            from.system.field(field, from.t, y, &mut rate, &mut unused);
         }
-        from.system.field(constants, from.t + half, &moved(y, half, &rate), &mut f, &mut unused);
+        from.system.field(field, from.t + half, &moved(y, half, &rate), &mut f, &mut unused);
         scaled(from.h, &f)
     }
 
+    /// Returns u − h·f̄, and writes its derivative K.
     #[inline(always)]
     fn residual<P: Probe<S, R>>(
         equation: &Equation<'_, Self, S, R>,
@@ -247,24 +267,24 @@ impl<S: DiscreteField<R>, R: Real> ImplicitStep<S, R> for TreeStep {
         impulse: &S::Unknown,
         matrix: &mut Square<S::Unknown>,
     ) -> S::Unknown {
-        difference(impulse, &equation.impulse(&equation.evaluated(watch, impulse), matrix))
+        difference(impulse, &equation.impulse(&equation.compensated_increment(watch, impulse), matrix))
     }
 
-    /// By `slope` instead of `equation`: the optimiser removes the unused derivative of `slope`, but not the matrix of `equation`.
+    /// Returns h·f̄. It calls `slope` instead of `equation`, because the optimiser removes the unused derivative of `slope`, but not the matrix of `equation`.
     #[inline(always)]
     fn image<P: Probe<S, R>>(
         equation: &Equation<'_, Self, S, R>,
         watch: &mut Watch<'_, S, R, P, ()>,
         impulse: &S::Unknown,
     ) -> S::Unknown {
-        let Equation { from, constants, start } = equation;
-        let d = equation.evaluated(watch, impulse);
+        let Equation { from, coefficients, start } = equation;
+        let d = equation.compensated_increment(watch, impulse);
         let (mut f, mut unused) = (S::Unknown::zero(), S::Unknown::fill(S::Unknown::zero()));
-        from.system.slope(&constants.parameters, &start.kernel, &d, &mut f, &mut unused);
+        from.system.slope(&coefficients.mean_field, &start.mean_field, &d, &mut f, &mut unused);
         scaled(from.h, &f)
     }
 
-    /// If h·f̄ is affine in the impulse, the solution is one product with the inverse of the matrix.
+    /// Returns the solution. If h·f̄ is affine in the impulse, it is the product of K⁻¹ with h·f̄ for the impulse 0.
     #[inline(always)]
     fn solve<P: Probe<S, R>>(
         equation: Equation<'_, Self, S, R>,
@@ -275,8 +295,8 @@ impl<S: DiscreteField<R>, R: Real> ImplicitStep<S, R> for TreeStep {
             return newton.solve(&equation, watch);
         }
         let none = S::Unknown::zero();
-        let d = equation.evaluated(watch, &none);
-        let impulse = equation.constants.inverse.times(&equation.impulse(&d, &mut S::Unknown::fill(none)));
+        let d = equation.compensated_increment(watch, &none);
+        let impulse = equation.coefficients.inverse.times(&equation.impulse(&d, &mut S::Unknown::fill(none)));
         if impulse.is_finite() { Ok(Solution::of(impulse)) } else { Err(Refusal::Singular) }
     }
 
@@ -287,10 +307,10 @@ impl<S: DiscreteField<R>, R: Real> ImplicitStep<S, R> for TreeStep {
         (): &(),
     ) -> Result<Increment<S::Phase, ()>, Refusal> {
         if const { S::Inverse::EXISTS } {
-            return Ok(Increment::of(equation.affine_increments(&solution.x)));
+            return Ok(Increment::of(equation.affine_increments(&solution.x), ()));
         }
-        let z = S::increments(&equation.change(&solution.x), &solution.x);
-        Ok(Increment { z, s: (), lost: equation.lost(solution) })
+        let z = S::increments(&equation.increment(&solution.x), &solution.x);
+        Ok(Increment { z, s: (), rounding_error: equation.rounding_errors(solution) })
     }
 
     #[inline(always)]
@@ -300,6 +320,7 @@ impl<S: DiscreteField<R>, R: Real> ImplicitStep<S, R> for TreeStep {
         (): &mut (),
         end: Arrival<'_, S, R>,
     ) -> Result<(), Refusal> {
+        // The solution is direct. No iteration has accepted a residual, so there is nothing to check.
         if const { S::Inverse::EXISTS } {
             return Ok(());
         }

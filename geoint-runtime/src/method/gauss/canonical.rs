@@ -1,6 +1,9 @@
-//! Stages of a flow in its canonical coordinates y(x), solved for the points xᵢ:
+//! The Gauss step of a system with canonical coordinates y(x) of its state x. The unknowns are the points xᵢ of all stages:
 //!
-//! y(xᵢ) = y(x₀) + h Σ aᵢⱼ y'(xⱼ), and y(x₁) = y(x₀) + h Σ bⱼ y'(xⱼ).
+//! y(xᵢ) = y(x₀) + h Σ aᵢⱼ y'(xⱼ). The end x̂ of the step follows from y(x̂) = y(x₀) + h Σ bⱼ y'(xⱼ).
+//!
+//! Here y' = dy/dt, and aᵢⱼ and bⱼ are the coefficients and weights of the method. Collocation is symplectic in y, but not in x. The equations are
+//! solved for x, so no formula for x(y) is needed. A step is refused if ∂y/∂x is singular.
 
 use super::prepared::Scaled;
 use super::stages::{Form, Part, Rows, Slopes, Values, assemble};
@@ -17,11 +20,11 @@ use crate::space::vector::{difference, scaled, sum};
 use crate::space::{Array, Snapshot, Square};
 use crate::system::{CanonicalForm, row_scale};
 
-/// Step whose unknowns are the points of its stages.
+/// The step with `S` stages whose unknowns are the increments of x up to its stages.
 #[derive(Clone, Copy, Debug)]
 pub struct CanonicalStages<const S: usize>;
 
-/// Terms that occur in the equation.
+/// The equation reads ∂y/∂x and ∂y'/∂x, and no shift. Rows are in units of x already.
 const FORM: Form = Form {
     value: Slopes { by_unknown: Part::Given, by_shift: Part::Zero },
     rate: Slopes { by_unknown: Part::Given, by_shift: Part::Zero },
@@ -30,12 +33,13 @@ const FORM: Form = Form {
 
 /// Coefficients of a step.
 #[derive(Clone, Copy, Debug)]
-pub struct Constants<P, R, const S: usize> {
+pub struct Coefficients<P, R, const S: usize> {
+    /// Coefficients of the system.
     kernel: P,
     scaled: Scaled<R, S>,
 }
 
-/// y and y' at the start, and (∂y/∂x)⁻¹.
+/// y, y' and (∂y/∂x)⁻¹ at the start of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Start<A: Array> {
     y: A,
@@ -43,7 +47,7 @@ pub struct Start<A: Array> {
     inverse: Inverted<A>,
 }
 
-/// y and y' at a point, and the derivatives of both.
+/// y and y' at a point, and the derivatives ∂y/∂x and ∂y'/∂x.
 #[derive(Clone, Copy)]
 struct At<A: Array> {
     value: A,
@@ -51,7 +55,7 @@ struct At<A: Array> {
     derivatives: [Square<A>; 2],
 }
 
-/// Indices into the derivatives.
+/// Indices of ∂y/∂x and ∂y'/∂x in `At::derivatives`.
 const VALUE: usize = 0;
 const RATE: usize = 1;
 
@@ -77,16 +81,19 @@ where
     /// Returns the time and the point of a stage.
     #[inline(always)]
     fn place(&self, i: usize, d: &[Y::Phase; S]) -> (R, Y::Phase) {
-        (self.from.t + self.constants.scaled.nodes[i], sum(&self.from.z, &d[i]))
+        (self.from.t + self.coefficients.scaled.nodes[i], sum(&self.from.z, &d[i]))
     }
 
     /// Evaluates y and y' at a time and a point.
     #[inline(always)]
     fn at(&self, (t, z): (R, Y::Phase)) -> At<Y::Phase> {
-        At::new(self.from.system, &self.constants.kernel, t, z)
+        At::new(self.from.system, &self.coefficients.kernel, t, z)
     }
 
-    /// Solves for the increment of x that changes y by `change`, starting from a guess.
+    /// Returns the increment of x at the end of the step, which changes y by `change`. Newton's iteration starts from a guess.
+    ///
+    /// # Errors
+    /// If the iteration does not converge, or if ∂y/∂x is singular on the way or has changed its orientation.
     fn end(&self, change: &Y::Phase, guess: Y::Phase) -> Result<Y::Phase, Refusal> {
         let (Start { y, inverse, .. }, mut is_positive) = (&self.start, true);
         let correction = |d: &Y::Phase| {
@@ -99,40 +106,44 @@ where
         };
         let d =
             correct(guess, Corrections::of(Convergence::Quadratic), |Stuck { after, .. }| Some(*after), correction)?;
-        // At the start the matrix is 1. If its determinant is negative, Ω has vanished on the way.
+        // The matrix is (∂y/∂x)₀⁻¹ ∂y/∂x, which is 1 at the start of the step. If its determinant is negative at the end, Ω was singular on the way.
         if is_positive { Ok(d) } else { Err(Refusal::Singular) }
     }
 }
 
-/// Equations of all stages for the increments xᵢ − x₀. They are multiplied by (∂y/∂x)⁻¹ at the start. The equations then have the units of x, and their
-/// matrix is near 1.
+/// The equations of all stages for the increments d = xᵢ − x₀. They are multiplied by (∂y/∂x)⁻¹ at the start of the step. Rows then have the units of x,
+/// and the matrix is near 1.
 impl<Y: CanonicalForm<R>, R: Real, const S: usize> ImplicitStep<Y, R> for CanonicalStages<S>
 where
     Gauss<S>: GaussTableau<S>,
 {
     type Unknown = [Y::Phase; S];
-    type Constants = Constants<Y::CanonicalConstants, R, S>;
+    type Coefficients = Coefficients<Y::CanonicalConstants, R, S>;
     type Start = Start<Y::Phase>;
     type History = ();
-    type Seen = ();
+    type LastEvaluation = ();
     type Kept = ();
     type Solver = Newton<[Y::Phase; S]>;
 
     const POLICY: Policy = Policy::of(Units { alike: Y::State::ALIKE, kinds: Y::Phase::LEN / Y::State::ALIKE });
     const STAGES: usize = S;
 
-    fn constants(self, system: &Y, h: R) -> Self::Constants {
-        Constants { kernel: system.canonical_constants(), scaled: Scaled::by(h) }
+    fn coefficients(self, system: &Y, h: R) -> Self::Coefficients {
+        Coefficients { kernel: system.canonical_constants(), scaled: Scaled::by(h) }
     }
 
     fn history() {}
 
-    fn unseen() {}
+    fn no_evaluation() {}
 
     #[inline(always)]
-    fn begin(from: &Departure<'_, Y, R>, constants: &Self::Constants, (): &mut ()) -> Result<Self::Start, Refusal> {
-        let At { value, rate, derivatives } = At::new(from.system, &constants.kernel, from.t, from.z);
-        let (inverse, _) = inverse(&derivatives[VALUE], &from.z).ok_or(Refusal::Singular)?;
+    fn begin(
+        from: &Departure<'_, Y, R>,
+        coefficients: &Self::Coefficients,
+        (): &mut (),
+    ) -> Result<Self::Start, Refusal> {
+        let At { value, rate, derivatives } = At::new(from.system, &coefficients.kernel, from.t, from.z);
+        let inverse = inverse(&derivatives[VALUE], &from.z).ok_or(Refusal::Singular)?;
         Ok(Start { y: value, rate, inverse })
     }
 
@@ -141,9 +152,9 @@ where
         [equation.from.z; S]
     }
 
-    fn guess(Equation { constants, start, .. }: &Equation<'_, Self, Y, R>) -> [Y::Phase; S] {
+    fn guess(Equation { coefficients, start, .. }: &Equation<'_, Self, Y, R>) -> [Y::Phase; S] {
         let rate = start.inverse.times(&start.rate);
-        constants.scaled.nodes.map(|node| scaled(node, &rate))
+        coefficients.scaled.nodes.map(|node| scaled(node, &rate))
     }
 
     #[inline(always)]
@@ -153,7 +164,7 @@ where
         d: &[Y::Phase; S],
         matrix: &mut Square<[Y::Phase; S]>,
     ) -> [Y::Phase; S] {
-        let Equation { constants, start: Start { y, inverse, .. }, .. } = equation;
+        let Equation { coefficients, start: Start { y, inverse, .. }, .. } = equation;
         let mut stages = [Values::none(); S];
         for (i, stage) in stages.iter_mut().enumerate() {
             let (t, z) = equation.place(i, d);
@@ -164,7 +175,7 @@ where
             stage.value_slopes.by_unknown = scaled_rows(inverse, &derivatives[VALUE]);
             stage.rate_slopes.by_unknown = scaled_rows(inverse, &derivatives[RATE]);
         }
-        assemble(FORM, &constants.scaled.coupling, &stages, None, matrix)
+        assemble(FORM, &coefficients.scaled.coupling, &stages, None, matrix)
     }
 
     #[inline(always)]
@@ -181,13 +192,13 @@ where
     ) -> Result<Increment<Y::Phase, ()>, Refusal> {
         let mut change = Y::Phase::zero();
         for i in 0..S {
-            change.add_scaled(equation.constants.scaled.weights[i], &equation.at(equation.place(i, d)).rate);
+            change.add_scaled(equation.coefficients.scaled.weights[i], &equation.at(equation.place(i, d)).rate);
         }
-        Ok(Increment::of(equation.end(&change, d[S - 1])?))
+        Ok(Increment::of(equation.end(&change, d[S - 1])?, ()))
     }
 }
 
-/// Returns the product of an inverse with a matrix.
+/// Returns the product of an inverse and a matrix.
 #[inline(always)]
 fn scaled_rows<A: Array>(inverse: &Inverted<A>, matrix: &Square<A>) -> Square<A> {
     let mut product = A::fill(A::zero());
@@ -204,9 +215,11 @@ fn scaled_rows<A: Array>(inverse: &Inverted<A>, matrix: &Square<A>) -> Square<A>
     product
 }
 
-/// Returns (∂y/∂x)⁻¹. Rows of the matrix have the units of y. Divided by their diagonals, rows have the units of x, as the choice of pivots requires.
+/// Returns the inverse of ∂y/∂x at the point `z`, and whether the determinant of the scaled matrix is positive. Returns `None` if ∂y/∂x is singular.
+///
+/// Rows of the matrix have the units of y. Divided by their diagonals, rows have the units of x, as the choice of pivots requires.
 #[inline(always)]
-fn inverse<A: Array>(matrix: &Square<A>, z: &A) -> Option<(Inverted<A>, bool)> {
+fn inverse<A: Array>(matrix: &Square<A>, z: &A) -> Option<Inverted<A>> {
     let (mut scaled_matrix, mut scales, mut sizes) = (*matrix, A::zero(), Sizes::new());
     sizes.include(z, &A::zero());
     let rows = A::entries::<A>(&mut scaled_matrix).iter_mut().zip(scales.as_mut_slice());
@@ -214,6 +227,6 @@ fn inverse<A: Array>(matrix: &Square<A>, z: &A) -> Option<(Inverted<A>, bool)> {
         *scale = A::Real::from_f64(1.0) / row_scale(row, i);
         *row = scaled(*scale, row);
     }
-    let (inverse, positive) = Inverted::of(&scaled_matrix, &sizes)?;
-    Some((inverse.of_rows_scaled(&scales), positive))
+    let (inverse, _) = Inverted::of(&scaled_matrix, &sizes)?;
+    Some(inverse.of_rows_scaled(&scales))
 }

@@ -1,22 +1,27 @@
-//! Factors of the stages of a step, and their effects.
+//! The factors r of contact Gauss steps.
+//!
+//! r' = r σ with σ = ∂H/∂s, and r = 1 at the start of a step. Stages advance r p in place of p, because (r p)' = −r ∂H/∂q has no term with σ. `coupling` is
+//! h·aᵢⱼ and `weights` are h·bᵢ, with the coefficients and weights of the method.
 
 use crate::scalar::{Real, zero};
 use crate::solving::linear;
 use crate::solving::size::Sizes;
 use crate::space::vector::sum_of_products;
 
-/// Factors rᵢ = 1 + h Σ aᵢⱼ rⱼ σⱼ, and their derivatives ∂rᵢ/∂σⱼ.
+/// The factors rᵢ = 1 + h Σ aᵢⱼ rⱼ σⱼ of the stages.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::method) struct Factors<R, const S: usize> {
     /// σᵢ = ∂H/∂s at the stages.
     pub(in crate::method) decay: [R; S],
+    /// rᵢ.
     pub(in crate::method) r: [R; S],
+    /// ∂rᵢ/∂σⱼ, or zeros.
     pub(in crate::method) by_decay: [[R; S]; S],
 }
 
 impl<R: Real, const S: usize> Factors<R, S> {
-    /// Solves for the factors, and for their derivatives if `DERIVED`. Derivatives are needed only if the factors are not known beforehand. Returns
-    /// `None` if there are no factors.
+    /// Returns the factors for the given σᵢ, with derivatives if `DERIVED`. Only a σ that depends on the unknowns needs derivatives. Returns `None` if the
+    /// matrix δᵢⱼ − h aᵢⱼσⱼ is singular.
     #[inline(always)]
     pub(in crate::method) fn new<const DERIVED: bool>(coupling: &[[R; S]; S], decay: &[R; S]) -> Option<Self> {
         let one = R::from_f64(1.0);
@@ -38,7 +43,7 @@ impl<R: Real, const S: usize> Factors<R, S> {
         Some(Factors { decay: *decay, r, by_decay })
     }
 
-    /// Returns the factors after small changes of σ. The squares of these changes are rounding errors.
+    /// Returns the factors for new σᵢ, to first order. Precondition: the squares of the changes are below rounding errors.
     #[inline(always)]
     pub(in crate::method) fn after(&self, decay: &[R; S]) -> Self {
         let mut factors = Factors { decay: *decay, ..*self };
@@ -50,13 +55,13 @@ impl<R: Real, const S: usize> Factors<R, S> {
         factors
     }
 
-    /// Returns NaN for all factors, if none exist. No solution is then found.
+    /// Returns NaN for all factors, if none exist. The residual is then NaN, and no solution is found.
     pub(in crate::method) fn unknown() -> Self {
         let unknown = R::from_f64(f64::NAN);
         Factors { decay: [unknown; S], r: [unknown; S], by_decay: [[unknown; S]; S] }
     }
 
-    /// Returns r₁ − 1 = h Σ bᵢ rᵢ σᵢ. Returns `None` if the step would not multiply the contact form by a positive number.
+    /// Returns r(h) − 1 = h Σ bᵢ rᵢ σᵢ at the end of the step. Returns `None` if r(h), by which the step divides the contact form, is not positive.
     #[inline(always)]
     pub(in crate::method) fn growth(&self, weights: &[R; S]) -> Option<R> {
         let grown = sum_of_products(weights, &core::array::from_fn::<_, S, _>(|i| self.r[i] * self.decay[i]));
@@ -65,7 +70,8 @@ impl<R: Real, const S: usize> Factors<R, S> {
         positive.then_some(grown)
     }
 
-    /// Solves for s' at the stages, kᵢ, from the values of s' at s₀: aᵢ = kᵢ + σᵢ h Σ aᵢⱼ kⱼ.
+    /// Returns s' at the stages: the solution of sᵢ' + σᵢ h Σ aᵢⱼ sⱼ' = `at_start`ᵢ, or `None` if the matrix is singular. Precondition: s' is affine in s,
+    /// and `at_start` holds its values for s = s₀.
     #[inline(always)]
     pub(in crate::method) fn rates_of_action(&self, coupling: &[[R; S]; S], mut at_start: [R; S]) -> Option<[R; S]> {
         let one = R::from_f64(1.0);

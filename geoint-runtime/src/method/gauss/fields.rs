@@ -1,4 +1,9 @@
-//! The step of y' = f(y, t), or of q'' = M⁻¹f(q, t). The unknowns are the rates, or the forces, of all stages: kᵢ = f(Yᵢ).
+//! The Gauss step of y' = f(y, t), or of q'' = M⁻¹f(q, t) with y = q. The unknowns are the values kᵢ = f(Yᵢ) of all stages.
+//!
+//! - y' = f: Yᵢ = y₀ + h Σ aᵢⱼ kⱼ, y₁ = y₀ + h Σ bᵢ kᵢ.
+//! - q'' = M⁻¹f: Yᵢ = q₀ + cᵢ h q'₀ + h² Σ (A²)ᵢⱼ M⁻¹kⱼ, q₁ = q₀ + h q'₀ + h² Σ bᵢ(1 − cᵢ) M⁻¹kᵢ, p₁ = p₀ + h Σ bᵢ kᵢ.
+//!
+//! Both forms are one method (Hairer, Lubich & Wanner, *Geometric Numerical Integration*, 2006, II.2.3). The second form has half of the unknowns.
 
 use super::defect;
 use super::prepared::Scaled;
@@ -14,20 +19,22 @@ use crate::space::{Array, PerCoordinate, Snapshot, Square};
 use crate::system::Collocation;
 use core::array::from_fn;
 
-/// The step that is solved for values of f at its stages.
+/// The step with `S` stages that is solved for the values of f at its stages.
 #[derive(Clone, Copy, Debug)]
 pub struct FieldStages<const S: usize>;
 
-/// The smallest and the largest number of stages with an estimate of the error by the defect. With fewer stages, step doubling is cheaper, although it solves three
-/// equations. With more stages, the estimate multiplies rounding by 4ˢ, which is too much for tolerances near 10⁻¹².
+/// The smallest and the largest number S of stages with an error estimate by the defect. With fewer stages, step halving is cheaper, although it solves
+/// three equations. With more stages, the margin 4ˢ of the estimate costs too much, and it enlarges rounding too much for tolerances near 10⁻¹².
 const ESTIMATED_STAGES: [usize; 2] = [3, 4];
 
-/// The largest number of unknowns of a stage with an estimate. With more, the eliminations of an estimate cost more than the two steps of step doubling.
+/// The largest number of unknowns of a stage with an estimate. With more, the eliminations of an estimate cost more than the two half steps of step
+/// halving.
 const MOST_UNKNOWNS: usize = 6;
 
 /// Coefficients of a step.
 #[derive(Clone, Copy, Debug)]
-pub struct Constants<P, R, const S: usize> {
+pub struct Coefficients<P, R, const S: usize> {
+    /// Coefficients of the system.
     pub(super) kernel: P,
     pub(super) scaled: Scaled<R, S>,
     /// The weight of kⱼ in Yᵢ: h·A, or h²·A².
@@ -39,6 +46,7 @@ pub struct Constants<P, R, const S: usize> {
 /// Values that depend on the start of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Start<A> {
+    /// y₀.
     y: A,
     /// The coordinates to which h·k is added: y₀, or p₀.
     pub(super) changed: A,
@@ -50,7 +58,7 @@ impl<Y: Collocation<R>, R: Real, const S: usize> Equation<'_, FieldStages<S>, Y,
 where
     Gauss<S>: GaussTableau<S>,
 {
-    /// Returns f and f' on the collocation polynomial at t + `x`. The coefficients multiply h·k, or h²·M⁻¹k.
+    /// Returns f and f' = ∂f/∂y on the collocation polynomial of the step, at the time `x` after its start. The coefficients multiply h·k, or h²·M⁻¹k.
     #[inline(always)]
     pub(super) fn at<P: Probe<Y, R>>(
         &self,
@@ -60,10 +68,10 @@ where
         coefficients: &[f64; S],
     ) -> (Y::Unknown, Square<Y::Unknown>) {
         let h = self.from.h;
-        let power = if Y::DERIVATIVE == 1 { h } else { h * h };
+        let power = if Y::EQUATION_ORDER.is_first() { h } else { h * h };
         let mut change = scaled(x, &self.start.velocity);
         for (coefficient, k) in coefficients.iter().zip(k) {
-            self.from.system.add(&self.constants.kernel, R::from_f64(*coefficient) * power, k, &mut change);
+            self.from.system.add(&self.coefficients.kernel, R::from_f64(*coefficient) * power, k, &mut change);
         }
         let mut slope = Y::Unknown::fill(Y::Unknown::zero());
         probe.visit(self.from.t + x, &self.point(&change), &());
@@ -73,7 +81,7 @@ where
     /// Returns Yᵢ − y₀.
     #[inline(always)]
     fn change(&self, i: usize, k: &[Y::Unknown; S]) -> Y::Unknown {
-        let Constants { kernel, scaled: Scaled { nodes, .. }, coupling, .. } = self.constants;
+        let Coefficients { kernel, scaled: Scaled { nodes, .. }, coupling, .. } = self.coefficients;
         let mut change = scaled(nodes[i], &self.start.velocity);
         for j in 0..S {
             self.from.system.add(kernel, coupling[i][j], &k[j], &mut change);
@@ -81,21 +89,21 @@ where
         change
     }
 
-    /// Returns the point of a stage with this change of y. Momenta are those before the step if they are not unknowns.
+    /// Returns the point after a change of y. If y is q, its momenta are those at the start of the step.
     #[inline(always)]
     fn point(&self, change: &Y::Unknown) -> Y::Phase {
         sum(&self.from.z, &Y::increments(change, &Y::Unknown::zero()))
     }
 
-    /// Returns f at t + `x` after a change of y, and writes f'.
+    /// Returns f after a change of y, at the time `x` after the start of the step. Writes f' to `slope`.
     #[inline(always)]
     fn field(&self, x: R, change: &Y::Unknown, slope: &mut Square<Y::Unknown>) -> Y::Unknown {
         let mut f = Y::Unknown::zero();
-        self.from.system.field(&self.constants.kernel, self.from.t + x, &sum(&self.start.y, change), &mut f, slope);
+        self.from.system.field(&self.coefficients.kernel, self.from.t + x, &sum(&self.start.y, change), &mut f, slope);
         f
     }
 
-    /// Returns f(Yᵢ), and writes f'(Yᵢ).
+    /// Returns f(Yᵢ), writes f'(Yᵢ) to `slope`, and shows Yᵢ to `watch`.
     #[inline(always)]
     fn stage<P: Probe<Y, R>>(
         &self,
@@ -104,7 +112,7 @@ where
         k: &[Y::Unknown; S],
         slope: &mut Square<Y::Unknown>,
     ) -> Y::Unknown {
-        let (node, change) = (self.constants.scaled.nodes[i], self.change(i, k));
+        let (node, change) = (self.coefficients.scaled.nodes[i], self.change(i, k));
         watch.visit(self.from.t + node, &self.point(&change), &());
         self.field(node, &change, slope)
     }
@@ -115,16 +123,16 @@ where
     Gauss<S>: GaussTableau<S>,
 {
     type Unknown = [Y::Unknown; S];
-    type Constants = Constants<Y::Constants, R, S>;
+    type Coefficients = Coefficients<Y::Constants, R, S>;
     type Start = Start<Y::Unknown>;
     type History = ();
-    type Seen = ();
+    type LastEvaluation = ();
     type Kept = ();
     type Solver = Newton<[Y::Unknown; S]>;
 
     const POLICY: Policy = Policy {
-        // k = −2p₀/h reverses the momentum: q₁ = q₀.
-        standstill: if Y::DERIVATIVE == 1 { 0.0 } else { -2.0 },
+        // All kᵢ = −2p₀/h reverse the momentum: q₁ = q₀. The origin is p₀/h.
+        standstill: if Y::EQUATION_ORDER.is_first() { 0.0 } else { -2.0 },
         ..Policy::of(Units { alike: Y::State::ALIKE, kinds: Y::Unknown::LEN / Y::State::ALIKE })
     };
     const STAGES: usize = S;
@@ -135,14 +143,14 @@ where
             None
         };
 
-    fn constants(self, system: &Y, h: R) -> Self::Constants {
+    fn coefficients(self, system: &Y, h: R) -> Self::Coefficients {
         let (kernel, scaled) = (system.constants(), Scaled::by(h));
-        if Y::DERIVATIVE == 1 {
-            return Constants { kernel, scaled, coupling: scaled.coupling, increments: scaled.weights };
+        if Y::EQUATION_ORDER.is_first() {
+            return Coefficients { kernel, scaled, coupling: scaled.coupling, increments: scaled.weights };
         }
         let Tableau { a, b, c } = Gauss::<S>::TABLEAU;
         let square = |i: usize, j: usize| (0..S).map(|k| a[i][k] * a[k][j]).sum();
-        Constants {
+        Coefficients {
             kernel,
             scaled,
             coupling: from_fn(|i| from_fn(|j| R::from_f64(square(i, j)) * h * h)),
@@ -152,28 +160,32 @@ where
 
     fn history() {}
 
-    fn unseen() {}
+    fn no_evaluation() {}
 
     #[inline(always)]
-    fn begin(from: &Departure<'_, Y, R>, constants: &Self::Constants, (): &mut ()) -> Result<Self::Start, Refusal> {
+    fn begin(
+        from: &Departure<'_, Y, R>,
+        coefficients: &Self::Coefficients,
+        (): &mut (),
+    ) -> Result<Self::Start, Refusal> {
         let (y, changed) = Y::start(&from.z);
-        Ok(Start { y, changed, velocity: from.system.velocity(&constants.kernel, &changed) })
+        Ok(Start { y, changed, velocity: from.system.velocity(&coefficients.kernel, &changed) })
     }
 
-    /// y₀/h, or p₀/h: rounding of kᵢ is relative to it, because h·kᵢ is added to y₀, or p₀.
+    /// Returns y₀/h, or p₀/h. Rounding of kᵢ is relative to it, because h·kᵢ is added to y₀, or p₀.
     #[inline(always)]
     fn origin(equation: &Equation<'_, Self, Y, R>) -> [Y::Unknown; S] {
         [scaled(R::from_f64(1.0) / equation.from.h, &equation.start.changed); S]
     }
 
-    /// The stages as if y' were constant.
+    /// Returns f at the points of a motion with constant y'.
     fn guess(equation: &Equation<'_, Self, Y, R>) -> [Y::Unknown; S] {
         let mut slope = Y::Unknown::fill(Y::Unknown::zero());
         let mut rate = equation.start.velocity;
-        if Y::DERIVATIVE == 1 {
+        if Y::EQUATION_ORDER.is_first() {
             rate = equation.field(R::from_f64(0.0), &Y::Unknown::zero(), &mut slope);
         }
-        equation.constants.scaled.nodes.map(|node| equation.field(node, &scaled(node, &rate), &mut slope))
+        equation.coefficients.scaled.nodes.map(|node| equation.field(node, &scaled(node, &rate), &mut slope))
     }
 
     #[inline(always)]
@@ -185,8 +197,8 @@ where
         from_fn(|i| equation.stage(watch, i, k, &mut Y::Unknown::fill(Y::Unknown::zero())))
     }
 
-    /// Block (i, j) is δᵢⱼ − f'(Yᵢ) ∂Yᵢ/∂kⱼ. `stages::assemble` would need the slopes of all stages in memory first: steps of two and more stages
-    /// would take 1.1 to 1.8 times as long.
+    /// Returns kᵢ − f(Yᵢ). Block (i, j) of the matrix is δᵢⱼ − f'(Yᵢ) ∂Yᵢ/∂kⱼ. `stages::assemble` would need the slopes of all stages in memory first:
+    /// steps of two and more stages would take 1.1 to 1.8 times as long.
     #[inline(always)]
     fn residual<P: Probe<Y, R>>(
         equation: &Equation<'_, Self, Y, R>,
@@ -194,10 +206,11 @@ where
         k: &[Y::Unknown; S],
         matrix: &mut Square<[Y::Unknown; S]>,
     ) -> [Y::Unknown; S] {
-        let Constants { kernel, coupling, .. } = equation.constants;
+        let Coefficients { kernel, coupling, .. } = equation.coefficients;
         let rows = <[Y::Unknown; S]>::entries::<[Y::Unknown; S]>(matrix);
         let mut all = [Y::Unknown::zero(); S];
-        // Not by `from_fn`: its closure is not inlined, and the processor stalls when it reads the result in other pieces than it was written in.
+        // A loop in place of `from_fn`, whose closure is not inlined: the processor would stall when it reads the result in other pieces than it was
+        // written in.
         for (i, f) in all.iter_mut().enumerate() {
             let mut slope = Y::Unknown::fill(Y::Unknown::zero());
             *f = equation.stage(watch, i, k, &mut slope);
@@ -215,22 +228,22 @@ where
 
     #[inline(always)]
     fn stage(equation: &Equation<'_, Self, Y, R>, i: usize, k: &[Y::Unknown; S]) -> Stage<Y, R> {
-        let t = equation.from.t + equation.constants.scaled.nodes[i];
+        let t = equation.from.t + equation.coefficients.scaled.nodes[i];
         Stage { t, z: equation.point(&equation.change(i, k)), s: () }
     }
 
     #[inline(always)]
     fn update(
-        Equation { from, constants, start }: &Equation<'_, Self, Y, R>,
+        Equation { from, coefficients, start }: &Equation<'_, Self, Y, R>,
         Solution { x: k, .. }: &Solution<[Y::Unknown; S]>,
         (): &(),
     ) -> Result<Increment<Y::Phase, ()>, Refusal> {
         let (mut change, mut impulse) = (scaled(from.h, &start.velocity), Y::Unknown::zero());
         for i in 0..S {
-            from.system.add(&constants.kernel, constants.increments[i], &k[i], &mut change);
-            impulse.add_scaled(constants.scaled.weights[i], &k[i]);
+            from.system.add(&coefficients.kernel, coefficients.increments[i], &k[i], &mut change);
+            impulse.add_scaled(coefficients.scaled.weights[i], &k[i]);
         }
-        Ok(Increment::of(Y::increments(&change, &impulse)))
+        Ok(Increment::of(Y::increments(&change, &impulse), ()))
     }
 
     #[inline]
@@ -239,11 +252,11 @@ where
         k: &[Y::Unknown; S],
         probe: &mut P,
     ) -> Result<Estimate<Y, R>, Refusal> {
-        let Equation { from: Departure { system, h, .. }, constants, start } = equation;
-        let step = defect::Step { system: *system, constants: &constants.kernel, h: *h, changed: &start.changed };
+        let Equation { from: Departure { system, h, .. }, coefficients, start } = equation;
+        let step = defect::Step { system: *system, coefficients: &coefficients.kernel, h: *h, changed: &start.changed };
         let at = |x, coefficients: &[f64; S]| equation.at(probe, x, k, coefficients);
         let z = defect::error(step, k, at).ok_or(Refusal::Singular)?;
-        // There is one estimate only.
+        // The second estimate, of lower order, is zero: this step has one estimate only.
         Ok([PerCoordinate { z, s: () }, PerCoordinate::zero()])
     }
 }

@@ -1,18 +1,19 @@
-//! The equations of all stages of a Gauss step, assembled once for every kind of system whose unknowns are not values of a vector field.
+//! The equations of all stages of a Gauss step, for systems whose unknowns are not values of a vector field.
 //!
-//! A form is a kind of system: a row of the table. A stage has the unknown xᵢ and the shift Qᵢ = h Σ aᵢⱼ xⱼ. A form gives a value P and a rate F there, with their
-//! derivatives, and the equation of stage i is
+//! One function, [`assemble`], serves all forms of equations in the table. Stage i has the unknown uᵢ and the shift h Σ aᵢⱼ uⱼ, with the coefficients aᵢⱼ
+//! of the method. A form computes at each stage a value P and its rate F, with derivatives by the unknown and by the shift. P₀ is P at the start of the
+//! step. The equation of stage i is
 //!
 //! wᵢ Pᵢ − P₀ − h Σ aᵢⱼ wⱼ Fⱼ = 0.
 //!
-//! | form | xᵢ | Pᵢ − P₀ | Fᵢ |
+//! | form | uᵢ | Pᵢ − P₀ | Fᵢ |
 //! |---|---|---|---|
-//! | canonical coordinates y(x) | xᵢ − x₀ | y(xᵢ) − y₀ | dy/dt at xᵢ |
-//! | contact Hamiltonian | increments of q, p, s | the same | ∂H/∂p, −∂H/∂q, s' |
+//! | canonical coordinates y(x) | xᵢ − x₀ | y(xᵢ) − y(x₀) | dy/dt at xᵢ |
+//! | contact Hamiltonian | increments of q, p, s | increments of q, p, s | ∂H/∂p, −∂H/∂q, s' |
 //! | Lagrangian | vᵢ, and with an action the increment of s | ∂L/∂v − p₀, increment of s | ∂L/∂q, L |
 //!
-//! Weights w are 1, but for momenta of contact systems: there w is the factor r of the step, dr/dt = r σ with the decay rate σ = ∂H/∂s. It may depend on the
-//! unknowns of all stages.
+//! Only Lagrangians read the shift, in qᵢ = q₀ + h Σ aᵢⱼ vⱼ. The weights wᵢ are 1, except for momenta of contact systems. For these, wᵢ is the factor rᵢ of
+//! [`factors`](super::factors): r' = r σ with the decay rate σ = ∂H/∂s. Each factor may depend on the unknowns of all stages.
 
 use super::factors::Factors;
 use crate::scalar::{Real, zero};
@@ -20,7 +21,7 @@ use crate::space::vector::{dot, extrapolated, scaled};
 use crate::space::{Array, Square};
 use core::ops::Range;
 
-/// Derivatives by the unknown of a stage, and by its shift.
+/// The derivatives of a quantity by the unknown of its stage, and by the shift of its stage.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::method) struct Slopes<M> {
     pub(in crate::method) by_unknown: M,
@@ -33,23 +34,29 @@ impl<M: Copy> Slopes<M> {
     }
 }
 
-/// P − P₀ and F at a stage, with their derivatives.
+/// The quantities of a form at one stage. A form fills only the fields that its [`Form`] and [`Weights`] name.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::method) struct Values<A: Array> {
+    /// P − P₀.
     pub(in crate::method) value: A,
+    /// F.
     pub(in crate::method) rate: A,
+    /// The derivatives of P.
     pub(in crate::method) value_slopes: Slopes<Square<A>>,
+    /// The derivatives of F.
     pub(in crate::method) rate_slopes: Slopes<Square<A>>,
-    /// Factors of the rows, for forms with [`Rows::Scaled`]: with them a row has the unit of the unknown.
+    /// Factors that give each row the unit of its unknown, for forms with [`Rows::Scaled`].
     pub(in crate::method) scales: A,
-    /// P itself. It is read in rows with a weight, as are the next two.
+    /// P, for rows with a weight.
     pub(in crate::method) whole: A,
-    /// σ.
+    /// σ, for rows with a weight.
     pub(in crate::method) decay: A::Real,
+    /// The derivatives of σ, for rows with a weight.
     pub(in crate::method) decay_slopes: Slopes<A>,
 }
 
 impl<A: Array> Values<A> {
+    /// Returns zeros, which a form overwrites.
     pub(in crate::method) fn none() -> Self {
         let (none, square) = (A::zero(), A::fill(A::zero()));
         Values {
@@ -65,7 +72,8 @@ impl<A: Array> Values<A> {
     }
 }
 
-/// A derivative of a form: zero in every stage, the identity, or given. Only the derivative of the value by the unknown may be `One`.
+/// A derivative of a form: zero at every stage, the identity, or given by [`Values`]. Products with `Zero` are not compiled. Only the derivative of P
+/// by the unknown may be `One`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::method) enum Part {
     Zero,
@@ -74,38 +82,41 @@ pub(in crate::method) enum Part {
 }
 
 impl Part {
-    /// Returns a part that is given if a property holds.
+    /// Returns `Given` if a property holds, else `Zero`.
     pub(in crate::method) const fn given_if(holds: bool) -> Self {
         if holds { Part::Given } else { Part::Zero }
     }
 }
 
-/// Rows as they are, or multiplied by [`Values::scales`].
+/// The rows of the equations: as they are, or multiplied by [`Values::scales`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::method) enum Rows {
     Plain,
     Scaled,
 }
 
-/// The derivatives of a form that are not zero, and its rows.
+/// The structure of a form, known at compile time.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::method) struct Form {
+    /// The derivatives of P.
     pub(in crate::method) value: Slopes<Part>,
+    /// The derivatives of F.
     pub(in crate::method) rate: Slopes<Part>,
     pub(in crate::method) rows: Rows,
 }
 
-/// The weights of rows that are multiplied by the factors of a contact step.
+/// The weights of the rows of momenta in a contact step.
 #[derive(Clone)]
 pub(in crate::method) struct Weights<'a, R, const S: usize> {
     pub(in crate::method) factors: &'a Factors<R, S>,
-    /// The rows of momenta.
+    /// The rows of momenta in each stage.
     pub(in crate::method) rows: Range<usize>,
-    /// The derivatives of σ, if the factors depend on the unknowns.
+    /// The derivatives of σ. Both are `Zero` if the factors do not depend on the unknowns.
     pub(in crate::method) decay: Slopes<Part>,
 }
 
-/// Returns the residuals of all stages, and writes their derivatives by all unknowns to `matrix`. `coupling` is h·A.
+/// Returns the left-hand sides of the equations of all stages, and writes their derivatives by all unknowns to `matrix`. `coupling` is h·aᵢⱼ. Without
+/// `weights`, all wᵢ are 1.
 #[inline(always)]
 pub(in crate::method) fn assemble<A: Array, const S: usize>(
     form: Form,
@@ -169,7 +180,7 @@ pub(in crate::method) fn assemble<A: Array, const S: usize>(
     residuals
 }
 
-/// Returns the derivatives of a row of stage i by σ of each stage, through the factors: P ∂rᵢ/∂σₘ − h Σ aᵢⱼ Fⱼ ∂rⱼ/∂σₘ.
+/// Returns the derivatives of a row of stage i by σₘ of each stage m. σₘ enters through the factors only: Pᵢ ∂rᵢ/∂σₘ − h Σ aᵢⱼ Fⱼ ∂rⱼ/∂σₘ.
 #[inline(always)]
 fn slopes_by_decay<A: Array, const S: usize>(
     Weights { factors, .. }: &Weights<'_, A::Real, S>,
@@ -188,7 +199,8 @@ fn slopes_by_decay<A: Array, const S: usize>(
 }
 
 impl<A: Array> Values<A> {
-    /// Returns the rate after corrections of the unknown and of the shift, to first order. The squares of the last corrections are rounding.
+    /// Returns F after corrections of the unknown and of the shift, to first order. Precondition: the squares of the corrections are below rounding errors,
+    /// as those of the last correction are.
     #[inline(always)]
     pub(in crate::method) fn rate_after(&self, form: Form, unknown: &A, shift: &A) -> A {
         let mut rate = self.rate;
@@ -201,7 +213,7 @@ impl<A: Array> Values<A> {
         rate
     }
 
-    /// Returns σ after corrections of the unknown and of the shift, to first order.
+    /// Returns σ after corrections of the unknown and of the shift, to first order, as [`rate_after`](Self::rate_after).
     #[inline(always)]
     pub(in crate::method) fn decay_after(&self, slopes: Slopes<Part>, unknown: &A, shift: &A) -> A::Real {
         let mut decay = self.decay;
@@ -215,7 +227,7 @@ impl<A: Array> Values<A> {
     }
 }
 
-/// Returns the shifts h Σ aᵢⱼ xⱼ of all stages.
+/// Returns the shifts h Σ aᵢⱼ xⱼ of all stages. `coupling` is h·aᵢⱼ.
 #[inline(always)]
 pub(in crate::method) fn shifts<A: Array, const S: usize>(coupling: &[[A::Real; S]; S], x: &[A; S]) -> [A; S] {
     coupling.map(|weights| {

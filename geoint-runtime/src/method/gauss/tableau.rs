@@ -5,13 +5,13 @@ use crate::method::explicit::tableau::Tableau;
 use crate::method::tables::gauss::{GAUSS_1, GAUSS_2, GAUSS_3, GAUSS_4, GAUSS_5, GAUSS_6};
 use crate::sealed::Sealed;
 
-/// Number of stages of a Gauss method, 1 to 6.
+/// The table of the Gauss method with `S` stages, 1 to 6. Any other number is a type error.
 ///
-/// Sealed: the tableaux are Gauss's tableaux.
+/// Sealed, because the claims of [`Gauss`] hold for these tables only.
 pub trait GaussTableau<const S: usize>: Sealed {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// The tableau.
+    /// The coefficients a, the weights b and the nodes c.
     const TABLEAU: Tableau<S>;
 }
 

@@ -14,7 +14,7 @@ use crate::method::{Probe, Refusal};
 use crate::scalar::{Real, zero};
 use crate::solving::equation::Solution;
 use crate::solving::newton::Newton;
-use crate::space::vector::{difference, moved, opposite, resized, scaled, sum, sum_of_products};
+use crate::space::vector::{difference, dot, moved, opposite, resized, scaled, sum, sum_of_products};
 use crate::space::{Action, Array, Square};
 use crate::system::{Regular, VelocityForm, VelocityStage, rates_of_velocity, row_units, velocity_near};
 
@@ -24,7 +24,7 @@ pub struct VelocityStages<const S: usize>;
 
 /// Coefficients of a step.
 #[derive(Clone, Copy, Debug)]
-pub struct Constants<P, R, const S: usize> {
+pub struct Coefficients<P, R, const S: usize> {
     kernel: P,
     scaled: Scaled<R, S>,
     /// The mass matrix is positive definite everywhere.
@@ -54,13 +54,43 @@ impl<R: Real, const S: usize> Start<R, S> {
 
 /// The last evaluation, and its unknowns.
 #[derive(Clone, Copy, Debug)]
-pub struct Seen<D: Array, const S: usize> {
+pub struct LastEvaluation<D: Array, const S: usize> {
     d: [D; S],
     stages: [Values<D>; S],
     /// L at the stages.
     lagrangians: [D::Real; S],
     /// The factors r, with [`Decay::OfState`].
     factors: Factors<D::Real, S>,
+}
+
+/// Rates of the solution at all stages.
+struct After<D: Array, const S: usize> {
+    /// F, with L in the row of s.
+    rates: [D; S],
+    /// σ.
+    decays: [D::Real; S],
+    /// L at the action before the step.
+    lagrangians: [D::Real; S],
+}
+
+impl<D: Array, const S: usize> LastEvaluation<D, S> {
+    /// Returns the rates at the solution `d`, to first order in its distance from the last evaluation. L has the derivatives p and f.
+    #[inline(always)]
+    fn after(&self, coupling: &[[D::Real; S]; S], d: &[D; S], form: Form, decay_slopes: Slopes<Part>) -> After<D, S> {
+        let mut after = After { rates: [D::zero(); S], decays: [zero(); S], lagrangians: self.lagrangians };
+        let mut corrections = [D::zero(); S];
+        for i in 0..S {
+            corrections[i] = difference(&d[i], &self.d[i]);
+        }
+        let shifts = shifts(coupling, &corrections);
+        for i in 0..S {
+            let (stage, correction, shift) = (&self.stages[i], &corrections[i], &shifts[i]);
+            after.rates[i] = stage.rate_after(form, correction, shift);
+            after.decays[i] = stage.decay_after(decay_slopes, correction, shift);
+            after.lagrangians[i] += dot(&stage.whole, correction) + dot(&stage.rate, shift);
+        }
+        after
+    }
 }
 
 /// The decay rate σ of a system.
@@ -118,7 +148,7 @@ where
     /// Returns the point of a stage, with the momenta before the step.
     #[inline(always)]
     fn place(&self, i: usize, d: &[Y::Unknown; S]) -> Stage<Y, R> {
-        let Scaled { coupling, nodes, .. } = &self.constants.scaled;
+        let Scaled { coupling, nodes, .. } = &self.coefficients.scaled;
         let mut change = Y::Array::zero();
         for (a, d) in coupling[i].iter().zip(d) {
             change.add_scaled(*a, &resized(d, zero()));
@@ -162,25 +192,6 @@ where
             last(&mut values.rate_slopes.by_shift, &stage.force, zero());
         }
     }
-
-    /// Returns s' = L of the solution at all stages, if s is not an unknown.
-    #[inline(always)]
-    fn rates_of_action(
-        &self,
-        factors: &Factors<R, S>,
-        seen: &Seen<Y::Unknown, S>,
-        corrections: &[Y::Unknown; S],
-    ) -> Option<[R; S]> {
-        let coupling = &self.constants.scaled.coupling;
-        let shifts = shifts(coupling, corrections);
-        let at_start = core::array::from_fn(|i| {
-            let Values { whole: momentum, rate: force, .. } = &seen.stages[i];
-            let [by_v, by_q] = [(momentum, &corrections[i]), (force, &shifts[i])]
-                .map(|(slope, correction)| sum_of_products(slope.as_slice(), correction.as_slice()));
-            seen.lagrangians[i] + by_v + by_q
-        });
-        factors.rates_of_action(coupling, at_start)
-    }
 }
 
 /// Returns the part of a row that belongs to s.
@@ -194,10 +205,10 @@ where
     Gauss<S>: GaussTableau<S>,
 {
     type Unknown = [Y::Unknown; S];
-    type Constants = Constants<Y::StageConstants, R, S>;
+    type Coefficients = Coefficients<Y::StageConstants, R, S>;
     type Start = Start<R, S>;
     type History = Regular<Y::Array>;
-    type Seen = Seen<Y::Unknown, S>;
+    type LastEvaluation = LastEvaluation<Y::Unknown, S>;
     type Kept = ();
     type Solver = Newton<[Y::Unknown; S]>;
 
@@ -206,26 +217,30 @@ where
         Decay::OfState => Units { alike: 1, kinds: Y::Unknown::LEN },
         _ => Units { alike: Y::Array::LEN, kinds: 1 },
     });
-    /// Stages of which s is not known are not checked for poles.
-    const STAGES: usize = if matches!(decay::<Y, R>(), Decay::OfTime) { 0 } else { S };
+    const STAGES: usize = S;
 
-    fn constants(self, system: &Y, h: R) -> Self::Constants {
-        Constants { kernel: system.stage_constants(), scaled: Scaled::by(h), is_definite: system.is_definite() }
+    fn coefficients(self, system: &Y, h: R) -> Self::Coefficients {
+        Coefficients { kernel: system.stage_constants(), scaled: Scaled::by(h), is_definite: system.is_definite() }
     }
 
     fn history() -> Self::History {
         Regular::unknown()
     }
 
-    fn unseen() -> Self::Seen {
+    fn no_evaluation() -> Self::LastEvaluation {
         let none = Y::Unknown::zero();
-        Seen { d: [none; S], stages: [Values::none(); S], lagrangians: [zero(); S], factors: Factors::unknown() }
+        LastEvaluation {
+            d: [none; S],
+            stages: [Values::none(); S],
+            lagrangians: [zero(); S],
+            factors: Factors::unknown(),
+        }
     }
 
     #[inline(always)]
     fn begin(
         from: &Departure<'_, Y, R>,
-        Constants { kernel, scaled: Scaled { coupling, nodes, .. }, is_definite }: &Self::Constants,
+        Coefficients { kernel, scaled: Scaled { coupling, nodes, .. }, is_definite }: &Self::Coefficients,
         regular: &mut Self::History,
     ) -> Result<Self::Start, Refusal> {
         let Departure { system, t, z, s, .. } = from;
@@ -248,31 +263,31 @@ where
 
     /// The velocities as if v' and s' were constant.
     fn guess(equation: &Equation<'_, Self, Y, R>) -> [Y::Unknown; S] {
-        let Equation { from: Departure { system, t, z, s, .. }, constants, .. } = equation;
+        let Equation { from: Departure { system, t, z, s, .. }, coefficients, .. } = equation;
         let v = velocity_near(*system, *t, z, s, Y::Array::zero()).unwrap_or_else(Y::Array::zero);
         let (acceleration, lagrangian) = rates_of_velocity(*system, *t, &z[0], &v, s);
-        constants.scaled.nodes.map(|node| resized(&moved(&v, node, &acceleration), node * lagrangian))
+        coefficients.scaled.nodes.map(|node| resized(&moved(&v, node, &acceleration), node * lagrangian))
     }
 
     /// (rᵢ ∂L/∂v − p₀ − h Σ aᵢⱼ rⱼ fⱼ)/|Mᵢᵢ|, and sᵢ − s₀ − h Σ aᵢⱼ Lⱼ.
     #[inline(always)]
     fn residual<P: Probe<Y, R>>(
         equation: &Equation<'_, Self, Y, R>,
-        watch: &mut Watch<'_, Y, R, P, Self::Seen>,
+        watch: &mut Watch<'_, Y, R, P, Self::LastEvaluation>,
         d: &[Y::Unknown; S],
         matrix: &mut Square<[Y::Unknown; S]>,
     ) -> [Y::Unknown; S] {
-        let Equation { from, constants, start } = equation;
-        let coupling = &constants.scaled.coupling;
-        watch.seen.d = *d;
+        let Equation { from, coefficients, start } = equation;
+        let coupling = &coefficients.scaled.coupling;
+        watch.last.d = *d;
         for i in 0..S {
             let (Stage { t, z, s }, mut stage) = (equation.place(i, d), VelocityStage::none());
             watch.visit(t, &z, &s);
-            from.system.stage(&constants.kernel, t, &z[0], &resized(&d[i], zero()), &s, &mut stage);
-            equation.fill(&mut watch.seen.stages[i], &stage, &d[i]);
-            watch.seen.lagrangians[i] = stage.lagrangian;
+            from.system.stage(&coefficients.kernel, t, &z[0], &resized(&d[i], zero()), &s, &mut stage);
+            equation.fill(&mut watch.last.stages[i], &stage, &d[i]);
+            watch.last.lagrangians[i] = stage.lagrangian;
         }
-        let Seen { stages, factors, .. } = &mut watch.seen;
+        let LastEvaluation { stages, factors, .. } = &mut watch.last;
         // The determinant has the sign of (det M)ˢ.
         if S % 2 == 1 {
             stages[0].scales.as_mut_slice()[0] *= start.sign;
@@ -300,51 +315,40 @@ where
     fn update(
         equation: &Equation<'_, Self, Y, R>,
         Solution { x: d, .. }: &Solution<[Y::Unknown; S]>,
-        seen: &Self::Seen,
+        last: &Self::LastEvaluation,
     ) -> Result<Increment<Y::Phase, Y::Action>, Refusal> {
-        let Scaled { coupling, weights, .. } = &equation.constants.scaled;
-        let mut corrections = [Y::Unknown::zero(); S];
-        for i in 0..S {
-            corrections[i] = difference(&d[i], &seen.d[i]);
-        }
-        let shifts = shifts(coupling, &corrections);
-        let (mut rates, mut decays) = ([Y::Unknown::zero(); S], [zero(); S]);
-        for i in 0..S {
-            rates[i] = seen.stages[i].rate_after(form::<Y, R>(), &corrections[i], &shifts[i]);
-            decays[i] = seen.stages[i].decay_after(decay_slopes::<Y, R>(), &corrections[i], &shifts[i]);
-        }
-        let (mut change, mut impulse) = (Y::Unknown::zero(), Y::Unknown::zero());
+        let Scaled { coupling, weights, .. } = &equation.coefficients.scaled;
+        let After { rates, decays, lagrangians } = last.after(coupling, d, form::<Y, R>(), decay_slopes::<Y, R>());
+        let solved = if const { solves_for_action::<Y, R>() } { last.factors.after(&decays) } else { last.factors };
+        let factors = equation.start.factors::<Y>(&solved);
+        let (mut change, mut impulse, mut s) = (Y::Unknown::zero(), Y::Unknown::zero(), zero());
         for i in 0..S {
             change.add_scaled(weights[i], &d[i]);
-        }
-        let solved = if const { solves_for_action::<Y, R>() } { seen.factors.after(&decays) } else { seen.factors };
-        let factors = equation.start.factors::<Y>(&solved);
-        let mut s = zero();
-        for i in 0..S {
             impulse.add_scaled(factors.map_or(weights[i], |factors| weights[i] * factors.r[i]), &rates[i]);
         }
         let mut impulse: Y::Array = resized(&impulse, zero());
         if let Some(factors) = factors {
+            // r₁ p₁ = p₀ + impulse.
             let grown = factors.growth(weights).ok_or(Refusal::Singular)?;
             impulse.add_scaled(-grown, &equation.from.z[1]);
             impulse = scaled(R::from_f64(1.0) / (R::from_f64(1.0) + grown), &impulse);
-            let mut of_action = rates.map(|rate| of_action::<Y, R>(&rate));
-            if const { matches!(decay::<Y, R>(), Decay::OfTime) } {
-                of_action = equation.rates_of_action(factors, seen, &corrections).ok_or(Refusal::Singular)?;
-            }
-            s = sum_of_products(weights, &of_action);
+            let rates_of_action = match const { decay::<Y, R>() } {
+                Decay::OfTime => factors.rates_of_action(coupling, lagrangians).ok_or(Refusal::Singular)?,
+                _ => rates.map(|rate| of_action::<Y, R>(&rate)),
+            };
+            s = sum_of_products(weights, &rates_of_action);
         }
-        Ok(Increment { z: [resized(&change, zero()), impulse], s: Y::Action::of(s), lost: Y::Phase::zero() })
+        Ok(Increment::of([resized(&change, zero()), impulse], Y::Action::of(s)))
     }
 
     #[inline(always)]
     fn finish<P: Probe<Y, R>>(
-        Equation { from, constants, .. }: &Equation<'_, Self, Y, R>,
+        Equation { from, coefficients, .. }: &Equation<'_, Self, Y, R>,
         Solution { x: d, .. }: &Solution<[Y::Unknown; S]>,
         regular: &mut Self::History,
         Arrival { z, s, .. }: Arrival<'_, Y, R>,
     ) -> Result<(), Refusal> {
         let ends = [(from.t, &from.z, &from.s), (from.end, z, s)];
-        regular.follow(from.system, constants.is_definite, ends, resized(&d[S - 1], zero()))
+        regular.follow(from.system, coefficients.is_definite, ends, resized(&d[S - 1], zero()))
     }
 }

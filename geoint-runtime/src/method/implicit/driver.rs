@@ -1,4 +1,7 @@
-//! The driver of implicit steps: it begins a step, lets the solver solve its equation, adds the increments, and checks the end.
+//! The driver of implicit steps. It solves the equation of a step, adds the increments to the state, and checks the result.
+//!
+//! The checks follow from the [`Policy`](super::Policy) of the method. They refuse a step if the energy may have a pole on its way. They also refuse it if
+//! its rounded end lies on another side of a condition than the solution. The driver does not restore the point of a refused step.
 
 use super::points::{Arrival, Departure, Increment, Stage};
 use super::step::{Branch, Equation, Evaluated, ImplicitStep, Sums};
@@ -7,25 +10,24 @@ use crate::method::{Effort, Estimate, Probe, Refusal, Step, check_end, check_pol
 use crate::scalar::Real;
 use crate::solving::equation::{Magnitudes, Solution, Solver, StepEquation};
 use crate::space::{Compensated, Record, Square, Summation, Tape};
-use crate::system::{PhaseSpace, Poles, jump_between};
+use crate::system::{Evaluations, PhaseSpace, Poles, jump_between};
 
-/// Whether a step evaluates divided differences: a pole between their ends is a pole of most of them.
-const BY_DIFFERENCES: bool = true;
-const BY_POINTS: bool = false;
-
-/// Coefficients of steps of one length.
+/// Coefficients of steps of one length h.
 #[derive(Clone)]
 pub struct Prepared<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> {
-    constants: M::Constants,
+    coefficients: M::Coefficients,
     h: R,
+    /// The poles that the parameters of the system allow.
     poles: Poles,
 }
 
 /// Values that a step passes to the next one.
 #[derive(Clone)]
 pub struct Memory<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> {
+    /// The solver, with its experience of earlier steps.
     solver: M::Solver,
     history: M::History,
+    /// The compensation of coordinates in a run without compensation of its own. Zero unless the policy is [`Sums::Compensated`].
     sums: Compensated<S::Phase>,
 }
 
@@ -38,7 +40,7 @@ impl<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> Record<R> for Memory<M, S
 }
 
 impl<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> Memory<M, S, R> {
-    /// Creates the memory before the first step.
+    /// Returns the memory before the first step.
     #[expect(clippy::new_without_default, reason = "a default memory would look valid in the middle of a run")]
     pub fn new() -> Self {
         Memory { solver: M::Solver::new(M::POLICY.units), history: M::history(), sums: Compensated::new() }
@@ -46,18 +48,18 @@ impl<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> Memory<M, S, R> {
 }
 
 impl<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> Prepared<M, S, R> {
-    /// The order of the error that steps estimate, if they do.
+    /// See [`ImplicitStep::ORDER_OF_ESTIMATE`].
     pub const ORDER_OF_ESTIMATE: Option<u32> = M::ORDER_OF_ESTIMATE;
 
-    /// Prepares steps of length `h`.
+    /// Computes the coefficients of steps of length `h`.
     pub fn new(method: M, system: &S, h: R) -> Self {
-        Prepared { constants: method.constants(system, h), h, poles: Poles::of(system) }
+        Prepared { coefficients: method.coefficients(system, h), h, poles: Poles::of(system) }
     }
 
     /// Takes one step, in place.
     ///
     /// # Errors
-    /// If the step has no result. The point and the memory are then not valid, and the caller restores the point.
+    /// If the step has no result. The point and the memory are then invalid. The caller must restore the point, and create a new memory.
     #[inline(always)]
     pub fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         &self,
@@ -67,7 +69,11 @@ impl<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> Prepared<M, S, R> {
         self.take(step.system, memory, step).map(drop)
     }
 
-    /// Takes one step, and estimates its error. Returns `None`, and takes no step, if the method has no estimate.
+    /// Takes one step, in place, and returns two estimates of its error; see [`Method::estimated`](crate::Method::estimated). Returns `None`, and takes
+    /// no step, if the method has no estimate.
+    ///
+    /// # Errors
+    /// The inner result is an error if the step has no result, or no estimate. The point and the memory are then invalid.
     #[inline]
     pub fn estimated<C: Summation<S::Phase>, P: Probe<S, R>>(
         &self,
@@ -76,64 +82,64 @@ impl<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> Prepared<M, S, R> {
     ) -> Option<Result<Estimate<S, R>, Refusal>> {
         Self::ORDER_OF_ESTIMATE?;
         let taken = self.take(step.system, memory, step.part([step.t, step.end]));
-        Some(taken.and_then(|Taken { equation, solution }| M::estimate(&equation, &solution.x, step.probe)))
+        Some(taken.and_then(|SolvedStep { equation, solution }| M::estimate(&equation, &solution.x, step.probe)))
     }
 
-    /// Takes one step, and returns its equation with the solution.
+    /// Takes one step, in place, and returns its equation with the solution.
     #[inline(always)]
     fn take<'a, C: Summation<S::Phase>, P: Probe<S, R>>(
         &'a self,
         system: &'a S,
         Memory { solver, history, sums }: &mut Memory<M, S, R>,
         Step { t, end, x, probe, .. }: Step<'_, S, R, C, P>,
-    ) -> Result<Taken<'a, M, S, R>, Refusal> {
+    ) -> Result<SolvedStep<'a, M, S, R>, Refusal> {
         let before = start::<S, R, C>(x);
-        // A run that compensates stores the compensation in its point, and keeps it when h changes. In a plain run the method stores it.
+        // A compensating run stores the compensation in its point, so that it survives a change of h. In a plain run the memory of the method stores it.
         let compensation = if C::PLAIN { sums.compensation() } else { x.sums.compensation() };
         let from = Departure { system, t, end, h: self.h, z: before.0, s: before.1, compensation };
         probe.visit(t, &from.z, &from.s);
-        let begun = M::begin(&from, &self.constants, history)?;
-        let equation = Equation { from, constants: &self.constants, start: begun };
-        let mut watch = Watch::new(probe, &from, M::unseen());
+        let begun = M::begin(&from, &self.coefficients, history)?;
+        let equation = Equation { from, coefficients: &self.coefficients, start: begun };
+        let mut watch = Watch::new(probe, &from, M::no_evaluation());
         let solution = match M::solve(equation, solver, &mut watch) {
             Ok(solution) => solution,
-            Err(refusal) => return Err(M::explained(&equation, &watch.seen, refusal)),
+            Err(refusal) => return Err(M::explained(&equation, &watch.last, refusal)),
         };
-        let Watch { probe, decided, seen } = watch;
+        let Watch { probe, solved_end, last } = watch;
 
         for i in 0..M::STAGES {
-            let Stage { t: later, z, s } = M::stage(&equation, i, &solution.x);
-            let way = ([t, later], [&from.z, &z], [&from.s, &s]);
-            check_way::<S, R, P>(&self.poles, BY_POINTS, system, way, &mut x.doubtful)?;
+            let Stage { t: stage_time, z, s } = M::stage(&equation, i, &solution.x);
+            let ends = ([t, stage_time], [&from.z, &z], [&from.s, &s]);
+            check_way::<S, R, P>(&self.poles, Evaluations::AtPoints, system, ends, &mut x.needs_recheck)?;
         }
-        let Increment { z, s, lost } = M::update(&equation, &solution, &seen)?;
+        let Increment { z, s, rounding_error } = M::update(&equation, &solution, &last)?;
         match const { M::POLICY.sums } {
-            Sums::Compensated => x.add_with(sums, &z, &lost),
+            Sums::Compensated => x.add_with(sums, &z, &rounding_error),
             Sums::OfTheRun => x.add(&z),
         }
         x.add_action(s);
-        let arrival = Arrival { z: &x.z, s: &x.s, doubtful: &mut x.doubtful };
+        let arrival = Arrival { z: &x.z, s: &x.s, needs_recheck: &mut x.needs_recheck };
         M::finish::<P>(&equation, &solution, history, arrival)?;
         if const { !matches!(M::POLICY.evaluated, Evaluated::Elsewhere) } {
             // After rounding, the end may lie on the other side of a condition than the end in the equation.
-            Refusal::outside(jump_between(system, from.middle(), [&decided.0, &x.z], [&decided.1, &x.s]))?;
+            Refusal::outside(jump_between(system, from.middle(), [&solved_end.0, &x.z], [&solved_end.1, &x.s]))?;
         }
         let step = Step { system, t, end, x, probe };
         match const { M::POLICY.evaluated } {
-            Evaluated::ByDifferences => check_poles(&self.poles, BY_DIFFERENCES, &before, step)?,
+            Evaluated::ByDifferences => check_poles(&self.poles, Evaluations::ByDifferences, &before, step)?,
             _ => check_end(&self.poles, &before, step)?,
         }
-        Ok(Taken { equation, solution })
+        Ok(SolvedStep { equation, solution })
     }
 }
 
-/// A step that was taken.
-struct Taken<'a, M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> {
+/// The equation of a step that was taken, and its solution.
+struct SolvedStep<'a, M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> {
     equation: Equation<'a, M, S, R>,
     solution: Solution<M::Unknown>,
 }
 
-impl<M, S, R, P> StepEquation<M::Unknown, Watch<'_, S, R, P, M::Seen>> for Equation<'_, M, S, R>
+impl<M, S, R, P> StepEquation<M::Unknown, Watch<'_, S, R, P, M::LastEvaluation>> for Equation<'_, M, S, R>
 where
     M: ImplicitStep<S, R>,
     S: PhaseSpace<R>,
@@ -163,7 +169,7 @@ where
     #[inline(always)]
     fn residual(
         &self,
-        watch: &mut Watch<'_, S, R, P, M::Seen>,
+        watch: &mut Watch<'_, S, R, P, M::LastEvaluation>,
         x: &M::Unknown,
         matrix: &mut Square<M::Unknown>,
     ) -> M::Unknown {
@@ -171,7 +177,7 @@ where
     }
 
     #[inline(always)]
-    fn image(&self, watch: &mut Watch<'_, S, R, P, M::Seen>, x: &M::Unknown) -> M::Unknown {
+    fn image(&self, watch: &mut Watch<'_, S, R, P, M::LastEvaluation>, x: &M::Unknown) -> M::Unknown {
         M::image(self, watch, x)
     }
 }

@@ -1,12 +1,16 @@
-//! Implicit methods: an equation for each step, and one driver that solves it.
+//! Implicit methods: a trait that states the equation of one step, and a driver that solves the equation.
 //!
-//! An [`ImplicitStep`] states the equation r(x) = 0 of a step, a guess of x, and the increments of the state that belong to x. The driver predicts x from the steps
-//! before, solves the equation to rounding, and refuses a step whose solution is not that of short steps. An [`ImplicitMethod`] names the step of a method for
-//! a system. The attributes implement it for the methods of this crate.
+//! An [`ImplicitStep`] states the equation r(x) = 0 for the unknown x of a step, a guess of x, and the increments of the state that follow from x.
+//! The driver lets a [`Solver`] solve the equation to rounding, adds the increments, and checks the end of the step. It refuses the step if no solution
+//! is found, or if [`Branch`] excludes the solution. It also refuses the step if the energy may have a pole on the way.
+//! An [`ImplicitMethod`] names the step of a method for a kind of system. The attribute macros implement it for the methods of this crate.
 //!
-//! You can write a method of your own. The following one is the average vector field method for one energy with a potential of degree four:
+//! You can write a method of your own. The program below states the average vector field method (G. R. W. Quispel & D. I. McLaren, J. Phys. A 41
+//! (2008) 045206) for the energy p²/2m + k q⁴/4. The unknown is the increment d = q₁ − q₀, and F is the mean of the force on the way:
 //!
-//! q₁ − q₀ = h (p₀ + p₁)/2m, p₁ − p₀ = −h k ∫₀¹ (q₀ + s d)³ ds with d = q₁ − q₀, solved for d.
+//! d = h (p₀ + h F/2)/m, p₁ = p₀ + h F, F = −k ∫₀¹ (q₀ + s d)³ ds.
+//!
+//! The energy is kept for every h, because F d is the loss of potential energy.
 //!
 //! ```
 //! use geoint_runtime::implicit_method;
@@ -14,7 +18,7 @@
 //! use geoint_runtime::method::{Claims, Name, Probe, Refusal};
 //! use geoint_runtime::prelude::*;
 //!
-//! /// A mass on a spring of the third degree.
+//! /// A mass m on a spring with the force −k q³.
 //! #[hamiltonian]
 //! fn quartic(q: f64, p: f64, m: f64, k: f64) -> f64 {
 //!     p * p / (2.0 * m) + k * q.powi(4) / 4.0
@@ -38,47 +42,50 @@
 //!     }
 //! }
 //!
-//! type Moving<'a> = Equation<'a, AverageVectorField, Quartic, f64>;
+//! type StepEquation<'a> = Equation<'a, AverageVectorField, Quartic, f64>;
 //!
-//! /// The mean of the force from q₀ to q₀ + d.
-//! fn mean_force(equation: &Moving<'_>, d: f64) -> f64 {
+//! /// Returns the mean F of the force from q₀ to q₀ + d.
+//! fn mean_force(equation: &StepEquation<'_>, d: f64) -> f64 {
 //!     let (k, [[q], _]) = (equation.from.system.k, equation.from.z);
 //!     -k * (q.powi(3) + 1.5 * q * q * d + q * d * d + 0.25 * d.powi(3))
 //! }
 //!
 //! impl ImplicitStep<Quartic> for AverageVectorField {
 //!     type Unknown = [f64; 1];
-//!     type Constants = ();
+//!     type Coefficients = ();
 //!     type Start = ();
 //!     type History = ();
-//!     type Seen = ();
+//!     type LastEvaluation = ();
 //!     type Kept = ();
 //!     type Solver = Newton<[f64; 1]>;
 //!
 //!     const POLICY: Policy = Policy {
+//!         // Every solution keeps the energy.
 //!         branch: Branch::OfEnergy,
 //!         sums: Sums::Compensated,
+//!         // F is a divided difference of the potential between both ends.
 //!         evaluated: Evaluated::ByDifferences,
+//!         // One unknown, and one unit.
 //!         ..Policy::of(Units { alike: 1, kinds: 1 })
 //!     };
 //!
-//!     fn constants(self, _: &Quartic, _: f64) {}
+//!     fn coefficients(self, _: &Quartic, _: f64) {}
 //!     fn history() {}
-//!     fn unseen() {}
+//!     fn no_evaluation() {}
 //!     fn begin(_: &Departure<'_, Quartic, f64>, _: &(), _: &mut ()) -> Result<(), Refusal> {
 //!         Ok(())
 //!     }
 //!
-//!     fn origin(equation: &Moving<'_>) -> [f64; 1] {
+//!     fn origin(equation: &StepEquation<'_>) -> [f64; 1] {
 //!         equation.from.z[0]
 //!     }
 //!
-//!     fn guess(equation: &Moving<'_>) -> [f64; 1] {
+//!     fn guess(equation: &StepEquation<'_>) -> [f64; 1] {
 //!         [equation.from.h * equation.from.z[1][0] / equation.from.system.m]
 //!     }
 //!
 //!     fn residual<P: Probe<Quartic, f64>>(
-//!         equation: &Moving<'_>,
+//!         equation: &StepEquation<'_>,
 //!         watch: &mut Watch<'_, Quartic, f64, P, ()>,
 //!         [d]: &[f64; 1],
 //!         [[slope]]: &mut [[f64; 1]; 1],
@@ -90,24 +97,24 @@
 //!     }
 //!
 //!     fn update(
-//!         equation: &Moving<'_>,
+//!         equation: &StepEquation<'_>,
 //!         solution: &Solution<[f64; 1]>,
 //!         _: &(),
 //!     ) -> Result<Increment<[[f64; 1]; 2], ()>, Refusal> {
 //!         let [d] = solution.x;
-//!         Ok(Increment::of([[d], [equation.from.h * mean_force(equation, d)]]))
+//!         Ok(Increment::of([[d], [equation.from.h * mean_force(equation, d)]], ()))
 //!     }
 //! }
 //!
 //! let system = Quartic { m: 1.3, k: 0.8 };
 //! let mut sim = system.integrator(AverageVectorField, 0.2, State::new(1.1, 0.3));
-//! let mut other = system.integrator(MeanValue::<2>, 0.2, State::new(1.1, 0.3));
+//! let mut reference = system.integrator(MeanValue::<2>, 0.2, State::new(1.1, 0.3));
 //! let energy = sim.energy();
 //! sim.advance(10_000)?;
-//! other.advance(10_000)?;
+//! reference.advance(10_000)?;
 //! assert!((sim.energy() / energy - 1.0).abs() < 1e-13);
-//! // Two points of Gauss integrate the force exactly.
-//! assert!((sim.state().q - other.state().q).abs() < 1e-9);
+//! // `MeanValue` with two Gauss points integrates the cubic force exactly, so it is the same method.
+//! assert!((sim.state().q - reference.state().q).abs() < 1e-9);
 //! # Ok::<(), StepError>(())
 //! ```
 

@@ -1,17 +1,17 @@
-//! The points of a step: departure, stages, increments, and arrival.
+//! The points of an implicit step: its start, its stages, the increments, and its end. The driver exchanges them with an [`ImplicitStep`](super::ImplicitStep).
 
 use crate::scalar::Real;
 use crate::space::Array;
 use crate::system::PhaseSpace;
 
-/// The point from which a step leads.
+/// The start of a step, with its times.
 #[derive(Debug)]
 pub struct Departure<'a, S: PhaseSpace<R>, R: Real> {
     /// The system with its parameters.
     pub system: &'a S,
     /// The time at the start of the step.
     pub t: R,
-    /// The time at its end, which is the start of the next step. It differs from t + h by a rounding.
+    /// The time at its end, which is the start of the next step bit for bit. It may differ from t + h by a rounding.
     pub end: R,
     /// The length of the step.
     pub h: R,
@@ -19,7 +19,7 @@ pub struct Departure<'a, S: PhaseSpace<R>, R: Real> {
     pub z: S::Phase,
     /// The action at the start.
     pub s: S::Action,
-    /// The compensation of the sums: the coordinates are z + `compensation`. Zero if neither the run nor the method compensates.
+    /// The compensation of the sums: the exact coordinates are z + `compensation`. Zero if neither the run nor the method compensates.
     pub compensation: S::Phase,
 }
 
@@ -32,7 +32,7 @@ impl<S: PhaseSpace<R>, R: Real> Clone for Departure<'_, S, R> {
 impl<S: PhaseSpace<R>, R: Real> Copy for Departure<'_, S, R> {}
 
 impl<S: PhaseSpace<R>, R: Real> Departure<'_, S, R> {
-    /// The time in the middle of the step.
+    /// Returns the time t + h/2 in the middle of the step.
     #[inline(always)]
     pub fn middle(&self) -> R {
         self.t + R::from_f64(0.5) * self.h
@@ -46,20 +46,19 @@ pub struct Increment<Z, A> {
     pub z: Z,
     /// The increment of the action.
     pub s: A,
-    /// The part of the increments of coordinates that was lost by rounding: the exact increments are z + `lost`. Only methods with
-    /// compensated sums add it.
-    pub lost: Z,
+    /// The exact increments of coordinates are z + `rounding_error`. The driver reads it only with [`Sums::Compensated`](super::Sums::Compensated).
+    pub rounding_error: Z,
 }
 
-impl<Z: Array> Increment<Z, ()> {
-    /// Returns the increments of a system without an action, without a rounding error.
+impl<Z: Array, A> Increment<Z, A> {
+    /// Returns increments without a rounding error.
     #[inline(always)]
-    pub fn of(z: Z) -> Self {
-        Increment { z, s: (), lost: Z::zero() }
+    pub fn of(z: Z, s: A) -> Self {
+        Increment { z, s, rounding_error: Z::zero() }
     }
 }
 
-/// A point that a step evaluates, and reaches without crossing a pole.
+/// A point at which a step evaluates the energy. The step is refused if the energy may have a pole on the straight line from the start to this point.
 pub struct Stage<S: PhaseSpace<R>, R: Real> {
     /// Its time.
     pub t: R,
@@ -69,12 +68,13 @@ pub struct Stage<S: PhaseSpace<R>, R: Real> {
     pub s: S::Action,
 }
 
-/// The end of a step, which a method may refuse.
+/// The rounded end of a step. A method may refuse it in [`ImplicitStep::finish`](super::ImplicitStep::finish).
 pub struct Arrival<'a, S: PhaseSpace<R>, R: Real> {
     /// Coordinates.
     pub z: &'a S::Phase,
     /// The action.
     pub s: &'a S::Action,
-    /// Set it to true if a fast attempt cannot verify the step. The caller then repeats the step thoroughly.
-    pub doubtful: &'a mut bool,
+    /// Set to true by a method that cannot verify the step in a fast attempt. The caller then repeats the step with
+    /// [`Effort::Thorough`](crate::method::Effort::Thorough).
+    pub needs_recheck: &'a mut bool,
 }

@@ -8,7 +8,7 @@ use crate::method::open::Open;
 use crate::method::{Claims, Clock, Probe, Refusal, Step, Unwatched, check_way};
 use crate::scalar::Real;
 use crate::space::{Array, PerCoordinate, Point, Summation};
-use crate::system::{Clock as PieceClock, Piece, Pieces, Poles};
+use crate::system::{Clock as PieceClock, Evaluations, Piece, Pieces, Poles};
 
 /// A splitting by its name: which pieces of a system it takes.
 #[doc(alias("operator splitting", "symplectic"))]
@@ -185,9 +185,9 @@ pub(super) fn pass<S: Pieces<M, R>, M, R: Real, C: Summation<S::Phase>, P: Probe
         }
         let name = S::PIECES[piece].name;
         if solved && x.z.is_finite() {
-            let Point { z, s, doubtful, .. } = &mut *x;
+            let Point { z, s, needs_recheck, .. } = &mut *x;
             let way = ([t; 2], [&before.0, &*z], [&before.1, &*s]);
-            check_way::<S, R, P>(poles, false, system, way, doubtful)?;
+            check_way::<S, R, P>(poles, Evaluations::AtPoints, system, way, needs_recheck)?;
         } else if solved && named {
             probe.unsolved(name);
         } else if named {

@@ -1,19 +1,20 @@
-//! Solves the equation of a step in a plane.
+//! Solves the equation of an implicit step of two coordinates, for the pieces of [`PlanarSplitting`](crate::PlanarSplitting).
 
 use crate::scalar::{Real, zero};
 use crate::solving::equation::{Effort, Solver, StepEquation, Units};
 use crate::solving::newton::Newton;
 use crate::space::vector::difference;
 
-/// Solves d = g(d) for the increment of two coordinates from `origin`, to rounding. `equation` returns g and 1 − g'. The result is NaN if no solution
-/// exists.
+/// Returns the increment d = g(d) of two coordinates from `origin`, solved to rounding. `equation` returns g and the matrix 1 − ∂g/∂d. The result is NaN if
+/// Newton's iteration finds no solution.
 #[inline]
 pub fn planar_step<R: Real>(origin: [R; 2], equation: impl Fn(&[R; 2]) -> ([R; 2], [[R; 2]; 2]) + Copy) -> [R; 2] {
-    // The coordinates form two kinds, because their units may differ.
+    // Two kinds of one coordinate each: their units may differ.
     let solution = Newton::<[R; 2]>::new(Units { alike: 1, kinds: 2 }).solve(&Planar { origin, equation }, &mut ());
     solution.map_or([R::from_f64(f64::NAN); 2], |solution| solution.x)
 }
 
+/// The equation d = g(d), for the solver.
 #[derive(Clone, Copy)]
 struct Planar<R, F> {
     origin: [R; 2],

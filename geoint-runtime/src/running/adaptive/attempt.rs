@@ -130,7 +130,7 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
     /// shorter ones need not be free of the doubt.
     pub(super) fn check(&self, h: R, x: &Carried<S, R>) -> Result<(), Reason> {
         let t = self.t + h + x.ahead.value();
-        if x.doubtful {
+        if x.needs_recheck {
             return Err(Reason::NotConverged);
         }
         if !(x.is_finite() && t.magnitude() < f64::INFINITY) {

@@ -1,20 +1,26 @@
 //! Computes divided differences of a residual at points on a line. They show whether the residual is smooth, and how large its rounding is.
+//!
+//! The residual is evaluated at 16 points at the distances d·tⱼ, for growing d and irregular nodes tⱼ. The divided difference of order k over nodes tᵢ has the
+//! deviation σ √(Σᵢ 1/wᵢ²) with wᵢ = Πⱼ (tᵢ − tⱼ), if the residual is noise with the standard deviation σ. In units of this deviation for σ = 1, differences of
+//! noise are of size σ for all orders. Differences of a smooth function fall with the order, and grow as dᵏ. The distance d grows until order 4 is below a
+//! quarter of order 3, or below 1/16 of order 2. The noise is the largest deviation that two successive shorter distances have in common.
 
 use super::points::{GOLDEN, Start};
 use crate::scalar::{Real, zero};
 use crate::solving::size::{Units, kind};
 
-/// The number of points on a line at which the residual is evaluated.
+/// The number of points on a line at which the residual is evaluated. More points would cost more.
 pub(super) const POINTS: usize = 16;
 
-/// The number of spare rows: for the spread, two deviations, the curves, and the differences of each lower order.
+/// The number of spare rows: for the spread, the least deviation, the deviation at the distance before, the curvature, and the differences of each lower order.
 pub(super) const SPARE: usize = 4 + LOWER;
 
-/// The order of the differences, and the number of lower orders, from 2 on, with which they are compared.
+/// The order of the differences. A higher order would leave fewer differences unaffected by a jump.
 const ORDER: usize = 4;
+/// The number of lower orders, from 2 on, with which differences are compared.
 const LOWER: usize = ORDER - 2;
 
-/// The distances of the points from the first point.
+/// The nodes tⱼ: distances of the points from x.
 ///
 /// They are irregular. With equal distances, the digits of a coordinate that is large beside its change would follow a short pattern. If the distance
 /// is nearly a multiple of the last digit, the coordinate is rounded by the same amount again and again, and its rounding remains hidden.
@@ -28,55 +34,59 @@ const NODES: [f64; POINTS] = {
     nodes
 };
 
-/// Ranks of differences in ascending order: a quarter of them, half of them, as many as a jump leaves unchanged, and all. A jump changes as many
-/// differences as their order.
-const QUARTER: usize = 3;
-const HALF: usize = 5;
-const MOST: usize = POINTS - 2 * ORDER - 1;
-const ALL: usize = POINTS - ORDER - 1;
+/// Rank of the lower quartile of differences of order 2 or 3, in ascending order from 0. It is a lower estimate of their size.
+const QUARTILE_RANK: usize = 3;
+/// Rank of the median of the 12 differences of order 4.
+const MEDIAN_RANK: usize = 5;
+/// Rank of the largest difference of order 4 that a jump leaves unchanged. A jump changes as many differences as their order.
+const RANK_BELOW_JUMP: usize = POINTS - 2 * ORDER - 1;
+/// Rank of the largest difference of order 4.
+const LAST_RANK: usize = POINTS - ORDER - 1;
 /// The median magnitude of normal noise, in standard deviations.
-const MEDIAN: f64 = 0.67;
+const NORMAL_MEDIAN: f64 = 0.67;
 
 /// The largest ratio of differences of one order to the order below for a smooth function. Differences of one of the two lower orders may be zero, so
-/// both orders are compared.
-const SMOOTH: f64 = 0.25;
+/// both orders are compared. For noise this ratio is near 1.
+const SMOOTH_RATIO: f64 = 0.25;
 
-/// The number of distances in a range of 1/ε. Distances grow by ε^(−1/8). If the differences of order 4 exceed the rounding at one distance, they are
-/// smooth at the next distance.
+/// The number of distances in a range of 1/ε. Distances grow by ε^(−1/8), which is 91 in `f64`. If the differences of order 4 exceed the rounding at one
+/// distance, they are smooth at the next distance.
 const DISTANCES_PER_EPSILON: i32 = 8;
 
-/// The largest distance that counts as near, as a part of the unknowns.
-const NEAR: f64 = 1.0 / 16.0;
-/// The least noise at a distant point that counts, in ε times the change of the residual. Smaller noise is not noise of the point itself.
-const GROWN: f64 = 8.0;
+/// The largest distance that counts as near, as a part of the unknowns. Farther away, other terms of the residual may be rounded.
+const NEAR_LIMIT: f64 = 1.0 / 16.0;
+/// The largest rounding of the change of the residual, in ε times this change. Smaller noise at a distant point is not noise at x.
+const CHANGE_ROUNDINGS: f64 = 8.0;
 
-/// The largest rounding up to the distance at which the residual is smooth, in √ε times the change of the residual. If a function has terms of size
-/// 1, its curves are as large as its rounding, ε, at √ε of its length.
-const ROUGH: f64 = 64.0;
+/// The largest rounding up to the distance at which the residual is smooth, in √ε times the change of the residual. If a function has terms and a length scale
+/// of 1, its curvature d² is as large as its rounding, ε, at d = √ε. The factor leaves room for larger terms.
+const ROUGHNESS_LIMIT: f64 = 64.0;
 
-/// The largest ratio of the rounding at one distance to the rounding at another.
-const ALIKE: f64 = 8.0;
+/// The largest ratio of the rounding of a staircase at one distance to the rounding at the distance before.
+const SIMILAR_RATIO: f64 = 8.0;
 
 /// The power of 1/ε by which the distances grow in all, from the last digit of the unknowns on.
-const REACH: i32 = 2;
+const RANGE_POWER: i32 = 2;
 
-/// A function that writes the residual at a multiple of the direction. It returns whether the residual exists there.
+/// A function that writes the residual at a multiple of the direction. It returns whether the residual is finite there.
 pub(super) type Residual<'a, R> = dyn FnMut(R, &mut [R]) -> bool + 'a;
 
-/// The working memory of a measurement. It knows no shape of the unknowns, so its code is compiled once for all shapes.
-pub(super) struct Memory<'a, R> {
-    /// The residuals at all points. Spare rows hold their spread, the deviations, the curves and the differences of lower orders.
+/// The working memory of a measurement. Its type does not contain the shape of the unknowns, so its code is compiled once for all shapes.
+pub(super) struct Workspace<'a, R> {
+    /// The residuals at all points, then their differences. [`SPARE`] rows follow.
     pub(super) values: &'a mut [R],
     /// The entries that were smooth at some distance.
     pub(super) smooth: &'a mut [bool],
-    /// The entries whose rounding was seen.
+    /// The entries whose measurement is complete: they were smooth, or show no more noise of x.
     pub(super) resolved: &'a mut [bool],
-    /// The standard deviation of the rounding of every entry, which is the result.
+    /// The result: the standard deviation of the rounding of every entry.
     pub(super) noise: &'a mut [R],
 }
 
-impl<R: Real> Memory<'_, R> {
-    /// Measures the rounding at growing distances, from `nearest` on, and writes it to `noise`.
+impl<R: Real> Workspace<'_, R> {
+    /// Measures the rounding at growing distances, from `nearest` on, and writes it to `noise`. It writes zero for entries whose rounding is unknown.
+    ///
+    /// `farther` is the first distance in units of the last correction. The measurement ends early at a point without a residual.
     #[cold]
     #[inline(never)]
     pub(super) fn measure(
@@ -86,7 +96,7 @@ impl<R: Real> Memory<'_, R> {
         units: Units,
         residual: &mut Residual<'_, R>,
     ) {
-        let Memory { values, smooth, resolved, noise } = self;
+        let Workspace { values, smooth, resolved, noise } = self;
         let n = noise.len();
         let (differences, spare) = values.split_at_mut(POINTS * n);
         let (spread, lower) = spare.split_at_mut(n);
@@ -97,12 +107,12 @@ impl<R: Real> Memory<'_, R> {
         curves.fill(zero());
         noise.fill(zero());
         let growth = libm::pow(R::epsilon(), -1.0 / f64::from(DISTANCES_PER_EPSILON));
-        // The distance at which curves come into sight. Corrections are as large as the rounding, and this distance is as large as its root.
-        let sight = nearest / (farther * ROUGH * Real::sqrt(R::epsilon()));
-        // Differences of order 2 grow with the square of the distance. The threshold is the power 3/2.
-        let steepest = growth * Real::sqrt(growth);
+        // The distance from which on curvature is visible. Corrections are as large as the rounding, and this distance is as large as its root.
+        let curvature_distance = nearest / (farther * ROUGHNESS_LIMIT * Real::sqrt(R::epsilon()));
+        // Differences of order 2 grow with the square of the distance. The threshold is the power 3/2, between linear and quadratic growth.
+        let growth_of_curvature = growth * Real::sqrt(growth);
         let mut distance = nearest;
-        'distances: for _ in 0..REACH * DISTANCES_PER_EPSILON {
+        'distances: for _ in 0..RANGE_POWER * DISTANCES_PER_EPSILON {
             for (j, value) in differences.chunks_exact_mut(n).enumerate() {
                 if !residual(R::from_f64(distance * NODES[j]), value) {
                     break 'distances;
@@ -117,75 +127,78 @@ impl<R: Real> Memory<'_, R> {
                 let deviations = deviations(order);
                 for (i, (lower, least)) in lower.iter_mut().zip(&mut *least).enumerate() {
                     let by_rank = by_rank(&differences[..(POINTS - order) * n], i, n, &deviations);
-                    let median = by_rank[(POINTS - order - 1) / 2] / MEDIAN;
-                    *lower = R::from_f64(by_rank[QUARTER]);
+                    let median = by_rank[(POINTS - order - 1) / 2] / NORMAL_MEDIAN;
+                    *lower = R::from_f64(by_rank[QUARTILE_RANK]);
                     *least = R::from_f64(if order == 2 { median } else { median.min(least.magnitude()) });
                 }
             }
             divide(&mut differences[..(POINTS - ORDER + 1) * n], n, ORDER);
             let deviations = deviations(ORDER);
-            let mut over = true;
+            let mut all_resolved = true;
             for i in 0..n {
                 let orders = lower.chunks_exact(n);
-                let last = orders.fold(0.0, |last, lower| lower[i].magnitude().max(SMOOTH * last));
+                let low = orders.fold(0.0, |low, lower| lower[i].magnitude().max(SMOOTH_RATIO * low));
                 let high = by_rank(&differences[..(POINTS - ORDER) * n], i, n, &deviations);
                 // Two jumps affect most of the high differences, but few of the lower differences.
-                let deviation = (high[HALF] / MEDIAN).min(least[i].magnitude());
-                let curved = if high[MOST] < SMOOTH * last { last } else { 0.0 };
-                let rounded = deviation <= GROWN * R::epsilon() * spread[i].magnitude();
-                // Far away, other terms are rounded: the terms by which the residual has grown.
-                let grown = match start {
+                let deviation = (high[MEDIAN_RANK] / NORMAL_MEDIAN).min(least[i].magnitude());
+                let curvature = if high[RANK_BELOW_JUMP] < SMOOTH_RATIO * low { low } else { 0.0 };
+                let rounds_as_change = deviation <= CHANGE_ROUNDINGS * R::epsilon() * spread[i].magnitude();
+                // Far away, other terms are rounded: the terms by which the residual has grown. Nearer noise has been measured by then.
+                let is_past_noise = match start {
                     Start::Near => {
-                        smooth[i] |= curved > 0.0;
-                        rounded && distance > NEAR
+                        smooth[i] |= curvature > 0.0;
+                        rounds_as_change && distance > NEAR_LIMIT
                     }
                     Start::Corrections => {
-                        // When the curves of a residual come into sight, they grow, and the residual has changed by much more than its rounding.
-                        let changed = ROUGH * Real::sqrt(R::epsilon()) * spread[i].magnitude();
-                        let grows = curves[i].magnitude() > 0.0 && curved > steepest * curves[i].magnitude();
-                        smooth[i] |= grows && distance >= sight && noise[i].magnitude() <= changed;
-                        curves[i] = R::from_f64(curved);
+                        // Visible curvature grows with the distance, and the residual has changed by much more than its rounding.
+                        let most = ROUGHNESS_LIMIT * Real::sqrt(R::epsilon()) * spread[i].magnitude();
+                        let grows =
+                            curves[i].magnitude() > 0.0 && curvature > growth_of_curvature * curves[i].magnitude();
+                        smooth[i] |= grows && distance >= curvature_distance && noise[i].magnitude() <= most;
+                        curves[i] = R::from_f64(curvature);
                         // The residual does not have a single stair.
-                        noise[i].magnitude() == 0.0 && high[ALL] <= GROWN * R::epsilon() * spread[i].magnitude()
+                        noise[i].magnitude() == 0.0
+                            && high[LAST_RANK] <= CHANGE_ROUNDINGS * R::epsilon() * spread[i].magnitude()
                     }
                 };
-                over &= smooth[i] || grown;
-                resolved[i] |= smooth[i] || grown;
-                // Rounding also shows at the distance before. A jump or a kink comes into reach at one distance only.
+                all_resolved &= smooth[i] || is_past_noise;
+                resolved[i] |= smooth[i] || is_past_noise;
+                // Rounding also shows at the distance before, so the smaller deviation counts. A jump or a kink first comes into reach at one distance only.
                 let both = [deviation, before[i].magnitude()];
                 before[i] = R::from_f64(deviation);
-                let seen = both[0].min(both[1]);
+                let estimate = both[0].min(both[1]);
                 let counts = match start {
-                    Start::Near => !(smooth[i] || grown),
-                    // The rounding of stairs is alike at both distances.
+                    Start::Near => !(smooth[i] || is_past_noise),
+                    // The rounding of a staircase is similar at both distances.
                     Start::Corrections => {
-                        !(smooth[i] || grown || rounded || curved > 0.0) && both[0].max(both[1]) <= ALIKE * seen
+                        !(smooth[i] || is_past_noise || rounds_as_change || curvature > 0.0)
+                            && both[0].max(both[1]) <= SIMILAR_RATIO * estimate
                     }
                 };
-                if counts && seen > noise[i].magnitude() {
-                    noise[i] = R::from_f64(seen);
+                if counts && estimate > noise[i].magnitude() {
+                    noise[i] = R::from_f64(estimate);
                 }
             }
-            if over {
+            if all_resolved {
                 break;
             }
             distance *= growth;
         }
         for i in (0..n).filter(|i| !resolved[*i]) {
-            // Among stairs, an entry may be smooth at no distance while other entries of its unit are. If these are at least half of the entries, its
-            // rounding is at most as large as theirs.
+            // In a staircase, an entry may be resolved at no distance while other entries of its kind are. If these are at least half of the entries, its
+            // rounding is taken to be at most the smallest of theirs. Otherwise it is unknown.
             let alike = |j: &usize| kind(units, *j) == kind(units, i);
             let known = (0..n).filter(alike).filter(|j| resolved[*j]);
             let (count, least) =
                 known.fold((0, noise[i].magnitude()), |(count, least), j| (count + 1, least.min(noise[j].magnitude())));
-            let most = 2 * count >= (0..n).filter(alike).count();
-            noise[i] = if start == Start::Corrections && most { R::from_f64(least) } else { zero() };
+            let is_half_known = 2 * count >= (0..n).filter(alike).count();
+            noise[i] = if start == Start::Corrections && is_half_known { R::from_f64(least) } else { zero() };
         }
     }
 }
 
-/// Replaces the divided differences of the order below by the divided differences of `order`. Each difference has `n` entries. The last difference
-/// stays unchanged.
+/// Replaces the divided differences of the order below by the divided differences of `order`, except the last one, which becomes invalid. Each difference has
+/// `n` entries. The distance d is taken as 1.
 fn divide<R: Real>(values: &mut [R], n: usize, order: usize) {
     for j in 0..values.len() - n {
         let width = NODES[j / n + order] - NODES[j / n];
@@ -193,7 +206,7 @@ fn divide<R: Real>(values: &mut [R], n: usize, order: usize) {
     }
 }
 
-/// Returns the standard deviation of each divided difference of an order, for noise with standard deviation 1.
+/// Returns the standard deviation of each divided difference of an order, for noise with standard deviation 1. Differences that do not exist have infinity.
 fn deviations(order: usize) -> [f64; POINTS] {
     core::array::from_fn(|first| {
         let Some(nodes) = NODES.get(first..=first + order) else { return f64::INFINITY };
@@ -202,7 +215,7 @@ fn deviations(order: usize) -> [f64; POINTS] {
     })
 }
 
-/// Returns the magnitudes of entry `i` of `n` in ascending order, in units of their deviations. Missing values count as infinite.
+/// Returns the magnitudes of entry `i` of `n` of each difference in ascending order, in units of their deviations. Missing differences count as infinite.
 fn by_rank<R: Real>(values: &[R], i: usize, n: usize, deviations: &[f64; POINTS]) -> [f64; POINTS] {
     let mut sizes = [f64::INFINITY; POINTS];
     // The standard library's sort is avoided because it contains code for lists of any length.

@@ -1,4 +1,7 @@
-//! Chooses the points at which a residual is evaluated to measure its rounding: their distances and their direction.
+//! Chooses the line on which a residual is evaluated to measure its rounding: its direction, and the distance of the first points.
+//!
+//! The points are x + distance·`direction`. They have to be so far apart that terms round differently, and so near that the residual without rounding looks
+//! smooth.
 
 use crate::scalar::Real;
 use crate::solving::size::{Units, kind, largest, largest_of_kind};
@@ -6,20 +9,20 @@ use crate::solving::size::{Units, kind, largest, largest_of_kind};
 /// The fractional part of the golden ratio, the irrational number with the worst approximations by ratios.
 pub(super) const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
-/// The largest distance at which a smooth function is sure to look smooth.
-const MOST_NEAR: f64 = 1e-3;
+/// The largest first distance, as a part of the unknowns, at which a smooth function is assumed to look smooth. A larger one would take curvature for rounding.
+const LARGEST_NEAR: f64 = 1e-3;
 
 /// The position of the first points.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Start {
     /// Close to the point, where functions of the unknowns are smooth.
     Near,
-    /// At the distance of corrections that are large even beside the unknowns. Functions that change faster do not look smooth there either. Apparent
-    /// rounding is therefore accepted only if the function is smooth farther away.
+    /// At the distance of corrections that are large even beside the unknowns. Functions that change on a shorter scale do not look smooth there either.
+    /// Apparent rounding is therefore accepted only if the function is smooth farther away.
     Corrections,
 }
 
-/// Writes the direction in which the unknowns move.
+/// Writes the direction in which the unknowns move: for each one 0.5 to 1.5 times the largest size of its kind.
 #[inline(never)]
 pub(super) fn along<R: Real>(sizes: &[R], units: Units, direction: &mut [R]) {
     for (i, d) in direction.iter_mut().enumerate() {
@@ -30,10 +33,11 @@ pub(super) fn along<R: Real>(sizes: &[R], units: Units, direction: &mut [R]) {
     }
 }
 
-/// Returns the first distance in units of `direction`, and shortens `direction` for each kind of unknowns. Unknowns of each kind start near their own
-/// corrections, because an angle may be large beside the scale on which its functions change.
+/// Returns the first distance in units of `direction`, and shortens `direction` for each kind of unknowns. Unknowns of each kind start at `farther` times their
+/// own corrections `delta`, because an angle may be large beside the scale on which its functions change.
 ///
-/// Returns `None` for [`Start::Corrections`] if corrections are nowhere large beside the unknowns.
+/// For [`Start::Near`], a kind whose corrections are large starts at ε instead. For [`Start::Corrections`], the result is `None` if corrections are large in no
+/// kind.
 #[inline(never)]
 pub(super) fn begin<R: Real>(
     (delta, farther): (&[R], f64),
@@ -41,21 +45,21 @@ pub(super) fn begin<R: Real>(
     start: Start,
     direction: &mut [R],
 ) -> Option<f64> {
-    // The first distance for the unknowns of one kind. It follows from the largest ratio of their corrections to the direction.
+    // The first distance for the unknowns of kind k. It follows from the largest ratio of their corrections to the direction.
     let first = |direction: &[R], k: usize| {
         let part = |(i, (delta, size)): (usize, (&R, &R))| {
             if kind(units, i) != k || delta.magnitude() == 0.0 { 0.0 } else { delta.magnitude() / size.magnitude() }
         };
         let nearest = farther * largest(delta.iter().zip(direction).enumerate().map(part));
-        if nearest <= MOST_NEAR || start == Start::Corrections { nearest.max(R::epsilon()) } else { R::epsilon() }
+        if nearest <= LARGEST_NEAR || start == Start::Corrections { nearest.max(R::epsilon()) } else { R::epsilon() }
     };
     let nearest = (0..units.kinds).map(|k| first(direction, k)).fold(0.0, f64::max);
-    if start == Start::Corrections && nearest <= MOST_NEAR {
+    if start == Start::Corrections && nearest <= LARGEST_NEAR {
         return None;
     }
     for k in 0..units.kinds {
-        let less = R::from_f64(first(direction, k) / nearest);
-        direction.iter_mut().enumerate().filter(|(i, _)| kind(units, *i) == k).for_each(|(_, d)| *d *= less);
+        let shortening = R::from_f64(first(direction, k) / nearest);
+        direction.iter_mut().enumerate().filter(|(i, _)| kind(units, *i) == k).for_each(|(_, d)| *d *= shortening);
     }
     Some(nearest)
 }

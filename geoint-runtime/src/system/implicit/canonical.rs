@@ -1,13 +1,13 @@
-//! Flows that are canonical in other coordinates than the coordinates of their states.
+//! Systems that are canonical in other coordinates y(x) than those of their states x. Gauss methods are symplectic for them if they collocate y.
 
 use crate::scalar::Real;
 use crate::space::Square;
 use crate::system::VectorField;
 
-/// x' = S ∇H with functions y of x, as many as coordinates, in which S is the canonical matrix. Half of the functions are coordinates, the other half
-/// are their momenta.
+/// x' = S(x) ∇H, and functions y of x in which the structure matrix S becomes the canonical matrix. There are as many functions as coordinates. Half of
+/// them are positions, and the other half are their momenta.
 ///
-/// The momenta of a Lagrangian ϑ(q)·v − H(q) are entries of ϑ. Stages are solved for x, so that no inverse of y is needed.
+/// The momenta of a Lagrangian ϑ(q)·v − H(q) are entries of ϑ. Stages are solved for x, so that no formula for x(y) is needed.
 pub trait CanonicalForm<R: Real = f64>: VectorField<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
@@ -16,7 +16,7 @@ pub trait CanonicalForm<R: Real = f64>: VectorField<R> {
 
     /// Computes the coefficients that depend on parameters only.
     fn canonical_constants(&self) -> Self::CanonicalConstants;
-    /// Computes [y, y'] at a point, and the derivatives of both by x.
+    /// Computes [y, dy/dt] at a point x = `z`, and the derivatives of both by x.
     fn canonical(
         &self,
         constants: &Self::CanonicalConstants,

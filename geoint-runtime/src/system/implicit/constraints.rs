@@ -1,6 +1,7 @@
 //! Systems whose positions satisfy g(q) = 0: q' = ∂H/∂p, p' = −∂H/∂q − Gᵀλ with G = ∂g/∂q.
 //!
-//! A state is on a constraint if g(q) = 0 and the velocity does not lead away from the constraint, G ∂H/∂p = 0.
+//! λ are the multipliers. A state is on a constraint if g(q) = 0, and if the velocity is tangent to it, G ∂H/∂p = 0. This file checks states and steps, and
+//! projects states onto the constraints. Constraints must be independent: the rows of G must not depend on each other.
 use crate::system::{Cotangent, PhaseSpace};
 
 use crate::scalar::Real;
@@ -31,14 +32,15 @@ pub trait Constrained<R: Real = f64>:
     fn constraints(&self, q: &Self::Array, values: &mut Self::Multipliers, gradients: &mut Gradients<Self, R>);
     /// Computes ∂H/∂p and W = ∂²H/∂p².
     fn velocity(&self, t: R, z: &Self::Phase, velocity: &mut Self::Array, inverse_mass: &mut Square<Self::Array>);
-    /// Computes g and G ∂H/∂p, each with the largest change that it undergoes if each coordinate and parameter changes by its own size.
+    /// Computes two pairs: g and its sizes, G ∂H/∂p and its sizes. A size is the change of the value by the rounding of coordinates and parameters, in
+    /// units of the machine epsilon.
     fn departure(&self, t: R, z: &Self::Phase) -> [[Self::Multipliers; 2]; 2];
 }
 
 /// One row of the shape of positions for each constraint.
 pub type Gradients<S, R> = <<S as Constrained<R>>::Multipliers as Array>::Map<<S as Cotangent<R>>::Array>;
 
-/// Equation of a step of the method `M` from z, for its increments and multipliers in a row.
+/// The equation of a step of the method `M` from a point z. The unknowns are increments and multipliers, in a row.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no constraints",
     label = "`{M}` is for systems with `constraint = [g]`",
@@ -67,9 +69,9 @@ pub trait ConstrainedStep<M, R: Real = f64>: Constrained<R> {
         residual: &mut Self::Unknown,
         matrix: &mut Square<Self::Unknown>,
     );
-    /// Returns the increments of positions and momenta that belong to unknowns.
+    /// Returns the increments of positions and momenta that belong to the unknowns `x`.
     fn end(&self, constants: &Self::Constants, start: &Self::Start, x: &Self::Unknown) -> Self::Phase;
-    /// Returns the magnitude of each unknown whose rounding is the rounding of positions.
+    /// Returns for each unknown the magnitude whose rounding the unknown has. Multipliers have the rounding of positions.
     fn origin(&self, constants: &Self::Constants, start: &Self::Start) -> Self::Unknown;
 }
 
@@ -78,7 +80,7 @@ pub trait ConstrainedStep<M, R: Real = f64>: Constrained<R> {
 pub enum Unmet {
     /// The quantity with this formula is not zero.
     Off(&'static str),
-    /// The gradient of this constraint depends on the gradients of the constraints before it, or there is no gradient.
+    /// The gradient of the constraint with this formula depends on the gradients of the constraints before it, or does not exist.
     Dependent(&'static str),
 }
 
@@ -90,16 +92,16 @@ pub enum Unmet {
 pub fn unmet<S: Constrained<R>, R: Real>(system: &S, t: R, h: R, z: &S::Phase) -> Option<Unmet> {
     let rounding = ROUNDINGS * R::epsilon();
     let [[values, sizes], [rates, sizes_of_rates]] = system.departure(t, z);
-    let numbers = |x: &S::Multipliers, k: usize| x.as_slice()[k].magnitude();
+    let magnitude = |x: &S::Multipliers, k: usize| x.as_slice()[k].magnitude();
     for (k, [formula, rate]) in S::CONSTRAINTS.iter().enumerate() {
-        let reach = rounding * numbers(&sizes, k);
-        // NaN is off as well. Zero is on, also if the gradient, and with it all rounding, vanishes, as at the tip of a cone.
-        let on = numbers(&values, k) <= reach || numbers(&values, k) == 0.0;
-        let moves = numbers(&rates, k);
+        let reach = rounding * magnitude(&sizes, k);
+        // NaN is off the constraint. Zero is on it even if the reach is NaN, as at the tip of a cone, which has no gradient.
+        let on = magnitude(&values, k) <= reach || magnitude(&values, k) == 0.0;
+        let moves = magnitude(&rates, k);
         if on && moves.is_nan() {
             return Some(Unmet::Dependent(formula));
         }
-        let stays = moves <= rounding * numbers(&sizes_of_rates, k) || moves * h.magnitude() <= reach;
+        let stays = moves <= rounding * magnitude(&sizes_of_rates, k) || moves * h.magnitude() <= reach;
         if !on || !stays {
             return Some(Unmet::Off(if on { rate } else { formula }));
         }
@@ -108,7 +110,7 @@ pub fn unmet<S: Constrained<R>, R: Real>(system: &S, t: R, h: R, z: &S::Phase) -
     Some(Unmet::Dependent(dependent))
 }
 
-/// Refuses a step if a constraint is not zero at its end. Such a step is so long that h ∂H/∂p rounds positions away.
+/// Refuses a step if a constraint is not zero at its end, to rounding. This happens if the step is so long that h ∂H/∂p swamps the digits of the positions.
 #[inline(always)]
 pub(crate) fn held<S: Constrained<R>, R: Real>(system: &S, t: R, [before, z]: [&S::Phase; 2]) -> Result<(), Refusal> {
     let [[values, sizes], _] = system.departure(t, z);
@@ -118,15 +120,18 @@ pub(crate) fn held<S: Constrained<R>, R: Real>(system: &S, t: R, [before, z]: [&
         let mut reaches = sizes.map(|(end, start)| rounding * (end.magnitude() + start.magnitude()));
         values.as_slice().iter().all(|value| reaches.next().is_some_and(|reach| value.magnitude() <= reach))
     };
-    // The rounding of increments is the rounding of positions at both ends.
+    // Increments carry the rounding of positions at both ends. The sizes at the start are computed only if those at the end do not suffice.
     if are_small(&S::Multipliers::zero()) || are_small(&system.departure(t, before)[0][1]) {
         return Ok(());
     }
     Err(Refusal::Singular)
 }
 
-/// Checks that the constraints are independent at two positions, and that their gradients span nearly equal spaces there. If constraints depend on each
-/// other between the positions, the space that they span changes its orientation. Returns the formula of a constraint that fails.
+/// Checks that the constraints are independent at two positions and between. Returns the formula of a constraint that fails.
+///
+/// The check is det(G W G₁ᵀ) > 0 with the gradients G and G₁ at the two positions, and W = ∂²H/∂p² at `z`. If constraints depend on each other between the
+/// positions, the space of their gradients usually changes its orientation, and the determinant its sign. Two such places between the positions are not
+/// found.
 #[inline(always)]
 pub(crate) fn on_one_side<S: Constrained<R>, R: Real>(
     system: &S,
@@ -139,12 +144,13 @@ pub(crate) fn on_one_side<S: Constrained<R>, R: Real>(
     let rows = S::Multipliers::entries::<S::Multipliers>(&mut matrix);
     for (row, gradient) in rows.iter_mut().zip(S::Multipliers::entries_of::<S::Array>(&first)) {
         let direction = times(&inverse_mass, gradient);
-        // Each row is in units of its own square, so that pivots have no units.
+        // Each row is divided by its own square, so that pivots have no units.
         let scale = R::from_f64(1.0) / dot(gradient, &direction);
         for (x, other) in row.as_mut_slice().iter_mut().zip(S::Multipliers::entries_of::<S::Array>(&last)) {
             *x = scale * dot(&direction, other);
         }
     }
+    // A smaller pivot is rounding.
     let least = ROUNDINGS * R::epsilon() * S::Multipliers::LEN as f64;
     let mut positive = true;
     for k in 0..rows.len() {
@@ -164,7 +170,10 @@ pub(crate) fn on_one_side<S: Constrained<R>, R: Real>(
     if positive { Ok(()) } else { Err(S::CONSTRAINTS[rows.len() - 1][0]) }
 }
 
-/// Returns the momenta at z without the part that leads away from the constraints: p − Gᵀμ with G ∂H/∂p = 0.
+/// Returns the momenta p − Gᵀμ, with μ from G ∂H/∂p = 0: those at z without the part that leads away from the constraints.
+///
+/// # Errors
+/// If constraints depend on each other at z, or if Newton's iteration for μ does not converge.
 #[inline(always)]
 pub(crate) fn tangent<S: Constrained<R>, R: Real>(system: &S, t: R, z: S::Phase) -> Result<S::Array, Refusal> {
     let none = S::Array::zero();
@@ -188,8 +197,11 @@ pub(crate) fn tangent<S: Constrained<R>, R: Real>(system: &S, t: R, z: S::Phase)
     correct(z[1], Corrections::of(Convergence::Quadratic), |Stuck { after, .. }| Some(*after), correction)
 }
 
-/// Returns the state on the constraints that is nearest to another state. Positions are moved in the metric of the mass matrix, then the momentum is
-/// made tangent.
+/// Returns a state on the constraints near the state `z`. Positions move by −W Gᵀν, along the gradients G at `z` and in the metric of the mass matrix
+/// W⁻¹. The momentum is then made tangent.
+///
+/// # Errors
+/// If constraints depend on each other at `z` or at the result, or if an iteration does not converge.
 #[cold]
 #[inline(never)]
 pub(crate) fn projected<S: Constrained<R>, R: Real>(system: &S, t: R, z: &S::Phase) -> Result<S::Phase, Refusal> {
@@ -213,7 +225,10 @@ pub(crate) fn projected<S: Constrained<R>, R: Real>(system: &S, t: R, z: &S::Pha
     Ok([q, tangent(system, t, [q, z[1]])?])
 }
 
-/// Solves G W G₀ᵀ ν = r in place of r.
+/// Solves G W G₀ᵀ ν = r in place of r, with `gradients` G, `starts` G₀ and `inverse_mass` W.
+///
+/// # Errors
+/// If the matrix is singular.
 #[inline(always)]
 fn solve<S: Constrained<R>, R: Real>(
     gradients: &Gradients<S, R>,
@@ -242,6 +257,7 @@ fn solve<S: Constrained<R>, R: Real>(
     linear::solve(&mut matrix, r, &Sizes::of_magnitudes(sizes)).map(drop).ok_or(Refusal::Singular)
 }
 
+/// Returns ∂H/∂p and W = ∂²H/∂p².
 fn velocity<S: Constrained<R>, R: Real>(system: &S, t: R, z: &S::Phase) -> (S::Array, Square<S::Array>) {
     let none = S::Array::zero();
     let (mut velocity, mut inverse_mass) = (none, S::Array::fill(none));
@@ -249,6 +265,7 @@ fn velocity<S: Constrained<R>, R: Real>(system: &S, t: R, z: &S::Phase) -> (S::A
     (velocity, inverse_mass)
 }
 
+/// Returns g and G.
 #[inline(always)]
 fn gradients<S: Constrained<R>, R: Real>(system: &S, q: &S::Array) -> (S::Multipliers, Gradients<S, R>) {
     let (mut values, mut gradients) = (S::Multipliers::zero(), S::Multipliers::fill(S::Array::zero()));

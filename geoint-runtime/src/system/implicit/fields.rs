@@ -1,4 +1,6 @@
-//! Differential equations in the form that implicit methods solve.
+//! The kernels of energies and vector fields for implicit methods: the field at a point, discrete gradients, and the stages of contact Hamiltonians.
+//!
+//! The attributes implement these traits for a system. Methods in the module `method` evaluate them.
 
 use crate::scalar::Real;
 use crate::solving::Inverse;
@@ -16,8 +18,24 @@ pub trait QuadraticField<R: Real = f64>: Collocation<R> {
     type Proof;
 }
 
-/// The differential equation in the form in which implicit methods solve it: y' = f(y, t) for all coordinates y = z. If T is quadratic, the form is
-/// q'' = M⁻¹f(q, t) with the force f = −∂V/∂q.
+/// The order of a differential equation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EquationOrder {
+    /// z' = f(z, t). y is z.
+    First,
+    /// q'' = M⁻¹f(q, t). y is q.
+    Second,
+}
+
+impl EquationOrder {
+    /// Returns whether the equation has the order 1.
+    pub const fn is_first(self) -> bool {
+        matches!(self, EquationOrder::First)
+    }
+}
+
+/// The differential equation in the form in which implicit methods solve it: y' = f(y, t) for all coordinates y = z. If H = T(p) + V(q) with a quadratic T,
+/// the form is q'' = M⁻¹f(q, t) with y = q, the force f = −∂V/∂q and the mass matrix M.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no system of `#[hamiltonian]`, or has a `constraint`, an `attitude` or an action `s`",
     label = "this method does not fit this kind of system",
@@ -32,16 +50,16 @@ pub trait Collocation<R: Real = f64>: VectorField<R> {
     type Unknown: Array<Real = R>;
     /// Coefficients that depend on parameters only.
     type Constants: Copy + core::fmt::Debug;
-    /// The order of the differential equation, 1 or 2.
-    const DERIVATIVE: usize;
+    /// The order of the differential equation for y.
+    const EQUATION_ORDER: EquationOrder;
 
     /// Computes the coefficients that depend on parameters only.
     fn constants(&self) -> Self::Constants;
-    /// Returns y, and the variable that f changes: y, or p.
+    /// Returns y, and the coordinates that f changes: y, or p.
     fn start(z: &Self::Phase) -> (Self::Unknown, Self::Unknown);
-    /// Returns the part of y' apart from f: nothing, or q' = ∂T/∂p.
+    /// Returns the part of y' apart from f: zero, or q' = ∂T/∂p at the momentum `p`.
     fn velocity(&self, constants: &Self::Constants, p: &Self::Unknown) -> Self::Unknown;
-    /// Computes f and ∂f/∂y.
+    /// Computes f and ∂f/∂y at the time `t`.
     fn field(
         &self,
         constants: &Self::Constants,
@@ -52,23 +70,25 @@ pub trait Collocation<R: Real = f64>: VectorField<R> {
     );
     /// Computes y ← y + w·f, or y + w·M⁻¹f.
     fn add(&self, constants: &Self::Constants, w: R, f: &Self::Unknown, y: &mut Self::Unknown);
-    /// Returns the increments of all coordinates: the increment of y; or the increment of q = y, and the impulse.
+    /// Returns the increments of all coordinates: `change` if y = z, or `change` for q and `impulse` for p.
     fn increments(change: &Self::Unknown, impulse: &Self::Unknown) -> Self::Phase;
 }
 
-/// Computation of the mean of ∇H along a line. The mean is exact if H is a sum of functions of linear forms and of a polynomial.
+/// The computation of the mean of ∇H along a line, for [`MeanValue`](crate::MeanValue). The mean is exact if H is a sum of functions of linear forms and of
+/// a polynomial.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mean {
-    /// Number of Gauss points: H is a polynomial.
+    /// H is a polynomial. The quadrature of Gauss with this number of points is exact.
     Gauss(usize),
-    /// Extrapolation of ∇̄H over the parts of the line in 1, 2, … up to this number. With 1 the mean is ∇̄H.
+    /// The mean is an extrapolation. The line is divided into 1, 2, … up to this number of parts, and ∇̄H is averaged over the parts. With 1 the mean is
+    /// ∇̄H.
     Parts(usize),
-    /// No closed form is known.
+    /// No exact mean is known.
     NotClosed,
 }
 
-/// Start, midpoint and end time of a step. The end equals the start of the next step bit for bit, so changes of time-dependent functions telescope.
-/// The length of the step may differ from `end − start` by a rounding.
+/// Start, midpoint and end time of a step. The end equals the start of the next step bit for bit, so changes of time-dependent functions telescope. The
+/// length h may differ from `end − start` by a rounding.
 #[derive(Clone, Copy, Debug)]
 pub struct Span<R> {
     /// The time of the first point.
@@ -93,10 +113,10 @@ impl<R: Real> Span<R> {
     }
 }
 
-/// The field with the tree discrete gradient ∇̄H between y and y + d in place of ∇H: f̄ = J∇̄H, or −∇̄V if T is quadratic. With damping
-/// f̄ = (J − R)∇̄H, with R at the mean of the two points.
+/// The field f̄ with the tree discrete gradient ∇̄H between y and y + d in place of ∇H: f̄ = J∇̄H with the structure matrix J, or −∇̄V if T is quadratic.
+/// With a damping matrix R, f̄ = (J − R)∇̄H, and R is taken at the mean of the two points.
 ///
-/// The mean gradient of a quadratic T is the gradient at the mean momentum, so that it needs no kernel of its own.
+/// The discrete gradient of a quadratic T is the gradient at the mean momentum. It needs no kernel of its own.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no system of `#[hamiltonian]`, or has a `constraint`, an `attitude` or an action `s`",
     label = "this method does not fit this kind of system",
@@ -110,10 +130,10 @@ pub trait DiscreteField<R: Real = f64>: Collocation<R> + Keeping<R> {
     type Proof;
     /// Coefficients that depend on parameters and h only.
     type Parameters: Copy + core::fmt::Debug;
-    /// Coefficients that depend on y and on times.
+    /// Coefficients that depend on y and on the times of the step.
     type Start: Copy + core::fmt::Debug;
-    /// [`Inverted`](crate::system::Inverted) if f̄ is affine in d, so that the matrix of a step is constant. H is then a polynomial of degree 2 that
-    /// does not depend on time, and damping is constant. Otherwise `()`.
+    /// [`Inverted`](crate::system::Inverted) if f̄ is affine in d, so that the matrix of a step is the same in all steps. H is then a polynomial of degree
+    /// 2 that does not depend on time, and damping is constant. Otherwise `()`.
     type Inverse: Inverse<Self::Unknown>;
     /// Computation of the mean of ∇H along the line from y to y + d.
     const MEAN: Mean = Mean::NotClosed;
@@ -131,9 +151,9 @@ pub trait DiscreteField<R: Real = f64>: Collocation<R> + Keeping<R> {
         f: &mut Self::Unknown,
         jacobian: &mut Square<Self::Unknown>,
     );
-    /// Computes h·f̄, and 1 − ∂(h·f̄)/∂(impulse) for d = impulse, or d = h ∂T/∂p(p + impulse/2).
+    /// Computes the impulse h·f̄, and 1 − ∂(h·f̄)/∂(impulse). The increment d is the impulse itself, or d = h ∂T/∂p(p + impulse/2).
     ///
-    /// A kernel of few unknowns is written with h and masses in its constants instead.
+    /// The attributes override this function for few unknowns: h and the masses are then part of the constants of the kernel.
     #[inline(always)]
     fn equation(
         &self,
@@ -148,7 +168,7 @@ pub trait DiscreteField<R: Real = f64>: Collocation<R> + Keeping<R> {
         for f in image.as_mut_slice() {
             *f = h * *f;
         }
-        let w = if Self::DERIVATIVE == 1 { h } else { R::from_f64(0.5) * h * h };
+        let w = if Self::EQUATION_ORDER.is_first() { h } else { R::from_f64(0.5) * h * h };
         for (i, row) in Self::Unknown::entries::<Self::Unknown>(matrix).iter_mut().enumerate() {
             let slope = core::mem::replace(row, Self::Unknown::nothing());
             self.add(constants, -w, &slope, row);
@@ -159,11 +179,12 @@ pub trait DiscreteField<R: Real = f64>: Collocation<R> + Keeping<R> {
     fn drift(&self, parameters: &Self::Parameters, sum: &Self::Unknown) -> Self::Unknown;
 }
 
-/// Equation of a step of order 4 that keeps first integrals, z₁ − z₀ = h (F − G(GᵀG)⁻¹GᵀF). The columns of G are the tree discrete gradients of the
-/// integrals. F = (f(z₀) + 4 f(c) + f(z₁))/6 with c = m + h/8 (f(z₀) − f(z₁)) and the middle m.
+/// The equation of a step of order 4 that keeps first integrals, z₁ − z₀ = h (F − G(GᵀG)⁻¹GᵀF). The columns of G are the tree discrete gradients of the
+/// integrals between z₀ and z₁. F is Simpson's rule for the mean velocity: F = (f(z₀) + 4 f(c) + f(z₁))/6. Here c = m + h/8 (f(z₀) − f(z₁)), and m is the
+/// mean of z₀ and z₁. Canonical systems use a metric in place of the unit matrix of the projection; see `method/discrete_gradient/canonical.rs`.
 ///
-/// The exact mean velocity is orthogonal to every discrete gradient, by the discrete chain rule. The projection does not change the exact mean
-/// velocity, so that the step has the order of F for all integrals.
+/// By the discrete chain rule, the exact mean velocity is orthogonal to every discrete gradient. The projection does not change it, so the step has the
+/// order of F.
 #[diagnostic::on_unimplemented(
     message = "`FourthOrder(DiscreteGradient)` has nothing to keep in `{Self}`, or constraints stand in its way",
     label = "it keeps an energy, or first integrals",
@@ -191,26 +212,27 @@ pub trait FourthOrderField<R: Real = f64>: VectorField<R> + Keeping<R> {
         image: &mut Self::Phase,
         matrix: &mut Square<Self::Phase>,
     );
-    /// Excludes gradients of momenta that nearly depend on the gradient of the energy from all later evaluations, if there are momenta that the user
-    /// has not named.
+    /// Makes all later evaluations of the step exclude conserved momenta whose gradients nearly depend on the gradient of the energy, because GᵀG is nearly
+    /// singular with them. Only momenta that the user has not named are excluded. Returns `false` if the system has no such momenta.
     fn fourth_loosen(start: &mut Self::FourthStart) -> bool {
         let _ = start;
         false
     }
 }
 
-/// The field of H in the form that contact Gauss methods evaluate at their stages.
+/// The field of a contact Hamiltonian H at the stages of Gauss methods.
 pub trait ContactStages<R: Real = f64>: Contact<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// q, p and s in a row; or q and p, if ∂H/∂s depends on time alone, and positions and momenta do not read s.
+    /// The unknowns of a stage: q, p and s in a row. The row has no s if ∂H/∂s depends on time alone, and positions and momenta do not read s.
     type Moved: Array<Real = R>;
     /// Coefficients that depend on parameters only.
     type StageConstants: Copy + core::fmt::Debug;
 
     /// Computes the coefficients that depend on parameters only.
     fn stage_constants(&self) -> Self::StageConstants;
-    /// Computes ∂H/∂p, −∂H/∂q, and p·∂H/∂p − H if s is an unknown; ∂H/∂s; and the derivatives of both.
+    /// Computes two values at a stage: the row ∂H/∂p, −∂H/∂q, and p·∂H/∂p − H if s is an unknown; and σ = ∂H/∂s. Computes the derivatives of both by the
+    /// unknowns.
     fn stage(
         &self,
         constants: &Self::StageConstants,
@@ -219,8 +241,8 @@ pub trait ContactStages<R: Real = f64>: Contact<R> {
         values: (&mut Self::Moved, &mut R),
         derivatives: (&mut Square<Self::Moved>, &mut Self::Moved),
     );
-    /// Computes ∂H/∂s alone.
+    /// Returns σ = ∂H/∂s alone.
     fn decay(&self, constants: &Self::StageConstants, t: R, x: &Self::Moved) -> R;
-    /// Computes s' = p·∂H/∂p − H.
+    /// Returns s' = p·∂H/∂p − H.
     fn action(&self, constants: &Self::StageConstants, t: R, z: &Self::Phase, s: &R) -> R;
 }

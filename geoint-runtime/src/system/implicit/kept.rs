@@ -1,4 +1,4 @@
-//! Invariants of steps along a discrete gradient.
+//! The invariants that discrete gradient steps of a system keep to rounding.
 
 use crate::scalar::Real;
 use crate::system::{Invariants, PhaseSpace};
@@ -12,12 +12,12 @@ use crate::system::{Invariants, PhaseSpace};
     note = "methods for every contact Hamiltonian: `ContactGauss`, `ContactMidpoint`, `ContactDiscreteGradient`"
 )]
 pub trait Keeping<R: Real = f64>: PhaseSpace<R> {
-    /// Invariants of steps along the discrete gradient that do not read time. The rounding of many steps is removed from these invariants. `()` if
-    /// damping changes them.
+    /// The invariants that steps keep and that do not read time. A run removes the rounding error of many steps from them. `()` if damping changes them.
     type Kept: Invariants<Self, R> + Default;
-    /// True if an invariant may be steep in a coordinate that has become small. A sum of powers of single coordinates is not steep.
+    /// `true` if an invariant may be steep in a coordinate that has become small. A step then needs a check: rounding of this coordinate changes the
+    /// invariant by more than its last digits. A sum of powers of single coordinates is not steep.
     const STEEP: bool = true;
 }
 
-/// Invariants of steps along the discrete gradient of a system.
+/// The invariants that discrete gradient steps of `S` keep.
 pub(crate) type KeptBy<S, R> = <S as Keeping<R>>::Kept;

@@ -1,4 +1,7 @@
-//! Momenta of a Lagrangian, p = ∂L/∂v: the mass matrix, and the velocity that belongs to a momentum.
+//! The momenta of a Lagrangian, p = ∂L/∂v: the mass matrix, and the velocity that belongs to a momentum.
+//!
+//! The velocity is the solution of ∂L/∂v = p that Newton's iteration finds from v = 0. A Lagrangian that is not quadratic in v may have other solutions. A
+//! function that returns a velocity returns NaN or `None` if the iteration finds none, for instance where the mass matrix is singular.
 
 use crate::scalar::Real;
 use crate::solving::Refusal;
@@ -9,11 +12,11 @@ use crate::space::vector::{difference, dot};
 use crate::space::{Array, Square};
 use crate::system::Lagrangian;
 
-/// Momenta of L(q, v, s, t), and their dependence on v by the mass matrix M = ∂²L/∂v².
+/// The momenta p = ∂L/∂v of L(q, v, s, t), and the mass matrix M = ∂p/∂v.
 pub trait MassForm<R: Real = f64>: Lagrangian<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// `true` if L is quadratic in v. One linear equation then gives v.
+    /// `true` if L is quadratic in v. The solution of one linear equation is then v.
     const QUADRATIC: bool;
 
     /// Returns whether M was proven to be positive definite at every state, for these parameters.
@@ -31,10 +34,12 @@ pub trait MassForm<R: Real = f64>: Lagrangian<R> {
     );
 }
 
-/// Largest residual of ∂L/∂v = p that counts as rounding, in units of ε times the terms of the equation.
+/// Largest residual of ∂L/∂v = p that counts as rounding, in units of ε times the terms of the equation. A smaller bound would refuse states at which the
+/// terms of L cancel.
 const ROUNDED_RESIDUAL: f64 = 1024.0;
 
-/// Largest distance of two velocities that counts as rounding, in units of √ε: near a singular M the momentum determines half of the digits.
+/// Largest distance of two velocities that counts as rounding, in units of √ε. Near a singular M the momentum determines only half of the digits of v, so
+/// the unit is not ε.
 const SAME_VELOCITY: f64 = 16.0;
 
 /// Solves ∂L/∂v = p for the velocity of a point by Newton's iteration from `guess`. One linear equation suffices if L is quadratic.
@@ -100,7 +105,7 @@ fn solve_for_velocity<A: Array>(mass: &mut Square<A>, p: &mut A) -> Option<()> {
     linear::solve(mass, p, &Sizes::of_magnitudes(sizes)).map(drop)
 }
 
-/// Returns 1/|Mᵢᵢ|. A row of the momentum equation times this factor has the unit of the velocity.
+/// Returns 1/|Mᵢᵢ| at a point with the velocity `v`. Row i of ∂L/∂v = p times this factor has the unit of the velocity i.
 pub(crate) fn mass_units<S: MassForm<R>, R: Real>(
     system: &S,
     t: R,
@@ -114,7 +119,7 @@ pub(crate) fn mass_units<S: MassForm<R>, R: Real>(
     row_units(&mass)
 }
 
-/// Returns 1/|Mᵢᵢ| for the rows of a mass matrix.
+/// Returns 1/|Mᵢᵢ| for the rows of a mass matrix. See [`row_scale`] for |Mᵢᵢ| = 0.
 #[inline(always)]
 pub(crate) fn row_units<A: Array>(mass: &Square<A>) -> A {
     let mut units = A::zero();
@@ -124,7 +129,7 @@ pub(crate) fn row_units<A: Array>(mass: &Square<A>) -> A {
     units
 }
 
-/// Returns |Mᵢᵢ|, or the largest magnitude of the row if |Mᵢᵢ| is zero.
+/// Returns |Mᵢᵢ| of row i. If it is zero, returns the largest magnitude of the row, or 1 for a row of zeros.
 #[inline(always)]
 pub(crate) fn row_scale<A: Array>(row: &A, i: usize) -> A::Real {
     let diagonal = row.as_slice()[i].abs();
@@ -135,8 +140,8 @@ pub(crate) fn row_scale<A: Array>(row: &A, i: usize) -> A::Real {
     A::Real::from_f64(if largest > 0.0 { largest } else { 1.0 })
 }
 
-/// Returns the velocity of a state, which Newton's iteration finds from rest. If L is not quadratic and this iteration fails, `velocity_beyond` tries
-/// another guess. Returns `None` if no velocity is found.
+/// Returns the velocity of a state, by Newton's iteration from v = 0. If L is not quadratic and this iteration fails, [`velocity_beyond`] tries another
+/// guess. Returns `None` if no velocity is found.
 #[inline]
 pub(crate) fn velocity_from_rest<S: MassForm<R>, R: Real>(
     system: &S,
@@ -148,8 +153,8 @@ pub(crate) fn velocity_from_rest<S: MassForm<R>, R: Real>(
     if S::QUADRATIC || found.is_some() { found } else { velocity_beyond(system, t, z, s) }
 }
 
-/// Returns the velocity that Newton's iteration finds from the point opposite to its first one. If M changes its sign between rest and the velocity,
-/// the first step from rest has the wrong direction.
+/// Returns the velocity of a state, by Newton's iteration from −v₁, the point opposite to its first point v₁ from rest. If M changes its sign between rest
+/// and the velocity, the first step from rest has the wrong direction.
 #[cold]
 #[inline(never)]
 fn velocity_beyond<S: MassForm<R>, R: Real>(system: &S, t: R, z: &S::Phase, s: &S::Action) -> Option<S::Array> {
@@ -161,13 +166,14 @@ fn velocity_beyond<S: MassForm<R>, R: Real>(system: &S, t: R, z: &S::Phase, s: &
     velocity_near(system, t, z, s, opposite)
 }
 
-/// Returns the velocity of a state. Returns NaN if Newton's iteration finds none.
+/// Returns the velocity of a state, or NaN if Newton's iteration finds none.
 #[inline]
 pub fn velocity_of<S: MassForm<R>, R: Real>(system: &S, t: R, z: &S::Phase, s: &S::Action) -> S::Array {
     velocity_from_rest(system, t, z, s).unwrap_or_else(unknown)
 }
 
-/// Returns the momentum of a velocity. Returns NaN if [`velocity_of`] finds another velocity for this momentum.
+/// Returns the momentum ∂L/∂v of a velocity, or NaN if [`velocity_of`] finds another velocity for this momentum. A run could not start from such a
+/// velocity.
 pub fn own_momentum<S: MassForm<R>, R: Real>(system: &S, t: R, q: &S::Array, v: &S::Array, s: &S::Action) -> S::Array {
     let p = system.momentum(t, q, v, s);
     if S::QUADRATIC || !p.is_finite() {
@@ -176,7 +182,7 @@ pub fn own_momentum<S: MassForm<R>, R: Real>(system: &S, t: R, q: &S::Array, v: 
     let mut away = difference(&velocity_of(system, t, &[*q, p], s), v);
     let (mut units, mut mass, mut size) = (S::Array::zero(), S::Array::fill(S::Array::zero()), *v);
     system.mass(t, q, v, s, (&mut units, &mut mass));
-    // Row i of M has the unit of an energy over the unit of v² of coordinate i.
+    // Mᵢᵢ has the unit of an energy over v² of coordinate i. Velocities times √Mᵢᵢ therefore have one unit.
     for (i, row) in S::Array::entries_of::<S::Array>(&mass).iter().enumerate() {
         let unit = R::from_f64(Real::sqrt(row_scale(row, i).magnitude()));
         away.as_mut_slice()[i] *= unit;
@@ -188,13 +194,14 @@ pub fn own_momentum<S: MassForm<R>, R: Real>(system: &S, t: R, q: &S::Array, v: 
     if is_same { p } else { unknown() }
 }
 
+/// Returns NaN for all entries.
 fn unknown<A: Array>() -> A {
     let mut v = A::zero();
     v.as_mut_slice().fill(A::Real::from_f64(f64::NAN));
     v
 }
 
-/// Returns p·v − L at a point.
+/// Returns the energy p·v − L at a point, or NaN if no velocity is found.
 #[inline]
 pub fn energy_of<S: MassForm<R>, R: Real>(system: &S, t: R, z: &S::Phase, s: &S::Action) -> R {
     let v = velocity_of(system, t, z, s);
@@ -205,7 +212,7 @@ pub fn energy_of<S: MassForm<R>, R: Real>(system: &S, t: R, z: &S::Phase, s: &S:
     energy
 }
 
-/// Returns M⁻¹(p' − ∂p/∂q v), or zeros if M is singular.
+/// Returns v' = M⁻¹(p' − ∂p/∂q v) from p' = `rate`, or zeros if M is singular. For first guesses, which may be wrong.
 #[inline]
 pub(crate) fn accelerated<A: Array>(mut rate: A, by_q: &Square<A>, v: &A, mut mass: Square<A>) -> A {
     for (f, row) in rate.as_mut_slice().iter_mut().zip(A::entries_of::<A>(by_q)) {

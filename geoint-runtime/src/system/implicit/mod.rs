@@ -1,6 +1,7 @@
-//! The equations of an implicit step, by the form in which a system is solved.
+//! The kernels of implicit steps, by the form in which a system is solved.
 //!
-//! The macros choose the kernels of a system, and with them the steps of `Gauss` and `DiscreteGradient`:
+//! The macros choose the kernels of a system, and with them the steps of `Gauss` and `DiscreteGradient`. A kernel computes the terms of the equation of a
+//! step, and their derivatives:
 //!
 //! | system | kernels of stages, of discrete gradients | unknown |
 //! |---|---|---|
@@ -12,20 +13,22 @@
 //!
 //! The steps themselves are in the module `method`, and the iterations in the module `solving`.
 //!
-//! Limits: a system has only the forms that the macros can derive. A method that needs another form is a type error for this system.
+//! Limit: a system has only the forms that the macros can derive. A method that needs another form is a type error for this system.
 
 mod canonical; // Systems that are canonical in other coordinates y(x), such as logarithms. The stages are solved for x itself.
 mod constraints; // Positions on g(q) = 0: the check of a state, the equation of a step, and the projection onto the constraints.
 mod fields; // z' = f(z, t), or q'' = M⁻¹f(q, t): stages and discrete gradients, also those of contact Hamiltonians.
-mod kept; // What steps along a discrete gradient keep.
+mod kept; // The invariants that discrete gradient steps keep.
 mod mass; // The mass matrix of a Lagrangian, and v from p = ∂L/∂v.
-mod regular; // Proof that the mass matrix of a Lagrangian stays regular during a run.
-mod velocities; // Lagrangians: stages and steps are solved for velocities.
+mod regular; // Check that the mass matrix of a Lagrangian stays regular during a run.
+mod velocities; // Lagrangians whose stages and steps are solved for velocities.
 
 pub use canonical::CanonicalForm;
 pub use constraints::{Constrained, ConstrainedStep, Gradients, Unmet, unmet};
 pub(crate) use constraints::{held, on_one_side, projected, tangent};
-pub use fields::{Collocation, ContactStages, DiscreteField, FourthOrderField, Mean, QuadraticField, Span};
+pub use fields::{
+    Collocation, ContactStages, DiscreteField, EquationOrder, FourthOrderField, Mean, QuadraticField, Span,
+};
 pub use kept::Keeping;
 pub(crate) use kept::KeptBy;
 pub use mass::{MassForm, energy_of, own_momentum, velocity_of};

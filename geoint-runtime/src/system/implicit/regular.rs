@@ -1,4 +1,8 @@
-//! Check that the mass matrix of a Lagrangian stays regular during a run.
+//! Check that the mass matrix M = ∂²L/∂v² of a Lagrangian stays regular during a run.
+//!
+//! Where M is singular, the velocity does not follow from the momentum, and a step may jump to another solution of ∂L/∂v = p. The check evaluates det M on
+//! the straight line between the ends of each step, and refuses a step on which det M may vanish. It is a search, and no proof: a det M that oscillates
+//! within a step may hide a zero.
 
 use super::mass::{MassForm, mass_units, velocity_from_rest, velocity_near};
 use crate::scalar::Real;
@@ -6,14 +10,15 @@ use crate::solving::{Refusal, linear};
 use crate::space::vector::{difference, moved};
 use crate::space::{Action, Array, Record, Tape};
 
-/// Largest number of halvings of the line between the ends of a step. A part is halved if the determinant changes on it by more than a factor of two.
+/// Largest number of halvings of the line between the ends of a step. A part is halved if the determinant changes on it by more than a factor of two. A
+/// part of 2⁻⁴⁰ of the line with this change holds a jump or a zero.
 const HALVINGS: u32 = 40;
 
-/// Ratio of the determinants at the ends of the line and at a jump. A smaller determinant at the jump is near a zero.
+/// Largest ratio of the determinants at the ends of the line and beside a jump. A smaller determinant may be a value next to a zero.
 const JUMP: f64 = 256.0;
 
-/// Largest number of parts that are checked before a step is refused. A determinant of 10⁻⁹ of those at the ends takes about sixty.
-const MOST: u32 = 500;
+/// Largest number of parts that are checked before a step is refused. A smallest determinant of 10⁻⁹ of those at the ends takes about sixty.
+const MOST_PARTS: u32 = 500;
 
 /// Refusal of a state or a step whose mass matrix is singular.
 const SINGULAR: Refusal = Refusal::OutsideDomain { what: SINGULAR_MASS };
@@ -23,29 +28,30 @@ const SINGULAR_MASS: &str = "the mass matrix ∂²L/∂v² is singular there, or
 pub(crate) type Moment<'a, S, R> =
     (R, &'a <S as crate::system::PhaseSpace<R>>::Phase, &'a <S as crate::system::PhaseSpace<R>>::Action);
 
-/// The mass matrix M at the last point of a run. Empty before the first step, or if M was proven to be regular.
+/// The determinant of M at the last point of a run. Empty before the first step, or if M was proven to be positive definite.
 #[derive(Clone, Copy, Debug)]
 pub struct Regular<A: Array> {
-    last: Option<Known<A>>,
+    last: Option<MassAt<A>>,
 }
 
+/// The determinant of M at a point.
 #[derive(Clone, Copy, Debug)]
-struct Known<A> {
-    /// The units 1/|Mᵢᵢ| at the first point of the run.
+struct MassAt<A> {
+    /// The units of the rows: 1/|Mᵢᵢ| at the first point of the run.
     units: A,
-    /// The velocity, if M reads the velocity.
+    /// The velocity. It is out of date if L is quadratic, because M then does not read it.
     v: A,
-    /// The determinant of M with its rows in these units.
+    /// The determinant of M with its rows in `units`.
     determinant: f64,
 }
 
 impl<A: Array> Record<A::Real> for Regular<A> {
     fn record(&mut self, tape: &mut impl Tape<A::Real>) {
-        tape.option(&mut self.last, || Known { units: A::zero(), v: A::zero(), determinant: 0.0 });
+        tape.option(&mut self.last, || MassAt { units: A::zero(), v: A::zero(), determinant: 0.0 });
     }
 }
 
-impl<A: Array> Record<A::Real> for Known<A> {
+impl<A: Array> Record<A::Real> for MassAt<A> {
     fn record(&mut self, tape: &mut impl Tape<A::Real>) {
         tape.array(&mut self.units);
         tape.array(&mut self.v);
@@ -54,11 +60,15 @@ impl<A: Array> Record<A::Real> for Known<A> {
 }
 
 impl<A: Array> Regular<A> {
+    /// Returns an empty value, for the start of a run.
     pub(crate) fn unknown() -> Self {
         Regular { last: None }
     }
 
-    /// Returns the sign of the determinant. A run keeps this sign.
+    /// Returns the sign of det M, 1 or −1. A run keeps this sign. `is_definite` is true if M was proven to be positive definite.
+    ///
+    /// # Errors
+    /// At the first point of a run, if M is singular or no velocity is found.
     #[inline(always)]
     pub(crate) fn begin<S: MassForm<A::Real, Array = A>>(
         &mut self,
@@ -70,15 +80,15 @@ impl<A: Array> Regular<A> {
             return Ok(A::Real::from_f64(1.0));
         }
         if self.last.is_none() {
-            self.last = Some(known(system, start).ok_or(SINGULAR)?);
+            self.last = Some(mass_at_start(system, start).ok_or(SINGULAR)?);
         }
         Ok(A::Real::from_f64(if self.last.is_some_and(|last| last.determinant < 0.0) { -1.0 } else { 1.0 }))
     }
 
-    /// Refuses a step if the determinant vanishes on the straight line between its ends. `v` is near the velocity at the end.
+    /// Moves from the start to the end of a step. `v` is near the velocity at the end.
     ///
-    /// The check evaluates the determinant in the middle of every part of the line on which the determinant changes by more than a factor of two.
-    /// The check also finds zeros without a change of sign. It proves nothing if the determinant oscillates within a step.
+    /// # Errors
+    /// If the check does not exclude a zero of det M on the straight line between the ends.
     #[inline(always)]
     pub(crate) fn follow<S: MassForm<A::Real, Array = A>>(
         &mut self,
@@ -96,10 +106,10 @@ impl<A: Array> Regular<A> {
     }
 }
 
-/// Returns a message if the mass matrix is not seen to be regular on the straight line between two points.
+/// Returns a message if the check does not exclude a zero of det M on the straight line between two points. For explicit methods.
 ///
-/// Explicit methods keep no velocity. Both points have the velocity of their state, which [`velocity_of`](super::velocity_of) finds. A jump to
-/// another solution of ∂L/∂v = p then shows as a zero of the determinant between the two velocities.
+/// Explicit methods keep no velocity, so [`velocity_of`](super::velocity_of) computes it at both points. A jump to another solution of ∂L/∂v = p then shows
+/// as a zero of det M between the two velocities.
 pub fn singular_mass<S: MassForm<R>, R: Real>(
     system: &S,
     t: [R; 2],
@@ -110,7 +120,7 @@ pub fn singular_mass<S: MassForm<R>, R: Real>(
         return None;
     }
     let ends = [(t[0], z[0], s[0]), (t[1], z[1], s[1])];
-    let Some(start) = known(system, ends[0]) else { return Some(SINGULAR_MASS) };
+    let Some(start) = mass_at_start(system, ends[0]) else { return Some(SINGULAR_MASS) };
     // An end that is not finite has another error.
     if !z[1].is_finite() {
         return None;
@@ -120,19 +130,20 @@ pub fn singular_mass<S: MassForm<R>, R: Real>(
     (!is_regular).then_some(SINGULAR_MASS)
 }
 
-/// Returns the mass matrix at the first point of a run. `None` if it is singular there.
+/// Returns the determinant at the first point of a run. `None` if M is singular there, or if no velocity is found.
 #[cold]
 #[inline(never)]
-fn known<S: MassForm<R>, R: Real>(system: &S, start: Moment<'_, S, R>) -> Option<Known<S::Array>> {
+fn mass_at_start<S: MassForm<R>, R: Real>(system: &S, start: Moment<'_, S, R>) -> Option<MassAt<S::Array>> {
     let (t, z, s) = start;
     let v = velocity_from_rest(system, t, z, s)?;
     let units = mass_units(system, t, z, s, &v);
     let determinant = determinant(system, (t, &z[0], &v, s), &units);
-    (determinant != 0.0 && determinant.is_finite()).then_some(Known { units, v, determinant })
+    (determinant != 0.0 && determinant.is_finite()).then_some(MassAt { units, v, determinant })
 }
 
-impl<A: Array> Known<A> {
-    /// Returns the mass matrix after a step. `None` if the determinant has a zero on the line between the ends.
+impl<A: Array> MassAt<A> {
+    /// Returns the determinant after a step. `None` if the determinant may have a zero on the line between the ends, or if no velocity is found from
+    /// `near`.
     #[inline(never)]
     fn after<S: MassForm<R, Array = A>, R: Real>(
         &self,
@@ -157,12 +168,16 @@ impl<A: Array> Known<A> {
             determinant(system, (t + x * (late - t), &q, &v, &s), &self.units)
         };
         let last = determinant(system, (late, &after[0], &v, action), &self.units);
-        has_no_zero(at, [self.determinant, last]).then_some(Known { v, determinant: last, ..*self })
+        has_no_zero(at, [self.determinant, last]).then_some(MassAt { v, determinant: last, ..*self })
     }
 }
 
-/// Returns whether a function with these values at 0 and 1 is seen to have no zero between.
+/// Returns whether a search finds no zero of `f` from 0 to 1. `first` and `last` are its values there.
+///
+/// The line is halved until `f` changes on each part by at most a factor of two between its ends and its middle. Zeros without a change of sign are found
+/// too, because `f` changes by more on both sides.
 fn has_no_zero(f: impl Fn(f64) -> f64, [first, last]: [f64; 2]) -> bool {
+    // The smallest magnitude is at least half of the largest.
     let is_steady = |values: [f64; 3]| {
         let sizes = values.map(f64::abs);
         let largest = sizes.into_iter().fold(0.0, f64::max);
@@ -172,7 +187,7 @@ fn has_no_zero(f: impl Fn(f64) -> f64, [first, last]: [f64; 2]) -> bool {
     // Ends of the parts that are not checked yet.
     let mut ends = [(1.0, last); HALVINGS as usize + 1];
     let (mut waiting, mut start) = (1, (0.0, first));
-    for _ in 0..MOST {
+    for _ in 0..MOST_PARTS {
         let end = ends[waiting - 1];
         let x = 0.5 * (start.0 + end.0);
         let middle = f(x);
@@ -182,7 +197,7 @@ fn has_no_zero(f: impl Fn(f64) -> f64, [first, last]: [f64; 2]) -> bool {
         if !positive && !negative {
             return false;
         }
-        // A part this short holds a jump, or a zero with small values beside it.
+        // A part this short holds a jump, or a zero. A zero has small values beside it.
         let short = end.0 - start.0 <= shortest;
         let jumps = short && values.iter().all(|f| JUMP * f.abs() > f64::max(first.abs(), last.abs()));
         if jumps || is_steady(values) {
@@ -201,7 +216,7 @@ fn has_no_zero(f: impl Fn(f64) -> f64, [first, last]: [f64; 2]) -> bool {
     false
 }
 
-/// Returns the determinant of M in these units of rows.
+/// Returns det M, with each row multiplied by its entry of `units`.
 fn determinant<S: MassForm<R>, R: Real>(
     system: &S,
     (t, q, v, s): (R, &S::Array, &S::Array, &S::Action),
@@ -234,7 +249,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_far_from_zero_is_let_by() {
+    fn functions_far_from_zero_pass() {
         let seen = |f: &dyn Fn(f64) -> f64| !has_no_zero(f, [f(0.0), f(1.0)]);
         assert!(!seen(&|_| -1e-200) && !seen(&|x| 1e-9 + x) && !seen(&|x| (x - 0.3).powi(2) + 1e-9));
         assert!(!seen(&|x| if x < 0.3 { 1.0 } else { 8.0 }) && !seen(&|x| if x < 0.7 { -20.0 } else { -1.0 }));

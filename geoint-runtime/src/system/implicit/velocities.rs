@@ -1,4 +1,8 @@
-//! Lagrangians whose steps are solved for velocities, with or without an action s: the kernels of stages and of the polarised discrete gradient.
+//! Lagrangians L(q, v, s, t) whose steps are solved for velocities, with or without an action s: the kernels of stages and of the polarised discrete
+//! gradient.
+//!
+//! The equations of motion are d/dt ∂L/∂v = ∂L/∂q + ∂L/∂s ∂L/∂v and s' = L (Herglotz' principle). A step has half of the unknowns of a step for an energy
+//! H, and needs no formula for v(p).
 
 use super::mass::{MassForm, accelerated, velocity_of};
 use crate::scalar::{Real, zero};
@@ -6,16 +10,17 @@ use crate::space::vector::{moved, opposite};
 use crate::space::{Array, Square};
 use crate::system::{Contact, Invariants, PhaseSpace};
 
-/// L(q, v, s, t) and its derivatives at a stage. The derivatives of L by q, v and s are f, p and −σ. Without an action, kernels write p, f and `derivatives` only.
+/// L(q, v, s, t) and its derivatives at a stage: p = ∂L/∂v, f = ∂L/∂q less friction, and σ = −∂L/∂s. Without an action, kernels write p, f and
+/// `derivatives` only.
 #[derive(Clone, Copy, Debug)]
 pub struct VelocityStage<A: Array> {
     /// L.
     pub lagrangian: A::Real,
-    /// p = ∂L/∂v.
+    /// p.
     pub momentum: A,
-    /// f = ∂L/∂q, less friction.
+    /// f.
     pub force: A,
-    /// σ = −∂L/∂s.
+    /// σ.
     pub decay: A::Real,
     /// ∂p/∂q, ∂p/∂v, ∂f/∂q and ∂f/∂v.
     pub derivatives: [Square<A>; 4],
@@ -25,7 +30,7 @@ pub struct VelocityStage<A: Array> {
     pub decay_by_action: A::Real,
 }
 
-/// The derivatives of p and f that are not zero everywhere, beside the mass matrix and ∂f/∂q.
+/// The derivatives of p and f that are not zero everywhere, beside the mass matrix ∂p/∂v and ∂f/∂q. Steps skip the products with all others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MixedDerivatives {
     /// ∂p/∂q.
@@ -39,6 +44,7 @@ pub struct MixedDerivatives {
 }
 
 impl<A: Array> VelocityStage<A> {
+    /// Returns zeros, which a kernel overwrites.
     pub(crate) fn none() -> Self {
         let none = A::zero();
         VelocityStage {
@@ -53,8 +59,7 @@ impl<A: Array> VelocityStage<A> {
     }
 }
 
-/// L(q, v, s, t) and its derivatives: d/dt ∂L/∂v = ∂L/∂q + ∂L/∂s ∂L/∂v and s' = L. A step has half of the unknowns of an energy, and needs no inverse of
-/// the mass matrix.
+/// The kernels of L and its derivatives for the stages of Gauss methods.
 pub trait VelocityForm<R: Real = f64>: MassForm<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
@@ -77,7 +82,7 @@ pub trait VelocityForm<R: Real = f64>: MassForm<R> {
         s: &Self::Action,
         stage: &mut VelocityStage<Self::Array>,
     );
-    /// Computes f and σ alone. Without an action, σ is zero.
+    /// Returns f and σ alone. Without an action, σ is zero.
     fn force(
         &self,
         constants: &Self::StageConstants,
@@ -88,14 +93,15 @@ pub trait VelocityForm<R: Real = f64>: MassForm<R> {
     ) -> (Self::Array, R);
 }
 
-/// The polarised discrete gradient of an L that is quadratic in v.
+/// The polarised discrete gradient of L = ½vᵀM v + a·v − V, with M, a and V that depend on q, s and t.
 ///
-/// Λ(q, s; v₀, v₁) = ½v₀ᵀM v₁ + a·v̄ − V with v̄ = (v₀ + v₁)/2 has the tree slopes Λ_q and Λ_s. C is the friction of a system without an action, and
-/// p = M v + a at both ends. Without an action, a step is
+/// Let Λ(q, s; v₀, v₁) = ½v₀ᵀM v₁ + a·v̄ − V with v̄ = (v₀ + v₁)/2, and let Λ_q and Λ_s be its tree discrete gradient between both ends of the step. At
+/// both ends, p = Mv + a. Without an action, and with the friction matrix C, a step is
 ///
 /// q₁ − q₀ = h v̄, p₁ − p₀ = h(Λ_q − C v̄).
 ///
-/// Then H = p·v − L changes by −h v̄·C v̄. With an action, time is frozen in the middle of the step, p̄ = (p₀ + p₁)/2, H₀ is the energy before the step, and
+/// H = p·v − L then changes by −h v̄·C v̄. With an action, time is frozen in the middle of the step, p̄ = (p₀ + p₁)/2, H₀ is the energy before the step,
+/// φ₁(x) = (eˣ − 1)/x, and
 ///
 /// q₁ − q₀ = h v̄, p₁ − p₀ = h(Λ_q + Λ_s p̄), s₁ − s₀ = h(p̄·v̄ − H₀ φ₁(hΛ_s)).
 ///
@@ -123,8 +129,8 @@ pub trait PolarisedForm<R: Real = f64>: VelocityForm<R> {
         s: &Self::Action,
         v: &Self::Array,
     ) -> Self::Start;
-    /// Computes the residuals and the increments of p and s, and the derivatives of both by the increments d of v and s. The residuals are ∂L/∂v at the end
-    /// minus p₁ of the step, and the increment of s minus its increment by the step.
+    /// Computes `values`, which are the residuals and the increments of p and s, and the derivatives of both by the increments d of v and s. The residuals
+    /// are M v₁ + a at the end minus p₁ of the step, and the increment of s in d minus that of the step.
     fn equation(
         &self,
         parameters: &Self::Parameters,
@@ -135,7 +141,7 @@ pub trait PolarisedForm<R: Real = f64>: VelocityForm<R> {
     );
 }
 
-/// Computes (q', p') at a point.
+/// Computes (q', p') at a point. NaN if no velocity is found.
 #[inline]
 pub fn rate_of<S, R: Real>(system: &S, t: R, z: &S::Phase, dz: &mut S::Phase)
 where
@@ -145,7 +151,7 @@ where
     *dz = [v, system.force(&system.stage_constants(), t, &z[0], &v, &()).0];
 }
 
-/// Computes ∂H/∂q = −∂L/∂q, ∂H/∂p = v and ∂H/∂s = −∂L/∂s at a point.
+/// Computes ∂H/∂q = −∂L/∂q and ∂H/∂p = v into `slopes`, and ∂H/∂s = −∂L/∂s into `ds`. NaN if no velocity is found.
 #[inline]
 pub fn contact_gradient_of<S: VelocityForm<R> + Contact<R>, R: Real>(
     system: &S,
@@ -160,7 +166,7 @@ pub fn contact_gradient_of<S: VelocityForm<R> + Contact<R>, R: Real>(
     (*slopes, *ds) = ([opposite(&force), v], decay);
 }
 
-/// Returns v' and s' at a point, for a first guess. The change of L in time is left out.
+/// Returns v' and s' at a point, for a first guess. The explicit dependence of ∂L/∂v on time is left out.
 #[inline]
 pub(crate) fn rates_of_velocity<S: VelocityForm<R>, R: Real>(
     system: &S,

@@ -19,23 +19,23 @@ pub(super) fn collocation(context: &Context<'_>, field: &FieldKernels) -> TokenS
     let evaluate = context.body(kernel.routine("field"));
     let velocity = context.assigned(kernel.routine("velocity"));
     let y: Vec<_> = places.iter().map(|indices| element("y", indices)).collect();
-    let [derivative, start, add, increments] = if *second_order {
+    let [equation_order, start, add, increments] = if *second_order {
         let add = context.outputs(kernel.routine("acceleration"), |outputs| {
             let values = outputs.iter().flat_map(|values| &values.all);
             quote!(#(#y = w.multiply_add(#values, #y);)*)
         });
-        [quote!(2), quote!((z[0], z[1])), add, quote!([*change, *impulse])]
+        [quote!(EquationOrder::Second), quote!((z[0], z[1])), add, quote!([*change, *impulse])]
     } else {
         let f = places.iter().map(|indices| element("f", indices));
         let add = quote!(#(#y = w.multiply_add(#f, #y);)*);
-        [quote!(1), quote!((*z, *z)), add, quote!(*change)]
+        [quote!(EquationOrder::First), quote!((*z, *z)), add, quote!(*change)]
     };
     let stages = if field.canonical.is_some() { "CanonicalStages" } else { "FieldStages" };
     let collocated = methods::collocated(context, "GaussCollocation", stages);
     let items = quote! {
         type Unknown = #unknown;
         #types
-        const DERIVATIVE: usize = #derivative;
+        const EQUATION_ORDER: EquationOrder = #equation_order;
 
         #functions
         #[inline(always)]

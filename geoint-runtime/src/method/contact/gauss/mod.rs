@@ -1,4 +1,4 @@
-//! Gauss collocation one dimension up, for contact systems.
+//! Gauss collocation for contact systems.
 
 mod stages;
 
@@ -12,17 +12,19 @@ pub use stages::ContactFieldStages;
 
 /// Gauss collocation with `S` stages, 1 to 6, in the symplectisation. Order 2S, symmetric, a contact map, for every H.
 ///
-/// Let P = r p, r' = r ∂H/∂s, and r = 1 at the start of a step. The Hamiltonian r H(q, P/r, s) then moves (q, P, s) and r. Its collocation commutes
-/// with scaling of (P, r). It is therefore a contact map, which multiplies ds − p dq by 1/r₁. With all derivatives at the stages, the equations are
+/// The symplectisation adds one dimension r. Let P = r p, r' = r ∂H/∂s, and r = 1 at the start of a step. The Hamiltonian r H(q, P/r, s) then moves (q, P,
+/// s) and r. Its collocation is symplectic and commutes with scaling of (P, r). It is therefore a contact map (see
+/// [`ContactMidpoint`](crate::ContactMidpoint) for the reference). A step multiplies ds − p dq by 1/r(h), with r at its end. Let aᵢⱼ be the coefficients of
+/// Gauss's method. With derivatives at stage j under each sum, the equations are
 ///
 /// qᵢ = q₀ + h Σ aᵢⱼ ∂H/∂p, rᵢ pᵢ = p₀ − h Σ aᵢⱼ rⱼ ∂H/∂q, sᵢ = s₀ + h Σ aᵢⱼ (p·∂H/∂p − H), rᵢ = 1 + h Σ aᵢⱼ rⱼ ∂H/∂s.
 ///
-/// With one stage the method is [`ContactMidpoint`](crate::ContactMidpoint). The unknowns are q, p and s of all stages. If H = g(t)·s + H₀(q, p, t),
-/// the factors rᵢ are known beforehand and s follows. Friction then costs nothing beside [`Gauss`](crate::Gauss). A step is refused if r₁ is not positive. If the
-/// flow multiplies p·(Aq + b) by one factor, a step multiplies it by 1/r₁.
+/// With one stage the method is `ContactMidpoint`. The unknowns are q, p and s of all stages. If H = g(t)·s + H₀(q, p, t), the factors rᵢ are known
+/// beforehand, and s follows from q and p. A step then solves for as many unknowns as [`Gauss`](crate::Gauss). A step is refused if r(h) is not positive.
+/// If the flow multiplies p·(Aq + b) by one factor, with a constant matrix A and vector b, a step multiplies it by 1/r(h).
 ///
-/// Some Lagrangians have a full mass matrix, or velocities that follow from momenta by no formula. Such a Lagrangian is solved for stage velocities,
-/// and for s if s acts back: rᵢ ∂L/∂v(qᵢ, vᵢ, sᵢ) = p₀ + h Σ aᵢⱼ rⱼ ∂L/∂q. The map does not change, and the number of unknowns is halved.
+/// A Lagrangian with a full mass matrix, or without a formula for v(p), is solved for the velocities of stages. If s acts back on the motion, s is also an
+/// unknown: rᵢ ∂L/∂v(qᵢ, vᵢ, sᵢ) = p₀ + h Σ aᵢⱼ rⱼ ∂L/∂q. The map does not change, and the number of unknowns is halved.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ContactGauss<const S: usize>;
 
@@ -41,7 +43,7 @@ implicit_method!(
     Claims::of_order(2 * S as u32).symmetric().symplectic()
 );
 
-/// A contact system that has Gauss methods with each number of stages.
+/// A contact system with [`ContactGauss`] methods of 1 to 6 stages. Implemented automatically, as one bound for generic code.
 pub trait SolvedByContactGauss<R: Real = f64>:
     PhaseSpace<R>
     + SolvedBy<ContactGauss<1>, R>

@@ -1,4 +1,8 @@
-//! Step of a contact system, solved for positions, momenta and perhaps the action of all stages.
+//! The step of [`ContactGauss`](super::ContactGauss) for a contact Hamiltonian. The unknowns are the increments d of q, p, and perhaps s, from the start to
+//! all stages.
+//!
+//! If H = g(t)·s + H₀(q, p, t), s is no unknown: the factors r are known at the start, and s follows from the solution. A step is refused if a factor does
+//! not exist, or if r is not positive at its end.
 
 use crate::method::explicit::tableau::Tableau;
 use crate::method::gauss::factors::Factors;
@@ -12,15 +16,15 @@ use crate::solving::equation::Solution;
 use crate::solving::linear;
 use crate::solving::newton::Newton;
 use crate::solving::size::Sizes;
-use crate::space::vector::{scaled, sum, sum_of_products};
+use crate::space::vector::{resized, scaled, sum, sum_of_products};
 use crate::space::{Array, Square};
 use crate::system::ContactStages;
 
-/// Step whose unknowns are the increments of its stages.
+/// The step with `S` stages that is solved for the increments of its stages.
 #[derive(Clone, Copy, Debug)]
 pub struct ContactFieldStages<const S: usize>;
 
-/// Terms that occur in the equation.
+/// The value is the unknown itself, the rate has a derivative by it, and the equation reads no shift.
 const FORM: Form = Form {
     value: Slopes { by_unknown: Part::One, by_shift: Part::Zero },
     rate: Slopes { by_unknown: Part::Given, by_shift: Part::Zero },
@@ -29,10 +33,11 @@ const FORM: Form = Form {
 
 /// Coefficients of a step.
 #[derive(Clone, Copy, Debug)]
-pub struct Constants<P, R, const S: usize> {
+pub struct Coefficients<P, R, const S: usize> {
+    /// Coefficients of the system.
     kernel: P,
     scaled: Scaled<R, S>,
-    /// bᵀA⁻¹: weights of the increments of the stages in the increment of the step.
+    /// bᵀA⁻¹: weights of the increments of the stages in the increment of the step. With the rates F, the former are h A F, and the latter is h bᵀF.
     shares: [R; S],
 }
 
@@ -41,12 +46,12 @@ pub struct Constants<P, R, const S: usize> {
 pub struct Start<A: Array, const S: usize> {
     /// q and p, and s if s is an unknown.
     x: A,
-    /// Factors, if they do not depend on the unknowns.
+    /// The factors r of all stages, if they do not depend on the unknowns.
     known: Option<Factors<A::Real, S>>,
 }
 
-/// Returns whether the factors depend on the unknowns. The factors of H = g(t)·s + H₀ do not.
-const fn varying<Y: ContactStages<R>, R: Real>() -> bool {
+/// Returns whether s is an unknown. The factors r then depend on the unknowns. For H = g(t)·s + H₀(q, p, t), s is no unknown.
+const fn solves_for_action<Y: ContactStages<R>, R: Real>() -> bool {
     Y::Moved::LEN > <Y::Phase as Array>::LEN
 }
 
@@ -54,26 +59,25 @@ impl<Y: ContactStages<R>, R: Real, const S: usize> Equation<'_, ContactFieldStag
 where
     Gauss<S>: GaussTableau<S>,
 {
-    /// Returns the state at a point. s is zero if it is not an unknown.
+    /// Splits a row into z = (q, p) and s. If s is no unknown, it is the action before the step: H is g(t)·s + H₀, and s does not move its poles.
     #[inline(always)]
     fn state(&self, x: &Y::Moved) -> (Y::Phase, R) {
-        let (mut z, phase) = (Y::Phase::zero(), Y::Phase::LEN);
-        Array::as_mut_slice(&mut z).copy_from_slice(&x.as_slice()[..phase]);
-        (z, x.as_slice().get(phase).copied().unwrap_or_else(zero))
+        (resized(x, zero()), x.as_slice().get(<Y::Phase as Array>::LEN).copied().unwrap_or(self.from.s))
     }
 
-    /// Evaluates the rates and σ at a point, with their derivatives.
+    /// Computes the rates and σ = ∂H/∂s at a point, with their derivatives.
     #[inline(always)]
     fn evaluate(&self, t: R, x: &Y::Moved, values: &mut Values<Y::Moved>) {
         let Values { rate, rate_slopes, decay, decay_slopes, .. } = values;
         let slopes = (&mut rate_slopes.by_unknown, &mut decay_slopes.by_unknown);
-        self.from.system.stage(&self.constants.kernel, t, x, (rate, decay), slopes);
+        self.from.system.stage(&self.coefficients.kernel, t, x, (rate, decay), slopes);
     }
 
-    /// Returns the increment of the step. Returns `None` if the step would not multiply the contact form by a positive number.
+    /// Returns the increment of the step that belongs to the increments `d` of the stages. Returns `None` if factors do not exist, or if r is not positive
+    /// at the end.
     #[inline(always)]
     fn end(&self, d: &[Y::Moved; S]) -> Option<Increment<Y::Phase, R>> {
-        let Constants { kernel, scaled: Scaled { coupling, nodes, weights }, shares } = self.constants;
+        let Coefficients { kernel, scaled: Scaled { coupling, nodes, weights }, shares } = self.coefficients;
         let (n, one, origin) = (Y::Array::LEN, R::from_f64(1.0), self.start.x.as_slice());
         let decay = |i: usize| self.from.system.decay(kernel, self.from.t + nodes[i], &sum(&self.start.x, &d[i]));
         let factors = match self.start.known {
@@ -82,11 +86,11 @@ where
         };
         let grown = factors.growth(weights)?;
         let factor = one + grown;
-        let mut end = Increment { z: Y::Phase::zero(), s: zero(), lost: Y::Phase::zero() };
+        let mut end = Increment::of(Y::Phase::zero(), zero());
         let z = Array::as_mut_slice(&mut end.z);
         for k in 0..n {
             z[k] = sum_of_products(shares, &d.map(|d| d.as_slice()[k]));
-            // Impulse rᵢpᵢ − p₀ = −h Σ aᵢⱼ rⱼ ∂H/∂q at each stage.
+            // The increment rᵢpᵢ − p₀ of r p up to stage i.
             let impulse = |i: usize| {
                 let p = d[i].as_slice()[n + k];
                 (factors.r[i] - one).multiply_add(origin[n + k] + p, p)
@@ -94,22 +98,20 @@ where
             let impulse = sum_of_products(shares, &core::array::from_fn::<_, S, _>(impulse));
             z[n + k] = (impulse - grown * origin[n + k]) / factor;
         }
-        end.s = match varying::<Y, R>() {
+        end.s = match solves_for_action::<Y, R>() {
             true => sum_of_products(shares, &d.map(|d| d.as_slice()[2 * n])),
             false => sum_of_products(weights, &self.actions(&factors, d)?),
         };
         Some(end)
     }
 
-    /// Computes s' at the stages, if s is not an unknown.
+    /// Returns s' at the stages. Precondition: s is no unknown. Returns `None` if the equation for s' is singular.
     #[inline(always)]
     fn actions(&self, factors: &Factors<R, S>, d: &[Y::Moved; S]) -> Option<[R; S]> {
-        let Constants { kernel, scaled: Scaled { coupling, nodes, .. }, .. } = self.constants;
+        let Coefficients { kernel, scaled: Scaled { coupling, nodes, .. }, .. } = self.coefficients;
         let at_start: [R; S] = core::array::from_fn(|i| {
-            let x = sum(&self.start.x, &d[i]);
-            let mut z = Y::Phase::zero();
-            Array::as_mut_slice(&mut z).copy_from_slice(x.as_slice());
-            self.from.system.action(kernel, self.from.t + nodes[i], &z, &self.from.s)
+            let (z, s) = self.state(&sum(&self.start.x, &d[i]));
+            self.from.system.action(kernel, self.from.t + nodes[i], &z, &s)
         });
         factors.rates_of_action(coupling, at_start)
     }
@@ -120,42 +122,40 @@ where
     Gauss<S>: GaussTableau<S>,
 {
     type Unknown = [Y::Moved; S];
-    type Constants = Constants<Y::StageConstants, R, S>;
+    type Coefficients = Coefficients<Y::StageConstants, R, S>;
     type Start = Start<Y::Moved, S>;
     type History = ();
-    type Seen = ();
+    type LastEvaluation = ();
     type Kept = ();
     type Solver = Newton<[Y::Moved; S]>;
 
     const POLICY: Policy =
         Policy::of(Units { alike: Y::Array::LEN, kinds: 2 + (Y::Moved::LEN - <Y::Phase as Array>::LEN) });
-    const STAGES: usize = if varying::<Y, R>() { S } else { 0 };
+    const STAGES: usize = S;
 
-    fn constants(self, system: &Y, h: R) -> Self::Constants {
+    fn coefficients(self, system: &Y, h: R) -> Self::Coefficients {
         let shares = shares(&Gauss::<S>::TABLEAU).map(R::from_f64);
-        Constants { kernel: system.stage_constants(), scaled: Scaled::by(h), shares }
+        Coefficients { kernel: system.stage_constants(), scaled: Scaled::by(h), shares }
     }
 
     fn history() {}
 
-    fn unseen() {}
+    fn no_evaluation() {}
 
     #[inline(always)]
-    fn begin(from: &Departure<'_, Y, R>, constants: &Self::Constants, (): &mut ()) -> Result<Self::Start, Refusal> {
-        let mut x = Y::Moved::zero();
-        let entries = x.as_mut_slice();
-        entries[..Y::Phase::LEN].copy_from_slice(Array::as_slice(&from.z));
-        if let Some(s) = entries.get_mut(Y::Phase::LEN) {
-            *s = from.s;
-        }
-        let Constants { kernel, scaled: Scaled { coupling, nodes, .. }, .. } = constants;
-        let known = if varying::<Y, R>() {
+    fn begin(
+        from: &Departure<'_, Y, R>,
+        coefficients: &Self::Coefficients,
+        (): &mut (),
+    ) -> Result<Self::Start, Refusal> {
+        let Coefficients { kernel, scaled: Scaled { coupling, nodes, .. }, .. } = coefficients;
+        let known = if solves_for_action::<Y, R>() {
             None
         } else {
             let decay = nodes.map(|node| from.system.decay(kernel, from.t + node, &Y::Moved::zero()));
             Some(Factors::new::<false>(coupling, &decay).ok_or(Refusal::Singular)?)
         };
-        Ok(Start { x, known })
+        Ok(Start { x: resized(&from.z, from.s), known })
     }
 
     #[inline(always)]
@@ -163,7 +163,7 @@ where
         [equation.start.x; S]
     }
 
-    /// Returns the increments for constant rates.
+    /// Returns the increments of a motion with the rates at the start of the step.
     fn guess(equation: &Equation<'_, Self, Y, R>) -> [Y::Moved; S] {
         let (mut values, x) = (Values::none(), &equation.start.x);
         equation.evaluate(equation.from.t, x, &mut values);
@@ -172,7 +172,7 @@ where
         for (f, p) in f.as_mut_slice()[n..2 * n].iter_mut().zip(&x.as_slice()[n..2 * n]) {
             *f = (-decay).multiply_add(*p, *f);
         }
-        equation.constants.scaled.nodes.map(|node| scaled(node, &f))
+        equation.coefficients.scaled.nodes.map(|node| scaled(node, &f))
     }
 
     #[inline(always)]
@@ -182,7 +182,7 @@ where
         d: &[Y::Moved; S],
         matrix: &mut Square<[Y::Moved; S]>,
     ) -> [Y::Moved; S] {
-        let (Scaled { coupling, nodes, .. }, origin) = (&equation.constants.scaled, &equation.start.x);
+        let (Scaled { coupling, nodes, .. }, origin) = (&equation.coefficients.scaled, &equation.start.x);
         let (n, mut stages) = (Y::Array::LEN, [Values::none(); S]);
         for i in 0..S {
             let (x, t) = (sum(origin, &d[i]), equation.from.t + nodes[i]);
@@ -195,7 +195,7 @@ where
             Some(known) => known,
             None => Factors::new::<true>(coupling, &stages.map(|stage| stage.decay)).unwrap_or_else(Factors::unknown),
         };
-        let by_unknown = if varying::<Y, R>() { Part::Given } else { Part::Zero };
+        let by_unknown = if solves_for_action::<Y, R>() { Part::Given } else { Part::Zero };
         let decay = Slopes { by_unknown, by_shift: Part::Zero };
         assemble(FORM, coupling, &stages, Some(Weights { factors: &factors, rows: n..2 * n, decay }), matrix)
     }
@@ -203,7 +203,7 @@ where
     #[inline(always)]
     fn stage(equation: &Equation<'_, Self, Y, R>, i: usize, d: &[Y::Moved; S]) -> Stage<Y, R> {
         let (z, s) = equation.state(&sum(&equation.start.x, &d[i]));
-        Stage { t: equation.from.t + equation.constants.scaled.nodes[i], z, s }
+        Stage { t: equation.from.t + equation.coefficients.scaled.nodes[i], z, s }
     }
 
     #[inline(always)]
@@ -216,7 +216,7 @@ where
     }
 }
 
-/// Returns bᵀA⁻¹.
+/// Returns bᵀA⁻¹ of a table.
 fn shares<const S: usize>(Tableau { a, b, .. }: &Tableau<S>) -> [f64; S] {
     let mut transposed: [[f64; S]; S] = core::array::from_fn(|i| core::array::from_fn(|j| a[j][i]));
     let mut shares = *b;

@@ -5,7 +5,7 @@ use super::expansion::Carried;
 use crate::running::error::Reason;
 use crate::scalar::{Real, zero};
 use crate::space::{Array, PerCoordinate};
-use crate::system::{Jets, Poles, jump_on_way};
+use crate::system::{Evaluations, Jets, Poles, jump_on_way};
 use crate::taylor::{self, TaylorMethod};
 
 impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
@@ -89,7 +89,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
     fn pole(&self) -> Option<&'static str> {
         let [from, to] = [self.here(), self.start()];
         let way = ([from.time(), to.time()], [&from.x.z, &to.x.z], [&from.x.s, &to.x.s]);
-        Poles::of(&self.system).between(&self.system, false, way)
+        Poles::of(&self.system).between(&self.system, Evaluations::AtPoints, way)
     }
 
     /// A jump of the energy on the way to where an attempt led: series know nothing of it.
