@@ -1,7 +1,7 @@
-//! Damped Newton corrections x ← x − w δ with δ = J⁻¹ r(x): w starts at 1 and is halved until the residual r falls. J is the derivative of r.
+//! Damped Newton corrections x ← x − w δ with δ = J⁻¹ r(x). The factor w starts at 1 and is halved until the residual r falls. J is the derivative of r.
 //!
-//! They are tried after whole corrections have failed. At steep walls and in stiff wells, the explicit guess may be outside of the domain of the energy, or so
-//! far from the solution that whole corrections diverge.
+//! They find a guess if whole corrections (w = 1) from the explicit guess fail. At steep walls and in stiff wells, this guess may lie outside of the domain of
+//! the energy, or so far from the solution that whole corrections diverge.
 
 use crate::scalar::Real;
 use crate::solving::linear;
@@ -9,20 +9,21 @@ use crate::solving::size::Sizes;
 use crate::space::vector::{moved, scaled};
 use crate::space::{Array, Square};
 
-/// The approach ends after a whole correction (w = 1) below this part of the state. Newton's iteration follows, and needs about three more corrections. A
-/// smaller value would repeat its work here.
+/// The iteration ends after a whole correction below this part of the sizes. Newton's iteration follows, and needs about three more corrections. A smaller
+/// value would repeat its work here.
 const NEAR: f64 = 1e-3;
 
-/// The approach ends if the residual does not fall for a w below this value. A smaller value would only delay this end at a minimum of the residual.
-const SHORTEST: f64 = 1e-6;
+/// The iteration ends if the residual does not fall for a w below this value. A smaller value would only delay this end at a minimum of the residual.
+const SMALLEST_FACTOR: f64 = 1e-6;
 
-/// The largest number of corrections. The approach then ends without an error.
+/// The largest number of corrections. The iteration then ends without an error.
 const MAX_ITERATIONS: u32 = 100;
 
-/// Returns the end of a damped iteration from `standstill`·origin, where positions do not move and the energy is defined. The point is near a solution of
-/// residual(x) = 0, or at a minimum of the residual with a singular derivative. The caller decides which by Newton's iteration.
+/// Returns a guess for Newton's iteration: the end of a damped iteration from `standstill`·origin, where the energy is usually defined
+/// ([`standstill`](super::equation::StepEquation::standstill)).
 ///
-/// A step w is accepted if |r(x − w δ)|² < (1 − w/2) |r(x)|². The norm sums the squares of entries in units of their sizes.
+/// A factor w is accepted if |r(x − w δ)|² < (1 − w/2) |r(x)|². The norm sums the squares of entries in units of their sizes. Limit: the end need not be near
+/// a solution. It may be a minimum of |r|, a point with a singular J, or the last point that [`MAX_ITERATIONS`] allows.
 #[cold]
 #[inline(never)]
 pub(crate) fn approach<A: Array>(
@@ -34,31 +35,31 @@ pub(crate) fn approach<A: Array>(
     let mut matrix = A::fill(A::zero());
     let mut x = scaled(A::Real::from_f64(standstill), origin);
     let mut r = residual(&x, &mut matrix);
-    // The residual has the units of the unknowns.
-    let mut units = *sizes;
-    units.include(origin, &x);
-    units.include(&A::zero(), &r);
+    // Entries of the residual have the units of the unknowns, so both have one size.
+    let mut sizes = *sizes;
+    sizes.include(origin, &x);
+    sizes.include(&A::zero(), &r);
     for _ in 0..MAX_ITERATIONS {
         let mut delta = r;
-        if linear::solve(&mut matrix, &mut delta, &units).is_none() {
+        if linear::solve(&mut matrix, &mut delta, &sizes).is_none() {
             break;
         }
         let mut w = 1.0;
         // NaN does not fall, so a point outside of the domain of the energy halves w.
-        let falls = |w: f64, next: &A| units.square(next) < (1.0 - 0.5 * w) * units.square(&r);
-        let (next, less) = loop {
+        let falls = |w: f64, next_r: &A| sizes.square(next_r) < (1.0 - 0.5 * w) * sizes.square(&r);
+        let (next, next_r) = loop {
             let next = moved(&x, A::Real::from_f64(-w), &delta);
-            let less = residual(&next, &mut matrix);
-            if falls(w, &less) {
-                break (next, less);
+            let next_r = residual(&next, &mut matrix);
+            if falls(w, &next_r) {
+                break (next, next_r);
             }
-            if w < SHORTEST {
+            if w < SMALLEST_FACTOR {
                 return x;
             }
             w *= 0.5;
         };
-        (x, r) = (next, less);
-        if w == 1.0 && units.square(&delta) <= NEAR * NEAR {
+        (x, r) = (next, next_r);
+        if w == 1.0 && sizes.square(&delta) <= NEAR * NEAR {
             break;
         }
     }

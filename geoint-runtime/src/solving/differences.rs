@@ -1,6 +1,7 @@
-//! Replaces the derivative of a residual r by difference quotients (r(x + d eⱼ) − r(x))/d, where eⱼ is the direction of unknown j.
+//! Replaces the derivative of a residual r by difference quotients (r(x + d eⱼ) − r(x))/d, where the vector eⱼ moves unknown j by 1.
 //!
-//! The search of [`rescue`](super::rescue) uses them if an approximate derivative fails. A matrix for n unknowns takes n + 1 evaluations.
+//! [`rescue`](super::rescue) uses them if the search with an approximate derivative fails. A matrix for n unknowns takes n + 1 evaluations. Limit: the
+//! quotients have truncation errors, so convergence remains linear.
 
 use super::Observer;
 use super::distant::Residual;
@@ -8,15 +9,16 @@ use super::size::{Sizes, largest, sum_of_magnitudes};
 use crate::scalar::Real;
 use crate::space::{Array, Square};
 
-/// A residual with a matrix of difference quotients. An unknown without a size keeps the column of the approximate derivative.
+/// A residual with a matrix of difference quotients. An unknown of size zero keeps the column of the approximate derivative.
 pub(super) struct Differences<'a, A> {
     pub(super) residual: &'a mut dyn Residual<A>,
+    /// The origin of the unknowns. |origin| + |x| is the least size of an unknown.
     pub(super) origin: A,
     /// The sizes of the unknowns, which scale the distances d.
     pub(super) sizes: Sizes<A>,
-    /// The standard deviation of the rounding of the residual, which differences have to exceed.
+    /// The standard deviation of the rounding of the residual near the guess. Differences have to exceed it.
     pub(super) noise: A,
-    /// True in a pause of the caller, which the points of difference quotients do not end.
+    /// True if the caller has paused the observer. The end of a matrix then must not end this pause.
     pub(super) paused: bool,
 }
 
@@ -28,13 +30,13 @@ impl<A> Observer for Differences<'_, A> {
 }
 
 impl<A: Array> Residual<A> for Differences<'_, A> {
-    /// Returns r(x), and writes difference quotients to `matrix`. Each unknown moves by the same part of its size: so far that the noise of the residual is a
-    /// small part of its change.
+    /// Returns r(x), and writes difference quotients to `matrix`. Each unknown moves by the same part of its size. This part is so large that the noise of the
+    /// residual is a small part of its change.
     fn at(&mut self, x: &A, matrix: &mut Square<A>) -> A {
-        let residual = self.residual.at(x, matrix);
+        let r = self.residual.at(x, matrix);
         let size = |i: usize| self.sizes.of(i).max(sum_of_magnitudes(&self.origin, x, i));
         let parts = (0..A::LEN).filter(|i| size(*i) > 0.0).map(|i| self.noise.as_slice()[i].magnitude() / size(i));
-        // √ε, which balances rounding and truncation, or noise/√ε if the largest relative noise exceeds ε. Beyond ε^(1/4) the truncation error is too large.
+        // max(ε, noise)/√ε with the largest noise relative to a size. √ε balances rounding and truncation. Beyond ε^(1/4) the truncation error is too large.
         let root = Real::sqrt(A::Real::epsilon());
         let part = (A::Real::epsilon().max(largest(parts)) / root).min(Real::sqrt(root));
         let mut unused = A::fill(A::zero());
@@ -48,10 +50,10 @@ impl<A: Array> Residual<A> for Differences<'_, A> {
             }
             let there = self.residual.at(&moved, &mut unused);
             for (i, row) in A::entries::<A>(matrix).iter_mut().enumerate() {
-                row.as_mut_slice()[j] = (there.as_slice()[i] - residual.as_slice()[i]) / distance;
+                row.as_mut_slice()[j] = (there.as_slice()[i] - r.as_slice()[i]) / distance;
             }
         }
         self.residual.pause(self.paused);
-        residual
+        r
     }
 }

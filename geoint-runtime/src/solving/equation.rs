@@ -1,7 +1,7 @@
 //! The equation of an implicit step, r(x) = x − g(x) = 0, and the interface of its solvers.
 //!
-//! The unknown x is an increment, or the rates or velocities of stages. A method states its equation as a [`StepEquation`]. A [`Solver`] returns a
-//! [`Solution`], or the [`Refusal`] of the step. Solvers use the derivative of r, so r has to be smooth near the solution.
+//! The unknown x contains increments, rates or velocities of stages, or multipliers of constraints. A method states its equation as a [`StepEquation`]. A
+//! [`Solver`] returns a [`Solution`], or the [`Refusal`] of the step. Solvers use the derivative of r, so r has to be smooth near the solution.
 
 use super::Refusal;
 pub use super::size::Units;
@@ -9,10 +9,10 @@ use crate::ablation;
 use crate::space::vector::difference;
 use crate::space::{Array, Record, Square};
 
-/// Receives the points at which an equation is evaluated. The equation passes points by functions of the concrete type. Solvers call `pause` only.
+/// Observes the points at which an equation is evaluated. Equations report points by functions of the observer's own type. Solvers call `pause` only.
 pub trait Observer {
-    /// Starts a pause if `paused` is true, and ends it otherwise. Points of a pause do not belong to the step: they are evaluated to measure rounding, or to
-    /// follow a solution. An observer that explains refusals ignores them. After a pause, the solution is evaluated again.
+    /// Starts a pause if `paused` is true, and ends it otherwise. Points of a pause do not belong to the step: they measure rounding, or follow a solution. An
+    /// observer that explains refusals ignores them. After a pause, solvers evaluate the solution again before they return it.
     fn pause(&mut self, paused: bool);
 }
 
@@ -23,9 +23,9 @@ impl Observer for () {
 /// The work that may be spent on a solution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Effort {
-    /// For steps in a loop. Steps that are refused are repeated with the other effort.
+    /// For the first attempt at a step. The caller repeats a refused step with [`Effort::Thorough`].
     Fast,
-    /// For refused steps: with damped corrections, and with measurements of the rounding of the residual.
+    /// For refused steps: with damped corrections, measurements of the rounding of the residual, and tests of the branch of the solution.
     Thorough,
 }
 
@@ -37,43 +37,45 @@ impl Effort {
     }
 }
 
-/// The magnitudes of coordinates with which corrections are compared.
+/// The magnitudes of coordinates relative to which corrections must be small.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Magnitudes {
-    /// The largest of the last steps. If large forces cancel, the rounding error of a momentum is that of its largest recent value.
+    /// The largest magnitudes of recent steps. If large forces cancel, the rounding error of a momentum is that of its largest recent value.
     Recent,
-    /// The magnitudes at the start of the step. First integrals, such as a logarithm, may have large derivatives where coordinates are small.
+    /// The magnitudes at the start of the step. A first integral such as a logarithm is steep at small coordinates, and then needs small corrections.
+    /// [`QuasiNewton`](crate::method::implicit::QuasiNewton) compares with recent magnitudes in any case.
     Present,
 }
 
-/// r(x) = 0 for the unknown of one step. The derivative of r tends to the identity for short steps. The observer `W` receives the points at which r is
-/// evaluated.
+/// r(x) = 0 for the unknown of one step. The observer `W` receives the points at which r is evaluated.
 ///
-/// An equation is `Copy`, because cold functions get a copy: the optimiser keeps an equation in registers only if nothing points to it.
+/// Precondition: the derivative of r has a positive determinant in short steps. It tends to the identity for most methods. An equation is `Copy`, because cold
+/// functions get a copy: the optimiser keeps an equation in registers only if nothing points to it.
 pub trait StepEquation<A: Array, W: Observer + ?Sized>: Copy {
     /// The work that may be spent on the solution.
     const EFFORT: Effort;
-    /// The magnitudes with which corrections are compared.
+    /// The magnitudes relative to which corrections must be small.
     const MAGNITUDES: Magnitudes = Magnitudes::Recent;
 
-    /// Returns whether all solutions satisfy the energy balance of the step. Solutions are then not followed to h = 0.
+    /// Returns whether all solutions satisfy the energy balance of the step. They are then accepted without a test of continuity in the step size h.
     fn is_bound_by_energy(&self) -> bool {
         false
     }
 
-    /// Returns the factor f for which x = f·origin leaves the positions unchanged: 0 for an increment. It is −2 for an impulse: the momentum is reversed, and
-    /// its mean is 0. Damped corrections start at this x, because the energy is defined there if it is defined at the start of the step.
+    /// Returns the factor f for which a step with x = f·origin ends at its start positions: 0 for increments and velocities, and −2 for impulses, which then
+    /// reverse the momentum. Damped corrections start at this x, because the energy is usually defined there. Limits: stages of Gauss methods of second order
+    /// lie elsewhere, and multipliers have no such x.
     fn standstill(&self) -> f64 {
         0.0
     }
 
-    /// Returns the point to which x is added. Rounding of x is relative to it.
+    /// Returns the values to which x is added, in the units of x: p₀ for an impulse, y₀/h for a rate. Rounding of x is relative to them.
     fn origin(&self) -> A;
 
     /// Returns a guess from the start of the step alone.
     fn guess(&self) -> A;
 
-    /// Returns r(x), and writes its derivative to `matrix`. Row i has the unit of unknown i.
+    /// Returns r(x), and writes its derivative to `matrix`. Entry i of r has the unit of unknown i.
     fn residual(&self, watch: &mut W, x: &A, matrix: &mut Square<A>) -> A;
 
     /// Returns g(x) of the equation x = g(x), where r(x) = x − g(x). The default computes the matrix and discards it.
@@ -83,12 +85,12 @@ pub trait StepEquation<A: Array, W: Observer + ?Sized>: Copy {
     }
 }
 
-/// A solution x + `rounding_error`. Without the second part, the errors of many steps would have a bias.
+/// A solution x + `rounding_error`. Methods with compensated sums add both parts, because the rounding errors of many steps have a bias.
 #[derive(Clone, Copy, Debug)]
 pub struct Solution<A> {
     /// The solution.
     pub x: A,
-    /// The part of the last correction that was lost when `x` was rounded.
+    /// The exact x less the rounded `x`: the part of the last correction that rounding has removed. Zero if the solver does not compute it.
     pub rounding_error: A,
 }
 
@@ -99,7 +101,7 @@ impl<A: Array> Solution<A> {
         Solution { x, rounding_error: A::zero() }
     }
 
-    /// Returns the solution x − δ, rounded to x₁, with the rounding error (x − x₁) − δ. This error is exact in entries with |δ| ≤ |x|.
+    /// Returns the solution x₁, the rounded x − δ, with the rounding error (x − x₁) − δ. This error is exact in entries with |δ| ≤ |x|.
     #[inline(always)]
     pub(crate) fn corrected(x: &A, delta: &A) -> Self {
         let after = difference(x, delta);
@@ -109,13 +111,14 @@ impl<A: Array> Solution<A> {
 
 /// An iteration that solves one equation per step, with the experience of earlier steps.
 pub trait Solver<A: Array>: Clone + Record<A::Real> {
-    /// Creates a solver of unknowns with these units.
+    /// Creates a solver without experience, for unknowns with these units.
     fn new(units: Units) -> Self;
 
-    /// Solves r(x) = 0 to rounding. After an error, the caller creates a new solver, because the sequence of unknowns has a gap.
+    /// Solves r(x) = 0 to rounding. After an error the solver is invalid: the caller creates a new one, or restores a copy.
     ///
     /// # Errors
-    /// If no solution is found, or if the solution is not connected to h = 0.
+    /// If no solution is found. Unless the equation is bound by energy, also if a solution after many evaluations fails the test of continuity in h, or is not
+    /// tested because of [`Effort::Fast`].
     fn solve<W: Observer, E: StepEquation<A, W>>(
         &mut self,
         equation: &E,

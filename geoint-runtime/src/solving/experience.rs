@@ -1,7 +1,7 @@
 //! Experience of earlier steps for the next equation: sizes of the unknowns, speed of convergence, and the better kind of guess.
 //!
-//! Newton's corrections shrink as c₂ = C c₁². If C is known, one correction c₁ below √(2⁻²⁰ ε / C) is enough, and the second evaluation is saved in most steps.
-//! C is measured in each 64th step only.
+//! Newton's corrections shrink as c₂ = C c₁², relative to sizes. A correction below the *reach* √(2⁻²⁰ ε / C) is therefore the last one, with the machine
+//! epsilon ε. Most steps then take one evaluation. Steps that compare two corrections measure C, in each 64th step at least. Limit: C may grow in between.
 
 use super::equation::Units;
 use super::predictor::Predictor;
@@ -11,35 +11,34 @@ use crate::ablation;
 use crate::scalar::Real;
 use crate::space::{Array, Record, Tape};
 
-/// Each 64th step takes a second evaluation at least, which measures sizes and the constant C. A larger period would miss more changes of C along an orbit.
-const MEASURED_STEP: u32 = 64;
+/// Each 64th step takes a second evaluation, which measures sizes and the constant C. A larger period would miss more changes of C along an orbit.
+const MEASUREMENT_PERIOD: u32 = 64;
 
 /// The largest number of evaluations of Newton's loop. Solutions that take more may belong to another branch, so `rescue` examines them. With C = 1, a first
 /// correction of 10⁻¹ is followed by a fifth one of 10⁻¹⁶.
 pub(super) const MOST_EVALUATIONS: u32 = 5;
 
 /// An explicit guess is good if its equation takes fewer evaluations than this. An extrapolated guess may take one more, because an explicit guess costs
-/// evaluations itself. After a guess that is not good, the next one is explicit. The step that completes the terms of the predictor is an exception:
-/// extrapolation is then tried once.
+/// evaluations itself. After a guess that is not good, the next one is explicit. Extrapolation is tried once in any case, when the predictor has all its terms.
+/// Limit: it does not return as long as explicit guesses take three evaluations or more.
 const POOR_GUESS: u32 = 3;
 
-/// Lower bound of the measured constant C, which may be small by chance at the measured step. The reach is then at most 5·10⁻¹⁰ in `f64`.
+/// Lower bound of the constant C for the reach, because a measured C may be small by chance. The reach is then at most 5·10⁻¹⁰ in `f64`.
 const LEAST_CURVATURE: f64 = 1e-3;
 
 /// Knowledge about the next equation from earlier steps.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Experience<A> {
-    /// The recent magnitudes of origin plus unknown.
+    /// The recent magnitudes |origin| + |x|. Solutions that the reach accepts are not included.
     pub(super) sizes: Sizes<A>,
-    /// The kinds of the unknowns.
     pub(super) units: Units,
-    /// The largest correction, in units of the sizes, after which the next one is below [`REMAINDER`]·ε: √(ε·`REMAINDER`/C).
+    /// The largest correction, in units of the sizes, after which the next one is expected to be below [`REMAINDER`]·ε: √(ε·`REMAINDER`/C).
     pub(super) reach: f64,
-    /// The number of steps that `Newton` has solved. It wraps around.
+    /// The number of steps that [`Newton`](super::newton::Newton) has solved. It wraps around.
     pub(super) steps: u32,
     /// The number of terms that the predictor has, at most [`Predictor::TERMS`].
     terms: usize,
-    /// True if the next guess is extrapolated. Otherwise it is computed from the start of the step.
+    /// True if the next guess is extrapolated. Otherwise it is the explicit guess, computed from the start of the step.
     pub(super) extrapolates: bool,
 }
 
@@ -65,14 +64,14 @@ impl<A: Array> Experience<A> {
         Experience { sizes: Sizes::new(), units, reach, steps: 0, terms: 0, extrapolates: false }
     }
 
-    /// Returns whether this step measures sizes and convergence, which other steps take as known.
+    /// Returns whether this step must measure sizes and C, which other steps may take as known.
     #[inline(always)]
     pub(super) fn measures(&self) -> bool {
-        ablation::MEASURED_CURVATURE && self.steps.is_multiple_of(MEASURED_STEP)
+        ablation::MEASURED_CURVATURE && self.steps.is_multiple_of(MEASUREMENT_PERIOD)
     }
 
-    /// Counts a solution, and chooses the kind of the next guess. The solution took this number of evaluations. `extrapolates` is true if its guess was
-    /// extrapolated.
+    /// Counts a term of the predictor, and chooses the kind of the next guess. The solution took this number of evaluations. `extrapolates` states whether its
+    /// guess was extrapolated.
     #[inline(always)]
     pub(super) fn choose_next_guess(&mut self, evaluations: u32, extrapolates: bool) {
         let fills = self.terms + 1 == Predictor::<A>::TERMS;
@@ -81,14 +80,14 @@ impl<A: Array> Experience<A> {
         self.extrapolates = ablation::EXTRAPOLATION && good && self.terms == Predictor::<A>::TERMS;
     }
 
-    /// Determines the constant C of quadratic convergence from two successive relative corrections, and the reach from C. If the second correction is rounding
-    /// itself, it yields an upper bound of C only: the reach then may grow, but not shrink.
+    /// Computes C and the reach from the first relative correction, `before`, and the second one, `correction`. If the second correction is rounding, it yields
+    /// an upper bound of C only: the reach may then grow, but not shrink.
     #[inline(always)]
     pub(super) fn measure_curvature(&mut self, correction: f64, before: f64) {
         if const { !ablation::MEASURED_CURVATURE } || !correction.is_finite() || !before.is_finite() {
             return;
         }
-        // C is not the same all along an orbit, so it gets a margin of 16.
+        // C changes along an orbit, so it gets a margin of 16.
         let curvature = 16.0 * correction / (before * before);
         let reach = Real::sqrt(A::Real::epsilon() * REMAINDER / curvature.max(LEAST_CURVATURE));
         if !is_rounding::<A::Real>(correction) || reach > self.reach {

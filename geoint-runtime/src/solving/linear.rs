@@ -1,32 +1,35 @@
 //! Solves small linear systems M x = b, whose size the compiler knows.
 //!
-//! In the equation of a step, M is the derivative of r(x) = x − g(x): its diagonal has no units, and M is near the identity for short steps. Two unknowns are
-//! solved by Cramer's rule, three by the adjugate, and more by elimination of pairs or of single unknowns. The rules without exchanges of rows take fewer
-//! divisions that wait for each other. They fail where terms cancel, and exchanges then lose fewer digits.
+//! In the equation of a step, M is the derivative of r(x) = x − g(x). Its diagonal has no units. In most methods M is near the identity for short steps.
+//! Cramer's rule solves for two unknowns, the adjugate for three, and the elimination of pairs for more. These rules do not exchange rows, and take few
+//! divisions that wait for each other. The rules for three and more unknowns fail where terms cancel. Elimination with exchanges then loses fewer digits.
 //!
-//! Solvers return the sign of the determinant, because a negative one shows that a step passes a singular point. Limit: no solver estimates the condition of M.
+//! Solvers return the sign of the determinant, because a negative sign shows that a step passes a singular point. Limit: the condition of M is not estimated.
 
 use crate::ablation;
 use crate::scalar::Real;
 use crate::solving::size::Sizes;
 use crate::space::{Array, Square};
 
-/// A pivot on the diagonal below this magnitude is compared with the entries below it. Pivots of short steps are near 1. A pivot of 1/8 beside entries of 1 may
-/// lose three bits. A larger threshold would search more columns.
+/// A smaller pivot on the diagonal is compared with the entries below it. Pivots of short steps are near 1. A pivot of 1/8 beside entries of 1 may lose three
+/// bits. A larger threshold would search more columns.
 const PIVOT_THRESHOLD: f64 = 1.0 / 8.0;
 
-/// A determinant below this part of the sum of its terms has cancelled, and may have lost more than three bits.
+/// A determinant below this part of the sum of the magnitudes of its terms has cancelled, and may have lost more than three bits.
 const CANCELLATION: f64 = 1.0 / 8.0;
 
 /// The sign of a determinant: `true` if it is positive, and `false` if it is negative.
 pub(crate) type IsPositive = bool;
 
-/// Solves `matrix·x = rhs` in place of `rhs`; destroys `matrix`.
+/// The opposite sign: `true` if a determinant is negative.
+type IsNegative = bool;
+
+/// Solves `matrix·x = rhs`, writes x to `rhs`, and may overwrite `matrix`.
 ///
-/// Precondition: row i has the unit of unknown i, and `sizes` are the sizes of the unknowns. Two, three and four unknowns have fast rules. Three and four
-/// unknowns are solved by [`pivots`] if their rule finds that a determinant cancels. More unknowns are always solved by [`pivots`].
+/// Precondition: row i has the unit of unknown i, and `sizes` are the sizes of the unknowns. Two, three and four unknowns have fast rules. If the rule for
+/// three or four unknowns fails, [`pivots`] solves for them. It always solves for one, and for more than four.
 ///
-/// Returns `Some` with the sign of the determinant. Returns `None` if a pivot or determinant vanishes or is not finite: `rhs` is then not a solution.
+/// Returns `Some` with the sign of the determinant. Returns `None` if a pivot or determinant vanishes or is not finite: `rhs` is then invalid.
 #[inline(always)]
 pub(crate) fn solve<A: Array>(matrix: &mut Square<A>, rhs: &mut A, sizes: &Sizes<A>) -> Option<IsPositive> {
     if const { ablation::CRAMER_TWO && A::LEN == 2 } {
@@ -47,8 +50,8 @@ pub(crate) fn solve<A: Array>(matrix: &mut Square<A>, rhs: &mut A, sizes: &Sizes
     pivots(matrix, rhs, sizes)
 }
 
-/// Solves by [`pivots`], out of line and with copies. Returns the solution and the result of [`pivots`]. If both solvers wrote to one place in memory, the
-/// processor would wait there: it would read the solution in other pieces than it was written in.
+/// Solves by [`pivots`], out of line. Returns the solution and the result of [`pivots`]. Copies keep the caller's solution in registers: a shared place in
+/// memory would be read in other pieces than it was written in, and stall the processor.
 #[cold]
 #[inline(never)]
 fn pivots_apart<A: Array>(mut matrix: Square<A>, mut rhs: A, sizes: &Sizes<A>) -> (A, Option<IsPositive>) {
@@ -56,11 +59,11 @@ fn pivots_apart<A: Array>(mut matrix: Square<A>, mut rhs: A, sizes: &Sizes<A>) -
     (rhs, positive)
 }
 
-/// Solves `matrix·x = rhs` in place of `rhs` by elimination with threshold pivoting; destroys `matrix`.
+/// Solves `matrix·x = rhs` by elimination with threshold pivoting, writes x to `rhs`, and overwrites `matrix`.
 ///
-/// An entry on the diagonal of at least [`PIVOT_THRESHOLD`] stays. After the first exchange, each column is searched.
+/// A pivot on the diagonal of at least [`PIVOT_THRESHOLD`] stays. After the first exchange, each column is searched. Entries of a column are compared relative
+/// to the sizes of their rows: row i has the size of unknown i. The choice of the pivot therefore does not depend on units.
 ///
-/// Entries of a column are compared in units of `sizes`, the sizes of the unknowns. The choice of the pivot therefore does not depend on units.
 /// Returns `Some` with the sign of the determinant. Returns `None` if a pivot vanishes or is not finite.
 #[inline(always)]
 pub(super) fn pivots<A: Array>(matrix: &mut Square<A>, rhs: &mut A, sizes: &Sizes<A>) -> Option<IsPositive> {
@@ -114,11 +117,11 @@ pub(super) fn pivots<A: Array>(matrix: &mut Square<A>, rhs: &mut A, sizes: &Size
     Some(positive)
 }
 
-/// Solves `matrix·x = rhs` in place of `rhs` without exchanges of rows; destroys `matrix`.
+/// Solves `matrix·x = rhs` without exchanges of rows, writes x to `rhs`, and may overwrite `matrix`.
 ///
-/// Returns `true` if the solution counts: the determinant is positive and, for three unknowns and more, no determinant is seen to cancel. For two unknowns,
-/// cancellation is not checked. For one unknown, a zero matrix also returns `true`, and the solution is infinite or NaN. There is no fallback to exchanges,
-/// because it would be inlined as well: after `false`, the caller solves the equation in another way.
+/// Returns `true` if the rule succeeds and the determinant is positive. After `false`, `rhs` is invalid, and the caller solves the equation in another way: a
+/// fallback to exchanges would be inlined as well. Limits: two unknowns are not checked for cancellation. For one unknown, a zero matrix also returns `true`,
+/// and the solution is infinite or NaN.
 #[inline(always)]
 pub(crate) fn solve_fast<A: Array>(matrix: &mut Square<A>, rhs: &mut A) -> bool {
     if const { !has_rule(A::LEN) } {
@@ -137,7 +140,7 @@ pub(crate) fn solve_fast<A: Array>(matrix: &mut Square<A>, rhs: &mut A) -> bool 
     }
 }
 
-/// Returns whether systems of this many unknowns have a rule of their own. The ablation benchmark may switch off a rule.
+/// Returns whether systems of this many unknowns have a rule without exchanges. The ablation benchmark may switch off a rule.
 const fn has_rule(unknowns: usize) -> bool {
     match unknowns {
         0 | 1 => true,
@@ -147,8 +150,8 @@ const fn has_rule(unknowns: usize) -> bool {
     }
 }
 
-/// Returns the determinant by elimination with partial pivoting; destroys `matrix`. Entries of a column are compared without regard to their units. The product
-/// may underflow or overflow.
+/// Returns the determinant by elimination with partial pivoting, and overwrites `matrix`. Limits: entries of a column are compared without regard to their
+/// units, and the product of the pivots may underflow or overflow.
 pub(crate) fn determinant<A: Array>(matrix: &mut Square<A>) -> f64 {
     let rows = A::entries::<A>(matrix);
     let mut product = 1.0;
@@ -173,14 +176,14 @@ pub(crate) fn determinant<A: Array>(matrix: &mut Square<A>) -> f64 {
     product
 }
 
-/// Returns whether `x` is finite. This takes two operations, whereas the optimiser makes a dozen of `f64::is_finite`.
+/// Returns whether `x` is finite, in two operations. The optimiser makes a dozen of `f64::is_finite`.
 #[inline(always)]
 fn is_finite(x: f64) -> bool {
     0.0 * x == 0.0
 }
 
-/// Solves for two unknowns by Cramer's rule. This takes one division instead of two that wait for each other. Returns `Some` with the sign of the determinant.
-/// Returns `None` if the determinant vanishes or is not finite. Limit: cancellation of its two terms is not detected.
+/// Solves for two unknowns by Cramer's rule, with one division, and writes them to `b`. Returns `Some` with the sign of the determinant. Returns `None` if the
+/// determinant vanishes or is not finite. Limit: cancellation of its two terms is not detected.
 #[inline(always)]
 fn of_two<A: Array>(rows: &[A], b: &mut [A::Real]) -> Option<IsPositive> {
     let ([a, b0], [c, d]) = ([0, 1].map(|j| rows[0].as_slice()[j]), [0, 1].map(|j| rows[1].as_slice()[j]));
@@ -194,14 +197,14 @@ fn of_two<A: Array>(rows: &[A], b: &mut [A::Real]) -> Option<IsPositive> {
     Some(!determinant.any_below(0.0))
 }
 
-/// Solves by eliminating two unknowns at a time by Cramer's rule. This halves the number of divisions that wait for each other. Returns `Some` with the sign of
-/// the determinant. Returns `None` if the determinant of a pair is small or its terms cancel, or if the pivot of an odd last unknown vanishes or is not finite.
+/// Eliminates two unknowns at a time by Cramer's rule, and writes the solution to `b`. This halves the number of divisions that wait for each other. Returns
+/// `Some` with the sign of the determinant of the system. Returns `None`, with invalid `rows` and `b`, if [`eliminate_pair`] fails, or if the pivot of an odd
+/// last unknown vanishes or is not finite.
 #[inline(always)]
 pub(super) fn of_pairs<A: Array>(rows: &mut [A], b: &mut [A::Real]) -> Option<IsPositive> {
     let n = A::LEN;
     let mut positive = true;
-    // The compiler unrolls two rounds by itself. It knows the indices of more rounds only if they are written out. From six unknowns on, there are at least
-    // three.
+    // The compiler unrolls two rounds by itself. Three rounds are written out if there are as many, so that it knows their indices.
     let written = if n < 6 { 0 } else { 3 };
     if written > 0 {
         positive ^= eliminate_pair(rows, b, 0)?;
@@ -229,10 +232,10 @@ pub(super) fn of_pairs<A: Array>(rows: &mut [A], b: &mut [A::Real]) -> Option<Is
     Some(positive)
 }
 
-/// Eliminates unknowns k and k + 1. Returns `Some(true)` if their determinant is negative, and `Some(false)` if it is positive. Returns `None` if the
-/// determinant is small (below [`PIVOT_THRESHOLD`]², as of two pivots), not finite, or if its terms cancel.
+/// Eliminates unknowns k and k + 1. Returns the sign of their determinant. Returns `None` if the determinant is at most [`PIVOT_THRESHOLD`]², the threshold for
+/// two pivots, if its terms cancel, or if it is not finite.
 #[inline(always)]
-fn eliminate_pair<A: Array>(rows: &mut [A], b: &mut [A::Real], k: usize) -> Option<bool> {
+fn eliminate_pair<A: Array>(rows: &mut [A], b: &mut [A::Real], k: usize) -> Option<IsNegative> {
     let n = A::LEN;
     let one = A::Real::from_f64(1.0);
     let (upper, lower) = rows.split_at_mut(k + 2);
@@ -268,10 +271,10 @@ fn eliminate_pair<A: Array>(rows: &mut [A], b: &mut [A::Real], k: usize) -> Opti
     Some(negative)
 }
 
-/// Solves for three unknowns by the adjugate. This takes one division, whereas elimination takes three that wait for each other. Returns `Some` with the sign
-/// of the determinant. Returns `None` if its three terms cancel or it is not finite.
+/// Solves for three unknowns by the adjugate, with one division in place of three that wait for each other, and writes them to `b`. Returns `Some` with the
+/// sign of the determinant. Returns `None`, and leaves `b` unchanged, if the terms of the determinant cancel, or if it is not finite.
 ///
-/// Limit: cancellation within a minor, such as f n − k m, is not detected. The solution then loses as many digits as the minor.
+/// Limit: cancellation within a minor, such as M₂₂M₃₃ − M₂₃M₃₂, is not detected. The solution then loses as many digits as the minor.
 #[inline(always)]
 fn of_three<A: Array>(rows: &[A], b: &mut [A::Real]) -> Option<IsPositive> {
     // The entries are written out, because `map` would leave a loop through memory.

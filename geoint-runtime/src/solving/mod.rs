@@ -1,12 +1,11 @@
-//! Solves the equations of implicit steps, r(x) = 0, to rounding.
+//! Solves the equation r(x) = 0 of an implicit step of length h, until only rounding errors are left. An evaluation computes r and its derivative J.
 //!
-//! - `equation` has the interface: a method states r as a [`StepEquation`](equation::StepEquation). A [`Refusal`] is the reason why a step has no result.
-//! - `newton` solves most equations in at most five evaluations. It uses guesses of the `predictor` and bounds from the `experience` of earlier steps.
-//! - `rescue` solves the equations that take more: with up to 100 evaluations, `damped` corrections, and a measurement of the `noise` of r. `branch` decides
-//!   whether the solution is the one that is continuous in the step size h. These files reach the equation through a pointer (`distant`).
-//! - `quasi_newton` solves equations whose derivative is approximate, by the searches of `rescue`. If they fail, `differences` replaces the derivative by
-//!   difference quotients.
-//! - `rounding` decides when corrections are rounding, relative to the `size` of each unknown. `linear` and `inverse` solve small linear systems.
+//! - `equation` is the interface: a method states r as a [`StepEquation`](equation::StepEquation). A [`Refusal`] is the reason why a step has no result.
+//! - `newton` solves most equations in at most five evaluations. `predictor` extrapolates a guess of x. `experience` has bounds from earlier steps.
+//! - `rescue` solves equations that take more, by searches of up to 100 evaluations. It tries `damped` corrections, and measures the `noise` (rounding) of r.
+//!   `branch` tests whether the solution is continuous in h. These searches call r through a pointer (`distant`).
+//! - `quasi_newton` solves equations whose J is approximate, by the searches of `rescue`. If they fail, `differences` replaces J by difference quotients.
+//! - `rounding` decides whether a correction is rounding, relative to the `size` of each unknown. `linear` and `inverse` solve small linear systems.
 
 mod branch;
 mod damped;

@@ -1,17 +1,18 @@
 //! Newton's iteration for the unknown of one step: x ← x − J⁻¹ r(x), where J is the derivative of the residual r.
 //!
-//! A step predicts x from the unknowns of the steps before, evaluates r and J, and corrects x. Corrections shrink as |c₂| ≤ C |c₁|², and each 64th step
-//! measures C. A step accepts x if the next correction is bound to be below 2⁻²⁰ ε ([`REMAINDER`]), relative to the size of each entry; ε is the machine
-//! epsilon. No tolerance of the user ends the iteration, because a step is symmetric, and keeps the energy, only at the solution.
+//! A step predicts x from the unknowns of the steps before, evaluates r and J, and corrects x. Corrections shrink as |c₂| ≤ C |c₁|², and at least each 64th
+//! step measures C. A step accepts x if the next correction is expected to be below 2⁻²⁰ ε ([`REMAINDER`]), relative to the size of each entry; ε is the
+//! machine epsilon. Corrections that consist of rounding also end the loop. No tolerance of the user does, because a step is symmetric, and keeps the energy,
+//! only at the solution. Limit: C is an estimate, and no bound.
 //!
-//! J tends to the identity as h goes to 0, so its determinant is positive. A negative determinant means that solutions from h = 0 to here pass a singular
-//! point, and the step is refused. A positive determinant proves nothing, because two changes of its sign cancel.
+//! The determinant of J is positive in short steps of length h. If it is negative at a solution, the solutions from h = 0 to here pass a singular point, and
+//! the step is refused. A positive determinant proves nothing, because two changes of its sign cancel.
 //!
 //! The loop makes at most five evaluations. An equation that takes more, or whose guess is far off, goes to [`rescue`]. More than 12 unknowns are first
 //! iterated without a matrix, as x ← x − r(x).
 //!
-//! All functions of this loop are inlined, so the state of the solver stays in local variables of the run. Cold functions take and return copies, because a
-//! pointer to the state would keep it in memory, and the next step would wait for it.
+//! All functions of this loop are inlined, so the state of the solver stays in local variables of the run. Cold functions take and return copies: a pointer to
+//! the state would keep it in memory, and the next step would wait for it.
 
 use super::equation::{Magnitudes, Solution, Solver, StepEquation, Units, explicit_guess};
 use super::experience::{Experience, MOST_EVALUATIONS};
@@ -24,19 +25,19 @@ use crate::scalar::Real;
 use crate::space::vector::difference;
 use crate::space::{Array, Record, Tape};
 
-/// With more unknowns than this, an elimination costs more than the evaluations that it saves: the fixed-point iteration is tried first. Up to it, the compiler
-/// emits a kernel for Newton's iteration. The attribute macros have the same constant, and a test compares both.
+/// With more unknowns than this, an elimination costs more than the evaluations that it saves, so the fixed-point iteration is tried first. The attribute
+/// macros have the same constant, and a test compares both.
 pub const MOST_UNKNOWNS: usize = 12;
 
-/// The largest first correction of an extrapolated guess, in units of the sizes. Beyond it the iteration may reach another solution. A smaller limit would send
-/// more steps to [`rescue`].
+/// The largest first correction of an extrapolated guess, in units of the sizes. After a larger one the iteration may reach another solution. A smaller limit
+/// would send more steps to [`rescue`].
 const FIRST_CORRECTION_LIMIT: f64 = 1.0 / 8.0;
 
-/// The largest ratio of successive corrections with which the fixed-point iteration continues. With a larger ratio it takes more evaluations, and is a weaker
-/// sign of a contraction. With a smaller ratio more steps need a matrix.
+/// The largest ratio of successive corrections with which the fixed-point iteration continues. A larger ratio takes more evaluations, and is a weaker sign of a
+/// contraction. With a smaller limit, more steps need a matrix.
 const CONTRACTION_LIMIT: f64 = 0.3;
 
-/// Solves one equation per step. The extrapolation assumes successive steps of equal length.
+/// Solves one equation per step. Precondition: successive steps have equal lengths. Otherwise extrapolated guesses are poor.
 #[derive(Clone, Copy, Debug)]
 pub struct Newton<A> {
     predictor: Predictor<A>,
@@ -80,15 +81,15 @@ impl<A: Array> Solver<A> for Newton<A> {
 }
 
 impl<A: Array> Newton<A> {
-    /// Predicts, evaluates, corrects, accepts. Returns `None` if the iteration converges too slowly, may lead to another solution, or if
-    /// [`solve_fast`](linear::solve_fast) fails.
+    /// Makes up to [`MOST_EVALUATIONS`] corrections of a guess. Returns `None` if they shrink too slowly, if they may lead to another solution, or if
+    /// [`solve_fast`](linear::solve_fast) fails. The caller then starts again in [`rescue`].
     #[inline(always)]
     fn iterate<W: Observer + ?Sized, E: StepEquation<A, W>>(
         &mut self,
         equation: &E,
         watch: &mut W,
     ) -> Option<Solution<A>> {
-        // Thorough steps are seldom. Their equations are compiled once, for `rescue`.
+        // Thorough steps are rare. Their equations are compiled once, for `rescue`.
         if const { matches!(E::EFFORT, Effort::Thorough) } {
             return None;
         }
@@ -110,7 +111,7 @@ impl<A: Array> Newton<A> {
             let solution = Solution::corrected(&x, &delta);
             x = solution.x;
             let next_is_negligible = extrapolates && experience.sizes.all_within(&delta, experience.reach);
-            // With present magnitudes, the bound counts after the first evaluation only. Later ones compare two corrections.
+            // Present magnitudes belong to steep functions, for which C may be out of date. Later evaluations compare two corrections instead.
             let is_trusted = evaluation == 1 || matches!(E::MAGNITUDES, Magnitudes::Recent);
             if next_is_negligible && is_trusted && (evaluation > 2 || !measures) {
                 if evaluation > 1 {
@@ -126,9 +127,8 @@ impl<A: Array> Newton<A> {
                 experience.measure_curvature(correction, before);
             }
             let is_last = correction == 0.0 || evaluation > 1 && is_last::<A::Real>(correction, before);
-            // Far from a solution the derivative may be huge. Corrections are then small although the residual is not. Extrapolated guesses are assumed to be
-            // near.
-            if is_last && (extrapolates || experience.sizes.resolve(&residual, &origin, &point)) {
+            // Far from a solution the derivative may be huge. Corrections are then small although the residual is not. Extrapolated guesses count as near.
+            if is_last && (extrapolates || experience.sizes.residual_is_small(&residual, &origin, &point)) {
                 experience.sizes.include(&origin, &x);
                 experience.choose_next_guess(evaluation, extrapolates);
                 return Some(solution);
@@ -140,8 +140,8 @@ impl<A: Array> Newton<A> {
 }
 
 impl<A: Array> Experience<A> {
-    /// Iterates x ← x − r(x) = g(x), if it converges fast. Returns `None` if corrections shrink too slowly or are NaN. Fast convergence is taken as the sign of
-    /// a contraction, which has one solution.
+    /// Iterates x ← x − r(x) = g(x) as long as each correction is at most [`CONTRACTION_LIMIT`] times the one before. Returns `None` if a larger one is not
+    /// rounding. Fast convergence is taken as the sign of a contraction, which has one solution. Limit: no determinant is checked.
     #[inline(always)]
     fn fixed_point<W: Observer + ?Sized, E: StepEquation<A, W>>(
         &mut self,
@@ -161,7 +161,7 @@ impl<A: Array> Experience<A> {
             let slow = correction.is_nan() || correction > CONTRACTION_LIMIT * before;
             if converged || slow && is_rounding::<A::Real>(correction) {
                 self.sizes.include(&origin, &x);
-                // A fixed point takes no evaluation of a matrix, and its guess was good.
+                // The number 0 counts the guess as good: evaluations without a matrix are cheap.
                 self.choose_next_guess(0, true);
                 return Some(x);
             }
@@ -173,8 +173,8 @@ impl<A: Array> Experience<A> {
     }
 }
 
-/// Returns whether a relative correction that follows the correction `before` is the last one. It is if the next one, c₂(c₂/c₁)² with quadratic convergence, is
-/// below 2⁻²⁰ ε, or if rounding keeps corrections from shrinking.
+/// Returns whether c₂ = `correction` after c₁ = `before` is the last correction. It is if the next one, about c₂(c₂/c₁)² with quadratic convergence, is below
+/// 2⁻²⁰ ε, or if rounding keeps corrections from shrinking. Both are relative to sizes.
 #[inline(always)]
 fn is_last<R: Real>(correction: f64, before: f64) -> bool {
     let shrunk = correction / before;

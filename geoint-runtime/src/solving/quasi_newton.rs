@@ -1,11 +1,13 @@
-//! Newton's iteration x ← x − J⁻¹ r(x) with an approximate derivative J of the residual r. Corrections shrink by a factor: convergence is linear, not
-//! quadratic.
+//! Newton's iteration x ← x − J⁻¹ r(x) with an approximate derivative J of the residual r. Corrections shrink by a roughly constant factor: convergence is
+//! linear, not quadratic.
 //!
-//! Steps along means of gradients need it, because the derivative of their mean is exact only near the solution. Each step starts from the guess of its
-//! equation. The searches are those of [`rescue`](super::rescue): at most 100 evaluations each. For thorough steps, difference quotients replace J if the first
-//! search fails.
+//! Steps along means of gradients ([`MeanStep`](crate::method::discrete_gradient::MeanStep)) need it, because some of them omit terms of ∂r/∂x in J. J tends to
+//! ∂r/∂x as h → 0. Each step starts from the guess of its equation, never from an extrapolation, unlike [`Newton`](super::newton::Newton). The searches are
+//! those of [`rescue`](super::rescue), at most 100 evaluations each. [`Effort::Thorough`](super::Effort::Thorough) also tries difference quotients for J.
 //!
-//! Limit: a solution after more than five evaluations is followed to h = 0, unless the equation is bound by energy. A fast step is then refused and repeated.
+//! Limit: more than five evaluations may end on a solution that does not belong to small h. A thorough step then follows it back to h = 0
+//! ([`branch`](super::branch)), and a fast step is refused and repeated. Equations with [`Branch::OfEnergy`](crate::method::implicit::Branch::OfEnergy), as
+//! all steps of means, are exempt.
 
 use super::equation::{Solution, Solver, StepEquation, Units};
 use super::experience::Experience;
@@ -13,7 +15,8 @@ use super::rounding::Convergence;
 use super::{Observer, Refusal, rescue};
 use crate::space::{Array, Record, Tape};
 
-/// Solves equations with an approximate derivative, one per step. It remembers the sizes of the unknowns.
+/// Solves equations with an approximate derivative, one per step. It remembers the largest recent magnitudes of the unknowns: corrections are small relative to
+/// them, also if an unknown passes zero.
 #[derive(Clone, Copy, Debug)]
 pub struct QuasiNewton<A> {
     experience: Experience<A>,

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-/// The reason why a step has no result. Most reasons vanish if h is smaller.
+/// The reason why a step has no result. Most reasons vanish if the step size h is smaller. Displayed texts continue a sentence about the step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Refusal {
@@ -10,14 +10,15 @@ pub enum Refusal {
     NotConverged {
         /// The number of corrections.
         iterations: u32,
-        /// The last correction, relative to the quantity that it corrects. It is infinite if the iteration ended when corrections stopped shrinking.
+        /// The last correction, relative to the quantity that it corrects. It is infinite if there was none, or if the iteration ended because corrections
+        /// stopped shrinking.
         correction: f64,
     },
-    /// The equation of the step has no solution that is continuous in h from h = 0 on. Its matrix is singular, or its determinant is negative, or the solution
-    /// could not be followed to h = 0.
+    /// No solution is shown to be continuous in h from h = 0 on. The matrix of the equation, or another matrix of the method, is singular, or its determinant
+    /// is negative. Otherwise the solution failed the test of continuity, or a fast attempt did not test it.
     Singular,
     /// An increment is orthogonal to the direction along which it must change the energy. [`CoordinateIncrement`](crate::CoordinateIncrement) divides by their
-    /// product.
+    /// scalar product.
     SingularDirection,
     /// The constraints depend on each other at an end of the step, or on the way.
     DependentConstraints {
@@ -29,14 +30,14 @@ pub enum Refusal {
         /// The formula of the angle.
         what: &'static str,
     },
-    /// Rounding on the way changes an invariant of the step by more than its last digits. Causes are terms that change by orders of magnitude, nearly parallel
-    /// gradients, or a force that jumps.
+    /// Rounding on the way changes an invariant of the step by more than its last digits. Causes are coordinates that change by orders of magnitude, nearly
+    /// parallel gradients, or a force that jumps.
     Rounded,
     /// The projection to the invariants would have to undo more than half of the step. It might lead to an unrelated state with the same invariants.
     LedAstray,
     /// An invariant of the step underflows or overflows.
     OutOfRange,
-    /// The energy is not defined on the way, has a pole there, or jumps at the end.
+    /// The energy is not defined at a point of the step, a pole on its way is not excluded, or the energy jumps at its end.
     OutsideDomain {
         /// The function and the term that cause the refusal.
         what: &'static str,
@@ -70,7 +71,7 @@ impl fmt::Display for Refusal {
 impl core::error::Error for Refusal {}
 
 impl Refusal {
-    /// Returns the error [`Refusal::OutsideDomain`] if a term was `found` that is not defined, and `Ok` otherwise.
+    /// Returns the error [`Refusal::OutsideDomain`] if a term was `found` that is not defined, has a pole or jumps. Returns `Ok` otherwise.
     #[inline(always)]
     pub(crate) fn outside(found: Option<&'static str>) -> Result<(), Refusal> {
         found.map_or(Ok(()), |what| Err(Refusal::OutsideDomain { what }))

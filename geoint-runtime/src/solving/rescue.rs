@@ -1,26 +1,25 @@
-//! Long searches for a solution of r(x) = 0. They rescue the steps that Newton's loop does not solve in a few evaluations. They are the normal way of
+//! Long searches for a solution of r(x) = 0. They rescue the steps that Newton's loop does not solve in a few evaluations. They are the only iteration of
 //! [`QuasiNewton`](super::quasi_newton), whose derivative is approximate.
 //!
-//! 1. From the guess at the start of the step, with at most 100 evaluations. If corrections stop shrinking, x is accepted if the last digits of coordinates
-//!    explain the residual. With [`Effort::Thorough`], x is also accepted if the measured rounding explains it ([`noise`]).
+//! 1. The first search starts from the explicit guess, computed at the start of the step, and makes at most 100 evaluations. If corrections stop shrinking, x
+//!    is accepted if the last digits of coordinates explain the residual. With [`Effort::Thorough`], measured rounding ([`noise`]) may explain it, too.
 //! 2. With [`Effort::Thorough`] and an approximate derivative, the first search is repeated with a matrix of difference quotients.
-//! 3. With [`Effort::Thorough`], from the end of [`damped`] corrections.
+//! 3. With [`Effort::Thorough`], the last search starts from the end of [`damped`] corrections.
 //!
-//! A solution after more than five evaluations, or after damped corrections, may not be continuous in the step size h. With [`Effort::Thorough`], [`branch`]
-//! follows it to h = 0. With [`Effort::Fast`], the step is refused, and the caller repeats it. Equations that are bound by energy are exempt. The searches are
-//! compiled once for all equations with unknowns of the same shape.
+//! A solution after more than five evaluations, or after damped corrections, may not be continuous in the step size h. With [`Effort::Thorough`], `branch`
+//! tests it. With [`Effort::Fast`], the step is refused, and the caller repeats it. Equations whose solutions all satisfy an energy balance are exempt.
 
 use super::branch::Continuation;
 use super::differences::Differences;
 use super::distant::{Distant, Residual, ResidualOf};
 use super::equation::{Magnitudes, Solution, StepEquation, explicit_guess};
 use super::experience::{Experience, MOST_EVALUATIONS};
+use super::noise::LastCorrection;
 use super::rounding::{Convergence, Corrections, MAX_ITERATIONS, Verdict, is_of_last_digits};
 use super::{Effort, Observer, Refusal, damped, linear, noise};
 use crate::space::Array;
 
-/// Solves an equation from the guess at the start of the step, not from an extrapolated one. Returns the changed experience, too. After an error it is not
-/// valid.
+/// Solves an equation from the explicit guess. Returns the changed experience, too, which is invalid after an error.
 #[cold]
 #[inline(never)]
 pub(super) fn solve_from_explicit_guess<A: Array, W: Observer + ?Sized, E: StepEquation<A, W>>(
@@ -43,7 +42,7 @@ pub(super) fn solve_from_explicit_guess<A: Array, W: Observer + ?Sized, E: StepE
 }
 
 impl<A: Array> Experience<A> {
-    /// Tries one search after the other. Each one starts from the experience before the first one. If all fail, the experience is not valid.
+    /// Tries one search after the other. Each one starts from the experience before the first one. If all fail, the experience is invalid.
     ///
     /// # Errors
     /// With quadratic convergence, the refusal of the last search. With linear convergence, the refusal of the first one, because the derivative of
@@ -61,9 +60,9 @@ impl<A: Array> Experience<A> {
                 self.search_after_damping(equation, residual)
             }
             Convergence::Linear => {
-                // There is no last correction here. The guess takes its place, and scales the distances of the measurement.
-                let noise =
-                    self.noise(&equation.guess, Stalled { delta: equation.guess, distance: 1.0 }, equation, residual);
+                // There is no last correction at the guess. The guess takes its place, and scales the distances of the measurement.
+                let last = LastCorrection { delta: equation.guess, multiple: 1.0 };
+                let noise = self.noise(&equation.guess, last, equation, residual);
                 *self = start;
                 let (origin, mut sizes) = (equation.origin, self.sizes);
                 sizes.include(&origin, &equation.guess);
@@ -93,7 +92,8 @@ impl<A: Array> Experience<A> {
         self.search(&guess, GuessKind::Damped, equation, residual)
     }
 
-    /// Iterates from a guess. Refuses a solution after many evaluations, or after damped corrections, that is not connected to h = 0.
+    /// Iterates from a guess. A solution after many evaluations, or after damped corrections, must pass the test of [`branch`](super::branch), or be bound by
+    /// energy.
     fn search(
         &mut self,
         guess: &A,
@@ -110,20 +110,20 @@ impl<A: Array> Experience<A> {
             if !is_continuous {
                 return Err(Refusal::Singular);
             }
-            // The observer, and methods that use the last evaluation, need the solution as the last point.
+            // The observer, and methods that read the last evaluation, need the solution as the last point.
             residual.at(&solution.x, &mut A::fill(A::zero()));
         }
         self.choose_next_guess(evaluations, false);
         Ok(solution)
     }
 
-    /// Corrects a guess until nothing but rounding is left. A first correction ends the iteration only if it is zero: far away it may be small although the
-    /// next one is larger.
+    /// Corrects a guess until only rounding is left. A first correction ends the iteration only if it is zero: far away it may be small although the next one
+    /// is larger.
     ///
     /// # Errors
-    /// [`Refusal::Singular`] if the matrix is singular, or its determinant at the solution is negative. [`Refusal::NotConverged`] after
-    /// [`MAX_ITERATIONS`] evaluations, or after a residual or correction that is not finite. With [`Effort::Fast`], also if corrections stop shrinking and the
-    /// last digits do not explain the residual.
+    /// [`Refusal::Singular`] if a matrix is singular, or if the determinant at the solution is negative. [`Refusal::NotConverged`] after [`MAX_ITERATIONS`]
+    /// evaluations, or after a residual or correction that is not finite. With [`Effort::Fast`], also if corrections are stuck and the last digits do not
+    /// explain the residual.
     fn converge(
         &mut self,
         guess: &A,
@@ -132,17 +132,17 @@ impl<A: Array> Experience<A> {
     ) -> Result<Converged<A>, Refusal> {
         let Distant { origin, effort, magnitudes, convergence, .. } = *equation;
         let mut solution = Solution::of(*guess);
-        // Pivots are compared in units of these sizes. Corrections are not, because a guess that is far off would inflate the sizes.
+        // Pivots are compared in units of these sizes. Corrections are not: a guess that is far off would inflate the sizes.
         let mut pivot_sizes = self.sizes;
         pivot_sizes.include(&origin, guess);
         let mut matrix = A::fill(A::zero());
-        let (mut corrections, mut stalled) = (Corrections::of(convergence), None);
+        let (mut corrections, mut stuck) = (Corrections::of(convergence), None);
         for evaluations in 1..=MAX_ITERATIONS {
             let x = solution.x;
             let r = residual.at(&x, &mut matrix);
-            // First integrals may be steep. For them only a thorough attempt may take a residual for rounding, because the caller checks such a step.
+            // Present magnitudes belong to steep integrals. Only a thorough attempt may take their residual for rounding: the method then checks the integrals.
             let may_be_accepted = effort == Effort::Thorough || magnitudes == Magnitudes::Recent;
-            let last = stalled.take();
+            let last = stuck.take();
             // Linear convergence is always slow, so the residual is examined only if corrections stop shrinking.
             let is_suspect = last.is_some() || convergence == Convergence::Quadratic && corrections.slow();
             let mut is_rounding =
@@ -168,9 +168,9 @@ impl<A: Array> Experience<A> {
                 }
                 match corrections.judge::<A::Real>(correction) {
                     // A huge derivative makes every correction small, so the residual has to be small, too.
-                    Verdict::Solved => is_solved = self.sizes.resolve(&r, &origin, &x),
+                    Verdict::Solved => is_solved = self.sizes.residual_is_small(&r, &origin, &x),
                     Verdict::Stuck => {
-                        stalled = Some(Stalled { delta, distance: corrections.distance() });
+                        stuck = Some(LastCorrection { delta, multiple: corrections.distance() });
                         corrections.restart();
                     }
                     Verdict::Continue => {}
@@ -191,26 +191,20 @@ impl<A: Array> Experience<A> {
     }
 
     /// Returns whether the measured rounding explains the residual at x.
-    fn is_noise(&self, x: &A, last: Stalled<A>, equation: &Distant<A>, residual: &mut dyn Residual<A>) -> bool {
+    fn is_noise(&self, x: &A, last: LastCorrection<A>, equation: &Distant<A>, residual: &mut dyn Residual<A>) -> bool {
         let noise = self.noise(x, last, equation, residual);
         let mut sizes = self.sizes;
         sizes.include(&equation.origin, x);
-        // x is evaluated last, because the observer remembers the last point.
+        // The observer needs x as the last point.
         noise::explains(&noise, &residual.at(x, &mut A::fill(A::zero())), &sizes)
     }
 
-    /// Returns the standard deviation of the rounding of the residual at x. The points of the measurement are a pause for the observer.
-    fn noise(
-        &self,
-        x: &A,
-        Stalled { delta, distance }: Stalled<A>,
-        equation: &Distant<A>,
-        residual: &mut dyn Residual<A>,
-    ) -> A {
+    /// Returns the standard deviation of the rounding of the residual at x. The observer is paused.
+    fn noise(&self, x: &A, last: LastCorrection<A>, equation: &Distant<A>, residual: &mut dyn Residual<A>) -> A {
         let (mut unused, mut sizes) = (A::fill(A::zero()), self.sizes);
         sizes.include(&equation.origin, x);
         residual.pause(true);
-        let noise = noise::measure(&sizes, x, (&delta, distance), self.units, |x| Some(residual.at(x, &mut unused)));
+        let noise = noise::measure(&sizes, x, last, self.units, |x| Some(residual.at(x, &mut unused)));
         residual.pause(false);
         noise
     }
@@ -219,7 +213,7 @@ impl<A: Array> Experience<A> {
 /// The origin of a guess.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum GuessKind {
-    /// The guess at the start of the step, which is near the solution of a short step.
+    /// The guess from the start of the step, which is near the solution of a short step.
     Explicit,
     /// The end of damped corrections, which may be near any solution.
     Damped,
@@ -231,16 +225,8 @@ struct Converged<A> {
     evaluations: u32,
 }
 
-/// The state of an iteration whose corrections stopped shrinking.
-struct Stalled<A> {
-    /// The last correction.
-    delta: A,
-    /// The distance of the points at which rounding is measured, in units of `delta`.
-    distance: f64,
-}
-
-/// Returns the addresses of the searches for one shape of unknowns. Only functions that are named somewhere are compiled with this crate: `private::compiled`
-/// names these for usual shapes, so programs need not compile them.
+/// Returns the addresses of the searches for one shape of unknowns. Generic functions are compiled with this crate only if it names them: `private::compiled`
+/// names them for usual shapes.
 pub(crate) fn compiled<A: Array>() -> [*const (); 2] {
     [Experience::<A>::try_searches as *const (), Experience::<A>::converge as *const ()]
 }

@@ -1,9 +1,8 @@
-//! The stopping criteria of iterations. Newton's loop has a short form of them.
+//! The stopping criteria of iterations. Newton's loop has a short form of them. ε is the machine epsilon of the scalar.
 //!
-//! An iteration ends if the predicted next correction is below 2⁻²⁰ ε, or if a correction is below 64 ε and above half of the one before. A correction is
-//! relative to the size of the unknown that it corrects, and ε is the machine epsilon of the scalar. The next correction after c₁ and c₂ is predicted as
-//! c₂(c₂/c₁) for linear convergence, and as c₂(c₂/c₁)² for quadratic convergence. No tolerance of the user takes part, because invariants hold at the solution
-//! only.
+//! A correction is relative to the size of the unknown that it corrects. An iteration ends if the predicted next correction is below 2⁻²⁰ ε, or if a correction
+//! is below 64 ε and above half of the one before. The next correction after c₁ and c₂ is predicted as c₂(c₂/c₁) for linear convergence, and as c₂(c₂/c₁)² for
+//! quadratic convergence. No tolerance of the user takes part, because invariants hold at the solution only. Limit: a prediction is no bound.
 //!
 //! If large terms cancel in a residual, corrections stop shrinking earlier. The residual is then compared with the last digits of the unknowns
 //! ([`is_of_last_digits`]), or its rounding is measured ([`noise`](crate::solving::noise)).
@@ -16,35 +15,37 @@ use crate::space::{Array, Square};
 /// The largest number of iterations. Iterations that converge need far fewer.
 pub(crate) const MAX_ITERATIONS: u32 = 100;
 
-/// Bound on the error that an iteration leaves, in units of ε. This error has the same sign in every step, so it adds up: with 1/1024, the energy drifts
-/// visibly in a million steps.
+/// An iteration ends if the predicted error is at most this number of ε. This error may have one sign in all steps, and then adds up: with 1/1024, the energy
+/// drifts visibly in a million steps.
 pub(crate) const REMAINDER: f64 = 1.0 / 1_048_576.0;
 
-/// A relative correction that no longer shrinks is rounding if it is at most this many ε. A larger number would accept solutions with visible errors. With a
-/// smaller one, more steps would need a measurement of their rounding.
+/// A relative correction that no longer shrinks is rounding if it is at most this many ε. A larger number would accept solutions with visible errors. A smaller
+/// number would make more steps measure their rounding.
 pub(crate) const ROUNDINGS: f64 = 64.0;
 
-/// The rounding of an unknown in a residual, in ε. Positions, distances and forces each lose their last digits.
+/// The rounding of an unknown in a residual, in ε. It has room for the last digits of positions, distances and forces.
 const LAST_DIGITS: f64 = 8.0;
 
-/// A residual larger than this many times the unknown is no rounding, however large its terms are. Far away from all earlier states, and in steps of many
-/// turns, terms may be larger than the state. Without the limit, points far away would pass as solutions.
+/// A residual larger than this many times the size of its unknown is no rounding, however large its terms are. Terms may exceed the state at points far away,
+/// and in steps of many turns. Without the limit, points far away would pass as solutions.
 const RESIDUAL_LIMIT: f64 = 1024.0;
 
-/// An iteration is stuck after this many successive corrections of at least `NOT_SMALLER` times the smallest one before. One such correction may be chance.
+/// An iteration is stuck after this many successive corrections that are not smaller. One such correction may be chance.
 const STUCK_CORRECTIONS: u32 = 4;
-const NOT_SMALLER: f64 = 0.75;
+/// A correction is smaller if it is below this part of the smallest one before.
+const SMALLER: f64 = 0.75;
 
-/// With quadratic convergence, a correction near the solution is below this part of the correction before it. A larger part is a sign of rounding, or of a
-/// wrong derivative.
+/// With quadratic convergence, a correction near the solution is expected below this part of the one before. A larger part is a sign of rounding, or of a wrong
+/// derivative.
 const SLOW: f64 = 0.25;
 
-/// The distance of the points at which rounding is measured first, in units of the last correction. Nearer points may share equally rounded terms. Each further
-/// measurement takes points that are farther apart by the factor `DISTANCE_GROWTH`.
+/// The least distance of the points at which rounding is measured first, in units of the last correction. Nearer points may share equally rounded terms.
 const FIRST_DISTANCE: f64 = 16.0;
+/// The growth of this distance from each measurement of an iteration to the next one.
 const DISTANCE_GROWTH: f64 = 4.0;
 
-/// The largest number of measurements. Each one costs more evaluations than a step. If corrections are stuck after all of them, there is another reason.
+/// The largest number of measurements in an iteration. Each one costs more evaluations than a step. If corrections are stuck after all of them, there is
+/// another reason.
 const MOST_MEASUREMENTS: u32 = 5;
 
 /// The decision after a correction.
@@ -54,16 +55,16 @@ pub(crate) enum Verdict {
     Continue,
     /// This was the last correction.
     Solved,
-    /// Corrections have stopped shrinking, but are larger than the rounding of the unknowns. They may shrink again later.
+    /// Corrections have stopped shrinking, but exceed 64 ε. The caller decides whether the residual is rounding. Otherwise corrections may shrink again later.
     Stuck,
 }
 
-/// The convergence of an iteration near the solution.
+/// The expected convergence of an iteration near the solution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Convergence {
     /// With an approximate derivative.
     Linear,
-    /// With the derivative.
+    /// With the exact derivative.
     Quadratic,
 }
 
@@ -74,7 +75,7 @@ pub(crate) struct Corrections {
     iterations: u32,
     /// The last correction, or infinity if there is none since the start or the last [`restart`](Self::restart).
     before: f64,
-    /// The smallest correction, counted only if it is below [`NOT_SMALLER`] times the value before.
+    /// The first correction, then each one that is smaller by the factor [`SMALLER`].
     smallest: f64,
     /// The number of corrections since `smallest`.
     stuck: u32,
@@ -101,19 +102,19 @@ impl Corrections {
         }
     }
 
-    /// Drops the corrections so far when an iteration is stuck, and counts a measurement. The next measurement uses points that are farther apart.
+    /// Forgets the corrections of an iteration that is stuck, except for their number, and counts a measurement. The next one uses points farther apart.
     pub(crate) fn restart(&mut self) {
         let (measurements, distance) = (self.measurements + 1, DISTANCE_GROWTH * self.distance);
         *self = Self { before: f64::INFINITY, smallest: f64::INFINITY, stuck: 0, measurements, distance, ..*self };
     }
 
-    /// Returns the distance of the points at which rounding is measured, in units of the last correction.
+    /// Returns the least distance of the points of the next measurement of rounding, in units of the last correction.
     pub(crate) fn distance(&self) -> f64 {
         self.distance
     }
 
-    /// Returns whether the last ratio of two corrections was above 1/4, which is larger than with quadratic convergence. The derivative may then be wrong, or
-    /// corrections consist of rounding. With linear convergence such ratios are usual.
+    /// Returns whether the last ratio of two corrections was above 1/4. With quadratic convergence the derivative may then be wrong, or corrections consist of
+    /// rounding. With linear convergence such ratios are usual.
     #[inline(always)]
     pub(crate) fn slow(&self) -> bool {
         self.slow
@@ -125,7 +126,7 @@ impl Corrections {
         self.before
     }
 
-    /// Adds a correction, which is `relative` to the size of the unknown, and returns the decision. NaN never solves.
+    /// Adds a correction, which is `relative` to the size of the unknown, and returns the decision. NaN is never solved, but may be stuck, so callers check it.
     #[inline(always)]
     pub(crate) fn judge<R: Real>(&mut self, relative: f64) -> Verdict {
         let (first, shrunk) = (self.before == f64::INFINITY, relative / self.before);
@@ -142,7 +143,7 @@ impl Corrections {
         if relative == 0.0 || next <= REMAINDER * R::epsilon() || shrunk > 0.5 && is_rounding::<R>(relative) {
             return Verdict::Solved;
         }
-        if relative < NOT_SMALLER * self.smallest {
+        if relative < SMALLER * self.smallest {
             (self.smallest, self.stuck) = (relative, 0);
         } else {
             self.stuck += 1;
@@ -155,7 +156,7 @@ impl Corrections {
         }
     }
 
-    /// Returns the refusal of an iteration that ends without a solution. Its correction is infinite directly after a [`restart`](Self::restart).
+    /// Returns the refusal of an iteration that ends without a solution. It contains [`last`](Self::last).
     #[cold]
     pub(crate) fn not_converged(&self) -> Refusal {
         Refusal::NotConverged { iterations: self.iterations, correction: self.before }
@@ -168,16 +169,15 @@ pub(crate) fn is_rounding<R: Real>(relative: f64) -> bool {
     relative <= ROUNDINGS * R::epsilon()
 }
 
-/// Returns whether a residual is small enough to be rounding of terms that add up to an unknown of this size.
+/// Returns whether a residual is at most 1024 times the size of its unknown. A larger residual is no rounding. A smaller one needs further tests.
 #[inline(always)]
 pub(crate) fn may_be_rounding(residual: f64, size: f64) -> bool {
     residual <= RESIDUAL_LIMIT * size
 }
 
-/// Returns whether changes of the unknowns in their last digits explain a residual r with the derivative J = `matrix`: |rᵢ| ≤ 8 ε Σⱼ |Jᵢⱼ| sⱼ with the sizes
-/// sⱼ. If large forces cancel, corrections never become smaller than such changes. Rounding within the formula of r is not part of this bound.
-///
-/// W. Oettli & W. Prager, Numer. Math. 6 (1964) 405.
+/// Returns whether changes of the unknowns in their last digits explain a residual r with the derivative J = `matrix`: |rᵢ| ≤ 8 ε Σⱼ |Jᵢⱼ| sⱼ and
+/// |rᵢ| ≤ 1024 sᵢ, with the sizes s. If large forces cancel, corrections never become smaller than such changes. Limit: rounding within the formula of r is not
+/// part of the bound. W. Oettli & W. Prager, Numer. Math. 6 (1964) 405.
 pub(crate) fn is_of_last_digits<A: Array>(sizes: &Sizes<A>, residual: &A, matrix: &Square<A>) -> bool {
     A::entries_of::<A>(matrix).iter().zip(residual.as_slice()).enumerate().all(|(i, (row, left))| {
         let terms =
@@ -187,23 +187,23 @@ pub(crate) fn is_of_last_digits<A: Array>(sizes: &Sizes<A>, residual: &A, matrix
     })
 }
 
-/// A correction at a point, and its size relative to the unknown.
+/// A correction at a point, and its largest entry relative to the size of the unknown.
 pub(crate) struct Correction<A> {
     pub(crate) delta: A,
     pub(crate) relative: f64,
 }
 
-/// The last two points of an iteration that is stuck, and the correction between them.
+/// The last two points of an iteration that is stuck, and the correction between them: after = before − delta.
 pub(crate) struct Stuck<'a, A> {
     pub(crate) before: &'a A,
     pub(crate) delta: &'a A,
     pub(crate) after: &'a A,
 }
 
-/// Subtracts corrections from `start` until nothing but rounding is left. Small equations beside the equation of a step use it, such as projections.
+/// Subtracts corrections from `start` until only rounding is left. Small equations beside the equation of a step use it, such as projections.
 ///
 /// `corrections` is the state before the first correction. `correction` returns the correction at a point. If corrections are stuck, `accept` returns the
-/// solution if the residual is rounding, and `None` if the iteration has to continue.
+/// solution, or `None` if the iteration has to continue. The last correction may be NaN then.
 ///
 /// # Errors
 /// If `correction` returns an error, if a correction is not finite, or after [`MAX_ITERATIONS`] corrections.
@@ -219,14 +219,17 @@ pub(crate) fn correct<A: Array>(
         let Correction { delta, relative } = correction(&x)?;
         let before = x;
         x.add_scaled(A::Real::from_f64(-1.0), &delta);
-        match corrections.judge::<A::Real>(relative) {
+        let verdict = corrections.judge::<A::Real>(relative);
+        if !relative.is_finite() {
+            break;
+        }
+        match verdict {
             Verdict::Solved => return Ok(x),
             Verdict::Stuck => match accept(Stuck { before: &before, delta: &delta, after: &x }) {
                 Some(solution) => return Ok(solution),
                 None => corrections.restart(),
             },
-            Verdict::Continue if relative.is_finite() => {}
-            Verdict::Continue => break,
+            Verdict::Continue => {}
         }
     }
     Err(corrections.not_converged())

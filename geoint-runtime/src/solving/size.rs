@@ -1,21 +1,21 @@
 //! The size of a coordinate: its largest recent magnitude. It is the only measure for comparisons of coordinates with different units.
 //!
-//! An entry is compared with its own size, or with the largest size of its kind ([`Units`]). A change of units by a power of two therefore changes no result by
-//! a single bit. Limit: a coordinate that has not moved yet has size zero, and no correction of it is small.
+//! An entry is compared with its own size, or with the largest size of its kind ([`Units`]). If the unit of a kind changes by a power of two, comparisons have
+//! the same results, unless a number underflows or overflows. Limit: a coordinate that was always zero has size zero, and no change of it is small.
 
 use crate::scalar::Real;
 use crate::slope::before_squares;
 use crate::space::{Array, Record, Square, Tape};
 
-/// The factor by which a size fades with every point that is included. A size has halved after 44 points. Slower fading would keep the sizes of a close
-/// encounter too long. Faster fading would lose the largest magnitude within one oscillation.
+/// The factor by which a size fades with every point that is included. A size has halved after 44 points, which may be many more steps: Newton's iteration does
+/// not include each solution. Slower fading would keep the sizes of a close encounter too long. Faster fading would lose the amplitude of an oscillation.
 const FADING: f64 = 1.0 - 1.0 / 64.0;
 
-/// The largest residual, as a part of the unknown, beside which a small correction proves a solution. It is far above rounding, because it only has to exclude
-/// points with a huge derivative.
-const RESOLVED: f64 = 1.0 / 16.0;
+/// The largest residual, as a part of the unknown, at which a small correction is trusted. It is far above rounding, because it only has to exclude points with
+/// a huge derivative.
+const SMALL_RESIDUAL: f64 = 1.0 / 16.0;
 
-/// The largest recent magnitude of every entry. An entry is a coordinate, its increment, or the terms that add up to it. Earlier magnitudes fade.
+/// The largest recent magnitude of every entry. An entry is a coordinate, its increment, or a sum of terms. Earlier magnitudes fade.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sizes<A>(A);
 
@@ -41,13 +41,13 @@ impl<A: Array> Sizes<A> {
         }
     }
 
-    /// Returns sizes that also include the point `x`.
+    /// Returns these sizes after [`include`](Self::include) of the point `x`.
     pub(crate) fn with(mut self, x: &A) -> Self {
         self.include(x, &A::zero());
         self
     }
 
-    /// Returns the sizes of one point.
+    /// Returns the magnitudes of one point as sizes.
     #[inline(always)]
     pub(crate) fn at(x: &A) -> Self {
         let mut sizes = *x;
@@ -71,7 +71,7 @@ impl<A: Array> Sizes<A> {
         Sizes(sizes)
     }
 
-    /// Returns size 1 for all entries. Precondition: they have one unit.
+    /// Returns size 1 for all entries. Precondition: the entries have one unit, or are scaled to numbers near 1.
     pub(crate) fn equal() -> Self {
         let mut sizes = A::zero();
         sizes.as_mut_slice().fill(A::Real::from_f64(1.0));
@@ -87,10 +87,10 @@ impl<A: Array> Sizes<A> {
         Sizes(largest)
     }
 
-    /// Returns one size for all positions and one for all momenta, the two halves of the unknowns. They follow from a matrix that maps unknowns to unknowns.
+    /// Returns one size for the first half of the unknowns (positions) and one for the second half (momenta), from a matrix that maps unknowns to unknowns.
     ///
     /// An entry of the matrix has the unit of its row over the unit of its column. Let u be the largest entry of the upper right block, and l of the lower left
-    /// one. The ratio √u : √l of the sizes then has the unit of positions over momenta. All sizes are 1 if u or l is zero.
+    /// one. The ratio √u : √l of the sizes then has the unit of positions over momenta. All sizes are 1 if u or l is zero. The roots are rounded.
     pub(crate) fn of_blocks(matrix: &Square<A>) -> Self {
         let half = A::LEN / 2;
         let block = |rows: core::ops::Range<usize>, columns: core::ops::Range<usize>| {
@@ -132,10 +132,10 @@ impl<A: Array> Sizes<A> {
         }
     }
 
-    /// Multiplies a gradient by the sizes, and divides it by the sum of its magnitudes. Returns this sum Σ|gᵢ|sᵢ: rounding of the coordinates changes the
-    /// function by ε times the sum. A gradient of zero stays zero.
+    /// Replaces a gradient g by gᵢsᵢ/Σ|gⱼ|sⱼ, with the sizes s. Returns the sum: rounding of the coordinates changes the function by up to about ε times the
+    /// sum. A gradient of zero stays zero.
     pub(crate) fn normalise(&self, gradient: &mut A) -> A::Real {
-        // The scale is a power of two. It keeps products with small sizes from vanishing.
+        // The scale is a power of two, and avoids underflow and overflow of most products.
         let scale = before_squares(A::Real::from_f64(gradient.as_slice().iter().map(|x| x.magnitude()).sum()));
         for x in gradient.as_mut_slice() {
             *x *= scale;
@@ -150,7 +150,7 @@ impl<A: Array> Sizes<A> {
         terms / scale
     }
 
-    /// Returns Σ|gᵢ|sᵢ for a gradient g and the sizes s: rounding of the coordinates changes the function by ε times this sum.
+    /// Returns Σ|gᵢ|sᵢ for a gradient g and the sizes s: rounding of the coordinates changes the function by up to about ε times this sum.
     #[inline(always)]
     pub(crate) fn terms(&self, gradient: &A) -> f64 {
         self.0
@@ -170,7 +170,7 @@ impl<A: Array> Sizes<A> {
         x.as_slice().iter().enumerate().map(square).sum()
     }
 
-    /// Returns whether every entry of `delta` is at most `bound` times the size of its coordinate. NaN is not.
+    /// Returns whether every entry of `delta` is at most `bound` times the size of its coordinate. Returns `false` for NaN.
     #[inline(always)]
     pub(crate) fn all_within(&self, delta: &A, bound: f64) -> bool {
         // Squares are avoided, because they overflow or vanish in large or tiny units.
@@ -182,24 +182,25 @@ impl<A: Array> Sizes<A> {
         within
     }
 
-    /// Returns whether every entry of a residual is at most 1/16 of its size or of |origin| + |x|. A small correction then proves a solution.
+    /// Returns whether every entry of a residual is at most 1/16 of its size, or of |origin| + |x|. Solvers then trust a small correction.
     #[inline(always)]
-    pub(crate) fn resolve(&self, residual: &A, origin: &A, x: &A) -> bool {
-        (0..A::LEN)
-            .all(|i| residual.as_slice()[i].magnitude() <= RESOLVED * self.of(i).max(sum_of_magnitudes(origin, x, i)))
+    pub(crate) fn residual_is_small(&self, residual: &A, origin: &A, x: &A) -> bool {
+        (0..A::LEN).all(|i| {
+            residual.as_slice()[i].magnitude() <= SMALL_RESIDUAL * self.of(i).max(sum_of_magnitudes(origin, x, i))
+        })
     }
 
     /// Returns the largest entry of `delta` relative to its size, or to |origin| + |x| + |delta| if this is larger. The result is therefore at most 1. It is
     /// NaN if `delta` contains NaN or infinity.
     #[inline(always)]
     pub(crate) fn relative(&self, delta: &A, origin: &A, x: &A) -> f64 {
-        // Sizes come first, by conditional moves, because a processor mispredicts branches if sizes and coordinates are nearly equal.
+        // All sizes are computed first, by conditional moves. Branches would be mispredicted if sizes and coordinates are nearly equal.
         let mut sizes = A::zero();
         for (i, size) in sizes.as_mut_slice().iter_mut().enumerate() {
             let (before, now) = (self.of(i), sum_of_magnitudes(origin, x, i) + delta.as_slice()[i].magnitude());
             // `f64::max` would take three instructions more, and ignore NaN.
             let largest = if before > now { before } else { now };
-            // A size of zero implies a change of zero. The ratio is then zero.
+            // The sum is zero only if the change is zero. The ratio is then zero.
             *size = A::Real::from_f64(if largest == 0.0 { 1.0 } else { largest });
         }
         let ratio = |(change, size): (&A::Real, &A::Real)| change.magnitude() / size.magnitude();
@@ -207,18 +208,18 @@ impl<A: Array> Sizes<A> {
     }
 }
 
-/// The units of unknowns. Unknowns of one unit are a kind: positions and momenta are two kinds.
+/// The units of unknowns. Unknowns of one unit are a *kind*: positions and momenta are two kinds.
 ///
-/// Unknown i has the kind (i / `alike`) mod `kinds`. Two positions and two momenta at each of several stages have `alike` = 2 and `kinds` = 2.
+/// Unknown i has the kind ⌊i/`alike`⌋ mod `kinds`. Two positions and two momenta at each of several stages have `alike` = 2 and `kinds` = 2.
 #[derive(Clone, Copy, Debug)]
 pub struct Units {
-    /// The number of unknowns of one kind that follow each other.
+    /// The number of unknowns of one kind that follow each other. Not zero.
     pub alike: usize,
-    /// The number of kinds.
+    /// The number of kinds. Not zero.
     pub kinds: usize,
 }
 
-/// Returns the kind of entry `i`.
+/// Returns the kind of entry `i`, from 0 to `kinds` − 1.
 pub(crate) fn kind(Units { alike, kinds }: Units, i: usize) -> usize {
     i / alike % kinds
 }

@@ -1,6 +1,7 @@
 //! Methods for systems whose positions satisfy g(q) = 0: mechanisms in Cartesian coordinates, closed chains.
 //!
-//! Two methods keep constraints: [`Rattle`], which is symplectic, and [`DiscreteGradient`](crate::DiscreteGradient), which keeps the energy.
+//! Two methods keep constraints: [`Rattle`], which is symplectic, and [`DiscreteGradient`](crate::DiscreteGradient), which keeps the energy. The constraints
+//! must be independent: the rows of ∂g/∂q may not depend on each other.
 //!
 //! ```
 //! use geoint_runtime::prelude::*;
@@ -12,7 +13,7 @@
 //! }
 //!
 //! let system = SphericalPendulum { m: 0.7, l: 1.3, g: 9.81 };
-//! // The first state is near the sphere only. This is the nearest state on it.
+//! // The given state is only near the sphere. `state_on_constraint` moves it onto the sphere, along the gradient of the constraint.
 //! let start = system.state_on_constraint(&State::new([1.0, 0.0, -0.8], [0.0, 1.5, 0.0]))?;
 //! let mut rattle = system.integrator(Rattle, 0.01, start);
 //! let mut gradient = system.integrator(DiscreteGradient, 0.01, start);

@@ -14,11 +14,12 @@ use crate::system::ConstrainedStep;
 /// - q₁ = q₀ + h/2 (∂H/∂p(q₀, p½) + ∂H/∂p(q₁, p½)), with λ from g(q₁) = 0,
 /// - p₁ = p½ − h/2 (∂H/∂q + Gᵀμ)(q₁, p½), with μ from G ∂H/∂p(q₁, p₁) = 0.
 ///
-/// Order 2, symmetric, and a symplectic map of the states on the constraints. The energy oscillates and does not drift. Constraints and their rates are
-/// met to rounding. For H = T(p) + V(q) with a constant mass matrix, the multipliers λ are the only unknowns, and a step costs one force. With damping
-/// C the force is −∂H/∂q − C ∂H/∂p.
+/// Order 2, symmetric, and a symplectic map of the states on the constraints. With short steps the energy oscillates and does not drift. Constraints and their
+/// rates G ∂H/∂p are met to rounding. For H = T(p) + V(q) with a constant mass matrix and without damping, the multipliers λ are the only unknowns, and a step
+/// evaluates the force at both ends. With a damping matrix C the force is −∂H/∂q − C ∂H/∂p, and the map is not symplectic.
 ///
-/// A step over a position at which the constraints depend on each other is refused, because more than one motion continues from this position.
+/// A step over a position at which the constraints depend on each other is refused, because more than one motion continues from this position. The check
+/// is a test and no proof: it may miss two such positions in one step.
 ///
 /// H. C. Andersen, J. Comput. Phys. 52 (1983) 24; B. Leimkuhler & R. Skeel, J. Comput. Phys. 112 (1994) 117; for every H: L. Jay, SIAM J. Numer. Anal.
 /// 33 (1996) 368; Hairer, Lubich & Wanner, *Geometric Numerical Integration*, (VII.1.26).

@@ -1,8 +1,11 @@
-//! The step of a system with constraints g(q) = 0, for [`Rattle`](super::Rattle) and [`DiscreteGradient`]. The attributes write its equation, as
-//! [`ConstrainedStep`].
+//! The step of a system with constraints g(q) = 0, for [`Rattle`](super::Rattle) and [`DiscreteGradient`](crate::DiscreteGradient). The attribute macros
+//! emit its equation as [`ConstrainedStep`]. This file connects the equation with the driver, makes momenta tangent, and checks the constraints.
 //!
-//! The unknowns are multipliers ν, and increments of positions and momenta if the method needs them. ν moves the positions by about W Gᵀν, with G = ∂g/∂q
-//! and W = ∂²H/∂p². A step is refused if constraints depend on each other at an end or on the way, or do not hold at the end.
+//! The unknowns are multipliers ν = −½h²λ, and increments of positions and momenta if the method needs them. Both methods define their step by λ. ν moves the
+//! positions by about W Gᵀν, with G = ∂g/∂q and W = ∂²H/∂p².
+//!
+//! Constraints depend on each other if the rows of G do. A step is refused if det(G W G₁ᵀ) ≤ 0, where G₁ is G at a later position. This is a test, and no
+//! proof: two changes of the sign within a step cancel. A step is also refused if its end is not on the constraints.
 
 use crate::method::discrete_gradient::DiscreteGradient;
 use crate::method::implicit::{
@@ -26,7 +29,7 @@ pub struct MultiplierStep<M>(
 /// The treatment of momenta by a method with constraints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Momenta {
-    /// Momenta are projected at the end of a step: the velocity is then tangent to the constraints.
+    /// Momenta are projected at the end of a step. The velocity is then tangent to the constraints.
     MadeTangent,
     /// Momenta are not projected, because a projection would change the energy. They keep a component normal to the constraints, of order h².
     Carried,
@@ -38,8 +41,8 @@ pub trait ConstrainedMethod: Copy + core::fmt::Debug {
     const MOMENTA: Momenta;
 }
 
-/// q₁ − q₀ = h ∇̄ₚH, p₁ − p₀ = −h (∇̄_qH + ḡᵀλ), g(q₁) = 0 with multipliers λ. ∇̄H and ḡ are the tree discrete gradients of H and of every g. H therefore
-/// changes by −λ·(g(q₁) − g(q₀)) = 0.
+/// q₁ − q₀ = h ∇̄ₚH, p₁ − p₀ = −h (∇̄_qH + Ḡᵀλ), g(q₁) = 0 with multipliers λ. ∇̄H and the rows of Ḡ are the tree discrete gradients of H and of every g.
+/// Without damping, H therefore changes by −λ·(g(q₁) − g(q₀)) = 0.
 impl ConstrainedMethod for DiscreteGradient {
     const MOMENTA: Momenta = Momenta::Carried;
 }
@@ -54,23 +57,26 @@ impl<S: ConstrainedStep<M, R>, M: ConstrainedMethod, R: Real> ImplicitStep<S, R>
     type Solver = Newton<S::Unknown>;
 
     const POLICY: Policy = Policy {
+        // Only carried momenta keep the energy, and kept energy needs compensated sums.
         sums: match M::MOMENTA {
             Momenta::MadeTangent => Sums::OfTheRun,
             Momenta::Carried => Sums::Compensated,
         },
+        // RATTLE evaluates derivatives at both positions with the momenta of the middle. The other step evaluates divided differences between both ends.
         evaluated: match M::MOMENTA {
             Momenta::MadeTangent => Evaluated::Elsewhere,
             Momenta::Carried => Evaluated::ByDifferences,
         },
+        // `S::Unknown` does not tell multipliers from increments, so all unknowns count as one kind. Only the long searches of the solver read it.
         ..Policy::of(Units { alike: S::Unknown::LEN, kinds: 1 })
     };
-    /// The normal component of carried momenta is of order h². The state with tangent momenta differs by O(h⁴) in its energy, so compositions have order 4
-    /// at most.
+    /// Momenta are tangent if G ∂H/∂p = 0, so a normal component changes H by its square only. Carried momenta have a normal component of order h². The state
+    /// with tangent momenta is therefore off by O(h⁴) in its energy, and every composition has order 4 at most.
     const COMPOSES_TO: u32 = match M::MOMENTA {
         Momenta::MadeTangent => u32::MAX,
         Momenta::Carried => 4,
     };
-    /// g(q₁) = 0 determines h²λ to the rounding of q. Momenta therefore have an error of ε|q|/h, which no projection removes if they are carried.
+    /// g(q₁) = 0 determines ν to the rounding of q, and the momenta contain ν/h. Their error is about ε|q|/h. No projection removes it from carried momenta.
     const ROUGH_IF_SHORT: bool = matches!(M::MOMENTA, Momenta::Carried);
 
     fn coefficients(self, system: &S, h: R) -> S::Constants {
@@ -83,6 +89,7 @@ impl<S: ConstrainedStep<M, R>, M: ConstrainedMethod, R: Real> ImplicitStep<S, R>
 
     #[inline(always)]
     fn begin(from: &Departure<'_, S, R>, coefficients: &S::Constants, (): &mut ()) -> Result<S::Start, Refusal> {
+        // The equation of RATTLE reads the times t and t + h. Discrete gradients freeze time in the middle of the step.
         let t = match M::MOMENTA {
             Momenta::MadeTangent => from.t,
             Momenta::Carried => from.middle(),
@@ -95,7 +102,7 @@ impl<S: ConstrainedStep<M, R>, M: ConstrainedMethod, R: Real> ImplicitStep<S, R>
         from.system.origin(coefficients, start)
     }
 
-    /// Returns zero. The first correction is then that of an explicit step.
+    /// Returns zero. The first Newton correction is then the solution of the linearised equation.
     fn guess(_: &Equation<'_, Self, S, R>) -> S::Unknown {
         S::Unknown::zero()
     }
@@ -107,7 +114,8 @@ impl<S: ConstrainedStep<M, R>, M: ConstrainedMethod, R: Real> ImplicitStep<S, R>
         x: &S::Unknown,
         matrix: &mut Square<S::Unknown>,
     ) -> S::Unknown {
-        watch.visit(from.t, &sum(&from.z, &from.system.end(coefficients, start, x)), &());
+        // The time of the point only serves the message of a refusal.
+        watch.visit(from.end, &sum(&from.z, &from.system.end(coefficients, start, x)), &());
         let mut residual = S::Unknown::zero();
         from.system.residual(coefficients, start, x, &mut residual, matrix);
         residual
@@ -126,13 +134,14 @@ impl<S: ConstrainedStep<M, R>, M: ConstrainedMethod, R: Real> ImplicitStep<S, R>
                 increments[1] = difference(&tangent(from.system, from.end, [q, p])?, &from.z[1]);
                 q
             }
-            // The middle suffices: the matrix of the equation pairs gradients in the middle with those at the end, and its determinant was positive.
+            // The way to the middle suffices. Newton's matrix contains Ḡ W G₁ᵀ with G₁ at the end, and its determinant was positive. Ḡ is near G in the middle.
             Momenta::Carried => moved(&from.z[0], R::from_f64(0.5), &increments[0]),
         };
         independent(from, &checked)?;
         Ok(Increment::of(increments, ()))
     }
 
+    /// Checks g = 0 at the rounded end. The tolerance includes the rounding at the start, because the end is the rounded sum of the start and an increment.
     #[inline(always)]
     fn finish<P: Probe<S, R>>(
         Equation { from, .. }: &Equation<'_, Self, S, R>,
@@ -150,7 +159,7 @@ impl<S: ConstrainedStep<M, R>, M: ConstrainedMethod, R: Real> ImplicitStep<S, R>
     }
 }
 
-/// Refuses a step if constraints depend on each other at its start, at `q`, or between.
+/// Refuses a step if the sign of det(G W G₁ᵀ) shows that constraints depend on each other at its start, at `q`, or between.
 #[inline(always)]
 fn independent<S: ConstrainedStep<M, R>, M, R: Real>(from: &Departure<'_, S, R>, q: &S::Array) -> Result<(), Refusal> {
     on_one_side(from.system, (from.t, &from.z), [&from.z[0], q]).map_err(|what| Refusal::DependentConstraints { what })

@@ -1,9 +1,9 @@
 //! The discrete gradient method for contact systems. It keeps the decay law of the energy.
 
-/// Discrete gradient for H(q, p, s): H(x₁) = H(x₀) exp(−h g_s) to rounding, for every h. Order 2, symmetric; *not* a contact map. One Newton solve a step,
-/// for the 2n + 1 unknowns x = (q, p, s).
+/// Discrete gradient for H(q, p, s): H(x₁) = H(x₀) exp(−h g_s) to rounding, for every h, where g_s is a mean of ∂H/∂s. Order 2, symmetric; *not* a contact
+/// map. A step solves one equation for the 2n + 1 unknowns x = (q, p, s), with n degrees of freedom.
 ///
-/// The differential equation is x' = S(p) ∇H − H e_s with S = ((0, 1, 0), (−1, 0, −p), (0, pᵀ, 0)) and the unit vector e_s of s, so that H' = −H ∂H/∂s. Let
+/// The differential equation is x' = S(p) ∇H − H e_s with S = ((0, 1, 0), (−1, 0, −p), (0, pᵀ, 0)) and the unit vector e_s of s. Therefore H' = −H ∂H/∂s. Let
 /// g be the tree discrete gradient of H between both ends, g_s its entry for s, and p̄ = (p₀ + p₁)/2. The step is
 ///
 /// x₁ = x₀ + h (S(p̄) g − H̄ e_s), H̄ = H(x₀) φ₁(−h g_s), φ₁(z) = (e^z − 1)/z.
@@ -14,8 +14,8 @@
 /// If H depends on time, time is frozen at the middle t̄ of the step: H(x₁, t̄) = H(x₀, t̄) exp(−h g_s). Order and symmetry stay. If a contact map matters
 /// more than the decay of H, use [`ContactMidpoint`](crate::ContactMidpoint).
 ///
-/// A Lagrangian with a full mass matrix is solved for velocities, and has the polarised discrete gradient. The law is unchanged, with p·v − L for H. See
-/// [`PolarisedForm`](crate::system::PolarisedForm).
+/// A Lagrangian that is quadratic in v may have no short formula for H, for example because its mass matrix is full. It is then solved for velocities, by the
+/// polarised discrete gradient. The law is H(x₁) = H(x₀) exp(hΛ_s) with p·v − L for H; see [`PolarisedForm`](crate::system::PolarisedForm).
 ///
 /// The differential equation: A. Bravetti, H. Cruz & D. Tapias, Ann. Phys. 376 (2017) 17. The discrete gradient g:
 /// [`DiscreteGradient`](crate::DiscreteGradient). We are not aware of this method in the literature.

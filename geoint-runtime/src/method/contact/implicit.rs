@@ -1,6 +1,8 @@
-//! The step of `ContactMidpoint` and `ContactDiscreteGradient`. It solves d = Φ(d) for the increments d of q, p and s together.
+//! The step of `ContactMidpoint` and `ContactDiscreteGradient`. It solves d = Φ(d) for a row d with entries for q, p and s.
 //!
-//! The attributes write Φ of each method for a system, as [`ContactEquation`]. A step is refused if its solution has no finite end.
+//! The attributes write Φ of each method for a system, as [`ContactEquation`], and a function `end` that returns the increments of q, p and s for a solution.
+//! For the discrete gradient, d is these increments. For the midpoint rule, x₀ + d/2 is the point (q̄, p̄, s̄) of its documentation, and the increment of p has
+//! a factor beside d. A step is refused if an increment is not finite.
 
 use super::{ContactDiscreteGradient, ContactMidpoint};
 use crate::implicit_method;
@@ -29,7 +31,7 @@ pub struct ContactStep<M>(
     pub M,
 );
 
-/// A method whose equation evaluates the energy at x₀ + w·d, with the start x₀ of the step. This point is shown to the probe.
+/// A method whose equation evaluates the energy at x₀ + w·d, perhaps beside x₀, the start (q, p, s) of the step. This point is shown to the probe.
 pub trait EvaluatesAhead: Copy + core::fmt::Debug {
     /// w: 1/2 for the midpoint, 1 for the end of the step.
     const AHEAD: f64;
@@ -46,7 +48,7 @@ impl EvaluatesAhead for ContactDiscreteGradient {
 /// Values that depend on the start of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Start<K, A> {
-    /// q, p and s in a row.
+    /// x₀: q, p and s in a row.
     x: A,
     /// Coefficients of Φ.
     kernel: K,
@@ -85,7 +87,7 @@ impl<S: ContactEquation<M, R>, M: EvaluatesAhead, R: Real> ImplicitStep<S, R> fo
         equation.start.x
     }
 
-    /// Returns Φ(Φ(0)). Each application of Φ gains one order, so the error is of order h³.
+    /// Returns Φ(Φ(0)). The error of 0 is of order h. Each application of Φ gains one order, so the error is of order h³.
     fn guess(Equation { from, coefficients, start }: &Equation<'_, Self, S, R>) -> S::Unknown {
         let mut unused = S::Unknown::fill(S::Unknown::zero());
         let mut image = |d: &S::Unknown| {

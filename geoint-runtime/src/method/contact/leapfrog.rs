@@ -1,4 +1,4 @@
-//! The variational integrator of Herglotz' principle, for H = T(p) + g(t)·s + V(q, t).
+//! The variational integrator of Herglotz' principle, for H = T(p, t) + g(t)·s + V(q, t).
 
 use crate::method::composition::substeps;
 use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
@@ -6,14 +6,16 @@ use crate::scalar::Real;
 use crate::space::{Array, PerCoordinate, Point, Summation};
 use crate::system::Mechanical;
 
-/// p½ = (1 − h g₀/2) p₀ − h/2 V'(q₀, t₀), q₁ = q₀ + h T'(p½), p₁ = [p½ − h/2 V'(q₁, t₁)]/(1 + h g₁/2), with g₀ = g(t₀), g₁ = g(t₁) and V' = ∂V/∂q.
+/// p½ = (1 − h g₀/2) p₀ − h/2 V'(q₀, t₀), q₁ = q₀ + h T'(p½, t½), p₁ = [p½ − h/2 V'(q₁, t₁)]/(1 + h g₁/2). Here g₀ = g(t₀), g₁ = g(t₁), V' = ∂V/∂q,
+/// T' = ∂T/∂p, and t½ is the middle of the step from t₀ to t₁. The action s has the factors of p, and the increments −h/2 V, h (p½·T' − T) and −h/2 V.
 ///
-/// For H = T(p) + g(t)·s + V(q, t). Velocity Verlet with trapezoidal damping, explicit. Order 2, symmetric, a contact map, one force a step.
+/// For H = T(p, t) + g(t)·s + V(q, t). Velocity Verlet with trapezoidal damping, explicit. Order 2, symmetric, a contact map. A step evaluates the force
+/// at both ends.
 ///
-/// A step damps by the quotient (1 − h g₀/2)/(1 + h g₁/2). A step is refused if a term is not positive, for instance if h g₀ ≥ 2. [`ContactSplitting`] damps by
-/// the exact factor e^(−hg) and has no such limit.
+/// A step damps by the quotient (1 − h g₀/2)/(1 + h g₁/2). A step is refused if numerator or denominator is not positive, for instance if h g₀ ≥ 2.
+/// [`ContactSplitting`] damps by exponentials, such as e^(−hg) for a constant g, and has no such limit.
 ///
-/// M. Vermeeren, A. Bravetti & M. Seri, J. Phys. A 52 (2019) 445206. Here g and V may depend on time: each half step uses the time at its end of the step.
+/// M. Vermeeren, A. Bravetti & M. Seri, J. Phys. A 52 (2019) 445206. Here g, T and V may depend on time.
 ///
 /// [`ContactSplitting`]: crate::ContactSplitting
 #[doc(alias = "contact variational integrator")]
@@ -65,7 +67,7 @@ impl<S: Mechanical<R>, R: Real> Method<S, R> for ContactLeapfrog {
         probe.visit(t, &x.z, &x.s);
         if C::PLAIN {
             scale(before, x);
-            // A run without the action restores s at the end. The compiler then drops the terms of s.
+            // In a run without the action, s is restored at the end. The compiler then drops the terms of s.
             let unread = x.s;
             let [q, p] = &mut x.z;
             system.free_kick(half_kick, t, q, p, &mut x.s);

@@ -2,7 +2,7 @@
 //!
 //! H(q, p, s, t) defines the flow q' = ∂H/∂p, p' = −∂H/∂q − p ∂H/∂s, s' = p·∂H/∂p − H (A. Bravetti, H. Cruz & D. Tapias, Ann. Phys. 376 (2017) 17). The
 //! action s is one number. The flow multiplies the contact form ds − p dq by a positive factor. A contact map is a map with this property. All methods here
-//! are contact maps, except [`ContactDiscreteGradient`], which keeps the decay law of H instead.
+//! are contact maps, except [`ContactDiscreteGradient`], which keeps the decay law of H instead: H' = −H ∂H/∂s if H does not read time.
 //!
 //! ```
 //! use geoint_runtime::prelude::*;

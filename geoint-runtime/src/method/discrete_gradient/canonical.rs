@@ -1,7 +1,7 @@
 //! The projected mean velocity of `FourthOrder(DiscreteGradient)` for canonical systems x' = f(x) = J∇H(x), with x = (q, p) and J(q, p) = (p, −q).
 //!
-//! Emitted code implements [`FourthOrderField`](crate::system::FourthOrderField) by these functions. They use the kernels of [`Collocation`] and
-//! [`DiscreteField`], so the method needs no kernel of its own.
+//! Emitted code implements [`FourthOrderField`](crate::system::FourthOrderField) by these functions. They evaluate H by the kernels of [`Collocation`] and
+//! [`DiscreteField`], so the method needs no kernel of its own. Emitted code passes the gradients of momenta only.
 
 use super::columns::Projector;
 use super::energy::{Energy, Slope};
@@ -16,7 +16,7 @@ use crate::system::{Collocation, Conservative, DiscreteField, Span};
 /// Coefficients that depend on parameters and h.
 #[derive(Clone, Copy, Debug)]
 pub struct Parameters<C, P, R> {
-    /// Coefficients of the field f = J∇H, or of the force.
+    /// Coefficients of the field f = J∇H, or of the force if H = T(p) + V(q) with a quadratic T.
     field: C,
     /// Coefficients of the tree discrete gradient.
     mean_field: P,
@@ -32,7 +32,7 @@ pub struct Begun<A: Array> {
     span: Span<A::Real>,
     z: [A; 2],
     rate: [A; 2],
-    /// If true, the step does not keep momenta whose gradients nearly depend on the gradient of the energy, or on each other.
+    /// If true, the step does not keep momenta whose gradients nearly depend on the gradient of the energy, or on earlier momenta.
     drop_dependent_columns: bool,
 }
 
@@ -54,7 +54,7 @@ pub fn begin<S: DiscreteField<R> + Conservative<R>, R: Real>(
     Begun { span, z: *z, rate, drop_dependent_columns: false }
 }
 
-/// Implements [`FourthOrderField::fourth_loosen`](crate::system::FourthOrderField::fourth_loosen).
+/// Implements [`FourthOrderField::fourth_loosen`](crate::system::FourthOrderField::fourth_loosen) for a system that keeps momenta.
 pub fn loosen<A: Array>(start: &mut Begun<A>) -> bool {
     start.drop_dependent_columns = true;
     true
@@ -62,12 +62,13 @@ pub fn loosen<A: Array>(start: &mut Begun<A>) -> bool {
 
 /// Implements [`FourthOrderField::fourth_slope`](crate::system::FourthOrderField::fourth_slope): writes h f̄ with f̄ = F − MG(GᵀMG)⁻¹GᵀF, and 1 − h ∂f̄/∂d.
 ///
-/// F is the mean velocity of the Lobatto IIIA method of order 4. The first of the N columns of G is the tree discrete gradient of H if H is `AUTONOMOUS`,
-/// otherwise zero. The other columns are gradients of momenta at the midpoint. `momenta` returns these gradients at a point, and zero as its first
-/// entry. Precondition: momenta are quadratic polynomials, so the gradients are affine functions.
+/// F is the mean velocity of the Lobatto IIIA method of order 4, with the points z, c and z + d. The first of the N columns of G is the tree discrete
+/// gradient of H if `AUTONOMOUS`. Otherwise it is zero, because a time-dependent H is not constant. The other columns are gradients of momenta at the
+/// midpoint z + d/2. `momenta` returns these gradients at a point, and zero as its first entry. Precondition: momenta are polynomials of degree 2 at
+/// most. Their gradients at the midpoint are then discrete gradients, and affine functions of d.
 ///
 /// The length of a correction needs a metric M, because positions and momenta have different units. M is the metric of [`Gonzalez`](super::Gonzalez) at
-/// the point c, with positions and momenta exchanged. For an oscillator the exchange gives the inverse metric, up to a factor.
+/// the point c, with positions and momenta exchanged. With one degree of freedom the exchange inverts the metric, up to a factor.
 #[inline(always)]
 pub fn slope<const AUTONOMOUS: bool, const N: usize, S: DiscreteField<R> + Conservative<R>, R: Real>(
     system: &S,
@@ -113,14 +114,15 @@ pub fn slope<const AUTONOMOUS: bool, const N: usize, S: DiscreteField<R> + Conse
             (columns[0], tree_slope) = (g, derivative);
         }
         let projector = Projector::new([of_p, of_q], columns, drop_dependent_columns);
-        // F does not contain the jump of H across a condition. If the metric vanishes, the projection has no direction. Both cases use the tree gradient.
+        // F does not contain the jump of H across a condition. If the metric vanishes, the projection has no direction. In both cases the step is that of
+        // `DiscreteGradient`.
         if AUTONOMOUS && (projector.excludes_first() || !system.same_sides(t, [&z, &end_of_step], [&(), &()])) {
             mean = j_times(&columns[0]);
             slope = j_times_matrix(&tree_slope);
         } else {
             let weights;
             (mean, weights) = projector.projected(&velocity);
-            // The linear part of an affine gradient. The factor ½ is ∂(z + d/2)/∂d.
+            // The derivative of an affine gradient times a vector is its linear part. The factor ½ is ∂(z + d/2)/∂d.
             projector.derivative((&mut slope, &mean), (&mut tree_slope, &weights), |z| {
                 let (mut products, constant) = (momenta(z), momenta(&<S::Phase>::zero()));
                 for (product, constant) in products.iter_mut().zip(&constant) {

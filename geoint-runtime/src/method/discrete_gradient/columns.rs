@@ -1,7 +1,8 @@
 //! Projection of a mean velocity F onto the vectors v with Gᵀv = 0: v = F − MGλ with λ = (GᵀMG)⁻¹GᵀF.
 //!
-//! The N columns of G are discrete gradients of invariants, so a step along v keeps the invariants. The diagonal matrix M is a metric, because
-//! coordinates have different units. The columns are orthogonalised, so that dependent columns are recognised and excluded.
+//! The N columns of G are discrete gradients of invariants, so a step h v keeps the invariants. The diagonal matrix M is a metric: the length of the
+//! correction needs one, because coordinates have different units. The columns are replaced by orthogonal columns w of the same space, with one weight each:
+//! MGλ = Σ weight·Mw. Dependent columns are thus recognised and excluded.
 
 use super::matrix::Matrix;
 use crate::scalar::{Real, zero};
@@ -10,28 +11,29 @@ use crate::space::Array;
 use crate::space::vector::{dot, moved, product, scaled};
 
 /// Smallest length of the part of a column that is independent of the columns before it, relative to the column. A chosen bound: with a smaller part, the
-/// projection would amplify errors of the column by more than 64. Used only if dependent columns are dropped.
+/// projection would amplify errors of the column by more than 64. Used only if nearly dependent columns are dropped.
 const LEAST_INDEPENDENT_PART: f64 = 1.0 / 64.0;
 
-/// Columns that are orthogonal in the metric, and span the space of the given columns, by the Gram–Schmidt process.
+/// Orthogonal columns w of the space of the given columns, w_a·Mw_b = 0 for a ≠ b, by the Gram–Schmidt process.
 pub(super) struct Projector<A: Array, const N: usize> {
     /// The diagonal of M.
     metric: [A; 2],
-    /// Powers of two that multiply the given columns, so that no square overflows or vanishes.
+    /// Powers of two that multiply the given columns, so that squares neither overflow nor vanish.
     scales: [A::Real; N],
-    /// The orthogonal columns w.
+    /// w.
     orthogonal: [[A; 2]; N],
-    /// Mw of each orthogonal column.
+    /// Mw.
     weighted: [[A; 2]; N],
-    /// 1/(w·Mw) of each orthogonal column. Zero excludes a column: its square w·Mw vanishes, or it depends on the columns before it up to rounding. If
-    /// dependent columns are dropped, the bound is [`LEAST_INDEPENDENT_PART`] instead of rounding.
+    /// 1/(w·Mw). Zero excludes a column: its square w·Mw vanishes, or it depends on the columns before it up to rounding. If nearly dependent columns are
+    /// dropped, the bound is [`LEAST_INDEPENDENT_PART`] instead of rounding.
     reciprocals: [A::Real; N],
-    /// Column a (scaled) is w_a + Σ `coefficients[a][b]` w_b, summed over the orthogonal columns b < a.
+    /// The scaled column a is w_a + Σ `coefficients[a][b]` w_b, with the sum over b < a.
     coefficients: [[A::Real; N]; N],
 }
 
 impl<A: Array, const N: usize> Projector<A, N> {
-    /// Orthogonalises the `columns` of G. If `drop_dependent` is true, it excludes columns that nearly depend on the columns before them.
+    /// Orthogonalises the `columns` of G in the metric M, given by its diagonal. If `drop_dependent` is true, it excludes columns that nearly depend on the
+    /// columns before them. The step then does not keep their invariants.
     #[inline(always)]
     pub(super) fn new(metric: [A; 2], columns: [[A; 2]; N], drop_dependent: bool) -> Self {
         let none = zero::<A::Real>();
@@ -73,7 +75,7 @@ impl<A: Array, const N: usize> Projector<A, N> {
         self.reciprocals[0] == zero()
     }
 
-    /// Returns v = F − MGλ for the given `velocity` F, and the weights λ of the orthogonal columns.
+    /// Returns v = F − Σ weight·Mw for the `velocity` F, and the weights (w·F)/(w·Mw).
     #[inline(always)]
     pub(super) fn projected(&self, velocity: &[A; 2]) -> ([A; 2], [A::Real; N]) {
         let (mut projected, mut weights) = (*velocity, [zero(); N]);
@@ -84,11 +86,12 @@ impl<A: Array, const N: usize> Projector<A, N> {
         (projected, weights)
     }
 
-    /// Replaces the derivative ∂F/∂d in `slope` by ∂v/∂d. It follows from the differentials Gᵀdv = −dGᵀv and dv + MG dλ = dF − M dG λ.
+    /// Replaces the derivative ∂F/∂d in `slope` by ∂v/∂d, where d is the increment of the step, on which F and G depend. The derivative follows from the
+    /// differentials Gᵀdv = −dGᵀv and dv + MG dλ = dF − M dG λ.
     ///
-    /// `weights` are those that [`projected`](Self::projected) returned with v. `of_first` is the derivative of the first column. `of_others` returns the
-    /// products of a vector with the derivatives of the other columns. Precondition: these derivatives are symmetric. The derivative of M is omitted. Its
-    /// term is of the order of λ, so the result is approximate.
+    /// [`projected`](Self::projected) returned v with `weights`. `of_first` is the derivative of the first given column by d. `of_others` returns the products
+    /// of a vector with the derivatives of the other columns; its entry 0 is not read. Precondition: the derivatives of the others are symmetric. The
+    /// derivative of M is omitted. Its term is of the order of λ, so the result is approximate.
     #[inline(always)]
     pub(super) fn derivative(
         &self,
@@ -96,7 +99,7 @@ impl<A: Array, const N: usize> Projector<A, N> {
         (of_first, weights): (&mut Matrix<A>, &[A::Real; N]),
         of_others: impl Fn(&[A; 2]) -> [[A; 2]; N],
     ) {
-        // λ of the given columns, from the weights of the orthogonal ones.
+        // λ of the given columns, from the weights of the orthogonal columns.
         let mut lambda = *weights;
         for a in (0..N).rev() {
             for later in a + 1..N {
@@ -118,7 +121,7 @@ impl<A: Array, const N: usize> Projector<A, N> {
                 }
             }
         }
-        // dGᵀv of the given columns, then of the orthogonal ones.
+        // dGᵀv of the given columns, then of the orthogonal columns.
         let mut products = if N > 1 { of_others(v) } else { [<[A; 2]>::zero(); N] };
         products[0] = of_first.transpose_times(v);
         for a in 0..N {
@@ -127,6 +130,7 @@ impl<A: Array, const N: usize> Projector<A, N> {
                 products[a] = moved(&products[a], -self.coefficients[a][b], &products[b]);
             }
         }
+        // The derivatives of the weights.
         let weight_slopes: [[A; 2]; N] = core::array::from_fn(|a| {
             let rate = moved(&products[a], A::Real::from_f64(1.0), &slope.transpose_times(&self.orthogonal[a]));
             scaled(self.reciprocals[a], &rate)

@@ -9,33 +9,34 @@ use crate::space::Array;
 use crate::space::vector::{difference, dot, moved};
 use crate::system::{Conservative, DiscreteField};
 
-/// Smallest product of a direction and an increment, relative to the sum of the magnitudes of its terms. It is near √ε of double precision: a smaller
-/// product has fewer than half of its digits. The step divides by the product, and is refused if the product is smaller.
-const SINGULAR: f64 = 1e-8;
+/// Smallest product of a direction and an increment, relative to the sum of the magnitudes of its terms. The step divides by the product, and is refused
+/// if it is smaller. The bound is near √ε of double precision: a smaller product has fewer than half of its digits.
+const LEAST_PRODUCT: f64 = 1e-8;
 
 /// q₁ = q₀ + h λ (H(q₁, p₁) − H(q₁, p₀))/(λ·(p₁ − p₀)), p₁ = p₀ − h μ (H(q₁, p₀) − H(q₀, p₀))/(μ·(q₁ − q₀)). The directions are λ = ∂H/∂p at
-/// (αq₁ + (1 − α)q₀, βp₁ + (1 − β)p₀) and μ = ∂H/∂q at (γq₁ + (1 − γ)q₀, δp₁ + (1 − δ)p₀). The energy is kept to rounding for every h.
+/// (αq₁ + (1 − α)q₀, βp₁ + (1 − β)p₀) and μ = ∂H/∂q at (γq₁ + (1 − γ)q₀, δp₁ + (1 − δ)p₀). Accepted steps keep the energy to rounding for every h, if H
+/// does not read time.
 ///
 /// Order 1, for every H. Order 2 and symmetric for T(p) + V(q) if β = γ = ½, as by default. Then λ and μ are at midpoints, and α and δ do not matter.
 /// With one degree of freedom λ and μ cancel. The method is then [`ItohAbe`](super::ItohAbe), with its orders. With more degrees of freedom, no step
 /// exists if an increment is orthogonal to its direction: [`StepError::SingularDirection`](crate::StepError::SingularDirection). Differences of H are
-/// taken from the tree discrete gradient, so that short steps lose no digits.
+/// products of increments with the gradient of [`DiscreteGradient`](crate::DiscreteGradient), so that short steps lose no digits.
 ///
 /// A. J. Chorin, T. J. R. Hughes, M. F. McCracken & J. E. Marsden, Comm. Pure Appl. Math. 31 (1978) 205.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CoordinateIncrement {
-    /// Position between q₀ and q₁ at which the direction of q is taken.
+    /// α: the fraction of the way from q₀ to q₁ at which the direction λ of q is taken.
     pub alpha: f64,
-    /// Position between p₀ and p₁ at which the direction of q is taken.
+    /// β: the fraction of the way from p₀ to p₁ for λ.
     pub beta: f64,
-    /// Position between q₀ and q₁ at which the direction of p is taken.
+    /// γ: the fraction of the way from q₀ to q₁ at which the direction μ of p is taken.
     pub gamma: f64,
-    /// Position between p₀ and p₁ at which the direction of p is taken.
+    /// δ: the fraction of the way from p₀ to p₁ for μ.
     pub delta: f64,
 }
 
 impl Default for CoordinateIncrement {
-    /// Returns directions at midpoints.
+    /// Returns 1/2 for all four: directions at midpoints.
     fn default() -> Self {
         CoordinateIncrement { alpha: 0.5, beta: 0.5, gamma: 0.5, delta: 0.5 }
     }
@@ -62,6 +63,7 @@ impl MeanGradient for CoordinateIncrement {
             energy.gradient(energy.t, &[q, p]).g
         };
         let ([mu, _], [_, lambda]) = (gradient_at(self.gamma, self.delta), gradient_at(self.alpha, self.beta));
+        // The derivative is the one of the unscaled g. It is approximate, and only the solver reads it.
         Ok(Slope { g: [along(&mu, &g[0], &d[0])?, along(&lambda, &g[1], &d[1])?], derivative: end })
     }
 }
@@ -69,11 +71,11 @@ impl MeanGradient for CoordinateIncrement {
 /// Returns the multiple of `direction` whose product with `d` equals g·d.
 ///
 /// # Errors
-/// [`Refusal::SingularDirection`] if `direction` and `d` are orthogonal up to [`SINGULAR`], and neither is zero.
+/// [`Refusal::SingularDirection`] if `direction` and `d` are orthogonal up to [`LEAST_PRODUCT`], and neither is zero.
 fn along<A: Array>(direction: &A, g: &A, d: &A) -> Result<A, Refusal> {
     let product = dot(direction, d);
     let terms = direction.as_slice().iter().zip(d.as_slice()).map(|(a, b)| (*a * *b).magnitude());
-    if product.magnitude() <= SINGULAR * terms.sum::<f64>() && !direction.is_zero() && !d.is_zero() {
+    if product.magnitude() <= LEAST_PRODUCT * terms.sum::<f64>() && !direction.is_zero() && !d.is_zero() {
         return Err(Refusal::SingularDirection);
     }
     // The factor is 1 + excess. For d = 0 the excess is 0/0, which `denominator` makes 0.

@@ -1,7 +1,7 @@
 //! The tree discrete gradient and ∇H in all coordinates x = (q, p), with their derivatives. Other discrete gradients are built on them.
 //!
-//! The kernels of [`DiscreteField`] return the field f = J∇H. If T is quadratic, they return the force −∂V/∂q alone. [`Energy`] completes both to
-//! gradients in all coordinates.
+//! The kernels of [`DiscreteField`] return the field f = J∇H with J(q, p) = (p, −q). If H = T(p) + V(q) with a quadratic T, they return the force −∂V/∂q
+//! alone. [`Energy`] completes both to gradients in all coordinates. The bound [`Conservative`] excludes damping.
 
 use super::matrix::Matrix;
 use crate::method::Probe;
@@ -31,7 +31,7 @@ pub struct Staircase<A: Array> {
     pub end: Matrix<A>,
 }
 
-/// Evaluator of the gradients of H in one step. It shows each point of an evaluation to a [`Probe`].
+/// Evaluator of the gradients of H in one step. It shows each point of an evaluation to a [`Probe`]. It is not the invariant [`crate::Energy`].
 #[derive(Debug)]
 pub struct Energy<'a, S: DiscreteField<R>, R: Real, P> {
     pub(super) system: &'a S,
@@ -53,7 +53,7 @@ impl<S: DiscreteField<R>, R: Real, P: Observer> Observer for Energy<'_, S, R, P>
 }
 
 impl<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>> Energy<'_, S, R, P> {
-    /// Returns the tree discrete gradient between x and x + d, and its derivative with respect to d.
+    /// Returns the tree discrete gradient between x and x + d at the time [`t`](Self::t), and its derivative with respect to d.
     #[inline]
     pub fn tree(&mut self, x: &S::Phase, d: &S::Phase) -> Slope<S::Array> {
         let end = sum(x, d);
@@ -81,8 +81,8 @@ impl<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>> Energy<'_, 
 
     /// Returns g with Jg = f, and its derivative from the `jacobian` of f.
     ///
-    /// If T is quadratic, f is −∂V/∂q alone. ∂T/∂p = M⁻¹p is then computed at the momentum p, and its derivative is w·M⁻¹. The weight w is 1 for a
-    /// gradient. It is ½ for a mean gradient, because p is then the mean momentum.
+    /// If T is quadratic, f is −∂V/∂q alone. ∂T/∂p is then computed at the momentum p, and its derivative is w·M⁻¹ with the mass matrix M. The weight w is 1
+    /// for a gradient. It is ½ for a mean gradient, where p is the mean momentum p₀ + ½(p₁ − p₀), and the derivative is with respect to p₁ − p₀.
     #[inline(always)]
     fn gradient_of_field(
         &self,
@@ -119,8 +119,8 @@ impl<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>> Energy<'_, 
 
     /// Returns the mean gradient along a path with corners from x to x + d. Each edge of the path changes the next `block` coordinates.
     ///
-    /// An entry is the entry of the tree discrete gradient of the edge that changes its coordinate. With blocks of one coordinate, it is the divided
-    /// difference of H, because the discrete chain rule has no other term. Precondition: `block` divides the number of coordinates.
+    /// Each entry is taken from the tree discrete gradient along the edge that changes its coordinate. With blocks of one coordinate, it is the divided
+    /// difference of H, because the discrete chain rule g·d = H(x + d) − H(x) has one term. Precondition: `block` divides the number of coordinates.
     #[inline]
     pub fn staircase(&mut self, x: &S::Phase, d: &S::Phase, block: usize) -> Staircase<S::Array> {
         let mut stairs = Staircase { g: Array::zero(), start: Matrix::zero(), end: Matrix::zero() };
@@ -130,7 +130,7 @@ impl<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>> Energy<'_, 
             let mut edge = <S::Phase>::zero();
             entries(&mut edge)[moving.clone()].copy_from_slice(&Array::as_slice(d)[moving.clone()]);
             let next = moved(&corner, R::from_f64(1.0), &edge);
-            // The tree discrete gradient is symmetric in both ends. The derivative of `back` is therefore the derivative with respect to this corner.
+            // The tree discrete gradient is symmetric in both ends. The derivative of `back` is therefore the derivative with respect to `corner`.
             let mut ahead = self.tree(&corner, &edge);
             let mut back = self.tree(&next, &opposite(&edge));
             for i in moving.clone() {

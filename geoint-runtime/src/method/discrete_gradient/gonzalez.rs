@@ -12,17 +12,19 @@ use crate::space::vector::{difference, dot, entries, moved, product, scaled};
 use crate::system::{Conservative, DiscreteField};
 
 /// x₁ = x₀ + h J g with g = ∇H(m) + (H(x₁) − H(x₀) − ∇H(m)·d)/(d·Wd) Wd, where m is the midpoint and d = x₁ − x₀. Here
-/// x = (q, p) and J(q, p) = (p, −q). The energy is kept to rounding for every h.
+/// x = (q, p) and J(q, p) = (p, −q). Accepted steps keep the energy to rounding for every h, if H does not read time.
 ///
-/// Order 2, symmetric, for every H. H(x₁) − H(x₀) is taken from the tree discrete gradient, not from a difference, so that short steps lose no digits.
-/// O. Gonzalez, J. Nonlinear Sci. 6 (1996) 449, with W = 1.
+/// Order 2, symmetric, for every H. H(x₁) − H(x₀) is the product of d with the gradient of [`DiscreteGradient`](crate::DiscreteGradient). A difference
+/// of two energies would lose digits in short steps. O. Gonzalez, J. Nonlinear Sci. 6 (1996) 449, with W = 1.
 ///
 /// The metric W is a choice. The length √(d·Wd) needs a metric, because positions and momenta, or lengths and angles, have different units. With W = 1,
 /// as published, the step depends on the units. Here W is diagonal, with wᵢ² = (ε Hᵢᵢ)² + (ω ∂H/∂xᵢ)⁴ at the point m. Hᵢⱼ are the second derivatives
-/// of H, and ẋ = J∇H. The scales are ε² = Σ(ẋᵢHᵢⱼẋⱼ)² and ω⁴ = Σ(FᵢⱼFⱼᵢ)² with F = J∇²H, so all terms wᵢdᵢ² have one unit.
+/// of H, and ẋ = J∇H. The scales are ε² = Σ(ẋᵢHᵢⱼẋⱼ)² and ω⁴ = Σ(FᵢⱼFⱼᵢ)² with F = J∇²H. The unit of ε is that of H/time², and the unit of ω is that of
+/// a frequency. All terms wᵢdᵢ² therefore have one unit.
 ///
-/// For an oscillator wᵢ is the stiffness or the reciprocal mass, up to a factor. For a cyclic coordinate wᵢ is zero, so that its momentum is kept. W is
-/// not invariant under rotations of the axes. If d·Wd = 0, as in front of a jump of a constant potential, g is the tree discrete gradient.
+/// For one oscillator, w is the stiffness for q and the reciprocal mass for p, times factors with a ratio between 1/√3 and √3. For a coordinate that H
+/// does not read, w is zero, and its momentum is kept. W is not invariant under rotations of the axes. If d·Wd = 0, as in front of a jump of a constant
+/// potential, g is the gradient of `DiscreteGradient`.
 #[doc(alias = "midpoint discrete gradient")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Gonzalez;
@@ -53,7 +55,7 @@ impl MeanGradient for Gonzalez {
         let excess = difference(&tree.g, &middle.g);
         let factor = dot(&excess, d) / square;
 
-        // The derivative of W is omitted. Its term is of higher order, and equal from both ends, so it cancels in Q of `FourthOrder`.
+        // The derivative of W is omitted. Its term is of higher order, and equal for both ends, so it cancels in the matrix Q of `FourthOrder`.
         let mut factor_slope = moved(&excess, one, &tree.derivative.transpose_times(d));
         factor_slope.add_scaled(-half, &middle.derivative.transpose_times(d));
         factor_slope.add_scaled(-(factor + factor), &weighted);
@@ -68,8 +70,8 @@ impl MeanGradient for Gonzalez {
     }
 }
 
-/// Returns the diagonal of W, up to a common factor, from ∇H and ∇²H at a point. `coupled` is true if ∂²H/∂q∂p may be nonzero. The function does not
-/// depend on the system, so it is compiled once for a number of degrees of freedom.
+/// Returns the diagonal of W, up to a common factor, from the step size h, and from ∇H and ∇²H at the point `middle`. `coupled` is true if ∂²H/∂q∂p may
+/// be nonzero. The function does not depend on the system, so it is compiled once for each number of degrees of freedom.
 #[inline(never)]
 pub(super) fn metric<A: Array>(h: A::Real, middle: &Slope<A>, coupled: bool) -> [A; 2] {
     let one = A::Real::from_f64(1.0);
@@ -139,7 +141,7 @@ fn length<R: Real>(x: R, y: R) -> R {
     (x * x + y * y).sqrt() / scale
 }
 
-/// Returns the address of the code that is compiled once for a shape of positions.
+/// Returns the address of [`metric`] for a shape of positions. This crate then compiles it for usual shapes, and programs need not.
 pub(crate) fn compiled<A: Array>() -> *const () {
     metric::<A> as *const ()
 }

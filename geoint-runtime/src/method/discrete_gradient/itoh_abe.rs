@@ -14,10 +14,11 @@ use crate::space::vector::{moved, opposite, scaled, sum};
 use crate::space::{Array, Summation};
 use crate::system::{Conservative, DiscreteField, Invariants, KeptBy};
 
-/// x₁ = x₀ + h J g with gᵢ = (H(…, x₁ᵢ, x₀ᵢ₊₁, …) − H(…, x₀ᵢ, x₀ᵢ₊₁, …))/(x₁ᵢ − x₀ᵢ). Here x = (q, p) and J(q, p) = (p, −q). Coordinates before i have
-/// their new values: all of q, then all of p. If H does not read time, every accepted step keeps the energy to rounding.
+/// x₁ = x₀ + h J g with gᵢ = (H(…, x₁ᵢ, x₀ᵢ₊₁, …) − H(…, x₀ᵢ, x₀ᵢ₊₁, …))/(x₁ᵢ − x₀ᵢ). The entries i of x₀ and x₁ are x₀ᵢ and x₁ᵢ. Here x = (q, p) and
+/// J(q, p) = (p, −q). The order of the entries is all of q, then all of p. Entries before i have their new values, entries after i their old ones. If H
+/// does not read time, every accepted step keeps the energy to rounding.
 ///
-/// Order 1. Order 2 and symmetric if H = Σ Tᵢ(pᵢ) + Σ Vᵢ(qᵢ). The momentum of a cyclic coordinate is kept. Use the method for comparison with the
+/// Order 1. Order 2 and symmetric if H = Σ Tᵢ(pᵢ) + Σ Vᵢ(qᵢ). If H does not read a coordinate, its momentum is kept. Use the method for comparison with the
 /// literature. Otherwise prefer [`DiscreteGradient`](crate::DiscreteGradient). T. Itoh & K. Abe, J. Comput. Phys. 76 (1988) 85.
 #[doc(alias("coordinate increment discrete gradient", "Itoh-Abe"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -35,7 +36,7 @@ pub struct ItohAbeAdjoint;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ItohAbePair;
 
-/// The mean of the discrete gradients of [`ItohAbe`] and [`ItohAbeAdjoint`]. Order 2, symmetric. Keeps the energy as [`ItohAbe`] does.
+/// The step along the mean of the discrete gradients of [`ItohAbe`] and [`ItohAbeAdjoint`]. Order 2, symmetric. Keeps the energy as [`ItohAbe`] does.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SymmetrisedItohAbe;
 
@@ -66,6 +67,7 @@ impl MeanGradient for ItohAbeAdjoint {
         x: &S::Phase,
         d: &S::Phase,
     ) -> Result<Slope<S::Array>, Refusal> {
+        // The path from x₁ back to x₀ starts at x₁, so its derivative by the start is ∂g/∂d.
         let end = sum(x, d);
         let Staircase { g, start, .. } = energy.staircase(&end, &opposite(d), 1);
         Ok(Slope { g, derivative: start })
@@ -92,7 +94,7 @@ impl MeanGradient for SymmetrisedItohAbe {
     }
 }
 
-/// Mean gradient of one half of a step of [`ItohAbePair`]. Both halves have one type, so that they share a memory.
+/// Mean gradient of one half of a step of [`ItohAbePair`]. Both halves have one type, so that they share a solver and its experience.
 #[derive(Clone, Copy, Debug)]
 pub enum Half {
     /// [`ItohAbe`].

@@ -4,7 +4,7 @@ use crate::scalar::Real;
 use crate::space::vector::{dot, entries, opposite};
 use crate::space::{Array, Square};
 
-/// A square matrix in all coordinates, with one row for each entry of (q, p).
+/// A square matrix in all coordinates, with one row for each entry of (q, p). Products take `&mut`, because [`rows`](Self::rows) does, but change nothing.
 #[derive(Clone, Copy, Debug)]
 pub struct Matrix<A: Array>(Square<[A; 2]>);
 
@@ -47,7 +47,7 @@ impl<A: Array> Matrix<A> {
         y
     }
 
-    /// Adds w·other.
+    /// Adds w·other to this matrix.
     #[inline(always)]
     pub(super) fn add_scaled(&mut self, w: A::Real, other: &mut Self) {
         for (row, other) in self.rows().iter_mut().zip(other.rows()) {
@@ -62,7 +62,7 @@ pub(super) fn j_times<A: Array>([q, p]: &[A; 2]) -> [A; 2] {
     [*p, opposite(q)]
 }
 
-/// Returns `x`, or the smallest normal number if `x` is smaller. As a denominator, it makes 0/0 zero. Precondition: `x` is not negative.
+/// Returns `x`, or the smallest normal number if `x` is smaller. Division by the result returns 0 in place of 0/0. Precondition: `x` is not negative.
 #[inline(always)]
 pub(super) fn denominator<R: Real>(x: R) -> R {
     x.max(R::from_f64(R::smallest()))

@@ -1,7 +1,7 @@
 //! Steps along a mean g of ∇H between their ends: d = h J g(x₀, x₀ + d) for the increment d = x₁ − x₀. Here x = (q, p) and J(q, p) = (p, −q).
 //!
-//! [`MeanGradient`] defines g. [`MeanStep`] solves the equation for all coordinates (q, p), even if T is quadratic. The dedicated step of
-//! [`DiscreteGradient`](super::DiscreteGradient) is cheaper; see [`TreeStep`](super::TreeStep).
+//! [`MeanGradient`] defines g. [`MeanStep`] solves the equation for all coordinates (q, p), even if H = T(p) + V(q) with a quadratic T. There the step of
+//! [`DiscreteGradient`](super::DiscreteGradient) has half of the unknowns; see [`TreeStep`](super::TreeStep).
 
 use super::energy::{Energy, Slope};
 use super::matrix::j_times;
@@ -21,16 +21,17 @@ use crate::system::{Conservative, DiscreteField, KeptBy};
 
 /// A mean g of ∇H between x and x + d. The step is x₁ = x₀ + h J g(x₀, x₁).
 ///
-/// A discrete gradient satisfies g·d = H(x + d) − H(x). The step then keeps the energy, because g·d = h g·Jg = 0.
+/// A discrete gradient satisfies g·d = H(x + d) − H(x). The step then keeps the energy, because g·d = h g·Jg = 0. Time is frozen in the middle of the step.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a step along a mean of gradients",
     note = "means of order 2: `DiscreteGradient`, `Gonzalez`, `MeanValue`, `SymmetrisedItohAbe`"
 )]
 pub trait MeanGradient: Copy + core::fmt::Debug {
-    /// Whether ∂g/∂d is symmetric. [`FourthOrder`](crate::FourthOrder) then omits its term with Q, which is zero.
+    /// True if ∂g/∂d is symmetric. [`FourthOrder`](crate::FourthOrder) then omits its term with the matrix Q, which is zero.
     const CURL_FREE: bool = false;
 
-    /// True if energies are factors in g, as in the metric of [`Gonzalez`](super::Gonzalez). They must then neither underflow nor overflow.
+    /// True if g contains products with energies, as in the metric of [`Gonzalez`](super::Gonzalez). A run is then refused if an energy underflows or
+    /// overflows.
     const OF_ENERGIES: bool = false;
 
     /// Returns the name of the method.
@@ -46,8 +47,8 @@ pub trait MeanGradient: Copy + core::fmt::Debug {
         false
     }
 
-    /// Returns g between x and x + d, and ∂g/∂d. The solver accepts an approximate derivative. Unless [`CURL_FREE`](Self::CURL_FREE),
-    /// [`FourthOrder`](crate::FourthOrder) computes its matrix Q from ∂g/∂d at both ends. Its order 4 needs an exact Q.
+    /// Returns g between x and x + d, and ∂g/∂d. The solver accepts an approximate derivative. [`FourthOrder`](crate::FourthOrder) does not: unless
+    /// [`CURL_FREE`](Self::CURL_FREE), its order 4 needs the exact skew part of ∂g/∂x₁ − ∂g/∂x₀.
     ///
     /// # Errors
     /// If g does not exist between these points.
@@ -59,8 +60,8 @@ pub trait MeanGradient: Copy + core::fmt::Debug {
     ) -> Result<Slope<S::Array>, Refusal>;
 }
 
-/// A symmetric mean that [`FourthOrder`](crate::FourthOrder) raises to order 4 by a modified structure matrix. The tree discrete gradient is not among
-/// them, because `FourthOrder` projects a mean velocity for it.
+/// A mean of order 2, symmetric in both ends, that [`FourthOrder`](crate::FourthOrder) raises to order 4 by a modified structure matrix. The tree discrete
+/// gradient is not among them: for it, `FourthOrder` projects a mean velocity.
 pub trait FourthOrderBase: MeanGradient + SymmetricMap {}
 
 /// The step along the mean `G`. The derivative of g may be approximate, so the solver is [`QuasiNewton`], with linear convergence.
@@ -74,14 +75,14 @@ pub struct MeanStep<G>(
 #[derive(Clone, Debug)]
 pub struct Coefficients<G, S: DiscreteField<R>, R: Real> {
     mean: G,
-    /// Coefficients of the field f = J∇H.
+    /// Coefficients of the field f = J∇H, or of the force if T is quadratic.
     field: S::Constants,
     /// Coefficients of the tree discrete gradient.
     mean_field: S::Parameters,
 }
 
 impl<'a, G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Equation<'a, MeanStep<G>, S, R> {
-    /// Returns the evaluator of the gradients of H, at the time of the middle of the step. It shows the points of evaluations to `probe`.
+    /// Returns the evaluator of the gradients of H for this step. It shows the points of evaluations to `probe`.
     #[inline(always)]
     fn energy<'b, P>(&self, probe: &'b mut P) -> Energy<'b, S, R, P>
     where
@@ -104,13 +105,13 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> ImplicitSt
     type Coefficients = Coefficients<G, S, R>;
     type Start = ();
     type History = ();
-    /// The reason if g did not exist at a point of the iteration. It replaces the refusal of the solver.
+    /// The refusal of the mean, if g did not exist at a point of the iteration. It replaces the refusal of the solver.
     type LastEvaluation = Option<Refusal>;
     type Kept = KeptBy<S, R>;
     type Solver = QuasiNewton<S::Phase>;
 
     const POLICY: Policy = Policy {
-        // All solutions of a discrete gradient keep the energy. Solutions of inexact means are not followed to h = 0 either.
+        // All solutions of a discrete gradient keep the energy. This constant cannot ask `is_exact`, so it holds for inexact means, too.
         branch: Branch::OfEnergy,
         sums: Sums::Compensated,
         evaluated: Evaluated::AtTheEnd,

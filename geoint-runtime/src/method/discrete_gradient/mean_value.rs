@@ -13,9 +13,11 @@ use crate::system::{Conservative, DiscreteField, Mean};
 
 /// The averaged vector field, x₁ = x₀ + h J ∫₀¹ ∇H(x₀ + s(x₁ − x₀)) ds with J(q, p) = (p, −q). The integral has `K` Gauss points, 1 to 6.
 ///
-/// Order 2, symmetric, for every H. The energy is kept to rounding for every h if the integral is exact. The integral is exact if H is a sum of
-/// functions of linear forms and of a polynomial of degree 2K at most. The report of a system states a proof of exactness, or the term that prevents
-/// it. If the integral is not exact, the error of the energy is O(h²ᴷ).
+/// Order 2, symmetric, for every H. The energy is kept to rounding for every h if the mean is exact. Gauss points are exact if H is a polynomial of degree
+/// 2K at most. If H is the sum of such a polynomial and of functions of one linear form each, the mean is computed from tree discrete gradients
+/// ([`DiscreteGradient`](crate::DiscreteGradient)), and is exact too. The [report](crate::guide::_05_report) of a system states a proof of exactness, or
+/// the term that prevents it. If the mean is not exact, the energy at a fixed time has an error O(h²ᴷ).
+///
 /// R. I. McLachlan, G. R. W. Quispel & N. Robidoux, Phil. Trans. R. Soc. A 357 (1999) 1021; G. R. W. Quispel & D. I. McLaren, J. Phys. A 41
 /// (2008) 045206.
 #[doc(alias("average vector field", "averaged vector field"))]
@@ -26,6 +28,7 @@ impl<const K: usize> MeanGradient for MeanValue<K>
 where
     Gauss<K>: GaussTableau<K>,
 {
+    /// ∂g/∂d = ∫ s ∇²H ds is symmetric, also as a sum over Gauss points.
     const CURL_FREE: bool = true;
 
     fn mean_name(&self) -> Name {
@@ -50,7 +53,7 @@ where
         x: &S::Phase,
         d: &S::Phase,
     ) -> Result<Slope<S::Array>, Refusal> {
-        // For these systems the tree discrete gradient is the mean value.
+        // With one part, the tree discrete gradient is proven to be the mean value.
         if S::MEAN == Mean::Parts(1) {
             return Ok(energy.tree(x, d));
         }
@@ -63,7 +66,7 @@ where
             mean.derivative.add_scaled(b * c, &mut at.derivative);
         }
         match S::MEAN {
-            // The derivative by Gauss points remains. It is approximate, and only the solver reads it.
+            // The derivative by Gauss points remains. It is approximate, which may slow the solver only.
             Mean::Parts(needed) if needed <= K => mean.g = extrapolated(energy, x, d, needed),
             _ => {}
         }
@@ -71,11 +74,14 @@ where
     }
 }
 
-/// Returns the mean of the tree discrete gradients of n equal parts of the line, extrapolated from n = 1, 2, … `largest` to n = ∞.
+/// Returns the mean of the tree discrete gradients of n equal parts of the line, extrapolated from n = 1, 2, … L to n = ∞. L is `largest`.
 ///
-/// For a function of a linear form, the mean over the parts equals the mean value of the gradient for every n. For a polynomial H of degree 2·`largest`
-/// at most, it is a polynomial of degree `largest` − 1 in 1/n², because the tree discrete gradient is a symmetric polynomial of both ends. The
-/// extrapolation is then exact. The result is a discrete gradient of every H.
+/// For a function of one linear form, the mean over the parts equals the mean value of the gradient for every n. Let H be a polynomial of degree 2L at
+/// most. The tree discrete gradient of a part is then a polynomial of degree 2L − 1 in its midpoint and its increment d/n, and even in d/n. Its mean is a
+/// polynomial of degree L − 1 in 1/n², as in the midpoint rule, and L means determine the limit exactly.
+///
+/// The result is a discrete gradient of every H. Each mean satisfies mean·d = H(x + d) − H(x), because the changes of H over the parts add up, and the
+/// weights of all n add up to 1.
 fn extrapolated<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>>(
     energy: &mut Energy<'_, S, R, P>,
     x: &S::Phase,

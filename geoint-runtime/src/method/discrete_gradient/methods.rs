@@ -1,4 +1,5 @@
-//! The table of methods whose steps are a [`MeanStep`]: x₁ = x₀ + h J g with a mean gradient g.
+//! The table of methods whose steps are a [`MeanStep`]: x₁ = x₀ + h J g with a mean gradient g. [`DiscreteGradient`](crate::DiscreteGradient) and
+//! `FourthOrder(DiscreteGradient)` have steps of their own, and are not in the table.
 //!
 //! Orders and symmetries in the table hold for every H. For H = T(p) + V(q) some methods have a higher order, which their documentation states.
 
@@ -12,12 +13,13 @@ use crate::method::implicit::ImplicitMethod;
 use crate::scalar::Real;
 use crate::system::{Conservative, DiscreteField};
 
+// The symmetric means of the table below that `FourthOrder` accepts.
 impl FourthOrderBase for Gonzalez {}
 impl<const K: usize> FourthOrderBase for MeanValue<K> where MeanValue<K>: MeanGradient + SymmetricMap {}
 impl FourthOrderBase for SymmetrisedItohAbe {}
 
-/// Implements methods for mean gradients, with their order and symmetry. [`MeanStep`] adds the claim that a method keeps the energy, or is symplectic,
-/// because it depends on the system.
+/// Implements methods for mean gradients, with their order and symmetry. A row is `[generic parameters] mean (where type: bound)?: claims;`. [`MeanStep`] adds
+/// the claims of a kept energy and of symplecticity, because both depend on the system.
 macro_rules! methods {
     ($([$($generic:tt)*] $mean:ty $(where $bounded:ty: $bound:path)?: $claims:expr;)*) => { $(
         impl<S, R, $($generic)*> ImplicitMethod<S, R> for $mean
@@ -26,6 +28,7 @@ macro_rules! methods {
             R: Real,
             $($bounded: $bound,)?
         {
+            // Only canonical systems without damping and other forces have this proof.
             type Proof = <S as Conservative<R>>::Proof;
             type Step = MeanStep<Self>;
 
@@ -39,6 +42,7 @@ macro_rules! methods {
 }
 
 // `FourthOrder` has a row for each mean, not one generic row: with one implementation per type, the compiler can name the bound that fails.
+// Both bounds of `MeanValue<K>` admit K = 1 to 6. The second one follows from the first.
 methods! {
     [] ItohAbe: Claims::of_order(1);
     [] ItohAbeAdjoint: Claims::of_order(1);

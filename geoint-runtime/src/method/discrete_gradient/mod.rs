@@ -1,11 +1,13 @@
-//! Steps along a discrete gradient, x₁ = x₀ + h J ∇̄H(x₀, x₁). They keep the energy H to rounding, for every step size h.
+//! Steps along a discrete gradient, x₁ = x₀ + h J ∇̄H(x₀, x₁). Accepted steps keep the energy H to rounding, for every step size h.
 //!
 //! Here x = (q, p) and J(q, p) = (p, −q). A discrete gradient ∇̄H satisfies ∇̄H·(x₁ − x₀) = H(x₁) − H(x₀), and tends to ∇H if x₁ tends to x₀
-//! (O. Gonzalez, J. Nonlinear Sci. 6 (1996) 449). The energy is kept because H(x₁) − H(x₀) = h ∇̄H·J∇̄H = 0. With damping R, the step has J − R in
-//! place of J, and H falls by h ∇̄H·R∇̄H; see [`DiscreteGradient`].
+//! (O. Gonzalez, J. Nonlinear Sci. 6 (1996) 449). J is skew, so the energy is kept: H(x₁) − H(x₀) = h ∇̄H·J∇̄H = 0.
 //!
-//! [`DiscreteGradient`] is the usual choice: it has the fewest unknowns, and is the one for damped systems. Steps are not symplectic in general. If H
-//! reads time, it is not constant, and no step keeps it.
+//! [`DiscreteGradient`] is the usual choice. It has the fewest unknowns, and is the only one for damped systems: J − C replaces J for a damping
+//! matrix C, and H changes by −h ∇̄H·C∇̄H.
+//!
+//! Limits: steps are not symplectic in general. [`MeanValue`] keeps the energy only if its integral is exact. An energy that reads time is not
+//! constant: steps evaluate it at the time of their middle.
 //!
 //! ```
 //! use geoint_runtime::prelude::*;

@@ -1,11 +1,13 @@
-//! The step of the polarised discrete gradient of a Lagrangian that is quadratic in v, L = ½vᵀM v + a·v − V, with or without an action s.
+//! The step of the polarised discrete gradient of a Lagrangian that is quadratic in v, L = ½vᵀM v + a·v − V, with or without an action s. M, a and V may
+//! depend on q, s and the time t.
 //!
-//! The unknowns are the increment d of the velocity v, and the increment of s. The equation relates v₁ to the momentum p₁ = ∂L/∂v at the end of the step:
+//! The unknown is the row d of the increments of the velocity v and, if there is an action, of s. The equation relates v₁ to the momentum p₁ = ∂L/∂v at the
+//! end of the step:
 //!
-//! M(q₁)v₁ + a(q₁) = p₁ with q₁ = q₀ + h v̄, v₁ = v₀ + d and v̄ = v₀ + d/2. [`PolarisedForm`] defines p₁ − p₀ and s₁ − s₀.
+//! M(q₁)v₁ + a(q₁) = p₁ with q₁ = q₀ + h v̄ and the mean v̄ of v₀ and v₁. [`PolarisedForm`] defines p₁ − p₀ and s₁ − s₀ as functions of d.
 //!
 //! A step solved for velocities has half of the unknowns of a step for (q, p), and needs no inverse of the mass matrix M. M may be indefinite. A step is
-//! refused if det M vanishes on its way.
+//! refused if a search finds that det M may vanish on its way; see [`Regular`].
 
 use crate::method::implicit::{
     Arrival, Branch, Departure, Equation, Evaluated, ImplicitStep, Increment, Policy, Sums, Units, Watch,
@@ -25,11 +27,11 @@ pub struct PolarisedStep;
 /// A point of a run with its velocity.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PointWithVelocity<Z: Array, A> {
-    /// The time at which M and a are evaluated.
+    /// The time at which M and a were evaluated.
     t: Z::Real,
     z: Z,
     v: A,
-    /// 1/|Mᵢᵢ| at the last point whose velocity was computed from p. They only scale rows, so old values suffice.
+    /// 1/|Mᵢᵢ| at the last point for which [`with_velocity`] computed v. They only scale rows, so old values suffice.
     row_scales: A,
 }
 
@@ -47,7 +49,7 @@ impl<Z: Array, A: Array<Real = Z::Real>> Record<Z::Real> for PointWithVelocity<Z
 pub struct History<Z: Array, A: Array> {
     /// The check that M stays regular in a run.
     regular: Regular<A>,
-    /// The end of the last step.
+    /// The end of the last step, or the start of the current step.
     last: Option<PointWithVelocity<Z, A>>,
 }
 
@@ -66,8 +68,8 @@ pub struct Start<C, A, D> {
     form: C,
     /// The velocity at the start.
     v: A,
-    /// Scales of the rows of the equation. A row over |Mᵢᵢ| has the unit of the velocity, and the row of s has the scale 1. The sign of det M multiplies
-    /// the scale of the first row. The determinant of the equation is then positive for short steps, as the solver requires.
+    /// Factors of the rows of the equation: 1/|Mᵢᵢ|, so that row i has the unit of the velocity i, and 1 for the row of s. The first factor also has the
+    /// sign of det M. The determinant of the equation is then positive for short steps, as the solver requires.
     row_scales: D,
 }
 
@@ -80,7 +82,7 @@ pub struct Coefficients<P> {
     is_definite: bool,
 }
 
-/// The last evaluation: the unknowns d, the increments of p and s, and the derivatives of these increments with respect to d.
+/// The last evaluation: the unknown d, the increments of p and s, and the derivatives of these increments with respect to d.
 #[derive(Clone, Copy, Debug)]
 pub struct LastEvaluation<D: Array> {
     d: D,
@@ -88,12 +90,12 @@ pub struct LastEvaluation<D: Array> {
     by_d: Square<D>,
 }
 
-/// Returns whether the system has an action. A step then evaluates L at the time of its middle only.
+/// Returns whether the system has an action. A step then freezes time in its middle.
 const fn has_action<S: PolarisedForm<R>, R: Real>() -> bool {
     <S::Action as Action<R>>::LEN > 0
 }
 
-/// Returns the times at which M and a are evaluated at the start and at the end of a step. Both are the time of the middle if there is an action.
+/// Returns the times at which M and a are evaluated for the start and for the end of a step. Both are the time of the middle if there is an action.
 #[inline(always)]
 fn times<S: PolarisedForm<R>, R: Real>(from: &Departure<'_, S, R>) -> [R; 2] {
     if const { has_action::<S, R>() } { [from.middle(); 2] } else { [from.t, from.end] }
@@ -132,7 +134,7 @@ impl<S: PolarisedForm<R>, R: Real> ImplicitStep<S, R> for PolarisedStep {
         Policy { evaluated: Evaluated::AtTheEnd, ..Policy::of(Units { alike: S::Array::LEN, kinds: 2 }) }
     } else {
         Policy {
-            // All solutions satisfy the energy balance: H changes by −h v̄·C v̄ with the friction C.
+            // All solutions satisfy the energy balance. With friction C, H changes by −h v̄·C v̄.
             branch: Branch::OfEnergy,
             // The increment −2v₀ reverses v, so v̄ = 0, and q does not move.
             standstill: -2.0,
@@ -164,7 +166,7 @@ impl<S: PolarisedForm<R>, R: Real> ImplicitStep<S, R> for PolarisedStep {
         let Departure { system, z, s, .. } = from;
         let sign = history.regular.begin(*system, coefficients.is_definite, (from.t, z, s))?;
         let [t, _] = times(from);
-        // The velocity of the last end belongs to this start, unless M is evaluated at another time, or the point was moved, for example by a projection.
+        // The velocity of the last end belongs to this start, unless M is evaluated at another time, as always with an action, or the point was moved.
         let point = match history.last {
             Some(last) if last.t == t && last.z == *z => last,
             last => with_velocity(*system, t, (*z, *s), last.map_or_else(S::Array::zero, |last| last.v))?,
@@ -206,7 +208,7 @@ impl<S: PolarisedForm<R>, R: Real> ImplicitStep<S, R> for PolarisedStep {
         residual
     }
 
-    /// Returns the increments. Those of p and s are extrapolated linearly from the last evaluation by the last correction of d.
+    /// Returns the increments. The increments of p and s are those of the last evaluation, corrected to first order by the last correction of d.
     #[inline(always)]
     fn update(
         equation: &Equation<'_, Self, S, R>,
@@ -240,7 +242,6 @@ impl<S: PolarisedForm<R>, R: Real> ImplicitStep<S, R> for PolarisedStep {
 ///
 /// # Errors
 /// [`Refusal::Singular`] if M is singular at the point, or the velocity is not finite.
-#[cold]
 #[inline(never)]
 fn with_velocity<S: MassForm<R>, R: Real>(
     system: &S,

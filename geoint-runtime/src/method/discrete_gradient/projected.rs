@@ -1,5 +1,7 @@
-//! The step of `FourthOrder(DiscreteGradient)`: d = h·f̄(z, z + d) for the increment d of all coordinates z. [`FourthOrderField`] defines the projected
-//! mean velocity f̄, and [`FourthOrder`] documents the method.
+//! The step of `FourthOrder(DiscreteGradient)`: d = h·f̄(z, z + d) for the increment d of all coordinates z. [`FourthOrder`] documents the method.
+//!
+//! The mean velocity f̄ is of order 4, projected so that the step keeps invariants. [`FourthOrderField`] defines it: for canonical systems by the functions of
+//! `canonical.rs`, for other fields by emitted code.
 
 use super::mean::MeanGradient;
 use super::{DiscreteGradient, FourthOrder};
@@ -88,15 +90,15 @@ impl<S: FourthOrderField<R>, R: Real> ImplicitStep<S, R> for FourthOrder<Discret
         d: &S::Phase,
         matrix: &mut Square<S::Phase>,
     ) -> S::Phase {
-        watch.visit(from.t, &sum(&from.z, d), &());
-        // The exact start is z + compensation. An increment by d + 2·compensation has the exact mean z + compensation + d/2.
+        watch.visit(from.end, &sum(&from.z, d), &());
+        // The exact ends are z + c and z + c + d with the compensation c. The increment d + 2c from z keeps their mean exact, and moves each end by c.
         let (compensated, mut image) = (moved(d, R::from_f64(2.0), &from.compensation), S::Phase::zero());
         from.system.fourth_slope(coefficients, start, &compensated, &mut image, matrix);
         difference(d, &image)
     }
 
-    /// Returns the solution of the equation. On an orbit along which the gradients of invariants depend on each other, such as a circle, no step keeps
-    /// all invariants in this way. If a thorough attempt finds no solution, it therefore excludes dependent momenta, and tries again.
+    /// Returns the solution of the equation. Along some orbits, such as a circle, the gradients of invariants depend on each other, and the projection is
+    /// singular. If a thorough attempt finds no solution, it therefore excludes nearly dependent momenta, and tries again.
     #[inline(always)]
     fn solve<P: Probe<S, R>>(
         mut equation: Equation<'_, Self, S, R>,
@@ -135,7 +137,7 @@ impl<S: FourthOrderField<R>, R: Real> ImplicitStep<S, R> for FourthOrder<Discret
         rounded::check_step::<S, R>(P::EFFORT, from, end)
     }
 
-    /// Returns whether the kept invariants neither underflow nor overflow. Only canonical systems are checked, because their metric contains the energy.
+    /// Returns whether the kept invariants neither underflow nor overflow. Only canonical systems are checked, because only their metric contains energies.
     fn is_in_range(system: &S, z: &S::Phase) -> bool {
         !S::State::MOMENTA || is_representable(system, &KeptBy::<S, R>::default(), z)
     }

@@ -1,10 +1,11 @@
 //! The step along the tree discrete gradient ∇̄H of an energy, or of first integrals of a field: u = h·f̄(y, y + d(u)) for the impulse u.
 //!
-//! [`DiscreteField`] defines the mean right-hand side f̄, and d is the increment of y. There are two forms:
+//! [`DiscreteField`] defines the mean right-hand side f̄, and d is the increment of y. There are three forms:
 //!
-//! - y = (q, p), f̄ = J∇̄H, and d = u. For a field with first integrals, y are all coordinates.
-//! - If T is quadratic, y = q and f̄ = −∇̄V. The impulse u is the increment of the momenta p, and d = h ∂T/∂p(p + u/2). This form has half of the
-//!   unknowns.
+//! - y = (q, p), f̄ = J∇̄H, and d = u.
+//! - If H = T(p) + V(q) with a quadratic T, and nothing is damped, y = q and f̄ = −∇̄V. The impulse u is the increment of the momenta p, and
+//!   d = h ∂T/∂p(p + u/2). This form has half of the unknowns.
+//! - For a field with first integrals, y are all coordinates, and d = u. f̄ is a mean velocity along which the integrals keep their values.
 
 use super::energy::{Energy, Slope};
 use super::mean::MeanGradient;
@@ -25,13 +26,16 @@ use crate::system::{Conservative, DiscreteField, Invariants, KeptBy, Span};
 
 /// x₁ = x₀ + h J ∇̄H(x₀, x₁) with J(q, p) = (p, −q) and the tree discrete gradient ∇̄H. Accepted steps keep the energy to rounding, for every h.
 ///
-/// Order 2, symmetric, for every H; not symplectic. ∇̄H is reverse-mode differentiation of the expression tree of H, with divided differences in
-/// place of derivatives, in forms without cancellation. Linear and quadratic momenta are kept as well, if they commute with each innermost linear or quadratic
-/// form in which H is written. Write central forces as functions of `x * x + y * y`.
+/// Order 2, symmetric, for every H. In general not symplectic. ∇̄H is reverse-mode differentiation of the expression tree of H, with divided differences in
+/// place of derivatives, in forms without cancellation. Conserved functions of degree 1 or 2 in (q, p) are kept as well, if their Poisson brackets with
+/// each innermost linear or quadratic form of the tree vanish. Write central forces as functions of `x * x + y * y`, to keep the angular momentum.
 ///
-/// A step solves one equation by Newton's iteration. If T is quadratic, it has half of the unknowns. If H is a quadratic polynomial, a product with a
-/// constant inverse solves it. With damping C, the step has J − C in place of J, and the energy falls by exactly h ∇̄H·C∇̄H. In compositions with steps
-/// back in time, this balance holds for each substep.
+/// A step solves one equation by Newton's iteration. If H = T(p) + V(q) with a quadratic T, it has half of the unknowns. If H is a quadratic polynomial that
+/// does not read time, a product with a constant inverse solves it. With a damping matrix C, J − C replaces J, and the energy changes by −h ∇̄H·C∇̄H, to
+/// rounding. In compositions with steps back in time, this balance holds for each substep. If H reads time, a step takes H at the time of its middle.
+///
+/// Vector fields with first integrals keep these in place of H. Lagrangians that are solved for velocities have the step
+/// [`PolarisedStep`](super::PolarisedStep), and systems with constraints the step [`MultiplierStep`](crate::method::constrained::MultiplierStep).
 ///
 /// T. Matsubara, A. Ishikawa & T. Yaguchi, NeurIPS 2020; R. A. LaBudde & D. Greenspan, Numer. Math. 25 (1976) 323.
 #[doc(alias("energy-momentum", "energy conserving", "energy-preserving"))]
@@ -79,8 +83,9 @@ pub struct Coefficients<S: DiscreteField<R>, R: Real> {
 /// Values that depend on the start of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Start<S: DiscreteField<R>, R: Real> {
+    /// y at the start.
     y: S::Unknown,
-    /// The origin of the impulse: the coordinates to which it is added, y or p.
+    /// The coordinates to which the impulse is added: y, or p.
     origin: S::Unknown,
     /// The compensation of the sums of y. Zero if runs remove the drift of invariants.
     compensation: S::Unknown,
@@ -102,8 +107,8 @@ fn nearly_reverses<R: Real>(mean: R, p: R) -> bool {
 impl<S: DiscreteField<R>, R: Real> Equation<'_, TreeStep, S, R> {
     /// Returns the increment d of y that follows from an impulse u.
     ///
-    /// If T is quadratic, it is one product of h/2m with 2p + u, which has the rounding of p + u/2. The roundings of two products, h p/m + h u/2m, would
-    /// not average out. At h = 0.1 the energy of a pendulum would drift by 10⁻¹² in a million steps.
+    /// If T is quadratic, it is one product of h/2m with 2p + u, which has the rounding of p + u/2; m is the mass. The roundings of two products,
+    /// h p/m + h u/2m, would not average out. At h = 0.1 the energy of a pendulum would drift by 10⁻¹² in a million steps.
     #[inline(always)]
     fn increment(&self, impulse: &S::Unknown) -> S::Unknown {
         if S::EQUATION_ORDER.is_first() {
@@ -121,8 +126,9 @@ impl<S: DiscreteField<R>, R: Real> Equation<'_, TreeStep, S, R> {
         impulse: &S::Unknown,
     ) -> S::Unknown {
         let d = self.increment(impulse);
-        watch.visit(self.from.t, &sum(&self.from.z, &S::increments(&d, impulse)), &());
-        // f̄ reads the mean y + d/2, hence the factor 2. Its sum comes first, so that the optimiser removes both sums if the compensation is absent.
+        watch.visit(self.from.end, &sum(&self.from.z, &S::increments(&d, impulse)), &());
+        // The exact mean of both ends is y + compensation + d/2, hence the factor 2. The compensation is doubled by a sum first: the optimiser then removes
+        // both sums if the compensation is absent.
         sum(&d, &sum(&self.start.compensation, &self.start.compensation))
     }
 
@@ -135,9 +141,9 @@ impl<S: DiscreteField<R>, R: Real> Equation<'_, TreeStep, S, R> {
         impulse
     }
 
-    /// Returns the increments of (q, p) for an impulse, if h·f̄ is affine in the impulse.
+    /// Returns the increments of (q, p) for an impulse. Precondition: h·f̄ is affine in the impulse.
     ///
-    /// In a step much longer than an oscillation, the impulse nearly reverses p, and the mean momentum p̄ = p + u/2 has no digits left. The mean is then
+    /// In a step much longer than an oscillation, the impulse nearly reverses p, and the mean momentum p̄ = p + u/2 has lost digits. The mean is then
     /// computed by its own equation, K p̄ = p + ½ h f̄(y, y), and the impulse follows from it. Otherwise the energy of an oscillator of frequency ω would
     /// change by hω roundings in each step.
     #[inline(always)]
@@ -203,7 +209,7 @@ impl<S: DiscreteField<R>, R: Real> ImplicitStep<S, R> for TreeStep {
     const POLICY: Policy = Policy {
         magnitudes: if S::State::MOMENTA { Magnitudes::Recent } else { Magnitudes::Present },
         // With momenta, or with a first integral, all solutions satisfy the balance of the energy or of the integral. The balance includes friction. If H
-        // reads time, it holds at frozen time. Otherwise solutions are followed to h = 0.
+        // reads time, it holds for H at the time of the middle. Without momenta and integrals, solutions are followed to h = 0.
         branch: if S::State::MOMENTA || drift_is_removed::<S, R>() { Branch::OfEnergy } else { Branch::Continuous },
         // The impulse −2p reverses p, so the mean of p is 0, and q does not move.
         standstill: if S::EQUATION_ORDER.is_first() { 0.0 } else { -2.0 },

@@ -1,9 +1,10 @@
-//! The Gauss step of a system with canonical coordinates y(x) of its state x. The unknowns are the points xᵢ of all stages:
+//! The Gauss step of a system with canonical coordinates y(x) of its state x. The unknowns are the increments xᵢ − x₀ to all stages xᵢ:
 //!
 //! y(xᵢ) = y(x₀) + h Σ aᵢⱼ y'(xⱼ). The end x̂ of the step follows from y(x̂) = y(x₀) + h Σ bⱼ y'(xⱼ).
 //!
 //! Here y' = dy/dt, and aᵢⱼ and bⱼ are the coefficients and weights of the method. Collocation is symplectic in y, but not in x. The equations are
-//! solved for x, so no formula for x(y) is needed. A step is refused if ∂y/∂x is singular.
+//! solved for x, so no formula for x(y) is needed. A step is refused if ∂y/∂x is singular at its start, or if the sign of a determinant shows that ∂y/∂x
+//! was singular on the way. Limit: two changes of the sign cancel.
 
 use super::prepared::Scaled;
 use super::stages::{Form, Part, Rows, Slopes, Values, assemble};
@@ -24,7 +25,7 @@ use crate::system::{CanonicalForm, row_scale};
 #[derive(Clone, Copy, Debug)]
 pub struct CanonicalStages<const S: usize>;
 
-/// The equation reads ∂y/∂x and ∂y'/∂x, and no shift. Rows are in units of x already.
+/// The derivatives ∂y/∂x and ∂y'/∂x are given. A stage is its own unknown, so nothing reads a shift. Rows are in units of x already.
 const FORM: Form = Form {
     value: Slopes { by_unknown: Part::Given, by_shift: Part::Zero },
     rate: Slopes { by_unknown: Part::Given, by_shift: Part::Zero },
@@ -36,6 +37,7 @@ const FORM: Form = Form {
 pub struct Coefficients<P, R, const S: usize> {
     /// Coefficients of the system.
     kernel: P,
+    /// The table of the method, times h.
     scaled: Scaled<R, S>,
 }
 
@@ -90,13 +92,14 @@ where
         At::new(self.from.system, &self.coefficients.kernel, t, z)
     }
 
-    /// Returns the increment of x at the end of the step, which changes y by `change`. Newton's iteration starts from a guess.
+    /// Returns the increment of x over the step, which changes y by `change`. Newton's iteration starts from a guess.
     ///
     /// # Errors
-    /// If the iteration does not converge, or if ∂y/∂x is singular on the way or has changed its orientation.
+    /// If the iteration does not converge, if ∂y/∂x is singular at one of its points, or if det ∂y/∂x has changed its sign.
     fn end(&self, change: &Y::Phase, guess: Y::Phase) -> Result<Y::Phase, Refusal> {
         let (Start { y, inverse, .. }, mut is_positive) = (&self.start, true);
         let correction = |d: &Y::Phase| {
+            // y does not read time, so a rounding of the end time has no effect.
             let at = self.at((self.from.t + self.from.h, sum(&self.from.z, d)));
             let mut delta = inverse.times(&difference(&difference(&at.value, y), change));
             let mut matrix = scaled_rows(inverse, &at.derivatives[VALUE]);
@@ -104,15 +107,16 @@ where
             let relative = Sizes::new().relative(&delta, &self.from.z, &difference(d, &delta));
             Ok(Correction { delta, relative })
         };
+        // Corrections that stop shrinking are taken for the rounding of y.
         let d =
             correct(guess, Corrections::of(Convergence::Quadratic), |Stuck { after, .. }| Some(*after), correction)?;
-        // The matrix is (∂y/∂x)₀⁻¹ ∂y/∂x, which is 1 at the start of the step. If its determinant is negative at the end, Ω was singular on the way.
+        // The matrix is (∂y/∂x)₀⁻¹ ∂y/∂x, which is 1 at the start of the step. If its determinant is negative at the end, ∂y/∂x was singular on the way.
         if is_positive { Ok(d) } else { Err(Refusal::Singular) }
     }
 }
 
 /// The equations of all stages for the increments d = xᵢ − x₀. They are multiplied by (∂y/∂x)⁻¹ at the start of the step. Rows then have the units of x,
-/// and the matrix is near 1.
+/// and the matrix is near 1 for short steps. The solver refuses a solution with a negative determinant.
 impl<Y: CanonicalForm<R>, R: Real, const S: usize> ImplicitStep<Y, R> for CanonicalStages<S>
 where
     Gauss<S>: GaussTableau<S>,
@@ -125,6 +129,7 @@ where
     type Kept = ();
     type Solver = Newton<[Y::Phase; S]>;
 
+    // States without momenta have `ALIKE` = 1: every coordinate may have a unit of its own.
     const POLICY: Policy = Policy::of(Units { alike: Y::State::ALIKE, kinds: Y::Phase::LEN / Y::State::ALIKE });
     const STAGES: usize = S;
 
@@ -152,6 +157,7 @@ where
         [equation.from.z; S]
     }
 
+    /// Returns the increments of a motion with the constant rate x' = (∂y/∂x)⁻¹ y' of the start.
     fn guess(Equation { coefficients, start, .. }: &Equation<'_, Self, Y, R>) -> [Y::Phase; S] {
         let rate = start.inverse.times(&start.rate);
         coefficients.scaled.nodes.map(|node| scaled(node, &rate))
@@ -190,6 +196,7 @@ where
         Solution { x: d, .. }: &Solution<[Y::Phase; S]>,
         (): &(),
     ) -> Result<Increment<Y::Phase, ()>, Refusal> {
+        // The last evaluation was before the last correction, so y' is evaluated at the solution.
         let mut change = Y::Phase::zero();
         for i in 0..S {
             change.add_scaled(equation.coefficients.scaled.weights[i], &equation.at(equation.place(i, d)).rate);
@@ -215,9 +222,11 @@ fn scaled_rows<A: Array>(inverse: &Inverted<A>, matrix: &Square<A>) -> Square<A>
     product
 }
 
-/// Returns the inverse of ∂y/∂x at the point `z`, and whether the determinant of the scaled matrix is positive. Returns `None` if ∂y/∂x is singular.
+/// Returns the inverse of ∂y/∂x at the point `z`. Returns `None` if ∂y/∂x is singular. The sign of its determinant is not read, because only a change of the
+/// sign shows a singular point.
 ///
-/// Rows of the matrix have the units of y. Divided by their diagonals, rows have the units of x, as the choice of pivots requires.
+/// Rows of the matrix have the units of y. Divided by their diagonals, rows have the units of x, as the choice of pivots requires. If a diagonal entry is
+/// zero, [`row_scale`] is the largest entry of the row.
 #[inline(always)]
 fn inverse<A: Array>(matrix: &Square<A>, z: &A) -> Option<Inverted<A>> {
     let (mut scaled_matrix, mut scales, mut sizes) = (*matrix, A::zero(), Sizes::new());

@@ -1,15 +1,16 @@
 //! Error estimate of a Gauss step from the defect of its collocation polynomial.
 //!
-//! Let x from 0 to 1 be the time in the step, and s the number of stages. Collocation finds a polynomial u with u' = f(u) at the nodes cᵢ. Between the
-//! nodes, u has the defect δ = f(u) − u'. The defect is the product of N(x) = Π (x − cᵢ) and another function. The error of the step is h ∫ R δ dx, and R
-//! propagates a defect to the end of the step. N is orthogonal to all polynomials of lower degree. The error therefore contains two terms of order h²ˢ⁺¹:
+//! Let x from 0 to 1 be the time in the step in units of h, and s the number of stages. Collocation finds a polynomial u of the time with u' = f(u) at the
+//! nodes cᵢ, where a prime is d/dt. Between the nodes, u has the defect δ = f(u) − u'. The defect is the product of N(x) = Π (x − cᵢ) and a smooth function.
+//! The error of the step is h ∫ R δ dx, where R(x) propagates a small change at x to the end of the step. N is orthogonal to all polynomials of lower degree.
+//! The error therefore contains two terms of order h²ˢ⁺¹:
 //!
-//! - h δ[c₁, …, c_s, x₀, …, x_s] ∫N² dx, for R = 1. The divided difference of δ also reads the points x₀, …, x_s of [`Sample`].
+//! - h δ[c₁, …, c_s, x₀, …, x_s] ∫N² dx, for R = 1. The bracket is the divided difference of δ at the nodes, where δ = 0, and at the points of [`Sample`].
 //! - (hJ)ˢ D (s!)³/((2s)!(2s+1)!), for constant δ/N. J = ∂f/∂u at the start, and D is the mean of h δ/N at both ends of the step.
 //!
-//! The first term is the whole error if f depends on time alone. The second term is the whole error if f is linear. The estimate adds the magnitudes of
-//! both terms, so that they do not cancel. Any other f has further terms of this order, which the estimate leaves out: [`Samples::margin`] covers them. No
-//! order is extrapolated from others. The estimate detects a vibration that is small beside a slow motion by the action of f on the vibration.
+//! The first term is the leading error if f depends on time alone. The second term is the leading error if f is linear. The estimate adds the magnitudes
+//! of both terms, so that they do not cancel. Any other f has further terms of this order, which the estimate leaves out: [`Samples::margin`] covers them in
+//! tests, without a proof. The estimate detects a vibration that is small beside a slow motion by the action of f on the vibration.
 //!
 //! If h is long beside the fastest motion, powers of hJ grow without bounds. The error of a Gauss method does not. The estimate therefore replaces hJ by
 //! hJ(1 − γhJ)⁻¹, and multiplies defects by (1 − γhJ)⁻¹. Here γ = 1/2s is the mean eigenvalue of the coefficients A. E. Hairer & G. Wanner filter estimates
@@ -24,16 +25,16 @@ use crate::space::vector::{difference, dot, scaled};
 use crate::space::{Array, Square};
 use crate::system::Collocation;
 
-/// A point x of the step at which the defect is evaluated, and its coefficients. k are the values of f at the stages.
+/// A point x of the step at which the defect is evaluated, and its coefficients. k are the values of f at the stages, and sums are over the stages.
 #[derive(Clone, Copy)]
 struct Sample<const S: usize> {
     /// x.
     position: f64,
-    /// Coefficients in u' = Σ rates·k.
+    /// Coefficients in u' = Σ rates·k, or in p' for q'' = M⁻¹f.
     rates: [f64; S],
     /// First row: coefficients in u = y₀ + h Σ changes·k. Second row, for q'' = M⁻¹f: u = q₀ + hx q'₀ + h² Σ changes·M⁻¹k.
     changes: [[f64; S]; 2],
-    /// Weights of hδ in the first term of the error, and in D.
+    /// Weights of hδ at this point in the first term of the error, and in D.
     weights: [f64; 2],
 }
 
@@ -41,13 +42,13 @@ struct Sample<const S: usize> {
 struct Samples<const S: usize> {
     start: Sample<S>,
     others: [Sample<S>; S],
-    /// Weights of h·k in the highest coefficient of the polynomial of p, for q'' = M⁻¹f. The defect of q' is N(x) times M⁻¹ times this coefficient.
+    /// For q'' = M⁻¹f: weights of h·k in the highest coefficient of the polynomial of p. The defect of q' is N(x) M⁻¹ times this coefficient.
     highest: [f64; S],
-    /// Factor of the estimate, 4ˢ. The estimate is then as cautious as step halving, where the error of the two half steps is smaller by this factor than
-    /// the estimate that judges them. For orbits of Kepler, of Hénon and Heiles, and others, errors are a tenth of the result at most, while h is shorter
-    /// than a vibration (`tests/benches/README.md`).
+    /// Factor of the estimate, 4ˢ. The estimate is then as cautious as step halving, which takes the difference of one step and two half steps for the error
+    /// of the half steps. This error is smaller by 4ˢ. For orbits of Kepler, of Hénon and Heiles, and others, errors are a tenth of the result at most, while
+    /// h is shorter than a vibration (`tests/benches/README.md`).
     margin: f64,
-    /// (s!)³/((2s)!(2s+1)!)/γˢ, the coefficient of (γhJ)ˢ D.
+    /// (s!)³/((2s)!(2s+1)!)/γˢ: the factor of (γhJ)ˢ D in the second term.
     linear: f64,
 }
 
@@ -104,7 +105,7 @@ impl<const S: usize> Sample<S> {
     /// Returns the point xᵢ with its coefficients. `square` is ∫N² dx.
     const fn new(Tableau { a, b, c }: &Tableau<S>, i: usize, square: f64) -> Self {
         let at = Self::place(c, i);
-        // `monic` becomes N(x).
+        // `monic` becomes N(x), which has the leading coefficient 1.
         let (mut rates, mut changes, mut monic, mut j) = ([0.0; S], [[0.0; S]; 2], 1.0, 0);
         while j < S {
             rates[j] = lagrange(c, j, at);
@@ -138,8 +139,8 @@ impl<const S: usize> Sample<S> {
         Sample { position: at, rates, changes, weights: [square / (monic * others), end] }
     }
 
-    /// Adds the contribution of hδ at this point to `sums`: the first term of the error, and D. Returns f'. The compiler drops its computation if the
-    /// caller ignores it.
+    /// Adds the contribution of hδ at this point to `sums`: the first term of the error, and D. Returns f' = ∂f/∂y. The compiler drops its computation if
+    /// the caller ignores it. `at` is that of [`error`].
     #[inline(always)]
     fn add<Y: Collocation<R>, R: Real>(
         &self,
@@ -172,10 +173,11 @@ const fn lagrange<const S: usize>(c: &[f64; S], j: usize, x: f64) -> f64 {
     value
 }
 
-/// Errors of y, and of the momenta if y holds positions alone.
+/// Errors of y, and of the momenta if y holds positions alone. The second entry is not used if y holds all coordinates.
 type Errors<Y, R> = [<Y as Collocation<R>>::Unknown; 2];
 
-/// The filter (1 − γhJ)⁻¹.
+/// The filter (1 − γhJ)⁻¹, with the Jacobian J of the equation of first order. For q'' = M⁻¹f, positions are eliminated: the matrix for p is
+/// 1 − (γh)² ∂f/∂q M⁻¹.
 struct Filter<'a, Y: Collocation<R>, R: Real> {
     system: &'a Y,
     coefficients: &'a Y::Constants,
@@ -183,7 +185,7 @@ struct Filter<'a, Y: Collocation<R>, R: Real> {
     length: R,
     /// ∂f/∂y at the start of the step.
     slope: Square<Y::Unknown>,
-    /// The sizes of the quantity that f changes, for the choice of pivots.
+    /// The sizes of the coordinates that f changes, for the choice of pivots.
     sizes: Sizes<Y::Unknown>,
 }
 
@@ -222,19 +224,20 @@ impl<Y: Collocation<R>, R: Real> Filter<'_, Y, R> {
     }
 }
 
-/// A step of a system.
+/// The step whose error is estimated.
 pub(super) struct Step<'a, Y: Collocation<R>, R: Real> {
     pub(super) system: &'a Y,
     pub(super) coefficients: &'a Y::Constants,
     pub(super) h: R,
-    /// Quantity to which h·k is added.
+    /// The coordinates that f changes, at the start: y, or the momenta.
     pub(super) changed: &'a Y::Unknown,
 }
 
-/// Returns the estimated error of each coordinate after a step, from the values `k` of f at its stages. Returns `None` if 1 − γhJ is singular. A solution
-/// then grows by more than a step resolves.
+/// Returns a magnitude for the error of each coordinate after a step, from the values `k` of f at its stages. Returns `None` if 1 − γhJ is singular. A
+/// solution then grows by more than a step resolves.
 ///
-/// `at` takes the time after the start of the step, and coefficients of k as in [`Sample`]. It returns f and f' on the polynomial u.
+/// `at` takes the time after the start of the step, and the row of [`Sample::changes`] for the form of the equation. It returns f and ∂f/∂y on the
+/// polynomial u.
 #[inline]
 pub(super) fn error<Y: Collocation<R>, R: Real, const S: usize>(
     Step { system, coefficients, h, changed }: Step<'_, Y, R>,

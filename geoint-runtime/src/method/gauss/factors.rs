@@ -1,7 +1,7 @@
-//! The factors r of contact Gauss steps.
+//! The factors r of Gauss steps of contact systems, whose momenta decay: p' = −∂H/∂q − σ p with σ = ∂H/∂s, or σ = −∂L/∂s.
 //!
-//! r' = r σ with σ = ∂H/∂s, and r = 1 at the start of a step. Stages advance r p in place of p, because (r p)' = −r ∂H/∂q has no term with σ. `coupling` is
-//! h·aᵢⱼ and `weights` are h·bᵢ, with the coefficients and weights of the method.
+//! r' = r σ, and r = 1 at the start of a step. Stages advance r p in place of p, because (r p)' = −r ∂H/∂q has no term with σ. `coupling` is h·aᵢⱼ and
+//! `weights` are h·bᵢ, with the coefficients and weights of the method. `decay` is σ at each stage.
 
 use crate::scalar::{Real, zero};
 use crate::solving::linear;
@@ -11,17 +11,17 @@ use crate::space::vector::sum_of_products;
 /// The factors rᵢ = 1 + h Σ aᵢⱼ rⱼ σⱼ of the stages.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::method) struct Factors<R, const S: usize> {
-    /// σᵢ = ∂H/∂s at the stages.
+    /// σᵢ.
     pub(in crate::method) decay: [R; S],
     /// rᵢ.
     pub(in crate::method) r: [R; S],
-    /// ∂rᵢ/∂σⱼ, or zeros.
+    /// ∂rᵢ/∂σⱼ, or zeros if no derivatives were asked for.
     pub(in crate::method) by_decay: [[R; S]; S],
 }
 
 impl<R: Real, const S: usize> Factors<R, S> {
-    /// Returns the factors for the given σᵢ, with derivatives if `DERIVED`. Only a σ that depends on the unknowns needs derivatives. Returns `None` if the
-    /// matrix δᵢⱼ − h aᵢⱼσⱼ is singular.
+    /// Returns the factors for the given σᵢ, with derivatives if `DERIVED`. Only a σ that depends on the unknowns of the step needs derivatives. Returns
+    /// `None` if the matrix δᵢⱼ − h aᵢⱼσⱼ is singular.
     #[inline(always)]
     pub(in crate::method) fn new<const DERIVED: bool>(coupling: &[[R; S]; S], decay: &[R; S]) -> Option<Self> {
         let one = R::from_f64(1.0);
@@ -43,9 +43,9 @@ impl<R: Real, const S: usize> Factors<R, S> {
         Some(Factors { decay: *decay, r, by_decay })
     }
 
-    /// Returns the factors for new σᵢ, to first order. Precondition: the squares of the changes are below rounding errors.
+    /// Returns the factors for new σᵢ, to first order. Preconditions: the squares of the changes are below rounding errors, and `by_decay` is known.
     #[inline(always)]
-    pub(in crate::method) fn after(&self, decay: &[R; S]) -> Self {
+    pub(in crate::method) fn with_decay(&self, decay: &[R; S]) -> Self {
         let mut factors = Factors { decay: *decay, ..*self };
         for i in 0..S {
             for j in 0..S {
@@ -55,13 +55,13 @@ impl<R: Real, const S: usize> Factors<R, S> {
         factors
     }
 
-    /// Returns NaN for all factors, if none exist. The residual is then NaN, and no solution is found.
+    /// Returns NaN for all factors, in place of factors that do not exist. The residual is then NaN, and no solution is found.
     pub(in crate::method) fn unknown() -> Self {
         let unknown = R::from_f64(f64::NAN);
         Factors { decay: [unknown; S], r: [unknown; S], by_decay: [[unknown; S]; S] }
     }
 
-    /// Returns r(h) − 1 = h Σ bᵢ rᵢ σᵢ at the end of the step. Returns `None` if r(h), by which the step divides the contact form, is not positive.
+    /// Returns r₁ − 1 = h Σ bᵢ rᵢ σᵢ with r₁ at the end of the step. Returns `None` if r₁, by which the step divides the contact form, is not positive.
     #[inline(always)]
     pub(in crate::method) fn growth(&self, weights: &[R; S]) -> Option<R> {
         let grown = sum_of_products(weights, &core::array::from_fn::<_, S, _>(|i| self.r[i] * self.decay[i]));
@@ -70,8 +70,8 @@ impl<R: Real, const S: usize> Factors<R, S> {
         positive.then_some(grown)
     }
 
-    /// Returns s' at the stages: the solution of sᵢ' + σᵢ h Σ aᵢⱼ sⱼ' = `at_start`ᵢ, or `None` if the matrix is singular. Precondition: s' is affine in s,
-    /// and `at_start` holds its values for s = s₀.
+    /// Returns s' at the stages: the solution of sᵢ' + σᵢ h Σ aᵢⱼ sⱼ' = `at_start`ᵢ, or `None` if the matrix is singular. Precondition: s' is affine in s
+    /// with the slope −σ, and `at_start` holds its values for s = s₀.
     #[inline(always)]
     pub(in crate::method) fn rates_of_action(&self, coupling: &[[R; S]; S], mut at_start: [R; S]) -> Option<[R; S]> {
         let one = R::from_f64(1.0);

@@ -1,4 +1,5 @@
-//! The Gauss step of y' = f(y, t), or of q'' = M⁻¹f(q, t) with y = q. The unknowns are the values kᵢ = f(Yᵢ) of all stages.
+//! The Gauss step of y' = f(y, t), or of q'' = M⁻¹f(q, t) with y = q. The unknowns are the values kᵢ = f(Yᵢ, t₀ + cᵢh) of all stages. aᵢⱼ, bᵢ and cᵢ are
+//! the coefficients, weights and nodes of the method.
 //!
 //! - y' = f: Yᵢ = y₀ + h Σ aᵢⱼ kⱼ, y₁ = y₀ + h Σ bᵢ kᵢ.
 //! - q'' = M⁻¹f: Yᵢ = q₀ + cᵢ h q'₀ + h² Σ (A²)ᵢⱼ M⁻¹kⱼ, q₁ = q₀ + h q'₀ + h² Σ bᵢ(1 − cᵢ) M⁻¹kᵢ, p₁ = p₀ + h Σ bᵢ kᵢ.
@@ -29,13 +30,14 @@ const ESTIMATED_STAGES: [usize; 2] = [3, 4];
 
 /// The largest number of unknowns of a stage with an estimate. With more, the eliminations of an estimate cost more than the two half steps of step
 /// halving.
-const MOST_UNKNOWNS: usize = 6;
+const MOST_ESTIMATED_UNKNOWNS: usize = 6;
 
 /// Coefficients of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Coefficients<P, R, const S: usize> {
     /// Coefficients of the system.
     pub(super) kernel: P,
+    /// The table of the method times h.
     pub(super) scaled: Scaled<R, S>,
     /// The weight of kⱼ in Yᵢ: h·A, or h²·A².
     coupling: [[R; S]; S],
@@ -48,9 +50,9 @@ pub struct Coefficients<P, R, const S: usize> {
 pub struct Start<A> {
     /// y₀.
     y: A,
-    /// The coordinates to which h·k is added: y₀, or p₀.
+    /// The coordinates that f changes: y₀, or p₀.
     pub(super) changed: A,
-    /// M⁻¹p₀, or zero for an equation of first order.
+    /// q'₀ = ∂T/∂p at p₀, or zero for an equation of first order.
     velocity: A,
 }
 
@@ -58,7 +60,8 @@ impl<Y: Collocation<R>, R: Real, const S: usize> Equation<'_, FieldStages<S>, Y,
 where
     Gauss<S>: GaussTableau<S>,
 {
-    /// Returns f and f' = ∂f/∂y on the collocation polynomial of the step, at the time `x` after its start. The coefficients multiply h·k, or h²·M⁻¹k.
+    /// Returns f and ∂f/∂y on the collocation polynomial of the step, at the time `x` after its start. There y₀ changes by x q'₀ plus the `coefficients` times
+    /// h·k, or times h²·M⁻¹k.
     #[inline(always)]
     pub(super) fn at<P: Probe<Y, R>>(
         &self,
@@ -78,7 +81,7 @@ where
         (self.field(x, &change, &mut slope), slope)
     }
 
-    /// Returns Yᵢ − y₀.
+    /// Returns Yᵢ − y₀ for the values `k` of all stages.
     #[inline(always)]
     fn change(&self, i: usize, k: &[Y::Unknown; S]) -> Y::Unknown {
         let Coefficients { kernel, scaled: Scaled { nodes, .. }, coupling, .. } = self.coefficients;
@@ -95,7 +98,7 @@ where
         sum(&self.from.z, &Y::increments(change, &Y::Unknown::zero()))
     }
 
-    /// Returns f after a change of y, at the time `x` after the start of the step. Writes f' to `slope`.
+    /// Returns f after a change of y, at the time `x` after the start of the step. Writes ∂f/∂y to `slope`.
     #[inline(always)]
     fn field(&self, x: R, change: &Y::Unknown, slope: &mut Square<Y::Unknown>) -> Y::Unknown {
         let mut f = Y::Unknown::zero();
@@ -103,7 +106,7 @@ where
         f
     }
 
-    /// Returns f(Yᵢ), writes f'(Yᵢ) to `slope`, and shows Yᵢ to `watch`.
+    /// Returns f(Yᵢ), writes ∂f/∂y to `slope`, and shows Yᵢ to `watch`.
     #[inline(always)]
     fn stage<P: Probe<Y, R>>(
         &self,
@@ -131,13 +134,13 @@ where
     type Solver = Newton<[Y::Unknown; S]>;
 
     const POLICY: Policy = Policy {
-        // All kᵢ = −2p₀/h reverse the momentum: q₁ = q₀. The origin is p₀/h.
+        // If all kᵢ are −2p₀/h, the momentum is reversed, and q₁ = q₀. The origin is p₀/h.
         standstill: if Y::EQUATION_ORDER.is_first() { 0.0 } else { -2.0 },
         ..Policy::of(Units { alike: Y::State::ALIKE, kinds: Y::Unknown::LEN / Y::State::ALIKE })
     };
     const STAGES: usize = S;
     const ORDER_OF_ESTIMATE: Option<u32> =
-        if ESTIMATED_STAGES[0] <= S && S <= ESTIMATED_STAGES[1] && Y::Unknown::LEN <= MOST_UNKNOWNS {
+        if ESTIMATED_STAGES[0] <= S && S <= ESTIMATED_STAGES[1] && Y::Unknown::LEN <= MOST_ESTIMATED_UNKNOWNS {
             Some(2 * S as u32)
         } else {
             None
@@ -172,13 +175,13 @@ where
         Ok(Start { y, changed, velocity: from.system.velocity(&coefficients.kernel, &changed) })
     }
 
-    /// Returns y₀/h, or p₀/h. Rounding of kᵢ is relative to it, because h·kᵢ is added to y₀, or p₀.
+    /// Returns y₀/h, or p₀/h. Rounding of kᵢ is relative to it, because multiples of h·kᵢ are added to y₀, or p₀.
     #[inline(always)]
     fn origin(equation: &Equation<'_, Self, Y, R>) -> [Y::Unknown; S] {
         [scaled(R::from_f64(1.0) / equation.from.h, &equation.start.changed); S]
     }
 
-    /// Returns f at the points of a motion with constant y'.
+    /// Returns f at the nodes of a motion with the constant rate y'₀.
     fn guess(equation: &Equation<'_, Self, Y, R>) -> [Y::Unknown; S] {
         let mut slope = Y::Unknown::fill(Y::Unknown::zero());
         let mut rate = equation.start.velocity;
@@ -197,7 +200,7 @@ where
         from_fn(|i| equation.stage(watch, i, k, &mut Y::Unknown::fill(Y::Unknown::zero())))
     }
 
-    /// Returns kᵢ − f(Yᵢ). Block (i, j) of the matrix is δᵢⱼ − f'(Yᵢ) ∂Yᵢ/∂kⱼ. `stages::assemble` would need the slopes of all stages in memory first:
+    /// Returns kᵢ − f(Yᵢ). Block (i, j) of the matrix is δᵢⱼ − ∂f/∂y(Yᵢ) ∂Yᵢ/∂kⱼ. `stages::assemble` would need the slopes of all stages in memory first:
     /// steps of two and more stages would take 1.1 to 1.8 times as long.
     #[inline(always)]
     fn residual<P: Probe<Y, R>>(

@@ -29,7 +29,7 @@ mod fields; // Step of y' = f(y, t), or q'' = M⁻¹f(q, t).
 pub(crate) mod prepared; // Table times h.
 pub(in crate::method) mod stages; // Equations of all stages, except in `fields`.
 mod tableau; // Table for each number of stages.
-mod velocities; // Step of Lagrangians.
+mod velocities; // Step of Lagrangians that are solved for velocities.
 
 pub use canonical::CanonicalStages;
 pub use fields::FieldStages;
@@ -46,15 +46,15 @@ use crate::system::PhaseSpace;
 /// Gauss collocation with `S` stages, 1 to 6. Order 2S, symmetric, symplectic, for every H. Keeps quadratic invariants. The reference method for energies
 /// that are not separable.
 ///
-/// A step of y' = f(y, t) solves kᵢ = f(Yᵢ) for all stages together, with Yᵢ = y₀ + h Σ aᵢⱼ kⱼ. Then y₁ = y₀ + h Σ bᵢ kᵢ. The coefficients A = (aᵢⱼ),
-/// weights bᵢ and nodes cᵢ are those of Gauss's quadrature on \[0, 1\]. If H = T(p) + V(q) with a quadratic T and the mass matrix M, the unknowns are the
-/// forces kᵢ alone: Yᵢ = q₀ + cᵢh q'₀ + h² Σ (A²)ᵢⱼ M⁻¹kⱼ.
+/// A step of y' = f(y, t) solves kᵢ = f(Yᵢ, t + cᵢh) for all stages together, with Yᵢ = y₀ + h Σ aᵢⱼ kⱼ. Then y₁ = y₀ + h Σ bᵢ kᵢ. The weights bᵢ and nodes
+/// cᵢ are those of Gauss's quadrature on \[0, 1\]. The coefficients A = (aᵢⱼ) integrate polynomials of degree S − 1 exactly from 0 to cᵢ. If H = T(p) + V(q)
+/// with a quadratic T and the mass matrix M, the unknowns are the forces kᵢ alone: Yᵢ = q₀ + cᵢh q'₀ + h² Σ (A²)ᵢⱼ M⁻¹kⱼ.
 ///
-/// For a Lagrangian with a full mass matrix, the unknowns are the stage velocities Vᵢ: Qᵢ = q₀ + h Σ aᵢⱼVⱼ, ∂L/∂v(Qᵢ, Vᵢ) = p₀ + h Σ aᵢⱼ ∂L/∂q(Qⱼ, Vⱼ). The
-/// map does not change, and the number of unknowns is halved.
+/// For a Lagrangian without a short formula for its energy, such as one with a full mass matrix, the unknowns are the stage velocities Vᵢ:
+/// Qᵢ = q₀ + h Σ aᵢⱼVⱼ, ∂L/∂v(Qᵢ, Vᵢ) = p₀ + h Σ aᵢⱼ ∂L/∂q(Qⱼ, Vⱼ). The map is that of the energy, with half of the unknowns.
 ///
-/// A Lagrangian ϑ(q)·v − H(q) is linear in the velocities. Its momenta are ϑ(q), and half of them may be zero. The method then advances canonical
-/// coordinates, which are positions and momenta, and solves for q. The step is symplectic for Ω = dϑ.
+/// A Lagrangian ϑ(q)·v − H(q) is linear in the velocities. If canonical coordinates are found, which the report states, the method advances these, and solves
+/// for q. The step is then symplectic for Ω = dϑ. Otherwise it solves q' = Ω⁻¹∇H, and is not symplectic.
 ///
 /// [Adaptive](crate::Adaptive) steps with three or four stages estimate their errors from f between the stages, if the unknowns are values of f, at most
 /// six a stage. The estimate has order 2S. It detects a motion that is small beside other motions, however fast the small motion is.
@@ -64,7 +64,8 @@ use crate::system::PhaseSpace;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Gauss<const S: usize>;
 
-/// x₁ = x₀ + h J∇H((x₀ + x₁)/2), the Gauss method with one stage. Order 2, symmetric, symplectic, for every H. Keeps quadratic invariants.
+/// x₁ = x₀ + h J∇H((x₀ + x₁)/2) with x = (q, p) and J(q, p) = (p, −q): the Gauss method with one stage. Order 2, symmetric, symplectic, for every H. Keeps
+/// quadratic invariants.
 ///
 /// For a higher order prefer [`Gauss`] with more stages to a composition of this method.
 #[doc(alias = "midpoint rule")]

@@ -1,4 +1,4 @@
-//! The table of a Gauss method, times the length h of a step.
+//! The coefficients, nodes and weights of a Gauss method, times the length h of a step.
 
 use super::{Gauss, GaussTableau};
 use crate::method::explicit::tableau::Tableau;

@@ -1,7 +1,7 @@
 //! The equations of all stages of a Gauss step, for systems whose unknowns are not values of a vector field.
 //!
-//! One function, [`assemble`], serves all forms of equations in the table. Stage i has the unknown uᵢ and the shift h Σ aᵢⱼ uⱼ, with the coefficients aᵢⱼ
-//! of the method. A form computes at each stage a value P and its rate F, with derivatives by the unknown and by the shift. P₀ is P at the start of the
+//! One function, [`assemble`], serves all three forms of equations in the table. Stage i has the unknown uᵢ and the shift h Σ aᵢⱼ uⱼ, with the coefficients
+//! aᵢⱼ of the method. A form computes at each stage a value P and its rate F, with derivatives by the unknown and by the shift. P₀ is P at the start of the
 //! step. The equation of stage i is
 //!
 //! wᵢ Pᵢ − P₀ − h Σ aᵢⱼ wⱼ Fⱼ = 0.
@@ -12,8 +12,8 @@
 //! | contact Hamiltonian | increments of q, p, s | increments of q, p, s | ∂H/∂p, −∂H/∂q, s' |
 //! | Lagrangian | vᵢ, and with an action the increment of s | ∂L/∂v − p₀, increment of s | ∂L/∂q, L |
 //!
-//! Only Lagrangians read the shift, in qᵢ = q₀ + h Σ aᵢⱼ vⱼ. The weights wᵢ are 1, except for momenta of contact systems. For these, wᵢ is the factor rᵢ of
-//! [`factors`](super::factors): r' = r σ with the decay rate σ = ∂H/∂s. Each factor may depend on the unknowns of all stages.
+//! Only Lagrangians read the shift, in qᵢ = q₀ + h Σ aᵢⱼ vⱼ. The weights wᵢ are 1, except for momenta of systems with an action. For these, wᵢ is the factor
+//! rᵢ of [`factors`](super::factors): r' = r σ with the decay rate σ = ∂H/∂s = −∂L/∂s. Each factor may depend on the unknowns of all stages.
 
 use super::factors::Factors;
 use crate::scalar::{Real, zero};
@@ -21,7 +21,7 @@ use crate::space::vector::{dot, extrapolated, scaled};
 use crate::space::{Array, Square};
 use core::ops::Range;
 
-/// The derivatives of a quantity by the unknown of its stage, and by the shift of its stage.
+/// Two entries for a quantity: one for its derivative by the unknown of its stage, and one for its derivative by the shift of its stage.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::method) struct Slopes<M> {
     pub(in crate::method) by_unknown: M,
@@ -56,7 +56,7 @@ pub(in crate::method) struct Values<A: Array> {
 }
 
 impl<A: Array> Values<A> {
-    /// Returns zeros, which a form overwrites.
+    /// Returns zeros. A form overwrites those that it has.
     pub(in crate::method) fn none() -> Self {
         let (none, square) = (A::zero(), A::fill(A::zero()));
         Values {
@@ -72,8 +72,8 @@ impl<A: Array> Values<A> {
     }
 }
 
-/// A derivative of a form: zero at every stage, the identity, or given by [`Values`]. Products with `Zero` are not compiled. Only the derivative of P
-/// by the unknown may be `One`.
+/// The kind of a derivative: zero at every stage, the identity, or given by [`Values`]. Products with `Zero` are not compiled. Only the derivative of P by
+/// the unknown may be `One`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::method) enum Part {
     Zero,
@@ -116,7 +116,7 @@ pub(in crate::method) struct Weights<'a, R, const S: usize> {
 }
 
 /// Returns the left-hand sides of the equations of all stages, and writes their derivatives by all unknowns to `matrix`. `coupling` is h·aᵢⱼ. Without
-/// `weights`, all wᵢ are 1.
+/// `weights`, all wᵢ are 1. Precondition: with `weights` whose σ has derivatives, the factors have derivatives by σ.
 #[inline(always)]
 pub(in crate::method) fn assemble<A: Array, const S: usize>(
     form: Form,
@@ -180,7 +180,7 @@ pub(in crate::method) fn assemble<A: Array, const S: usize>(
     residuals
 }
 
-/// Returns the derivatives of a row of stage i by σₘ of each stage m. σₘ enters through the factors only: Pᵢ ∂rᵢ/∂σₘ − h Σ aᵢⱼ Fⱼ ∂rⱼ/∂σₘ.
+/// Returns the derivatives of a weighted row of stage i by σₘ of each stage m: Pᵢ ∂rᵢ/∂σₘ − h Σ aᵢⱼ Fⱼ ∂rⱼ/∂σₘ.
 #[inline(always)]
 fn slopes_by_decay<A: Array, const S: usize>(
     Weights { factors, .. }: &Weights<'_, A::Real, S>,

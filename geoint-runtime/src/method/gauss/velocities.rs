@@ -1,9 +1,11 @@
-//! The step of a Lagrangian, with or without an action. The unknowns are the velocities vᵢ of all stages, and sᵢ − s₀ if f, p or σ depend on s: with
-//! qᵢ = q₀ + h Σ aᵢⱼ vⱼ, f = ∂L/∂q less friction, and σ = −∂L/∂s,
+//! The Gauss step of a Lagrangian L(q, v, s, t), with or without an action s. Let p = ∂L/∂v be the momentum, f = ∂L/∂q less friction the force, and
+//! σ = −∂L/∂s the decay rate. The unknowns are the velocities vᵢ of all stages, and sᵢ − s₀ if p, f or σ depends on s. With qᵢ = q₀ + h Σ aᵢⱼ vⱼ, the
+//! equations are
 //!
 //! rᵢ ∂L/∂v(qᵢ, vᵢ, sᵢ) = p₀ + h Σ aᵢⱼ rⱼ fⱼ, sᵢ = s₀ + h Σ aᵢⱼ Lⱼ, rᵢ = 1 + h Σ aᵢⱼ rⱼ σⱼ.
 //!
-//! r is an integrating factor, d(r p)/dt = r f. A step multiplies the contact form ds − p dq by 1/r₁. Without an action, r is 1.
+//! r is an integrating factor of p' = f − σ p: d(r p)/dt = r f. A step multiplies the contact form ds − p dq by 1/r₁, with r₁ at its end. Without an action,
+//! r is 1. Friction exists only without an action.
 
 use super::factors::Factors;
 use super::prepared::Scaled;
@@ -18,30 +20,32 @@ use crate::space::vector::{difference, dot, moved, opposite, resized, scaled, su
 use crate::space::{Action, Array, Square};
 use crate::system::{Regular, VelocityForm, VelocityStage, rates_of_velocity, row_units, velocity_near};
 
-/// The step that is solved for velocities of its stages, and perhaps for their increments of s.
+/// The step with `S` stages that is solved for velocities of its stages, and for their increments of s if these act back on the motion.
 #[derive(Clone, Copy, Debug)]
 pub struct VelocityStages<const S: usize>;
 
 /// Coefficients of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Coefficients<P, R, const S: usize> {
+    /// Coefficients of the system.
     kernel: P,
+    /// The table of the method times h.
     scaled: Scaled<R, S>,
-    /// The mass matrix is positive definite everywhere.
+    /// True if the mass matrix is proven to be positive definite everywhere.
     is_definite: bool,
 }
 
 /// Values that depend on the start of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Start<R, const S: usize> {
-    /// The sign of the determinant of the mass matrix.
+    /// The sign of the determinant of the mass matrix M.
     sign: R,
-    /// The factors r, with [`Decay::OfTime`].
+    /// The factors r, in the case [`Decay::OfTime`].
     known: Option<Factors<R, S>>,
 }
 
 impl<R: Real, const S: usize> Start<R, S> {
-    /// Returns the factors, from those of the last evaluation. `None` if they are 1.
+    /// Returns the factors of the step, where `solved` are the factors of the last evaluation. Returns `None` if all factors are 1.
     #[inline(always)]
     fn factors<'a, Y: VelocityForm<R>>(&'a self, solved: &'a Factors<R, S>) -> Option<&'a Factors<R, S>> {
         match const { decay::<Y, R>() } {
@@ -52,32 +56,39 @@ impl<R: Real, const S: usize> Start<R, S> {
     }
 }
 
-/// The last evaluation, and its unknowns.
+/// The last evaluation: its unknowns `d`, and the values at its stages.
 #[derive(Clone, Copy, Debug)]
 pub struct LastEvaluation<D: Array, const S: usize> {
     d: [D; S],
     stages: [Values<D>; S],
-    /// L at the stages.
+    /// L at the stages, with s = s₀ if s is no unknown.
     lagrangians: [D::Real; S],
-    /// The factors r, with [`Decay::OfState`].
+    /// The factors r, in the case [`Decay::OfState`].
     factors: Factors<D::Real, S>,
 }
 
-/// Rates of the solution at all stages.
-struct After<D: Array, const S: usize> {
-    /// F, with L in the row of s.
+/// Rates of the solution at all stages: the last evaluation, corrected by the last correction.
+struct SolvedRates<D: Array, const S: usize> {
+    /// f, with L in the row of s.
     rates: [D; S],
     /// σ.
     decays: [D::Real; S],
-    /// L at the action before the step.
+    /// L, with s = s₀ if s is no unknown.
     lagrangians: [D::Real; S],
 }
 
 impl<D: Array, const S: usize> LastEvaluation<D, S> {
-    /// Returns the rates at the solution `d`, to first order in its distance from the last evaluation. L has the derivatives p and f.
+    /// Returns the rates at the solution `d`, to first order in its distance from the last evaluation. The derivatives of L are p by v and f by q, because L
+    /// is needed with an action only, where f has no friction.
     #[inline(always)]
-    fn after(&self, coupling: &[[D::Real; S]; S], d: &[D; S], form: Form, decay_slopes: Slopes<Part>) -> After<D, S> {
-        let mut after = After { rates: [D::zero(); S], decays: [zero(); S], lagrangians: self.lagrangians };
+    fn rates_at(
+        &self,
+        coupling: &[[D::Real; S]; S],
+        d: &[D; S],
+        form: Form,
+        decay_slopes: Slopes<Part>,
+    ) -> SolvedRates<D, S> {
+        let mut solved = SolvedRates { rates: [D::zero(); S], decays: [zero(); S], lagrangians: self.lagrangians };
         let mut corrections = [D::zero(); S];
         for i in 0..S {
             corrections[i] = difference(&d[i], &self.d[i]);
@@ -85,11 +96,11 @@ impl<D: Array, const S: usize> LastEvaluation<D, S> {
         let shifts = shifts(coupling, &corrections);
         for i in 0..S {
             let (stage, correction, shift) = (&self.stages[i], &corrections[i], &shifts[i]);
-            after.rates[i] = stage.rate_after(form, correction, shift);
-            after.decays[i] = stage.decay_after(decay_slopes, correction, shift);
-            after.lagrangians[i] += dot(&stage.whole, correction) + dot(&stage.rate, shift);
+            solved.rates[i] = stage.rate_after(form, correction, shift);
+            solved.decays[i] = stage.decay_after(decay_slopes, correction, shift);
+            solved.lagrangians[i] += dot(&stage.whole, correction) + dot(&stage.rate, shift);
         }
-        after
+        solved
     }
 }
 
@@ -98,12 +109,13 @@ impl<D: Array, const S: usize> LastEvaluation<D, S> {
 enum Decay {
     /// L does not read s: σ is 0, and there is no action.
     None,
-    /// L = L₀(q, v, t) − g(t)·s: σ is g. The factors are known beforehand, and s follows from the solution.
+    /// L = L₀(q, v, t) − g(t)·s: σ is g. The factors are known at the start of the step, and s follows from the solution.
     OfTime,
-    /// sᵢ are among the unknowns.
+    /// L has any other form. The sᵢ are among the unknowns, and the factors depend on the unknowns.
     OfState,
 }
 
+/// Returns the case of a system, from the numbers of its unknowns.
 const fn decay<Y: VelocityForm<R>, R: Real>() -> Decay {
     if <Y::Action as Action<R>>::LEN == 0 {
         Decay::None
@@ -114,11 +126,12 @@ const fn decay<Y: VelocityForm<R>, R: Real>() -> Decay {
     }
 }
 
+/// Returns whether s is an unknown.
 const fn solves_for_action<Y: VelocityForm<R>, R: Real>() -> bool {
     matches!(decay::<Y, R>(), Decay::OfState)
 }
 
-/// Returns which derivatives are not zero. Second derivatives that L does not have are not multiplied.
+/// Returns the derivatives that L has. Products with the others are not compiled.
 const fn form<Y: VelocityForm<R>, R: Real>() -> Form {
     // With s as an unknown, L is a rate, and has the derivatives p and −σ.
     let rate_by_unknown = Y::MIXED.force_by_v || solves_for_action::<Y, R>();
@@ -129,7 +142,7 @@ const fn form<Y: VelocityForm<R>, R: Real>() -> Form {
     }
 }
 
-/// Returns which derivatives σ has.
+/// Returns the derivatives that σ has. By the shift, which moves q, it has one if ∂f/∂s = −∂σ/∂q is not zero.
 const fn decay_slopes<Y: VelocityForm<R>, R: Real>() -> Slopes<Part> {
     let solved = solves_for_action::<Y, R>();
     Slopes { by_unknown: Part::given_if(solved), by_shift: Part::given_if(solved && Y::MIXED.force_by_s) }
@@ -139,13 +152,13 @@ impl<Y: VelocityForm<R>, R: Real, const S: usize> Equation<'_, VelocityStages<S>
 where
     Gauss<S>: GaussTableau<S>,
 {
-    /// Returns s₀, or zero.
+    /// Returns s₀, or zero without an action.
     #[inline(always)]
     fn action(&self) -> R {
         self.from.s.scalar().unwrap_or_else(zero)
     }
 
-    /// Returns the point of a stage, with the momenta before the step.
+    /// Returns the point of a stage, with the momenta at the start of the step.
     #[inline(always)]
     fn place(&self, i: usize, d: &[Y::Unknown; S]) -> Stage<Y, R> {
         let Scaled { coupling, nodes, .. } = &self.coefficients.scaled;
@@ -157,7 +170,7 @@ where
         Stage { t: self.from.t + nodes[i], z, s: Y::Action::of(self.action() + of_action::<Y, R>(&d[i])) }
     }
 
-    /// Writes the values of a stage: rows of v with P = ∂L/∂v and F = f, and a row of s with P = sᵢ and F = L if s is an unknown.
+    /// Writes the values of a stage for [`assemble`]. Rows of v have P = ∂L/∂v and F = f. If s is an unknown, its row has P = sᵢ and F = L.
     #[inline(always)]
     fn fill(&self, values: &mut Values<Y::Unknown>, stage: &VelocityStage<Y::Array>, d: &Y::Unknown) {
         let (n, one, none) = (Y::Array::LEN, R::from_f64(1.0), Y::Array::zero());
@@ -194,7 +207,7 @@ where
     }
 }
 
-/// Returns the part of a row that belongs to s.
+/// Returns the entry of s in a row, or zero if s is no unknown.
 #[inline(always)]
 fn of_action<Y: VelocityForm<R>, R: Real>(d: &Y::Unknown) -> R {
     d.as_slice().get(Y::Array::LEN).copied().unwrap_or_else(zero)
@@ -213,7 +226,7 @@ where
     type Solver = Newton<[Y::Unknown; S]>;
 
     const POLICY: Policy = Policy::of(match decay::<Y, R>() {
-        // s has a unit of its own.
+        // s has a unit of its own. `Units` cannot group n velocities in rows of n + 1 entries, so each velocity is a kind, too.
         Decay::OfState => Units { alike: 1, kinds: Y::Unknown::LEN },
         _ => Units { alike: Y::Array::LEN, kinds: 1 },
     });
@@ -254,14 +267,15 @@ where
         Ok(Start { sign, known })
     }
 
-    /// (q₀/h, s₀): rounding of a velocity is relative to q₀/h, because h times the velocity is added to q₀; that of an increment of s is relative to s₀.
+    /// Returns (q₀/h, s₀). Rounding of a velocity is relative to q₀/h, because h times the velocity is added to q₀. Rounding of an increment of s is relative
+    /// to s₀.
     #[inline(always)]
     fn origin(equation: &Equation<'_, Self, Y, R>) -> [Y::Unknown; S] {
         let Departure { h, z, .. } = &equation.from;
         [resized(&scaled(R::from_f64(1.0) / *h, &z[0]), equation.action()); S]
     }
 
-    /// The velocities as if v' and s' were constant.
+    /// Returns the velocities, and the increments of s, for constant rates v' and s'.
     fn guess(equation: &Equation<'_, Self, Y, R>) -> [Y::Unknown; S] {
         let Equation { from: Departure { system, t, z, s, .. }, coefficients, .. } = equation;
         let v = velocity_near(*system, *t, z, s, Y::Array::zero()).unwrap_or_else(Y::Array::zero);
@@ -269,7 +283,7 @@ where
         coefficients.scaled.nodes.map(|node| resized(&moved(&v, node, &acceleration), node * lagrangian))
     }
 
-    /// (rᵢ ∂L/∂v − p₀ − h Σ aᵢⱼ rⱼ fⱼ)/|Mᵢᵢ|, and sᵢ − s₀ − h Σ aᵢⱼ Lⱼ.
+    /// Returns rᵢ ∂L/∂v − p₀ − h Σ aᵢⱼ rⱼ fⱼ, with each row over its |Mₖₖ|, and sᵢ − s₀ − h Σ aᵢⱼ Lⱼ.
     #[inline(always)]
     fn residual<P: Probe<Y, R>>(
         equation: &Equation<'_, Self, Y, R>,
@@ -288,7 +302,7 @@ where
             watch.last.lagrangians[i] = stage.lagrangian;
         }
         let LastEvaluation { stages, factors, .. } = &mut watch.last;
-        // The determinant has the sign of (det M)ˢ.
+        // For short steps the determinant has the sign of (det M)ˢ. The solver requires a positive one.
         if S % 2 == 1 {
             stages[0].scales.as_mut_slice()[0] *= start.sign;
         }
@@ -309,8 +323,10 @@ where
         equation.place(i, d)
     }
 
-    /// The rates are those of the last evaluation, corrected to first order: the square of the last correction is rounding. The step is refused if it would not
-    /// multiply the contact form by a positive number.
+    /// Returns the increments from the rates of the last evaluation, corrected to first order: the square of the last correction is below rounding.
+    ///
+    /// # Errors
+    /// If r₁ is not positive, so that the contact form would not be multiplied by a positive number.
     #[inline(always)]
     fn update(
         equation: &Equation<'_, Self, Y, R>,
@@ -318,8 +334,10 @@ where
         last: &Self::LastEvaluation,
     ) -> Result<Increment<Y::Phase, Y::Action>, Refusal> {
         let Scaled { coupling, weights, .. } = &equation.coefficients.scaled;
-        let After { rates, decays, lagrangians } = last.after(coupling, d, form::<Y, R>(), decay_slopes::<Y, R>());
-        let solved = if const { solves_for_action::<Y, R>() } { last.factors.after(&decays) } else { last.factors };
+        let SolvedRates { rates, decays, lagrangians } =
+            last.rates_at(coupling, d, form::<Y, R>(), decay_slopes::<Y, R>());
+        let solved =
+            if const { solves_for_action::<Y, R>() } { last.factors.with_decay(&decays) } else { last.factors };
         let factors = equation.start.factors::<Y>(&solved);
         let (mut change, mut impulse, mut s) = (Y::Unknown::zero(), Y::Unknown::zero(), zero());
         for i in 0..S {
@@ -328,7 +346,7 @@ where
         }
         let mut impulse: Y::Array = resized(&impulse, zero());
         if let Some(factors) = factors {
-            // r₁ p₁ = p₀ + impulse.
+            // r₁ p₁ = p₀ + impulse with r₁ = 1 + grown.
             let grown = factors.growth(weights).ok_or(Refusal::Singular)?;
             impulse.add_scaled(-grown, &equation.from.z[1]);
             impulse = scaled(R::from_f64(1.0) / (R::from_f64(1.0) + grown), &impulse);

@@ -1,7 +1,8 @@
 //! The driver of implicit steps. It solves the equation of a step, adds the increments to the state, and checks the result.
 //!
-//! The checks follow from the [`Policy`](super::Policy) of the method. They refuse a step if the energy may have a pole on its way. They also refuse it if
-//! its rounded end lies on another side of a condition than the solution. The driver does not restore the point of a refused step.
+//! The checks follow from the [`Policy`](super::Policy) of the method. They refuse a step if a pole of the energy on its way is not excluded. They also refuse
+//! it if the energy jumps at a condition between the end in the equation and the rounded end. Fast attempts may set `needs_recheck` in place of a search for
+//! poles: the caller then repeats the step. The driver does not restore the point of a refused step.
 
 use super::points::{Arrival, Departure, Increment, Stage};
 use super::step::{Branch, Equation, Evaluated, ImplicitStep, Sums};
@@ -17,7 +18,7 @@ use crate::system::{Evaluations, PhaseSpace, Poles, jump_between};
 pub struct Prepared<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> {
     coefficients: M::Coefficients,
     h: R,
-    /// The poles that the parameters of the system allow.
+    /// The poles that the parameters of the system do not exclude.
     poles: Poles,
 }
 
@@ -27,7 +28,7 @@ pub struct Memory<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> {
     /// The solver, with its experience of earlier steps.
     solver: M::Solver,
     history: M::History,
-    /// The compensation of coordinates in a run without compensation of its own. Zero unless the policy is [`Sums::Compensated`].
+    /// The compensation of coordinates, with [`Sums::Compensated`] in a run without compensated sums. Zero otherwise.
     sums: Compensated<S::Phase>,
 }
 
@@ -59,7 +60,7 @@ impl<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> Prepared<M, S, R> {
     /// Takes one step, in place.
     ///
     /// # Errors
-    /// If the step has no result. The point and the memory are then invalid. The caller must restore the point, and create a new memory.
+    /// If the step has no result. The point and the memory are then invalid. The caller must restore the point, and create or restore a memory.
     #[inline(always)]
     pub fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         &self,
@@ -85,7 +86,7 @@ impl<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> Prepared<M, S, R> {
         Some(taken.and_then(|SolvedStep { equation, solution }| M::estimate(&equation, &solution.x, step.probe)))
     }
 
-    /// Takes one step, in place, and returns its equation with the solution.
+    /// Takes one step, in place, and returns its equation with the solution. `system` is passed beside the step, because the result borrows it for longer.
     #[inline(always)]
     fn take<'a, C: Summation<S::Phase>, P: Probe<S, R>>(
         &'a self,
@@ -93,8 +94,9 @@ impl<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> Prepared<M, S, R> {
         Memory { solver, history, sums }: &mut Memory<M, S, R>,
         Step { t, end, x, probe, .. }: Step<'_, S, R, C, P>,
     ) -> Result<SolvedStep<'a, M, S, R>, Refusal> {
+        // z and s at the start.
         let before = start::<S, R, C>(x);
-        // A compensating run stores the compensation in its point, so that it survives a change of h. In a plain run the memory of the method stores it.
+        // A run with compensated sums stores the compensation in its point, so that it survives a change of h. In a plain run the memory stores it.
         let compensation = if C::PLAIN { sums.compensation() } else { x.sums.compensation() };
         let from = Departure { system, t, end, h: self.h, z: before.0, s: before.1, compensation };
         probe.visit(t, &from.z, &from.s);
@@ -121,7 +123,7 @@ impl<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> Prepared<M, S, R> {
         let arrival = Arrival { z: &x.z, s: &x.s, needs_recheck: &mut x.needs_recheck };
         M::finish::<P>(&equation, &solution, history, arrival)?;
         if const { !matches!(M::POLICY.evaluated, Evaluated::Elsewhere) } {
-            // After rounding, the end may lie on the other side of a condition than the end in the equation.
+            // Rounding may move the end across a condition at which the energy jumps.
             Refusal::outside(jump_between(system, from.middle(), [&solved_end.0, &x.z], [&solved_end.1, &x.s]))?;
         }
         let step = Step { system, t, end, x, probe };

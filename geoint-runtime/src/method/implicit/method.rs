@@ -1,5 +1,5 @@
-//! Connects implicit steps with methods: [`ImplicitMethod`] names the step of a method for a system, and [`implicit_method!`](crate::implicit_method)
-//! implements [`Method`](crate::Method) by the driver of implicit steps.
+//! Connects implicit steps with methods. One method may have different steps for different kinds of systems: [`ImplicitMethod`] names the step for a kind, and
+//! [`implicit_method!`](crate::implicit_method) implements [`Method`](crate::Method) by the driver of implicit steps.
 
 use super::driver::{Memory, Prepared};
 use super::step::ImplicitStep;
@@ -7,7 +7,7 @@ use crate::scalar::Real;
 use crate::space::Array;
 use crate::system::{Invariants, PhaseSpace};
 
-/// A method whose steps of systems `S` are implicit. The attribute macros implement this trait for each system and each method that fits the system.
+/// A method whose steps of systems `S` are implicit. The attribute macros implement this trait for each system and each method of this crate that fits it.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a method for `{S}`",
     label = "this method does not fit this kind of system",
@@ -20,15 +20,15 @@ use crate::system::{Invariants, PhaseSpace};
 pub trait ImplicitMethod<S: PhaseSpace<R>, R: Real = f64>: Copy {
     /// `()` if the system has the properties that the method needs; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// The step of this method for systems of this kind.
+    /// The step of this method for systems `S`.
     type Step: ImplicitStep<S, R>;
 
     /// Returns the step, with the parameters of the method.
     fn step(self) -> Self::Step;
 }
 
-/// A system for which `M` is an [`ImplicitMethod`]. The trait states the bound `M: ImplicitMethod<S>` as a bound of the system. It can therefore be a
-/// supertrait. All systems with this bound implement it.
+/// A system for which `M` is an [`ImplicitMethod`]. All these systems implement it. It states `M: ImplicitMethod<S>` as a bound of `S`, so that it can be a
+/// supertrait, as in [`SolvedByGauss`](crate::method::gauss::SolvedByGauss).
 pub trait SolvedBy<M, R: Real = f64>: PhaseSpace<R> {
     /// See [`ImplicitMethod::Proof`].
     type Proof;
@@ -48,7 +48,7 @@ impl<M: ImplicitMethod<S, R>, S: PhaseSpace<R>, R: Real> SolvedBy<M, R> for S {
     }
 }
 
-/// Returns whether steps keep at least one invariant to rounding: [`Method::KEEPS`](crate::Method::KEEPS).
+/// Returns whether steps have at least one [kept invariant](ImplicitStep::Kept), for [`Method::KEEPS`](crate::Method::KEEPS).
 pub const fn keeps<M, S: SolvedBy<M, R>, R: Real>() -> bool {
     <<StepFor<M, S, R> as ImplicitStep<S, R>>::Kept as Invariants<S, R>>::Values::LEN > 0
 }
@@ -72,10 +72,10 @@ pub type PreparedFor<M, S, R> = Prepared<StepFor<M, S, R>, S, R>;
 /// The values that a step of a method passes to the next one: [`Method::Memory`](crate::Method::Memory).
 pub type MemoryFor<M, S, R> = Memory<StepFor<M, S, R>, S, R>;
 
-/// Implements [`Method`](crate::Method) for an [`ImplicitMethod`].
+/// Implements [`Method`](crate::Method) for a type, and for all systems for which it is an [`ImplicitMethod`].
 ///
-/// Arguments: the type, a closure from the method to its [`Name`](crate::method::Name), and its [`Claims`](crate::method::Claims). Generic parameters
-/// of the type stand in brackets before it. One bound may follow: `implicit_method!([const S: usize] Gauss<S>, |_| …, …, Gauss<S>: Bound)`.
+/// Arguments: the type, a closure from the method to its [`Name`](crate::method::Name), and its [`Claims`](crate::method::Claims) for all systems. Generic
+/// parameters of the type stand in brackets before it. One bound may follow: `implicit_method!([const S: usize] Gauss<S>, |_| …, …, Gauss<S>: Bound)`.
 #[macro_export]
 macro_rules! implicit_method {
     ([$($generic:tt)*] $method:ty, |$this:pat_param| $name:expr, $claims:expr $(, $bounded:ty: $bound:path)?) => {

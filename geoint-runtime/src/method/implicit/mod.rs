@@ -2,15 +2,15 @@
 //!
 //! An [`ImplicitStep`] states the equation r(x) = 0 for the unknown x of a step, a guess of x, and the increments of the state that follow from x.
 //! The driver lets a [`Solver`] solve the equation to rounding, adds the increments, and checks the end of the step. It refuses the step if no solution
-//! is found, or if [`Branch`] excludes the solution. It also refuses the step if the energy may have a pole on the way.
+//! is found, or if [`Branch`] excludes the solution. It also refuses the step if a pole of the energy on the way is not excluded.
 //! An [`ImplicitMethod`] names the step of a method for a kind of system. The attribute macros implement it for the methods of this crate.
 //!
 //! You can write a method of your own. The program below states the average vector field method (G. R. W. Quispel & D. I. McLaren, J. Phys. A 41
-//! (2008) 045206) for the energy p²/2m + k q⁴/4. The unknown is the increment d = q₁ − q₀, and F is the mean of the force on the way:
+//! (2008) 045206) for the energy p²/2m + k q⁴/4. The unknown is the increment d = q₁ − q₀, and F is the mean of the force on the straight line:
 //!
 //! d = h (p₀ + h F/2)/m, p₁ = p₀ + h F, F = −k ∫₀¹ (q₀ + s d)³ ds.
 //!
-//! The energy is kept for every h, because F d is the loss of potential energy.
+//! The energy is kept for every h: F d is the loss of potential energy, and (p₁² − p₀²)/2m = h F (p₀ + h F/2)/m = F d is the gain of kinetic energy.
 //!
 //! ```
 //! use geoint_runtime::implicit_method;
@@ -91,6 +91,7 @@
 //!         [[slope]]: &mut [[f64; 1]; 1],
 //!     ) -> [f64; 1] {
 //!         let Departure { system, t, h, z: [[q], [p]], .. } = equation.from;
+//!         // This energy has no conditions, so a momentum that is not that of the end does no harm.
 //!         watch.visit(t, &[[q + d], [p]], &());
 //!         *slope = 1.0 + h * h / (2.0 * system.m) * system.k * (1.5 * q * q + 2.0 * q * d + 0.75 * d * d);
 //!         [d - h / system.m * (p + 0.5 * h * mean_force(equation, *d))]

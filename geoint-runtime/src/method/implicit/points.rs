@@ -17,7 +17,7 @@ pub struct Departure<'a, S: PhaseSpace<R>, R: Real> {
     pub h: R,
     /// Coordinates at the start.
     pub z: S::Phase,
-    /// The action at the start.
+    /// The action s at the start. `()` for a system without an action.
     pub s: S::Action,
     /// The compensation of the sums: the exact coordinates are z + `compensation`. Zero if neither the run nor the method compensates.
     pub compensation: S::Phase,
@@ -32,7 +32,8 @@ impl<S: PhaseSpace<R>, R: Real> Clone for Departure<'_, S, R> {
 impl<S: PhaseSpace<R>, R: Real> Copy for Departure<'_, S, R> {}
 
 impl<S: PhaseSpace<R>, R: Real> Departure<'_, S, R> {
-    /// Returns the time t + h/2 in the middle of the step.
+    /// Returns the time t + h/2 in the middle of the step. It follows from h, as the coefficients of the step do. The mean of t and
+    /// [`end`](Self::end) may differ by a rounding.
     #[inline(always)]
     pub fn middle(&self) -> R {
         self.t + R::from_f64(0.5) * self.h
@@ -59,6 +60,7 @@ impl<Z: Array, A> Increment<Z, A> {
 }
 
 /// A point at which a step evaluates the energy. The step is refused if the energy may have a pole on the straight line from the start to this point.
+/// A method declares no stage if its other checks cover the way.
 pub struct Stage<S: PhaseSpace<R>, R: Real> {
     /// Its time.
     pub t: R,
@@ -68,13 +70,13 @@ pub struct Stage<S: PhaseSpace<R>, R: Real> {
     pub s: S::Action,
 }
 
-/// The rounded end of a step. A method may refuse it in [`ImplicitStep::finish`](super::ImplicitStep::finish).
+/// The rounded end of a step, at the time [`Departure::end`]. A method may refuse it in [`ImplicitStep::finish`](super::ImplicitStep::finish).
 pub struct Arrival<'a, S: PhaseSpace<R>, R: Real> {
     /// Coordinates.
     pub z: &'a S::Phase,
     /// The action.
     pub s: &'a S::Action,
     /// Set to true by a method that cannot verify the step in a fast attempt. The caller then repeats the step with
-    /// [`Effort::Thorough`](crate::method::Effort::Thorough).
+    /// [`Effort::Thorough`](crate::method::Effort::Thorough). It may be true already, by a check of poles, and is never reset to false.
     pub needs_recheck: &'a mut bool,
 }

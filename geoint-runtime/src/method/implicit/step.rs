@@ -1,4 +1,4 @@
-//! The trait by which a method states its implicit step: the unknown, a guess, the residual, and the increments of the state that follow from a solution.
+//! The trait by which a method states its implicit step: unknown x, guess, residual r(x), and the increments of the state that follow from r(x) = 0.
 //!
 //! A [`Policy`] states the properties of the equation that the solver and the driver need, such as the branch of the solution and the checks of the end.
 
@@ -15,24 +15,24 @@ use crate::system::{Invariants, PhaseSpace};
 /// The properties that all equations of a method have in common.
 #[derive(Clone, Copy, Debug)]
 pub struct Policy {
-    /// The groups of unknowns that share a unit: positions and momenta are two kinds.
+    /// The units of the unknowns: positions and momenta are two kinds.
     pub units: Units,
-    /// The magnitudes of coordinates relative to which corrections are small.
+    /// The magnitudes of coordinates relative to which corrections must be small.
     pub magnitudes: Magnitudes,
-    /// The solution that the step takes if there are several.
+    /// The solutions that the step accepts if there are several.
     pub branch: Branch,
-    /// The factor f for which x = f·[origin](ImplicitStep::origin) leaves the positions unchanged. It is 0 for an increment. It is −2 for an impulse,
-    /// which then reverses the momentum, so that the mean momentum is 0. The search for a distant solution starts there, because the energy is defined
-    /// there if it is defined at the start of the step.
+    /// The factor f for which a step with x = f·[origin](ImplicitStep::origin) ends at its start positions. It is 0 for increments and velocities. It is −2
+    /// for impulses, which then reverse the momentum, so that the mean momentum is 0. The search for a distant solution starts at this x, because the
+    /// energy is usually defined there. Limits: stages of Gauss methods of second order lie elsewhere, and multipliers have no such x.
     pub standstill: f64,
     /// The sums that add the increments to the state.
     pub sums: Sums,
-    /// The points at which the equation evaluates the energy.
+    /// The points at which the equation evaluates the energy. The checks of the end depend on them.
     pub evaluated: Evaluated,
 }
 
 impl Policy {
-    /// Returns the policy of most methods: the solution is continuous in h, the sums are those of the run, and the energy is not evaluated at the end.
+    /// Returns the policy of many methods: recent magnitudes, solutions continuous in h, standstill 0, sums of the run, no evaluation at the end.
     pub const fn of(units: Units) -> Self {
         Policy {
             units,
@@ -45,12 +45,13 @@ impl Policy {
     }
 }
 
-/// The solution that a step takes if there are several.
+/// The solutions that a step accepts if there are several. It takes the first accepted solution that the solver finds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Branch {
-    /// The solution that is continuous in h down to h = 0. If a solution took many corrections, the solver follows it to h = 0, and refuses another branch.
+    /// Solutions that are continuous in h down to h = 0. The solver tests this by a heuristic, after more than five evaluations or damped corrections.
     Continuous,
-    /// Any solution at which the derivative of r has a positive determinant. All solutions satisfy the energy balance of the step, which includes friction.
+    /// Any solution at which the derivative of r has a positive determinant. For methods whose solutions all satisfy the balance of the energy, with
+    /// friction, or of a first integral.
     OfEnergy,
 }
 
@@ -59,33 +60,33 @@ pub enum Branch {
 pub enum Sums {
     /// The sums of the run. They are plain, unless the user has asked for compensation.
     OfTheRun,
-    /// Sums of the method with compensation for rounding errors. Methods that keep the energy need them. With plain sums, rounding errors have a bias at
-    /// some step sizes, and the energy drifts by 10⁻¹² in a million steps.
+    /// Sums with compensation for rounding errors: those of the run if it has them, otherwise sums of the method. Methods that keep the energy need them.
+    /// With plain sums, rounding errors have a bias at some step sizes, and the energy drifts by 10⁻¹² in a million steps.
     Compensated,
 }
 
 /// The points at which an equation evaluates the energy. The checks of the driver depend on them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Evaluated {
-    /// Points other than the end. The driver checks that the energy is defined at the end, and that there is no pole on the way.
+    /// Points other than the end. The driver checks that the energy is defined at the end, and checks the straight line to it for poles.
     Elsewhere,
-    /// The end, among other points. The driver also checks that the rounded end lies on the same side of each condition of the energy (`if`, `abs`) as
-    /// the end in the equation.
+    /// The end, among other points. The driver makes the checks of `Elsewhere`. It also checks that the energy does not jump at a condition (`if`, `abs`)
+    /// between the end in the equation and the rounded end.
     AtTheEnd,
-    /// Both ends, by divided differences. A pole between the ends makes most differences infinite. The driver checks conditions, and the poles that
-    /// differences miss.
+    /// Both ends, by divided differences, which are infinite or NaN for most poles between the ends. The driver checks conditions as in `AtTheEnd`, and
+    /// the poles that differences miss.
     ByDifferences,
 }
 
 /// The equation of one step of the method `M`.
 ///
-/// It is `Copy`, because cold functions take copies. The optimiser keeps an equation in registers only if no pointer refers to it.
+/// It is `Copy`, because cold functions take copies: the optimiser keeps an equation in registers only if no pointer refers to it.
 pub struct Equation<'a, M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> {
     /// The start of the step, with its times.
     pub from: Departure<'a, S, R>,
     /// Values that depend on the method, on parameters, and on h.
     pub coefficients: &'a M::Coefficients,
-    /// Values that depend on the start of the step.
+    /// The result of [`begin`](ImplicitStep::begin).
     pub start: M::Start,
 }
 
@@ -99,10 +100,12 @@ impl<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> Copy for Equation<'_, M, 
 
 /// An implicit step of systems `S`: an equation r(x) = 0 for the unknown of each step, and the increments of the state that follow from its solution.
 ///
-/// The solver starts from a prediction or from the guess, and solves the equation to rounding. [`Branch`] states which solutions it refuses. The driver
-/// adds the increments, and checks poles and conditions. It calls `begin`, `solve` (which calls `guess` and `residual`), `stage`, `update` and `finish`.
+/// The solver starts from a prediction or from the guess, and solves the equation to rounding. [`Branch`] states which solutions it accepts. The driver
+/// calls `begin`, `solve` (which calls `guess` and `residual`), `stage`, `update` and `finish`. It adds the increments, and checks poles and conditions.
+///
+/// Precondition: the derivative of r has a positive determinant in short steps, as it has if it tends to the identity. Multiply a row by −1 otherwise.
 pub trait ImplicitStep<S: PhaseSpace<R>, R: Real = f64>: Copy + core::fmt::Debug {
-    /// The unknown x.
+    /// The unknown x: increments, rates, velocities or multipliers.
     type Unknown: Array<Real = R>;
     /// Values that depend on the method, on parameters, and on h.
     type Coefficients: Clone;
@@ -110,7 +113,8 @@ pub trait ImplicitStep<S: PhaseSpace<R>, R: Real = f64>: Copy + core::fmt::Debug
     type Start: Copy;
     /// Values that a step passes to the next one, beside the unknowns: `()` for most methods.
     type History: Clone + Record<R>;
-    /// Values of the last evaluation that [`update`](Self::update) reuses. `()` for most methods.
+    /// Values of the last evaluation that [`update`](Self::update) reuses, `()` for most methods. Its point is the solution, or the solution before the
+    /// last correction.
     type LastEvaluation;
     /// The invariants that a step keeps to rounding. A run removes their accumulated rounding error after each 1024 steps. `()` if a step keeps none.
     type Kept: Invariants<S, R> + Default;
@@ -119,13 +123,13 @@ pub trait ImplicitStep<S: PhaseSpace<R>, R: Real = f64>: Copy + core::fmt::Debug
 
     /// The properties of the equation that the solver and the driver need.
     const POLICY: Policy;
-    /// The number of [stages](Self::stage) to which the way is checked for poles.
+    /// The number of [stages](Self::stage). The straight line from the start to each of them is checked for poles.
     const STAGES: usize = 0;
     /// See [`Method::COMPOSES_TO`](crate::Method::COMPOSES_TO).
     const COMPOSES_TO: u32 = u32::MAX;
     /// See [`Method::ROUGH_IF_SHORT`](crate::Method::ROUGH_IF_SHORT).
     const ROUGH_IF_SHORT: bool = false;
-    /// The order of the error that [`estimate`](Self::estimate) finds. `None` if the method has no estimate.
+    /// The order of the error that [`estimate`](Self::estimate) returns. `None` if the method has no estimate.
     const ORDER_OF_ESTIMATE: Option<u32> = None;
 
     /// Computes the values that depend on the method, on parameters, and on the step size h.
@@ -152,14 +156,14 @@ pub trait ImplicitStep<S: PhaseSpace<R>, R: Real = f64>: Copy + core::fmt::Debug
         history: &mut Self::History,
     ) -> Result<Self::Start, Refusal>;
 
-    /// Returns the coordinates to which x is added. Rounding of x is relative to them.
+    /// Returns the values to which x is added, in the units of x: p₀ for an impulse, y₀/h for a rate. Rounding of x is relative to them.
     fn origin(equation: &Equation<'_, Self, S, R>) -> Self::Unknown;
 
     /// Returns a guess of x from the start of the step alone.
     fn guess(equation: &Equation<'_, Self, S, R>) -> Self::Unknown;
 
-    /// Returns r(x), and writes its derivative to `matrix`. Row i has the unit of unknown i. Implementations show the points at which they evaluate the
-    /// energy to `watch`.
+    /// Returns r(x), and writes its derivative to `matrix`. Entry i of r has the unit of unknown i. Implementations show `watch` the points at which they
+    /// evaluate the energy, and store values of this evaluation in `watch.last`.
     fn residual<P: Probe<S, R>>(
         equation: &Equation<'_, Self, S, R>,
         watch: &mut Watch<'_, S, R, P, Self::LastEvaluation>,
@@ -167,8 +171,8 @@ pub trait ImplicitStep<S: PhaseSpace<R>, R: Real = f64>: Copy + core::fmt::Debug
         matrix: &mut Square<Self::Unknown>,
     ) -> Self::Unknown;
 
-    /// Returns g(x) of the equation x = g(x), where r(x) = x − g(x). With more than twelve unknowns, [`Newton`](crate::method::implicit::Newton) iterates
-    /// x ← g(x) as long as this converges fast, because an elimination costs more. The default computes the matrix and discards it.
+    /// Returns g(x) of the equation x = g(x), where r(x) = x − g(x), with the side effects of [`residual`](Self::residual). With more than twelve unknowns,
+    /// [`Newton`](crate::method::implicit::Newton) iterates x ← g(x) as long as this converges fast. The default computes the matrix and discards it.
     #[inline(always)]
     fn image<P: Probe<S, R>>(
         equation: &Equation<'_, Self, S, R>,
@@ -191,7 +195,7 @@ pub trait ImplicitStep<S: PhaseSpace<R>, R: Real = f64>: Copy + core::fmt::Debug
         solver.solve(&equation, watch)
     }
 
-    /// Returns stage `i` < [`STAGES`](Self::STAGES) of the solution x. The driver checks that the energy has no pole on the line from the start to it.
+    /// Returns stage `i` < [`STAGES`](Self::STAGES) of the solution x, a point at which the step evaluates the energy. The default is never called.
     fn stage(equation: &Equation<'_, Self, S, R>, i: usize, x: &Self::Unknown) -> Stage<S, R> {
         let _ = (i, x);
         let Departure { t, z, s, .. } = equation.from;
@@ -244,13 +248,13 @@ pub trait ImplicitStep<S: PhaseSpace<R>, R: Real = f64>: Copy + core::fmt::Debug
         Err(Refusal::Singular)
     }
 
-    /// Returns the correction that must be added to `z` to restore the kept invariants to their values at the `origin` of a run.
+    /// Returns the correction that must be added to `z` to restore the kept invariants to their values at the start of a run.
     #[inline]
-    fn way_back(system: &S, origin: &S::Phase, z: &S::Phase) -> S::Phase {
-        kept::way_back(system, &Self::Kept::default(), origin, z)
+    fn way_back(system: &S, start_of_run: &S::Phase, z: &S::Phase) -> S::Phase {
+        kept::way_back(system, &Self::Kept::default(), start_of_run, z)
     }
 
-    /// Returns whether the invariants whose values steps compare neither underflow nor overflow at the start `z` of a run. The default is true.
+    /// Returns whether no invariant that steps compare underflows or overflows at the start `z` of a run. The default, `true`, suits steps that compare none.
     fn is_in_range(system: &S, z: &S::Phase) -> bool {
         let _ = (system, z);
         true

@@ -1,11 +1,11 @@
-//! Measures the rounding of a residual.
+//! Measures the rounding of a residual at a point x.
 //!
 //! Forces between neighbours cancel, and quotients divide by small numbers. The rounding of a residual may therefore be far larger than the last digits of the
-//! unknowns. The rounding shows if the residual is evaluated at neighbouring points: high differences of a smooth function are small, and high differences of
-//! rounding are not. J. J. Moré & S. M. Wild, SIAM J. Sci. Comput. 33 (2011) 1292.
+//! unknowns. It shows if the residual is evaluated at neighbouring points: high differences of a smooth function are small, and high differences of rounding
+//! are not. J. J. Moré & S. M. Wild, SIAM J. Sci. Comput. 33 (2011) 1292.
 //!
-//! `points` chooses a line through x. `differences` evaluates the residual at growing distances on this line until it is smooth. The result is an estimate, not
-//! a bound. One measurement takes up to 515 evaluations, so solvers measure only if corrections are stuck.
+//! `points` chooses a line through x. `differences` evaluates the residual at growing distances on this line until it is smooth. Limit: the result is an
+//! estimate and no bound. [`measure`] takes up to 515 evaluations, so solvers call it only if corrections are stuck.
 
 mod differences;
 mod points;
@@ -16,42 +16,48 @@ use crate::solving::size::{Sizes, Units};
 use crate::space::Array;
 use crate::space::vector::difference;
 use differences::{POINTS, SPARE, Workspace};
-use points::{Start, along, begin};
+use points::{Start, first_distance, write_direction};
 
 /// The largest residual that counts as rounding, in standard deviations of its rounding. A residual is the sum of several rounding errors, and a few
 /// differences determine the deviations only roughly. A smaller limit would refuse solved equations.
 const DEVIATIONS: f64 = 16.0;
 
+/// The last correction of an iteration, and the multiple of it at which a measurement starts.
+#[derive(Clone, Copy)]
+pub(crate) struct LastCorrection<A> {
+    pub(crate) delta: A,
+    pub(crate) multiple: f64,
+}
+
 /// Returns the standard deviation of the rounding of every entry of a residual near `x`, in the units of the residual.
 ///
 /// `residual` returns `None` at points at which no residual exists; farther points are then not evaluated. Unknowns move in proportion to the largest unknown
-/// of their kind. `delta` is the last correction, and `farther` is a distance in units of `delta`.
+/// of their kind. Each measurement evaluates the residual at growing distances from `x`:
 ///
-/// The first measurement starts close to `x`. Points nearer than `farther` times `delta` may share equally rounded terms, and the
-/// residual then looks as smooth as `x`. If the first points are too far apart, the residual of a small unknown beside large unknowns is already
-/// smooth, and its rounding remains hidden.
+/// - The first one starts at the given multiple of the last correction. Nearer points may share equally rounded terms, and the residual then looks smooth. If
+///   this multiple is large beside the unknowns, it starts at ε. Otherwise the residual of a small unknown beside large ones would be smooth at all points.
+/// - The second one takes place only if this multiple is large, and starts there. An unknown may be as small as the rounding of the value to which it is added.
+///   Its corrections are then as large as the unknown, and the residual is a staircase.
 ///
-/// The second measurement starts at the distance of the corrections, and takes place only if this distance is large. An unknown may be as small as the rounding
-/// of the quantity to which it is added. Its corrections are then as large as the unknown itself, and the residual is a staircase.
-///
-/// The result is the largest of both measurements and of the change of the residual by the last digits of `x`. Differences yield zero for an entry that is
-/// smooth at no distance: the digits of the unknowns do not resolve this entry, and its rounding is unknown.
+/// The result is the largest of both measurements and of the change of the residual by the last digits of `x`. An entry that is smooth at no distance has no
+/// measurement: the digits of the unknowns do not resolve it.
 #[cold]
 #[inline(never)]
 pub(crate) fn measure<A: Array>(
     sizes: &Sizes<A>,
     x: &A,
-    (delta, farther): (&A, f64),
+    LastCorrection { delta, multiple }: LastCorrection<A>,
     units: Units,
     mut residual: impl FnMut(&A) -> Option<A>,
 ) -> A {
     let (mut direction, mut noise) = (A::zero(), A::zero());
-    along(sizes.as_slice(), units, direction.as_mut_slice());
+    write_direction(sizes.as_slice(), units, direction.as_mut_slice());
     // The last digits of the unknowns also change the residual. This change counts as rounding, like the rounding of the terms.
     let mut largest = last_digits(x, &direction, &mut residual);
     for start in [Start::Near, Start::Corrections] {
         let mut direction = direction;
-        let Some(nearest) = begin((delta.as_slice(), farther), units, start, direction.as_mut_slice()) else { break };
+        let nearest = first_distance(delta.as_slice(), multiple, units, start, direction.as_mut_slice());
+        let Some(nearest) = nearest else { break };
         let (mut values, mut marks) = ([A::zero(); POINTS + SPARE], [A::fill(false); 2]);
         let [smooth, resolved] = &mut marks;
         let workspace = Workspace {
@@ -60,7 +66,7 @@ pub(crate) fn measure<A: Array>(
             resolved: A::entries(resolved),
             noise: noise.as_mut_slice(),
         };
-        workspace.measure((nearest, farther), start, units, &mut |distance, value| {
+        workspace.measure(nearest, multiple, start, units, &mut |distance, value| {
             let mut moved = *x;
             moved.add_scaled(distance, &direction);
             match residual(&moved) {
@@ -80,8 +86,8 @@ pub(crate) fn measure<A: Array>(
     largest
 }
 
-/// Returns the change of a residual if the unknowns move by 2 ε times `direction`, at least one unit in the last digit of the largest size of their kind. The
-/// side with the smaller change counts, because the other side may contain a jump.
+/// Returns the change of a residual if the unknowns move by 2 ε times `direction`: ε to 3 ε times the largest size of their kind. The side with the smaller
+/// change counts, because the other side may contain a jump. Zero if the residual does not exist.
 fn last_digits<A: Array>(x: &A, direction: &A, residual: &mut impl FnMut(&A) -> Option<A>) -> A {
     let Some(here) = residual(x) else { return A::zero() };
     let mut change = |sign: f64| {
@@ -98,8 +104,8 @@ fn last_digits<A: Array>(x: &A, direction: &A, residual: &mut impl FnMut(&A) -> 
     least
 }
 
-/// Returns whether rounding explains every entry of a residual. An entry is explained below 64 ε of the size of its unknown. It is also explained below 16
-/// times the standard deviation `noise`, if it is at most 1024 times this size.
+/// Returns whether rounding explains every entry of a residual. An entry is explained if it is at most 64 ε times the size of its unknown. It is also explained
+/// if it is at most 16 times its standard deviation `noise`, and at most 1024 times this size.
 pub(crate) fn explains<A: Array>(noise: &A, residual: &A, sizes: &Sizes<A>) -> bool {
     (0..A::LEN).all(|i| {
         let left = residual.as_slice()[i].magnitude();
@@ -108,7 +114,7 @@ pub(crate) fn explains<A: Array>(noise: &A, residual: &A, sizes: &Sizes<A>) -> b
     })
 }
 
-/// Returns the addresses of the functions that are compiled once for each scalar. `private::compiled` names them, so that they are compiled with this crate.
+/// Returns the addresses of functions that depend on the scalar only. `private::compiled` names them, and thus compiles them with this crate.
 pub(crate) fn compiled<R: Real>() -> [*const (); 2] {
-    [Workspace::<R>::measure as *const (), along::<R> as *const ()]
+    [Workspace::<R>::measure as *const (), write_direction::<R> as *const ()]
 }

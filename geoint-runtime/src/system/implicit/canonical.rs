@@ -1,4 +1,4 @@
-//! Systems that are canonical in other coordinates y(x) than those of their states x. Gauss methods are symplectic for them if they collocate y.
+//! Systems that are canonical in other coordinates y(x) than those of their states x. Gauss methods are symplectic for them if they advance y.
 
 use crate::scalar::Real;
 use crate::space::Square;
@@ -7,7 +7,8 @@ use crate::system::VectorField;
 /// x' = S(x) ∇H, and functions y of x in which the structure matrix S becomes the canonical matrix. There are as many functions as coordinates. Half of
 /// them are positions, and the other half are their momenta.
 ///
-/// The momenta of a Lagrangian ϑ(q)·v − H(q) are entries of ϑ. Stages are solved for x, so that no formula for x(y) is needed.
+/// The macros implement it for Lagrangians ϑ(q)·v − H(q, t) with x = q. They must find a function f(q) for which half of the entries of ϑ + ∇f vanish. The
+/// other entries are the momenta. Stages are solved for x, so that no formula for x(y) is needed.
 pub trait CanonicalForm<R: Real = f64>: VectorField<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;

@@ -1,8 +1,8 @@
 //! Systems whose positions satisfy g(q) = 0: q' = ∂H/∂p, p' = −∂H/∂q − Gᵀλ with G = ∂g/∂q.
 //!
 //! λ are the multipliers. A state is on a constraint if g(q) = 0, and if the velocity is tangent to it, G ∂H/∂p = 0. This file checks states and steps, and
-//! projects states onto the constraints. Constraints must be independent: the rows of G must not depend on each other.
-use crate::system::{Cotangent, PhaseSpace};
+//! projects states onto the constraints. Constraints must be independent: the rows of G must not depend on each other. W = ∂²H/∂p², the inverse mass
+//! matrix, measures lengths of gradients.
 
 use crate::scalar::Real;
 use crate::solving::rounding::{Convergence, Correction, Corrections, ROUNDINGS, Stuck, correct};
@@ -10,7 +10,9 @@ use crate::solving::size::Sizes;
 use crate::solving::{Refusal, linear};
 use crate::space::vector::{difference, dot, scaled, times};
 use crate::space::{Array, Square, State};
-/// A system with constraints.
+use crate::system::{Cotangent, PhaseSpace};
+
+/// A system with constraints g(q) = 0.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no constraints",
     label = "this is for systems with `constraint = [g]`"
@@ -23,24 +25,25 @@ pub trait Constrained<R: Real = f64>:
     type Proof;
     /// One number for each constraint.
     type Multipliers: Array<Real = R>;
-    /// Formulas of each g and of its rate.
+    /// Names for messages, two for each constraint: the formula of g, and its rate G ∂H/∂p.
     const CONSTRAINTS: &'static [[&'static str; 2]];
-    /// True if ∂H/∂p is affine in p.
+    /// True if ∂H/∂p is affine in p. One correction then makes a momentum tangent.
     const QUADRATIC: bool;
 
-    /// Computes g, and a row of G for each constraint.
+    /// Computes g = `values`, and a row of G for each constraint.
     fn constraints(&self, q: &Self::Array, values: &mut Self::Multipliers, gradients: &mut Gradients<Self, R>);
     /// Computes ∂H/∂p and W = ∂²H/∂p².
     fn velocity(&self, t: R, z: &Self::Phase, velocity: &mut Self::Array, inverse_mass: &mut Square<Self::Array>);
-    /// Computes two pairs: g and its sizes, G ∂H/∂p and its sizes. A size is the change of the value by the rounding of coordinates and parameters, in
-    /// units of the machine epsilon.
+    /// Returns two pairs: g with its sizes, and G ∂H/∂p with its sizes. A size is the change of the value by the rounding of coordinates and parameters, in
+    /// units of the machine epsilon. Sizes of g include the rounding of coordinates that other constraints couple to it.
     fn departure(&self, t: R, z: &Self::Phase) -> [[Self::Multipliers; 2]; 2];
 }
 
 /// One row of the shape of positions for each constraint.
 pub type Gradients<S, R> = <<S as Constrained<R>>::Multipliers as Array>::Map<<S as Cotangent<R>>::Array>;
 
-/// The equation of a step of the method `M` from a point z. The unknowns are increments and multipliers, in a row.
+/// The equation of a step of the method `M` from a point z = (q, p). The unknowns are multipliers in a row, and increments before them if the method needs
+/// these.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no constraints",
     label = "`{M}` is for systems with `constraint = [g]`",
@@ -71,14 +74,14 @@ pub trait ConstrainedStep<M, R: Real = f64>: Constrained<R> {
     );
     /// Returns the increments of positions and momenta that belong to the unknowns `x`.
     fn end(&self, constants: &Self::Constants, start: &Self::Start, x: &Self::Unknown) -> Self::Phase;
-    /// Returns for each unknown the magnitude whose rounding the unknown has. Multipliers have the rounding of positions.
+    /// Returns for each unknown the magnitude to which its rounding is relative. Multipliers have the rounding of positions.
     fn origin(&self, constants: &Self::Constants, start: &Self::Start) -> Self::Unknown;
 }
 
 /// Condition that a state of a system with constraints violates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unmet {
-    /// The quantity with this formula is not zero.
+    /// The constraint or rate with this formula is not zero.
     Off(&'static str),
     /// The gradient of the constraint with this formula depends on the gradients of the constraints before it, or does not exist.
     Dependent(&'static str),
@@ -86,7 +89,7 @@ pub enum Unmet {
 
 /// Returns the condition that a state violates at the start of steps of length `h`, if any.
 ///
-/// Rounding is no violation. This includes rounding of coordinates and parameters, and a velocity that moves positions in a step by rounding only.
+/// Rounding is no violation. This includes rounding of coordinates and parameters, and a rate that changes a constraint in a step by rounding only.
 #[cold]
 #[inline(never)]
 pub fn unmet<S: Constrained<R>, R: Real>(system: &S, t: R, h: R, z: &S::Phase) -> Option<Unmet> {
@@ -110,7 +113,8 @@ pub fn unmet<S: Constrained<R>, R: Real>(system: &S, t: R, h: R, z: &S::Phase) -
     Some(Unmet::Dependent(dependent))
 }
 
-/// Refuses a step if a constraint is not zero at its end, to rounding. This happens if the step is so long that h ∂H/∂p swamps the digits of the positions.
+/// Refuses a step from `before` to `z` if a constraint is not zero at its end, to rounding. This happens if the step is so long that positions lose digits in
+/// the sum with h ∂H/∂p.
 #[inline(always)]
 pub(crate) fn held<S: Constrained<R>, R: Real>(system: &S, t: R, [before, z]: [&S::Phase; 2]) -> Result<(), Refusal> {
     let [[values, sizes], _] = system.departure(t, z);
@@ -127,11 +131,14 @@ pub(crate) fn held<S: Constrained<R>, R: Real>(system: &S, t: R, [before, z]: [&
     Err(Refusal::Singular)
 }
 
-/// Checks that the constraints are independent at two positions and between. Returns the formula of a constraint that fails.
+/// Checks that the constraints are independent at two positions and between. It is a test, and no proof.
 ///
-/// The check is det(G W G₁ᵀ) > 0 with the gradients G and G₁ at the two positions, and W = ∂²H/∂p² at `z`. If constraints depend on each other between the
-/// positions, the space of their gradients usually changes its orientation, and the determinant its sign. Two such places between the positions are not
-/// found.
+/// The test is det(G W G₁ᵀ) > 0 with the gradients G and G₁ at the two positions, and W at `z`. Each row is divided by its diagonal entry of G W Gᵀ. If
+/// constraints depend on each other between the positions, the space of their gradients usually changes its orientation, and the determinant its sign. Two
+/// such places between the positions are not found. Rows are not exchanged, so a minor of the first rows that vanishes also fails the test.
+///
+/// # Errors
+/// The formula of the constraint with the vanishing pivot, or of the last constraint if the determinant is negative.
 #[inline(always)]
 pub(crate) fn on_one_side<S: Constrained<R>, R: Real>(
     system: &S,
@@ -144,7 +151,7 @@ pub(crate) fn on_one_side<S: Constrained<R>, R: Real>(
     let rows = S::Multipliers::entries::<S::Multipliers>(&mut matrix);
     for (row, gradient) in rows.iter_mut().zip(S::Multipliers::entries_of::<S::Array>(&first)) {
         let direction = times(&inverse_mass, gradient);
-        // Each row is divided by its own square, so that pivots have no units.
+        // The diagonal of G W Gᵀ as the divisor makes pivots independent of units.
         let scale = R::from_f64(1.0) / dot(gradient, &direction);
         for (x, other) in row.as_mut_slice().iter_mut().zip(S::Multipliers::entries_of::<S::Array>(&last)) {
             *x = scale * dot(&direction, other);
@@ -170,7 +177,7 @@ pub(crate) fn on_one_side<S: Constrained<R>, R: Real>(
     if positive { Ok(()) } else { Err(S::CONSTRAINTS[rows.len() - 1][0]) }
 }
 
-/// Returns the momenta p − Gᵀμ, with μ from G ∂H/∂p = 0: those at z without the part that leads away from the constraints.
+/// Returns the momenta p − Gᵀμ, with μ from G ∂H/∂p = 0: the momenta of z = (q, p) without the part that leads away from the constraints.
 ///
 /// # Errors
 /// If constraints depend on each other at z, or if Newton's iteration for μ does not converge.
@@ -197,8 +204,8 @@ pub(crate) fn tangent<S: Constrained<R>, R: Real>(system: &S, t: R, z: S::Phase)
     correct(z[1], Corrections::of(Convergence::Quadratic), |Stuck { after, .. }| Some(*after), correction)
 }
 
-/// Returns a state on the constraints near the state `z`. Positions move by −W Gᵀν, along the gradients G at `z` and in the metric of the mass matrix
-/// W⁻¹. The momentum is then made tangent.
+/// Returns a state on the constraints near the state `z`. Positions move by −W Gᵀν with the gradients G and W at `z`: to first order, this is the shortest way
+/// in the metric of the mass matrix W⁻¹. The momentum is then made tangent.
 ///
 /// # Errors
 /// If constraints depend on each other at `z` or at the result, or if an iteration does not converge.
@@ -225,7 +232,7 @@ pub(crate) fn projected<S: Constrained<R>, R: Real>(system: &S, t: R, z: &S::Pha
     Ok([q, tangent(system, t, [q, z[1]])?])
 }
 
-/// Solves G W G₀ᵀ ν = r in place of r, with `gradients` G, `starts` G₀ and `inverse_mass` W.
+/// Solves G W G₀ᵀ ν = r in place of r, with `gradients` G, gradients G₀ = `starts` at the start of the iteration, and `inverse_mass` W.
 ///
 /// # Errors
 /// If the matrix is singular.
@@ -245,7 +252,7 @@ fn solve<S: Constrained<R>, R: Real>(
             row.as_mut_slice()[l] = dot(gradient, &direction);
         }
     }
-    // Row k gets the unit of the multiplier k, which is the unit of 1/√(G W Gᵀ).
+    // Row k gets the unit of the multiplier k: that of 1/√(G W Gᵀ)ₖₖ, up to a factor that all rows share.
     let mut sizes = S::Multipliers::zero();
     for (k, (row, r)) in rows.iter_mut().zip(r.as_mut_slice()).enumerate() {
         let diagonal = row.as_slice()[k];

@@ -1,6 +1,8 @@
-//! The kernels of energies and vector fields for implicit methods: the field at a point, discrete gradients, and the stages of contact Hamiltonians.
+//! The kernels of energies and vector fields for implicit methods: the field at a point, tree discrete gradients
+//! ([`DiscreteGradient`](crate::DiscreteGradient)), and the stages of contact Hamiltonians.
 //!
-//! The attributes implement these traits for a system. Methods in the module `method` evaluate them.
+//! The attribute macros emit these traits for a system. Methods in the module `method` evaluate them. An associated `Proof` is `()`; a system without the
+//! property lacks it.
 
 use crate::scalar::Real;
 use crate::solving::Inverse;
@@ -21,9 +23,9 @@ pub trait QuadraticField<R: Real = f64>: Collocation<R> {
 /// The order of a differential equation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EquationOrder {
-    /// z' = f(z, t). y is z.
+    /// z' = f(z, t), for y = z.
     First,
-    /// q'' = M⁻¹f(q, t). y is q.
+    /// q'' = M⁻¹f(q, t), for y = q.
     Second,
 }
 
@@ -34,8 +36,11 @@ impl EquationOrder {
     }
 }
 
-/// The differential equation in the form in which implicit methods solve it: y' = f(y, t) for all coordinates y = z. If H = T(p) + V(q) with a quadratic T,
-/// the form is q'' = M⁻¹f(q, t) with y = q, the force f = −∂V/∂q and the mass matrix M.
+/// The differential equation in the form in which implicit methods solve it: y' = f(y, t) for all coordinates y = z. The form is q'' = M⁻¹f(q, t) for y = q if
+/// H = T(p) + V(q) with a quadratic T, and nothing is damped or forced. f = −∂V/∂q is then the force, and M the constant mass matrix.
+///
+/// Emitted by `#[vector_field]`, by `#[hamiltonian]` without constraint and attitude, and by `#[lagrangian]` without constraint and action. H must have a short
+/// formula, or L must be linear in the velocities.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no system of `#[hamiltonian]`, or has a `constraint`, an `attitude` or an action `s`",
     label = "this method does not fit this kind of system",
@@ -55,9 +60,9 @@ pub trait Collocation<R: Real = f64>: VectorField<R> {
 
     /// Computes the coefficients that depend on parameters only.
     fn constants(&self) -> Self::Constants;
-    /// Returns y, and the coordinates that f changes: y, or p.
+    /// Returns y, and the coordinates that f changes: (z, z) for [`EquationOrder::First`], (q, p) for [`EquationOrder::Second`].
     fn start(z: &Self::Phase) -> (Self::Unknown, Self::Unknown);
-    /// Returns the part of y' apart from f: zero, or q' = ∂T/∂p at the momentum `p`.
+    /// Returns the part of y' apart from f: zero for the first order, q' = ∂T/∂p at the momentum `p` for the second.
     fn velocity(&self, constants: &Self::Constants, p: &Self::Unknown) -> Self::Unknown;
     /// Computes f and ∂f/∂y at the time `t`.
     fn field(
@@ -68,34 +73,34 @@ pub trait Collocation<R: Real = f64>: VectorField<R> {
         f: &mut Self::Unknown,
         jacobian: &mut Square<Self::Unknown>,
     );
-    /// Computes y ← y + w·f, or y + w·M⁻¹f.
+    /// Computes y ← y + w·f for the first order, y ← y + w·M⁻¹f for the second.
     fn add(&self, constants: &Self::Constants, w: R, f: &Self::Unknown, y: &mut Self::Unknown);
-    /// Returns the increments of all coordinates: `change` if y = z, or `change` for q and `impulse` for p.
+    /// Returns the increments of all coordinates: `change` for the first order, (`change`, `impulse`) of (q, p) for the second.
     fn increments(change: &Self::Unknown, impulse: &Self::Unknown) -> Self::Phase;
 }
 
-/// The computation of the mean of ∇H along a line, for [`MeanValue`](crate::MeanValue). The mean is exact if H is a sum of functions of linear forms and of
-/// a polynomial.
+/// The computation of the mean of ∇H along a line, for [`MeanValue`](crate::MeanValue). An exact mean is known if H is the sum of a polynomial and of functions
+/// of one linear form each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mean {
-    /// H is a polynomial. The quadrature of Gauss with this number of points is exact.
+    /// H is a polynomial. Gauss's quadrature is exact with this number of points or more.
     Gauss(usize),
-    /// The mean is an extrapolation. The line is divided into 1, 2, … up to this number of parts, and ∇̄H is averaged over the parts. With 1 the mean is
-    /// ∇̄H.
+    /// The line is divided into 1, 2, … up to this number of parts, and the tree discrete gradient ∇̄H is averaged over the parts. The extrapolation of these
+    /// averages is exact. With 1 the mean is ∇̄H.
     Parts(usize),
-    /// No exact mean is known.
+    /// No exact mean is known. Gauss's quadrature approximates it.
     NotClosed,
 }
 
-/// Start, midpoint and end time of a step. The end equals the start of the next step bit for bit, so changes of time-dependent functions telescope. The
+/// Start, middle and end time of a step. The end equals the start of the next step bit for bit, so changes of time-dependent functions telescope. The
 /// length h may differ from `end − start` by a rounding.
 #[derive(Clone, Copy, Debug)]
 pub struct Span<R> {
-    /// The time of the first point.
+    /// The time t at the start.
     pub start: R,
-    /// The time of the middle.
+    /// t + h/2. Discrete gradients of H, damping and forces read this time.
     pub middle: R,
-    /// The time of the last point.
+    /// The time at the end. First integrals that depend on time, and steps of order 4, read it and `start`.
     pub end: R,
 }
 
@@ -106,15 +111,16 @@ impl<R: Real> Span<R> {
         Span { start, middle: start + R::from_f64(0.5) * h, end }
     }
 
-    /// Returns the times of an evaluation at one moment.
+    /// Returns one time three times, for an evaluation at frozen time.
     #[inline(always)]
     pub fn at(t: R) -> Self {
         Span { start: t, middle: t, end: t }
     }
 }
 
-/// The field f̄ with the tree discrete gradient ∇̄H between y and y + d in place of ∇H: f̄ = J∇̄H with the structure matrix J, or −∇̄V if T is quadratic.
-/// With a damping matrix R, f̄ = (J − R)∇̄H, and R is taken at the mean of the two points.
+/// The field f̄ with the tree discrete gradient ∇̄H between y and y + d in place of ∇H. It is f̄ = J∇̄H with the structure matrix J for
+/// [`EquationOrder::First`], and f̄ = −∇̄V for [`EquationOrder::Second`]. With a damping matrix C, f̄ = (J − C)∇̄H. J, C and other forces are taken at the
+/// mean of the two points. If a field has first integrals but no known J and H, f̄ is the field at the mean, projected so that a step keeps the integrals.
 ///
 /// The discrete gradient of a quadratic T is the gradient at the mean momentum. It needs no kernel of its own.
 #[diagnostic::on_unimplemented(
@@ -130,19 +136,19 @@ pub trait DiscreteField<R: Real = f64>: Collocation<R> + Keeping<R> {
     type Proof;
     /// Coefficients that depend on parameters and h only.
     type Parameters: Copy + core::fmt::Debug;
-    /// Coefficients that depend on y and on the times of the step.
+    /// Coefficients that also depend on y and on the times of the step.
     type Start: Copy + core::fmt::Debug;
-    /// [`Inverted`](crate::system::Inverted) if f̄ is affine in d, so that the matrix of a step is the same in all steps. H is then a polynomial of degree
-    /// 2 that does not depend on time, and damping is constant. Otherwise `()`.
+    /// [`Inverted`](crate::system::Inverted) if ∂f̄/∂d depends on parameters only, so that the matrix of a step is the same in all steps. Otherwise `()`.
+    /// The macros choose it if H is a polynomial of degree 2 at most without time, damping is constant, and no other force acts.
     type Inverse: Inverse<Self::Unknown>;
     /// Computation of the mean of ∇H along the line from y to y + d.
     const MEAN: Mean = Mean::NotClosed;
 
-    /// Computes the coefficients that depend on parameters and h only. f̄ does not depend on h.
+    /// Computes the coefficients that depend on parameters and h only. f̄ does not depend on h, but [`equation`](Self::equation) and [`drift`](Self::drift) do.
     fn parameters(&self, h: R) -> Self::Parameters;
     /// Computes the coefficients that all evaluations from `y` have in common.
     fn begin(&self, parameters: &Self::Parameters, span: Span<R>, y: &Self::Unknown) -> Self::Start;
-    /// Computes f̄ and ∂f̄/∂d.
+    /// Computes f̄, and ∂f̄/∂d in `jacobian`.
     fn slope(
         &self,
         parameters: &Self::Parameters,
@@ -151,9 +157,10 @@ pub trait DiscreteField<R: Real = f64>: Collocation<R> + Keeping<R> {
         f: &mut Self::Unknown,
         jacobian: &mut Square<Self::Unknown>,
     );
-    /// Computes the impulse h·f̄, and 1 − ∂(h·f̄)/∂(impulse). The increment d is the impulse itself, or d = h ∂T/∂p(p + impulse/2).
+    /// Computes the right-hand side of a step, u = h·f̄(d(u)) with the impulse u as unknown: h·f̄ in `image`, and 1 − ∂(h·f̄)/∂u in `matrix`. The increment is
+    /// d = u for the first order, and d = h ∂T/∂p(p + u/2) for the second.
     ///
-    /// The attributes override this function for few unknowns: h and the masses are then part of the constants of the kernel.
+    /// The macros override this function for at most twelve unknowns, unless y = (q, p). h and the masses are then part of the constants of the kernel.
     #[inline(always)]
     fn equation(
         &self,
@@ -168,20 +175,23 @@ pub trait DiscreteField<R: Real = f64>: Collocation<R> + Keeping<R> {
         for f in image.as_mut_slice() {
             *f = h * *f;
         }
+        // ∂d/∂u is 1, or h/2 M⁻¹. Another factor h multiplies f̄.
         let w = if Self::EQUATION_ORDER.is_first() { h } else { R::from_f64(0.5) * h * h };
         for (i, row) in Self::Unknown::entries::<Self::Unknown>(matrix).iter_mut().enumerate() {
+            // M⁻¹ is symmetric, so `add` computes the product of the row and M⁻¹.
             let slope = core::mem::replace(row, Self::Unknown::nothing());
             self.add(constants, -w, &slope, row);
             row.as_mut_slice()[i] += R::from_f64(1.0);
         }
     }
-    /// Returns h ∂T/∂p at the mean of two momenta with this sum, if T is quadratic.
+    /// Returns h ∂T/∂p((p₀ + p₁)/2) from `sum` = p₀ + p₁. Called for [`EquationOrder::Second`] only.
     fn drift(&self, parameters: &Self::Parameters, sum: &Self::Unknown) -> Self::Unknown;
 }
 
-/// The equation of a step of order 4 that keeps first integrals, z₁ − z₀ = h (F − G(GᵀG)⁻¹GᵀF). The columns of G are the tree discrete gradients of the
-/// integrals between z₀ and z₁. F is Simpson's rule for the mean velocity: F = (f(z₀) + 4 f(c) + f(z₁))/6. Here c = m + h/8 (f(z₀) − f(z₁)), and m is the
-/// mean of z₀ and z₁. Canonical systems use a metric in place of the unit matrix of the projection; see `method/discrete_gradient/canonical.rs`.
+/// The equation of a step of order 4 that keeps first integrals, z₁ − z₀ = h v. The projected mean velocity is v = F − G(GᵀG)⁻¹GᵀF. The columns of G are the
+/// tree discrete gradients of the integrals between z₀ and z₁. F is Simpson's rule for the mean velocity: F = (f(z₀) + 4 f(c) + f(z₁))/6. Here
+/// c = m + h/8 (f(z₀) − f(z₁)), and m is the mean of z₀ and z₁. Canonical systems use a metric in place of the unit matrix of the projection; see
+/// `method/discrete_gradient/canonical.rs`.
 ///
 /// By the discrete chain rule, the exact mean velocity is orthogonal to every discrete gradient. The projection does not change it, so the step has the
 /// order of F.
@@ -194,16 +204,16 @@ pub trait DiscreteField<R: Real = f64>: Collocation<R> + Keeping<R> {
 pub trait FourthOrderField<R: Real = f64>: VectorField<R> + Keeping<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// Coefficients that depend on parameters and h.
+    /// Coefficients that depend on parameters and h only.
     type FourthParameters: Copy + core::fmt::Debug;
-    /// Coefficients that depend on the start of a step.
+    /// Coefficients that also depend on the start of a step.
     type FourthStart: Copy;
 
-    /// Computes the coefficients that depend on parameters and h.
+    /// Computes the coefficients that depend on parameters and h only.
     fn fourth_parameters(&self, h: R) -> Self::FourthParameters;
     /// Computes the coefficients that all evaluations of a step from `z` have in common.
     fn fourth_begin(&self, parameters: &Self::FourthParameters, span: Span<R>, z: &Self::Phase) -> Self::FourthStart;
-    /// Writes h times the mean velocity to `image`, and 1 − ∂(image)/∂d to `matrix`.
+    /// Writes h times the projected mean velocity between z and z + d to `image`, and 1 − ∂(image)/∂d to `matrix`.
     fn fourth_slope(
         &self,
         parameters: &Self::FourthParameters,
@@ -212,8 +222,9 @@ pub trait FourthOrderField<R: Real = f64>: VectorField<R> + Keeping<R> {
         image: &mut Self::Phase,
         matrix: &mut Square<Self::Phase>,
     );
-    /// Makes all later evaluations of the step exclude conserved momenta whose gradients nearly depend on the gradient of the energy, because GᵀG is nearly
-    /// singular with them. Only momenta that the user has not named are excluded. Returns `false` if the system has no such momenta.
+    /// Makes all later evaluations of the step exclude columns of G that nearly depend on the columns before them, because GᵀG is nearly singular with them.
+    /// Only momenta that the macros have found are excluded, in canonical systems. The first column belongs to the energy, and stays. Returns `false` if the
+    /// system has no such momenta.
     fn fourth_loosen(start: &mut Self::FourthStart) -> bool {
         let _ = start;
         false
@@ -224,15 +235,15 @@ pub trait FourthOrderField<R: Real = f64>: VectorField<R> + Keeping<R> {
 pub trait ContactStages<R: Real = f64>: Contact<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// The unknowns of a stage: q, p and s in a row. The row has no s if ∂H/∂s depends on time alone, and positions and momenta do not read s.
+    /// The unknowns of a stage: q, p and s in a row. The row has no s if ∂H/∂s depends on time alone, and ∂H/∂q and ∂H/∂p do not read s.
     type Moved: Array<Real = R>;
     /// Coefficients that depend on parameters only.
     type StageConstants: Copy + core::fmt::Debug;
 
     /// Computes the coefficients that depend on parameters only.
     fn stage_constants(&self) -> Self::StageConstants;
-    /// Computes two values at a stage: the row ∂H/∂p, −∂H/∂q, and p·∂H/∂p − H if s is an unknown; and σ = ∂H/∂s. Computes the derivatives of both by the
-    /// unknowns.
+    /// Computes the row ∂H/∂p, −∂H/∂q, and p·∂H/∂p − H if s is an unknown, and σ = ∂H/∂s. Computes the derivatives of both by the unknowns. The row has no
+    /// friction −σp, because stages advance r·p with the factor r' = rσ, and (r·p)' = −r ∂H/∂q.
     fn stage(
         &self,
         constants: &Self::StageConstants,

@@ -12,10 +12,11 @@ use crate::system::{Invariants, PhaseSpace};
     note = "methods for every contact Hamiltonian: `ContactGauss`, `ContactMidpoint`, `ContactDiscreteGradient`"
 )]
 pub trait Keeping<R: Real = f64>: PhaseSpace<R> {
-    /// The invariants that steps keep and that do not read time. A run removes the rounding error of many steps from them. `()` if damping changes them.
+    /// The invariants that steps keep and that do not read time. A run removes the rounding error of many steps from them. `()` if there are none, for
+    /// instance with damping.
     type Kept: Invariants<Self, R> + Default;
-    /// `true` if an invariant may be steep in a coordinate that has become small. A step then needs a check: rounding of this coordinate changes the
-    /// invariant by more than its last digits. A sum of powers of single coordinates is not steep.
+    /// `true` if an invariant of a field may be steep in a coordinate that has become small. Rounding of this coordinate then changes the invariant by more
+    /// than its last digits, and steps need a check. A sum of powers of single coordinates is not steep. Systems with momenta do not read the constant.
     const STEEP: bool = true;
 }
 

@@ -1,7 +1,8 @@
 //! The momenta of a Lagrangian, p = ∂L/∂v: the mass matrix, and the velocity that belongs to a momentum.
 //!
-//! The velocity is the solution of ∂L/∂v = p that Newton's iteration finds from v = 0. A Lagrangian that is not quadratic in v may have other solutions. A
-//! function that returns a velocity returns NaN or `None` if the iteration finds none, for instance where the mass matrix is singular.
+//! The velocity of a state is the solution of ∂L/∂v = p that Newton's iteration finds from v = 0, or from a second guess. A Lagrangian that is not quadratic
+//! in v may have other solutions. A function that returns a velocity returns NaN or `None` if the iteration finds none, for instance where the mass matrix is
+//! singular.
 
 use crate::scalar::Real;
 use crate::solving::Refusal;
@@ -16,10 +17,10 @@ use crate::system::Lagrangian;
 pub trait MassForm<R: Real = f64>: Lagrangian<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// `true` if L is quadratic in v. The solution of one linear equation is then v.
+    /// `true` if L is quadratic in v. The equation ∂L/∂v = p is then linear in v.
     const QUADRATIC: bool;
 
-    /// Returns whether M was proven to be positive definite at every state, for these parameters.
+    /// Returns whether M was proven to be positive definite at every state, for these parameters. `false` means: not proven.
     fn is_definite(&self) -> bool {
         false
     }
@@ -34,15 +35,15 @@ pub trait MassForm<R: Real = f64>: Lagrangian<R> {
     );
 }
 
-/// Largest residual of ∂L/∂v = p that counts as rounding, in units of ε times the terms of the equation. A smaller bound would refuse states at which the
-/// terms of L cancel.
+/// Largest residual of ∂L/∂v = p that counts as rounding, in units of ε times the terms of the equation. A chosen bound: a smaller one would refuse states at
+/// which the terms of L cancel.
 const ROUNDED_RESIDUAL: f64 = 1024.0;
 
-/// Largest distance of two velocities that counts as rounding, in units of √ε. Near a singular M the momentum determines only half of the digits of v, so
-/// the unit is not ε.
+/// Largest distance of two velocities that counts as rounding, in units of √ε times the velocity. Near a singular M the momentum determines only half of the
+/// digits of v, so the unit is not ε.
 const SAME_VELOCITY: f64 = 16.0;
 
-/// Solves ∂L/∂v = p for the velocity of a point by Newton's iteration from `guess`. One linear equation suffices if L is quadratic.
+/// Solves ∂L/∂v = p for the velocity of a point by Newton's iteration from `guess`. One correction suffices if L is quadratic in v.
 ///
 /// Returns `None` if M is singular on the way, or if the iteration finds no root.
 #[inline]
@@ -90,7 +91,7 @@ fn has_momentum<S: MassForm<R>, R: Real>(
 /// Solves M·x = p in place of p. Returns `None` if M is singular.
 #[inline(always)]
 fn solve_for_velocity<A: Array>(mass: &mut Square<A>, p: &mut A) -> Option<()> {
-    // Row i gets the unit of the velocity i, which is the unit of √(E/Mᵢᵢ).
+    // Row i gets the unit of the velocity i: the unit of 1/√Mᵢᵢ, up to a factor that all rows share.
     let mut sizes = A::zero();
     let rows = A::entries::<A>(mass).iter_mut();
     for (i, ((p, row), size)) in p.as_mut_slice().iter_mut().zip(rows).zip(sizes.as_mut_slice()).enumerate() {
@@ -153,8 +154,8 @@ pub(crate) fn velocity_from_rest<S: MassForm<R>, R: Real>(
     if S::QUADRATIC || found.is_some() { found } else { velocity_beyond(system, t, z, s) }
 }
 
-/// Returns the velocity of a state, by Newton's iteration from −v₁, the point opposite to its first point v₁ from rest. If M changes its sign between rest
-/// and the velocity, the first step from rest has the wrong direction.
+/// Returns the velocity of a state, by Newton's iteration from −v₁, where v₁ is the first point of the iteration from v = 0. If M changes its sign between
+/// v = 0 and the velocity, v₁ lies in the wrong direction.
 #[cold]
 #[inline(never)]
 fn velocity_beyond<S: MassForm<R>, R: Real>(system: &S, t: R, z: &S::Phase, s: &S::Action) -> Option<S::Array> {
@@ -172,8 +173,8 @@ pub fn velocity_of<S: MassForm<R>, R: Real>(system: &S, t: R, z: &S::Phase, s: &
     velocity_from_rest(system, t, z, s).unwrap_or_else(unknown)
 }
 
-/// Returns the momentum ∂L/∂v of a velocity, or NaN if [`velocity_of`] finds another velocity for this momentum. A run could not start from such a
-/// velocity.
+/// Returns the momentum ∂L/∂v of a velocity, or NaN if [`velocity_of`] finds another velocity for this momentum, or none. A run that starts with this momentum
+/// would not have the velocity `v`.
 pub fn own_momentum<S: MassForm<R>, R: Real>(system: &S, t: R, q: &S::Array, v: &S::Array, s: &S::Action) -> S::Array {
     let p = system.momentum(t, q, v, s);
     if S::QUADRATIC || !p.is_finite() {
@@ -182,14 +183,14 @@ pub fn own_momentum<S: MassForm<R>, R: Real>(system: &S, t: R, q: &S::Array, v: 
     let mut away = difference(&velocity_of(system, t, &[*q, p], s), v);
     let (mut units, mut mass, mut size) = (S::Array::zero(), S::Array::fill(S::Array::zero()), *v);
     system.mass(t, q, v, s, (&mut units, &mut mass));
-    // Mᵢᵢ has the unit of an energy over v² of coordinate i. Velocities times √Mᵢᵢ therefore have one unit.
+    // Mᵢᵢ has the unit of an energy over the square of the velocity i. Velocities times √Mᵢᵢ therefore have one unit.
     for (i, row) in S::Array::entries_of::<S::Array>(&mass).iter().enumerate() {
         let unit = R::from_f64(Real::sqrt(row_scale(row, i).magnitude()));
         away.as_mut_slice()[i] *= unit;
         size.as_mut_slice()[i] *= unit;
     }
     let largest = |x: &S::Array| x.as_slice().iter().map(|x| x.magnitude()).fold(0.0, f64::max);
-    // NaN is not within the bound.
+    // If `away` has a NaN, the result is NaN.
     let is_same = away.is_finite() && largest(&away) <= SAME_VELOCITY * Real::sqrt(R::epsilon()) * largest(&size);
     if is_same { p } else { unknown() }
 }
@@ -212,7 +213,7 @@ pub fn energy_of<S: MassForm<R>, R: Real>(system: &S, t: R, z: &S::Phase, s: &S:
     energy
 }
 
-/// Returns v' = M⁻¹(p' − ∂p/∂q v) from p' = `rate`, or zeros if M is singular. For first guesses, which may be wrong.
+/// Returns v' = M⁻¹(p' − ∂p/∂q v) from p' = `rate` and ∂p/∂q = `by_q`, or zeros if M is singular. For first guesses, which may be wrong.
 #[inline]
 pub(crate) fn accelerated<A: Array>(mut rate: A, by_q: &Square<A>, v: &A, mut mass: Square<A>) -> A {
     for (f, row) in rate.as_mut_slice().iter_mut().zip(A::entries_of::<A>(by_q)) {

@@ -7,21 +7,22 @@
 //! |---|---|---|
 //! | energies and fields | `Collocation`, `DiscreteField` | values of the field, increments |
 //! | contact Hamiltonians | `ContactStages`, `ContactEquation` | increments |
-//! | Lagrangians without a short formula for H, with or without an action | `VelocityForm`, `PolarisedForm` | velocities, and s |
-//! | Lagrangians linear in the velocities | `CanonicalForm`, `DiscreteField` | points, which have canonical coordinates y(x) |
+//! | Lagrangians without a short formula for the energy, with or without an action s | `VelocityForm`, `PolarisedForm` | velocities, and s |
+//! | Lagrangians linear in the velocities, with canonical coordinates y(x) | `CanonicalForm`, `DiscreteField` | points x, increments |
 //! | energies with constraints | none, `ConstrainedStep` | increments and multipliers |
 //!
-//! The steps themselves are in the module `method`, and the iterations in the module `solving`.
+//! A Lagrangian with a short formula for its energy has the kernels of that energy. If it has an action and is quadratic in v, its stages still have
+//! `VelocityForm`. The steps themselves are in the module `method`, and the iterations in the module `solving`.
 //!
 //! Limit: a system has only the forms that the macros can derive. A method that needs another form is a type error for this system.
 
-mod canonical; // Systems that are canonical in other coordinates y(x), such as logarithms. The stages are solved for x itself.
+mod canonical; // Systems that are canonical in other coordinates y(x) than their own. The stages are solved for x itself.
 mod constraints; // Positions on g(q) = 0: the check of a state, the equation of a step, and the projection onto the constraints.
 mod fields; // z' = f(z, t), or q'' = M⁻¹f(q, t): stages and discrete gradients, also those of contact Hamiltonians.
 mod kept; // The invariants that discrete gradient steps keep.
 mod mass; // The mass matrix of a Lagrangian, and v from p = ∂L/∂v.
 mod regular; // Check that the mass matrix of a Lagrangian stays regular during a run.
-mod velocities; // Lagrangians whose stages and steps are solved for velocities.
+mod velocities; // Lagrangians that are solved for velocities.
 
 pub use canonical::CanonicalForm;
 pub use constraints::{Constrained, ConstrainedStep, Gradients, Unmet, unmet};

@@ -1,8 +1,8 @@
 //! Check that the mass matrix M = ∂²L/∂v² of a Lagrangian stays regular during a run.
 //!
-//! Where M is singular, the velocity does not follow from the momentum, and a step may jump to another solution of ∂L/∂v = p. The check evaluates det M on
+//! If M is singular, the velocity does not follow from the momentum, and a step may jump to another solution of ∂L/∂v = p. The check evaluates det M on
 //! the straight line between the ends of each step, and refuses a step on which det M may vanish. It is a search, and no proof: a det M that oscillates
-//! within a step may hide a zero.
+//! within a step may hide a zero. A discontinuity of det M is no zero, for example at an `if` or `abs` in L.
 
 use super::mass::{MassForm, mass_units, velocity_from_rest, velocity_near};
 use crate::scalar::Real;
@@ -11,11 +11,12 @@ use crate::space::vector::{difference, moved};
 use crate::space::{Action, Array, Record, Tape};
 
 /// Largest number of halvings of the line between the ends of a step. A part is halved if the determinant changes on it by more than a factor of two. A
-/// part of 2⁻⁴⁰ of the line with this change holds a jump or a zero.
+/// part of 2⁻⁴⁰ of the line with this change holds a discontinuity or a zero.
 const HALVINGS: u32 = 40;
 
-/// Largest ratio of the determinants at the ends of the line and beside a jump. A smaller determinant may be a value next to a zero.
-const JUMP: f64 = 256.0;
+/// A shortest part holds a discontinuity if its three determinants have one sign, and this factor times each exceeds the larger determinant at the ends of
+/// the line. A smaller determinant may be a value next to a zero, and the step is refused.
+const DISCONTINUITY_RATIO: f64 = 256.0;
 
 /// Largest number of parts that are checked before a step is refused. A smallest determinant of 10⁻⁹ of those at the ends takes about sixty.
 const MOST_PARTS: u32 = 500;
@@ -37,23 +38,23 @@ pub struct Regular<A: Array> {
 /// The determinant of M at a point.
 #[derive(Clone, Copy, Debug)]
 struct MassAt<A> {
-    /// The units of the rows: 1/|Mᵢᵢ| at the first point of the run.
-    units: A,
-    /// The velocity. It is out of date if L is quadratic, because M then does not read it.
+    /// Factors of the rows: 1/|Mᵢᵢ| at the first point of the run. If Mᵢᵢ = 0, the largest entry of the row replaces it, or 1 in a row of zeros.
+    row_scales: A,
+    /// The velocity. If L is quadratic, M does not read it, and it stays the velocity of the first point.
     v: A,
-    /// The determinant of M with its rows in `units`.
+    /// The determinant of M with its rows multiplied by `row_scales`. Only its sign and ratios are read, so `f64` serves every scalar.
     determinant: f64,
 }
 
 impl<A: Array> Record<A::Real> for Regular<A> {
     fn record(&mut self, tape: &mut impl Tape<A::Real>) {
-        tape.option(&mut self.last, || MassAt { units: A::zero(), v: A::zero(), determinant: 0.0 });
+        tape.option(&mut self.last, || MassAt { row_scales: A::zero(), v: A::zero(), determinant: 0.0 });
     }
 }
 
 impl<A: Array> Record<A::Real> for MassAt<A> {
     fn record(&mut self, tape: &mut impl Tape<A::Real>) {
-        tape.array(&mut self.units);
+        tape.array(&mut self.row_scales);
         tape.array(&mut self.v);
         tape.number(&mut self.determinant);
     }
@@ -65,7 +66,10 @@ impl<A: Array> Regular<A> {
         Regular { last: None }
     }
 
-    /// Returns the sign of det M, 1 or −1. A run keeps this sign. `is_definite` is true if M was proven to be positive definite.
+    /// Prepares the check of a step, and returns the sign of det M, 1 or −1. det M is computed at the first step of a run only, because a run keeps its sign.
+    ///
+    /// The solver requires a matrix with a positive determinant. If its determinant has the sign of det M for short steps, callers multiply a row by the sign.
+    /// `is_definite` is true if M was proven to be positive definite at every state. Nothing is checked then.
     ///
     /// # Errors
     /// At the first point of a run, if M is singular or no velocity is found.
@@ -85,10 +89,10 @@ impl<A: Array> Regular<A> {
         Ok(A::Real::from_f64(if self.last.is_some_and(|last| last.determinant < 0.0) { -1.0 } else { 1.0 }))
     }
 
-    /// Moves from the start to the end of a step. `v` is near the velocity at the end.
+    /// Checks the way from the start to the end of a step. `v` is near the velocity at the end. Precondition: [`begin`](Self::begin) was called for this step.
     ///
     /// # Errors
-    /// If the check does not exclude a zero of det M on the straight line between the ends.
+    /// If the check does not exclude a zero of det M on the straight line between the ends, or if no velocity is found at the end.
     #[inline(always)]
     pub(crate) fn follow<S: MassForm<A::Real, Array = A>>(
         &mut self,
@@ -108,8 +112,9 @@ impl<A: Array> Regular<A> {
 
 /// Returns a message if the check does not exclude a zero of det M on the straight line between two points. For explicit methods.
 ///
-/// Explicit methods keep no velocity, so [`velocity_of`](super::velocity_of) computes it at both points. A jump to another solution of ∂L/∂v = p then shows
-/// as a zero of det M between the two velocities.
+/// Explicit methods keep no velocity, so it is computed from v = 0 at both points, as by [`velocity_of`](super::velocity_of). A jump to another solution of
+/// ∂L/∂v = p then shows as a zero of det M between both velocities if there is one degree of freedom, or if M is definite on the line. Limit: with an
+/// indefinite M, two velocities may have the same momentum without a zero between them.
 pub fn singular_mass<S: MassForm<R>, R: Real>(
     system: &S,
     t: [R; 2],
@@ -121,7 +126,7 @@ pub fn singular_mass<S: MassForm<R>, R: Real>(
     }
     let ends = [(t[0], z[0], s[0]), (t[1], z[1], s[1])];
     let Some(start) = mass_at_start(system, ends[0]) else { return Some(SINGULAR_MASS) };
-    // An end that is not finite has another error.
+    // An end that is not finite is reported by another check.
     if !z[1].is_finite() {
         return None;
     }
@@ -136,9 +141,9 @@ pub fn singular_mass<S: MassForm<R>, R: Real>(
 fn mass_at_start<S: MassForm<R>, R: Real>(system: &S, start: Moment<'_, S, R>) -> Option<MassAt<S::Array>> {
     let (t, z, s) = start;
     let v = velocity_from_rest(system, t, z, s)?;
-    let units = mass_units(system, t, z, s, &v);
-    let determinant = determinant(system, (t, &z[0], &v, s), &units);
-    (determinant != 0.0 && determinant.is_finite()).then_some(MassAt { units, v, determinant })
+    let row_scales = mass_units(system, t, z, s, &v);
+    let determinant = determinant(system, (t, &z[0], &v, s), &row_scales);
+    (determinant != 0.0 && determinant.is_finite()).then_some(MassAt { row_scales, v, determinant })
 }
 
 impl<A: Array> MassAt<A> {
@@ -154,28 +159,28 @@ impl<A: Array> MassAt<A> {
     where
         A: Array<Real = R>,
     {
-        let ([(t, z, s), (late, after, action)], mut v) = ([start, end], self.v);
+        let ([(t, z, s), (t_end, z_end, s_end)], mut v) = ([start, end], self.v);
         if !S::QUADRATIC {
-            v = velocity_near(system, late, after, action, near)?;
+            v = velocity_near(system, t_end, z_end, s_end, near)?;
         }
-        let (dq, dv) = (difference(&after[0], &z[0]), difference(&v, &self.v));
+        let (dq, dv) = (difference(&z_end[0], &z[0]), difference(&v, &self.v));
         let at = |x: f64| {
             let x = R::from_f64(x);
             let (q, v, mut s) = (moved(&z[0], x, &dq), moved(&self.v, x, &dv), *s);
-            for (s, end) in s.numbers_mut().iter_mut().zip(action.numbers()) {
+            for (s, end) in s.numbers_mut().iter_mut().zip(s_end.numbers()) {
                 *s += x * (*end - *s);
             }
-            determinant(system, (t + x * (late - t), &q, &v, &s), &self.units)
+            determinant(system, (t + x * (t_end - t), &q, &v, &s), &self.row_scales)
         };
-        let last = determinant(system, (late, &after[0], &v, action), &self.units);
+        let last = determinant(system, (t_end, &z_end[0], &v, s_end), &self.row_scales);
         has_no_zero(at, [self.determinant, last]).then_some(MassAt { v, determinant: last, ..*self })
     }
 }
 
 /// Returns whether a search finds no zero of `f` from 0 to 1. `first` and `last` are its values there.
 ///
-/// The line is halved until `f` changes on each part by at most a factor of two between its ends and its middle. Zeros without a change of sign are found
-/// too, because `f` changes by more on both sides.
+/// The line is halved until the values of `f` at the ends and the middle of each part differ by at most a factor of two. Zeros without a change of sign are
+/// found too, because `f` changes by more on both sides.
 fn has_no_zero(f: impl Fn(f64) -> f64, [first, last]: [f64; 2]) -> bool {
     // The smallest magnitude is at least half of the largest.
     let is_steady = |values: [f64; 3]| {
@@ -192,15 +197,16 @@ fn has_no_zero(f: impl Fn(f64) -> f64, [first, last]: [f64; 2]) -> bool {
         let x = 0.5 * (start.0 + end.0);
         let middle = f(x);
         let values = [start.1, middle, end.1];
-        // NaN has neither sign.
+        // NaN has neither sign, and counts as a zero.
         let [positive, negative] = [values.iter().all(|f| *f > 0.0), values.iter().all(|f| *f < 0.0)];
         if !positive && !negative {
             return false;
         }
-        // A part this short holds a jump, or a zero. A zero has small values beside it.
+        // A part this short holds a discontinuity, or a zero. A zero has small values beside it.
         let short = end.0 - start.0 <= shortest;
-        let jumps = short && values.iter().all(|f| JUMP * f.abs() > f64::max(first.abs(), last.abs()));
-        if jumps || is_steady(values) {
+        let is_discontinuity =
+            short && values.iter().all(|f| DISCONTINUITY_RATIO * f.abs() > f64::max(first.abs(), last.abs()));
+        if is_discontinuity || is_steady(values) {
             start = end;
             waiting -= 1;
             if waiting == 0 {
@@ -216,18 +222,18 @@ fn has_no_zero(f: impl Fn(f64) -> f64, [first, last]: [f64; 2]) -> bool {
     false
 }
 
-/// Returns det M, with each row multiplied by its entry of `units`.
+/// Returns det M, with each row multiplied by its entry of `row_scales`.
 fn determinant<S: MassForm<R>, R: Real>(
     system: &S,
     (t, q, v, s): (R, &S::Array, &S::Array, &S::Action),
-    units: &S::Array,
+    row_scales: &S::Array,
 ) -> f64 {
     let none = S::Array::zero();
     let (mut p, mut mass) = (none, S::Array::fill(none));
     system.mass(t, q, v, s, (&mut p, &mut mass));
     let rows = S::Array::entries::<S::Array>(&mut mass).iter_mut();
-    for (row, unit) in rows.zip(units.as_slice()) {
-        row.as_mut_slice().iter_mut().for_each(|x| *x *= *unit);
+    for (row, scale) in rows.zip(row_scales.as_slice()) {
+        row.as_mut_slice().iter_mut().for_each(|x| *x *= *scale);
     }
     linear::determinant::<S::Array>(&mut mass)
 }

@@ -23,7 +23,7 @@ pub(crate) struct Polarised {
 
 /// Builds the equation, and collects terms that differ in parameters alone.
 ///
-/// Forces read the time of the middle of the step. With an action, the whole step does: see `ContactPolarised` of the runtime.
+/// Forces read the time of the middle of the step. With an action, the whole step does: see `PolarisedForm` of the runtime.
 pub(crate) fn polarised(graph: &mut Graph, equation: EulerLagrange<'_>) -> Polarised {
     let EulerLagrange { damping, applied, has_action, .. } = equation;
     let degrees = equation.degrees();

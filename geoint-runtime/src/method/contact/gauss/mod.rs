@@ -12,19 +12,20 @@ pub use stages::ContactFieldStages;
 
 /// Gauss collocation with `S` stages, 1 to 6, in the symplectisation. Order 2S, symmetric, a contact map, for every H.
 ///
-/// The symplectisation adds one dimension r. Let P = r p, r' = r ∂H/∂s, and r = 1 at the start of a step. The Hamiltonian r H(q, P/r, s) then moves (q, P,
-/// s) and r. Its collocation is symplectic and commutes with scaling of (P, r). It is therefore a contact map (see
+/// The symplectisation adds one dimension r. Let P = r p, r' = r ∂H/∂s, and r = 1 at the start of a step. These are Hamilton's equations of r H(q, P/r, s)
+/// for the pairs (q, P) and (r, s). Their collocation is symplectic and commutes with scaling of (P, r). It is therefore a contact map (see
 /// [`ContactMidpoint`](crate::ContactMidpoint) for the reference). A step multiplies ds − p dq by 1/r(h), with r at its end. Let aᵢⱼ be the coefficients of
 /// Gauss's method. With derivatives at stage j under each sum, the equations are
 ///
 /// qᵢ = q₀ + h Σ aᵢⱼ ∂H/∂p, rᵢ pᵢ = p₀ − h Σ aᵢⱼ rⱼ ∂H/∂q, sᵢ = s₀ + h Σ aᵢⱼ (p·∂H/∂p − H), rᵢ = 1 + h Σ aᵢⱼ rⱼ ∂H/∂s.
 ///
 /// With one stage the method is `ContactMidpoint`. The unknowns are q, p and s of all stages. If H = g(t)·s + H₀(q, p, t), the factors rᵢ are known
-/// beforehand, and s follows from q and p. A step then solves for as many unknowns as [`Gauss`](crate::Gauss). A step is refused if r(h) is not positive.
-/// If the flow multiplies p·(Aq + b) by one factor, with a constant matrix A and vector b, a step multiplies it by 1/r(h).
+/// beforehand, and s follows from q and p: it is then no unknown. A step is refused if r(h) is not positive. If the flow multiplies p·(Aq + b) by the factor of
+/// its contact form, with a constant matrix A and vector b, a step multiplies it by 1/r(h).
 ///
-/// A Lagrangian with a full mass matrix, or without a formula for v(p), is solved for the velocities of stages. If s acts back on the motion, s is also an
-/// unknown: rᵢ ∂L/∂v(qᵢ, vᵢ, sᵢ) = p₀ + h Σ aᵢⱼ rⱼ ∂L/∂q. The map does not change, and the number of unknowns is halved.
+/// A Lagrangian that is quadratic in v, or has no short formula for H, is solved for the velocities of stages. The equation of the momenta is then
+/// rᵢ ∂L/∂v(qᵢ, vᵢ, sᵢ) = p₀ + h Σ aᵢⱼ rⱼ ∂L/∂q. If s acts back on the motion, s is also an unknown. The map does not change. A stage has n or n + 1
+/// unknowns in place of 2n or 2n + 1, with n degrees of freedom.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ContactGauss<const S: usize>;
 

@@ -1,8 +1,8 @@
 //! The step of [`ContactGauss`](super::ContactGauss) for a contact Hamiltonian. The unknowns are the increments d of q, p, and perhaps s, from the start to
-//! all stages.
+//! all stages. Each stage has a factor r, which [`factors`](crate::method::gauss::factors) defines.
 //!
 //! If H = g(t)·s + H₀(q, p, t), s is no unknown: the factors r are known at the start, and s follows from the solution. A step is refused if a factor does
-//! not exist, or if r is not positive at its end.
+//! not exist, or if r is not positive at the end of the step.
 
 use crate::method::explicit::tableau::Tableau;
 use crate::method::gauss::factors::Factors;
@@ -24,7 +24,7 @@ use crate::system::ContactStages;
 #[derive(Clone, Copy, Debug)]
 pub struct ContactFieldStages<const S: usize>;
 
-/// The value is the unknown itself, the rate has a derivative by it, and the equation reads no shift.
+/// In the terms of [`assemble`]: the value P − P₀ is the unknown itself, the rate F has a derivative by it, and the equation reads no shift.
 const FORM: Form = Form {
     value: Slopes { by_unknown: Part::One, by_shift: Part::Zero },
     rate: Slopes { by_unknown: Part::Given, by_shift: Part::Zero },
@@ -36,8 +36,9 @@ const FORM: Form = Form {
 pub struct Coefficients<P, R, const S: usize> {
     /// Coefficients of the system.
     kernel: P,
+    /// The table of the method times h.
     scaled: Scaled<R, S>,
-    /// bᵀA⁻¹: weights of the increments of the stages in the increment of the step. With the rates F, the former are h A F, and the latter is h bᵀF.
+    /// bᵀA⁻¹: weights of the increments of the stages in the increment of the step. For rates F, the former are h A F, and the latter is h bᵀF.
     shares: [R; S],
 }
 
@@ -59,13 +60,14 @@ impl<Y: ContactStages<R>, R: Real, const S: usize> Equation<'_, ContactFieldStag
 where
     Gauss<S>: GaussTableau<S>,
 {
-    /// Splits a row into z = (q, p) and s. If s is no unknown, it is the action before the step: H is g(t)·s + H₀, and s does not move its poles.
+    /// Splits a row into z = (q, p) and s. If s is no unknown, the action at the start of the step replaces it: H is g(t)·s + H₀, and its poles do not depend
+    /// on s.
     #[inline(always)]
     fn state(&self, x: &Y::Moved) -> (Y::Phase, R) {
         (resized(x, zero()), x.as_slice().get(<Y::Phase as Array>::LEN).copied().unwrap_or(self.from.s))
     }
 
-    /// Computes the rates and σ = ∂H/∂s at a point, with their derivatives.
+    /// Computes the rates ∂H/∂p, −∂H/∂q and perhaps s', and σ = ∂H/∂s, at a point, with their derivatives.
     #[inline(always)]
     fn evaluate(&self, t: R, x: &Y::Moved, values: &mut Values<Y::Moved>) {
         let Values { rate, rate_slopes, decay, decay_slopes, .. } = values;
@@ -90,7 +92,7 @@ where
         let z = Array::as_mut_slice(&mut end.z);
         for k in 0..n {
             z[k] = sum_of_products(shares, &d.map(|d| d.as_slice()[k]));
-            // The increment rᵢpᵢ − p₀ of r p up to stage i.
+            // rᵢpᵢ − p₀, the increment of r p from the start to stage i.
             let impulse = |i: usize| {
                 let p = d[i].as_slice()[n + k];
                 (factors.r[i] - one).multiply_add(origin[n + k] + p, p)
@@ -100,14 +102,14 @@ where
         }
         end.s = match solves_for_action::<Y, R>() {
             true => sum_of_products(shares, &d.map(|d| d.as_slice()[2 * n])),
-            false => sum_of_products(weights, &self.actions(&factors, d)?),
+            false => sum_of_products(weights, &self.action_rates(&factors, d)?),
         };
         Some(end)
     }
 
     /// Returns s' at the stages. Precondition: s is no unknown. Returns `None` if the equation for s' is singular.
     #[inline(always)]
-    fn actions(&self, factors: &Factors<R, S>, d: &[Y::Moved; S]) -> Option<[R; S]> {
+    fn action_rates(&self, factors: &Factors<R, S>, d: &[Y::Moved; S]) -> Option<[R; S]> {
         let Coefficients { kernel, scaled: Scaled { coupling, nodes, .. }, .. } = self.coefficients;
         let at_start: [R; S] = core::array::from_fn(|i| {
             let (z, s) = self.state(&sum(&self.start.x, &d[i]));
@@ -163,7 +165,7 @@ where
         [equation.start.x; S]
     }
 
-    /// Returns the increments of a motion with the rates at the start of the step.
+    /// Returns the increments of a motion with the constant rates of the start of the step.
     fn guess(equation: &Equation<'_, Self, Y, R>) -> [Y::Moved; S] {
         let (mut values, x) = (Values::none(), &equation.start.x);
         equation.evaluate(equation.from.t, x, &mut values);
