@@ -8,18 +8,18 @@ use crate::method::{Claims, Name};
 use crate::scalar::Real;
 use crate::system::ConstrainedStep;
 
-/// RATTLE, for positions with g(q) = 0. With G = ∂g/∂q, and multipliers λ and μ, a step is
+/// RATTLE, for states with g(q) = 0 and G ∂H/∂p = 0, where G = ∂g/∂q. The start of a run must satisfy both. With multipliers λ and μ, a step is
 ///
 /// - p½ = p₀ − h/2 (∂H/∂q + Gᵀλ)(q₀, p½),
 /// - q₁ = q₀ + h/2 (∂H/∂p(q₀, p½) + ∂H/∂p(q₁, p½)), with λ from g(q₁) = 0,
 /// - p₁ = p½ − h/2 (∂H/∂q + Gᵀμ)(q₁, p½), with μ from G ∂H/∂p(q₁, p₁) = 0.
 ///
-/// Order 2, symmetric, and a symplectic map of the states on the constraints. With short steps the energy oscillates and does not drift. Constraints and their
-/// rates G ∂H/∂p are met to rounding. For H = T(p) + V(q) with a constant mass matrix and without damping, the multipliers λ are the only unknowns, and a step
-/// evaluates the force at both ends. With a damping matrix C the force is −∂H/∂q − C ∂H/∂p, and the map is not symplectic.
+/// Order 2, symmetric, and a symplectic map of these states. With short steps the energy oscillates and does not drift. Both conditions are met to rounding.
+/// For H = T(p) + V(q) with a constant mass matrix and without damping, the multipliers λ are the only unknowns, and a step evaluates the force at both ends.
+/// Otherwise q₁ − q₀ and p½ − p₀ are unknowns, too. With a damping matrix C the force is −∂H/∂q − C ∂H/∂p, and the map is not symplectic.
 ///
-/// A step over a position at which the constraints depend on each other is refused, because more than one motion continues from this position. The check
-/// is a test and no proof: it may miss two such positions in one step.
+/// A step over a position at which the rows of G are linearly dependent is refused, because more than one motion continues from this position. The check
+/// is det(G W G₁ᵀ) > 0, with G and G₁ at q₀ and q₁, and W = ∂²H/∂p². It is a test and no proof, because two changes of the sign in one step cancel.
 ///
 /// H. C. Andersen, J. Comput. Phys. 52 (1983) 24; B. Leimkuhler & R. Skeel, J. Comput. Phys. 112 (1994) 117; for every H: L. Jay, SIAM J. Numer. Anal.
 /// 33 (1996) 368; Hairer, Lubich & Wanner, *Geometric Numerical Integration*, (VII.1.26).
@@ -27,10 +27,13 @@ use crate::system::ConstrainedStep;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Rattle;
 
+// `Claims` hold for systems without damping.
 implicit_method!(Rattle, |_| Name::new("Rattle"), Claims::of_order(2).symmetric().symplectic());
+// Compositions such as `Suzuki4.of(Rattle)`.
 substeps!([] Rattle);
 
 impl ConstrainedMethod for Rattle {
+    // The multipliers μ project p₁, so that the velocity is tangent to the constraints.
     const MOMENTA: Momenta = Momenta::MadeTangent;
 }
 

@@ -14,9 +14,9 @@ use crate::system::{Conservative, DiscreteField, Mean};
 /// The averaged vector field, x₁ = x₀ + h J ∫₀¹ ∇H(x₀ + s(x₁ − x₀)) ds with J(q, p) = (p, −q). The integral has `K` Gauss points, 1 to 6.
 ///
 /// Order 2, symmetric, for every H. The energy is kept to rounding for every h if the mean is exact. Gauss points are exact if H is a polynomial of degree
-/// 2K at most. If H is the sum of such a polynomial and of functions of one linear form each, the mean is computed from tree discrete gradients
-/// ([`DiscreteGradient`](crate::DiscreteGradient)), and is exact too. The [report](crate::guide::_05_report) of a system states a proof of exactness, or
-/// the term that prevents it. If the mean is not exact, the energy at a fixed time has an error O(h²ᴷ).
+/// 2K at most. H may also be the sum of a polynomial of degree 2L ≤ 2K and of functions f(l·x) of one linear form l·x each. The mean is then computed from
+/// 1 + 2 + … + L tree discrete gradients ([`DiscreteGradient`](crate::DiscreteGradient)), and is exact too. The [report](crate::guide::_05_report) of a system
+/// states a proof of exactness, or the term that prevents it. If the mean is not exact, the energy at a fixed time has an error O(h²ᴷ).
 ///
 /// R. I. McLachlan, G. R. W. Quispel & N. Robidoux, Phil. Trans. R. Soc. A 357 (1999) 1021; G. R. W. Quispel & D. I. McLaren, J. Phys. A 41
 /// (2008) 045206.
@@ -28,7 +28,7 @@ impl<const K: usize> MeanGradient for MeanValue<K>
 where
     Gauss<K>: GaussTableau<K>,
 {
-    /// ∂g/∂d = ∫ s ∇²H ds is symmetric, also as a sum over Gauss points.
+    /// For the mean g = ∫₀¹ ∇H(x + s d) ds with d = x₁ − x₀, ∂g/∂d = ∫₀¹ s ∇²H ds is symmetric, also as a sum over Gauss points.
     const CURL_FREE: bool = true;
 
     fn mean_name(&self) -> Name {
@@ -38,6 +38,7 @@ where
     }
 
     fn is_exact<S: DiscreteField<R>, R: Real>() -> bool {
+        // `Gauss` stands for a polynomial H, and `Parts` for a sum with functions of linear forms.
         matches!(S::MEAN, Mean::Gauss(needed) | Mean::Parts(needed) if needed <= K)
     }
 
@@ -53,7 +54,7 @@ where
         x: &S::Phase,
         d: &S::Phase,
     ) -> Result<Slope<S::Array>, Refusal> {
-        // With one part, the tree discrete gradient is proven to be the mean value.
+        // With one part, the macro has proven that the tree discrete gradient is the mean value.
         if S::MEAN == Mean::Parts(1) {
             return Ok(energy.tree(x, d));
         }
@@ -63,10 +64,11 @@ where
             let [b, c] = [points.b[k], points.c[k]].map(R::from_f64);
             let mut at = energy.gradient(energy.t, &moved(x, c, d));
             mean.g.add_scaled(b, &at.g);
+            // ∂/∂d of ∇H(x + c d) is c ∇²H.
             mean.derivative.add_scaled(b * c, &mut at.derivative);
         }
         match S::MEAN {
-            // The derivative by Gauss points remains. It is approximate, which may slow the solver only.
+            // The derivative by Gauss points remains. It is approximate, and slows the solver only.
             Mean::Parts(needed) if needed <= K => mean.g = extrapolated(energy, x, d, needed),
             _ => {}
         }
@@ -74,11 +76,14 @@ where
     }
 }
 
-/// Returns the mean of the tree discrete gradients of n equal parts of the line, extrapolated from n = 1, 2, … L to n = ∞. L is `largest`.
+/// Returns the mean of the tree discrete gradients of n equal parts of the line, extrapolated from n = 1, 2, … L to n = ∞, with L = `largest`.
 ///
-/// For a function of one linear form, the mean over the parts equals the mean value of the gradient for every n. Let H be a polynomial of degree 2L at
-/// most. The tree discrete gradient of a part is then a polynomial of degree 2L − 1 in its midpoint and its increment d/n, and even in d/n. Its mean is a
-/// polynomial of degree L − 1 in 1/n², as in the midpoint rule, and L means determine the limit exactly.
+/// For a function f(l·x), the tree discrete gradient of a part is l times a divided difference of f. The mean over the parts is l times the divided difference
+/// over the line, which is the mean value of the gradient for every n.
+///
+/// Let H be a polynomial of degree 2L at most. The tree discrete gradient of a part is then a polynomial of degree 2L − 1 in its midpoint and its increment
+/// d/n. It is even in d/n, because it does not change if both ends are exchanged. Its mean is a polynomial of degree L − 1 in 1/n², as in the midpoint rule,
+/// and L means determine the limit exactly.
 ///
 /// The result is a discrete gradient of every H. Each mean satisfies mean·d = H(x + d) − H(x), because the changes of H over the parts add up, and the
 /// weights of all n add up to 1.

@@ -1,13 +1,29 @@
-//! Steps along a discrete gradient, x₁ = x₀ + h J ∇̄H(x₀, x₁). Accepted steps keep the energy H to rounding, for every step size h.
+//! Steps along a discrete gradient, x₁ = x₀ + h J ∇̄H(x₀, x₁). Accepted steps keep the energy H to rounding, for every step size h. The exception is
+//! [`MeanValue`], whose ∇̄H is a discrete gradient only if its integral is exact.
 //!
 //! Here x = (q, p) and J(q, p) = (p, −q). A discrete gradient ∇̄H satisfies ∇̄H·(x₁ − x₀) = H(x₁) − H(x₀), and tends to ∇H if x₁ tends to x₀
 //! (O. Gonzalez, J. Nonlinear Sci. 6 (1996) 449). J is skew, so the energy is kept: H(x₁) − H(x₀) = h ∇̄H·J∇̄H = 0.
 //!
-//! [`DiscreteGradient`] is the usual choice. It has the fewest unknowns, and is the only one for damped systems: J − C replaces J for a damping
-//! matrix C, and H changes by −h ∇̄H·C∇̄H.
+//! The method [`DiscreteGradient`] is the usual choice. It has the fewest unknowns. It is the only method here for damped systems: J − C replaces J for a
+//! damping matrix C, and H changes by −h ∇̄H·C∇̄H. For vector fields with named invariants (`keeps(name = expression)`), `DiscreteGradient` and
+//! `FourthOrder(DiscreteGradient)` keep these in place of H.
 //!
-//! Limits: steps are not symplectic in general. [`MeanValue`] keeps the energy only if its integral is exact. An energy that reads time is not
-//! constant: steps evaluate it at the time of their middle.
+//! | method | order | symmetric | unknowns | reason to choose it |
+//! |---|---|---|---|---|
+//! | [`DiscreteGradient`] | 2 | yes | n or 2n | lowest cost; momenta that the report names; damping; constraints |
+//! | [`FourthOrder`]`(DiscreteGradient)` | 4 | yes | 2n | accurate positions |
+//! | [`MeanValue`]`::<K>` | 2 | yes | 2n | averaged vector field of the literature |
+//! | [`Gonzalez`] | 2 | yes | 2n | midpoint discrete gradient of the literature |
+//! | [`ItohAbePair`] | 2 | yes | 2n, in each of two steps of h/2 | symmetric form of `ItohAbe` with the smaller error |
+//! | [`SymmetrisedItohAbe`] | 2 | yes | 2n | symmetric form of `ItohAbe` with one solve |
+//! | [`ItohAbe`], [`ItohAbeAdjoint`], [`CoordinateIncrement`] | 1 | no | 2n | comparison with the literature |
+//! | `FourthOrder` of `Gonzalez`, `MeanValue` or `SymmetrisedItohAbe` | 4 | yes | 2n | comparison with the literature |
+//!
+//! Orders and symmetries hold for every H, and n is the number of degrees of freedom. `DiscreteGradient` has n unknowns if H = T(p) + V(q) with a quadratic T
+//! and without damping. [Energy kept exactly](crate::guide::_07_energy) compares errors and times.
+//!
+//! Limits: steps are not symplectic in general. An energy that reads time is not constant. A step of order 1 or 2 freezes time in its middle, and keeps
+//! H(·, t + h/2). Steps of order 4 do not.
 //!
 //! ```
 //! use geoint_runtime::prelude::*;
@@ -25,7 +41,7 @@
 //!     let (energy, momentum) = (sim.energy(), 0.5 + 0.1 - 0.2);
 //!     sim.advance(1000)?;
 //!     assert!((sim.energy() / energy - 1.0).abs() < 1e-13);
-//!     // H reads differences of positions only, so Σp is kept as well.
+//!     // H and its tree discrete gradient read differences of positions only. The entries of ∇̄H for q add up to 0, so Σp is kept as well.
 //!     assert!((sim.state().p.iter().sum::<f64>() - momentum).abs() < 1e-13);
 //! }
 //! # Ok::<(), StepError>(())

@@ -1,10 +1,10 @@
-//! The coefficients, nodes and weights of a Gauss method, times the length h of a step.
+//! The tableau of a Gauss method for steps of one length h.
 
 use super::{Gauss, GaussTableau};
 use crate::method::explicit::tableau::Tableau;
 use crate::scalar::Real;
 
-/// The coefficients A, nodes c and weights b times h, computed once for each h.
+/// The coefficients A, nodes c and weights b times h, computed once for each h. The tableau has the accuracy of `f64` for every `R`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Scaled<R, const S: usize> {
     /// h·A.
@@ -19,7 +19,7 @@ impl<R: Real, const S: usize> Scaled<R, S>
 where
     Gauss<S>: GaussTableau<S>,
 {
-    /// Returns the table times `h`.
+    /// Returns the tableau times `h`.
     pub(crate) fn by(h: R) -> Self {
         let Tableau { a, b, c } = Gauss::<S>::TABLEAU;
         let times_h = |x: f64| R::from_f64(x) * h;

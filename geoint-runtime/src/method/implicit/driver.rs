@@ -1,13 +1,16 @@
 //! The driver of implicit steps. It solves the equation of a step, adds the increments to the state, and checks the result.
 //!
-//! The checks follow from the [`Policy`](super::Policy) of the method. They refuse a step if a pole of the energy on its way is not excluded. They also refuse
-//! it if the energy jumps at a condition between the end in the equation and the rounded end. Fast attempts may set `needs_recheck` in place of a search for
-//! poles: the caller then repeats the step. The driver does not restore the point of a refused step.
+//! The checks follow from the [`Policy`](super::Policy) of the method. A step is refused unless the straight lines from its start to each stage and to its end
+//! provably cross no pole of the energy. It is also refused if rounding its end moves it across an `if` at which the energy jumps, away from the end at which
+//! the equation was solved.
+//!
+//! An attempt is fast if [`Probe::EFFORT`] is [`Effort::Fast`]. It may set `needs_recheck` in place of a search for poles. The caller then repeats the step
+//! with [`Effort::Thorough`]. The driver does not restore the point of a refused step.
 
 use super::points::{Arrival, Departure, Increment, Stage};
 use super::step::{Branch, Equation, Evaluated, ImplicitStep, Sums};
 use super::watch::Watch;
-use crate::method::{Effort, Estimate, Probe, Refusal, Step, check_end, check_poles, check_way, start};
+use crate::method::{Effort, Estimate, Probe, Refusal, Step, check_end, check_poles, check_way, start as start_point};
 use crate::scalar::Real;
 use crate::solving::equation::{Magnitudes, Solution, Solver, StepEquation};
 use crate::space::{Compensated, Record, Square, Summation, Tape};
@@ -28,7 +31,7 @@ pub struct Memory<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> {
     /// The solver, with its experience of earlier steps.
     solver: M::Solver,
     history: M::History,
-    /// The compensation of coordinates, with [`Sums::Compensated`] in a run without compensated sums. Zero otherwise.
+    /// The compensation of coordinates, with [`Sums::Compensated`] in a run with plain sums, whose point has no place for rounding errors. Zero otherwise.
     sums: Compensated<S::Phase>,
 }
 
@@ -42,7 +45,7 @@ impl<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> Record<R> for Memory<M, S
 
 impl<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> Memory<M, S, R> {
     /// Returns the memory before the first step.
-    #[expect(clippy::new_without_default, reason = "a default memory would look valid in the middle of a run")]
+    #[expect(clippy::new_without_default, reason = "it discards rounding errors, so calls must be explicit")]
     pub fn new() -> Self {
         Memory { solver: M::Solver::new(M::POLICY.units), history: M::history(), sums: Compensated::new() }
     }
@@ -70,11 +73,11 @@ impl<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> Prepared<M, S, R> {
         self.take(step.system, memory, step).map(drop)
     }
 
-    /// Takes one step, in place, and returns two estimates of its error; see [`Method::estimated`](crate::Method::estimated). Returns `None`, and takes
-    /// no step, if the method has no estimate.
+    /// Takes one step, in place, and returns an [`Estimate`], which holds two estimates of its error; see [`Method::estimated`](crate::Method::estimated).
+    /// Returns `None`, and takes no step, if the method never estimates errors.
     ///
     /// # Errors
-    /// The inner result is an error if the step has no result, or no estimate. The point and the memory are then invalid.
+    /// The inner result is an error if the step has no result, or if the error of this step cannot be estimated. The point and the memory are then invalid.
     #[inline]
     pub fn estimated<C: Summation<S::Phase>, P: Probe<S, R>>(
         &self,
@@ -82,11 +85,13 @@ impl<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> Prepared<M, S, R> {
         mut step: Step<'_, S, R, C, P>,
     ) -> Option<Result<Estimate<S, R>, Refusal>> {
         Self::ORDER_OF_ESTIMATE?;
+        // The whole step, reborrowed: the estimate uses its probe.
         let taken = self.take(step.system, memory, step.part([step.t, step.end]));
         Some(taken.and_then(|SolvedStep { equation, solution }| M::estimate(&equation, &solution.x, step.probe)))
     }
 
-    /// Takes one step, in place, and returns its equation with the solution. `system` is passed beside the step, because the result borrows it for longer.
+    /// Takes one step, in place, and returns its equation with the solution. `system` is an argument of its own: the result borrows it for `'a`, longer than
+    /// the other parts of the step.
     #[inline(always)]
     fn take<'a, C: Summation<S::Phase>, P: Probe<S, R>>(
         &'a self,
@@ -94,21 +99,25 @@ impl<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> Prepared<M, S, R> {
         Memory { solver, history, sums }: &mut Memory<M, S, R>,
         Step { t, end, x, probe, .. }: Step<'_, S, R, C, P>,
     ) -> Result<SolvedStep<'a, M, S, R>, Refusal> {
-        // z and s at the start.
-        let before = start::<S, R, C>(x);
+        // The coordinates z, such as (q, p), and the action s, both at the start.
+        let before = start_point::<S, R, C>(x);
         // A run with compensated sums stores the compensation in its point, so that it survives a change of h. In a plain run the memory stores it.
         let compensation = if C::PLAIN { sums.compensation() } else { x.sums.compensation() };
+        // `end` is bit for bit the start of the next step. The coefficients belong to h, which may differ from `end − t` by a rounding.
         let from = Departure { system, t, end, h: self.h, z: before.0, s: before.1, compensation };
         probe.visit(t, &from.z, &from.s);
-        let begun = M::begin(&from, &self.coefficients, history)?;
-        let equation = Equation { from, coefficients: &self.coefficients, start: begun };
+        let start = M::begin(&from, &self.coefficients, history)?;
+        let equation = Equation { from, coefficients: &self.coefficients, start };
         let mut watch = Watch::new(probe, &from, M::no_evaluation());
         let solution = match M::solve(equation, solver, &mut watch) {
             Ok(solution) => solution,
+            // The method may know a more specific reason than its solver.
             Err(refusal) => return Err(M::explained(&equation, &watch.last, refusal)),
         };
+        // `Watch::visit` and `Watch::record_end` have set `solved_end` in the last evaluation, if the energy has conditions.
         let Watch { probe, solved_end, last } = watch;
 
+        // A stage may lie beyond a pole, although the line to the end crosses none.
         for i in 0..M::STAGES {
             let Stage { t: stage_time, z, s } = M::stage(&equation, i, &solution.x);
             let ends = ([t, stage_time], [&from.z, &z], [&from.s, &s]);
@@ -122,13 +131,15 @@ impl<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> Prepared<M, S, R> {
         x.add_action(s);
         let arrival = Arrival { z: &x.z, s: &x.s, needs_recheck: &mut x.needs_recheck };
         M::finish::<P>(&equation, &solution, history, arrival)?;
+        // Rounding may move the end across a condition at which the energy jumps. With `Elsewhere`, the equation has evaluated no condition at the end.
         if const { !matches!(M::POLICY.evaluated, Evaluated::Elsewhere) } {
-            // Rounding may move the end across a condition at which the energy jumps.
             Refusal::outside(jump_between(system, from.middle(), [&solved_end.0, &x.z], [&solved_end.1, &x.s]))?;
         }
         let step = Step { system, t, end, x, probe };
         match const { M::POLICY.evaluated } {
+            // Divided differences have read the energy at the end, and are not finite for most poles. The others are checked.
             Evaluated::ByDifferences => check_poles(&self.poles, Evaluations::ByDifferences, &before, step)?,
+            // Also checks that the energy is defined at the end.
             _ => check_end(&self.poles, &before, step)?,
         }
         Ok(SolvedStep { equation, solution })
@@ -141,6 +152,7 @@ struct SolvedStep<'a, M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> {
     solution: Solution<M::Unknown>,
 }
 
+/// Passes the equation of the method to its solver.
 impl<M, S, R, P> StepEquation<M::Unknown, Watch<'_, S, R, P, M::LastEvaluation>> for Equation<'_, M, S, R>
 where
     M: ImplicitStep<S, R>,
@@ -151,10 +163,12 @@ where
     const EFFORT: Effort = P::EFFORT;
     const MAGNITUDES: Magnitudes = M::POLICY.magnitudes;
 
+    /// See [`Branch::OfEnergy`].
     fn is_bound_by_energy(&self) -> bool {
         matches!(M::POLICY.branch, Branch::OfEnergy)
     }
 
+    /// See [`Policy::standstill`](super::Policy::standstill).
     fn standstill(&self) -> f64 {
         M::POLICY.standstill
     }

@@ -1,9 +1,9 @@
-//! The invariants that discrete gradient steps of a system keep to rounding.
+//! Systems with discrete gradient steps, and the invariants that these steps keep to rounding.
 
 use crate::scalar::Real;
 use crate::system::{Invariants, PhaseSpace};
 
-/// A system with a discrete gradient of its energy, or of its invariants.
+/// A system with discrete gradient steps. It names the invariants that these steps keep to rounding: energy and momenta, or first integrals of a field.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no discrete gradient",
     label = "this method is for systems of `#[hamiltonian]` without `attitude`, and for Lagrangians that are quadratic in v or of a known conjugate",
@@ -12,13 +12,17 @@ use crate::system::{Invariants, PhaseSpace};
     note = "methods for every contact Hamiltonian: `ContactGauss`, `ContactMidpoint`, `ContactDiscreteGradient`"
 )]
 pub trait Keeping<R: Real = f64>: PhaseSpace<R> {
-    /// The invariants that steps keep and that do not read time. A run removes the rounding error of many steps from them. `()` if there are none, for
-    /// instance with damping.
+    /// The kept invariants that do not read time. A run removes the drift that rounding causes in them, after each 1024 steps. `()` if no invariant remains,
+    /// for instance with damping.
     type Kept: Invariants<Self, R> + Default;
-    /// `true` if an invariant of a field may be steep in a coordinate that has become small. Rounding of this coordinate then changes the invariant by more
-    /// than its last digits, and steps need a check. A sum of powers of single coordinates is not steep. Systems with momenta do not read the constant.
+    /// `true` if an invariant of a field may be steep. A coordinate that a step makes much smaller keeps the absolute rounding error of its earlier size. If
+    /// this error times the derivative exceeds the rounding of the invariant, the invariant is steep there. `check_step` in `method/corrected/rounded.rs` then
+    /// has steps repeated in which a coordinate leaps to another magnitude.
+    ///
+    /// A sum with one power c xᵢⁿ of each coordinate, n ≥ 1, is not steep. Its derivative is largest where xᵢ is largest, and there the product is n roundings
+    /// of a term. Steps of systems with momenta do not read the constant. `true` is always safe.
     const STEEP: bool = true;
 }
 
-/// The invariants that discrete gradient steps of `S` keep.
+/// [`Keeping::Kept`] of a system.
 pub(crate) type KeptBy<S, R> = <S as Keeping<R>>::Kept;

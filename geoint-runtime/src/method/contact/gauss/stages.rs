@@ -1,8 +1,12 @@
 //! The step of [`ContactGauss`](super::ContactGauss) for a contact Hamiltonian. The unknowns are the increments d of q, p, and perhaps s, from the start to
-//! all stages. Each stage has a factor r, which [`factors`](crate::method::gauss::factors) defines.
+//! all stages. [`VelocityStages`](crate::method::gauss::VelocityStages) is the step for Lagrangians that are solved for velocities.
 //!
-//! If H = g(t)·s + H₀(q, p, t), s is no unknown: the factors r are known at the start, and s follows from the solution. A step is refused if a factor does
-//! not exist, or if r is not positive at the end of the step.
+//! Stage i has the factor rᵢ = 1 + h Σ aᵢⱼ rⱼ σⱼ with the decay rate σ = ∂H/∂s; see [`factors`](crate::method::gauss::factors). The equations of the momenta
+//! are those of r p: rᵢ pᵢ = p₀ − h Σ aᵢⱼ rⱼ ∂H/∂q. If H = g(t)·s + H₀(q, p, t), s is no unknown: the factors are known at the start, and s follows from the
+//! solution.
+//!
+//! A step is refused if the matrix δᵢⱼ − h aᵢⱼσⱼ of the factors is singular, so that they do not exist. It is also refused if r₁, the value of r at the end of
+//! the step, is not positive.
 
 use crate::method::explicit::tableau::Tableau;
 use crate::method::gauss::factors::Factors;
@@ -24,7 +28,8 @@ use crate::system::ContactStages;
 #[derive(Clone, Copy, Debug)]
 pub struct ContactFieldStages<const S: usize>;
 
-/// In the terms of [`assemble`]: the value P − P₀ is the unknown itself, the rate F has a derivative by it, and the equation reads no shift.
+/// The form of the equations wᵢPᵢ − P₀ − h Σ aᵢⱼwⱼFⱼ = 0 of [`assemble`]. The value P − P₀ is the unknown itself, and the rate F has a derivative by it.
+/// Nothing reads the shift h Σ aᵢⱼdⱼ.
 const FORM: Form = Form {
     value: Slopes { by_unknown: Part::One, by_shift: Part::Zero },
     rate: Slopes { by_unknown: Part::Given, by_shift: Part::Zero },
@@ -36,7 +41,7 @@ const FORM: Form = Form {
 pub struct Coefficients<P, R, const S: usize> {
     /// Coefficients of the system.
     kernel: P,
-    /// The table of the method times h.
+    /// The tableau of the method times h.
     scaled: Scaled<R, S>,
     /// bᵀA⁻¹: weights of the increments of the stages in the increment of the step. For rates F, the former are h A F, and the latter is h bᵀF.
     shares: [R; S],
@@ -45,13 +50,13 @@ pub struct Coefficients<P, R, const S: usize> {
 /// Values that depend on the start of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Start<A: Array, const S: usize> {
-    /// q and p, and s if s is an unknown.
+    /// The point (q, p), or (q, p, s) if s is an unknown: [`ContactStages::Moved`].
     x: A,
-    /// The factors r of all stages, if they do not depend on the unknowns.
+    /// The factors of all stages, if they do not depend on the unknowns.
     known: Option<Factors<A::Real, S>>,
 }
 
-/// Returns whether s is an unknown. The factors r then depend on the unknowns. For H = g(t)·s + H₀(q, p, t), s is no unknown.
+/// Returns whether s is an unknown. The factors then depend on the unknowns. For H = g(t)·s + H₀(q, p, t), s is no unknown.
 const fn solves_for_action<Y: ContactStages<R>, R: Real>() -> bool {
     Y::Moved::LEN > <Y::Phase as Array>::LEN
 }
@@ -60,14 +65,15 @@ impl<Y: ContactStages<R>, R: Real, const S: usize> Equation<'_, ContactFieldStag
 where
     Gauss<S>: GaussTableau<S>,
 {
-    /// Splits a row into z = (q, p) and s. If s is no unknown, the action at the start of the step replaces it: H is g(t)·s + H₀, and its poles do not depend
-    /// on s.
+    /// Splits a point into z = (q, p) and s. If s is no unknown, the result has the action at the start of the step. This is enough for a search for poles,
+    /// because the poles of g(t)·s + H₀ do not depend on s.
     #[inline(always)]
     fn state(&self, x: &Y::Moved) -> (Y::Phase, R) {
         (resized(x, zero()), x.as_slice().get(<Y::Phase as Array>::LEN).copied().unwrap_or(self.from.s))
     }
 
-    /// Computes the rates ∂H/∂p, −∂H/∂q and perhaps s', and σ = ∂H/∂s, at a point, with their derivatives.
+    /// Computes the rates at a point, with their derivatives: q' = ∂H/∂p, −∂H/∂q, which is p' without its decay −σp, and s' if s is an unknown. Computes the
+    /// decay rate σ, too.
     #[inline(always)]
     fn evaluate(&self, t: R, x: &Y::Moved, values: &mut Values<Y::Moved>) {
         let Values { rate, rate_slopes, decay, decay_slopes, .. } = values;
@@ -75,8 +81,8 @@ where
         self.from.system.stage(&self.coefficients.kernel, t, x, (rate, decay), slopes);
     }
 
-    /// Returns the increment of the step that belongs to the increments `d` of the stages. Returns `None` if factors do not exist, or if r is not positive
-    /// at the end.
+    /// Returns the increment of the step that belongs to the increments `d` of the stages. Returns `None` if the factors do not exist, if r₁ is not positive,
+    /// or if the equation for s' is singular.
     #[inline(always)]
     fn end(&self, d: &[Y::Moved; S]) -> Option<Increment<Y::Phase, R>> {
         let Coefficients { kernel, scaled: Scaled { coupling, nodes, weights }, shares } = self.coefficients;
@@ -86,19 +92,21 @@ where
             Some(known) => known,
             None => Factors::new::<false>(coupling, &core::array::from_fn(decay))?,
         };
-        let grown = factors.growth(weights)?;
-        let factor = one + grown;
+        // r₁ − 1 and r₁.
+        let growth = factors.growth(weights)?;
+        let end_factor = one + growth;
         let mut end = Increment::of(Y::Phase::zero(), zero());
         let z = Array::as_mut_slice(&mut end.z);
         for k in 0..n {
             z[k] = sum_of_products(shares, &d.map(|d| d.as_slice()[k]));
             // rᵢpᵢ − p₀, the increment of r p from the start to stage i.
-            let impulse = |i: usize| {
+            let stage_impulse = |i: usize| {
                 let p = d[i].as_slice()[n + k];
                 (factors.r[i] - one).multiply_add(origin[n + k] + p, p)
             };
-            let impulse = sum_of_products(shares, &core::array::from_fn::<_, S, _>(impulse));
-            z[n + k] = (impulse - grown * origin[n + k]) / factor;
+            // With impulse = r₁p₁ − p₀, the increment is p₁ − p₀ = (impulse − (r₁ − 1) p₀)/r₁.
+            let impulse = sum_of_products(shares, &core::array::from_fn::<_, S, _>(stage_impulse));
+            z[n + k] = (impulse - growth * origin[n + k]) / end_factor;
         }
         end.s = match solves_for_action::<Y, R>() {
             true => sum_of_products(shares, &d.map(|d| d.as_slice()[2 * n])),
@@ -107,15 +115,17 @@ where
         Some(end)
     }
 
-    /// Returns s' at the stages. Precondition: s is no unknown. Returns `None` if the equation for s' is singular.
+    /// Returns s' at the stages. Precondition: s is no unknown. s' is then affine in s with the slope −σ, so the s' of all stages solve a linear equation.
+    /// Returns `None` if this equation is singular.
     #[inline(always)]
     fn action_rates(&self, factors: &Factors<R, S>, d: &[Y::Moved; S]) -> Option<[R; S]> {
         let Coefficients { kernel, scaled: Scaled { coupling, nodes, .. }, .. } = self.coefficients;
-        let at_start: [R; S] = core::array::from_fn(|i| {
+        // s' at the stages, with the action of the start of the step.
+        let for_initial_action: [R; S] = core::array::from_fn(|i| {
             let (z, s) = self.state(&sum(&self.start.x, &d[i]));
             self.from.system.action(kernel, self.from.t + nodes[i], &z, &s)
         });
-        factors.rates_of_action(coupling, at_start)
+        factors.rates_of_action(coupling, for_initial_action)
     }
 }
 
@@ -131,8 +141,12 @@ where
     type Kept = ();
     type Solver = Newton<[Y::Moved; S]>;
 
-    const POLICY: Policy =
-        Policy::of(Units { alike: Y::Array::LEN, kinds: 2 + (Y::Moved::LEN - <Y::Phase as Array>::LEN) });
+    const POLICY: Policy = Policy::of(if solves_for_action::<Y, R>() {
+        // Rows of 2n + 1 entries do not split into groups of n.
+        Units { alike: 1, kinds: Y::Moved::LEN }
+    } else {
+        Units { alike: Y::Array::LEN, kinds: 2 }
+    });
     const STAGES: usize = S;
 
     fn coefficients(self, system: &Y, h: R) -> Self::Coefficients {
@@ -154,6 +168,7 @@ where
         let known = if solves_for_action::<Y, R>() {
             None
         } else {
+            // σ = g(t) is the same at all points, so zero serves.
             let decay = nodes.map(|node| from.system.decay(kernel, from.t + node, &Y::Moved::zero()));
             Some(Factors::new::<false>(coupling, &decay).ok_or(Refusal::Singular)?)
         };
@@ -171,6 +186,7 @@ where
         equation.evaluate(equation.from.t, x, &mut values);
         let Values { rate: mut f, decay, .. } = values;
         let n = Y::Array::LEN;
+        // p' = −∂H/∂q − σp.
         for (f, p) in f.as_mut_slice()[n..2 * n].iter_mut().zip(&x.as_slice()[n..2 * n]) {
             *f = (-decay).multiply_add(*p, *f);
         }
@@ -193,6 +209,7 @@ where
             equation.evaluate(t, &x, &mut stages[i]);
             (stages[i].value, stages[i].whole) = (d[i], x);
         }
+        // If the factors do not exist, NaN replaces them, and the solver refuses the step.
         let factors = match equation.start.known {
             Some(known) => known,
             None => Factors::new::<true>(coupling, &stages.map(|stage| stage.decay)).unwrap_or_else(Factors::unknown),
@@ -218,11 +235,11 @@ where
     }
 }
 
-/// Returns bᵀA⁻¹ of a table.
+/// Returns bᵀA⁻¹ of a tableau.
 fn shares<const S: usize>(Tableau { a, b, .. }: &Tableau<S>) -> [f64; S] {
     let mut transposed: [[f64; S]; S] = core::array::from_fn(|i| core::array::from_fn(|j| a[j][i]));
     let mut shares = *b;
-    // The matrix of a Gauss method is regular.
+    // The matrix A of a Gauss method is invertible.
     linear::solve::<[f64; S]>(&mut transposed, &mut shares, &Sizes::equal());
     shares
 }
