@@ -8,7 +8,7 @@ use alloc::vec::Vec;
 use core::fmt;
 
 /// The layout of [`Saved::words`]. It changes where a run of an earlier version could not go on.
-pub const FORMAT: u32 = 8;
+pub const FORMAT: u32 = 9;
 
 /// A run at a moment: what steps hand on to the next one, as words of bits.
 ///

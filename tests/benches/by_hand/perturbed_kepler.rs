@@ -37,6 +37,22 @@ impl PerturbedKepler {
         z
     }
 
+    /// g = α: a composition of K such steps with these weights. Neighbouring drifts are one, and exponentials are computed before the loop.
+    pub(crate) fn composed<const K: usize>(&self, weights: &[f64; K], h: f64, steps: u64, mut z: Point) -> Point {
+        let drift = |fraction: f64| Damping::new(self.alpha, fraction * h);
+        // The drift after kick i. The last one is that of the next step as well.
+        let drifts: [Damping; K] = std::array::from_fn(|i| drift(0.5 * (weights[i] + weights[(i + 1) % K])));
+        drift(0.5 * weights[0]).drift(&mut z);
+        for _ in 0..steps {
+            for (weight, drift) in weights.iter().zip(&drifts) {
+                self.kick(weight * h, &mut z);
+                drift.drift(&mut z);
+            }
+        }
+        drift(-0.5 * weights[0]).drift(&mut z);
+        z
+    }
+
     fn kick(&self, h: f64, [x, y, px, py, s]: &mut Point) {
         let squared = fma(*x, *x, *y * *y);
         let pull = h * self.mu / squared.sqrt();

@@ -1,4 +1,4 @@
-//! Rows of Kepler's problem with friction: contact systems, by splitting methods of order 2.
+//! Rows of Kepler's problem with friction: contact systems, by splitting methods.
 
 use super::runs::contact_run;
 use crate::paired::Pair;
@@ -28,6 +28,16 @@ pub(crate) fn rows() -> Vec<Pair> {
             name: "damped Kepler, PositionVerlet".into(),
             subject: contact_run(damped(), PositionVerlet, h, start),
             unit: Box::new(move |n| hand().damped(black_box(h), n, z).to_vec()),
+        },
+        Pair {
+            name: "damped Kepler, Suzuki4.of(ContactSplitting)".into(),
+            subject: contact_run(damped(), Suzuki4.of(ContactSplitting), h, start),
+            unit: Box::new(move |n| hand().composed(Suzuki4.weights(), black_box(h), n, z).to_vec()),
+        },
+        Pair {
+            name: "damped Kepler, KahanLi8_17a.of(ContactSplitting)".into(),
+            subject: contact_run(damped(), KahanLi8_17a.of(ContactSplitting), h, start),
+            unit: Box::new(move |n| hand().composed(KahanLi8_17a.weights(), black_box(h), n, z).to_vec()),
         },
     ]
 }

@@ -1,7 +1,7 @@
 //! Planes as increments of one coordinate after the other. The pieces of [`PlanarItohAbe`] are those of a step in order, then those of its
 //! adjoint in reverse.
 
-use super::driver::pass;
+use super::driver::{Flows, apply};
 use crate::method::composition::substeps;
 use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
@@ -85,7 +85,7 @@ macro_rules! increments {
                 let (start, pieces) = (step.t, $pieces(S::PIECES.len()));
                 let frozen = step.system.freeze(flows, start + *half);
                 step.probe.visit(start, &step.x.z, &step.x.s);
-                pass::<S, PlanarItohAbe, R, C, P>(pieces, (flows, &frozen, poles), step.part([start; 2]))
+                apply::<S, PlanarItohAbe, R, C, P>(pieces, Flows { flows, frozen: &frozen, poles }, step.part([start; 2]))
             }
         }
     )* };

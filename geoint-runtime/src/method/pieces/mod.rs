@@ -2,12 +2,14 @@
 
 mod driver;
 mod increments;
+mod methods;
 mod planar_step;
 mod splittings;
 mod table;
 
-pub use driver::Splitting;
 pub use increments::{PlanarItohAbe, PlanarItohAbeAdjoint, PlanarItohAbePair};
 pub use planar_step::planar_step;
-pub use splittings::{ContactSplitting, PieceSplitting, PlanarDiscreteGradient, PlanarSplitting, PoissonSplitting};
+pub use splittings::{
+    ContactSplitting, PieceSplitting, PlanarDiscreteGradient, PlanarSplitting, PoissonSplitting, Splitting,
+};
 pub use table::{PieceComposition, PieceNystrom};

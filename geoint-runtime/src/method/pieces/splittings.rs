@@ -1,12 +1,11 @@
 //! The splittings, by what their pieces are.
 
-use super::driver::{self, Splitting, splitting};
-use crate::method::composition::substeps;
-use crate::method::open::Open;
-use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step};
-use crate::scalar::Real;
-use crate::space::{Point, Summation};
-use crate::system::Pieces;
+/// A splitting, which selects pieces of a system. The attribute macros emit [`Pieces`](crate::system::Pieces) for each one that the system has.
+#[doc(alias("operator splitting", "symplectic"))]
+pub trait Splitting: Copy + Default {
+    /// The name of the method.
+    const NAME: &'static str;
+}
 
 /// e^(h/2 X₁) … e^(h/2 Xₖ₋₁) e^(h Xₖ) e^(h/2 Xₖ₋₁) … e^(h/2 X₁): the exact flows of the pieces of H(q, p, t), for energies whose terms
 /// couple positions and momenta. Order 2, symmetric, symplectic, explicit; the flow of every piece but the last is applied twice a step.
@@ -115,24 +114,3 @@ pub struct PlanarSplitting;
 /// G. R. W. Quispel & H. W. Capel, Phys. Lett. A 218 (1996) 223.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PlanarDiscreteGradient;
-
-splitting!(PieceSplitting ContactSplitting PoissonSplitting PlanarSplitting PlanarDiscreteGradient);
-substeps!([] ContactSplitting; [] PoissonSplitting; [] PlanarSplitting; [] PlanarDiscreteGradient);
-
-/// Names of splittings.
-macro_rules! named {
-    ($($name:ident $merges:literal;)*) => { $(
-        impl Splitting for $name {
-            const NAME: &'static str = stringify!($name);
-            const MERGES: bool = $merges;
-        }
-    )* };
-}
-
-named! {
-    PieceSplitting true;
-    ContactSplitting false;
-    PoissonSplitting false;
-    PlanarSplitting false;
-    PlanarDiscreteGradient false;
-}

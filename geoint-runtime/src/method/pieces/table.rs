@@ -1,15 +1,10 @@
 //! Tables for any number of pieces.
 
-use super::driver::{self, Splitting, merges, pass};
-use super::splittings::{ContactSplitting, PieceSplitting};
-use crate::method::composition::{Composition, SymmetricMap};
-use crate::method::open::Open;
-use crate::method::splitting::{DriftFirst, Nystrom, delegate};
+use super::splittings::{ContactSplitting, PieceSplitting, Splitting};
+use crate::method::Name;
+use crate::method::composition::Composition;
+use crate::method::splitting::{DriftFirst, Nystrom};
 use crate::method::tables::total::adds_up;
-use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step, Unwatched};
-use crate::scalar::Real;
-use crate::space::{Point, Summation};
-use crate::system::{NystromPieces, Pieces, Poles};
 use core::marker::PhantomData;
 
 /// A table for any number of pieces: Φ*(β_K h) Φ(α_K h) … Φ*(β₁h) Φ(α₁h), K flows of the last piece a step.
@@ -46,6 +41,12 @@ impl<const K: usize> PieceComposition<K> {
     }
 }
 
+impl<M: Splitting> PieceComposition<1, M> {
+    /// The splitting itself: all flows for h/2 in order, and back.
+    pub(super) const SPLITTING: Self =
+        PieceComposition { name: Name::new(M::NAME), order: 2, weights: [[0.5; 2]], splitting: PhantomData };
+}
+
 impl<const K: usize, M: Splitting> PieceComposition<K, M> {
     /// A composition of steps of order 2.
     pub(super) fn of_steps(composition: &Composition<K>) -> Self {
@@ -55,15 +56,12 @@ impl<const K: usize, M: Splitting> PieceComposition<K, M> {
     }
 }
 
-impl SymmetricMap for PieceSplitting {
-    type Composed<const K: usize> = PieceComposition<K, PieceSplitting>;
-
-    fn compose<const K: usize>(self, composition: Composition<K>) -> PieceComposition<K, PieceSplitting> {
-        PieceComposition::of_steps(&composition)
-    }
-}
-
 impl<const K: usize, M> PieceComposition<K, M> {
+    /// The name, with that of the splitting.
+    pub(super) const fn table_name(&self) -> Name {
+        self.name
+    }
+
     /// The order.
     pub const fn order(&self) -> u32 {
         self.order
@@ -73,118 +71,6 @@ impl<const K: usize, M> PieceComposition<K, M> {
     pub const fn weights(&self) -> &[[f64; 2]; K] {
         &self.weights
     }
-}
-
-/// Φ(αh), then Φ*(βh).
-#[derive(Clone, Copy, Debug)]
-pub struct Pair<F, R> {
-    forth: F,
-    back: F,
-    /// The first piece of Φ together with that of the Φ* before; in the first pair that of the step before.
-    joint: F,
-    /// Where Φ begins, and where it meets Φ*, after the start of the step; and where the joint piece begins.
-    at: [R; 3],
-    poles: Poles,
-}
-
-impl<S: Pieces<M, R>, M: Splitting, R: Real, const K: usize> Method<S, R> for PieceComposition<K, M> {
-    type Proof = <S as Pieces<M, R>>::Proof;
-    type Prepared = [Pair<S::Flows, R>; K];
-    type Memory = Open<S::Phase, S::Action>;
-
-    fn claims(&self) -> Claims {
-        driver::claims::<S, M, R>(self.order, K as u32)
-    }
-
-    fn name(&self) -> Name {
-        self.name
-    }
-
-    fn prepare(&self, system: &S, h: R) -> Self::Prepared {
-        let poles = Poles::of(system);
-        core::array::from_fn(|i| {
-            let [alpha, beta] = self.weights[i];
-            let joint = self.weights[(i + K - 1) % K][1] + alpha;
-            let before: f64 = self.weights[..i].as_flattened().iter().sum();
-            let part = |fraction: f64| R::from_f64(fraction) * h;
-            let flows = |outer: f64, last: f64| system.prepare_flows(part(outer), part(last));
-            Pair {
-                forth: flows(alpha, alpha + beta),
-                back: flows(beta, beta),
-                joint: flows(joint, joint),
-                at: [before, before + alpha, before + alpha - joint].map(part),
-                poles,
-            }
-        })
-    }
-
-    fn memory() -> Self::Memory {
-        Open::unknown()
-    }
-
-    #[inline]
-    fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
-        prepared: &Self::Prepared,
-        open: &mut Self::Memory,
-        step: Step<'_, S, R, C, P>,
-    ) -> Result<(), Refusal> {
-        part::<S, M, R, C, P, K>(prepared, open, step, [true; 2])
-    }
-
-    #[inline(always)]
-    fn advance<C: Summation<S::Phase>>(
-        prepared: &Self::Prepared,
-        open: &mut Self::Memory,
-        system: &S,
-        clock: &Clock<R>,
-        steps: u64,
-        x: &mut Point<S::Phase, C, S::Action>,
-    ) -> Result<(), Refusal> {
-        // In a local of this loop numbers stay in registers.
-        let mut here = *x;
-        for n in 0..steps {
-            let [t, end] = [clock.at(n), clock.at(n + 1)];
-            let step = Step { system, t, end, x: &mut here, probe: &mut Unwatched };
-            part::<S, M, R, C, _, K>(prepared, open, step, [n == 0, n + 1 == steps])?;
-        }
-        *x = here;
-        Ok(())
-    }
-}
-
-/// A step. One that does not begin a call has for its first flow also the last one of the step before, and one that does not end it
-/// leaves its own to the next.
-#[inline(always)]
-fn part<S: Pieces<M, R>, M: Splitting, R: Real, C: Summation<S::Phase>, P: Probe<S, R>, const K: usize>(
-    prepared: &[Pair<S::Flows, R>; K],
-    open: &mut Open<S::Phase, S::Action>,
-    mut step: Step<'_, S, R, C, P>,
-    [begins, ends]: [bool; 2],
-) -> Result<(), Refusal> {
-    let (all, joined) = (S::PIECES.len(), M::MERGES && merges::<S, M, R>());
-    let ([t, end], reopened) = ([step.t, step.end], joined && (!begins || open.return_to(step.t, step.x).is_some()));
-    for (i, Pair { forth, back, joint, at, poles }) in prepared.iter().enumerate() {
-        let [start, middle, before] = at.map(|after| t + after);
-        let frozen = [forth, back].map(|flows| step.system.freeze(flows, middle));
-        step.probe.visit(start, &step.x.z, &step.x.s);
-        let (first, from) = if joined && i > 0 || reopened { (joint, before) } else { (forth, start) };
-        pass::<S, M, R, C, P>(0..1, (first, &frozen[0], poles), step.part([from; 2]))?;
-        pass::<S, M, R, C, P>(1..all, (forth, &frozen[0], poles), step.part([start; 2]))?;
-        pass::<S, M, R, C, P>((1..all - 1).rev(), (back, &frozen[1], poles), step.part([middle; 2]))?;
-        let at_end = ends && i + 1 == K;
-        if joined && !at_end {
-            continue;
-        }
-        if joined {
-            open.leave(step.x);
-        }
-        let last = 0..usize::from(all > 1);
-        pass::<S, M, R, C, P>(last, (back, &frozen[1], poles), step.part([middle; 2]))?;
-    }
-    if joined && ends {
-        open.end([t, end], step.x);
-    }
-    Ok(())
 }
 
 /// A table of Runge–Kutta–Nyström type for two pieces, A outside and B inside, with {B, {B, {B, A}}} = 0: its order conditions use that.
@@ -212,4 +98,9 @@ impl<const K: usize> Nystrom<K, DriftFirst> {
     }
 }
 
-delegate!([const K: usize,] PieceNystrom<K>, NystromPieces, PieceComposition<K, PieceSplitting>, |this| this.0, this.0.name);
+impl<const K: usize> PieceNystrom<K> {
+    /// The table as a composition of two pieces.
+    pub(super) const fn composition(&self) -> PieceComposition<K, PieceSplitting> {
+        self.0
+    }
+}
