@@ -18,6 +18,7 @@ mod raw_names_and_docs;
 mod renamed_arguments;
 mod requirements;
 mod single_precision;
+mod states;
 pub mod strict_lints;
 mod unused_arguments;
 mod vectors;

@@ -179,6 +179,37 @@ pub enum StepError {
 }
 
 impl StepError {
+    /// Returns the time of the last good state, or the time that the error names. `None` for errors of settings: lengths of steps, tolerances, orders, parameters.
+    pub const fn time(&self) -> Option<f64> {
+        match self {
+            StepError::NonFiniteState { t, .. }
+            | StepError::NoMomentum { t, .. }
+            | StepError::NotNormalised { t, .. }
+            | StepError::NonFinite { t, .. }
+            | StepError::OutsideDomain { t, .. }
+            | StepError::Singular { t, .. }
+            | StepError::OffConstraint { t, .. }
+            | StepError::DependentConstraints { t, .. }
+            | StepError::SingularDirection { t, .. }
+            | StepError::Turned { t, .. }
+            | StepError::Rounded { t, .. }
+            | StepError::LedAstray { t, .. }
+            | StepError::OutOfRange { t, .. }
+            | StepError::Pole { t, .. }
+            | StepError::Unsolved { t, .. }
+            | StepError::NotConverged { t, .. }
+            | StepError::TimePassed { t, .. }
+            | StepError::NoEvent { t, .. }
+            | StepError::TooManySteps { t, .. }
+            | StepError::StepTooSmall { t, .. } => Some(*t),
+            StepError::InvalidStepSize { .. }
+            | StepError::InvalidParameter { .. }
+            | StepError::InvalidTolerance { .. }
+            | StepError::InvalidBounds { .. }
+            | StepError::InvalidOrder { .. } => None,
+        }
+    }
+
     /// Returns an error if a parameter of a system is not a number.
     pub(super) fn of_parameters<S: PhaseSpace<R>, R: Real>(system: &S) -> Result<(), StepError> {
         system.invalid_parameter().map_or(Ok(()), |name| Err(StepError::InvalidParameter { name }))

@@ -9,6 +9,7 @@ use core::fmt::Debug;
 /// A point of phase space at a time: plain data.
 #[doc(alias("phase space point", "initial condition"))]
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct State<Q: Coordinates> {
     /// Time.
     pub t: Q::Real,
@@ -30,9 +31,25 @@ impl<Q: Coordinates> State<Q> {
     }
 }
 
+/// The origin at t = 0.
+impl<Q: Coordinates> Default for State<Q> {
+    fn default() -> Self {
+        let none = Q::from_array(Q::Array::zero());
+        State::new(none, none)
+    }
+}
+
+/// (q, p) at t = 0.
+impl<Q: Coordinates> From<(Q, Q)> for State<Q> {
+    fn from((q, p): (Q, Q)) -> Self {
+        State::new(q, p)
+    }
+}
+
 /// A point of contact phase space at a time: plain data.
 #[doc(alias = "friction")]
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ContactState<Q: Coordinates> {
     /// Time.
     pub t: Q::Real,
@@ -56,8 +73,24 @@ impl<Q: Coordinates> ContactState<Q> {
     }
 }
 
+/// The origin at t = 0, with s = 0.
+impl<Q: Coordinates> Default for ContactState<Q> {
+    fn default() -> Self {
+        let none = Q::from_array(Q::Array::zero());
+        ContactState::new(none, none, zero())
+    }
+}
+
+/// (q, p, s) at t = 0.
+impl<Q: Coordinates> From<(Q, Q, Q::Real)> for ContactState<Q> {
+    fn from((q, p, s): (Q, Q, Q::Real)) -> Self {
+        ContactState::new(q, p, s)
+    }
+}
+
 /// A point of the phase space of a flow x' = f(x, t) at a time: plain data.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct FlowState<X: Coordinates> {
     /// Time.
     pub t: X::Real,
@@ -74,6 +107,20 @@ impl<X: Coordinates> FlowState<X> {
     /// The point `x` at time `t`.
     pub fn at(t: X::Real, x: X) -> Self {
         FlowState { t, x }
+    }
+}
+
+/// The origin at t = 0.
+impl<X: Coordinates> Default for FlowState<X> {
+    fn default() -> Self {
+        FlowState::new(X::from_array(X::Array::zero()))
+    }
+}
+
+/// x at t = 0.
+impl<X: Coordinates> From<X> for FlowState<X> {
+    fn from(x: X) -> Self {
+        FlowState::new(x)
     }
 }
 

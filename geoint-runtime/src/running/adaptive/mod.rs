@@ -82,6 +82,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
     /// Steps between two lengths only. Without bounds the shortest is what changes time at all.
     ///
     /// The last step on the way to a given time may be shorter.
+    #[must_use = "the settings are those of the run that is returned"]
     pub fn steps_between(mut self, shortest: f64, longest: f64) -> Self {
         self.steps.bounds = Bounds { shortest: shortest.abs(), longest: longest.abs() };
         self
@@ -89,12 +90,14 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
 
     /// Steps of at most this length. A run may step over a force that acts for a shorter time than a step, such as a pulse. Choose `h` below the duration of
     /// the pulse.
+    #[must_use = "the settings are those of the run that is returned"]
     pub fn longest_step(mut self, h: f64) -> Self {
         self.steps.bounds.longest = h.abs();
         self
     }
 
     /// The first step; negative to go back in time. Without it one is guessed, forwards.
+    #[must_use = "the settings are those of the run that is returned"]
     pub fn first_step(mut self, h: f64) -> Self {
         self.steps.controller.set(h);
         self
@@ -102,6 +105,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
 
     /// Errors that are tolerated beside those relative to coordinates: one for each coordinate, in its unit, written as a state is.
     /// Without this they are zero.
+    #[must_use = "the settings are those of the run that is returned"]
     pub fn absolute(mut self, errors: StateOf<S, R>) -> Self {
         let (_, z, s) = errors.parts();
         self.steps.tolerance.absolute = PerCoordinate { z, s };
@@ -109,6 +113,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
     }
 
     /// At most so many steps in one [`advance_to`](Self::advance_to). Without this there is no limit.
+    #[must_use = "the settings are those of the run that is returned"]
     pub fn steps_at_most(mut self, steps: u64) -> Self {
         self.most_steps = steps;
         self

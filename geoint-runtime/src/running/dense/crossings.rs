@@ -77,6 +77,7 @@ impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Crossings<
     }
 
     /// The same up to a time, before or after now; zeros at that time, to rounding, count. Runs with fixed steps end up to a step before it.
+    #[must_use = "the end is that of the iterator that is returned"]
     pub fn until(mut self, t: Scalar<T>) -> Self {
         self.backwards = (t - self.run.time()).any_below(0.0);
         self.end = Some(t);

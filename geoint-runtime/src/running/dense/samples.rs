@@ -115,6 +115,7 @@ impl<'a, T: Interpolated> SampledEvery<'a, T> {
     /// assert!((last.q + 1.0540491554508432).abs() < 1e-8);
     /// # Ok::<(), StepError>(())
     /// ```
+    #[must_use = "the samples are those of the iterator that is returned"]
     pub fn interpolated(self) -> SampledEvery<'a, T, Curve<T>> {
         self.by()
     }
@@ -164,6 +165,7 @@ impl<T: Dense, I: Iterator<Item = Scalar<T>>, W: Within<T>> Iterator for Sampled
 
 impl<'a, T: Interpolated, I: Iterator<Item = Scalar<T>>> SampledAt<'a, T, I> {
     /// Takes the states from one polynomial a step; see [`SampledEvery::interpolated`].
+    #[must_use = "the samples are those of the iterator that is returned"]
     pub fn interpolated(self) -> SampledAt<'a, T, I, Curve<T>> {
         self.by()
     }

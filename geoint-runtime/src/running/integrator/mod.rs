@@ -271,6 +271,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
     /// The same with compensated sums: what adding an increment to a coordinate rounds off is carried to the next step. The
     /// error of rounding grows with the number of steps many times more slowly; a step costs a few additions a coordinate more.
     /// Flows of contact systems that do not only add give what they add by formulas of their own.
+    #[must_use = "the settings are those of the run that is returned"]
     pub fn compensated(self) -> Integrator<S, M, R, Compensated<S::Phase>> {
         self.with_sums()
     }

@@ -66,6 +66,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> TaylorIntegrator<S, M, R> {
     /// Steps between two lengths only. Without bounds the shortest is what changes time at all. Steps of one length are as long as they are.
     ///
     /// The last step on the way to a given time may be shorter, and so is one that ends where a condition of the energy changes sides.
+    #[must_use = "the settings are those of the run that is returned"]
     pub fn steps_between(mut self, shortest: f64, longest: f64) -> Self {
         self.steps.bounds = Bounds { shortest: shortest.abs(), longest: longest.abs() };
         self
@@ -73,12 +74,14 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> TaylorIntegrator<S, M, R> {
 
     /// Steps of at most this length. A run may step over a force that acts for a shorter time than a step, such as a pulse. Choose `h` below the duration of
     /// the pulse. Steps of one length are as long as they are.
+    #[must_use = "the settings are those of the run that is returned"]
     pub fn longest_step(mut self, h: f64) -> Self {
         self.steps.bounds.longest = h.abs();
         self
     }
 
     /// At most so many steps in one [`advance_to`](Self::advance_to). Without this there is no limit.
+    #[must_use = "the settings are those of the run that is returned"]
     pub fn steps_at_most(mut self, steps: u64) -> Self {
         self.most_steps = steps;
         self

@@ -174,7 +174,7 @@ fn adaptive<S: PhaseSpace + Rates + 'static, M: Method<S> + 'static>(
     })
 }
 
-/// Taylor series of order 20, or less for large systems.
+/// Taylor series. The order follows from the tolerance.
 fn taylor<S: Jets + 'static>(system: S, way: Way<StateOf<S, f64>>) -> Entry {
     series("Taylor", |tolerance| Taylor { tolerance }, system, way)
 }

@@ -75,6 +75,7 @@ where
     }
 
     /// The same up to a time, before or after now; zeros at that time, to rounding, count.
+    #[must_use = "the end is that of the iterator that is returned"]
     pub fn until(mut self, t: R) -> Self {
         self.backwards = (t - self.run.time()).any_below(0.0);
         self.end = Some(t);
