@@ -3,7 +3,7 @@
 //! `--cfg 'geoint_without="name"'` switches the accelerator `name` off. Results then differ by rounding errors only. The benchmark
 //! `tests/benches/ablation` compiles one variant for each name and writes the gains to `tests/benches/ABLATION.md`.
 
-/// Implicit steps extrapolate the increments of the steps before them. Without: each step starts from the explicit guess.
+/// Implicit steps extrapolate the increments of previous steps. Without: each step starts from the explicit guess.
 pub(crate) const EXTRAPOLATION: bool = !cfg!(geoint_without = "extrapolation");
 
 /// The first guess is an explicit step. Without: the increment zero.

@@ -39,8 +39,8 @@
 //! - Equations of motion: q' = ∂H/∂p and p' = −∂H/∂q. Coordinates come in the order q, p, s (contact systems only), t.
 //! - Contact systems describe friction by an auxiliary variable s: q' = ∂H/∂p, p' = −∂H/∂q − p ∂H/∂s, s' = p·∂H/∂p − H.
 //! - A *kick* of length h is the flow of V(q, t), p ← p − h ∂V/∂q. A *drift* is the flow of T(p, t), q ← q + h ∂T/∂p.
-//! - The step size h may be negative. The time of fixed steps is t₀ + n·h, without a running sum. `sampled_every`, `sampled_at` and `crossings` do not change the steps.
-//!   `until_event` ends the run at the event: its time becomes the new t₀, and n starts at 0.
+//! - The step size h may be negative. The time of fixed steps is t₀ + n·h, without a running sum. `sampled_every`, `sampled_at` and `crossings` do not
+//!   change the steps. `until_event` ends the run at the event: its time becomes the new t₀, and n starts at 0.
 //! - Single steps give the same bits as many steps in one call.
 //! - Division by a value that is known before the loop becomes multiplication by its reciprocal. `a·b + c` is fused if the build targets a processor that
 //!   supports it; the last bits then differ between machines. The feature `strict-math` forbids this.
@@ -62,7 +62,7 @@ extern crate alloc;
 
 mod ablation;
 
-/// Only this crate implements traits with this supertrait, so that methods can be added to them.
+/// Only this crate implements traits with the supertrait `Sealed`. Later versions can therefore add items to these traits.
 mod sealed {
     /// Implemented in this crate only.
     pub trait Sealed {}
@@ -133,7 +133,7 @@ pub use system::{
 #[doc(inline)]
 pub use taylor::{Taylor, TaylorFixed, TaylorMethod, TaylorOrder};
 
-/// Everything that a program needs.
+/// The names that most programs need, for `use geoint_runtime::prelude::*`.
 pub mod prelude {
     pub use crate::method::tables::*;
     #[cfg(feature = "alloc")]

@@ -1,4 +1,4 @@
-//! What emitted code may name. Not part of the public interface.
+//! Items that emitted code uses. Not part of the public interface.
 
 pub use crate::method::constrained::{MultiplierStep, Rattle};
 pub use crate::method::contact::{
@@ -39,8 +39,9 @@ pub use crate::system::{
 pub use crate::taylor::{TaylorMethod, recurrence};
 pub use geoint_macros::{put_energy_function_above_it, resume};
 
-/// What is seldom done is compiled with this crate, where it does not depend on the shape of unknowns, or for usual shapes. Programs take it
-/// from here, since it is never inlined. These are its addresses, because only what somebody names is compiled.
+/// Returns the addresses of rarely called generic functions, so that they are compiled with this crate and not in each program.
+///
+/// The functions do not depend on the shape of the unknowns, or have common shapes. A generic function is compiled only if it is used.
 #[inline(never)]
 pub fn compiled() -> [[*const (); 2]; 12] {
     use crate::method::corrected::kept::compiled as kept;
@@ -50,7 +51,7 @@ pub fn compiled() -> [[*const (); 2]; 12] {
     use crate::system::compiled as poles;
     let [one, two, three, four] =
         [search::<[f64; 1]>(), search::<[f64; 2]>(), search::<[f64; 3]>(), search::<[f64; 4]>()];
-    // Positions and momenta together, of one and of two degrees of freedom.
+    // Positions and momenta of systems with one and two degrees of freedom.
     let [pair, pairs] = [search::<[[f64; 1]; 2]>(), search::<[[f64; 2]; 2]>()];
     let kept = [kept::<f64>(), kept::<f32>()];
     let metrics = [metric::<[f64; 1]>(), metric::<[f64; 2]>()];

@@ -90,7 +90,7 @@ fn planets_about_a_star() {
     );
 }
 
-/// Steps that adapt meet their tolerance; the control tolerates a hundred times as much.
+/// Steps that adapt meet their tolerance. The control tolerates larger errors.
 #[test]
 fn adaptive_steps_and_series() {
     let start = State::new([0.3, -0.2], [0.2, 0.4]);
@@ -100,7 +100,7 @@ fn adaptive_steps_and_series() {
         distance_from(run.state())
     };
     let series = |tolerance| HENON_HEILES.taylor(Taylor { tolerance }, start);
-    holds("Taylor series", 1e-12, known(), series(1e-14), series(1e-8));
+    holds("Taylor series", 1e-12, known(), series(1e-14), series(1e-6));
     let fixed = HENON_HEILES.taylor(TaylorFixed::<16> { h: 0.1 }, start);
     holds(
         "Taylor series of fixed steps",

@@ -1,7 +1,8 @@
-//! The methods of this crate by what they need of a system, for programs that try all of them or choose one by its name.
+//! Lists of the methods of this crate, sorted by the properties of a system that they need.
 //!
-//! Each function shows its methods to a visitor; a system has those whose bounds it satisfies. Compositions are shown of the maps
-//! that are composed most: others are a line of one's own, `visitor.visit(KahanLi8_17a.of(Gonzalez))`.
+//! Programs use them to try all methods, or to select a method by its name. Each function calls a visitor with its methods. A system has
+//! the methods of the functions whose bounds it satisfies. The lists contain compositions of the most common maps only. Add others by a
+//! line such as `visitor.visit(KahanLi8_17a.of(Gonzalez))`.
 //!
 //! ```
 //! use geoint_runtime::method::{Name, Visitor, catalogue};
@@ -12,7 +13,7 @@
 //!     p * p / 2.0 + k * q.powi(4) / 4.0
 //! }
 //!
-//! /// Which method keeps the energy best with steps of a tenth?
+//! /// Finds the method with the smallest energy error for h = 0.1.
 //! struct Best(Option<(Name, f64)>);
 //!
 //! impl Visitor<Oscillator> for Best {
@@ -61,7 +62,7 @@ use crate::system::{
     PerturbedGradient, PhaseSpace, Pieces, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
 };
 
-/// Receives each method of a list. A visitor that prints `method.name()` lists the names for [`Named`](crate::running::Named).
+/// Receives each method of a list. A visitor that prints `method.name()` lists the names that [`Named`](crate::running::Named) accepts.
 pub trait Visitor<S: PhaseSpace<R>, R: Real = f64> {
     /// Called once for each method.
     fn visit<M: Method<S, R> + 'static>(&mut self, method: M);
@@ -71,7 +72,7 @@ macro_rules! show {
     ($visitor:ident: $($method:expr),* $(,)?) => { $( $visitor.visit($method); )* };
 }
 
-/// Every composition of a symmetric map.
+/// Calls the visitor with all compositions of symmetric maps.
 macro_rules! compositions {
     ($visitor:ident: $($map:expr),*) => { $(
         show!($visitor: Yoshida4.of($map), Suzuki4.of($map), McLachlan4.of($map), Yoshida6a.of($map), McLachlan6_9.of($map),
@@ -104,14 +105,14 @@ pub fn force_gradient<S: ForceGradient<R>, R: Real>(visitor: &mut impl Visitor<S
     show!(visitor: Omelyan4_4F2GV, Omelyan4_5F2GP, Omelyan6_5F3GP, Omelyan6_5F4GV, Omelyan8_11F11GP);
 }
 
-/// The one of them with a processor, for systems without an action.
+/// The force-gradient method with a processor, for systems without an action.
 pub fn processed_force_gradient<S: ForceGradient<R> + PhaseSpace<R, Action = ()>, R: Real>(
     visitor: &mut impl Visitor<S, R>,
 ) {
     show!(visitor: BlanesCasasRos6);
 }
 
-/// Methods for H = A + B, an exact flow and a kick.
+/// Methods for H = A + B with an exact flow of A and a kick by B.
 pub fn perturbed<S: Perturbed<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     show!(visitor: WisdomHolman, Saba4, Aba8_4, Aba8_6_4, Aba10_6_4);
     show!(visitor: Perturbation(StormerVerlet), Perturbation(BlanesMoan4), Perturbation(BlanesMoan6));
@@ -123,23 +124,23 @@ pub fn perturbed_gradient<S: PerturbedGradient<R>, R: Real>(visitor: &mut impl V
     show!(visitor: Perturbation(BlanesMoanSrkn6b), Perturbation(BlanesMoanSrkn14a), Perturbation(Chin4A));
 }
 
-/// Those of them with a processor.
+/// Methods for H = A + B with a processor.
 pub fn processed<S: PerturbedGradient<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     show!(visitor: WisdomHolmanProcessed, WisdomHolmanGradient);
 }
 
-/// The method for rigid bodies in their principal axes, beside those of [`separable`] and the two that follow it.
+/// The method for rigid bodies in their principal axes. Such systems also have the methods of [`separable`], [`quadratic_kinetic`] and [`force_gradient`].
 pub fn principal_axes<S: PrincipalAxes<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     show!(visitor: FiveRotations);
 }
 
-/// The method that keeps the energy, or takes away what damping does.
+/// The discrete gradient that keeps the energy, or satisfies the energy balance of damping, and its compositions.
 pub fn discrete_gradient<S: SolvedBy<DiscreteGradient, R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     show!(visitor: DiscreteGradient);
     compositions!(visitor: DiscreteGradient);
 }
 
-/// Methods that keep the energy of what nothing damps: those of the next four functions.
+/// Methods that keep the energy of systems without damping: [`mean_gradients`], [`itoh_abe`], [`itoh_abe_one_way`] and [`coordinate_increment`].
 pub fn conservative<S: DiscreteField<R> + Conservative<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     mean_gradients(visitor);
     itoh_abe(visitor);
@@ -147,56 +148,56 @@ pub fn conservative<S: DiscreteField<R> + Conservative<R>, R: Real>(visitor: &mu
     coordinate_increment(visitor);
 }
 
-/// Means of gradients that treat all coordinates alike.
+/// Discrete gradients that treat all coordinates alike, such as means of gradients.
 pub fn mean_gradients<S: DiscreteField<R> + Conservative<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     show!(visitor: Gonzalez, FourthOrder(DiscreteGradient), FourthOrder(Gonzalez));
     show!(visitor: MeanValue::<1>, MeanValue::<2>, MeanValue::<3>, MeanValue::<4>, MeanValue::<5>, MeanValue::<6>);
 }
 
-/// Those that take one coordinate after the other, and back.
+/// Symmetric Itoh–Abe methods, which change one coordinate after the other, in both orders.
 pub fn itoh_abe<S: DiscreteField<R> + Conservative<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     show!(visitor: SymmetrisedItohAbe, ItohAbePair);
 }
 
-/// The same one way, of order 1.
+/// Itoh–Abe methods of order 1, which change one coordinate after the other in one order.
 pub fn itoh_abe_one_way<S: DiscreteField<R> + Conservative<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     show!(visitor: ItohAbe, ItohAbeAdjoint);
 }
 
-/// The one that has no step where an increment is orthogonal to its direction, which with one degree of freedom is nowhere.
+/// The coordinate increment method. No step exists if an increment is orthogonal to its direction. For one degree of freedom this never happens.
 pub fn coordinate_increment<S: DiscreteField<R> + Conservative<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     show!(visitor: CoordinateIncrement::default());
 }
 
-/// Methods whose steps are put right: those of the next two functions.
+/// Methods that correct each step to keep the energy: [`projected`] and [`relaxed`].
 pub fn autonomous<S: DiscreteField<R> + Autonomous<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     projected(visitor);
     relaxed(visitor);
 }
 
-/// Those that project each step.
+/// Methods that project each step onto the level set of the energy.
 pub fn projected<S: DiscreteField<R> + Autonomous<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     show!(visitor: Projection(RK4, Energy), Projection(DOP853, Energy));
 }
 
-/// Those that scale each step. They need an energy that is nowhere straight along the flow.
+/// Methods that scale each step. They need an energy that is nowhere linear along the flow.
 pub fn relaxed<S: DiscreteField<R> + Autonomous<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     show!(visitor: Relaxation(RK4), Relaxation(DOP853));
 }
 
-/// The method for H of degree 3.
+/// Kahan's method for H of degree 3, and its compositions.
 pub fn cubic<S: QuadraticField<R> + Conservative<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     show!(visitor: Kahan);
     compositions!(visitor: Kahan);
 }
 
-/// Methods for every H(q, p, t) whose pieces have flows in closed form, beside T(p) + V(q).
+/// Methods for H(q, p, t) whose pieces have flows in closed form, except T(p) + V(q).
 pub fn coupled<S: Pieces<PieceSplitting, R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     show!(visitor: PieceSplitting, BlanesMoan4X.of(PieceSplitting), BlanesMoan6X.of(PieceSplitting));
     compositions!(visitor: PieceSplitting);
 }
 
-/// Those for two pieces A and B with {B, {B, {B, A}}} = 0.
+/// Methods for two pieces A and B with {B, {B, {B, A}}} = 0.
 pub fn nystrom_pieces<S: NystromPieces<R> + Pieces<PieceSplitting, R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     show!(visitor: BlanesMoanSrkn14a.of(PieceSplitting), BceRkn17_8.of(PieceSplitting));
 }
@@ -222,13 +223,13 @@ pub fn poisson<S: Pieces<PoissonSplitting, R>, R: Real>(visitor: &mut impl Visit
     compositions!(visitor: PoissonSplitting);
 }
 
-/// Methods for fields that have planar parts.
+/// Methods for fields x' = S(x) ∇I that are split into planar parts.
 pub fn planar<S: Pieces<PlanarSplitting, R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     show!(visitor: PlanarSplitting);
     compositions!(visitor: PlanarSplitting);
 }
 
-/// Methods for fields whose planar parts are all solved for.
+/// Methods for fields x' = S(x) ∇I that solve an equation in every plane.
 pub fn solved_planes<S, R: Real>(visitor: &mut impl Visitor<S, R>)
 where
     S: Pieces<PlanarDiscreteGradient, R> + Pieces<PlanarItohAbe, R>,
@@ -237,13 +238,13 @@ where
     compositions!(visitor: PlanarDiscreteGradient, PlanarItohAbePair);
 }
 
-/// Methods for contact systems T(p) + g(t)s + V(q), beside those of [`separable`].
+/// Methods for contact systems T(p) + g(t)s + V(q), in addition to the methods of [`separable`].
 pub fn mechanical<S: Mechanical<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     show!(visitor: ContactLeapfrog);
     compositions!(visitor: ContactLeapfrog);
 }
 
-/// Methods for every contact system by its energy.
+/// Methods for every contact system.
 pub fn contact<S, R: Real>(visitor: &mut impl Visitor<S, R>)
 where
     S: SolvedByContactGauss<R> + SolvedBy<ContactMidpoint, R> + SolvedBy<ContactDiscreteGradient, R>,

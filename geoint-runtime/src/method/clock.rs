@@ -1,18 +1,18 @@
-//! Time: the one place that knows when steps start and end.
+//! The clock: start and end times of steps.
 
 use crate::scalar::{Real, signed, zero};
 use crate::space::{DoubleWord, Record, Tape};
 
-/// When steps start: t₀ + n·h, never a running sum. Where the length of steps changes, t₀ moves on in two words.
+/// The start times of steps, t₀ + n·h. They are not a running sum. If the step size changes, t₀ advances as a sum of two words and n restarts at 0.
 #[derive(Clone, Copy, Debug)]
 pub struct Clock<R> {
-    /// When steps began to have the length h.
+    /// t₀, the time from which steps have the length h.
     start: DoubleWord<R>,
     h: R,
-    /// Steps since then.
+    /// n, the number of steps since t₀.
     steps: u64,
-    /// What the present is called, if somebody asked for a time that is the same but for rounding.
-    named: Option<R>,
+    /// The present time as a caller requested it, if it differs from t₀ + n·h by rounding only. Cleared by the next step.
+    reported_time: Option<R>,
 }
 
 impl<R: Real> Record<R> for Clock<R> {
@@ -20,89 +20,89 @@ impl<R: Real> Record<R> for Clock<R> {
         self.start.record(tape);
         tape.scalar(&mut self.h);
         tape.steps(&mut self.steps);
-        tape.option(&mut self.named, zero);
+        tape.option(&mut self.reported_time, zero);
     }
 }
 
 impl<R: Real> Clock<R> {
-    /// A clock of steps of length `h` from `t` on.
+    /// Returns a clock for steps of length `h` from the time `t`.
     pub fn new(t: R, h: R) -> Self {
-        Clock { start: DoubleWord::new(t), h, steps: 0, named: None }
+        Clock { start: DoubleWord::new(t), h, steps: 0, reported_time: None }
     }
 
-    /// The time at which the `i`-th step from now starts.
+    /// Returns the start time of the `i`-th step from now.
     #[inline(always)]
     pub fn at(&self, i: u64) -> R {
         R::time(self.start.words(), self.steps + i, self.h)
     }
 
-    /// When the `i`-th step from now starts and ends, for steps that are `ahead` of t₀ + n·h.
+    /// Returns start and end time of the `i`-th step from now, for steps that are `ahead` of t₀ + n·h.
     #[inline(always)]
     pub(crate) fn ends(&self, i: u64, ahead: R) -> [R; 2] {
         [self.at(i) + ahead, self.at(i + 1) + ahead]
     }
 
-    /// When a step of length `h` ends, whatever the length of the others.
+    /// Returns the end time of a step of length `h`, which may differ from the step size of the clock.
     pub(crate) fn after(mut self, h: R) -> R {
         self.pass_length(h);
         self.now(zero())
     }
 
-    /// The length of steps.
+    /// The step size.
     pub fn step_size(&self) -> R {
         self.h
     }
 
-    /// The present, for steps that are `ahead` of t₀ + n·h.
+    /// Returns the present time, for steps that are `ahead` of t₀ + n·h.
     #[inline(always)]
     pub(crate) fn now(&self, ahead: R) -> R {
-        match self.named {
+        match self.reported_time {
             Some(t) => t,
-            // Without steps even an unusable h leaves time alone.
+            // Before the first step the time does not depend on h, which may be invalid.
             None if self.steps == 0 => self.start.value() + ahead,
             None => self.at(0) + ahead,
         }
     }
 
-    /// So many steps have been taken.
+    /// Advances by `steps` steps.
     #[inline(always)]
     pub(crate) fn pass(&mut self, steps: u64) {
         self.steps += steps;
-        self.named = None;
+        self.reported_time = None;
     }
 
-    /// One step has been taken that was `ahead` longer than `h`, whatever the length of the others.
+    /// Advances t₀ by one step of length `h` + `ahead`, which may differ from the step size of the clock.
     pub(crate) fn pass_step(&mut self, h: R, ahead: DoubleWord<R>) {
         self.pass_length(h);
         self.start.add_both(ahead);
     }
 
-    /// One step of length `h` has been taken.
+    /// Advances t₀ by one step of length `h`, which may differ from the step size of the clock.
     #[inline(always)]
     pub(crate) fn pass_length(&mut self, h: R) {
         self.start.add(h);
-        self.named = None;
+        self.reported_time = None;
     }
 
-    /// Steps have another length from now on.
+    /// Sets the step size, and sets t₀ to the present time.
     pub(crate) fn set_step_size(&mut self, h: R, ahead: DoubleWord<R>) {
         self.start.add_multiple(self.steps, self.h);
         self.start.add_both(ahead);
         (self.h, self.steps) = (h, 0);
     }
 
-    /// Calls the present `t` until the next step. No later time changes.
+    /// Reports the present time as `t` until the next step. Later times do not change.
     pub(crate) fn name(&mut self, t: R) {
-        self.named = Some(t);
+        self.reported_time = Some(t);
     }
 
-    /// From the present to `t`, as a plain number with both words of the present.
+    /// Returns t − t₀ with both words of t₀. Precondition: t₀ is the present (n = 0).
     pub(crate) fn left(&self, t: R) -> f64 {
         let [high, low] = self.start.words();
         signed(t - high - low)
     }
 
-    /// Whether a step from `now` to `end` is on the way to `t`: it does not end beyond, except by rounding where `now` is not there.
+    /// Returns whether a step from `now` to `end` does not pass `t`. A step that passes `t` by rounding only is accepted, unless `now` is already at `t`.
     #[inline(always)]
     pub(crate) fn leads_to(&self, t: R, [now, end]: [R; 2]) -> bool {
         let beyond =
@@ -110,19 +110,20 @@ impl<R: Real> Clock<R> {
         !beyond || self.is_at(end, t) && !self.is_at(now, t)
     }
 
-    /// Whether two times are the same but for what t₀, n·h and they themselves are rounded by.
+    /// Returns whether two times differ by no more than the rounding errors of t₀, n·h and t, and by half a step at most.
     #[inline(always)]
     pub(crate) fn is_at(&self, now: R, t: R) -> bool {
         let gap = (now - t).magnitude();
         gap <= 0.5 * self.h.magnitude() && gap <= self.rounding(t)
     }
 
+    /// Returns a bound of the rounding errors of t₀, n·h and `t`.
     #[inline(always)]
     fn rounding(&self, t: R) -> f64 {
         R::epsilon() * (self.start.value().magnitude() + self.steps as f64 * self.h.magnitude() + t.magnitude())
     }
 
-    /// A number of steps of length h of which the last one surely ends before `t`.
+    /// Returns a number of steps of length h such that the last one ends before `t` in spite of rounding.
     pub(crate) fn steps_before(&self, now: R, t: R) -> u64 {
         let error = 4.0 * (self.rounding(t) + R::epsilon() * t.magnitude());
         let left = signed(t - now) / signed(self.h);

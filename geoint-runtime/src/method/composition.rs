@@ -1,4 +1,4 @@
-//! Symmetric compositions: Φ(γ_K h) ∘ … ∘ Φ(γ₁h) of a symmetric map Φ of order 2 has the order of the table.
+//! Symmetric compositions Φ(γ_K h) ∘ … ∘ Φ(γ₁h) of a symmetric map Φ of order 2. The weights γ determine the order of the composition.
 //!
 //! ```
 //! use geoint_runtime::prelude::*;
@@ -16,7 +16,7 @@
 //!     let mut sim = system.integrator(Suzuki4.of(DiscreteGradient), 2.0 / steps as f64, start);
 //!     let energy = sim.energy();
 //!     sim.advance(steps)?;
-//!     // What the map keeps the composition keeps.
+//!     // The composition keeps the invariants of the map.
 //!     assert!((sim.energy() / energy - 1.0).abs() < 1e-13);
 //!     Ok(sim.state().q[1])
 //! };
@@ -34,7 +34,7 @@ use crate::scalar::Real;
 use crate::space::{Array, Summation};
 use crate::system::PhaseSpace;
 
-/// Weights γ₁, …, γ_K, reading the same from both ends.
+/// Weights γ₁, …, γ_K, a palindrome.
 #[doc(alias = "composition method")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Composition<const K: usize> {
@@ -44,7 +44,7 @@ pub struct Composition<const K: usize> {
 }
 
 impl<const K: usize> Composition<K> {
-    /// A palindrome given by its first half (the middle included).
+    /// Returns a palindrome, given by its first half (the middle included).
     pub(crate) const fn palindrome<const HALF: usize>(name: &'static str, order: u32, half: [f64; HALF]) -> Self {
         assert!(HALF == K.div_ceil(2));
         let mut gamma = [0.0; K];
@@ -57,10 +57,10 @@ impl<const K: usize> Composition<K> {
         Composition { name: Name::new(name), order, gamma }
     }
 
-    /// This composition of a symmetric map of order 2.
+    /// Returns this composition of a symmetric map of order 2.
     ///
-    /// The map must be exactly symmetric; implicit maps are solved to rounding for that reason. Compositions of
-    /// [`StormerVerlet`] and [`PositionVerlet`] become splitting tables with neighbouring flows merged.
+    /// The map must be exactly symmetric, so implicit maps are solved to rounding. Compositions of [`StormerVerlet`] and
+    /// [`PositionVerlet`] become splitting tables with neighbouring flows merged.
     pub fn of<M: SymmetricMap>(self, map: M) -> M::Composed<K> {
         map.compose(self)
     }
@@ -70,7 +70,7 @@ impl<const K: usize> Composition<K> {
         self.name
     }
 
-    /// The order for a map of order 2.
+    /// The order of the composition of a symmetric map of order 2.
     pub const fn order(&self) -> u32 {
         self.order
     }
@@ -89,13 +89,13 @@ impl<const K: usize> Composition<K> {
     note = "maps for contact systems: `ContactSplitting`, `ContactLeapfrog`, `ContactMidpoint`, `ContactDiscreteGradient`"
 )]
 pub trait SymmetricMap: Copy {
-    /// The composed method.
+    /// The method that [`compose`](Self::compose) returns.
     type Composed<const K: usize>;
-    /// Composes.
+    /// Returns the composition of this map.
     fn compose<const K: usize>(self, composition: Composition<K>) -> Self::Composed<K>;
 }
 
-/// Maps of which a composition is one substep after the other.
+/// Implements [`SymmetricMap`] for maps whose compositions take one substep after the other.
 macro_rules! substeps {
     ($([$($generic:tt)*] $map:ty);*) => { $(
         impl<$($generic)*> crate::method::composition::SymmetricMap for $map {
@@ -132,7 +132,7 @@ impl SymmetricMap for PositionVerlet {
     }
 }
 
-/// With one kick a table is half of a drift, a kick, half of a drift: as `WisdomHolman` is.
+/// A drift-first table with one kick is half a drift, a kick, half a drift, as in `WisdomHolman`.
 impl SymmetricMap for Splitting<1, DriftFirst> {
     type Composed<const K: usize> = Splitting<K, DriftFirst>;
     fn compose<const K: usize>(self, composition: Composition<K>) -> Splitting<K, DriftFirst> {
@@ -144,11 +144,11 @@ impl SymmetricMap for Splitting<1, DriftFirst> {
 #[derive(Clone, Copy, Debug)]
 pub struct Substep<P, R> {
     map: P,
-    /// The time, after the start of the step, at which it begins.
+    /// The start of the substep, relative to the start of the step.
     after: R,
 }
 
-/// A symmetric composition of a map whose steps share nothing: one substep after the other.
+/// A symmetric composition of a map whose neighbouring steps share no flow. It takes one substep after the other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Composed<M, const K: usize> {
     pub(crate) map: M,
@@ -158,9 +158,8 @@ pub struct Composed<M, const K: usize> {
 impl<S: PhaseSpace<R>, R: Real, M: Method<S, R>, const K: usize> Method<S, R> for Composed<M, K> {
     type Proof = M::Proof;
     type Prepared = [Substep<M::Prepared, R>; K];
-    /// That of each substep: increments are extrapolated from those of the same substep in earlier steps. From one sequence for all
-    /// substeps, whose lengths and signs differ, Kahan & Li's composition of discrete gradients takes 4.3 times as long
-    /// (Kepler, h = 0.05; twice for 0.2, 1.3 times for 1).
+    /// One memory for each substep: increments are extrapolated from those of the same substep in earlier steps. Do not share one memory. Substeps
+    /// differ in length and sign, so initial guesses would be poor and iterations slow.
     type Memory = [M::Memory; K];
     const SCALES_STEPS: bool = M::SCALES_STEPS;
     const ROUGH_IF_SHORT: bool = M::ROUGH_IF_SHORT;

@@ -1,4 +1,4 @@
-//! Kahan's method: one linear solve a step, for energies of degree 3.
+//! Kahan's method for energies of degree 3. It solves one linear system a step.
 //!
 //! ```
 //! use geoint_runtime::prelude::*;
@@ -13,7 +13,7 @@
 //! let mut sim = HenonHeiles { m: 1.3 }.integrator(Kahan, 0.1, State::new([0.1, -0.2], [0.3, 0.25]));
 //! let energy = sim.energy();
 //! sim.advance(100_000)?;
-//! // Not the energy is kept, but one that is near to it: the error does not grow.
+//! // The method keeps a modified energy near H, so the error of H does not grow.
 //! assert!((sim.energy() / energy - 1.0).abs() < 1e-2);
 //! # Ok::<(), StepError>(())
 //! ```
@@ -27,11 +27,11 @@ use crate::space::Array;
 use crate::space::Summation;
 use crate::system::QuadraticField;
 
-/// x₁ = x₀ + h (1 − h/2 f'(x₀))⁻¹ f(x₀), which for quadratic f is (x₁ − x₀)/h = 2f(m) − ½f(x₀) − ½f(x₁), m the midpoint.
+/// x₁ = x₀ + h (1 − h/2 f'(x₀))⁻¹ f(x₀). For quadratic f this is (x₁ − x₀)/h = 2f(m) − ½f(x₀) − ½f(x₁) with the midpoint m.
 ///
-/// Order 2, symmetric, for H of degree 3 at most; one linear solve a step, no iteration. Keeps H + ⅓∇H(x₀)·(x₁ − x₀) of an
-/// autonomous system to rounding for every h, and a volume; not H. E. Celledoni, R. I. McLachlan, B. Owren & G. R. W.
-/// Quispel, J. Phys. A 46 (2013) 025201.
+/// Order 2, symmetric, for H of degree 3 at most. One linear solve a step, no iteration. For autonomous systems it keeps
+/// H + ⅓∇H(x₀)·(x₁ − x₀) to rounding for every h, and a volume form. It does not keep H. E. Celledoni, R. I. McLachlan,
+/// B. Owren & G. R. W. Quispel, J. Phys. A 46 (2013) 025201.
 #[doc(alias = "Hirota-Kimura")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Kahan;
@@ -62,7 +62,7 @@ impl<S: QuadraticField<R>, R: Real> Method<S, R> for Kahan {
 
     fn memory() {}
 
-    /// Solved for the impulse alone, if T is quadratic: dq = h ∂T/∂p at the mean momentum.
+    /// If T is quadratic, only the impulse is unknown: the increment of q is h ∂T/∂p at the mean momentum.
     #[inline(always)]
     fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         (constants, h): &Self::Prepared,
@@ -75,7 +75,7 @@ impl<S: QuadraticField<R>, R: Real> Method<S, R> for Kahan {
         let (mut f, mut matrix) = (zero, S::Unknown::fill(zero));
         system.field(constants, t + half, &y, &mut f, &mut matrix);
 
-        // (1 − h/2 f'·∂dy/∂impulse) impulse = h f + h/2 f'·dy for the dy without impulse.
+        // Linear system: (1 − h/2 f'·∂dy/∂impulse) impulse = h f + h/2 f'·dy₀, with the increment dy of y, and dy₀ for zero impulse.
         let velocity = system.velocity(constants, &changed);
         let w = if S::EQUATION_ORDER.is_first() { -half } else { -half * half };
         let mut impulse = zero;

@@ -1,4 +1,4 @@
-//! The methods, a module for each family, and the trait that all of them implement.
+//! The integration methods, with one module for each family, and the trait [`Method`] that all methods implement.
 //!
 //! A method is a value: pass it to [`integrator`](crate::IntoIntegrator::integrator). [Which method](crate::guide::_03_which_method) helps to choose.
 //!
@@ -39,54 +39,54 @@ use crate::space::vector::difference;
 use crate::space::{Array, PerCoordinate, Plain, Point, Record, Summation};
 use crate::system::PhaseSpace;
 
-/// What a method promises where nothing is damped; the tests run over the list of all methods and hold each to it.
+/// The properties of a method for systems without damping. The tests check them for all methods.
 ///
-/// Damping leaves order and symmetry as they are. The step is then no symplectic map, and the energy falls.
+/// Damping does not change order and symmetry. With damping the step is not symplectic, and the energy decreases.
 #[doc(alias = "order of accuracy")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Claims {
-    /// Global error O(hᵖ).
+    /// The order p: the global error is O(hᵖ).
     pub order: u32,
     /// Φ(−h) ∘ Φ(h) is the identity.
     pub symmetric: bool,
-    /// The step is a symplectic map; of a contact system a contact map, which multiplies the form ds − p dq by a positive factor.
+    /// The step is a symplectic map. For contact systems it is a contact map, which multiplies the form ds − p dq by a positive factor.
     pub symplectic: bool,
-    /// The step keeps H of an autonomous system to rounding; of a contact system it keeps the law of its decay, as that of
-    /// [`ContactDiscreteGradient`](crate::ContactDiscreteGradient), H₁ = H₀ exp(−h g_s).
+    /// The step keeps H of an autonomous system to rounding. For contact systems it keeps the law of decay of H, as
+    /// [`ContactDiscreteGradient`](crate::ContactDiscreteGradient) does with H₁ = H₀ exp(−h g_s).
     pub conserves_energy: bool,
-    /// Where H = A + εB, the part A solved exactly: the global error is O(ε hˢ¹ + ε² hˢ² + …) for these s. Only of tables made for that.
+    /// The orders s₁, s₂, … of a table made for H = A + εB with an exact flow of A: the global error is O(ε hˢ¹ + ε² hˢ² + …). Empty for other methods.
     pub perturbed: &'static [u32],
-    /// Evaluations of the force, or of both derivatives of H, that a step costs where others follow, if it costs the same
-    /// everywhere: not known of steps that solve an equation.
+    /// The number of evaluations of the force, or of both derivatives of H, that a step of a long run costs. `None` if the number varies, as for steps that
+    /// solve an equation.
     pub forces: Option<u32>,
 }
 
 impl Claims {
-    /// Order p, and nothing else.
+    /// Returns the claim of the order p only.
     pub const fn of_order(order: u32) -> Self {
         Claims { order, symmetric: false, symplectic: false, conserves_energy: false, perturbed: &[], forces: None }
     }
 
-    /// A symmetric method.
+    /// Adds the claim of symmetry.
     pub const fn symmetric(mut self) -> Self {
         self.symmetric = true;
         self
     }
 
-    /// A symplectic method, or a contact map.
+    /// Adds the claim that the step is a symplectic map or a contact map.
     pub const fn symplectic(mut self) -> Self {
         self.symplectic = true;
         self
     }
 
-    /// A method that keeps the energy.
+    /// Adds the claim that the step keeps the energy.
     pub const fn conserving_energy(mut self) -> Self {
         self.conserves_energy = true;
         self
     }
 
-    /// A method of so many forces a step.
+    /// Adds the number of forces a step.
     pub const fn forces(mut self, forces: u32) -> Self {
         self.forces = Some(forces);
         self
@@ -100,91 +100,93 @@ impl Claims {
     note = "`Gauss` has 1 to 6 stages"
 )]
 pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
-    /// What was proven of `S` and is needed: a property's own `Proof`, two of them by [`And`]. Where something is missing the compiler
-    /// knows no type here, nor that of [`IntoIntegrator::integrator`](crate::IntoIntegrator::integrator); the message that says what is missing is then
-    /// the only one.
+    /// The proof that `S` has the properties that the method needs. [`And`] combines the proofs of two properties.
+    ///
+    /// If a property is missing, the compiler knows neither this type nor the type of [`IntoIntegrator::integrator`](crate::IntoIntegrator::integrator).
+    /// It then reports the missing property only.
     type Proof;
-    /// Everything that depends on the method, the parameters and h. It stays as it is while steps are taken.
+    /// Coefficients that depend on the method, the parameters and h. They are constant while steps are taken.
     type Prepared: Clone;
-    /// What steps hand on to the next one: increments from which implicit methods extrapolate their initial guess, and
-    /// compensations of sums. `()` for most explicit methods. Saved runs record it. After a refused step it begins anew: no run may rely on
-    /// it for more than digits.
+    /// Values that a step passes to the next one, such as the increments from which implicit methods extrapolate an initial guess, and
+    /// compensations of sums. `()` for most explicit methods. Saved runs record it. A refused step resets it, so results may depend on it by rounding only.
     type Memory: Clone + Record<R>;
-    /// Whether steps may be longer or shorter than h, by what they add to `x.ahead`.
+    /// Whether steps may be longer or shorter than h. The difference is added to `x.ahead`.
     const SCALES_STEPS: bool = false;
-    /// The highest order that compositions of this method have, whatever their table is.
+    /// An upper bound of the order of compositions of this method, for every table.
     const COMPOSES_TO: u32 = u32::MAX;
-    /// Whether steps lead to momenta that are off by the rounding of positions over h: states within a step are then looked for from that of
-    /// its ends which is farther.
+    /// Whether the momenta after a step have the rounding error of the positions divided by h. A state within a step is then computed from the farther end of
+    /// the step, because a very short step would amplify the error.
     const ROUGH_IF_SHORT: bool = false;
 
-    /// Whether a single step takes less work by [`step`](Self::step) than by [`advance`](Self::advance).
+    /// Whether [`step`](Self::step) is faster than [`advance`](Self::advance) for a single step.
     const SINGLY: bool = false;
 
-    /// What the method promises.
+    /// The claims of the method.
     fn claims(&self) -> Claims;
 
-    /// What it is called.
+    /// The name of the method.
     fn name(&self) -> Name;
 
-    /// True if the method moves another point than that of states: a point in other coordinates, or a point that a processor has mapped.
+    /// Whether the method moves an inner point in place of the point of the state. It is a point in other coordinates, or the image under a processor.
     const INNER: bool = false;
 
-    /// From the point of a state at time `t` to the one that the method moves.
+    /// Maps the point of a state at the time `t` to the inner point that the method moves.
     #[inline(always)]
     fn enter(_prepared: &Self::Prepared, _system: &S, _t: R, _z: &mut S::Phase) {}
 
-    /// And back.
+    /// Maps the inner point to the point of the state, the inverse of [`enter`](Self::enter).
     #[inline(always)]
     fn leave(_prepared: &Self::Prepared, _system: &S, _t: R, _z: &mut S::Phase) {}
 
-    /// Coefficients for steps of length `h`.
+    /// Computes the coefficients for steps of length `h`.
     fn prepare(&self, system: &S, h: R) -> Self::Prepared;
 
-    /// The memory before the first step.
+    /// Returns the memory before the first step.
     fn memory() -> Self::Memory;
 
-    /// Whether steps keep invariants to rounding: [`way_back`](Self::way_back) then leads back to where they were.
+    /// Whether steps keep invariants to rounding. [`way_back`](Self::way_back) then removes their drift.
     const KEEPS: bool = false;
 
-    /// Returns the correction of `z` that restores the kept invariants to their values at the `origin` of a run. Steps keep invariants up to rounding, which walks
-    /// at random, or drifts. After each 1024 steps a run adds this correction.
+    /// Returns the correction of `z` that restores the kept invariants to their values at the `origin` of a run.
+    ///
+    /// Steps keep invariants up to rounding errors, which accumulate as a random walk or as a drift. A run adds this correction after each 1024 steps.
     #[inline]
     fn way_back(_prepared: &Self::Prepared, _system: &S, _origin: &S::Phase, _z: &S::Phase) -> S::Phase {
         S::Phase::zero()
     }
 
-    /// Returns whether the invariants that steps compare are numbers with all their digits at the start of a run.
+    /// Returns whether the invariants that steps compare are finite and have full precision at the start of a run.
     ///
-    /// Called once, before the first step. The default is right for methods that compare none.
+    /// Called once, before the first step. The default is correct for methods that compare no invariants.
     #[inline]
     fn is_in_range(_prepared: &Self::Prepared, _system: &S, _z: &S::Phase) -> bool {
         true
     }
 
-    /// Whether a step does not end in a finite state where the energy is not defined.
+    /// Returns whether every step that ends where the energy is not defined ends in a state that is not finite. The domain of the energy is then not checked.
     #[inline(always)]
     fn shows(_prepared: &Self::Prepared) -> bool {
         false
     }
 
-    /// One step, in place. Every point at which the energy is evaluated is shown to `step.probe`.
+    /// Takes one step in place. Reports every point at which the energy is evaluated to `step.probe`.
     ///
     /// # Errors
-    /// Where the step has no result; point and memory are then worth nothing.
+    /// If the step has no result. The point and the memory are then invalid.
     fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         prepared: &Self::Prepared,
         memory: &mut Self::Memory,
         step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal>;
 
-    /// The order of the error that [`estimated`](Self::estimated) finds in a step: of methods that have estimates of their own, and of no others.
+    /// Returns the order of the error estimate of [`estimated`](Self::estimated), or `None` for methods without an estimate.
     fn order_of_estimate(&self) -> Option<u32> {
         None
     }
 
-    /// One step with two estimates of its error, for steps that adapt; nothing, and no step, where the method has none of its own. The error is
-    /// e₅²/(e₅² + e₃²/100)½, e₅ and e₃ the largest entries of both in units of what is tolerated; with e₃ = 0 it is e₅.
+    /// Takes one step and returns two estimates of its error, for adaptive steps. Returns `None` and takes no step if the method has no estimate.
+    ///
+    /// The error is e₅²/(e₅² + e₃²/100)½. Here e₅ and e₃ are the largest entries of both estimates in units of the tolerance. With e₃ = 0 the error is e₅.
     #[inline(always)]
     fn estimated<C: Summation<S::Phase>, P: Probe<S, R>>(
         _prepared: &Self::Prepared,
@@ -194,10 +196,10 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
         None
     }
 
-    /// `steps` steps, of which the `i`-th starts at `clock.at(i)` and ends at `clock.at(i + 1)`.
+    /// Takes `steps` steps. The `i`-th one starts at `clock.at(i)` and ends at `clock.at(i + 1)`.
     ///
     /// # Errors
-    /// Where one of them has no result; point and memory are then worth nothing.
+    /// If a step has no result. The point and the memory are then invalid.
     #[inline(always)]
     fn advance<C: Summation<S::Phase>>(
         prepared: &Self::Prepared,
@@ -215,10 +217,10 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
     }
 }
 
-/// Two estimates of the error of a step, the one of the higher order first.
+/// Two estimates of the error of a step, the estimate of the higher order first.
 pub type Estimate<S, R> = [PerCoordinate<<S as PhaseSpace<R>>::Phase, <S as PhaseSpace<R>>::Action>; 2];
 
-/// A step from the point of a state to that of another one, for callers that look at every step.
+/// Takes one step from the point of a state to the point of the next state, for callers that need the state after every step.
 #[inline(always)]
 pub(crate) fn outer_step<S: PhaseSpace<R>, R: Real, M: Method<S, R>, C: Summation<S::Phase>, P: Probe<S, R>>(
     prepared: &M::Prepared,
@@ -228,7 +230,7 @@ pub(crate) fn outer_step<S: PhaseSpace<R>, R: Real, M: Method<S, R>, C: Summatio
     if !M::INNER {
         return M::step(prepared, memory, Step { system, t, end, x, probe });
     }
-    // Rounding errors so far are those of other coordinates.
+    // The compensation of `x` belongs to the coordinates of states, so the inner point starts without compensation.
     let mut inner: Point<S::Phase, Plain, S::Action> = Point::with_action(x.z, x.s);
     M::enter(prepared, system, t, &mut inner.z);
     M::step(prepared, memory, Step { system, t, end, x: &mut inner, probe })?;
@@ -239,9 +241,9 @@ pub(crate) fn outer_step<S: PhaseSpace<R>, R: Real, M: Method<S, R>, C: Summatio
     Ok(())
 }
 
-/// Both of two proofs: known where both are.
+/// The conjunction of two proofs, a type that exists if both proofs exist.
 pub trait And<Q> {
-    /// As well as the other one.
+    /// The proof of both properties.
     type Both;
 }
 
@@ -249,29 +251,29 @@ impl<P, Q> And<Q> for P {
     type Both = Q;
 }
 
-/// A step that is about to be taken: of which system, when, from where, and who watches.
+/// The input of a step: the system, the times, the point and the probe.
 #[derive(Debug)]
 pub struct Step<'a, S: PhaseSpace<R>, R: Real, C, P> {
     /// The system with its parameters.
     pub system: &'a S,
     /// The time at which the step starts.
     pub t: R,
-    /// The time at which it ends, which is when the next one starts: t + h, but for rounding.
+    /// The time at which the step ends and the next step starts: t + h, except for rounding.
     pub end: R,
-    /// The point that is moved.
+    /// The point that the step moves.
     pub x: &'a mut Point<S::Phase, C, S::Action>,
-    /// Is shown every point at which the energy is evaluated.
+    /// Receives every point at which the energy is evaluated.
     pub probe: &'a mut P,
 }
 
 impl<'a, S: PhaseSpace<R>, R: Real, C, P> Step<'a, S, R, C, P> {
-    /// A moment of a step.
+    /// Returns a step of zero length at the time `t`.
     #[inline(always)]
     pub fn at(t: R, (system, x, probe): (&'a S, &'a mut Point<S::Phase, C, S::Action>, &'a mut P)) -> Self {
         Step { system, t, end: t, x, probe }
     }
 
-    /// This step, or a part of it between two times.
+    /// Returns the part of this step between two times.
     #[inline(always)]
     pub fn part(&mut self, [t, end]: [R; 2]) -> Step<'_, S, R, C, P> {
         Step { system: self.system, t, end, x: self.x, probe: self.probe }

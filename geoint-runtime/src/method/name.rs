@@ -1,30 +1,30 @@
-//! What methods are called, so that programs can choose one by what a person types.
+//! Names of methods, so that a program can select a method by its name.
 
 use core::fmt;
 
-/// So many methods may be within one another.
-const DEPTH: usize = 4;
+/// Largest number of nested methods in a name.
+const MAX_DEPTH: usize = 4;
 
 /// The name of a method, as in "BlanesMoan4" or "Yoshida4 of StormerVerlet".
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Name {
     /// From the outermost method to the innermost; empty at the end.
-    words: [&'static str; DEPTH],
+    words: [&'static str; MAX_DEPTH],
 }
 
 impl Name {
-    /// A single word.
+    /// Returns a name of one word.
     pub const fn new(word: &'static str) -> Self {
         Name { words: [word, "", "", ""] }
     }
 
-    /// "… of …". What is within more than four methods is not named.
+    /// Returns the name "`self` of `inner`". Words beyond the fourth are dropped.
     pub const fn of(mut self, inner: Name) -> Self {
         let (mut at, mut from) = (0, 0);
-        while at < DEPTH && !self.words[at].is_empty() {
+        while at < MAX_DEPTH && !self.words[at].is_empty() {
             at += 1;
         }
-        while at < DEPTH {
+        while at < MAX_DEPTH {
             self.words[at] = inner.words[from];
             (at, from) = (at + 1, from + 1);
         }

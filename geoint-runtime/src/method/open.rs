@@ -1,44 +1,47 @@
-//! What a step leaves open: its last flow and the first one of the next step are one flow while steps go on.
+//! The point before the last flow of a step. The last flow of a step and the first flow of the next one are merged.
 //!
-//! A state is the point behind the last flow. The next step begins before it again, so that a run has the same digits in single steps and in one
-//! call, and being looked at does not change it.
+//! A state is the point after the last flow. The next step continues from the point before it. A run therefore has the same digits in single steps and in
+//! one call, and reading a state does not change the run.
 
 use crate::scalar::zero;
 use crate::space::{Action, Array, PerCoordinate, Point, Record, Summation, Tape};
 
-/// The point from which a step goes on, if it begins where and when the one before ended.
+/// The point from which the next step continues, if it starts at the state and time at which the step before ended.
 #[derive(Clone, Copy, Debug)]
 pub struct Open<Z: Array, S> {
+    /// False before the first step.
     known: bool,
+    /// The point before the last flow.
     pub(in crate::method) from: PerCoordinate<Z, S>,
-    /// What sums had lost there.
-    pub(in crate::method) lost: PerCoordinate<Z, S>,
+    /// The compensation of sums at `from`.
+    pub(in crate::method) compensation: PerCoordinate<Z, S>,
+    /// The state at the end of the step.
     end: PerCoordinate<Z, S>,
-    /// When that step began and ended.
+    /// Start and end time of the step.
     times: [Z::Real; 2],
 }
 
 impl<Z: Array, S: Action<Z::Real>> Open<Z, S> {
-    /// There was no step yet.
+    /// Returns the value before the first step.
     pub(in crate::method) fn unknown() -> Self {
         let zeros = PerCoordinate::zero();
-        Open { known: false, from: zeros, lost: zeros, end: zeros, times: [zero(); 2] }
+        Open { known: false, from: zeros, compensation: zeros, end: zeros, times: [zero(); 2] }
     }
 
-    /// From this point the next step goes on.
+    /// Stores `x` as the point from which the next step continues.
     #[inline(always)]
     pub(in crate::method) fn leave<C: Summation<Z>>(&mut self, x: &Point<Z, C, S>) {
         self.from = PerCoordinate::of(x);
-        x.lost_to(&mut self.lost);
+        x.lost_to(&mut self.compensation);
     }
 
-    /// Where and when the step ends that left it, and when it began.
+    /// Stores the state at the end of the step, and its start and end time.
     #[inline(always)]
     pub(in crate::method) fn end<C: Summation<Z>>(&mut self, times: [Z::Real; 2], x: &Point<Z, C, S>) {
         (self.known, self.times, self.end) = (true, times, PerCoordinate::of(x));
     }
 
-    /// Whether `x` is the end, at time `t`, of the step that left a point to go on from: when that began. Sums then go on with what was lost there.
+    /// Returns the start time of the step before, if that step ended at the state `x` and the time `t`. The sums of `x` then get the stored compensation.
     #[inline(always)]
     pub(in crate::method) fn reopen<C: Summation<Z>>(&self, t: Z::Real, x: &mut Point<Z, C, S>) -> Option<Z::Real> {
         let [start, end] = self.times;
@@ -47,13 +50,13 @@ impl<Z: Array, S: Action<Z::Real>> Open<Z, S> {
         }
         let here = self.end.z.is_same(&x.z) & (self.end.s.numbers() == x.s.numbers());
         if here && !C::PLAIN {
-            (x.sums, x.compensation) = (C::new(), self.lost.s);
-            x.sums.compensate(&self.lost.z);
+            (x.sums, x.compensation) = (C::new(), self.compensation.s);
+            x.sums.compensate(&self.compensation.z);
         }
         here.then_some(start)
     }
 
-    /// The same, and `x` moves there.
+    /// Moves `x` to the stored point if [`reopen`](Self::reopen) returns a time. Returns this time.
     #[inline(always)]
     pub(in crate::method) fn return_to<C: Summation<Z>>(&self, t: Z::Real, x: &mut Point<Z, C, S>) -> Option<Z::Real> {
         let start = self.reopen(t, x);
@@ -68,7 +71,7 @@ impl<Z: Array, S: Action<Z::Real>> Record<Z::Real> for Open<Z, S> {
     fn record(&mut self, tape: &mut impl Tape<Z::Real>) {
         tape.flag(&mut self.known);
         self.from.record(tape);
-        self.lost.record(tape);
+        self.compensation.record(tape);
         self.end.record(tape);
         self.times.iter_mut().for_each(|t| tape.scalar(t));
     }

@@ -1,4 +1,4 @@
-//! States on constraints.
+//! Projects states onto constraints.
 
 use super::{Integrator, StepError};
 use crate::method::Method;
@@ -6,10 +6,11 @@ use crate::scalar::{Real, signed};
 use crate::space::{Array, Snapshot, Summation};
 use crate::system::{Constrained, StateOf, projected};
 
-/// The state nearest to another one that is on the constraints of a system.
+/// Returns the state nearest to `state` that satisfies the constraints of a system. Positions move, to first order, the shortest way in the metric of
+/// the mass matrix. Momenta become tangent.
 ///
 /// # Errors
-/// Where none is near, or constraints depend on each other.
+/// Fails if no such state is near, or if constraints depend on each other.
 pub fn state_on_constraint<S: Constrained<R>, R: Real>(
     system: &S,
     state: &StateOf<S, R>,
@@ -27,13 +28,13 @@ pub fn state_on_constraint<S: Constrained<R>, R: Real>(
 }
 
 impl<S: Constrained<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integrator<S, M, R, C> {
-    /// The state now with its momenta made tangent to the constraints, and positions on them.
+    /// Returns the present state with positions on the constraints and momenta tangent to them.
     ///
-    /// Momenta of [`DiscreteGradient`](crate::DiscreteGradient) are off by O(h²) at the ends of steps: compositions have their order in
-    /// these. The run goes on from the state that it has.
+    /// Momenta of [`DiscreteGradient`](crate::DiscreteGradient) are off by O(h²) at the ends of steps. Compositions reach their order in the
+    /// projected momenta. The run itself continues from its own state.
     ///
     /// # Errors
-    /// Where constraints depend on each other.
+    /// Fails if constraints depend on each other.
     pub fn state_on_constraint(&self) -> Result<StateOf<S, R>, StepError> {
         state_on_constraint(self.system(), &self.state())
     }

@@ -1,4 +1,4 @@
-//! Why a step was refused.
+//! Errors of steps, and reasons for refused steps of adaptive runs.
 
 use super::number::Number;
 use crate::method::Refusal;
@@ -7,20 +7,19 @@ use crate::space::Array;
 use crate::system::PhaseSpace;
 use core::fmt;
 
-/// Why a step was refused. The integrator still holds the last good state and may go on, for instance with a smaller
-/// step.
+/// Error of a step. The integrator still holds the last good state, and may continue, for instance with a smaller step.
 #[doc(alias = "error")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum StepError {
     /// The step size is zero, infinite or not a number.
     InvalidStepSize {
-        /// The step size as given.
+        /// Step size as given.
         h: f64,
     },
     /// A parameter of the system is not a number.
     InvalidParameter {
-        /// The name of the parameter.
+        /// Name of the parameter.
         name: &'static str,
     },
     /// The state given to the integrator is not finite.
@@ -28,17 +27,17 @@ pub enum StepError {
         /// Time of the state.
         t: f64,
     },
-    /// The state given to the integrator has velocities without a finite momentum ∂L/∂v of their own. The Lagrangian is not defined for these
-    /// velocities, such as those beyond that of light. Or another velocity has the same momentum, and is the velocity of the state.
+    /// The velocities of the state given to the integrator have no unique finite momentum ∂L/∂v. Either the Lagrangian is not defined for them, as
+    /// for velocities above that of light. Or another velocity has the same momentum, and is the velocity of the state.
     NoMomentum {
         /// Time of the state.
         t: f64,
     },
-    /// A quaternion of the state given to the integrator is not of length one: no attitude.
+    /// A quaternion of the state given to the integrator has a length other than one, so it is not an attitude.
     NotNormalised {
         /// Time of the state.
         t: f64,
-        /// The length.
+        /// Length of the quaternion.
         length: f64,
     },
     /// A step led from a finite state to one that is not finite.
@@ -46,17 +45,19 @@ pub enum StepError {
         /// Time of the last good state.
         t: f64,
     },
-    /// A stage of the step left the domain of a function in the energy, or came to its edge, where a derivative is not a number; or it
-    /// cannot be excluded that a pole of it lies on the straight line between the ends of an implicit step; or the energy jumps at the end of
-    /// a step that keeps it, or on the way of a step of a Taylor series.
+    /// The step meets a point where the energy is not defined. The cases are:
+    ///
+    /// - A stage of the step left the domain of a function in the energy, or reached its edge, where a derivative is not a number.
+    /// - A pole may lie on the straight line between the ends of an implicit step.
+    /// - The energy jumps at the end of a step that conserves it, or within a step of a Taylor series.
     OutsideDomain {
         /// Time of the last good state.
         t: f64,
-        /// The function and the term, as in "`ln` of a number that is not positive: 1 - q".
+        /// Function and term, as in "`ln` of a number that is not positive: 1 - q".
         what: &'static str,
     },
-    /// The implicit equation of the step has no solution that is continuous in h from h = 0 on: its matrix is singular, or an
-    /// unstable direction has been turned round.
+    /// The implicit equation of the step has no solution that is continuous in h from h = 0 on: its matrix is singular, or an unstable direction is
+    /// reversed.
     Singular {
         /// Time of the last good state.
         t: f64,
@@ -65,121 +66,121 @@ pub enum StepError {
     OffConstraint {
         /// Time of the state.
         t: f64,
-        /// What is not zero: the constraint, or its rate.
+        /// The expression that is not zero: the constraint or its rate.
         what: &'static str,
     },
-    /// The gradients of constraints depend on each other at the state given to the integrator, or on the way of a step: more than one way
-    /// leads on from there.
+    /// The gradients of constraints are linearly dependent at the state given to the integrator, or within a step. The motion is then not unique.
     DependentConstraints {
         /// Time of the last good state.
         t: f64,
         /// A constraint that depends on others.
         what: &'static str,
     },
-    /// An increment is orthogonal to the direction along which it is to change the energy: [`CoordinateIncrement`] has no step.
+    /// The increment is orthogonal to the direction along which [`CoordinateIncrement`] changes the energy, so the method has no step.
     ///
     /// [`CoordinateIncrement`]: crate::CoordinateIncrement
     SingularDirection {
         /// Time of the last good state.
         t: f64,
     },
-    /// An angle `atan2(y, x)` moves by more than half a turn in the step, or passes the point at which it is not defined: divided differences
-    /// of a function that reads the angle do not follow it.
+    /// An angle `atan2(y, x)` moves by more than half a turn in the step, or passes the point at which it is undefined. Divided differences of a
+    /// function of the angle are then wrong.
     Turned {
         /// Time of the last good state.
         t: f64,
-        /// The formula of the angle.
+        /// Formula of the angle.
         what: &'static str,
     },
-    /// Rounding in the step changes what it keeps by more than its last digits: a coordinate in which that is steep becomes smaller or larger by
-    /// orders of magnitude, gradients are nearly parallel, or a force jumps.
+    /// Rounding in the step changes conserved quantities by more than their last digits. Possible causes: a coordinate on which they depend steeply
+    /// changes by orders of magnitude, gradients are nearly parallel, or a force jumps.
     Rounded {
         /// Time of the last good state.
         t: f64,
     },
-    /// A projection would have to lead back more than half of the step: the step ended far from the invariants of its start. What it would be
-    /// led to could be any other state with the same invariants.
+    /// A projection would have to undo more than half of the step, because the step ended far from the invariants of its start. The projected state
+    /// could be any other state with the same invariants.
     LedAstray {
         /// Time of the last good state.
         t: f64,
     },
-    /// The energy, or another invariant that the method keeps, is too small or too large for the scalar: products of coordinates and forces
-    /// underflow or overflow.
+    /// The energy, or another invariant of the method, is too small or too large for the scalar: products of coordinates and forces underflow or
+    /// overflow.
     OutOfRange {
         /// Time of the last good state.
         t: f64,
     },
-    /// The exact flow of a piece of the energy ends within the step: it has a pole there, or its coefficient is singular; or it goes round so
-    /// often that no digit of where is known.
+    /// The exact flow of a part of the energy ends within the step: it has a pole there, or its coefficient is singular. Or it makes so many turns
+    /// that no digit of the result is known.
     Pole {
         /// Time of the last good state.
         t: f64,
-        /// The piece.
+        /// The part of the energy.
         piece: &'static str,
     },
-    /// A plane has no step of this size, or none that was found.
+    /// No step of this size was found in a plane; there may be none.
     Unsolved {
         /// Time of the last good state.
         t: f64,
-        /// The two coordinates that move in it.
+        /// The two coordinates of the plane.
         plane: &'static str,
     },
     /// The implicit equation of the step was not solved to rounding.
     NotConverged {
         /// Time of the last good state.
         t: f64,
-        /// Iterations spent.
+        /// Number of iterations.
         iterations: u32,
-        /// The last correction, relative to what it corrects.
+        /// Last correction, relative to the corrected value.
         correction: f64,
     },
     /// The relative tolerance is not between 0 and 1, or an absolute one is negative or not finite.
     InvalidTolerance {
-        /// The tolerance as given.
+        /// Tolerance as given.
         tolerance: f64,
     },
-    /// There is no step between these lengths, of which the shorter one is given first; both as they were given, without their signs.
+    /// The bounds admit no step. Both are absolute values of the given lengths.
     InvalidBounds {
-        /// The shortest length.
+        /// Shortest length.
         shortest: f64,
-        /// The longest one.
+        /// Longest length.
         longest: f64,
     },
-    /// A Taylor series of so low an order has no estimate of its error.
+    /// A Taylor series of this low order has no estimate of its error.
     InvalidOrder {
-        /// The order as given.
+        /// Order as given.
         order: usize,
     },
-    /// A state was asked for at a time before the last step.
+    /// The requested time lies before the last step.
     TimePassed {
-        /// The time as given.
+        /// Time as given.
         t: f64,
     },
-    /// A function whose changes of sign are events is not a number, or is zero all along.
+    /// An event function is not a number, or is identically zero.
     NoEvent {
-        /// Time of the state at which that is so.
+        /// Time of the state where this was found.
         t: f64,
     },
-    /// The time to end at was not reached in as many steps as are allowed; the state is the one after them.
+    /// The end time was not reached within the allowed number of steps. The state is the one after them.
     TooManySteps {
         /// Time of the last good state.
         t: f64,
-        /// The number of steps.
+        /// Number of steps.
         steps: u64,
     },
-    /// Not even the shortest step that is allowed, or that changes time at all, could be taken.
+    /// Even the shortest step was refused. Its length is the allowed minimum, or the resolution of time.
     StepTooSmall {
         /// Time of the last good state.
         t: f64,
-        /// The step that was refused last.
+        /// Length of the step that was refused last.
         h: f64,
-        /// Why it was refused.
+        /// Reason for the refusal.
         reason: Reason,
     },
 }
 
 impl StepError {
-    /// Returns the time of the last good state, or the time that the error names. `None` for errors of settings: lengths of steps, tolerances, orders, parameters.
+    /// Returns the time of the last good state, or the time that the error names. Returns `None` for errors of settings: step sizes, tolerances,
+    /// orders, parameters.
     pub const fn time(&self) -> Option<f64> {
         match self {
             StepError::NonFiniteState { t, .. }
@@ -215,7 +216,7 @@ impl StepError {
         system.invalid_parameter().map_or(Ok(()), |name| Err(StepError::InvalidParameter { name }))
     }
 
-    /// Of a state with an entry that is not finite.
+    /// Returns the error of a state with an entry that is not finite.
     pub(super) fn not_finite<S: PhaseSpace<R>, R: Real>(t: R, z: &S::Phase) -> StepError {
         let (t, [positions, momenta]) = (signed(t), z.as_slice().split_at(S::Phase::LEN / 2).into());
         let finite = |entries: &[R]| entries.iter().all(|x| x.magnitude() < f64::INFINITY);
@@ -226,7 +227,7 @@ impl StepError {
         }
     }
 
-    /// Of a step from a time on that has no result.
+    /// Returns the error of a step from time `t` that has no result.
     pub(super) fn refused(refusal: Refusal, t: f64) -> StepError {
         match refusal {
             Refusal::Singular => StepError::Singular { t },
@@ -242,60 +243,60 @@ impl StepError {
     }
 }
 
-/// Why a step of an adaptive integrator was refused.
+/// Reason for refusing a step of an adaptive run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Reason {
     /// The estimated error is beyond the tolerance.
     Inaccurate {
-        /// The estimate, in units of what is tolerated.
+        /// Estimated error in units of the tolerance.
         error: f64,
     },
-    /// It evaluates the energy where that is not defined, or a pole on its way cannot be excluded, or the energy jumps there.
+    /// The step evaluates the energy outside of its domain, or the energy may have a pole or a jump within the step.
     OutsideDomain {
-        /// The function and the term.
+        /// Function and term.
         what: &'static str,
     },
-    /// It leads to a state that is not finite.
+    /// The step leads to a state that is not finite.
     NonFinite,
-    /// Its implicit equation has no solution that is continuous in h from h = 0 on.
+    /// The implicit equation of the step has no solution that is continuous in h from h = 0 on.
     Singular,
-    /// It moves at right angles to the gradient along which it is to change the energy.
+    /// The increment is orthogonal to the gradient along which the step changes the energy.
     SingularDirection,
-    /// Rounding in it changes what it keeps by more than its last digits.
+    /// Rounding in the step changes conserved quantities by more than their last digits.
     Rounded,
-    /// An angle moves by more than half a turn in it, or passes the point at which it is not defined.
+    /// An angle moves by more than half a turn in the step, or passes the point at which it is undefined.
     Turned {
-        /// The formula of the angle.
+        /// Formula of the angle.
         what: &'static str,
     },
-    /// A projection would have to lead back more than half of it.
+    /// A projection would have to undo more than half of the step.
     LedAstray,
-    /// What it keeps is too small or too large for the scalar.
+    /// A conserved quantity is too small or too large for the scalar.
     OutOfRange,
-    /// Constraints depend on each other on its way.
+    /// Constraints depend on each other within the step.
     DependentConstraints {
         /// A constraint that depends on others.
         what: &'static str,
     },
-    /// The exact flow of a piece of the energy ends within it.
+    /// The exact flow of a part of the energy ends within the step.
     Pole {
-        /// The piece.
+        /// The part of the energy.
         piece: &'static str,
     },
-    /// A plane has no step of this size, or none that was found.
+    /// No step of this size was found in a plane; there may be none.
     Unsolved {
-        /// The two coordinates that move in it.
+        /// The two coordinates of the plane.
         plane: &'static str,
     },
-    /// Its implicit equation was not solved to rounding.
+    /// The implicit equation of the step was not solved to rounding.
     NotConverged,
-    /// The Taylor series of the solution does not converge in it: there is a pole of the solution, or a collision.
+    /// The Taylor series of the solution does not converge within the step: the solution has a pole or a collision there.
     Diverges,
-    /// The rates of the state from which it starts are not finite, nor is a parameter perhaps.
+    /// The rates of the state at the start are not finite. A parameter may not be finite either.
     NoRates,
-    /// A condition of the energy has changed sides at the ends of many steps in a row, in no time to speak of, and does so at both its ends: the
-    /// solution does not leave the place where it does.
+    /// A condition of the energy changes at the ends of many steps in a row, within a negligible time, and both sides lead back to it. The solution
+    /// cannot leave this surface.
     Sliding,
 }
 

@@ -1,22 +1,22 @@
-//! Where runs start, for systems written by hand and in other scalars: generated systems have the same functions of their own.
+//! Starts runs of systems that are written by hand, or that use other scalars. Generated systems have inherent functions of the same names.
 
 use super::{Adaptive, Integrator};
 use crate::method::Method;
 use crate::scalar::Real;
 use crate::system::{PhaseSpace, Rates, StateOf};
 
-/// A system that can be put under a method.
+/// A system that an integrator can run.
 pub trait IntoIntegrator<R: Real = f64>: PhaseSpace<R> {
-    /// This system under a method, with step size `h` (negative to go back in time), from `state` on.
+    /// Integrates this system with a method and a fixed step size `h`, from `state` on. A negative `h` goes back in time.
     ///
-    /// Nothing is checked yet: an unusable `h` or state is reported by the first step.
+    /// Nothing is checked yet: the first step reports an unusable `h` or state.
     fn integrator<M: Method<Self, R>>(self, method: M, h: R, state: StateOf<Self, R>) -> Integrator<Self, M, R> {
         Integrator::new(self, method, h, state)
     }
 
-    /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
+    /// Integrates this system with a method whose step size adapts to the tolerance, from `state` on.
     ///
-    /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
+    /// Nothing is checked yet: the first step reports an unusable tolerance or state.
     fn adaptive<M: Method<Self, R>>(self, method: M, tolerance: f64, state: StateOf<Self, R>) -> Adaptive<Self, M, R>
     where
         Self: Rates<R>,

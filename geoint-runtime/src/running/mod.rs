@@ -1,4 +1,4 @@
-//! A system under a method: fixed steps, steps that adapt, what they return, and why they stop.
+//! Integration of a system: fixed and adaptive steps, Taylor series, dense output, events, and errors.
 
 mod adaptive;
 mod constraints;

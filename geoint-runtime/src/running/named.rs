@@ -1,4 +1,4 @@
-//! A run whose method is named while the program runs.
+//! Runs whose method is chosen by name at run time.
 
 use super::{Bits, Integrator, Resumable};
 use crate::method::{Method, Visitor};
@@ -6,10 +6,10 @@ use crate::system::{PhaseSpace, StateOf};
 use alloc::boxed::Box;
 use alloc::string::String;
 
-/// A run behind a pointer, whatever its method, which can be saved.
+/// A boxed run under any method. It can be saved.
 pub type DynTrajectory<S, R = f64> = Box<dyn Resumable<State = StateOf<S, R>>>;
 
-/// Starts the method of a given name among those of the [`catalogue`](crate::method::catalogue) that it is shown.
+/// Starts the method of a given name. The candidates are the methods that functions of the [`catalogue`](crate::method::catalogue) pass to it.
 ///
 /// ```
 /// use geoint_runtime::method::catalogue;
@@ -41,12 +41,12 @@ pub struct Named<S: PhaseSpace<R>, R: Bits = f64> {
 }
 
 impl<S: PhaseSpace<R>, R: Bits> Named<S, R> {
-    /// A system that will run under the method `name`, with step size `h`, from `start` on. `Gauss::<3>` and `Gauss<3>` name the same method.
+    /// Prepares a run of `system` under the method `name`, with step size `h`, from `start` on. `Gauss::<3>` and `Gauss<3>` name the same method.
     pub fn new(name: &str, system: S, h: R, start: StateOf<S, R>) -> Self {
         Named { name: name.replace("::<", "<"), system, h, start, run: None }
     }
 
-    /// The run, if the method was among those shown.
+    /// Returns the run, if one of the candidates has this name.
     pub fn run(self) -> Option<DynTrajectory<S, R>> {
         self.run
     }

@@ -1,11 +1,11 @@
-//! Numbers in messages: very large and very small numbers are written with an exponent.
+//! Formats numbers in messages. Very large and very small numbers have an exponent.
 
 use core::fmt;
 
-/// Magnitudes in this range are written in decimal form. The range is that of `{:?}`.
+/// Magnitudes in this range are written in decimal form, like in `{:?}`.
 const DECIMAL: core::ops::Range<f64> = 1e-5..1e16;
 
-/// A number as messages write it.
+/// Wraps a number for display in messages.
 pub(super) struct Number(pub(super) f64);
 
 impl fmt::Display for Number {

@@ -1,9 +1,9 @@
-//! States along a trajectory, written once for every run. Output never changes the steps of a run with fixed ones.
+//! Iterators over states along a trajectory, for every run. Output never changes the steps of a run with fixed steps.
 
 use super::StepError;
 use super::trajectory::{Scalar, Trajectory};
 
-/// The state after every step to a time; ends there, or after the first error.
+/// Iterator over the states after every step to a time. Ends there, or after the first error.
 #[derive(Debug)]
 pub struct Until<'a, T: Trajectory> {
     run: &'a mut T,
@@ -36,7 +36,7 @@ impl<T: Trajectory> Iterator for Until<'_, T> {
     }
 }
 
-/// The state after every so many steps, without end but for the first error.
+/// Endless iterator over the states after a fixed number of steps each. Ends only after the first error.
 #[derive(Debug)]
 pub struct Samples<'a, T> {
     run: &'a mut T,
@@ -51,7 +51,7 @@ impl<'a, T> Samples<'a, T> {
 }
 
 impl<T: Trajectory> Samples<'_, T> {
-    /// Out of line: a step alone, which is less code, then stays in the caller's loop.
+    /// Not inlined, so that only the code of a single step is in the loop of the caller.
     #[inline(never)]
     fn many(&mut self) -> Result<(), StepError> {
         self.run.advance(self.stride)
@@ -77,7 +77,7 @@ impl<T: Trajectory> Iterator for Samples<'_, T> {
     }
 }
 
-/// The states at given times; ends with them, or after the first error.
+/// Iterator over states at given times. Ends with the last time, or after the first error.
 #[derive(Debug)]
 pub struct StatesAt<'a, T, I> {
     run: &'a mut T,

@@ -1,13 +1,13 @@
-//! Which event functions had their event at the present time.
+//! Event functions that had their event at the present time.
 
 use crate::scalar::{Real, zero};
 #[cfg(feature = "alloc")]
 use crate::space::{Record, Tape};
 
-/// The functions that `until_event` has reported at one time.
+/// Functions that `until_event` has reported at one time.
 ///
-/// Several functions may be zero at one time: a ball in a corner, or bodies that touch. A search that starts at an event reports the functions that
-/// were not reported yet, and does not report the others again.
+/// Several functions may be zero at the same time, for example for a ball in a corner, or for bodies in contact. A search that starts at an event
+/// reports the functions that were not reported yet, and does not report the others again.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reported<R> {
     /// Whether there was an event.
@@ -35,10 +35,10 @@ impl<R: Real> Reported<R> {
         self.any && self.t == t
     }
 
-    /// Returns whether a function that leaves zero at the time of the last event has an event there, too. It has none if it had one already. A function
-    /// that leaves to the side that does not count may have an event there later.
+    /// Returns whether a function that leaves zero at the time of the last event has an event there, too. A function that was already reported has
+    /// none. A function that leaves to the side that does not count may have an event there later.
     ///
-    /// Functions from the 65th on have none.
+    /// Functions from index 64 on have none.
     pub(super) fn takes(&mut self, function: usize, counts: bool) -> bool {
         if !counts {
             self.functions &= !bit(function);
@@ -47,7 +47,7 @@ impl<R: Real> Reported<R> {
     }
 }
 
-/// The lower half of a word.
+/// Mask of the lower half of a word.
 #[cfg(feature = "alloc")]
 const LOWER: u64 = u32::MAX as u64;
 
@@ -56,7 +56,7 @@ impl<R: Real> Record<R> for Reported<R> {
     fn record(&mut self, tape: &mut impl Tape<R>) {
         tape.flag(&mut self.any);
         tape.scalar(&mut self.t);
-        // In halves: no word that stands for a number may be one that is not finite.
+        // Stored in halves, so that no word has the bits of a number that is not finite.
         let mut halves = [self.functions & LOWER, self.functions >> 32];
         for half in &mut halves {
             tape.count(half);
@@ -66,7 +66,7 @@ impl<R: Real> Record<R> for Reported<R> {
     }
 }
 
-/// The bit of a function; zero if it has none.
+/// Returns the bit of a function; zero if it has none.
 fn bit(function: usize) -> u64 {
     1_u64.checked_shl(function as u32).unwrap_or(0)
 }
@@ -84,7 +84,7 @@ mod tests {
         assert!(reported.takes(0, true) && !reported.takes(2, true));
         reported.add(1.0, 0);
         assert!(!reported.takes(0, true) && !reported.takes(2, true));
-        // The function has turned, and turns again.
+        // The function has changed its direction, and changes it again.
         assert!(!reported.takes(2, false) && reported.takes(2, true));
         reported.add(2.0, 63);
         assert!(!reported.is_at(1.0) && reported.takes(2, true));

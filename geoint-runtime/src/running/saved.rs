@@ -1,4 +1,4 @@
-//! Runs that are saved and go on elsewhere, bit for bit.
+//! Saves runs, and resumes them bit for bit.
 
 use super::Trajectory;
 use crate::scalar::Real;
@@ -7,64 +7,73 @@ use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use core::fmt;
 
-/// The layout of [`Saved::words`]. It changes where a run of an earlier version could not go on.
+/// Version of the layout of [`Saved::words`]. It changes if a saved run of an earlier version could not be resumed.
 pub const FORMAT: u32 = 9;
 
-/// A run at a moment: what steps hand on to the next one, as words of bits.
+/// A saved run: all data that steps hand on to the next step, as words of bits.
 ///
-/// System, method and tolerances are not part of it: the program that goes on makes a run of the same kind, which then takes over time, step
-/// size, state, what its sums have lost, and what its method remembers. With the feature `serde` it is written and read in every
-/// format; numbers are whole ones, so that no format rounds them.
+/// System, method and tolerances are not included. The program that resumes a run builds a run of the same kind. This run then takes over time, step
+/// size, state, the rounding errors of compensated sums, and the history of the method. With the feature `serde`, it can be
+/// written and read in every format of serde. All words are integers, so no format rounds them.
 ///
 /// # Words
 ///
-/// A scalar is its bits (`f64::to_bits`; those of `f32` in the lower half), a whole number is itself, an answer is 0 or 1; what may be missing
-/// has an answer before it. An [`Integrator`](crate::Integrator) has, in this order:
+/// A scalar is stored as its bits (`f64::to_bits`; those of `f32` in the lower half). An integer is stored as itself, a boolean as 0 or 1. An
+/// optional value has a boolean before it. An [`Integrator`](crate::Integrator) has, in this order:
 ///
-/// 1. t₀ in two words, h, the number of steps of length h since t₀, and the time that a call asked for, if it equals the present but for rounding;
-/// 2. three numbers of steps: all; those before the user gave a state; those before the state was last set, by the user or at an event. Then whether the
-///    point is in the coordinates of the method (see [`Method::INNER`](crate::Method::INNER)). Methods that keep invariants add all coordinates of
-///    the state that the user gave;
-/// 3. the point: all coordinates, the action, what the sums of both have lost, by how much time is ahead in two words, 0;
-/// 4. the memory of the method: its [`Record`](crate::space::Record);
+/// 1. t₀ in two words, h, the number of steps of length h since t₀, and the time requested by a call, if it equals the present time up to rounding;
+/// 2. three numbers of steps: all; those before the user gave a state; those before the state was last set, by the user or at an event. Then a
+///    boolean: whether the point is the inner point of the method (see [`Method::INNER`](crate::Method::INNER)). Methods that conserve invariants
+///    add all coordinates of the state that the user gave;
+/// 3. the point: all coordinates, the action, the rounding errors of both sums, the lead of time in two words, 0;
+/// 4. the history of the method: its [`Record`](crate::space::Record);
 /// 5. whether `until_event` found an event, the time of the last one, and a bit for each function that had an event then, in two words of 32 bits.
 ///
-/// An [`Adaptive`](crate::Adaptive) run has 1; steps taken, their number when the user gave a state, steps rejected, and the same coordinates; 3; the largest magnitude of each coordinate, errors
-/// caused in it, and the longest time in which the state changes; the length of the next step by its rung, its direction, the last error, and
-/// whether the last step was rejected; for which length the method was prepared last; 4 for whole steps and for halves; 5. A
-/// [`TaylorIntegrator`](crate::TaylorIntegrator) has 1, 3, steps taken, their number when the user gave a state, the direction, largest magnitudes, the length of the last step, and
-/// of those in a row that ended at conditions how many went nowhere, and 5; its coefficients are computed anew.
+/// An [`Adaptive`](crate::Adaptive) run has:
+///
+/// - 1; the number of steps taken, their number when the user gave a state, the number of rejected steps, and the coordinates as in 2; 3;
+/// - the largest magnitude of each coordinate, the errors caused in it, and the longest time in which the state changes;
+/// - the rung of the next step length, its direction, the last error, whether the last step was rejected, and the time in which the first state
+///   changes;
+/// - the length of the coefficients computed last, and the number and longest length of the steps with informative errors;
+/// - 4 for whole steps and for halves; 5.
+///
+/// A [`TaylorIntegrator`](crate::TaylorIntegrator) has:
+///
+/// - 1, 3, 4, the unit of time of the coefficients, the number of steps taken, and their number when the user gave a state;
+/// - the direction, the largest magnitudes, and the length of the last step;
+/// - the record of the changes of conditions (six words), and 5. The coefficients are recomputed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Saved {
     /// [`FORMAT`].
     pub format: u32,
-    /// The name of the method.
+    /// Name of the method.
     pub method: String,
-    /// The bits of a scalar.
+    /// Number of bits of a scalar.
     pub bits: u32,
-    /// All numbers.
+    /// All words.
     pub words: Vec<u64>,
 }
 
-/// Why a run can not go on from what was saved. It is then as it was.
+/// Reason why a run cannot be resumed. The run that was to take over is unchanged.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ResumeError {
-    /// It was saved in another format.
+    /// The run was saved in this other format.
     Format(u32),
-    /// It is that of another method.
+    /// The run has this other method.
     Method(String),
-    /// Its scalars have so many bits.
+    /// The scalars of the run have this number of bits.
     Scalar(u32),
-    /// There are more or fewer words than this run has: the system is another one, or its sums are.
+    /// The number of words differs, so the system or the kind of sums is another one.
     Words {
-        /// Of this run.
+        /// Number of words of this run.
         expected: usize,
-        /// That were saved.
+        /// Number of words that were saved.
         found: usize,
     },
-    /// One of its numbers, or the time that follows from them, is not finite.
+    /// A number of the run, or the time that follows from its numbers, is not finite.
     NonFinite,
 }
 
@@ -87,13 +96,13 @@ impl fmt::Display for ResumeError {
 
 impl core::error::Error for ResumeError {}
 
-/// A scalar that is a word of bits.
+/// A scalar that can be stored as a word of bits.
 pub trait Bits: Real {
-    /// How many.
+    /// Number of bits.
     const BITS: u32;
-    /// The bits.
+    /// Returns the bits.
     fn to_word(self) -> u64;
-    /// From bits.
+    /// Returns the scalar with these bits.
     fn from_word(word: u64) -> Self;
 }
 
@@ -117,18 +126,18 @@ impl Bits for f32 {
     }
 }
 
-/// A run that can be saved.
+/// Implementation of saving for one kind of run.
 pub trait Recorded: Clone {
     type Real: Bits;
-    /// The name of its method.
+    /// Returns the name of the method.
     fn name(&self) -> crate::method::Name;
-    /// Shows everything that changes from step to step.
+    /// Passes all data that change from step to step to `tape`.
     fn record(&mut self, tape: &mut impl Tape<Self::Real>);
-    /// What follows from that is computed anew; whether the state, the time too, is finite.
+    /// Recomputes all data that follow from the recorded ones. Returns whether the state and the time are finite.
     fn complete(&mut self) -> bool;
 }
 
-/// A run that can be saved: all of them, also `dyn Resumable<State = State<f64>>`, whose method is chosen while the program runs.
+/// A run that can be saved. All runs can, also `dyn Resumable<State = State<f64>>`, whose method is chosen at run time.
 ///
 /// ```
 /// use geoint_runtime::prelude::*;
@@ -152,14 +161,14 @@ pub trait Recorded: Clone {
 /// ```
 #[doc(alias("checkpoint", "serialize"))]
 pub trait Resumable: Trajectory {
-    /// The run now, to go on from later: [`Saved`] says what it holds.
+    /// Saves the present run. [`Saved`] describes the content.
     fn saved(&self) -> Saved;
 
-    /// Goes on from what was saved of a run of the same system under the same method, with the same kind of sums. Time and a fixed step size are
-    /// those of that run; tolerances, bounds and the order of a Taylor series are those of this one, which knows no last step to look into.
+    /// Continues from a saved run of the same system under the same method, with the same kind of sums. Time and a fixed step size are those of the
+    /// saved run. Tolerances, bounds and the order of a Taylor series are those of this run. Its last step is not available for dense output.
     ///
     /// # Errors
-    /// If this is another kind of run; nothing has changed then.
+    /// Fails if the saved run is of another kind. This run is then unchanged.
     fn resume(&mut self, saved: &Saved) -> Result<(), ResumeError>;
 }
 
@@ -206,11 +215,11 @@ impl<R: Bits> Tape<R> for Writer {
     }
 }
 
-/// Where words have come to an end nothing is changed, and the count goes on.
+/// Reads words. After the last word, nothing is changed, but the count continues.
 struct Reader<'a> {
     words: &'a [u64],
     read: usize,
-    /// Whether all numbers so far are: no run has others from its first step on.
+    /// Whether all numbers so far are finite. After its first step, no run contains other numbers.
     finite: bool,
 }
 

@@ -1,21 +1,21 @@
-//! What rounding changes over many steps, taken away.
+//! Removes the drift by rounding over many steps.
 
 use crate::method::Method;
 use crate::scalar::Real;
 use crate::space::{Point, Snapshot, Summation, normalisation};
 use crate::system::PhaseSpace;
 
-/// Steps between two times that a run is settled, and between two looks at whether its state is still finite. A number that is not finite stays so
-/// under every flow q ← q + …, p ← p + …, so looking now and then misses nothing; the price of a look is paid once in so many steps.
-pub(super) const STEPS_BETWEEN_LOOKS: u64 = 1024;
+/// Number of steps between two removals of drift, and between two checks that the state is finite. A non-finite number remains so under every flow q
+/// ← q + …, p ← p + …, so rare checks find it.
+pub(super) const STEPS_BETWEEN_CHECKS: u64 = 1024;
 
-/// Whether there is anything to settle.
-pub(super) const fn settles<S: PhaseSpace<R>, M: Method<S, R>, R: Real>() -> bool {
+/// Returns whether there is drift to remove: attitudes, or invariants that the method keeps.
+pub(super) const fn has_drift<S: PhaseSpace<R>, M: Method<S, R>, R: Real>() -> bool {
     S::State::ATTITUDES || M::KEEPS
 }
 
-/// The point with attitudes of length 1, and what the method keeps as it was at the origin.
-pub(super) fn settled<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>>(
+/// Returns the point with attitudes normalised to length 1, and with the kept invariants at their values at the origin of the run.
+pub(super) fn without_drift<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>>(
     (system, prepared): (&S, &M::Prepared),
     origin: &S::Phase,
     x: &Point<S::Phase, C, S::Action>,

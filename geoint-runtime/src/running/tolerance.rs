@@ -1,37 +1,37 @@
-//! Which error of a step is tolerated, coordinate by coordinate?
+//! Tolerated error of a step in each coordinate.
 
 use crate::scalar::{Real, signed};
 use crate::solving::rounding::ROUNDINGS;
 use crate::solving::size::largest;
 use crate::space::{Action, Array, PerCoordinate, Record, Tape};
 
-/// For so many of the times in which a start changes by itself errors act on other coordinates: later on a step over the part that it takes is as
-/// long, 3 to 7 of them. With 1 and 2 a chain with a wave took 2.2 and 1.4 times as many steps.
+/// Number of times of change of the initial state during which errors act on other coordinates. In later steps, step length over expected part is 3
+/// to 7 of these times. With 1 and 2, a chain with a wave took 2.2 and 1.4 times as many steps.
 pub(crate) const REACH: f64 = 4.0;
 
-/// The tolerance of a step's error in every coordinate: a part of the largest magnitude that the coordinate has had, and
-/// an absolute error.
+/// Tolerated error of a step in every coordinate: a part of the largest magnitude that the coordinate has had, plus an absolute error.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Tolerance<A, Z> {
     pub(crate) relative: f64,
     pub(crate) absolute: PerCoordinate<A, Z>,
-    /// The largest magnitude that a coordinate has had.
+    /// Largest magnitude that each coordinate has had.
     pub(crate) sizes: PerCoordinate<A, Z>,
-    /// Of what errors of other coordinates cause in it, over the tolerance.
+    /// Error that the tolerated errors of other coordinates cause in each coordinate, divided by the relative tolerance.
     caused: PerCoordinate<A, Z>,
-    /// The longest time so far in which the state changes.
+    /// Longest time of change of the state so far.
     longest: f64,
-    /// Whether errors are a small part of what the length of a step lets expect: long steps then say nothing of the time in which the state changes.
-    small: bool,
+    /// Whether errors are much smaller than the step length suggests, as for perturbation methods. A long step then gives no estimate of the time of
+    /// change.
+    errors_are_small: bool,
 }
 
-/// A step as its error is judged.
+/// Data by which the error of a step is judged.
 pub(crate) struct Judged<'a, A, Z> {
-    /// What part of the time it takes in which the state changes.
+    /// Expected step length divided by the time in which the state changes.
     pub(crate) part: f64,
     pub(crate) before: &'a PerCoordinate<A, Z>,
     pub(crate) after: &'a PerCoordinate<A, Z>,
-    /// The estimated error.
+    /// Estimated error.
     pub(crate) gap: &'a PerCoordinate<A, Z>,
 }
 
@@ -44,25 +44,25 @@ impl<A: Array, Z: Action<A::Real>> Record<A::Real> for Tolerance<A, Z> {
 }
 
 impl<A: Array, Z: Action<A::Real>> Tolerance<A, Z> {
-    pub(crate) fn new(relative: f64, small: bool) -> Self {
+    pub(crate) fn new(relative: f64, errors_are_small: bool) -> Self {
         let zero = PerCoordinate::zero();
-        Tolerance { relative, absolute: zero, sizes: zero, caused: zero, longest: 0.0, small }
+        Tolerance { relative, absolute: zero, sizes: zero, caused: zero, longest: 0.0, errors_are_small }
     }
 
-    /// Includes a point from which a run goes on.
+    /// Includes a point from which a run continues.
     pub(crate) fn start(&mut self, x: &PerCoordinate<A, Z>) {
         keep(&mut self.sizes, x);
     }
 
-    /// A tolerance that is none.
+    /// Returns an unusable tolerance, if there is one.
     pub(crate) fn unusable(&self) -> Option<f64> {
         let negative = |x: &A::Real| x.any_below(0.0) || !x.magnitude().is_finite();
         let absolute = self.absolute.numbers().find(negative).map(signed);
         if is_part(self.relative) { absolute } else { Some(self.relative) }
     }
 
-    /// The size by which a coordinate is measured in a step to `after`: one that was zero so far has the size that it reaches at this
-    /// speed in the time in which the state changes.
+    /// Returns the size of a coordinate in a step to `after`. A coordinate that was zero so far is extrapolated: its size is the value that it
+    /// reaches at this speed within the time in which the state changes.
     fn size(&self, i: usize, after: f64, part: f64) -> f64 {
         match self.sizes.at(i).magnitude() {
             0.0 => after / part,
@@ -70,14 +70,14 @@ impl<A: Array, Z: Action<A::Real>> Tolerance<A, Z> {
         }
     }
 
-    /// Whether a coordinate is not zero for the first time.
+    /// Returns whether a coordinate leaves zero for the first time.
     #[inline(always)]
     pub(crate) fn is_first_motion(&self, after: &PerCoordinate<A, Z>) -> bool {
         let moves = |(size, x): (A::Real, A::Real)| size.magnitude() == 0.0 && x.magnitude() > 0.0;
         self.sizes.numbers().zip(after.numbers()).any(moves)
     }
 
-    /// Includes a step from one point to another, which is a part of the time in which the state changes.
+    /// Includes a step between two points. Its length is `part` of the time in which the state changes.
     pub(crate) fn include(
         &mut self,
         [before, after]: [&PerCoordinate<A, Z>; 2],
@@ -93,7 +93,7 @@ impl<A: Array, Z: Action<A::Real>> Tolerance<A, Z> {
         self.changes_in((h.abs() / part).min(f64::MAX), before, rates);
     }
 
-    /// The state at `x` changes in so long a time: what is caused within it is measured if it is longer than all before.
+    /// Updates the caused errors, if the state changes in a longer time than any before.
     pub(crate) fn changes_in(
         &mut self,
         time: f64,
@@ -102,22 +102,22 @@ impl<A: Array, Z: Action<A::Real>> Tolerance<A, Z> {
     ) {
         if time > self.longest && time < f64::INFINITY {
             self.longest = time;
-            let pace = if self.small { self.pace(&rates(x)) } else { f64::INFINITY };
+            let pace = if self.errors_are_small { self.pace(&rates(x)) } else { f64::INFINITY };
             self.cause(x, time.min(pace), rates);
         }
     }
 
-    /// The time in which the coordinate that changes fastest does so by itself.
+    /// Returns the shortest time in which a coordinate changes by its own size.
     #[cold]
     fn pace(&self, rates: &PerCoordinate<A, Z>) -> f64 {
         let moving = (0..PerCoordinate::<A, Z>::LEN).filter(|i| self.sizes.at(*i).magnitude() > 0.0);
         moving.map(|i| self.sizes.at(i).magnitude() / rates.at(i).magnitude()).fold(f64::INFINITY, f64::min)
     }
 
-    /// What tolerated errors of some coordinates cause in others within the time in which the state changes is tolerated there as
-    /// well: a motion that has not reached a coordinate yet, or is nothing but rounding there, does not hold up the others.
+    /// Estimates the error that the tolerated errors of some coordinates cause in the others within `time`. This error is tolerated there as well.
+    /// Without it, a coordinate that a motion has not reached yet, or that contains only rounding, would force tiny steps.
     ///
-    /// It is measured at a start, whatever the length of the first step, and while steps become longer than all before.
+    /// Computed at the start of a run, and whenever a time of change exceeds all before.
     #[cold]
     fn cause(
         &mut self,
@@ -126,10 +126,10 @@ impl<A: Array, Z: Action<A::Real>> Tolerance<A, Z> {
         rates: impl Fn(&PerCoordinate<A, Z>) -> PerCoordinate<A, Z>,
     ) {
         let (here, mut sizes) = (rates(x), *x);
-        // Each round reaches the next neighbours, and raises what was not raised before.
+        // Each round reaches the next neighbours, and sets only coordinates that earlier rounds left unchanged.
         for _ in 0..PerCoordinate::<A, Z>::LEN {
             let mut next = sizes;
-            // With equal and with alternating signs: errors of neighbours may cancel.
+            // Equal and alternating signs: errors of neighbours may cancel in one of the two patterns.
             for alternate in [1.0, -1.0] {
                 let (mut moved, mut sign) = (*x, 1.0);
                 for (x, size) in moved.numbers_mut().zip(sizes.numbers()) {
@@ -141,7 +141,7 @@ impl<A: Array, Z: Action<A::Real>> Tolerance<A, Z> {
                     let change = (there.at(i) - here.at(i)).magnitude();
                     let size = time * change / self.relative;
                     let raised = sizes.at(i) != x.at(i);
-                    // What is not a number is no size.
+                    // The rates may be undefined at the perturbed point.
                     if !raised && size > next.magnitude() && size < f64::INFINITY {
                         *next = A::Real::from_f64(size);
                     }
@@ -155,10 +155,10 @@ impl<A: Array, Z: Action<A::Real>> Tolerance<A, Z> {
         keep(&mut self.caused, &sizes);
     }
 
-    /// The largest error of a step in units of what is tolerated.
+    /// Returns the largest error of a step in units of the tolerance.
     ///
-    /// A coordinate that is zero, and whose rate is, is not measured in its first step: it is driven by others, and only the order
-    /// of magnitude of what it becomes is right.
+    /// A coordinate whose value and rate are zero is not measured in its first step. Other coordinates drive it, and only its order of magnitude is
+    /// right.
     pub(crate) fn error(
         &self,
         step: &Judged<'_, A, Z>,
@@ -176,8 +176,8 @@ impl<A: Array, Z: Action<A::Real>> Tolerance<A, Z> {
         }))
     }
 
-    /// The error that is tolerated in coordinate `i` in a step to `after`. Below the normal numbers a coordinate has few digits, and no rounding of these
-    /// counts.
+    /// Returns the tolerated error of coordinate `i` in a step to `after`. The last term covers values below the normal numbers, which have few
+    /// digits.
     pub(crate) fn of(&self, i: usize, after: f64, part: f64) -> f64 {
         let size = self.size(i, after, part).max(self.caused.at(i).magnitude());
         let rounding = ROUNDINGS * A::Real::epsilon() * A::Real::smallest();
@@ -185,12 +185,12 @@ impl<A: Array, Z: Action<A::Real>> Tolerance<A, Z> {
     }
 }
 
-/// Whether a relative tolerance is a part of a state: errors as large as that are no result.
+/// Returns whether a relative tolerance is between 0 and 1. An error as large as the state leaves no result.
 pub(crate) fn is_part(tolerance: f64) -> bool {
     tolerance > 0.0 && tolerance < 1.0
 }
 
-/// Includes a point in the largest magnitudes: by a coordinate that is infinite nothing could be measured.
+/// Raises the sizes to the magnitudes of a point. Infinite coordinates are ignored, because no error could be measured by them.
 fn keep<A: Array, Z: Action<A::Real>>(sizes: &mut PerCoordinate<A, Z>, x: &PerCoordinate<A, Z>) {
     for (size, x) in sizes.numbers_mut().zip(x.numbers()) {
         if x.magnitude() > size.magnitude() && x.magnitude() < f64::INFINITY {

@@ -1,14 +1,14 @@
-//! What every run offers, whatever its system and method: steps, time, the state.
+//! The common interface of all runs: steps, time, state.
 
 use super::StepError;
 use super::output::{Samples, StatesAt, Until};
 use crate::scalar::signed;
 use crate::space::Snapshot;
 
-/// A run: steps from a state on. `dyn Trajectory<State = State<f64>>` is a run whose method is chosen while the program runs.
+/// A run: steps from a given state. `dyn Trajectory<State = State<f64>>` is a run whose method is chosen at run time.
 ///
-/// Runs with fixed steps and runs whose steps adapt differ in where they can end. [`Integrator`](crate::Integrator) takes whole
-/// steps: on the way to a time t it ends with the last step that is not beyond. [`Adaptive`](crate::Adaptive) ends at t.
+/// Runs differ in the times at which they can end. [`Integrator`](crate::Integrator) takes whole steps, so on the way to a time t it ends with the
+/// last step that is not beyond t. [`Adaptive`](crate::Adaptive) ends at t.
 ///
 /// ```
 /// use geoint_runtime::prelude::*;
@@ -29,46 +29,46 @@ use crate::space::Snapshot;
 /// ```
 #[doc(alias("orbit", "solution"))]
 pub trait Trajectory {
-    /// Points along the way: [`State`](crate::State) or [`ContactState`](crate::ContactState).
+    /// State type of the run: [`State`](crate::State) or [`ContactState`](crate::ContactState).
     type State: Snapshot;
 
-    /// One step.
+    /// Takes one step.
     ///
     /// # Errors
-    /// See [`StepError`]; the state is then unchanged.
+    /// See [`StepError`]. The state is then unchanged.
     fn step(&mut self) -> Result<(), StepError>;
 
-    /// `n` steps.
+    /// Takes `n` steps.
     ///
     /// # Errors
-    /// See [`StepError`]; the state is then the last good one.
+    /// See [`StepError`]. The state is then the last good one.
     fn advance(&mut self, n: u64) -> Result<(), StepError>;
 
-    /// One step on the way to the time `t`; `false` if none is left to take.
+    /// Takes one step towards the time `t`. Returns `false` if no step is left.
     ///
     /// # Errors
-    /// See [`StepError`]; the state is then unchanged. A `t` that is not a number is a step size that is none.
+    /// See [`StepError`]. The state is then unchanged. A `t` that is not a number gives the error of an invalid step size.
     fn step_towards(&mut self, t: Scalar<Self>) -> Result<bool, StepError>;
 
-    /// All steps on the way to the time `t`.
+    /// Takes all steps towards the time `t`.
     ///
     /// # Errors
-    /// See [`StepError`]; the state is then the last good one. A `t` that is not finite is a step size that is none.
+    /// See [`StepError`]. The state is then the last good one. A `t` that is not finite gives the error of an invalid step size.
     fn advance_to(&mut self, t: Scalar<Self>) -> Result<(), StepError>;
 
-    /// Time now.
+    /// Returns the present time.
     fn time(&self) -> Scalar<Self>;
 
-    /// The state now.
+    /// Returns the present state.
     fn state(&self) -> Self::State;
 
-    /// The energy now.
+    /// Returns the present energy.
     fn energy(&self) -> Scalar<Self>;
 
-    /// The number of steps taken.
+    /// Returns the number of steps taken.
     fn steps(&self) -> u64;
 
-    /// The state after every step on the way to the time `t`, which may be infinite.
+    /// Returns an iterator over the states after every step towards the time `t`, which may be infinite.
     fn until(&mut self, t: Scalar<Self>) -> Until<'_, Self>
     where
         Self: Sized,
@@ -76,7 +76,7 @@ pub trait Trajectory {
         Until::new(self, t)
     }
 
-    /// The state after every `k` steps, without end. `k` = 0 counts as 1.
+    /// Returns an endless iterator over the states after every `k` steps. `k` = 0 counts as 1.
     fn sampled(&mut self, k: u64) -> Samples<'_, Self>
     where
         Self: Sized,
@@ -84,8 +84,8 @@ pub trait Trajectory {
         Samples::new(self, k)
     }
 
-    /// The state at each of these times, one after the other, where [`advance_to`](Trajectory::advance_to) ends: with fixed steps
-    /// that is up to a step before.
+    /// Returns an iterator over the states at these times, in this order. Each state is the one at which [`advance_to`](Trajectory::advance_to) ends.
+    /// With fixed steps, it may be up to a step before the time.
     fn states_at<I: IntoIterator<Item = Scalar<Self>>>(&mut self, times: I) -> StatesAt<'_, Self, I::IntoIter>
     where
         Self: Sized,
@@ -94,10 +94,10 @@ pub trait Trajectory {
     }
 }
 
-/// The scalar of a run.
+/// Scalar of a run.
 pub type Scalar<T> = <<T as Trajectory>::State as Snapshot>::Real;
 
-/// A run behind a pointer is a run.
+/// Implements the trait for a pointer to a run.
 macro_rules! behind {
     ($($(#[$only:meta])* $pointer:ty;)*) => { $(
         $(#[$only])*
@@ -136,7 +136,7 @@ behind! {
     #[cfg(feature = "alloc")] alloc::boxed::Box<T>;
 }
 
-/// All steps of a run with adaptive steps on the way to the time `t`, at most so many; the last one ends there.
+/// Takes adaptive steps to the time `t`, at most `most_steps` of them. The last step ends there.
 pub(super) fn adapt_to<T: Trajectory>(run: &mut T, t: Scalar<T>, most_steps: u64) -> Result<(), StepError> {
     let left = signed(t - run.time());
     if left.is_infinite() {

@@ -1,4 +1,4 @@
-//! What explains a refused step: the step is repeated, and every point at which it evaluates the energy is examined.
+//! Finds the cause of a refused step: the step is repeated, and every point at which it evaluates the energy is checked.
 
 use crate::method::Probe;
 use crate::running::error::StepError;
@@ -8,8 +8,7 @@ use crate::solving::equation::Observer;
 use crate::space::Point;
 use crate::system::{Evaluations, Known, PhaseSpace, Poles};
 
-/// Remembers the first point outside the domain of the energy, or beyond a pole as seen from the start of the step; or the first flow
-/// that ended before it was through.
+/// Records the first cause: a point outside the domain of the energy, a pole between the start of the step and a point, or a flow that ended early.
 pub(crate) struct Watch<'a, S, X> {
     system: &'a S,
     poles: Poles,
@@ -18,26 +17,26 @@ pub(crate) struct Watch<'a, S, X> {
     paused: bool,
 }
 
-/// What a watch has seen. No system is known here: it is compiled once for all of them.
+/// Findings of the checks. The type does not depend on the system, so its code is compiled once.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Seen {
     found: Option<Found>,
-    /// The first term that was evaluated where it has no derivative.
+    /// First term that was evaluated where it has no derivative.
     edge: Option<&'static str>,
 }
 
-/// What a watch has seen first.
+/// First cause that was found.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Found {
-    /// The energy is not defined.
+    /// The energy is undefined.
     OutsideDomain(&'static str),
-    /// The flow of this piece ends.
+    /// The flow of this part of the energy ends.
     Pole(&'static str),
     /// The equation of this plane was not solved.
     Unsolved(&'static str),
 }
 
-/// Where a step starts: its time, and q, p, s.
+/// Start of a step: its time, z = (q, p), and s.
 type Start<S, R> = (R, <S as PhaseSpace<R>>::Phase, <S as PhaseSpace<R>>::Action);
 
 impl<'a, S: PhaseSpace<R>, R: Real> Watch<'a, S, Start<S, R>> {
@@ -57,7 +56,7 @@ impl<S: PhaseSpace<R>, R: Real> Watch<'_, S, Start<S, R>> {
         }
     }
 
-    /// The same, here once: a step evaluates the energy in many places, and what is asked of poles is long.
+    /// Calls `examine` without inlining, because a step evaluates the energy in many places.
     #[cold]
     #[inline(never)]
     fn examine_apart(&mut self, t: R, z: &S::Phase, s: &S::Action) {
@@ -66,19 +65,19 @@ impl<S: PhaseSpace<R>, R: Real> Watch<'_, S, Start<S, R>> {
 }
 
 impl<S, X> Watch<'_, S, X> {
-    /// Whether what it sees now may explain the step.
+    /// Returns whether a check is due: no cause is known yet, and checks are not paused.
     fn looks(&self) -> bool {
         self.seen.found.is_none() && !self.paused
     }
 
-    /// What it has seen.
+    /// Returns the findings.
     pub(crate) fn seen(&self) -> Seen {
         self.seen
     }
 }
 
 impl Seen {
-    /// Why a step from a time on has no good end.
+    /// Returns the error of a step from time `t`.
     #[cold]
     #[inline(never)]
     pub(crate) fn error(self, outcome: Result<(), Refusal>, t: f64) -> StepError {
@@ -91,11 +90,11 @@ impl Seen {
         }
     }
 
-    /// What explains best why a step was refused.
+    /// Returns the most likely cause of a refusal, if one was found.
     pub(crate) fn reason(self, refusal: Option<Refusal>) -> Option<Found> {
         match refusal {
             Some(Refusal::OutsideDomain { what }) => Some(Found::OutsideDomain(what)),
-            // A step may end at an edge: that explains nothing but numbers that are none.
+            // A step may end on the boundary of the domain. Report the boundary as the cause only if there is no finite or converged result.
             None | Some(Refusal::NotConverged { .. } | Refusal::Singular) => {
                 self.found.or(self.edge.map(Found::OutsideDomain))
             }
@@ -116,7 +115,7 @@ impl<S: PhaseSpace<R>, R: Real> Probe<S, R> for Watch<'_, S, Start<S, R>> {
     }
 
     fn flown(&mut self, piece: &'static str, finite: impl FnOnce() -> bool) {
-        // What is not defined at the start, as with parameters that are no numbers, has no flow that could end.
+        // If the energy is undefined at the start, for example with parameters that are not numbers, there is no flow that could end.
         let (t, z, s) = &self.start;
         let defined = || self.system.hamiltonian(*t, z, s).magnitude() < f64::INFINITY;
         if self.looks() && !finite() && defined() {

@@ -1,4 +1,4 @@
-//! What encloses a function along a line: its values, and its derivatives, on a part of the line.
+//! Enclosures: intervals that contain the values and the derivatives of a function on a part of a line.
 
 use super::Real;
 use super::interval::Interval;
@@ -8,8 +8,8 @@ use core::ops::{Add, AddAssign, BitAnd, BitOr, Div, DivAssign, Mul, MulAssign, N
 
 /// Intervals that contain the values of a function and its derivative.
 ///
-/// Where the function is not differentiable, or not even continuous, the derivative is that of the mean value theorem: every quotient of
-/// differences lies in it. Constants are those of the scalar `R`.
+/// The interval of the derivative contains each difference quotient, as in the mean value theorem. This definition also covers functions that are not
+/// differentiable, or not continuous. Constants are rounded to the scalar `R`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Enclosure<R> {
     pub(crate) value: Interval,
@@ -31,20 +31,20 @@ impl<R> Enclosure<R> {
         Enclosure { value, rate, scalar: PhantomData }
     }
 
-    /// f(x) with f'(x) x'.
+    /// Returns the enclosure of f(x) by the chain rule. `value` encloses f(x), and `slope` encloses f'(x).
     fn chain(self, value: Interval, slope: Interval) -> Self {
         Self::new(value, slope * self.rate)
     }
 }
 
 impl<R: Real> Enclosure<R> {
-    /// What does not change along the line: all numbers between the components of a scalar.
+    /// Returns the enclosure of a constant: all numbers between the components of a scalar.
     pub(crate) fn constant(x: R) -> Self {
         Self::new(bounds(x), ZERO)
     }
 }
 
-/// The numbers between the smallest and the largest component of a scalar, or more.
+/// Returns an interval that contains all components of a scalar.
 pub(crate) fn bounds<R: Real>(x: R) -> Interval {
     let size = x.magnitude();
     let value = if !x.any_below(size) {
@@ -54,7 +54,7 @@ pub(crate) fn bounds<R: Real>(x: R) -> Interval {
     } else {
         Interval::new(if x.any_below(0.0) { -size } else { 0.0 }, if x.any_above(0.0) { size } else { 0.0 })
     };
-    // Scalars with more digits than `f64` have been rounded.
+    // A scalar with more digits than `f64` was rounded to `f64`.
     if R::epsilon() < f64::EPSILON { value * Interval::new(1.0 - f64::EPSILON, 1.0 + f64::EPSILON) } else { value }
 }
 
@@ -106,7 +106,7 @@ macro_rules! assign {
 
 assign! { AddAssign::add_assign = +; SubAssign::sub_assign = -; MulAssign::mul_assign = *; DivAssign::div_assign = /; }
 
-/// Functions of one argument: their values x ↦ f, and their derivatives in terms of x and f.
+/// Implements functions of one argument, from the value f(x) and the derivative in terms of x and f.
 macro_rules! functions {
     ($($name:ident($x:ident) = $value:expr, $f:ident => $slope:expr;)*) => { $(
         fn $name(self) -> Self {
@@ -117,7 +117,7 @@ macro_rules! functions {
     )* };
 }
 
-/// What a comparison of intervals gives: whether it may hold, and whether it may not.
+/// The result of a comparison of intervals: `yes` if it may be true, `no` if it may be false.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Possible {
     yes: bool,
@@ -247,7 +247,7 @@ impl<R: Real> Real for Enclosure<R> {
     }
 }
 
-/// A constant that has been rounded.
+/// Returns an interval around a rounded constant.
 fn nearly(x: f64) -> Interval {
     Interval::new(x.next_down(), x.next_up())
 }

@@ -1,15 +1,15 @@
-//! Sums and products with what rounding takes of them.
+//! Sums and products together with their rounding errors (error-free transformations).
 
 use super::real::Real;
 
-/// a + b and its rounding error, if |b| ≤ |a|. T. J. Dekker, Numer. Math. 18 (1971) 224.
+/// Returns a + b and its rounding error. Precondition: |b| ≤ |a|. T. J. Dekker, Numer. Math. 18 (1971) 224.
 #[inline(always)]
 pub(crate) fn sum_with_small<R: Real>(a: R, b: R) -> (R, R) {
     let sum = a + b;
     (sum, b - (sum - a))
 }
 
-/// a + b and its rounding error. D. E. Knuth, *Seminumerical Algorithms*, 4.2.2.
+/// Returns a + b and its rounding error. D. E. Knuth, *Seminumerical Algorithms*, 4.2.2.
 #[inline(always)]
 pub(crate) fn exact_sum<R: Real>(a: R, b: R) -> (R, R) {
     let sum = a + b;
@@ -17,7 +17,7 @@ pub(crate) fn exact_sum<R: Real>(a: R, b: R) -> (R, R) {
     (sum, (a - (sum - added)) + (b - added))
 }
 
-/// a·b and its rounding error, from halves of the digits: nothing asks for a fused operation. T. J. Dekker, Numer. Math. 18 (1971) 224.
+/// Returns a·b and its rounding error, from the halves of the digits. No fused operation is needed. T. J. Dekker, Numer. Math. 18 (1971) 224.
 #[inline(always)]
 pub(crate) fn exact_product<R: Real>(a: R, b: R) -> (R, R) {
     let product = a * b;
@@ -25,7 +25,7 @@ pub(crate) fn exact_product<R: Real>(a: R, b: R) -> (R, R) {
     (product, (((a.0 * b.0 - product) + a.0 * b.1) + a.1 * b.0) + a.1 * b.1)
 }
 
-/// The upper and the lower half of the digits.
+/// Returns the upper and the lower half of the digits.
 #[inline(always)]
 pub(crate) fn halves<R: Real>(x: R) -> (R, R) {
     let upper = x.upper_half();
@@ -36,7 +36,7 @@ pub(crate) fn halves<R: Real>(x: R) -> (R, R) {
 mod tests {
     use super::*;
 
-    /// Odd numbers of 53 and of 24 bits.
+    /// Returns pseudo-random odd numbers with the given number of bits.
     fn digits(bits: u32) -> impl Iterator<Item = u64> {
         let start = 0x9e37_79b9_7f4a_7c15_u64;
         (0..1000).scan(start, move |x, _| {
@@ -46,7 +46,7 @@ mod tests {
     }
 
     #[test]
-    fn products_and_what_they_lose_make_whole_numbers() {
+    fn products_and_rounding_errors_sum_to_exact_integers() {
         for (a, b) in digits(53).zip(digits(53).skip(7)) {
             let (product, lost) = exact_product(a as f64, b as f64);
             assert_eq!(product as u128 as i128 + lost as i128, i128::from(a) * i128::from(b));

@@ -1,9 +1,9 @@
-//! `f64` and `f32` as scalars: by the standard library, or by libm where there is none.
+//! Implements [`Real`] for `f64` and `f32`, by the standard library, or by libm without it.
 
 use super::real::Real;
 use wide::{f32x4, f64x4};
 
-/// The first value where the processor of this build multiplies and adds in one instruction, and may; else the second.
+/// Selects the first value if fused multiply-add is available (feature `std`, target feature `fma`, no `strict-math`), else the second one.
 macro_rules! fused {
     ($fused:expr, $apart:expr) => {{
         #[cfg(all(feature = "std", target_feature = "fma", not(feature = "strict-math")))]
@@ -14,7 +14,7 @@ macro_rules! fused {
     }};
 }
 
-/// The floating-point types of Rust: each function once for the standard library, once for libm.
+/// Implements [`Real`] for a floating-point type. Each function has a version of the standard library and one of libm.
 macro_rules! floats {
     ($($real:ident, $four:ident, $magnitude:expr, $lower_bits:literal, $time:expr, { $($method:ident($($y:ident)?) = $libm:ident),* $(,)? }, $sincos:ident;)*) => { $(
         impl Real for $real {
@@ -92,7 +92,7 @@ macro_rules! floats {
             fn sqrt_four(x: [Self; 4]) -> [Self; 4] {
                 $four::from(x).sqrt().to_array()
             }
-            // Rounded to fewer bits: no product overflows.
+            // Rounds to fewer bits by integer operations. Dekker's product could overflow.
             #[inline(always)]
             fn upper_half(self) -> Self {
                 let rounded = self.to_bits().wrapping_add(1 << ($lower_bits - 1));

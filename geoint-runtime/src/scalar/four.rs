@@ -1,4 +1,4 @@
-//! Arithmetic of four numbers side by side: one register of a processor, where it has such registers.
+//! Arithmetic on four numbers at a time, in one SIMD register if the processor has them.
 
 use super::real::{Four, Real};
 use core::array::from_fn;
@@ -27,13 +27,13 @@ impl<R: Real> Neg for Four<R> {
 }
 
 impl<R: Real> Four<R> {
-    /// `self·a + b`, fused where [`Real::multiply_add`] is.
+    /// Returns `self·a + b`, fused if [`Real::multiply_add`] is fused.
     #[inline(always)]
     pub fn multiply_add(self, a: Self, b: Self) -> Self {
         Four(R::multiply_add_four(self.0, a.0, b.0))
     }
 
-    /// Square roots.
+    /// Returns the square roots.
     #[inline(always)]
     pub fn sqrt(self) -> Self {
         Four(R::sqrt_four(self.0))
@@ -44,7 +44,7 @@ impl<R: Real> Four<R> {
 mod tests {
     use super::*;
 
-    /// Compares operations on numbers of all kinds, four by four and one by one.
+    /// Compares operations on four numbers with operations on single numbers, including special values.
     macro_rules! keeps_its_bits {
         ($name:ident, $real:ident) => {
             #[test]

@@ -1,26 +1,25 @@
-//! Intervals of `f64`: what encloses all values of an expression whose symbols lie in intervals.
+//! Interval arithmetic in `f64`. The interval of an expression contains all values of the expression, if each symbol lies in its interval.
 //!
-//! Ends are rounded outwards: by one unit in the last place where the operation is rounded correctly, by [`ULPS`] where it is a
-//! function of the library. Where an operand lies partly outside the domain of a function, the rest of it counts; where it lies
-//! outside as a whole, and for what is not a number, the result is the whole line. R. E. Moore, R. B. Kearfott & M. J. Cloud,
-//! *Introduction to Interval Analysis* (2009).
+//! Ends are rounded outwards, by one unit in the last place after correctly rounded operations, and by a further [`ULPS`] after library functions. If
+//! an operand is partly outside the domain of a function, only the part inside is used. If it is entirely outside, or NaN, the result is the whole line.
+//! R. E. Moore, R. B. Kearfott & M. J. Cloud, *Introduction to Interval Analysis* (2009).
 
 mod arithmetic;
 
 use super::Real;
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
-/// Bound on the error of elementary functions, in units of the last place. Libraries claim 1 to 3.
+/// Bound of the error of elementary functions, in units of the last place. Libraries state errors of 1 to 3 units.
 const ULPS: f64 = 4.0;
 
-/// All numbers from `low` to `high`. Never empty; ends are not NaN, and infinite ends are not numbers of it.
+/// All finite numbers from `low` to `high`. Invariant: the interval is not empty, and no end is NaN. An infinite end means that the interval is unbounded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Interval {
     pub(crate) low: f64,
     pub(crate) high: f64,
 }
 
-/// The smallest and the largest of some numbers; NaN if one is.
+/// Returns the smallest and the largest number. Both are NaN if a number is NaN.
 fn extremes<const N: usize>(x: [f64; N]) -> [f64; 2] {
     x.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| {
         if x.is_nan() { [f64::NAN; 2] } else { [if *x < low { *x } else { low }, if *x > high { *x } else { high }] }
@@ -30,10 +29,10 @@ fn extremes<const N: usize>(x: [f64; N]) -> [f64; 2] {
 impl Interval {
     pub(crate) const WHOLE: Interval = Interval { low: f64::NEG_INFINITY, high: f64::INFINITY };
 
-    /// The whole line if an end is not a number, or the ends are in the wrong order.
+    /// Returns the interval with these ends. Returns the whole line if an end is NaN, or if `low > high`.
     pub(crate) fn new(low: f64, high: f64) -> Self {
         if low <= high {
-            // Overflow is not a number of the interval.
+            // An end that has overflowed inwards is replaced by the largest finite number.
             Interval { low: low.min(f64::MAX), high: high.max(f64::MIN) }
         } else {
             Self::WHOLE
@@ -44,12 +43,12 @@ impl Interval {
         if x.is_finite() { Self::new(x, x) } else { Self::WHOLE }
     }
 
-    /// Rounded outwards by one unit in the last place.
+    /// Returns the interval, rounded outwards by one unit in the last place.
     fn rounded(low: f64, high: f64) -> Self {
         Self::new(low.next_down(), high.next_up())
     }
 
-    /// Rounded outwards by the error of a function of the library.
+    /// Returns the interval, rounded outwards by the error of a library function.
     fn approximate(low: f64, high: f64) -> Self {
         let margin = |x: f64| if x.is_finite() { x.magnitude() * (ULPS * f64::EPSILON) } else { 0.0 };
         Self::rounded(low - margin(low), high + margin(high))
@@ -59,7 +58,7 @@ impl Interval {
         Self::new(self.low.min(other.low), self.high.max(other.high))
     }
 
-    /// The part between two bounds; the whole line if there is none.
+    /// Returns the part between two bounds, or the whole line if that part is empty.
     fn within(self, low: f64, high: f64) -> Self {
         Self::new(self.low.max(low), self.high.min(high))
     }
@@ -76,7 +75,7 @@ impl Interval {
         self.low <= x && x <= self.high
     }
 
-    /// A function that rises, given by its values.
+    /// Returns the image under an increasing function.
     fn rising(self, f: impl Fn(f64) -> f64) -> Self {
         Self::approximate(f(self.low), f(self.high))
     }
@@ -85,7 +84,7 @@ impl Interval {
         Self::approximate(f(self.high), f(self.low))
     }
 
-    /// x·x, which is nowhere negative.
+    /// Returns the interval of x², without negative numbers.
     pub(crate) fn square(self) -> Self {
         self.abs() * self.abs()
     }
@@ -129,11 +128,11 @@ impl Interval {
         Self::approximate(end(x.low, y.low), end(x.high, y.high)).within(0.0, f64::INFINITY)
     }
 
-    /// A wave from `low` to `high` whose crests are at `crest` + 2πn: its values at the ends, and ±1 where a crest or a trough is, or
-    /// may be, between them.
+    /// Returns the image under a sine wave `f` with maxima at `crest` + 2πn. The image contains the values at both ends. It contains ±1 if a maximum or
+    /// minimum may lie between the ends.
     fn wave(self, crest: f64, f: fn(f64) -> f64) -> Self {
         let bounds = Self::new(-1.0, 1.0);
-        // Beyond, the turns cannot be counted.
+        // For larger arguments, rounding makes the number of turns unreliable.
         if !(self.high - self.low < TAU && self.low.magnitude().max(self.high.magnitude()) < 1e9) {
             return bounds;
         }
@@ -179,7 +178,7 @@ impl Interval {
         self.rising(Real::atan)
     }
 
-    /// The angle of (x, self); all angles where the cut, or the origin, is among the points.
+    /// Returns the angles of the points (x, self). All angles if the cut or the origin may be among the points.
     pub(crate) fn atan2(self, x: Self) -> Self {
         if self.is_cut(x) {
             return Self::approximate(-PI, PI);
@@ -189,7 +188,7 @@ impl Interval {
         Self::approximate(low, high)
     }
 
-    /// Whether the angle of (x, self) may jump.
+    /// Returns whether the points (x, self) may include the cut or the origin, where the angle jumps.
     pub(crate) fn is_cut(self, x: Self) -> bool {
         self.contains_zero() && x.low <= 0.0
     }
@@ -232,7 +231,7 @@ impl Interval {
         self.rising(Real::exp_m1).within(-1.0, f64::INFINITY)
     }
 
-    /// A logarithm, given by its values, of what lies above `edge`.
+    /// Returns the image under a logarithm `f` that is defined above `edge`.
     pub(crate) fn logarithm(self, edge: f64, f: impl Fn(f64) -> f64) -> Self {
         let x = self.within(edge, f64::INFINITY);
         if x.is_whole() || x.high == edge { Self::WHOLE } else { x.rising(f) }
@@ -243,14 +242,14 @@ impl Interval {
         if x.is_whole() {
             return x;
         }
-        // Monotonic in both, so that the extremes are at corners.
+        // Monotonic in each argument, so the extremes are at corners.
         let corners = [(x.low, y.low), (x.low, y.high), (x.high, y.low), (x.high, y.high)];
         let [low, high] = extremes(corners.map(|(x, y)| Real::powf(x, y)));
         Self::approximate(low, high).within(0.0, f64::INFINITY)
     }
 }
 
-/// The largest integer up to x, of which the magnitude is less than 2⁶³.
+/// Returns the largest integer up to x. Precondition: |x| < 2⁶³.
 fn floor(x: f64) -> f64 {
     let whole = x as i64 as f64;
     if whole > x { whole - 1.0 } else { whole }

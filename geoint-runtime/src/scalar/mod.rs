@@ -1,4 +1,4 @@
-//! The scalar of every kernel.
+//! Scalars: the trait [`Real`], its implementations, and intervals for proofs.
 
 mod real;
 mod floats;

@@ -1,14 +1,16 @@
-//! Linear flows in many degrees of freedom: exp(A) − 1, and what it adds to a vector.
+//! Linear flows in many degrees of freedom: exp(A) − 1, and its product with a vector.
 //!
-//! Without the 1 nothing is rounded to the size of the state: short flows are as accurate as long ones.
+//! The increment of a state is computed instead of the state, so a short flow has the same relative accuracy as a long one.
 
 use crate::scalar::Real;
 
-/// The longest series, an even number of terms.
+/// The number of terms of the longest series. It is even.
 const MOST_TERMS: u32 = 16;
 
-/// exp(A) − 1 as an array of columns, of a matrix with these entries, each with its place column by column, in order: a series for A/2ˢ, and
-/// exp(2A) − 1 = 2D + D² for D = exp(A) − 1.
+/// Returns exp(A) − 1 as an array of columns.
+///
+/// `entries` holds the entries of A with their places, counted column by column, in ascending order. The method is a Taylor series for A/2ˢ, followed by
+/// s doublings exp(2A) − 1 = 2D + D² with D = exp(A) − 1. The result is NaN if A is too large or not finite.
 pub fn flow_matrix<R: Real, const N: usize>(entries: &[(usize, R)]) -> [[R; N]; N] {
     let zero = R::from_f64(0.0);
     let mut rest = entries;
@@ -17,16 +19,16 @@ pub fn flow_matrix<R: Real, const N: usize>(entries: &[(usize, R)]) -> [[R; N]; 
         rest = others;
         own
     });
-    // Of A, and of A², which the units of momenta do not enter.
+    // Column sums of |A| and |A|². The latter do not depend on the units of positions and momenta.
     let sizes = columns.map(|column| column.iter().map(|(_, entry)| entry.magnitude()).sum::<f64>());
     let squares =
         columns.map(|column| column.iter().map(|(place, entry)| entry.magnitude() * sizes[place % N]).sum::<f64>());
-    // Too large, or no number.
+    // Too large, or not finite.
     if !sizes.iter().chain(&squares).all(|size| *size < f64::MAX.sqrt()) {
         return [[R::from_f64(f64::NAN); N]; N];
     }
     let square = squares.into_iter().fold(0.0, f64::max);
-    // Whether the next term of a series of A/2ˢ is lost: of 16 terms, if A·(A²)⁸/17! < ε A.
+    // Returns whether the next term of a series of A/2ˢ is below rounding. After 16 terms the condition is A·(A²)⁸/17! ≤ ε A.
     let is_lost = |part: f64, terms: u32| {
         let power = (0..terms / 2).fold(1.0, |power, _| power * square * part * part);
         power <= R::epsilon() * (1..=terms + 1).map(f64::from).product::<f64>()
@@ -37,10 +39,10 @@ pub fn flow_matrix<R: Real, const N: usize>(entries: &[(usize, R)]) -> [[R; N]; 
         doublings += 1;
     }
     let terms = (2..MOST_TERMS).step_by(2).find(|terms| is_lost(part, *terms)).unwrap_or(MOST_TERMS);
-    // Two matrices take turns: what is computed, and what it follows from.
+    // Two buffers: `change` is computed from `before`, then both are swapped.
     let [mut even, mut odd] = [[[zero; N]; N]; 2];
     let (mut change, mut before) = (&mut even, &mut odd);
-    // 1 + D ← 1 + (1 + D) A/k, from the last term to the first, a column in registers; the last 1 is left out.
+    // Horner's rule 1 + D ← 1 + (1 + D) A/k, from the last term to the first, by columns. The last 1 is omitted.
     let one = R::from_f64(1.0);
     (0..N).for_each(|i| change[i][i] = one);
     for k in (1..=terms).rev() {
@@ -60,8 +62,8 @@ pub fn flow_matrix<R: Real, const N: usize>(entries: &[(usize, R)]) -> [[R; N]; 
             (0..N).for_each(|i| change[i][i] += one);
         }
     }
-    // What of an angle is not known becomes twice as much wherever it is doubled. That something turns is seen in the diagonal, which is the
-    // same in all units.
+    // Each doubling of A doubles the error of an angle. Rotation is detected in the diagonal of D, which does not depend on units. Without any
+    // correct digit of an angle, the result is NaN.
     let mut unknown = R::epsilon();
     for _ in 0..doublings {
         core::mem::swap(&mut before, &mut change);
@@ -81,7 +83,7 @@ pub fn flow_matrix<R: Real, const N: usize>(entries: &[(usize, R)]) -> [[R; N]; 
     if unknown < 1.0 { *change } else { [[R::from_f64(f64::NAN); N]; N] }
 }
 
-/// A matrix, by columns, times a vector: as many rows at a time as a processor without wider vectors has registers for.
+/// Returns the product of a matrix, stored by columns, and a vector. Blocks of up to 16 rows fit into the registers of the processor.
 #[inline(always)]
 pub fn flow_change<R: Real, const N: usize>(matrix: &[R], x: [R; N]) -> [R; N] {
     let (mut all, mut first) = ([R::from_f64(0.0); N], 0);
@@ -97,7 +99,7 @@ pub fn flow_change<R: Real, const N: usize>(matrix: &[R], x: [R; N]) -> [R; N] {
     all
 }
 
-/// Some rows of that. Two sums side by side wait half as long, where there are few.
+/// Returns `ROWS` rows of the product. Small blocks use two partial sums, which shortens the chain of dependent operations.
 #[inline(always)]
 fn rows<R: Real, const N: usize, const ROWS: usize>(matrix: &[R], x: &[R; N], first: usize) -> [R; ROWS] {
     let mut sums = [[R::from_f64(0.0); ROWS]; 2];
@@ -110,7 +112,7 @@ fn rows<R: Real, const N: usize, const ROWS: usize>(matrix: &[R], x: &[R; N], fi
     core::array::from_fn(|i| if ROWS < 16 { sums[0][i] + sums[1][i] } else { sums[0][i] })
 }
 
-/// Numbers and matrices in a row.
+/// Concatenates numbers and matrices to one array.
 pub fn joined<R: Real, const N: usize>(parts: &[&[R]]) -> [R; N] {
     let mut all = [R::from_f64(0.0); N];
     let mut rest = &mut all[..];

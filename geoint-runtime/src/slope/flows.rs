@@ -1,26 +1,25 @@
-//! What exact flows are made of: functions that are smooth where a coefficient goes through zero.
+//! Functions of exact flows. They are smooth at a coefficient of zero, without 0/0 and cancellation.
 
 use super::{by_pairs, either, factorial, polynomial, series, spared, tiny};
 use crate::scalar::Real;
 
-/// φ₁(x) = (eˣ − 1)/x. Friction is small in most steps: few terms are enough.
+/// Returns φ₁(x) = (eˣ − 1)/x. For |x| ≤ 1/64, as with weak friction, 7 terms of the Taylor series are enough.
 #[inline(always)]
 pub fn phi_1<R: Real>(x: R) -> R {
     let small = |x: R| polynomial(x, series!(7, |k| 1.0 / factorial(k + 1)));
     either(x, 0.015625, small, || strong(x))
 }
 
-/// The same where friction is strong: more terms take half of the time of eˣ − 1, and round less than that and a quotient. Out of line, as
-/// eˣ − 1 is: inlined it is not faster, and makes steps longer.
+/// Returns φ₁(x) for |x| > 1/64. The Taylor series up to |x| = 1 has smaller rounding errors than the quotient. Not inlined, to keep steps short.
 #[inline(never)]
 fn strong<R: Real>(x: R) -> R {
     let series = |x: R| by_pairs(x, series!(18, |k| 1.0 / factorial(k + 1)));
     either(x, spared::<R>(1.0), series, || x.exp_m1() / x)
 }
 
-/// x·eᶻ with eᶻ − 1 at hand: added to x, unless little of it is left, which is the [`rest`] then.
+/// Returns x·eᶻ from `change` = eᶻ − 1, as x + x·`change`. If eᶻ < ½, it returns x·`rest`, with eᶻ from the function [`rest`].
 ///
-/// A factor eᶻ near 1, rounded, is wrong by the same in every step, and errors add up. And it costs an exponential.
+/// A rounded factor eᶻ near 1 would have the same rounding error in each step, and these errors would add up.
 #[inline(always)]
 pub fn grown<R: Real>(x: R, rest: R, change: R) -> R {
     if change.any_below(-0.5) {
@@ -31,36 +30,37 @@ pub fn grown<R: Real>(x: R, rest: R, change: R) -> R {
     }
 }
 
-/// Where this is called, steps seldom come: the question stays one, which a processor foretells. Of two results it would choose one, and the next operation
-/// waits for that.
+/// Marks a branch as unlikely. The compiler then keeps the branch, which the processor predicts, instead of a selection between two computed results.
 #[cold]
 #[inline(always)]
 fn rarely() {}
 
-/// eᶻ, where little of it is left; else 1, which is not read. Before a loop: beside a call, what the loop moves goes through memory.
+/// Returns eᶻ if it is less than ½, else 1, which [`grown`] does not read. Call it before a loop, because a function call in the loop would force
+/// its variables into memory.
 #[inline(always)]
 pub fn rest<R: Real>(z: R, change: R) -> R {
     if change.any_below(-0.5) { far(z) } else { R::from_f64(1.0) }
 }
 
-/// Out of line: the optimiser would compute it before it knows whether it is needed.
+/// Returns eᶻ. Not inlined, because the optimiser would compute the exponential also if it is not needed.
 #[cold]
 #[inline(never)]
 fn far<R: Real>(z: R) -> R {
     z.exp()
 }
 
-/// (r − rᵏ)/((k − 1)(1 − r)), the mean of (r/(r + (1 − r)v))ᵏ over v from 0 to 1, for r ≥ 0: also for k = 1 and r = 1; 0 at r = 0 for k > 0.
+/// Returns (r − rᵏ)/((k − 1)(1 − r)), which is the mean of (r/(r + (1 − r)v))ᵏ over v from 0 to 1. Precondition: r ≥ 0. The limits k → 1 and r → 1 are
+/// included. The value is 0 at r = 0 for k > 0.
 #[inline(always)]
 pub fn decay_mean<R: Real>(r: R, k: R) -> R {
     let (one, positive) = (R::from_f64(1.0), r + tiny());
     let rise = (one - r) / positive + tiny();
     let ln = rise.ln_1p();
-    // The quotient is 1 but at r = 0.
+    // The quotient r/positive is 1, except at r = 0.
     r / positive * (ln / rise) * phi_1((one - k) * ln)
 }
 
-/// The derivative of [`phi_1`], (eˣ(x − 1) + 1)/x².
+/// Returns the derivative of [`phi_1`], (eˣ(x − 1) + 1)/x².
 #[inline(always)]
 pub fn phi_1_derivative<R: Real>(x: R) -> R {
     let one = R::from_f64(1.0);
@@ -68,7 +68,7 @@ pub fn phi_1_derivative<R: Real>(x: R) -> R {
     either(x, 1.0, small, || (x.exp().multiply_add(x - one, one)) / x / x)
 }
 
-/// c₀(x) = cos √x, cosh √−x for x < 0. K. Stumpff, *Himmelsmechanik* I (1959), §40.
+/// Returns the Stumpff function c₀(x) = cos √x, or cosh √−x for x < 0. K. Stumpff, *Himmelsmechanik* I (1959), §40.
 #[inline(always)]
 pub fn stumpff_c0<R: Real>(x: R) -> R {
     let small = |x: R| by_pairs(-x, series!(9, |k| 1.0 / factorial(2 * k)));
@@ -76,7 +76,7 @@ pub fn stumpff_c0<R: Real>(x: R) -> R {
     either(x, 1.0, small, large)
 }
 
-/// c₁(x) = sin √x/√x, sinh √−x/√−x for x < 0.
+/// Returns the Stumpff function c₁(x) = sin √x/√x, or sinh √−x/√−x for x < 0.
 #[inline(always)]
 pub fn stumpff_c1<R: Real>(x: R) -> R {
     let small = |x: R| by_pairs(-x, series!(9, |k| 1.0 / factorial(2 * k + 1)));
@@ -84,7 +84,7 @@ pub fn stumpff_c1<R: Real>(x: R) -> R {
     either(x, 1.0, small, large)
 }
 
-/// The derivative of [`stumpff_c1`], (c₀ − c₁)/2x.
+/// Returns the derivative of [`stumpff_c1`], (c₀ − c₁)/2x.
 #[inline(always)]
 pub fn stumpff_c1_derivative<R: Real>(x: R) -> R {
     let small = |x: R| -polynomial(-x, series!(13, |k| (k + 1) as f64 / factorial(2 * k + 3)));
@@ -92,7 +92,7 @@ pub fn stumpff_c1_derivative<R: Real>(x: R) -> R {
     either(x, 4.0, small, large)
 }
 
-/// One function of √x where x is positive, another one of √−x where it is negative. x is not near zero.
+/// Returns `positive(√x)` for x > 0, and `negative(√−x)` for x < 0. Precondition: x is not near zero.
 #[inline(always)]
 fn sided<R: Real>(x: R, positive: impl FnOnce(R) -> R, negative: impl FnOnce(R) -> R) -> R {
     let root = x.abs().sqrt();

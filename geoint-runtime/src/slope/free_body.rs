@@ -1,21 +1,21 @@
 //! The flow of a free rigid body: r' = ½ r⊗(0, ω), m' = m × ω with ω = Jm + b.
 //!
-//! Quaternions are (i, j, k, w), and turn vectors of the body into vectors of space; momenta are those of the body's frame, with a fourth
-//! number that is zero.
+//! r is the attitude, m the angular momentum in the frame of the body, and ω the angular velocity. A quaternion is stored as (i, j, k, w). It rotates
+//! vectors from the frame of the body to the frame of space. A momentum is stored with a fourth number, which is zero.
 
 use crate::scalar::{Real, signed, zero};
 use crate::slope::before_squares;
 
-/// Turns, in radians, up to which series of so many terms are exact to rounding.
+/// Angles in radians. Up to them, series with 12, 14 and 18 terms are accurate to rounding.
 const TURNS: [f64; 3] = [0.1, 0.2, 0.4];
 
-/// More parts than these are no step that anybody wants.
+/// A rotation that needs more than this number of parts gives NaN.
 const MOST_PARTS: u32 = 1 << 16;
 
-/// What a free rotation adds to the attitude and to the momentum; `linear` is h·Jm, `constant` is h·b.
+/// Returns the increments of attitude and momentum by a free rotation. `linear` returns h·Jm, and `constant` is h·b.
 ///
-/// By Taylor series: m' and r' are quadratic, so that coefficients follow from sums of products. The flow of every J and every motion, on
-/// the separatrix of Euler's equations as elsewhere. Up to 0.4 radians at once, in equal parts beyond.
+/// The method is a Taylor series. m' and r' are quadratic, so the coefficients are sums of products. It is valid for each J and each motion, also on the
+/// separatrix of Euler's equations. Angles above 0.4 radians are divided into equal parts.
 #[inline]
 pub fn free_rotation<R: Real>(
     linear: impl Fn(&[R; 3]) -> [R; 3],
@@ -25,7 +25,7 @@ pub fn free_rotation<R: Real>(
 ) -> [[R; 4]; 2] {
     let m = [momentum[0], momentum[1], momentum[2]];
     let turn = turn(&linear, constant, &m);
-    // What is not a number leads to what is none.
+    // NaN gives NaN.
     let mut parts = if turn <= TURNS[2] || turn.is_nan() { 1 } else { ceiling(turn / TURNS[2]) };
     while parts <= MOST_PARTS {
         if let Some(increments) = in_parts(parts, &linear, constant, (r, &m), turn) {
@@ -36,14 +36,16 @@ pub fn free_rotation<R: Real>(
     [[R::from_f64(f64::NAN); 4]; 2]
 }
 
-/// The same in closed form, of a body whose moments of inertia about two axes are equal: a rotation about the momentum, which stays where it
-/// is in space, and one about the third axis. `across` is h over the two moments, `along` h over the third, that of `axis`.
+/// Returns the increments of attitude and momentum by a free rotation of a symmetric body, in closed form.
+///
+/// Two moments of inertia are equal. The motion consists of a rotation about the momentum, which is constant in space, and a rotation about the third
+/// axis, `axis`. `across` is h over the equal moments, and `along` is h over the third one.
 #[inline]
 pub fn symmetric_rotation<R: Real>(axis: usize, [across, along]: [R; 2], r: &[R; 4], momentum: &[R; 4]) -> [[R; 4]; 2] {
     let half = R::from_f64(0.5);
     let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
     let m = [momentum[0], momentum[1], momentum[2]];
-    // exp(½ m·h/I) − 1 and exp(½ e·β) − 1.
+    // `first` = exp(½ m·h/I) − 1 and `second` = exp(½ e·β) − 1, with the third axis e and its angle β.
     let half_across = half * across;
     let unit = before_squares(R::from_f64(m.iter().fold(0.0, |size, x| size + x.magnitude())));
     let [x, y, z] = m.map(|x| unit * x);
@@ -56,14 +58,14 @@ pub fn symmetric_rotation<R: Real>(axis: usize, [across, along]: [R; 2], r: &[R;
     (second[axis], second[3]) = (sine, less_one(sine, cosine));
     let product = quaternion_product(&first, &second);
     let turn = core::array::from_fn(|i| first[i] + second[i] + product[i]);
-    // By twice the angle.
+    // The momentum turns by twice the angle in the quaternion.
     let [sine, versine] = [R::from_f64(2.0) * sine * cosine, R::from_f64(2.0) * sine * sine];
     let mut change = [zero(); 4];
     (change[j], change[k]) = (sine * m[k] - versine * m[j], -(sine * m[j]) - versine * m[k]);
     [quaternion_product(r, &turn), change]
 }
 
-/// cos − 1, without cancellation.
+/// Returns cos − 1 without cancellation.
 #[inline(always)]
 fn less_one<R: Real>(sine: R, cosine: R) -> R {
     let one = R::from_f64(1.0);
@@ -86,7 +88,7 @@ fn ceiling(x: f64) -> u32 {
     (x as u32).saturating_add(1)
 }
 
-/// About how far the body turns: by its angular velocity, or by what that becomes.
+/// Returns an estimate of the angle of rotation: the maximum of h|ω| and h√|ω'|.
 #[inline(always)]
 fn turn<R: Real>(linear: &impl Fn(&[R; 3]) -> [R; 3], constant: &[R; 3], m: &[R; 3]) -> f64 {
     let w = add(&linear(m), constant);
@@ -96,7 +98,7 @@ fn turn<R: Real>(linear: &impl Fn(&[R; 3]) -> [R; 3], constant: &[R; 3], m: &[R;
     Real::sqrt(if change > rate { change } else { rate })
 }
 
-/// The flow in equal parts; nothing if the last term of a series is more than rounding.
+/// Returns the increments of a rotation in equal parts, or `None` if a series has not converged to rounding.
 #[inline(always)]
 fn in_parts<R: Real>(
     parts: u32,
@@ -123,7 +125,7 @@ fn in_parts<R: Real>(
     Some(sum)
 }
 
-/// As many terms as the angle needs.
+/// Returns the increments by a series. The number of terms depends on the angle `turn`.
 #[inline(always)]
 fn series_for<R: Real>(
     turn: f64,
@@ -141,7 +143,7 @@ fn series_for<R: Real>(
     }
 }
 
-/// N terms.
+/// Returns the increments by a series of N terms, or `None` if the last term is larger than rounding.
 #[inline(always)]
 fn series<R: Real, const N: usize>(
     linear: &impl Fn(&[R; 3]) -> [R; 3],
@@ -162,7 +164,7 @@ fn series<R: Real, const N: usize>(
         for k in 0..=n {
             let ([a, b, c], [x, y, z]) = (&axes[k], turns[n - k]);
             for i in 0..8 {
-                // Only the last addition waits for the one before.
+                // Only the last addition depends on the previous iteration.
                 sum[i] += a[i].multiply_add(x, b[i].multiply_add(y, c[i] * z));
             }
         }
@@ -184,15 +186,16 @@ fn series<R: Real, const N: usize>(
     Some([[last[0], last[1], last[2], last[3]], [last[4], last[5], last[6], zero()]])
 }
 
-/// r⊗e and m × e for the three axes e of the body.
+/// Returns r⊗e and m × e for the three axes e of the body.
 #[inline(always)]
 fn about_axes<R: Real>(&[x, y, z, w, a, b, c, _]: &[R; 8]) -> [[R; 8]; 3] {
     let o = zero();
     [[w, z, -y, -x, o, c, -b, o], [-z, w, x, -y, -c, o, a, o], [y, -x, w, -z, b, -a, o, o]]
 }
 
-/// Five rotations about the principal axes of a body, 1, 2, 3, 2, 1, of which all but the third are half as long: the flow of a free body
-/// to order 2, symmetric and symplectic; `inverse` are h over the moments of inertia.
+/// Applies five rotations about the principal axes of a body, in the order 1, 2, 3, 2, 1. All but the third one have half of the length.
+///
+/// The result approximates the flow of a free body. It has order 2, and is symmetric and symplectic. `inverse` is h over the moments of inertia.
 ///
 /// A. Dullweber, B. Leimkuhler & R. McLachlan, J. Chem. Phys. 107 (1997) 5840.
 #[inline(always)]
@@ -200,18 +203,18 @@ pub fn five_rotations<R: Real>(inverse: &[R; 3], r: &mut [R; 4], m: &mut [R; 4])
     let half = R::from_f64(0.5);
     for (axis, part) in [(0, half), (1, half), (2, R::from_f64(1.0)), (1, half), (0, half)] {
         let angle = part * inverse[axis] * m[axis];
-        // Of a larger one no digit of a turn is known.
+        // Larger angles have no correct digit modulo 2π.
         let known = angle.abs().less(R::from_f64(1.0 / R::epsilon()));
         let [angle] = R::choose(known, || [angle], || [R::from_f64(f64::NAN)]);
         rotate(axis, angle, r, m);
     }
 }
 
-/// A rotation of the body about one of its axes.
+/// Rotates the body about one of its axes.
 #[inline(always)]
 fn rotate<R: Real>(axis: usize, angle: R, r: &mut [R; 4], m: &mut [R; 4]) {
     let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
-    // What a turn adds: of a small one the rounded cosine is the same in many steps, and lengths would have a trend.
+    // Increments with cos − 1: for small angles, a rounded cosine has the same rounding error in many steps, and lengths would drift.
     let (sine, cosine) = (R::from_f64(0.5) * angle).sin_cos();
     let less = less_one(sine, cosine);
     // r⊗(cos + sin e).
@@ -220,7 +223,7 @@ fn rotate<R: Real>(axis: usize, angle: R, r: &mut [R; 4], m: &mut [R; 4]) {
     r[3] = w + less.multiply_add(w, -(sine * along));
     r[j] = rj + less.multiply_add(rj, sine * rk);
     r[k] = rk + less.multiply_add(rk, -(sine * rj));
-    // By twice the angle.
+    // The momentum turns by twice the angle in the quaternion.
     let double = R::from_f64(2.0) * sine;
     let [sine, less] = [double * cosine, -(double * sine)];
     (m[j], m[k]) = (m[j] + less.multiply_add(m[j], sine * m[k]), m[k] + less.multiply_add(m[k], -(sine * m[j])));

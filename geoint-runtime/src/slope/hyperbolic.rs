@@ -1,9 +1,9 @@
-//! Hyperbolic functions.
+//! Divided differences of hyperbolic functions.
 
 use super::{away, either, factorial, polynomial, series, tiny};
 use crate::scalar::Real;
 
-/// sinh x / x.
+/// Returns sinh x / x.
 #[inline(always)]
 pub fn sinhc<R: Real>(x: R) -> R {
     let small = |x: R| polynomial(x * x, series!(9, |k| 1.0 / factorial(2 * k + 1)));
@@ -14,7 +14,7 @@ pub fn sinhc<R: Real>(x: R) -> R {
     either(x, 1.0, small, large)
 }
 
-/// The derivative of [`sinhc`].
+/// Returns the derivative of [`sinhc`].
 #[inline(always)]
 pub fn sinhc_derivative<R: Real>(x: R) -> R {
     let small = |x: R| x * polynomial(x * x, series!(9, |k| (2 * k + 2) as f64 / factorial(2 * k + 3)));
@@ -25,18 +25,18 @@ pub fn sinhc_derivative<R: Real>(x: R) -> R {
     either(x, 1.0, small, large)
 }
 
-/// tanh[a, b] = 4 (1 − e^(−2d))/(2d)/((1 + e^(−2M))(1 + e^(2m))), m the smaller and M the larger argument, d = M − m.
+/// Returns tanh[a, b] = 4 (1 − e^(−2d))/(2d)/((1 + e^(−2M))(1 + e^(2m))). m is the smaller argument, M the larger one, and d = M − m.
 #[inline(always)]
 pub fn tanh<R: Real>(a: R, b: R) -> R {
     let [one, two] = [1.0, 2.0].map(R::from_f64);
     let gap = two * ((b - a).abs() + tiny());
     let (low, high) = ((two * a.min(b)).exp(), (-two * a.max(b)).exp());
     let above = R::from_f64(-4.0) * (-gap).exp_m1() / gap;
-    // Either may overflow, where the slope vanishes.
+    // Each factor may overflow. The slope is then zero.
     above / (one + low) / (one + high)
 }
 
-/// ∂tanh[a, b]/∂b = tanh[a, b]·(L(b − a) − tanh b) with Langevin's function L(x) = coth x − 1/x.
+/// Returns ∂tanh[a, b]/∂b = tanh[a, b]·(L(b − a) − tanh b) with the Langevin function L(x) = coth x − 1/x.
 #[inline(always)]
 pub fn tanh_derivative<R: Real>(a: R, b: R) -> R {
     let one = R::from_f64(1.0);

@@ -1,53 +1,53 @@
-//! Where functions end or are not smooth.
+//! Functions at the boundary of a domain, and at kinks.
 
 use super::{away, tiny};
 use crate::scalar::Real;
 
-/// 1/x of a positive number, NaN of any other: of logarithms and of poles only one side belongs to a trajectory.
+/// Returns 1/x if x is a positive normal number, else NaN. A trajectory stays on one side of a pole or of the edge of a logarithm.
 #[inline(always)]
 pub fn recip_positive<R: Real>(x: R) -> R {
     R::from_f64(if x.any_not_positive() { f64::NAN } else { 1.0 }) / x
 }
 
-/// x, which must not be negative: NaN if it is, so that no step is made with it.
+/// Returns x, or NaN if x is negative. The NaN leads to a refused step.
 #[inline(always)]
 pub fn not_negative<R: Real>(x: R) -> R {
     if x.any_below(0.0) { R::from_f64(f64::NAN) } else { x }
 }
 
-/// x, whose square must not be above y but for rounding: NaN if it is.
+/// Returns x, or NaN if x² exceeds y by more than rounding.
 #[inline(always)]
 pub fn bounded<R: Real>(x: R, y: R) -> R {
     let margin = R::from_f64(1.0 + 8.0 * R::epsilon());
     if (y * margin - x * x).any_below(0.0) { R::from_f64(f64::NAN) } else { x }
 }
 
-/// x, provided that y is not negative: NaN if it is.
+/// Returns x, or NaN if y is negative.
 #[inline(always)]
 pub fn provided<R: Real>(x: R, y: R) -> R {
     if y.any_below(0.0) { R::from_f64(f64::NAN) } else { x }
 }
 
-/// x, which must not be above y: NaN if it is.
+/// Returns x, or NaN if x > y.
 #[inline(always)]
 pub fn at_most<R: Real>(x: R, y: R) -> R {
     if (y - x).any_below(0.0) { R::from_f64(f64::NAN) } else { x }
 }
 
-/// √x, and at 0 something that can be divided by: (xᵐᐟ²)[a, b] has a limit there for m > 2.
+/// Returns √x, increased by a tiny number. It can be used as a divisor also at 0, where (xᵐᐟ²)[a, b] has a limit for m > 2.
 #[inline(always)]
 pub fn root<R: Real>(x: R) -> R {
     x.sqrt() + tiny::<R>().cbrt()
 }
 
-/// abs[a, b] = (a + b)/(|a| + |b|); at 0 the sign that zero carries.
+/// Returns abs[a, b] = (a + b)/(|a| + |b|). At a = b = 0 the result is the sign of zero.
 #[inline(always)]
 pub fn abs<R: Real>(a: R, b: R) -> R {
     let (a, b) = (away(a), away(b));
     (a + b) / (a.abs() + b.abs())
 }
 
-/// ∂abs[a, b]/∂b = (|a| − a sgn b)/(|a| + |b|)²: zero on one side of the kink.
+/// Returns ∂abs[a, b]/∂b = (|a| − a sgn b)/(|a| + |b|)². It is zero if a and b have the same sign.
 #[inline(always)]
 pub fn abs_derivative<R: Real>(a: R, b: R) -> R {
     let (a, b) = (away(a), away(b));
@@ -55,8 +55,8 @@ pub fn abs_derivative<R: Real>(a: R, b: R) -> R {
     (a.abs() - a * b.signum()) / size / size
 }
 
-/// A power of two by which numbers of this size are multiplied before they are squared: 1 where their squares, and what is left of those when all but
-/// rounding is subtracted, have all their digits.
+/// Returns a power of two by which numbers of this size are multiplied before they are squared. It avoids underflow and overflow of the squares, and of
+/// their parts of the size of rounding. It is 1 for ordinary sizes.
 #[inline(always)]
 pub fn before_squares<R: Real>(size: R) -> R {
     let (square, rounding) = (size.magnitude() * size.magnitude(), R::epsilon() / 64.0);
@@ -64,7 +64,7 @@ pub fn before_squares<R: Real>(size: R) -> R {
     if square > least && square < 1.0 / least { R::from_f64(1.0) } else { power_of_two(size) }
 }
 
-/// A power of two near 1/|x|. 1 if x is zero or not finite.
+/// Returns a power of two near 1/|x|, or 1 if x is zero or not finite.
 #[cold]
 #[inline(never)]
 fn power_of_two<R: Real>(x: R) -> R {
@@ -77,17 +77,17 @@ fn power_of_two<R: Real>(x: R) -> R {
     R::from_f64(power.clamp(R::smallest(), 1.0 / R::smallest()))
 }
 
-/// x, [scaled](before_squares) as numbers of the size of y are.
+/// Returns x, multiplied by [`before_squares`] of y.
 #[inline(always)]
 pub fn scaled<R: Real>(x: R, y: R) -> R {
     before_squares(y) * x
 }
 
-/// 1/x of the square x of what is left of a vector whose square was y: zero where that is rounding alone, or so small that it has lost
-/// digits. NaN if it is infinite.
+/// Returns 1/x. x is the square of the rest of a vector after a subtraction, and y is the square of the vector itself. Returns zero if the rest is
+/// rounding, or subnormal. NaN if x is infinite.
 #[inline(always)]
 pub fn recip_above<R: Real>(x: R, y: R) -> R {
-    // 10⁻¹⁴ of the length, in double precision.
+    // 10⁻¹⁴ of the length in double precision.
     let rounding = 45.0 * R::epsilon();
     let bound = R::from_f64(rounding * rounding) * y + R::from_f64(R::smallest());
     let [value] = R::choose(x.less_equal(bound), || [R::from_f64(0.0)], || [R::from_f64(1.0) / x]);

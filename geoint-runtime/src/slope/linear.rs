@@ -1,15 +1,15 @@
 //! Linear flows in two degrees of freedom: x' = Mx with M = JS, whose square N has N² = −bN − c.
 //!
-//! With z₁ and z₂ the roots of z² + bz + c, of any signs, equal or complex: the straight lines through both values of
-//! S(z) = sinh √z/√z and of D(z) = (cosh √z − 1)/z. They are S and D as polynomials in z modulo z² + bz + c. That of D is given by its value
-//! at z₁ + z₂ = −b: where one root is large, its D is small, and would be lost in a difference.
+//! Let z₁ and z₂ be the roots of z² + bz + c. They may have any sign, be equal, or be complex. The functions below interpolate S(z) = sinh √z/√z and
+//! D(z) = (cosh √z − 1)/z linearly at both roots. The interpolating lines equal S and D modulo z² + bz + c. The line of D is given by its value at
+//! z₁ + z₂ = −b, because its value at 0 would suffer from cancellation if one root is large.
 //!
-//! Angles of which no digit is known have no sine.
+//! The results are NaN if an angle is so large that it has no correct digit.
 
 use super::{factorial, series, stumpff_c1};
 use crate::scalar::Real;
 
-/// u + v·z modulo z² + bz + c.
+/// The polynomial u + v·z modulo z² + bz + c.
 type Line<R> = [R; 2];
 
 fn times<R: Real>([u, v]: Line<R>, [x, y]: Line<R>, [b, c]: [R; 2]) -> Line<R> {
@@ -17,7 +17,7 @@ fn times<R: Real>([u, v]: Line<R>, [x, y]: Line<R>, [b, c]: [R; 2]) -> Line<R> {
     [u * x - c * square, u * y + v * x - b * square]
 }
 
-/// The value of the line of S at 0, its slope, the value of the line of D at −b, and its slope.
+/// Returns the value at 0 and the slope of the line of S, and the value at −b and the slope of the line of D.
 fn lines<R: Real>(b: R, c: R) -> [R; 4] {
     let [sixteenth, quarter] = [0.0625, 0.25].map(R::from_f64);
     let discriminant = quarter * b * b - c;
@@ -25,10 +25,10 @@ fn lines<R: Real>(b: R, c: R) -> [R; 4] {
     R::choose(apart, || by_roots(b, c, discriminant), || by_series(b, c))
 }
 
-/// By the values at both roots, where these are apart.
+/// Computes the lines from the values at both roots. Precondition: the roots are real and not near each other.
 fn by_roots<R: Real>(b: R, c: R, discriminant: R) -> [R; 4] {
     let [half, quarter] = [0.5, 0.25].map(R::from_f64);
-    // The larger root first: nothing cancels.
+    // The larger root is computed first, without cancellation.
     let large = -(half * b + b.signum() * discriminant.sqrt());
     let small = c / large;
     let line = |of: &dyn Fn(R) -> R| {
@@ -44,7 +44,8 @@ fn by_roots<R: Real>(b: R, c: R, discriminant: R) -> [R; 4] {
     R::choose(known, || [s - small * t, t, d + small * e, e], || [R::from_f64(f64::NAN); 4])
 }
 
-/// By series for a quarter of z, and again, and back by S(4z) = S (1 + zD), D(4z) = S²/2: nothing is divided by z₁ − z₂.
+/// Computes the lines by series, without a division by z₁ − z₂. z is divided by 4 until it is small. Then S(4z) = S (1 + zD) and D(4z) = S²/2 give the
+/// result.
 fn by_series<R: Real>(b: R, c: R) -> [R; 4] {
     let [zero, one, half, quarter] = [0.0, 1.0, 0.5, 0.25].map(R::from_f64);
     if !((b * zero).magnitude() == 0.0 && (c * zero).magnitude() == 0.0) {
@@ -55,7 +56,7 @@ fn by_series<R: Real>(b: R, c: R) -> [R; 4] {
     while roots[0].magnitude() > 0.5 || roots[1].magnitude() > 0.25 {
         roots = [roots[0] * quarter, roots[1] * quarter * quarter];
         quarters += 1;
-        // An error of the cosine of half an angle is four times as large in that of the angle.
+        // Each doubling of the angle multiplies the error of its cosine by 4.
         unknown *= 4.0;
     }
     if unknown > 1.0 {
@@ -80,22 +81,22 @@ fn by_series<R: Real>(b: R, c: R) -> [R; 4] {
     [s[0], s[1], d[0] - b * d[1], d[1]]
 }
 
-/// The line of S at z = 0.
+/// Returns the value at z = 0 of the line of S.
 pub fn sine_at<R: Real>(b: R, c: R) -> R {
     lines(b, c)[0]
 }
 
-/// The slope of the line of S.
+/// Returns the slope of the line of S.
 pub fn sine_slope<R: Real>(b: R, c: R) -> R {
     lines(b, c)[1]
 }
 
-/// The line of D at z = −b.
+/// Returns the value at z = −b of the line of D.
 pub fn cosine_at<R: Real>(b: R, c: R) -> R {
     lines(b, c)[2]
 }
 
-/// The slope of the line of D.
+/// Returns the slope of the line of D.
 pub fn cosine_slope<R: Real>(b: R, c: R) -> R {
     lines(b, c)[3]
 }

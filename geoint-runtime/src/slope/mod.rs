@@ -1,13 +1,13 @@
-//! Helpers of divided differences f[a, b] = (f(b) − f(a))/(b − a): no 0/0, no cancellation, f[a, a] = f'(a).
+//! Divided differences f[a, b] = (f(b) − f(a))/(b − a) without 0/0 and without cancellation. The limit is f[a, a] = f'(a).
 //!
-//! What the macro does not write with operations and elementary functions alone. Functions of two ends are symmetric in
-//! them, to the last bit, and carry the name of f; `…_derivative` is ∂f[a, b]/∂b = f[a, b, b], for Newton's matrices. All of
-//! them hold in every component of a scalar, whatever the other components are: series and closed form are put together
-//! by one function, `either`, and differences that are divided by are kept away from zero by a number so small that the
-//! quotient is rounded to its limit.
+//! Emitted kernels call these functions. A function of two ends has the name of f, and is symmetric in both ends to the last bit. `…_derivative` is
+//! ∂f[a, b]/∂b = f[a, b, b], for Newton's matrices.
 //!
-//! First divided differences are accurate to 3 ε and second ones to 30 ε, relative to their size and to how they change
-//! with the last digits of both ends.
+//! Each component of a scalar is independent of the others. The function `either` selects series or closed form. A divisor is kept away from zero by a
+//! number so small that the quotient is rounded to its limit.
+//!
+//! First divided differences are accurate to 3 ε, and second ones to 30 ε. The errors are relative to their size, and to their change with the last digits
+//! of both ends.
 
 mod central;
 mod circular;
@@ -36,27 +36,26 @@ pub use linear::{cosine_at, cosine_slope, sine_at, sine_slope};
 
 use crate::scalar::Real;
 
-/// A number that is lost when it is added to any other one, and that can still be divided by. (A sum keeps what is not a
-/// number, which `max` would lose.)
+/// Returns a tiny normal number. Added to any number of ordinary size it has no effect, but it can be a divisor. A sum keeps NaN, unlike `max`.
 #[inline(always)]
 fn tiny<R: Real>() -> R {
     R::from_f64(8.0 * R::smallest())
 }
 
-/// x, kept away from zero.
+/// Returns x, kept away from zero by [`tiny`].
 #[inline(always)]
 fn away<R: Real>(x: R) -> R {
     x + x.signum() * tiny()
 }
 
-/// `small(x)` where |x| ≤ `bound`, `large()` elsewhere.
+/// Returns `small(x)` if |x| ≤ `bound`, else `large()`.
 #[inline(always)]
 fn either<R: Real>(x: R, bound: f64, small: impl FnOnce(R) -> R, large: impl FnOnce() -> R) -> R {
     let [value] = R::choose(x.abs().less_equal(R::from_f64(bound)), || [small(x)], || [large()]);
     value
 }
 
-/// Σ cₖ xᵏ by Horner's rule.
+/// Returns Σ cₖ xᵏ by Horner's rule.
 #[inline(always)]
 fn polynomial<R: Real, const N: usize>(x: R, c: &[f64; N]) -> R {
     let mut sum = R::from_f64(c[N - 1]);
@@ -66,8 +65,8 @@ fn polynomial<R: Real, const N: usize>(x: R, c: &[f64; N]) -> R {
     sum
 }
 
-/// The same; behind the first two coefficients by pairs of terms, pairs of pairs and so on: few operations wait for each other, and what they
-/// round is multiplied by x². G. Estrin, Proc. Western Joint Computer Conf. (1960) 33.
+/// Returns Σ cₖ xᵏ by Estrin's scheme: the terms after the first two are summed in pairs, pairs of pairs, and so on. The chain of dependent operations is
+/// short. The rounding errors of these terms are multiplied by x². G. Estrin, Proc. Western Joint Computer Conf. (1960) 33.
 #[inline(always)]
 fn by_pairs<R: Real, const N: usize>(x: R, c: &[f64; N]) -> R {
     let square = x * x;
@@ -81,13 +80,13 @@ fn by_pairs<R: Real, const N: usize>(x: R, c: &[f64; N]) -> R {
     sums[0] + sums[2].multiply_add(square, sums[1] * x)
 }
 
-/// Up to where a series spares the call of a library: nowhere, if the scalar has more digits than the coefficients.
+/// Returns the bound up to which a series replaces a library function. Zero if the scalar has more digits than the coefficients of the series.
 #[inline(always)]
 fn spared<R: Real>(bound: f64) -> f64 {
     if R::epsilon() < f64::EPSILON { 0.0 } else { bound }
 }
 
-/// n!, exact for n ≤ 22.
+/// Returns n!, exact for n ≤ 22.
 const fn factorial(n: usize) -> f64 {
     if n == 0 { 1.0 } else { n as f64 * factorial(n - 1) }
 }

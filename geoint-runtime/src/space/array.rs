@@ -1,30 +1,30 @@
-//! Nested arrays of scalars: the shape in which kernels and drivers see phase space.
+//! Nested arrays of scalars: the coordinates of a point, as kernels and drivers use them.
 //!
-//! Lengths are part of the type, so every loop over them has a bound known to the compiler and nothing is allocated.
+//! Lengths are part of the type. Thus the bounds of all loops are known to the compiler, and nothing is allocated.
 
 use crate::scalar::{Real, zero};
 use core::fmt::Debug;
 
-/// A scalar, an array of scalars, an array of arrays …
+/// A scalar, an array of scalars, an array of such arrays, and so on.
 pub trait Array: Copy + Debug + PartialEq + 'static {
-    /// The scalar at the leaves.
+    /// The type of the scalars.
     type Real: Real;
-    /// The same shape with another content.
+    /// A nested array of this shape, with entries `T` in place of the scalars.
     type Map<T: Copy + Debug>: Copy + Debug;
     /// The number of scalars.
     const LEN: usize;
 
-    /// All scalars in order.
+    /// Returns all scalars in order.
     fn as_slice(&self) -> &[Self::Real];
-    /// All scalars in order.
+    /// Returns all scalars in order, mutably.
     fn as_mut_slice(&mut self) -> &mut [Self::Real];
-    /// Every entry `x`.
+    /// Returns an array with each entry `x`.
     fn fill<T: Copy + Debug>(x: T) -> Self::Map<T>;
-    /// The entries of a mapped shape, in order.
+    /// Returns the entries of a [`Map`](Array::Map) in order, mutably.
     fn entries<T: Copy + Debug>(map: &mut Self::Map<T>) -> &mut [T];
-    /// The entries of a mapped shape, in order, to be read.
+    /// Returns the entries of a [`Map`](Array::Map) in order.
     fn entries_of<T: Copy + Debug>(map: &Self::Map<T>) -> &[T];
-    /// All zeros.
+    /// Returns an array of zeros.
     fn zero() -> Self;
 
     #[doc(hidden)]
@@ -44,7 +44,7 @@ pub trait Array: Copy + Debug + PartialEq + 'static {
         }
     }
 
-    /// self ← x, entry by entry: `self` may then stay in registers although `x` is in memory.
+    /// self ← x, entry by entry, so that `self` may stay in registers.
     #[inline(always)]
     fn copy_from(&mut self, x: &Self) {
         for (y, x) in self.as_mut_slice().iter_mut().zip(x.as_slice()) {
@@ -52,7 +52,7 @@ pub trait Array: Copy + Debug + PartialEq + 'static {
         }
     }
 
-    /// Zeros to which something is to be added: −0 + x is x, which the optimiser cannot say of 0 + x.
+    /// Returns an array of −0, as the start of a sum. The optimiser removes −0 + x, but not 0 + x.
     #[inline(always)]
     fn nothing() -> Self {
         let mut nothing = Self::zero();
@@ -62,10 +62,10 @@ pub trait Array: Copy + Debug + PartialEq + 'static {
         nothing
     }
 
-    /// Whether every entry is that of `x`.
+    /// Returns whether all entries are equal to those of `x`.
     #[inline(always)]
     fn is_same(&self, x: &Self) -> bool {
-        // Without a branch for each entry.
+        // No branch for each entry.
         let mut same = true;
         for i in 0..Self::LEN {
             same &= self.as_slice()[i] == x.as_slice()[i];
@@ -73,18 +73,17 @@ pub trait Array: Copy + Debug + PartialEq + 'static {
         same
     }
 
-    /// Whether every entry is zero.
+    /// Returns whether all entries are zero.
     #[inline(always)]
     fn is_zero(&self) -> bool {
         self.as_slice().iter().all(|x| x.magnitude() == 0.0)
     }
 
-    /// Whether every entry is a finite number.
+    /// Returns whether all entries are finite.
     #[inline(always)]
     #[allow(clippy::eq_op, reason = "a number less itself tells whether it is finite")]
     fn is_finite(&self) -> bool {
-        // Without a branch for each entry. A number less itself is zero, and no number where it is not finite: a comparison with infinity becomes one
-        // of integers, which takes four times the instructions.
+        // No branch for each entry. x − x is zero if x is finite, else NaN. A comparison with infinity would take more instructions.
         self.as_slice().iter().fold(true, |finite, x| finite & (*x - *x == Self::Real::from_f64(0.0)))
     }
 }

@@ -1,7 +1,7 @@
 //! Rigid bodies: attitudes as unit quaternions, angular momenta in the frame of the body, and centres of mass with their momenta.
 //!
-//! Kernels see a quaternion as nalgebra stores it, (i, j, k, w), and a vector as the pure quaternion (x, y, z, 0): all then have one shape,
-//! as positions and momenta of other systems have. Centres of mass follow attitudes, a row a body.
+//! Kernels read a quaternion in the order of nalgebra, (i, j, k, w), and a vector as the pure quaternion (x, y, z, 0). Attitudes and momenta then have
+//! the same shape. The rows of the centres of mass follow those of the attitudes, with one row for each body.
 
 use crate::scalar::{Real, signed, zero};
 use crate::sealed::Sealed;
@@ -10,13 +10,13 @@ use crate::system::PhaseSpace;
 use core::fmt::Debug;
 use nalgebra::{Quaternion, Unit, UnitQuaternion, Vector3, Vector4};
 
-/// A quaternion as kernels see it: i, j, k, w.
+/// Returns the four numbers of a quaternion: i, j, k, w.
 fn numbers<R: Real>(r: UnitQuaternion<R>) -> [R; 4] {
     let quaternion: Quaternion<R> = *r.as_ref();
     quaternion.coords.into()
 }
 
-/// The numbers as they are: a state says what the steps have led to.
+/// Returns the quaternion with these numbers, without normalisation, so that a state shows the result of the steps.
 fn quaternion<R: Real>(numbers: [R; 4]) -> UnitQuaternion<R> {
     Unit::new_unchecked(Quaternion { coords: Vector4::from(numbers) })
 }
@@ -47,17 +47,17 @@ impl<R: Real, const N: usize> Coordinates for [UnitQuaternion<R>; N] {
     }
 }
 
-/// The attitude of a body, or of several: what turns vectors of the body into vectors of space.
+/// The attitudes of one or more bodies. An attitude rotates vectors from the frame of the body to the frame of space.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no attitude",
     note = "attitudes are `UnitQuaternion<f64>` and `[UnitQuaternion<f64>; N]`, and those of `f32`"
 )]
 pub trait Attitudes: Coordinates {
-    /// The angular momentum of each, in its own frame.
+    /// The angular momenta, each in the frame of its body.
     type Momenta: Copy + Debug + PartialEq;
-    /// To pure quaternions.
+    /// Converts momenta to pure quaternions.
     fn momenta_into_array(momenta: Self::Momenta) -> Self::Array;
-    /// From pure quaternions.
+    /// Converts pure quaternions to momenta.
     fn momenta_from_array(array: Self::Array) -> Self::Momenta;
 }
 
@@ -90,18 +90,18 @@ fn vector<R: Real>([x, y, z, _]: [R; 4]) -> Vector3<R> {
     Vector3::new(x, y, z)
 }
 
-/// What is known of centres of mass beside attitudes `A`: nothing, `()`, or where they are, a `Vector3` a body; their momenta have the
-/// same type.
+/// The type of the centres of mass of bodies with the attitudes `A`: one `Vector3` for each body, or `()` for bodies about fixed points. The momenta of the
+/// centres have the same type.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` are no centres of mass of bodies with the attitudes `{A}`",
     note = "each body has one: `Vector3<f64>` beside `UnitQuaternion<f64>`, `[Vector3<f64>; N]` beside `[UnitQuaternion<f64>; N]`"
 )]
 pub trait Centres<A: Attitudes>: Copy + Debug + PartialEq {
-    /// Attitudes with centres, or momenta of both, as kernels see them.
+    /// Attitudes and centres, or the momenta of both, as one array.
     type Array: Array<Real = A::Real>;
-    /// Attitudes, or their momenta, with these.
+    /// Joins `rows`, which hold attitudes or angular momenta, and these centres.
     fn beside(self, rows: A::Array) -> Self::Array;
-    /// Both apart.
+    /// Separates attitudes, or angular momenta, from centres.
     fn apart(array: Self::Array) -> (A::Array, Self);
 }
 
@@ -117,7 +117,7 @@ impl<A: Attitudes> Centres<A> for () {
     }
 }
 
-/// Centres of so many bodies.
+/// Implements [`Centres`] for one body, and for N bodies.
 macro_rules! centres {
     ([$($n:ident)?] $attitudes:ty, $centres:ty, $rows:expr) => {
         impl<R: Real $(, const $n: usize)?> Centres<$attitudes> for $centres {
@@ -164,13 +164,13 @@ impl<A: Attitudes, C: Centres<A>> Coordinates for Placed<A, C> {
 pub struct BodyState<A: Attitudes, C: Centres<A> = ()> {
     /// Time.
     pub t: A::Real,
-    /// What turns vectors of each body into vectors of space.
+    /// The attitude of each body. It rotates vectors from the frame of the body to the frame of space.
     pub r: A,
     /// The angular momentum of each body in its own frame.
     pub m: A::Momenta,
-    /// Where centres of mass are, in space; `()` of bodies about fixed points.
+    /// The centres of mass, in space. `()` for bodies about fixed points.
     pub q: C,
-    /// Their momenta, in space.
+    /// The momenta of the centres of mass, in space.
     pub p: C,
 }
 
@@ -185,7 +185,7 @@ impl<A: Attitudes> BodyState<A> {
         BodyState { t, r, m, q: (), p: () }
     }
 
-    /// The same with centres of mass at `q` and with momenta `p`, both in space.
+    /// Adds centres of mass at `q` with momenta `p`, both in space.
     pub fn with_centres<C: Centres<A>>(self, q: C, p: C) -> BodyState<A, C> {
         let BodyState { t, r, m, .. } = self;
         BodyState { t, r, m, q, p }
@@ -216,18 +216,18 @@ impl<A: Attitudes, C: Centres<A>> Snapshot for BodyState<A, C> {
     }
 }
 
-/// How far rounding may have led the length of a quaternion from 1, in units of ε: a user's product of hundreds of rotations, or the
-/// end of a run between two normalisations.
+/// The permitted error of the length of a quaternion, in units of ε. It covers a user's product of hundreds of rotations, and the end of a run between two
+/// normalisations.
 const ROUNDING_OF_LENGTH: f64 = 1024.0;
 
-/// A quaternion that is longer than this, in units of 1/ε, has no digits left when it is normalised.
+/// The largest length of a quaternion, in units of 1/ε, that can be normalised without the loss of all digits.
 const LONGEST: f64 = 1.0 / (1 << 20) as f64;
 
 fn length<R: Real>(r: &[R; 4]) -> R {
     r.iter().fold(zero::<R>(), |sum, x| x.multiply_add(*x, sum)).sqrt()
 }
 
-/// The first length, if any, that is not 1 to rounding.
+/// Returns the length of the first quaternion that is not a unit quaternion to rounding.
 pub(crate) fn wrong_length<S: PhaseSpace<R>, R: Real>(z: &S::Phase) -> Option<f64> {
     let mut z = *z;
     let mut lengths = S::attitudes(&mut z).iter().map(length);
@@ -235,7 +235,7 @@ pub(crate) fn wrong_length<S: PhaseSpace<R>, R: Real>(z: &S::Phase) -> Option<f6
     lengths.find(wrong).map(signed)
 }
 
-/// What takes the length of every quaternion to 1. No number where that would be all of it: a step was so long that nothing is left of the attitude.
+/// Returns the increments that normalise all quaternions. NaN for a quaternion that is so long that its attitude has no correct digit.
 pub(crate) fn normalisation<S: PhaseSpace<R>, R: Real>(z: &S::Phase) -> S::Phase {
     let one = R::from_f64(1.0);
     let (mut z, mut dz) = (*z, S::Phase::zero());

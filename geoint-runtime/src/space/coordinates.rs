@@ -1,12 +1,12 @@
-//! Coordinates in the types of the energy's signature.
+//! Coordinates in the types that the user writes in the signature of the energy.
 
 use crate::scalar::Real;
 use crate::space::Array;
 use nalgebra::SVector;
 
-/// What a coordinate may be: a scalar, an array, an array of arrays, a vector of nalgebra, an array of those.
+/// The types of coordinates: a scalar, an array, an array of arrays, a vector of nalgebra, or an array of vectors.
 ///
-/// Users see this type; kernels see [`Coordinates::Array`].
+/// Users write this type. Kernels use [`Coordinates::Array`].
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot be a coordinate",
     note = "coordinates are `f64`, `f32`, `[f64; N]`, `[[f64; D]; N]`, `SVector<f64, N>` or `[SVector<f64, D>; N]`"
@@ -14,11 +14,11 @@ use nalgebra::SVector;
 pub trait Coordinates: Copy + core::fmt::Debug + PartialEq {
     /// The scalar.
     type Real: Real;
-    /// The same numbers as nested arrays.
+    /// The type of the coordinates as nested arrays.
     type Array: Array<Real = Self::Real>;
-    /// To nested arrays.
+    /// Converts to nested arrays.
     fn into_array(self) -> Self::Array;
-    /// From nested arrays.
+    /// Converts from nested arrays.
     fn from_array(array: Self::Array) -> Self;
 }
 

@@ -1,12 +1,12 @@
-//! A number of two words, for sums of time: the second holds what the first rounds off.
+//! Numbers of two words, for sums of time. The second word holds the rounding error of the first one.
 
 use super::record::{Record, Tape};
 use crate::scalar::{Real, exact_sum, halves, zero};
 
-/// Of so many bits are the parts of a whole number that are multiplied without rounding.
+/// The number of bits of each part of an integer in an exact product.
 const BITS: u32 = 11;
 
-/// high + low, with |low| of half a unit in the last place of high at most: twice the digits of the scalar.
+/// The number high + low, with twice the digits of the scalar. Invariant: |low| is at most half a unit in the last place of high.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DoubleWord<R> {
     high: R,
@@ -14,19 +14,19 @@ pub struct DoubleWord<R> {
 }
 
 impl<R: Real> DoubleWord<R> {
-    /// A number that one word holds.
+    /// Returns the number x.
     #[inline(always)]
     pub fn new(x: R) -> Self {
         DoubleWord { high: x, low: zero() }
     }
 
-    /// The nearest number of one word.
+    /// Returns the nearest number of one word.
     #[inline(always)]
     pub fn value(&self) -> R {
         self.high
     }
 
-    /// Both words.
+    /// Returns both words.
     #[inline(always)]
     pub(crate) fn words(&self) -> [R; 2] {
         [self.high, self.low]
@@ -37,7 +37,7 @@ impl<R: Real> DoubleWord<R> {
         [&mut self.high, &mut self.low]
     }
 
-    /// Adds a number, with an error of ε² relative to the sum.
+    /// Adds a number. The error is ε² times the sum.
     #[inline(always)]
     pub fn add(&mut self, x: R) {
         let (sum, error) = exact_sum(self.high, x);
@@ -51,7 +51,7 @@ impl<R: Real> DoubleWord<R> {
         self.add(x.high);
     }
 
-    /// Adds n·h with the same error: a few bits of n and half of those of h at a time, whose product is exact.
+    /// Adds n·h by exact products of [`BITS`] bits of n and half of the digits of h. The error of each addition is ε² times the sum.
     pub(crate) fn add_multiple(&mut self, mut n: u64, h: R) {
         let (upper, lower) = halves(h);
         let mut unit = 1.0;

@@ -1,4 +1,4 @@
-//! Points of phase space: as users write them, as kernels see them, and while they move.
+//! Points of phase space: the states of users, the arrays of kernels, and moving points with sums of increments.
 
 mod array;
 mod body;

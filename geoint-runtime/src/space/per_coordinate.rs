@@ -1,30 +1,30 @@
-//! A number for every coordinate of a point.
+//! One number for each coordinate of a point.
 
 use super::array::Array;
 use super::record::{Record, Tape};
 use super::state::Action;
 use crate::scalar::Real;
 
-/// A number for every coordinate: the point itself, its rates, increments, errors, sizes.
+/// One number for each coordinate, for example the point itself, its rates, increments, errors or sizes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PerCoordinate<Z, S = ()> {
-    /// Of all coordinates: [q, p], or x.
+    /// The numbers of the coordinates [q, p], or x.
     pub z: Z,
-    /// Of the action of a contact system.
+    /// The number of the action of a contact system.
     pub s: S,
 }
 
 impl<Z: Array, S: Action<Z::Real>> PerCoordinate<Z, S> {
-    /// How many numbers there are.
+    /// The number of entries.
     pub const LEN: usize = Z::LEN + S::LEN;
 
-    /// All zeros.
+    /// Returns zeros.
     #[inline(always)]
     pub fn zero() -> Self {
         PerCoordinate { z: Z::zero(), s: S::zero() }
     }
 
-    /// Zeros to which something is to be added; see [`Array::nothing`].
+    /// Returns −0 in all entries, as the start of a sum; see [`Array::nothing`].
     #[inline(always)]
     pub fn nothing() -> Self {
         let mut s = S::zero();
@@ -34,18 +34,18 @@ impl<Z: Array, S: Action<Z::Real>> PerCoordinate<Z, S> {
         PerCoordinate { z: Z::nothing(), s }
     }
 
-    /// The number of the coordinate `i`, the action last.
+    /// Returns the entry of the coordinate `i`. The action is the last one.
     #[inline(always)]
     pub(crate) fn at(&self, i: usize) -> Z::Real {
         if i < Z::LEN { self.z.as_slice()[i] } else { self.s.numbers()[i - Z::LEN] }
     }
 
-    /// All numbers in that order.
+    /// Returns all entries in the order of [`at`](PerCoordinate::at).
     pub(crate) fn numbers(&self) -> impl Iterator<Item = Z::Real> {
         (0..Self::LEN).map(|i| self.at(i))
     }
 
-    /// All numbers to be written to.
+    /// Returns all entries, mutably.
     pub(crate) fn numbers_mut(&mut self) -> impl Iterator<Item = &mut Z::Real> {
         self.z.as_mut_slice().iter_mut().chain(self.s.numbers_mut())
     }
@@ -62,7 +62,7 @@ impl<Z: Array, S: Action<Z::Real>> PerCoordinate<Z, S> {
     /// self ← w·self.
     #[inline(always)]
     pub(crate) fn times(&mut self, w: Z::Real) {
-        // Loops of a known length each, which become registers: one over both goes through memory.
+        // Two loops of known length stay in registers. One loop over both parts would not.
         for x in self.z.as_mut_slice() {
             *x *= w;
         }
@@ -71,7 +71,7 @@ impl<Z: Array, S: Action<Z::Real>> PerCoordinate<Z, S> {
         }
     }
 
-    /// Whether every number is finite.
+    /// Returns whether all entries are finite.
     #[inline(always)]
     pub(crate) fn is_finite(&self) -> bool {
         self.z.is_finite() && self.s.is_finite()

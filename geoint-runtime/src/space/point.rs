@@ -1,4 +1,4 @@
-//! A point of phase space while it moves: its coordinates, and how increments are added to them.
+//! A moving point of phase space: its coordinates, and the sums that add increments to them.
 
 use super::array::Array;
 use super::double_word::DoubleWord;
@@ -8,7 +8,7 @@ use super::state::Action;
 use super::summation::{Summation, add_compensated};
 use crate::scalar::{Real, zero};
 
-/// A point with sums of kind `C`, and an action if its space has one.
+/// A point with sums of type `C`, and an action if the system has one.
 #[derive(Clone, Copy, Debug)]
 pub struct Point<Z: Array, C, S = ()> {
     /// All coordinates: [q, p], or x.
@@ -16,26 +16,26 @@ pub struct Point<Z: Array, C, S = ()> {
     /// The action of a contact system.
     pub s: S,
     pub(crate) sums: C,
-    /// What s is too small by, where sums compensate.
+    /// The rounding error of s, which is to be added to s. Used by compensated sums.
     pub(crate) compensation: S,
-    /// How far time is ahead of t₀ + n·h: methods that scale their steps say so here.
+    /// The time minus t₀ + n·h. Not zero for methods that scale their steps.
     pub ahead: DoubleWord<Z::Real>,
-    /// A step of the fast path can not tell that it was good: it is to be repeated, watched.
+    /// A quick step could not verify its result. It is repeated with all checks.
     pub(crate) needs_recheck: bool,
 }
 
 impl<Z: Array, C: Summation<Z>, S: Action<Z::Real>> Point<Z, C, S> {
-    /// A point without rounding errors so far.
+    /// Returns a point with an action, and with compensations of zero.
     pub fn with_action(z: Z, s: S) -> Self {
         Point { z, s, sums: C::new(), compensation: S::zero(), ahead: DoubleWord::new(zero()), needs_recheck: false }
     }
 
-    /// The same point with sums of another kind, without rounding errors so far.
+    /// Returns this point with sums of another type, and with compensations of zero.
     pub(crate) fn with_sums<D: Summation<Z>>(self) -> Point<Z, D, S> {
         Point { ahead: self.ahead, ..Point::with_action(self.z, self.s) }
     }
 
-    /// Whether every coordinate is a finite number, and no step is in doubt.
+    /// Returns whether all coordinates are finite, and no step needs a recheck.
     #[inline(always)]
     pub fn is_finite(&self) -> bool {
         !self.needs_recheck && self.z.is_finite() && self.s.is_finite()
@@ -47,21 +47,22 @@ impl<Z: Array, C: Summation<Z>, S: Action<Z::Real>> Point<Z, C, S> {
         self.sums.add(&mut self.z, |z| z.add_scaled(Z::Real::from_f64(1.0), dz));
     }
 
-    /// The same for every coordinate, the action too.
+    /// Adds increments to all coordinates and to the action.
     #[inline(always)]
     pub(crate) fn add_everywhere(&mut self, d: &PerCoordinate<Z, S>) {
         self.add(&d.z);
         add_action::<Z, C, S>(&mut self.s, &mut self.compensation, d.s);
     }
 
-    /// Adds to the action.
+    /// Adds an increment to the action.
     #[inline(always)]
     pub(crate) fn add_action(&mut self, ds: S) {
         add_action::<Z, C, S>(&mut self.s, &mut self.compensation, ds);
     }
 
-    /// Adds a correction to a step that led from `before` by `moved` to here: both together, with sums of the method's own unless those
-    /// of the point compensate.
+    /// Adds a correction to a step from `before` with the increment `moved`.
+    ///
+    /// If the sums of the point are not compensated, the step is undone. Increment and correction are then added together by the method's own `sums`.
     #[inline(always)]
     pub(crate) fn correct<D: Summation<Z>>(&mut self, sums: &mut D, before: &Z, moved: &Z, correction: &Z) {
         if !C::PLAIN {
@@ -73,8 +74,9 @@ impl<Z: Array, C: Summation<Z>, S: Action<Z::Real>> Point<Z, C, S> {
         self.add_with(sums, &whole, &Z::zero());
     }
 
-    /// The same, with sums of the method's own unless those of the point compensate: those outlive a change of the step size.
-    /// `rounding_error` is the rounding error of dz.
+    /// z ← z + dz. `rounding_error` is the rounding error of dz.
+    ///
+    /// Uses the method's own `sums` if the sums of the point are not compensated. The sums of the point persist if the step size changes.
     #[inline(always)]
     pub fn add_with<D: Summation<Z>>(&mut self, sums: &mut D, dz: &Z, rounding_error: &Z) {
         if !C::PLAIN {
@@ -85,7 +87,7 @@ impl<Z: Array, C: Summation<Z>, S: Action<Z::Real>> Point<Z, C, S> {
         sums.compensate(rounding_error);
     }
 
-    /// Copies what sums have lost, if they compensate.
+    /// Copies the compensations to `lost`, if the sums are compensated.
     #[inline(always)]
     pub(crate) fn lost_to(&self, lost: &mut PerCoordinate<Z, S>) {
         if !C::PLAIN {
@@ -95,21 +97,21 @@ impl<Z: Array, C: Summation<Z>, S: Action<Z::Real>> Point<Z, C, S> {
 }
 
 impl<Z: Array, C: Summation<Z>> Point<Z, C> {
-    /// A point without rounding errors so far.
+    /// Returns a point without an action, and with compensations of zero.
     pub fn new(z: Z) -> Self {
         Self::with_action(z, ())
     }
 }
 
 impl<Z: Array, S: Action<Z::Real>> PerCoordinate<Z, S> {
-    /// The coordinates of a point.
+    /// Returns the coordinates of a point.
     #[inline(always)]
     pub(crate) fn of<C>(x: &Point<Z, C, S>) -> Self {
         PerCoordinate { z: x.z, s: x.s }
     }
 }
 
-/// s ← s + ds, if there is an action.
+/// s ← s + ds, if the system has an action.
 #[inline(always)]
 pub(crate) fn add_action<Z: Array, C: Summation<Z>, S: Action<Z::Real>>(s: &mut S, compensation: &mut S, ds: S) {
     for ((s, compensation), ds) in s.numbers_mut().iter_mut().zip(compensation.numbers_mut()).zip(ds.numbers()) {
@@ -121,7 +123,7 @@ pub(crate) fn add_action<Z: Array, C: Summation<Z>, S: Action<Z::Real>>(s: &mut 
     }
 }
 
-/// Coordinates, the action, what sums have lost of both, and how far time is ahead.
+/// Records the coordinates, the action, the compensations of both, `ahead` and `needs_recheck`.
 impl<Z: Array, C: Summation<Z>, S: Action<Z::Real>> Record<Z::Real> for Point<Z, C, S> {
     fn record(&mut self, tape: &mut impl Tape<Z::Real>) {
         tape.array(&mut self.z);

@@ -1,39 +1,39 @@
-//! What a run hands on from step to step, number by number: the same order for writing down and for reading back.
+//! Saving and restoring of the data that a run passes from step to step. One function defines the order of the numbers for both directions.
 
 use super::array::Array;
 use crate::scalar::Real;
 
-/// A number of steps that no run reaches, though others may be added to it.
+/// A number of steps that no run reaches. Sums with other numbers of steps do not overflow.
 pub(crate) const NEVER: u64 = 1 << 62;
 
-/// Writes the numbers down that it is shown, or puts those in their place that were written down.
+/// A record of numbers. Each call either saves its argument, or replaces it by the saved number.
 pub trait Tape<R> {
-    /// The next scalar.
+    /// Saves or restores a scalar.
     fn scalar(&mut self, x: &mut R);
-    /// The next whole number.
+    /// Saves or restores an integer.
     fn count(&mut self, n: &mut u64);
 
-    /// The next number that is a plain one whatever the scalar is.
+    /// Saves or restores an `f64`, which does not depend on the type of the scalar.
     fn number(&mut self, x: &mut f64) {
         let mut bits = x.to_bits();
         self.count(&mut bits);
         *x = f64::from_bits(bits);
     }
 
-    /// The next answer.
+    /// Saves or restores a boolean.
     fn flag(&mut self, yes: &mut bool) {
         let mut n = u64::from(*yes);
         self.count(&mut n);
         *yes = n != 0;
     }
 
-    /// The next number of steps: of what is read it is at most one that no run reaches.
+    /// Saves or restores a number of steps, limited to 2⁶².
     fn steps(&mut self, n: &mut u64) {
         self.count(n);
         *n = (*n).min(NEVER);
     }
 
-    /// What may be missing; where it was there and is not, `blank` takes its place first.
+    /// Saves or restores an optional value. If a value was saved and `slot` is empty, `blank` first creates a value.
     fn option<T: Record<R>>(&mut self, slot: &mut Option<T>, blank: impl FnOnce() -> T)
     where
         Self: Sized,
@@ -46,7 +46,7 @@ pub trait Tape<R> {
         }
     }
 
-    /// All scalars of an array.
+    /// Saves or restores all scalars of an array.
     fn array<A: Array<Real = R>>(&mut self, array: &mut A)
     where
         Self: Sized,
@@ -55,9 +55,9 @@ pub trait Tape<R> {
     }
 }
 
-/// What is shown to a tape: always all of it, in the same order.
+/// Data that a [`Tape`] can save and restore.
 pub trait Record<R> {
-    /// Shows every number.
+    /// Passes all numbers to the tape, always in the same order.
     fn record(&mut self, tape: &mut impl Tape<R>);
 }
 

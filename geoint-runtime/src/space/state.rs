@@ -1,4 +1,4 @@
-//! Points of phase space at a time, as users write them.
+//! States: points of phase space with a time, in the types of the user.
 
 use super::coordinates::Coordinates;
 use crate::scalar::{Real, zero};
@@ -124,27 +124,27 @@ impl<X: Coordinates> From<X> for FlowState<X> {
     }
 }
 
-/// A point of phase space at a time, whatever its kind: all coordinates in one array, and an action if there is one.
+/// The common interface of all states: a time, all coordinates in one array, and an action for contact systems.
 ///
-/// Sealed: phase spaces to come add to it.
+/// Sealed, because later versions may add items.
 pub trait Snapshot: Sealed + Copy + Debug + PartialEq {
     /// The scalar.
     type Real: Real;
     /// All coordinates: [q, p], or x.
     type Phase: Array<Real = Self::Real>;
-    /// What phase space has beside them.
+    /// The scalar for the action of a contact system, else `()`.
     type Action: Action<Self::Real>;
-    /// Coordinates come in groups of so many that have one unit: positions, momenta.
+    /// The length of groups of coordinates with a common unit, such as positions or momenta.
     const ALIKE: usize;
-    /// Whether half of them are momenta.
+    /// Whether half of the coordinates are momenta.
     const MOMENTA: bool = true;
-    /// Whether there are unit quaternions among them.
+    /// Whether there are unit quaternions among the coordinates.
     const ATTITUDES: bool = false;
-    /// Its time.
+    /// Returns the time.
     fn time(&self) -> Self::Real;
-    /// A point from its parts.
+    /// Returns the state with these parts.
     fn of(t: Self::Real, z: Self::Phase, action: Self::Action) -> Self;
-    /// The parts of a point.
+    /// Returns time, coordinates and action.
     fn parts(self) -> (Self::Real, Self::Phase, Self::Action);
 }
 
@@ -210,23 +210,23 @@ impl<X: Coordinates> Snapshot for FlowState<X> {
     }
 }
 
-/// What phase space has beside its coordinates: nothing, or the action of a contact system.
+/// The action of a contact system, or `()` for all other systems.
 ///
-/// Sealed: methods tell the two kinds apart.
+/// Sealed, because methods distinguish exactly these two cases.
 pub trait Action<R: Real>: Sealed + Copy + Debug + PartialEq {
-    /// How many numbers it is.
+    /// The number of scalars: 1 or 0.
     const LEN: usize;
-    /// Zero, if there is one.
+    /// Returns an action of zero, or `()`.
     fn zero() -> Self;
-    /// The action, if there is one, as a list.
+    /// Returns the action as a slice, which is empty for `()`.
     fn numbers(&self) -> &[R];
-    /// The same to be written to.
+    /// Returns the action as a mutable slice, which is empty for `()`.
     fn numbers_mut(&mut self) -> &mut [R];
-    /// Whether it is a finite number.
+    /// Returns whether the action is finite. `true` for `()`.
     fn is_finite(&self) -> bool;
-    /// The action, if there is one.
+    /// Returns the action, or `None` for `()`.
     fn scalar(&self) -> Option<R>;
-    /// The action with this value, if there is one.
+    /// Returns the action with this value, or `()`.
     fn of(number: R) -> Self;
 }
 

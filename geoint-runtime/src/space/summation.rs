@@ -1,4 +1,4 @@
-//! How increments are added to coordinates: every addition rounded, or with compensation.
+//! Sums of increments, with or without compensation of rounding errors.
 
 use super::array::Array;
 use super::record::{Record, Tape};
@@ -6,32 +6,33 @@ use crate::scalar::{Real, exact_sum, sum_with_small};
 use crate::sealed::Sealed;
 use core::fmt::Debug;
 
-/// How increments are added to a coordinate.
+/// A method of adding increments to coordinates.
 ///
-/// Sealed: what methods may leave out depends on which it is.
+/// Sealed, because methods omit work that one of these types does not need.
 pub trait Summation<A: Array>: Sealed + Copy + Debug + Record<A::Real> {
-    /// Whether there is no compensation: a flow may then act on the coordinate itself.
+    /// `true` without compensation. A flow may then act on the coordinates directly.
     const PLAIN: bool;
-    /// Whether the action of a contact system is followed.
+    /// Whether the action of a contact system is computed.
     const ACTION: bool = true;
-    /// A sum without a rounding error so far.
+    /// Returns a sum with a compensation of zero.
     fn new() -> Self;
-    /// Lets `flow` act on a part `x` of the coordinates, whose first one is the `first` of all. The increment that `flow` adds does not
-    /// depend on its argument, and has no more digits than fit into a number: kicks and drifts.
+    /// Applies `flow` to a part `x` of the coordinates, which starts at the index `first`.
+    ///
+    /// Precondition: the increment by `flow` does not depend on its argument, and is rounded to one number. Kicks and drifts are examples.
     fn add_part<B: Array<Real = A::Real>>(&mut self, first: usize, x: &mut B, flow: impl FnOnce(&mut B));
-    /// The same for all coordinates, of an increment whose own rounding error is [known](Self::compensate): all digits are kept.
+    /// Applies `flow` to all coordinates, and keeps all digits. Used for increments whose own rounding error is [known](Self::compensate).
     fn add(&mut self, x: &mut A, flow: impl FnOnce(&mut A));
     /// Adds the rounding error of an increment to the compensation.
     fn compensate(&mut self, error: &A);
-    /// The compensation: what the sum is too small by.
+    /// Returns the compensation: exact sum minus rounded sum.
     fn compensation(&self) -> A;
 }
 
-/// Every addition is rounded. The action of a contact system is followed, or not.
+/// Sums without compensation. `ACTION` states whether the action of a contact system is computed.
 #[derive(Clone, Copy, Debug)]
 pub struct Plain<const ACTION: bool = true>;
 
-/// Every addition is rounded, and the action of a contact system is not followed.
+/// Sums without compensation, and without the action of a contact system.
 pub type WithoutAction = Plain<false>;
 
 impl<const ACTION: bool> Sealed for Plain<ACTION> {}
@@ -58,8 +59,9 @@ impl<A: Array, const ACTION: bool> Summation<A> for Plain<ACTION> {
     }
 }
 
-/// The rounding error of an addition is added to the next increment: a sum of many small increments has the error of a single rounding.
-/// O. Møller, BIT 5 (1965) 37; the exact error of a sum: D. E. Knuth, *Seminumerical Algorithms*, 4.2.2.
+/// Compensated sums. The rounding error of an addition is added to the next increment, so a sum of many small increments has the error of one rounding.
+///
+/// O. Møller, BIT 5 (1965) 37. The exact error of a sum: D. E. Knuth, *Seminumerical Algorithms*, 4.2.2.
 #[doc(alias("Kahan summation", "compensated summation"))]
 #[derive(Clone, Copy, Debug)]
 pub struct Compensated<A> {
@@ -81,7 +83,7 @@ impl<A: Array> Summation<A> for Compensated<A> {
     }
     #[inline(always)]
     fn add_part<B: Array<Real = A::Real>>(&mut self, first: usize, x: &mut B, flow: impl FnOnce(&mut B)) {
-        // Acting on zero, the flow gives the increment.
+        // The flow, applied to zero, gives the increment.
         let mut increment = B::nothing();
         flow(&mut increment);
         let compensation = &mut self.compensation.as_mut_slice()[first..first + B::LEN];
@@ -108,8 +110,10 @@ impl<A: Array> Summation<A> for Compensated<A> {
     }
 }
 
-/// Adds a number that is rounded itself to a sum that is too small by `compensation`, in four operations: exact where the sum is the larger one,
-/// and where it is not, as it passes zero, the error is a rounding of the number. W. Kahan, Commun. ACM 8 (1965) 40.
+/// Adds a rounded increment to a compensated sum, in four operations.
+///
+/// The operation is exact if the sum is larger than the increment. Otherwise, near a zero of the sum, the error is a rounding of the increment.
+/// W. Kahan, Commun. ACM 8 (1965) 40.
 #[inline(always)]
 fn add_rounded<R: Real>(sum: &mut R, compensation: &mut R, increment: R) {
     let change = increment + *compensation;
@@ -118,11 +122,11 @@ fn add_rounded<R: Real>(sum: &mut R, compensation: &mut R, increment: R) {
     *sum = whole;
 }
 
-/// Adds a number to a sum that is too small by `compensation`, and keeps all digits of it.
+/// Adds an increment to a compensated sum, and keeps all digits of the increment.
 #[inline(always)]
 pub(crate) fn add_compensated<R: Real>(sum: &mut R, compensation: &mut R, increment: R) {
-    // Both rounding errors are kept: an increment has more digits than fit beside the compensation. Should it be the smaller
-    // one, the error of the first sum is lost, which is a rounding of the compensation.
+    // Both rounding errors are kept. If the increment is smaller than the compensation, the error of the first sum is lost. It is a
+    // rounding of the compensation.
     let (change, first) = sum_with_small(increment, *compensation);
     let (whole, second) = exact_sum(*sum, change);
     *compensation = first + second;

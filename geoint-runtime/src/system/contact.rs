@@ -1,4 +1,4 @@
-//! Contact systems: H(q, p, s, t) moves q' = ∂H/∂p, p' = −∂H/∂q − p ∂H/∂s, s' = p·∂H/∂p − H.
+//! Contact systems with H(q, p, s, t): q' = ∂H/∂p, p' = −∂H/∂q − p ∂H/∂s, s' = p·∂H/∂p − H.
 
 use super::{Cotangent, PhaseSpace, Separable};
 use crate::scalar::{Real, zero};
@@ -10,10 +10,10 @@ pub trait Contact<R: Real = f64>:
 {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// ∂H/∂q, ∂H/∂p and ∂H/∂s at a point.
+    /// Writes [∂H/∂q, ∂H/∂p] at a point to `slopes`, and ∂H/∂s to `ds`.
     fn gradient(&self, t: R, z: &Self::Phase, s: &R, slopes: &mut Self::Phase, ds: &mut R);
 
-    /// z' and s' at a point; the momenta of a lift stand still.
+    /// Writes z' at a point to `slopes`, and s' to `ds`.
     #[inline]
     fn rate(&self, t: R, z: &Self::Phase, s: &R, slopes: &mut Self::Phase, ds: &mut R) {
         let mut by_s = zero();
@@ -28,7 +28,7 @@ pub trait Contact<R: Real = f64>:
     }
 }
 
-/// (q, p) moves without s: H = g(t)·s + H₀(q, p, t).
+/// A contact system with H = g(t)·s + H₀(q, p, t). The motion of (q, p) does not depend on s.
 #[diagnostic::on_unimplemented(
     message = "positions and momenta of `{Self}` do not move without the action",
     label = "s acts back on q or p, and has to be followed"
@@ -39,51 +39,51 @@ pub trait Conformal<R: Real = f64>: Contact<R> {
     type Proof;
 }
 
-/// H = T(p, t) + g(t)·s + V(q, t), and the flows of T and V without the damping.
+/// A contact system with H = T(p, t) + g(t)·s + V(q, t). The trait gives the flows of T and V without the damping g·s.
 #[diagnostic::on_unimplemented(message = "`{Self}` was not proven to be T(p) + g·s + V(q)")]
 pub trait Mechanical<R: Real = f64>: Contact<R> + Separable<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// What a kick of given length needs from the parameters.
+    /// Coefficients of a kick of given length.
     type FreeKick: Copy;
-    /// What a drift of given length needs from the parameters.
+    /// Coefficients of a drift of given length.
     type FreeDrift: Copy;
 
-    /// Coefficients of a kick of length `h`.
+    /// Computes the coefficients of a kick of length `h`.
     fn prepare_free_kick(&self, h: R) -> Self::FreeKick;
-    /// The flow of V alone.
+    /// Applies the flow of V alone.
     fn free_kick(&self, kick: &Self::FreeKick, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut R);
-    /// Coefficients of a drift of length `h`.
+    /// Computes the coefficients of a drift of length `h`.
     fn prepare_free_drift(&self, h: R) -> Self::FreeDrift;
-    /// The flow of T alone.
+    /// Applies the flow of T alone.
     fn free_drift(&self, drift: &Self::FreeDrift, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut R);
-    /// g at time `t`.
+    /// Returns g at time `t`.
     fn damping(&self, t: R) -> R;
 }
 
-/// How a flow deals with time.
+/// The time at which the flow of a piece evaluates explicit time dependence.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Clock {
-    /// Exactly, from the time on at which it begins.
+    /// The flow is exact in time. It starts at its own start time.
     Own,
-    /// It is frozen at the middle of the step.
+    /// Time is frozen at the middle of the step.
     Stage,
 }
 
-/// A part of H, or of a field.
+/// A term of H, or of a field, in a splitting.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Piece {
-    /// Its formula.
+    /// The formula of the piece.
     pub name: &'static str,
-    /// Its time.
+    /// The time of the flow.
     pub clock: Clock,
-    /// Whether its flow is not known in closed form, and a symmetric step of order 2 is solved for in its place.
+    /// Whether the flow has no closed form. An implicit symmetric step of order 2 then replaces it.
     pub solved: bool,
-    /// Whether its flow may end before its time.
+    /// Whether the flow may cease to exist before the end of the step.
     pub may_end: bool,
 }
 
-/// The system is a sum of pieces whose flows are known: for the splitting `M`.
+/// A system that is a sum of pieces with known flows, for the splitting method `M`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no pieces for `{M}`",
     label = "this method is for systems that were split into such",
@@ -95,22 +95,22 @@ pub struct Piece {
 pub trait Pieces<M, R: Real = f64>: PhaseSpace<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// The pieces; the last one is in the middle of a step.
+    /// The pieces. The last one is in the middle of a step.
     const PIECES: &'static [Piece];
-    /// Whether every flow keeps the structure of phase space: a symplectic, Poisson or contact map.
+    /// Whether each flow is a symplectic, Poisson or contact map.
     const SYMPLECTIC: bool = true;
-    /// Whether every flow keeps H, or the first integral.
+    /// Whether each flow keeps H, or the first integral.
     const CONSERVES_ENERGY: bool = false;
-    /// What flows of given lengths need from the parameters.
+    /// Coefficients of flows of given lengths.
     type Flows: Copy + core::fmt::Debug;
-    /// Values of flows that depend on the frozen time.
+    /// Coefficients that depend on the frozen time.
     type Frozen: Copy + core::fmt::Debug;
 
-    /// Coefficients for flows of length `last` of the last piece, and of length `outer` of the others.
+    /// Computes the coefficients for a flow of length `last` of the last piece, and for flows of length `outer` of the others.
     fn prepare_flows(&self, outer: R, last: R) -> Self::Flows;
-    /// Freezes time at `t`.
+    /// Computes the coefficients for time frozen at `t`.
     fn freeze(&self, flows: &Self::Flows, t: R) -> Self::Frozen;
-    /// The flow of a piece, from time t on if it is exact in time. Not a number where it ends before.
+    /// Applies the flow of a piece. It starts at time `t` if it is exact in time. The result is NaN if the flow ends within the step.
     fn flow(
         &self,
         piece: usize,
@@ -120,7 +120,7 @@ pub trait Pieces<M, R: Real = f64>: PhaseSpace<R> {
         z: &mut Self::Phase,
         s: &mut Self::Action,
     );
-    /// The increments of `x` by that flow, for compensated sums.
+    /// Returns the increments of `x` by [`flow`](Pieces::flow), for compensated sums.
     fn increments(
         &self,
         piece: usize,
@@ -131,7 +131,7 @@ pub trait Pieces<M, R: Real = f64>: PhaseSpace<R> {
     ) -> PerCoordinate<Self::Phase, Self::Action>;
 }
 
-/// Two pieces A and B, in this order, with {B, {B, {B, A}}} = 0: tables of Runge–Kutta–Nyström type keep their order.
+/// Two pieces A and B, in this order, with {B, {B, {B, A}}} = 0. Tables of Runge–Kutta–Nyström type keep their order on such systems.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no two pieces A and B with {{B, {{B, {{B, A}}}}}} = 0",
     label = "Runge–Kutta–Nyström tables would lose their order",
@@ -142,22 +142,22 @@ pub trait NystromPieces<R: Real = f64>: PhaseSpace<R> {
     type Proof;
 }
 
-/// The equation d = Φ(d) of a step of the method `M` from x = (q, p, s), in a row, for its increment.
+/// The equation d = Φ(d) for the increment d of a step of the method `M` from x = (q, p, s).
 pub trait ContactEquation<M, R: Real = f64>: Contact<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// q, p and s in a row.
+    /// The array (q, p, s).
     type Unknown: Array<Real = R>;
-    /// What depends on parameters and h.
+    /// Coefficients that depend on parameters and h.
     type Constants: Copy + core::fmt::Debug;
-    /// What depends on x and t.
+    /// Coefficients that depend on x and t.
     type Start: Copy + core::fmt::Debug;
 
-    /// What depends on parameters and h.
+    /// Computes the coefficients that depend on parameters and h.
     fn constants(&self, h: R) -> Self::Constants;
-    /// What all evaluations of a step from `x` have in common; `t` is the time of its middle.
+    /// Computes the coefficients that all evaluations of a step from `x` share. `t` is the time at the middle of the step.
     fn begin(&self, constants: &Self::Constants, t: R, x: &Self::Unknown) -> Self::Start;
-    /// Φ and 1 − ∂Φ/∂d.
+    /// Writes Φ(d) to `f`, and 1 − ∂Φ/∂d to `matrix`.
     fn image(
         &self,
         constants: &Self::Constants,
@@ -166,6 +166,6 @@ pub trait ContactEquation<M, R: Real = f64>: Contact<R> {
         f: &mut Self::Unknown,
         matrix: &mut Square<Self::Unknown>,
     );
-    /// What a solution adds to x. Not a number if the step has none.
+    /// Returns the increment of x for a solution `d`. NaN if the step has no end.
     fn end(&self, constants: &Self::Constants, start: &Self::Start, d: &Self::Unknown) -> Self::Unknown;
 }

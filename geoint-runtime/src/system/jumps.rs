@@ -1,18 +1,18 @@
-//! Conditions of the energy that rounding decides, and those that a step without secants would pass unseen.
+//! Search for jumps of the energy, at conditions such as that of an `if`.
 //!
-//! The equation of a step that keeps the energy decides every condition at the end of the step. The state that is returned has been rounded,
-//! and may lie on the other side: where the energy jumps there, the step has not kept it.
+//! A step that keeps the energy evaluates each condition at the end of the step. The returned state is rounded, and may lie on the other side of the
+//! condition. If the energy jumps there, the step has not kept it.
 //!
-//! All other methods know derivatives alone, and a jump has none: on both sides of the edge of a square well there is no force.
+//! All other methods evaluate derivatives only, which do not show a jump. On both sides of the edge of a square well, for example, the force is zero.
 
 use super::PhaseSpace;
 use crate::scalar::{Enclosure, Interval, Real, bounds, signed};
 use crate::space::{Action, Array, PerCoordinate, Snapshot};
 use core::marker::PhantomData;
 
-/// The first jump of the energy, if any, between two points that differ by rounding, at one of which a condition holds.
+/// Returns the first jump of the energy between two points that differ by rounding. A condition holds at one of the points, and not at the other one.
 ///
-/// Where the energy has no jump, or one that cannot be told from rounding, there is none.
+/// Returns `None` if the energy has no jump there, or a jump that cannot be distinguished from rounding.
 #[inline(always)]
 pub(crate) fn jump_between<S: PhaseSpace<R>, R: Real>(
     system: &S,
@@ -26,7 +26,7 @@ pub(crate) fn jump_between<S: PhaseSpace<R>, R: Real>(
 /// A time and a point.
 pub(crate) type Moment<S, R> = (R, PerCoordinate<<S as PhaseSpace<R>>::Phase, <S as PhaseSpace<R>>::Action>);
 
-/// A jump of the energy, by more than this part of it, on the straight line between the ends of a step.
+/// Returns the first jump of the energy on the straight line between the ends of a step. Only jumps by more than `part` times the energy count.
 #[inline(always)]
 pub(crate) fn jump_on_way<S: PhaseSpace<R>, R: Real>(
     system: &S,
@@ -41,8 +41,8 @@ pub(crate) fn jump_on_way<S: PhaseSpace<R>, R: Real>(
 
 /// Returns the first jump of an integral of a field on the straight line between the ends of a step that keeps integrals.
 ///
-/// No flow leads from one side of such a jump to the other: where rounding does, the correction of a step would take the jump along. Energies
-/// are different: motion goes over a jump of a potential, and gains or loses speed.
+/// No flow crosses such a jump. If rounding crosses it, the correction of a step would include the jump. Energies are
+/// different: a motion crosses a jump of a potential, and gains or loses speed.
 #[inline(always)]
 pub(crate) fn jump_of_integral<S: PhaseSpace<R>, R: Real>(
     system: &S,
@@ -63,43 +63,43 @@ fn first_on_way<S: PhaseSpace<R>, R: Real>(
     ends: &[Moment<S, R>; 2],
     part: Option<f64>,
 ) -> Option<&'static str> {
-    let crosses = |jump: &usize| Way { system, ends, jump: *jump, part }.crosses([0.0, 1.0], HALVINGS);
+    let crosses = |jump: &usize| Line { system, ends, jump: *jump, part }.crosses([0.0, 1.0], HALVINGS);
     (0..S::JUMPS.len()).find(crosses).map(|jump| S::JUMPS[jump])
 }
 
-/// After so many a part of a line is as short as a number between 0 and 1 can tell.
+/// After this many bisections, a part of the line has the length of the spacing of numbers near 1.
 const HALVINGS: u32 = 52;
 
-/// A line between two points is halved so often before a condition that is the same at both is taken to be the same on it.
-const LOOKS: u32 = 8;
+/// A line is bisected this many times before a condition with equal values at both ends counts as constant on the line.
+const LEAST_HALVINGS: u32 = 8;
 
-/// A straight line, and one of the conditions.
-struct Way<'a, S: PhaseSpace<R>, R: Real> {
+/// The straight line between two points, and the index of one condition.
+struct Line<'a, S: PhaseSpace<R>, R: Real> {
     system: &'a S,
     ends: &'a [Moment<S, R>; 2],
     jump: usize,
-    /// The part of the energy by which it may jump; missing if every jump counts.
+    /// Jumps by less than this part of the energy do not count. `None` if each jump counts.
     part: Option<f64>,
 }
 
-/// How a condition is on a part of a line.
-enum Seen {
-    /// The same everywhere.
+/// The behaviour of a condition on a part of a line.
+enum Condition {
+    /// Proven to be constant, by interval arithmetic.
     Steady,
-    /// The same at both ends.
+    /// Equal at both ends, but not proven to be constant.
     Same,
-    /// Not the same.
+    /// Different at both ends.
     Changes,
 }
 
-impl<S: PhaseSpace<R>, R: Real> Way<'_, S, R> {
-    /// Whether the energy jumps between two parts of the way: that is halved until intervals exclude that the condition changes, or there is
-    /// nothing between its ends.
+impl<S: PhaseSpace<R>, R: Real> Line<'_, S, R> {
+    /// Returns whether the energy jumps between two parts of the line. The line is bisected until intervals prove that the condition is constant, or until
+    /// no number lies between the ends.
     fn crosses(&self, [from, to]: [f64; 2], left: u32) -> bool {
-        match self.look([from, to]) {
-            Seen::Steady => false,
-            Seen::Same if left <= HALVINGS - LOOKS => false,
-            Seen::Changes if left == 0 => self.jumps([from, to]),
+        match self.condition_on([from, to]) {
+            Condition::Steady => false,
+            Condition::Same if left <= HALVINGS - LEAST_HALVINGS => false,
+            Condition::Changes if left == 0 => self.jumps([from, to]),
             _ => {
                 let middle = 0.5 * (from + to);
                 self.crosses([from, middle], left - 1) || self.crosses([middle, to], left - 1)
@@ -107,9 +107,9 @@ impl<S: PhaseSpace<R>, R: Real> Way<'_, S, R> {
         }
     }
 
-    // Points may be large: none is kept while halves are looked at.
+    // Not inlined, so that the points, which may be large, are not on the stack during the recursion.
     #[inline(never)]
-    fn look(&self, ends: [f64; 2]) -> Seen {
+    fn condition_on(&self, ends: [f64; 2]) -> Condition {
         let [before, after] = ends.map(|part| self.at(part));
         let [side, _] = enclosed(self.system, self.jump, &before, &after);
         let side_of = |(t, x): &Moment<S, R>| {
@@ -117,13 +117,13 @@ impl<S: PhaseSpace<R>, R: Real> Way<'_, S, R> {
             signed(self.system.jump(self.jump, |parameter| parameter, *t, x.z.as_slice(), s)[0])
         };
         match () {
-            () if !side.contains_zero() => Seen::Steady,
-            () if side_of(&before) == side_of(&after) => Seen::Same,
-            () => Seen::Changes,
+            () if !side.contains_zero() => Condition::Steady,
+            () if side_of(&before) == side_of(&after) => Condition::Same,
+            () => Condition::Changes,
         }
     }
 
-    /// Whether the energy jumps between two points that are next to each other.
+    /// Returns whether the energy jumps between two neighbouring points.
     #[inline(never)]
     fn jumps(&self, ends: [f64; 2]) -> bool {
         let [before, after] = ends.map(|part| self.at(part));
@@ -134,7 +134,7 @@ impl<S: PhaseSpace<R>, R: Real> Way<'_, S, R> {
         (h1 - h0).magnitude() > least && !height.contains_zero()
     }
 
-    /// The point after a part of the way.
+    /// Returns the point at this part of the line, from 0 to 1.
     fn at(&self, part: f64) -> Moment<S, R> {
         let [(t, mut x), (end, after)] = *self.ends;
         let (before, after_part) = (R::from_f64(1.0 - part), R::from_f64(part));
@@ -144,11 +144,11 @@ impl<S: PhaseSpace<R>, R: Real> Way<'_, S, R> {
     }
 }
 
-/// What is known of jumps at compile time.
+/// Constants about jumps, known at compile time.
 struct Jumps<S, R>(PhantomData<(S, R)>);
 
 impl<S: PhaseSpace<R>, R: Real> Jumps<S, R> {
-    /// Nothing of a search is compiled then.
+    /// `true` if the system has no conditions. The search is then not compiled.
     const NONE: bool = S::JUMPS.is_empty();
 }
 
@@ -162,7 +162,7 @@ fn search<S: PhaseSpace<R>, R: Real>(system: &S, t: R, z: [&S::Phase; 2], s: [&S
     })
 }
 
-/// The side of a condition and the height of its jump, in the box between two points.
+/// Returns intervals that enclose the side of a condition and the height of its jump in the box between two points.
 fn enclosed<S: PhaseSpace<R>, R: Real>(
     system: &S,
     jump: usize,

@@ -1,11 +1,11 @@
-//! Systems that were written as a Lagrangian L(q, v, s, t).
+//! Systems that are given by a Lagrangian L(q, v, s, t).
 
 use super::{Cotangent, VectorField};
 use crate::scalar::Real;
 use crate::space::Array;
 use crate::space::vector::{difference, moved, scaled};
 
-/// The energy H(q, p, s, t) of a system is p·v − L(q, v, s, t) with p = ∂L/∂v.
+/// A system with the energy H(q, p, s, t) = p·v − L(q, v, s, t) and the momenta p = ∂L/∂v.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no system of `#[lagrangian]`",
     label = "velocities belong to a Lagrangian; of an energy H(q, p) they are ∂H/∂p"
@@ -14,16 +14,17 @@ use crate::space::vector::{difference, moved, scaled};
 pub trait Lagrangian<R: Real = f64>: Cotangent<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// L.
+    /// Returns L.
     fn lagrangian(&self, t: R, q: &Self::Array, v: &Self::Array, s: &Self::Action) -> R;
-    /// p = ∂L/∂v.
+    /// Returns p = ∂L/∂v.
     fn momentum(&self, t: R, q: &Self::Array, v: &Self::Array, s: &Self::Action) -> Self::Array;
-    /// v = ∂H/∂p at a point; not a number where the point has none.
+    /// Returns v = ∂H/∂p at a point. NaN if no velocity has this momentum.
     fn velocity(&self, t: R, z: &Self::Phase, s: &Self::Action) -> Self::Array;
 }
 
-/// The momentum at the end of a step of the implicit midpoint rule from one position to another: p̄ + ½h p̄' with p̄ = ∂L/∂v of the mean
-/// velocity in the middle, which is ∂/∂q₁ of h L((q₀ + q₁)/2, (q₁ − q₀)/h).
+/// Returns the momentum at the end of a step of the implicit midpoint rule from position q₀ to position q₁. `t` is the time at the end.
+///
+/// The result is p₁ = p̄ + ½h p̄' with p̄ = ∂L/∂v at the midpoint and at the mean velocity. This equals ∂/∂q₁ of h L((q₀ + q₁)/2, (q₁ − q₀)/h).
 pub fn from_positions<S: Lagrangian<R> + VectorField<R>, R: Real>(
     system: &S,
     t: R,

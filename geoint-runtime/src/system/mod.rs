@@ -91,7 +91,8 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
     /// Returns a message about the first term of H that has a value at a point, but not all derivatives of order 1 and 2. An example is
     /// √u at u = 0.
     ///
-    /// Called after a refused step: the integrator repeats the step to find the cause, and asks at each point where the step evaluates H. The default is right if H has no such term.
+    /// Called after a refused step. The integrator repeats the step to find the cause, and calls this function at each point where the step evaluates H.
+    /// The default is right if H has no such term.
     fn edge(&self, _t: R, _z: &Self::Phase, _s: &Self::Action) -> Option<&'static str> {
         None
     }
@@ -169,7 +170,8 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
     /// `true` if H was proven to be continuous at each condition that reads the state.
     ///
     /// If this is `false`, methods that do not keep the energy search each step for a jump. Methods that keep the energy call
-    /// [`same_sides`](PhaseSpace::same_sides) instead: the balance of energy in their step includes the jump, so comparing its ends is enough. The default is right without conditions.
+    /// [`same_sides`](PhaseSpace::same_sides) instead. The energy balance of their step includes the jump, so a comparison of both ends is enough.
+    /// The default is right without conditions.
     const CONTINUOUS: bool = true;
 
     /// Returns whether each condition of [`JUMPS`](PhaseSpace::JUMPS) has the same value at two points. `t` is the time at which the step

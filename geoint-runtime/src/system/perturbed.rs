@@ -1,12 +1,12 @@
-//! H = A + B: a part with an exact flow, and a rest that is a kick.
+//! Perturbed systems H = A + B: A has an exact flow, and the perturbation B is a kick.
 
 use super::{Cotangent, FlowPart};
 use crate::scalar::Real;
 use crate::space::{Array, PerCoordinate};
 
-/// H = A(q, p, t) + B(q, t), A with an exact flow: where B is small, steps are as long as B is small.
+/// A system with H = A(q, p, t) + B(q, t), where A has an exact flow. The error of a step is proportional to B, so a small B permits long steps.
 ///
-/// A and B move in coordinates of their own, if the system has such: those of Jacobi for bodies that attract each other.
+/// The flows of A and B may act in inner coordinates, for instance in Jacobi coordinates for bodies that attract each other.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no part with an exact flow beside a rest that is a kick",
     label = "H was not parted into A + B",
@@ -15,46 +15,47 @@ use crate::space::{Array, PerCoordinate};
 pub trait Perturbed<R: Real = f64>: Cotangent<R, Action = ()> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// What the flow of A of given length needs from the parameters.
+    /// Coefficients of the flow of A of given length.
     type Exact: Copy;
-    /// What the flow of A after a kick needs from the parameters, if it is linear.
+    /// Coefficients of the flow of A after a kick, if that flow is linear.
     type After: Copy;
-    /// What a kick by B of given length needs from the parameters.
+    /// Coefficients of a kick by B of given length.
     type Rest: Copy;
-    /// Whether the flow of A from t on is exact in its own time, or takes place at the frozen time t of the kicks.
+    /// `true` if the flow of A is exact in explicit time dependence, from its start time t. `false` if it is evaluated at the frozen time t of the kicks.
     const EXACT_IN_TIME: bool = false;
-    /// Whether a kick by B adds to p what positions alone decide.
+    /// Whether a kick by B adds to p an increment that depends on positions only.
     const KICKS_REPEAT: bool = false;
-    /// Whether B is a function of positions and time, so that its flow is a kick. If not,
-    /// [`rest_increments`](Perturbed::rest_increments) says what it adds.
+    /// Whether B depends on positions and time only, so that its flow is a kick. If not,
+    /// [`rest_increments`](Perturbed::rest_increments) returns its increments.
     const REST_IS_KICK: bool = true;
     /// Whether [`rest`](Perturbed::rest) is the flow of B. If not, it is a symmetric step of order 2.
     const REST_IS_EXACT: bool = true;
-    /// Whether the flow of A is a linear map whose coefficients are prepared, so that [`exact_after`](Perturbed::exact_after) is there.
+    /// Whether the flow of A is a linear map with prepared coefficients, so that [`exact_after`](Perturbed::exact_after) is implemented.
     const IS_LINEAR: bool = false;
-    /// Parts of the flow of A that may end within a step.
+    /// Parts of the flow of A that may cease to exist within a step.
     const PARTS: &'static [FlowPart] = &[];
-    /// Whether A and B move in other coordinates than those of states.
+    /// Whether A and B act in inner coordinates, which differ from those of states.
     const INNER: bool = false;
 
-    /// Coefficients of the flow of A of length `h`.
+    /// Computes the coefficients of the flow of A of length `h`.
     fn prepare_exact(&self, h: R) -> Self::Exact;
-    /// Coefficients of a kick by B of length `h`.
+    /// Computes the coefficients of a kick by B of length `h`.
     fn prepare_rest(&self, h: R) -> Self::Rest;
-    /// The flow of A.
+    /// Applies the flow of A.
     fn exact(&self, flow: &Self::Exact, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut ());
-    /// The flow of B at frozen time: p ← p − h ∂B/∂q.
+    /// Applies the flow of B at frozen time: p ← p − h ∂B/∂q.
     fn rest(&self, kick: &Self::Rest, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut ());
 
-    /// Coefficients of the flow of A after a kick.
+    /// Computes the coefficients of the flow of A after a kick.
     fn prepare_after(&self, h: R) -> Self::After;
-    /// The flow of A after momenta have grown by `dp`: the sums of where they were do not wait for the kick.
+    /// Applies the flow of A after a kick that adds `dp` to the momenta. The linear map of the old momenta does not depend on the kick, so both can be
+    /// computed in parallel.
     #[inline(always)]
     fn exact_after(&self, _: &Self::After, _: &mut Self::Array, p: &mut Self::Array, dp: &Self::Array) {
         p.add_scaled(R::from_f64(1.0), dp);
     }
 
-    /// What the flow of A from `x` adds, for sums that compensate.
+    /// Returns the increments of `x` by the flow of A, for compensated sums.
     #[inline(always)]
     fn exact_increments(
         &self,
@@ -67,7 +68,7 @@ pub trait Perturbed<R: Real = f64>: Cotangent<R, Action = ()> {
         d
     }
 
-    /// What a kick by B from `x` adds, in the same way.
+    /// Returns the increments of `x` by a kick by B, for compensated sums.
     #[inline(always)]
     fn rest_increments(
         &self,
@@ -80,22 +81,23 @@ pub trait Perturbed<R: Real = f64>: Cotangent<R, Action = ()> {
         d
     }
 
-    /// From the coordinates of a state to those in which A and B move.
+    /// Converts the coordinates of a state to the inner coordinates, in which A and B act.
     #[inline(always)]
     fn enter(&self, _z: &mut Self::Phase) {}
 
-    /// And back.
+    /// Converts the inner coordinates to the coordinates of a state.
     #[inline(always)]
     fn leave(&self, _z: &mut Self::Phase) {}
 
-    /// Why there are no such coordinates for these parameters.
+    /// Returns a message if there are no inner coordinates for these parameters.
     fn unsuitable(&self) -> Option<&'static str> {
         None
     }
 }
 
-/// The first mass beside which no digit is left of the sum of masses that it is divided by. Where a mass is zero the energy is not defined,
-/// which is to be said instead.
+/// Returns the message of the first mass whose sum with other masses, by which it is divided, has lost all digits: |sum| < ε |mass|.
+///
+/// Returns `None` if a mass is zero. The energy is then undefined, which is reported elsewhere.
 #[cold]
 pub fn unsuitable<R: Real>(masses: &[R], shares: &[([R; 2], &'static str)]) -> Option<&'static str> {
     if masses.iter().any(|mass| mass.magnitude() == 0.0) {
@@ -105,8 +107,10 @@ pub fn unsuitable<R: Real>(masses: &[R], shares: &[([R; 2], &'static str)]) -> O
     shares.iter().find(|(share, _)| lost(*share)).map(|(_, what)| *what)
 }
 
-/// A is of degree 2 in p, its squares with constant coefficients a: \[B, \[A, B\]\] = F·aF with F = −∂B/∂q is a function of q alone, and
-/// \[B, \[B, \[B, A\]\]\] = 0, so that all tables of Runge–Kutta–Nyström type and with force gradients keep their order.
+/// A perturbed system in which A is of degree 2 in p, with a constant matrix a of the squares.
+///
+/// Then \[B, \[A, B\]\] = F·aF with F = −∂B/∂q depends on q only, and \[B, \[B, \[B, A\]\]\] = 0. Thus all tables of Runge–Kutta–Nyström type, and those with
+/// force gradients, keep their order.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no kick with a force gradient beside its part with an exact flow",
     label = "that part is not of degree 2 in `p` with constant coefficients",
@@ -115,10 +119,10 @@ pub fn unsuitable<R: Real>(masses: &[R], shares: &[([R; 2], &'static str)]) -> O
 pub trait PerturbedGradient<R: Real = f64>: Perturbed<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// What a kick of given weights needs from the parameters.
+    /// Coefficients of a kick of given weights.
     type GradientKick: Copy;
-    /// Coefficients of a kick with `h` of the force and `g` of its gradient, both with their powers of the step size.
+    /// Computes the coefficients of a kick. `h` is the weight of the force and `g` that of its gradient. Both include their powers of the step size.
     fn prepare_gradient_kick(&self, h: R, g: R) -> Self::GradientKick;
-    /// The flow of hB − g F·aF at frozen time: p ← p + hF + g ∇(F·aF).
+    /// Applies the flow of hB − g F·aF at frozen time: p ← p + hF + g ∇(F·aF).
     fn gradient_kick(&self, kick: &Self::GradientKick, t: R, q: &mut Self::Array, p: &mut Self::Array);
 }

@@ -1,10 +1,11 @@
-//! The rates of all coordinates, of every kind of system.
+//! The rates of all coordinates, for systems with and without an action.
 
 use super::{Contact, PhaseSpace, VectorField};
 use crate::scalar::Real;
 use crate::space::PerCoordinate;
 
-/// A system as a differential equation: every [`VectorField`] and every [`Contact`] system is one. `S` keeps both apart.
+/// A system as a differential equation. The trait is implemented for each [`VectorField`] and each [`Contact`] system. The parameter `S` distinguishes
+/// both implementations.
 #[diagnostic::on_unimplemented(
     message = "the rates of `{Self}` are no functions of its state",
     label = "explicit methods and adaptive runs need them, and those of a system with constraints follow from multipliers",
@@ -13,7 +14,7 @@ use crate::space::PerCoordinate;
 pub trait Rates<R: Real = f64, S = <Self as PhaseSpace<R>>::Action>: PhaseSpace<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// z' and s' at a point.
+    /// Returns z' and s' at a point.
     fn rates(&self, t: R, x: &PerCoordinate<Self::Phase, Self::Action>) -> PerCoordinate<Self::Phase, Self::Action>;
 }
 

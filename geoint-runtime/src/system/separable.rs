@@ -1,30 +1,31 @@
-//! H = T + V: kick and drift.
+//! Separable systems H = T + V: kicks are flows of V, and drifts are flows of T.
 
 use super::Cotangent;
 use crate::scalar::Real;
 use crate::space::{Array, PerCoordinate};
 
-/// A part of a flow that may end before its time: what it is called, and the coordinates that it moves.
+/// A part of a flow that may cease to exist within a step, with its name and the positions that it moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FlowPart {
-    /// In messages.
+    /// The name in messages.
     pub name: &'static str,
-    /// The first of its positions, as they are stored.
+    /// The index of the first position, in the order of storage.
     pub first: usize,
-    /// How many there are.
+    /// The number of positions.
     pub count: usize,
 }
 
 impl FlowPart {
-    /// Whether the positions are numbers.
+    /// Returns whether the positions are finite.
     pub(crate) fn is_finite<R: Real, Z: Array<Real = R>>(&self, z: &Z) -> bool {
         let positions = &z.as_slice()[self.first..self.first + self.count];
         positions.iter().all(|x| x.magnitude() < f64::INFINITY)
     }
 }
 
-/// H = T(p, t) + V(q, t): each part has an exact flow. In contact systems with damping g·s the parts are T + g·s and V where T is
-/// quadratic, and T and V + g·s where it is not.
+/// A system with H = T(p, t) + V(q, t). Each part has an exact flow.
+///
+/// A contact system may have damping g·s. Its parts are then T + g·s and V if T is quadratic, else T and V + g·s.
 #[diagnostic::on_unimplemented(
     message = "kick and drift do not exist for `{Self}`",
     label = "H was not proven to be T(p) + V(q)",
@@ -33,37 +34,37 @@ impl FlowPart {
 pub trait Separable<R: Real = f64>: Cotangent<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// What a kick of given length needs from the parameters.
+    /// Coefficients of a kick of given length.
     type Kick: Copy;
-    /// What a drift of given length needs from the parameters.
+    /// Coefficients of a drift of given length.
     type Drift: Copy;
-    /// Whether a drift from t on is exact in its own time, or takes place at the frozen time t of the kicks.
+    /// `true` if a drift is exact in explicit time dependence, from its start time t. `false` if it is evaluated at the frozen time t of the kicks.
     const DRIFTS_ARE_EXACT_IN_TIME: bool = false;
-    /// Whether a kick, with a force gradient too, adds to p what positions alone decide, and does nothing else.
+    /// Whether a kick, with or without a force gradient, only adds to p an increment that depends on positions only.
     const KICKS_REPEAT: bool = false;
-    /// Whether a kick does nothing but add to p. If not, [`kick_increments`](Separable::kick_increments) says what it adds.
+    /// Whether a kick only adds to p. If not, [`kick_increments`](Separable::kick_increments) returns its increments.
     const KICKS_ADD: bool = true;
-    /// Whether a kick where the energy is not defined leaves momenta that are not finite.
+    /// Whether a kick at a point where the energy is undefined gives momenta that are not finite.
     const KICKS_SHOW: bool = false;
-    /// Whether a drift is a linear map, so that it takes what a kick has added by itself.
+    /// Whether a drift is a linear map. [`drift_after`](Separable::drift_after) then takes the increment of a kick as a separate argument.
     const DRIFTS_TAKE_KICKS: bool = false;
-    /// Parts of a drift that may end within a step.
+    /// Parts of a drift that may cease to exist within a step.
     const DRIFT_PARTS: &'static [FlowPart] = &[];
-    /// Whether a drift adds to positions what momenta alone decide, and does nothing else. If not,
-    /// [`drift_increments`](Separable::drift_increments) says what it adds.
+    /// Whether a drift only adds to positions an increment that depends on momenta only. If not,
+    /// [`drift_increments`](Separable::drift_increments) returns its increments.
     const DRIFTS_SHIFT: bool = true;
 
-    /// Coefficients of a kick of length `h`.
+    /// Computes the coefficients of a kick of length `h`.
     fn prepare_kick(&self, h: R) -> Self::Kick;
-    /// Coefficients of a drift of length `h`.
+    /// Computes the coefficients of a drift of length `h`.
     fn prepare_drift(&self, h: R) -> Self::Drift;
-    /// The flow of V at frozen time: p ← p − h ∂V/∂q, s ← s − hV; of V + g·s: p ← e^(−gh)·p − …
+    /// Applies the flow of V at frozen time: p ← p − h ∂V/∂q, s ← s − hV. For V + g·s it is p ← e^(−gh)·p − …
     fn kick(&self, kick: &Self::Kick, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut Self::Action);
-    /// The flow of T: q ← q + h ∂T/∂p; of T + g·s: p ← e^(−gh)·p, …
+    /// Applies the flow of T: q ← q + h ∂T/∂p. For T + g·s it is p ← e^(−gh)·p, …
     fn drift(&self, drift: &Self::Drift, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut Self::Action);
 
-    /// A drift after momenta have grown by `dp`. Where [`DRIFTS_TAKE_KICKS`](Separable::DRIFTS_TAKE_KICKS), the sums of where they were do not
-    /// wait for the kick.
+    /// Applies a drift after a kick that adds `dp` to the momenta. If [`DRIFTS_TAKE_KICKS`](Separable::DRIFTS_TAKE_KICKS), the linear map of the old
+    /// momenta does not depend on the kick, so both can be computed in parallel.
     #[inline(always)]
     fn drift_after(
         &self,
@@ -77,7 +78,7 @@ pub trait Separable<R: Real = f64>: Cotangent<R> {
         self.drift(drift, t, q, p, s);
     }
 
-    /// What a kick from `x` adds, for sums that compensate. A kick that does nothing but add is given zeros to add to.
+    /// Returns the increments of `x` by a kick, for compensated sums. The default is right if a kick only adds to p, because it then acts on zeros.
     #[inline(always)]
     fn kick_increments(
         &self,
@@ -89,7 +90,7 @@ pub trait Separable<R: Real = f64>: Cotangent<R> {
         self.kick(kick, t, &mut x.z[0].clone(), &mut d.z[1], &mut d.s);
         d
     }
-    /// What a drift from `x` adds, in the same way.
+    /// Returns the increments of `x` by a drift, for compensated sums. The default is right if a drift only adds to q.
     #[inline(always)]
     fn drift_increments(
         &self,
@@ -103,9 +104,9 @@ pub trait Separable<R: Real = f64>: Cotangent<R> {
     }
 }
 
-/// T is a quadratic polynomial in p with constant coefficients: \[V, \[V, \[V, T\]\]\] = 0.
+/// A separable system whose T is a quadratic polynomial in p with constant coefficients. Then \[V, \[V, \[V, T\]\]\] = 0.
 ///
-/// Runge–Kutta–Nyström tables need this; on any other T they would silently fall to order 3 or 4.
+/// Runge–Kutta–Nyström tables need this property. For any other T their order would be only 3 or 4.
 #[diagnostic::on_unimplemented(
     message = "the kinetic energy of `{Self}` is not quadratic in `p` with a constant mass matrix",
     label = "Runge–Kutta–Nyström tables lose their order on such a T",
@@ -116,21 +117,21 @@ pub trait QuadraticKinetic<R: Real = f64>: Separable<R> {
     type Proof;
 }
 
-/// T is a quadratic polynomial in p: \[V, \[T, V\]\] is a function of q alone, and has an exact flow together with V.
+/// A separable system whose T is a quadratic polynomial in p. Then \[V, \[T, V\]\] depends on q only, and has an exact flow together with V.
 ///
-/// With the force F = −∂V/∂q and the mass matrix M that function is F·M⁻¹F.
+/// With the force F = −∂V/∂q and the mass matrix M, \[V, \[T, V\]\] = F·M⁻¹F.
 #[diagnostic::on_unimplemented(
     message = "the kinetic energy of `{Self}` is not quadratic in `p` with a constant mass matrix",
     label = "on such a T force gradients are no kicks",
     note = "tables for every separable energy: `StormerVerlet`, `BlanesMoan4`, `BlanesMoan6`, `Yoshida4.of(StormerVerlet)` …"
 )]
 pub trait ForceGradient<R: Real = f64>: QuadraticKinetic<R> {
-    /// What a kick of given weights needs from the parameters.
+    /// Coefficients of a kick of given weights.
     type GradientKick: Copy;
 
-    /// Coefficients of a kick with `h` of the force and `g` of its gradient, both with their powers of the step size.
+    /// Computes the coefficients of a kick. `h` is the weight of the force and `g` that of its gradient. Both include their powers of the step size.
     fn prepare_gradient_kick(&self, h: R, g: R) -> Self::GradientKick;
-    /// The flow of U = hV − g F·M⁻¹F at frozen time: p ← p + hF + g ∇(F·M⁻¹F), s ← s − U.
+    /// Applies the flow of U = hV − g F·M⁻¹F at frozen time: p ← p + hF + g ∇(F·M⁻¹F), s ← s − U.
     fn gradient_kick(
         &self,
         kick: &Self::GradientKick,

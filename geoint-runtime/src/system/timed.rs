@@ -1,46 +1,47 @@
-//! Poles in time alone: whether a step leads over one.
+//! Search for poles of H that depend on time only.
 //!
-//! Time passes whatever the state does. So a stretch of it that is proven to be clear holds for all steps within, and they compare their ends with
-//! its own in place of a search.
+//! Such a pole does not depend on the state. Thus an interval of time without a pole needs one proof, which is valid for all steps within it. These
+//! steps only compare their ends with the interval.
 
 use super::PhaseSpace;
 use super::poles::{Known, search_time};
 use crate::scalar::{Real, zero};
 
-/// At most so many times as much as is asked for is proven at once.
+/// The longest interval of a search, in units of the step.
 const FARTHEST: f64 = 1024.0;
 
-/// A stretch of time behind whose start, and up to whose end, a system was proven to have no pole in time alone.
+/// An interval of time, without its start and with its end, in which a system was proven to have no pole that depends on time only.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Clear<R> {
     start: R,
     end: R,
-    /// How many times as much as was asked for it is.
+    /// The length of the interval in units of the step that started the search.
     reach: f64,
 }
 
 impl<R: Real> Clear<R> {
-    /// Nothing was asked for yet.
+    /// The empty interval, before the first search.
     pub(crate) fn unknown() -> Self {
         Clear { start: zero(), end: zero(), reach: 1.0 }
     }
 
-    /// The first pole in time alone, if any, that cannot be ruled out behind one time and up to another, with it.
+    /// Returns the first time-dependent pole that is not excluded in an interval of time. The interval is open at its start and closed at its end.
     #[inline(always)]
     pub(crate) fn pole<S: PhaseSpace<R>>(&mut self, system: &S, way: [R; 2]) -> Option<&'static str> {
         if !Known::<S, R>::TIMED || self.includes(way) { None } else { self.search(system, way) }
     }
 
-    /// Whether a way from one time to another lies in the stretch.
+    /// Returns whether the interval contains a step between two times.
     #[inline(always)]
     fn includes(&self, [from, to]: [R; 2]) -> bool {
-        // Differences: a product of two small ones is zero.
+        // Two comparisons, because the product of small differences may underflow.
         let is_between = |t: R, a: R, b: R| (t - a).all_at_least_zero() & (b - t).all_at_least_zero();
         let within = |t: R| is_between(t, self.start, self.end) | is_between(t, self.end, self.start);
         within(from) & within(to) && (to - self.start).magnitude() > 0.0
     }
 
-    /// Proves a stretch from here on, twice as long as the last one; if that has a pole, half as long, and so on.
+    /// Searches an interval from the start of the step, twice as long as the last one in units of the step. If it has a pole, its length is halved, down to
+    /// one step.
     #[cold]
     #[inline(never)]
     fn search<S: PhaseSpace<R>>(&mut self, system: &S, [from, to]: [R; 2]) -> Option<&'static str> {

@@ -1,32 +1,32 @@
-//! How long a step may be: from its last two coefficients.
+//! Estimates the step length from the last coefficients of the series.
 
 use crate::scalar::Real;
 use crate::space::{Action, Array, PerCoordinate, Record, Snapshot, Tape};
 
-/// Steps whose last term is so many times smaller than the tolerance, in powers of 2: at the accuracy of the scalar the energy of a Kepler
-/// orbit would drift with what is truncated, 1.7·10⁻¹³ in 10⁴ periods, where it walks 2·10⁻¹⁴ by rounding.
-const BELOW: f64 = 9.0;
+/// Log₂ of the safety factor between the tolerance and the last term of a step. Without it, at tolerance ε, truncation lets the energy of a Kepler
+/// orbit drift by 1.7·10⁻¹³ in 10⁴ periods. Rounding alone gives a random walk of 2·10⁻¹⁴.
+const LOG_SAFETY: f64 = 9.0;
 
-/// By such a part rates at the end of a step of given length may be off: nobody has said how accurate it is to be, but to be a step.
-const COARSEST: f64 = 0.5;
+/// Tolerated relative deviation of the rates at the end of a step of given length. No accuracy is specified there, so only gross errors are refused.
+const COARSEST_RATES: f64 = 0.5;
 
-/// Beyond this the last terms say nothing of the error: the series may not converge.
-const LOOSEST: f64 = 1.0 / 16.0;
+/// Largest tolerance that is used. Beyond it, the last terms do not measure the error, because the series may not converge.
+const LARGEST_TOLERANCE: f64 = 1.0 / 16.0;
 
-/// Log₂ of how many times larger the radius of convergence by the terms of half the order may be than the one by the last terms.
-const SHRINKS: f64 = 2.0;
+/// Log₂ of the largest accepted ratio of two estimates of the radius of convergence: by the terms of half the order, and by the last terms.
+const LOG_RADIUS_RATIO: f64 = 2.0;
 
-/// A step moves a group far by more than so many times its size.
+/// A group moves far if a step changes it by more than this many times its size.
 const FAR: f64 = 2.0;
 
-/// The largest magnitudes that positions, momenta and so on have had, and the tolerance relative to them.
+/// Largest magnitudes so far of positions, momenta and other groups of coordinates, and the tolerance relative to them.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Estimate<X: Snapshot> {
-    /// Log₂ of what the last term of a step may be.
+    /// Log₂ of the largest last term of a step, relative to the size of its group.
     tolerance: f64,
-    /// By such a part rates at the end of a step may be off.
+    /// Tolerated relative deviation of the rates at the end of a step: √tolerance/8, or `COARSEST_RATES`.
     part: f64,
-    /// Of every group, at its first coordinate.
+    /// Size of each group, stored at its first coordinate.
     sizes: PerCoordinate<X::Phase, X::Action>,
 }
 
@@ -37,27 +37,27 @@ impl<X: Snapshot> Record<X::Real> for Estimate<X> {
 }
 
 impl<X: Snapshot> Estimate<X> {
-    /// Groups of coordinates of one unit, the action last.
+    /// Number of groups of coordinates of one unit. The action is the last group.
     const GROUPS: usize = X::Phase::LEN / X::ALIKE + X::Action::LEN;
 
     pub(crate) fn new(tolerance: f64) -> Self {
-        let tolerance = Real::log2(tolerance.max(X::Real::epsilon()).min(LOOSEST));
-        Estimate { tolerance: tolerance - BELOW, part: exp2(0.5 * tolerance) / 8.0, sizes: PerCoordinate::zero() }
+        let tolerance = Real::log2(tolerance.max(X::Real::epsilon()).min(LARGEST_TOLERANCE));
+        Estimate { tolerance: tolerance - LOG_SAFETY, part: exp2(0.5 * tolerance) / 8.0, sizes: PerCoordinate::zero() }
     }
 
-    /// For steps of given length.
+    /// Returns an estimate for steps of given length.
     pub(crate) fn of_any_accuracy() -> Self {
-        Estimate { part: COARSEST, ..Self::new(0.0) }
+        Estimate { part: COARSEST_RATES, ..Self::new(0.0) }
     }
 
-    /// One of the groups.
+    /// Returns the coordinates of group `i`.
     #[inline(always)]
     fn group(x: &PerCoordinate<X::Phase, X::Action>, i: usize) -> &[X::Real] {
         let first = i * X::ALIKE;
         if first < X::Phase::LEN { &x.z.as_slice()[first..first + X::ALIKE] } else { x.s.numbers() }
     }
 
-    /// The largest magnitude in a group.
+    /// Returns the largest magnitude in group `i`.
     #[inline(always)]
     fn magnitude(x: &PerCoordinate<X::Phase, X::Action>, i: usize) -> f64 {
         Self::group(x, i).iter().fold(0.0, |largest, x| larger(x.magnitude(), largest))
@@ -68,7 +68,7 @@ impl<X: Snapshot> Estimate<X> {
         Self::group(&self.sizes, i)[0].magnitude()
     }
 
-    /// Includes a point from which a run goes on. By one that is infinite nothing could be measured.
+    /// Includes a point from which a run continues. A point that is not finite is ignored, because no error could be measured by it.
     pub(crate) fn start(&mut self, x: &PerCoordinate<X::Phase, X::Action>) {
         if x.is_finite() {
             self.include(x);
@@ -89,11 +89,12 @@ impl<X: Snapshot> Estimate<X> {
         }
     }
 
-    /// The longest step at which the last term is within the tolerance, in every group; infinite for a polynomial of less than half the order.
+    /// Returns the longest step at which the last term is within the tolerance, in every group. Infinite for a polynomial of degree below half the
+    /// order.
     ///
-    /// It is a part of the radius of convergence, the smaller one by the last two terms: every other one is zero where a solution is even or odd.
-    /// The first one is none of them, which says nothing of an error. Where both are zero, the last term that is not decides. A group that is
-    /// zero so far is measured by its first term that is not.
+    /// The step is a fraction of the radius of convergence R. For R, the smaller estimate by the last two terms is used, because every other term of
+    /// an even or odd solution is zero. The term of order 1 is not used as the last but one, because it does not measure the error. If both terms are
+    /// zero, the last non-zero term decides. A group that is zero so far is measured by its first non-zero term.
     #[inline(always)]
     pub(crate) fn length(&self, jet: &[PerCoordinate<X::Phase, X::Action>]) -> f64 {
         let order = jet.len();
@@ -109,22 +110,23 @@ impl<X: Snapshot> Estimate<X> {
         exp2(self.tolerance * (1.0 / m as f64) + least)
     }
 
-    /// Whether the terms of half the order and those of the last orders tell of one radius of convergence. Beyond a force that is constant to rounding
-    /// the last terms are small, but larger than those before them let expect: their radius is that of something that the series does not show.
+    /// Returns whether the terms of half the order and those of the last orders give one radius of convergence. They do not if the force is constant
+    /// up to rounding: the last terms are then small, but larger than the earlier terms suggest. They belong to a distant feature that the series
+    /// does not resolve.
     #[inline(always)]
     pub(crate) fn converges(&self, jet: &[PerCoordinate<X::Phase, X::Action>]) -> bool {
         let radius = |order: usize| smaller(self.radius(jet, order), self.radius(jet, order - 1));
         let (order, last) = (jet.len(), radius(jet.len()));
-        last < f64::INFINITY && radius(order / 2 + 1) <= last + SHRINKS
+        last < f64::INFINITY && radius(order / 2 + 1) <= last + LOG_RADIUS_RATIO
     }
 
-    /// Whether these rates move a group by much more than its size in a step of length `h`.
+    /// Returns whether these rates move a group by more than `FAR` times its size in a step of length `h`.
     #[inline(always)]
     pub(crate) fn moves_far(&self, h: f64, rates: &PerCoordinate<X::Phase, X::Action>) -> bool {
         (0..Self::GROUPS).any(|i| h.abs() * Self::magnitude(rates, i) > FAR * self.size(i))
     }
 
-    /// Log₂ of the radius of convergence by the term of order m: of the time in which that is as large as its group.
+    /// Returns log₂ of the radius of convergence by the term of order m: the time in which this term is as large as its group.
     #[inline(always)]
     fn radius(&self, jet: &[PerCoordinate<X::Phase, X::Action>], m: usize) -> f64 {
         let (mut excess, smallest) = (i64::MIN, X::Real::smallest());
@@ -138,10 +140,10 @@ impl<X: Snapshot> Estimate<X> {
         -log2(excess) * (1.0 / m as f64)
     }
 
-    /// The same where a group is zero so far, or its term is.
+    /// Computes `radius` if the size or the term of a group is zero or below the normal numbers.
     #[cold]
     fn radius_by_group(&self, jet: &[PerCoordinate<X::Phase, X::Action>], m: usize) -> f64 {
-        // What is below the normal numbers has no digits to tell anything by.
+        // Numbers below the normal ones have too few digits for an estimate.
         let smallest = X::Real::smallest();
         let radius = |i: usize| {
             let term = Self::magnitude(&jet[m - 1], i);
@@ -156,13 +158,15 @@ impl<X: Snapshot> Estimate<X> {
         (0..Self::GROUPS).filter_map(radius).fold(f64::INFINITY, smaller)
     }
 
-    /// In how long, roughly, the state changes, in the unit of its coefficients: until a term is as large as its group, or of a group that is
-    /// zero so far, as its first term. Terms that have overflown, or are below the normal numbers, are not asked. Infinite if none tells.
+    /// Estimates the time in which the state changes, in the unit of the coefficients: the time until a term is as large as its group. A group that
+    /// is zero so far is measured by its first term. Terms that have overflowed, or are below the normal numbers, are ignored. Infinite if no term is
+    /// left.
     pub(crate) fn time(&self, jet: &[PerCoordinate<X::Phase, X::Action>]) -> f64 {
         (0..Self::GROUPS).map(|i| Self::time_of_group(&self.sizes, jet, i)).fold(f64::INFINITY, f64::min)
     }
 
-    /// The same of a state, whatever has been before it. Next to zero, where an event may be, a group tells by its rates.
+    /// Computes `time` for a state, without the sizes of earlier states. For a group near zero, for example at an event, the first term is the
+    /// measure instead.
     pub(crate) fn time_of(
         state: &PerCoordinate<X::Phase, X::Action>,
         jet: &[PerCoordinate<X::Phase, X::Action>],
@@ -188,13 +192,13 @@ impl<X: Snapshot> Estimate<X> {
         terms.filter_map(time).fold(f64::INFINITY, f64::min)
     }
 
-    /// What part of a radius of convergence a step of this order has.
+    /// Returns the step length as a fraction of the radius of convergence, for this order.
     pub(crate) fn part_of_radius(&self, order: usize) -> f64 {
         exp2(self.tolerance / order as f64)
     }
 
-    /// Whether two rates are the same at the end of a step, but for much more than the tolerance and rounding: of coordinates, and of the
-    /// time of the end, which changes rates by `late`.
+    /// Returns whether two rates at the end of a step agree. Their difference over the step may have the size of tolerance and rounding. The time of
+    /// the end is rounded, too: this changes rates by up to `late`.
     #[inline(always)]
     pub(crate) fn agree(
         &self,
@@ -210,7 +214,7 @@ impl<X: Snapshot> Estimate<X> {
         for i in 0..Self::GROUPS {
             let scale = larger(Self::magnitude(rates[1], i), Self::magnitude(before, i));
             let most = h.abs() * (self.part * scale + Self::magnitude(late, i)) + rounding * self.size(i) + smallest;
-            // Coordinate by coordinate: the largest of a group would be sought in another order than that of the sums before.
+            // Compare each coordinate, not the maximum of the group: this keeps the order of the sums before.
             for gap in Self::group(&gap, i) {
                 good &= h.abs() * gap.magnitude() <= most;
             }
@@ -219,37 +223,37 @@ impl<X: Snapshot> Estimate<X> {
     }
 }
 
-/// The larger of two numbers; the second where one is none. An operation of processors, other than [`f64::max`].
+/// Returns the larger of two numbers; the second one if one is not a number. One instruction, unlike [`f64::max`].
 #[inline(always)]
 fn larger(x: f64, y: f64) -> f64 {
     if x > y { x } else { y }
 }
 
-/// The smaller of two numbers; the second where one is none.
+/// Returns the smaller of two numbers; the second one if one is not a number.
 #[inline(always)]
 fn smaller(x: f64, y: f64) -> f64 {
     if x < y { x } else { y }
 }
 
-/// How far two positive normal numbers are apart: exponents and fractions as their bits have them.
+/// Returns the difference of two positive normal numbers as integers with the same bits: a measure of log₂ (x/y).
 #[inline(always)]
 fn difference(x: f64, y: f64) -> i64 {
     x.to_bits() as i64 - y.to_bits() as i64
 }
 
-/// Log₂ x/y from the difference of x and y, off by at most 0.0861.
+/// Returns log₂ (x/y) from `difference(x, y)`, with an error of at most 0.0861.
 #[inline(always)]
 fn log2(difference: i64) -> f64 {
     difference as f64 * (1.0 / (1_u64 << 52) as f64)
 }
 
-/// 2ʸ, off by at most 0.32 %.
+/// Returns 2ʸ with a relative error of at most 0.32 %.
 #[inline(always)]
 fn exp2(y: f64) -> f64 {
     if !(y > -1000.0 && y < 1000.0) {
         return if y > 0.0 { f64::INFINITY } else { 0.0 };
     }
-    // The last digit of such a number is one: the sum is rounded to a whole number, which its last bits are.
+    // Numbers of this magnitude have a spacing of 1. The sum is rounded to an integer, which its last bits contain.
     const WHOLE: f64 = 1.5 * (1_u64 << 52) as f64;
     let shifted = (y - 0.5) + WHOLE;
     let fraction = y - (shifted - WHOLE);

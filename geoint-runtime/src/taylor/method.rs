@@ -1,4 +1,4 @@
-//! Which order, and which steps?
+//! Taylor methods: their order, and the choice of the step length.
 
 use crate::scalar::{Real, Series};
 use crate::sealed::Sealed;
@@ -7,23 +7,27 @@ use crate::space::{PerCoordinate, Record};
 use crate::system::Jets;
 use core::fmt::Debug;
 
-/// The orders of [`Taylor`], each with the smallest tolerance for which it is chosen.
+/// Orders of [`Taylor`], each with the smallest tolerance for which it is chosen.
 ///
-/// Let ε be the last term of a step, relative to the state: the order p = 1 − ½ ln ε takes the least work for a unit of time (À. Jorba & M. Zou, Exp. Math. 14
-/// (2005) 99). Here ε is `tolerance`/512. The table has the even orders near p, and few of them, because each one is compiled.
+/// The order p = 1 − ½ ln ε minimises the work for a unit of time (À. Jorba & M. Zou, Exp. Math. 14 (2005) 99). Here ε is the last term of a step,
+/// relative to the state: `tolerance`/512. The table contains only a few even orders near p, because each order is compiled.
 const ORDERS: [(f64, usize); 4] = [(1e-4, 8), (1e-6, 10), (1e-8, 12), (1e-13, 16)];
 
-/// The order for smaller tolerances.
+/// Order for smaller tolerances.
 const LARGEST_ORDER: usize = 20;
 
-/// Taylor series of the solution, with steps and an order that follow from the tolerance.
+/// Taylor series of the solution. Step length and order follow from the tolerance.
 ///
-/// The error of a step is about `tolerance` times the size of the positions, in positions, and of the momenta, in momenta; steps are
-/// chosen from the last two coefficients, for a last term 512 times smaller, because the energy would drift with what is truncated otherwise.
-/// By a tolerance that is so many times smaller they are shorter by the root of the order.
-/// Tolerances below the accuracy of the scalar count as that, those above 1/16 as 1/16, and from 1 on they are none. Nothing is kept exactly, everything to the tolerance: at the
-/// default the energy of a Kepler orbit walks 1 to 6·10⁻¹⁴ in 10⁴ periods, by rounding; [projected](crate::Projection) it does not. The order
-/// follows from the tolerance: 8 from 10⁻⁴ on, 10 from 10⁻⁶ on, 12 from 10⁻⁸ on, 16 from 10⁻¹³ on, and 20 below.
+/// The error of a step is about `tolerance` times the size of the positions for positions, and times the size of the momenta for momenta. The last
+/// two coefficients determine the step length, so that the last term is smaller than this error by a factor 512. Without this factor, truncation
+/// would let the energy drift. A tolerance smaller by a factor c shortens the steps of order p by c^(1/p).
+///
+/// Tolerances below the accuracy of the scalar count as this accuracy, and those above 1/16 as 1/16. A tolerance of 1 or more is an error.
+///
+/// No invariant is conserved exactly, but all within the tolerance. At the default tolerance, rounding changes the energy of a Kepler orbit by 1 to
+/// 6·10⁻¹⁴ in 10⁴ periods, as a random walk. A [projection](crate::Projection) removes this.
+///
+/// The order is 8 for tolerances from 10⁻⁴ on, 10 from 10⁻⁶ on, 12 from 10⁻⁸ on, 16 from 10⁻¹³ on, and 20 below.
 ///
 /// À. Jorba & M. Zou, Exp. Math. 14 (2005) 99.
 ///
@@ -43,73 +47,75 @@ const LARGEST_ORDER: usize = 20;
 #[doc(alias("TIDES", "heyoka", "Taylor series"))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Taylor {
-    /// The error of a step, relative to the state.
+    /// Error of a step, relative to the state.
     pub tolerance: f64,
 }
 
-/// Taylor series of order `P`, with steps that follow from the tolerance; see [`Taylor`]. One order is compiled.
+/// Taylor series of order `P`, with steps that follow from the tolerance; see [`Taylor`]. Only this order is compiled.
 ///
-/// Of a low order steps are shorter, and round less: three bodies on a figure eight return after 100 periods forth and back to 0.7·10⁻¹² by
-/// order 10, to 2·10⁻¹² by order 20 in a quarter of the time.
+/// A low order takes shorter steps with less rounding. Example: three bodies on a figure eight, integrated over 100 periods forth and back. Order 10
+/// returns to within 0.7·10⁻¹², and order 20 to within 2·10⁻¹² in a quarter of the time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TaylorOrder<const P: usize> {
-    /// The error of a step, relative to the state.
+    /// Error of a step, relative to the state.
     pub tolerance: f64,
 }
 
-/// Taylor series of order `P` with steps of one length; the last one on the way to a time may be shorter, and one on the way to where a
-/// condition of the energy changes sides. Nothing tells how accurate they are; but one that leads far beyond where a series ends, at a pole of the
-/// energy or where a power of it vanishes that is no whole one, is refused.
+/// Taylor series of order `P` with steps of fixed length. A step before a given time may be shorter, and so may a step to the point at which a
+/// condition of the energy changes.
+///
+/// The accuracy is not controlled. A step is refused if it leads far beyond a point where the series ends. Such points are poles of the energy and
+/// zeros of bases of non-integer powers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TaylorFixed<const P: usize> {
-    /// The length of a step; negative to go back in time.
+    /// Length of a step; negative to go back in time.
     pub h: f64,
 }
 
 impl Default for Taylor {
-    /// As accurate as `f64` is.
+    /// Accuracy of `f64`.
     fn default() -> Self {
         Taylor { tolerance: f64::EPSILON }
     }
 }
 
 impl<const P: usize> Default for TaylorOrder<P> {
-    /// As accurate as `f64` is.
+    /// Accuracy of `f64`.
     fn default() -> Self {
         TaylorOrder { tolerance: f64::EPSILON }
     }
 }
 
-/// How steps are chosen.
+/// Choice of the step length.
 #[derive(Clone, Copy, Debug)]
 pub enum Steps {
-    /// From the tolerance.
+    /// Adapted to this tolerance.
     Tolerance(f64),
-    /// All of one length.
+    /// Fixed length.
     Length(f64),
 }
 
-/// [`Taylor`], [`TaylorOrder`] or [`TaylorFixed`], and these [projected](crate::Projection) to invariants.
+/// [`Taylor`], [`TaylorOrder`] or [`TaylorFixed`], or one of them [projected](crate::Projection) to invariants.
 ///
-/// Sealed: orders are part of types.
+/// Sealed, because orders are part of types.
 pub trait TaylorMethod<S: Jets<R>, R: Real = f64>: Sealed + Copy + Debug {
-    /// A value for each order, from 1 on or from 0 on.
+    /// An array with one value for each order, from 1 on or from 0 on.
     type Orders<X: Copy + Debug>: Copy + Debug + AsRef<[X]> + AsMut<[X]>;
-    /// A series of as many coefficients, as a scalar.
+    /// A scalar type: a series with the same number of coefficients.
     type Series: Real;
-    /// What steps hand on to the next one, where their ends are put right.
+    /// History for the correction of the ends of steps.
     type Memory: Copy + Debug + Record<R>;
 
-    /// How steps are chosen.
+    /// Returns how the step length is chosen.
     fn steps(&self) -> Steps;
-    /// The order.
+    /// Returns the order.
     fn order(&self) -> usize;
-    /// The memory before the first step, which begins at `origin`.
+    /// Returns the history before the first step, which starts at `origin`.
     fn memory(origin: &S::Phase) -> Self::Memory;
-    /// Returns the correction of the end of a step by the series. `time` is [t, h]; the step goes from `ends[0]` at the time t to `ends[1]` at t + h.
+    /// Returns the correction of the end of a step by the series. `time` is [t, h]. The step goes from `ends[0]` at the time t to `ends[1]` at t + h.
     ///
     /// # Errors
-    /// The end cannot be corrected.
+    /// Fails if the end cannot be corrected.
     fn correction(
         &self,
         memory: &mut Self::Memory,
@@ -117,13 +123,13 @@ pub trait TaylorMethod<S: Jets<R>, R: Real = f64>: Sealed + Copy + Debug {
         time: [R; 2],
         ends: [&S::Phase; 2],
     ) -> Result<Option<S::Phase>, Refusal>;
-    /// A series from its coefficients, that of order 0 first.
+    /// Builds a series from its coefficients, starting at order 0.
     fn series(coefficient: impl FnMut(usize) -> R) -> Self::Series;
-    /// The coefficients of a series.
+    /// Returns the coefficients of a series.
     fn coefficients(series: &Self::Series) -> &[R];
-    /// The same value for each order.
+    /// Returns an array with the same value for each order.
     fn fill<X: Copy + Debug>(x: X) -> Self::Orders<X>;
-    /// The coefficients of [`Jets::jet`] up to `order`, in the unit and at the time `start`.
+    /// Computes the coefficients of [`Jets::jet`] up to `order`. `start` is the unit and the time.
     fn jet(
         order: usize,
         system: &S,
@@ -134,7 +140,7 @@ pub trait TaylorMethod<S: Jets<R>, R: Real = f64>: Sealed + Copy + Debug {
     );
 }
 
-/// Ends of steps that are left as they are.
+/// Implements methods that do not correct the ends of steps.
 macro_rules! as_it_is {
     () => {
         fn memory(_: &S::Phase) {}
@@ -191,7 +197,7 @@ impl<S: Jets<R>, R: Real> TaylorMethod<S, R> for Taylor {
     }
 }
 
-/// The first `P` orders. Not inlined: beside others the code of one order is slower by a twentieth.
+/// Computes the first `P` orders. Not inlined: the code of each order is faster on its own.
 #[inline(never)]
 fn part<const P: usize, S: Jets<R>, R: Real>(
     system: &S,
@@ -205,7 +211,7 @@ fn part<const P: usize, S: Jets<R>, R: Real>(
     }
 }
 
-/// The methods of one order.
+/// Implements the methods of one order.
 macro_rules! of_one_order {
     ($($method:ident, $steps:expr;)*) => { $(
         impl<S: Jets<R>, R: Real, const P: usize> TaylorMethod<S, R> for $method<P> {

@@ -1,4 +1,4 @@
-//! Taylor series: recurrences of coefficients, orders, the length of a step, polynomials.
+//! Taylor series: recurrences of coefficients, order and length of a step, polynomials and their roots.
 
 mod estimate;
 mod method;

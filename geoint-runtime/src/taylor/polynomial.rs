@@ -1,13 +1,13 @@
-//! The polynomial of a step.
+//! Evaluates the polynomial of a step.
 
 use super::roots::MOST;
 use crate::scalar::{Real, exact_product};
 use crate::space::{Action, Array, PerCoordinate};
 
-/// Four sums for each of so many coordinates have room in registers.
+/// Up to this number of coordinates, four partial sums for each fit into registers.
 const FEW: usize = 8;
 
-/// x(h) − x(0) from the coefficients of orders 1, 2, ….
+/// Returns x(h) − x(0) from the coefficients of orders 1, 2, ….
 #[inline(always)]
 pub(crate) fn increment<Z: Array, S: Action<Z::Real>>(jet: &[PerCoordinate<Z, S>], h: f64) -> PerCoordinate<Z, S> {
     let mut increment = sum(jet, h, |_| 1.0);
@@ -15,7 +15,8 @@ pub(crate) fn increment<Z: Array, S: Action<Z::Real>>(jet: &[PerCoordinate<Z, S>
     increment
 }
 
-/// The same as h·x₁ and what is left, with what that product has lost: most of the rounding of a step would be this one.
+/// Returns x(h) − x(0) as two terms: h·x₁ and the rest. The rest contains the rounding error of the product h·x₁, which would otherwise dominate the
+/// rounding of a step.
 #[inline(always)]
 pub(crate) fn increments<Z: Array, S: Action<Z::Real>>(
     jet: &[PerCoordinate<Z, S>],
@@ -24,21 +25,21 @@ pub(crate) fn increments<Z: Array, S: Action<Z::Real>>(
     let [first, later @ ..] = jet else { return [PerCoordinate::zero(); 2] };
     let (mut first, mut rest, h) = (*first, increment(later, h), Z::Real::from_f64(h));
     let part = |(first, rest): (&mut Z::Real, &mut Z::Real)| {
-        let (product, lost) = exact_product(h, *first);
-        (*first, *rest) = (product, h.multiply_add(*rest, lost));
+        let (product, rounding_error) = exact_product(h, *first);
+        (*first, *rest) = (product, h.multiply_add(*rest, rounding_error));
     };
     first.z.as_mut_slice().iter_mut().zip(rest.z.as_mut_slice()).for_each(part);
     first.s.numbers_mut().iter_mut().zip(rest.s.numbers_mut()).for_each(part);
     [first, rest]
 }
 
-/// Its derivative by h.
+/// Returns the derivative of the polynomial at h: Σ k xₖ hᵏ⁻¹.
 #[inline(always)]
 pub(crate) fn rate<Z: Array, S: Action<Z::Real>>(jet: &[PerCoordinate<Z, S>], h: f64) -> PerCoordinate<Z, S> {
     sum(jet, h, |order| order as f64)
 }
 
-/// Σ w(k) xₖ hᵏ⁻¹ from the coefficients x₁, x₂, …
+/// Returns Σ w(k) xₖ hᵏ⁻¹ from the coefficients x₁, x₂, ….
 #[inline(always)]
 fn sum<Z: Array, S: Action<Z::Real>>(
     jet: &[PerCoordinate<Z, S>],
@@ -48,17 +49,10 @@ fn sum<Z: Array, S: Action<Z::Real>>(
     if PerCoordinate::<Z, S>::LEN > FEW {
         return in_turn::<2, Z, S>(jet, h, weight);
     }
-    // Loops over the orders that tolerances choose for large systems, and over what is left of them without the first, would have no known length.
-    match jet.len() {
-        13 => in_turn::<4, Z, S>(&jet[..13], h, weight),
-        14 => in_turn::<4, Z, S>(&jet[..14], h, weight),
-        15 => in_turn::<4, Z, S>(&jet[..15], h, weight),
-        16 => in_turn::<4, Z, S>(&jet[..16], h, weight),
-        _ => in_turn::<4, Z, S>(jet, h, weight),
-    }
+    in_turn::<4, Z, S>(jet, h, weight)
 }
 
-/// The same from every `K`th coefficient apart, each time a polynomial in hᴷ: none of them is waited for long.
+/// Computes the sum as `K` interleaved polynomials in hᴷ. Their chains of dependent operations are shorter than one Horner scheme.
 #[inline(always)]
 fn in_turn<const K: usize, Z: Array, S: Action<Z::Real>>(
     jet: &[PerCoordinate<Z, S>],
@@ -87,7 +81,7 @@ fn in_turn<const K: usize, Z: Array, S: Action<Z::Real>>(
     sum
 }
 
-/// y ← s·y + w·x.
+/// Computes y ← s·y + w·x.
 #[inline(always)]
 fn times_and_add<Z: Array, S: Action<Z::Real>>(
     y: &mut PerCoordinate<Z, S>,
@@ -103,7 +97,8 @@ fn times_and_add<Z: Array, S: Action<Z::Real>>(
     }
 }
 
-/// Coefficients of a polynomial about a point as those about a point so much later; that of the highest order is `last`.
+/// Shifts the centre of a polynomial by `by`: replaces its coefficients by those of powers of x − `by`. `last` is the coefficient of the highest
+/// order, which does not change.
 pub(crate) fn shift<R: Real>(coefficients: &mut [R], last: R, by: R) {
     let n = coefficients.len();
     for first in 0..n {
@@ -114,7 +109,7 @@ pub(crate) fn shift<R: Real>(coefficients: &mut [R], last: R, by: R) {
     }
 }
 
-/// Coefficients c₀, c₁, … of powers of time as those of powers of a part of a step: cₖ hᵏ. What is zero stays so, however long the step is.
+/// Converts coefficients cₖ of powers of time to coefficients cₖ hᵏ of powers of the fraction of a step. Zeros remain zero, even if hᵏ overflows.
 #[inline(always)]
 pub(crate) fn in_parts(coefficients: impl Iterator<Item = f64>, h: f64) -> [f64; MOST] {
     let (mut parts, mut power) = ([0.0; MOST], 1.0);

@@ -1,20 +1,20 @@
-//! How far a function of the state has the series that its coefficients tell: where a condition is looked for, or an event.
+//! Estimates the range of the series of a function of the state: a condition, or an event function.
 //!
-//! The length of a step follows from the coordinates. A function of them may have a series that ends earlier: of a body that flies freely the
-//! coordinates are polynomials, of its distance from a centre the series ends as far ahead as the centre is off.
+//! The step length follows from the coordinates. The series of a function of them may have a smaller radius of convergence. Example: for a free body,
+//! the coordinates are polynomials, but the series of its distance from a centre has a finite radius, namely the distance of the centre.
 
 use crate::scalar::Real;
 
-/// What part of the step in which Σ gₖτᵏ is written its series is good for, if it is good for `part` of its radius of convergence; infinite
-/// where that is the whole step, or the last coefficients say nothing.
+/// Returns the usable fraction of the step, for a function Σ gₖτᵏ with τ in parts of the step. `part` is the usable fraction of the radius of
+/// convergence. Infinite if the whole step is usable, or if the last coefficients give no radius.
 ///
-/// The radius is estimated by the last two terms against earlier ones. The value at the start is not among those: far from where a
-/// function changes it may be constant but for little, that grows.
+/// The radius is estimated by comparing the last two terms with earlier ones. The value g₀ is not used. Far from the place where a function changes,
+/// it may be almost constant, with a small part that grows.
 pub(crate) fn reach(g: &[f64], part: f64) -> f64 {
     let last = g.len().saturating_sub(1);
     let mut least = f64::INFINITY;
     for m in (last / 2 + 1..=last).rev() {
-        // Every other term is zero where a function is even or odd.
+        // Every other term of an even or odd function is zero.
         if m + 2 <= last && least < f64::INFINITY {
             break;
         }
@@ -23,7 +23,7 @@ pub(crate) fn reach(g: &[f64], part: f64) -> f64 {
     if part * least < 1.0 { part * least } else { f64::INFINITY }
 }
 
-/// The radius of convergence by the term of order m; one that is large enough need not be known.
+/// Estimates the radius of convergence by the term of order m. The search stops as soon as the radius is known to be at least 1/`part`.
 #[inline]
 fn radius(g: &[f64], m: usize, part: f64) -> f64 {
     let (earlier, last) = (1..=(m / 2).max(1).min(m - 1), g[m].abs());
@@ -48,11 +48,11 @@ mod tests {
 
     #[test]
     fn of_a_geometric_series() {
-        // 1/(1 − τ/R): good for R/4 of the step.
+        // 1/(1 − τ/R): usable up to τ = R/4.
         for radius in [0.01, 0.5, 3.0] {
             let g: [f64; 20] = core::array::from_fn(|k| 7.0 * f64::powi(radius, -(k as i32)));
             assert!((reach(&g, 0.25) - 0.25 * radius).abs() < 1e-9, "{radius}");
-            // However large the value at the start is, and without odd terms.
+            // The result does not depend on g₀, and odd terms may be zero.
             let even: [f64; 20] = core::array::from_fn(|k| if k == 0 { 1e30 } else { g[k] * f64::from(k % 2 == 0) });
             assert!((reach(&even, 0.25) - 0.25 * radius).abs() < 1e-9, "{radius}");
         }

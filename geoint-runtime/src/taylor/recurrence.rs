@@ -1,15 +1,16 @@
-//! Coefficients of order n ≥ 1 of a series from those of its operands, for the kernels that are emitted.
+//! Recurrences for Taylor coefficients of order n ≥ 1, called by generated kernels.
 //!
-//! Coefficients are normalised: u⁽ⁿ⁾/n!. Sums Σ uⱼwₙ₋ⱼ begin in the middle, with coefficients that are known for long, in two chains,
-//! and those of order n come last: then each operation adds one multiplication to what a next coefficient waits for. With j from 0 on
-//! the double pendulum takes four times as long.
+//! Coefficients are normalised: u⁽ⁿ⁾/n!.
 //!
-//! What is divided by at every order is divided by: the rounding of a reciprocal, made once, would count n times. It may be multiplied with
-//! the coefficient of order n, which is smaller and must not wait. Of quotients, whose sums have coefficients that were known last, reciprocals in
-//! two parts take the place of a division.
+//! Sums Σ uⱼwₙ₋ⱼ start in the middle, with the oldest coefficients, in two chains. The newest coefficients enter last. Each operation then adds one
+//! multiplication to the critical path. Do not reorder: with j from 0 on, the double pendulum takes four times as long.
 //!
-//! R. E. Moore, *Interval Analysis* (1966) ch. 11; À. Jorba & M. Zou, Exp. Math. 14 (2005) 99; for powers see also R. D. Neidinger,
-//! SIAM Rev. 52 (2010) 545.
+//! Sums are divided by a value, not multiplied by its stored reciprocal, whose rounding error would enter at every order. A stored reciprocal only
+//! multiplies the coefficient of order n, which is smaller and on the critical path. Sums of quotients contain the newest coefficients: there, a
+//! reciprocal in two parts replaces the division.
+//!
+//! R. E. Moore, *Interval Analysis* (1966) ch. 11; À. Jorba & M. Zou, Exp. Math. 14 (2005) 99. For powers, see also R. D. Neidinger, SIAM Rev. 52
+//! (2010) 545.
 
 mod central;
 
@@ -18,15 +19,15 @@ pub use central::Central;
 use crate::scalar::{Real, exact_product, zero};
 use crate::space::Array;
 
-/// Series whose coefficients follow from those of lower orders.
+/// A set of series whose coefficients follow from those of lower orders.
 pub trait Series {
-    /// The coefficients of order n ≥ 1, from all before.
+    /// Computes the coefficients of order n ≥ 1 from those of lower orders.
     fn order(&mut self, n: usize);
 }
 
-/// The coefficients of the orders 1 ≤ n < P; those up to `UNROLLED` each in code of its own, where sums have a known length.
+/// Computes the coefficients of the orders 1 ≤ n < P. Orders up to `UNROLLED` have code of their own, with sums of constant length.
 ///
-/// Here and not in what is emitted, where rustc would check every call of every system, whether Taylor series are used or not.
+/// The unrolled calls are here and not in generated code. Otherwise rustc would check every call of every system, even if Taylor series are not used.
 #[inline(always)]
 pub fn orders<const UNROLLED: usize, const P: usize>(series: &mut impl Series) {
     macro_rules! unrolled {
@@ -40,7 +41,7 @@ pub fn orders<const UNROLLED: usize, const P: usize>(series: &mut impl Series) {
     unrolled!(1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30 31);
 }
 
-/// The same, with code of its own for every order or for none: for those up to `UNROLLED` if there are no others.
+/// Computes the coefficients of the orders 1 ≤ n < P. All orders have code of their own if P ≤ `UNROLLED` + 1, otherwise none.
 #[inline(always)]
 pub fn all_orders<const UNROLLED: usize, const P: usize>(series: &mut impl Series) {
     if P <= UNROLLED + 1 {
@@ -50,23 +51,23 @@ pub fn all_orders<const UNROLLED: usize, const P: usize>(series: &mut impl Serie
     }
 }
 
-/// An order as a scalar. Processors convert numbers with a sign in one operation.
+/// Returns an order as a scalar. The conversion of signed integers is a single instruction.
 #[inline(always)]
 pub fn whole<R: Real>(n: usize) -> R {
     R::from_f64(f64::from(n as i32))
 }
 
-/// One over an order.
+/// Returns one over an order.
 #[inline(always)]
 pub fn inverse<R: Real>(n: usize) -> R {
     R::from_f64(1.0 / f64::from(n as i32))
 }
 
-/// a·b + c, entry by entry.
+/// Returns a·b + c, entry by entry.
 #[inline(always)]
 fn fused<A: Array>(a: A, b: A, mut c: A) -> A {
     if A::LEN == 1 {
-        // Also a loop over one number leaves statements in another order to the vectoriser, which then pairs what is far apart.
+        // No loop for one number: a loop changes the order of statements, and the vectoriser then pairs distant values.
         c.as_mut_slice()[0] = a.as_slice()[0].multiply_add(b.as_slice()[0], c.as_slice()[0]);
         return c;
     }
@@ -76,7 +77,7 @@ fn fused<A: Array>(a: A, b: A, mut c: A) -> A {
     c
 }
 
-/// x·y, entry by entry.
+/// Returns x·y, entry by entry.
 #[inline(always)]
 fn times<A: Array>(mut x: A, y: A) -> A {
     for (x, y) in x.as_mut_slice().iter_mut().zip(y.as_slice()) {
@@ -85,7 +86,7 @@ fn times<A: Array>(mut x: A, y: A) -> A {
     x
 }
 
-/// x + y.
+/// Returns x + y.
 #[inline(always)]
 fn plus<A: Array>(mut x: A, y: A) -> A {
     for (x, y) in x.as_mut_slice().iter_mut().zip(y.as_slice()) {
@@ -94,7 +95,7 @@ fn plus<A: Array>(mut x: A, y: A) -> A {
     x
 }
 
-/// x/y, entry by entry.
+/// Returns x/y, entry by entry.
 #[inline(always)]
 fn divided<A: Array>(mut x: A, y: A) -> A {
     for (x, y) in x.as_mut_slice().iter_mut().zip(y.as_slice()) {
@@ -103,17 +104,17 @@ fn divided<A: Array>(mut x: A, y: A) -> A {
     x
 }
 
-/// 1 − w·x, of what is 1/w but for rounding.
+/// Returns 1 − w·x for x ≈ 1/w. The rounding error of the product is included.
 #[inline(always)]
 fn remainder<A: Array>(w: A, mut x: A) -> A {
     for (x, w) in x.as_mut_slice().iter_mut().zip(w.as_slice()) {
-        let (product, lost) = exact_product(*w, *x);
-        *x = (A::Real::from_f64(1.0) - product) - lost;
+        let (product, rounding_error) = exact_product(*w, *x);
+        *x = (A::Real::from_f64(1.0) - product) - rounding_error;
     }
     x
 }
 
-/// −x.
+/// Returns −x.
 #[inline(always)]
 fn negative<A: Array>(mut x: A) -> A {
     for x in x.as_mut_slice() {
@@ -122,7 +123,7 @@ fn negative<A: Array>(mut x: A) -> A {
     x
 }
 
-/// c·x.
+/// Returns c·x.
 #[inline(always)]
 pub fn scaled<A: Array>(c: A::Real, mut x: A) -> A {
     for x in x.as_mut_slice() {
@@ -131,42 +132,42 @@ pub fn scaled<A: Array>(c: A::Real, mut x: A) -> A {
     x
 }
 
-/// Coefficients that are side by side begin where four numbers are read at once, wherever the stack begins.
+/// Aligns adjacent coefficients for loads of four numbers, independent of the alignment of the stack.
 #[repr(align(32))]
 #[derive(Debug)]
 pub struct Aligned<T>(pub T);
 
-/// The coefficients uⱼ and uₙ₋ⱼ for 0 < j < n/2, each in order.
+/// Returns the coefficients uⱼ and uₙ₋ⱼ for 0 < j < n/2, both in ascending order.
 #[inline(always)]
 fn halves<A, const P: usize>(u: &[A; P], n: usize) -> [&[A]; 2] {
     let pairs = (n - 1) / 2;
     [&u[1..][..pairs], &u[n / 2 + 1..][..pairs]]
 }
 
-/// The coefficients uⱼ and uₙ₋ⱼ for 1 < j < n/2, each in order.
+/// Returns the coefficients uⱼ and uₙ₋ⱼ for 1 < j < n/2, both in ascending order.
 #[inline(always)]
 fn inner_halves<A, const P: usize>(u: &[A; P], n: usize) -> [&[A]; 2] {
     let pairs = ((n - 1) / 2).saturating_sub(1);
     [&u[2.min(P)..][..pairs], &u[n / 2 + 1..][..pairs]]
 }
 
-/// The same in pairs, from the middle on.
+/// Returns the pairs (uⱼ, uₙ₋ⱼ) for 0 < j < n/2, from the middle outwards.
 #[inline(always)]
 fn outward<A, const P: usize>(u: &[A; P], n: usize) -> impl Iterator<Item = (&A, &A)> {
     let [low, high] = halves(u, n);
     low.iter().rev().zip(high)
 }
 
-/// Takes uⱼ, uₙ₋ⱼ and wⱼ, wₙ₋ⱼ for 0 < j < n/2, from the middle on.
+/// Calls `take` with uⱼ, uₙ₋ⱼ and wⱼ, wₙ₋ⱼ for 0 < j < n/2, from the middle outwards.
 #[inline(always)]
 fn both<A: Array, const P: usize>([u, w]: [&[A; P]; 2], n: usize, mut take: impl FnMut([&A; 2], [&A; 2])) {
     if A::LEN == 1 {
-        // With indices loops over numbers are slower: a Kepler orbit under friction by 4 %.
+        // For scalars, iterators are faster than indices.
         for ((uj, ui), (wj, wi)) in outward(u, n).zip(outward(w, n)) {
             take([uj, ui], [wj, wi]);
         }
     } else {
-        // One count for all four: iterators of both directions would have two.
+        // For arrays, one counter serves all four slices. Iterators in both directions would need two.
         let ([uj, ui], [wj, wi]) = (halves(u, n), halves(w, n));
         for i in 0..uj.len() {
             let j = uj.len() - 1 - i;
@@ -175,7 +176,7 @@ fn both<A: Array, const P: usize>([u, w]: [&[A; P]; 2], n: usize, mut take: impl
     }
 }
 
-/// Σ uⱼwₙ₋ⱼ over 0 < j < n, of one sum or of many side by side.
+/// Returns Σ uⱼwₙ₋ⱼ over 0 < j < n, for one sum or several side by side.
 #[inline(always)]
 pub fn sum<A: Array, const P: usize>(u: &[A; P], w: &[A; P], n: usize) -> A {
     let (mut first, mut second) = (A::zero(), A::zero());
@@ -189,14 +190,14 @@ pub fn sum<A: Array, const P: usize>(u: &[A; P], w: &[A; P], n: usize) -> A {
     plus(first, second)
 }
 
-/// Σ uⱼwₙ₋ⱼ over 0 < j < n of sums side by side, with uₙ₋₁ and wₙ₋₁ as they were computed; before order 2 these are 0.
+/// Returns Σ uⱼwₙ₋ⱼ over 0 < j < n, for several sums side by side. Takes uₙ₋₁ and wₙ₋₁ as values just computed. Precondition: they are 0 for n = 1.
 #[inline(always)]
 pub fn sum_with_newest<A: Array, const P: usize>(u: &[A; P], w: &[A; P], [un, wn]: [A; 2], n: usize) -> A {
     let (mut first, mut second) = (A::zero(), A::zero());
     if n > 2 && n.is_multiple_of(2) {
         first = times(u[n / 2], w[n / 2]);
     }
-    // Those of order 1 and n − 1 come last.
+    // The terms with the newest coefficients, of orders 1 and n − 1, come last.
     let ([uj, ui], [wj, wi]) = (inner_halves(u, n), inner_halves(w, n));
     for i in 0..uj.len() {
         let j = uj.len() - 1 - i;
@@ -212,10 +213,10 @@ pub fn sum_with_newest<A: Array, const P: usize>(u: &[A; P], w: &[A; P], [un, wn
     plus(first, second)
 }
 
-/// Σ uⱼuₙ₋ⱼ over 0 < j < n and over all u.
+/// Returns Σ uⱼuₙ₋ⱼ over 0 < j < n and over all u.
 #[inline(always)]
 pub fn sum_of_squares<A: Array, const P: usize, const K: usize>(all: [&[A; P]; K], n: usize) -> A {
-    // Each begins in its own middle: what is known last comes last in all of them.
+    // Each u has a partial sum of its own that starts in the middle. The newest coefficients then enter last in all of them.
     let mut half = A::nothing();
     for u in all {
         let mut own = A::zero();
@@ -230,7 +231,7 @@ pub fn sum_of_squares<A: Array, const P: usize, const K: usize>(all: [&[A; P]; K
     plus(half, half)
 }
 
-/// Σ (j(α + 1) − n)uⱼyₙ₋ⱼ over 0 < j < n, from α + 1.
+/// Returns Σ (j(α + 1) − n)uⱼyₙ₋ⱼ over 0 < j < n. `next` is α + 1.
 #[inline(always)]
 pub fn sum_of_power<A: Array, const P: usize>(u: &[A; P], y: &[A; P], next: A::Real, n: usize) -> A {
     let (whole, one) = (whole::<A::Real>, A::Real::from_f64(1.0));
@@ -239,7 +240,7 @@ pub fn sum_of_power<A: Array, const P: usize>(u: &[A; P], y: &[A; P], next: A::R
     if n.is_multiple_of(2) {
         first = scaled(factor(whole(n / 2)), times(u[n / 2], y[n / 2]));
     }
-    // Orders are counted as scalars: each conversion would take as long as what it is for.
+    // Orders are counted as scalars, because converting an integer takes as long as a term of the sum.
     let mut low = whole(n.div_ceil(2)) - one;
     let mut high = whole(n) - low;
     both([u, y], n, |[uj, ui], [yj, yi]| {
@@ -251,19 +252,19 @@ pub fn sum_of_power<A: Array, const P: usize>(u: &[A; P], y: &[A; P], next: A::R
     plus(first, second)
 }
 
-/// Of a function a + b·t.
+/// Returns the coefficient of order n ≥ 1 of a + b·t, with the slope b.
 #[inline(always)]
 pub fn affine<R: Real>(slope: R, n: usize) -> R {
     if n == 1 { slope } else { zero() }
 }
 
-/// u·w, from u₀, w₀, uₙ, wₙ and the sum.
+/// Returns the coefficient of order n of u·w, from u₀, w₀, uₙ, wₙ and Σ uⱼwₙ₋ⱼ.
 #[inline(always)]
 pub fn product<A: Array>([u, w]: [A; 2], [un, wn]: [A; 2], sum: A) -> A {
     fused(u, wn, fused(un, w, sum))
 }
 
-/// Σ u², from all u₀, all uₙ and the sum.
+/// Returns the coefficient of order n of Σ u², from all u₀, all uₙ and the sum.
 #[inline(always)]
 pub fn squares<A: Array, const K: usize>(u: [A; K], un: [A; K], mut sum: A) -> A {
     for (u, un) in u.into_iter().zip(un) {
@@ -272,7 +273,7 @@ pub fn squares<A: Array, const K: usize>(u: [A; K], un: [A; K], mut sum: A) -> A
     sum
 }
 
-/// y with y·w = u, from w₀, y₀, 1/w₀, uₙ, wₙ and the sum.
+/// Returns yₙ for y·w = u, from w₀, y₀, 1/w₀, uₙ, wₙ and the sum.
 #[inline(always)]
 pub fn quotient<A: Array>([w, y, over]: [A; 3], [un, wn]: [A; 2], sum: A) -> A {
     let low = times(over, remainder(w, over));
@@ -280,41 +281,41 @@ pub fn quotient<A: Array>([w, y, over]: [A; 3], [un, wn]: [A; 2], sum: A) -> A {
     fused(un, over, fused(negative(times(y, over)), wn, negative(rest)))
 }
 
-/// y with y·w = 1, from w₀, y₀, wₙ and the sum.
+/// Returns yₙ for y·w = 1, from w₀, y₀, wₙ and the sum.
 #[inline(always)]
 pub fn reciprocal<A: Array>([w, y]: [A; 2], wn: A, sum: A) -> A {
     fused(negative(times(y, y)), wn, negative(divided(sum, w)))
 }
 
-/// y with y² = u, from y₀, 1/(2y₀), uₙ and the sum.
+/// Returns yₙ for y² = u, from y₀, 1/(2y₀), uₙ and the sum.
 #[inline(always)]
 pub fn root<A: Array>([y, over]: [A; 2], un: A, sum: A) -> A {
     fused(un, over, negative(divided(sum, plus(y, y))))
 }
 
-/// y with y'·u = α·y·u', from u₀, α·y₀/u₀, uₙ and the sum.
+/// Returns yₙ for y'·u = α·y·u', from u₀, α·y₀/u₀, uₙ and the sum.
 #[inline(always)]
 pub fn power<A: Array>([u, ratio]: [A; 2], un: A, sum: A, n: usize) -> A {
-    // Nothing waits for this quotient, and its rounding is another one at every order.
+    // This reciprocal is not on the critical path, and its rounding error differs at each order.
     let mut over = scaled(whole(n), u);
     over.as_mut_slice().iter_mut().for_each(|x| *x = A::Real::from_f64(1.0) / *x);
     fused(un, ratio, times(sum, over))
 }
 
-/// y with y' = d·u', from d₀, uₙ and the sum with j·uⱼ.
+/// Returns yₙ for y' = d·u', from d₀, uₙ and the sum with j·uⱼ.
 #[inline(always)]
 pub fn integral<A: Array>(d: A, un: A, sum: A, n: usize) -> A {
     fused(un, d, scaled(inverse(n), sum))
 }
 
-/// y with y'·d = u', from d₀, 1/d₀, uₙ and the sum with j·yⱼ.
+/// Returns yₙ for y'·d = u', from d₀, 1/d₀, uₙ and the sum with j·yⱼ.
 #[inline(always)]
 pub fn quadrature<A: Array>([d, over]: [A; 2], un: A, sum: A, n: usize) -> A {
     fused(un, over, negative(divided(sum, scaled(whole(n), d))))
 }
 
-/// The angle a of the point (x, y), with r²a' = x·y' − y·x', from y₀, x₀, r₀², 1/r₀², yₙ, xₙ and the sums of j·yⱼ with x, of j·xⱼ with y and of
-/// j·aⱼ with r².
+/// Returns aₙ for the angle a of the point (x, y), with r²a' = x·y' − y·x'. Arguments: y₀, x₀, r₀², 1/r₀², yₙ, xₙ, and the sums of j·yⱼ with x, of
+/// j·xⱼ with y and of j·aⱼ with r².
 #[inline(always)]
 pub fn angle<R: Real>([y, x, square, over]: [R; 4], [yn, xn]: [R; 2], [first, second, third]: [R; 3], n: usize) -> R {
     let last = yn.multiply_add(x, -(xn * y));
@@ -326,7 +327,7 @@ mod tests {
     use super::*;
     use alloc::{vec, vec::Vec};
 
-    /// The orders that were asked for.
+    /// Records the orders in the sequence of the calls.
     struct Asked(Vec<usize>);
 
     impl Series for Asked {
@@ -344,7 +345,7 @@ mod tests {
     #[test]
     fn every_order_comes_once_and_in_turn() {
         let first = |p: usize| (1..p).collect::<Vec<usize>>();
-        // More orders than are unrolled, as many, fewer, and none.
+        // P − 1 larger than, equal to and smaller than the number of unrolled orders, and no order at all.
         assert_eq!(asked(orders::<3, 9>), first(9));
         assert_eq!(asked(orders::<3, 4>), first(4));
         assert_eq!(asked(orders::<7, 4>), first(4));

@@ -1,30 +1,31 @@
-//! All roots of a polynomial in (0, 1], in order.
+//! Finds all roots of a polynomial in (0, 1], in ascending order.
 //!
-//! In Bernstein's form the number of changes of sign is that of the roots, or larger by an even number. Intervals with one change have
-//! one root, which a safeguarded Newton iteration finds; others are halved.
+//! In the Bernstein basis, the number of sign changes of the coefficients equals the number of roots, or exceeds it by an even number. An interval
+//! with one sign change has one root, which a safeguarded Newton iteration finds. Other intervals are halved.
 
-/// Polynomials have at most so many coefficients.
+/// Maximum number of coefficients of a polynomial.
 pub(crate) const MOST: usize = 33;
 
-/// Intervals with several changes of sign are not halved more often: two roots are then closer than 10⁻⁷.
+/// Maximum number of halvings of an interval. Two roots are then closer than 10⁻⁷.
 const DEEPEST: u32 = 24;
 
-/// The roots of a polynomial, and its sign before the first of them.
+/// Roots of a polynomial, and its sign before the first one.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Roots {
     roots: [f64; MOST],
     len: usize,
-    /// The sign right after 0; zero for the polynomial that is zero.
+    /// Sign right after 0. Zero for the zero polynomial, and for coefficients that are not finite.
     pub(crate) sign: f64,
 }
 
 impl Roots {
-    /// The roots in order; the polynomial changes sign at each.
+    /// Returns the roots in ascending order. The polynomial changes sign at each of them.
     pub(crate) fn as_slice(&self) -> &[f64] {
         &self.roots[..self.len]
     }
 
-    /// The same behind what has had this sign until 0: a change at 0 is a root there. No sign is that of what was zero all along.
+    /// Joins the roots to an earlier interval, at whose end the function has the sign `side`. A change of sign at 0 becomes a root. If `side` is
+    /// zero, the function was zero there, and no root is added.
     pub(crate) fn behind(mut self, side: f64) -> Roots {
         if self.sign * side < 0.0 && self.len < MOST {
             self.roots.copy_within(..self.len, 1);
@@ -33,7 +34,7 @@ impl Roots {
         Roots { sign: if side == 0.0 { self.sign } else { side }, ..self }
     }
 
-    /// Without pairs of roots between which Σ gₖτᵏ is nowhere larger than `rounding`: a zero that is flat shows such.
+    /// Removes pairs of neighbouring roots if |Σ gₖτᵏ| midway between them is at most `rounding`. A flat zero produces such pairs.
     pub(crate) fn without_pairs(mut self, g: &[f64], rounding: f64) -> Roots {
         let value = |at: f64| g.iter().rev().fold(0.0, |sum, g| sum * at + g);
         let mut kept = 0;
@@ -49,7 +50,7 @@ impl Roots {
         Roots { len: kept, ..self }
     }
 
-    /// Where they are, with the sign behind each.
+    /// Returns the roots, each with the sign after it.
     pub(crate) fn changes(&self) -> impl Iterator<Item = (f64, f64)> {
         let mut sign = self.sign;
         self.as_slice().iter().map(move |at| {
@@ -58,25 +59,25 @@ impl Roots {
         })
     }
 
-    /// The sign before all of them.
+    /// Returns the sign before all roots.
     pub(crate) fn start(&self) -> f64 {
         self.sign
     }
 
-    /// The sign behind all of them.
+    /// Returns the sign after all roots.
     pub(crate) fn end(&self) -> f64 {
         if self.len % 2 == 1 { -self.sign } else { self.sign }
     }
 }
 
-/// The roots of Σ gₖτᵏ in (0, 1].
+/// Returns the roots of Σ gₖτᵏ in (0, 1].
 ///
-/// A g₀ that is no more than rounding, of the polynomial or `noise`, is a root at 0, which does not count.
+/// If g₀ is not larger than the rounding of the polynomial or `noise`, it counts as a root at 0, which is not returned.
 #[inline]
 pub(crate) fn roots(g: &[f64], noise: f64) -> Roots {
     let rest: f64 = g[1..].iter().map(|g| g.abs()).sum();
     let none = |sign: f64| Roots { roots: [0.0; MOST], len: 0, sign };
-    // Almost every step ends here.
+    // Fast exit for most steps: g₀ exceeds the sum of the other terms, so there is no root.
     if g[0].abs() > rest && g[0].abs() > noise {
         return none(g[0].signum());
     }
@@ -86,7 +87,7 @@ pub(crate) fn roots(g: &[f64], noise: f64) -> Roots {
     isolate(g, (8.0 * f64::EPSILON * rest).max(noise))
 }
 
-/// An interval, and the polynomial on it in Bernstein's form.
+/// An interval, and the coefficients of the polynomial on it in the Bernstein basis.
 #[derive(Clone, Copy)]
 struct Piece {
     from: f64,
@@ -97,7 +98,7 @@ struct Piece {
 
 #[inline(never)]
 fn isolate(g: &[f64], small: f64) -> Roots {
-    // Without the roots at 0, and without what is zero at the end.
+    // Divide out the roots at 0, and drop zero coefficients of the highest orders.
     let mut g = if g[0].abs() <= small { &g[1..] } else { g };
     while let [zero, later @ ..] = g
         && *zero == 0.0
@@ -116,7 +117,7 @@ fn isolate(g: &[f64], small: f64) -> Roots {
     }
     let mut pieces = [Piece { from: 0.0, width: 1.0, depth: 0, b: bernstein(&g[..n]) }; DEEPEST as usize + 2];
     let mut open = 1;
-    // The sign before the next root.
+    // Sign before the next root.
     let mut sign = found.sign;
     while open > 0 {
         open -= 1;
@@ -125,7 +126,7 @@ fn isolate(g: &[f64], small: f64) -> Roots {
         let end = piece.b[n - 1];
         match changes {
             0 if end == 0.0 || end.signum() == sign => {}
-            // A root in the joint of two intervals, or one that rounding hides.
+            // A root at the joint of two intervals, or one hidden by rounding.
             0 => sign = found.push(piece.from, sign),
             1 => sign = found.push(solve(g, piece, sign), sign),
             _ if piece.depth == DEEPEST => {
@@ -144,7 +145,7 @@ fn isolate(g: &[f64], small: f64) -> Roots {
 }
 
 impl Roots {
-    /// A root, behind which the sign is the other one.
+    /// Adds a root. Returns the sign after it.
     fn push(&mut self, root: f64, sign: f64) -> f64 {
         if self.len < MOST {
             self.roots[self.len] = root;
@@ -154,7 +155,7 @@ impl Roots {
     }
 }
 
-/// Σ gₖτᵏ in Bernstein's form.
+/// Returns the coefficients of Σ gₖτᵏ in the Bernstein basis on [0, 1].
 fn bernstein(g: &[f64]) -> [f64; MOST] {
     let (mut b, n) = ([0.0; MOST], g.len() - 1);
     let mut binomial = 1.0;
@@ -170,7 +171,7 @@ fn bernstein(g: &[f64]) -> [f64; MOST] {
     b
 }
 
-/// Changes of sign, where zeros do not count.
+/// Returns the number of sign changes. Zeros are ignored.
 fn changes(b: &[f64]) -> usize {
     let (mut count, mut last) = (0, 0.0);
     for b in b.iter().filter(|b| **b != 0.0) {
@@ -180,7 +181,7 @@ fn changes(b: &[f64]) -> usize {
     count
 }
 
-/// Both halves of an interval, by de Casteljau's scheme.
+/// Returns both halves of an interval, by de Casteljau's algorithm.
 fn halves(piece: Piece, n: usize) -> [Piece; 2] {
     let (width, depth) = (0.5 * piece.width, piece.depth + 1);
     let mut left = Piece { from: piece.from, width, depth, b: piece.b };
@@ -191,11 +192,11 @@ fn halves(piece: Piece, n: usize) -> [Piece; 2] {
         }
         left.b[k] = right.b[0];
     }
-    // What is left of each round at its end is the right half, read backwards: the rounds have put it in place.
+    // Each round overwrites one coefficient more, so the array finally holds the right half.
     [left, right]
 }
 
-/// The only root in an interval, before which the polynomial has this sign.
+/// Returns the only root in an interval. `sign`: sign of the polynomial before it.
 fn solve(g: &[f64], piece: Piece, sign: f64) -> f64 {
     let (mut low, mut high) = (piece.from, piece.from + piece.width);
     let mut x = 0.5 * (low + high);
@@ -227,7 +228,7 @@ mod tests {
 
     use super::*;
 
-    /// Π (τ − root)·q for roots, with a factor without any.
+    /// Returns q·Π (τ − root) for given roots. The factor q has no real roots.
     fn polynomial(roots: &[f64], degree: usize, noise: &mut impl FnMut() -> f64) -> Vec<f64> {
         let mut g = vec![1.0];
         let times = |g: &[f64], a: f64, b: f64, c: f64| {
@@ -246,7 +247,7 @@ mod tests {
             g = times(&g, -root, 1.0, 0.0);
         }
         while g.len() + 2 <= degree + 1 {
-            // No real root: the discriminant is negative.
+            // A negative discriminant: no real root.
             let (a, b) = (1.0 + noise(), 0.6 * (noise() - 0.5));
             g = times(&g, a, b, 0.3 + 0.4 * noise());
         }
@@ -291,12 +292,12 @@ mod tests {
 
     #[test]
     fn roots_at_the_ends() {
-        // τ(τ − 1/2): the one at 0 does not count.
+        // τ(τ − 1/2): the root at 0 is not counted.
         let found = roots(&[0.0, -0.5, 1.0], 0.0);
         assert_eq!((found.as_slice(), found.sign), (&[0.5][..], -1.0));
         let found = roots(&[1e-18, -0.5, 1.0], 0.0);
         assert_eq!((found.as_slice(), found.sign), (&[0.5][..], -1.0));
-        // 1 − τ, which has not changed sign yet at the end.
+        // 1 − τ has not changed sign at the end.
         assert_eq!(roots(&[1.0, -1.0], 0.0).as_slice(), []);
         assert_eq!(roots(&[1.0, -0.999], 0.0).as_slice(), []);
         assert_eq!(roots(&[0.0, 0.0, 0.0], 0.0).sign, 0.0);
@@ -306,14 +307,14 @@ mod tests {
         let found = roots(&fall, 0.0);
         assert_eq!((found.as_slice().len(), found.sign), (1, 1.0));
         assert!((found.as_slice()[0] - 357.0 / 48612.0).abs() < 1e-17);
-        // Changes of sign behind what has had one, and those of what is rounding.
+        // Changes of sign relative to an earlier interval, and pairs of roots within rounding.
         let found = roots(&fall, 0.0).behind(-1.0);
         assert_eq!((found.as_slice().len(), found.as_slice()[0], found.sign, found.end()), (2, 0.0, -1.0, -1.0));
         assert_eq!(roots(&fall, 0.0).behind(0.0).sign, 1.0);
         let near = |apart: f64| roots(&[0.09 - apart * apart, -0.6, 1.0], 0.0);
         let left = |apart: f64| near(apart).without_pairs(&[0.09 - apart * apart, -0.6, 1.0], 1e-15).len;
         assert_eq!((left(1e-6), near(2.5e-8).len, left(2.5e-8)), (2, 2, 0));
-        // A double root is no change of sign.
+        // A double root does not change the sign.
         assert_eq!(roots(&[0.25, -1.0, 1.0], 0.0).as_slice(), []);
     }
 }

@@ -1,4 +1,4 @@
-//! What the flow keeps, as methods that project need to know it.
+//! Sets of invariants of a flow, as projection and relaxation need them: changes between two points, and gradients.
 
 use super::turns::change_at_cuts;
 use crate::method::And;
@@ -11,15 +11,15 @@ use crate::system::{
     energy_of, velocity_of,
 };
 
-/// H itself.
+/// The energy H.
 ///
-/// Its change is that of the discrete gradient, ∇̄H(x, x + d)·d: the exact difference without cancellation, however large H
-/// is. Differences of values would add a noise of ε|H|/|∇H| to the trajectory in every step.
+/// Its change is computed by the discrete gradient, ∇̄H(x, x + d)·d. This is the exact difference without cancellation, also if H is large. A
+/// difference of values would add an error of ε|H|/|∇H| to the trajectory in each step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Energy;
 
 impl<S: KeepsEnergy<R>, R: Real> Invariants<S, R> for Energy {
-    /// Where H is not kept, no type is known here: see [`Method::Proof`](crate::Method::Proof).
+    /// The type is unknown if the system does not keep H; see [`Method::Proof`](crate::Method::Proof).
     type Values = <<S as KeepsEnergy<R>>::Proof as And<R>>::Both;
     const KEEP_ENERGY: bool = true;
     const DERIVED: bool = true;
@@ -35,7 +35,7 @@ impl<S: KeepsEnergy<R>, R: Real> Invariants<S, R> for Energy {
     }
 }
 
-/// H(q, p) by the kernel of discrete gradients.
+/// H(q, p), with changes from the kernel of discrete gradients.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct CanonicalEnergy;
@@ -71,7 +71,9 @@ impl<S: DiscreteField<R> + Hamiltonian<R>, R: Real> Invariants<S, R> for Canonic
     }
 }
 
-/// H(q, p) if `ENERGY`, and the momenta beside it: their changes are those along the gradients in the middle.
+/// The kept momenta, and H(q, p) if `ENERGY` is true.
+///
+/// Momenta are of degree 2 at most. Their change is therefore the gradient at the midpoint times the increment.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct EnergyAndMomenta<const ENERGY: bool>;
@@ -102,8 +104,8 @@ impl<S: DiscreteField<R> + KeptMomenta<R>, R: Real, const ENERGY: bool> Invarian
     }
 }
 
-/// p·v − L of a Lagrangian that is solved for velocities. The change is a difference of values, because H has no formula with divided
-/// differences.
+/// The energy p·v − L of a Lagrangian system whose velocities are found by iteration. The change is a difference of values, because H has no formula
+/// for divided differences.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct VelocityEnergy;
@@ -128,7 +130,7 @@ impl<S: VelocityForm<R> + VectorField<R> + PhaseSpace<R, Action = ()>, R: Real> 
     }
 }
 
-/// One of the first integrals of a system that do not read time.
+/// The time-independent first integral with the given index.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Integral<const INDEX: usize>;
@@ -149,7 +151,7 @@ impl<S: SteadyIntegrals<R>, R: Real, const INDEX: usize> Invariants<S, R> for In
     }
 }
 
-/// All first integrals that a system was proven to keep and that do not read time.
+/// All first integrals that the system was proven to keep and that do not depend on time.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Integrals;
 
@@ -172,7 +174,7 @@ where
     }
 }
 
-/// None.
+/// The empty set of invariants.
 impl<S: PhaseSpace<R>, R: Real> Invariants<S, R> for () {
     type Values = [R; 0];
     const DERIVED: bool = true;
@@ -188,13 +190,13 @@ impl<S: PhaseSpace<R>, R: Real> Invariants<S, R> for () {
     }
 }
 
-/// A type that is known where those of all are.
+/// The type of the values, which is known only if the types of all members are known; see [`Method::Proof`](crate::Method::Proof).
 macro_rules! known {
     ($last:ty;) => { $last };
     ($last:ty; $I:ident $($rest:ident)*) => { <$I::Values as And<known!($last; $($rest)*)>>::Both };
 }
 
-/// Single invariants side by side.
+/// Implements [`Invariants`] for tuples of single invariants.
 macro_rules! tuples {
     ($($n:literal: $($I:ident $i:tt)*;)*) => { $(
         impl<S: PhaseSpace<R>, R: Real, $($I: Invariants<S, R, Values = R>),*> Invariants<S, R> for ($($I,)*) {

@@ -1,4 +1,7 @@
-//! What steps keep to rounding, kept so for ever: what rounding adds up to is taken away now and then.
+//! Removal of the drift of invariants that rounding errors cause.
+//!
+//! A method keeps an invariant to rounding in each step. The rounding errors of many steps add up. [`way_back`] returns a correction that undoes
+//! their sum.
 
 use super::scales::{STEPS, part_of_rounding, unit_of};
 use crate::scalar::Real;
@@ -7,17 +10,22 @@ use crate::space::Array;
 use crate::space::vector::{difference, sum, sum_of_products};
 use crate::system::{Invariants, PhaseSpace};
 
-/// Where an invariant changes so many times as much with the last digits of the way from the origin as where the run began, or as with those of
-/// coordinates at both ends, nothing is settled: near a collision, or where one coordinate has grown and another one shrunk by orders of magnitude,
-/// the way from there to here has lost what decides.
-const STEEPER: f64 = 16.0;
-
-/// Returns the way from `z` back to where `invariants` are what they were at `origin`, along their gradients. No invariant moves those before it
-/// (E. Schmidt, Math. Ann. 63 (1907) 442). An invariant that has changed by more than the rounding of many steps is left alone: the method does
-/// not keep it.
+/// The drift is not removed if the path from the origin is rounded so much that it no longer determines an invariant.
 ///
-/// A coordinate that is where it was at the origin stays there, so that a momentum that nothing changes is the same to the last bit. The way is
-/// zero if it were longer than the rounding of many steps explains, or led across a jump of an invariant.
+/// Compared is the rounding of an invariant at `z` by the last digits of the path. It may be at most this many times the same rounding at the origin,
+/// and at most this many times the rounding by the coordinates at both ends. The bound is exceeded near a collision. It is also exceeded if one
+/// coordinate has grown and another one has shrunk by orders of magnitude.
+const MOST_STEEPENING: f64 = 16.0;
+
+/// Returns the correction of `z` that gives `invariants` their values at `origin`.
+///
+/// The correction is a combination of gradients at `z`. They are made orthogonal by the method of E. Schmidt, Math. Ann. 63 (1907) 442, so the
+/// correction of an invariant does not change the invariants before it. An invariant that has changed by more than the rounding of many steps is not
+/// corrected, because the method does not keep it.
+///
+/// A coordinate that is equal to its value at the origin does not change. Thus a momentum without a force keeps its bits. Returns zero if
+/// the correction would be longer than the rounding of many steps, or if it would increase the change of an invariant beyond rounding, as
+/// at a jump.
 pub(crate) fn way_back<S: PhaseSpace<R>, R: Real, I: Invariants<S, R>>(
     system: &S,
     invariants: &I,
@@ -45,14 +53,14 @@ pub(crate) fn way_back<S: PhaseSpace<R>, R: Real, I: Invariants<S, R>>(
     if after.as_slice().iter().zip(most.as_slice()).any(grows) { S::Phase::zero() } else { back }
 }
 
-/// Writes the way back from gradients here and at the origin, one invariant after the other. No system is known here: it is compiled once for a
-/// scalar.
+/// Writes the correction to `back`, one invariant after the other, from the gradients at `z` and at the origin. The function does not depend on the
+/// system, so it is compiled once for each scalar.
 #[inline(never)]
 fn undo_all<R: Real>((gradients, first): (&mut [R], &[R]), changes: &[R], way: [&[R]; 2], back: &mut [R]) {
     let n = back.len();
     let mut both = gradients.chunks_exact(n).zip(first.chunks_exact(n));
     let is_lost = |(here, there): (&[R], &[R])| {
-        steepness(way, here) > STEEPER * steepness(way, there).min(of_ends(way, [there, here]))
+        steepness(way, here) > MOST_STEEPENING * steepness(way, there).min(steepness_at_ends(way, [there, here]))
     };
     if both.any(is_lost) {
         return;
@@ -82,35 +90,35 @@ fn most_rounding<R: Real>(terms: f64) -> f64 {
     STEPS * ROUNDINGS * R::epsilon() * terms
 }
 
-/// How large a coordinate has been on a way.
+/// Returns a bound of the size of coordinate `i` on a path: the sum of its magnitudes.
 fn size<R: Real, const N: usize>(way: [&[R]; N], i: usize) -> f64 {
     way.iter().map(|z| z[i].magnitude()).sum()
 }
 
-/// Returns the unit of a coordinate, of whose correction rounding explains the part `explained`; zero if it has not moved.
+/// Returns the unit of a coordinate, or zero if it has not moved. `explained` is the part of its correction that rounding explains.
 fn unit<R: Real>(way: [&[R]; 2], i: usize, explained: f64) -> f64 {
     let moved = way[1][i].magnitude();
     if moved == 0.0 { 0.0 } else { unit_of(size(way, i), moved, explained) }
 }
 
-/// How much an invariant changes with its coordinates, each by its size: times the last digit this is its rounding.
+/// Returns Σ size(i)·|∂I/∂zᵢ|. The rounding of the invariant I is ε times this sum.
 pub(super) fn steepness<R: Real, const N: usize>(way: [&[R]; N], gradient: &[R]) -> f64 {
     gradient.iter().enumerate().map(|(i, slope)| size(way, i) * slope.magnitude()).sum()
 }
 
-/// The same with its coordinates at both ends alone: by this much an invariant is rounded itself.
-fn of_ends<R: Real>([origin, moved]: [&[R]; 2], [there, here]: [&[R]; 2]) -> f64 {
+/// Returns Σ |zᵢ ∂I/∂zᵢ| over both ends of the path. The rounding of I by the coordinates at the ends is ε times this sum.
+fn steepness_at_ends<R: Real>([origin, moved]: [&[R]; 2], [there, here]: [&[R]; 2]) -> f64 {
     let at = |i: usize| {
         origin[i].magnitude() * there[i].magnitude() + (origin[i] + moved[i]).magnitude() * here[i].magnitude()
     };
     (0..origin.len()).map(at).sum()
 }
 
-/// Adds to the way `back`, in units of coordinates, what undoes a change along its gradient, if the change is rounding. What is left of the gradient
-/// is the direction in which `others` do not change.
+/// Adds to `back` the correction that undoes `change` along its gradient, if the change is rounding. `back` is in units of the coordinates.
 ///
-/// There is none where it nearly depends on them, as that of an angular momentum does on that of the energy on a circle: the rounding of one
-/// evaluation would grow beyond that of as many steps.
+/// On return, `gradient` is its own component orthogonal to `others`, in units of the coordinates. It is zero if the change is not rounding, or if the
+/// gradient nearly depends on the others. The gradients of angular momentum and energy on a circular orbit are an example. A correction there would
+/// amplify the rounding of one evaluation beyond the rounding of many steps.
 fn undo<'a, R: Real>(
     (gradient, change): (&mut [R], R),
     way: [&[R]; 2],
@@ -141,14 +149,14 @@ fn undo<'a, R: Real>(
     }
 }
 
-/// x + w·d.
+/// x ← x + w·d.
 fn add<R: Real>(x: &mut [R], w: R, d: &[R]) {
     for (x, d) in x.iter_mut().zip(d) {
         *x = w.multiply_add(*d, *x);
     }
 }
 
-/// The address of what is compiled once for a scalar.
+/// Returns the address of the function that is compiled once for each scalar.
 pub(crate) fn compiled<R: Real>() -> *const () {
     undo_all::<R> as *const ()
 }

@@ -1,4 +1,4 @@
-//! Steps of any method, put right: projected to invariants, or lengthened until the energy is what it was.
+//! Corrections after a step of any method: projection onto invariants, and relaxation, which scales the step to keep the energy.
 //!
 //! ```
 //! use geoint_runtime::prelude::*;
@@ -24,7 +24,7 @@
 //! # Ok::<(), StepError>(())
 //! ```
 //!
-//! Invariants of one's own implement [`Invariants`]: the front page of the crate has an example.
+//! Users implement [`Invariants`] for invariants of their own.
 
 mod frame;
 pub mod invariants;

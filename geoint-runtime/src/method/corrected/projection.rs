@@ -1,4 +1,5 @@
-//! x₁ = y + Σ λᵢ D²∇Iᵢ(y): a step of any method, and back to where the invariants were. If that fails, the gradients are those at each iterate.
+//! Projection onto invariants: x₁ = y + Σ λᵢ D²∇Iᵢ(y), where y is the result of a step of any method. The multipliers λᵢ restore the invariants.
+//! If this fails, Newton's iteration uses the gradients at each iterate.
 
 use super::range::is_representable;
 use super::scales::Scales;
@@ -14,37 +15,43 @@ use crate::system::{Evaluations, Poles, VectorField};
 
 /// A method, and the invariants that each of its steps is projected onto: `Projection(RK4, Energy)`.
 ///
-/// The order of the method; invariants are kept to rounding, also where their gradients depend on each other, as those of energy and momentum
-/// do on a circle. The method is neither symmetric nor symplectic: other invariants drift, even the momentum of a cyclic coordinate.
+/// The order is that of the method. Invariants are kept to rounding. This holds also if their gradients depend on each other, like those of energy
+/// and angular momentum on a circular orbit. The method is neither symmetric nor symplectic. Other invariants drift, even the momentum of a cyclic
+/// coordinate.
 ///
-/// The correction is the shortest one, where each coordinate has a unit D:
+/// The correction is the shortest one if each coordinate is measured in its unit D:
 ///
 /// - D is the largest recent magnitude of the coordinate,
-/// - but at most 1024 times its recent increment: the distance of an angle from zero means nothing after many turns,
-/// - and at least so large that a coordinate takes the corrections which its own rounding explains.
+/// - but at most 1024 times its recent increment, because the value of an angle means nothing after many turns,
+/// - and at least large enough for the corrections that the coordinate's own rounding explains.
 ///
 /// The correction does not depend on the units of q and p, and a coordinate that has always been zero stays zero.
 ///
-/// An angle `atan2(y, x)` in an invariant is followed across its cut. Errors: [`StepError::Turned`](crate::StepError::Turned) if the angle moves by
-/// more than half a turn in a step, [`StepError::LedAstray`](crate::StepError::LedAstray) if a correction is longer than half of the step, and
-/// [`StepError::OutOfRange`](crate::StepError::OutOfRange) if an invariant underflows or overflows. A step of an explicit method that is far too large
-/// may end near another part of the surface of constant invariants, on which it is kept then.
+/// An angle `atan2(y, x)` in an invariant is continued across its cut. Limit: a far too large step of an explicit method may end near another part of
+/// the surface of constant invariants. Later steps then stay on that part.
+///
+/// # Errors
+/// - [`StepError::Turned`](crate::StepError::Turned) if such an angle moves by more than half a turn in a step.
+/// - [`StepError::LedAstray`](crate::StepError::LedAstray) if a correction is longer than half of the step.
+/// - [`StepError::OutOfRange`](crate::StepError::OutOfRange) if an invariant underflows or overflows.
+///
+/// # Source
 ///
 /// E. Hairer, Ch. Lubich & G. Wanner, *Geometric Numerical Integration* (2006), section IV.4, algorithm 4.2.
 ///
-/// Taylor series are projected, too: `system.taylor(Projection(Taylor { tolerance: 1e-8 }, Energy), state)`. Each step is led back to the
-/// values of the invariants at the start of the run, so that neither errors of the series nor roundings add up. States between the ends of steps are
-/// those of the series.
+/// # Taylor series
+/// Write `system.taylor(Projection(Taylor { tolerance: 1e-8 }, Energy), state)`. Each step is projected to the values of the invariants at the start of
+/// the run, so neither truncation nor rounding errors add up. States between the ends of steps come from the series without projection.
 #[doc(alias("manifold projection", "standard projection"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Projection<M, I>(pub M, pub I);
 
-/// What a step hands on to the next one.
+/// Data that a step passes to the next one.
 #[derive(Clone, Copy, Debug)]
 pub struct Memory<M, A: Array> {
     method: M,
     scales: Scales<A>,
-    /// Corrections may be smaller than the last digit of a coordinate, and all of one sign.
+    /// Compensated sums: corrections may be smaller than the last digit of a coordinate, and all of one sign.
     sums: Compensated<A>,
 }
 
@@ -56,7 +63,7 @@ impl<M: Record<A::Real>, A: Array> Record<A::Real> for Memory<M, A> {
     }
 }
 
-/// What the method prepared, and the invariants.
+/// Coefficients of the method, the poles of the system, and the invariants.
 #[derive(Clone, Copy, Debug)]
 pub struct Prepared<P, I> {
     method: P,

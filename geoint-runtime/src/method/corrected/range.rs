@@ -1,11 +1,11 @@
-//! Is what a method keeps a number of ordinary size?
+//! Checks that invariants neither underflow nor overflow.
 
 use crate::scalar::Real;
 use crate::space::Array;
 use crate::system::{Invariants, PhaseSpace};
 
-/// Returns whether no invariant underflows or overflows at a point: the products of the coordinates and their slopes, from which it is made, are
-/// numbers with all their digits. Methods that compare an invariant with its former value keep nothing otherwise.
+/// Returns whether no invariant underflows or overflows at a point. The test uses the products zᵢ ∂I/∂zᵢ. A method that compares an invariant with
+/// its earlier value cannot keep it outside this range.
 #[inline(never)]
 pub(crate) fn is_representable<S: PhaseSpace<R>, R: Real, I: Invariants<S, R>>(
     system: &S,
@@ -21,7 +21,7 @@ fn has_range<R: Real>(z: &[R], gradient: &[R]) -> bool {
     let (mut terms, mut underflows) = (0.0_f64, false);
     for (x, slope) in z.iter().zip(gradient) {
         let (x, slope) = (x.magnitude(), slope.magnitude());
-        // Factors that are not finite are reported elsewhere. A product with a subnormal factor, or with zero, says nothing.
+        // Factors that are not finite are reported elsewhere. A product with a zero or subnormal factor is no underflow of the invariant.
         if !(x.is_finite() && slope.is_finite()) {
             return true;
         }

@@ -1,4 +1,4 @@
-//! x₁ = x₀ + γ(y − x₀): a step of any method, shortened or lengthened until the energy is what it was.
+//! Relaxation: x₁ = x₀ + γ(y − x₀), where y is the result of a step of any method. The factor γ solves H(x₁) = H(x₀).
 
 use crate::method::corrected::invariants::Invariants;
 use crate::method::corrected::range::is_representable;
@@ -13,46 +13,48 @@ use crate::space::{Array, Compensated, Record, Summation, Tape};
 use crate::system::{Evaluations, KeepsEnergy, Poles};
 use core::cell::Cell;
 
-/// Far beyond γ = 1 + O(hᵖ⁻¹): no relaxation of this step.
-const FARTHEST: f64 = 0.5;
+/// A step is refused if |γ − 1| exceeds this bound. The theory gives γ = 1 + O(hᵖ⁻¹).
+const LARGEST_EXCESS: f64 = 0.5;
 
-/// A correction of γ behind which nothing is left. Where a larger one is needed for what is rounding, γ is not determined by it.
-const LITTLE: f64 = 1e-3;
+/// The last correction of γ, made when the residual is rounding, may have this size. If it would be larger, rounding does not determine γ.
+/// The correction is then omitted, and the residual is left to the next step.
+const LAST_CORRECTION: f64 = 1e-3;
 
-/// A change of the energy by so many ε of its terms is rounding.
+/// A change of the energy by at most this many ε of its terms counts as rounding.
 const ROUNDINGS: f64 = 4.0;
 
 /// A method whose steps are relaxed: `Relaxation(RK4)`.
 ///
-/// The energy is kept to rounding, or of a field the function that it keeps as `energy`, or names first; with one factor γ = 1 + O(hᵖ⁻¹) a
-/// step; other integrals change: [`Projection`](super::Projection) keeps all. Time goes on by γh, so steps do not end at multiples of h; at the
-/// time that the state says, the order is that of the method.
-/// Neither symmetric nor symplectic. Where the energy is almost straight along a step γ is not determined, and the step is refused.
+/// Each step is multiplied by a factor γ = 1 + O(hᵖ⁻¹), such that the energy is kept to rounding. For a vector field, the kept function is the
+/// integral with the name `energy`, or the first one. Other integrals change; [`Projection`](super::Projection) keeps all of them.
+///
+/// Time advances by γh, so steps do not end at multiples of h. At the time of the state, the order is that of the method. The method is neither
+/// symmetric nor symplectic. If the energy is almost linear along a step, γ is not determined, and the step is refused.
 ///
 /// D. I. Ketcheson, SIAM J. Numer. Anal. 57 (2019) 2850; H. Ranocha & D. I. Ketcheson, J. Sci. Comput. 84 (2020) 17.
 #[doc(alias = "relaxation Runge-Kutta")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Relaxation<M>(pub M);
 
-/// What a step hands on to the next one.
+/// Data that a step passes to the next one.
 #[derive(Clone, Debug)]
 pub struct Memory<M, A: Array> {
     method: M,
-    /// Corrections may be smaller than the last digit of a coordinate, and all of one sign.
+    /// Compensated sums: corrections may be smaller than the last digit of a coordinate, and all of one sign.
     sums: Compensated<A>,
-    /// What steps before have changed the energy by, less than rounding of it each, and all of one sign perhaps.
-    left: A::Real,
+    /// The change of the energy by earlier steps that is not yet corrected. Each contribution is rounding, but all may have one sign.
+    uncorrected: A::Real,
 }
 
 impl<M: Record<A::Real>, A: Array> Record<A::Real> for Memory<M, A> {
     fn record(&mut self, tape: &mut impl Tape<A::Real>) {
         self.method.record(tape);
         self.sums.record(tape);
-        tape.scalar(&mut self.left);
+        tape.scalar(&mut self.uncorrected);
     }
 }
 
-/// What the method prepared, and h.
+/// Coefficients of the method, the poles of the system, and the step size h.
 #[derive(Clone, Copy, Debug)]
 pub struct Prepared<P, R> {
     method: P,
@@ -92,13 +94,13 @@ impl<S: KeepsEnergy<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M>
     }
 
     fn memory() -> Self::Memory {
-        Memory { method: M::memory(), sums: Compensated::new(), left: zero() }
+        Memory { method: M::memory(), sums: Compensated::new(), uncorrected: zero() }
     }
 
     #[inline]
     fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         Prepared { method, poles, h }: &Self::Prepared,
-        Memory { method: memory, sums, left }: &mut Self::Memory,
+        Memory { method: memory, sums, uncorrected }: &mut Self::Memory,
         mut step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         let before = step.x.z;
@@ -108,39 +110,39 @@ impl<S: KeepsEnergy<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M>
         let end = x.z;
         check_turns(system, [t, later - t], [&before, &end])?;
         let moved = difference(&end, &before);
-        // Coordinates are rounded as they are on the way of this step: what was large lately is exact now.
+        // The rounding of a coordinate follows its size in this step. Its size in earlier steps does not matter.
         let mut sizes = Sizes::new();
         sizes.include(&before, &moved);
         let energy = S::Kept::default();
         let mut gradient = energy.gradients(system, &x.z);
         let rate = dot(&gradient, &moved);
-        // What rounding of the coordinates changes the energy by is ε times its terms. The energy has a value of its own to be rounded, and forces
-        // that cancel are small beside it.
+        // Rounding of the coordinates changes the energy by ε times its terms. The value of the energy is rounded, too. This second part
+        // dominates if forces cancel.
         let terms = sizes.normalise(&mut gradient).magnitude();
         let rounding = ROUNDINGS * R::epsilon() * terms;
         let noise = || rounding + ROUNDINGS * R::epsilon() * system.kept_energy(t, &before).magnitude();
 
-        // The increments at whose end conditions of the energy were decided last.
+        // The increment at whose end the branches of the energy (`if`, `abs`) were chosen last.
         let decided = Cell::new(moved);
         let change = |gamma: R| {
             decided.set(scaled(gamma, &moved));
             energy.changes(system, &before, &decided.get())
         };
         let whole = change(R::from_f64(1.0));
-        // What steps before have left is put right with what this one changes.
+        // The remaining change of earlier steps is corrected together with the change of this step.
         let average = |excess: R| {
             let gamma = R::from_f64(1.0) + excess;
-            (change(gamma) + *left) / gamma
+            (change(gamma) + *uncorrected) / gamma
         };
-        let (excess, rest) = match root(average, (whole + *left, rate - whole), rounding, noise) {
-            // A step so short, or an energy so straight, that there is hardly more than rounding to put right: the next step has it.
+        let (excess, rest) = match root(average, (whole + *uncorrected, rate - whole), rounding, noise) {
+            // The change is rounding, because the step is short or the energy is almost linear. The next step corrects it.
             Err(_) if whole.magnitude() <= noise() => {
                 decided.set(moved);
-                (zero(), whole + *left)
+                (zero(), whole + *uncorrected)
             }
             root => root?,
         };
-        *left = rest * (R::from_f64(1.0) + excess);
+        *uncorrected = rest * (R::from_f64(1.0) + excess);
         x.correct(sums, &before, &moved, &scaled(excess, &moved));
         x.ahead.add(excess * *h);
         check_conditions(system, t, &sum(&before, &decided.get()), x)?;
@@ -149,8 +151,13 @@ impl<S: KeepsEnergy<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M>
     }
 }
 
-/// The root γ − 1 of (H(x + γd) − H(x))/γ = ∇̄H·d, which is almost a straight line: the root γ = 0 of the change itself is gone. Its
-/// value and its slope at γ = 1 are given; it is a root where the value is rounding, or noise that does not shrink, and that comes with it.
+/// Solves (H(x + γd) − H(x))/γ = 0 for γ by the secant method. Returns γ − 1 and the residual.
+///
+/// The division removes the root γ = 0 of the change of H. The function is almost linear in γ. `now` and `slope` are its value and its derivative at
+/// γ = 1. The iteration ends if the value is at most `rounding`, or if it is at most `noise` and no longer shrinks by half.
+///
+/// # Errors
+/// [`Refusal::NotConverged`] if γ is too far from 1, is not a number, or is not found within [`MAX_ITERATIONS`].
 fn root<R: Real>(
     average: impl Fn(R) -> R,
     (mut now, mut slope): (R, R),
@@ -161,18 +168,18 @@ fn root<R: Real>(
     for iterations in 1..=MAX_ITERATIONS {
         let next = excess - now / slope;
         if now.magnitude() <= rounding {
-            let determined = (next - excess).magnitude() <= LITTLE;
+            let determined = (next - excess).magnitude() <= LAST_CORRECTION;
             return Ok(if determined { (next, zero()) } else { (excess, now) });
         }
         if now.magnitude() > 0.5 * before && now.magnitude() <= noise() {
             return Ok((excess, now));
         }
-        // What is not a number is far as well.
-        if next.magnitude().is_nan() || next.magnitude() > FARTHEST {
+        // NaN is refused, too.
+        if next.magnitude().is_nan() || next.magnitude() > LARGEST_EXCESS {
             return Err(Refusal::NotConverged { iterations, correction: next.magnitude() });
         }
         let (distance, value) = (next - excess, average(next));
-        // A secant over rounding errors would be none.
+        // For a tiny distance, the slope of the secant would be rounding. The old slope is kept.
         if distance.magnitude() > Real::sqrt(R::epsilon()) {
             slope = (value - now) / distance;
         }

@@ -1,7 +1,7 @@
 //! Checks whether rounding on the way of a step changes an invariant of the step.
 //!
-//! A coordinate is rounded by ε times its largest size on the way of a step. If a step goes far out and comes back, as over a pole, its result has the
-//! rounding of the far point. This rounding changes a steep invariant by much more than its own digits. Such steps are refused.
+//! A coordinate is rounded by ε times its largest size during a step. If a step moves far away and returns, for instance over a pole, its result has the
+//! rounding of the far point. This rounding changes a steep invariant by much more than its own rounding. Such steps are refused.
 //!
 //! A *thorough* attempt is the second one: it iterates longer, and accepts an equation that is solved to its measured rounding. The first attempt is
 //! quick, and may only mark its result as needs_recheck.
@@ -16,13 +16,13 @@ use crate::system::{Invariants, Keeping, KeptBy, PhaseSpace, jump_of_integral};
 
 /// A step is refused if an invariant changes by more than this many of its roundings.
 ///
-/// The constant is also the factor of a leap: a coordinate moves by more than this many times the smaller of its values at both ends. First attempts
-/// and corrections are checked only if a coordinate leaps, because otherwise rounding on the way is within the bound. A smaller factor would make each
-/// passage through zero a leap, and long runs a tenth slower.
+/// The constant is also the factor of a *leap*: a coordinate moves by more than this many times the smaller of its magnitudes at both ends. First
+/// attempts and corrections are checked only after a leap, because otherwise the rounding is within the bound. With a smaller factor,
+/// each passage through zero would be a leap.
 const MOST: f64 = 16384.0;
 
-/// A step of a canonical system may change the energy by this many of its roundings (2²², empirical). The terms of forces that cancel are rounded by more, and are
-/// not known here. In single precision 2²² ε is half of the energy, so the bound there is √ε.
+/// A step of a canonical system may change the energy by this many of its roundings (2²², empirical). Forces that cancel have larger terms, which are
+/// not known here. In single precision, 2²² ε is half of the energy. The bound is therefore √ε at most.
 const MOST_OF_ENERGY: f64 = 4_194_304.0;
 
 /// Refuses the step of a field from `before` to `x` if rounding changes an integral, or the step leads across a jump of an integral.

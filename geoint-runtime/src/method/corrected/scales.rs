@@ -11,10 +11,10 @@ pub(super) struct Scales<A> {
     moved: Sizes<A>,
 }
 
-/// The unit of a coordinate is at most its increment times this number of steps: an angle of 10⁵ turns would otherwise take all corrections.
+/// The unit of a coordinate is at most its increment times this number of steps. Otherwise an angle of 10⁵ turns would take the whole correction.
 pub(super) const STEPS: f64 = 1024.0;
 
-/// A change of an invariant by this many ε of its terms is rounding of its coordinates.
+/// A change of an invariant by at most this many ε of its terms counts as rounding of its coordinates.
 const ROUNDINGS: f64 = 16.0;
 
 impl<A: Array> Scales<A> {
@@ -50,10 +50,10 @@ impl<A: Array> Scales<A> {
     }
 }
 
-/// Returns the unit of a coordinate of this size that has moved by `moved`; at least the part `least` of its size.
+/// Returns the unit of a coordinate of this size that has moved by `moved`. The unit is at least `least` times its size.
 ///
-/// The least part lets a coordinate that hardly moves take a correction within its own rounding. With a tiny unit the other coordinates would take it, even
-/// those on which the invariant hardly depends. A coordinate that has not moved at all keeps its size as unit: its motion says nothing.
+/// The lower bound lets a coordinate that hardly moves take a correction within its own rounding. With a tiny unit, the correction would move the
+/// other coordinates, even those on which the invariant hardly depends. A coordinate that has not moved keeps its size as unit.
 #[inline]
 pub(super) fn unit_of(size: f64, moved: f64, least: f64) -> f64 {
     let reached = STEPS * moved;
@@ -68,7 +68,7 @@ pub(super) fn rounding<R: Real>() -> f64 {
 /// Returns the part of a change that rounding explains, where ε times `terms` is the rounding of one evaluation.
 pub(super) fn part_of_rounding<R: Real>(change: R, terms: f64) -> f64 {
     let rounding = rounding::<R>() * terms;
-    // Changes that are not numbers have no rounding.
+    // Zero if the change is NaN.
     if change.magnitude() <= rounding { 1.0 } else { (rounding / change.magnitude()).max(0.0) }
 }
 

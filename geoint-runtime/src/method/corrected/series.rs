@@ -1,10 +1,10 @@
 //! Steps by Taylor series, projected to invariants.
 //!
-//! Every step is led back to the invariants at the start of the run, so that errors do not add up from step to step. A stored state, the reference,
-//! stands for the start. It moves on in two cases, and the error that is left there is then remembered:
+//! Every step is projected to the invariants at the start of the run, so that errors do not add up from step to step. A stored state, the reference,
+//! represents the start. The reference is replaced in two cases. The remaining error at the new reference is then stored:
 //!
 //! - Rounding dominates the change of an invariant since the reference. The start of the step becomes the reference.
-//! - An invariant reads an angle (`atan2`). After a full turn the angle is back at its old value, so the change since an old state says nothing. Every step
+//! - An invariant reads an angle (`atan2`). After a full turn the angle has its old value, so the change since an old state is not known. Every step
 //!   then has its own start as reference.
 
 use super::invariants::Invariants;
@@ -26,13 +26,13 @@ use core::fmt::Debug;
 
 impl<M: Sealed, I> Sealed for Projection<M, I> {}
 
-/// The memory of a projected step.
+/// Data that a projected step passes to the next one.
 #[derive(Clone, Copy, Debug)]
 pub struct Memory<A, V> {
     scales: Scales<A>,
-    /// The state from which changes of the invariants are counted.
+    /// The state to which changes of the invariants refer.
     reference: A,
-    /// The changes since the reference that lead back to the invariants at the start of the run.
+    /// The changes since the reference that restore the invariants at the start of the run.
     wanted: V,
     /// Whether the start of every step becomes the reference.
     moves_on: bool,
@@ -47,8 +47,8 @@ impl<A: Array, V: Array<Real = A::Real>> Record<A::Real> for Memory<A, V> {
     }
 }
 
-/// The step before has been led back, so an invariant has changed by the same amount since the start of this step and since the reference. If the two
-/// amounts differ by more than this many ε of the invariant's terms, an angle has turned. Rounding stays far below.
+/// The previous step was projected. Thus an invariant has changed by the same amount since the start of this step and since the reference. If the two
+/// amounts differ by more than this many ε of the invariant's terms, an angle has made a full turn. Rounding is much smaller.
 const TURN: f64 = 1024.0;
 
 impl<A: Array, V: Array<Real = A::Real>> Memory<A, V> {
@@ -125,7 +125,7 @@ where
         [before, z]: [&S::Phase; 2],
     ) -> Result<Option<S::Phase>, Refusal> {
         memory.scales.include(before, &difference(z, before));
-        // No step has left the reference yet, or an orbit has come back to it. A second check costs little.
+        // The first step after the reference, or an orbit that has returned to it.
         let at_reference =
             difference(&memory.reference, before).as_slice().iter().all(|moved| moved.magnitude() == 0.0);
         if at_reference && !is_representable(system, &self.1, before) {
@@ -134,7 +134,7 @@ where
         check_turns(system, [t, h], [before, z])?;
         // `S::ANGLES` covers the invariants that are derived. Those written by the user may read an angle, too.
         if !memory.moves_on && !I::DERIVED && memory.has_turned(system, &self.1, [before, z]) {
-            // The step before has been led back to the invariants of the start, so nothing is wanted since then.
+            // The previous step was projected to the invariants of the start, so the wanted change since then is zero.
             (memory.wanted, memory.moves_on) = (I::Values::zero(), true);
         }
         let Memory { scales, reference, wanted, moves_on } = memory;

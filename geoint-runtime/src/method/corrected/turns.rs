@@ -1,7 +1,7 @@
-//! Does an angle move by more than half a turn in a step?
+//! Checks whether an angle moves by more than half a turn in a step.
 //!
-//! A divided difference knows the ends of a step alone. It takes an angle `atan2(y, x)` to move the shorter way round, which is right up to half a
-//! turn.
+//! A divided difference depends on the ends of a step only. It assumes that an angle `atan2(y, x)` takes the shorter way round. This is right up to
+//! half a turn.
 
 use crate::method::Refusal;
 use crate::scalar::{Real, signed, zero};
@@ -10,15 +10,15 @@ use crate::space::vector::moved;
 use crate::system::VectorField;
 use core::f64::consts::{FRAC_PI_2, PI};
 
-/// The path of a step is halved at least this many times, and at most that many times where an angle is not resolved.
+/// The path of a step is halved at least [`LEAST_HALVINGS`] times, and at most [`MOST_HALVINGS`] times if an angle is not resolved.
 const LEAST_HALVINGS: u32 = 2;
 const MOST_HALVINGS: u32 = 12;
 
-/// The rate of an angle is measured over this part of a step.
+/// The rate of an angle is a difference quotient over this part of a step.
 const PART: f64 = 1.0 / 1024.0;
 
-/// Refuses a step from `before` to `after`, where it begins at t and has the length h, if an angle of the energy, or of integrals, moves by more than
-/// half a turn.
+/// Refuses a step between `ends` if an angle of the energy, or of integrals, moves by more than half a turn. The step starts at time t and has the
+/// length h.
 #[inline(always)]
 pub(super) fn check_turns<S: VectorField<R>, R: Real>(
     system: &S,
@@ -50,7 +50,7 @@ fn check<S: VectorField<R>, R: Real>(
     found
 }
 
-/// The cubic that has the positions and rates of the step at its ends.
+/// The cubic Hermite polynomial of a step: it has the states and the rates of the step at its ends.
 struct Path<'a, S: VectorField<R>, R: Real> {
     system: &'a S,
     t: R,
@@ -61,12 +61,12 @@ struct Path<'a, S: VectorField<R>, R: Real> {
 }
 
 impl<S: VectorField<R>, R: Real> Path<'_, S, R> {
-    /// Returns whether the angle with this index moves otherwise than its ends tell. A step may hold so many turns that the path misses them:
-    /// the rates at both ends show that.
+    /// Returns whether the angle with this index does not take the shorter way between its ends. The cubic may miss many turns within one step. The
+    /// step is then recognised by the rates of the angle at both ends.
     fn is_lost(&self, angle: usize) -> bool {
         let ends = [0.0, 1.0].map(|part| self.sides(angle, part));
         let followed = self.followed(angle, [0.0, 1.0], ends, MOST_HALVINGS);
-        // NaN if the state is not finite: other checks find that.
+        // NaN if the state is not finite, which other checks report.
         if followed == f64::INFINITY || (followed - between(ends)).abs() > FRAC_PI_2 {
             return true;
         }
@@ -74,7 +74,7 @@ impl<S: VectorField<R>, R: Real> Path<'_, S, R> {
         first.abs().min(last.abs()) > PI && first.is_sign_positive() == last.is_sign_positive()
     }
 
-    /// Returns the change of the angle on a part of the path, from its sides at both ends of that; infinite if it can not be resolved.
+    /// Returns the change of the angle on a part of the path, from its sides at both ends of the part. Infinite if the change is not resolved.
     fn followed(&self, angle: usize, [from, to]: [f64; 2], ends: [[R; 2]; 2], left: u32) -> f64 {
         let whole = between(ends);
         let is_wide = whole.abs() > FRAC_PI_2;
@@ -91,7 +91,7 @@ impl<S: VectorField<R>, R: Real> Path<'_, S, R> {
             + self.followed(angle, [middle, to], [sides, end], left - 1)
     }
 
-    /// Returns the change of the angle in a step at the rate that it has at one end.
+    /// Returns the change of the angle in a step, extrapolated linearly from its rate at one end.
     fn rate(&self, angle: usize, end: usize) -> f64 {
         let z = [&self.before, &self.after][end];
         let near = moved(z, self.h * R::from_f64(PART), &self.rates[end]);
@@ -99,7 +99,7 @@ impl<S: VectorField<R>, R: Real> Path<'_, S, R> {
         between([self.sides_at(angle, t, z), self.sides_at(angle, t, &near)]) / PART
     }
 
-    /// Returns the sides of the angle after a part of the path.
+    /// Returns the sides y and x of the angle at this part of the path, from 0 to 1.
     fn sides(&self, angle: usize, part: f64) -> [R; 2] {
         let rest = 1.0 - part;
         let [first, last] = &self.rates;
@@ -129,8 +129,8 @@ fn sides_of<S: VectorField<R>, R: Real>(system: &S, angle: usize, t: R, z: &S::P
     sides
 }
 
-/// Returns the change of an autonomous `energy` at the cuts of its angles on the straight line from `z` to `z + dz`: a difference of values has it,
-/// and a motion across the cut has not.
+/// Returns the jumps of an autonomous `energy` at the cuts of its angles on the straight line from `z` to `z + dz`. A difference of values contains
+/// these jumps, but the motion does not.
 pub(super) fn change_at_cuts<S: VectorField<R>, R: Real>(
     system: &S,
     z: &S::Phase,
@@ -148,7 +148,7 @@ pub(super) fn change_at_cuts<S: VectorField<R>, R: Real>(
             let [y, x] = sides_of(system, index, zero(), &at(part));
             signed(y.atan2(x))
         };
-        // The half with the cut is halved until its ends are neighbours.
+        // Bisection until the ends are neighbouring numbers.
         let (mut from, mut to) = (0.0, 1.0);
         if (value(to) - value(from)).abs() > PI {
             while 0.5 * (from + to) > from && 0.5 * (from + to) < to {
@@ -162,7 +162,7 @@ pub(super) fn change_at_cuts<S: VectorField<R>, R: Real>(
     change
 }
 
-/// Returns the angle between two directions, in (−π, π]; infinite if one of them is none.
+/// Returns the angle between two directions, in (−π, π]. Infinite if one of them is the zero vector.
 fn between<R: Real>(ends: [[R; 2]; 2]) -> f64 {
     let sizes = ends.map(|[y, x]| y.magnitude() + x.magnitude());
     if sizes.contains(&0.0) {

@@ -1,4 +1,4 @@
-//! The correction of the end of a step that gives invariants their earlier values. Its length is measured in the units of [`Scales`].
+//! Computes the correction of the end of a step that restores invariants. Its length is measured in the units of [`Scales`].
 
 use super::frame::Frame;
 use super::invariants::Invariants;
@@ -14,7 +14,7 @@ use crate::space::vector::{self, difference, scaled, sum};
 use crate::system::VectorField;
 use core::cell::Cell;
 
-/// A correction is near if each coordinate changes by less than this part of its size. The gradients hardly change on such a way. The value is empirical.
+/// A correction is *near* if each coordinate changes by at most this part of its size. The gradients hardly change along it. The value is empirical.
 const NEAR: f64 = 1.0 / 16.0;
 
 /// The longest correction that is not near, as a part of the step. After a longer one, the result may be any other point with these invariants.
@@ -27,19 +27,19 @@ pub(super) struct WayBack<Z> {
     pub(super) decided: Z,
 }
 
-/// Returns a short way from `end` to a point at which each invariant differs by `wanted` from its value at `before`.
+/// Returns a short correction of `end`. After it, each invariant differs by `wanted` from its value at `before`.
 ///
-/// `before` is the start of the step, or an earlier state if a Taylor series counts changes from there; "step" means the way from `before` to `end`. The way
-/// back is found by up to two iterations:
+/// `before` is the start of the step. For Taylor series it may be an earlier state, the reference. "Step" means the increment from `before` to `end`.
+/// The correction is found by up to two iterations:
 ///
-/// 1. The simplified Newton iteration: the way is a combination of the gradients at `end`, and only its multipliers are unknown. It needs one evaluation
-///    of the invariants each time.
-/// 2. Newton's iteration with the gradients at each new point, if the first iteration fails or leads far. This happens where gradients are parallel, for
-///    instance those of energy and momentum on a circular orbit: close to such a point, they turn much on the way of a correction.
+/// 1. The simplified Newton iteration. The correction is a combination of the gradients at `end`, and only its multipliers are unknown. Each iteration
+///    evaluates the invariants once.
+/// 2. Newton's iteration with the gradients at each new point, if the first iteration fails or its correction is not near. This happens if gradients
+///    are nearly parallel, for instance those of energy and angular momentum on an almost circular orbit. They then turn much along a correction.
 ///
 /// # Errors
-/// - [`Refusal::LedAstray`] if the way is longer than half of the step and not near.
-/// - [`Refusal::NotConverged`] if no iteration converges: of the first one if both fail, else of the second one.
+/// - [`Refusal::LedAstray`] if the correction is longer than half of the step and not near.
+/// - [`Refusal::NotConverged`] if no iteration converges. If both iterations fail, the error is that of the first one.
 #[inline(always)]
 pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
     system: &S,
@@ -73,12 +73,12 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
         let mut delta = equation.residual(increment);
         let relative = frame.multipliers(&mut delta);
         let correction = frame.back(&delta);
-        // Where gradients nearly depend on each other, Newton's corrections lead far away. They are shortened to what a way back may be.
+        // If gradients nearly depend on each other, Newton's corrections are very long. They are shortened to the longest permitted correction.
         let length = Real::sqrt(sizes.square(&correction) / longest);
         let delta = if length > 1.0 { scaled(R::from_f64(1.0 / length), &correction) } else { correction };
         Ok(Correction { delta, relative })
     };
-    // Both iterations use old gradients, so corrections shrink by a factor.
+    // Linear convergence is assumed for both iterations: corrections shrink by a factor.
     let convergence = Corrections::of(Convergence::Linear);
     let turning_from = |start: S::Phase| {
         let accept =
@@ -89,7 +89,7 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
     let back = match correct(I::Values::zero(), convergence, accept, simplified) {
         Ok(multipliers) => {
             let back = at_end.back(&multipliers);
-            // After a long way, the accepted residual was measured at `end`, where the terms may be much larger than at the solution.
+            // The residual was accepted relative to the terms at `end`. After a long correction, these may be much larger than at the solution.
             if sizes.all_within(&back, NEAR) { back } else { turning_from(sum(moved, &back))? }
         }
         Err(refusal) => turning_from(*moved).map_err(|_: Refusal| refusal)?,
@@ -112,7 +112,7 @@ struct Equation<'a, S: VectorField<R>, R: Real, I: Invariants<S, R>> {
 }
 
 impl<S: VectorField<R>, R: Real, I: Invariants<S, R>> Equation<'_, S, R, I> {
-    /// Whether the energy may jump. Corrections may then go from one side of the jump to the other for ever. This is no rounding, and ends with
+    /// Whether the energy may jump. Corrections may then alternate between both sides of the jump. This is not rounding, and ends with
     /// [`Refusal::NotConverged`].
     const JUMPS: bool = I::KEEP_ENERGY && !S::JUMPS.is_empty();
 
@@ -140,8 +140,8 @@ impl<S: VectorField<R>, R: Real, I: Invariants<S, R>> Equation<'_, S, R, I> {
             *terms = R::from_f64(Sizes::at(self.before).terms(first) + self.sizes.terms(last));
         }
         let terms = Sizes::of_magnitudes(terms);
-        // Beside a bend, and where angles are many turns, the residual looks rough although it is not rounding. Where rounding takes more than two
-        // thirds of the digits, the value is not kept in any case.
+        // Next to a kink, and for angles of many turns, the residual looks rough although it is not rounding. A residual above ∛ε of the terms
+        // is therefore not accepted.
         if !terms.all_within(&self.residual(increment), libm::cbrt(R::epsilon())) {
             return false;
         }
@@ -150,15 +150,15 @@ impl<S: VectorField<R>, R: Real, I: Invariants<S, R>> Equation<'_, S, R, I> {
             residual.is_finite().then_some(residual)
         };
         let rounding = roughness::rounding(near);
-        // The last evaluation is that of the solution, which chooses the branches of the energy.
+        // The last evaluation is at the solution: it chooses the branches of the energy.
         near(zero()).is_some_and(|residual| noise::explains(&rounding, &residual, &terms))
     }
 
-    /// Returns for each coordinate which part of the correction its own rounding explains, from 0 to 1. [`Scales::units`] turns it into a least unit.
+    /// Returns for each coordinate the part of the correction that its own rounding explains, from 0 to 1. [`Scales::units`] converts it to a least unit.
     ///
-    /// An invariant explains the part (rounding of its terms)/(residual). A coordinate takes the least part of the invariants that read it. The part is zero
-    /// for a slope that nearly vanishes, which would ask for a long correction: such a slope differs by more than half at a point as far away as the
-    /// correction may lead.
+    /// The part of an invariant is (rounding of its terms)/(residual). The part of a coordinate is the least one of the invariants that read it. The part
+    /// is zero if the slope nearly vanishes, because it would require a long correction. The test compares the slope with that at a point at the
+    /// distance of such a correction. They must not differ by more than half.
     #[cold]
     #[inline(never)]
     fn explained_by_rounding(&self, gradients: &<I::Values as Array>::Map<S::Phase>, moved: &S::Phase) -> S::Phase {

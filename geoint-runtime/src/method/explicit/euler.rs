@@ -1,4 +1,4 @@
-//! Methods that keep nothing, as a control: what they lose shows what the others keep.
+//! The explicit Euler method. It preserves no structure and serves as a control for comparisons.
 
 use crate::method::explicit::{check_mass, may_be_singular};
 use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
@@ -6,14 +6,14 @@ use crate::scalar::Real;
 use crate::space::{PerCoordinate, Summation};
 use crate::system::{Poles, Rates};
 
-/// x₁ = x₀ + h x'(x₀). Order 1, for every H; keeps nothing: an oscillation gains energy with every step.
+/// x₁ = x₀ + h x'(x₀). Order 1, for every H. It keeps no invariant: an oscillation gains energy with every step.
 ///
 /// For comparisons only. L. Euler 1768.
 #[doc(alias = "forward Euler")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ExplicitEuler;
 
-/// The step length, and poles of the system.
+/// The step size, and the poles of the system.
 #[derive(Clone, Copy, Debug)]
 pub struct Prepared<R> {
     h: R,

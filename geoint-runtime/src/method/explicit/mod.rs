@@ -1,4 +1,4 @@
-//! Explicit methods that keep nothing by themselves.
+//! Explicit Runge–Kutta methods. They preserve no structure by themselves.
 //!
 //! ```
 //! use geoint_runtime::prelude::*;
@@ -12,7 +12,7 @@
 //! let mut sim = Kepler { m: 2.0, k: 3.0 }.integrator(DOP853, 0.05, State::new([1.0, 0.0], [0.0, 2.5]));
 //! let energy = sim.energy();
 //! sim.advance(200)?;
-//! // Accurate on a short way; on a long one the error grows like time.
+//! // The method is accurate for short runs. In long runs the energy error grows linearly with time.
 //! assert!((sim.energy() / energy - 1.0).abs() < 1e-9);
 //! # Ok::<(), StepError>(())
 //! ```
@@ -31,7 +31,7 @@ pub use euler::ExplicitEuler;
 pub use runge_kutta::RungeKutta;
 pub use tables::{DOP853, RK4};
 
-/// Ends a step. A quaternion that an increment is added to is of another length than 1, by the error of the step: then it is no attitude.
+/// Adds the increment of a step, and normalises the quaternions of attitudes. The addition changes the length of a quaternion by the error of the step.
 #[inline(always)]
 fn end<S: PhaseSpace<R>, R: Real, C: Summation<S::Phase>>(
     x: &mut Point<S::Phase, C, S::Action>,
@@ -48,7 +48,7 @@ const fn may_be_singular<S: PhaseSpace<R>, R: Real>() -> bool {
     S::SOLVED_FOR_VELOCITIES || Known::<S, R>::OF_MASS
 }
 
-/// Refuses the straight line from a point along an increment if a mass matrix is not seen to be regular on it. `times` are those of both ends.
+/// Refuses a step unless the mass matrix is found to be regular on the straight line from `x` along `increment`. `times` are the times of both ends.
 fn check_mass<S: PhaseSpace<R>, R: Real, C>(
     poles: &Poles,
     system: &S,

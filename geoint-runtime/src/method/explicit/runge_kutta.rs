@@ -1,7 +1,7 @@
 //! Explicit Runge–Kutta methods: yᵢ = x₀ + h Σ aᵢⱼ kⱼ, kᵢ = f(yᵢ), x₁ = x₀ + h Σ bᵢ kᵢ.
 //!
-//! They keep nothing by themselves. They are here because [`Projection`](crate::Projection) and
-//! [`Relaxation`](crate::Relaxation) make them keep the energy, and as the measure of what that is worth.
+//! They keep no invariants by themselves. [`Projection`](crate::Projection) and [`Relaxation`](crate::Relaxation) make them keep the
+//! energy. The unmodified methods serve for comparison.
 
 use crate::method::explicit::tableau::Tableau;
 use crate::method::explicit::{check_mass, may_be_singular};
@@ -20,7 +20,7 @@ use crate::system::{Poles, Rates};
 /// const MIDPOINT: RungeKutta<2> = RungeKutta::new(2, [0.0, 0.5], [&[], &[0.5]], [0.0, 1.0]);
 /// ```
 ///
-/// A row that does not add up to its node, or weights that do not add up to 1, do not compile:
+/// A table does not compile if a row does not add up to its node, or if the weights do not add up to 1:
 ///
 /// ```compile_fail,E0080
 /// # use geoint_runtime::RungeKutta;
@@ -32,16 +32,16 @@ pub struct RungeKutta<const K: usize> {
     name: Name,
     order: u32,
     tableau: Tableau<K>,
-    /// Weights of two estimates of the error of a step.
+    /// Weights of two estimates of the error of a step, the estimate of the higher order first.
     estimators: Option<[[f64; K]; 2]>,
 }
 
 impl<const K: usize> RungeKutta<K> {
-    /// A method of order `order` with nodes `c`, weights `b` and, in row i, the i coefficients aᵢⱼ of stage i.
+    /// Returns a method of order `order` with nodes `c` and weights `b`. Row i contains the coefficients aᵢⱼ of stage i, i of them at most.
     ///
     /// # Panics
-    /// When the program is compiled, if the table is a constant: if K is 0, if a row is longer than the stages before it, if a row
-    /// does not add up to its node, or if the weights do not add up to 1.
+    /// If K is 0, if row i has more than i entries, if a row does not add up to its node, or if the weights do not add up to 1. For a
+    /// constant table this is an error of compilation.
     pub const fn new(order: u32, c: [f64; K], rows: [&[f64]; K], b: [f64; K]) -> Self {
         assert!(K >= 1, "a method has at least one stage");
         assert!(adds_up(&b, 1.0), "the weights add up to 1");
@@ -60,13 +60,13 @@ impl<const K: usize> RungeKutta<K> {
         RungeKutta { name: Name::new("RungeKutta"), order, tableau: Tableau { a, b, c }, estimators: None }
     }
 
-    /// The same method under a name of its own.
+    /// Sets the name of the method.
     pub const fn named(mut self, name: &'static str) -> Self {
         self.name = Name::new(name);
         self
     }
 
-    /// The same method with the weights of two estimates of the error of a step, e₅ of the higher order and e₃: the error is taken to be
+    /// Adds the weights of two estimates of the error of a step, e₅ of the higher order and e₃. The error is taken to be
     /// e₅²/(e₅² + e₃²/100)½.
     pub(super) const fn estimated(mut self, estimators: [[f64; K]; 2]) -> Self {
         assert!(adds_up(&estimators[0], 0.0) && adds_up(&estimators[1], 0.0), "weights of an estimate add up to 0");
@@ -90,9 +90,12 @@ pub struct Prepared<R, const K: usize> {
     poles: Poles,
 }
 
-/// Σ wᵢ kᵢ.
+/// Computes Σ wᵢ kᵢ.
 #[inline(always)]
-fn weighed<A: Array, Z: Action<A::Real>>(weights: &[A::Real], rates: &[PerCoordinate<A, Z>]) -> PerCoordinate<A, Z> {
+fn weighted_sum<A: Array, Z: Action<A::Real>>(
+    weights: &[A::Real],
+    rates: &[PerCoordinate<A, Z>],
+) -> PerCoordinate<A, Z> {
     let mut sum = PerCoordinate::zero();
     for (w, rate) in weights.iter().zip(rates) {
         sum.add_scaled(*w, rate);
@@ -101,7 +104,7 @@ fn weighed<A: Array, Z: Action<A::Real>>(weights: &[A::Real], rates: &[PerCoordi
 }
 
 impl<R: Real, const K: usize> Prepared<R, K> {
-    /// The rate of stage `i`, from those before it.
+    /// Computes the rate kᵢ of stage `i` from the rates of the stages before it.
     #[inline(always)]
     fn rate<S: Rates<R>, C, P: Probe<S, R>>(
         &self,
@@ -110,19 +113,19 @@ impl<R: Real, const K: usize> Prepared<R, K> {
         Step { system, t, x, probe, .. }: Step<'_, S, R, C, P>,
     ) -> PerCoordinate<S::Phase, S::Action> {
         let mut stage = PerCoordinate::of(x);
-        stage.add_scaled(R::from_f64(1.0), &weighed(&self.a[i][..i], before));
+        stage.add_scaled(R::from_f64(1.0), &weighted_sum(&self.a[i][..i], before));
         probe.visit(t + self.c[i], &stage.z, &stage.s);
         system.rates(t + self.c[i], &stage)
     }
 
-    /// The rates of all stages.
+    /// Computes the rates of all stages.
     #[inline(always)]
     fn rates<S: Rates<R>, C, P: Probe<S, R>>(
         &self,
         mut step: Step<'_, S, R, C, P>,
     ) -> [PerCoordinate<S::Phase, S::Action>; K] {
         let (mut rates, ends) = ([PerCoordinate::zero(); K], [step.t; 2]);
-        // Stages one by one: in a loop rates would be in memory, where each stage waits for the one before it.
+        // The loop over stages is unrolled, so that the rates stay in registers.
         macro_rules! stages {
             ($($i:literal)*) => { $(
                 if const { $i < K } {
@@ -151,10 +154,10 @@ impl<R: Real, const K: usize> Prepared<R, K> {
             return Ok(());
         }
         for i in 1..K {
-            let increment = weighed(&self.a[i][..i], rates);
+            let increment = weighted_sum(&self.a[i][..i], rates);
             check_mass(&self.poles, *system, [*t, *t + self.c[i]], x, &increment)?;
         }
-        check_mass(&self.poles, *system, [*t, *end], x, &weighed(&self.b, rates))?;
+        check_mass(&self.poles, *system, [*t, *end], x, &weighted_sum(&self.b, rates))?;
         Ok(())
     }
 }
@@ -206,11 +209,11 @@ impl<S: Rates<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> {
     ) -> Result<(), Refusal> {
         let rates = prepared.rates(step.part([step.t; 2]));
         prepared.check_mass(&rates, &step)?;
-        super::end::<S, R, C>(step.x, &weighed(&prepared.b, &rates));
+        super::end::<S, R, C>(step.x, &weighted_sum(&prepared.b, &rates));
         Ok(())
     }
 
-    /// One less than that of the formula, as of the product of orders 5 and 3 in it.
+    /// One less than the order of the method. With e₅ = O(h⁶) and e₃ = O(h⁴), the estimate of DOP853 is O(h⁸), while the method has an error of O(h⁹) a step.
     fn order_of_estimate(&self) -> Option<u32> {
         self.estimators.map(|_| self.order - 1)
     }
@@ -226,8 +229,8 @@ impl<S: Rates<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> {
         if let Err(refusal) = prepared.check_mass(&rates, &step) {
             return Some(Err(refusal));
         }
-        super::end::<S, R, C>(step.x, &weighed(&prepared.b, &rates));
+        super::end::<S, R, C>(step.x, &weighted_sum(&prepared.b, &rates));
         let [higher, lower] = estimators;
-        Some(Ok([weighed(higher, &rates), weighed(lower, &rates)]))
+        Some(Ok([weighted_sum(higher, &rates), weighted_sum(lower, &rates)]))
     }
 }

@@ -1,10 +1,10 @@
-//! The explicit methods with names.
+//! Coefficients of the explicit Runge–Kutta methods RK4 and DOP853.
 
 #![allow(clippy::excessive_precision, reason = "all digits that are published, rounded once")]
 
 use super::RungeKutta;
 
-/// The classical method. Order 4, 4 gradients, for every H; keeps nothing. W. Kutta, Z. Math. Phys. 46 (1901) 435.
+/// The classical Runge–Kutta method. Order 4, 4 gradients a step, for every H. Keeps no invariants. W. Kutta, Z. Math. Phys. 46 (1901) 435.
 #[doc(alias("classical Runge-Kutta", "Runge-Kutta 4"))]
 pub const RK4: RungeKutta<4> = RungeKutta::new(
     4,
@@ -14,9 +14,11 @@ pub const RK4: RungeKutta<4> = RungeKutta::new(
 )
 .named("RK4");
 
-/// Order 8, 12 gradients, for every H; keeps nothing. The method of order 8 of DOP853 with its estimators of order 5 and 3,
-/// from which [`Adaptive`](crate::Adaptive) knows the error of a step: E. Hairer, S. P. Nørsett & G. Wanner, *Solving Ordinary Differential
-/// Equations I* (1993), section II.5 and (II.10.17), after J. R. Dormand & P. J. Prince; thirty digits as in their program.
+/// The method of order 8 of DOP853. Order 8, 12 gradients a step, for every H. Keeps no invariants. [`Adaptive`](crate::Adaptive)
+/// uses its estimators of orders 5 and 3 for the error of a step.
+///
+/// E. Hairer, S. P. Nørsett & G. Wanner, *Solving Ordinary Differential Equations I* (1993), section II.5 and (II.10.17), after
+/// J. R. Dormand & P. J. Prince. The coefficients have the thirty digits of their program.
 #[doc(alias("Dormand-Prince", "ode45", "solve_ivp", "DoPri8", "RK45"))]
 pub const DOP853: RungeKutta<12> = RungeKutta::new(
     8,

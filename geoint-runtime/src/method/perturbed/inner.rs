@@ -1,4 +1,4 @@
-//! A + B as the drivers of kicks and drifts see it: the flow of A is the drift, a kick by B the kick.
+//! H = A + B as a system of drifts and kicks: the flow of A is the drift, the flow of B is the kick.
 
 use crate::method::Probe;
 use crate::scalar::Real;
@@ -26,7 +26,7 @@ impl<S: Perturbed<R>, R: Real> PhaseSpace<R> for Inner<S> {
     }
 }
 
-/// The point of a state, from inner coordinates.
+/// Returns the point of a state, from inner coordinates.
 #[inline(always)]
 fn outer<S: Perturbed<R>, R: Real>(system: &S, z: &S::Phase) -> S::Phase {
     let mut z = *z;
@@ -100,25 +100,25 @@ impl<S: PerturbedGradient<R>, R: Real> ForceGradient<R> for Inner<S> {
     }
 }
 
-/// Shows the points of states for inner ones.
+/// A probe that receives inner points and reports the points of states.
 #[derive(Debug)]
-pub(super) struct Seen<'a, S, P> {
+pub(super) struct StateProbe<'a, S, P> {
     pub(super) system: &'a S,
     pub(super) probe: &'a mut P,
 }
 
-impl<S, P: Observer> Observer for Seen<'_, S, P> {
+impl<S, P: Observer> Observer for StateProbe<'_, S, P> {
     fn pause(&mut self, paused: bool) {
         self.probe.pause(paused);
     }
 }
 
-impl<S: Perturbed<R>, R: Real, P: Probe<S, R>> Probe<Inner<S>, R> for Seen<'_, S, P> {
+impl<S: Perturbed<R>, R: Real, P: Probe<S, R>> Probe<Inner<S>, R> for StateProbe<'_, S, P> {
     const EFFORT: Effort = P::EFFORT;
 
     #[inline(always)]
     fn visit(&mut self, t: R, z: &S::Phase, s: &()) {
-        // The fast path sees nothing.
+        // Fast steps ignore all points, so they do not compute them.
         if P::EFFORT.is_thorough() {
             self.probe.visit(t, &outer(self.system, z), s);
         }

@@ -1,6 +1,6 @@
-//! Methods for H = A + B, a part A with an exact flow and a rest B that is a kick.
+//! Methods for H = A + B. The part A has an exact flow, and the rest B is a kick.
 //!
-//! Where B is small against A by ε, an error is a sum of parts with powers of ε: that of order (s₁, s₂, …) is O(ε hˢ¹ + ε² hˢ² + …).
+//! If B/A is of the size ε, the error of a method is a sum over powers of ε. A method of orders (s₁, s₂, …) has the error O(ε hˢ¹ + ε² hˢ² + …).
 
 mod inner;
 mod processed;
@@ -12,11 +12,12 @@ use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::space::{Point, Summation};
 use crate::system::Perturbed;
-use inner::Seen;
+use inner::StateProbe;
 
-/// A table of kicks and drifts for H = A + B: the exact flow of A in place of the drift, B in place of V.
+/// A table of kicks and drifts for H = A + B. The exact flow of A replaces the drift, and B replaces V.
 ///
-/// Every table: `Perturbation(BlanesMoan4)`; those of Runge–Kutta–Nyström type and with force gradients where A is of degree 2 in p.
+/// It takes every table, as in `Perturbation(BlanesMoan4)`. Tables of Runge–Kutta–Nyström type or with force gradients need an A of
+/// degree 2 in p.
 ///
 /// ```
 /// use geoint_runtime::prelude::*;
@@ -46,15 +47,16 @@ use inner::Seen;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Perturbation<M>(pub M);
 
-/// What a table needs, or why there are no coordinates in which it could move.
+/// Coefficients of the table.
 #[derive(Clone, Debug)]
 pub struct Prepared<P> {
     table: P,
+    /// The reason why the inner coordinates do not exist for these parameters. Every step is then refused.
     unsuitable: Option<&'static str>,
 }
 
-/// What a table claims where the rest moves by steps of order 2: no more than that order, whatever the size of the rest.
-fn of_rest<S: Perturbed<R>, R: Real>(claims: Claims) -> Claims {
+/// Limits the claims of a table to order 2 if the flow of B is replaced by a symmetric step of order 2.
+fn limit_by_rest<S: Perturbed<R>, R: Real>(claims: Claims) -> Claims {
     if S::REST_IS_EXACT { claims } else { Claims { order: claims.order.min(2), perturbed: &[], ..claims } }
 }
 
@@ -66,11 +68,11 @@ impl<S: Perturbed<R>, R: Real, M: Method<Inner<S>, R>> Method<S, R> for Perturba
     const INNER: bool = S::INNER;
 
     fn claims(&self) -> Claims {
-        of_rest::<S, R>(self.0.claims())
+        limit_by_rest::<S, R>(self.0.claims())
     }
 
     fn name(&self) -> Name {
-        // Tables made for this have names of their own.
+        // Tables made for H = A + B have names of their own.
         if self.0.claims().perturbed.is_empty() { Name::new("Perturbation").of(self.0.name()) } else { self.0.name() }
     }
 
@@ -99,7 +101,7 @@ impl<S: Perturbed<R>, R: Real, M: Method<Inner<S>, R>> Method<S, R> for Perturba
         Step { system, t, end, x, probe }: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         Refusal::outside(prepared.unsuitable)?;
-        let probe = &mut Seen { system, probe };
+        let probe = &mut StateProbe { system, probe };
         M::step(&prepared.table, memory, Step { system: &Inner(*system), t, end, x, probe })
     }
 

@@ -1,6 +1,6 @@
-//! Processed methods: χ⁻¹ ∘ K ∘ … ∘ K ∘ χ, cheap steps K with a way before the first one that is gone back after the last.
+//! Processed methods: χ⁻¹ ∘ K ∘ … ∘ K ∘ χ. The kernel K is cheap. The processor χ is applied before the first step, and its inverse after the last.
 
-use super::{Perturbation, of_rest};
+use super::{Perturbation, limit_by_rest};
 use crate::method::perturbed::Inner;
 use crate::method::splitting::steps_of;
 use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step};
@@ -11,7 +11,7 @@ use crate::system::Perturbed;
 /// Nodes of the processor.
 const NODES: usize = 4;
 
-/// Shifts along the flow of A, i √(7/40): the spacing of J. Wisdom, M. Holman & J. Touma, Fields Inst. Comm. 10 (1996) 217.
+/// Shifts aᵢ along the flow of A in units of h, aᵢ = i √(7/40): the spacing of J. Wisdom, M. Holman & J. Touma, Fields Inst. Comm. 10 (1996) 217.
 #[allow(clippy::excessive_precision, reason = "all digits that are known, rounded once")]
 const SHIFTS: [f64; NODES] = [
     0.41833001326703777398908601289259374469640768464934,
@@ -20,7 +20,7 @@ const SHIFTS: [f64; NODES] = [
     1.6733200530681510959563440515703749787856307385973,
 ];
 
-/// Kicks at these shifts: 2 Σ bᵢ aᵢ^(2k−1)/(2k−1)! = B₂ₖ(½)/(2k)! for k = 1, …, 4 with Bernoulli's polynomials B₂ₖ.
+/// Fractions bᵢ of h for the kicks at these shifts: 2 Σ bᵢ aᵢ^(2k−1)/(2k−1)! = B₂ₖ(½)/(2k)! for k = 1, …, 4 with Bernoulli's polynomials B₂ₖ.
 #[allow(clippy::excessive_precision, reason = "all digits that are known, rounded once")]
 const KICKS: [f64; NODES] = [
     -0.12808306259348757025513479371479760181733964159608,
@@ -29,10 +29,11 @@ const KICKS: [f64; NODES] = [
     0.0014395903148023266294002147662697033394595734940552,
 ];
 
-/// Half of A, B, half of A, with a processor that takes the errors of first order in B up to h¹⁰: a step has the cost of its kernel alone.
+/// Half of A, B, half of A, with a processor that removes the errors of first order in B up to O(h¹⁰). A step costs as much as its kernel.
 ///
-/// Before the first step of a run, and for every state that is looked at, 12 kicks and 16 flows of A are computed beside: look seldom. To
-/// first order in B the kernel differs from the flow by a derivative along A, D = h{·, A}, which χ = 1/(2 sinh D/2) − 1/D removes.
+/// The processor costs 12 kicks and 16 flows of A before the first step of a run, and again for every state that is read. Read states
+/// seldom. To first order in B, the kernel differs from the exact flow by a derivative along A, D = h{·, A}. The processor
+/// χ = 1/(2 sinh D/2) − 1/D removes this difference.
 /// J. Wisdom, M. Holman & J. Touma, Fields Inst. Comm. 10 (1996) 217; J. Wisdom, Astron. J. 131 (2006) 2294.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Processed<M> {
@@ -42,30 +43,34 @@ pub struct Processed<M> {
 }
 
 impl<M> Processed<M> {
+    /// Returns the kernel with a processor, under the name `name`. `orders` are the orders (s₁, s₂, …) of the processed method.
     pub(in crate::method) const fn new(name: &'static str, orders: &'static [u32], kernel: M) -> Self {
         Processed { kernel: Perturbation(kernel), name, orders }
     }
 }
 
-/// What the kernel and both ways of the processor need.
+/// Coefficients of the kernel, of the processor and of its inverse.
 #[derive(Clone, Debug)]
 pub struct Prepared<P, E, K, R> {
     kernel: P,
     nodes: [Node<E, K, R>; NODES],
 }
 
-/// Flows of A by a, −2a, 2a and −a, and kicks by b/2 and −b; by −b/2 and b on the way back.
+/// Coefficients of one node of the processor, for a shift a and a kick b.
 #[derive(Clone, Debug)]
 struct Node<E, K, R> {
+    /// The shift a.
     shift: R,
+    /// Flows of A by a, −2a, 2a and −a.
     flows: [E; 4],
+    /// Kicks by b/2 and −b for the processor, by −b/2 and b for its inverse.
     kicks: [[K; 2]; 2],
 }
 
-/// Along nodes, each with the kicks of its way: A(a) B(b/2) A(−2a) B(−b) A(2a) B(b/2) A(−a).
-// Out of line, because rustc 1.95 vectorises it wrongly where it is inlined: runs of four bodies lost 1e-3 of their energy at `opt-level = 3`.
+/// Applies A(a) B(b/2) A(−2a) B(−b) A(2a) B(b/2) A(−a) for every node. `back` is 0 for the processor and 1 for its inverse, which has the opposite kicks.
+// Do not inline: rustc 1.95 vectorises the inlined code wrongly at `opt-level = 3`. The relative energy error of four bodies was 1e-3.
 #[inline(never)]
-fn way<'a, S: Perturbed<R>, R: Real>(
+fn apply_nodes<'a, S: Perturbed<R>, R: Real>(
     nodes: impl Iterator<Item = &'a Node<S::Exact, S::Rest, R>>,
     back: usize,
     system: &S,
@@ -77,7 +82,7 @@ fn way<'a, S: Perturbed<R>, R: Real>(
 {
     for Node { shift, flows: [to, across, again, home], kicks } in nodes {
         let [outer, middle] = &kicks[back];
-        // Both clocks are at t between nodes, that of the kicks all the way.
+        // The shifts of a node add up to 0, so the clock of A is back at t after it. A flow of A at frozen time uses t throughout.
         let mut at = zero::<R>();
         let sequence = [
             (to, *shift, Some(outer)),
@@ -105,8 +110,8 @@ impl<S: Perturbed<R>, R: Real, M: Method<Inner<S>, R>> Method<S, R> for Processe
     fn claims(&self) -> Claims {
         let kernel = self.kernel.0.claims();
         let order = self.orders.iter().copied().min().unwrap_or(kernel.order);
-        // The processor is even in h up to what it leaves of the error.
-        of_rest::<S, R>(Claims { order, symmetric: false, perturbed: self.orders, ..kernel })
+        // `symmetric` is false: the processor is even in h only up to the remaining error.
+        limit_by_rest::<S, R>(Claims { order, symmetric: false, perturbed: self.orders, ..kernel })
     }
 
     fn name(&self) -> Name {
@@ -131,11 +136,11 @@ impl<S: Perturbed<R>, R: Real, M: Method<Inner<S>, R>> Method<S, R> for Processe
 
     fn enter(prepared: &Self::Prepared, system: &S, t: R, z: &mut S::Phase) {
         system.enter(z);
-        way(prepared.nodes.iter(), 0, system, t, z);
+        apply_nodes(prepared.nodes.iter(), 0, system, t, z);
     }
 
     fn leave(prepared: &Self::Prepared, system: &S, t: R, z: &mut S::Phase) {
-        way(prepared.nodes.iter().rev(), 1, system, t, z);
+        apply_nodes(prepared.nodes.iter().rev(), 1, system, t, z);
         system.leave(z);
     }
 

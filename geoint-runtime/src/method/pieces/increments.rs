@@ -1,5 +1,6 @@
-//! Planes as increments of one coordinate after the other. The pieces of [`PlanarItohAbe`] are those of a step in order, then those of its
-//! adjoint in reverse.
+//! Planar Itoh–Abe methods: every plane moves by divided differences of the integral in one coordinate at a time.
+//!
+//! The list of pieces of [`PlanarItohAbe`] contains the pieces of its step in order, then the pieces of the adjoint step in reverse order.
 
 use super::driver::{Flows, apply};
 use crate::method::composition::substeps;
@@ -8,24 +9,24 @@ use crate::scalar::Real;
 use crate::space::Summation;
 use crate::system::{Pieces, Poles};
 
-/// The planar parts of x' = S(x) ∇I, i < j, one after the other, each by divided differences of I in one coordinate:
-/// x₁ᵢ − x₀ᵢ = h S_ij I\[x₁ᵢ, (x₀ⱼ, x₁ⱼ)\], x₁ⱼ − x₀ⱼ = −h S_ij I\[(x₀ᵢ, x₁ᵢ), x₀ⱼ\] with S_ij at x₀. Order 1; keeps I to rounding for every h,
+/// The planar parts of x' = S(x) ∇I in order, i < j, each by divided differences of I in one coordinate:
+/// x₁ᵢ − x₀ᵢ = h S_ij I\[x₁ᵢ, (x₀ⱼ, x₁ⱼ)\], x₁ⱼ − x₀ⱼ = −h S_ij I\[(x₀ᵢ, x₁ᵢ), x₀ⱼ\] with S_ij at x₀. Order 1. Keeps I to rounding for every h,
 /// other integrals to the order.
 ///
-/// Of one degree of freedom q' = ∂H/∂p, p' = −∂H/∂q it is [`ItohAbe`](crate::ItohAbe), as are
-/// [`CoordinateIncrement`](crate::CoordinateIncrement)s. Two unknowns a plane; of more than 12 planes a type error.
+/// For one degree of freedom, q' = ∂H/∂p, p' = −∂H/∂q, the method equals [`ItohAbe`](crate::ItohAbe), and so does
+/// [`CoordinateIncrement`](crate::CoordinateIncrement). Each plane has two unknowns. More than 12 planes are a type error.
 ///
 /// G. R. W. Quispel & H. W. Capel, Phys. Lett. A 218 (1996) 223.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PlanarItohAbe;
 
-/// The adjoint of [`PlanarItohAbe`]: the same from x₁ to x₀.
+/// The adjoint of [`PlanarItohAbe`]: a step of length −h of that method leads from x₁ back to x₀.
 ///
-/// Order 1; keeps I to rounding for every h.
+/// Order 1. Keeps I to rounding for every h.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PlanarItohAbeAdjoint;
 
-/// [`PlanarItohAbe`] for h/2, then [`PlanarItohAbeAdjoint`] for h/2. Order 2, symmetric; keeps I to rounding for every h.
+/// [`PlanarItohAbe`] for h/2, then [`PlanarItohAbeAdjoint`] for h/2. Order 2, symmetric. Keeps I to rounding for every h.
 ///
 /// ```
 /// use geoint_runtime::prelude::*;
@@ -46,10 +47,11 @@ pub struct PlanarItohAbeAdjoint;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PlanarItohAbePair;
 
-/// What a step needs: the pieces, and the half of a step.
+/// Coefficients of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Prepared<F, R> {
     flows: F,
+    /// h/2, the time after the start of the step at which frozen functions of time are evaluated.
     half: R,
     poles: Poles,
 }

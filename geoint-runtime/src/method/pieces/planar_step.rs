@@ -5,8 +5,9 @@ use crate::solving::equation::{Effort, Solver, StepEquation, Units};
 use crate::solving::newton::Newton;
 use crate::space::vector::difference;
 
-/// Returns the increment d = g(d) of two coordinates from `origin`, solved to rounding. `equation` returns g and the matrix 1 − ∂g/∂d. The result is NaN if
-/// Newton's iteration finds no solution.
+/// Returns the increment d = g(d) of two coordinates from `origin`, solved to rounding. `equation` returns g and the matrix 1 − ∂g/∂d.
+///
+/// The result is NaN if Newton's iteration finds no solution.
 #[inline]
 pub fn planar_step<R: Real>(origin: [R; 2], equation: impl Fn(&[R; 2]) -> ([R; 2], [[R; 2]; 2]) + Copy) -> [R; 2] {
     // Two kinds of one coordinate each: their units may differ.
@@ -14,7 +15,7 @@ pub fn planar_step<R: Real>(origin: [R; 2], equation: impl Fn(&[R; 2]) -> ([R; 2
     solution.map_or([R::from_f64(f64::NAN); 2], |solution| solution.x)
 }
 
-/// The equation d = g(d), for the solver.
+/// The equation d = g(d) in the form that the solver needs.
 #[derive(Clone, Copy)]
 struct Planar<R, F> {
     origin: [R; 2],

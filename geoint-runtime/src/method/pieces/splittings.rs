@@ -1,6 +1,6 @@
-//! The splittings, by what their pieces are.
+//! The splittings of a system into pieces, one type for each kind of pieces.
 
-/// A splitting, which selects pieces of a system. The attribute macros emit [`Pieces`](crate::system::Pieces) for each one that the system has.
+/// A splitting of a system into pieces. The attribute macros implement [`Pieces`](crate::system::Pieces) for every splitting that the system has.
 #[doc(alias("operator splitting", "symplectic"))]
 pub trait Splitting: Copy + Default {
     /// The name of the method.
@@ -8,11 +8,12 @@ pub trait Splitting: Copy + Default {
 }
 
 /// e^(h/2 X₁) … e^(h/2 Xₖ₋₁) e^(h Xₖ) e^(h/2 Xₖ₋₁) … e^(h/2 X₁): the exact flows of the pieces of H(q, p, t), for energies whose terms
-/// couple positions and momenta. Order 2, symmetric, symplectic, explicit; the flow of every piece but the last is applied twice a step.
+/// couple positions and momenta. Order 2, symmetric, symplectic, explicit. The flow of every piece but the last is applied twice a step.
 ///
-/// Pieces are found by themselves: charges in magnetic fields, coupled oscillators, polynomials of degree 4, functions of energies with a
-/// known flow; or given by `split = "terms | terms"`. `REPORT` lists them with their rules and what they cost. Of H = T + V they are a
-/// drift and a kick, and methods for these serve it. Where the flow of a piece ends within a step, the step is refused with its name.
+/// The pieces are found automatically, or are given by `split = "terms | terms"`. Examples are charges in magnetic fields, coupled
+/// oscillators, polynomials of degree 4, and functions of energies with a known flow. `REPORT` lists the pieces with their rules and
+/// costs. The pieces of H = T + V are a drift and a kick; use the methods for these. If the flow of a piece ends within a step, the step
+/// is refused with the name of the piece.
 ///
 /// ```
 /// use geoint_runtime::prelude::*;
@@ -36,22 +37,24 @@ pub trait Splitting: Copy + Default {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PieceSplitting;
 
-/// e^(h/2 X₁) … e^(h/2 Xₖ₋₁) e^(h Xₖ) e^(h/2 Xₖ₋₁) … e^(h/2 X₁): the exact flows of the pieces of H, with a kick or else the most
-/// expensive flow in the middle. Order 2, symmetric, a contact map; the flow of every piece but the last is applied twice a step.
+/// e^(h/2 X₁) … e^(h/2 Xₖ₋₁) e^(h Xₖ) e^(h/2 Xₖ₋₁) … e^(h/2 X₁): the exact flows of the pieces of H for contact systems. A kick is in
+/// the middle, or else the most expensive flow. Order 2, symmetric, a contact map. The flow of every piece but the last is applied twice
+/// a step.
 ///
-/// Where the flow of a piece ends within a step, as that of H = s² does, the step is refused with the name of the piece.
+/// If the flow of a piece ends within a step, as for H = s², the step is refused with the name of the piece.
 /// A. Bravetti, M. Seri, M. Vermeeren & F. Zadra, Celest. Mech. Dyn. Astr. 132 (2020) 7.
 #[doc(alias("Strang splitting", "contact integrator"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ContactSplitting;
 
-/// Exact flows of the terms of H in x' = S(x) ∇H, one after the other and back. Order 2, symmetric, explicit; a Poisson map if the bracket
-/// of S is one, so that Casimirs are kept to rounding, and H to the order.
+/// Exact flows of the terms of H in x' = S(x) ∇H, in order and then in reverse order. Order 2, symmetric, explicit. If the bracket of S
+/// is a Poisson bracket, the step is a Poisson map: it keeps Casimirs to rounding, and H to the order.
 ///
-/// A term that reads only coordinates in involution, S_ij = 0 for i and j among them, leaves these at rest, and moves the others by single
-/// equations or by a linear field: a rotation, a shear, an exponential, a tangent. Terms whose coordinates are all in involution are one
-/// piece. Pieces that leave more coordinates at rest come first, then those of smaller index; last those that move what they read, as
-/// the pairs of vortices. `REPORT` lists them with their rules. R. I. McLachlan, Phys. Rev. Lett. 71 (1993) 3043.
+/// Coordinates are in involution if S_ij = 0 for all i and j among them. A term that reads only such coordinates leaves them at rest. It
+/// moves the others by single equations or by a linear field: a rotation, a shear, an exponential, a tangent. Terms whose coordinates
+/// are all in involution form one piece. Pieces that leave more coordinates at rest come first, then pieces of smaller index. Pieces
+/// that move the coordinates they read come last, for example pairs of vortices. `REPORT` lists the pieces with their rules.
+/// R. I. McLachlan, Phys. Rev. Lett. 71 (1993) 3043.
 ///
 /// ```
 /// use geoint_runtime::prelude::*;
@@ -77,14 +80,16 @@ pub struct ContactSplitting;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PoissonSplitting;
 
-/// The planar parts of x' = S(x) ∇I, one after the other and back: xᵢ' = S_ij ∂_jI, x_j' = −S_ij ∂_iI with everything else at rest, for
-/// every pair with S_ij ≠ 0. Order 2, symmetric; keeps I to rounding, other integrals to the order.
+/// The planar parts of x' = S(x) ∇I, in order and then in reverse order. Every pair with S_ij ≠ 0 is a part: xᵢ' = S_ij ∂_jI,
+/// x_j' = −S_ij ∂_iI, and all other coordinates are at rest. Order 2, symmetric. Keeps I to rounding, other integrals to the order.
 ///
-/// Flows are exact, and the method explicit, where I is of degree 2 in both coordinates and S_ij reads neither (rotations, hyperbolic
-/// rotations, shears), where I is linear in both and S_ij is of degree 2 at most (logistic flows), and where one coordinate rests. Up to 12
-/// other planes are steps of a discrete gradient in two unknowns; more of them are a type error. Of a field S is searched for, among
-/// matrices made of quotients of the terms of f and ∇I; where there are many, one next to the diagonal is taken. Where all flows are exact
-/// neighbouring coordinates come first, else planes come in the order of the entries of S.
+/// The flow of a plane is exact in three cases: I has degree 2 in both coordinates and S_ij reads neither (rotations, hyperbolic
+/// rotations, shears); I is linear in both and S_ij has degree 2 at most (logistic flows); one coordinate is at rest. If all flows are
+/// exact, the method is explicit. Up to 12 other planes are steps of a discrete gradient in two unknowns. More than 12 are a type error.
+///
+/// For a system given by its field f, S is searched for among matrices whose entries are quotients of the terms of f and ∇I. If there
+/// are several, a matrix next to the diagonal is taken. If all flows are exact, planes of neighbouring coordinates come first. Otherwise
+/// planes come in the order of the entries of S.
 ///
 /// G. R. W. Quispel & H. W. Capel, Phys. Lett. A 218 (1996) 223.
 ///
@@ -107,9 +112,9 @@ pub struct PoissonSplitting;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PlanarSplitting;
 
-/// [`PlanarSplitting`] with a discrete gradient of I in every plane, S_ij in the middle, whether a flow is known there or not: planes come
-/// in the order of the entries of S. Order 2, symmetric; keeps I to rounding, other integrals to the order. Two unknowns a plane, solved for
-/// twice a step in all planes but the last; of more than 12 planes a type error.
+/// [`PlanarSplitting`] with a discrete gradient of I and S_ij at the midpoint in every plane, also in planes with a known flow. Planes come
+/// in the order of the entries of S. Order 2, symmetric. Keeps I to rounding, other integrals to the order. Each plane has two unknowns,
+/// which are solved for twice a step in all planes but the last. More than 12 planes are a type error.
 ///
 /// G. R. W. Quispel & H. W. Capel, Phys. Lett. A 218 (1996) 223.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -1,4 +1,4 @@
-//! Tables for any number of pieces.
+//! Tables of splitting methods for any number of pieces.
 
 use super::splittings::{ContactSplitting, PieceSplitting, Splitting};
 use crate::method::Name;
@@ -7,11 +7,12 @@ use crate::method::splitting::{DriftFirst, Nystrom};
 use crate::method::tables::total::adds_up;
 use core::marker::PhantomData;
 
-/// A table for any number of pieces: Φ*(β_K h) Φ(α_K h) … Φ*(β₁h) Φ(α₁h), K flows of the last piece a step.
+/// A table for any number of pieces: Φ*(β_K h) Φ(α_K h) … Φ*(β₁h) Φ(α₁h), with K flows of the last piece a step. Φ applies the flows of
+/// all pieces in order, Φ* in reverse order.
 ///
-/// Of the pieces of a contact system, or by [`of`](PieceComposition::of) of those of another splitting. For three pieces and more these
-/// are better than compositions of [`ContactSplitting`]. S. Blanes, F. Casas & A. Murua,
-/// arXiv:2006.06317; that tables for two pieces serve for any number: R. I. McLachlan, SIAM J. Sci. Comput. 16 (1995) 151.
+/// It applies to the pieces of a contact system, or by [`of`](PieceComposition::of) to the pieces of another splitting. For three or more
+/// pieces these tables are more efficient than compositions of [`ContactSplitting`]. S. Blanes, F. Casas & A. Murua,
+/// arXiv:2006.06317. Tables for two pieces hold for any number of pieces: R. I. McLachlan, SIAM J. Sci. Comput. 16 (1995) 151.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PieceComposition<const K: usize, M = ContactSplitting> {
     name: Name,
@@ -22,7 +23,7 @@ pub struct PieceComposition<const K: usize, M = ContactSplitting> {
 }
 
 impl<const K: usize> PieceComposition<K> {
-    /// A palindrome α₁, β₁, α₂, …, β_K given by its first half.
+    /// Returns the palindrome α₁, β₁, α₂, …, β_K, given by its first half.
     pub(crate) const fn palindrome(name: &'static str, order: u32, half: [f64; K]) -> Self {
         let mut weights = [[0.0; 2]; K];
         let mut i = 0;
@@ -34,7 +35,7 @@ impl<const K: usize> PieceComposition<K> {
         PieceComposition { name: Name::new(name), order, weights, splitting: PhantomData }
     }
 
-    /// The same table for the pieces of another splitting.
+    /// Returns this table for the pieces of another splitting.
     pub const fn of<M: Splitting>(self, _: M) -> PieceComposition<K, M> {
         let Self { name, order, weights, .. } = self;
         PieceComposition { name: name.of(Name::new(M::NAME)), order, weights, splitting: PhantomData }
@@ -42,13 +43,13 @@ impl<const K: usize> PieceComposition<K> {
 }
 
 impl<M: Splitting> PieceComposition<1, M> {
-    /// The splitting itself: all flows for h/2 in order, and back.
+    /// The splitting of order 2: all flows for h/2 in order, then in reverse order.
     pub(super) const SPLITTING: Self =
         PieceComposition { name: Name::new(M::NAME), order: 2, weights: [[0.5; 2]], splitting: PhantomData };
 }
 
 impl<const K: usize, M: Splitting> PieceComposition<K, M> {
-    /// A composition of steps of order 2.
+    /// Returns the table of a composition of steps of order 2.
     pub(super) fn of_steps(composition: &Composition<K>) -> Self {
         let weights = composition.weights().map(|gamma| [0.5 * gamma; 2]);
         let name = composition.name().of(Name::new(M::NAME));
@@ -57,7 +58,7 @@ impl<const K: usize, M: Splitting> PieceComposition<K, M> {
 }
 
 impl<const K: usize, M> PieceComposition<K, M> {
-    /// The name, with that of the splitting.
+    /// The name of the table and of the splitting.
     pub(super) const fn table_name(&self) -> Name {
         self.name
     }
@@ -73,16 +74,16 @@ impl<const K: usize, M> PieceComposition<K, M> {
     }
 }
 
-/// A table of Runge–Kutta–Nyström type for two pieces, A outside and B inside, with {B, {B, {B, A}}} = 0: its order conditions use that.
+/// A table of Runge–Kutta–Nyström type for two pieces, A outside and B inside. Its order conditions use {B, {B, {B, A}}} = 0.
 ///
-/// Of a drift and a kick with quadratic T it is the table itself. What else there is of that kind is proven, whatever the pieces are: a
-/// charge in a field that depends on one coordinate, say, where one of the pieces moves one coordinate, and the other one the others.
-/// By [`Nystrom::of`](crate::Nystrom::of).
+/// For a drift and a kick with quadratic T it equals the [`Nystrom`] table. For other pieces the condition is proven from their formulas.
+/// An example is a charge in a field that depends on one coordinate: one piece moves this coordinate, and the other piece the others.
+/// Created by [`Nystrom::of`](crate::Nystrom::of).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PieceNystrom<const K: usize>(PieceComposition<K, PieceSplitting>);
 
 impl<const K: usize> Nystrom<K, DriftFirst> {
-    /// The same table for two pieces.
+    /// Returns this table for the two pieces of [`PieceSplitting`].
     pub const fn of(self, _: PieceSplitting) -> PieceNystrom<K> {
         let table = self.table();
         let (outer, _, inner) = table.coefficients();

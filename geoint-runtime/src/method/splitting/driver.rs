@@ -1,4 +1,6 @@
-//! The driver: one step, and many steps. Neighbouring ones share a flow, in one call and in many.
+//! The driver of splitting tables: single steps, and loops of steps.
+//!
+//! The last flow of a step and the first flow of the next step are merged, within one call and between calls.
 
 use super::between::Between;
 use super::flows::Order;
@@ -11,20 +13,22 @@ use crate::scalar::Real;
 use crate::space::{Array, Point, Summation};
 use crate::system::Separable;
 
-/// Up to so many coordinates a call costs more than it saves.
-const FEW: usize = 4;
+/// Largest number of positions for which a single step is inlined. In larger systems it is a function of its own.
+const MAX_INLINED: usize = 4;
 
 impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O, K> {
-    const MANY: bool = S::Array::LEN > FEW;
+    const IS_OUT_OF_LINE: bool = S::Array::LEN > MAX_INLINED;
 
-    /// Whether rounds of a step go from a drift to a kick although it begins with a drift: then that is followed by a kick, and steps end behind
-    /// one. From a kick to a drift rounds of six bodies take up to a fifth longer. Drifts that take what kicks add stay behind these.
+    /// Returns whether a round is a drift and the kick after it, in a table that begins with a drift. Loops of such rounds are faster.
+    ///
+    /// [`begin`](Self::begin) then applies the first drift and the first kick, and the rounds of a step end after its last kick. The result is false if drifts
+    /// include the impulse of the kick before them: then a round is a kick and the drift after it.
     #[inline(always)]
-    fn behind_a_kick<C: Summation<S::Phase>>(&self) -> bool {
+    fn rounds_start_with_drift<C: Summation<S::Phase>>(&self) -> bool {
         O::DRIFT_IS_OUTER && !O::is_ahead::<C>(self.repeats)
     }
 
-    /// outer₁, together with the last flow of the step that ended here, if one did: that began at the time `before`.
+    /// Applies outer₁. If the step continues a step that started at the time `before`, outer₁ is merged with the last flow of that step.
     #[inline(always)]
     fn begin<C: Summation<S::Phase>>(&self, before: Option<R>, t: R, step: &mut Between<'_, S, R, C>) {
         step.enter(before.is_some());
@@ -33,12 +37,12 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
             Some(_) if O::is_ahead::<C>(self.repeats) => {}
             Some(before) => self.outer(K - 1, before, step.moving()),
         }
-        if self.behind_a_kick::<C>() {
+        if self.rounds_start_with_drift::<C>() {
             self.inner(0, t, step.moving());
         }
     }
 
-    /// inner₁, outer₂, inner₂, …, outer_K.
+    /// Applies inner₁, outer₂, inner₂, …, outer_K. If rounds start with a drift: outer₂, inner₂, …, outer_K, inner_K.
     #[inline(always)]
     fn between<C: Summation<S::Phase>>(&self, t: R, mut x: Moving<'_, S, R, C>) {
         for i in 0..K - 1 {
@@ -46,10 +50,11 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
         }
     }
 
-    /// inner_i and the outer flow behind it, in a step from the time `t`, or that one and the next inner one, perhaps of a step from the time `next`.
+    /// Applies one round of the step that starts at the time `t`: the i-th inner flow, and the outer flow after it. If rounds start with a drift, it applies
+    /// this outer flow and the next inner flow. The next inner flow belongs to the step that starts at the time `next`.
     #[inline(always)]
     fn round<C: Summation<S::Phase>>(&self, i: usize, [t, next]: [R; 2], mut x: Moving<'_, S, R, C>) {
-        if self.behind_a_kick::<C>() {
+        if self.rounds_start_with_drift::<C>() {
             self.outer(i, t, x.again());
             self.inner((i + 1) % K, next, x);
         } else {
@@ -58,7 +63,7 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
         }
     }
 
-    /// inner_K, behind which the next step goes on, and the last flow to the state.
+    /// Applies inner_K, stores the point from which the next step continues, and applies the last flow to the state.
     #[inline(always)]
     fn end<C: Summation<S::Phase>>(&self, t: R, mut step: Between<'_, S, R, C>) {
         let [inner_at, outer_at] = self.times(t, K - 1);
@@ -66,7 +71,7 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
         if O::is_ahead::<C>(self.repeats) {
             return O::end_ahead((inner, inner_at), (last, &self.outer[K - 1]), outer_at, step);
         }
-        if !self.behind_a_kick::<C>() {
+        if !self.rounds_start_with_drift::<C>() {
             O::inner(inner, inner_at, step.moving());
         }
         step.leave();
@@ -76,7 +81,7 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
         }
     }
 
-    /// One step.
+    /// Takes one step. Small systems move as a local copy.
     #[inline(always)]
     fn single<C: Summation<S::Phase>>(
         &self,
@@ -93,9 +98,9 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
         *x = here;
     }
 
-    /// The same in a function of its own.
+    /// Takes one step by [`single`](Self::single), in a function of its own.
     #[inline(never)]
-    fn single_apart<C: Summation<S::Phase>>(
+    fn single_out_of_line<C: Summation<S::Phase>>(
         &self,
         open: &mut Open<S::Phase, S::Action>,
         system: &S,
@@ -105,6 +110,7 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
         self.single(open, system, times, x);
     }
 
+    /// Takes one step without a copy of the point.
     #[inline(always)]
     fn in_place<C: Summation<S::Phase>>(
         &self,
@@ -121,24 +127,28 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
         open.end([t, end], x);
     }
 
-    /// One step under the eyes of a probe, by itself.
-    fn watched<C: Summation<S::Phase>, P: Probe<S, R>>(&self, Step { system, t, x, probe, .. }: Step<'_, S, R, C, P>) {
+    /// Takes one step that does not continue the step before, and reports its points to a probe.
+    fn checked_step<C: Summation<S::Phase>, P: Probe<S, R>>(
+        &self,
+        Step { system, t, x, probe, .. }: Step<'_, S, R, C, P>,
+    ) {
         let mut outer = |flow, at: Times<R>, x: &mut _| {
-            seen(O::DRIFT_IS_OUTER, Step::at(at.other, (system, x, &mut *probe)), |x| O::outer(flow, at, x));
+            checked_flow(O::DRIFT_IS_OUTER, Step::at(at.other, (system, x, &mut *probe)), |x| O::outer(flow, at, x));
         };
         outer(&self.first, Times { own: t, other: t }, x);
         for i in 0..K {
             let [inner_at, outer_at] = self.times(t, i);
             let step = Step::at(inner_at.other, (system, &mut *x, &mut *probe));
-            seen(!O::DRIFT_IS_OUTER, step, |x| O::inner(&self.inner[i], inner_at, x));
+            checked_flow(!O::DRIFT_IS_OUTER, step, |x| O::inner(&self.inner[i], inner_at, x));
             let flow = if i + 1 < K { Some(&self.outer[i]) } else { self.last.as_ref() };
             if let Some(flow) = flow {
                 let step = Step::at(outer_at.other, (system, &mut *x, &mut *probe));
-                seen(O::DRIFT_IS_OUTER, step, |x| O::outer(flow, outer_at, x));
+                checked_flow(O::DRIFT_IS_OUTER, step, |x| O::outer(flow, outer_at, x));
             }
         }
     }
 
+    /// Takes `steps` steps with merged flows.
     #[inline(always)]
     fn advance<C: Summation<S::Phase>>(
         &self,
@@ -149,12 +159,12 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
         x: &mut Point<S::Phase, C, S::Action>,
     ) {
         let Some(final_step) = steps.checked_sub(1) else { return };
-        apart(|| {
+        out_of_line(|| {
             let before = open.reopen(clock.at(0), x);
             self.begin(before, clock.at(0), &mut Between::of(system, open, x));
         });
-        self.go_on(system, clock, final_step, Between::of(system, open, x).moving());
-        apart(|| {
+        self.merged_steps(system, clock, final_step, Between::of(system, open, x).moving());
+        out_of_line(|| {
             let [t, end] = [clock.at(final_step), clock.at(steps)];
             let mut step = Between::of(system, open, x);
             self.between(t, step.moving());
@@ -163,31 +173,30 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
         });
     }
 
-    /// The i-th inner flow of a step from time `t`.
+    /// Applies the i-th inner flow of a step that starts at the time `t`.
     #[inline(always)]
     fn inner<C: Summation<S::Phase>>(&self, i: usize, t: R, x: Moving<'_, S, R, C>) {
         O::inner(&self.inner[i], self.times(t, i)[0], x);
     }
 
-    /// The outer flow behind it.
+    /// Applies the outer flow after the i-th inner flow of a step that starts at the time `t`.
     #[inline(always)]
     fn outer<C: Summation<S::Phase>>(&self, i: usize, t: R, x: Moving<'_, S, R, C>) {
         O::outer(&self.outer[i], self.times(t, i)[1], x);
     }
 
-    /// Steps that neither begin nor end: in a function of its own, whatever the caller does. Of its arguments, other than of what a closure holds,
-    /// the optimiser knows that they are apart.
+    /// Takes steps that begin and end with merged flows. This is a function, not a closure: the optimiser knows that its arguments do not alias.
     #[inline(never)]
-    fn go_on<C: Summation<S::Phase>>(&self, system: &S, clock: &Clock<R>, steps: u64, x: Moving<'_, S, R, C>) {
-        // A loop that may not run at all is arranged in another way: Verlet's of two degrees of freedom takes a fifth longer.
+    fn merged_steps<C: Summation<S::Phase>>(&self, system: &S, clock: &Clock<R>, steps: u64, x: Moving<'_, S, R, C>) {
+        // This exit tells the optimiser that the loop below runs at least once.
         if steps == 0 {
             return;
         }
-        // One coordinate moves where it is: as a local it is written and read back before the sine of each kick, a tenth of a pendulum's step.
+        // One coordinate moves in place. A local copy would be spilled around the call of a function such as the sine in each kick.
         if S::Array::LEN == 1 {
             return self.rounds(clock, steps, x);
         }
-        // In locals of this loop, q and p of more coordinates stay in registers: six bodies take two thirds of the time.
+        // Local copies of more coordinates stay in registers.
         let (mut q, mut p, mut s) = (*x.q, *x.p, *x.s);
         let (mut sums, mut compensation) = (*x.sums, *x.compensation);
         let here = Moving { system, q: &mut q, p: &mut p, s: &mut s, sums: &mut sums, compensation: &mut compensation };
@@ -196,7 +205,7 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
         (*x.sums, *x.compensation) = (sums, compensation);
     }
 
-    /// Their flows.
+    /// Applies K rounds for each step.
     #[inline(always)]
     fn rounds<C: Summation<S::Phase>>(&self, clock: &Clock<R>, steps: u64, mut x: Moving<'_, S, R, C>) {
         for n in 0..steps {
@@ -209,30 +218,29 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
     }
 }
 
-/// Work in a function of its own: the optimiser then arranges registers for that alone. Beside other flows the loop over six bodies is up to
-/// a fifth slower.
+/// Runs `work` in a function of its own, so that it does not compete for registers with the loop over steps.
 #[inline(never)]
-fn apart(work: impl FnOnce()) {
+fn out_of_line(work: impl FnOnce()) {
     work();
 }
 
-/// A flow under the eyes of a probe: a part of a drift that ends before its time is named.
+/// Applies a flow and reports its start to a probe. After a drift it also reports the parts of the drift that may end early.
 #[inline(always)]
-pub(super) fn seen<S: Separable<R>, R: Real, C: Summation<S::Phase>, P: Probe<S, R>, T>(
+pub(super) fn checked_flow<S: Separable<R>, R: Real, C: Summation<S::Phase>, P: Probe<S, R>, T>(
     is_drift: bool,
     Step { system, t, x, probe, .. }: Step<'_, S, R, C, P>,
     flow: impl FnOnce(Moving<'_, S, R, C>) -> T,
 ) -> T {
     probe.visit(t, &x.z, &x.s);
-    // The constant first: nothing is compiled of what is not asked.
-    let named = P::EFFORT.is_thorough() && const { !S::DRIFT_PARTS.is_empty() } && is_drift && x.is_finite();
-    let told = flow(Moving::of(system, x));
-    if P::EFFORT.is_thorough() && const { !S::DRIFT_PARTS.is_empty() } && named {
+    // The constant conditions remove this code from fast steps.
+    let reports = P::EFFORT.is_thorough() && const { !S::DRIFT_PARTS.is_empty() } && is_drift && x.is_finite();
+    let result = flow(Moving::of(system, x));
+    if P::EFFORT.is_thorough() && const { !S::DRIFT_PARTS.is_empty() } && reports {
         for part in S::DRIFT_PARTS {
             probe.flown(part.name, || part.is_finite(&x.z));
         }
     }
-    told
+    result
 }
 
 impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Method<S, R> for Splitting<K, O> {
@@ -269,11 +277,11 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Method<S, R> for 
         step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         if P::EFFORT.is_thorough() {
-            prepared.watched(step);
+            prepared.checked_step(step);
         } else {
             let Step { system, t, end, x, .. } = step;
-            if Sequence::<S, R, O, K>::MANY {
-                prepared.single_apart(open, system, [t, end], x);
+            if Sequence::<S, R, O, K>::IS_OUT_OF_LINE {
+                prepared.single_out_of_line(open, system, [t, end], x);
             } else {
                 prepared.single(open, system, [t, end], x);
             }

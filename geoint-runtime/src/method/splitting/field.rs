@@ -1,11 +1,13 @@
-//! What else the kernel of implicit methods is good for: it has the force with its derivative.
+//! Functions that need the force and its derivative: the modified energy of Verlet's method, and kicks with a force gradient.
+//!
+//! Both use [`Collocation::field`], the kernel of implicit methods.
 
 use crate::scalar::{Real, zero};
 use crate::space::Array;
 use crate::space::vector::dot;
 use crate::system::{Collocation, Cotangent};
 
-/// H + h²H₂ of [`StormerVerlet`](crate::StormerVerlet) for q″ = M⁻¹F(q): H₂ = −(v·F′v/12 + F·M⁻¹F/24) with v = ∂T/∂p.
+/// Computes the modified energy H + h²H₂ of [`StormerVerlet`](crate::StormerVerlet) for q″ = M⁻¹F(q). With v = ∂T/∂p, H₂ = −(v·F′v/12 + F·M⁻¹F/24).
 pub fn modified_verlet<S: Collocation<R>, R: Real>(system: &S, h: R, t: R, z: &S::Phase) -> R {
     let constants = system.constants();
     let (y, momenta) = S::start(z);
@@ -20,7 +22,7 @@ pub fn modified_verlet<S: Collocation<R>, R: Real>(system: &S, h: R, t: R, z: &S
     system.hamiltonian(t, z, &()) - h * h * second
 }
 
-/// p ← p + hF + g ∂(F·M⁻¹F)/∂q, with h and g as they are prepared: 2 ∂F/∂q·M⁻¹F, because ∂F/∂q is symmetric.
+/// Kick with a force gradient: p ← p + hF + g ∂(F·M⁻¹F)/∂q for the prepared h and g. The gradient is computed as 2 ∂F/∂q·M⁻¹F, because ∂F/∂q is symmetric.
 #[inline(always)]
 pub fn gradient_kick<S: Collocation<R> + Cotangent<R>, R: Real>(
     system: &S,

@@ -1,4 +1,4 @@
-//! Kick and drift as the flows of a table: the outer flow and the inner flow.
+//! Kick and drift as the outer and the inner flow of a table.
 
 use super::between::Between;
 use super::kicks::{Kicks, Weight, WithoutGradient};
@@ -9,28 +9,28 @@ use crate::space::{Array, Summation};
 use crate::system::Separable;
 use core::marker::PhantomData;
 
-/// The outer flows are kicks, of the kind `F`.
+/// The outer flows are kicks of the kind `F`, the inner flows are drifts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct KickFirst<F = WithoutGradient>(PhantomData<F>);
 
-/// The outer flows are drifts; kicks are of the kind `F`.
+/// The outer flows are drifts, the inner flows are kicks of the kind `F`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DriftFirst<F = WithoutGradient>(PhantomData<F>);
 
 impl<F> Sealed for KickFirst<F> {}
 impl<F> Sealed for DriftFirst<F> {}
 
-/// Which of kick and drift is the outer flow.
+/// The alternation of a table: states which of kick and drift is the outer flow.
 ///
-/// Sealed: there are two flows.
+/// Sealed.
 pub trait Order<S: Separable<R>, R: Real>: Sealed + Copy {
     /// Whether drifts are the outer flows.
     const DRIFT_IS_OUTER: bool;
-    /// Whether the outer flow adds to the momenta what positions alone decide.
+    /// Whether the outer flow only adds an impulse that depends on positions alone. The last kick of a step and the first kick of the next are then equal.
     const REPEATS: bool;
-    /// Whether the outer flow, where the energy is not defined, leaves momenta that are not finite.
+    /// Whether the outer flow makes momenta non-finite at positions where the energy is not defined.
     const SHOWS: bool;
-    /// What it needs of the system; see [`Method::Proof`](crate::Method::Proof).
+    /// The properties that the flows need of the system; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// Coefficients of an outer flow.
     type Outer: Copy;
@@ -40,11 +40,11 @@ pub trait Order<S: Separable<R>, R: Real>: Sealed + Copy {
     fn prepare_outer(system: &S, weight: Weight<R>) -> Self::Outer;
     /// Prepares an inner flow.
     fn prepare_inner(system: &S, weight: Weight<R>) -> Self::Inner;
-    /// An outer flow.
+    /// Applies an outer flow.
     fn outer<C: Summation<S::Phase>>(flow: &Self::Outer, at: Times<R>, x: Moving<'_, S, R, C>);
-    /// An inner flow.
+    /// Applies an inner flow.
     fn inner<C: Summation<S::Phase>>(flow: &Self::Inner, at: Times<R>, x: Moving<'_, S, R, C>);
-    /// An inner flow and the outer one behind it.
+    /// Applies an inner flow and the outer flow after it.
     #[inline(always)]
     fn both<C: Summation<S::Phase>>(
         (inner, inner_at): (&Self::Inner, Times<R>),
@@ -54,8 +54,8 @@ pub trait Order<S: Separable<R>, R: Real>: Sealed + Copy {
         Self::inner(inner, inner_at, x.again());
         Self::outer(outer, outer_at, x);
     }
-    /// The last flows of a step that [is ahead](Self::is_ahead): inner and, if there is one, outer. `merged` is that one together with the first
-    /// of the next step, which goes on behind it.
+    /// Ends a step that [is ahead](Self::is_ahead). The state gets the last inner flow and, if there is one, the last outer flow. The point of the next step
+    /// gets the last inner flow and `merged`, the last outer flow together with the first one of the next step.
     #[inline(always)]
     fn end_ahead<C: Summation<S::Phase>>(
         (inner, inner_at): (&Self::Inner, Times<R>),
@@ -65,7 +65,7 @@ pub trait Order<S: Separable<R>, R: Real>: Sealed + Copy {
     ) {
         Self::inner(inner, inner_at, step.moving());
         step.show();
-        // Both kicks are the same, and the state is in the middle of them: one force.
+        // The merged kick consists of two equal kicks, so the state has half of its impulse. One evaluation of the force serves both points.
         if C::PLAIN {
             Self::outer(merged, at, step.beyond());
             for i in 0..S::Array::LEN {
@@ -74,14 +74,14 @@ pub trait Order<S: Separable<R>, R: Real>: Sealed + Copy {
             }
         } else {
             let before = *step.x;
-            let impulse = step.beyond().told(|x| Self::outer(merged, at, x));
+            let impulse = step.beyond().kick_and_report(|x| Self::outer(merged, at, x));
             step.leave();
             *step.x = before;
-            Moving::of(step.system, step.x).told(|x| x.p.add_scaled(R::from_f64(0.5), &impulse));
+            Moving::of(step.system, step.x).kick_and_report(|x| x.p.add_scaled(R::from_f64(0.5), &impulse));
         }
     }
-    /// Whether a step has done the first flow of the next one, because both steps need what that is computed from. `repeats` says that the last
-    /// flow of a step and the first of the next are the same.
+    /// Returns whether a step also applies the first flow of the next step, because both steps need the same force. `repeats` states that the last flow of a
+    /// step equals the first flow of the next.
     #[inline(always)]
     fn is_ahead<C: Summation<S::Phase>>(repeats: bool) -> bool {
         repeats
@@ -161,7 +161,7 @@ impl<S: Separable<R>, R: Real, F: Kicks<S, R>> Order<S, R> for DriftFirst<F> {
             None => step.x.z[1].add_scaled(R::from_f64(1.0), &dp),
         }
     }
-    /// Linear drifts take what the kick before has added.
+    /// A linear drift includes the impulse of the kick before it, for sums without compensation.
     #[inline(always)]
     fn is_ahead<C: Summation<S::Phase>>(_: bool) -> bool {
         C::PLAIN && S::KICKS_ADD && S::DRIFTS_TAKE_KICKS

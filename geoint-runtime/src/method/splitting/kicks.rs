@@ -1,4 +1,4 @@
-//! Kicks of a table: the flow of V, and the flow of V with a force gradient.
+//! The kinds of kicks of a table: the flow of V, and the flow of V with a force gradient.
 
 use crate::scalar::Real;
 use crate::sealed::Sealed;
@@ -6,7 +6,7 @@ use crate::space::PerCoordinate;
 use crate::system::{ForceGradient, PhaseSpace, QuadraticKinetic, Separable};
 use core::fmt::Debug;
 
-/// The length of a flow: a part of h, and for kicks with a force gradient a part of h³.
+/// The length of a flow: a fraction of h, and for kicks with a force gradient also a fraction of h³.
 #[derive(Clone, Copy, Debug)]
 pub struct Weight<R> {
     pub(crate) h: R,
@@ -89,7 +89,7 @@ impl<S: ForceGradient<R>, R: Real> Kicks<S, R> for WithGradient {
         match kick {
             SomeKick::WithoutGradient(kick) => system.kick_increments(kick, t, x),
             SomeKick::WithGradient(kick) => {
-                // The flow adds to momenta and action only, so that from zero it gives the increments.
+                // The flow only adds to momenta and action. Applied to zeros, it returns the increments.
                 let mut d: Coordinates<S, R> = PerCoordinate::nothing();
                 system.gradient_kick(kick, t, &mut x.z[0].clone(), &mut d.z[1], &mut d.s);
                 d

@@ -1,23 +1,26 @@
-//! What a step may take over from the one before: steps end with the kick that the next ones begin with.
+//! The last kick of a step. If its positions are those at which the next step begins, the next step reuses its impulse.
 
 use crate::method::open::Open;
 use crate::space::{Action, Array, Record, Tape};
 
-/// The kick that ended a step: where, and what it added to the momenta.
+/// The last kick of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct LastKick<A> {
+    /// False before the first kick.
     pub(super) known: bool,
+    /// The positions of the kick.
     pub(super) q: A,
+    /// The increment of the momenta.
     pub(super) impulse: A,
 }
 
 impl<A: Array> LastKick<A> {
-    /// There was none yet.
+    /// Returns the value before the first kick.
     pub(super) fn unknown() -> Self {
         LastKick { known: false, q: A::zero(), impulse: A::zero() }
     }
 
-    /// Whether there was one from this place.
+    /// Returns whether the last kick was at the positions `q`.
     #[inline(always)]
     pub(super) fn is_from(&self, q: &A) -> bool {
         self.known & self.q.is_same(q)
@@ -32,14 +35,14 @@ impl<A: Array> Record<A::Real> for LastKick<A> {
     }
 }
 
-/// What a table with an estimate of its errors hands on: plain steps what they leave open, steps that tell their kicks the last one.
+/// History of a table with an error estimate. Plain steps use `open`, steps with an estimate use `kick`.
 #[derive(Clone, Copy, Debug)]
-pub struct Told<A: Array, S> {
+pub struct History<A: Array, S> {
     pub(super) open: Open<[A; 2], S>,
     pub(super) kick: LastKick<A>,
 }
 
-impl<A: Array, S: Action<A::Real>> Record<A::Real> for Told<A, S> {
+impl<A: Array, S: Action<A::Real>> Record<A::Real> for History<A, S> {
     fn record(&mut self, tape: &mut impl Tape<A::Real>) {
         self.open.record(tape);
         self.kick.record(tape);

@@ -1,9 +1,9 @@
-//! Kick and drift in alternation: one driver for every table of a splitting method.
+//! Splitting methods for H = T + V: kicks and drifts in alternation, with one driver for all tables.
 //!
-//! A table says in which order and for which fractions of h the flows of T and V are applied. Time goes along twice: a
-//! kick happens at the time that the drifts so far have reached, a drift at the time that the kicks so far have
-//! reached. In the space extended by both clocks T and V are still exact flows, so that no table loses its order when
-//! T or V depends on time.
+//! A table lists the fractions of h for the flows of T and V, in order of application. There are two clocks. A kick reads
+//! the time that the drifts have reached, and a drift reads the time that the kicks have reached. In the phase space
+//! extended by both clocks, kicks and drifts are exact flows. Every table therefore keeps its order if T or V depends on
+//! time.
 //!
 //! ```
 //! use geoint_runtime::prelude::*;
@@ -17,7 +17,7 @@
 //!
 //! let system = Springs { m: [0.5, 2.0], k: 3.0 };
 //! let start = State::new([0.0, 1.0], [0.2, -0.1]);
-//! // Energy errors stay what they are, for as long as one likes; those of order 4 are far smaller for the same forces.
+//! // Energy errors do not grow with time. Order 4 has far smaller errors for the same number of forces.
 //! let mut verlet = system.integrator(StormerVerlet, 0.01, start);
 //! let mut fourth = system.integrator(BlanesMoan4, 0.06, start);
 //! let energy = verlet.energy();
@@ -28,7 +28,7 @@
 //! # Ok::<(), StepError>(())
 //! ```
 //!
-//! A table of one's own is a constant, and checked when it is compiled: see [`Splitting`].
+//! A table of your own is a constant, which the compiler checks: see [`Splitting`].
 
 mod between;
 mod driver;
@@ -60,7 +60,7 @@ pub use sequence::Sequence;
 pub use table::{Flow, Splitting};
 pub use verlet::{PositionVerlet, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint};
 
-/// The steps of a method that are those of another one, by what was prepared for that.
+/// Implements the steps of a method by the steps of an inner method. `part` and `own` are the coefficients and the memory of the inner method.
 macro_rules! steps_of {
     ($inner:ty, |$prepared:ident| $part:expr) => {
         $crate::method::splitting::steps_of!($inner, |$prepared, memory| ($part, memory));
@@ -90,7 +90,7 @@ macro_rules! steps_of {
 }
 pub(in crate::method) use steps_of;
 
-/// A method that is another one under a stricter condition or another name.
+/// Implements a method by an inner method, under another name or a stricter condition on the system.
 macro_rules! delegate {
     ($(#[$doc:meta])* [$($generics:tt)*] $method:ty, $system:ident, $inner:ty, |$this:ident| $table:expr, $name:expr) => {
         $(#[$doc])*

@@ -1,18 +1,20 @@
-//! A point while flows move it, and how kicks, drifts and rotations do.
+//! The point that flows move, and the application of kicks, drifts and rotations to it.
 
 use super::kicks::{Coordinates, Kicks};
 use crate::scalar::Real;
 use crate::space::{Action, Array, PerCoordinate, Plain, Point, Summation, add_action};
 use crate::system::{Cotangent, PrincipalAxes, Separable};
 
-/// The times of a flow: the one that flows of its own kind have reached, and the one that the others have reached.
+/// The two clocks at the start of a flow.
 #[derive(Clone, Copy, Debug)]
 pub struct Times<R> {
+    /// The time that flows of the same kind have reached.
     pub(crate) own: R,
+    /// The time that flows of the other kind have reached.
     pub(crate) other: R,
 }
 
-/// A point of a system while flows move it. Its parts are apart, so that a loop may hold each of them in registers.
+/// A point that flows move, as separate references, so that a loop may keep each part in registers.
 #[derive(Debug)]
 pub struct Moving<'a, S: Cotangent<R>, R: Real, C> {
     pub(crate) system: &'a S,
@@ -20,19 +22,19 @@ pub struct Moving<'a, S: Cotangent<R>, R: Real, C> {
     pub(crate) p: &'a mut S::Array,
     pub(crate) s: &'a mut S::Action,
     pub(crate) sums: &'a mut C,
-    /// Of the sum s.
+    /// The compensation of the sum s.
     pub(crate) compensation: &'a mut S::Action,
 }
 
 impl<'a, S: Cotangent<R>, R: Real, C> Moving<'a, S, R, C> {
-    /// A point in parts.
+    /// Returns references to the parts of `x`.
     #[inline(always)]
     pub(super) fn of(system: &'a S, x: &'a mut Point<S::Phase, C, S::Action>) -> Self {
         let [q, p] = &mut x.z;
         Moving { system, q, p, s: &mut x.s, sums: &mut x.sums, compensation: &mut x.compensation }
     }
 
-    /// The same point, for a flow before another.
+    /// Reborrows the point for one of several flows.
     #[inline(always)]
     pub(super) fn again(&mut self) -> Moving<'_, S, R, C> {
         let Moving { system, q, p, s, sums, compensation } = self;
@@ -41,10 +43,9 @@ impl<'a, S: Cotangent<R>, R: Real, C> Moving<'a, S, R, C> {
 }
 
 impl<S: Separable<R>, R: Real, C: Summation<S::Phase>> Moving<'_, S, R, C> {
-    /// p ← p − h ∂V/∂q, at the time that the drifts have reached.
+    /// Applies a kick, p ← p − h ∂V/∂q, at the time that the drifts have reached.
     ///
-    /// Plain sums are left to the kernel: called from a closure, it is no longer seen that q and p are apart, which costs a
-    /// tenth on six bodies.
+    /// For plain sums the kernel is called directly. In a closure the optimiser would not know that q and p do not alias.
     #[inline(always)]
     pub fn kick<F: Kicks<S, R>>(self, flow: &F::Kick, at: Times<R>) {
         if C::PLAIN {
@@ -60,18 +61,18 @@ impl<S: Separable<R>, R: Real, C: Summation<S::Phase>> Moving<'_, S, R, C> {
         }
     }
 
-    /// A kick that does nothing but add to the momenta, and what it adds.
+    /// Applies a kick that only adds to the momenta. Returns its impulse.
     #[inline(always)]
-    pub(super) fn told(self, kick: impl FnOnce(Moving<'_, S, R, Plain>)) -> S::Array {
+    pub(super) fn kick_and_report(self, kick: impl FnOnce(Moving<'_, S, R, Plain>)) -> S::Array {
         let Moving { system, q, p, s, sums, compensation } = self;
-        // Acting on zero, the flow gives the increment.
+        // Applied to zero momenta, the kick returns its impulse.
         let mut impulse = S::Array::nothing();
         kick(Moving { system, q, p: &mut impulse, s, sums: &mut Plain, compensation });
         sums.add_part(S::Array::LEN, p, |p| p.add_scaled(R::from_f64(1.0), &impulse));
         impulse
     }
 
-    /// What a kick that does nothing but add to the momenta would add.
+    /// Computes the impulse of a kick that only adds to the momenta, without applying it.
     #[inline(always)]
     pub(super) fn impulse<F: Kicks<S, R>>(self, kick: &F::Kick, at: Times<R>) -> S::Array {
         let mut impulse = S::Array::nothing();
@@ -79,15 +80,15 @@ impl<S: Separable<R>, R: Real, C: Summation<S::Phase>> Moving<'_, S, R, C> {
         impulse
     }
 
-    /// A linear drift after momenta have grown by `dp`.
+    /// Adds `dp` to the momenta and applies a linear drift.
     #[inline(always)]
     pub(super) fn drift_after(self, flow: &S::Drift, at: Times<R>, dp: &S::Array) {
         let Moving { system, q, p, s, .. } = self;
         system.drift_after(flow, at.own, [q, p], s, dp);
     }
 
-    /// q ← q + h ∂T/∂p, at the time that the kicks have reached; or from the time that the drifts have reached, if the drift is
-    /// exact in time.
+    /// Applies a drift, q ← q + h ∂T/∂p, at the time that the kicks have reached. A drift that is exact in time starts at the time that the drifts have
+    /// reached.
     #[inline(always)]
     pub fn drift(self, flow: &S::Drift, at: Times<R>) {
         let t = if S::DRIFTS_ARE_EXACT_IN_TIME { at.own } else { at.other };
@@ -104,7 +105,7 @@ impl<S: Separable<R>, R: Real, C: Summation<S::Phase>> Moving<'_, S, R, C> {
         }
     }
 
-    /// Rotations of rigid bodies about their axes, in place of a drift.
+    /// Rotates rigid bodies about their principal axes, in place of a drift.
     #[inline(always)]
     pub(super) fn rotate(self, flow: &S::Drift)
     where
@@ -113,7 +114,7 @@ impl<S: Separable<R>, R: Real, C: Summation<S::Phase>> Moving<'_, S, R, C> {
         if C::PLAIN {
             return self.system.rotate(flow, self.q, self.p);
         }
-        // A rotation is no sum: what it adds is the difference.
+        // A rotation does not add an increment. The compensated sums get the difference of its end and start.
         let mut d = self.coordinates();
         let [q, p] = &mut d.z;
         self.system.rotate(flow, q, p);

@@ -1,8 +1,8 @@
-//! Tables for a quadratic T.
+//! Tables of Runge–Kutta–Nyström type, for a quadratic T.
 
 use super::estimators::{Estimators, Mirrored};
 use super::flows::{DriftFirst, KickFirst, Order};
-use super::last_kick::{LastKick, Told};
+use super::last_kick::{History, LastKick};
 use super::sequence::Sequence;
 use super::steps_of;
 use super::table::Splitting;
@@ -12,7 +12,7 @@ use crate::scalar::Real;
 use crate::space::{Action, Array, PerCoordinate, Point, Summation};
 use crate::system::QuadraticKinetic;
 
-/// A table of Runge–Kutta–Nyström type: its order conditions use \[V, \[V, \[V, T\]\]\] = 0, so T must be quadratic.
+/// A table of Runge–Kutta–Nyström type. Its order conditions use \[V, \[V, \[V, T\]\]\] = 0, so T must be quadratic.
 #[doc(alias = "second order ODE")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Nystrom<const K: usize, O = KickFirst> {
@@ -21,12 +21,12 @@ pub struct Nystrom<const K: usize, O = KickFirst> {
 }
 
 impl<const K: usize, O> Nystrom<K, O> {
-    /// A table without an estimate of its errors.
+    /// Returns a method without an error estimate.
     pub(in crate::method) const fn new(table: Splitting<K, O>) -> Self {
         Nystrom { table, estimators: None }
     }
 
-    /// The same method with an estimate of the error of a step.
+    /// Adds an error estimate to the method.
     pub(in crate::method) const fn estimated(mut self, estimators: &'static Estimators<K>) -> Self {
         self.estimators = Some(estimators);
         self
@@ -39,7 +39,7 @@ impl<const K: usize, O> Nystrom<K, O> {
 }
 
 impl<const K: usize> Nystrom<K, KickFirst> {
-    /// The estimate of a table by the differences dᵢ, which [`Estimators`] explain.
+    /// Computes the weights of the error estimates from the differences dᵢ of the weights of kicks; see [`Estimators`].
     pub(in crate::method) const fn estimators<const HALF: usize>(&self, d: [Mirrored<HALF>; 2]) -> Estimators<K> {
         let (mut c, mut n) = ([0.0; K], 1);
         while n < K {
@@ -51,7 +51,7 @@ impl<const K: usize> Nystrom<K, KickFirst> {
 }
 
 impl<const K: usize> Nystrom<K, DriftFirst> {
-    /// The estimate of a table by the differences dᵢ, which [`Estimators`] explain.
+    /// Computes the weights of the error estimates from the differences dᵢ of the weights of kicks; see [`Estimators`].
     pub(in crate::method) const fn estimators<const HALF: usize>(&self, d: [Mirrored<HALF>; 2]) -> Estimators<K> {
         let (mut c, mut n) = (self.table.outer, 1);
         while n < K {
@@ -62,7 +62,7 @@ impl<const K: usize> Nystrom<K, DriftFirst> {
     }
 }
 
-/// A table multiplied by h, and what tells the errors of its steps.
+/// Coefficients of a table for steps of length h, and the weights of its error estimates.
 #[derive(Clone, Copy, Debug)]
 pub struct Prepared<T, R, const K: usize> {
     sequence: T,
@@ -70,16 +70,18 @@ pub struct Prepared<T, R, const K: usize> {
     estimators: Option<&'static Estimators<K>>,
 }
 
-/// Whether all that kicks do is to add to momenta, which drifts leave as they are: what kicks add is a force then.
-const fn adds<S: QuadraticKinetic<R>, R: Real>() -> bool {
+/// Returns whether kicks only add to momenta, drifts only add to positions, and there is no action. The impulses of kicks are then multiples of forces, as the
+/// estimates need.
+const fn has_pure_impulses<S: QuadraticKinetic<R>, R: Real>() -> bool {
     S::Action::LEN == 0 && S::KICKS_ADD && S::DRIFTS_SHIFT
 }
 
-/// The error of a step over h from t on: of its momenta, and of its positions by a drift of what is late in them.
+/// Returns the error of a step of length h from the time t, from the two sums of an estimate. The first sum is the error of the momenta. The drift of the
+/// second sum over h is the error of the positions; see `Weights` in the module `estimators`.
 fn error<S: QuadraticKinetic<R>, R: Real>(
     system: &S,
     [t, h]: [R; 2],
-    [momenta, late]: [S::Array; 2],
+    [momenta, before_drift]: [S::Array; 2],
 ) -> PerCoordinate<S::Phase, S::Action> {
     let drift = system.prepare_drift(h);
     let moved = |mut p: S::Array| {
@@ -87,7 +89,7 @@ fn error<S: QuadraticKinetic<R>, R: Real>(
         system.drift(&drift, t, &mut q, &mut p, &mut s);
         q
     };
-    let mut positions = moved(late);
+    let mut positions = moved(before_drift);
     positions.add_scaled(R::from_f64(-1.0), &moved(S::Array::zero()));
     PerCoordinate { z: [positions, momenta], s: S::Action::zero() }
 }
@@ -95,7 +97,7 @@ fn error<S: QuadraticKinetic<R>, R: Real>(
 impl<S: QuadraticKinetic<R>, R: Real, O: Order<S, R>, const K: usize> Method<S, R> for Nystrom<K, O> {
     type Proof = <S as QuadraticKinetic<R>>::Proof;
     type Prepared = Prepared<Sequence<S, R, O, K>, R, K>;
-    type Memory = Told<S::Array, S::Action>;
+    type Memory = History<S::Array, S::Action>;
     const SINGLY: bool = true;
 
     fn claims(&self) -> Claims {
@@ -116,24 +118,24 @@ impl<S: QuadraticKinetic<R>, R: Real, O: Order<S, R>, const K: usize> Method<S, 
     }
 
     fn memory() -> Self::Memory {
-        Told { open: Open::unknown(), kick: LastKick::unknown() }
+        History { open: Open::unknown(), kick: LastKick::unknown() }
     }
 
     steps_of!(Splitting<K, O>, |prepared, memory| (&prepared.sequence, &mut memory.open));
 
     fn order_of_estimate(&self) -> Option<u32> {
-        self.estimators.filter(|_| const { adds::<S, R>() }).map(|_| self.table.claims().order)
+        self.estimators.filter(|_| const { has_pure_impulses::<S, R>() }).map(|_| self.table.claims().order)
     }
 
     #[inline]
     fn estimated<C: Summation<S::Phase>, P: Probe<S, R>>(
         prepared: &Self::Prepared,
-        Told { kick, .. }: &mut Self::Memory,
+        History { kick, .. }: &mut Self::Memory,
         mut step: Step<'_, S, R, C, P>,
     ) -> Option<Result<Estimate<S, R>, Refusal>> {
-        let estimators = prepared.estimators.filter(|_| const { adds::<S, R>() })?;
+        let estimators = prepared.estimators.filter(|_| const { has_pure_impulses::<S, R>() })?;
         let mut sums = [[S::Array::zero(); 2]; 2];
-        prepared.sequence.told(kick, step.part([step.t, step.end]), |n, impulse| {
+        prepared.sequence.step_reporting_kicks(kick, step.part([step.t, step.end]), |n, impulse| {
             for (sums, weights) in sums.iter_mut().zip(estimators.of_kick(n)) {
                 for (sum, weight) in sums.iter_mut().zip(weights) {
                     sum.add_scaled(R::from_f64(weight), impulse);

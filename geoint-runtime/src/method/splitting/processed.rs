@@ -1,4 +1,4 @@
-//! Tables with a processor: χ⁻¹ ∘ K ∘ … ∘ K ∘ χ, cheap steps K between a way before the first one and the same way back after the last.
+//! Tables with a processor: χ⁻¹ ∘ K ∘ … ∘ K ∘ χ. The kernel K is cheap. The processor χ is applied before the first step, and its inverse after the last.
 
 use super::flows::Order;
 use super::kicks::Weight;
@@ -12,46 +12,47 @@ use crate::scalar::{Real, zero};
 use crate::space::{Plain, Point, Summation};
 use crate::system::{PhaseSpace, Separable};
 
-/// A table with a way of `P` pairs of flows, outer and inner, before the first step of a run.
+/// A table with a processor of `P` pairs of flows, outer and inner, that is applied before the first step of a run.
 ///
-/// The order is that of the steps between. Every state that is looked at is the point of the steps after the way back: that is computed
-/// beside, and changes nothing of the run.
+/// The order is that of the processed method. A state is computed by the inverse processor on a copy of the moving point. Reading a state does not change
+/// the run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ProcessedSplitting<const K: usize, const P: usize, O> {
     table: Splitting<K, O>,
     order: u32,
-    /// Fractions of h for an outer and an inner flow, and of h³ for the force gradient of the inner one.
-    way: [[f64; 3]; P],
+    /// Pairs of the processor: fractions of h for the outer and the inner flow, and the fraction of h³ for the force gradient of the inner flow.
+    processor: [[f64; 3]; P],
 }
 
 impl<const K: usize, const P: usize, O> ProcessedSplitting<K, P, O> {
-    /// Where the way ends, time is where it was.
-    pub(in crate::method) const fn new(order: u32, table: Splitting<K, O>, way: [[f64; 3]; P]) -> Self {
+    /// Returns a table with a processor. The fractions of the processor must add up to 0, so that it does not change the time.
+    pub(in crate::method) const fn new(order: u32, table: Splitting<K, O>, processor: [[f64; 3]; P]) -> Self {
         let (mut outer, mut inner, mut i) = ([0.0; P], [0.0; P], 0);
         while i < P {
-            (outer[i], inner[i]) = (way[i][0], way[i][1]);
+            (outer[i], inner[i]) = (processor[i][0], processor[i][1]);
             i += 1;
         }
         assert!(adds_up(&outer, 0.0) && adds_up(&inner, 0.0), "the fractions of a way add up to 0");
-        ProcessedSplitting { table, order, way }
+        ProcessedSplitting { table, order, processor }
     }
 }
 
-/// A pair of the way, there and back, and the times at which its flows happen: of outer flows before and behind the outer one, and of inner ones
-/// before and behind the inner one.
+/// Coefficients of one pair of the processor. Entry 0 of the flows belongs to the processor, entry 1 to its inverse.
 #[derive(Clone, Debug)]
 struct Pair<A, B, R> {
     outer: [A; 2],
     inner: [B; 2],
+    /// The clock of the outer flows before and after the outer flow of this pair.
     outer_at: [R; 2],
+    /// The clock of the inner flows before and after the inner flow of this pair.
     inner_at: [R; 2],
 }
 
-/// Coefficients of the steps, and of the way.
+/// Coefficients of the kernel and of the processor.
 #[derive(Clone, Debug)]
 pub struct Prepared<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize, const P: usize> {
     steps: Sequence<S, R, O, K>,
-    way: [Pair<O::Outer, O::Inner, R>; P],
+    processor: [Pair<O::Outer, O::Inner, R>; P],
 }
 
 impl<S, R, O, const K: usize, const P: usize> Prepared<S, R, O, K, P>
@@ -60,8 +61,9 @@ where
     R: Real,
     O: Order<S, R>,
 {
+    /// Applies the outer flow of the i-th pair of the processor (`back` = 0) or of its inverse (`back` = 1).
     fn outer(&self, i: usize, back: usize, system: &S, t: R, [q, p]: &mut S::Phase) {
-        let Pair { outer, outer_at, inner_at, .. } = &self.way[i];
+        let Pair { outer, outer_at, inner_at, .. } = &self.processor[i];
         let at = Times { own: t + outer_at[back], other: t + inner_at[0] };
         O::outer::<Plain>(
             &outer[back],
@@ -70,8 +72,9 @@ where
         );
     }
 
+    /// Applies the inner flow of the i-th pair of the processor (`back` = 0) or of its inverse (`back` = 1).
     fn inner(&self, i: usize, back: usize, system: &S, t: R, [q, p]: &mut S::Phase) {
-        let Pair { inner, outer_at, inner_at, .. } = &self.way[i];
+        let Pair { inner, outer_at, inner_at, .. } = &self.processor[i];
         let at = Times { own: t + inner_at[back], other: t + outer_at[1] };
         O::inner::<Plain>(
             &inner[back],
@@ -110,13 +113,13 @@ where
         };
         let outer = |a| O::prepare_outer(system, weight(a, 0.0));
         let inner = |b, g| O::prepare_inner(system, weight(b, g));
-        let reached = |i: usize, which: usize| part(self.way[..i].iter().map(|pair| pair[which]).sum());
+        let reached = |i: usize, which: usize| part(self.processor[..i].iter().map(|pair| pair[which]).sum());
         let pair = |i: usize| {
-            let [a, b, g] = self.way[i];
+            let [a, b, g] = self.processor[i];
             let at = |which: usize| [reached(i, which), if i + 1 < P { reached(i + 1, which) } else { zero() }];
             Pair { outer: [outer(a), outer(-a)], inner: [inner(b, g), inner(-b, -g)], outer_at: at(0), inner_at: at(1) }
         };
-        Prepared { steps: self.table.prepare(system, h), way: core::array::from_fn(pair) }
+        Prepared { steps: self.table.prepare(system, h), processor: core::array::from_fn(pair) }
     }
 
     fn memory() -> Self::Memory {

@@ -1,4 +1,4 @@
-//! Verlet's method for rigid bodies with rotations about their axes in place of the exact flow of a free body.
+//! Verlet's method for rigid bodies, with rotations about the principal axes in place of the exact flow of a free body.
 
 use super::delegate;
 use super::flows::Order;
@@ -15,10 +15,10 @@ use crate::space::{Point, Summation};
 use crate::system::PrincipalAxes;
 
 /// Half a kick, five rotations of every rigid body about its principal axes, half a kick. Order 2, symmetric, symplectic, one torque
-/// a step, and no series: cheaper than [`StormerVerlet`](crate::StormerVerlet), whose drift is the exact flow of the free body, with an
-/// error about half as large again.
+/// a step. It needs no series and is cheaper than [`StormerVerlet`](crate::StormerVerlet), whose drift is the exact flow of the free
+/// body. The error is about 1.5 times as large.
 ///
-/// The rotations are of order 2: in tables of higher order they would lose it, so that this method alone has them.
+/// The rotations have order 2, so they would lower the order of higher-order tables. Only this method uses them.
 /// A. Dullweber, B. Leimkuhler & R. McLachlan, J. Chem. Phys. 107 (1997) 5840.
 #[doc(alias("rigid body splitting", "DLM"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

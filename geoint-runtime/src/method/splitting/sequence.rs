@@ -1,4 +1,4 @@
-//! A table multiplied by h.
+//! Coefficients of a table for steps of length h.
 
 use super::flows::Order;
 use super::kicks::Weight;
@@ -7,18 +7,21 @@ use super::table::Splitting;
 use crate::scalar::Real;
 use crate::system::Separable;
 
-/// The flows of a step and the times in it at which they happen.
+/// The flows of a step, and their times relative to the start of the step.
 #[derive(Clone, Copy, Debug)]
 pub struct Sequence<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> {
+    /// The first outer flow of a step that does not continue another step.
     pub(super) first: O::Outer,
     pub(super) inner: [O::Inner; K],
-    /// What follows each inner flow while the steps go on: the last flow of a step is merged with the first of the next.
+    /// The outer flow after each inner flow if another step follows: the last one is merged with the first flow of the next step.
     pub(super) outer: [O::Outer; K],
-    /// What follows the last inner flow where the steps end.
+    /// The outer flow after the last inner flow if no step follows.
     pub(super) last: Option<O::Outer>,
+    /// The clock of the outer flows at each inner flow.
     inner_at: [R; K],
+    /// The clock of the inner flows at each outer flow of `outer`.
     outer_at: [R; K],
-    /// A step begins with the flow that the one before ended with, and that is what it was.
+    /// Whether the last flow of a step equals the first flow of the next step.
     pub(super) repeats: bool,
 }
 
@@ -61,7 +64,7 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
         }
     }
 
-    /// The times of the i-th inner flow of a step from `t`, and of the outer flow behind it.
+    /// Returns the times of the i-th inner flow of a step that starts at `t`, and of the outer flow after it.
     #[inline(always)]
     pub(super) fn times(&self, t: R, i: usize) -> [Times<R>; 2] {
         let before = if i == 0 { t } else { t + self.outer_at[i - 1] };
@@ -70,8 +73,7 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
     }
 }
 
-/// What is prepared with some weights, of which the first ones are a palindrome or not: what is there already is copied, because a matrix takes
-/// long to prepare.
+/// Prepares K flows. If the first `palindrome` weights are symmetric, the second half is copied from the first, because the preparation may compute a matrix.
 fn mirrored<W: PartialEq, T: Copy, const K: usize>(
     weight: impl Fn(usize) -> W,
     palindrome: usize,

@@ -1,4 +1,4 @@
-//! Tables: fractions of h, in order of application.
+//! Tables of splitting methods: fractions of h, in order of application.
 
 use super::flows::{DriftFirst, KickFirst};
 use super::kicks::WithGradient;
@@ -17,8 +17,8 @@ pub enum Flow {
 
 /// Fractions of h: outer₁, inner₁, outer₂, inner₂, …, inner_K, last, in order of application.
 ///
-/// With `O` = [`KickFirst`] the outer flows are kicks, with [`DriftFirst`] drifts. If `last` is not zero the last flow
-/// of a step and the first of the next are merged: K force evaluations a step.
+/// With `O` = [`KickFirst`] the outer flows are kicks, with [`DriftFirst`] drifts. If `last` is not zero, the last flow of a
+/// step and the first flow of the next step are merged. A step costs K force evaluations.
 ///
 /// ```
 /// use geoint_runtime::method::splitting::{Flow::{Drift, Kick}, KickFirst};
@@ -28,7 +28,7 @@ pub enum Flow {
 /// assert_eq!(LEAPFROG, StormerVerlet::TABLE);
 /// ```
 ///
-/// A table whose fractions do not add up to 1 is no method, and does not compile:
+/// A table whose fractions do not add up to 1 does not compile:
 ///
 /// ```compile_fail,E0080
 /// # use geoint_runtime::Splitting;
@@ -36,7 +36,7 @@ pub enum Flow {
 /// const LEAPFROG: Splitting<1, KickFirst> = Splitting::<1, KickFirst>::new(2, [Kick(0.5), Drift(1.0), Kick(0.6)]);
 /// ```
 ///
-/// Nor does one without flows, or one whose flows do not alternate:
+/// A table without flows, or with flows that do not alternate, does not compile:
 ///
 /// ```compile_fail,E0080
 /// # use geoint_runtime::Splitting;
@@ -56,43 +56,44 @@ pub struct Splitting<const K: usize, O = KickFirst> {
     pub(super) outer: [f64; K],
     pub(super) inner: [f64; K],
     pub(super) last: f64,
-    /// What the first K kicks have of the force gradient, as parts of h³; only tables that read the same from both ends have any.
+    /// Fractions of h³ for the force gradients of the first K kicks. Only palindromic tables have force gradients.
     pub(super) gradients: [f64; K],
     order: PhantomData<O>,
 }
 
 impl<const K: usize, F> Splitting<K, KickFirst<F>> {
-    /// A table by its flows in order of application, a kick first: 2K of them, or 2K + 1 with a last kick.
+    /// Returns a table of flows in order of application, a kick first: 2K flows, or 2K + 1 with a last kick.
     ///
-    /// It is symmetric if the flows read the same from both ends. The order is what the caller claims.
+    /// It is symmetric if the flows are a palindrome. The order is not checked.
     ///
     /// # Panics
-    /// When the program is compiled, if the table is a constant: if K is 0, if kicks and drifts do not alternate, or if the
-    /// fractions of either do not add up to 1.
+    /// If K is 0, if kicks and drifts do not alternate, or if the fractions of either do not add up to 1. For a constant table
+    /// this is an error of compilation.
     pub const fn new<const N: usize>(order: u32, flows: [Flow; N]) -> Self {
         Self::of_flows(order, true, flows)
     }
 }
 
 impl<const K: usize, F> Splitting<K, DriftFirst<F>> {
-    /// A table by its flows in order of application, a drift first: 2K of them, or 2K + 1 with a last drift.
+    /// Returns a table of flows in order of application, a drift first: 2K flows, or 2K + 1 with a last drift.
     ///
-    /// It is symmetric if the flows read the same from both ends. The order is what the caller claims.
+    /// It is symmetric if the flows are a palindrome. The order is not checked.
     ///
     /// # Panics
-    /// When the program is compiled, if the table is a constant: if K is 0, if drifts and kicks do not alternate, or if the
-    /// fractions of either do not add up to 1.
+    /// If K is 0, if drifts and kicks do not alternate, or if the fractions of either do not add up to 1. For a constant table
+    /// this is an error of compilation.
     pub const fn new<const N: usize>(order: u32, flows: [Flow; N]) -> Self {
         Self::of_flows(order, false, flows)
     }
 }
 
 impl<const K: usize, O> Splitting<K, O> {
-    /// A table by its flows.
+    /// Returns the table of the flows.
     pub(super) const fn of_flows<const N: usize>(order: u32, kick_first: bool, flows: [Flow; N]) -> Self {
         Self::of_fractions(order, alternating(kick_first, flows))
     }
 
+    /// Returns the table of 2K fractions, or of 2K + 1 fractions with a last outer flow.
     const fn of_fractions<const N: usize>(order: u32, fractions: [f64; N]) -> Self {
         assert!(K >= 1, "a splitting has at least one inner flow");
         assert!(N == 2 * K || N == 2 * K + 1, "a table has K outer and K inner flows, and perhaps a last outer one");
@@ -105,7 +106,10 @@ impl<const K: usize, O> Splitting<K, O> {
         Self::checked(Name::new("Splitting"), order, outer, inner, if N == 2 * K { 0.0 } else { fractions[2 * K] })
     }
 
-    /// A table as it stands, if its fractions add up to 1.
+    /// Returns the table with its claims. It is symmetric if the fractions are a palindrome.
+    ///
+    /// # Panics
+    /// If the fractions of the outer or of the inner flows do not add up to 1.
     const fn checked(name: Name, order: u32, outer: [f64; K], inner: [f64; K], last: f64) -> Self {
         let (mut symmetric, mut i) = (true, 0);
         while i < K {
@@ -120,7 +124,7 @@ impl<const K: usize, O> Splitting<K, O> {
         Splitting { name, claims, outer, inner, last, gradients: [0.0; K], order: PhantomData }
     }
 
-    /// A table that reads the same from both ends, given by its first halves (the middle included).
+    /// Returns a palindromic table, given by the first halves of its fractions (the middle included).
     pub(in crate::method) const fn palindrome<const OUTER: usize, const INNER: usize>(
         name: &'static str,
         order: u32,
@@ -130,7 +134,7 @@ impl<const K: usize, O> Splitting<K, O> {
         Self::checked(Name::new(name), order, ends(outer), between(inner), outer[0])
     }
 
-    /// A symmetric composition of Verlet steps γ₁h, …, γ_K h with neighbouring outer flows merged.
+    /// Returns the symmetric composition of Verlet steps γ₁h, …, γ_K h with neighbouring outer flows merged.
     pub(in crate::method) fn of_verlet(name: Name, order: u32, gamma: [f64; K]) -> Self {
         let outer = core::array::from_fn(|i| {
             let before = if i == 0 { 0.0 } else { gamma[i - 1] };
@@ -139,13 +143,13 @@ impl<const K: usize, O> Splitting<K, O> {
         Self::checked(name, order, outer, gamma, 0.5 * gamma[K - 1])
     }
 
-    /// The same table, made for H = A + εB: its errors are O(ε hˢ¹ + ε² hˢ² + …).
+    /// States the orders sᵢ of a table for H = A + εB, whose error is O(ε hˢ¹ + ε² hˢ² + …).
     pub(in crate::method) const fn near_integrable(mut self, orders: &'static [u32]) -> Self {
         self.claims.perturbed = orders;
         self
     }
 
-    /// The same table under a name of its own.
+    /// Sets the name of the table.
     pub const fn named(mut self, name: &'static str) -> Self {
         self.name = Name::new(name);
         self
@@ -156,7 +160,7 @@ impl<const K: usize, O> Splitting<K, O> {
         self.name
     }
 
-    /// What the table promises.
+    /// The claims of the table.
     pub const fn claims(&self) -> Claims {
         self.claims
     }
@@ -172,7 +176,7 @@ impl<const K: usize, O> Splitting<K, O> {
     }
 }
 
-/// The fractions of flows that alternate.
+/// Returns the fractions of flows that alternate.
 const fn alternating<const N: usize>(kick_first: bool, flows: [Flow; N]) -> [f64; N] {
     let mut fractions = [0.0; N];
     let mut i = 0;
@@ -187,7 +191,7 @@ const fn alternating<const N: usize>(kick_first: bool, flows: [Flow; N]) -> [f64
 }
 
 impl<const K: usize> Splitting<K, KickFirst<WithGradient>> {
-    /// With force gradients, by their first half.
+    /// Adds force gradients to the kicks, given by the first half of their fractions of h³.
     pub(in crate::method) const fn with_outer_gradients<const HALF: usize>(mut self, half: [f64; HALF]) -> Self {
         self.gradients = ends(half);
         self
@@ -195,14 +199,14 @@ impl<const K: usize> Splitting<K, KickFirst<WithGradient>> {
 }
 
 impl<const K: usize> Splitting<K, DriftFirst<WithGradient>> {
-    /// With force gradients, by their first half.
+    /// Adds force gradients to the kicks, given by the first half of their fractions of h³.
     pub(in crate::method) const fn with_inner_gradients<const HALF: usize>(mut self, half: [f64; HALF]) -> Self {
         self.gradients = between(half);
         self
     }
 }
 
-/// The first K of K + 1 numbers that read the same from both ends, by their first half.
+/// Returns the first K of K + 1 numbers of a palindrome, given by its first half.
 const fn ends<const K: usize, const HALF: usize>(half: [f64; HALF]) -> [f64; K] {
     assert!(HALF == K / 2 + 1);
     let mut all = [0.0; K];
@@ -214,7 +218,7 @@ const fn ends<const K: usize, const HALF: usize>(half: [f64; HALF]) -> [f64; K] 
     all
 }
 
-/// K numbers that read the same from both ends, by their first half.
+/// Returns the K numbers of a palindrome, given by its first half.
 const fn between<const K: usize, const HALF: usize>(half: [f64; HALF]) -> [f64; K] {
     assert!(HALF == K.div_ceil(2));
     let mut all = [0.0; K];

@@ -1,6 +1,6 @@
-//! A step that tells what its kicks add: what estimates of its error are made of.
+//! Steps that report the impulses of their kicks. Error estimates are weighted sums of these impulses.
 
-use super::driver::seen;
+use super::driver::checked_flow;
 use super::flows::Order;
 use super::last_kick::LastKick;
 use super::moving::Times;
@@ -11,14 +11,16 @@ use crate::space::{Array, Summation};
 use crate::system::Separable;
 
 impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O, K> {
-    /// One step of kicks that do nothing but add: which they are, and what they add. The first one is taken over from the step before, if that ended
-    /// here.
+    /// Takes one step and calls `report` with the index and the impulse of each kick. If the step before ended at the same positions, the first kick reuses
+    /// the impulse of its last kick.
+    ///
+    /// Precondition: kicks only add to the momenta.
     #[inline]
-    pub(super) fn told<C: Summation<S::Phase>, P: Probe<S, R>>(
+    pub(super) fn step_reporting_kicks<C: Summation<S::Phase>, P: Probe<S, R>>(
         &self,
         kick: &mut LastKick<S::Array>,
         Step { system, t, x, probe, .. }: Step<'_, S, R, C, P>,
-        mut tell: impl FnMut(usize, &S::Array),
+        mut report: impl FnMut(usize, &S::Array),
     ) {
         for n in 0..=K {
             let start = Times { own: t, other: t };
@@ -30,18 +32,18 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
             if let Some(outer) = outer {
                 let known = n == 0 && self.repeats && kick.is_from(&x.z[0]);
                 let added = &kick.impulse;
-                let impulse = seen(O::DRIFT_IS_OUTER, Step::at(at.other, (system, x, probe)), |x| {
+                let impulse = checked_flow(O::DRIFT_IS_OUTER, Step::at(at.other, (system, x, probe)), |x| {
                     if O::DRIFT_IS_OUTER {
                         O::outer(outer, at, x);
                         return None;
                     }
                     Some(match known {
-                        true => x.told(|x| x.p.add_scaled(R::from_f64(1.0), added)),
-                        false => x.told(|x| O::outer(outer, at, x)),
+                        true => x.kick_and_report(|x| x.p.add_scaled(R::from_f64(1.0), added)),
+                        false => x.kick_and_report(|x| O::outer(outer, at, x)),
                     })
                 });
                 if let Some(impulse) = impulse {
-                    tell(n, &impulse);
+                    report(n, &impulse);
                     if n == K {
                         *kick = LastKick { known: true, q: x.z[0], impulse };
                     }
@@ -49,15 +51,15 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
             }
             if n < K {
                 let ([at, _], inner) = (self.times(t, n), &self.inner[n]);
-                let impulse = seen(!O::DRIFT_IS_OUTER, Step::at(at.other, (system, x, probe)), |x| {
+                let impulse = checked_flow(!O::DRIFT_IS_OUTER, Step::at(at.other, (system, x, probe)), |x| {
                     if O::DRIFT_IS_OUTER {
-                        return Some(x.told(|x| O::inner(inner, at, x)));
+                        return Some(x.kick_and_report(|x| O::inner(inner, at, x)));
                     }
                     O::inner(inner, at, x);
                     None
                 });
                 if let Some(impulse) = impulse {
-                    tell(n, &impulse);
+                    report(n, &impulse);
                 }
             }
         }

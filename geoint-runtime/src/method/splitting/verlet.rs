@@ -1,4 +1,4 @@
-//! The methods that everybody knows, as tables of one inner flow.
+//! Symplectic Euler and Verlet methods, as tables of one inner flow.
 
 use super::delegate;
 use super::flows::{DriftFirst, KickFirst};
@@ -34,7 +34,7 @@ impl SymplecticEulerAdjoint {
 
 /// Half a kick, a drift, half a kick ("velocity Verlet", leapfrog). Order 2, symmetric, symplectic, one force a step.
 ///
-/// The method of choice when the step is set by the fastest frequency ω (stable for hω < 2) and not by accuracy.
+/// Use it if the fastest frequency ω limits the step (it is stable for hω < 2), and not the accuracy.
 /// C. Störmer 1907; L. Verlet, Phys. Rev. 159 (1967) 98; Hairer, Lubich & Wanner (I.1.17).
 #[doc(alias("leapfrog", "velocity Verlet", "Verlet", "KDK", "kick-drift-kick"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -1,8 +1,8 @@
-//! Compositions of symmetric maps.
+//! Coefficients γ of symmetric compositions of symmetric maps of order 2.
 
 use crate::method::composition::Composition;
 
-/// The triple jump, γ₁ = 1/(2 − ∛2). Order 4, 3 maps; large weights, so large errors. M. Creutz & A. Gocksch, Phys.
+/// The triple jump, γ₁ = 1/(2 − ∛2). Order 4, 3 maps. The weights are large, and so are the errors. M. Creutz & A. Gocksch, Phys.
 /// Rev. Lett. 63 (1989) 9; H. Yoshida, Phys. Lett. A 150 (1990) 262. Closed form.
 #[doc(alias("triple jump", "Yoshida"))]
 pub const Yoshida4: Composition<3> = Composition::palindrome(
@@ -78,7 +78,7 @@ pub const KahanLi8_17a: Composition<17> = Composition::palindrome(
 );
 
 /// Order 10, 35 maps. M. Sofroniou & G. Spaletta, Optim. Methods Softw. 20 (2005) 597; Hairer, Lubich & Wanner
-/// (V.3.14). 2 free parameters. Of kicks and drifts, drifts first: `SofroniouSpaletta10_35.of(PositionVerlet)`.
+/// (V.3.14). 2 free parameters. For kicks and drifts, use drifts first: `SofroniouSpaletta10_35.of(PositionVerlet)`.
 #[doc(alias = "Order10")]
 pub const SofroniouSpaletta10_35: Composition<35> = Composition::palindrome(
     "SofroniouSpaletta10_35",

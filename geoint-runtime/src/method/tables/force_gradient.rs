@@ -1,15 +1,16 @@
-//! Tables of kicks and drifts some of whose kicks have a force gradient.
+//! Tables of kicks and drifts in which some kicks have a force gradient.
 
 use crate::method::splitting::{DriftFirst, KickFirst, ProcessedSplitting, Splitting, WithGradient};
 
-/// Kick first. Order 2, 1 force and 1 gradient: a change of variables, and back, would make of its steps those of a method of order 4.
-/// M. Takahashi & M. Imada, J. Phys. Soc. Jpn. 53 (1984) 3765; G. Rowlands, J. Comput. Phys. 97 (1991) 235. Closed form.
+/// Kick first. Order 2, 1 force and 1 gradient. With a suitable processor (a change of variables before the first step and back after the
+/// last), the effective order would be 4. This table has no processor. M. Takahashi & M. Imada, J. Phys. Soc. Jpn. 53 (1984) 3765;
+/// G. Rowlands, J. Comput. Phys. 97 (1991) 235. Closed form.
 #[doc(alias = "force gradient")]
 pub const TakahashiImada2: Splitting<1, KickFirst<WithGradient>> =
     Splitting::palindrome("TakahashiImada2", 2, [0.5], [1.0])
         .with_outer_gradients([0.020833333333333333333333333333333333333333333333333]);
 
-/// Kick first. Order 4, 2 forces and 1 gradient, all weights positive; stable for long steps. S. A. Chin, Phys. Lett. A 226 (1997) 344,
+/// Kick first. Order 4, 2 forces and 1 gradient, all weights positive. Stable for long steps. S. A. Chin, Phys. Lett. A 226 (1997) 344,
 /// algorithm A. Closed form.
 pub const Chin4A: Splitting<2, KickFirst<WithGradient>> = Splitting::palindrome(
     "Chin4A",
@@ -49,7 +50,7 @@ pub const Chin4D: Splitting<3, KickFirst<WithGradient>> = Splitting::palindrome(
 )
 .with_outer_gradients([0.0, 0.0026041666666666666666666666666666666666666666666667]);
 
-/// Kick first. Order 4, 4 forces and 2 gradients: the smallest error for the work at order 4. I. P. Omelyan, I. M. Mryglod & R. Folk,
+/// Kick first. Order 4, 4 forces and 2 gradients. It has the smallest error for the work at order 4. I. P. Omelyan, I. M. Mryglod & R. Folk,
 /// Comput. Phys. Commun. 151 (2003) 272, (48), (54). 2 free parameters.
 pub const Omelyan4_4F2GV: Splitting<4, KickFirst<WithGradient>> = Splitting::palindrome(
     "Omelyan4_4F2GV",
@@ -156,9 +157,10 @@ pub const Omelyan8_11F11GP: Splitting<11, DriftFirst<WithGradient>> = Splitting:
     0.015295860994523744731993293847001186047065965251191,
 ]);
 
-/// Drift first. Order 6, 3 forces and 1 gradient, between a way of 6 drifts and kicks before the first step and back after the last one: a state
-/// that is looked at costs 12 forces and gradients beside, so look seldom. S. Blanes, F. Casas & J. Ros, SIAM J. Sci. Comput. 21 (1999) 711. 12 free
-/// parameters.
+/// Drift first. Order 6, 3 forces and 1 gradient a step, with a processor of 6 drifts and 6 kicks with gradients.
+///
+/// Every state that is read costs 12 forces and gradients in addition, so read states seldom. S. Blanes, F. Casas & J. Ros, SIAM J. Sci. Comput. 21 (1999)
+/// 711. 12 free parameters.
 pub const BlanesCasasRos6: ProcessedSplitting<3, 6, DriftFirst<WithGradient>> = ProcessedSplitting::new(
     6,
     Splitting::palindrome(

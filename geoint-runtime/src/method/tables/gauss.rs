@@ -1,4 +1,4 @@
-//! Gauss collocation: nodes c, weights b and coefficients a of s stages, from the roots of the Legendre polynomials.
+//! Gauss collocation with s = 1, …, 6 stages: nodes c, weights b and coefficients a. The nodes are the roots of the shifted Legendre polynomials.
 //!
 //! Each number has fifty digits and is rounded once, by the compiler. J. C. Butcher, Math. Comp. 18 (1964) 50; Hairer, Lubich & Wanner, section II.1.3.
 

@@ -1,9 +1,10 @@
-//! The tables: fractions of h in order of application, first halves of palindromes.
+//! The tables of coefficients: fractions of h in order of application. Palindromes are given by their first half.
 //!
-//! Fifty digits each, rounded once, by the compiler. "Free parameters" are those that the order conditions leave over;
-//! such a table is a choice, and its digits beyond the published ones were fixed by the order conditions.
+//! Each number has fifty digits and is rounded once, by the compiler. "Free parameters" is the number of parameters that the
+//! order conditions do not determine. Their values are those of the source. The digits of such a table beyond the published
+//! ones were computed from the order conditions.
 
-// Methods are values and read like types where they are used: `system.integrator(BlanesMoan4, …)`.
+// Constants have names like types, because methods are values: `system.integrator(BlanesMoan4, …)`.
 #![allow(non_upper_case_globals)]
 #![allow(clippy::excessive_precision, reason = "all digits that are known, rounded once")]
 

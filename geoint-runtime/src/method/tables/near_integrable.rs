@@ -1,16 +1,19 @@
-//! Tables for H = A + B, a part A with an exact flow and a small rest B: the outer flows are those of A.
+//! Tables for H = A + B. The part A has an exact flow, and the rest B is small. The outer flows are flows of A.
+//!
+//! A table of orders (s₁, s₂, …) has the error O(ε hˢ¹ + ε² hˢ² + …), if B is smaller than A by ε.
 
 use crate::method::perturbed::{Perturbation, Processed};
 use crate::method::splitting::{DriftFirst, Nystrom, Splitting, WithGradient};
 
-/// Half of A, B, half of A. Orders (2, 2), 1 force: the map of J. Wisdom & M. Holman, Astron. J. 102 (1991) 1528. Steps of an eighth
-/// of the innermost period at most: longer ones meet resonances with it. Its compositions are those of `Perturbation(PositionVerlet)`, which is
-/// the same map.
+/// Half of A, B, half of A. Orders (2, 2), 1 force. J. Wisdom & M. Holman, Astron. J. 102 (1991) 1528.
+///
+/// The step is at most an eighth of the innermost period, because longer steps resonate with it. This is the same map as
+/// `Perturbation(PositionVerlet)`, and has the same compositions.
 #[doc(alias("Wisdom-Holman", "WHFast", "mixed variable symplectic", "MVS"))]
 pub const WisdomHolman: Perturbation<Splitting<1, DriftFirst>> =
     Perturbation(Splitting::palindrome("WisdomHolman", 2, [0.5], [1.0]).near_integrable(&[2, 2]));
 
-/// Gauss's nodes. Orders (8, 2), 4 forces. J. Laskar & P. Robutel, Celest. Mech. Dyn. Astron. 80 (2001) 39, (23).
+/// Kicks at Gauss's nodes. Orders (8, 2), 4 forces. J. Laskar & P. Robutel, Celest. Mech. Dyn. Astron. 80 (2001) 39, (23).
 #[doc(alias = "Laskar-Robutel")]
 pub const Saba4: Perturbation<Splitting<4, DriftFirst>> = Perturbation(
     Splitting::palindrome(
@@ -67,8 +70,8 @@ pub const Aba8_6_4: Perturbation<Splitting<7, DriftFirst>> = Perturbation(
     .near_integrable(&[8, 6, 4]),
 );
 
-/// Orders (10, 6, 4), 8 forces: for long runs of planets to 10⁻⁹ and better, with steps up to a fifth of the innermost period. As
-/// [`Aba8_6_4`].
+/// Orders (10, 6, 4), 8 forces. For long runs of planets with errors of 10⁻⁹ and less, and steps up to a fifth of the innermost period.
+/// The sources are those of [`Aba8_6_4`].
 #[doc(alias = "SABA(10,6,4)")]
 pub const Aba10_6_4: Perturbation<Splitting<8, DriftFirst>> = Perturbation(
     Splitting::palindrome(
@@ -91,8 +94,8 @@ pub const Aba10_6_4: Perturbation<Splitting<8, DriftFirst>> = Perturbation(
     .near_integrable(&[10, 6, 4]),
 );
 
-/// Orders (10, 8, 6), 12 forces, for an A of degree 2 in the momenta: oscillators with a small rest, from errors of 10⁻⁶ on. A.
-/// Escorihuela-Tomàs, S. Blanes & F. Casas; digits fixed by the order conditions.
+/// Orders (10, 8, 6), 12 forces, for an A of degree 2 in the momenta. For oscillators with a small rest and errors of 10⁻⁶ and less.
+/// A. Escorihuela-Tomàs, S. Blanes & F. Casas. The digits were computed from the order conditions.
 pub const Rnia10_8_6: Perturbation<Nystrom<12, DriftFirst>> = Perturbation(Nystrom::new(
     Splitting::palindrome(
         "Rnia10_8_6",
@@ -182,15 +185,15 @@ pub const Saba5Gradient: Perturbation<Splitting<5, DriftFirst<WithGradient>>> = 
     .near_integrable(&[10, 4]),
 );
 
-/// [`WisdomHolman`] with a processor of 4 nodes. Orders (10, 2), 1 force: for planets to 10⁻⁶.
+/// [`WisdomHolman`] with a processor of 4 nodes. Orders (10, 2), 1 force. For planets with errors of 10⁻⁶.
 #[doc(alias = "symplectic corrector")]
 pub const WisdomHolmanProcessed: Processed<Splitting<1, DriftFirst>> =
     Processed::new("WisdomHolmanProcessed", &[10, 2], WisdomHolman.0);
 
-/// [`WisdomHolmanProcessed`] with a force gradient in the kick. Orders (10, 4), 1 force: for planets to 10⁻⁹ and better.
+/// [`WisdomHolmanProcessed`] with a force gradient in the kick. Orders (10, 4), 1 force. For planets with errors of 10⁻⁹ and less.
 ///
-/// rustc 1.95 translated programs with four bodies wrongly at `opt-level = 3`, until one function was moved out of line. Compare the energy of a release
-/// build with that of a debug build. If they differ, `-C no-vectorize-slp` helps.
+/// rustc 1.95 compiled programs with four bodies wrongly at `opt-level = 3`, until one function was moved out of line. Compare the energies of a release
+/// build and a debug build. If they differ, use `-C no-vectorize-slp`.
 pub const WisdomHolmanGradient: Processed<Splitting<1, DriftFirst<WithGradient>>> = Processed::new(
     "WisdomHolmanGradient",
     &[10, 4],

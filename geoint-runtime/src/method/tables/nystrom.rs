@@ -1,8 +1,8 @@
-//! Tables of kicks and drifts that need a quadratic T.
+//! Tables of Runge–Kutta–Nyström type: kicks and drifts that need a quadratic T.
 
 use crate::method::splitting::{DriftFirst, KickFirst, Mirrored, Nystrom, Splitting};
 
-/// Kick first. Order 4, 6 forces: quadratic T, modest accuracy. S. Blanes & P. C. Moan, J. Comput. Appl. Math. 142
+/// Kick first. Order 4, 6 forces, for a quadratic T and modest accuracy. S. Blanes & P. C. Moan, J. Comput. Appl. Math. 142
 /// (2002) 313, table 3, SRKN₆ᵇ. 3 free parameters.
 pub const BlanesMoanSrkn6b: Nystrom<6, KickFirst> = {
     const TABLE: Nystrom<6, KickFirst> = Nystrom::new(Splitting::palindrome(
@@ -35,7 +35,7 @@ pub const BlanesMoanSrkn6b: Nystrom<6, KickFirst> = {
     )
 };
 
-/// Kick first. Order 6, 11 forces: quadratic T where stages must be few. S. Blanes & P. C. Moan, J. Comput. Appl.
+/// Kick first. Order 6, 11 forces, for a quadratic T and few stages. S. Blanes & P. C. Moan, J. Comput. Appl.
 /// Math. 142 (2002) 313, table 3, SRKN₁₁ᵇ. 4 free parameters.
 pub const BlanesMoanSrkn11b: Nystrom<11, KickFirst> = {
     const TABLE: Nystrom<11, KickFirst> = Nystrom::new(Splitting::palindrome(
@@ -82,7 +82,7 @@ pub const BlanesMoanSrkn11b: Nystrom<11, KickFirst> = {
     )
 };
 
-/// Drift first. Order 6, 14 forces: the default for quadratic T. S. Blanes & P. C. Moan, J. Comput. Appl. Math. 142
+/// Drift first. Order 6, 14 forces. The default for a quadratic T. S. Blanes & P. C. Moan, J. Comput. Appl. Math. 142
 /// (2002) 313, table 3, SRKN₁₄ᵃ. 7 free parameters.
 #[doc(alias("Runge-Kutta-Nystrom", "RKN"))]
 pub const BlanesMoanSrkn14a: Nystrom<14, DriftFirst> = {
@@ -135,7 +135,7 @@ pub const BlanesMoanSrkn14a: Nystrom<14, DriftFirst> = {
     )
 };
 
-/// Drift first. Order 8, 17 forces: quadratic T, errors from 10⁻⁹ down to rounding. S. Blanes, F. Casas & A.
+/// Drift first. Order 8, 17 forces, for a quadratic T and errors from 10⁻⁹ down to rounding. S. Blanes, F. Casas & A.
 /// Escorihuela-Tomàs, Appl. Numer. Math. 182 (2022) 14. Isolated solution of the order conditions.
 #[doc(alias = "Nystrom 8")]
 pub const BceRkn17_8: Nystrom<17, DriftFirst> = {
@@ -195,8 +195,8 @@ pub const BceRkn17_8: Nystrom<17, DriftFirst> = {
     )
 };
 
-/// Drift first. Order 8, 19 forces: the same, with smaller errors for the work. S. Blanes, F. Casas & A. Escorihuela-Tomàs, Appl. Numer. Math.
-/// 182 (2022) 14. 2 free parameters.
+/// Drift first. Order 8, 19 forces, for a quadratic T. Its errors for the same work are smaller than those of [`BceRkn17_8`]. S. Blanes,
+/// F. Casas & A. Escorihuela-Tomàs, Appl. Numer. Math. 182 (2022) 14. 2 free parameters.
 pub const BceRkn19_8: Nystrom<19, DriftFirst> = {
     const TABLE: Nystrom<19, DriftFirst> = Nystrom::new(Splitting::palindrome(
         "BceRkn19_8",

@@ -1,4 +1,4 @@
-//! Tables for any number of pieces.
+//! Tables for any number of pieces, given as fractions of maps and adjoint maps.
 
 use crate::method::pieces::PieceComposition;
 

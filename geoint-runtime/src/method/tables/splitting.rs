@@ -2,8 +2,8 @@
 
 use crate::method::splitting::{DriftFirst, KickFirst, Splitting};
 
-/// Drift first: the triple jump of position Verlet, γ₁ = 1/(2 − ∛2). Order 4, 3 forces; kept for comparison:
-/// [`PEFRL`] reaches the same error with fewer. E. Forest & R. D. Ruth, Physica D 43 (1990) 105, (4.8); J.
+/// Drift first: the triple jump of position Verlet, γ₁ = 1/(2 − ∛2). Order 4, 3 forces. For comparison only:
+/// [`PEFRL`] reaches the same error with fewer forces. E. Forest & R. D. Ruth, Physica D 43 (1990) 105, (4.8); J.
 /// Candy & W. Rozmus, J. Comput. Phys. 92 (1991) 230. Closed form.
 #[doc(alias("Forest-Ruth", "Ruth"))]
 pub const ForestRuth4: Splitting<3, DriftFirst> = Splitting::palindrome(
@@ -13,7 +13,7 @@ pub const ForestRuth4: Splitting<3, DriftFirst> = Splitting::palindrome(
     [1.3512071919596576340476878089714608269219993762171, -1.7024143839193152680953756179429216538439987524343],
 );
 
-/// Drift first, "position extended Forest–Ruth-like". Order 4, 4 forces; a good choice when stability limits the
+/// Drift first, "position extended Forest–Ruth-like". Order 4, 4 forces. A good choice if stability limits the
 /// step. I. P. Omelyan, I. M. Mryglod & R. Folk, Comput. Phys. Commun. 146 (2002) 188, (20), (22). 1 free
 /// parameter.
 #[doc(alias = "Omelyan")]
@@ -28,7 +28,7 @@ pub const PEFRL: Splitting<4, DriftFirst> = Splitting::palindrome(
     [0.71234183106260542548034291278593833249072592455729, -0.21234183106260542548034291278593833249072592455729],
 );
 
-/// Kick first. Order 4, 6 forces: the order-4 table for a general T(p) + V(q). S. Blanes & P. C. Moan, J. Comput.
+/// Kick first. Order 4, 6 forces. The order-4 table for a general T(p) + V(q). S. Blanes & P. C. Moan, J. Comput.
 /// Appl. Math. 142 (2002) 313, table 2, S₆. 3 free parameters.
 #[doc(alias("Order4", "Blanes-Moan"))]
 pub const BlanesMoan4: Splitting<6, KickFirst> = Splitting::palindrome(
@@ -47,7 +47,7 @@ pub const BlanesMoan4: Splitting<6, KickFirst> = Splitting::palindrome(
     ],
 );
 
-/// Kick first. Order 6, 10 forces: the default for a general T(p) + V(q) from errors of about 10⁻⁷ on. S. Blanes &
+/// Kick first. Order 6, 10 forces. The default for a general T(p) + V(q) and errors of about 10⁻⁷ and less. S. Blanes &
 /// P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313, table 2, S₁₀. 1 free parameter.
 #[doc(alias = "Order6")]
 pub const BlanesMoan6: Splitting<10, KickFirst> = Splitting::palindrome(

@@ -1,6 +1,6 @@
-//! What every table is checked for when it is made: fractions that are to add up do so.
+//! A check of tables at compile time: the fractions of a table add up to their total.
 
-/// Whether `fractions` are numbers that add up to `total`, but for their rounding: those of a constant table are checked by the compiler.
+/// Returns whether `fractions` are finite and add up to `total`, except for rounding. For constant tables the compiler evaluates this function.
 pub(crate) const fn adds_up(fractions: &[f64], total: f64) -> bool {
     let (mut sum, mut size, mut i) = (0.0_f64, total.abs(), 0);
     while i < fractions.len() {
@@ -8,7 +8,7 @@ pub(crate) const fn adds_up(fractions: &[f64], total: f64) -> bool {
         size += fractions[i].abs();
         i += 1;
     }
-    // Where one of them is infinite, so is the rounding.
+    // Infinite fractions would make the bound on the right infinite.
     size < f64::INFINITY && (sum - total).abs() <= (fractions.len() as f64 + 1.0) * f64::EPSILON * size
 }
 
@@ -17,7 +17,7 @@ mod tests {
     use super::adds_up;
 
     #[test]
-    fn what_is_no_number_adds_up_to_nothing() {
+    fn non_finite_fractions_never_add_up() {
         assert!(adds_up(&[0.5, 0.25, 0.25], 1.0) && adds_up(&[0.1; 10], 1.0) && adds_up(&[], 0.0));
         assert!(!adds_up(&[], 1.0) && !adds_up(&[0.5, 0.5 + 1e-14], 1.0));
         let (infinite, no_number) = (f64::INFINITY, f64::NAN);

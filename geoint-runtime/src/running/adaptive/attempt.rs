@@ -1,4 +1,4 @@
-//! What one step of a given length leads to, and how wrong that is.
+//! Takes one trial step of a given length and estimates its error.
 
 use super::start::grows;
 use crate::method::{Clock, Method, Probe, Step, outer_step};
@@ -9,14 +9,14 @@ use crate::scalar::Real;
 use crate::space::{Compensated, PerCoordinate, Point};
 use crate::system::{PhaseSpace, Rates, jump_on_way};
 
-/// A point whose sums outlive a change of the step size.
+/// A point with compensated sums. The sums remain valid when the step size changes.
 pub(super) type Carried<S, R> =
     Point<<S as PhaseSpace<R>>::Phase, Compensated<<S as PhaseSpace<R>>::Phase>, <S as PhaseSpace<R>>::Action>;
 
-/// A number for every coordinate of a system.
+/// One number for each coordinate of a system.
 type Coordinates<S, R> = PerCoordinate<<S as PhaseSpace<R>>::Phase, <S as PhaseSpace<R>>::Action>;
 
-/// Coefficients of a step as a whole, and of its halves, where these tell its error.
+/// Coefficients of the method for the whole step. Also for half the step, if the error is estimated by step halving.
 #[derive(Clone, Debug)]
 pub(super) struct Prepared<P> {
     pub(super) h: f64,
@@ -35,7 +35,7 @@ impl<P> Prepared<P> {
         Prepared { h, whole: prepare(h), half: halved.then(|| prepare(0.5 * h)) }
     }
 
-    /// The same for steps of another length, in place: coefficients are long to copy.
+    /// Recomputes the coefficients for step length `h`, in place. They may be large, so they are not copied.
     pub(super) fn prepare<S: PhaseSpace<R>, M: Method<S, R, Prepared = P>, R: Real>(
         &mut self,
         system: &S,
@@ -50,23 +50,26 @@ impl<P> Prepared<P> {
     }
 }
 
-/// The start of a step, and by what it is judged.
+/// Start of a trial step, and the data needed to judge its error.
 pub(super) struct Attempt<'a, S: PhaseSpace<R>, R: Real> {
     pub(super) system: &'a S,
     pub(super) t: R,
     pub(super) clock: &'a Clock<R>,
     pub(super) x: &'a Carried<S, R>,
     pub(super) tolerance: &'a Tolerance<S::Phase, S::Action>,
-    /// What part of the time in which the state changes a step takes.
+    /// Expected step length divided by the time in which the state changes.
     pub(super) part: f64,
-    /// In how long the state changes where the run begins.
+    /// Time in which the state changes at the start of the run.
     pub(super) time_of_start: f64,
-    /// Whether the method keeps the energy, also where that jumps.
+    /// Whether the method conserves the energy, also across a jump of the energy.
     pub(super) keeps: bool,
 }
 
 impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
-    /// A step, and its estimated error in units of what is tolerated; none over a jump of the energy that the method does not see.
+    /// Takes a step. Returns its end and its estimated error in units of the tolerance.
+    ///
+    /// # Errors
+    /// Fails if the step has no result. Also fails if the energy jumps within the step and the method does not conserve it.
     pub(super) fn take<M: Method<S, R>, P: Probe<S, R>>(
         &self,
         method: &M,
@@ -85,13 +88,16 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
         }
     }
 
-    /// When a step of length `h` ends that led to `x`.
+    /// Returns the time at the end of a step of length `h` that ends at `x`.
     pub(super) fn end(&self, h: f64, x: &Carried<S, R>) -> R {
         self.clock.after(R::from_f64(h)) + x.ahead.value()
     }
 
-    /// Returns whether the coordinates that leave rest at zero in this step grow like a power of time all along it, if time alone drives them; otherwise
-    /// `None`. Their errors are not measured. A step along which they grow otherwise is too long to be right even in their order of magnitude.
+    /// Checks coordinates that start at rest at zero and begin to move in this step. Their errors are not measured.
+    ///
+    /// Returns `Some(true)` if forces that depend on time alone drive them like a power of time throughout the step. Otherwise the step is too long
+    /// to give even their order of magnitude, and the result is `Some(false)`. Returns `None` if no coordinate moves for the first time, or if time
+    /// alone drives none.
     pub(super) fn growth_from_rest(&self, h: f64, x: &Carried<S, R>) -> Option<bool> {
         let [before, after] = [self.x, x].map(PerCoordinate::of);
         if !self.tolerance.is_first_motion(&after) {
@@ -100,7 +106,7 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
         grows(self.system, self.t, &before, h / self.part)
     }
 
-    /// A step, and its error by the method's own estimate, or by two halves.
+    /// Takes a step. The error comes from the method's own estimate, or else from step halving.
     fn estimated<M: Method<S, R>, P: Probe<S, R>>(
         &self,
         method: &M,
@@ -118,7 +124,7 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
                 self.check(R::from_f64(prepared.h), &x)?;
                 let [before, after] = [self.x, &x].map(PerCoordinate::of);
                 let [higher, lower] = [higher, lower].map(|gap| self.judge(&before, &after, &gap));
-                // Squares of errors overflow before their quotient does.
+                // The quotient is formed first: squares of the errors may overflow.
                 let ratio = if higher > 0.0 && higher < f64::INFINITY { lower / higher } else { 0.0 };
                 let error = higher / Real::sqrt(1.0 + 0.01 * ratio * ratio);
                 if error.is_nan() { Err(Reason::NonFinite) } else { Ok((x, error)) }
@@ -126,8 +132,10 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
         }
     }
 
-    /// Whether the point at which a step, or a half of it, ends is one, and its time a number: `h` after the start. A step in doubt is none that was found:
-    /// shorter ones need not be free of the doubt.
+    /// Checks the end of a step or of its first half, at time `h` after the start. The point and the time must be finite, and the point must lie in
+    /// the domain of the energy.
+    ///
+    /// A step marked `needs_recheck` counts as not converged. Shorter steps may be marked as well.
     pub(super) fn check(&self, h: R, x: &Carried<S, R>) -> Result<(), Reason> {
         let t = self.t + h + x.ahead.value();
         if x.needs_recheck {
@@ -142,13 +150,13 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
         }
     }
 
-    /// An error in units of what is tolerated.
+    /// Returns an error in units of the tolerance.
     fn judge(&self, before: &Coordinates<S, R>, after: &Coordinates<S, R>, gap: &Coordinates<S, R>) -> f64 {
         let step = Judged { part: self.part, before, after, gap };
         self.tolerance.error(&step, |x| self.system.rates(self.t, x))
     }
 
-    /// A step in two halves, and its error by what they differ from the whole.
+    /// Takes a step as two halves. The error is the difference between this result and one whole step.
     fn halved<M: Method<S, R>, P: Probe<S, R>>(
         &self,
         method: &M,
@@ -157,7 +165,7 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
         probe: &mut P,
     ) -> Result<(Carried<S, R>, f64), Reason> {
         let (system, t, half) = (self.system, self.t, R::from_f64(0.5 * prepared.h));
-        // A method may tell an order of its estimate, and give none.
+        // A method may report an order for its estimate and still return no estimate.
         let unforeseen;
         let prepared_half = match &prepared.half {
             Some(prepared_half) => prepared_half,
@@ -179,19 +187,19 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
         let [before, after] = [self.x, &x].map(PerCoordinate::of);
         let mut gap = after;
         gap.add_scaled(R::from_f64(-1.0), &PerCoordinate::of(&whole));
-        // Where a method scales its steps, the two are at different times.
+        // Methods that scale their steps may end the whole step and the two halves at different times. Compare both at the same time.
         let late = x.ahead.value() - whole.ahead.value();
         if late.magnitude() != 0.0 {
             gap.add_scaled(-late, &system.rates(t, &after));
         }
-        // The step as a whole may have led to what is not a number.
+        // The whole step may have ended at a point that is not finite.
         if !gap.is_finite() {
             return Err(Reason::NonFinite);
         }
         Ok((x, self.judge(&before, &after, &gap)))
     }
 
-    /// Why a step is refused: once more, watched.
+    /// Repeats a refused step with checks of every evaluation, and returns the reason for the refusal.
     #[cold]
     pub(super) fn reason<M: Method<S, R>>(&self, method: &M, h: f64) -> Reason {
         let mut watch = Watch::new(self.system, self.t, self.x);

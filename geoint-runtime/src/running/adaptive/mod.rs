@@ -1,7 +1,7 @@
-//! Steps as long as their error allows.
+//! Integration with an adaptive step size.
 //!
-//! What a method keeps for every h it keeps here as well: the energy under a discrete gradient, a projection, a relaxation.
-//! What rests on equal steps is lost: a symplectic method drifts like any other.
+//! A method that conserves a quantity for every step size h also conserves it here. Examples are the energy under a discrete gradient, a projection,
+//! or a relaxation. Properties that require equal steps are lost: under a symplectic method the energy drifts as under any other method.
 
 mod attempt;
 #[cfg(feature = "alloc")]
@@ -22,26 +22,34 @@ use crate::system::{Lagrangian, PhaseSpace, Rates, StateOf};
 use core::fmt::{self, Debug, Formatter};
 use steps::Steps;
 
-/// A system under a method whose steps adapt to a tolerance: a plain value, no borrow, no allocation.
+/// Integrates a system with a step size that adapts to a tolerance. The value borrows nothing and allocates nothing.
 ///
-/// [`DOP853`](crate::DOP853) estimates the error of a step from what it evaluates, and so do Runge–Kutta–Nyström tables
-/// ([`BlanesMoanSrkn14a`](crate::BlanesMoanSrkn14a) …) of canonical systems; [`Gauss`](crate::Gauss) with three and four stages of
-/// at most six unknowns looks at its polynomial between them. By every other method a step is done in two halves, which are kept, and once as a
-/// whole: their difference is the error. In every coordinate it may be as large as
-/// `tolerance` times the largest magnitude that this coordinate has had so far, and as an absolute error beside that
-/// ([`absolute`](Self::absolute)): lengths and angles, large and small motions are each followed with the same relative accuracy,
-/// in any units. A coordinate at rest at zero is measured by what it becomes. What the tolerated errors of other coordinates cause
-/// in a coordinate within the time in which the state changes is tolerated there as well, so that a wave that has not arrived, or a
-/// node that is rounding, does not hold up the others; this is measured where a run begins, and in steps that are longer than all before. The first
-/// step is no longer than the state takes to change, and one by which time alone drives a coordinate from rest, too short for that to be seen.
+/// # Error estimate
+/// - [`DOP853`](crate::DOP853) estimates the error from the stages of the step.
+/// - Runge–Kutta–Nyström tables ([`BlanesMoanSrkn14a`](crate::BlanesMoanSrkn14a) …) of canonical systems have estimates of their own, too.
+/// - [`Gauss`](crate::Gauss) with three or four stages and at most six unknowns checks its polynomial between the stages.
+/// - Every other method takes the step as two halves and as a whole. The error is the difference. The run continues from the two halves.
 ///
-/// The difference is the error of the whole step; for a method of order p the error of the halves is a 2ᵖ-th part of it, which is
-/// not counted on, because it holds for short steps only. Likewise an estimate is that of a formula of lower order than the step's, or, of Gauss's
-/// methods, 2ᵖ times the error that is found. A step that is too inaccurate, or that the method refuses, is repeated with a shorter one; after an
-/// error the last good state is still there.
+/// The difference is the error of the whole step. For a method of order p, the halves have an error that is smaller by 2ᵖ. This factor is not used,
+/// because it holds only for short steps. An estimate by stages is the error of a formula of lower order than the step. For Gauss methods, the
+/// estimate is 2ᵖ times the error found.
 ///
-/// Steps come in lengths 2^(k/4), so that most have the length of the one before: coefficients are then at hand, and implicit
-/// methods know how to guess. Sums of coordinates and of time are compensated.
+/// # Tolerance
+/// The tolerated error of a coordinate is `tolerance` times the largest magnitude that the coordinate has had so far. An [`absolute`](Self::absolute)
+/// error may be added. Lengths and angles, and large and small motions, then have the same relative accuracy in any units.
+///
+/// The size of a coordinate at rest at zero is the magnitude that it reaches. Such a coordinate also tolerates the error that the tolerated errors of
+/// other coordinates cause in it, within the time in which the state changes. Without this rule, a site that a wave has not reached yet would force
+/// tiny steps, and so would a node that contains only rounding. This error is measured at the start of a run, and in steps longer than all steps
+/// before.
+///
+/// # Steps
+/// The first step is at most the time in which the state changes. If time alone drives a coordinate from rest, the error of the step is not measured.
+/// Such a step is short enough to keep this error within the tolerance. A step that is too inaccurate, or that the method refuses, is repeated with a
+/// shorter length. After an error, the last good state is still available.
+///
+/// Step lengths are 2^(k/4), so most steps have the length of the step before. Coefficients are then reused, and implicit methods can extrapolate
+/// their first guess. Sums of coordinates and of time are compensated.
 ///
 /// ```
 /// use geoint_runtime::prelude::*;
@@ -64,14 +72,14 @@ use steps::Steps;
 pub struct Adaptive<S: PhaseSpace<R>, M: Method<S, R>, R: Real = f64> {
     steps: Steps<S, M, R>,
     pub(in crate::running) reported: Reported<R>,
-    /// Steps on the way to a time.
+    /// Maximum number of steps in one `advance_to`.
     most_steps: u64,
 }
 
 impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
-    /// A system under a method, with steps as long as the tolerance of a step's error allows, from `state` on.
+    /// Integrates a system from `state` on, with a step size that adapts to the tolerance.
     ///
-    /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
+    /// Nothing is checked yet: the first step reports an unusable tolerance or state.
     pub fn new(system: S, method: M, tolerance: f64, state: StateOf<S, R>) -> Self {
         let (t, z, s) = state.parts();
         let x = Point::with_action(z, s);
@@ -79,16 +87,16 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
         Adaptive { steps, reported: Reported::nothing(), most_steps: u64::MAX }
     }
 
-    /// Steps between two lengths only. Without bounds the shortest is what changes time at all.
+    /// Sets the shortest and the longest step. Without bounds, the shortest step is the least one that changes the time.
     ///
-    /// The last step on the way to a given time may be shorter.
+    /// The last step before a given time may be shorter.
     #[must_use = "the settings are those of the run that is returned"]
     pub fn steps_between(mut self, shortest: f64, longest: f64) -> Self {
         self.steps.bounds = Bounds { shortest: shortest.abs(), longest: longest.abs() };
         self
     }
 
-    /// Steps of at most this length. A run may step over a force that acts for a shorter time than a step, such as a pulse. Choose `h` below the duration of
+    /// Sets the longest step. A run may step over a force that acts for a shorter time than a step, such as a pulse. Choose `h` below the duration of
     /// the pulse.
     #[must_use = "the settings are those of the run that is returned"]
     pub fn longest_step(mut self, h: f64) -> Self {
@@ -96,15 +104,15 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
         self
     }
 
-    /// The first step; negative to go back in time. Without it one is guessed, forwards.
+    /// Sets the first step; a negative one goes back in time. Without this setting, the first step is estimated, and goes forwards.
     #[must_use = "the settings are those of the run that is returned"]
     pub fn first_step(mut self, h: f64) -> Self {
         self.steps.controller.set(h);
         self
     }
 
-    /// Errors that are tolerated beside those relative to coordinates: one for each coordinate, in its unit, written as a state is.
-    /// Without this they are zero.
+    /// Sets tolerated absolute errors, which are added to the relative ones. Each coordinate has an error in its own unit, written in the form of a
+    /// state. The default is zero.
     #[must_use = "the settings are those of the run that is returned"]
     pub fn absolute(mut self, errors: StateOf<S, R>) -> Self {
         let (_, z, s) = errors.parts();
@@ -112,34 +120,34 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
         self
     }
 
-    /// At most so many steps in one [`advance_to`](Self::advance_to). Without this there is no limit.
+    /// Limits the number of steps in one [`advance_to`](Self::advance_to). The default is no limit.
     #[must_use = "the settings are those of the run that is returned"]
     pub fn steps_at_most(mut self, steps: u64) -> Self {
         self.most_steps = steps;
         self
     }
 
-    /// One step, of whatever length the tolerance allows.
+    /// Takes one step. Its length follows from the tolerance.
     ///
     /// # Errors
-    /// See [`StepError`]; the state is then unchanged.
+    /// See [`StepError`]. The state is then unchanged.
     pub fn step(&mut self) -> Result<(), StepError> {
         self.steps.check_start()?;
         self.steps.take(f64::INFINITY)
     }
 
-    /// Steps to the time `t`, before or after now: the last one ends there.
+    /// Steps to the time `t`, before or after the present time. The last step ends there.
     ///
     /// # Errors
-    /// See [`StepError`]; the state is then the last good one.
+    /// See [`StepError`]. The state is then the last good one.
     pub fn advance_to(&mut self, t: R) -> Result<(), StepError> {
         adapt_to(self, t, self.most_steps)
     }
 
-    /// One step to the time `t`, before or after now, or towards it; `false` if that is now.
+    /// Takes one step to the time `t`, or towards it. The time may lie before or after the present time. Returns `false` if `t` is the present time.
     ///
     /// # Errors
-    /// See [`StepError`]; the state is then unchanged. A `t` that is not a number is a step size that is none.
+    /// See [`StepError`]. The state is then unchanged. A `t` that is not a number gives the error of an invalid step size.
     pub fn step_towards(&mut self, t: R) -> Result<bool, StepError> {
         self.steps.check_start()?;
         if self.time() == t {
@@ -158,7 +166,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
                 self.steps.clock = Clock::new(t, zero());
                 return Ok(true);
             }
-            // Methods that scale their steps end a little beside it: before it, and the next step leads there, or beyond, and this one leads back.
+            // Methods that scale their steps end near `t`, not at it. Before `t`, the next step leads there. Beyond `t`, a step back follows here.
             if (rest < 0.0) == backwards {
                 return Ok(true);
             }
@@ -169,20 +177,20 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
         }
     }
 
-    /// The state after every step to the time `t`, before or after now: the last one is there.
+    /// Returns an iterator over the states after every step to the time `t`, before or after the present time. The last state is at `t`.
     pub fn until(&mut self, t: R) -> Until<'_, Self> {
         Until::new(self, t)
     }
 
-    /// The state after every `k` steps, without end. `k` = 0 counts as 1.
+    /// Returns an endless iterator over the states after every `k` steps. `k` = 0 counts as 1.
     pub fn sampled(&mut self, k: u64) -> Samples<'_, Self> {
         Samples::new(self, k)
     }
 
-    /// `n` steps, of whatever lengths the tolerance allows.
+    /// Takes `n` steps. Their lengths follow from the tolerance.
     ///
     /// # Errors
-    /// See [`StepError`]; the state is then the last good one.
+    /// See [`StepError`]. The state is then the last good one.
     pub fn advance(&mut self, n: u64) -> Result<(), StepError> {
         (0..n).try_for_each(|_| self.step())
     }
@@ -192,39 +200,39 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
         self.steps.taken == self.steps.given
     }
 
-    /// What the next step says of the state before it does anything.
+    /// Checks the state in the way of the next step.
     pub(in crate::running) fn check_start(&self) -> Result<(), StepError> {
         self.steps.check_start()
     }
 
-    /// Goes on from this state, with a first step that is guessed.
+    /// Continues from this state, with an estimated first step.
     pub(in crate::running) fn restart(&mut self, state: StateOf<S, R>) {
         let (t, z, s) = state.parts();
         self.steps.restart(t, Point::with_action(z, s));
     }
 
-    /// Replaces the system by one with other parameters. Time, state, settings and the number of steps stay; the next step size is guessed anew.
+    /// Replaces the system by one with other parameters. Time, state, settings and the number of steps remain. The next step size is estimated anew.
     pub fn set_system(&mut self, system: S) {
         self.steps.set_system(system);
     }
 
-    /// Time now.
+    /// Returns the present time.
     pub fn time(&self) -> R {
         self.steps.time()
     }
 
-    /// The state now.
+    /// Returns the present state.
     pub fn state(&self) -> StateOf<S, R> {
         S::State::of(self.time(), self.steps.x.z, self.steps.x.s)
     }
 
-    /// The energy now.
+    /// Returns the present energy.
     pub fn energy(&self) -> R {
         let Steps { system, x, .. } = &self.steps;
         system.hamiltonian(self.time(), &x.z, &x.s)
     }
 
-    /// The velocities now, of a system that was written as a Lagrangian.
+    /// Returns the present velocities of a system that was written as a Lagrangian.
     pub fn velocity(&self) -> S::Coordinates
     where
         S: Lagrangian<R>,
@@ -233,27 +241,27 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
         S::Coordinates::from_array(system.velocity(self.time(), &x.z, &x.s))
     }
 
-    /// The length of the next step, if the tolerance allows it and no time to end at is nearer.
+    /// Returns the length of the next step. A rejection, or the end of the integration, may shorten it.
     pub fn step_size(&self) -> f64 {
         self.steps.size()
     }
 
-    /// The number of steps taken; two halves are one.
+    /// Returns the number of steps taken. Two halves count as one step.
     pub fn steps(&self) -> u64 {
         self.steps.taken
     }
 
-    /// The number of steps that were tried and not taken.
+    /// Returns the number of rejected steps.
     pub fn rejections(&self) -> u64 {
         self.steps.rejections
     }
 
-    /// The system with its parameters.
+    /// Returns the system with its parameters.
     pub fn system(&self) -> &S {
         &self.steps.system
     }
 
-    /// The method.
+    /// Returns the method.
     pub fn method(&self) -> &M {
         &self.steps.method
     }

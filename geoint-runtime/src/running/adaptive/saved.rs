@@ -1,4 +1,4 @@
-//! A run of steps that adapt that is saved, and goes on.
+//! Saves and resumes a run with adaptive step size.
 
 use super::Adaptive;
 use super::attempt::Prepared;
@@ -28,7 +28,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Bits> Recorded for Adaptiv
         steps.tolerance.record(tape);
         steps.controller.record(tape);
         tape.number(&mut steps.prepared.h);
-        steps.told.record(tape);
+        steps.informative_steps.record(tape);
         steps.memory.record(tape);
         self.reported.record(tape);
     }
@@ -36,7 +36,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Bits> Recorded for Adaptiv
     fn complete(&mut self) -> bool {
         let Steps { system, method, prepared, .. } = &mut self.steps;
         *prepared = Prepared::new(system, method, prepared.h);
-        // To which no step has led: the next one examines it, whatever the number of steps says.
+        // The state may come from elsewhere: if it is outside the domain, the next step must check it like a given state.
         let steps = &mut self.steps;
         if steps.system.outside_domain(steps.time(), &steps.x.z, &steps.x.s).is_some() {
             steps.given = steps.taken;

@@ -1,21 +1,23 @@
-//! In how long does a state change of which nothing but itself is known?
+//! Estimates the time in which a state changes, from the state and its rates alone.
 
 use crate::scalar::Real;
 use crate::space::PerCoordinate;
 use crate::system::{PhaseSpace, Rates};
 
-/// A number for every coordinate of a system.
+/// One number for each coordinate of a system.
 type Coordinates<S, R> = PerCoordinate<<S as PhaseSpace<R>>::Phase, <S as PhaseSpace<R>>::Action>;
 
-/// What drives a state from rest is looked at after this many halvings of a time.
+/// Number of halvings of the time at which the driving rates are compared.
 const HALVINGS: i32 = 16;
 
-/// By what factors a power of time may grow in twice the time.
+/// Bounds on the ratio of a rate at times 2τ and τ. Within them, the rate counts as a power of time.
 const STEEP: [f64; 2] = [1.5, 1024.0];
 
-/// In how long, roughly, the state changes by itself: the shortest of the size of a coordinate over its rate, for all that move. Where each is zero
-/// or at rest, as at a pericentre on an axis, it is the longest power of two in which rates do not change by more; infinite if none do. Nothing is
-/// in a unit of time of its own.
+/// Estimates the time in which the state changes by itself: the minimum of |size/rate| over all moving coordinates that have a size.
+///
+/// If no coordinate with a size moves (each is zero or at rest, as at a pericentre on an axis), returns the largest power of two in which the rates
+/// change little. Infinite if they never change. If the whole state is at rest, the rates driven by time alone decide, see `grows`. No constant of
+/// this estimate carries a unit of time.
 pub(super) fn time<S: PhaseSpace<R> + Rates<R>, R: Real>(
     system: &S,
     t: R,
@@ -39,7 +41,8 @@ pub(super) fn time<S: PhaseSpace<R> + Rates<R>, R: Real>(
     longest(|h| changes_little((system, t, x), &rates, R::from_f64(h)))
 }
 
-/// The longest power of two at which something holds that holds for short times, and not for long ones.
+/// Returns the largest power of two at which a condition holds, by bisection of exponents. Precondition: it holds below a limit and fails above.
+/// Infinite if there is no limit.
 fn longest(holds: impl Fn(f64) -> bool) -> f64 {
     let power = |exponent: i32| Real::exp2(f64::from(exponent));
     let (mut short, mut long) = (f64::MIN_EXP, f64::MAX_EXP - 1);
@@ -53,7 +56,7 @@ fn longest(holds: impl Fn(f64) -> bool) -> f64 {
     power(short)
 }
 
-/// Rates after a time, of a state that has moved at these.
+/// Returns the rates at t + h after an Euler step along the given rates.
 fn after<S: PhaseSpace<R> + Rates<R>, R: Real>(
     (system, t, x): (&S, R, &Coordinates<S, R>),
     h: R,
@@ -64,8 +67,11 @@ fn after<S: PhaseSpace<R> + Rates<R>, R: Real>(
     system.rates(t + h, &moved)
 }
 
-/// Whether rates change by no more than themselves in a time, or move a coordinate by no more than itself: along them, and along those that are
-/// then met, since what is pushed from rest does not know of its springs before it has moved.
+/// Returns whether the state changes little within the time `h`. A non-zero coordinate may move by at most its size. The rate of a coordinate at zero
+/// may change by at most itself.
+///
+/// Two Euler predictions are tested: along the rates at the start, and along the rates found there. The second one is needed because a body pushed
+/// from rest feels its spring only after it has moved.
 fn changes_little<S: PhaseSpace<R> + Rates<R>, R: Real>(
     start: (&S, R, &Coordinates<S, R>),
     rates: &Coordinates<S, R>,
@@ -82,8 +88,10 @@ fn changes_little<S: PhaseSpace<R> + Rates<R>, R: Real>(
     little(&later) && little(&after(start, h, &later))
 }
 
-/// Whether what time alone drives from rest at zero grows like a power of time for so long, and faster than the motion that follows changes it: by
-/// an error that nothing measures a step that is a part of that is off by no more than is tolerated. None if time alone drives nothing.
+/// Examines coordinates at rest at zero that time alone drives. Returns `Some(true)` if, up to `time`, their rates grow like a power of time, and
+/// faster than the resulting motion changes them. Returns `None` if time alone drives no such coordinate.
+///
+/// A step that is the expected part of such a time has an error within the tolerance, although no estimate measures it.
 pub(super) fn grows<S: PhaseSpace<R> + Rates<R>, R: Real>(
     system: &S,
     t: R,
@@ -107,7 +115,7 @@ pub(super) fn grows<S: PhaseSpace<R> + Rates<R>, R: Real>(
             if before == 0.0 && later == 0.0 {
                 continue;
             }
-            // A sine is half as steep after an eighth of its period; what begins on the way is no power.
+            // A rate sin ωτ leaves these bounds at about a quarter of its period. A force that starts within the interval is rejected as well.
             if !(later >= STEEP[0] * before && later <= STEEP[1] * before) {
                 return Some(false);
             }

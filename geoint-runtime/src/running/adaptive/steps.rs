@@ -1,11 +1,11 @@
-//! How long the next step is, whether it is taken, and what follows from that.
+//! Chooses the length of the next step, takes it, and updates the step size control.
 
 use super::attempt::{Attempt, Carried, Prepared};
 use super::start;
-use super::way::Told;
+use super::way::InformativeSteps;
 use crate::method::{Clock, Method, Unwatched};
 use crate::running::error::{Reason, StepError};
-use crate::running::settle::{STEPS_BETWEEN_LOOKS, settled, settles};
+use crate::running::settle::{STEPS_BETWEEN_CHECKS, has_drift, without_drift};
 use crate::running::step_size::{Bounds, Controller};
 use crate::running::tolerance::{REACH, Tolerance};
 use crate::running::watch::Watch;
@@ -13,7 +13,7 @@ use crate::scalar::{Real, signed, zero};
 use crate::space::{DoubleWord, PerCoordinate, Snapshot, wrong_length};
 use crate::system::{Clear, PhaseSpace, Rates};
 
-/// A system under a method, and all that decides on the next step.
+/// A system under a method, with all data that determine the next step.
 #[derive(Clone)]
 pub(super) struct Steps<S: PhaseSpace<R>, M: Method<S, R>, R: Real> {
     pub(super) system: S,
@@ -21,25 +21,25 @@ pub(super) struct Steps<S: PhaseSpace<R>, M: Method<S, R>, R: Real> {
     pub(super) tolerance: Tolerance<S::Phase, S::Action>,
     pub(super) bounds: Bounds,
     pub(super) controller: Controller,
-    /// What part of the time in which the state changes a step takes.
+    /// Expected step length divided by the time in which the state changes.
     part: f64,
     pub(super) prepared: Prepared<M::Prepared>,
-    /// Of steps as a whole, and of their halves.
+    /// History of the method: for whole steps, and for their halves.
     pub(super) memory: [M::Memory; 2],
     pub(super) clock: Clock<R>,
-    /// The state at the start of the run, whose invariants the steps keep.
+    /// State at the start of the run. The steps conserve its invariants.
     pub(super) origin: S::Phase,
     pub(super) x: Carried<S, R>,
     pub(super) taken: u64,
-    /// How many there were when the user gave a state.
+    /// Value of `taken` when the user gave the state.
     pub(super) given: u64,
     pub(super) rejections: u64,
-    /// What is known of poles in time.
+    /// Interval of time without poles, found so far.
     clear: Clear<R>,
-    /// In how long the state changes where the run begins.
+    /// Time in which the state changes at the start of the run.
     time_of_start: f64,
-    /// What errors have told of the field.
-    pub(super) told: Told,
+    /// Recent steps whose errors are informative.
+    pub(super) informative_steps: InformativeSteps,
 }
 
 impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
@@ -63,13 +63,13 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
             rejections: 0,
             clear: Clear::unknown(),
             time_of_start: 0.0,
-            told: Told::default(),
+            informative_steps: InformativeSteps::default(),
         };
         steps.start();
         steps
     }
 
-    /// The first step by the time in which the present changes.
+    /// Sets the first step length from the time in which the state changes.
     fn start(&mut self) {
         let (system, t, x) = (&self.system, self.time(), PerCoordinate::of(&self.x));
         self.tolerance.start(&x);
@@ -78,16 +78,16 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
         self.time_of_start = time;
     }
 
-    /// Goes on from another point.
+    /// Continues from another point.
     pub(super) fn restart(&mut self, t: R, x: Carried<S, R>) {
         (self.clock, self.x, self.memory) = (Clock::new(t, zero()), x, [M::memory(), M::memory()]);
-        (self.given, self.origin, self.told) = (self.taken, self.x.z, Told::default());
+        (self.given, self.origin, self.informative_steps) = (self.taken, self.x.z, InformativeSteps::default());
         let backwards = self.size() < 0.0;
         self.start();
         self.controller.turn(backwards);
     }
 
-    /// Goes on from here with another system.
+    /// Continues from the present point with another system.
     pub(super) fn set_system(&mut self, system: S) {
         (self.system, self.prepared, self.clear) =
             (system, Prepared::new(&system, &self.method, 1.0), Clear::unknown());
@@ -100,19 +100,19 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
         self.clock.now(zero())
     }
 
-    /// The length of the next step, if the tolerance allows it.
+    /// Returns the length of the next step, as the controller and the bounds set it.
     pub(super) fn size(&self) -> f64 {
         self.controller.step(&self.bounds.at(signed(self.time()), R::epsilon(), self.controller.pace))
     }
 
-    /// A step from here.
+    /// Returns a trial step from the present point.
     fn attempt(&self) -> Attempt<'_, S, R> {
         let Self { system, clock, x, tolerance, part, time_of_start, .. } = self;
         let keeps = self.method.claims().conserves_energy;
         Attempt { system, t: self.time(), clock, x, tolerance, part: *part, time_of_start: *time_of_start, keeps }
     }
 
-    /// A step that is not longer than `left`.
+    /// Takes a step that is not longer than `left`.
     pub(super) fn take(&mut self, left: f64) -> Result<(), StepError> {
         let t = signed(self.time());
         let bounds = self.bounds.at(t, R::epsilon(), self.controller.pace);
@@ -133,12 +133,12 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
                 shorter = Prepared::new(&self.system, &self.method, h);
                 &shorter
             };
-            // A step of another length hands nothing on.
+            // A step of another length neither uses nor changes the history.
             let before = || if h == regular { self.memory.clone() } else { [M::memory(), M::memory()] };
             let mut memory = before();
             let attempt = self.attempt();
             let mut outcome = attempt.take(&self.method, prepared, &mut memory, &mut Unwatched);
-            // Only a watched step searches for a solution that is hard to find, and settles a doubt.
+            // Only a step with checks uses the slower search for a solution and resolves `needs_recheck`.
             if matches!(outcome, Err(Reason::NotConverged)) {
                 memory = before();
                 let mut watch = Watch::new(&self.system, attempt.t, &self.x);
@@ -147,18 +147,20 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
             if let Ok((x, error)) = &mut outcome
                 && *error <= 1.0
             {
-                // Where a force begins no step is a part of the time in which it grows: one that is short beside the digits of time goes over that.
-                let begins = bounds.shortest.max(Real::sqrt(R::epsilon()) * t.abs());
+                // At the onset of a force, no step is short against the time in which the force grows. A step near the resolution of time must pass
+                // over the onset.
+                let onset = bounds.shortest.max(Real::sqrt(R::epsilon()) * t.abs());
                 let growth = attempt.growth_from_rest(h, x);
-                let leaps = growth == Some(false) && h.abs() > begins;
-                let tells = Told::tells::<R>(*error, self.tolerance.relative);
-                // What grows like a power of time has been looked at.
-                let looks = growth != Some(true) && h.abs() > bounds.shortest && !self.told.covers(h, tells);
+                let too_long_from_rest = growth == Some(false) && h.abs() > onset;
+                let informative = InformativeSteps::is_informative::<R>(*error, self.tolerance.relative);
+                // Growth like a power of time has already been checked.
+                let needs_check =
+                    growth != Some(true) && h.abs() > bounds.shortest && !self.informative_steps.covers(h, informative);
                 let least = match self.taken == self.given {
-                    true => Told::least_points_at_first(h / regular),
-                    false => Told::least_points(tells, h / regular),
+                    true => InformativeSteps::least_points_at_first(h / regular),
+                    false => InformativeSteps::least_points(informative, h / regular),
                 };
-                if leaps || looks && attempt.misses_force(h, least, x) {
+                if too_long_from_rest || needs_check && attempt.misses_force(h, least, x) {
                     *error = f64::INFINITY;
                 }
             }
@@ -190,7 +192,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
                 self.memory = memory;
                 self.controller.accept(h, error);
             }
-            self.told.include(h, Told::tells::<R>(error, self.tolerance.relative));
+            self.informative_steps.include(h, InformativeSteps::is_informative::<R>(error, self.tolerance.relative));
             self.clock.pass_step(R::from_f64(h), x.ahead);
             let (part, ends) = (self.part, [&self.x, &x].map(PerCoordinate::of));
             let (system, t) = (&self.system, self.clock.now(zero()));
@@ -198,17 +200,18 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
             self.x = x;
             self.x.ahead = DoubleWord::new(zero());
             self.taken += 1;
-            if const { settles::<S, M, R>() } && self.taken.is_multiple_of(STEPS_BETWEEN_LOOKS) {
-                self.settle();
+            if const { has_drift::<S, M, R>() } && self.taken.is_multiple_of(STEPS_BETWEEN_CHECKS) {
+                self.remove_drift();
             }
             return Ok(());
         }
     }
 
-    /// Tolerates, from the start on, what tolerated errors of coordinates cause in others until the state changes or a step of length `most` ends.
+    /// At the start: accounts for the errors that tolerated errors cause in other coordinates, until the state changes or a step of length `most`
+    /// ends.
     #[cold]
     fn tolerate_causes(&mut self, most: f64) {
-        // Of a state at rest no time is known in which it changes.
+        // No time of change is known for a state at rest.
         if !self.time_of_start.is_finite() {
             return;
         }
@@ -217,9 +220,9 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
         self.tolerance.changes_in(time, &x, |x| system.rates(t, x));
     }
 
-    /// Returns why the shortest step was refused. At the edge of a domain the shortest step may find no solution where longer ones find the edge.
+    /// Returns why the shortest step was refused. At the edge of a domain, the shortest step may find no solution where a longer step finds the edge.
     ///
-    /// A step that is good without the memory of the steps before was refused because of that memory, by `refusal`.
+    /// If the step succeeds without the history of earlier steps, the history caused the refusal. The reason is then `refusal`.
     #[cold]
     fn reason_of_shortest(&self, h: f64, refusal: Option<Reason>) -> Reason {
         match self.attempt().reason(&self.method, h) {
@@ -229,11 +232,11 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
         }
     }
 
-    /// Takes away what rounding has changed over many steps, if that leads to a point of the domain.
+    /// Removes the drift by rounding over many steps, if the corrected point is in the domain.
     #[cold]
     #[inline(never)]
-    fn settle(&mut self) {
-        let x = settled::<S, M, R, _>((&self.system, &self.prepared.whole), &self.origin, &self.x);
+    fn remove_drift(&mut self) {
+        let x = without_drift::<S, M, R, _>((&self.system, &self.prepared.whole), &self.origin, &self.x);
         if self.attempt().check(zero(), &x).is_ok() {
             self.x = x;
         }
@@ -254,7 +257,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
         if !(t.is_finite() && self.x.is_finite()) {
             return Err(StepError::not_finite::<S, R>(self.time(), &self.x.z));
         }
-        // Later states are good because the steps that led to them were.
+        // Later states need no check: each comes from a step that succeeded.
         if self.taken != self.given {
             return Ok(());
         }

@@ -1,81 +1,84 @@
-//! What lies on the way of a step of which the estimated error says nothing?
+//! Checks the field between the ends of a step whose estimated error is uninformative.
 
 use super::attempt::{Attempt, Carried};
 use crate::scalar::Real;
 use crate::space::{PerCoordinate, Point, Record, Tape};
 use crate::system::{PhaseSpace, Rates};
 
-/// An error below this part of the tolerance says nothing of the way: the field may be constant to rounding. Steps that follow from the tolerance have
-/// larger errors. Near rounding all errors are larger: there an error tells above so many ε, or above the last part.
-const TELLS: f64 = 1e-5;
+/// A larger error, in units of the tolerance, is informative: the step length then follows the scales of the field. With a smaller error, the field
+/// may be constant up to rounding. Near the rounding limit the threshold is `FEW_ROUNDINGS` ε/tolerance, but at most `INFORMATIVE_NEAR_ROUNDING`.
+const INFORMATIVE_ERROR: f64 = 1e-5;
 const FEW_ROUNDINGS: f64 = 4.0;
-const TELLS_NEAR_ROUNDING: f64 = 0.05;
+const INFORMATIVE_NEAR_ROUNDING: f64 = 0.05;
 
-/// After so many steps in a row whose errors tell, the run follows the scales of the field. A single step may have touched a barrier far away.
-const ENOUGH: u64 = 2;
+/// After this many informative steps in a row, the step length follows the scales of the field. A single step may have touched a distant barrier by
+/// chance.
+const ENOUGH_STEPS: u64 = 2;
 
-/// A step that is longer by this factor than these steps is as unknown as the first one.
+/// A step longer than these steps by more than this factor needs a new check.
 const GROWTH: f64 = 4.0;
 
-/// Numbers of points: in a step that is not cut short, if its error tells or not; per time in which the state changes; and at most. A barrier is seen if
-/// it is wider than the distance of the points.
-const POINTS_IF_TOLD: f64 = 8.0;
+/// Numbers of points. `POINTS_IF_INFORMATIVE`: in an uncut step with informative error. `POINTS`: in another uncut step, and in the time in which the state
+/// changes. `MOST_POINTS`: upper limit. The check detects barriers that are wider than the distance between points.
+const POINTS_IF_INFORMATIVE: f64 = 8.0;
 const POINTS: f64 = 32.0;
 const MOST_POINTS: f64 = 1024.0;
 
-/// A rate on the way that differs by more than this part of what the ends of the step tell is another force.
-const OTHER: f64 = 0.5;
+/// A rate that differs from the interpolated one by more than this part of the change over the step belongs to another force.
+const RATE_DEVIATION: f64 = 0.5;
 
-/// The steps in a row whose errors told how far the field stays what it is.
+/// Consecutive steps with informative errors: their number and the longest length.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Told {
+pub(super) struct InformativeSteps {
     steps: u64,
     longest: f64,
 }
 
-impl<R> Record<R> for Told {
+impl<R> Record<R> for InformativeSteps {
     fn record(&mut self, tape: &mut impl Tape<R>) {
         tape.steps(&mut self.steps);
         tape.number(&mut self.longest);
     }
 }
 
-impl Told {
-    /// Returns whether an error, in units of what is tolerated, tells of the field.
-    pub(super) fn tells<R: Real>(error: f64, tolerance: f64) -> bool {
-        error > TELLS.max((FEW_ROUNDINGS * R::epsilon() / tolerance).min(TELLS_NEAR_ROUNDING))
+impl InformativeSteps {
+    /// Returns whether an error, in units of the tolerance, is informative.
+    pub(super) fn is_informative<R: Real>(error: f64, tolerance: f64) -> bool {
+        error > INFORMATIVE_ERROR.max((FEW_ROUNDINGS * R::epsilon() / tolerance).min(INFORMATIVE_NEAR_ROUNDING))
     }
 
-    /// Returns whether the field is known as far as a step of length `h` reaches, if its error tells or not.
+    /// Returns whether the field needs no check within a step of length `h`. `informative`: whether the error of the step is informative.
     #[inline(always)]
-    pub(super) fn covers(&self, h: f64, tells: bool) -> bool {
-        self.steps >= ENOUGH && h.abs() <= if tells { GROWTH * self.longest } else { self.longest }
+    pub(super) fn covers(&self, h: f64, informative: bool) -> bool {
+        self.steps >= ENOUGH_STEPS && h.abs() <= if informative { GROWTH * self.longest } else { self.longest }
     }
 
-    /// Returns the least number of points in a step that is the part `whole` of a regular one.
-    pub(super) fn least_points(tells: bool, whole: f64) -> f64 {
-        whole * if tells { POINTS_IF_TOLD } else { POINTS }
+    /// Returns the minimum number of points in a step that is the part `whole` of a regular step.
+    pub(super) fn least_points(informative: bool, whole: f64) -> f64 {
+        whole * if informative { POINTS_IF_INFORMATIVE } else { POINTS }
     }
 
-    /// Returns the least number of points in the first step. The length of a regular one is then a guess, which says nothing if the step is cut short.
+    /// Returns the minimum number of points in the first step. Its regular length is a guess, so the check uses all points if the step is cut short.
     pub(super) fn least_points_at_first(whole: f64) -> f64 {
         if whole < 1.0 { MOST_POINTS } else { POINTS }
     }
 
-    /// Includes a step of length `h`.
+    /// Includes an accepted step of length `h`. `informative`: whether its error is informative.
     #[inline(always)]
-    pub(super) fn include(&mut self, h: f64, tells: bool) {
-        if tells {
-            *self = Told { steps: self.steps.saturating_add(1), longest: self.longest.max(h.abs()) };
+    pub(super) fn include(&mut self, h: f64, informative: bool) {
+        if informative {
+            *self = InformativeSteps { steps: self.steps.saturating_add(1), longest: self.longest.max(h.abs()) };
         } else if h.abs() > self.longest {
-            *self = Told::default();
+            *self = InformativeSteps::default();
         }
     }
 }
 
 impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
-    /// Returns whether a step of length `h` to `x` has not seen the field between its ends: it went by a force, or met one at a single point and took it for
-    /// that of the whole way. The field is compared at `least` points or more, along the cubic that has the states and the rates of both ends.
+    /// Returns whether a step of length `h` to `x` missed a force between its ends. The step may have passed a barrier, or may have met a force at
+    /// one point and applied it to the whole step.
+    ///
+    /// The rates are compared with the cubic Hermite interpolant of the states and rates at both ends, at `least` points or more.
     #[cold]
     #[inline(never)]
     pub(super) fn misses_force(&self, h: f64, least: f64, x: &Carried<S, R>) -> bool {
@@ -86,13 +89,13 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
         let mut change = after;
         change.add_scaled(R::from_f64(-1.0), &before);
         let times = [self.pace(&rates[0]), self.time_of_start];
-        // Of a state at rest nothing is known: as many points as there may be.
+        // For a state at rest no time is known: use the maximum number of points.
         let time = times.into_iter().find(|time| time.is_finite()).unwrap_or(0.0);
         let points = libm::ceil((POINTS * h.abs() / time).clamp(least, MOST_POINTS));
         (1..points as u32).any(|point| {
             let part = f64::from(point) / points;
             let rest = 1.0 - part;
-            // The cubic, and its derivative by `part`.
+            // Hermite cubic, and its derivative with respect to `part`.
             let (mut state, mut slope) = (before, PerCoordinate::zero());
             state.add_scaled(R::from_f64(part * part * (3.0 - 2.0 * part)), &change);
             state.add_scaled(R::from_f64(part * rest * rest) * length, &rates[0]);
@@ -105,15 +108,15 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
                 let by_ends = rates.each_ref().map(|rates| (length * rates.at(i)).magnitude());
                 let known = by_ends.into_iter().fold(change.at(i).magnitude(), f64::max);
                 let gap = (length * seen.at(i) - slope.at(i)).magnitude();
-                // Where there are no rates is a matter of domains.
+                // Points without finite rates are left to the check of the domain.
                 gap < f64::INFINITY
-                    && gap > OTHER * known
+                    && gap > RATE_DEVIATION * known
                     && gap > self.tolerance.of(i, after.at(i).magnitude(), self.part)
             })
         })
     }
 
-    /// Returns the time in which the coordinate that changes fastest does so by itself; infinite if no coordinate moves that has a size.
+    /// Returns the shortest time in which a coordinate changes by its own size. Infinite if no coordinate with a size moves.
     fn pace(&self, rates: &PerCoordinate<S::Phase, S::Action>) -> f64 {
         let by_itself = |(size, rate): (R, R)| match size.magnitude() {
             0.0 => f64::INFINITY,

@@ -1,21 +1,21 @@
-//! What a crossing is, and how any run is searched for them.
+//! Crossings, and the search loop for any run.
 
 use crate::running::StepError;
 use crate::scalar::{Real, signed};
 
-/// Which changes of sign count.
+/// Direction of the changes of sign that count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Direction {
-    /// From negative to positive, as time goes on in the run.
+    /// From negative to positive, in the direction of the run.
     Up,
-    /// From positive to negative.
+    /// From positive to negative, in the direction of the run.
     Down,
-    /// Both.
+    /// Both directions.
     Any,
 }
 
 impl Direction {
-    /// Whether a change to this sign counts.
+    /// Returns whether a change to this sign counts.
     pub(super) fn counts(self, to: f64) -> bool {
         match self {
             Direction::Up => to > 0.0,
@@ -25,25 +25,25 @@ impl Direction {
     }
 }
 
-/// A change of sign.
+/// A change of sign of a function along a run.
 #[doc(alias = "event")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing<X> {
-    /// Where and when: the function is zero there, to rounding, where steps have a part of the length also to that of time.
+    /// State at the crossing. The function is zero there up to rounding. In runs that take partial steps, it is zero up to the rounding of time, too.
     pub state: X,
-    /// Which of several functions it is.
+    /// Index of the function.
     pub which: usize,
     /// Whether the function rises.
     pub rises: bool,
 }
 
-/// So many points in a row at which a function is zero are no accident.
-pub(super) const ZEROS: u32 = 1024;
+/// After this many steps in a row with a zero function, the function counts as identically zero.
+pub(super) const MOST_ZERO_STEPS: u32 = 1024;
 
-/// A zero so near to the end of a step is one at the end.
-pub(super) const NEAR: f64 = 1.0 - 1.0 / (1_u64 << 40) as f64;
+/// A zero beyond this part of a step counts as a zero at its end.
+pub(super) const NEAR_END: f64 = 1.0 - 1.0 / (1_u64 << 40) as f64;
 
-/// That a search can end at a time.
+/// Checks that a search can end at a time: it must be a number.
 pub(super) fn check_end<R: Real>(end: Option<R>, now: R) -> Result<(), StepError> {
     match end {
         Some(t) if t.magnitude().is_nan() => Err(StepError::InvalidStepSize { h: signed(t - now) }),
@@ -51,7 +51,7 @@ pub(super) fn check_end<R: Real>(end: Option<R>, now: R) -> Result<(), StepError
     }
 }
 
-/// The first zero that a step has, in as many steps as that takes; `None` where no step is left.
+/// Returns the first zero found. Takes steps until one contains a zero. Returns `None` if no step is left.
 pub(super) fn next<S, X>(
     search: &mut S,
     mut earliest: impl FnMut(&mut S) -> Option<Result<X, StepError>>,

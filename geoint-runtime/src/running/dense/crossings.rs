@@ -1,6 +1,6 @@
-//! Where a function of the state changes sign between the ends of steps.
+//! Finds changes of sign of a function of the state between the ends of steps.
 
-use super::crossing::{Crossing, Direction, NEAR, ZEROS, check_end, next};
+use super::crossing::{Crossing, Direction, MOST_ZERO_STEPS, NEAR_END, check_end, next};
 use super::roots::{differ, excursion, illinois};
 use super::{Dense, has_reached, step};
 use crate::running::StepError;
@@ -8,14 +8,14 @@ use crate::running::trajectory::Scalar;
 use crate::scalar::{Real, signed};
 use crate::space::{Action, Array, Snapshot};
 
-/// Parts of a step after which a function that starts with zero has its sign: the first at which it is above rounding. In single precision and after a
-/// long time, time itself is rounded by a large part of a step.
-const LITTLE: [f64; 4] = [1.0 / (1 << 20) as f64, 1.0 / (1 << 10) as f64, 1.0 / 64.0, 1.0 / 8.0];
+/// Parts of a step at which the sign of a function that starts at zero is tested. The first one with a value above rounding decides. Large parts are
+/// needed in single precision and after a long time, when time itself is rounded by a large part of a step.
+const SHORT_PARTS: [f64; 4] = [1.0 / (1 << 20) as f64, 1.0 / (1 << 10) as f64, 1.0 / 64.0, 1.0 / 8.0];
 
-/// An event is found to this many roundings of its time.
+/// Accuracy of the time of an event, in rounding errors of time.
 const TIME_ROUNDINGS: f64 = 8.0;
 
-/// The crossings of a run, in order; ends after the first error, or at a time.
+/// Iterator over the crossings of a run, in order of time. Ends after the first error, or at a time.
 #[doc(alias("Poincaré section", "Poincare section", "surface of section", "event detection", "zero crossing"))]
 #[derive(Debug)]
 pub struct Crossings<'a, T: Dense, F, G> {
@@ -27,26 +27,25 @@ pub struct Crossings<'a, T: Dense, F, G> {
     backwards: bool,
     /// Values at the start and at the end of the last step.
     values: Option<[G; 2]>,
-    /// Signs before the last step; 0 where there was none yet.
+    /// Signs before the last step; 0 if a function had none yet.
     sides: G,
-    /// Values one step before that, and when that was, in parts of the last step.
+    /// Time and values one step earlier. The time is in parts of the last step.
     earlier: Option<(f64, G)>,
     zeros: u32,
-    /// When the functions are zero in the last step, once or twice, as a part of it; not a number where they are not, or have been given
-    /// out.
+    /// Zeros of the functions in the last step, at most two for each, as parts of the step. NaN if there is no zero, or if it was returned already.
     roots: [G; 2],
-    /// Signs behind those.
+    /// Signs after these zeros.
     rises: [G; 2],
-    /// Functions that had a zero next to the end of the last step.
+    /// Functions that had a zero next to the end of the last step: 1, otherwise 0.
     near: G,
-    /// Where no step is left: the functions that have been asked for a zero at the end.
+    /// Number of functions already checked for a zero at the end, once no step is left.
     asked: usize,
-    /// Whether a shorter step leads to the end if whole steps do not.
+    /// Whether to take a shorter last step to the end.
     all_the_way: bool,
     done: bool,
 }
 
-/// Of each function none.
+/// Returns NaN for each function: no zeros.
 fn none<G: Array>() -> G {
     let mut none = G::zero();
     none.as_mut_slice().fill(G::Real::from_f64(f64::NAN));
@@ -76,7 +75,8 @@ impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Crossings<
         }
     }
 
-    /// The same up to a time, before or after now; zeros at that time, to rounding, count. Runs with fixed steps end up to a step before it.
+    /// Limits the search to a time, before or after the present time. Zeros at this time, up to rounding, count. Runs with fixed steps end up to a
+    /// step before it.
     #[must_use = "the end is that of the iterator that is returned"]
     pub fn until(mut self, t: Scalar<T>) -> Self {
         self.backwards = (t - self.run.time()).any_below(0.0);
@@ -84,7 +84,7 @@ impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Crossings<
         self
     }
 
-    /// Returns the first crossing up to the end. If there is none, the run is at the end, to which a shorter step may lead.
+    /// Returns the first crossing up to the end. If there is none, the run is at the end. The last step may be shorter.
     pub(super) fn first(mut self) -> Result<Option<Crossing<T::State>>, StepError> {
         self.all_the_way = true;
         self.next().transpose()
@@ -99,7 +99,7 @@ impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Crossings<
         Ok(true)
     }
 
-    /// The values at the present, or the error that one of them is no number.
+    /// Returns the values at the present state. Fails if a value is not finite.
     fn values(&self) -> Result<G, StepError> {
         let values = (self.g)(&self.run.state());
         let t = signed(self.run.time());
@@ -110,7 +110,7 @@ impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Crossings<
         }
     }
 
-    /// The next step, and which functions are zero in it; `false` if there is none.
+    /// Takes the next step and finds the zeros in it. Returns `false` if nothing is left.
     fn step(&mut self) -> Result<bool, StepError> {
         check_end(self.end, self.run.time())?;
         let (first, before) = match self.values {
@@ -141,20 +141,20 @@ impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Crossings<
             self.search(i, ends)?;
         }
         self.zeros = if all_zero { self.zeros + 1 } else { 0 };
-        if self.zeros >= ZEROS {
+        if self.zeros >= MOST_ZERO_STEPS {
             return Err(StepError::NoEvent { t: signed(self.run.time()) });
         }
         Ok(true)
     }
 
-    /// The zeros of a function in the last step, at whose ends it has these values.
+    /// Finds the zeros of function `i` in the last step. `ends`: its values at the ends of the step.
     fn search(&mut self, i: usize, mut ends: [f64; 2]) -> Result<(), StepError> {
         let side = signed(self.sides.as_slice()[i]);
         if side != 0.0 && ends == [0.0; 2] {
-            // It has a sign in between.
+            // Zero at both ends: the sign midway is used instead.
             ends[1] = self.value(i, 0.5)?;
         }
-        // Where it has a side, and its value there.
+        // First point at which the function has a sign, and a value with this sign.
         let (from, value) = match ends[0] {
             _ if side == 0.0 => self.leaving(i, ends)?,
             0.0 => (0.0, side),
@@ -174,7 +174,7 @@ impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Crossings<
             let mut g = |part: f64| self.value(i, part);
             let earlier = match &self.earlier {
                 Some((part, values)) if values.as_slice()[i].magnitude() > 0.0 => (*part, signed(values.as_slice()[i])),
-                _ => (LITTLE[1], g(LITTLE[1])?),
+                _ => (SHORT_PARTS[1], g(SHORT_PARTS[1])?),
             };
             if let Some(there) = excursion(earlier, [value, ends[1]], &mut g)? {
                 let roots = [[(from, value), there], [there, (1.0, ends[1])]];
@@ -184,10 +184,10 @@ impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Crossings<
             }
         }
         if crosses_at_start {
-            // There is room for one more zero. Of two, a search from the event finds them again.
+            // `found` has room for one more zero. If there are two, a search from the event finds them again.
             found = [0.0, if found[1].is_nan() { found[0] } else { f64::NAN }];
         }
-        let near = found.iter().any(|root| *root > NEAR);
+        let near = found.iter().any(|root| *root > NEAR_END);
         let behind = if found[1].is_nan() { [ends[1].signum(), 0.0] } else { [-ends[1].signum(), ends[1].signum()] };
         for (k, sign) in behind.into_iter().enumerate() {
             let root = if self.direction.counts(sign) { found[k] } else { f64::NAN };
@@ -200,19 +200,19 @@ impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Crossings<
         Ok(())
     }
 
-    /// Returns whether a function, which is zero where the search begins and then has the sign of `later`, has an event there: at the time of an event
-    /// of other functions.
+    /// Returns whether a function that is zero at the start of the search has an event there. `later` has its sign after the start. There must be an
+    /// event of other functions at this time.
     fn crosses_at_start(&mut self, i: usize, later: f64) -> bool {
         let (t, counts) = (self.before.time(), self.direction.counts(later));
         later != 0.0 && self.run.reported().is_at(t) && self.run.reported().takes(i, counts)
     }
 
     /// Returns the first part of the step at which a function has a sign, and its value there. The part is 0 unless the function starts at zero, as
-    /// after an event. The value is zero if the function does not leave zero, to rounding.
+    /// after an event. The value is zero if the function does not leave zero, up to rounding.
     fn leaving(&self, i: usize, [start, end]: [f64; 2]) -> Result<(f64, f64), StepError> {
         let state = self.before.state();
         let noise = self.noise(&state, i);
-        // An event that has just been found leaves a value that rounding of time explains. After a step, a value is the function's own.
+        // At the event just found, rounding of time explains the value. After a step, the value belongs to the function.
         let change = (end - start).abs();
         let own = (4.0 * noise).max(if self.before.is_fresh() {
             change
@@ -222,12 +222,12 @@ impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Crossings<
         if start.abs() > own {
             return Ok((0.0, start));
         }
-        // Times are rounded, too.
+        // Rounding of the times contributes as well.
         let step = (self.run.time() - self.before.time()).magnitude();
         let part = TIME_ROUNDINGS * Scalar::<T>::epsilon() * (1.0 + self.run.time().magnitude() / step);
         let rounding =
             |(at, value): (f64, f64)| 4.0 * noise + part * (end - start).abs().max((value - start).abs() / at);
-        for at in LITTLE {
+        for at in SHORT_PARTS {
             let later = (at, self.value(i, at)?);
             if start.abs() > rounding(later) {
                 return Ok((0.0, start));
@@ -239,7 +239,7 @@ impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Crossings<
         Ok((1.0, if end.abs() > rounding((1.0, end)) { end } else { 0.0 }))
     }
 
-    /// By how much a function changes if every coordinate, and time, is rounded.
+    /// Returns the sum of the changes of a function when each coordinate, and time, is changed by one rounding error.
     fn noise(&self, state: &T::State, i: usize) -> f64 {
         let value = |state: &T::State| signed((self.g)(state).as_slice()[i]);
         let (t, z, s) = state.parts();
@@ -259,8 +259,10 @@ impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Crossings<
         if noise >= 0.0 { noise } else { 0.0 }
     }
 
-    /// No step is left; whether a function is zero, to rounding, at the end of the last one, and had no zero just before: it is asked for
-    /// next. An error where the end is none that this run comes to.
+    /// Called when no step is left. Finds a function that is zero up to rounding at the end of the last step, and had no zero just before. Its
+    /// crossing is then returned next. Returns `false` if there is none.
+    ///
+    /// Fails if the end lies in the opposite direction, or if all functions were zero throughout.
     fn stop(&mut self, stepped: bool) -> Result<bool, StepError> {
         if let Some(t) = self.end
             && !has_reached(self.run.time(), t, self.backwards)
@@ -269,7 +271,7 @@ impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Crossings<
             return Err(StepError::TimePassed { t: signed(t) });
         }
         let Some([earlier, now]) = self.values.filter(|_| stepped) else { return Ok(false) };
-        // In one step that is too short to change it a function that is not may seem to be.
+        // In a single short step, a function may seem to be zero without being so. Two steps are needed.
         if self.zeros > 1 && self.sides.is_zero() {
             return Err(StepError::NoEvent { t: signed(self.run.time()) });
         }
@@ -288,20 +290,20 @@ impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Crossings<
         Ok(false)
     }
 
-    /// The time at a part of the last step.
+    /// Returns the time at a part of the last step.
     fn time(&self, part: f64) -> Scalar<T> {
         let (start, end) = (self.before.time(), self.run.time());
         start + Scalar::<T>::from_f64(part) * (end - start)
     }
 
-    /// A function at a part of the last step; an error if it is no number there. At a pole it may be infinite.
+    /// Returns a function at a part of the last step. Fails if the value is not a number. It may be infinite at a pole.
     fn value(&self, i: usize, part: f64) -> Result<f64, StepError> {
         let t = self.time(part);
         let value = signed((self.g)(&T::between(&self.before, self.run, t)?).as_slice()[i]);
         if value.is_nan() { Err(StepError::NoEvent { t: signed(t) }) } else { Ok(value) }
     }
 
-    /// The first of the zeros in the last step that has not been given out.
+    /// Returns the first zero in the last step that was not returned yet.
     fn earliest(&mut self) -> Option<Result<Crossing<T::State>, StepError>> {
         let roots =
             (0..G::LEN).flat_map(|i| [(0, i), (1, i)]).map(|(k, i)| (k, i, signed(self.roots[k].as_slice()[i])));

@@ -1,4 +1,4 @@
-//! Many states within a step: a polynomial through states and rates at some of its points, in place of a step of part of the length for each.
+//! Hermite interpolation within a step. It replaces a partial step for each state by one polynomial for each step.
 
 use super::Dense;
 use crate::method::Method;
@@ -8,41 +8,42 @@ use crate::scalar::Real;
 use crate::space::{PerCoordinate, Snapshot, Summation, normalisation};
 use crate::system::{PhaseSpace, Rates, StateOf};
 
-/// A polynomial is known by so many coefficients at most: states and rates at seven points, for methods of order 12.
-const MOST: usize = 14;
+/// Maximum number of coefficients: states and rates at seven points, for methods of order 12.
+const MOST_COEFFICIENTS: usize = 14;
 
-/// A run whose steps have a polynomial.
+/// A run whose steps have an interpolating polynomial.
 ///
-/// The polynomial goes through states and rates at p/2 + 1 points of a step, of which those inside are steps of part of the length: its error
-/// has an order above that of a step, hᵖ⁺². What a method keeps it keeps at those points, and between them to that error.
+/// For a method of order p, the polynomial has the states and rates of the run at p/2 + 1 points of a step. The inner points come from partial steps.
+/// The error of the polynomial is O(hᵖ⁺²), above the order of a step. Invariants of the method are conserved at these points, and between them up to
+/// this error.
 pub trait Interpolated: Dense {
-    /// The polynomial of a step.
+    /// Interpolating polynomial of a step.
     type Curve: Clone + core::fmt::Debug;
 
-    /// The polynomial of the step that led from `before` to `after`.
+    /// Returns the polynomial of the step from `before` to `after`.
     ///
     /// # Errors
-    /// Where a step of part of the length is refused; see [`StepError`].
+    /// Fails if a partial step is refused; see [`StepError`].
     fn curve(before: &Self, after: &Self) -> Result<Self::Curve, StepError>;
 
-    /// The state at a time within that step.
+    /// Returns the state at a time within this step.
     fn on(&self, curve: &Self::Curve, t: Scalar<Self>) -> Self::State;
 }
 
-/// How states within a step are computed.
+/// Way to compute states within a step.
 pub trait Within<T: Dense> {
-    /// Before the first step.
+    /// Returns the value before the first step.
     fn new() -> Self;
-    /// Another step has been taken.
+    /// Called after each step of the run.
     fn stepped(&mut self) {}
-    /// The state at a time in the step that led from `before` to `after`.
+    /// Returns the state at a time in the step from `before` to `after`.
     ///
     /// # Errors
     /// See [`StepError`].
     fn state(&mut self, before: &T, after: &T, t: Scalar<T>) -> Result<T::State, StepError>;
 }
 
-/// By [`Dense::between`].
+/// Computes states by [`Dense::between`].
 #[derive(Clone, Copy, Debug)]
 pub struct Exactly;
 
@@ -55,7 +56,7 @@ impl<T: Dense> Within<T> for Exactly {
     }
 }
 
-/// By the polynomial of the last step, if it is known.
+/// Computes states by the polynomial of the last step. Cached, filled on demand.
 #[derive(Clone, Debug)]
 pub struct Curve<T: Interpolated>(Option<T::Curve>);
 
@@ -77,29 +78,29 @@ impl<T: Interpolated> Within<T> for Curve<T> {
     }
 }
 
-/// A polynomial in parts of a step, in Newton's form: every point counts twice.
+/// Hermite interpolant in Newton's form, with time as a fraction of the step. Every point counts twice.
 #[derive(Clone, Copy, Debug)]
 pub struct Hermite<Z, S, R> {
     start: R,
     length: R,
-    /// Parts of the step between two points.
+    /// Number of points, equally spaced.
     points: usize,
-    coefficients: [PerCoordinate<Z, S>; MOST],
+    coefficients: [PerCoordinate<Z, S>; MOST_COEFFICIENTS],
 }
 
-/// The polynomial of degree 2n − 1 through states and rates at n points of a step, by divided differences.
+/// Computes the polynomial of degree 2n − 1 through states and rates at n points of a step, by divided differences.
 fn hermite<T, S, R>(system: &S, order: u32, [before, after]: [&T; 2]) -> Result<CurveOf<S, R>, StepError>
 where
     T: Dense<State = StateOf<S, R>>,
     S: PhaseSpace<R> + Rates<R>,
     R: Real,
 {
-    let n = (order as usize / 2 + 1).clamp(2, MOST / 2);
+    let n = (order as usize / 2 + 1).clamp(2, MOST_COEFFICIENTS / 2);
     let (start, end) = (before.time(), after.time());
     let length = end - start;
     let part = |i: usize| R::from_f64(i as f64 / (n - 1) as f64);
-    let mut columns = [PerCoordinate::zero(); MOST];
-    let mut rates = [PerCoordinate::zero(); MOST / 2];
+    let mut columns = [PerCoordinate::zero(); MOST_COEFFICIENTS];
+    let mut rates = [PerCoordinate::zero(); MOST_COEFFICIENTS / 2];
     for i in 0..n {
         let state = match i {
             0 => before.state(),
@@ -112,7 +113,7 @@ where
         rates[i] = system.rates(t, &x);
         rates[i].times(length);
     }
-    // Column by column, from the last entry on.
+    // Compute the divided differences column by column, each from its last entry on.
     for order in 1..2 * n {
         for k in (order..2 * n).rev() {
             let gap = part(k / 2) - part((k - order) / 2);
@@ -128,10 +129,10 @@ where
     Ok(Hermite { start, length, points: n, coefficients: columns })
 }
 
-/// The polynomials of a system.
+/// Polynomial of a step of a system.
 type CurveOf<S, R> = Hermite<<S as PhaseSpace<R>>::Phase, <S as PhaseSpace<R>>::Action, R>;
 
-/// The state that a polynomial has at a time.
+/// Returns the state of a polynomial at a time.
 fn on<S: PhaseSpace<R>, R: Real>(curve: &CurveOf<S, R>, t: R) -> StateOf<S, R> {
     let part = (t - curve.start) / curve.length;
     let last = 2 * curve.points - 1;

@@ -1,4 +1,4 @@
-//! States between the ends of steps, and what happens there. Output never changes the steps of a run.
+//! Dense output: states between the ends of steps, and events. Output never changes the steps of a run.
 
 mod crossing;
 mod crossings;
@@ -22,10 +22,10 @@ use crate::scalar::{Real, signed};
 use crate::space::{Array, Summation};
 use crate::system::{PhaseSpace, Rates, StateOf};
 
-/// A run that knows its states between the ends of its steps.
+/// A run with dense output: it has states between the ends of its steps.
 ///
-/// Runs by Taylor series evaluate the polynomial of a step. All others take a step of part of the length from where the step begins: the
-/// state has the order of the method, and a symplectic map leads to it. The run itself goes on with whole steps.
+/// Runs by Taylor series evaluate the polynomial of a step. All other runs take a shorter step from the start of the step. Its result has the order
+/// of the method, and a symplectic method remains symplectic. The run itself continues with whole steps.
 ///
 /// ```
 /// use geoint_runtime::prelude::*;
@@ -51,10 +51,10 @@ use crate::system::{PhaseSpace, Rates, StateOf};
 /// ```
 #[doc(alias("dense output", "interpolation"))]
 pub trait Dense: Trajectory + Clone {
-    /// Goes on from this state, with all settings as they are: after an impact, or a kick.
+    /// Continues from this state, for example after an impact or a kick. All settings remain.
     fn set_state(&mut self, state: Self::State);
 
-    /// The same from a state of its own: an event.
+    /// Continues from a state of this run, at an event.
     #[doc(hidden)]
     fn go_on_from(&mut self, state: Self::State) {
         self.set_state(state);
@@ -66,29 +66,30 @@ pub trait Dense: Trajectory + Clone {
         false
     }
 
-    /// The functions that had an event at the last time at which [`until_event`](Dense::until_event) found one.
+    /// Returns the functions that had an event when [`until_event`](Dense::until_event) last found one.
     #[doc(hidden)]
     fn reported(&mut self) -> &mut Reported<Scalar<Self>>;
 
-    /// What the next step says of the state before it does anything.
+    /// Checks the state in the way of the next step.
     #[doc(hidden)]
     fn check_start(&self) -> Result<(), StepError>;
 
-    /// One step that ends at the time `t`, or more if it cannot be taken in one.
+    /// Takes one step that ends at the time `t`, or several if one is not possible.
     ///
     /// # Errors
     /// See [`StepError`].
     fn end_at(&mut self, t: Scalar<Self>) -> Result<(), StepError>;
 
-    /// The state at a time within the next step, the run left as it is; of runs by Taylor series within the last one. `None` elsewhere.
+    /// Returns the state at a time within the next step. The run does not change. Runs by Taylor series use the last step instead. Returns `None` for
+    /// other times.
     fn at(&self, t: Scalar<Self>) -> Option<Self::State>;
 
-    /// Whether the next step leads back in time.
+    /// Returns whether the next step goes back in time.
     fn steps_backwards(&self) -> bool {
         false
     }
 
-    /// The state at a time in the step that led from `before` to `after`.
+    /// Returns the state at a time in the step from `before` to `after`.
     ///
     /// # Errors
     /// See [`StepError`].
@@ -98,29 +99,29 @@ pub trait Dense: Trajectory + Clone {
         Ok(copy.state())
     }
 
-    /// The states at now, now + `dt`, now + 2 `dt`, …, without end; back in time if `dt` < 0.
+    /// Returns an endless iterator over the states at the present time, and after `dt`, 2 `dt`, …. Goes back in time if `dt` < 0.
     fn sampled_every(&mut self, dt: Scalar<Self>) -> SampledEvery<'_, Self> {
         SampledEvery::new(self, dt)
     }
 
-    /// The states at these times, one after the other in the direction of the run.
+    /// Returns an iterator over the states at these times, which must follow each other in the direction of the run.
     ///
-    /// A time that lies before the last step is an error: [`StepError::TimePassed`].
+    /// A time before the last step is an error: [`StepError::TimePassed`].
     fn sampled_at<I: IntoIterator<Item = Scalar<Self>>>(&mut self, times: I) -> SampledAt<'_, Self, I::IntoIter> {
         SampledAt::new(self, times.into_iter())
     }
 
-    /// Where `g` changes sign from one step to the next: a number, or an array of them, all in order of time. Without end, unless
-    /// [`Crossings::until`] gives one. Forwards, or in the direction in which an integrator steps.
+    /// Returns an iterator over the changes of sign of `g`, in order of time. `g` returns a number or an array of numbers. The iterator has no end,
+    /// unless [`Crossings::until`] sets one. The search goes forwards, or in the direction in which an integrator steps.
     ///
-    /// If the signs at the ends of a step differ, the search finds one zero. If the signs agree, the search finds two zeros where the parabola through
-    /// three values comes near zero between the ends. Other pairs of zeros within one step are missed. The zeros of `sin(40 q)` are π/40
-    /// apart in q, and steps that change q by less find all of them. Interpolation of samples does not help. Runs by Taylor series have
+    /// If the signs at the ends of a step differ, the search finds one zero. If the signs agree, the search finds two zeros where the parabola
+    /// through three values comes near zero between the ends. Other pairs of zeros within one step are missed. Example: the zeros of `sin(40 q)` are
+    /// π/40 apart in q, and steps that change q by less find all of them. Interpolation of samples does not help. Runs by Taylor series have
     /// [`crossings`](crate::TaylorIntegrator::crossings), which find all zeros of the series of the function.
     ///
-    /// A search that begins where another one has ended does not find that event again. A function that is zero where the search ends has an event
-    /// there. A function that comes back to zero within a millionth of a step has no event: a ball whose impacts accumulate falls through in the end,
-    /// unless you lay it down. Poles are no events.
+    /// A search that starts at the event of an earlier search does not find this event again. A function that is zero where the search ends has an
+    /// event there. A function that returns to zero within a millionth of a step has no event. Hence a ball whose impacts accumulate finally falls
+    /// through the floor, unless your program stops it. Poles are not events.
     ///
     /// Errors: a function is not a finite number at the end of a step, or is zero for more than a step.
     fn crossings<G: Array<Real = Scalar<Self>>, F: Fn(&Self::State) -> G>(
@@ -131,16 +132,18 @@ pub trait Dense: Trajectory + Clone {
         Crossings::new(self, direction, g)
     }
 
-    /// Steps to where `g` changes sign first, but not beyond the time `t`: the run is then there, and goes on from there.
+    /// Steps to the first change of sign of `g`, but not beyond the time `t`. The run is then at the event and continues from there.
     ///
-    /// `None` if that does not happen: the run is then at `t`. If `t` is no whole number of steps away, the last step is shorter. A game calls this once for
-    /// each frame.
+    /// Returns `None` if there is no such change; the run is then at `t`. The last step is shorter if `t` is not a whole number of steps away. A game
+    /// calls this function once for each frame.
     ///
-    /// Events of several functions at one time are reported one by one, also if a function crosses zero there only after
-    /// [`set_state`](Dense::set_state) has changed its direction: bodies that touch pass a push on. This holds for the first 64 functions.
+    /// Simultaneous events of several functions are reported one by one. This includes a function that crosses zero only after
+    /// [`set_state`](Dense::set_state) has changed its direction, as for bodies in contact that pass an impulse on. It holds for the first 64
+    /// functions.
     ///
     /// # Errors
-    /// See [`StepError`]; the state is then the last good one, and where `g` is no function with events, that at which the search began.
+    /// See [`StepError`]. The state is then the last good one. If `g` has no events ([`StepError::NoEvent`]), the state is the one at the start of
+    /// the search.
     fn until_event<G: Array<Real = Scalar<Self>>, F: Fn(&Self::State) -> G>(
         &mut self,
         t: Scalar<Self>,
@@ -162,7 +165,8 @@ pub trait Dense: Trajectory + Clone {
     }
 }
 
-/// What a search for an event has found. One whose function has none, as one that is zero all along, has led nowhere: the run is where it began.
+/// Returns the result of a search for an event. If the function has no events, for example because it is identically zero, the run returns to its
+/// start.
 pub(super) fn back_without_events<T, X>(run: &mut T, start: T, found: Result<X, StepError>) -> Result<X, StepError> {
     if let Err(StepError::NoEvent { .. }) = found {
         *run = start;
@@ -214,18 +218,19 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Dense f
     fn end_at(&mut self, t: R) -> Result<(), StepError> {
         let h = self.step_size();
         let outcome = shorten_to(self, t);
-        // After an error, too.
+        // Restore the step size after an error, too.
         self.set_step_size(h);
         outcome
     }
 }
 
-/// Takes a step of the length that leads to the time `t`. The run keeps this length, so that a copy prepares the method once only.
+/// Takes a step to the time `t` by changing the step size. The run keeps this step size, so that a copy computes the coefficients of the method only
+/// once.
 fn shorten_to<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>>(
     run: &mut Integrator<S, M, R, C>,
     t: R,
 ) -> Result<(), StepError> {
-    // Methods that scale their steps end a little beside `t`. The next step leads from there to `t`.
+    // Methods that scale their steps end near `t`. The next step leads from there to `t`.
     for _ in 0..4 {
         if run.time() == t {
             break;
@@ -277,12 +282,12 @@ fn ahead<T: Dense>(run: &T, t: Scalar<T>, after: f64, h: f64) -> Option<T::State
     if after > 0.0 && after <= h { T::between(run, run, t).ok() } else { None }
 }
 
-/// Whether a run at the time `now` has come to `t`.
+/// Returns whether a run at the time `now` has reached `t`.
 fn has_reached<R: Real>(now: R, t: R, backwards: bool) -> bool {
     if backwards { !(now - t).any_above(0.0) } else { !(now - t).any_below(0.0) }
 }
 
-/// A step without an end.
+/// Takes one step without a limit of time.
 fn step<T: Dense>(run: &mut T, backwards: bool) -> Result<bool, StepError> {
     run.step_towards(Scalar::<T>::from_f64(if backwards { f64::NEG_INFINITY } else { f64::INFINITY }))
 }

@@ -1,7 +1,6 @@
-//! A first pass of the search for an event: it takes the steps in which all functions stay far from zero.
+//! Fast first pass of the search for an event: it takes the steps in which no function comes near zero.
 //!
-//! The search for zeros copies the run and evaluates the functions many times. In most steps of a game or a long flight no function comes near
-//! zero, and three values of each show it.
+//! The full search copies the run and evaluates the functions many times. In most steps, three values of each function show that no zero is near.
 
 use super::{Dense, has_reached};
 use crate::running::StepError;
@@ -9,19 +8,19 @@ use crate::running::trajectory::Scalar;
 use crate::scalar::{Real, signed};
 use crate::space::Array;
 
-/// The first step has no step before it. A third value is taken after this part of it: small against the step, large against rounding.
+/// The first step has no previous step. The third value is then taken after this part of the step: short against the step, long against rounding.
 const FIRST_PART: f64 = 1.0 / 1024.0;
 
-/// A function is far from zero if it is larger than this multiple of its change along the step. One is enough for a parabola.
+/// A function is far from zero if it exceeds this multiple of its change along the step. A factor of 1 would suffice for a parabola.
 const FAR: f64 = 2.0;
 
 /// Takes steps to the time `t` as long as every function stays far from zero. Returns `true` if it took a step and the run is at `t`. Returns `false`
-/// if the search has to go on from the state of the run: a function may come near zero in the next step, or the run was at `t` already.
+/// if a function may come near zero in the next step, or if the run was at `t` already. The full search then continues from the state of the run.
 ///
-/// A function that dips to zero and back faster than a parabola shows is missed, as by the search itself.
+/// A function that dips to zero and back faster than a parabola shows is missed, as in the full search.
 ///
 /// # Errors
-/// See [`StepError`]; the run holds its last good state.
+/// See [`StepError`]. The run holds its last good state.
 pub(super) fn skip_quiet_steps<T: Dense, G: Array<Real = Scalar<T>>>(
     run: &mut T,
     t: Scalar<T>,
@@ -55,7 +54,7 @@ pub(super) fn skip_quiet_steps<T: Dense, G: Array<Real = Scalar<T>>>(
             // The parabola through the values at `part`, 0 and 1 is first + slope u + bend u (u − part)/(1 − part).
             let slope = (third - first) / part;
             let bend = last - first - slope;
-            // Values that are not numbers are not far.
+            // The comparison is false for values that are not numbers.
             first.abs() > FAR * (slope.abs() + bend.abs())
         };
         if !(0..G::LEN).all(is_far) {

@@ -1,17 +1,19 @@
-//! The zeros of a function that is known by evaluation alone, within a step from 0 to 1.
+//! Finds zeros of a function within a step, from values of the function only. The step extends from 0 to 1.
 
 use crate::running::StepError;
 
-/// A parabola through three points is followed to its extremum so many times.
+/// Maximum number of rounds in which a parabola is followed to its extremum.
 const ROUNDS: u32 = 8;
 
-/// How far outside of a step an extremum may seem to be that is inside: the first of the points is, and steps of good methods are long.
+/// Distance from the step, in step lengths, at which a first estimate of an extremum is still followed. The first point lies outside of the step and
+/// steps may be long, so the estimate is rough.
 const ASIDE: f64 = 0.5;
 
-/// Where g(θ) = 0 between two points with values of different signs: the secant with an end that is kept twice counting half (Illinois).
-/// M. Dowell & P. Jarratt, BIT 11 (1971) 168. Three to five evaluations in a step of a good method.
+/// Returns a zero of g(θ) between two points with values of different signs, by the Illinois method. This is the secant method with a bracket; the
+/// value at an end that is kept twice is halved. M. Dowell & P. Jarratt, BIT 11 (1971) 168. In a step of a good method, three to five evaluations
+/// suffice.
 ///
-/// `None` where g is larger than at both ends: that is a pole.
+/// Returns `None` if |g| finally exceeds its values at both ends: this is a pole.
 pub(super) fn illinois(
     [mut low, mut high]: [(f64, f64); 2],
     g: &mut impl FnMut(f64) -> Result<f64, StepError>,
@@ -23,7 +25,7 @@ pub(super) fn illinois(
             break;
         }
         let secant = low.0 + (high.0 - low.0) * low.1 / (low.1 - high.1);
-        // Where a secant does not help the interval is halved.
+        // Bisect if the secant leaves the bracket, or after 40 rounds.
         let inside = secant > low.0 && secant < high.0 && round < 40;
         let theta = if inside { secant } else { 0.5 * (low.0 + high.0) };
         if theta <= low.0 || theta >= high.0 {
@@ -45,15 +47,15 @@ pub(super) fn illinois(
     Ok((last <= largest).then_some(0.5 * (low.0 + high.0)))
 }
 
-/// Whether two numbers have different signs: their product may be zero.
+/// Returns whether two numbers have different signs. Their product could underflow to zero.
 pub(super) fn differ(a: f64, b: f64) -> bool {
     a < 0.0 && b > 0.0 || a > 0.0 && b < 0.0
 }
 
-/// A point in a step at which a function has another sign than at both ends, which have the same one.
+/// Searches a step whose ends have the same sign for a point with the other sign. Returns this point and the value there.
 ///
-/// `before` is a third point, outside of the step or inside. The parabola through the three says whether there may be an extremum in the step; one
-/// between its ends then tells how near to zero that comes, and it is followed: nothing is evaluated in steps without an extremum.
+/// `before` is a third point, outside or inside of the step. The parabola through the three points shows whether there may be an extremum near zero
+/// in the step. Without one, nothing is evaluated. Otherwise the extremum is refined with new values.
 pub(super) fn excursion(
     before: (f64, f64),
     ends: [f64; 2],
@@ -65,7 +67,7 @@ pub(super) fn excursion(
         let Some((at, value)) = extremum(points) else { return Ok(None) };
         let nearest = ends[0].abs().min(ends[1].abs());
         let (beyond, far) = if round == 0 { (ASIDE, nearest) } else { (0.0, 0.25 * nearest) };
-        // Outside of the step, away from zero, or far from it on the same side.
+        // No extremum in the step, or an extremum that remains far from zero on the same side.
         if !(at > -beyond && at < 1.0 + beyond) || value * side > far {
             return Ok(None);
         }
@@ -74,7 +76,7 @@ pub(super) fn excursion(
         if differ(there.1, side) {
             return Ok(Some(there));
         }
-        // The three next to the extremum.
+        // Replace the point farthest from the extremum.
         let farthest =
             (0..3).max_by(|i, j| (points[*i].0 - at).abs().total_cmp(&(points[*j].0 - at).abs())).unwrap_or(0);
         if points.iter().any(|point| (point.0 - at).abs() < 1e-9) {
@@ -85,7 +87,7 @@ pub(super) fn excursion(
     Ok(None)
 }
 
-/// Where the parabola through three points has its extremum, and its value.
+/// Returns the extremum of the parabola through three points, and its value.
 fn extremum([a, b, c]: [(f64, f64); 3]) -> Option<(f64, f64)> {
     let first = (b.1 - a.1) / (b.0 - a.0);
     let second = ((c.1 - b.1) / (c.0 - b.0) - first) / (c.0 - a.0);

@@ -1,4 +1,4 @@
-//! States at given times.
+//! Iterators over states at given times.
 
 use super::interpolated::{Curve, Exactly, Interpolated, Within};
 use super::{Dense, has_reached, step};
@@ -6,12 +6,12 @@ use crate::running::StepError;
 use crate::running::trajectory::Scalar;
 use crate::scalar::{Real, signed};
 
-/// The state now, if the run can be there.
+/// Returns the present state, after the checks of a start.
 fn now<T: Dense>(run: &T) -> Result<T::State, StepError> {
     run.check_start().map(|()| run.state())
 }
 
-/// A run and where its last step began.
+/// A run, and its state before the last step.
 #[derive(Debug)]
 struct Between<'a, T: Dense, W> {
     run: &'a mut T,
@@ -27,7 +27,7 @@ impl<'a, T: Dense, W: Within<T>> Between<'a, T, W> {
         Between { run, before, within: W::new(), backwards, failed: false }
     }
 
-    /// The state at the time `t`; nothing if the run goes the other way.
+    /// Returns the state at the time `t`.
     fn at(&mut self, t: Scalar<T>) -> Result<Option<T::State>, StepError> {
         if !t.magnitude().is_finite() {
             return Err(StepError::InvalidStepSize { h: signed(t - self.run.time()) });
@@ -38,7 +38,7 @@ impl<'a, T: Dense, W: Within<T>> Between<'a, T, W> {
         while !has_reached(self.run.time(), t, self.backwards) {
             self.before = self.run.clone();
             self.within.stepped();
-            // Steps of one length lead the other way.
+            // A run with fixed steps goes in the other direction.
             if !step(self.run, self.backwards)? {
                 return Err(StepError::TimePassed { t: signed(t) });
             }
@@ -56,7 +56,7 @@ impl<'a, T: Dense, W: Within<T>> Between<'a, T, W> {
     }
 }
 
-/// States at equal distances in time; ends with the first error.
+/// Iterator over states at equal intervals of time. Ends with the first error.
 #[derive(Debug)]
 pub struct SampledEvery<'a, T: Dense, W = Exactly> {
     between: Between<'a, T, W>,
@@ -71,7 +71,7 @@ impl<'a, T: Dense> SampledEvery<'a, T> {
         SampledEvery { between: Between::new(run, dt.any_below(0.0)), start, dt, taken: 0 }
     }
 
-    /// States within steps in another way.
+    /// Selects how states within steps are computed.
     fn by<W: Within<T>>(self) -> SampledEvery<'a, T, W> {
         let Between { run, before, backwards, failed, .. } = self.between;
         let between = Between { run, before, within: W::new(), backwards, failed };
@@ -91,7 +91,7 @@ impl<T: Dense, W: Within<T>> Iterator for SampledEvery<'_, T, W> {
             self.between.failed = true;
             return Some(Err(StepError::InvalidStepSize { h }));
         }
-        // Never a running sum.
+        // The time is a product, never a running sum.
         let t = Scalar::<T>::time([self.start, Scalar::<T>::from_f64(0.0)], self.taken, self.dt);
         self.taken += 1;
         self.between.next(t)
@@ -99,8 +99,8 @@ impl<T: Dense, W: Within<T>> Iterator for SampledEvery<'_, T, W> {
 }
 
 impl<'a, T: Interpolated> SampledEvery<'a, T> {
-    /// Takes the states from one polynomial a step. Many states within a step then cost a few operations each. States have the accuracy of
-    /// the run, but invariants are not kept to rounding.
+    /// Computes the states from one polynomial for each step. Many states within a step then cost a few operations each. They have the accuracy of
+    /// the run, but invariants are not conserved to rounding.
     ///
     /// ```
     /// use geoint_runtime::prelude::*;
@@ -121,10 +121,10 @@ impl<'a, T: Interpolated> SampledEvery<'a, T> {
     }
 }
 
-/// States at given times; ends with them, or after the first error.
+/// Iterator over states at given times. Ends with the last time, or after the first error.
 #[derive(Debug)]
 pub struct SampledAt<'a, T: Dense, I: Iterator<Item = Scalar<T>>, W = Exactly> {
-    /// The direction is known with the first time that is not now.
+    /// Present once the direction is known: at the first time that differs from the present time.
     between: Option<Between<'a, T, W>>,
     run: Option<&'a mut T>,
     times: I,
@@ -135,7 +135,7 @@ impl<'a, T: Dense, I: Iterator<Item = Scalar<T>>> SampledAt<'a, T, I> {
         SampledAt { between: None, run: Some(run), times }
     }
 
-    /// States within steps in another way, before the first of them.
+    /// Selects how states within steps are computed. Called before the first state.
     fn by<W: Within<T>>(self) -> SampledAt<'a, T, I, W> {
         let run = self.run.or(self.between.map(|between| between.run));
         SampledAt { between: None, run, times: self.times }
@@ -164,7 +164,7 @@ impl<T: Dense, I: Iterator<Item = Scalar<T>>, W: Within<T>> Iterator for Sampled
 }
 
 impl<'a, T: Interpolated, I: Iterator<Item = Scalar<T>>> SampledAt<'a, T, I> {
-    /// Takes the states from one polynomial a step; see [`SampledEvery::interpolated`].
+    /// Computes the states from one polynomial for each step; see [`SampledEvery::interpolated`].
     #[must_use = "the samples are those of the iterator that is returned"]
     pub fn interpolated(self) -> SampledAt<'a, T, I, Curve<T>> {
         self.by()

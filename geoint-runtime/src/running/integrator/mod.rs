@@ -1,4 +1,4 @@
-//! A system under a method: the object that users step.
+//! Integration with a fixed step size.
 
 #[cfg(feature = "alloc")]
 mod saved;
@@ -17,10 +17,10 @@ use crate::system::{Clear, Conformal, FirstIntegrals, Lagrangian, PhaseSpace, St
 use core::fmt::{self, Debug, Formatter};
 use steps::Steps;
 
-/// A system under a method with a step size: a plain value, no borrow, no allocation.
+/// Integrates a system with a method and a fixed step size. The value borrows nothing and allocates nothing.
 ///
-/// Time is `t0 + n·h`, never a running sum. After an error the last good state is still there, and the next call may go
-/// on, with a smaller step if [`Integrator::set_step_size`] was called.
+/// The time is `t0 + n·h`, never a running sum. After an error, the last good state is still available. The next call may continue, for example with
+/// a smaller step set by [`Integrator::set_step_size`].
 #[doc(alias("simulation", "fixed step"))]
 #[derive(Clone)]
 pub struct Integrator<S: PhaseSpace<R>, M: Method<S, R>, R: Real = f64, C = Plain> {
@@ -29,9 +29,9 @@ pub struct Integrator<S: PhaseSpace<R>, M: Method<S, R>, R: Real = f64, C = Plai
 }
 
 impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
-    /// A system under a method, with step size `h` (negative to go back in time), from `state` on.
+    /// Integrates a system with step size `h`, from `state` on. A negative `h` goes back in time.
     ///
-    /// Nothing is checked yet: an unusable `h` or state is reported by the first step.
+    /// Nothing is checked yet: the first step reports an unusable `h` or state.
     pub fn new(system: S, method: M, h: R, state: StateOf<S, R>) -> Self {
         let (t0, z, s) = state.parts();
         Integrator {
@@ -55,31 +55,31 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
 }
 
 impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integrator<S, M, R, C> {
-    /// One step.
+    /// Takes one step.
     ///
     /// # Errors
-    /// See [`StepError`]; the state is then unchanged.
+    /// See [`StepError`]. The state is then unchanged.
     #[inline]
     pub fn step(&mut self) -> Result<(), StepError> {
         self.steps.step()
     }
 
-    /// `n` steps: the bare loop, to the same bits as `n` single ones. Last and first flows of neighbouring steps are merged where the method has
-    /// such: in single steps too, where the state is a point beside.
+    /// Takes `n` steps. The result equals that of `n` single steps bit for bit. If the method allows it, the last flow of a step and the first flow
+    /// of the next one are merged. Single steps merge them, too, if the method moves an inner point.
     ///
     /// # Errors
-    /// See [`StepError`]; the state is then the last good one.
+    /// See [`StepError`]. The state is then the last good one.
     #[inline]
     pub fn advance(&mut self, n: u64) -> Result<(), StepError> {
         self.steps.advance(n)
     }
 
-    /// One step, if there is one that does not end beyond the time `t` (before it, if h < 0); else `false`, and nothing changes.
+    /// Takes one step, unless it would end beyond the time `t` (before it, if h < 0). Otherwise returns `false` and changes nothing.
     ///
-    /// A step that ends at `t` up to the rounding of time ends there: [`time`](Integrator::time) is then `t`.
+    /// If a step ends at `t` up to the rounding of time, [`time`](Integrator::time) is then exactly `t`.
     ///
     /// # Errors
-    /// See [`StepError`]; the state is then unchanged. A `t` that is not a number is a step size that is none.
+    /// See [`StepError`]. The state is then unchanged. A `t` that is not a number gives the error of an invalid step size.
     #[inline]
     pub fn step_towards(&mut self, t: R) -> Result<bool, StepError> {
         self.steps.check_start()?;
@@ -96,10 +96,10 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integra
         Ok(stepped)
     }
 
-    /// Whole steps to the last one that is not beyond the time `t` (not before it, if h < 0): up to a step is left.
+    /// Takes whole steps up to the last one that does not end beyond the time `t` (not before it, if h < 0). Less than a step is left.
     ///
     /// # Errors
-    /// See [`StepError`]; the state is then the last good one. A `t` that is not finite is a step size that is none.
+    /// See [`StepError`]. The state is then the last good one. A `t` that is not finite gives the error of an invalid step size.
     pub fn advance_to(&mut self, t: R) -> Result<(), StepError> {
         self.steps.check_start()?;
         let left = signed(t - self.time());
@@ -113,7 +113,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integra
         Ok(())
     }
 
-    /// Changes the step size; time goes on from here.
+    /// Changes the step size. The time continues from the present value.
     pub fn set_step_size(&mut self, h: R) {
         self.steps.leave();
         let Steps { system, method, prepared, memory, clock, x, .. } = &mut self.steps;
@@ -123,9 +123,9 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integra
         *memory = M::memory();
     }
 
-    /// Replaces the system by one with other parameters. Time, state, settings and the number of steps stay as they are.
+    /// Replaces the system by one with other parameters. Time, state, settings and the number of steps remain.
     ///
-    /// A controller holds its torque for a while, and then sets another one:
+    /// Example: a controller applies a torque for some time, and then another one:
     ///
     /// ```
     /// use geoint_runtime::prelude::*;
@@ -145,14 +145,14 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integra
     /// # Ok::<(), StepError>(())
     /// ```
     ///
-    /// The next step checks the state again, except for the momenta of a system with constraints. A step led to them, and `DiscreteGradient` leaves them
-    /// O(h²) off the constraints.
+    /// The next step checks the state again, except for the momenta of a system with constraints. They result from a step, and `DiscreteGradient`
+    /// leaves them O(h²) off the constraints.
     pub fn set_system(&mut self, system: S) {
         self.steps.leave();
         let steps = &mut self.steps;
         steps.system = system;
         (steps.prepared, steps.memory) = (steps.method.prepare(&system, steps.clock.step_size()), M::memory());
-        // Other parameters may have other domains, poles and values to keep.
+        // Other parameters may have other domains, poles and values of invariants.
         (steps.given, steps.origin, steps.clear) = (steps.taken, steps.x.z, Clear::unknown());
     }
 
@@ -161,52 +161,52 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integra
         self.steps.taken == self.steps.set
     }
 
-    /// What the next step says of the state before it does anything.
+    /// Checks the state in the way of the next step.
     pub(in crate::running) fn check_start(&self) -> Result<(), StepError> {
         self.steps.check_start()
     }
 
-    /// Goes on from this state, with the same steps.
+    /// Continues from this state, with the same step size.
     pub(in crate::running) fn restart(&mut self, state: StateOf<S, R>) {
         let (t, z, s) = state.parts();
         let steps = &mut self.steps;
-        // What is not followed is no number in states.
+        // If the action is not computed, states contain NaN in its place.
         let s = if C::ACTION { s } else { steps.x.s };
         (steps.x, steps.inside, steps.memory) = (Point::with_action(z, s), false, M::memory());
         steps.clock = Clock::new(t, steps.clock.step_size());
         (steps.given, steps.set, steps.origin) = (steps.taken, steps.taken, z);
     }
 
-    /// Continues from a state to which a step of this run has led. The next step does not check it: its momenta may be off a constraint.
+    /// Continues from a state that results from a step of this run. The next step does not check it: its momenta may be off a constraint.
     pub(in crate::running) fn restart_within(&mut self, state: StateOf<S, R>) {
         self.restart(state);
         self.steps.given = NEVER;
     }
 
-    /// The step size.
+    /// Returns the step size.
     #[inline(always)]
     pub fn step_size(&self) -> R {
         self.steps.clock.step_size()
     }
 
-    /// `t0 + n·h`.
+    /// Returns the present time, `t0 + n·h`.
     #[inline(always)]
     pub fn time(&self) -> R {
         self.steps.time()
     }
 
-    /// The state now.
+    /// Returns the present state.
     #[inline(always)]
     pub fn state(&self) -> StateOf<S, R> {
         S::State::of(self.time(), self.steps.seen().z, self.action())
     }
 
-    /// The energy now.
+    /// Returns the present energy.
     pub fn energy(&self) -> R {
         self.steps.system.hamiltonian(self.time(), &self.steps.seen().z, &self.action())
     }
 
-    /// The first integrals now, in the order in which they were named, and then those that were found.
+    /// Returns the present first integrals: the named ones in their order, and then those that were found.
     pub fn integrals(&self) -> S::Values
     where
         S: FirstIntegrals<R>,
@@ -214,7 +214,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integra
         self.steps.system.integrals(self.time(), &self.steps.seen().z)
     }
 
-    /// The velocities now, of a system that was written as a Lagrangian.
+    /// Returns the present velocities of a system that was written as a Lagrangian.
     pub fn velocity(&self) -> S::Coordinates
     where
         S: Lagrangian<R>,
@@ -223,36 +223,36 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integra
         S::Coordinates::from_array(system.velocity(self.time(), &x.z, &self.action()))
     }
 
-    /// The action now, if it is followed.
+    /// Returns the present action; NaN if it is not computed.
     #[inline(always)]
     fn action(&self) -> S::Action {
         if C::ACTION { self.steps.x.s } else { S::Action::of(R::from_f64(f64::NAN)) }
     }
 
-    /// The number of steps taken.
+    /// Returns the number of steps taken.
     pub fn steps(&self) -> u64 {
         self.steps.taken
     }
 
-    /// The system with its parameters.
+    /// Returns the system with its parameters.
     pub fn system(&self) -> &S {
         &self.steps.system
     }
 
-    /// The method.
+    /// Returns the method.
     pub fn method(&self) -> &M {
         &self.steps.method
     }
 
-    /// The state after every step up to the last one that is not after `t` (not before, if h < 0).
+    /// Returns an iterator over the states after every step, up to the last one that is not after `t` (not before it, if h < 0).
     ///
-    /// Output never changes the step: the last state is at `t` only if `t` is a whole number of steps away, up to the rounding of
-    /// time. An infinite `t` is never reached.
+    /// Output never changes the steps. The last state is at `t` only if `t` is a whole number of steps away, up to the rounding of time. An infinite
+    /// `t` is never reached.
     pub fn until(&mut self, t: R) -> Until<'_, Self> {
         Until::new(self, t)
     }
 
-    /// The state after every `k` steps, without end. `k` = 0 counts as 1.
+    /// Returns an endless iterator over the states after every `k` steps. `k` = 0 counts as 1.
     pub fn sampled(&mut self, k: u64) -> Samples<'_, Self> {
         Samples::new(self, k)
     }
@@ -268,9 +268,10 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integra
 }
 
 impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
-    /// The same with compensated sums: what adding an increment to a coordinate rounds off is carried to the next step. The
-    /// error of rounding grows with the number of steps many times more slowly; a step costs a few additions a coordinate more.
-    /// Flows of contact systems that do not only add give what they add by formulas of their own.
+    /// Uses compensated sums: the rounding error of adding an increment to a coordinate is carried to the next step. Rounding errors then grow much
+    /// more slowly with the number of steps. A step costs a few more additions for each coordinate.
+    ///
+    /// Some flows of contact systems do more than add. They compute their increments by separate formulas.
     #[must_use = "the settings are those of the run that is returned"]
     pub fn compensated(self) -> Integrator<S, M, R, Compensated<S::Phase>> {
         self.with_sums()
@@ -278,8 +279,8 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
 }
 
 impl<S: Conformal<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
-    /// The same without the action, which does not act back on positions and momenta: splittings do not compute it, nor what only
-    /// it needs, such as the value of the potential. In states it is not a number.
+    /// Omits the action, which does not affect positions and momenta. Splittings then skip it, and all values that only it needs, such as the
+    /// potential. States contain NaN in its place.
     pub fn without_action(self) -> Integrator<S, M, R, WithoutAction> {
         self.with_sums()
     }

@@ -1,4 +1,4 @@
-//! A run of steps of one length that is saved, and goes on.
+//! Saves and resumes a run with fixed step size.
 
 use super::Integrator;
 use crate::method::{Method, Name};

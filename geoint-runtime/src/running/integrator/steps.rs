@@ -1,14 +1,14 @@
-//! How a step of fixed length goes, whether its end is good, and why it is refused.
+//! Takes a step of fixed length, checks its end, and reports why it is refused.
 
 use crate::method::{Clock, Method, Probe, Step, Unwatched};
 use crate::running::error::StepError;
-use crate::running::settle::{STEPS_BETWEEN_LOOKS, settled, settles};
+use crate::running::settle::{STEPS_BETWEEN_CHECKS, has_drift, without_drift};
 use crate::running::watch::Watch;
 use crate::scalar::{Real, signed, zero};
 use crate::space::{Array, PerCoordinate, Point, Snapshot, Summation, wrong_length};
 use crate::system::{Clear, PhaseSpace, Unmet, jump_on_way};
 
-/// A system under a method, and where it is.
+/// A system under a method, and the present point.
 #[derive(Clone)]
 pub(super) struct Steps<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C> {
     pub(super) system: S,
@@ -16,31 +16,31 @@ pub(super) struct Steps<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C> {
     pub(super) prepared: M::Prepared,
     pub(super) memory: M::Memory,
     pub(super) clock: Clock<R>,
-    /// Steps since the beginning.
+    /// Number of steps since the start.
     pub(super) taken: u64,
-    /// How many there were when the user gave a state.
+    /// Value of `taken` when the user gave a state.
     pub(super) given: u64,
-    /// How many there were when the state was set, by the user or at an event.
+    /// Value of `taken` when the state was set, by the user or at an event.
     pub(super) set: u64,
-    /// The state that the user gave, whose invariants the steps keep.
+    /// State given by the user. The steps conserve its invariants.
     pub(super) origin: S::Phase,
-    /// The point of a state, or where there is another one that the method moves, that one from the first step on.
+    /// Present point. For methods that move an inner point ([`Method::INNER`]), it is the inner point from the first step on.
     pub(super) x: Point<S::Phase, C, S::Action>,
-    /// Whether it is the one that the method moves.
+    /// Whether `x` is the inner point.
     pub(super) inside: bool,
-    /// What is known of poles in time.
+    /// Interval of time without poles, found so far.
     pub(super) clear: Clear<R>,
 }
 
 impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S, M, R, C> {
-    /// One step.
+    /// Takes one step.
     #[inline(always)]
     pub(super) fn step(&mut self) -> Result<(), StepError> {
         self.check_start()?;
         self.step_within(None).map(drop)
     }
 
-    /// `n` steps: the bare loop.
+    /// Takes `n` steps in the inner loop.
     #[inline]
     pub(super) fn advance(&mut self, n: u64) -> Result<(), StepError> {
         self.check_start()?;
@@ -49,14 +49,14 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
         }
         let (mut left, mut singly) = (n, 0);
         while left > 0 {
-            let steps = if singly > 0 { 1 } else { left.min(self.steps_to_look()) };
+            let steps = if singly > 0 { 1 } else { left.min(self.steps_to_check()) };
             let (mut memory, mut x) = (self.memory.clone(), self.x);
             self.enter(&mut x);
             if self.run(steps, &mut memory, &mut x) && self.pole_in_time(steps, &x).is_none() {
                 (self.memory, self.x, self.inside) = (memory, x, true);
                 self.pass(steps);
             } else if steps > 1 {
-                // To stop where single steps do: here, because a step may be long, and stands once then.
+                // Repeat with single steps, to stop where they would stop. Doing so in this loop keeps only one copy of the code of a step.
                 singly = steps;
                 continue;
             } else {
@@ -68,18 +68,20 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
         Ok(())
     }
 
-    /// One step, of a method that takes it with less work than many.
+    /// Takes one step, for a method that needs less work for a single step.
     #[inline(never)]
     fn single(&mut self) -> Result<(), StepError> {
         self.step_within(None).map(drop)
     }
 
-    /// So many steps from `x` on; whether they are good. Where one has to be examined that is every one, else the last end shows it. In a function of
-    /// its own, whatever the caller does: there loops are arranged as in a program with this system and method alone.
+    /// Takes `steps` steps from `x` on. Returns whether they are good. Every end is checked if the system requires it; otherwise the last end shows
+    /// whether all are good.
+    ///
+    /// Not inlined: the loop is then optimised independently of the caller.
     #[inline(never)]
     fn run(&self, steps: u64, memory: &mut M::Memory, x: &mut Point<S::Phase, C, S::Action>) -> bool {
         let (mut clock, mut taken) = (self.clock, 0);
-        // Copies in local variables: what a pointer leads to would be in memory in each step.
+        // Local copies stay in registers; data behind a reference would be written to memory in each step.
         let (target_memory, target) = (memory, x);
         let (mut memory, mut x) = (target_memory.clone(), *target);
         let at_once = if S::EXAMINED || !S::CONTINUOUS { 1 } else { steps };
@@ -96,21 +98,21 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
         true
     }
 
-    /// Steps until the state is kept, to go back to.
+    /// Returns the number of steps until the next check of the state, which is kept to return to.
     #[inline(always)]
-    fn steps_to_look(&self) -> u64 {
-        if const { settles::<S, M, R>() } {
-            // It is settled after the same steps, in whatever numbers those are asked for.
-            STEPS_BETWEEN_LOOKS - self.taken % STEPS_BETWEEN_LOOKS
+    fn steps_to_check(&self) -> u64 {
+        if const { has_drift::<S, M, R>() } {
+            // Drift is removed after the same steps, independent of how many steps a call takes.
+            STEPS_BETWEEN_CHECKS - self.taken % STEPS_BETWEEN_CHECKS
         } else {
-            STEPS_BETWEEN_LOOKS
+            STEPS_BETWEEN_CHECKS
         }
     }
 
-    /// One step that does not end beyond `limit`; else `false`.
+    /// Takes one step that does not end beyond `limit`. Returns `false` if it would.
     #[inline(always)]
     pub(super) fn step_within(&mut self, limit: Option<R>) -> Result<bool, StepError> {
-        // In place: one copy of the state, for steps that are refused, in place of two, and none of what the method remembers, which may be much.
+        // In place: this needs one copy of the state instead of two, and no copy of the history, which may be large.
         let ([t, end], start) = (self.clock.ends(0, self.x.ahead.value()), self.x);
         let memory = (M::SCALES_STEPS && limit.is_some()).then(|| self.memory.clone());
         if M::INNER {
@@ -139,7 +141,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
         }
     }
 
-    /// A step that was refused, without what the method remembers of those before it, and watched, to say why it is refused, if it is again.
+    /// Repeats a refused step without history and with checks of every evaluation. If it is refused again, the checks give the reason.
     #[cold]
     fn step_anew(&mut self, limit: Option<R>) -> Result<bool, StepError> {
         self.memory = M::memory();
@@ -173,11 +175,11 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
         if !(h > 0.0 && h < f64::INFINITY) {
             return Err(StepError::InvalidStepSize { h: signed(self.clock.step_size()) });
         }
-        // Later states are good because the steps that led to them were.
+        // Later states need no check: each comes from a step that succeeded.
         if self.taken == self.given { self.check_state() } else { Ok(()) }
     }
 
-    /// The next step examines a state to which no step has led: in what was saved the number of steps may be wrong, and all else.
+    /// Marks a resumed state outside of the domain as given, so that the next step checks it. The saved number of steps may be wrong.
     #[cfg(feature = "alloc")]
     pub(super) fn examine_if_outside(&mut self) {
         if self.system.outside_domain(self.time(), &self.seen().z, &self.x.s).is_some() {
@@ -203,7 +205,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
         if !M::is_in_range(&self.prepared, &self.system, &self.x.z) {
             return Err(StepError::OutOfRange { t });
         }
-        // A step led to the momenta of a run whose system was replaced. `DiscreteGradient` leaves them O(h²) off, so only positions are checked.
+        // The momenta of a run whose system was replaced result from a step. `DiscreteGradient` leaves them O(h²) off, so only positions are checked.
         let h_of_rates = if self.taken == self.set { self.clock.step_size() } else { zero() };
         match self.system.unmet(self.time(), h_of_rates, &self.x.z) {
             Some(Unmet::Off(what)) => Err(StepError::OffConstraint { t, what }),
@@ -212,7 +214,8 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
         }
     }
 
-    /// Whether a state is finite, its time too, and the energy defined there. Where time is a number after the last step it was after all others.
+    /// Returns whether a point and its time are finite, and the energy is defined there. A finite time after the last step implies finite times
+    /// before.
     #[inline(always)]
     fn is_good(&self, steps: u64, x: &Point<S::Phase, C, S::Action>) -> bool {
         x.is_finite()
@@ -220,7 +223,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
             && self.end(steps, x).magnitude() < f64::INFINITY
     }
 
-    /// The same of what the user sees: the way out of the method's coordinates may lead to no finite point.
+    /// Returns whether the state is finite and in the domain. The map from the inner point to the state may have no finite result.
     #[inline(always)]
     fn is_defined(&self, steps: u64, x: &Point<S::Phase, C, S::Action>) -> bool {
         let t = self.end(steps, x);
@@ -228,7 +231,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
         (!M::INNER || Array::is_finite(&z)) && self.system.outside_domain(t, &z, &x.s).is_none()
     }
 
-    /// From the point of a state to the one that the method moves, if it is not there yet.
+    /// Maps the point of a state to the inner point, unless `x` is the inner point already.
     #[inline(always)]
     fn enter(&self, x: &mut Point<S::Phase, C, S::Action>) {
         if M::INNER && !self.inside {
@@ -236,7 +239,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
         }
     }
 
-    /// The point of the state at time `t` that the method has as `x`.
+    /// Returns the point of the state at time `t` that belongs to the inner point `x`.
     #[inline(always)]
     fn seen_as(&self, x: &Point<S::Phase, C, S::Action>, t: R) -> S::Phase {
         let mut z = x.z;
@@ -246,7 +249,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
         z
     }
 
-    /// The point of the state now.
+    /// Returns the point of the present state.
     #[inline(always)]
     pub(super) fn seen(&self) -> Point<S::Phase, C, S::Action> {
         let mut x = self.x;
@@ -256,36 +259,37 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
         x
     }
 
-    /// The same, and the next step enters again: with other coefficients, perhaps.
+    /// Replaces the inner point by the point of the state. The next step maps it to an inner point again, possibly with other coefficients.
     pub(super) fn leave(&mut self) {
         if M::INNER && self.inside {
-            // What the method's coordinates were rounded by is none of these.
+            // The rounding errors of the sums belong to the inner point, so they are dropped.
             let (ahead, x) = (self.x.ahead, self.seen());
             self.x = Point { ahead, ..Point::with_action(x.z, x.s) };
             self.inside = false;
         }
     }
 
-    /// When steps end that led to `x`.
+    /// Returns the time at the end of `steps` steps to `x`.
     #[inline(always)]
     fn end(&self, steps: u64, x: &Point<S::Phase, C, S::Action>) -> R {
         self.clock.at(steps) + x.ahead.value()
     }
 
-    /// Whether a step from time `start` to `x` does not end beyond `limit`.
+    /// Returns whether a step from time `start` to `x` does not end beyond `limit`.
     #[inline(always)]
     fn ends_within(&self, limit: Option<R>, x: &Point<S::Phase, C, S::Action>, start: R) -> bool {
         limit.is_none_or(|t| !M::SCALES_STEPS || self.clock.leads_to(t, [start, self.end(1, x)]))
     }
 
-    /// The first pole, if any, at a time within one of the next steps, which lead to `x`.
+    /// Returns the first pole in time, if any, within the next steps, which lead to `x`.
     #[inline(always)]
     fn pole_in_time(&mut self, steps: u64, x: &Point<S::Phase, C, S::Action>) -> Option<&'static str> {
         let way = [self.end(0, &self.x), self.end(steps, x)];
         self.clear.pole(&self.system, way)
     }
 
-    /// A jump of the energy on the way of the last of so many steps, between two points of the method; one that keeps the energy takes it along.
+    /// Returns a jump of the energy within the last of `steps` steps, between two points of the method. A method that conserves the energy also does
+    /// so across a jump.
     #[inline(always)]
     fn jump(&self, steps: u64, ends: [&Point<S::Phase, C, S::Action>; 2]) -> Option<&'static str> {
         if S::CONTINUOUS || self.method.claims().conserves_energy {
@@ -302,22 +306,22 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
     fn pass(&mut self, steps: u64) {
         self.clock.pass(steps);
         self.taken += steps;
-        if const { settles::<S, M, R>() } && self.taken.is_multiple_of(STEPS_BETWEEN_LOOKS) {
-            self.settle();
+        if const { has_drift::<S, M, R>() } && self.taken.is_multiple_of(STEPS_BETWEEN_CHECKS) {
+            self.remove_drift();
         }
     }
 
-    /// Takes away what rounding has changed over many steps, if that leads to a point of the domain.
+    /// Removes the drift by rounding over many steps, if the corrected point is good.
     #[cold]
     #[inline(never)]
-    fn settle(&mut self) {
-        let x = settled::<S, M, R, C>((&self.system, &self.prepared), &self.origin, &self.x);
+    fn remove_drift(&mut self) {
+        let x = without_drift::<S, M, R, C>((&self.system, &self.prepared), &self.origin, &self.x);
         if self.is_good(0, &x) {
             self.x = x;
         }
     }
 
-    /// `t0 + n·h`.
+    /// Returns `t0 + n·h`.
     #[inline(always)]
     pub(super) fn time(&self) -> R {
         self.clock.now(self.x.ahead.value())

@@ -1,7 +1,7 @@
-//! Steps by Taylor series of the solution.
+//! Integration by Taylor series of the solution.
 //!
-//! Nothing is kept exactly, and everything to the tolerance. The coefficients at the end of a step are computed with the step: they are
-//! those of the next one, and their first order tells whether the polynomial led to a solution.
+//! The coefficients at the end of a step are computed with this step, and reused for the next one. Their first order, the rates, checks whether the
+//! polynomial led to a solution.
 
 #[cfg(feature = "alloc")]
 mod saved;
@@ -18,14 +18,17 @@ use crate::taylor::TaylorMethod;
 use core::fmt::{self, Debug, Formatter};
 use steps::Steps;
 
-/// A system by Taylor series of its solution: a plain value, no borrow, no allocation.
+/// Integrates a system by Taylor series of its solution. The value borrows nothing and allocates nothing.
 ///
-/// Steps are as long as the last coefficients allow ([`Taylor`](crate::Taylor), [`TaylorOrder`](crate::TaylorOrder)), or all of one length
-/// ([`TaylorFixed`](crate::TaylorFixed)). After each step the rates at its end are compared with those of its polynomial; where they
-/// differ by much more than the tolerance, at poles that the last coefficients do not show, the step is repeated with half the length.
-/// Where a condition of the energy changes sides the step ends, also one of given length; what decides a condition is followed no farther
-/// than its own series holds. A solution that both sides lead back to where a condition changes is refused, and so is one that bounces there ever
-/// lower: it slides along it, or rests there. Sums of coordinates and of time are compensated.
+/// The last coefficients determine the step length ([`Taylor`](crate::Taylor), [`TaylorOrder`](crate::TaylorOrder)), or it is fixed
+/// ([`TaylorFixed`](crate::TaylorFixed)). After each step, the rates at its end are compared with those of its polynomial. If they differ by much
+/// more than the tolerance, the step is repeated with half the length. This happens at poles that the last coefficients do not show.
+///
+/// A step ends where a condition of the energy changes, even a step of fixed length. The function that decides a condition is used only within the
+/// range of its own series. The run is refused if it cannot leave a condition: if both sides lead back to it (sliding), or if it bounces there with
+/// decreasing height.
+///
+/// Sums of coordinates and of time are compensated.
 ///
 /// ```
 /// use geoint_runtime::prelude::*;
@@ -49,73 +52,74 @@ use steps::Steps;
 pub struct TaylorIntegrator<S: Jets<R>, M: TaylorMethod<S, R>, R: Real = f64> {
     pub(in crate::running) steps: Steps<S, M, R>,
     pub(in crate::running) reported: Reported<R>,
-    /// Steps on the way to a time.
+    /// Maximum number of steps in one `advance_to`.
     most_steps: u64,
 }
 
 impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> TaylorIntegrator<S, M, R> {
-    /// A system by Taylor series of its solution, from `state` on.
+    /// Integrates a system by Taylor series of its solution, from `state` on.
     ///
-    /// Nothing is checked yet: an unusable tolerance, order or state is reported by the first step.
+    /// Nothing is checked yet: the first step reports an unusable tolerance, order or state.
     pub fn new(system: S, method: M, state: StateOf<S, R>) -> Self {
         let (t, z, s) = state.parts();
         let steps = Steps::new((system, method), t, (z, s));
         TaylorIntegrator { steps, reported: Reported::nothing(), most_steps: u64::MAX }
     }
 
-    /// Steps between two lengths only. Without bounds the shortest is what changes time at all. Steps of one length are as long as they are.
+    /// Sets the shortest and the longest step. Without bounds, the shortest step is the least one that changes the time. Steps of fixed length ignore
+    /// the bounds.
     ///
-    /// The last step on the way to a given time may be shorter, and so is one that ends where a condition of the energy changes sides.
+    /// The last step before a given time may be shorter, and so may a step that ends where a condition of the energy changes.
     #[must_use = "the settings are those of the run that is returned"]
     pub fn steps_between(mut self, shortest: f64, longest: f64) -> Self {
         self.steps.bounds = Bounds { shortest: shortest.abs(), longest: longest.abs() };
         self
     }
 
-    /// Steps of at most this length. A run may step over a force that acts for a shorter time than a step, such as a pulse. Choose `h` below the duration of
-    /// the pulse. Steps of one length are as long as they are.
+    /// Sets the longest step. A run may step over a force that acts for a shorter time than a step, such as a pulse. Choose `h` below the duration of
+    /// the pulse. Steps of fixed length ignore this setting.
     #[must_use = "the settings are those of the run that is returned"]
     pub fn longest_step(mut self, h: f64) -> Self {
         self.steps.bounds.longest = h.abs();
         self
     }
 
-    /// At most so many steps in one [`advance_to`](Self::advance_to). Without this there is no limit.
+    /// Limits the number of steps in one [`advance_to`](Self::advance_to). The default is no limit.
     #[must_use = "the settings are those of the run that is returned"]
     pub fn steps_at_most(mut self, steps: u64) -> Self {
         self.most_steps = steps;
         self
     }
 
-    /// One step; forwards, or in the direction of the last one.
+    /// Takes one step: forwards, or in the direction of the last step.
     ///
     /// # Errors
-    /// See [`StepError`]; the state is then unchanged.
+    /// See [`StepError`]. The state is then unchanged.
     pub fn step(&mut self) -> Result<(), StepError> {
         self.steps.check_start()?;
         self.steps.take(f64::INFINITY)
     }
 
-    /// `n` steps.
+    /// Takes `n` steps.
     ///
     /// # Errors
-    /// See [`StepError`]; the state is then the last good one.
+    /// See [`StepError`]. The state is then the last good one.
     pub fn advance(&mut self, n: u64) -> Result<(), StepError> {
         (0..n).try_for_each(|_| self.step())
     }
 
-    /// Steps to the time `t`, before or after now: the last one ends there.
+    /// Steps to the time `t`, before or after the present time. The last step ends there.
     ///
     /// # Errors
-    /// See [`StepError`]; the state is then the last good one. A `t` that is not finite is a step size that is none.
+    /// See [`StepError`]. The state is then the last good one. A `t` that is not finite gives the error of an invalid step size.
     pub fn advance_to(&mut self, t: R) -> Result<(), StepError> {
         adapt_to(self, t, self.most_steps)
     }
 
-    /// One step to the time `t`, before or after now, or towards it; `false` if that is now.
+    /// Takes one step to the time `t`, or towards it. The time may lie before or after the present time. Returns `false` if `t` is the present time.
     ///
     /// # Errors
-    /// See [`StepError`]; the state is then unchanged. A `t` that is not a number is a step size that is none.
+    /// See [`StepError`]. The state is then unchanged. A `t` that is not a number gives the error of an invalid step size.
     pub fn step_towards(&mut self, t: R) -> Result<bool, StepError> {
         self.steps.check_start()?;
         if self.time() == t {
@@ -133,39 +137,39 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> TaylorIntegrator<S, M, R> {
         Ok(true)
     }
 
-    /// The state at a time within the last step, by its polynomial; `None` before and after, and if there is no last step: none was taken, one
-    /// was refused since, or the run went on from an event, another state or a saved run.
+    /// Returns the state at a time within the last step, by its polynomial. Returns `None` outside of this step, and also if there is no last step.
+    /// This is so if no step was taken, if a step was refused since, or if the run continued from an event, another state or a saved run.
     pub fn at(&self, t: R) -> Option<StateOf<S, R>> {
         self.steps.at(t)
     }
 
-    /// Goes on from this state.
+    /// Continues from this state.
     pub(in crate::running) fn restart(&mut self, state: StateOf<S, R>) {
         let (t, z, s) = state.parts();
         self.steps.restart(t, (z, s));
     }
 
-    /// Replaces the system by one with other parameters. Time, state, settings and the number of steps stay.
+    /// Replaces the system by one with other parameters. Time, state, settings and the number of steps remain.
     pub fn set_system(&mut self, system: S) {
         self.steps.set_system(system);
     }
 
-    /// Time now.
+    /// Returns the present time.
     pub fn time(&self) -> R {
         self.steps.time()
     }
 
-    /// The state now.
+    /// Returns the present state.
     pub fn state(&self) -> StateOf<S, R> {
         S::State::of(self.time(), self.steps.here().x.z, self.steps.here().x.s)
     }
 
-    /// The energy now.
+    /// Returns the present energy.
     pub fn energy(&self) -> R {
         self.steps.system.hamiltonian(self.time(), &self.steps.here().x.z, &self.steps.here().x.s)
     }
 
-    /// The velocities now, of a system that was written as a Lagrangian.
+    /// Returns the present velocities of a system that was written as a Lagrangian.
     pub fn velocity(&self) -> S::Coordinates
     where
         S: Lagrangian<R>,
@@ -174,27 +178,27 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> TaylorIntegrator<S, M, R> {
         S::Coordinates::from_array(self.steps.system.velocity(self.time(), &x.z, &x.s))
     }
 
-    /// The length of the last step; zero before the first one.
+    /// Returns the length of the last step; zero before the first one.
     pub fn step_size(&self) -> f64 {
         self.steps.step
     }
 
-    /// The number of steps taken.
+    /// Returns the number of steps taken.
     pub fn steps(&self) -> u64 {
         self.steps.taken
     }
 
-    /// The order of the series.
+    /// Returns the order of the series.
     pub fn order(&self) -> usize {
         self.steps.order()
     }
 
-    /// The system with its parameters.
+    /// Returns the system with its parameters.
     pub fn system(&self) -> &S {
         &self.steps.system
     }
 
-    /// The method.
+    /// Returns the method.
     pub fn method(&self) -> &M {
         &self.steps.method
     }

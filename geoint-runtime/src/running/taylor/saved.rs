@@ -1,4 +1,4 @@
-//! A run of steps by Taylor series that is saved, and goes on.
+//! Saves and resumes a run with Taylor series.
 
 use super::TaylorIntegrator;
 use crate::method::Name;

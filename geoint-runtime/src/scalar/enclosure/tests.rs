@@ -1,10 +1,10 @@
-//! Enclosures against values and quotients of differences.
+//! Tests of enclosures against values and difference quotients.
 
 use super::*;
 
 type Function = (&'static str, fn(Enclosure<f64>) -> Enclosure<f64>, fn(f64) -> f64, [f64; 2]);
 
-/// One table for all functions: intervals, values, and where both are taken.
+/// The table of all functions, with their intervals, their values, and the arguments of the test.
 const FUNCTIONS: &[Function] = &[
     ("sqrt", Real::sqrt, Real::sqrt, [0.0, 9.0]),
     ("cbrt", Real::cbrt, Real::cbrt, [-3.0, 3.0]),
@@ -43,7 +43,7 @@ const FUNCTIONS: &[Function] = &[
     ),
 ];
 
-/// Values, and quotients of differences, lie in what encloses them, on wide and on narrow parts.
+/// Values and difference quotients lie in their enclosures, on wide and on narrow parts.
 #[test]
 fn enclosures_enclose() {
     for (name, enclosed, value, [low, high]) in FUNCTIONS {
@@ -59,7 +59,7 @@ fn enclosures_enclose() {
                     assert!(found.value.low <= y && y <= found.value.high, "{name}({x}) = {y} in {:?}", found.value);
                     if let Some((x0, y0)) = last.filter(|(x0, _)| *x0 != x) {
                         let slope = (y - y0) / (x - x0);
-                        // The difference itself has been rounded.
+                        // The difference is rounded.
                         let rounding = 1e-14 * (1.0 + y.abs()) / (x - x0).abs();
                         let (low, high) = (found.rate.low - rounding, found.rate.high + rounding);
                         assert!(low <= slope && slope <= high, "{name}'({x}) = {slope} in {:?}", found.rate);
@@ -76,13 +76,13 @@ fn enclosures_enclose() {
 }
 
 #[test]
-fn what_is_undefined_is_everything() {
+fn undefined_values_give_the_whole_line() {
     let [below, nan] = [-2.0, f64::NAN].map(Enclosure::<f64>::constant);
     for x in [below.sqrt(), below.ln(), below.asin(), below.acosh(), nan, nan + below, nan.sin().exp() * nan] {
         assert!(x.value.contains_zero(), "{x:?}");
     }
     assert!(nan.value.is_whole() && below.ln().value.is_whole());
-    // Zero times anything is zero: a side of a branch that is not taken.
+    // Zero times an unbounded interval is zero, as for a branch that is not taken.
     let zero = Enclosure::<f64>::constant(0.0);
     assert_eq!((zero * nan).value, zero.value);
 }

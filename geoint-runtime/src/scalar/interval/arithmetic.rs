@@ -4,12 +4,12 @@ use super::super::Real;
 use super::{Interval, extremes};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// The product of two ends: zero times what is unbounded is zero.
+/// Returns the product of two ends. Zero times an infinite end is zero.
 fn product(a: f64, b: f64) -> f64 {
     if a == 0.0 || b == 0.0 { 0.0 } else { a * b }
 }
 
-/// a + b rounded up or down, or as it is where nothing is rounded off.
+/// Returns a + b, rounded by `outwards` unless the sum is exact.
 fn sum(a: f64, b: f64, outwards: fn(f64) -> f64) -> f64 {
     let sum = a + b;
     let tail = sum - a;
@@ -43,7 +43,7 @@ impl Mul for Interval {
         let (a, b) = (self, other);
         let [low, high] =
             extremes([product(a.low, b.low), product(a.low, b.high), product(a.high, b.low), product(a.high, b.high)]);
-        // Zero is exact, and so is what is multiplied by ±1.
+        // Products with zero or ±1 are exact.
         let exact = |x: f64| x == 0.0 && (a.contains(0.0) || b.contains(0.0));
         let unit = |x: Self| x.low == x.high && x.low.magnitude() == 1.0;
         if unit(a) || unit(b) {
@@ -68,7 +68,7 @@ impl Div for Interval {
         } else {
             Self::WHOLE
         };
-        // A reciprocal has the sign of its number.
+        // The reciprocal has the sign of the divisor, also after outward rounding.
         self * if low >= 0.0 && high > 0.0 {
             recip.within(0.0, f64::INFINITY)
         } else if high <= 0.0 && low < 0.0 {

@@ -1,10 +1,10 @@
-//! The functions of the language, of series.
+//! Elementary functions of power series.
 
 use super::{Series, sum, whole};
 use crate::scalar::Real;
 use core::array::from_fn;
 
-/// Functions under the names that numbers have them by, for functions of states that name no trait.
+/// Defines the elementary functions as methods, with the names of `f64`. A function that is written for numbers then accepts series without a trait.
 macro_rules! functions {
     ($($name:ident($($y:ident)?);)*) => {
         functions!(f64: $($name($($y)?);)*);
@@ -18,24 +18,24 @@ macro_rules! functions {
                     Real::$name(self $(, $y)?)
                 }
             )*
-            /// A power with an integer exponent.
+            /// Returns a power with an integer exponent.
             pub fn powi(self, n: i32) -> Self {
                 let power = (0..n.unsigned_abs()).fold(Self::one(), |power, _| power * self);
                 if n < 0 { Self::one() / power } else { power }
             }
-            /// A power with an exponent that is a number.
+            /// Returns a power with a constant exponent.
             pub fn powf(self, exponent: $number) -> Self {
                 Real::powf(self, Series::constant(exponent))
             }
-            /// 1/u.
+            /// Returns 1/u.
             pub fn recip(self) -> Self {
                 Self::one() / self
             }
-            /// u·a + b.
+            /// Returns u·a + b.
             pub fn mul_add(self, a: Self, b: Self) -> Self {
                 self * a + b
             }
-            /// Sine and cosine.
+            /// Returns sine and cosine.
             pub fn sin_cos(self) -> (Self, Self) {
                 Real::sin_cos(self)
             }

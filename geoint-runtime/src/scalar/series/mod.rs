@@ -1,8 +1,7 @@
 //! Truncated power series as a scalar: u₀ + u₁τ + … + u_{N−1}τ^{N−1}.
 //!
-//! What is computed with series in place of coordinates has the Taylor coefficients of its value: functions along a solution, such as
-//! what an event is a zero of. The recurrences are those of the kernels that are emitted, but written down once more, without regard
-//! to speed: tests compare the two.
+//! A function of coordinates, evaluated with series in place of numbers, returns its own Taylor coefficients along a solution. Event functions are
+//! evaluated in this way. The recurrences are the same as in the emitted kernels, but implemented independently. Tests compare both.
 
 mod functions;
 
@@ -10,7 +9,7 @@ use crate::scalar::{Real, zero};
 use core::array::from_fn;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// A power series of `N` coefficients, that of order 0 first. Conditions are decided by its value at 0.
+/// A power series with `N` coefficients, from order 0. Comparisons use the value at τ = 0.
 ///
 /// ```
 /// use geoint_runtime::scalar::{Real, Series};
@@ -23,17 +22,17 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 pub struct Series<R, const N: usize>(pub [R; N]);
 
 impl<R: Real, const N: usize> Series<R, N> {
-    /// A constant.
+    /// Returns a constant series.
     pub fn constant(x: R) -> Self {
         Series(from_fn(|n| if n == 0 { x } else { zero() }))
     }
 
-    /// The value at τ = 0.
+    /// Returns the value at τ = 0.
     fn start(self) -> R {
         self.0.first().copied().unwrap_or(zero())
     }
 
-    /// Order by order, from the coefficients that are known; the value first.
+    /// Builds a series order by order. `next(n, y)` returns the coefficient of order n from the lower orders in `y`.
     fn by_orders(value: R, mut next: impl FnMut(usize, &[R; N]) -> R) -> Self {
         let mut y = Self::constant(value).0;
         for n in 1..N {
@@ -42,18 +41,18 @@ impl<R: Real, const N: usize> Series<R, N> {
         Series(y)
     }
 
-    /// n·uₙ.
+    /// Returns the coefficients n·uₙ.
     fn weighted(self) -> [R; N] {
         from_fn(|n| whole::<R>(n) * self.0[n])
     }
 
-    /// y with y' = y·u', of this value.
+    /// Returns y with y' = y·u' and y(0) = `value`.
     fn exponential(self, value: R) -> Self {
         let weighted = self.weighted();
         Self::by_orders(value, |n, y| sum(1..n + 1, |j| weighted[j] * y[n - j]) / whole(n))
     }
 
-    /// y with y'·d = u', for y of this value.
+    /// Returns y with y'·d = u' and y(0) = `value`.
     fn quadrature(self, value: R, d: Self) -> Self {
         let weighted = self.weighted();
         Self::by_orders(value, |n, y| {
@@ -62,7 +61,7 @@ impl<R: Real, const N: usize> Series<R, N> {
         })
     }
 
-    /// uᵅ, of this value.
+    /// Returns u^`exponent`, with the given `value` at τ = 0.
     fn power(self, value: R, exponent: R) -> Self {
         let u = self.0;
         Self::by_orders(value, |n, y| {
@@ -71,7 +70,7 @@ impl<R: Real, const N: usize> Series<R, N> {
         })
     }
 
-    /// Both functions of a pair y' = z·u', z' = ±y·u'.
+    /// Returns the pair y, z with y' = z·u' and z' = ±y·u', for given values at τ = 0. `sign` is the sign of z'.
     fn pair(self, [y, z]: [R; 2], sign: f64) -> (Self, Self) {
         let (weighted, mut y, mut z) = (self.weighted(), Self::constant(y).0, Self::constant(z).0);
         for n in 1..N {
@@ -81,7 +80,7 @@ impl<R: Real, const N: usize> Series<R, N> {
         (Series(y), Series(z))
     }
 
-    /// y with y' = (1 ± y²)·u', of this value.
+    /// Returns y with y' = (1 ± y²)·u' and y(0) = `value`. `sign` is the sign of y².
     fn tangent(self, value: R, sign: f64) -> Self {
         let weighted = self.weighted();
         Self::by_orders(value, |n, y| {
@@ -93,7 +92,7 @@ impl<R: Real, const N: usize> Series<R, N> {
         })
     }
 
-    /// y with y·w = u.
+    /// Returns y with y·w = u.
     fn quotient(self, w: Self) -> Self {
         let start = w.start();
         Self::by_orders(self.start() / start, |n, q| (self.0[n] - sum(1..n + 1, |j| w.0[j] * q[n - j])) / start)
@@ -103,7 +102,7 @@ impl<R: Real, const N: usize> Series<R, N> {
         Series(self.0.map(|u| c * u))
     }
 
-    /// The value replaced.
+    /// Replaces the value at τ = 0.
     fn with_start(mut self, value: R) -> Self {
         if let Some(start) = self.0.first_mut() {
             *start = value;
@@ -115,13 +114,13 @@ impl<R: Real, const N: usize> Series<R, N> {
         Self::constant(whole(1))
     }
 
-    /// (1 − u)(1 + u).
+    /// Returns 1 − u² as (1 − u)(1 + u).
     fn circle(self) -> Self {
         (Self::one() - self) * (Self::one() + self)
     }
 }
 
-/// A whole number.
+/// Converts an integer to the scalar.
 fn whole<R: Real>(n: usize) -> R {
     R::from_f64(n as f64)
 }
@@ -161,7 +160,7 @@ impl<R: Real, const N: usize> Neg for Series<R, N> {
     }
 }
 
-/// Operations with a series on the right, and with a number: functions that were written for numbers hold for series.
+/// Defines the assigning operators, and operators between a series and a number. A function that is written for numbers then accepts series.
 macro_rules! operations {
     ($($operation:ident $method:ident $assign:ident $assign_method:ident;)*) => { $(
         impl<R: Real, const N: usize> $assign for Series<R, N> {

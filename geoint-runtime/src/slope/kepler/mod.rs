@@ -1,4 +1,4 @@
-//! Kepler's motion: the flow of v²/2 − μ/|q|, of all energies and in all directions of time.
+//! Kepler's motion: the flow of v²/2 − μ/|q|, for all energies, forwards and backwards in time.
 //!
 //! Universal variables: J. Wisdom & D. M. Hernandez, Mon. Not. R. Astron. Soc. 453 (2015) 3015; H. Rein & D. Tamayo, ibid. 452 (2015) 376.
 
@@ -8,19 +8,18 @@ mod together;
 
 use crate::scalar::{Real, zero};
 
-/// Changes of X up to this part of it are the last: of X by a formula of order 6, of the functions G by one of order 3.
+/// A correction of the universal anomaly X up to this part of X is the last one. The correction of X has order 6, and that of the functions G order 3.
 const SMALL: f64 = 1e-4;
 
-/// Orbits so straight, |q×v|² ≤ `STRAIGHT` ε |q|²v², go through the centre: q·v and the squares do not tell them from those that do.
+/// Orbits with |q×v|² ≤ `STRAIGHT` ε |q|²v² count as straight lines through the centre. The numbers q·v, |q|² and v² do not distinguish them.
 const STRAIGHT: f64 = 8.0;
 
-/// (f − 1, g, ḟ, ġ − 1) of q₁ = q + (f − 1)q + g v and v₁ = v + ḟq + (ġ − 1)v after a time h in the field −μ/|q|, for each of N orbits given
-/// by (|q|², q·v, v², μ, h): one row a kind, of one number an orbit.
+/// Returns f − 1, g, ḟ and ġ − 1 of N orbits. After a time h in the potential −μ/|q|, q₁ = q + (f − 1)q + g v and v₁ = v + ḟq + (ġ − 1)v.
 ///
-/// Ellipses, parabolas, hyperbolas, repulsion (μ < 0) and straight lines (μ = 0); h of any sign, of many periods too. An orbit that meets the
-/// centre ends there: its numbers are not numbers, as for |q| = 0.
+/// The rows of `orbits` are |q|², q·v, v², μ and h, with one entry for each orbit. The orbits may be ellipses, parabolas, hyperbolas, repelled (μ < 0), or
+/// free (μ = 0). h may have any sign, and may hold many periods. The result is NaN for an orbit that meets the centre, and for |q| = 0.
 ///
-/// All orbits go one fast way together, and where that does not lead to rounding, or might lead through the centre, all go a safe one.
+/// A fast method computes all orbits together. If one of them does not converge, or might meet the centre, a safe method computes all orbits.
 #[inline(always)]
 pub fn kepler<R: Real, const N: usize>(orbits: [[R; N]; 5]) -> [[R; N]; 4] {
     let mut ends = [[zero(); N]; 4];
@@ -30,7 +29,7 @@ pub fn kepler<R: Real, const N: usize>(orbits: [[R; N]; 5]) -> [[R; N]; 4] {
     ends
 }
 
-/// All the safe way.
+/// Computes all orbits by the safe method.
 #[cold]
 #[inline(never)]
 fn safely<R: Real, const N: usize>(orbits: &[[R; N]; 5], ends: &mut [[R; N]; 4]) {

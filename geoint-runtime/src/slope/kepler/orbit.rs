@@ -1,19 +1,19 @@
-//! Universal variables: the orbits of every energy by one set of formulas, without branches.
+//! Universal variables: one set of formulas for the orbits of all energies, without branches.
 //!
-//! Operations wait for each other: what is known early is combined first.
+//! Products are ordered so that operands which are known early are combined first.
 
 use crate::scalar::{Real, zero};
 use crate::slope::{factorial, series};
 
-/// What the motion along an orbit follows from.
+/// The parameters of an orbit.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Orbit<R> {
-    /// The distance at the start, and 1 over it.
+    /// The distance r at the start, and 1/r.
     pub(super) r: R,
     pub(super) recip: R,
     /// q·v at the start.
     pub(super) eta: R,
-    /// −2 E: positive for ellipses.
+    /// β = −2E with the energy E. Positive for ellipses.
     pub(super) beta: R,
     /// μ − βr.
     pub(super) zeta: R,
@@ -21,12 +21,12 @@ pub(super) struct Orbit<R> {
     pub(super) h: R,
 }
 
-/// How far X is from where it should be.
+/// Corrections of X.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Correction<R> {
-    /// Newton's: small only where X is right, while the other one may vanish anywhere.
+    /// Newton's correction. It is small only near the solution. The other correction may vanish elsewhere.
     pub(super) newton: R,
-    /// Of order 6.
+    /// The correction of order 6.
     pub(super) change: R,
 }
 
@@ -34,16 +34,16 @@ pub(super) struct Correction<R> {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Functions<R>(pub(super) [R; 4]);
 
-/// |β|X² up to which the series of G₂ and G₃ have all digits: 2.4 rad of an ellipse.
+/// The series of G₂ and G₃ are accurate to rounding for |β|X² up to this bound. On an ellipse, it is an eccentric anomaly of 2.4 rad.
 pub(super) const RADIUS: f64 = 6.0;
 
-/// Plain numbers.
+/// Converts a number to the scalar.
 #[inline(always)]
 fn number<R: Real>(x: f64) -> R {
     R::from_f64(x)
 }
 
-/// Σ cₖ zᵏ for k < 12 by halves of halves: less operations wait for each other than in Horner's rule.
+/// Returns Σ cₖ zᵏ for k < 12 by Estrin's scheme, with a shorter chain of dependent operations than Horner's rule.
 #[inline(always)]
 fn polynomial<R: Real>(z: R, c: &[f64; 12]) -> R {
     let square = z * z;
@@ -54,7 +54,7 @@ fn polynomial<R: Real>(z: R, c: &[f64; 12]) -> R {
 }
 
 impl<R: Real> Orbit<R> {
-    /// Of |q|², q·v, v², μ and h.
+    /// Computes the parameters from |q|², q·v, v², μ and h.
     #[inline(always)]
     pub(super) fn new([square, eta, speed, mu, h]: [R; 5]) -> Self {
         let r = square.sqrt();
@@ -63,12 +63,12 @@ impl<R: Real> Orbit<R> {
         Orbit { r, recip, eta, beta, zeta: (-beta).multiply_add(r, mu), mu, h }
     }
 
-    /// The functions G at X, for |β|X² up to [`RADIUS`].
+    /// Returns the functions G at X. Precondition: |β|X² ≤ [`RADIUS`].
     #[inline(always)]
     pub(super) fn functions(&self, x: R) -> Functions<R> {
         let square = x * x;
         let z = -(self.beta * square);
-        // Without the digits that 1/6 is rounded by, every G₃ is too small, and a million steps gain energy.
+        // `tail` holds the rounding error of 1/6. Without it, each G₃ is too small, and the energy grows over a million steps.
         let sixth = 1.0 / 6.0;
         let tail = sixth - crate::scalar::signed(number::<R>(sixth)) + 9.25185853854297e-18;
         let rest = polynomial(z, series!(12, |k| 1.0 / factorial(2 * k + 5)));
@@ -77,8 +77,9 @@ impl<R: Real> Orbit<R> {
         Functions([z.multiply_add(c2, number(1.0)), (z * x).multiply_add(c3, x), square * c2, square * x * c3])
     }
 
-    /// How far X has to go for a time `late`, up to order 6, by the derivatives of time: 1 over the first one, the second, the third. Each
-    /// later one is −β times the one two before.
+    /// Returns the correction of X for a remaining time `late`, up to order 6.
+    ///
+    /// The arguments are 1/t', t'' and t''' of the time t(X). Each higher derivative is −β times the derivative two orders below.
     #[inline(always)]
     fn correction_by(&self, late: R, [recip, second, third]: [R; 3]) -> Correction<R> {
         let (w, a, b) = (late * recip, second * recip, third * recip);
@@ -96,20 +97,20 @@ impl<R: Real> Orbit<R> {
         Correction { newton: w, change: w * by_w.multiply_add(later, first) }
     }
 
-    /// X from the series of time at the start.
+    /// Returns the first guess of X, from the series of t(X) at the start.
     #[inline(always)]
     pub(super) fn first_guess(&self) -> R {
         self.correction_by(self.h, [self.recip, self.eta, self.zeta]).change
     }
 
-    /// The time that is left of h at X.
+    /// Returns the remaining time h − t(X).
     #[inline(always)]
     pub(super) fn late(&self, x: R, Functions([_, _, g2, g3]): &Functions<R>) -> R {
         let straight = (-self.r).multiply_add(x, self.h);
         (-self.zeta).multiply_add(*g3, (-self.eta).multiply_add(*g2, straight))
     }
 
-    /// By how much X is too small, for the functions at X.
+    /// Returns the correction of X from the functions at X.
     #[inline(always)]
     pub(super) fn correction(&self, x: R, g: &Functions<R>) -> Correction<R> {
         let Functions([g0, g1, ..]) = *g;
@@ -119,13 +120,13 @@ impl<R: Real> Orbit<R> {
         self.correction_by(late, [number::<R>(1.0) / self.distance(g), second, third])
     }
 
-    /// The distance where the functions have these values.
+    /// Returns the distance from the centre, from the values of the functions.
     #[inline(always)]
     fn distance(&self, Functions([_, g1, g2, _]): &Functions<R>) -> R {
         self.eta.multiply_add(*g1, self.zeta.multiply_add(*g2, self.r))
     }
 
-    /// f − 1, g, ḟ, ġ − 1 of q₁ = f q + g v, v₁ = ḟ q + ġ v.
+    /// Returns f − 1, g, ḟ and ġ − 1 with q₁ = f q + g v and v₁ = ḟ q + ġ v.
     #[inline(always)]
     pub(super) fn end(&self, g: &Functions<R>) -> [R; 4] {
         let Functions([_, g1, g2, g3]) = *g;
@@ -136,7 +137,7 @@ impl<R: Real> Orbit<R> {
 }
 
 impl<R: Real> Functions<R> {
-    /// The functions at X + d for a small d, by their Taylor polynomials.
+    /// Returns the functions at X + d for a small d, by Taylor polynomials of degree 3.
     #[inline(always)]
     pub(super) fn shifted(self, d: R, beta: R) -> Self {
         let Functions([g0, g1, g2, g3]) = self;
@@ -154,7 +155,7 @@ impl<R: Real> Functions<R> {
         ])
     }
 
-    /// The functions at 2X.
+    /// Returns the functions at 2X.
     #[inline(always)]
     pub(super) fn doubled(self, x: R, beta: R) -> Self {
         let Functions([g0, g1, g2, g3]) = self;
@@ -165,7 +166,7 @@ impl<R: Real> Functions<R> {
     }
 }
 
-/// Zero where a condition holds, else one.
+/// Returns zero if the condition holds, else one.
 #[inline(always)]
 pub(super) fn unless<R: Real>(mask: R::Mask) -> R {
     let [value] = R::choose(mask, || [zero()], || [number(1.0)]);

@@ -1,23 +1,23 @@
-//! The way that always leads to the end of an orbit: a bracket for X, which every step makes smaller.
+//! The safe method for Kepler's equation: it keeps a bracket of X, which each iteration makes smaller.
 
 use super::orbit::{Correction, Functions, Orbit, RADIUS};
 use super::{SMALL, STRAIGHT};
 use crate::scalar::{Real, zero};
 
-/// Beyond 2¹² halvings hyperbolic functions overflow, and ellipses have ended.
+/// The largest number of halvings of X. Beyond 2¹² times the range of the series, hyperbolic functions overflow. Ellipses need less.
 const MOST_HALVINGS: u32 = 12;
 
-/// Doublings of the upper end of the bracket: it starts at h/r, and r may become small on the way.
+/// The largest number of doublings of the upper end of the bracket. It starts at h/r, and r may become small along the orbit.
 const DOUBLINGS: usize = 200;
 
-/// Each iteration halves the bracket, or is at most half as long as the one before.
+/// The largest number of iterations. Each iteration halves the bracket, or its correction is at most half of the previous one.
 const ITERATIONS: usize = 200;
 
-/// One orbit.
+/// Computes one orbit. See [`kepler`](super::kepler).
 #[cold]
 #[inline(never)]
 pub(super) fn kepler<R: Real>([square, eta, speed, mu, h]: [R; 5]) -> [R; 4] {
-    // Backwards in time is forwards with the other velocity.
+    // A motion backwards in time is a motion forwards with the opposite velocity.
     let sign = either(h.less(zero()), R::from_f64(-1.0), R::from_f64(1.0));
     let forward = [square, sign * eta, speed, mu, sign * h];
     let mut orbit = Orbit::new(forward);
@@ -31,7 +31,7 @@ pub(super) fn kepler<R: Real>([square, eta, speed, mu, h]: [R; 5]) -> [R; 4] {
     [f, sign * g, sign * f_rate, g_rate]
 }
 
-/// Takes whole periods off h, to the nearest; how many. After so many that no digit of the phase is known, what is left is not a number.
+/// Subtracts the nearest number of whole periods from h, and returns this number. h becomes NaN if the phase has no correct digit.
 fn reduced<R: Real>(orbit: &mut Orbit<R>) -> R {
     let Orbit { beta, mu, h, .. } = *orbit;
     let bound = zero::<R>().less(beta) & zero::<R>().less(mu);
@@ -53,11 +53,11 @@ fn reduced<R: Real>(orbit: &mut Orbit<R>) -> R {
     periods
 }
 
-/// X at the end of h, which may be negative where a period was taken off.
+/// Returns X at time h. h may be negative after the subtraction of a period.
 fn anomaly<R: Real>(orbit: &Orbit<R>) -> R {
     let Orbit { recip, beta, h, .. } = *orbit;
     let sign = either(h.less(zero()), R::from_f64(-1.0), R::from_f64(1.0));
-    // Whether X is before the end: what overflows, or is not a number, is beyond it.
+    // Returns whether X is before the solution. Overflow and NaN count as beyond it.
     let is_early = |x: R, g: &Functions<R>| {
         let late = sign * orbit.late(x, g);
         zero::<R>().less(late) & late.less(R::from_f64(f64::INFINITY))
@@ -83,7 +83,7 @@ fn anomaly<R: Real>(orbit: &Orbit<R>) -> R {
         let before = is_early(x, &g);
         (near, far) = (either(before, x, near), either(before, far, x));
         let Correction { newton, change: d } = orbit.correction(x, &g);
-        // Far beyond the end the slope of time overflows, which looks like a correction of zero.
+        // Far beyond the solution t'(X) overflows, and Newton's correction becomes zero. The second condition tests the change, too.
         let small = newton.abs().less_equal(x.abs() * R::from_f64(SMALL)) & d.abs().less_equal(x.abs());
         let shrinks = (d.abs() + d.abs()).less_equal(last.abs());
         let next = either(small | shrinks & inside(x + d, near, far), x + d, middle(near, far));
@@ -97,7 +97,7 @@ fn anomaly<R: Real>(orbit: &Orbit<R>) -> R {
     x
 }
 
-/// The functions G with as many halvings as X asks for; not a number where they overflow.
+/// Returns the functions G, by the series after the required number of halvings of X, and doublings. NaN if they overflow.
 fn functions<R: Real>(orbit: &Orbit<R>, x: R) -> Functions<R> {
     let beta = orbit.beta;
     let size = (beta * x * x).abs();
@@ -109,26 +109,26 @@ fn functions<R: Real>(orbit: &Orbit<R>, x: R) -> Functions<R> {
         (g, y) = (g.doubled(y, beta), y + y);
     }
     let Functions(g) = g;
-    // One of them alone would be an early or a late end.
+    // If one function overflows, all become NaN. A partial result would count as before or beyond the solution.
     g.iter().for_each(|g| known = known & g.abs().less(R::from_f64(f64::INFINITY)));
     Functions(g.map(|g| either(known, g, R::from_f64(f64::NAN))))
 }
 
-/// |β|X² up to which halving X so many times leaves no more than [`RADIUS`].
+/// Returns the largest |β|X² that this number of halvings of X reduces to [`RADIUS`].
 fn reach(halvings: u32) -> f64 {
     RADIUS * (1_u64 << (2 * halvings)) as f64
 }
 
-/// Not a number if the orbit is straight and meets the centre within h, else zero. The time goes forwards.
+/// Returns NaN if the orbit is straight and meets the centre within h, else zero. Precondition: h ≥ 0.
 fn passed_centre<R: Real>([square, eta, speed, mu, h]: [R; 5], orbit: &Orbit<R>, g: &Functions<R>, periods: R) -> R {
     let none = zero::<R>();
     let straight = (square * speed * R::from_f64(1.0 - STRAIGHT * R::epsilon())).less_equal(eta * eta);
     let (beta, zeta) = (orbit.beta, orbit.zeta);
     let Functions([g0, g1, _, _]) = *g;
     let inward = eta.less(none);
-    // It fell, and is on its way out.
+    // An inward motion has passed the centre if it now moves outwards.
     let turned = none.less(eta * g0 + zeta * g1) | none.less(periods);
-    // It rises, and falls: t = (E − sin E)μ/β^(3/2) from the centre.
+    // An outward motion on a bound orbit rises and falls. The time from the centre is t = (E − sin E)μ/β^(3/2), with the eccentric anomaly E.
     let root = beta.abs().sqrt();
     let angle = (root * eta).abs().atan2(zeta);
     let fall = (R::from_f64(core::f64::consts::TAU) - angle + angle.sin()) * mu / (beta.abs() * root);
@@ -137,7 +137,7 @@ fn passed_centre<R: Real>([square, eta, speed, mu, h]: [R; 5], orbit: &Orbit<R>,
     either(passed, R::from_f64(f64::NAN), none)
 }
 
-/// `first` where the condition holds, else `second`.
+/// Returns `first` if the condition holds, else `second`.
 fn either<R: Real>(mask: R::Mask, first: R, second: R) -> R {
     let [value] = R::choose(mask, || [first], || [second]);
     value

@@ -1,16 +1,16 @@
-//! The fast way: orbits side by side, without branches, so that the processor works on several of them at a time.
+//! The fast method for Kepler's equation: a fixed number of iterations for several orbits at a time, without branches, for SIMD registers.
 
 use super::orbit::{Functions, Orbit, RADIUS, unless};
 use super::{SMALL, STRAIGHT};
 use crate::scalar::{Real, zero};
 
-/// Evaluations of the functions G.
+/// The number of evaluations of the functions G.
 const EVALUATIONS: usize = 3;
 
-/// Numbers that a register of the processor holds: loops over so many orbits have no rest.
+/// The number of doubles in a SIMD register of the processor. The length of a group of five or more orbits is a multiple of it.
 const WIDTH: usize = if cfg!(any(target_feature = "avx", target_feature = "avx512f")) { 4 } else { 2 };
 
-/// The ends of N orbits; whether all came to their ends this way.
+/// Computes N orbits. Returns whether all of them have converged. See [`kepler`](super::kepler).
 #[inline(always)]
 pub(super) fn kepler<R: Real, const N: usize>(orbits: &[[R; N]; 5], ends: &mut [[R; N]; 4]) -> bool {
     match N {
@@ -22,7 +22,7 @@ pub(super) fn kepler<R: Real, const N: usize>(orbits: &[[R; N]; 5], ends: &mut [
     }
 }
 
-/// By groups of W orbits. The places that are left are taken by the last orbit.
+/// Computes groups of W orbits. The last group is filled up with copies of the last orbit.
 #[inline(always)]
 fn padded<R: Real, const N: usize, const W: usize>(orbits: &[[R; N]; 5], ends: &mut [[R; N]; 4]) -> bool {
     let mut known = true;
@@ -43,8 +43,8 @@ fn padded<R: Real, const N: usize, const W: usize>(orbits: &[[R; N]; 5], ends: &
     known
 }
 
-/// The numbers of all orbits, one row a kind. Loops over orbits are straight, and their rounds alike; they are short, so that the processor
-/// sees a round before the last one has ended.
+/// Computes one group of W orbits, with one row for each quantity. The loops over orbits are short and have no branches, so the processor can overlap
+/// their iterations.
 #[inline(never)]
 fn group<R: Real, const W: usize>(given: &[[R; W]; 5], ends: &mut [[R; W]; 4]) -> bool {
     let [mut r, mut recip, mut beta, mut zeta, mut x, mut straight] = [[zero::<R>(); W]; 6];
@@ -53,7 +53,7 @@ fn group<R: Real, const W: usize>(given: &[[R; W]; 5], ends: &mut [[R; W]; 4]) -
         let orbit = Orbit::new([square[i], eta[i], speed[i], mu[i], h[i]]);
         (r[i], recip[i], beta[i], zeta[i]) = (orbit.r, orbit.recip, orbit.beta, orbit.zeta);
         let sine = eta[i].multiply_add(eta[i], -(square[i] * speed[i]) * R::from_f64(1.0 - STRAIGHT * R::epsilon()));
-        // At rest it is.
+        // A body at rest counts as straight.
         straight[i] = unless(sine.less(zero()));
     }
     let orbit =

@@ -1,10 +1,10 @@
-//! Forces between bodies: a power of the square of a distance, and all coordinates of the distance times it.
+//! Central forces between bodies: a power of the squared distance, multiplied by each component of the distance vector.
 
 use super::{fused, plus, power, product, scaled, squares, times, whole};
 use crate::scalar::Real;
 use crate::space::Array;
 
-/// The coefficients of one order.
+/// Coefficients of one order.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(32))]
 struct Row<A, const K: usize> {
@@ -13,7 +13,7 @@ struct Row<A, const K: usize> {
     power: A,
 }
 
-/// u = Σ d², y = c·u^α, and the products of y with each d: of one, or of many side by side.
+/// Series of u = Σ d², of y = c·u^α, and of the products of y with each d. `A` holds one such force, or several side by side.
 #[derive(Debug)]
 pub struct Central<A: Array, const K: usize, const P: usize> {
     exponent: A::Real,
@@ -23,7 +23,7 @@ pub struct Central<A: Array, const K: usize, const P: usize> {
 }
 
 impl<A: Array, const K: usize, const P: usize> Central<A, K, P> {
-    /// From the coefficients of order 0.
+    /// Starts with the coefficients of order 0.
     #[inline(always)]
     pub fn new(factors: [A; K], square: A, power: A, exponent: A::Real) -> Self {
         let mut ratio = power;
@@ -35,21 +35,21 @@ impl<A: Array, const K: usize, const P: usize> Central<A, K, P> {
         Central { exponent, ratio, rows }
     }
 
-    /// Takes all d of order n ≥ 1.
+    /// Sets all d of order n ≥ 1.
     #[inline(always)]
     pub fn take(&mut self, n: usize, factors: [A; K]) {
         self.rows[n].factors = factors;
     }
 
-    /// The products of order n ≥ 1, of which all d have been taken.
+    /// Returns the products of order n ≥ 1. Precondition: all d of this order are set.
     ///
-    /// All sums are one loop, which reads every coefficient once. Not inlined: with other sums around, the vectoriser pairs numbers of different
-    /// ones, and takes apart what stands side by side.
+    /// All sums share one loop, which reads every coefficient once. Not inlined: next to other sums, the vectoriser mixes their terms and separates
+    /// adjacent values.
     #[inline(never)]
     pub fn order(&mut self, n: usize) -> [A; K] {
         let order = whole::<A::Real>(n);
         let next = self.exponent + A::Real::from_f64(1.0);
-        // Of the terms j and n − j of a power, with j from the middle on: what is known last comes last.
+        // Weights j(α + 1) − n of the terms j and n − j of the power. They start in the middle, so that the newest coefficients enter last.
         let lowest = whole::<A::Real>(n.div_ceil(2) - 1);
         let [mut below, mut above] = [lowest, order - lowest].map(|j| everywhere::<A>(j.multiply_add(next, -order)));
         let (down, up) = (everywhere::<A>(-next), everywhere::<A>(next));
@@ -87,20 +87,20 @@ impl<A: Array, const K: usize, const P: usize> Central<A, K, P> {
         products
     }
 
-    /// u of order n.
+    /// Returns u of order n.
     #[inline(always)]
     pub fn square(&self, n: usize) -> A {
         self.rows[n].square
     }
 
-    /// y of order n.
+    /// Returns y of order n.
     #[inline(always)]
     pub fn power(&self, n: usize) -> A {
         self.rows[n].power
     }
 }
 
-/// The same number in every entry.
+/// Returns an array with the same number in every entry.
 #[inline(always)]
 fn everywhere<A: Array>(x: A::Real) -> A {
     let mut all = A::zero();
@@ -112,7 +112,7 @@ fn everywhere<A: Array>(x: A::Real) -> A {
 mod tests {
     use super::*;
 
-    /// Every coefficient is the sum that defines it, side by side.
+    /// Every coefficient equals the sum that defines it, for two forces side by side.
     #[test]
     fn coefficients_are_the_sums_that_define_them() {
         const P: usize = 15;

@@ -1,9 +1,9 @@
-//! Where a function of the state changes sign along the polynomial of a step: all its zeros, in order.
+//! Finds all changes of sign of a function of the state along the polynomial of a step, in order of time.
 
 mod pieces;
 mod run;
 
-use super::crossing::{Crossing, Direction, NEAR, ZEROS, check_end, next};
+use super::crossing::{Crossing, Direction, MOST_ZERO_STEPS, NEAR_END, check_end, next};
 use super::has_reached;
 use crate::running::{StepError, TaylorIntegrator};
 use crate::scalar::{Real, signed};
@@ -11,38 +11,39 @@ use crate::space::Array;
 use crate::system::{Jets, StateOf};
 use crate::taylor::{self, Roots, TaylorMethod};
 use core::fmt::{self, Debug, Formatter};
-use pieces::{APART, Piece, number};
+use pieces::{Piece, RELATIVE_GAP, number};
 
-/// Steps of Newton's method at most: where a function has a triple zero each takes off a third.
+/// Maximum number of Newton steps. At a triple zero, each step reduces the distance by a third.
 const ROUNDS: u32 = 32;
 
-/// Between two changes of sign a function that is smaller than so many roundings of its terms has none.
+/// Two zeros are dropped if the function between them is below this many rounding errors of its terms.
 const ROUNDING: f64 = 4.0;
 
-/// The crossings of a run by Taylor series, in order; ends after the first error, or at a time.
+/// Iterator over the crossings of a run by Taylor series, in order of time. Ends after the first error, or at a time.
 pub struct TaylorCrossings<'a, S: Jets<R>, M: TaylorMethod<S, R>, R: Real, F, G> {
     run: &'a mut TaylorIntegrator<S, M, R>,
     g: F,
     direction: Direction,
     end: Option<R>,
     backwards: bool,
-    /// The functions along the part of the last step that is searched.
+    /// Functions along the part of the last step that is being searched.
     piece: Option<Piece<G>>,
-    /// The functions at the end of the last step.
+    /// Functions at the end of the last step.
     ahead: G,
-    /// Their sizes at the ends of the last step.
+    /// Sizes of the functions at the ends of the last step.
     scales: G,
-    /// Signs at the end of the part before; 0 where there was none yet.
+    /// Signs at the end of the previous part; 0 if a function had none yet.
     sides: G,
-    /// Whether this is the first step of the search. A function that is zero at its start, to rounding, has its event there already.
+    /// Whether this is the first part of the search. A function that is zero at its start, up to rounding, has its event there already.
     first: bool,
     zeros: u32,
-    /// Up to which part of the piece zeros have been given out, and the functions that had one there.
+    /// Last zero returned in the piece: its position, and the index of the function.
     given: (f64, usize),
-    /// Functions that had a zero next to the end of the last step.
+    /// Functions that had a zero next to the end of the last step: 1, otherwise 0.
     near: G,
-    /// Where no step is left: the functions that have been asked for a zero at the end, and the one that has it and was not given out.
+    /// Number of functions already checked for a zero at the end, once no step is left.
     asked: usize,
+    /// Function that has a zero at the end, until its crossing is returned.
     last: Option<usize>,
     done: bool,
 }
@@ -74,7 +75,7 @@ where
         }
     }
 
-    /// The same up to a time, before or after now; zeros at that time, to rounding, count.
+    /// Limits the search to a time, before or after the present time. Zeros at this time, up to rounding, count.
     #[must_use = "the end is that of the iterator that is returned"]
     pub fn until(mut self, t: R) -> Self {
         self.backwards = (t - self.run.time()).any_below(0.0);
@@ -82,15 +83,15 @@ where
         self
     }
 
-    /// The next part of a step, and the functions along it; `false` if there is none.
+    /// Takes the next part of a step with the functions along it. Returns `false` if nothing is left.
     fn step(&mut self) -> Result<bool, StepError> {
         check_end(self.end, self.run.time())?;
         if let Some(piece) = self.piece.take() {
-            // The signs at the end of the part before.
+            // Signs at the end of the previous part.
             for i in 0..G::LEN {
                 let zeros = self.zeros_of(&piece, i);
-                let near = zeros.changes().any(|(at, _)| piece.from + at * (piece.to - piece.from) > NEAR);
-                // A step that is over before the function has left the event at which the search begins ends at no other.
+                let near = zeros.changes().any(|(at, _)| piece.from + at * (piece.to - piece.from) > NEAR_END);
+                // If the step ends before the function has left the event at the start of the search, it does not end at another event.
                 let near = near || self.begins(&piece) && !self.leaves(&piece, i);
                 self.sides.as_mut_slice()[i] = <M::Series as Real>::from_f64(zeros.end());
                 self.near.as_mut_slice()[i] = <M::Series as Real>::from_f64(f64::from(u8::from(near)));
@@ -118,7 +119,8 @@ where
         self.search(0.0, self.first_width())
     }
 
-    /// What part of a step is searched first: a step of a polynomial may be much longer than its state takes to change.
+    /// Returns the part of a step that is searched first. A step of a polynomial solution may be much longer than the time in which its state
+    /// changes.
     fn first_width(&self) -> f64 {
         (8.0 * self.run.steps.pace_before() / self.run.step_size().abs()).min(1.0)
     }
@@ -127,7 +129,7 @@ where
         let piece = self.part(from, width)?;
         let coefficients = || piece.values.as_slice().iter().flat_map(|g| M::coefficients(g));
         self.zeros = if G::LEN > 0 && coefficients().all(|g| g.magnitude() == 0.0) { self.zeros + 1 } else { 0 };
-        if self.zeros >= ZEROS {
+        if self.zeros >= MOST_ZERO_STEPS {
             return Err(self.zero_all_along());
         }
         if self.begins(&piece) {
@@ -137,7 +139,7 @@ where
         Ok(true)
     }
 
-    /// Sets the side of a function that crosses zero where the search begins, at the time of an event of other functions.
+    /// Sets the side of a function that crosses zero at the start of the search, at the time of an event of other functions.
     fn cross_at_start(&mut self, piece: &Piece<G>, i: usize) {
         let t = self.run.steps.start().time();
         if !self.run.reported.is_at(t) || number::<S, M, R>(&piece.values.as_slice()[i]).abs() > self.rounding(piece, i)
@@ -154,9 +156,10 @@ where
         StepError::NoEvent { t: signed(self.run.time()) }
     }
 
-    /// Whether another function is zero, to rounding, where the search ends, and had no zero just before: it is asked for next.
+    /// Finds a function that is zero up to rounding at the end of the search, and had no zero just before. Returns whether there is one; its crossing
+    /// is returned next.
     fn zero_at_end(&mut self) -> bool {
-        // Without a step there was no side.
+        // Without a step, no function has a sign.
         let count = if self.first { 0 } else { G::LEN };
         self.last = (self.asked..count).find(|i| {
             let [value, side, near] =
@@ -168,18 +171,18 @@ where
         self.last.is_some()
     }
 
-    /// The parts of a piece at which a function is zero, with the sign that it has in the beginning; 0 where it had none yet.
+    /// Returns the zeros of a function in a piece, with its sign at the start; 0 if it had none yet.
     fn zeros_of(&self, piece: &Piece<G>, i: usize) -> Roots {
         let count = M::coefficients(&piece.values.as_slice()[i]).len();
         let g = self.in_parts(&piece.values, i, piece.to - piece.from);
         let (g, side) = (&g[..count.min(taylor::MOST)], number::<S, M, R>(&self.sides.as_slice()[i]));
-        // What has changed sign at the end of a step may seem to do so again where the next one begins, rounded otherwise.
+        // After a change of sign at the end of a step, rounding may show the change again at the start of the next one.
         let noise = if self.begins(piece) || side * g[0] < 0.0 { self.rounding(piece, i) } else { 0.0 };
         let size: f64 = g.iter().map(|g| g.abs()).sum();
         taylor::roots(g, noise).behind(side).without_pairs(g, ROUNDING * R::epsilon() * size)
     }
 
-    /// The first zero in the piece that has not been given out.
+    /// Returns the first zero in the piece that was not returned yet.
     fn earliest(&mut self) -> Option<Crossing<StateOf<S, R>>> {
         if let Some(which) = self.last.take() {
             let rises = number::<S, M, R>(&self.sides.as_slice()[which]) < 0.0;
@@ -205,8 +208,8 @@ where
         Some(Crossing { state, which, rises: sign > 0.0 })
     }
 
-    /// A zero of the polynomial of a function as one of the function itself, by Newton's method with the slope of the polynomial; `None` at
-    /// a pole.
+    /// Improves a zero of the polynomial of a function to a zero of the function itself. Uses Newton's method with the slope of the polynomial.
+    /// Returns `None` at a pole.
     fn improved(&self, piece: &Piece<G>, at: f64, i: usize) -> Option<f64> {
         let width = piece.to - piece.from;
         let g = self.in_parts(&piece.values, i, width);
@@ -214,14 +217,14 @@ where
         let value = |part: f64| number::<S, M, R>(&self.along(part, None).as_slice()[i]);
         let mut part = piece.from + at * width;
         let mut now = value(part);
-        // At the start of a piece a function may have jumped, and also in one that is as short as may be: it is not zero there, and yet
-        // nowhere near as large as next to a pole.
+        // At the start of a piece, and in a piece of the shortest length, a function may jump. Its value is then not zero, but much smaller than next
+        // to a pole.
         let scale = self.scale(i);
-        let is_pole = |value: f64| scale > 0.0 && value.abs() > scale / APART;
+        let is_pole = |value: f64| scale > 0.0 && value.abs() > scale / RELATIVE_GAP;
         if at == 0.0 {
             return (!is_pole(now)).then_some(part);
         }
-        // Slowly where it is flat; nearer than rounding of time no value gets better.
+        // Convergence is slow at a flat zero. The loop ends when rounding of time prevents a smaller value.
         for _ in 0..ROUNDS {
             let next = part - now / slope((part - piece.from) / width) * width;
             if now == 0.0 || !(next >= piece.from && next <= piece.to) {

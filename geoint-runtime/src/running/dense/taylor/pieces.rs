@@ -1,8 +1,8 @@
-//! A function of the state along the polynomial of a step, as a polynomial of its own: over the whole step, or over parts of it.
+//! Represents a function of the state along a step as a polynomial, over the whole step or over parts of it.
 //!
-//! The series of a function may end before the step does: √q at q = 0, ln, quotients; and |q| has another one on either side of 0. What its
-//! polynomial gives at the end of a part is compared with the function there. Where they differ an eighth of the part is taken, and the next one
-//! begins with a series about its own start.
+//! The series of a function may end before the step does. Examples are √q at q = 0, logarithms and quotients. The function |q| has a different series
+//! on either side of 0. The polynomial is therefore compared with the function at the end of a part. If they differ, the part is shortened to an eighth. The
+//! next part starts with a series about its own start.
 
 use super::TaylorCrossings;
 use crate::running::StepError;
@@ -11,15 +11,15 @@ use crate::space::{Action, Array, Snapshot};
 use crate::system::Jets;
 use crate::taylor::{self, Steps, TaylorMethod};
 
-/// The polynomial of a function may differ so much, relative to its size, from the function at the end of a part: zeros are
-/// found by the first, and improved by the second.
-pub(super) const APART: f64 = 1.0 / (1 << 20) as f64;
-/// So many roundings tell nothing.
+/// Accepted difference between the polynomial and the function at the end of a part, relative to the size of the function. Zeros are found by the
+/// polynomial and improved by the function.
+pub(super) const RELATIVE_GAP: f64 = 1.0 / (1 << 20) as f64;
+/// A difference below this many rounding errors is accepted.
 const ROUNDINGS: f64 = 64.0;
-/// The same where steps have one length, and nothing says how accurate they are.
-const APART_FIXED: f64 = 1.0 / (1 << 10) as f64;
+/// Accepted relative difference for steps of fixed length, whose accuracy is not known.
+const RELATIVE_GAP_FIXED: f64 = 1.0 / (1 << 10) as f64;
 
-/// The shortest part of a step: there a function jumps, or ends.
+/// Shortest part, as a fraction of the step. A function that differs even there has a jump or an end.
 const SHORTEST: f64 = 1.0 / (1_u64 << 40) as f64;
 
 /// The functions along a part of the last step.
@@ -27,7 +27,7 @@ const SHORTEST: f64 = 1.0 / (1_u64 << 40) as f64;
 pub(super) struct Piece<G> {
     pub(super) from: f64,
     pub(super) to: f64,
-    /// Series about the start of the part, in the unit of time of the step's own.
+    /// Series about the start of the part, in the unit of time of the step.
     pub(super) values: G,
 }
 
@@ -36,7 +36,7 @@ where
     G: Array<Real = M::Series>,
     F: Fn(&S::Over<M::Series>) -> G,
 {
-    /// The functions along a part of the last step that begins at `from`, and is not longer than `width`.
+    /// Returns the functions along a part of the last step. The part starts at `from` and is at most `width` long.
     pub(super) fn part(&mut self, from: f64, width: f64) -> Result<Piece<G>, StepError> {
         let values = self.along(from, None);
         if !all_finite::<S, M, R, G>(&values) {
@@ -48,7 +48,7 @@ where
                 self.scales.as_mut_slice()[i] = <M::Series as Real>::from_f64(start.max(end));
             }
         }
-        // A part must move on, however small the first one is.
+        // The end must differ from the start, even if the first part is very short.
         let shortest = (SHORTEST * self.first_width()).max(4.0 * f64::EPSILON * from).max(f64::MIN_POSITIVE);
         let mut to = (from + self.within_reach(&values, width.min(1.0 - from)).max(shortest)).min(1.0);
         while !self.agree(&values, from, to) {
@@ -64,40 +64,40 @@ where
         Ok(Piece { from, to, values })
     }
 
-    /// A part of the step that is not longer than `width` in which series of the functions converge as fast as roots are to be accurate that are
-    /// improved then.
+    /// Returns the length, at most `width`, up to which the series of all functions converge fast enough. The roots found by them are improved later.
     fn within_reach(&self, values: &G, width: f64) -> f64 {
         let count = self.run.order().min(taylor::MOST);
         let reach = |i| taylor::reach(&self.in_parts(values, i, width)[..count], self.run.steps.part_of_radius());
         width * (0..G::LEN).map(reach).fold(1.0, f64::min)
     }
 
-    /// Whether series about `from` give what the functions are at `to`.
+    /// Returns whether the series about `from` agree with the functions at `to`.
     fn agree(&self, values: &G, from: f64, to: f64) -> bool {
         let ends = if to < 1.0 { self.along(to, None) } else { self.ahead };
         let part = match self.run.method().steps() {
-            Steps::Tolerance(tolerance) => APART.max(tolerance),
-            Steps::Length(_) => APART_FIXED,
+            Steps::Tolerance(tolerance) => RELATIVE_GAP.max(tolerance),
+            Steps::Length(_) => RELATIVE_GAP_FIXED,
         };
         (0..G::LEN).all(|i| {
             let value: f64 = self.in_parts(values, i, to - from).iter().sum();
             let [start, end] = [values, &ends].map(|g| number::<S, M, R>(&g.as_slice()[i]));
             let gap = (value - end).abs();
-            // A function that has another sign is zero somewhere else, however little that is of its size.
+            // Different signs mean a zero elsewhere, even if the difference is small.
             let same = value * end >= 0.0 && gap <= part * start.abs().max(end.abs());
             let rounding = || self.rounding(&Piece { from, to, values: *values }, i);
-            // Numbers below the smallest normal one have no digits that could agree.
+            // Numbers below the normal range have too few digits to agree.
             same || gap <= R::smallest() || gap <= ROUNDINGS * self.noise(i, to) || gap <= rounding()
         })
     }
 
-    /// Whether a search begins with this piece: what is zero there to rounding is the event at which another one has ended.
+    /// Returns whether the search begins with this piece. A function that is zero at its start, up to rounding, is then at the event of an earlier
+    /// search.
     pub(super) fn begins(&self, piece: &Piece<G>) -> bool {
         self.first && piece.from == 0.0
     }
 
-    /// What is rounding of a function where a piece begins: of the coordinates, and of when an event there was. That was found in a step of its
-    /// own; how much of one is left until the search ends says nothing about it.
+    /// Returns the uncertainty of a function at the start of a piece. It is caused by the rounding of the coordinates, and of the time of an event
+    /// there. The event was found in another step, so the change over a typical step counts, not only the change over this piece.
     pub(super) fn rounding(&self, piece: &Piece<G>, i: usize) -> f64 {
         let width = self.run.steps.pace_before() / self.run.step_size().abs();
         let count = self.run.order().min(taylor::MOST);
@@ -108,39 +108,40 @@ where
         f64::max(4.0 * self.noise(i, piece.from), 8.0 * R::epsilon() * changes)
     }
 
-    /// Whether a function changes by more than rounding in the piece with which a search begins.
+    /// Returns whether a function changes by more than rounding within the first piece of a search.
     pub(super) fn leaves(&self, piece: &Piece<G>, i: usize) -> bool {
         let start = number::<S, M, R>(&piece.values.as_slice()[i]).abs();
         start + self.changes(piece, i, piece.to - piece.from) > self.rounding(piece, i)
     }
 
-    /// By how much a function changes at most in a piece of this width.
+    /// Returns an upper bound for the change of a function in a piece of this width.
     fn changes(&self, piece: &Piece<G>, i: usize, width: f64) -> f64 {
         self.in_parts(&piece.values, i, width)[1..].iter().map(|g| g.abs()).sum()
     }
 
-    /// The size of a function at the ends of the last step.
+    /// Returns the size of a function at the ends of the last step.
     pub(super) fn scale(&self, i: usize) -> f64 {
         number::<S, M, R>(&self.scales.as_slice()[i])
     }
 
-    /// The polynomial of a function in parts of a piece of this width.
+    /// Returns the polynomial of a function, with time as a fraction of a piece of this width.
     pub(super) fn in_parts(&self, values: &G, i: usize, width: f64) -> [f64; taylor::MOST] {
         let unit = self.run.steps.start().unit;
         let coefficients = M::coefficients(&values.as_slice()[i]);
         taylor::in_parts(coefficients.iter().map(|c| signed(*c)), width * self.run.step_size() / unit)
     }
 
-    /// By how much a function changes if every coordinate, and time, is rounded.
+    /// Returns the sum of the changes of a function when each coordinate, and time, is changed by one rounding error.
     pub(super) fn noise(&self, i: usize, part: f64) -> f64 {
         let here = number::<S, M, R>(&self.along(part, None).as_slice()[i]);
         let moved = |coordinate| (number::<S, M, R>(&self.along(part, Some(coordinate)).as_slice()[i]) - here).abs();
         let noise: f64 = (0..S::Phase::LEN + S::Action::LEN + 1).map(moved).sum();
-        // Where there is no number there is nothing to compare.
+        // No comparison is possible without a number.
         if noise >= 0.0 { noise } else { 0.0 }
     }
 
-    /// The series of the functions about a part of the last step; `nudged` is a coordinate that is off by a rounding, the last one time.
+    /// Returns the series of the functions about a part of the last step. `nudged` is the index of a coordinate that is changed by one rounding
+    /// error; the last index is time.
     pub(super) fn along(&self, part: f64, nudged: Option<usize>) -> G {
         let (expansion, order) = (self.run.steps.start(), self.run.order());
         let after = part * self.run.step_size();
@@ -166,7 +167,7 @@ where
         self.functions(coordinate, now, R::from_f64(expansion.unit))
     }
 
-    /// The series of the functions at the end of the last step.
+    /// Returns the series of the functions at the end of the last step.
     pub(super) fn at_end(&self) -> G {
         let expansion = self.run.steps.here();
         let jet = &expansion.jet.as_ref()[..self.run.order()];
@@ -196,14 +197,14 @@ where
         (self.g)(&S::Over::of(t, z, s))
     }
 
-    /// That a function is not a number at a part of the last step.
+    /// Returns the error that a function is not a number at a part of the last step.
     fn no_event(&self, part: f64) -> StepError {
         let start = self.run.steps.start().time();
         StepError::NoEvent { t: signed(start) + part * self.run.step_size() }
     }
 }
 
-/// The value of a series at its start.
+/// Returns the value of a series at its start.
 pub(super) fn number<S: Jets<R>, M: TaylorMethod<S, R>, R: Real>(series: &M::Series) -> f64 {
     signed(M::coefficients(series)[0])
 }

@@ -1,4 +1,4 @@
-//! Runs by Taylor series between the ends of their steps.
+//! Dense output and events of runs by Taylor series.
 
 use super::super::crossing::{Crossing, Direction};
 use super::super::{Dense, back_without_events};
@@ -41,13 +41,16 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Dense for TaylorIntegrator<S, M
 }
 
 impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> TaylorIntegrator<S, M, R> {
-    /// Where `g` changes sign: a number, or an array of them, all in order of time, also twice within one step. Without end, unless
-    /// [`TaylorCrossings::until`] gives one. Forwards, or in the direction of the last step.
+    /// Returns an iterator over the changes of sign of `g`, in order of time, also if there are two within one step. `g` returns a number or an array
+    /// of numbers. The iterator has no end, unless [`TaylorCrossings::until`] sets one. The search goes forwards, or in the direction of the last
+    /// step.
     ///
-    /// `g` is a function of truncated series, [`Series`](crate::scalar::Series), which stand for the coordinates along a step: written as
-    /// it is for numbers. Its zeros are those of a polynomial, all of them; where the series of `g` ends before a step does, of several
-    /// polynomials. Jumps count, poles do not. A search that begins where another one has ended does not find that event again; a function
-    /// that is zero all along is an error, and so is one that is no finite number.
+    /// `g` is a function of truncated series, [`Series`](crate::scalar::Series), which represent the coordinates along a step. It is written like a
+    /// function of numbers. The search finds all zeros of the polynomial of `g`. If the series of `g` ends before the step does, several polynomials
+    /// are used.
+    ///
+    /// Jumps count, poles do not. A search that starts at the event of an earlier search does not find this event again. A function that is
+    /// identically zero, or not finite, is an error.
     ///
     /// ```
     /// use geoint_runtime::prelude::*;
@@ -72,13 +75,14 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> TaylorIntegrator<S, M, R> {
         TaylorCrossings::new(self, direction, g)
     }
 
-    /// Steps to where `g` changes sign first, but not beyond the time `t`: the run is then there, and goes on from there.
+    /// Steps to the first change of sign of `g`, but not beyond the time `t`. The run is then at the event and continues from there.
     ///
-    /// `None` if that does not happen: the run is then at `t`. Events of several functions at one time are reported one by one, as by
+    /// Returns `None` if there is no such change; the run is then at `t`. Simultaneous events of several functions are reported one by one, as by
     /// [`Dense::until_event`].
     ///
     /// # Errors
-    /// See [`StepError`]; the state is then the last good one, and where `g` is no function with events, that at which the search began.
+    /// See [`StepError`]. The state is then the last good one. If `g` has no events ([`StepError::NoEvent`]), the state is the one at the start of
+    /// the search.
     pub fn until_event<G, F>(
         &mut self,
         t: R,

@@ -1,4 +1,4 @@
-//! Where a step leads, and whether the series is what it is taken for up to there.
+//! Takes one trial step, and checks that the series is valid up to its end.
 
 use super::Steps;
 use super::expansion::Carried;
@@ -9,15 +9,15 @@ use crate::system::{Evaluations, Jets, Poles, jump_on_way};
 use crate::taylor::{self, TaylorMethod};
 
 impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
-    /// Whether the energy has places where series end for real times: poles, powers that vanish, conditions. A step of given length beyond
-    /// such a place would have finite but wrong numbers, so it is compared, too.
+    /// Whether the energy has singular points at real times: poles, powers with a vanishing base, conditions. A step of fixed length beyond such a
+    /// point would end at finite but wrong numbers, so its rates are compared, too.
     const SERIES_END: bool = S::Switches::LEN > 0 || S::POWERS || !S::POLES.is_empty();
 
-    /// Tries a step of length h, whose end is `start()` from then on. Evaluates the polynomial and computes the coefficients there, in units of the
-    /// length `whole` of a full step. If `compared`, the rates there have to be those of the polynomial.
+    /// Tries a step of length `h`; `start()` is then its end. Evaluates the polynomial and computes the coefficients at the end, in a unit for full
+    /// steps of length `whole`. If `compared`, the rates there must agree with those of the polynomial.
     ///
-    /// Returns the correction of the method. `held` is the correction of an attempt of nearly the same length, and is used again: a new one might lead back
-    /// over the condition at which the step ends.
+    /// Returns the correction of the method. `held` is the correction of an attempt of nearly the same length, and is used again. A new one might
+    /// lead back over the condition at which the step ends.
     #[inline(always)]
     pub(super) fn attempt(
         &mut self,
@@ -59,7 +59,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         {
             return Err(Reason::OutsideDomain { what });
         }
-        // Series end before the poles of the field. An invariant may have more poles, and a correction must not lead over one.
+        // The series end before the poles of the field. An invariant may have further poles, and a correction must not lead across one.
         let uncorrected = correction.map(|_| end);
         let times = [self.here().time(), self.start().time()];
         let pole = self.clear.pole(&self.system, times).or_else(|| uncorrected.and_then(|_| self.pole()));
@@ -78,13 +78,13 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         }
     }
 
-    /// What is not defined where an attempt led.
+    /// Returns a message if the energy is not defined at the end of the attempt.
     fn outside_domain(&self) -> Option<&'static str> {
         let end = self.start();
         self.system.outside_domain(end.time(), &end.x.z, &end.x.s)
     }
 
-    /// A pole on the way to where an attempt led.
+    /// Returns a message if a pole may lie between the ends of the attempt.
     #[inline(always)]
     fn pole(&self) -> Option<&'static str> {
         let [from, to] = [self.here(), self.start()];
@@ -92,7 +92,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         Poles::of(&self.system).between(&self.system, Evaluations::AtPoints, way)
     }
 
-    /// A jump of the energy on the way to where an attempt led: series know nothing of it.
+    /// Returns a message if the energy jumps between the ends of the attempt. Series do not show jumps.
     #[inline(always)]
     fn jump(&self) -> Option<&'static str> {
         let ends = [self.here(), self.start()].map(|end| (end.time(), PerCoordinate::of(&end.x)));
@@ -103,17 +103,17 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         jump_on_way(&self.system, &ends, part)
     }
 
-    /// Whether the rates where an attempt led, in the unit of the coefficients at the present, are those of the polynomial that led there.
+    /// Returns whether the rates at the end of the attempt agree with those of the polynomial, in the unit of the present coefficients.
     ///
-    /// Not inlined: together with other sums of the same coefficients this one is not vectorised well.
+    /// Not inlined: together with other sums of the same coefficients, this sum is not vectorised well.
     #[inline(never)]
     fn agrees(&self, part: f64, rates: &PerCoordinate<S::Phase, S::Action>) -> bool {
         let polynomial = taylor::rate(self.jet(), part);
         self.estimate.agree(part, [&polynomial, rates], &self.jet()[0], &PerCoordinate::zero())
     }
 
-    /// The same where the series led before it was corrected: the correction moves a small coordinate by the rounding of
-    /// the invariants, and that may be more than the error of the series.
+    /// Compares the rates at the uncorrected end of the series. The correction shifts a small coordinate by the rounding of the invariants, which may
+    /// exceed the error of the series.
     #[cold]
     #[inline(never)]
     fn agrees_before(&mut self, end: Carried<S, R>, part: f64, whole: f64) -> bool {
@@ -128,7 +128,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         self.agrees(part, &rates)
     }
 
-    /// The same, but for what rates may be off because the time there is rounded: near a pole in time.
+    /// Compares the rates near a pole in time. The time of the end is rounded, and the rates may differ by the effect of this rounding.
     #[cold]
     fn agrees_late(&self, part: f64, rates: &PerCoordinate<S::Phase, S::Action>) -> bool {
         let (polynomial, [from, end]) = (taylor::rate(self.jet(), part), [self.here(), self.start()]);

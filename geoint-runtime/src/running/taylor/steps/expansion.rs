@@ -1,4 +1,4 @@
-//! An end of a step: the point, and the coefficients of the solution there; and the states between two of them that these give.
+//! An end of a step with the coefficients of the solution there, and the states between two ends.
 
 use super::Steps;
 use crate::method::Clock;
@@ -7,33 +7,33 @@ use crate::space::{Array, Compensated, PerCoordinate, Point, Snapshot};
 use crate::system::{Jets, PhaseSpace, StateOf};
 use crate::taylor::{self, TaylorMethod};
 
-/// Units of time in which coefficients tell how fast a state changes that tells nothing in its own: all of them overflow there, or vanish.
+/// Units of time, tried in this order if the first coefficients give no time of change because they overflow or vanish.
 const FAR: [f64; 3] = [1.0 / (1_u128 << 100) as f64, (1_u128 << 100) as f64, 1.0];
 
-/// Of order 20 a radius of convergence has so many steps, about.
+/// Approximate number of steps in a radius of convergence, at order 20.
 const STEPS_PER_RADIUS: f64 = 8.0;
 
-/// A point whose sums compensate.
+/// A point with compensated sums.
 pub(super) type Carried<S, R> =
     Point<<S as PhaseSpace<R>>::Phase, Compensated<<S as PhaseSpace<R>>::Phase>, <S as PhaseSpace<R>>::Action>;
 
-/// A point at a time, and the coefficients of the solution there.
+/// A point at a time, with the coefficients of the solution there.
 #[derive(Clone, Debug)]
 pub(in crate::running) struct Expansion<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> {
     pub(in crate::running) x: Carried<S, R>,
     pub(in crate::running) clock: Clock<R>,
-    /// Of the method, where it puts ends of steps right.
+    /// History of the method, if it corrects the ends of steps.
     pub(super) memory: M::Memory,
-    /// The unit of time in the coefficients, a power of two.
+    /// Unit of time of the coefficients, a power of two.
     pub(in crate::running) unit: f64,
-    /// From order 1 on.
+    /// Coefficients of the state, from order 1 on.
     pub(in crate::running) jet: M::Orders<PerCoordinate<S::Phase, S::Action>>,
-    /// From order 0 on.
+    /// Coefficients of the functions that decide conditions, from order 0 on.
     pub(super) switches: M::Orders<S::Switches>,
 }
 
 impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Expansion<S, M, R> {
-    /// A point whose coefficients are not known yet.
+    /// Returns a point whose coefficients are not computed yet.
     pub(super) fn new(t: R, (z, s): (S::Phase, S::Action)) -> Self {
         Expansion {
             x: Point::with_action(z, s),
@@ -49,12 +49,13 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Expansion<S, M, R> {
         self.clock.now(zero())
     }
 
-    /// The coordinate `i`, the action last.
+    /// Returns coordinate `i`; the action is the last one.
     pub(in crate::running) fn coordinate(&self, i: usize) -> R {
         PerCoordinate::of(&self.x).at(i)
     }
 
-    /// The coefficients, for steps of about this length. In a unit near the radius of convergence none of them is much smaller than the state.
+    /// Computes the coefficients for steps of length about `h`. The unit of time is near the radius of convergence: no coefficient is then much
+    /// smaller than the state.
     #[inline(always)]
     pub(super) fn expand(&mut self, order: usize, system: &S, h: f64) {
         let radius = STEPS_PER_RADIUS * h;
@@ -63,13 +64,13 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Expansion<S, M, R> {
         M::jet(order, system, start, x, &mut self.jet, &mut self.switches);
     }
 
-    /// A length in the unit of the coefficients. Nothing waits for the quotient, which is exact, as the product is.
+    /// Returns a length in the unit of the coefficients. The conversion is exact, because the unit is a power of two.
     #[inline(always)]
     pub(super) fn in_units(&self, h: f64) -> f64 {
         h * (1.0 / self.unit)
     }
 
-    /// Rates in the unit of other coefficients.
+    /// Returns the rates in another unit of time.
     #[inline(always)]
     pub(super) fn rates(&self, unit: f64) -> PerCoordinate<S::Phase, S::Action> {
         let mut rates = self.jet.as_ref()[0];
@@ -79,8 +80,8 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Expansion<S, M, R> {
 }
 
 impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
-    /// The coefficients at a state that the user gave, in a unit of time in which none of them overflows, or where a run goes on, in the unit
-    /// before.
+    /// Computes the coefficients at the start of a run. At a state given by the user, they are computed in a unit in which none of them overflows. A
+    /// resumed run uses the unit that it had before.
     #[cold]
     pub(super) fn begin(&mut self) {
         let (order, system, unit) = (self.order(), self.system, self.here().unit);
@@ -98,13 +99,13 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         self.known = true;
     }
 
-    /// The state at a time within the last step.
+    /// Returns the state at a time within the last step.
     pub(in crate::running) fn at(&self, t: R) -> Option<StateOf<S, R>> {
         let (after, before, h) = (self.start().clock.left(t), self.here().clock.left(t), self.step);
         if !self.within {
             return None;
         }
-        // The clock has digits that the time of an end does not show.
+        // The clock is more accurate than the time of an end, so compare with this time first.
         if let Some(end) = [self.here(), self.start()].into_iter().find(|end| t == end.time()) {
             return Some(S::State::of(t, end.x.z, end.x.s));
         }
@@ -112,7 +113,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         (after * h >= 0.0 && before * h <= 0.0 && h != 0.0).then(|| self.inside(after, t))
     }
 
-    /// The state so long after the start of the last step, which is at the time `t`.
+    /// Returns the state at the time `t`, which is `after` from the start of the last step.
     pub(in crate::running) fn inside(&self, after: f64, t: R) -> StateOf<S, R> {
         let start = self.start();
         let mut x = taylor::increment(&start.jet.as_ref()[..self.order()], after / start.unit);
@@ -121,7 +122,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
     }
 }
 
-/// The largest power of two that a length is not below, 1 where there is none: to multiply with it and to divide by it is exact.
+/// Returns the largest power of two not above a length; 1 if there is none. Products and quotients with it are exact.
 #[inline(always)]
 fn power_of_two(h: f64) -> f64 {
     let power = f64::from_bits(h.to_bits() & f64::INFINITY.to_bits());

@@ -1,4 +1,4 @@
-//! How long the next step is, and whether it is taken.
+//! Chooses the length of the next step, and accepts or refuses it.
 
 mod attempt;
 mod expansion;
@@ -18,9 +18,9 @@ use crate::system::{Clear, Jets};
 use crate::taylor::{self, Estimate, TaylorMethod};
 use expansion::Expansion;
 use progress::Progress;
-use switches::NEARLY;
+use switches::RADIUS_MARGIN;
 
-/// A system, and all that decides on the next step.
+/// A system and all data that determine the next step.
 #[derive(Clone)]
 pub(in crate::running) struct Steps<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> {
     pub(in crate::running) system: S,
@@ -28,22 +28,22 @@ pub(in crate::running) struct Steps<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> 
     pub(in crate::running) bounds: Bounds,
     pub(in crate::running) backwards: bool,
     pub(in crate::running) taken: u64,
-    /// How many there were when the user gave a state.
+    /// Value of `taken` when the user gave a state.
     given: u64,
     estimate: Estimate<S::State>,
-    /// The ends of the last step. The next one ends where this one began: nothing is copied, and a step that is refused changes nothing here.
+    /// Ends of the last step. A new step is written to the older end: nothing is copied, and a refused step does not change the present state.
     ends: [Expansion<S, M, R>; 2],
-    /// Which of them is the present.
+    /// Whether the second end is the present state.
     second: bool,
-    /// Whether the coefficients at the present are known.
+    /// Whether the coefficients at the present state are computed.
     known: bool,
-    /// The length of the last step.
+    /// Length of the last step.
     pub(in crate::running) step: f64,
-    /// Whether the other end is where the last step began.
+    /// Whether the other end is the start of the last step.
     within: bool,
-    /// The steps in a row that switches have ended.
+    /// Detects runs that stall at a condition.
     progress: Progress,
-    /// What is known of poles in time.
+    /// Interval of time without poles, found so far.
     clear: Clear<R>,
 }
 
@@ -73,19 +73,19 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         }
     }
 
-    /// Goes on from another point.
+    /// Continues from another point.
     pub(in crate::running) fn restart(&mut self, t: R, x: (S::Phase, S::Action)) {
         let unit = self.here().unit;
         let here = self.here_mut();
         *here = Expansion { unit, ..Expansion::new(t, x) };
         let x = PerCoordinate::of(&here.x);
         self.estimate.start(&x);
-        // There is no last step to look into.
+        // There is no last step that could be evaluated.
         (self.known, self.within, self.given) = (false, false, self.taken);
         self.progress = Progress::default();
     }
 
-    /// Goes on from here with another system.
+    /// Continues from the present point with another system.
     pub(in crate::running) fn set_system(&mut self, system: S) {
         (self.system, self.clear) = (system, Clear::unknown());
         let (clock, x) = (self.here().clock, self.here().x);
@@ -93,7 +93,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         self.here_mut().clock = clock;
     }
 
-    /// Everything but the coefficients.
+    /// Records everything except the coefficients.
     #[cfg(feature = "alloc")]
     pub(super) fn record(&mut self, tape: &mut impl Tape<R>) {
         let here = self.here_mut();
@@ -109,19 +109,19 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         self.progress.record(tape);
     }
 
-    /// The coefficients are to be computed anew, and there is no last step to look into.
+    /// Marks the coefficients as unknown, and the last step as not available.
     #[cfg(feature = "alloc")]
     pub(super) fn forget(&mut self) {
         (self.known, self.within) = (false, false);
     }
 
-    /// The order of the series: a constant wherever the method or the system leave no choice.
+    /// Returns the order of the series. It is a constant if the method or the system leaves no choice.
     #[inline(always)]
     pub(in crate::running) fn order(&self) -> usize {
         self.method.order()
     }
 
-    /// The present.
+    /// Returns the present end.
     #[inline(always)]
     pub(in crate::running) fn here(&self) -> &Expansion<S, M, R> {
         let [first, second] = &self.ends;
@@ -134,14 +134,14 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         if self.second { second } else { first }
     }
 
-    /// Where the last step began, or where an attempt of the next one led.
+    /// Returns the start of the last step, or the end of a running attempt.
     #[inline(always)]
     pub(in crate::running) fn start(&self) -> &Expansion<S, M, R> {
         let [first, second] = &self.ends;
         if self.second { first } else { second }
     }
 
-    /// The coefficients at the present.
+    /// Returns the coefficients at the present state.
     #[inline(always)]
     fn jet(&self) -> &[PerCoordinate<S::Phase, S::Action>] {
         &self.here().jet.as_ref()[..self.order()]
@@ -151,7 +151,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         self.here().time()
     }
 
-    /// The length of the next step, without regard to where it leads.
+    /// Returns the length of the next step by the series and the bounds, before any check of its end.
     #[inline(always)]
     fn length(&self, bounds: &Bounds) -> f64 {
         if let taylor::Steps::Length(h) = self.method.steps() {
@@ -160,13 +160,13 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         (self.here().unit * self.estimate.length(self.jet())).min(bounds.longest)
     }
 
-    /// In how long, roughly, the state changes by itself; `None` if that is not known.
+    /// Estimates the time in which the state changes by itself. Returns `None` if it is not known.
     fn pace(&self) -> Option<f64> {
         let time = self.here().unit * self.estimate.time(self.jet());
         (time > 0.0 && time < f64::INFINITY).then_some(time)
     }
 
-    /// The same at the start of the last step, whatever has been before and after it; infinite if that is not known.
+    /// Estimates the time of change at the start of the last step, independent of earlier and later states. Infinite if it is not known.
     pub(in crate::running) fn pace_before(&self) -> f64 {
         let start = self.start();
         let jet = &start.jet.as_ref()[..self.order()];
@@ -174,21 +174,22 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         if time > 0.0 { time } else { f64::INFINITY }
     }
 
-    /// In how long, roughly, the state changes by itself; twice the step before, if that is more. For a polynomial, whose coefficients set
-    /// no end to a step.
+    /// Returns a step length for a polynomial, whose coefficients do not limit the step. This is the time in which the state changes by itself, or
+    /// twice the last step if that is more.
     #[cold]
     fn guess(&self) -> f64 {
         self.pace().unwrap_or(1.0).max(2.0 * self.step.abs()).min(f64::MAX)
     }
 
-    /// The longest step for a wish without an end: conditions are looked for in what is not much longer than the state takes to change.
+    /// Returns the longest step if the series does not limit it. With conditions, changes are searched only within the time in which the state
+    /// changes.
     #[cold]
     fn endless(&self) -> f64 {
         let guess = self.guess();
         if S::Switches::LEN == 0 { guess } else { self.pace().unwrap_or(guess) }
     }
 
-    /// A step that is not longer than `left`.
+    /// Takes a step that is not longer than `left`.
     pub(in crate::running) fn take(&mut self, left: f64) -> Result<(), StepError> {
         if !self.known {
             self.begin();
@@ -196,7 +197,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         let t = signed(self.time());
         let bounds = self.bounds.at(t, R::epsilon(), self.here().unit);
         let mut wish = self.length(&bounds);
-        // Where the series ends within what changes time, a longer step would be wrong.
+        // The series ends within the resolution of time: a longer step would be wrong.
         if wish < bounds.shortest && left > wish && !self.is_fixed() {
             return Err(self.refused(t, wish, self.too_short(wish, &bounds)));
         }
@@ -204,7 +205,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         if !informed {
             wish = wish.min(self.longest_uninformed());
         }
-        // Where nothing else ends it.
+        // Length of a full step, if `left` does not end it.
         let whole = if wish < f64::INFINITY { wish } else { self.endless() };
         let most = if S::Switches::LEN > 0 || left == f64::INFINITY { whole } else { wish };
         let (searched, mut switch) = self.switch(self.towards(most.min(left)), bounds.shortest);
@@ -227,7 +228,8 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
                     h = self.towards((0.5 * h.abs()).max(bounds.shortest));
                     switch = None;
                 }
-                // Which side it is on will be decided by the value; what does not leave a zero before the next change only touches it.
+                // The sign at the end decides the side, so the step is extended until the sign has changed. A function that keeps its sign up to the
+                // next change only touches zero.
                 Ok(correction) => {
                     let missed = switch.filter(|switch| !self.is_behind(*switch));
                     let farthest = missed.map_or(0.0, |switch| self.next_change(searched, switch) * searched.abs());
@@ -256,9 +258,9 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         Ok(())
     }
 
-    /// What part of its radius of convergence a function of the state is followed for, to see where it changes sign.
+    /// Returns the fraction of its radius of convergence within which a function of the state is searched for changes of sign.
     pub(in crate::running) fn part_of_radius(&self) -> f64 {
-        let most = if self.is_fixed() { 0.0 } else { NEARLY * self.estimate.part_of_radius(self.order()) };
+        let most = if self.is_fixed() { 0.0 } else { RADIUS_MARGIN * self.estimate.part_of_radius(self.order()) };
         most.max(0.5)
     }
 
@@ -266,13 +268,13 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         matches!(self.method.steps(), taylor::Steps::Length(_))
     }
 
-    /// A length in the direction of the run.
+    /// Returns a length with the sign of the direction of the run.
     fn towards(&self, h: f64) -> f64 {
         if self.backwards { -h } else { h }
     }
 
     pub(in crate::running) fn check_start(&self) -> Result<(), StepError> {
-        // Later states are good because the steps that led to them were. Of a saved run that is not known, nor was this method asked.
+        // Later states need no check: each comes from a step that succeeded. A resumed run, and its method, must be checked.
         if self.known && self.taken != self.given {
             return Ok(());
         }

@@ -1,4 +1,4 @@
-//! Why there is no step.
+//! Causes of refused steps.
 
 use super::Steps;
 use crate::running::error::{Reason, StepError};
@@ -8,11 +8,11 @@ use crate::space::PerCoordinate;
 use crate::system::Jets;
 use crate::taylor::TaylorMethod;
 
-/// What ends a series within so many of the shortest steps has ended it.
+/// A singularity within this many of the shortest steps counts as reached.
 const NEAR: f64 = 16.0;
 
 impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
-    /// Why a step is not shorter than the shortest: that changes no time, or is what the user allows.
+    /// Returns the reason for refusing a step below the shortest one. The shortest step is set by the resolution of time or by the user.
     #[cold]
     pub(super) fn too_short(&self, wish: f64, bounds: &Bounds) -> Reason {
         if wish < self.shortest() {
@@ -21,7 +21,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         Reason::Inaccurate { error: Real::powf(bounds.shortest / wish, self.order() as f64) }
     }
 
-    /// The error of a step that is refused.
+    /// Returns the error of a refused step.
     #[cold]
     pub(super) fn refused(&self, t: f64, h: f64, reason: Reason) -> StepError {
         let h = self.towards(h);
@@ -43,12 +43,12 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         }
     }
 
-    /// The shortest step that changes time.
+    /// Returns the shortest step that changes the time.
     fn shortest(&self) -> f64 {
         Bounds::default().at(signed(self.time()), R::epsilon(), self.here().unit).shortest
     }
 
-    /// Why the solution has no series here.
+    /// Returns why the solution has no series here.
     fn without_series(&self) -> Reason {
         match self.vanishing() {
             Some(what) => Reason::OutsideDomain { what },
@@ -57,8 +57,9 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         }
     }
 
-    /// A power that has no series where it vanishes, and does so here or next to here: what it is a power of changes by half of itself. Steps of one
-    /// length may have led to where everything does.
+    /// Returns the message of a power without a series where its base vanishes, if the base vanishes here or nearby. Nearby means: the base changes
+    /// by at least half of itself within `NEAR` shortest steps. Steps of fixed length check the present point only, since they may lead to points
+    /// where every base changes so much.
     fn vanishing(&self) -> Option<&'static str> {
         let next = if self.is_fixed() { 0.0 } else { NEAR * self.shortest() };
         let (here, h) = (self.here(), self.towards(next));

@@ -1,4 +1,4 @@
-//! Conditions of the energy that change sides within a step: it ends there.
+//! Ends a step where a condition of the energy changes.
 
 use super::Steps;
 use crate::scalar::{Real, signed};
@@ -6,28 +6,29 @@ use crate::space::Array;
 use crate::system::Jets;
 use crate::taylor::{self, TaylorMethod};
 
-/// A condition that changes sides.
+/// A condition that changes within a step. Its deciding function changes sign there.
 #[derive(Clone, Copy)]
 pub(super) struct Switch {
-    /// Which one.
+    /// Index of the condition.
     pub(super) place: usize,
-    /// When, as a part of the step; at 0 it is on the wrong side of where it goes.
+    /// Time of the change as a fraction of the step. 0 if the function starts with the wrong sign.
     pub(super) at: f64,
-    /// What decides it has this sign afterwards.
+    /// Sign of the deciding function after the change.
     pub(super) sign: f64,
-    /// Whether the step begins behind it, or before it, on the way there: where a step before has ended there, rates on both sides lead back.
+    /// Whether the function starts towards zero. If the step before has ended at this condition, the rates on both sides then lead back to it.
     pub(super) back: bool,
 }
 
-/// Radii of convergence are estimates: what decides a condition has nearly that of the coordinates.
-pub(super) const NEARLY: f64 = 1.25;
+/// Accepted ratio of the radii of convergence of the coordinates and of a deciding function. Radii are only estimates, so small differences do not
+/// shorten a step.
+pub(super) const RADIUS_MARGIN: f64 = 1.25;
 
-/// Conditions shorten no step by more than this.
-const LEAST: f64 = 1.0 / (1 << 30) as f64;
+/// Largest reduction of a step by conditions.
+const LEAST_PART: f64 = 1.0 / (1 << 30) as f64;
 
 impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
-    /// The first condition of the energy that changes sides within a step, and the length up to which there is no other: shorter where what
-    /// decides conditions has series that end earlier than those of coordinates.
+    /// Returns the first change of a condition within a step, and the length that was searched. The search is shorter than `h` if the series of a
+    /// deciding function ends earlier than those of the coordinates.
     #[inline(always)]
     pub(super) fn switch(&self, h: f64, shortest: f64) -> (f64, Option<Switch>) {
         if S::Switches::LEN == 0 { (h, None) } else { self.first_switch(h, shortest) }
@@ -44,9 +45,9 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
             let here = if g[0] == 0.0 { 0.0 } else { g[0].signum() };
             let back = g.get(1).is_some_and(|slope| slope * g[0] < 0.0);
             let at = match roots.as_slice() {
-                // It is zero all along.
+                // Identically zero.
                 _ if roots.sign == 0.0 => continue,
-                // It leaves zero, or the side that it is on by rounding.
+                // The function leaves zero, or a side on which it is by rounding only.
                 _ if here != roots.sign => Switch { place, at: 0.0, sign: roots.sign, back },
                 [] => continue,
                 [at, ..] => Switch { place, at: *at, sign: -roots.sign, back },
@@ -58,8 +59,8 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         (h, first)
     }
 
-    /// The part of a step of length `h` at which the next change follows on this one: of the same condition, or of another one, later by more than
-    /// rounding. All of it if none does.
+    /// Returns the fraction of a step of length `h` at which the next change after `switch` follows. This is another change of the same condition, or
+    /// one of another condition, later by more than rounding. Returns 1 if there is none.
     #[cold]
     #[inline(never)]
     pub(super) fn next_change(&self, h: f64, switch: Switch) -> f64 {
@@ -71,24 +72,24 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         (0..S::Switches::LEN).map(next).fold(1.0, f64::min)
     }
 
-    /// What decides a condition, in parts of a step.
+    /// Returns the coefficients of the deciding function of a condition, with time as a fraction of a step of length `h`.
     fn condition(&self, place: usize, h: f64) -> [f64; taylor::MOST] {
         let switches = &self.here().switches.as_ref()[..self.order()];
         taylor::in_parts(switches.iter().map(|switch| signed(switch.as_slice()[place])), self.here().in_units(h))
     }
 
-    /// A step that is not longer than h in which all that decides conditions has the accuracy of the coordinates. Not without end shorter: behind
-    /// the place at which a series ends there is another one.
+    /// Returns a step, not longer than `h`, in which all deciding functions have the accuracy of the coordinates. `LEAST_PART` limits the reduction:
+    /// otherwise a run could never pass a singularity of such a function.
     fn within_reach(&self, h: f64, shortest: f64) -> f64 {
         let count = self.order().min(taylor::MOST);
-        let part = if self.is_fixed() { 0.5 } else { NEARLY * self.estimate.part_of_radius(self.order()) };
+        let part = if self.is_fixed() { 0.5 } else { RADIUS_MARGIN * self.estimate.part_of_radius(self.order()) };
         let reach = |place| taylor::reach(&self.condition(place, h)[..count], part);
         let least = (0..S::Switches::LEN).map(reach).fold(1.0, f64::min);
-        if least < 1.0 { self.towards((h.abs() * least.max(LEAST)).max(shortest.min(h.abs()))) } else { h }
+        if least < 1.0 { self.towards((h.abs() * least.max(LEAST_PART)).max(shortest.min(h.abs()))) } else { h }
     }
 
-    /// Whether the point that was reached is on the other side of a condition that has no series here, as √q has none at q = 0: no polynomial tells
-    /// where it changes.
+    /// Returns whether the end of the attempt is on the other side of a condition that has no series here, as √q at q = 0. No polynomial then gives
+    /// the time of the change.
     #[inline(always)]
     pub(super) fn has_unseen_switch(&self) -> bool {
         S::Switches::LEN > 0 && (0..S::Switches::LEN).any(|place| self.is_unseen(place))
@@ -101,7 +102,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         from * to < 0.0 && here.iter().any(|term| !term.as_slice()[place].magnitude().is_finite())
     }
 
-    /// Whether the point that was reached is behind a switch.
+    /// Returns whether the end of the attempt is beyond a change.
     pub(super) fn is_behind(&self, switch: Switch) -> bool {
         let value = signed(self.start().switches.as_ref()[0].as_slice()[switch.place]);
         value * switch.sign > 0.0

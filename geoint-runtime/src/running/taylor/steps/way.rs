@@ -1,7 +1,7 @@
-//! What lies on the way of a step of which the series says nothing?
+//! Checks the rates between the ends of a step whose series is uninformative.
 //!
-//! Far from a barrier, or long before a pulse, the force is zero to rounding. Then the coefficients do not tell how long it stays so, and the step is
-//! uninformed: it looks at the rates at points on its way.
+//! Far from a barrier, or long before a pulse, the force is zero up to rounding. The coefficients then do not show how long it remains zero. Such a
+//! step is called uninformed. The rates are compared at points within it.
 
 use super::Steps;
 use crate::scalar::Real;
@@ -9,15 +9,17 @@ use crate::space::{Array, PerCoordinate};
 use crate::system::Jets;
 use crate::taylor::{self, TaylorMethod};
 
-/// Points in the time in which the state changes by its size, and the fewest points in a step. A barrier wider than their distance is seen.
+/// Number of points in the time in which the state changes by its size, and minimum number in a step. A barrier wider than their distance is
+/// detected.
 const POINTS: f64 = 64.0;
 
-/// An uninformed step is at most this many of these times long.
+/// Maximum length of an uninformed step, in times in which the state changes by its size.
 const LONGEST: f64 = 16.0;
 
 impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
-    /// Returns whether steps never look at their way. Those of given length do not. Those of energies with conditions do not, either: beyond a condition
-    /// the rates differ from the series, and conditions are found in another way. A narrow barrier of such an energy may be missed.
+    /// Returns whether steps are never checked between their ends. Steps of fixed length are not. Steps of an energy with conditions are not, either:
+    /// beyond a condition the rates differ from the series, and changes of conditions are found in another way. A narrow barrier of such an energy
+    /// may be missed.
     #[inline(always)]
     fn never_looks(&self) -> bool {
         S::Switches::LEN > 0 || self.is_fixed()
@@ -42,13 +44,13 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         self.pace().map_or(f64::INFINITY, |time| LONGEST * time)
     }
 
-    /// Returns whether the rates at points on the way of a step of length `h` are those of its polynomial.
+    /// Returns whether the rates at points within a step of length `h` agree with those of its polynomial.
     #[cold]
     #[inline(never)]
     pub(super) fn agrees_on_way(&self, h: f64) -> bool {
         let here = self.here();
         let time = self.pace().unwrap_or(h.abs());
-        // For a coordinate that begins at zero the time may be far too long.
+        // The time of change may be far too long for a coordinate that starts at zero.
         let points = libm::ceil(POINTS * (h.abs() / time).clamp(1.0, LONGEST));
         (1..points as u32).all(|point| {
             let after = h * (f64::from(point) / points);
