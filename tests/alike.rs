@@ -1,5 +1,5 @@
-//! The same bits from two runs, by each kind of step; and from two builds: where `BITS` names a folder, the last states are written to it by the
-//! first one, and read by the next. `.ci/alike` lets one without optimisation write, and one with it read.
+//! Two runs give the same bits, with each kind of step, and so do two builds. If `BITS` names a folder, the first build writes the last states to it, and
+//! the next build compares. `.ci/alike` lets an unoptimised build write, and an optimised build compare.
 
 use geoint_runtime::method::catalogue;
 use geoint_runtime::prelude::*;
@@ -12,12 +12,12 @@ use nalgebra::Vector3;
 use std::marker::PhantomData;
 use std::path::Path;
 
-/// The coordinates of a state, to the last bit.
+/// Returns the bits of the coordinates of a state.
 fn bits(state: &impl Snapshot<Real = f64>) -> String {
     flat(state).iter().chain([&state.time()]).map(|x| format!("{:016x}\n", x.to_bits())).collect()
 }
 
-/// Two runs lead to the same state, and so did that of the build before.
+/// Asserts that two runs lead to the same state, and to the state of the build before.
 fn alike(name: &str, run: impl Fn() -> String) {
     let found = run();
     assert_eq!(found, run(), "{name}: two runs");
@@ -30,13 +30,13 @@ fn alike(name: &str, run: impl Fn() -> String) {
     }
 }
 
-/// Steps by the bare loop, and one by one.
+/// Takes steps by the bare loop, and a single step.
 fn ended<S: PhaseSpace, M: Method<S>, C: Summation<S::Phase>>(mut sim: Integrator<S, M, f64, C>) -> String {
     sim.advance(25).and_then(|()| sim.step()).expect("steps");
     bits(&sim.state())
 }
 
-/// Methods of a list on a scene.
+/// Tests the methods of a list on a scene.
 struct Alike<P> {
     h: f64,
     scene: PhantomData<P>,
@@ -65,7 +65,7 @@ fn asteroid(q: [Vector3<f64>; 4], p: [Vector3<f64>; 4], m: [f64; 4], g: f64) -> 
     energy
 }
 
-/// A hundred years in steps of 40 days. The energy shows errors of an optimiser that both runs of a build share.
+/// A hundred years in steps of 40 days. The check of the energy finds errors of an optimiser that both runs of a build share.
 struct Century(State<[Vector3<f64>; 4]>, Asteroid);
 
 impl Visitor<Asteroid> for Century {
@@ -81,7 +81,7 @@ impl Visitor<Asteroid> for Century {
     }
 }
 
-/// One release of rustc vectorised a processor of these methods wrongly, only where it was inlined and all optimisation was on.
+/// Regression test: one release of rustc vectorised the processor of these methods wrongly. The fault appeared only after inlining with full optimisation.
 #[test]
 fn planets_in_three_dimensions() {
     let m = [1.00000597682, 1e-6, 0.000954786104043, 0.000285583733151];
@@ -94,7 +94,7 @@ fn planets_in_three_dimensions() {
     catalogue::processed(&mut century);
 }
 
-/// Estimates of errors choose the steps of these.
+/// Estimates of errors choose the steps of these runs.
 #[test]
 fn steps_that_adapt() {
     fn check<T: Trajectory<State = State<[f64; 2]>>>(name: &str, run: impl Fn() -> T) {

@@ -1,4 +1,4 @@
-//! Stepping allocates nothing, whatever the method. Alone in its program, because it owns the allocator.
+//! Steps allocate nothing, with any method. This test is a program of its own, because it owns the allocator.
 
 use geoint_runtime::Method;
 use geoint_runtime::prelude::*;
@@ -11,7 +11,7 @@ use std::marker::PhantomData;
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
-/// Everything that can be done with an integrator, an error included.
+/// Uses every operation of an integrator, including an error.
 struct Steps<P>(usize, PhantomData<P>);
 
 impl<P: Problem> Visitor<P::Over<f64>, f64> for Steps<P> {

@@ -1,4 +1,4 @@
-//! The same bits on every processor, where `strict-math` or a processor without fused operations promises them.
+//! Every processor gives the same bits, if `strict-math` or a processor without fused operations promises them.
 //!
 //! The energy is a polynomial: elementary functions come from the platform and may round otherwise.
 
@@ -11,7 +11,7 @@ fn henon_heiles(q: [f64; 2], p: [f64; 2], m: f64) -> f64 {
     (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) + (x * x + y * y) / 2.0 + x * x * y - y * y * y / 3.0
 }
 
-/// Whether the build contracts a·b + c, as `multiply_add` of the scalars decides.
+/// True if the build contracts a·b + c, as `multiply_add` of the scalars decides.
 const FUSED: bool = cfg!(all(feature = "std", target_feature = "fma", not(feature = "strict-math")));
 
 fn bits<M: Method<HenonHeiles>>(method: M) -> [u64; 4] {
@@ -37,7 +37,7 @@ fn polynomial_energies_round_alike_everywhere() {
         ("RK4", bits(RK4), [0x3fd337deed2c571e, 0x3f7607e4b57b0b20, 0xbfa9479e95ec9ebc, 0x3fd41017ae48c684]),
     ];
     for (name, found, expected) in expected {
-        // A fused operation rounds once in place of twice: were the bits the same, nothing would be fused.
+        // A fused operation rounds once instead of twice. In a fused build the bits must differ, else nothing would be fused.
         assert_eq!(found == expected, !FUSED, "{name}: {found:#x?}");
     }
 }

@@ -1,4 +1,4 @@
-//! Random systems of all forms, as `.ci/random` writes them: the Taylor coefficients of what is emitted beside those by truncated series.
+//! Random systems of all forms, written by `.ci/random`. The emitted Taylor coefficients are compared with coefficients by truncated series.
 
 #![allow(warnings, reason = "random programs")]
 
@@ -6,27 +6,27 @@ use geoint_runtime::scalar::Series;
 use geoint_tests::jets::{self, BAR, Both, N};
 use geoint_tests::scalars::Double;
 
-/// What rounding may have grown by, where it grows, in units of what series in f64 lose, or what rounding of the start changes.
+/// Bound on the growth of rounding errors beyond `BAR`. Its unit is the error of series in f64, or the change under a rounding of the start.
 const GROWN: f64 = 8.0;
 
-/// What was seen.
+/// Counts of compared systems and points, and the failures.
 #[derive(Default)]
 struct Seen {
-    /// Systems with coefficients that are numbers at one point at least.
+    /// Systems with finite coefficients at one point or more.
     systems: u64,
-    /// Points at which both ways agree to the bar, and where rounding has grown beyond it.
+    /// Points at which both ways agree to `BAR`, and points with larger rounding errors.
     points: [u64; 2],
     failures: Vec<String>,
 }
 
 impl Seen {
-    /// Both ways at a point, and the exact coefficients. Whether there are numbers to compare.
+    /// Compares both ways at a point with the exact coefficients. Returns whether numbers could be compared.
     fn see(&mut self, name: &str, x: &[f64], mut both: Both, exact: Vec<[Double; N]>, nearby: &[[f64; N]]) -> bool {
-        // What rounding of the start alone changes is the condition.
+        // The change under a rounding of the start alone is the condition.
         let (exact, noise) = jets::exact(&both.series, &exact);
         let rounded: Vec<Vec<f64>> = nearby.iter().map(|x| x[1..].to_vec()).collect();
         let noise = noise.max(jets::error(&rounded, &exact));
-        // Larger ones leave the range of a double word.
+        // Larger coefficients leave the range of a double word.
         let moderate = exact.iter().flatten().all(|x| x.abs() < 1e100);
         if !both.is_finite() || !moderate || exact.iter().all(|x| x[2..].iter().all(|x| *x == 0.0)) {
             return false;
@@ -37,7 +37,7 @@ impl Seen {
         if !(error <= most) {
             self.failures.push(format!("{name} at {x:?}: {error:.1e}, and {noise:.1e} by series"));
         }
-        // Wrong coefficients are seen.
+        // Control: wrong coefficients are detected.
         both.kernel.iter_mut().flatten().for_each(|x| *x *= 1.0 + 1e-10);
         if most == BAR && both.error() <= BAR {
             self.failures.push(format!("{name} at {x:?}: wrong coefficients are not seen"));
@@ -46,7 +46,7 @@ impl Seen {
     }
 }
 
-/// Points at which systems are looked at, until there are numbers.
+/// Points to try until a system has finite coefficients.
 const POINTS: [[f64; 3]; 6] =
     [[0.7, 0.4, 0.3], [1.3, 0.6, -0.2], [-0.6, 0.8, 0.5], [0.4, -0.9, 0.7], [2.1, 1.7, 1.2], [-1.4, -0.5, -0.8]];
 

@@ -90,7 +90,7 @@ impl<R: geoint_tests::scalars::Scalar> Invariants<Kepler<R>, R> for AngularMomen
     }
 }
 
-/// Two invariants at once, and that one of them does not come with the other.
+/// A projection conserves energy and angular momentum at once. Conserving one of the two does not conserve the other.
 #[test]
 fn energy_and_angular_momentum_together() {
     let start = Kepler::initial::<f64>(0.0);
@@ -121,7 +121,7 @@ fn energy_and_angular_momentum_together() {
     claims(false, Method::<Kepler>::claims(&Projection(RK4, AngularMomentum)));
 }
 
-/// Where the energy is straight along a step no factor puts it right: refused, and the state is kept.
+/// If the energy is straight along a step, no relaxation factor corrects it. The step is refused, and the state is kept.
 #[test]
 fn relaxation_needs_a_curved_energy() {
     let mut sim = DoublePendulum::system::<f64>().integrator(Relaxation(RK4), 0.1, DoublePendulum::initial(0.0));
@@ -139,8 +139,8 @@ fn relaxation_needs_a_curved_energy() {
     assert!(sim.steps() > 0 && (sim.time() - sim.steps() as f64 * 0.1).abs() > 1e-9, "{}", sim.time());
 }
 
-/// In single precision hardly more than rounding is put right in a step, and the energy is almost straight along some: what steps leave is put
-/// right by others, and no factor follows from rounding alone. (Such factors once changed the energy by a third of its terms here.)
+/// In single precision a step corrects hardly more than rounding, and the energy is almost straight along some steps. Other steps correct the
+/// remainder. No factor may follow from rounding alone. Earlier, such factors changed the energy by a third of its terms here.
 #[test]
 fn what_relaxation_leaves_does_not_add_up() {
     const STEPS: u64 = 20_000;

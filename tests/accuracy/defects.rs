@@ -1,4 +1,4 @@
-//! What Gauss's methods tell of their errors by the defect of their polynomial.
+//! Error estimates of Gauss methods from the defect of their polynomial.
 
 use geoint_runtime::method::{Claims, Estimate, Name, Probe, Refusal, Step, Unwatched};
 use geoint_runtime::prelude::*;
@@ -12,7 +12,7 @@ use geoint_tests::problems::{
 use geoint_tests::scalars::Double;
 use geoint_tests::scene::{Scene, flat, point};
 
-/// A method that is compared with halves of its steps, whatever it tells by itself.
+/// Wraps a method. Its error is estimated by comparison with half steps, without the method's own estimate.
 #[derive(Clone, Copy, Debug)]
 struct Halves<M>(M);
 
@@ -43,7 +43,7 @@ fn step<P: Scene, M: Method<P::Over<Double>, Double>>(method: M, h: f64) -> [f64
     [estimate, distance(x.z.as_slice(), &exact)]
 }
 
-/// Estimates fall with steps as errors do, and are larger: with one and two derivatives, and with forces that depend on time.
+/// Estimates fall with the step length in the order of the errors, and exceed the errors. The scenes have one and two derivatives, and time-dependent forces.
 #[test]
 fn estimates_have_the_order_of_errors() {
     fn check<P: Scene, const S: usize>(h: f64)
@@ -51,7 +51,7 @@ fn estimates_have_the_order_of_errors() {
         Gauss<S>: Method<P::Over<Double>, Double>,
     {
         assert_eq!(Method::<P::Over<Double>, Double>::order_of_estimate(&Gauss::<S>), Some(2 * S as u32));
-        // The mean of several lengths, since each of them may be one at which an entry changes its sign. Much shorter steps show the rounding of weights.
+        // The mean of several lengths, because an entry may change its sign at a single length. Much shorter steps show the rounding of weights.
         let lengths = [1.0, 0.9, 0.8, 0.7].map(|part| part * h * S as f64);
         let mut orders = [0.0; 2];
         for h in lengths {
@@ -84,7 +84,7 @@ fn estimates_have_the_order_of_errors() {
     all::<SwingingMass>(0.13);
 }
 
-/// The largest error of steps that a run takes, in units of what is tolerated: of the largest magnitudes on the whole way.
+/// Returns the largest error of a step of a run. The unit is the tolerance times the largest magnitude of the coordinate on the whole way.
 fn worst<S, M: Method<S>>(system: S, method: M, tolerance: f64, start: StateOf<S, f64>, t: f64) -> f64
 where
     S: Rates + Jets + Copy,
@@ -151,8 +151,7 @@ fn in_air(q: f64, p: f64, m: f64, g: f64, c: f64) -> f64 {
     p * p / (2.0 * m) - m * g * q.cos()
 }
 
-/// Where rates vanish, where small vibrations are beside large motions, where nothing but time is in a force, and in other units: no step has a
-/// larger error than is tolerated.
+/// No step has a larger error than the tolerance. The cases: vanishing rates, small vibrations beside large motions, a force of time alone, and other units.
 #[test]
 fn local_errors_are_covered() {
     fn covered<S, M: Method<S>>(system: S, method: M, tolerance: f64, start: StateOf<S, f64>, t: f64)
@@ -187,7 +186,7 @@ fn local_errors_are_covered() {
         Relaxing { epsilon: 100.0 }, FlowState::new([2.0, 0.0]), 150.0 => Gauss::<3>, Gauss::<4>;
         InAir { m: 1.3, g: 2.1, c: 0.4 }, State::new(1.4, 0.0), 10.0 => Gauss::<3>, Gauss::<4>;
     }
-    // A tolerance that is not the one of the run is exceeded.
+    // Control: a run with tolerance 10⁻⁷ exceeds the tolerance 10⁻¹⁰.
     let (orbit, start) = ellipse([1.0, 1.0]);
     assert!(1e3 * worst(orbit, Gauss::<3>, 1e-7, start, 15.0) > 1.0);
 }
@@ -236,7 +235,7 @@ fn steps_follow_the_tolerance() {
     check::<4>();
 }
 
-/// The same error takes fewer solved equations than comparing with halves does.
+/// For equal errors the method's own estimate solves fewer equations than the comparison with half steps.
 #[test]
 fn steps_cost_less_than_halves() {
     fn run<M: Method<Orbit>>(method: M, tolerance: f64, [length, time]: [f64; 2]) -> (f64, f64) {
@@ -254,7 +253,7 @@ fn steps_cost_less_than_halves() {
         Gauss<S>: Method<Orbit>,
     {
         for units in [[1.0, 1.0], [3e8, 5e-3]] {
-            // From errors of several tolerances, since those of single runs depend on where steps end.
+            // Means over several tolerances, because the errors of single runs depend on the ends of their steps.
             let mean = |of: &dyn Fn(f64) -> (f64, f64)| {
                 let logarithms = (-2..=2).map(|k| of(10_f64.powf(-9.0 + 0.25 * f64::from(k))));
                 logarithms.fold((0.0, 0.0), |sum, (error, steps)| (sum.0 + error.ln() / 5.0, sum.1 + steps.ln() / 5.0))
@@ -284,7 +283,8 @@ fn chain(q: [f64; 7], p: [f64; 7], m: f64) -> f64 {
     h
 }
 
-/// With few stages, or many unknowns, halves are cheaper, and with five stages nearer to rounding; a correction that follows, and substeps, change what a defect says.
+/// Other methods are compared with half steps. Half steps are cheaper for few stages or many unknowns, and nearer to rounding for five stages. A
+/// subsequent correction, or substeps, change the meaning of the defect.
 #[test]
 fn others_are_compared_with_halves() {
     fn has<S: PhaseSpace + Rates, M: Method<S>>(_: &S, method: M) -> bool {

@@ -1,8 +1,7 @@
 //! Values, gradients and Jacobians of every problem by second routes.
 //!
-//! Values against the function as the user wrote it; gradients against dual numbers run through the value kernel and
-//! against differences of the user's function; everything that contains second derivatives against dual numbers run
-//! through the kernel of first derivatives.
+//! Values are compared with the function as the user wrote it. Gradients are compared with dual numbers in the value kernel and with differences of
+//! the user's function. Second derivatives are compared with dual numbers in the kernel of first derivatives.
 
 use geoint_runtime::space::Array;
 use geoint_runtime::system::{Collocation, DiscreteField, Span};
@@ -23,7 +22,7 @@ fn array<A: Array>(x: &[A::Real]) -> A {
     array
 }
 
-/// Constants, one of which is the variable.
+/// Dual numbers: the entry `seed` is the variable, all others are constants.
 fn seeded(x: &[f64], seed: usize) -> Vec<Dual> {
     x.iter().enumerate().map(|(i, x)| if i == seed { Dual::variable(*x) } else { Dual::from(*x) }).collect()
 }
@@ -146,7 +145,7 @@ where
         }
     }
     check_equation::<S, D>((plain, dual), h, (t, q, p), &increment);
-    // Where both ends meet there is no 0/0 and no jump.
+    // At equal ends there is no 0/0 and no jump.
     let (_, met) = at(0.0, noise);
     let (_, near) = at(1e-9, noise);
     for (met, near) in met.iter().zip(&near) {

@@ -27,7 +27,7 @@ fn functions_keep_their_identities() {
     }
 }
 
-/// Derivatives at 0 are 1: the series are those of sin and exp, not of something with the same symmetries.
+/// Derivatives at 0 are 1. The series therefore belong to sin and exp, not to other functions with the same symmetries.
 #[test]
 fn functions_have_the_right_scale() {
     let x = Double::from(1e-12);

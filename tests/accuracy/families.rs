@@ -1,4 +1,4 @@
-//! What is written as a loop, because a scene has many alike parts, is what it is one by one.
+//! Scenes with many alike parts, written as loops. The steps must agree with a computation of each part by hand.
 
 use geoint_runtime::prelude::*;
 
@@ -116,7 +116,7 @@ fn neighbours_with_numbers_of_their_own() {
     sim.advance(100).expect("a regular motion");
     let state = sim.state();
     assert!(gap(&state.q, &q) < 1e-12 && gap(&state.p, &p) < 1e-12, "{:e}", gap(&state.q, &q));
-    // Steps of a method that solves equations, and of one that adds rates.
+    // Compares a method that solves equations with a method that adds rates.
     let mut sim = system.integrator(Gauss::<2>, 0.02, start);
     let mut other = system.integrator(RK4, 0.002, start);
     sim.advance(20).expect("a regular motion");

@@ -1,4 +1,4 @@
-//! Corrections of invariants where a coordinate hardly moves: the rounding of an energy is not corrected by a coordinate that it does not read.
+//! Corrections of invariants where a coordinate hardly moves. A coordinate that the energy does not read must not correct the rounding of the energy.
 
 use geoint_runtime::Method;
 use geoint_runtime::prelude::*;
@@ -30,7 +30,7 @@ fn error<M: Method<Hill>>(method: M, h: f64) -> f64 {
     error / (f64::EPSILON * START.abs())
 }
 
-/// The same for the field.
+/// Returns the largest distance of a flight of the field from q₀ + t, in units of the rounding of a position.
 fn error_of_field<M: Method<Slope>>(method: M, h: f64) -> f64 {
     let mut sim = Slope.integrator(method, h, FlowState::new([START, 1.0]));
     let mut error = 0.0_f64;

@@ -1,4 +1,5 @@
-//! How often implicit steps evaluate: what initial guesses are worth, in sines and cosines, of which an evaluation has six, and the end of a step one.
+//! The value of initial guesses, by the number of evaluations of implicit steps. The unit is a sine or cosine: an evaluation has six, and the end of
+//! a step one.
 
 use geoint_runtime::prelude::*;
 use geoint_tests::scalars::{Tallied, Tally};
@@ -34,7 +35,7 @@ fn long_substeps_evaluate_four_times_at_most() {
     }
 }
 
-/// Where all increments are extrapolated one evaluation is enough, in compositions as well.
+/// If all increments are extrapolated, one evaluation is enough, in compositions as well.
 #[test]
 fn short_steps_evaluate_once() {
     let found = [

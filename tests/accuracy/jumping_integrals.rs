@@ -15,7 +15,7 @@ fn straight(x: [f64; 2]) -> [f64; 2] {
     [1.0, 0.0]
 }
 
-/// Returns the distance from the circle with radius `r` after many steps, or after the last one that is not refused.
+/// Returns the distance from the circle with radius `r` after 2000 steps, or after the last step before a refusal.
 fn error<M: Method<Circle>>(method: M, h: f64, r: f64) -> (f64, Result<(), StepError>) {
     let mut sim = Circle.integrator(method, h, FlowState::new([r, 0.0]));
     let outcome = sim.advance(2000);

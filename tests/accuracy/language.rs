@@ -9,7 +9,7 @@ use geoint_tests::measure::Noise;
 use geoint_tests::scalars::Dual;
 use nalgebra::Vector3;
 
-/// The derivatives of an energy of one degree of freedom against those of the same expression over dual numbers.
+/// Compares the derivatives of an energy of one degree of freedom with the same expression over dual numbers.
 fn compare<S>(system: S, written: fn(f64, f64) -> f64, restated: fn(Dual, Dual) -> Dual, low: f64, high: f64)
 where
     S: Collocation<f64> + Collocation<Dual> + Hamiltonian<f64> + Hamiltonian<Dual>,

@@ -1,4 +1,4 @@
-//! The mean value of the gradient: where it is exact, against quadrature; and where it is not, that this is said and seen.
+//! The mean value of the gradient. If it is exact, it agrees with quadrature. If it is not exact, the claims say so and the energy shows it.
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Hamiltonian, Method, Real};
@@ -37,7 +37,7 @@ macro_rules! with_masses {
 
 const START: State<[f64; 2]> = State { q: [0.9, -0.4], p: [0.3, 0.8], t: 0.0 };
 
-/// The largest relative error of the energy in 2000 steps, and what the method claims.
+/// Returns the largest relative error of the energy in 2000 steps, and the claim of the method.
 fn energy<S: Hamiltonian<Coordinates = [f64; 2]>, M: Method<S>>(system: S, method: M, h: f64) -> (f64, bool) {
     let claims = method.claims().conserves_energy;
     let before = system.energy(&START);
@@ -59,7 +59,7 @@ macro_rules! energies {
     })* };
 }
 
-/// Where the mean is exact the energy is kept; where it is not, not, and that is said beforehand.
+/// The energy is conserved if and only if the mean is exact. The claims of the method say beforehand whether it is.
 #[test]
 fn energy_is_kept_where_the_mean_is_exact() {
     energies! {
@@ -97,8 +97,8 @@ fn reports_say_which_mean_is_exact() {
     }
 }
 
-/// How far steps in double-double from random points are from h J times the mean of ∇H between their ends, which is taken in 64
-/// parts of three points of Gauss each.
+/// Returns the largest distance of steps from h J times the mean of ∇H between their ends. The steps start at random points and run in double-double.
+/// The mean is taken in 64 parts with three Gauss points each.
 fn off_the_mean<S, M: Method<S, Double>>(system: S, method: M) -> f64
 where
     S: Hamiltonian<Double, Coordinates = [Double; 2], Array = [Double; 2]>,
@@ -129,7 +129,7 @@ where
     })
 }
 
-/// Beyond double precision, so that nothing but a closed form passes.
+/// Compares beyond double precision, so that only a closed form passes.
 #[test]
 fn steps_follow_the_mean() {
     macro_rules! off {
@@ -144,7 +144,7 @@ fn steps_follow_the_mean() {
         Mixed, MeanValue::<2> => 0.0..1e-18;
         Mixed, MeanValue::<3> => 0.0..1e-18;
         Coupled, MeanValue::<3> => 0.0..1e-18;
-        // Controls: what keeps the energy, but is another mean; and a quadrature.
+        // Controls: a method with another mean that conserves the energy, and a quadrature.
         Mixed, DiscreteGradient => 1e-6..1.0;
         Mixed, MeanValue::<1> => 1e-6..1.0;
         Coupled, MeanValue::<2> => 1e-9..1.0;

@@ -1,4 +1,4 @@
-//! H + h²H₂ is what steps of Störmer and Verlet keep to the next order.
+//! Steps of Störmer and Verlet conserve H + h²H₂ to the next order.
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Hamiltonian, ModifiedEnergy};

@@ -19,7 +19,7 @@ fn start() -> State<[f64; 2]> {
 struct Counted<M>(M);
 
 std::thread_local! {
-    /// Number of preparations in this thread, so in this test, since the last reset.
+    /// Number of preparations in this thread, and therefore in this test, since the last reset.
     static PREPARATIONS: Cell<u32> = const { Cell::new(0) };
 }
 
@@ -57,7 +57,7 @@ fn half_steps_are_prepared_without_an_estimate_only() {
     }
     // One preparation at the start of the run, one for the only allowed step size.
     assert_eq!([count(DOP853), count(BlanesMoanSrkn14a)], [2, 2]);
-    // The same two preparations for the half steps, too.
+    // Half steps need two preparations of their own.
     assert_eq!(count(StormerVerlet), 4);
 }
 

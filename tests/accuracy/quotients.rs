@@ -1,10 +1,10 @@
-//! What divided differences are for: the same steps with quotients of differences, against figures of another program.
+//! The purpose of divided differences. The same steps with quotients of differences are compared with figures of another program.
 //!
-//! Both keep the energy, because quotients telescope. What quotients lose is the trajectory: a step rounds them by ε H/|increment|,
-//! the more the shorter it is, and the more the larger H is, with all that belongs to H and not to the motion.
+//! Both forms keep the energy, because quotients telescope. Quotients lose accuracy of the trajectory: a step rounds them by ε H/|increment|. This
+//! error grows with shorter steps and with a larger H, including all parts of H unrelated to the motion.
 //!
-//! Figures here are roundings, and no two programs round alike: most can be compared as orders of magnitude only. The numbers of
-//! iterations, 3 and 7, are left out: they follow from how that program ends them.
+//! The figures are rounding errors, and no two programs round alike. Most figures can be compared only in their order of magnitude. The numbers of
+//! iterations, 3 and 7, are left out: they follow from the way that program ends its iterations.
 
 use geoint_runtime::prelude::*;
 use geoint_tests::measure::distance;
@@ -84,8 +84,8 @@ fn gap(a: (f64, f64), b: (f64, f64)) -> f64 {
     distance(&[a.0, a.1], &[b.0, b.1])
 }
 
-/// Against the same steps in numbers of twice the length. By slopes less is lost than by those of the other program, whose sums are
-/// not compensated; by quotients the more the shorter a step is.
+/// Compares trajectories with the same steps in numbers of twice the length. Slopes lose less than the slopes of the other program, whose sums are
+/// not compensated. Quotients lose more in shorter steps.
 #[test]
 fn trajectories_keep_their_digits() {
     for (h, steps, by_quotients, by_slopes) in [
@@ -109,7 +109,7 @@ fn trajectories_keep_their_digits() {
     }
 }
 
-/// An energy beside it changes no bit of the motion; of a quotient of H it takes digits.
+/// A constant in the energy changes no bit of the motion. A quotient of H loses digits to it.
 #[test]
 fn what_does_not_move_is_not_seen() {
     let (h, steps) = (1e-3, 3000);

@@ -1,11 +1,11 @@
 //! A rigid body with two invariants, against figures of another program.
 //!
-//! Its equations are no Hamiltonian system in (q, p), so that there is no energy to annotate: the traits are implemented by hand, for a
-//! flow in three coordinates. f = c ∇I₁ × ∇I₂ with both gradients replaced by discrete ones keeps both
-//! invariants; they are quadratic, so that this is the implicit midpoint rule.
+//! The equations are no Hamiltonian system in (q, p), so there is no energy to annotate. The traits are implemented by hand, for a flow in three
+//! coordinates. f = c ∇I₁ × ∇I₂ with both gradients replaced by discrete ones keeps both invariants. The invariants are quadratic, so this step is
+//! the implicit midpoint rule.
 //!
-//! Two rows of that table are left out, both explicit splittings of the field, into planes or along the three terms of the
-//! energy: splittings here are of T(p) + V(q).
+//! Two rows of the table of that program are left out. Both are explicit splittings of the field, into planes or along the three terms of the energy.
+//! Splittings here are splittings of T(p) + V(q).
 
 use geoint_runtime::method::discrete_gradient::TreeStep;
 use geoint_runtime::method::gauss::{FieldStages, GaussTableau};
@@ -24,7 +24,7 @@ const END: [f64; 3] = [-0.85561253, 0.39740055, -0.5662958];
 #[derive(Clone, Copy, Debug)]
 struct RigidBody;
 
-/// Of angular velocities.
+/// Returns the rates of the angular velocities.
 fn field(w: &[f64; 3]) -> [f64; 3] {
     let [a, b, c] = INERTIA;
     [(b - c) / a * w[1] * w[2], (c - a) / b * w[2] * w[0], (a - b) / c * w[0] * w[1]]
@@ -61,7 +61,7 @@ impl VectorField for RigidBody {
     }
 }
 
-/// What Kahan's method needs of it.
+/// Kahan's method requires a quadratic field.
 impl QuadraticField for RigidBody {
     type Proof = ();
 }

@@ -1,13 +1,13 @@
 //! Divided differences as they are emitted: an energy is kept by a step if and only if its slopes are exact.
 //!
-//! What they are made of is compared with quotients of hundreds of digits where the macro is tested.
+//! The tests of the macro compare the building blocks with quotients of hundreds of digits.
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Real, slope};
 use geoint_tests::measure::Noise;
 use geoint_tests::scalars::{Double, Lanes};
 
-/// An energy a line, with where it starts: the discrete gradient keeps it to a few roundings in every step.
+/// One energy per line, with its start. The discrete gradient keeps the energy to a few roundings in every step.
 macro_rules! kept {
     ($q:ident $p:ident: $($name:ident $System:ident at $start:expr => $energy:expr;)*) => {
         $(
@@ -78,7 +78,7 @@ kept! { q p:
     branch Branch at (0.1, -0.9) => p * p / 1.4 + if q < 0.0 { q * q } else { 0.3 * (1.0 + q).ln() };
 }
 
-/// What rests in the kink or in the zero of an energy stays there.
+/// A particle at rest in the kink or in the zero of an energy stays there.
 #[test]
 fn what_rests_at_zero_stays() {
     for step in Contact.integrator(DiscreteGradient, 0.1, State::new(0.0, 0.0)).sampled(1).take(10) {
@@ -115,7 +115,7 @@ fn arguments() -> Vec<[f64; 3]> {
     pairs.map(|[a, b]| [a, b, 1.7 + next()]).collect()
 }
 
-/// Each component is computed as if it were alone, whatever is beside it.
+/// Each component is computed as if alone, independent of its neighbour.
 #[test]
 fn helpers_hold_in_every_lane() {
     for ((name, alone), (_, beside)) in helpers::<f64>().into_iter().zip(helpers::<Lanes>()) {
@@ -139,7 +139,7 @@ fn helpers_hold_in_single_precision() {
         for x in arguments() {
             let x = x.map(|x| x as f32);
             let (found, expected) = (f64::from(narrow(x)), wide(x.map(f64::from)));
-            // Second differences are smaller than what they are made of.
+            // Second differences are smaller than their terms.
             let size = expected.abs() + if name.ends_with("_derivative") { 0.3 } else { 0.0 };
             let error = (found - expected).abs() / size / f64::from(f32::EPSILON);
             assert!(error < 60.0 || expected.abs() > 1e30, "{name} of {x:?}: {found:e} {expected:e}");

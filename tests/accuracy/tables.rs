@@ -63,7 +63,7 @@ fn the_list_of_methods_is_complete() {
     }
 }
 
-/// Names that may come twice: of one method with several parameters.
+/// Set of method names. A method with several parameters may repeat its name.
 #[derive(Default)]
 struct Walked(BTreeSet<String>);
 
@@ -73,7 +73,7 @@ impl Visitor<HenonHeiles, f64> for Walked {
     }
 }
 
-/// What tests walk is the catalogue of the runtime, and more.
+/// The tests visit the whole catalogue of the runtime, and more methods.
 #[test]
 fn tests_walk_the_whole_catalogue() {
     let (mut catalogued, mut walked) = (Walked::default(), Walked::default());
@@ -131,9 +131,9 @@ fn compositions_meet_their_power_sums() {
     check("SofroniouSpaletta10_35", SofroniouSpaletta10_35);
 }
 
-/// Kicks and drifts sum to 1 and meet the two conditions of order 3 in their palindromic form:
-/// Σ bᵢ cᵢ² = 1/3 and Σ aᵢ Bᵢ² = 1/3, c being the drifts and B the kicks so far. Drifts by momenta BᵢF make up a share of
-/// Σ aᵢ Bᵢ²/2 of F·M⁻¹F, force gradients one of −Σ g: with them Σ aᵢ Bᵢ² − 2 Σ g = 1/3.
+/// Kicks and drifts sum to 1 and meet the two conditions of order 3 in their palindromic form: Σ bᵢ cᵢ² = 1/3 and Σ aᵢ Bᵢ² = 1/3. Here c are the
+/// drifts and B the kicks up to this point. The share of F·M⁻¹F is Σ aᵢ Bᵢ²/2 from drifts by momenta BᵢF, and −Σ g from force gradients. With force
+/// gradients the second condition is Σ aᵢ Bᵢ² − 2 Σ g = 1/3.
 #[test]
 fn splittings_meet_their_conditions() {
     fn check<const K: usize, O>(name: &str, table: &Splitting<K, O>, kick_first: bool) {

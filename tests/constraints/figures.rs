@@ -1,9 +1,9 @@
-//! Errors and orders, against those of another program and against coordinates in which nothing is bound.
+//! Errors and orders of methods with constraints. The references are another program and coordinates without constraints.
 
 use crate::systems::*;
 use geoint_runtime::prelude::*;
 
-/// What a step with constraints is held to at the ends of steps.
+/// Largest defects at the ends of steps.
 #[derive(Default)]
 struct Largest {
     energy: f64,
@@ -47,7 +47,7 @@ fn rattle() {
         assert!((found.energy / energy - 1.0).abs() < 0.1, "{:e}", found.energy);
         assert!(found.constraint < 5e-16 && found.rate < 2e-15, "{:e} {:e}", found.constraint, found.rate);
     }
-    // It swings, and does not drift.
+    // The energy swings and does not drift.
     let long = largest(Rattle, 0.02, 100.0);
     assert!(
         (long.energy / 1.4e-2 - 1.0).abs() < 0.1 && long.constraint < 5e-16 && long.rate < 2e-15,

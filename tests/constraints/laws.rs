@@ -1,4 +1,4 @@
-//! What stays as it is.
+//! Conserved quantities of systems with constraints.
 
 use crate::systems::*;
 use geoint_runtime::prelude::*;
@@ -85,7 +85,7 @@ fn friction_takes_what_it_says() -> Result<(), StepError> {
     Ok(())
 }
 
-/// One and the same steps from L and from H: the mass matrix is diagonal.
+/// The mass matrix is diagonal, so L and H give the same steps.
 #[test]
 fn a_lagrangian_has_the_same_steps() -> Result<(), StepError> {
     let of_speeds = OfSpeeds { m: M, l: L, g: 9.81 };
@@ -103,7 +103,7 @@ fn a_lagrangian_has_the_same_steps() -> Result<(), StepError> {
     Ok(())
 }
 
-/// The energy of 10⁵ steps, and what is bound.
+/// Runs of 10⁵ steps. The discrete gradient keeps the energy to 10⁻¹³, RATTLE to 0.03. Both keep the lengths to 10⁻¹⁵.
 #[test]
 fn long_runs() -> Result<(), StepError> {
     let mut sim = DOUBLE.integrator(DiscreteGradient, 0.02, released());

@@ -1,4 +1,4 @@
-//! Systems with constraints: against numbers of another program, against coordinates in which there are none, laws, and refusals.
+//! Systems with constraints. The tests compare steps with another program and with coordinates without constraints, and check laws and refusals.
 
 #![allow(clippy::excessive_precision, reason = "digits as they are published")]
 

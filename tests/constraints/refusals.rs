@@ -1,4 +1,4 @@
-//! States that are off a constraint, constraints that depend on each other, and steps that have no end.
+//! Refused: states off a constraint, constraints that depend on each other, and steps without an end.
 
 use crate::systems::*;
 use geoint_runtime::prelude::*;
@@ -21,7 +21,7 @@ fn a_state_off_a_constraint_is_named() -> Result<(), StepError> {
                 }
                 let text = sim.step().expect_err("off").to_string();
                 assert!(text.contains("state_on_constraint"), "{text}");
-                // The nearest state that is on it.
+                // The nearest state on the constraint.
                 let near = DOUBLE.state_on_constraint(&state)?;
                 assert!(far(&near, &start) < 2e-9, "{near:?}");
                 DOUBLE.integrator($method, 0.01, near).step()?;
@@ -32,7 +32,7 @@ fn a_state_off_a_constraint_is_named() -> Result<(), StepError> {
     // From far.
     let near = DOUBLE.state_on_constraint(&State::new([0.3, -0.7, 0.9, -1.9], [0.4, 0.1, -0.2, 0.5]))?;
     DOUBLE.integrator(Rattle, 0.01, near).step()?;
-    // Where no direction leads to the constraint.
+    // Refused: a state without a direction that leads to the constraint, and a state of NaN.
     assert!(DOUBLE.state_on_constraint(&State::new([0.0; 4], [0.0; 4])).is_err());
     assert!(DOUBLE.state_on_constraint(&State::new([f64::NAN; 4], [0.0; 4])).is_err());
     Ok(())
@@ -71,7 +71,7 @@ fn rounding_is_no_departure() -> Result<(), StepError> {
     Ok(())
 }
 
-/// Every bar of a parallelogram in one line: there it may turn into another one, and the constraints depend on each other.
+/// All bars of a parallelogram lie in one line. The parallelogram may turn into another linkage there, and the constraints depend on each other.
 const PARALLELOGRAM: FourBar = FourBar { m: [0.7, 1.1], rocker: 0.4, bars: [1.0, 2.0, 1.0], d: 2.0, g: 0.0 };
 
 fn leaning(angle: f64, rate: f64) -> State<[f64; 4]> {
@@ -114,7 +114,7 @@ fn no_step_leads_over_a_position_with_two_ways_on() {
     }
 }
 
-/// Where a rod would have to turn by more than a step can.
+/// A step is refused if a rod would have to turn farther than a step can. Lengths of 0 and NaN are refused, too.
 #[test]
 fn steps_that_are_too_long() {
     let fast = DoublePendulum { g: 0.0, ..DOUBLE };
@@ -135,7 +135,7 @@ fn ladder(q: [f64; 4], p: [f64; 4], m: [f64; 2], l: f64, g: f64) -> f64 {
     kinetic + g * (m[0] * q[1] + m[1] * q[3])
 }
 
-/// A run goes on from the states that another one gives.
+/// A run continues from the states that another run returns. A state off the constraint by 10⁻¹² is refused.
 #[test]
 fn states_of_a_run_are_starts() -> Result<(), StepError> {
     let system = Ladder { m: [1.3, 0.7], l: 1.0, g: 9.81 };
@@ -153,7 +153,7 @@ fn states_of_a_run_are_starts() -> Result<(), StepError> {
     Ok(())
 }
 
-/// What is nearest to the centre of a sphere, and to nothing.
+/// Neither the centre of a sphere nor NaN has a nearest state on the sphere.
 #[test]
 fn no_state_is_nearest() {
     let sphere = SphericalPendulum { m: 0.7, l: 1.3, g: 9.81 };
@@ -163,7 +163,7 @@ fn no_state_is_nearest() {
     assert!(matches!(nowhere, Err(StepError::NonFiniteState { .. })), "{nowhere:?}");
 }
 
-/// In steps so long that rounding of h ∂H/∂p is seen in positions, these stay on their constraint, or the step is refused.
+/// Steps are so long that the rounding of h ∂H/∂p is visible in positions. Positions stay on the constraint, or the step is refused.
 #[test]
 fn huge_steps_stay_on_the_constraint() -> Result<(), StepError> {
     /// A charge on a sphere.

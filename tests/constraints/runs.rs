@@ -3,7 +3,7 @@
 use crate::systems::*;
 use geoint_runtime::prelude::*;
 
-/// Both methods, and a composition of each.
+/// Runs a test for both methods and for a composition of each.
 macro_rules! every {
     ($visit:ident) => {
         $visit!(Rattle, DiscreteGradient, Suzuki4.of(Rattle), Suzuki4.of(DiscreteGradient));
@@ -34,7 +34,7 @@ fn ladder(q: [f64; 4], p: [f64; 4], m: [f64; 2], l: f64, g: f64) -> f64 {
     kinetic + g * (m[0] * q[1] + m[1] * q[3])
 }
 
-/// Multipliers are large beside what they move in a short substep: a residual keeps its digits only if it is never taken off the unknown.
+/// In a short substep multipliers are large compared with their effect. A residual keeps its digits only if it is never subtracted from the unknown.
 #[test]
 fn short_steps_are_solved_to_rounding() -> Result<(), StepError> {
     macro_rules! solved {

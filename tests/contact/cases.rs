@@ -1,4 +1,4 @@
-//! Contact systems with their equations written by hand, and what is measured of methods for them.
+//! Contact systems with their equations written by hand, and measurements of methods for them.
 
 use crate::measure;
 pub(super) use crate::measure::flat;
@@ -42,7 +42,7 @@ pub(super) fn real<R: Scalar>(x: f64) -> R {
     R::from_f64(x)
 }
 
-/// The first of them, with damping that is constant.
+/// The pendulum with constant damping.
 pub(super) struct PendulumCase;
 impl Case for PendulumCase {
     const NAME: &'static str = "pendulum";

@@ -8,7 +8,7 @@ mod poles;
 use check::{Instance, check};
 use geoint_runtime::prelude::*;
 
-/// An energy a line, with the rule that is to know its flow. (Constants with few digits are exact in every scalar.)
+/// One energy per line, with the rule that must find its flow. (Constants with few digits are exact in every scalar.)
 macro_rules! instances {
     ($test:ident, $of:ty, ($q:ident $p:ident $s:ident $t:ident): $($System:ident, $rule:literal => $energy:expr;)*) => {
         #[test]

@@ -45,7 +45,7 @@ macro_rules! claims {
                 assert!(defect <= 1e-14, "{defect:.1e}");
                 let (defect, _) = contact_defect::<$Case, _>(ContactGauss::<2>, 3);
                 assert!(defect <= 1e-14, "{defect:.1e}");
-                // The control: it is seen.
+                // Control: the measurement detects a defect.
                 let (defect, _) = contact_defect::<$Case, _>(ContactDiscreteGradient, 3);
                 assert!(defect > 1e-4, "{defect:.1e}");
                 let claims = |claims: Claims| [claims.symplectic, claims.conserves_energy];
@@ -142,7 +142,7 @@ fn without_the_action() {
     same(ContactDiscreteGradient, DiscreteGradient);
 }
 
-/// Nested coordinates, branches, and so many unknowns that the fixed point is tried first.
+/// Tests nested coordinates, branches, and a chain with many unknowns. For the chain the fixed point is tried first.
 #[test]
 fn shapes() {
     #[contact_hamiltonian(name = Nested)]
@@ -235,7 +235,7 @@ fn edges() {
     assert!((sim.state().q - nalgebra::SVector::from(q)).norm() < 1e-13);
 }
 
-/// No step where the form would change its sign, where there is no solution, and outside the domain; the state stays.
+/// Refused: steps in which the form would change its sign, steps without a solution, and steps out of the domain. The state is kept.
 #[test]
 fn refusals() {
     let start = ContactState::new(1.0, 0.5, 0.3);

@@ -1,4 +1,4 @@
-//! What implicit steps of contact systems keep exactly: the decay of H, that of the form, and of angular momentum.
+//! Exact laws of implicit steps of contact systems: the decay of H, of the contact form, and of the angular momentum.
 
 use super::cases::*;
 use geoint_runtime::Contact;
@@ -8,8 +8,8 @@ use geoint_runtime::space::{Array, Snapshot};
 use geoint_tests::measure::{distance, extrapolated};
 use geoint_tests::scalars::Double;
 
-/// How far H̄ = (p̄·Δq − Δs)/h is from the logarithmic mean of H at both ends, that is H(x₀)(e^z − 1)/z with
-/// H(x₁) = H(x₀) e^z, in the worst step. Whatever ∂H/∂s was taken.
+/// Returns the largest distance of H̄ = (p̄·Δq − Δs)/h from the logarithmic mean of H at both ends, over all steps. The mean is H(x₀)(e^z − 1)/z with
+/// H(x₁) = H(x₀) e^z. The law holds for every choice of ∂H/∂s.
 pub(super) fn decays<S: Contact>(system: S, start: &[f64], h: f64, steps: usize) -> f64
 where
     ContactDiscreteGradient: Method<S>,
@@ -86,7 +86,7 @@ fn figures() {
     assert!((gap / 7.7e-5 - 1.0).abs() < 0.05, "{gap:.2e}");
 }
 
-/// The level H = 0 stays, whatever the step, and H keeps its sign beside it.
+/// Every step keeps the level H = 0. Beside this level H keeps its sign.
 #[test]
 fn the_zero_level() {
     let system = Entangled { m: 1.6 };

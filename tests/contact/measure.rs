@@ -1,4 +1,4 @@
-//! What is measured of steps of contact systems.
+//! Measurements of steps of contact systems.
 
 use geoint_runtime::Contact;
 use geoint_runtime::prelude::*;

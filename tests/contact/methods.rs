@@ -10,7 +10,7 @@ use geoint_tests::scalars::{Double, Dual, Scalar};
 use geoint_tests::scene::Scene;
 use geoint_tests::scenes::*;
 
-/// Whole lists of kicks and drifts on one scene, one method of each kind of step on the others.
+/// Tests whole lists of kicks and drifts on one scene, and one method of each kind of step on the other scenes.
 macro_rules! claims {
     ($($Scene:ident: $($list:ident)*;)*) => {
         /// Over a time that is not a multiple of any period.
@@ -23,7 +23,7 @@ macro_rules! claims {
 
         #[test]
         fn forms() {
-            // Splittings keep the form without exception: what does not is in `controls_fail`.
+            // Splittings keep the form without exception. The control is in `controls_fail`.
             let mut controls = 0;
             $(
             let mut geometry = Geometry::<$Scene>::with_step(STEP);
@@ -46,7 +46,7 @@ macro_rules! claims {
     };
 }
 
-/// A step long enough for what is not kept to show.
+/// Step length. It is long enough to show the defects of methods.
 const STEP: f64 = 0.0625;
 
 claims! {
@@ -62,10 +62,10 @@ claims! {
     Masses: kinds_of_force_gradient;
 }
 
-/// A method of another order is seen, and one that is no contact map.
+/// Control: RK4 is no contact map. The measured defect of the form exceeds 10⁻⁵.
 #[test]
 fn controls_fail() {
-    /// RK4 without a thought of the form.
+    /// RK4, which ignores the contact form.
     fn rk4<R: Scalar, S: Contact<R>>(system: &S, t: R, x: &[R], h: R) -> Vec<R> {
         let real = R::from_f64;
         let ahead = |h: R, slope: &[R]| x.iter().zip(slope).map(|(x, f)| *x + h * *f).collect::<Vec<R>>();
@@ -113,7 +113,7 @@ fn bob(q: f64, p: f64, s: f64, gamma: f64) -> f64 {
     p * p / 2.0 - q.cos() + gamma * s
 }
 
-/// One step is the flow of H + h²H₂ but for h⁵.
+/// One step is the flow of H + h²H₂ up to h⁵.
 #[test]
 fn modified_energies() {
     fn defect<P: Scene>(h: f64) -> f64

@@ -105,7 +105,7 @@ fn the_law_of_decay_holds_for_steps_that_adapt() {
     assert!(sim.steps() > 20);
 }
 
-/// The action is measured as every other coordinate: where it alone moves, it alone decides.
+/// The action counts in the error like every other coordinate. Here only the action has an error, so it alone decides the steps.
 #[test]
 fn the_action_is_a_coordinate_of_the_error() {
     // Friction on a particle far from any force: q and p are exact in every step, s is not where H has s².

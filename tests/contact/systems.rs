@@ -1,5 +1,4 @@
-//! The systems of the field, each with numbers that must come out: those of a known solution, or computed beforehand by another
-//! program.
+//! Contact systems from the literature, each with expected numbers. The numbers belong to a known solution, or were computed beforehand by another program.
 
 mod celestial;
 mod oscillators;
@@ -119,7 +118,7 @@ fn gap(a: &[f64], b: &[f64]) -> f64 {
     largest(a.iter().zip(b).map(|(a, b)| a - b))
 }
 
-/// The largest absolute value; not a number if one of them is none.
+/// Returns the largest absolute value, or NaN if one of the values is NaN.
 fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
     values.into_iter().fold(0.0, |largest, x| if x.abs() > largest || x.is_nan() { x.abs() } else { largest })
 }

@@ -127,7 +127,7 @@ fn far(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).fold(0.0, |far, (a, b)| f64::max(far, (a - b).abs()))
 }
 
-/// Errors at three step sizes, each half of the one before.
+/// Returns the errors at three step sizes. Each step size is half of the one before.
 fn errors<S: VectorField, M: Method<S>>(system: S, method: M, start: S::State, first: f64, time: f64) -> [f64; 3]
 where
     Gauss<6>: Method<S>,
@@ -205,7 +205,7 @@ fn three_and_four_kinds_end_where_others_say() {
     assert!(far(&space, &expected) < 1e-12, "{space:?}");
 }
 
-/// Ω v = ∇H, by differences of what users call.
+/// Asserts Ω v = ∇H by differences of the functions that users call.
 #[test]
 fn velocities_are_those_of_lagranges_equations() {
     fn holds<const N: usize>(

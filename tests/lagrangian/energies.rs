@@ -1,4 +1,4 @@
-//! The same system as a Lagrangian and as an energy: the same steps.
+//! One system as a Lagrangian and as an energy. Both forms give the same steps.
 
 use crate::references::DOUBLE_PENDULUM;
 use crate::systems::*;
@@ -54,7 +54,7 @@ thread_local! {
     static ENDS: std::cell::RefCell<Vec<(String, State<[f64; 3]>)>> = const { std::cell::RefCell::new(vec![]) };
 }
 
-/// A constant diagonal mass: the same bits, under every method that there is.
+/// With a constant diagonal mass matrix both forms agree bit for bit, under every method.
 #[test]
 fn constant_masses_give_the_same_bits() {
     fn all<S>(visitor: &mut SameBits)
@@ -83,7 +83,7 @@ fn constant_masses_give_the_same_bits() {
     assert_eq!(from_lagrangian, by_hand);
 }
 
-/// A full mass matrix: what one derives by hand, to rounding.
+/// With a full mass matrix the steps agree, to rounding, with steps of the energy derived by hand.
 #[test]
 fn the_double_pendulum_moves_as_that_of_its_energy() -> Result<(), StepError> {
     let DoublePendulum { m, l, g } = DOUBLE_PENDULUM;

@@ -156,7 +156,7 @@ fn other_states_are_no_obstacle() -> Result<(), StepError> {
     sim.advance(100)
 }
 
-/// Several velocities have one momentum. The state has only one of them.
+/// Several velocities have the same momentum. A state yields only one of these velocities, and the others are refused.
 #[test]
 fn a_velocity_that_is_not_that_of_its_momentum_is_refused() {
     let refused = |error: StepError| {

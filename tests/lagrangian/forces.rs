@@ -114,7 +114,7 @@ fn forces_are_for_energies_too() -> Result<(), StepError> {
     Ok(())
 }
 
-/// The published errors of the polarised discrete gradient, and what a step adds to the energy: h times the power at the mean velocity.
+/// Compares the polarised discrete gradient with its published errors, to 5 %. A step adds to the energy h times the power at the mean velocity.
 #[test]
 fn an_arm_is_driven_by_its_torques() -> Result<(), StepError> {
     let system = DrivenArm { m: M, l: L, g: 9.81 };
@@ -208,7 +208,7 @@ fn forces_add_to_an_action() -> Result<(), StepError> {
     back.advance(20)?;
     let far = [back.state().q - start.q, back.state().p - start.p, back.state().s - start.s];
     assert!(far.iter().all(|far| far.abs() < 1e-13), "{far:?}");
-    // A coefficient that feeds, and one that is none.
+    // A coefficient that feeds energy is refused. A coefficient of zero is accepted.
     let feeding = PushedAndBraked { c: -0.1, ..braked };
     let refused = feeding.integrator(RK4, 0.1, start).step().expect_err("friction that feeds");
     assert!(refused.to_string().contains("damping that is negative"), "{refused}");
@@ -268,7 +268,7 @@ fn forces_of_velocities() -> Result<(), StepError> {
     Ok(())
 }
 
-/// As damping with a negative coefficient is.
+/// Friction with a negative coefficient is refused, like damping with a negative coefficient.
 #[test]
 fn friction_that_feeds_is_refused() {
     let run = |c: f64| {

@@ -1,4 +1,4 @@
-//! Herglotz' principle: methods of every order, and what decays as it should.
+//! Herglotz' principle: orders of the methods, and quantities that decay by a known law.
 
 use crate::references::BRAKED;
 use crate::systems::*;
@@ -120,7 +120,7 @@ fn one_stage_is_the_midpoint_rule() {
     assert!(found < 1e-14, "{found:e}");
 }
 
-/// ds − p dq is multiplied by a factor, that of the step; a Gauss method without it is no contact map.
+/// A step of `ContactGauss` multiplies ds − p dq by a factor. Control: the contact discrete gradient is no contact map.
 #[test]
 fn steps_are_contact_maps() {
     let system = Fading { a: 0.1 };
@@ -161,7 +161,7 @@ fn steps_are_contact_maps() {
     assert!(found > 1e-5, "{found:e}");
 }
 
-/// The angular momentum keeps its direction while it falls, and all its entries by one factor.
+/// The angular momentum keeps its direction while it decays: all its entries fall by one factor.
 #[test]
 fn dissipated_momenta_decay_alike() -> Result<(), StepError> {
     let system = Central { m: 1.3, a: 0.2 };
@@ -189,7 +189,7 @@ fn dissipated_momenta_decay_alike() -> Result<(), StepError> {
     Ok(())
 }
 
-/// A step that is so long that the form would change its sign.
+/// A step that is so long that the contact form would change its sign is refused.
 #[test]
 fn long_steps_are_refused() {
     let system = Oscillator { a: 3.0 };
@@ -262,7 +262,7 @@ fn rubbing(q: f64, v: f64, c: f64) -> f64 {
     0.5 * v * v + 0.1 * v.powi(4) + 0.03 * v.powi(6) - 0.5 * q * q
 }
 
-/// What L is said to have no second derivatives by is not multiplied by.
+/// `MIXED` lists the mixed second derivatives of L that do not vanish. Steps do not multiply by the other derivatives, so these must be zero.
 #[test]
 fn second_derivatives_that_are_left_out_are_zero() {
     fn check<S: VelocityForm>(system: S, s: S::Action, expected: MixedDerivatives) {

@@ -1,4 +1,4 @@
-//! What steps keep, what friction takes, and what is refused.
+//! Conserved quantities of steps, the work of friction, and refusals.
 
 use crate::references::{BRAKED, DOUBLE_PENDULUM};
 use crate::systems::*;
@@ -28,7 +28,7 @@ fn discrete_gradients_keep_the_energy() -> Result<(), StepError> {
     Ok(())
 }
 
-/// The angle is not read: its momentum stays, to the last bit.
+/// L does not read the angle, so its momentum is constant to the last bit.
 #[test]
 fn momenta_of_angles_that_are_not_read_stay() -> Result<(), StepError> {
     let system = SphericalPendulum { m: 0.7, l: 1.2, g: 9.81 };
@@ -45,7 +45,7 @@ fn momenta_of_angles_that_are_not_read_stay() -> Result<(), StepError> {
     Ok(())
 }
 
-/// The bead on the hoop: H stays, which is not T + V.
+/// The bead on the hoop: H is conserved, but H is not T + V.
 #[test]
 fn the_energy_of_a_moving_frame_is_not_mechanical() -> Result<(), StepError> {
     let system = Hoop { omega: 4.0, g: 9.81 };
@@ -63,7 +63,7 @@ fn the_energy_of_a_moving_frame_is_not_mechanical() -> Result<(), StepError> {
     Ok(())
 }
 
-/// Friction in proportion to the kinetic energy is that of the action: p' = ∂L/∂q − γp.
+/// Friction in proportion to the kinetic energy equals friction by the action: p' = ∂L/∂q − γp.
 #[test]
 fn friction_is_that_of_herglotz() -> Result<(), StepError> {
     let Braked { m, l, g, gamma } = BRAKED;
@@ -73,7 +73,7 @@ fn friction_is_that_of_herglotz() -> Result<(), StepError> {
     let expected = [0.333_568_811_836_901_52, -0.382_021_839_677_322_04];
     assert!((0..2).all(|i| (rubbed.state().q[i] - expected[i]).abs() < 1e-13), "{:?}", rubbed.state());
 
-    // What a step of the discrete gradient takes is h times what its mean velocity says.
+    // A step of the discrete gradient loses h times the power of friction at its mean velocity.
     let mut sim = system.integrator(DiscreteGradient, 0.05, system.at([0.0, 1.4], [0.0, 0.0]));
     for _ in 0..100 {
         let (before, energy) = (sim.state(), sim.energy());
@@ -103,7 +103,7 @@ fn no_step_leads_over_a_singular_mass() {
         )* };
     }
     refuses!(ImplicitMidpoint, Gauss::<2>, Gauss::<3>, DiscreteGradient);
-    // The pole is seen as such.
+    // A single long step over the pole is refused.
     let mut sim = system.integrator(ImplicitMidpoint, 1.0, system.at(-2.0, -3.0));
     assert!(sim.step().is_err());
 }

@@ -1,4 +1,4 @@
-//! Systems that are written as Lagrangians: against solutions to twenty digits, against the energies that one derives by hand, and laws.
+//! Systems written as Lagrangians. The tests check solutions to twenty digits, energies derived by hand, and laws.
 
 #![allow(clippy::excessive_precision, reason = "digits as they are published")]
 

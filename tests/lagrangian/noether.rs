@@ -1,4 +1,4 @@
-//! Noether's quantities of Lagrangians that have no energy, and what is left out of the motion.
+//! Noether's quantities of Lagrangians without an energy in closed form, and total derivatives that are left out of the motion.
 
 use crate::references::DOUBLE_PENDULUM;
 use crate::systems::*;
@@ -64,12 +64,12 @@ fn sums_of_momenta_stay() {
     ] {
         assert!(change < 1e-12, "{change:e}");
     }
-    // A force on one of them takes it away.
+    // A force on one of the rods breaks this conservation law.
     assert!(!PushedOnATable::<f64>::REPORT.contains("total momentum"), "{}", PushedOnATable::<f64>::REPORT);
 }
 
-/// Bilinear in q and p: Gauss methods keep the angular momentum, the polarised discrete gradient to its order alone where the mass matrix
-/// takes part in the rotation, and the report says so.
+/// The angular momentum is bilinear in q and p, so Gauss methods keep it. If the mass matrix takes part in the rotation, the polarised discrete
+/// gradient keeps it only to the order of the method. The report says so.
 #[test]
 fn angular_momenta_stay_under_gauss_methods() {
     let report = Telescope::<f64>::REPORT;
@@ -94,12 +94,12 @@ fn angular_momenta_stay_under_gauss_methods() {
     }
     let [[linear, bilinear]] = changes!(DiscreteGradient);
     assert!(linear < 1e-12 && bilinear > 1e-6, "{linear:e} {bilinear:e}");
-    // Explicit methods keep the linear one.
+    // Explicit methods keep the linear momentum.
     let [[linear, bilinear]] = changes!(RK4);
     assert!(linear < 1e-12 && bilinear > 1e-8, "{linear:e} {bilinear:e}");
 }
 
-/// d/dt of a function of position is in momenta, and in no motion.
+/// A derivative d/dt of a function of position in L changes the momenta, but not the motion.
 #[test]
 fn derivatives_along_the_motion_are_named() {
     #[lagrangian]
@@ -115,7 +115,7 @@ fn derivatives_along_the_motion_are_named() {
     }
     let report = Gauged::<f64>::REPORT;
     assert!(report.contains("what is linear in velocities is d/dt f with f = "), "{report}");
-    // A magnetic field is none.
+    // A magnetic field is no such derivative.
     assert!(!Charge::<f64>::REPORT.contains("d/dt f"), "{}", Charge::<f64>::REPORT);
     let (plain, gauged) = (Plain { m: 0.7 }, Gauged { m: 0.7 });
     let (q, v) = ([0.5, -0.3], [0.2, 0.6]);
@@ -139,7 +139,7 @@ fn derivatives_along_the_motion_are_named() {
     assert!((1e-8..1e-3).contains(&apart), "{apart:e}");
 }
 
-/// Positions of the midpoint rule give its momenta back: in angles with an energy, and with three rods without one.
+/// Two positions of the midpoint rule determine its momenta: in angles with an energy, and for three rods without an energy.
 #[test]
 fn two_positions_are_a_start() -> Result<(), StepError> {
     macro_rules! returns {

@@ -1,4 +1,4 @@
-//! Errors at three step sizes, as they were found by another program: those of the method, and not of an order alone.
+//! Errors at three step sizes, compared with another program. The size of the errors must agree, not the order alone.
 
 use crate::references::{ARM, BRAKED, DOUBLE_PENDULUM};
 use crate::systems::*;
@@ -6,7 +6,7 @@ use geoint_runtime::prelude::*;
 use geoint_runtime::space::{Array, Snapshot};
 use geoint_runtime::{Lagrangian, PhaseSpace};
 
-/// The error in (q, p), largest entry, where the end is that of a method of order 12.
+/// Returns the largest entry of the error in (q, p). The reference is a method of order 12.
 fn errors<S: Lagrangian, M: Method<S>>(system: S, method: M, start: S::State, time: f64, first: f64) -> [f64; 3]
 where
     Gauss<6>: Method<S>,

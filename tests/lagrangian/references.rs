@@ -81,7 +81,7 @@ fn the_action_is_that_of_herglotz() -> Result<(), StepError> {
     Ok(())
 }
 
-/// The cycloid between two of its points, and what Beltrami found to be constant.
+/// Follows the cycloid between two of its points, and checks Beltrami's constant.
 #[test]
 fn a_brachistochrone_is_a_cycloid() -> Result<(), StepError> {
     let point = |a: f64| (a - a.sin(), 1.0 - a.cos(), a.sin() / (1.0 - a.cos()));

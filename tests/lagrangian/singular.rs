@@ -1,4 +1,4 @@
-//! Mass matrices that are singular somewhere: no implicit step leads over such a place, whether the determinant changes its sign there or not.
+//! Mass matrices that are singular somewhere. No implicit step leads over such a place, whether the determinant changes its sign or not.
 
 use geoint_runtime::prelude::*;
 
@@ -36,7 +36,7 @@ fn crystal(q: f64, v: f64, a: f64) -> f64 {
     0.25 * v.powi(4) - 0.5 * a * v * v - 0.5 * q * q
 }
 
-/// Whether steps come where `crossed` says that a refusal should have come before.
+/// Returns whether steps reach a state with `crossed`. A refusal should come before.
 fn leads_over<S: PhaseSpace, M: Method<S>>(
     (system, method, start): (S, M, S::State),
     h: f64,
@@ -128,7 +128,7 @@ fn a_regular_mass_matrix_may_have_no_regular_pivot() -> Result<(), StepError> {
     Ok(())
 }
 
-/// A mass that is another one beyond a wall: that its slope vanishes on both sides does not make it a constant.
+/// The mass jumps at a wall. Its slope vanishes on both sides, but the mass is not constant.
 #[test]
 fn masses_may_jump() -> Result<(), StepError> {
     #[lagrangian]
@@ -167,7 +167,7 @@ fn masses_may_jump() -> Result<(), StepError> {
     Ok(())
 }
 
-/// Masses that vanish at a time, and change their sign there or do not.
+/// Masses that vanish at a time, with or without a change of sign.
 #[test]
 fn no_step_leads_over_a_time_without_inertia() {
     #[lagrangian]
@@ -245,7 +245,7 @@ fn no_stage_is_behind_a_pole_of_the_action() {
     }
 }
 
-/// What a wall 1/q repels at long steps, in all forms of the stages: none lies behind the wall, from where the end would be thrown off.
+/// A wall 1/q repels a particle in long steps, in all forms of the stages. No stage lies behind the wall, because the end would be thrown off from there.
 #[test]
 fn no_stage_is_behind_a_wall() {
     #[hamiltonian]
@@ -279,7 +279,7 @@ fn no_stage_is_behind_a_wall() {
     }
     assert!(sim.state().x[1] > 0.0);
     let start = Together.at([1.0, 0.2, 0.1], [-3.0, 0.0, 0.0]);
-    // A step that is solved from afar turns the momentum round, too. Its error is that of the method.
+    // In a long step, the iteration starts far from the solution. The step still turns the momentum round, with the error of the method.
     let mut sim = Integrator::new(Together, Gauss::<3>, 2.0, start);
     let energy = sim.energy();
     sim.step().unwrap();
@@ -302,7 +302,7 @@ fn no_step_leads_over_a_singular_form() {
     let mut sim = Fold.integrator(Gauss::<2>, 0.5, start);
     assert!((0..20).any(|_| sim.step().is_err()));
     assert!(sim.state().x[1] > 0.0);
-    // Where it is singular at the start that is named.
+    // If the form is singular at the start, the error names the division by zero.
     macro_rules! named {
         ($($method:expr),*) => { $(
             let text = Fold.integrator($method, 0.1, Fold.at([-1.0, 0.0])).step().expect_err("singular").to_string();

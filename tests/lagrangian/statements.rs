@@ -1,4 +1,4 @@
-//! Statements of Aung's thesis (2000) that no other test or example shows, one by one; `tests/STATEMENTS.md` lists all.
+//! Statements of Aung's thesis (2000) without another test or example, one by one. `tests/STATEMENTS.md` lists all statements.
 
 use geoint_runtime::Hamiltonian;
 use geoint_runtime::prelude::*;
@@ -17,8 +17,8 @@ fn resting(q: [f64; 2], v: [f64; 2], m: f64, k: f64) -> f64 {
     m / 2.0 * (v[0] * v[0] + v[1] * v[1]) - k * (q[0] * q[0] + q[1] * q[1]).powi(2)
 }
 
-/// 2.1.1 to 2.1.10 and before 2.2.13: T₂ + T₁ + T₀ by degree in v, p = ∂T/∂v, H = T₂ − T₀ + V; 2.1.11 to 2.1.22: Lagrange's equations
-/// are those of the particle, in whatever coordinates.
+/// 2.1.1 to 2.1.10 and before 2.2.13: T₂ + T₁ + T₀ by degree in v, p = ∂T/∂v, H = T₂ − T₀ + V. 2.1.11 to 2.1.22: Lagrange's equations are the
+/// equations of the particle in all coordinates.
 #[test]
 fn kinetic_energies_by_degree() -> Result<(), StepError> {
     let (m, omega, k) = (1.3, 0.7, 0.4);

@@ -11,7 +11,7 @@ fn slope(f: impl Fn(f64) -> f64) -> f64 {
     (f(-2.0 * h) - 8.0 * f(-h) + 8.0 * f(h) - f(2.0 * h)) / (12.0 * h)
 }
 
-/// Example 2.2.1. The thesis leaves the energy of this Lagrangian in x', which is no Hamiltonian: in p its mass 1 + 2εx divides p², and it
+/// Example 2.2.1. The thesis leaves the energy of this Lagrangian in x', where it is no Hamiltonian. In p the mass 1 + 2εx divides p², and the energy
 /// is singular at x = −1/(2ε).
 #[test]
 fn the_first_example_in_momenta() {
@@ -21,7 +21,7 @@ fn the_first_example_in_momenta() {
     assert!((state.p - (1.0 + 0.4 * q) * v).abs() < 1e-16);
     let in_momenta = state.p.powi(2) / (2.0 * (1.0 + 0.4 * q)) + 0.5 * q * q + 0.1 * q.powi(3);
     assert!((system.energy(&state) - in_momenta).abs() < 1e-15);
-    // In x' it is ½(1 + 2εx)x'² + …, which has another derivative at constant p.
+    // In x' the energy is ½(1 + 2εx)x'² + …, with another derivative at constant p.
     let at = |by: f64| system.energy(&State::new(q + by, p));
     let wrong = |by: f64| 0.5 * (1.0 + 0.4 * (q + by)) * v * v + 0.5 * (q + by).powi(2) + 0.1 * (q + by).powi(3);
     let mut slopes = [[0.0]; 2];
@@ -160,8 +160,8 @@ fn a_potential_of_velocities_need_not_be_conservative() -> Result<(), StepError>
     Ok(())
 }
 
-/// The talk's variational integrators: D₁L(q_j, q_{j+1}) + D₂L(q_{j−1}, q_j) = 0 for positions of the midpoint rule, with
-/// L(q₀, q₁) = h L((q₀ + q₁)/2, (q₁ − q₀)/h), and the momenta are −D₁L and D₂L.
+/// The talk's variational integrators: D₁L(q_j, q_{j+1}) + D₂L(q_{j−1}, q_j) = 0. Positions of the midpoint rule satisfy this equation with L(q₀, q₁)
+/// = h L((q₀ + q₁)/2, (q₁ − q₀)/h). The momenta are −D₁L and D₂L.
 #[test]
 fn the_midpoint_rule_is_variational() -> Result<(), StepError> {
     let h = 0.05;
@@ -189,7 +189,7 @@ fn the_midpoint_rule_is_variational() -> Result<(), StepError> {
     Ok(())
 }
 
-/// The trapezoidal rule gives that of Störmer and Verlet, as a recursion of three terms too.
+/// The discrete Lagrangian of the trapezoidal rule gives Störmer and Verlet, also as a recursion of three terms.
 #[test]
 fn leapfrog_is_variational() -> Result<(), StepError> {
     let (m, g, h) = (0.7, 9.81, 0.1);

@@ -11,7 +11,7 @@ fn far<const N: usize>(a: &State<[f64; N]>, b: &State<[f64; N]>) -> f64 {
     (0..N).fold(0.0, |far, i| f64::max(far, f64::max((a.q[i] - b.q[i]).abs(), (a.p[i] - b.p[i]).abs())))
 }
 
-/// L in one list, so that the variants of it below agree.
+/// Returns the state after `steps` steps of length `h`.
 fn after<S, M>(system: S, method: M, h: f64, start: State<[f64; 3]>, steps: u64) -> State<[f64; 3]>
 where
     S: PhaseSpace<State = State<[f64; 3]>>,
@@ -92,8 +92,8 @@ fn the_energy_stays_and_steps_go_back() -> Result<(), StepError> {
     Ok(())
 }
 
-/// The double pendulum with a third coordinate at rest relative to the first: where its momentum is 0 it adds nothing, but couples three
-/// velocities. Steps for velocities are then those of its energy, and the polarised discrete gradient has the published errors.
+/// The double pendulum with a third coordinate at rest relative to the first. If the momentum of this coordinate is 0, the coordinate adds nothing,
+/// but couples three velocities. Steps for velocities then equal steps of the energy, and the polarised discrete gradient has the published errors.
 #[test]
 fn steps_for_velocities_are_those_of_the_energy() -> Result<(), StepError> {
     #[lagrangian]
@@ -140,8 +140,8 @@ fn steps_for_velocities_are_those_of_the_energy() -> Result<(), StepError> {
     Ok(())
 }
 
-/// Without weight the whole arm turns freely: its momentum stays under Gauss methods. The discrete gradient keeps those of angles that are
-/// not read.
+/// Without weight the whole arm turns freely, and Gauss methods conserve its momentum. The discrete gradient conserves the momenta of angles that L
+/// does not read.
 #[test]
 fn a_momentum_that_is_not_acted_on_stays() -> Result<(), StepError> {
     let arm = Arm { g: 0.0, ..ARM };
@@ -165,7 +165,7 @@ fn a_momentum_that_is_not_acted_on_stays() -> Result<(), StepError> {
 
 const FREE: FreeArm = FreeArm { m: [2.0, 1.0, 0.5] };
 
-/// h v̄·C v̄ is what friction takes in a step, and h > 0 never gives.
+/// Friction takes h v̄·C v̄ from the energy in a step. For h > 0 friction never adds energy.
 #[test]
 fn friction_takes_what_it_says() -> Result<(), StepError> {
     let Arm { m, l, g } = ARM;
@@ -261,7 +261,7 @@ fn masses_of_both_signs() -> Result<(), StepError> {
     Ok(())
 }
 
-/// Where the mass matrix is singular no step leads across.
+/// No step leads across a singular mass matrix.
 #[test]
 fn no_step_leads_over_a_singular_mass_matrix() {
     let start = SINGULAR.at([1.0, 0.2, -0.1], [-1.5, 0.3, 0.2]);
@@ -321,7 +321,7 @@ fn explicit_steps_are_put_right() -> Result<(), StepError> {
     Ok(())
 }
 
-/// Steps that adapt, and sums that compensate.
+/// Adaptive steps and compensated sums reach the solution to 10⁻⁷ and 10⁻¹².
 #[test]
 fn runs_of_every_kind() -> Result<(), StepError> {
     let start = ARM.at(BENT.0, BENT.1);

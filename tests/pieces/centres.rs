@@ -1,4 +1,4 @@
-//! Motion about a centre where one short step does not show it: many half turns, the centre itself, units.
+//! Motion about a centre that a short step does not test: many half turns, the centre itself, units.
 
 use crate::check::{Over, step};
 use geoint_runtime::prelude::*;
@@ -27,7 +27,7 @@ fn two_bodies(q: [f64; 4], p: [f64; 4], m: [f64; 2], g: f64) -> f64 {
     kinetic - g * m[0] * m[1] / ((q[2] - q[0]).powi(2) + (q[3] - q[1]).powi(2)).sqrt()
 }
 
-/// One step and many shorter ones, relative to their size.
+/// Returns the difference between one step and many shorter steps, relative to the state.
 fn parts_of_a_step<const N: usize, S: Over<f64, N>>(system: S, x: &[f64], h: f64, parts: u32) -> f64 {
     let whole = step::<f64, N, S>(system, x, 0.0, h).expect("a step");
     let mut now = x.to_vec();
@@ -39,7 +39,8 @@ fn parts_of_a_step<const N: usize, S: Over<f64, N>>(system: S, x: &[f64], h: f64
     largest(&gap) / largest(&now)
 }
 
-/// Through any number of half periods, in both directions, also where hardly anything keeps the centre away; unstable, and free.
+/// One long step equals 40 short steps. It passes any number of half periods, in both directions, and with almost no barrier around the centre. Unstable
+/// and free motions are covered, too.
 #[test]
 fn long_steps_are_many_short_ones() {
     let x = [0.7, -0.4, 0.3, 0.9];
@@ -64,13 +65,13 @@ fn long_steps_are_many_short_ones() {
     assert!(gap < 1e-12, "{gap:e}");
 }
 
-/// A motion that ends in the centre is refused, and the piece named.
+/// A motion that ends in the centre is refused, and the error names the piece.
 #[test]
 fn the_centre_ends_the_motion() {
     let fails = |error: geoint_runtime::StepError, word: &str| {
         assert!(error.to_string().contains(word), "{error}");
     };
-    // From rest a/√(2k/m) later.
+    // From rest, the motion reaches the centre after the time a/√(2k/m).
     for (h, ends) in [(0.9, false), (1.1, true), (-1.1, true), (9.0, true)] {
         let found = step::<f64, 1, _>(Wall { m: 1.0, k: -0.5, b: 0.0 }, &[1.0, 0.0], 0.0, h);
         assert_eq!(found.is_err(), ends, "h = {h}");
@@ -80,7 +81,7 @@ fn the_centre_ends_the_motion() {
         let system = RoundWall { m: 1.0, k: -0.5, b: 0.2 };
         assert!(step::<f64, 2, _>(system, &[0.8, 0.6, 0.0, 0.0], 0.0, 9.0 * h).is_err(), "h = {h}");
     }
-    // Without a force a line through the centre ends there, too, and beside it goes on.
+    // Without a force, a line through the centre ends there. A line beside the centre continues.
     let free = RoundWall { m: 1.0, k: 0.0, b: 0.0 };
     assert!(step::<f64, 2, _>(free, &[1.0, 0.0, -1.0, 0.0], 0.0, 2.0).is_err());
     let beside = step::<f64, 2, _>(free, &[1.0, 1e-3, -1.0, 0.0], 0.0, 2.0).expect("a line");
@@ -90,7 +91,7 @@ fn the_centre_ends_the_motion() {
     fails(error.expect_err("equal positions"), "q[2]");
 }
 
-/// Atoms in SI units, and single precision.
+/// Results do not depend on units: atoms in SI units, and single precision.
 #[test]
 fn units_do_not_matter() {
     let (length, mass, time) = (1e-10, 1.7e-27, 1e-14);

@@ -1,4 +1,4 @@
-//! A flow against its differential equation, and against what all canonical flows have in common.
+//! Compares a flow with its differential equation, and with the properties of all canonical flows.
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::{Hamiltonian, Pieces};
@@ -6,7 +6,7 @@ use geoint_runtime::{Coordinates, Real, StepError};
 use geoint_tests::measure::{Noise, extrapolated};
 use geoint_tests::scalars::{Double, Dual, Scalar};
 
-/// An energy of one piece, and what is known of it.
+/// An energy of one piece, its report and the expected rule.
 pub(super) struct Instance {
     pub(super) name: &'static str,
     pub(super) report: &'static str,
@@ -24,12 +24,12 @@ pub(super) trait Over<R: Real, const N: usize>:
 }
 impl<R: Real, const N: usize, S: Pieces<PieceSplitting, R> + Hamiltonian<R, Array = [R; N]>> Over<R, N> for S {}
 
-/// The largest error, in units of the condition.
+/// The largest accepted error, in units of the condition times ε.
 const BOUND: f64 = 4.0;
-/// When the flows start.
+/// Start time of the flows.
 const START: f64 = 0.5;
 
-/// All that is known of flows: which rule, the solution, its derivative by h, q' = ∂H/∂p and p' = −∂H/∂q, and that they are symplectic.
+/// Checks a flow: the rule in the report, the solution, the derivative by h (q' = ∂H/∂p and p' = −∂H/∂q), and symplecticity.
 pub(super) fn check<const N: usize, S: Closed<N>>(instance: &Instance, system: S) -> Result<(), String> {
     let Instance { name, report, rule } = instance;
     let pieces = <S as Pieces<PieceSplitting, f64>>::PIECES;
@@ -41,7 +41,7 @@ pub(super) fn check<const N: usize, S: Closed<N>>(instance: &Instance, system: S
     for point in 0..4 + 2 * N {
         let scale = if point == 3 { 1e-7 } else { 0.8 };
         let mut x: Vec<f64> = (&mut noise).take(2 * N).map(|x| scale * x).collect();
-        // Each coordinate once at zero.
+        // Each coordinate is zero once.
         if point > 3 {
             x[point - 4] = 0.0;
         }
@@ -53,7 +53,7 @@ pub(super) fn check<const N: usize, S: Closed<N>>(instance: &Instance, system: S
                 assert!(error.is_finite(), "{name}, h = {h}: {found:?}, not {exact:?} from {x:?}");
                 worst = worst.max(error / f64::EPSILON);
             }
-            // Derivatives are wrong where the value of a helper is its limit.
+            // Dual numbers give wrong derivatives at points at which a helper function returns its limit.
             if point < 3 {
                 rate = rate.max(rate_defect(system, &x, START, h));
                 form = form.max(form_defect(system, &x, START, h));
@@ -99,7 +99,8 @@ pub(super) fn field<R: Scalar, const N: usize, S: Over<R, N>>(system: &S, t: R, 
     by_p.into_iter().chain(by_q.into_iter().map(|force| -force)).collect()
 }
 
-/// The solution after h, and how much each of its components changes with relative changes of x, t and h, and of itself.
+/// Returns the solution after h, and the condition of each component. The condition is the sensitivity to relative changes of x, t, h and the component
+/// itself.
 fn solved<const N: usize, S: Over<Double, N>>(system: &S, x: &[f64], t: f64, h: f64) -> (Vec<Double>, Vec<f64>) {
     const GAP: f64 = 1e-10;
     const PARTS: usize = 4;
@@ -125,7 +126,7 @@ fn solved<const N: usize, S: Over<Double, N>>(system: &S, x: &[f64], t: f64, h: 
     (exact, condition)
 }
 
-/// How far the derivative of a step by its length is from J∇H where it ends; relative to its size.
+/// Returns the distance between the derivative of a step by its length and J∇H at its end, relative to the size.
 fn rate_defect<const N: usize, S: Closed<N>>(system: S, x: &[f64], t: f64, h: f64) -> f64 {
     let duals: Vec<Dual> = x.iter().map(|x| Dual::from(*x)).collect();
     let end = step(system, &duals, t, Dual::variable(h)).expect("a step");
@@ -135,7 +136,7 @@ fn rate_defect<const N: usize, S: Closed<N>>(system: S, x: &[f64], t: f64, h: f6
     end.iter().zip(field).map(|(end, rate)| (end.derivative() - rate).abs() / size).fold(0.0, f64::max)
 }
 
-/// The largest entry of MᵀJM − J, by derivatives of the step; relative to the squares of those of M.
+/// Returns the largest entry of MᵀJM − J for the derivative M of the step, relative to the squared entries of M.
 fn form_defect<const N: usize, S: Closed<N>>(system: S, x: &[f64], t: f64, h: f64) -> f64 {
     let columns: Vec<Vec<f64>> = (0..x.len())
         .map(|j| {

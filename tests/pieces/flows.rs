@@ -1,9 +1,9 @@
-//! Every family of pieces of energies without an action, against the differential equation solved to 20 digits and more.
+//! Compares the flow of every family of pieces, for energies without an action, with the differential equation solved to 20 digits and more.
 
 use crate::check::{Instance, check};
 use geoint_runtime::prelude::*;
 
-/// An energy a line, with the rule that is to know its flow; as one piece, where it would not be.
+/// Declares one energy per line, with the rule that must find its flow. A split is given if the compiler would otherwise not keep the energy as one piece.
 macro_rules! instances {
     ($test:ident, $of:ty, ($q:ident $p:ident $t:ident): $($System:ident, $rule:literal $(, $split:literal)? => $energy:expr;)*) => {
         #[test]
@@ -50,7 +50,7 @@ instances! { one_degree_of_freedom, f64, (q p t):
     SquareOfOscillator, "function of a piece" => (p * p + q * q).powi(2) / 4.0;
     RootOfOscillator, "function of a piece" => (1.0 + p * p + 2.0 * q * q).sqrt();
     SineOfProduct, "function of a piece" => (q * p).sin();
-    // Momenta that their own position shifts.
+    // A momentum shifted by a function of its own position.
     OwnShift, "function of a piece" => (p - q * q).powi(2) / 2.0;
     OwnShiftWithSpring, "change of gauge", "(p - 0.5 * q.powi(3)).powi(2) * 0.6875 + 1.1875 * q * q" =>
         (p - 0.5 * q.powi(3)).powi(2) * 0.6875 + 1.1875 * q * q;
@@ -59,7 +59,7 @@ instances! { one_degree_of_freedom, f64, (q p t):
 }
 
 instances! { two_degrees_of_freedom, [f64; 2], (q p t):
-    // Magnetic fields: uniform in two gauges, with a trap, with a field, and what is free besides.
+    // Magnetic fields: uniform in two gauges, with a trap, with an electric field, with a free direction.
     Symmetric, "coupled oscillators" => (p[0] + 0.75 * q[1]).powi(2) / 2.0 + (p[1] - 0.75 * q[0]).powi(2) / 2.0;
     Landau, "coupled oscillators" => (p[0] * p[0] + (p[1] - 1.25 * q[0]).powi(2)) / 2.0;
     Trap, "coupled oscillators" => (p[0] * p[0] + (p[1] - 1.25 * q[0]).powi(2) + 0.5 * q[0] * q[0] - q[1] * q[1]) / 2.0;
@@ -68,12 +68,12 @@ instances! { two_degrees_of_freedom, [f64; 2], (q p t):
     Rotating, "coupled oscillators" => (p[0] * p[0] + p[1] * p[1]) / 2.0 + 0.75 * (q[1] * p[0] - q[0] * p[1]) + q[0] * q[0];
     Springs, "coupled oscillators", "(p[0] * p[0] + 2.0 * p[1] * p[1]) / 2.0 + q[0] * q[0] - 0.75 * q[0] * q[1] + 0.5 * q[1] * q[1]" =>
         (p[0] * p[0] + 2.0 * p[1] * p[1]) / 2.0 + q[0] * q[0] - 0.75 * q[0] * q[1] + 0.5 * q[1] * q[1];
-    // Eigenvalues that are equal, complex, and far apart. (Over an angle of 3 in a step the error is 7 ε, because the condition does not
-    // count the coefficients.)
+    // Equal, complex and widely separated eigenvalues. (Over an angle of 3 in a step the error is 7 ε, because the condition does not count the
+    // coefficients.)
     Equal, "coupled oscillators" => (p[0] * p[0] + p[1] * p[1] + q[0] * q[0] + q[1] * q[1]) / 2.0 + 0.5 * q[0] * p[1];
     Focus, "coupled oscillators" => q[0] * p[1] - q[1] * p[0] + 0.5 * (q[0] * p[0] + q[1] * p[1]) + 0.25 * p[0] * p[0];
     Apart, "coupled oscillators" => (p[0] + 2.0 * q[1]).powi(2) / 2.0 + (p[1] - 2.0 * q[0]).powi(2) / 2.0 + 0.0625 * q[0] * q[0];
-    // Fields that are not uniform, direction by direction.
+    // Nonuniform fields, direction by direction.
     Sheet, "forms in involution" => (p[1] - (q[0] + 0.25 * q[0] * q[0])).powi(2) / 2.0;
     SheetWithPotential, "forms in involution" => (p[1] - q[0].sin()).powi(2) / 2.0 + q[0].cos();
     Relativistic, "forms in involution" => (1.0 + (p[1] - q[0].sin()).powi(2)).sqrt();
@@ -83,7 +83,7 @@ instances! { two_degrees_of_freedom, [f64; 2], (q p t):
     Waves, "forms in involution" => (2.0 * q[0] - p[1] + 0.5 * q[1]).cos();
     MonomialOfTwo, "monomial" => 0.5 * q[0].powi(2) * p[0].powi(3) * q[1];
     MonomialOfTwoPairs, "monomial" => 0.25 * q[0].powi(2) * p[0].powi(1) * q[1] * p[1].powi(2);
-    // Fields whose components read their own coordinate: with what these read besides, and gradients.
+    // Fields whose components depend on their own coordinate, with other dependences and gradients.
     OwnField, "change of gauge", "(p[0] - 0.75 * q[0] * q[1]).powi(2) / 3.0 + q[1].powi(4)" =>
         (p[0] - 0.75 * q[0] * q[1]).powi(2) / 3.0 + q[1].powi(4);
     OwnFieldOfWaves, "change of gauge", "(p[0] - 0.75 * (2.0 * q[0]).sin() * q[1].cos()).powi(2) / 3.0 + q[1].powi(3)" =>
@@ -101,7 +101,7 @@ instances! { two_degrees_of_freedom, [f64; 2], (q p t):
 }
 
 instances! { three_degrees_of_freedom, [f64; 3], (q p t):
-    // More than two that are coupled: by springs, by a field, with forces, where one is free, unstable, and with time.
+    // More than two coupled degrees of freedom: by springs, in a field, with forces, with a free direction, unstable, and with time.
     Chain, "coupled oscillators", "(p[0] * p[0] + 2.0 * p[1] * p[1] + p[2] * p[2]) / 2.0 + (q[1] - q[0]).powi(2) + 0.75 * (q[2] - q[1]).powi(2)" =>
         (p[0] * p[0] + 2.0 * p[1] * p[1] + p[2] * p[2]) / 2.0 + (q[1] - q[0]).powi(2) + 0.75 * (q[2] - q[1]).powi(2);
     ChainInField, "coupled oscillators", "(p[0] * p[0] + (p[1] - 1.25 * q[0]).powi(2) + (p[2] + 0.5 * q[1]).powi(2)) / 2.0 + 0.5 * q[0] * q[2] - 0.75 * q[1] + 0.25 * p[2]" =>
@@ -114,8 +114,8 @@ instances! { three_degrees_of_freedom, [f64; 3], (q p t):
         (1.0 + (p[0] + 0.5 * q[1]).powi(2) + (p[1] + 0.5 * q[2]).powi(2) + (p[2] - 0.5 * q[0]).powi(2)).sqrt();
 }
 
-// Motion about a centre: walls 1/y² of one coordinate, with an oscillator, unstable, attractive; of a vector, of two bodies, of two forms in which
-// lengths are measured otherwise; and Kepler's.
+// Motion about a centre. Walls 1/y² of one coordinate: with an oscillator, unstable, attractive. Walls of a vector, of two bodies, and of two forms with
+// different metrics. Kepler's motion.
 instances! { one_centre, f64, (q p t):
     Wall, "inverse square", "p * p * 0.6875 + 0.4375 / (q + 1.5).powi(2)" => p * p * 0.6875 + 0.4375 / (q + 1.5).powi(2);
     WallBehind, "inverse square", "p * p * 0.6875 + 0.4375 / (1.0 - 0.5 * q).powi(2)" => p * p * 0.6875 + 0.4375 / (1.0 - 0.5 * q).powi(2);

@@ -1,4 +1,4 @@
-//! Kinetic energies f(q)p², where f is a power of what parameters scale: of both signs, and where it does not move.
+//! Kinetic energies f(q)p², in which f is a power with parameters: both signs, and points without motion.
 
 use crate::check::step;
 use geoint_runtime::prelude::*;
@@ -18,7 +18,7 @@ fn growing_mass(q: f64, p: f64, m: f64, a: f64) -> f64 {
     p * p / (2.0 * m * (1.0 + a * q))
 }
 
-/// A step, and many of a method that knows nothing of flows.
+/// Returns the difference between one step and 64 steps of a method without flows.
 macro_rules! gap {
     ($system:expr, $x:expr, $h:expr) => {{
         let found = step::<f64, 1, _>($system, &$x, 0.0, $h).expect("a step");

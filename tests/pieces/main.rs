@@ -1,4 +1,4 @@
-//! Pieces of canonical energies: every family against its differential equation, methods for them, and what is refused.
+//! Pieces of canonical energies: every family against its differential equation, methods for pieces, and refused steps.
 
 mod centres;
 mod check;

@@ -1,4 +1,4 @@
-//! Methods for pieces against what they claim: on energies with two pieces, with three, with time, and with a flow that ends.
+//! Methods for pieces against their claims: energies with two pieces, with three pieces, with time, and with a flow that ends.
 
 use crate::check::{Over, field};
 use geoint_runtime::method::catalogue::{self, Visitor};
@@ -38,7 +38,7 @@ impl<const N: usize, S: Over<Double, N>> Visitor<S, Double> for Orders<'_, N, S>
             found.iter().zip(&self.exact).map(|(a, b)| (*a - *b).magnitude()).fold(0.0, f64::max)
         };
         let claimed = f64::from(method.claims().order);
-        // The digits of its table end the error before an order can be seen.
+        // The digits of the table limit the error before an order is observed.
         if claimed > 8.0 {
             assert!(error(40) < 1e-13, "{}: {:.1e}", method.name(), error(40));
             return;
@@ -73,7 +73,7 @@ fn methods_have_their_orders() {
     orders(Shears { a: real(0.2) }, &[0.5, 0.3], |_| {});
 }
 
-/// Flows that are merged between steps, and between parts of steps, are what they are one after the other.
+/// Flows merged between steps, and between parts of steps, give the result of separate flows.
 #[test]
 fn merged_flows_are_the_same() {
     let system = Sheet { m: 1.5, b: 1.25 };
@@ -90,7 +90,7 @@ fn merged_flows_are_the_same() {
     }
 }
 
-/// Pieces of T + V are a drift and a kick, and have the methods for these.
+/// The split into three pieces is used as given. A composition of their flows keeps the energy to 10⁻⁶.
 #[test]
 fn what_is_given_is_taken() {
     #[hamiltonian(split = "p * p / 2.0 | q * q / 2.0 | 0.1 * q.powi(4)")]
@@ -111,7 +111,8 @@ fn growing(q: [f64; 2], p: [f64; 2], m: f64, b: f64, l: f64) -> f64 {
     (p[0] * p[0] + (p[1] - b * (x + x * x / (2.0 * l))).powi(2)) / (2.0 * m)
 }
 
-/// Terms of degree 2 that are within the square of a sum are one piece with the others: the error is as small as the rest, at any step.
+/// Quadratic terms in the square of a sum form one piece with the other quadratic terms. The error is then as small as the remaining terms, at any step
+/// size.
 #[test]
 fn linear_motion_is_one_piece() {
     let report = Growing::<f64>::REPORT;
@@ -120,7 +121,7 @@ fn linear_motion_is_one_piece() {
         let system = Growing { m: 1.5, b: 3.0, l };
         let mut sim = system.integrator(PieceSplitting, 1.7, State::new([0.0, 0.0], [1.5, 0.0]));
         sim.advance(10).expect("steps");
-        // A circle of radius v/ω, with ω = b/m.
+        // The exact solution is a circle of radius v/ω, with ω = b/m.
         let ([x, y], (sin, cos)) = (sim.state().q, 34.0_f64.sin_cos());
         (x - sin / 2.0).abs().max((y - (cos - 1.0) / 2.0).abs())
     };
@@ -128,7 +129,8 @@ fn linear_motion_is_one_piece() {
     assert!(error(1e6) < 1e-4 && error(1e6) > 1e-9, "{:e}", error(1e6));
 }
 
-/// One piece has no error, and where its flow ends the motion does: no sum of others is taken for it, which would go on beyond the pole.
+/// A flow of one piece has no error, and the motion ends when its flow ends. It is not replaced by a sum of other pieces, which would continue beyond the
+/// pole.
 #[test]
 fn one_piece_is_the_motion() {
     #[hamiltonian]
@@ -146,7 +148,7 @@ fn one_piece_is_the_motion() {
     assert!(beyond.to_string().contains("q·p²·a"), "{beyond}");
 }
 
-/// Forms add positions to momenta: none is made where nothing says that both are of one scale. Other units give the same bits.
+/// Linear forms would add positions to momenta. The compiler forms no such sum if nothing relates their scales. Other units give the same bits.
 #[test]
 fn units_do_not_matter() {
     #[hamiltonian]
@@ -162,7 +164,8 @@ fn units_do_not_matter() {
     assert_eq!(run(1.0, 1.0), run(2.0_f64.powi(30), 2.0_f64.powi(-100)));
 }
 
-/// What overflows, and parameters that are no numbers, are not called the end of a flow that has none, or that is not defined from its start.
+/// An overflow, and parameters that are not numbers, are not reported as the end of a flow. This holds for flows without an end, and for flows that are
+/// undefined from the start.
 #[test]
 fn what_is_not_finite_is_no_end() {
     let start = State::new([0.3, 0.1], [0.5, -0.4]);
@@ -192,7 +195,7 @@ fn what_is_not_finite_is_no_end() {
     assert!(matches!(parts.step(), Err(StepError::NonFinite { .. })), "{:?}", parts.step());
 }
 
-/// After any number of turns linear flows are wrong by as much as the angle is, and refused where no digit of it is known.
+/// After any number of turns, the error of linear flows is the rounding of the angle. If no digit of the angle is left, the step is refused.
 #[test]
 fn long_steps_of_linear_flows() {
     #[hamiltonian]
@@ -209,7 +212,7 @@ fn long_steps_of_linear_flows() {
     for h in [30.0, -1e3, 1e5, 1e8] {
         let mut sim = Landau { b: 1.25 }.integrator(PieceSplitting, h, State::new([0.0, 0.0], [1.5, 0.0]));
         sim.step().expect("a step");
-        // A circle of radius v/ω.
+        // The exact solution is a circle of radius v/ω.
         let ([x, y], (sin, cos)) = (sim.state().q, (1.25 * h).sin_cos());
         let error = (x - 1.2 * sin).abs().max((y - 1.2 * (cos - 1.0)).abs());
         assert!(error < 1e-15 * h.abs(), "h = {h}: {error:e}");
@@ -227,7 +230,7 @@ fn long_steps_of_linear_flows() {
     }
 }
 
-/// Masses of particles beside trap and field in SI units, over more than two coupled degrees of freedom: as in units of their motion.
+/// Particle masses in SI units, beside a trap and a field, with more than two coupled degrees of freedom. The result agrees with natural units.
 #[test]
 fn small_masses_are_no_long_steps() {
     #[hamiltonian]
@@ -252,7 +255,7 @@ fn small_masses_are_no_long_steps() {
     }
 }
 
-/// A flow that ends refuses the step, names the piece, and leaves the state.
+/// A flow that ends refuses the step, names the piece, and keeps the state.
 #[test]
 fn a_flow_that_ends_is_refused() {
     #[hamiltonian(split = "q * q * p | p * p / 2.0")]
@@ -266,7 +269,7 @@ fn a_flow_that_ends_is_refused() {
     assert_eq!(sim.state(), start);
 }
 
-/// Steps are symplectic, forward and back.
+/// Steps are symplectic, forward and backward.
 #[test]
 fn steps_are_symplectic_and_symmetric() {
     let real = Dual::from;

@@ -1,9 +1,9 @@
-//! Pieces in which time cannot be taken out: their flows are those of a frozen time, the middle of the step, so that steps are of order 2.
+//! Pieces whose time dependence cannot be separated. Their flows freeze the time at the middle of the step, so steps have order 2.
 
 use geoint_runtime::Coordinates;
 use geoint_runtime::prelude::*;
 
-/// An energy a line, as one piece.
+/// Declares one energy per line, as one piece.
 macro_rules! pieces {
     ($of:ty, $start:expr, ($q:ident $p:ident $t:ident): $($System:ident, $energy:literal => $value:expr;)*) => { $({
         #[hamiltonian(name = $System, split = $energy)]

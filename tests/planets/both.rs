@@ -1,4 +1,4 @@
-//! What is true in all coordinates.
+//! Tests that hold in all coordinates.
 
 use geoint_runtime::prelude::*;
 use geoint_tests::measure::distance;
@@ -6,7 +6,7 @@ use geoint_tests::outer_planets;
 use geoint_tests::problems::flat;
 use nalgebra::Vector3;
 
-/// The energies of this file in some coordinates, and what is true of them.
+/// Defines the energies of this file in some coordinates, and their tests.
 macro_rules! frame {
     ($frame:ident, $coordinates:ident) => {
         pub(crate) mod $frame {
@@ -103,13 +103,13 @@ macro_rules! frame {
                 let mut single = OUTER.integrator(Saba4, 300.0, start);
                 (0..100).for_each(|_| single.step().expect("no collision"));
                 assert!(outer_planets::error(&sim.state(), &single.state()) < 1e-13);
-                // Back again: the step is symmetric.
+                // The step is symmetric, so the steps backwards return to the start.
                 sim.set_step_size(-300.0);
                 sim.advance(100).expect("no collision");
                 assert!(outer_planets::error(&sim.state(), &start) < 1e-12);
             }
 
-            /// General relativity as a correction of 1/r², a flattened star, a tide that depends on time.
+            /// Additional terms belong to the rest: general relativity as a correction in 1/r², a flattened star, a tide that depends on time.
             #[test]
             fn further_terms_are_part_of_the_rest() {
                 let system = Further { m: [1.3, 2e-3, 5e-4], g: 0.9, relativity: 2e-3, flattening: 3e-3, tide: 1e-3 };
@@ -127,7 +127,7 @@ macro_rules! frame {
                 let [long, short] = [800, 1600].map(error);
                 assert!(short < 1e-8, "{short:e}");
                 assert!(long / short > 3.5, "{long:e} {short:e}");
-                // A control: terms that are small are not nothing.
+                // Control: small terms change the result.
                 let mut newton = Further { relativity: 0.0, flattening: 0.0, tide: 0.0, ..system }.integrator(BceRkn17_8, 0.01, start);
                 newton.advance(2000).expect("no collision");
                 assert!(distance(&flat(&newton.state()), &flat(&exact.state())) > 1e-3);
@@ -145,7 +145,7 @@ macro_rules! frame {
                 assert!(error < 1e-6, "{error:e}");
             }
 
-            /// A body may be so light that its attraction is lost: its orbit is that of its limit.
+            /// The orbit of a very light body equals its limit for mass 0, even if its attraction is lost to rounding.
             #[test]
             fn test_particles() {
                 let with = |mass: f64| {
@@ -162,7 +162,7 @@ macro_rules! frame {
                 assert!((with(1e-5) - limit).norm() > 1e-9 * limit.norm());
             }
 
-            /// A mass of zero has no momentum that could be divided by it.
+            /// A mass of zero is refused, because the velocity would divide by it.
             #[test]
             fn masses_of_zero_are_refused() {
                 for body in 0..6 {
@@ -188,7 +188,7 @@ macro_rules! frame {
                 assert_eq!(sim.state(), together);
             }
 
-            /// A step of half a period of the innermost planet, and more, is no error: it is wrong.
+            /// A step of half a period of the innermost planet, or more, is wrong but gives no error.
             #[test]
             fn steps_that_mean_nothing_are_taken() {
                 for h in [2000.0, 5000.0] {
@@ -198,7 +198,7 @@ macro_rules! frame {
                 }
             }
 
-            /// An order of bodies that is not that of their distances makes the rest large, not wrong.
+            /// Bodies in another order than the order of their distances make the rest larger. The result stays right.
             #[test]
             fn bodies_in_any_order() {
                 let order = [0, 5, 2, 4, 1, 3];
@@ -220,7 +220,7 @@ macro_rules! frame {
 frame!(in_jacobi_s, jacobi);
 frame!(heliocentric, heliocentric);
 
-/// Both are the same energy.
+/// All coordinates describe the same energy, so their runs end at the same state.
 #[test]
 fn all_coordinates_lead_to_the_same_place() {
     let run = |state: State<[Vector3<f64>; 6]>, error: f64| {

@@ -1,4 +1,4 @@
-//! Errors in heliocentric coordinates, where the rest moves positions as well.
+//! Errors in heliocentric coordinates, in which the rest moves positions, too.
 
 use geoint_runtime::Method;
 use geoint_runtime::prelude::*;
@@ -17,10 +17,10 @@ fn end<M: Method<OuterPlanets>>(method: M, steps: u64) -> Bodies {
     sim.state()
 }
 
-/// Errors over 547 years, as another program with the same tables has them (to 20 %).
+/// Errors over 547 years agree to 20 % with another program that uses the same tables.
 #[test]
 fn the_outer_solar_system_has_the_errors_of_other_programs() {
-    // A method that knows of no coordinates, in steps of which only rounding is left.
+    // The reference is a method without special coordinates. Its steps are so short that only rounding is left.
     let exact = end(BceRkn17_8, 5000);
     let error = |state: Bodies| outer_planets::error(&state, &exact);
     let near = |name: &str, error: f64, expected: f64| {
@@ -29,7 +29,7 @@ fn the_outer_solar_system_has_the_errors_of_other_programs() {
     near("WisdomHolman", error(end(WisdomHolman, 1000)), 3.0e-5);
     near("Aba10_6_4", error(end(Aba10_6_4, 500)), 9.7e-11);
     assert!(error(end(Aba10_6_4, 1000)) < 5e-12);
-    // A processor takes away what is of first order; what is left is eight times that in coordinates of Jacobi.
+    // A processor removes the error of first order. The remaining error is eight times the error in Jacobi coordinates.
     near("WisdomHolmanProcessed", error(end(WisdomHolmanProcessed, 1000)), 6.0e-7);
 }
 
@@ -59,7 +59,7 @@ fn free(q: [[f64; 2]; 3], p: [[f64; 2]; 3], m: [f64; 3]) -> f64 {
     energy
 }
 
-/// The order of h that a method has and what it claims.
+/// Asserts the order in h that a method has and claims.
 macro_rules! orders {
     ($system:expr, $($method:ident $order:literal $perturbed:expr;)*) => { $({
         let start = State::new([[0.0, 0.0], [1.0, 0.2], [-2.5, 0.5]], [[0.1, -0.5], [-0.2, 0.9], [0.1, -0.4]]);
@@ -85,7 +85,7 @@ fn claims_of<S: geoint_runtime::PhaseSpace, M: Method<S>>(_: &S, method: M) -> g
 
 const MASSES: [f64; 3] = [1.3, 0.7, 0.5];
 
-/// Gravity of the planets among each other reads their differences, which body 0 does not change: all tables keep their orders.
+/// The gravity between planets depends on their differences. The motion of body 0 does not change them, so all tables keep their orders.
 #[test]
 fn gravity_leaves_the_motion_of_body_0_alone() {
     orders! {
@@ -96,7 +96,8 @@ fn gravity_leaves_the_motion_of_body_0_alone() {
     }
 }
 
-/// A force that depends on where all are does not: half of that motion, the kick, half of the motion is of order 2, and so is every table.
+/// A force that depends on the positions of all bodies breaks the order. The splitting of the motion of body 0 around the kick has order 2, and so has
+/// every table.
 #[test]
 fn a_tide_does_not() {
     orders! {
@@ -108,7 +109,7 @@ fn a_tide_does_not() {
     }
 }
 
-/// The map of Wisdom and Holman is that of Verlet with an exact flow for a drift, and composed as that is.
+/// The map of Wisdom and Holman is Verlet's method with an exact flow as the drift. Its compositions have the same orders.
 #[test]
 fn compositions_have_their_order() {
     let start = State::new([[0.0, 0.0], [1.0, 0.2], [-2.5, 0.5]], [[0.1, -0.5], [-0.2, 0.9], [0.1, -0.4]]);

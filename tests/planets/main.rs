@@ -1,4 +1,4 @@
-//! Bodies that attract each other, in coordinates of Jacobi and in heliocentric ones: both are the same energy, solved in other parts.
+//! Bodies that attract each other, in Jacobi coordinates and in heliocentric coordinates. Both describe the same energy, split differently.
 
 mod both;
 mod errors;

@@ -1,4 +1,4 @@
-//! Orbits that end, and what is said of them.
+//! Orbits that end, and their error messages.
 
 use geoint_runtime::Method;
 use geoint_runtime::prelude::*;
@@ -26,7 +26,7 @@ fn refused<M: Method<Three>>(method: M, m: [f64; 3]) -> StepError {
     refused
 }
 
-/// What a body moves about has to have weight beside it: m/η of sums η is a number whose error is 1/ε otherwise.
+/// The central mass must not be negligible beside the body. Otherwise the error of the quotient m/η, with the sum η of masses, is 1/ε.
 #[test]
 fn masses_that_leave_no_digit_are_refused() {
     let lost = |sum: &str, mass: &str, found: StepError| {
@@ -41,12 +41,12 @@ fn masses_that_leave_no_digit_are_refused() {
     lost("m[0] + m[1]", "m[1]", refused(Aba8_4, [1.0, -1.0, 1.0]));
     lost("m[0] + m[1]", "m[2]", refused(Aba8_4, [1e-20, 1e-18, 1.0]));
     lost("m[2] + (m[0] + m[1])", "m[2]", refused(Saba2Gradient, [0.1, 0.2, -0.1 - 0.2]));
-    // Where the energy is not defined, that is said.
+    // If the energy is undefined, the error says so.
     let zero = refused(WisdomHolman, [0.0, 1.0, 1.0]);
     assert!(matches!(zero, StepError::OutsideDomain { what: "division by zero: m[0]", .. }), "{zero}");
 }
 
-/// Masses that are negative, and a body in front that is much lighter than others: what is lost is a part of ε for each factor.
+/// Negative masses, and a first body that is much lighter than others. The loss of digits is proportional to the mass ratio.
 #[test]
 fn masses_of_all_kinds() {
     for (m, bound) in [([1.0, -0.3, 0.1], 1e-12), ([-1.0, -0.3, -0.1], 1e-12), ([1e-6, 1.0, 1e-3], 1e-8)] {
@@ -65,7 +65,7 @@ fn masses_of_all_kinds() {
     }
 }
 
-/// After so many periods that no digit of the phase is known an orbit has no end.
+/// After so many periods that no digit of the phase is known, the step is refused as a pole.
 #[test]
 fn orbits_without_end() {
     let system = Three { m: [1.0, 1e-3, 1e-30], g: 1.0 };

@@ -1,8 +1,8 @@
-//! In how many ways attraction may be written: it is the same motion.
+//! Different notations of an attraction give the same motion.
 
 use geoint_runtime::prelude::*;
 
-/// Two bodies with a potential of their distance r, and what Kepler's motion leaves of it.
+/// Two bodies with a potential of their distance r, and the rest that Kepler's motion leaves of the potential.
 macro_rules! two_bodies {
     ($($System:ident: $rest:literal, |$r:ident, $k:ident, $a:ident| $potential:expr;)*) => { $({
         #[hamiltonian(name = $System, coordinates = jacobi)]
@@ -39,7 +39,7 @@ fn attraction_in_any_words() {
     }
 }
 
-/// Charges on a line; those that attract each other come to an end.
+/// Charges on a line. Charges that attract each other collide.
 #[test]
 fn bodies_on_a_line() {
     #[hamiltonian(coordinates = jacobi)]

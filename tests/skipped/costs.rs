@@ -1,11 +1,11 @@
-//! What it costs to build a crate of a user: the pendulum with its step written by hand, with one method, and with ten.
+//! Build costs of a user's crate: the pendulum with its step written by hand, with one method, and with ten.
 //! `cargo test --profile bench -p geoint-tests --test skipped costs -- --ignored --nocapture` prints the table.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Instant;
 
-/// Builds of each crate, in turns; the shortest counts.
+/// Number of builds of each crate, in turns. The shortest build counts.
 const ROUNDS: usize = 8;
 
 const BY_HAND: &str = "
@@ -59,7 +59,7 @@ pub fn run{i}(n: u64, m: f64, l: f64, g: f64, h: f64, q: f64, p: f64) -> Result<
     methods.iter().enumerate().map(run).fold(ENERGY.to_string(), |text, run| text + &run)
 }
 
-/// A crate, in the folder of output.
+/// A crate in the output folder.
 struct Crate {
     name: &'static str,
     folder: PathBuf,
@@ -82,7 +82,7 @@ impl Crate {
         Crate { name, folder, seconds: f64::INFINITY }
     }
 
-    /// Builds the crate anew; what it depends on is there from the first time on.
+    /// Builds the crate anew. Its dependencies exist after the first build.
     fn build(&self) -> f64 {
         let source = self.folder.join("src/lib.rs");
         let text = std::fs::read(&source).expect("a source");
@@ -105,7 +105,7 @@ impl Crate {
         begin.elapsed().as_secs_f64()
     }
 
-    /// Bytes of its object file.
+    /// Returns the size of its object file in bytes.
     fn bytes(&self) -> u64 {
         let objects = self.folder.with_file_name("target/release/deps");
         let name = format!("{}-", self.name);

@@ -1,5 +1,5 @@
-//! Thirteen scenes with a structure that saves work, each beside the same scene with that structure hidden: by a term whose factor `z` is a
-//! parameter, which is zero when it runs and unknown when it is compiled; or by its spelling.
+//! Thirteen scenes with a structure that saves operations, each compared with the same scene without a visible structure. A term with the factor `z` hides
+//! the structure. This parameter is zero in the run and unknown at compile time. Other scenes hide it by their spelling.
 
 mod costs;
 
@@ -9,23 +9,23 @@ use geoint_tests::scalars::{Tallied, Tally};
 use geoint_tests::scene::{flat, point};
 use std::time::Instant;
 
-/// A scene, and the same with its structure hidden.
+/// A scene, and the same scene with its structure hidden.
 struct Pair {
-    /// What is found.
+    /// The structure that the compiler finds.
     found: &'static str,
-    /// What is absent from the step.
+    /// The operations that the step skips.
     absent: &'static str,
-    /// The methods of both.
+    /// The methods of both scenes.
     methods: [&'static str; 2],
-    /// Operations a step.
+    /// The numbers of operations in a step.
     operations: [Tally; 2],
-    /// Nanoseconds a step.
+    /// The nanoseconds of a step.
     time: [f64; 2],
-    /// By how much the ends of both differ, relative to what they are: nothing but rounding where the method is the same.
+    /// The relative difference of both ends: rounding alone if the method is the same.
     gap: f64,
 }
 
-/// Steps from which an operation count a step is taken, after some in which implicit methods learn to guess.
+/// Numbers of steps: the steps whose operations are counted, and the steps before. In the latter, implicit methods build up their extrapolation.
 const STEPS: u64 = 200;
 const BEFORE: u64 = 40;
 
@@ -63,7 +63,7 @@ macro_rules! pairs {
     ($($found:literal, $absent:literal, $h:literal from $t:literal, $x:expr;
         $System:ident { $($field:ident: $value:expr),* } by $method:expr,
         $Hidden:ident { $($other:ident: $hidden:expr),* } by $way:expr;)*) => {
-        /// All of them, counted, and timed in so many rounds.
+        /// Returns all pairs with counts of operations, timed in `rounds` rounds.
         fn pairs(rounds: u32) -> Vec<Pair> {
             vec![$( {
                 let (h, start): (f64, (f64, &[f64])) = ($h, ($t, &$x));
@@ -244,7 +244,7 @@ pairs! {
         Planet { m: 1.3 } by DiscreteGradient, PlanetNotCentral { m: 1.3, z: 0.0 } by DiscreteGradient;
 }
 
-/// The table of all pairs.
+/// Returns the table of all pairs.
 fn table(pairs: &[Pair]) -> String {
     let mut text = String::from(
         "# What is skipped\n\nOperations of a step as they are executed, counted by a scalar: sums and products, quotients and roots, functions. Beside them those of \
@@ -261,14 +261,14 @@ fn table(pairs: &[Pair]) -> String {
     text
 }
 
-/// The file, in the folder of output.
+/// Returns the path of the table in the output folder.
 fn path() -> std::path::PathBuf {
     let target = std::env::var_os("CARGO_TARGET_DIR").map(std::path::PathBuf::from);
     let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).with_file_name("target");
     target.unwrap_or(root).join("geoint/skipped.md")
 }
 
-/// Where a structure is seen a step executes less, and leads to the same place where the method is the same.
+/// A step with a visible structure executes fewer operations. With the same method, it leads to the same state.
 #[test]
 fn what_is_not_needed_is_not_executed() {
     let pairs = pairs(0);

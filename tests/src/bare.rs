@@ -1,7 +1,7 @@
-//! Steps of a method without an integrator around them: what a program that builds a thousand methods can afford.
+//! Steps of a method without an integrator, for programs that build a thousand methods.
 //!
-//! An [`Integrator`](geoint_runtime::Integrator) has several copies of every step, for runs of one and of many, watched and not. Here there
-//! is one. What integrators add is tested where they are.
+//! An [`Integrator`](geoint_runtime::Integrator) has several copies of every step: for one step and for many, with and without an observer. This type
+//! has one copy. The tests of integrators cover their additions.
 
 use crate::scalars::Scalar;
 use crate::scene::{Scene, flat, point};
@@ -22,7 +22,7 @@ pub struct Bare<P: Scene, M: Method<P::Over<R>, R>, R: Scalar> {
     evaluations: Count,
 }
 
-/// Where a scene is.
+/// A point in the phase space of a scene.
 type PointOf<P, R> =
     Point<<<P as Scene>::Over<R> as PhaseSpace<R>>::Phase, Plain, <<P as Scene>::Over<R> as PhaseSpace<R>>::Action>;
 
@@ -52,10 +52,10 @@ impl<P: Scene, M: Method<P::Over<R>, R>, R: Scalar> Bare<P, M, R> {
         Bare { system, method, prepared, memory, start, h, steps: 0, x, evaluations: Count(0) }
     }
 
-    /// One step.
+    /// Takes one step.
     ///
     /// # Errors
-    /// Where it has no result.
+    /// Fails if the step has no result.
     #[inline(never)]
     pub fn step(&mut self) -> Result<(), Refusal> {
         let [t, end] = [self.steps, self.steps + 1].map(|n| self.at(n));
@@ -65,10 +65,10 @@ impl<P: Scene, M: Method<P::Over<R>, R>, R: Scalar> Bare<P, M, R> {
         Ok(())
     }
 
-    /// So many of them.
+    /// Takes `steps` steps.
     ///
     /// # Errors
-    /// Where one has no result.
+    /// Fails if a step has no result.
     pub fn advance(&mut self, steps: u64) -> Result<(), Refusal> {
         (0..steps).try_for_each(|_| self.step())
     }

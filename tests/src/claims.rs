@@ -13,7 +13,7 @@ use std::marker::PhantomData;
 
 /// The largest accepted difference between an observed and a claimed order.
 ///
-/// It is below ½, so an order that is wrong by 1 fails. It is above zero, because the next term of the error still counts at the observed steps.
+/// The value is below ½, so an order that is wrong by 1 fails. It is above zero, because the next term of the error still counts at the observed steps.
 pub const TOLERANCE: f64 = 0.15;
 
 /// The number of steps in which defects are measured. With several steps, defects include the values that a method hands to its next step.

@@ -1,5 +1,4 @@
-//! An allocator that counts, for programs that show that steps allocate nothing:
-//! `#[global_allocator] static ALLOCATOR: Counting = Counting;`
+//! A counting allocator, for programs that show that steps allocate nothing: `#[global_allocator] static ALLOCATOR: Counting = Counting;`
 
 #![allow(unsafe_code, reason = "an allocator cannot be written without it")]
 

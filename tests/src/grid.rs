@@ -1,7 +1,7 @@
 //! Starts and steps that a method is tried with.
 
-/// Pairs of a start and a step: all of them in an optimised build, else one of `few` (at most the length of either list), others for each `case`.
-/// Each start and each step is among those of every case.
+/// Returns pairs of a start and a step. An optimised build returns all pairs. Other builds return one pair in `few`, and other pairs for each `case`.
+/// Every case contains each start and each step, because `few` is at most the length of either list.
 pub fn pairs<A: Copy, B: Copy>(starts: &[A], steps: &[B], few: usize, case: &str) -> impl Iterator<Item = (A, B)> {
     assert!((1..=starts.len().min(steps.len())).contains(&few), "a start or a step would be left out");
     let few = if cfg!(debug_assertions) { few } else { 1 };

@@ -1,17 +1,17 @@
-//! Taylor coefficients of a kernel beside those by truncated series as a scalar: two ways to one result.
+//! Taylor coefficients in two ways: by a kernel, and by truncated series as a scalar.
 
 use crate::scalars::Double;
 use geoint_runtime::scalar::{Real, Series};
 use geoint_runtime::space::{Action as _, Array, PerCoordinate};
 use geoint_runtime::system::{Contact, Jets, PhaseSpace, VectorField};
 
-/// Coefficients, that of order 0 among them.
+/// Number of coefficients, including order 0.
 pub const N: usize = 25;
 
 /// How far a kernel may be off, in units of the largest coefficient of an order, as far as their growth allows.
 pub const BAR: f64 = 1e-13;
 
-/// The coefficients of a solution by the field over series: each evaluation makes one more of them known.
+/// Returns the Taylor coefficients of a solution, by the field over series. Each evaluation determines one more coefficient.
 pub fn by_series<R: Real, const N: usize>(
     x: &[R],
     mut field: impl FnMut(&[Series<R, N>], Series<R, N>) -> Vec<Series<R, N>>,
@@ -43,7 +43,7 @@ fn by_kernel<S: Jets>(system: &S, t: f64, z: S::Phase, s: S::Action) -> Vec<Vec<
     (0..S::Phase::LEN + s.numbers().len()).map(numbers).collect()
 }
 
-/// Both ways.
+/// Taylor coefficients computed in both ways.
 pub struct Both {
     /// By the kernel, from order 1 on.
     pub kernel: Vec<Vec<f64>>,
@@ -52,20 +52,20 @@ pub struct Both {
 }
 
 impl Both {
-    /// By what the kernel is off, relative to the largest coefficient of its order.
+    /// Returns the error of the kernel, relative to the largest coefficient of its order.
     pub fn error(&self) -> f64 {
         error(&self.kernel, &self.series)
     }
 
-    /// Whether all coefficients are numbers.
+    /// Returns whether all coefficients are finite.
     pub fn is_finite(&self) -> bool {
         let kernel = self.kernel.iter().flatten();
         kernel.chain(self.series.iter().flatten()).all(|x| f64::is_finite(*x))
     }
 }
 
-/// By what some coefficients are off others, relative to the largest of their order; those are at least what others let expect that grow
-/// like powers of one number.
+/// Returns the largest difference of `some` from `others`, relative to the largest coefficient of its order. This scale is at least the extrapolation
+/// of the lower orders, which grow like powers of one number.
 pub fn error(some: &[Vec<f64>], others: &[[f64; N]]) -> f64 {
     let largest = |n: usize| others.iter().map(|x| x[n].abs()).fold(0.0, f64::max);
     let radius = (N - 8..N).map(|n| largest(n).powf(-1.0 / n as f64)).fold(f64::INFINITY, f64::min);
@@ -114,7 +114,7 @@ where
     by_series(x, field, t)
 }
 
-/// Both ways of a field, or of an energy without action; the same system, over two scalars.
+/// Computes the coefficients of a field, or of an energy without action, in both ways. Both systems are the same, over two scalars.
 pub fn of_field<S, T>(system: &S, over: &T, t: f64, x: &[f64]) -> Both
 where
     S: Jets<f64, Action = ()>,
@@ -127,7 +127,7 @@ where
     Both { kernel: by_kernel(system, t, z, ()), series: rates(over, x, t) }
 }
 
-/// Both ways of a contact system.
+/// Computes the coefficients of a contact system in both ways.
 pub fn of_contact<S, T>(system: &S, over: &T, t: f64, x: &[f64]) -> Both
 where
     S: Jets<f64, Action = f64>,
@@ -141,7 +141,7 @@ where
     Both { kernel: by_kernel(system, t, z, action[0]), series: contact_rates(over, x, t) }
 }
 
-/// Exact coefficients, and what series in f64 are off: how much rounding grows along the way.
+/// Returns exact coefficients, and the error of series in f64. The error shows the growth of rounding along the way.
 pub fn exact(series: &[[f64; N]], exact: &[[Double; N]]) -> (Vec<[f64; N]>, f64) {
     let exact: Vec<[f64; N]> = exact.iter().map(|x| x.map(Double::value)).collect();
     let rounded: Vec<Vec<f64>> = series.iter().map(|x| x[1..].to_vec()).collect();

@@ -1,4 +1,4 @@
-//! What the test programs share: energies, scalars, the list of all methods, measurements. Not published.
+//! Shared code of the test programs: energies, scalars, the list of all methods, measurements. Not published.
 
 pub mod scalars;
 pub mod scene;

@@ -1,4 +1,4 @@
-//! What is measured of a method: error against an independent solution, order, drift, symplecticity, symmetry.
+//! Measurements of a method: error against an independent solution, order, drift, symplecticity, symmetry.
 
 use crate::bare::Bare;
 use crate::problems::flat;
@@ -81,17 +81,17 @@ pub fn distance<R: Scalar>(a: &[R], b: &[R]) -> f64 {
 
 /// Numbers of steps in which orders are observed.
 pub const STEPS: [u64; 14] = [4, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512];
-/// Times, evenly spread, at which errors are taken: at a single one the leading term may happen to vanish.
+/// Number of times, evenly spread, at which errors are taken. At a single time the leading term may happen to vanish.
 pub const LOOKS: u64 = 4;
 /// Errors above this say nothing of h → 0.
 const CEILING: f64 = 0.2;
-/// An error that does not fall below this has nothing to do with the rounding of coefficients to `f64`.
+/// An error that stagnates above this value has another cause than the rounding of coefficients to `f64`.
 const ROUNDED: f64 = 1e-14;
 
-/// What errors at many step sizes tell.
+/// The result of errors at many step sizes.
 #[derive(Clone, Copy, Debug)]
 pub struct Observed {
-    /// log₂ e(h)/e(h/2) for the smallest h whose errors are beyond rounding; NaN if there is none.
+    /// log₂ e(h)/e(h/2) for the smallest h whose errors are beyond rounding; NaN without such an h.
     pub order: f64,
     /// The number of steps of length h/2.
     pub steps: u64,
@@ -106,15 +106,15 @@ impl Observed {
     }
 }
 
-/// log₂ e(h)/e(h/2) for the smallest h whose errors are beyond rounding; NaN if there is none.
+/// Returns log₂ e(h)/e(h/2) for the smallest h whose errors are beyond rounding, or NaN without such an h.
 pub fn observed_order(error: impl FnMut(u64) -> f64) -> f64 {
     observed(error).order
 }
 
-/// The order that errors at many step sizes tell, and which of them tells it.
+/// Returns the order from errors at many step sizes, and the step size that shows it.
 ///
-/// `error` takes one of [`STEPS`]. Even in double-double an error does not fall to zero, because tables are rounded to
-/// `f64`: where it no longer falls as any order would have it shows how far that reaches.
+/// `error` takes one of [`STEPS`]. Tables are rounded to `f64`, so an error does not fall to zero even in double-double. The error at which the fall
+/// ends shows the size of this rounding.
 pub fn observed(mut error: impl FnMut(u64) -> f64) -> Observed {
     let mut errors: Vec<f64> = vec![];
     let half = |n: u64| STEPS.iter().position(|m| 2 * m == n);
@@ -155,7 +155,7 @@ pub fn solutions<P: Scene>(duration: f64, parts: usize) -> Vec<Vec<Double>> {
 
 /// The error of a method in double-double, in the root-mean-square of all looks, for `n` steps.
 ///
-/// A method that scales its steps is measured at the time that it says it has reached.
+/// A method that scales its steps is measured at the time that the method has reached.
 pub fn error<P: Scene, M: Method<P::Over<Double>, Double>>(
     method: M,
     duration: f64,
@@ -181,8 +181,7 @@ pub fn error<P: Scene, M: Method<P::Over<Double>, Double>>(
     Ok((sum / LOOKS as f64).sqrt())
 }
 
-/// How far `steps` steps are from keeping the form of a scene, from one run in dual numbers for each direction in which its start may be
-/// moved.
+/// Returns the defect of the form of a scene after `steps` steps. Each direction in which the start may move takes one run in dual numbers.
 pub fn form_defect<P: Scene, M: Method<P::Over<Dual>, Dual>>(method: M, h: f64, steps: u64) -> Result<f64, Refusal> {
     let (start, before) = P::start();
     let directions = P::directions();

@@ -45,7 +45,7 @@ where
 
 /// Symmetric discrete gradients that change one coordinate after the other, and methods made of them.
 ///
-/// They are a list of their own, because their steps take many times as long as those of [`discrete_gradient`].
+/// The list is separate, because these steps take many times as long as steps of [`discrete_gradient`].
 pub fn itoh_abe<S: DiscreteField<R> + Conservative<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     catalogue::itoh_abe(visitor);
     visitor.visit(FourthOrder(SymmetrisedItohAbe));

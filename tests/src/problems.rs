@@ -1,7 +1,7 @@
 //! Annotated energies, each with parameters other than 1, a start, and a scalar of choice.
 //!
-//! Together they have every structure that a method or the macro tells apart: separable or not, T quadratic or not, with
-//! and without explicit time, cyclic coordinates, branches, every shape of coordinates.
+//! Together the problems have every structure that a method or the macro distinguishes. H is separable or not, T is quadratic or not, and time is
+//! explicit or not. Some coordinates are cyclic, some energies have branches, and every shape of coordinates occurs.
 
 use crate::scalars::Scalar;
 pub use crate::scene::flat;

@@ -12,7 +12,7 @@ use geoint_runtime::{PhaseSpace, Real, VectorField};
 pub trait Scene {
     /// The system over another scalar.
     type Over<R: Scalar>: PhaseSpace<R>;
-    /// What it is called.
+    /// Name of the scene.
     const NAME: &'static str;
 
     /// The system with its parameters.
@@ -24,34 +24,34 @@ pub trait Scene {
     /// x' by the derivatives of the energy, or by hand.
     fn rate<R: Scalar>(system: &Self::Over<R>, t: R, x: &[R]) -> Vec<R>;
 
-    /// Directions in which the start may be moved: all of them, unless there are constraints.
+    /// Directions in which the start may move: all directions, unless there are constraints.
     fn directions() -> Vec<Vec<f64>> {
         let n = Self::start().1.len();
         (0..n).map(|i| (0..n).map(|j| f64::from(u8::from(i == j))).collect()).collect()
     }
 
-    /// How far a map is from keeping the form that the flow keeps. It leads from `before` to `after`, and small ways in `directions` to
-    /// `images`.
+    /// Returns the defect of a map in the form that the flow keeps. The map leads from `before` to `after`, and small displacements in `directions`
+    /// to `images`.
     fn form_defect(directions: &[Vec<f64>], images: &[Vec<f64>], before: &[f64], after: &[f64]) -> f64;
 
-    /// What of a state is compared with solutions: all, unless a method carries something along that the state of a system with constraints
-    /// has not.
+    /// Returns the part of a state that is compared with solutions. The default is all of it. Scenes with constraints remove the momentum normal to
+    /// the constraint, because a method may carry such a part along.
     fn compared<R: Scalar>(x: Vec<R>) -> Vec<R> {
         x
     }
 
-    /// What a field keeps in place of an energy.
+    /// Returns the quantities that a field keeps in place of an energy.
     fn kept(_x: &[f64]) -> Option<Vec<f64>> {
         None
     }
 
-    /// What an energy has become after a time: of contact systems it may decay.
+    /// Returns the energy after `duration`. The energy of a contact system may decay.
     fn energy_after(_duration: f64, energy: f64) -> f64 {
         energy
     }
 }
 
-/// Where runs of problems start: not where forces begin.
+/// Start time of the runs of problems. Forces begin at another time.
 const FROM: f64 = 0.4;
 
 impl<P: Problem> Scene for P {
@@ -86,7 +86,7 @@ pub fn point<T: Snapshot>(t: T::Real, x: &[T::Real]) -> T {
     T::of(t, z, action)
 }
 
-/// All numbers of a state but the time, an action last.
+/// Returns all numbers of a state except the time, with an action last.
 pub fn flat<T: Snapshot>(state: &T) -> Vec<T::Real> {
     let (_, z, action) = state.parts();
     [z.as_slice(), action.numbers()].concat()
@@ -115,7 +115,7 @@ pub fn canonical_defect(directions: &[Vec<f64>], images: &[Vec<f64>]) -> f64 {
     defect
 }
 
-/// How far ds − p dq is from a multiple of what it was, for all unit vectors as directions.
+/// Returns the distance of ds − p dq from a multiple of its value before, for all unit vectors as directions.
 pub fn contact_defect(images: &[Vec<f64>], before: &[f64], after: &[f64]) -> f64 {
     let n = before.len() / 2;
     let form = |p: &[f64], u: &[f64]| u[2 * n] - (0..n).map(|i| p[n + i] * u[i]).sum::<f64>();

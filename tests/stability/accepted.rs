@@ -23,7 +23,7 @@ fn single_pendulum(q: f32, p: f32, m: f32, c: f32) -> f32 {
     p * p / (2.0 * m) - c * q.cos()
 }
 
-/// How many single steps from 500 random starts succeed, and the largest change of the energy relative to its terms.
+/// Returns the number of successful single steps from 500 random starts, and the largest change of the energy relative to its terms.
 fn single_steps<M: Method<TwoWells>>(method: M, h: f64) -> (usize, f64) {
     let (mut noise, mut steps, mut worst) = (Noise::new(5), 0, 0.0_f64);
     for _ in 0..500 {
@@ -39,9 +39,9 @@ fn single_steps<M: Method<TwoWells>>(method: M, h: f64) -> (usize, f64) {
     (steps, worst)
 }
 
-/// The second form of `FourthOrder` may fall back on a matrix of difference quotients. A quotient over a long way is larger than any derivative, so that
-/// the matrix is large and the correction small, although the residual is not. The bounds on the energy are a few hundred ε, and ten times as
-/// much for `Gonzalez`, which divides by the increment.
+/// The second form of `FourthOrder` may fall back on a matrix of difference quotients. A quotient over a long way exceeds every derivative. The matrix is
+/// then large and the correction small, although the residual is not. The bounds on the energy are a few hundred ε. The bound for `Gonzalez`, which divides
+/// by the increment, is ten times as large.
 #[test]
 fn a_small_correction_by_a_large_matrix_is_no_solution() {
     for h in [1.4, 2.0, 3.0] {

@@ -1,4 +1,4 @@
-//! Barriers and pulses ahead of a run: a long step sees them, although no force is felt where it begins.
+//! Barriers and pulses ahead of a run. A long step detects them, although the force vanishes at the start of the step.
 
 use geoint_runtime::prelude::*;
 
@@ -26,7 +26,7 @@ fn single_hill(q: f32, p: f32, w: f32) -> f32 {
     p * p / 2.0 + (-(q / w).powi(2)).exp()
 }
 
-/// Free flights that end at a hill, from so many widths away, for so many times the way to the hill.
+/// Asserts that a hill reflects free flights. They start 12, 30 or 100 widths away and last 1.5, 3 or 10 times the way to the hill.
 macro_rules! reflected {
 
     (|$w:ident, $start:ident| $($run:expr),*) => {
@@ -112,7 +112,7 @@ fn pulses_are_felt() {
     }
 }
 
-/// From q = 0 the coordinate has no size by which the time of its changes could be told.
+/// At q = 0 the coordinate has no size, so the size cannot give a time scale of the motion.
 #[test]
 fn series_that_begin_at_zero_feel_pulses() {
     for w in [0.5, 0.2, 0.05] {
@@ -128,7 +128,7 @@ fn series_that_begin_at_zero_feel_pulses() {
     }
 }
 
-/// What is narrower than all that a run can see is passed, unless steps are bounded.
+/// A run without a bound on steps passes a hill that is narrower than the distance of all evaluations. A bound on the step reveals the hill.
 #[test]
 fn a_bound_on_steps_shows_what_is_too_narrow_to_be_seen() {
     let (system, start) = (Hill { w: 1e-4, c: 1.0 }, State::new(-9.0, 1.0));
@@ -143,7 +143,7 @@ fn a_bound_on_steps_shows_what_is_too_narrow_to_be_seen() {
     assert!(run.state().p < -0.9, "{:?}", run.state());
 }
 
-/// A free flight without anything ahead takes few steps: looking ahead does not shorten them.
+/// A free flight without an obstacle ahead takes few steps. The search for obstacles does not shorten them.
 #[test]
 fn free_flights_take_few_steps() {
     let system = Pulse { a: 0.0, c: 0.0, w: 1.0 };

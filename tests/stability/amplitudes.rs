@@ -13,11 +13,11 @@ fn quartic(q: f64, p: f64) -> f64 {
     p * p / 2.0 + q.powi(4) / 4.0
 }
 
-/// Exponents of the units. The energy is a normal number for the first four, and for the others it is none.
+/// Exponents of the units. The energy is a normal number for the first four exponents, and out of range for the others.
 const ORDINARY: [i32; 4] = [-498, -332, 332, 498];
 const EXTREME: [i32; 6] = [-964, -664, -532, 532, 664, 964];
 
-/// Returns the state after 200 steps from the amplitude 2ᵏ, in units of that.
+/// Returns the state after 200 steps from the amplitude 2ᵏ, in units of the amplitude.
 fn motion<M: Method<Oscillator>>(method: M, k: i32) -> Result<[f64; 2], StepError> {
     let unit = 2.0_f64.powi(k);
     let system = Oscillator { m: 1.3, k: 0.7 };
@@ -66,7 +66,7 @@ fn other_runs_name_the_scale() {
         let refused = system.taylor(Projection(Taylor::default(), Energy), start).advance_to(5.0).unwrap_err();
         assert!(refused.to_string().contains("is too small or too large for the scalar"), "{refused}");
     }
-    // The fourth power of an amplitude.
+    // The energy has the fourth power of the amplitude.
     for unit in [1e-100, 1e100] {
         let mut sim = Quartic.integrator(Projection(RK4, Energy), 0.05 / unit, State::new(unit, 0.5 * unit * unit));
         assert_eq!(sim.step(), Err(StepError::OutOfRange { t: 0.0 }), "{unit}");
@@ -75,7 +75,7 @@ fn other_runs_name_the_scale() {
     assert_eq!(sim.step(), Err(StepError::OutOfRange { t: 0.0 }));
 }
 
-/// At rest an energy of zero is no matter of scale.
+/// An energy of zero at rest is not reported as out of range.
 #[test]
 fn rest_is_no_matter_of_scale() {
     let system = Oscillator { m: 1.3, k: 0.7 };
@@ -84,7 +84,7 @@ fn rest_is_no_matter_of_scale() {
     }
 }
 
-/// The shortest step is a matter of the unit of time.
+/// The shortest step of an adaptive run scales with the unit of time.
 #[test]
 fn fast_oscillations_adapt() {
     for rate in [1e-100, 1.0, 1e60, 1e100, 1e150] {

@@ -1,4 +1,4 @@
-//! Projections of explicit steps that are far too large: what such a step is led back to keeps the energy to rounding, or is an error.
+//! Projections of explicit steps that are far too large. A projected step keeps the energy to rounding, or is refused.
 
 use geoint_runtime::prelude::*;
 use geoint_tests::measure::Noise;
@@ -34,14 +34,14 @@ fn two_with_bends(q: [f64; 2], p: [f64; 2], a: f64, b: f64) -> f64 {
     squares + a * (q[0] - q[1]).abs() + q[0].max(b * q[1]) - q[1].min(0.3)
 }
 
-/// How many steps succeed, and the largest change of an energy in units of its rounding.
+/// Number of successful steps, and the largest change of the energy in units of its rounding.
 #[derive(Default)]
 struct Outcome {
     steps: usize,
     worst: f64,
 }
 
-/// Takes at most 100 steps of these sizes from each of 200 random starts. `$terms` are the terms of the energy, of which ε is their rounding.
+/// Takes at most 100 steps of each size from each of 200 random starts. `$terms` is the size of the terms of the energy: its rounding is ε times this size.
 macro_rules! outcome {
     ($method:expr, $system:expr, $scalar:ty, $start:expr, $terms:expr) => {{
         let (mut noise, mut outcome) = (Noise::new(11), Outcome::default());
@@ -63,7 +63,7 @@ macro_rules! outcome {
     }};
 }
 
-/// A step is refused where an invariant changes by more than so many roundings.
+/// A step is refused if an invariant changes by more roundings than this.
 const MOST: f64 = 16384.0;
 
 #[test]
@@ -88,7 +88,7 @@ fn the_refusal_has_a_name() {
     sim.step().expect("a shorter step");
 }
 
-/// Beside a bend, and at an angle of many turns, a residual looks as rough as rounding does.
+/// Beside a bend, and at an angle of many turns, a residual is as rough as rounding. A large residual must not be accepted as rounding.
 #[test]
 fn rough_residuals_are_not_all_rounding() {
     let start = State::new(-2.922_252e-5_f32, -3.069_984e-5);

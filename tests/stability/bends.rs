@@ -1,6 +1,6 @@
 //! Energies with bends: discrete gradients keep them in long runs, or refuse a step.
 //!
-//! A run extrapolates its steps. Where two bodies pass each other the extrapolated increment lies on the wrong side of a bend.
+//! A run extrapolates its steps. When two bodies pass each other, the extrapolated increment lies on the wrong side of a bend.
 
 use geoint_runtime::prelude::*;
 use geoint_tests::measure::Noise;
@@ -50,7 +50,7 @@ fn edges_of_a_square(x: [f64; 2]) -> [f64; 2] {
 const STEPS: u64 = if cfg!(debug_assertions) { 600 } else { 10_000 };
 const STARTS: usize = if cfg!(debug_assertions) { 10 } else { 100 };
 
-/// The largest relative change of `value` in runs of `STEPS`, up to the first refusal, and the share of steps that were taken.
+/// Returns the largest relative change of `value` in runs of `STEPS` steps, up to the first refusal, and the share of steps taken.
 macro_rules! change {
     ($system:expr, $method:expr, $h:expr, |$noise:ident| $start:expr, |$run:ident| $value:expr) => {{
         let mut $noise = Noise::new(11);
@@ -74,7 +74,7 @@ fn array<const N: usize>(noise: &mut Noise) -> [f64; N] {
     core::array::from_fn(|_| 2.0 * noise.next().expect("noise is endless"))
 }
 
-/// Discrete gradients and their compositions take most steps of a system, and keep the value.
+/// Asserts that discrete gradients and their compositions take most steps of a system and keep the value.
 macro_rules! keeps {
     ($system:expr, |$noise:ident| $start:expr, |$run:ident| $value:expr) => {
         keeps!(@ $system, |$noise| $start, |$run| $value, DiscreteGradient, Suzuki4.of(DiscreteGradient));
@@ -99,7 +99,7 @@ fn discrete_gradients_keep_energies_with_bends() {
     keeps!(EdgesOfASquare {}, |noise| FlowState::new(array(&mut noise)), |run| run.integrals()[0]);
 }
 
-/// Other means of gradients refuse more steps, but no step changes the energy.
+/// Other means of gradients refuse more steps, but every accepted step keeps the energy.
 #[test]
 fn no_mean_of_gradients_loses_the_energy_at_a_bend() {
     macro_rules! rows {
@@ -112,7 +112,7 @@ fn no_mean_of_gradients_loses_the_energy_at_a_bend() {
     rows!(FourthOrder(DiscreteGradient), Gonzalez, SymmetrisedItohAbe, ItohAbe, FourthOrder(Gonzalez));
 }
 
-/// The bound is one that a method without a discrete gradient breaks.
+/// Control: a method without a discrete gradient exceeds the bound.
 #[test]
 fn the_midpoint_loses_the_energy_at_a_bend() {
     let start = |noise: &mut Noise| State::new(array(noise), array(noise));
@@ -127,7 +127,7 @@ fn both_bent(q: f64, p: f64) -> f64 {
     p.abs() + p * p / 4.0 + q.abs() + q * q / 4.0
 }
 
-/// One run of 300 was off by more than 10⁻⁶ where each longer attempt was led back by a new correction.
+/// Regression test: one run of 300 had an error above 10⁻⁶, because each longer attempt added a new correction that led back over the kink.
 #[test]
 fn projected_series_pass_bends_in_time() {
     let mut noise = Noise::new(1);

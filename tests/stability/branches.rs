@@ -1,4 +1,4 @@
-//! An implicit equation with a step far too large has several solutions. Only the one that is continuous in the step size is a step.
+//! An implicit equation with a step far too large has several solutions. Only the solution that is continuous in the step size is a step.
 
 use geoint_runtime::prelude::*;
 use geoint_tests::measure::Noise;
@@ -22,16 +22,16 @@ fn slow_galaxy(q: [f64; 2], p: [f64; 2], s: f64, c: f64) -> f64 {
     (p[0] * p[0] + p[1] * p[1] + q[0] * q[0] + q[1] * q[1]) / 2.0 + q[0] * q[0] * q[1] - q[1].powi(3) / 3.0 + c * s
 }
 
-/// How many steps ended, and how many were refused.
+/// Number of successful steps and number of refused steps.
 #[derive(Debug, Default)]
 struct Count {
     steps: usize,
     refused: usize,
 }
 
-/// Runs from random starts of small energy, with steps up to three periods. After `Ok` the state has to be where motions of this energy are: within 1.2, which
-/// leaves room for the errors of large steps. Other solutions of the equation are at 3 and farther. Some steps have to be refused: the test then meets
-/// other solutions.
+/// Runs from random starts of small energy, with steps up to three periods. Each accepted step must end where motions of this energy are: within 1.2. The
+/// bound leaves room for the errors of large steps. Other solutions of the equation are at 3 and farther. Some steps must be refused, because the test then
+/// meets other solutions.
 macro_rules! runs {
     ($count:ident, $system:expr, $start:expr; $($method:expr),*) => { $(
         let mut noise = Noise::new(42);
@@ -76,7 +76,7 @@ fn steps_of_contact_energies_stay_on_their_branch() {
     assert!(count.steps > 1000 && count.refused > 2, "{count:?}");
 }
 
-/// An orbit on which Newton's iteration finds another solution at 3·10¹¹.
+/// A regular orbit. Newton's iteration also finds a solution at 3·10¹¹, which must not be accepted.
 #[test]
 fn a_regular_orbit_has_a_step_of_almost_a_period() {
     let mut sim = Galaxy.integrator(Gauss::<6>, 5.0, State::new([0.12, 0.12], [0.12, 0.12]));
@@ -86,7 +86,7 @@ fn a_regular_orbit_has_a_step_of_almost_a_period() {
     }
 }
 
-/// Small steps from the same start lead to the same solution of the implicit equation: h grows by a hundredth of its end at a time.
+/// A step that grows by hundredths of 5 from the same start stays on one branch of solutions of the implicit equation.
 #[test]
 fn a_long_step_is_continuous_in_its_size() {
     let start = State::new([0.12, 0.12], [0.12, 0.12]);

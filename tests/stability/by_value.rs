@@ -1,4 +1,4 @@
-//! Runs are values: they are moved and cloned, never copied by mistake, and large ones fit on the stack of a thread, without optimisation too.
+//! Runs are values. They are moved and cloned, never copied by mistake. Large runs fit on the stack of a thread, without optimisation, too.
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Adaptive, Composed, Integrator, RungeKutta, TaylorIntegrator};
@@ -20,7 +20,8 @@ fn start() -> State<[f64; 16]> {
     State::new(core::array::from_fn(|i| 0.1 * (i as f64).sin()), [0.0; 16])
 }
 
-/// Has one implementation for what is no `Copy`, and two for what is: which of them is meant then, rustc cannot tell.
+/// Compile-time check that a type is not `Copy`. A type that is not `Copy` has one implementation of the trait. A `Copy` type has two, so the call is
+/// ambiguous for rustc.
 trait Moved<Which> {
     fn is_moved() {}
 }
@@ -35,7 +36,7 @@ fn a_run_is_no_copy() {
     <TaylorIntegrator<Ring, Taylor> as Moved<_>>::is_moved();
 }
 
-/// What a thread of Rust has by default.
+/// Default stack size of a thread in Rust.
 const STACK: usize = 2 << 20;
 
 fn on_a_thread(run: impl FnOnce() + Send + 'static) {

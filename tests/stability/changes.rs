@@ -1,4 +1,4 @@
-//! What users change between steps: parameters, and the time at which a frame ends.
+//! Changes by users between steps: parameters, and the time at which a frame ends.
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::StateOf;
@@ -63,7 +63,7 @@ fn parameters_change_in_a_run() {
     is_like_a_new_run(coupled, Projection(RK4, Energy), 0.05, State::new([0.4, -0.3], [0.1, 0.0]));
     let planets = [1e-3, 2e-3].map(|m| Planets { m: [1.0, m, 3e-4], g: 1.0 });
     let start = State::new([[0.0, 0.0], [1.0, 0.0], [0.0, 1.7]], [[0.0, 0.0], [0.0, 1e-3], [-2.3e-4, 0.0]]);
-    // The state passes through the coordinates of the method, which rounds it.
+    // The state passes through the coordinates of the method, and is rounded.
     let mut sim = planets[0].integrator(WisdomHolmanProcessed, 0.05, start);
     sim.advance(37).unwrap();
     let (before, mut new) = (sim.state(), planets[1].integrator(WisdomHolmanProcessed, 0.05, sim.state()));
@@ -178,7 +178,7 @@ fn ball_single(q: f32, p: f32, m: f32, g: f32) -> f32 {
     p * p / (2.0 * m) + m * g * q
 }
 
-/// After minutes of single precision, a time is rounded by a part of a step. An impact right after the start of a frame is still one.
+/// After minutes in single precision, the rounding error of a time is a sizeable part of a step. An impact just after the start of a frame is still found.
 #[test]
 fn no_impact_is_missed_in_single_precision() {
     let mut sim = BallSingle { m: 0.16, g: 9.81 }.integrator(StormerVerlet, 1.0 / 60.0, State::new(2.0_f32, 0.0));
@@ -224,7 +224,7 @@ fn short_bounces_are_seen_after_a_long_time() {
     }
 }
 
-/// Impacts that accumulate do not end: their times differ by less than rounding, down to the smallest numbers.
+/// The search for impacts that accumulate ends. The times of impacts differ by less than rounding, and the momenta fall to the smallest numbers.
 #[test]
 fn bounces_below_the_smallest_normal_number_end() {
     let mut sim = Motor { m: 1.0, torque: -1.0 }.taylor(Taylor::default(), State::new(0.0, 1e-150));

@@ -91,7 +91,7 @@ fn split<S: DiscreteField + Autonomous<Coordinates = f64> + SolvedByGauss + Solv
     assert!(alike.refused > before + 5, "{name}: {}", alike.refused);
 }
 
-/// All splitting tables. The points between merged flows depend on the coefficients of the table.
+/// Visits all splitting tables. The points between merged flows depend on the coefficients of the table.
 fn every<S: Autonomous<Coordinates = f64> + Separable + QuadraticKinetic>(alike: &mut Alike<S>) {
     methods::separable(alike);
     methods::nystrom(alike);

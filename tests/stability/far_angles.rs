@@ -1,5 +1,5 @@
-//! Projections of angles far from zero, with steps of a third of a period: the measure of rounding must not take the curvature of a cosine for noise, and
-//! accept a step that is not projected.
+//! Projections at angles far from zero, with steps of a third of a period. The measure of rounding must not mistake the curvature of a cosine for noise. A
+//! step without projection would then be accepted.
 
 use geoint_runtime::Method;
 use geoint_runtime::prelude::*;
@@ -11,7 +11,7 @@ fn far_pendulum(q: f64, p: f64, m: f64, c: f64) -> f64 {
     p * p / (2.0 * m) - (q - c).cos()
 }
 
-/// How many steps succeed, and the largest change of an energy in units of ε (1 + |q|), by which a rounded angle changes it.
+/// Number of successful steps, and the largest change of the energy in units of ε (1 + |q|). A rounding of the angle changes the energy by one unit.
 struct Outcome {
     steps: usize,
     worst: f64,

@@ -1,4 +1,4 @@
-//! Hostile input to every method: an error with the last good state kept, or a finite state; never a panic.
+//! Hostile input to every method. The result is an error that keeps the last good state, or a finite state. No method panics.
 
 use geoint_runtime::Method;
 use geoint_runtime::prelude::*;
@@ -6,13 +6,13 @@ use geoint_tests::methods::Visitor;
 use geoint_tests::scene::{Scene, flat, point};
 use std::marker::PhantomData;
 
-/// Numbers that nobody should give.
+/// Extreme and invalid numbers.
 const ODD: [f64; 9] =
     [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX, -1e300, f64::MIN_POSITIVE, 5e-324, -0.0, 1e16];
-/// Steps of odd lengths.
+/// Extreme and invalid step sizes.
 const STEPS: [f64; 8] = [0.0, -0.0, f64::NAN, f64::INFINITY, 1e300, -1e300, 5e-324, 1e8];
 
-/// Every method of a list on a scene.
+/// Tests every method of a list on a scene.
 struct Meets<P> {
     h: f64,
     scene: PhantomData<P>,
@@ -32,7 +32,7 @@ impl<P: Scene> Visitor<P::Over<f64>> for Meets<P> {
         }
         for h in STEPS {
             holds(&format!("{name}: h = {h}"), run(h, t, &x));
-            // In the middle of a run, which goes on afterwards.
+            // A bad step size in the middle of a run. A good step size continues the run afterwards.
             let mut sim = run(self.h, t, &x);
             sim.advance(3).unwrap_or_else(|error| panic!("{name}: {error}"));
             sim.set_step_size(h);
@@ -46,7 +46,7 @@ impl<P: Scene> Visitor<P::Over<f64>> for Meets<P> {
     }
 }
 
-/// A step ends in finite numbers, or changes nothing.
+/// Asserts that a step ends in finite numbers, or changes nothing.
 fn holds<S: PhaseSpace, M: Method<S>>(name: &str, mut sim: Integrator<S, M>) -> Integrator<S, M> {
     let bits = |sim: &Integrator<S, M>| flat(&sim.state()).iter().map(|x| x.to_bits()).collect::<Vec<u64>>();
     let (before, steps) = (bits(&sim), sim.steps());

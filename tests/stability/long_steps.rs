@@ -1,4 +1,4 @@
-//! Steps so long that the explicit guess is no good: the solution is found where there is one that is continuous in h.
+//! Steps so long that the explicit guess is useless. The solver finds the solution that is continuous in h, if it exists.
 //!
 //! With one degree of freedom, q₁ − q₀ − h p₀/m + h²/2m V[q₀, q₁] = 0 is the equation of every discrete gradient. If V is convex its left
 //! side grows with q₁: one solution, found here by bisection.
@@ -28,7 +28,7 @@ fn soft_wall(q: f64, p: f64, m: f64) -> f64 {
 
 const MASS: f64 = 1.3;
 
-/// The end of a step by bisection between `low` and something large.
+/// Returns the end of a step by bisection between `low` and 10⁴.
 fn bisection(v: fn(f64) -> f64, low: f64, (q, p): (f64, f64), h: f64) -> f64 {
     let excess = |end: f64| {
         let slope = if end == q { 0.0 } else { (v(end) - v(q)) / (end - q) };
@@ -37,7 +37,7 @@ fn bisection(v: fn(f64) -> f64, low: f64, (q, p): (f64, f64), h: f64) -> f64 {
     let (mut low, mut high) = (low, 1e4);
     for _ in 0..200 {
         let middle = 0.5 * (low + high);
-        // A slope that overflows is that of a wall.
+        // An overflowing slope counts as the slope of a wall.
         if excess(middle) > 0.0 { high = middle } else { low = middle }
     }
     0.5 * (low + high)
@@ -53,7 +53,7 @@ where
             let expected = bisection(v, low, (q, p), h);
             let mut sim = system.integrator(method, h, State::new(q, p));
             let outcome = sim.step();
-            // So near to the end of the domain, not a digit is left of q₀ + (q₁ − q₀).
+            // Skips ends next to the boundary of the domain, where q₀ + (q₁ − q₀) loses all digits.
             if expected - low < 1e-8 {
                 continue;
             }
@@ -101,7 +101,7 @@ fn solutions_that_turned_round() {
             assert!(sim.state().q > start.q);
             for h in [2.1, 2.5] {
                 let mut sim = Hill { m: 1.0 }.integrator($method, h, start);
-                // There is another solution, in the valley beyond.
+                // Another solution lies in the valley beyond.
                 match sim.step() {
                     Ok(()) => assert!(sim.state().q > 1.0, "{}: {:?}", stringify!($method), sim.state()),
                     Err(error) => {
@@ -139,7 +139,7 @@ fn energies_of_steps_longer_than_oscillations() {
                     let energy = sim.energy();
                     assert_eq!(sim.advance(1000), Ok(()), "{h:e}");
                     let error = (sim.energy() / energy - 1.0).abs();
-                    // Two roundings in each of five steps of a step.
+                    // Bound: two roundings in each of the five substeps of a step.
                     assert!(error < 1000.0 * 10.0 * f64::EPSILON, "{} h = {h:e}: {error:e}", stringify!($method));
                 } )* };
             }

@@ -1,4 +1,4 @@
-//! Stays right: what is kept over long times, what bad input gets, how trajectories are walked.
+//! Stability: invariants over long times, reactions to bad input, and iteration over trajectories.
 
 mod damping;
 mod accepted;

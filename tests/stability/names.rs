@@ -1,4 +1,4 @@
-//! What methods say of themselves: names that tell them apart, forces that are counted; and runs that are chosen by name.
+//! Names of methods are distinct, and their claimed numbers of forces are right. Runs can be chosen by name.
 
 use geoint_runtime::method::{Visitor, catalogue};
 use geoint_runtime::prelude::*;
@@ -76,7 +76,7 @@ thread_local! {
     static COUNT: Cell<u64> = const { Cell::new(0) };
 }
 
-/// A system whose forces are counted: what a kick and a gradient cost.
+/// A system that counts its forces, the cost of kicks and gradients.
 #[derive(Clone, Copy, Debug)]
 struct Counted(HenonHeiles);
 
@@ -163,7 +163,7 @@ impl Visitor<Counted> for Forces {
             sim.advance(steps).unwrap();
             COUNT.get()
         };
-        // What the ends cost is not a step's.
+        // The difference removes the cost at both ends of a run.
         let counted = forces(30) - forces(20);
         assert_eq!(Some(counted), method.claims().forces.map(|forces| 10 * u64::from(forces)), "{}", method.name());
     }
@@ -179,7 +179,7 @@ fn forces_are_counted() {
     Forces.visit(DOP853);
 }
 
-/// What solves an equation does not know.
+/// Methods that solve an equation claim no number of forces, because it depends on the iteration.
 #[test]
 fn forces_of_implicit_methods_are_not_claimed() {
     assert_eq!(Method::<HenonHeiles>::claims(&ImplicitMidpoint).forces, None);
@@ -187,7 +187,7 @@ fn forces_of_implicit_methods_are_not_claimed() {
     assert_eq!(Method::<HenonHeiles>::claims(&Suzuki4.of(Kahan)).forces, Some(5));
 }
 
-/// Every method by its name does what it does by its type.
+/// Asserts that every method chosen by name takes the steps of the method chosen by type.
 struct ByName;
 
 fn by_name(name: &str, start: StateOf<HenonHeiles, f64>) -> Option<DynTrajectory<HenonHeiles>> {
@@ -205,13 +205,13 @@ impl Visitor<HenonHeiles> for ByName {
         assert_eq!((named.time(), named.energy()), (typed.time(), typed.energy()), "{name}");
         let [a, b] = [named.advance_to(0.7), typed.advance_to(0.7)];
         assert_eq!((a, named.state(), named.steps()), (b, typed.state(), typed.steps()), "{name}");
-        // What one has saved the other goes on from.
+        // Either run resumes from the saved state of the other.
         let mut elsewhere = by_name(&name, start).unwrap();
         elsewhere.resume(&typed.saved()).unwrap_or_else(|error| panic!("{name}: {error}"));
         let b = [named.advance(3), elsewhere.advance(3), typed.advance(3)];
         assert_eq!((named.saved(), b[0]), (elsewhere.saved(), b[1]), "{name}");
         assert_eq!((named.saved(), b[0]), (typed.saved(), b[2]), "{name}");
-        // Output is the same over what hides its type.
+        // Output through the type-erased run is the same.
         let states: Vec<_> = named.until(1.0).collect();
         assert_eq!(states, typed.until(1.0).collect::<Vec<_>>(), "{name}");
         let at: Vec<_> = named.states_at([1.2, 1.5]).collect();

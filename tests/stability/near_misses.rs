@@ -1,4 +1,4 @@
-//! Controls: what passes near a pole, but not through it, is not refused.
+//! Controls: a step near a pole that does not cross the pole is accepted.
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Hamiltonian, Method};
@@ -32,7 +32,7 @@ fn charges(q: [[f64; 2]; 3], p: [[f64; 2]; 3], m: [f64; 3]) -> f64 {
     h
 }
 
-/// Steps of which the pole was the reason that they were refused.
+/// Returns 1 if a run is refused because of a pole, else 0.
 fn poles<S: Hamiltonian, M: Method<S>>(system: S, method: M, h: f64, start: State<S::Coordinates>, steps: u64) -> u32 {
     let mut sim = system.integrator(method, h, start);
     match sim.advance(steps) {
@@ -41,7 +41,7 @@ fn poles<S: Hamiltonian, M: Method<S>>(system: S, method: M, h: f64, start: Stat
     }
 }
 
-/// Numbers between 0 and 1, the same ones each time.
+/// Returns a generator of numbers between 0 and 1. The sequence is the same in every run.
 fn random() -> impl FnMut() -> f64 {
     let mut state = 0x9e37_79b9_7f4a_7c15_u64;
     move || {
@@ -50,7 +50,7 @@ fn random() -> impl FnMut() -> f64 {
     }
 }
 
-/// From the far end of an ellipse of eccentricity e, with steps so long that the near end takes one.
+/// Starts at the apocentre of an ellipse of eccentricity e. The steps are long, so a single step passes the pericentre.
 #[test]
 fn eccentric_orbits_pass() {
     let mut runaways = 0;
@@ -71,11 +71,11 @@ fn eccentric_orbits_pass() {
             assert!(!pole, "f32: e = {e}, h = {h}: {outcome:?}");
         }
     }
-    // An iteration that does not converge may run away over the pole, which is then named.
+    // An iteration that does not converge may run away over the pole. The error then names the pole.
     assert!(runaways <= 3, "{runaways}");
 }
 
-/// Radial orbits do not: they go through the centre.
+/// Radial orbits go through the centre, so they are refused.
 #[test]
 fn radial_orbits_do_not() {
     for h in [0.01, 0.07, 0.3, 1.0] {
@@ -85,7 +85,7 @@ fn radial_orbits_do_not() {
             let mut sim = Kepler { m: 1.3 }.integrator(DiscreteGradient, h, start);
             while sim.steps() < 500 && sim.step().is_ok() {
                 let [x, y] = sim.state().q;
-                // Off the line by rounding, it may pass by.
+                // A rounding error may put the orbit beside the line, so it may pass the centre.
                 assert!(x * q[0] + y * q[1] > 0.0 || angle != 0.0, "h = {h}: {:?}", sim.state());
             }
             let start = State::new([1.0_f32, 0.0], [0.0, 0.0]);
@@ -109,7 +109,7 @@ fn random_encounters_pass() {
         let refused = poles(Charges { m }, DiscreteGradient, h, start, 200)
             + poles(Charges { m }, ImplicitMidpoint, h, start, 200);
         assert_eq!(refused, 0, "{start:?}, m = {m:?}, h = {h}");
-        // Fast ones in a plane.
+        // Fast orbits in a plane.
         let start = State::new(q[0], p[0]);
         let refused = poles(Kepler { m: 1.3 }, DiscreteGradient, h, start, 500)
             + poles(Kepler { m: 1.3 }, Gauss::<2>, h, start, 500)

@@ -1,5 +1,5 @@
-//! The same bits from single steps, from one call, and from calls of any lengths, whether states are looked at between them or not: by every
-//! method of the lists.
+//! Single steps, one call, and calls of any lengths give the same bits, with output between the steps or without. The tests cover every method of the
+//! lists.
 
 use crate::saved::bits;
 use geoint_runtime::prelude::*;
@@ -9,17 +9,17 @@ use geoint_tests::methods::Visitor;
 use geoint_tests::scene::{Scene, point};
 use std::marker::PhantomData;
 
-/// A way to the end of a run.
+/// One way to advance a run to its end.
 type Walk<'a, Run> = &'a dyn Fn(&mut Run) -> Result<(), StepError>;
 
-/// Follows the same run in four ways: at once, singly, in parts, and with output.
+/// Asserts that a run gives the same bits in four ways: at once, singly, in parts, and with output.
 fn agree<S, M, C>(name: &str, steps: u64, run: impl Fn() -> Integrator<S, M, f64, C>)
 where
     S: PhaseSpace,
     M: Method<S>,
     C: Summation<S::Phase>,
 {
-    // One after the other: some methods remember much.
+    // Runs follow one after the other, because some methods have a large memory.
     let ended = |how: &str, walk: Walk<'_, Integrator<S, M, f64, C>>| {
         let mut sim = run();
         walk(&mut sim).unwrap_or_else(|error| panic!("{name}, {how}: {error}"));
@@ -41,7 +41,7 @@ where
     }
 }
 
-/// Every method of a list on a scene.
+/// Tests every method of a list on a scene.
 struct OneByOne<P> {
     h: f64,
     scene: PhantomData<P>,
@@ -83,8 +83,8 @@ fn ramp(q: f64, p: f64, m: f64) -> f64 {
     p * p / (2.0 * m) + if q > 0.0 { q } else { -2.0 * q }
 }
 
-/// Beyond the number of steps after which a run keeps its state, where time acts, where pieces are solved as linear ones, and where every step is
-/// examined.
+/// Long runs: more steps than the interval after which a run stores its state. The systems depend on time, have linear pieces, or need a check of every
+/// step.
 #[test]
 fn in_long_runs_of_every_form() {
     macro_rules! check {
@@ -100,7 +100,7 @@ fn in_long_runs_of_every_form() {
     check!(Ramp { m: 1.3 }, State::new(0.8, 0.1) => StormerVerlet, PositionVerlet);
 }
 
-/// A control: a run that begins anew after every step has other digits, in the same places but for rounding.
+/// Control: a run that restarts after every step has other last digits, and agrees to rounding.
 #[test]
 fn a_run_that_begins_anew_differs() {
     let run = || Shaken { m: 1.3 }.integrator(StormerVerlet, 0.03, State::new(0.8, 0.1));

@@ -1,11 +1,11 @@
-//! Steps that would jump: over a pole, or out of the domain of the energy. They are refused with a reason, whatever the method makes
-//! of a denominator with another sign; and where there is a way round, a shorter step finds it.
+//! Steps that would jump over a pole, or out of the domain of the energy. They are refused with a reason, even if the method evaluates a denominator of the
+//! other sign. If the motion can avoid the pole, a shorter step succeeds.
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Hamiltonian, Method, Reason};
 use geoint_tests::grid::pairs;
 
-/// Everything that solves an equation with the energy in it.
+/// Calls a check with every method whose equation contains the energy.
 macro_rules! implicit {
     ($check:ident($($arg:expr),*)) => { implicit!(@ $check, ($($arg),*),
         DiscreteGradient, MeanValue::<2>, Gonzalez, SymmetrisedItohAbe, ItohAbePair, CoordinateIncrement::default(),
@@ -14,20 +14,20 @@ macro_rules! implicit {
     (@@ $check:ident, ($($arg:expr),*), $method:expr) => { $check(stringify!($method), $method, $($arg),*) };
 }
 
-/// Energies that end at q = 0, where they draw to, and where a step is short of a pole or an edge: the reason names it.
+/// Energies whose domain ends at q = 0, in the direction of the force. The expected reason names the pole or the boundary in front of which a step ends.
 macro_rules! ends {
     ($($name:ident($q:ident, $p:ident) $energy:expr => $System:ident, $what:literal;)*) => {
         $( #[hamiltonian]
         fn $name($q: f64, $p: f64, m: f64) -> f64 { $p * $p / (2.0 * m) + $energy } )*
 
-        /// Every start, every step: a step that is taken stays on its side, and keeps the energy where the method claims to; one
-        /// that is not taken leaves the state alone.
+        /// From every start, with every step size, an accepted step stays on its side of the pole. It keeps the energy if the method claims so. A refused
+        /// step does not change the state.
         #[test]
         fn no_step_jumps() {
             $( implicit!(falls($System { m: 1.3 }, $what)); )*
         }
 
-        /// Nor does one whose length is free: it approaches, and ends at the last good state.
+        /// Adaptive steps approach the pole, and end at the last good state.
         #[test]
         fn shorter_steps_approach() {
             $( implicit!(approaches($System { m: 1.3 }, $what)); )*
@@ -71,7 +71,7 @@ where
             good = sim.state();
             assert!(good.q > 0.0, "{}: {good:?}", context());
             let error = (sim.energy() - energy).abs() / (1.0 + energy.abs());
-            // Near the end, half a digit of q is much energy; and it stays.
+            // Near the pole, half a digit of q changes the energy much, and later steps keep this change.
             nearest = nearest.min(good.q);
             let rounding = 1e-10 * (1.0 + (0.1 / nearest).powi(2));
             assert!(error <= rounding || !method.claims().conserves_energy, "{}: {good:?} {error:.1e}", context());
@@ -82,7 +82,7 @@ where
         assert_eq!(sim.state(), good, "{}", context());
         match reason {
             Some(StepError::OutsideDomain { what, .. }) => {
-                // It may also look at the end itself.
+                // The reason may also be the boundary itself.
                 let named = expected.rsplit(": ").next().is_some_and(|term| what.ends_with(term));
                 assert!(what.contains(expected) || named, "{}: {what}", context());
                 seen |= what.contains(expected);
@@ -130,7 +130,7 @@ fn joint(q: f64, p: f64, m: f64) -> f64 {
     p * p / (2.0 * m) + 0.2 / (1.0 + q * p) + q * q
 }
 
-/// Where the sign of a denominator depends on both coordinates; across q = 0 nothing is wrong.
+/// The sign of a denominator depends on both coordinates. Steps across q = 0 are regular.
 #[test]
 fn poles_of_both_coordinates() {
     fn check<M: Method<Joint>>(name: &str, method: M, crossed: &mut u32) {
@@ -156,7 +156,7 @@ fn wall(q: f64, p: f64, m: f64, k: f64) -> f64 {
     p * p / (2.0 * m) + k / q
 }
 
-/// What is repelled comes back, however long the first step.
+/// Repelling poles reflect the motion, for any length of the first step.
 #[test]
 fn a_pole_that_repels_is_bounced_off() {
     fn check<M: Method<Wall>>(name: &str, method: M) {
@@ -177,15 +177,15 @@ fn between_walls(q: f64, p: f64, m: f64, k: f64) -> f64 {
     p * p / (2.0 * m) - k * (1.0 - q * q).ln()
 }
 
-/// Beside a wall a correction of Newton's iteration is small whatever the residual is. Away from it there is no solution in the domain: the one
-/// that turns p round is none.
+/// Beside a wall, the correction of Newton's iteration is small for any residual. From the state that moves away, the equation has no solution in the
+/// domain. The solution that reverses p does not count.
 #[test]
 fn a_small_correction_at_a_wall_is_no_solution() {
     let away = State::new(0.999_999_999_980_199, -6.266_666_666_723_87);
     let system = BetweenWalls { m: 1.3, k: 0.4 };
     let refused = system.integrator(DiscreteGradient, 0.9, away).step();
     assert!(matches!(refused, Err(StepError::OutsideDomain { .. } | StepError::NotConverged { .. })), "{refused:?}");
-    // As it was met.
+    // The run in which the fault occurred.
     let mut sim = system.integrator(DiscreteGradient, 0.9, State::new(0.4, 8.0));
     sim.step().unwrap();
     let energy = sim.energy();
@@ -200,8 +200,8 @@ fn barrier(q: f64, p: f64, m: f64, k: f64) -> f64 {
     p * p / (2.0 * m) + k / (q * q) - 1.0 / q
 }
 
-/// Where an explicit step ends near a pole, slopes of the energy there are many times those at the solution. A way back that gets stuck is
-/// refused, however small the rest is beside such slopes.
+/// If an explicit step ends near a pole, the slopes of the energy there are many times the slopes at the solution. A projection that stalls is refused,
+/// even if its residual is small relative to these slopes.
 #[test]
 fn a_projection_that_is_stuck_is_refused() {
     fn check<M: Method<Barrier>>(method: M) {

@@ -1,5 +1,5 @@
-//! Poles in time alone, and times at which an energy is not defined: no step leads over one, whatever it evaluates, and what is proven of a stretch
-//! of time is no matter of how it is asked for.
+//! Poles in time alone, and times at which the energy is not defined. No step crosses such a time, whatever the method evaluates. The result does not
+//! depend on the number of steps in a call.
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Method, Reason};
@@ -32,7 +32,7 @@ fn interrupted_friction(q: f64, p: f64, s: f64, t: f64, c: f64) -> f64 {
     p * p / 2.0 + q * q / 2.0 + 0.1 * s * ((t - c) * (t - c - 0.01)).powf(1.5)
 }
 
-/// Steps of length h from `t`, in calls of so many: the run ends in front of the pole, at the same place whatever it is called by.
+/// Takes steps of length h from `t`, with 1, 7 or 400 steps in a call. The run must end in front of the pole, at the same step for each call length.
 fn stops<S, M, X>(name: &str, system: S, method: M, [t, h, pole]: [f64; 3], start: X)
 where
     S: PhaseSpace<State = X>,
@@ -44,7 +44,7 @@ where
         let mut sim = Integrator::new(system, method, h, start);
         let error = (0..5000).find_map(|_| sim.advance(at_once).err()).unwrap_or_else(|| panic!("{name}, {h}: no end"));
         let context = format!("{name} from {t} by {h}: {error} after {} steps", sim.steps());
-        // A flow of a piece that meets it says which piece.
+        // The error of a piece whose flow meets the pole names the piece.
         assert!(matches!(error, StepError::OutsideDomain { .. } | StepError::Pole { .. }), "{context}");
         let left = (pole - sim.time()) / h;
         assert!((0.0..=1.0 + 1e-9).contains(&left), "{context}");
@@ -56,7 +56,7 @@ where
 macro_rules! stop {
     ($system:expr, $pole:expr, $state:expr, $($method:expr),*) => { $(
         for h in [0.0731, 0.31, 0.001, -0.0731, -0.31, -0.001] {
-            // A run in each direction begins before the pole.
+            // The run starts before the pole in its direction.
             let t: f64 = $pole - 7.3_f64.copysign(h) * 0.1;
             stops(stringify!($method), $system, $method, [t, h, $pole], $state(t));
         }
@@ -71,7 +71,7 @@ fn no_step_leads_over_a_pole_in_time() {
     stop!(Driven { c: 1.7 }, 1.7, |t: f64| FlowState::at(t, [0.0; 2]), RK4, DOP853);
 }
 
-/// Back in time the gap begins at its other end.
+/// A run backwards in time meets the other end of the gap.
 #[test]
 fn nor_over_a_time_without_an_energy() {
     macro_rules! stop {
@@ -95,7 +95,7 @@ fn nor_over_a_time_without_an_energy() {
     let mut sim = Interrupted { c: 1.7 }.adaptive(DOP853, 0.5, State::at(0.97, 0.3, 0.1));
     let error = sim.advance_to(3.0).unwrap_err();
     assert!(matches!(error, StepError::StepTooSmall { reason: Reason::OutsideDomain { .. }, .. }), "{error}");
-    // Where it touches zero the energy is defined all along.
+    // The radicand touches zero, and the energy is defined at all times.
     #[hamiltonian]
     fn touched(q: f64, p: f64, t: f64, c: f64) -> f64 {
         p * p / 2.0 + q * q / 2.0 * (1.0 - (c * t).cos()).sqrt()
@@ -139,7 +139,7 @@ fn nor_one_of_a_length_of_its_own() {
     check!(Driven { c: 1.7 }, FlowState::new([0.0; 2]), RK4, DOP853);
 }
 
-/// Steps near a pole that is not reached go on, also where a stretch of twice their length cannot be ruled out.
+/// Steps near a complex pole are accepted, even if the check of a stretch of twice their length can not exclude a pole.
 #[test]
 fn steps_go_on_where_there_is_no_pole() {
     #[hamiltonian]
@@ -156,7 +156,7 @@ fn steps_go_on_where_there_is_no_pole() {
     }
 }
 
-/// A run turns round, and comes back to the pole: a time after which there is none may be one.
+/// A run turns round and returns to the pole. A time after which no pole follows may have a pole before it.
 #[test]
 fn back_to_the_pole() {
     let mut sim = Stiffening { c: 1.7 }.integrator(StormerVerlet, 0.01, State::at(1.71, 1e-3, 1e-3));
@@ -178,7 +178,7 @@ fn back_to_the_pole() {
     assert_eq!(sim.time(), 0.125);
 }
 
-/// In single precision, with a unit of time in which products of two times are zero.
+/// Single precision, with a unit of time in which products of two times underflow to zero.
 #[test]
 fn in_any_unit() {
     #[hamiltonian]

@@ -1,4 +1,4 @@
-//! Kepler's orbits that nearly meet the centre: positions change by five orders of magnitude in one turn.
+//! Kepler orbits that almost hit the centre. Positions change by five orders of magnitude in one turn.
 
 use geoint_runtime::prelude::*;
 
@@ -8,7 +8,7 @@ fn comet(q: [f64; 2], p: [f64; 2], m: f64) -> f64 {
     (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) - m / (q[0] * q[0] + q[1] * q[1]).sqrt()
 }
 
-/// The position after several turns from an apocentre, and the change of the energy.
+/// Returns the position after several turns from an apocentre, and the change of the energy.
 macro_rules! end {
     ($method:expr, $momentum:expr) => {{
         let m = 1.3;
@@ -19,7 +19,7 @@ macro_rules! end {
     }};
 }
 
-/// A projection that chooses a new origin at a pericentre later corrects the error that it has left there.
+/// A projection may choose a new origin at a pericentre, and leave an error there. It corrects this error later.
 #[test]
 fn a_projected_series_comes_back_to_its_energy() {
     for momentum in [0.01, 0.005, 0.002] {
@@ -27,7 +27,7 @@ fn a_projected_series_comes_back_to_its_energy() {
         let (plain, _) = end!(taylor, momentum);
         let (projected, change) = end!(Projection(taylor, Energy), momentum);
         let apart = (projected[0] - plain[0]).hypot(projected[1] - plain[1]);
-        // Next to a centre at 10⁻⁵ the energy is known to 10⁵ ε.
+        // At a distance of 10⁻⁵ from the centre, the rounding of the energy is 10⁵ ε.
         assert!(change <= 2e-9, "{momentum}: {change:.1e}");
         assert!(apart <= 1e-7, "{momentum}: {apart:.1e}");
     }

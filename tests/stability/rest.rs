@@ -1,4 +1,4 @@
-//! Friction brings systems to rest: no step is refused on the way, and at rest nothing moves.
+//! Friction brings systems to rest. No step is refused on the way, and nothing moves at rest.
 
 use geoint_runtime::prelude::*;
 
@@ -62,10 +62,10 @@ fn double_pendulum(q: [f64; 2], v: [f64; 2], m: f64, g: f64, c: f64) -> f64 {
     v[0] * v[0] * m + v[1] * v[1] / 2.0 + v[0] * v[1] * (q[0] - q[1]).cos() + g * (2.0 * q[0].cos() + q[1].cos())
 }
 
-/// Long after friction has left nothing of any wave: only rounding moves what is at rest, and by another amount in each step.
+/// A time after which friction has damped all waves. Then only rounding moves the system, by a different amount in each step.
 const SETTLED: f64 = 900.0;
 
-/// Runs until nothing but rounding moves. The energy is then at its minimum, to rounding of terms of some size.
+/// Runs a system until only rounding moves it. The energy is then at its minimum, to the rounding of terms of size `$size`.
 macro_rules! rests {
     ($system:expr, $start:expr, $h:expr, ($least:expr, $size:expr); $($method:expr),* $(,)?) => { $({
         let mut sim = $system.integrator($method, $h, $start);
@@ -94,7 +94,7 @@ fn a_row_comes_to_rest() {
 
 #[test]
 fn a_square_comes_to_rest() {
-    // Where ∂/∂a of 4(k/a + ka³) + 2(k/(√2a) + k(√2a)³) is zero.
+    // The minimum of 4(k/a + ka³) + 2(k/(√2a) + k(√2a)³) over the side a.
     let (k, root) = (0.7, 2.0_f64.sqrt());
     let a = ((4.0 + root) / (12.0 * (1.0 + root))).powf(0.25);
     let least = k * ((4.0 + root) / a + (4.0 + 4.0 * root) * a.powi(3));
@@ -112,7 +112,7 @@ fn a_double_pendulum_comes_to_rest() {
     rests!(system(), start, 0.1, (-6.0, 6.0); DiscreteGradient, ImplicitMidpoint, Gauss::<2>);
 }
 
-/// Of a contact energy nothing is left at all: H' = −cH. What rounding adds in a step is there for 1/(ch) of them.
+/// A contact energy decays to zero: H' = −cH. The rounding error of a step survives for 1/(ch) steps.
 #[test]
 fn a_contact_chain_comes_to_rest() {
     let (start, h) = (ContactState::new([0.3, -0.1, 0.2], [0.1, 0.2, -0.3], 0.0), 0.3);

@@ -1,4 +1,4 @@
-//! What divided differences without cancellation are worth: small steps, large constants in the energy, very long runs.
+//! Benefits of divided differences without cancellation: small steps, large constants in the energy, very long runs.
 
 use geoint_runtime::method::{Method, Observer, Probe, Step};
 use geoint_runtime::prelude::*;
@@ -15,8 +15,8 @@ fn swing(q: f64, p: f64, m: f64, g: f64, rest: f64) -> f64 {
 
 const START: (f64, f64) = (1.5, 0.0);
 
-/// The same scheme as codes without divided differences have it: (H(q₁) − H(q₀))/(q₁ − q₀), the derivative where that is 0/0; by
-/// fixed-point iteration.
+/// Takes the scheme without divided differences, by fixed-point iteration. It uses the quotient (H(q₁) − H(q₀))/(q₁ − q₀), and the derivative in place of
+/// 0/0.
 fn by_quotients(rest: f64, h: f64, steps: usize) -> (f64, f64) {
     let potential = |q: f64| rest - q.cos();
     let (mut q, mut p) = START;
@@ -32,7 +32,7 @@ fn by_quotients(rest: f64, h: f64, steps: usize) -> (f64, f64) {
     (q, p)
 }
 
-/// Against the same scheme in double-double: what is left is rounding alone.
+/// Compares with the same scheme in double-double arithmetic. The difference is rounding alone.
 #[test]
 fn small_steps_do_not_cost_digits() {
     let mut before = 0.0;
@@ -49,14 +49,14 @@ fn small_steps_do_not_cost_digits() {
         let error = |q: f64, p: f64| distance(&[Double::from(q), Double::from(p)], &exact);
         let own = error(sim.state().q, sim.state().p);
         assert!(own <= 2e-14, "h = {h}: {own:.1e}");
-        // Quotients lose more, the smaller the step is.
+        // Quotients lose more digits, and more of them for smaller steps.
         let (q, p) = by_quotients(0.0, h, steps as usize);
         assert!(error(q, p) > 4.0 * own && error(q, p) > before, "h = {h}: {:.1e}", error(q, p));
         before = error(q, p);
     }
 }
 
-/// A large constant in the energy is never seen.
+/// A large constant in the energy has no effect on the steps.
 #[test]
 fn energy_in_the_background() {
     struct Count(u64);
@@ -83,14 +83,14 @@ fn energy_in_the_background() {
         drift = drift.max((moving(x.z[0][0], x.z[1][0]) - moving(START.0, START.1)).abs());
     }
     assert!(drift <= 2e-14, "{drift:.1e}");
-    // One evaluation is at the start of the step.
+    // Each step evaluates once at its start.
     assert!(count.0 <= 4 * steps, "{} a step", count.0 as f64 / steps as f64);
     let (q, p) = by_quotients(rest, h, steps as usize);
     let lost = (moving(q, p) - moving(START.0, START.1)).abs();
     assert!(lost > 1e-11, "quotients see it: {lost:.1e}");
 }
 
-/// In 10⁸ steps roundings would add up to some 10⁻¹³ of the energy's terms, if they were not taken away.
+/// In 10⁸ steps, rounding errors would add up to about 10⁻¹³ of the terms of the energy if they were not removed.
 #[test]
 #[ignore = "takes half a minute in release, and an hour without"]
 fn energy_over_a_hundred_million_steps() {

@@ -1,4 +1,4 @@
-//! Runs that are saved and go on elsewhere: the same bits as those that were never interrupted, by every method of the lists.
+//! Saved runs that continue elsewhere have the same bits as uninterrupted runs, with every method of the lists.
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::running::{ResumeError, Saved};
@@ -11,7 +11,7 @@ use geoint_tests::scene::{Scene, point};
 use geoint_tests::scenes::*;
 use std::marker::PhantomData;
 
-/// By way of a text, as a program would write it to a file.
+/// Writes a saved run as a text, like a program that saves to a file, and reads it.
 fn written(saved: &Saved) -> Saved {
     let text = serde_json::to_string(saved).expect("numbers and a name");
     let read = serde_json::from_str(&text).expect("what was written");
@@ -23,7 +23,7 @@ pub(crate) fn bits<T: geoint_runtime::space::Snapshot<Real = f64>>(state: &T) ->
     flat(state).iter().chain([&state.time()]).map(|x| x.to_bits()).collect()
 }
 
-/// Saves a run in its middle, and follows both; the other one has begun elsewhere, with another step.
+/// Saves a run in its middle, resumes it in another run, and follows both. The other run started elsewhere with another step.
 fn goes_on<S, M, C>(name: &str, mut sim: Integrator<S, M, f64, C>, mut other: Integrator<S, M, f64, C>)
 where
     S: PhaseSpace,
@@ -44,7 +44,7 @@ where
     assert_eq!(sim.saved(), other.saved(), "{name}");
 }
 
-/// Every method of a list on a scene.
+/// Tests every method of a list on a scene.
 struct GoOn<P> {
     h: f64,
     scene: PhantomData<P>,
@@ -144,7 +144,7 @@ fn down_to_the_edge(q: f64, p: f64, m: f64) -> f64 {
     p * p / (2.0 * m) + q.sqrt()
 }
 
-/// A method begins anew after a step that is refused: by whatever calls a run came there, it remembers the same, and what is saved is the same.
+/// A method restarts after a refused step. The memory and the saved run are then the same for single steps and for one long call.
 #[test]
 fn at_a_step_that_is_refused() {
     fn check<M: Method<DownToTheEdge>>(method: M) {
@@ -164,14 +164,14 @@ fn at_a_step_that_is_refused() {
     check(BlanesMoan4);
 }
 
-/// A state that a user gave, and that no step has examined yet, is examined where a run goes on, whatever that run has done before; and one that a
-/// step has led to is not asked for what states of users have to be.
+/// A state from the user that no step has examined is examined after a resume, whatever the resuming run did before. A state that a step produced need not
+/// fulfil the conditions for states of users.
 #[test]
 fn a_state_that_no_step_has_seen() {
     macro_rules! check {
         ($($run:expr),* $(,)?) => { $(
             let run = $run;
-            // Bad from the beginning, or given later.
+            // The start is bad, or the user sets a bad state later.
             let mut given = run(State::new(1.0, 0.2));
             given.advance(3).expect("steps");
             given.set_state(State::new(-1.0, 0.0));
@@ -195,7 +195,7 @@ fn a_state_that_no_step_has_seen() {
         |start| system.adaptive(DOP853, 1e-8, start),
         |start| system.taylor(Taylor::default(), start),
     );
-    // Off a constraint a step would go on from wherever it is led to.
+    // A step from a state off its constraint would continue from the projected state.
     let bob = Bob { m: 0.7, g: 9.81, l: 1.2 };
     let mut other = bob.integrator(Rattle, 0.01, State::new([1.2, 0.0], [0.0, 0.0]));
     other.advance(5).expect("steps");
@@ -204,7 +204,7 @@ fn a_state_that_no_step_has_seen() {
     other.resume(&written(&off.saved())).expect("the same kind");
     let outcome = other.step();
     assert!(matches!(outcome, Err(StepError::OffConstraint { .. })), "{outcome:?}");
-    // Momenta at an event within a step are tangent to a constraint to the rounding of positions over h.
+    // At an event within a step, momenta are tangent to a constraint up to the rounding of positions divided by h.
     let run = || bob.integrator(DiscreteGradient, 0.01, State::new([1.2, 0.0], [0.0, 0.0]));
     let mut sim = run();
     for _ in 0..9 {
@@ -221,7 +221,7 @@ fn bob(q: [f64; 2], p: [f64; 2], m: f64, g: f64, l: f64) -> f64 {
     (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) + m * g * q[1]
 }
 
-/// What does not belong to a run changes nothing, whatever it is.
+/// A saved run of another kind is refused, and changes nothing.
 #[test]
 fn what_is_of_another_run_is_refused() {
     let start: StateOf<Pendulum, f64> = State::new(0.8, 0.1);
@@ -248,8 +248,8 @@ fn what_is_of_another_run_is_refused() {
     refuses(Saved { words, ..good.clone() }, |error| *error == ResumeError::NonFinite);
 }
 
-/// Words that are anything, in every kind of run, lead to an error or to a run whose next steps are errors or end in finite numbers at a time that
-/// is one: nothing panics, no step is tried for ever, and no number is taken over that is none.
+/// Saved runs with one arbitrary word, in every kind of run. The result is an error, or a run whose next steps return errors or finite numbers at a finite
+/// time. Nothing panics, no loop is endless, and no invalid number is accepted.
 #[test]
 fn words_that_are_anything() {
     let odd = [0, 1, u64::MAX, u64::MAX / 2, 1 << 63].into_iter();
@@ -260,7 +260,7 @@ fn words_that_are_anything() {
             let start = $run;
             let mut sim = start.clone();
             sim.advance(20).expect("steps");
-            // A time that has a name.
+            // An exact end time, set by the user.
             sim.step_towards(sim.time() + sim.step_size()).expect("a step");
             let good = sim.saved();
             for (place, word) in (0..good.words.len()).flat_map(|place| odd.clone().map(move |word| (place, word))) {

@@ -1,4 +1,4 @@
-//! Steps keep invariants to rounding, and so do long runs: after each 1024 steps the accumulated rounding error is removed.
+//! Steps keep invariants to rounding, and so do long runs. After each 1024 steps the accumulated rounding error is removed.
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::StateOf;
@@ -27,8 +27,8 @@ const CHAIN: QuarticChain = QuarticChain { w: [0.7, 1.4], k: [1.0, 0.8, 1.3] };
 const HEILES: HenonHeiles = HenonHeiles { m: [1.3, 0.8], lambda: 1.0 };
 const ORBIT: Kepler = Kepler { mass: 1.3, mu: 1.3 };
 
-/// The largest changes of what is kept over 10⁵ steps, relative to its value at the start: of a run, and of one whose state is given anew before
-/// it is settled.
+/// Returns the largest changes of invariants over 10⁵ steps, relative to their values at the start. The second run sets its state anew after each 1000
+/// steps, so the accumulated rounding error is never removed.
 fn changes<S, M, R, const N: usize>(
     (system, method, h): (S, M, R),
     start: StateOf<S, R>,
@@ -57,7 +57,7 @@ where
     })
 }
 
-/// Fails where a run walks, and where one does not that should.
+/// Asserts that the invariants stay within `roundings`. Control: the run without removal of drift exceeds twice this bound.
 fn stays<S, M, R, const N: usize>(
     case: (S, M, R),
     start: StateOf<S, R>,
@@ -99,13 +99,13 @@ fn momentum(_: &Kepler, s: &State<[f64; 2]>) -> f64 {
 fn momenta_beside_the_energy() {
     let start = State::new([0.5, 0.0], [0.3, 2.2]);
     stays((ORBIT, FourthOrder(DiscreteGradient), 0.05), start, |k, s| [momentum(k, s)], 5.0);
-    // At 0.05 roundings hardly walk.
+    // With h = 0.05 rounding errors hardly accumulate.
     stays((ORBIT, DiscreteGradient, 0.06), start, |k, s| [momentum(k, s), k.energy(s)], 12.0);
 }
 
-/// Nearly straight ellipses, begun at either end. Far from the centre the energy of a run that began close to it is rounded by what it was there:
-/// taken away along the energy's gradient alone, that moves the angular momentum by 4·10⁻⁷. Close to the centre the way from the far end has lost
-/// the digits that decide: taken away there, the energy changes by 2·10⁻⁸.
+/// Nearly straight ellipses, started at either end. A run from the pericentre has a large rounding error of the energy far from the centre. Removal along
+/// the gradient of the energy alone would change the angular momentum by 4·10⁻⁷. A run from the apocentre has lost decisive digits of its displacement
+/// close to the centre. Removal there would change the energy by 2·10⁻⁸.
 #[test]
 fn close_to_a_collision() {
     for (e, [energies, momenta]) in
@@ -144,7 +144,7 @@ fn stretched(x: [f64; 2], k: f64) -> [f64; 2] {
     [k * x[0], -k * x[1]]
 }
 
-/// Far from where a run began, the way from there has the last digits of what was and what is largest: by these the area would change by 10⁻⁶.
+/// Far from the start, the displacement has the last digits of the largest coordinates. Removal of drift by the displacement would change the area by 10⁻⁶.
 #[test]
 fn what_grows_beside_what_shrinks() {
     fn check<M: Method<Stretched>>(method: M) {
@@ -167,8 +167,8 @@ fn single_precision() {
     stays((system, DiscreteGradient, 0.05_f32), State::new(1.0, 0.5), |s, x| [s.energy(x)], 3.75);
 }
 
-/// Twenty steps on an orbit whose acceleration changes by a factor of twenty: corrections that many digits hide elsewhere are as large as last
-/// digits here, and a term of their series that is small at the far end is not near the centre.
+/// Twenty steps on an orbit whose acceleration changes by a factor of twenty. In single precision, corrections are as large as the last digits. A term of
+/// their series is small at the apocentre and large near the centre.
 #[test]
 fn few_digits_and_long_steps() {
     let system = FallingOrbit { m: 1.3, mu: 1.0 };
@@ -181,7 +181,7 @@ fn few_digits_and_long_steps() {
     }
 }
 
-/// A momentum that nothing changes, and a coordinate that has not moved, are the same to the last bit.
+/// A conserved momentum and a coordinate at rest keep every bit.
 #[test]
 fn what_does_not_move() {
     let system = Spherical { m: 1.3, v: 0.7 };
@@ -193,7 +193,7 @@ fn what_does_not_move() {
     assert_eq!([sim.state().q[0], sim.state().p[0]], [0.0; 2]);
 }
 
-/// A run is settled after the same steps, in whatever numbers those are asked for, and when it goes on elsewhere.
+/// The drift is removed after the same steps for any call lengths, and in a resumed run.
 #[test]
 fn by_the_same_steps() {
     let new = || Integrator::new(HEILES, DiscreteGradient, 0.1, State::new([0.1, 0.2], [0.3, 0.1]));
@@ -208,14 +208,14 @@ fn by_the_same_steps() {
     at_once.advance(1000).expect("a regular orbit");
     elsewhere.advance(1000).expect("a regular orbit");
     assert_eq!(at_once.saved(), elsewhere.saved());
-    // What differs is where the run began.
+    // Control: a run whose state is set anew has another reference for the removal, and differs.
     begun_anew.advance(2500).expect("a regular orbit");
     begun_anew.set_state(begun_anew.state());
     begun_anew.advance(1000).expect("a regular orbit");
     assert_ne!(at_once.state(), begun_anew.state());
 }
 
-/// Steps that adapt are settled as others are.
+/// The drift of adaptive runs is removed, too.
 #[test]
 fn steps_that_adapt() {
     let start = State::new([0.4, 0.0], [0.0, 2.6]);

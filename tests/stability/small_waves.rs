@@ -1,4 +1,4 @@
-//! Forces that cancel: the rounding of a residual is that of its terms. What is solved to it is accepted, and nothing else.
+//! Forces that cancel: the rounding of a residual is the rounding of its terms. A step is accepted if its residual is at this level, and refused otherwise.
 
 use geoint_runtime::method::implicit::SolvedBy;
 use geoint_runtime::prelude::*;
@@ -53,12 +53,13 @@ fn coupled_ring(q: [f64; 4], p: [f64; 4], m: f64) -> f64 {
     h
 }
 
-/// Starts of amplitudes down to this one, and single displacements; the change of the energy in each step, relative to the energy.
+/// Starts with random states of amplitudes down to `smallest`, and with single displacements. Asserts that each run succeeds and keeps the energy, relative
+/// to the energy.
 fn runs<S: Hamiltonian<R>, M: Method<S, R>, R: Real + PartialOrd>(name: &str, system: S, method: M, smallest: f64) {
     let n = <S::Array as geoint_runtime::space::Array>::LEN;
     let mut noise = Noise::new(3);
     let mut worst = 0.0_f64;
-    // Every fourth decade in a build that is not optimised.
+    // An unoptimised build tests every fourth decade.
     for decade in (3..).step_by(if cfg!(debug_assertions) { 4 } else { 1 }) {
         let size = 10.0_f64.powi(-decade);
         if size < smallest {
@@ -87,7 +88,7 @@ fn runs<S: Hamiltonian<R>, M: Method<S, R>, R: Real + PartialOrd>(name: &str, sy
     }
 }
 
-/// Down to waves that are smaller than the rounding of the distances beside them.
+/// Waves down to amplitudes below the rounding of the distances between neighbours.
 #[test]
 fn small_waves_are_solved() {
     runs("ring of 12", Ring12 { m: 1.7 }, DiscreteGradient, 1e-16);
@@ -103,7 +104,7 @@ fn small_waves_are_solved() {
     runs("short ring", ShortRing { m: 1.7 }, ImplicitMidpoint, 1e-9);
 }
 
-/// The same for methods that are solved without an exact derivative.
+/// Small waves with methods that are solved without an exact derivative.
 #[test]
 fn small_waves_without_a_derivative() {
     runs("ring of 5", Ring5 { m: 0.6 }, Gonzalez, 1e-14);
@@ -120,7 +121,7 @@ fn small_waves_of_order_four() {
     runs("ring of 5", Ring5 { m: 0.6 }, FourthOrder(DiscreteGradient), 1e-16);
 }
 
-/// The first steps that were refused.
+/// Regression test: these steps were the first to be refused.
 #[test]
 fn single_displacements() {
     let mut q = [0.0; 8];
@@ -145,8 +146,8 @@ fn corners(q: [[f64; 2]; 4], p: [[f64; 2]; 4], m: f64, k: f64) -> f64 {
     h
 }
 
-/// A square that breathes, with small waves across: the rounding of a small momentum is that of the forces beside it, far below the sizes of
-/// others.
+/// A breathing square with small transverse waves. The rounding of a small momentum is the rounding of the forces at its site, far below the sizes of other
+/// momenta.
 #[test]
 fn small_waves_beside_large_ones() {
     fn check<M: Method<Corners>>(method: M) {
@@ -173,7 +174,7 @@ fn kinked(q: f64, p: f64, m: f64, k: f64, kink: f64) -> f64 {
     p * p / (2.0 * m) + k * (1.0 - q.cos()) + kink * q.abs()
 }
 
-/// |x₁ − x₀ − hJ∇H((x₀ + x₁)/2)|, less what it changes by where the middle is rounded otherwise, relative to x₀, x₁ and their difference.
+/// Returns |x₁ − x₀ − hJ∇H((x₀ + x₁)/2)|, minus its change under a rounding of the midpoint, relative to x₀, x₁ and their difference.
 fn residual<S: Hamiltonian<f64>>(system: &S, h: f64, from: &State<S::Coordinates>, to: &State<S::Coordinates>) -> f64 {
     use geoint_runtime::space::{Array, Snapshot};
     let [x0, x1] = [from, to].map(flat);
@@ -198,7 +199,7 @@ fn residual<S: Hamiltonian<f64>>(system: &S, h: f64, from: &State<S::Coordinates
     (0..2 * n).map(|i| excess(i) / (x0[i].abs() + x1[i].abs() + (h * here[i]).abs())).fold(0.0, f64::max)
 }
 
-/// Long steps from random starts: refused, or a solution to rounding.
+/// Long steps from random starts are refused, or end at a solution to rounding.
 #[test]
 fn what_is_accepted_is_a_solution() {
     fn check<S: Collocation<f64> + Hamiltonian<f64> + SolvedBy<ImplicitMidpoint> + SolvedBy<Gauss<3>>>(

@@ -1,4 +1,4 @@
-//! Integrals that grow steep in a coordinate which becomes smaller by many orders of magnitude: a step keeps them, or is refused.
+//! Integrals that become steep in a coordinate, because the coordinate falls by many orders of magnitude. A step keeps them, or is refused.
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::StateOf;
@@ -29,8 +29,8 @@ fn powers(x: [f64; 3], a: f64) -> [f64; 3] {
     [2.0 * g * x[0], -3.0 * g * x[1], -2.0 * g * x[0] * x[2]]
 }
 
-/// The largest change of integrals in `n` steps, relative to what they were, in units of ε: a coordinate that falls by a `factor` in a step is
-/// rounded by so many of its last digits.
+/// Asserts that `n` steps change the integrals by at most 8 n `factor` units of ε, relative to their values at the start. A coordinate that falls by a
+/// `factor` in one step is rounded by this number of its last digits.
 fn stays<S, M, R, const N: usize>(
     (system, method, h): (S, M, R),
     start: StateOf<S, R>,
@@ -78,7 +78,7 @@ fn in_single_precision() {
     }
 }
 
-/// The squares of its last values are zero in double precision.
+/// The squares of the last values of the coordinate underflow to zero in double precision.
 #[test]
 fn in_a_coordinate_that_falls_faster_and_faster() {
     let (system, start) = (Bell { a: 0.4 }, FlowState::new([0.0, 1.0]));
@@ -109,7 +109,7 @@ fn stretched(x: [f64; 2], a: f64) -> [f64; 2] {
     [g * x[0], -g * x[1]]
 }
 
-/// What was large lately is exact now: a relaxed step does not take a change for its rounding.
+/// A relaxed step must not take a change of the integral for the rounding of earlier, larger terms.
 #[test]
 fn relaxed() {
     for h in [0.05, 0.3, 1.0] {
@@ -119,7 +119,7 @@ fn relaxed() {
     }
 }
 
-/// A step solves its equation, or leaves it to rounding and is refused.
+/// A step solves its equation, or is refused because of rounding.
 #[test]
 fn gradients_that_become_parallel() {
     let (system, start) = (Parallel { a: 1.0 }, FlowState::new([1.0, 1.3, 0.7]));
@@ -135,8 +135,8 @@ fn gradients_that_become_parallel() {
     }
 }
 
-/// Where a coordinate falls by so much in one step that nothing of it is left, the step is refused and the state kept. Substeps that go back let it grow
-/// by as much; the midpoint rule leads astray what is projected. With h = 1, the largest error over 16 values of `a` from 0.36 to 0.435 is 5e-6.
+/// A coordinate may lose all digits in one step. The step is then refused and the state kept. Substeps that go back let the coordinate grow by as much. The
+/// midpoint rule leads a projection astray. With h = 1, the largest error over 16 values of `a` from 0.36 to 0.435 is 5e-6.
 #[test]
 fn refused_where_rounding_is_larger() {
     fn check(method: impl Method<Bell>) {
@@ -165,7 +165,7 @@ fn refused_where_rounding_is_larger() {
     check(Relaxation(DOP853));
 }
 
-/// So is a step of 2 or 3, and a shorter one is not.
+/// A step of 2 or 3 is refused with `Rounded`. A shorter step succeeds.
 #[test]
 fn refused_by_name() {
     let system = Bell { a: 0.4 };
@@ -208,7 +208,7 @@ fn rotation(x: [f64; 3], a: f64, b: f64, c: f64) -> [f64; 3] {
     [(b - c) / a * x[1] * x[2], (c - a) / b * x[2] * x[0], (a - b) / c * x[0] * x[1]]
 }
 
-/// Its steps are no shorter.
+/// The projection does not shorten the steps.
 #[test]
 fn series_beside_a_large_coordinate() {
     let system = Rotation { a: 1.0, b: 2.0, c: 3.0 };

@@ -28,11 +28,11 @@ energies! {
     bent(q, p) if q < 0.0 { q * q } else { 0.5 * q } => Bent;
     spring(q, p) if q > 0.0 { 2.0 * q * q } else { 0.5 * q * q } => Spring;
     three_kinks(q, p) (q - 0.2).abs() + 0.5 * (q + 0.1).abs() + 0.7 * (q - 0.4).max(0.0) => ThreeKinks;
-    // This one does.
+    // This energy jumps.
     jump_and_kink(q, p) (q - 0.2).signum() * q + 0.5 * q.max(0.1) => JumpAndKink;
 }
 
-// The last one is at rest, exactly at a kink.
+// The last start is at rest, exactly at a kink.
 const STARTS: [(f64, f64); 6] = [(1.0, -2.0), (1.0, -1.0), (0.5, -2.0), (-1.0, 1.3), (-1.0, 2.6), (0.0, 0.0)];
 const STEPS: [f64; 5] = [0.05, 0.1, 0.125, 0.325, 0.65];
 
@@ -53,7 +53,7 @@ impl<S: Hamiltonian<Coordinates = f64>> Visitor<S, f64> for Kept<S> {
             return;
         }
         for ((q, p), h) in pairs(&STARTS, &STEPS, 5, &format!("{name}, {}", std::any::type_name::<S>())) {
-            // Starts at which sums of steps end at the switch, up to rounding.
+            // From some starts, sums of steps end at the switch, up to rounding.
             let start = State::new(q, p * self.mass);
             let mut sim = self.system.integrator(method, h, start);
             let energy = sim.energy();
@@ -67,7 +67,7 @@ impl<S: Hamiltonian<Coordinates = f64>> Visitor<S, f64> for Kept<S> {
             let refused = matches!(outcome, Err(StepError::OutsideDomain { .. }));
             assert!(!(self.smooth && refused), "{name}: {outcome:?}, h = {h} from {start:?}");
             let mut bulk = self.system.integrator(method, h, start);
-            // As text: a correction that is not a number equals nothing.
+            // Compares texts, because a NaN in a correction is not equal to itself.
             let (all, single) = ((bulk.advance(60), bulk.state()), (outcome, sim.state()));
             assert_eq!(format!("{all:?}"), format!("{single:?}"), "{name}: h = {h} from {start:?}");
         }
@@ -89,7 +89,7 @@ fn check<S: SolvedBy<DiscreteGradient> + DiscreteField + Autonomous<Coordinates 
     kept.visit(FourthOrder(DiscreteGradient));
     kept.visit(Suzuki4.of(DiscreteGradient));
     kept.visit(MeanValue::<3>);
-    // How far these are from the energy is measured elsewhere; a jump is much more.
+    // The error of these methods is measured elsewhere. A jump of the energy is far larger than this bound.
     kept.rounding = 1e-9;
     methods::projected(&mut kept);
     methods::relaxed(&mut kept);
@@ -111,11 +111,10 @@ fn the_energy_is_kept_across_a_switch() {
     }
 }
 
-/// Where an iteration goes from side to side of a jump it has no solution, however many others are near: what jumps is not taken for
-/// rounding.
+/// An iteration that alternates between the sides of a jump has no solution, even if other solutions are near. The jump must not be accepted as rounding.
 #[test]
 fn jumps_are_no_rounding() {
-    // Each was taken, with an error of 1e-3 to 0.2 in the energy.
+    // Regression test: steps from these starts were accepted with an error of 1e-3 to 0.2 in the energy.
     let starts = [
         (-0.7098436037139653, 0.8889953838868171),
         (-0.22561210646640695, 0.5765589928454418),
@@ -166,15 +165,15 @@ fn cut(q: [f64; 2], p: [f64; 2], m: f64, k: f64, r: f64) -> f64 {
     (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) + if square < r * r { k / 2.0 * (square - r * r) } else { 0.0 }
 }
 
-/// At the edge of a square well there is no force on either side: a series, and an estimate of errors, see nothing, whatever the tolerance.
+/// At the edge of a square well the force vanishes on both sides. Neither a series nor an estimate of errors detects the jump, at any tolerance.
 #[test]
 fn steps_to_a_tolerance_end_where_the_energy_jumps() {
-    // In units of one, and of atoms.
+    // Units of one, and units of atoms.
     for [length, mass, time] in [[1.0, 1.0, 1.0], [1e-10, 1e-26, 1e-13]] {
         let [momentum, energy] = [mass * length / time, mass * length * length / (time * time)];
         let system = Well { m: 1.3 * mass, k: 0.4 * energy, r: length };
         let start = State::new([-3.0 * length, 0.6 * length], [momentum, 0.0]);
-        // After 2.2 lengths, with a velocity of 1/1.3.
+        // The particle flies 2.2 lengths with a velocity of 1/1.3.
         let there = 2.2 * 1.3 * time;
         let end = |outcome: Result<(), StepError>, state: State<[f64; 2]>| {
             let Err(StepError::StepTooSmall { reason: Reason::OutsideDomain { what }, .. }) = outcome else {
@@ -190,7 +189,7 @@ fn steps_to_a_tolerance_end_where_the_energy_jumps() {
         end(halved.advance_to(10.0 * time), halved.state());
         let mut series = system.taylor(Taylor { tolerance: 1e-12 }, start);
         end(series.advance_to(10.0 * time), series.state());
-        // What keeps the energy goes on.
+        // A method that keeps the energy continues.
         let mut secants = system.adaptive(DiscreteGradient, 1e-3, start);
         secants.advance_to(10.0 * time).unwrap_or_else(|error| panic!("{error}"));
         assert!((secants.energy() / system.energy(&start) - 1.0).abs() < 1e-12);
@@ -211,8 +210,8 @@ fn short_well(q: [f32; 2], p: [f32; 2], m: f32, k: f32, r: f32) -> f32 {
     (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) + depth
 }
 
-/// Steps of one length end before a jump of the energy, wherever among others they are asked for, unless the method keeps the energy: it would be
-/// another one from there on, and nothing would say so.
+/// Steps of fixed length end before a jump of the energy, in calls of any length. Otherwise the run would continue with another energy, without a report. A
+/// method that keeps the energy passes.
 #[test]
 fn steps_of_one_length_end_where_the_energy_jumps() {
     fn ends<S, M>(system: S, method: M, h: S::Real, start: StateOf<S, S::Real>, there: f64)
@@ -239,7 +238,7 @@ fn steps_of_one_length_end_where_the_energy_jumps() {
         let start = State::new([-3.0 * length, 0.6 * length], [momentum, 0.0]);
         // In units of time.
         let there = 2.2 * 1.3 * time;
-        // The second leads in and out again in one step.
+        // A step of the second length enters and leaves the well.
         for h in [0.0013 * time, 2.5 * time] {
             ends(system, StormerVerlet, h, start, there);
             ends(system, RK4, h, start, there);
@@ -253,7 +252,7 @@ fn steps_of_one_length_end_where_the_energy_jumps() {
         assert!(matches!(back.advance(5000), Err(StepError::OutsideDomain { .. })), "{:?}", back.state());
         let mut summed = system.integrator(StormerVerlet, 0.01 * time, start).compensated();
         assert!(matches!(summed.advance(5000), Err(StepError::OutsideDomain { .. })), "{:?}", summed.state());
-        // Beside the well, and with a method that keeps the energy.
+        // Controls: a run beside the well, and methods that keep the energy.
         let beside = State::new([-3.0 * length, 1.1 * length], [momentum, 0.0]);
         system.integrator(StormerVerlet, 0.01 * time, beside).advance(5000).unwrap_or_else(|error| panic!("{error}"));
         let mut kept = system.integrator(DiscreteGradient, 0.0013 * time, start);
@@ -307,7 +306,7 @@ fn contact_steps_end_where_the_energy_jumps() {
     ends(implicit.advance(5000), implicit.state());
 }
 
-/// A condition at which nothing jumps ends no step.
+/// A condition at which the energy does not jump ends no step.
 #[test]
 fn steps_to_a_tolerance_pass_where_nothing_jumps() {
     let (system, start) = (Cut { m: 1.3, k: 2.0, r: 1.1 }, State::new([-3.0, 0.6], [1.0, 0.0]));

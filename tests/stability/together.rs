@@ -17,7 +17,7 @@ fn light(q: [f32; 2], p: [f32; 2], m: f32, g: f32) -> f32 {
 const M: f64 = 1.7;
 const G: f64 = 9.81;
 
-/// A start from which the ball reaches the floor at the time `t`, and the wall by `apart` later.
+/// Returns a start from which the ball reaches the floor at the time `t`, and the wall by `apart` later.
 fn to_the_corner(t: f64, apart: f64) -> State<[f64; 2]> {
     State::new([1.0, 0.5 * G * t * t], [-M / (t + apart), 0.0])
 }
@@ -104,7 +104,7 @@ fn discs(_q: [f32; 4], p: [f32; 4]) -> f32 {
     p.iter().map(|p| p * p).sum::<f32>() / 2.0
 }
 
-/// The push of the first disc ends in the last one, whatever the order of the gaps is.
+/// The push of the first disc reaches the last disc, for any order of the functions.
 #[test]
 fn touching_discs_pass_a_push_on() {
     for gap in [0.0, 1e-7, 1e-6, 1e-5, 1e-4, 1e-2_f32] {
@@ -127,7 +127,7 @@ fn touching_discs_pass_a_push_on() {
     }
 }
 
-/// Two sections are crossed at once. A kick that does not turn the motion round does not repeat their events.
+/// The orbit crosses two sections at once. A kick that keeps the direction of the motion does not repeat their events.
 #[test]
 fn a_kick_at_an_event_does_not_repeat_it() {
     let mut run = Ball { m: M, g: 0.0 }.integrator(StormerVerlet, 0.1, State::new([1.0, 1.0], [-1.0, -1.0]));
@@ -139,12 +139,12 @@ fn a_kick_at_an_event_does_not_repeat_it() {
     }
     hits.sort();
     assert_eq!(hits, [0, 1]);
-    // The search that starts at zero, without an event before, has none there.
+    // A new search that starts at a zero does not report it.
     let mut run = Ball { m: M, g: G }.integrator(StormerVerlet, 0.1, State::new([1.0, 0.0], [0.0, 0.0]));
     assert_eq!(run.until_event(1.0, Direction::Down, |x| x.q), Ok(None));
 }
 
-/// A run that is saved between two events at one time goes on with the second one.
+/// A run saved between two simultaneous events continues with the second event.
 #[test]
 fn saved_runs_know_their_events() {
     use geoint_runtime::running::Resumable;

@@ -1,4 +1,4 @@
-//! Adaptive steps: every coordinate is followed with the same relative accuracy, whatever the others are.
+//! Adaptive steps follow every coordinate with the same relative accuracy, whatever the sizes of the others.
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Method, Reason};
@@ -66,7 +66,7 @@ fn kepler_in_space(q: [f64; 3], p: [f64; 3], m: f64, mu: f64) -> f64 {
     (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / (2.0 * m) - mu / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2]).sqrt()
 }
 
-/// A coordinate that is always zero costs nothing, and one that is only rounding costs little.
+/// A coordinate that is always zero costs nothing. A coordinate at the level of rounding costs little.
 #[test]
 fn planes_in_space() {
     let system = KeplerInSpace { m: 1.4, mu: 2.2 };
@@ -109,7 +109,8 @@ fn waves_that_have_not_arrived() {
     waves(q, p);
 }
 
-/// How long the first step is decides nothing: one that was short left so little to be tolerated that steps stayed short.
+/// The length of the first step does not matter. Regression test: after a short first step the tolerated errors stayed so small that all steps stayed
+/// short.
 #[test]
 fn waves_after_a_short_step() {
     let mut q = [0.0; 10];
@@ -163,10 +164,10 @@ fn driven(q: [f64; 2], p: [f64; 2], t: f64, m: [f64; 2], k: f64, omega: f64, lat
     p[0] * p[0] / (2.0 * m[0]) + k * q[0].powi(4) + p[1] * p[1] / (2.0 * m[1]) + k * q[1] * q[1] / 2.0 - force * q[1]
 }
 
-/// What a force that is zero at first moves from rest: the first step, whose error nothing measures, is short, however long the others allow it to be.
+/// An oscillator is driven from rest by a force that starts at zero. No measured error limits the first step, which must still be short.
 #[test]
 fn driven_from_rest() {
-    // What begins behind the last point at which a step looks is not seen by it: Gauss's points are inside.
+    // Every step misses a force that starts behind its last evaluation. The points of `Gauss` lie inside the step.
     fn check<M: Method<Driven>>(method: M, latest: f64) {
         for (x, omega, late) in [(0.0, 1.0, 0.0), (0.0, 30.0, 0.0), (0.6, 30.0, 0.0), (0.0, 9.0, 1.0), (0.6, 9.0, 1.0)]
         {
@@ -189,7 +190,7 @@ fn driven_from_rest() {
     check(KahanLi8_17a.of(StormerVerlet), 1.0);
 }
 
-/// Next to zero, where an event is, a coordinate is as large as it has been: steps go on as long as they were.
+/// At an event a coordinate is next to zero. Its size for the tolerance stays the earlier size, so steps stay long.
 #[test]
 fn events_do_not_shorten_steps() {
     let system = TwoOscillators { m: [1.6, 0.5], k: [2.5, 32.0] };
@@ -203,7 +204,7 @@ fn events_do_not_shorten_steps() {
     assert!(steps < without + 5 * 40, "{steps}, without events {without}");
 }
 
-/// An error that does not matter is not paid for.
+/// An absolute tolerance saves the steps for errors that do not matter.
 #[test]
 fn absolute_errors() {
     let system = TwoOscillators { m: [1.6, 0.5], k: [2.5, 32.0] };
@@ -226,8 +227,8 @@ fn henon_heiles(q: [f64; 2], p: [f64; 2], m: [f64; 2], lambda: f64) -> f64 {
     kinetic + (x * x + y * y) / 2.0 + lambda * (x * x * y - y * y * y / 3.0)
 }
 
-/// Steps over a small perturbation are long, and tell nothing of the time in which a state changes, nor of what errors cause in it: where they
-/// were thought to, steps had a hundred times the error that is tolerated.
+/// Steps over a small perturbation are long. They indicate neither the time scale of the state nor the propagation of errors. Regression test: methods that
+/// used them had a hundred times the tolerated error.
 #[test]
 fn small_perturbations_do_not_loosen_the_tolerance() {
     fn check<M: Method<HenonHeiles>>(method: M, tolerance: f64) {
@@ -250,7 +251,7 @@ fn small_perturbations_do_not_loosen_the_tolerance() {
     check(WisdomHolmanGradient, 1e-6);
 }
 
-/// What is as large as a state is no tolerance of it: every kind of run says so.
+/// A tolerance of 1 or more is as large as the state. Every kind of run refuses it, together with zero, negative and invalid tolerances.
 #[test]
 fn a_tolerance_is_a_part_of_the_state() {
     let system = TwoOscillators { m: [1.6, 0.5], k: [2.5, 32.0] };
@@ -273,7 +274,7 @@ fn a_tolerance_is_a_part_of_the_state() {
     }
 }
 
-/// A run that would take too long ends, and goes on if it is asked to.
+/// A run ends at its limit of steps, and continues on request.
 #[test]
 fn a_limit_of_steps() {
     let system = TwoOscillators { m: [1.6, 0.5], k: [2.5, 32.0] };
@@ -287,7 +288,7 @@ fn a_limit_of_steps() {
     assert_eq!(sim.time(), 20.0);
 }
 
-/// An estimate whose square overflows is a number none the less, and refuses the step.
+/// An estimate whose square overflows is still a number, and refuses the step.
 #[test]
 fn tolerances_that_nothing_meets() {
     let system = TwoOscillators { m: [1.6, 0.5], k: [2.5, 32.0] };
@@ -302,7 +303,7 @@ fn tolerances_that_nothing_meets() {
     }
 }
 
-/// A start that is none is forgotten with the next one.
+/// Sizes of an invalid start have no effect after the next start.
 #[test]
 fn sizes_of_a_state_that_is_not_finite() {
     let system = TwoOscillators { m: [1.6, 0.5], k: [2.5, 32.0] };
@@ -323,7 +324,7 @@ fn sizes_of_a_state_that_is_not_finite() {
     check!(|start| system.taylor(Taylor { tolerance: 1e-8 }, start));
 }
 
-/// A first step that is much too short costs a few steps, by methods of every order.
+/// A first step that is far too short costs few extra steps, with methods of every order.
 #[test]
 fn steps_grow_by_every_order() {
     struct Grow;

@@ -1,4 +1,4 @@
-//! Units: a change of units by powers of two changes no result by a single bit, and energy is kept to rounding in all of them.
+//! Units: a change of units by powers of two changes no bit of a result. The energy is kept to rounding in all units.
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Hamiltonian, IntoIntegrator, Method};
@@ -6,7 +6,7 @@ use geoint_tests::methods::{self, Visitor};
 use geoint_tests::problems::*;
 use std::marker::PhantomData;
 
-/// Powers of two: what was 1 in the units of before is 2ᵏ in these.
+/// Exponents of units: the number 1 in plain units is 2ᵏ in the new units.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Units {
     pub(super) q: i32,
@@ -23,7 +23,7 @@ const UNITS: [Units; 5] = [
     Units { q: -100, p: 100, t: 40 },
 ];
 
-/// 10¹⁰⁰: energies are 10²⁰⁰, their squares are no numbers.
+/// Units of 10¹⁰⁰: energies are 10²⁰⁰, and their squares overflow.
 const FAR: [Units; 2] = [Units { q: -330, p: -330, t: 0 }, Units { q: 330, p: 330, t: 0 }];
 
 /// 2ᵏ.
@@ -34,10 +34,10 @@ pub(super) fn power(k: i32) -> f64 {
 /// A system that can be written in other units.
 trait Measured {
     type System: Hamiltonian<f64>;
-    /// Further units, in which the energy and its derivatives are numbers that have all their digits.
+    /// Further units, in which the energy and its derivatives keep all their digits.
     const FURTHER: &'static [Units] = &[];
 
-    /// The units in which it is written if some are asked for: a constant of the energy may fix one of them.
+    /// Returns the possible units next to the requested units. A constant of the energy may fix one unit.
     fn possible(units: Units) -> Units {
         units
     }
@@ -109,13 +109,13 @@ impl Measured for Polar {
     const STEP: f64 = 0.05;
 }
 
-/// Walks over a list of methods on one system.
+/// Tests a list of methods on one system.
 struct InUnits<P>(Vec<String>, PhantomData<P>);
 
 impl<P: Measured> Visitor<P::System, f64> for InUnits<P> {
     fn visit<M: Method<P::System, f64> + 'static>(&mut self, method: M) {
         let name = method.name().to_string();
-        // Refused or not, after the same number of steps.
+        // A run may be refused, but after the same number of steps in all units.
         let run = |units: Units| {
             let mut sim = P::system(units).integrator(method, P::STEP * power(units.t), start::<P>(units));
             let energy = sim.energy();
@@ -155,7 +155,7 @@ in_all_units! {
         coordinate_increment projected relaxed;
 }
 
-/// Steps that adapt have the same lengths as well.
+/// Adaptive steps have the same lengths in all units.
 #[test]
 fn adaptive_in_all_units() {
     fn check<P: Measured, M: Method<P::System, f64>>(name: &str, method: M) {
@@ -212,7 +212,7 @@ macro_rules! springs {
 
 springs!(Pushed Shaken);
 
-/// The first step is of no unit where every coordinate is zero, or at rest.
+/// If every coordinate is zero, or at rest, the first step has no natural unit.
 #[test]
 fn adaptive_from_rest_in_all_units() {
     fn check<P: Measured, M: Method<P::System, f64>>(
@@ -243,7 +243,7 @@ fn adaptive_from_rest_in_all_units() {
     all!(DOP853, DiscreteGradient, BlanesMoanSrkn14a, StormerVerlet);
 }
 
-/// What roundings have added up to after 1024 steps is taken away alike.
+/// The removal of accumulated rounding errors after 1024 steps is the same in all units.
 #[test]
 fn settled_in_all_units() {
     fn check<P: Measured, M: Method<P::System, f64>>(method: M) {
@@ -262,7 +262,7 @@ fn settled_in_all_units() {
     check::<Polar, _>(DiscreteGradient);
 }
 
-/// Energy in metres, kilograms and seconds: the Earth, and an electron.
+/// Energies in SI units: the Earth, and an electron.
 struct Si {
     energies: Vec<(String, f64)>,
     kepler: Kepler,

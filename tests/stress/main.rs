@@ -1,11 +1,11 @@
-//! Runs that are hard: very long, close to collisions, chaotic, stiff, in extreme units. A quick part in every `cargo test`, and a long one that
-//! writes `tests/stress/README.md`: `cargo test --profile bench -p geoint-tests --test stress -- --ignored`.
+//! Hard runs: very long, close to collisions, chaotic, stiff, in extreme units. A quick part belongs to every `cargo test`. A long part writes
+//! `tests/stress/README.md`: `cargo test --profile bench -p geoint-tests --test stress -- --ignored`.
 
 mod quick;
 mod rounding;
 mod run;
 mod systems;
 
-/// Only where optimised: without, it would take hours, and minutes to build.
+/// The long part exists in optimised builds only. Without optimisation it would take hours to run, and minutes to build.
 #[cfg(not(debug_assertions))]
 mod long;

@@ -1,4 +1,4 @@
-//! A little of each section, in every run of the tests.
+//! A short version of each section, in every run of the tests.
 
 use crate::rounding::walks;
 use crate::run::{adapting, fixed};
@@ -8,7 +8,7 @@ use geoint_runtime::{Integrator, Method, TaylorIntegrator};
 use geoint_tests::problems::{Pendulum, Problem};
 use geoint_tests::scalars::{Tallied, Tally};
 
-/// Errors of rounding walk at random at worst, so that after 10⁴ steps they are far below N ε; where roundings are taken away they stay.
+/// Rounding errors grow at most like a random walk, so after 10⁴ steps they are far below N ε. With removal of drift they do not grow.
 #[test]
 fn rounding_does_not_grow_like_the_number_of_steps() {
     for walk in walks() {
@@ -22,7 +22,7 @@ fn rounding_does_not_grow_like_the_number_of_steps() {
     }
 }
 
-/// A comet that comes as close as a hundredth of its axis.
+/// A comet whose pericentre is at a hundredth of its semi-major axis.
 #[test]
 fn close_encounters() {
     let (system, start, period) = comet(0.99);
@@ -36,7 +36,7 @@ fn close_encounters() {
     assert!(coarse.energy > 1e-2 * scale, "{:.1e}", coarse.energy);
 }
 
-/// Fast vibrations at steps of 50 of their radians.
+/// Fast vibrations with steps of 50 radians.
 #[test]
 fn stiff_springs() {
     let (system, start) = spring(1000.0);
@@ -44,8 +44,8 @@ fn stiff_springs() {
     assert!(outcome.energy <= 1e-10, "{:.1e}, {}", outcome.energy, outcome.end());
 }
 
-/// An angle of many turns is rounded by more than what is asked of a correction: that is no reason to refuse a step. Digits of large coordinates come
-/// in patterns, which equal distances would not show.
+/// The rounding of an angle of many turns exceeds the tolerance of a correction. This is no reason to refuse a step. The distances are irregular, because
+/// the last digits of large coordinates come in patterns.
 #[test]
 fn angles_of_many_turns() {
     fn check<M: Method<Pendulum>>(name: &str, method: M) {
@@ -71,7 +71,7 @@ fn angles_of_many_turns() {
     check("Projection", Projection(RK4, Energy));
 }
 
-/// Where a gradient vanishes at the end of a step, rounding of an angle is seen at its start.
+/// If a gradient vanishes at the end of a step, the rounding of an angle appears at its start.
 #[test]
 fn angles_of_many_turns_where_forces_vanish() {
     let system = Pendulum { m: MASS, l: 1.0, g: 1.0 };
@@ -82,7 +82,7 @@ fn angles_of_many_turns_where_forces_vanish() {
     assert!(outcome.energy <= bound, "{:.1e}, at most {bound:.1e}", outcome.energy);
 }
 
-/// Twelve evaluations a step: an estimate of its own needs no second look.
+/// A step of `DOP853` takes twelve evaluations. Its own estimate of the error needs no further evaluation.
 #[test]
 fn estimates_cost_no_evaluations() {
     let start = State::new(Tallied::from(0.8), Tallied::from(0.1));
@@ -90,12 +90,12 @@ fn estimates_cost_no_evaluations() {
     sim.advance(50).expect("steps");
     let before = sim.rejections();
     let Tally { functions, .. } = Tally::during(|| sim.advance(100).expect("steps"));
-    // And a few where steps become longer than all before: what errors of a coordinate cause in others.
+    // A few more evaluations occur when a step is longer than all earlier steps: they measure the propagation of errors between coordinates.
     let steps = 12 * (100 + sim.rejections() - before);
     assert!((steps..steps + 12).contains(&functions), "{functions}");
 }
 
-/// What compensation adds to a step of Verlet: three operations for each coordinate more than its plain sum.
+/// Compensation adds three operations for each coordinate to a plain sum in a step of Verlet's method.
 #[test]
 fn sums_of_kicks_and_drifts_take_four_operations() {
     fn arithmetic<C: geoint_runtime::space::Summation<[[Tallied; 1]; 2]>>(
@@ -109,7 +109,7 @@ fn sums_of_kicks_and_drifts_take_four_operations() {
         Pendulum::system::<Tallied>().integrator(StormerVerlet, Tallied::from(0.01), start)
     };
     let more = arithmetic(run().compensated()) - arithmetic(run());
-    // A plain kick is a fused sum, and where it stands alone it is a product of its own. The last one of a call is added twice: to the state, and
-    // to the point from which the next step goes on.
+    // A plain kick is a fused sum. If it stands alone, its product is an operation of its own. The last kick of a call is added twice: to the state, and to
+    // the starting point of the next step.
     assert!(more <= 2 * 4 * 1002, "{more} in 1000 steps");
 }

@@ -1,11 +1,11 @@
-//! Energies that move by rounding alone, and how this grows with the number of steps.
+//! Energies that change by rounding alone, and the growth of this change with the number of steps.
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::space::Summation;
 use geoint_tests::problems::{Kepler, Pendulum, Problem};
 
-/// Energy errors after 10⁴, 10⁵ … steps, in units of the energy: the root mean square over all runs, and beyond `most` steps, a power of ten, of the first
-/// one alone.
+/// Returns energy errors after 10⁴, 10⁵ … steps, in units of the energy. Up to 10^`most` steps this is the root mean square over all runs. Beyond, it is
+/// the error of the first run alone.
 fn growth<S, M, C>(runs: Vec<Integrator<S, M, f64, C>>, most: u32, first: u32) -> Growth
 where
     S: PhaseSpace,
@@ -28,7 +28,7 @@ where
     errors.collect()
 }
 
-/// Starts that differ in the last digits, and so in all roundings.
+/// Returns runs whose starts differ slightly, and therefore in all rounding errors.
 fn pendulums<M: Method<Pendulum>>(method: M, h: f64, starts: u32) -> Vec<Integrator<Pendulum, M>> {
     let start = |i: u32| State::new(1.1 + 1e-3 * f64::from(i), 0.4);
     (0..starts).map(|i| Pendulum::system::<f64>().integrator(method, h, start(i))).collect()
@@ -46,17 +46,17 @@ fn keeps<S: PhaseSpace, M: Method<S>>(_: &Integrator<S, M>) -> bool {
 /// Numbers of steps, and the errors after them.
 pub(crate) type Growth = Vec<(f64, f64)>;
 
-/// A method whose energy error is rounding alone, on a system: its growth up to a power of ten of steps from so many starts, and up to another one from the
-/// first of them.
+/// A method on a system whose energy error is rounding alone. The arguments of the functions are a power of ten of steps, a number of starts, and the power
+/// of ten for the first start.
 pub(crate) struct Walk {
     pub(crate) name: &'static str,
-    /// Whether its energy is settled, so that nothing grows.
+    /// True if the drift of the energy is removed, so nothing grows.
     pub(crate) settled: bool,
     pub(crate) plain: fn((u32, u32), u32) -> Growth,
     pub(crate) compensated: fn((u32, u32), u32) -> Growth,
 }
 
-/// All of them.
+/// Returns all walks.
 pub(crate) fn walks() -> Vec<Walk> {
     macro_rules! walks {
         ($($system:literal, $starts:ident: $($method:expr, $h:literal),+;)*) => { vec![$($( Walk {

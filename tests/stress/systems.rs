@@ -1,4 +1,4 @@
-//! Systems that are hard, and where they start.
+//! Hard systems, and their starts.
 
 use geoint_runtime::prelude::*;
 use geoint_tests::problems::Kepler;
@@ -13,7 +13,7 @@ pub(crate) fn spring_pendulum(q: [f64; 2], p: [f64; 2], m: f64, k: f64, l: f64, 
 /// The mass of the body that orbits.
 pub(crate) const MASS: f64 = 1.3;
 
-/// An orbit with semi-major axis 1, and its period.
+/// Returns Kepler's problem, a start of an orbit with semi-major axis 1, and its period.
 pub(crate) fn comet(eccentricity: f64) -> (Kepler, State<[f64; 2]>, f64) {
     let mu = 0.7;
     let speed = ((1.0 - eccentricity) / (1.0 + eccentricity) * mu / MASS).sqrt();
@@ -21,7 +21,8 @@ pub(crate) fn comet(eccentricity: f64) -> (Kepler, State<[f64; 2]>, f64) {
     (Kepler { mass: MASS, mu }, start, std::f64::consts::TAU * (MASS / mu).sqrt())
 }
 
-/// A spring whose vibration is `ratio` times as fast as the swing, at rest at an angle of a radian and stretched by a hundredth of a percent.
+/// Returns a spring whose vibration is `ratio` times as fast as the swing. It starts at rest at an angle of a radian, stretched by a hundredth of a
+/// percent.
 pub(crate) fn spring(ratio: f64) -> (SpringPendulum, State<[f64; 2]>) {
     let (m, l, g) = (MASS, 1.0, 1.0);
     let r = l * (1.0 + 1e-4);

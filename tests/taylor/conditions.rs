@@ -1,4 +1,4 @@
-//! Conditions whose series end before those of coordinates do, and long steps: what is free flies as far as it is asked to.
+//! Conditions whose series end before the series of the coordinates, and long steps: a free body flies as far as requested.
 
 use geoint_runtime::Reason;
 use geoint_runtime::prelude::*;
@@ -26,7 +26,7 @@ fn hill(q: f64, p: f64, k: f64) -> f64 {
     p * p / 2.0 + if height > 0.5 { k * (height - 0.5) } else { 0.0 }
 }
 
-/// Where a free body goes on after a condition does not depend on how far it is asked to fly.
+/// Asserts that the motion of a free body after a condition does not depend on the requested time of flight.
 macro_rules! scattered {
     ($system:expr, $start:expr, |$state:ident| $p:expr) => {{
         let mut near = $system.taylor(Taylor::default(), $start);
@@ -34,7 +34,7 @@ macro_rules! scattered {
         near.advance_to(10.0).unwrap();
         let $state = near.state();
         let exact = $p;
-        // By other steps.
+        // A reference with other steps.
         let mut other = $system.adaptive(DOP853, 1e-11, $start).steps_between(0.0, 0.05);
         other.advance_to(10.0).unwrap();
         let $state = other.state();
@@ -59,14 +59,14 @@ fn what_flies_freely_does_not_fly_through() {
     scattered!(Disc { k: 5.0 }, start, |state| state.p);
     scattered!(CutOff { k: 5.0 }, start, |state| state.p);
     scattered!(Hill { k: 1.9 }, State::new(-3.0, 1.3), |state| [state.p]);
-    // From far away.
+    // A start from far away.
     let mut sim = Hill { k: 0.5 }.taylor(Taylor::default(), State::new(-12.0, 1.3));
     sim.advance_to(10.0).unwrap();
     let energy = |state: State<f64>| Hill { k: 0.5 }.energy(&state);
     assert!((energy(sim.state()) - 0.845).abs() < 1e-14 && sim.state().q < 0.9, "{:?}", sim.state());
 }
 
-/// Steps of one length, and back.
+/// Steps of fixed length, and a run backwards.
 #[test]
 fn and_not_with_steps_of_one_length() {
     let (start, system) = (State::new([-3.0, 0.3], [1.0, 0.0]), CutOff { k: 5.0 });
@@ -85,7 +85,7 @@ fn friction(x: [f64; 2], a: f64, b: f64, c: f64) -> [f64; 2] {
     [a - b * (x[0] - c).signum(), 1.0 + 0.0 * x[1]]
 }
 
-/// Far from zero a step ends beside the condition, by the rounding of coordinates.
+/// Far from zero, a step ends beside the condition, at the distance of the rounding of coordinates. Sliding is still refused.
 #[test]
 fn what_slides_far_from_zero_is_refused_too() {
     let sliding = |outcome| matches!(outcome, Err(StepError::StepTooSmall { reason: Reason::Sliding, .. }));
@@ -98,13 +98,13 @@ fn what_slides_far_from_zero_is_refused_too() {
         let mut sim = system.taylor(TaylorFixed::<8> { h: 0.1 }, start).steps_at_most(1000);
         let outcome = sim.advance_to(10.0);
         assert!(sliding(outcome), "{c}: {outcome:?}");
-        // It goes on from elsewhere.
+        // The run continues from another state.
         sim.set_state(FlowState::at(5.0, [c - 1.0, 0.0]));
         sim.advance_to(6.0).unwrap();
         assert!((sim.state().x[0] - (c - 0.8)).abs() < 1e-9, "{:?}", sim.state());
         sim.set_state(FlowState::at(5.0, [c, 0.0]));
         assert!(sliding(sim.advance_to(10.0)));
-        // What crosses a condition is none that slides along it.
+        // A crossing of a condition is not taken for sliding.
         let mut sim = Friction { a: 1.0, b: 0.3, c }.taylor(Taylor::default(), FlowState::new([c - 1.3, 0.0]));
         sim.advance_to(2.0).unwrap();
         assert!((sim.state().x[0] - (c + 0.7)).abs() < 1e-15 * c.abs().max(1.0), "{c}: {:?}", sim.state());
@@ -117,8 +117,7 @@ fn spring_above(q: f64, p: f64, c: f64, k: f64) -> f64 {
     p * p / 2.0 + q + k * (q - c).max(0.0).powi(2) / 2.0
 }
 
-/// What rises to just the height at which a condition changes, to rounding, falls back: no step goes on, beyond its end and without end, in
-/// search of the other side.
+/// A body rises to the height of a condition, up to rounding, and falls back. No step searches for the other side beyond its end, or without end.
 #[test]
 fn what_only_touches_a_condition_turns_back() {
     let throws = [
@@ -149,7 +148,7 @@ fn gate(x: [f64; 2], k: f64) -> [f64; 2] {
     [k, if x[0].sqrt() < 1.0 { 0.0 } else { 1.0 }]
 }
 
-/// A condition has no series where a run starts on the edge of what decides it; that it changes in the first step is seen all the same.
+/// The condition has no series if the run starts on the boundary of its domain. Its change in the first step is still detected.
 #[test]
 fn a_condition_without_a_series_is_not_passed() {
     let counted = |t: f64| t - 1.0 / 3.0;
@@ -157,7 +156,7 @@ fn a_condition_without_a_series_is_not_passed() {
         let mut sim = Gate { k: 3.0 }.taylor(TaylorFixed::<12> { h }, FlowState::new([0.0; 2]));
         sim.advance(8).expect("steps");
         let state = sim.state();
-        // To the accuracy of 12 terms in half of their radius of convergence.
+        // Bound: the accuracy of 12 terms within half of their radius of convergence.
         assert!((state.x[1] - counted(state.t)).abs() < 1e-5, "{h}: {state:?}");
     }
     for tolerance in [0.05, 1e-6, 1e-15] {

@@ -1,4 +1,4 @@
-//! What is saved may be read wrongly: a state to which no step has led is examined, whatever the numbers of steps beside it say.
+//! Saved runs may be corrupt. A state that no step has produced is examined, whatever the saved number of steps is.
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::running::Saved;
@@ -11,7 +11,7 @@ fn logarithm(q: f64, p: f64, m: f64) -> f64 {
 
 const SYSTEM: Logarithm = Logarithm { m: 1.3 };
 
-/// The same with the state moved, and, if so wished, with another number of steps.
+/// Returns the saved run with another position and, on request, with another number of steps.
 fn corrupt(saved: &Saved, [from, to]: [f64; 2], taken: Option<[u64; 2]>) -> Saved {
     let mut words = saved.words.clone();
     *words.iter_mut().find(|word| **word == from.to_bits()).expect("the position") = to.to_bits();
@@ -60,7 +60,7 @@ fn a_state_outside_of_the_domain() {
     is_examined!(SYSTEM.taylor(Projection(Taylor::default(), Energy), start));
 }
 
-/// A run that goes on from another one's state has a tolerance of its own.
+/// A run that resumes the state of another run keeps its own tolerance.
 #[test]
 fn a_tolerance_that_is_none() {
     let start = State::new(1.0, 0.5);

@@ -1,4 +1,4 @@
-//! States between steps, and events, of every kind of run.
+//! States between steps, and events, with every kind of run.
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Adaptive, Crossing};
@@ -58,7 +58,7 @@ fn sections_of_taylor_series() {
         let found: Vec<Crossing<State<[f64; 2]>>> = crossings.map(Result::unwrap).collect();
         for &(n, t, y, v) in points {
             let State { t: found, q, p } = found[n - 1].state;
-            // Both errors grow with time; the second orbit is chaotic.
+            // Both errors grow with time. The second orbit is chaotic.
             let bar = 1e-14 * (1.0 + t / 10.0);
             assert!((found - t).abs() < 4.0 * bar, "{n}: {:e}", found - t);
             assert!(
@@ -73,7 +73,7 @@ fn sections_of_taylor_series() {
 
 #[test]
 fn sections_of_discrete_flows() {
-    // The exact section of the discrete flow: last digits depend on the order of operations.
+    // The exact section of the discrete flow. Its last digits depend on the order of operations.
     let expected = [
         (1, 6.221230612225447, 0.3229065555278594, 0.1248040468106364),
         (4, 25.944105066597757, 0.4070357905555069, -0.1516265336976678),
@@ -86,7 +86,7 @@ fn sections_of_discrete_flows() {
     ];
     let mut sim = HenonHeiles.integrator(BlanesMoan4, 0.1, start(SECTIONS[0].0));
     check(sim.crossings(Direction::Up, |state| state.q[0]), &expected, 1e-13);
-    // The run itself has gone on with whole steps.
+    // The run itself continues with whole steps.
     let mut whole = HenonHeiles.integrator(BlanesMoan4, 0.1, start(SECTIONS[0].0));
     while whole.time() < sim.time() {
         whole.step().unwrap();
@@ -145,7 +145,7 @@ fn two_zeros_within_a_step() {
         let error = crossing.unwrap().state.t - 0.5 * PI * (n + 1) as f64;
         assert!(error.abs() < 5e-14, "{n}: {error:e}");
     }
-    // Many functions at once, in order; and a direction.
+    // Several functions at once, in the order of their events, and a direction.
     let mut sim = Oscillator.taylor(Taylor::default(), State::new(0.5, 1.0));
     let times: Vec<(usize, f64)> = sim
         .crossings(Direction::Down, |state| [state.q, state.p, state.q * state.p])
@@ -153,7 +153,7 @@ fn two_zeros_within_a_step() {
         .map(|crossing| crossing.map(|c| (c.which, c.state.t)).unwrap())
         .collect();
     assert!(times.windows(2).all(|pair| pair[0].1 <= pair[1].1), "{times:?}");
-    // q and p fall once in a period, their product twice, once of them with p: in which order rounding decides, so that both are asked for.
+    // In one period q and p fall once, and their product falls twice, once together with p. Rounding decides the order, so the test counts both.
     assert_eq!([0, 1, 2].map(|i| times.iter().filter(|(which, _)| *which == i).count()), [2, 3, 5]);
 }
 
@@ -177,7 +177,7 @@ fn backwards() {
     assert!(forth.len() > 4 && forth.iter().zip(&back).all(|(a, b)| (a - b).abs() < 1e-13));
 }
 
-/// The ends of the last step belong to it, whatever digits their times have lost.
+/// Both ends of the last step belong to the step, even if their times are rounded.
 #[test]
 fn ends_of_steps_are_within_them() {
     macro_rules! check {
@@ -230,7 +230,7 @@ fn samples_do_not_change_a_run() {
     let mut whole = system.adaptive(DOP853, 1e-12, state);
     whole.advance(adaptive.steps()).unwrap();
     assert_eq!(whole.state(), adaptive.state());
-    // At times of one's own.
+    // Samples at given times.
     let times = [0.0, 0.1, 0.1, 3.0, 3.0001, 14.0];
     let mut sim = system.taylor(Taylor::default(), state);
     let found: Vec<State<f64>> = sim.sampled_at(times).map(Result::unwrap).collect();
@@ -244,7 +244,7 @@ fn samples_do_not_change_a_run() {
     assert!(errors.next().is_none());
     assert!(matches!(sim.sampled_every(0.0).next(), Some(Err(StepError::InvalidStepSize { .. }))));
     assert!(matches!(sim.sampled_at([f64::NAN]).next(), Some(Err(StepError::InvalidStepSize { .. }))));
-    // Within the next step.
+    // A state within the next step.
     let sim = system.integrator(BlanesMoan4, 0.05, state);
     assert!((sim.at(0.02).unwrap().q - 1.0).abs() < 1e-3 && sim.at(0.06).is_none() && sim.at(-0.01).is_none());
     assert_eq!(sim.at(0.0), Some(state));
@@ -277,7 +277,7 @@ macro_rules! bounces {
 #[test]
 fn impacts() {
     let (system, state) = (Ball { m: 2.3, g: 9.81 }, State::new(1.0, 0.0));
-    // Each flight takes 0.8 of the one before.
+    // Each flight takes 0.8 of the time of the flight before.
     let fall = (2.0 / 9.81_f64).sqrt();
     let exact: Vec<f64> = (0..5).map(|n| fall + (1..=n).map(|k| 2.0 * fall * 0.8_f64.powi(k)).sum::<f64>()).collect();
     let all = [
@@ -310,7 +310,7 @@ fn events_that_are_none_are_refused() {
     }
 }
 
-/// A function that is exactly zero at both ends of steps has a sign within them.
+/// A function that vanishes at both ends of a step has its sign from within the step.
 #[test]
 fn zeros_at_both_ends_of_steps() {
     let mut sim = Pendulum { m: 1.3 }.integrator(BlanesMoan4, 1.0, State::new(1.0, 0.0));
@@ -319,7 +319,7 @@ fn zeros_at_both_ends_of_steps() {
     let times: Vec<f64> = found.iter().map(|crossing| crossing.state.t).collect();
     assert_eq!(times, [2.0, 3.0, 4.0]);
     assert!(found[0].rises && !found[1].rises && found[2].rises);
-    // It touches zero at both ends of a step, and stays below.
+    // The function touches zero at both ends of a step, and stays negative.
     let mut sim = Pendulum { m: 1.3 }.integrator(BlanesMoan4, 1.0, State::new(1.0, 0.0));
     let g = |state: &State<f64>| -((state.t - 2.0) * (state.t - 3.0)).powi(2);
     assert!(sim.crossings(Direction::Any, g).until(10.0).next().is_none());

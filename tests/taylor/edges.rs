@@ -1,4 +1,4 @@
-//! Where series end, or never do: poles, collisions, polynomials, conditions.
+//! Limits of series: poles, collisions, polynomials, conditions.
 
 use geoint_runtime::Reason;
 use geoint_runtime::prelude::*;
@@ -39,7 +39,7 @@ fn a_pole_in_time_is_reached() {
         assert!(matches!(error, StepError::StepTooSmall { .. }), "{error}");
         assert!(sim.time() < 1.0 && 1.0 - sim.time() < 1e-12, "{:e}", 1.0 - sim.time());
     }
-    // A tolerance that asks for nothing is no leave to jump over a pole.
+    // A large tolerance does not permit a jump over a pole.
     let mut sim = InTime.taylor(Taylor { tolerance: 0.99 }, FlowState::new([1.0]));
     assert!(sim.advance_to(2.0).is_err() && sim.time() < 1.0);
 }
@@ -52,7 +52,7 @@ fn falling_together(q: f64, p: f64) -> f64 {
 #[test]
 fn a_collision() {
     let mut sim = FallingTogether.taylor(Taylor::default(), State::new(1.0, 0.0));
-    // t = π/2·√(m/2)·q₀^(3/2) for an attraction 1/q and the mass m = 1.2.
+    // The collision time is t = π/2·√(m/2)·q₀^(3/2) for an attraction 1/q and the mass m = 1.2.
     let end = std::f64::consts::FRAC_PI_2 * (0.6_f64).sqrt();
     let error = sim.advance_to(2.0).unwrap_err();
     assert!(matches!(error, StepError::StepTooSmall { .. }), "{error}");
@@ -71,7 +71,7 @@ fn polynomials_have_no_end() {
     sim.advance_to(3.0).unwrap();
     assert_eq!(sim.steps(), 1);
     assert!((sim.state().q - (1.0 - 9.81 * 4.5)).abs() < 1e-14 * 43.0);
-    // At rest in nothing, and steps without an end.
+    // A body at rest without a force, and steps without a requested end.
     for state in [State::new(0.0, 0.0), State::new(1.0, 0.0)] {
         let mut sim = FreeFall { m: 2.3, g: 0.0 }.taylor(Taylor::default(), state);
         sim.advance(10).unwrap();
@@ -112,7 +112,7 @@ fn wedge(q: f64, p: f64, m: f64) -> f64 {
 #[test]
 fn a_step_ends_where_a_condition_changes() {
     use std::f64::consts::PI;
-    // Half a period of 2π, half of one of π.
+    // Half a period of 2π, and half a period of π.
     for periods in [1, 10] {
         let mut sim = TwoSprings.taylor(Taylor::default(), State::new(1.0, 0.0));
         sim.advance_to(1.5 * PI * f64::from(periods)).unwrap();
@@ -121,7 +121,7 @@ fn a_step_ends_where_a_condition_changes() {
         assert!((end.q - 1.0).abs() < tolerance && end.p.abs() < tolerance, "{end:?}");
         assert!((sim.energy() - 0.5).abs() < tolerance);
     }
-    // Starts on it, in both directions.
+    // Starts on the condition, in both directions.
     for p in [1.0, -1.0] {
         let mut sim = TwoSprings.taylor(Taylor::default(), State::new(0.0, p));
         sim.advance_to(1.5 * PI).unwrap();
@@ -180,7 +180,7 @@ fn rough_centre(q: [f64; 2], p: [f64; 2], m: f64, w: f64) -> f64 {
     (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) + (q[0] * q[0] + q[1] * q[1]).powf(w)
 }
 
-/// A series that ends where a power does says which.
+/// If a series ends at a power, the error names the power.
 #[test]
 fn a_power_that_has_no_series_is_named() {
     let named = |outcome: Result<(), StepError>, term: &str| match outcome {
@@ -196,7 +196,7 @@ fn a_power_that_has_no_series_is_named() {
         outcome => panic!("{outcome:?}"),
     };
     let system = Rough { m: 1.3 };
-    // At rest there, in motion, and on the way there.
+    // The run starts at rest on this point, in motion, or on the way to it.
     for start in [State::new(0.0, 0.0), State::new(0.0, 0.3), State::new(1.0, 0.0), State::new(-1.0, 0.2)] {
         let mut sim = system.taylor(Taylor::default(), start);
         named(sim.advance_to(10.0), "abs(q)^(5/2)");
@@ -205,7 +205,7 @@ fn a_power_that_has_no_series_is_named() {
     named(system.taylor(TaylorFixed::<8> { h: 0.1 }, State::new(0.0, 0.3)).step(), "abs(q)^(5/2)");
     let system = RoughCentre { m: 1.3, w: 1.6 };
     named(system.taylor(Taylor::default(), State::new([0.0; 2], [0.0, 0.3])).step(), "q[0]²");
-    // Elsewhere series go on.
+    // Elsewhere the series continue.
     let mut sim = system.taylor(Taylor::default(), State::new([1.0, 0.0], [0.0, 0.3]));
     let energy = sim.energy();
     sim.advance_to(10.0).unwrap();

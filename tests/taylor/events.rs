@@ -1,4 +1,4 @@
-//! Events where they are hard to see: at the start and at the end of a search, two within a step, in small units.
+//! Events that are hard to find: at the start and at the end of a search, two events within a step, in small units.
 
 use geoint_runtime::prelude::*;
 use std::f64::consts::PI;
@@ -25,7 +25,7 @@ fn ball(q: f64, p: f64, m: f64, g: f64) -> f64 {
     p * p / (2.0 * m) + m * g * q
 }
 
-/// A search goes on from the event at which the one before has ended, and does not find it again, on whichever side of zero it is.
+/// A search continues from the last event and does not find it again, on either side of zero.
 #[test]
 fn one_event_after_the_other() {
     for sign in [1.0, -1.0] {
@@ -35,7 +35,7 @@ fn one_event_after_the_other() {
                 assert!((found.state.t - sign * PI * (n as f64 + 0.5)).abs() < 1e-6, "{n}: {}", found.state.t / PI);
             }
         });
-        // Of 10⁶ the tolerance of a step is 10⁻⁸.
+        // At q = 10⁶ the tolerance of a step is 10⁻⁸.
         every_run!(Far, State::new(1e6 + 1.0, 0.0), sign * 0.1, 1e-14, |sim| {
             for n in 0..6 {
                 let found = sim.until_event(sign * 100.0, Direction::Any, |s| s.q - 1e6).unwrap().unwrap();
@@ -45,7 +45,8 @@ fn one_event_after_the_other() {
     }
 }
 
-/// The same from many starts: what is left of a coordinate at an event is rounding, of either sign, and says nothing of how fast the state changes.
+/// Events from many starts. At an event only rounding is left of the coordinate. It has either sign, and gives no information on the time scale of the
+/// state.
 #[test]
 fn events_are_found_once_whatever_their_rounding() {
     macro_rules! check {
@@ -68,7 +69,7 @@ fn events_are_found_once_whatever_their_rounding() {
     );
 }
 
-/// What is left of the search after an event may be short: the event is known no better for that.
+/// A search may end just after an event. The event is still not found again.
 #[test]
 fn an_end_just_behind_an_event() {
     macro_rules! check {
@@ -88,24 +89,24 @@ fn an_end_just_behind_an_event() {
     check!(Taylor::default(), Taylor { tolerance: 1e-6 }, TaylorFixed::<16> { h: 0.4 });
 }
 
-/// A function that is zero all along has no events also where the search has an end; one that is not zero all along has.
+/// A function that is zero everywhere has no events, also in a search with an end. A function that is not zero everywhere has events.
 #[test]
 fn zero_until_the_end() {
     every_run!(Oscillator, State::new(1.0, 0.0), 0.1, |sim| {
         let first = sim.crossings(Direction::Any, |s| s.q * 0.0).until(7.0).next();
         assert!(matches!(first, Some(Err(StepError::NoEvent { .. }))), "{first:?}");
         assert!((6.8..=7.0).contains(&sim.time()), "{}", sim.time());
-        // Only one of them, and only in the end.
+        // One of two functions is zero, and the search reports events of the other.
         let before = sim.time();
         let found: Vec<_> = sim.crossings(Direction::Any, |s| [s.q * 0.0, s.q]).until(14.0).collect();
         assert!(found.len() == 2 && found.iter().all(Result::is_ok), "{before}: {found:?}");
-        // Nothing is left to be searched.
+        // An empty search interval.
         let end = sim.time();
         assert_eq!(sim.until_event(end, Direction::Any, |s| s.q * 0.0), Ok(None));
     });
 }
 
-/// A search for an event with a function that has none, here or from some time on, leaves the run where it was: not a step is taken.
+/// A search with a function that has no events, at once or from some time on, leaves the run unchanged: it takes no step.
 #[test]
 fn what_has_no_events_moves_nothing() {
     for sign in [1.0, -1.0] {
@@ -117,21 +118,21 @@ fn what_has_no_events_moves_nothing() {
                 sim.clone().until_event(sign * 1e4, Direction::Any, |s| s.q * 0.0),
                 sim.until_event(to, Direction::Any, |s| s.q * 0.0),
                 sim.until_event(to, Direction::Any, |s| s.q * f64::NAN),
-                // No number from a later time on.
+                // The function is a NaN from a later time on.
                 sim.until_event(to, Direction::Any, |s| ((s.t - before.t) * -sign + 2.0).sqrt() + 1.0),
             ];
             for error in errors {
                 assert!(matches!(error, Err(StepError::NoEvent { .. })), "{error:?}");
             }
             assert_eq!((sim.state(), sim.steps()), (before, steps));
-            // And goes on as if nothing had been asked.
+            // The run continues as without the searches.
             let [found, expected] = [&mut sim, &mut other].map(|sim| sim.until_event(to, Direction::Any, |s| s.q));
             assert!(found == expected && matches!(found, Ok(Some(_))), "{found:?} {expected:?}");
         });
     }
 }
 
-/// A zero at the end of one search is found once: not by none, and not by the next one, too.
+/// A zero at the end of one search is found exactly once: by this search, and not by the next one.
 #[test]
 fn where_one_search_ends_and_the_next_begins() {
     for sign in [1.0, -1.0] {
@@ -148,14 +149,14 @@ fn where_one_search_ends_and_the_next_begins() {
             .to_vec();
         assert_eq!(counts, [0, 1, 0, 0], "{sign}");
     }
-    // Several at once, at the end of a step; the direction of a run with steps back in time, before the first of them.
+    // Several events at the end of a step, in a run backwards in time. The first event precedes them.
     let mut sim = Uniform.taylor(TaylorFixed::<6> { h: -0.25 }, FlowState::new([0.0; 2]));
     let all = sim.crossings(Direction::Down, |s| [s.x[0] + 1.0, s.x[0] + 0.75, s.x[0] + 1.0]).take(3);
     let all: Vec<(f64, usize)> = all.map(|c| c.map(|c| (c.state.t, c.which)).unwrap()).collect();
     assert_eq!(all, [(-0.75, 1), (-1.0, 0), (-1.0, 2)]);
 }
 
-/// q = sin t is above 1 − e for 2√(2e): shorter than a step.
+/// q = sin t exceeds 1 − e for a time of 2√(2e), which is shorter than a step.
 #[test]
 fn two_within_a_step() {
     for (e, tolerance) in [(0.1, 1e-13), (1e-2, 1e-13), (1e-4, 1e-13), (1e-8, 1e-13), (1e-8, 1e-11), (1e-6, 1e-9)] {
@@ -167,12 +168,12 @@ fn two_within_a_step() {
             for (n, crossing) in found.iter().enumerate() {
                 let half = if n % 2 == 0 { -top.acos() } else { top.acos() };
                 let gap = crossing.state.t - (PI * (0.5 + 2.0 * (n / 2) as f64) + half);
-                // What moves the top by 10⁻¹⁰ moves these by that over √e.
+                // An error of 10⁻¹⁰ in the maximum moves the events by 10⁻¹⁰/√e.
                 assert!(gap.abs() < 1e-6 + 1e-9 / e.sqrt() && crossing.rises == (n % 2 == 0), "{e}: {gap:e}");
             }
         });
     }
-    // It only touches, or not even that.
+    // The function does not reach zero.
     for top in [1.0 + 1e-7, 1.5] {
         every_run!(Oscillator, State::new(0.0, 1.0), 0.3, |sim| {
             assert_eq!(sim.crossings(Direction::Any, |s| s.q - top).until(18.0).count(), 0, "{top}");
@@ -180,7 +181,7 @@ fn two_within_a_step() {
     }
 }
 
-/// Flights that are shorter than a step, down to 10⁻⁶ of it; q is left as it is found, at rounding on either side of the ground.
+/// Flights shorter than a step, down to 10⁻⁶ of a step. The position of an impact keeps its rounding error, on either side of the ground.
 #[test]
 fn many_impacts() {
     let (system, state) = (Ball { m: 2.3, g: 9.81 }, State::new(1.0, 0.0));
@@ -195,7 +196,7 @@ fn many_impacts() {
     });
 }
 
-/// In single precision an event at which a search ends is not found again either.
+/// In single precision an event at the end of a search is not found again, either.
 #[test]
 fn events_in_single_precision_are_found_once() {
     #[hamiltonian]

@@ -1,4 +1,4 @@
-//! Steps of given length where series end: no run goes on behind a power that vanishes, or a pole, as if there was nothing.
+//! Steps of fixed length at the end of a series. No run continues unnoticed behind a vanishing power or behind a pole.
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::Jets;
@@ -24,7 +24,7 @@ potentials! {
     hypotenuse(q): q.hypot(2.0 * q);
 }
 
-/// Either the energy is kept, or the run is refused, on this side of where the series ends or just behind: never Ok and something else.
+/// Asserts that the run is refused in front of the end of the series, or just behind. Until then the energy is kept.
 fn is_refused<S: Jets<State = State<f64>> + Copy, const P: usize>(name: &str, system: S) {
     for h in [0.1, 0.013, -0.04] {
         for p in [-0.3, 0.2] {
@@ -65,7 +65,7 @@ fn kepler(q: [f64; 2], p: [f64; 2]) -> f64 {
     (p[0] * p[0] + p[1] * p[1]) / 2.0 - 1.0 / (q[0] * q[0] + q[1] * q[1]).sqrt()
 }
 
-/// Coarse steps around a pole are steps, in both directions; one into it is none.
+/// Coarse steps around a pole are accepted in both directions. A step into the pole is refused.
 #[test]
 fn coarse_steps_are_steps() {
     for h in [0.05, -0.05] {

@@ -1,4 +1,4 @@
-//! Functions whose zeros are events: behind a kink, a jump or a pole, flat ones, in other scalars; and input that is none.
+//! Event functions: zeros behind a kink, a jump or a pole, flat zeros, other scalars, and invalid input.
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::scalar::Real;
@@ -9,7 +9,7 @@ fn oscillator(q: f64, p: f64) -> f64 {
     (p * p + q * q) / 2.0
 }
 
-/// 1/q changes sign at a pole: that is no zero. A jump is one, however high, and of a triple zero is found what rounding leaves.
+/// 1/q changes its sign at a pole, which is not a zero. A jump through zero counts as a zero, for any height. A triple zero is found up to rounding.
 #[test]
 fn poles_jumps_and_flat_zeros() {
     let run = || Oscillator.taylor(Taylor::default(), State::new(1.0, 0.0));
@@ -24,7 +24,7 @@ fn poles_jumps_and_flat_zeros() {
     }
 }
 
-/// Functions whose series end before a step does, and those that have another one behind a kink or a jump.
+/// Functions whose series end before a step, and functions with another series behind a kink or a jump.
 #[test]
 fn functions_that_are_no_polynomials() {
     let run = || Oscillator.taylor(Taylor::default(), State::new(1.0, 0.0));
@@ -49,20 +49,21 @@ fn functions_that_are_no_polynomials() {
     );
     let mut sim = run();
     check(sim.crossings(Direction::Any, |s| Real::signum(s.q)).until(7.0).map(times).collect(), &[0.5 * PI, 1.5 * PI]);
-    // A pole is no zero.
+    // A pole is not a zero.
     let state = State::new(1.0, 0.3);
     let zero = 0.5 * PI + 0.3_f64.atan();
     let mut sim = Oscillator.taylor(Taylor::default(), state);
     check(sim.crossings(Direction::Any, |s| s.q / s.p).until(7.0).map(times).collect(), &[zero, zero + PI]);
     let mut sim = Oscillator.integrator(Gauss::<6>, 0.1, state);
     check(sim.crossings(Direction::Any, |s| s.q / s.p).until(7.0).map(times).collect(), &[zero, zero + PI]);
-    // √q is no number from π/2 on, where it ends with zero.
+    // √q ends with zero at π/2, and is undefined afterwards.
     let mut sim = run();
     let all: Vec<_> = sim.crossings(Direction::Any, |s| s.q.sqrt()).take(3).collect();
     assert!(matches!(all.last(), Some(Err(StepError::NoEvent { t })) if (t - 0.5 * PI).abs() < 1e-9), "{all:?}");
 }
 
-/// q·|q| is flat where q is zero, and its series on one side tells nothing of the other: once each, and where it is, in steps of one length too.
+/// q·|q| is flat at q = 0, and its series on one side does not describe the other side. Each zero is found once, at the right time, also with steps of
+/// fixed length.
 #[test]
 fn flat_zeros_behind_a_kink() {
     macro_rules! check {
@@ -73,7 +74,7 @@ fn flat_zeros_behind_a_kink() {
             assert_eq!(found.len(), 13, "{}: {found:?}", stringify!($method));
             for (n, (t, rises)) in found.iter().enumerate() {
                 let gap = t - PI * (0.5 + n as f64);
-                // As near as q² is above eight roundings of its terms, which are below 10.
+                // Bound: q² exceeds eight roundings of its terms, which are below 10.
                 assert!(gap.abs() < 2e-7 && *rises == (n % 2 == 1), "{}: event {n} is off by {gap:e}", stringify!($method));
             }
         )* };
@@ -95,7 +96,7 @@ fn input_that_is_none() {
             assert!(matches!(first, Some(Err(StepError::NoEvent { .. }))), "{first:?}");
         }
         assert!(matches!(sim.until_event(f64::NAN, Direction::Any, |s| s.q), Err(StepError::InvalidStepSize { .. })));
-        // Products of such values are zero.
+        // Products of such small values underflow to zero.
         sim.set_state(State::new(1.0, 0.0));
         let first = sim.crossings(Direction::Any, |s| s.q * 1e-300).next().unwrap().unwrap();
         assert!((first.state.t - 0.5 * PI).abs() < 1e-6, "{}", first.state.t);
@@ -107,14 +108,14 @@ fn input_that_is_none() {
         sim.set_state(State::new(1.0, 0.0));
         sim.step().unwrap();
     });
-    // Steps of one length lead the other way.
+    // Steps of fixed length lead in the other direction.
     let mut sim = Oscillator.integrator(RK4, 0.1, State::new(1.0, 0.0));
     assert!(matches!(sim.until_event(-1.0, Direction::Any, |s| s.q), Err(StepError::TimePassed { t: -1.0 })));
     let all: Vec<_> = sim.sampled_every(-0.1).collect();
     assert!(matches!(all[..], [Ok(_), Err(StepError::TimePassed { .. })]), "{all:?}");
 }
 
-/// Where a function changes sign from one end of a step to the other and is no number in between nobody knows when.
+/// The function changes its sign between the ends of a step and is a NaN in between. The time of the event is unknown, so the search is refused.
 #[test]
 fn what_is_no_number_within_a_step_is_refused() {
     let gap = |t: f64| if (1.2..1.4).contains(&t) { f64::NAN } else { t - 1.3 };
@@ -123,7 +124,7 @@ fn what_is_no_number_within_a_step_is_refused() {
     assert!(matches!(all[..], [Err(StepError::NoEvent { t })] if (1.2..1.4).contains(&t)), "{all:?}");
 }
 
-/// Functions of events are written as for numbers, in single precision too.
+/// Functions of events are written like functions of numbers, in single precision, too.
 #[test]
 fn functions_as_for_numbers() {
     #[hamiltonian]
@@ -139,8 +140,8 @@ fn functions_as_for_numbers() {
     assert!((found.state.q - (4.0_f64.powf(2.0 / 3.0) - 2.0)).abs() < 1e-15, "{found:?}");
 }
 
-/// An event where steps end, since a condition of the energy changes sides there: once, whatever is rounded at the joint; also where a step is as
-/// short as rounding leaves it.
+/// Steps end at a condition of the energy, and an event coincides with the condition. The event is found once, whatever the rounding at the joint is. The
+/// step may be as short as rounding permits.
 #[test]
 fn events_at_the_joints_of_steps() {
     #[hamiltonian]
@@ -152,7 +153,7 @@ fn events_at_the_joints_of_steps() {
             let mut sim = Wall { k }.taylor(Taylor::default(), State::new(start, 0.1));
             let found = sim.crossings(Direction::Any, |s| s.q).until(20.0).take(100);
             let found: Vec<(f32, bool)> = found.map(|c| c.map(|c| (c.state.t, c.rises)).unwrap()).collect();
-            // Half an oscillation, or a flight.
+            // The distance is half an oscillation, or a flight.
             let apart = |w: &[(f32, bool)]| w[1].0 - w[0].0 > f32::min(3.0 / k.sqrt(), 1.9) && w[0].1 != w[1].1;
             assert!(found.len() >= 5 && !found[0].1 && found.windows(2).all(apart), "{k} {start}: {found:?}");
         }

@@ -1,4 +1,4 @@
-//! A run goes on from its own event, and knows the states beside those that it has led to.
+//! A run continues from its own event, and from states within its last step.
 
 use geoint_runtime::prelude::*;
 
@@ -13,7 +13,7 @@ fn damped_pendulum(q: f64, p: f64, s: f64) -> f64 {
     p * p / 2.0 - q.cos() + 0.1 * s
 }
 
-/// Momenta of discrete gradients with constraints are tangent to them up to h² only: no reason not to go on.
+/// With constraints, discrete gradients have momenta that are tangent up to h² only. The run still continues.
 #[test]
 fn with_constraints() {
     let start = State::new([1.0, 0.0], [0.0, 0.5]);
@@ -33,13 +33,13 @@ fn with_constraints() {
     events!(DiscreteGradient, 1e-3);
     events!(Suzuki4.of(DiscreteGradient), 1e-5);
     events!(Rattle, 1e-3);
-    // A state that is given is asked for all that it has to be.
+    // A state set by the user must fulfil all conditions.
     let mut sim = Rod.integrator(DiscreteGradient, 0.01, start);
     sim.set_state(State::new([1.0, 0.0], [0.1, 0.5]));
     assert!(matches!(sim.step(), Err(StepError::OffConstraint { .. })));
 }
 
-/// States within a step are those next to its ends, however near: momenta too.
+/// States within a step are close to the states at its ends, including momenta, at any small distance.
 #[test]
 fn next_to_the_ends_of_steps_with_constraints() {
     macro_rules! next_to {
@@ -52,12 +52,12 @@ fn next_to_the_ends_of_steps_with_constraints() {
                     let mut copy = sim.clone();
                     let states = [sim.at(t), copy.sampled_at([t]).next().and_then(Result::ok)];
                     for found in states.map(Option::unwrap) {
-                        // Forces are below 30, and what is not tangent is of order h².
+                        // Forces are below 30. The momentum has a normal part of order h².
                         let gap = (0..2).map(|i| (found.p[i] - here.p[i]).abs()).fold(0.0, f64::max);
                         assert!(gap < 30.0 * part * 0.01 + 4e-3, "{part}: {gap:e}");
                     }
                 }
-                // Times that are whole steps but for rounding.
+                // Times that are whole steps up to rounding.
                 let mut sim = Rod.integrator($method, h, State::new([1.0, 0.0], [0.0, 0.5]));
                 for state in sim.sampled_every(0.37 * h).take(1000) {
                     let State { q, p, .. } = state.unwrap();
@@ -71,7 +71,7 @@ fn next_to_the_ends_of_steps_with_constraints() {
     next_to!(Rattle);
 }
 
-/// An action that is not followed is no number, before and behind an event.
+/// Without the action, s is a NaN before and after an event.
 #[test]
 fn without_action() {
     let start = ContactState::new(1.2, 0.0, 0.0);
@@ -89,7 +89,7 @@ fn without_action() {
     assert!(sim.sampled_every(0.013).interpolated().nth(7).unwrap().is_ok());
 }
 
-/// Whole steps end before the time asked for: what is left of the way is searched as well, and the run stays where they have ended.
+/// Whole steps end before the requested time. The rest of the way is searched, too, and the run ends at the requested time.
 #[test]
 fn an_event_behind_the_last_whole_step() {
     let start = ContactState::new(1.2, 0.0, 0.0);

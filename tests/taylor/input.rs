@@ -1,4 +1,4 @@
-//! Input that is none: the first step says so, and the state is kept.
+//! Invalid input: the first step returns an error, and the state is kept.
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Reason, TaylorMethod};
@@ -9,7 +9,7 @@ fn logarithm(q: f64, p: f64) -> f64 {
     p * p / 2.0 + 0.1 * q + q * q.ln()
 }
 
-/// What an attempt overwrites is no last step to look into.
+/// A refused attempt overwrites the series, so no state within a last step is available.
 #[test]
 fn a_refused_step_shows_nothing() {
     let mut sim = Logarithm.taylor(TaylorFixed::<8> { h: 0.05 }, State::new(1.0, 0.0));
@@ -63,7 +63,7 @@ fn bad_input_is_refused() {
     assert_eq!(sim.step(), Err(StepError::InvalidBounds { shortest: 1.0, longest: 0.5 }));
 }
 
-/// A shortest step of the user's is no pole of the solution.
+/// A shortest step set by the user is not reported as a pole of the solution.
 #[test]
 fn steps_that_are_not_short_enough() {
     #[hamiltonian]
@@ -106,7 +106,7 @@ fn weighed(q: [f64; 2], p: [f64; 2], m: f64) -> f64 {
     (p[0] * p[0] + p[1] * p[1]) / 2.0 - m / (q[0] * q[0] + q[1] * q[1]).sqrt()
 }
 
-/// The distance of samples is refused with what it is, and no step is taken.
+/// An invalid distance of samples is refused with its value, and no step is taken.
 #[test]
 fn distances_that_are_none() {
     for dt in [0.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {

@@ -1,8 +1,8 @@
-//! Taylor series of solutions: coefficients, steps, what is between them.
+//! Taylor series of solutions: coefficients, steps, and states between them.
 
 #![allow(clippy::excessive_precision, reason = "digits as they are published")]
 
-/// Runs that search in different ways.
+/// Tests runs that search for events in different ways.
 macro_rules! every_run {
     ($system:expr, $state:expr, $h:expr, |$sim:ident| $body:expr) => {
         every_run!($system, $state, $h, 1e-13, |$sim| $body)

@@ -1,4 +1,4 @@
-//! The order that is asked for is the order that is taken.
+//! The series has the requested order.
 
 use geoint_runtime::prelude::*;
 
@@ -27,8 +27,8 @@ macro_rules! orders {
     ($check:ident: $($order:literal)*) => { $($check::<$order>();)* };
 }
 
-/// By a tolerance that is so many times smaller a step is shorter by the root of that order: one more order takes fewer steps. The lowest but
-/// one took those of the lowest.
+/// A smaller tolerance shortens the step by the root of the given order, so a higher order takes fewer steps. Regression test: the second-lowest order took
+/// the steps of the lowest order.
 #[test]
 fn steps_have_the_order_of_the_series() {
     fn check<const P: usize>() {
@@ -38,7 +38,7 @@ fn steps_have_the_order_of_the_series() {
             let mut sim = PENDULUM.taylor(TaylorOrder::<P> { tolerance }, State::new(0.7, 0.9));
             sim.step().map(|()| sim.step_size()).unwrap()
         });
-        // Logarithms are estimates.
+        // Logarithms of step sizes give the order only approximately.
         assert!((order(steps) / P as f64 - 1.0).abs() < 0.01, "{P}: {}", order(steps));
         let steps = tolerances.map(|tolerance| {
             let mut sim = PREDATORS.taylor(TaylorOrder::<P> { tolerance }, FlowState::new([0.7, 0.9]));
@@ -49,7 +49,7 @@ fn steps_have_the_order_of_the_series() {
     orders!(check: 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30);
 }
 
-/// Errors after a time are those of the order, by steps of given length and of a tolerance.
+/// Errors at a fixed time follow the order, with steps of fixed length and with steps from a tolerance.
 #[test]
 fn errors_have_the_order_of_the_series() {
     fn check<const P: usize>() {
@@ -74,7 +74,8 @@ fn errors_have_the_order_of_the_series() {
     orders!(check: 2 3 4 5 6 7);
 }
 
-/// The first term of a series says nothing of its error: with steps for that the lowest order crept away from where a momentum is zero.
+/// The first term of a series contains no information on its error. Regression test: the lowest order crept away from a zero of the momentum, because its
+/// steps relied on this term.
 #[test]
 fn the_lowest_orders_go_on() {
     let spring = TwoSprings.taylor(TaylorOrder::<2> { tolerance: 1e-6 }, State::new(1.0, 0.0));

@@ -1,4 +1,4 @@
-//! Projected series, and polynomials through states and rates of other methods.
+//! Projected series, and interpolation by states and rates of other methods.
 
 use geoint_runtime::prelude::*;
 
@@ -20,7 +20,7 @@ fn euler_top(x: [f64; 3], a: f64, b: f64, c: f64) -> [f64; 3] {
     [(b - c) / a * x[1] * x[2], (c - a) / b * x[2] * x[0], (a - b) / c * x[0] * x[1]]
 }
 
-/// At a loose tolerance the energy drifts with what is truncated; projected it is rounding.
+/// At a loose tolerance the truncation error makes the energy drift. A projection reduces the error to rounding.
 #[test]
 fn projected_series() {
     let (system, start) = (Kepler { m: 1.3 }, State::new([0.4, 0.0], [0.0, 2.6]));
@@ -34,7 +34,7 @@ fn projected_series() {
         assert!(worst(energy, plain.energy()) > 1e-8, "{:e}", worst(energy, plain.energy()));
         assert!(worst(energy, projected.energy()) < 4e-15, "{:e}", worst(energy, projected.energy()));
     }
-    // Steps of one length, and events on the way.
+    // Steps of fixed length, and events on the way.
     let mut sim = system.taylor(Projection(TaylorFixed::<6> { h: 0.01 }, Energy), start);
     let energy = sim.energy();
     assert_eq!(sim.crossings(Direction::Up, |s| s.q[1]).take(3).filter(Result::is_ok).count(), 3);
@@ -55,12 +55,12 @@ fn projected_series() {
             .max(worst(momentum([0.5, 0.8, -0.4]), momentum(x)));
         assert_eq!(error < 1e-14, projects, "{error:e}");
     }
-    // As many steps as without, and the same orbit to the tolerance.
+    // A tolerance of zero is refused.
     let bad = system.taylor(Projection(Taylor { tolerance: 0.0 }, Energy), start).step();
     assert!(matches!(bad, Err(StepError::InvalidTolerance { .. })));
 }
 
-/// Projected steps do not walk either: each is led back to the energy at which the run began. From step to step rounding would add up to 10⁻¹³.
+/// Projected steps do not drift: each is led back to the energy at the start of the run. A projection from step to step would add up to 10⁻¹³ of rounding.
 #[test]
 fn projected_series_do_not_walk() {
     let start = State::new([0.4, 0.0], [0.0, 2.6]);
@@ -71,14 +71,14 @@ fn projected_series_do_not_walk() {
         worst = worst.max((sim.energy() / energy - 1.0).abs());
     }
     assert!(worst < 5e-15, "{worst:e}");
-    // A state that the user gives has an energy of its own.
+    // A state set by the user has its own energy.
     sim.set_state(State::at(sim.time(), [0.5, 0.0], [0.0, 2.0]));
     let energy = sim.energy();
     sim.advance(3000).unwrap();
     assert!((sim.energy() / energy - 1.0).abs() < 5e-15, "{:e}", sim.energy() / energy - 1.0);
 }
 
-/// The largest error of states a twentieth of a step apart, by steps of part of the length and by polynomials; the latter is not to spoil it.
+/// Asserts that interpolation does not increase the error of states a twentieth of a step apart. The reference takes shorter steps to the same times.
 macro_rules! interpolated {
     ($exact:expr, $sim:expr, |$state:ident| $x:expr) => {{
         let (mut exact, mut sim) = ($exact, $sim);

@@ -1,4 +1,4 @@
-//! Runs that meet a condition again and again: those that rest there, or bounce ever lower, are refused, and those that go on are not.
+//! Runs that meet a condition again and again. Runs that come to rest at it, or bounce ever lower, are refused. Other runs continue.
 
 use geoint_runtime::Reason;
 use geoint_runtime::prelude::*;
@@ -46,7 +46,7 @@ fn slides(outcome: &Result<(), StepError>) -> bool {
     matches!(outcome, Err(StepError::StepTooSmall { reason: Reason::Sliding, .. }))
 }
 
-/// At rest at the minimum, in three unit systems, at a time that is not zero, and away from zero.
+/// A body rests at the minimum, in three unit systems, at nonzero times, and at places away from zero.
 #[test]
 fn what_rests_at_a_wedge_is_refused() {
     for (k, m, c) in
@@ -69,7 +69,7 @@ fn what_rests_at_a_wedge_is_refused() {
     }
 }
 
-/// It comes to rest where bounces accumulate.
+/// The body comes to rest at the time at which bounces accumulate.
 #[test]
 fn what_comes_to_rest_is_refused() {
     let most = 1_000_000;
@@ -77,13 +77,14 @@ fn what_comes_to_rest_is_refused() {
         let mut sim =
             Dry { k: 1.0, f: 0.5, c }.taylor(Taylor::default(), FlowState::new([c + 1.0, 0.0])).steps_at_most(most);
         let outcome = sim.advance_to(100.0);
-        // Two units of time down from height 1 to the speed 1; each bounce is slower by r, up for v/(k + f) and down for r v/(k − f).
+        // The fall from height 1 takes two units of time and ends with speed 1. Each bounce reduces the speed by the factor r. It takes v/(k + f) up and r
+        // v/(k − f) down.
         let r = (1.0_f64 / 3.0).sqrt();
         let end = 2.0 + (1.0 / 1.5 + r / 0.5) / (1.0 - r);
         assert!(slides(&outcome), "{c}: {outcome:?} {}", sim.steps());
         assert!((sim.state().x[0] - c).abs() < 1e-12 && (sim.time() - end).abs() < 1e-5, "{:?}, {end}", sim.state());
     }
-    // What holds it, holds it at once.
+    // Strong friction stops the body at once.
     let mut sim =
         Dry { k: 1.0, f: 1.5, c: 1.0 }.taylor(Taylor::default(), FlowState::new([2.0, 1.0])).steps_at_most(most);
     assert!(slides(&sim.advance_to(100.0)) && sim.state().x[1].abs() < 1e-12, "{:?}", sim.state());
@@ -93,7 +94,8 @@ fn what_comes_to_rest_is_refused() {
     }
 }
 
-/// Under friction like γp the n-th bounce takes a time like 1/n: for ever, but after many of them it is said, and who wants more goes on.
+/// Under friction like γp the n-th bounce takes a time like 1/n, so the bounces never end. After many of them the run returns an error. The user can
+/// continue it.
 #[test]
 fn low_bounces_end_a_run() {
     let mut sim =
@@ -110,8 +112,8 @@ fn low_bounces_end_a_run() {
     assert!(sim.time() > t && sim.steps() == steps + 1000);
 }
 
-/// What goes on is never refused: thousands of bounces, fast ones in slow units, bounces that become lower and then higher, many conditions
-/// that change at once, a small motion beside a large one.
+/// Runs that continue are never refused. Cases: thousands of bounces, fast bounces in slow units, many conditions that change at once, a small motion
+/// beside a large one.
 #[test]
 fn what_goes_on_does_so() {
     for (k, m) in [(1.0, 1.0), (1e20, 1e-3), (1e-12, 1e5)] {
@@ -121,7 +123,7 @@ fn what_goes_on_does_so() {
         assert!((sim.energy() / k - 1.0).abs() < 1e-10, "{:e}", sim.energy() / k - 1.0);
     }
     for alternating in [false, true] {
-        // By rounding no two are alike.
+        // Rounding makes all amplitudes different.
         let side = |i: usize| if alternating && i % 2 == 1 { -1.0 } else { 1.0 };
         let q = std::array::from_fn(|i| side(i) * (1.0 + i as f64 * f64::EPSILON));
         let system = Wedges { k: 1.3 };
@@ -134,7 +136,7 @@ fn what_goes_on_does_so() {
     assert!((sim.state().q[1] - 1.0_f64.cos()).abs() < 1e-11 && sim.steps() > 1000);
 }
 
-/// Saved in the middle of bounces, a run goes on alike.
+/// A run saved in the middle of bounces continues in the same way.
 #[test]
 fn saved_between_bounces() {
     let run = || {

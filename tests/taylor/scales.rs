@@ -1,4 +1,4 @@
-//! Times that are very short or very long beside those in which a state changes.
+//! Times that are very short or very long relative to the time scale of the state.
 
 use geoint_runtime::prelude::*;
 
@@ -12,7 +12,7 @@ fn two_bodies(q: [f64; 2], p: [f64; 2], m: f64, k: f64) -> f64 {
     (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) - k / (q[0] * q[0] + q[1] * q[1]).sqrt()
 }
 
-/// At rest nothing but the forces tells how short a step has to be.
+/// At rest only the forces determine the length of a step.
 #[test]
 fn at_rest_in_any_unit_of_time() {
     for exponent in [0, 10, 15, 20, 30, 60, -10, -30, -60] {
@@ -41,7 +41,7 @@ fn free_fall(q: f64, p: f64, g: f64) -> f64 {
     p * p / 2.0 + g * q
 }
 
-/// Steps of polynomials become longer without end, but time does not: the last one is refused.
+/// Steps of polynomials grow without limit, but time is finite. The last step is refused.
 #[test]
 fn time_ends() {
     for (g, state) in [(0.0, State::new(1.0, 0.0)), (0.0, State::new(1.0, 0.1)), (0.0, State::new(1.0, 1e-300))] {
@@ -50,7 +50,7 @@ fn time_ends() {
         assert!(matches!(error, StepError::StepTooSmall { .. }), "{error}");
         assert!(sim.time() > 1e308 && sim.time().is_finite() && sim.state().q.is_finite(), "{:?}", sim.state());
     }
-    // A search without an end ends with it.
+    // A search without an end stops with the same error.
     let mut sim = FreeFall { g: 0.0 }.taylor(Taylor::default(), State::new(1.0, 0.0));
     let found = sim.crossings(Direction::Any, |state| state.q - 2.0).next();
     assert!(matches!(found, Some(Err(StepError::StepTooSmall { .. }))), "{found:?}");
@@ -62,7 +62,7 @@ fn time_ends() {
     assert!(sim.advance(5000).is_err() && sim.time().is_finite());
 }
 
-/// A step to a far time is one step of a polynomial: an event just ahead is a small part of it.
+/// A polynomial reaches a far time in one step. An event just ahead lies in a small part of this step.
 #[test]
 fn events_just_ahead_of_a_far_end() {
     let (state, fall) = (State::new(1.0, 10.0), |h: f64| (10.0 - (100.0 - 2.0 * 9.81 * h).sqrt()) / 9.81);
@@ -71,13 +71,13 @@ fn events_just_ahead_of_a_far_end() {
         let run = || FreeFall { g: 9.81 }.taylor(Taylor::default(), state);
         let ahead = run().until_event(end, Direction::Down, |s| s.q).unwrap().unwrap();
         assert!((ahead.state.t - ground).abs() < 1e-14, "{end:e}: {}", ahead.state.t);
-        // Up through a height, and down.
+        // Up through a height, and down again.
         let mut sim = run();
         let both: Vec<f64> =
             sim.crossings(Direction::Any, |s| s.q - 3.0).until(end).map(|found| found.unwrap().state.t).collect();
         assert_eq!(both.len(), 2, "{end:e}: {both:?}");
         assert!((both[0] - fall(2.0)).abs() < 1e-14 && (both[0] + both[1] - 20.0 / 9.81).abs() < 1e-14, "{both:?}");
-        // By a function that is no polynomial.
+        // A function that is not a polynomial.
         let mut sim = run();
         let both: Vec<f64> = sim
             .crossings(Direction::Any, |s| (s.q * s.q + 1.0).sqrt() - 10_f64.sqrt())
@@ -87,7 +87,7 @@ fn events_just_ahead_of_a_far_end() {
         assert_eq!(both.len(), 3, "{end:e}: {both:?}");
         assert!((both[0] - fall(2.0)).abs() < 1e-13, "{end:e}: {both:?}");
     }
-    // Flies by: from far away the function is constant but for little.
+    // A fly-by. Far away the function is almost constant.
     let mut sim = FreeFall { g: 0.0 }.taylor(Taylor::default(), State::new(-12.0, 1.3));
     let near: Vec<f64> = sim
         .crossings(Direction::Any, |s| (-s.q * s.q).exp() - 0.5)
@@ -99,7 +99,7 @@ fn events_just_ahead_of_a_far_end() {
     assert!((near[0] - (12.0 - half) / 1.3).abs() < 1e-13 && (near[1] - (12.0 + half) / 1.3).abs() < 1e-13);
 }
 
-/// A step that is refused on the way to a time leaves the length of steps as it was.
+/// A refused step towards a time does not change the step size.
 #[test]
 fn the_length_of_steps_stays() {
     #[hamiltonian]

@@ -15,7 +15,7 @@ fn kepler(q: [f64; 2], p: [f64; 2]) -> f64 {
     (p[0] * p[0] + p[1] * p[1]) / 2.0 - 1.0 / (q[0] * q[0] + q[1] * q[1]).sqrt()
 }
 
-/// The coefficients of orders 1 to 32.
+/// Returns the coefficients of orders 1 to 32.
 fn jet<S: Jets>(system: &S, z: S::Phase, s: S::Action) -> [PerCoordinate<S::Phase, S::Action>; 32] {
     let mut jet = [PerCoordinate { z, s }; 32];
     let mut switches = [<S::Switches as geoint_runtime::space::Array>::zero(); 32];
@@ -96,8 +96,8 @@ fn kepler_by_its_equation() {
     }
 }
 
-/// By rounding alone the energy walks √n steps; what is truncated would make it drift: ten times as much for a tolerance that is not 64 times
-/// below the accuracy of the scalar.
+/// Rounding alone makes the energy error grow like √n in n steps. A truncation error would make it drift. The error would be ten times as large for an
+/// internal tolerance that is not 64 times below the accuracy of the scalar.
 #[test]
 fn a_thousand_periods_of_kepler() {
     let mut sim = Kepler.taylor(Taylor::default(), State::new([1.0 - 0.6, 0.0], [0.0, 2.0]));
@@ -141,7 +141,7 @@ fn figure_eight() -> State<[[f64; 2]; 3]> {
     State::new([[x, y], [-x, -y], [0.0, 0.0]], [[u / 2.0, v / 2.0], [u / 2.0, v / 2.0], [-u, -v]])
 }
 
-/// How far from its start a run ends after 100 periods forth and back. The distance of neighbours grows 1400 times on the way.
+/// Returns the distance from its start after 100 periods forth and back. The distance of neighbouring orbits grows 1400 times on the way.
 fn forth_and_back(method: impl TaylorMethod<ThreeBodies>) -> f64 {
     let (start, mut sim) = (figure_eight(), ThreeBodies.taylor(method, figure_eight()));
     sim.advance_to(632.6).unwrap();
@@ -156,8 +156,8 @@ fn forth_and_back(method: impl TaylorMethod<ThreeBodies>) -> f64 {
     moved(end.q, start.q).max(moved(end.p, start.p))
 }
 
-/// What rounding leaves: 0.3 to 5·10⁻¹² by start and processor at order 20, and less at lower orders, whose steps are shorter. At order 12 it is 1.1 to
-/// 1.3·10⁻¹² from this start where what the product of h and the rates has lost is lost.
+/// The remaining distance is rounding. At order 20 it is 0.3 to 5·10⁻¹², depending on start and processor. Lower orders have shorter steps, and leave less.
+/// At order 12 it is 1.1 to 1.3·10⁻¹² from this start if the rounding error of the product of h and the rates is dropped.
 #[test]
 fn a_figure_eight_forth_and_back() {
     let distance = forth_and_back(Taylor::default());
@@ -181,13 +181,13 @@ fn what_is_between_the_ends_of_a_step() {
         there.advance_to(part * h).unwrap();
         assert!((inside.q - there.state().q).abs() < 4e-16 && (inside.p - there.state().p).abs() < 4e-16);
     }
-    // Backwards.
+    // A run backwards.
     sim.advance_to(-1.0).unwrap();
     let before = sim.at(sim.time() + 0.01).unwrap();
     assert!(before.t > sim.time() && before.q > sim.state().q && sim.at(sim.time() - 0.01).is_none());
 }
 
-/// Lower orders, which loose tolerances select, are as accurate as the largest one.
+/// Lower orders, selected by loose tolerances, are as accurate as the highest order.
 #[test]
 fn the_order_follows_from_the_tolerance() {
     let start = figure_eight();
@@ -204,7 +204,7 @@ fn the_order_follows_from_the_tolerance() {
         for i in 0..3 {
             for k in 0..2 {
                 let error = (found.q[i][k] - expected.q[i][k]).abs();
-                // A step is off by a 64th of the tolerance, and a few roundings.
+                // The error of a step is a 64th of the tolerance, plus a few roundings.
                 assert!(error <= tolerance + 1e-14, "{tolerance:e}: {error:.1e}");
             }
         }

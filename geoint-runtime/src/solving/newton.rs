@@ -5,11 +5,14 @@
 //! machine epsilon. Corrections that consist of rounding also end the loop. No tolerance of the user does, because a step is symmetric, and keeps the energy,
 //! only at the solution. Limit: C is an estimate, and no bound.
 //!
-//! The determinant of J is positive in short steps of length h. If it is negative at a solution, the solutions from h = 0 to here pass a singular point, and
-//! the step is refused. A positive determinant proves nothing, because two changes of its sign cancel.
+//! The determinant of J is positive in short steps of length h. If it is negative at a solution, the solutions from h = 0 to here pass a singular point. A
+//! determinant that is not positive therefore ends the loop, and [`rescue`] refuses a solution at which it is negative. Limit: a positive determinant proves
+//! nothing, because two changes of its sign cancel.
 //!
-//! The loop makes at most five evaluations. An equation that takes more, or whose guess is far off, goes to [`rescue`]. More than 12 unknowns are first
-//! iterated without a matrix, as x ← x − r(x).
+//! The loop makes at most five evaluations. An equation that takes more, or whose guess is far off, goes to [`rescue`].
+//!
+//! More than 12 unknowns are first iterated without a matrix, as x ← x − r(x). This iteration has evaluations of its own, as long as each correction is at
+//! most 0.3 times the one before. If it fails, Newton's loop starts again from the guess. Limit: the iteration without a matrix checks no determinant.
 //!
 //! All functions of this loop are inlined, so the state of the solver stays in local variables of the run. Cold functions take and return copies: a pointer to
 //! the state would keep it in memory, and the next step would wait for it.
@@ -37,7 +40,8 @@ const FIRST_CORRECTION_LIMIT: f64 = 1.0 / 8.0;
 /// contraction. With a smaller limit, more steps need a matrix.
 const CONTRACTION_LIMIT: f64 = 0.3;
 
-/// Solves one equation per step. Precondition: successive steps have equal lengths. Otherwise extrapolated guesses are poor.
+/// Solves one equation per step. Precondition: successive steps have equal lengths h. Otherwise extrapolated guesses are poor, and the reach of corrections
+/// belongs to another h, because C depends on h.
 #[derive(Clone, Copy, Debug)]
 pub struct Newton<A> {
     predictor: Predictor<A>,
@@ -111,7 +115,8 @@ impl<A: Array> Newton<A> {
             let solution = Solution::corrected(&x, &delta);
             x = solution.x;
             let next_is_negligible = extrapolates && experience.sizes.all_within(&delta, experience.reach);
-            // Present magnitudes belong to steep functions, for which C may be out of date. Later evaluations compare two corrections instead.
+            // Present magnitudes belong to steep first integrals, for which C may be out of date. Later evaluations compare two corrections instead. Limit: the
+            // first evaluation relies on C all the same, because it has no earlier correction to compare with.
             let is_trusted = evaluation == 1 || matches!(E::MAGNITUDES, Magnitudes::Recent);
             if next_is_negligible && is_trusted && (evaluation > 2 || !measures) {
                 if evaluation > 1 {
@@ -140,8 +145,9 @@ impl<A: Array> Newton<A> {
 }
 
 impl<A: Array> Experience<A> {
-    /// Iterates x ← x − r(x) = g(x) as long as each correction is at most [`CONTRACTION_LIMIT`] times the one before. Returns `None` if a larger one is not
-    /// rounding. Fast convergence is taken as the sign of a contraction, which has one solution. Limit: no determinant is checked.
+    /// Iterates x ← x − r(x) = g(x) as long as each correction is at most [`CONTRACTION_LIMIT`] times the one before. Returns `None` after a correction that is
+    /// larger than that and is not rounding. Fast convergence is taken as the sign of a contraction, which has one solution. Limit: no determinant is
+    /// checked.
     #[inline(always)]
     fn fixed_point<W: Observer + ?Sized, E: StepEquation<A, W>>(
         &mut self,

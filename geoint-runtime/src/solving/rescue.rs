@@ -6,8 +6,11 @@
 //! 2. With [`Effort::Thorough`] and an approximate derivative, the first search is repeated with a matrix of difference quotients.
 //! 3. With [`Effort::Thorough`], the last search starts from the end of [`damped`] corrections.
 //!
-//! A solution after more than five evaluations, or after damped corrections, may not be continuous in the step size h. With [`Effort::Thorough`], `branch`
-//! tests it. With [`Effort::Fast`], the step is refused, and the caller repeats it. Equations whose solutions all satisfy an energy balance are exempt.
+//! A solution after more than five evaluations, or after damped corrections, need not continue the solution from h = 0, where h is the step size. With
+//! [`Effort::Thorough`], `branch` tests it. With [`Effort::Fast`], the step is refused, and the caller repeats it.
+//!
+//! Equations with [`Branch::OfEnergy`](crate::method::implicit::Branch::OfEnergy) are exempt, because all their solutions satisfy the balance of the energy
+//! or of a first integral. Limit: an exempt solution satisfies the balance, but need not continue the solution from h = 0.
 
 use super::branch::Continuation;
 use super::differences::Differences;
@@ -94,6 +97,9 @@ impl<A: Array> Experience<A> {
 
     /// Iterates from a guess. A solution after many evaluations, or after damped corrections, must pass the test of [`branch`](super::branch), or be bound by
     /// energy.
+    ///
+    /// # Errors
+    /// The errors of [`converge`](Self::converge). [`Refusal::Singular`] also if the solution fails this test, or is not tested because of [`Effort::Fast`].
     fn search(
         &mut self,
         guess: &A,
@@ -140,7 +146,8 @@ impl<A: Array> Experience<A> {
         for evaluations in 1..=MAX_ITERATIONS {
             let x = solution.x;
             let r = residual.at(&x, &mut matrix);
-            // Present magnitudes belong to steep integrals. Only a thorough attempt may take their residual for rounding: the method then checks the integrals.
+            // Present magnitudes belong to steep first integrals, such as logarithms. Only a thorough attempt may take their residual for rounding. The method
+            // then checks the integrals.
             let may_be_accepted = effort == Effort::Thorough || magnitudes == Magnitudes::Recent;
             let last = stuck.take();
             // Linear convergence is always slow, so the residual is examined only if corrections stop shrinking.
@@ -199,7 +206,7 @@ impl<A: Array> Experience<A> {
         noise::explains(&noise, &residual.at(x, &mut A::fill(A::zero())), &sizes)
     }
 
-    /// Returns the standard deviation of the rounding of the residual at x. The observer is paused.
+    /// Returns the estimated rounding of every entry of the residual at x; see [`noise::measure`]. The observer is paused.
     fn noise(&self, x: &A, last: LastCorrection<A>, equation: &Distant<A>, residual: &mut dyn Residual<A>) -> A {
         let (mut unused, mut sizes) = (A::fill(A::zero()), self.sizes);
         sizes.include(&equation.origin, x);

@@ -1,4 +1,4 @@
-//! Centres of mass beside attitudes: methods in their order, and what a body turns and what it moves by keep the whole.
+//! Bodies with attitudes and centres of mass. Methods have their order, and conserve the total angular and linear momentum.
 
 use geoint_runtime::prelude::*;
 use nalgebra::{UnitQuaternion, Vector3};

@@ -35,7 +35,8 @@ fn a_free_body_keeps_its_energy_and_its_momentum() {
     }
 }
 
-/// On the separatrix of Euler's equations, with two equal moments, and with J far from that of any body made of masses.
+/// Drifts are exact for every inertia and every motion: on the separatrix of Euler's equations, with two equal moments, and with J far from any body
+/// made of masses.
 #[test]
 fn a_drift_serves_every_inertia_and_every_motion() {
     let separatrix = Vector3::new((1.0_f64 / 3.0).sqrt(), 0.0, 1.0);

@@ -68,7 +68,7 @@ const HEAVY: ([f64; 4], [f64; 3]) = (
     [1.714_606_503_808_859, -1.620_069_755_883_852_4, 0.179_963_615_617_357_06],
 );
 
-/// The same without gravity, at t = 10.
+/// Solution without gravity: w, i, j, k and m at t = 10.
 const FREE: ([f64; 4], [f64; 3]) = (
     [-0.469_387_689_946_109_9, -0.035_263_815_816_103_994, -0.421_025_044_861_958_37, 0.775_351_256_799_219],
     [-0.855_612_532_917_130_2, 0.794_801_090_877_793_8, -1.698_887_406_349_991_7],
@@ -199,7 +199,7 @@ fn compensated_sums_have_less_rounding() {
     assert!(compensated < 5e-15 && compensated < plain, "{plain:.1e} {compensated:.1e}");
 }
 
-/// Where a run ends another one may begin, whatever the method: also one that adds increments to quaternions, as if they were no attitudes.
+/// Every end of a run is a valid start of another run, for every method. Some methods add increments to quaternions as if these were no attitudes.
 #[test]
 fn ends_of_runs_are_starts() {
     fn check<M: Method<HeavyBody<f64>>>(method: M, h: f64)
@@ -246,7 +246,7 @@ fn a_quaternion_of_another_length_is_refused() {
     assert_eq!(sim.state(), state);
     let text = sim.step().unwrap_err().to_string();
     assert!(text.contains("length 1.118") && text.contains("`r.renormalize()`"), "{text}");
-    // Rounding is no mistake, and stays what it is.
+    // A length that is off by rounding (10⁻¹⁴) is accepted, and the state keeps its quaternion.
     let rounded =
         BodyState { r: UnitQuaternion::new_unchecked(Quaternion::new(1.0 + 1e-14, 0.0, 0.0, 0.0)), ..start() };
     let mut sim = heavy().integrator(StormerVerlet, 0.1, rounded);
@@ -297,7 +297,7 @@ fn hopeless_steps_are_errors() {
     assert!(matches!(sim.step(), Err(StepError::NonFiniteState { .. })));
 }
 
-/// Of a turn by 10¹⁷ rad no digit is known, and a quaternion that a step has made 10¹⁶ long has none when it is normalised.
+/// No digit of a turn by 10¹⁷ rad is known, so the step is refused. A quaternion of length 10¹⁶ after a step has no digit left when normalised.
 #[test]
 fn turns_of_which_nothing_is_known_are_errors() {
     fn refused<M: Method<HeavyBody, Proof = ()>>(method: M, spin: f64, h: f64) {

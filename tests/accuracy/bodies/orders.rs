@@ -30,7 +30,7 @@ fn every_kind_of_table_has_its_order() {
     assert!(error(&end(heavy(), BlanesMoanSrkn14a, 5.0, 20), HEAVY) <= 4e-11);
 }
 
-/// All methods of the catalogue that need kicks and drifts alone: the order that they claim, from steps of which the error is no rounding.
+/// Observes the order of all methods of the catalogue that need only kicks and drifts. The errors of the observed steps are above rounding.
 ///
 /// The second part is the solution at t = 2.
 struct Orders(Vec<String>, BodyState<UnitQuaternion<f64>>);
@@ -45,7 +45,7 @@ impl Visitor<HeavyBody> for Orders {
             (coarse.m - self.1.m).amax().max((coarse.r.coords - self.1.r.coords).amax())
         };
         let steps = [2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256];
-        // The last pair above rounding: the order is that of short steps.
+        // The last pair above rounding gives the order, because the order is a property of short steps.
         let mut order = 0.0;
         for pair in steps.windows(2) {
             let (coarse, fine) = (errors(pair[0]), errors(pair[1]));

@@ -21,7 +21,7 @@ fn distance(a: &BodyState<UnitQuaternion<f64>>, b: &BodyState<UnitQuaternion<f64
     (a.r.coords - b.r.coords).amax().max((a.m - b.m).amax())
 }
 
-/// The same motion by series.
+/// Two rotations are the exact flow of a free symmetric body. The reference is the flow by series; both agree to rounding.
 #[test]
 fn two_rotations_are_the_flow() {
     assert!(SpinningTop::<f64>::REPORT.contains("two moments of inertia are equal: the drift is two rotations"));
@@ -50,7 +50,7 @@ fn two_rotations_are_the_flow() {
     }
 }
 
-/// Squares of momenta are no numbers there, and the body turns as it does in other units.
+/// In units of 2^±600 and 2^±1000 squares of momenta overflow or vanish. The body still turns as in other units, bit for bit.
 #[test]
 fn two_rotations_in_all_units() {
     let end = |unit: f64| {
@@ -78,7 +78,8 @@ fn every_axis_may_be_that_of_symmetry() {
     }
 }
 
-/// With gravity, a thousand steps: as by series, and what the symmetry keeps is kept.
+/// A thousand steps with gravity. Two rotations agree with the flow by series to 2·10⁻¹¹. The symmetry keeps m.z to 2·10⁻¹⁵ and the vertical momentum
+/// to 2·10⁻¹³.
 #[test]
 fn a_heavy_symmetric_body() {
     let (across, along, c) = (1.5, 0.8, Vector3::new(0.0, 0.0, 0.7));

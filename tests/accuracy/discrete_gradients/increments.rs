@@ -8,9 +8,9 @@ fn saddle(q: f64, p: f64) -> f64 {
     q * p + p * p / 2.0 - q * q / 2.0
 }
 
-/// What the scheme of coordinate increments, which keeps the energy, makes of the saddle up to t = 2; what the same loses if
-/// a term is forgotten in its equation for q, as has happened in print; and what is left if its h² are dropped: explicit
-/// Euler. The figures of the last two are of another program.
+/// Runs three schemes on the saddle up to t = 2. The scheme of coordinate increments keeps the energy. A misprinted variant forgets a term in the
+/// equation for q, and its energy error exceeds 3. Without its h² terms only explicit Euler is left. The figures of the last two come from another
+/// program.
 #[test]
 fn coordinate_increments_keep_the_energy_of_a_saddle() {
     const START: (f64, f64) = (1.0, 0.5);
@@ -68,7 +68,7 @@ fn throw(q: [f64; 2], p: [f64; 2], m: f64, g: f64) -> f64 {
     (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) + m * g * q[1]
 }
 
-/// With two degrees of freedom: the energy where there is a step; the reason where there is none.
+/// Two degrees of freedom. A step keeps the energy if it exists. Otherwise the error gives the reason.
 #[test]
 fn coordinate_increments_in_the_plane() {
     // On the way up, where force and velocity are not orthogonal.
@@ -100,7 +100,7 @@ fn coordinate_increments_in_the_plane() {
     assert_eq!(sim.step(), Ok(()));
 }
 
-/// Of order 2 where H is separable and both directions are at midpoints; of one degree of freedom directions cancel.
+/// The order is 2 if H is separable and both directions are at midpoints. With one degree of freedom the directions cancel.
 #[test]
 fn coordinate_increments_have_order_2_at_midpoints() {
     fn check(name: &str, expected: f64, errors: [f64; 3]) {
@@ -111,7 +111,7 @@ fn coordinate_increments_have_order_2_at_midpoints() {
         }
     }
     let with = |alpha, beta, gamma, delta| CoordinateIncrement { alpha, beta, gamma, delta };
-    // As long as force and velocity are not orthogonal.
+    // Precondition: force and velocity are not orthogonal.
     let plane = |method| errors(method, State::new([0.3, 0.2], [0.35, 0.25]), 0.2, [0.02, 0.01, 0.005]);
     check("midpoints", 2.0, plane(CoordinateIncrement::default()));
     check("α, δ elsewhere", 2.0, plane(with(0.2, 0.5, 0.5, 0.9)));

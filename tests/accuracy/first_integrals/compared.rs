@@ -1,4 +1,4 @@
-//! What keeping an integral is worth: errors after many periods, and an integral that is not listed.
+//! The benefit of conserving an integral: errors after many periods, and an integral that is not listed.
 
 use super::systems::*;
 use geoint_runtime::prelude::*;
@@ -28,7 +28,7 @@ fn close(name: &str, steps: u64, error: f64, expected: f64) {
     assert!((error / expected - 1.0).abs() < 0.02, "{name}, {steps} steps: {error:.3e}, not {expected:.3e}");
 }
 
-/// In the plane a level is a curve: what is left to do wrong is the time along it.
+/// A level set in the plane is a curve. A method that conserves the integral can err only in the time along the curve.
 #[test]
 fn predators_after_a_hundred_periods() {
     errors(FIELD, FourthOrder(DiscreteGradient), &[(40, 7.57e-3), (80, 4.73e-4), (160, 2.96e-5)]);
@@ -39,8 +39,8 @@ fn predators_after_a_hundred_periods() {
     errors(FIELD, Projection(RK4, Integrals), &[(57, 1.565e-3), (100, 2.209e-4), (200, 1.645e-5)]);
 }
 
-/// The direction of a projection decides what it does to time. Ours is the same in all units: gradients are taken in units of the sizes
-/// that coordinates have had lately. Along the gradient as it stands the error is a sixth, in these units.
+/// The direction of a projection decides its effect on time. Our direction is the same in all units, because gradients are taken in units of the
+/// recent sizes of the coordinates. In the units of this test, the plain gradient gives about a sixth of the error.
 #[test]
 fn projections_have_a_direction() {
     for (steps, ours, euclidean) in [(57, 1.565e-3, 1.771e-4), (100, 2.209e-4, 3.740e-5), (200, 1.645e-5, 3.096e-6)] {
@@ -79,8 +79,8 @@ fn projected_by_hand(steps: u64, in_sizes: bool) -> [f64; 2] {
     z
 }
 
-/// Kovalevskaya's integral under methods that do not know of it, H and both Casimirs being kept: symmetric methods stay near it, a
-/// projection drifts, visibly with long steps.
+/// Kovalevskaya's integral is not listed, so methods conserve only H and both Casimirs. Symmetric methods stay near the integral. A projection
+/// drifts, visibly with long steps.
 #[test]
 fn kovalevskayas_integral_is_not_listed() {
     let stays = |method: &str, [first, last]: [f64; 2], expected: [f64; 2]| {

@@ -4,7 +4,7 @@ use super::systems::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::FirstIntegrals;
 
-/// A sleeping top, near it and at it: all four gradients depend on each other there.
+/// Follows a sleeping top, and tops near it. All four gradients depend on each other in the sleeping state.
 #[test]
 fn sleeping_tops_are_followed() {
     let top = LagrangeTop { a: 2.0, c: 1.0, l: 1.0 };
@@ -28,7 +28,7 @@ fn sleeping_tops_are_followed() {
     assert_eq!(sim.state().x, start.x);
 }
 
-/// Near a permanent rotation both gradients of a free body agree; a projection follows it all the same, also where it is not stable.
+/// Near a permanent rotation both gradients of a free body agree. A projection still follows the body, also at the unstable rotation.
 #[test]
 fn projections_near_permanent_rotations() {
     let body = EulerTop { a: 1.0, b: 2.0, c: 3.0 };
@@ -45,7 +45,7 @@ fn projections_near_permanent_rotations() {
     }
 }
 
-/// Near the equilibrium of Lotka and Volterra the gradient vanishes; what is left is followed, and stays as far away as it began.
+/// Near the equilibrium of Lotka and Volterra the gradient vanishes. The steps still follow the motion, and keep its distance from the equilibrium.
 #[test]
 fn gradients_that_vanish_are_no_failure() {
     let system = Predators { a: 2.0, b: 1.0, c: 1.0 };
@@ -63,7 +63,7 @@ fn gradients_that_vanish_are_no_failure() {
     }
 }
 
-/// Where a logarithm is left, a step is refused, and the last state stays.
+/// A step out of the domain of a logarithm is refused, and the last state is kept.
 #[test]
 fn edges_of_integrals_are_refused() {
     let system = Predators { a: 2.0, b: 1.0, c: 1.0 };
@@ -142,7 +142,7 @@ fn cone(q: [f64; 2], p: [f64; 2], m: f64) -> f64 {
     (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) + (q[0] * q[0] + q[1] * q[1]).sqrt()
 }
 
-/// A step that needs a derivative where there is none names the term.
+/// If a step needs a derivative that does not exist, the error names the term.
 #[test]
 fn edges_of_derivatives_are_named() {
     fn refused<S: PhaseSpace, M: Method<S>>(system: S, method: M, start: S::State, elsewhere: S::State) {
@@ -160,13 +160,13 @@ fn edges_of_derivatives_are_named() {
     let [tip, outside] = [0.0, 0.3].map(|q| State::new([q, 0.0], [0.0, 0.2]));
     refused(Cone { m: 1.5 }, DiscreteGradient, State::new([0.0; 2], [0.0; 2]), outside);
     refused(Cone { m: 1.5 }, StormerVerlet, tip, outside);
-    // What needs no derivative of it stays at the centre.
+    // The implicit midpoint rule needs no derivative of this term and stays at the centre.
     let mut sim = system.integrator(ImplicitMidpoint, 0.1, centre);
     assert!(sim.advance(10).is_ok() && sim.state().x == [0.0; 2]);
 }
 
-/// A moment of inertia of almost nothing: 10⁹ turns a step. Far from where the body is, terms are rounded to more than the state itself, and all
-/// is rounding there; that is no solution.
+/// A moment of inertia of 10⁻⁹ gives 10⁹ turns per step. Far from the body, terms round by more than the size of the state itself. A point that
+/// consists of rounding alone is no solution.
 #[test]
 fn what_is_rounding_alone_is_no_solution() {
     let system = FreeBody { inertia: [1e-9, 1.0, 1.0] };
@@ -184,7 +184,7 @@ fn what_is_rounding_alone_is_no_solution() {
     }
 }
 
-/// All rests, and stays where it is; and so do functions of more coordinates than would be left to move.
+/// A zero field keeps every state, under every method. The two integrals alone leave no coordinate to move.
 #[test]
 fn a_field_of_nothing_stays() {
     #[vector_field(keeps(first = x[0], second = w * x[1]))]
@@ -213,8 +213,8 @@ fn planet(x: [f64; 4], k: f64) -> [f64; 4] {
     [x[2], x[3], -k * x[0] / cube, -k * x[1] / cube]
 }
 
-/// On a circle both gradients are parallel all along, and near it nearly so: what is not refused is kept. Projections are never refused: the circle
-/// is there, and is the way back.
+/// On a circle both gradients are parallel, and near it almost parallel. A step keeps both integrals to 10⁻¹² or is refused. Projections are never
+/// refused, because the circle exists and leads back.
 #[test]
 fn near_circles_steps_keep_all_or_are_refused() {
     fn run<M: Method<Planet>>(method: M, h: f64, eccentricity: f64) -> u64 {
@@ -266,7 +266,7 @@ fn rising(x: [f64; 2], k: f64) -> [f64; 2] {
     [2.0 * k * x[0] * x[1], k * (1.0 + x[1] * x[1])]
 }
 
-/// The largest change of a function in so many steps, or until one is refused.
+/// Returns the largest change of a function in `steps` steps, or up to the first refusal.
 fn moves<S, M, const N: usize>(
     system: S,
     method: M,
@@ -289,8 +289,8 @@ where
     largest
 }
 
-/// Digits are those that coordinates have now, also where they have become smaller by many orders of magnitude; and what has gone over a pole is not
-/// taken for solved because nothing is seen to have changed.
+/// Digits refer to the present size of a coordinate, even after a decay by many orders of magnitude. A step over a pole must not count as solved
+/// because no change is visible.
 #[test]
 fn projections_keep_what_is_steep_in_small_coordinates() {
     for h in [0.3, 1.0] {
@@ -320,7 +320,7 @@ fn to_the_axis(x: [f64; 2], b: f64) -> [f64; 2] {
     [b * (b * x[1]).cos(), -(b * x[1]).sin()]
 }
 
-/// An error that is small beside what a coordinate has been may be larger than the coordinate.
+/// An error can be small compared with earlier values of a coordinate and still exceed its present value. Steps keep the integrals all the same.
 #[test]
 fn steps_keep_what_is_steep_in_small_coordinates() {
     fn keep<M: Method<Dying> + Method<Outbreaks> + Method<ToTheAxis>>(method: M) {

@@ -1,5 +1,5 @@
-//! Fields with first integrals: errors of all steps that keep them against solutions of twenty digits, integrals at every step, and
-//! methods that must fail.
+//! Fields with first integrals. Compares the errors of all conserving steps with solutions of twenty digits, and checks the integrals at every step.
+//! Control methods must fail.
 //!
 //! The solutions are Taylor series of order 40 in arithmetic of 220 bits.
 
@@ -52,8 +52,7 @@ where
         (x.iter().zip(end).map(|(x, end)| (x - end).abs()).fold(0.0, f64::max), changes)
     }
 
-    /// Compares errors in n, 2n, 4n steps with a row of the table, the order with that which the method claims, and integrals with
-    /// rounding.
+    /// Compares errors in n, 2n, 4n steps with a row of the table, the order with the claim, and changes of integrals with rounding.
     fn holds<M: Method<S> + Copy>(&self, method: M, row: &[f64]) {
         let name = format!("{}, {}", self.name, method.name());
         let errors = [0, 1, 2].map(|k| {
@@ -69,7 +68,7 @@ where
         let claimed = f64::from(method.claims().order);
         let [coarse, fine] = [0, 1].map(|k| (errors[k] / errors[k + 1]).log2() - claimed);
         assert!(fine.abs() < 0.05, "{name}: order {:.3}", claimed + fine);
-        // Of longer steps the next term of the error is seen as well: then what is off falls to a quarter.
+        // In longer steps the next term of the error is visible. The deviation from the claimed order then falls to a quarter.
         assert!(coarse.abs() < 0.05 || (3.0..5.0).contains(&(coarse / fine)), "{name}: {coarse:.3}, then {fine:.3}");
     }
 }
@@ -203,7 +202,7 @@ where
     sim.state()
 }
 
-/// Methods that keep none of what is looked at, or not all of it.
+/// Controls: methods that conserve none, or not all, of these functions.
 #[test]
 fn controls_fail() {
     let moves = |name: &str, function: &dyn Fn(f64) -> f64, expected: f64| {
@@ -240,7 +239,7 @@ fn controls_fail() {
     moves("S(m), norm", &along!(AblowitzField, start, sites, norm), 1.0e-4);
 }
 
-/// What is found of a field or of a structure, without being listed.
+/// The report names properties of a field or structure that the user has not listed.
 #[test]
 fn what_is_found_is_reported() {
     let reports = |report: &str, line: &str| assert!(report.contains(line), "{line} is missing in\n{report}");
@@ -249,9 +248,9 @@ fn what_is_found_is_reported() {
     reports(LorenzCore::<f64>::REPORT, "not a Poisson structure: in Jacobi's identity indices (0, 1, 2) leave");
     reports(EulerTop::<f64>::REPORT, "kept, proven by multiplying out");
     reports(KovalevskayaTop::REPORT, "kovalevskaya = ");
-    // A reciprocal that the steps take for positive x alone is written as one.
+    // Steps take this reciprocal for positive x only. The report writes it as a reciprocal.
     reports(LotkaVolterra::<f64>::REPORT, "a/x[1]");
-    // Both Casimirs of a heavy top are kept by steps of order 4.
+    // Steps of order 4 keep both Casimirs of a heavy top.
     assert_eq!(<HeavyTop as FirstIntegrals>::NAMES.len(), 3);
     assert_eq!(<Volterra as FirstIntegrals>::NAMES, ["energy"]);
     // The sum of all species is linear.

@@ -1,4 +1,4 @@
-//! Poles that a field does not have: an integral, or the energy of a plane, is another function beyond them.
+//! Poles of an integral, or of the energy of a plane, where the field has no pole. Beyond such a pole the function is another one.
 
 use geoint_runtime::prelude::*;
 
@@ -51,7 +51,7 @@ fn planes_that_are_solved_for_end_at_poles() {
     assert!(matches!(refused, Err(StepError::OutsideDomain { t: 0.0, .. })), "{refused:?}");
 }
 
-/// A plane without a solution says so, and which one it is.
+/// If the equation of a plane has no solution, the error names the plane.
 #[test]
 fn a_plane_that_was_not_solved_is_named() {
     let mut unsolved = 0;

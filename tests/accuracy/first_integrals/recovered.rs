@@ -1,4 +1,4 @@
-//! Fields that are those of an energy: it is recovered from the field alone, kept, and its terms and planes are pieces.
+//! Fields that derive from an energy. The macro recovers the energy from the field alone. Steps conserve it, and its terms and planes are pieces.
 
 use super::{FOURTH, Motion, end};
 use geoint_runtime::prelude::*;
@@ -117,7 +117,7 @@ fn what_is_recovered_is_kept() {
     assert_eq!(<HenonField as FirstIntegrals>::NAMES, ["energy"]);
     reports(HenonField::REPORT, "div f = 0, proven by multiplying out");
     reports(HenonField::REPORT, "canonical, H = ");
-    // A control: what keeps no energy.
+    // Control: the implicit midpoint rule does not conserve the energy.
     let midpoint = end(HenonField, ImplicitMidpoint, HENON.start, 2.0, 10);
     assert!((HenonField.energy(&midpoint) - energy).abs() > 1e-6);
 
@@ -142,7 +142,7 @@ fn what_is_recovered_is_split() {
     let split = end(HenonField, PoissonSplitting, HENON.start, 2.0, 20).x;
     let State { q, p, .. } = sim.state();
     let [a, b] = [[q[0], q[1], p[0], p[1]], split];
-    // Which of both comes first is free: the error is that of Störmer and Verlet, from either side.
+    // The order of both flows is free. The error is the error of Störmer and Verlet, from either side.
     let error = |x: [f64; 4]| x.iter().zip(HENON.end).map(|(x, end)| (x - end).abs()).fold(0.0, f64::max);
     assert!((0.3..3.0).contains(&(error(a) / error(b))), "{:e} {:e}", error(a), error(b));
     let claims = <PoissonSplitting as Method<HenonField>>::claims(&PoissonSplitting);
@@ -176,7 +176,7 @@ fn energies_may_read_time() {
     let expected = 0.3 * -0.7 * 0.5 + 0.49 - 0.027 / 3.0;
     assert!((Driven.energy(&state) - expected).abs() < 1e-15);
     reports(Driven::REPORT, "x[0]·x[1]·t");
-    // It is not constant.
+    // An energy that reads time is not constant.
     reports(Driven::REPORT, "none was listed, and none was found");
 }
 
@@ -209,7 +209,7 @@ fn without_an_energy_the_report_says_why() {
     reports(SeparableOrbits::<f64>::REPORT, "f = J ∇H/μ with H = ");
 }
 
-/// Linear functions are kept as well; and H beside what is listed, under another name if its own is taken.
+/// Recovered linear functions are conserved as well. A recovered H stands beside the listed integrals, under another name if its own is taken.
 #[test]
 fn what_is_recovered_stands_beside_what_is_listed() {
     assert_eq!(<TodaField as FirstIntegrals>::NAMES.len(), 2);
@@ -233,7 +233,7 @@ fn central(x: [f64; 4], m: f64) -> f64 {
     (x[2] * x[2] + x[3] * x[3]) / (2.0 * m) + (x[0] * x[0] + x[1] * x[1]).powi(2)
 }
 
-/// A momentum that is no Casimir is reported, and no step is projected onto it.
+/// A momentum that is no Casimir is reported, but steps are not projected onto it.
 #[test]
 fn momenta_of_structures_are_reported() {
     assert!(Central::<f64>::REPORT.contains("- x[0]·x[3] - x[1]·x[2]: constant as well, not listed"));
@@ -246,7 +246,7 @@ fn turning(x: [f64; 3], a: f64, b: f64, c: f64) -> [f64; 3] {
     [(b - c) / a * x[1] * x[2], (c - a) / b * x[2] * x[0], (a - b) / c * x[0] * x[1]]
 }
 
-/// Steps are relaxed to the energy of a field, or to what it names first; the other integral moves.
+/// Relaxation conserves the energy of a field, or the integral that the field names first. The other integral moves.
 #[test]
 fn steps_of_fields_are_relaxed() {
     use super::systems::EulerTop;

@@ -1,5 +1,5 @@
-//! Fields with first integrals: each as S(x) ∇H where S is known, and as a field with the integrals that it keeps. Parameters are in the
-//! bodies, so that both forms have the same names of coordinates alone.
+//! Fields with first integrals. Each is written as S(x) ∇H if S is known, and as a field with its integrals. Parameters are in the bodies, so both
+//! forms have only the names of coordinates in common.
 
 use geoint_runtime::prelude::*;
 

@@ -1,4 +1,4 @@
-//! Integrals that read time, and those that change by what is known.
+//! Integrals that read time, and integrals that change by a known amount.
 
 use super::FOURTH;
 use geoint_runtime::prelude::*;
@@ -54,7 +54,7 @@ fn integrals_may_read_time() {
         ] {
             assert!(found.iter().all(|change| *change < 4e-14), "{h}: {found:?}");
         }
-        // A projection knows those alone that do not read time.
+        // A projection conserves only integrals that do not read time.
         let projected = change(turning, Projection(RK4, Integrals), h, [0.3, 0.7, 0.1]);
         assert!(projected[1] < 4e-15 && projected[0] > 1e-13, "{projected:?}");
         let control = change(turning, RK4, h, [0.3, 0.7, 0.1]);
@@ -68,12 +68,12 @@ fn breath(x: [f64; 1], t: f64, m: f64) -> [f64; 1] {
     [x[0] * t.sin() / (2.0 + t.cos())]
 }
 
-/// By what part `scaled` has changed.
+/// Returns the relative change of `scaled`.
 fn off(breath: Breath, [start, end]: [&FlowState<[f64; 1]>; 2]) -> f64 {
     (breath.scaled(end) / breath.scaled(start) - 1.0).abs()
 }
 
-/// That after 10⁵ steps.
+/// Returns the relative change of `scaled` after 10⁵ steps.
 fn off_in_the_end<M: Method<Breath>>(method: M, h: f64) -> f64 {
     let (breath, start) = (Breath { m: 1.5 }, FlowState { t: 0.3, x: [0.7] });
     let mut sim = breath.integrator(method, h, start);
@@ -81,8 +81,8 @@ fn off_in_the_end<M: Method<Breath>>(method: M, h: f64) -> f64 {
     off(breath, [&start, &sim.state()])
 }
 
-/// Steps of 2.814 round t, and t ± h/2, the same way again and again: with divided differences of cos t between those two times `scaled`
-/// drifted by 1.3e-9 in so many steps, and by 2.5e-8 with those between the times at which steps start and end.
+/// Steps of 2.814 round t and t ± h/2 in the same way again and again. Divided differences of cos t between t ± h/2 let `scaled` drift by 1.3e-9 in
+/// 10⁵ steps. Divided differences between the start and end times of steps let it drift by 2.5e-8.
 #[test]
 fn a_clock_that_shows_much_moves_no_integral() {
     for h in [0.05, 2.814, -2.89] {
@@ -101,7 +101,7 @@ fn a_clock_that_shows_much_moves_no_integral() {
     assert!(found < 5e-13 && sim.steps() > 10_000, "{found:e} in {} steps", sim.steps());
 }
 
-/// The balance of each step, and what the report says of it.
+/// Checks the balance of each step, and its entry in the report.
 #[test]
 fn what_a_drive_changes_is_known() {
     let system = Driven { c: 0.4, k: 0.2 };

@@ -1,9 +1,9 @@
-//! Units: states of 10¹⁵⁰ and 10⁻¹⁵⁰, of 10¹⁵ and 10⁻¹⁵ in `f32`, are moved as those near 1 are, to the last bit. What parameters are multiplied to, and
-//! integrals where a method asks for their change, must be numbers that have all their digits.
+//! Units: states of 10¹⁵⁰ and 10⁻¹⁵⁰, and of 10¹⁵ and 10⁻¹⁵ in `f32`, move like states near 1, to the last bit. Products of parameters must be
+//! numbers with all their digits. Integrals must be, too, if a method asks for their change.
 
 use geoint_runtime::prelude::*;
 
-/// A free body of moments of inertia and angular velocities in units of powers of two: in those of time it turns as it did.
+/// Tests a free body whose moments of inertia and angular velocities have units of powers of two. In its unit of time the motion is unchanged.
 macro_rules! free_bodies {
     ($real:ident, $top:ident $body:ident $momenta:ident, states $states:expr, inertia $inertia:expr, values $values:expr) => {
         use super::*;
@@ -59,7 +59,7 @@ macro_rules! free_bodies {
             check(Gauss::<2>, &$states, &$inertia);
             check(Kahan, &$states, &$inertia);
             check(RK4, &$states, &$inertia);
-            // What has to know how much integrals change.
+            // These methods need the change of integrals.
             check(Projection(RK4, Energy), &$values, &$values);
             check(Relaxation(RK4), &$values, &$values);
         }
@@ -116,7 +116,7 @@ mod single {
     free_bodies!(f32, Velocities Structured Momenta, states [-50, 50], inertia [-40, 40], values [-30, 30]);
 }
 
-/// More turns in a step than a number has digits: nothing is resolved there, and to stay where one is would be no step.
+/// A step with more turns than a number has digits resolves nothing. Staying at the start is no step, so the step moves or is refused.
 #[test]
 fn steps_of_endless_turns_are_refused() {
     let turns = |method: &str, outcome: Result<(), StepError>, [before, after]: [[f64; 3]; 2]| match outcome {

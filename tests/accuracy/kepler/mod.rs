@@ -9,12 +9,12 @@ fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
     a[0].mul_add(b[0], a[1].mul_add(b[1], a[2] * b[2]))
 }
 
-/// What an orbit follows from.
+/// Returns the five numbers that determine an orbit: q·q, q·v, v·v, μ and h.
 fn numbers((q, v): Point, mu: f64, h: f64) -> [f64; 5] {
     [dot(&q, &q), dot(&q, &v), dot(&v, &v), mu, h]
 }
 
-/// Some orbits, and one a row of what comes of them.
+/// Computes N orbits at once, and returns one row of results per orbit.
 fn side_by_side<R: Real, const N: usize>(orbits: [[R; 5]; N]) -> [[R; 4]; N] {
     let ends = kepler(std::array::from_fn(|kind| orbits.map(|orbit| orbit[kind])));
     std::array::from_fn(|i| ends.map(|row| row[i]))
@@ -47,7 +47,7 @@ fn error(found: &Point, expected: &Point) -> f64 {
     if errors[0].is_nan() || errors[1].is_nan() { f64::NAN } else { errors[0].max(errors[1]) }
 }
 
-/// Of references.py beside this file.
+/// Output of references.py beside this file.
 const REFERENCES: &str = include_str!("references.txt");
 
 #[test]
@@ -61,7 +61,7 @@ fn orbits_end_where_fifty_digits_say() {
         assert!(error <= 1e-15, "e = {}, h = {}: {error:.1e} of its condition", numbers[0], numbers[1]);
         worst = worst.max(error);
     }
-    // The references are no copy of what is tested.
+    // The references are no copy of the tested function.
     assert!(worst > 1e-17);
 }
 
@@ -88,7 +88,7 @@ impl Random {
     }
 }
 
-/// An orbit of this eccentricity about μ, its pericentre at distance `pericentre`, seen at this true anomaly.
+/// Returns a point of an orbit of eccentricity `e` about μ, with its pericentre at distance `pericentre`, at the true anomaly `anomaly`.
 fn orbit(e: f64, mu: f64, pericentre: f64, anomaly: f64) -> Point {
     let (sin, cos) = anomaly.sin_cos();
     let parameter = pericentre * (1.0 + e);
@@ -164,7 +164,7 @@ fn random_orbits_keep_what_orbits_keep_and_kepler_s_equation() {
     }
 }
 
-/// An orbit of eccentricity 0 to 5, and a time of up to a thousand times that of its pericentre, both ways.
+/// Returns an orbit of eccentricity 0 to 5, and a time of up to a thousand times the time scale of the pericentre, of either sign.
 fn any_orbit(random: &mut Random, decades: f64) -> (Point, f64, f64) {
     let e = random.between(0.0, 5.0) * random.next();
     let (mu, pericentre) = (random.decades(-decades, decades), random.decades(-decades, decades));
@@ -184,7 +184,7 @@ fn random_orbits_are_the_same_in_all_units() {
         let end = flow(start, mu, h);
         assert!(end.0.iter().chain(&end.1).all(|x| x.is_finite()), "case {case}: {start:?}, {mu}, {h}");
         let there = flow(scaled(start), mu * length.powi(3) / time.powi(2), h * time);
-        // Where numbers overflow on the way to the end, the way is another one.
+        // If intermediate numbers overflow, the computation takes another path and rounds differently.
         if there != scaled(end) {
             others += 1;
             let lost = error(&there, &scaled(end)) / condition(start, mu, h, 1e-7).max(1.0);
@@ -256,11 +256,11 @@ fn orbits_that_meet_the_centre_end_there() {
     assert!(!is_lost(flow(escaping, 1.0, 1e3)));
     assert!(is_lost(flow(escaping, 1.0, -10.0)));
     assert!(is_lost(flow(([0.0; 3], [0.1, 0.2, 0.3]), 1.0, 0.1)), "no distance");
-    // However near it passes, an orbit that passes goes on.
+    // An orbit that passes the centre continues, however near it passes.
     assert!(!is_lost(flow(([1.0, 0.0, 0.0], [0.0, 1e-5, 0.0]), 1.0, 2.0)));
 }
 
-/// Numbers of orbits that fill a register of the processor, several of them, or a part of one.
+/// Orbits side by side end as they do alone. They fill a part of a register of the processor, one register, or several.
 #[test]
 fn orbits_side_by_side_are_those_alone() {
     fn check<const N: usize>() {
@@ -268,7 +268,7 @@ fn orbits_side_by_side_are_those_alone() {
         let orbits: [[f64; 5]; N] = std::array::from_fn(one);
         let together = side_by_side(orbits);
         assert_eq!(together, orbits.map(alone));
-        // One of them needs the safe way: the others go with it, and end where they did, but for rounding.
+        // One orbit needs the safe path. The others take it as well, and their ends differ only by rounding.
         let mut mixed = orbits;
         mixed[N / 2][4] = 400.0;
         for (i, (end, alone)) in side_by_side(mixed).into_iter().zip(together).enumerate().filter(|(i, _)| *i != N / 2)
@@ -297,8 +297,8 @@ fn single_numbers_have_their_own_digits() {
     }
 }
 
-/// A comet that comes from far away leaves as it came, but for what the five numbers that an orbit is given by do not tell: the squares of
-/// distance and speed hold less of how far it would pass than coordinates do.
+/// A comet from far away leaves as it came, up to the condition of the five input numbers. Squares of distance and speed determine the distance of
+/// the passage less precisely than coordinates.
 #[test]
 fn hyperbolas_from_far() {
     let (mu, pericentre) = (1.7, 0.3_f64);

@@ -1,5 +1,5 @@
-//! Methods for H = A + B: their orders in h and in the size of B, the outer solar system in Jacobi's coordinates, and what the state is
-//! when another point moves.
+//! Methods for H = A + B: their orders in h and in the size of B, and the outer solar system in Jacobi's coordinates. Some methods move a transformed
+//! point; the state remains the user's.
 
 mod orders;
 
@@ -41,11 +41,11 @@ fn outer_end<M: Method<OuterPlanets>>(method: M, steps: u64) -> Bodies {
     sim.state()
 }
 
-/// Errors over 547 years, as another program with the same tables has them (to 20 %): they depend on all of A, B, the coordinates, the
-/// processor and the gradient.
+/// Errors over 547 years equal the errors of another program with the same tables, to 20 %. The errors depend on A, B, the coordinates, the processor
+/// and the gradient.
 #[test]
 fn the_outer_solar_system_has_the_errors_of_other_programs() {
-    // A method that knows nothing of Jacobi's coordinates, in steps of which only rounding is left.
+    // The reference method does not use Jacobi's coordinates. Its steps are so short that only rounding is left.
     let exact = outer_end(BceRkn17_8, 5000);
     let near = |name: &str, error: f64, expected: f64| {
         assert!((error / expected - 1.0).abs() < 0.2, "{name}: {error:.2e}, expected {expected:.2e}");
@@ -69,12 +69,12 @@ fn energies_and_momenta_of_planets_do_not_drift() {
     let (energy, moment) = (sim.energy(), |x: &Bodies| (0..6).map(|i| x.q[i].cross(&x.p[i])).sum::<Vector3<f64>>());
     let before = moment(&sim.state());
     sim.advance(50_000).expect("no collision");
-    // Momenta that are divided by a rounded mass and multiplied with it again would have lost twice as much by now, in a straight line.
+    // Dividing momenta by a rounded mass and multiplying again would have lost twice as much by now, in a straight line.
     assert!((sim.energy() / energy - 1.0).abs() < 1e-14);
     assert!((moment(&sim.state()) - before).norm() < 5e-14 * before.norm());
 }
 
-/// States are the user's before, between and after steps, and steps one by one those of many at once.
+/// The user's states appear before, between and after steps. Single steps agree with many steps at once.
 #[test]
 fn states_are_those_of_the_user() {
     fn check<M: Method<Planets>>(method: M) {
@@ -132,7 +132,7 @@ fn adaptive_and_projected_runs() {
     assert!(error(projected.state()) < 1e-5, "{}", error(projected.state()));
 }
 
-/// A body may be so light that its attraction is lost: its orbit is that of its limit.
+/// The mass of a body may be so small that its attraction is lost in rounding. Its orbit is then the orbit of the limit.
 #[test]
 fn test_particles() {
     let with = |mass: f64| {
@@ -149,7 +149,7 @@ fn test_particles() {
     assert!((with(1e-5) - limit).norm() > 1e-9 * limit.norm());
 }
 
-/// What cannot go on is an error that says why, and the state is the last good one.
+/// A motion without an orbit is refused with the reason. The state is the last good one.
 #[test]
 fn what_has_no_orbit_is_refused() {
     let (system, start) = (Planets::system::<f64>(), Planets::initial::<f64>(0.0));
@@ -196,7 +196,7 @@ fn charges_gyrate() {
     let (sin, cos) = (2.3_f64 * omega).sin_cos();
     let expected = [0.5 + (u * sin + v * (1.0 - cos)) / omega, 0.3 + (v * sin - u * (1.0 - cos)) / omega];
     assert!(sim.state().q.iter().zip(expected).all(|(x, y)| (x - y).abs() < 1e-14), "{:?} {expected:?}", sim.state());
-    // With a potential: orders of tables of all kinds, against a method that knows nothing of A and B.
+    // With a potential: orders of tables of all kinds, against a method that does not use A and B.
     let system = Charge { k: 0.4, ..free };
     let mut exact = system.integrator(Gauss::<6>, 0.005, start);
     exact.advance(400).expect("steps");
@@ -242,7 +242,7 @@ fn parts_by_name_are_those_that_are_found() {
     named.advance(100).expect("no singularity");
     assert!((found.state().q - named.state().q).abs() < 1e-13);
     assert!(Hardening::<f64>::REPORT.contains("A = p²/(2·m) + q²·k/2"), "{}", Hardening::<f64>::REPORT);
-    // Where the rest is nothing the step is exact.
+    // If the rest is zero, the step is exact.
     let mut free = Hardening { m, k, epsilon: 0.0 }.integrator(WisdomHolman, 20.0, start);
     free.step().expect("no singularity");
     let (sin, cos) = (20.0 * (k / m).sqrt()).sin_cos();

@@ -12,7 +12,7 @@ fn end<M: Method<Hardening<Double>, Double>>(method: M, epsilon: f64, steps: u64
     flat(&sim.state())
 }
 
-/// Observes the last order of every table that claims several: that of h where the rest is not small.
+/// Observes the last order of every table that claims several orders: the order of h if the rest is not small.
 #[derive(Default)]
 struct Orders {
     visited: usize,
@@ -60,8 +60,8 @@ fn tables_have_the_order_of_h_that_they_claim() {
     orders.finish(12);
 }
 
-/// To first order in B a step adds up B at the points that A has reached: the order is that of the quadrature. Beyond it a table is wrong,
-/// or it would claim more.
+/// To first order in B, a step sums B at the points that A has reached. The order is the order of this quadrature. For the next power the quadrature
+/// must be wrong, because the table claims no more.
 #[test]
 fn to_first_order_in_the_rest_tables_are_quadratures() {
     fn check(name: &str, claims: Claims, drifts: &[f64], kicks: &[f64]) {
@@ -95,7 +95,7 @@ fn to_first_order_in_the_rest_tables_are_quadratures() {
     check!(WisdomHolman; Saba4; Aba8_4; Aba8_6_4; Aba10_6_4; Saba2Gradient; Saba3Gradient; Saba4Gradient; Saba5Gradient; Rnia10_8_6 table;);
 }
 
-/// Observes the order of h of errors that are quadratic in B: what an even function of the size of B is apart from the solution.
+/// Observes the order of h of errors that are quadratic in B. The even part in the size of B isolates these errors.
 struct Middle(usize);
 
 impl Visitor<Hardening<Double>, Double> for Middle {
@@ -103,7 +103,7 @@ impl Visitor<Hardening<Double>, Double> for Middle {
         let Claims { perturbed: [_, middle, _], .. } = method.claims() else { return };
         self.0 += 1;
         let sizes = [1e-4, -1e-4, 0.0];
-        // Tables have the digits of `f64`: what they lose without B is taken away as well.
+        // Tables have the digits of `f64`. Their error without B is subtracted as well.
         let even = |[plus, minus, none]: [Vec<Double>; 3]| {
             let both = plus.iter().zip(&minus).map(|(plus, minus)| *plus + *minus);
             both.zip(&none).map(|(both, none)| both - *none - *none).collect::<Vec<_>>()
@@ -116,7 +116,7 @@ impl Visitor<Hardening<Double>, Double> for Middle {
     }
 }
 
-/// Of three orders the one in the middle is that of errors of second order in B.
+/// Methods claim three orders. The middle one belongs to errors of second order in B.
 #[test]
 fn errors_of_second_order_in_the_rest_have_the_order_in_the_middle() {
     let mut middle = Middle(0);
@@ -125,7 +125,7 @@ fn errors_of_second_order_in_the_rest_have_the_order_in_the_middle() {
     assert_eq!(middle.0, 3);
 }
 
-/// A processor does to the errors of first order what a better quadrature does.
+/// A processor removes errors of first order in B, like a better quadrature.
 #[test]
 fn processors_take_errors_of_first_order_away() {
     let mut orders = Orders::default();

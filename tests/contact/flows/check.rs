@@ -1,4 +1,4 @@
-//! A flow against its differential equation, and against what all contact flows have in common.
+//! Compares a flow with its differential equation, and checks the common properties of all contact flows.
 
 use crate::measure::field;
 use geoint_runtime::prelude::*;
@@ -7,7 +7,7 @@ use geoint_runtime::{Coordinates, PhaseSpace, Real, StepError};
 use geoint_tests::measure::{Noise, extrapolated};
 use geoint_tests::scalars::{Double, Dual, Scalar};
 
-/// An energy of one piece, and what is known of it.
+/// An energy of one piece, its report, and the rule of its flow.
 pub(super) struct Instance {
     pub(super) name: &'static str,
     pub(super) report: &'static str,
@@ -30,7 +30,7 @@ const BOUND: f64 = 3.0;
 /// When the flows start.
 const START: f64 = 0.5;
 
-/// All that is known of flows: which rule, q' = ∂H/∂p, p' = −∂H/∂q − p ∂H/∂s, s' = p·∂H/∂p − H, and a form that is kept.
+/// Checks the rule of a flow, the equations q' = ∂H/∂p, p' = −∂H/∂q − p ∂H/∂s, s' = p·∂H/∂p − H, and the contact form.
 pub(super) fn check<const N: usize, S: Closed<N>>(instance: &Instance, system: S) -> Result<(), String> {
     let Instance { name, report, rule } = instance;
     let pieces = <S as Pieces<ContactSplitting, f64>>::PIECES;
@@ -103,7 +103,7 @@ fn solved<const N: usize, S: Contact<Double, Array = [Double; N]>>(
     let solve =
         |t: Double, x: Vec<Double>, parts| extrapolated(|t, x| field(system, t, x), t, x, Double::from(h), parts);
     let (t, x) = (Double::from(t), doubles(x));
-    // As many parts as change nothing that counts.
+    // Doubles the number of parts until the solution no longer changes in the digits that count.
     let mut parts = 1;
     let mut exact = solve(t, x.clone(), parts);
     loop {
@@ -137,7 +137,7 @@ fn solved<const N: usize, S: Contact<Double, Array = [Double; N]>>(
     (exact, condition)
 }
 
-/// The gradient is that of the energy.
+/// Asserts that the gradient is the derivative of the energy.
 fn gradient<const N: usize, S: Closed<N>>(name: &str, system: S, x: &[f64]) {
     let (mut z, mut slopes, mut ds) = ([[0.0; N]; 2], [[0.0; N]; 2], 0.0);
     z.as_flattened_mut().copy_from_slice(&x[..2 * N]);
@@ -152,7 +152,7 @@ fn gradient<const N: usize, S: Closed<N>>(name: &str, system: S, x: &[f64]) {
     }
 }
 
-/// How far ds − p dq after the step is from a multiple of what it was, by derivatives of the step.
+/// Returns the distance of ds − p dq after the step from a multiple of its value before, by derivatives of the step.
 fn form_defect<const N: usize, S: Closed<N>>(system: S, x: &[f64], t: f64, h: f64) -> f64 {
     let columns: Vec<Vec<Dual>> = (0..x.len())
         .map(|j| {

@@ -1,4 +1,4 @@
-//! Time where no flow is exact in it: frozen in the middle of the step, so that the order is kept, and never passed over.
+//! Energies whose flows are not exact in time. Time is frozen in the middle of the step, so the order is kept. No step passes a pole in time.
 
 use crate::measure::{run, solution};
 use geoint_runtime::prelude::*;
@@ -43,7 +43,7 @@ second_order! { two_degrees_of_freedom, [f64; 2], [0.5, 0.3, 0.4, -0.2, 0.3], (q
     Masses => 0.6875 * p[0] * p[0] * s.exp() + t * t * p[1] * p[1] * s.exp();
 }
 
-/// Poles in time at t = 1, in each kind of term, and one at t = 1 + π behind it.
+/// Asserts that no step passes a pole in time. Each kind of term has a pole at t = 1, and one term has another pole at t = 1 + π.
 macro_rules! not_passed {
     (($q:ident $p:ident $s:ident $t:ident): $($System:ident => $energy:expr;)*) => {
         #[test]

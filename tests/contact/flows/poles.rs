@@ -1,11 +1,11 @@
-//! Flows that end: a step that would go beyond is refused with the name of the piece, and nothing has moved.
+//! Flows that end. A step beyond the end is refused with the name of the piece, and the state does not change.
 
 use super::check::Over;
 use super::check::step;
 use geoint_runtime::StepError;
 use geoint_runtime::prelude::*;
 
-/// An energy with a start, a time there, and the lengths after which its flow ends, of either sign.
+/// An energy with a start, a start time, and the lengths, of either sign, after which its flow ends.
 macro_rules! poles {
     ($test:ident, $of:ty, ($q:ident $p:ident $s:ident $t:ident): $($System:ident at ($x:expr, $start:expr) => $energy:expr, ends $ends:expr;)*) => {
         #[test]
@@ -114,7 +114,7 @@ fn singular_times() {
     }
     let x = [0.3, 0.7, 0.8];
     for k in [0.01, 0.5, 1.0, 2.0, 3.7] {
-        // With any power of time, from where it is singular; but neither across that, nor to it.
+        // A step may start at the singular time, for any power of time. A step across the singular time, or onto it, is refused.
         let system = EmdenFowler { k, since: 0.25 };
         assert_eq!(step(system, &x, -0.25, 0.1).unwrap(), [0.3, 0.0, 0.0]);
         assert!(matches!(step(system, &x, -0.5, 0.5), Err(StepError::Pole { .. })));

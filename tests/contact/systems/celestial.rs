@@ -34,8 +34,8 @@ fn perturbed_kepler_has_known_errors() {
     assert!(best[1] < 8e-11 && (order(best) - 6.0).abs() < 0.2, "{best:?}");
 }
 
-/// Friction at both ends of a step, not twice at one of them. The time is no multiple of the period of friction, after which the
-/// errors of that would cancel.
+/// Friction acts at both ends of a step, not twice at one end. The errors of friction at one end would cancel after a multiple of the period of
+/// friction. The time is no such multiple.
 #[test]
 fn the_leapfrog_is_of_order_two_where_friction_changes() {
     let (start, duration) = (pericentre(0.4), 9.3);
@@ -89,7 +89,7 @@ fn stars_from_their_singular_centre() {
 fn stars_by_order_six_with_a_series_for_the_centre() {
     for (n, system, end, exact) in STARS {
         let t = 0.1_f64;
-        // Of 1 − t²/6 + n t⁴/120 − …
+        // Coefficients of the series 1 − t²/6 + n t⁴/120 − …
         let series = [
             -1.0 / 6.0,
             n / 120.0,
@@ -107,8 +107,8 @@ fn stars_by_order_six_with_a_series_for_the_centre() {
     }
 }
 
-/// The coefficients of (a/r)³ cos(2f − 2q) = Σ cₖ cos(2q − kt), k = −5, …, 9, as series in e up to e⁷: those of the exponential
-/// of ike sin u, r = 1 − e cos u and Kepler's equation, in exact arithmetic. The first of each row belongs to e^|k − 2|, the others to
+/// Returns the coefficients of (a/r)³ cos(2f − 2q) = Σ cₖ cos(2q − kt), k = −5, …, 9, as series in e up to e⁷. They follow in exact arithmetic from
+/// the exponential of ike sin u, from r = 1 − e cos u and from Kepler's equation. The first number of each row belongs to e^|k − 2|, the others to
 /// every second power after it.
 fn cayley(e: f64) -> [f64; 15] {
     let rows: [&[f64]; 15] = [
@@ -134,7 +134,7 @@ fn cayley(e: f64) -> [f64; 15] {
     })
 }
 
-/// The same as mean values over an orbit in the eccentric anomaly, by the trapezoidal rule.
+/// Returns these coefficients as mean values over an orbit in the eccentric anomaly, by the trapezoidal rule.
 fn hansen(e: f64) -> [f64; 15] {
     core::array::from_fn(|i| {
         let mean = (0..64).map(|j| {

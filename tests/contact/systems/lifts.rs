@@ -65,7 +65,7 @@ fn every_step_of_a_descent_leads_downhill() {
     }
 }
 
-/// E = v²/2 − cos q + heat is kept to the order, as the pieces exchange it; heat, and with it entropy, never falls.
+/// The pieces exchange energy, so E = v²/2 − cos q + heat is conserved to the order of the method. Heat, and with it entropy, never falls.
 #[test]
 fn a_heat_bath_takes_the_energy_that_friction_takes() {
     let system = PendulumInBath { gamma: 0.1 };

@@ -41,7 +41,7 @@ fn the_variational_leapfrog_has_known_errors() {
     }
 }
 
-/// Contact leapfrog has order 2. The control is leapfrog for (q, p) with friction as one more force: it has order 1, and larger errors.
+/// Contact leapfrog has order 2. The control, leapfrog for (q, p) with friction as one more force, has order 1 and larger errors.
 #[test]
 fn contact_leapfrog_is_compared_with_leapfrog() {
     let leapfrog = |gamma: f64, h: f64| {
@@ -156,7 +156,7 @@ fn friction_that_grows_with_the_action_is_explicit() {
     // The flow of s²/2 has a pole at 2/20.
     let mut sim = QuadraticDissipation { a: 1.0 }.integrator(ContactSplitting, 0.2, ContactState::new(0.5, 0.5, -20.0));
     assert!(matches!(sim.step(), Err(StepError::Pole { t: 0.0, .. })));
-    // A step that may not be shorter says why it is refused.
+    // If a step may not be shorter, the error names the reason of the refusal.
     let start = ContactState::new(0.5, 0.5, -20.0);
     let mut sim = QuadraticDissipation { a: 1.0 }.adaptive(ContactSplitting, 1e-6, start).steps_between(0.2, 0.2);
     let refused = sim.step();

@@ -49,7 +49,7 @@ fn reports_say_how_steps_are_solved() {
     assert!(Stiff::<f64>::REPORT.contains("there is no discrete gradient"), "{}", Stiff::<f64>::REPORT);
 }
 
-/// It is the same map, with half of the unknowns.
+/// A Lagrangian and its energy give the same map. The Lagrangian needs half of the unknowns.
 #[test]
 fn steps_are_those_of_the_energy() {
     let by_hand = ChainByHand { m: M, c: 0.3 };
@@ -62,7 +62,7 @@ fn steps_are_those_of_the_energy() {
         )* };
     }
     same!(ContactMidpoint, ContactGauss::<1>, ContactGauss::<2>, ContactGauss::<3>);
-    // Another discrete gradient than that of the tree of H.
+    // The discrete gradient differs from the discrete gradient of the tree of H.
     let (one, other) = (
         end(CHAIN, ContactDiscreteGradient, start, 0.05, 2.0),
         end(by_hand, ContactDiscreteGradient, start, 0.05, 2.0),
@@ -78,7 +78,7 @@ fn steps_are_those_of_the_energy() {
     assert!((slopes.1 - expected.1).abs() < 1e-14);
 }
 
-/// Of all unknowns, where s is solved for and where it follows, with explicit time.
+/// Observes the order in all unknowns, with explicit time. In some steps s is solved for, in others it follows.
 #[test]
 fn orders() {
     fn observed<S: Contact, T: Method<S>>(system: S, method: T, start: S::State, h: f64) -> f64
@@ -161,7 +161,7 @@ fn steps_are_contact_maps() {
     assert!(other > 1e-5, "{other:e}");
 }
 
-/// Momenta fall by one factor, the angular momentum among them.
+/// Momenta decay by one common factor. The angular momentum is among them.
 #[test]
 fn dissipated_momenta_decay_alike() -> Result<(), StepError> {
     let system = FadingTelescope { m: [1.3, 0.7], c: 0.4 };
@@ -185,7 +185,7 @@ fn dissipated_momenta_decay_alike() -> Result<(), StepError> {
     Ok(())
 }
 
-/// H₁ = H₀ exp(hΛ_s): by e^(−ch) where c is constant, else with what a step back gives again.
+/// The energy decays by H₁ = H₀ exp(hΛ_s). The factor is e^(−ch) if c is constant. Otherwise a step back restores the state.
 #[test]
 fn the_energy_decays_as_the_equation_says() -> Result<(), StepError> {
     let system = FadingChain { m: M, c: 0.3 };
@@ -213,7 +213,7 @@ fn the_energy_decays_as_the_equation_says() -> Result<(), StepError> {
     Ok(())
 }
 
-/// Friction in proportion to the kinetic energy is that of the action, where s need not be solved for.
+/// Friction in proportion to the kinetic energy equals friction by the action. Then s need not be solved for.
 #[test]
 fn friction_is_that_of_the_action() {
     let (braked, rubbed) = (FadingChain { m: M, c: 0.3 }, RubbedChain { m: M, c: 0.3 });
@@ -225,7 +225,7 @@ fn friction_is_that_of_the_action() {
     assert!(RubbedChain::<f64>::REPORT.contains("with γ = c,"), "{}", RubbedChain::<f64>::REPORT);
 }
 
-/// No step leads over a singular mass matrix, and none that is too long: the state stays.
+/// A step over a singular mass matrix is refused, and so is a step that is too long. The state is kept.
 #[test]
 fn refused_steps_leave_the_state() {
     let system = Vanishing { m: 0.7 };

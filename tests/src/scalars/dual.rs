@@ -1,7 +1,7 @@
 //! A value with one derivative: `num_dual::Dual64` as the scalar of a kernel.
 //!
-//! Run through a kernel it differentiates that kernel, run through a step it gives a column of the step's Jacobian. The
-//! rules are those of another crate, so that nothing here can be wrong in the same way as the macro.
+//! In a kernel, a dual number gives the derivative of the kernel. In a step, it gives a column of the step's Jacobian. The rules come from another
+//! crate, so this code cannot share an error with the macro.
 
 use super::{arithmetic, compared};
 use core::cmp::Ordering;
@@ -33,7 +33,7 @@ impl Dual {
         Dual(self.0.powi(n))
     }
 
-    /// x to the power of a number that is constant or not, as the method of `f64` takes it.
+    /// x to the power of a constant or of another dual number, like the method of `f64`.
     pub fn powf(self, y: impl Into<Dual>) -> Self {
         Real::powf(self, y.into())
     }
@@ -53,7 +53,7 @@ impl Dual {
         Dual(self.0.recip())
     }
 
-    /// What lies between two bounds.
+    /// Restricts the number to the interval between two bounds.
     pub fn clamp(self, low: impl Into<Dual>, high: impl Into<Dual>) -> Self {
         Real::min(Real::max(self, low.into()), high.into())
     }
@@ -77,7 +77,7 @@ impl PartialEq for Dual {
 }
 
 impl PartialOrd for Dual {
-    /// By the value: the side of a branch on which a point lies is also that of its neighbours.
+    /// Compares values: a point and its neighbours lie on the same side of a branch.
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         self.value().partial_cmp(&other.value())
     }

@@ -1,4 +1,4 @@
-//! Two numbers side by side: what holds for a scalar must hold for each component, whatever the other one is.
+//! Two numbers side by side. Each component must behave like a scalar, independent of the other component.
 
 use super::arithmetic;
 use geoint_runtime::Real;

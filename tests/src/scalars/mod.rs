@@ -1,4 +1,4 @@
-//! Scalars for which kernels are run in tests only: one carries a derivative along, one has twice the digits, one is two, one counts.
+//! Scalars for kernels in tests only: one with a derivative, one with twice the digits, one with two components, and one that counts.
 
 mod double;
 mod dual;

@@ -1,4 +1,4 @@
-//! A number that counts what is done with it: the operations that a step executes, whatever emitted them.
+//! A number that counts its operations. The count covers every operation that a step executes, whatever code emitted it.
 
 use super::{arithmetic, compared};
 use core::cell::Cell;
@@ -15,12 +15,12 @@ pub struct Tally {
     pub arithmetic: u64,
     /// Quotients and roots.
     pub divisions: u64,
-    /// All other functions; a sine with its cosine counts as two.
+    /// Other functions; a sine with its cosine counts as two.
     pub functions: u64,
 }
 
 impl Tally {
-    /// What `run` does on this thread.
+    /// Counts the operations of `run` on this thread.
     pub fn during(run: impl FnOnce()) -> Tally {
         let before = TALLY.get();
         run();
@@ -32,7 +32,7 @@ impl Tally {
         }
     }
 
-    /// All of them, in units of a sum: a quotient as ten of them, a function as twenty. A weight for comparisons, no measurement.
+    /// Returns the operations in units of a sum: a quotient counts ten, a function twenty. The weight is for comparisons and is no measurement.
     pub fn weight(self) -> u64 {
         self.arithmetic + 10 * self.divisions + 20 * self.functions
     }

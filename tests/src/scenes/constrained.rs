@@ -38,7 +38,7 @@ impl<R: Real, const N: usize> Surface<R, N> {
         velocity.into_iter().chain(force).collect()
     }
 
-    /// The momentum without what leads away from the surface: p − G (G·v)/(G·M⁻¹G).
+    /// Returns the momentum without its component that leads away from the surface: p − G (G·v)/(G·M⁻¹G).
     fn tangent(&self, mut x: Vec<R>) -> Vec<R> {
         let normal: [R; N] = core::array::from_fn(|i| self.weights[i] * x[i]);
         let (mut away, mut inertia) = (R::from_f64(0.0), R::from_f64(0.0));
@@ -61,7 +61,7 @@ impl<R: Real, const N: usize> Surface<R, N> {
     }
 }
 
-/// The unit vectors without what they have along some gradients.
+/// Returns the unit vectors without their components along two gradients.
 fn tangents(gradients: [Vec<f64>; 2]) -> Vec<Vec<f64>> {
     let without = |mut x: Vec<f64>, normal: &[f64]| {
         let along: f64 = x.iter().zip(normal).map(|(x, n)| x * n).sum();

@@ -1,4 +1,4 @@
-//! Energies that are not T(p) + V(q): with pieces that have flows in closed form, and of degree 3.
+//! Energies other than T(p) + V(q): with pieces that have flows in closed form, and of degree 3.
 
 use crate::problems::{Over, Problem, Shaped, problems};
 use crate::scalars::Scalar;

@@ -43,7 +43,7 @@ macro_rules! scenes {
             fn rate<R: Scalar>(system: &$System<R>, t: R, x: &[R]) -> Vec<R> {
                 field(system, t, x)
             }
-            /// There is none.
+            /// These scenes have no form.
             fn form_defect(_: &[Vec<f64>], _: &[Vec<f64>], _: &[f64], _: &[f64]) -> f64 {
                 f64::NAN
             }

@@ -1,4 +1,4 @@
-//! Scenes beside those of the canonical problems: contact systems, constraints, flows, and energies of which q and p are coupled.
+//! Scenes beside the canonical problems: contact systems, constraints, flows, and energies that couple q and p.
 
 mod bodies;
 mod constrained;

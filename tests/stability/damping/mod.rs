@@ -1,4 +1,4 @@
-//! Damped systems: the energy falls by exactly what is dissipated, whatever the step size; damping that is none is refused.
+//! Damped systems: in every step the energy falls by exactly the dissipated energy, for any step size. Damping that feeds energy is refused.
 
 mod scenes;
 
@@ -13,11 +13,11 @@ use geoint_tests::scalars::Double;
 use scenes::*;
 use std::marker::PhantomData;
 
-/// What a damped system is by hand: velocity, force and coefficients at a point.
+/// A damped system written by hand: velocity, force and damping coefficients at a point.
 type ByHand<R> = (Vec<R>, Vec<R>, Vec<Vec<R>>);
 
-/// The largest h·v·Cv + H₁ − H₀ of a run with v = (q₁ − q₀)/h, which the first half of the step says is ∇̄_pH, and C at the
-/// mean of both ends, relative to the energy at the start. Every step must take energy away.
+/// Returns the largest h·v·Cv + H₁ − H₀ of a run, relative to the energy at the start. Here v = (q₁ − q₀)/h, which equals ∇̄_pH by the first half of the
+/// step. C is evaluated at the mean of both ends. Every step must dissipate energy.
 fn imbalance<D: Damped>(h: f64, steps: u64) -> f64 {
     let (system, (q, p)) = (D::system::<f64>(), D::START);
     let mut sim = system.integrator(DiscreteGradient, h, state::<D::Over<f64>, f64>(0.4, q, p));
@@ -54,7 +54,7 @@ fn energy_falls_by_what_is_dissipated() {
     check::<Swing>("Swing", &[0.1, 0.3, 1.0, 3.0]);
 }
 
-/// The order of a method in double-double against the equation by hand.
+/// Returns the order of a method in double-double arithmetic, measured against the equation written by hand.
 fn order<D: Damped, M: Method<D::Over<Double>, Double>>(method: M) -> f64 {
     let (from, duration, (q, p)) = (0.4, 2.3, D::START);
     let n = q.len();
@@ -96,7 +96,7 @@ fn orders_are_those_without_damping() {
     check::<Swing>("Swing");
 }
 
-/// What damps differences alone leaves the sum of momenta alone; and a matrix that is singular on paper is not refused.
+/// Damping of differences does not change the sum of the momenta. Its matrix is singular on paper, and is not refused.
 #[test]
 fn relative_damping_keeps_total_momentum() {
     let system = ShockAbsorber { m: [1.3, 0.7], c: 0.3 };
@@ -106,11 +106,11 @@ fn relative_damping_keeps_total_momentum() {
         let state = state.unwrap();
         assert!((state.p[0] + state.p[1] - 0.3).abs() < 1e-14);
     }
-    // What is left is the motion of both together.
+    // The remaining energy belongs to the common motion.
     assert!((sim.energy() - rest).abs() < 1e-8, "{}", sim.energy());
 }
 
-/// Without a Newton iteration: the step of a linear system is that of the implicit midpoint rule.
+/// A linear system needs no Newton iteration. Its step equals the step of the implicit midpoint rule.
 #[test]
 fn linear_systems_are_solved_at_once() {
     const { assert!(<<Oscillator as DiscreteField>::Inverse as Inverse<[[f64; 2]; 2]>>::EXISTS) };
@@ -157,7 +157,7 @@ fn parameters_that_feed_energy_are_refused() {
     check(ShockAbsorber { m: [1.3, 0.7], c: -0.1 }, start, "damping that is negative: c");
 }
 
-/// Where damping turns into its opposite on the way, the last state on the right side is kept.
+/// If damping becomes negative on the way, the run ends and keeps the last good state.
 #[test]
 fn damping_that_feeds_energy_on_the_way() {
     fn check<S: Hamiltonian<f64>, M: Method<S, f64>>(start: Integrator<S, M>, reason: &str, good: fn(&[f64]) -> bool)
@@ -176,7 +176,7 @@ fn damping_that_feeds_energy_on_the_way() {
         };
         assert!(sim.steps() > 10, "{name}: {:?}", sim.state());
         assert!(error.to_string().contains(reason), "{name}: {error}");
-        // Nor does a long run come out on the other side, where the sign is right again.
+        // A longer run does not cross into the region behind, where the sign is right again.
         for n in sim.steps() + 1..400 {
             let mut through = start.clone();
             assert_eq!(through.advance(n), Err(error), "{name}: {n} steps");
@@ -194,7 +194,7 @@ fn damping_that_feeds_energy_on_the_way() {
     check(system.integrator(Gauss::<3>, 0.05, start), indefinite, |x| x[0].abs() <= 1.0);
 }
 
-/// Whether a system has a property, decided by the compiler: the inherent constant, if it exists, hides that of the trait.
+/// Decides at compile time whether a system has a property. The inherent constant, if it exists, hides the constant of the trait.
 struct Has<S>(PhantomData<S>);
 
 trait Lacks {
@@ -238,7 +238,7 @@ fn damped_systems_have_neither_flows_nor_a_conserved_energy() {
     assert!(!Duffing::REPORT.contains("- the energy"));
     assert!(Duffing::REPORT.contains("with C = c\n"), "{}", Duffing::REPORT);
     assert!(ShockAbsorber::REPORT.contains("with C = [[c, -c], [-c, c]]\n"), "{}", ShockAbsorber::REPORT);
-    // Angular momentum of the one, but for damping; a coordinate that damping leaves alone in the other.
+    // For one system, damping breaks the angular momentum. For the other, damping does not affect one coordinate, whose momentum is kept.
     assert!(
         Turntable::REPORT.contains("\nConserved by the flow, at least\n- nothing that was found\n"),
         "{}",

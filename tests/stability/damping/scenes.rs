@@ -1,4 +1,4 @@
-//! Damped systems, and by what each dissipates.
+//! Damped systems, and the dissipation of each.
 
 use super::ByHand;
 use geoint_runtime::method::gauss::SolvedByGauss;
@@ -52,7 +52,7 @@ pub(super) fn twist(q: [f64; 2], p: [f64; 2], m: [f64; 2], c: f64) -> f64 {
     p[0] * p[0] / (2.0 * m[0]) + p[1] * p[1] / (2.0 * m[1]) + (q[0] * q[0] + q[1] * q[1]) / 2.0
 }
 
-/// A damped system, and what it is by hand.
+/// A damped system, and the same system written by hand.
 pub(super) trait Damped {
     type Over<R: Scalar>: DiscreteField<R> + Hamiltonian<R> + SolvedByGauss<R> + SolvedBy<DiscreteGradient, R>;
     const START: (&'static [f64], &'static [f64]);

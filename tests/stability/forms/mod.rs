@@ -30,7 +30,7 @@ trait Form<R: Real> {
     fn system(units: Units) -> Self::System;
 }
 
-/// What does not depend on the scalar.
+/// The properties of a form that do not depend on the scalar.
 trait Written {
     /// All coordinates in plain units, and the action.
     const START: &'static [f64];
@@ -62,12 +62,12 @@ macro_rules! forms {
     };
 }
 
-/// m, of which p = m·q/t.
+/// Scales a mass m, because p = m·q/t.
 fn mass(x: f64, u: Units) -> f64 {
     times(x, u.p + u.t - u.q)
 }
 
-/// An energy times qⁿ.
+/// Scales an energy times qⁿ.
 fn energy(x: f64, n: i32, u: Units) -> f64 {
     times(x, u.q + u.p - u.t + n * u.q)
 }
@@ -111,15 +111,15 @@ fn plain<F: Written + Form<R>, R: Real>(units: Units, state: StateOf<F::System, 
     values.into_iter().zip(F::exponents(units)).map(|(x, k)| x * R::from_f64(times(1.0, -k))).collect()
 }
 
-/// Steps whose bits are compared, and those of a long run.
+/// Number of steps whose bits are compared, and number of steps of a long run.
 const FEW: u64 = 30;
 const MANY: u64 = 200;
 
-/// How far a long run in `f32` may be from that in `f64`. With constraints most: what a position is rounded by, divided by the step, is seen
-/// in the momentum, and compositions have short steps.
+/// Bound on the distance between a long run in `f32` and the same run in `f64`. Constraints cause the largest distance. The rounding of a position, divided
+/// by the step, enters the momentum, and compositions have short steps.
 const NEARBY: f64 = 1e-2;
 
-/// A form under methods in `f64`: units, single steps, and where a long run ends.
+/// Tests a form under methods in `f64`: other units, single steps, and the end of a long run.
 struct Walk<F> {
     ends: Vec<(String, Vec<f64>)>,
     failures: Vec<String>,
@@ -145,7 +145,7 @@ impl<F: Written + Form<f64>> Visitor<F::System, f64> for Walk<F> {
                 self.failures.push(format!("{name} in {units:?}: {seen:?}, plain {expected:?}"));
             }
         }
-        // Flows that are merged within one call are rounded once in place of twice.
+        // Flows that are merged within one call are rounded once instead of twice.
         let mut batch = integrator(PLAIN);
         let mut sim = integrator(PLAIN);
         let outcomes = [batch.advance(FEW), (0..FEW).try_for_each(|_| sim.step())];
@@ -161,7 +161,7 @@ impl<F: Written + Form<f64>> Visitor<F::System, f64> for Walk<F> {
     }
 }
 
-/// The same methods in `f32` end nearby.
+/// Asserts that the same methods in `f32` end nearby.
 struct Single<F> {
     walk: Walk<F>,
 }
@@ -241,7 +241,7 @@ fn series() {
     check::<Predators>();
 }
 
-/// Methods for fields that keep something.
+/// Visits methods for fields with invariants.
 fn structured<S: PhaseSpace<R>, R: Real>(visitor: &mut impl Visitor<S, R>)
 where
     DiscreteGradient: Method<S, R>,
@@ -255,7 +255,7 @@ where
     visitor.visit(Gauss::<3>);
 }
 
-/// Methods for Lagrangians whose mass matrix is full, or none.
+/// Visits methods for Lagrangians with a full mass matrix, or without one.
 fn of_velocities<S: PhaseSpace<R>, R: Real>(visitor: &mut impl Visitor<S, R>)
 where
     DiscreteGradient: Method<S, R>,

@@ -17,12 +17,12 @@ fn told<S>(system: &str, name: &str, h: f64, outcome: &Outcome<S>, scale: f64, b
     row(cells, energy <= bound && outcome.refused.is_none())
 }
 
-/// Four standard deviations of a walk of so many steps in which a coordinate as large as `far` is rounded.
+/// Returns four standard deviations of a random walk of `steps` steps. Each step rounds a coordinate of size `far`.
 fn walk(far: f64, steps: u64) -> f64 {
     4.0 * f64::EPSILON * (1.0 + far) * (steps as f64).sqrt()
 }
 
-/// The largest coordinate of a state, or `far`.
+/// Returns the largest coordinate of a state, or `far`.
 fn farthest(far: f64, state: &State<[f64; 2]>) -> f64 {
     state.q.iter().fold(far, |far, q| far.max(q.abs()))
 }
@@ -46,17 +46,17 @@ macro_rules! rows {
 
 const ESCAPE: f64 = 1.0 / 6.0;
 
-/// A start with so much energy.
+/// Returns a start with the given energy.
 fn galactic(energy: f64) -> State<[f64; 2]> {
     let (y, p): (f64, f64) = (-0.15, 0.1);
     let potential = y * y / 2.0 - y * y * y / 3.0;
     State::new([0.0, y], [(2.0 * (energy - potential) - p * p).sqrt(), p])
 }
 
-/// At the energy from which on orbits may escape.
+/// Runs at the energy from which orbits may escape.
 fn galaxy() -> Vec<Job> {
     const SYSTEM: HenonHeiles = HenonHeiles { m: [1.0, 1.0], lambda: 1.0 };
-    // What Verlet's method keeps is H up to h²/12 of brackets that are below 1 here: that much below the way out it must not leave.
+    // Verlet's method keeps an energy that differs from H by h²/12 times brackets below 1. A start that is lower by this margin must not escape.
     const BELOW: f64 = ESCAPE - 0.01 * 0.01;
     let mut jobs: Vec<Job> = vec![];
     rows! { jobs, SYSTEMS[0], SYSTEM, ESCAPE, 1e6;
@@ -68,7 +68,7 @@ fn galaxy() -> Vec<Job> {
     jobs
 }
 
-/// A double pendulum that turns over.
+/// Runs of a double pendulum that turns over.
 fn double_pendulum() -> Vec<Job> {
     const SYSTEM: DoublePendulum = DoublePendulum { m1: 1.3, m2: 0.7, l1: 1.0, l2: 0.8, g: 9.81 };
     const SCALE: f64 = 30.0;
@@ -84,7 +84,7 @@ fn double_pendulum() -> Vec<Job> {
     jobs
 }
 
-/// Both systems.
+/// Returns the section of both systems.
 pub(super) fn chaos() -> Section {
     Section {
         title: "Chaos",

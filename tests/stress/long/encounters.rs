@@ -1,4 +1,4 @@
-//! Bodies that come close to each other.
+//! Bodies in close encounters.
 
 use super::{Job, Part, Row, Section, all, row, short};
 use crate::run::{Outcome, adapting, fixed};
@@ -11,18 +11,18 @@ use nalgebra::Vector3;
 type Plane = State<[f64; 2]>;
 type Space = State<[Vector3<f64>; 3]>;
 
-/// What a run must keep.
+/// Bounds that a run must fulfil.
 #[derive(Clone, Copy)]
 struct Bounds {
     energy: f64,
-    /// Whether it may be refused before its end.
+    /// True if the run may be refused before its end.
     refusal: bool,
 }
 
 const ORBITS: f64 = 100.0;
 const TOLERANCE: f64 = 1e-12;
 
-/// Energy and angular momentum of an orbit, and its distance from where it began.
+/// Returns the row of an orbit: energy, angular momentum, and the distance from its start.
 fn orbit(name: String, eccentricity: f64, outcome: &Outcome<Plane>, bounds: Bounds) -> Row {
     let (Kepler { mu, .. }, start, _) = comet(eccentricity);
     let momentum = |x: &Plane| x.q[0] * x.p[1] - x.q[1] * x.p[0];
@@ -72,7 +72,7 @@ fn adaptive_orbit<M: Method<Kepler> + Send + 'static>(
     })
 }
 
-/// An orbit that comes as close as a ten thousandth of its length.
+/// An orbit whose pericentre is at 1/100 or 1/10 000 of its semi-major axis.
 pub(super) fn kepler() -> Section {
     let mut jobs: Vec<Job> = vec![];
     macro_rules! rows {
@@ -81,7 +81,7 @@ pub(super) fn kepler() -> Section {
         };
     }
     for e in [0.99, 0.9999] {
-        // In each passage v·δp of the energy, where δp is tolerated beside p, and v·p is 2μ/r.
+        // In each passage the energy changes by v·δp, with the tolerated δp relative to p. The product v·p is 2μ/r.
         rows!(adaptive_orbit e, TOLERANCE, ORBITS * TOLERANCE * 4.0 / (1.0 - e); DOP853, Gauss::<4>);
         rows!(adaptive_orbit e, 1e-6, 1e-10; DiscreteGradient, FourthOrder(DiscreteGradient));
         jobs.push(Box::new(move || {
@@ -123,7 +123,7 @@ fn bodies_row(name: String, outcome: &Outcome<Space>, scale: f64, told: String, 
     row(cells, holds && outcome.refused.is_none())
 }
 
-/// How near bodies come to each other.
+/// Returns the smallest distance between two bodies.
 fn nearest(state: &Space) -> f64 {
     let [a, b, c] = state.q;
     (a - b).norm().min((b - c).norm()).min((c - a).norm())
@@ -148,7 +148,7 @@ fn energy(system: &ThreeBodies, start: &Space) -> f64 {
 fn triangles(name: String, outcome: &Outcome<Space>, bound: f64) -> Row {
     let (system, start) = pythagorean();
     let (State { q, p, .. }, m) = (&outcome.state, system.m);
-    // Bodies 1 and 2 alone.
+    // Bodies 1 and 2 alone form the pair.
     let v = p[1] / m[1] - p[2] / m[2];
     let reduced = m[1] * m[2] / (m[1] + m[2]);
     let bound_energy = 0.5 * reduced * v.norm_squared() - m[1] * m[2] / (q[1] - q[2]).norm();
@@ -160,7 +160,7 @@ fn triangles(name: String, outcome: &Outcome<Space>, bound: f64) -> Row {
     bodies_row(format!("Pythagorean: {name}"), outcome, scale, told, holds)
 }
 
-/// Three bodies.
+/// Returns the section of three bodies.
 pub(super) fn bodies() -> Section {
     const PERIODS: u32 = 10_000;
     let mut jobs: Vec<Job> = vec![];
@@ -191,7 +191,8 @@ pub(super) fn bodies() -> Section {
     jobs.push(Box::new(|| {
         let (system, start) = pythagorean();
         let outcome = adapting(TaylorIntegrator::new(system, Taylor::default(), start), END, 100, |_| ());
-        // At t = 15.83 two bodies are 4e-4 apart, 1.8 from the centre: where these are rounded by ε/2 the energy of −12.8 changes by 8e-10 of it.
+        // At t = 15.83 two bodies are 4e-4 apart, at 1.8 from the centre. A rounding of their positions by ε/2 changes the energy of −12.8 by the fraction
+        // 8e-10.
         triangles("Taylor".into(), &outcome, 1e-9)
     }));
     Section {
@@ -204,8 +205,8 @@ pub(super) fn bodies() -> Section {
     }
 }
 
-/// Three bodies of mass 3, 4 and 5 at rest in the corners of a triangle with sides 3, 4 and 5, each opposite to the side of its number.
-/// C. Burrau, Astron. Nachr. 195 (1913) 113. About t = 60 the lightest body leaves a pair: V. Szebehely & C. F. Peters, Astron. J. 72 (1967) 876.
+/// Three bodies of mass 3, 4 and 5 at rest in the corners of a triangle with sides 3, 4 and 5. Each mass lies opposite to the side of its number. C.
+/// Burrau, Astron. Nachr. 195 (1913) 113. About t = 60 the lightest body leaves a pair: V. Szebehely & C. F. Peters, Astron. J. 72 (1967) 876.
 fn pythagorean() -> (ThreeBodies, Space) {
     let q = [Vector3::new(1.0, 3.0, 0.0), Vector3::new(-2.0, -1.0, 0.0), Vector3::new(1.0, -1.0, 0.0)];
     (ThreeBodies { m: [3.0, 4.0, 5.0], g: 1.0 }, State::new(q, [Vector3::zeros(); 3]))
@@ -220,7 +221,7 @@ fn eight() -> (ThreeBodies, Space, f64) {
     (ThreeBodies { m: [m; 3], g: 1.0 / m }, start, 6.325_913_985)
 }
 
-/// The angular momentum of bodies, of which only one component is not zero.
+/// Returns the angular momentum of bodies. Only its z component differs from zero.
 fn angular_momentum(state: &Space) -> f64 {
     state.q.iter().zip(&state.p).map(|(q, p)| q.cross(p).z).sum()
 }

@@ -10,13 +10,13 @@ mod sums;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// A line of a table, and whether it shows what must not be.
+/// A line of a table, and a message if its bound is exceeded.
 pub(super) struct Row {
     cells: Vec<String>,
     failure: Option<String>,
 }
 
-/// A row that holds if all conditions do.
+/// Returns a row that fails unless `holds`.
 fn row(cells: Vec<String>, holds: bool) -> Row {
     let failure = (!holds).then(|| cells.join(", "));
     Row { cells, failure }
@@ -25,9 +25,9 @@ fn row(cells: Vec<String>, holds: bool) -> Row {
 /// A run that gives a row.
 type Job = Box<dyn FnOnce() -> Row + Send>;
 
-/// The part of a table that stands on the page. Columns are named by their places.
+/// The part of a table that stands on the page. Columns have indices.
 enum Part {
-    /// These columns, of the rows for which the function holds.
+    /// These columns of the chosen rows.
     Columns(&'static [usize], fn(&[String]) -> bool),
     /// A row for each cell of the column `row`, and a column for each of these cells of the column `by`, filled from the column `value`.
     Pivot { row: usize, by: usize, cells: &'static [&'static str], value: usize, chosen: fn(&[String]) -> bool },
@@ -52,7 +52,7 @@ fn short(x: f64) -> String {
     if x == 0.0 { "0".into() } else { format!("{x:.1e}") }
 }
 
-/// All jobs, by all processors.
+/// Runs all jobs on all processors.
 fn done(jobs: Vec<Job>) -> Vec<Row> {
     let count = jobs.len();
     let jobs: Vec<_> = jobs.into_iter().map(|job| Mutex::new(Some(job))).collect();

@@ -1,4 +1,4 @@
-//! The page.
+//! Writes the page.
 
 use super::{Part, Row, Section, chaos, done, encounters, scale, stiff, sums};
 use std::fmt::Write;
@@ -25,7 +25,7 @@ fn table(head: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> String {
 }
 
 impl Part {
-    /// Returns this part of the table. The last column of a table with refusals tells the end of a run.
+    /// Returns this part of the table. The last column of a table with refusals describes the end of a run.
     fn table(&self, head: &[&str], rows: &[Row]) -> String {
         let value = |cells: &[String], column: usize| {
             let refused = cells.last().is_some_and(|end| end.starts_with("refused"));

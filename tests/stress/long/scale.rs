@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 
 const CASES: [&str; 5] = ["units", "q = 1e8", "q = 1e9", "swing 1e-8", "`f32`"];
 
-/// A row for each method of these sections, and those named beside.
+/// Adds a row for each method of these sections, and for additional methods.
 macro_rules! methods {
     ($jobs:ident, $row:expr $(, $more:expr)*) => {
         methods!(@ $jobs, $row, StormerVerlet, BlanesMoanSrkn14a, ImplicitMidpoint, Gauss::<3>, DiscreteGradient,
@@ -18,24 +18,24 @@ macro_rules! methods {
     (@ $jobs:ident, $row:expr, $($method:expr),*) => { $( $jobs.push(Box::new(|| $row($method))); )* };
 }
 
-/// What a method that does not keep the energy changes it by, of its size, with steps of h in which the motion turns by as many radians: some hᵖ.
+/// Returns a bound on the relative change of the energy: 2hᵖ for steps of h radians, and 0 for methods that keep the energy.
 fn law(claims: Claims, h: f64) -> f64 {
     if claims.conserves_energy { 0.0 } else { 2.0 * h.powi(claims.order as i32) }
 }
 
-/// Four standard deviations of a walk of so many steps, each of which rounds a number of this size once, or once in every flow.
+/// Returns four standard deviations of a random walk over `steps` steps. Each step makes one rounding error of size `epsilon`, or one in every flow.
 fn walk(claims: Claims, epsilon: f64, steps: u64) -> f64 {
     let roundings = if claims.symplectic { claims.forces.unwrap_or(1) } else { 1 };
     4.0 * epsilon * (steps as f64 * f64::from(roundings)).sqrt()
 }
 
-/// Radians a unit of time of the orbit below, in units 1, by its semi-major axis.
+/// Returns the mean motion of the orbit below, in radians per unit of time, in units 1. It follows from the semi-major axis.
 fn mean_motion(start: &State<[f64; 2]>) -> f64 {
     let ([x, y], [u, v]) = (start.q, start.p);
     (2.0 / x.hypot(y) - (u * u + v * v)).powf(1.5)
 }
 
-/// The same orbit with masses and lengths from 1e-30 to 1e30.
+/// One orbit in 25 units, with masses and lengths from 1e-30 to 1e30.
 fn units() -> Vec<Job> {
     const STEPS: u64 = 100_000;
     const H: f64 = 0.05;
@@ -44,7 +44,7 @@ fn units() -> Vec<Job> {
         State::new([0.9 * length, 0.2 * length], [-0.3 * mass, 0.9 * mass])
     }
     fn ran<M: Method<Kepler>>(method: M, mass: f64, length: f64) -> Outcome<State<[f64; 2]>> {
-        // The unit of time is that of the orbit in units of its mass and length.
+        // The unit of time is the time scale of the orbit in units of its mass and length.
         let system = Kepler { mass, mu: mass * length };
         fixed(system.integrator(method, H * length, start(mass, length)), STEPS, 100, |_| ())
     }
@@ -66,11 +66,11 @@ fn units() -> Vec<Job> {
         }
         let end = refused.map_or("reached".into(), |error| format!("refused: {error}"));
         let claims = method.claims();
-        // Where nothing keeps the energy, coefficients that are rounded in each unit by themselves change it by some ε a radian.
+        // If a method keeps no energy, coefficients that are rounded separately in each unit change the energy by a few ε per radian.
         let turned = mean_motion(&start(1.0, 1.0)) * H * STEPS as f64;
         let drift = if claims.symplectic || claims.conserves_energy { 0.0 } else { 2.0 * f64::EPSILON * turned };
         let rounding = walk(claims, f64::EPSILON, STEPS);
-        // An error of the energy that grows like √N, and one that grows like N, change how far the orbit has turned by this.
+        // Energy errors that grow like √N, and errors that grow like N, change the phase of the orbit by this amount.
         let allowed = turned * (1.5 / 3_f64.sqrt() * rounding + 0.75 * drift);
         let holds = worst <= allowed && end == "reached" && (energy - plain.energy).abs() <= rounding + drift;
         let end = format!("{end}; energy errors {}, and {} in units 1", short(energy), short(plain.energy));
@@ -82,11 +82,11 @@ fn units() -> Vec<Job> {
     jobs
 }
 
-/// A pendulum whose small swings take a radian a unit of time.
+/// A pendulum whose small swings have an angular frequency of 1.
 const SYSTEM: Pendulum = Pendulum { m: 1.3, l: 1.0, g: 1.0 };
 const SCALE: f64 = 1.3;
 
-/// Coordinates that are large beside their increments, and energies that are small beside their parts.
+/// Coordinates that are large relative to their increments, and energies that are small relative to their terms.
 fn places() -> Vec<Job> {
     const STEPS: u64 = 1_000_000;
     const SMALL: f64 = 1e-8;
@@ -101,7 +101,7 @@ fn places() -> Vec<Job> {
         ];
         row(cells, energy <= bound && outcome.refused.is_none())
     }
-    /// cos q changes by as much as q is rounded.
+    /// A rounding of q changes cos q by the same amount.
     fn far<M: Method<Pendulum>>(what: &str, method: M, h: f64, start: State<f64>) -> Row {
         let outcome = fixed(SYSTEM.integrator(method, h, start), STEPS, 1000, |_| ());
         let bound = law(method.claims(), h) + walk(method.claims(), start.q * f64::EPSILON, STEPS);
@@ -114,7 +114,7 @@ fn places() -> Vec<Job> {
     fn turns<M: Method<Pendulum>>(method: M) -> Row {
         far(CASES[2], method, 0.025, State::new(1e9 - 5e4, 1.3 * 2.5))
     }
-    /// The energy above that at rest, as a sum of squares.
+    /// The energy above the energy at rest, as a sum of squares.
     fn small<M: Method<Pendulum>>(method: M) -> Row {
         let energy = |x: &State<f64>| x.p * x.p / (2.0 * SCALE) + SCALE * 2.0 * (x.q / 2.0).sin().powi(2);
         let (start, mut worst) = (State::new(SMALL, 0.0), 0.0_f64);
@@ -131,7 +131,7 @@ fn places() -> Vec<Job> {
     jobs
 }
 
-/// Numbers of 24 bits.
+/// Runs with numbers of 24 bits.
 fn single() -> Vec<Job> {
     const STEPS: u64 = 10_000_000;
     const H: f32 = 0.02;
@@ -139,7 +139,7 @@ fn single() -> Vec<Job> {
         let system = ShortPendulum { m: 1.3, l: 0.7, g: 9.81 };
         let outcome = fixed(system.integrator(method, H, State::new(0.8, 0.1)), STEPS, 1000, |_| ());
         let energy = outcome.energy / (1.3 * 0.7 * 9.81);
-        // Small swings turn by this in a step.
+        // Angle by which small swings turn in a step.
         let turned = f64::from(H) * (9.81_f64 / 0.7).sqrt();
         let bound = law(method.claims(), turned) + walk(method.claims(), f32::EPSILON.into(), STEPS);
         let cells = vec![
@@ -157,7 +157,7 @@ fn single() -> Vec<Job> {
     jobs
 }
 
-/// All cases.
+/// Returns the section of all cases.
 pub(super) fn scale() -> Section {
     Section {
         title: "Scale",

@@ -24,7 +24,7 @@ fn hardening(q: f64, p: f64, m: f64, k: f64) -> f64 {
     p * p / (2.0 * m) + k * (q * q / 2.0 + q * q * q * q / 4.0)
 }
 
-/// A spring pendulum.
+/// Returns the section of a spring pendulum.
 pub(super) fn spring() -> Section {
     const RATIO: f64 = 1000.0;
     const END: f64 = 100.0;
@@ -45,8 +45,8 @@ pub(super) fn spring() -> Section {
             }));
         } )* };
     }
-    // A step of Gauss's methods has the length of the spring right in its middle, and ends outside by h²v²/8: with hω = 100 the spring's energy there,
-    // (hω)²(hv²)²/128, is as large as that of the swing. U. M. Ascher & S. Reich, SIAM J. Sci. Comput. 21 (1999) 1045.
+    // A step of a Gauss method has the right length of the spring at its midpoint, and ends outside by h²v²/8. With hω = 100 the energy of the spring
+    // there, (hω)²(hv²)²/128, is as large as the energy of the swing. U. M. Ascher & S. Reich, SIAM J. Sci. Comput. 21 (1999) 1045.
     const NONE: f64 = f64::INFINITY;
     rows! {
         ImplicitMidpoint, [1e-3, 1e-2, NONE], false;
@@ -54,7 +54,8 @@ pub(super) fn spring() -> Section {
         DiscreteGradient, [1e-9; 3], false;
         FourthOrder(DiscreteGradient), [1e-9; 3], true;
     }
-    // An error of 1e-9 of a coordinate is 1e-5 of the vibration, in each of 10⁵ steps: a method that damps may lose all of its energy, and no more.
+    // A relative error of 1e-9 in a coordinate is 1e-5 of the vibration, in each of 10⁵ steps. A method that damps may lose the whole energy of the
+    // vibration, and no more.
     let vibration = 0.5 * (1e-4 * RATIO).powi(2) * (1.0 + 1e-6);
     macro_rules! adaptive {
         ($($tolerance:literal, $method:expr, $bound:expr);*) => { $( jobs.push(Box::new(move || {
@@ -102,8 +103,8 @@ pub(super) fn van_der_pol() -> Section {
             told(format!("{}, h = {}", stringify!($method), $h), |see| fixed(run, (END / $h) as u64, 1000, see), $bound)
         })); )* };
     }
-    // Steps of 0.1 are longer than a jump, so they promise nothing. The decay in 1/300 of a unit of time stays undamped by Gauss methods, whose |R(∞)| is
-    // 1, and grows by explicit methods.
+    // Steps of 0.1 are longer than a jump, so their error has no bound. Gauss methods have |R(∞)| = 1 and do not damp the decay in 1/300 of a unit of time.
+    // With explicit methods it grows.
     rows!(1e-3, 1e-2, ImplicitMidpoint; 1e-3, 1e-6, Gauss::<3>; 1e-3, 1e-6, DOP853; 0.1, f64::INFINITY, ImplicitMidpoint; 0.1, f64::INFINITY, Gauss::<3>; 0.1, f64::INFINITY, DOP853);
     macro_rules! adaptive {
         ($($tolerance:literal, $bound:literal: $method:expr),*) => { $( jobs.push(Box::new(move || {
@@ -124,7 +125,7 @@ pub(super) fn van_der_pol() -> Section {
 /// Steps of an oscillator.
 const STEPS: u64 = 1_000_000;
 
-/// The largest change of the energy of an oscillator, over its start.
+/// Returns the largest change of the energy of an oscillator, relative to its energy at the start, and the outcome.
 fn vibrate<S, M>(system: S, method: M, hw: f64) -> (f64, Outcome<State<f64>>)
 where
     S: geoint_runtime::Hamiltonian<f64, Coordinates = f64>,
@@ -136,7 +137,7 @@ where
     (outcome.energy / start, outcome)
 }
 
-/// From the shortest steps to longer than any bound.
+/// Steps from very short to longer than any bound.
 pub(super) fn frequencies() -> Section {
     let mut jobs: Vec<Job> = vec![];
     let told = |name: &str, hw: f64, (energy, outcome): (f64, Outcome<State<f64>>), holds: bool| {
@@ -146,7 +147,7 @@ pub(super) fn frequencies() -> Section {
     for hw in [0.01, 0.1, 0.5, 1.0, 1.5, 1.9, 1.99, 2.01] {
         jobs.push(Box::new(move || {
             let found = vibrate(Oscillator { m: MASS, k: MASS }, StormerVerlet, hw);
-            // What is kept is p²/2m + (1 − (hω/2)²) kq²/2.
+            // Verlet's method keeps p²/2m + (1 − (hω/2)²) kq²/2.
             let bound = 1.0 / (1.0 - hw * hw / 4.0) - 1.0;
             let holds = if hw < 2.0 {
                 found.0 <= bound * (1.0 + 1e-6) + 1e-11 && found.1.refused.is_none()
@@ -156,9 +157,10 @@ pub(super) fn frequencies() -> Section {
             told("Verlet, oscillator", hw, found, holds)
         }));
     }
-    // An increment of p is h k times a mean of q, in which what is as large as q cancels: it is rounded by hω ε of what p can be.
+    // An increment of p is h k times a mean of q, in which terms as large as q cancel. Its rounding error is hω ε times the largest p.
     let rounding = |hw: f64| f64::EPSILON * hw.max(1.0);
-    // Errors that walk; and those of one sign, where coefficients of stages are rounded, or roundings come in a pattern, as in turns of a quarter.
+    // Bounds for rounding errors that walk at random, and for errors of one sign. Rounded coefficients of stages cause the latter, or a pattern of
+    // roundings, as for quarter turns.
     let walks = move |hw: f64| 16.0 * rounding(hw) * (STEPS as f64).sqrt();
     let drifts = move |hw: f64| 2.0 * rounding(hw) * STEPS as f64;
     let not_lost = |_: f64| 1.0;

@@ -4,22 +4,22 @@ use super::{Job, Part, Section, all, row, short};
 use crate::rounding::walks;
 use geoint_tests::measure::regression;
 
-/// Steps, a power of ten, from all starts, and from the first one.
+/// Powers of ten: the number of steps from all starts, and from the first start.
 const MOST: u32 = 6;
 const FIRST: u32 = 8;
 const STARTS: u32 = 8;
 
-/// The largest exponent of a walk: of eight walks that are looked at three times it is 0.5 ± 0.15.
+/// The largest exponent accepted as a random walk. For eight walks measured at three times the exponent is 0.5 ± 0.15.
 const WALK: f64 = 0.8;
 
-/// The exponent a of an error Nᵃ, over the steps that all starts have taken.
+/// Returns the exponent a of an error Nᵃ, over the steps that all starts have taken.
 fn exponent(points: &[(f64, f64)]) -> f64 {
     let all = &points[..points.len() - (FIRST - MOST) as usize];
     let logarithms: Vec<_> = all.iter().map(|(n, error)| (n.ln(), error.max(1e-17).ln())).collect();
     regression(&logarithms).slope
 }
 
-/// How errors grow.
+/// Returns the section on the growth of errors.
 pub(super) fn growth() -> Section {
     let jobs = walks().into_iter().flat_map(|walk| {
         [("plain", walk.plain), ("compensated", walk.compensated)].map(|(sums, points)| -> Job {
@@ -29,7 +29,7 @@ pub(super) fn growth() -> Section {
                 let mut cells = vec![walk.name.to_string(), sums.into()];
                 cells.extend(points.iter().map(|(_, error)| short(*error)));
                 cells.push(format!("{exponent:.2}"));
-                // A bias of a hundredth of the last digit in every step, or none.
+                // Plain sums may have a bias of a hundredth of the last digit in every step.
                 let bound = |(n, error): &(f64, f64)| match sums {
                     _ if walk.settled => *error <= 10.0 * f64::EPSILON,
                     "plain" => *error <= f64::EPSILON * (10.0 * n.sqrt() + 0.01 * n),

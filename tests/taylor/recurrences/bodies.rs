@@ -1,4 +1,4 @@
-//! Bodies with forces between all of them, whose sums are computed as one, four pairs at a time.
+//! Bodies with forces between all pairs. Their sums are computed together, four pairs at a time.
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::scalar::Series;
@@ -41,7 +41,7 @@ fn check(name: &str, both: &Both) {
 fn forces_between_bodies() {
     let constants = |x: &[f64]| -> Vec<Series<f64, N>> { x.iter().map(|x| Series::constant(*x)).collect() };
     let state: Vec<f64> = (0..30).map(|k| (1.7 * f64::from(k) + 0.3).sin() * (1.0 + f64::from(k % 7))).collect();
-    // One of them moves the others by nothing.
+    // One body has no effect on the others.
     let (m, soft) = ([1.3, 0.7, 2.1, 0.0625, 1e-300], 0.25);
     let over = Softened { m: constants(&m).try_into().expect("five"), soft: Series::constant(soft) };
     let heavy = [1.3, 0.7, 2.1, 0.0625, 0.4];

@@ -1,11 +1,11 @@
-//! Systems whose forces are written in velocities for their series, against truncated series of the rates as every other method has them.
+//! Systems whose series use forces written in velocities. The reference is the truncated series of the rates that every other method uses.
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::scalar::Series;
 use geoint_runtime::system::Jets;
 use geoint_tests::jets::{BAR, Both, N, of_contact, of_field};
 
-/// Asserts that both ways lead to the same coefficients.
+/// Asserts that both ways give the same coefficients.
 fn check(name: &str, both: &Both) {
     assert!(both.error() <= BAR, "{name}: {:.1e}", both.error());
 }
@@ -91,7 +91,8 @@ fn forces_in_velocities() {
     check("relativistic", &of_field(&Relativistic, &Relativistic, 0.0, &[0.9, 0.4]));
 }
 
-/// As many sums as by hand: sine and cosine of three angles, sin², p·cos of both momenta, two velocities, their product and that times sin.
+/// The number of convolutions equals a calculation by hand: sine and cosine of three angles, sin², p·cos of both momenta, two velocities, their product and
+/// its product with sin.
 #[test]
 fn the_double_pendulum_is_as_short_as_by_hand() {
     assert_eq!(<DoublePendulum as Jets>::CONVOLUTIONS, 13);

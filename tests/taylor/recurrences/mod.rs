@@ -1,5 +1,5 @@
-//! Every recurrence against a table of 50 digits (Cauchy's integral with 110 digits), at t = 0 for
-//! u = 2/5 + sin(t)/3 + t²/7 and v = 13/10 + cos(2t)/5 − t/4; and every kind of system against truncated series as a scalar.
+//! Every recurrence against a table of 50 digits (Cauchy's integral with 110 digits), at t = 0 for u = 2/5 + sin(t)/3 + t²/7 and v = 13/10 + cos(2t)/5 −
+//! t/4. Every kind of system is compared with truncated series as a scalar.
 
 mod bodies;
 mod masses;

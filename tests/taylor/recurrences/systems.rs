@@ -5,7 +5,7 @@ use geoint_runtime::scalar::Real;
 use geoint_runtime::system::Jets;
 use geoint_tests::jets::{BAR, Both, N, by_series, error, of_contact, of_field};
 
-/// Asserts that both ways lead to the same coefficients.
+/// Asserts that both ways give the same coefficients.
 fn check(name: &str, both: &Both) {
     assert!(both.error() <= BAR, "{name}: {:.1e}", both.error());
 }
@@ -108,7 +108,7 @@ fn reaction(x: [f64; 2], a: f64, b: f64) -> [f64; 2] {
     [-(a * x[0] * x[1]), b * (x[0] * x[1])]
 }
 
-/// There is one product of series, x₀·x₁, whatever stands between its factors.
+/// The kernel has one product of series, x₀·x₁, whatever numbers stand between its factors.
 #[test]
 fn numbers_are_drawn_out_of_products() {
     assert_eq!(<Reaction as Jets>::CONVOLUTIONS, 1);

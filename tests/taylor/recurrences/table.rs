@@ -1,8 +1,7 @@
 //! Coefficients of every function, rounded from 50 digits.
 
-/// Name, coefficients of orders 5, 10 and 30, and the error in roundings of the scale, in which the roundings of u and v count
-/// (up to twelve with exact arithmetic behind them). What is divided by at every order, √u₀ or √(1 − u₀²), is rounded once, and that counts n
-/// times: hence the larger ones.
+/// Name, coefficients of orders 5, 10 and 30, and the accepted error in roundings of the scale. The roundings of u and v count (up to twelve with exact
+/// arithmetic behind them). A divisor of every order, √u₀ or √(1 − u₀²), is rounded once, and its error counts n times. Hence some errors are larger.
 pub(super) const TABLE: [(&str, [f64; 3], f64); 24] = [
     (
         "u*v",

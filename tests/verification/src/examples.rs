@@ -1,10 +1,10 @@
-//! What each example reproduces, and from where.
+//! The result that each example reproduces, and its source.
 
 use crate::page::Page;
 use geoint_verification::sources;
 use std::fs;
 
-/// Name of an example, what it reproduces, and the publication it is compared with. Without a publication the program compares with its own formula.
+/// Name of an example, its result, and the publication of the reference. Without a publication the program compares with its own formula.
 const EXAMPLES: &[(&str, &str, &str)] = &[
     ("quickstart", "the energy of a pendulum stays", ""),
     (
@@ -156,7 +156,7 @@ pub(crate) fn section(page: &mut Page) {
     }
 }
 
-/// Returns whether a figure belongs to an example: the example with the longest name with which the name of the figure begins.
+/// Returns whether a figure belongs to an example. The example with the longest name that begins the name of the figure owns the figure.
 fn belongs(file: &str, example: &str) -> bool {
     let stem = file.trim_end_matches(".svg");
     let begins = |name: &str| stem.strip_prefix(name).is_some_and(|rest| rest.is_empty() || rest.starts_with('_'));

@@ -1,4 +1,4 @@
-//! Expansion of `macro_rules!`: some tests of the project are written by macros.
+//! Expansion of `macro_rules!`, because macros write some tests of the project.
 
 use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, Span, TokenStream, TokenTree};
 use quote::ToTokens;
@@ -165,7 +165,7 @@ fn fragment(kind: &str, input: ParseStream<'_>) -> syn::Result<TokenStream> {
     })
 }
 
-/// Tokens that stay together, whatever operators stand beside them.
+/// Returns tokens that stay together next to any operators.
 fn grouped(tokens: impl ToTokens) -> TokenStream {
     TokenTree::Group(Group::new(Delimiter::None, tokens.into_token_stream())).into()
 }
@@ -221,7 +221,7 @@ fn transcribed(body: &TokenStream, bindings: &Bindings) -> TokenStream {
     written
 }
 
-/// The bindings in each repetition of tokens.
+/// Returns the bindings in each repetition of tokens.
 fn each(tokens: &TokenStream, bindings: &Bindings) -> Vec<Bindings> {
     let mut words = vec![];
     words_of(tokens, &mut words);

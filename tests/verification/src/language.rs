@@ -1,4 +1,4 @@
-//! How accurate derivatives and divided differences of each function of the language are, as they are emitted.
+//! Accuracy of the emitted derivatives and divided differences of each function of the language.
 //!
 //! Both are compared with differences in double-double arithmetic, which know nothing of the rules of differentiation.
 
@@ -9,18 +9,18 @@ use geoint_runtime::{Hamiltonian, hamiltonian};
 use geoint_tests::measure::Noise;
 use geoint_tests::scalars::Double;
 
-/// Worst errors in units of the rounding ε, of what rounding the argument by ε changes and of the value itself.
+/// Worst errors, in units of the rounding error: ε times the value, plus the change under a rounding of the argument by ε.
 struct Row {
     function: &'static str,
     derivative: f64,
     slope: f64,
 }
 
-/// What an error may be at most.
+/// Bounds on the errors.
 const DERIVATIVE: f64 = 8.0;
 const SLOPE: f64 = 16.0;
 
-/// An energy f(q) + p²/1.4 a line, over a range of q.
+/// Declares one energy f(q) + p²/1.4 per line, over a range of q.
 macro_rules! functions {
     ($q:ident: $($function:ident $System:ident in $low:literal, $high:literal => $body:expr;)*) => {
         $(
@@ -86,7 +86,7 @@ where
     for _ in 0..400 {
         let q = 0.5 * (low + high) + 0.49 * (high - low) * next();
         let exact = first(&value, q);
-        // Within a kink neither side is right.
+        // At a kink both one-sided derivatives are wrong.
         if !is_smooth(&value, q) {
             continue;
         }
@@ -105,7 +105,7 @@ where
     Row { function, derivative, slope }
 }
 
-/// Of a number of twice the length.
+/// The size of a double-double number.
 trait Magnitude {
     fn magnitude_of(self) -> f64;
 }
@@ -126,10 +126,10 @@ fn error(found: f64, exact: Double, size: f64) -> f64 {
     (Double::from(found) - exact).magnitude_of() / (size * f64::EPSILON)
 }
 
-/// Steps of differences: their error is of order 10⁻²⁵.
+/// Step size of the differences. Their error is of order 10⁻²⁵.
 const STEP: f64 = 1e-4;
 
-/// f' by differences of order 8.
+/// Returns f' by differences of order 8.
 fn first(value: &impl Fn(Double) -> Double, q: f64) -> Double {
     let at = |k: f64| value(Double::from(q) + Double::from(k * STEP));
     let weights = [(1.0, (4.0, 5.0)), (2.0, (-1.0, 5.0)), (3.0, (4.0, 105.0)), (4.0, (-1.0, 280.0))];
@@ -139,26 +139,26 @@ fn first(value: &impl Fn(Double) -> Double, q: f64) -> Double {
     sum / Double::from(STEP)
 }
 
-/// |f''|, to a few digits.
+/// Returns |f''| to a few digits.
 fn second(value: &impl Fn(Double) -> Double, q: f64) -> f64 {
     let at = |k: f64| value(Double::from(q) + Double::from(k * STEP));
     ((at(1.0) - at(0.0) - (at(0.0) - at(-1.0))) / Double::from(STEP * STEP)).magnitude_of()
 }
 
-/// Whether no condition changes sides within the differences: else both sides of the point tell different derivatives.
+/// Returns whether no condition changes within the differences. Otherwise the derivatives on both sides of the point differ.
 fn is_smooth(value: &impl Fn(Double) -> Double, q: f64) -> bool {
     let near = [-4.0, 4.0].map(|k| first(value, q + k * STEP).value());
     (near[0] - near[1]).abs() <= 0.1 * (near[0].abs() + near[1].abs() + 1e-2)
 }
 
-/// ∂H/∂q as it is emitted.
+/// Returns the emitted ∂H/∂q.
 fn force<S: Hamiltonian<Coordinates = f64>>(system: &S, q: f64) -> f64 {
     let mut slopes = S::Phase::zero();
     system.gradient(0.0, &[phase::<S, f64>(q), phase::<S, f64>(0.0)], &mut slopes);
     Array::as_slice(&slopes)[0]
 }
 
-/// The divided difference of H between q and q + d as it is emitted.
+/// Returns the emitted divided difference of H between q and q + d.
 fn divided<S: DiscreteField>(system: &S, q: f64, d: f64) -> f64 {
     let array = |x: f64| {
         let mut array = S::Unknown::zero();
@@ -173,7 +173,7 @@ fn divided<S: DiscreteField>(system: &S, q: f64, d: f64) -> f64 {
     -f.as_slice()[0]
 }
 
-/// The table of functions.
+/// Writes the table of functions.
 pub(crate) fn section(page: &mut Page) {
     page.section(
         2,

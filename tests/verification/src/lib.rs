@@ -1,4 +1,4 @@
-//! Checks of the project that run none of it: names of tests in pages, and imports between files.
+//! Checks of the project that run no code of it: names of tests in pages, and imports between files.
 
 mod expansion;
 pub mod imports;

@@ -1,4 +1,4 @@
-//! Which list of the catalogue is measured on which scenes, over which time, with which step for what is kept.
+//! The measured lists of the catalogue: their scenes, durations, and the step size for conservation.
 
 use crate::methods::{Forms, List, Orders, Runs, Symmetries};
 use geoint_runtime::method::{Visitor, catalogue};
@@ -8,7 +8,7 @@ use geoint_tests::scene::Scene;
 use geoint_tests::scenes::*;
 use std::marker::PhantomData;
 
-/// A list that `$show!` shows to a visitor, measured.
+/// Measures the list that `$show!` shows to a visitor.
 macro_rules! measured {
     ($show:ident, $name:expr, $about:literal: $First:ident over $first:literal by $h:literal, $Second:ident over $second:literal) => {{
         let mut list = List::new($name, $about, [<$First as Scene>::NAME, <$Second as Scene>::NAME]);
@@ -22,7 +22,7 @@ macro_rules! measured {
     }};
 }
 
-/// Methods that keep first integrals: no list of the catalogue, since each asks for something else.
+/// Methods that keep first integrals. They form no list of the catalogue, because each has different requirements.
 macro_rules! integrals {
     ($visitor:expr) => {{
         let mut visitor = $visitor;

@@ -1,10 +1,10 @@
-//! Measures what is claimed, and writes it to `VERIFICATION.md`: methods, functions of the language, examples, reports.
+//! Measures the claims on methods, functions of the language, examples and reports, and writes the measurements to `VERIFICATION.md`.
 //!
-//! `cargo run --release -p geoint-verification` fails if a claim does not hold, or if something that can be claimed has no
-//! row. What it writes may differ from the page in the repository in digits; if words differ, the page is to be committed anew.
+//! `cargo run --release -p geoint-verification` fails if a claim does not hold, or if a subject of claims has no row. The written page may differ from the
+//! page in the repository in digits. If words differ, commit the new page.
 //!
-//! Without optimisation measuring would take an hour, and every `cargo test` would build a thousand instances of methods. There the measured
-//! tables are copied from the page in the repository. Missing rows, missing tests and other words still fail, within seconds and in every run of
+//! Without optimisation the measurement would take an hour, and every `cargo test` would build a thousand instances of methods. An unoptimised build copies
+//! the measured tables from the page in the repository. It still fails for missing rows, missing tests and other words, within seconds and in every run of
 //! the tests (`rows.rs`).
 
 mod examples;

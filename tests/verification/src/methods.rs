@@ -1,4 +1,4 @@
-//! What methods claim, and what is measured of each.
+//! Claims of methods, and their measurements.
 
 use crate::lists;
 use crate::page::{Page, short};
@@ -12,18 +12,19 @@ use geoint_tests::scene::Scene;
 use std::hint::black_box;
 use std::marker::PhantomData;
 
-/// How far an observed order may be from the claim.
+/// Accepted distance between an observed order and the claim.
 const TOLERANCE: f64 = 0.15;
-/// From this order on errors reach the rounding of tables before the leading term is alone, and may fall faster than it, or by so much less.
+/// From this order on, errors reach the rounding of tables before the leading term dominates. They may fall faster than the leading term, or slower by this
+/// amount.
 const HIGH: u32 = 8;
 const ROUNDED: f64 = 0.75;
-/// What a property that is claimed may be off by, and one that is not must be off by, of a method of order 2 at most. Symmetry is measured in
-/// double-double arithmetic: there the rounding of tables to `f64` is left, and no rounding of steps.
+/// Largest defects of claimed properties. A method of order 2 or less must exceed `SEEN` if it does not claim the property. Symmetry is measured in
+/// double-double arithmetic. The rounding of tables to `f64` is left there, without the rounding of steps.
 const SYMMETRIC: f64 = 1e-17;
 const FORM: f64 = 1e-12;
 const ENERGY: f64 = 2e-12;
 const SEEN: f64 = 1e-9;
-/// Steps over which the energy is followed.
+/// Number of steps over which the energy is followed.
 const STEPS: u64 = 2000;
 
 /// A list of the catalogue, on two scenes.
@@ -34,11 +35,11 @@ pub(crate) struct List {
     pub(crate) rows: Vec<Row>,
 }
 
-/// A method.
+/// The measurements of a method.
 pub(crate) struct Row {
     name: String,
     claims: Claims,
-    /// For each scene, with the constant of the leading term.
+    /// The observed order on each scene, with the constant of the leading term.
     orders: Vec<(Observed, f64)>,
     symmetry: Result<f64, Refusal>,
     form: Result<f64, Refusal>,
@@ -81,7 +82,7 @@ impl<'a, P: Scene> Orders<'a, P> {
 impl<P: Scene> Visitor<P::Over<Double>, Double> for Orders<'_, P> {
     fn visit<M: Method<P::Over<Double>, Double> + 'static>(&mut self, method: M) {
         let claims = method.claims();
-        // A long step may fail; the order is about short ones.
+        // A long step may fail. The order concerns short steps.
         let of = |n| error::<P, M>(method, self.duration, n, &self.solutions).unwrap_or(f64::INFINITY);
         let observed = observed(of);
         let constant = observed.constant(self.duration, claims.order);
@@ -89,7 +90,7 @@ impl<P: Scene> Visitor<P::Over<Double>, Double> for Orders<'_, P> {
     }
 }
 
-/// Measures by how much steps miss what steps back undo.
+/// Measures the distance from the start after steps forward and back.
 pub(crate) struct Symmetries<'a, P> {
     pub(crate) list: &'a mut List,
     pub(crate) h: f64,
@@ -103,7 +104,7 @@ impl<P: Scene> Visitor<P::Over<Double>, Double> for Symmetries<'_, P> {
     }
 }
 
-/// Measures what maps keep, by derivatives of steps.
+/// Measures the form that a map keeps, by derivatives of steps.
 pub(crate) struct Forms<'a, P> {
     pub(crate) list: &'a mut List,
     pub(crate) h: f64,
@@ -117,7 +118,7 @@ impl<P: Scene> Visitor<P::Over<Dual>, Dual> for Forms<'_, P> {
     }
 }
 
-/// Runs in the scalar of users.
+/// Runs in `f64`, the scalar of users.
 pub(crate) struct Runs<'a, P> {
     pub(crate) list: &'a mut List,
     pub(crate) h: f64,
@@ -136,7 +137,7 @@ impl<P: Scene> Visitor<P::Over<f64>> for Runs<'_, P> {
     }
 }
 
-/// The largest error of the energy, or of what a field keeps, relative to what it was.
+/// Returns the largest error of the energy, or of the invariants of a field, relative to the start.
 fn energy_error<P: Scene, M: Method<P::Over<f64>>>(method: M, h: f64) -> Result<f64, Refusal> {
     let (t, x) = P::start();
     let mut sim = Bare::<P, M, f64>::new(method, h, t, &x);
@@ -147,7 +148,7 @@ fn energy_error<P: Scene, M: Method<P::Over<f64>>>(method: M, h: f64) -> Result<
         sim.step()?;
         for (now, begin) in kept(&sim).iter().zip(&begin) {
             let off = (now - P::energy_after(sim.time() - t, *begin)).abs() / begin.abs();
-            // Not `max`: that would lose a NaN.
+            // `max` would drop a NaN.
             largest = if off > largest || off.is_nan() { off } else { largest };
         }
     }
@@ -155,7 +156,7 @@ fn energy_error<P: Scene, M: Method<P::Over<f64>>>(method: M, h: f64) -> Result<
 }
 
 impl Row {
-    /// What does not hold of it.
+    /// Returns the claims that do not hold.
     fn failures(&self) -> Vec<String> {
         let Claims { order, symmetric, symplectic, conserves_energy, .. } = self.claims;
         let mut failures = vec![];

@@ -1,10 +1,10 @@
-//! The page: sections of text and tables, and whether the page in the repository says the same.
+//! The page: sections of text and tables, and a comparison with the page in the repository.
 
 use geoint_verification::sources;
 use std::fmt::Display;
 use std::process::ExitCode;
 
-/// What has been written so far.
+/// The text and the failures written so far.
 pub(crate) struct Page {
     /// The page in the repository.
     before: String,
@@ -20,7 +20,7 @@ const OPENING: &str = "# Verification\n\n\
     The program fails if a claim does not hold. It also fails if a method, a function of the language, a family of flows, an example or a \
     sentence of a report has no row here. `.ci/verification` writes the page anew: digits may change, words must not.\n";
 
-/// Where what is measured begins and ends.
+/// Headings at which the measured part begins and ends.
 #[cfg(debug_assertions)]
 const METHODS: &str = "\n## Methods\n";
 #[cfg(debug_assertions)]
@@ -32,12 +32,12 @@ impl Page {
         Page { before, text: OPENING.into(), failures: vec![] }
     }
 
-    /// What has been written so far.
+    /// Returns the text written so far.
     pub(crate) fn text(&self) -> &str {
         &self.text
     }
 
-    /// What is measured as it stands in the repository.
+    /// Copies the measured part from the page in the repository.
     #[cfg(debug_assertions)]
     pub(crate) fn copy_measured(&mut self) {
         let measured = self.before.split_once(METHODS).and_then(|(_, rest)| rest.split_once(EXAMPLES));
@@ -45,7 +45,7 @@ impl Page {
         self.text += measured.map_or("", |measured| measured.0);
     }
 
-    /// A heading and what is said below it.
+    /// Writes a heading and the text below it.
     pub(crate) fn section(&mut self, level: usize, heading: &str, text: &str) {
         self.text += &format!("\n{} {heading}\n", "#".repeat(level));
         if !text.is_empty() {
@@ -53,7 +53,7 @@ impl Page {
         }
     }
 
-    /// A table with a row of headings.
+    /// Writes a table with a row of headings.
     pub(crate) fn table<const N: usize>(&mut self, headings: [&str; N], rows: impl IntoIterator<Item = [String; N]>) {
         let line = |cells: [String; N]| format!("| {} |\n", cells.join(" | "));
         self.text += "\n";
@@ -64,14 +64,14 @@ impl Page {
         }
     }
 
-    /// Something does not hold unless `holds`.
+    /// Records a failure unless `holds`.
     pub(crate) fn claim(&mut self, holds: bool, what: impl Display) {
         if !holds {
             self.failures.push(what.to_string());
         }
     }
 
-    /// Compares with the page in the repository, and writes it.
+    /// Compares with the page in the repository, and writes the new page.
     pub(crate) fn finish(mut self) -> ExitCode {
         self.claim(
             words(&self.before) == words(&self.text),
@@ -87,14 +87,14 @@ impl Page {
     }
 }
 
-/// A text without the numbers that are measured: those with a point or an exponent.
+/// Returns a text without measured numbers: those with a point or an exponent.
 fn words(text: &str) -> String {
     let is_measured = |word: &&str| word.parse::<f64>().is_ok() && word.contains(['.', 'e']);
     let words = text.split_whitespace().map(|word| word.trim_end_matches([',', ';']));
     words.filter(|word| !is_measured(word)).collect::<Vec<_>>().join(" ")
 }
 
-/// A number with two digits.
+/// Writes a number with two digits.
 #[cfg(not(debug_assertions))]
 pub(crate) fn short(x: f64) -> String {
     if x == 0.0 {

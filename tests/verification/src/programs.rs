@@ -9,7 +9,7 @@ use syn::{Attribute, Expr, Item, ItemMod, Lit, Meta};
 /// Macros by their names, where they are in scope.
 type Macros = BTreeMap<String, Macro>;
 
-/// All tests of a program, or of a crate.
+/// All tests of a program or a crate.
 #[derive(Debug, Default)]
 pub(crate) struct Tests {
     /// The file of each test and its name.
@@ -51,7 +51,7 @@ impl Tests {
         }
     }
 
-    /// Items of a file; modules without a body are looked for beside `place`.
+    /// Walks over the items of a file. Modules without a body lie beside `place`.
     fn walk(&mut self, project: &Project, file: &str, place: &str, items: Vec<Item>, mut macros: Macros) {
         macros.extend(items.iter().filter_map(definition));
         for item in items {
@@ -64,7 +64,7 @@ impl Tests {
                     let name = item.mac.path.segments.last().map(|name| name.ident.to_string()).unwrap_or_default();
                     let items = match macros.get(&name) {
                         Some(rules) => expanded(rules, &item.mac.tokens, file),
-                        // The items of `proptest!` are functions with tests' attributes and arguments of their own.
+                        // The items of `proptest!` are functions with the attributes of tests and with arguments of their own.
                         None if name == "proptest" => {
                             self.found.extend(drawn(item.mac.tokens).into_iter().map(|test| (file.to_owned(), test)));
                             continue;
@@ -117,13 +117,13 @@ fn expanded(rules: &Macro, arguments: &TokenStream, file: &str) -> Vec<Item> {
     syn::parse2::<syn::File>(tokens).unwrap_or_else(|error| panic!("{file}: {error} in an expansion")).items
 }
 
-/// Whether a function is run by `cargo test`, and not only on demand.
+/// Returns whether `cargo test` runs a function without a request.
 fn is_test(attributes: &[Attribute]) -> bool {
     let has = |name: &str| attributes.iter().any(|attribute| attribute.path().is_ident(name));
     has("test") && !has("ignore")
 }
 
-/// The file that `#[path = "…"]` names.
+/// Returns the file that `#[path = "…"]` names.
 fn given_path(attributes: &[Attribute]) -> Option<String> {
     attributes.iter().find_map(|attribute| match &attribute.meta {
         Meta::NameValue(pair) if pair.path.is_ident("path") => match &pair.value {
@@ -137,7 +137,7 @@ fn given_path(attributes: &[Attribute]) -> Option<String> {
     })
 }
 
-/// The functions of `proptest!` behind `#[test]`.
+/// Returns the functions of `proptest!` behind `#[test]`.
 fn drawn(tokens: TokenStream) -> Vec<String> {
     let tokens: Vec<String> = tokens.into_iter().map(|token| token.to_string()).collect();
     let mut found = vec![];

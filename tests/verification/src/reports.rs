@@ -5,7 +5,7 @@ use geoint_verification::project::Project;
 use geoint_verification::sources;
 use geoint_verification::statements::Names;
 
-/// Words of a sentence as the source of the report has them, and the test that fails if the sentence is not true, by its folder and name.
+/// Words of a sentence in the source of the report, and a test by its folder and name. The test fails if the sentence is not true.
 const SENTENCES: &[(&str, &str)] = &[
     ("kick and drift are exact flows", "tests/accuracy::every_problem"),
     ("H = T({p}) + V({q})", "geoint-macros/compiler/src/tests::separable_with_quadratic_t"),
@@ -199,11 +199,11 @@ fn flows(page: &mut Page) {
     page.table(["family", "energies", "contact", "canonical"], rows);
 }
 
-/// All texts between quotes in a source, without its tests.
+/// Returns all texts between quotes in a source, without its tests.
 fn literals(source: &str) -> Vec<String> {
     let code = source.split("#[cfg(test)]").next().unwrap_or_default();
     let mut found = vec![];
-    // A text may go on in the next line.
+    // A text may continue in the next line.
     let joined = code.lines().map(str::trim_start).fold(String::new(), |text, line| match text.strip_suffix('\\') {
         Some(before) => format!("{before}{line}"),
         None if line.starts_with("//") => text,
@@ -218,7 +218,7 @@ fn literals(source: &str) -> Vec<String> {
     found
 }
 
-/// Words with an ellipsis in place of inserted values.
+/// Returns words with an ellipsis in place of inserted values.
 fn shown(words: &str) -> String {
     let mut text = String::new();
     let mut rest = words.trim();

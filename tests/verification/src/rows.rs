@@ -1,5 +1,5 @@
-//! Which rows there have to be: each list of the catalogue has its table, each name that a method gives itself stands in one, and so does each
-//! function that users may write.
+//! Checks that all rows exist. Each list of the catalogue needs a table. Each name that a method gives itself, and each function that users may write,
+//! needs a row.
 
 use crate::page::Page;
 use geoint_verification::sources;
@@ -9,7 +9,7 @@ const OF_USERS: [&str; 2] = ["Splitting", "RungeKutta"];
 /// Lists that are made of others.
 const OF_OTHERS: [&str; 2] = ["conservative", "autonomous"];
 
-/// What has no row, looked up in the sources.
+/// Reports all subjects in the sources that have no row.
 pub(crate) fn complete(page: &mut Page) {
     let catalogue = sources::read("geoint-runtime/src/method/catalogue.rs");
     let text = page.text().to_owned();
@@ -19,7 +19,7 @@ pub(crate) fn complete(page: &mut Page) {
     }
     let rows = text.lines().filter_map(|line| Some(line.strip_prefix("| `")?.split_once('`')?.0));
     let words: Vec<&str> = rows.flat_map(|name| name.split(" of ")).collect();
-    // Those have a formula in the table of the compiler; helpers have none.
+    // Functions of users have a formula in the table of the compiler. Helpers have none.
     let functions = sources::read("geoint-macros/compiler/src/ir/op.rs");
     let written = functions.lines().filter(|line| {
         line.starts_with("    ") && line.ends_with(");") && (line.contains(", x.") || line.contains(", y."))

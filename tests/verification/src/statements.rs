@@ -1,4 +1,4 @@
-//! Names of tests, examples and refused programs, as pages write them, and whether they exist.
+//! Names of tests, examples and refused programs in pages, and their existence.
 
 use crate::programs::{Tests, parsed};
 use crate::project::Project;
@@ -75,14 +75,14 @@ impl<'a> Names<'a> {
         self.tests(folder).is_some_and(|tests| tests.has_file(path))
     }
 
-    /// The tests of the program to which a folder belongs.
+    /// Returns the tests of the program to which a folder belongs.
     fn tests(&mut self, folder: &str) -> Option<&Tests> {
         let root = self.root(folder)?;
         let project = self.project;
         Some(self.programs.entry(root).or_insert_with_key(|root| Tests::of(project, root)))
     }
 
-    /// The root file of that program: a folder of tests has a `main.rs` that the manifest names.
+    /// Returns the root file of this program. A folder of tests has a `main.rs` that the manifest names.
     fn root(&self, folder: &str) -> Option<String> {
         if let Some(of) = CRATES.iter().find(|of| folder == **of || folder.starts_with(&format!("{of}/"))) {
             return Some(format!("{of}/lib.rs"));
@@ -147,7 +147,7 @@ mod tests {
         for name in names {
             assert_eq!(faults(&format!("tests/laws::{name}")), 1, "{name}");
         }
-        // Another folder, and files that are gone or have no test.
+        // Another folder, and files that are missing or have no test.
         for name in ["tests/rules::energy_stays", "tests/laws/gone.rs", "tests/laws/main.rs", "tests/laws/orphan.rs"] {
             assert_eq!(faults(name), 1, "{name}");
         }

@@ -1,4 +1,4 @@
-//! Taylor series: orders of steps of one length, and errors where steps follow from a tolerance.
+//! Taylor series: orders with steps of fixed length, and errors with steps from a tolerance.
 
 use crate::page::{Page, short};
 use geoint_runtime::system::{Jets, StateOf};
@@ -11,16 +11,16 @@ use geoint_tests::scalars::{Double, Scalar};
 use geoint_tests::scene::{Scene, flat, point};
 use std::hint::black_box;
 
-/// Over which times: the lengths of all steps are `f64`.
+/// Durations with step lengths that are exact in `f64`.
 const DURATIONS: [f64; 2] = [6.0, 1.5];
-/// How far an observed order may be from the order of the series.
+/// Accepted distance between an observed order and the order of the series.
 const TOLERANCE: f64 = 0.15;
-/// From this order on errors reach rounding before the leading term is alone, and may fall faster than it, or by so much less.
+/// From this order on, errors reach rounding before the leading term dominates. They may fall faster than the leading term, or slower by this amount.
 const HIGH: usize = 8;
 const ROUNDED: f64 = 1.0;
-/// Recurrences divide by whole numbers as `f64` has their reciprocals: errors below this are of that.
+/// Recurrences divide by whole numbers with reciprocals in `f64`. Errors below this bound come from these reciprocals.
 const RECIPROCALS: f64 = 4e-18;
-/// Errors at the end of the ways above, in units of the tolerance, or of rounding.
+/// Bound on the errors at the end of the runs above, in units of the tolerance or of rounding.
 const WORST: f64 = 64.0;
 
 fn started<P: Scene, M: TaylorMethod<P::Over<R>, R>, R: Scalar>(method: M) -> TaylorIntegrator<P::Over<R>, M, R>
@@ -32,7 +32,7 @@ where
     TaylorIntegrator::new(P::over::<R>(), method, point::<StateOf<P::Over<R>, R>>(R::from_f64(t), &x))
 }
 
-/// The error over the times of the other tables, in the root-mean-square; infinite where a step is refused.
+/// Returns the root-mean-square error over the times of the other tables. It is infinite if a step is refused.
 fn error<P: Scene, M: TaylorMethod<P::Over<Double>, Double>>(method: M, duration: f64, solutions: &[Vec<Double>]) -> f64
 where
     P::Over<Double>: Jets<Double>,
@@ -56,7 +56,7 @@ where
     observed(|n| error::<P, _>(TaylorFixed::<N> { h: duration / n as f64 }, duration, solutions).max(RECIPROCALS))
 }
 
-/// The error at the end in `f64` relative to the size of the state, steps, and allocations.
+/// Returns the error at the end in `f64` relative to the state, the number of steps, and the number of allocations.
 fn run<P: Scene, M: TaylorMethod<P::Over<f64>>>(method: M, duration: f64, solutions: &[Vec<Double>]) -> (f64, u64, u64)
 where
     P::Over<f64>: Jets<f64>,
@@ -71,7 +71,7 @@ where
     (error, sim.steps(), allocations)
 }
 
-/// Both tables.
+/// Writes both tables.
 pub(crate) fn section(page: &mut Page) {
     page.section(
         3,

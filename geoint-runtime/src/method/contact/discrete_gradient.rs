@@ -14,8 +14,9 @@
 /// If H depends on time, time is frozen at the middle t̄ of the step: H(x₁, t̄) = H(x₀, t̄) exp(−h g_s). Order and symmetry stay. If a contact map matters
 /// more than the decay of H, use [`ContactMidpoint`](crate::ContactMidpoint).
 ///
-/// A Lagrangian that is quadratic in v may have no short formula for H, for example because its mass matrix is full. It is then solved for velocities, by the
-/// polarised discrete gradient. The law is H(x₁) = H(x₀) exp(hΛ_s) with p·v − L for H; see [`PolarisedForm`](crate::system::PolarisedForm).
+/// A Lagrangian that is quadratic in the velocities v may have no short formula for H, for example because its mass matrix is full. Steps of such a
+/// Lagrangian are solved for velocities, by the polarised discrete gradient. The law is H(x₁) = H(x₀) exp(hΛ_s) with p·v − L for H. Here Λ_s is the entry for
+/// s of the tree discrete gradient of the polarised Lagrangian Λ, a mean of ∂L/∂s = −∂H/∂s. [`PolarisedForm`](crate::system::PolarisedForm) defines Λ.
 ///
 /// The differential equation: A. Bravetti, H. Cruz & D. Tapias, Ann. Phys. 376 (2017) 17. The discrete gradient g:
 /// [`DiscreteGradient`](crate::DiscreteGradient). We are not aware of this method in the literature.

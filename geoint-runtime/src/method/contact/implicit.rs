@@ -1,8 +1,10 @@
 //! The step of `ContactMidpoint` and `ContactDiscreteGradient`. It solves d = Φ(d) for a row d with entries for q, p and s.
 //!
-//! The attributes write Φ of each method for a system, as [`ContactEquation`], and a function `end` that returns the increments of q, p and s for a solution.
-//! For the discrete gradient, d is these increments. For the midpoint rule, x₀ + d/2 is the point (q̄, p̄, s̄) of its documentation, and the increment of p has
-//! a factor beside d. A step is refused if an increment is not finite.
+//! The attribute macros implement [`ContactEquation`] for a system and each method: Φ, and a function `end` that returns the increments of q, p and s for a
+//! solution. For the discrete gradient, d is these increments. For the midpoint rule, x₀ + d/2 is the point (q̄, p̄, s̄) of its documentation. The increment
+//! of p is then the entry of d for p, divided by 1 + hσ/2 with σ = ∂H/∂s at this point.
+//!
+//! The result of `end` is not finite if the step has no end, as for |hσ| ≥ 2. The step is then refused.
 
 use super::{ContactDiscreteGradient, ContactMidpoint};
 use crate::implicit_method;
@@ -16,6 +18,7 @@ use crate::space::vector::{difference, moved, resized};
 use crate::space::{Array, PerCoordinate, Square};
 use crate::system::ContactEquation;
 
+// `symplectic` claims a contact map, and `conserving_energy` claims the decay law of H. See `Claims`.
 implicit_method!(ContactMidpoint, |_| Name::new("ContactMidpoint"), Claims::of_order(2).symmetric().symplectic());
 implicit_method!(
     ContactDiscreteGradient,
@@ -31,7 +34,7 @@ pub struct ContactStep<M>(
     pub M,
 );
 
-/// A method whose equation evaluates the energy at x₀ + w·d, perhaps beside x₀, the start (q, p, s) of the step. This point is shown to the probe.
+/// A method whose equation evaluates the energy at x₀ + w·d, and possibly also at x₀, the start (q, p, s) of the step. x₀ + w·d is shown to the probe.
 pub trait EvaluatesAhead: Copy + core::fmt::Debug {
     /// w: 1/2 for the midpoint, 1 for the end of the step.
     const AHEAD: f64;
@@ -64,6 +67,8 @@ impl<S: ContactEquation<M, R>, M: EvaluatesAhead, R: Real> ImplicitStep<S, R> fo
     type Solver = Newton<S::Unknown>;
 
     const POLICY: Policy = Policy {
+        // Not `ByDifferences`, although the discrete gradient contains divided differences. The check of points is stronger: it also tests the poles at which
+        // divided differences are taken to be infinite or NaN, and the domain at the end.
         evaluated: if M::AHEAD == 1.0 { Evaluated::AtTheEnd } else { Evaluated::Elsewhere },
         ..Policy::of(Units { alike: S::Array::LEN, kinds: 3 })
     };

@@ -1,8 +1,13 @@
 //! Projection of a mean velocity F onto the vectors v with Gᵀv = 0: v = F − MGλ with λ = (GᵀMG)⁻¹GᵀF.
 //!
-//! The N columns of G are discrete gradients of invariants, so a step h v keeps the invariants. The diagonal matrix M is a metric: the length of the
-//! correction needs one, because coordinates have different units. The columns are replaced by orthogonal columns w of the same space, with one weight each:
-//! MGλ = Σ weight·Mw. Dependent columns are thus recognised and excluded.
+//! The N columns of G are discrete gradients of invariants, so a step h v keeps the invariants. Column 0 is the tree discrete gradient of the energy, or zero
+//! if the energy reads time. The other columns are gradients of momenta at the midpoint of the step.
+//!
+//! The diagonal matrix M is the inverse of a metric: MGλ is the correction of F that is shortest in M⁻¹. A length needs a metric, because coordinates have
+//! different units.
+//!
+//! The columns are replaced by orthogonal columns w of the same space, with one weight each: MGλ = Σ weight·Mw. A column that depends on the columns before it
+//! leaves a w of rounding only. It adds no condition, and its weight would amplify rounding, so it is excluded.
 
 use super::matrix::Matrix;
 use crate::scalar::{Real, zero};
@@ -32,8 +37,8 @@ pub(super) struct Projector<A: Array, const N: usize> {
 }
 
 impl<A: Array, const N: usize> Projector<A, N> {
-    /// Orthogonalises the `columns` of G in the metric M, given by its diagonal. If `drop_dependent` is true, it excludes columns that nearly depend on the
-    /// columns before them. The step then does not keep their invariants.
+    /// Orthogonalises the `columns` of G with the product a·Mb. `metric` is the diagonal of M. If `drop_dependent` is true, it excludes columns that nearly
+    /// depend on the columns before them. The step then does not keep their invariants.
     #[inline(always)]
     pub(super) fn new(metric: [A; 2], columns: [[A; 2]; N], drop_dependent: bool) -> Self {
         let none = zero::<A::Real>();
@@ -69,7 +74,7 @@ impl<A: Array, const N: usize> Projector<A, N> {
         Projector { metric, scales, orthogonal, weighted, reciprocals, coefficients }
     }
 
-    /// Returns whether the first column is excluded, because its square in the metric is zero.
+    /// Returns whether the first column is excluded, because its square w·Mw is zero.
     #[inline(always)]
     pub(super) fn excludes_first(&self) -> bool {
         self.reciprocals[0] == zero()
@@ -90,8 +95,10 @@ impl<A: Array, const N: usize> Projector<A, N> {
     /// differentials Gᵀdv = −dGᵀv and dv + MG dλ = dF − M dG λ.
     ///
     /// [`projected`](Self::projected) returned v with `weights`. `of_first` is the derivative of the first given column by d. `of_others` returns the products
-    /// of a vector with the derivatives of the other columns; its entry 0 is not read. Precondition: the derivatives of the others are symmetric. The
-    /// derivative of M is omitted. Its term is of the order of λ, so the result is approximate.
+    /// of a vector with the derivatives of the other columns; its entry 0 is not read. Precondition: the derivatives of the others are symmetric.
+    ///
+    /// The derivative of M is omitted, so the result is approximate. The omitted term is O(λ), and λ is small because F has order 4. Limit: the corrections of
+    /// Newton's iteration then have a small linear part, which its constant C does not model.
     #[inline(always)]
     pub(super) fn derivative(
         &self,
@@ -130,7 +137,8 @@ impl<A: Array, const N: usize> Projector<A, N> {
                 products[a] = moved(&products[a], -self.coefficients[a][b], &products[b]);
             }
         }
-        // The derivatives of the weights.
+        // Row a contains the coefficients of Mw_a in MG dλ: (w_a·(dF − M dG λ) + (dGᵀv)_a)/(w_a·Mw_a), from the product of Gᵀ with the differential above.
+        // `slope` is dF − M dG λ at this point.
         let weight_slopes: [[A; 2]; N] = core::array::from_fn(|a| {
             let rate = moved(&products[a], A::Real::from_f64(1.0), &slope.transpose_times(&self.orthogonal[a]));
             scaled(self.reciprocals[a], &rate)

@@ -1,6 +1,8 @@
 //! Discrete gradients whose entry i is the divided difference of H along an edge that changes coordinate i only.
 //!
 //! The edges form a path from x₀ to x₁. Its direction distinguishes [`ItohAbe`] from its adjoint; [`SymmetrisedItohAbe`] and [`ItohAbePair`] combine both.
+//!
+//! This file implements [`Method`] for [`ItohAbePair`], which takes two steps. The table in `methods.rs` makes methods of the other types.
 
 use super::energy::{Energy, Slope, Staircase};
 use super::matrix::Matrix;
@@ -19,7 +21,9 @@ use crate::system::{Conservative, DiscreteField, Invariants, KeptBy};
 /// does not read time, every accepted step keeps the energy to rounding.
 ///
 /// Order 1. Order 2 and symmetric if H = Σ Tᵢ(pᵢ) + Σ Vᵢ(qᵢ). If H does not read a coordinate, its momentum is kept. Use the method for comparison with the
-/// literature. Otherwise prefer [`DiscreteGradient`](crate::DiscreteGradient). T. Itoh & K. Abe, J. Comput. Phys. 76 (1988) 85.
+/// literature. Otherwise prefer [`DiscreteGradient`](crate::DiscreteGradient): a step of `ItohAbe` depends on the numbering of the coordinates.
+///
+/// T. Itoh & K. Abe, J. Comput. Phys. 76 (1988) 85.
 #[doc(alias("coordinate increment discrete gradient", "Itoh-Abe"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ItohAbe;
@@ -51,6 +55,7 @@ impl MeanGradient for ItohAbe {
         x: &S::Phase,
         d: &S::Phase,
     ) -> Result<Slope<S::Array>, Refusal> {
+        // Each edge changes one coordinate. `end` is the derivative of g by the end x + d, thus ∂g/∂d.
         let Staircase { g, end, .. } = energy.staircase(x, d, 1);
         Ok(Slope { g, derivative: end })
     }
@@ -174,4 +179,5 @@ impl<S: DiscreteField<R> + Conservative<R>, R: Real> Method<S, R> for ItohAbePai
     }
 }
 
+// Compositions need a symmetric map of order 2. `ItohAbe` and its adjoint are not symmetric.
 substeps!([] ItohAbePair; [] SymmetrisedItohAbe);

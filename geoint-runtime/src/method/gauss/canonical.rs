@@ -1,10 +1,14 @@
-//! The Gauss step of a system with canonical coordinates y(x) of its state x. The unknowns are the increments xᵢ − x₀ to all stages xᵢ:
+//! The Gauss step of a system with canonical coordinates y(x) of its state x. These systems are Lagrangians ϑ(q)·v − H(q, t), linear in the velocities v,
+//! with x = q. [`CanonicalForm`] states which of them have such coordinates. The unknowns are the increments xᵢ − x₀ to all stages xᵢ:
 //!
 //! y(xᵢ) = y(x₀) + h Σ aᵢⱼ y'(xⱼ). The end x̂ of the step follows from y(x̂) = y(x₀) + h Σ bⱼ y'(xⱼ).
 //!
-//! Here y' = dy/dt, and aᵢⱼ and bⱼ are the coefficients and weights of the method. Collocation is symplectic in y, but not in x. The equations are
-//! solved for x, so no formula for x(y) is needed. A step is refused if ∂y/∂x is singular at its start, or if the sign of a determinant shows that ∂y/∂x
-//! was singular on the way. Limit: two changes of the sign cancel.
+//! Here y' = dy/dt, and aᵢⱼ and bⱼ are the coefficients and weights of the method. y depends on x only, and y' may also read time. Collocation applied to
+//! y is symplectic. Applied to x, it is not. The equations are solved for x, so no formula for x(y) is needed.
+//!
+//! A step is refused if ∂y/∂x is singular at its start, or if the sign of a determinant shows that ∂y/∂x was singular on the way. Limits: two changes of
+//! the sign cancel. With more than twelve unknowns, the solver first iterates without a matrix. If this succeeds, no determinant of the stages is
+//! checked.
 
 use super::prepared::Scaled;
 use super::stages::{Form, Part, Rows, Slopes, Values, assemble};
@@ -25,7 +29,8 @@ use crate::system::{CanonicalForm, row_scale};
 #[derive(Clone, Copy, Debug)]
 pub struct CanonicalStages<const S: usize>;
 
-/// The derivatives ∂y/∂x and ∂y'/∂x are given. A stage is its own unknown, so nothing reads a shift. Rows are in units of x already.
+/// The derivatives ∂y/∂x and ∂y'/∂x are given. The shift of stage i is the sum h Σ aᵢⱼ uⱼ of all unknowns u. The point xᵢ follows from the unknown
+/// xᵢ − x₀ of its own stage, so no derivative by the shift is needed. Rows are in units of x already.
 const FORM: Form = Form {
     value: Slopes { by_unknown: Part::Given, by_shift: Part::Zero },
     rate: Slopes { by_unknown: Part::Given, by_shift: Part::Zero },
@@ -99,10 +104,11 @@ where
     fn end(&self, change: &Y::Phase, guess: Y::Phase) -> Result<Y::Phase, Refusal> {
         let (Start { y, inverse, .. }, mut is_positive) = (&self.start, true);
         let correction = |d: &Y::Phase| {
-            // y does not read time, so a rounding of the end time has no effect.
+            // The time matters for y' only, which is not read here. A rounding of the end time therefore has no effect.
             let at = self.at((self.from.t + self.from.h, sum(&self.from.z, d)));
             let mut delta = inverse.times(&difference(&difference(&at.value, y), change));
             let mut matrix = scaled_rows(inverse, &at.derivatives[VALUE]);
+            // The matrix is near 1 in short steps, so its pivots stay on the diagonal. Equal sizes then suffice.
             is_positive = linear::solve(&mut matrix, &mut delta, &Sizes::equal()).ok_or(Refusal::Singular)?;
             let relative = Sizes::new().relative(&delta, &self.from.z, &difference(d, &delta));
             Ok(Correction { delta, relative })
@@ -116,7 +122,7 @@ where
 }
 
 /// The equations of all stages for the increments d = xᵢ − x₀. They are multiplied by (∂y/∂x)⁻¹ at the start of the step. Rows then have the units of x,
-/// and the matrix is near 1 for short steps. The solver refuses a solution with a negative determinant.
+/// and the matrix is near 1 for short steps. The solver refuses a solution with a negative determinant, if it was found with a matrix.
 impl<Y: CanonicalForm<R>, R: Real, const S: usize> ImplicitStep<Y, R> for CanonicalStages<S>
 where
     Gauss<S>: GaussTableau<S>,

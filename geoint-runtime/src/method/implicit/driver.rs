@@ -1,8 +1,11 @@
 //! The driver of implicit steps. It solves the equation of a step, adds the increments to the state, and checks the result.
 //!
-//! The checks follow from the [`Policy`](super::Policy) of the method. A step is refused unless the straight lines from its start to each stage and to its end
-//! provably cross no pole of the energy. It is also refused if rounding its end moves it across an `if` at which the energy jumps, away from the end at which
-//! the equation was solved.
+//! The checks follow from the [`Policy`](super::Policy) of the method. A step is refused unless the straight lines from its start to each of its
+//! [`STAGES`](ImplicitStep::STAGES) and to its end provably cross no pole of the energy. Limit: other points at which a step evaluates the energy are not
+//! checked.
+//!
+//! If the equation evaluates the energy at the end, a step is also refused if the energy jumps between the end of the last evaluation and the end. The two
+//! ends differ by the last correction and by rounding.
 //!
 //! An attempt is fast if [`Probe::EFFORT`] is [`Effort::Fast`]. It may set `needs_recheck` in place of a search for poles. The caller then repeats the step
 //! with [`Effort::Thorough`]. The driver does not restore the point of a refused step.
@@ -131,7 +134,8 @@ impl<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> Prepared<M, S, R> {
         x.add_action(s);
         let arrival = Arrival { z: &x.z, s: &x.s, needs_recheck: &mut x.needs_recheck };
         M::finish::<P>(&equation, &solution, history, arrival)?;
-        // Rounding may move the end across a condition at which the energy jumps. With `Elsewhere`, the equation has evaluated no condition at the end.
+        // The last correction, or rounding, may move the end across a condition at which the energy jumps. With `Elsewhere`, the equation has evaluated no
+        // condition at the end.
         if const { !matches!(M::POLICY.evaluated, Evaluated::Elsewhere) } {
             Refusal::outside(jump_between(system, from.middle(), [&solved_end.0, &x.z], [&solved_end.1, &x.s]))?;
         }

@@ -10,7 +10,7 @@ use super::splittings::Splitting;
 use super::table::PieceComposition;
 use crate::method::open::Open;
 use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step, Unwatched, check_way};
-use crate::scalar::Real;
+use crate::scalar::{Real, zero};
 use crate::space::{Array, PerCoordinate, Point, Summation};
 use crate::system::{Clock as PieceClock, Evaluations, Piece, Pieces, Poles};
 
@@ -60,20 +60,21 @@ impl<S: Pieces<M, R>, M: Splitting, R: Real, const K: usize> Method<S, R> for Pi
     }
 
     fn prepare(&self, system: &S, h: R) -> Self::Prepared {
-        let (weights, poles) = (self.weights(), Poles::of(system));
+        let (weights, poles) = (self.weights().map(|pair| pair.map(R::from_f64)), Poles::of(system));
         core::array::from_fn(|i| {
+            // Sums are computed in R, whose precision may exceed that of the table.
             let [alpha, beta] = weights[i];
-            let joint = weights[(i + K - 1) % K][1] + alpha;
-            let before: f64 = weights[..i].as_flattened().iter().sum();
-            let part = |fraction: f64| R::from_f64(fraction) * h;
-            let flows = |outer: f64, last: f64| system.prepare_flows(part(outer), part(last));
+            let [_, beta_before] = weights[(i + K - 1) % K];
+            let joint = beta_before + alpha;
+            let before = weights[..i].as_flattened().iter().fold(zero(), |sum: R, weight| sum + *weight);
+            let flows = |outer: R, last: R| system.prepare_flows(outer * h, last * h);
             Pair {
                 forth: flows(alpha, alpha + beta),
                 back: flows(beta, beta),
                 joint: flows(joint, joint),
-                start: part(before),
-                middle: part(before + alpha),
-                joint_start: part(before + alpha - joint),
+                start: before * h,
+                middle: (before + alpha) * h,
+                joint_start: (before + alpha - joint) * h,
                 poles,
             }
         })

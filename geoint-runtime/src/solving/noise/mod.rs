@@ -1,8 +1,8 @@
 //! Measures the rounding of a residual at a point x.
 //!
 //! Forces between neighbours cancel, and quotients divide by small numbers. The rounding of a residual may therefore be far larger than the last digits of the
-//! unknowns. It shows if the residual is evaluated at neighbouring points: high differences of a smooth function are small, and high differences of rounding
-//! are not. J. J. Moré & S. M. Wild, SIAM J. Sci. Comput. 33 (2011) 1292.
+//! unknowns. It becomes visible when the residual is evaluated at neighbouring points: high differences of a smooth function are small, and high differences
+//! of rounding are not. J. J. Moré & S. M. Wild, SIAM J. Sci. Comput. 33 (2011) 1292.
 //!
 //! `points` chooses a line through x. `differences` evaluates the residual at growing distances on this line until it is smooth. Limit: the result is an
 //! estimate and no bound. [`measure`] takes up to 515 evaluations, so solvers call it only if corrections are stuck.
@@ -18,8 +18,8 @@ use crate::space::vector::difference;
 use differences::{POINTS, SPARE, Workspace};
 use points::{Start, first_distance, write_direction};
 
-/// The largest residual that counts as rounding, in standard deviations of its rounding. A residual is the sum of several rounding errors, and a few
-/// differences determine the deviations only roughly. A smaller limit would refuse solved equations.
+/// The largest residual that counts as rounding, in units of its noise, the result of [`measure`]. A residual is the sum of several rounding errors, and a few
+/// differences determine their deviations only roughly. A smaller limit would refuse solved equations.
 const DEVIATIONS: f64 = 16.0;
 
 /// The last correction of an iteration, and the multiple of it at which a measurement starts.
@@ -29,18 +29,20 @@ pub(crate) struct LastCorrection<A> {
     pub(crate) multiple: f64,
 }
 
-/// Returns the standard deviation of the rounding of every entry of a residual near `x`, in the units of the residual.
+/// Returns an estimate of the rounding of every entry of a residual near `x`, in the units of the residual. It is a standard deviation, or the change of the
+/// residual by the last digits of `x` if this change is larger.
 ///
 /// `residual` returns `None` at points at which no residual exists; farther points are then not evaluated. Unknowns move in proportion to the largest unknown
-/// of their kind. Each measurement evaluates the residual at growing distances from `x`:
+/// of their kind. Up to two measurements evaluate the residual at growing distances from `x`. Their starts depend on the distance `multiple`·`delta`, which is
+/// large for a kind if it exceeds 10⁻³ of the unknowns of this kind:
 ///
-/// - The first one starts at the given multiple of the last correction. Nearer points may share equally rounded terms, and the residual then looks smooth. If
-///   this multiple is large beside the unknowns, it starts at ε. Otherwise the residual of a small unknown beside large ones would be smooth at all points.
-/// - The second one takes place only if this multiple is large, and starts there. An unknown may be as small as the rounding of the value to which it is added.
-///   Its corrections are then as large as the unknown, and the residual is a staircase.
+/// - The first measurement starts at this distance. Nearer points may share equally rounded terms, and the residual then looks smooth. A kind with a large
+///   distance starts at ε. Otherwise the residual of a small unknown beside large ones would be smooth at all points.
+/// - The second measurement takes place only if the distance is large for a kind. All kinds start at this distance. An unknown may be as small as the rounding
+///   of the value to which it is added. Its corrections are then as large as the unknown, and the residual is a staircase.
 ///
-/// The result is the largest of both measurements and of the change of the residual by the last digits of `x`. An entry that is smooth at no distance has no
-/// measurement: the digits of the unknowns do not resolve it.
+/// The digits of the unknowns may not resolve an entry at any distance. The first measurement then counts as 0. The second one counts as 0, too, unless it has
+/// resolved at least half of the entries of this kind. It then counts as at most their smallest noise.
 #[cold]
 #[inline(never)]
 pub(crate) fn measure<A: Array>(
@@ -105,7 +107,7 @@ fn last_digits<A: Array>(x: &A, direction: &A, residual: &mut impl FnMut(&A) -> 
 }
 
 /// Returns whether rounding explains every entry of a residual. An entry is explained if it is at most 64 ε times the size of its unknown. It is also explained
-/// if it is at most 16 times its standard deviation `noise`, and at most 1024 times this size.
+/// if it is at most 16 times its `noise`, and at most 1024 times the size of its unknown.
 pub(crate) fn explains<A: Array>(noise: &A, residual: &A, sizes: &Sizes<A>) -> bool {
     (0..A::LEN).all(|i| {
         let left = residual.as_slice()[i].magnitude();

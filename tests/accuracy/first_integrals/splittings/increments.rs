@@ -1,4 +1,4 @@
-//! Planes that are solved for, whether they have flows or not: by discrete gradients, and by increments of one coordinate after the other.
+//! Planes solved by discrete gradients, and by increments of one coordinate after the other, whether the planes have flows or not.
 
 use super::*;
 
@@ -75,8 +75,8 @@ fn gap(a: &[[f64; 2]], b: &[[f64; 2]]) -> f64 {
     a.iter().flatten().zip(b.iter().flatten()).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }
 
-/// The step of the thesis, x₁ − x₀ = h (y₀ + y₁)/2m and y₁ − y₀ = −h (x₀ + x₁)/2 (1 + b (x₀² + x₁²)/2), is that of the plane, whichever
-/// coordinate comes first; with terms in both coordinates planes have the steps of Itoh and Abe.
+/// The step of the thesis is x₁ − x₀ = h (y₀ + y₁)/2m and y₁ − y₀ = −h (x₀ + x₁)/2 (1 + b (x₀² + x₁²)/2). The step of the plane equals it, whichever
+/// coordinate comes first. With terms in both coordinates, planes have the steps of Itoh and Abe.
 #[test]
 fn one_plane_is_the_step_by_coordinate_increments() {
     let states = planar(PlanarItohAbe, 0.0);

@@ -1,4 +1,4 @@
-//! Splittings by terms of H and by planes: errors against the same solutions, what they keep, and what they must move.
+//! Splittings by terms of H and by planes: errors against the same solutions, conserved quantities, and quantities that must move.
 
 mod increments;
 mod planes;
@@ -17,7 +17,7 @@ impl<S, const N: usize> Motion<S, N>
 where
     S: FirstIntegrals<State = FlowState<[f64; N]>, Phase = [f64; N]>,
 {
-    /// Compares errors in n, 2n, … steps with a row of the table, and what is kept and what moves.
+    /// Compares errors in n, 2n, … steps with a row of the table. Each watched function must be conserved, or move by its expected amount.
     fn splits<M: Method<S> + Copy>(&self, method: M, row: &[f64], watched: &[Watched<'_, N>]) {
         for (k, expected) in row.iter().enumerate() {
             let steps = self.steps << k;
@@ -44,7 +44,7 @@ where
             }
         }
         let order = f64::from(method.claims().order);
-        // That of the others is farther from its limit in these steps.
+        // Only symmetric methods: the order of the others is farther from its limit in these steps.
         for pair in row.windows(2).filter(|_| method.claims().symmetric) {
             let measured = (pair[0] / pair[1]).log2();
             assert!((measured - order).abs() < 0.05, "{}: order {measured}", self.name);

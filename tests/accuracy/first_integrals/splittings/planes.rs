@@ -34,7 +34,7 @@ fn species_by_planes() {
     );
 }
 
-/// Two planes are solved for, and one turns; that one dominates the error where it is solved for as well.
+/// Two planes are solved for, and one turns. The turning plane dominates the error if it is solved for as well.
 #[test]
 fn lorenz_by_planes() {
     let energy = LORENZ.energy();
@@ -49,7 +49,7 @@ fn sites_by_planes() {
     WAVES.splits(PlanarSplitting, &[5.108e-4, 1.278e-4, 3.196e-5], &[(&energy, None), (&norm, Some(1.2e-4))]);
 }
 
-/// Of the planes of a charge one is solved for; three turn, and so do all nine of heavy tops, or they are parabolas.
+/// One plane of a charge is solved for, and three turn. All nine planes of heavy tops turn or move on parabolas.
 #[test]
 fn more_than_three_coordinates_by_planes() {
     let energy = CHARGE.energy();
@@ -66,10 +66,10 @@ fn more_than_three_coordinates_by_planes() {
     }
 }
 
-/// S is searched for: that of predators and of Volterra's lattice is the one that their energies have.
+/// The macro searches for S. For predators and for Volterra's lattice it finds the S of their energies.
 #[test]
 fn fields_by_planes() {
-    /// The same motion of a field.
+    /// Returns the motion with a field in place of its energy.
     fn of<S, const N: usize>(motion: &Motion<impl Copy, N>, system: S) -> Motion<S, N> {
         let Motion { name, start, time, end, steps, .. } = *motion;
         Motion { name, system, start, time, end, steps }
@@ -88,7 +88,7 @@ fn fields_by_planes() {
     );
     let charge = CHARGE.energy();
     of(&CHARGE, ChargeField).splits(PlanarSplitting, &[2.227e-3, 5.561e-4, 1.390e-4], &[(&charge, None)]);
-    // Of many S, one with fewer planes.
+    // The macro chooses one of many S, with fewer planes.
     let (euler, lorenz) = (EULER.energy(), LORENZ.energy());
     let top = of(&EULER, EulerTop { a: 1.0, b: 2.0, c: 3.0 });
     top.splits(PlanarSplitting, &[2.982e-4, 7.454e-5, 1.863e-5], &[(&euler, None)]);
@@ -125,7 +125,7 @@ fn two_rates(x: [f64; 2], a: f64) -> f64 {
     x[0] * x[0] + 1.7 * x[1] * x[1]
 }
 
-/// The derivative of a velocity that jumps is that of a field without jump, whose flow is known; but it is another field.
+/// A velocity with a jump has the derivative of a field without a jump, whose flow is known. The field is different, so planes must be solved for.
 #[test]
 fn planes_with_jumps_are_solved_for() {
     let system = Drawn { m: 1.3, w: 0.7 };
@@ -151,7 +151,7 @@ fn about_an_axis(x: [f64; 3], a: f64) -> f64 {
     (x[0] * x[0] + a * x[1] * x[1]) / 2.0
 }
 
-/// Of short steps the cosine has few digits that are not those of 1: rounded, it would let a circle grow by the same number in each.
+/// In short steps the cosine differs from 1 in few digits. If it were rounded, a circle would grow by the same factor in each step.
 #[test]
 fn what_turns_has_no_trend() {
     for axis in [-1.3, 0.71, 0.9, 1.7] {
@@ -188,7 +188,7 @@ fn broken_angle(x: [f64; 2], a: f64, c: f64) -> f64 {
     x[1]
 }
 
-/// The flow of one side goes on in a straight way beyond the jump, where the field is another one.
+/// The flow of one side would continue straight beyond the jump, where the field is different.
 #[test]
 fn lines_with_jumps_are_no_lines() {
     for report in [Broken::<f64>::REPORT, BrokenExponent::<f64>::REPORT, BrokenAngle::<f64>::REPORT] {

@@ -40,7 +40,7 @@ fn field<R: Scalar>(x: &[R]) -> Vec<R> {
 #[test]
 fn a_pair_is_one_piece() {
     assert_eq!(<Exchange<f64> as Pieces<PoissonSplitting>>::PIECES.len(), 1);
-    // The field, two bonds that do not meet, and the one between them.
+    // Three pieces: the field, two bonds that do not meet, and the bond between them.
     assert_eq!(<Row<f64> as Pieces<PoissonSplitting>>::PIECES.len(), 3);
 }
 
@@ -106,7 +106,7 @@ fn lengths_of_spins_have_no_trend() {
     }
 }
 
-/// Bonds keep the sum of both spins, so that without a field steps keep that of all.
+/// A bond keeps the sum of its two spins. Without a field, steps therefore keep the sum of all spins.
 #[test]
 fn a_row_keeps_its_sum() {
     let start: [f64; 12] = [0.5, 0.3, -0.2, 0.1, 0.9, 0.4, -0.3, 0.2, 0.8, -0.5, 0.5, 0.5];

@@ -1,10 +1,9 @@
 //! Double-double arithmetic: an unevaluated sum of two `f64`, about 31 digits.
 //!
-//! With it the error of a method of order 12 is seen over several halvings of the step before rounding hides it.
-//! `+ − · ÷ √` are accurate to a few units of 2⁻¹⁰⁴; `sin cos exp ln atan2` and all that follows from them come from
-//! Taylor series and Newton steps and are accurate to about 10⁻²⁹ for arguments of moderate size (|x| up to some
-//! hundreds). Differences such as `exp_m1` and `ln_1p` are accurate in the absolute, not in the relative sense. Special
-//! values (NaN, ±∞, ±0) are not looked after.
+//! A method of order 12 then shows its error over several halvings of the step before rounding hides the error. `+ − · ÷ √` are accurate to a few
+//! units of 2⁻¹⁰⁴. `sin cos exp ln atan2` and their derived functions come from Taylor series and Newton steps. They are accurate to about 10⁻²⁹ for
+//! arguments of moderate size (|x| up to some hundreds). Differences such as `exp_m1` and `ln_1p` are accurate in the absolute, not in the relative
+//! sense. Special values (NaN, ±∞, ±0) are not handled.
 //!
 //! T. J. Dekker, Numer. Math. 18 (1971) 224; D. E. Knuth, *The Art of Computer Programming* 2, 4.2.2.
 
@@ -41,7 +40,7 @@ fn two_sum(a: f64, b: f64) -> Double {
     Double { hi, lo: (a - (hi - b_part)) + (b - b_part) }
 }
 
-/// The same for |a| ≥ |b|.
+/// Returns a + b with its rounding error, for |a| ≥ |b|.
 #[inline]
 fn quick_two_sum(a: f64, b: f64) -> Double {
     let hi = a + b;

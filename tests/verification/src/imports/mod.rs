@@ -17,7 +17,7 @@ struct Module {
     file: String,
     /// Names that `use` declares, with their paths.
     declared: BTreeMap<String, Path>,
-    /// Modules of which all names are declared.
+    /// Modules whose names are all declared by a glob.
     globs: Vec<Path>,
     /// Names of the module's own items.
     items: BTreeSet<String>,
@@ -44,7 +44,7 @@ struct Crate {
 /// For each file, the files that it imports.
 type Edges = BTreeMap<String, BTreeSet<String>>;
 
-/// Returns all circles of files of the crate with this root: files that import each other, directly or by way of others.
+/// Returns all circles of files of the crate with this root: files that import each other, directly or through other files.
 ///
 /// A file may use the modules below it, which may use it. An import leads to the file of the item, not to a file that re-exports the item. A
 /// name that a file re-exports and does not use is no import. Tests do not count.
@@ -70,7 +70,7 @@ pub fn circles(project: &Project, root: &str) -> Vec<Vec<String>> {
     found
 }
 
-/// The files that imports lead to from a file.
+/// Returns the files that imports reach from a file.
 fn reach<'a>(edges: &'a Edges, from: &str) -> BTreeSet<&'a String> {
     let mut found = BTreeSet::new();
     let mut open: Vec<&String> = edges.get(from).into_iter().flatten().collect();
@@ -82,7 +82,7 @@ fn reach<'a>(edges: &'a Edges, from: &str) -> BTreeSet<&'a String> {
     found
 }
 
-/// The folder of the modules that a file declares.
+/// Returns the folder of the modules that a file declares.
 fn folder(file: &str) -> &str {
     let own = file.strip_suffix("/mod.rs").or(file.strip_suffix("/lib.rs"));
     own.unwrap_or(file.trim_end_matches(".rs"))
@@ -144,7 +144,7 @@ impl Crate {
         }
     }
 
-    /// For each file, the files that it imports.
+    /// Returns, for each file, the files that it imports.
     fn edges(&self) -> Edges {
         let mut edges = Edges::new();
         for written in &self.written {
@@ -160,7 +160,7 @@ impl Crate {
         edges
     }
 
-    /// The file of the item that a path in a module leads to. Modules and items of other crates have none.
+    /// Returns the file of the item at the end of a path in a module. Modules and items of other crates have none.
     fn target(&self, module: &Path, path: &Path) -> Option<String> {
         let path = match path.first()?.as_str() {
             "crate" => path[1..].to_vec(),
@@ -197,7 +197,7 @@ impl Crate {
     }
 }
 
-/// Returns a path from the root, if the path leads into this crate.
+/// Returns a path from the root, if it leads into this crate.
 fn absolute(module: &Path, path: &[String], all: &Crate) -> Option<Path> {
     let mut at = module.clone();
     let mut rest = path;
@@ -270,7 +270,7 @@ mod tests {
         assert!(found(&files).is_empty());
     }
 
-    /// The trait of runs gives iterators over the states of runs.
+    /// The only circle: the trait of runs returns iterators over the states of runs.
     #[test]
     fn the_crates_have_one_circle() {
         let project = Project::here();

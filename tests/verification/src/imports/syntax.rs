@@ -104,7 +104,7 @@ pub(super) fn name(item: &Item) -> Option<String> {
     Some(ident.to_string())
 }
 
-/// Returns the attributes of an item that a name or a path may depend on.
+/// Returns the attributes of an item that may contain a name or a path.
 pub(super) fn attributes(item: &Item) -> &[Attribute] {
     match item {
         Item::Fn(item) => &item.attrs,
@@ -119,7 +119,7 @@ pub(super) fn attributes(item: &Item) -> &[Attribute] {
     }
 }
 
-/// Whether an item exists for tests alone.
+/// Returns whether an item exists for tests alone.
 pub(super) fn is_for_tests(attributes: &[Attribute]) -> bool {
     attributes.iter().any(|attribute| {
         attribute.path().is_ident("test")
