@@ -187,13 +187,13 @@ fn series() {
     let system = Stretched { a: 1.0 };
     for x1 in [0.3, 0.7, 1.1, 1.3, 2.3] {
         let start = FlowState::new([1.0, x1]);
-        let mut sim = system.taylor(Projection(Taylor { tolerance: 1e-6 }, Integrals), start);
+        let mut sim = system.taylor(Projection(TaylorOrder::<20> { tolerance: 1e-6 }, Integrals), start);
         for (time, bound) in [(1.0, 1e-15), (10.0, 4e-12), (40.0, 1e-11), (100.0, 1e-11)] {
             sim.advance_to(time).expect("no pole");
             let error = (system.i(&sim.state()) / x1 - 1.0).abs();
             assert!(error < bound, "from {x1}, t = {time}: {error:.1e}");
         }
-        let mut plain = system.taylor(Taylor { tolerance: 1e-6 }, start);
+        let mut plain = system.taylor(TaylorOrder::<20> { tolerance: 1e-6 }, start);
         plain.advance_to(100.0).expect("no pole");
         assert!((system.i(&plain.state()) / x1 - 1.0).abs() > 1e-6);
     }
