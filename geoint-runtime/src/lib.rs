@@ -97,20 +97,20 @@ pub use method::discrete_gradient::{
 #[doc(inline)]
 pub use method::explicit::{DOP853, ExplicitEuler, RK4, RungeKutta};
 #[doc(inline)]
-pub use method::gauss::{Gauss, ImplicitMidpoint};
+pub use method::flows::perturbed::Perturbation;
 #[doc(inline)]
-pub use method::kahan::Kahan;
-#[doc(inline)]
-pub use method::perturbed::Perturbation;
-#[doc(inline)]
-pub use method::pieces::{
+pub use method::flows::pieces::{
     ContactSplitting, PieceComposition, PieceNystrom, PieceSplitting, PlanarDiscreteGradient, PlanarItohAbe,
     PlanarItohAbeAdjoint, PlanarItohAbePair, PlanarSplitting, PoissonSplitting,
 };
 #[doc(inline)]
-pub use method::splitting::{
+pub use method::flows::{
     FiveRotations, Nystrom, PositionVerlet, Splitting, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint,
 };
+#[doc(inline)]
+pub use method::gauss::{Gauss, ImplicitMidpoint};
+#[doc(inline)]
+pub use method::kahan::Kahan;
 pub use method::tables::*;
 #[doc(inline)]
 pub use method::{Claims, Method};

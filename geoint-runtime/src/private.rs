@@ -9,12 +9,12 @@ pub use crate::method::corrected::invariants::{
 };
 pub use crate::method::discrete_gradient::canonical as fourth_order;
 pub use crate::method::discrete_gradient::{DiscreteGradient, PolarisedStep, TreeStep};
-pub use crate::method::gauss::{CanonicalStages, FieldStages, Gauss as GaussCollocation, GaussTableau, VelocityStages};
-pub use crate::method::implicit::ImplicitMethod;
-pub use crate::method::pieces::{
+pub use crate::method::flows::pieces::{
     ContactSplitting, PieceSplitting, PlanarDiscreteGradient, PlanarItohAbe, PlanarSplitting, PoissonSplitting,
     planar_step,
 };
+pub use crate::method::gauss::{CanonicalStages, FieldStages, Gauss as GaussCollocation, GaussTableau, VelocityStages};
+pub use crate::method::implicit::ImplicitMethod;
 pub use crate::method::{And as ProofAnd, Method};
 pub use crate::method::{gradient_kick, modified_verlet};
 pub use crate::running::{Adaptive, Integrator, StepError, TaylorIntegrator, state_on_constraint};
@@ -28,7 +28,7 @@ pub use crate::space::{
 pub use crate::system::{
     Autonomous, CanonicalForm, Clock as PieceClock, Collocation, Conformal as ConformalContact, Conservative,
     Constrained as ConstrainedSystem, ConstrainedStep, Contact as ContactSystem, ContactEquation, ContactStages,
-    Cotangent as CotangentSpace, DiscreteField, EquationOrder, FirstIntegrals, FlowPart, ForceGradient,
+    Cotangent as CotangentSpace, DiscreteField, EquationOrder, FirstIntegrals, FlowKind, FlowPart, ForceGradient,
     FourthOrderField, Gradients, Hamiltonian, Jets, Keeping, KeepsEnergy, KeptMomenta, Lagrangian as LagrangianSystem,
     MassForm, Mean, Mechanical as MechanicalContact, MixedDerivatives, ModifiedEnergy, NystromPieces,
     Perturbed as PerturbedSystem, PerturbedGradient, PhaseSpace, Piece as FlowPiece, Pieces as FlowPieces,

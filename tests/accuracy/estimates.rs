@@ -7,7 +7,7 @@
 //! The tests check the orders of both estimates, their cost, the systems that have no estimate, the fallback to half steps, and saved runs.
 
 use geoint_runtime::method::catalogue::quadratic_kinetic;
-use geoint_runtime::method::splitting::Nystrom;
+use geoint_runtime::method::flows::Nystrom;
 use geoint_runtime::method::{Claims, Name, Probe, Refusal, Step, Unwatched, Visitor};
 use geoint_runtime::prelude::*;
 use geoint_runtime::space::{Array, Plain, Point, Snapshot, Summation};

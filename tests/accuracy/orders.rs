@@ -8,8 +8,7 @@
 //!
 //! Another test checks which systems have a proven splitting T(p) + V(q) and a proven quadratic T. The lists of methods depend on these properties.
 
-use geoint_runtime::method::splitting::Flow::{Drift, Kick};
-use geoint_runtime::method::splitting::KickFirst;
+use geoint_runtime::method::flows::Flow::{Drift, Kick};
 use geoint_runtime::prelude::*;
 use geoint_runtime::{QuadraticKinetic, Separable, Splitting};
 use geoint_tests::claims::{Orders, TOLERANCE};
@@ -166,7 +165,7 @@ fn a_lower_order_is_seen() {
         Kick(0.5 * long),
     ];
     // Three drifts, and the claim of order 4.
-    let broken = Splitting::<3, KickFirst>::new(4, flows);
+    let broken = Splitting::<3>::new(4, flows);
     let observed = orders.observe(broken);
     assert!(!within(observed, 4.0), "{observed}");
     assert!(!within(orders.observe(StormerVerlet), 4.0));

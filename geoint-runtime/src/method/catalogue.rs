@@ -46,15 +46,15 @@ use crate::method::discrete_gradient::{
     SymmetrisedItohAbe,
 };
 use crate::method::explicit::{DOP853, ExplicitEuler, RK4};
-use crate::method::gauss::{Gauss, ImplicitMidpoint, SolvedByGauss};
-use crate::method::implicit::SolvedBy;
-use crate::method::kahan::Kahan;
-use crate::method::perturbed::Perturbation;
-use crate::method::pieces::{
+use crate::method::flows::perturbed::Perturbation;
+use crate::method::flows::pieces::{
     ContactSplitting, PieceSplitting, PlanarDiscreteGradient, PlanarItohAbe, PlanarItohAbeAdjoint, PlanarItohAbePair,
     PlanarSplitting, PoissonSplitting,
 };
-use crate::method::splitting::{FiveRotations, PositionVerlet, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint};
+use crate::method::flows::{FiveRotations, PositionVerlet, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint};
+use crate::method::gauss::{Gauss, ImplicitMidpoint, SolvedByGauss};
+use crate::method::implicit::SolvedBy;
+use crate::method::kahan::Kahan;
 use crate::method::tables::*;
 use crate::scalar::Real;
 use crate::system::{

@@ -26,8 +26,8 @@
 //! # Ok::<(), StepError>(())
 //! ```
 
-use crate::method::perturbed::Perturbation;
-use crate::method::splitting::{DriftFirst, KickFirst, PositionVerlet, Splitting, StormerVerlet};
+use crate::method::flows::perturbed::Perturbation;
+use crate::method::flows::{PositionVerlet, Splitting, StormerVerlet};
 use crate::method::tables::total::adds_up;
 use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
@@ -112,9 +112,24 @@ macro_rules! substeps {
 pub(crate) use substeps;
 
 impl SymmetricMap for StormerVerlet {
-    type Composed<const K: usize> = Splitting<K, KickFirst>;
-    fn compose<const K: usize>(self, composition: Composition<K>) -> Splitting<K, KickFirst> {
-        Splitting::of_verlet(composition.name.of(Name::new("StormerVerlet")), composition.order, composition.gamma)
+    type Composed<const K: usize> = Splitting<K>;
+    fn compose<const K: usize>(self, composition: Composition<K>) -> Splitting<K> {
+        StormerVerlet::TABLE.compose(composition)
+    }
+}
+
+impl SymmetricMap for PositionVerlet {
+    type Composed<const K: usize> = Splitting<K>;
+    fn compose<const K: usize>(self, composition: Composition<K>) -> Splitting<K> {
+        PositionVerlet::TABLE.compose(composition)
+    }
+}
+
+/// A table of one pair of flows, such as `WisdomHolman`. The order of the composition is 1 if the table is not symmetric.
+impl SymmetricMap for Splitting<1> {
+    type Composed<const K: usize> = Splitting<K>;
+    fn compose<const K: usize>(self, composition: Composition<K>) -> Splitting<K> {
+        Splitting::composed(&self, &composition)
     }
 }
 
@@ -122,21 +137,6 @@ impl<M: SymmetricMap> SymmetricMap for Perturbation<M> {
     type Composed<const K: usize> = Perturbation<M::Composed<K>>;
     fn compose<const K: usize>(self, composition: Composition<K>) -> Self::Composed<K> {
         Perturbation(self.0.compose(composition))
-    }
-}
-
-impl SymmetricMap for PositionVerlet {
-    type Composed<const K: usize> = Splitting<K, DriftFirst>;
-    fn compose<const K: usize>(self, composition: Composition<K>) -> Splitting<K, DriftFirst> {
-        Splitting::of_verlet(composition.name.of(Name::new("PositionVerlet")), composition.order, composition.gamma)
-    }
-}
-
-/// A drift-first table with one kick is half a drift, a kick, half a drift, as in `WisdomHolman`.
-impl SymmetricMap for Splitting<1, DriftFirst> {
-    type Composed<const K: usize> = Splitting<K, DriftFirst>;
-    fn compose<const K: usize>(self, composition: Composition<K>) -> Splitting<K, DriftFirst> {
-        Splitting::of_verlet(composition.name.of(self.name), composition.order, composition.gamma)
     }
 }
 

@@ -12,25 +12,21 @@ pub mod contact;
 pub mod corrected;
 pub mod discrete_gradient;
 pub mod explicit;
+pub mod flows;
 pub mod gauss;
 pub mod implicit;
 pub mod kahan;
 mod name;
-mod open;
-pub mod perturbed;
-pub mod pieces;
 mod probe;
-pub mod splitting;
 pub mod tables;
 
 pub use catalogue::Visitor;
 pub use clock::Clock;
 pub use explicit::tableau;
+pub use flows::{gradient_kick, modified_verlet};
 pub use name::Name;
-pub use open::Open;
 pub use probe::{Probe, Unwatched};
 pub(crate) use probe::{check_conditions, check_end, check_poles, check_way, start};
-pub use splitting::{gradient_kick, modified_verlet};
 
 pub use crate::solving::{Effort, Observer, Refusal};
 

@@ -18,7 +18,6 @@ pub use coordinates::Coordinates;
 pub use double_word::DoubleWord;
 pub use per_coordinate::PerCoordinate;
 pub use point::Point;
-pub(crate) use point::add_action;
 pub(crate) use record::NEVER;
 pub use record::{Record, Tape};
 pub use state::{Action, ContactState, FlowState, Snapshot, State};

@@ -25,11 +25,13 @@ mod poles; // Search for a pole of H between two points.
 mod rates; // The rates of systems with and without an action.
 mod segment; // Whether a function vanishes on a line, by interval arithmetic.
 mod semidefinite; // Check that a damping matrix never adds energy.
+mod flow_kind;
 mod separable; // H = T + V: kicks and drifts.
 mod timed; // Search for a pole of H that depends on time only.
 
 pub use bodies::PrincipalAxes;
 pub use contact::{Clock, Conformal, Contact, ContactEquation, Mechanical, NystromPieces, Piece, Pieces};
+pub use flow_kind::{Change, FlowKind, FlowPart, TimeDependence};
 pub use implicit::{
     CanonicalForm, Collocation, Constrained, ConstrainedStep, ContactStages, DiscreteField, EquationOrder,
     FourthOrderField, Gradients, Keeping, MassForm, Mean, MixedDerivatives, PolarisedForm, QuadraticField, Span, Unmet,
@@ -50,7 +52,7 @@ pub use poles::Pole;
 pub(crate) use poles::{Ends, Evaluations, Known, Poles, compiled};
 pub use rates::Rates;
 pub use semidefinite::is_positive_semidefinite;
-pub use separable::{FlowPart, ForceGradient, QuadraticKinetic, Separable};
+pub use separable::{ForceGradient, QuadraticKinetic, Separable};
 pub(crate) use timed::Clear;
 
 pub use crate::solving::{Inverse, Inverted};

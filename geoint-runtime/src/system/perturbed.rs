@@ -1,8 +1,8 @@
 //! Perturbed systems H = A + B: A has an exact flow, and the perturbation B is a kick.
 
-use super::{Cotangent, FlowPart};
+use super::{Cotangent, FlowKind};
 use crate::scalar::Real;
-use crate::space::{Array, PerCoordinate};
+use crate::space::PerCoordinate;
 
 /// A system with H = A(q, p, t) + B(q, t), where A has an exact flow. The error of a step is proportional to B, so a small B permits long steps.
 ///
@@ -17,23 +17,14 @@ pub trait Perturbed<R: Real = f64>: Cotangent<R, Action = ()> {
     type Proof;
     /// Coefficients of the flow of A of given length.
     type Exact: Copy;
-    /// Coefficients of the flow of A after a kick, if that flow is linear.
-    type After: Copy;
     /// Coefficients of a kick by B of given length.
     type Rest: Copy;
-    /// `true` if the flow of A is exact in explicit time dependence, from its start time t. `false` if it is evaluated at the frozen time t of the kicks.
-    const EXACT_IN_TIME: bool = false;
-    /// Whether a kick by B adds to p an increment that depends on positions only.
-    const KICKS_REPEAT: bool = false;
-    /// Whether B depends on positions and time only, so that its flow is a kick. If not,
-    /// [`rest_increments`](Perturbed::rest_increments) returns its increments.
-    const REST_IS_KICK: bool = true;
+    /// What the flow of A does.
+    const EXACT: FlowKind = FlowKind::MOVES;
+    /// What the flow of B does. If it is no kick, [`rest_increments`](Perturbed::rest_increments) returns its increments.
+    const REST: FlowKind = FlowKind::ADDS;
     /// Whether [`rest`](Perturbed::rest) is the flow of B. If not, it is a symmetric step of order 2.
     const REST_IS_EXACT: bool = true;
-    /// Whether the flow of A is a linear map with prepared coefficients, so that [`exact_after`](Perturbed::exact_after) is implemented.
-    const IS_LINEAR: bool = false;
-    /// Parts of the flow of A that may cease to exist within a step.
-    const PARTS: &'static [FlowPart] = &[];
     /// Whether A and B act in inner coordinates, which differ from those of states.
     const INNER: bool = false;
 
@@ -45,15 +36,6 @@ pub trait Perturbed<R: Real = f64>: Cotangent<R, Action = ()> {
     fn exact(&self, flow: &Self::Exact, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut ());
     /// Applies the flow of B at frozen time: p ← p − h ∂B/∂q.
     fn rest(&self, kick: &Self::Rest, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut ());
-
-    /// Computes the coefficients of the flow of A after a kick.
-    fn prepare_after(&self, h: R) -> Self::After;
-    /// Applies the flow of A after a kick that adds `dp` to the momenta. The linear map of the old momenta does not depend on the kick, so both can be
-    /// computed in parallel.
-    #[inline(always)]
-    fn exact_after(&self, _: &Self::After, _: &mut Self::Array, p: &mut Self::Array, dp: &Self::Array) {
-        p.add_scaled(R::from_f64(1.0), dp);
-    }
 
     /// Returns the increments of `x` by the flow of A, for compensated sums.
     #[inline(always)]

@@ -1,27 +1,8 @@
 //! Separable systems H = T + V: kicks are flows of V, and drifts are flows of T.
 
-use super::Cotangent;
+use super::{Cotangent, FlowKind};
 use crate::scalar::Real;
-use crate::space::{Array, PerCoordinate};
-
-/// A part of a flow that may cease to exist within a step, with its name and the positions that it moves.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct FlowPart {
-    /// The name in messages.
-    pub name: &'static str,
-    /// The index of the first position, in the order of storage.
-    pub first: usize,
-    /// The number of positions.
-    pub count: usize,
-}
-
-impl FlowPart {
-    /// Returns whether the positions are finite.
-    pub(crate) fn is_finite<R: Real, Z: Array<Real = R>>(&self, z: &Z) -> bool {
-        let positions = &z.as_slice()[self.first..self.first + self.count];
-        positions.iter().all(|x| x.magnitude() < f64::INFINITY)
-    }
-}
+use crate::space::PerCoordinate;
 
 /// A system with H = T(p, t) + V(q, t). Each part has an exact flow.
 ///
@@ -38,21 +19,10 @@ pub trait Separable<R: Real = f64>: Cotangent<R> {
     type Kick: Copy;
     /// Coefficients of a drift of given length.
     type Drift: Copy;
-    /// `true` if a drift is exact in explicit time dependence, from its start time t. `false` if it is evaluated at the frozen time t of the kicks.
-    const DRIFTS_ARE_EXACT_IN_TIME: bool = false;
-    /// Whether a kick, with or without a force gradient, only adds to p an increment that depends on positions only.
-    const KICKS_REPEAT: bool = false;
-    /// Whether a kick only adds to p. If not, [`kick_increments`](Separable::kick_increments) returns its increments.
-    const KICKS_ADD: bool = true;
-    /// Whether a kick at a point where the energy is undefined gives momenta that are not finite.
-    const KICKS_SHOW: bool = false;
-    /// Whether a drift is a linear map. [`drift_after`](Separable::drift_after) then takes the increment of a kick as a separate argument.
-    const DRIFTS_TAKE_KICKS: bool = false;
-    /// Parts of a drift that may cease to exist within a step.
-    const DRIFT_PARTS: &'static [FlowPart] = &[];
-    /// Whether a drift only adds to positions an increment that depends on momenta only. If not,
-    /// [`drift_increments`](Separable::drift_increments) returns its increments.
-    const DRIFTS_SHIFT: bool = true;
+    /// What a kick does, with or without a force gradient. If it does not only add to p, [`kick_increments`](Separable::kick_increments) returns its increments.
+    const KICK: FlowKind = FlowKind::ADDS;
+    /// What a drift does. If it does not only add to q, [`drift_increments`](Separable::drift_increments) returns its increments.
+    const DRIFT: FlowKind = FlowKind::ADDS;
 
     /// Computes the coefficients of a kick of length `h`.
     fn prepare_kick(&self, h: R) -> Self::Kick;
@@ -62,21 +32,6 @@ pub trait Separable<R: Real = f64>: Cotangent<R> {
     fn kick(&self, kick: &Self::Kick, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut Self::Action);
     /// Applies the flow of T: q ← q + h ∂T/∂p. For T + g·s it is p ← e^(−gh)·p, …
     fn drift(&self, drift: &Self::Drift, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut Self::Action);
-
-    /// Applies a drift after a kick that adds `dp` to the momenta. If [`DRIFTS_TAKE_KICKS`](Separable::DRIFTS_TAKE_KICKS), the linear map of the old
-    /// momenta does not depend on the kick, so both can be computed in parallel.
-    #[inline(always)]
-    fn drift_after(
-        &self,
-        drift: &Self::Drift,
-        t: R,
-        [q, p]: [&mut Self::Array; 2],
-        s: &mut Self::Action,
-        dp: &Self::Array,
-    ) {
-        p.add_scaled(R::from_f64(1.0), dp);
-        self.drift(drift, t, q, p, s);
-    }
 
     /// Returns the increments of `x` by a kick, for compensated sums. The default is right if a kick only adds to p, because it then acts on zeros.
     #[inline(always)]

@@ -1,58 +1,57 @@
 //! Tables of kicks and drifts in which some kicks have a force gradient.
 
-use crate::method::splitting::{DriftFirst, KickFirst, ProcessedSplitting, Splitting, WithGradient};
+use crate::method::flows::{ProcessedSplitting, Splitting, WithGradient};
 
 /// Kick first. Order 2, 1 force and 1 gradient. With a suitable processor (a change of variables before the first step and back after the
 /// last), the effective order would be 4. This table has no processor. M. Takahashi & M. Imada, J. Phys. Soc. Jpn. 53 (1984) 3765;
 /// G. Rowlands, J. Comput. Phys. 97 (1991) 235. Closed form.
 #[doc(alias = "force gradient")]
-pub const TakahashiImada2: Splitting<1, KickFirst<WithGradient>> =
-    Splitting::palindrome("TakahashiImada2", 2, [0.5], [1.0])
-        .with_outer_gradients([0.020833333333333333333333333333333333333333333333333]);
+pub const TakahashiImada2: Splitting<1, WithGradient> = Splitting::kick_first("TakahashiImada2", 2, [0.5], [1.0])
+    .with_gradients([0.020833333333333333333333333333333333333333333333333]);
 
 /// Kick first. Order 4, 2 forces and 1 gradient, all weights positive. Stable for long steps. S. A. Chin, Phys. Lett. A 226 (1997) 344,
 /// algorithm A. Closed form.
-pub const Chin4A: Splitting<2, KickFirst<WithGradient>> = Splitting::palindrome(
+pub const Chin4A: Splitting<2, WithGradient> = Splitting::kick_first(
     "Chin4A",
     4,
     [0.16666666666666666666666666666666666666666666666667, 0.66666666666666666666666666666666666666666666666667],
     [0.5],
 )
-.with_outer_gradients([0.0, 0.013888888888888888888888888888888888888888888888889]);
+.with_gradients([0.0, 0.013888888888888888888888888888888888888888888888889]);
 
 /// Drift first. Order 4, 2 forces and 2 gradients, all weights positive. S. A. Chin, Phys. Lett. A 226 (1997) 344, algorithm B. Closed
 /// form: a₁ = (1 − 1/√3)/2, g = (2 − √3)/48.
-pub const Chin4B: Splitting<2, DriftFirst<WithGradient>> = Splitting::palindrome(
+pub const Chin4B: Splitting<2, WithGradient> = Splitting::drift_first(
     "Chin4B",
     4,
     [0.21132486540518711774542560974902127217619912436494, 0.57735026918962576450914878050195745564760175127013],
     [0.5],
 )
-.with_inner_gradients([0.0055822748423150563848448678852943256886915572122837]);
+.with_gradients([0.0055822748423150563848448678852943256886915572122837]);
 
 /// Drift first. Order 4, 3 forces and 1 gradient, all weights positive. S. A. Chin, Phys. Lett. A 226 (1997) 344, algorithm C. Closed
 /// form.
-pub const Chin4C: Splitting<3, DriftFirst<WithGradient>> = Splitting::palindrome(
+pub const Chin4C: Splitting<3, WithGradient> = Splitting::drift_first(
     "Chin4C",
     4,
     [0.16666666666666666666666666666666666666666666666667, 0.33333333333333333333333333333333333333333333333333],
     [0.375, 0.25],
 )
-.with_inner_gradients([0.0, 0.0052083333333333333333333333333333333333333333333333]);
+.with_gradients([0.0, 0.0052083333333333333333333333333333333333333333333333]);
 
 /// Kick first. Order 4, 3 forces and 2 gradients, all weights positive. S. A. Chin & C. R. Chen, Celest. Mech. Dyn. Astron. 91 (2005)
 /// 301, algorithm D. Closed form.
-pub const Chin4D: Splitting<3, KickFirst<WithGradient>> = Splitting::palindrome(
+pub const Chin4D: Splitting<3, WithGradient> = Splitting::kick_first(
     "Chin4D",
     4,
     [0.125, 0.375],
     [0.33333333333333333333333333333333333333333333333333, 0.33333333333333333333333333333333333333333333333333],
 )
-.with_outer_gradients([0.0, 0.0026041666666666666666666666666666666666666666666667]);
+.with_gradients([0.0, 0.0026041666666666666666666666666666666666666666666667]);
 
 /// Kick first. Order 4, 4 forces and 2 gradients. It has the smallest error for the work at order 4. I. P. Omelyan, I. M. Mryglod & R. Folk,
 /// Comput. Phys. Commun. 151 (2003) 272, (48), (54). 2 free parameters.
-pub const Omelyan4_4F2GV: Splitting<4, KickFirst<WithGradient>> = Splitting::palindrome(
+pub const Omelyan4_4F2GV: Splitting<4, WithGradient> = Splitting::kick_first(
     "Omelyan4_4F2GV",
     4,
     [
@@ -62,11 +61,11 @@ pub const Omelyan4_4F2GV: Splitting<4, KickFirst<WithGradient>> = Splitting::pal
     ],
     [0.21892865964274380869387864633346841083235809125262, 0.28107134035725619130612135366653158916764190874738],
 )
-.with_outer_gradients([0.0, 0.0016025036813343633609075592884269054183226220143166, 0.0]);
+.with_gradients([0.0, 0.0016025036813343633609075592884269054183226220143166, 0.0]);
 
 /// Drift first. Order 4, 5 forces and 2 gradients. I. P. Omelyan, I. M. Mryglod & R. Folk, Comput. Phys. Commun. 151 (2003) 272, (72),
 /// (78). 3 free parameters.
-pub const Omelyan4_5F2GP: Splitting<5, DriftFirst<WithGradient>> = Splitting::palindrome(
+pub const Omelyan4_5F2GP: Splitting<5, WithGradient> = Splitting::drift_first(
     "Omelyan4_5F2GP",
     4,
     [
@@ -80,11 +79,11 @@ pub const Omelyan4_5F2GP: Splitting<5, DriftFirst<WithGradient>> = Splitting::pa
         0.26469017658718300221784999134754627532732362392118,
     ],
 )
-.with_inner_gradients([0.0, 0.00096289052120248727073399465605175630290592445062592, 0.0]);
+.with_gradients([0.0, 0.00096289052120248727073399465605175630290592445062592, 0.0]);
 
 /// Kick first. Order 6, 5 forces and 4 gradients, in closed form. I. P. Omelyan, I. M. Mryglod & R. Folk, Comput. Phys. Commun. 151 (2003)
 /// 272, (63), (64).
-pub const Omelyan6_5F4GV: Splitting<5, KickFirst<WithGradient>> = Splitting::palindrome(
+pub const Omelyan6_5F4GV: Splitting<5, WithGradient> = Splitting::kick_first(
     "Omelyan6_5F4GV",
     6,
     [
@@ -98,7 +97,7 @@ pub const Omelyan6_5F4GV: Splitting<5, KickFirst<WithGradient>> = Splitting::pal
         0.44721359549995793928183473374625524708812367192231,
     ],
 )
-.with_outer_gradients([
+.with_gradients([
     0.0,
     -0.000064083903251418975073062361388147247495134660680175,
     0.0035363061254736411972952845836103694697173568829024,
@@ -106,7 +105,7 @@ pub const Omelyan6_5F4GV: Splitting<5, KickFirst<WithGradient>> = Splitting::pal
 
 /// Drift first. Order 6, 5 forces and 3 gradients. I. P. Omelyan, I. M. Mryglod & R. Folk, Comput. Phys. Commun. 151 (2003) 272, (72),
 /// (76). Isolated solution of the order conditions.
-pub const Omelyan6_5F3GP: Splitting<5, DriftFirst<WithGradient>> = Splitting::palindrome(
+pub const Omelyan6_5F3GP: Splitting<5, WithGradient> = Splitting::drift_first(
     "Omelyan6_5F3GP",
     6,
     [
@@ -120,7 +119,7 @@ pub const Omelyan6_5F3GP: Splitting<5, DriftFirst<WithGradient>> = Splitting::pa
         -1.8026238670901728972748214048426105529883255323668,
     ],
 )
-.with_inner_gradients([
+.with_gradients([
     0.00086421613397061662604433847937159387534744800467865,
     0.0,
     -0.013246386434160523859029418456938113030392136748538,
@@ -128,7 +127,7 @@ pub const Omelyan6_5F3GP: Splitting<5, DriftFirst<WithGradient>> = Splitting::pa
 
 /// Drift first. Order 8, 11 forces and 11 gradients. I. P. Omelyan, I. M. Mryglod & R. Folk, Phys. Rev. E 66 (2002) 026701, (53).
 /// Isolated solution of the order conditions.
-pub const Omelyan8_11F11GP: Splitting<11, DriftFirst<WithGradient>> = Splitting::palindrome(
+pub const Omelyan8_11F11GP: Splitting<11, WithGradient> = Splitting::drift_first(
     "Omelyan8_11F11GP",
     8,
     [
@@ -148,7 +147,7 @@ pub const Omelyan8_11F11GP: Splitting<11, DriftFirst<WithGradient>> = Splitting:
         -0.037422994259002571606842462603791402756738775154873,
     ],
 )
-.with_inner_gradients([
+.with_gradients([
     0.00014743936907797528364717244760736146178602872349426,
     0.00023288450531932545357194967600155326751776267188584,
     0.0061648659635535962497705619884751650391773626122168,
@@ -161,15 +160,15 @@ pub const Omelyan8_11F11GP: Splitting<11, DriftFirst<WithGradient>> = Splitting:
 ///
 /// Every state that is read costs 12 forces and gradients in addition, so read states seldom. S. Blanes, F. Casas & J. Ros, SIAM J. Sci. Comput. 21 (1999)
 /// 711. 12 free parameters.
-pub const BlanesCasasRos6: ProcessedSplitting<3, 6, DriftFirst<WithGradient>> = ProcessedSplitting::new(
+pub const BlanesCasasRos6: ProcessedSplitting<3, 6, WithGradient> = ProcessedSplitting::new(
     6,
-    Splitting::palindrome(
+    Splitting::drift_first(
         "BlanesCasasRos6",
         2,
         [-0.068261038391863012714531744785326805292058953159886, 0.56826103839186301271453174478532680529205895315989],
         [0.26211293525170280543437289008915631851795863955438, 0.47577412949659438913125421982168736296408272089125],
     )
-    .with_inner_gradients([0.0, 0.016401112816078327824712389108008277745934009271526]),
+    .with_gradients([0.0, 0.016401112816078327824712389108008277745934009271526]),
     [
         [
             0.079432882424554276955970022314129918392957376705034,

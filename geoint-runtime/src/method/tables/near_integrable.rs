@@ -2,21 +2,21 @@
 //!
 //! A table of orders (s₁, s₂, …) has the error O(ε hˢ¹ + ε² hˢ² + …), if B is smaller than A by ε.
 
-use crate::method::perturbed::{Perturbation, Processed};
-use crate::method::splitting::{DriftFirst, Nystrom, Splitting, WithGradient};
+use crate::method::flows::perturbed::Perturbation;
+use crate::method::flows::{DriftFirst, Nystrom, ProcessedSplitting, Splitting, WithGradient};
 
 /// Half of A, B, half of A. Orders (2, 2), 1 force. J. Wisdom & M. Holman, Astron. J. 102 (1991) 1528.
 ///
 /// The step is at most an eighth of the innermost period, because longer steps resonate with it. This is the same map as
 /// `Perturbation(PositionVerlet)`, and has the same compositions.
 #[doc(alias("Wisdom-Holman", "WHFast", "mixed variable symplectic", "MVS"))]
-pub const WisdomHolman: Perturbation<Splitting<1, DriftFirst>> =
-    Perturbation(Splitting::palindrome("WisdomHolman", 2, [0.5], [1.0]).near_integrable(&[2, 2]));
+pub const WisdomHolman: Perturbation<Splitting<1>> =
+    Perturbation(Splitting::drift_first("WisdomHolman", 2, [0.5], [1.0]).near_integrable(&[2, 2]));
 
 /// Kicks at Gauss's nodes. Orders (8, 2), 4 forces. J. Laskar & P. Robutel, Celest. Mech. Dyn. Astron. 80 (2001) 39, (23).
 #[doc(alias = "Laskar-Robutel")]
-pub const Saba4: Perturbation<Splitting<4, DriftFirst>> = Perturbation(
-    Splitting::palindrome(
+pub const Saba4: Perturbation<Splitting<4>> = Perturbation(
+    Splitting::drift_first(
         "Saba4",
         2,
         [
@@ -30,8 +30,8 @@ pub const Saba4: Perturbation<Splitting<4, DriftFirst>> = Perturbation(
 );
 
 /// Orders (8, 4), 5 forces. R. I. McLachlan, BIT 35 (1995) 258.
-pub const Aba8_4: Perturbation<Splitting<5, DriftFirst>> = Perturbation(
-    Splitting::palindrome(
+pub const Aba8_4: Perturbation<Splitting<5>> = Perturbation(
+    Splitting::drift_first(
         "Aba8_4",
         4,
         [
@@ -50,8 +50,8 @@ pub const Aba8_4: Perturbation<Splitting<5, DriftFirst>> = Perturbation(
 
 /// Orders (8, 6, 4), 7 forces. S. Blanes, F. Casas, A. Farrés, J. Laskar, J. Makazaga & A. Murua, Appl. Numer. Math. 68 (2013) 58; A.
 /// Farrés et al., Celest. Mech. Dyn. Astron. 116 (2013) 141, table 3.
-pub const Aba8_6_4: Perturbation<Splitting<7, DriftFirst>> = Perturbation(
-    Splitting::palindrome(
+pub const Aba8_6_4: Perturbation<Splitting<7>> = Perturbation(
+    Splitting::drift_first(
         "Aba8_6_4",
         4,
         [
@@ -73,8 +73,8 @@ pub const Aba8_6_4: Perturbation<Splitting<7, DriftFirst>> = Perturbation(
 /// Orders (10, 6, 4), 8 forces. For long runs of planets with errors of 10⁻⁹ and less, and steps up to a fifth of the innermost period.
 /// The sources are those of [`Aba8_6_4`].
 #[doc(alias = "SABA(10,6,4)")]
-pub const Aba10_6_4: Perturbation<Splitting<8, DriftFirst>> = Perturbation(
-    Splitting::palindrome(
+pub const Aba10_6_4: Perturbation<Splitting<8>> = Perturbation(
+    Splitting::drift_first(
         "Aba10_6_4",
         4,
         [
@@ -96,8 +96,8 @@ pub const Aba10_6_4: Perturbation<Splitting<8, DriftFirst>> = Perturbation(
 
 /// Orders (10, 8, 6), 12 forces, for an A of degree 2 in the momenta. For oscillators with a small rest and errors of 10⁻⁶ and less.
 /// A. Escorihuela-Tomàs, S. Blanes & F. Casas. The digits were computed from the order conditions.
-pub const Rnia10_8_6: Perturbation<Nystrom<12, DriftFirst>> = Perturbation(Nystrom::new(
-    Splitting::palindrome(
+pub const Rnia10_8_6: Perturbation<Nystrom<12, DriftFirst>> = Perturbation(
+    Nystrom::drift_first(
         "Rnia10_8_6",
         6,
         [
@@ -119,38 +119,38 @@ pub const Rnia10_8_6: Perturbation<Nystrom<12, DriftFirst>> = Perturbation(Nystr
         ],
     )
     .near_integrable(&[10, 8, 6]),
-));
+);
 
 /// Gauss's nodes, and a force gradient in the two inner kicks. Orders (4, 4), 2 forces. After J. Laskar & P. Robutel, Celest. Mech. Dyn.
 /// Astron. 80 (2001) 39, whose corrector is at both ends.
-pub const Saba2Gradient: Perturbation<Splitting<2, DriftFirst<WithGradient>>> = Perturbation(
-    Splitting::<2, DriftFirst<WithGradient>>::palindrome(
+pub const Saba2Gradient: Perturbation<Splitting<2, WithGradient>> = Perturbation(
+    Splitting::<2, WithGradient>::drift_first(
         "Saba2Gradient",
         4,
         [0.21132486540518711774542560974902127217619912436494, 0.57735026918962576450914878050195745564760175127013],
         [0.5],
     )
-    .with_inner_gradients([0.0055822748423150563848448678852943256886915572122837])
+    .with_gradients([0.0055822748423150563848448678852943256886915572122837])
     .near_integrable(&[4, 4]),
 );
 
 /// Gauss's nodes, and a force gradient in the middle. Orders (6, 4), 3 forces. After J. Laskar & P. Robutel, Celest. Mech. Dyn.
 /// Astron. 80 (2001) 39, whose corrector is at both ends.
-pub const Saba3Gradient: Perturbation<Splitting<3, DriftFirst<WithGradient>>> = Perturbation(
-    Splitting::<3, DriftFirst<WithGradient>>::palindrome(
+pub const Saba3Gradient: Perturbation<Splitting<3, WithGradient>> = Perturbation(
+    Splitting::<3, WithGradient>::drift_first(
         "Saba3Gradient",
         4,
         [0.11270166537925831148207346002176003891670782947084, 0.38729833462074168851792653997823996108329217052916],
         [0.27777777777777777777777777777777777777777777777778, 0.44444444444444444444444444444444444444444444444444],
     )
-    .with_inner_gradients([0.0, 0.0056345933631228094022678237697975386715617559123601])
+    .with_gradients([0.0, 0.0056345933631228094022678237697975386715617559123601])
     .near_integrable(&[6, 4]),
 );
 
 /// Gauss's nodes, and a force gradient in the two inner kicks. Orders (8, 4), 4 forces. After J. Laskar & P. Robutel, Celest. Mech. Dyn.
 /// Astron. 80 (2001) 39, whose corrector is at both ends.
-pub const Saba4Gradient: Perturbation<Splitting<4, DriftFirst<WithGradient>>> = Perturbation(
-    Splitting::<4, DriftFirst<WithGradient>>::palindrome(
+pub const Saba4Gradient: Perturbation<Splitting<4, WithGradient>> = Perturbation(
+    Splitting::<4, WithGradient>::drift_first(
         "Saba4Gradient",
         4,
         [
@@ -160,14 +160,14 @@ pub const Saba4Gradient: Perturbation<Splitting<4, DriftFirst<WithGradient>>> = 
         ],
         [0.17392742256872692868653197461099970361767434791695, 0.32607257743127307131346802538900029638232565208305],
     )
-    .with_inner_gradients([0.0, 0.0016983875241043006657660788917460718985107066250374])
+    .with_gradients([0.0, 0.0016983875241043006657660788917460718985107066250374])
     .near_integrable(&[8, 4]),
 );
 
 /// Gauss's nodes, and a force gradient in the middle. Orders (10, 4), 5 forces. After J. Laskar & P. Robutel, Celest. Mech. Dyn.
 /// Astron. 80 (2001) 39, whose corrector is at both ends.
-pub const Saba5Gradient: Perturbation<Splitting<5, DriftFirst<WithGradient>>> = Perturbation(
-    Splitting::<5, DriftFirst<WithGradient>>::palindrome(
+pub const Saba5Gradient: Perturbation<Splitting<5, WithGradient>> = Perturbation(
+    Splitting::<5, WithGradient>::drift_first(
         "Saba5Gradient",
         4,
         [
@@ -181,22 +181,65 @@ pub const Saba5Gradient: Perturbation<Splitting<5, DriftFirst<WithGradient>>> = 
             0.28444444444444444444444444444444444444444444444444,
         ],
     )
-    .with_inner_gradients([0.0, 0.0, 0.0022705431214192648194349550500391298792644087408074])
+    .with_gradients([0.0, 0.0, 0.0022705431214192648194349550500391298792644087408074])
     .near_integrable(&[10, 4]),
 );
 
 /// [`WisdomHolman`] with a processor of 4 nodes. Orders (10, 2), 1 force. For planets with errors of 10⁻⁶.
 #[doc(alias = "symplectic corrector")]
-pub const WisdomHolmanProcessed: Processed<Splitting<1, DriftFirst>> =
-    Processed::new("WisdomHolmanProcessed", &[10, 2], WisdomHolman.0);
+///
+/// The processor costs 12 kicks and 13 flows of A before the first step of a run, and again for every state that is read. Read states
+/// seldom. To first order in B, the kernel differs from the exact flow by a derivative along A, D = h{·, A}. The processor
+/// χ = 1/(2 sinh D/2) − 1/D removes this difference up to O(h¹⁰).
+/// J. Wisdom, M. Holman & J. Touma, Fields Inst. Comm. 10 (1996) 217; J. Wisdom, Astron. J. 131 (2006) 2294.
+pub const WisdomHolmanProcessed: Perturbation<ProcessedSplitting<1, 13>> = Perturbation(ProcessedSplitting::new(
+    2,
+    Splitting::drift_first("WisdomHolmanProcessed", 2, [0.5], [1.0]).near_integrable(&[10, 2]),
+    wisdom_processor(),
+));
 
 /// [`WisdomHolmanProcessed`] with a force gradient in the kick. Orders (10, 4), 1 force. For planets with errors of 10⁻⁹ and less.
 ///
 /// rustc 1.95 compiled programs with four bodies wrongly at `opt-level = 3`, until one function was moved out of line. Compare the energies of a release
 /// build and a debug build. If they differ, use `-C no-vectorize-slp`.
-pub const WisdomHolmanGradient: Processed<Splitting<1, DriftFirst<WithGradient>>> = Processed::new(
-    "WisdomHolmanGradient",
-    &[10, 4],
-    Splitting::<1, DriftFirst<WithGradient>>::palindrome("WisdomHolman", 2, [0.5], [1.0])
-        .with_inner_gradients([1.0 / 24.0]),
-);
+pub const WisdomHolmanGradient: Perturbation<ProcessedSplitting<1, 13, WithGradient>> =
+    Perturbation(ProcessedSplitting::new(
+        4,
+        Splitting::<1, WithGradient>::drift_first("WisdomHolmanGradient", 2, [0.5], [1.0])
+            .with_gradients([1.0 / 24.0])
+            .near_integrable(&[10, 4]),
+        wisdom_processor(),
+    ));
+
+/// Nodes of the processor.
+const NODES: usize = 4;
+
+/// Shifts aᵢ along the flow of A in units of h, aᵢ = i √(7/40): the spacing of J. Wisdom, M. Holman & J. Touma, Fields Inst. Comm. 10 (1996) 217.
+const SHIFTS: [f64; NODES] = [
+    0.41833001326703777398908601289259374469640768464934,
+    0.83666002653407555479817202578518748939281536929867,
+    1.254990039801113321967258038677781234089223053948,
+    1.6733200530681510959563440515703749787856307385973,
+];
+
+/// Fractions bᵢ of h for the kicks at these shifts: 2 Σ bᵢ aᵢ^(2k−1)/(2k−1)! = B₂ₖ(½)/(2k)! for k = 1, …, 4 with Bernoulli's polynomials B₂ₖ.
+const KICKS: [f64; NODES] = [
+    -0.12808306259348757025513493471379760181733964159608,
+    0.056696110900636835767727720496846376435738556601966,
+    -0.013622904174198380932207407388173612926865242680775,
+    0.0014395903148023266294002147662697033394595734940552,
+];
+
+/// Returns the flows A(aᵢ) B(bᵢ/2) A(−2aᵢ) B(−bᵢ) A(2aᵢ) B(bᵢ/2) A(−aᵢ) of all nodes. The last flow of a node is merged with the first of the next.
+const fn wisdom_processor() -> [[f64; 3]; 3 * NODES + 1] {
+    let (mut flows, mut back, mut i) = ([[0.0; 3]; 3 * NODES + 1], 0.0, 0);
+    while i < NODES {
+        let (a, b) = (SHIFTS[i], KICKS[i]);
+        flows[3 * i] = [a - back, 0.5 * b, 0.0];
+        flows[3 * i + 1] = [-2.0 * a, -b, 0.0];
+        flows[3 * i + 2] = [2.0 * a, 0.5 * b, 0.0];
+        (back, i) = (a, i + 1);
+    }
+    flows[3 * NODES] = [-back, 0.0, 0.0];
+    flows
+}

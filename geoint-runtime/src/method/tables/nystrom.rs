@@ -1,11 +1,11 @@
 //! Tables of Runge–Kutta–Nyström type: kicks and drifts that need a quadratic T.
 
-use crate::method::splitting::{DriftFirst, KickFirst, Mirrored, Nystrom, Splitting};
+use crate::method::flows::{DriftFirst, KickFirst, Mirrored, Nystrom};
 
 /// Kick first. Order 4, 6 forces, for a quadratic T and modest accuracy. S. Blanes & P. C. Moan, J. Comput. Appl. Math. 142
 /// (2002) 313, table 3, SRKN₆ᵇ. 3 free parameters.
 pub const BlanesMoanSrkn6b: Nystrom<6, KickFirst> = {
-    const TABLE: Nystrom<6, KickFirst> = Nystrom::new(Splitting::palindrome(
+    const TABLE: Nystrom<6, KickFirst> = Nystrom::kick_first(
         "BlanesMoanSrkn6b",
         4,
         [
@@ -19,7 +19,7 @@ pub const BlanesMoanSrkn6b: Nystrom<6, KickFirst> = {
             0.60487266571107992362618432989281649555318716107215,
             -0.35017162289535104707483878617100515869737831792229,
         ],
-    ));
+    );
     TABLE.estimated(
         const {
             &TABLE.estimators([
@@ -38,7 +38,7 @@ pub const BlanesMoanSrkn6b: Nystrom<6, KickFirst> = {
 /// Kick first. Order 6, 11 forces, for a quadratic T and few stages. S. Blanes & P. C. Moan, J. Comput. Appl.
 /// Math. 142 (2002) 313, table 3, SRKN₁₁ᵇ. 4 free parameters.
 pub const BlanesMoanSrkn11b: Nystrom<11, KickFirst> = {
-    const TABLE: Nystrom<11, KickFirst> = Nystrom::new(Splitting::palindrome(
+    const TABLE: Nystrom<11, KickFirst> = Nystrom::kick_first(
         "BlanesMoanSrkn11b",
         6,
         [
@@ -57,7 +57,7 @@ pub const BlanesMoanSrkn11b: Nystrom<11, KickFirst> = {
             0.35720887279592786333577007514249081612271687720239,
             0.20477705429147025664261330547651386015858977299335,
         ],
-    ));
+    );
     TABLE.estimated(
         const {
             &TABLE.estimators([
@@ -86,7 +86,7 @@ pub const BlanesMoanSrkn11b: Nystrom<11, KickFirst> = {
 /// (2002) 313, table 3, SRKN₁₄ᵃ. 7 free parameters.
 #[doc(alias("Runge-Kutta-Nystrom", "RKN"))]
 pub const BlanesMoanSrkn14a: Nystrom<14, DriftFirst> = {
-    const TABLE: Nystrom<14, DriftFirst> = Nystrom::new(Splitting::palindrome(
+    const TABLE: Nystrom<14, DriftFirst> = Nystrom::drift_first(
         "BlanesMoanSrkn14a",
         6,
         [
@@ -108,7 +108,7 @@ pub const BlanesMoanSrkn14a: Nystrom<14, DriftFirst> = {
             0.3285676937467973891869313590906862373891604482353,
             -0.19641146648644885388744782439723882807356738958342,
         ],
-    ));
+    );
     TABLE.estimated(
         const {
             &TABLE.estimators([
@@ -139,7 +139,7 @@ pub const BlanesMoanSrkn14a: Nystrom<14, DriftFirst> = {
 /// Escorihuela-Tomàs, Appl. Numer. Math. 182 (2022) 14. Isolated solution of the order conditions.
 #[doc(alias = "Nystrom 8")]
 pub const BceRkn17_8: Nystrom<17, DriftFirst> = {
-    const TABLE: Nystrom<17, DriftFirst> = Nystrom::new(Splitting::palindrome(
+    const TABLE: Nystrom<17, DriftFirst> = Nystrom::drift_first(
         "BceRkn17_8",
         8,
         [
@@ -164,7 +164,7 @@ pub const BceRkn17_8: Nystrom<17, DriftFirst> = {
             -0.003660836270318358975321459399649996662360635633403,
             -0.52694368162168633170948378954940441233595655080302,
         ],
-    ));
+    );
     TABLE.estimated(
         const {
             &TABLE.estimators([
@@ -198,7 +198,7 @@ pub const BceRkn17_8: Nystrom<17, DriftFirst> = {
 /// Drift first. Order 8, 19 forces, for a quadratic T. Its errors for the same work are smaller than those of [`BceRkn17_8`]. S. Blanes,
 /// F. Casas & A. Escorihuela-Tomàs, Appl. Numer. Math. 182 (2022) 14. 2 free parameters.
 pub const BceRkn19_8: Nystrom<19, DriftFirst> = {
-    const TABLE: Nystrom<19, DriftFirst> = Nystrom::new(Splitting::palindrome(
+    const TABLE: Nystrom<19, DriftFirst> = Nystrom::drift_first(
         "BceRkn19_8",
         8,
         [
@@ -225,7 +225,7 @@ pub const BceRkn19_8: Nystrom<19, DriftFirst> = {
             0.028797382107377930634517216021121135782828954517924,
             0.22896200838654018789509906520576486785610868027295,
         ],
-    ));
+    );
     TABLE.estimated(
         const {
             &TABLE.estimators([

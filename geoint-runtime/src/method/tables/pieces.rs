@@ -1,6 +1,6 @@
 //! Tables for any number of pieces, given as fractions of maps and adjoint maps.
 
-use crate::method::pieces::PieceComposition;
+use crate::method::flows::pieces::PieceComposition;
 
 /// Any number of pieces. Order 4, 6 flows of the last piece. S. Blanes & P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313, table 2, S₆,
 /// as a table of maps and adjoints. 3 free parameters.

@@ -1,12 +1,12 @@
 //! Tables of kicks and drifts for every T(p) + V(q).
 
-use crate::method::splitting::{DriftFirst, KickFirst, Splitting};
+use crate::method::flows::Splitting;
 
 /// Drift first: the triple jump of position Verlet, γ₁ = 1/(2 − ∛2). Order 4, 3 forces. For comparison only:
 /// [`PEFRL`] reaches the same error with fewer forces. E. Forest & R. D. Ruth, Physica D 43 (1990) 105, (4.8); J.
 /// Candy & W. Rozmus, J. Comput. Phys. 92 (1991) 230. Closed form.
 #[doc(alias("Forest-Ruth", "Ruth"))]
-pub const ForestRuth4: Splitting<3, DriftFirst> = Splitting::palindrome(
+pub const ForestRuth4: Splitting<3> = Splitting::drift_first(
     "ForestRuth4",
     4,
     [0.67560359597982881702384390448573041346099968810857, -0.17560359597982881702384390448573041346099968810857],
@@ -17,7 +17,7 @@ pub const ForestRuth4: Splitting<3, DriftFirst> = Splitting::palindrome(
 /// step. I. P. Omelyan, I. M. Mryglod & R. Folk, Comput. Phys. Commun. 146 (2002) 188, (20), (22). 1 free
 /// parameter.
 #[doc(alias = "Omelyan")]
-pub const PEFRL: Splitting<4, DriftFirst> = Splitting::palindrome(
+pub const PEFRL: Splitting<4> = Splitting::drift_first(
     "PEFRL",
     4,
     [
@@ -31,7 +31,7 @@ pub const PEFRL: Splitting<4, DriftFirst> = Splitting::palindrome(
 /// Kick first. Order 4, 6 forces. The order-4 table for a general T(p) + V(q). S. Blanes & P. C. Moan, J. Comput.
 /// Appl. Math. 142 (2002) 313, table 2, S₆. 3 free parameters.
 #[doc(alias("Order4", "Blanes-Moan"))]
-pub const BlanesMoan4: Splitting<6, KickFirst> = Splitting::palindrome(
+pub const BlanesMoan4: Splitting<6> = Splitting::kick_first(
     "BlanesMoan4",
     4,
     [
@@ -50,7 +50,7 @@ pub const BlanesMoan4: Splitting<6, KickFirst> = Splitting::palindrome(
 /// Kick first. Order 6, 10 forces. The default for a general T(p) + V(q) and errors of about 10⁻⁷ and less. S. Blanes &
 /// P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313, table 2, S₁₀. 1 free parameter.
 #[doc(alias = "Order6")]
-pub const BlanesMoan6: Splitting<10, KickFirst> = Splitting::palindrome(
+pub const BlanesMoan6: Splitting<10> = Splitting::kick_first(
     "BlanesMoan6",
     6,
     [

@@ -1,7 +1,6 @@
 //! Kernels of H = A + B: the flow of A, kicks by B, and the change to coordinates in which both are simple.
 
 use super::kick_drift::{impulse, increments};
-use crate::analyze::is_polynomial_in;
 use crate::derive::system::{FlowKernel, Inner, Missing, Perturbed, grown};
 use crate::diff;
 use crate::ir::substitute::Substitution;
@@ -19,8 +18,6 @@ pub(in crate::derive) fn kernels(graph: &mut Graph, division: &Division, degrees
     let changed: Vec<(Symbol, Id)> =
         parts.flow.changed(graph).into_iter().filter(|(symbol, _)| *symbol != Symbol::Action).collect();
     let changed = split::steady(graph, changed);
-    let flow_after_kick =
-        after_kick(graph, &changed, degrees).filter(|_| parts.jump.is_none() && parts.inner.is_none());
     let gradient_kick = match &parts.velocity {
         Ok(velocity) => {
             let force: Vec<Id> =
@@ -54,7 +51,6 @@ pub(in crate::derive) fn kernels(graph: &mut Graph, division: &Division, degrees
         own_motions: parts.parts.clone(),
         rules: parts.known.clone(),
         flow_of_a: flow,
-        flow_of_a_after_kick: flow_after_kick,
         time_passes_in_a: parts.clock == Clock::Own,
         flow_of_b,
         kicks_repeat: parts.jump.is_none() && !graph.reads(parts.kick).t,
@@ -70,40 +66,6 @@ pub(in crate::derive) fn kernels(graph: &mut Graph, division: &Division, degrees
             }
         }),
     })
-}
-
-/// Derives the end of a linear flow after a kick that adds Dp to the momenta. Returns `None` if the coefficients of the flow are not constant.
-fn after_kick(graph: &mut Graph, changed: &[(Symbol, Id)], degrees: u32) -> Option<FlowKernel> {
-    let momenta: Vec<Symbol> = (0..degrees).map(Symbol::Momentum).collect();
-    let ends: Vec<(Symbol, Id)> = [Symbol::Position as fn(u32) -> Symbol, Symbol::Momentum]
-        .into_iter()
-        .flat_map(|of| (0..degrees).map(of))
-        .map(|symbol| {
-            let found = changed.iter().find(|(other, _)| *other == symbol);
-            (symbol, found.map_or_else(|| graph.symbol(symbol), |(_, end)| *end))
-        })
-        .collect();
-    let all: Vec<Id> = ends.iter().map(|(_, end)| *end).collect();
-    if !is_polynomial_in(graph, &all, 1, Symbol::is_coordinate) {
-        return None;
-    }
-    let weights = diff::jacobian(graph, &all, &momenta);
-    let moves = |id: &Id| graph.reads(*id).moves();
-    // If an end reads several momenta, the additional products cost more than the shorter chain of operations saves.
-    let coupled = weights.iter().any(|row| row.iter().filter(|weight| !graph.is_zero(**weight)).count() > 1);
-    if coupled || weights.iter().flatten().any(moves) {
-        return None;
-    }
-    let mut after = vec![];
-    for ((symbol, end), weights) in ends.into_iter().zip(weights) {
-        let mut terms = vec![end];
-        for (i, weight) in (0..).zip(weights) {
-            let grown = graph.symbol(Symbol::MomentumIncrement(i));
-            terms.push(graph.mul(weight, grown));
-        }
-        after.push((symbol, graph.sum(&terms)));
-    }
-    Some(FlowKernel::new(Levels::Prepared, after))
 }
 
 /// Creates the flow of a jump and a kick that commute.

@@ -24,9 +24,6 @@ pub(crate) struct Perturbed {
     /// True if the flow of A is exact in its own time, from t to t + h. Otherwise it takes place at the frozen time of the kicks beside it.
     pub(crate) time_passes_in_a: bool,
     pub(crate) flow_of_a: FlowKernel,
-    /// Flow of A from momenta p + Δp, where Δp is the impulse of a kick. Present if the flow of A is linear in p with constant coefficients. The sums of
-    /// the flow then do not wait for Δp, which enters through one product and one sum. If absent, the runtime adds Δp to p and calls `flow_of_a`.
-    pub(crate) flow_of_a_after_kick: Option<FlowKernel>,
     /// Flow of B: a kick, or a kick and a motion of the positions.
     pub(crate) flow_of_b: FlowKernel,
     /// True if B moves momenta only.
@@ -60,7 +57,7 @@ impl Perturbed {
     /// Schedules all routines. The caller has built all nodes.
     pub(super) fn schedule(&mut self, scheduler: &mut Scheduler<'_>) {
         let kicks = [&mut self.flow_of_b].into_iter().chain(&mut self.gradient_kick);
-        for flow in [&mut self.flow_of_a].into_iter().chain(&mut self.flow_of_a_after_kick).chain(kicks) {
+        for flow in [&mut self.flow_of_a].into_iter().chain(kicks) {
             flow.kernel.schedule(scheduler);
         }
         if let Some(Inner { enter, leave, check_of_masses, .. }) = &mut self.inner {

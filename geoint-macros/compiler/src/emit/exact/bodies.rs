@@ -1,10 +1,11 @@
 //! Flows of rigid bodies, with or without centres of mass: kicks, the drift, and rotations about principal axes.
 
 use super::kick_drift::{SEPARABLE, moves, quadratic};
+use super::kind::{Kind, Time};
 use super::{assign, flow, slots};
 use crate::derive::{BodyKernels, Shift, Turn};
 use crate::emit::context::Context;
-use crate::emit::implementation::{Implementation, flag, proven};
+use crate::emit::implementation::{Implementation, proven};
 use crate::emit::tokens::{Tokens, element};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -53,9 +54,12 @@ fn splitting(context: &Context<'_>, bodies: &BodyKernels) -> TokenStream {
         changes = quote!([#changes, [[R::from_f64(0.0); 4]; #count]]);
     }
     let types = [("Kick", kick.prepared.clone()), ("Drift", quote!([R; #entries]))];
+    let time = if bodies.kicks_repeat { Time::Unread } else { Time::Frozen };
+    let kick_kind = Kind { adds: true, time, shows_domain: false, parts: None };
+    let drift_kind = Kind { adds: false, time: Time::Frozen, shows_domain: false, parts: None };
     let implementation = Implementation::new(context, &SEPARABLE, &types)
-        .items(flag("KICKS_REPEAT", bodies.kicks_repeat))
-        .items(flag("DRIFTS_SHIFT", false))
+        .items(kick_kind.constant(context, "KICK"))
+        .items(drift_kind.constant(context, "DRIFT"))
         .types()
         .method("prepare_kick", kick.prepare.clone())
         .method("prepare_drift", context.returned(&bodies.drift));

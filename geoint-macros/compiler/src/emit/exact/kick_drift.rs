@@ -1,9 +1,10 @@
 //! Flows of separable energies: kicks, drifts, kicks with force gradients, and kick and drift of contact systems without damping.
 
+use super::kind::{Kind, Time};
 use super::{FlowTokens, assign, flow, slots};
 use crate::derive::{GradientKick, KickDrift, Missing, Undamped};
 use crate::emit::context::Context;
-use crate::emit::implementation::{Implementation, absent, flag};
+use crate::emit::implementation::{Implementation, absent};
 use crate::emit::signature::{Absent, Trait, methods};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -71,11 +72,24 @@ pub(in crate::emit) fn splitting(context: &Context<'_>, found: &Result<KickDrift
 fn separable(context: &Context<'_>, flows: &KickDrift) -> TokenStream {
     let [kick, drift] = [&flows.kick, &flows.drift].map(|each| flow(context, each));
     let types = [("Kick", kick.prepared.clone()), ("Drift", drift.prepared.clone())];
+    // The flows of systems with an action change it, too.
+    let adds = !context.form.has_action();
+    let kick_kind = Kind {
+        adds,
+        time: if flows.kicks_repeat { Time::Unread } else { Time::Frozen },
+        shows_domain: flows.kicks_show,
+        parts: None,
+    };
+    let drift_kind = Kind {
+        adds,
+        time: if flows.time_passes_in_drift { Time::Exact } else { Time::Frozen },
+        shows_domain: false,
+        parts: None,
+    };
     let implementation = Implementation::new(context, &SEPARABLE, &types)
-        .items(flag("KICKS_REPEAT", flows.kicks_repeat))
-        .items(flows.kicks_show.then(|| flag("KICKS_SHOW", true)))
+        .items(kick_kind.constant(context, "KICK"))
+        .items(drift_kind.constant(context, "DRIFT"))
         .types()
-        .items(flows.time_passes_in_drift.then(|| flag("DRIFTS_ARE_EXACT_IN_TIME", true)))
         .method("prepare_kick", kick.prepare.clone())
         .method("prepare_drift", drift.prepare.clone());
     let implementation = moves(moves(implementation, "kick", &kick), "drift", &drift).finish();

@@ -2,6 +2,7 @@
 
 mod bodies;
 mod kick_drift;
+mod kind;
 mod perturbed;
 mod pieces;
 

@@ -1,6 +1,7 @@
 //! Perturbed systems H = A + B: the exact flow of A, and the flow of the perturbation B.
 
 use super::kick_drift::moves;
+use super::kind::{Kind, Time};
 use super::{assign, flow, slots};
 use crate::derive::{FlowKernel, Inner, Missing, Perturbed};
 use crate::emit::context::{Context, Values};
@@ -15,9 +16,8 @@ use quote::{format_ident, quote};
 const PERTURBED_SYSTEM: Trait = Trait {
     name: "PerturbedSystem",
     has_proof: true,
-    associated: &[("Exact", Absent::Never), ("After", Absent::Unit), ("Rest", Absent::Never)],
+    associated: &[("Exact", Absent::Never), ("Rest", Absent::Never)],
     methods: methods! {
-        Hint fn prepare_after("h": {R}) -> After;
         Hint fn prepare_exact("h": {R}) -> Exact;
         Always fn exact("prepared": {&Exact}, "t": {R}, "q": {&mut Array}, "p": {&mut Array}, "s or _": {&mut Action});
         Hint fn prepare_rest("h": {R}) -> Rest;
@@ -26,7 +26,6 @@ const PERTURBED_SYSTEM: Trait = Trait {
     provided: methods! {
         Always fn exact_increments("prepared": {&Exact}, "t": {R}, "x": {&PerCoordinate}) -> PerCoordinate;
         Always fn rest_increments("prepared": {&Rest}, "t": {R}, "x": {&PerCoordinate}) -> PerCoordinate;
-        Always fn exact_after("prepared": {&After}, "q": {&mut Array}, "p": {&mut Array}, "dp": {&Array});
     },
 };
 
@@ -52,26 +51,25 @@ pub(in crate::emit) fn perturbed(context: &Context<'_>, found: &Result<Perturbed
 
 /// Returns the implementations for a system with an exact flow of A.
 fn parts(context: &Context<'_>, found: &Perturbed) -> TokenStream {
-    let no_kick = (!found.b_is_kick).then(|| [flag("REST_IS_KICK", false), flag("REST_IS_EXACT", found.b_is_exact)]);
     let (exact, rest) = (flow(context, &found.flow_of_a), flow(context, &found.flow_of_b));
-    let after = found.flow_of_a_after_kick.as_ref().map(|after| flow(context, after));
-    let after_type = after.as_ref().map_or_else(|| quote!(()), |after| after.prepared.clone());
-    let types = [("Exact", exact.prepared.clone()), ("Rest", rest.prepared.clone()), ("After", after_type)];
-    let implementation = Implementation::new(context, &PERTURBED_SYSTEM, &types)
-        .items(flag("EXACT_IN_TIME", found.time_passes_in_a))
-        .items(flag("KICKS_REPEAT", found.kicks_repeat))
-        .items(no_kick.map(TokenStream::from_iter))
-        .items(may_end(context, found))
-        .types();
-    let implementation = match &after {
-        Some(after) => implementation
-            .items(flag("IS_LINEAR", true))
-            .method("prepare_after", after.prepare.clone())
-            .method("exact_after", after.flow.clone()),
-        None => implementation.items(quote!(
-            fn prepare_after(&self, _: R) {}
-        )),
+    let types = [("Exact", exact.prepared.clone()), ("Rest", rest.prepared.clone())];
+    let exact_kind = Kind {
+        adds: false,
+        time: if found.time_passes_in_a { Time::Exact } else { Time::Frozen },
+        shows_domain: false,
+        parts: Some(may_end(context, found)),
     };
+    let rest_kind = Kind {
+        adds: found.b_is_kick,
+        time: if found.kicks_repeat { Time::Unread } else { Time::Frozen },
+        shows_domain: false,
+        parts: None,
+    };
+    let implementation = Implementation::new(context, &PERTURBED_SYSTEM, &types)
+        .items(exact_kind.constant(context, "EXACT"))
+        .items(rest_kind.constant(context, "REST"))
+        .items((!found.b_is_exact).then(|| flag("REST_IS_EXACT", false)))
+        .types();
     let implementation =
         implementation.method("prepare_exact", exact.prepare.clone()).method("prepare_rest", rest.prepare.clone());
     let implementation = moves(moves(implementation, "exact", &exact), "rest", &rest);
@@ -107,7 +105,7 @@ fn may_end(context: &Context<'_>, found: &Perturbed) -> TokenStream {
         let (first, count) = (coordinates.start, coordinates.len());
         quote!(#part { name: #name, first: #first, count: #count })
     });
-    quote!(const PARTS: &'static [#part] = &[#(#entries),*];)
+    quote!(&[#(#entries),*])
 }
 
 /// Returns a function that maps all coordinates in place.

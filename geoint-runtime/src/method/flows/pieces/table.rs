@@ -3,7 +3,7 @@
 use super::splittings::{ContactSplitting, PieceSplitting, Splitting};
 use crate::method::Name;
 use crate::method::composition::Composition;
-use crate::method::splitting::{DriftFirst, Nystrom};
+use crate::method::flows::{DriftFirst, Nystrom};
 use crate::method::tables::total::adds_up;
 use core::marker::PhantomData;
 

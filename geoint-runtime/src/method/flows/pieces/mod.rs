@@ -1,6 +1,7 @@
 //! Flows of pieces, one after the other and back.
 
 mod driver;
+mod flow;
 mod increments;
 mod methods;
 mod planar_step;

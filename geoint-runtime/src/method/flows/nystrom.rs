@@ -1,29 +1,68 @@
 //! Tables of Runge–Kutta–Nyström type, for a quadratic T.
 
 use super::estimators::{Estimators, Mirrored};
-use super::flows::{DriftFirst, KickFirst, Order};
+use super::kinds::KickAndDrift;
 use super::last_kick::{History, LastKick};
+use super::open::Open;
 use super::sequence::Sequence;
 use super::steps_of;
 use super::table::Splitting;
-use crate::method::open::Open;
 use crate::method::{Claims, Clock, Estimate, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::space::{Action, Array, PerCoordinate, Point, Summation};
 use crate::system::QuadraticKinetic;
+use core::marker::PhantomData;
+
+/// A table that begins with a kick.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct KickFirst;
+
+/// A table that begins with a drift.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DriftFirst;
 
 /// A table of Runge–Kutta–Nyström type. Its order conditions use \[V, \[V, \[V, T\]\]\] = 0, so T must be quadratic.
+///
+/// `O` states which flow is the first. A table that begins with a drift also applies to two pieces.
 #[doc(alias = "second order ODE")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Nystrom<const K: usize, O = KickFirst> {
-    table: Splitting<K, O>,
+    table: Splitting<K>,
     estimators: Option<&'static Estimators<K>>,
+    first: PhantomData<O>,
+}
+
+impl<const K: usize> Nystrom<K, KickFirst> {
+    /// Returns a palindromic table without an error estimate; see [`Splitting::kick_first`].
+    pub(in crate::method) const fn kick_first<const KICKS: usize, const DRIFTS: usize>(
+        name: &'static str,
+        order: u32,
+        kicks: [f64; KICKS],
+        drifts: [f64; DRIFTS],
+    ) -> Self {
+        let table = Splitting::kick_first(name, order, kicks, drifts);
+        Nystrom { table, estimators: None, first: PhantomData }
+    }
+}
+
+impl<const K: usize> Nystrom<K, DriftFirst> {
+    /// Returns a palindromic table without an error estimate; see [`Splitting::drift_first`].
+    pub(in crate::method) const fn drift_first<const DRIFTS: usize, const KICKS: usize>(
+        name: &'static str,
+        order: u32,
+        drifts: [f64; DRIFTS],
+        kicks: [f64; KICKS],
+    ) -> Self {
+        let table = Splitting::drift_first(name, order, drifts, kicks);
+        Nystrom { table, estimators: None, first: PhantomData }
+    }
 }
 
 impl<const K: usize, O> Nystrom<K, O> {
-    /// Returns a method without an error estimate.
-    pub(in crate::method) const fn new(table: Splitting<K, O>) -> Self {
-        Nystrom { table, estimators: None }
+    /// States the orders of the table for H = A + εB; see [`Splitting::near_integrable`].
+    pub(in crate::method) const fn near_integrable(mut self, orders: &'static [u32]) -> Self {
+        self.table = self.table.near_integrable(orders);
+        self
     }
 
     /// Adds an error estimate to the method.
@@ -32,33 +71,31 @@ impl<const K: usize, O> Nystrom<K, O> {
         self
     }
 
+    /// Computes the weights of the error estimates from the differences dᵢ of the weights of kicks; see [`Estimators`].
+    pub(in crate::method) const fn estimators<const HALF: usize>(&self, d: [Mirrored<HALF>; 2]) -> Estimators<K> {
+        let (outer, last, inner) = self.table.coefficients();
+        // The fractions of h that the drifts have reached at each kick.
+        let (mut c, mut reached, mut n) = ([0.0; K], 0.0, 0);
+        while n < K {
+            if self.table.is_kick_first() {
+                c[n] = reached;
+                reached += inner[n];
+            } else {
+                reached += outer[n];
+                c[n] = reached;
+            }
+            n += 1;
+        }
+        if self.table.is_kick_first() {
+            Estimators::new((outer, last, &c), d)
+        } else {
+            Estimators::new((inner, 0.0, &c), d)
+        }
+    }
+
     /// The table.
-    pub const fn table(&self) -> &Splitting<K, O> {
+    pub const fn table(&self) -> &Splitting<K> {
         &self.table
-    }
-}
-
-impl<const K: usize> Nystrom<K, KickFirst> {
-    /// Computes the weights of the error estimates from the differences dᵢ of the weights of kicks; see [`Estimators`].
-    pub(in crate::method) const fn estimators<const HALF: usize>(&self, d: [Mirrored<HALF>; 2]) -> Estimators<K> {
-        let (mut c, mut n) = ([0.0; K], 1);
-        while n < K {
-            c[n] = c[n - 1] + self.table.inner[n - 1];
-            n += 1;
-        }
-        Estimators::new((&self.table.outer, self.table.last, &c), d)
-    }
-}
-
-impl<const K: usize> Nystrom<K, DriftFirst> {
-    /// Computes the weights of the error estimates from the differences dᵢ of the weights of kicks; see [`Estimators`].
-    pub(in crate::method) const fn estimators<const HALF: usize>(&self, d: [Mirrored<HALF>; 2]) -> Estimators<K> {
-        let (mut c, mut n) = (self.table.outer, 1);
-        while n < K {
-            c[n] += c[n - 1];
-            n += 1;
-        }
-        Estimators::new((&self.table.inner, 0.0, &c), d)
     }
 }
 
@@ -73,7 +110,7 @@ pub struct Prepared<T, R, const K: usize> {
 /// Returns whether kicks only add to momenta, drifts only add to positions, and there is no action. The impulses of kicks are then multiples of forces, as the
 /// estimates need.
 const fn has_pure_impulses<S: QuadraticKinetic<R>, R: Real>() -> bool {
-    S::Action::LEN == 0 && S::KICKS_ADD && S::DRIFTS_SHIFT
+    S::Action::LEN == 0 && S::KICK.adds() && S::DRIFT.adds()
 }
 
 /// Returns the error of a step of length h from the time t, from the two sums of an estimate. The first sum is the error of the momenta. The drift of the
@@ -94,9 +131,9 @@ fn error<S: QuadraticKinetic<R>, R: Real>(
     PerCoordinate { z: [positions, momenta], s: S::Action::zero() }
 }
 
-impl<S: QuadraticKinetic<R>, R: Real, O: Order<S, R>, const K: usize> Method<S, R> for Nystrom<K, O> {
+impl<S: QuadraticKinetic<R>, R: Real, O: Copy, const K: usize> Method<S, R> for Nystrom<K, O> {
     type Proof = <S as QuadraticKinetic<R>>::Proof;
-    type Prepared = Prepared<Sequence<S, R, O, K>, R, K>;
+    type Prepared = Prepared<Sequence<S, R, KickAndDrift, K>, R, K>;
     type Memory = History<S::Array, S::Action>;
     const SINGLY: bool = true;
 
@@ -114,14 +151,14 @@ impl<S: QuadraticKinetic<R>, R: Real, O: Order<S, R>, const K: usize> Method<S, 
 
     #[inline(always)]
     fn shows(prepared: &Self::Prepared) -> bool {
-        <Splitting<K, O> as Method<S, R>>::shows(&prepared.sequence)
+        <Splitting<K> as Method<S, R>>::shows(&prepared.sequence)
     }
 
     fn memory() -> Self::Memory {
         History { open: Open::unknown(), kick: LastKick::unknown() }
     }
 
-    steps_of!(Splitting<K, O>, |prepared, memory| (&prepared.sequence, &mut memory.open));
+    steps_of!(Splitting<K>, |prepared, memory| (&prepared.sequence, &mut memory.open));
 
     fn order_of_estimate(&self) -> Option<u32> {
         self.estimators.filter(|_| const { has_pure_impulses::<S, R>() }).map(|_| self.table.claims().order)
@@ -135,13 +172,21 @@ impl<S: QuadraticKinetic<R>, R: Real, O: Order<S, R>, const K: usize> Method<S, 
     ) -> Option<Result<Estimate<S, R>, Refusal>> {
         let estimators = prepared.estimators.filter(|_| const { has_pure_impulses::<S, R>() })?;
         let mut sums = [[S::Array::zero(); 2]; 2];
-        prepared.sequence.step_reporting_kicks(kick, step.part([step.t, step.end]), |n, impulse| {
-            for (sums, weights) in sums.iter_mut().zip(estimators.of_kick(n)) {
-                for (sum, weight) in sums.iter_mut().zip(weights) {
-                    sum.add_scaled(R::from_f64(weight), impulse);
+        let sequence = &prepared.sequence;
+        let mut known = if sequence.repeats { kick.impulse_at(&step.x.z[0]) } else { None };
+        let (mut count, mut last) = (0, S::Array::zero());
+        for operation in sequence.operations() {
+            let impulse = operation.apply_and_report(step.part([step.t, step.end]), known.take());
+            if let Some(impulse) = impulse {
+                for (sums, weights) in sums.iter_mut().zip(estimators.of_kick(count)) {
+                    for (sum, weight) in sums.iter_mut().zip(weights) {
+                        sum.add_scaled(R::from_f64(weight), &impulse);
+                    }
                 }
+                (count, last) = (count + 1, impulse);
             }
-        });
+        }
+        *kick = LastKick { known: true, q: step.x.z[0], impulse: last };
         Some(Ok(sums.map(|sums| error(step.system, [step.t, prepared.h], sums))))
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! The list of pieces of [`PlanarItohAbe`] contains the pieces of its step in order, then the pieces of the adjoint step in reverse order.
 
-use super::driver::{Flows, apply};
+use super::flow::{Flows, apply};
 use crate::method::composition::substeps;
 use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;

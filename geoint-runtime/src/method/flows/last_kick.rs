@@ -1,6 +1,6 @@
 //! The last kick of a step. If its positions are those at which the next step begins, the next step reuses its impulse.
 
-use crate::method::open::Open;
+use super::open::Open;
 use crate::space::{Action, Array, Record, Tape};
 
 /// The last kick of a step.
@@ -20,10 +20,10 @@ impl<A: Array> LastKick<A> {
         LastKick { known: false, q: A::zero(), impulse: A::zero() }
     }
 
-    /// Returns whether the last kick was at the positions `q`.
+    /// Returns the impulse of the last kick, if it was at the positions `q`.
     #[inline(always)]
-    pub(super) fn is_from(&self, q: &A) -> bool {
-        self.known & self.q.is_same(q)
+    pub(super) fn impulse_at(&self, q: &A) -> Option<A> {
+        (self.known & self.q.is_same(q)).then_some(self.impulse)
     }
 }
 

@@ -3,10 +3,8 @@
 //! If B/A is of the size ε, the error of a method is a sum over powers of ε. A method of orders (s₁, s₂, …) has the error O(ε hˢ¹ + ε² hˢ² + …).
 
 mod inner;
-mod processed;
 
 pub use inner::Inner;
-pub use processed::Processed;
 
 use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
@@ -65,7 +63,7 @@ impl<S: Perturbed<R>, R: Real, M: Method<Inner<S>, R>> Method<S, R> for Perturba
     type Prepared = Prepared<M::Prepared>;
     type Memory = M::Memory;
     const SINGLY: bool = M::SINGLY;
-    const INNER: bool = S::INNER;
+    const INNER: bool = S::INNER || M::INNER;
 
     fn claims(&self) -> Claims {
         limit_by_rest::<S, R>(self.0.claims())
@@ -85,12 +83,14 @@ impl<S: Perturbed<R>, R: Real, M: Method<Inner<S>, R>> Method<S, R> for Perturba
     }
 
     #[inline(always)]
-    fn enter(_: &Self::Prepared, system: &S, _: R, z: &mut S::Phase) {
+    fn enter(prepared: &Self::Prepared, system: &S, t: R, z: &mut S::Phase) {
         system.enter(z);
+        M::enter(&prepared.table, &Inner(*system), t, z);
     }
 
     #[inline(always)]
-    fn leave(_: &Self::Prepared, system: &S, _: R, z: &mut S::Phase) {
+    fn leave(prepared: &Self::Prepared, system: &S, t: R, z: &mut S::Phase) {
+        M::leave(&prepared.table, &Inner(*system), t, z);
         system.leave(z);
     }
 

@@ -5,7 +5,7 @@ use super::splittings::{
 };
 use super::table::{PieceComposition, PieceNystrom};
 use crate::method::composition::{Composition, SymmetricMap};
-use crate::method::splitting::{delegate, steps_of};
+use crate::method::flows::{delegate, steps_of};
 use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::space::{Point, Summation};
@@ -54,4 +54,4 @@ macro_rules! splittings {
 
 splittings!(PieceSplitting ContactSplitting PoissonSplitting PlanarSplitting PlanarDiscreteGradient);
 
-delegate!([const K: usize,] PieceNystrom<K>, NystromPieces, PieceComposition<K, PieceSplitting>, |this| this.composition(), this.composition().table_name());
+delegate!([const K: usize,] PieceNystrom<K>, NystromPieces, PieceComposition<K, PieceSplitting>, |this| this.composition());

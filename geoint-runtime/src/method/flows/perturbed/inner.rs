@@ -5,7 +5,7 @@ use crate::scalar::Real;
 use crate::solving::{Effort, Observer};
 use crate::space::PerCoordinate;
 use crate::system::{
-    Cotangent, FlowPart, ForceGradient, Perturbed, PerturbedGradient, PhaseSpace, QuadraticKinetic, Separable,
+    Cotangent, FlowKind, ForceGradient, Perturbed, PerturbedGradient, PhaseSpace, QuadraticKinetic, Separable,
 };
 
 /// A system in the coordinates in which its parts A and B move.
@@ -42,45 +42,32 @@ impl<S: Perturbed<R>, R: Real> Cotangent<R> for Inner<S> {
 impl<S: Perturbed<R>, R: Real> Separable<R> for Inner<S> {
     type Proof = <S as Perturbed<R>>::Proof;
     type Kick = S::Rest;
-    type Drift = (S::Exact, S::After);
-    const DRIFTS_ARE_EXACT_IN_TIME: bool = S::EXACT_IN_TIME;
-    const KICKS_REPEAT: bool = <S as Perturbed<R>>::KICKS_REPEAT;
-    const KICKS_ADD: bool = S::REST_IS_KICK;
-    const DRIFT_PARTS: &'static [FlowPart] = S::PARTS;
-    const DRIFTS_SHIFT: bool = false;
-    const DRIFTS_TAKE_KICKS: bool = S::IS_LINEAR;
+    type Drift = S::Exact;
+    const KICK: FlowKind = S::REST;
+    const DRIFT: FlowKind = S::EXACT;
 
     #[inline]
     fn prepare_kick(&self, h: R) -> S::Rest {
         self.0.prepare_rest(h)
     }
     #[inline]
-    fn prepare_drift(&self, h: R) -> Self::Drift {
-        (self.0.prepare_exact(h), self.0.prepare_after(h))
+    fn prepare_drift(&self, h: R) -> S::Exact {
+        self.0.prepare_exact(h)
     }
     #[inline(always)]
     fn kick(&self, kick: &S::Rest, t: R, q: &mut S::Array, p: &mut S::Array, s: &mut ()) {
         self.0.rest(kick, t, q, p, s);
     }
     #[inline(always)]
-    fn drift(&self, (flow, _): &Self::Drift, t: R, q: &mut S::Array, p: &mut S::Array, s: &mut ()) {
+    fn drift(&self, flow: &S::Exact, t: R, q: &mut S::Array, p: &mut S::Array, s: &mut ()) {
         self.0.exact(flow, t, q, p, s);
-    }
-    #[inline(always)]
-    fn drift_after(&self, (_, flow): &Self::Drift, _: R, [q, p]: [&mut S::Array; 2], _: &mut (), dp: &S::Array) {
-        self.0.exact_after(flow, q, p, dp);
     }
     #[inline(always)]
     fn kick_increments(&self, kick: &S::Rest, t: R, x: &PerCoordinate<S::Phase, ()>) -> PerCoordinate<S::Phase, ()> {
         self.0.rest_increments(kick, t, x)
     }
     #[inline(always)]
-    fn drift_increments(
-        &self,
-        (flow, _): &Self::Drift,
-        t: R,
-        x: &PerCoordinate<S::Phase, ()>,
-    ) -> PerCoordinate<S::Phase, ()> {
+    fn drift_increments(&self, flow: &S::Exact, t: R, x: &PerCoordinate<S::Phase, ()>) -> PerCoordinate<S::Phase, ()> {
         self.0.exact_increments(flow, t, x)
     }
 }

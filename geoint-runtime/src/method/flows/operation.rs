@@ -1,0 +1,175 @@
+//! One flow of a table, prepared for steps of one length, and its application to a point.
+
+use super::Coordinates;
+use super::kinds::Flows;
+use super::table::{Entry, Flow};
+use crate::method::{Probe, Step};
+use crate::scalar::{Real, zero};
+use crate::space::{Action, Array, Point, Summation};
+use crate::system::Separable;
+
+/// The coefficients of a kick or a drift.
+#[derive(Clone, Copy)]
+pub(super) enum Coefficients<K, D> {
+    /// p ← p − h ∂V/∂q.
+    Kick(K),
+    /// q ← q + h ∂T/∂p.
+    Drift(D),
+}
+
+/// A flow of a table, and its time.
+#[derive(Clone, Copy)]
+pub struct Operation<S: Separable<R>, R: Real, F: Flows<S, R>> {
+    flow: Coefficients<F::Kick, S::Drift>,
+    /// The time after the start of the step at which the flow evaluates explicit time dependence.
+    at: R,
+}
+
+/// The times after the start of a step that flows have reached when another flow begins.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Reached<R> {
+    /// The time of the flows of the same kind.
+    pub(super) own: R,
+    /// The time of the flows of the other kind.
+    pub(super) other: R,
+}
+
+impl<S: Separable<R>, R: Real, F: Flows<S, R>> Operation<S, R, F> {
+    /// Prepares a flow for steps of length `h`. `reached` contains fractions of h.
+    pub(super) fn prepare(system: &S, h: R, Entry { flow, gradient }: Entry, reached: Reached<f64>) -> Self {
+        let part = |fraction: f64| R::from_f64(fraction) * h;
+        let flow = match flow {
+            Flow::Kick(fraction) => {
+                let gradient = if gradient == 0.0 { zero() } else { R::from_f64(gradient) * (h * h * h) };
+                Coefficients::Kick(F::prepare_kick(system, part(fraction), gradient))
+            }
+            Flow::Drift(fraction) => Coefficients::Drift(system.prepare_drift(part(fraction))),
+        };
+        Operation { flow, at: zero() }.moved(h, reached)
+    }
+
+    /// Returns the same flow at another time.
+    ///
+    /// A flow reads the time that the flows of the other kind have reached. A drift that is exact in time starts at its own time.
+    pub(super) fn moved(self, h: R, Reached { own, other }: Reached<f64>) -> Self {
+        let at = match &self.flow {
+            Coefficients::Drift(_) if S::DRIFT.is_exact_in_time() => own,
+            _ => other,
+        };
+        Operation { at: R::from_f64(at) * h, ..self }
+    }
+
+    /// Returns whether the flow is a kick.
+    pub(super) fn is_kick(&self) -> bool {
+        matches!(self.flow, Coefficients::Kick(_))
+    }
+
+    /// Applies the flow in the step that starts at the time of `step`.
+    #[inline(always)]
+    pub(super) fn apply<C: Summation<S::Phase>, P: Probe<S, R>>(&self, step: Step<'_, S, R, C, P>) {
+        self.watched(step, |Step { system, t, x, .. }| match &self.flow {
+            Coefficients::Kick(kick) => apply_kick::<F, S, R, C>(system, kick, t, x),
+            Coefficients::Drift(drift) => apply_drift::<F, S, R, C>(system, drift, t, x),
+        });
+    }
+
+    /// Adds the impulse of a kick to the momenta. `known` is the impulse, if another step has computed it. Returns the impulse, or applies a drift and returns
+    /// `None`.
+    ///
+    /// Precondition: kicks only add to the momenta.
+    #[inline]
+    pub(super) fn apply_and_report<C: Summation<S::Phase>, P: Probe<S, R>>(
+        &self,
+        step: Step<'_, S, R, C, P>,
+        known: Option<S::Array>,
+    ) -> Option<S::Array> {
+        self.watched(step, |Step { system, t, x, .. }| match &self.flow {
+            Coefficients::Kick(kick) => {
+                let impulse =
+                    known.unwrap_or_else(|| F::kick_increments(system, kick, t, &Coordinates::<S, R>::of(x)).z[1]);
+                add_impulse::<S, R, C>(x, &impulse);
+                Some(impulse)
+            }
+            Coefficients::Drift(drift) => {
+                apply_drift::<F, S, R, C>(system, drift, t, x);
+                None
+            }
+        })
+    }
+
+    /// Applies a flow and reports its start to a probe. After a drift it also reports the parts of the drift that may end early.
+    #[inline(always)]
+    fn watched<'a, C: Summation<S::Phase>, P: Probe<S, R>, T>(
+        &self,
+        Step { system, t, x, probe, .. }: Step<'a, S, R, C, P>,
+        flow: impl FnOnce(Step<'_, S, R, C, P>) -> T,
+    ) -> T {
+        let t = t + self.at;
+        probe.visit(t, &x.z, &x.s);
+        // The constant conditions remove this code from fast steps.
+        let may_end = P::EFFORT.is_thorough() && const { !S::DRIFT.parts.is_empty() };
+        let reports = may_end && matches!(self.flow, Coefficients::Drift(_)) && x.is_finite();
+        let result = flow(Step { system, t, end: t, x, probe });
+        if may_end && reports {
+            for part in S::DRIFT.parts {
+                probe.flown(part.name, || part.is_finite(&x.z));
+            }
+        }
+        result
+    }
+}
+
+/// Applies a kick. Plain sums call the kernel directly, with references to the parts of the point that do not alias.
+#[inline(always)]
+fn apply_kick<F: Flows<S, R>, S: Separable<R>, R: Real, C: Summation<S::Phase>>(
+    system: &S,
+    kick: &F::Kick,
+    t: R,
+    x: &mut Point<S::Phase, C, S::Action>,
+) {
+    if C::PLAIN {
+        let ([q, p], mut unread) = (&mut x.z, x.s);
+        return F::kick(system, kick, t, q, p, if C::ACTION { &mut x.s } else { &mut unread });
+    }
+    let d = F::kick_increments(system, kick, t, &Coordinates::<S, R>::of(x));
+    if S::Action::LEN == 0 && S::KICK.adds() { add_impulse::<S, R, C>(x, &d.z[1]) } else { add_all::<S, R, C>(x, &d) }
+}
+
+/// Applies a drift; see [`apply_kick`].
+#[inline(always)]
+fn apply_drift<F: Flows<S, R>, S: Separable<R>, R: Real, C: Summation<S::Phase>>(
+    system: &S,
+    drift: &S::Drift,
+    t: R,
+    x: &mut Point<S::Phase, C, S::Action>,
+) {
+    if C::PLAIN {
+        let ([q, p], mut unread) = (&mut x.z, x.s);
+        return F::drift(system, drift, t, q, p, if C::ACTION { &mut x.s } else { &mut unread });
+    }
+    let d = F::drift_increments(system, drift, t, &Coordinates::<S, R>::of(x));
+    if S::Action::LEN == 0 && S::DRIFT.adds() { add_shift::<S, R, C>(x, &d.z[0]) } else { add_all::<S, R, C>(x, &d) }
+}
+
+/// q ← q + dq, by the sums of the point.
+#[inline(always)]
+fn add_shift<S: Separable<R>, R: Real, C: Summation<S::Phase>>(x: &mut Point<S::Phase, C, S::Action>, dq: &S::Array) {
+    x.sums.add_part(0, &mut x.z[0], |q| q.add_scaled(R::from_f64(1.0), dq));
+}
+
+/// p ← p + dp, by the sums of the point.
+#[inline(always)]
+fn add_impulse<S: Separable<R>, R: Real, C: Summation<S::Phase>>(x: &mut Point<S::Phase, C, S::Action>, dp: &S::Array) {
+    x.sums.add_part(S::Array::LEN, &mut x.z[1], |p| p.add_scaled(R::from_f64(1.0), dp));
+}
+
+/// Adds increments to positions, momenta and action.
+#[inline(always)]
+fn add_all<S: Separable<R>, R: Real, C: Summation<S::Phase>>(
+    x: &mut Point<S::Phase, C, S::Action>,
+    d: &Coordinates<S, R>,
+) {
+    add_shift::<S, R, C>(x, &d.z[0]);
+    add_impulse::<S, R, C>(x, &d.z[1]);
+    x.add_action(d.s);
+}

@@ -1,0 +1,60 @@
+//! The steps of a table.
+
+use super::driver;
+use super::kinds::Flows;
+use super::open::Open;
+use super::sequence::Sequence;
+use super::table::Splitting;
+use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step};
+use crate::scalar::Real;
+use crate::space::{Point, Summation};
+use crate::system::Separable;
+
+impl<S: Separable<R>, R: Real, F: Flows<S, R>, const K: usize> Method<S, R> for Splitting<K, F> {
+    type Proof = F::Proof;
+    type Prepared = Sequence<S, R, F, K>;
+    type Memory = Open<S::Phase, S::Action>;
+    const SINGLY: bool = true;
+
+    fn claims(&self) -> Claims {
+        Splitting::claims(self)
+    }
+
+    fn name(&self) -> Name {
+        Splitting::name(self)
+    }
+
+    fn prepare(&self, system: &S, h: R) -> Self::Prepared {
+        Sequence::prepare(self, system, h)
+    }
+
+    #[inline(always)]
+    fn shows(prepared: &Self::Prepared) -> bool {
+        prepared.shows()
+    }
+
+    fn memory() -> Self::Memory {
+        Open::unknown()
+    }
+
+    #[inline(always)]
+    fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
+        prepared: &Self::Prepared,
+        open: &mut Self::Memory,
+        step: Step<'_, S, R, C, P>,
+    ) -> Result<(), Refusal> {
+        driver::step(prepared, open, step)
+    }
+
+    #[inline(always)]
+    fn advance<C: Summation<S::Phase>>(
+        prepared: &Self::Prepared,
+        open: &mut Self::Memory,
+        system: &S,
+        clock: &Clock<R>,
+        steps: u64,
+        x: &mut Point<S::Phase, C, S::Action>,
+    ) -> Result<(), Refusal> {
+        driver::advance(prepared, open, system, clock, steps, x)
+    }
+}
