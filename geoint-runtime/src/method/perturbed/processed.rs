@@ -3,7 +3,7 @@
 use super::{Perturbation, limit_by_rest};
 use crate::method::perturbed::Inner;
 use crate::method::splitting::steps_of;
-use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step};
+use crate::method::{Claims, Clock, Failure, Method, Name, Probe, Step};
 use crate::scalar::{Real, zero};
 use crate::space::{Point, Summation};
 use crate::system::Perturbed;

@@ -9,7 +9,7 @@
 use super::splittings::Splitting;
 use super::table::PieceComposition;
 use crate::method::open::Open;
-use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step, Unwatched, check_way};
+use crate::method::{Claims, Clock, Failure, Method, Name, Probe, Step, Unwatched, check_way};
 use crate::scalar::{Real, zero};
 use crate::space::{Array, PerCoordinate, Point, Summation};
 use crate::system::{Clock as PieceClock, Evaluations, Piece, Pieces, Poles};
@@ -89,7 +89,7 @@ impl<S: Pieces<M, R>, M: Splitting, R: Real, const K: usize> Method<S, R> for Pi
         prepared: &Self::Prepared,
         open: &mut Self::Memory,
         step: Step<'_, S, R, C, P>,
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), Failure> {
         take::<S, M, R, C, P>(prepared, open, step, Place { is_first: true, is_last: true })
     }
 
@@ -101,7 +101,7 @@ impl<S: Pieces<M, R>, M: Splitting, R: Real, const K: usize> Method<S, R> for Pi
         clock: &Clock<R>,
         steps: u64,
         x: &mut Point<S::Phase, C, S::Action>,
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), Failure> {
         // A local point of this loop stays in registers.
         let mut here = *x;
         for n in 0..steps {
@@ -121,7 +121,7 @@ fn take<S: Pieces<M, R>, M, R: Real, C: Summation<S::Phase>, P: Probe<S, R>>(
     open: &mut Open<S::Phase, S::Action>,
     mut step: Step<'_, S, R, C, P>,
     Place { is_first, is_last }: Place,
-) -> Result<(), Refusal> {
+) -> Result<(), Failure> {
     let (all, merges, [t, end]) = (S::PIECES.len(), merges::<S, M, R>(), [step.t, step.end]);
     let continues = merges && (!is_first || open.return_to(t, step.x).is_some());
     for (i, Pair { forth, back, joint, start, middle, joint_start, poles }) in pairs.iter().enumerate() {
@@ -179,7 +179,7 @@ pub(super) fn apply<S: Pieces<M, R>, M, R: Real, C: Summation<S::Phase>, P: Prob
     pieces: impl Iterator<Item = usize>,
     Flows { flows, frozen, poles }: Flows<'_, S, M, R>,
     Step { system, t, x, probe, .. }: Step<'_, S, R, C, P>,
-) -> Result<(), Refusal> {
+) -> Result<(), Failure> {
     for i in pieces {
         let piece = S::PIECES[i];
         let solved = const { any_solved(S::PIECES) } && piece.solved;

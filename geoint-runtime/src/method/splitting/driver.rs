@@ -8,7 +8,7 @@ use super::moving::{Moving, Times};
 use super::sequence::Sequence;
 use super::table::Splitting;
 use crate::method::open::Open;
-use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step};
+use crate::method::{Claims, Clock, Failure, Method, Name, Probe, Step};
 use crate::scalar::Real;
 use crate::space::{Array, Point, Summation};
 use crate::system::Separable;
@@ -275,7 +275,7 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Method<S, R> for 
         prepared: &Self::Prepared,
         open: &mut Self::Memory,
         step: Step<'_, S, R, C, P>,
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), Failure> {
         if P::EFFORT.is_thorough() {
             prepared.checked_step(step);
         } else {
@@ -297,7 +297,7 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Method<S, R> for 
         clock: &Clock<R>,
         steps: u64,
         x: &mut Point<S::Phase, C, S::Action>,
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), Failure> {
         prepared.advance(open, system, clock, steps, x);
         Ok(())
     }

@@ -7,7 +7,7 @@ use super::sequence::Sequence;
 use super::steps_of;
 use super::table::Splitting;
 use crate::method::tables::total::adds_up;
-use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step};
+use crate::method::{Claims, Clock, Failure, Method, Name, Probe, Step};
 use crate::scalar::{Real, zero};
 use crate::space::{Plain, Point, Summation};
 use crate::system::{PhaseSpace, Separable};

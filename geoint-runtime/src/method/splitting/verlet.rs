@@ -6,7 +6,7 @@ use super::table::{
     Flow::{Drift, Kick},
     Splitting,
 };
-use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step};
+use crate::method::{Claims, Clock, Failure, Method, Name, Probe, Step};
 use crate::scalar::Real;
 use crate::space::{Point, Summation};
 use crate::system::Separable;
