@@ -53,7 +53,7 @@ impl StepError {
         StepError::new(Failure::InvalidStepSize { h }, t, h)
     }
 
-    /// Returns whether even the shortest step of an adaptive run was refused. Its length `h` is the allowed minimum, or the resolution of time.
+    /// Returns whether even the shortest step was refused, in a run that adapts its steps. Its length `h` is the allowed minimum, or the resolution of time.
     pub const fn is_shortest(&self) -> bool {
         matches!(self.attempt, Attempt::Shortest)
     }
