@@ -113,11 +113,11 @@ pub use method::gauss::{Gauss, ImplicitMidpoint};
 pub use method::kahan::Kahan;
 pub use method::tables::*;
 #[doc(inline)]
-pub use method::{Claims, Method};
+pub use method::{Claims, Failure, Method};
 pub use nalgebra;
 #[doc(inline)]
 pub use running::{
-    Adaptive, Crossing, Dense, Direction, Integrator, IntoIntegrator, Reason, StepError, TaylorIntegrator, Trajectory,
+    Adaptive, Crossing, Dense, Direction, Integrator, IntoIntegrator, StepError, TaylorIntegrator, Trajectory,
 };
 #[doc(inline)]
 pub use scalar::Real;
@@ -140,7 +140,7 @@ pub mod prelude {
     pub use crate::running::Resumable;
     pub use crate::{
         Adaptive, BodyState, ContactDiscreteGradient, ContactGauss, ContactLeapfrog, ContactMidpoint, ContactSplitting,
-        ContactState, CoordinateIncrement, DOP853, Dense, Direction, DiscreteGradient, Energy, ExplicitEuler,
+        ContactState, CoordinateIncrement, DOP853, Dense, Direction, DiscreteGradient, Energy, ExplicitEuler, Failure,
         FiveRotations, FlowState, FourthOrder, Gauss, Gonzalez, Hamiltonian, ImplicitMidpoint, Integrals, Integrator,
         IntoIntegrator, ItohAbe, ItohAbeAdjoint, ItohAbePair, Kahan, MeanValue, Method, Perturbation, PhaseSpace,
         PieceSplitting, PlanarDiscreteGradient, PlanarItohAbe, PlanarItohAbeAdjoint, PlanarItohAbePair,

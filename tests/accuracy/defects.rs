@@ -1,6 +1,6 @@
 //! Error estimates of Gauss methods from the defect of their polynomial.
 
-use geoint_runtime::method::{Claims, Estimate, Name, Probe, Refusal, Step, Unwatched};
+use geoint_runtime::method::{Claims, Estimate, Failure, Name, Probe, Step, Unwatched};
 use geoint_runtime::prelude::*;
 use geoint_runtime::space::{Array, Plain, Point, Snapshot, Summation};
 use geoint_runtime::system::{Jets, Rates, StateOf};

@@ -18,7 +18,7 @@ macro_rules! delegate_step {
             prepared: &Self::Prepared,
             memory: &mut Self::Memory,
             step: Step<'_, S, f64, C, P>,
-        ) -> Result<(), Refusal> {
+        ) -> Result<(), Failure> {
             M::step(prepared, memory, step)
         }
     };

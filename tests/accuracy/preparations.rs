@@ -1,6 +1,6 @@
 //! Number of times that a run prepares the coefficients of a method. Coefficients depend on the step size, so each new step size needs a preparation.
 
-use geoint_runtime::method::{Claims, Estimate, Name, Probe, Refusal, Step};
+use geoint_runtime::method::{Claims, Estimate, Failure, Name, Probe, Step};
 use geoint_runtime::prelude::*;
 use geoint_runtime::space::Summation;
 use geoint_runtime::{Method, PhaseSpace};
@@ -40,7 +40,7 @@ impl<S: PhaseSpace, M: Method<S>> Method<S> for Counted<M> {
         prepared: &Self::Prepared,
         memory: &mut Self::Memory,
         step: Step<'_, S, f64, C, P>,
-    ) -> Option<Result<Estimate<S, f64>, Refusal>> {
+    ) -> Option<Result<Estimate<S, f64>, Failure>> {
         M::estimated(prepared, memory, step)
     }
 }

@@ -72,7 +72,7 @@ fn steps_above_half_a_turn_are_refused() {
     }
     for h in [3.3, 4.0, 5.0, 6.2, 7.0, 11.0, -4.0] {
         for refused in [outcome(Projection(DOP853, Integrals), h), outcome(Relaxation(DOP853), h)] {
-            assert_eq!(refused, Err(StepError::Turned { t: 0.0, what: "atan2(x[1], x[0])" }), "{h}");
+            assert_eq!(refused, Err(StepError::new(Failure::Turned { what: "atan2(x[1], x[0])" }, 0.0, h)), "{h}");
         }
     }
     for h in [1.0, 2.0, 3.0] {
@@ -80,7 +80,7 @@ fn steps_above_half_a_turn_are_refused() {
         assert!(outcome(Relaxation(DOP853), h).unwrap() < 0.1, "{h}");
     }
     let mut sim = Helix.taylor(Projection(TaylorFixed::<30> { h: 4.0 }, Integrals), START);
-    assert!(matches!(sim.advance(7), Err(StepError::Turned { .. })));
+    assert!(matches!(sim.advance(7), Err(StepError { failure: Failure::Turned { .. }, .. })));
     // Adaptive runs shorten their steps.
     let mut sim = Helix.taylor(Projection(Taylor { tolerance: 0.05 }, Integrals), START);
     sim.advance_to(20.0).unwrap();

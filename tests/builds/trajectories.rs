@@ -133,11 +133,14 @@ fn until_with_unusable_input() {
     for h in [0.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         let mut sim = pendulum(h, 0.0);
         let outcome: Vec<_> = sim.until(1.0).collect();
-        assert!(matches!(outcome[..], [Err(StepError::InvalidStepSize { .. })]), "h = {h}: {outcome:?}");
+        assert!(
+            matches!(outcome[..], [Err(StepError { failure: Failure::InvalidStepSize { .. }, .. })]),
+            "h = {h}: {outcome:?}"
+        );
     }
     // A step of zero is unusable whichever way time should go.
     let outcome: Vec<_> = pendulum(0.0, 2.0).until(1.0).collect();
-    assert!(matches!(outcome[..], [Err(StepError::InvalidStepSize { .. })]), "{outcome:?}");
+    assert!(matches!(outcome[..], [Err(StepError { failure: Failure::InvalidStepSize { .. }, .. })]), "{outcome:?}");
 }
 
 #[test]

@@ -124,8 +124,13 @@ fn the_action_is_a_coordinate_of_the_error() {
     assert!(narrow > 10 * wide, "{narrow} steps, {wide}");
     assert!(steps(1e-8, 1e-4) < 2 * wide);
     assert_eq!(
-        Squared { m: 1.7 }.adaptive(ContactSplitting, 1e-4, start).absolute(ContactState::new(0.0, 0.0, -1.0)).step(),
-        Err(StepError::InvalidTolerance { tolerance: -1.0 })
+        Squared { m: 1.7 }
+            .adaptive(ContactSplitting, 1e-4, start)
+            .absolute(ContactState::new(0.0, 0.0, -1.0))
+            .step()
+            .unwrap_err()
+            .failure,
+        Failure::InvalidTolerance { tolerance: -1.0 }
     );
 }
 

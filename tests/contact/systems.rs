@@ -7,7 +7,7 @@ mod thermostat;
 
 use crate::measure::{self, flat};
 use geoint_runtime::prelude::*;
-use geoint_runtime::{Contact, Pieces, Reason};
+use geoint_runtime::{Contact, Failure, Pieces};
 use geoint_tests::measure::extrapolated;
 use geoint_tests::scalars::Double;
 

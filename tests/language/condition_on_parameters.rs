@@ -22,5 +22,5 @@ fn compiles_and_means_what_it_says() {
         system.integrator(ImplicitMidpoint, 0.01, State::new(0.5, 1.0)).advance(10).unwrap();
     }
     let outside = HalfLine.integrator(StormerVerlet, 0.01, State::new(-0.5, 1.0)).step();
-    assert!(matches!(outside, Err(StepError::OutsideDomain { .. })), "{outside:?}");
+    assert!(matches!(outside, Err(StepError { failure: Failure::OutsideDomain { .. }, .. })), "{outside:?}");
 }

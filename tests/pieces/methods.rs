@@ -170,17 +170,17 @@ fn units_do_not_matter() {
 fn what_is_not_finite_is_no_end() {
     let start = State::new([0.3, 0.1], [0.5, -0.4]);
     let mut sim = Growing { m: 1.0, b: f64::NAN, l: 1.0 }.integrator(PieceSplitting, 0.1, start);
-    assert_eq!(sim.step(), Err(StepError::InvalidParameter { name: "b" }));
+    assert_eq!(sim.step(), Err(StepError::new(Failure::InvalidParameter { name: "b" }, 0.0, 0.1)));
     assert_eq!(sim.state(), start);
     let mut sim = Growing { m: 1.0, b: 1e200, l: 1e-200 }.integrator(PieceSplitting, 0.1, start);
-    assert!(matches!(sim.step(), Err(StepError::NonFinite { .. })), "{:?}", sim.step());
+    assert!(matches!(sim.step(), Err(StepError { failure: Failure::NonFinite, .. })), "{:?}", sim.step());
     assert_eq!(sim.state(), start);
     #[hamiltonian(split = "k * q * q * p | p * p / 2.0")]
     fn may_end(q: f64, p: f64, k: f64) -> f64 {
         k * q * q * p + p * p / 2.0
     }
     let mut sim = MayEnd { k: f64::NAN }.integrator(PieceSplitting, 0.1, State::new(2.0, 0.1));
-    let named = StepError::InvalidParameter { name: "k" };
+    let named = StepError::new(Failure::InvalidParameter { name: "k" }, 0.0, 0.1);
     assert_eq!(sim.step(), Err(named));
     #[hamiltonian(split = "p * p / 2.0 - k * q * q / 2.0 | q.powi(3)")]
     fn hill(q: f64, p: f64, k: f64) -> f64 {
@@ -190,9 +190,9 @@ fn what_is_not_finite_is_no_end() {
     assert_eq!(Hill { k: f64::NAN }.integrator(PieceSplitting, 0.1, start).step(), Err(named));
     assert_eq!(Hill { k: f64::NAN }.integrator(WisdomHolman, 0.1, start).step(), Err(named));
     let mut pieces = Hill { k: 1.0 }.integrator(PieceSplitting, 1e4, start);
-    assert!(matches!(pieces.step(), Err(StepError::NonFinite { .. })), "{:?}", pieces.step());
+    assert!(matches!(pieces.step(), Err(StepError { failure: Failure::NonFinite, .. })), "{:?}", pieces.step());
     let mut parts = Hill { k: 1.0 }.integrator(WisdomHolman, 1e4, start);
-    assert!(matches!(parts.step(), Err(StepError::NonFinite { .. })), "{:?}", parts.step());
+    assert!(matches!(parts.step(), Err(StepError { failure: Failure::NonFinite, .. })), "{:?}", parts.step());
 }
 
 /// After any number of turns, the error of linear flows is the rounding of the angle. If no digit of the angle is left, the step is refused.
@@ -224,9 +224,9 @@ fn long_steps_of_linear_flows() {
     }
     for h in [1e17, -1e30, 1e200] {
         let mut sim = Landau { b: 1.25 }.integrator(PieceSplitting, h, State::new([0.0, 0.0], [1.5, 0.0]));
-        assert!(matches!(sim.step(), Err(StepError::NonFinite { .. })), "h = {h}: {:?}", sim.state());
+        assert!(matches!(sim.step(), Err(StepError { failure: Failure::NonFinite, .. })), "h = {h}: {:?}", sim.state());
         let mut row = Row { k: 1.25 }.integrator(PieceSplitting, h, State::new([0.3, -0.2, 0.4], [0.1, 0.5, -0.7]));
-        assert!(matches!(row.step(), Err(StepError::NonFinite { .. })), "h = {h}: {:?}", row.state());
+        assert!(matches!(row.step(), Err(StepError { failure: Failure::NonFinite, .. })), "h = {h}: {:?}", row.state());
     }
 }
 

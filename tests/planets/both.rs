@@ -172,7 +172,7 @@ macro_rules! frame {
                     let mut sim = massless.integrator(WisdomHolman, 100.0, start);
                     let expected = format!("division by zero: m[{body}]");
                     let refused = sim.advance(10);
-                    assert!(matches!(refused, Err(StepError::OutsideDomain { what, .. }) if what == expected), "{refused:?}");
+                    assert!(matches!(refused, Err(StepError { failure: Failure::OutsideDomain { what }, .. }) if what == expected), "{refused:?}");
                     assert_eq!(sim.state(), start);
                 }
             }
@@ -183,7 +183,7 @@ macro_rules! frame {
                 together.q[3] = together.q[2];
                 let mut sim = OUTER.integrator(Aba10_6_4, 100.0, together);
                 let refused = sim.advance(10);
-                let Err(StepError::OutsideDomain { what, .. }) = refused else { panic!("{refused:?}") };
+                let Err(StepError { failure: Failure::OutsideDomain { what }, .. }) = refused else { panic!("{refused:?}") };
                 assert!(what.contains("q[3]") && what.contains("q[2]"), "{what}");
                 assert_eq!(sim.state(), together);
             }

@@ -32,7 +32,10 @@ fn masses_that_leave_no_digit_are_refused() {
     let lost = |sum: &str, mass: &str, found: StepError| {
         let expected =
             format!("coordinates in which no digit of {sum} is left beside {mass}; let heavy bodies come first");
-        assert!(matches!(found, StepError::OutsideDomain { what, .. } if what == expected), "{found}");
+        assert!(
+            matches!(found, StepError { failure: Failure::OutsideDomain { what }, .. } if what == expected),
+            "{found}"
+        );
     };
     for m in [[1e-17, 1.0, 0.1], [-1e-30, 1.0, 1e-30]] {
         lost("m[0]", "m[1]", refused(WisdomHolman, m));
@@ -43,7 +46,10 @@ fn masses_that_leave_no_digit_are_refused() {
     lost("m[2] + (m[0] + m[1])", "m[2]", refused(Saba2Gradient, [0.1, 0.2, -0.1 - 0.2]));
     // If the energy is undefined, the error says so.
     let zero = refused(WisdomHolman, [0.0, 1.0, 1.0]);
-    assert!(matches!(zero, StepError::OutsideDomain { what: "division by zero: m[0]", .. }), "{zero}");
+    assert!(
+        matches!(zero, StepError { failure: Failure::OutsideDomain { what: "division by zero: m[0]" }, .. }),
+        "{zero}"
+    );
 }
 
 /// Negative masses, and a first body that is much lighter than others. The loss of digits is proportional to the mass ratio.
@@ -73,7 +79,10 @@ fn orbits_without_end() {
     for h in [1e17, -1e18, 1e100] {
         let mut sim = system.integrator(WisdomHolman, h, start);
         let refused = sim.step().expect_err("no digit is known");
-        assert!(matches!(refused, StepError::Pole { piece: "Kepler's motion of q[1]", .. }), "h = {h}: {refused}");
+        assert!(
+            matches!(refused, StepError { failure: Failure::Pole { piece: "Kepler's motion of q[1]" }, .. }),
+            "h = {h}: {refused}"
+        );
         assert_eq!(sim.state(), start);
     }
     let mut sim = system.integrator(WisdomHolman, 1e12, start);
@@ -88,7 +97,10 @@ fn a_collision_is_named_by_its_piece() {
     let mut sim = system.integrator(WisdomHolman, 0.05, rest);
     let refused = sim.advance(100);
     let expected = "Kepler's motion of q[1]";
-    assert!(matches!(refused, Err(StepError::Pole { piece, .. }) if piece == expected), "{refused:?}");
+    assert!(
+        matches!(refused, Err(StepError { failure: Failure::Pole { piece }, .. }) if piece == expected),
+        "{refused:?}"
+    );
     assert_eq!(sim.steps(), 22);
     assert!(sim.state().q[1][0].is_finite() && sim.state().q[1][0] < 0.1);
 }

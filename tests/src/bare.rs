@@ -5,7 +5,7 @@
 
 use crate::scalars::Scalar;
 use crate::scene::{Scene, flat, point};
-use geoint_runtime::method::{Effort, Observer, Probe, Refusal, Step};
+use geoint_runtime::method::{Effort, Failure, Observer, Probe, Step};
 use geoint_runtime::space::{Plain, Point, Snapshot};
 use geoint_runtime::{Method, PhaseSpace, Real};
 
@@ -57,7 +57,7 @@ impl<P: Scene, M: Method<P::Over<R>, R>, R: Scalar> Bare<P, M, R> {
     /// # Errors
     /// Fails if the step has no result.
     #[inline(never)]
-    pub fn step(&mut self) -> Result<(), Refusal> {
+    pub fn step(&mut self) -> Result<(), Failure> {
         let [t, end] = [self.steps, self.steps + 1].map(|n| self.at(n));
         let step = Step { system: &self.system, t, end, x: &mut self.x, probe: &mut self.evaluations };
         M::step(&self.prepared, &mut self.memory, step)?;
@@ -69,7 +69,7 @@ impl<P: Scene, M: Method<P::Over<R>, R>, R: Scalar> Bare<P, M, R> {
     ///
     /// # Errors
     /// Fails if a step has no result.
-    pub fn advance(&mut self, steps: u64) -> Result<(), Refusal> {
+    pub fn advance(&mut self, steps: u64) -> Result<(), Failure> {
         (0..steps).try_for_each(|_| self.step())
     }
 

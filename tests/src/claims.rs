@@ -7,7 +7,7 @@ use crate::measure::{error, form_defect, observed_order, solutions, symmetry_def
 use crate::problems::{HenonHeiles, Problem};
 use crate::scalars::{Double, Dual};
 use crate::scene::Scene;
-use geoint_runtime::method::{Refusal, Visitor};
+use geoint_runtime::method::{Failure, Visitor};
 use geoint_runtime::{Claims, Method};
 use std::marker::PhantomData;
 
@@ -104,7 +104,7 @@ impl<P: Scene> Geometry<P> {
     /// If the method claims the property, the defect must be at most `tolerance`. If not, and the order is at most 2, the method is a control
     /// and the defect must exceed [`CONTROL_DEFECT`]. A method of higher order without the claim passes with any defect, because it may be
     /// close to the exact flow, which has the property.
-    fn judge(&mut self, name: &str, order: u32, claimed: bool, defect: Result<f64, Refusal>, tolerance: f64) {
+    fn judge(&mut self, name: &str, order: u32, claimed: bool, defect: Result<f64, Failure>, tolerance: f64) {
         let control = !claimed && order <= 2;
         self.controls += usize::from(control);
         let good =

@@ -4,7 +4,7 @@ use crate::bare::Bare;
 use crate::problems::flat;
 use crate::scalars::{Double, Dual, Scalar};
 use crate::scene::Scene;
-use geoint_runtime::method::Refusal;
+use geoint_runtime::method::Failure;
 use geoint_runtime::space::Array;
 use geoint_runtime::{Hamiltonian, Method, State};
 
@@ -161,7 +161,7 @@ pub fn error<P: Scene, M: Method<P::Over<Double>, Double>>(
     duration: f64,
     n: u64,
     solutions: &[Vec<Double>],
-) -> Result<f64, Refusal> {
+) -> Result<f64, Failure> {
     let h = Double::from(duration) / n as f64;
     let (start, x) = P::start();
     let x: Vec<Double> = x.into_iter().map(Double::from).collect();
@@ -182,7 +182,7 @@ pub fn error<P: Scene, M: Method<P::Over<Double>, Double>>(
 }
 
 /// Returns the defect of the form of a scene after `steps` steps. Each direction in which the start may move takes one run in dual numbers.
-pub fn form_defect<P: Scene, M: Method<P::Over<Dual>, Dual>>(method: M, h: f64, steps: u64) -> Result<f64, Refusal> {
+pub fn form_defect<P: Scene, M: Method<P::Over<Dual>, Dual>>(method: M, h: f64, steps: u64) -> Result<f64, Failure> {
     let (start, before) = P::start();
     let directions = P::directions();
     let (mut after, mut images) = (vec![], vec![]);
@@ -201,7 +201,7 @@ pub fn form_defect<P: Scene, M: Method<P::Over<Dual>, Dual>>(method: M, h: f64, 
 /// |Φ(−h)ⁿ ∘ Φ(h)ⁿ − id|, relative to the largest coordinate if that is above 1.
 ///
 /// After a first step: the scene starts at numbers of `f64`, which a method for constraints or bodies leads to where states of its scalar are.
-pub fn symmetry_defect<P, M, R>(method: M, h: f64, steps: u64) -> Result<f64, Refusal>
+pub fn symmetry_defect<P, M, R>(method: M, h: f64, steps: u64) -> Result<f64, Failure>
 where
     P: Scene,
     M: Method<P::Over<R>, R>,

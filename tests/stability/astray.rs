@@ -82,7 +82,7 @@ fn a_step_that_is_led_astray_is_refused() {
 fn the_refusal_has_a_name() {
     let start = State::new(2.0, 0.0);
     let mut sim = Swing { m: 1.3 }.integrator(Projection(RK4, Energy), 6.0, start);
-    assert!(matches!(sim.step(), Err(StepError::LedAstray { t: 0.0 })), "{:?}", sim.state());
+    assert!(matches!(sim.step(), Err(StepError { t: 0.0, failure: Failure::LedAstray, .. })), "{:?}", sim.state());
     assert_eq!(sim.state(), start);
     let mut sim = Swing { m: 1.3 }.integrator(Projection(RK4, Energy), 0.5, start);
     sim.step().expect("a shorter step");

@@ -5,6 +5,7 @@ mod accepted;
 mod adaptive;
 mod by_value;
 mod refusals;
+mod failures;
 mod poles;
 mod poles_in_time;
 mod walls;

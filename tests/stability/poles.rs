@@ -2,7 +2,7 @@
 //! other sign. If the motion can avoid the pole, a shorter step succeeds.
 
 use geoint_runtime::prelude::*;
-use geoint_runtime::{Hamiltonian, Method, Reason};
+use geoint_runtime::{Failure, Hamiltonian, Method};
 use geoint_tests::grid::pairs;
 
 /// Calls a check with every method whose equation contains the energy.
@@ -64,9 +64,9 @@ where
         let mut sim = system.integrator(method, h, start);
         let energy = sim.energy();
         let (mut good, mut nearest) = (start, start.q);
-        let reason = loop {
-            if let Err(reason) = sim.step() {
-                break Some(reason);
+        let error = loop {
+            if let Err(error) = sim.step() {
+                break Some(error);
             }
             good = sim.state();
             assert!(good.q > 0.0, "{}: {good:?}", context());
@@ -80,17 +80,17 @@ where
             }
         };
         assert_eq!(sim.state(), good, "{}", context());
-        match reason {
-            Some(StepError::OutsideDomain { what, .. }) => {
-                // The reason may also be the boundary itself.
+        match error {
+            Some(StepError { failure: Failure::OutsideDomain { what }, .. }) => {
+                // The cause may also be the boundary itself.
                 let named = expected.rsplit(": ").next().is_some_and(|term| what.ends_with(term));
                 assert!(what.contains(expected) || named, "{}: {what}", context());
                 seen |= what.contains(expected);
                 let mut bulk = system.integrator(method, h, start);
-                assert_eq!((bulk.advance(40).err(), bulk.state()), (reason, good), "{}", context());
+                assert_eq!((bulk.advance(40).err(), bulk.state()), (error, good), "{}", context());
             }
-            None | Some(StepError::Singular { .. } | StepError::NotConverged { .. }) => {}
-            Some(reason) => panic!("{}: {reason}", context()),
+            None | Some(StepError { failure: Failure::Singular | Failure::NotConverged { .. }, .. }) => {}
+            Some(error) => panic!("{}: {error}", context()),
         }
     }
     assert!(seen, "{expected}, {name}: never refused for that reason");
@@ -103,24 +103,23 @@ where
 {
     let mut sim = system.adaptive(method, 1e-5, State::new(1.0, -3.0)).first_step(1.0).steps_between(1e-4, 1.0);
     let (energy, mut good) = (sim.energy(), sim.state());
-    let reason = loop {
+    let failure = loop {
         match sim.step() {
             Ok(()) => good = sim.state(),
-            Err(StepError::StepTooSmall { h, reason, .. }) => {
-                assert!(h <= 1e-4, "{expected}, {name}: {h}");
-                break reason;
+            Err(error) => {
+                assert!(error.is_shortest() && error.h <= 1e-4, "{expected}, {name}: {error}");
+                break error.failure;
             }
-            Err(error) => panic!("{expected}, {name}: {error}"),
         }
         let error = (sim.energy() - energy).abs() / (1.0 + energy.abs());
         assert!(good.q > 0.0 && error < 2e-2, "{expected}, {name}: {good:?} {error:.1e}");
         assert!(sim.time() < 3.0, "{expected}, {name}: still there, {good:?}");
     };
     assert!(sim.rejections() > 0 && sim.state() == good, "{expected}, {name}");
-    match reason {
-        Reason::OutsideDomain { what } => assert!(what.contains(expected), "{expected}, {name}: {what}"),
-        Reason::Inaccurate { .. } | Reason::Singular | Reason::NotConverged => {}
-        reason => panic!("{expected}, {name}: {reason}"),
+    match failure {
+        Failure::OutsideDomain { what } => assert!(what.contains(expected), "{expected}, {name}: {what}"),
+        Failure::Inaccurate { .. } | Failure::Singular | Failure::NotConverged { .. } => {}
+        failure => panic!("{expected}, {name}: {failure}"),
     }
 }
 
@@ -184,7 +183,10 @@ fn a_small_correction_at_a_wall_is_no_solution() {
     let away = State::new(0.999_999_999_980_199, -6.266_666_666_723_87);
     let system = BetweenWalls { m: 1.3, k: 0.4 };
     let refused = system.integrator(DiscreteGradient, 0.9, away).step();
-    assert!(matches!(refused, Err(StepError::OutsideDomain { .. } | StepError::NotConverged { .. })), "{refused:?}");
+    assert!(
+        matches!(refused, Err(StepError { failure: Failure::OutsideDomain { .. } | Failure::NotConverged { .. }, .. })),
+        "{refused:?}"
+    );
     // The run in which the fault occurred.
     let mut sim = system.integrator(DiscreteGradient, 0.9, State::new(0.4, 8.0));
     sim.step().unwrap();

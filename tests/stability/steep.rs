@@ -172,7 +172,7 @@ fn refused_by_name() {
     for h in [2.0, 3.0] {
         let mut sim = system.integrator(DiscreteGradient, h, FlowState::new([0.0, 1.0]));
         let error = (0..30).find_map(|_| sim.step().err()).expect("a refusal");
-        assert!(matches!(error, StepError::Rounded { .. }), "{error}");
+        assert!(matches!(error, StepError { failure: Failure::Rounded, .. }), "{error}");
         let mut adaptive = system.adaptive(DiscreteGradient, 1e-6, sim.state());
         adaptive.advance_to(sim.time() + h).expect("shorter steps");
         sim.set_step_size(h / 16.0);

@@ -4,7 +4,7 @@ use geoint_runtime::method::implicit::SolvedBy;
 use geoint_runtime::prelude::*;
 use geoint_runtime::scalar::Real;
 use geoint_runtime::system::{DiscreteField, StateOf};
-use geoint_runtime::{Autonomous, Hamiltonian, Method, PhaseSpace, Reason};
+use geoint_runtime::{Autonomous, Failure, Hamiltonian, Method, PhaseSpace};
 use geoint_tests::grid::pairs;
 use geoint_tests::methods::{self, Visitor};
 
@@ -64,7 +64,7 @@ impl<S: Hamiltonian<Coordinates = f64>> Visitor<S, f64> for Kept<S> {
                 assert!(error < self.rounding, "{name}: {error:.1e} at {:?}, h = {h} from {start:?}", sim.state());
             }
             self.taken += u32::try_from(sim.steps()).unwrap();
-            let refused = matches!(outcome, Err(StepError::OutsideDomain { .. }));
+            let refused = matches!(outcome, Err(StepError { failure: Failure::OutsideDomain { .. }, .. }));
             assert!(!(self.smooth && refused), "{name}: {outcome:?}, h = {h} from {start:?}");
             let mut bulk = self.system.integrator(method, h, start);
             // Compares texts, because a NaN in a correction is not equal to itself.
@@ -176,7 +176,7 @@ fn steps_to_a_tolerance_end_where_the_energy_jumps() {
         // The particle flies 2.2 lengths with a velocity of 1/1.3.
         let there = 2.2 * 1.3 * time;
         let end = |outcome: Result<(), StepError>, state: State<[f64; 2]>| {
-            let Err(StepError::StepTooSmall { reason: Reason::OutsideDomain { what }, .. }) = outcome else {
+            let Err(StepError { failure: Failure::OutsideDomain { what }, .. }) = outcome else {
                 panic!("{outcome:?} at {state:?}")
             };
             assert!(what.starts_with("the energy jumps where a condition changes, by -k"), "{what}");
@@ -200,7 +200,7 @@ fn steps_to_a_tolerance_end_where_the_energy_jumps() {
     while outcome.is_ok() && sim.state().t < 10.0 {
         outcome = sim.step();
     }
-    assert!(matches!(outcome, Err(StepError::OutsideDomain { .. })), "{outcome:?}");
+    assert!(matches!(outcome, Err(StepError { failure: Failure::OutsideDomain { .. }, .. })), "{outcome:?}");
     assert!(Well::<f64>::REPORT.contains("Jumps\n- H may jump where q[0]² + q[1]² = r²"), "{}", Well::<f64>::REPORT);
 }
 
@@ -223,7 +223,7 @@ fn steps_of_one_length_end_where_the_energy_jumps() {
         let run = || Integrator::new(system, method, h, start);
         let (mut bulk, mut singly) = (run(), run());
         let outcome = bulk.advance(5000);
-        let Err(StepError::OutsideDomain { what, .. }) = outcome else {
+        let Err(StepError { failure: Failure::OutsideDomain { what }, .. }) = outcome else {
             panic!("{name}: {outcome:?} at {:?}", bulk.state())
         };
         assert!(what.starts_with("the energy jumps where a condition changes, by -k"), "{name}: {what}");
@@ -249,9 +249,17 @@ fn steps_of_one_length_end_where_the_energy_jumps() {
             ends(system, DOP853, h, start, there);
         }
         let mut back = system.integrator(RK4, -0.01 * time, State { p: [-momentum, 0.0], ..start });
-        assert!(matches!(back.advance(5000), Err(StepError::OutsideDomain { .. })), "{:?}", back.state());
+        assert!(
+            matches!(back.advance(5000), Err(StepError { failure: Failure::OutsideDomain { .. }, .. })),
+            "{:?}",
+            back.state()
+        );
         let mut summed = system.integrator(StormerVerlet, 0.01 * time, start).compensated();
-        assert!(matches!(summed.advance(5000), Err(StepError::OutsideDomain { .. })), "{:?}", summed.state());
+        assert!(
+            matches!(summed.advance(5000), Err(StepError { failure: Failure::OutsideDomain { .. }, .. })),
+            "{:?}",
+            summed.state()
+        );
         // Controls: a run beside the well, and methods that keep the energy.
         let beside = State::new([-3.0 * length, 1.1 * length], [momentum, 0.0]);
         system.integrator(StormerVerlet, 0.01 * time, beside).advance(5000).unwrap_or_else(|error| panic!("{error}"));
@@ -297,7 +305,10 @@ fn well_with_friction(q: f64, p: f64, s: f64, k: f64, g: f64) -> f64 {
 fn contact_steps_end_where_the_energy_jumps() {
     let (system, start) = (WellWithFriction { k: 0.4, g: 0.1 }, ContactState::new(-3.0, 2.0, 0.0));
     fn ends(outcome: Result<(), StepError>, state: ContactState<f64>) {
-        assert!(matches!(outcome, Err(StepError::OutsideDomain { .. })), "{outcome:?} {state:?}");
+        assert!(
+            matches!(outcome, Err(StepError { failure: Failure::OutsideDomain { .. }, .. })),
+            "{outcome:?} {state:?}"
+        );
         assert!(state.q < -1.0 && state.q > -1.03, "{state:?}");
     }
     let mut split = system.integrator(ContactSplitting, 0.01, start);

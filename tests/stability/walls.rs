@@ -103,7 +103,7 @@ impl<S: Hamiltonian<Coordinates = f64>> Visitor<S, f64> for Stay<S> {
                 assert!(stays, "{}, {name}: {q} in step {steps} of {h} from {start:?}", self.wall);
                 steps += 1;
             }
-            self.refused += u32::from(matches!(outcome, Err(StepError::OutsideDomain { .. })));
+            self.refused += u32::from(matches!(outcome, Err(StepError { failure: Failure::OutsideDomain { .. }, .. })));
             // `advance` gives the same result as single steps.
             let mut bulk = self.system.integrator(method, h, start);
             assert_eq!(

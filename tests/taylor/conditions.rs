@@ -1,6 +1,6 @@
 //! Conditions whose series end before the series of the coordinates, and long steps: a free body flies as far as requested.
 
-use geoint_runtime::Reason;
+use geoint_runtime::Failure;
 use geoint_runtime::prelude::*;
 
 /// A disc that repels, by the square of the distance.
@@ -88,7 +88,7 @@ fn friction(x: [f64; 2], a: f64, b: f64, c: f64) -> [f64; 2] {
 /// Far from zero, a step ends beside the condition, at the distance of the rounding of coordinates. Sliding is still refused.
 #[test]
 fn what_slides_far_from_zero_is_refused_too() {
-    let sliding = |outcome| matches!(outcome, Err(StepError::StepTooSmall { reason: Reason::Sliding, .. }));
+    let sliding = |outcome| matches!(outcome, Err(StepError { failure: Failure::Sliding, .. }));
     for c in [0.0, 1.0, -1e-3, 1e3, 1e6] {
         let (system, start) = (Friction { a: -0.1, b: 0.3, c }, FlowState::new([c + 1.0, 0.0]));
         let mut sim = system.taylor(Taylor::default(), start).steps_at_most(1000);

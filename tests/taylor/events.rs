@@ -94,7 +94,7 @@ fn an_end_just_behind_an_event() {
 fn zero_until_the_end() {
     every_run!(Oscillator, State::new(1.0, 0.0), 0.1, |sim| {
         let first = sim.crossings(Direction::Any, |s| s.q * 0.0).until(7.0).next();
-        assert!(matches!(first, Some(Err(StepError::NoEvent { .. }))), "{first:?}");
+        assert!(matches!(first, Some(Err(StepError { failure: Failure::NoEvent, .. }))), "{first:?}");
         assert!((6.8..=7.0).contains(&sim.time()), "{}", sim.time());
         // One of two functions is zero, and the search reports events of the other.
         let before = sim.time();
@@ -122,7 +122,7 @@ fn what_has_no_events_moves_nothing() {
                 sim.until_event(to, Direction::Any, |s| ((s.t - before.t) * -sign + 2.0).sqrt() + 1.0),
             ];
             for error in errors {
-                assert!(matches!(error, Err(StepError::NoEvent { .. })), "{error:?}");
+                assert!(matches!(error, Err(StepError { failure: Failure::NoEvent, .. })), "{error:?}");
             }
             assert_eq!((sim.state(), sim.steps()), (before, steps));
             // The run continues as without the searches.

@@ -2,7 +2,7 @@
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::Jets;
-use geoint_runtime::{Reason, TaylorIntegrator};
+use geoint_runtime::{Failure, TaylorIntegrator};
 
 macro_rules! potentials {
     ($($name:ident($q:ident): $potential:expr;)*) => { $(
@@ -31,11 +31,8 @@ fn is_refused<S: Jets<State = State<f64>> + Copy, const P: usize>(name: &str, sy
             let start = State::new(1.0, p);
             let mut sim = TaylorIntegrator::new(system, TaylorFixed::<P> { h }, start);
             let error = sim.advance_to(5.0 * f64::signum(h)).expect_err(name);
-            let is_named = matches!(
-                error,
-                StepError::StepTooSmall { reason: Reason::Diverges | Reason::OutsideDomain { .. }, .. }
-                    | StepError::OutsideDomain { .. }
-            );
+            let is_named =
+                matches!(error, StepError { failure: Failure::Diverges | Failure::OutsideDomain { .. }, .. });
             let here = sim.state();
             assert!(is_named && here.q.abs() < 0.6, "{name}, order {P}, {h}: {error}, {here:?}");
             assert!(sim.step().is_err() && sim.state() == here, "{name}, order {P}, {h}");

@@ -36,7 +36,7 @@ fn with_constraints() {
     // A state set by the user must fulfil all conditions.
     let mut sim = Rod.integrator(DiscreteGradient, 0.01, start);
     sim.set_state(State::new([1.0, 0.0], [0.1, 0.5]));
-    assert!(matches!(sim.step(), Err(StepError::OffConstraint { .. })));
+    assert!(matches!(sim.step(), Err(StepError { failure: Failure::OffConstraint { .. }, .. })));
 }
 
 /// States within a step are close to the states at its ends, including momenta, at any small distance.

@@ -57,7 +57,7 @@ fn projected_series() {
     }
     // A tolerance of zero is refused.
     let bad = system.taylor(Projection(Taylor { tolerance: 0.0 }, Energy), start).step();
-    assert!(matches!(bad, Err(StepError::InvalidTolerance { .. })));
+    assert!(matches!(bad, Err(StepError { failure: Failure::InvalidTolerance { .. }, .. })));
 }
 
 /// Projected steps do not drift: each is led back to the energy at the start of the run. A projection from step to step would add up to 10⁻¹³ of rounding.

@@ -1,6 +1,6 @@
 //! Runs that meet a condition again and again. Runs that come to rest at it, or bounce ever lower, are refused. Other runs continue.
 
-use geoint_runtime::Reason;
+use geoint_runtime::Failure;
 use geoint_runtime::prelude::*;
 
 /// A wedge at c.
@@ -43,7 +43,7 @@ fn beside(q: [f64; 2], p: [f64; 2], k: f64) -> f64 {
 }
 
 fn slides(outcome: &Result<(), StepError>) -> bool {
-    matches!(outcome, Err(StepError::StepTooSmall { reason: Reason::Sliding, .. }))
+    matches!(outcome, Err(StepError { failure: Failure::Sliding, .. }))
 }
 
 /// A body rests at the minimum, in three unit systems, at nonzero times, and at places away from zero.

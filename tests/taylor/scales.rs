@@ -47,13 +47,13 @@ fn time_ends() {
     for (g, state) in [(0.0, State::new(1.0, 0.0)), (0.0, State::new(1.0, 0.1)), (0.0, State::new(1.0, 1e-300))] {
         let mut sim = FreeFall { g }.taylor(Taylor::default(), state);
         let error = (0..5000).find_map(|_| sim.step().err()).unwrap();
-        assert!(matches!(error, StepError::StepTooSmall { .. }), "{error}");
+        assert!(error.is_shortest(), "{error}");
         assert!(sim.time() > 1e308 && sim.time().is_finite() && sim.state().q.is_finite(), "{:?}", sim.state());
     }
     // A search without an end stops with the same error.
     let mut sim = FreeFall { g: 0.0 }.taylor(Taylor::default(), State::new(1.0, 0.0));
     let found = sim.crossings(Direction::Any, |state| state.q - 2.0).next();
-    assert!(matches!(found, Some(Err(StepError::StepTooSmall { .. }))), "{found:?}");
+    assert!(matches!(found, Some(Err(error)) if error.is_shortest()), "{found:?}");
     #[hamiltonian]
     fn single(q: f32, p: f32) -> f32 {
         p * p / 2.0 + 0.0 * q

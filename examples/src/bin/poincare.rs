@@ -40,7 +40,7 @@ fn section(start: State<[f64; 2]>) -> Result<Section, StepError> {
     for crossing in sim.crossings(Direction::Up, |state| state.q[0]).take(POINTS) {
         let state = match crossing {
             // Above E = 1/6 orbits escape to infinity in a finite time.
-            Err(StepError::StepTooSmall { .. }) => break,
+            Err(error) if error.is_shortest() => break,
             found => found?.state,
         };
         section.points.push((state.q[1], state.p[1]));

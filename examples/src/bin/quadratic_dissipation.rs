@@ -41,7 +41,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     // The flow of s' = −a s²/2 has a pole after 2/(a|s|) = 0.1.
     let mut sim = Quadratic { a: 1.0 }.integrator(ContactSplitting, 0.2, ContactState::new(0.5, 0.5, -20.0));
     let refused = sim.step();
-    claim("a step over the pole of its quotient is refused", matches!(refused, Err(StepError::Pole { .. })))?;
+    claim(
+        "a step over the pole of its quotient is refused",
+        matches!(refused, Err(StepError { failure: Failure::Pole { .. }, .. })),
+    )?;
     println!("  {}", refused.err().map_or_else(String::new, |error| error.to_string()));
 
     let colours = [(0.1, palette::BLUE), (0.5, palette::GREEN), (1.0, palette::VERMILION)];

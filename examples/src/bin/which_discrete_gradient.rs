@@ -111,7 +111,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             after(CoordinateIncrement::default(), 10)?;
             after(CoordinateIncrement::default(), 40)?;
             // The step from t = 0.2 to 0.3 contains this place.
-            turns && matches!(refused, Some(StepError::NotConverged { t: 0.2, .. }))
+            turns && matches!(refused, Some(StepError { t: 0.2, failure: Failure::NotConverged { .. }, .. }))
         },
     )?;
     let ratio = find("Projection(RK4, Energy)")?.errors()[1] / find("FourthOrder(MeanValue::<2>)")?.errors()[1];

@@ -115,6 +115,6 @@
 //! # Ok::<(), StepError>(())
 //! ```
 //! Errors: an argument of the wrong attribute does not compile, and the message names the right one. A step with a negative coefficient in
-//! `damping` or `rayleigh` returns [`OutsideDomain`](crate::StepError::OutsideDomain).
+//! `damping` or `rayleigh` returns [`OutsideDomain`](crate::Failure::OutsideDomain).
 //!
 //! Next: [which method](super::_03_which_method), [friction, heat, driving](super::_08_friction), [Lagrangians](super::_10_mechanisms).

@@ -114,7 +114,7 @@
 //!
 //! # Limits
 //!
-//! The report does not list poles, such as 1/q at q = 0. An implicit step that would cross a pole returns [`StepError::Pole`](crate::StepError::Pole)
+//! The report does not list poles, such as 1/q at q = 0. An implicit step that would cross a pole fails with [`Failure::Pole`](crate::Failure::Pole)
 //! with the term. Long formulas are cut and end with `…`. To make a line a condition of the build, write `#[hamiltonian(require(separable))]`.
 //!
 //! Next: [a run in practice](super::_06_runs) and [which method](super::_03_which_method).

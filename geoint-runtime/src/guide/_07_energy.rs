@@ -109,9 +109,9 @@
 //!
 //! # Refused steps and limits
 //!
-//! - [`NotConverged`](crate::StepError::NotConverged), [`Singular`](crate::StepError::Singular): the step is far too large, or the energy jumps.
+//! - [`NotConverged`](crate::Failure::NotConverged), [`Singular`](crate::Failure::Singular): the step is far too large, or the energy jumps.
 //!   A pendulum with a period of 2.7 s takes 10 000 steps of 1 s with `DiscreteGradient`. Steps of 3 s end with `Singular` after eight.
-//! - [`LedAstray`](crate::StepError::LedAstray): a projection would correct more than half of the step.
+//! - [`LedAstray`](crate::Failure::LedAstray): a projection would correct more than half of the step.
 //! - After each of these errors, the state is the last good state. Halve the step size with `set_step_size` and continue.
 //! - An energy that reads `t` is not constant: `DiscreteGradient` runs, and `Projection` does not compile. Rigid bodies (`attitude = r`) have no
 //!   discrete gradient.

@@ -113,8 +113,8 @@
 //! # Errors and limits
 //! - Splittings do not compile with `damping`, `rayleigh` or `force`. Dry friction −c sign(v) has no model of sticking: smooth it, see
 //!   [mechanisms](super::_10_mechanisms).
-//! - [`OutsideDomain`](crate::StepError::OutsideDomain): C or R feeds energy. [`Pole`](crate::StepError::Pole): the exact flow of one part of H
+//! - [`OutsideDomain`](crate::Failure::OutsideDomain): C or R feeds energy. [`Pole`](crate::Failure::Pole): the exact flow of one part of H
 //!   reaches infinity within the step. Remedy: a shorter step.
-//! - [`Singular`](crate::StepError::Singular): γh ≥ 2 with `ContactLeapfrog` or `ContactMidpoint`. Remedy: a shorter step, or `ContactSplitting`.
+//! - [`Singular`](crate::Failure::Singular): γh ≥ 2 with `ContactLeapfrog` or `ContactMidpoint`. Remedy: a shorter step, or `ContactSplitting`.
 //!
 //! Next: [mechanisms](super::_10_mechanisms), [fields with integrals](super::_11_fields).

@@ -113,7 +113,7 @@
 //! - Processed methods (`WisdomHolmanProcessed`, `WisdomHolmanGradient`) compute 12 kicks and 16 flows for each state that you read, and
 //!   an event search reads one in each step.
 //! - `OutsideDomain`: a mass is zero, or all bodies before a body together have less than 1e-16 of its mass: write the Sun first.
-//! - [`Pole`](crate::StepError::Pole): an orbit meets its focus.
+//! - [`Pole`](crate::Failure::Pole): an orbit meets its focus.
 //! - A planet's moon makes B large: take `BlanesMoanSrkn14a` or Taylor series.
 //! - Up to about 20 bodies in space compile. For more bodies, [write the system by hand](super::_14_by_hand).
 //!

@@ -104,16 +104,16 @@
 //! let system = Oscillator { m: 1.0, c: 1.0, k: 1.0 };
 //! system.integrator(BlanesMoan4, 0.1, system.at(0.0, 0.9)).advance(1000)?;
 //! let too_fast = system.integrator(BlanesMoan4, 0.1, system.at(0.0, 1.1)).step();
-//! assert!(matches!(too_fast, Err(StepError::NoMomentum { .. })));
+//! assert!(matches!(too_fast, Err(StepError { failure: Failure::NoMomentum, .. })));
 //! # Ok::<(), StepError>(())
 //! ```
 //! # Errors and limits
 //! - A mass matrix that is singular at every state is a compile error. The message names a velocity without kinetic energy.
-//! - A singular mass matrix on the way of a step, as at the pole of spherical angles: [`OutsideDomain`](crate::StepError::OutsideDomain).
-//! - A start off a constraint: [`OffConstraint`](crate::StepError::OffConstraint). `state_on_constraint` returns the nearest valid state.
-//! - A dead point, where all bars lie in one line and two motions are possible: [`DependentConstraints`](crate::StepError::DependentConstraints) or
+//! - A singular mass matrix on the way of a step, as at the pole of spherical angles: [`OutsideDomain`](crate::Failure::OutsideDomain).
+//! - A start off a constraint: [`OffConstraint`](crate::Failure::OffConstraint). `state_on_constraint` returns the nearest valid state.
+//! - A dead point, where all bars lie in one line and two motions are possible: [`DependentConstraints`](crate::Failure::DependentConstraints) or
 //!   `Singular`.
-//! - A velocity outside the domain of L, such as v > c, or one that its momentum does not determine: [`NoMomentum`](crate::StepError::NoMomentum).
+//! - A velocity outside the domain of L, such as v > c, or one that its momentum does not determine: [`NoMomentum`](crate::Failure::NoMomentum).
 //! - Constraints depend on q and parameters only, not on t. With constraints, `force`, adaptive runs and explicit methods do not compile.
 //! - In an open chain, put a prescribed motion q(t) into L. Write rolling without slip as a [`#[vector_field]`](super::_11_fields) with multipliers.
 //!

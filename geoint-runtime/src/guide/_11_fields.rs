@@ -115,6 +115,6 @@
 //! - A function that is not constant is a compile error. The message shows the remainder of f·∇I, for instance `2·x[0]·x[1]·x[2]·b − …`.
 //! - A true integral without a proof is a compile error, too. `keeps(assume(name = I))` accepts it, and the report marks it as assumed.
 //! - Parallel gradients of two integrals, as in a rotation about a principal axis or on a circular orbit, give
-//!   [`Singular`](crate::StepError::Singular). Use `Projection(RK4, Integrals)`.
+//!   [`Singular`](crate::Failure::Singular). Use `Projection(RK4, Integrals)`.
 //!
 //! Next: [events](super::_12_events), [errors](super::_16_errors), [evidence](super::_17_evidence), [limits](super::_18_limits).

@@ -91,7 +91,7 @@
 //! assert!((sim.time() - 1.2).abs() < 1e-12);
 //! let late: Result<Vec<f64>, StepError> = sim.sampled_at([1.25, 1.9]).map(|state| Ok(state?.t)).collect();
 //! assert_eq!(late?, [1.25, 1.9]);
-//! assert_eq!(sim.sampled_at([1.0]).next(), Some(Err(StepError::TimePassed { t: 1.0 })));
+//! assert_eq!(sim.sampled_at([1.0]).next(), Some(Err(StepError::new(Failure::TimePassed, 1.0, 0.0))));
 //! assert!(sim.until_event(2.5, Direction::Up, |state| state.q - 5.0)?.is_none());
 //! assert_eq!(sim.time(), 2.5); // An event search ends exactly at its time.
 //! # Ok::<(), StepError>(())
@@ -114,7 +114,7 @@
 //! - If `g` oscillates faster than the steps, use shorter steps or a Taylor run. For `sin(40 q)`, q must change by less than π/40 in a step.
 //! - In a Taylor run, `g` computes with power series in place of numbers: `+ − × ÷`, `sqrt`, `sin` and others, but no `norm`, `if` or comparison.
 //!   Write a distance by the squares of its components.
-//! - Poles of `g` are no events. A `g` that is not finite, or is zero for more than a step, is the error [`NoEvent`](crate::StepError::NoEvent).
+//! - Poles of `g` are no events. A `g` that is not finite, or is zero for more than a step, is the error [`NoEvent`](crate::Failure::NoEvent).
 //! - A condition inside the energy (`if`, `abs`, `min`) needs no event: see [the language of energies](super::_04_language).
 //!
 //! Next: [games and real time](super::_13_real_time), [a run in practice](super::_06_runs), [which method](super::_03_which_method).

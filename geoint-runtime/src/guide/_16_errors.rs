@@ -88,9 +88,10 @@
 //!
 //! # When it runs
 //!
-//! `step` returns a [`StepError`](crate::StepError). The run still holds the last good state. Change the step, the state or the system, and go on.
+//! `step` returns a [`StepError`](crate::StepError): the time `t`, the length `h` of the step, and the [`failure`](crate::Failure). The run still holds the last
+//! good state. Change the step, the state or the system, and go on. `error.is_shortest()` tells that an adaptive run has tried shorter steps already.
 //!
-//! | error | meaning | remedy |
+//! | `failure` | meaning | remedy |
 //! |---|---|---|
 //! | `InvalidParameter` | a parameter of the system is not a number | set it; the message has its name |
 //! | `NonFiniteState`, `InvalidStepSize`, `NotNormalised`, … | an input is not finite, or a quaternion not of length 1 | check it; `r.renormalize()` |
@@ -102,7 +103,7 @@
 //! | `Singular` | several solutions: long step, dead point of a linkage, parallel gradients of integrals | shorten the step; start elsewhere; `Projection(RK4, Integrals)` |
 //! | `LedAstray`, `Rounded` | a correction exceeds half of the step, or rounding changes an invariant | shorten the step; take other units |
 //! | `OutOfRange` | a value is too small or too large for `f32` or `f64` | take other units, or `f64` |
-//! | `StepTooSmall`, `TooManySteps` | an adaptive run or a Taylor series cannot go on | read its `reason`: a collision, a jump; raise `steps_at_most` |
+//! | `Inaccurate`, `Diverges`, `NoRates`, `Sliding`, `TooManySteps` | an adaptive run or a Taylor series cannot go on: a collision, a jump | stop there; shorten the shortest step; raise `steps_at_most` |
 //! | `NoEvent`, `TimePassed` | the event function is zero all along or not a number; the time lies behind the run | change the function, or the time |
 //!
 //! Next: [limits](super::_18_limits), [a run in practice](super::_06_runs).

@@ -23,7 +23,7 @@
 //! #   assert!((missed.state().p - 1.0).abs() < 1e-9 && missed.steps() < 10);
 //! #   assert!((found.state().p - expected).abs() < 1e-10);
 //! #   let mut short = system.adaptive(DOP853, 1e-9, start).longest_step(1e-3).steps_at_most(100);
-//! #   assert!(matches!(short.advance_to(10.0), Err(StepError::TooManySteps { .. })));
+//! #   assert!(matches!(short.advance_to(10.0), Err(StepError { failure: Failure::TooManySteps { .. }, .. })));
 //!     Ok(())
 //! }
 //! ```
@@ -74,7 +74,7 @@
 //!   decay as an oscillation. High gains of a controller and strong friction need small steps, or friction by `damping`.
 //! - Long runs: the position error of a symplectic method grows in proportion to time.
 //! - Chaotic orbits: every method loses digits exponentially. Statistics and the energy remain meaningful.
-//! - A step that is much too long for an implicit equation is refused, for instance with [`NotConverged`](crate::StepError::NotConverged).
+//! - A step that is much too long for an implicit equation is refused, for instance with [`NotConverged`](crate::Failure::NotConverged).
 //!
 //! ```
 //! use geoint_runtime::prelude::*;

@@ -29,7 +29,7 @@
 use crate::method::flows::perturbed::Perturbation;
 use crate::method::flows::{PositionVerlet, Splitting, StormerVerlet};
 use crate::method::tables::total::adds_up;
-use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
+use crate::method::{Claims, Failure, Method, Name, Probe, Step};
 use crate::scalar::Real;
 use crate::space::{Array, Summation};
 use crate::system::PhaseSpace;
@@ -202,7 +202,7 @@ impl<S: PhaseSpace<R>, R: Real, M: Method<S, R>, const K: usize> Method<S, R> fo
         prepared: &Self::Prepared,
         memory: &mut Self::Memory,
         mut step: Step<'_, S, R, C, P>,
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), Failure> {
         let [t, end] = [step.t, step.end];
         for (i, (substep, memory)) in prepared.iter().zip(memory).enumerate() {
             let after = |i: usize| prepared.get(i).map_or(end, |substep| t + substep.after);

@@ -19,7 +19,7 @@
 //! ```
 
 use crate::method::composition::substeps;
-use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
+use crate::method::{Claims, Failure, Method, Name, Probe, Step};
 use crate::scalar::Real;
 use crate::solving::linear;
 use crate::solving::size::Sizes;
@@ -68,7 +68,7 @@ impl<S: QuadraticField<R>, R: Real> Method<S, R> for Kahan {
         (constants, h): &Self::Prepared,
         (): &mut (),
         Step { system, t, x, probe, .. }: Step<'_, S, R, C, P>,
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), Failure> {
         let (zero, one, half) = (S::Unknown::zero(), R::from_f64(1.0), R::from_f64(0.5) * *h);
         probe.visit(t, &x.z, &());
         let (y, changed) = S::start(&x.z);
@@ -94,7 +94,7 @@ impl<S: QuadraticField<R>, R: Real> Method<S, R> for Kahan {
         sizes.include(&changed, &impulse);
         match linear::solve(&mut matrix, &mut impulse, &sizes) {
             Some(true) if impulse.is_finite() => {}
-            _ => return Err(Refusal::Singular),
+            _ => return Err(Failure::Singular),
         }
         let change = if S::EQUATION_ORDER.is_first() {
             impulse

@@ -28,7 +28,7 @@ pub use name::Name;
 pub use probe::{Probe, Unwatched};
 pub(crate) use probe::{check_conditions, check_end, check_poles, check_way, start};
 
-pub use crate::solving::{Effort, Observer, Refusal};
+pub use crate::solving::{Effort, Failure, Observer};
 
 use crate::scalar::Real;
 use crate::space::vector::difference;
@@ -173,7 +173,7 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
         prepared: &Self::Prepared,
         memory: &mut Self::Memory,
         step: Step<'_, S, R, C, P>,
-    ) -> Result<(), Refusal>;
+    ) -> Result<(), Failure>;
 
     /// Returns the order of the error estimate of [`estimated`](Self::estimated), or `None` for methods without an estimate.
     fn order_of_estimate(&self) -> Option<u32> {
@@ -188,7 +188,7 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
         _prepared: &Self::Prepared,
         _memory: &mut Self::Memory,
         _step: Step<'_, S, R, C, P>,
-    ) -> Option<Result<Estimate<S, R>, Refusal>> {
+    ) -> Option<Result<Estimate<S, R>, Failure>> {
         None
     }
 
@@ -204,7 +204,7 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
         clock: &Clock<R>,
         steps: u64,
         x: &mut Point<S::Phase, C, S::Action>,
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), Failure> {
         for i in 0..steps {
             let [t, end] = clock.ends(i, x.ahead.value());
             Self::step(prepared, memory, Step { system, t, end, x, probe: &mut Unwatched })?;
@@ -222,7 +222,7 @@ pub(crate) fn outer_step<S: PhaseSpace<R>, R: Real, M: Method<S, R>, C: Summatio
     prepared: &M::Prepared,
     memory: &mut M::Memory,
     Step { system, t, end, x, probe }: Step<'_, S, R, C, P>,
-) -> Result<(), Refusal> {
+) -> Result<(), Failure> {
     if !M::INNER {
         return M::step(prepared, memory, Step { system, t, end, x, probe });
     }

@@ -4,7 +4,7 @@
 
 use crate::method::Step;
 use crate::scalar::Real;
-use crate::solving::Refusal;
+use crate::solving::Failure;
 use crate::solving::{Effort, Observer};
 use crate::space::{Array, Point};
 use crate::system::{Ends, Evaluations, Known, PhaseSpace, Poles, jump_between};
@@ -53,9 +53,9 @@ pub(crate) fn check_end<S: PhaseSpace<R>, R: Real, C, P: Probe<S, R>>(
     poles: &Poles,
     before: &Start<S, R>,
     step: Step<'_, S, R, C, P>,
-) -> Result<(), Refusal> {
+) -> Result<(), Failure> {
     let x = &*step.x;
-    Refusal::outside(step.system.outside_domain(step.end, &x.z, &x.s))?;
+    Failure::outside(step.system.outside_domain(step.end, &x.z, &x.s))?;
     check_poles(poles, Evaluations::AtPoints, before, step)
 }
 
@@ -69,7 +69,7 @@ pub(crate) fn check_poles<S: PhaseSpace<R>, R: Real, C, P: Probe<S, R>>(
     evaluations: Evaluations,
     (z, s): &Start<S, R>,
     Step { system, t, end: later, x, .. }: Step<'_, S, R, C, P>,
-) -> Result<(), Refusal> {
+) -> Result<(), Failure> {
     let Point { z: end, s: end_s, needs_recheck, .. } = x;
     check_way::<S, R, P>(poles, evaluations, system, ([t, later], [z, end], [s, end_s]), needs_recheck)
 }
@@ -82,9 +82,9 @@ pub(crate) fn check_way<S: PhaseSpace<R>, R: Real, P: Probe<S, R>>(
     system: &S,
     ends: Ends<'_, S, R>,
     needs_recheck: &mut bool,
-) -> Result<(), Refusal> {
+) -> Result<(), Failure> {
     if P::EFFORT.is_thorough() || Known::<S, R>::SEARCHED {
-        return Refusal::outside(poles.between(system, evaluations, ends));
+        return Failure::outside(poles.between(system, evaluations, ends));
     }
     *needs_recheck |= !poles.is_clear(system, evaluations, ends);
     Ok(())
@@ -98,8 +98,8 @@ pub(crate) fn check_conditions<S: PhaseSpace<R, Action = ()>, R: Real, C>(
     t: R,
     z: &S::Phase,
     x: &Point<S::Phase, C>,
-) -> Result<(), Refusal> {
-    Refusal::outside(jump_between(system, t, [z, &x.z], [&(), &()]))
+) -> Result<(), Failure> {
+    Failure::outside(jump_between(system, t, [z, &x.z], [&(), &()]))
 }
 
 /// The start of a step: z and s.

@@ -2,6 +2,7 @@
 
 use super::{Integrator, StepError};
 use crate::method::Method;
+use crate::running::error::not_finite;
 use crate::scalar::{Real, signed};
 use crate::space::{Array, Snapshot, Summation};
 use crate::system::{Constrained, StateOf, projected};
@@ -16,15 +17,12 @@ pub fn state_on_constraint<S: Constrained<R>, R: Real>(
     state: &StateOf<S, R>,
 ) -> Result<StateOf<S, R>, StepError> {
     let (t, z, s) = state.parts();
-    let not_finite = Err(StepError::not_finite::<S, R>(t, &z));
-    if !z.is_finite() {
-        return not_finite;
+    let error = |failure| StepError::without_step(failure, signed(t));
+    let projected = if z.is_finite() { projected(system, t, &z).map_err(error)? } else { z };
+    if !projected.is_finite() {
+        return Err(error(not_finite::<S, R>(t, &z)));
     }
-    match projected(system, t, &z) {
-        Ok(z) if z.is_finite() => Ok(S::State::of(t, z, s)),
-        Ok(_) => not_finite,
-        Err(refusal) => Err(StepError::refused(refusal, signed(t))),
-    }
+    Ok(S::State::of(t, projected, s))
 }
 
 impl<S: Constrained<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integrator<S, M, R, C> {

@@ -4,6 +4,8 @@ mod adaptive;
 mod constraints;
 mod dense;
 mod error;
+#[cfg(test)]
+mod error_tests;
 mod integrator;
 #[cfg(feature = "alloc")]
 mod named;
@@ -26,7 +28,7 @@ pub use dense::{
     Crossing, Crossings, Curve, Dense, Direction, Exactly, Hermite, Interpolated, SampledAt, SampledEvery,
     TaylorCrossings, Within,
 };
-pub use error::{Reason, StepError};
+pub use error::StepError;
 pub use integrator::Integrator;
 pub use into_integrator::IntoIntegrator;
 #[cfg(feature = "alloc")]

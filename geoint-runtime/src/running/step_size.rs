@@ -1,7 +1,7 @@
 //! Step size control.
 
-use crate::running::error::StepError;
 use crate::scalar::Real;
+use crate::solving::Failure;
 use crate::space::{Record, Tape};
 
 /// Step lengths of one octave: 2^(k/4) for k = 0 … 3.
@@ -37,10 +37,10 @@ impl Bounds {
     }
 
     /// Checks that the bounds admit a step.
-    pub(crate) fn check(&self) -> Result<(), StepError> {
+    pub(crate) fn check(&self) -> Result<(), Failure> {
         let Bounds { shortest, longest } = *self;
         let good = longest > 0.0 && shortest <= longest && shortest < f64::INFINITY;
-        if good { Ok(()) } else { Err(StepError::InvalidBounds { shortest, longest }) }
+        if good { Ok(()) } else { Err(Failure::InvalidBounds { shortest, longest }) }
     }
 }
 

@@ -3,6 +3,7 @@
 use super::StepError;
 use super::output::{Samples, StatesAt, Until};
 use crate::scalar::signed;
+use crate::solving::Failure;
 use crate::space::Snapshot;
 
 /// A run: steps from a given state. `dyn Trajectory<State = State<f64>>` is a run whose method is chosen at run time.
@@ -140,12 +141,12 @@ behind! {
 pub(super) fn adapt_to<T: Trajectory>(run: &mut T, t: Scalar<T>, most_steps: u64) -> Result<(), StepError> {
     let left = signed(t - run.time());
     if left.is_infinite() {
-        return Err(StepError::InvalidStepSize { h: left });
+        return Err(StepError::of_step_size(signed(run.time()), left));
     }
     let last = run.steps().saturating_add(most_steps);
     loop {
         if run.steps() >= last && run.time() != t {
-            return Err(StepError::TooManySteps { t: signed(run.time()), steps: most_steps });
+            return Err(StepError::without_step(Failure::TooManySteps { steps: most_steps }, signed(run.time())));
         }
         if !run.step_towards(t)? {
             return Ok(());

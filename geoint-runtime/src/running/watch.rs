@@ -1,9 +1,8 @@
 //! Finds the cause of a refused step: the step is repeated, and every point at which it evaluates the energy is checked.
 
 use crate::method::Probe;
-use crate::running::error::StepError;
 use crate::scalar::Real;
-use crate::solving::Refusal;
+use crate::solving::Failure;
 use crate::solving::equation::Observer;
 use crate::space::Point;
 use crate::system::{Evaluations, Known, PhaseSpace, Poles};
@@ -20,20 +19,10 @@ pub(crate) struct Watch<'a, S, X> {
 /// Findings of the checks. The type does not depend on the system, so its code is compiled once.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Seen {
-    found: Option<Found>,
+    /// First cause that was found.
+    found: Option<Failure>,
     /// First term that was evaluated where it has no derivative.
     edge: Option<&'static str>,
-}
-
-/// First cause that was found.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Found {
-    /// The energy is undefined.
-    OutsideDomain(&'static str),
-    /// The flow of this part of the energy ends.
-    Pole(&'static str),
-    /// The equation of this plane was not solved.
-    Unsolved(&'static str),
 }
 
 /// Start of a step: its time, z = (q, p), and s.
@@ -51,7 +40,7 @@ impl<S: PhaseSpace<R>, R: Real> Watch<'_, S, Start<S, R>> {
         if self.looks() {
             let (t0, z0, s0) = &self.start;
             let pole = || self.poles.between(self.system, Evaluations::AtPoints, ([*t0, t], [z0, z], [s0, s]));
-            self.seen.found = self.system.outside_domain(t, z, s).or_else(pole).map(Found::OutsideDomain);
+            self.seen.found = self.system.outside_domain(t, z, s).or_else(pole).map(outside);
             self.seen.edge = self.seen.edge.or_else(|| self.system.edge(t, z, s));
         }
     }
@@ -77,30 +66,27 @@ impl<S, X> Watch<'_, S, X> {
 }
 
 impl Seen {
-    /// Returns the error of a step from time `t`.
+    /// Returns the most likely failure of a step without a good end: the cause that was found, or else the failure that the method returned.
     #[cold]
     #[inline(never)]
-    pub(crate) fn error(self, outcome: Result<(), Refusal>, t: f64) -> StepError {
-        match (outcome, self.reason(outcome.err())) {
-            (_, Some(Found::OutsideDomain(what))) => StepError::OutsideDomain { t, what },
-            (_, Some(Found::Pole(piece))) => StepError::Pole { t, piece },
-            (_, Some(Found::Unsolved(plane))) => StepError::Unsolved { t, plane },
-            (Ok(()), None) => StepError::NonFinite { t },
-            (Err(refusal), None) => StepError::refused(refusal, t),
-        }
+    pub(crate) fn failure(self, of_method: Option<Failure>) -> Failure {
+        let cause = match of_method {
+            Some(Failure::OutsideDomain { .. }) => of_method,
+            // A step may end on the boundary of the domain. Report the boundary as the cause only if there is no finite or converged result.
+            None | Some(Failure::NotConverged { .. } | Failure::Singular) => self.cause(),
+            _ => self.found,
+        };
+        cause.or(of_method).unwrap_or(Failure::NonFinite)
     }
 
-    /// Returns the most likely cause of a refusal, if one was found.
-    pub(crate) fn reason(self, refusal: Option<Refusal>) -> Option<Found> {
-        match refusal {
-            Some(Refusal::OutsideDomain { what }) => Some(Found::OutsideDomain(what)),
-            // A step may end on the boundary of the domain. Report the boundary as the cause only if there is no finite or converged result.
-            None | Some(Refusal::NotConverged { .. } | Refusal::Singular) => {
-                self.found.or(self.edge.map(Found::OutsideDomain))
-            }
-            _ => self.found,
-        }
+    /// Returns the cause that was found, or else the boundary of the domain, if the step meets it.
+    pub(crate) fn cause(self) -> Option<Failure> {
+        self.found.or(self.edge.map(outside))
     }
+}
+
+fn outside(what: &'static str) -> Failure {
+    Failure::OutsideDomain { what }
 }
 
 impl<S, X> Observer for Watch<'_, S, X> {
@@ -119,13 +105,13 @@ impl<S: PhaseSpace<R>, R: Real> Probe<S, R> for Watch<'_, S, Start<S, R>> {
         let (t, z, s) = &self.start;
         let defined = || self.system.hamiltonian(*t, z, s).magnitude() < f64::INFINITY;
         if self.looks() && !finite() && defined() {
-            self.seen.found = Some(Found::Pole(piece));
+            self.seen.found = Some(Failure::Pole { piece });
         }
     }
 
     fn unsolved(&mut self, plane: &'static str) {
         if self.looks() {
-            self.seen.found = Some(self.seen.edge.map_or(Found::Unsolved(plane), Found::OutsideDomain));
+            self.seen.found = Some(self.seen.edge.map_or(Failure::Unsolved { plane }, outside));
         }
     }
 }

@@ -1,9 +1,9 @@
 //! The equation of an implicit step, r(x) = x − g(x) = 0, and the interface of its solvers.
 //!
 //! The unknown x contains increments, rates or velocities of stages, or multipliers of constraints. A method states its equation as a [`StepEquation`]. A
-//! [`Solver`] returns a [`Solution`], or the [`Refusal`] of the step. Solvers use the derivative of r, so r has to be smooth near the solution.
+//! [`Solver`] returns a [`Solution`], or the [`Failure`] of the step. Solvers use the derivative of r, so r has to be smooth near the solution.
 
-use super::Refusal;
+use super::Failure;
 pub use super::size::Units;
 use crate::ablation;
 use crate::space::vector::difference;
@@ -123,7 +123,7 @@ pub trait Solver<A: Array>: Clone + Record<A::Real> {
         &mut self,
         equation: &E,
         watch: &mut W,
-    ) -> Result<Solution<A>, Refusal>;
+    ) -> Result<Solution<A>, Failure>;
 }
 
 /// Returns the guess from the start of the step. Returns zero if this guess is not finite: an explicit step may leave the domain of the energy although the

@@ -22,7 +22,7 @@ use super::experience::{Experience, MOST_EVALUATIONS};
 use super::predictor::Predictor;
 use super::rounding::{Convergence, REMAINDER, is_rounding};
 use super::size::Sizes;
-use super::{Effort, Observer, Refusal, linear, rescue};
+use super::{Effort, Failure, Observer, linear, rescue};
 use crate::ablation;
 use crate::scalar::Real;
 use crate::space::vector::difference;
@@ -65,7 +65,7 @@ impl<A: Array> Solver<A> for Newton<A> {
         &mut self,
         equation: &E,
         watch: &mut W,
-    ) -> Result<Solution<A>, Refusal> {
+    ) -> Result<Solution<A>, Failure> {
         if const { matches!(E::MAGNITUDES, Magnitudes::Present) } {
             self.experience.sizes = Sizes::at(&equation.origin());
         }

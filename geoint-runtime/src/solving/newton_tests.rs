@@ -2,7 +2,7 @@
 
 use super::equation::{Effort, Solution, Solver, StepEquation, Units};
 use super::newton::{MOST_UNKNOWNS, Newton};
-use super::{Observer, Refusal};
+use super::{Failure, Observer};
 use crate::space::Array;
 
 /// Counts evaluations with a derivative (`residuals`) and without (`images`).
@@ -105,7 +105,7 @@ fn solutions_with_a_negative_determinant_are_refused() {
     assert!(found.is_ok(), "the determinant of two unknowns is positive");
     let found = Newton::<[f64; 1]>::new(Units { alike: 1, kinds: 1 })
         .solve(&Curved { a: 1.0, b: 3.0, c: 0.0 }, &mut Count::default());
-    assert_eq!(found.map(|found| found.x), Err(Refusal::Singular));
+    assert_eq!(found.map(|found| found.x), Err(Failure::Singular));
 }
 
 #[test]

@@ -12,7 +12,7 @@
 use super::equation::{Solution, Solver, StepEquation, Units};
 use super::experience::Experience;
 use super::rounding::Convergence;
-use super::{Observer, Refusal, rescue};
+use super::{Failure, Observer, rescue};
 use crate::space::{Array, Record, Tape};
 
 /// Solves equations with an approximate derivative, one per step. It remembers the largest recent magnitudes of the unknowns: corrections are small relative to
@@ -37,7 +37,7 @@ impl<A: Array> Solver<A> for QuasiNewton<A> {
         &mut self,
         equation: &E,
         watch: &mut W,
-    ) -> Result<Solution<A>, Refusal> {
+    ) -> Result<Solution<A>, Failure> {
         let (solution, experience) =
             rescue::solve_from_explicit_guess(self.experience, *equation, Convergence::Linear, watch);
         self.experience = experience;

@@ -19,7 +19,7 @@ use super::equation::{Magnitudes, Solution, StepEquation, explicit_guess};
 use super::experience::{Experience, MOST_EVALUATIONS};
 use super::noise::LastCorrection;
 use super::rounding::{Convergence, Corrections, MAX_ITERATIONS, Verdict, is_of_last_digits};
-use super::{Effort, Observer, Refusal, damped, linear, noise};
+use super::{Effort, Failure, Observer, damped, linear, noise};
 use crate::space::Array;
 
 /// Solves an equation from the explicit guess. Returns the changed experience, too, which is invalid after an error.
@@ -30,7 +30,7 @@ pub(super) fn solve_from_explicit_guess<A: Array, W: Observer + ?Sized, E: StepE
     equation: E,
     convergence: Convergence,
     watch: &mut W,
-) -> (Result<Solution<A>, Refusal>, Experience<A>) {
+) -> (Result<Solution<A>, Failure>, Experience<A>) {
     let distant = Distant {
         origin: equation.origin(),
         guess: explicit_guess(equation),
@@ -51,7 +51,7 @@ impl<A: Array> Experience<A> {
     /// With quadratic convergence, the refusal of the last search. With linear convergence, the refusal of the first one, because the derivative of
     /// later searches is not that of the equation.
     #[inline(never)]
-    fn try_searches(&mut self, equation: &Distant<A>, residual: &mut dyn Residual<A>) -> Result<Solution<A>, Refusal> {
+    fn try_searches(&mut self, equation: &Distant<A>, residual: &mut dyn Residual<A>) -> Result<Solution<A>, Failure> {
         let start = *self;
         let found = self.search(&equation.guess, GuessKind::Explicit, equation, residual);
         if found.is_ok() || equation.effort == Effort::Fast {
@@ -89,7 +89,7 @@ impl<A: Array> Experience<A> {
         &mut self,
         equation: &Distant<A>,
         residual: &mut dyn Residual<A>,
-    ) -> Result<Solution<A>, Refusal> {
+    ) -> Result<Solution<A>, Failure> {
         let guess =
             damped::approach(&equation.origin, equation.standstill, &self.sizes, |x, matrix| residual.at(x, matrix));
         self.search(&guess, GuessKind::Damped, equation, residual)
@@ -99,14 +99,14 @@ impl<A: Array> Experience<A> {
     /// energy.
     ///
     /// # Errors
-    /// The errors of [`converge`](Self::converge). [`Refusal::Singular`] also if the solution fails this test, or is not tested because of [`Effort::Fast`].
+    /// The errors of [`converge`](Self::converge). [`Failure::Singular`] also if the solution fails this test, or is not tested because of [`Effort::Fast`].
     fn search(
         &mut self,
         guess: &A,
         kind: GuessKind,
         equation: &Distant<A>,
         residual: &mut dyn Residual<A>,
-    ) -> Result<Solution<A>, Refusal> {
+    ) -> Result<Solution<A>, Failure> {
         // The sizes before the search. Later sizes include a solution that may be wrong.
         let sizes = self.sizes;
         let Converged { solution, evaluations } = self.converge(guess, equation, residual)?;
@@ -114,7 +114,7 @@ impl<A: Array> Experience<A> {
             let is_continuous = equation.effort == Effort::Thorough
                 && Continuation { sizes, units: self.units, equation, residual }.is_continuous(&solution.x);
             if !is_continuous {
-                return Err(Refusal::Singular);
+                return Err(Failure::Singular);
             }
             // The observer, and methods that read the last evaluation, need the solution as the last point.
             residual.at(&solution.x, &mut A::fill(A::zero()));
@@ -127,7 +127,7 @@ impl<A: Array> Experience<A> {
     /// is larger.
     ///
     /// # Errors
-    /// [`Refusal::Singular`] if a matrix is singular, or if the determinant at the solution is negative. [`Refusal::NotConverged`] after [`MAX_ITERATIONS`]
+    /// [`Failure::Singular`] if a matrix is singular, or if the determinant at the solution is negative. [`Failure::NotConverged`] after [`MAX_ITERATIONS`]
     /// evaluations, or after a residual or correction that is not finite. With [`Effort::Fast`], also if corrections are stuck and the last digits do not
     /// explain the residual.
     fn converge(
@@ -135,7 +135,7 @@ impl<A: Array> Experience<A> {
         guess: &A,
         equation: &Distant<A>,
         residual: &mut dyn Residual<A>,
-    ) -> Result<Converged<A>, Refusal> {
+    ) -> Result<Converged<A>, Failure> {
         let Distant { origin, effort, magnitudes, convergence, .. } = *equation;
         let mut solution = Solution::of(*guess);
         // Pivots are compared in units of these sizes. Corrections are not: a guess that is far off would inflate the sizes.
@@ -163,7 +163,7 @@ impl<A: Array> Experience<A> {
             let mut delta = r;
             let is_positive = match linear::solve(&mut matrix, &mut delta, &pivot_sizes) {
                 Some(is_positive) => is_positive,
-                None if delta.is_finite() => return Err(Refusal::Singular),
+                None if delta.is_finite() => return Err(Failure::Singular),
                 None => break,
             };
             let mut is_solved = is_rounding;
@@ -187,7 +187,7 @@ impl<A: Array> Experience<A> {
                 }
             }
             if is_solved && !is_positive {
-                return Err(Refusal::Singular);
+                return Err(Failure::Singular);
             }
             if is_solved {
                 self.sizes.include(&origin, &solution.x);

@@ -8,7 +8,7 @@
 //! ([`is_of_last_digits`]), or its rounding is measured ([`noise`](crate::solving::noise)).
 
 use crate::scalar::Real;
-use crate::solving::Refusal;
+use crate::solving::Failure;
 use crate::solving::size::Sizes;
 use crate::space::{Array, Square};
 
@@ -158,8 +158,8 @@ impl Corrections {
 
     /// Returns the refusal of an iteration that ends without a solution. It contains [`last`](Self::last).
     #[cold]
-    pub(crate) fn not_converged(&self) -> Refusal {
-        Refusal::NotConverged { iterations: self.iterations, correction: self.before }
+    pub(crate) fn not_converged(&self) -> Failure {
+        Failure::NotConverged { iterations: self.iterations, correction: self.before }
     }
 }
 
@@ -212,8 +212,8 @@ pub(crate) fn correct<A: Array>(
     start: A,
     mut corrections: Corrections,
     mut accept: impl FnMut(Stuck<'_, A>) -> Option<A>,
-    mut correction: impl FnMut(&A) -> Result<Correction<A>, Refusal>,
-) -> Result<A, Refusal> {
+    mut correction: impl FnMut(&A) -> Result<Correction<A>, Failure>,
+) -> Result<A, Failure> {
     let mut x = start;
     for _ in 0..MAX_ITERATIONS {
         let Correction { delta, relative } = correction(&x)?;

@@ -113,7 +113,7 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
 
     /// `true` if the system is given by a Lagrangian. The user then starts from velocities, and the momenta p = ∂L/∂v follow.
     ///
-    /// Read if a state is not finite. With finite positions the error is then [`StepError::NoMomentum`](crate::StepError::NoMomentum): the
+    /// Read if a state is not finite. With finite positions the error is then [`Failure::NoMomentum`](crate::Failure::NoMomentum): the
     /// velocity has no momentum.
     const OF_VELOCITIES: bool = false;
 

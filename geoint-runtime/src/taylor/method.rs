@@ -2,7 +2,7 @@
 
 use crate::scalar::{Real, Series};
 use crate::sealed::Sealed;
-use crate::solving::Refusal;
+use crate::solving::Failure;
 use crate::space::{PerCoordinate, Record};
 use crate::system::Jets;
 use core::fmt::Debug;
@@ -122,7 +122,7 @@ pub trait TaylorMethod<S: Jets<R>, R: Real = f64>: Sealed + Copy + Debug {
         system: &S,
         time: [R; 2],
         ends: [&S::Phase; 2],
-    ) -> Result<Option<S::Phase>, Refusal>;
+    ) -> Result<Option<S::Phase>, Failure>;
     /// Builds a series from its coefficients, starting at order 0.
     fn series(coefficient: impl FnMut(usize) -> R) -> Self::Series;
     /// Returns the coefficients of a series.
@@ -145,7 +145,7 @@ macro_rules! as_it_is {
     () => {
         fn memory(_: &S::Phase) {}
         #[inline(always)]
-        fn correction(&self, (): &mut (), _: &S, _: [R; 2], _: [&S::Phase; 2]) -> Result<Option<S::Phase>, Refusal> {
+        fn correction(&self, (): &mut (), _: &S, _: [R; 2], _: [&S::Phase; 2]) -> Result<Option<S::Phase>, Failure> {
             Ok(None)
         }
     };

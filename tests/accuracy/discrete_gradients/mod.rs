@@ -10,7 +10,7 @@ mod increments;
 mod fourth_matrix;
 
 use geoint_runtime::prelude::*;
-use geoint_runtime::{Hamiltonian, Method, Reason};
+use geoint_runtime::{Failure, Hamiltonian, Method};
 use geoint_tests::measure::{Noise, distance, solution};
 use geoint_tests::methods::{self, Visitor};
 use geoint_tests::problems::*;

@@ -68,7 +68,7 @@ fn gradients_that_vanish_are_no_failure() {
 fn edges_of_integrals_are_refused() {
     let system = Predators { a: 2.0, b: 1.0, c: 1.0 };
     let mut sim = system.integrator(DiscreteGradient, 0.1, FlowState::new([-1.0, 0.5]));
-    assert!(matches!(sim.step(), Err(StepError::OutsideDomain { .. })), "outside");
+    assert!(matches!(sim.step(), Err(StepError { failure: Failure::OutsideDomain { .. }, .. })), "outside");
     let start = FlowState::new([1.0, 0.5]);
     let mut sim = system.integrator(DiscreteGradient, 100.0, start);
     if sim.step().is_err() {
@@ -147,7 +147,9 @@ fn cone(q: [f64; 2], p: [f64; 2], m: f64) -> f64 {
 fn edges_of_derivatives_are_named() {
     fn refused<S: PhaseSpace, M: Method<S>>(system: S, method: M, start: S::State, elsewhere: S::State) {
         let mut sim = Integrator::new(system, method, 0.1, start);
-        let Err(StepError::OutsideDomain { what, .. }) = sim.step() else { panic!("{}", method.name()) };
+        let Err(StepError { failure: Failure::OutsideDomain { what }, .. }) = sim.step() else {
+            panic!("{}", method.name())
+        };
         assert!(what.starts_with("a derivative that is not a number: ") && what.contains("[0]² + "), "{what}");
         Integrator::new(system, method, 0.1, elsewhere).advance(10).unwrap_or_else(|error| panic!("{error}"));
     }

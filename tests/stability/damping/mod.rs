@@ -142,7 +142,7 @@ fn parameters_that_feed_energy_are_refused() {
     ) where
         S::Coordinates: PartialEq,
     {
-        let refused = |error: StepError| matches!(error, StepError::OutsideDomain { what, .. } if what == reason);
+        let refused = |error: StepError| matches!(error, StepError { failure: Failure::OutsideDomain { what }, .. } if what == reason);
         let mut sim = system.integrator(DiscreteGradient, 0.1, start);
         assert!(refused(sim.advance(10).unwrap_err()), "{reason}");
         assert_eq!(sim.state(), start);

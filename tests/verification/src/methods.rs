@@ -2,7 +2,7 @@
 
 use crate::lists;
 use crate::page::{Page, short};
-use geoint_runtime::method::{Refusal, Visitor};
+use geoint_runtime::method::{Failure, Visitor};
 use geoint_runtime::{Claims, Method};
 use geoint_tests::bare::Bare;
 use geoint_tests::counting::allocations_during;
@@ -41,9 +41,9 @@ pub(crate) struct Row {
     claims: Claims,
     /// The observed order on each scene, with the constant of the leading term.
     orders: Vec<(Observed, f64)>,
-    symmetry: Result<f64, Refusal>,
-    form: Result<f64, Refusal>,
-    energy: Result<f64, Refusal>,
+    symmetry: Result<f64, Failure>,
+    form: Result<f64, Failure>,
+    energy: Result<f64, Failure>,
     evaluations: f64,
     allocations: u64,
 }
@@ -138,7 +138,7 @@ impl<P: Scene> Visitor<P::Over<f64>> for Runs<'_, P> {
 }
 
 /// Returns the largest error of the energy, or of the invariants of a field, relative to the start.
-fn energy_error<P: Scene, M: Method<P::Over<f64>>>(method: M, h: f64) -> Result<f64, Refusal> {
+fn energy_error<P: Scene, M: Method<P::Over<f64>>>(method: M, h: f64) -> Result<f64, Failure> {
     let (t, x) = P::start();
     let mut sim = Bare::<P, M, f64>::new(method, h, t, &x);
     let kept = |sim: &Bare<P, M, f64>| P::kept(&sim.state()).unwrap_or_else(|| vec![sim.energy()]);
@@ -167,7 +167,7 @@ impl Row {
                 failures.push(format!("order {order} is claimed, {seen:.3} is observed"));
             }
         }
-        let mut property = |what: &str, claimed: bool, defect: &Result<f64, Refusal>, bound: f64| {
+        let mut property = |what: &str, claimed: bool, defect: &Result<f64, Failure>, bound: f64| {
             let control = !claimed && order <= 2;
             let off =
                 defect.as_ref().map_or(f64::INFINITY, |defect| if defect.is_nan() { f64::INFINITY } else { *defect });
@@ -187,7 +187,7 @@ impl Row {
     fn cells(&self) -> [String; 8] {
         let Claims { order, symmetric, symplectic, conserves_energy, forces, .. } = self.claims;
         let join = |of: &dyn Fn(&(Observed, f64)) -> String| self.orders.iter().map(of).collect::<Vec<_>>().join(", ");
-        let property = |claimed: bool, defect: &Result<f64, Refusal>| {
+        let property = |claimed: bool, defect: &Result<f64, Failure>| {
             let claimed = if claimed { "yes" } else { "no" };
             defect.as_ref().map_or_else(|error| format!("{claimed}, {error}"), |x| format!("{claimed}, {}", short(*x)))
         };

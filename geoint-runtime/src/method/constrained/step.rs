@@ -11,7 +11,7 @@ use crate::method::discrete_gradient::DiscreteGradient;
 use crate::method::implicit::{
     Arrival, Departure, Equation, Evaluated, ImplicitStep, Increment, Policy, Sums, Units, Watch,
 };
-use crate::method::{Probe, Refusal};
+use crate::method::{Failure, Probe};
 use crate::scalar::Real;
 use crate::solving::equation::Solution;
 use crate::solving::newton::Newton;
@@ -88,7 +88,7 @@ impl<S: ConstrainedStep<M, R>, M: ConstrainedMethod, R: Real> ImplicitStep<S, R>
     fn no_evaluation() {}
 
     #[inline(always)]
-    fn begin(from: &Departure<'_, S, R>, coefficients: &S::Constants, (): &mut ()) -> Result<S::Start, Refusal> {
+    fn begin(from: &Departure<'_, S, R>, coefficients: &S::Constants, (): &mut ()) -> Result<S::Start, Failure> {
         // The equation of RATTLE reads the times t and t + h. Discrete gradients freeze time in the middle of the step.
         let t = match M::MOMENTA {
             Momenta::MadeTangent => from.t,
@@ -126,7 +126,7 @@ impl<S: ConstrainedStep<M, R>, M: ConstrainedMethod, R: Real> ImplicitStep<S, R>
         Equation { from, coefficients, start }: &Equation<'_, Self, S, R>,
         solution: &Solution<S::Unknown>,
         (): &(),
-    ) -> Result<Increment<S::Phase, ()>, Refusal> {
+    ) -> Result<Increment<S::Phase, ()>, Failure> {
         let mut increments = from.system.end(coefficients, start, &solution.x);
         let [q, p] = sum(&from.z, &increments);
         let checked = match M::MOMENTA {
@@ -148,19 +148,19 @@ impl<S: ConstrainedStep<M, R>, M: ConstrainedMethod, R: Real> ImplicitStep<S, R>
         _: &Solution<S::Unknown>,
         (): &mut (),
         end: Arrival<'_, S, R>,
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), Failure> {
         held(from.system, from.end, [&from.z, end.z])
     }
 
     /// Returns the dependence of constraints at the start of the step as the reason, if there is one.
     #[cold]
-    fn explained(Equation { from, .. }: &Equation<'_, Self, S, R>, (): &(), refusal: Refusal) -> Refusal {
+    fn explained(Equation { from, .. }: &Equation<'_, Self, S, R>, (): &(), refusal: Failure) -> Failure {
         independent(from, &from.z[0]).err().unwrap_or(refusal)
     }
 }
 
 /// Refuses a step if the sign of det(G W G₁ᵀ) shows that constraints depend on each other at its start, at `q`, or between.
 #[inline(always)]
-fn independent<S: ConstrainedStep<M, R>, M, R: Real>(from: &Departure<'_, S, R>, q: &S::Array) -> Result<(), Refusal> {
-    on_one_side(from.system, (from.t, &from.z), [&from.z[0], q]).map_err(|what| Refusal::DependentConstraints { what })
+fn independent<S: ConstrainedStep<M, R>, M, R: Real>(from: &Departure<'_, S, R>, q: &S::Array) -> Result<(), Failure> {
+    on_one_side(from.system, (from.t, &from.z), [&from.z[0], q]).map_err(|what| Failure::DependentConstraints { what })
 }

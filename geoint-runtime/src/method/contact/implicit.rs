@@ -10,7 +10,7 @@ use super::{ContactDiscreteGradient, ContactMidpoint};
 use crate::implicit_method;
 use crate::method::composition::substeps;
 use crate::method::implicit::{Departure, Equation, Evaluated, ImplicitStep, Increment, Policy, Units, Watch};
-use crate::method::{Claims, Name, Probe, Refusal};
+use crate::method::{Claims, Failure, Name, Probe};
 use crate::scalar::{Real, zero};
 use crate::solving::equation::Solution;
 use crate::solving::newton::Newton;
@@ -82,7 +82,7 @@ impl<S: ContactEquation<M, R>, M: EvaluatesAhead, R: Real> ImplicitStep<S, R> fo
     fn no_evaluation() {}
 
     #[inline(always)]
-    fn begin(from: &Departure<'_, S, R>, coefficients: &S::Constants, (): &mut ()) -> Result<Self::Start, Refusal> {
+    fn begin(from: &Departure<'_, S, R>, coefficients: &S::Constants, (): &mut ()) -> Result<Self::Start, Failure> {
         let x = resized(&from.z, from.s);
         Ok(Start { x, kernel: from.system.begin(coefficients, from.middle(), &x) })
     }
@@ -123,10 +123,10 @@ impl<S: ContactEquation<M, R>, M: EvaluatesAhead, R: Real> ImplicitStep<S, R> fo
         Equation { from, coefficients, start }: &Equation<'_, Self, S, R>,
         solution: &Solution<S::Unknown>,
         (): &(),
-    ) -> Result<Increment<S::Phase, R>, Refusal> {
+    ) -> Result<Increment<S::Phase, R>, Failure> {
         let increments = from.system.end(coefficients, &start.kernel, &solution.x);
         if !increments.is_finite() {
-            return Err(Refusal::Singular);
+            return Err(Failure::Singular);
         }
         let PerCoordinate { z, s } = apart::<S, M, R>(&increments);
         Ok(Increment::of(z, s))

@@ -1,7 +1,7 @@
 //! The variational integrator of Herglotz' principle, for H = T(p, t) + g(t)·s + V(q, t).
 
 use crate::method::composition::substeps;
-use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
+use crate::method::{Claims, Failure, Method, Name, Probe, Step};
 use crate::scalar::Real;
 use crate::space::{Array, PerCoordinate, Point, Summation};
 use crate::system::Mechanical;
@@ -55,14 +55,14 @@ impl<S: Mechanical<R>, R: Real> Method<S, R> for ContactLeapfrog {
         prepared: &Prepared<S, R>,
         (): &mut (),
         Step { system, t, x, probe, .. }: Step<'_, S, R, C, P>,
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), Failure> {
         let Prepared { h, half_kick, drift } = prepared;
         let (one, half) = (R::from_f64(1.0), R::from_f64(0.5) * *h);
         let end = t + *h;
         let drag = [t, end].map(|t| half * system.damping(t));
         let [before, after] = [one - drag[0], one + drag[1]];
         if before.any_not_positive() || after.any_not_positive() {
-            return Err(Refusal::Singular);
+            return Err(Failure::Singular);
         }
         probe.visit(t, &x.z, &x.s);
         if C::PLAIN {

@@ -7,7 +7,7 @@ use super::turns::check_turns;
 use super::way_back::way_back;
 use super::{kept, rounded};
 use crate::method::corrected::invariants::Invariants;
-use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_conditions, check_poles, outer_step};
+use crate::method::{And, Claims, Failure, Method, Name, Probe, Step, check_conditions, check_poles, outer_step};
 use crate::scalar::Real;
 use crate::space::vector::{difference, sum};
 use crate::space::{Array, Compensated, Record, Summation, Tape};
@@ -31,9 +31,9 @@ use crate::system::{Evaluations, Poles, VectorField};
 /// the surface of constant invariants. Later steps then stay on that part.
 ///
 /// # Errors
-/// - [`StepError::Turned`](crate::StepError::Turned) if such an angle moves by more than half a turn in a step.
-/// - [`StepError::LedAstray`](crate::StepError::LedAstray) if a correction is longer than half of the step.
-/// - [`StepError::OutOfRange`](crate::StepError::OutOfRange) if an invariant underflows or overflows.
+/// - [`Failure::Turned`](crate::Failure::Turned) if such an angle moves by more than half a turn in a step.
+/// - [`Failure::LedAstray`](crate::Failure::LedAstray) if a correction is longer than half of the step.
+/// - [`Failure::OutOfRange`](crate::Failure::OutOfRange) if an invariant underflows or overflows.
 ///
 /// # Source
 ///
@@ -117,7 +117,7 @@ impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
         Prepared { method, poles, invariants }: &Self::Prepared,
         memory: &mut Self::Memory,
         mut step: Step<'_, S, R, C, P>,
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), Failure> {
         let Memory { method: memory, scales, sums } = memory;
         let before = step.x.z;
         outer_step::<S, R, M, C, P>(method, memory, step.part([step.t, step.end]))?;

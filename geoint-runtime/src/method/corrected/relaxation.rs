@@ -4,7 +4,7 @@ use crate::method::corrected::invariants::Invariants;
 use crate::method::corrected::range::is_representable;
 use crate::method::corrected::turns::check_turns;
 use crate::method::corrected::{kept, rounded};
-use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_conditions, check_poles, outer_step};
+use crate::method::{And, Claims, Failure, Method, Name, Probe, Step, check_conditions, check_poles, outer_step};
 use crate::scalar::{Real, zero};
 use crate::solving::rounding::MAX_ITERATIONS;
 use crate::solving::size::Sizes;
@@ -102,7 +102,7 @@ impl<S: KeepsEnergy<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M>
         Prepared { method, poles, h }: &Self::Prepared,
         Memory { method: memory, sums, uncorrected }: &mut Self::Memory,
         mut step: Step<'_, S, R, C, P>,
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), Failure> {
         let before = step.x.z;
         outer_step::<S, R, M, C, P>(method, memory, step.part([step.t, step.end]))?;
         let Step { system, t, end: later, x, probe } = step;
@@ -157,13 +157,13 @@ impl<S: KeepsEnergy<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M>
 /// γ = 1. The iteration ends if the value is at most `rounding`, or if it is at most `noise` and no longer shrinks by half.
 ///
 /// # Errors
-/// [`Refusal::NotConverged`] if γ is too far from 1, is not a number, or is not found within [`MAX_ITERATIONS`].
+/// [`Failure::NotConverged`] if γ is too far from 1, is not a number, or is not found within [`MAX_ITERATIONS`].
 fn root<R: Real>(
     average: impl Fn(R) -> R,
     (mut now, mut slope): (R, R),
     rounding: f64,
     noise: impl Fn() -> f64,
-) -> Result<(R, R), Refusal> {
+) -> Result<(R, R), Failure> {
     let (mut excess, mut before): (R, f64) = (zero(), f64::INFINITY);
     for iterations in 1..=MAX_ITERATIONS {
         let next = excess - now / slope;
@@ -176,7 +176,7 @@ fn root<R: Real>(
         }
         // NaN is refused, too.
         if next.magnitude().is_nan() || next.magnitude() > LARGEST_EXCESS {
-            return Err(Refusal::NotConverged { iterations, correction: next.magnitude() });
+            return Err(Failure::NotConverged { iterations, correction: next.magnitude() });
         }
         let (distance, value) = (next - excess, average(next));
         // For a tiny distance, the slope of the secant would be rounding. The old slope is kept.
@@ -186,5 +186,5 @@ fn root<R: Real>(
         before = now.magnitude();
         (excess, now) = (next, value);
     }
-    Err(Refusal::NotConverged { iterations: MAX_ITERATIONS, correction: now.magnitude() })
+    Err(Failure::NotConverged { iterations: MAX_ITERATIONS, correction: now.magnitude() })
 }

@@ -8,7 +8,7 @@
 
 use super::kept::steepness;
 use crate::method::implicit::{Arrival, Departure};
-use crate::method::{Effort, Refusal};
+use crate::method::{Effort, Failure};
 use crate::scalar::Real;
 use crate::space::vector::difference;
 use crate::space::{Array, PerCoordinate, Snapshot};
@@ -36,11 +36,11 @@ pub(crate) fn check_step<S: Keeping<R>, R: Real>(
     effort: Effort,
     Departure { system, t, end, z: before, .. }: &Departure<'_, S, R>,
     Arrival { z, s, needs_recheck }: Arrival<'_, S, R>,
-) -> Result<(), Refusal> {
+) -> Result<(), Failure> {
     if const { S::State::MOMENTA } {
         return if effort.is_thorough() || S::ANGLES { check_energy(*system, before, z) } else { Ok(()) };
     }
-    Refusal::outside(jump_of_integral(*system, [*t, *end], [before, z], *s))?;
+    Failure::outside(jump_of_integral(*system, [*t, *end], [before, z], *s))?;
     if effort.is_thorough() {
         let kept = KeptBy::<S, R>::default();
         let changes = kept.changes(*system, before, &difference(z, before));
@@ -61,7 +61,7 @@ pub(crate) fn check_step<S: Keeping<R>, R: Real>(
 /// room for their rounding.
 #[cold]
 #[inline(never)]
-fn check_energy<S: Keeping<R>, R: Real>(system: &S, before: &S::Phase, after: &S::Phase) -> Result<(), Refusal> {
+fn check_energy<S: Keeping<R>, R: Real>(system: &S, before: &S::Phase, after: &S::Phase) -> Result<(), Failure> {
     let kept = KeptBy::<S, R>::default();
     if !<KeptBy<S, R> as Invariants<S, R>>::KEEP_ENERGY {
         return Ok(());
@@ -77,7 +77,7 @@ fn check_energy<S: Keeping<R>, R: Real>(system: &S, before: &S::Phase, after: &S
         steepness(way, <KeptBy<S, R> as Invariants<S, R>>::Values::entries(&mut gradients)[0].as_slice())
     });
     let most = (MOST_OF_ENERGY * R::epsilon()).min(Real::sqrt(R::epsilon())) * (at_ends[0].max(at_ends[1]) + terms);
-    if change.magnitude() > most { Err(Refusal::Rounded) } else { Ok(()) }
+    if change.magnitude() > most { Err(Failure::Rounded) } else { Ok(()) }
 }
 
 /// Refuses a step of any method from `before` to `end`, followed by a projection from `end` to `after`. `t` holds the times of the last step.
@@ -90,8 +90,8 @@ pub(super) fn check_correction<S: PhaseSpace<R, Action = ()>, R: Real, I: Invari
     t: [R; 2],
     invariants: &I,
     [before, end, after]: [&S::Phase; 3],
-) -> Result<(), Refusal> {
-    Refusal::outside(jump_of_integral(system, t, [before, after], ()))?;
+) -> Result<(), Failure> {
+    Failure::outside(jump_of_integral(system, t, [before, after], ()))?;
     if leaps(before, after) || leaps(end, after) {
         return refuse(system, invariants, &I::Values::zero(), [before, after, end]);
     }
@@ -119,7 +119,7 @@ fn refuse<S: PhaseSpace<R>, R: Real, I: Invariants<S, R>>(
     invariants: &I,
     changes: &I::Values,
     [start, end, uncorrected]: [&S::Phase; 3],
-) -> Result<(), Refusal> {
+) -> Result<(), Failure> {
     let mut gradients = [start, end].map(|z| invariants.gradients(system, z));
     let [first, last] = gradients.each_mut().map(I::Values::entries);
     let way = [start, end, uncorrected].map(Array::as_slice);
@@ -130,5 +130,5 @@ fn refuse<S: PhaseSpace<R>, R: Real, I: Invariants<S, R>>(
         f64::max(change.magnitude() / R::epsilon(), on_way) > MOST * at_ends
     };
     let lost = changes.as_slice().iter().zip(first.iter().zip(last.iter())).any(is_lost);
-    if lost { Err(Refusal::Rounded) } else { Ok(()) }
+    if lost { Err(Failure::Rounded) } else { Ok(()) }
 }

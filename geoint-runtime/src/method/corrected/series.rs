@@ -14,7 +14,7 @@ use super::rounded::check_correction;
 use super::scales::Scales;
 use super::turns::check_turns;
 use super::way_back::way_back;
-use crate::method::Refusal;
+use crate::method::Failure;
 use crate::scalar::Real;
 use crate::sealed::Sealed;
 use crate::solving::size::Sizes;
@@ -123,13 +123,13 @@ where
         system: &S,
         [t, h]: [R; 2],
         [before, z]: [&S::Phase; 2],
-    ) -> Result<Option<S::Phase>, Refusal> {
+    ) -> Result<Option<S::Phase>, Failure> {
         memory.scales.include(before, &difference(z, before));
         // The first step after the reference, or an orbit that has returned to it.
         let at_reference =
             difference(&memory.reference, before).as_slice().iter().all(|moved| moved.magnitude() == 0.0);
         if at_reference && !is_representable(system, &self.1, before) {
-            return Err(Refusal::OutOfRange);
+            return Err(Failure::OutOfRange);
         }
         check_turns(system, [t, h], [before, z])?;
         // `S::ANGLES` covers the invariants that are derived. Those written by the user may read an angle, too.
@@ -146,7 +146,7 @@ where
             check_correction(system, [t, t + h], &self.1, [reference, z, &sum(z, &back)]).map(|()| back)
         };
         let way = match back(reference, wanted) {
-            Err(Refusal::Rounded) if !*moves_on => {
+            Err(Failure::Rounded) if !*moves_on => {
                 *wanted = difference(wanted, &changes_from_steep_end(system, &self.1, reference, before));
                 *reference = *before;
                 back(reference, wanted)?

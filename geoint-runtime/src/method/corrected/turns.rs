@@ -3,7 +3,7 @@
 //! A divided difference depends on the ends of a step only. It assumes that an angle `atan2(y, x)` takes the shorter way round. This is right up to
 //! half a turn.
 
-use crate::method::Refusal;
+use crate::method::Failure;
 use crate::scalar::{Real, signed, zero};
 use crate::space::Array;
 use crate::space::vector::moved;
@@ -24,7 +24,7 @@ pub(super) fn check_turns<S: VectorField<R>, R: Real>(
     system: &S,
     [t, h]: [R; 2],
     ends: [&S::Phase; 2],
-) -> Result<(), Refusal> {
+) -> Result<(), Failure> {
     if S::ANGLES { check(system, [t, h], ends) } else { Ok(()) }
 }
 
@@ -34,7 +34,7 @@ fn check<S: VectorField<R>, R: Real>(
     system: &S,
     [t, h]: [R; 2],
     [before, after]: [&S::Phase; 2],
-) -> Result<(), Refusal> {
+) -> Result<(), Failure> {
     let mut path = Path { system, t, h, before: *before, after: *after, rates: [S::Phase::zero(); 2] };
     let [first, last] = &mut path.rates;
     system.rate(t, before, first);
@@ -43,7 +43,7 @@ fn check<S: VectorField<R>, R: Real>(
     let mut index = 0;
     system.angles(t, before, &(), |what, _| {
         if path.is_lost(index) && found.is_ok() {
-            found = Err(Refusal::Turned { what });
+            found = Err(Failure::Turned { what });
         }
         index += 1;
     });

@@ -4,7 +4,7 @@ use super::frame::Frame;
 use super::invariants::Invariants;
 use super::roughness;
 use super::scales::{Scales, part_of_rounding, rounding};
-use crate::method::Refusal;
+use crate::method::Failure;
 use crate::scalar::{Real, zero};
 use crate::solving::noise;
 use crate::solving::rounding::{Convergence, Correction, Corrections, Stuck, correct};
@@ -38,8 +38,8 @@ pub(super) struct WayBack<Z> {
 ///    are nearly parallel, for instance those of energy and angular momentum on an almost circular orbit. They then turn much along a correction.
 ///
 /// # Errors
-/// - [`Refusal::LedAstray`] if the correction is longer than half of the step and not near.
-/// - [`Refusal::NotConverged`] if no iteration converges. If both iterations fail, the error is that of the first one.
+/// - [`Failure::LedAstray`] if the correction is longer than half of the step and not near.
+/// - [`Failure::NotConverged`] if no iteration converges. If both iterations fail, the error is that of the first one.
 #[inline(always)]
 pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
     system: &S,
@@ -47,7 +47,7 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
     wanted: &I::Values,
     scales: &Scales<S::Phase>,
     [before, end]: [&S::Phase; 2],
-) -> Result<WayBack<S::Phase>, Refusal> {
+) -> Result<WayBack<S::Phase>, Failure> {
     let moved = &difference(end, before);
     // A coordinate is rounded by ε times its largest magnitude between both points. Its magnitude in earlier steps does not matter.
     let mut sizes = Sizes::new();
@@ -92,10 +92,10 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
             // The residual was accepted relative to the terms at `end`. After a long correction, these may be much larger than at the solution.
             if sizes.all_within(&back, NEAR) { back } else { turning_from(sum(moved, &back))? }
         }
-        Err(refusal) => turning_from(*moved).map_err(|_: Refusal| refusal)?,
+        Err(refusal) => turning_from(*moved).map_err(|_: Failure| refusal)?,
     };
     if !sizes.all_within(&back, NEAR) && sizes.square(&back) > longest {
-        return Err(Refusal::LedAstray);
+        return Err(Failure::LedAstray);
     }
     Ok(WayBack { back, decided: equation.decided.get() })
 }
@@ -113,7 +113,7 @@ struct Equation<'a, S: VectorField<R>, R: Real, I: Invariants<S, R>> {
 
 impl<S: VectorField<R>, R: Real, I: Invariants<S, R>> Equation<'_, S, R, I> {
     /// Whether the energy may jump. Corrections may then alternate between both sides of the jump. This is not rounding, and ends with
-    /// [`Refusal::NotConverged`].
+    /// [`Failure::NotConverged`].
     const JUMPS: bool = I::KEEP_ENERGY && !S::JUMPS.is_empty();
 
     /// Returns the residual I(before + increment) − I(before) − wanted, and stores the increment in `decided`.

@@ -3,7 +3,7 @@
 use super::energy::{Energy, Slope, Staircase};
 use super::matrix::denominator;
 use super::mean::MeanGradient;
-use crate::method::{Name, Probe, Refusal};
+use crate::method::{Failure, Name, Probe};
 use crate::scalar::Real;
 use crate::space::Array;
 use crate::space::vector::{difference, dot, moved};
@@ -19,7 +19,7 @@ const LEAST_PRODUCT: f64 = 1e-8;
 ///
 /// Order 1, for every H. Order 2 and symmetric for T(p) + V(q) if β = γ = ½, as by default. Then λ and μ are at midpoints, and α and δ do not matter.
 /// With one degree of freedom λ and μ cancel. The method is then [`ItohAbe`](super::ItohAbe), with its orders. With more degrees of freedom, no step
-/// exists if an increment is orthogonal to its direction: [`StepError::SingularDirection`](crate::StepError::SingularDirection). Differences of H are
+/// exists if an increment is orthogonal to its direction: [`Failure::SingularDirection`](crate::Failure::SingularDirection). Differences of H are
 /// products of increments with the gradient of [`DiscreteGradient`](crate::DiscreteGradient), so that short steps lose no digits.
 ///
 /// A. J. Chorin, T. J. R. Hughes, M. F. McCracken & J. E. Marsden, Comm. Pure Appl. Math. 31 (1978) 205.
@@ -52,7 +52,7 @@ impl MeanGradient for CoordinateIncrement {
         energy: &mut Energy<'_, S, R, P>,
         x: &S::Phase,
         d: &S::Phase,
-    ) -> Result<Slope<S::Array>, Refusal> {
+    ) -> Result<Slope<S::Array>, Failure> {
         // Two edges: q changes at p₀, then p at q₁. The products of g with the increments are the two differences of H.
         let Staircase { g, end, .. } = energy.staircase(x, d, S::Array::LEN);
         if S::Array::LEN == 1 {
@@ -71,12 +71,12 @@ impl MeanGradient for CoordinateIncrement {
 /// Returns the multiple of `direction` whose product with `d` equals g·d.
 ///
 /// # Errors
-/// [`Refusal::SingularDirection`] if `direction` and `d` are orthogonal up to [`LEAST_PRODUCT`], and neither is zero.
-fn along<A: Array>(direction: &A, g: &A, d: &A) -> Result<A, Refusal> {
+/// [`Failure::SingularDirection`] if `direction` and `d` are orthogonal up to [`LEAST_PRODUCT`], and neither is zero.
+fn along<A: Array>(direction: &A, g: &A, d: &A) -> Result<A, Failure> {
     let product = dot(direction, d);
     let terms = direction.as_slice().iter().zip(d.as_slice()).map(|(a, b)| (*a * *b).magnitude());
     if product.magnitude() <= LEAST_PRODUCT * terms.sum::<f64>() && !direction.is_zero() && !d.is_zero() {
-        return Err(Refusal::SingularDirection);
+        return Err(Failure::SingularDirection);
     }
     // The factor is 1 + excess. For d = 0 the excess is 0/0, which `denominator` makes 0.
     let excess = dot(&difference(g, direction), d) / (product.signum() * denominator(product.abs()));

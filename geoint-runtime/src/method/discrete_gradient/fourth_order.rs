@@ -5,7 +5,7 @@
 use super::energy::{Energy, Slope};
 use super::matrix::{Matrix, j_times};
 use super::mean::{FourthOrderBase, MeanGradient};
-use crate::method::{Name, Probe, Refusal};
+use crate::method::{Failure, Name, Probe};
 use crate::scalar::Real;
 use crate::space::Array;
 use crate::space::vector::{difference, moved, opposite, scaled, sum};
@@ -65,7 +65,7 @@ impl<G: FourthOrderBase> MeanGradient for FourthOrder<G> {
         energy: &mut Energy<'_, S, R, P>,
         x: &S::Phase,
         d: &S::Phase,
-    ) -> Result<Slope<S::Array>, Refusal> {
+    ) -> Result<Slope<S::Array>, Failure> {
         let (h, [one, half, sixth, twelfth]) = (energy.h, [1.0, 1.0 / 2.0, 1.0 / 6.0, 1.0 / 12.0].map(R::from_f64));
         let Slope { g, mut derivative } = self.0.between(energy, x, d)?;
         let (rate, mut modified) = (j_times(&g), g);

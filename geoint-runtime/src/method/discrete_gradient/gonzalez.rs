@@ -4,7 +4,7 @@ use super::energy::{Energy, Slope};
 use super::matrix::j_times;
 use super::mean::MeanGradient;
 use crate::method::composition::substeps;
-use crate::method::{Name, Probe, Refusal};
+use crate::method::{Failure, Name, Probe};
 use crate::scalar::{Real, zero};
 use crate::slope::before_squares;
 use crate::space::Array;
@@ -41,7 +41,7 @@ impl MeanGradient for Gonzalez {
         energy: &mut Energy<'_, S, R, P>,
         x: &S::Phase,
         d: &S::Phase,
-    ) -> Result<Slope<S::Array>, Refusal> {
+    ) -> Result<Slope<S::Array>, Failure> {
         let (one, half) = (R::from_f64(1.0), R::from_f64(0.5));
         let mut tree = energy.tree(x, d);
         let mut middle = energy.gradient(energy.t, &moved(x, half, d));

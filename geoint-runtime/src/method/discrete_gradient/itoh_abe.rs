@@ -10,7 +10,7 @@ use super::mean::{MeanGradient, MeanStep};
 use crate::method::composition::substeps;
 use crate::method::corrected::kept;
 use crate::method::implicit::{Memory, Prepared};
-use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
+use crate::method::{Claims, Failure, Method, Name, Probe, Step};
 use crate::scalar::Real;
 use crate::space::vector::{moved, opposite, scaled, sum};
 use crate::space::{Array, Summation};
@@ -54,7 +54,7 @@ impl MeanGradient for ItohAbe {
         energy: &mut Energy<'_, S, R, P>,
         x: &S::Phase,
         d: &S::Phase,
-    ) -> Result<Slope<S::Array>, Refusal> {
+    ) -> Result<Slope<S::Array>, Failure> {
         // Each edge changes one coordinate. `end` is the derivative of g by the end x + d, thus ∂g/∂d.
         let Staircase { g, end, .. } = energy.staircase(x, d, 1);
         Ok(Slope { g, derivative: end })
@@ -71,7 +71,7 @@ impl MeanGradient for ItohAbeAdjoint {
         energy: &mut Energy<'_, S, R, P>,
         x: &S::Phase,
         d: &S::Phase,
-    ) -> Result<Slope<S::Array>, Refusal> {
+    ) -> Result<Slope<S::Array>, Failure> {
         // The path from x₁ back to x₀ starts at x₁, so its derivative by the start is ∂g/∂d.
         let end = sum(x, d);
         let Staircase { g, start, .. } = energy.staircase(&end, &opposite(d), 1);
@@ -89,7 +89,7 @@ impl MeanGradient for SymmetrisedItohAbe {
         energy: &mut Energy<'_, S, R, P>,
         x: &S::Phase,
         d: &S::Phase,
-    ) -> Result<Slope<S::Array>, Refusal> {
+    ) -> Result<Slope<S::Array>, Failure> {
         let half = R::from_f64(0.5);
         let (mut forward, mut backward) = (ItohAbe.between(energy, x, d)?, ItohAbeAdjoint.between(energy, x, d)?);
         let mut slope = Slope { g: moved(&scaled(half, &forward.g), half, &backward.g), derivative: Matrix::zero() };
@@ -121,7 +121,7 @@ impl MeanGradient for Half {
         energy: &mut Energy<'_, S, R, P>,
         x: &S::Phase,
         d: &S::Phase,
-    ) -> Result<Slope<S::Array>, Refusal> {
+    ) -> Result<Slope<S::Array>, Failure> {
         match self {
             Half::First => ItohAbe.between(energy, x, d),
             Half::Second => ItohAbeAdjoint.between(energy, x, d),
@@ -172,7 +172,7 @@ impl<S: DiscreteField<R> + Conservative<R>, R: Real> Method<S, R> for ItohAbePai
         PreparedPair { first, second, half_step }: &Self::Prepared,
         memory: &mut Self::Memory,
         mut step: Step<'_, S, R, C, P>,
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), Failure> {
         let [start, middle, end] = [step.t, step.t + *half_step, step.end];
         first.step(memory, step.part([start, middle]))?;
         second.step(memory, step.part([middle, end]))

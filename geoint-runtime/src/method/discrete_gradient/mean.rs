@@ -11,7 +11,7 @@ use crate::method::corrected::{kept, rounded};
 use crate::method::implicit::{
     Arrival, Branch, Departure, Equation, Evaluated, ImplicitStep, Increment, Policy, Sums, Units, Watch,
 };
-use crate::method::{Claims, Name, Probe, Refusal, Unwatched};
+use crate::method::{Claims, Failure, Name, Probe, Unwatched};
 use crate::scalar::Real;
 use crate::solving::equation::Solution;
 use crate::solving::quasi_newton::QuasiNewton;
@@ -57,7 +57,7 @@ pub trait MeanGradient: Copy + core::fmt::Debug {
         energy: &mut Energy<'_, S, R, P>,
         x: &S::Phase,
         d: &S::Phase,
-    ) -> Result<Slope<S::Array>, Refusal>;
+    ) -> Result<Slope<S::Array>, Failure>;
 }
 
 /// A mean of order 2, symmetric in both ends, that [`FourthOrder`](crate::FourthOrder) raises to order 4 by a modified structure matrix. The tree discrete
@@ -106,7 +106,7 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> ImplicitSt
     type Start = ();
     type History = ();
     /// The refusal of the mean, if g did not exist at a point of the iteration. It replaces the refusal of the solver.
-    type LastEvaluation = Option<Refusal>;
+    type LastEvaluation = Option<Failure>;
     type Kept = KeptBy<S, R>;
     type Solver = QuasiNewton<S::Phase>;
 
@@ -128,12 +128,12 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> ImplicitSt
 
     fn history() {}
 
-    fn no_evaluation() -> Option<Refusal> {
+    fn no_evaluation() -> Option<Failure> {
         None
     }
 
     #[inline(always)]
-    fn begin(_: &Departure<'_, S, R>, _: &Self::Coefficients, (): &mut ()) -> Result<(), Refusal> {
+    fn begin(_: &Departure<'_, S, R>, _: &Self::Coefficients, (): &mut ()) -> Result<(), Failure> {
         Ok(())
     }
 
@@ -185,7 +185,7 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> ImplicitSt
         _: &Equation<'_, Self, S, R>,
         solution: &Solution<S::Phase>,
         _: &Self::LastEvaluation,
-    ) -> Result<Increment<S::Phase, ()>, Refusal> {
+    ) -> Result<Increment<S::Phase, ()>, Failure> {
         Ok(Increment::of(solution.x, ()))
     }
 
@@ -195,7 +195,7 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> ImplicitSt
         _: &Solution<S::Phase>,
         (): &mut (),
         end: Arrival<'_, S, R>,
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), Failure> {
         if !G::is_exact::<S, R>() {
             return Ok(());
         }
@@ -203,7 +203,7 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> ImplicitSt
     }
 
     #[cold]
-    fn explained(_: &Equation<'_, Self, S, R>, last: &Self::LastEvaluation, refusal: Refusal) -> Refusal {
+    fn explained(_: &Equation<'_, Self, S, R>, last: &Self::LastEvaluation, refusal: Failure) -> Failure {
         last.unwrap_or(refusal)
     }
 

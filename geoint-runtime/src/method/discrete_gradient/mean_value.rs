@@ -5,7 +5,7 @@ use super::matrix::Matrix;
 use super::mean::MeanGradient;
 use crate::method::composition::substeps;
 use crate::method::gauss::{Gauss, GaussTableau};
-use crate::method::{Name, Probe, Refusal};
+use crate::method::{Failure, Name, Probe};
 use crate::scalar::Real;
 use crate::space::Array;
 use crate::space::vector::{moved, scaled};
@@ -53,7 +53,7 @@ where
         energy: &mut Energy<'_, S, R, P>,
         x: &S::Phase,
         d: &S::Phase,
-    ) -> Result<Slope<S::Array>, Refusal> {
+    ) -> Result<Slope<S::Array>, Failure> {
         // With one part, the macro has proven that the tree discrete gradient is the mean value.
         if S::MEAN == Mean::Parts(1) {
             return Ok(energy.tree(x, d));

@@ -12,7 +12,7 @@
 use crate::method::implicit::{
     Arrival, Branch, Departure, Equation, Evaluated, ImplicitStep, Increment, Policy, Sums, Units, Watch,
 };
-use crate::method::{Probe, Refusal};
+use crate::method::{Failure, Probe};
 use crate::scalar::{Real, zero};
 use crate::solving::equation::Solution;
 use crate::solving::newton::Newton;
@@ -162,7 +162,7 @@ impl<S: PolarisedForm<R>, R: Real> ImplicitStep<S, R> for PolarisedStep {
         from: &Departure<'_, S, R>,
         coefficients: &Self::Coefficients,
         history: &mut Self::History,
-    ) -> Result<Self::Start, Refusal> {
+    ) -> Result<Self::Start, Failure> {
         let Departure { system, z, s, .. } = from;
         let sign = history.regular.begin(*system, coefficients.is_definite, (from.t, z, s))?;
         let [t, _] = times(from);
@@ -214,7 +214,7 @@ impl<S: PolarisedForm<R>, R: Real> ImplicitStep<S, R> for PolarisedStep {
         equation: &Equation<'_, Self, S, R>,
         Solution { x: d, .. }: &Solution<S::Increments>,
         LastEvaluation { d: last, increments, by_d }: &Self::LastEvaluation,
-    ) -> Result<Increment<S::Phase, S::Action>, Refusal> {
+    ) -> Result<Increment<S::Phase, S::Action>, Failure> {
         let increments = extrapolated(increments, by_d, &difference(d, last));
         let z = [equation.shift(d), resized(&increments, zero())];
         Ok(Increment::of(z, S::Action::of(of_action::<S, R>(&increments))))
@@ -226,12 +226,12 @@ impl<S: PolarisedForm<R>, R: Real> ImplicitStep<S, R> for PolarisedStep {
         Solution { x: d, .. }: &Solution<S::Increments>,
         History { regular, last }: &mut Self::History,
         Arrival { z, s, .. }: Arrival<'_, S, R>,
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), Failure> {
         let (mut v, [_, t]) = (sum(&start.v, &resized(d, zero())), times(from));
         // Near a singular M the rounding of p changes the velocity. The velocity is therefore computed from the rounded momentum.
         if !coefficients.is_definite {
             regular.follow(from.system, false, [(from.t, &from.z, &from.s), (from.end, z, s)], v)?;
-            v = velocity_near(from.system, t, z, s, v).ok_or(Refusal::Singular)?;
+            v = velocity_near(from.system, t, z, s, v).ok_or(Failure::Singular)?;
         }
         *last = last.map(|last| PointWithVelocity { t, z: *z, v, ..last });
         Ok(())
@@ -241,14 +241,14 @@ impl<S: PolarisedForm<R>, R: Real> ImplicitStep<S, R> for PolarisedStep {
 /// Returns a point with its velocity, which solves ∂L/∂v = p from `guess`, and with the scales of its rows.
 ///
 /// # Errors
-/// [`Refusal::Singular`] if M is singular at the point, or the velocity is not finite.
+/// [`Failure::Singular`] if M is singular at the point, or the velocity is not finite.
 #[inline(never)]
 fn with_velocity<S: MassForm<R>, R: Real>(
     system: &S,
     t: R,
     (z, s): (S::Phase, S::Action),
     guess: S::Array,
-) -> Result<PointWithVelocity<S::Phase, S::Array>, Refusal> {
-    let v = velocity_near(system, t, &z, &s, guess).ok_or(Refusal::Singular)?;
+) -> Result<PointWithVelocity<S::Phase, S::Array>, Failure> {
+    let v = velocity_near(system, t, &z, &s, guess).ok_or(Failure::Singular)?;
     Ok(PointWithVelocity { t, z, v, row_scales: mass_units(system, t, &z, &s, &v) })
 }

@@ -12,7 +12,7 @@ use crate::method::implicit::{
     Arrival, Branch, Departure, Equation, Evaluated, ImplicitMethod, ImplicitStep, Increment, Policy, Sums, Units,
     Watch,
 };
-use crate::method::{Claims, Name, Probe, Refusal};
+use crate::method::{Claims, Failure, Name, Probe};
 use crate::scalar::Real;
 use crate::solving::equation::{Magnitudes, Solution, Solver};
 use crate::solving::newton::Newton;
@@ -65,7 +65,7 @@ impl<S: FourthOrderField<R>, R: Real> ImplicitStep<S, R> for FourthOrder<Discret
         from: &Departure<'_, S, R>,
         parameters: &S::FourthParameters,
         (): &mut (),
-    ) -> Result<S::FourthStart, Refusal> {
+    ) -> Result<S::FourthStart, Failure> {
         Ok(from.system.fourth_begin(parameters, Span::of([from.t, from.end], from.h), &from.z))
     }
 
@@ -104,7 +104,7 @@ impl<S: FourthOrderField<R>, R: Real> ImplicitStep<S, R> for FourthOrder<Discret
         mut equation: Equation<'_, Self, S, R>,
         newton: &mut Newton<S::Phase>,
         watch: &mut Watch<'_, S, R, P, ()>,
-    ) -> Result<Solution<S::Phase>, Refusal> {
+    ) -> Result<Solution<S::Phase>, Failure> {
         if !P::EFFORT.is_thorough() {
             return newton.solve(&equation, watch);
         }
@@ -123,7 +123,7 @@ impl<S: FourthOrderField<R>, R: Real> ImplicitStep<S, R> for FourthOrder<Discret
         _: &Equation<'_, Self, S, R>,
         Solution { x: z, rounding_error, .. }: &Solution<S::Phase>,
         (): &(),
-    ) -> Result<Increment<S::Phase, ()>, Refusal> {
+    ) -> Result<Increment<S::Phase, ()>, Failure> {
         Ok(Increment { z: *z, s: (), rounding_error: *rounding_error })
     }
 
@@ -133,7 +133,7 @@ impl<S: FourthOrderField<R>, R: Real> ImplicitStep<S, R> for FourthOrder<Discret
         _: &Solution<S::Phase>,
         (): &mut (),
         end: Arrival<'_, S, R>,
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), Failure> {
         rounded::check_step::<S, R>(P::EFFORT, from, end)
     }
 

@@ -15,7 +15,7 @@ use crate::method::corrected::rounded;
 use crate::method::implicit::{
     Arrival, Branch, Departure, Equation, Evaluated, ImplicitStep, Increment, Policy, Sums, Units, Watch,
 };
-use crate::method::{Claims, Name, Probe, Refusal};
+use crate::method::{Claims, Failure, Name, Probe};
 use crate::scalar::{Real, exact_sum, zero};
 use crate::solving::Inverse;
 use crate::solving::equation::{Magnitudes, Solution, Solver};
@@ -60,7 +60,7 @@ impl MeanGradient for DiscreteGradient {
         energy: &mut Energy<'_, S, R, P>,
         x: &S::Phase,
         d: &S::Phase,
-    ) -> Result<Slope<S::Array>, Refusal> {
+    ) -> Result<Slope<S::Array>, Failure> {
         Ok(energy.tree(x, d))
     }
 }
@@ -240,7 +240,7 @@ impl<S: DiscreteField<R>, R: Real> ImplicitStep<S, R> for TreeStep {
         from: &Departure<'_, S, R>,
         coefficients: &Coefficients<S, R>,
         (): &mut (),
-    ) -> Result<Start<S, R>, Refusal> {
+    ) -> Result<Start<S, R>, Failure> {
         let (y, origin) = S::start(&from.z);
         let mean_field = from.system.begin(&coefficients.mean_field, Span::of([from.t, from.end], from.h), &y);
         let (of_y, _) = S::start(&from.compensation);
@@ -296,14 +296,14 @@ impl<S: DiscreteField<R>, R: Real> ImplicitStep<S, R> for TreeStep {
         equation: Equation<'_, Self, S, R>,
         newton: &mut Newton<S::Unknown>,
         watch: &mut Watch<'_, S, R, P, ()>,
-    ) -> Result<Solution<S::Unknown>, Refusal> {
+    ) -> Result<Solution<S::Unknown>, Failure> {
         if const { !S::Inverse::EXISTS } {
             return newton.solve(&equation, watch);
         }
         let none = S::Unknown::zero();
         let d = equation.compensated_increment(watch, &none);
         let impulse = equation.coefficients.inverse.times(&equation.impulse(&d, &mut S::Unknown::fill(none)));
-        if impulse.is_finite() { Ok(Solution::of(impulse)) } else { Err(Refusal::Singular) }
+        if impulse.is_finite() { Ok(Solution::of(impulse)) } else { Err(Failure::Singular) }
     }
 
     #[inline(always)]
@@ -311,7 +311,7 @@ impl<S: DiscreteField<R>, R: Real> ImplicitStep<S, R> for TreeStep {
         equation: &Equation<'_, Self, S, R>,
         solution: &Solution<S::Unknown>,
         (): &(),
-    ) -> Result<Increment<S::Phase, ()>, Refusal> {
+    ) -> Result<Increment<S::Phase, ()>, Failure> {
         if const { S::Inverse::EXISTS } {
             return Ok(Increment::of(equation.affine_increments(&solution.x), ()));
         }
@@ -325,7 +325,7 @@ impl<S: DiscreteField<R>, R: Real> ImplicitStep<S, R> for TreeStep {
         _: &Solution<S::Unknown>,
         (): &mut (),
         end: Arrival<'_, S, R>,
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), Failure> {
         // The solution is direct. No iteration has accepted a residual, so there is nothing to check.
         if const { S::Inverse::EXISTS } {
             return Ok(());

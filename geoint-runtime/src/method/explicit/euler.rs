@@ -1,7 +1,7 @@
 //! The explicit Euler method. It preserves no structure and serves as a control for comparisons.
 
 use crate::method::explicit::{check_mass, may_be_singular};
-use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
+use crate::method::{Claims, Failure, Method, Name, Probe, Step};
 use crate::scalar::Real;
 use crate::space::{PerCoordinate, Summation};
 use crate::system::{Poles, Rates};
@@ -51,7 +51,7 @@ impl<S: Rates<R>, R: Real> Method<S, R> for ExplicitEuler {
         Prepared { h, poles }: &Prepared<R>,
         (): &mut (),
         Step { system, t, end, x, probe }: Step<'_, S, R, C, P>,
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), Failure> {
         probe.visit(t, &x.z, &x.s);
         let mut increment = system.rates(t, &PerCoordinate { z: x.z, s: x.s });
         increment.times(*h);

@@ -23,7 +23,7 @@ pub mod tableau;
 mod tables;
 
 use crate::scalar::Real;
-use crate::solving::Refusal;
+use crate::solving::Failure;
 use crate::space::{PerCoordinate, Point, Snapshot, Summation, normalisation};
 use crate::system::{Known, PhaseSpace, Poles};
 
@@ -55,10 +55,10 @@ fn check_mass<S: PhaseSpace<R>, R: Real, C>(
     times: [R; 2],
     x: &Point<S::Phase, C, S::Action>,
     increment: &PerCoordinate<S::Phase, S::Action>,
-) -> Result<(), Refusal> {
+) -> Result<(), Failure> {
     let mut end = PerCoordinate::of(x);
     end.add_scaled(R::from_f64(1.0), increment);
     let ends = (times, [&x.z, &end.z], [&x.s, &end.s]);
-    Refusal::outside(poles.of_mass_between(system, ends))?;
-    Refusal::outside(system.singular_mass(ends.0, ends.1, ends.2))
+    Failure::outside(poles.of_mass_between(system, ends))?;
+    Failure::outside(system.singular_mass(ends.0, ends.1, ends.2))
 }

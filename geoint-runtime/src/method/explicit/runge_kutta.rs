@@ -6,7 +6,7 @@
 use crate::method::explicit::tableau::Tableau;
 use crate::method::explicit::{check_mass, may_be_singular};
 use crate::method::tables::total::adds_up;
-use crate::method::{Claims, Estimate, Method, Name, Probe, Refusal, Step};
+use crate::method::{Claims, Estimate, Failure, Method, Name, Probe, Step};
 use crate::scalar::{Real, zero};
 use crate::space::{Action, Array, PerCoordinate, Summation};
 use crate::system::{Poles, Rates};
@@ -149,7 +149,7 @@ impl<R: Real, const K: usize> Prepared<R, K> {
         &self,
         rates: &[PerCoordinate<S::Phase, S::Action>; K],
         Step { system, t, end, x, .. }: &Step<'_, S, R, C, P>,
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), Failure> {
         if !may_be_singular::<S, R>() {
             return Ok(());
         }
@@ -206,7 +206,7 @@ impl<S: Rates<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> {
         prepared: &Self::Prepared,
         (): &mut (),
         mut step: Step<'_, S, R, C, P>,
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), Failure> {
         let rates = prepared.rates(step.part([step.t; 2]));
         prepared.check_mass(&rates, &step)?;
         super::end::<S, R, C>(step.x, &weighted_sum(&prepared.b, &rates));
@@ -223,7 +223,7 @@ impl<S: Rates<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> {
         prepared: &Self::Prepared,
         (): &mut (),
         mut step: Step<'_, S, R, C, P>,
-    ) -> Option<Result<Estimate<S, R>, Refusal>> {
+    ) -> Option<Result<Estimate<S, R>, Failure>> {
         let estimators = prepared.estimators.as_ref()?;
         let rates = prepared.rates(step.part([step.t; 2]));
         if let Err(refusal) = prepared.check_mass(&rates, &step) {

@@ -11,7 +11,7 @@ macro_rules! steps_of {
             $prepared: &Self::Prepared,
             $memory: &mut Self::Memory,
             step: Step<'_, S, R, Sums, Watching>,
-        ) -> Result<(), Refusal> {
+        ) -> Result<(), Failure> {
             <$inner as Method<S, R>>::step($part, $own, step)
         }
 
@@ -23,7 +23,7 @@ macro_rules! steps_of {
             clock: &Clock<R>,
             steps: u64,
             x: &mut Point<S::Phase, Sums, S::Action>,
-        ) -> Result<(), Refusal> {
+        ) -> Result<(), Failure> {
             <$inner as Method<S, R>>::advance($part, $own, system, clock, steps, x)
         }
     };

@@ -5,7 +5,7 @@
 //! point after the last flow. A run therefore has the same digits in single steps and in one call, and reading a state does not change the run.
 
 use super::open::Open;
-use crate::method::{Clock, Probe, Refusal, Step, Unwatched};
+use crate::method::{Clock, Failure, Probe, Step, Unwatched};
 use crate::scalar::Real;
 use crate::space::{Array, Point, Summation};
 use crate::system::PhaseSpace;
@@ -40,7 +40,7 @@ pub(super) trait Alternation<S: PhaseSpace<R>, R: Real> {
         &self,
         place: Outer,
         step: Step<'_, S, R, C, P>,
-    ) -> Result<(), Refusal>;
+    ) -> Result<(), Failure>;
     /// Applies the `i`-th inner flow.
     ///
     /// # Errors
@@ -49,7 +49,7 @@ pub(super) trait Alternation<S: PhaseSpace<R>, R: Real> {
         &self,
         i: usize,
         step: Step<'_, S, R, C, P>,
-    ) -> Result<(), Refusal>;
+    ) -> Result<(), Failure>;
 }
 
 /// Takes one step.
@@ -61,7 +61,7 @@ pub(super) fn step<F: Alternation<S, R>, S: PhaseSpace<R>, R: Real, C: Summation
     flows: &F,
     open: &mut Open<S::Phase, S::Action>,
     mut step: Step<'_, S, R, C, P>,
-) -> Result<(), Refusal> {
+) -> Result<(), Failure> {
     begin(flows, open, step.part([step.t, step.end]))?;
     finish(flows, open, step)
 }
@@ -78,7 +78,7 @@ pub(super) fn advance<F: Alternation<S, R>, S: PhaseSpace<R>, R: Real, C: Summat
     clock: &Clock<R>,
     steps: u64,
     x: &mut Point<S::Phase, C, S::Action>,
-) -> Result<(), Refusal> {
+) -> Result<(), Failure> {
     let Some(last) = steps.checked_sub(1) else { return Ok(()) };
     let probe = &mut Unwatched;
     begin(flows, open, Step { system, t: clock.at(0), end: clock.at(1), x, probe })?;
@@ -92,7 +92,7 @@ fn begin<F: Alternation<S, R>, S: PhaseSpace<R>, R: Real, C: Summation<S::Phase>
     flows: &F,
     open: &Open<S::Phase, S::Action>,
     step: Step<'_, S, R, C, P>,
-) -> Result<(), Refusal> {
+) -> Result<(), Failure> {
     let before = if merges::<F, S, R, P>(flows) { open.return_to(step.t, step.x) } else { None };
     match before {
         Some(_) if flows.shows_middle_of_joint() => Ok(()),
@@ -111,7 +111,7 @@ fn rounds<F: Alternation<S, R>, S: PhaseSpace<R>, R: Real, C: Summation<S::Phase
     clock: &Clock<R>,
     steps: u64,
     x: &mut Point<S::Phase, C, S::Action>,
-) -> Result<(), Refusal> {
+) -> Result<(), Failure> {
     let mut here = *x;
     for n in 0..steps {
         let [t, end] = [clock.at(n), clock.at(n + 1)];
@@ -130,7 +130,7 @@ fn finish<F: Alternation<S, R>, S: PhaseSpace<R>, R: Real, C: Summation<S::Phase
     flows: &F,
     open: &mut Open<S::Phase, S::Action>,
     mut step: Step<'_, S, R, C, P>,
-) -> Result<(), Refusal> {
+) -> Result<(), Failure> {
     let times = [step.t, step.end];
     for i in 0..F::INNER {
         flows.inner(i, step.part(times))?;

@@ -7,7 +7,7 @@ use super::open::Open;
 use super::sequence::Sequence;
 use super::steps_of;
 use super::table::Splitting;
-use crate::method::{Claims, Clock, Estimate, Method, Name, Probe, Refusal, Step};
+use crate::method::{Claims, Clock, Estimate, Failure, Method, Name, Probe, Step};
 use crate::scalar::Real;
 use crate::space::{Action, Array, PerCoordinate, Point, Summation};
 use crate::system::QuadraticKinetic;
@@ -169,7 +169,7 @@ impl<S: QuadraticKinetic<R>, R: Real, O: Copy, const K: usize> Method<S, R> for 
         prepared: &Self::Prepared,
         History { kick, .. }: &mut Self::Memory,
         mut step: Step<'_, S, R, C, P>,
-    ) -> Option<Result<Estimate<S, R>, Refusal>> {
+    ) -> Option<Result<Estimate<S, R>, Failure>> {
         let estimators = prepared.estimators.filter(|_| const { has_pure_impulses::<S, R>() })?;
         let mut sums = [[S::Array::zero(); 2]; 2];
         let sequence = &prepared.sequence;

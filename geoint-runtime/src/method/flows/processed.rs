@@ -6,7 +6,7 @@ use super::sequence::Sequence;
 use super::steps_of;
 use super::table::{Entry, Flow, Splitting};
 use crate::method::tables::total::adds_up;
-use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step, Unwatched};
+use crate::method::{Claims, Clock, Failure, Method, Name, Probe, Step, Unwatched};
 use crate::scalar::Real;
 use crate::space::{Plain, Point, Summation};
 use crate::system::{PhaseSpace, Separable};

@@ -4,7 +4,7 @@ use super::driver::{Alternation, Outer};
 use super::kinds::Flows;
 use super::operation::{Operation, Reached};
 use super::table::{Flow, Splitting};
-use crate::method::{Probe, Refusal, Step};
+use crate::method::{Failure, Probe, Step};
 use crate::scalar::Real;
 use crate::space::Summation;
 use crate::system::Separable;
@@ -83,7 +83,7 @@ impl<S: Separable<R>, R: Real, F: Flows<S, R>, const K: usize> Alternation<S, R>
         &self,
         place: Outer,
         step: Step<'_, S, R, C, P>,
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), Failure> {
         match place {
             Outer::First => self.first.apply(step),
             Outer::Joint(i) => self.pairs[i][1].apply(step),
@@ -101,7 +101,7 @@ impl<S: Separable<R>, R: Real, F: Flows<S, R>, const K: usize> Alternation<S, R>
         &self,
         i: usize,
         step: Step<'_, S, R, C, P>,
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), Failure> {
         self.pairs[i][0].apply(step);
         Ok(())
     }

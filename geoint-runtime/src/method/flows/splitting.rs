@@ -5,7 +5,7 @@ use super::kinds::Flows;
 use super::open::Open;
 use super::sequence::Sequence;
 use super::table::Splitting;
-use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step};
+use crate::method::{Claims, Clock, Failure, Method, Name, Probe, Step};
 use crate::scalar::Real;
 use crate::space::{Point, Summation};
 use crate::system::Separable;
@@ -42,7 +42,7 @@ impl<S: Separable<R>, R: Real, F: Flows<S, R>, const K: usize> Method<S, R> for 
         prepared: &Self::Prepared,
         open: &mut Self::Memory,
         step: Step<'_, S, R, C, P>,
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), Failure> {
         driver::step(prepared, open, step)
     }
 
@@ -54,7 +54,7 @@ impl<S: Separable<R>, R: Real, F: Flows<S, R>, const K: usize> Method<S, R> for 
         clock: &Clock<R>,
         steps: u64,
         x: &mut Point<S::Phase, C, S::Action>,
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), Failure> {
         driver::advance(prepared, open, system, clock, steps, x)
     }
 }

@@ -4,7 +4,7 @@ use super::delegate;
 use super::kinds::KickAndRotations;
 use super::table::Flow::{Drift, Kick};
 use super::table::Splitting;
-use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step};
+use crate::method::{Claims, Clock, Failure, Method, Name, Probe, Step};
 use crate::scalar::Real;
 use crate::space::{Point, Summation};
 use crate::system::{PrincipalAxes, Separable};

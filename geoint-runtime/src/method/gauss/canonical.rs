@@ -14,7 +14,7 @@ use super::prepared::Scaled;
 use super::stages::{Form, Part, Rows, Slopes, Values, assemble};
 use super::{Gauss, GaussTableau};
 use crate::method::implicit::{Departure, Equation, ImplicitStep, Increment, Policy, Stage, Units, Watch};
-use crate::method::{Probe, Refusal};
+use crate::method::{Failure, Probe};
 use crate::scalar::Real;
 use crate::solving::equation::Solution;
 use crate::solving::newton::Newton;
@@ -101,7 +101,7 @@ where
     ///
     /// # Errors
     /// If the iteration does not converge, if ∂y/∂x is singular at one of its points, or if det ∂y/∂x has changed its sign.
-    fn end(&self, change: &Y::Phase, guess: Y::Phase) -> Result<Y::Phase, Refusal> {
+    fn end(&self, change: &Y::Phase, guess: Y::Phase) -> Result<Y::Phase, Failure> {
         let (Start { y, inverse, .. }, mut is_positive) = (&self.start, true);
         let correction = |d: &Y::Phase| {
             // The time matters for y' only, which is not read here. A rounding of the end time therefore has no effect.
@@ -109,7 +109,7 @@ where
             let mut delta = inverse.times(&difference(&difference(&at.value, y), change));
             let mut matrix = scaled_rows(inverse, &at.derivatives[VALUE]);
             // The matrix is near 1 in short steps, so its pivots stay on the diagonal. Equal sizes then suffice.
-            is_positive = linear::solve(&mut matrix, &mut delta, &Sizes::equal()).ok_or(Refusal::Singular)?;
+            is_positive = linear::solve(&mut matrix, &mut delta, &Sizes::equal()).ok_or(Failure::Singular)?;
             let relative = Sizes::new().relative(&delta, &self.from.z, &difference(d, &delta));
             Ok(Correction { delta, relative })
         };
@@ -117,7 +117,7 @@ where
         let d =
             correct(guess, Corrections::of(Convergence::Quadratic), |Stuck { after, .. }| Some(*after), correction)?;
         // The matrix is (∂y/∂x)₀⁻¹ ∂y/∂x, which is 1 at the start of the step. If its determinant is negative at the end, ∂y/∂x was singular on the way.
-        if is_positive { Ok(d) } else { Err(Refusal::Singular) }
+        if is_positive { Ok(d) } else { Err(Failure::Singular) }
     }
 }
 
@@ -152,9 +152,9 @@ where
         from: &Departure<'_, Y, R>,
         coefficients: &Self::Coefficients,
         (): &mut (),
-    ) -> Result<Self::Start, Refusal> {
+    ) -> Result<Self::Start, Failure> {
         let At { value, rate, derivatives } = At::new(from.system, &coefficients.kernel, from.t, from.z);
-        let inverse = inverse(&derivatives[VALUE], &from.z).ok_or(Refusal::Singular)?;
+        let inverse = inverse(&derivatives[VALUE], &from.z).ok_or(Failure::Singular)?;
         Ok(Start { y: value, rate, inverse })
     }
 
@@ -201,7 +201,7 @@ where
         equation: &Equation<'_, Self, Y, R>,
         Solution { x: d, .. }: &Solution<[Y::Phase; S]>,
         (): &(),
-    ) -> Result<Increment<Y::Phase, ()>, Refusal> {
+    ) -> Result<Increment<Y::Phase, ()>, Failure> {
         // The last evaluation was before the last correction, so y' is evaluated at the solution.
         let mut change = Y::Phase::zero();
         for i in 0..S {

@@ -11,7 +11,7 @@ use super::prepared::Scaled;
 use super::{Gauss, GaussTableau};
 use crate::method::explicit::tableau::Tableau;
 use crate::method::implicit::{Departure, Equation, ImplicitStep, Increment, Policy, Stage, Units, Watch};
-use crate::method::{Estimate, Probe, Refusal};
+use crate::method::{Estimate, Failure, Probe};
 use crate::scalar::Real;
 use crate::solving::equation::Solution;
 use crate::solving::newton::Newton;
@@ -170,7 +170,7 @@ where
         from: &Departure<'_, Y, R>,
         coefficients: &Self::Coefficients,
         (): &mut (),
-    ) -> Result<Self::Start, Refusal> {
+    ) -> Result<Self::Start, Failure> {
         let (y, changed) = Y::start(&from.z);
         Ok(Start { y, changed, velocity: from.system.velocity(&coefficients.kernel, &changed) })
     }
@@ -240,7 +240,7 @@ where
         Equation { from, coefficients, start }: &Equation<'_, Self, Y, R>,
         Solution { x: k, .. }: &Solution<[Y::Unknown; S]>,
         (): &(),
-    ) -> Result<Increment<Y::Phase, ()>, Refusal> {
+    ) -> Result<Increment<Y::Phase, ()>, Failure> {
         let (mut change, mut impulse) = (scaled(from.h, &start.velocity), Y::Unknown::zero());
         for i in 0..S {
             from.system.add(&coefficients.kernel, coefficients.increments[i], &k[i], &mut change);
@@ -254,11 +254,11 @@ where
         equation: &Equation<'_, Self, Y, R>,
         k: &[Y::Unknown; S],
         probe: &mut P,
-    ) -> Result<Estimate<Y, R>, Refusal> {
+    ) -> Result<Estimate<Y, R>, Failure> {
         let Equation { from: Departure { system, h, .. }, coefficients, start } = equation;
         let step = defect::Step { system: *system, coefficients: &coefficients.kernel, h: *h, changed: &start.changed };
         let at = |x, coefficients: &[f64; S]| equation.at(probe, x, k, coefficients);
-        let z = defect::error(step, k, at).ok_or(Refusal::Singular)?;
+        let z = defect::error(step, k, at).ok_or(Failure::Singular)?;
         // The second estimate, of lower order, is zero: this step has one estimate only.
         Ok([PerCoordinate { z, s: () }, PerCoordinate::zero()])
     }

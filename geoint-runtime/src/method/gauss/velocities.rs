@@ -12,7 +12,7 @@ use super::prepared::Scaled;
 use super::stages::{Form, Part, Rows, Slopes, Values, Weights, assemble, shifts};
 use super::{Gauss, GaussTableau};
 use crate::method::implicit::{Arrival, Departure, Equation, ImplicitStep, Increment, Policy, Stage, Units, Watch};
-use crate::method::{Probe, Refusal};
+use crate::method::{Failure, Probe};
 use crate::scalar::{Real, zero};
 use crate::solving::equation::Solution;
 use crate::solving::newton::Newton;
@@ -255,14 +255,14 @@ where
         from: &Departure<'_, Y, R>,
         Coefficients { kernel, scaled: Scaled { coupling, nodes, .. }, is_definite }: &Self::Coefficients,
         regular: &mut Self::History,
-    ) -> Result<Self::Start, Refusal> {
+    ) -> Result<Self::Start, Failure> {
         let Departure { system, t, z, s, .. } = from;
         let sign = regular.begin(*system, *is_definite, (*t, z, s))?;
         let mut known = None;
         if const { matches!(decay::<Y, R>(), Decay::OfTime) } {
             let none = Y::Array::zero();
             let decay = nodes.map(|node| system.force(kernel, *t + node, &none, &none, s).1);
-            known = Some(Factors::new::<false>(coupling, &decay).ok_or(Refusal::Singular)?);
+            known = Some(Factors::new::<false>(coupling, &decay).ok_or(Failure::Singular)?);
         }
         Ok(Start { sign, known })
     }
@@ -332,7 +332,7 @@ where
         equation: &Equation<'_, Self, Y, R>,
         Solution { x: d, .. }: &Solution<[Y::Unknown; S]>,
         last: &Self::LastEvaluation,
-    ) -> Result<Increment<Y::Phase, Y::Action>, Refusal> {
+    ) -> Result<Increment<Y::Phase, Y::Action>, Failure> {
         let Scaled { coupling, weights, .. } = &equation.coefficients.scaled;
         let SolvedRates { rates, decays, lagrangians } =
             last.rates_at(coupling, d, form::<Y, R>(), decay_slopes::<Y, R>());
@@ -347,11 +347,11 @@ where
         let mut impulse: Y::Array = resized(&impulse, zero());
         if let Some(factors) = factors {
             // r₁ p₁ = p₀ + impulse with r₁ = 1 + grown.
-            let grown = factors.growth(weights).ok_or(Refusal::Singular)?;
+            let grown = factors.growth(weights).ok_or(Failure::Singular)?;
             impulse.add_scaled(-grown, &equation.from.z[1]);
             impulse = scaled(R::from_f64(1.0) / (R::from_f64(1.0) + grown), &impulse);
             let rates_of_action = match const { decay::<Y, R>() } {
-                Decay::OfTime => factors.rates_of_action(coupling, lagrangians).ok_or(Refusal::Singular)?,
+                Decay::OfTime => factors.rates_of_action(coupling, lagrangians).ok_or(Failure::Singular)?,
                 _ => rates.map(|rate| of_action::<Y, R>(&rate)),
             };
             s = sum_of_products(weights, &rates_of_action);
@@ -365,7 +365,7 @@ where
         Solution { x: d, .. }: &Solution<[Y::Unknown; S]>,
         regular: &mut Self::History,
         Arrival { z, s, .. }: Arrival<'_, Y, R>,
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), Failure> {
         let ends = [(from.t, &from.z, &from.s), (from.end, z, s)];
         regular.follow(from.system, coefficients.is_definite, ends, resized(&d[S - 1], zero()))
     }

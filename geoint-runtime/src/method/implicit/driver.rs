@@ -13,7 +13,7 @@
 use super::points::{Arrival, Departure, Increment, Stage};
 use super::step::{Branch, Equation, Evaluated, ImplicitStep, Sums};
 use super::watch::Watch;
-use crate::method::{Effort, Estimate, Probe, Refusal, Step, check_end, check_poles, check_way, start as start_point};
+use crate::method::{Effort, Estimate, Failure, Probe, Step, check_end, check_poles, check_way, start as start_point};
 use crate::scalar::Real;
 use crate::solving::equation::{Magnitudes, Solution, Solver, StepEquation};
 use crate::space::{Compensated, Record, Square, Summation, Tape};
@@ -72,7 +72,7 @@ impl<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> Prepared<M, S, R> {
         &self,
         memory: &mut Memory<M, S, R>,
         step: Step<'_, S, R, C, P>,
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), Failure> {
         self.take(step.system, memory, step).map(drop)
     }
 
@@ -86,7 +86,7 @@ impl<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> Prepared<M, S, R> {
         &self,
         memory: &mut Memory<M, S, R>,
         mut step: Step<'_, S, R, C, P>,
-    ) -> Option<Result<Estimate<S, R>, Refusal>> {
+    ) -> Option<Result<Estimate<S, R>, Failure>> {
         Self::ORDER_OF_ESTIMATE?;
         // The whole step, reborrowed: the estimate uses its probe.
         let taken = self.take(step.system, memory, step.part([step.t, step.end]));
@@ -101,7 +101,7 @@ impl<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> Prepared<M, S, R> {
         system: &'a S,
         Memory { solver, history, sums }: &mut Memory<M, S, R>,
         Step { t, end, x, probe, .. }: Step<'_, S, R, C, P>,
-    ) -> Result<SolvedStep<'a, M, S, R>, Refusal> {
+    ) -> Result<SolvedStep<'a, M, S, R>, Failure> {
         // The coordinates z, such as (q, p), and the action s, both at the start.
         let before = start_point::<S, R, C>(x);
         // A run with compensated sums stores the compensation in its point, so that it survives a change of h. In a plain run the memory stores it.
@@ -137,7 +137,7 @@ impl<M: ImplicitStep<S, R>, S: PhaseSpace<R>, R: Real> Prepared<M, S, R> {
         // The last correction, or rounding, may move the end across a condition at which the energy jumps. With `Elsewhere`, the equation has evaluated no
         // condition at the end.
         if const { !matches!(M::POLICY.evaluated, Evaluated::Elsewhere) } {
-            Refusal::outside(jump_between(system, from.middle(), [&solved_end.0, &x.z], [&solved_end.1, &x.s]))?;
+            Failure::outside(jump_between(system, from.middle(), [&solved_end.0, &x.z], [&solved_end.1, &x.s]))?;
         }
         let step = Step { system, t, end, x, probe };
         match const { M::POLICY.evaluated } {

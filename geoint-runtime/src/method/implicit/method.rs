@@ -114,7 +114,7 @@ macro_rules! implicit_method {
                 prepared: &Self::Prepared,
                 memory: &mut Self::Memory,
                 step: $crate::method::Step<'_, System, Number, C, P>,
-            ) -> Result<(), $crate::method::Refusal> {
+            ) -> Result<(), $crate::method::Failure> {
                 prepared.step(memory, step)
             }
 
@@ -137,7 +137,7 @@ macro_rules! implicit_method {
                 prepared: &Self::Prepared,
                 memory: &mut Self::Memory,
                 step: $crate::method::Step<'_, System, Number, C, P>,
-            ) -> Option<Result<$crate::method::Estimate<System, Number>, $crate::method::Refusal>> {
+            ) -> Option<Result<$crate::method::Estimate<System, Number>, $crate::method::Failure>> {
                 prepared.estimated(memory, step)
             }
         }

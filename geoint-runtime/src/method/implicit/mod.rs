@@ -15,7 +15,7 @@
 //! ```
 //! use geoint_runtime::implicit_method;
 //! use geoint_runtime::method::implicit::*;
-//! use geoint_runtime::method::{Claims, Name, Probe, Refusal};
+//! use geoint_runtime::method::{Claims, Name, Probe, Failure};
 //! use geoint_runtime::prelude::*;
 //!
 //! /// A mass m on a spring with the force −k q³.
@@ -72,7 +72,7 @@
 //!     fn coefficients(self, _: &Quartic, _: f64) {}
 //!     fn history() {}
 //!     fn no_evaluation() {}
-//!     fn begin(_: &Departure<'_, Quartic, f64>, _: &(), _: &mut ()) -> Result<(), Refusal> {
+//!     fn begin(_: &Departure<'_, Quartic, f64>, _: &(), _: &mut ()) -> Result<(), Failure> {
 //!         Ok(())
 //!     }
 //!
@@ -101,7 +101,7 @@
 //!         equation: &StepEquation<'_>,
 //!         solution: &Solution<[f64; 1]>,
 //!         _: &(),
-//!     ) -> Result<Increment<[[f64; 1]; 2], ()>, Refusal> {
+//!     ) -> Result<Increment<[[f64; 1]; 2], ()>, Failure> {
 //!         let [d] = solution.x;
 //!         Ok(Increment::of([[d], [equation.from.h * mean_force(equation, d)]], ()))
 //!     }

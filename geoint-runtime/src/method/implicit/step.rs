@@ -5,7 +5,7 @@
 use super::points::{Arrival, Departure, Increment, Stage};
 use super::watch::Watch;
 use crate::method::corrected::kept;
-use crate::method::{Claims, Estimate, Probe, Refusal};
+use crate::method::{Claims, Estimate, Failure, Probe};
 use crate::scalar::Real;
 use crate::solving::equation::{Magnitudes, Solution, Solver, Units};
 use crate::space::vector::difference;
@@ -154,7 +154,7 @@ pub trait ImplicitStep<S: PhaseSpace<R>, R: Real = f64>: Copy + core::fmt::Debug
         from: &Departure<'_, S, R>,
         coefficients: &Self::Coefficients,
         history: &mut Self::History,
-    ) -> Result<Self::Start, Refusal>;
+    ) -> Result<Self::Start, Failure>;
 
     /// Returns the values to which x is added, in the units of x: p₀ for an impulse, y₀/h for a rate. Rounding of x is relative to them.
     fn origin(equation: &Equation<'_, Self, S, R>) -> Self::Unknown;
@@ -191,7 +191,7 @@ pub trait ImplicitStep<S: PhaseSpace<R>, R: Real = f64>: Copy + core::fmt::Debug
         equation: Equation<'_, Self, S, R>,
         solver: &mut Self::Solver,
         watch: &mut Watch<'_, S, R, P, Self::LastEvaluation>,
-    ) -> Result<Solution<Self::Unknown>, Refusal> {
+    ) -> Result<Solution<Self::Unknown>, Failure> {
         solver.solve(&equation, watch)
     }
 
@@ -210,7 +210,7 @@ pub trait ImplicitStep<S: PhaseSpace<R>, R: Real = f64>: Copy + core::fmt::Debug
         equation: &Equation<'_, Self, S, R>,
         solution: &Solution<Self::Unknown>,
         last: &Self::LastEvaluation,
-    ) -> Result<Increment<S::Phase, S::Action>, Refusal>;
+    ) -> Result<Increment<S::Phase, S::Action>, Failure>;
 
     /// Checks the rounded end of a step, and records values for the next step in `history`. The default does nothing.
     ///
@@ -222,14 +222,14 @@ pub trait ImplicitStep<S: PhaseSpace<R>, R: Real = f64>: Copy + core::fmt::Debug
         solution: &Solution<Self::Unknown>,
         history: &mut Self::History,
         end: Arrival<'_, S, R>,
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), Failure> {
         let _ = (equation, solution, history, end);
         Ok(())
     }
 
     /// Returns a more specific refusal than the refusal of the solver. The default returns `refusal`.
     #[cold]
-    fn explained(equation: &Equation<'_, Self, S, R>, last: &Self::LastEvaluation, refusal: Refusal) -> Refusal {
+    fn explained(equation: &Equation<'_, Self, S, R>, last: &Self::LastEvaluation, refusal: Failure) -> Failure {
         let _ = (equation, last);
         refusal
     }
@@ -243,9 +243,9 @@ pub trait ImplicitStep<S: PhaseSpace<R>, R: Real = f64>: Copy + core::fmt::Debug
         equation: &Equation<'_, Self, S, R>,
         x: &Self::Unknown,
         probe: &mut P,
-    ) -> Result<Estimate<S, R>, Refusal> {
+    ) -> Result<Estimate<S, R>, Failure> {
         let _ = (equation, x, probe);
-        Err(Refusal::Singular)
+        Err(Failure::Singular)
     }
 
     /// Returns the correction that must be added to `z` to restore the kept invariants to their values at the start of a run.

@@ -2,10 +2,10 @@
 
 use super::start::grows;
 use crate::method::{Clock, Method, Probe, Step, outer_step};
-use crate::running::error::Reason;
 use crate::running::tolerance::{Judged, Tolerance};
-use crate::running::watch::{Found, Watch};
+use crate::running::watch::Watch;
 use crate::scalar::Real;
+use crate::solving::Failure;
 use crate::space::{Compensated, PerCoordinate, Point};
 use crate::system::{PhaseSpace, Rates, jump_on_way};
 
@@ -15,6 +15,9 @@ pub(super) type Carried<S, R> =
 
 /// One number for each coordinate of a system.
 type Coordinates<S, R> = PerCoordinate<<S as PhaseSpace<R>>::Phase, <S as PhaseSpace<R>>::Action>;
+
+/// Failure of a step that is marked `needs_recheck`.
+const NEEDS_RECHECK: Failure = Failure::NotConverged { iterations: 0, correction: f64::INFINITY };
 
 /// Coefficients of the method for the whole step. Also for half the step, if the error is estimated by step halving.
 #[derive(Clone, Debug)]
@@ -76,14 +79,14 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
         prepared: &Prepared<M::Prepared>,
         memory: &mut [M::Memory; 2],
         probe: &mut P,
-    ) -> Result<(Carried<S, R>, f64), Reason> {
+    ) -> Result<(Carried<S, R>, f64), Failure> {
         let (x, error) = self.estimated(method, prepared, memory, probe)?;
         if self.keeps {
             return Ok((x, error));
         }
         let ends = [(self.t, PerCoordinate::of(self.x)), (self.end(prepared.h, &x), PerCoordinate::of(&x))];
         match jump_on_way(self.system, &ends, self.tolerance.relative) {
-            Some(what) => Err(Reason::OutsideDomain { what }),
+            Some(what) => Err(Failure::OutsideDomain { what }),
             None => Ok((x, error)),
         }
     }
@@ -113,7 +116,7 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
         prepared: &Prepared<M::Prepared>,
         memory: &mut [M::Memory; 2],
         probe: &mut P,
-    ) -> Result<(Carried<S, R>, f64), Reason> {
+    ) -> Result<(Carried<S, R>, f64), Failure> {
         let mut x = *self.x;
         let end = self.clock.after(R::from_f64(prepared.h));
         let step = Step { system: self.system, t: self.t, end, x: &mut x, probe };
@@ -127,7 +130,7 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
                 // The quotient is formed first: squares of the errors may overflow.
                 let ratio = if higher > 0.0 && higher < f64::INFINITY { lower / higher } else { 0.0 };
                 let error = higher / Real::sqrt(1.0 + 0.01 * ratio * ratio);
-                if error.is_nan() { Err(Reason::NonFinite) } else { Ok((x, error)) }
+                if error.is_nan() { Err(Failure::NonFinite) } else { Ok((x, error)) }
             }
         }
     }
@@ -136,16 +139,16 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
     /// the domain of the energy.
     ///
     /// A step marked `needs_recheck` counts as not converged. Shorter steps may be marked as well.
-    pub(super) fn check(&self, h: R, x: &Carried<S, R>) -> Result<(), Reason> {
+    pub(super) fn check(&self, h: R, x: &Carried<S, R>) -> Result<(), Failure> {
         let t = self.t + h + x.ahead.value();
         if x.needs_recheck {
-            return Err(Reason::NotConverged);
+            return Err(NEEDS_RECHECK);
         }
         if !(x.is_finite() && t.magnitude() < f64::INFINITY) {
-            return Err(Reason::NonFinite);
+            return Err(Failure::NonFinite);
         }
         match self.system.outside_domain(t, &x.z, &x.s) {
-            Some(what) => Err(Reason::OutsideDomain { what }),
+            Some(what) => Err(Failure::OutsideDomain { what }),
             None => Ok(()),
         }
     }
@@ -163,7 +166,7 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
         prepared: &Prepared<M::Prepared>,
         [memory_of_whole, memory_of_halves]: &mut [M::Memory; 2],
         probe: &mut P,
-    ) -> Result<(Carried<S, R>, f64), Reason> {
+    ) -> Result<(Carried<S, R>, f64), Failure> {
         let (system, t, half) = (self.system, self.t, R::from_f64(0.5 * prepared.h));
         // A method may report an order for its estimate and still return no estimate.
         let unforeseen;
@@ -194,25 +197,20 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
         }
         // The whole step may have ended at a point that is not finite.
         if !gap.is_finite() {
-            return Err(Reason::NonFinite);
+            return Err(Failure::NonFinite);
         }
         Ok((x, self.judge(&before, &after, &gap)))
     }
 
-    /// Repeats a refused step with checks of every evaluation, and returns the reason for the refusal.
+    /// Repeats a refused step with checks of every evaluation, and returns why it is refused.
     #[cold]
-    pub(super) fn reason<M: Method<S, R>>(&self, method: &M, h: f64) -> Reason {
+    pub(super) fn failure<M: Method<S, R>>(&self, method: &M, h: f64) -> Failure {
         let mut watch = Watch::new(self.system, self.t, self.x);
         let prepared = Prepared::new(self.system, method, h);
         match self.take(method, &prepared, &mut [M::memory(), M::memory()], &mut watch) {
-            Ok((_, error)) => Reason::Inaccurate { error },
-            Err(reason @ Reason::OutsideDomain { .. }) => reason,
-            Err(reason) => match watch.seen().reason(None) {
-                Some(Found::OutsideDomain(what)) => Reason::OutsideDomain { what },
-                Some(Found::Pole(piece)) => Reason::Pole { piece },
-                Some(Found::Unsolved(plane)) => Reason::Unsolved { plane },
-                None => reason,
-            },
+            Ok((_, error)) => Failure::Inaccurate { error },
+            Err(failure @ Failure::OutsideDomain { .. }) => failure,
+            Err(failure) => watch.seen().cause().unwrap_or(failure),
         }
     }
 }

@@ -155,7 +155,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
         }
         let left = self.steps.clock.left(t);
         if left.is_nan() {
-            return Err(StepError::InvalidStepSize { h: left });
+            return Err(StepError::of_step_size(signed(self.time()), left));
         }
         let backwards = left < 0.0;
         self.steps.controller.turn(backwards);

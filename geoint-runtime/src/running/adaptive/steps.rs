@@ -4,12 +4,13 @@ use super::attempt::{Attempt, Carried, Prepared};
 use super::start;
 use super::way::InformativeSteps;
 use crate::method::{Clock, Method, Unwatched};
-use crate::running::error::{Reason, StepError};
+use crate::running::error::{StepError, check_parameters, not_finite};
 use crate::running::settle::{STEPS_BETWEEN_CHECKS, has_drift, without_drift};
 use crate::running::step_size::{Bounds, Controller};
 use crate::running::tolerance::{REACH, Tolerance};
 use crate::running::watch::Watch;
 use crate::scalar::{Real, signed, zero};
+use crate::solving::Failure;
 use crate::space::{DoubleWord, PerCoordinate, Snapshot, wrong_length};
 use crate::system::{Clear, PhaseSpace, Rates};
 
@@ -139,7 +140,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
             let attempt = self.attempt();
             let mut outcome = attempt.take(&self.method, prepared, &mut memory, &mut Unwatched);
             // Only a step with checks uses the slower search for a solution and resolves `needs_recheck`.
-            if matches!(outcome, Err(Reason::NotConverged)) {
+            if matches!(outcome, Err(Failure::NotConverged { .. })) {
                 memory = before();
                 let mut watch = Watch::new(&self.system, attempt.t, &self.x);
                 outcome = attempt.take(&self.method, prepared, &mut memory, &mut watch);
@@ -172,18 +173,18 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
                 _ => None,
             };
             if let Some(what) = passed {
-                outcome = Err(Reason::OutsideDomain { what });
+                outcome = Err(Failure::OutsideDomain { what });
             }
             let (x, error) = match outcome {
                 Ok((x, error)) if error <= 1.0 => (x, error),
                 outcome => {
                     self.rejections += 1;
-                    let refusal = outcome.as_ref().err().copied();
+                    let refused = outcome.as_ref().err().copied();
                     self.controller.reject(h, outcome.map_or(None, |(_, error)| Some(error)));
                     if h.abs() <= bounds.shortest {
-                        let outside = passed.map(|what| Reason::OutsideDomain { what });
-                        let reason = outside.unwrap_or_else(|| self.reason_of_shortest(h, refusal));
-                        return Err(StepError::StepTooSmall { t, h, reason });
+                        let outside = passed.map(|what| Failure::OutsideDomain { what });
+                        let failure = outside.unwrap_or_else(|| self.failure_of_shortest(h, refused));
+                        return Err(StepError::of_shortest(failure, t, h));
                     }
                     continue;
                 }
@@ -222,13 +223,13 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
 
     /// Returns why the shortest step was refused. At the edge of a domain, the shortest step may find no solution where a longer step finds the edge.
     ///
-    /// If the step succeeds without the history of earlier steps, the history caused the refusal. The reason is then `refusal`.
+    /// If the step succeeds without the history of earlier steps, the history caused the failure. It is then `refused`.
     #[cold]
-    fn reason_of_shortest(&self, h: f64, refusal: Option<Reason>) -> Reason {
-        match self.attempt().reason(&self.method, h) {
-            Reason::Inaccurate { error } if error <= 1.0 => refusal.unwrap_or(Reason::Inaccurate { error }),
-            Reason::NotConverged | Reason::Singular => self.attempt().reason(&self.method, 16.0 * h),
-            reason => reason,
+    fn failure_of_shortest(&self, h: f64, refused: Option<Failure>) -> Failure {
+        match self.attempt().failure(&self.method, h) {
+            Failure::Inaccurate { error } if error <= 1.0 => refused.unwrap_or(Failure::Inaccurate { error }),
+            Failure::NotConverged { .. } | Failure::Singular => self.attempt().failure(&self.method, 16.0 * h),
+            failure => failure,
         }
     }
 
@@ -243,19 +244,26 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
     }
 
     pub(super) fn check_start(&self) -> Result<(), StepError> {
+        self.usable().map_err(|failure| {
+            let h = self.controller.unusable().unwrap_or_else(|| self.controller.step(&self.bounds));
+            StepError::new(failure, signed(self.time()), h)
+        })
+    }
+
+    /// Checks the settings and the state before a step.
+    fn usable(&self) -> Result<(), Failure> {
         if let Some(tolerance) = self.tolerance.unusable() {
-            return Err(StepError::InvalidTolerance { tolerance });
+            return Err(Failure::InvalidTolerance { tolerance });
         }
         self.bounds.check()?;
         if let Some(h) = self.controller.unusable() {
-            return Err(StepError::InvalidStepSize { h });
+            return Err(Failure::InvalidStepSize { h });
         }
         if self.taken == self.given {
-            StepError::of_parameters(&self.system)?;
+            check_parameters(&self.system)?;
         }
-        let t = signed(self.time());
-        if !(t.is_finite() && self.x.is_finite()) {
-            return Err(StepError::not_finite::<S, R>(self.time(), &self.x.z));
+        if !(signed(self.time()).is_finite() && self.x.is_finite()) {
+            return Err(not_finite::<S, R>(self.time(), &self.x.z));
         }
         // Later states need no check: each comes from a step that succeeded.
         if self.taken != self.given {
@@ -264,12 +272,10 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
         if S::State::ATTITUDES
             && let Some(length) = wrong_length::<S, R>(&self.x.z)
         {
-            return Err(StepError::NotNormalised { t, length });
+            return Err(Failure::NotNormalised { length });
         }
-        match self.system.outside_domain(self.time(), &self.x.z, &self.x.s) {
-            Some(what) => Err(StepError::OutsideDomain { t, what }),
-            None if !M::is_in_range(&self.prepared.whole, &self.system, &self.x.z) => Err(StepError::OutOfRange { t }),
-            None => Ok(()),
-        }
+        Failure::outside(self.system.outside_domain(self.time(), &self.x.z, &self.x.s))?;
+        let in_range = M::is_in_range(&self.prepared.whole, &self.system, &self.x.z);
+        if in_range { Ok(()) } else { Err(Failure::OutOfRange) }
     }
 }

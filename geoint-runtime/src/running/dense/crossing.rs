@@ -46,7 +46,7 @@ pub(super) const NEAR_END: f64 = 1.0 - 1.0 / (1_u64 << 40) as f64;
 /// Checks that a search can end at a time: it must be a number.
 pub(super) fn check_end<R: Real>(end: Option<R>, now: R) -> Result<(), StepError> {
     match end {
-        Some(t) if t.magnitude().is_nan() => Err(StepError::InvalidStepSize { h: signed(t - now) }),
+        Some(t) if t.magnitude().is_nan() => Err(StepError::of_step_size(signed(now), signed(t - now))),
         _ => Ok(()),
     }
 }

@@ -6,6 +6,7 @@ use super::{Dense, has_reached, step};
 use crate::running::StepError;
 use crate::running::trajectory::Scalar;
 use crate::scalar::{Real, signed};
+use crate::solving::Failure;
 use crate::space::{Action, Array, Snapshot};
 
 /// Parts of a step at which the sign of a function that starts at zero is tested. The first one with a value above rounding decides. Large parts are
@@ -106,7 +107,7 @@ impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Crossings<
         if values.as_slice().iter().all(|g| g.magnitude().is_finite()) {
             Ok(values)
         } else {
-            Err(StepError::NoEvent { t })
+            Err(StepError::without_step(Failure::NoEvent, t))
         }
     }
 
@@ -142,7 +143,7 @@ impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Crossings<
         }
         self.zeros = if all_zero { self.zeros + 1 } else { 0 };
         if self.zeros >= MOST_ZERO_STEPS {
-            return Err(StepError::NoEvent { t: signed(self.run.time()) });
+            return Err(StepError::without_step(Failure::NoEvent, signed(self.run.time())));
         }
         Ok(true)
     }
@@ -268,12 +269,12 @@ impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Crossings<
             && !has_reached(self.run.time(), t, self.backwards)
             && self.backwards != self.run.steps_backwards()
         {
-            return Err(StepError::TimePassed { t: signed(t) });
+            return Err(StepError::without_step(Failure::TimePassed, signed(t)));
         }
         let Some([earlier, now]) = self.values.filter(|_| stepped) else { return Ok(false) };
         // In a single short step, a function may seem to be zero without being so. Two steps are needed.
         if self.zeros > 1 && self.sides.is_zero() {
-            return Err(StepError::NoEvent { t: signed(self.run.time()) });
+            return Err(StepError::without_step(Failure::NoEvent, signed(self.run.time())));
         }
         for i in self.asked..G::LEN {
             self.asked = i + 1;
@@ -300,7 +301,7 @@ impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Crossings<
     fn value(&self, i: usize, part: f64) -> Result<f64, StepError> {
         let t = self.time(part);
         let value = signed((self.g)(&T::between(&self.before, self.run, t)?).as_slice()[i]);
-        if value.is_nan() { Err(StepError::NoEvent { t: signed(t) }) } else { Ok(value) }
+        if value.is_nan() { Err(StepError::without_step(Failure::NoEvent, signed(t))) } else { Ok(value) }
     }
 
     /// Returns the first zero in the last step that was not returned yet.

@@ -19,6 +19,7 @@ use super::trajectory::{Scalar, Trajectory};
 use super::{Adaptive, Integrator, StepError};
 use crate::method::Method;
 use crate::scalar::{Real, signed};
+use crate::solving::Failure;
 use crate::space::{Array, Summation};
 use crate::system::{PhaseSpace, Rates, StateOf};
 
@@ -106,7 +107,7 @@ pub trait Dense: Trajectory + Clone {
 
     /// Returns an iterator over the states at these times, which must follow each other in the direction of the run.
     ///
-    /// A time before the last step is an error: [`StepError::TimePassed`].
+    /// A time before the last step is an error: [`Failure::TimePassed`].
     fn sampled_at<I: IntoIterator<Item = Scalar<Self>>>(&mut self, times: I) -> SampledAt<'_, Self, I::IntoIter> {
         SampledAt::new(self, times.into_iter())
     }
@@ -142,7 +143,7 @@ pub trait Dense: Trajectory + Clone {
     /// functions.
     ///
     /// # Errors
-    /// See [`StepError`]. The state is then the last good one. If `g` has no events ([`StepError::NoEvent`]), the state is the one at the start of
+    /// See [`StepError`]. The state is then the last good one. If `g` has no events ([`Failure::NoEvent`]), the state is the one at the start of
     /// the search.
     fn until_event<G: Array<Real = Scalar<Self>>, F: Fn(&Self::State) -> G>(
         &mut self,
@@ -168,7 +169,7 @@ pub trait Dense: Trajectory + Clone {
 /// Returns the result of a search for an event. If the function has no events, for example because it is identically zero, the run returns to its
 /// start.
 pub(super) fn back_without_events<T, X>(run: &mut T, start: T, found: Result<X, StepError>) -> Result<X, StepError> {
-    if let Err(StepError::NoEvent { .. }) = found {
+    if let Err(StepError { failure: Failure::NoEvent, .. }) = found {
         *run = start;
     }
     found

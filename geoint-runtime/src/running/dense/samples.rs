@@ -5,6 +5,7 @@ use super::{Dense, has_reached, step};
 use crate::running::StepError;
 use crate::running::trajectory::Scalar;
 use crate::scalar::{Real, signed};
+use crate::solving::Failure;
 
 /// Returns the present state, after the checks of a start.
 fn now<T: Dense>(run: &T) -> Result<T::State, StepError> {
@@ -30,17 +31,18 @@ impl<'a, T: Dense, W: Within<T>> Between<'a, T, W> {
     /// Returns the state at the time `t`.
     fn at(&mut self, t: Scalar<T>) -> Result<Option<T::State>, StepError> {
         if !t.magnitude().is_finite() {
-            return Err(StepError::InvalidStepSize { h: signed(t - self.run.time()) });
+            let now = self.run.time();
+            return Err(StepError::of_step_size(signed(now), signed(t - now)));
         }
         if has_reached(self.before.time(), t, self.backwards) && self.before.time() != t {
-            return Err(StepError::TimePassed { t: signed(t) });
+            return Err(StepError::without_step(Failure::TimePassed, signed(t)));
         }
         while !has_reached(self.run.time(), t, self.backwards) {
             self.before = self.run.clone();
             self.within.stepped();
             // A run with fixed steps goes in the other direction.
             if !step(self.run, self.backwards)? {
-                return Err(StepError::TimePassed { t: signed(t) });
+                return Err(StepError::without_step(Failure::TimePassed, signed(t)));
             }
         }
         if self.run.time() == t {
@@ -89,7 +91,7 @@ impl<T: Dense, W: Within<T>> Iterator for SampledEvery<'_, T, W> {
         let h = signed(self.dt);
         if h == 0.0 || !h.is_finite() {
             self.between.failed = true;
-            return Some(Err(StepError::InvalidStepSize { h }));
+            return Some(Err(StepError::of_step_size(signed(self.between.run.time()), h)));
         }
         // The time is a product, never a running sum.
         let t = Scalar::<T>::time([self.start, Scalar::<T>::from_f64(0.0)], self.taken, self.dt);

@@ -85,7 +85,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integra
         self.steps.check_start()?;
         let (now, next) = (self.time(), self.steps.clock.at(1));
         if t.magnitude().is_nan() {
-            return Err(StepError::InvalidStepSize { h: signed(t - now) });
+            return Err(StepError::of_step_size(signed(now), signed(t - now)));
         }
         let stepped =
             (M::SCALES_STEPS || self.steps.clock.leads_to(t, [now, next])) && self.steps.step_within(Some(t))?;
@@ -104,7 +104,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integra
         self.steps.check_start()?;
         let left = signed(t - self.time());
         if !left.is_finite() {
-            return Err(StepError::InvalidStepSize { h: left });
+            return Err(StepError::of_step_size(signed(self.time()), left));
         }
         if !M::SCALES_STEPS {
             self.advance(self.steps.clock.steps_before(self.time(), t))?;

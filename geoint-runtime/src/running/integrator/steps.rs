@@ -1,10 +1,11 @@
 //! Takes a step of fixed length, checks its end, and reports why it is refused.
 
 use crate::method::{Clock, Method, Probe, Step, Unwatched};
-use crate::running::error::StepError;
+use crate::running::error::{StepError, check_parameters, not_finite};
 use crate::running::settle::{STEPS_BETWEEN_CHECKS, has_drift, without_drift};
 use crate::running::watch::Watch;
 use crate::scalar::{Real, signed, zero};
+use crate::solving::Failure;
 use crate::space::{Array, PerCoordinate, Point, Snapshot, Summation, wrong_length};
 use crate::system::{Clear, PhaseSpace, Unmet, jump_on_way};
 
@@ -152,10 +153,9 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
         let [t, end] = self.clock.ends(0, x.ahead.value());
         let step = Step { system: &self.system, t, end, x: &mut x, probe: &mut watch };
         let outcome = M::step(&self.prepared, &mut memory, step);
-        let t = signed(self.time());
         if outcome.is_ok() && self.is_good(1, &x) {
             if let Some(what) = self.pole_in_time(1, &x).or_else(|| self.jump(1, [&begun, &x])) {
-                return Err(StepError::OutsideDomain { t, what });
+                return Err(self.error(Failure::OutsideDomain { what }));
             }
             if !self.ends_within(limit, &x, self.time()) {
                 return Ok(false);
@@ -166,17 +166,22 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
         }
         let end = self.seen_as(&x, self.clock.at(1));
         watch.visit(self.clock.at(1), &end, &x.s);
-        Err(watch.seen().error(outcome, t))
+        Err(self.error(watch.seen().failure(outcome.err())))
+    }
+
+    /// Returns the error of the next step.
+    fn error(&self, failure: Failure) -> StepError {
+        StepError::new(failure, signed(self.time()), signed(self.clock.step_size()))
     }
 
     #[inline(always)]
     pub(super) fn check_start(&self) -> Result<(), StepError> {
         let h = self.clock.step_size().magnitude();
         if !(h > 0.0 && h < f64::INFINITY) {
-            return Err(StepError::InvalidStepSize { h: signed(self.clock.step_size()) });
+            return Err(self.error(Failure::InvalidStepSize { h: signed(self.clock.step_size()) }));
         }
         // Later states need no check: each comes from a step that succeeded.
-        if self.taken == self.given { self.check_state() } else { Ok(()) }
+        if self.taken == self.given { self.check_state().map_err(|failure| self.error(failure)) } else { Ok(()) }
     }
 
     /// Marks a resumed state outside of the domain as given, so that the next step checks it. The saved number of steps may be wrong.
@@ -188,28 +193,25 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
     }
 
     #[cold]
-    fn check_state(&self) -> Result<(), StepError> {
-        StepError::of_parameters(&self.system)?;
-        let t = signed(self.time());
-        if !(t.is_finite() && self.x.is_finite()) {
-            return Err(StepError::not_finite::<S, R>(self.time(), &self.x.z));
+    fn check_state(&self) -> Result<(), Failure> {
+        check_parameters(&self.system)?;
+        if !(signed(self.time()).is_finite() && self.x.is_finite()) {
+            return Err(not_finite::<S, R>(self.time(), &self.x.z));
         }
         if S::State::ATTITUDES
             && let Some(length) = wrong_length::<S, R>(&self.x.z)
         {
-            return Err(StepError::NotNormalised { t, length });
+            return Err(Failure::NotNormalised { length });
         }
-        if let Some(what) = self.system.outside_domain(self.time(), &self.seen().z, &self.x.s) {
-            return Err(StepError::OutsideDomain { t, what });
-        }
+        Failure::outside(self.system.outside_domain(self.time(), &self.seen().z, &self.x.s))?;
         if !M::is_in_range(&self.prepared, &self.system, &self.x.z) {
-            return Err(StepError::OutOfRange { t });
+            return Err(Failure::OutOfRange);
         }
         // The momenta of a run whose system was replaced result from a step. `DiscreteGradient` leaves them O(h²) off, so only positions are checked.
         let h_of_rates = if self.taken == self.set { self.clock.step_size() } else { zero() };
         match self.system.unmet(self.time(), h_of_rates, &self.x.z) {
-            Some(Unmet::Off(what)) => Err(StepError::OffConstraint { t, what }),
-            Some(Unmet::Dependent(what)) => Err(StepError::DependentConstraints { t, what }),
+            Some(Unmet::Off(what)) => Err(Failure::OffConstraint { what }),
+            Some(Unmet::Dependent(what)) => Err(Failure::DependentConstraints { what }),
             None => Ok(()),
         }
     }

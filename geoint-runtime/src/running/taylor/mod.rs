@@ -127,7 +127,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> TaylorIntegrator<S, M, R> {
         }
         let left = self.steps.here().clock.left(t);
         if left.is_nan() {
-            return Err(StepError::InvalidStepSize { h: left });
+            return Err(StepError::of_step_size(signed(self.time()), left));
         }
         self.steps.backwards = left < 0.0;
         self.steps.take(left.abs())?;

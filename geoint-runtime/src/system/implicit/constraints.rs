@@ -7,7 +7,7 @@
 use crate::scalar::Real;
 use crate::solving::rounding::{Convergence, Correction, Corrections, ROUNDINGS, Stuck, correct};
 use crate::solving::size::Sizes;
-use crate::solving::{Refusal, linear};
+use crate::solving::{Failure, linear};
 use crate::space::vector::{difference, dot, scaled, times};
 use crate::space::{Array, Square, State};
 use crate::system::{Cotangent, PhaseSpace};
@@ -116,7 +116,7 @@ pub fn unmet<S: Constrained<R>, R: Real>(system: &S, t: R, h: R, z: &S::Phase) -
 /// Refuses a step from `before` to `z` if a constraint is not zero at its end, to rounding. This happens if the step is so long that positions lose digits in
 /// the sum with h ∂H/∂p.
 #[inline(always)]
-pub(crate) fn held<S: Constrained<R>, R: Real>(system: &S, t: R, [before, z]: [&S::Phase; 2]) -> Result<(), Refusal> {
+pub(crate) fn held<S: Constrained<R>, R: Real>(system: &S, t: R, [before, z]: [&S::Phase; 2]) -> Result<(), Failure> {
     let [[values, sizes], _] = system.departure(t, z);
     let are_small = |of_start: &S::Multipliers| {
         let rounding = ROUNDINGS * R::epsilon();
@@ -128,7 +128,7 @@ pub(crate) fn held<S: Constrained<R>, R: Real>(system: &S, t: R, [before, z]: [&
     if are_small(&S::Multipliers::zero()) || are_small(&system.departure(t, before)[0][1]) {
         return Ok(());
     }
-    Err(Refusal::Singular)
+    Err(Failure::Singular)
 }
 
 /// Checks that the constraints are independent at two positions and between. It is a test, and no proof.
@@ -182,7 +182,7 @@ pub(crate) fn on_one_side<S: Constrained<R>, R: Real>(
 /// # Errors
 /// If constraints depend on each other at z, or if Newton's iteration for μ does not converge.
 #[inline(always)]
-pub(crate) fn tangent<S: Constrained<R>, R: Real>(system: &S, t: R, z: S::Phase) -> Result<S::Array, Refusal> {
+pub(crate) fn tangent<S: Constrained<R>, R: Real>(system: &S, t: R, z: S::Phase) -> Result<S::Array, Failure> {
     let none = S::Array::zero();
     let (_, gradients) = gradients(system, &z[0]);
     let rows = S::Multipliers::entries_of::<S::Array>(&gradients);
@@ -211,9 +211,9 @@ pub(crate) fn tangent<S: Constrained<R>, R: Real>(system: &S, t: R, z: S::Phase)
 /// If constraints depend on each other at `z` or at the result, or if an iteration does not converge.
 #[cold]
 #[inline(never)]
-pub(crate) fn projected<S: Constrained<R>, R: Real>(system: &S, t: R, z: &S::Phase) -> Result<S::Phase, Refusal> {
+pub(crate) fn projected<S: Constrained<R>, R: Real>(system: &S, t: R, z: &S::Phase) -> Result<S::Phase, Failure> {
     let none = S::Array::zero();
-    on_one_side(system, (t, z), [&z[0], &z[0]]).map_err(|what| Refusal::DependentConstraints { what })?;
+    on_one_side(system, (t, z), [&z[0], &z[0]]).map_err(|what| Failure::DependentConstraints { what })?;
     let (_, inverse_mass) = velocity(system, t, z);
     let (_, start) = gradients(system, &z[0]);
     let directions = S::Multipliers::entries_of::<S::Array>(&start);
@@ -228,7 +228,7 @@ pub(crate) fn projected<S: Constrained<R>, R: Real>(system: &S, t: R, z: &S::Pha
         Ok(Correction { delta, relative })
     };
     let q = correct(z[0], Corrections::of(Convergence::Quadratic), |Stuck { after, .. }| Some(*after), correction)?;
-    on_one_side(system, (t, z), [&q, &q]).map_err(|what| Refusal::DependentConstraints { what })?;
+    on_one_side(system, (t, z), [&q, &q]).map_err(|what| Failure::DependentConstraints { what })?;
     Ok([q, tangent(system, t, [q, z[1]])?])
 }
 
@@ -242,7 +242,7 @@ fn solve<S: Constrained<R>, R: Real>(
     starts: &Gradients<S, R>,
     inverse_mass: &Square<S::Array>,
     r: &mut S::Multipliers,
-) -> Result<(), Refusal> {
+) -> Result<(), Failure> {
     let mut matrix = S::Multipliers::fill(S::Multipliers::zero());
     let gradients = S::Multipliers::entries_of::<S::Array>(gradients);
     let rows = S::Multipliers::entries::<S::Multipliers>(&mut matrix);
@@ -261,7 +261,7 @@ fn solve<S: Constrained<R>, R: Real>(
         *row = scaled(scale, row);
         *r *= scale;
     }
-    linear::solve(&mut matrix, r, &Sizes::of_magnitudes(sizes)).map(drop).ok_or(Refusal::Singular)
+    linear::solve(&mut matrix, r, &Sizes::of_magnitudes(sizes)).map(drop).ok_or(Failure::Singular)
 }
 
 /// Returns ∂H/∂p and W = ∂²H/∂p².

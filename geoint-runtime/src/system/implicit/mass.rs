@@ -5,7 +5,7 @@
 //! singular.
 
 use crate::scalar::Real;
-use crate::solving::Refusal;
+use crate::solving::Failure;
 use crate::solving::linear;
 use crate::solving::rounding::{Convergence, Correction, Corrections, Stuck, correct};
 use crate::solving::size::Sizes;
@@ -59,7 +59,7 @@ pub(crate) fn velocity_near<S: MassForm<R>, R: Real>(
         let (mut delta, mut mass) = (none, S::Array::fill(none));
         system.mass(t, q, v, s, (&mut delta, &mut mass));
         delta.add_scaled(R::from_f64(-1.0), p);
-        solve_for_velocity(&mut mass, &mut delta).ok_or(Refusal::Singular)?;
+        solve_for_velocity(&mut mass, &mut delta).ok_or(Failure::Singular)?;
         // The first correction of a linear equation is its solution.
         let relative = if S::QUADRATIC { 0.0 } else { Sizes::new().relative(&delta, &none, &difference(v, &delta)) };
         Ok(Correction { delta, relative })

@@ -6,7 +6,7 @@
 
 use super::mass::{MassForm, mass_units, velocity_from_rest, velocity_near};
 use crate::scalar::Real;
-use crate::solving::{Refusal, linear};
+use crate::solving::{Failure, linear};
 use crate::space::vector::{difference, moved};
 use crate::space::{Action, Array, Record, Tape};
 
@@ -21,8 +21,8 @@ const DISCONTINUITY_RATIO: f64 = 256.0;
 /// Largest number of parts that are checked before a step is refused. A smallest determinant of 10⁻⁹ of those at the ends takes about sixty.
 const MOST_PARTS: u32 = 500;
 
-/// Refusal of a state or a step whose mass matrix is singular.
-const SINGULAR: Refusal = Refusal::OutsideDomain { what: SINGULAR_MASS };
+/// Failure of a state or a step whose mass matrix is singular.
+const SINGULAR: Failure = Failure::OutsideDomain { what: SINGULAR_MASS };
 const SINGULAR_MASS: &str = "the mass matrix ∂²L/∂v² is singular there, or on the way";
 
 /// A point of a run: t, z and s.
@@ -79,7 +79,7 @@ impl<A: Array> Regular<A> {
         system: &S,
         is_definite: bool,
         start: Moment<'_, S, A::Real>,
-    ) -> Result<A::Real, Refusal> {
+    ) -> Result<A::Real, Failure> {
         if is_definite {
             return Ok(A::Real::from_f64(1.0));
         }
@@ -100,7 +100,7 @@ impl<A: Array> Regular<A> {
         is_definite: bool,
         ends: [Moment<'_, S, A::Real>; 2],
         v: A,
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), Failure> {
         if is_definite {
             return Ok(());
         }

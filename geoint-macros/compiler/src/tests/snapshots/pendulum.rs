@@ -226,8 +226,10 @@ const _: () = {
     }
     impl<R: Real> Separable<R> for Pendulum<R> {
         type Proof = ();
-        const KICKS_REPEAT: bool = true;
-        const KICKS_SHOW: bool = true;
+        const KICK: ::geoint_runtime::private::FlowKind = ::geoint_runtime::private::FlowKind::ADDS
+            .without_time()
+            .showing_domain();
+        const DRIFT: ::geoint_runtime::private::FlowKind = ::geoint_runtime::private::FlowKind::ADDS;
         type Kick = [R; 1];
         type Drift = [R; 1];
         #[inline]

@@ -14,7 +14,7 @@ use crate::method::gauss::prepared::Scaled;
 use crate::method::gauss::stages::{Form, Part, Rows, Slopes, Values, Weights, assemble};
 use crate::method::gauss::{Gauss, GaussTableau};
 use crate::method::implicit::{Departure, Equation, ImplicitStep, Increment, Policy, Stage, Units, Watch};
-use crate::method::{Probe, Refusal};
+use crate::method::{Failure, Probe};
 use crate::scalar::{Real, zero};
 use crate::solving::equation::Solution;
 use crate::solving::linear;
@@ -163,14 +163,14 @@ where
         from: &Departure<'_, Y, R>,
         coefficients: &Self::Coefficients,
         (): &mut (),
-    ) -> Result<Self::Start, Refusal> {
+    ) -> Result<Self::Start, Failure> {
         let Coefficients { kernel, scaled: Scaled { coupling, nodes, .. }, .. } = coefficients;
         let known = if solves_for_action::<Y, R>() {
             None
         } else {
             // σ = g(t) is the same at all points, so zero serves.
             let decay = nodes.map(|node| from.system.decay(kernel, from.t + node, &Y::Moved::zero()));
-            Some(Factors::new::<false>(coupling, &decay).ok_or(Refusal::Singular)?)
+            Some(Factors::new::<false>(coupling, &decay).ok_or(Failure::Singular)?)
         };
         Ok(Start { x: resized(&from.z, from.s), known })
     }
@@ -230,8 +230,8 @@ where
         equation: &Equation<'_, Self, Y, R>,
         solution: &Solution<[Y::Moved; S]>,
         (): &(),
-    ) -> Result<Increment<Y::Phase, R>, Refusal> {
-        equation.end(&solution.x).ok_or(Refusal::Singular)
+    ) -> Result<Increment<Y::Phase, R>, Failure> {
+        equation.end(&solution.x).ok_or(Failure::Singular)
     }
 }
 

@@ -6,7 +6,7 @@ mod inner;
 
 pub use inner::Inner;
 
-use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step};
+use crate::method::{Claims, Clock, Failure, Method, Name, Probe, Step};
 use crate::scalar::Real;
 use crate::space::{Point, Summation};
 use crate::system::Perturbed;
@@ -99,8 +99,8 @@ impl<S: Perturbed<R>, R: Real, M: Method<Inner<S>, R>> Method<S, R> for Perturba
         prepared: &Self::Prepared,
         memory: &mut Self::Memory,
         Step { system, t, end, x, probe }: Step<'_, S, R, C, P>,
-    ) -> Result<(), Refusal> {
-        Refusal::outside(prepared.unsuitable)?;
+    ) -> Result<(), Failure> {
+        Failure::outside(prepared.unsuitable)?;
         let probe = &mut StateProbe { system, probe };
         M::step(&prepared.table, memory, Step { system: &Inner(*system), t, end, x, probe })
     }
@@ -113,8 +113,8 @@ impl<S: Perturbed<R>, R: Real, M: Method<Inner<S>, R>> Method<S, R> for Perturba
         clock: &Clock<R>,
         steps: u64,
         x: &mut Point<S::Phase, C, S::Action>,
-    ) -> Result<(), Refusal> {
-        Refusal::outside(prepared.unsuitable)?;
+    ) -> Result<(), Failure> {
+        Failure::outside(prepared.unsuitable)?;
         M::advance(&prepared.table, memory, &Inner(*system), clock, steps, x)
     }
 }

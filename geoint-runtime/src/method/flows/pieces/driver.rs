@@ -11,7 +11,7 @@ use super::splittings::Splitting;
 use super::table::PieceComposition;
 use crate::method::flows::driver::{self, Alternation, Outer};
 use crate::method::flows::open::Open;
-use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step};
+use crate::method::{Claims, Clock, Failure, Method, Name, Probe, Step};
 use crate::scalar::{Real, zero};
 use crate::space::{Point, Summation};
 use crate::system::{Clock as PieceClock, Pieces, Poles};
@@ -67,7 +67,7 @@ impl<S: Pieces<M, R>, M: Splitting, R: Real, const K: usize> Sequence<S, M, R, K
         flows: &S::Flows,
         [t, frozen_at]: [R; 2],
         step: &mut Step<'_, S, R, C, P>,
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), Failure> {
         let frozen = step.system.freeze(flows, frozen_at);
         apply::<S, M, R, C, P>(pieces, Flows { flows, frozen: &frozen, poles: &self.poles }, step.part([t; 2]))
     }
@@ -92,7 +92,7 @@ impl<S: Pieces<M, R>, M: Splitting, R: Real, const K: usize> Alternation<S, R> f
         &self,
         place: Outer,
         mut step: Step<'_, S, R, C, P>,
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), Failure> {
         if !self.are_merged() {
             return Ok(());
         }
@@ -110,7 +110,7 @@ impl<S: Pieces<M, R>, M: Splitting, R: Real, const K: usize> Alternation<S, R> f
         &self,
         i: usize,
         mut step: Step<'_, S, R, C, P>,
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), Failure> {
         let Pair { forth, back, start, middle, .. } = &self.pairs[i];
         let ([start, middle], all) = ([step.t + *start, step.t + *middle], S::PIECES.len());
         let first = if self.are_merged() { 1 } else { 0 };
@@ -155,7 +155,7 @@ impl<S: Pieces<M, R>, M: Splitting, R: Real, const K: usize> Method<S, R> for Pi
         prepared: &Self::Prepared,
         open: &mut Self::Memory,
         step: Step<'_, S, R, C, P>,
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), Failure> {
         driver::step(prepared, open, step)
     }
 
@@ -167,7 +167,7 @@ impl<S: Pieces<M, R>, M: Splitting, R: Real, const K: usize> Method<S, R> for Pi
         clock: &Clock<R>,
         steps: u64,
         x: &mut Point<S::Phase, C, S::Action>,
-    ) -> Result<(), Refusal> {
+    ) -> Result<(), Failure> {
         driver::advance(prepared, open, system, clock, steps, x)
     }
 }

@@ -1,6 +1,6 @@
 //! The flow of one piece, applied to a point and checked.
 
-use crate::method::{Probe, Refusal, Step, check_way};
+use crate::method::{Failure, Probe, Step, check_way};
 use crate::scalar::Real;
 use crate::space::{Array, PerCoordinate, Point, Summation};
 use crate::system::{Evaluations, Piece, Pieces, Poles};
@@ -30,7 +30,7 @@ pub(super) fn apply<S: Pieces<M, R>, M, R: Real, C: Summation<S::Phase>, P: Prob
     pieces: impl Iterator<Item = usize>,
     Flows { flows, frozen, poles }: Flows<'_, S, M, R>,
     Step { system, t, x, probe, .. }: Step<'_, S, R, C, P>,
-) -> Result<(), Refusal> {
+) -> Result<(), Failure> {
     for i in pieces {
         let piece = S::PIECES[i];
         let solved = const { any_solved(S::PIECES) } && piece.solved;

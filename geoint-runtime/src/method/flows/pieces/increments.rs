@@ -4,7 +4,7 @@
 
 use super::flow::{Flows, apply};
 use crate::method::composition::substeps;
-use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
+use crate::method::{Claims, Failure, Method, Name, Probe, Step};
 use crate::scalar::Real;
 use crate::space::Summation;
 use crate::system::{Pieces, Poles};
@@ -83,7 +83,7 @@ macro_rules! increments {
                 Prepared { flows, half, poles }: &Self::Prepared,
                 (): &mut (),
                 mut step: Step<'_, S, R, C, P>,
-            ) -> Result<(), Refusal> {
+            ) -> Result<(), Failure> {
                 let (start, pieces) = (step.t, $pieces(S::PIECES.len()));
                 let frozen = step.system.freeze(flows, start + *half);
                 step.probe.visit(start, &step.x.z, &step.x.s);

@@ -6,7 +6,7 @@ use super::splittings::{
 use super::table::{PieceComposition, PieceNystrom};
 use crate::method::composition::{Composition, SymmetricMap};
 use crate::method::flows::{delegate, steps_of};
-use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step};
+use crate::method::{Claims, Clock, Failure, Method, Name, Probe, Step};
 use crate::scalar::Real;
 use crate::space::{Point, Summation};
 use crate::system::{NystromPieces, Pieces};

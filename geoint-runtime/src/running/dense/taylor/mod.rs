@@ -7,6 +7,7 @@ use super::crossing::{Crossing, Direction, MOST_ZERO_STEPS, NEAR_END, check_end,
 use super::has_reached;
 use crate::running::{StepError, TaylorIntegrator};
 use crate::scalar::{Real, signed};
+use crate::solving::Failure;
 use crate::space::Array;
 use crate::system::{Jets, StateOf};
 use crate::taylor::{self, Roots, TaylorMethod};
@@ -153,7 +154,7 @@ where
     }
 
     fn zero_all_along(&self) -> StepError {
-        StepError::NoEvent { t: signed(self.run.time()) }
+        StepError::without_step(Failure::NoEvent, signed(self.run.time()))
     }
 
     /// Finds a function that is zero up to rounding at the end of the search, and had no zero just before. Returns whether there is one; its crossing

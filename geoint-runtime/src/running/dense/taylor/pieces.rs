@@ -7,6 +7,7 @@
 use super::TaylorCrossings;
 use crate::running::StepError;
 use crate::scalar::{Real, signed};
+use crate::solving::Failure;
 use crate::space::{Action, Array, Snapshot};
 use crate::system::Jets;
 use crate::taylor::{self, Steps, TaylorMethod};
@@ -200,7 +201,7 @@ where
     /// Returns the error that a function is not a number at a part of the last step.
     fn no_event(&self, part: f64) -> StepError {
         let start = self.run.steps.start().time();
-        StepError::NoEvent { t: signed(start) + part * self.run.step_size() }
+        StepError::without_step(Failure::NoEvent, signed(start) + part * self.run.step_size())
     }
 }
 

@@ -6,6 +6,7 @@ use super::TaylorCrossings;
 use crate::running::reported::Reported;
 use crate::running::{StepError, TaylorIntegrator};
 use crate::scalar::{Real, signed};
+use crate::solving::Failure;
 use crate::space::Array;
 use crate::system::{Jets, StateOf};
 use crate::taylor::TaylorMethod;
@@ -36,7 +37,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Dense for TaylorIntegrator<S, M
     }
 
     fn between(_: &Self, after: &Self, t: R) -> Result<StateOf<S, R>, StepError> {
-        after.at(t).ok_or(StepError::TimePassed { t: signed(t) })
+        after.at(t).ok_or(StepError::without_step(Failure::TimePassed, signed(t)))
     }
 }
 
@@ -81,7 +82,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> TaylorIntegrator<S, M, R> {
     /// [`Dense::until_event`].
     ///
     /// # Errors
-    /// See [`StepError`]. The state is then the last good one. If `g` has no events ([`StepError::NoEvent`]), the state is the one at the start of
+    /// See [`StepError`]. The state is then the last good one. If `g` has no events ([`Failure::NoEvent`]), the state is the one at the start of
     /// the search.
     pub fn until_event<G, F>(
         &mut self,

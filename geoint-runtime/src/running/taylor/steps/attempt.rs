@@ -2,8 +2,8 @@
 
 use super::Steps;
 use super::expansion::Carried;
-use crate::running::error::Reason;
 use crate::scalar::{Real, zero};
+use crate::solving::Failure;
 use crate::space::{Array, PerCoordinate};
 use crate::system::{Evaluations, Jets, Poles, jump_on_way};
 use crate::taylor::{self, TaylorMethod};
@@ -25,7 +25,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         whole: f64,
         compared: bool,
         held: Option<S::Phase>,
-    ) -> Result<Option<S::Phase>, Reason> {
+    ) -> Result<Option<S::Phase>, Failure> {
         let (order, [first, second]) = (self.method.order(), &mut self.ends);
         let (from, to) = if self.second { (second, first) } else { (first, second) };
         let (mut x, mut clock) = (from.x, from.clock);
@@ -34,7 +34,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
             x.add_everywhere(&increment);
         }
         if !x.is_finite() {
-            return Err(Reason::Diverges);
+            return Err(Failure::Diverges);
         }
         let end = x;
         let correction = if held.is_some() {
@@ -49,7 +49,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         }
         clock.pass_length(R::from_f64(h));
         if clock.now(zero()).magnitude().is_nan() || clock.now(zero()).magnitude() == f64::INFINITY {
-            return Err(Reason::NonFinite);
+            return Err(Failure::NonFinite);
         }
         (to.x, to.clock) = (x, clock);
         to.expand(order, &self.system, whole);
@@ -57,24 +57,24 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         if S::EXAMINED
             && let Some(what) = self.outside_domain()
         {
-            return Err(Reason::OutsideDomain { what });
+            return Err(Failure::OutsideDomain { what });
         }
         // The series end before the poles of the field. An invariant may have further poles, and a correction must not lead across one.
         let uncorrected = correction.map(|_| end);
         let times = [self.here().time(), self.start().time()];
         let pole = self.clear.pole(&self.system, times).or_else(|| uncorrected.and_then(|_| self.pole()));
         if let Some(what) = pole.or_else(|| self.jump()) {
-            return Err(Reason::OutsideDomain { what });
+            return Err(Failure::OutsideDomain { what });
         }
         if !here.is_finite() {
-            return Err(self.outside_domain().map_or(Reason::Diverges, |what| Reason::OutsideDomain { what }));
+            return Err(self.outside_domain().map_or(Failure::Diverges, |what| Failure::OutsideDomain { what }));
         }
         let compared = compared && (!self.is_fixed() || (Self::SERIES_END && !self.has_unseen_switch()));
         let agrees = !compared || self.agrees(part, &here) || self.agrees_late(part, &here);
         if agrees || uncorrected.is_some_and(|end| self.agrees_before(end, part, whole)) {
             Ok(correction)
         } else {
-            Err(Reason::Diverges)
+            Err(Failure::Diverges)
         }
     }
 

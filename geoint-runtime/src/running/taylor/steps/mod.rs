@@ -7,10 +7,11 @@ mod refused;
 mod switches;
 mod way;
 
-use crate::running::error::{Reason, StepError};
+use crate::running::error::{StepError, check_parameters, not_finite};
 use crate::running::step_size::Bounds;
 use crate::running::tolerance::is_part;
 use crate::scalar::{Real, signed};
+use crate::solving::Failure;
 use crate::space::{Array, PerCoordinate};
 #[cfg(feature = "alloc")]
 use crate::space::{Record, Tape};
@@ -240,8 +241,8 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
                     beyond *= 2.0;
                     held = correction;
                 }
-                Err(reason) if self.is_fixed() || h.abs() <= bounds.shortest => {
-                    return Err(self.refused(t, h.abs(), reason));
+                Err(failure) if self.is_fixed() || h.abs() <= bounds.shortest => {
+                    return Err(self.refused(t, h.abs(), failure));
                 }
                 Err(_) => {
                     h = self.towards((0.5 * h.abs()).max(bounds.shortest));
@@ -251,7 +252,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         }
         let ended = switch.map(|switch| (switch, (h - ends).abs() + rounding));
         if S::Switches::LEN > 0 && !self.progress.include(h.abs(), ended, S::Switches::LEN) {
-            return Err(self.refused(t, h.abs(), Reason::Sliding));
+            return Err(self.refused(t, h.abs(), Failure::Sliding));
         }
         self.estimate.include(&PerCoordinate::of(&self.start().x));
         (self.second, self.step, self.taken, self.within) = (!self.second, h, self.taken + 1, true);
@@ -278,26 +279,33 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         if self.known && self.taken != self.given {
             return Ok(());
         }
+        self.usable().map_err(|failure| {
+            let h = match self.method.steps() {
+                taylor::Steps::Tolerance(_) => self.step,
+                taylor::Steps::Length(h) => h,
+            };
+            StepError::new(failure, signed(self.time()), h)
+        })
+    }
+
+    /// Checks the settings and the state before a step.
+    fn usable(&self) -> Result<(), Failure> {
         if self.order() < 2 {
-            return Err(StepError::InvalidOrder { order: self.order() });
+            return Err(Failure::InvalidOrder { order: self.order() });
         }
         match self.method.steps() {
             taylor::Steps::Tolerance(tolerance) if !is_part(tolerance) => {
-                return Err(StepError::InvalidTolerance { tolerance });
+                return Err(Failure::InvalidTolerance { tolerance });
             }
-            taylor::Steps::Length(h) if !(h != 0.0 && h.is_finite()) => return Err(StepError::InvalidStepSize { h }),
+            taylor::Steps::Length(h) if !(h != 0.0 && h.is_finite()) => return Err(Failure::InvalidStepSize { h }),
             _ => {}
         }
         self.bounds.check()?;
-        StepError::of_parameters(&self.system)?;
-        let t = signed(self.time());
+        check_parameters(&self.system)?;
         let x = &self.here().x;
-        if !(t.is_finite() && x.is_finite()) {
-            return Err(StepError::not_finite::<S, R>(self.time(), &x.z));
+        if !(signed(self.time()).is_finite() && x.is_finite()) {
+            return Err(not_finite::<S, R>(self.time(), &x.z));
         }
-        match self.system.outside_domain(self.time(), &x.z, &x.s) {
-            Some(what) => Err(StepError::OutsideDomain { t, what }),
-            None => Ok(()),
-        }
+        Failure::outside(self.system.outside_domain(self.time(), &x.z, &x.s))
     }
 }

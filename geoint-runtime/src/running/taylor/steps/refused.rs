@@ -1,9 +1,10 @@
 //! Causes of refused steps.
 
 use super::Steps;
-use crate::running::error::{Reason, StepError};
+use crate::running::error::StepError;
 use crate::running::step_size::Bounds;
 use crate::scalar::{Real, signed};
+use crate::solving::Failure;
 use crate::space::PerCoordinate;
 use crate::system::Jets;
 use crate::taylor::TaylorMethod;
@@ -12,35 +13,26 @@ use crate::taylor::TaylorMethod;
 const NEAR: f64 = 16.0;
 
 impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
-    /// Returns the reason for refusing a step below the shortest one. The shortest step is set by the resolution of time or by the user.
+    /// Returns the failure of a step below the shortest one. The shortest step is set by the resolution of time or by the user.
     #[cold]
-    pub(super) fn too_short(&self, wish: f64, bounds: &Bounds) -> Reason {
+    pub(super) fn too_short(&self, wish: f64, bounds: &Bounds) -> Failure {
         if wish < self.shortest() {
-            return Reason::Diverges;
+            return Failure::Diverges;
         }
-        Reason::Inaccurate { error: Real::powf(bounds.shortest / wish, self.order() as f64) }
+        Failure::Inaccurate { error: Real::powf(bounds.shortest / wish, self.order() as f64) }
     }
 
     /// Returns the error of a refused step.
     #[cold]
-    pub(super) fn refused(&self, t: f64, h: f64, reason: Reason) -> StepError {
+    pub(super) fn refused(&self, t: f64, h: f64, failure: Failure) -> StepError {
         let h = self.towards(h);
-        let reason = match reason {
-            Reason::Diverges => self.without_series(),
-            reason => reason,
+        let failure = match failure {
+            Failure::Diverges => self.without_series(),
+            // The number of iterations is that of a correction, not that of the step.
+            Failure::NotConverged { .. } if self.is_fixed() => Failure::Singular,
+            failure => failure,
         };
-        match reason {
-            _ if !self.is_fixed() || matches!(reason, Reason::Sliding | Reason::NoRates | Reason::Diverges) => {
-                StepError::StepTooSmall { t, h, reason }
-            }
-            Reason::OutsideDomain { what } => StepError::OutsideDomain { t, what },
-            Reason::NotConverged | Reason::Singular => StepError::Singular { t },
-            Reason::Rounded => StepError::Rounded { t },
-            Reason::Turned { what } => StepError::Turned { t, what },
-            Reason::LedAstray => StepError::LedAstray { t },
-            Reason::OutOfRange => StepError::OutOfRange { t },
-            _ => StepError::NonFinite { t },
-        }
+        if self.is_fixed() { StepError::new(failure, t, h) } else { StepError::of_shortest(failure, t, h) }
     }
 
     /// Returns the shortest step that changes the time.
@@ -49,11 +41,11 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
     }
 
     /// Returns why the solution has no series here.
-    fn without_series(&self) -> Reason {
+    fn without_series(&self) -> Failure {
         match self.vanishing() {
-            Some(what) => Reason::OutsideDomain { what },
-            None if !self.jet()[0].is_finite() => Reason::NoRates,
-            None => Reason::Diverges,
+            Some(what) => Failure::OutsideDomain { what },
+            None if !self.jet()[0].is_finite() => Failure::NoRates,
+            None => Failure::Diverges,
         }
     }
 
