@@ -7,6 +7,8 @@ mod error;
 mod integrator;
 #[cfg(feature = "alloc")]
 mod named;
+#[cfg(feature = "alloc")]
+mod nearest;
 mod number;
 mod output;
 mod reported;
@@ -30,7 +32,7 @@ pub use error::{Reason, StepError};
 pub use integrator::Integrator;
 pub use into_integrator::IntoIntegrator;
 #[cfg(feature = "alloc")]
-pub use named::{DynTrajectory, Named};
+pub use named::{DynTrajectory, Named, UnknownMethod};
 pub use output::{Samples, StatesAt, Until};
 #[cfg(feature = "alloc")]
 pub use saved::{Bits, FORMAT, Resumable, ResumeError, Saved};
