@@ -9,6 +9,7 @@
 use geoint_runtime::method::catalogue::quadratic_kinetic;
 use geoint_runtime::method::splitting::Nystrom;
 use geoint_runtime::method::{Claims, Name, Probe, Refusal, Step, Unwatched, Visitor};
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::space::{Array, Plain, Point, Snapshot, Summation};
 use geoint_runtime::system::{QuadraticKinetic, Rates, StateOf};

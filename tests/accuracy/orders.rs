@@ -10,7 +10,7 @@
 
 use geoint_runtime::method::splitting::Flow::{Drift, Kick};
 use geoint_runtime::method::splitting::KickFirst;
-use geoint_runtime::prelude::*;
+use geoint_runtime::methods::*;
 use geoint_runtime::{QuadraticKinetic, Separable, Splitting};
 use geoint_tests::claims::{Orders, TOLERANCE};
 use geoint_tests::measure::{distance, solutions};

@@ -2,7 +2,7 @@
 
 use geoint_runtime::method::catalogue;
 use geoint_runtime::method::splitting::{DriftFirst, KickFirst};
-use geoint_runtime::prelude::*;
+use geoint_runtime::methods::*;
 use geoint_runtime::{Composition, Method, Splitting};
 use geoint_tests::methods::{self, Visitor};
 use geoint_tests::problems::HenonHeiles;

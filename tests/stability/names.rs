@@ -1,6 +1,7 @@
 //! Names of methods are distinct, and their claimed numbers of forces are right. Runs can be chosen by name.
 
 use geoint_runtime::method::{Visitor, catalogue};
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::running::{DynTrajectory, Named, UnknownMethod};
 use geoint_runtime::system::StateOf;

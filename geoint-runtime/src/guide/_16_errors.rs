@@ -19,7 +19,7 @@
 //!
 //! Methods with `Srkn` in the name need a kinetic energy that is quadratic in p, with constant masses. Others take every T(p) + V(q).
 //! ```
-//! # use geoint_runtime::prelude::*;
+//! # use geoint_runtime::{methods::*, prelude::*};
 //! #[hamiltonian]
 //! fn relativistic(q: f64, p: f64) -> f64 {
 //!     (1.0 + p * p).sqrt() + q * q / 2.0

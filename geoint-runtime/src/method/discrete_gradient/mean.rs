@@ -62,7 +62,7 @@ pub trait MeanGradient: Copy + core::fmt::Debug {
 
 /// A mean of order 2, symmetric in both ends, that [`FourthOrder`](crate::FourthOrder) raises to order 4 by a modified structure matrix. The tree discrete
 /// gradient is not among them: for it, `FourthOrder` projects a mean velocity.
-pub trait FourthOrderBase: MeanGradient + SymmetricMap {}
+pub(crate) trait FourthOrderBase: MeanGradient + SymmetricMap {}
 
 /// The step along the mean `G`. The derivative of g may be approximate, so the solver is [`QuasiNewton`], with linear convergence.
 #[derive(Clone, Copy, Debug)]

@@ -22,19 +22,16 @@
 //! # Ok::<(), StepError>(())
 //! ```
 
-mod canonical; // Step in canonical coordinates y(x).
+pub(crate) mod canonical; // Step in canonical coordinates y(x).
 mod defect; // Error estimate of `fields`.
 pub(in crate::method) mod factors; // Weights of momenta in contact systems.
-mod fields; // Step of y' = f(y, t), or q'' = M⁻¹f(q, t).
+pub(crate) mod fields; // Step of y' = f(y, t), or q'' = M⁻¹f(q, t).
 pub(crate) mod prepared; // Table times h.
 pub(in crate::method) mod stages; // Equations of all stages, except in `fields`.
-mod tableau; // Table for each number of stages.
-mod velocities; // Step of Lagrangians that are solved for velocities.
+pub(crate) mod tableau; // Table for each number of stages.
+pub(crate) mod velocities; // Step of Lagrangians that are solved for velocities.
 
-pub use canonical::CanonicalStages;
-pub use fields::FieldStages;
-pub use tableau::GaussTableau;
-pub use velocities::VelocityStages;
+pub(crate) use tableau::GaussTableau;
 
 use crate::implicit_method;
 use crate::method::composition::substeps;

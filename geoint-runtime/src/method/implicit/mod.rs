@@ -16,6 +16,7 @@
 //! use geoint_runtime::implicit_method;
 //! use geoint_runtime::method::implicit::*;
 //! use geoint_runtime::method::{Claims, Name, Probe, Refusal};
+//! use geoint_runtime::methods::*;
 //! use geoint_runtime::prelude::*;
 //!
 //! /// A mass m on a spring with the force −k q³.
@@ -134,6 +135,6 @@ pub use points::{Arrival, Departure, Increment, Stage};
 pub use step::{Branch, Equation, Evaluated, ImplicitStep, Policy, Sums};
 pub use watch::Watch;
 
-pub use crate::solving::equation::{Magnitudes, Solution, Solver, Units};
+pub use crate::solving::equation::{Magnitudes, Solution, Units};
 pub use crate::solving::newton::Newton;
 pub use crate::solving::quasi_newton::QuasiNewton;
