@@ -12,11 +12,12 @@ pub use crate::method::corrected::invariants::{
 pub use crate::method::discrete_gradient::DiscreteGradient;
 pub use crate::method::discrete_gradient::polarised::PolarisedStep;
 pub use crate::method::discrete_gradient::tree::TreeStep;
+pub use crate::method::gauss::Gauss as GaussCollocation;
 pub use crate::method::gauss::canonical::CanonicalStages;
 pub use crate::method::gauss::fields::FieldStages;
+pub use crate::method::gauss::solved::SolvedByGauss;
 pub use crate::method::gauss::tableau::GaussTableau;
 pub use crate::method::gauss::velocities::VelocityStages;
-pub use crate::method::gauss::{Gauss as GaussCollocation, SolvedByGauss};
 pub use crate::method::implicit::ImplicitMethod;
 pub use crate::method::pieces::{
     ContactSplitting, PieceSplitting, PlanarDiscreteGradient, PlanarItohAbe, PlanarSplitting, PoissonSplitting,

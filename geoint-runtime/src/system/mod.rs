@@ -297,7 +297,7 @@ pub fn canonical_rate<S: Hamiltonian<R>, R: Real>(system: &S, t: R, z: &S::Phase
 ///
 /// Methods that keep the energy need this property. They keep H to rounding if H does not read time.
 ///
-/// The macros implement [`FourthOrderField`] for each such system. The bound lets generic code use
+/// The macros implement `FourthOrderField` for each such system. The bound lets generic code use
 /// [`FourthOrder(DiscreteGradient)`](crate::FourthOrder) for each conservative system.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not known to keep its energy",
