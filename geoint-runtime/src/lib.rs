@@ -98,7 +98,7 @@ pub use space::{BodyState, ContactState, Coordinates, FlowState, State};
 #[doc(inline)]
 pub use system::{
     Autonomous, Conformal, Conservative, Constrained, Contact, Cotangent, FirstIntegrals, ForceGradient, Hamiltonian,
-    Invariants, KeepsEnergy, Lagrangian, Mechanical, ModifiedEnergy, Perturbed, PerturbedGradient, PhaseSpace,
+    Invariants, KeepsEnergy, Lagrangian, Mechanical, ModifiedEnergy, Perturbed, PerturbedGradient, PhaseSpace, Pieces,
     PrincipalAxes, QuadraticKinetic, Rates, Separable, SteadyIntegrals, VectorField,
 };
 

@@ -28,15 +28,13 @@ pub use crate::method::{gradient_kick, modified_verlet};
 pub use crate::running::{Adaptive, Integrator, StepError, TaylorIntegrator, state_on_constraint};
 pub use crate::scalar::Real;
 pub use crate::solving::newton::MOST_UNKNOWNS;
-pub use crate::solving::{Inverse, Inverted};
+pub use crate::solving::{Inverse, Inverted, Observer};
 pub use crate::space::body::{Attitudes, Centres};
 pub use crate::space::state::Action;
 pub use crate::space::{
     Array, BodyState, ContactState, Coordinates, FlowState, PerCoordinate, Placed, Snapshot, Square, State,
 };
-pub use crate::system::contact::{
-    Clock as PieceClock, ContactEquation, NystromPieces, Piece as FlowPiece, Pieces as FlowPieces,
-};
+pub use crate::system::contact::{ContactEquation, NystromPieces};
 pub use crate::system::implicit::{
     CanonicalForm, Collocation, ConstrainedStep, ContactStages, DiscreteField, EquationOrder, FourthOrderField,
     Keeping, MassForm, Mean, MixedDerivatives, PolarisedForm, QuadraticField, Span, VelocityForm, VelocityStage,
@@ -45,12 +43,12 @@ pub use crate::system::implicit::{
 pub use crate::system::integrals::KeptMomenta;
 pub use crate::system::jets::Jets;
 pub use crate::system::{
-    Autonomous, Conformal as ConformalContact, Conservative, Constrained as ConstrainedSystem,
+    Autonomous, Clock as PieceClock, Conformal as ConformalContact, Conservative, Constrained as ConstrainedSystem,
     Contact as ContactSystem, Cotangent as CotangentSpace, FirstIntegrals, FlowPart, ForceGradient, Gradients,
     Hamiltonian, KeepsEnergy, Lagrangian as LagrangianSystem, Mechanical as MechanicalContact, ModifiedEnergy,
-    Perturbed as PerturbedSystem, PerturbedGradient, PhaseSpace, Pole, PrincipalAxes, QuadraticKinetic, Separable,
-    SteadyIntegrals, Unmet, VectorField as DifferentialEquation, canonical_rate, from_positions,
-    is_positive_semidefinite, unsuitable,
+    Perturbed as PerturbedSystem, PerturbedGradient, PhaseSpace, Piece as FlowPiece, Pieces as FlowPieces, Pole,
+    PrincipalAxes, QuadraticKinetic, Separable, SteadyIntegrals, Unmet, VectorField as DifferentialEquation,
+    canonical_rate, from_positions, is_positive_semidefinite, unsuitable,
 };
 pub use crate::taylor::method::TaylorMethod;
 pub use geoint_macros::{put_energy_function_above_it, resume};

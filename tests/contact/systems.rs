@@ -7,7 +7,7 @@ mod thermostat;
 
 use crate::measure::{self, flat};
 use geoint_runtime::prelude::*;
-use geoint_runtime::private::FlowPieces as Pieces;
+use geoint_runtime::system::Pieces;
 use geoint_runtime::{Contact, Reason};
 use geoint_tests::measure::extrapolated;
 use geoint_tests::scalars::Double;

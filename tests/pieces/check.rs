@@ -2,8 +2,8 @@
 
 use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
-use geoint_runtime::private::FlowPieces as Pieces;
 use geoint_runtime::system::Hamiltonian;
+use geoint_runtime::system::Pieces;
 use geoint_runtime::{Coordinates, Real, StepError};
 use geoint_tests::measure::{Noise, extrapolated};
 use geoint_tests::scalars::{Double, Dual, Scalar};

@@ -4,7 +4,7 @@ use crate::check::{Over, field};
 use geoint_runtime::method::catalogue::{self, Visitor};
 use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
-use geoint_runtime::private::FlowPieces as Pieces;
+use geoint_runtime::system::Pieces;
 use geoint_runtime::{Coordinates, Cotangent, Method, Real};
 use geoint_tests::measure::{extrapolated, observed_order};
 use geoint_tests::methods;

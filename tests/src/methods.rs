@@ -14,10 +14,9 @@ use geoint_runtime::Real;
 use geoint_runtime::method::catalogue;
 use geoint_runtime::method::implicit::SolvedBy;
 use geoint_runtime::methods::*;
-use geoint_runtime::private::{
-    Collocation, DiscreteField, FlowPieces as Pieces, QuadraticField, SolvedByContactGauss, SolvedByGauss,
-};
+use geoint_runtime::private::{Collocation, DiscreteField, QuadraticField, SolvedByContactGauss, SolvedByGauss};
 use geoint_runtime::system::Conservative;
+use geoint_runtime::system::Pieces;
 use geoint_runtime::{
     ForceGradient, Mechanical, Perturbation, Perturbed, PerturbedGradient, PhaseSpace, PlanarSplitting,
     PoissonSplitting, QuadraticKinetic, Rattle, Separable,

@@ -29,8 +29,8 @@ mod separable; // H = T + V: kicks and drifts.
 mod timed; // Search for a pole of H that depends on time only.
 
 pub use bodies::PrincipalAxes;
-pub(crate) use contact::{Clock, ContactEquation, NystromPieces, Piece, Pieces};
-pub use contact::{Conformal, Contact, Mechanical};
+pub use contact::{Clock, Conformal, Contact, Mechanical, Piece, Pieces};
+pub(crate) use contact::{ContactEquation, NystromPieces};
 pub(crate) use implicit::{
     CanonicalForm, Collocation, ConstrainedStep, ContactStages, DiscreteField, FourthOrderField, Keeping, MassForm,
     Mean, PolarisedForm, QuadraticField, Span, VelocityForm, VelocityStage, energy_of, velocity_of,

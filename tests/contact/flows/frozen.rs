@@ -2,7 +2,7 @@
 
 use crate::measure::{run, solution};
 use geoint_runtime::prelude::*;
-use geoint_runtime::private::{FlowPieces as Pieces, PieceClock as Clock};
+use geoint_runtime::system::{Clock, Pieces};
 use geoint_runtime::{Contact, StepError};
 use geoint_tests::measure::distance;
 use geoint_tests::scalars::Double;

@@ -1,6 +1,6 @@
 //! The splittings of a system into pieces, one type for each kind of pieces.
 
-/// A splitting of a system into pieces. The attribute macros implement `Pieces` for every splitting that the system has.
+/// A splitting of a system into pieces. The attribute macros implement [`Pieces`](crate::system::Pieces) for every splitting that the system has.
 #[doc(alias("operator splitting", "symplectic"))]
 pub trait Splitting: Copy + Default {
     /// The name of the method.

@@ -3,7 +3,7 @@
 use geoint_runtime::Real;
 use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
-use geoint_runtime::private::FlowPieces as Pieces;
+use geoint_runtime::system::Pieces;
 use geoint_tests::measure::extrapolated;
 use geoint_tests::scalars::{Double, Dual, Scalar};
 
