@@ -1,6 +1,7 @@
 //! Steps allocate nothing, with any method. This test is a program of its own, because it owns the allocator.
 
 use geoint_runtime::Method;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_tests::counting::{Counting, allocations_during};
 use geoint_tests::methods::{self, Visitor};

@@ -29,7 +29,7 @@
 //! | Events, Poincaré sections, output at given times? | [events](guide::_12_events) |
 //! | How large may my problem be? | [limits](guide::_18_limits), [systems written by hand](guide::_14_by_hand) |
 //! | I know another library. | [coming from](guide::_15_coming_from) |
-//! | Which methods exist? | [`method`], with a table of all |
+//! | Which methods exist? | [`method`], with a table of all; `use geoint_runtime::methods::*` imports them |
 //! | A message stops me. | [errors and remedies](guide::_16_errors) |
 //!
 //! The [guide] has nineteen pages.
@@ -70,11 +70,12 @@ mod sealed {
 
 pub mod scalar;
 pub mod space;
-pub mod slope;
+mod slope;
 mod solving;
 pub mod system;
 pub mod taylor;
 pub mod method;
+pub mod methods;
 pub mod running;
 #[cfg(any(doc, doctest))]
 pub mod guide;
@@ -83,37 +84,8 @@ pub mod private;
 
 pub use geoint_macros::{contact_hamiltonian, energy_function, hamiltonian, lagrangian, vector_field};
 #[doc(inline)]
-pub use method::composition::{Composed, Composition};
-pub use method::constrained::Rattle;
-#[doc(inline)]
-pub use method::contact::{ContactDiscreteGradient, ContactGauss, ContactLeapfrog, ContactMidpoint};
-#[doc(inline)]
-pub use method::corrected::{Energy, Integrals, Invariants, Projection, Relaxation};
-#[doc(inline)]
-pub use method::discrete_gradient::{
-    CoordinateIncrement, DiscreteGradient, FourthOrder, Gonzalez, ItohAbe, ItohAbeAdjoint, ItohAbePair, MeanValue,
-    SymmetrisedItohAbe,
-};
-#[doc(inline)]
-pub use method::explicit::{DOP853, ExplicitEuler, RK4, RungeKutta};
-#[doc(inline)]
-pub use method::flows::perturbed::Perturbation;
-#[doc(inline)]
-pub use method::flows::pieces::{
-    ContactSplitting, PieceComposition, PieceNystrom, PieceSplitting, PlanarDiscreteGradient, PlanarItohAbe,
-    PlanarItohAbeAdjoint, PlanarItohAbePair, PlanarSplitting, PoissonSplitting,
-};
-#[doc(inline)]
-pub use method::flows::{
-    FiveRotations, Nystrom, PositionVerlet, Splitting, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint,
-};
-#[doc(inline)]
-pub use method::gauss::{Gauss, ImplicitMidpoint};
-#[doc(inline)]
-pub use method::kahan::Kahan;
-pub use method::tables::*;
-#[doc(inline)]
 pub use method::{Claims, Failure, Method};
+pub use methods::*;
 pub use nalgebra;
 #[doc(inline)]
 pub use running::{
@@ -122,31 +94,25 @@ pub use running::{
 #[doc(inline)]
 pub use scalar::Real;
 #[doc(inline)]
-pub use space::{Attitudes, BodyState, Centres, ContactState, Coordinates, FlowState, State};
+pub use space::{BodyState, ContactState, Coordinates, FlowState, State};
 #[doc(inline)]
 pub use system::{
     Autonomous, Conformal, Conservative, Constrained, Contact, Cotangent, FirstIntegrals, ForceGradient, Hamiltonian,
-    KeepsEnergy, Lagrangian, Mechanical, ModifiedEnergy, Perturbed, PerturbedGradient, PhaseSpace, Pieces,
+    Invariants, KeepsEnergy, Lagrangian, Mechanical, ModifiedEnergy, Perturbed, PerturbedGradient, PhaseSpace, Pieces,
     PrincipalAxes, QuadraticKinetic, Rates, Separable, SteadyIntegrals, VectorField,
 };
 
-#[doc(inline)]
-pub use taylor::{Taylor, TaylorFixed, TaylorMethod, TaylorOrder};
-
-/// The names that most programs need, for `use geoint_runtime::prelude::*`.
+/// The names that most programs need, for `use geoint_runtime::prelude::*`: attributes, states, runs with their traits, and the methods that are used most.
+///
+/// All methods are in [`methods`].
 pub mod prelude {
-    pub use crate::method::tables::*;
     #[cfg(feature = "alloc")]
     pub use crate::running::Resumable;
     pub use crate::{
-        Adaptive, BodyState, ContactDiscreteGradient, ContactGauss, ContactLeapfrog, ContactMidpoint, ContactSplitting,
-        ContactState, CoordinateIncrement, DOP853, Dense, Direction, DiscreteGradient, Energy, ExplicitEuler, Failure,
-        FiveRotations, FlowState, FourthOrder, Gauss, Gonzalez, Hamiltonian, ImplicitMidpoint, Integrals, Integrator,
-        IntoIntegrator, ItohAbe, ItohAbeAdjoint, ItohAbePair, Kahan, MeanValue, Method, Perturbation, PhaseSpace,
-        PieceSplitting, PlanarDiscreteGradient, PlanarItohAbe, PlanarItohAbeAdjoint, PlanarItohAbePair,
-        PlanarSplitting, PoissonSplitting, PositionVerlet, Projection, RK4, Rattle, Real, Relaxation, State, StepError,
-        StormerVerlet, SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, Taylor, TaylorFixed, TaylorOrder,
-        Trajectory, contact_hamiltonian, energy_function, hamiltonian, lagrangian, vector_field,
+        Adaptive, BlanesMoan4, BlanesMoanSrkn14a, BodyState, ContactSplitting, ContactState, DOP853, Dense, Direction,
+        DiscreteGradient, Failure, FlowState, FourthOrder, Gauss, Hamiltonian, ImplicitMidpoint, Integrator,
+        IntoIntegrator, Method, PhaseSpace, RK4, Real, State, StepError, StormerVerlet, Suzuki4, Taylor,
+        TaylorIntegrator, Trajectory, contact_hamiltonian, energy_function, hamiltonian, lagrangian, vector_field,
     };
 }
 

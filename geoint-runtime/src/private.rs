@@ -1,43 +1,72 @@
 //! Items that emitted code uses. Not part of the public interface.
 
-pub use crate::method::constrained::{MultiplierStep, Rattle};
-pub use crate::method::contact::{
-    ContactDiscreteGradient, ContactFieldStages, ContactGauss as ContactGaussCollocation, ContactMidpoint, ContactStep,
-};
+pub use crate::method::Method;
+pub use crate::method::constrained::Rattle;
+pub use crate::method::constrained::step::MultiplierStep;
+pub use crate::method::contact::gauss::{ContactFieldStages, SolvedByContactGauss};
+pub use crate::method::contact::implicit::ContactStep;
+pub use crate::method::contact::{ContactDiscreteGradient, ContactGauss as ContactGaussCollocation, ContactMidpoint};
 pub use crate::method::corrected::invariants::{
     CanonicalEnergy, EnergyAndMomenta, Integral, Integrals as KeptIntegrals, VelocityEnergy,
 };
-pub use crate::method::discrete_gradient::canonical as fourth_order;
-pub use crate::method::discrete_gradient::{DiscreteGradient, PolarisedStep, TreeStep};
+pub use crate::method::discrete_gradient::DiscreteGradient;
+pub use crate::method::discrete_gradient::polarised::PolarisedStep;
+pub use crate::method::discrete_gradient::tree::TreeStep;
 pub use crate::method::flows::pieces::{
     ContactSplitting, PieceSplitting, PlanarDiscreteGradient, PlanarItohAbe, PlanarSplitting, PoissonSplitting,
     planar_step,
 };
-pub use crate::method::gauss::{CanonicalStages, FieldStages, Gauss as GaussCollocation, GaussTableau, VelocityStages};
+pub use crate::method::gauss::Gauss as GaussCollocation;
+pub use crate::method::gauss::canonical::CanonicalStages;
+pub use crate::method::gauss::fields::FieldStages;
+pub use crate::method::gauss::solved::SolvedByGauss;
+pub use crate::method::gauss::tableau::GaussTableau;
+pub use crate::method::gauss::velocities::VelocityStages;
 pub use crate::method::implicit::ImplicitMethod;
-pub use crate::method::{And as ProofAnd, Method};
+pub use crate::method::proof::Given;
 pub use crate::method::{gradient_kick, modified_verlet};
 pub use crate::running::{Adaptive, Integrator, StepError, TaylorIntegrator, state_on_constraint};
 pub use crate::scalar::Real;
-pub use crate::slope;
-pub use crate::solving::Inverted;
 pub use crate::solving::newton::MOST_UNKNOWNS;
+pub use crate::solving::{Inverse, Inverted, Observer};
+pub use crate::space::body::{Attitudes, Centres};
+pub use crate::space::state::Action;
 pub use crate::space::{
     Array, BodyState, ContactState, Coordinates, FlowState, PerCoordinate, Placed, Snapshot, Square, State,
 };
-pub use crate::system::{
-    Autonomous, CanonicalForm, Clock as PieceClock, Collocation, Conformal as ConformalContact, Conservative,
-    Constrained as ConstrainedSystem, ConstrainedStep, Contact as ContactSystem, ContactEquation, ContactStages,
-    Cotangent as CotangentSpace, DiscreteField, EquationOrder, FirstIntegrals, FlowKind, FlowPart, ForceGradient,
-    FourthOrderField, Gradients, Hamiltonian, Jets, Keeping, KeepsEnergy, KeptMomenta, Lagrangian as LagrangianSystem,
-    MassForm, Mean, Mechanical as MechanicalContact, MixedDerivatives, ModifiedEnergy, NystromPieces,
-    Perturbed as PerturbedSystem, PerturbedGradient, PhaseSpace, Piece as FlowPiece, Pieces as FlowPieces,
-    PolarisedForm, Pole, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable, Span, SteadyIntegrals, Unmet,
-    VectorField as DifferentialEquation, VelocityForm, VelocityStage, canonical_rate, contact_gradient_of, energy_of,
-    from_positions, is_positive_semidefinite, own_momentum, rate_of, singular_mass, unmet, unsuitable, velocity_of,
+pub use crate::system::contact::{ContactEquation, NystromPieces};
+pub use crate::system::implicit::{
+    CanonicalForm, Collocation, ConstrainedStep, ContactStages, DiscreteField, EquationOrder, FourthOrderField,
+    Keeping, MassForm, Mean, MixedDerivatives, PolarisedForm, QuadraticField, Span, VelocityForm, VelocityStage,
+    contact_gradient_of, energy_of, own_momentum, rate_of, singular_mass, unmet, velocity_of,
 };
-pub use crate::taylor::{TaylorMethod, recurrence};
+pub use crate::system::integrals::KeptMomenta;
+pub use crate::system::jets::Jets;
+pub use crate::system::{
+    Autonomous, Clock as PieceClock, Conformal as ConformalContact, Conservative, Constrained as ConstrainedSystem,
+    Contact as ContactSystem, Cotangent as CotangentSpace, FirstIntegrals, FlowKind, FlowPart, ForceGradient,
+    Gradients, Hamiltonian, KeepsEnergy, Lagrangian as LagrangianSystem, Mechanical as MechanicalContact,
+    ModifiedEnergy, Perturbed as PerturbedSystem, PerturbedGradient, PhaseSpace, Piece as FlowPiece,
+    Pieces as FlowPieces, Pole, PrincipalAxes, QuadraticKinetic, Separable, SteadyIntegrals, Unmet,
+    VectorField as DifferentialEquation, canonical_rate, from_positions, is_positive_semidefinite, unsuitable,
+};
+pub use crate::taylor::method::TaylorMethod;
 pub use geoint_macros::{put_energy_function_above_it, resume};
+
+/// Divided differences and exact flows.
+pub mod slope {
+    pub use crate::slope::*;
+}
+
+/// Recurrences of Taylor coefficients.
+pub mod recurrence {
+    pub use crate::taylor::recurrence::*;
+}
+
+/// The fourth order of discrete gradients in canonical coordinates.
+pub mod fourth_order {
+    pub use crate::method::discrete_gradient::canonical::*;
+}
 
 /// Returns the addresses of rarely called generic functions, so that they are compiled with this crate and not in each program.
 ///

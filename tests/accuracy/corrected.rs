@@ -1,5 +1,6 @@
 //! Runge–Kutta methods, projected and relaxed: conditions of their order, figures of another program, several invariants.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Claims, Invariants, Method, RungeKutta};
 use geoint_tests::measure::{distance, solution};

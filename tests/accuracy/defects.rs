@@ -1,9 +1,11 @@
 //! Error estimates of Gauss methods from the defect of their polynomial.
 
 use geoint_runtime::method::{Claims, Estimate, Failure, Name, Probe, Step, Unwatched};
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
+use geoint_runtime::private::Jets;
 use geoint_runtime::space::{Array, Plain, Point, Snapshot, Summation};
-use geoint_runtime::system::{Jets, Rates, StateOf};
+use geoint_runtime::system::{Rates, StateOf};
 use geoint_runtime::{Method, PhaseSpace, Real, TaylorIntegrator};
 use geoint_tests::measure::{distance, extrapolated};
 use geoint_tests::problems::{

@@ -3,8 +3,8 @@
 //! Values are compared with the function as the user wrote it. Gradients are compared with dual numbers in the value kernel and with differences of
 //! the user's function. Second derivatives are compared with dual numbers in the kernel of first derivatives.
 
+use geoint_runtime::private::{Collocation, DiscreteField, Span};
 use geoint_runtime::space::Array;
-use geoint_runtime::system::{Collocation, DiscreteField, Span};
 use geoint_runtime::{Hamiltonian, Real};
 use geoint_tests::for_each_problem;
 use geoint_tests::measure::Noise;

@@ -9,6 +9,7 @@
 use geoint_runtime::method::catalogue::quadratic_kinetic;
 use geoint_runtime::method::flows::Nystrom;
 use geoint_runtime::method::{Claims, Failure, Name, Probe, Step, Unwatched, Visitor};
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::space::{Array, Plain, Point, Snapshot, Summation};
 use geoint_runtime::system::{QuadraticKinetic, Rates, StateOf};

@@ -1,6 +1,7 @@
 //! Corrections of invariants where a coordinate hardly moves. A coordinate that the energy does not read must not correct the rounding of the energy.
 
 use geoint_runtime::Method;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
 /// A hill of height 1. Far from it the flight is free, and the force on the momentum is below its last digit.

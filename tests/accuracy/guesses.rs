@@ -1,6 +1,7 @@
 //! The value of initial guesses, by the number of evaluations of implicit steps. The unit is a sine or cosine: an evaluation has six, and the end of
 //! a step one.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_tests::scalars::{Tallied, Tally};
 

@@ -1,6 +1,7 @@
 //! Integrals that jump where no solution leads across, and rounding does: steps are refused, and no correction takes the jump along.
 
 use geoint_runtime::Method;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
 /// On the circle r = 1 the integral is 2 or 1, as rounding decides.

@@ -3,7 +3,7 @@
 #![allow(clippy::eq_op, reason = "what cancels is part of the language")]
 
 use crate::derivatives::{assert_near, check_field, check_gradient, gradient};
-use geoint_runtime::system::Collocation;
+use geoint_runtime::private::Collocation;
 use geoint_runtime::{Hamiltonian, Real, hamiltonian};
 use geoint_tests::measure::Noise;
 use geoint_tests::scalars::Dual;

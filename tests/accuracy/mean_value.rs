@@ -1,5 +1,6 @@
 //! The mean value of the gradient. If it is exact, it agrees with quadrature. If it is not exact, the claims say so and the energy shows it.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Hamiltonian, Method, Real};
 use geoint_tests::measure::{Noise, distance};

@@ -9,7 +9,7 @@
 //! Another test checks which systems have a proven splitting T(p) + V(q) and a proven quadratic T. The lists of methods depend on these properties.
 
 use geoint_runtime::method::flows::Flow::{Drift, Kick};
-use geoint_runtime::prelude::*;
+use geoint_runtime::methods::*;
 use geoint_runtime::{QuadraticKinetic, Separable, Splitting};
 use geoint_tests::claims::{Orders, TOLERANCE};
 use geoint_tests::measure::{distance, solutions};

@@ -7,12 +7,13 @@
 //! Two rows of the table of that program are left out. Both are explicit splittings of the field, into planes or along the three terms of the energy.
 //! Splittings here are splittings of T(p) + V(q).
 
-use geoint_runtime::method::discrete_gradient::TreeStep;
-use geoint_runtime::method::gauss::{FieldStages, GaussTableau};
 use geoint_runtime::method::implicit::ImplicitMethod;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
+use geoint_runtime::private::{
+    Collocation, DiscreteField, EquationOrder, FieldStages, GaussTableau, Keeping, QuadraticField, Span, TreeStep,
+};
 use geoint_runtime::space::Square;
-use geoint_runtime::system::{Collocation, DiscreteField, EquationOrder, Keeping, QuadraticField, Span};
 use geoint_runtime::{Method, VectorField};
 use geoint_tests::measure::distance;
 

@@ -2,8 +2,9 @@
 //!
 //! The tests of the macro compare the building blocks with quotients of hundreds of digits.
 
+use geoint_runtime::Real;
 use geoint_runtime::prelude::*;
-use geoint_runtime::{Real, slope};
+use geoint_runtime::private::slope;
 use geoint_tests::measure::Noise;
 use geoint_tests::scalars::{Double, Lanes};
 

@@ -1,7 +1,7 @@
 //! The tables themselves: every one is in the list of methods, is consistent, and meets conditions of its order.
 
 use geoint_runtime::method::catalogue;
-use geoint_runtime::prelude::*;
+use geoint_runtime::methods::*;
 use geoint_runtime::{Composition, Method, Splitting};
 use geoint_tests::methods::{self, Visitor};
 use geoint_tests::problems::HenonHeiles;

@@ -1,5 +1,6 @@
 //! Invariants with an angle `atan2(y, x)`: corrections follow it across its cut, up to half a turn a step.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Invariants, Method};
 

@@ -5,6 +5,7 @@ use crate::rows::runs::{contact_run, generated, plane};
 use crate::rows::{henon_heiles, kepler, pendulum, planets};
 use crate::systems;
 use geoint_runtime::method::Method;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::space::{Array, Snapshot};
 use geoint_runtime::system::StateOf;

@@ -15,8 +15,9 @@ mod solving {
     pub(crate) mod size;
 }
 
+use geoint_runtime::private::slope;
 use geoint_runtime::space::{Array, Square};
-use geoint_runtime::{scalar, slope, space};
+use geoint_runtime::{scalar, space};
 use nalgebra::{Const, DimMin, SMatrix, SVector};
 use paired::{Pair, Ratio, Run};
 use solving::{linear, size::Sizes};

@@ -8,6 +8,7 @@
 //! `strict-math`, with fused operations.
 
 use geoint_runtime::Method;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_tests::measure::{Line, distance, regression, solution};
 use geoint_tests::methods::{self, Visitor};

@@ -1,9 +1,9 @@
 //! Walking along a trajectory: counts, last times, errors that end it, and the bare loop against single steps.
 
-use geoint_runtime::method::gauss::SolvedByGauss;
 use geoint_runtime::method::implicit::SolvedBy;
 use geoint_runtime::prelude::*;
-use geoint_runtime::system::{Conservative, DiscreteField};
+use geoint_runtime::private::{DiscreteField, SolvedByGauss};
+use geoint_runtime::system::Conservative;
 use geoint_runtime::{Method, Separable};
 use geoint_tests::measure::distance;
 use geoint_tests::methods::{self, Visitor};

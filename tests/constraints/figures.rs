@@ -1,6 +1,7 @@
 //! Errors and orders of methods with constraints. The references are another program and coordinates without constraints.
 
 use crate::systems::*;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
 /// Largest defects at the ends of steps.

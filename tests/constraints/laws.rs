@@ -1,6 +1,7 @@
 //! Conserved quantities of systems with constraints.
 
 use crate::systems::*;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
 const SPHERICAL: SphericalPendulum = SphericalPendulum { m: 1.0, l: 1.0, g: 9.81 };

@@ -1,6 +1,7 @@
 //! Refused: states off a constraint, constraints that depend on each other, and steps without an end.
 
 use crate::systems::*;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
 #[test]

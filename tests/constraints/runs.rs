@@ -1,6 +1,7 @@
 //! Steps in other numbers, other units, back in time, and in compensated sums.
 
 use crate::systems::*;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
 /// Runs a test for both methods and for a composition of each.

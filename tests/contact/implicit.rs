@@ -3,9 +3,10 @@
 use super::cases::*;
 use super::laws::decays;
 use geoint_runtime::Claims;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
+use geoint_runtime::private::ContactEquation;
 use geoint_runtime::space::Array;
-use geoint_runtime::system::ContactEquation;
 use geoint_tests::measure::distance;
 use geoint_tests::scalars::Dual;
 

@@ -3,6 +3,7 @@
 use super::cases::*;
 use geoint_runtime::Contact;
 use geoint_runtime::Real;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::space::{Array, Snapshot};
 use geoint_tests::measure::{distance, extrapolated};

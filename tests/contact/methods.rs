@@ -1,8 +1,10 @@
 //! Every splitting for contact systems: order, symmetry, the contact form, laws that are exact.
 
 use crate::measure::{field, run, solution, state};
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
-use geoint_runtime::{Contact, ModifiedEnergy, Pieces, Real};
+use geoint_runtime::system::Pieces;
+use geoint_runtime::{Contact, ModifiedEnergy, Real};
 use geoint_tests::claims::{Geometry, Orders, Symmetry};
 use geoint_tests::measure::distance;
 use geoint_tests::methods;

@@ -2,6 +2,7 @@
 
 use crate::measure::{field, flat, run, solution, state};
 use geoint_runtime::Contact;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::space::{Array, PerCoordinate, Snapshot};
 use geoint_runtime::system::Rates;

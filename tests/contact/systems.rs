@@ -7,7 +7,8 @@ mod thermostat;
 
 use crate::measure::{self, flat};
 use geoint_runtime::prelude::*;
-use geoint_runtime::{Contact, Failure, Pieces};
+use geoint_runtime::system::Pieces;
+use geoint_runtime::{Contact, Failure};
 use geoint_tests::measure::extrapolated;
 use geoint_tests::scalars::Double;
 

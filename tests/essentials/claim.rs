@@ -73,7 +73,8 @@ pub(crate) fn distance_from<X: Snapshot<Real = f64>>(known: X) -> impl Fn(&mut d
 
 /// Returns all coordinates of a phase, and the action if there is one.
 fn numbers<X: Snapshot<Real = f64>>(phase: &X::Phase, action: &X::Action) -> Vec<f64> {
-    use geoint_runtime::space::{Action, Array};
+    use geoint_runtime::private::Action;
+    use geoint_runtime::space::Array;
     [phase.as_slice(), action.numbers()].concat()
 }
 

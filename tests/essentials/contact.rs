@@ -2,6 +2,7 @@
 
 use crate::claim::{energy, has_order, holds};
 use crate::systems::*;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Method, Trajectory};
 

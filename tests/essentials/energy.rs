@@ -2,6 +2,7 @@
 
 use crate::claim::{change, energy, has_order, holds};
 use crate::systems::*;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
 const STEPS: u64 = 2000;

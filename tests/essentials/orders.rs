@@ -3,6 +3,7 @@
 use crate::claim::{distance_from, has_order, holds};
 use crate::systems::*;
 use geoint_runtime::Method;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
 /// Rows of methods on one system: each must have its order, and its control a lower one.

@@ -2,6 +2,7 @@
 //! goes on.
 
 use crate::systems::*;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Trajectory, hamiltonian};
 

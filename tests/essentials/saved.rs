@@ -2,6 +2,7 @@
 
 use crate::systems::*;
 use geoint_runtime::Trajectory;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::running::{ResumeError, Saved};
 

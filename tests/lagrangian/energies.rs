@@ -2,11 +2,10 @@
 
 use crate::references::DOUBLE_PENDULUM;
 use crate::systems::*;
-use geoint_runtime::method::gauss::SolvedByGauss;
 use geoint_runtime::method::implicit::SolvedBy;
 use geoint_runtime::method::{Visitor, catalogue};
 use geoint_runtime::prelude::*;
-use geoint_runtime::system::DiscreteField;
+use geoint_runtime::private::{DiscreteField, SolvedByGauss};
 use geoint_tests::problems;
 
 /// Three masses on springs that are not linear.

@@ -1,5 +1,6 @@
 //! Mass matrices that are singular somewhere, under explicit methods: each step over a singular state is refused.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
 /// p = v³ − v and M = 3v² − 1. From rest the solution ends at t = 1.061 with v² = 1/3.

@@ -1,6 +1,7 @@
 //! Forces beside the energy, and friction that is no quadratic form: against references, and the balance of each step.
 
 use crate::systems::*;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::{PhaseSpace, VectorField};
 

@@ -3,9 +3,10 @@
 use crate::references::BRAKED;
 use crate::systems::*;
 use geoint_runtime::Contact;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
+use geoint_runtime::private::{MixedDerivatives, VelocityForm, VelocityStage};
 use geoint_runtime::space::{Array, Snapshot, Square};
-use geoint_runtime::system::{MixedDerivatives, VelocityForm, VelocityStage};
 
 /// The talk's damped oscillator.
 #[lagrangian]

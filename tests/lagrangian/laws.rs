@@ -2,6 +2,7 @@
 
 use crate::references::{BRAKED, DOUBLE_PENDULUM};
 use crate::systems::*;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
 #[test]

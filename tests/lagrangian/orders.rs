@@ -2,6 +2,7 @@
 
 use crate::references::{ARM, BRAKED, DOUBLE_PENDULUM};
 use crate::systems::*;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::space::{Array, Snapshot};
 use geoint_runtime::{Lagrangian, PhaseSpace};

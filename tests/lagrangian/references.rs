@@ -1,6 +1,7 @@
 //! Final states against solutions to twenty digits, which were found from the Lagrangians by another method.
 
 use crate::systems::*;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
 /// The largest difference.

@@ -1,5 +1,6 @@
 //! Mass matrices that are singular somewhere. No implicit step leads over such a place, whether the determinant changes its sign or not.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
 /// M = q₀ A with a positive A of four rows: its determinant is positive on both sides.

@@ -1,6 +1,7 @@
 //! Statements of Aung's thesis (2000) without another test or example, one by one. `tests/STATEMENTS.md` lists all statements.
 
 use geoint_runtime::Hamiltonian;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
 /// A particle in coordinates that turn: x = q₁ cos ωt − q₂ sin ωt, and so on, in T = ½m|x'|² and in V = k|x|⁴.

@@ -3,6 +3,7 @@
 use crate::references::{ARM, DOUBLE_PENDULUM};
 use crate::systems::*;
 use geoint_runtime::Hamiltonian;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
 /// A slope by differences of order 4.

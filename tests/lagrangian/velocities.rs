@@ -2,6 +2,7 @@
 
 use crate::references::{ARM, DOUBLE_PENDULUM};
 use crate::systems::*;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
 const BENT: ([f64; 3], [f64; 3]) = ([0.5, 0.4, -0.3], [0.0, 0.0, 1.0]);

@@ -2,7 +2,7 @@
 
 use geoint_runtime::method::implicit::SolvedBy;
 use geoint_runtime::prelude::*;
-use geoint_runtime::system::DiscreteField;
+use geoint_runtime::private::DiscreteField;
 use nalgebra::Vector2;
 
 const DRAG: f64 = 0.25;

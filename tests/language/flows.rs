@@ -1,5 +1,6 @@
 //! Flows without momenta, in all forms.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use nalgebra::Vector3;
 

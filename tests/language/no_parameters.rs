@@ -1,4 +1,5 @@
 //! A system without parameters is a unit struct.
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
 #[hamiltonian]

@@ -1,4 +1,5 @@
 //! Requirements that hold cost nothing.
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
 #[hamiltonian(require(separable, quadratic_kinetic), name = Chain,)]

@@ -30,6 +30,7 @@
 
 /// Everything is public, everything has a doc.
 pub mod model {
+    use geoint_runtime::methods::*;
     use geoint_runtime::prelude::*;
 
     /// Two coupled rods.

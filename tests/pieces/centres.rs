@@ -1,6 +1,7 @@
 //! Motion about a centre that a short step does not test: many half turns, the centre itself, units.
 
 use crate::check::{Over, step};
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
 #[hamiltonian(

@@ -1,7 +1,9 @@
 //! Compares a flow with its differential equation, and with the properties of all canonical flows.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
-use geoint_runtime::system::{Hamiltonian, Pieces};
+use geoint_runtime::system::Hamiltonian;
+use geoint_runtime::system::Pieces;
 use geoint_runtime::{Coordinates, Real, StepError};
 use geoint_tests::measure::{Noise, extrapolated};
 use geoint_tests::scalars::{Double, Dual, Scalar};

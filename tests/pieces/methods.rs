@@ -2,6 +2,7 @@
 
 use crate::check::{Over, field};
 use geoint_runtime::method::catalogue::{self, Visitor};
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::Pieces;
 use geoint_runtime::{Coordinates, Cotangent, Method, Real};

@@ -1,6 +1,7 @@
 //! Pieces whose time dependence cannot be separated. Their flows freeze the time at the middle of the step, so steps have order 2.
 
 use geoint_runtime::Coordinates;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
 /// Declares one energy per line, as one piece.

@@ -1,5 +1,6 @@
 //! Tests that hold in all coordinates.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_tests::measure::distance;
 use geoint_tests::outer_planets;

@@ -1,6 +1,7 @@
 //! Errors in heliocentric coordinates, in which the rest moves positions, too.
 
 use geoint_runtime::Method;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_tests::measure::distance;
 use geoint_tests::outer_planets;

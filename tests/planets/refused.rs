@@ -1,6 +1,7 @@
 //! Orbits that end, and their error messages.
 
 use geoint_runtime::Method;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
 /// Three bodies in the plane.

@@ -1,5 +1,6 @@
 //! Different notations of an attraction give the same motion.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
 /// Two bodies with a potential of their distance r, and the rest that Kepler's motion leaves of the potential.

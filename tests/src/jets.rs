@@ -1,9 +1,10 @@
 //! Taylor coefficients in two ways: by a kernel, and by truncated series as a scalar.
 
 use crate::scalars::Double;
+use geoint_runtime::private::{Action as _, Jets};
 use geoint_runtime::scalar::{Real, Series};
-use geoint_runtime::space::{Action as _, Array, PerCoordinate};
-use geoint_runtime::system::{Contact, Jets, PhaseSpace, VectorField};
+use geoint_runtime::space::{Array, PerCoordinate};
+use geoint_runtime::system::{Contact, PhaseSpace, VectorField};
 
 /// Number of coefficients, including order 0.
 pub const N: usize = 25;

@@ -12,13 +12,13 @@ pub use geoint_runtime::method::catalogue::{
 
 use geoint_runtime::Real;
 use geoint_runtime::method::catalogue;
-use geoint_runtime::method::contact::SolvedByContactGauss;
-use geoint_runtime::method::gauss::SolvedByGauss;
 use geoint_runtime::method::implicit::SolvedBy;
-use geoint_runtime::prelude::*;
-use geoint_runtime::system::{Collocation, Conservative, DiscreteField, QuadraticField};
+use geoint_runtime::methods::*;
+use geoint_runtime::private::{Collocation, DiscreteField, QuadraticField, SolvedByContactGauss, SolvedByGauss};
+use geoint_runtime::system::Conservative;
+use geoint_runtime::system::Pieces;
 use geoint_runtime::{
-    ForceGradient, Mechanical, Perturbation, Perturbed, PerturbedGradient, PhaseSpace, Pieces, PlanarSplitting,
+    ForceGradient, Mechanical, Perturbation, Perturbed, PerturbedGradient, PhaseSpace, PlanarSplitting,
     PoissonSplitting, QuadraticKinetic, Rattle, Separable,
 };
 

@@ -5,7 +5,7 @@
 
 use crate::scalars::Scalar;
 pub use crate::scene::flat;
-use geoint_runtime::system::Collocation;
+use geoint_runtime::private::Collocation;
 use geoint_runtime::{Coordinates, Cotangent, Hamiltonian, State, hamiltonian, space::Array};
 use nalgebra::{SVector, Vector2, Vector3};
 

@@ -4,7 +4,8 @@
 
 use crate::problems::Problem;
 use crate::scalars::Scalar;
-use geoint_runtime::space::{Action, Array, Snapshot};
+use geoint_runtime::private::Action;
+use geoint_runtime::space::{Array, Snapshot};
 use geoint_runtime::system::StateOf;
 use geoint_runtime::{PhaseSpace, Real, VectorField};
 

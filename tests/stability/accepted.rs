@@ -1,6 +1,7 @@
 //! Methods that keep the energy, with steps far too large or beside a jump of a divided difference: every accepted step keeps the energy.
 
 use geoint_runtime::Method;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_tests::measure::Noise;
 

@@ -1,6 +1,7 @@
 //! Adaptive steps: the invariants that survive any sequence of step lengths, and how the integrator chooses and refuses steps and ends a run.
 
 use geoint_runtime::method::{Visitor, catalogue};
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::space::Snapshot;
 use geoint_runtime::{Failure, Method};

@@ -1,5 +1,6 @@
 //! Barriers and pulses ahead of a run. A long step detects them, although the force vanishes at the start of the step.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
 /// A hill of height 1; a body of energy 1/2 is reflected.

@@ -1,6 +1,7 @@
 //! Amplitudes from 10⁻²⁹⁰ to 10²⁹⁰ are units: steps have the same digits, or the refusal names the scale of the energy.
 
 use geoint_runtime::Method;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
 #[hamiltonian]

@@ -1,5 +1,6 @@
 //! Projections of explicit steps that are far too large. A projected step keeps the energy to rounding, or is refused.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_tests::measure::Noise;
 

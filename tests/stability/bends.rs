@@ -2,6 +2,7 @@
 //!
 //! A run extrapolates its steps. When two bodies pass each other, the extrapolated increment lies on the wrong side of a bend.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_tests::measure::Noise;
 

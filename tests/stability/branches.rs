@@ -1,5 +1,6 @@
 //! An implicit equation with a step far too large has several solutions. Only the solution that is continuous in the step size is a step.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_tests::measure::Noise;
 

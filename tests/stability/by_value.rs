@@ -1,5 +1,6 @@
 //! Runs are values. They are moved and cloned, never copied by mistake. Large runs fit on the stack of a thread, without optimisation, too.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Adaptive, Composed, Integrator, RungeKutta, TaylorIntegrator};
 use std::mem::size_of_val;

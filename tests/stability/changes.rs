@@ -1,5 +1,6 @@
 //! Changes by users between steps: parameters, and the time at which a frame ends.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::StateOf;
 

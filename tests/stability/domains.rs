@@ -3,10 +3,10 @@
 //! The tests cover three difficulties. The compiler may simplify the function that bounds the domain. `advance` merges the last flow of a step with
 //! the first flow of the next one, so the state between them is not computed. The signs of parameters may decide where the domain ends.
 
-use geoint_runtime::method::gauss::SolvedByGauss;
 use geoint_runtime::method::implicit::SolvedBy;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
-use geoint_runtime::system::DiscreteField;
+use geoint_runtime::private::{DiscreteField, SolvedByGauss};
 use geoint_runtime::{Autonomous, Hamiltonian, Method, QuadraticKinetic, Separable};
 use geoint_tests::methods::{self, Visitor};
 

@@ -1,6 +1,7 @@
 //! Runs near the largest finite time end with an error. No time becomes infinite.
 
 use super::time::{every, kinds, number};
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Failure, Method};
 use geoint_tests::methods::Visitor;

@@ -2,6 +2,7 @@
 //! step without projection would then be accepted.
 
 use geoint_runtime::Method;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_tests::measure::Noise;
 

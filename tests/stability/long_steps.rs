@@ -3,6 +3,7 @@
 //! With one degree of freedom, q₁ − q₀ − h p₀/m + h²/2m V[q₀, q₁] = 0 is the equation of every discrete gradient. If V is convex its left
 //! side grows with q₁: one solution, found here by bisection.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Hamiltonian, Method};
 

@@ -1,8 +1,9 @@
 //! Names of methods are distinct, and their claimed numbers of forces are right. Runs can be chosen by name.
 
 use geoint_runtime::method::{Visitor, catalogue};
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
-use geoint_runtime::running::{DynTrajectory, Named};
+use geoint_runtime::running::{DynTrajectory, Named, UnknownMethod};
 use geoint_runtime::system::StateOf;
 use geoint_runtime::{Cotangent, ForceGradient, PhaseSpace, QuadraticKinetic, Separable, VectorField};
 use geoint_tests::problems::{HenonHeiles, Problem};
@@ -190,7 +191,7 @@ fn forces_of_implicit_methods_are_not_claimed() {
 /// Asserts that every method chosen by name takes the steps of the method chosen by type.
 struct ByName;
 
-fn by_name(name: &str, start: StateOf<HenonHeiles, f64>) -> Option<DynTrajectory<HenonHeiles>> {
+fn by_name(name: &str, start: StateOf<HenonHeiles, f64>) -> Result<DynTrajectory<HenonHeiles>, UnknownMethod> {
     let mut named = Named::new(name, HenonHeiles::system(), 0.05, start);
     every(&mut named);
     named.run()
@@ -222,5 +223,15 @@ impl Visitor<HenonHeiles> for ByName {
 #[test]
 fn methods_by_name() {
     every(&mut ByName);
-    assert!(by_name("Yoshida5 of StormerVerlet", HenonHeiles::initial(0.0)).is_none());
+    let error = |name: &str| by_name(name, HenonHeiles::initial(0.0)).err().map(|error| error.to_string());
+    let suggested = [
+        ("BlanesMoan5", "; did you mean `BlanesMoan4` or `BlanesMoan6`?"),
+        ("Yoshida5 of StormerVerlet", "; did you mean `Yoshida4 of StormerVerlet` or `Yoshida6a of StormerVerlet`?"),
+        ("blanesmoan4", "; did you mean `BlanesMoan4` or `BlanesMoan6`?"),
+        ("Leapfrog", ""),
+        ("", ""),
+    ];
+    for (name, suggestion) in suggested {
+        assert_eq!(error(name), Some(format!("no candidate has the name `{name}`{suggestion}")));
+    }
 }

@@ -1,5 +1,6 @@
 //! Controls: a step near a pole that does not cross the pole is accepted.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Hamiltonian, Method};
 

@@ -2,6 +2,7 @@
 //! lists.
 
 use crate::saved::bits;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::space::Summation;
 use geoint_runtime::{Method, PhaseSpace};

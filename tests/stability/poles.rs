@@ -1,6 +1,7 @@
 //! Steps that would jump over a pole, or out of the domain of the energy. They are refused with a reason, even if the method evaluates a denominator of the
 //! other sign. If the motion can avoid the pole, a shorter step succeeds.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Failure, Hamiltonian, Method};
 use geoint_tests::grid::pairs;

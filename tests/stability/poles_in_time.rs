@@ -1,6 +1,7 @@
 //! Poles in time alone, and times at which the energy is not defined. No step crosses such a time, whatever the method evaluates. The result does not
 //! depend on the number of steps in a call.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Failure, Method};
 

@@ -1,5 +1,6 @@
 //! Kepler orbits that almost hit the centre. Positions change by five orders of magnitude in one turn.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
 /// Kepler's problem with a reduced mass.

@@ -1,6 +1,7 @@
 //! Bad input and refused steps at run time. A step returns an error with a reason, the state is the last good state bit for bit, and the run can
 //! continue with a usable step size.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Hamiltonian, Method};
 use geoint_tests::methods::{self, Visitor};

@@ -1,5 +1,6 @@
 //! Friction brings systems to rest. No step is refused on the way, and nothing moves at rest.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
 /// A chain between walls: springs that pull with a force of 1 at rest, where all coordinates are 0.

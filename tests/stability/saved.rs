@@ -1,5 +1,6 @@
 //! Saved runs that continue elsewhere have the same bits as uninterrupted runs, with every method of the lists.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::running::{ResumeError, Saved};
 use geoint_runtime::space::Summation;

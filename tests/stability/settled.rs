@@ -1,5 +1,6 @@
 //! Steps keep invariants to rounding, and so do long runs. After each 1024 steps the accumulated rounding error is removed.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::StateOf;
 use geoint_runtime::{Method, PhaseSpace, Real};

@@ -1,8 +1,9 @@
 //! Forces that cancel: the rounding of a residual is the rounding of its terms. A step is accepted if its residual is at this level, and refused otherwise.
 
 use geoint_runtime::method::implicit::SolvedBy;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
-use geoint_runtime::system::Collocation;
+use geoint_runtime::private::Collocation;
 use geoint_runtime::{Hamiltonian, IntoIntegrator, Method, Real};
 use geoint_tests::measure::Noise;
 use geoint_tests::problems::*;

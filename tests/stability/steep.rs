@@ -1,5 +1,6 @@
 //! Integrals that become steep in a coordinate, because the coordinate falls by many orders of magnitude. A step keeps them, or is refused.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::StateOf;
 use geoint_runtime::{Method, PhaseSpace, Real};

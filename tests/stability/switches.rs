@@ -1,9 +1,11 @@
 //! Energies that jump, or bend, at a condition.
 
 use geoint_runtime::method::implicit::SolvedBy;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
+use geoint_runtime::private::DiscreteField;
 use geoint_runtime::scalar::Real;
-use geoint_runtime::system::{DiscreteField, StateOf};
+use geoint_runtime::system::StateOf;
 use geoint_runtime::{Autonomous, Failure, Hamiltonian, Method, PhaseSpace};
 use geoint_tests::grid::pairs;
 use geoint_tests::methods::{self, Visitor};

@@ -1,9 +1,10 @@
 //! Time of a run with every method, in `f64` and `f32`: exact to rounding, also if the step size changes; `until` ends at the requested time.
 
-use geoint_runtime::method::gauss::SolvedByGauss;
 use geoint_runtime::method::implicit::SolvedBy;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
-use geoint_runtime::system::{Autonomous, DiscreteField, QuadraticField};
+use geoint_runtime::private::{DiscreteField, QuadraticField, SolvedByGauss};
+use geoint_runtime::system::Autonomous;
 use geoint_runtime::{ForceGradient, Method, Separable};
 use geoint_tests::methods::{self, Visitor};
 use geoint_tests::problems::*;

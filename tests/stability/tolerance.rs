@@ -1,5 +1,6 @@
 //! Adaptive steps follow every coordinate with the same relative accuracy, whatever the sizes of the others.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Failure, Method};
 use geoint_tests::measure::distance;

@@ -1,5 +1,6 @@
 //! Units: a change of units by powers of two changes no bit of a result. The energy is kept to rounding in all units.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Hamiltonian, IntoIntegrator, Method};
 use geoint_tests::methods::{self, Visitor};

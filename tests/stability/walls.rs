@@ -3,10 +3,11 @@
 //! The energies have denominators that touch zero, several poles within one step, and poles that depend on a parameter. Poles divide the axis of q
 //! into cells. An accepted step has no pole on the straight line between its ends, so a system with one degree of freedom stays in its cell.
 
-use geoint_runtime::method::gauss::SolvedByGauss;
 use geoint_runtime::method::implicit::SolvedBy;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
-use geoint_runtime::system::{Autonomous, DiscreteField};
+use geoint_runtime::private::{DiscreteField, SolvedByGauss};
+use geoint_runtime::system::Autonomous;
 use geoint_runtime::{Hamiltonian, Method};
 use geoint_tests::grid::pairs;
 use geoint_tests::methods::{self, Visitor};

@@ -3,6 +3,7 @@
 use crate::rounding::walks;
 use crate::run::{adapting, fixed};
 use crate::systems::{MASS, comet, spring};
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Integrator, Method, TaylorIntegrator};
 use geoint_tests::problems::{Pendulum, Problem};

@@ -1,6 +1,7 @@
 //! Conditions whose series end before the series of the coordinates, and long steps: a free body flies as far as requested.
 
 use geoint_runtime::Failure;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
 /// A disc that repels, by the square of the distance.

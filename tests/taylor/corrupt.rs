@@ -1,5 +1,6 @@
 //! Saved runs may be corrupt. A state that no step has produced is examined, whatever the saved number of steps is.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::running::Saved;
 

@@ -1,5 +1,6 @@
 //! States between steps, and events, with every kind of run.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Adaptive, Crossing};
 use std::f64::consts::PI;

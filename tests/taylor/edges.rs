@@ -1,6 +1,7 @@
 //! Limits of series: poles, collisions, polynomials, conditions.
 
 use geoint_runtime::Failure;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
 /// x' = x² has x = 1/(1/x₀ − t).

@@ -1,5 +1,6 @@
 //! Events that are hard to find: at the start and at the end of a search, two events within a step, in small units.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use std::f64::consts::PI;
 

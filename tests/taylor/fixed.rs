@@ -1,7 +1,8 @@
 //! Steps of fixed length at the end of a series. No run continues unnoticed behind a vanishing power or behind a pole.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
-use geoint_runtime::system::Jets;
+use geoint_runtime::private::Jets;
 use geoint_runtime::{Failure, TaylorIntegrator};
 
 macro_rules! potentials {

@@ -1,5 +1,6 @@
 //! Event functions: zeros behind a kink, a jump or a pole, flat zeros, other scalars, and invalid input.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::scalar::Real;
 use std::f64::consts::PI;

@@ -1,5 +1,6 @@
 //! A run continues from its own event, and from states within its last step.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
 /// A mass on a rod of length 1, in Cartesian coordinates.

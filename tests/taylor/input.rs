@@ -1,7 +1,9 @@
 //! Invalid input: the first step returns an error, and the state is kept.
 
+use geoint_runtime::Failure;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
-use geoint_runtime::{Failure, TaylorMethod};
+use geoint_runtime::private::TaylorMethod;
 
 /// ln q: the force is not defined for q ≤ 0.
 #[hamiltonian]

@@ -1,5 +1,6 @@
 //! The series has the requested order.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
 /// Of second order: momenta are velocities.

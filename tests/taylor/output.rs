@@ -1,5 +1,6 @@
 //! Projected series, and interpolation by states and rates of other methods.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
 #[hamiltonian]

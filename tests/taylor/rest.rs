@@ -1,6 +1,7 @@
 //! Runs that meet a condition again and again. Runs that come to rest at it, or bounce ever lower, are refused. Other runs continue.
 
 use geoint_runtime::Failure;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
 /// A wedge at c.

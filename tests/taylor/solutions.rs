@@ -1,9 +1,9 @@
 //! Coefficients and solutions against 45 digits (Taylor of order 60, or Kepler's equation).
 
-use geoint_runtime::TaylorMethod;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
+use geoint_runtime::private::{Jets, TaylorMethod};
 use geoint_runtime::space::PerCoordinate;
-use geoint_runtime::system::Jets;
 
 #[hamiltonian]
 fn pendulum(q: f64, p: f64) -> f64 {

@@ -7,6 +7,7 @@
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, table};
 use geoint_runtime::Method;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use std::error::Error;
 

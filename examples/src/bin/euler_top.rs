@@ -8,6 +8,7 @@
 use geoint_examples::plot::{Axis, Curve, Ink, Panel, figure, palette};
 use geoint_examples::{changes, claim, largest, order, shortest, table};
 use geoint_runtime::Method;
+use geoint_runtime::methods::*;
 use geoint_runtime::nalgebra::{UnitQuaternion, Vector3};
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::FirstIntegrals;

@@ -6,6 +6,7 @@
 
 use geoint_examples::plot::{Axis, Curve, Ink, Panel, figure, palette};
 use geoint_examples::{claim, table};
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Method, StepError};
 use std::error::Error;

@@ -8,6 +8,7 @@ use geoint_examples::outer_planets::{self, start};
 use geoint_examples::plot::{Axis, Curve, Ink, Panel, figure, palette};
 use geoint_examples::{claim, evaluations, output, shortest, shown, table};
 use geoint_runtime::Method;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use indicatif::{ProgressBar, ProgressStyle};
 use nalgebra::Vector3;

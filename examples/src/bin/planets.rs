@@ -7,6 +7,7 @@
 use geoint_examples::outer_planets::{self, start};
 use geoint_examples::plot::{Axis, Curve, Ink, Panel, figure, palette};
 use geoint_examples::{claim, shortest, table};
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Hamiltonian, Method};
 use nalgebra::Vector3;

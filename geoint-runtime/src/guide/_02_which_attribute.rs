@@ -63,7 +63,7 @@
 //! largest error of the angle in 20 s, for steps of 0.02 s:
 //!
 //! ```
-//! # use geoint_runtime::prelude::*;
+//! # use geoint_runtime::{methods::*, prelude::*};
 //! #[hamiltonian(damping = b)]
 //! fn damped(q: f64, p: f64, m: f64, l: f64, g: f64, b: f64) -> f64 {
 //!     p * p / (2.0 * m * l * l) - m * g * l * q.cos()

@@ -106,7 +106,7 @@
 //! | `Projection(method, Energy)`, `Relaxation(method)` | of the method | energy | |
 //! | `Taylor` | 20 | nothing exactly | Taylor integrator, TIDES |
 //!
-//! `MeanValue` keeps the energy if `REPORT` says so. The module [`method`](crate::method) lists all methods.
+//! `MeanValue` keeps the energy if `REPORT` says so. [`method`](crate::method) lists all methods, and `use geoint_runtime::methods::*` imports them.
 //!
 //! # Errors
 //!

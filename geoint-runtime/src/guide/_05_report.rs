@@ -4,7 +4,7 @@
 //! bodies and compares it with its text:
 //!
 //! ```
-//! use geoint_runtime::prelude::*;
+//! use geoint_runtime::{methods::*, prelude::*};
 //!
 //! /// Two bodies on a line with a softened attraction.
 //! #[hamiltonian]

@@ -84,12 +84,12 @@
 //! Every run has `saved()` and `resume(&saved)` of [`Resumable`](crate::running::Resumable). [`Named`](crate::running::Named) chooses a method by its
 //! name:
 //! ```standalone_crate
-//! use geoint_runtime::{method::catalogue, prelude::*, running::{DynTrajectory, Named}};
+//! use geoint_runtime::{method::catalogue, prelude::*, running::{DynTrajectory, Named, UnknownMethod}};
 //! # #[hamiltonian]
 //! # fn oscillator(q: f64, p: f64, k: f64) -> f64 { p * p / 2.0 + k * q * q / 2.0 }
 //! # fn run<T: Clone + Send + Sync>(_: T) {} fn copied<T: Copy>(_: T) {}
 //! # run(Oscillator { k: 1.0 }.integrator(RK4, 0.3, State::new(1.0, 0.0))); copied((Oscillator { k: 1.0 }, State::new(1.0, 0.0)));
-//! fn start(name: &str) -> Option<DynTrajectory<Oscillator>> {
+//! fn start(name: &str) -> Result<DynTrajectory<Oscillator>, UnknownMethod> {
 //!     let mut named = Named::new(name, Oscillator { k: 1.0 }, 0.01, State::new(1.0, 0.0));
 //!     catalogue::general(&mut named); // Gauss<3>, RK4, DOP853, …
 //!     catalogue::separable(&mut named); // StormerVerlet, BlanesMoan6, Yoshida4 of StormerVerlet, …
@@ -97,20 +97,19 @@
 //!     named.run()
 //! }
 //! for name in ["Gauss<3>", "KahanLi8_17a of StormerVerlet"] {
-//!     let mut run = start(name).expect("a name from one of these catalogues");
+//!     let mut run = start(name)?; // Or an error with the nearest names.
 //!     run.advance(500)?;
 //!     let saved = run.saved();
-//!     let mut resumed = start(name).expect("the same method");
-//!     resumed.resume(&saved).expect("the same method, system and scalar type");
+//!     let mut resumed = start(name)?;
+//!     resumed.resume(&saved)?; // The same method, system and scalar type.
 //!     run.advance(500)?;
 //!     resumed.advance(500)?;
 //!     assert_eq!(run.state(), resumed.state()); // the same bits
 //! }
-//! # Ok::<(), StepError>(())
+//! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
 //! The compiler builds every method of each [catalogue](crate::method::catalogue). Four catalogues for a pendulum took 48 s to compile.
-//! `method.name()` returns the name of a method: `Gauss::<3>` is `Gauss<3>`, `Suzuki4.of(RK4)` is `Suzuki4 of RK4`. `Named` has fixed steps only.
 //! [`Saved`](crate::running::Saved) implements `Serialize` and `Deserialize` with the feature `serde`. [`resume`](crate::running::Resumable::resume)
 //! takes time, state, fixed step size and the method's history from the saved run. Parameters, tolerances and bounds of steps are not saved: set them
 //! in the new run.

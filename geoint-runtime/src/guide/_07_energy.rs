@@ -56,7 +56,7 @@
 //! `Projection` in Taylor series.
 //!
 //! ```standalone_crate
-//! use geoint_runtime::{Invariants, prelude::*};
+//! use geoint_runtime::{Invariants, methods::*, prelude::*};
 //! # #[hamiltonian]
 //! # fn comet(q: [f64; 2], p: [f64; 2], k: f64) -> f64 {
 //! #     (p[0] * p[0] + p[1] * p[1]) / 2.0 - k / (q[0] * q[0] + q[1] * q[1]).sqrt()

@@ -79,7 +79,7 @@
 //! and `ContactDiscreteGradient` keeps H = H(0) e^(−γt):
 //!
 //! ```
-//! # use geoint_runtime::prelude::*;
+//! # use geoint_runtime::{methods::*, prelude::*};
 //! #[contact_hamiltonian] // A driven Duffing oscillator.
 //! fn driven(q: f64, p: f64, s: f64, t: f64, gamma: f64, f: f64, omega: f64) -> f64 {
 //!     p * p / 2.0 + q * q / 2.0 + q.powi(4) / 4.0 - f * q * (omega * t).cos() + gamma * s

@@ -1,7 +1,7 @@
 //! Simulate planets over centuries, satellites and close encounters, each with the method that fits.
 //!
 //! ```standalone_crate
-//! use geoint_runtime::{nalgebra::Vector3, prelude::*};
+//! use geoint_runtime::{nalgebra::Vector3, methods::*, prelude::*};
 //!
 //! /// Sun, asteroid, Jupiter, Saturn; q in AU, p in M☉ AU/d, m in M☉, g in AU³/(d² M☉).
 //! #[hamiltonian(coordinates = jacobi)]
@@ -65,7 +65,7 @@
 //! - `split = "A | B"`: parts of your own. A needs a flow in closed form. B reads positions and time only. This is a satellite of the oblate Earth:
 //!
 //! ```
-//! # use geoint_runtime::{nalgebra::Vector3, prelude::*};
+//! # use geoint_runtime::{nalgebra::Vector3, methods::*, prelude::*};
 //! #[hamiltonian(split = "p.norm_squared() / 2.0 - mu / q.norm() | mu * c / 2.0 * (3.0 * q.z * q.z / q.norm_squared() - 1.0) / q.norm().powi(3)")]
 //! fn satellite(q: Vector3<f64>, p: Vector3<f64>, mu: f64, c: f64) -> f64 { // q in km, p in km/s per unit mass; mu = GM, c = J₂R².
 //!     p.norm_squared() / 2.0 - mu / q.norm() + mu * c / 2.0 * (3.0 * q.z * q.z / q.norm_squared() - 1.0) / q.norm().powi(3)
@@ -93,7 +93,7 @@
 //! rounding:
 //!
 //! ```
-//! # use geoint_runtime::prelude::*;
+//! # use geoint_runtime::{methods::*, prelude::*};
 //! #[hamiltonian]
 //! fn burrau(q: [[f64; 2]; 3], p: [[f64; 2]; 3], m: [f64; 3]) -> f64 {
 //!     let kinetic = |i: usize| (p[i][0].powi(2) + p[i][1].powi(2)) / (2.0 * m[i]);

@@ -53,7 +53,7 @@
 //! A closed chain has no independent coordinates. Write Cartesian positions, and one constraint g(q) = 0 for each bar:
 //!
 //! ```
-//! use geoint_runtime::prelude::*;
+//! use geoint_runtime::{methods::*, prelude::*};
 //! /// Four-bar linkage: joints (q[0], q[1]) and (q[2], q[3]) between the fixed points (0, 0) and (d, 0).
 //! #[lagrangian(constraint = [
 //!     (q[0].powi(2) + q[1].powi(2) - bars[0].powi(2)) / 2.0,

@@ -96,7 +96,7 @@
 //! A body that moves has a centre q and its momentum p, both in space. This one computes in `f32`:
 //!
 //! ```
-//! # use geoint_runtime::{nalgebra::{UnitQuaternion, Vector3}, prelude::*};
+//! # use geoint_runtime::{nalgebra::{UnitQuaternion, Vector3}, methods::*, prelude::*};
 //! #[hamiltonian(attitude = r)] // A spring pulls the point d of the body to the origin.
 //! fn stone(r: UnitQuaternion<f32>, m: Vector3<f32>, q: Vector3<f32>, p: Vector3<f32>, mass: f32, i: f32, d: Vector3<f32>, k: f32) -> f32 {
 //!     (p.norm_squared() / mass + m.norm_squared() / i + k * (q + r * d).norm_squared()) / 2.0

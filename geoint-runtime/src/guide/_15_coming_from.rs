@@ -47,7 +47,7 @@
 //! sol = solve(prob, KahanLi8(), dt = 0.1)
 //! ```
 //! ```
-//! # use geoint_runtime::prelude::*; #[hamiltonian] fn pendulum(q: f64, p: f64) -> f64 { p * p / 2.0 - 9.8 * q.cos() }
+//! # use geoint_runtime::{methods::*, prelude::*}; #[hamiltonian] fn pendulum(q: f64, p: f64) -> f64 { p * p / 2.0 - 9.8 * q.cos() }
 //! let mut sim = Pendulum.integrator(KahanLi8_17a.of(StormerVerlet), 0.1, State::new(0.05, 0.025));
 //! let states: Vec<State<f64>> = sim.until(10.0).collect::<Result<_, _>>()?;
 //! # assert!(states.len() == 100 && (states[99].q - 0.048739687386).abs() < 1e-9); Ok::<(), StepError>(())
@@ -89,7 +89,7 @@
 //! sim.integrator = "whfast"; sim.dt = 0.05; sim.integrate(1000)
 //! ```
 //! ```
-//! # use geoint_runtime::prelude::*;
+//! # use geoint_runtime::{methods::*, prelude::*};
 //! #[hamiltonian(coordinates = jacobi)]
 //! fn planets(q: [[f64; 2]; 3], p: [[f64; 2]; 3], m: [f64; 3], g: f64) -> f64 {
 //!     let kinetic = (0..3).map(|i| (p[i][0].powi(2) + p[i][1].powi(2)) / (2.0 * m[i])).sum::<f64>();

@@ -8,7 +8,7 @@
 //!
 //! Splittings need H = T(p) + V(q). The printed term reads q and p. Take a method that needs no splitting, or `PieceSplitting`.
 //! ```
-//! # use geoint_runtime::prelude::*;
+//! # use geoint_runtime::{methods::*, prelude::*};
 //! #[hamiltonian]
 //! fn coupled(q: f64, p: f64) -> f64 {
 //!     p * p / (2.0 * q * q + 1.0) + q * q
@@ -19,7 +19,7 @@
 //!
 //! Methods with `Srkn` in the name need a kinetic energy that is quadratic in p, with constant masses. Others take every T(p) + V(q).
 //! ```
-//! # use geoint_runtime::prelude::*;
+//! # use geoint_runtime::{methods::*, prelude::*};
 //! #[hamiltonian]
 //! fn relativistic(q: f64, p: f64) -> f64 {
 //!     (1.0 + p * p).sqrt() + q * q / 2.0
@@ -30,7 +30,7 @@
 //!
 //! The argument `x` stands for all coordinates of a general phase space. If x is a position, name it and its momentum.
 //! ```
-//! # use geoint_runtime::prelude::*;
+//! # use geoint_runtime::{methods::*, prelude::*};
 //! #[hamiltonian(q = x, p = px)]
 //! fn spring(x: f64, px: f64, k: f64) -> f64 {
 //!     px * px / 2.0 + k * x * x / 2.0
@@ -41,7 +41,7 @@
 //!
 //! The macro reads one function. A second function is read if both attributes say so.
 //! ```
-//! # use geoint_runtime::prelude::*;
+//! # use geoint_runtime::{methods::*, prelude::*};
 //! #[energy_function]
 //! fn square(x: f64) -> f64 {
 //!     x * x
@@ -56,7 +56,7 @@
 //!
 //! Loops are unrolled, so the macro needs every length. A constant outside of the function is repeated in the attribute.
 //! ```
-//! # use geoint_runtime::prelude::*;
+//! # use geoint_runtime::{methods::*, prelude::*};
 //! const N: usize = 3;
 //! #[hamiltonian(const N = 3)]
 //! fn chain(q: [f64; N], p: [f64; N]) -> f64 {
@@ -68,7 +68,7 @@
 //!
 //! Methods prove that the energy falls. A motor that feeds energy is a force.
 //! ```
-//! # use geoint_runtime::prelude::*;
+//! # use geoint_runtime::{methods::*, prelude::*};
 //! #[hamiltonian(force = 2.0 * v)]
 //! fn driven(q: f64, p: f64) -> f64 {
 //!     p * p / 2.0 + q * q / 2.0

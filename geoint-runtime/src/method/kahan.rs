@@ -1,6 +1,7 @@
 //! Kahan's method for energies of degree 3. It solves one linear system a step.
 //!
 //! ```
+//! use geoint_runtime::methods::*;
 //! use geoint_runtime::prelude::*;
 //!
 //! /// A star in a galaxy. M. Hénon & C. Heiles, Astron. J. 69 (1964) 73.

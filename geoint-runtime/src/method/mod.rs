@@ -18,6 +18,7 @@ pub mod implicit;
 pub mod kahan;
 mod name;
 mod probe;
+pub(crate) mod proof;
 pub mod tables;
 
 pub use catalogue::Visitor;
@@ -27,8 +28,9 @@ pub use flows::{gradient_kick, modified_verlet};
 pub use name::Name;
 pub use probe::{Probe, Unwatched};
 pub(crate) use probe::{check_conditions, check_end, check_poles, check_way, start};
+pub(in crate::method) use proof::And;
 
-pub use crate::solving::{Effort, Failure, Observer};
+pub use crate::solving::{Effort, Failure};
 
 use crate::scalar::Real;
 use crate::space::vector::difference;
@@ -96,10 +98,10 @@ impl Claims {
     note = "`Gauss` has 1 to 6 stages"
 )]
 pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
-    /// The proof that `S` has the properties that the method needs. [`And`] combines the proofs of two properties.
+    /// The proof that `S` has the properties that the method needs. A tuple combines the proofs of two properties.
     ///
-    /// If a property is missing, the compiler knows neither this type nor the type of [`IntoIntegrator::integrator`](crate::IntoIntegrator::integrator).
-    /// It then reports the missing property only.
+    /// If a property is missing, the compiler knows neither this type nor the type of the run; see [`Given`](crate::running::Given). It then reports the
+    /// missing property only.
     type Proof;
     /// Coefficients that depend on the method, the parameters and h. They are constant while steps are taken.
     type Prepared: Clone;
@@ -235,16 +237,6 @@ pub(crate) fn outer_step<S: PhaseSpace<R>, R: Real, M: Method<S, R>, C: Summatio
     x.s = inner.s;
     x.needs_recheck |= inner.needs_recheck;
     Ok(())
-}
-
-/// The conjunction of two proofs, a type that exists if both proofs exist.
-pub trait And<Q> {
-    /// The proof of both properties.
-    type Both;
-}
-
-impl<P, Q> And<Q> for P {
-    type Both = Q;
 }
 
 /// The input of a step: the system, the times, the point and the probe.

@@ -1,4 +1,5 @@
-//! Starts runs of systems that are written by hand, or that use other scalars. Generated systems have inherent functions of the same names.
+//! Starts runs of systems that are written by hand, or that use other scalars. Generated systems have inherent functions of the same names, which
+//! return [`Given`](super::Given) runs: a missing property is then one error.
 
 use super::{Adaptive, Integrator};
 use crate::method::Method;

@@ -9,6 +9,8 @@ mod error_tests;
 mod integrator;
 #[cfg(feature = "alloc")]
 mod named;
+#[cfg(feature = "alloc")]
+mod nearest;
 mod number;
 mod output;
 mod reported;
@@ -24,17 +26,18 @@ mod watch;
 
 pub use adaptive::Adaptive;
 pub use constraints::state_on_constraint;
-pub use dense::{
-    Crossing, Crossings, Curve, Dense, Direction, Exactly, Hermite, Interpolated, SampledAt, SampledEvery,
-    TaylorCrossings, Within,
-};
+pub use dense::{Crossing, Crossings, Dense, Direction, SampledAt, SampledEvery, TaylorCrossings};
 pub use error::StepError;
 pub use integrator::Integrator;
 pub use into_integrator::IntoIntegrator;
 #[cfg(feature = "alloc")]
-pub use named::{DynTrajectory, Named};
+pub use named::{DynTrajectory, Named, UnknownMethod};
 pub use output::{Samples, StatesAt, Until};
 #[cfg(feature = "alloc")]
-pub use saved::{Bits, FORMAT, Resumable, ResumeError, Saved};
+use saved::Bits;
+#[cfg(feature = "alloc")]
+pub use saved::{FORMAT, Resumable, ResumeError, Saved};
 pub use taylor::TaylorIntegrator;
 pub use trajectory::{Scalar, Trajectory};
+
+pub use crate::method::proof::Given;

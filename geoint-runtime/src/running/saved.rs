@@ -127,7 +127,7 @@ impl Bits for f32 {
 }
 
 /// Implementation of saving for one kind of run.
-pub trait Recorded: Clone {
+pub(crate) trait Recorded: Clone {
     type Real: Bits;
     /// Returns the name of the method.
     fn name(&self) -> crate::method::Name;

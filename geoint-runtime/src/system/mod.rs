@@ -13,10 +13,10 @@
 //! that follow from it.
 
 mod bodies; // Rigid bodies in their principal axes.
-mod contact; // Contact systems, and the flows of the pieces of an energy.
-mod implicit; // The equations of implicit steps.
-mod integrals; // First integrals and invariants.
-mod jets; // Taylor coefficients of solutions.
+pub(crate) mod contact; // Contact systems, and the flows of the pieces of an energy.
+pub(crate) mod implicit; // The equations of implicit steps.
+pub(crate) mod integrals; // First integrals and invariants.
+pub(crate) mod jets; // Taylor coefficients of solutions.
 mod jumps; // Search for a jump of H between two points.
 mod lagrangian; // Systems that are given by a Lagrangian.
 mod modified; // The modified energy of a step of order 2.
@@ -30,20 +30,21 @@ mod separable; // H = T + V: kicks and drifts.
 mod timed; // Search for a pole of H that depends on time only.
 
 pub use bodies::PrincipalAxes;
-pub use contact::{Clock, Conformal, Contact, ContactEquation, Mechanical, NystromPieces, Piece, Pieces};
+pub use contact::{Clock, Conformal, Contact, Mechanical, Piece, Pieces};
+pub(crate) use contact::{ContactEquation, NystromPieces};
 pub use flow_kind::{Change, FlowKind, FlowPart, TimeDependence};
-pub use implicit::{
-    CanonicalForm, Collocation, Constrained, ConstrainedStep, ContactStages, DiscreteField, EquationOrder,
-    FourthOrderField, Gradients, Keeping, MassForm, Mean, MixedDerivatives, PolarisedForm, QuadraticField, Span, Unmet,
-    VelocityForm, VelocityStage, contact_gradient_of, energy_of, own_momentum, rate_of, singular_mass, unmet,
-    velocity_of,
+pub(crate) use implicit::{
+    CanonicalForm, Collocation, ConstrainedStep, ContactStages, DiscreteField, FourthOrderField, Keeping, MassForm,
+    Mean, PolarisedForm, QuadraticField, Span, VelocityForm, VelocityStage, energy_of, velocity_of,
 };
+pub use implicit::{Constrained, Gradients, Unmet};
 pub(crate) use implicit::{
     KeptBy, Regular, held, mass_units, on_one_side, projected, rates_of_velocity, row_scale, row_units, tangent,
     velocity_near,
 };
-pub use integrals::{FirstIntegrals, Invariants, KeepsEnergy, KeptMomenta, SteadyIntegrals};
-pub use jets::Jets;
+pub(crate) use integrals::KeptMomenta;
+pub use integrals::{FirstIntegrals, Invariants, KeepsEnergy, SteadyIntegrals};
+pub(crate) use jets::Jets;
 pub(crate) use jumps::{jump_between, jump_of_integral, jump_on_way};
 pub use lagrangian::{Lagrangian, from_positions};
 pub use modified::ModifiedEnergy;
@@ -54,8 +55,6 @@ pub use rates::Rates;
 pub use semidefinite::is_positive_semidefinite;
 pub use separable::{ForceGradient, QuadraticKinetic, Separable};
 pub(crate) use timed::Clear;
-
-pub use crate::solving::{Inverse, Inverted};
 
 use crate::scalar::Real;
 use crate::space::{Action, Array, Coordinates, Snapshot, State};
@@ -300,7 +299,7 @@ pub fn canonical_rate<S: Hamiltonian<R>, R: Real>(system: &S, t: R, z: &S::Phase
 ///
 /// Methods that keep the energy need this property. They keep H to rounding if H does not read time.
 ///
-/// The macros implement [`FourthOrderField`] for each such system. The bound lets generic code use
+/// The macros implement `FourthOrderField` for each such system. The bound lets generic code use
 /// [`FourthOrder(DiscreteGradient)`](crate::FourthOrder) for each conservative system.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not known to keep its energy",

@@ -1,14 +1,15 @@
 //! Taylor series: recurrences of coefficients, order and length of a step, polynomials and their roots.
 
 mod estimate;
-mod method;
+pub(crate) mod method;
 mod polynomial;
 mod reach;
-pub mod recurrence;
+pub(crate) mod recurrence;
 mod roots;
 
 pub(crate) use estimate::Estimate;
-pub use method::{Steps, Taylor, TaylorFixed, TaylorMethod, TaylorOrder};
+pub(crate) use method::TaylorMethod;
+pub use method::{Steps, Taylor, TaylorFixed, TaylorOrder};
 pub(crate) use polynomial::{in_parts, increment, increments, rate, shift};
 pub(crate) use reach::reach;
 pub(crate) use roots::{MOST, Roots, roots};

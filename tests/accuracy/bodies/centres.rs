@@ -1,5 +1,6 @@
 //! Bodies with attitudes and centres of mass. Methods have their order, and conserve the total angular and linear momentum.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use nalgebra::{UnitQuaternion, Vector3};
 

@@ -7,11 +7,13 @@ mod orders;
 mod centres;
 mod symmetric;
 
+use geoint_runtime::PrincipalAxes;
 use geoint_runtime::method::Visitor;
 use geoint_runtime::method::catalogue;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
+use geoint_runtime::private::Attitudes;
 use geoint_runtime::system::Separable;
-use geoint_runtime::{Attitudes, PrincipalAxes};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 /// A heavy body about a fixed point: `r` turns vectors of the body into those of space, `m` is the angular momentum in the body.

@@ -1,7 +1,7 @@
 //! The equation of a step of order 4: its matrix is its derivative, and its solution keeps the energy.
 
 use geoint_runtime::prelude::*;
-use geoint_runtime::system::{FourthOrderField, Span};
+use geoint_runtime::private::{FourthOrderField, Span};
 use geoint_tests::problems::{DoublePendulum, HenonHeiles};
 
 /// The image of an increment, and the matrix there.

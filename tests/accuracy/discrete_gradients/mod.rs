@@ -9,6 +9,7 @@ mod increments;
 /// Approximate Newton matrix of `FourthOrder(DiscreteGradient)`.
 mod fourth_matrix;
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Failure, Hamiltonian, Method};
 use geoint_tests::measure::{Noise, distance, solution};

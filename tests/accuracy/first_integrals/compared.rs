@@ -1,6 +1,7 @@
 //! The benefit of conserving an integral: errors after many periods, and an integral that is not listed.
 
 use super::systems::*;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
 const PERIOD: f64 = 5.173_375_597_582_038_8;

@@ -1,6 +1,7 @@
 //! States at which gradients vanish or depend on each other, and the edges of domains.
 
 use super::systems::*;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::FirstIntegrals;
 

@@ -1,6 +1,7 @@
 //! Long runs: periods to twelve digits, and an integral over 10⁸ steps.
 
 use super::systems::*;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
 /// By the trapezoidal rule in an angle along the orbit, with 50 digits.

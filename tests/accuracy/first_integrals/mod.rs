@@ -15,6 +15,7 @@ mod systems;
 mod time;
 mod units;
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::space::Array;
 use geoint_runtime::system::FirstIntegrals;

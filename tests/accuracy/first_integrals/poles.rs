@@ -1,5 +1,6 @@
 //! Poles of an integral, or of the energy of a plane, where the field has no pole. Beyond such a pole the function is another one.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
 /// A particle that is drawn to zero by the square of its distance, logarithmically.

@@ -1,6 +1,7 @@
 //! Fields that derive from an energy. The macro recovers the energy from the field alone. Steps conserve it, and its terms and planes are pieces.
 
 use super::{FOURTH, Motion, end};
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::FirstIntegrals;
 

@@ -1,6 +1,7 @@
 //! Integrals that read time, and integrals that change by a known amount.
 
 use super::FOURTH;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::FirstIntegrals;
 

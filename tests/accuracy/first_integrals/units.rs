@@ -1,6 +1,7 @@
 //! Units: states of 10¹⁵⁰ and 10⁻¹⁵⁰, and of 10¹⁵ and 10⁻¹⁵ in `f32`, move like states near 1, to the last bit. Products of parameters must be
 //! numbers with all their digits. Integrals must be, too, if a method asks for their change.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
 /// Tests a free body whose moments of inertia and angular velocities have units of powers of two. In its unit of time the motion is unchanged.

@@ -1,7 +1,7 @@
 //! Kepler's motion against fifty digits, and against itself on random orbits.
 
 use geoint_runtime::Real;
-use geoint_runtime::slope::kepler;
+use geoint_runtime::private::slope::kepler;
 
 type Point = ([f64; 3], [f64; 3]);
 

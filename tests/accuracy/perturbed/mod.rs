@@ -3,6 +3,7 @@
 
 mod orders;
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Claims, Method};
 use geoint_tests::measure::distance;

@@ -9,6 +9,7 @@ mod paired;
 mod systems;
 
 use geoint_runtime::Coordinates;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::StateOf;
 use paired::{Pair, Ratio, Run};

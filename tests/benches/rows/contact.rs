@@ -3,6 +3,7 @@
 use super::runs::contact_run;
 use crate::paired::Pair;
 use crate::{by_hand, systems};
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use std::hint::black_box;
 

@@ -3,7 +3,7 @@
 use super::runs::flow;
 use crate::paired::Pair;
 use crate::{by_hand, systems};
-use geoint_runtime::prelude::*;
+use geoint_runtime::methods::*;
 use std::hint::black_box;
 
 pub(crate) fn rows() -> Vec<Pair> {

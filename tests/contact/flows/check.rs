@@ -2,7 +2,8 @@
 
 use crate::measure::field;
 use geoint_runtime::prelude::*;
-use geoint_runtime::system::{Clock, Contact, Pieces};
+use geoint_runtime::system::Contact;
+use geoint_runtime::system::{Clock, Pieces};
 use geoint_runtime::{Coordinates, PhaseSpace, Real, StepError};
 use geoint_tests::measure::{Noise, extrapolated};
 use geoint_tests::scalars::{Double, Dual, Scalar};

@@ -2,6 +2,7 @@
 
 use super::*;
 use core::f64::consts::PI;
+use geoint_runtime::methods::*;
 
 type Body = ContactState<[f64; 2]>;
 

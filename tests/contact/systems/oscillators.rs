@@ -2,6 +2,7 @@
 
 use super::*;
 use core::f64::consts::PI;
+use geoint_runtime::methods::*;
 
 /// q of q'' + γ q' + q = 0 from (q, p), of which the characteristic roots are complex, or −1 both.
 fn exact([q, p]: [f64; 2], gamma: f64, t: f64) -> f64 {

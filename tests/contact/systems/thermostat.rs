@@ -1,6 +1,7 @@
 //! Energies that are multiplied by a function of the action.
 
 use super::*;
+use geoint_runtime::methods::*;
 
 const SYSTEM: Thermostat = Thermostat { k: 0.3 };
 

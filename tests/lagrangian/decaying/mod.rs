@@ -3,6 +3,7 @@
 mod scenes;
 
 use geoint_runtime::Contact;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::space::{Array, Snapshot};
 use scenes::*;

@@ -26,7 +26,9 @@ pub(crate) fn page(project: &Project) -> Result<String, String> {
         if program.is_empty() {
             short += &format!("| {message} | {meaning} |\n");
         } else {
-            text += &format!("**{message}**\n\n{meaning}\n```\n# use geoint_runtime::prelude::*;\n{program}```\n");
+            text += &format!(
+                "**{message}**\n\n{meaning}\n```\n# use geoint_runtime::{{methods::*, prelude::*}};\n{program}```\n"
+            );
         }
     }
     text += SHORT;

@@ -9,6 +9,7 @@ use crate::systems::HenonHeiles;
 use differential_equations::methods::SymplecticIntegrator;
 use differential_equations::prelude::{ExplicitRungeKutta, IVP, ODE};
 use geoint_runtime::TaylorIntegrator;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_tests::scene::flat;
 use indicatif::ProgressBar;

@@ -2,10 +2,10 @@
 
 mod scenes;
 
-use geoint_runtime::method::gauss::SolvedByGauss;
 use geoint_runtime::method::implicit::SolvedBy;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
-use geoint_runtime::system::{DiscreteField, Inverse};
+use geoint_runtime::private::{DiscreteField, Inverse, SolvedByGauss};
 use geoint_runtime::{Conservative, Separable};
 use geoint_tests::measure::{distance, extrapolated, observed_order};
 use geoint_tests::problems::{flat, state};

@@ -1,10 +1,9 @@
 //! Damped systems, and the dissipation of each.
 
 use super::ByHand;
-use geoint_runtime::method::gauss::SolvedByGauss;
 use geoint_runtime::method::implicit::SolvedBy;
 use geoint_runtime::prelude::*;
-use geoint_runtime::system::DiscreteField;
+use geoint_runtime::private::{DiscreteField, SolvedByGauss};
 use geoint_tests::scalars::Scalar;
 
 /// Duffing's oscillator with the same damping everywhere.

@@ -3,6 +3,7 @@
 use super::{Job, Part, Section, all, row, short};
 use crate::run::{Outcome, adapting, fixed};
 use geoint_runtime::TaylorIntegrator;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_tests::problems::{DoublePendulum, HenonHeiles};
 

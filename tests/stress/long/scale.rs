@@ -2,6 +2,7 @@
 
 use super::{Job, Part, Row, Section, all, row, short};
 use crate::run::{Outcome, fixed};
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Claims, Method};
 use geoint_tests::problems::{Kepler, Pendulum, ShortPendulum};

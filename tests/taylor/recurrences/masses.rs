@@ -1,8 +1,8 @@
 //! Systems whose series use forces written in velocities. The reference is the truncated series of the rates that every other method uses.
 
 use geoint_runtime::prelude::*;
+use geoint_runtime::private::Jets;
 use geoint_runtime::scalar::Series;
-use geoint_runtime::system::Jets;
 use geoint_tests::jets::{BAR, Both, N, of_contact, of_field};
 
 /// Asserts that both ways give the same coefficients.

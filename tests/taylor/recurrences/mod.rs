@@ -7,7 +7,7 @@ mod systems;
 mod table;
 
 use geoint_runtime::prelude::*;
-use geoint_runtime::system::Jets;
+use geoint_runtime::private::Jets;
 use table::TABLE;
 
 /// x' = F(t) for every function of the table, with u and v by their coefficients: those of products with t are exact.

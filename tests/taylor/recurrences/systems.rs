@@ -1,8 +1,8 @@
 //! Every kind of system against truncated series as a scalar.
 
 use geoint_runtime::prelude::*;
+use geoint_runtime::private::Jets;
 use geoint_runtime::scalar::Real;
-use geoint_runtime::system::Jets;
 use geoint_tests::jets::{BAR, Both, N, by_series, error, of_contact, of_field};
 
 /// Asserts that both ways give the same coefficients.

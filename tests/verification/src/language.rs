@@ -3,8 +3,8 @@
 //! Both are compared with differences in double-double arithmetic, which know nothing of the rules of differentiation.
 
 use crate::page::{Page, short};
+use geoint_runtime::private::{DiscreteField, Span};
 use geoint_runtime::space::{Array, Square};
-use geoint_runtime::system::{DiscreteField, Span};
 use geoint_runtime::{Hamiltonian, hamiltonian};
 use geoint_tests::measure::Noise;
 use geoint_tests::scalars::Double;
@@ -75,7 +75,7 @@ fn measure<S>(function: &'static str, system: S, low: f64, high: f64) -> Row
 where
     S: DiscreteField + Hamiltonian<Coordinates = f64> + Hamiltonian<Double, Coordinates = Double>,
 {
-    assert!(!<S as geoint_runtime::system::Collocation>::EQUATION_ORDER.is_first(), "{function}: T is quadratic");
+    assert!(!<S as geoint_runtime::private::Collocation>::EQUATION_ORDER.is_first(), "{function}: T is quadratic");
     let value = |q: Double| -> Double {
         let (q, p) = (phase::<S, Double>(q), phase::<S, Double>(Double::from(0.0)));
         system.hamiltonian(0.0.into(), &[q, p], &())

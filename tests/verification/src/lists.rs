@@ -2,6 +2,7 @@
 
 use crate::methods::{Forms, List, Orders, Runs, Symmetries};
 use geoint_runtime::method::{Visitor, catalogue};
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_tests::problems::*;
 use geoint_tests::scene::Scene;

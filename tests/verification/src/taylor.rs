@@ -1,8 +1,8 @@
 //! Taylor series: orders with steps of fixed length, and errors with steps from a tolerance.
 
 use crate::page::{Page, short};
-use geoint_runtime::system::{Jets, StateOf};
-use geoint_runtime::taylor::TaylorMethod;
+use geoint_runtime::private::{Jets, TaylorMethod};
+use geoint_runtime::system::StateOf;
 use geoint_runtime::{Taylor, TaylorFixed, TaylorIntegrator, TaylorOrder};
 use geoint_tests::counting::allocations_during;
 use geoint_tests::measure::{LOOKS, Observed, distance, observed, solutions};

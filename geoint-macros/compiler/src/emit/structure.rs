@@ -63,10 +63,12 @@ pub(super) fn inherent(context: &Context<'_>, system: &System, flow: Option<Toke
             }
         }
     });
+    // The type `Given<P, Run>` is unknown if the method does not fit. Later uses of the run then add no errors to the one about the method.
     // An adaptive run guesses its first step from the rates, which systems with constraints lack.
     let adaptive = (!matches!(system.kernels, Kernels::Constrained(_))).then(|| {
         quote! {
-            /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
+            /// Returns an `Adaptive` run of this system under a method, with steps as long as the tolerance of a step's error allows, from
+            /// `state` on.
             ///
             /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
             pub fn adaptive<M: Method<Self, #float, Proof = P>, P>(
@@ -74,7 +76,7 @@ pub(super) fn inherent(context: &Context<'_>, system: &System, flow: Option<Toke
                 method: M,
                 tolerance: f64,
                 state: #state,
-            ) -> <P as ProofAnd<Adaptive<Self, M, #float>>>::Both {
+            ) -> Given<P, Adaptive<Self, M, #float>> {
                 Adaptive::new(self, method, tolerance, state)
             }
         }
@@ -88,7 +90,7 @@ pub(super) fn inherent(context: &Context<'_>, system: &System, flow: Option<Toke
             #energy
             #flow
 
-            /// This system under a method, with step size `h` (negative to go back in time), from `state` on.
+            /// Returns an `Integrator` of this system under a method, with step size `h` (negative to go back in time), from `state` on.
             ///
             /// Nothing is checked yet: an unusable `h` or state is reported by the first step.
             pub fn integrator<M: Method<Self, #float, Proof = P>, P>(
@@ -96,7 +98,7 @@ pub(super) fn inherent(context: &Context<'_>, system: &System, flow: Option<Toke
                 method: M,
                 h: #float,
                 state: #state,
-            ) -> <P as ProofAnd<Integrator<Self, M, #float>>>::Both {
+            ) -> Given<P, Integrator<Self, M, #float>> {
                 Integrator::new(self, method, h, state)
             }
 

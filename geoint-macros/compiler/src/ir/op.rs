@@ -98,7 +98,7 @@ macro_rules! value {
     // Only the runtime has the formula of a helper, and only tests can call the runtime.
     ($name:ident($($arg:ident),+)) => {{
         #[cfg(test)]
-        let value = geoint_runtime::slope::$name($($arg),+);
+        let value = geoint_runtime::private::slope::$name($($arg),+);
         #[cfg(not(test))]
         let (value, _) = (f64::NAN, [$($arg),+]);
         value

@@ -16,7 +16,7 @@ const IMPORTED: &str = "\
     DiscreteGradient FirstIntegrals SteadyIntegrals FlowState ForceGradient FourthOrderField Gradients Hamiltonian \
     CanonicalEnergy EnergyAndMomenta KeptMomenta Integral KeptIntegrals Integrator KeepsEnergy Inverted Jets \
     LagrangianSystem Mean MechanicalContact Method ModifiedEnergy NystromPieces PerCoordinate PerturbedGradient \
-    PerturbedSystem PhaseSpace PieceClock PrincipalAxes ProofAnd QuadraticKinetic Rattle Real TaylorIntegrator \
+    PerturbedSystem PhaseSpace PieceClock PrincipalAxes Given QuadraticKinetic Rattle Real TaylorIntegrator \
     TaylorMethod Separable Snapshot Span Square State VelocityEnergy StepError Unmet VelocityForm canonical_rate \
     energy_of from_positions fourth_order is_positive_semidefinite modified_verlet gradient_kick planar_step rate_of \
     recurrence slope state_on_constraint unmet velocity_of";

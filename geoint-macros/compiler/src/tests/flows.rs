@@ -7,7 +7,7 @@ use crate::ir::{Graph, Id, Symbol};
 use crate::parse::Form;
 use crate::split::{self, Clock, Piece};
 use crate::tests::eval::eval;
-use geoint_runtime::slope;
+use geoint_runtime::private::slope;
 use proc_macro2::TokenStream;
 use proptest::prelude::*;
 use proptest::sample::select;

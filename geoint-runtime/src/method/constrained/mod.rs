@@ -4,6 +4,7 @@
 //! must be independent: the rows of ∂g/∂q may not depend on each other.
 //!
 //! ```
+//! use geoint_runtime::methods::*;
 //! use geoint_runtime::prelude::*;
 //!
 //! /// A spherical pendulum without angles: a mass m at a distance l of the origin.
@@ -29,7 +30,6 @@
 //! ```
 
 mod rattle;
-mod step;
+pub(crate) mod step;
 
 pub use rattle::Rattle;
-pub use step::{ConstrainedMethod, Momenta, MultiplierStep};

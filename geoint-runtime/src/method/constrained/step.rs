@@ -28,7 +28,7 @@ pub struct MultiplierStep<M>(
 
 /// The treatment of momenta by a method with constraints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Momenta {
+pub(crate) enum Momenta {
     /// Momenta are projected at the end of a step. The velocity is then tangent to the constraints.
     MadeTangent,
     /// Momenta are not projected, because a projection would change the energy. They keep a component normal to the constraints, of order h².
@@ -36,7 +36,7 @@ pub enum Momenta {
 }
 
 /// A method for systems with constraints.
-pub trait ConstrainedMethod: Copy + core::fmt::Debug {
+pub(crate) trait ConstrainedMethod: Copy + core::fmt::Debug {
     /// The treatment of momenta.
     const MOMENTA: Momenta;
 }

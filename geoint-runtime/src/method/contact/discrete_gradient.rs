@@ -16,7 +16,7 @@
 ///
 /// A Lagrangian that is quadratic in the velocities v may have no short formula for H, for example because its mass matrix is full. Steps of such a
 /// Lagrangian are solved for velocities, by the polarised discrete gradient. The law is H(x₁) = H(x₀) exp(hΛ_s) with p·v − L for H. Here Λ_s is the entry for
-/// s of the tree discrete gradient of the polarised Lagrangian Λ, a mean of ∂L/∂s = −∂H/∂s. [`PolarisedForm`](crate::system::PolarisedForm) defines Λ.
+/// s of the tree discrete gradient of the polarised Lagrangian Λ, a mean of ∂L/∂s = −∂H/∂s. The kernel `PolarisedForm` defines Λ.
 ///
 /// The differential equation: A. Bravetti, H. Cruz & D. Tapias, Ann. Phys. 376 (2017) 17. The discrete gradient g:
 /// [`DiscreteGradient`](crate::DiscreteGradient). We are not aware of this method in the literature.

@@ -35,7 +35,7 @@ pub struct ContactStep<M>(
 );
 
 /// A method whose equation evaluates the energy at x₀ + w·d, and possibly also at x₀, the start (q, p, s) of the step. x₀ + w·d is shown to the probe.
-pub trait EvaluatesAhead: Copy + core::fmt::Debug {
+pub(crate) trait EvaluatesAhead: Copy + core::fmt::Debug {
     /// w: 1/2 for the midpoint, 1 for the end of the step.
     const AHEAD: f64;
 }

@@ -5,6 +5,7 @@
 //! are contact maps, except [`ContactDiscreteGradient`], which keeps the decay law of H instead: H' = −H ∂H/∂s if H does not read time.
 //!
 //! ```
+//! use geoint_runtime::methods::*;
 //! use geoint_runtime::prelude::*;
 //!
 //! /// A pendulum in a viscous medium; q in rad, p in kg m²/s.
@@ -28,13 +29,13 @@
 //! ```
 
 mod discrete_gradient;
-mod gauss;
-mod implicit;
+pub(crate) mod gauss;
+pub(crate) mod implicit;
 mod leapfrog;
 mod midpoint;
 
 pub use discrete_gradient::ContactDiscreteGradient;
-pub use gauss::{ContactFieldStages, ContactGauss, SolvedByContactGauss};
-pub use implicit::{ContactStep, EvaluatesAhead};
+pub use gauss::ContactGauss;
+pub(crate) use gauss::SolvedByContactGauss;
 pub use leapfrog::ContactLeapfrog;
 pub use midpoint::ContactMidpoint;

@@ -1,6 +1,7 @@
 //! Corrections after a step of any method: projection onto invariants, and relaxation, which scales the step to keep the energy.
 //!
 //! ```
+//! use geoint_runtime::methods::*;
 //! use geoint_runtime::prelude::*;
 //!
 //! /// Planar pendulum; q in rad, p in kg m²/s.

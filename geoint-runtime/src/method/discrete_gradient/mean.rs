@@ -1,7 +1,7 @@
 //! Steps along a mean g of ∇H between their ends: d = h J g(x₀, x₀ + d) for the increment d = x₁ − x₀. Here x = (q, p) and J(q, p) = (p, −q).
 //!
 //! [`MeanGradient`] defines g. [`MeanStep`] solves the equation for all coordinates (q, p), even if H = T(p) + V(q) with a quadratic T. There the step of
-//! [`DiscreteGradient`](super::DiscreteGradient) has half of the unknowns; see [`TreeStep`](super::TreeStep).
+//! [`DiscreteGradient`](super::DiscreteGradient) has half of the unknowns; see `TreeStep`.
 
 use super::energy::{Energy, Slope};
 use super::matrix::j_times;
@@ -62,7 +62,7 @@ pub trait MeanGradient: Copy + core::fmt::Debug {
 
 /// A mean of order 2, symmetric in both ends, that [`FourthOrder`](crate::FourthOrder) raises to order 4 by a modified structure matrix. The tree discrete
 /// gradient is not among them: for it, `FourthOrder` projects a mean velocity.
-pub trait FourthOrderBase: MeanGradient + SymmetricMap {}
+pub(crate) trait FourthOrderBase: MeanGradient + SymmetricMap {}
 
 /// The step along the mean `G`. The derivative of g may be approximate, so the solver is [`QuasiNewton`], with linear convergence.
 #[derive(Clone, Copy, Debug)]

@@ -48,7 +48,7 @@
 //! ```
 
 #[doc(hidden)]
-pub mod canonical;
+pub(crate) mod canonical;
 mod columns;
 mod coordinate_increment;
 mod energy;
@@ -56,12 +56,12 @@ mod fourth_order;
 pub(crate) mod gonzalez;
 mod itoh_abe;
 mod matrix;
-mod mean;
+pub(crate) mod mean;
 mod mean_value;
 mod methods;
-mod polarised;
+pub(crate) mod polarised;
 mod projected;
-mod tree;
+pub(crate) mod tree;
 
 pub use coordinate_increment::CoordinateIncrement;
 pub use energy::{Energy, Slope, Staircase};
@@ -69,7 +69,5 @@ pub use fourth_order::FourthOrder;
 pub use gonzalez::Gonzalez;
 pub use itoh_abe::{ItohAbe, ItohAbeAdjoint, ItohAbePair, SymmetrisedItohAbe};
 pub use matrix::Matrix;
-pub use mean::{MeanGradient, MeanStep};
 pub use mean_value::MeanValue;
-pub use polarised::PolarisedStep;
-pub use tree::{DiscreteGradient, TreeStep};
+pub use tree::DiscreteGradient;

@@ -35,7 +35,7 @@ use crate::system::{Conservative, DiscreteField, Invariants, KeptBy, Span};
 /// rounding. In compositions with steps back in time, this balance holds for each substep. If H reads time, a step takes H at the time of its middle.
 ///
 /// Vector fields with first integrals keep these in place of H. Lagrangians that are solved for velocities have the step
-/// [`PolarisedStep`](super::PolarisedStep), and systems with constraints the step [`MultiplierStep`](crate::method::constrained::MultiplierStep).
+/// `PolarisedStep`, and systems with constraints the step `MultiplierStep`.
 ///
 /// T. Matsubara, A. Ishikawa & T. Yaguchi, NeurIPS 2020; R. A. LaBudde & D. Greenspan, Numer. Math. 25 (1976) 323.
 #[doc(alias("energy-momentum", "energy conserving", "energy-preserving"))]

@@ -53,7 +53,7 @@ pub(in crate::method) use delegate::{delegate, steps_of};
 pub use estimators::Estimators;
 pub(in crate::method) use estimators::Mirrored;
 pub use field::{gradient_kick, modified_verlet};
-pub use kinds::{Flows, KickAndDrift, KickAndRotations, SomeKick, WithGradient};
+pub use kinds::{KickAndDrift, KickAndRotations, SomeKick, WithGradient};
 pub use last_kick::LastKick;
 pub use nystrom::{DriftFirst, KickFirst, Nystrom};
 pub use open::Open;

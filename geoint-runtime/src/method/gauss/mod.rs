@@ -22,23 +22,22 @@
 //! # Ok::<(), StepError>(())
 //! ```
 
-mod canonical; // Step in canonical coordinates y(x).
+pub(crate) mod canonical; // Step in canonical coordinates y(x).
 mod defect; // Error estimate of `fields`.
 pub(in crate::method) mod factors; // Weights of momenta in contact systems.
-mod fields; // Step of y' = f(y, t), or q'' = M⁻¹f(q, t).
+pub(crate) mod fields; // Step of y' = f(y, t), or q'' = M⁻¹f(q, t).
 pub(crate) mod prepared; // Table times h.
+pub(crate) mod solved; // The bound for all numbers of stages.
 pub(in crate::method) mod stages; // Equations of all stages, except in `fields`.
-mod tableau; // Table for each number of stages.
-mod velocities; // Step of Lagrangians that are solved for velocities.
+pub(crate) mod tableau; // Table for each number of stages.
+pub(crate) mod velocities; // Step of Lagrangians that are solved for velocities.
 
-pub use canonical::CanonicalStages;
-pub use fields::FieldStages;
-pub use tableau::GaussTableau;
-pub use velocities::VelocityStages;
+pub(crate) use solved::SolvedByGauss;
+pub(crate) use tableau::GaussTableau;
 
 use crate::implicit_method;
 use crate::method::composition::substeps;
-use crate::method::implicit::{ImplicitMethod, SolvedBy, StepFor};
+use crate::method::implicit::{ImplicitMethod, StepFor};
 use crate::method::{Claims, Name};
 use crate::scalar::Real;
 use crate::system::PhaseSpace;
@@ -91,29 +90,4 @@ where
     fn step(self) -> Self::Step {
         Gauss::<1>.step()
     }
-}
-
-/// A system with [`Gauss`] methods of 1 to 6 stages, and [`ImplicitMidpoint`]. Implemented automatically, as one bound for generic code.
-pub trait SolvedByGauss<R: Real = f64>:
-    PhaseSpace<R>
-    + SolvedBy<Gauss<1>, R>
-    + SolvedBy<Gauss<2>, R>
-    + SolvedBy<Gauss<3>, R>
-    + SolvedBy<Gauss<4>, R>
-    + SolvedBy<Gauss<5>, R>
-    + SolvedBy<Gauss<6>, R>
-    + SolvedBy<ImplicitMidpoint, R>
-{
-}
-
-impl<Y, R: Real> SolvedByGauss<R> for Y where
-    Y: PhaseSpace<R>
-        + SolvedBy<Gauss<1>, R>
-        + SolvedBy<Gauss<2>, R>
-        + SolvedBy<Gauss<3>, R>
-        + SolvedBy<Gauss<4>, R>
-        + SolvedBy<Gauss<5>, R>
-        + SolvedBy<Gauss<6>, R>
-        + SolvedBy<ImplicitMidpoint, R>
-{
 }

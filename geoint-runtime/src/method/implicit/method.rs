@@ -28,7 +28,7 @@ pub trait ImplicitMethod<S: PhaseSpace<R>, R: Real = f64>: Copy {
 }
 
 /// A system for which `M` is an [`ImplicitMethod`]. All these systems implement it. It states `M: ImplicitMethod<S>` as a bound of `S`, so that it can be a
-/// supertrait, as in [`SolvedByGauss`](crate::method::gauss::SolvedByGauss).
+/// supertrait.
 pub trait SolvedBy<M, R: Real = f64>: PhaseSpace<R> {
     /// See [`ImplicitMethod::Proof`].
     type Proof;

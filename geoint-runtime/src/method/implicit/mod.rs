@@ -1,7 +1,7 @@
 //! Implicit methods: a trait that states the equation of one step, and a driver that solves the equation.
 //!
 //! An [`ImplicitStep`] states the equation r(x) = 0 for the unknown x of a step, a guess of x, and the increments of the state that follow from x.
-//! The driver lets a [`Solver`] solve the equation to rounding, adds the increments, and checks the end of the step. It refuses the step if no solution
+//! The driver lets [`Newton`] or [`QuasiNewton`] solve the equation to rounding, adds the increments, and checks the end of the step. It refuses the step if no solution
 //! is found, or if [`Branch`] excludes the solution. It also refuses the step if a pole of the energy on the way is not excluded.
 //! An [`ImplicitMethod`] names the step of a method for a kind of system. The attribute macros implement it for the methods of this crate.
 //!
@@ -16,6 +16,7 @@
 //! use geoint_runtime::implicit_method;
 //! use geoint_runtime::method::implicit::*;
 //! use geoint_runtime::method::{Claims, Name, Probe, Failure};
+//! use geoint_runtime::methods::*;
 //! use geoint_runtime::prelude::*;
 //!
 //! /// A mass m on a spring with the force −k q³.
@@ -134,6 +135,6 @@ pub use points::{Arrival, Departure, Increment, Stage};
 pub use step::{Branch, Equation, Evaluated, ImplicitStep, Policy, Sums};
 pub use watch::Watch;
 
-pub use crate::solving::equation::{Magnitudes, Solution, Solver, Units};
+pub use crate::solving::equation::{Magnitudes, Solution, Units};
 pub use crate::solving::newton::Newton;
 pub use crate::solving::quasi_newton::QuasiNewton;

@@ -31,7 +31,7 @@ pub trait Interpolated: Dense {
 }
 
 /// Way to compute states within a step.
-pub trait Within<T: Dense> {
+pub(crate) trait Within<T: Dense> {
     /// Returns the value before the first step.
     fn new() -> Self;
     /// Called after each step of the run.

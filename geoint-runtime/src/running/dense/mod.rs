@@ -10,7 +10,6 @@ mod taylor;
 
 pub use crossing::{Crossing, Direction};
 pub use crossings::Crossings;
-pub use interpolated::{Curve, Exactly, Hermite, Interpolated, Within};
 pub use samples::{SampledAt, SampledEvery};
 pub use taylor::TaylorCrossings;
 

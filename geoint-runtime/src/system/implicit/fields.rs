@@ -138,7 +138,7 @@ pub trait DiscreteField<R: Real = f64>: Collocation<R> + Keeping<R> {
     type Parameters: Copy + core::fmt::Debug;
     /// Coefficients that also depend on y and on the times of the step.
     type Start: Copy + core::fmt::Debug;
-    /// [`Inverted`](crate::system::Inverted) if ∂f̄/∂d depends on parameters only, so that the matrix of a step is the same in all steps. Otherwise `()`.
+    /// `Inverted` if ∂f̄/∂d depends on parameters only, so that the matrix of a step is the same in all steps. Otherwise `()`.
     /// The macros choose it if H is a polynomial of degree 2 at most without time, damping is constant, and no other force acts.
     type Inverse: Inverse<Self::Unknown>;
     /// Computation of the mean of ∇H along the line from y to y + d.

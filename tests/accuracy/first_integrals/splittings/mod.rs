@@ -7,6 +7,7 @@ mod terms;
 
 use super::systems::*;
 use super::{Motion, VERTICAL};
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::FirstIntegrals;
 

@@ -1,6 +1,7 @@
 //! Spins that are coupled by scalar products: each pair turns about its sum, exactly.
 
 use geoint_runtime::Real;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::Pieces;
 use geoint_tests::measure::extrapolated;

@@ -9,6 +9,7 @@ mod paired;
 mod systems;
 
 use geoint_runtime::method::Method;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::space::{Array, Snapshot};
 use geoint_runtime::system::StateOf;

@@ -1,6 +1,6 @@
 mod body_rotations_of_a_full_tensor {
     use geoint_runtime::nalgebra::{UnitQuaternion, Vector3};
-    use geoint_runtime::prelude::*;
+    use geoint_runtime::{methods::*, prelude::*};
 
     #[hamiltonian(attitude = r)]
     fn top(r: UnitQuaternion<f64>, m: Vector3<f64>, i: f64) -> f64 {
@@ -30,7 +30,7 @@ mod body_under_discrete_gradient {
 
 mod body_under_projection {
     use geoint_runtime::nalgebra::{UnitQuaternion, Vector3};
-    use geoint_runtime::prelude::*;
+    use geoint_runtime::{methods::*, prelude::*};
 
     #[hamiltonian(attitude = r)]
     fn top(r: UnitQuaternion<f64>, m: Vector3<f64>, i: f64) -> f64 {
@@ -44,7 +44,7 @@ mod body_under_projection {
 }
 
 mod rotations_of_no_body {
-    use geoint_runtime::prelude::*;
+    use geoint_runtime::{methods::*, prelude::*};
 
     #[hamiltonian]
     fn pendulum(q: f64, p: f64, m: f64) -> f64 {

@@ -38,7 +38,7 @@ mod constraint_under_rk4 {
 }
 
 mod constraint_under_steps_that_adapt {
-    use geoint_runtime::prelude::*;
+    use geoint_runtime::{methods::*, prelude::*};
 
     #[hamiltonian(constraint = [q[0] * q[0] + q[1] * q[1] - l * l])]
     fn pendulum(q: [f64; 2], p: [f64; 2], l: f64) -> f64 {
@@ -77,7 +77,7 @@ mod constraint_under_suzuki4ofimplicitmidpoint {
 }
 
 mod rattle_without_constraints {
-    use geoint_runtime::prelude::*;
+    use geoint_runtime::{methods::*, prelude::*};
 
     #[hamiltonian]
     fn pendulum(q: f64, p: f64, l: f64) -> f64 {

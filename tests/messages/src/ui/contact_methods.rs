@@ -1,5 +1,5 @@
 mod contact_leapfrog_on_van_der_pol {
-    use geoint_runtime::prelude::*;
+    use geoint_runtime::{methods::*, prelude::*};
 
     #[contact_hamiltonian]
     fn van_der_pol(q: f64, p: f64, s: f64, e: f64) -> f64 {
@@ -12,7 +12,7 @@ mod contact_leapfrog_on_van_der_pol {
 }
 
 mod contact_lift_implicit {
-    use geoint_runtime::prelude::*;
+    use geoint_runtime::{methods::*, prelude::*};
 
     #[contact_hamiltonian(lift)]
     fn decay(q: f64, p: f64, _s: f64) -> f64 {
@@ -99,7 +99,7 @@ mod contact_nystrom_on_frozen_time {
 }
 
 mod contact_projection {
-    use geoint_runtime::prelude::*;
+    use geoint_runtime::{methods::*, prelude::*};
 
     #[contact_hamiltonian]
     fn swing(q: f64, p: f64, s: f64) -> f64 {

@@ -30,7 +30,7 @@ mod flow_keeps_nothing_of_order_four {
 }
 
 mod flow_relaxed {
-    use geoint_runtime::prelude::*;
+    use geoint_runtime::{methods::*, prelude::*};
 
     /// Nothing is named that could be kept.
     #[vector_field]
@@ -60,7 +60,7 @@ mod flow_swells {
 }
 
 mod planes_of_a_field {
-    use geoint_runtime::prelude::*;
+    use geoint_runtime::{methods::*, prelude::*};
 
     /// S is 1 + x², the sum that ∇I is divided by: no quotient of terms of both.
     #[vector_field(keeps(square = (1.0 + x[0] * x[0] + x[1] * x[1]).ln() + x[0] * x[1]))]
@@ -77,7 +77,7 @@ mod planes_of_a_field {
 }
 
 mod planes_solved_for {
-    use geoint_runtime::prelude::*;
+    use geoint_runtime::{methods::*, prelude::*};
 
     /// Every plane would have an equation of its own: 15.
     #[hamiltonian(structure = |_, _| 1.0)]
@@ -92,7 +92,7 @@ mod planes_solved_for {
 }
 
 mod planes_without_flows {
-    use geoint_runtime::prelude::*;
+    use geoint_runtime::{methods::*, prelude::*};
 
     /// None of 15 planes has a flow in closed form.
     #[hamiltonian(structure = |_, _| 1.0)]

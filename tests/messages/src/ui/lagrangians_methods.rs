@@ -16,7 +16,7 @@ mod lagrangian_action_kicks {
 }
 
 mod lagrangian_action_without_conjugate {
-    use geoint_runtime::prelude::*;
+    use geoint_runtime::{methods::*, prelude::*};
 
     #[lagrangian]
     fn stiff(q: f64, v: f64, s: f64, c: f64) -> f64 {
@@ -31,7 +31,7 @@ mod lagrangian_action_without_conjugate {
 }
 
 mod lagrangian_force_with_action {
-    use geoint_runtime::prelude::*;
+    use geoint_runtime::{methods::*, prelude::*};
 
     #[lagrangian(force = 0.3 * t.sin())]
     fn driven(q: f64, v: f64, s: f64, t: f64) -> f64 {

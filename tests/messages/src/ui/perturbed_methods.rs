@@ -1,5 +1,5 @@
 mod perturbed_coupled {
-    use geoint_runtime::prelude::*;
+    use geoint_runtime::{methods::*, prelude::*};
 
     #[hamiltonian]
     fn rods(q: [f64; 2], p: [f64; 2]) -> f64 {
@@ -13,7 +13,7 @@ mod perturbed_coupled {
 }
 
 mod perturbed_heliocentric_gradient {
-    use geoint_runtime::prelude::*;
+    use geoint_runtime::{methods::*, prelude::*};
 
     #[hamiltonian(coordinates = heliocentric)]
     fn planets(q: [[f64; 2]; 3], p: [[f64; 2]; 3], m: [f64; 3]) -> f64 {
@@ -35,7 +35,7 @@ mod perturbed_heliocentric_gradient {
 }
 
 mod perturbed_rest_is_no_kick {
-    use geoint_runtime::prelude::*;
+    use geoint_runtime::{methods::*, prelude::*};
 
     #[hamiltonian(split = "q * q / 2.0 + q.powi(4) | p * p / 2.0")]
     fn duffing(q: f64, p: f64) -> f64 {
@@ -49,7 +49,7 @@ mod perturbed_rest_is_no_kick {
 }
 
 mod perturbed_three_parts {
-    use geoint_runtime::prelude::*;
+    use geoint_runtime::{methods::*, prelude::*};
 
     #[hamiltonian(split = "p * p / 2.0 | q * q / 2.0 | q.powi(4)")]
     fn duffing(q: f64, p: f64) -> f64 {
@@ -63,7 +63,7 @@ mod perturbed_three_parts {
 }
 
 mod perturbed_without_coordinates {
-    use geoint_runtime::prelude::*;
+    use geoint_runtime::{methods::*, prelude::*};
 
     #[hamiltonian]
     fn planets(q: [[f64; 2]; 3], p: [[f64; 2]; 3], m: [f64; 3]) -> f64 {
@@ -85,7 +85,7 @@ mod perturbed_without_coordinates {
 }
 
 mod perturbed_without_gradient {
-    use geoint_runtime::prelude::*;
+    use geoint_runtime::{methods::*, prelude::*};
 
     #[hamiltonian(split = "p.powi(4) | q.powi(4)")]
     fn quartic(q: f64, p: f64) -> f64 {

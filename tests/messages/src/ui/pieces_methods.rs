@@ -1,5 +1,5 @@
 mod cascade {
-    use geoint_runtime::prelude::*;
+    use geoint_runtime::{methods::*, prelude::*};
 
     /// One wrong method, and everything that may be done with its run.
     #[hamiltonian]
@@ -25,7 +25,7 @@ mod cascade {
 }
 
 mod cascade_of_a_composition {
-    use geoint_runtime::prelude::*;
+    use geoint_runtime::{methods::*, prelude::*};
 
     #[contact_hamiltonian]
     fn van_der_pol(q: f64, p: f64, s: f64, e: f64) -> f64 {
@@ -45,7 +45,7 @@ mod cascade_of_a_composition {
 }
 
 mod cascade_of_steps_that_adapt {
-    use geoint_runtime::prelude::*;
+    use geoint_runtime::{methods::*, prelude::*};
 
     #[hamiltonian]
     fn driven(q: f64, p: f64, t: f64) -> f64 {
@@ -64,7 +64,7 @@ mod cascade_of_steps_that_adapt {
 }
 
 mod compose_asymmetric_map {
-    use geoint_runtime::prelude::*;
+    use geoint_runtime::{methods::*, prelude::*};
 
     #[hamiltonian]
     fn oscillator(q: f64, p: f64) -> f64 {
@@ -77,7 +77,7 @@ mod compose_asymmetric_map {
 }
 
 mod composition_on_coupled {
-    use geoint_runtime::prelude::*;
+    use geoint_runtime::{methods::*, prelude::*};
 
     #[hamiltonian]
     fn spiral(q: f64, p: f64, b: f64) -> f64 {
@@ -90,7 +90,7 @@ mod composition_on_coupled {
 }
 
 mod force_gradient_on_relativistic {
-    use geoint_runtime::prelude::*;
+    use geoint_runtime::{methods::*, prelude::*};
 
     #[hamiltonian]
     fn relativistic(q: f64, p: f64) -> f64 {
@@ -103,7 +103,7 @@ mod force_gradient_on_relativistic {
 }
 
 mod nystrom_on_relativistic {
-    use geoint_runtime::prelude::*;
+    use geoint_runtime::{methods::*, prelude::*};
 
     #[hamiltonian]
     fn relativistic(q: f64, p: f64) -> f64 {
@@ -116,7 +116,7 @@ mod nystrom_on_relativistic {
 }
 
 mod pieces_of_separable {
-    use geoint_runtime::prelude::*;
+    use geoint_runtime::{methods::*, prelude::*};
 
     #[hamiltonian]
     fn pendulum(q: f64, p: f64) -> f64 {
@@ -153,7 +153,7 @@ mod pieces_verlet {
 }
 
 mod pieces_without_flow {
-    use geoint_runtime::prelude::*;
+    use geoint_runtime::{methods::*, prelude::*};
 
     #[hamiltonian]
     fn rods(q: [f64; 2], p: [f64; 2]) -> f64 {
@@ -167,7 +167,7 @@ mod pieces_without_flow {
 }
 
 mod pieces_without_nystrom {
-    use geoint_runtime::prelude::*;
+    use geoint_runtime::{methods::*, prelude::*};
 
     #[hamiltonian]
     fn charge(q: [f64; 2], p: [f64; 2], b: f64) -> f64 {
@@ -181,7 +181,7 @@ mod pieces_without_nystrom {
 }
 
 mod splitting_without_a_flow {
-    use geoint_runtime::prelude::*;
+    use geoint_runtime::{methods::*, prelude::*};
 
     /// The products of inertia couple momenta that are not in involution.
     #[hamiltonian(structure = so3)]

@@ -5,6 +5,7 @@ use crate::by_hand::free_body::FreeBody;
 use crate::field::Field;
 use crate::rivals::{Seen, of_field};
 use crate::systems::FreeMomentum;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_tests::scalars::Scalar;
 use std::hint::black_box;

@@ -6,6 +6,7 @@ use crate::entry::Entry;
 use crate::field::Field;
 use crate::rivals::{Seen, of_field, of_separable};
 use crate::systems::HenonHeiles;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_tests::scalars::Scalar;
 use std::hint::black_box;

@@ -5,6 +5,7 @@ use crate::by_hand::Stages;
 use crate::by_hand::chain as hand;
 use crate::field::Field;
 use crate::rivals::{Seen, of_field, of_separable};
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_tests::scalars::Scalar;
 use std::hint::black_box;

@@ -9,9 +9,11 @@ mod planets;
 
 use crate::entry::{Entry, Whose};
 use crate::field::Field;
+use geoint_runtime::TaylorIntegrator;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
-use geoint_runtime::system::{Jets, Rates, StateOf};
-use geoint_runtime::{TaylorIntegrator, TaylorMethod};
+use geoint_runtime::private::{Jets, TaylorMethod};
+use geoint_runtime::system::{Rates, StateOf};
 use geoint_tests::measure::extrapolated;
 use geoint_tests::scalars::Double;
 use geoint_tests::scene::flat;

@@ -6,6 +6,7 @@ use crate::field::Field;
 use crate::rivals::{Seen, of_field, of_separable};
 use crate::systems::{DoublePendulum, Kepler, Pendulum};
 use geoint_runtime::Real;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_tests::scalars::Scalar;
 use std::f64::consts::PI;

@@ -7,6 +7,7 @@ use crate::field::Field;
 use crate::rivals::{Seen, of_field, of_separable};
 use crate::systems::OuterSolarSystem;
 use geoint_runtime::Real;
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_tests::outer_planets::{G, MASSES, start};
 use geoint_tests::scalars::Scalar;

@@ -105,7 +105,7 @@ const _: () = {
         EnergyAndMomenta, KeptMomenta, Integral, KeptIntegrals, Integrator, KeepsEnergy,
         Inverted, Jets, LagrangianSystem, Mean, MechanicalContact, Method,
         ModifiedEnergy, NystromPieces, PerCoordinate, PerturbedGradient, PerturbedSystem,
-        PhaseSpace, PieceClock, PrincipalAxes, ProofAnd, QuadraticKinetic, Rattle, Real,
+        PhaseSpace, PieceClock, PrincipalAxes, Given, QuadraticKinetic, Rattle, Real,
         TaylorIntegrator, TaylorMethod, Separable, Snapshot, Span, Square, State,
         VelocityEnergy, StepError, Unmet, VelocityForm, canonical_rate, energy_of,
         from_positions, fourth_order, is_positive_semidefinite, modified_verlet,
@@ -123,7 +123,7 @@ const _: () = {
         pub fn energy(&self, state: &State<f64>) -> f64 {
             PhaseSpace::energy(self, state)
         }
-        /// This system under a method, with step size `h` (negative to go back in time), from `state` on.
+        /// Returns an `Integrator` of this system under a method, with step size `h` (negative to go back in time), from `state` on.
         ///
         /// Nothing is checked yet: an unusable `h` or state is reported by the first step.
         pub fn integrator<M: Method<Self, f64, Proof = P>, P>(
@@ -131,10 +131,11 @@ const _: () = {
             method: M,
             h: f64,
             state: State<f64>,
-        ) -> <P as ProofAnd<Integrator<Self, M, f64>>>::Both {
+        ) -> Given<P, Integrator<Self, M, f64>> {
             Integrator::new(self, method, h, state)
         }
-        /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
+        /// Returns an `Adaptive` run of this system under a method, with steps as long as the tolerance of a step's error allows, from
+        /// `state` on.
         ///
         /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
         pub fn adaptive<M: Method<Self, f64, Proof = P>, P>(
@@ -142,7 +143,7 @@ const _: () = {
             method: M,
             tolerance: f64,
             state: State<f64>,
-        ) -> <P as ProofAnd<Adaptive<Self, M, f64>>>::Both {
+        ) -> Given<P, Adaptive<Self, M, f64>> {
             Adaptive::new(self, method, tolerance, state)
         }
     }

@@ -1,5 +1,5 @@
 //! The step of [`ContactGauss`](super::ContactGauss) for a contact Hamiltonian. The unknowns are the increments d of q, p, and perhaps s, from the start to
-//! all stages. [`VelocityStages`](crate::method::gauss::VelocityStages) is the step for Lagrangians that are solved for velocities.
+//! all stages. `VelocityStages` is the step for Lagrangians that are solved for velocities.
 //!
 //! Stage i has the factor rᵢ = 1 + h Σ aᵢⱼ rⱼ σⱼ with the decay rate σ = ∂H/∂s; see [`factors`](crate::method::gauss::factors). The equations of the momenta
 //! are those of r p: rᵢ pᵢ = p₀ − h Σ aᵢⱼ rⱼ ∂H/∂q. If H = g(t)·s + H₀(q, p, t), s is no unknown: the factors are known at the start, and s follows from the

@@ -18,6 +18,7 @@ use inner::StateProbe;
 /// degree 2 in p.
 ///
 /// ```
+/// use geoint_runtime::methods::*;
 /// use geoint_runtime::prelude::*;
 ///
 /// /// A star and two planets.

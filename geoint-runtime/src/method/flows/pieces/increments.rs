@@ -29,6 +29,7 @@ pub struct PlanarItohAbeAdjoint;
 /// [`PlanarItohAbe`] for h/2, then [`PlanarItohAbeAdjoint`] for h/2. Order 2, symmetric. Keeps I to rounding for every h.
 ///
 /// ```
+/// use geoint_runtime::methods::*;
 /// use geoint_runtime::prelude::*;
 ///
 /// /// The core of Lorenz 1984.

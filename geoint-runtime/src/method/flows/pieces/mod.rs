@@ -10,7 +10,5 @@ mod table;
 
 pub use increments::{PlanarItohAbe, PlanarItohAbeAdjoint, PlanarItohAbePair};
 pub use planar_step::planar_step;
-pub use splittings::{
-    ContactSplitting, PieceSplitting, PlanarDiscreteGradient, PlanarSplitting, PoissonSplitting, Splitting,
-};
+pub use splittings::{ContactSplitting, PieceSplitting, PlanarDiscreteGradient, PlanarSplitting, PoissonSplitting};
 pub use table::{PieceComposition, PieceNystrom};

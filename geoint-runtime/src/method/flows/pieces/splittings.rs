@@ -16,6 +16,7 @@ pub trait Splitting: Copy + Default {
 /// is refused with the name of the piece.
 ///
 /// ```
+/// use geoint_runtime::methods::*;
 /// use geoint_runtime::prelude::*;
 ///
 /// /// A charge in a field that grows with x.
@@ -57,6 +58,7 @@ pub struct ContactSplitting;
 /// R. I. McLachlan, Phys. Rev. Lett. 71 (1993) 3043.
 ///
 /// ```
+/// use geoint_runtime::methods::*;
 /// use geoint_runtime::prelude::*;
 ///
 /// /// A heavy top: angular momentum m and the vertical γ in its own frame.
@@ -94,6 +96,7 @@ pub struct PoissonSplitting;
 /// G. R. W. Quispel & H. W. Capel, Phys. Lett. A 218 (1996) 223.
 ///
 /// ```
+/// use geoint_runtime::methods::*;
 /// use geoint_runtime::prelude::*;
 ///
 /// /// Volterra's lattice: xᵢ' = xᵢ (xᵢ₊₁ − xᵢ₋₁).

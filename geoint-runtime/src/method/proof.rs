@@ -1,0 +1,17 @@
+//! The conjunction of proofs, see [`Method::Proof`](crate::Method::Proof).
+
+/// The conjunction of two proofs, a type that exists if both proofs exist.
+pub trait And<Q> {
+    /// The proof of both properties.
+    type Both;
+}
+
+impl<P, Q> And<Q> for P {
+    type Both = Q;
+}
+
+/// The run `T`, given the proof `P` that the system has the properties that its method needs. In a program that compiles it is `T`.
+///
+/// `integrator` and `adaptive` of a system return it. If a property is missing, rustc knows neither `P` nor this type, and reports the missing property
+/// only. With the return type `T` each later use of the run would be an error, too.
+pub type Given<P, T> = <P as And<T>>::Both;
