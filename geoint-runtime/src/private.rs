@@ -28,7 +28,7 @@ pub use crate::method::{gradient_kick, modified_verlet};
 pub use crate::running::{Adaptive, Integrator, StepError, TaylorIntegrator, state_on_constraint};
 pub use crate::scalar::Real;
 pub use crate::solving::newton::MOST_UNKNOWNS;
-pub use crate::solving::{Inverse, Inverted, Observer};
+pub use crate::solving::{Inverse, Inverted};
 pub use crate::space::body::{Attitudes, Centres};
 pub use crate::space::state::Action;
 pub use crate::space::{

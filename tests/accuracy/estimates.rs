@@ -112,7 +112,7 @@ fn steps_cost_less_than_halves() {
     fn check<const K: usize, O: Copy>(method: Nystrom<K, O>, order: f64)
     where
         Nystrom<K, O>: Method<Orbit>,
-        Splitting<K, O>: Method<Orbit>,
+        Splitting<K>: Method<Orbit>,
     {
         let name = method.table().name();
         // Units of length and time: the result must not depend on them.

@@ -1,5 +1,6 @@
 //! Errors of runs have the time of the last good state, and the length of the step that was refused.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
 /// A particle that falls towards the wall q = 0, through a logarithm.

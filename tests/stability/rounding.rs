@@ -1,8 +1,8 @@
 //! Benefits of divided differences without cancellation: small steps, large constants in the energy, very long runs.
 
+use geoint_runtime::method::Observer;
 use geoint_runtime::method::{Method, Probe, Step};
 use geoint_runtime::prelude::*;
-use geoint_runtime::private::Observer;
 use geoint_runtime::space::{Plain, Point};
 use geoint_tests::measure::distance;
 use geoint_tests::problems::flat;

@@ -30,7 +30,7 @@ pub use probe::{Probe, Unwatched};
 pub(crate) use probe::{check_conditions, check_end, check_poles, check_way, start};
 pub(in crate::method) use proof::And;
 
-pub use crate::solving::{Effort, Failure};
+pub use crate::solving::{Effort, Failure, Observer};
 
 use crate::scalar::Real;
 use crate::space::vector::difference;
