@@ -6,5 +6,6 @@ mod implicit;
 mod laws;
 mod measure;
 mod methods;
+mod refusals;
 mod runs;
 mod systems;

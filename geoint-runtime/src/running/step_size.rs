@@ -55,6 +55,8 @@ pub(crate) struct Controller {
     exponent: f64,
     /// |h| = 2^(rung/4).
     rung: f64,
+    /// The length of the rung. Computed in advance.
+    length: f64,
     backwards: bool,
     before: f64,
     /// Previous error, expressed in rungs. Computed in advance.
@@ -67,6 +69,7 @@ pub(crate) struct Controller {
 impl<R> Record<R> for Controller {
     fn record(&mut self, tape: &mut impl Tape<R>) {
         tape.number(&mut self.rung);
+        self.length = length(self.rung);
         tape.flag(&mut self.backwards);
         tape.number(&mut self.before);
         self.rungs_before = rungs(self.before.max(LEAST_PREVIOUS_ERROR));
@@ -78,7 +81,16 @@ impl<R> Record<R> for Controller {
 impl Controller {
     pub(crate) fn new(order: u32) -> Self {
         let exponent = f64::from(order) + 1.0;
-        Controller { exponent, rung: 0.0, backwards: false, before: 1.0, rungs_before: 0.0, rejected: false, pace: 1.0 }
+        Controller {
+            exponent,
+            rung: 0.0,
+            length: 1.0,
+            backwards: false,
+            before: 1.0,
+            rungs_before: 0.0,
+            rejected: false,
+            pace: 1.0,
+        }
     }
 
     /// Sets the first step from the time in which the state changes.
@@ -94,7 +106,7 @@ impl Controller {
     }
 
     pub(crate) fn set(&mut self, h: f64) {
-        self.rung = rung(h);
+        self.set_rung(rung(h));
         self.backwards = h < 0.0;
     }
 
@@ -110,14 +122,12 @@ impl Controller {
     /// Returns the next step.
     pub(crate) fn step(&self, bounds: &Bounds) -> f64 {
         // A step that is refused can be shortened only if its length is finite.
-        let h = self.length().max(bounds.shortest).min(bounds.longest).min(f64::MAX);
+        let h = self.length.max(bounds.shortest).min(bounds.longest).min(f64::MAX);
         if self.backwards { -h } else { h }
     }
 
-    /// Returns the length of the present rung.
-    fn length(&self) -> f64 {
-        let octave = floor(self.rung / 4.0);
-        power_of_two(octave) * RUNGS[((self.rung - 4.0 * octave) as usize).min(3)]
+    fn set_rung(&mut self, rung: f64) {
+        (self.rung, self.length) = (rung, length(rung));
     }
 
     /// Updates the length after an accepted step `h` with this error. Precondition: `h` is the length of the controller within its bounds.
@@ -127,8 +137,8 @@ impl Controller {
         let wish = rungs(SAFETY) + (0.4 * self.rungs_before - 0.7 * in_rungs) / self.exponent;
         let most = if self.rejected { 0.0 } else { MOST_RUNGS };
         // Avoids a logarithm on the critical path if the rung is known.
-        let rung = if h.abs() == self.length() { self.rung } else { rung(h) };
-        self.rung = rung + floor(wish).clamp(-MOST_RUNGS, most);
+        let rung = if h.abs() == self.length { self.rung } else { rung(h) };
+        self.set_rung(rung + floor(wish).clamp(-MOST_RUNGS, most));
         (self.before, self.rejected) = (error, false);
         self.rungs_before = if error > LEAST_PREVIOUS_ERROR { in_rungs } else { rungs(LEAST_PREVIOUS_ERROR) };
     }
@@ -136,9 +146,15 @@ impl Controller {
     /// Updates the length after a rejected step `h`. The error is `None` if the step had no result.
     pub(crate) fn reject(&mut self, h: f64, error: Option<f64>) {
         let fall = error.map_or(-4.0, |error| floor(rungs(SAFETY) - rungs(error) / self.exponent));
-        self.rung = self.rung.min(rung(h)) + fall.clamp(-MOST_RUNGS, -1.0);
+        self.set_rung(self.rung.min(rung(h)) + fall.clamp(-MOST_RUNGS, -1.0));
         self.rejected = true;
     }
+}
+
+/// Returns the length of a rung.
+fn length(rung: f64) -> f64 {
+    let octave = floor(rung / 4.0);
+    power_of_two(octave) * RUNGS[((rung - 4.0 * octave) as usize).min(3)]
 }
 
 /// Returns 2ⁿ for an integer n. Sets the exponent bits if the result is a normal number.
@@ -167,7 +183,7 @@ fn floor(x: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Controller, power_of_two, rung};
+    use super::{length, power_of_two, rung};
 
     #[test]
     fn powers_of_two_are_those_of_the_library() {
@@ -180,9 +196,7 @@ mod tests {
     #[test]
     fn a_length_is_that_of_its_rung() {
         for rungs in -4088..4090 {
-            let mut controller = Controller::new(4);
-            controller.rung = f64::from(rungs);
-            assert_eq!(rung(controller.length()), controller.rung);
+            assert_eq!(rung(length(f64::from(rungs))), f64::from(rungs));
         }
     }
 }

@@ -31,8 +31,6 @@ pub(crate) struct Judged<'a, A, Z> {
     pub(crate) part: f64,
     pub(crate) before: &'a PerCoordinate<A, Z>,
     pub(crate) after: &'a PerCoordinate<A, Z>,
-    /// Estimated error.
-    pub(crate) gap: &'a PerCoordinate<A, Z>,
 }
 
 impl<A: Array, Z: Action<A::Real>> Record<A::Real> for Tolerance<A, Z> {
@@ -155,25 +153,32 @@ impl<A: Array, Z: Action<A::Real>> Tolerance<A, Z> {
         keep(&mut self.caused, &sizes);
     }
 
-    /// Returns the largest error of a step in units of the tolerance.
+    /// Returns the largest entry of each estimated error of a step, in units of the tolerance.
     ///
     /// A coordinate whose value and rate are zero is not measured in its first step. Other coordinates drive it, and only its order of magnitude is
     /// right.
-    pub(crate) fn error(
+    pub(crate) fn errors<const N: usize>(
         &self,
         step: &Judged<'_, A, Z>,
+        estimates: &[PerCoordinate<A, Z>; N],
         rates: impl Fn(&PerCoordinate<A, Z>) -> PerCoordinate<A, Z>,
-    ) -> f64 {
-        let entry = |x: &PerCoordinate<A, Z>, i: usize| x.at(i).magnitude();
+    ) -> [f64; N] {
         let moving = self.sizes.numbers().all(|size| size.magnitude() > 0.0);
         let rates = if moving { PerCoordinate::zero() } else { rates(step.before) };
-        largest((0..PerCoordinate::<A, Z>::LEN).map(|i| {
-            let gap = entry(step.gap, i);
-            if gap == 0.0 || (entry(&self.sizes, i) == 0.0 && entry(&rates, i) == 0.0) {
-                return 0.0;
+        let mut errors = [0.0; N];
+        for i in 0..PerCoordinate::<A, Z>::LEN {
+            if !moving && self.sizes.at(i).magnitude() == 0.0 && rates.at(i).magnitude() == 0.0 {
+                continue;
             }
-            gap / self.of(i, entry(step.after, i), step.part)
-        }))
+            let tolerated = self.of(i, step.after.at(i).magnitude(), step.part);
+            for (error, estimate) in errors.iter_mut().zip(estimates) {
+                let estimate = estimate.at(i).magnitude();
+                // The quotient of two zeros counts as zero.
+                let entry = if estimate == 0.0 { 0.0 } else { estimate / tolerated };
+                *error = largest([*error, entry].into_iter());
+            }
+        }
+        errors
     }
 
     /// Returns the tolerated error of coordinate `i` in a step to `after`. The last term covers values below the normal numbers, which have few

@@ -57,3 +57,45 @@ impl<A: Array> Residual<A> for Differences<'_, A> {
         r
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The residual x², which records whether its points are observed.
+    #[derive(Default)]
+    struct Recorded {
+        paused: bool,
+        points: std::vec::Vec<(f64, bool)>,
+    }
+
+    impl Observer for Recorded {
+        fn pause(&mut self, paused: bool) {
+            self.paused = paused;
+        }
+    }
+
+    impl Residual<[f64; 1]> for Recorded {
+        fn at(&mut self, [x]: &[f64; 1], _: &mut [[f64; 1]; 1]) -> [f64; 1] {
+            self.points.push((*x, self.paused));
+            [x * x]
+        }
+    }
+
+    #[test]
+    fn a_pause_of_the_caller_outlasts_a_matrix() {
+        for paused in [false, true] {
+            let (mut recorded, mut matrix) = (Recorded::default(), [[0.0]]);
+            let sizes = Sizes::equal();
+            let mut differences =
+                Differences { residual: &mut recorded, origin: [0.0], sizes, noise: [0.0], paused: false };
+            differences.pause(paused);
+            assert_eq!(differences.at(&[1.0], &mut matrix), [1.0]);
+            assert!((matrix[0][0] - 2.0).abs() < 1e-7, "{matrix:?}");
+            assert_eq!(recorded.paused, paused);
+            // The point itself is observed unless the caller has paused. The points of difference quotients never are.
+            let [(1.0, first), (_, true)] = recorded.points[..] else { panic!("{:?}", recorded.points) };
+            assert_eq!(first, paused);
+        }
+    }
+}

@@ -234,3 +234,29 @@ pub(crate) fn correct<A: Array>(
     }
     Err(corrections.not_converged())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_correction_that_is_not_a_number_is_never_accepted() {
+        // The fourth correction that is not smaller than the first one is stuck, and callers accept such points.
+        for last in [1.0, f64::NAN, f64::INFINITY] {
+            let mut sequence = [1.0, 1.0, 1.0, 1.0, last].into_iter();
+            let result = correct(
+                [0.0],
+                Corrections::of(Convergence::Quadratic),
+                |Stuck { after, .. }| Some(*after),
+                |_| {
+                    let delta = sequence.next().ok_or(Refusal::Singular)?;
+                    Ok(Correction { delta: [delta], relative: delta })
+                },
+            );
+            match last {
+                1.0 => assert_eq!(result, Ok([-5.0])),
+                _ => assert!(matches!(result, Err(Refusal::NotConverged { iterations: 5, .. })), "{last}: {result:?}"),
+            }
+        }
+    }
+}

@@ -183,7 +183,7 @@ impl<S: Rates<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> {
     }
 
     fn prepare(&self, system: &S, h: R) -> Self::Prepared {
-        let times_h = |row: &[f64; K]| {
+        let times_h = |row: &[f64]| {
             let mut products = [zero(); K];
             for (product, x) in products.iter_mut().zip(row) {
                 *product = R::from_f64(*x) * h;
@@ -192,8 +192,8 @@ impl<S: Rates<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> {
         };
         let Tableau { a: rows, b, c } = &self.tableau;
         let mut a = [[zero(); K]; K];
-        for (products, row) in a.iter_mut().zip(rows) {
-            *products = times_h(row);
+        for (i, (products, row)) in a.iter_mut().zip(rows).enumerate() {
+            *products = times_h(&row[..i]);
         }
         let estimators = self.estimators.as_ref().map(|[higher, lower]| [times_h(higher), times_h(lower)]);
         Prepared { a, b: times_h(b), c: times_h(c), estimators, poles: Poles::of(system) }

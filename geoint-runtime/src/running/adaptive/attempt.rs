@@ -123,10 +123,10 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
         match M::estimated::<_, P>(&prepared.whole, &mut memory[0], step) {
             None => self.halved(method, prepared, memory, probe),
             Some(estimate) => {
-                let [higher, lower] = estimate?;
+                let estimates = estimate?;
                 self.check(R::from_f64(prepared.h), &x)?;
                 let [before, after] = [self.x, &x].map(PerCoordinate::of);
-                let [higher, lower] = [higher, lower].map(|gap| self.judge(&before, &after, &gap));
+                let [higher, lower] = self.judge(&before, &after, &estimates);
                 // The quotient is formed first: squares of the errors may overflow.
                 let ratio = if higher > 0.0 && higher < f64::INFINITY { lower / higher } else { 0.0 };
                 let error = higher / Real::sqrt(1.0 + 0.01 * ratio * ratio);
@@ -153,10 +153,15 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
         }
     }
 
-    /// Returns an error in units of the tolerance.
-    fn judge(&self, before: &Coordinates<S, R>, after: &Coordinates<S, R>, gap: &Coordinates<S, R>) -> f64 {
-        let step = Judged { part: self.part, before, after, gap };
-        self.tolerance.error(&step, |x| self.system.rates(self.t, x))
+    /// Returns estimated errors in units of the tolerance.
+    fn judge<const N: usize>(
+        &self,
+        before: &Coordinates<S, R>,
+        after: &Coordinates<S, R>,
+        estimates: &[Coordinates<S, R>; N],
+    ) -> [f64; N] {
+        let step = Judged { part: self.part, before, after };
+        self.tolerance.errors(&step, estimates, |x| self.system.rates(self.t, x))
     }
 
     /// Takes a step as two halves. The error is the difference between this result and one whole step.
@@ -199,7 +204,8 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
         if !gap.is_finite() {
             return Err(Failure::NonFinite);
         }
-        Ok((x, self.judge(&before, &after, &gap)))
+        let [error] = self.judge(&before, &after, &[gap]);
+        Ok((x, error))
     }
 
     /// Repeats a refused step with checks of every evaluation, and returns why it is refused.
