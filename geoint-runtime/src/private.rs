@@ -28,7 +28,7 @@ pub use crate::method::{gradient_kick, modified_verlet};
 pub use crate::running::{Adaptive, Integrator, StepError, TaylorIntegrator, state_on_constraint};
 pub use crate::scalar::Real;
 pub use crate::solving::newton::MOST_UNKNOWNS;
-pub use crate::solving::{Inverse, Inverted, Observer};
+pub use crate::solving::{Inverse, Inverted};
 pub use crate::space::body::{Attitudes, Centres};
 pub use crate::space::state::Action;
 pub use crate::space::{
@@ -42,10 +42,11 @@ pub use crate::system::implicit::{
 };
 pub use crate::system::integrals::KeptMomenta;
 pub use crate::system::jets::Jets;
+pub use crate::system::modified::ModifiedEnergy;
 pub use crate::system::{
     Autonomous, Clock as PieceClock, Conformal as ConformalContact, Conservative, Constrained as ConstrainedSystem,
     Contact as ContactSystem, Cotangent as CotangentSpace, FirstIntegrals, FlowPart, ForceGradient, Gradients,
-    Hamiltonian, KeepsEnergy, Lagrangian as LagrangianSystem, Mechanical as MechanicalContact, ModifiedEnergy,
+    Hamiltonian, KeepsEnergy, Lagrangian as LagrangianSystem, Mechanical as MechanicalContact,
     Perturbed as PerturbedSystem, PerturbedGradient, PhaseSpace, Piece as FlowPiece, Pieces as FlowPieces, Pole,
     PrincipalAxes, QuadraticKinetic, Separable, SteadyIntegrals, Unmet, VectorField as DifferentialEquation,
     canonical_rate, from_positions, is_positive_semidefinite, unsuitable,

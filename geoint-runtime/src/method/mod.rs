@@ -34,7 +34,7 @@ pub(crate) use probe::{check_conditions, check_end, check_poles, check_way, star
 pub(in crate::method) use proof::And;
 pub use splitting::{gradient_kick, modified_verlet};
 
-pub use crate::solving::{Effort, Refusal};
+pub use crate::solving::{Effort, Observer, Refusal};
 
 use crate::scalar::Real;
 use crate::space::vector::difference;
