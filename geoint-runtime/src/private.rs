@@ -42,13 +42,14 @@ pub use crate::system::implicit::{
 };
 pub use crate::system::integrals::KeptMomenta;
 pub use crate::system::jets::Jets;
+pub use crate::system::modified::ModifiedEnergy;
 pub use crate::system::{
     Autonomous, Clock as PieceClock, Conformal as ConformalContact, Conservative, Constrained as ConstrainedSystem,
     Contact as ContactSystem, Cotangent as CotangentSpace, FirstIntegrals, FlowKind, FlowPart, ForceGradient,
     Gradients, Hamiltonian, KeepsEnergy, Lagrangian as LagrangianSystem, Mechanical as MechanicalContact,
-    ModifiedEnergy, Perturbed as PerturbedSystem, PerturbedGradient, PhaseSpace, Piece as FlowPiece,
-    Pieces as FlowPieces, Pole, PrincipalAxes, QuadraticKinetic, Separable, SteadyIntegrals, Unmet,
-    VectorField as DifferentialEquation, canonical_rate, from_positions, is_positive_semidefinite, unsuitable,
+    Perturbed as PerturbedSystem, PerturbedGradient, PhaseSpace, Piece as FlowPiece, Pieces as FlowPieces, Pole,
+    PrincipalAxes, QuadraticKinetic, Separable, SteadyIntegrals, Unmet, VectorField as DifferentialEquation,
+    canonical_rate, from_positions, is_positive_semidefinite, unsuitable,
 };
 pub use crate::taylor::method::TaylorMethod;
 pub use geoint_macros::{put_energy_function_above_it, resume};

@@ -1,7 +1,8 @@
 //! Steps of Störmer and Verlet conserve H + h²H₂ to the next order.
 
+use geoint_runtime::Hamiltonian;
 use geoint_runtime::prelude::*;
-use geoint_runtime::{Hamiltonian, ModifiedEnergy};
+use geoint_runtime::private::ModifiedEnergy;
 use geoint_tests::measure::{distance, extrapolated};
 use geoint_tests::scalars::Dual;
 

@@ -3,8 +3,9 @@
 use crate::measure::{field, run, solution, state};
 use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
+use geoint_runtime::private::ModifiedEnergy;
 use geoint_runtime::system::Pieces;
-use geoint_runtime::{Contact, ModifiedEnergy, Real};
+use geoint_runtime::{Contact, Real};
 use geoint_tests::claims::{Geometry, Orders, Symmetry};
 use geoint_tests::measure::distance;
 use geoint_tests::methods;

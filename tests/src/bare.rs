@@ -5,8 +5,7 @@
 
 use crate::scalars::Scalar;
 use crate::scene::{Scene, flat, point};
-use geoint_runtime::method::Observer;
-use geoint_runtime::method::{Effort, Failure, Probe, Step};
+use geoint_runtime::method::{Effort, Failure, Observer, Probe, Step};
 use geoint_runtime::space::{Plain, Point, Snapshot};
 use geoint_runtime::{Method, PhaseSpace, Real};
 

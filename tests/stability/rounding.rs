@@ -1,7 +1,6 @@
 //! Benefits of divided differences without cancellation: small steps, large constants in the energy, very long runs.
 
-use geoint_runtime::method::Observer;
-use geoint_runtime::method::{Method, Probe, Step};
+use geoint_runtime::method::{Method, Observer, Probe, Step};
 use geoint_runtime::prelude::*;
 use geoint_runtime::space::{Plain, Point};
 use geoint_tests::measure::distance;

@@ -19,7 +19,7 @@ pub(crate) mod integrals; // First integrals and invariants.
 pub(crate) mod jets; // Taylor coefficients of solutions.
 mod jumps; // Search for a jump of H between two points.
 mod lagrangian; // Systems that are given by a Lagrangian.
-mod modified; // The modified energy of a step of order 2.
+pub(crate) mod modified; // The modified energy of a step of order 2.
 mod perturbed; // H = A + B: an exact flow and a perturbation.
 mod poles; // Search for a pole of H between two points.
 mod rates; // The rates of systems with and without an action.
@@ -47,7 +47,6 @@ pub use integrals::{FirstIntegrals, Invariants, KeepsEnergy, SteadyIntegrals};
 pub(crate) use jets::Jets;
 pub(crate) use jumps::{jump_between, jump_of_integral, jump_on_way};
 pub use lagrangian::{Lagrangian, from_positions};
-pub use modified::ModifiedEnergy;
 pub use perturbed::{Perturbed, PerturbedGradient, unsuitable};
 pub use poles::Pole;
 pub(crate) use poles::{Ends, Evaluations, Known, Poles, compiled};

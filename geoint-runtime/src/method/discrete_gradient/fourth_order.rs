@@ -17,7 +17,8 @@ use crate::system::{Conservative, DiscreteField};
 /// The step projects a mean velocity, x₁ = x₀ + h (F − G(GᵀG)⁻¹GᵀF). The columns of G are the discrete gradients of the invariants. The mean velocity of
 /// x' = f(x) is F = (f(x₀) + 4 f(c) + f(x₁))/6 with c = (x₀ + x₁)/2 + h/8 (f(x₀) − f(x₁)).
 ///
-/// The form is for every energy without damping, and for every field with first integrals. It keeps the energy, unless H reads time, and the momenta that the report of the system names.
+/// The form is for every energy without damping, and for every field with first integrals. It keeps the energy, unless H reads
+/// time, and the momenta that the report of the system names.
 /// For canonical systems the projection has a metric M, F − MG(GᵀMG)⁻¹GᵀF, so that it does not depend on units. If their energy has different sides of a
 /// condition (`if`, `abs`) at both ends, the step is the step of [`DiscreteGradient`](super::DiscreteGradient), of order 2.
 ///

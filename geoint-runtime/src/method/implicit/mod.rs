@@ -1,8 +1,8 @@
 //! Implicit methods: a trait that states the equation of one step, and a driver that solves the equation.
 //!
 //! An [`ImplicitStep`] states the equation r(x) = 0 for the unknown x of a step, a guess of x, and the increments of the state that follow from x.
-//! The driver lets [`Newton`] or [`QuasiNewton`] solve the equation to rounding, adds the increments, and checks the end of the step. It refuses the step if no solution
-//! is found, or if [`Branch`] excludes the solution. It also refuses the step if a pole of the energy on the way is not excluded.
+//! The driver lets [`Newton`] or [`QuasiNewton`] solve the equation to rounding, adds the increments, and checks the end of the step. It refuses
+//! the step if no solution is found, or if [`Branch`] excludes the solution. It also refuses the step if a pole of the energy on the way is not excluded.
 //! An [`ImplicitMethod`] names the step of a method for a kind of system. The attribute macros implement it for the methods of this crate.
 //!
 //! You can write a method of your own. The program below states the average vector field method (G. R. W. Quispel & D. I. McLaren, J. Phys. A 41
