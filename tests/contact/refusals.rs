@@ -1,5 +1,6 @@
 //! Checks of implicit steps of contact systems: poles between the start and a stage, jumps at the end, and units of the unknowns.
 
+use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Contact, Method};
 
@@ -20,7 +21,7 @@ fn pole_beside_coupling(q: [f64; 2], v: [f64; 2], s: f64, k: f64, g: f64) -> f64
 #[test]
 fn no_stage_lies_beyond_a_pole() {
     fn refused(outcome: Result<(), StepError>) {
-        let Err(StepError::OutsideDomain { what, .. }) = outcome else { panic!("{outcome:?}") };
+        let Err(StepError { failure: Failure::OutsideDomain { what }, .. }) = outcome else { panic!("{outcome:?}") };
         assert!(what.starts_with("a pole between the ends of the step: q"), "{what}");
     }
     let (k, g) = (1e-9, 0.01);
@@ -67,11 +68,11 @@ fn a_step_ends_on_the_side_that_was_evaluated() {
                 assert!(error < 4e-15, "{error:e}");
                 false
             }
-            Err(StepError::OutsideDomain { what, .. }) => {
+            Err(StepError { failure: Failure::OutsideDomain { what }, .. }) => {
                 assert!(what.starts_with("the energy jumps where a condition changes"), "{what}");
                 true
             }
-            Err(StepError::NotConverged { .. }) => false,
+            Err(StepError { failure: Failure::NotConverged { .. }, .. }) => false,
             Err(error) => panic!("{error}"),
         }
     }

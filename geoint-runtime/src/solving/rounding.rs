@@ -249,13 +249,13 @@ mod tests {
                 Corrections::of(Convergence::Quadratic),
                 |Stuck { after, .. }| Some(*after),
                 |_| {
-                    let delta = sequence.next().ok_or(Refusal::Singular)?;
+                    let delta = sequence.next().ok_or(Failure::Singular)?;
                     Ok(Correction { delta: [delta], relative: delta })
                 },
             );
             match last {
                 1.0 => assert_eq!(result, Ok([-5.0])),
-                _ => assert!(matches!(result, Err(Refusal::NotConverged { iterations: 5, .. })), "{last}: {result:?}"),
+                _ => assert!(matches!(result, Err(Failure::NotConverged { iterations: 5, .. })), "{last}: {result:?}"),
             }
         }
     }

@@ -201,7 +201,7 @@ impl<const K: usize, F> Splitting<K, F> {
             (_, 0) => (self.outer[i / 2], i / 2),
             _ => (self.inner[i / 2], i / 2),
         };
-        if (i % 2 == 0) == self.kick_first {
+        if i.is_multiple_of(2) == self.kick_first {
             Entry { flow: Flow::Kick(fraction), gradient: self.gradients[place] }
         } else {
             Entry { flow: Flow::Drift(fraction), gradient: 0.0 }
