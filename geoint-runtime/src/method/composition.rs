@@ -129,7 +129,7 @@ impl SymmetricMap for PositionVerlet {
 impl SymmetricMap for Splitting<1> {
     type Composed<const K: usize> = Splitting<K>;
     fn compose<const K: usize>(self, composition: Composition<K>) -> Splitting<K> {
-        Splitting::composed(&self, &composition)
+        Splitting::composed(composition.name, composition.order, &composition.gamma, &self)
     }
 }
 

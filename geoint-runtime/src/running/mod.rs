@@ -32,12 +32,11 @@ pub use integrator::Integrator;
 pub use into_integrator::IntoIntegrator;
 #[cfg(feature = "alloc")]
 pub use named::{DynTrajectory, Named, UnknownMethod};
-pub use output::{Samples, StatesAt, Until};
 #[cfg(feature = "alloc")]
 use saved::Bits;
 #[cfg(feature = "alloc")]
 pub use saved::{FORMAT, Resumable, ResumeError, Saved};
 pub use taylor::TaylorIntegrator;
-pub use trajectory::{Scalar, Trajectory};
+pub use trajectory::{Samples, Scalar, StatesAt, Trajectory, Until};
 
 pub use crate::method::proof::Given;

@@ -1,21 +1,7 @@
-//! Iterators over states along a trajectory, for every run. Output never changes the steps of a run with fixed steps.
+//! The iterators over states along a trajectory, for every run. Output never changes the steps of a run with fixed steps.
 
 use super::StepError;
-use super::trajectory::{Scalar, Trajectory};
-
-/// Iterator over the states after every step to a time. Ends there, or after the first error.
-#[derive(Debug)]
-pub struct Until<'a, T: Trajectory> {
-    run: &'a mut T,
-    t: Scalar<T>,
-    failed: bool,
-}
-
-impl<'a, T: Trajectory> Until<'a, T> {
-    pub(crate) fn new(run: &'a mut T, t: Scalar<T>) -> Self {
-        Until { run, t, failed: false }
-    }
-}
+use super::trajectory::{Samples, Scalar, StatesAt, Trajectory, Until};
 
 impl<T: Trajectory> Iterator for Until<'_, T> {
     type Item = Result<T::State, StepError>;
@@ -33,20 +19,6 @@ impl<T: Trajectory> Iterator for Until<'_, T> {
                 Some(Err(error))
             }
         }
-    }
-}
-
-/// Endless iterator over the states after a fixed number of steps each. Ends only after the first error.
-#[derive(Debug)]
-pub struct Samples<'a, T> {
-    run: &'a mut T,
-    stride: u64,
-    failed: bool,
-}
-
-impl<'a, T> Samples<'a, T> {
-    pub(crate) fn new(run: &'a mut T, stride: u64) -> Self {
-        Samples { run, stride: stride.max(1), failed: false }
     }
 }
 
@@ -74,20 +46,6 @@ impl<T: Trajectory> Iterator for Samples<'_, T> {
                 Some(Err(error))
             }
         }
-    }
-}
-
-/// Iterator over states at given times. Ends with the last time, or after the first error.
-#[derive(Debug)]
-pub struct StatesAt<'a, T, I> {
-    run: &'a mut T,
-    times: I,
-    failed: bool,
-}
-
-impl<'a, T, I> StatesAt<'a, T, I> {
-    pub(crate) fn new(run: &'a mut T, times: I) -> Self {
-        StatesAt { run, times, failed: false }
     }
 }
 

@@ -1,7 +1,6 @@
 //! The common interface of all runs: steps, time, state.
 
 use super::StepError;
-use super::output::{Samples, StatesAt, Until};
 use crate::scalar::signed;
 use crate::solving::Failure;
 use crate::space::Snapshot;
@@ -92,6 +91,48 @@ pub trait Trajectory {
         Self: Sized,
     {
         StatesAt::new(self, times.into_iter())
+    }
+}
+
+/// Iterator over the states after every step to a time. Ends there, or after the first error.
+#[derive(Debug)]
+pub struct Until<'a, T: Trajectory> {
+    pub(super) run: &'a mut T,
+    pub(super) t: Scalar<T>,
+    pub(super) failed: bool,
+}
+
+impl<'a, T: Trajectory> Until<'a, T> {
+    pub(super) fn new(run: &'a mut T, t: Scalar<T>) -> Self {
+        Until { run, t, failed: false }
+    }
+}
+
+/// Endless iterator over the states after a fixed number of steps each. Ends only after the first error.
+#[derive(Debug)]
+pub struct Samples<'a, T> {
+    pub(super) run: &'a mut T,
+    pub(super) stride: u64,
+    pub(super) failed: bool,
+}
+
+impl<'a, T> Samples<'a, T> {
+    pub(super) fn new(run: &'a mut T, stride: u64) -> Self {
+        Samples { run, stride: stride.max(1), failed: false }
+    }
+}
+
+/// Iterator over states at given times. Ends with the last time, or after the first error.
+#[derive(Debug)]
+pub struct StatesAt<'a, T, I> {
+    pub(super) run: &'a mut T,
+    pub(super) times: I,
+    pub(super) failed: bool,
+}
+
+impl<'a, T, I> StatesAt<'a, T, I> {
+    pub(super) fn new(run: &'a mut T, times: I) -> Self {
+        StatesAt { run, times, failed: false }
     }
 }
 

@@ -1,7 +1,6 @@
 //! Tables of splitting methods: fractions of h, in order of application.
 
 use super::kinds::{KickAndDrift, WithGradient};
-use crate::method::composition::Composition;
 use crate::method::tables::total::adds_up;
 use crate::method::{Claims, Name};
 use core::marker::PhantomData;
@@ -92,15 +91,15 @@ impl<const K: usize> Splitting<K> {
     }
 
     /// Returns the composition of steps of a table with one pair of flows, of the lengths γ₁h, …, γ_K h, with neighbouring outer flows merged.
-    pub(in crate::method) fn composed(map: &Splitting<1>, composition: &Composition<K>) -> Self {
-        let gamma = composition.weights();
+    ///
+    /// `order` is that of the composition of a symmetric map. If the map is not symmetric, the composition has order 1.
+    pub(in crate::method) fn composed(name: Name, order: u32, gamma: &[f64; K], map: &Splitting<1>) -> Self {
         let outer = core::array::from_fn(|i| {
             let before = if i == 0 { 0.0 } else { gamma[i - 1] * map.last };
             before + gamma[i] * map.outer[0]
         });
-        let order = if map.claims.symmetric { composition.order() } else { 1 };
-        let name = composition.name().of(map.name);
-        Self::checked(name, order, map.kick_first, outer, *gamma, gamma[K - 1] * map.last)
+        let order = if map.claims.symmetric { order } else { 1 };
+        Self::checked(name.of(map.name), order, map.kick_first, outer, *gamma, gamma[K - 1] * map.last)
     }
 }
 

@@ -12,10 +12,9 @@ mod way;
 
 use crate::method::{Clock, Method};
 use crate::running::error::StepError;
-use crate::running::output::{Samples, Until};
 use crate::running::reported::Reported;
 use crate::running::step_size::Bounds;
-use crate::running::trajectory::{Trajectory, adapt_to};
+use crate::running::trajectory::{Samples, Trajectory, Until, adapt_to};
 use crate::scalar::{Real, signed, zero};
 use crate::space::{Coordinates, PerCoordinate, Point, Snapshot};
 use crate::system::{Lagrangian, PhaseSpace, Rates, StateOf};

@@ -6,9 +6,8 @@ mod steps;
 
 use crate::method::{Clock, Method};
 use crate::running::error::StepError;
-use crate::running::output::{Samples, Until};
 use crate::running::reported::Reported;
-use crate::running::trajectory::Trajectory;
+use crate::running::trajectory::{Samples, Trajectory, Until};
 use crate::scalar::{Real, signed, zero};
 use crate::space::Coordinates;
 use crate::space::{Action, NEVER, Snapshot};
