@@ -100,7 +100,7 @@ fn estimates_cost_no_evaluations() {
 #[test]
 fn sums_of_kicks_and_drifts_take_four_operations() {
     fn arithmetic<C: geoint_runtime::space::Summation<[[Tallied; 1]; 2]>>(
-        mut sim: Integrator<geoint_tests::problems::Pendulum<Tallied>, StormerVerlet, Tallied, C>,
+        mut sim: Integrator<geoint_tests::problems::Pendulum<Tallied>, geoint_runtime::Splitting<1>, Tallied, C>,
     ) -> u64 {
         sim.advance(10).expect("steps");
         Tally::during(|| sim.advance(1000).expect("steps")).arithmetic

@@ -3,7 +3,7 @@
 //! A ball bounces at 60 frames per second. Each call of `frame` simulates one frame, with or without a hit:
 //!
 //! ```
-//! use geoint_runtime::prelude::*;
+//! use geoint_runtime::{Splitting, prelude::*};
 //!
 //! /// A ball; q = (x, height) in m, p in kg m/s.
 //! #[hamiltonian]
@@ -11,7 +11,7 @@
 //!
 //! const FRAME: f32 = 1.0 / 60.0;
 //! const BOUNCE: f32 = 0.5;
-//! type Run = Integrator<Ball<f32>, StormerVerlet, f32>; // System (with its parameters), method, scalar type of the time.
+//! type Run = Integrator<Ball<f32>, Splitting<1>, f32>; // System (with its parameters), method, scalar type of the time.
 //!
 //! /// Simulates to the end of a frame. Returns whether the ball has stopped bouncing.
 //! fn frame(run: &mut Run, end: f32) -> Result<bool, StepError> {

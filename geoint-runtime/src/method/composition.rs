@@ -26,8 +26,8 @@
 //! # Ok::<(), StepError>(())
 //! ```
 
+use crate::method::flows::Splitting;
 use crate::method::flows::perturbed::Perturbation;
-use crate::method::flows::{PositionVerlet, Splitting, StormerVerlet};
 use crate::method::tables::total::adds_up;
 use crate::method::{Claims, Failure, Method, Name, Probe, Step};
 use crate::scalar::Real;
@@ -59,8 +59,8 @@ impl<const K: usize> Composition<K> {
 
     /// Returns this composition of a symmetric map of order 2.
     ///
-    /// The map must be exactly symmetric, so implicit maps are solved to rounding. Compositions of [`StormerVerlet`] and
-    /// [`PositionVerlet`] become splitting tables with neighbouring flows merged.
+    /// The map must be exactly symmetric, so implicit maps are solved to rounding. Compositions of [`StormerVerlet`](crate::StormerVerlet) and
+    /// [`PositionVerlet`](crate::PositionVerlet) become splitting tables with neighbouring flows merged.
     pub fn of<M: SymmetricMap>(self, map: M) -> M::Composed<K> {
         map.compose(self)
     }
@@ -111,21 +111,7 @@ macro_rules! substeps {
 }
 pub(crate) use substeps;
 
-impl SymmetricMap for StormerVerlet {
-    type Composed<const K: usize> = Splitting<K>;
-    fn compose<const K: usize>(self, composition: Composition<K>) -> Splitting<K> {
-        StormerVerlet::TABLE.compose(composition)
-    }
-}
-
-impl SymmetricMap for PositionVerlet {
-    type Composed<const K: usize> = Splitting<K>;
-    fn compose<const K: usize>(self, composition: Composition<K>) -> Splitting<K> {
-        PositionVerlet::TABLE.compose(composition)
-    }
-}
-
-/// A table of one pair of flows, such as `WisdomHolman`. The order of the composition is 1 if the table is not symmetric.
+/// A table of one pair of flows, such as [`StormerVerlet`](crate::StormerVerlet) or `WisdomHolman`. The order of the composition is 1 if the table is not symmetric.
 impl SymmetricMap for Splitting<1> {
     type Composed<const K: usize> = Splitting<K>;
     fn compose<const K: usize>(self, composition: Composition<K>) -> Splitting<K> {

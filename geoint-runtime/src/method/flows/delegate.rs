@@ -29,15 +29,14 @@ macro_rules! steps_of {
     };
 }
 
-/// Implements a method by an inner method, under another name or a stricter condition on the system.
+/// Implements a method by an inner method, for systems with the given property.
 macro_rules! delegate {
-    ($(#[$doc:meta])* [$($generics:tt)*] $method:ty, $system:ident, $inner:ty, |$this:ident| $table:expr) => {
-        $(#[$doc])*
-        impl<$($generics)* S: $system<R>, R: Real> Method<S, R> for $method
+    ([$($generics:tt)*] $method:ty, [$($property:tt)*], $inner:ty, |$this:ident| $table:expr) => {
+        impl<$($generics)* S: $($property)*, R: Real> Method<S, R> for $method
         where
             $inner: Method<S, R>,
         {
-            type Proof = <S as $system<R>>::Proof;
+            type Proof = <S as $($property)*>::Proof;
             type Prepared = <$inner as Method<S, R>>::Prepared;
             type Memory = <$inner as Method<S, R>>::Memory;
             const SINGLY: bool = <$inner as Method<S, R>>::SINGLY;

@@ -64,17 +64,49 @@ impl<S: Separable<R>, R: Real, F: Flows<S, R>> Operation<S, R, F> {
         matches!(self.flow, Coefficients::Kick(_))
     }
 
-    /// Applies the flow in the step that starts at the time of `step`.
+    /// Applies the flow in the step that starts at the time of `step`. The probe sees the start of the flow, and the parts of a drift that may end early.
     #[inline(always)]
-    pub(super) fn apply<C: Summation<S::Phase>, P: Probe<S, R>>(&self, step: Step<'_, S, R, C, P>) {
-        self.watched(step, |Step { system, t, x, .. }| match &self.flow {
-            Coefficients::Kick(kick) => apply_kick::<F, S, R, C>(system, kick, t, x),
-            Coefficients::Drift(drift) => apply_drift::<F, S, R, C>(system, drift, t, x),
-        });
+    pub(super) fn apply<C: Summation<S::Phase>, P: Probe<S, R>>(
+        &self,
+        Step { system, t, x, probe, .. }: Step<'_, S, R, C, P>,
+    ) {
+        let t = t + self.at;
+        probe.visit(t, &x.z, &x.s);
+        // The constant conditions remove the search for parts that end from fast steps.
+        let may_end = P::EFFORT.is_thorough() && const { !S::DRIFT.parts.is_empty() };
+        let reports = may_end && !self.is_kick() && x.is_finite();
+        // An action that is not followed goes to a copy, so that the optimiser removes its computation.
+        let mut unread = x.s;
+        let s = if C::ACTION { &mut x.s } else { &mut unread };
+        let [q, p] = &mut x.z;
+        match &self.flow {
+            Coefficients::Kick(kick) if C::PLAIN => F::kick(system, kick, t, q, p, s),
+            Coefficients::Drift(drift) if C::PLAIN => F::drift(system, drift, t, q, p, s),
+            Coefficients::Kick(kick) => {
+                let d = F::kick_increments(system, kick, t, &Coordinates::<S, R>::of(x));
+                if S::Action::LEN == 0 && S::KICK.adds() {
+                    add_impulse::<S, R, C>(x, &d.z[1])
+                } else {
+                    add::<S, R, C>(x, &d)
+                }
+            }
+            Coefficients::Drift(drift) => {
+                let d = F::drift_increments(system, drift, t, &Coordinates::<S, R>::of(x));
+                if S::Action::LEN == 0 && S::DRIFT.adds() {
+                    add_shift::<S, R, C>(x, &d.z[0])
+                } else {
+                    add::<S, R, C>(x, &d)
+                }
+            }
+        }
+        if may_end && reports {
+            for part in S::DRIFT.parts {
+                probe.flown(part.name, || part.is_finite(&x.z));
+            }
+        }
     }
 
-    /// Adds the impulse of a kick to the momenta. `known` is the impulse, if another step has computed it. Returns the impulse, or applies a drift and returns
-    /// `None`.
+    /// Adds the impulse of a kick to the momenta, and returns it. `known` is the impulse, if another step has computed it. Applies a drift, and returns `None`.
     ///
     /// Precondition: kicks only add to the momenta.
     #[inline]
@@ -83,72 +115,17 @@ impl<S: Separable<R>, R: Real, F: Flows<S, R>> Operation<S, R, F> {
         step: Step<'_, S, R, C, P>,
         known: Option<S::Array>,
     ) -> Option<S::Array> {
-        self.watched(step, |Step { system, t, x, .. }| match &self.flow {
-            Coefficients::Kick(kick) => {
-                let impulse =
-                    known.unwrap_or_else(|| F::kick_increments(system, kick, t, &Coordinates::<S, R>::of(x)).z[1]);
-                add_impulse::<S, R, C>(x, &impulse);
-                Some(impulse)
-            }
-            Coefficients::Drift(drift) => {
-                apply_drift::<F, S, R, C>(system, drift, t, x);
-                None
-            }
-        })
-    }
-
-    /// Applies a flow and reports its start to a probe. After a drift it also reports the parts of the drift that may end early.
-    #[inline(always)]
-    fn watched<'a, C: Summation<S::Phase>, P: Probe<S, R>, T>(
-        &self,
-        Step { system, t, x, probe, .. }: Step<'a, S, R, C, P>,
-        flow: impl FnOnce(Step<'_, S, R, C, P>) -> T,
-    ) -> T {
+        let Coefficients::Kick(kick) = &self.flow else {
+            self.apply(step);
+            return None;
+        };
+        let Step { system, t, x, probe, .. } = step;
         let t = t + self.at;
         probe.visit(t, &x.z, &x.s);
-        // The constant conditions remove this code from fast steps.
-        let may_end = P::EFFORT.is_thorough() && const { !S::DRIFT.parts.is_empty() };
-        let reports = may_end && matches!(self.flow, Coefficients::Drift(_)) && x.is_finite();
-        let result = flow(Step { system, t, end: t, x, probe });
-        if may_end && reports {
-            for part in S::DRIFT.parts {
-                probe.flown(part.name, || part.is_finite(&x.z));
-            }
-        }
-        result
+        let impulse = known.unwrap_or_else(|| F::kick_increments(system, kick, t, &Coordinates::<S, R>::of(x)).z[1]);
+        add_impulse::<S, R, C>(x, &impulse);
+        Some(impulse)
     }
-}
-
-/// Applies a kick. Plain sums call the kernel directly, with references to the parts of the point that do not alias.
-#[inline(always)]
-fn apply_kick<F: Flows<S, R>, S: Separable<R>, R: Real, C: Summation<S::Phase>>(
-    system: &S,
-    kick: &F::Kick,
-    t: R,
-    x: &mut Point<S::Phase, C, S::Action>,
-) {
-    if C::PLAIN {
-        let ([q, p], mut unread) = (&mut x.z, x.s);
-        return F::kick(system, kick, t, q, p, if C::ACTION { &mut x.s } else { &mut unread });
-    }
-    let d = F::kick_increments(system, kick, t, &Coordinates::<S, R>::of(x));
-    if S::Action::LEN == 0 && S::KICK.adds() { add_impulse::<S, R, C>(x, &d.z[1]) } else { add_all::<S, R, C>(x, &d) }
-}
-
-/// Applies a drift; see [`apply_kick`].
-#[inline(always)]
-fn apply_drift<F: Flows<S, R>, S: Separable<R>, R: Real, C: Summation<S::Phase>>(
-    system: &S,
-    drift: &S::Drift,
-    t: R,
-    x: &mut Point<S::Phase, C, S::Action>,
-) {
-    if C::PLAIN {
-        let ([q, p], mut unread) = (&mut x.z, x.s);
-        return F::drift(system, drift, t, q, p, if C::ACTION { &mut x.s } else { &mut unread });
-    }
-    let d = F::drift_increments(system, drift, t, &Coordinates::<S, R>::of(x));
-    if S::Action::LEN == 0 && S::DRIFT.adds() { add_shift::<S, R, C>(x, &d.z[0]) } else { add_all::<S, R, C>(x, &d) }
 }
 
 /// q ← q + dq, by the sums of the point.
@@ -165,10 +142,7 @@ fn add_impulse<S: Separable<R>, R: Real, C: Summation<S::Phase>>(x: &mut Point<S
 
 /// Adds increments to positions, momenta and action.
 #[inline(always)]
-fn add_all<S: Separable<R>, R: Real, C: Summation<S::Phase>>(
-    x: &mut Point<S::Phase, C, S::Action>,
-    d: &Coordinates<S, R>,
-) {
+fn add<S: Separable<R>, R: Real, C: Summation<S::Phase>>(x: &mut Point<S::Phase, C, S::Action>, d: &Coordinates<S, R>) {
     add_shift::<S, R, C>(x, &d.z[0]);
     add_impulse::<S, R, C>(x, &d.z[1]);
     x.add_action(d.s);

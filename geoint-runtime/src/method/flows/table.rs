@@ -41,7 +41,7 @@ pub(super) struct Entry {
 /// use geoint_runtime::{Splitting, StormerVerlet};
 ///
 /// const LEAPFROG: Splitting<1> = Splitting::new(2, [Kick(0.5), Drift(1.0), Kick(0.5)]);
-/// assert_eq!(LEAPFROG, StormerVerlet::TABLE);
+/// assert_eq!(LEAPFROG.named("StormerVerlet"), StormerVerlet);
 /// ```
 ///
 /// A table whose fractions do not add up to 1 does not compile:

@@ -5,7 +5,7 @@ use super::splittings::{
 };
 use super::table::{PieceComposition, PieceNystrom};
 use crate::method::composition::{Composition, SymmetricMap};
-use crate::method::flows::{delegate, steps_of};
+use crate::method::flows::delegate;
 use crate::method::{Claims, Clock, Failure, Method, Name, Probe, Step};
 use crate::scalar::Real;
 use crate::space::{Point, Summation};
@@ -26,32 +26,10 @@ macro_rules! splittings {
             }
         }
 
-        impl<S: Pieces<$name, R>, R: Real> Method<S, R> for $name {
-            type Proof = <S as Pieces<$name, R>>::Proof;
-            type Prepared = <PieceComposition<1, $name> as Method<S, R>>::Prepared;
-            type Memory = <PieceComposition<1, $name> as Method<S, R>>::Memory;
-
-            fn claims(&self) -> Claims {
-                Method::<S, R>::claims(&PieceComposition::<1, $name>::SPLITTING)
-            }
-
-            fn name(&self) -> Name {
-                Name::new(Self::NAME)
-            }
-
-            fn prepare(&self, system: &S, h: R) -> Self::Prepared {
-                PieceComposition::<1, $name>::SPLITTING.prepare(system, h)
-            }
-
-            fn memory() -> Self::Memory {
-                <PieceComposition<1, $name> as Method<S, R>>::memory()
-            }
-
-            steps_of!(PieceComposition<1, $name>, |prepared| prepared);
-        }
+        delegate!([] $name, [Pieces<$name, R>], PieceComposition<1, $name>, |_this| PieceComposition::<1, $name>::SPLITTING);
     )* };
 }
 
 splittings!(PieceSplitting ContactSplitting PoissonSplitting PlanarSplitting PlanarDiscreteGradient);
 
-delegate!([const K: usize,] PieceNystrom<K>, NystromPieces, PieceComposition<K, PieceSplitting>, |this| this.composition());
+delegate!([const K: usize,] PieceNystrom<K>, [NystromPieces<R>], PieceComposition<K, PieceSplitting>, |this| this.composition());
