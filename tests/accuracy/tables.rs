@@ -55,7 +55,8 @@ fn the_list_of_methods_is_complete() {
         assert!(names.0.contains(format!("Gauss<{stages}>").as_str()));
     }
     for line in include_str!("../../geoint-runtime/src/method/flows/verlet.rs").lines() {
-        if let Some((name, _)) = line.strip_prefix("pub const ").and_then(|rest| rest.split_once(':')) {
+        let name = line.strip_prefix("pub const ").or(line.strip_prefix("pub struct "));
+        if let Some(name) = name.and_then(|rest| rest.split([':', ';']).next()) {
             // Rotations need a rigid body.
             assert!(name == "FiveRotations" || names.0.contains(name), "{name} is not in the list of methods");
         }

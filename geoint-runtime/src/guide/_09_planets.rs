@@ -110,7 +110,7 @@
 //! - h ≤ T/8 with `WisdomHolman…`, and h ≤ T/5 with `Aba10_6_4`, are upper limits, for the shortest T as above. Longer steps resonate with the
 //!   orbits and give wrong results without an error. Halve h and compare.
 //! - No method changes to another one in an encounter by itself. To find encounters, stop at a distance by [`until_event`](super::_12_events).
-//! - Processed methods (`WisdomHolmanProcessed`, `WisdomHolmanGradient`) compute 12 kicks and 16 flows for each state that you read, and
+//! - Processed methods (`WisdomHolmanProcessed`, `WisdomHolmanGradient`) compute 12 kicks and 13 flows for each state that you read, and
 //!   an event search reads one in each step.
 //! - `OutsideDomain`: a mass is zero, or all bodies before a body together have less than 1e-16 of its mass: write the Sun first.
 //! - [`Pole`](crate::Failure::Pole): an orbit meets its focus.

@@ -3,7 +3,7 @@
 use crate::scalar::Real;
 use crate::space::Array;
 
-/// The kind of a flow. A method reads it to skip work that the flow does not need.
+/// The kind of a flow. A method reads it to skip work that the flow does not need, and to choose the time of the flow: a wrong value gives wrong results.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FlowKind {
     /// How the flow changes coordinates.

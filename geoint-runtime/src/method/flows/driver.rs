@@ -1,8 +1,8 @@
 //! The driver of alternating flows: one step, or many steps, of every splitting method.
 //!
 //! A step applies flows in alternation: outer, inner, outer, inner, …, outer. Its last flow and the first flow of the next step belong to the same part of the
-//! energy, so that a run applies both as one flow, the joint. The next step continues from the point between the two steps where the joint begins. A state is the
-//! point after the last flow. A run therefore has the same digits in single steps and in one call, and reading a state does not change the run.
+//! energy, so that a run applies both as one flow, the joint. A state is the point after the last flow. The next step continues from a stored point: the start of
+//! the joint, or its end if the state is the middle of the joint. A run therefore has the same digits in single steps and in one call, and reading a state does not change the run.
 
 use super::open::Open;
 use crate::method::{Clock, Failure, Probe, Step, Unwatched};
@@ -30,7 +30,7 @@ pub(super) trait Alternation<S: PhaseSpace<R>, R: Real> {
     /// Returns whether the last flow of a step and the first one of the next are one flow.
     fn are_merged(&self) -> bool;
     /// Returns whether the last flow and the first one are equal, add an increment, and need the same evaluation of the force. The state is then the mean of
-    /// the two ends of the joint, so that a single step needs one evaluation, not two.
+    /// the two ends of the joint, so that a single step with plain sums needs one evaluation, not two. The joint must not change the action.
     fn shows_middle_of_joint(&self) -> bool;
     /// Applies an outer flow.
     ///
@@ -160,7 +160,8 @@ fn finish<F: Alternation<S, R>, S: PhaseSpace<R>, R: Real, C: Summation<S::Phase
     Ok(())
 }
 
-/// Returns whether flows are merged between steps. A thorough step neither continues a step nor is continued: its flows are those of a refusal.
+/// Returns whether flows are merged between steps. A thorough step repeats a refused step, and evaluates the same flows whatever came before. It neither continues a step
+/// nor is continued.
 #[inline(always)]
 fn merges<F: Alternation<S, R>, S: PhaseSpace<R>, R: Real, P: Probe<S, R>>(flows: &F) -> bool {
     !P::EFFORT.is_thorough() && flows.are_merged()

@@ -23,7 +23,7 @@ pub struct DriftFirst;
 
 /// A table of Runge–Kutta–Nyström type. Its order conditions use \[V, \[V, \[V, T\]\]\] = 0, so T must be quadratic.
 ///
-/// `O` states which flow is the first. A table that begins with a drift also applies to two pieces.
+/// `O` states which flow is the first. A table that begins with a drift also applies to two pieces; see [`Nystrom::of`].
 #[doc(alias = "second order ODE")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Nystrom<const K: usize, O = KickFirst> {
@@ -66,7 +66,7 @@ impl<const K: usize, O> Nystrom<K, O> {
     }
 
     /// Adds an error estimate to the method.
-    pub(in crate::method) const fn estimated(mut self, estimators: &'static Estimators<K>) -> Self {
+    pub(in crate::method) const fn with_estimators(mut self, estimators: &'static Estimators<K>) -> Self {
         self.estimators = Some(estimators);
         self
     }
@@ -113,8 +113,8 @@ const fn has_pure_impulses<S: QuadraticKinetic<R>, R: Real>() -> bool {
     S::Action::LEN == 0 && S::KICK.adds() && S::DRIFT.adds()
 }
 
-/// Returns the error of a step of length h from the time t, from the two sums of an estimate. The first sum is the error of the momenta. The drift of the
-/// second sum over h is the error of the positions; see `Weights` in the module `estimators`.
+/// Returns the error of a step of length h from the time t, from the two sums of an estimate. The first sum is the error of the momenta. The second one has the
+/// weights dᵢ(1 − cᵢ), and a drift of length h turns it into the error of the positions; see `Weights` in the module `estimators`.
 fn error<S: QuadraticKinetic<R>, R: Real>(
     system: &S,
     [t, h]: [R; 2],

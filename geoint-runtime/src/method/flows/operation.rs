@@ -11,9 +11,9 @@ use crate::system::Separable;
 /// The coefficients of a kick or a drift.
 #[derive(Clone, Copy)]
 pub(super) enum Coefficients<K, D> {
-    /// p ← p − h ∂V/∂q.
+    /// p ← p − h ∂V/∂q, or the flow of B.
     Kick(K),
-    /// q ← q + h ∂T/∂p.
+    /// q ← q + h ∂T/∂p, or what replaces it: the flow of A, or rotations.
     Drift(D),
 }
 
@@ -45,13 +45,13 @@ impl<S: Separable<R>, R: Real, F: Flows<S, R>> Operation<S, R, F> {
             }
             Flow::Drift(fraction) => Coefficients::Drift(system.prepare_drift(part(fraction))),
         };
-        Operation { flow, at: zero() }.moved(h, reached)
+        Operation { flow, at: zero() }.at_time(h, reached)
     }
 
     /// Returns the same flow at another time.
     ///
     /// A flow reads the time that the flows of the other kind have reached. A drift that is exact in time starts at its own time.
-    pub(super) fn moved(self, h: R, Reached { own, other }: Reached<f64>) -> Self {
+    pub(super) fn at_time(self, h: R, Reached { own, other }: Reached<f64>) -> Self {
         let at = match &self.flow {
             Coefficients::Drift(_) if S::DRIFT.is_exact_in_time() => own,
             _ => other,
@@ -72,7 +72,7 @@ impl<S: Separable<R>, R: Real, F: Flows<S, R>> Operation<S, R, F> {
     ) {
         let t = t + self.at;
         probe.visit(t, &x.z, &x.s);
-        // The constant conditions remove the search for parts that end from fast steps.
+        // The constant condition stands twice, so that fast steps contain no code for parts that end.
         let may_end = P::EFFORT.is_thorough() && const { !S::DRIFT.parts.is_empty() };
         let reports = may_end && !self.is_kick() && x.is_finite();
         // An action that is not followed goes to a copy, so that the optimiser removes its computation.
@@ -106,7 +106,7 @@ impl<S: Separable<R>, R: Real, F: Flows<S, R>> Operation<S, R, F> {
         }
     }
 
-    /// Adds the impulse of a kick to the momenta, and returns it. `known` is the impulse, if another step has computed it. Applies a drift, and returns `None`.
+    /// Applies a flow. For a kick, adds its impulse to the momenta and returns it; `known` is the impulse, if another step has computed it.
     ///
     /// Precondition: kicks only add to the momenta.
     #[inline]

@@ -1,4 +1,4 @@
-//! Tables with a processor: χ⁻¹ ∘ K ∘ … ∘ K ∘ χ. The kernel K is cheap. The processor χ is applied before the first step, and its inverse after the last.
+//! Tables with a processor: χ⁻¹ ∘ Φ ∘ … ∘ Φ ∘ χ. The kernel Φ is cheap. The processor χ is applied before the first step, and its inverse after the last.
 
 use super::kinds::{Flows, KickAndDrift};
 use super::operation::{Operation, Reached};
@@ -31,7 +31,10 @@ impl<const K: usize, const P: usize, F> ProcessedSplitting<K, P, F> {
             [drifts[i], kicks[i], _] = processor[i];
             i += 1;
         }
-        assert!(adds_up(&drifts, 0.0) && adds_up(&kicks, 0.0), "the fractions of a way add up to 0");
+        assert!(
+            adds_up(&drifts, 0.0) && adds_up(&kicks, 0.0),
+            "the fractions of the drifts, and of the kicks, of a processor add up to 0"
+        );
         ProcessedSplitting { table, order, processor }
     }
 }
@@ -96,7 +99,7 @@ where
     const INNER: bool = true;
 
     fn claims(&self) -> Claims {
-        // `symmetric` is false: the processor is even in h only up to the remaining error.
+        // Not symmetric: the processor is even in h only up to the remaining error, and Φ(−h)Φ(h) differs from the identity by that error.
         Claims { order: self.order, symmetric: false, ..self.table.claims() }
     }
 

@@ -6,7 +6,7 @@ use super::operation::{Operation, Reached};
 use super::table::{Flow, Splitting};
 use crate::method::{Failure, Probe, Step};
 use crate::scalar::Real;
-use crate::space::Summation;
+use crate::space::{Action, Summation};
 use crate::system::Separable;
 
 /// The flows of a step in order of application.
@@ -18,7 +18,7 @@ pub struct Sequence<S: Separable<R>, R: Real, F: Flows<S, R>, const K: usize> {
     pairs: [[Operation<S, R, F>; 2]; K],
     /// The last flow of a step that is not continued.
     last: Option<Operation<S, R, F>>,
-    /// Whether the last flow and the first one are equal kicks that only read positions.
+    /// Whether the last flow and the first one are equal kicks that only add to momenta and only read positions; see `FlowKind::repeats`.
     pub(super) repeats: bool,
 }
 
@@ -30,7 +30,7 @@ impl<S: Separable<R>, R: Real, F: Flows<S, R>, const K: usize> Sequence<S, R, F,
         let mut pairs = [[first; 2]; K];
         let operations = pairs.as_flattened_mut();
         for i in 1..=2 * K {
-            // The flow before is of the other kind.
+            // Own and other exchange their roles at every flow.
             reached = Reached { own: reached.other, other: reached.own + table.entry(i - 1).flow.fraction() };
             let (entry, mirror) = (table.entry(i), 2 * K - i);
             operations[i - 1] = if i == 2 * K {
@@ -39,7 +39,7 @@ impl<S: Separable<R>, R: Real, F: Flows<S, R>, const K: usize> Sequence<S, R, F,
                 Operation::prepare(system, h, table.joint(), reached)
             } else if K < i && entry == table.entry(mirror) {
                 // Equal flows are prepared once, because the preparation may compute a matrix.
-                operations[mirror - 1].moved(h, reached)
+                operations[mirror - 1].at_time(h, reached)
             } else {
                 Operation::prepare(system, h, entry, reached)
             };
@@ -47,10 +47,11 @@ impl<S: Separable<R>, R: Real, F: Flows<S, R>, const K: usize> Sequence<S, R, F,
         let (start, end) = (table.entry(0), table.entry(2 * K));
         let last = match end.flow.fraction() {
             0.0 => None,
-            _ if end == start => Some(first.moved(h, reached)),
+            _ if end == start => Some(first.at_time(h, reached)),
             _ => Some(Operation::prepare(system, h, end, reached)),
         };
-        let repeats = S::KICK.repeats() && end == start && matches!(start.flow, Flow::Kick(_));
+        let is_kick = matches!(start.flow, Flow::Kick(_));
+        let repeats = S::Action::LEN == 0 && S::KICK.repeats() && is_kick && end == start && last.is_some();
         Sequence { first, pairs, last, repeats }
     }
 
@@ -60,7 +61,7 @@ impl<S: Separable<R>, R: Real, F: Flows<S, R>, const K: usize> Sequence<S, R, F,
     }
 
     /// Returns whether each step ends with a kick that makes the state non-finite where the energy is not defined.
-    pub(super) fn shows(&self) -> bool {
+    pub(super) fn last_kick_shows_domain(&self) -> bool {
         F::SHOWS_DOMAIN && self.last.as_ref().is_some_and(Operation::is_kick)
     }
 }

@@ -30,7 +30,7 @@ impl<S: Separable<R>, R: Real, F: Flows<S, R>, const K: usize> Method<S, R> for 
 
     #[inline(always)]
     fn shows(prepared: &Self::Prepared) -> bool {
-        prepared.shows()
+        prepared.last_kick_shows_domain()
     }
 
     fn memory() -> Self::Memory {

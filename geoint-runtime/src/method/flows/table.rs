@@ -34,7 +34,7 @@ pub(super) struct Entry {
 /// A splitting method for H = T(p) + V(q): kicks and drifts for fractions of h in alternation, in order of application.
 ///
 /// With outer and inner flows it is outer₁, inner₁, outer₂, inner₂, …, inner_K, and perhaps a last outer flow. The outer flows are kicks or drifts. If there is a
-/// last outer flow, it is merged with the first flow of the next step. A step costs K force evaluations. `F` is the kind of the flows.
+/// last outer flow, it is merged with the first flow of the next step. A step of a long run costs K force evaluations. `F` is the kind of the flows.
 ///
 /// ```
 /// use geoint_runtime::method::flows::Flow::{Drift, Kick};

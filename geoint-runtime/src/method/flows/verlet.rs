@@ -2,23 +2,43 @@
 
 #![allow(non_upper_case_globals, reason = "methods are values: `system.integrator(StormerVerlet, …)`")]
 
+use super::delegate;
 use super::kinds::KickAndRotations;
 use super::table::Flow::{Drift, Kick};
 use super::table::Splitting;
+use crate::method::{Claims, Clock, Failure, Method, Name, Probe, Step};
+use crate::scalar::Real;
+use crate::space::{Point, Summation};
+use crate::system::Separable;
 
 /// Kick, drift: p₁ = p₀ − h V'(q₀), q₁ = q₀ + h T'(p₁). Order 1, symplectic; its adjoint is
 /// [`SymplecticEulerAdjoint`]. R. de Vogelaere 1956; Hairer, Lubich & Wanner, *Geometric Numerical Integration*,
 /// (I.1.9).
 #[doc(alias("semi-implicit Euler", "Euler-Cromer", "Euler"))]
-pub const SymplecticEuler: Splitting<1> = Splitting::new(1, [Kick(1.0), Drift(1.0)]).named("SymplecticEuler");
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct SymplecticEuler;
+
+impl SymplecticEuler {
+    /// Kick, drift.
+    pub const TABLE: Splitting<1> = Splitting::new(1, [Kick(1.0), Drift(1.0)]).named("SymplecticEuler");
+}
 
 /// Drift, kick: q₁ = q₀ + h T'(p₀), p₁ = p₀ − h V'(q₁), the adjoint of [`SymplecticEuler`]. Order 1, symplectic.
-pub const SymplecticEulerAdjoint: Splitting<1> =
-    Splitting::new(1, [Drift(1.0), Kick(1.0)]).named("SymplecticEulerAdjoint");
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct SymplecticEulerAdjoint;
+
+impl SymplecticEulerAdjoint {
+    /// Drift, kick.
+    pub const TABLE: Splitting<1> = Splitting::new(1, [Drift(1.0), Kick(1.0)]).named("SymplecticEulerAdjoint");
+}
+
+// These two are types of their own, not tables, so that `Yoshida4.of(SymplecticEuler)` does not compile: they are not symmetric.
+delegate!([] SymplecticEuler, [Separable<R>], Splitting<1>, |_this| SymplecticEuler::TABLE);
+delegate!([] SymplecticEulerAdjoint, [Separable<R>], Splitting<1>, |_this| SymplecticEulerAdjoint::TABLE);
 
 /// Half a kick, a drift, half a kick ("velocity Verlet", leapfrog). Order 2, symmetric, symplectic, one force a step.
 ///
-/// Use it if the fastest frequency ω limits the step (it is stable for hω < 2), and not the accuracy.
+/// Use it if stability limits the step (hω < 2 for the fastest frequency ω), not accuracy.
 /// C. Störmer 1907; L. Verlet, Phys. Rev. 159 (1967) 98; Hairer, Lubich & Wanner (I.1.17).
 #[doc(alias("leapfrog", "velocity Verlet", "Verlet", "KDK", "kick-drift-kick"))]
 pub const StormerVerlet: Splitting<1> = Splitting::new(2, [Kick(0.5), Drift(1.0), Kick(0.5)]).named("StormerVerlet");

@@ -20,7 +20,7 @@ pub const BlanesMoanSrkn6b: Nystrom<6, KickFirst> = {
             -0.35017162289535104707483878617100515869737831792229,
         ],
     );
-    TABLE.estimated(
+    TABLE.with_estimators(
         const {
             &TABLE.estimators([
                 Mirrored::Same([
@@ -58,7 +58,7 @@ pub const BlanesMoanSrkn11b: Nystrom<11, KickFirst> = {
             0.20477705429147025664261330547651386015858977299335,
         ],
     );
-    TABLE.estimated(
+    TABLE.with_estimators(
         const {
             &TABLE.estimators([
                 Mirrored::Opposite([
@@ -109,7 +109,7 @@ pub const BlanesMoanSrkn14a: Nystrom<14, DriftFirst> = {
             -0.19641146648644885388744782439723882807356738958342,
         ],
     );
-    TABLE.estimated(
+    TABLE.with_estimators(
         const {
             &TABLE.estimators([
                 Mirrored::Opposite([
@@ -165,7 +165,7 @@ pub const BceRkn17_8: Nystrom<17, DriftFirst> = {
             -0.52694368162168633170948378954940441233595655080302,
         ],
     );
-    TABLE.estimated(
+    TABLE.with_estimators(
         const {
             &TABLE.estimators([
                 Mirrored::Same([
@@ -226,7 +226,7 @@ pub const BceRkn19_8: Nystrom<19, DriftFirst> = {
             0.22896200838654018789509906520576486785610868027295,
         ],
     );
-    TABLE.estimated(
+    TABLE.with_estimators(
         const {
             &TABLE.estimators([
                 Mirrored::Same([

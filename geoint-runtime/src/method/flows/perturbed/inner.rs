@@ -18,17 +18,17 @@ impl<S: Perturbed<R>, R: Real> PhaseSpace<R> for Inner<S> {
     type Action = ();
 
     fn hamiltonian(&self, t: R, z: &S::Phase, s: &()) -> R {
-        self.0.hamiltonian(t, &outer(&self.0, z), s)
+        self.0.hamiltonian(t, &to_state(&self.0, z), s)
     }
 
     fn outside_domain(&self, t: R, z: &S::Phase, s: &()) -> Option<&'static str> {
-        self.0.outside_domain(t, &outer(&self.0, z), s)
+        self.0.outside_domain(t, &to_state(&self.0, z), s)
     }
 }
 
 /// Returns the point of a state, from inner coordinates.
 #[inline(always)]
-fn outer<S: Perturbed<R>, R: Real>(system: &S, z: &S::Phase) -> S::Phase {
+fn to_state<S: Perturbed<R>, R: Real>(system: &S, z: &S::Phase) -> S::Phase {
     let mut z = *z;
     system.leave(&mut z);
     z
@@ -107,7 +107,7 @@ impl<S: Perturbed<R>, R: Real, P: Probe<S, R>> Probe<Inner<S>, R> for StateProbe
     fn visit(&mut self, t: R, z: &S::Phase, s: &()) {
         // Fast steps ignore all points, so they do not compute them.
         if P::EFFORT.is_thorough() {
-            self.probe.visit(t, &outer(self.system, z), s);
+            self.probe.visit(t, &to_state(self.system, z), s);
         }
     }
 

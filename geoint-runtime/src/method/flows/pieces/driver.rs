@@ -3,11 +3,11 @@
 //! Let Φ(h) be the flows of all pieces in order, and Φ*(h) the same flows in reverse order. A table is Φ*(β_K h) Φ(α_K h) … Φ*(β₁h) Φ(α₁h). A splitting is the
 //! table with K = 1 and α₁ = β₁ = ½. The last flow of Φ and the first one of the following Φ* belong to the last piece, and are one flow.
 //!
-//! The last flow of Φ* and the first one of the following Φ belong to the first piece. If this piece is exact in time, its flows are the outer flows of a step, and
-//! both are one flow. If not, each Φ*Φ is an inner flow. Frozen time is constant between Φ and Φ*: it moves before all flows of Φ, and after all flows of Φ*.
+//! The last flow of Φ* and the first one of the following Φ belong to the first piece. They are merged, and are the outer flows of a step, if there is another piece
+//! and this one is a flow that is exact in time. If not, each Φ*Φ is an inner flow. Frozen time is constant between Φ and Φ*: it moves before all flows of Φ, and after all flows of Φ*.
 
 use super::flow::{Flows, apply};
-use super::splittings::Splitting;
+use super::splittings::PieceKind;
 use super::table::PieceComposition;
 use crate::method::flows::driver::{self, Alternation, Outer};
 use crate::method::flows::open::Open;
@@ -33,12 +33,12 @@ struct Pair<F, R> {
 
 /// The pairs Φ, Φ* of a step in order of application.
 #[derive(Clone)]
-pub struct Sequence<S: Pieces<M, R>, M, R: Real, const K: usize> {
+pub struct PieceSequence<S: Pieces<M, R>, M, R: Real, const K: usize> {
     pairs: [Pair<S::Flows, R>; K],
     poles: Poles,
 }
 
-impl<S: Pieces<M, R>, M: Splitting, R: Real, const K: usize> Sequence<S, M, R, K> {
+impl<S: Pieces<M, R>, M: PieceKind, R: Real, const K: usize> PieceSequence<S, M, R, K> {
     /// Prepares a table for steps of length `h`.
     fn prepare(table: &PieceComposition<K, M>, system: &S, h: R) -> Self {
         // Sums are computed in R, whose precision may exceed that of the table.
@@ -56,7 +56,7 @@ impl<S: Pieces<M, R>, M: Splitting, R: Real, const K: usize> Sequence<S, M, R, K
                 middle: (before + alpha) * h,
             }
         });
-        Sequence { pairs, poles: Poles::of(system) }
+        PieceSequence { pairs, poles: Poles::of(system) }
     }
 
     /// Applies the flows of some pieces. They begin at the time `t`, and evaluate frozen functions of time at `frozen_at`.
@@ -73,7 +73,7 @@ impl<S: Pieces<M, R>, M: Splitting, R: Real, const K: usize> Sequence<S, M, R, K
     }
 }
 
-impl<S: Pieces<M, R>, M: Splitting, R: Real, const K: usize> Alternation<S, R> for Sequence<S, M, R, K> {
+impl<S: Pieces<M, R>, M: PieceKind, R: Real, const K: usize> Alternation<S, R> for PieceSequence<S, M, R, K> {
     const INNER: usize = K;
 
     /// Flows of the first piece at frozen time are not merged, because the time differs. Solutions of an equation are not flows.
@@ -113,7 +113,7 @@ impl<S: Pieces<M, R>, M: Splitting, R: Real, const K: usize> Alternation<S, R> f
     ) -> Result<(), Failure> {
         let Pair { forth, back, start, middle, .. } = &self.pairs[i];
         let ([start, middle], all) = ([step.t + *start, step.t + *middle], S::PIECES.len());
-        let first = if self.are_merged() { 1 } else { 0 };
+        let first = usize::from(self.are_merged());
         if first == 0 {
             step.probe.visit(start, &step.x.z, &step.x.s);
         }
@@ -122,9 +122,9 @@ impl<S: Pieces<M, R>, M: Splitting, R: Real, const K: usize> Alternation<S, R> f
     }
 }
 
-impl<S: Pieces<M, R>, M: Splitting, R: Real, const K: usize> Method<S, R> for PieceComposition<K, M> {
+impl<S: Pieces<M, R>, M: PieceKind, R: Real, const K: usize> Method<S, R> for PieceComposition<K, M> {
     type Proof = <S as Pieces<M, R>>::Proof;
-    type Prepared = Sequence<S, M, R, K>;
+    type Prepared = PieceSequence<S, M, R, K>;
     type Memory = Open<S::Phase, S::Action>;
 
     fn claims(&self) -> Claims {
@@ -143,7 +143,7 @@ impl<S: Pieces<M, R>, M: Splitting, R: Real, const K: usize> Method<S, R> for Pi
     }
 
     fn prepare(&self, system: &S, h: R) -> Self::Prepared {
-        Sequence::prepare(self, system, h)
+        PieceSequence::prepare(self, system, h)
     }
 
     fn memory() -> Self::Memory {

@@ -1,7 +1,7 @@
 //! Splittings, and Nyström tables of two pieces, as methods: their steps are those of a [`PieceComposition`].
 
 use super::splittings::{
-    ContactSplitting, PieceSplitting, PlanarDiscreteGradient, PlanarSplitting, PoissonSplitting, Splitting,
+    ContactSplitting, PieceKind, PieceSplitting, PlanarDiscreteGradient, PlanarSplitting, PoissonSplitting,
 };
 use super::table::{PieceComposition, PieceNystrom};
 use crate::method::composition::{Composition, SymmetricMap};
@@ -14,7 +14,7 @@ use crate::system::{NystromPieces, Pieces};
 /// Makes a symmetric method of each splitting. Its compositions are tables, with neighbouring flows merged.
 macro_rules! splittings {
     ($($name:ident)*) => { $(
-        impl Splitting for $name {
+        impl PieceKind for $name {
             const NAME: &'static str = stringify!($name);
         }
 

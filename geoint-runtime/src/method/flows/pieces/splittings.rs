@@ -2,7 +2,7 @@
 
 /// A splitting of a system into pieces. The attribute macros implement [`Pieces`](crate::system::Pieces) for every splitting that the system has.
 #[doc(alias("operator splitting", "symplectic"))]
-pub trait Splitting: Copy + Default {
+pub trait PieceKind: Copy + Default {
     /// The name of the method.
     const NAME: &'static str;
 }

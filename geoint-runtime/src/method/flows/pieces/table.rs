@@ -1,6 +1,6 @@
 //! Tables of splitting methods for any number of pieces.
 
-use super::splittings::{ContactSplitting, PieceSplitting, Splitting};
+use super::splittings::{ContactSplitting, PieceKind, PieceSplitting};
 use crate::method::Name;
 use crate::method::composition::Composition;
 use crate::method::flows::{DriftFirst, Nystrom};
@@ -36,19 +36,19 @@ impl<const K: usize> PieceComposition<K> {
     }
 
     /// Returns this table for the pieces of another splitting.
-    pub const fn of<M: Splitting>(self, _: M) -> PieceComposition<K, M> {
+    pub const fn of<M: PieceKind>(self, _: M) -> PieceComposition<K, M> {
         let Self { name, order, weights, .. } = self;
         PieceComposition { name: name.of(Name::new(M::NAME)), order, weights, splitting: PhantomData }
     }
 }
 
-impl<M: Splitting> PieceComposition<1, M> {
+impl<M: PieceKind> PieceComposition<1, M> {
     /// The splitting of order 2: all flows for h/2 in order, then in reverse order.
     pub(super) const SPLITTING: Self =
         PieceComposition { name: Name::new(M::NAME), order: 2, weights: [[0.5; 2]], splitting: PhantomData };
 }
 
-impl<const K: usize, M: Splitting> PieceComposition<K, M> {
+impl<const K: usize, M: PieceKind> PieceComposition<K, M> {
     /// Returns the table of a composition of steps of order 2.
     pub(super) fn of_steps(composition: &Composition<K>) -> Self {
         let weights = composition.weights().map(|gamma| [0.5 * gamma; 2]);
