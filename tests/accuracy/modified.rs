@@ -24,7 +24,7 @@ fn driven(q: [f64; 2], p: [f64; 2], t: f64) -> f64 {
 fn defect<S, D>(system: S, dual: D, h: f64) -> f64
 where
     S: Hamiltonian<Coordinates = [f64; 2], Array = [f64; 2]>,
-    StormerVerlet: Method<S>,
+    geoint_runtime::Splitting<1>: Method<S>,
     D: ModifiedEnergy<Dual, State = State<[Dual; 2]>, Action = ()>,
 {
     let (t, x) = (0.3, [0.7, -0.4, 0.5, 0.8]);

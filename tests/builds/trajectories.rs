@@ -72,7 +72,7 @@ fn advance_beyond_one_look() {
     assert_eq!(bulk.steps(), 2500);
 }
 
-fn pendulum(h: f64, t: f64) -> geoint_runtime::Integrator<Pendulum, geoint_runtime::StormerVerlet> {
+fn pendulum(h: f64, t: f64) -> geoint_runtime::Integrator<Pendulum, geoint_runtime::Splitting<1>> {
     Pendulum::system::<f64>().integrator(StormerVerlet, h, Pendulum::initial(t))
 }
 

@@ -6,17 +6,19 @@ mod dense;
 mod error;
 #[cfg(test)]
 mod error_tests;
-mod integrator;
+mod fixed;
 #[cfg(feature = "alloc")]
 mod named;
 #[cfg(feature = "alloc")]
 mod nearest;
 mod number;
 mod output;
+mod pace;
 mod reported;
 mod into_integrator;
 #[cfg(feature = "alloc")]
 mod saved;
+mod run;
 mod settle;
 mod step_size;
 mod taylor;
@@ -24,19 +26,20 @@ mod tolerance;
 mod trajectory;
 mod watch;
 
-pub use adaptive::Adaptive;
+pub use adaptive::{Adaptive, Controlled};
 pub use constraints::state_on_constraint;
 pub use dense::{Crossing, Crossings, Dense, Direction, SampledAt, SampledEvery, TaylorCrossings};
 pub use error::StepError;
-pub use integrator::Integrator;
+pub use fixed::{Fixed, Integrator};
 pub use into_integrator::IntoIntegrator;
 #[cfg(feature = "alloc")]
 pub use named::{DynTrajectory, Named, UnknownMethod};
+pub use run::Run;
 #[cfg(feature = "alloc")]
 use saved::Bits;
 #[cfg(feature = "alloc")]
 pub use saved::{FORMAT, Resumable, ResumeError, Saved};
-pub use taylor::TaylorIntegrator;
+pub use taylor::{Series, TaylorIntegrator};
 pub use trajectory::{Samples, Scalar, StatesAt, Trajectory, Until};
 
 pub use crate::method::proof::Given;

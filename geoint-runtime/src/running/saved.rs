@@ -1,8 +1,10 @@
 //! Saves runs, and resumes them bit for bit.
 
 use super::Trajectory;
+use super::pace::Pace;
+use super::run::Run;
 use crate::scalar::Real;
-use crate::space::Tape;
+use crate::space::{Record, Tape};
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use core::fmt;
@@ -126,17 +128,6 @@ impl Bits for f32 {
     }
 }
 
-/// Implementation of saving for one kind of run.
-pub(crate) trait Recorded: Clone {
-    type Real: Bits;
-    /// Returns the name of the method.
-    fn name(&self) -> crate::method::Name;
-    /// Passes all data that change from step to step to `tape`.
-    fn record(&mut self, tape: &mut impl Tape<Self::Real>);
-    /// Recomputes all data that follow from the recorded ones. Returns whether the state and the time are finite.
-    fn complete(&mut self) -> bool;
-}
-
 /// A run that can be saved. All runs can, also `dyn Resumable<State = State<f64>>`, whose method is chosen at run time.
 ///
 /// ```
@@ -172,11 +163,19 @@ pub trait Resumable: Trajectory {
     fn resume(&mut self, saved: &Saved) -> Result<(), ResumeError>;
 }
 
-impl<T: Recorded + Trajectory> Resumable for T {
+impl<P: Pace<Real: Bits>> Run<P> {
+    /// Passes all data that change from step to step to `tape`.
+    fn record(&mut self, tape: &mut impl Tape<P::Real>) {
+        self.pace.record(tape);
+        self.reported.record(tape);
+    }
+}
+
+impl<P: Pace<Real: Bits>> Resumable for Run<P> {
     fn saved(&self) -> Saved {
         let mut words = Writer(Vec::new());
         self.clone().record(&mut words);
-        Saved { format: FORMAT, method: self.name().to_string(), bits: T::Real::BITS, words: words.0 }
+        Saved { format: FORMAT, method: self.pace.name().to_string(), bits: P::Real::BITS, words: words.0 }
     }
 
     fn resume(&mut self, saved: &Saved) -> Result<(), ResumeError> {
@@ -184,10 +183,10 @@ impl<T: Recorded + Trajectory> Resumable for T {
         if *format != FORMAT {
             return Err(ResumeError::Format(*format));
         }
-        if self.name() != **method {
+        if self.pace.name() != **method {
             return Err(ResumeError::Method(method.clone()));
         }
-        if *bits != T::Real::BITS {
+        if *bits != P::Real::BITS {
             return Err(ResumeError::Scalar(*bits));
         }
         let mut resumed = self.clone();
@@ -196,7 +195,7 @@ impl<T: Recorded + Trajectory> Resumable for T {
         if reader.read != words.len() {
             return Err(ResumeError::Words { expected: reader.read, found: words.len() });
         }
-        if !(reader.finite && resumed.complete()) {
+        if !(reader.finite && resumed.pace.complete()) {
             return Err(ResumeError::NonFinite);
         }
         *self = resumed;

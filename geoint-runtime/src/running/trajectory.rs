@@ -1,8 +1,6 @@
 //! The common interface of all runs: steps, time, state.
 
 use super::StepError;
-use crate::scalar::signed;
-use crate::solving::Failure;
 use crate::space::Snapshot;
 
 /// A run: steps from a given state. `dyn Trajectory<State = State<f64>>` is a run whose method is chosen at run time.
@@ -176,21 +174,4 @@ macro_rules! behind {
 behind! {
     &mut T;
     #[cfg(feature = "alloc")] alloc::boxed::Box<T>;
-}
-
-/// Takes adaptive steps to the time `t`, at most `most_steps` of them. The last step ends there.
-pub(super) fn adapt_to<T: Trajectory>(run: &mut T, t: Scalar<T>, most_steps: u64) -> Result<(), StepError> {
-    let left = signed(t - run.time());
-    if left.is_infinite() {
-        return Err(StepError::of_step_size(signed(run.time()), left));
-    }
-    let last = run.steps().saturating_add(most_steps);
-    loop {
-        if run.steps() >= last && run.time() != t {
-            return Err(StepError::without_step(Failure::TooManySteps { steps: most_steps }, signed(run.time())));
-        }
-        if !run.step_towards(t)? {
-            return Ok(());
-        }
-    }
 }

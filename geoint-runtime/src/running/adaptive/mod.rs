@@ -4,24 +4,24 @@
 //! or a relaxation. Properties that require equal steps are lost: under a symplectic method the energy drifts as under any other method.
 
 mod attempt;
-#[cfg(feature = "alloc")]
-mod saved;
 mod start;
 mod steps;
 mod way;
 
 use crate::method::{Clock, Method};
 use crate::running::error::StepError;
-use crate::running::reported::Reported;
+use crate::running::pace::{Coordinates, Pace, adapt_to, ahead};
+use crate::running::run::Run;
 use crate::running::step_size::Bounds;
-use crate::running::trajectory::{Samples, Trajectory, Until, adapt_to};
 use crate::scalar::{Real, signed, zero};
-use crate::space::{Coordinates, PerCoordinate, Point, Snapshot};
-use crate::system::{Lagrangian, PhaseSpace, Rates, StateOf};
+use crate::space::{PerCoordinate, Point, Snapshot};
+use crate::system::{PhaseSpace, Rates, StateOf};
+#[cfg(feature = "alloc")]
+use crate::{method::Name, space::Record, space::Tape};
 use core::fmt::{self, Debug, Formatter};
-use steps::Steps;
+pub use steps::Controlled;
 
-/// Integrates a system with a step size that adapts to a tolerance. The value borrows nothing and allocates nothing.
+/// A run with a step size that adapts to a tolerance.
 ///
 /// # Error estimate
 /// - [`DOP853`](crate::DOP853) estimates the error from the stages of the step.
@@ -34,7 +34,7 @@ use steps::Steps;
 /// estimate is 2ᵖ times the error found.
 ///
 /// # Tolerance
-/// The tolerated error of a coordinate is `tolerance` times the largest magnitude that the coordinate has had so far. An [`absolute`](Self::absolute)
+/// The tolerated error of a coordinate is `tolerance` times the largest magnitude that the coordinate has had so far. An [`absolute`](Run::absolute)
 /// error may be added. Lengths and angles, and large and small motions, then have the same relative accuracy in any units.
 ///
 /// The size of a coordinate at rest at zero is the magnitude that it reaches. Such a coordinate also tolerates the error that the tolerated errors of
@@ -67,23 +67,15 @@ use steps::Steps;
 /// # Ok::<(), StepError>(())
 /// ```
 #[doc(alias("error control", "variable step"))]
-#[derive(Clone)]
-pub struct Adaptive<S: PhaseSpace<R>, M: Method<S, R>, R: Real = f64> {
-    steps: Steps<S, M, R>,
-    pub(in crate::running) reported: Reported<R>,
-    /// Maximum number of steps in one `advance_to`.
-    most_steps: u64,
-}
+pub type Adaptive<S, M, R = f64> = Run<Controlled<S, M, R>>;
 
-impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
+impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Run<Controlled<S, M, R>> {
     /// Integrates a system from `state` on, with a step size that adapts to the tolerance.
     ///
     /// Nothing is checked yet: the first step reports an unusable tolerance or state.
     pub fn new(system: S, method: M, tolerance: f64, state: StateOf<S, R>) -> Self {
         let (t, z, s) = state.parts();
-        let x = Point::with_action(z, s);
-        let steps = Steps::new((system, method), tolerance, t, x);
-        Adaptive { steps, reported: Reported::nothing(), most_steps: u64::MAX }
+        Run::of(Controlled::new((system, method), tolerance, t, Point::with_action(z, s)))
     }
 
     /// Sets the shortest and the longest step. Without bounds, the shortest step is the least one that changes the time.
@@ -91,7 +83,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
     /// The last step before a given time may be shorter.
     #[must_use = "the settings are those of the run that is returned"]
     pub fn steps_between(mut self, shortest: f64, longest: f64) -> Self {
-        self.steps.bounds = Bounds { shortest: shortest.abs(), longest: longest.abs() };
+        self.pace.bounds = Bounds { shortest: shortest.abs(), longest: longest.abs() };
         self
     }
 
@@ -99,14 +91,14 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
     /// the pulse.
     #[must_use = "the settings are those of the run that is returned"]
     pub fn longest_step(mut self, h: f64) -> Self {
-        self.steps.bounds.longest = h.abs();
+        self.pace.bounds.longest = h.abs();
         self
     }
 
     /// Sets the first step; a negative one goes back in time. Without this setting, the first step is estimated, and goes forwards.
     #[must_use = "the settings are those of the run that is returned"]
     pub fn first_step(mut self, h: f64) -> Self {
-        self.steps.controller.set(h);
+        self.pace.controller.set(h);
         self
     }
 
@@ -115,191 +107,148 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
     #[must_use = "the settings are those of the run that is returned"]
     pub fn absolute(mut self, errors: StateOf<S, R>) -> Self {
         let (_, z, s) = errors.parts();
-        self.steps.tolerance.absolute = PerCoordinate { z, s };
+        self.pace.tolerance.absolute = PerCoordinate { z, s };
         self
     }
 
-    /// Limits the number of steps in one [`advance_to`](Self::advance_to). The default is no limit.
+    /// Limits the number of steps in one [`advance_to`](Run::advance_to). The default is no limit.
     #[must_use = "the settings are those of the run that is returned"]
     pub fn steps_at_most(mut self, steps: u64) -> Self {
         self.most_steps = steps;
         self
     }
 
-    /// Takes one step. Its length follows from the tolerance.
-    ///
-    /// # Errors
-    /// See [`StepError`]. The state is then unchanged.
-    pub fn step(&mut self) -> Result<(), StepError> {
-        self.steps.check_start()?;
-        self.steps.take(f64::INFINITY)
+    /// Returns the length of the next step. A rejection, or the end of the integration, may shorten it.
+    pub fn step_size(&self) -> f64 {
+        self.pace.size()
     }
 
-    /// Steps to the time `t`, before or after the present time. The last step ends there.
-    ///
-    /// # Errors
-    /// See [`StepError`]. The state is then the last good one.
-    pub fn advance_to(&mut self, t: R) -> Result<(), StepError> {
-        adapt_to(self, t, self.most_steps)
+    /// Returns the number of rejected steps.
+    pub fn rejections(&self) -> u64 {
+        self.pace.rejections
+    }
+}
+
+impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Pace for Controlled<S, M, R> {
+    type Real = R;
+    type System = S;
+    type Method = M;
+
+    fn system(&self) -> &S {
+        &self.system
+    }
+    fn method(&self) -> &M {
+        &self.method
+    }
+    fn order(&self) -> u32 {
+        self.method.claims().order
+    }
+    fn taken(&self) -> u64 {
+        self.taken
+    }
+    fn time(&self) -> R {
+        self.now()
+    }
+    fn point(&self) -> Coordinates<Self> {
+        PerCoordinate::of(&self.x)
+    }
+    fn steps_backwards(&self) -> bool {
+        self.size() < 0.0
+    }
+    fn is_fresh(&self) -> bool {
+        self.taken == self.given
     }
 
-    /// Takes one step to the time `t`, or towards it. The time may lie before or after the present time. Returns `false` if `t` is the present time.
-    ///
-    /// # Errors
-    /// See [`StepError`]. The state is then unchanged. A `t` that is not a number gives the error of an invalid step size.
-    pub fn step_towards(&mut self, t: R) -> Result<bool, StepError> {
-        self.steps.check_start()?;
-        if self.time() == t {
+    fn check_start(&self) -> Result<(), StepError> {
+        self.check()
+    }
+    fn step(&mut self) -> Result<(), StepError> {
+        self.check()?;
+        self.take(f64::INFINITY)
+    }
+    fn step_towards(&mut self, t: R) -> Result<bool, StepError> {
+        self.check()?;
+        if self.now() == t {
             return Ok(false);
         }
-        let left = self.steps.clock.left(t);
+        let left = self.clock.left(t);
         if left.is_nan() {
-            return Err(StepError::of_step_size(signed(self.time()), left));
+            return Err(StepError::of_step_size(signed(self.now()), left));
         }
         let backwards = left < 0.0;
-        self.steps.controller.turn(backwards);
-        self.steps.take(left.abs())?;
+        self.controller.turn(backwards);
+        self.take(left.abs())?;
         loop {
-            let rest = self.steps.clock.left(t);
-            if rest.is_finite() && rest.abs() <= R::epsilon() * (signed(t).abs() + self.step_size().abs()) {
-                self.steps.clock = Clock::new(t, zero());
+            let rest = self.clock.left(t);
+            if rest.is_finite() && rest.abs() <= R::epsilon() * (signed(t).abs() + self.size().abs()) {
+                self.clock = Clock::new(t, zero());
                 return Ok(true);
             }
             // Methods that scale their steps end near `t`, not at it. Before `t`, the next step leads there. Beyond `t`, a step back follows here.
             if (rest < 0.0) == backwards {
                 return Ok(true);
             }
-            self.steps.controller.turn(!backwards);
-            let outcome = self.steps.take(rest.abs());
-            self.steps.controller.turn(backwards);
+            self.controller.turn(!backwards);
+            let outcome = self.take(rest.abs());
+            self.controller.turn(backwards);
             outcome?;
         }
     }
-
-    /// Returns an iterator over the states after every step to the time `t`, before or after the present time. The last state is at `t`.
-    pub fn until(&mut self, t: R) -> Until<'_, Self> {
-        Until::new(self, t)
+    fn advance_to(&mut self, t: R, most_steps: u64) -> Result<(), StepError> {
+        adapt_to(self, t, most_steps)
     }
 
-    /// Returns an endless iterator over the states after every `k` steps. `k` = 0 counts as 1.
-    pub fn sampled(&mut self, k: u64) -> Samples<'_, Self> {
-        Samples::new(self, k)
-    }
-
-    /// Takes `n` steps. Their lengths follow from the tolerance.
-    ///
-    /// # Errors
-    /// See [`StepError`]. The state is then the last good one.
-    pub fn advance(&mut self, n: u64) -> Result<(), StepError> {
-        (0..n).try_for_each(|_| self.step())
-    }
-
-    /// Returns whether no step was taken since the state was set, by the user or at an event.
-    pub(in crate::running) fn is_fresh(&self) -> bool {
-        self.steps.taken == self.steps.given
-    }
-
-    /// Checks the state in the way of the next step.
-    pub(in crate::running) fn check_start(&self) -> Result<(), StepError> {
-        self.steps.check_start()
-    }
-
-    /// Continues from this state, with an estimated first step.
-    pub(in crate::running) fn restart(&mut self, state: StateOf<S, R>) {
+    fn restart(&mut self, state: StateOf<S, R>) {
         let (t, z, s) = state.parts();
-        self.steps.restart(t, Point::with_action(z, s));
+        self.continue_from(t, Point::with_action(z, s));
+    }
+    fn set_system(&mut self, system: S) {
+        self.replace_system(system);
     }
 
-    /// Replaces the system by one with other parameters. Time, state, settings and the number of steps remain. The next step size is estimated anew.
-    pub fn set_system(&mut self, system: S) {
-        self.steps.set_system(system);
+    fn end_at(&mut self, t: R, most_steps: u64) -> Result<(), StepError> {
+        adapt_to(self, t, most_steps)
+    }
+    fn at(&self, t: R) -> Option<StateOf<S, R>> {
+        ahead(self, t, self.size(), || Self::between(self, self, t))
     }
 
-    /// Returns the present time.
-    pub fn time(&self) -> R {
-        self.steps.time()
+    #[cfg(feature = "alloc")]
+    fn name(&self) -> Name {
+        self.method.name()
     }
-
-    /// Returns the present state.
-    pub fn state(&self) -> StateOf<S, R> {
-        S::State::of(self.time(), self.steps.x.z, self.steps.x.s)
+    #[cfg(feature = "alloc")]
+    fn record(&mut self, tape: &mut impl Tape<R>) {
+        self.clock.record(tape);
+        tape.steps(&mut self.taken);
+        tape.steps(&mut self.given);
+        tape.steps(&mut self.rejections);
+        if M::KEEPS {
+            tape.array(&mut self.origin);
+        }
+        self.x.record(tape);
+        self.tolerance.record(tape);
+        self.controller.record(tape);
+        tape.number(&mut self.prepared.h);
+        self.informative_steps.record(tape);
+        self.memory.record(tape);
     }
-
-    /// Returns the present energy.
-    pub fn energy(&self) -> R {
-        let Steps { system, x, .. } = &self.steps;
-        system.hamiltonian(self.time(), &x.z, &x.s)
-    }
-
-    /// Returns the present velocities of a system that was written as a Lagrangian.
-    pub fn velocity(&self) -> S::Coordinates
-    where
-        S: Lagrangian<R>,
-    {
-        let Steps { system, x, .. } = &self.steps;
-        S::Coordinates::from_array(system.velocity(self.time(), &x.z, &x.s))
-    }
-
-    /// Returns the length of the next step. A rejection, or the end of the integration, may shorten it.
-    pub fn step_size(&self) -> f64 {
-        self.steps.size()
-    }
-
-    /// Returns the number of steps taken. Two halves count as one step.
-    pub fn steps(&self) -> u64 {
-        self.steps.taken
-    }
-
-    /// Returns the number of rejected steps.
-    pub fn rejections(&self) -> u64 {
-        self.steps.rejections
-    }
-
-    /// Returns the system with its parameters.
-    pub fn system(&self) -> &S {
-        &self.steps.system
-    }
-
-    /// Returns the method.
-    pub fn method(&self) -> &M {
-        &self.steps.method
+    #[cfg(feature = "alloc")]
+    fn complete(&mut self) -> bool {
+        self.prepared = attempt::Prepared::new(&self.system, &self.method, self.prepared.h);
+        // The state may come from elsewhere: if it is outside the domain, the next step must check it like a given state.
+        if self.system.outside_domain(self.now(), &self.x.z, &self.x.s).is_some() {
+            self.given = self.taken;
+        }
+        self.x.is_finite() && self.now().magnitude() < f64::INFINITY
     }
 }
 
-impl<S: PhaseSpace<R> + Debug, M: Method<S, R> + Debug, R: Real> Debug for Adaptive<S, M, R> {
+impl<S: PhaseSpace<R> + Debug, M: Method<S, R> + Debug, R: Real> Debug for Controlled<S, M, R> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let Steps { system, method, clock, x, taken, rejections, .. } = &self.steps;
+        let Controlled { system, method, clock, x, taken, rejections, .. } = self;
         let mut run = f.debug_struct("Adaptive");
         run.field("system", system).field("method", method).field("clock", clock).field("x", x);
         run.field("steps", taken).field("rejections", rejections).finish_non_exhaustive()
-    }
-}
-
-impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Trajectory for Adaptive<S, M, R> {
-    type State = StateOf<S, R>;
-
-    fn step(&mut self) -> Result<(), StepError> {
-        self.step()
-    }
-    fn advance(&mut self, n: u64) -> Result<(), StepError> {
-        self.advance(n)
-    }
-    fn step_towards(&mut self, t: R) -> Result<bool, StepError> {
-        self.step_towards(t)
-    }
-    fn advance_to(&mut self, t: R) -> Result<(), StepError> {
-        self.advance_to(t)
-    }
-    fn time(&self) -> R {
-        self.time()
-    }
-    fn state(&self) -> Self::State {
-        self.state()
-    }
-    fn energy(&self) -> R {
-        self.energy()
-    }
-    fn steps(&self) -> u64 {
-        self.steps()
     }
 }

@@ -14,9 +14,9 @@ use crate::solving::Failure;
 use crate::space::{DoubleWord, PerCoordinate, Snapshot, wrong_length};
 use crate::system::{Clear, PhaseSpace, Rates};
 
-/// A system under a method, with all data that determine the next step.
+/// The pace of steps whose lengths adapt to a tolerance: a system under a method, and all data that determine the next step.
 #[derive(Clone)]
-pub(super) struct Steps<S: PhaseSpace<R>, M: Method<S, R>, R: Real> {
+pub struct Controlled<S: PhaseSpace<R>, M: Method<S, R>, R: Real> {
     pub(super) system: S,
     pub(super) method: M,
     pub(super) tolerance: Tolerance<S::Phase, S::Action>,
@@ -43,11 +43,11 @@ pub(super) struct Steps<S: PhaseSpace<R>, M: Method<S, R>, R: Real> {
     pub(super) informative_steps: InformativeSteps,
 }
 
-impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
+impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Controlled<S, M, R> {
     pub(super) fn new((system, method): (S, M), tolerance: f64, t: R, x: Carried<S, R>) -> Self {
         let claims = method.claims();
         let controller = Controller::new(method.order_of_estimate().unwrap_or(claims.order));
-        let mut steps = Steps {
+        let mut steps = Controlled {
             system,
             method,
             tolerance: Tolerance::new(tolerance, !claims.perturbed.is_empty()),
@@ -72,7 +72,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
 
     /// Sets the first step length from the time in which the state changes.
     fn start(&mut self) {
-        let (system, t, x) = (&self.system, self.time(), PerCoordinate::of(&self.x));
+        let (system, t, x) = (&self.system, self.now(), PerCoordinate::of(&self.x));
         self.tolerance.start(&x);
         let time = start::time(system, t, &x, &self.tolerance.sizes);
         self.controller.start(time, self.tolerance.relative);
@@ -80,7 +80,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
     }
 
     /// Continues from another point.
-    pub(super) fn restart(&mut self, t: R, x: Carried<S, R>) {
+    pub(super) fn continue_from(&mut self, t: R, x: Carried<S, R>) {
         (self.clock, self.x, self.memory) = (Clock::new(t, zero()), x, [M::memory(), M::memory()]);
         (self.given, self.origin, self.informative_steps) = (self.taken, self.x.z, InformativeSteps::default());
         let backwards = self.size() < 0.0;
@@ -89,33 +89,33 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
     }
 
     /// Continues from the present point with another system.
-    pub(super) fn set_system(&mut self, system: S) {
+    pub(super) fn replace_system(&mut self, system: S) {
         (self.system, self.prepared, self.clear) =
             (system, Prepared::new(&system, &self.method, 1.0), Clear::unknown());
         let clock = self.clock;
-        self.restart(self.time(), self.x);
+        self.continue_from(self.now(), self.x);
         self.clock = clock;
     }
 
-    pub(super) fn time(&self) -> R {
+    pub(super) fn now(&self) -> R {
         self.clock.now(zero())
     }
 
     /// Returns the length of the next step, as the controller and the bounds set it.
     pub(super) fn size(&self) -> f64 {
-        self.controller.step(&self.bounds.at(signed(self.time()), R::epsilon(), self.controller.pace))
+        self.controller.step(&self.bounds.at(signed(self.now()), R::epsilon(), self.controller.pace))
     }
 
     /// Returns a trial step from the present point.
     fn attempt(&self) -> Attempt<'_, S, R> {
         let Self { system, clock, x, tolerance, part, time_of_start, .. } = self;
         let keeps = self.method.claims().conserves_energy;
-        Attempt { system, t: self.time(), clock, x, tolerance, part: *part, time_of_start: *time_of_start, keeps }
+        Attempt { system, t: self.now(), clock, x, tolerance, part: *part, time_of_start: *time_of_start, keeps }
     }
 
     /// Takes a step that is not longer than `left`.
     pub(super) fn take(&mut self, left: f64) -> Result<(), StepError> {
-        let t = signed(self.time());
+        let t = signed(self.now());
         let bounds = self.bounds.at(t, R::epsilon(), self.controller.pace);
         if self.taken == self.given {
             self.tolerate_causes(left.min(bounds.longest));
@@ -216,7 +216,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
         if !self.time_of_start.is_finite() {
             return;
         }
-        let (system, t, x) = (&self.system, self.time(), PerCoordinate::of(&self.x));
+        let (system, t, x) = (&self.system, self.now(), PerCoordinate::of(&self.x));
         let time = (REACH * self.time_of_start).min(most / self.part);
         self.tolerance.changes_in(time, &x, |x| system.rates(t, x));
     }
@@ -243,10 +243,10 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
         }
     }
 
-    pub(super) fn check_start(&self) -> Result<(), StepError> {
+    pub(super) fn check(&self) -> Result<(), StepError> {
         self.usable().map_err(|failure| {
             let h = self.controller.unusable().unwrap_or_else(|| self.controller.step(&self.bounds));
-            StepError::new(failure, signed(self.time()), h)
+            StepError::new(failure, signed(self.now()), h)
         })
     }
 
@@ -262,8 +262,8 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
         if self.taken == self.given {
             check_parameters(&self.system)?;
         }
-        if !(signed(self.time()).is_finite() && self.x.is_finite()) {
-            return Err(not_finite::<S, R>(self.time(), &self.x.z));
+        if !(signed(self.now()).is_finite() && self.x.is_finite()) {
+            return Err(not_finite::<S, R>(self.now(), &self.x.z));
         }
         // Later states need no check: each comes from a step that succeeded.
         if self.taken != self.given {
@@ -274,7 +274,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
         {
             return Err(Failure::NotNormalised { length });
         }
-        Failure::outside(self.system.outside_domain(self.time(), &self.x.z, &self.x.s))?;
+        Failure::outside(self.system.outside_domain(self.now(), &self.x.z, &self.x.s))?;
         let in_range = M::is_in_range(&self.prepared.whole, &self.system, &self.x.z);
         if in_range { Ok(()) } else { Err(Failure::OutOfRange) }
     }

@@ -1,11 +1,12 @@
 //! Hermite interpolation within a step. It replaces a partial step for each state by one polynomial for each step.
 
 use super::Dense;
-use crate::method::Method;
+use crate::running::StepError;
+use crate::running::pace::Pace;
+use crate::running::run::Run;
 use crate::running::trajectory::Scalar;
-use crate::running::{Adaptive, Integrator, StepError};
 use crate::scalar::Real;
-use crate::space::{PerCoordinate, Snapshot, Summation, normalisation};
+use crate::space::{PerCoordinate, Snapshot, normalisation};
 use crate::system::{PhaseSpace, Rates, StateOf};
 
 /// Maximum number of coefficients: states and rates at seven points, for methods of order 12.
@@ -148,28 +149,17 @@ fn on<S: PhaseSpace<R>, R: Real>(curve: &CurveOf<S, R>, t: R) -> StateOf<S, R> {
     S::State::of(t, x.z, x.s)
 }
 
-impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Interpolated
-    for Integrator<S, M, R, C>
+impl<P: Pace> Interpolated for Run<P>
+where
+    P::System: Rates<P::Real>,
 {
-    type Curve = CurveOf<S, R>;
+    type Curve = CurveOf<P::System, P::Real>;
 
     fn curve(before: &Self, after: &Self) -> Result<Self::Curve, StepError> {
-        hermite(before.system(), before.method().claims().order, [before, after])
+        hermite(before.system(), before.pace.order(), [before, after])
     }
 
-    fn on(&self, curve: &Self::Curve, t: R) -> StateOf<S, R> {
-        on::<S, R>(curve, t)
-    }
-}
-
-impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Interpolated for Adaptive<S, M, R> {
-    type Curve = CurveOf<S, R>;
-
-    fn curve(before: &Self, after: &Self) -> Result<Self::Curve, StepError> {
-        hermite(before.system(), before.method().claims().order, [before, after])
-    }
-
-    fn on(&self, curve: &Self::Curve, t: R) -> StateOf<S, R> {
-        on::<S, R>(curve, t)
+    fn on(&self, curve: &Self::Curve, t: P::Real) -> Self::State {
+        on::<P::System, P::Real>(curve, t)
     }
 }

@@ -13,14 +13,14 @@ pub use crossings::Crossings;
 pub use samples::{SampledAt, SampledEvery};
 pub use taylor::TaylorCrossings;
 
+use super::StepError;
+use super::pace::Pace;
 use super::reported::Reported;
+use super::run::Run;
 use super::trajectory::{Scalar, Trajectory};
-use super::{Adaptive, Integrator, StepError};
-use crate::method::Method;
-use crate::scalar::{Real, signed};
+use crate::scalar::Real;
 use crate::solving::Failure;
-use crate::space::{Array, Summation};
-use crate::system::{PhaseSpace, Rates, StateOf};
+use crate::space::Array;
 
 /// A run with dense output: it has states between the ends of its steps.
 ///
@@ -56,15 +56,11 @@ pub trait Dense: Trajectory + Clone {
 
     /// Continues from a state of this run, at an event.
     #[doc(hidden)]
-    fn go_on_from(&mut self, state: Self::State) {
-        self.set_state(state);
-    }
+    fn go_on_from(&mut self, state: Self::State);
 
     /// Returns whether no step was taken since the state was set, by the user or at an event.
     #[doc(hidden)]
-    fn is_fresh(&self) -> bool {
-        false
-    }
+    fn is_fresh(&self) -> bool;
 
     /// Returns the functions that had an event when [`until_event`](Dense::until_event) last found one.
     #[doc(hidden)]
@@ -85,19 +81,13 @@ pub trait Dense: Trajectory + Clone {
     fn at(&self, t: Scalar<Self>) -> Option<Self::State>;
 
     /// Returns whether the next step goes back in time.
-    fn steps_backwards(&self) -> bool {
-        false
-    }
+    fn steps_backwards(&self) -> bool;
 
     /// Returns the state at a time in the step from `before` to `after`.
     ///
     /// # Errors
     /// See [`StepError`].
-    fn between(before: &Self, _after: &Self, t: Scalar<Self>) -> Result<Self::State, StepError> {
-        let mut copy = before.clone();
-        copy.end_at(t)?;
-        Ok(copy.state())
-    }
+    fn between(before: &Self, after: &Self, t: Scalar<Self>) -> Result<Self::State, StepError>;
 
     /// Returns an endless iterator over the states at the present time, and after `dt`, 2 `dt`, …. Goes back in time if `dt` < 0.
     fn sampled_every(&mut self, dt: Scalar<Self>) -> SampledEvery<'_, Self> {
@@ -174,112 +164,42 @@ pub(super) fn back_without_events<T, X>(run: &mut T, start: T, found: Result<X, 
     found
 }
 
-impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Dense for Integrator<S, M, R, C> {
-    fn set_state(&mut self, state: StateOf<S, R>) {
-        self.restart(state);
+impl<P: Pace> Dense for Run<P> {
+    fn set_state(&mut self, state: Self::State) {
+        self.pace.restart(state);
+    }
+
+    fn go_on_from(&mut self, state: Self::State) {
+        self.pace.restart_within(state);
     }
 
     fn is_fresh(&self) -> bool {
-        self.is_fresh()
+        self.pace.is_fresh()
     }
 
-    fn reported(&mut self) -> &mut Reported<R> {
+    fn reported(&mut self) -> &mut Reported<P::Real> {
         &mut self.reported
     }
 
     fn check_start(&self) -> Result<(), StepError> {
-        self.check_start()
+        self.pace.check_start()
     }
 
-    fn go_on_from(&mut self, state: StateOf<S, R>) {
-        self.restart_within(state);
+    fn end_at(&mut self, t: P::Real) -> Result<(), StepError> {
+        self.pace.end_at(t, self.most_steps)
     }
 
-    fn at(&self, t: R) -> Option<StateOf<S, R>> {
-        let (after, h) = (signed(t - self.time()), signed(self.step_size()));
-        if M::ROUGH_IF_SHORT && after != 0.0 && after * h.signum() > 0.0 && after.abs() < 0.5 * h.abs() {
-            let mut end = self.clone();
-            return end.step().and_then(|()| Self::between(self, &end, t)).ok();
-        }
-        ahead(self, t, after * h.signum(), h.abs())
-    }
-
-    fn between(before: &Self, after: &Self, t: R) -> Result<StateOf<S, R>, StepError> {
-        let nearer = signed(t - before.time()).abs() < signed(t - after.time()).abs();
-        let mut copy = if M::ROUGH_IF_SHORT && nearer { after.clone() } else { before.clone() };
-        shorten_to(&mut copy, t)?;
-        Ok(copy.state())
+    fn at(&self, t: P::Real) -> Option<Self::State> {
+        self.pace.at(t)
     }
 
     fn steps_backwards(&self) -> bool {
-        self.step_size().any_below(0.0)
+        self.pace.steps_backwards()
     }
 
-    fn end_at(&mut self, t: R) -> Result<(), StepError> {
-        let h = self.step_size();
-        let outcome = shorten_to(self, t);
-        // Restore the step size after an error, too.
-        self.set_step_size(h);
-        outcome
+    fn between(before: &Self, after: &Self, t: P::Real) -> Result<Self::State, StepError> {
+        P::between(&before.pace, &after.pace, t)
     }
-}
-
-/// Takes a step to the time `t` by changing the step size. The run keeps this step size, so that a copy computes the coefficients of the method only
-/// once.
-fn shorten_to<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>>(
-    run: &mut Integrator<S, M, R, C>,
-    t: R,
-) -> Result<(), StepError> {
-    // Methods that scale their steps end near `t`. The next step leads from there to `t`.
-    for _ in 0..4 {
-        if run.time() == t {
-            break;
-        }
-        run.set_step_size(t - run.time());
-        if !run.step_towards(t)? {
-            run.step()?;
-        }
-    }
-    Ok(())
-}
-
-impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Dense for Adaptive<S, M, R> {
-    fn set_state(&mut self, state: StateOf<S, R>) {
-        self.restart(state);
-    }
-
-    fn is_fresh(&self) -> bool {
-        self.is_fresh()
-    }
-
-    fn reported(&mut self) -> &mut Reported<R> {
-        &mut self.reported
-    }
-
-    fn check_start(&self) -> Result<(), StepError> {
-        self.check_start()
-    }
-
-    fn at(&self, t: R) -> Option<StateOf<S, R>> {
-        let (after, h) = (signed(t - self.time()), self.step_size());
-        ahead(self, t, after * h.signum(), h.abs())
-    }
-
-    fn steps_backwards(&self) -> bool {
-        self.step_size() < 0.0
-    }
-
-    fn end_at(&mut self, t: R) -> Result<(), StepError> {
-        self.advance_to(t)
-    }
-}
-
-/// Returns the state at the time `t`, which is `after` from now, if it lies within a step of length `h`.
-fn ahead<T: Dense>(run: &T, t: Scalar<T>, after: f64, h: f64) -> Option<T::State> {
-    if after == 0.0 {
-        return Some(run.state());
-    }
-    if after > 0.0 && after <= h { T::between(run, run, t).ok() } else { None }
 }
 
 /// Returns whether a run at the time `now` has reached `t`.

@@ -55,7 +55,7 @@ where
     F: Fn(&S::Over<M::Series>) -> G,
 {
     pub(in crate::running) fn new(run: &'a mut TaylorIntegrator<S, M, R>, direction: Direction, g: F) -> Self {
-        let backwards = run.steps.backwards;
+        let backwards = run.pace.backwards;
         TaylorCrossings {
             run,
             g,
@@ -123,7 +123,7 @@ where
     /// Returns the part of a step that is searched first. A step of a polynomial solution may be much longer than the time in which its state
     /// changes.
     fn first_width(&self) -> f64 {
-        (8.0 * self.run.steps.pace_before() / self.run.step_size().abs()).min(1.0)
+        (8.0 * self.run.pace.pace_before() / self.run.step_size().abs()).min(1.0)
     }
 
     fn search(&mut self, from: f64, width: f64) -> Result<bool, StepError> {
@@ -142,7 +142,7 @@ where
 
     /// Sets the side of a function that crosses zero at the start of the search, at the time of an event of other functions.
     fn cross_at_start(&mut self, piece: &Piece<G>, i: usize) {
-        let t = self.run.steps.start().time();
+        let t = self.run.pace.start().time();
         if !self.run.reported.is_at(t) || number::<S, M, R>(&piece.values.as_slice()[i]).abs() > self.rounding(piece, i)
         {
             return;
@@ -203,9 +203,9 @@ where
         let (at, which, sign) = first?;
         self.given = (at, which);
         let Some(part) = self.improved(&piece, at, which) else { return self.earliest() };
-        let (start, h) = (self.run.steps.start().time(), self.run.step_size());
+        let (start, h) = (self.run.pace.start().time(), self.run.step_size());
         let after = part * h;
-        let state = self.run.steps.inside(after, start + R::from_f64(after));
+        let state = self.run.pace.inside(after, start + R::from_f64(after));
         Some(Crossing { state, which, rises: sign > 0.0 })
     }
 

@@ -68,7 +68,7 @@ where
     /// Returns the length, at most `width`, up to which the series of all functions converge fast enough. The roots found by them are improved later.
     fn within_reach(&self, values: &G, width: f64) -> f64 {
         let count = self.run.order().min(taylor::MOST);
-        let reach = |i| taylor::reach(&self.in_parts(values, i, width)[..count], self.run.steps.part_of_radius());
+        let reach = |i| taylor::reach(&self.in_parts(values, i, width)[..count], self.run.pace.part_of_radius());
         width * (0..G::LEN).map(reach).fold(1.0, f64::min)
     }
 
@@ -100,7 +100,7 @@ where
     /// Returns the uncertainty of a function at the start of a piece. It is caused by the rounding of the coordinates, and of the time of an event
     /// there. The event was found in another step, so the change over a typical step counts, not only the change over this piece.
     pub(super) fn rounding(&self, piece: &Piece<G>, i: usize) -> f64 {
-        let width = self.run.steps.pace_before() / self.run.step_size().abs();
+        let width = self.run.pace.pace_before() / self.run.step_size().abs();
         let count = self.run.order().min(taylor::MOST);
         let reach = taylor::reach(&self.in_parts(&piece.values, i, width)[..count], 0.5);
         let whole = self.changes(piece, i, width * reach.min(1.0));
@@ -127,7 +127,7 @@ where
 
     /// Returns the polynomial of a function, with time as a fraction of a piece of this width.
     pub(super) fn in_parts(&self, values: &G, i: usize, width: f64) -> [f64; taylor::MOST] {
-        let unit = self.run.steps.start().unit;
+        let unit = self.run.pace.start().unit;
         let coefficients = M::coefficients(&values.as_slice()[i]);
         taylor::in_parts(coefficients.iter().map(|c| signed(*c)), width * self.run.step_size() / unit)
     }
@@ -144,7 +144,7 @@ where
     /// Returns the series of the functions about a part of the last step. `nudged` is the index of a coordinate that is changed by one rounding
     /// error; the last index is time.
     pub(super) fn along(&self, part: f64, nudged: Option<usize>) -> G {
-        let (expansion, order) = (self.run.steps.start(), self.run.order());
+        let (expansion, order) = (self.run.pace.start(), self.run.order());
         let after = part * self.run.step_size();
         let by = R::from_f64(after / expansion.unit);
         let jet = &expansion.jet.as_ref()[..order];
@@ -170,7 +170,7 @@ where
 
     /// Returns the series of the functions at the end of the last step.
     pub(super) fn at_end(&self) -> G {
-        let expansion = self.run.steps.here();
+        let expansion = self.run.pace.here();
         let jet = &expansion.jet.as_ref()[..self.run.order()];
         let coordinate = |i: usize| {
             M::series(|n| match n {
@@ -200,7 +200,7 @@ where
 
     /// Returns the error that a function is not a number at a part of the last step.
     fn no_event(&self, part: f64) -> StepError {
-        let start = self.run.steps.start().time();
+        let start = self.run.pace.start().time();
         StepError::without_step(Failure::NoEvent, signed(start) + part * self.run.step_size())
     }
 }

@@ -1,47 +1,18 @@
 //! Dense output and events of runs by Taylor series.
 
+use super::super::back_without_events;
 use super::super::crossing::{Crossing, Direction};
-use super::super::{Dense, back_without_events};
 use super::TaylorCrossings;
-use crate::running::reported::Reported;
-use crate::running::{StepError, TaylorIntegrator};
-use crate::scalar::{Real, signed};
-use crate::solving::Failure;
+use crate::running::StepError;
+use crate::running::pace::Pace;
+use crate::running::run::Run;
+use crate::running::taylor::Series;
+use crate::scalar::Real;
 use crate::space::Array;
 use crate::system::{Jets, StateOf};
 use crate::taylor::TaylorMethod;
 
-impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Dense for TaylorIntegrator<S, M, R> {
-    fn set_state(&mut self, state: StateOf<S, R>) {
-        self.restart(state);
-    }
-
-    fn reported(&mut self) -> &mut Reported<R> {
-        &mut self.reported
-    }
-
-    fn check_start(&self) -> Result<(), StepError> {
-        self.steps.check_start()
-    }
-
-    fn at(&self, t: R) -> Option<StateOf<S, R>> {
-        self.at(t)
-    }
-
-    fn end_at(&mut self, t: R) -> Result<(), StepError> {
-        self.advance_to(t)
-    }
-
-    fn steps_backwards(&self) -> bool {
-        self.steps.backwards
-    }
-
-    fn between(_: &Self, after: &Self, t: R) -> Result<StateOf<S, R>, StepError> {
-        after.at(t).ok_or(StepError::without_step(Failure::TimePassed, signed(t)))
-    }
-}
-
-impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> TaylorIntegrator<S, M, R> {
+impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Run<Series<S, M, R>> {
     /// Returns an iterator over the changes of sign of `g`, in order of time, also if there are two within one step. `g` returns a number or an array
     /// of numbers. The iterator has no end, unless [`TaylorCrossings::until`] sets one. The search goes forwards, or in the direction of the last
     /// step.
@@ -79,10 +50,10 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> TaylorIntegrator<S, M, R> {
     /// Steps to the first change of sign of `g`, but not beyond the time `t`. The run is then at the event and continues from there.
     ///
     /// Returns `None` if there is no such change; the run is then at `t`. Simultaneous events of several functions are reported one by one, as by
-    /// [`Dense::until_event`].
+    /// [`Dense::until_event`](crate::Dense::until_event).
     ///
     /// # Errors
-    /// See [`StepError`]. The state is then the last good one. If `g` has no events ([`Failure::NoEvent`]), the state is the one at the start of
+    /// See [`StepError`]. The state is then the last good one. If `g` has no events ([`Failure::NoEvent`](crate::Failure::NoEvent)), the state is the one at the start of
     /// the search.
     pub fn until_event<G, F>(
         &mut self,
@@ -98,7 +69,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> TaylorIntegrator<S, M, R> {
         let found = TaylorCrossings::new(self, direction, g).until(t).next().transpose();
         let found = back_without_events(self, start, found)?;
         if let Some(found) = found {
-            self.restart(found.state);
+            self.pace.restart(found.state);
             self.reported.add(self.time(), found.which);
         }
         Ok(found)

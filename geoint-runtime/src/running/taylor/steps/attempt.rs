@@ -1,6 +1,6 @@
 //! Takes one trial step, and checks that the series is valid up to its end.
 
-use super::Steps;
+use super::Series;
 use super::expansion::Carried;
 use crate::scalar::{Real, zero};
 use crate::solving::Failure;
@@ -8,7 +8,7 @@ use crate::space::{Array, PerCoordinate};
 use crate::system::{Evaluations, Jets, Poles, jump_on_way};
 use crate::taylor::{self, TaylorMethod};
 
-impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
+impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Series<S, M, R> {
     /// Whether the energy has singular points at real times: poles, powers with a vanishing base, conditions. A step of fixed length beyond such a
     /// point would end at finite but wrong numbers, so its rates are compared, too.
     const SERIES_END: bool = S::Switches::LEN > 0 || S::POWERS || !S::POLES.is_empty();

@@ -1,6 +1,6 @@
 //! An end of a step with the coefficients of the solution there, and the states between two ends.
 
-use super::Steps;
+use super::Series;
 use crate::method::Clock;
 use crate::scalar::{Real, zero};
 use crate::space::{Array, Compensated, PerCoordinate, Point, Snapshot};
@@ -79,12 +79,12 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Expansion<S, M, R> {
     }
 }
 
-impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
+impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Series<S, M, R> {
     /// Computes the coefficients at the start of a run. At a state given by the user, they are computed in a unit in which none of them overflows. A
     /// resumed run uses the unit that it had before.
     #[cold]
     pub(super) fn begin(&mut self) {
-        let (order, system, unit) = (self.order(), self.system, self.here().unit);
+        let (order, system, unit) = (self.terms(), self.system, self.here().unit);
         self.here_mut().expand(order, &system, unit / STEPS_PER_RADIUS);
         if self.taken == self.given {
             for unit in FAR {
@@ -100,7 +100,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
     }
 
     /// Returns the state at a time within the last step.
-    pub(in crate::running) fn at(&self, t: R) -> Option<StateOf<S, R>> {
+    pub(in crate::running) fn state_within(&self, t: R) -> Option<StateOf<S, R>> {
         let (after, before, h) = (self.start().clock.left(t), self.here().clock.left(t), self.step);
         if !self.within {
             return None;
@@ -116,7 +116,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
     /// Returns the state at the time `t`, which is `after` from the start of the last step.
     pub(in crate::running) fn inside(&self, after: f64, t: R) -> StateOf<S, R> {
         let start = self.start();
-        let mut x = taylor::increment(&start.jet.as_ref()[..self.order()], after / start.unit);
+        let mut x = taylor::increment(&start.jet.as_ref()[..self.terms()], after / start.unit);
         x.add_scaled(R::from_f64(1.0), &PerCoordinate::of(&start.x));
         S::State::of(t, x.z, x.s)
     }

@@ -21,9 +21,9 @@ use expansion::Expansion;
 use progress::Progress;
 use switches::RADIUS_MARGIN;
 
-/// A system and all data that determine the next step.
+/// The pace of steps by Taylor series: a system, and all data that determine the next step.
 #[derive(Clone)]
-pub(in crate::running) struct Steps<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> {
+pub struct Series<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> {
     pub(in crate::running) system: S,
     pub(in crate::running) method: M,
     pub(in crate::running) bounds: Bounds,
@@ -48,7 +48,7 @@ pub(in crate::running) struct Steps<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> 
     clear: Clear<R>,
 }
 
-impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
+impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Series<S, M, R> {
     pub(in crate::running) fn new((system, method): (S, M), t: R, x: (S::Phase, S::Action)) -> Self {
         let here = Expansion::new(t, x);
         let (mut estimate, backwards) = match method.steps() {
@@ -56,7 +56,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
             taylor::Steps::Length(h) => (Estimate::of_any_accuracy(), h < 0.0),
         };
         estimate.start(&PerCoordinate::of(&here.x));
-        Steps {
+        Series {
             system,
             method,
             bounds: Bounds::default(),
@@ -75,7 +75,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
     }
 
     /// Continues from another point.
-    pub(in crate::running) fn restart(&mut self, t: R, x: (S::Phase, S::Action)) {
+    pub(in crate::running) fn continue_from(&mut self, t: R, x: (S::Phase, S::Action)) {
         let unit = self.here().unit;
         let here = self.here_mut();
         *here = Expansion { unit, ..Expansion::new(t, x) };
@@ -87,16 +87,16 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
     }
 
     /// Continues from the present point with another system.
-    pub(in crate::running) fn set_system(&mut self, system: S) {
+    pub(in crate::running) fn replace_system(&mut self, system: S) {
         (self.system, self.clear) = (system, Clear::unknown());
         let (clock, x) = (self.here().clock, self.here().x);
-        self.restart(self.time(), (x.z, x.s));
+        self.continue_from(self.now(), (x.z, x.s));
         self.here_mut().clock = clock;
     }
 
     /// Records everything except the coefficients.
     #[cfg(feature = "alloc")]
-    pub(super) fn record(&mut self, tape: &mut impl Tape<R>) {
+    pub(super) fn record_steps(&mut self, tape: &mut impl Tape<R>) {
         let here = self.here_mut();
         here.clock.record(tape);
         here.x.record(tape);
@@ -118,7 +118,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
 
     /// Returns the order of the series. It is a constant if the method or the system leaves no choice.
     #[inline(always)]
-    pub(in crate::running) fn order(&self) -> usize {
+    pub(in crate::running) fn terms(&self) -> usize {
         self.method.order()
     }
 
@@ -145,10 +145,10 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
     /// Returns the coefficients at the present state.
     #[inline(always)]
     fn jet(&self) -> &[PerCoordinate<S::Phase, S::Action>] {
-        &self.here().jet.as_ref()[..self.order()]
+        &self.here().jet.as_ref()[..self.terms()]
     }
 
-    pub(in crate::running) fn time(&self) -> R {
+    pub(in crate::running) fn now(&self) -> R {
         self.here().time()
     }
 
@@ -170,7 +170,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
     /// Estimates the time of change at the start of the last step, independent of earlier and later states. Infinite if it is not known.
     pub(in crate::running) fn pace_before(&self) -> f64 {
         let start = self.start();
-        let jet = &start.jet.as_ref()[..self.order()];
+        let jet = &start.jet.as_ref()[..self.terms()];
         let time = start.unit * Estimate::<S::State>::time_of(&PerCoordinate::of(&start.x), jet);
         if time > 0.0 { time } else { f64::INFINITY }
     }
@@ -195,7 +195,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         if !self.known {
             self.begin();
         }
-        let t = signed(self.time());
+        let t = signed(self.now());
         let bounds = self.bounds.at(t, R::epsilon(), self.here().unit);
         let mut wish = self.length(&bounds);
         // The series ends within the resolution of time: a longer step would be wrong.
@@ -261,7 +261,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
 
     /// Returns the fraction of its radius of convergence within which a function of the state is searched for changes of sign.
     pub(in crate::running) fn part_of_radius(&self) -> f64 {
-        let most = if self.is_fixed() { 0.0 } else { RADIUS_MARGIN * self.estimate.part_of_radius(self.order()) };
+        let most = if self.is_fixed() { 0.0 } else { RADIUS_MARGIN * self.estimate.part_of_radius(self.terms()) };
         most.max(0.5)
     }
 
@@ -274,7 +274,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         if self.backwards { -h } else { h }
     }
 
-    pub(in crate::running) fn check_start(&self) -> Result<(), StepError> {
+    pub(in crate::running) fn check(&self) -> Result<(), StepError> {
         // Later states need no check: each comes from a step that succeeded. A resumed run, and its method, must be checked.
         if self.known && self.taken != self.given {
             return Ok(());
@@ -284,14 +284,14 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
                 taylor::Steps::Tolerance(_) => self.step,
                 taylor::Steps::Length(h) => h,
             };
-            StepError::new(failure, signed(self.time()), h)
+            StepError::new(failure, signed(self.now()), h)
         })
     }
 
     /// Checks the settings and the state before a step.
     fn usable(&self) -> Result<(), Failure> {
-        if self.order() < 2 {
-            return Err(Failure::InvalidOrder { order: self.order() });
+        if self.terms() < 2 {
+            return Err(Failure::InvalidOrder { order: self.terms() });
         }
         match self.method.steps() {
             taylor::Steps::Tolerance(tolerance) if !is_part(tolerance) => {
@@ -303,9 +303,9 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         self.bounds.check()?;
         check_parameters(&self.system)?;
         let x = &self.here().x;
-        if !(signed(self.time()).is_finite() && x.is_finite()) {
-            return Err(not_finite::<S, R>(self.time(), &x.z));
+        if !(signed(self.now()).is_finite() && x.is_finite()) {
+            return Err(not_finite::<S, R>(self.now(), &x.z));
         }
-        Failure::outside(self.system.outside_domain(self.time(), &x.z, &x.s))
+        Failure::outside(self.system.outside_domain(self.now(), &x.z, &x.s))
     }
 }

@@ -1,6 +1,6 @@
 //! Causes of refused steps.
 
-use super::Steps;
+use super::Series;
 use crate::running::error::StepError;
 use crate::running::step_size::Bounds;
 use crate::scalar::{Real, signed};
@@ -12,14 +12,14 @@ use crate::taylor::TaylorMethod;
 /// A singularity within this many of the shortest steps counts as reached.
 const NEAR: f64 = 16.0;
 
-impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
+impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Series<S, M, R> {
     /// Returns the failure of a step below the shortest one. The shortest step is set by the resolution of time or by the user.
     #[cold]
     pub(super) fn too_short(&self, wish: f64, bounds: &Bounds) -> Failure {
         if wish < self.shortest() {
             return Failure::Diverges;
         }
-        Failure::Inaccurate { error: Real::powf(bounds.shortest / wish, self.order() as f64) }
+        Failure::Inaccurate { error: Real::powf(bounds.shortest / wish, self.terms() as f64) }
     }
 
     /// Returns the error of a refused step.
@@ -37,7 +37,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
 
     /// Returns the shortest step that changes the time.
     fn shortest(&self) -> f64 {
-        Bounds::default().at(signed(self.time()), R::epsilon(), self.here().unit).shortest
+        Bounds::default().at(signed(self.now()), R::epsilon(), self.here().unit).shortest
     }
 
     /// Returns why the solution has no series here.

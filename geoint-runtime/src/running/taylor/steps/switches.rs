@@ -1,6 +1,6 @@
 //! Ends a step where a condition of the energy changes.
 
-use super::Steps;
+use super::Series;
 use crate::scalar::{Real, signed};
 use crate::space::Array;
 use crate::system::Jets;
@@ -26,7 +26,7 @@ pub(super) const RADIUS_MARGIN: f64 = 1.25;
 /// Largest reduction of a step by conditions.
 const LEAST_PART: f64 = 1.0 / (1 << 30) as f64;
 
-impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
+impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Series<S, M, R> {
     /// Returns the first change of a condition within a step, and the length that was searched. The search is shorter than `h` if the series of a
     /// deciding function ends earlier than those of the coordinates.
     #[inline(always)]
@@ -40,7 +40,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         let mut first: Option<Switch> = None;
         for place in 0..S::Switches::LEN {
             let g = self.condition(place, h);
-            let g = &g[..self.order().min(taylor::MOST)];
+            let g = &g[..self.terms().min(taylor::MOST)];
             let roots = taylor::roots(g, 0.0);
             let here = if g[0] == 0.0 { 0.0 } else { g[0].signum() };
             let back = g.get(1).is_some_and(|slope| slope * g[0] < 0.0);
@@ -66,7 +66,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
     pub(super) fn next_change(&self, h: f64, switch: Switch) -> f64 {
         let next = |place| {
             let after = if place == switch.place { switch.at } else { switch.at + 64.0 * R::epsilon() };
-            let roots = taylor::roots(&self.condition(place, h)[..self.order().min(taylor::MOST)], 0.0);
+            let roots = taylor::roots(&self.condition(place, h)[..self.terms().min(taylor::MOST)], 0.0);
             roots.as_slice().iter().copied().find(|root| *root > after).unwrap_or(1.0)
         };
         (0..S::Switches::LEN).map(next).fold(1.0, f64::min)
@@ -74,15 +74,15 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
 
     /// Returns the coefficients of the deciding function of a condition, with time as a fraction of a step of length `h`.
     fn condition(&self, place: usize, h: f64) -> [f64; taylor::MOST] {
-        let switches = &self.here().switches.as_ref()[..self.order()];
+        let switches = &self.here().switches.as_ref()[..self.terms()];
         taylor::in_parts(switches.iter().map(|switch| signed(switch.as_slice()[place])), self.here().in_units(h))
     }
 
     /// Returns a step, not longer than `h`, in which all deciding functions have the accuracy of the coordinates. `LEAST_PART` limits the reduction:
     /// otherwise a run could never pass a singularity of such a function.
     fn within_reach(&self, h: f64, shortest: f64) -> f64 {
-        let count = self.order().min(taylor::MOST);
-        let part = if self.is_fixed() { 0.5 } else { RADIUS_MARGIN * self.estimate.part_of_radius(self.order()) };
+        let count = self.terms().min(taylor::MOST);
+        let part = if self.is_fixed() { 0.5 } else { RADIUS_MARGIN * self.estimate.part_of_radius(self.terms()) };
         let reach = |place| taylor::reach(&self.condition(place, h)[..count], part);
         let least = (0..S::Switches::LEN).map(reach).fold(1.0, f64::min);
         if least < 1.0 { self.towards((h.abs() * least.max(LEAST_PART)).max(shortest.min(h.abs()))) } else { h }
@@ -97,7 +97,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
 
     #[inline(never)]
     fn is_unseen(&self, place: usize) -> bool {
-        let [here, end] = [self.here(), self.start()].map(|end| &end.switches.as_ref()[..self.order()]);
+        let [here, end] = [self.here(), self.start()].map(|end| &end.switches.as_ref()[..self.terms()]);
         let [from, to] = [here, end].map(|terms| signed(terms[0].as_slice()[place]));
         from * to < 0.0 && here.iter().any(|term| !term.as_slice()[place].magnitude().is_finite())
     }

@@ -3,7 +3,7 @@
 //! Far from a barrier, or long before a pulse, the force is zero up to rounding. The coefficients then do not show how long it remains zero. Such a
 //! step is called uninformed. The rates are compared at points within it.
 
-use super::Steps;
+use super::Series;
 use crate::scalar::Real;
 use crate::space::{Array, PerCoordinate};
 use crate::system::Jets;
@@ -16,7 +16,7 @@ const POINTS: f64 = 64.0;
 /// Maximum length of an uninformed step, in times in which the state changes by its size.
 const LONGEST: f64 = 16.0;
 
-impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
+impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Series<S, M, R> {
     /// Returns whether steps are never checked between their ends. Steps of fixed length are not. Steps of an energy with conditions are not, either:
     /// beyond a condition the rates differ from the series, and changes of conditions are found in another way. A narrow barrier of such an energy
     /// may be missed.

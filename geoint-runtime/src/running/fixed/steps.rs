@@ -9,9 +9,9 @@ use crate::solving::Failure;
 use crate::space::{Array, PerCoordinate, Point, Snapshot, Summation, wrong_length};
 use crate::system::{Clear, PhaseSpace, Unmet, jump_on_way};
 
-/// A system under a method, and the present point.
+/// The pace of steps of one length: a system under a method, and the present point.
 #[derive(Clone)]
-pub(super) struct Steps<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C> {
+pub struct Fixed<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C> {
     pub(super) system: S,
     pub(super) method: M,
     pub(super) prepared: M::Prepared,
@@ -33,18 +33,11 @@ pub(super) struct Steps<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C> {
     pub(super) clear: Clear<R>,
 }
 
-impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S, M, R, C> {
-    /// Takes one step.
-    #[inline(always)]
-    pub(super) fn step(&mut self) -> Result<(), StepError> {
-        self.check_start()?;
-        self.step_within(None).map(drop)
-    }
-
+impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Fixed<S, M, R, C> {
     /// Takes `n` steps in the inner loop.
     #[inline]
-    pub(super) fn advance(&mut self, n: u64) -> Result<(), StepError> {
-        self.check_start()?;
+    pub(super) fn many(&mut self, n: u64) -> Result<(), StepError> {
+        self.check()?;
         if M::SINGLY && n == 1 {
             return self.single();
         }
@@ -147,7 +140,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
     fn step_anew(&mut self, limit: Option<R>) -> Result<bool, StepError> {
         self.memory = M::memory();
         let (mut memory, mut x) = (M::memory(), self.x);
-        let mut watch = Watch::new(&self.system, self.time(), &self.seen());
+        let mut watch = Watch::new(&self.system, self.now(), &self.seen());
         self.enter(&mut x);
         let begun = x;
         let [t, end] = self.clock.ends(0, x.ahead.value());
@@ -157,7 +150,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
             if let Some(what) = self.pole_in_time(1, &x).or_else(|| self.jump(1, [&begun, &x])) {
                 return Err(self.error(Failure::OutsideDomain { what }));
             }
-            if !self.ends_within(limit, &x, self.time()) {
+            if !self.ends_within(limit, &x, self.now()) {
                 return Ok(false);
             }
             (self.memory, self.x, self.inside) = (memory, x, true);
@@ -171,11 +164,11 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
 
     /// Returns the error of the next step.
     fn error(&self, failure: Failure) -> StepError {
-        StepError::new(failure, signed(self.time()), signed(self.clock.step_size()))
+        StepError::new(failure, signed(self.now()), signed(self.clock.step_size()))
     }
 
     #[inline(always)]
-    pub(super) fn check_start(&self) -> Result<(), StepError> {
+    pub(super) fn check(&self) -> Result<(), StepError> {
         let h = self.clock.step_size().magnitude();
         if !(h > 0.0 && h < f64::INFINITY) {
             return Err(self.error(Failure::InvalidStepSize { h: signed(self.clock.step_size()) }));
@@ -187,7 +180,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
     /// Marks a resumed state outside of the domain as given, so that the next step checks it. The saved number of steps may be wrong.
     #[cfg(feature = "alloc")]
     pub(super) fn examine_if_outside(&mut self) {
-        if self.system.outside_domain(self.time(), &self.seen().z, &self.x.s).is_some() {
+        if self.system.outside_domain(self.now(), &self.seen().z, &self.x.s).is_some() {
             self.given = self.taken;
         }
     }
@@ -195,21 +188,21 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
     #[cold]
     fn check_state(&self) -> Result<(), Failure> {
         check_parameters(&self.system)?;
-        if !(signed(self.time()).is_finite() && self.x.is_finite()) {
-            return Err(not_finite::<S, R>(self.time(), &self.x.z));
+        if !(signed(self.now()).is_finite() && self.x.is_finite()) {
+            return Err(not_finite::<S, R>(self.now(), &self.x.z));
         }
         if S::State::ATTITUDES
             && let Some(length) = wrong_length::<S, R>(&self.x.z)
         {
             return Err(Failure::NotNormalised { length });
         }
-        Failure::outside(self.system.outside_domain(self.time(), &self.seen().z, &self.x.s))?;
+        Failure::outside(self.system.outside_domain(self.now(), &self.seen().z, &self.x.s))?;
         if !M::is_in_range(&self.prepared, &self.system, &self.x.z) {
             return Err(Failure::OutOfRange);
         }
         // The momenta of a run whose system was replaced result from a step. `DiscreteGradient` leaves them O(h²) off, so only positions are checked.
         let h_of_rates = if self.taken == self.set { self.clock.step_size() } else { zero() };
-        match self.system.unmet(self.time(), h_of_rates, &self.x.z) {
+        match self.system.unmet(self.now(), h_of_rates, &self.x.z) {
             Some(Unmet::Off(what)) => Err(Failure::OffConstraint { what }),
             Some(Unmet::Dependent(what)) => Err(Failure::DependentConstraints { what }),
             None => Ok(()),
@@ -237,7 +230,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
     #[inline(always)]
     fn enter(&self, x: &mut Point<S::Phase, C, S::Action>) {
         if M::INNER && !self.inside {
-            M::enter(&self.prepared, &self.system, self.time(), &mut x.z);
+            M::enter(&self.prepared, &self.system, self.now(), &mut x.z);
         }
     }
 
@@ -256,7 +249,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
     pub(super) fn seen(&self) -> Point<S::Phase, C, S::Action> {
         let mut x = self.x;
         if M::INNER && self.inside {
-            x.z = self.seen_as(&x, self.time());
+            x.z = self.seen_as(&x, self.now());
         }
         x
     }
@@ -325,7 +318,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
 
     /// Returns `t0 + n·h`.
     #[inline(always)]
-    pub(super) fn time(&self) -> R {
+    pub(super) fn now(&self) -> R {
         self.clock.now(self.x.ahead.value())
     }
 }
