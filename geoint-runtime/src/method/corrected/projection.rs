@@ -31,9 +31,9 @@ use crate::system::{Evaluations, Poles, VectorField};
 /// the surface of constant invariants. Later steps then stay on that part.
 ///
 /// # Errors
-/// - [`Failure::Turned`](crate::Failure::Turned) if such an angle moves by more than half a turn in a step.
-/// - [`Failure::LedAstray`](crate::Failure::LedAstray) if a correction is longer than half of the step.
-/// - [`Failure::OutOfRange`](crate::Failure::OutOfRange) if an invariant underflows or overflows.
+/// - [`Failure::Turned`] if such an angle moves by more than half a turn in a step.
+/// - [`Failure::LedAstray`] if a correction is longer than half of the step.
+/// - [`Failure::OutOfRange`] if an invariant underflows or overflows.
 ///
 /// # Source
 ///
