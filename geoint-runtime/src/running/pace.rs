@@ -1,4 +1,4 @@
-//! How a run chooses its steps: the interface between [`Run`](super::Run) and its three paces.
+//! The trait [`Pace`]: chooses and takes the steps of a run. [`Run`](super::Run) adds the public interface.
 
 use super::error::StepError;
 use crate::scalar::{Real, signed};
@@ -10,7 +10,7 @@ use crate::{method::Name, space::Tape};
 
 /// A system, its present state, and everything that determines the next step.
 ///
-/// This crate implements it for steps of fixed length, for steps that adapt to a tolerance, and for steps by Taylor series.
+/// Implemented by [`Fixed`](super::Fixed), [`Controlled`](super::Controlled) and [`Series`](super::Series). Generic programs use the bound [`Dense`](super::Dense).
 pub trait Pace: Clone {
     /// The scalar.
     type Real: Real;
@@ -23,8 +23,6 @@ pub trait Pace: Clone {
     fn system(&self) -> &Self::System;
     /// Returns the method.
     fn method(&self) -> &Self::Method;
-    /// Returns the order of the method.
-    fn order(&self) -> u32;
     /// Returns the number of steps taken.
     fn taken(&self) -> u64;
     /// Returns the present time.
@@ -33,7 +31,8 @@ pub trait Pace: Clone {
     fn point(&self) -> Coordinates<Self>;
     /// Returns whether the next step goes back in time.
     fn steps_backwards(&self) -> bool;
-    /// Returns whether no step was taken since the state was set, by the user or at an event.
+    /// Returns whether no step was taken since the state was set, by the user or at an event. Runs by Taylor series return `false`: their search for events does
+    /// not use it.
     fn is_fresh(&self) -> bool;
 
     /// Checks settings and state before the next step.
@@ -46,10 +45,10 @@ pub trait Pace: Clone {
     }
     /// Takes one step towards the time `t`. Returns `false` if no step is left.
     fn step_towards(&mut self, t: Self::Real) -> Result<bool, StepError>;
-    /// Takes all steps towards the time `t`, at most `most_steps` of them.
+    /// Takes all steps towards the time `t`. More than `most_steps` are the error `TooManySteps`; fixed steps ignore the limit.
     fn advance_to(&mut self, t: Self::Real, most_steps: u64) -> Result<(), StepError>;
 
-    /// Continues from this state, which the user gives. All settings remain.
+    /// Continues from this state, which the user gives. All settings remain. An adaptive run estimates its next step anew, and keeps its direction.
     fn restart(&mut self, state: StateOf<Self::System, Self::Real>);
     /// Continues from a state that results from a step of this run, at an event.
     fn restart_within(&mut self, state: StateOf<Self::System, Self::Real>) {
@@ -58,11 +57,13 @@ pub trait Pace: Clone {
     /// Replaces the system by one with other parameters. Time, state, settings and the number of steps remain.
     fn set_system(&mut self, system: Self::System);
 
-    /// Takes one step that ends at the time `t`, or several if one is not possible, at most `most_steps`.
+    /// Takes one step that ends at the time `t`, or several if one is not possible. More than `most_steps` are the error `TooManySteps`; fixed steps ignore the
+    /// limit.
     fn end_at(&mut self, t: Self::Real, most_steps: u64) -> Result<(), StepError>;
-    /// Returns the state at a time for which [`Dense::at`](super::Dense::at) has one.
+    /// Implements [`Dense::at`](super::Dense::at).
     fn at(&self, t: Self::Real) -> Option<StateOf<Self::System, Self::Real>>;
-    /// Returns the state at a time in the step from `before` to `after`. By default, a copy of `before` takes a shorter step.
+    /// Returns the state at a time in the step from `before` to `after`. By default, a copy of `before` takes a shorter step, or any
+    /// number of them.
     fn between(before: &Self, _after: &Self, t: Self::Real) -> Result<StateOf<Self::System, Self::Real>, StepError> {
         let mut copy = before.clone();
         copy.end_at(t, u64::MAX)?;
@@ -85,6 +86,12 @@ pub trait Pace: Clone {
     /// Recomputes all data that follow from the recorded ones. Returns whether the state and the time are finite.
     #[cfg(feature = "alloc")]
     fn complete(&mut self) -> bool;
+}
+
+/// A pace whose method also takes shorter steps, within a step: not by Taylor series, whose polynomial of a step is known.
+pub trait PartialSteps: Pace {
+    /// Returns the order of the method.
+    fn order(&self) -> u32;
 }
 
 /// The coordinates of the system of a pace.

@@ -8,7 +8,7 @@ use crate::space::{Coordinates, PerCoordinate};
 use crate::system::{FirstIntegrals, Lagrangian, PhaseSpace, StateOf};
 use core::fmt::{self, Debug, Formatter};
 
-/// A run: a system that moves in steps, under a pace that chooses them. The value borrows nothing and allocates nothing.
+/// A run: a system, its present state, and a pace that chooses and takes the steps. The value borrows nothing and allocates nothing.
 ///
 /// Its aliases are [`Integrator`](crate::Integrator) with steps of a fixed length, [`Adaptive`](crate::Adaptive) with steps that adapt to a tolerance, and
 /// [`TaylorIntegrator`](crate::TaylorIntegrator) with steps by Taylor series.
@@ -20,17 +20,17 @@ pub struct Run<P: Pace> {
     pub(in crate::running) pace: P,
     /// The functions that had an event when `until_event` last found one.
     pub(in crate::running) reported: Reported<P::Real>,
-    /// Maximum number of steps in one `advance_to`, for runs that choose the lengths of their steps.
+    /// Maximum number of steps in one `advance_to` or `end_at`. Fixed steps ignore it.
     pub(in crate::running) most_steps: u64,
 }
 
 impl<P: Pace> Run<P> {
-    /// Returns a run that no event function has been asked for yet.
+    /// Returns a run without reported events and without a limit of steps.
     pub(in crate::running) fn of(pace: P) -> Self {
         Run { pace, reported: Reported::nothing(), most_steps: u64::MAX }
     }
 
-    /// Takes one step.
+    /// Takes one step. The length of an adaptive step follows from the tolerance. A run by Taylor series steps forwards, or in the direction of its last step.
     ///
     /// # Errors
     /// See [`StepError`]. The state is then unchanged.
@@ -129,7 +129,7 @@ impl<P: Pace> Run<P> {
         self.system().hamiltonian(self.time(), &z, &s)
     }
 
-    /// Returns the present first integrals: the named ones in their order, and then those that were found.
+    /// Returns the present first integrals: the named ones in their order, and then those that the attribute found.
     pub fn integrals(&self) -> <P::System as FirstIntegrals<P::Real>>::Values
     where
         P::System: FirstIntegrals<P::Real>,

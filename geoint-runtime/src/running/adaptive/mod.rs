@@ -10,7 +10,7 @@ mod way;
 
 use crate::method::{Clock, Method};
 use crate::running::error::StepError;
-use crate::running::pace::{Coordinates, Pace, adapt_to, ahead};
+use crate::running::pace::{Coordinates, Pace, PartialSteps, adapt_to, ahead};
 use crate::running::run::Run;
 use crate::running::step_size::Bounds;
 use crate::scalar::{Real, signed, zero};
@@ -111,7 +111,8 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Run<Controlled<S, M,
         self
     }
 
-    /// Limits the number of steps in one [`advance_to`](Run::advance_to). The default is no limit.
+    /// Limits the number of steps in one [`advance_to`](Run::advance_to): more are the error [`TooManySteps`](crate::Failure::TooManySteps). The default is no
+    /// limit. Iterators of steps, states within steps, and searches for events are not limited.
     #[must_use = "the settings are those of the run that is returned"]
     pub fn steps_at_most(mut self, steps: u64) -> Self {
         self.most_steps = steps;
@@ -139,9 +140,6 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Pace for Controlled<
     }
     fn method(&self) -> &M {
         &self.method
-    }
-    fn order(&self) -> u32 {
-        self.method.claims().order
     }
     fn taken(&self) -> u64 {
         self.taken
@@ -241,6 +239,12 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Pace for Controlled<
             self.given = self.taken;
         }
         self.x.is_finite() && self.now().magnitude() < f64::INFINITY
+    }
+}
+
+impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> PartialSteps for Controlled<S, M, R> {
+    fn order(&self) -> u32 {
+        self.method.claims().order
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::Dense;
 use crate::running::StepError;
-use crate::running::pace::Pace;
+use crate::running::pace::PartialSteps;
 use crate::running::run::Run;
 use crate::running::trajectory::Scalar;
 use crate::scalar::Real;
@@ -149,7 +149,7 @@ fn on<S: PhaseSpace<R>, R: Real>(curve: &CurveOf<S, R>, t: R) -> StateOf<S, R> {
     S::State::of(t, x.z, x.s)
 }
 
-impl<P: Pace> Interpolated for Run<P>
+impl<P: PartialSteps> Interpolated for Run<P>
 where
     P::System: Rates<P::Real>,
 {

@@ -4,7 +4,7 @@ mod steps;
 
 use crate::method::{Clock, Method};
 use crate::running::error::StepError;
-use crate::running::pace::{Coordinates, Pace, ahead};
+use crate::running::pace::{Coordinates, Pace, PartialSteps, ahead};
 use crate::running::run::Run;
 use crate::scalar::{Real, signed, zero};
 use crate::space::{
@@ -78,7 +78,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Run<Fix
         self.pace.set_step_size(h);
     }
 
-    /// Returns the step size.
+    /// Returns the step size h of all steps.
     #[inline(always)]
     pub fn step_size(&self) -> R {
         self.pace.clock.step_size()
@@ -94,7 +94,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Fixed<S
         self.memory = M::memory();
     }
 
-    /// Takes a step to the time `t` by changing the step size. The step size stays, so that a copy computes the coefficients of the method only once.
+    /// Takes up to four steps to the time `t`, and keeps the changed step size, so that a copy computes its coefficients once.
     fn shorten_to(&mut self, t: R) -> Result<(), StepError> {
         // Methods that scale their steps end near `t`. The next step leads from there to `t`.
         for _ in 0..4 {
@@ -120,9 +120,6 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Pace fo
     }
     fn method(&self) -> &M {
         &self.method
-    }
-    fn order(&self) -> u32 {
-        self.method.claims().order
     }
     fn taken(&self) -> u64 {
         self.taken
@@ -153,7 +150,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Pace fo
     }
     #[inline]
     fn advance(&mut self, n: u64) -> Result<(), StepError> {
-        self.many(n)
+        self.advance_in_blocks(n)
     }
     #[inline]
     fn step_towards(&mut self, t: R) -> Result<bool, StepError> {
@@ -176,7 +173,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Pace fo
             return Err(StepError::of_step_size(signed(self.now()), left));
         }
         if !M::SCALES_STEPS {
-            self.many(self.clock.steps_before(self.now(), t))?;
+            self.advance_in_blocks(self.clock.steps_before(self.now(), t))?;
         }
         while self.step_towards(t)? {}
         Ok(())
@@ -214,13 +211,15 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Pace fo
         let h = signed(self.clock.step_size());
         let is_near = signed(t - self.now()).abs() < 0.5 * h.abs();
         ahead(self, t, h, || {
-            let mut end = self.clone();
             if M::ROUGH_IF_SHORT && is_near {
+                let mut end = self.clone();
                 end.step()?;
+                return Self::between(self, &end, t);
             }
-            Self::between(self, &end, t)
+            Self::between(self, self, t)
         })
     }
+    /// A very short step amplifies the rounding errors of rough momenta. The partial step then starts from the farther end.
     fn between(before: &Self, after: &Self, t: R) -> Result<StateOf<S, R>, StepError> {
         let nearer = signed(t - before.now()).abs() < signed(t - after.now()).abs();
         let mut copy = if M::ROUGH_IF_SHORT && nearer { after.clone() } else { before.clone() };
@@ -250,6 +249,12 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Pace fo
         self.prepared = self.method.prepare(&self.system, self.clock.step_size());
         self.examine_if_outside();
         self.x.is_finite() && self.now().magnitude() < f64::INFINITY
+    }
+}
+
+impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> PartialSteps for Fixed<S, M, R, C> {
+    fn order(&self) -> u32 {
+        self.method.claims().order
     }
 }
 

@@ -19,7 +19,7 @@ pub struct Fixed<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C> {
     pub(super) clock: Clock<R>,
     /// Number of steps since the start.
     pub(super) taken: u64,
-    /// Value of `taken` when the user gave a state.
+    /// The next step checks the state if `taken` has this value: that of the state that the user gave.
     pub(super) given: u64,
     /// Value of `taken` when the state was set, by the user or at an event.
     pub(super) set: u64,
@@ -34,9 +34,9 @@ pub struct Fixed<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C> {
 }
 
 impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Fixed<S, M, R, C> {
-    /// Takes `n` steps in the inner loop.
+    /// Takes `n` steps in blocks, and checks the end of each block. Repeats a failed block in single steps.
     #[inline]
-    pub(super) fn many(&mut self, n: u64) -> Result<(), StepError> {
+    pub(super) fn advance_in_blocks(&mut self, n: u64) -> Result<(), StepError> {
         self.check()?;
         if M::SINGLY && n == 1 {
             return self.single();

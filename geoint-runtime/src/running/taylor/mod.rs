@@ -78,7 +78,8 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Run<Series<S, M, R>> {
         self
     }
 
-    /// Limits the number of steps in one [`advance_to`](Run::advance_to). The default is no limit.
+    /// Limits the number of steps in one [`advance_to`](Run::advance_to): more are the error [`TooManySteps`](crate::Failure::TooManySteps). The default is no
+    /// limit. Iterators of steps, states within steps, and searches for events are not limited.
     #[must_use = "the settings are those of the run that is returned"]
     pub fn steps_at_most(mut self, steps: u64) -> Self {
         self.most_steps = steps;
@@ -112,9 +113,6 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Pace for Series<S, M, R> {
     }
     fn method(&self) -> &M {
         &self.method
-    }
-    fn order(&self) -> u32 {
-        self.terms() as u32
     }
     fn taken(&self) -> u64 {
         self.taken
