@@ -2,6 +2,9 @@
 
 use super::StepError;
 use crate::solving::Failure;
+use alloc::format;
+use alloc::string::ToString;
+use alloc::vec::Vec;
 use core::mem::size_of;
 
 /// Returns the failure after this one. A new variant does not compile until it is in this list.

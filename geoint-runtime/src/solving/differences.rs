@@ -66,7 +66,7 @@ mod tests {
     #[derive(Default)]
     struct Recorded {
         paused: bool,
-        points: std::vec::Vec<(f64, bool)>,
+        points: alloc::vec::Vec<(f64, bool)>,
     }
 
     impl Observer for Recorded {
