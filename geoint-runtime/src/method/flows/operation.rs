@@ -82,21 +82,20 @@ impl<S: Separable<R>, R: Real, F: Flows<S, R>> Operation<S, R, F> {
         match &self.flow {
             Coefficients::Kick(kick) if C::PLAIN => F::kick(system, kick, t, q, p, s),
             Coefficients::Drift(drift) if C::PLAIN => F::drift(system, drift, t, q, p, s),
+            // A compensated sum applies a flow that only adds to zeros.
+            Coefficients::Kick(kick) if S::Action::LEN == 0 && S::KICK.adds() => {
+                x.sums.add_part(S::Array::LEN, p, |p| F::kick(system, kick, t, q, p, s));
+            }
+            Coefficients::Drift(drift) if S::Action::LEN == 0 && S::DRIFT.adds() => {
+                x.sums.add_part(0, q, |q| F::drift(system, drift, t, q, p, s));
+            }
             Coefficients::Kick(kick) => {
                 let d = F::kick_increments(system, kick, t, &Coordinates::<S, R>::of(x));
-                if S::Action::LEN == 0 && S::KICK.adds() {
-                    add_impulse::<S, R, C>(x, &d.z[1])
-                } else {
-                    add::<S, R, C>(x, &d)
-                }
+                add::<S, R, C>(x, &d);
             }
             Coefficients::Drift(drift) => {
                 let d = F::drift_increments(system, drift, t, &Coordinates::<S, R>::of(x));
-                if S::Action::LEN == 0 && S::DRIFT.adds() {
-                    add_shift::<S, R, C>(x, &d.z[0])
-                } else {
-                    add::<S, R, C>(x, &d)
-                }
+                add::<S, R, C>(x, &d);
             }
         }
         if may_end && reports {
@@ -128,12 +127,6 @@ impl<S: Separable<R>, R: Real, F: Flows<S, R>> Operation<S, R, F> {
     }
 }
 
-/// q ← q + dq, by the sums of the point.
-#[inline(always)]
-fn add_shift<S: Separable<R>, R: Real, C: Summation<S::Phase>>(x: &mut Point<S::Phase, C, S::Action>, dq: &S::Array) {
-    x.sums.add_part(0, &mut x.z[0], |q| q.add_scaled(R::from_f64(1.0), dq));
-}
-
 /// p ← p + dp, by the sums of the point.
 #[inline(always)]
 fn add_impulse<S: Separable<R>, R: Real, C: Summation<S::Phase>>(x: &mut Point<S::Phase, C, S::Action>, dp: &S::Array) {
@@ -143,7 +136,7 @@ fn add_impulse<S: Separable<R>, R: Real, C: Summation<S::Phase>>(x: &mut Point<S
 /// Adds increments to positions, momenta and action.
 #[inline(always)]
 fn add<S: Separable<R>, R: Real, C: Summation<S::Phase>>(x: &mut Point<S::Phase, C, S::Action>, d: &Coordinates<S, R>) {
-    add_shift::<S, R, C>(x, &d.z[0]);
+    x.sums.add_part(0, &mut x.z[0], |q| q.add_scaled(R::from_f64(1.0), &d.z[0]));
     add_impulse::<S, R, C>(x, &d.z[1]);
     x.add_action(d.s);
 }
