@@ -2,7 +2,7 @@
 
 /// The conjunction of two proofs, a type that exists if both proofs exist.
 pub trait And<Q> {
-    /// The proof of both properties.
+    /// The type `Q`, known to rustc only if `Self` and `Q` are known.
     type Both;
 }
 
@@ -12,6 +12,6 @@ impl<P, Q> And<Q> for P {
 
 /// The run `T`, given the proof `P` that the system has the properties that its method needs. In a program that compiles it is `T`.
 ///
-/// `integrator` and `adaptive` of a system return it. If a property is missing, rustc knows neither `P` nor this type, and reports the missing property
+/// `integrator` and `adaptive` of a system return it. If a property is missing, `P` and this type stay unknown, and rustc reports the missing property
 /// only. With the return type `T` each later use of the run would be an error, too.
 pub type Given<P, T> = <P as And<T>>::Both;

@@ -21,30 +21,40 @@ pub const FORMAT: u32 = 9;
 /// # Words
 ///
 /// A scalar is stored as its bits (`f64::to_bits`; those of `f32` in the lower half). An integer is stored as itself, a boolean as 0 or 1. An
-/// optional value has a boolean before it. An [`Integrator`](crate::Integrator) has, in this order:
+/// optional value has a boolean before it. Five groups occur in all runs:
 ///
-/// 1. t₀ in two words, h, the number of steps of length h since t₀, and the time requested by a call, if it equals the present time up to rounding;
-/// 2. three numbers of steps: all; those before the user gave a state; those before the state was last set, by the user or at an event. Then a
-///    boolean: whether the point is the inner point of the method (see [`Method::INNER`](crate::Method::INNER)). Methods that conserve invariants
-///    add all coordinates of the state that the user gave;
-/// 3. the point: all coordinates, the action, the rounding errors of both sums, the lead of time in two words, 0;
-/// 4. the history of the method: its [`Record`](crate::space::Record);
-/// 5. whether `until_event` found an event, the time of the last one, and a bit for each function that had an event then, in two words of 32 bits.
+/// - **clock**: t₀ in two words, h, the number of steps of length h since t₀, and the time that a call requested, if it equals the present time up to
+///   rounding;
+/// - **origin**: all coordinates of the state that the user gave. Present if the method conserves invariants;
+/// - **point**: all coordinates, the action, the rounding errors of both sums, the lead of time in two words, 0;
+/// - **history**: the [`Record`](crate::space::Record) of the memory of the method;
+/// - **events**: whether `until_event` found an event, the time of the last one, and a bit for each function that had an event then, in two words of
+///   32 bits.
+///
+/// An [`Integrator`](crate::Integrator) has, in this order:
+///
+/// 1. the clock;
+/// 2. the number of steps, its value when the user gave a state, and its value when the state was last set, by the user or at an event;
+/// 3. whether the point is the inner point of the method (see [`Method::INNER`](crate::Method::INNER)), and the origin;
+/// 4. point, history, events.
 ///
 /// An [`Adaptive`](crate::Adaptive) run has:
 ///
-/// - 1; the number of steps taken, their number when the user gave a state, the number of rejected steps, and the coordinates as in 2; 3;
-/// - the largest magnitude of each coordinate, the errors caused in it, and the longest time in which the state changes;
-/// - the rung of the next step length, its direction, the last error, whether the last step was rejected, and the time in which the first state
-///   changes;
-/// - the length of the coefficients computed last, and the number and longest length of the steps with informative errors;
-/// - 4 for whole steps and for halves; 5.
+/// 1. the clock;
+/// 2. the number of steps, its value when the user gave a state, the number of rejected steps, and the origin;
+/// 3. the point;
+/// 4. the largest magnitude of each coordinate, the errors caused in it, and the longest time in which the state changes;
+/// 5. the rung of the next step length, its direction, the last error, whether the last step was rejected, and the time in which the first state
+///    changes;
+/// 6. the length of the coefficients computed last, and the number and longest length of the steps with informative errors;
+/// 7. the history of whole steps, that of halves, and the events.
 ///
 /// A [`TaylorIntegrator`](crate::TaylorIntegrator) has:
 ///
-/// - 1, 3, 4, the unit of time of the coefficients, the number of steps taken, and their number when the user gave a state;
-/// - the direction, the largest magnitudes, and the length of the last step;
-/// - the record of the changes of conditions (six words), and 5. The coefficients are recomputed.
+/// 1. clock, point, history, and the unit of time of the coefficients, which are recomputed;
+/// 2. the number of steps, and its value when the user gave a state;
+/// 3. the direction, the largest magnitudes, and the length of the last step;
+/// 4. the record of the changes of conditions (six words), and the events.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Saved {

@@ -59,8 +59,8 @@ impl<A: Array, Z: Action<A::Real>> Tolerance<A, Z> {
         if is_part(self.relative) { absolute } else { Some(self.relative) }
     }
 
-    /// Returns the size of a coordinate in a step to `after`. A coordinate that was zero so far is extrapolated: its size is the value that it
-    /// reaches at this speed within the time in which the state changes.
+    /// Returns the size of a coordinate in a step to `after`. If the coordinate was zero so far, its speed in this step is kept for the time in which the
+    /// state changes. The value at the end is its size.
     fn size(&self, i: usize, after: f64, part: f64) -> f64 {
         match self.sizes.at(i).magnitude() {
             0.0 => after / part,

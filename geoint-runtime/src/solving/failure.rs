@@ -7,7 +7,7 @@
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Failure {
-    /// The step size is zero, infinite or not a number. Also a time to step to that is not a number.
+    /// The step size is zero, infinite or not a number. Or a requested time is not a number, or an infinite time for `advance_to`.
     InvalidStepSize {
         /// Step size as given.
         h: f64,
@@ -37,7 +37,7 @@ pub enum Failure {
     /// The state given to the run is not finite.
     NonFiniteState,
     /// The velocities of the state given to the run have no unique finite momentum ∂L/∂v. Either the Lagrangian is not defined for them, as for
-    /// velocities above that of light. Or another velocity has the same momentum, and is the velocity of the state.
+    /// velocities above that of light. Or two velocities have the same momentum, and the momentum leads back to the other one.
     NoMomentum,
     /// A quaternion of the state given to the run has a length other than one, so it is not an attitude.
     NotNormalised {

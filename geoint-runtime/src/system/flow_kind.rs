@@ -1,4 +1,4 @@
-//! What the flow of a part of an energy does to the coordinates, as far as methods make use of it.
+//! The kind of a flow: properties that let a method skip work.
 
 use crate::scalar::Real;
 use crate::space::Array;

@@ -2,7 +2,8 @@
 //!
 //! A step applies flows in alternation: outer, inner, outer, inner, …, outer. Its last flow and the first flow of the next step belong to the same part of the
 //! energy, so that a run applies both as one flow, the joint. A state is the point after the last flow. The next step continues from a stored point: the start of
-//! the joint, or its end if the state is the middle of the joint. A run therefore has the same digits in single steps and in one call, and reading a state does not change the run.
+//! the joint, or its end if the state is the middle of the joint. A run therefore has the same digits in single steps and in one call, and reading a state does
+//! not change the run.
 
 use super::open::Open;
 use crate::method::{Clock, Failure, Probe, Step, Unwatched};
@@ -160,8 +161,8 @@ fn finish<F: Alternation<S, R>, S: PhaseSpace<R>, R: Real, C: Summation<S::Phase
     Ok(())
 }
 
-/// Returns whether flows are merged between steps. A thorough step repeats a refused step, and evaluates the same flows whatever came before. It neither continues a step
-/// nor is continued.
+/// Returns whether flows are merged between steps. A thorough step repeats a refused step, and evaluates the same flows whatever came before. It neither
+/// continues a step nor is continued.
 #[inline(always)]
 fn merges<F: Alternation<S, R>, S: PhaseSpace<R>, R: Real, P: Probe<S, R>>(flows: &F) -> bool {
     !P::EFFORT.is_thorough() && flows.are_merged()

@@ -25,18 +25,18 @@ pub struct Operation<S: Separable<R>, R: Real, F: Flows<S, R>> {
     at: R,
 }
 
-/// The times after the start of a step that flows have reached when another flow begins.
+/// The fractions of h that flows have reached when another flow begins.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Reached<R> {
-    /// The time of the flows of the same kind.
-    pub(super) own: R,
-    /// The time of the flows of the other kind.
-    pub(super) other: R,
+pub(super) struct Reached {
+    /// The sum of the flows of the same part.
+    pub(super) own: f64,
+    /// The sum of the flows of the other part.
+    pub(super) other: f64,
 }
 
 impl<S: Separable<R>, R: Real, F: Flows<S, R>> Operation<S, R, F> {
-    /// Prepares a flow for steps of length `h`. `reached` contains fractions of h.
-    pub(super) fn prepare(system: &S, h: R, Entry { flow, gradient }: Entry, reached: Reached<f64>) -> Self {
+    /// Prepares a flow for steps of length `h`.
+    pub(super) fn prepare(system: &S, h: R, Entry { flow, gradient }: Entry, reached: Reached) -> Self {
         let part = |fraction: f64| R::from_f64(fraction) * h;
         let flow = match flow {
             Flow::Kick(fraction) => {
@@ -50,8 +50,8 @@ impl<S: Separable<R>, R: Real, F: Flows<S, R>> Operation<S, R, F> {
 
     /// Returns the same flow at another time.
     ///
-    /// A flow reads the time that the flows of the other kind have reached. A drift that is exact in time starts at its own time.
-    pub(super) fn at_time(self, h: R, Reached { own, other }: Reached<f64>) -> Self {
+    /// A flow reads the time that the flows of the other part have reached. A drift that is exact in time starts at its own time.
+    pub(super) fn at_time(self, h: R, Reached { own, other }: Reached) -> Self {
         let at = match &self.flow {
             Coefficients::Drift(_) if S::DRIFT.is_exact_in_time() => own,
             _ => other,

@@ -37,8 +37,8 @@ pub use steps::Controlled;
 /// The tolerated error of a coordinate is `tolerance` times the largest magnitude that the coordinate has had so far. An [`absolute`](Run::absolute)
 /// error may be added. Lengths and angles, and large and small motions, then have the same relative accuracy in any units.
 ///
-/// The size of a coordinate at rest at zero is the magnitude that it reaches. Such a coordinate also tolerates the error that the tolerated errors of
-/// other coordinates cause in it, within the time in which the state changes. Without this rule, a site that a wave has not reached yet would force
+/// The size of a coordinate at rest at zero is the magnitude that it reaches. Errors of other coordinates cause an error in it. The error that their
+/// tolerated errors cause, within the time in which the state changes, is tolerated, too. Without this rule, a site that a wave has not reached yet would force
 /// tiny steps, and so would a node that contains only rounding. This error is measured at the start of a run, and in steps longer than all steps
 /// before.
 ///

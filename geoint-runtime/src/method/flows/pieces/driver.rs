@@ -4,7 +4,9 @@
 //! table with K = 1 and α₁ = β₁ = ½. The last flow of Φ and the first one of the following Φ* belong to the last piece, and are one flow.
 //!
 //! The last flow of Φ* and the first one of the following Φ belong to the first piece. They are merged, and are the outer flows of a step, if there is another piece
-//! and this one is a flow that is exact in time. If not, each Φ*Φ is an inner flow. Frozen time is constant between Φ and Φ*: it moves before all flows of Φ, and after all flows of Φ*.
+//! and this one is a flow that is exact in time. If not, each Φ*Φ is an inner flow.
+//!
+//! Functions of time that are frozen are evaluated at the time between Φ and Φ*.
 
 use super::flow::{Flows, apply};
 use super::splittings::PieceKind;
