@@ -30,8 +30,8 @@ pub fn evaluations<S: Hamiltonian, M: Method<S, f64>>(
     start: State<S::Coordinates>,
     steps: u64,
 ) -> Result<u64, String> {
-    let (prepared, mut memory) = (method.prepare(&system, h), M::memory());
     let mut x = Point::<S::Phase, Plain>::new([start.q.into_array(), start.p.into_array()]);
+    let (prepared, mut memory) = (method.prepare(&system, h), M::memory(&x.z));
     let mut count = Count(0);
     for n in 0..steps {
         let [t, end] = [n, n + 1].map(|n| start.t + n as f64 * h);

@@ -37,10 +37,10 @@ fn step<P: Scene, M: Method<P::Over<Double>, Double>>(method: M, h: f64) -> [f64
     let (t, z, s) = point::<StateOf<P::Over<Double>, Double>>(start.into(), &x).parts();
     let exact = extrapolated(|t, x: &[Double]| P::rate(&system, t, x), t, x, h.into(), 8);
     let mut x: Point<_, Plain, _> = Point::with_action(z, s);
-    let prepared = method.prepare(&system, h.into());
+    let (prepared, mut memory) = (method.prepare(&system, h.into()), M::memory(&z));
     let step = Step { system: &system, t, end: t + Double::from(h), x: &mut x, probe: &mut Unwatched };
     let estimate: Estimate<P::Over<Double>, Double> =
-        M::estimated(&prepared, &mut M::memory(), step).expect("an estimate").expect("a step");
+        M::estimated(&prepared, &mut memory, step).expect("an estimate").expect("a step");
     let estimate = estimate[0].z.as_slice().iter().map(|x| x.magnitude()).fold(0.0, f64::max);
     [estimate, distance(x.z.as_slice(), &exact)]
 }

@@ -27,9 +27,9 @@ fn estimates<P: Scene, M: Method<P::Over<Double>, Double>>(method: M, h: f64) ->
     let system = P::over::<Double>();
     let (t, z, s) = point::<StateOf<P::Over<Double>, Double>>(time.into(), &x).parts();
     let mut x: Point<_, Plain, _> = Point::with_action(z, s);
-    let prepared = method.prepare(&system, h.into());
+    let (prepared, mut memory) = (method.prepare(&system, h.into()), M::memory(&z));
     let step = Step { system: &system, t, end: t + Double::from(h), x: &mut x, probe: &mut Unwatched };
-    let both = M::estimated(&prepared, &mut M::memory(), step)?.expect("an explicit step succeeds");
+    let both = M::estimated(&prepared, &mut memory, step)?.expect("an explicit step succeeds");
     Some(both.map(|e| e.z.as_slice().iter().map(|x| x.magnitude()).fold(0.0, f64::max)))
 }
 

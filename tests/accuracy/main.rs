@@ -11,8 +11,8 @@ macro_rules! delegate_step {
         fn claims(&self) -> Claims {
             self.0.claims()
         }
-        fn memory() -> Self::Memory {
-            M::memory()
+        fn memory(z: &S::Phase) -> Self::Memory {
+            M::memory(z)
         }
         fn step<C: Summation<S::Phase>, P: Probe<S, f64>>(
             prepared: &Self::Prepared,

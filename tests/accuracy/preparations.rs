@@ -87,7 +87,9 @@ fn samples_within_a_step_prepare_once() {
             run.end_at(t).expect("a step");
             assert_eq!((run.state(), run.step_size()), (*state, 0.1));
         }
-        let run = new_run();
+        let mut run = new_run();
+        run.step().expect("a step");
+        PREPARATIONS.set(0);
         run.at(0.04).expect("within a step");
         [prepared_every, prepared_at, PREPARATIONS.get()]
     }

@@ -46,7 +46,7 @@ impl<P: Scene, M: Method<P::Over<R>, R>, R: Scalar> Bare<P, M, R> {
     pub fn new(method: M, h: R, t: R, x: &[R]) -> Self {
         let system = P::over::<R>();
         let (start, z, action) = point::<<P::Over<R> as PhaseSpace<R>>::State>(t, x).parts();
-        let (prepared, memory) = (method.prepare(&system, h), M::memory());
+        let (prepared, memory) = (method.prepare(&system, h), M::memory(&z));
         let mut x = Point::with_action(z, action);
         M::enter(&prepared, &system, start, &mut x.z);
         Bare { system, method, prepared, memory, start, h, steps: 0, x, evaluations: Count(0) }

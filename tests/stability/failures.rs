@@ -50,7 +50,9 @@ fn steps_of_series() {
     assert!(error.is_shortest() && error.t == 0.0 && error.h > 0.0, "{error:?}");
     // A force without a bound has no series.
     let mut sim = Falling { k: f64::INFINITY }.taylor(TaylorFixed::<8> { h: -0.1 }, start());
-    assert_eq!(sim.step(), Err(StepError::new(Failure::NoRates, 0.0, -0.1)));
+    let error = sim.step().unwrap_err();
+    assert_eq!(error, StepError::new(Failure::NoRates, 0.0, -0.1));
+    assert!(error.to_string().starts_with("from t = 0 no step of -1.0e-1 can be taken: "), "{error}");
 }
 
 /// Errors of settings have no time. Their length is that of the run, if it is known.

@@ -73,8 +73,8 @@ fn energy_in_the_background() {
     let (rest, h, steps) = (1e6, 1e-3, 3000);
     let system = Swing { m: 1.0, g: 1.0, rest };
     let prepared = Method::<Swing>::prepare(&DiscreteGradient, &system, h);
-    let mut memory = <DiscreteGradient as Method<Swing>>::memory();
     let mut x = Point::<[[f64; 1]; 2], Plain>::new([[START.0], [START.1]]);
+    let mut memory = <DiscreteGradient as Method<Swing>>::memory(&x.z);
     let mut count = Count(0);
     let mut drift = 0.0_f64;
     for _ in 0..steps {

@@ -40,7 +40,7 @@ fn orbits<M: Method<Kepler>>(method: M, h: f64, starts: u32) -> Vec<Integrator<K
 }
 
 fn keeps<S: PhaseSpace, M: Method<S>>(_: &Integrator<S, M>) -> bool {
-    M::KEEPS
+    M::HANDLING.keeps_invariants
 }
 
 /// Numbers of steps, and the errors after them.

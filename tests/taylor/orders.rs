@@ -37,13 +37,13 @@ fn steps_have_the_order_of_the_series() {
         let order = |steps: [f64; 2]| (tolerances[0] / tolerances[1]).ln() / (steps[0] / steps[1]).ln();
         let steps = tolerances.map(|tolerance| {
             let mut sim = PENDULUM.taylor(TaylorOrder::<P> { tolerance }, State::new(0.7, 0.9));
-            sim.step().map(|()| sim.step_size()).unwrap()
+            sim.step().map(|()| sim.last_step()).unwrap()
         });
         // Logarithms of step sizes give the order only approximately.
         assert!((order(steps) / P as f64 - 1.0).abs() < 0.01, "{P}: {}", order(steps));
         let steps = tolerances.map(|tolerance| {
             let mut sim = PREDATORS.taylor(TaylorOrder::<P> { tolerance }, FlowState::new([0.7, 0.9]));
-            sim.step().map(|()| sim.step_size()).unwrap()
+            sim.step().map(|()| sim.last_step()).unwrap()
         });
         assert!((order(steps) / P as f64 - 1.0).abs() < 0.01, "{P}: {}", order(steps));
     }

@@ -169,12 +169,17 @@ fn a_figure_eight_forth_and_back() {
 #[test]
 fn what_is_between_the_ends_of_a_step() {
     let mut sim = Pendulum.taylor(Taylor::default(), State::new(1.5, 0.0));
-    assert_eq!(sim.at(0.0), None);
+    assert_eq!(sim.at(0.0), Ok(State::new(1.5, 0.0)));
+    assert!(sim.at(0.01).is_err());
     sim.step().unwrap();
-    let h = sim.step_size();
-    assert!(sim.at(-1e-9).is_none() && sim.at(h + 1e-9).is_none() && sim.at(f64::NAN).is_none());
-    assert_eq!(sim.at(0.0), Some(State::new(1.5, 0.0)));
-    assert_eq!(sim.at(sim.time()), Some(sim.state()));
+    let h = sim.last_step();
+    for t in [-1e-9, h + 1e-9, f64::NAN] {
+        let error = sim.at(t).unwrap_err();
+        assert_eq!(error.failure, Failure::NotInLastStep { from: 0.0, to: h });
+        assert!(error.to_string().contains(&format!("from 0 to {h}")), "{error}");
+    }
+    assert_eq!(sim.at(0.0), Ok(State::new(1.5, 0.0)));
+    assert_eq!(sim.at(sim.time()), Ok(sim.state()));
     for part in [0.1, 0.5, 0.9] {
         let inside = sim.at(part * h).unwrap();
         let mut there = Pendulum.taylor(Taylor::default(), State::new(1.5, 0.0));
@@ -184,7 +189,7 @@ fn what_is_between_the_ends_of_a_step() {
     // A run backwards.
     sim.advance_to(-1.0).unwrap();
     let before = sim.at(sim.time() + 0.01).unwrap();
-    assert!(before.t > sim.time() && before.q > sim.state().q && sim.at(sim.time() - 0.01).is_none());
+    assert!(before.t > sim.time() && before.q > sim.state().q && sim.at(sim.time() - 0.01).is_err());
 }
 
 /// Lower orders, selected by loose tolerances, are as accurate as the highest order.

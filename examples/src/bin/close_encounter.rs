@@ -43,7 +43,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             closest = closest.min(distance(q[i], q[(i + 1) % 3]));
             paths[i].push((q[i][0], q[i][1]));
         }
-        steps.push((t, sim.step_size()));
+        steps.push((t, sim.last_step()));
     }
     let State { q, .. } = sim.state();
     let (binary, far) = (distance(q[1], q[2]), distance(q[0], q[1]));

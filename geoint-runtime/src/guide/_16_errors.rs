@@ -104,6 +104,7 @@
 //! | `LedAstray`, `Rounded` | a correction exceeds half of the step, or rounding changes an invariant | shorten the step; take other units |
 //! | `OutOfRange` | a value is too small or too large for `f32` or `f64` | take other units, or `f64` |
 //! | `Inaccurate`, `Diverges`, `NoRates`, `Sliding`, `TooManySteps` | an adaptive run or a Taylor series cannot go on: a collision, a jump | stop there; shorten the shortest step; raise `steps_at_most` |
-//! | `NoEvent`, `TimePassed` | the event function is zero all along or not a number; the time lies behind the run | change the function, or the time |
+//! | `NoEvent` | the event function is zero all along, or not a number | change the function |
+//! | `TimePassed`, `NotInLastStep` | the time lies behind the run; for `at`, outside of the last step | `sampled_at` with times ahead |
 //!
 //! Next: [limits](super::_18_limits), [a run in practice](super::_06_runs).

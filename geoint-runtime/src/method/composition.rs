@@ -29,7 +29,7 @@
 use crate::method::flows::Splitting;
 use crate::method::flows::perturbed::Perturbation;
 use crate::method::tables::total::adds_up;
-use crate::method::{Claims, Failure, Method, Name, Probe, Step};
+use crate::method::{Claims, Failure, Handling, Method, Name, Probe, Step};
 use crate::scalar::Real;
 use crate::space::{Array, Summation};
 use crate::system::PhaseSpace;
@@ -147,9 +147,8 @@ impl<S: PhaseSpace<R>, R: Real, M: Method<S, R>, const K: usize> Method<S, R> fo
     /// One memory for each substep: increments are extrapolated from those of the same substep in earlier steps. Do not share one memory. Substeps
     /// differ in length and sign, so initial guesses would be poor and iterations slow.
     type Memory = [M::Memory; K];
-    const SCALES_STEPS: bool = M::SCALES_STEPS;
-    const ROUGH_IF_SHORT: bool = M::ROUGH_IF_SHORT;
-    const KEEPS: bool = M::KEEPS;
+    // The maps that are composed move the point of the state.
+    const HANDLING: Handling = Handling { moves_inner_point: false, ..M::HANDLING };
 
     #[inline]
     fn way_back(prepared: &Self::Prepared, system: &S, origin: &S::Phase, z: &S::Phase) -> S::Phase {
@@ -179,8 +178,8 @@ impl<S: PhaseSpace<R>, R: Real, M: Method<S, R>, const K: usize> Method<S, R> fo
         })
     }
 
-    fn memory() -> Self::Memory {
-        core::array::from_fn(|_| M::memory())
+    fn memory(z: &S::Phase) -> Self::Memory {
+        core::array::from_fn(|_| M::memory(z))
     }
 
     #[inline]

@@ -61,7 +61,7 @@ impl<S: QuadraticField<R>, R: Real> Method<S, R> for Kahan {
         (system.constants(), h)
     }
 
-    fn memory() {}
+    fn memory(_: &S::Phase) {}
 
     /// If T is quadratic, only the impulse is unknown: the increment of q is h ∂T/∂p at the mean momentum.
     #[inline(always)]

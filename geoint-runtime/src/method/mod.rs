@@ -14,6 +14,7 @@ pub mod discrete_gradient;
 pub mod explicit;
 pub mod flows;
 pub mod gauss;
+mod handling;
 pub mod implicit;
 pub mod kahan;
 mod name;
@@ -25,6 +26,7 @@ pub use catalogue::Visitor;
 pub use clock::Clock;
 pub use explicit::tableau;
 pub use flows::{gradient_kick, modified_verlet};
+pub use handling::Handling;
 pub use name::Name;
 pub use probe::{Probe, Unwatched};
 pub(crate) use probe::{check_conditions, check_end, check_poles, check_way, start};
@@ -108,16 +110,10 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
     /// Values that a step passes to the next one, such as the increments from which implicit methods extrapolate an initial guess, and
     /// compensations of sums. `()` for most explicit methods. Saved runs record it. A refused step resets it, so results may depend on it by rounding only.
     type Memory: Clone + Record<R>;
-    /// Whether steps may be longer or shorter than h. The difference is added to `x.ahead`.
-    const SCALES_STEPS: bool = false;
+    /// How a run handles the steps.
+    const HANDLING: Handling = Handling::PLAIN;
     /// An upper bound of the order of compositions of this method, for every table.
     const COMPOSES_TO: u32 = u32::MAX;
-    /// Whether the momenta after a step have the rounding error of the positions divided by h. A state within a step is then computed from the farther end of
-    /// the step, because a very short step would amplify the error.
-    const ROUGH_IF_SHORT: bool = false;
-
-    /// Whether [`step`](Self::step) is faster than [`advance`](Self::advance) for a single step.
-    const SINGLY: bool = false;
 
     /// The claims of the method.
     fn claims(&self) -> Claims;
@@ -125,10 +121,7 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
     /// The name of the method.
     fn name(&self) -> Name;
 
-    /// Whether the method moves an inner point in place of the point of the state. It is a point in other coordinates, or the image under a processor.
-    const INNER: bool = false;
-
-    /// Maps the point of a state at the time `t` to the inner point that the method moves.
+    /// Maps the point of a state at the time `t` to the inner point that the method moves, if [`HANDLING`](Self::HANDLING) says that it moves one.
     #[inline(always)]
     fn enter(_prepared: &Self::Prepared, _system: &S, _t: R, _z: &mut S::Phase) {}
 
@@ -139,11 +132,8 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
     /// Computes the coefficients for steps of length `h`.
     fn prepare(&self, system: &S, h: R) -> Self::Prepared;
 
-    /// Returns the memory before the first step.
-    fn memory() -> Self::Memory;
-
-    /// Whether steps keep invariants to rounding. [`way_back`](Self::way_back) then removes their drift.
-    const KEEPS: bool = false;
+    /// Returns the memory before the first step from the point `z`.
+    fn memory(z: &S::Phase) -> Self::Memory;
 
     /// Returns the correction of `z` that restores the kept invariants to their values at the `origin` of a run.
     ///
@@ -163,7 +153,7 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
 
     /// Returns whether every step that ends where the energy is not defined ends in a state that is not finite. The domain of the energy is then not checked.
     #[inline(always)]
-    fn shows(_prepared: &Self::Prepared) -> bool {
+    fn shows_domain(_prepared: &Self::Prepared) -> bool {
         false
     }
 
@@ -225,7 +215,7 @@ pub(crate) fn outer_step<S: PhaseSpace<R>, R: Real, M: Method<S, R>, C: Summatio
     memory: &mut M::Memory,
     Step { system, t, end, x, probe }: Step<'_, S, R, C, P>,
 ) -> Result<(), Failure> {
-    if !M::INNER {
+    if !M::HANDLING.moves_inner_point {
         return M::step(prepared, memory, Step { system, t, end, x, probe });
     }
     // The compensation of `x` belongs to the coordinates of states, so the inner point starts without compensation.

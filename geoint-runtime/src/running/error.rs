@@ -102,8 +102,10 @@ impl fmt::Display for Failure {
 }
 
 /// Writes that no step is possible, and the clause of the failure.
-fn no_step(failure: Failure, f: &mut fmt::Formatter<'_>, StepError { t, h, .. }: &StepError) -> fmt::Result {
-    write!(f, "from t = {t} not even a step of {h:.1e} can be taken: {failure}", t = Number(*t))
+fn no_step(failure: Failure, f: &mut fmt::Formatter<'_>, error: &StepError) -> fmt::Result {
+    let (t, h) = (Number(error.t), error.h);
+    let none = if error.is_shortest() { "not even a" } else { "no" };
+    write!(f, "from t = {t} {none} step of {h:.1e} can be taken: {failure}")
 }
 
 /// Writes the sentence of a failure for an error, or its clause if there is no error. Sentences without a text of their own are those of [`no_step`].
@@ -247,6 +249,13 @@ fn describe(failure: Failure, f: &mut fmt::Formatter<'_>, error: Option<&StepErr
             clause "its time is before the last step",
             at t "the time {t} is before the last step: states are known within it, and beyond"
         ),
+        Failure::NotInLastStep { from, to } => {
+            let [from, to] = [from, to].map(Number);
+            say!(
+                clause "its time is not within the last step, from {from} to {to}",
+                at t "the state at t = {t} is not known: the last step leads from {from} to {to}; take steps to this time, or use `sampled_at`"
+            )
+        }
         Failure::NoEvent => say!(
             clause "the function whose changes of sign are events is zero all along, or not a number",
             at t "the function whose changes of sign are events is zero all along, or not a number, at t = {t}"

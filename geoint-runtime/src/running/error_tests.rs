@@ -37,7 +37,8 @@ fn next(failure: Option<Failure>) -> Option<Failure> {
         Some(Failure::Diverges) => Failure::NoRates,
         Some(Failure::NoRates) => Failure::Sliding,
         Some(Failure::Sliding) => Failure::TimePassed,
-        Some(Failure::TimePassed) => Failure::NoEvent,
+        Some(Failure::TimePassed) => Failure::NotInLastStep { from: 2.0, to: 2.5 },
+        Some(Failure::NotInLastStep { .. }) => Failure::NoEvent,
         Some(Failure::NoEvent) => Failure::TooManySteps { steps: 7 },
         Some(Failure::TooManySteps { .. }) => return None,
     })
@@ -50,7 +51,7 @@ fn failures() -> impl Iterator<Item = Failure> {
 /// A sentence names the time, unless it is about a setting. A clause does not.
 #[test]
 fn every_failure_has_a_clause_and_a_sentence() {
-    assert_eq!(failures().count(), 28);
+    assert_eq!(failures().count(), 29);
     for failure in failures() {
         let error = StepError::new(failure, 0.625, 0.25);
         let [clause, sentence] = [failure.to_string(), error.to_string()];

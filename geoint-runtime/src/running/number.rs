@@ -1,8 +1,8 @@
-//! Formats numbers in messages. Very large and very small numbers have an exponent.
+//! Formats numbers in messages, as `{:?}` does, but without ".0" after whole numbers. Limit: precision and width of the format string are ignored.
 
 use core::fmt;
 
-/// Magnitudes in this range are written in decimal form, like in `{:?}`.
+/// Magnitudes in this range are written in decimal form, as in `{:?}`.
 const DECIMAL: core::ops::Range<f64> = 1e-5..1e16;
 
 /// Wraps a number for display in messages.

@@ -10,7 +10,8 @@ use crate::{method::Name, space::Tape};
 
 /// A system, its present state, and everything that determines the next step.
 ///
-/// Implemented by [`Fixed`](super::Fixed), [`Controlled`](super::Controlled) and [`Series`](super::Series). Generic programs use the bound [`Dense`](super::Dense).
+/// Implemented by [`Fixed`](super::Fixed), [`Controlled`](super::Controlled) and [`Series`](super::Series). Generic programs use the bound
+/// [`Trajectory`](super::Trajectory), or [`Dense`](super::Dense) for states within steps and events.
 pub trait Pace: Clone {
     /// The scalar.
     type Real: Real;
@@ -43,25 +44,25 @@ pub trait Pace: Clone {
     fn advance(&mut self, n: u64) -> Result<(), StepError> {
         (0..n).try_for_each(|_| self.step())
     }
-    /// Takes one step towards the time `t`. Returns `false` if no step is left.
+    /// Takes one step towards the time `t`, but not beyond it. Returns `false` if no step is left.
     fn step_towards(&mut self, t: Self::Real) -> Result<bool, StepError>;
-    /// Takes all steps towards the time `t`. More than `most_steps` are the error `TooManySteps`; fixed steps ignore the limit.
+    /// Takes all steps towards the time `t`. Fixed steps end with the last one that is not beyond `t`, other steps at `t`. The error is `TooManySteps` if `t` is
+    /// not reached in `most_steps` steps, which fixed steps ignore.
     fn advance_to(&mut self, t: Self::Real, most_steps: u64) -> Result<(), StepError>;
 
     /// Continues from this state, which the user gives. All settings remain. An adaptive run estimates its next step anew, and keeps its direction.
     fn restart(&mut self, state: StateOf<Self::System, Self::Real>);
-    /// Continues from a state that results from a step of this run, at an event.
+    /// Continues from a state that results from a step of this run, at an event. Unlike a given state, it needs no check.
     fn restart_within(&mut self, state: StateOf<Self::System, Self::Real>) {
         self.restart(state);
     }
     /// Replaces the system by one with other parameters. Time, state, settings and the number of steps remain.
     fn set_system(&mut self, system: Self::System);
 
-    /// Takes one step that ends at the time `t`, or several if one is not possible. More than `most_steps` are the error `TooManySteps`; fixed steps ignore the
-    /// limit.
+    /// Takes one step that ends at the time `t`, or several if one is not possible. The limit is that of [`advance_to`](Self::advance_to).
     fn end_at(&mut self, t: Self::Real, most_steps: u64) -> Result<(), StepError>;
-    /// Implements [`Dense::at`](super::Dense::at).
-    fn at(&self, t: Self::Real) -> Option<StateOf<Self::System, Self::Real>>;
+    /// Returns a copy at the start of the last step. Fixed steps may have to repeat up to 1023 steps for it. Returns `None` if no step was taken since the state, the system or the step size was set.
+    fn before(&self) -> Option<Self>;
     /// Returns the state at a time in the step from `before` to `after`. By default, a copy of `before` takes a shorter step, or any
     /// number of them.
     fn between(before: &Self, _after: &Self, t: Self::Real) -> Result<StateOf<Self::System, Self::Real>, StepError> {
@@ -88,7 +89,7 @@ pub trait Pace: Clone {
     fn complete(&mut self) -> bool;
 }
 
-/// A pace whose method also takes shorter steps, within a step: not by Taylor series, whose polynomial of a step is known.
+/// A pace that computes states within a step by a shorter step of its method. Taylor series evaluate the polynomial of the step instead.
 pub trait PartialSteps: Pace {
     /// Returns the order of the method.
     fn order(&self) -> u32;
@@ -100,8 +101,8 @@ pub(super) type Coordinates<P> = PerCoordinate<
     <<P as Pace>::System as PhaseSpace<<P as Pace>::Real>>::Action,
 >;
 
-/// Takes steps of any length to the time `t`, at most `most_steps` of them. The last step ends there.
-pub(super) fn adapt_to<P: Pace>(pace: &mut P, t: P::Real, most_steps: u64) -> Result<(), StepError> {
+/// Takes steps to the time `t`, at most `most_steps` of them, for paces that choose their lengths. The last step ends there.
+pub(super) fn step_until<P: Pace>(pace: &mut P, t: P::Real, most_steps: u64) -> Result<(), StepError> {
     let left = signed(t - pace.time());
     if left.is_infinite() {
         return Err(StepError::of_step_size(signed(pace.time()), left));
@@ -115,18 +116,4 @@ pub(super) fn adapt_to<P: Pace>(pace: &mut P, t: P::Real, most_steps: u64) -> Re
             return Ok(());
         }
     }
-}
-
-/// Returns the state at the time `t` if it lies within the next step, which has the length `h`. `between` computes a state after the present one.
-pub(super) fn ahead<P: Pace>(
-    pace: &P,
-    t: P::Real,
-    h: f64,
-    between: impl FnOnce() -> Result<StateOf<P::System, P::Real>, StepError>,
-) -> Option<StateOf<P::System, P::Real>> {
-    let after = signed(t - pace.time()) * h.signum();
-    if after == 0.0 {
-        return Some(pace.state());
-    }
-    if after > 0.0 && after <= h.abs() { between().ok() } else { None }
 }

@@ -35,7 +35,7 @@ pub const FORMAT: u32 = 9;
 ///
 /// 1. the clock;
 /// 2. the number of steps, its value when the user gave a state, and its value when the state was last set, by the user or at an event;
-/// 3. whether the point is the inner point of the method (see [`Method::INNER`](crate::Method::INNER)), and the origin;
+/// 3. whether the point is the inner point of the method (see [`Handling`](crate::method::Handling)), and the origin;
 /// 4. point, history, events.
 ///
 /// An [`Adaptive`](crate::Adaptive) run has:

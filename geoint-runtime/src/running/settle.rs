@@ -11,7 +11,7 @@ pub(super) const STEPS_BETWEEN_CHECKS: u64 = 1024;
 
 /// Returns whether there is drift to remove: attitudes, or invariants that the method keeps.
 pub(super) const fn has_drift<S: PhaseSpace<R>, M: Method<S, R>, R: Real>() -> bool {
-    S::State::ATTITUDES || M::KEEPS
+    S::State::ATTITUDES || M::HANDLING.keeps_invariants
 }
 
 /// Returns the point with attitudes normalised to length 1, and with the kept invariants at their values at the origin of the run.
@@ -24,7 +24,7 @@ pub(super) fn without_drift<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summa
     if S::State::ATTITUDES {
         x.add(&normalisation::<S, R>(&x.z));
     }
-    if M::KEEPS {
+    if M::HANDLING.keeps_invariants {
         x.add(&M::way_back(prepared, system, origin, &x.z));
     }
     x

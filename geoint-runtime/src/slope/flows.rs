@@ -1,6 +1,6 @@
 //! Functions of exact flows. They are smooth at a coefficient of zero, without 0/0 and cancellation.
 
-use super::{by_pairs, either, factorial, polynomial, series, spared, tiny};
+use super::{by_pairs, either, factorial, polynomial, series, series_bound, tiny};
 use crate::scalar::Real;
 
 /// Returns φ₁(x) = (eˣ − 1)/x. For |x| ≤ 1/64, as with weak friction, 7 terms of the Taylor series are enough.
@@ -14,7 +14,7 @@ pub fn phi_1<R: Real>(x: R) -> R {
 #[inline(never)]
 fn strong<R: Real>(x: R) -> R {
     let series = |x: R| by_pairs(x, series!(18, |k| 1.0 / factorial(k + 1)));
-    either(x, spared::<R>(1.0), series, || x.exp_m1() / x)
+    either(x, series_bound::<R>(1.0), series, || x.exp_m1() / x)
 }
 
 /// Returns x·eᶻ from `change` = eᶻ − 1, as x + x·`change`. If eᶻ < ½, it returns x·`rest`, with eᶻ from the function [`rest`].

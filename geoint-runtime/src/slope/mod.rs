@@ -1,13 +1,15 @@
 //! Divided differences f[a, b] = (f(b) − f(a))/(b − a) without 0/0 and without cancellation. The limit is f[a, a] = f'(a).
 //!
-//! Emitted kernels call these functions. A function of two ends has the name of f, and is symmetric in both ends to the last bit. `…_derivative` is
-//! ∂f[a, b]/∂b = f[a, b, b], for Newton's matrices.
+//! Emitted kernels call these functions. `abs`, `exp`, `exp2`, `ln`, `powf` and `tanh` are divided differences of the functions of these names, symmetric in both
+//! ends to the last bit. Their `…_derivative` is ∂f[a, b]/∂b = f[a, b, b], for Newton's matrices. Other functions that kernels need stand beside them: quotients
+//! such as sin x/x, whose `…_derivative` is the ordinary one, exact flows (`flows`, `coupled`, `linear`, `central`, `kepler`, `free_body`), and functions that
+//! return NaN outside of a domain (`kinks`).
 //!
-//! Each component of a scalar is independent of the others. The function `either` selects series or closed form. A divisor is kept away from zero by a
-//! number so small that the quotient is rounded to its limit.
+//! A scalar may have several components, for instance one for each of four trajectories, so no function branches on a comparison. The function `either` selects
+//! series or closed form. A divisor is kept away from zero by a number so small that the quotient is rounded to its limit.
 //!
-//! First divided differences are accurate to 3 ε, and second ones to 30 ε. The errors are relative to their size, and to their change with the last digits
-//! of both ends.
+//! First divided differences are accurate to 3 ε, and second ones to 30 ε. The unit is the size of the result, or its change if the last digit of an end changes,
+//! if that is larger. Limit: coefficients are `f64`, so scalars with more digits use no series.
 
 mod central;
 mod circular;
@@ -65,7 +67,7 @@ fn polynomial<R: Real, const N: usize>(x: R, c: &[f64; N]) -> R {
     sum
 }
 
-/// Returns Σ cₖ xᵏ by Estrin's scheme: the terms after the first two are summed in pairs, pairs of pairs, and so on. The chain of dependent operations is
+/// Returns Σ cₖ xᵏ for N ≥ 3 by Estrin's scheme: the terms after the first two are summed in pairs, pairs of pairs, and so on. The chain of dependent operations is
 /// short. The rounding errors of these terms are multiplied by x². G. Estrin, Proc. Western Joint Computer Conf. (1960) 33.
 #[inline(always)]
 fn by_pairs<R: Real, const N: usize>(x: R, c: &[f64; N]) -> R {
@@ -80,9 +82,9 @@ fn by_pairs<R: Real, const N: usize>(x: R, c: &[f64; N]) -> R {
     sums[0] + sums[2].multiply_add(square, sums[1] * x)
 }
 
-/// Returns the bound up to which a series replaces a library function. Zero if the scalar has more digits than the coefficients of the series.
+/// Returns `bound`, up to which a series replaces a library function. Returns zero for a scalar with more digits than `f64`: the series would be less accurate.
 #[inline(always)]
-fn spared<R: Real>(bound: f64) -> f64 {
+fn series_bound<R: Real>(bound: f64) -> f64 {
     if R::epsilon() < f64::EPSILON { 0.0 } else { bound }
 }
 
@@ -91,7 +93,7 @@ const fn factorial(n: usize) -> f64 {
     if n == 0 { 1.0 } else { n as f64 * factorial(n - 1) }
 }
 
-/// The coefficients cₖ = numerator(k)/denominator(k) of a series.
+/// The array [c(0), …, c(n − 1)] of a formula c(k), computed at compile time.
 macro_rules! series {
     ($n:literal, |$k:ident| $c:expr) => {{
         const C: [f64; $n] = {

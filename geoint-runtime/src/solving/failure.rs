@@ -119,6 +119,13 @@ pub enum Failure {
     Sliding,
     /// The requested time lies before the last step.
     TimePassed,
+    /// The state at the requested time is not known: the time does not lie within the last step.
+    NotInLastStep {
+        /// Time at which the last step started. The present time if there was no step since a setting changed.
+        from: f64,
+        /// Present time.
+        to: f64,
+    },
     /// An event function is not a number, or is identically zero.
     NoEvent,
     /// The end time was not reached within the allowed number of steps. The state is the one after them.

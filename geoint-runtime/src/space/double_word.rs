@@ -3,7 +3,8 @@
 use super::record::{Record, Tape};
 use crate::scalar::{Real, exact_sum, halves, zero};
 
-/// The number of bits of each part of an integer in an exact product.
+/// The number of bits of each part of an integer in an exact product: 11 bits times half of the digits of an `f32`, 12 bits, fit into its 24 bits. A scalar
+/// therefore needs at least 24 bits.
 const BITS: u32 = 11;
 
 /// The number high + low, with twice the digits of the scalar. Invariant: |low| is at most half a unit in the last place of high.
@@ -32,12 +33,13 @@ impl<R: Real> DoubleWord<R> {
         [self.high, self.low]
     }
 
+    /// Returns both words, to restore them. The caller keeps the invariant.
     #[inline(always)]
     pub(crate) fn words_mut(&mut self) -> [&mut R; 2] {
         [&mut self.high, &mut self.low]
     }
 
-    /// Adds a number. The error is ε² times the sum.
+    /// Adds a number. The error is about ε² times the sum. Limit: the sum with an infinite number is NaN.
     #[inline(always)]
     pub fn add(&mut self, x: R) {
         let (sum, error) = exact_sum(self.high, x);
@@ -51,7 +53,7 @@ impl<R: Real> DoubleWord<R> {
         self.add(x.high);
     }
 
-    /// Adds n·h by exact products of [`BITS`] bits of n and half of the digits of h. The error of each addition is ε² times the sum.
+    /// Adds n·h as exact products: n in parts of [`BITS`] bits, times each half of the digits of h. The error of each addition is about ε² times the sum.
     pub(crate) fn add_multiple(&mut self, mut n: u64, h: R) {
         let (upper, lower) = halves(h);
         let mut unit = 1.0;

@@ -27,7 +27,7 @@ pub trait Tape<R> {
         *yes = n != 0;
     }
 
-    /// Saves or restores a number of steps, limited to 2⁶².
+    /// Saves or restores a number of steps, limited to 2⁶², so that a damaged record cannot overflow later sums.
     fn steps(&mut self, n: &mut u64) {
         self.count(n);
         *n = (*n).min(NEVER);

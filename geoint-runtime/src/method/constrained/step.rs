@@ -67,6 +67,8 @@ impl<S: ConstrainedStep<M, R>, M: ConstrainedMethod, R: Real> ImplicitStep<S, R>
             Momenta::MadeTangent => Evaluated::Elsewhere,
             Momenta::Carried => Evaluated::ByDifferences,
         },
+        // g(q₁) = 0 determines ν to the rounding of q, and the momenta contain ν/h. Their error is about ε|q|/h. No projection removes it from carried momenta.
+        is_rough_if_short: matches!(M::MOMENTA, Momenta::Carried),
         // `S::Unknown` does not tell multipliers from increments, so all unknowns count as one kind. Only the long searches of the solver read it.
         ..Policy::of(Units { alike: S::Unknown::LEN, kinds: 1 })
     };
@@ -76,8 +78,6 @@ impl<S: ConstrainedStep<M, R>, M: ConstrainedMethod, R: Real> ImplicitStep<S, R>
         Momenta::MadeTangent => u32::MAX,
         Momenta::Carried => 4,
     };
-    /// g(q₁) = 0 determines ν to the rounding of q, and the momenta contain ν/h. Their error is about ε|q|/h. No projection removes it from carried momenta.
-    const ROUGH_IF_SHORT: bool = matches!(M::MOMENTA, Momenta::Carried);
 
     fn coefficients(self, system: &S, h: R) -> S::Constants {
         system.constants(h)

@@ -48,7 +48,7 @@ impl<S: Mechanical<R>, R: Real> Method<S, R> for ContactLeapfrog {
         Prepared { h, half_kick, drift: system.prepare_free_drift(h) }
     }
 
-    fn memory() {}
+    fn memory(_: &S::Phase) {}
 
     #[inline(always)]
     fn step<C: Summation<S::Phase>, P: Probe<S, R>>(

@@ -7,7 +7,9 @@ use super::turns::check_turns;
 use super::way_back::way_back;
 use super::{kept, rounded};
 use crate::method::corrected::invariants::Invariants;
-use crate::method::{And, Claims, Failure, Method, Name, Probe, Step, check_conditions, check_poles, outer_step};
+use crate::method::{
+    And, Claims, Failure, Handling, Method, Name, Probe, Step, check_conditions, check_poles, outer_step,
+};
 use crate::scalar::Real;
 use crate::space::vector::{difference, sum};
 use crate::space::{Array, Compensated, Record, Summation, Tape};
@@ -75,8 +77,8 @@ impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
     type Proof = <M::Proof as And<I::Values>>::Both;
     type Prepared = Prepared<M::Prepared, I>;
     type Memory = Memory<M::Memory, S::Phase>;
-    const SCALES_STEPS: bool = M::SCALES_STEPS;
-    const KEEPS: bool = I::Values::LEN > 0;
+    const HANDLING: Handling =
+        Handling { scales_steps: M::HANDLING.scales_steps, keeps_invariants: I::Values::LEN > 0, ..Handling::PLAIN };
 
     #[inline]
     fn way_back(prepared: &Self::Prepared, system: &S, origin: &S::Phase, z: &S::Phase) -> S::Phase {
@@ -108,8 +110,8 @@ impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
         Prepared { method: self.0.prepare(system, h), poles: Poles::of(system), invariants: self.1 }
     }
 
-    fn memory() -> Self::Memory {
-        Memory { method: M::memory(), scales: Scales::new(), sums: Compensated::new() }
+    fn memory(z: &S::Phase) -> Self::Memory {
+        Memory { method: M::memory(z), scales: Scales::new(), sums: Compensated::new() }
     }
 
     #[inline]

@@ -4,7 +4,9 @@ use crate::method::corrected::invariants::Invariants;
 use crate::method::corrected::range::is_representable;
 use crate::method::corrected::turns::check_turns;
 use crate::method::corrected::{kept, rounded};
-use crate::method::{And, Claims, Failure, Method, Name, Probe, Step, check_conditions, check_poles, outer_step};
+use crate::method::{
+    And, Claims, Failure, Handling, Method, Name, Probe, Step, check_conditions, check_poles, outer_step,
+};
 use crate::scalar::{Real, zero};
 use crate::solving::rounding::MAX_ITERATIONS;
 use crate::solving::size::Sizes;
@@ -66,8 +68,7 @@ impl<S: KeepsEnergy<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M>
     type Proof = <M::Proof as And<<S as KeepsEnergy<R>>::Proof>>::Both;
     type Prepared = Prepared<M::Prepared, R>;
     type Memory = Memory<M::Memory, S::Phase>;
-    const SCALES_STEPS: bool = true;
-    const KEEPS: bool = true;
+    const HANDLING: Handling = Handling { scales_steps: true, keeps_invariants: true, ..Handling::PLAIN };
 
     #[inline]
     fn way_back(_: &Self::Prepared, system: &S, origin: &S::Phase, z: &S::Phase) -> S::Phase {
@@ -93,8 +94,8 @@ impl<S: KeepsEnergy<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M>
         Prepared { method: self.0.prepare(system, h), poles: Poles::of(system), h }
     }
 
-    fn memory() -> Self::Memory {
-        Memory { method: M::memory(), sums: Compensated::new(), uncorrected: zero() }
+    fn memory(z: &S::Phase) -> Self::Memory {
+        Memory { method: M::memory(z), sums: Compensated::new(), uncorrected: zero() }
     }
 
     #[inline]

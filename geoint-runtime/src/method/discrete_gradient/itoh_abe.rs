@@ -10,7 +10,7 @@ use super::mean::{MeanGradient, MeanStep};
 use crate::method::composition::substeps;
 use crate::method::corrected::kept;
 use crate::method::implicit::{Memory, Prepared};
-use crate::method::{Claims, Failure, Method, Name, Probe, Step};
+use crate::method::{Claims, Failure, Handling, Method, Name, Probe, Step};
 use crate::scalar::Real;
 use crate::space::vector::{moved, opposite, scaled, sum};
 use crate::space::{Array, Summation};
@@ -142,7 +142,8 @@ impl<S: DiscreteField<R> + Conservative<R>, R: Real> Method<S, R> for ItohAbePai
     type Proof = <S as Conservative<R>>::Proof;
     type Prepared = PreparedPair<S, R>;
     type Memory = Memory<MeanStep<Half>, S, R>;
-    const KEEPS: bool = <KeptBy<S, R> as Invariants<S, R>>::Values::LEN > 0;
+    const HANDLING: Handling =
+        Handling { keeps_invariants: <KeptBy<S, R> as Invariants<S, R>>::Values::LEN > 0, ..Handling::PLAIN };
 
     #[inline]
     fn way_back(_: &Self::Prepared, system: &S, origin: &S::Phase, z: &S::Phase) -> S::Phase {
@@ -163,7 +164,7 @@ impl<S: DiscreteField<R> + Conservative<R>, R: Real> Method<S, R> for ItohAbePai
         PreparedPair { first, second, half_step }
     }
 
-    fn memory() -> Self::Memory {
+    fn memory(_: &S::Phase) -> Self::Memory {
         Memory::new()
     }
 

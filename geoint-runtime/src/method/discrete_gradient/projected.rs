@@ -1,7 +1,8 @@
 //! The step of `FourthOrder(DiscreteGradient)`: d = h·f̄(z, z + d) for the increment d of all coordinates z. [`FourthOrder`] documents the method.
 //!
-//! The mean velocity f̄ is of order 4, projected so that the step keeps invariants. [`FourthOrderField`] defines it: for canonical systems by the functions of
-//! `canonical.rs`, for other fields by emitted code.
+//! f̄ = F − M G (Gᵀ M G)⁻¹ Gᵀ F: F is a mean velocity of order 4, the columns of G are discrete gradients of the kept invariants (energy, momenta, first
+//! integrals), and M is a metric. [`FourthOrderField`] defines f̄: for canonical systems by the functions of `canonical.rs`, for other fields by emitted code,
+//! with M = 1.
 
 use super::mean::MeanGradient;
 use super::{DiscreteGradient, FourthOrder};
@@ -45,7 +46,9 @@ impl<S: FourthOrderField<R>, R: Real> ImplicitStep<S, R> for FourthOrder<Discret
     type Solver = Newton<S::Phase>;
 
     const POLICY: Policy = Policy {
+        // Large forces may cancel in canonical systems. First integrals of fields may be steep where coordinates are small.
         magnitudes: if S::State::MOMENTA { Magnitudes::Recent } else { Magnitudes::Present },
+        // Every solution satisfies the balance of the kept invariants.
         branch: if <KeptBy<S, R> as Invariants<S, R>>::Values::LEN > 0 { Branch::OfEnergy } else { Branch::Continuous },
         sums: Sums::Compensated,
         evaluated: Evaluated::AtTheEnd,
@@ -137,7 +140,8 @@ impl<S: FourthOrderField<R>, R: Real> ImplicitStep<S, R> for FourthOrder<Discret
         rounded::check_step::<S, R>(P::EFFORT, from, end)
     }
 
-    /// Returns whether the kept invariants neither underflow nor overflow. Only canonical systems are checked, because only their metric contains energies.
+    /// Returns whether the kept invariants neither underflow nor overflow. Only canonical systems are checked: their metric M is made of
+    /// energies, whose products may leave the range.
     fn is_in_range(system: &S, z: &S::Phase) -> bool {
         !S::State::MOMENTA || is_representable(system, &KeptBy::<S, R>::default(), z)
     }

@@ -33,7 +33,7 @@ pub use tables::{DOP853, RK4};
 
 /// Adds the increment of a step, and normalises the quaternions of attitudes. The addition changes the length of a quaternion by the error of the step.
 #[inline(always)]
-fn end<S: PhaseSpace<R>, R: Real, C: Summation<S::Phase>>(
+fn add_and_normalise<S: PhaseSpace<R>, R: Real, C: Summation<S::Phase>>(
     x: &mut Point<S::Phase, C, S::Action>,
     increment: &PerCoordinate<S::Phase, S::Action>,
 ) {

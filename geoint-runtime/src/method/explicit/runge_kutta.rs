@@ -199,7 +199,7 @@ impl<S: Rates<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> {
         Prepared { a, b: times_h(b), c: times_h(c), estimators, poles: Poles::of(system) }
     }
 
-    fn memory() {}
+    fn memory(_: &S::Phase) {}
 
     #[inline]
     fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
@@ -209,7 +209,7 @@ impl<S: Rates<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> {
     ) -> Result<(), Failure> {
         let rates = prepared.rates(step.part([step.t; 2]));
         prepared.check_mass(&rates, &step)?;
-        super::end::<S, R, C>(step.x, &weighted_sum(&prepared.b, &rates));
+        super::add_and_normalise::<S, R, C>(step.x, &weighted_sum(&prepared.b, &rates));
         Ok(())
     }
 
@@ -229,7 +229,7 @@ impl<S: Rates<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> {
         if let Err(refusal) = prepared.check_mass(&rates, &step) {
             return Some(Err(refusal));
         }
-        super::end::<S, R, C>(step.x, &weighted_sum(&prepared.b, &rates));
+        super::add_and_normalise::<S, R, C>(step.x, &weighted_sum(&prepared.b, &rates));
         let [higher, lower] = estimators;
         Some(Ok([weighted_sum(higher, &rates), weighted_sum(lower, &rates)]))
     }

@@ -39,7 +39,7 @@ macro_rules! delegate {
             type Proof = <S as $($property)*>::Proof;
             type Prepared = <$inner as Method<S, R>>::Prepared;
             type Memory = <$inner as Method<S, R>>::Memory;
-            const SINGLY: bool = <$inner as Method<S, R>>::SINGLY;
+            const HANDLING: $crate::method::Handling = <$inner as Method<S, R>>::HANDLING;
 
             fn claims(&self) -> Claims {
                 let $this = self;
@@ -55,11 +55,11 @@ macro_rules! delegate {
                 Method::prepare(&$table, system, h)
             }
             #[inline(always)]
-            fn shows(prepared: &Self::Prepared) -> bool {
-                <$inner as Method<S, R>>::shows(prepared)
+            fn shows_domain(prepared: &Self::Prepared) -> bool {
+                <$inner as Method<S, R>>::shows_domain(prepared)
             }
-            fn memory() -> Self::Memory {
-                <$inner as Method<S, R>>::memory()
+            fn memory(z: &S::Phase) -> Self::Memory {
+                <$inner as Method<S, R>>::memory(z)
             }
             $crate::method::flows::steps_of!($inner, |prepared| prepared);
         }

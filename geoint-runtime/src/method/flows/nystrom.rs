@@ -7,7 +7,7 @@ use super::open::Open;
 use super::sequence::Sequence;
 use super::steps_of;
 use super::table::Splitting;
-use crate::method::{Claims, Clock, Estimate, Failure, Method, Name, Probe, Step};
+use crate::method::{Claims, Clock, Estimate, Failure, Handling, Method, Name, Probe, Step};
 use crate::scalar::Real;
 use crate::space::{Action, Array, PerCoordinate, Point, Summation};
 use crate::system::QuadraticKinetic;
@@ -135,7 +135,7 @@ impl<S: QuadraticKinetic<R>, R: Real, O: Copy, const K: usize> Method<S, R> for 
     type Proof = <S as QuadraticKinetic<R>>::Proof;
     type Prepared = Prepared<Sequence<S, R, KickAndDrift, K>, R, K>;
     type Memory = History<S::Array, S::Action>;
-    const SINGLY: bool = true;
+    const HANDLING: Handling = Handling::FASTER_SINGLY;
 
     fn claims(&self) -> Claims {
         self.table.claims()
@@ -150,11 +150,11 @@ impl<S: QuadraticKinetic<R>, R: Real, O: Copy, const K: usize> Method<S, R> for 
     }
 
     #[inline(always)]
-    fn shows(prepared: &Self::Prepared) -> bool {
-        <Splitting<K> as Method<S, R>>::shows(&prepared.sequence)
+    fn shows_domain(prepared: &Self::Prepared) -> bool {
+        <Splitting<K> as Method<S, R>>::shows_domain(&prepared.sequence)
     }
 
-    fn memory() -> Self::Memory {
+    fn memory(_: &S::Phase) -> Self::Memory {
         History { open: Open::unknown(), kick: LastKick::unknown() }
     }
 

@@ -6,7 +6,7 @@ use super::sequence::Sequence;
 use super::steps_of;
 use super::table::{Entry, Flow, Splitting};
 use crate::method::tables::total::adds_up;
-use crate::method::{Claims, Clock, Failure, Method, Name, Probe, Step, Unwatched};
+use crate::method::{Claims, Clock, Failure, Handling, Method, Name, Probe, Step, Unwatched};
 use crate::scalar::Real;
 use crate::space::{Plain, Point, Summation};
 use crate::system::{PhaseSpace, Separable};
@@ -95,8 +95,7 @@ where
     type Proof = F::Proof;
     type Prepared = Prepared<S, R, F, K, P>;
     type Memory = <Splitting<K, F> as Method<S, R>>::Memory;
-    const SINGLY: bool = true;
-    const INNER: bool = true;
+    const HANDLING: Handling = Handling { moves_inner_point: true, ..Handling::FASTER_SINGLY };
 
     fn claims(&self) -> Claims {
         // Not symmetric: the processor is even in h only up to the remaining error, and Φ(−h)Φ(h) differs from the identity by that error.
@@ -111,8 +110,8 @@ where
         Prepared::of(self, system, h)
     }
 
-    fn memory() -> Self::Memory {
-        Splitting::<K, F>::memory()
+    fn memory(z: &S::Phase) -> Self::Memory {
+        Splitting::<K, F>::memory(z)
     }
 
     fn enter(prepared: &Self::Prepared, system: &S, t: R, z: &mut S::Phase) {

@@ -5,7 +5,7 @@ use super::kinds::Flows;
 use super::open::Open;
 use super::sequence::Sequence;
 use super::table::Splitting;
-use crate::method::{Claims, Clock, Failure, Method, Name, Probe, Step};
+use crate::method::{Claims, Clock, Failure, Handling, Method, Name, Probe, Step};
 use crate::scalar::Real;
 use crate::space::{Point, Summation};
 use crate::system::Separable;
@@ -14,7 +14,7 @@ impl<S: Separable<R>, R: Real, F: Flows<S, R>, const K: usize> Method<S, R> for 
     type Proof = F::Proof;
     type Prepared = Sequence<S, R, F, K>;
     type Memory = Open<S::Phase, S::Action>;
-    const SINGLY: bool = true;
+    const HANDLING: Handling = Handling::FASTER_SINGLY;
 
     fn claims(&self) -> Claims {
         Splitting::claims(self)
@@ -29,11 +29,11 @@ impl<S: Separable<R>, R: Real, F: Flows<S, R>, const K: usize> Method<S, R> for 
     }
 
     #[inline(always)]
-    fn shows(prepared: &Self::Prepared) -> bool {
+    fn shows_domain(prepared: &Self::Prepared) -> bool {
         prepared.last_kick_shows_domain()
     }
 
-    fn memory() -> Self::Memory {
+    fn memory(_: &S::Phase) -> Self::Memory {
         Open::unknown()
     }
 

@@ -1,4 +1,7 @@
 //! Symplectic Euler and Verlet methods, and Verlet's method for rigid bodies.
+//!
+//! All are for H = T(p) + V(q): a kick is the flow of V, and a drift is the flow of T. `Splitting<1>` has one kick or drift between two outer flows, and costs one
+//! force a step in a run: the last flow of a step is merged with the first one of the next.
 
 #![allow(non_upper_case_globals, reason = "methods are values: `system.integrator(StormerVerlet, …)`")]
 
@@ -14,7 +17,7 @@ use crate::system::Separable;
 /// Kick, drift: p₁ = p₀ − h V'(q₀), q₁ = q₀ + h T'(p₁). Order 1, symplectic; its adjoint is
 /// [`SymplecticEulerAdjoint`]. R. de Vogelaere 1956; Hairer, Lubich & Wanner, *Geometric Numerical Integration*,
 /// (I.1.9).
-#[doc(alias("semi-implicit Euler", "Euler-Cromer", "Euler"))]
+#[doc(alias("semi-implicit Euler", "Euler-Cromer"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SymplecticEuler;
 
@@ -50,10 +53,11 @@ pub const PositionVerlet: Splitting<1> = Splitting::new(2, [Drift(0.5), Kick(1.0
 
 /// Half a kick, five rotations of every rigid body about its principal axes, half a kick. Order 2, symmetric, symplectic, one torque
 /// a step. It needs no series and is cheaper than [`StormerVerlet`], whose drift is the exact flow of the free
-/// body. The error is about 1.5 times as large.
+/// body. In the tests the error is about 1.5 times as large.
 ///
 /// The rotations have order 2, so they would lower the order of higher-order tables. Only this method uses them.
 /// A. Dullweber, B. Leimkuhler & R. McLachlan, J. Chem. Phys. 107 (1997) 5840.
 #[doc(alias("rigid body splitting", "DLM"))]
 pub const FiveRotations: Splitting<1, KickAndRotations> =
+    // With `KickAndRotations`, a drift stands for rotations about the axes 1, 2, 3, 2, 1. All but the third take half of the time.
     Splitting::of_flows(2, [Kick(0.5), Drift(1.0), Kick(0.5)]).named("FiveRotations");

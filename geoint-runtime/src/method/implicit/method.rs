@@ -3,6 +3,7 @@
 
 use super::driver::{Memory, Prepared};
 use super::step::ImplicitStep;
+use crate::method::Handling;
 use crate::scalar::Real;
 use crate::space::Array;
 use crate::system::{Invariants, PhaseSpace};
@@ -48,19 +49,18 @@ impl<M: ImplicitMethod<S, R>, S: PhaseSpace<R>, R: Real> SolvedBy<M, R> for S {
     }
 }
 
-/// Returns whether steps have at least one [kept invariant](ImplicitStep::Kept), for [`Method::KEEPS`](crate::Method::KEEPS).
-pub const fn keeps<M, S: SolvedBy<M, R>, R: Real>() -> bool {
-    <<StepFor<M, S, R> as ImplicitStep<S, R>>::Kept as Invariants<S, R>>::Values::LEN > 0
+/// Returns [`Method::HANDLING`](crate::Method::HANDLING) of the steps of a method.
+pub const fn handling<M, S: SolvedBy<M, R>, R: Real>() -> Handling {
+    Handling {
+        is_rough_if_short: <StepFor<M, S, R> as ImplicitStep<S, R>>::POLICY.is_rough_if_short,
+        keeps_invariants: <<StepFor<M, S, R> as ImplicitStep<S, R>>::Kept as Invariants<S, R>>::Values::LEN > 0,
+        ..Handling::PLAIN
+    }
 }
 
 /// Returns [`ImplicitStep::COMPOSES_TO`] of the steps of a method.
 pub const fn composes_to<M, S: SolvedBy<M, R>, R: Real>() -> u32 {
     <StepFor<M, S, R> as ImplicitStep<S, R>>::COMPOSES_TO
-}
-
-/// Returns [`ImplicitStep::ROUGH_IF_SHORT`] of the steps of a method.
-pub const fn is_rough_if_short<M, S: SolvedBy<M, R>, R: Real>() -> bool {
-    <StepFor<M, S, R> as ImplicitStep<S, R>>::ROUGH_IF_SHORT
 }
 
 /// The step of a method for a system.
@@ -89,8 +89,7 @@ macro_rules! implicit_method {
             type Prepared = $crate::method::implicit::PreparedFor<$method, System, Number>;
             type Memory = $crate::method::implicit::MemoryFor<$method, System, Number>;
             const COMPOSES_TO: u32 = $crate::method::implicit::composes_to::<$method, System, Number>();
-            const ROUGH_IF_SHORT: bool = $crate::method::implicit::is_rough_if_short::<$method, System, Number>();
-            const KEEPS: bool = $crate::method::implicit::keeps::<$method, System, Number>();
+            const HANDLING: $crate::method::Handling = $crate::method::implicit::handling::<$method, System, Number>();
 
             fn claims(&self) -> $crate::method::Claims {
                 <$crate::method::implicit::StepFor<$method, System, Number> as $crate::method::implicit::ImplicitStep<System, Number>>::claims($claims)
@@ -105,7 +104,7 @@ macro_rules! implicit_method {
                 Self::Prepared::new(<System as $crate::method::implicit::SolvedBy<$method, Number>>::step_of(*self), system, h)
             }
 
-            fn memory() -> Self::Memory {
+            fn memory(_: &System::Phase) -> Self::Memory {
                 Self::Memory::new()
             }
 

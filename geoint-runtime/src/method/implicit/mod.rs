@@ -130,7 +130,7 @@ mod watch;
 pub use driver::{Memory, Prepared};
 pub use method::{ImplicitMethod, SolvedBy};
 #[doc(hidden)]
-pub use method::{MemoryFor, PreparedFor, StepFor, composes_to, is_rough_if_short, keeps};
+pub use method::{MemoryFor, PreparedFor, StepFor, composes_to, handling};
 pub use points::{Arrival, Departure, Increment, Stage};
 pub use step::{Branch, Equation, Evaluated, ImplicitStep, Policy, Sums};
 pub use watch::Watch;

@@ -29,6 +29,8 @@ pub struct Policy {
     pub sums: Sums,
     /// The points at which the equation evaluates the energy. The checks of the end depend on them.
     pub evaluated: Evaluated,
+    /// See [`Handling::is_rough_if_short`](crate::method::Handling::is_rough_if_short).
+    pub is_rough_if_short: bool,
 }
 
 impl Policy {
@@ -41,6 +43,7 @@ impl Policy {
             standstill: 0.0,
             sums: Sums::OfTheRun,
             evaluated: Evaluated::Elsewhere,
+            is_rough_if_short: false,
         }
     }
 }
@@ -127,8 +130,6 @@ pub trait ImplicitStep<S: PhaseSpace<R>, R: Real = f64>: Copy + core::fmt::Debug
     const STAGES: usize = 0;
     /// See [`Method::COMPOSES_TO`](crate::Method::COMPOSES_TO).
     const COMPOSES_TO: u32 = u32::MAX;
-    /// See [`Method::ROUGH_IF_SHORT`](crate::Method::ROUGH_IF_SHORT).
-    const ROUGH_IF_SHORT: bool = false;
     /// The order of the error that [`estimate`](Self::estimate) returns. `None` if the method has no estimate.
     const ORDER_OF_ESTIMATE: Option<u32> = None;
 

@@ -1,8 +1,10 @@
 //! The tables of coefficients: fractions of h in order of application. Palindromes are given by their first half.
 //!
-//! Each number has fifty digits and is rounded once, by the compiler. "Free parameters" is the number of parameters that the
-//! order conditions do not determine. Their values are those of the source. The digits of such a table beyond the published
-//! ones were computed from the order conditions.
+//! Fractions have about fifty digits, and coefficients of error estimates 25. The compiler rounds each number once, to `f64`, also for wider scalars. "Free
+//! parameters" is the number of parameters that the order conditions do not determine. Their values are those of the source, taken as exact. All further digits
+//! of such a table follow from the order conditions.
+//!
+//! Names have the authors and the order. Then follow the number of stages, or for H = A + εB further orders, and letters of the source.
 
 // Constants have names like types, because methods are values: `system.integrator(BlanesMoan4, …)`.
 #![allow(non_upper_case_globals)]

@@ -53,6 +53,15 @@ impl<P> Prepared<P> {
     }
 }
 
+/// The end of a trial step.
+pub(super) struct Trial<X, H> {
+    pub(super) x: X,
+    /// Estimated error in units of the tolerance.
+    pub(super) error: f64,
+    /// History after the step.
+    pub(super) history: H,
+}
+
 /// Start of a trial step, and the data needed to judge its error.
 pub(super) struct Attempt<'a, S: PhaseSpace<R>, R: Real> {
     pub(super) system: &'a S,
@@ -69,26 +78,24 @@ pub(super) struct Attempt<'a, S: PhaseSpace<R>, R: Real> {
 }
 
 impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
-    /// Takes a step. Returns its end and its estimated error in units of the tolerance.
+    /// Takes a step, with the `history` of earlier steps: for whole steps, and for their halves.
     ///
     /// # Errors
     /// Fails if the step has no result. Also fails if the energy jumps within the step and the method does not conserve it.
+    #[inline(always)]
     pub(super) fn take<M: Method<S, R>, P: Probe<S, R>>(
         &self,
         method: &M,
         prepared: &Prepared<M::Prepared>,
-        memory: &mut [M::Memory; 2],
+        mut history: [M::Memory; 2],
         probe: &mut P,
-    ) -> Result<(Carried<S, R>, f64), Failure> {
-        let (x, error) = self.estimated(method, prepared, memory, probe)?;
-        if self.keeps {
-            return Ok((x, error));
+    ) -> Result<Trial<Carried<S, R>, [M::Memory; 2]>, Failure> {
+        let (x, error) = self.estimated(method, prepared, &mut history, probe)?;
+        if !self.keeps {
+            let ends = [(self.t, PerCoordinate::of(self.x)), (self.end(prepared.h, &x), PerCoordinate::of(&x))];
+            Failure::outside(jump_on_way(self.system, &ends, self.tolerance.relative))?;
         }
-        let ends = [(self.t, PerCoordinate::of(self.x)), (self.end(prepared.h, &x), PerCoordinate::of(&x))];
-        match jump_on_way(self.system, &ends, self.tolerance.relative) {
-            Some(what) => Err(Failure::OutsideDomain { what }),
-            None => Ok((x, error)),
-        }
+        Ok(Trial { x, error, history })
     }
 
     /// Returns the time at the end of a step of length `h` that ends at `x`.
@@ -109,7 +116,7 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
         grows(self.system, self.t, &before, h / self.part)
     }
 
-    /// Takes a step. The error comes from the method's own estimate, or else from step halving.
+    /// Returns the end of a step, and its error in units of the tolerance. The error comes from the method's own estimate, or else from step halving.
     fn estimated<M: Method<S, R>, P: Probe<S, R>>(
         &self,
         method: &M,
@@ -147,10 +154,7 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
         if !(x.is_finite() && t.magnitude() < f64::INFINITY) {
             return Err(Failure::NonFinite);
         }
-        match self.system.outside_domain(t, &x.z, &x.s) {
-            Some(what) => Err(Failure::OutsideDomain { what }),
-            None => Ok(()),
-        }
+        Failure::outside(self.system.outside_domain(t, &x.z, &x.s))
     }
 
     /// Returns estimated errors in units of the tolerance.
@@ -164,7 +168,7 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
         self.tolerance.errors(&step, estimates, |x| self.system.rates(self.t, x))
     }
 
-    /// Takes a step as two halves. The error is the difference between this result and one whole step.
+    /// Returns the end of two halves of a step, and their error in units of the tolerance: the difference from one whole step.
     fn halved<M: Method<S, R>, P: Probe<S, R>>(
         &self,
         method: &M,
@@ -213,8 +217,8 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
     pub(super) fn failure<M: Method<S, R>>(&self, method: &M, h: f64) -> Failure {
         let mut watch = Watch::new(self.system, self.t, self.x);
         let prepared = Prepared::new(self.system, method, h);
-        match self.take(method, &prepared, &mut [M::memory(), M::memory()], &mut watch) {
-            Ok((_, error)) => Failure::Inaccurate { error },
+        match self.take(method, &prepared, [M::memory(&self.x.z), M::memory(&self.x.z)], &mut watch) {
+            Ok(Trial { error, .. }) => Failure::Inaccurate { error },
             Err(failure @ Failure::OutsideDomain { .. }) => failure,
             Err(failure) => watch.seen().cause().unwrap_or(failure),
         }

@@ -6,11 +6,12 @@
 mod attempt;
 mod start;
 mod steps;
+mod take;
 mod way;
 
 use crate::method::{Clock, Method};
 use crate::running::error::StepError;
-use crate::running::pace::{Coordinates, Pace, PartialSteps, adapt_to, ahead};
+use crate::running::pace::{Coordinates, Pace, PartialSteps, step_until};
 use crate::running::run::Run;
 use crate::running::step_size::Bounds;
 use crate::scalar::{Real, signed, zero};
@@ -20,6 +21,7 @@ use crate::system::{PhaseSpace, Rates, StateOf};
 use crate::{method::Name, space::Record, space::Tape};
 use core::fmt::{self, Debug, Formatter};
 pub use steps::Controlled;
+use steps::Past;
 
 /// A run with a step size that adapts to a tolerance.
 ///
@@ -193,7 +195,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Pace for Controlled<
         }
     }
     fn advance_to(&mut self, t: R, most_steps: u64) -> Result<(), StepError> {
-        adapt_to(self, t, most_steps)
+        step_until(self, t, most_steps)
     }
 
     fn restart(&mut self, state: StateOf<S, R>) {
@@ -205,10 +207,14 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Pace for Controlled<
     }
 
     fn end_at(&mut self, t: R, most_steps: u64) -> Result<(), StepError> {
-        adapt_to(self, t, most_steps)
+        step_until(self, t, most_steps)
     }
-    fn at(&self, t: R) -> Option<StateOf<S, R>> {
-        ahead(self, t, self.size(), || Self::between(self, self, t))
+    fn before(&self) -> Option<Self> {
+        let Past { clock, x } = self.past?;
+        let mut run = self.clone();
+        (run.clock, run.x, run.memory, run.past) = (clock, x, run.no_history(), None);
+        run.taken -= 1;
+        Some(run)
     }
 
     #[cfg(feature = "alloc")]
@@ -221,7 +227,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Pace for Controlled<
         tape.steps(&mut self.taken);
         tape.steps(&mut self.given);
         tape.steps(&mut self.rejections);
-        if M::KEEPS {
+        if M::HANDLING.keeps_invariants {
             tape.array(&mut self.origin);
         }
         self.x.record(tape);
@@ -233,6 +239,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Pace for Controlled<
     }
     #[cfg(feature = "alloc")]
     fn complete(&mut self) -> bool {
+        self.past = None;
         self.prepared = attempt::Prepared::new(&self.system, &self.method, self.prepared.h);
         // The state may come from elsewhere: if it is outside the domain, the next step must check it like a given state.
         if self.system.outside_domain(self.now(), &self.x.z, &self.x.s).is_some() {

@@ -18,7 +18,7 @@ use super::pace::Pace;
 use super::reported::Reported;
 use super::run::Run;
 use super::trajectory::{Scalar, Trajectory};
-use crate::scalar::Real;
+use crate::scalar::{Real, signed};
 use crate::solving::Failure;
 use crate::space::Array;
 
@@ -76,9 +76,12 @@ pub trait Dense: Trajectory + Clone {
     /// See [`StepError`].
     fn end_at(&mut self, t: Scalar<Self>) -> Result<(), StepError>;
 
-    /// Returns the state at a time within the next step. The run does not change. Runs by Taylor series use the last step instead. Returns `None` for
-    /// other times.
-    fn at(&self, t: Scalar<Self>) -> Option<Self::State>;
+    /// Returns the state at a time within the last step. The run does not change.
+    ///
+    /// # Errors
+    /// Other times are the error [`Failure::NotInLastStep`], which names the interval that is known. It is the present time alone before the first step, and
+    /// after the state, the system or the step size was set. A partial step may be refused, too; see [`StepError`].
+    fn at(&self, t: Scalar<Self>) -> Result<Self::State, StepError>;
 
     /// Returns whether the next step goes back in time.
     fn steps_backwards(&self) -> bool;
@@ -189,8 +192,21 @@ impl<P: Pace> Dense for Run<P> {
         self.pace.end_at(t, self.most_steps)
     }
 
-    fn at(&self, t: P::Real) -> Option<Self::State> {
-        self.pace.at(t)
+    fn at(&self, t: P::Real) -> Result<Self::State, StepError> {
+        let (before, now) = (self.pace.before(), self.time());
+        let from = before.as_ref().map_or(now, Pace::time);
+        let is_within = || {
+            let backwards = (from - now).any_above(0.0);
+            t.magnitude().is_finite() && has_reached(t, from, backwards) && has_reached(now, t, backwards)
+        };
+        match before {
+            _ if t == now => Ok(self.state()),
+            Some(before) if t == from => Ok(before.state()),
+            Some(before) if is_within() => P::between(&before, &self.pace, t),
+            _ => {
+                Err(StepError::without_step(Failure::NotInLastStep { from: signed(from), to: signed(now) }, signed(t)))
+            }
+        }
     }
 
     fn steps_backwards(&self) -> bool {

@@ -4,7 +4,7 @@ mod steps;
 
 use crate::method::{Clock, Method};
 use crate::running::error::StepError;
-use crate::running::pace::{Coordinates, Pace, PartialSteps, ahead};
+use crate::running::pace::{Coordinates, Pace, PartialSteps};
 use crate::running::run::Run;
 use crate::scalar::{Real, signed, zero};
 use crate::space::{
@@ -15,6 +15,7 @@ use crate::system::{Clear, Conformal, PhaseSpace, StateOf};
 use crate::{method::Name, space::Record, space::Tape};
 use core::fmt::{self, Debug, Formatter};
 pub use steps::Fixed;
+use steps::Past;
 
 /// A run with a method and a fixed step size.
 ///
@@ -33,7 +34,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real> Run<Fixed<S, M, R, Plain>> {
             system,
             method,
             prepared: method.prepare(&system, h),
-            memory: M::memory(),
+            memory: M::memory(&z),
             clock: Clock::new(t0, h),
             taken: 0,
             given: 0,
@@ -42,6 +43,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real> Run<Fixed<S, M, R, Plain>> {
             x: Point::with_action(z, s),
             inside: false,
             clear: Clear::unknown(),
+            past: Past::none(),
         })
     }
 
@@ -65,9 +67,10 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real> Run<Fixed<S, M, R, Plain>> {
     }
 
     fn with_sums<D: Summation<S::Phase>>(self) -> Integrator<S, M, R, D> {
-        let Fixed { system, method, prepared, memory, clock, taken, given, set, origin, x, inside, clear } = self.pace;
-        let x = x.with_sums();
-        let pace = Fixed { system, method, prepared, memory, clock, taken, given, set, origin, x, inside, clear };
+        let Fixed { system, method, prepared, memory, clock, taken, given, set, origin, x, inside, clear, .. } =
+            self.pace;
+        let (x, past) = (x.with_sums(), Past::none());
+        let pace = Fixed { system, method, prepared, memory, clock, taken, given, set, origin, x, inside, clear, past };
         Run { reported: self.reported, ..Run::of(pace) }
     }
 }
@@ -88,10 +91,11 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Run<Fix
 impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Fixed<S, M, R, C> {
     fn set_step_size(&mut self, h: R) {
         self.leave();
+        self.past = Past::none();
         self.clock.set_step_size(h, self.x.ahead);
         self.x.ahead = DoubleWord::new(zero());
         self.prepared = self.method.prepare(&self.system, h);
-        self.memory = M::memory();
+        self.memory = M::memory(&self.x.z);
     }
 
     /// Takes up to four steps to the time `t`, and keeps the changed step size, so that a copy computes its coefficients once.
@@ -131,7 +135,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Pace fo
     #[inline(always)]
     fn point(&self) -> Coordinates<Self> {
         let s = if C::ACTION { self.x.s } else { S::Action::of(R::from_f64(f64::NAN)) };
-        PerCoordinate { z: self.seen().z, s }
+        PerCoordinate { z: self.state_point().z, s }
     }
     fn steps_backwards(&self) -> bool {
         self.clock.step_size().any_below(0.0)
@@ -159,8 +163,8 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Pace fo
         if t.magnitude().is_nan() {
             return Err(StepError::of_step_size(signed(now), signed(t - now)));
         }
-        let stepped = (M::SCALES_STEPS || self.clock.leads_to(t, [now, next])) && self.step_within(Some(t))?;
-        let end = if M::SCALES_STEPS { self.now() } else { next };
+        let stepped = (M::HANDLING.scales_steps || self.clock.leads_to(t, [now, next])) && self.step_within(Some(t))?;
+        let end = if M::HANDLING.scales_steps { self.now() } else { next };
         if stepped && self.clock.is_at(end, t) {
             self.clock.name(t);
         }
@@ -172,7 +176,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Pace fo
         if !left.is_finite() {
             return Err(StepError::of_step_size(signed(self.now()), left));
         }
-        if !M::SCALES_STEPS {
+        if !M::HANDLING.scales_steps {
             self.advance_in_blocks(self.clock.steps_before(self.now(), t))?;
         }
         while self.step_towards(t)? {}
@@ -183,8 +187,8 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Pace fo
         let (t, z, s) = state.parts();
         // If the action is not computed, states contain NaN in its place.
         let s = if C::ACTION { s } else { self.x.s };
-        (self.x, self.inside, self.memory) = (Point::with_action(z, s), false, M::memory());
-        self.clock = Clock::new(t, self.clock.step_size());
+        (self.x, self.inside, self.memory) = (Point::with_action(z, s), false, M::memory(&z));
+        (self.clock, self.past) = (Clock::new(t, self.clock.step_size()), Past::none());
         (self.given, self.set, self.origin) = (self.taken, self.taken, z);
     }
     /// The next step does not check the state: its momenta may be off a constraint.
@@ -194,8 +198,9 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Pace fo
     }
     fn set_system(&mut self, system: S) {
         self.leave();
-        self.system = system;
-        (self.prepared, self.memory) = (self.method.prepare(&system, self.clock.step_size()), M::memory());
+        (self.system, self.past) = (system, Past::none());
+        self.prepared = self.method.prepare(&system, self.clock.step_size());
+        self.memory = M::memory(&self.x.z);
         // Other parameters may have other domains, poles and values of invariants.
         (self.given, self.origin, self.clear) = (self.taken, self.x.z, Clear::unknown());
     }
@@ -207,22 +212,21 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Pace fo
         self.set_step_size(h);
         outcome
     }
-    fn at(&self, t: R) -> Option<StateOf<S, R>> {
-        let h = signed(self.clock.step_size());
-        let is_near = signed(t - self.now()).abs() < 0.5 * h.abs();
-        ahead(self, t, h, || {
-            if M::ROUGH_IF_SHORT && is_near {
-                let mut end = self.clone();
-                end.step()?;
-                return Self::between(self, &end, t);
-            }
-            Self::between(self, self, t)
-        })
+    /// Repeats all but the last one of the steps since the kept point. Without the history of earlier steps, the last bits may differ.
+    fn before(&self) -> Option<Self> {
+        let Past { x, inside, steps } = self.past;
+        let repeated = steps.checked_sub(1)?;
+        let mut run = self.clone();
+        (run.x, run.inside, run.memory, run.past) = (x, inside, M::memory(&x.z), Past::none());
+        run.taken -= steps;
+        run.clock.go_back(steps);
+        run.advance_in_blocks(repeated).ok()?;
+        Some(run)
     }
     /// A very short step amplifies the rounding errors of rough momenta. The partial step then starts from the farther end.
     fn between(before: &Self, after: &Self, t: R) -> Result<StateOf<S, R>, StepError> {
         let nearer = signed(t - before.now()).abs() < signed(t - after.now()).abs();
-        let mut copy = if M::ROUGH_IF_SHORT && nearer { after.clone() } else { before.clone() };
+        let mut copy = if M::HANDLING.is_rough_if_short && nearer { after.clone() } else { before.clone() };
         copy.shorten_to(t)?;
         Ok(copy.state())
     }
@@ -238,7 +242,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Pace fo
         tape.steps(&mut self.given);
         tape.steps(&mut self.set);
         tape.flag(&mut self.inside);
-        if M::KEEPS {
+        if M::HANDLING.keeps_invariants {
             tape.array(&mut self.origin);
         }
         self.x.record(tape);
@@ -247,6 +251,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Pace fo
     #[cfg(feature = "alloc")]
     fn complete(&mut self) -> bool {
         self.prepared = self.method.prepare(&self.system, self.clock.step_size());
+        self.past = Past::none();
         self.examine_if_outside();
         self.x.is_finite() && self.now().magnitude() < f64::INFINITY
     }
@@ -264,6 +269,6 @@ impl<S: PhaseSpace<R> + Debug, M: Method<S, R> + Debug, R: Real, C: Summation<S:
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let mut run = f.debug_struct("Integrator");
         run.field("system", &self.system).field("method", &self.method).field("clock", &self.clock);
-        run.field("x", &self.seen()).field("steps", &self.taken).finish_non_exhaustive()
+        run.field("x", &self.state_point()).field("steps", &self.taken).finish_non_exhaustive()
     }
 }

@@ -1,4 +1,5 @@
-//! Takes a step of fixed length, checks its end, and reports why it is refused.
+//! Takes steps of fixed length in blocks of up to 1024. A block that fails is repeated in single steps, and the step that fails again with all checks, which
+//! give the reason.
 
 use crate::method::{Clock, Method, Probe, Step, Unwatched};
 use crate::running::error::{StepError, check_parameters, not_finite};
@@ -6,7 +7,7 @@ use crate::running::settle::{STEPS_BETWEEN_CHECKS, has_drift, without_drift};
 use crate::running::watch::Watch;
 use crate::scalar::{Real, signed, zero};
 use crate::solving::Failure;
-use crate::space::{Array, PerCoordinate, Point, Snapshot, Summation, wrong_length};
+use crate::space::{Action, Array, PerCoordinate, Point, Snapshot, Summation, wrong_length};
 use crate::system::{Clear, PhaseSpace, Unmet, jump_on_way};
 
 /// The pace of steps of one length: a system under a method, and the present point.
@@ -19,18 +20,36 @@ pub struct Fixed<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C> {
     pub(super) clock: Clock<R>,
     /// Number of steps since the start.
     pub(super) taken: u64,
-    /// The next step checks the state if `taken` has this value: that of the state that the user gave.
+    /// The next step checks the state if `taken` has this value: after a start, a given state or a new system, but not after an event.
     pub(super) given: u64,
     /// Value of `taken` when the state was set, by the user or at an event.
     pub(super) set: u64,
-    /// State given by the user. The steps conserve its invariants.
+    /// State at the last start, event or change of the system. The steps conserve its invariants.
     pub(super) origin: S::Phase,
-    /// Present point. For methods that move an inner point ([`Method::INNER`]), it is the inner point from the first step on.
+    /// Present point. For methods that move an inner point (see [`Handling`](crate::method::Handling)), it is the inner point from the first step on.
     pub(super) x: Point<S::Phase, C, S::Action>,
-    /// Whether `x` is the inner point.
+    /// Whether `x` is the inner point. Not read for methods without one.
     pub(super) inside: bool,
     /// Interval of time without poles, found so far.
     pub(super) clear: Clear<R>,
+    /// The point before the steps that were taken last.
+    pub(super) past: Past<Point<S::Phase, C, S::Action>>,
+}
+
+/// The point before the last steps, at most [`STEPS_BETWEEN_CHECKS`] of them. A state within the last step is computed from it.
+#[derive(Clone, Copy)]
+pub(super) struct Past<X> {
+    pub(super) x: X,
+    /// Whether `x` is an inner point.
+    pub(super) inside: bool,
+    /// Number of steps since then. Zero if the point is not known.
+    pub(super) steps: u64,
+}
+
+impl<A: Array, C: Summation<A>, B: Action<A::Real>> Past<Point<A, C, B>> {
+    pub(super) fn none() -> Self {
+        Past { x: Point::with_action(A::zero(), B::zero()), inside: false, steps: 0 }
+    }
 }
 
 impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Fixed<S, M, R, C> {
@@ -38,7 +57,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Fixed<S
     #[inline]
     pub(super) fn advance_in_blocks(&mut self, n: u64) -> Result<(), StepError> {
         self.check()?;
-        if M::SINGLY && n == 1 {
+        if M::HANDLING.is_faster_singly && n == 1 {
             return self.single();
         }
         let (mut left, mut singly) = (n, 0);
@@ -47,8 +66,9 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Fixed<S
             let (mut memory, mut x) = (self.memory.clone(), self.x);
             self.enter(&mut x);
             if self.run(steps, &mut memory, &mut x) && self.pole_in_time(steps, &x).is_none() {
-                (self.memory, self.x, self.inside) = (memory, x, true);
-                self.pass(steps);
+                let past = Past { x: self.x, inside: self.inside, steps };
+                (self.memory, self.x) = (memory, x);
+                self.pass(past);
             } else if steps > 1 {
                 // Repeat with single steps, to stop where they would stop. Doing so in this loop keeps only one copy of the code of a step.
                 singly = steps;
@@ -92,7 +112,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Fixed<S
         true
     }
 
-    /// Returns the number of steps until the next check of the state, which is kept to return to.
+    /// Returns the number of steps until the next check. The state at a check is kept, because a block that fails starts again there.
     #[inline(always)]
     fn steps_to_check(&self) -> u64 {
         if const { has_drift::<S, M, R>() } {
@@ -103,13 +123,14 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Fixed<S
         }
     }
 
-    /// Takes one step that does not end beyond `limit`. Returns `false` if it would.
+    /// Takes one step. Returns `false`, and takes none, if the method scales its steps and the step would end beyond `limit`. Callers compare the ends of other
+    /// steps with their limit.
     #[inline(always)]
     pub(super) fn step_within(&mut self, limit: Option<R>) -> Result<bool, StepError> {
         // In place: this needs one copy of the state instead of two, and no copy of the history, which may be large.
         let ([t, end], start) = (self.clock.ends(0, self.x.ahead.value()), self.x);
-        let memory = (M::SCALES_STEPS && limit.is_some()).then(|| self.memory.clone());
-        if M::INNER {
+        let memory = (M::HANDLING.scales_steps && limit.is_some()).then(|| self.memory.clone());
+        if M::HANDLING.moves_inner_point {
             let mut x = start;
             self.enter(&mut x);
             self.x = x;
@@ -121,8 +142,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Fixed<S
             && self.clear.pole(&self.system, [t, self.end(1, &self.x)]).is_none()
             && self.jump(1, [&begun, &self.x]).is_none();
         if good && self.ends_within(limit, &self.x, t) {
-            self.inside = true;
-            self.pass(1);
+            self.pass(Past { x: start, inside: self.inside, steps: 1 });
             return Ok(true);
         }
         self.x = start;
@@ -138,9 +158,9 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Fixed<S
     /// Repeats a refused step without history and with checks of every evaluation. If it is refused again, the checks give the reason.
     #[cold]
     fn step_anew(&mut self, limit: Option<R>) -> Result<bool, StepError> {
-        self.memory = M::memory();
-        let (mut memory, mut x) = (M::memory(), self.x);
-        let mut watch = Watch::new(&self.system, self.now(), &self.seen());
+        self.memory = M::memory(&self.x.z);
+        let (mut memory, mut x) = (self.memory.clone(), self.x);
+        let mut watch = Watch::new(&self.system, self.now(), &self.state_point());
         self.enter(&mut x);
         let begun = x;
         let [t, end] = self.clock.ends(0, x.ahead.value());
@@ -153,11 +173,12 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Fixed<S
             if !self.ends_within(limit, &x, self.now()) {
                 return Ok(false);
             }
-            (self.memory, self.x, self.inside) = (memory, x, true);
-            self.pass(1);
+            let past = Past { x: self.x, inside: self.inside, steps: 1 };
+            (self.memory, self.x) = (memory, x);
+            self.pass(past);
             return Ok(true);
         }
-        let end = self.seen_as(&x, self.clock.at(1));
+        let end = self.state_point_of(&x, self.clock.at(1));
         watch.visit(self.clock.at(1), &end, &x.s);
         Err(self.error(watch.seen().failure(outcome.err())))
     }
@@ -180,7 +201,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Fixed<S
     /// Marks a resumed state outside of the domain as given, so that the next step checks it. The saved number of steps may be wrong.
     #[cfg(feature = "alloc")]
     pub(super) fn examine_if_outside(&mut self) {
-        if self.system.outside_domain(self.now(), &self.seen().z, &self.x.s).is_some() {
+        if self.system.outside_domain(self.now(), &self.state_point().z, &self.x.s).is_some() {
             self.given = self.taken;
         }
     }
@@ -196,7 +217,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Fixed<S
         {
             return Err(Failure::NotNormalised { length });
         }
-        Failure::outside(self.system.outside_domain(self.now(), &self.seen().z, &self.x.s))?;
+        Failure::outside(self.system.outside_domain(self.now(), &self.state_point().z, &self.x.s))?;
         if !M::is_in_range(&self.prepared, &self.system, &self.x.z) {
             return Err(Failure::OutOfRange);
         }
@@ -214,7 +235,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Fixed<S
     #[inline(always)]
     fn is_good(&self, steps: u64, x: &Point<S::Phase, C, S::Action>) -> bool {
         x.is_finite()
-            && ((!M::INNER && M::shows(&self.prepared)) || self.is_defined(steps, x))
+            && ((!M::HANDLING.moves_inner_point && M::shows_domain(&self.prepared)) || self.is_defined(steps, x))
             && self.end(steps, x).magnitude() < f64::INFINITY
     }
 
@@ -222,23 +243,23 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Fixed<S
     #[inline(always)]
     fn is_defined(&self, steps: u64, x: &Point<S::Phase, C, S::Action>) -> bool {
         let t = self.end(steps, x);
-        let z = self.seen_as(x, t);
-        (!M::INNER || Array::is_finite(&z)) && self.system.outside_domain(t, &z, &x.s).is_none()
+        let z = self.state_point_of(x, t);
+        (!M::HANDLING.moves_inner_point || Array::is_finite(&z)) && self.system.outside_domain(t, &z, &x.s).is_none()
     }
 
     /// Maps the point of a state to the inner point, unless `x` is the inner point already.
     #[inline(always)]
     fn enter(&self, x: &mut Point<S::Phase, C, S::Action>) {
-        if M::INNER && !self.inside {
+        if M::HANDLING.moves_inner_point && !self.inside {
             M::enter(&self.prepared, &self.system, self.now(), &mut x.z);
         }
     }
 
     /// Returns the point of the state at time `t` that belongs to the inner point `x`.
     #[inline(always)]
-    fn seen_as(&self, x: &Point<S::Phase, C, S::Action>, t: R) -> S::Phase {
+    fn state_point_of(&self, x: &Point<S::Phase, C, S::Action>, t: R) -> S::Phase {
         let mut z = x.z;
-        if M::INNER {
+        if M::HANDLING.moves_inner_point {
             M::leave(&self.prepared, &self.system, t, &mut z);
         }
         z
@@ -246,19 +267,19 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Fixed<S
 
     /// Returns the point of the present state.
     #[inline(always)]
-    pub(super) fn seen(&self) -> Point<S::Phase, C, S::Action> {
+    pub(super) fn state_point(&self) -> Point<S::Phase, C, S::Action> {
         let mut x = self.x;
-        if M::INNER && self.inside {
-            x.z = self.seen_as(&x, self.now());
+        if M::HANDLING.moves_inner_point && self.inside {
+            x.z = self.state_point_of(&x, self.now());
         }
         x
     }
 
     /// Replaces the inner point by the point of the state. The next step maps it to an inner point again, possibly with other coefficients.
     pub(super) fn leave(&mut self) {
-        if M::INNER && self.inside {
+        if M::HANDLING.moves_inner_point && self.inside {
             // The rounding errors of the sums belong to the inner point, so they are dropped.
-            let (ahead, x) = (self.x.ahead, self.seen());
+            let (ahead, x) = (self.x.ahead, self.state_point());
             self.x = Point { ahead, ..Point::with_action(x.z, x.s) };
             self.inside = false;
         }
@@ -270,10 +291,10 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Fixed<S
         self.clock.at(steps) + x.ahead.value()
     }
 
-    /// Returns whether a step from time `start` to `x` does not end beyond `limit`.
+    /// Returns whether a step from time `start` to `x` does not end beyond `limit`, for methods that scale their steps. True for other methods.
     #[inline(always)]
     fn ends_within(&self, limit: Option<R>, x: &Point<S::Phase, C, S::Action>, start: R) -> bool {
-        limit.is_none_or(|t| !M::SCALES_STEPS || self.clock.leads_to(t, [start, self.end(1, x)]))
+        limit.is_none_or(|t| !M::HANDLING.scales_steps || self.clock.leads_to(t, [start, self.end(1, x)]))
     }
 
     /// Returns the first pole in time, if any, within the next steps, which lead to `x`.
@@ -292,15 +313,17 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Fixed<S
         }
         let moment = |steps: u64, x: &Point<S::Phase, C, S::Action>| {
             let t = self.end(steps, x);
-            (t, PerCoordinate { z: self.seen_as(x, t), s: x.s })
+            (t, PerCoordinate { z: self.state_point_of(x, t), s: x.s })
         };
         jump_on_way(&self.system, &[moment(steps - 1, ends[0]), moment(steps, ends[1])], 0.0)
     }
 
+    /// Completes the steps from a point to the present one.
     #[inline(always)]
-    fn pass(&mut self, steps: u64) {
-        self.clock.pass(steps);
-        self.taken += steps;
+    fn pass(&mut self, past: Past<Point<S::Phase, C, S::Action>>) {
+        self.clock.pass(past.steps);
+        self.taken += past.steps;
+        (self.inside, self.past) = (true, past);
         if const { has_drift::<S, M, R>() } && self.taken.is_multiple_of(STEPS_BETWEEN_CHECKS) {
             self.remove_drift();
         }
@@ -316,7 +339,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Fixed<S
         }
     }
 
-    /// Returns `t0 + n·h`.
+    /// Returns the present time: t₀ + n·h and what scaled steps are ahead, or the time that a call has requested.
     #[inline(always)]
     pub(super) fn now(&self) -> R {
         self.clock.now(self.x.ahead.value())

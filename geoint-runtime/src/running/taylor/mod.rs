@@ -6,7 +6,7 @@
 mod steps;
 
 use crate::running::error::StepError;
-use crate::running::pace::{Coordinates, Pace, adapt_to};
+use crate::running::pace::{Coordinates, Pace, step_until};
 use crate::running::run::Run;
 use crate::running::step_size::Bounds;
 use crate::scalar::{Real, signed};
@@ -44,7 +44,7 @@ pub use steps::Series;
 /// sim.advance_to(200.0 * std::f64::consts::PI)?;
 /// assert!((sim.energy() - energy).abs() < 1e-14);
 /// // The polynomial of the last step.
-/// let before = sim.at(sim.time() - sim.step_size() / 2.0).expect("within the last step");
+/// let before = sim.at(sim.time() - sim.last_step() / 2.0)?;
 /// assert!((Kepler.energy(&before) - energy).abs() < 1e-14);
 /// # Ok::<(), StepError>(())
 /// ```
@@ -86,14 +86,8 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Run<Series<S, M, R>> {
         self
     }
 
-    /// Returns the state at a time within the last step, by its polynomial. Returns `None` outside of this step, and also if there is no last step.
-    /// This is so if no step was taken, if a step was refused since, or if the run continued from an event, another state or a saved run.
-    pub fn at(&self, t: R) -> Option<StateOf<S, R>> {
-        self.pace.state_within(t)
-    }
-
-    /// Returns the length of the last step; zero before the first one.
-    pub fn step_size(&self) -> f64 {
+    /// Returns the length of the last step, negative if it went back in time; zero before the first one.
+    pub fn last_step(&self) -> f64 {
         self.pace.step
     }
 
@@ -155,7 +149,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Pace for Series<S, M, R> {
         Ok(true)
     }
     fn advance_to(&mut self, t: R, most_steps: u64) -> Result<(), StepError> {
-        adapt_to(self, t, most_steps)
+        step_until(self, t, most_steps)
     }
 
     fn restart(&mut self, state: StateOf<S, R>) {
@@ -167,10 +161,10 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Pace for Series<S, M, R> {
     }
 
     fn end_at(&mut self, t: R, most_steps: u64) -> Result<(), StepError> {
-        adapt_to(self, t, most_steps)
+        step_until(self, t, most_steps)
     }
-    fn at(&self, t: R) -> Option<StateOf<S, R>> {
-        self.state_within(t)
+    fn before(&self) -> Option<Self> {
+        self.at_start_of_last_step()
     }
     fn between(_: &Self, after: &Self, t: R) -> Result<StateOf<S, R>, StepError> {
         after.state_within(t).ok_or(StepError::without_step(Failure::TimePassed, signed(t)))

@@ -1,6 +1,7 @@
 //! Truncated power series as a scalar: u₀ + u₁τ + … + u_{N−1}τ^{N−1}.
 //!
-//! A function of coordinates, evaluated with series in place of numbers, returns its own Taylor coefficients along a solution. Event functions are
+//! A function of coordinates, evaluated with the Taylor series of a solution in τ = t − t₀ in place of numbers, returns its own Taylor coefficients along the
+//! solution. Event functions are
 //! evaluated in this way. The recurrences are the same as in the emitted kernels, but implemented independently. Tests compare both.
 
 mod functions;
@@ -9,7 +10,8 @@ use crate::scalar::{Real, zero};
 use core::array::from_fn;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// A power series with `N` coefficients, from order 0. Comparisons use the value at τ = 0.
+/// A power series with `N` coefficients, from order 0. The comparisons of [`Real`] use the value at τ = 0; `==` compares all coefficients. A product costs
+/// N²/2 products of numbers.
 ///
 /// ```
 /// use geoint_runtime::scalar::{Real, Series};
@@ -52,7 +54,7 @@ impl<R: Real, const N: usize> Series<R, N> {
         Self::by_orders(value, |n, y| sum(1..n + 1, |j| weighted[j] * y[n - j]) / whole(n))
     }
 
-    /// Returns y with y'·d = u' and y(0) = `value`.
+    /// Returns y with y'·d = u' and y(0) = `value`. Precondition: d(0) ≠ 0, or the coefficients are not finite.
     fn quadrature(self, value: R, d: Self) -> Self {
         let weighted = self.weighted();
         Self::by_orders(value, |n, y| {
@@ -61,7 +63,7 @@ impl<R: Real, const N: usize> Series<R, N> {
         })
     }
 
-    /// Returns u^`exponent`, with the given `value` at τ = 0.
+    /// Returns u^`exponent`, with the given `value` at τ = 0. Precondition: u(0) ≠ 0, or the coefficients are not finite, even if the series exists.
     fn power(self, value: R, exponent: R) -> Self {
         let u = self.0;
         Self::by_orders(value, |n, y| {
@@ -92,7 +94,7 @@ impl<R: Real, const N: usize> Series<R, N> {
         })
     }
 
-    /// Returns y with y·w = u.
+    /// Returns y with y·w = u. Precondition: w(0) ≠ 0, or the coefficients are not finite.
     fn quotient(self, w: Self) -> Self {
         let start = w.start();
         Self::by_orders(self.start() / start, |n, q| (self.0[n] - sum(1..n + 1, |j| w.0[j] * q[n - j])) / start)

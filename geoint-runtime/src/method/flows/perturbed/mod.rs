@@ -6,7 +6,7 @@ mod inner;
 
 pub use inner::Inner;
 
-use crate::method::{Claims, Clock, Failure, Method, Name, Probe, Step};
+use crate::method::{Claims, Clock, Failure, Handling, Method, Name, Probe, Step};
 use crate::scalar::Real;
 use crate::space::{Point, Summation};
 use crate::system::Perturbed;
@@ -63,8 +63,7 @@ impl<S: Perturbed<R>, R: Real, M: Method<Inner<S>, R>> Method<S, R> for Perturba
     type Proof = M::Proof;
     type Prepared = Prepared<M::Prepared>;
     type Memory = M::Memory;
-    const SINGLY: bool = M::SINGLY;
-    const INNER: bool = S::INNER || M::INNER;
+    const HANDLING: Handling = Handling { moves_inner_point: S::INNER || M::HANDLING.moves_inner_point, ..M::HANDLING };
 
     fn claims(&self) -> Claims {
         limit_by_rest::<S, R>(self.0.claims())
@@ -79,8 +78,8 @@ impl<S: Perturbed<R>, R: Real, M: Method<Inner<S>, R>> Method<S, R> for Perturba
         Prepared { table: self.0.prepare(&Inner(*system), h), unsuitable: system.unsuitable() }
     }
 
-    fn memory() -> Self::Memory {
-        M::memory()
+    fn memory(z: &S::Phase) -> Self::Memory {
+        M::memory(z)
     }
 
     #[inline(always)]

@@ -148,7 +148,7 @@ impl<S: Pieces<M, R>, M: PieceKind, R: Real, const K: usize> Method<S, R> for Pi
         PieceSequence::prepare(self, system, h)
     }
 
-    fn memory() -> Self::Memory {
+    fn memory(_: &S::Phase) -> Self::Memory {
         Open::unknown()
     }
 

@@ -77,7 +77,7 @@ macro_rules! increments {
                 Prepared { flows: system.prepare_flows(part, part), half: R::from_f64(0.5) * h, poles: Poles::of(system) }
             }
 
-            fn memory() {}
+            fn memory(_: &S::Phase) {}
 
             #[inline]
             fn step<C: Summation<S::Phase>, P: Probe<S, R>>(

@@ -123,7 +123,7 @@ where
     /// Returns the part of a step that is searched first. A step of a polynomial solution may be much longer than the time in which its state
     /// changes.
     fn first_width(&self) -> f64 {
-        (8.0 * self.run.pace.pace_before() / self.run.step_size().abs()).min(1.0)
+        (8.0 * self.run.pace.pace_before() / self.run.last_step().abs()).min(1.0)
     }
 
     fn search(&mut self, from: f64, width: f64) -> Result<bool, StepError> {
@@ -203,7 +203,7 @@ where
         let (at, which, sign) = first?;
         self.given = (at, which);
         let Some(part) = self.improved(&piece, at, which) else { return self.earliest() };
-        let (start, h) = (self.run.pace.start().time(), self.run.step_size());
+        let (start, h) = (self.run.pace.start().time(), self.run.last_step());
         let after = part * h;
         let state = self.run.pace.inside(after, start + R::from_f64(after));
         Some(Crossing { state, which, rises: sign > 0.0 })

@@ -100,7 +100,7 @@ where
     /// Returns the uncertainty of a function at the start of a piece. It is caused by the rounding of the coordinates, and of the time of an event
     /// there. The event was found in another step, so the change over a typical step counts, not only the change over this piece.
     pub(super) fn rounding(&self, piece: &Piece<G>, i: usize) -> f64 {
-        let width = self.run.pace.pace_before() / self.run.step_size().abs();
+        let width = self.run.pace.pace_before() / self.run.last_step().abs();
         let count = self.run.order().min(taylor::MOST);
         let reach = taylor::reach(&self.in_parts(&piece.values, i, width)[..count], 0.5);
         let whole = self.changes(piece, i, width * reach.min(1.0));
@@ -129,7 +129,7 @@ where
     pub(super) fn in_parts(&self, values: &G, i: usize, width: f64) -> [f64; taylor::MOST] {
         let unit = self.run.pace.start().unit;
         let coefficients = M::coefficients(&values.as_slice()[i]);
-        taylor::in_parts(coefficients.iter().map(|c| signed(*c)), width * self.run.step_size() / unit)
+        taylor::in_parts(coefficients.iter().map(|c| signed(*c)), width * self.run.last_step() / unit)
     }
 
     /// Returns the sum of the changes of a function when each coordinate, and time, is changed by one rounding error.
@@ -145,7 +145,7 @@ where
     /// error; the last index is time.
     pub(super) fn along(&self, part: f64, nudged: Option<usize>) -> G {
         let (expansion, order) = (self.run.pace.start(), self.run.order());
-        let after = part * self.run.step_size();
+        let after = part * self.run.last_step();
         let by = R::from_f64(after / expansion.unit);
         let jet = &expansion.jet.as_ref()[..order];
         let nudge = |i: usize| R::from_f64(if nudged == Some(i) { 1.0 + R::epsilon() } else { 1.0 });
@@ -201,7 +201,7 @@ where
     /// Returns the error that a function is not a number at a part of the last step.
     fn no_event(&self, part: f64) -> StepError {
         let start = self.run.pace.start().time();
-        StepError::without_step(Failure::NoEvent, signed(start) + part * self.run.step_size())
+        StepError::without_step(Failure::NoEvent, signed(start) + part * self.run.last_step())
     }
 }
 

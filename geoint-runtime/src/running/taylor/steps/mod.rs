@@ -94,6 +94,12 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Series<S, M, R> {
         self.here_mut().clock = clock;
     }
 
+    /// Returns a copy at the start of the last step, if its coefficients are known.
+    pub(super) fn at_start_of_last_step(&self) -> Option<Self> {
+        let start = || Series { second: !self.second, taken: self.taken - 1, within: false, ..self.clone() };
+        self.within.then(start)
+    }
+
     /// Records everything except the coefficients.
     #[cfg(feature = "alloc")]
     pub(super) fn record_steps(&mut self, tape: &mut impl Tape<R>) {

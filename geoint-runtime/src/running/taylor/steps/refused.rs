@@ -32,7 +32,9 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Series<S, M, R> {
             Failure::NotConverged { .. } if self.is_fixed() => Failure::Singular,
             failure => failure,
         };
-        if self.is_fixed() { StepError::new(failure, t, h) } else { StepError::of_shortest(failure, t, h) }
+        // A run that slides was not refused a step: shorter steps do not help.
+        let was_shortened = !self.is_fixed() && !matches!(failure, Failure::Sliding);
+        if was_shortened { StepError::of_shortest(failure, t, h) } else { StepError::new(failure, t, h) }
     }
 
     /// Returns the shortest step that changes the time.
