@@ -5,8 +5,12 @@
 //! noise are of size σ for all orders. Differences of a smooth function then fall with the order, and grow as dᵏ.
 //!
 //! The residual is *smooth* at a distance d if order 4 is below a quarter of order 3, or below 1/16 of order 2. Until then d grows. The smallest median of
-//! orders 2 to 4 at one distance estimates σ. The noise is the largest estimate that two successive shorter distances both reach. [`Start`] chooses between two
-//! variants of these rules. Limit: both are heuristics.
+//! orders 2 to 4 at one distance estimates σ. Of the estimates at two successive distances the smaller one counts, because a jump or a kink first comes into
+//! reach at one distance only. The noise is the largest of these numbers up to the distance at which the residual is smooth.
+//!
+//! [`Start`] chooses between two variants. With `Near`, every estimate before that distance counts. With `Corrections`, the points lie far beyond the rounding
+//! of x, where a function may look rough: an estimate counts only beside one of similar size, and a smooth residual must have curvature that grows with the
+//! distance. A *staircase* is a residual that is rounded in steps much longer than the distance between points. Limit: both variants are heuristics.
 
 use super::points::{GOLDEN, Start};
 use crate::scalar::{Real, zero};
@@ -15,7 +19,7 @@ use crate::solving::size::{Units, kind};
 /// The number of points on a line at which the residual is evaluated. More points would determine the deviation better, and cost more evaluations.
 pub(super) const POINTS: usize = 16;
 
-/// The number of spare rows: the spread, the least deviation, deviation and curvature at the distance before, and the size of differences of each lower order.
+/// The number of spare [`Rows`].
 pub(super) const SPARE: usize = 4 + LOWER_ORDERS;
 
 /// The order of the differences that show noise. A higher order would leave fewer differences unaffected by a jump.
@@ -65,6 +69,9 @@ const CHANGE_ROUNDINGS: f64 = 8.0;
 /// its curvature d² exceeds its rounding ε from d = √ε on, where its change is √ε. The factor 64 leaves room for larger terms.
 const ROUGHNESS_LIMIT: f64 = 64.0;
 
+/// Curvature may be visible at distances shorter by this factor than for terms and a length scale of 1.
+const CURVATURE_MARGIN: f64 = 64.0;
+
 /// The largest ratio of deviations of a staircase at two successive distances. Differences of functions grow at least with the square of the distance.
 const SIMILAR_RATIO: f64 = 8.0;
 
@@ -86,117 +93,171 @@ pub(super) struct Workspace<'a, R> {
     pub(super) noise: &'a mut [R],
 }
 
+/// Numbers for each entry of the residual, in spare rows.
+struct Rows<'a, R> {
+    /// The change of the residual from the first point to the last one.
+    spread: &'a mut [R],
+    /// The least deviation of the lower orders.
+    least: &'a mut [R],
+    /// The deviation at the distance before.
+    deviation_before: &'a mut [R],
+    /// The curvature at the distance before. Zero if the residual was not smooth there.
+    curvature_before: &'a mut [R],
+    /// The sizes of differences of order 2 and of order 3, one row for each.
+    lower: &'a mut [R],
+}
+
+impl<'a, R: Real> Rows<'a, R> {
+    fn of(spare: &'a mut [R], n: usize) -> Self {
+        let (spread, spare) = spare.split_at_mut(n);
+        let (least, spare) = spare.split_at_mut(n);
+        let (deviation_before, spare) = spare.split_at_mut(n);
+        let (curvature_before, lower) = spare.split_at_mut(n);
+        Rows { spread, least, deviation_before, curvature_before, lower }
+    }
+
+    /// Replaces the residuals at all points by their differences of order 4, and fills the rows of this distance.
+    fn fill(&mut self, values: &mut [R], n: usize) {
+        for (i, spread) in self.spread.iter_mut().enumerate() {
+            *spread = values[(POINTS - 1) * n + i] - values[i];
+        }
+        divide(values, n, 1);
+        for (order, lower) in (2..).zip(self.lower.chunks_exact_mut(n)) {
+            divide(&mut values[..(POINTS - order + 1) * n], n, order);
+            let expected = deviations(order);
+            for (i, (lower, least)) in lower.iter_mut().zip(&mut *self.least).enumerate() {
+                let ranked = by_rank(&values[..(POINTS - order) * n], i, n, &expected);
+                let median = ranked[(POINTS - order - 1) / 2] / NORMAL_MEDIAN;
+                *lower = R::from_f64(ranked[QUARTILE_RANK]);
+                *least = R::from_f64(if order == 2 { median } else { median.min(least.magnitude()) });
+            }
+        }
+        divide(&mut values[..(POINTS - ORDER + 1) * n], n, ORDER);
+    }
+}
+
+/// What the points at one distance d show of an entry of the residual.
+struct Distance {
+    /// d, in units of the last correction.
+    length: f64,
+    /// The distance from which curvature may be visible.
+    visible: f64,
+    /// The factor by which curvature grows at least from one distance to the next. Differences of order 2 grow with the square of the distance. The factor is its
+    /// power 3/2, between linear and quadratic growth.
+    growth: f64,
+}
+
 impl<R: Real> Workspace<'_, R> {
-    /// Measures the rounding at growing distances, from `nearest` on, and writes it to `noise`. It writes zero for entries whose rounding is unknown.
+    /// Measures the rounding at growing distances, from `nearest` on, and writes it to `noise`. It writes zero for entries whose rounding is unknown, and for
+    /// those without rounding.
     ///
     /// `nearest` is `multiple` times the last correction, unless it is ε. The measurement ends early at a point without a residual.
     #[cold]
     #[inline(never)]
     pub(super) fn measure(
-        self,
+        mut self,
         nearest: f64,
         multiple: f64,
         start: Start,
         units: Units,
         residual: &mut Residual<'_, R>,
     ) {
-        let Workspace { values, smooth, resolved, noise } = self;
-        let n = noise.len();
-        let (differences, spare) = values.split_at_mut(POINTS * n);
-        let (spread, lower) = spare.split_at_mut(n);
-        let (least, lower) = lower.split_at_mut(n);
-        let (deviation_before, lower) = lower.split_at_mut(n);
-        let (curvature_before, lower) = lower.split_at_mut(n);
-        deviation_before.fill(R::from_f64(if start == Start::Near { f64::INFINITY } else { 0.0 }));
-        curvature_before.fill(zero());
-        noise.fill(zero());
+        let n = self.noise.len();
+        let (differences, spare) = core::mem::take(&mut self.values).split_at_mut(POINTS * n);
+        let mut rows = Rows::of(spare, n);
+        rows.deviation_before.fill(R::from_f64(if start == Start::Near { f64::INFINITY } else { 0.0 }));
+        rows.curvature_before.fill(zero());
+        self.noise.fill(zero());
         let growth = libm::pow(R::epsilon(), -1.0 / f64::from(DISTANCES_PER_EPSILON));
         // Curvature may be visible from c/√ε on, with the relative correction c: for c = ε this is √ε. The factor 64 leaves room.
-        let curvature_distance = nearest / (multiple * ROUGHNESS_LIMIT * Real::sqrt(R::epsilon()));
-        // Differences of order 2 grow with the square of the distance. The threshold is the power 3/2, between linear and quadratic growth.
-        let growth_of_curvature = growth * Real::sqrt(growth);
-        let mut distance = nearest;
+        let visible = nearest / (multiple * CURVATURE_MARGIN * Real::sqrt(R::epsilon()));
+        let mut distance = Distance { length: nearest, visible, growth: growth * Real::sqrt(growth) };
         'distances: for _ in 0..RANGE_POWER * DISTANCES_PER_EPSILON {
             for (j, value) in differences.chunks_exact_mut(n).enumerate() {
-                if !residual(R::from_f64(distance * NODES[j]), value) {
+                if !residual(R::from_f64(distance.length * NODES[j]), value) {
                     break 'distances;
                 }
             }
-            for (i, spread) in spread.iter_mut().enumerate() {
-                *spread = differences[(POINTS - 1) * n + i] - differences[i];
-            }
-            divide(differences, n, 1);
-            for (order, lower) in (2..).zip(lower.chunks_exact_mut(n)) {
-                divide(&mut differences[..(POINTS - order + 1) * n], n, order);
-                let deviations = deviations(order);
-                for (i, (lower, least)) in lower.iter_mut().zip(&mut *least).enumerate() {
-                    let by_rank = by_rank(&differences[..(POINTS - order) * n], i, n, &deviations);
-                    let median = by_rank[(POINTS - order - 1) / 2] / NORMAL_MEDIAN;
-                    *lower = R::from_f64(by_rank[QUARTILE_RANK]);
-                    *least = R::from_f64(if order == 2 { median } else { median.min(least.magnitude()) });
-                }
-            }
-            divide(&mut differences[..(POINTS - ORDER + 1) * n], n, ORDER);
-            let deviations = deviations(ORDER);
+            rows.fill(differences, n);
+            let expected = deviations(ORDER);
             let mut all_resolved = true;
             for i in 0..n {
-                let orders = lower.chunks_exact(n);
-                let low = orders.fold(0.0, |low, lower| lower[i].magnitude().max(SMOOTH_RATIO * low));
-                let high = by_rank(&differences[..(POINTS - ORDER) * n], i, n, &deviations);
-                // Two jumps affect most of the differences of order 4, but fewer of lower order.
-                let deviation = (high[MEDIAN_RANK] / NORMAL_MEDIAN).min(least[i].magnitude());
-                let curvature = if high[RANK_BELOW_JUMP] < SMOOTH_RATIO * low { low } else { 0.0 };
-                let rounds_as_change = deviation <= CHANGE_ROUNDINGS * R::epsilon() * spread[i].magnitude();
-                // Far away, the terms by which the residual has changed are rounded. The noise at x has been measured by then.
-                let is_past_noise = match start {
-                    Start::Near => {
-                        smooth[i] |= curvature > 0.0;
-                        rounds_as_change && distance > NEAR_LIMIT
-                    }
-                    Start::Corrections => {
-                        // A smooth residual has curvature that grows with the distance, and has changed by much more than its rounding.
-                        let most = ROUGHNESS_LIMIT * Real::sqrt(R::epsilon()) * spread[i].magnitude();
-                        let earlier = curvature_before[i].magnitude();
-                        let grows = earlier > 0.0 && curvature > growth_of_curvature * earlier;
-                        smooth[i] |= grows && distance >= curvature_distance && noise[i].magnitude() <= most;
-                        curvature_before[i] = R::from_f64(curvature);
-                        // The residual shows no stair, neither here nor nearer to x.
-                        noise[i].magnitude() == 0.0
-                            && high[LAST_RANK] <= CHANGE_ROUNDINGS * R::epsilon() * spread[i].magnitude()
-                    }
-                };
-                all_resolved &= smooth[i] || is_past_noise;
-                resolved[i] |= smooth[i] || is_past_noise;
-                // Rounding also shows at the distance before, so the smaller deviation counts. A jump or a kink first comes into reach at one distance only.
-                let both = [deviation, deviation_before[i].magnitude()];
-                deviation_before[i] = R::from_f64(deviation);
-                let estimate = both[0].min(both[1]);
-                let counts = match start {
-                    Start::Near => !(smooth[i] || is_past_noise),
-                    // The rounding of a staircase is similar at both distances.
-                    Start::Corrections => {
-                        !(smooth[i] || is_past_noise || rounds_as_change || curvature > 0.0)
-                            && both[0].max(both[1]) <= SIMILAR_RATIO * estimate
-                    }
-                };
-                if counts && estimate > noise[i].magnitude() {
-                    noise[i] = R::from_f64(estimate);
-                }
+                let ranked = by_rank(&differences[..(POINTS - ORDER) * n], i, n, &expected);
+                all_resolved &= self.judge(i, &ranked, &mut rows, &distance, start);
             }
             if all_resolved {
                 break;
             }
-            distance *= growth;
+            distance.length *= growth;
         }
-        for i in (0..n).filter(|i| !resolved[*i]) {
+        self.fill_unresolved(start, units);
+    }
+
+    /// Includes the differences of entry `i` at one distance. `ranked` are its magnitudes of order 4. Returns whether its measurement is complete.
+    fn judge(
+        &mut self,
+        i: usize,
+        ranked: &[f64; POINTS],
+        rows: &mut Rows<'_, R>,
+        distance: &Distance,
+        start: Start,
+    ) -> bool {
+        let orders = rows.lower.chunks_exact(self.noise.len());
+        let low = orders.fold(0.0, |low, row| row[i].magnitude().max(SMOOTH_RATIO * low));
+        // Two jumps affect most of the differences of order 4, but fewer of lower order.
+        let deviation = (ranked[MEDIAN_RANK] / NORMAL_MEDIAN).min(rows.least[i].magnitude());
+        let curvature = if ranked[RANK_BELOW_JUMP] < SMOOTH_RATIO * low { low } else { 0.0 };
+        let (spread, noise) = (rows.spread[i].magnitude(), self.noise[i].magnitude());
+        let change_rounding = CHANGE_ROUNDINGS * R::epsilon() * spread;
+        let rounds_as_change = deviation <= change_rounding;
+        // Far away, the terms by which the residual has changed are rounded. The noise at x has been measured by then.
+        let is_past_noise = match start {
+            Start::Near => {
+                self.smooth[i] |= curvature > 0.0;
+                rounds_as_change && distance.length > NEAR_LIMIT
+            }
+            Start::Corrections => {
+                // A smooth residual has curvature that grows with the distance, and has changed by much more than its rounding.
+                let earlier = rows.curvature_before[i].magnitude();
+                let grows = earlier > 0.0 && curvature > distance.growth * earlier;
+                let is_fine = noise <= ROUGHNESS_LIMIT * Real::sqrt(R::epsilon()) * spread;
+                self.smooth[i] |= grows && distance.length >= distance.visible && is_fine;
+                rows.curvature_before[i] = R::from_f64(curvature);
+                // The residual shows no stair, neither here nor nearer to x.
+                noise == 0.0 && ranked[LAST_RANK] <= change_rounding
+            }
+        };
+        let is_complete = self.smooth[i] || is_past_noise;
+        self.resolved[i] |= is_complete;
+        let before = rows.deviation_before[i].magnitude();
+        rows.deviation_before[i] = R::from_f64(deviation);
+        let estimate = deviation.min(before);
+        let counts = match start {
+            Start::Near => true,
+            // The rounding of a staircase is similar at both distances.
+            Start::Corrections => {
+                !(rounds_as_change || curvature > 0.0) && deviation.max(before) <= SIMILAR_RATIO * estimate
+            }
+        };
+        if !is_complete && counts && estimate > noise {
+            self.noise[i] = R::from_f64(estimate);
+        }
+        is_complete
+    }
+
+    /// Writes the noise of entries whose measurement is not complete: zero, or what entries of the same kind have.
+    fn fill_unresolved(&mut self, start: Start, units: Units) {
+        let n = self.noise.len();
+        for i in (0..n).filter(|i| !self.resolved[*i]) {
             // In a staircase, an entry may be resolved at no distance while other entries of its kind are. If these are at least half of the kind, its rounding
             // is taken to be at most the smallest of theirs. Otherwise it is unknown.
             let alike = |j: &usize| kind(units, *j) == kind(units, i);
-            let known = (0..n).filter(alike).filter(|j| resolved[*j]);
-            let (count, least) =
-                known.fold((0, noise[i].magnitude()), |(count, least), j| (count + 1, least.min(noise[j].magnitude())));
+            let known = (0..n).filter(alike).filter(|j| self.resolved[*j]);
+            let (count, least) = known.fold((0, self.noise[i].magnitude()), |(count, least), j| {
+                (count + 1, least.min(self.noise[j].magnitude()))
+            });
             let is_half_known = 2 * count >= (0..n).filter(alike).count();
-            noise[i] = if start == Start::Corrections && is_half_known { R::from_f64(least) } else { zero() };
+            self.noise[i] = if start == Start::Corrections && is_half_known { R::from_f64(least) } else { zero() };
         }
     }
 }
