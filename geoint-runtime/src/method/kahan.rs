@@ -91,8 +91,7 @@ impl<S: QuadraticField<R>, R: Real> Method<S, R> for Kahan {
             system.add(constants, w, &slope, row);
             row.as_mut_slice()[i] += one;
         }
-        let mut sizes = Sizes::new();
-        sizes.include(&changed, &impulse);
+        let sizes = Sizes::along([&changed, &impulse]);
         match linear::solve(&mut matrix, &mut impulse, &sizes) {
             Some(true) if impulse.is_finite() => {}
             _ => return Err(Failure::Singular),

@@ -57,6 +57,17 @@ impl<A: Array> Sizes<A> {
         Sizes(sizes)
     }
 
+    /// Returns sizes along a path through these points or increments: the sum of their magnitudes.
+    pub(crate) fn along<const N: usize>(path: [&A; N]) -> Self {
+        let mut sizes = A::zero();
+        for x in path {
+            for (size, x) in sizes.as_mut_slice().iter_mut().zip(x.as_slice()) {
+                *size += A::Real::from_f64(x.magnitude());
+            }
+        }
+        Sizes(sizes)
+    }
+
     /// Returns the point next to `x` at which every entry is larger by the fraction `part` of its size.
     pub(crate) fn beside(&self, x: &A, part: f64) -> A {
         let mut beside = *x;

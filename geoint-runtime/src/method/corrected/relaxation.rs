@@ -112,8 +112,7 @@ impl<S: KeepsEnergy<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M>
         check_turns(system, [t, later - t], [&before, &end])?;
         let moved = difference(&end, &before);
         // The rounding of a coordinate follows its size in this step. Its size in earlier steps does not matter.
-        let mut sizes = Sizes::new();
-        sizes.include(&before, &moved);
+        let sizes = Sizes::along([&before, &moved]);
         let energy = S::Kept::default();
         let mut gradient = energy.gradients(system, &x.z);
         let rate = dot(&gradient, &moved);

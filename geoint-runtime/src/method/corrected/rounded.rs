@@ -6,10 +6,10 @@
 //! A *thorough* attempt is the second one: it iterates longer, and accepts an equation that is solved to its measured rounding. The first attempt is
 //! quick, and may only mark its result as needs_recheck.
 
-use super::kept::steepness;
 use crate::method::implicit::{Arrival, Departure};
 use crate::method::{Effort, Failure};
 use crate::scalar::Real;
+use crate::solving::size::Sizes;
 use crate::space::vector::difference;
 use crate::space::{Array, PerCoordinate, Snapshot};
 use crate::system::{Invariants, Keeping, KeptBy, PhaseSpace, jump_of_integral};
@@ -71,10 +71,10 @@ fn check_energy<S: Keeping<R>, R: Real>(system: &S, before: &S::Phase, after: &S
     let terms =
         system.hamiltonian(R::from_f64(0.0), before, &PerCoordinate::<S::Phase, S::Action>::zero().s).magnitude();
     // The rounding of a coordinate follows its largest size on the way.
-    let way = [before, after].map(Array::as_slice);
+    let sizes = Sizes::along([before, after]);
     let at_ends = [before, after].map(|z| {
         let mut gradients = kept.gradients(system, z);
-        steepness(way, <KeptBy<S, R> as Invariants<S, R>>::Values::entries(&mut gradients)[0].as_slice())
+        sizes.terms(&<KeptBy<S, R> as Invariants<S, R>>::Values::entries(&mut gradients)[0])
     });
     let most = (MOST_OF_ENERGY * R::epsilon()).min(Real::sqrt(R::epsilon())) * (at_ends[0].max(at_ends[1]) + terms);
     if change.magnitude() > most { Err(Failure::Rounded) } else { Ok(()) }
@@ -122,11 +122,10 @@ fn refuse<S: PhaseSpace<R>, R: Real, I: Invariants<S, R>>(
 ) -> Result<(), Failure> {
     let mut gradients = [start, end].map(|z| invariants.gradients(system, z));
     let [first, last] = gradients.each_mut().map(I::Values::entries);
-    let way = [start, end, uncorrected].map(Array::as_slice);
+    let (way, ends) = (Sizes::along([start, end, uncorrected]), [start, end].map(Sizes::at));
     let is_lost = |(change, (first, last)): (&R, (&S::Phase, &S::Phase))| {
-        let (first, last) = (first.as_slice(), last.as_slice());
-        let at_ends = f64::max(steepness([way[0]], first), steepness([way[1]], last));
-        let on_way = f64::max(steepness(way, first), steepness(way, last));
+        let at_ends = f64::max(ends[0].terms(first), ends[1].terms(last));
+        let on_way = f64::max(way.terms(first), way.terms(last));
         f64::max(change.magnitude() / R::epsilon(), on_way) > MOST * at_ends
     };
     let lost = changes.as_slice().iter().zip(first.iter().zip(last.iter())).any(is_lost);

@@ -61,8 +61,7 @@ impl<A: Array, V: Array<Real = A::Real>> Memory<A, V> {
     ) -> bool {
         let since = |from: &A| invariants.changes(system, from, &difference(z, from));
         let apart = difference(&since(&self.reference), &since(before));
-        let mut sizes = Sizes::new();
-        sizes.include(&self.reference, &difference(z, &self.reference));
+        let sizes = Sizes::along([&self.reference, &difference(z, &self.reference)]);
         let gradients = [before, z].map(|z| invariants.gradients(system, z));
         let [first, last] = gradients.each_ref().map(V::entries_of);
         let terms = first.iter().zip(last).map(|(first, last)| sizes.terms(first) + sizes.terms(last));
@@ -80,8 +79,7 @@ fn changes_from_steep_end<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
     from: &S::Phase,
     to: &S::Phase,
 ) -> I::Values {
-    let mut sizes = Sizes::at(from);
-    sizes.include(&S::Phase::zero(), to);
+    let sizes = Sizes::along([from, to]);
     let gradients = [from, to].map(|z| invariants.gradients(system, z));
     let [first, last] = gradients.each_ref().map(I::Values::entries_of);
     let mut changes = invariants.changes(system, from, &difference(to, from));

@@ -256,8 +256,7 @@ where
     }
     let [quadrature, ends] = sums;
 
-    let mut sizes = Sizes::new();
-    sizes.include(changed, &scaled(h, &k[0]));
+    let sizes = Sizes::along([changed, &scaled(h, &k[0])]);
     let filter = Filter { system, coefficients, length: number(Samples::<S>::GAMMA) * h, slope, sizes };
     let first = filter.times(&if Y::EQUATION_ORDER.is_first() { [quadrature, zero] } else { [zero, quadrature] })?;
     let mut second = if Y::EQUATION_ORDER.is_first() { [ends, zero] } else { [zero, ends] };
