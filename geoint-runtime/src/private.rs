@@ -73,8 +73,7 @@ pub mod fourth_order {
 ///
 /// The functions do not depend on the shape of the unknowns, or have common shapes. A generic function is compiled only if it is used.
 #[inline(never)]
-pub fn compiled() -> [[*const (); 2]; 12] {
-    use crate::method::corrected::kept::compiled as kept;
+pub fn compiled() -> [[*const (); 2]; 11] {
     use crate::method::discrete_gradient::gonzalez::compiled as metric;
     use crate::solving::noise::compiled as noise;
     use crate::solving::rescue::compiled as search;
@@ -83,7 +82,6 @@ pub fn compiled() -> [[*const (); 2]; 12] {
         [search::<[f64; 1]>(), search::<[f64; 2]>(), search::<[f64; 3]>(), search::<[f64; 4]>()];
     // Positions and momenta of systems with one and two degrees of freedom.
     let [pair, pairs] = [search::<[[f64; 1]; 2]>(), search::<[[f64; 2]; 2]>()];
-    let kept = [kept::<f64>(), kept::<f32>()];
     let metrics = [metric::<[f64; 1]>(), metric::<[f64; 2]>()];
-    [poles::<f64>(), poles::<f32>(), noise::<f64>(), noise::<f32>(), kept, metrics, one, two, three, four, pair, pairs]
+    [poles::<f64>(), poles::<f32>(), noise::<f64>(), noise::<f32>(), metrics, one, two, three, four, pair, pairs]
 }

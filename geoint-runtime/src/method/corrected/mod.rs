@@ -27,6 +27,7 @@
 //!
 //! Users implement [`Invariants`] for invariants of their own.
 
+pub(crate) mod basis;
 mod frame;
 pub mod invariants;
 pub(crate) mod kept;

@@ -12,7 +12,7 @@ pub(super) struct Scales<A> {
 }
 
 /// The unit of a coordinate is at most its increment times this number of steps. Otherwise an angle of 10⁵ turns would take the whole correction.
-pub(super) const STEPS: f64 = 1024.0;
+const STEPS: f64 = 1024.0;
 
 /// A change of an invariant by at most this many ε of its terms counts as rounding of its coordinates.
 const ROUNDINGS: f64 = 16.0;
@@ -20,6 +20,11 @@ const ROUNDINGS: f64 = 16.0;
 impl<A: Array> Scales<A> {
     pub(super) fn new() -> Self {
         Scales { sizes: Sizes::new(), moved: Sizes::new() }
+    }
+
+    /// Returns the scales of a single increment `moved` between points of these `sizes`.
+    pub(super) fn along(sizes: Sizes<A>, moved: &A) -> Self {
+        Scales { sizes, moved: Sizes::at(moved) }
     }
 
     #[inline]

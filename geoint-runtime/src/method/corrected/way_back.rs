@@ -1,5 +1,6 @@
 //! Computes the correction of the end of a step that restores invariants. Its length is measured in the units of [`Scales`].
 
+use super::basis::Excluded;
 use super::frame::Frame;
 use super::invariants::Invariants;
 use super::roughness;
@@ -50,12 +51,11 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
 ) -> Result<WayBack<S::Phase>, Failure> {
     let moved = &difference(end, before);
     // A coordinate is rounded by ε times its largest magnitude between both points. Its magnitude in earlier steps does not matter.
-    let mut sizes = Sizes::new();
-    sizes.include(before, moved);
+    let sizes = Sizes::along([before, moved]);
     let equation = Equation { system, invariants, wanted, before, sizes, decided: Cell::new(*moved) };
     let gradients = invariants.gradients(system, end);
     let units = scales.units(|| equation.explained_by_rounding(&gradients, moved));
-    let at_end = Frame::<I::Values, S::Phase>::new(gradients, units, &sizes);
+    let at_end = Frame::<I::Values, S::Phase>::new(gradients, units, &sizes, Excluded::Dependent);
 
     let increment = |multipliers: &I::Values| sum(moved, &at_end.back(multipliers));
     let simplified = |multipliers: &I::Values| {
@@ -69,7 +69,7 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
     let longest = LONGEST_PART * LONGEST_PART * sizes.square(moved);
     let turning = |increment: &S::Phase| {
         let gradients = invariants.gradients(system, &sum(before, increment));
-        let frame = Frame::<I::Values, S::Phase>::new(gradients, units, &sizes);
+        let frame = Frame::<I::Values, S::Phase>::new(gradients, units, &sizes, Excluded::Dependent);
         let mut delta = equation.residual(increment);
         let relative = frame.multipliers(&mut delta);
         let correction = frame.back(&delta);

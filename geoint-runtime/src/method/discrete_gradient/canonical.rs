@@ -8,6 +8,7 @@ use super::energy::{Energy, Slope};
 use super::gonzalez::metric;
 use super::matrix::{Matrix, j_times};
 use crate::method::Unwatched;
+use crate::method::corrected::basis::Excluded;
 use crate::scalar::Real;
 use crate::space::vector::{difference, entries, moved, scaled, sum};
 use crate::space::{Array, Square};
@@ -32,8 +33,8 @@ pub struct Begun<A: Array> {
     span: Span<A::Real>,
     z: [A; 2],
     rate: [A; 2],
-    /// If true, the step does not keep momenta whose gradients nearly depend on the gradient of the energy, or on earlier momenta.
-    drop_dependent_columns: bool,
+    /// The step does not keep momenta whose gradients depend on the gradient of the energy, or on earlier momenta, in this way.
+    excluded: Excluded,
 }
 
 /// Implements [`FourthOrderField::fourth_parameters`](crate::system::FourthOrderField::fourth_parameters) for a canonical system.
@@ -51,12 +52,12 @@ pub fn begin<S: DiscreteField<R> + Conservative<R>, R: Real>(
 ) -> Begun<S::Array> {
     let mut unwatched = Unwatched;
     let rate = j_times(&energy(system, parameters, span.middle, &mut unwatched).gradient(span.start, z).g);
-    Begun { span, z: *z, rate, drop_dependent_columns: false }
+    Begun { span, z: *z, rate, excluded: Excluded::Dependent }
 }
 
 /// Implements [`FourthOrderField::fourth_loosen`](crate::system::FourthOrderField::fourth_loosen) for a system that keeps momenta.
 pub fn loosen<A: Array>(start: &mut Begun<A>) -> bool {
-    start.drop_dependent_columns = true;
+    start.excluded = Excluded::NearlyDependent;
     true
 }
 
@@ -73,7 +74,7 @@ pub fn loosen<A: Array>(start: &mut Begun<A>) -> bool {
 pub fn slope<const AUTONOMOUS: bool, const N: usize, S: DiscreteField<R> + Conservative<R>, R: Real>(
     system: &S,
     parameters: &ParametersOf<S, R>,
-    &Begun { span, z, rate, drop_dependent_columns }: &Begun<S::Array>,
+    &Begun { span, z, rate, excluded }: &Begun<S::Array>,
     momenta: impl Fn(&S::Phase) -> [S::Phase; N],
     d: &S::Phase,
     (image, matrix): (&mut S::Phase, &mut Square<S::Phase>),
@@ -113,7 +114,7 @@ pub fn slope<const AUTONOMOUS: bool, const N: usize, S: DiscreteField<R> + Conse
             let Slope { g, derivative } = energy.tree(&z, d);
             (columns[0], tree_slope) = (g, derivative);
         }
-        let projector = Projector::new([of_p, of_q], columns, drop_dependent_columns);
+        let projector = Projector::new([of_p, of_q], columns, excluded);
         // F does not contain the jump of H across a condition. If the metric vanishes, the projection has no direction. In both cases the step is that of
         // `DiscreteGradient`.
         if AUTONOMOUS && (projector.excludes_first() || !system.same_sides(t, [&z, &end_of_step], [&(), &()])) {

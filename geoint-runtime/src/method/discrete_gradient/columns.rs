@@ -6,78 +6,41 @@
 //! The diagonal matrix M is the inverse of a metric: MGλ is the correction of F that is shortest in M⁻¹. A length needs a metric, because coordinates have
 //! different units.
 //!
-//! The columns are replaced by orthogonal columns w of the same space, with one weight each: MGλ = Σ weight·Mw. A column that depends on the columns before it
-//! leaves a w of rounding only. It adds no condition, and its weight would amplify rounding, so it is excluded.
+//! The columns are replaced by orthogonal columns w of the same space ([`Basis`]), with one weight each: MGλ = Σ weight·Mw.
 
 use super::matrix::Matrix;
+use crate::method::corrected::basis::{Basis, Excluded};
 use crate::scalar::{Real, zero};
-use crate::slope::{before_squares, recip_above};
+use crate::slope::before_squares;
 use crate::space::Array;
 use crate::space::vector::{dot, moved, product, scaled};
 
-/// Smallest length of the part of a column that is independent of the columns before it, relative to the column. A chosen bound: with a smaller part, the
-/// projection would amplify errors of the column by more than 64. Used only if nearly dependent columns are dropped.
-const LEAST_INDEPENDENT_PART: f64 = 1.0 / 64.0;
-
-/// Orthogonal columns w of the space of the given columns, w_a·Mw_b = 0 for a ≠ b, by the Gram–Schmidt process.
+/// An orthogonal basis of the columns of G.
 pub(super) struct Projector<A: Array, const N: usize> {
     /// The diagonal of M.
     metric: [A; 2],
     /// Powers of two that multiply the given columns, so that squares neither overflow nor vanish.
     scales: [A::Real; N],
-    /// w.
-    orthogonal: [[A; 2]; N],
-    /// Mw.
-    weighted: [[A; 2]; N],
-    /// 1/(w·Mw). Zero excludes a column: its square w·Mw vanishes, or it depends on the columns before it up to rounding. If nearly dependent columns are
-    /// dropped, the bound is [`LEAST_INDEPENDENT_PART`] instead of rounding.
-    reciprocals: [A::Real; N],
-    /// The scaled column a is w_a + Σ `coefficients[a][b]` w_b, with the sum over b < a.
-    coefficients: [[A::Real; N]; N],
+    /// The basis of the scaled columns.
+    basis: Basis<[A::Real; N], [A; 2]>,
 }
 
 impl<A: Array, const N: usize> Projector<A, N> {
-    /// Orthogonalises the `columns` of G with the product a·Mb. `metric` is the diagonal of M. If `drop_dependent` is true, it excludes columns that nearly
-    /// depend on the columns before them. The step then does not keep their invariants.
+    /// Makes the `columns` of G orthogonal with the product a·Mb. `metric` is the diagonal of M. The step does not keep invariants with excluded columns.
     #[inline(always)]
-    pub(super) fn new(metric: [A; 2], columns: [[A; 2]; N], drop_dependent: bool) -> Self {
-        let none = zero::<A::Real>();
+    pub(super) fn new(metric: [A; 2], columns: [[A; 2]; N], excluded: Excluded) -> Self {
         let scales = columns.map(|column| {
             let sizes = Array::as_slice(&column).iter().map(|x| x.abs());
-            before_squares(sizes.fold(none, |sum: A::Real, size| sum + size))
+            before_squares(sizes.fold(zero(), |sum: A::Real, size| sum + size))
         });
         let columns: [[A; 2]; N] = core::array::from_fn(|a| scaled(scales[a], &columns[a]));
-        let (mut weighted, mut reciprocals) = ([<[A; 2]>::zero(); N], [none; N]);
-        let (mut orthogonal, mut coefficients) = (columns, [[none; N]; N]);
-        for a in 0..N {
-            // Orthogonalise twice, because rounding leaves a residue if columns are almost parallel.
-            for _ in 0..if a == 0 { 0 } else { 2 } {
-                for b in 0..a {
-                    let coefficient = dot(&orthogonal[a], &weighted[b]) * reciprocals[b];
-                    orthogonal[a] = moved(&orthogonal[a], -coefficient, &orthogonal[b]);
-                    coefficients[a][b] += coefficient;
-                }
-            }
-            weighted[a] = product(&metric, &orthogonal[a]);
-            let square = dot(&orthogonal[a], &weighted[a]);
-            reciprocals[a] = if a > 0 {
-                let whole = dot(&columns[a], &product(&metric, &columns[a]));
-                let is_dropped = drop_dependent
-                    && square.magnitude() < LEAST_INDEPENDENT_PART * LEAST_INDEPENDENT_PART * whole.magnitude();
-                if is_dropped { none } else { recip_above(square, whole) }
-            } else if square == none {
-                none
-            } else {
-                A::Real::from_f64(1.0) / square
-            };
-        }
-        Projector { metric, scales, orthogonal, weighted, reciprocals, coefficients }
+        Projector { metric, scales, basis: Basis::new(columns, excluded, |column| product(&metric, column)) }
     }
 
-    /// Returns whether the first column is excluded, because its square w·Mw is zero.
+    /// Returns whether the first column is excluded, because its square w·Mw vanishes.
     #[inline(always)]
     pub(super) fn excludes_first(&self) -> bool {
-        self.reciprocals[0] == zero()
+        self.basis.reciprocals[0] == zero()
     }
 
     /// Returns v = F − Σ weight·Mw for the `velocity` F, and the weights (w·F)/(w·Mw).
@@ -85,8 +48,8 @@ impl<A: Array, const N: usize> Projector<A, N> {
     pub(super) fn projected(&self, velocity: &[A; 2]) -> ([A; 2], [A::Real; N]) {
         let (mut projected, mut weights) = (*velocity, [zero(); N]);
         for a in 0..N {
-            weights[a] = dot(&self.orthogonal[a], velocity) * self.reciprocals[a];
-            projected = moved(&projected, -weights[a], &self.weighted[a]);
+            weights[a] = dot(&self.basis.vectors[a], velocity) * self.basis.reciprocals[a];
+            projected = moved(&projected, -weights[a], &self.basis.weighted[a]);
         }
         (projected, weights)
     }
@@ -110,7 +73,7 @@ impl<A: Array, const N: usize> Projector<A, N> {
         let mut lambda = *weights;
         for a in (0..N).rev() {
             for later in a + 1..N {
-                lambda[a] -= self.coefficients[later][a] * lambda[later];
+                lambda[a] -= self.basis.coefficients[later][a] * lambda[later];
             }
         }
         for (lambda, scale) in lambda.iter_mut().zip(&self.scales) {
@@ -134,18 +97,18 @@ impl<A: Array, const N: usize> Projector<A, N> {
         for a in 0..N {
             products[a] = scaled(self.scales[a], &products[a]);
             for b in 0..a {
-                products[a] = moved(&products[a], -self.coefficients[a][b], &products[b]);
+                products[a] = moved(&products[a], -self.basis.coefficients[a][b], &products[b]);
             }
         }
         // Row a contains the coefficients of Mw_a in MG dλ: (w_a·(dF − M dG λ) + (dGᵀv)_a)/(w_a·Mw_a), from the product of Gᵀ with the differential above.
         // `slope` is dF − M dG λ at this point.
         let weight_slopes: [[A; 2]; N] = core::array::from_fn(|a| {
-            let rate = moved(&products[a], A::Real::from_f64(1.0), &slope.transpose_times(&self.orthogonal[a]));
-            scaled(self.reciprocals[a], &rate)
+            let rate = moved(&products[a], A::Real::from_f64(1.0), &slope.transpose_times(&self.basis.vectors[a]));
+            scaled(self.basis.reciprocals[a], &rate)
         });
         for (i, row) in slope.rows().iter_mut().enumerate() {
             for a in 0..N {
-                row.add_scaled(-Array::as_slice(&self.weighted[a])[i], &weight_slopes[a]);
+                row.add_scaled(-Array::as_slice(&self.basis.weighted[a])[i], &weight_slopes[a]);
             }
         }
     }
