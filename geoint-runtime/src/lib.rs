@@ -98,8 +98,8 @@ pub use space::{BodyState, ContactState, Coordinates, FlowState, State};
 #[doc(inline)]
 pub use system::{
     Autonomous, Conformal, Conservative, Constrained, Contact, Cotangent, FirstIntegrals, ForceGradient, Hamiltonian,
-    Invariants, KeepsEnergy, Lagrangian, Mechanical, Perturbed, PerturbedGradient, PhaseSpace, Pieces, PrincipalAxes,
-    QuadraticKinetic, Rates, Separable, SteadyIntegrals, VectorField,
+    Invariants, KeepsEnergy, Lagrangian, Mechanical, Origin, Perturbed, PerturbedGradient, PhaseSpace, Pieces,
+    PrincipalAxes, QuadraticKinetic, Rates, Separable, SteadyIntegrals, VectorField,
 };
 
 /// The names that most programs need, for `use geoint_runtime::prelude::*`: attributes, states, runs with their traits, and the methods that are used most.

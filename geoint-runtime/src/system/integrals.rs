@@ -19,11 +19,8 @@ where
 {
     /// One scalar for each invariant: `R`, or an array.
     type Values: Array<Real = R>;
-    /// Whether H is a function of the invariants.
-    const KEEP_ENERGY: bool = false;
-    /// Whether the macros derived the invariants. [`angles`](PhaseSpace::angles) then visits all angles that the invariants read.
-    #[doc(hidden)]
-    const DERIVED: bool = false;
+    /// The origin of the set. It decides which checks a projection makes.
+    const ORIGIN: Origin = Origin::ByHand;
 
     /// Returns the changes of the invariants from `x` to `x + d`. Avoid the subtraction of values if possible: the rounding error of the difference becomes
     /// an error of the trajectory.
@@ -31,6 +28,38 @@ where
 
     /// Returns the gradient of each invariant.
     fn gradients(&self, system: &S, x: &S::Phase) -> <Self::Values as Array>::Map<S::Phase>;
+}
+
+/// The origin of a set of [`Invariants`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Origin {
+    /// Implemented by hand. A function of the set may read an angle that the system does not know.
+    ByHand,
+    /// Derived by the macros: the energy, or all first integrals. [`angles`](PhaseSpace::angles) visits all angles that the set reads.
+    Derived,
+    /// A tuple of both.
+    Mixed,
+}
+
+impl Origin {
+    /// Returns the origin of a tuple of sets.
+    pub(crate) const fn of(parts: &[Self]) -> Self {
+        let (mut derived, mut i) = (0, 0);
+        while i < parts.len() {
+            derived += matches!(parts[i], Self::Derived) as usize;
+            i += 1;
+        }
+        match derived {
+            0 => Self::ByHand,
+            _ if derived == parts.len() => Self::Derived,
+            _ => Self::Mixed,
+        }
+    }
+
+    /// Returns whether H is a function of the set.
+    pub(crate) const fn keeps_energy(self) -> bool {
+        !matches!(self, Self::ByHand)
+    }
 }
 
 /// A field with first integrals: functions I(z, t) that are constant along the flow.

@@ -43,7 +43,7 @@ pub(crate) use implicit::{
     velocity_near,
 };
 pub(crate) use integrals::KeptMomenta;
-pub use integrals::{FirstIntegrals, Invariants, KeepsEnergy, SteadyIntegrals};
+pub use integrals::{FirstIntegrals, Invariants, KeepsEnergy, Origin, SteadyIntegrals};
 pub(crate) use jets::Jets;
 pub(crate) use jumps::{jump_between, jump_of_integral, jump_on_way};
 pub use lagrangian::{Lagrangian, from_positions};

@@ -5,11 +5,11 @@ use crate::method::And;
 use crate::scalar::{Real, zero};
 use crate::space::Array;
 use crate::space::vector::{dot, moved, opposite, sum, sum_of_products};
-pub use crate::system::Invariants;
 use crate::system::{
     DiscreteField, Hamiltonian, KeepsEnergy, KeptMomenta, PhaseSpace, Span, SteadyIntegrals, VectorField, VelocityForm,
     energy_of, velocity_of,
 };
+pub use crate::system::{Invariants, Origin};
 
 /// The energy H.
 ///
@@ -21,8 +21,7 @@ pub struct Energy;
 impl<S: KeepsEnergy<R>, R: Real> Invariants<S, R> for Energy {
     /// The type is unknown if the system does not keep H; see [`Method::Proof`](crate::Method::Proof).
     type Values = <<S as KeepsEnergy<R>>::Proof as And<R>>::Both;
-    const KEEP_ENERGY: bool = true;
-    const DERIVED: bool = true;
+    const ORIGIN: Origin = Origin::Derived;
 
     #[inline]
     fn changes(&self, system: &S, z: &S::Phase, dz: &S::Phase) -> R {
@@ -42,8 +41,6 @@ pub struct CanonicalEnergy;
 
 impl<S: DiscreteField<R> + Hamiltonian<R>, R: Real> Invariants<S, R> for CanonicalEnergy {
     type Values = R;
-    const KEEP_ENERGY: bool = true;
-    const DERIVED: bool = true;
 
     #[inline]
     fn changes(&self, system: &S, z: &S::Phase, dz: &S::Phase) -> R {
@@ -80,8 +77,6 @@ pub struct EnergyAndMomenta<const ENERGY: bool>;
 
 impl<S: DiscreteField<R> + KeptMomenta<R>, R: Real, const ENERGY: bool> Invariants<S, R> for EnergyAndMomenta<ENERGY> {
     type Values = S::Values;
-    const KEEP_ENERGY: bool = ENERGY;
-    const DERIVED: bool = true;
 
     fn changes(&self, system: &S, z: &S::Phase, dz: &S::Phase) -> S::Values {
         let mut changes = S::Values::zero();
@@ -112,8 +107,6 @@ pub struct VelocityEnergy;
 
 impl<S: VelocityForm<R> + VectorField<R> + PhaseSpace<R, Action = ()>, R: Real> Invariants<S, R> for VelocityEnergy {
     type Values = R;
-    const KEEP_ENERGY: bool = true;
-    const DERIVED: bool = true;
 
     #[inline]
     fn changes(&self, system: &S, z: &S::Phase, dz: &S::Phase) -> R {
@@ -137,8 +130,6 @@ pub struct Integral<const INDEX: usize>;
 
 impl<S: SteadyIntegrals<R>, R: Real, const INDEX: usize> Invariants<S, R> for Integral<INDEX> {
     type Values = R;
-    const KEEP_ENERGY: bool = true;
-    const DERIVED: bool = true;
 
     #[inline]
     fn changes(&self, system: &S, z: &S::Phase, dz: &S::Phase) -> R {
@@ -160,8 +151,7 @@ where
     <S as SteadyIntegrals<R>>::Proof: And<S::Steady, Both = S::Steady>,
 {
     type Values = S::Steady;
-    const KEEP_ENERGY: bool = true;
-    const DERIVED: bool = true;
+    const ORIGIN: Origin = Origin::Derived;
 
     #[inline]
     fn changes(&self, system: &S, x: &S::Phase, d: &S::Phase) -> S::Steady {
@@ -177,7 +167,6 @@ where
 /// The empty set of invariants.
 impl<S: PhaseSpace<R>, R: Real> Invariants<S, R> for () {
     type Values = [R; 0];
-    const DERIVED: bool = true;
 
     #[inline]
     fn changes(&self, _: &S, _: &S::Phase, _: &S::Phase) -> [R; 0] {
@@ -201,8 +190,7 @@ macro_rules! tuples {
     ($($n:literal: $($I:ident $i:tt)*;)*) => { $(
         impl<S: PhaseSpace<R>, R: Real, $($I: Invariants<S, R, Values = R>),*> Invariants<S, R> for ($($I,)*) {
             type Values = known!([R; $n]; $($I)*);
-            const KEEP_ENERGY: bool = $($I::KEEP_ENERGY)||*;
-            const DERIVED: bool = $($I::DERIVED)&&*;
+            const ORIGIN: Origin = Origin::of(&[$($I::ORIGIN),*]);
 
             #[inline]
             fn changes(&self, system: &S, x: &S::Phase, d: &S::Phase) -> [R; $n] {

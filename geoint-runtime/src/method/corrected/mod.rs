@@ -41,6 +41,6 @@ mod series;
 mod turns;
 mod way_back;
 
-pub use invariants::{Energy, Integrals, Invariants};
+pub use invariants::{Energy, Integrals, Invariants, Origin};
 pub use projection::Projection;
 pub use relaxation::Relaxation;

@@ -96,7 +96,7 @@ impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
             order,
             symmetric: false,
             symplectic: false,
-            conserves_energy: I::KEEP_ENERGY,
+            conserves_energy: I::ORIGIN.keeps_energy(),
             perturbed: &[],
             forces: None,
         }
@@ -132,7 +132,7 @@ impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
         check_turns(system, [t, later - t], [&before, &end])?;
         let way = way_back(system, invariants, &I::Values::zero(), scales, [&before, &end])?;
         x.correct(sums, &before, &moved, &way.back);
-        if I::KEEP_ENERGY {
+        if I::ORIGIN.keeps_energy() {
             check_conditions(system, t, &sum(&before, &way.decided), x)?;
         }
         check_poles(poles, Evaluations::AtPoints, &(before, ()), Step::at(t, (system, &mut *x, probe)))?;

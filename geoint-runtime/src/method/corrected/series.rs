@@ -20,7 +20,7 @@ use crate::sealed::Sealed;
 use crate::solving::size::Sizes;
 use crate::space::vector::{difference, sum};
 use crate::space::{Array, PerCoordinate, Record, Tape};
-use crate::system::{Jets, VectorField};
+use crate::system::{Jets, Origin, VectorField};
 use crate::taylor::{Steps, TaylorMethod};
 use core::fmt::Debug;
 
@@ -130,8 +130,9 @@ where
             return Err(Failure::OutOfRange);
         }
         check_turns(system, [t, h], [before, z])?;
-        // `S::ANGLES` covers the invariants that are derived. Those written by the user may read an angle, too.
-        if !memory.moves_on && !I::DERIVED && memory.has_turned(system, &self.1, [before, z]) {
+        // `S::ANGLES` covers the invariants that are derived. Those implemented by hand may read an angle, too.
+        if !memory.moves_on && !matches!(I::ORIGIN, Origin::Derived) && memory.has_turned(system, &self.1, [before, z])
+        {
             // The previous step was projected to the invariants of the start, so the wanted change since then is zero.
             (memory.wanted, memory.moves_on) = (I::Values::zero(), true);
         }

@@ -114,7 +114,7 @@ struct Equation<'a, S: VectorField<R>, R: Real, I: Invariants<S, R>> {
 impl<S: VectorField<R>, R: Real, I: Invariants<S, R>> Equation<'_, S, R, I> {
     /// Whether the energy may jump. Corrections may then alternate between both sides of the jump. This is not rounding, and ends with
     /// [`Failure::NotConverged`].
-    const JUMPS: bool = I::KEEP_ENERGY && !S::JUMPS.is_empty();
+    const JUMPS: bool = I::ORIGIN.keeps_energy() && !S::JUMPS.is_empty();
 
     /// Returns the residual I(before + increment) − I(before) − wanted, and stores the increment in `decided`.
     #[inline(always)]
