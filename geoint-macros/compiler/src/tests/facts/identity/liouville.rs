@@ -2,7 +2,8 @@
 
 use super::arrays;
 use crate::analyze::identity;
-use crate::analyze::liouville::{Logarithm, NoEnergy, energy};
+use crate::analyze::liouville::{Logarithm, NoEnergy, antiderivative, energy};
+use crate::diff::jacobian;
 use crate::ir::Symbol;
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -65,6 +66,25 @@ fn energies_of_plane_fields_are_recovered() {
     for (field, energy) in &cases {
         assert_eq!(recovered(1, field, energy), Ok(()), "{field}");
     }
+}
+
+/// Example 2.2.7 of Aung's thesis: p' = −∂H/∂q alone gives H up to a function F(p). The other equation is not read.
+#[test]
+fn one_equation_gives_the_energy_but_for_a_function_of_momenta() {
+    let arguments = quote!(let (q, p) = (x[0], x[1]););
+    let arrays_of = [&quote!([p * p - 2.0 * q + 2.0 * p]), &quote!([-p * p * q + q * q - 2.0 * p * q, p.powi(3)])];
+    let (mut graph, found) = arrays(2, &arguments, &arrays_of);
+    let (force, [expected, of_momenta]) = (found[0][0], [found[1][0], found[1][1]]);
+    let (q, p) = (Symbol::Position(0), Symbol::Position(1));
+    let slope = graph.neg(force);
+    let (energy, _) = antiderivative(&mut graph, &[q], &[slope], Logarithm::OfNumber).expect("an energy");
+    let difference = graph.sub(energy, expected);
+    assert!(identity(&mut graph, difference).is_zero());
+    // Every F(p) leaves p' as it is and changes q'.
+    let other = graph.add(energy, of_momenta);
+    let slopes = jacobian(&mut graph, &[energy, other], &[q, p]);
+    let [by_position, by_momentum] = [0, 1].map(|i| graph.sub(slopes[1][i], slopes[0][i]));
+    assert!(identity(&mut graph, by_position).is_zero() && !identity(&mut graph, by_momentum).is_zero());
 }
 
 /// Angles around the origin, and around another point in other units. No energy is defined wherever the field is.
