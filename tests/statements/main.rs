@@ -7,6 +7,7 @@
 mod derivative;
 mod energy_method;
 mod factors;
+mod fields;
 mod herglotz;
 mod leapfrog;
 mod measure;

@@ -1,5 +1,6 @@
-//! T48: an integrand F(x, y') without y. T9: kinetic energies in coordinates x = x(q, t), by the chain rule.
+//! T48: an integrand F(x, y') without y. T9: kinetic energies in coordinates x = x(q, t), by the chain rule. T22: spherical coordinates.
 
+use geoint_runtime::Hamiltonian;
 use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
@@ -73,4 +74,53 @@ fn the_chain_rule_gives_three_kinetic_energies() {
     // Control: without ∂x/∂t only T₂ is left.
     let [second, first, zeroth] = parts([0.0; 2]);
     assert!((second - expected[0]).abs() < 1e-16 && first.abs() < 1e-16 && zeroth == 0.0, "{first} {zeroth}");
+}
+
+/// A particle in a uniform field, in spherical coordinates r, θ, φ: V = m (a₁x + a₃z) depends on all three.
+#[lagrangian]
+fn spherical(q: [f64; 3], v: [f64; 3], m: f64, a: [f64; 2]) -> f64 {
+    let [r, theta, phi] = q;
+    let sin = theta.sin();
+    let potential = m * r * (a[0] * sin * phi.cos() + a[1] * theta.cos());
+    m / 2.0 * (v[0] * v[0] + r * r * v[1] * v[1] + r * r * sin * sin * v[2] * v[2]) - potential
+}
+
+/// T22: the six canonical equations in spherical coordinates, with −∂V/∂r, −∂V/∂θ and −∂V/∂φ. The motion is a parabola in space.
+#[test]
+fn spherical_coordinates_with_a_potential_of_all_three() -> Result<(), StepError> {
+    let (m, a) = (1.3, [0.4, 1.1]);
+    let system = Spherical { m, a };
+    let ([r, theta, phi], [u, v, w]) = ([1.7_f64, 0.9, 0.3], [0.2_f64, -0.5, 0.8]);
+    let mut slopes = [[0.0_f64; 3]; 2];
+    system.gradient(0.0, &[[r, theta, phi], [u, v, w]], &mut slopes);
+    let ((sin, cos), (sin_phi, cos_phi)) = (theta.sin_cos(), phi.sin_cos());
+    let velocities = [u / m, v / (m * r * r), w / (m * r * r * sin * sin)];
+    let potential = [
+        m * (a[0] * sin * cos_phi + a[1] * cos),
+        m * r * (a[0] * cos * cos_phi - a[1] * sin),
+        -m * r * a[0] * sin * sin_phi,
+    ];
+    let centrifugal =
+        [(v * v + w * w / (sin * sin)) / (m * r * r * r), w * w * cos / (m * r * r * sin * sin * sin), 0.0];
+    for i in 0..3 {
+        assert!((slopes[1][i] - velocities[i]).abs() < 1e-15, "{i}");
+        assert!((slopes[0][i] + centrifugal[i] - potential[i]).abs() < 1e-15, "{i}");
+        // Control: without the potential every force is another one.
+        assert!((slopes[0][i] + centrifugal[i]).abs() > 0.1, "{i}");
+    }
+
+    let point = |[r, theta, phi]: [f64; 3]| [r * theta.sin() * phi.cos(), r * theta.sin() * phi.sin(), r * theta.cos()];
+    let start = [0.2, -0.3, 0.5];
+    let [x, y, z] = point([r, theta, phi]);
+    // Rates of r, θ and φ of a particle with the velocity `start` in space.
+    let along = (x * start[0] + y * start[1] + z * start[2]) / r;
+    let rates = [along, (z * along / r - start[2]) / (r * sin), (x * start[1] - y * start[0]) / (x * x + y * y)];
+    let mut sim = system.integrator(Gauss::<6>, 0.02, system.at([r, theta, phi], rates));
+    sim.advance(50)?;
+    let fallen = [-a[0] / 2.0, 0.0, -a[1] / 2.0];
+    for (i, found) in point(sim.state().q).into_iter().enumerate() {
+        let expected = [x, y, z][i] + start[i] + fallen[i];
+        assert!((found - expected).abs() < 1e-13, "{i}: {found} {expected}");
+    }
+    Ok(())
 }
