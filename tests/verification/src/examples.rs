@@ -47,6 +47,7 @@ const EXAMPLES: &[(&str, &str, &str)] = &[
     ("saddle", "orbits at a saddle, by the complete scheme and by one without a term", ""),
     ("duffing", "a phase portrait with steps of a seventh of an orbit", ""),
     ("energy_exact", "energy kept to rounding over a million steps", ""),
+    ("explicit_against_leapfrog", "a spring and a pendulum with steps of 0.2", ""),
     ("which_discrete_gradient", "orders of seventeen methods", ""),
     ("damped_duffing", "the lost energy is the work of friction", ""),
     (
