@@ -34,7 +34,7 @@ pub use crate::space::state::Action;
 pub use crate::space::{
     Array, BodyState, ContactState, Coordinates, FlowState, PerCoordinate, Placed, Snapshot, Square, State,
 };
-pub use crate::system::contact::{ContactEquation, NystromPieces};
+pub use crate::system::contact::ContactEquation;
 pub use crate::system::implicit::{
     CanonicalForm, Collocation, ConstrainedStep, ContactStages, DiscreteField, EquationOrder, FourthOrderField,
     Keeping, MassForm, Mean, MixedDerivatives, PolarisedForm, QuadraticField, Span, VelocityForm, VelocityStage,
@@ -43,6 +43,7 @@ pub use crate::system::implicit::{
 pub use crate::system::integrals::KeptMomenta;
 pub use crate::system::jets::Jets;
 pub use crate::system::modified::ModifiedEnergy;
+pub use crate::system::pieces::NystromPieces;
 pub use crate::system::{
     Autonomous, Clock as PieceClock, Conformal as ConformalContact, Conservative, Constrained as ConstrainedSystem,
     Contact as ContactSystem, Cotangent as CotangentSpace, FirstIntegrals, FlowKind, FlowPart, ForceGradient,

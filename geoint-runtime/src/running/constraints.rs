@@ -7,11 +7,11 @@ use crate::scalar::{Real, signed};
 use crate::space::{Array, Snapshot, Summation};
 use crate::system::{Constrained, StateOf, projected};
 
-/// Returns the state nearest to `state` that satisfies the constraints of a system. Positions move, to first order, the shortest way in the metric of
-/// the mass matrix. Momenta become tangent.
+/// Returns a state near `state` that satisfies the constraints of a system. Positions move along W Gᵀ, with the inverse mass matrix W and the gradients G of the
+/// constraints: to first order, this is the shortest way in the metric of the mass matrix. Momenta become tangent. The action does not change.
 ///
 /// # Errors
-/// Fails if no such state is near, or if constraints depend on each other.
+/// Fails if no such state is near, if constraints depend on each other, or if the state is not finite.
 pub fn state_on_constraint<S: Constrained<R>, R: Real>(
     system: &S,
     state: &StateOf<S, R>,
@@ -28,11 +28,11 @@ pub fn state_on_constraint<S: Constrained<R>, R: Real>(
 impl<S: Constrained<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integrator<S, M, R, C> {
     /// Returns the present state with positions on the constraints and momenta tangent to them.
     ///
-    /// Momenta of [`DiscreteGradient`](crate::DiscreteGradient) are off by O(h²) at the ends of steps. Compositions reach their order in the
-    /// projected momenta. The run itself continues from its own state.
+    /// Momenta of [`DiscreteGradient`](crate::DiscreteGradient) are off by O(h²) at the ends of steps. Compositions reach their order, at most 4, in
+    /// the projected momenta. The run itself continues from its own state.
     ///
     /// # Errors
-    /// Fails if constraints depend on each other.
+    /// Those of [`state_on_constraint`](crate::state_on_constraint).
     pub fn state_on_constraint(&self) -> Result<StateOf<S, R>, StepError> {
         state_on_constraint(self.system(), &self.state())
     }

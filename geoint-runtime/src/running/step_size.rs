@@ -7,7 +7,7 @@ use crate::space::{Record, Tape};
 /// Step lengths of one octave: 2^(k/4) for k = 0 … 3.
 const RUNGS: [f64; 4] = [1.0, 1.189_207_115_002_721, core::f64::consts::SQRT_2, 1.681_792_830_507_429];
 
-/// Safety factor: errors stay below the tolerance by this factor, so that few steps are rejected.
+/// Factor of the step length, so that few steps are rejected.
 const SAFETY: f64 = 0.9;
 
 /// Lower limit of the previous error in the controller. After a step that was far too short, the next length then follows from its own error.
@@ -30,10 +30,11 @@ impl Default for Bounds {
 }
 
 impl Bounds {
-    /// Returns bounds for steps that change the time `t`, and are not negligible against 1 and the time in which a state changes.
+    /// Returns bounds for steps that change the time `t`, and are at least ε⁴ times `pace`, the time in which a state changes, or ε⁴ if `pace` is above 1. Shorter
+    /// steps would hardly ever end.
     pub(crate) fn at(&self, t: f64, epsilon: f64, pace: f64) -> Bounds {
-        let zero = epsilon * epsilon * epsilon * epsilon * pace.min(1.0);
-        Bounds { shortest: self.shortest.max(4.0 * epsilon * t.abs()).max(zero), ..*self }
+        let negligible = epsilon * epsilon * epsilon * epsilon * pace.min(1.0);
+        Bounds { shortest: self.shortest.max(4.0 * epsilon * t.abs()).max(negligible), ..*self }
     }
 
     /// Checks that the bounds admit a step.
@@ -48,7 +49,8 @@ impl Bounds {
 /// tolerance. K. Gustafsson, M. Lundh & G. Söderlind, BIT 28 (1988) 270. The constants are those of Hairer & Wanner, *Solving Ordinary Differential
 /// Equations II* (1996), section IV.2.
 ///
-/// Lengths are the rungs 2^(k/4), so a length changes by at least one rung or not at all.
+/// The length is multiplied by 0.9, and rounded down to a rung 2^(k/4). It changes by two octaves at most, and does not grow after a rejection. A length that
+/// does not change keeps the coefficients of the method.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Controller {
     /// p + 1.

@@ -1,40 +1,41 @@
-//! Functions at the boundary of a domain, and at kinks.
+//! Functions at the boundary of a domain, at kinks, and near numbers whose squares leave the range. f[a, b] is the divided difference (f(b) − f(a))/(b − a).
 
 use super::{away, tiny};
 use crate::scalar::Real;
 
-/// Returns 1/x if x is a positive normal number, else NaN. A trajectory stays on one side of a pole or of the edge of a logarithm.
+/// Returns 1/x if all components of x are positive, else NaN. Otherwise the step has crossed a pole or the edge of a logarithm, and the NaN refuses it.
 #[inline(always)]
 pub fn recip_positive<R: Real>(x: R) -> R {
     R::from_f64(if x.any_not_positive() { f64::NAN } else { 1.0 }) / x
 }
 
-/// Returns x, or NaN if x is negative. The NaN leads to a refused step.
+/// Returns x, or NaN if a component of x is negative. The NaN leads to a refused step.
 #[inline(always)]
 pub fn not_negative<R: Real>(x: R) -> R {
     if x.any_below(0.0) { R::from_f64(f64::NAN) } else { x }
 }
 
-/// Returns x, or NaN if x² exceeds y by more than rounding.
+/// Returns x, or NaN if x² exceeds y by more than rounding. A NaN in y is not detected.
 #[inline(always)]
 pub fn bounded<R: Real>(x: R, y: R) -> R {
     let margin = R::from_f64(1.0 + 8.0 * R::epsilon());
     if (y * margin - x * x).any_below(0.0) { R::from_f64(f64::NAN) } else { x }
 }
 
-/// Returns x, or NaN if y is negative.
+/// Returns x, or NaN if y is negative. A NaN in y is not detected.
 #[inline(always)]
 pub fn provided<R: Real>(x: R, y: R) -> R {
     if y.any_below(0.0) { R::from_f64(f64::NAN) } else { x }
 }
 
-/// Returns x, or NaN if x > y.
+/// Returns x, or NaN if x > y. A NaN in y is not detected.
 #[inline(always)]
 pub fn at_most<R: Real>(x: R, y: R) -> R {
     if (y - x).any_below(0.0) { R::from_f64(f64::NAN) } else { x }
 }
 
-/// Returns √x, increased by a tiny number. It can be used as a divisor also at 0, where (xᵐᐟ²)[a, b] has a limit for m > 2.
+/// Returns √x plus a tiny number. At x = 0 a quotient with it is 0 in place of 0/0. The tiny number is a cube root, so that its square and its cube are normal
+/// numbers.
 #[inline(always)]
 pub fn root<R: Real>(x: R) -> R {
     x.sqrt() + tiny::<R>().cbrt()

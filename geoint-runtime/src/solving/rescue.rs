@@ -1,8 +1,8 @@
 //! Long searches for a solution of r(x) = 0. They rescue the steps that Newton's loop does not solve in a few evaluations. They are the only iteration of
 //! [`QuasiNewton`](super::quasi_newton), whose derivative is approximate.
 //!
-//! 1. The first search starts from the explicit guess, computed at the start of the step, and makes at most 100 evaluations. If corrections stop shrinking, x
-//!    is accepted if the last digits of coordinates explain the residual. With [`Effort::Thorough`], measured rounding ([`noise`]) may explain it, too.
+//! 1. The first search starts from the explicit guess, computed at the start of the step, and makes at most 100 corrections. If corrections stop shrinking,
+//!    or shrink slowly where convergence should be quadratic, x is accepted if the last digits of coordinates explain the residual. With [`Effort::Thorough`], measured rounding ([`noise`]) may explain it, too.
 //! 2. With [`Effort::Thorough`] and an approximate derivative, the first search is repeated with a matrix of difference quotients.
 //! 3. With [`Effort::Thorough`], the last search starts from the end of [`damped`] corrections.
 //!
@@ -10,7 +10,7 @@
 //! [`Effort::Thorough`], `branch` tests it. With [`Effort::Fast`], the step is refused, and the caller repeats it.
 //!
 //! Equations with [`Branch::OfEnergy`](crate::method::implicit::Branch::OfEnergy) are exempt, because all their solutions satisfy the balance of the energy
-//! or of a first integral. Limit: an exempt solution satisfies the balance, but need not continue the solution from h = 0.
+//! or of a first integral. Limit: they need not continue the solution from h = 0.
 
 use super::branch::Continuation;
 use super::differences::Differences;
@@ -146,8 +146,8 @@ impl<A: Array> Experience<A> {
         for evaluations in 1..=MAX_ITERATIONS {
             let x = solution.x;
             let r = residual.at(&x, &mut matrix);
-            // Present magnitudes belong to steep first integrals, such as logarithms. Only a thorough attempt may take their residual for rounding. The method
-            // then checks the integrals.
+            // With `Magnitudes::Present`, which belongs to steep first integrals such as logarithms, only a thorough attempt may take a residual for rounding,
+            // because the method then checks the integrals.
             let may_be_accepted = effort == Effort::Thorough || magnitudes == Magnitudes::Recent;
             let last = stuck.take();
             // Linear convergence is always slow, so the residual is examined only if corrections stop shrinking.

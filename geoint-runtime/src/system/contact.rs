@@ -2,7 +2,7 @@
 
 use super::{Cotangent, PhaseSpace, Separable};
 use crate::scalar::{Real, zero};
-use crate::space::{Array, ContactState, PerCoordinate, Square};
+use crate::space::{Array, ContactState, Square};
 
 /// A system with a contact Hamiltonian H(q, p, s, t).
 pub trait Contact<R: Real = f64>:
@@ -59,87 +59,6 @@ pub trait Mechanical<R: Real = f64>: Contact<R> + Separable<R> {
     fn free_drift(&self, drift: &Self::FreeDrift, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut R);
     /// Returns g at time `t`.
     fn damping(&self, t: R) -> R;
-}
-
-/// The time at which the flow of a piece evaluates explicit time dependence.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Clock {
-    /// The flow is exact in time. It starts at its own start time.
-    Own,
-    /// Time is frozen at the middle of the step.
-    Stage,
-}
-
-/// A term of H, or of a field, in a splitting.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Piece {
-    /// The formula of the piece.
-    pub name: &'static str,
-    /// The time of the flow.
-    pub clock: Clock,
-    /// Whether the flow has no closed form. An implicit symmetric step of order 2 then replaces it.
-    pub solved: bool,
-    /// Whether the flow may cease to exist before the end of the step.
-    pub may_end: bool,
-}
-
-/// A system that is a sum of pieces with known flows, for the splitting method `M`.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` has no pieces for `{M}`",
-    label = "this method is for systems that were split into such",
-    note = "`PieceSplitting` is for `#[hamiltonian]` where positions and momenta are coupled; `ContactSplitting` for `#[contact_hamiltonian]`; `PoissonSplitting` for `#[hamiltonian(structure = …)]`; `PlanarSplitting` for \
-            that and for `#[vector_field(keeps(…))]`",
-    note = "methods for every contact Hamiltonian: `ContactGauss`, `ContactMidpoint`, `ContactDiscreteGradient`",
-    note = "methods for T(p) + V(q) without dissipation: `StormerVerlet`, `BlanesMoan4`, …"
-)]
-pub trait Pieces<M, R: Real = f64>: PhaseSpace<R> {
-    /// `()`; see [`Method::Proof`](crate::Method::Proof).
-    type Proof;
-    /// The pieces. The last one is in the middle of a step.
-    const PIECES: &'static [Piece];
-    /// Whether each flow is a symplectic, Poisson or contact map.
-    const SYMPLECTIC: bool = true;
-    /// Whether each flow keeps H, or the first integral.
-    const CONSERVES_ENERGY: bool = false;
-    /// Coefficients of flows of given lengths.
-    type Flows: Copy + core::fmt::Debug;
-    /// Coefficients that depend on the frozen time.
-    type Frozen: Copy + core::fmt::Debug;
-
-    /// Computes the coefficients for a flow of length `last` of the last piece, and for flows of length `outer` of the others.
-    fn prepare_flows(&self, outer: R, last: R) -> Self::Flows;
-    /// Computes the coefficients for time frozen at `t`.
-    fn freeze(&self, flows: &Self::Flows, t: R) -> Self::Frozen;
-    /// Applies the flow of a piece. It starts at time `t` if it is exact in time. The result is NaN if the flow ends within the step.
-    fn flow(
-        &self,
-        piece: usize,
-        flows: &Self::Flows,
-        frozen: &Self::Frozen,
-        t: R,
-        z: &mut Self::Phase,
-        s: &mut Self::Action,
-    );
-    /// Returns the increments of `x` by [`flow`](Pieces::flow), for compensated sums.
-    fn increments(
-        &self,
-        piece: usize,
-        flows: &Self::Flows,
-        frozen: &Self::Frozen,
-        t: R,
-        x: &PerCoordinate<Self::Phase, Self::Action>,
-    ) -> PerCoordinate<Self::Phase, Self::Action>;
-}
-
-/// Two pieces A and B, in this order, with {B, {B, {B, A}}} = 0. Tables of Runge–Kutta–Nyström type keep their order on such systems.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` has no two pieces A and B with {{B, {{B, {{B, A}}}}}} = 0",
-    label = "Runge–Kutta–Nyström tables would lose their order",
-    note = "tables for any pieces: `BlanesMoan6X.of(PieceSplitting)`, `KahanLi8_17a.of(PieceSplitting)`"
-)]
-pub trait NystromPieces<R: Real = f64>: PhaseSpace<R> {
-    /// `()`; see [`Method::Proof`](crate::Method::Proof).
-    type Proof;
 }
 
 /// The equation d = Φ(d) for the increment d of a step of the method `M` from x = (q, p, s).

@@ -13,7 +13,7 @@
 //! that follow from it.
 
 mod bodies; // Rigid bodies in their principal axes.
-pub(crate) mod contact; // Contact systems, and the flows of the pieces of an energy.
+pub(crate) mod contact; // Contact systems.
 pub(crate) mod implicit; // The equations of implicit steps.
 pub(crate) mod integrals; // First integrals and invariants.
 pub(crate) mod jets; // Taylor coefficients of solutions.
@@ -21,6 +21,7 @@ mod jumps; // Search for a jump of H between two points.
 mod lagrangian; // Systems that are given by a Lagrangian.
 pub(crate) mod modified; // The modified energy of a step of order 2.
 mod perturbed; // H = A + B: an exact flow and a perturbation.
+pub(crate) mod pieces; // Sums of pieces with known flows.
 mod poles; // Search for a pole of H between two points.
 mod rates; // The rates of systems with and without an action.
 mod segment; // Whether a function vanishes on a line, by interval arithmetic.
@@ -30,8 +31,8 @@ mod separable; // H = T + V: kicks and drifts.
 mod timed; // Search for a pole of H that depends on time only.
 
 pub use bodies::PrincipalAxes;
-pub use contact::{Clock, Conformal, Contact, Mechanical, Piece, Pieces};
-pub(crate) use contact::{ContactEquation, NystromPieces};
+pub(crate) use contact::ContactEquation;
+pub use contact::{Conformal, Contact, Mechanical};
 pub use flow_kind::{Change, FlowKind, FlowPart, TimeDependence};
 pub(crate) use implicit::{
     CanonicalForm, Collocation, ConstrainedStep, ContactStages, DiscreteField, FourthOrderField, Keeping, MassForm,
@@ -48,6 +49,8 @@ pub(crate) use jets::Jets;
 pub(crate) use jumps::{jump_between, jump_of_integral, jump_on_way};
 pub use lagrangian::{Lagrangian, from_positions};
 pub use perturbed::{Perturbed, PerturbedGradient, unsuitable};
+pub(crate) use pieces::NystromPieces;
+pub use pieces::{Clock, Piece, Pieces};
 pub use poles::Pole;
 pub(crate) use poles::{Ends, Evaluations, Known, Poles, compiled};
 pub use rates::Rates;

@@ -15,7 +15,7 @@ const FARTHEST: f64 = 1024.0;
 pub(crate) struct Clear<R> {
     start: R,
     end: R,
-    /// The length of the interval in units of the step that started the search.
+    /// Half of the length of the next search, in units of its step. The length of the interval in steps, or 1 after a search that failed.
     reach: f64,
 }
 
@@ -40,8 +40,8 @@ impl<R: Real> Clear<R> {
         within(from) & within(to) && (to - self.start).magnitude() > 0.0
     }
 
-    /// Searches an interval from the start of the step, twice as long as the last one in units of the step. If it has a pole, its length is halved, down to
-    /// one step.
+    /// Searches an interval from the start of the step, twice as long as the last one in units of the step. If a pole is not excluded, its length is halved,
+    /// down to one step. The end may lie before the start.
     #[cold]
     #[inline(never)]
     fn search<S: PhaseSpace<R>>(&mut self, system: &S, [from, to]: [R; 2]) -> Option<&'static str> {

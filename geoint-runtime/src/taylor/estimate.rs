@@ -1,4 +1,4 @@
-//! Estimates the step length from the last coefficients of the series.
+//! Estimates from the coefficients of a series: step length, convergence, time in which the state changes, and agreement of rates.
 
 use crate::scalar::Real;
 use crate::space::{Action, Array, PerCoordinate, Record, Snapshot, Tape};
@@ -24,7 +24,7 @@ const FAR: f64 = 2.0;
 pub(crate) struct Estimate<X: Snapshot> {
     /// Log₂ of the largest last term of a step, relative to the size of its group.
     tolerance: f64,
-    /// Tolerated relative deviation of the rates at the end of a step: √tolerance/8, or `COARSEST_RATES`.
+    /// Tolerated relative deviation of rates: √τ/8 with the tolerance τ of the user, without the safety factor, or `COARSEST_RATES`.
     part: f64,
     /// Size of each group, stored at its first coordinate.
     sizes: PerCoordinate<X::Phase, X::Action>,
@@ -89,8 +89,8 @@ impl<X: Snapshot> Estimate<X> {
         }
     }
 
-    /// Returns the longest step at which the last term is within the tolerance, in every group. Infinite for a polynomial of degree below half the
-    /// order.
+    /// Returns the longest step at which the last term is within the tolerance, in every group. Infinite if all terms from half the order on
+    /// are zero.
     ///
     /// The step is a fraction of the radius of convergence R. For R, the smaller estimate by the last two terms is used, because every other term of
     /// an even or odd solution is zero. The term of order 1 is not used as the last but one, because it does not measure the error. If both terms are
@@ -110,7 +110,7 @@ impl<X: Snapshot> Estimate<X> {
         exp2(self.tolerance * (1.0 / m as f64) + least)
     }
 
-    /// Returns whether the terms of half the order and those of the last orders give one radius of convergence. They do not if the force is constant
+    /// Returns `false` if the last two terms are zero. Otherwise returns whether the terms of half the order and those of the last orders give one radius of convergence. They do not if the force is constant
     /// up to rounding: the last terms are then small, but larger than the earlier terms suggest. They belong to a distant feature that the series
     /// does not resolve.
     #[inline(always)]
@@ -197,8 +197,8 @@ impl<X: Snapshot> Estimate<X> {
         exp2(self.tolerance / order as f64)
     }
 
-    /// Returns whether two rates at the end of a step agree. Their difference over the step may have the size of tolerance and rounding. The time of
-    /// the end is rounded, too: this changes rates by up to `late`.
+    /// Returns whether two rates at one time agree: h·|difference| ≤ h·(part·scale + late) + 64 ε·size in every group. The scale is the larger one of the second
+    /// rate and of the rate `before`, at the start of the step. `late` is the change of the rates by the rounding of time.
     #[inline(always)]
     pub(crate) fn agree(
         &self,
@@ -214,7 +214,6 @@ impl<X: Snapshot> Estimate<X> {
         for i in 0..Self::GROUPS {
             let scale = larger(Self::magnitude(rates[1], i), Self::magnitude(before, i));
             let most = h.abs() * (self.part * scale + Self::magnitude(late, i)) + rounding * self.size(i) + smallest;
-            // Compare each coordinate, not the maximum of the group: this keeps the order of the sums before.
             for gap in Self::group(&gap, i) {
                 good &= h.abs() * gap.magnitude() <= most;
             }

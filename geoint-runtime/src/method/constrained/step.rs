@@ -68,8 +68,9 @@ impl<S: ConstrainedStep<M, R>, M: ConstrainedMethod, R: Real> ImplicitStep<S, R>
             Momenta::Carried => Evaluated::ByDifferences,
         },
         // g(q₁) = 0 determines ν to the rounding of q, and the momenta contain ν/h. Their error is about ε|q|/h. No projection removes it from carried momenta.
+        // A state within a step is therefore computed from its farther end.
         is_rough_if_short: matches!(M::MOMENTA, Momenta::Carried),
-        // `S::Unknown` does not tell multipliers from increments, so all unknowns count as one kind. Only the long searches of the solver read it.
+        // `S::Unknown` does not tell multipliers from increments, so all unknowns count as one kind. Only the long searches read the units.
         ..Policy::of(Units { alike: S::Unknown::LEN, kinds: 1 })
     };
     /// Momenta are tangent if G ∂H/∂p = 0, so a normal component changes H by its square only. Carried momenta have a normal component of order h². The state

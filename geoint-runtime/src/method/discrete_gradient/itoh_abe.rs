@@ -99,7 +99,7 @@ impl MeanGradient for SymmetrisedItohAbe {
     }
 }
 
-/// Mean gradient of one half of a step of [`ItohAbePair`]. Both halves have one type, so that they share a solver and its experience.
+/// Mean gradient of one half of a step of [`ItohAbePair`]. Both halves have one type, so that they share a solver and its guesses.
 #[derive(Clone, Copy, Debug)]
 pub enum Half {
     /// [`ItohAbe`].
@@ -180,5 +180,5 @@ impl<S: DiscreteField<R> + Conservative<R>, R: Real> Method<S, R> for ItohAbePai
     }
 }
 
-// Compositions need a symmetric map of order 2. `ItohAbe` and its adjoint are not symmetric.
+// Both are symmetric maps of order 2, which compositions need. `ItohAbe` and its adjoint are not symmetric.
 substeps!([] ItohAbePair; [] SymmetrisedItohAbe);

@@ -1,6 +1,7 @@
-//! Methods whose steps are those of another method.
+//! Methods whose steps are those of another method. Macros, because an implementation for all methods with an inner method would overlap with others.
 
-/// Implements the steps of a method by the steps of an inner method. `part` and `own` are the coefficients and the memory of the inner method.
+/// Implements the steps of a method by the steps of an inner method: `steps_of!(Inner, |prepared, memory| (part, own))`. `part` and `own` are the coefficients and
+/// the memory of the inner method within those of the method. The short form passes the whole memory.
 macro_rules! steps_of {
     ($inner:ty, |$prepared:ident| $part:expr) => {
         $crate::method::flows::steps_of!($inner, |$prepared, memory| ($part, memory));
@@ -29,9 +30,11 @@ macro_rules! steps_of {
     };
 }
 
-/// Implements a method by an inner method, for systems with the given property.
+/// Implements a method by an inner method, for systems with the given property, a trait with a `Proof`. The closure returns the inner method.
+///
+/// Limit: the inner method must use the defaults of `enter`, `leave`, `way_back`, `is_in_range`, `estimated` and `COMPOSES_TO`, which are not forwarded.
 macro_rules! delegate {
-    ([$($generics:tt)*] $method:ty, [$($property:tt)*], $inner:ty, |$this:ident| $table:expr) => {
+    ([$($generics:tt)*] $method:ty, [$($property:tt)*], $inner:ty, |$this:ident| $inner_method:expr) => {
         impl<$($generics)* S: $($property)*, R: Real> Method<S, R> for $method
         where
             $inner: Method<S, R>,
@@ -43,16 +46,16 @@ macro_rules! delegate {
 
             fn claims(&self) -> Claims {
                 let $this = self;
-                Method::<S, R>::claims(&$table)
+                Method::<S, R>::claims(&$inner_method)
             }
             fn name(&self) -> Name {
                 let $this = self;
-                Method::<S, R>::name(&$table)
+                Method::<S, R>::name(&$inner_method)
             }
 
             fn prepare(&self, system: &S, h: R) -> Self::Prepared {
                 let $this = self;
-                Method::prepare(&$table, system, h)
+                Method::prepare(&$inner_method, system, h)
             }
             #[inline(always)]
             fn shows_domain(prepared: &Self::Prepared) -> bool {

@@ -1,4 +1,4 @@
-//! The steps of a table.
+//! The method of a table: kicks and drifts in alternation, with the fractions of the table. The last flow of a step is merged with the first one of the next.
 
 use super::driver;
 use super::kinds::Flows;
@@ -10,9 +10,11 @@ use crate::scalar::Real;
 use crate::space::{Point, Summation};
 use crate::system::Separable;
 
+/// `K` is the number of inner flows of a step, and `F` the kind of the flows.
 impl<S: Separable<R>, R: Real, F: Flows<S, R>, const K: usize> Method<S, R> for Splitting<K, F> {
     type Proof = F::Proof;
     type Prepared = Sequence<S, R, F, K>;
+    /// The point before the last flow of a step.
     type Memory = Open<S::Phase, S::Action>;
     const HANDLING: Handling = Handling::FASTER_SINGLY;
 
@@ -28,6 +30,7 @@ impl<S: Separable<R>, R: Real, F: Flows<S, R>, const K: usize> Method<S, R> for 
         Sequence::prepare(self, system, h)
     }
 
+    // A last kick evaluates the force at the end, so that a state outside of the domain is not finite.
     #[inline(always)]
     fn shows_domain(prepared: &Self::Prepared) -> bool {
         prepared.last_kick_shows_domain()

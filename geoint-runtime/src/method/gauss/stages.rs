@@ -1,4 +1,4 @@
-//! The equations of all stages of a Gauss step, for systems whose unknowns are not values of a vector field.
+//! The equations of all stages of a Gauss step, for systems whose unknowns are not the values of a vector field at the stages.
 //!
 //! One function, [`assemble`], serves all three forms of equations in the table. Stage i has the unknown uᵢ and the shift h Σ aᵢⱼ uⱼ, with the coefficients
 //! aᵢⱼ of the method. A form computes at each stage a value P and its rate F, with derivatives by the unknown and by the shift. P₀ is P at the start of the
@@ -72,8 +72,8 @@ impl<A: Array> Values<A> {
     }
 }
 
-/// The kind of a derivative: zero at every stage, the identity, or given by [`Values`]. Products with `Zero` are not compiled. Only the derivative of P by
-/// the unknown may be `One`.
+/// The kind of a derivative: zero at every stage, the identity, or given by [`Values`]. Inlining removes products with `Zero`. Precondition: only the
+/// derivative of P by the unknown is `One`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::method) enum Part {
     Zero,
@@ -105,7 +105,7 @@ pub(in crate::method) struct Form {
     pub(in crate::method) rows: Rows,
 }
 
-/// The weights of the rows of momenta in a contact step.
+/// The weights of the rows of momenta in a step with an action.
 #[derive(Clone)]
 pub(in crate::method) struct Weights<'a, R, const S: usize> {
     pub(in crate::method) factors: &'a Factors<R, S>,

@@ -13,9 +13,11 @@ use crate::system::PhaseSpace;
 pub struct Watch<'a, S: PhaseSpace<R>, R: Real, P, LastEvaluation> {
     pub(super) probe: &'a mut P,
     /// The end of the step, z and s, at which the equation last evaluated conditions of the energy (`if`, `abs`). The driver checks that the energy does not
-    /// jump from there to the rounded end. Unused if the energy has no conditions.
+    /// jump from there to the rounded end. Unused if the energy has no conditions, or with
+    /// [`Evaluated::Elsewhere`](super::Evaluated::Elsewhere).
     pub(super) solved_end: (S::Phase, S::Action),
-    /// The values of the last evaluation, for [`ImplicitStep::update`](super::ImplicitStep::update).
+    /// The values of the last evaluation, for [`ImplicitStep::update`](super::ImplicitStep::update), or
+    /// [`explained`](super::ImplicitStep::explained) if the solver fails.
     pub last: LastEvaluation,
 }
 
@@ -27,10 +29,10 @@ impl<S: PhaseSpace<R>, R: Real, P: Observer, LastEvaluation> Observer for Watch<
 }
 
 impl<'a, S: PhaseSpace<R>, R: Real, P: Probe<S, R>, LastEvaluation> Watch<'a, S, R, P, LastEvaluation> {
-    /// Returns the record of a step before its first evaluation.
+    /// Returns the record of a step before its first evaluation. `solved_end` is the start, if it is read.
     #[inline(always)]
     pub(super) fn new(probe: &'a mut P, from: &Departure<'_, S, R>, last: LastEvaluation) -> Self {
-        // Without conditions the end is never read. A copy of the start would stall the processor.
+        // Without conditions the end is never read, and zeros cost less than a copy.
         let solved_end =
             if const { S::JUMPS.is_empty() } { (S::Phase::zero(), S::Action::zero()) } else { (from.z, from.s) };
         Watch { probe, solved_end, last }

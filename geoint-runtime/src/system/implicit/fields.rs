@@ -39,8 +39,8 @@ impl EquationOrder {
 /// The differential equation in the form in which implicit methods solve it: y' = f(y, t) for all coordinates y = z. The form is q'' = M⁻¹f(q, t) for y = q if
 /// H = T(p) + V(q) with a quadratic T, and nothing is damped or forced. f = −∂V/∂q is then the force, and M the constant mass matrix.
 ///
-/// Emitted by `#[vector_field]`, by `#[hamiltonian]` without constraint and attitude, and by `#[lagrangian]` without constraint and action. H must have a short
-/// formula, or L must be linear in the velocities.
+/// Emitted by `#[vector_field]`, by `#[hamiltonian]` without constraint and attitude, and by `#[lagrangian]` without constraint and action. A Hamiltonian must have
+/// a formula that the macro expands, and a Lagrangian such a Hamiltonian, or be linear in the velocities.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no system of `#[hamiltonian]`, or has a `constraint`, an `attitude` or an action `s`",
     label = "this method does not fit this kind of system",
@@ -160,7 +160,7 @@ pub trait DiscreteField<R: Real = f64>: Collocation<R> + Keeping<R> {
     /// Computes the right-hand side of a step, u = h·f̄(d(u)) with the impulse u as unknown: h·f̄ in `image`, and 1 − ∂(h·f̄)/∂u in `matrix`. The increment is
     /// d = u for the first order, and d = h ∂T/∂p(p + u/2) for the second.
     ///
-    /// The macros override this function for at most twelve unknowns, unless y = (q, p). h and the masses are then part of the constants of the kernel.
+    /// For at most twelve unknowns, but not for y = (q, p), the macros override this function by a kernel whose constants contain h and the masses.
     #[inline(always)]
     fn equation(
         &self,
@@ -222,9 +222,8 @@ pub trait FourthOrderField<R: Real = f64>: VectorField<R> + Keeping<R> {
         image: &mut Self::Phase,
         matrix: &mut Square<Self::Phase>,
     );
-    /// Makes all later evaluations of the step exclude columns of G that nearly depend on the columns before them, because GᵀG is nearly singular with them.
-    /// Only momenta that the macros have found are excluded, in canonical systems. The first column belongs to the energy, and stays. Returns `false` if the
-    /// system has no such momenta.
+    /// Excludes momenta whose gradients, columns of G, nearly depend on the columns before them, from all later evaluations of the step: with them GᵀG is nearly
+    /// singular. The first column belongs to the energy, and stays. Returns `false` if the system keeps no momenta that the macros have found.
     fn fourth_loosen(start: &mut Self::FourthStart) -> bool {
         let _ = start;
         false
@@ -235,7 +234,7 @@ pub trait FourthOrderField<R: Real = f64>: VectorField<R> + Keeping<R> {
 pub trait ContactStages<R: Real = f64>: Contact<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// The unknowns of a stage: q, p and s in a row. The row has no s if ∂H/∂s depends on time alone, and ∂H/∂q and ∂H/∂p do not read s.
+    /// The unknowns of a stage: q, p and s in a row. The row has no s if ∂H/∂s depends on time alone.
     type Moved: Array<Real = R>;
     /// Coefficients that depend on parameters only.
     type StageConstants: Copy + core::fmt::Debug;

@@ -12,15 +12,15 @@ use crate::system::{Invariants, PhaseSpace};
     note = "methods for every contact Hamiltonian: `ContactGauss`, `ContactMidpoint`, `ContactDiscreteGradient`"
 )]
 pub trait Keeping<R: Real = f64>: PhaseSpace<R> {
-    /// The kept invariants that do not read time. A run removes the drift that rounding causes in them, after each 1024 steps. `()` if no invariant remains,
+    /// The kept invariants that do not read time. A run removes the drift that rounding causes in them, after each 1024 steps. Invariants that read time drift. `()` if no invariant remains,
     /// for instance with damping.
     type Kept: Invariants<Self, R> + Default;
-    /// `true` if an invariant of a field may be steep. A coordinate that a step makes much smaller keeps the absolute rounding error of its earlier size. If
-    /// this error times the derivative exceeds the rounding of the invariant, the invariant is steep there. `check_step` in `method/corrected/rounded.rs` then
-    /// has steps repeated in which a coordinate leaps to another magnitude.
+    /// Whether an invariant of a field may be steep: a coordinate that a step makes much smaller keeps the absolute rounding error of its earlier size, and this
+    /// error times the derivative may exceed the rounding of the invariant. `check_step` in `method/corrected/rounded.rs` then marks a fast step for repetition
+    /// if a coordinate changes its magnitude.
     ///
-    /// A sum with one power c xᵢⁿ of each coordinate, n ≥ 1, is not steep. Its derivative is largest where xᵢ is largest, and there the product is n roundings
-    /// of a term. Steps of systems with momenta do not read the constant. `true` is always safe.
+    /// A sum with one power c xᵢⁿ of each coordinate, n ≥ 1, is not steep: the rounding error of xᵢ is ε max|xᵢ|, the derivative is at most n c max|xᵢ|ⁿ⁻¹, and the
+    /// product is n ε times the largest term. Steps of systems with momenta do not read the constant. `true` is always safe.
     const STEEP: bool = true;
 }
 
