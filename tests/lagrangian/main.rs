@@ -8,6 +8,7 @@ mod orders;
 mod energies;
 mod explicit;
 mod laws;
+mod poles;
 mod noether;
 mod velocities;
 mod thesis;

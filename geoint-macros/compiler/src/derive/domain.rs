@@ -147,9 +147,9 @@ impl Edges {
         Edges::new(graph, checks)
     }
 
-    /// Keeps the checks that depend on the state.
+    /// Keeps the checks that depend on the state. Velocities are no part of a state, so a check of a Lagrangian that is solved for them has no name for its edge.
     fn new(graph: &mut Graph, mut checks: Vec<Check>) -> Edges {
-        checks.retain(|check: &Check| graph.reads(check.argument).state());
+        checks.retain(|check: &Check| graph.reads(check.argument).state() && !graph.reads(check.argument).v);
         let arguments = checks.iter().map(|check| check.argument).collect();
         Edges { checks, arguments: Routine::row("arguments", arguments) }
     }
