@@ -28,7 +28,9 @@ mod watch;
 
 pub use adaptive::{Adaptive, Controlled};
 pub use constraints::state_on_constraint;
-pub use dense::{Crossing, Crossings, Dense, Direction, SampledAt, SampledEvery, TaylorCrossings};
+pub use dense::{
+    Crossing, Crossings, Dense, Direction, SampledAt, SampledEvery, SeriesFunctions, StateFunctions, TaylorCrossings,
+};
 pub use error::StepError;
 pub use fixed::{Fixed, Integrator};
 pub use into_integrator::IntoIntegrator;

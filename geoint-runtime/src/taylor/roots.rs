@@ -3,47 +3,75 @@
 //! In the Bernstein basis, the number of sign changes of the coefficients equals the number of roots, or exceeds it by an even number. An interval
 //! with one sign change has one root, which a safeguarded Newton iteration finds. Other intervals are halved.
 
+use crate::space::Array;
+
 /// Maximum number of coefficients of a polynomial.
 pub(crate) const MOST: usize = 33;
 
 /// Maximum number of halvings of an interval. Two roots are then closer than 10⁻⁷.
 const DEEPEST: u32 = 24;
 
-/// Roots of a polynomial, and its sign before the first one.
+/// Roots of a function, such as a polynomial, and its sign before the first one. `P` has room for all roots.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Roots {
-    roots: [f64; MOST],
+pub struct Roots<P: Array<Real = f64> = [f64; MOST]> {
+    roots: P,
     len: usize,
     /// Sign right after 0. Zero for the zero polynomial, and for coefficients that are not finite.
     pub(crate) sign: f64,
 }
 
-impl Roots {
-    /// Returns the roots in ascending order. The polynomial changes sign at each of them.
+impl<P: Array<Real = f64>> Roots<P> {
+    /// Returns no roots of a function with this sign.
+    pub(crate) fn none(sign: f64) -> Self {
+        Roots { roots: P::zero(), len: 0, sign }
+    }
+
+    /// Adds a root behind the others.
+    pub(crate) fn push(&mut self, root: f64) {
+        if self.len < P::LEN {
+            self.roots.as_mut_slice()[self.len] = root;
+            self.len += 1;
+        }
+    }
+
+    /// Returns the roots in ascending order. The function changes sign at each of them.
     pub(crate) fn as_slice(&self) -> &[f64] {
-        &self.roots[..self.len]
+        &self.roots.as_slice()[..self.len]
+    }
+
+    /// Returns all roots, each replaced by a number.
+    pub(crate) fn map(mut self, replaced: impl Fn(f64) -> f64) -> Self {
+        self.roots.as_mut_slice()[..self.len].iter_mut().for_each(|root| *root = replaced(*root));
+        self
+    }
+
+    /// Removes the first root. The function has the sign after this root from the start.
+    pub(crate) fn without_first(mut self) -> Self {
+        self.roots.as_mut_slice().copy_within(1..self.len, 0);
+        Roots { len: self.len - 1, sign: -self.sign, ..self }
     }
 
     /// Joins the roots to an earlier interval, at whose end the function has the sign `side`. A change of sign at 0 becomes a root. If `side` is
     /// zero, the function was zero there, and no root is added.
-    pub(crate) fn behind(mut self, side: f64) -> Roots {
-        if self.sign * side < 0.0 && self.len < MOST {
-            self.roots.copy_within(..self.len, 1);
-            (self.roots[0], self.len) = (0.0, self.len + 1);
+    pub(crate) fn behind(mut self, side: f64) -> Self {
+        if self.sign * side < 0.0 && self.len < P::LEN {
+            let roots = self.roots.as_mut_slice();
+            roots.copy_within(..self.len, 1);
+            (roots[0], self.len) = (0.0, self.len + 1);
         }
         Roots { sign: if side == 0.0 { self.sign } else { side }, ..self }
     }
 
     /// Removes pairs of neighbouring roots if |Σ gₖτᵏ| midway between them is at most `rounding`. A flat zero produces such pairs.
-    pub(crate) fn without_pairs(mut self, g: &[f64], rounding: f64) -> Roots {
+    pub(crate) fn without_pairs(mut self, g: &[f64], rounding: f64) -> Self {
         let value = |at: f64| g.iter().rev().fold(0.0, |sum, g| sum * at + g);
-        let mut kept = 0;
+        let (roots, mut kept) = (self.roots.as_mut_slice(), 0);
         for i in 0..self.len {
-            let root = self.roots[i];
-            if kept > 0 && value(0.5 * (self.roots[kept - 1] + root)).abs() <= rounding {
+            let root = roots[i];
+            if kept > 0 && value(0.5 * (roots[kept - 1] + root)).abs() <= rounding {
                 kept -= 1;
             } else {
-                self.roots[kept] = root;
+                roots[kept] = root;
                 kept += 1;
             }
         }
@@ -59,11 +87,6 @@ impl Roots {
         })
     }
 
-    /// Returns the sign before all roots.
-    pub(crate) fn start(&self) -> f64 {
-        self.sign
-    }
-
     /// Returns the sign after all roots.
     pub(crate) fn end(&self) -> f64 {
         if self.len % 2 == 1 { -self.sign } else { self.sign }
@@ -76,13 +99,12 @@ impl Roots {
 #[inline]
 pub(crate) fn roots(g: &[f64], noise: f64) -> Roots {
     let rest: f64 = g[1..].iter().map(|g| g.abs()).sum();
-    let none = |sign: f64| Roots { roots: [0.0; MOST], len: 0, sign };
     // Fast exit for most steps: g₀ exceeds the sum of the other terms, so there is no root.
     if g[0].abs() > rest && g[0].abs() > noise {
-        return none(g[0].signum());
+        return Roots::none(g[0].signum());
     }
     if !(rest > 0.0 && g[0].abs() + rest < f64::INFINITY) {
-        return none(0.0);
+        return Roots::none(0.0);
     }
     isolate(g, (8.0 * f64::EPSILON * rest).max(noise))
 }
@@ -110,28 +132,28 @@ fn isolate(g: &[f64], small: f64) -> Roots {
     {
         g = earlier;
     }
-    let mut found = Roots { roots: [0.0; MOST], len: 0, sign: g.first().map_or(0.0, |g| g.signum()) };
+    let mut found = Roots::none(g.first().map_or(0.0, |g| g.signum()));
     let n = g.len().min(MOST);
     if n < 2 {
         return found;
     }
     let mut pieces = [Piece { from: 0.0, width: 1.0, depth: 0, b: bernstein(&g[..n]) }; DEEPEST as usize + 2];
     let mut open = 1;
-    // Sign before the next root.
-    let mut sign = found.sign;
     while open > 0 {
         open -= 1;
         let piece = pieces[open];
         let changes = changes(&piece.b[..n]);
+        // Sign before the next root.
+        let sign = found.end();
         let end = piece.b[n - 1];
         match changes {
             0 if end == 0.0 || end.signum() == sign => {}
             // A root at the joint of two intervals, or one hidden by rounding.
-            0 => sign = found.push(piece.from, sign),
-            1 => sign = found.push(solve(g, piece, sign), sign),
+            0 => found.push(piece.from),
+            1 => found.push(solve(g, piece, sign)),
             _ if piece.depth == DEEPEST => {
                 if end != 0.0 && end.signum() != sign {
-                    sign = found.push(piece.from + 0.5 * piece.width, sign);
+                    found.push(piece.from + 0.5 * piece.width);
                 }
             }
             _ => {
@@ -142,17 +164,6 @@ fn isolate(g: &[f64], small: f64) -> Roots {
         }
     }
     found
-}
-
-impl Roots {
-    /// Adds a root. Returns the sign after it.
-    fn push(&mut self, root: f64, sign: f64) -> f64 {
-        if self.len < MOST {
-            self.roots[self.len] = root;
-            self.len += 1;
-        }
-        -sign
-    }
 }
 
 /// Returns the coefficients of Σ gₖτᵏ in the Bernstein basis on [0, 1].

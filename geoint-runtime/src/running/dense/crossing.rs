@@ -1,7 +1,4 @@
-//! Crossings, and the search loop for any run.
-
-use crate::running::StepError;
-use crate::scalar::{Real, signed};
+//! Crossings, and their directions.
 
 /// Direction of the changes of sign that count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,36 +32,4 @@ pub struct Crossing<X> {
     pub which: usize,
     /// Whether the function rises.
     pub rises: bool,
-}
-
-/// After this many steps in a row with a zero function, the function counts as identically zero.
-pub(super) const MOST_ZERO_STEPS: u32 = 1024;
-
-/// A zero beyond this part of a step counts as a zero at its end.
-pub(super) const NEAR_END: f64 = 1.0 - 1.0 / (1_u64 << 40) as f64;
-
-/// Checks that a search can end at a time: it must be a number.
-pub(super) fn check_end<R: Real>(end: Option<R>, now: R) -> Result<(), StepError> {
-    match end {
-        Some(t) if t.magnitude().is_nan() => Err(StepError::of_step_size(signed(now), signed(t - now))),
-        _ => Ok(()),
-    }
-}
-
-/// Returns the first zero found. Takes steps until one contains a zero. Returns `None` if no step is left.
-pub(super) fn next<S, X>(
-    search: &mut S,
-    mut earliest: impl FnMut(&mut S) -> Option<Result<X, StepError>>,
-    mut step: impl FnMut(&mut S) -> Result<bool, StepError>,
-) -> Option<Result<X, StepError>> {
-    loop {
-        if let Some(found) = earliest(search) {
-            return Some(found);
-        }
-        match step(search) {
-            Ok(true) => {}
-            Ok(false) => return None,
-            Err(error) => return Some(Err(error)),
-        }
-    }
 }

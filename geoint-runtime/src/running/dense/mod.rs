@@ -3,15 +3,18 @@
 mod crossing;
 mod crossings;
 mod interpolated;
+mod noise;
 mod quiet;
 mod roots;
 mod samples;
+mod states;
 mod taylor;
 
 pub use crossing::{Crossing, Direction};
 pub use crossings::Crossings;
 pub use samples::{SampledAt, SampledEvery};
-pub use taylor::TaylorCrossings;
+pub use states::StateFunctions;
+pub use taylor::{SeriesFunctions, TaylorCrossings};
 
 use super::StepError;
 use super::pace::Pace;
@@ -121,8 +124,8 @@ pub trait Dense: Trajectory + Clone {
         &mut self,
         direction: Direction,
         g: F,
-    ) -> Crossings<'_, Self, F, G> {
-        Crossings::new(self, direction, g)
+    ) -> Crossings<StateFunctions<'_, Self, F, G>> {
+        Crossings::new(StateFunctions::new(self, g), direction)
     }
 
     /// Steps to the first change of sign of `g`, but not beyond the time `t`. The run is then at the event and continues from there.
@@ -147,24 +150,8 @@ pub trait Dense: Trajectory + Clone {
         if t.magnitude().is_finite() && quiet::skip_quiet_steps(self, t, &g)? {
             return Ok(None);
         }
-        let found = Crossings::new(self, direction, g).until(t).first();
-        let found = back_without_events(self, start, found)?;
-        if let Some(found) = found {
-            self.go_on_from(found.state);
-            let t = self.time();
-            self.reported().add(t, found.which);
-        }
-        Ok(found)
+        self.crossings(direction, g).until(t).go_to_first(start)
     }
-}
-
-/// Returns the result of a search for an event. If the function has no events, for example because it is identically zero, the run returns to its
-/// start.
-pub(super) fn back_without_events<T, X>(run: &mut T, start: T, found: Result<X, StepError>) -> Result<X, StepError> {
-    if let Err(StepError { failure: Failure::NoEvent, .. }) = found {
-        *run = start;
-    }
-    found
 }
 
 impl<P: Pace> Dense for Run<P> {

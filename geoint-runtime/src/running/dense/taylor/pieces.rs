@@ -4,8 +4,9 @@
 //! on either side of 0. The polynomial is therefore compared with the function at the end of a part. If they differ, the part is shortened to an eighth. The
 //! next part starts with a series about its own start.
 
-use super::TaylorCrossings;
+use super::SeriesFunctions;
 use crate::running::StepError;
+use crate::running::dense::noise::noise;
 use crate::scalar::{Real, signed};
 use crate::solving::Failure;
 use crate::space::{Action, Array, Snapshot};
@@ -28,41 +29,37 @@ const SHORTEST: f64 = 1.0 / (1_u64 << 40) as f64;
 pub(super) struct Piece<G> {
     pub(super) from: f64,
     pub(super) to: f64,
+    /// Whether the search begins with this part. A function that is zero at its start, up to rounding, is then at the event of an earlier search.
+    pub(super) begins: bool,
     /// Series about the start of the part, in the unit of time of the step.
     pub(super) values: G,
 }
 
-impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real, F, G> TaylorCrossings<'_, S, M, R, F, G>
+impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real, F, G> SeriesFunctions<'_, S, M, R, F, G>
 where
     G: Array<Real = M::Series>,
     F: Fn(&S::Over<M::Series>) -> G,
 {
-    /// Returns the functions along a part of the last step. The part starts at `from` and is at most `width` long.
-    pub(super) fn part(&mut self, from: f64, width: f64) -> Result<Piece<G>, StepError> {
-        let values = self.along(from, None);
-        if !all_finite::<S, M, R, G>(&values) {
+    /// Returns the functions along a part of the last step, from their series about its start `from`. The part is at most `width` long.
+    pub(super) fn part(&self, values: G, from: f64, width: f64) -> Result<Piece<G>, StepError> {
+        let is_finite = |g: &M::Series| M::coefficients(g).iter().all(|g| g.magnitude().is_finite());
+        if !values.as_slice().iter().all(is_finite) {
             return Err(self.no_event(from));
-        }
-        if from == 0.0 {
-            for i in 0..G::LEN {
-                let [start, end] = [&values, &self.ahead].map(|g| number::<S, M, R>(&g.as_slice()[i]).abs());
-                self.scales.as_mut_slice()[i] = <M::Series as Real>::from_f64(start.max(end));
-            }
         }
         // The end must differ from the start, even if the first part is very short.
         let shortest = (SHORTEST * self.first_width()).max(4.0 * f64::EPSILON * from).max(f64::MIN_POSITIVE);
-        let mut to = (from + self.within_reach(&values, width.min(1.0 - from)).max(shortest)).min(1.0);
-        while !self.agree(&values, from, to) {
-            if to - from <= shortest {
-                let ends = if to < 1.0 { self.along(to, None) } else { self.ahead };
-                if ends.as_slice().iter().any(|g| !number::<S, M, R>(g).is_finite()) {
+        let to = (from + self.within_reach(&values, width.min(1.0 - from)).max(shortest)).min(1.0);
+        let mut piece = Piece { from, to, begins: false, values };
+        while !self.agrees(&piece) {
+            if piece.to - from <= shortest {
+                if self.at(piece.to).as_slice().iter().any(|g| !g.magnitude().is_finite()) {
                     return Err(self.no_event(from));
                 }
                 break;
             }
-            to = from + 0.125 * (to - from);
+            piece.to = from + 0.125 * (piece.to - from);
         }
-        Ok(Piece { from, to, values })
+        Ok(piece)
     }
 
     /// Returns the length, at most `width`, up to which the series of all functions converge fast enough. The roots found by them are improved later.
@@ -72,29 +69,22 @@ where
         width * (0..G::LEN).map(reach).fold(1.0, f64::min)
     }
 
-    /// Returns whether the series about `from` agree with the functions at `to`.
-    fn agree(&self, values: &G, from: f64, to: f64) -> bool {
-        let ends = if to < 1.0 { self.along(to, None) } else { self.ahead };
+    /// Returns whether the series of a piece agree with the functions at its end.
+    fn agrees(&self, piece: &Piece<G>) -> bool {
+        let end_values = self.at(piece.to);
         let part = match self.run.method().steps() {
             Steps::Tolerance(tolerance) => RELATIVE_GAP.max(tolerance),
             Steps::Length(_) => RELATIVE_GAP_FIXED,
         };
         (0..G::LEN).all(|i| {
-            let value: f64 = self.in_parts(values, i, to - from).iter().sum();
-            let [start, end] = [values, &ends].map(|g| number::<S, M, R>(&g.as_slice()[i]));
+            let value: f64 = self.in_parts(&piece.values, i, piece.to - piece.from).iter().sum();
+            let [start, end] = [&piece.values, &end_values].map(|g| signed(g.as_slice()[i]));
             let gap = (value - end).abs();
             // Different signs mean a zero elsewhere, even if the difference is small.
             let same = value * end >= 0.0 && gap <= part * start.abs().max(end.abs());
-            let rounding = || self.rounding(&Piece { from, to, values: *values }, i);
             // Numbers below the normal range have too few digits to agree.
-            same || gap <= R::smallest() || gap <= ROUNDINGS * self.noise(i, to) || gap <= rounding()
+            same || gap <= R::smallest() || gap <= ROUNDINGS * self.noise(i, piece.to) || gap <= self.rounding(piece, i)
         })
-    }
-
-    /// Returns whether the search begins with this piece. A function that is zero at its start, up to rounding, is then at the event of an earlier
-    /// search.
-    pub(super) fn begins(&self, piece: &Piece<G>) -> bool {
-        self.first && piece.from == 0.0
     }
 
     /// Returns the uncertainty of a function at the start of a piece. It is caused by the rounding of the coordinates, and of the time of an event
@@ -111,7 +101,7 @@ where
 
     /// Returns whether a function changes by more than rounding within the first piece of a search.
     pub(super) fn leaves(&self, piece: &Piece<G>, i: usize) -> bool {
-        let start = number::<S, M, R>(&piece.values.as_slice()[i]).abs();
+        let start = piece.values.as_slice()[i].magnitude();
         start + self.changes(piece, i, piece.to - piece.from) > self.rounding(piece, i)
     }
 
@@ -122,7 +112,8 @@ where
 
     /// Returns the size of a function at the ends of the last step.
     pub(super) fn scale(&self, i: usize) -> f64 {
-        number::<S, M, R>(&self.scales.as_slice()[i])
+        let [start, end] = self.ends.map(|g| g.as_slice()[i].magnitude());
+        start.max(end)
     }
 
     /// Returns the polynomial of a function, with time as a fraction of a piece of this width.
@@ -132,40 +123,19 @@ where
         taylor::in_parts(coefficients.iter().map(|c| signed(*c)), width * self.run.last_step() / unit)
     }
 
-    /// Returns the sum of the changes of a function when each coordinate, and time, is changed by one rounding error.
+    /// Returns the rounding error of a function at a part of the last step.
     pub(super) fn noise(&self, i: usize, part: f64) -> f64 {
-        let here = number::<S, M, R>(&self.along(part, None).as_slice()[i]);
-        let moved = |coordinate| (number::<S, M, R>(&self.along(part, Some(coordinate)).as_slice()[i]) - here).abs();
-        let noise: f64 = (0..S::Phase::LEN + S::Action::LEN + 1).map(moved).sum();
-        // No comparison is possible without a number.
-        if noise >= 0.0 { noise } else { 0.0 }
+        noise(&self.series(part), |state| signed((self.g)(state).as_slice()[i]))
     }
 
-    /// Returns the series of the functions about a part of the last step. `nudged` is the index of a coordinate that is changed by one rounding
-    /// error; the last index is time.
-    pub(super) fn along(&self, part: f64, nudged: Option<usize>) -> G {
-        let (expansion, order) = (self.run.pace.start(), self.run.order());
-        let after = part * self.run.last_step();
-        let by = R::from_f64(after / expansion.unit);
-        let jet = &expansion.jet.as_ref()[..order];
-        let nudge = |i: usize| R::from_f64(if nudged == Some(i) { 1.0 + R::epsilon() } else { 1.0 });
-        let coordinate = |i: usize| {
-            let mut x = M::fill(R::from_f64(0.0));
-            let x = x.as_mut();
-            x[0] = expansion.coordinate(i);
-            for (x, term) in x[1..].iter_mut().zip(jet) {
-                *x = term.at(i);
-            }
-            let used = &mut x[..order];
-            if part != 0.0 {
-                taylor::shift(used, jet[order - 1].at(i), by);
-            }
-            used[0] *= nudge(i);
-            M::series(|n| x[n])
-        };
-        let count = S::Phase::LEN + S::Action::LEN;
-        let now = (expansion.time() + R::from_f64(after)) * nudge(count);
-        self.functions(coordinate, now, R::from_f64(expansion.unit))
+    /// Returns the series of the functions about a part of the last step, or about its end.
+    fn at(&self, part: f64) -> G {
+        if part < 1.0 { self.along(part) } else { self.ends[1] }
+    }
+
+    /// Returns the series of the functions about a part of the last step, from its polynomial.
+    pub(super) fn along(&self, part: f64) -> G {
+        (self.g)(&self.series(part))
     }
 
     /// Returns the series of the functions at the end of the last step.
@@ -178,24 +148,28 @@ where
                 n => jet.get(n - 1).map_or(R::from_f64(0.0), |x| x.at(i)),
             })
         };
-        self.functions(coordinate, expansion.time(), R::from_f64(expansion.unit))
+        (self.g)(&state_of::<S, M, R>(coordinate, expansion.time(), expansion.unit))
     }
 
-    fn functions(&self, coordinate: impl Fn(usize) -> M::Series, now: R, unit: R) -> G {
-        let mut z = <<S::Over<M::Series> as Snapshot>::Phase as Array>::zero();
-        let mut s = <<S::Over<M::Series> as Snapshot>::Action as Action<_>>::zero();
-        for (i, x) in z.as_mut_slice().iter_mut().enumerate() {
-            *x = coordinate(i);
-        }
-        for s in s.numbers_mut() {
-            *s = coordinate(S::Phase::LEN);
-        }
-        let t = M::series(|n| match n {
-            0 => now,
-            1 => unit,
-            _ => R::from_f64(0.0),
-        });
-        (self.g)(&S::Over::of(t, z, s))
+    /// Returns the series of the state about a part of the last step.
+    fn series(&self, part: f64) -> S::Over<M::Series> {
+        let (expansion, order) = (self.run.pace.start(), self.run.order());
+        let after = part * self.run.last_step();
+        let by = R::from_f64(after / expansion.unit);
+        let jet = &expansion.jet.as_ref()[..order];
+        let coordinate = |i: usize| {
+            let mut x = M::fill(R::from_f64(0.0));
+            let x = x.as_mut();
+            x[0] = expansion.coordinate(i);
+            for (x, term) in x[1..].iter_mut().zip(jet) {
+                *x = term.at(i);
+            }
+            if part != 0.0 {
+                taylor::shift(&mut x[..order], jet[order - 1].at(i), by);
+            }
+            M::series(|n| x[n])
+        };
+        state_of::<S, M, R>(coordinate, expansion.time() + R::from_f64(after), expansion.unit)
     }
 
     /// Returns the error that a function is not a number at a part of the last step.
@@ -205,11 +179,24 @@ where
     }
 }
 
-/// Returns the value of a series at its start.
-pub(super) fn number<S: Jets<R>, M: TaylorMethod<S, R>, R: Real>(series: &M::Series) -> f64 {
-    signed(M::coefficients(series)[0])
-}
-
-fn all_finite<S: Jets<R>, M: TaylorMethod<S, R>, R: Real, G: Array<Real = M::Series>>(values: &G) -> bool {
-    values.as_slice().iter().flat_map(|g| M::coefficients(g)).all(|g| g.magnitude().is_finite())
+/// Returns the state with these series of the coordinates, at the time `now`.
+fn state_of<S: Jets<R>, M: TaylorMethod<S, R>, R: Real>(
+    coordinate: impl Fn(usize) -> M::Series,
+    now: R,
+    unit: f64,
+) -> S::Over<M::Series> {
+    let mut z = <<S::Over<M::Series> as Snapshot>::Phase as Array>::zero();
+    let mut s = <<S::Over<M::Series> as Snapshot>::Action as Action<_>>::zero();
+    for (i, x) in z.as_mut_slice().iter_mut().enumerate() {
+        *x = coordinate(i);
+    }
+    for s in s.numbers_mut() {
+        *s = coordinate(S::Phase::LEN);
+    }
+    let t = M::series(|n| match n {
+        0 => now,
+        1 => R::from_f64(unit),
+        _ => R::from_f64(0.0),
+    });
+    S::Over::of(t, z, s)
 }

@@ -1,10 +1,8 @@
 //! Dense output and events of runs by Taylor series.
 
-use super::super::back_without_events;
-use super::super::crossing::{Crossing, Direction};
-use super::TaylorCrossings;
+use super::{Crossings, SeriesFunctions, TaylorCrossings};
 use crate::running::StepError;
-use crate::running::pace::Pace;
+use crate::running::dense::{Crossing, Direction};
 use crate::running::run::Run;
 use crate::running::taylor::Series;
 use crate::scalar::Real;
@@ -14,7 +12,7 @@ use crate::taylor::TaylorMethod;
 
 impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Run<Series<S, M, R>> {
     /// Returns an iterator over the changes of sign of `g`, in order of time, also if there are two within one step. `g` returns a number or an array
-    /// of numbers. The iterator has no end, unless [`TaylorCrossings::until`] sets one. The search goes forwards, or in the direction of the last
+    /// of numbers. The iterator has no end, unless [`until`](Crossings::until) sets one. The search goes forwards, or in the direction of the last
     /// step.
     ///
     /// `g` is a function of truncated series, [`Series`](crate::scalar::Series), which represent the coordinates along a step. It is written like a
@@ -44,7 +42,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Run<Series<S, M, R>> {
         G: Array<Real = M::Series>,
         F: Fn(&S::Over<M::Series>) -> G,
     {
-        TaylorCrossings::new(self, direction, g)
+        Crossings::new(SeriesFunctions::new(self, g), direction)
     }
 
     /// Steps to the first change of sign of `g`, but not beyond the time `t`. The run is then at the event and continues from there.
@@ -66,12 +64,6 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Run<Series<S, M, R>> {
         F: Fn(&S::Over<M::Series>) -> G,
     {
         let start = self.clone();
-        let found = TaylorCrossings::new(self, direction, g).until(t).next().transpose();
-        let found = back_without_events(self, start, found)?;
-        if let Some(found) = found {
-            self.pace.restart(found.state);
-            self.reported.add(self.time(), found.which);
-        }
-        Ok(found)
+        self.crossings(direction, g).until(t).go_to_first(start)
     }
 }
