@@ -25,6 +25,14 @@ fn poles_jumps_and_flat_zeros() {
     }
 }
 
+/// (t − 0.02)/(t − 0.05) falls through zero and rises at a pole, within one step.
+#[test]
+fn a_zero_next_to_a_pole() {
+    let mut sim = Oscillator.integrator(RK4, 0.1, State::new(1.0, 0.0));
+    let found: Vec<_> = sim.crossings(Direction::Any, |s| (s.t - 0.02) / (s.t - 0.05)).until(1.0).collect();
+    assert!(matches!(found[..], [Ok(c)] if (c.state.t - 0.02).abs() < 1e-12 && !c.rises), "{found:?}");
+}
+
 /// Functions whose series end before a step, and functions with another series behind a kink or a jump.
 #[test]
 fn functions_that_are_no_polynomials() {
