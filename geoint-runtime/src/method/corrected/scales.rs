@@ -33,36 +33,26 @@ impl<A: Array> Scales<A> {
         self.moved.include(&A::zero(), moved);
     }
 
-    /// Returns the units for a correction. `rounding` gives for each coordinate the part of the correction that rounding explains, from 0
-    /// to 1. The unit is at least this part of the size: a coordinate takes what its own rounding has caused.
+    /// Returns the units for a correction: the size of each coordinate, or less for a coordinate that hardly moves. A coordinate that has not moved keeps
+    /// its size as unit.
+    ///
+    /// `rounding` returns for each coordinate the part of the correction that rounding explains, from 0 to 1. The unit is at least this part of the size:
+    /// a coordinate takes a correction within its own rounding. With a tiny unit, the correction would move the other coordinates, even those on which the
+    /// invariant hardly depends.
     #[inline]
     pub(super) fn units(&self, rounding: impl FnOnce() -> A) -> Sizes<A> {
-        // In most steps no coordinate is so slow that its unit has to be reduced.
-        let mut sizes_suffice = true;
-        for i in 0..A::LEN {
-            let reached = STEPS * self.moved.of(i);
-            sizes_suffice &= reached >= self.sizes.of(i) || reached == 0.0;
-        }
-        if sizes_suffice {
-            return self.sizes;
-        }
-        let (mut units, rounding) = (self.sizes, rounding());
-        for (i, unit) in units.entries().iter_mut().enumerate() {
-            let least = rounding.as_slice()[i].magnitude();
-            *unit = A::Real::from_f64(unit_of(unit.magnitude(), self.moved.of(i), least));
+        let reached = |i: usize| STEPS * self.moved.of(i);
+        let is_slow = |i: &usize| reached(*i) > 0.0 && reached(*i) < self.sizes.of(*i);
+        let mut units = self.sizes;
+        if (0..A::LEN).any(|i| is_slow(&i)) {
+            let rounding = rounding();
+            for i in (0..A::LEN).filter(is_slow) {
+                let least = rounding.as_slice()[i].magnitude() * self.sizes.of(i);
+                units.entries()[i] = A::Real::from_f64(reached(i).max(least));
+            }
         }
         units
     }
-}
-
-/// Returns the unit of a coordinate of this size that has moved by `moved`. The unit is at least `least` times its size.
-///
-/// The lower bound lets a coordinate that hardly moves take a correction within its own rounding. With a tiny unit, the correction would move the
-/// other coordinates, even those on which the invariant hardly depends. A coordinate that has not moved keeps its size as unit.
-#[inline]
-pub(super) fn unit_of(size: f64, moved: f64, least: f64) -> f64 {
-    let reached = STEPS * moved;
-    if reached > 0.0 && reached < size { reached.max(least * size) } else { size }
 }
 
 /// Returns the part of its terms by which rounding of coordinates may change an invariant, with room for several operations.
