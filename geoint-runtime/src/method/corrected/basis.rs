@@ -15,7 +15,8 @@ use crate::space::{Array, Square};
 pub(crate) enum Excluded {
     /// The part is at most √ε of the gradient. The invariant then differs by less than rounding from a function of the others.
     Dependent,
-    /// The part is at most 1/32 of the gradient. A larger amplification of errors of the gradient is not accepted.
+    /// The part is at most 1/32 of the gradient. Otherwise a correction would amplify the rounding of one evaluation by more than √1024, the growth of the
+    /// rounding error in the 1024 steps between two removals of drift.
     NearlyDependent,
 }
 
