@@ -1,7 +1,8 @@
 //! Orthogonal vectors w with the span of gradients of invariants, by the Gram–Schmidt method (E. Schmidt, Math. Ann. 63 (1907) 442).
 //!
-//! Projections, the removal of drift, and `FourthOrder(DiscreteGradient)` correct a point or a velocity by a combination of gradients. A correction along one
-//! of these vectors does not change the invariants before it. A diagonal metric M measures lengths and angles, because coordinates have different units.
+//! Projections, the removal of drift, and `FourthOrder(DiscreteGradient)` correct a point or a velocity by a combination of gradients. A correction along
+//! Mw does not change, to first order, the invariants before it. The metric M measures lengths and angles, because coordinates have different units. It is
+//! diagonal, or 1 for gradients that are scaled already.
 //!
 //! A gradient that depends on the gradients before it leaves a vector of rounding errors only. It adds no condition, and its weight would amplify these
 //! errors, so the basis excludes it.
@@ -13,7 +14,8 @@ use crate::space::{Array, Square};
 /// The gradients that a basis excludes. The part of a gradient that is independent of the gradients before it is compared with the gradient.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Excluded {
-    /// The part is at most √ε of the gradient. The invariant then differs by less than rounding from a function of the others.
+    /// The part is at most √ε of the gradient, as near a point at which the gradients depend on each other exactly. The independent change of the invariant is
+    /// there quadratic in this part, so it is rounding.
     Dependent,
     /// The part is at most 1/32 of the gradient. Otherwise a correction would amplify the rounding of one evaluation by more than √1024, the growth of the
     /// rounding error in the 1024 steps between two removals of drift.
@@ -36,14 +38,14 @@ pub(crate) struct Basis<V: Array, Z: Array<Real = V::Real>> {
     pub(crate) vectors: V::Map<Z>,
     /// Mw.
     pub(crate) weighted: V::Map<Z>,
-    /// 1/(w·Mw), or zero for an excluded gradient. A gradient with a square below normal numbers is excluded, too.
+    /// 1/(w·Mw), or zero for an excluded gradient. A square below normal numbers excludes its gradient, too.
     pub(crate) reciprocals: V,
     /// Gradient a is w_a + Σ `coefficients[a][b]` w_b, with the sum over b < a.
     pub(crate) coefficients: Square<V>,
 }
 
 impl<V: Array, Z: Array<Real = V::Real>> Basis<V, Z> {
-    /// Makes `gradients` orthogonal. `metric` multiplies a vector by M. Precondition: squares of the gradients neither overflow nor vanish.
+    /// Makes `gradients` orthogonal. `metric` multiplies a vector by M. Precondition: squares of the gradients do not overflow.
     #[inline(always)]
     pub(crate) fn new(gradients: V::Map<Z>, excluded: Excluded, metric: impl Fn(&Z) -> Z) -> Self {
         let (mut vectors, mut weighted) = (gradients, gradients);

@@ -13,24 +13,24 @@ use crate::space::Array;
 use crate::space::vector::{difference, opposite, sum};
 use crate::system::{Invariants, PhaseSpace};
 
-/// The largest rounding of the steps between two corrections, in ε of the terms.
+/// The largest rounding of the 1024 steps between two corrections, in ε of the terms.
 const MOST_ROUNDING: f64 = 1024.0 * ROUNDINGS;
 
 /// The drift is not removed if the path from the origin is rounded so much that it no longer determines an invariant.
 ///
-/// Compared is the rounding of an invariant at `z` by the last digits of the path. It may be at most this many times the same rounding at the origin,
-/// and at most this many times the rounding by the coordinates at both ends. The bound is exceeded near a collision. It is also exceeded if one
-/// coordinate has grown and another one has shrunk by orders of magnitude.
+/// Let r be Σ sᵢ |∂I/∂zᵢ| with the sizes s of the coordinates along the path: ε r is the rounding of the invariant I by the path. r at `z` may be at most this many
+/// times r at the origin, and this many times the same sum with the magnitudes at both ends. It is larger near a collision, and if one coordinate has grown and
+/// another one has shrunk by orders of magnitude.
 const MOST_STEEPENING: f64 = 16.0;
 
-/// Returns the correction of `z` that gives `invariants` their values at `origin`.
+/// Returns the correction of `z` that leads, to first order, to the values of `invariants` at `origin`.
 ///
 /// The correction is a combination of gradients at `z`. Nearly dependent gradients are excluded, such as those of angular momentum and energy on a circular
 /// orbit. A correction along them would amplify the rounding of one evaluation beyond the rounding of many steps. An invariant that has changed by more than
 /// the rounding of many steps is not corrected, because the method does not keep it.
 ///
 /// A coordinate that is equal to its value at the origin does not change. Thus a momentum without a force keeps its bits. Returns zero if
-/// the correction would be longer than the rounding of many steps, or if it would increase the change of an invariant beyond rounding, as
+/// the path is rounded too much, if the correction would be longer than the rounding of many steps, or if it would increase the change of an invariant beyond rounding, as
 /// at a jump.
 pub(crate) fn way_back<S: PhaseSpace<R>, R: Real, I: Invariants<S, R>>(
     system: &S,
@@ -52,6 +52,7 @@ pub(crate) fn way_back<S: PhaseSpace<R>, R: Real, I: Invariants<S, R>>(
         }
         *largest_after = R::from_f64(change.magnitude() + ROUNDINGS * R::epsilon() * terms);
         if change.magnitude() <= MOST_ROUNDING * R::epsilon() * terms {
+            // The strictest invariant decides for all coordinates.
             explained = explained.min(part_of_rounding(*change, terms));
         } else {
             (*change, *last) = (zero(), S::Phase::zero());

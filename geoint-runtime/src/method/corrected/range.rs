@@ -4,8 +4,8 @@ use crate::scalar::Real;
 use crate::space::Array;
 use crate::system::{Invariants, PhaseSpace};
 
-/// Returns whether no invariant underflows or overflows at a point. The test uses the products zᵢ ∂I/∂zᵢ. A method that compares an invariant with
-/// its earlier value cannot keep it outside this range.
+/// Returns whether the terms zᵢ ∂I/∂zᵢ of every invariant I neither underflow nor overflow at a point. Otherwise changes of I have no digits, and a method cannot
+/// keep it. Returns `true` if a factor is not finite, which other checks report. Limit: intermediate results of I are not seen.
 #[inline(never)]
 pub(crate) fn is_representable<S: PhaseSpace<R>, R: Real, I: Invariants<S, R>>(
     system: &S,
@@ -13,10 +13,10 @@ pub(crate) fn is_representable<S: PhaseSpace<R>, R: Real, I: Invariants<S, R>>(
     z: &S::Phase,
 ) -> bool {
     let gradients = invariants.gradients(system, z);
-    I::Values::entries_of(&gradients).iter().all(|gradient| has_range(z.as_slice(), gradient.as_slice()))
+    I::Values::entries_of(&gradients).iter().all(|gradient| terms_are_representable(z.as_slice(), gradient.as_slice()))
 }
 
-fn has_range<R: Real>(z: &[R], gradient: &[R]) -> bool {
+fn terms_are_representable<R: Real>(z: &[R], gradient: &[R]) -> bool {
     let smallest = R::smallest();
     let (mut terms, mut underflows) = (0.0_f64, false);
     for (x, slope) in z.iter().zip(gradient) {
@@ -28,5 +28,6 @@ fn has_range<R: Real>(z: &[R], gradient: &[R]) -> bool {
         terms += x * slope;
         underflows |= x >= smallest && slope >= smallest && x * slope < smallest;
     }
+    // A term that vanishes matters only if no larger one remains.
     !(underflows && terms < smallest) && terms < 1.0 / smallest
 }

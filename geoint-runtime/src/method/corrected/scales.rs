@@ -4,18 +4,19 @@ use crate::scalar::Real;
 use crate::solving::size::Sizes;
 use crate::space::{Array, Record, Tape};
 
-/// The size of each coordinate, and the length of its increments. Both are maxima that fade over some fifty steps.
+/// The size of each coordinate, and the length of its increments: maxima that halve in 44 steps, or those of a single path.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Scales<A> {
     sizes: Sizes<A>,
     moved: Sizes<A>,
 }
 
-/// The unit of a coordinate is at most its increment times this number of steps. Otherwise an angle of 10⁵ turns would take the whole correction.
+/// The unit of a coordinate that moves is at most its increment times this number of steps, unless rounding explains more. Otherwise an angle of 10⁵ turns would
+/// take the whole correction.
 const STEPS: f64 = 1024.0;
 
-/// A change of an invariant by at most this many ε of its terms counts as rounding of its coordinates.
-const ROUNDINGS: f64 = 16.0;
+/// A change of an invariant by at most this many ε of its terms counts as rounding of its coordinates: one evaluation rounds a few times. The number is empirical.
+const EXPLAINED_ROUNDINGS: f64 = 16.0;
 
 impl<A: Array> Scales<A> {
     pub(super) fn new() -> Self {
@@ -36,18 +37,18 @@ impl<A: Array> Scales<A> {
     /// Returns the units for a correction: the size of each coordinate, or less for a coordinate that hardly moves. A coordinate that has not moved keeps
     /// its size as unit.
     ///
-    /// `rounding` returns for each coordinate the part of the correction that rounding explains, from 0 to 1. The unit is at least this part of the size:
+    /// `explained` returns for each coordinate the part of the correction that rounding explains, from 0 to 1. The unit is at least this part of the size:
     /// a coordinate takes a correction within its own rounding. With a tiny unit, the correction would move the other coordinates, even those on which the
     /// invariant hardly depends.
     #[inline]
-    pub(super) fn units(&self, rounding: impl FnOnce() -> A) -> Sizes<A> {
+    pub(super) fn units(&self, explained: impl FnOnce() -> A) -> Sizes<A> {
         let reached = |i: usize| STEPS * self.moved.of(i);
         let is_slow = |i: &usize| reached(*i) > 0.0 && reached(*i) < self.sizes.of(*i);
         let mut units = self.sizes;
         if (0..A::LEN).any(|i| is_slow(&i)) {
-            let rounding = rounding();
+            let explained = explained();
             for i in (0..A::LEN).filter(is_slow) {
-                let least = rounding.as_slice()[i].magnitude() * self.sizes.of(i);
+                let least = explained.as_slice()[i].magnitude() * self.sizes.of(i);
                 units.entries()[i] = A::Real::from_f64(reached(i).max(least));
             }
         }
@@ -57,14 +58,14 @@ impl<A: Array> Scales<A> {
 
 /// Returns the part of its terms by which rounding of coordinates may change an invariant, with room for several operations.
 pub(super) fn rounding<R: Real>() -> f64 {
-    ROUNDINGS * R::epsilon()
+    EXPLAINED_ROUNDINGS * R::epsilon()
 }
 
 /// Returns the part of a change that rounding explains, where ε times `terms` is the rounding of one evaluation.
 pub(super) fn part_of_rounding<R: Real>(change: R, terms: f64) -> f64 {
-    let rounding = rounding::<R>() * terms;
+    let limit = rounding::<R>() * terms;
     // Zero if the change is NaN.
-    if change.magnitude() <= rounding { 1.0 } else { (rounding / change.magnitude()).max(0.0) }
+    if change.magnitude() <= limit { 1.0 } else { (limit / change.magnitude()).max(0.0) }
 }
 
 impl<A: Array> Record<A::Real> for Scales<A> {
