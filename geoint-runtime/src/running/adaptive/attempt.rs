@@ -54,12 +54,12 @@ impl<P> Prepared<P> {
 }
 
 /// The end of a trial step.
-pub(super) struct Trial<X, H> {
-    pub(super) x: X,
+pub(super) struct Trial<S: PhaseSpace<R>, M: Method<S, R>, R: Real> {
+    pub(super) x: Carried<S, R>,
     /// Estimated error in units of the tolerance.
     pub(super) error: f64,
     /// History after the step.
-    pub(super) history: H,
+    pub(super) history: [M::Memory; 2],
 }
 
 /// Start of a trial step, and the data needed to judge its error.
@@ -89,7 +89,7 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
         prepared: &Prepared<M::Prepared>,
         mut history: [M::Memory; 2],
         probe: &mut P,
-    ) -> Result<Trial<Carried<S, R>, [M::Memory; 2]>, Failure> {
+    ) -> Result<Trial<S, M, R>, Failure> {
         let (x, error) = self.estimated(method, prepared, &mut history, probe)?;
         if !self.keeps {
             let ends = [(self.t, PerCoordinate::of(self.x)), (self.end(prepared.h, &x), PerCoordinate::of(&x))];

@@ -2,7 +2,7 @@
 //!
 //! The error of a step is the estimate of the method, or the difference between one whole step and two halves; see `attempt.rs`.
 
-use super::attempt::{Attempt, Carried, Prepared, Trial};
+use super::attempt::{Attempt, Prepared, Trial};
 use super::steps::{Controlled, Past};
 use super::way::InformativeSteps;
 use crate::method::{Method, Unwatched};
@@ -80,12 +80,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Controlled<S, M, R> 
     /// Takes a trial step from the present point. Its error is infinite if it is not trusted. `regular` is the length that the controller has chosen: a step of
     /// another length neither uses nor changes the history.
     #[inline(always)]
-    fn trial(
-        &self,
-        prepared: &Prepared<M::Prepared>,
-        regular: f64,
-        shortest: f64,
-    ) -> Result<Trial<Carried<S, R>, [M::Memory; 2]>, Failure> {
+    fn trial(&self, prepared: &Prepared<M::Prepared>, regular: f64, shortest: f64) -> Result<Trial<S, M, R>, Failure> {
         let (attempt, is_regular) = (self.attempt(), prepared.h == regular);
         let history = || if is_regular { self.memory.clone() } else { self.no_history() };
         let mut trial = attempt.take(&self.method, prepared, history(), &mut Unwatched);
@@ -104,10 +99,10 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Controlled<S, M, R> 
     /// Returns whether the error of a trial step of length `h` counts: the step is short enough for coordinates that leave rest, and has missed no force
     /// between its ends.
     #[inline(always)]
-    fn is_trusted<H>(
+    fn is_trusted(
         &self,
         attempt: &Attempt<'_, S, R>,
-        Trial { x, error, .. }: &Trial<Carried<S, R>, H>,
+        Trial { x, error, .. }: &Trial<S, M, R>,
         h: f64,
         regular: f64,
         shortest: f64,
@@ -132,7 +127,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Controlled<S, M, R> 
 
     /// Continues from the end of a trial step.
     #[inline(always)]
-    fn accept(&mut self, h: f64, regular: f64, Trial { x, error, history }: Trial<Carried<S, R>, [M::Memory; 2]>) {
+    fn accept(&mut self, h: f64, regular: f64, Trial { x, error, history }: Trial<S, M, R>) {
         if h == regular {
             self.memory = history;
             self.controller.accept(h, error);
