@@ -16,7 +16,7 @@ use std::marker::PhantomData;
 /// Step length of the scenes with friction γ = 0.4, so that γh = 0.15.
 const STEP: f64 = 0.375;
 
-/// e^(−0.15), the factor of all splittings.
+/// e^(−γh) = e^(−0.15), the factor of every splitting under constant friction.
 const SPLITTINGS: f64 = 0.860_707_976_425_057_8;
 
 /// (1 − 0.075)/(1 + 0.075), the factor of leapfrog and of the midpoint rule.

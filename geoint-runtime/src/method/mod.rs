@@ -174,7 +174,7 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
 
     /// Takes one step and returns two estimates of its error, for adaptive steps. Returns `None` and takes no step if the method has no estimate.
     ///
-    /// The error is e₅²/(e₅² + e₃²/100)½. Here e₅ and e₃ are the largest entries of both estimates in units of the tolerance. With e₃ = 0 the error is e₅.
+    /// The error is e₅²/√(e₅² + e₃²/100). Here e₅ and e₃ are the largest entries of both estimates in units of the tolerance. With e₃ = 0 the error is e₅.
     #[inline(always)]
     fn estimated<C: Summation<S::Phase>, P: Probe<S, R>>(
         _prepared: &Self::Prepared,

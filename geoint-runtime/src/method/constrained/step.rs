@@ -103,7 +103,7 @@ impl<S: ConstrainedStep<M, R>, M: ConstrainedMethod, R: Real> ImplicitStep<S, R>
         from.system.origin(coefficients, start)
     }
 
-    /// Returns zero. The first Newton correction is then the solution of the linearised equation.
+    /// Returns zero: no multiplier and no increment is known in advance.
     fn guess(_: &Equation<'_, Self, S, R>) -> S::Unknown {
         S::Unknown::zero()
     }

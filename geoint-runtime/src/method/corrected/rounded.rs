@@ -4,7 +4,7 @@
 //! rounding of the far point. This rounding changes a steep invariant by much more than its own rounding. Such steps are refused.
 //!
 //! A *thorough* attempt is the second one: it iterates longer, and accepts an equation that is solved to its measured rounding. The first attempt is
-//! quick, and may only mark its result as needs_recheck.
+//! quick. For rounding it only marks its result as needs_recheck, unless the energy reads an angle. Jumps refuse every attempt.
 
 use crate::method::implicit::{Arrival, Departure};
 use crate::method::{Effort, Failure};
@@ -16,9 +16,9 @@ use crate::system::{Invariants, Keeping, KeptBy, PhaseSpace, jump_of_integral};
 
 /// A step is refused if an invariant changes by more than this many of its roundings.
 ///
-/// The constant is also the factor of a *leap*: a coordinate moves by more than this many times the smaller of its magnitudes at both ends. First
-/// attempts and corrections are checked only after a leap, because otherwise the rounding is within the bound. With a smaller factor,
-/// each passage through zero would be a leap.
+/// The constant is also the factor of a *leap*: a coordinate moves by more than this many times the smaller of its magnitudes at both ends. Corrections
+/// are checked, and first attempts of steep fields marked, only after a leap: otherwise the rounding on the way is within the bound. With a small factor, many
+/// ordinary passages through zero would be leaps. A coordinate that starts or ends at zero always leaps.
 const MOST: f64 = 16384.0;
 
 /// A step of a canonical system may change the energy by this many of its roundings (2²², empirical). Forces that cancel have larger terms, which are
@@ -63,8 +63,8 @@ pub(crate) fn check_step<S: Keeping<R>, R: Real>(
 #[inline(never)]
 fn check_energy<S: Keeping<R>, R: Real>(system: &S, before: &S::Phase, after: &S::Phase) -> Result<(), Failure> {
     let kept = KeptBy::<S, R>::default();
-    // The first change is the change of the energy, or zero if the energy reads time. Momenta are not checked, because some discrete gradients do not
-    // keep them.
+    // The first change is the change of the energy, or zero if the energy reads time. Other integrals, such as angular momenta, are not checked,
+    // because some discrete gradients do not keep them.
     let changes = kept.changes(system, before, &difference(after, before));
     let Some(change) = changes.as_slice().first() else { return Ok(()) };
     let terms =
@@ -97,7 +97,7 @@ pub(super) fn check_correction<S: PhaseSpace<R, Action = ()>, R: Real, I: Invari
     Ok(())
 }
 
-/// Returns whether a coordinate becomes smaller or larger by many orders of magnitude.
+/// Returns whether a coordinate becomes smaller or larger by more than the factor [`MOST`].
 #[inline(always)]
 fn leaps<A: Array>(before: &A, after: &A) -> bool {
     let mut leaps = false;

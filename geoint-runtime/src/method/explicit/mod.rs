@@ -1,4 +1,4 @@
-//! Explicit Runge–Kutta methods. They preserve no structure by themselves.
+//! Explicit Runge–Kutta methods. By themselves they keep linear invariants only.
 //!
 //! ```
 //! use geoint_runtime::prelude::*;

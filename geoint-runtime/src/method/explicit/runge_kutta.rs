@@ -1,6 +1,6 @@
 //! Explicit Runge–Kutta methods: yᵢ = x₀ + h Σ aᵢⱼ kⱼ, kᵢ = f(yᵢ), x₁ = x₀ + h Σ bᵢ kᵢ.
 //!
-//! They keep no invariants by themselves. [`Projection`](crate::Projection) and [`Relaxation`](crate::Relaxation) make them keep the
+//! By themselves they keep linear invariants only. [`Projection`](crate::Projection) and [`Relaxation`](crate::Relaxation) make them keep the
 //! energy. The unmodified methods serve for comparison.
 
 use crate::method::explicit::tableau::Tableau;
@@ -67,7 +67,7 @@ impl<const K: usize> RungeKutta<K> {
     }
 
     /// Adds the weights of two estimates of the error of a step, e₅ of the higher order and e₃. The error is taken to be
-    /// e₅²/(e₅² + e₃²/100)½.
+    /// e₅²/√(e₅² + e₃²/100).
     pub(super) const fn estimated(mut self, estimators: [[f64; K]; 2]) -> Self {
         assert!(adds_up(&estimators[0], 0.0) && adds_up(&estimators[1], 0.0), "weights of an estimate add up to 0");
         self.estimators = Some(estimators);
@@ -80,7 +80,7 @@ impl<const K: usize> RungeKutta<K> {
     }
 }
 
-/// The coefficients times h.
+/// The coefficients times h, and the poles of the system.
 #[derive(Clone, Copy, Debug)]
 pub struct Prepared<R, const K: usize> {
     a: [[R; K]; K],

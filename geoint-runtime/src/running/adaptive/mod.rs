@@ -28,7 +28,7 @@ use steps::Past;
 /// # Error estimate
 /// - [`DOP853`](crate::DOP853) estimates the error from the stages of the step.
 /// - Runge–Kutta–Nyström tables ([`BlanesMoanSrkn14a`](crate::BlanesMoanSrkn14a) …) of canonical systems have estimates of their own, too.
-/// - [`Gauss`](crate::Gauss) with three or four stages and at most six unknowns checks its polynomial between the stages.
+/// - [`Gauss`](crate::Gauss) with three or four stages, whose unknowns are at most six values of the field a stage, checks its polynomial between the stages.
 /// - Every other method takes the step as two halves and as a whole. The error is the difference. The run continues from the two halves.
 ///
 /// The difference is the error of the whole step. For a method of order p, the halves have an error that is smaller by 2ᵖ. This factor is not used,
@@ -45,8 +45,8 @@ use steps::Past;
 /// before.
 ///
 /// # Steps
-/// The first step is at most the time in which the state changes. If time alone drives a coordinate from rest, the error of the step is not measured.
-/// Such a step is short enough to keep this error within the tolerance. A step that is too inaccurate, or that the method refuses, is repeated with a
+/// The first step is at most the time in which the state changes. If time alone drives a coordinate from rest, its error is not measured. The step is shortened
+/// until the force grows like a power of time within it, but not below √ε |t|: a sudden onset is stepped over. A step that is too inaccurate, or that the method refuses, is repeated with a
 /// shorter length. After an error, the last good state is still available.
 ///
 /// Step lengths are 2^(k/4), so most steps have the length of the step before. Coefficients are then reused, and implicit methods can extrapolate
@@ -80,7 +80,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Run<Controlled<S, M,
         Run::of(Controlled::new((system, method), tolerance, t, Point::with_action(z, s)))
     }
 
-    /// Sets the shortest and the longest step. Without bounds, the shortest step is the least one that changes the time.
+    /// Sets the shortest and the longest step. Steps are never below the resolution of time, whatever the bounds.
     ///
     /// The last step before a given time may be shorter.
     #[must_use = "the settings are those of the run that is returned"]

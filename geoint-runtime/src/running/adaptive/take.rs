@@ -15,7 +15,7 @@ use crate::solving::Failure;
 use crate::space::{DoubleWord, PerCoordinate};
 use crate::system::{PhaseSpace, Rates};
 
-/// The shortest step is at the resolution of time. A step of this many times its length reaches the edge of a domain that rounding hides from the shortest.
+/// The shortest step is often at the resolution of time, where rounding hides the edge of a domain. A step of this many times its length finds the edge.
 const EDGE_SEARCH: f64 = 16.0;
 
 impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Controlled<S, M, R> {
@@ -70,7 +70,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Controlled<S, M, R> 
         }
     }
 
-    /// Returns a trial step from the present point.
+    /// Returns the start of a trial step, with the data that judge its error.
     fn attempt(&self) -> Attempt<'_, S, R> {
         let Self { system, clock, x, tolerance, part, time_of_start, .. } = self;
         let keeps = self.method.claims().conserves_energy;
@@ -84,7 +84,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Controlled<S, M, R> 
         let (attempt, is_regular) = (self.attempt(), prepared.h == regular);
         let history = || if is_regular { self.memory.clone() } else { self.no_history() };
         let mut trial = attempt.take(&self.method, prepared, history(), &mut Unwatched);
-        // Only a step with checks uses the slower search for a solution and resolves `needs_recheck`.
+        // Only a step with checks uses the slower search for a solution and resolves `needs_recheck`, which arrives here as `NotConverged`.
         if matches!(trial, Err(Failure::NotConverged { .. })) {
             let mut watch = Watch::new(&self.system, attempt.t, &self.x);
             trial = attempt.take(&self.method, prepared, history(), &mut watch);
@@ -96,8 +96,8 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Controlled<S, M, R> 
         Ok(trial)
     }
 
-    /// Returns whether the error of a trial step of length `h` counts: the step is short enough for coordinates that leave rest, and has missed no force
-    /// between its ends.
+    /// Returns whether the error of a trial step of length `h` counts: the step is short enough for coordinates that leave rest, and samples of the field between
+    /// its ends show no force that it has missed. Steps like earlier informative ones are not sampled.
     #[inline(always)]
     fn is_trusted(
         &self,
@@ -107,7 +107,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Controlled<S, M, R> 
         regular: f64,
         shortest: f64,
     ) -> bool {
-        // At the onset of a force, no step is short against the time in which the force grows. A step near the resolution of time must pass over the onset.
+        // At the onset of a force, no step is short against the time in which the force grows. Steps up to √ε |t| may therefore pass over it.
         let onset = shortest.max(Real::sqrt(R::epsilon()) * signed(attempt.t).abs());
         let growth = attempt.growth_from_rest(h, x);
         if growth == Some(false) && h.abs() > onset {

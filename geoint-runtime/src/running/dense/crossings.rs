@@ -10,10 +10,10 @@ use crate::space::Array;
 use crate::taylor::Roots;
 use core::fmt::{self, Debug, Formatter};
 
-/// After this many parts in a row with a zero function, the function counts as identically zero.
+/// After this many parts in a row in which all functions are zero, the functions count as identically zero, and the search fails.
 const MOST_ZERO_PARTS: u32 = 1024;
 
-/// A zero beyond this part of a step counts as a zero at its end.
+/// A function with a zero beyond this part of a step has no other zero at the end of the search.
 const NEAR_END: f64 = 1.0 - 1.0 / (1_u64 << 40) as f64;
 
 /// Position of a zero at the end of the search, behind all zeros within the last step.
@@ -93,8 +93,8 @@ impl<W: Functions> Crossings<W> {
         }
     }
 
-    /// Limits the search to a time, before or after the present time. Zeros at this time, up to rounding, count. Runs with fixed steps end up to a
-    /// step before it.
+    /// Limits the search to a time, before or after the present time. Runs with fixed steps end up to a step before it, and find no zeros after their end. A zero
+    /// up to rounding at the end of the last step counts.
     #[must_use = "the end is that of the iterator that is returned"]
     pub fn until(mut self, t: Scalar<W::Run>) -> Self {
         self.backwards = (t - self.functions.run().time()).any_below(0.0);
@@ -103,7 +103,7 @@ impl<W: Functions> Crossings<W> {
     }
 
     /// Moves the run to the first crossing and returns it. If there is none, the run is at the end of the search; the last step may be shorter. If the
-    /// functions have no events, for example because they are identically zero, the run returns to `start`.
+    /// functions have no events, for example because they are identically zero, the run returns to `start`. After another error it is where the search stopped.
     pub(super) fn go_to_first(mut self, start: W::Run) -> Result<Option<Crossing<StateAlong<W>>>, StepError> {
         self.all_the_way = true;
         let found = self.search();
@@ -168,10 +168,11 @@ impl<W: Functions> Crossings<W> {
             return self.find_zeros_at_end();
         }
         for (i, changes) in W::Values::entries(&mut self.changes).iter_mut().enumerate() {
+            // The sign at the end of the part before.
             let side = changes.end();
             *changes = self.functions.changes(i, side)?;
             if side == 0.0 && changes.as_slice().first() == Some(&0.0) {
-                // The function starts at zero. This is an event only at the time of an event of other functions.
+                // The function starts at zero. It has an event there only if the run stands at an event of an earlier search that did not report this function.
                 let counts = self.direction.counts(-changes.sign);
                 if !(self.at_event && self.functions.run().reported().takes(i, counts)) {
                     *changes = changes.without_first();

@@ -1,5 +1,5 @@
-//! Takes steps of fixed length in blocks of up to 1024. A block that fails is repeated in single steps, and the step that fails again with all checks, which
-//! give the reason.
+//! Takes steps of fixed length in blocks of up to 1024. A block that fails is repeated in single steps. A single step that fails is repeated with all checks: it
+//! succeeds, or the checks give the reason.
 
 use crate::method::{Clock, Method, Probe, Step, Unwatched};
 use crate::running::error::{StepError, check_parameters, not_finite};
@@ -22,7 +22,7 @@ pub struct Fixed<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C> {
     pub(super) taken: u64,
     /// The next step checks the state if `taken` has this value: after a start, a given state or a new system, but not after an event.
     pub(super) given: u64,
-    /// Value of `taken` when the state was set, by the user or at an event.
+    /// Value of `taken` when the state was set, by the user or at an event, but not at a new system.
     pub(super) set: u64,
     /// State at the last start, event or change of the system. The steps conserve its invariants.
     pub(super) origin: S::Phase,
@@ -127,7 +127,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Fixed<S
     /// steps with their limit.
     #[inline(always)]
     pub(super) fn step_within(&mut self, limit: Option<R>) -> Result<bool, StepError> {
-        // In place: this needs one copy of the state instead of two, and no copy of the history, which may be large.
+        // In place: this needs one copy of the state instead of two. Only methods that scale their steps need a copy of the history, which may be large.
         let ([t, end], start) = (self.clock.ends(0, self.x.ahead.value()), self.x);
         let memory = (M::HANDLING.scales_steps && limit.is_some()).then(|| self.memory.clone());
         if M::HANDLING.moves_inner_point {
@@ -183,7 +183,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Fixed<S
         Err(self.error(watch.seen().failure(outcome.err())))
     }
 
-    /// Returns the error of the next step.
+    /// Returns a failure as the error of a step from the present time.
     fn error(&self, failure: Failure) -> StepError {
         StepError::new(failure, signed(self.now()), signed(self.clock.step_size()))
     }
@@ -222,6 +222,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Fixed<S
             return Err(Failure::OutOfRange);
         }
         // The momenta of a run whose system was replaced result from a step. `DiscreteGradient` leaves them O(h²) off, so only positions are checked.
+        // Rates are not checked with a step of length 0.
         let h_of_rates = if self.taken == self.set { self.clock.step_size() } else { zero() };
         match self.system.unmet(self.now(), h_of_rates, &self.x.z) {
             Some(Unmet::Off(what)) => Err(Failure::OffConstraint { what }),
@@ -318,7 +319,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Fixed<S
         jump_on_way(&self.system, &[moment(steps - 1, ends[0]), moment(steps, ends[1])], 0.0)
     }
 
-    /// Completes the steps from a point to the present one.
+    /// Records steps that led from a point to the present one: advances clock and count, and removes the drift when that is due.
     #[inline(always)]
     fn pass(&mut self, past: Past<Point<S::Phase, C, S::Action>>) {
         self.clock.pass(past.steps);

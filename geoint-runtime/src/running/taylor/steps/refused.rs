@@ -9,11 +9,12 @@ use crate::space::PerCoordinate;
 use crate::system::Jets;
 use crate::taylor::TaylorMethod;
 
-/// A singularity within this many of the shortest steps counts as reached.
+/// A base that changes by half of itself or more within this many shortest steps counts as vanishing nearby.
 const NEAR: f64 = 16.0;
 
 impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Series<S, M, R> {
-    /// Returns the failure of a step below the shortest one. The shortest step is set by the resolution of time or by the user.
+    /// Returns why a step of the length `wish` is refused, which the tolerance asks for: the series diverges if `wish` is below the resolution of time. Otherwise the
+    /// step that the user allows is too inaccurate: its error grows like its length to the power of the order.
     #[cold]
     pub(super) fn too_short(&self, wish: f64, bounds: &Bounds) -> Failure {
         if wish < self.shortest() {
@@ -28,7 +29,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Series<S, M, R> {
         let h = self.towards(h);
         let failure = match failure {
             Failure::Diverges => self.without_series(),
-            // The number of iterations is that of a correction, not that of the step.
+            // The iterations are those of a correction, which mean nothing to the caller.
             Failure::NotConverged { .. } if self.is_fixed() => Failure::Singular,
             failure => failure,
         };
@@ -37,7 +38,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Series<S, M, R> {
         if was_shortened { StepError::of_shortest(failure, t, h) } else { StepError::new(failure, t, h) }
     }
 
-    /// Returns the shortest step that changes the time.
+    /// Returns the shortest step without the bounds of the user.
     fn shortest(&self) -> f64 {
         Bounds::default().at(signed(self.now()), R::epsilon(), self.here().unit).shortest
     }
@@ -51,9 +52,9 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Series<S, M, R> {
         }
     }
 
-    /// Returns the message of a power without a series where its base vanishes, if the base vanishes here or nearby. Nearby means: the base changes
-    /// by at least half of itself within `NEAR` shortest steps. Steps of fixed length check the present point only, since they may lead to points
-    /// where every base changes so much.
+    /// Looks for a power that has no Taylor series where its base vanishes. Returns its message if the base is zero here, or changes by at least half of itself
+    /// within `NEAR` shortest steps. With steps of fixed length only a base that is zero here counts: a long step may have led to rates so large that every base
+    /// would pass the test.
     fn vanishing(&self) -> Option<&'static str> {
         let next = if self.is_fixed() { 0.0 } else { NEAR * self.shortest() };
         let (here, h) = (self.here(), self.towards(next));
