@@ -16,7 +16,7 @@ const DEEPEST: u32 = 24;
 pub struct Roots<P: Array<Real = f64> = [f64; MOST]> {
     roots: P,
     len: usize,
-    /// Sign right after 0. Zero for the zero polynomial, and for coefficients that are not finite.
+    /// Sign before all roots. Zero for the zero polynomial, and for coefficients that are not finite.
     pub(crate) sign: f64,
 }
 

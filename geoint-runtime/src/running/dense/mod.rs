@@ -102,7 +102,7 @@ pub trait Dense: Trajectory + Clone {
 
     /// Returns an iterator over the states at these times, which must follow each other in the direction of the run.
     ///
-    /// A time before the last step is an error: [`Failure::TimePassed`].
+    /// A time before the last step is an error: [`Failure::TimePassed`](crate::Failure::TimePassed).
     fn sampled_at<I: IntoIterator<Item = Scalar<Self>>>(&mut self, times: I) -> SampledAt<'_, Self, I::IntoIter> {
         SampledAt::new(self, times.into_iter())
     }
@@ -138,8 +138,8 @@ pub trait Dense: Trajectory + Clone {
     /// functions.
     ///
     /// # Errors
-    /// See [`StepError`]. The state is then the last good one. If `g` has no events ([`Failure::NoEvent`]), the state is the one at the start of
-    /// the search.
+    /// See [`StepError`]. The state is then the last good one. If `g` has no events ([`Failure::NoEvent`](crate::Failure::NoEvent)), the state is the one
+    /// at the start of the search.
     fn until_event<G: Array<Real = Scalar<Self>>, F: Fn(&Self::State) -> G>(
         &mut self,
         t: Scalar<Self>,

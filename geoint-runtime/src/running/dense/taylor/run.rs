@@ -51,8 +51,8 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Run<Series<S, M, R>> {
     /// [`Dense::until_event`](crate::Dense::until_event).
     ///
     /// # Errors
-    /// See [`StepError`]. The state is then the last good one. If `g` has no events ([`Failure::NoEvent`](crate::Failure::NoEvent)), the state is the one at the start of
-    /// the search.
+    /// See [`StepError`]. The state is then the last good one. If `g` has no events ([`Failure::NoEvent`](crate::Failure::NoEvent)), the state is the one
+    /// at the start of the search.
     pub fn until_event<G, F>(
         &mut self,
         t: R,
