@@ -15,6 +15,13 @@ fn hanging(q: f64, v: f64, a: f64) -> f64 {
     (1.0 + v * v).sqrt() * (1.0 + a * q) + v.powi(4) / 4.0 + a / q
 }
 
+impl Fading {
+    /// The state with q = 0.4 and v = 0.5 at t = 1, from p = ∂L/∂v by hand.
+    fn start(&self) -> State<f64> {
+        State::at(1.0, 0.4, 0.5 / 1.25_f64.sqrt() * (1.0 + 0.4 * self.a))
+    }
+}
+
 /// Gauss's method agrees with an explicit method, which does not solve the same equations.
 #[test]
 fn a_root_of_velocities_beside_a_pole() {
@@ -30,7 +37,7 @@ fn a_root_of_velocities_beside_a_pole() {
         }};
     }
     let fading = Fading { a: 0.3 };
-    agree!(fading, fading.at(0.4, 0.5, 1.0), 2.0);
+    agree!(fading, fading.start(), 2.0);
     let hanging = Hanging { a: 0.3 };
     agree!(hanging, hanging.at(0.8, 0.5), 1.0);
 }
@@ -43,7 +50,7 @@ fn poles_are_named() {
     let error = sim.advance(1000).unwrap_err();
     assert!(sim.state().q > 0.0 && error.to_string().contains('q'), "{error}");
     let fading = Fading { a: 0.3 };
-    let mut sim = fading.integrator(Gauss::<2>, -0.07, fading.at(0.4, 0.5, 1.0));
+    let mut sim = fading.integrator(Gauss::<2>, -0.07, fading.start());
     let error = sim.advance(1000).unwrap_err();
     assert!(sim.time() > 0.0 && error.to_string().contains('t'), "{error}");
 }

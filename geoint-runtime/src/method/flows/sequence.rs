@@ -85,14 +85,14 @@ impl<S: Separable<R>, R: Real, F: Flows<S, R>, const K: usize> Alternation<S, R>
         place: Outer,
         step: Step<'_, S, R, C, P>,
     ) -> Result<(), Failure> {
-        match place {
-            Outer::First => self.first.apply(step),
-            Outer::Joint(i) => self.pairs[i][1].apply(step),
-            Outer::Last => {
-                if let Some(last) = &self.last {
-                    last.apply(step);
-                }
-            }
+        let operation = match place {
+            Outer::First => Some(&self.first),
+            Outer::Joint(i) => Some(&self.pairs[i][1]),
+            Outer::Last => self.last.as_ref(),
+        };
+        // One call for all places: without optimisation, every call has a copy of the kernels on the stack.
+        if let Some(operation) = operation {
+            operation.apply(step);
         }
         Ok(())
     }
