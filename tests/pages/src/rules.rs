@@ -16,8 +16,10 @@ const MOST_WORDS: [(&str, usize); 10] = [
     ("geoint-macros/docs/vector_field.md", 1000),
 ];
 
-/// The most words of all Markdown pages but the measured one.
-const MOST_WORDS_IN_ALL: usize = 22_000;
+/// The most words of all Markdown pages to read.
+const MOST_WORDS_IN_ALL: usize = 21_000;
+/// Pages of tables, to look things up. Tests check their rows.
+const TABLES: [&str; 2] = [MEASURED, "tests/STATEMENTS.md"];
 const MEASURED: &str = "VERIFICATION.md";
 
 /// The most lines of a page of the guide.
@@ -46,11 +48,11 @@ fn lengths(project: &Project, problems: &mut Vec<String>) -> Result<(), String> 
         }
     }
     let mut words = 0;
-    for page in project.files("", ".md").iter().filter(|page| *page != MEASURED) {
+    for page in project.files("", ".md").iter().filter(|page| !TABLES.contains(&page.as_str())) {
         words += project.read(page)?.split_whitespace().count();
     }
     if words > MOST_WORDS_IN_ALL {
-        problems.push(format!("all pages but {MEASURED} have {words} words, and may have {MOST_WORDS_IN_ALL}"));
+        problems.push(format!("all pages but {} have {words} words, and may have {MOST_WORDS_IN_ALL}", TABLES.join(" and ")));
     }
     for page in project.files("geoint-runtime/src/guide", ".rs") {
         let lines = project.read(&page)?.lines().count();
