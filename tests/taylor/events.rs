@@ -231,3 +231,29 @@ fn zeros_that_are_closer_than_a_step() {
     let mut sim = Oscillator.taylor(Taylor::default(), State::new(1.0, 0.0));
     assert_eq!(sim.crossings(Direction::Any, |s| [(s.q * 40.0).sin()]).until(1.05).count(), 6);
 }
+
+/// A jump is one event, however often a search starts there. The function is not zero on either side.
+#[test]
+fn a_jump_is_found_once() {
+    macro_rules! check {
+        ($sim:expr, $until:expr) => {{
+            let mut sim = $sim;
+            let mut times = vec![];
+            while let Some(found) = sim.until_event($until, Direction::Any, |s| Real::signum(s.q)).unwrap() {
+                times.push(found.state.t);
+                assert!(times.len() < 10, "{times:?}");
+            }
+            assert_eq!(sim.time(), $until);
+            for (n, t) in times.iter().enumerate() {
+                let exact = PI * (0.5 + n as f64) * f64::signum($until);
+                assert!((t - exact).abs() < 1e-2, "{times:?}");
+            }
+            assert_eq!(times.len(), 4);
+        }};
+    }
+    for (h, end) in [(0.1, 13.0), (-0.1, -13.0)] {
+        check!(Oscillator.integrator(StormerVerlet, h, State::new(1.0, 0.0)), end);
+        check!(Oscillator.integrator(BlanesMoan4, h, State::new(1.0, 0.0)), end);
+    }
+    check!(Oscillator.adaptive(DOP853, 1e-9, State::new(1.0, 0.0)), 13.0);
+}

@@ -28,6 +28,7 @@ mod fixed;
 mod functions;
 mod going_on;
 mod input;
+mod last_step;
 mod orders;
 mod output;
 mod recurrences;

@@ -32,7 +32,7 @@ impl<S: Constrained<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integr
     /// the projected momenta. The run itself continues from its own state.
     ///
     /// # Errors
-    /// Those of [`state_on_constraint`](crate::state_on_constraint).
+    /// Those of [`state_on_constraint`](crate::running::state_on_constraint).
     pub fn state_on_constraint(&self) -> Result<StateOf<S, R>, StepError> {
         state_on_constraint(self.system(), &self.state())
     }

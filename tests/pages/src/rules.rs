@@ -52,7 +52,10 @@ fn lengths(project: &Project, problems: &mut Vec<String>) -> Result<(), String> 
         words += project.read(page)?.split_whitespace().count();
     }
     if words > MOST_WORDS_IN_ALL {
-        problems.push(format!("all pages but {} have {words} words, and may have {MOST_WORDS_IN_ALL}", TABLES.join(" and ")));
+        problems.push(format!(
+            "all pages but {} have {words} words, and may have {MOST_WORDS_IN_ALL}",
+            TABLES.join(" and ")
+        ));
     }
     for page in project.files("geoint-runtime/src/guide", ".rs") {
         let lines = project.read(&page)?.lines().count();

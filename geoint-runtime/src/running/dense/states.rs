@@ -71,6 +71,11 @@ impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> StateFunct
             |(at, value): (f64, f64)| 4.0 * noise + part * (end - start).abs().max((value - start).abs() / at);
         for at in SHORT_PARTS {
             let later = (at, self.value(i, at)?);
+            // A jump within the shortest part is the event at which the search starts.
+            let jumps = differ(start, later.1) && (later.1 - start).abs() > 0.5 * change;
+            if at == SHORT_PARTS[0] && self.before.is_fresh() && jumps {
+                return Ok(later);
+            }
             if start.abs() > rounding(later) {
                 return Ok((0.0, start));
             }
