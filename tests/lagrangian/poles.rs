@@ -3,7 +3,7 @@
 use geoint_runtime::methods::*;
 use geoint_runtime::prelude::*;
 
-/// A pole in time.
+/// A pole in time. The velocity grows without bound after t = 1.8.
 #[lagrangian]
 fn fading(q: f64, v: f64, t: f64, a: f64) -> f64 {
     (1.0 + v * v).sqrt() / t * (1.0 + a * q)
@@ -26,20 +26,20 @@ impl Fading {
 #[test]
 fn a_root_of_velocities_beside_a_pole() {
     macro_rules! agree {
-        ($system:expr, $start:expr, $end:expr) => {{
+        ($system:expr, $start:expr) => {{
             let mut gauss = $system.integrator(Gauss::<3>, 0.01, $start);
             let mut explicit = $system.adaptive(DOP853, 1e-12, $start);
-            gauss.end_at($end).unwrap();
-            explicit.advance_to($end).unwrap();
+            gauss.advance(50).unwrap();
+            explicit.advance_to(gauss.time()).unwrap();
             let (a, b) = (gauss.state(), explicit.state());
             assert!((a.q - b.q).abs() < 1e-10 && (a.p - b.p).abs() < 1e-10, "{a:?} {b:?}");
             assert!((a.q - $start.q).abs() > 0.1, "{a:?}");
         }};
     }
     let fading = Fading { a: 0.3 };
-    agree!(fading, fading.start(), 2.0);
+    agree!(fading, fading.start());
     let hanging = Hanging { a: 0.3 };
-    agree!(hanging, hanging.at(0.8, 0.5), 1.0);
+    agree!(hanging, hanging.at(0.8, 0.5));
 }
 
 /// The steps that meet a pole are refused, and name it.
