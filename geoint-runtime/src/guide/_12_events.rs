@@ -102,7 +102,7 @@
 //! | [`sampled_every(dt)`](crate::Dense::sampled_every) | states at t₀, t₀ + dt, t₀ + 2 dt, …, without end: use `take` |
 //! | [`sampled_at(times)`](crate::Dense::sampled_at) | states at the given times, in order |
 //! | `.interpolated()` behind either call | one polynomial per step: cheaper for many states per step; invariants are not kept to rounding |
-//! | [`at(t)`](crate::Dense::at) | the state at a time within the next step (Taylor runs: within the last step), or `None` |
+//! | [`at(t)`](crate::Dense::at) | the state at a time within the last step; for other times an error that names this interval |
 //!
 //! A state between steps comes from a shorter step of the same method and has the order of the method. Taylor runs evaluate the step's polynomial.
 //! # Which events are found
