@@ -256,4 +256,32 @@ fn a_jump_is_found_once() {
         check!(Oscillator.integrator(BlanesMoan4, h, State::new(1.0, 0.0)), end);
     }
     check!(Oscillator.adaptive(DOP853, 1e-9, State::new(1.0, 0.0)), 13.0);
+    // The end of the search lies just behind the jump, so that time is rounded by a large part of the step.
+    for gap in [1e-11, 3e-11, 3e-10] {
+        let mut sim = Oscillator.integrator(StormerVerlet, 0.1, State::new(1.0, 0.3));
+        let jump = sim.clone().until_event(13.0, Direction::Any, |s| Real::signum(s.q)).unwrap().expect("a jump").state;
+        let end = jump.t + gap;
+        let found = (0..3).map(|_| sim.until_event(end, Direction::Any, |s| Real::signum(s.q)).unwrap());
+        assert_eq!(found.map(|found| found.is_some()).collect::<Vec<_>>(), [true, false, false]);
+    }
+}
+
+/// In single precision and after a long time, time is rounded by a large part of a step.
+#[test]
+fn a_jump_in_single_precision_is_found_once() {
+    #[hamiltonian]
+    fn spring(q: f32, p: f32) -> f32 {
+        (p * p + q * q) / 2.0
+    }
+    for i in 0..30 {
+        let start = State::at(0.0_f32, 1.0 + 0.01 * i as f32, 0.3);
+        let mut sim = Spring.integrator(StormerVerlet, 0.1, start);
+        let (mut jumps, end) = (0, 120.0);
+        while sim.until_event(end, Direction::Any, |s| Real::signum(s.q)).unwrap().is_some() {
+            jumps += 1;
+            assert!(jumps < 100, "{start:?}");
+        }
+        // Half a period is 3.14.
+        assert!((37..=39).contains(&jumps), "{jumps} from {start:?}");
+    }
 }

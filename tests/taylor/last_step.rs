@@ -66,6 +66,12 @@ fn every_run_knows_its_last_step() {
     check!(system.adaptive(DOP853, 1e-10, state), 1e-6);
     check!(system.adaptive(DiscreteGradient, 1e-5, state).longest_step(0.01), 5e-2);
     check!(system.taylor(Taylor::default(), state), 1e-9);
+    // The time at which a call has ended is the start of the next step.
+    let mut sim = system.integrator(BlanesMoan4, 0.1, state);
+    sim.advance_to(0.3).unwrap();
+    let before = sim.state();
+    sim.step().unwrap();
+    assert_eq!((before.t, sim.at(before.t)), (0.3, Ok(before)));
     // After a change of the step size, the last step is not known.
     let mut sim = system.integrator(BlanesMoan4, 0.02, state);
     sim.advance(5).unwrap();

@@ -71,12 +71,6 @@ impl<R: Real> Clock<R> {
         self.reported_time = None;
     }
 
-    /// Goes back by `steps` steps. Precondition: the clock has passed as many steps of this length.
-    pub(crate) fn go_back(&mut self, steps: u64) {
-        self.steps -= steps;
-        self.reported_time = None;
-    }
-
     /// Advances t₀ by one step of length `h` + `ahead`, which may differ from the step size of the clock.
     pub(crate) fn pass_step(&mut self, h: R, ahead: DoubleWord<R>) {
         self.pass_length(h);

@@ -44,14 +44,15 @@ pub enum Origin {
 impl Origin {
     /// Returns the origin of a tuple of sets.
     pub(crate) const fn of(parts: &[Self]) -> Self {
-        let (mut derived, mut i) = (0, 0);
+        let (mut derived, mut by_hand, mut i) = (0, 0, 0);
         while i < parts.len() {
             derived += matches!(parts[i], Self::Derived) as usize;
+            by_hand += matches!(parts[i], Self::ByHand) as usize;
             i += 1;
         }
-        match derived {
-            0 => Self::ByHand,
-            _ if derived == parts.len() => Self::Derived,
+        match (derived, by_hand) {
+            (_, n) if n == parts.len() => Self::ByHand,
+            (n, _) if n == parts.len() => Self::Derived,
             _ => Self::Mixed,
         }
     }

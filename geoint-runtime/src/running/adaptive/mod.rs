@@ -212,7 +212,8 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Pace for Controlled<
     fn before(&self) -> Option<Self> {
         let Past { clock, x } = self.past?;
         let mut run = self.clone();
-        (run.clock, run.x, run.memory, run.past) = (clock, x, run.no_history(), None);
+        (run.clock, run.x, run.past) = (clock, x, None);
+        run.memory = run.no_history();
         run.taken -= 1;
         Some(run)
     }

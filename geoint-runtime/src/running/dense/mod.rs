@@ -82,8 +82,11 @@ pub trait Dense: Trajectory + Clone {
     /// Returns the state at a time within the last step. The run does not change.
     ///
     /// # Errors
-    /// Other times are the error [`Failure::NotInLastStep`], which names the interval that is known. It is the present time alone before the first step, and
-    /// after the state, the system or the step size was set. A partial step may be refused, too; see [`StepError`].
+    /// Other times are the error [`Failure::NotInLastStep`], which names the interval that is known. It is the present time alone before the first step,
+    /// after the state, the system or the step size was set, after a shorter last step of a run with fixed steps, after a refused step of a Taylor series, and in
+    /// a resumed run. A partial step may be refused, too; see [`StepError`].
+    ///
+    /// Fixed steps that were taken in one call may have to be repeated, up to 1023 of them in each call of this function.
     fn at(&self, t: Scalar<Self>) -> Result<Self::State, StepError>;
 
     /// Returns whether the next step goes back in time.
@@ -180,14 +183,17 @@ impl<P: Pace> Dense for Run<P> {
     }
 
     fn at(&self, t: P::Real) -> Result<Self::State, StepError> {
-        let (before, now) = (self.pace.before(), self.time());
+        let now = self.time();
+        if t == now {
+            return Ok(self.state());
+        }
+        let before = self.pace.before();
         let from = before.as_ref().map_or(now, Pace::time);
         let is_within = || {
             let backwards = (from - now).any_above(0.0);
             t.magnitude().is_finite() && has_reached(t, from, backwards) && has_reached(now, t, backwards)
         };
         match before {
-            _ if t == now => Ok(self.state()),
             Some(before) if t == from => Ok(before.state()),
             Some(before) if is_within() => P::between(&before, &self.pace, t),
             _ => {

@@ -24,6 +24,8 @@ pub struct StateFunctions<'a, T: Dense, F, G> {
     /// The run at the start of the last step.
     before: T,
     g: F,
+    /// Whether the run was at an event of an earlier search when this search began.
+    starts_at_event: bool,
     /// Values at the start and at the end of the last step.
     values: Option<[G; 2]>,
     /// Position and values one step earlier.
@@ -32,7 +34,9 @@ pub struct StateFunctions<'a, T: Dense, F, G> {
 
 impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> StateFunctions<'a, T, F, G> {
     pub(super) fn new(run: &'a mut T, g: F) -> Self {
-        StateFunctions { before: run.clone(), run, g, values: None, earlier: None }
+        let now = run.time();
+        let starts_at_event = run.reported().is_at(now);
+        StateFunctions { before: run.clone(), run, g, starts_at_event, values: None, earlier: None }
     }
 
     /// Returns the values at the present state. Fails if a value is not finite.
@@ -69,12 +73,18 @@ impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> StateFunct
         let part = TIME_ROUNDINGS * Scalar::<T>::epsilon() * (1.0 + self.run.time().magnitude() / step);
         let rounding =
             |(at, value): (f64, f64)| 4.0 * noise + part * (end - start).abs().max((value - start).abs() / at);
+        let mut is_at_event = self.starts_at_event && self.before.is_fresh();
         for at in SHORT_PARTS {
             let later = (at, self.value(i, at)?);
-            // A jump within the shortest part is the event at which the search starts.
-            let jumps = differ(start, later.1) && (later.1 - start).abs() > 0.5 * change;
-            if at == SHORT_PARTS[0] && self.before.is_fresh() && jumps {
-                return Ok(later);
+            if is_at_event {
+                // A jump within the shortest part that time resolves is the event at which the search starts.
+                if differ(start, later.1) && (later.1 - start).abs() > 0.5 * change {
+                    return Ok(later);
+                }
+                if self.time(at) == self.before.time() {
+                    continue;
+                }
+                is_at_event = false;
             }
             if start.abs() > rounding(later) {
                 return Ok((0.0, start));

@@ -214,12 +214,12 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Pace fo
     }
     /// Repeats all but the last one of the steps since the kept point. Without the history of earlier steps, the last bits may differ.
     fn before(&self) -> Option<Self> {
-        let Past { x, inside, steps } = self.past;
+        let Past { x, clock, inside, steps } = self.past;
         let repeated = steps.checked_sub(1)?;
         let mut run = self.clone();
-        (run.x, run.inside, run.memory, run.past) = (x, inside, M::memory(&x.z), Past::none());
+        (run.x, run.clock, run.inside) = (x, clock, inside);
+        (run.memory, run.past) = (M::memory(&x.z), Past::none());
         run.taken -= steps;
-        run.clock.go_back(steps);
         run.advance_in_blocks(repeated).ok()?;
         Some(run)
     }

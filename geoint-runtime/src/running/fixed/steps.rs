@@ -33,22 +33,24 @@ pub struct Fixed<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C> {
     /// Interval of time without poles, found so far.
     pub(super) clear: Clear<R>,
     /// The point before the steps that were taken last.
-    pub(super) past: Past<Point<S::Phase, C, S::Action>>,
+    pub(super) past: Past<Point<S::Phase, C, S::Action>, R>,
 }
 
 /// The point before the last steps, at most [`STEPS_BETWEEN_CHECKS`] of them. A state within the last step is computed from it.
 #[derive(Clone, Copy)]
-pub(super) struct Past<X> {
+pub(super) struct Past<X, R> {
     pub(super) x: X,
+    pub(super) clock: Clock<R>,
     /// Whether `x` is an inner point.
     pub(super) inside: bool,
     /// Number of steps since then. Zero if the point is not known.
     pub(super) steps: u64,
 }
 
-impl<A: Array, C: Summation<A>, B: Action<A::Real>> Past<Point<A, C, B>> {
+impl<A: Array, C: Summation<A>, B: Action<A::Real>> Past<Point<A, C, B>, A::Real> {
     pub(super) fn none() -> Self {
-        Past { x: Point::with_action(A::zero(), B::zero()), inside: false, steps: 0 }
+        let x = Point::with_action(A::zero(), B::zero());
+        Past { x, clock: Clock::new(zero(), zero()), inside: false, steps: 0 }
     }
 }
 
@@ -66,7 +68,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Fixed<S
             let (mut memory, mut x) = (self.memory.clone(), self.x);
             self.enter(&mut x);
             if self.run(steps, &mut memory, &mut x) && self.pole_in_time(steps, &x).is_none() {
-                let past = Past { x: self.x, inside: self.inside, steps };
+                let past = Past { x: self.x, clock: self.clock, inside: self.inside, steps };
                 (self.memory, self.x) = (memory, x);
                 self.pass(past);
             } else if steps > 1 {
@@ -142,7 +144,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Fixed<S
             && self.clear.pole(&self.system, [t, self.end(1, &self.x)]).is_none()
             && self.jump(1, [&begun, &self.x]).is_none();
         if good && self.ends_within(limit, &self.x, t) {
-            self.pass(Past { x: start, inside: self.inside, steps: 1 });
+            self.pass(Past { x: start, clock: self.clock, inside: self.inside, steps: 1 });
             return Ok(true);
         }
         self.x = start;
@@ -173,7 +175,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Fixed<S
             if !self.ends_within(limit, &x, self.now()) {
                 return Ok(false);
             }
-            let past = Past { x: self.x, inside: self.inside, steps: 1 };
+            let past = Past { x: self.x, clock: self.clock, inside: self.inside, steps: 1 };
             (self.memory, self.x) = (memory, x);
             self.pass(past);
             return Ok(true);
@@ -321,7 +323,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Fixed<S
 
     /// Records steps that led from a point to the present one: advances clock and count, and removes the drift when that is due.
     #[inline(always)]
-    fn pass(&mut self, past: Past<Point<S::Phase, C, S::Action>>) {
+    fn pass(&mut self, past: Past<Point<S::Phase, C, S::Action>, R>) {
         self.clock.pass(past.steps);
         self.taken += past.steps;
         (self.inside, self.past) = (true, past);
