@@ -54,12 +54,10 @@ impl<P> Prepared<P> {
 }
 
 /// The end of a trial step.
-pub(super) struct Trial<S: PhaseSpace<R>, M: Method<S, R>, R: Real> {
+pub(super) struct Trial<S: PhaseSpace<R>, R: Real> {
     pub(super) x: Carried<S, R>,
     /// Estimated error in units of the tolerance.
     pub(super) error: f64,
-    /// History after the step.
-    pub(super) history: [M::Memory; 2],
 }
 
 /// Start of a trial step, and the data needed to judge its error.
@@ -78,7 +76,7 @@ pub(super) struct Attempt<'a, S: PhaseSpace<R>, R: Real> {
 }
 
 impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
-    /// Takes a step, with the `history` of earlier steps: for whole steps, and for their halves.
+    /// Takes a step, with the `history` of earlier steps: for whole steps, and for their halves. It is changed in place, because it may be large.
     ///
     /// # Errors
     /// Fails if the step has no result. Also fails if the energy jumps within the step and the method does not conserve it.
@@ -87,15 +85,15 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
         &self,
         method: &M,
         prepared: &Prepared<M::Prepared>,
-        mut history: [M::Memory; 2],
+        history: &mut [M::Memory; 2],
         probe: &mut P,
-    ) -> Result<Trial<S, M, R>, Failure> {
-        let (x, error) = self.estimated(method, prepared, &mut history, probe)?;
+    ) -> Result<Trial<S, R>, Failure> {
+        let (x, error) = self.estimated(method, prepared, history, probe)?;
         if !self.keeps {
             let ends = [(self.t, PerCoordinate::of(self.x)), (self.end(prepared.h, &x), PerCoordinate::of(&x))];
             Failure::outside(jump_on_way(self.system, &ends, self.tolerance.relative))?;
         }
-        Ok(Trial { x, error, history })
+        Ok(Trial { x, error })
     }
 
     /// Returns the time at the end of a step of length `h` that ends at `x`.
@@ -217,7 +215,7 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
     pub(super) fn failure<M: Method<S, R>>(&self, method: &M, h: f64) -> Failure {
         let mut watch = Watch::new(self.system, self.t, self.x);
         let prepared = Prepared::new(self.system, method, h);
-        match self.take(method, &prepared, [M::memory(&self.x.z), M::memory(&self.x.z)], &mut watch) {
+        match self.take(method, &prepared, &mut [M::memory(&self.x.z), M::memory(&self.x.z)], &mut watch) {
             Ok(Trial { error, .. }) => Failure::Inaccurate { error },
             Err(failure @ Failure::OutsideDomain { .. }) => failure,
             Err(failure) => watch.seen().cause().unwrap_or(failure),

@@ -43,7 +43,8 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Controlled<S, M, R> 
                 shorter = Prepared::new(&self.system, &self.method, h);
                 &shorter
             };
-            let mut trial = self.trial(prepared, regular, bounds.shortest);
+            let mut history = self.history_for(prepared.h == regular);
+            let mut trial = self.trial(prepared, &mut history, regular, bounds.shortest);
             let accepted = trial.as_ref().ok().filter(|trial| trial.error <= 1.0);
             let way = accepted.map(|trial| [self.now(), self.attempt().end(h, &trial.x)]);
             let pole = way.and_then(|way| self.clear.pole(&self.system, way));
@@ -52,7 +53,11 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Controlled<S, M, R> 
             }
             match trial {
                 Ok(trial) if trial.error <= 1.0 => {
-                    self.accept(h, regular, trial);
+                    if h == regular {
+                        self.memory = history;
+                        self.controller.accept(h, trial.error);
+                    }
+                    self.accept(h, trial);
                     return Ok(());
                 }
                 refused => {
@@ -77,17 +82,27 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Controlled<S, M, R> 
         Attempt { system, t: self.now(), clock, x, tolerance, part: *part, time_of_start: *time_of_start, keeps }
     }
 
-    /// Takes a trial step from the present point. Its error is infinite if it is not trusted. `regular` is the length that the controller has chosen: a step of
-    /// another length neither uses nor changes the history.
+    /// Returns the history before a trial step. A step of another length than the regular one neither uses nor changes the history of the run.
+    fn history_for(&self, is_regular: bool) -> [M::Memory; 2] {
+        if is_regular { self.memory.clone() } else { self.no_history() }
+    }
+
+    /// Takes a trial step from the present point. Its error is infinite if it is not trusted. `regular` is the length that the controller has chosen.
     #[inline(always)]
-    fn trial(&self, prepared: &Prepared<M::Prepared>, regular: f64, shortest: f64) -> Result<Trial<S, M, R>, Failure> {
-        let (attempt, is_regular) = (self.attempt(), prepared.h == regular);
-        let history = || if is_regular { self.memory.clone() } else { self.no_history() };
-        let mut trial = attempt.take(&self.method, prepared, history(), &mut Unwatched);
+    fn trial(
+        &self,
+        prepared: &Prepared<M::Prepared>,
+        history: &mut [M::Memory; 2],
+        regular: f64,
+        shortest: f64,
+    ) -> Result<Trial<S, R>, Failure> {
+        let attempt = self.attempt();
+        let mut trial = attempt.take(&self.method, prepared, history, &mut Unwatched);
         // Only a step with checks uses the slower search for a solution and resolves `needs_recheck`, which arrives here as `NotConverged`.
         if matches!(trial, Err(Failure::NotConverged { .. })) {
             let mut watch = Watch::new(&self.system, attempt.t, &self.x);
-            trial = attempt.take(&self.method, prepared, history(), &mut watch);
+            *history = self.history_for(prepared.h == regular);
+            trial = attempt.take(&self.method, prepared, history, &mut watch);
         }
         let mut trial = trial?;
         if trial.error <= 1.0_f64 && !self.is_trusted(&attempt, &trial, prepared.h, regular, shortest) {
@@ -102,7 +117,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Controlled<S, M, R> 
     fn is_trusted(
         &self,
         attempt: &Attempt<'_, S, R>,
-        Trial { x, error, .. }: &Trial<S, M, R>,
+        Trial { x, error, .. }: &Trial<S, R>,
         h: f64,
         regular: f64,
         shortest: f64,
@@ -127,11 +142,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Controlled<S, M, R> 
 
     /// Continues from the end of a trial step.
     #[inline(always)]
-    fn accept(&mut self, h: f64, regular: f64, Trial { x, error, history }: Trial<S, M, R>) {
-        if h == regular {
-            self.memory = history;
-            self.controller.accept(h, error);
-        }
+    fn accept(&mut self, h: f64, Trial { x, error }: Trial<S, R>) {
         self.informative_steps.include(h, InformativeSteps::is_informative::<R>(error, self.tolerance.relative));
         self.past = Some(Past { clock: self.clock, x: self.x });
         self.clock.pass_step(R::from_f64(h), x.ahead);
