@@ -1,4 +1,4 @@
-//! What a run must know of the steps of a method.
+//! How a run handles the steps of a method.
 
 /// How a run handles the steps of a method. Most methods are [`Handling::PLAIN`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,9 +1,9 @@
 //! Divided differences f[a, b] = (f(b) − f(a))/(b − a) without 0/0 and without cancellation. The limit is f[a, a] = f'(a).
 //!
 //! Emitted kernels call these functions. `abs`, `exp`, `exp2`, `ln`, `powf` and `tanh` are divided differences of the functions of these names, symmetric in both
-//! ends to the last bit. Their `…_derivative` is ∂f[a, b]/∂b = f[a, b, b], for Newton's matrices. Other functions that kernels need stand beside them: quotients
-//! such as sin x/x, whose `…_derivative` is the ordinary one, exact flows (`flows`, `coupled`, `linear`, `central`, `kepler`, `free_body`), and functions that
-//! return NaN outside of a domain (`kinks`).
+//! ends to the last bit. Their `…_derivative` is ∂f[a, b]/∂b = f[a, b, b], for Newton's matrices. Kernels also need other functions. There are
+//! quotients such as sin x/x, with ordinary derivatives. There are exact flows, in `flows`, `coupled`, `linear`, `central`, `kepler` and `free_body`. Functions
+//! in `kinks` return NaN outside of a domain.
 //!
 //! A scalar may have several components, for instance one for each of four trajectories, so no function branches on a comparison. The function `either` selects
 //! series or closed form. A divisor is kept away from zero by a number so small that the quotient is rounded to its limit.

@@ -18,9 +18,9 @@ const MOST_ROUNDING: f64 = 1024.0 * ROUNDINGS;
 
 /// The drift is not removed if the path from the origin is rounded so much that it no longer determines an invariant.
 ///
-/// Let r be Σ sᵢ |∂I/∂zᵢ| with the sizes s of the coordinates along the path: ε r is the rounding of the invariant I by the path. r at `z` may be at most this many
-/// times r at the origin, and this many times the same sum with the magnitudes at both ends. It is larger near a collision, and if one coordinate has grown and
-/// another one has shrunk by orders of magnitude.
+/// The rounding of an invariant I by the path is ε r with r = Σ sᵢ |∂I/∂zᵢ|, where s are the sizes of the coordinates along the path. At `z`, r may be at most this
+/// many times r at the origin. It may also be at most this many times the same sum with the magnitudes at both ends. It is larger near a collision, and if one
+/// coordinate has grown and another one has shrunk by orders of magnitude.
 const MOST_STEEPENING: f64 = 16.0;
 
 /// Returns the correction of `z` that leads, to first order, to the values of `invariants` at `origin`.

@@ -53,6 +53,11 @@ impl<P> Prepared<P> {
     }
 }
 
+/// Returns the history before the first step from the point `z`: for whole steps, and for their halves.
+pub(super) fn no_history<S: PhaseSpace<R>, M: Method<S, R>, R: Real>(z: &S::Phase) -> [M::Memory; 2] {
+    [M::memory(z), M::memory(z)]
+}
+
 /// The end of a trial step.
 pub(super) struct Trial<S: PhaseSpace<R>, R: Real> {
     pub(super) x: Carried<S, R>,
@@ -88,12 +93,13 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
         history: &mut [M::Memory; 2],
         probe: &mut P,
     ) -> Result<Trial<S, R>, Failure> {
-        let (x, error) = self.estimated(method, prepared, history, probe)?;
+        let trial = self.estimated(method, prepared, history, probe)?;
         if !self.keeps {
-            let ends = [(self.t, PerCoordinate::of(self.x)), (self.end(prepared.h, &x), PerCoordinate::of(&x))];
+            let x = &trial.x;
+            let ends = [(self.t, PerCoordinate::of(self.x)), (self.end(prepared.h, x), PerCoordinate::of(x))];
             Failure::outside(jump_on_way(self.system, &ends, self.tolerance.relative))?;
         }
-        Ok(Trial { x, error })
+        Ok(trial)
     }
 
     /// Returns the time at the end of a step of length `h` that ends at `x`.
@@ -114,14 +120,14 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
         grows(self.system, self.t, &before, h / self.part)
     }
 
-    /// Returns the end of a step, and its error in units of the tolerance. The error comes from the method's own estimate, or else from step halving.
+    /// Takes a step. The error comes from the method's own estimate, or else from step halving.
     fn estimated<M: Method<S, R>, P: Probe<S, R>>(
         &self,
         method: &M,
         prepared: &Prepared<M::Prepared>,
         memory: &mut [M::Memory; 2],
         probe: &mut P,
-    ) -> Result<(Carried<S, R>, f64), Failure> {
+    ) -> Result<Trial<S, R>, Failure> {
         let mut x = *self.x;
         let end = self.clock.after(R::from_f64(prepared.h));
         let step = Step { system: self.system, t: self.t, end, x: &mut x, probe };
@@ -135,7 +141,7 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
                 // The quotient is formed first: squares of the errors may overflow.
                 let ratio = if higher > 0.0 && higher < f64::INFINITY { lower / higher } else { 0.0 };
                 let error = higher / Real::sqrt(1.0 + 0.01 * ratio * ratio);
-                if error.is_nan() { Err(Failure::NonFinite) } else { Ok((x, error)) }
+                if error.is_nan() { Err(Failure::NonFinite) } else { Ok(Trial { x, error }) }
             }
         }
     }
@@ -166,14 +172,14 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
         self.tolerance.errors(&step, estimates, |x| self.system.rates(self.t, x))
     }
 
-    /// Returns the end of two halves of a step, and their error in units of the tolerance: the difference from one whole step.
+    /// Takes a step as two halves. The error is their difference from one whole step.
     fn halved<M: Method<S, R>, P: Probe<S, R>>(
         &self,
         method: &M,
         prepared: &Prepared<M::Prepared>,
         [memory_of_whole, memory_of_halves]: &mut [M::Memory; 2],
         probe: &mut P,
-    ) -> Result<(Carried<S, R>, f64), Failure> {
+    ) -> Result<Trial<S, R>, Failure> {
         let (system, t, half) = (self.system, self.t, R::from_f64(0.5 * prepared.h));
         // A method may report an order for its estimate and still return no estimate.
         let unforeseen;
@@ -207,7 +213,7 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
             return Err(Failure::NonFinite);
         }
         let [error] = self.judge(&before, &after, &[gap]);
-        Ok((x, error))
+        Ok(Trial { x, error })
     }
 
     /// Repeats a refused step with checks of every evaluation, and returns why it is refused.
@@ -215,7 +221,7 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
     pub(super) fn failure<M: Method<S, R>>(&self, method: &M, h: f64) -> Failure {
         let mut watch = Watch::new(self.system, self.t, self.x);
         let prepared = Prepared::new(self.system, method, h);
-        match self.take(method, &prepared, &mut [M::memory(&self.x.z), M::memory(&self.x.z)], &mut watch) {
+        match self.take(method, &prepared, &mut no_history::<S, M, R>(&self.x.z), &mut watch) {
             Ok(Trial { error, .. }) => Failure::Inaccurate { error },
             Err(failure @ Failure::OutsideDomain { .. }) => failure,
             Err(failure) => watch.seen().cause().unwrap_or(failure),

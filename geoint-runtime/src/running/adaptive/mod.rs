@@ -19,6 +19,7 @@ use crate::space::{PerCoordinate, Point, Snapshot};
 use crate::system::{PhaseSpace, Rates, StateOf};
 #[cfg(feature = "alloc")]
 use crate::{method::Name, space::Record, space::Tape};
+use attempt::no_history;
 use core::fmt::{self, Debug, Formatter};
 pub use steps::Controlled;
 use steps::Past;
@@ -46,8 +47,8 @@ use steps::Past;
 ///
 /// # Steps
 /// The first step is at most the time in which the state changes. If time alone drives a coordinate from rest, its error is not measured. The step is shortened
-/// until the force grows like a power of time within it, but not below √ε |t|: a sudden onset is stepped over. A step that is too inaccurate, or that the method refuses, is repeated with a
-/// shorter length. After an error, the last good state is still available.
+/// until the force grows like a power of time within it, but not below √ε |t|: a sudden onset is stepped over. A step that is too inaccurate, or that the
+/// method refuses, is repeated with a shorter length. After an error, the last good state is still available.
 ///
 /// Step lengths are 2^(k/4), so most steps have the length of the step before. Coefficients are then reused, and implicit methods can extrapolate
 /// their first guess. Sums of coordinates and of time are compensated.
@@ -213,7 +214,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Pace for Controlled<
         let Past { clock, x } = self.past?;
         let mut run = self.clone();
         (run.clock, run.x, run.past) = (clock, x, None);
-        run.memory = run.no_history();
+        run.memory = no_history::<S, M, R>(&run.x.z);
         run.taken -= 1;
         Some(run)
     }

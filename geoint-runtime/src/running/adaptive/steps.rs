@@ -1,6 +1,6 @@
 //! The data of a run with adaptive steps: its start, and the checks before a step.
 
-use super::attempt::{Carried, Prepared};
+use super::attempt::{Carried, Prepared, no_history};
 use super::start;
 use super::way::InformativeSteps;
 use crate::method::{Clock, Method};
@@ -63,7 +63,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Controlled<S, M, R> 
             part: controller.part(tolerance),
             // The first step prepares its own length.
             prepared: Prepared::new(&system, &method, 1.0),
-            memory: [M::memory(&x.z), M::memory(&x.z)],
+            memory: no_history::<S, M, R>(&x.z),
             clock: Clock::new(t, zero()),
             origin: x.z,
             x,
@@ -88,15 +88,10 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Controlled<S, M, R> 
         self.time_of_start = time;
     }
 
-    /// Returns the memories before a step without history.
-    pub(super) fn no_history(&self) -> [M::Memory; 2] {
-        [M::memory(&self.x.z), M::memory(&self.x.z)]
-    }
-
     /// Continues from another point.
     pub(super) fn continue_from(&mut self, t: R, x: Carried<S, R>) {
         (self.clock, self.x) = (Clock::new(t, zero()), x);
-        (self.memory, self.past) = (self.no_history(), None);
+        (self.memory, self.past) = (no_history::<S, M, R>(&self.x.z), None);
         (self.given, self.origin, self.informative_steps) = (self.taken, self.x.z, InformativeSteps::default());
         let backwards = self.size() < 0.0;
         self.start();

@@ -2,7 +2,7 @@
 //!
 //! The error of a step is the estimate of the method, or the difference between one whole step and two halves; see `attempt.rs`.
 
-use super::attempt::{Attempt, Prepared, Trial};
+use super::attempt::{Attempt, Prepared, Trial, no_history};
 use super::steps::{Controlled, Past};
 use super::way::InformativeSteps;
 use crate::method::{Method, Unwatched};
@@ -34,7 +34,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Controlled<S, M, R> 
             let h = if regular.abs() < left { regular } else { left.copysign(regular) };
             if h == regular && h != self.prepared.h {
                 self.prepared.prepare(&self.system, &self.method, h);
-                self.memory = self.no_history();
+                self.memory = no_history::<S, M, R>(&self.x.z);
             }
             let shorter;
             let prepared = if h == regular {
@@ -43,7 +43,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Controlled<S, M, R> 
                 shorter = Prepared::new(&self.system, &self.method, h);
                 &shorter
             };
-            let mut history = self.history_for(prepared.h == regular);
+            let mut history = self.history_for(h, regular);
             let mut trial = self.trial(prepared, &mut history, regular, bounds.shortest);
             let accepted = trial.as_ref().ok().filter(|trial| trial.error <= 1.0);
             let way = accepted.map(|trial| [self.now(), self.attempt().end(h, &trial.x)]);
@@ -82,9 +82,9 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Controlled<S, M, R> 
         Attempt { system, t: self.now(), clock, x, tolerance, part: *part, time_of_start: *time_of_start, keeps }
     }
 
-    /// Returns the history before a trial step. A step of another length than the regular one neither uses nor changes the history of the run.
-    fn history_for(&self, is_regular: bool) -> [M::Memory; 2] {
-        if is_regular { self.memory.clone() } else { self.no_history() }
+    /// Returns the history before a trial step of length `h`. A step of another length than the `regular` one neither uses nor changes the history of the run.
+    fn history_for(&self, h: f64, regular: f64) -> [M::Memory; 2] {
+        if h == regular { self.memory.clone() } else { no_history::<S, M, R>(&self.x.z) }
     }
 
     /// Takes a trial step from the present point. Its error is infinite if it is not trusted. `regular` is the length that the controller has chosen.
@@ -101,7 +101,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Controlled<S, M, R> 
         // Only a step with checks uses the slower search for a solution and resolves `needs_recheck`, which arrives here as `NotConverged`.
         if matches!(trial, Err(Failure::NotConverged { .. })) {
             let mut watch = Watch::new(&self.system, attempt.t, &self.x);
-            *history = self.history_for(prepared.h == regular);
+            *history = self.history_for(prepared.h, regular);
             trial = attempt.take(&self.method, prepared, history, &mut watch);
         }
         let mut trial = trial?;

@@ -136,7 +136,7 @@ impl<'a, R: Real> Rows<'a, R> {
     }
 }
 
-/// What the points at one distance d show of an entry of the residual.
+/// A distance d of the points, and the numbers that judge curvature there.
 struct Distance {
     /// d, in units of the last correction.
     length: f64,
