@@ -1,10 +1,10 @@
-//! Routines of H(q, p, t) with constraints g(q) = 0.
+//! Routines of H(q, p, t) with constraints.
 
 use super::domain::{Domain, Formulas};
 use super::system::{ConstraintKernels, Kernels, Missing, StepKernel, System};
 use crate::analyze::{self, Structure};
 use crate::compilation::Compilation;
-use crate::diff::constraint::{self, Constrained, Equation};
+use crate::diff::constraint::{self, Constrained, Equation, Row};
 use crate::diff::{Gradient, field, jacobian};
 use crate::ir::{Function, Graph, Id, Symbol, UndefinedAt};
 use crate::messages::CONSTRAINED;
@@ -14,7 +14,7 @@ use crate::schedule::{Kernel, Levels, Output, Routine, Space, phase};
 pub(crate) fn constrained(
     compilation: &mut Compilation<'_>,
     structure: &Structure,
-    constraints: &[Id],
+    rows: &[Row],
     gradient: &Gradient,
     partial: &[UndefinedAt],
 ) -> System {
@@ -23,34 +23,34 @@ pub(crate) fn constrained(
     let between = field::discrete(graph, structure, degrees);
     let n = degrees as usize;
     let (force, mean_force, mean_velocity) = (at_point.force(n), between.force(n), between.velocity(n));
-    let given = Constrained::new(graph, constraints, &gradient.p, force, mean_force, mean_velocity);
+    let given = Constrained::new(graph, rows, &gradient.p, force, mean_force, mean_velocity);
     let rates = given.rates(graph);
-    let steps = [
-        ("Rattle", constraint::rattle(graph, &given)),
-        ("DiscreteGradient", constraint::discrete_gradient_step(graph, &given)),
-    ];
+    let quadratic = analyze::is_polynomial_in(graph, &gradient.p, 1, |symbol| matches!(symbol, Symbol::Momentum(_)));
+    let discrete = if quadratic { constraint::tangent_step } else { constraint::discrete_gradient_step };
+    let steps = [("Rattle", constraint::rattle(graph, &given)), ("DiscreteGradient", discrete(graph, &given))];
     let steps = steps.into_iter().map(|(method, equation)| (method, step(graph, equation, &positions))).collect();
-    let (own, bound) = (sizes(graph, constraints), given.sizes(graph));
+    let constraints: Vec<Id> = rows.iter().filter_map(|row| row.value).collect();
+    let (own, bound) = (sizes(graph, &constraints), given.sizes(graph));
     let reaches: Vec<Id> = own.iter().zip(&bound).map(|(own, bound)| graph.add(*own, *bound)).collect();
     let departure = [constraints.to_vec(), reaches, rates.clone(), sizes(graph, &rates)].concat();
-    let m = constraints.len();
+    let m = rows.len();
     let values = vec![
         Output::row("values", constraints.to_vec()),
-        Output::array("gradients", &[&[m], &positions[..]].concat(), given.gradients.concat()),
+        Output::array("gradients", &[&[m], &positions[..]].concat(), given.gradients().concat()),
     ];
     let velocity = vec![
         Output::array("velocity", &positions, gradient.p.clone()),
         Output::square("inverse_mass", &positions, &given.inverse_mass),
     ];
     let kernels = ConstraintKernels {
-        quadratic: analyze::is_polynomial_in(graph, &gradient.p, 1, |symbol| matches!(symbol, Symbol::Momentum(_))),
+        quadratic,
         values: Routine::new("constraints", values),
         velocity: Routine::new("velocity", velocity),
         departure: Routine::array("departure", "departure", &[2, 2, m], departure),
         steps,
-        constraints: constraints.to_vec(),
+        constraints: constraints.clone(),
     };
-    let formulas = [&[structure.energy], constraints].concat();
+    let formulas = [&[structure.energy], &constraints[..]].concat();
     let formulas = Formulas { damping: structure.damping.as_ref(), ..Formulas::new(&formulas, partial) };
     System {
         value: Some(Routine::number("hamiltonian", structure.energy)),

@@ -3,6 +3,7 @@
 use crate::compilation::Compilation;
 use crate::derive::{self, Derived, Findings};
 use crate::diagnostics::Result;
+use crate::diff::constraint::Row;
 use crate::ir::Id;
 use crate::legendre::Legendre;
 use crate::lower::Terms;
@@ -23,7 +24,8 @@ pub(super) fn derived(
     let constraints: Vec<Id> = terms.constraints.iter().map(|(constraint, _)| *constraint).collect();
     let kept = analyze::bound(graph, terms.energy, &constraints, shape).damped(graph, damping);
     let gradient = diff::gradient(graph, structure.energy, degrees);
-    let system = derive::constrained(compilation, &structure, &constraints, &gradient, &terms.partial);
+    let rows: Vec<Row> = constraints.iter().map(|value| Row::of_positions(graph, *value, degrees)).collect();
+    let system = derive::constrained(compilation, &structure, &rows, &gradient, &terms.partial);
     let findings = Findings::Constrained { structure, kept, constraints, gradient };
     Ok(Derived { system, legendre, findings }.with_velocities(compilation))
 }

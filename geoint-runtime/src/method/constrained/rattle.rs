@@ -1,6 +1,6 @@
 //! The method RATTLE for systems with constraints.
 
-use super::step::{ConstrainedMethod, Momenta, MultiplierStep};
+use super::step::{ConstrainedMethod, MultiplierStep};
 use crate::implicit_method;
 use crate::method::composition::substeps;
 use crate::method::implicit::ImplicitMethod;
@@ -34,7 +34,7 @@ substeps!([] Rattle);
 
 impl ConstrainedMethod for Rattle {
     // The multipliers μ project p₁, so that the velocity is tangent to the constraints.
-    const MOMENTA: Momenta = Momenta::MadeTangent;
+    const KEEPS_ENERGY: bool = false;
 }
 
 impl<S: ConstrainedStep<Rattle, R>, R: Real> ImplicitMethod<S, R> for Rattle {

@@ -1,8 +1,8 @@
 //! The step of a system with constraints g(q) = 0, for [`Rattle`](super::Rattle) and [`DiscreteGradient`](crate::DiscreteGradient). The attribute macros
-//! emit its equation as [`ConstrainedStep`]. This file connects the equation with the driver, makes momenta tangent, and checks the constraints.
+//! emit its equation as [`ConstrainedStep`]. This file connects the equation with the driver, and checks the constraints.
 //!
-//! The unknowns are multipliers ν = −½h²λ, and increments of positions and momenta if the method needs them. Both methods define their step by λ. ν moves the
-//! positions by about W Gᵀν, with G = ∂g/∂q and W = ∂²H/∂p².
+//! The unknowns are multipliers μ = −½h²λ, and increments of positions and momenta if the method needs them. Both methods define their step by λ. μ moves the
+//! positions by about W Gᵀμ, with G = ∂g/∂q and W = ∂²H/∂p². Tangent momenta need a second unknown ν for each constraint.
 //!
 //! Constraints depend on each other if the rows of G do. A step is refused if det(G W G₁ᵀ) ≤ 0, where G₁ is G at a later position. This is a test, and no
 //! proof: two changes of the sign within a step cancel. A step is also refused if its end is not on the constraints.
@@ -26,25 +26,39 @@ pub struct MultiplierStep<M>(
     pub M,
 );
 
-/// The treatment of momenta by a method with constraints.
+/// A method for systems with constraints.
+pub(crate) trait ConstrainedMethod: Copy + core::fmt::Debug {
+    /// True if steps keep the energy.
+    const KEEPS_ENERGY: bool;
+}
+
+/// q₁ − q₀ = h ∇̄ₚH, P₁ − P₀ = −h (∇̄_qH + Ḡᵀλ), g(q₁) = 0 with multipliers λ. ∇̄H and the rows of Ḡ are the tree discrete gradients of H and of every g.
+/// Without damping, H therefore changes by −λ·(g(q₁) − g(q₀)) = 0 between (q₀, P₀) and (q₁, P₁).
+///
+/// If T is quadratic in p, Pᵢ = pᵢ + Nᵀν with tangent pᵢ, the same ν at both ends, and rows of N along those of G(qᵢ) that are orthonormal in W. H(qᵢ, Pᵢ) is
+/// then H(qᵢ, pᵢ) + |ν|²/2, so the energy is kept. For other T, Pᵢ = pᵢ.
+impl ConstrainedMethod for DiscreteGradient {
+    const KEEPS_ENERGY: bool = true;
+}
+
+/// The momenta at the end of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Momenta {
-    /// Momenta are projected at the end of a step. The velocity is then tangent to the constraints.
-    MadeTangent,
-    /// Momenta are not projected, because a projection would change the energy. They keep a component normal to the constraints, of order h².
+enum Momenta {
+    /// Tangent to the constraints by a projection after the solution.
+    Projected,
+    /// Tangent by the equation of the step.
+    Tangent,
+    /// With a part normal to the constraints, of order h². A projection would change the energy.
     Carried,
 }
 
-/// A method for systems with constraints.
-pub(crate) trait ConstrainedMethod: Copy + core::fmt::Debug {
-    /// The treatment of momenta.
-    const MOMENTA: Momenta;
-}
-
-/// q₁ − q₀ = h ∇̄ₚH, p₁ − p₀ = −h (∇̄_qH + Ḡᵀλ), g(q₁) = 0 with multipliers λ. ∇̄H and the rows of Ḡ are the tree discrete gradients of H and of every g.
-/// Without damping, H therefore changes by −λ·(g(q₁) − g(q₀)) = 0.
-impl ConstrainedMethod for DiscreteGradient {
-    const MOMENTA: Momenta = Momenta::Carried;
+/// Returns the momenta at the ends of steps of `M`.
+const fn momenta<S: ConstrainedStep<M, R>, M: ConstrainedMethod, R: Real>() -> Momenta {
+    match (M::KEEPS_ENERGY, S::QUADRATIC) {
+        (false, _) => Momenta::Projected,
+        (true, true) => Momenta::Tangent,
+        (true, false) => Momenta::Carried,
+    }
 }
 
 impl<S: ConstrainedStep<M, R>, M: ConstrainedMethod, R: Real> ImplicitStep<S, R> for MultiplierStep<M> {
@@ -57,26 +71,20 @@ impl<S: ConstrainedStep<M, R>, M: ConstrainedMethod, R: Real> ImplicitStep<S, R>
     type Solver = Newton<S::Unknown>;
 
     const POLICY: Policy = Policy {
-        // Only carried momenta keep the energy, and kept energy needs compensated sums.
-        sums: match M::MOMENTA {
-            Momenta::MadeTangent => Sums::OfTheRun,
-            Momenta::Carried => Sums::Compensated,
-        },
+        // Kept energy needs compensated sums.
+        sums: if M::KEEPS_ENERGY { Sums::Compensated } else { Sums::OfTheRun },
         // RATTLE evaluates derivatives at both positions with the momenta of the middle. The other step evaluates divided differences between both ends.
-        evaluated: match M::MOMENTA {
-            Momenta::MadeTangent => Evaluated::Elsewhere,
-            Momenta::Carried => Evaluated::ByDifferences,
-        },
-        // g(q₁) = 0 determines ν to the rounding of q, and the momenta contain ν/h. Their error is about ε|q|/h. No projection removes it from carried momenta.
+        evaluated: if M::KEEPS_ENERGY { Evaluated::ByDifferences } else { Evaluated::Elsewhere },
+        // g(q₁) = 0 determines μ to the rounding of q, and the momenta contain μ/h. Their error is about ε|q|/h. No projection removes it from carried momenta.
         // A state within a step is therefore computed from its farther end.
-        is_rough_if_short: matches!(M::MOMENTA, Momenta::Carried),
+        is_rough_if_short: matches!(momenta::<S, M, R>(), Momenta::Carried),
         // `S::Unknown` does not tell multipliers from increments, so all unknowns count as one kind. Only the long searches read the units.
         ..Policy::of(Units { alike: S::Unknown::LEN, kinds: 1 })
     };
-    /// Momenta are tangent if G ∂H/∂p = 0, so a normal component changes H by its square only. Carried momenta have a normal component of order h². The state
-    /// with tangent momenta is therefore off by O(h⁴) in its energy, and every composition has order 4 at most.
-    const COMPOSES_TO: u32 = match M::MOMENTA {
-        Momenta::MadeTangent => u32::MAX,
+    /// A normal component changes H by its square only. Carried momenta have a normal component of order h². The state with tangent momenta is therefore off
+    /// by O(h⁴) in its energy, and every composition has order 4 at most.
+    const COMPOSES_TO: u32 = match momenta::<S, M, R>() {
+        Momenta::Projected | Momenta::Tangent => u32::MAX,
         Momenta::Carried => 4,
     };
 
@@ -90,12 +98,7 @@ impl<S: ConstrainedStep<M, R>, M: ConstrainedMethod, R: Real> ImplicitStep<S, R>
 
     #[inline(always)]
     fn begin(from: &Departure<'_, S, R>, coefficients: &S::Constants, (): &mut ()) -> Result<S::Start, Failure> {
-        // The equation of RATTLE reads the times t and t + h. Discrete gradients freeze time in the middle of the step.
-        let t = match M::MOMENTA {
-            Momenta::MadeTangent => from.t,
-            Momenta::Carried => from.middle(),
-        };
-        Ok(from.system.begin(coefficients, t, &from.z))
+        Ok(from.system.begin(coefficients, from.middle(), from.t, from.end, &from.z))
     }
 
     #[inline(always)]
@@ -130,13 +133,13 @@ impl<S: ConstrainedStep<M, R>, M: ConstrainedMethod, R: Real> ImplicitStep<S, R>
     ) -> Result<Increment<S::Phase, ()>, Failure> {
         let mut increments = from.system.end(coefficients, start, &solution.x);
         let [q, p] = sum(&from.z, &increments);
-        let checked = match M::MOMENTA {
-            Momenta::MadeTangent => {
+        let checked = match momenta::<S, M, R>() {
+            Momenta::Projected => {
                 increments[1] = difference(&tangent(from.system, from.end, [q, p])?, &from.z[1]);
                 q
             }
             // The way to the middle suffices. Newton's matrix contains Ḡ W G₁ᵀ with G₁ at the end, and its determinant was positive. Ḡ is near G in the middle.
-            Momenta::Carried => moved(&from.z[0], R::from_f64(0.5), &increments[0]),
+            Momenta::Tangent | Momenta::Carried => moved(&from.z[0], R::from_f64(0.5), &increments[0]),
         };
         independent(from, &checked)?;
         Ok(Increment::of(increments, ()))

@@ -56,13 +56,13 @@ pub trait ConstrainedStep<M, R: Real = f64>: Constrained<R> {
     type Unknown: Array<Real = R>;
     /// Coefficients that depend on parameters and h.
     type Constants: Copy + core::fmt::Debug;
-    /// Coefficients that depend on z and t.
+    /// Coefficients that depend on z and the times of the step.
     type Start: Copy + core::fmt::Debug;
 
     /// Computes the coefficients that depend on parameters and h.
     fn constants(&self, h: R) -> Self::Constants;
-    /// Computes the coefficients that all evaluations of a step from z have in common.
-    fn begin(&self, constants: &Self::Constants, t: R, z: &Self::Phase) -> Self::Start;
+    /// Computes the coefficients that all evaluations of a step from z have in common. The times are those of its middle, its start and its end.
+    fn begin(&self, constants: &Self::Constants, middle: R, start: R, end: R, z: &Self::Phase) -> Self::Start;
     /// Computes the residual and its derivative. Row i has the unit of unknown i.
     fn residual(
         &self,

@@ -1,23 +1,26 @@
-//! The equations of steps with constraints g(q) = 0. Their unknowns are increments and one multiplier ν for each constraint.
+//! The equations of steps with constraints A v + b = 0. Their unknowns are increments and multipliers for each [`Row`] of A.
 //!
-//! With G = ∂g/∂q, a multiplier adds Gᵀν/h to the momenta, and W Gᵀν to the positions if W = ∂²H/∂p² is constant. The row of g(q₁) is divided by the
-//! diagonal entry of G W Gᵀ. The row then has the unit of its multiplier, and the determinant of the iteration is positive near h = 0.
+//! A multiplier μ adds Aᵀμ/h to the momenta, and W Aᵀμ to the positions if W = ∂²H/∂p² is constant. Its row is divided by the diagonal entry of A W Aᵀ. The
+//! row then has the unit of its multiplier, and the determinant of the iteration is positive near h = 0.
 
+mod cholesky;
+mod rows;
 mod steps;
+mod tangent;
+mod vectors;
 
 use super::equations::times;
 use super::forward::jacobian;
-use super::gradient::with_values;
 use crate::ir::formula::{call, pow, squared};
-use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
+use crate::ir::{Function, Graph, Id, Ratio, Symbol};
+pub(crate) use rows::Row;
 use std::collections::BTreeSet;
 pub(crate) use steps::{discrete_gradient_step, rattle};
+pub(crate) use tangent::tangent_step;
 
 /// A system with constraints, and derivatives of it.
 pub(crate) struct Constrained<'a> {
-    pub(crate) constraints: &'a [Id],
-    /// G, with one row for each constraint.
-    pub(crate) gradients: Vec<Vec<Id>>,
+    pub(crate) rows: &'a [Row],
     /// ∂H/∂p.
     pub(crate) velocity: &'a [Id],
     /// W = ∂²H/∂p².
@@ -42,38 +45,50 @@ pub(crate) struct Equation {
 }
 
 impl<'a> Constrained<'a> {
-    /// Adds the derivatives of the constraints and of the velocity.
+    /// Adds the derivatives of the velocity.
     pub(crate) fn new(
         graph: &mut Graph,
-        constraints: &'a [Id],
+        rows: &'a [Row],
         velocity: &'a [Id],
         force: &'a [Id],
         mean_force: &'a [Id],
         mean_velocity: Option<&'a [Id]>,
     ) -> Constrained<'a> {
-        let degrees = velocity.len() as u32;
-        let [positions, momenta]: [Vec<Symbol>; 2] =
-            [Symbol::Position, Symbol::Momentum].map(|symbol: fn(u32) -> Symbol| (0..degrees).map(symbol).collect());
-        let gradients = jacobian(graph, constraints, &positions);
+        let momenta: Vec<Symbol> = (0..velocity.len() as u32).map(Symbol::Momentum).collect();
         let inverse_mass = jacobian(graph, velocity, &momenta);
-        Constrained { constraints, gradients, velocity, inverse_mass, force, mean_force, mean_velocity }
+        Constrained { rows, velocity, inverse_mass, force, mean_force, mean_velocity }
     }
 
     fn degrees(&self) -> usize {
         self.velocity.len()
     }
 
-    /// dg/dt = G ∂H/∂p.
-    pub(crate) fn rates(&self, graph: &mut Graph) -> Vec<Id> {
-        self.gradients.iter().map(|gradient| graph.dot(gradient, self.velocity)).collect()
+    /// A, with one row for each constraint.
+    pub(crate) fn gradients(&self) -> Vec<Vec<Id>> {
+        self.rows.iter().map(|row| row.gradient.clone()).collect()
     }
 
-    /// The diagonal of G W Gᵀ.
+    /// A ∂H/∂p + b.
+    pub(crate) fn rates(&self, graph: &mut Graph) -> Vec<Id> {
+        self.rows.iter().map(|row| row.rate(graph, self.velocity)).collect()
+    }
+
+    /// A W Aᵀ.
+    fn inertia(&self, graph: &mut Graph) -> Vec<Vec<Id>> {
+        let mut inertia = vec![];
+        for row in self.rows {
+            let direction = self.along(graph, &row.gradient);
+            inertia.push(self.rows.iter().map(|other| graph.dot(&other.gradient, &direction)).collect());
+        }
+        inertia
+    }
+
+    /// The diagonal of A W Aᵀ.
     fn units(&self, graph: &mut Graph) -> Vec<Id> {
         let mut units = vec![];
-        for gradient in &self.gradients {
-            let direction = self.along(graph, gradient);
-            units.push(graph.dot(gradient, &direction));
+        for row in self.rows {
+            let direction = self.along(graph, &row.gradient);
+            units.push(graph.dot(&row.gradient, &direction));
         }
         units
     }
@@ -101,8 +116,8 @@ impl<'a> Constrained<'a> {
     /// through other constraints.
     fn coupled_coordinates(&self, graph: &Graph) -> Vec<Vec<usize>> {
         let n = self.degrees();
-        let own = |gradient: &Vec<Id>| (0..n).filter(|i| !graph.is_zero(gradient[*i])).collect();
-        let mut all: Vec<BTreeSet<usize>> = self.gradients.iter().map(own).collect();
+        let own = |row: &Row| (0..n).filter(|i| !graph.is_zero(row.gradient[*i])).collect();
+        let mut all: Vec<BTreeSet<usize>> = self.rows.iter().map(own).collect();
         for _ in 0..all.len() {
             for k in 0..all.len() {
                 all[k] = all.iter().filter(|other| !other.is_disjoint(&all[k])).flatten().copied().collect();
@@ -117,44 +132,55 @@ impl<'a> Constrained<'a> {
         times(graph, &self.inverse_mass, x)
     }
 
-    /// g(q₁) in units of multipliers.
-    fn constraints_at(&self, graph: &mut Graph, end: &[Id]) -> Vec<Id> {
+    /// Divides the conditions of all rows by their units.
+    fn in_units(&self, graph: &mut Graph, conditions: &[Id]) -> Vec<Id> {
         let units = self.units(graph);
-        let values = with_values(graph, self.constraints, Symbol::Position, end);
-        values.iter().zip(&units).map(|(value, unit)| graph.div(*value, *unit)).collect()
+        conditions.iter().zip(&units).map(|(condition, unit)| graph.div(*condition, *unit)).collect()
     }
 
-    /// The origin of every unknown, see [`Equation`]. A multiplier has the rounding error of positions. A position adds the error of W Gᵀν, and a
-    /// momentum adds the error of `pull`·Gᵀν/h.
-    fn origin(&self, graph: &mut Graph, unknowns: &[Symbol], pull: Number) -> Vec<Id> {
+    /// The rounding of positions in each multiplier: Σ |Aᵢqᵢ| in its unit.
+    fn rounding_of_multipliers(&self, graph: &mut Graph) -> Vec<Id> {
         let units = self.units(graph);
-        let mut multipliers = vec![];
-        for (gradient, unit) in self.gradients.iter().zip(&units) {
-            let mut terms = vec![];
-            for (i, slope) in (0..).zip(gradient) {
-                let q = graph.symbol(Symbol::Position(i));
-                terms.push(graph.build(call(Function::Abs, [*slope * q])));
-            }
-            let size = graph.sum(&terms);
-            multipliers.push(graph.build(size / call(Function::Abs, [*unit])));
+        let mut sizes = vec![];
+        for (row, unit) in self.rows.iter().zip(&units) {
+            let q: Vec<Id> = (0..self.degrees() as u32).map(|i| graph.symbol(Symbol::Position(i))).collect();
+            let size = sum_of_magnitudes(graph, &row.gradient, &q);
+            sizes.push(graph.build(size / call(Function::Abs, [*unit])));
         }
-        let h = graph.symbol(Symbol::StepLength);
-        let weight = graph.build(pull * pow(call(Function::Abs, [h]), Ratio::integer(-1)));
-        let directions: Vec<Vec<Id>> = self.gradients.iter().map(|gradient| self.along(graph, gradient)).collect();
+        sizes
+    }
+
+    /// The origins of increments, see [`Equation`]. A position adds the error of W Aᵀμ to its own, and a momentum adds the error of Aᵀμ·`weight`. `multipliers`
+    /// are the origins of μ.
+    fn origins_of_increments(
+        &self,
+        graph: &mut Graph,
+        increments: &[Symbol],
+        multipliers: &[Id],
+        weight: Id,
+    ) -> Vec<Id> {
+        let directions: Vec<Vec<Id>> = self.rows.iter().map(|row| self.along(graph, &row.gradient)).collect();
+        let gradients = self.gradients();
+        let one = graph.integer(1);
         let mut size = |symbol: &Symbol| {
             let (own, rows, weight, i) = match symbol {
-                Symbol::Multiplier(k) => return multipliers[*k as usize],
-                Symbol::PositionIncrement(i) => (Symbol::Position(*i), &directions, graph.integer(1), *i),
-                Symbol::MomentumIncrement(i) => (Symbol::Momentum(*i), &self.gradients, weight, *i),
+                Symbol::PositionIncrement(i) => (Symbol::Position(*i), &directions, one, *i),
+                Symbol::MomentumIncrement(i) => (Symbol::Momentum(*i), &gradients, weight, *i),
                 other => return graph.symbol(*other),
             };
             let own = graph.symbol(own);
             let mut terms = vec![graph.call(Function::Abs, &[own])];
-            for (row, multiplier) in rows.iter().zip(&multipliers) {
+            for (row, multiplier) in rows.iter().zip(multipliers) {
                 terms.push(graph.build(weight * call(Function::Abs, [row[i as usize]]) * *multiplier));
             }
             graph.sum(&terms)
         };
-        unknowns.iter().map(&mut size).collect()
+        increments.iter().map(&mut size).collect()
     }
+}
+
+/// Σ |aᵢ xᵢ|.
+fn sum_of_magnitudes(graph: &mut Graph, a: &[Id], x: &[Id]) -> Id {
+    let terms: Vec<Id> = a.iter().zip(x).map(|(a, x)| graph.build(call(Function::Abs, [*a * *x]))).collect();
+    graph.sum(&terms)
 }

@@ -57,7 +57,7 @@ fn step(context: &Context<'_>, method: &str, step: &StepKernel) -> TokenStream {
     let (phase, parts, unknown) = (context.phase_type(), context.parts(), array_type(&unknowns.extents));
     let names = [["Constants", "constants"], ["Start", "begin"]];
     let Prepared { types, functions, prepared, started } =
-        Prepared::for_steps(context, kernel, names, &parts, &quote!(t: R, z: &#phase));
+        Prepared::for_steps(context, kernel, names, &parts, &quote!(t: R, start: R, end: R, z: &#phase));
     let [residual, end, origin] = ["residual", "end", "origin"].map(|name| context.assigned(kernel.routine(name)));
     let items = quote! {
         type Unknown = #unknown;
