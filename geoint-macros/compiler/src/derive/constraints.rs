@@ -4,8 +4,9 @@ use super::domain::{Domain, Formulas};
 use super::system::{ConstraintKernels, Kernels, Missing, StepKernel, System};
 use crate::analyze::{self, Structure};
 use crate::compilation::Compilation;
-use crate::diff::constraint::{self, Constrained, Equation, Row};
+use crate::diff::constraint::{self, Constrained, Equation, Momenta, Row};
 use crate::diff::{Gradient, field, jacobian};
+use crate::ir::substitute::Substitution;
 use crate::ir::{Function, Graph, Id, Symbol, UndefinedAt};
 use crate::messages::CONSTRAINED;
 use crate::schedule::{Kernel, Levels, Output, Routine, Space, phase};
@@ -26,8 +27,11 @@ pub(crate) fn constrained(
     let given = Constrained::new(graph, rows, &gradient.p, force, mean_force, mean_velocity);
     let rates = given.rates(graph);
     let quadratic = analyze::is_polynomial_in(graph, &gradient.p, 1, |symbol| matches!(symbol, Symbol::Momentum(_)));
-    let discrete = if quadratic { constraint::tangent_step } else { constraint::discrete_gradient_step };
-    let steps = [("Rattle", constraint::rattle(graph, &given)), ("DiscreteGradient", discrete(graph, &given))];
+    let momenta = if quadratic { Momenta::Tangent } else { Momenta::Carried };
+    let steps = [
+        ("Rattle", constraint::rattle(graph, &given)),
+        ("DiscreteGradient", constraint::discrete_gradient_step(graph, &given, momenta)),
+    ];
     let steps = steps.into_iter().map(|(method, equation)| (method, step(graph, equation, &positions))).collect();
     let constraints: Vec<Id> = rows.iter().filter_map(|row| row.value).collect();
     let (own, bound) = (sizes(graph, &constraints), given.sizes(graph));
@@ -61,8 +65,15 @@ pub(crate) fn constrained(
 
 /// Derives the residual and its derivative, the increments of a solution, and numbers with the rounding errors of the unknowns.
 fn step(graph: &mut Graph, equation: Equation, positions: &[usize]) -> StepKernel {
-    let Equation { unknowns, residual, end, origin } = equation;
-    let matrix = jacobian(graph, &residual, &unknowns);
+    let Equation { unknowns, mut residual, mut end, origin, held } = equation;
+    let mut matrix = jacobian(graph, &residual, &unknowns);
+    let mut values = Substitution::new(|_: &mut Graph, symbol| match symbol {
+        Symbol::Held(k) => Some(held[k as usize]),
+        _ => None,
+    });
+    for node in residual.iter_mut().chain(&mut end).chain(matrix.iter_mut().flatten()) {
+        *node = values.apply(graph, *node);
+    }
     let unknowns = Space::of_unknowns(unknowns, positions);
     let residual = Output::array("residual", &unknowns.extents, residual);
     let matrix = Output::square("matrix", &unknowns.extents, &matrix);

@@ -3,7 +3,7 @@
 //! A multiplier μ adds Aᵀμ/h to the momenta, and W Aᵀμ to the positions if W = ∂²H/∂p² is constant. Its row is divided by the diagonal entry of A W Aᵀ. The
 //! row then has the unit of its multiplier, and the determinant of the iteration is positive near h = 0.
 
-mod cholesky;
+mod elimination;
 mod rows;
 mod steps;
 mod tangent;
@@ -15,8 +15,7 @@ use crate::ir::formula::{call, pow, squared};
 use crate::ir::{Function, Graph, Id, Ratio, Symbol};
 pub(crate) use rows::Row;
 use std::collections::BTreeSet;
-pub(crate) use steps::{discrete_gradient_step, rattle};
-pub(crate) use tangent::tangent_step;
+pub(crate) use steps::{Momenta, discrete_gradient_step, rattle};
 
 /// A system with constraints, and derivatives of it.
 pub(crate) struct Constrained<'a> {
@@ -42,6 +41,8 @@ pub(crate) struct Equation {
     pub(crate) end: Vec<Id>,
     /// For every unknown a number of the size whose rounding error the unknown has.
     pub(crate) origin: Vec<Id>,
+    /// The values of [`Symbol::Held`].
+    pub(crate) held: Vec<Id>,
 }
 
 impl<'a> Constrained<'a> {

@@ -4,9 +4,11 @@
 //! - RATTLE: p½ = p₀ + (h/2) f(q₀, p½) + Gᵀ(q₀) μ/h, q₁ = q₀ + (h/2) (v(q₀, p½) + v(q₁, p½)), g(q₁) = 0, p₁ = p½ + (h/2) f(q₁, p½). The runtime then projects p₁
 //!   to the tangent space. (H. C. Andersen 1983; L. O. Jay 1996 for general H.)
 //! - Discrete gradient: q₁ = q₀ + h v̄, p₁ = p₀ + h f̄ + 2 Āᵀ μ/h, and the condition of each row, with discrete gradients v̄, f̄ and Ā (O. Gonzalez 1999).
+//!   [`Normal`] makes the momenta at its ends tangent.
 //!
 //! If H = T(p) + V(q) with a constant mass matrix, momenta determine positions: the unknowns are fewer then, and `mean_velocity` is absent.
 
+use super::tangent::Normal;
 use super::vectors::{differences, ends, increments, moved, multipliers, pulls, scaled, shifts, sums};
 use super::{Constrained, Equation};
 use crate::ir::formula::{call, pow};
@@ -32,12 +34,13 @@ pub(crate) fn rattle(graph: &mut Graph, system: &Constrained<'_>) -> Equation {
         let end = ends(graph, Symbol::Position, &shift);
         let force = moved(graph, system.force, &end, None, last_time);
         let last = scaled(graph, half, &force);
-        let unknowns = multipliers(0..system.rows.len());
+        let unknowns = multipliers(system.rows.len());
         return Equation {
             residual: conditions(graph, system, &shift),
             end: [shift, sums(graph, &increments, &last)].concat(),
             origin: system.rounding_of_multipliers(graph),
             unknowns,
+            held: vec![],
         };
     }
     // Here Δp leads to the momenta in the middle of the step.
@@ -59,37 +62,65 @@ pub(crate) fn rattle(graph: &mut Graph, system: &Constrained<'_>) -> Equation {
         residual,
         end: [dq, sums(graph, &dp, &last)].concat(),
         origin: origin(graph, system, &increments, Number::ONE),
-        unknowns: [increments, multipliers(0..system.rows.len())].concat(),
+        unknowns: [increments, multipliers(system.rows.len())].concat(),
+        held: vec![],
     }
 }
 
+/// The momenta at the ends of steps along discrete gradients.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Momenta {
+    /// They have a part normal to the constraints, of order h².
+    Carried,
+    /// They are tangent: see [`Normal`].
+    Tangent,
+}
+
 /// The discrete gradient with constraints. The mean force already reads time in the middle of the step.
-pub(crate) fn discrete_gradient_step(graph: &mut Graph, system: &Constrained<'_>) -> Equation {
+pub(crate) fn discrete_gradient_step(graph: &mut Graph, system: &Constrained<'_>, momenta: Momenta) -> Equation {
     let n = system.degrees();
     let h = graph.symbol(Symbol::StepLength);
     // The mean momentum takes half of the impulse to the positions. With the factor 2, they move by W Gᵀμ, as in RATTLE.
     let two = Number::integer(2);
     let slopes: Vec<Vec<Id>> = system.rows.iter().map(|row| row.mean_gradient(graph)).collect();
-    let pull = pulls(graph, &slopes, two);
-    let impulse = scaled(graph, h, system.mean_force);
-    let impulse = sums(graph, &impulse, &pull);
     let [dq, dp] = increments(graph, n);
+    let normal = match momenta {
+        Momenta::Carried => None,
+        Momenta::Tangent => Some(Normal::of(graph, system, &slopes, [&dq, &dp])),
+    };
+    let mut between = |nodes: &[Id]| match &normal {
+        Some(normal) => normal.added_to(graph, nodes),
+        None => nodes.to_vec(),
+    };
+    let force = between(system.mean_force);
+    let velocity = system.mean_velocity.map(&mut between);
+    let pull = pulls(graph, &slopes, two);
+    let impulse = scaled(graph, h, &force);
+    let mut impulse = sums(graph, &impulse, &pull);
+    if let Some(normal) = &normal {
+        impulse = sums(graph, &impulse, &normal.impulse);
+    }
     let conditions = conditions(graph, system, &dq);
-    let (increments, mut residual, end) = match system.mean_velocity {
+    let (increments, mut residual, [shift, gained]) = match velocity {
         None => {
             let shift = shifts(graph, system.velocity, &impulse, Number::HALF);
             let increments: Vec<Symbol> = (0..n as u32).map(Symbol::PositionIncrement).collect();
-            (increments, differences(graph, &dq, &shift), [shift, impulse].concat())
+            (increments, differences(graph, &dq, &shift), [shift, impulse])
         }
         Some(velocity) => {
-            let shift = scaled(graph, h, velocity);
+            let shift = scaled(graph, h, &velocity);
             let rows = [differences(graph, &dq, &shift), differences(graph, &dp, &impulse)].concat();
-            (increments_of_both(n), rows, [dq, dp].concat())
+            (increments_of_both(n), rows, [dq, dp])
         }
     };
     residual.extend(conditions);
+    let (gained, held) = match normal {
+        Some(normal) => (normal.taken_from(graph, &gained), normal.held),
+        None => (gained, vec![]),
+    };
     let origin = origin(graph, system, &increments, two);
-    Equation { residual, end, origin, unknowns: [increments, multipliers(0..system.rows.len())].concat() }
+    let unknowns = [increments, multipliers(system.rows.len())].concat();
+    Equation { residual, end: [shift, gained].concat(), origin, unknowns, held }
 }
 
 /// The conditions of all rows in the units of their multipliers.

@@ -1,152 +1,124 @@
-//! The discrete gradient with tangent ends, for energies whose ∂H/∂p is affine in p. With N = C⁻¹A and C Cᵀ = A W Aᵀ, unknown q₁, p₁, μ, ν:
+//! Tangent ends of a discrete gradient with constraints, for energies whose ∂H/∂p is affine in p. With N = C⁻¹A and C Cᵀ = A W Aᵀ:
 //!
 //! - P₀ = p₀ + N₀ᵀν and P₁ = p₁ + N₁ᵀν with the same ν,
-//! - q₁ − q₀ = h v̄ and P₁ − P₀ = h f̄ + 2 Āᵀμ/h, with discrete gradients between (q₀, P₀) and (q₁, P₁),
+//! - q₁ − q₀ = h v̄ and P₁ − P₀ = h f̄ + Āᵀλ, with discrete gradients between (q₀, P₀) and (q₁, P₁),
 //! - the condition of each row over the step, and A₁v(q₁, p₁) + b₁ = 0.
 //!
 //! The rows of N are orthonormal in W. Tangent momenta have no part along them, so H(qᵢ, Pᵢ) = H(qᵢ, pᵢ) + |ν|²/2 at both ends. The energy is therefore kept,
 //! although each pᵢ is tangent. The step is symmetric and of order 2, and ν = O(h²).
+//!
+//! The unknowns are those of the plain step, with the sum s = P₁ + P₀ − 2p₀ in place of p₁ − p₀. They determine ν = C₀ᵀw: the rate at the end is that of the
+//! momenta p₀ + s less N₀ᵀν and N₁ᵀν, so (A₁W₁A₀ᵀ + C₁C₀ᵀ) w = A₁v(q₁, p₀ + s) + b₁. With Āᵀλ = 2 Āᵀ(μ/h − w), s = h f̄ + 2 Āᵀμ/h + 2 (A₀ − Ā)ᵀw. This is
+//! the impulse of the plain step and a small term.
 
-use super::cholesky::Cholesky;
-use super::vectors::{combination, differences, ends, increments, moved, multipliers, pulls, scaled, shifts, sums};
-use super::{Constrained, Equation, sum_of_magnitudes};
-use crate::ir::formula::{call, pow};
+use super::Constrained;
+use super::elimination::{Cholesky, solve};
+use super::vectors::{combination, differences, ends, moved, scaled, sums};
+use crate::diff::equations::times;
 use crate::ir::substitute::Substitution;
-use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
+use crate::ir::{Graph, Id, Number, Symbol};
 
-/// The step. Its unknowns are increments of positions, P₁ − P₀ if `mean_velocity` is present, μ, and ν.
-pub(crate) fn tangent_step(graph: &mut Graph, system: &Constrained<'_>) -> Equation {
-    let (n, m) = (system.degrees(), system.rows.len());
-    let [h, start, end_time] =
-        [Symbol::StepLength, Symbol::StepStart, Symbol::StepEnd].map(|symbol| graph.symbol(symbol));
-    let unknown = multipliers(0..2 * m);
-    let nu: Vec<Id> = unknown[m..].iter().map(|symbol| graph.symbol(*symbol)).collect();
-    let positions: Vec<Id> = (0..n as u32).map(|i| graph.symbol(Symbol::Position(i))).collect();
-    let [dq, dp] = increments(graph, n);
+/// The normal parts of the momenta P₀ and P₁.
+pub(super) struct Normal {
+    /// N₀ᵀν.
+    at_start: Vec<Id>,
+    /// N₁ᵀν.
+    at_end: Vec<Id>,
+    /// 2 (A₀ − Ā)ᵀw.
+    pub(super) impulse: Vec<Id>,
+    /// The entries of the matrix for w. Newton's matrix holds them constant: w = O(h²) is their factor, and the whole term changes s by O(h³).
+    pub(super) held: Vec<Id>,
+}
 
-    let first = Normals::at(graph, system, &positions, start);
-    let push = first.push(graph, &nu);
-    let from = ends(graph, Symbol::Momentum, &push); // P₀
-    let [force, mean_velocity] =
-        [Some(system.mean_force), system.mean_velocity].map(|nodes| at_momenta(graph, nodes.unwrap_or(&[]), &from));
-    let slopes: Vec<Vec<Id>> = system.rows.iter().map(|row| row.mean_gradient(graph)).collect();
-    let pull = pulls(graph, &slopes, Number::integer(2));
-    let kick = scaled(graph, h, &force);
-    let impulse = sums(graph, &kick, &pull);
+impl Normal {
+    /// Computes ν from the increments `dq` and the sum `s`. `means` are the rows of Ā.
+    pub(super) fn of(graph: &mut Graph, system: &Constrained<'_>, means: &[Vec<Id>], [dq, s]: [&[Id]; 2]) -> Normal {
+        let [h, start_time, end_time] =
+            [Symbol::StepLength, Symbol::StepStart, Symbol::StepEnd].map(|symbol| graph.symbol(symbol));
+        let start: Vec<Id> = (0..dq.len() as u32).map(|i| graph.symbol(Symbol::Position(i))).collect();
+        let end = ends(graph, Symbol::Position, dq);
+        let first = Rows::at(graph, system, &start, start_time);
+        let last = Rows::at(graph, system, &end, end_time);
+        // v at p₀ + s. The mean velocity of a constant mass matrix determines it.
+        let velocity = match system.mean_velocity {
+            None => {
+                let twice = graph.recip(h);
+                let twice = graph.scale(Number::integer(2), twice);
+                let sum = scaled(graph, twice, dq);
+                differences(graph, &sum, system.velocity)
+            }
+            Some(_) => {
+                let momenta = ends(graph, Symbol::Momentum, s);
+                moved(graph, system.velocity, &end, Some(&momenta), end_time)
+            }
+        };
+        let rates: Vec<Id> = last.gradients.iter().map(|row| graph.dot(row, &velocity)).collect();
+        let rates = sums(graph, &rates, &last.drifts);
+        let mut matrix = last.factor.times_transposed(graph, &first.factor);
+        for (entries, row) in matrix.iter_mut().zip(&last.gradients) {
+            let direction = times(graph, &last.inverse_mass, row);
+            for (entry, other) in entries.iter_mut().zip(&first.gradients) {
+                let product = graph.dot(&direction, other);
+                *entry = graph.add(*entry, product);
+            }
+        }
+        let entry = |graph: &mut Graph, k: usize| graph.symbol(Symbol::Held(k as u32));
+        let m = rates.len();
+        let symbols = (0..m).map(|i| (0..m).map(|j| entry(graph, i * m + j)).collect()).collect();
+        let w = solve(graph, symbols, rates);
+        let nu = first.factor.transposed_times(graph, &w);
+        let at_last = last.factor.solve_transposed(graph, &nu);
+        let two = graph.integer(2);
+        let twice_w = scaled(graph, two, &w);
+        let changes: Vec<Vec<Id>> =
+            first.gradients.iter().zip(means).map(|(first, mean)| differences(graph, first, mean)).collect();
+        Normal {
+            at_start: combination(graph, &first.gradients, &w),
+            at_end: combination(graph, &last.gradients, &at_last),
+            impulse: combination(graph, &changes, &twice_w),
+            held: matrix.concat(),
+        }
+    }
 
-    let (mut residual, shift, lead) = match system.mean_velocity {
-        None => {
-            let half = scaled_by(graph, Number::HALF, &impulse);
-            let mean = sums(graph, &push, &half);
-            let shift = shifts(graph, system.velocity, &mean, Number::ONE);
-            (differences(graph, &dq, &shift), shift, impulse)
-        }
-        Some(_) => {
-            let shift = scaled(graph, h, &mean_velocity);
-            ([differences(graph, &dq, &shift), differences(graph, &dp, &impulse)].concat(), dq.clone(), dp)
-        }
-    };
-    let end = ends(graph, Symbol::Position, &dq);
-    let to = sums(graph, &from, &lead); // P₁
-    let last = Normals::at(graph, system, &end, end_time);
-    let rates = last.rates_without(graph, system, &end, &to, &nu);
-    residual.extend(rows(graph, system, &first, &rates, &dq));
-    let back = last.push(graph, &nu);
-    let gained = sums(graph, &push, &lead);
-    let increments: Vec<Symbol> = match system.mean_velocity {
-        None => (0..n as u32).map(Symbol::PositionIncrement).collect(),
-        Some(_) => {
-            (0..n as u32).map(Symbol::PositionIncrement).chain((0..n as u32).map(Symbol::MomentumIncrement)).collect()
-        }
-    };
-    let origin = origin(graph, system, &first, &increments);
-    Equation {
-        residual,
-        end: [shift, differences(graph, &gained, &back)].concat(),
-        origin,
-        unknowns: [increments, unknown].concat(),
+    /// Moves nodes from the momenta p₀ and p₀ + `s` at both ends to P₀ and P₁.
+    pub(super) fn added_to(&self, graph: &mut Graph, nodes: &[Id]) -> Vec<Id> {
+        let mut moved = Substitution::new(|graph: &mut Graph, symbol| {
+            let start = |i: u32| self.at_start[i as usize];
+            let own = graph.symbol(symbol);
+            match symbol {
+                Symbol::Momentum(i) => Some(graph.add(own, start(i))),
+                Symbol::MomentumIncrement(i) => Some(graph.build(own - Number::integer(2) * start(i))),
+                _ => None,
+            }
+        });
+        nodes.iter().map(|node| moved.apply(graph, *node)).collect()
+    }
+
+    /// p₁ − p₀ from s.
+    pub(super) fn taken_from(&self, graph: &mut Graph, s: &[Id]) -> Vec<Id> {
+        let both = sums(graph, &self.at_start, &self.at_end);
+        differences(graph, s, &both)
     }
 }
 
-/// The rows for μ and ν. To first order in h, the rate at the end is 2 A W Aᵀμ/h, and a condition is h C ν with half of the rate's impulse. The rows are solved
-/// for μ and ν by these leading terms, so the derivative tends to the identity.
-fn rows(graph: &mut Graph, system: &Constrained<'_>, first: &Normals, rates: &[Id], dq: &[Id]) -> Vec<Id> {
-    let h = graph.symbol(Symbol::StepLength);
-    let half = graph.scale(Number::HALF, h);
-    let impulses = scaled(graph, half, rates);
-    let of_multipliers = system.in_units(graph, &impulses);
-    let mut of_normals = vec![];
-    for (k, (row, impulse)) in system.rows.iter().zip(&impulses).enumerate() {
-        let condition = row.condition(graph, dq);
-        of_normals.push(graph.build((condition - *impulse) / (h * first.factor.diagonal(k))));
-    }
-    [of_multipliers, of_normals].concat()
-}
-
-/// The origin of each unknown, see [`Equation`]. μ follows from rates, and has their rounding. ν follows from positions, and has theirs over h.
-fn origin(graph: &mut Graph, system: &Constrained<'_>, first: &Normals, increments: &[Symbol]) -> Vec<Id> {
-    let h = graph.symbol(Symbol::StepLength);
-    let h = graph.call(Function::Abs, &[h]);
-    let units = system.units(graph);
-    let q: Vec<Id> = (0..system.degrees() as u32).map(|i| graph.symbol(Symbol::Position(i))).collect();
-    let (mut multipliers, mut normals) = (vec![], vec![]);
-    for (k, row) in system.rows.iter().enumerate() {
-        let rate = sum_of_magnitudes(graph, &row.gradient, system.velocity);
-        multipliers.push(graph.build(Number::HALF * h * rate / call(Function::Abs, [units[k]])));
-        let position = sum_of_magnitudes(graph, &row.gradient, &q);
-        normals.push(graph.build((position / h + rate) / first.factor.diagonal(k)));
-    }
-    let weight = graph.build(Number::integer(2) * pow(h, Ratio::integer(-1)));
-    let increments = system.origins_of_increments(graph, increments, &multipliers, weight);
-    [increments, multipliers, normals].concat()
-}
-
-/// A at one end of a step, and C.
-struct Normals {
+/// The rows at one end of a step.
+struct Rows {
     gradients: Vec<Vec<Id>>,
+    drifts: Vec<Id>,
+    inverse_mass: Vec<Vec<Id>>,
+    /// C.
     factor: Cholesky,
 }
 
-impl Normals {
-    fn at(graph: &mut Graph, system: &Constrained<'_>, positions: &[Id], time: Id) -> Normals {
-        let inertia: Vec<Vec<Id>> =
-            system.inertia(graph).iter().map(|row| moved(graph, row, positions, None, time)).collect();
-        let gradients = system.rows.iter().map(|row| moved(graph, &row.gradient, positions, None, time)).collect();
-        Normals { gradients, factor: Cholesky::of(graph, &inertia) }
+impl Rows {
+    fn at(graph: &mut Graph, system: &Constrained<'_>, positions: &[Id], time: Id) -> Rows {
+        let inertia = system.inertia(graph);
+        let drifts: Vec<Id> = system.rows.iter().map(|row| row.drift).collect();
+        let mut at = |nodes: &[Id]| moved(graph, nodes, positions, None, time);
+        let [gradients, inverse_mass, inertia] = [system.gradients(), system.inverse_mass.clone(), inertia]
+            .map(|rows| rows.iter().map(|row| at(row)).collect());
+        let drifts = at(&drifts);
+        let inertia: Vec<Vec<Id>> = inertia;
+        Rows { gradients, drifts, inverse_mass, factor: Cholesky::of(graph, &inertia) }
     }
-
-    /// Nᵀν.
-    fn push(&self, graph: &mut Graph, nu: &[Id]) -> Vec<Id> {
-        let weights = self.factor.solve_transposed(graph, nu);
-        combination(graph, &self.gradients, &weights)
-    }
-
-    /// A v + b at the momenta P − Nᵀν. Since ∂H/∂p is affine in p, it is A v(P) + b − C ν.
-    fn rates_without(
-        &self,
-        graph: &mut Graph,
-        system: &Constrained<'_>,
-        positions: &[Id],
-        momenta: &[Id],
-        nu: &[Id],
-    ) -> Vec<Id> {
-        let time = graph.symbol(Symbol::StepEnd);
-        let rates = system.rates(graph);
-        let rates = moved(graph, &rates, positions, Some(momenta), time);
-        let normal = self.factor.times(graph, nu);
-        differences(graph, &rates, &normal)
-    }
-}
-
-/// Nodes at other momenta at the start of a step.
-fn at_momenta(graph: &mut Graph, nodes: &[Id], momenta: &[Id]) -> Vec<Id> {
-    let mut moved = Substitution::new(|_: &mut Graph, symbol| match symbol {
-        Symbol::Momentum(i) => Some(momenta[i as usize]),
-        _ => None,
-    });
-    nodes.iter().map(|node| moved.apply(graph, *node)).collect()
-}
-
-fn scaled_by(graph: &mut Graph, factor: Number, vector: &[Id]) -> Vec<Id> {
-    vector.iter().map(|entry| graph.scale(factor, *entry)).collect()
 }

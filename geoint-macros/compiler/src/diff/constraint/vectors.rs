@@ -3,11 +3,10 @@
 use crate::diff::gradient::with_values;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Number, Symbol};
-use std::ops::Range;
 
-/// The multipliers with these numbers.
-pub(super) fn multipliers(numbers: Range<usize>) -> Vec<Symbol> {
-    numbers.map(|k| Symbol::Multiplier(k as u32)).collect()
+/// The multipliers of so many rows.
+pub(super) fn multipliers(count: usize) -> Vec<Symbol> {
+    (0..count as u32).map(Symbol::Multiplier).collect()
 }
 
 /// The increments of positions and of momenta as nodes.
@@ -16,7 +15,7 @@ pub(super) fn increments(graph: &mut Graph, n: usize) -> [Vec<Id>; 2] {
         .map(|symbol: fn(u32) -> Symbol| (0..n as u32).map(|i| graph.symbol(symbol(i))).collect())
 }
 
-/// The impulse `times`·Aᵀμ/h of the first multipliers μ.
+/// The impulse `times`·Aᵀμ/h of the multipliers μ.
 pub(super) fn pulls(graph: &mut Graph, gradients: &[Vec<Id>], times: Number) -> Vec<Id> {
     let h = graph.symbol(Symbol::StepLength);
     let weight = graph.recip(h);
