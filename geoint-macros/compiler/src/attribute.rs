@@ -15,7 +15,7 @@ pub(crate) fn expand(form: Form, args: TokenStream, item: TokenStream) -> TokenS
         Err(errors) => return with_messages(&item, errors),
     };
     let function = emit::function(&energy, item.clone());
-    let has_expressions = energy.expressions().next().is_some() || energy.options.force.is_some();
+    let has_expressions = energy.expressions().next().is_some() || energy.expressions_of_velocities().next().is_some();
     match system_or_request(energy, &Source { args, item: item.clone(), used: vec![] }) {
         Ok(system) => quote!(#function #system),
         Err(errors) => {

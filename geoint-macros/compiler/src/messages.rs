@@ -45,8 +45,7 @@ pub(crate) const COUPLED: &str = "this term couples positions and momenta, so ki
 pub(crate) const CONSTRAINED: &str =
     "kick and drift leave this constraint; use `Rattle`, `DiscreteGradient` or their compositions";
 
-pub(crate) const NO_CONSTRAINT: &str =
-    "no constraint is given: leave this out, or name functions of positions that stay zero";
+pub(crate) const NO_CONSTRAINT: &str = "no constraint is given: leave this out, or name functions that stay zero";
 
 pub(crate) const COUPLED_IN_PIECES: &str = "this term couples positions and momenta, so kick and drift do not exist; its flow is known: use \
                                             `PieceSplitting`, or one of its compositions such as `KahanLi8_17a.of(PieceSplitting)`";

@@ -1,10 +1,10 @@
 //! Projects states onto constraints.
 
-use super::{Integrator, StepError};
-use crate::method::Method;
+use super::pace::Pace;
+use super::{Run, StepError};
 use crate::running::error::not_finite;
 use crate::scalar::{Real, signed};
-use crate::space::{Array, Snapshot, Summation};
+use crate::space::{Array, Snapshot};
 use crate::system::{Constrained, StateOf, projected};
 
 /// Returns a state near `state` that satisfies the constraints of a system. Positions move along W Gᵀ, with the inverse mass matrix W and the gradients G of the
@@ -25,15 +25,25 @@ pub fn state_on_constraint<S: Constrained<R>, R: Real>(
     Ok(S::State::of(t, projected, s))
 }
 
-impl<S: Constrained<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integrator<S, M, R, C> {
+impl<P: Pace> Run<P>
+where
+    P::System: Constrained<P::Real>,
+{
     /// Returns the present state with positions on the constraints and momenta tangent to them.
     ///
-    /// Momenta of [`DiscreteGradient`](crate::DiscreteGradient) are off by O(h²) at the ends of steps. Compositions reach their order, at most 4, in
-    /// the projected momenta. The run itself continues from its own state.
+    /// The states of most runs are there already. Momenta of [`DiscreteGradient`](crate::DiscreteGradient) are off by O(h²) if T is not quadratic in p:
+    /// compositions reach their order, at most 4, in the projected momenta. The run itself continues from its own state.
     ///
     /// # Errors
     /// Those of [`state_on_constraint`](crate::running::state_on_constraint).
-    pub fn state_on_constraint(&self) -> Result<StateOf<S, R>, StepError> {
+    pub fn state_on_constraint(&self) -> Result<StateOf<P::System, P::Real>, StepError> {
         state_on_constraint(self.system(), &self.state())
+    }
+
+    /// Returns the multipliers of the present state, in the order of the constraints: λ of the force −Gᵀλ for constraints of positions, such as tensions and
+    /// forces in bearings, and μ of the force Aᵀμ for constraints of velocities. They follow from the equations of motion, and not from the last step.
+    pub fn multipliers(&self) -> <P::System as Constrained<P::Real>>::Multipliers {
+        let (t, z, _) = self.state().parts();
+        self.system().multipliers(t, &z)
     }
 }

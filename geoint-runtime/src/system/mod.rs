@@ -35,14 +35,14 @@ pub(crate) use contact::ContactEquation;
 pub use contact::{Conformal, Contact, Mechanical};
 pub use flow_kind::{Change, FlowKind, FlowPart, TimeDependence};
 pub(crate) use implicit::{
+    At, KeptBy, Regular, held, mass_units, on_one_side, projected, rates_of_velocity, row_scale, row_units, tangent,
+    velocity_near,
+};
+pub(crate) use implicit::{
     CanonicalForm, Collocation, ConstrainedStep, ContactStages, DiscreteField, FourthOrderField, Keeping, MassForm,
     Mean, PolarisedForm, QuadraticField, Span, VelocityForm, VelocityStage, energy_of, velocity_of,
 };
 pub use implicit::{Constrained, Gradients, Unmet};
-pub(crate) use implicit::{
-    KeptBy, Regular, held, mass_units, on_one_side, projected, rates_of_velocity, row_scale, row_units, tangent,
-    velocity_near,
-};
 pub(crate) use integrals::KeptMomenta;
 pub use integrals::{FirstIntegrals, Invariants, KeepsEnergy, Origin, SteadyIntegrals};
 pub(crate) use jets::Jets;

@@ -18,7 +18,9 @@ mod poles;
 mod jumps;
 mod turns;
 mod identity;
+mod rolling;
 
+use crate::diff::{self, constraint::Row};
 use crate::ir::{Graph, Id, Node, Reads, Symbol};
 use crate::parse::Shape;
 pub(crate) use acting::Acting;
@@ -34,6 +36,7 @@ pub(crate) use identity::{
 pub(crate) use jumps::{Jump, conditions, jump_of, jumps};
 pub(crate) use mean_value::MeanValue;
 pub(crate) use poles::{Pole, Quick, has_edge, poles};
+pub(crate) use rolling::{Binding, bindings, integral, is_rate};
 use separable::Separated;
 pub(crate) use separable::{not_affine, not_quadratic};
 pub(crate) use steep::is_steep;
@@ -180,18 +183,28 @@ pub(crate) fn single_terms(graph: &mut Graph, root: Id) -> Vec<Id> {
     terms_where(graph, root, |_| true)
 }
 
-/// Finds the facts about H with constraints g(q) = 0. A momentum that commutes with the leaves of H + λ·g for every λ commutes with the leaves of H
-/// and of every g.
-pub(crate) fn bound(graph: &mut Graph, energy: Id, constraints: &[Id], coordinates: &Shape) -> Structure {
+/// Finds the facts about H with constraints A v + b = 0. A momentum that commutes with the leaves of H + λ·g for every λ commutes with the leaves of H
+/// and of every g. A momentum p·ξ must also have Aξ = 0 for rows that bind velocities only. H changes by −λ·b.
+pub(crate) fn bound(graph: &mut Graph, energy: Id, rows: &[Row], coordinates: &Shape) -> Structure {
     let mut terms = vec![energy];
-    for (k, constraint) in (0..).zip(constraints) {
+    for (k, value) in (0..).zip(rows.iter().filter_map(|row| row.value)) {
         let multiplier = graph.symbol(Symbol::Multiplier(k));
-        terms.push(graph.mul(multiplier, *constraint));
+        terms.push(graph.mul(multiplier, value));
     }
     let sum = graph.sum(&terms);
     let mut structure = structure(graph, sum, coordinates);
     let free = |value: Id| !graph.reads_any(value, |symbol| matches!(symbol, Symbol::Multiplier(_)));
     structure.momenta.retain(|momentum| free(momentum.value));
+    let momenta: Vec<Symbol> = (0..coordinates.len() as u32).map(Symbol::Momentum).collect();
+    for row in rows.iter().filter(|row| row.value.is_none()) {
+        structure.cyclic.retain(|i| graph.is_zero(row.gradient[*i as usize]));
+        structure.momenta.retain(|momentum| {
+            let direction = diff::jacobian(graph, &[momentum.value], &momenta).concat();
+            let along = graph.dot(&row.gradient, &direction);
+            identity::vanishes(graph, along)
+        });
+    }
+    structure.autonomous &= rows.iter().all(|row| graph.is_zero(row.drift));
     structure
 }
 

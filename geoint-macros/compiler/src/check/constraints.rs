@@ -1,47 +1,36 @@
-//! Checks the user's constraints. They must depend on positions only, be independent, and be fewer than the coordinates.
+//! Checks the user's constraints. Those of positions read positions and time only, those of velocities are linear in velocities. All are independent, and they
+//! leave a degree of freedom unless they move.
 
 use super::damping::report_damping;
-use crate::analyze::{Damping, claims};
+use crate::analyze::{self, Damping, claims};
 use crate::compilation::Compilation;
 use crate::diagnostics::Result;
+use crate::diff::constraint::Row;
 use crate::ir::{Id, Symbol};
-use crate::lower::Terms;
+use crate::lower::{Place, Terms};
 use crate::messages::NO_CONSTRAINT;
 use crate::parse::Form;
 
 /// Reports invalid constraints, friction that is not linear, and damping that feeds energy.
 pub(crate) fn constraints(compilation: &mut Compilation<'_>, terms: &Terms, damping: Option<&Damping>) -> Result<()> {
-    let (options, constraints, degrees) = (&compilation.energy.options, &terms.constraints, compilation.degrees());
-    if constraints.is_empty() {
-        compilation.diagnostics.at(&options.constraint, NO_CONSTRAINT);
+    let options = &compilation.energy.options;
+    for (given, found) in [(&options.constraint, &terms.constraints), (&options.rolling, &terms.rolling)] {
+        if given.is_some() && found.is_empty() {
+            compilation.diagnostics.at(given, NO_CONSTRAINT);
+        }
     }
-    for (constraint, place) in constraints {
-        let reads = compilation.graph.reads(*constraint);
-        let why = match compilation.energy.form {
-            Form::Lagrangian if reads.v => nonholonomic("velocities"),
-            _ if reads.p || reads.v => nonholonomic("momenta"),
-            _ if reads.t => OF_TIME.into(),
-            _ if !reads.q => "this constraint reads no position".into(),
-            _ => continue,
-        };
-        let message = format!("{why}: {}", compilation.excerpt(*constraint));
-        compilation.diagnostics.at_place(*place, message);
+    for (constraint, place) in &terms.constraints {
+        report(compilation, *constraint, *place, of_positions(compilation, *constraint));
     }
-    if compilation.diagnostics.len() == 0 && constraints.len() >= degrees as usize {
-        let (count, plural) = (constraints.len(), if degrees == 1 { "" } else { "s" });
-        let message = format!("{count} constraints leave nothing that moves of {degrees} coordinate{plural}");
-        compilation.diagnostics.at(&options.constraint, message);
+    for (constraint, place) in &terms.rolling {
+        let why = of_velocities(compilation, *constraint);
+        report(compilation, *constraint, *place, why);
     }
     if compilation.diagnostics.len() == 0 {
-        let positions: Vec<Symbol> = (0..degrees).map(Symbol::Position).collect();
-        let functions: Vec<Id> = constraints.iter().map(|(constraint, _)| *constraint).collect();
-        let dependent = claims::dependent(&mut compilation.graph, &positions, &functions);
-        for k in dependent.into_iter().flat_map(|found| found.integrals) {
-            let others = if k == 0 { "does not depend on positions" } else { "depends on those before it" };
-            let constraint = compilation.excerpt(functions[k]);
-            let message = format!("this constraint {others}: leave it out: {constraint}");
-            compilation.diagnostics.at_place(constraints[k].1, message);
-        }
+        freedom(compilation, terms);
+    }
+    if compilation.diagnostics.len() == 0 {
+        independent(compilation, terms);
     }
     if let (Some(rayleigh), true) = (&options.rayleigh, terms.friction.is_some()) {
         compilation.diagnostics.at(rayleigh, LINEAR_FRICTION);
@@ -50,15 +39,91 @@ pub(crate) fn constraints(compilation: &mut Compilation<'_>, terms: &Terms, damp
     compilation.checked(())
 }
 
-const LINEAR_FRICTION: &str = "beside constraints friction is linear: R a quadratic form of the velocities";
-
-/// Returns the message for a constraint that reads velocities or momenta.
-fn nonholonomic(read: &str) -> String {
-    format!(
-        "a constraint is a function of positions; one that reads {read} is nonholonomic, and not supported: if this is the rate of a function of \
-         positions, write that function; else write the equations, with their multipliers, as `#[vector_field]`"
-    )
+/// Reports what is wrong with a constraint, if anything is.
+fn report(compilation: &mut Compilation<'_>, constraint: Id, place: Place, why: Option<String>) {
+    if let Some(why) = why {
+        let message = format!("{why}: {}", compilation.excerpt(constraint));
+        compilation.diagnostics.at_place(place, message);
+    }
 }
 
-const OF_TIME: &str =
-    "a constraint that moves is not supported: put the motion into coordinates, as functions of `t` in the energy";
+/// Returns what is wrong with a constraint g(q, t) = 0.
+fn of_positions(compilation: &Compilation<'_>, constraint: Id) -> Option<String> {
+    let reads = compilation.graph.reads(constraint);
+    match compilation.energy.form {
+        Form::Lagrangian if reads.v => Some(nonholonomic("velocities")),
+        _ if reads.p || reads.v => Some(nonholonomic("momenta")),
+        _ if !reads.q => Some("this constraint reads no position".into()),
+        _ => None,
+    }
+}
+
+/// Returns what is wrong with a constraint A(q, t) v + b(q, t) = 0.
+fn of_velocities(compilation: &mut Compilation<'_>, constraint: Id) -> Option<String> {
+    let (degrees, graph) = (compilation.degrees(), &mut compilation.graph);
+    let reads = graph.reads(constraint);
+    let is_velocity = |symbol| matches!(symbol, Symbol::Velocity(_));
+    if reads.p {
+        return Some("a velocity constraint reads velocities `v`, not momenta".into());
+    }
+    if !reads.v {
+        return Some("this constraint reads no velocity: put it under `constraint = [...]`".into());
+    }
+    if !analyze::is_polynomial_in(graph, &[constraint], 1, is_velocity) {
+        return Some("a velocity constraint is linear in velocities".into());
+    }
+    let row = Row::of_velocities(graph, constraint, degrees);
+    if !analyze::is_rate(graph, &row) {
+        return None;
+    }
+    let function = analyze::integral(graph, &row.gradient, row.drift);
+    let function =
+        function.map_or_else(|| "[...]".into(), |function| format!("[{} - c]", compilation.excerpt(function)));
+    Some(format!("this is the rate of a function of positions: write that function, `constraint = {function}`"))
+}
+
+/// Reports constraints that leave no motion. A mechanism that is driven may have no freedom.
+fn freedom(compilation: &mut Compilation<'_>, terms: &Terms) {
+    let degrees = compilation.degrees() as usize;
+    let all = || terms.constraints.iter().chain(&terms.rolling);
+    let count = all().count();
+    let moves = all().any(|(constraint, _)| compilation.graph.reads(*constraint).t);
+    if count < degrees || moves && count == degrees {
+        return;
+    }
+    let options = &compilation.energy.options;
+    let plural = if degrees == 1 { "" } else { "s" };
+    let message = format!("{count} constraints leave nothing that moves of {degrees} coordinate{plural}");
+    compilation.diagnostics.at(&options.constraint.as_ref().or(options.rolling.as_ref()), message);
+}
+
+/// Reports constraints whose rows depend on earlier ones at every state.
+fn independent(compilation: &mut Compilation<'_>, terms: &Terms) {
+    let (degrees, graph) = (compilation.degrees(), &mut compilation.graph);
+    let velocities: Vec<Symbol> = (0..degrees).map(Symbol::Velocity).collect();
+    let symbols: Vec<Id> = velocities.iter().map(|velocity| graph.symbol(*velocity)).collect();
+    let mut rates = vec![];
+    for (constraint, _) in &terms.constraints {
+        let row = Row::of_positions(graph, *constraint, degrees);
+        rates.push(graph.dot(&row.gradient, &symbols));
+    }
+    rates.extend(terms.rolling.iter().map(|(constraint, _)| *constraint));
+    let dependent = claims::dependent(graph, &velocities, &rates);
+    let all: Vec<(Id, Place)> = terms.constraints.iter().chain(&terms.rolling).copied().collect();
+    for k in dependent.into_iter().flat_map(|found| found.integrals) {
+        let (constraint, place) = all[k];
+        let others = if k == 0 { "does not depend on positions" } else { "depends on those before it" };
+        let message = format!("this constraint {others}: leave it out: {}", compilation.excerpt(constraint));
+        compilation.diagnostics.at_place(place, message);
+    }
+}
+
+const LINEAR_FRICTION: &str = "beside constraints friction is linear: R a quadratic form of the velocities";
+
+/// Returns the message for a constraint of positions that reads velocities or momenta.
+fn nonholonomic(read: &str) -> String {
+    format!(
+        "a constraint is a function of positions, and this one reads {read}: if it is the rate of a function of positions, write that function; else put \
+         it in terms of velocities under `rolling = [...]`"
+    )
+}

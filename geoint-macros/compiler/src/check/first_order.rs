@@ -21,7 +21,7 @@ pub(crate) fn first_order(
     for expr in options.rayleigh.iter().chain(&options.force) {
         compilation.diagnostics.at(expr, NO_FORCE);
     }
-    if let Some(constraint) = &options.constraint {
+    if let Some(constraint) = options.constraint.as_ref().or(options.rolling.as_ref()) {
         compilation.diagnostics.at(constraint, NO_CONSTRAINTS);
     }
     for (requirement, span) in &options.requirements {

@@ -28,19 +28,30 @@ pub(crate) fn constrained(
     let rates = given.rates(graph);
     let quadratic = analyze::is_polynomial_in(graph, &gradient.p, 1, |symbol| matches!(symbol, Symbol::Momentum(_)));
     let momenta = if quadratic { Momenta::Tangent } else { Momenta::Carried };
-    let steps = [
-        ("Rattle", constraint::rattle(graph, &given)),
-        ("DiscreteGradient", constraint::discrete_gradient_step(graph, &given, momenta)),
-    ];
+    let mut steps = vec![("DiscreteGradient", constraint::discrete_gradient_step(graph, &given, momenta))];
+    // RATTLE is for constraints of positions.
+    if rows.iter().all(|row| row.value.is_some()) {
+        steps.insert(0, ("Rattle", constraint::rattle(graph, &given)));
+    }
     let steps = steps.into_iter().map(|(method, equation)| (method, step(graph, equation, &positions))).collect();
-    let constraints: Vec<Id> = rows.iter().filter_map(|row| row.value).collect();
-    let (own, bound) = (sizes(graph, &constraints), given.sizes(graph));
+    let zero = graph.zero();
+    // Only velocities are bound by a row without a function of positions: its value is always 0.
+    let values: Vec<Id> = rows.iter().map(|row| row.value.unwrap_or(zero)).collect();
+    let (own, bound) = (sizes(graph, &values), given.sizes(graph));
     let reaches: Vec<Id> = own.iter().zip(&bound).map(|(own, bound)| graph.add(*own, *bound)).collect();
-    let departure = [constraints.to_vec(), reaches, rates.clone(), sizes(graph, &rates)].concat();
+    let departure = [values.clone(), reaches, rates.clone(), sizes(graph, &rates)].concat();
     let m = rows.len();
+    let multipliers = given.multipliers(graph);
+    let drifts = rows.iter().map(|row| row.drift).collect();
+    // Positions of other rows would leave their constraints, which these rates keep to the error of a method only.
+    let rate = rows.iter().all(|row| row.value.is_none()).then(|| {
+        let rates = [gradient.p.clone(), given.bound_force(graph, &multipliers)].concat();
+        Routine::array("rate", "slopes", &phase(&positions), rates)
+    });
     let values = vec![
-        Output::row("values", constraints.to_vec()),
+        Output::row("values", values),
         Output::array("gradients", &[&[m], &positions[..]].concat(), given.gradients().concat()),
+        Output::row("drifts", drifts),
     ];
     let velocity = vec![
         Output::array("velocity", &positions, gradient.p.clone()),
@@ -51,14 +62,16 @@ pub(crate) fn constrained(
         values: Routine::new("constraints", values),
         velocity: Routine::new("velocity", velocity),
         departure: Routine::array("departure", "departure", &[2, 2, m], departure),
+        multipliers: Routine::row("multipliers", given.shown(graph, &multipliers)),
         steps,
-        constraints: constraints.clone(),
+        rows: rows.to_vec(),
     };
-    let formulas = [&[structure.energy], &constraints[..]].concat();
+    let formulas: Vec<Id> = [structure.energy].into_iter().chain(rows.iter().map(|row| row.written)).collect();
     let formulas = Formulas { damping: structure.damping.as_ref(), ..Formulas::new(&formulas, partial) };
     System {
         value: Some(Routine::number("hamiltonian", structure.energy)),
-        splitting: Some(Err(Missing::new("Unconstrained", constraints[0], CONSTRAINED))),
+        rate,
+        splitting: Some(Err(Missing::new("Unconstrained", rows[0].written, CONSTRAINED))),
         ..System::new(Kernels::Constrained(kernels), Domain::of(graph, compilation.form, formulas))
     }
 }

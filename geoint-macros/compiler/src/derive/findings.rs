@@ -2,9 +2,10 @@
 
 use super::proof::{Integrals, Structure};
 use super::{Flow, Liouville, Parted, System};
-use crate::analyze::{self, Damping, Dissipated, Forces};
+use crate::analyze::{self, Binding, Damping, Dissipated, Forces};
 use crate::compilation::Compilation;
 use crate::diff::Gradient;
+use crate::diff::constraint::Row;
 use crate::ir::Id;
 use crate::legendre::{FirstOrder, Legendre};
 
@@ -29,8 +30,8 @@ impl Derived {
 pub(crate) enum Findings {
     /// H(q, p, t).
     Canonical { structure: analyze::Structure, gradient: Gradient },
-    /// H(q, p, t) with constraints. `kept` has the integrals of the system with constraints.
-    Constrained { structure: analyze::Structure, kept: analyze::Structure, constraints: Vec<Id>, gradient: Gradient },
+    /// H(q, p, t) with constraints.
+    Constrained(Box<ConstrainedFindings>),
     /// H(q, p, s, t).
     Contact { energy: Id, gradient: Gradient, dissipated: Option<Dissipated> },
     /// H(q, p, s, t) with forces beside it. `drag` is ∂R/∂v of a quadratic Rayleigh function R.
@@ -41,6 +42,17 @@ pub(crate) enum Findings {
     Flow { flow: Flow, source: Source },
     /// H(r, m, t) of rigid bodies.
     Bodies(analyze::Bodies),
+}
+
+/// Facts about a system with constraints.
+pub(crate) struct ConstrainedFindings {
+    pub(crate) structure: analyze::Structure,
+    /// The integrals of the system with constraints.
+    pub(crate) kept: analyze::Structure,
+    pub(crate) rows: Vec<Row>,
+    /// What the rows of velocities say about positions.
+    pub(crate) bindings: Vec<Binding>,
+    pub(crate) gradient: Gradient,
 }
 
 /// Loss of energy of a Lagrangian with velocities as unknowns.

@@ -40,7 +40,7 @@ pub(super) fn lagrangian(context: &Context<'_>, found: &Lagrangian) -> TokenStre
             #state::at(t, q, Coordinates::from_array(momentum) #hands)
         },
     };
-    let from_positions = (!form.has_action() && context.energy.options.constraint.is_none()).then(|| {
+    let from_positions = (!form.has_action() && !context.energy.options.is_constrained()).then(|| {
         quote! {
             /// The state at time `t` with position `now`, and the momentum that the implicit midpoint rule has there when a step of
             /// length `h` has led from `before` to `now`: what recursions of positions alone start with. Of order 2 in h.

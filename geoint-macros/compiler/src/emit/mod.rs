@@ -58,22 +58,22 @@ fn checked(energy: &Energy) -> Option<TokenStream> {
         }
         _ => quote!(let _ = #expr;),
     });
-    let used = used.chain(energy.options.force.iter().map(|force| with_velocity(energy, force)));
+    let used = used.chain(energy.expressions_of_velocities().map(|expr| with_velocity(energy, expr)));
     let statements: Vec<syn::Stmt> = used.map(|used| syn::parse_quote!(let _ = || { #used };)).collect();
     let some = !statements.is_empty();
     item.block.stmts.splice(0..0, statements);
     some.then(|| quote!(#item))
 }
 
-/// Returns the statement that reads a force, with a variable for the velocity in scope. The statement never runs, so the momenta, which have the same type, stand
+/// Returns the statement that reads an expression, with a variable for the velocity in scope. The statement never runs, so the momenta, which have the same type, stand
 /// for the velocity.
-fn with_velocity(energy: &Energy, force: &syn::Expr) -> TokenStream {
+fn with_velocity(energy: &Energy, expr: &syn::Expr) -> TokenStream {
     let momenta = energy.argument(Role::Momentum).map(|momenta| &momenta.name);
     let velocity = momenta.map(|momenta| {
         let velocity = format_ident!("{VELOCITY}", span = proc_macro2::Span::call_site());
         quote!(#[allow(unused_variables, reason = "generated code")] let #velocity = #momenta;)
     });
-    quote!(#velocity let _ = #force;)
+    quote!(#velocity let _ = #expr;)
 }
 
 /// Returns the items that are emitted beside the user's function.

@@ -64,8 +64,8 @@ pub(super) fn inherent(context: &Context<'_>, system: &System, flow: Option<Toke
         }
     });
     // The type `Given<P, Run>` is unknown if the method does not fit. Later uses of the run then add no errors to the one about the method.
-    // An adaptive run guesses its first step from the rates, which systems with constraints lack.
-    let adaptive = (!matches!(system.kernels, Kernels::Constrained(_))).then(|| {
+    // An adaptive run guesses its first step from the rates, which systems with constraints of positions lack.
+    let adaptive = (!matches!(system.kernels, Kernels::Constrained(_)) || system.rate.is_some()).then(|| {
         quote! {
             /// Returns an `Adaptive` run of this system under a method, with steps as long as the tolerance of a step's error allows, from
             /// `state` on.

@@ -101,13 +101,13 @@ pub(super) fn keeps_energy(context: &Context<'_>, kept: &TokenStream, value: Opt
     proven(context, quote!(KeepsEnergy<R>), quote!(type Kept = #kept; #value))
 }
 
-/// Returns `impl DifferentialEquation`. Systems with an action or with constraints have none.
+/// Returns `impl DifferentialEquation`. Systems with an action or with constraints of positions have none.
 fn vector_field(context: &Context<'_>, system: &System) -> Option<TokenStream> {
     let (phase, parts) = (context.phase_type(), context.parts());
     let body = match (context.form, &system.rate) {
         (form, _) if form.has_action() => return None,
-        _ if matches!(system.kernels, Kernels::Constrained(_)) => return None,
         (_, Some(rate)) => context.assigned(rate),
+        _ if matches!(system.kernels, Kernels::Constrained(_)) => return None,
         (Form::Lagrangian, None) if system.gradient.is_none() => quote!(rate_of(self, t, z, slopes);),
         (_, None) => quote!(canonical_rate(self, t, z, slopes);),
     };

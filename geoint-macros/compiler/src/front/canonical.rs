@@ -11,7 +11,7 @@ use crate::{check, diff, split};
 
 /// Derives a system from its energy, which may be that of a Lagrangian.
 pub(super) fn derived(compilation: &mut Compilation<'_>, terms: Terms, legendre: Option<Legendre>) -> Result<Derived> {
-    if compilation.energy.options.constraint.is_some() {
+    if compilation.energy.options.is_constrained() {
         return constrained::derived(compilation, terms, legendre);
     }
     let (energy, degrees) = (compilation.energy, compilation.degrees());

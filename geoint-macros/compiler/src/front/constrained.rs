@@ -1,10 +1,9 @@
-//! H(q, p, t) with constraints g(q) = 0: p' = −∂H/∂q − Gᵀλ with G = ∂g/∂q.
+//! H(q, p, t) with constraints A v + b = 0: p' = −∂H/∂q − Gᵀλ + Aᵀμ, with G = ∂g/∂q of constraints of positions, and A of constraints of velocities alone.
 
 use crate::compilation::Compilation;
-use crate::derive::{self, Derived, Findings};
+use crate::derive::{self, ConstrainedFindings, Derived, Findings};
 use crate::diagnostics::Result;
 use crate::diff::constraint::Row;
-use crate::ir::Id;
 use crate::legendre::Legendre;
 use crate::lower::Terms;
 use crate::{analyze, check, diff};
@@ -21,11 +20,18 @@ pub(super) fn derived(
     check::constraints(compilation, &terms, structure.damping.as_ref())?;
     check::requests(compilation, &structure)?;
     let graph = &mut compilation.graph;
-    let constraints: Vec<Id> = terms.constraints.iter().map(|(constraint, _)| *constraint).collect();
-    let kept = analyze::bound(graph, terms.energy, &constraints, shape).damped(graph, damping);
+    let mut rows = vec![];
+    for (constraint, _) in &terms.constraints {
+        rows.push(Row::of_positions(graph, *constraint, degrees));
+    }
+    for (constraint, _) in &terms.rolling {
+        rows.push(Row::of_velocities(graph, *constraint, degrees));
+    }
+    let kept = analyze::bound(graph, terms.energy, &rows, shape).damped(graph, damping);
+    let bindings = analyze::bindings(graph, &rows);
     let gradient = diff::gradient(graph, structure.energy, degrees);
-    let rows: Vec<Row> = constraints.iter().map(|value| Row::of_positions(graph, *value, degrees)).collect();
     let system = derive::constrained(compilation, &structure, &rows, &gradient, &terms.partial);
-    let findings = Findings::Constrained { structure, kept, constraints, gradient };
+    let findings = ConstrainedFindings { structure, kept, rows, bindings, gradient };
+    let findings = Findings::Constrained(Box::new(findings));
     Ok(Derived { system, legendre, findings }.with_velocities(compilation))
 }

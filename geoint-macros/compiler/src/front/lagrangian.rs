@@ -12,7 +12,7 @@ use crate::parse::Form;
 pub(super) fn derived(compilation: &mut Compilation<'_>, mut terms: Terms) -> Result<Derived> {
     // Methods with constraints need H. Rates with both an action and forces need H, too.
     let forced = compilation.form == Form::Herglotz && (terms.force.is_some() || terms.rayleigh.is_some());
-    let needs_energy = compilation.energy.options.constraint.is_some() || forced;
+    let needs_energy = compilation.energy.options.is_constrained() || forced;
     let degrees = compilation.degrees();
     let graph = &mut compilation.graph;
     let found = legendre::transform(graph, terms.energy, degrees, needs_energy, &terms.partial);

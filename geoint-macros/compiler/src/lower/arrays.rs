@@ -87,17 +87,26 @@ impl Lowering {
         (0..n).map(row).collect()
     }
 
+    /// Binds the velocities ∂H/∂p of an energy to the name [`VELOCITY`]. A Lagrangian has its own name for them. Returns `false` after an error at `expr`.
+    fn binds_velocities(&mut self, expr: &Expr, energy: &Energy) -> bool {
+        if energy.form != Form::Hamiltonian {
+            return true;
+        }
+        if energy.arguments.iter().any(|argument| argument.name == VELOCITY) {
+            self.refuse(expr, "`v` is the velocity ∂H/∂p here: give the argument `v` another name");
+            return false;
+        }
+        let ids: Vec<Id> = (0..energy.degrees()).map(|i| self.graph.symbol(Symbol::Velocity(i))).collect();
+        self.scopes.bind(&VELOCITY, shaped(&energy.coordinates.shape, &ids));
+        true
+    }
+
     /// Returns the entries of `force = expr`, one for each coordinate. Empty after an error.
     pub(super) fn force(&mut self, expr: &Expr, energy: &Energy) -> Vec<Id> {
         let shape = &energy.coordinates.shape;
         let n = shape.len();
-        if energy.form == Form::Hamiltonian {
-            if energy.arguments.iter().any(|argument| argument.name == VELOCITY) {
-                self.refuse(expr, "in a force `v` is the velocity ∂H/∂p: give the argument `v` another name");
-                return vec![];
-            }
-            let ids: Vec<Id> = (0..n as u32).map(|i| self.graph.symbol(Symbol::Velocity(i))).collect();
-            self.scopes.bind(&VELOCITY, shaped(shape, &ids));
+        if !self.binds_velocities(expr, energy) {
+            return vec![];
         }
         let Some(Numbers { entries, extents }) = self.numbers_of(expr) else { return vec![] };
         let fits =
@@ -110,12 +119,17 @@ impl Lowering {
         entries
     }
 
+    /// Returns the functions of `rolling = expr`, a number or an array. Empty after an error.
+    pub(super) fn rolling(&mut self, expr: &Expr, energy: &Energy) -> Vec<(Id, Place)> {
+        if self.binds_velocities(expr, energy) { self.constraints(expr) } else { vec![] }
+    }
+
     /// Returns the functions of `constraint = expr`, a number or an array. Empty after an error.
     pub(super) fn constraints(&mut self, expr: &Expr) -> Vec<(Id, Place)> {
         let value = self.expr(expr);
         let Numbers { entries, extents } = self.numbers(expr, value);
         if extents.is_none() {
-            self.refuse(expr, "constraints are an array of numbers, one a constraint: `constraint = [g1, g2]`");
+            self.refuse(expr, "constraints are an array of numbers, one a constraint: `[g1, g2]`");
             return vec![];
         }
         // The elements of a literal array have their own places.

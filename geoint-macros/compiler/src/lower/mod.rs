@@ -67,8 +67,10 @@ pub(crate) struct Terms {
     pub(crate) friction: Option<Vec<Id>>,
     /// Rayleigh's dissipation function R of a Lagrangian.
     pub(crate) rayleigh: Option<(Id, Place)>,
-    /// Functions g of constraints g(q) = 0.
+    /// Functions g of constraints g(q, t) = 0.
     pub(crate) constraints: Vec<(Id, Place)>,
+    /// Functions r of constraints r(q, v, t) = 0.
+    pub(crate) rolling: Vec<(Id, Place)>,
     /// Pieces in `split`.
     pub(crate) groups: Option<Vec<(Id, Place)>>,
     /// Nodes that are not defined everywhere, including simplified ones.
@@ -129,11 +131,24 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
     let rayleigh = options.rayleigh.as_ref().map(|expr| lowering.number(expr));
     let force = options.force.as_ref().map(|expr| lowering.force(expr, energy));
     let constraints = options.constraint.as_ref().map_or_else(Vec::new, |expr| lowering.constraints(expr));
+    let rolling = options.rolling.as_ref().map_or_else(Vec::new, |expr| lowering.rolling(expr, energy));
     let partial = lowering.all_partial();
     let Lowering { graph, errors, places, constants, .. } = lowering;
     let (energy, friction) = (field[0], None);
-    let terms =
-        Terms { energy, field, structure, keeps, damping, force, friction, rayleigh, constraints, groups, partial };
+    let terms = Terms {
+        energy,
+        field,
+        structure,
+        keeps,
+        damping,
+        force,
+        friction,
+        rayleigh,
+        constraints,
+        rolling,
+        groups,
+        partial,
+    };
     errors.or(Lowered { graph, places, constants, terms })
 }
 

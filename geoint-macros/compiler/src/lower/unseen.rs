@@ -11,7 +11,7 @@ use syn::{Attribute, Generics, Lit};
 pub(super) fn report(energy: &Energy, errors: &mut Diagnostics) {
     let mut unseen = Unseen { float: &energy.float, errors };
     unseen.visit_block(&energy.item.block);
-    energy.expressions().chain(&energy.options.force).for_each(|expr| unseen.visit_expr(expr));
+    energy.expressions().chain(energy.expressions_of_velocities()).for_each(|expr| unseen.visit_expr(expr));
     unseen.visit_functions(&energy.functions);
 }
 

@@ -89,7 +89,7 @@ const L: Option<Form> = Some(Form::Lagrangian);
 const E: Option<Form> = None;
 
 /// All arguments, in the order of messages.
-const KEYS: [Key; 25] = [
+const KEYS: [Key; 26] = [
     key("name", "`name = Type`", &[H, C, F, L], |to, _, input| set(&mut to.name, input)),
     key("x", "`x = argument`", &[F], |to, _, input| role(to, Role::Position, input)),
     key("q", "`q = argument`", &[H, C, L], |to, _, input| role(to, Role::Position, input)),
@@ -105,6 +105,9 @@ const KEYS: [Key; 25] = [
     key("force", "`force = F`", &[H, L], |to, _, input| set(&mut to.force, input)),
     key("constraint", "`constraint = [g]`", &[H, L], |to, _, input| {
         values::constraint(value(input)?).map(|functions| to.constraint = Some(functions))
+    }),
+    key("rolling", "`rolling = [A·v + b]`", &[H, L], |to, _, input| {
+        values::constraint(value(input)?).map(|functions| to.rolling = Some(functions))
     }),
     key("split", "`split = \"terms | terms\"`", &[H, C], |to, _, input| {
         values::pieces(input).map(|pieces| to.split = Some(pieces))
@@ -149,15 +152,19 @@ const KEYS: [Key; 25] = [
 ];
 
 /// Arguments of other attributes, with the advice for this attribute.
-const ELSEWHERE: [(&str, Form, &str); 3] = [
+const ELSEWHERE: [(&str, Form, &str); 5] = [
     ("damping", Form::Contact, "a contact system is damped by the terms in `s` of its energy, such as `+ gamma * s`"),
     (
         "damping",
         Form::Lagrangian,
         "a Lagrangian is damped by Rayleigh's function of the velocities: `rayleigh = c * v * v / 2.0`",
     ),
+    ("constraint", Form::Contact, NO_ACTION),
+    ("rolling", Form::Contact, NO_ACTION),
     ("structure", Form::Field, "x' = S(x) ∇H follows from an energy: put H under `#[hamiltonian(structure = …)]`"),
 ];
+
+const NO_ACTION: &str = "constraints beside an action are not supported: they are for `#[hamiltonian]`, and for `#[lagrangian]` without `s`";
 
 const fn key(name: &'static str, written: &'static str, attributes: &'static [Option<Form>], read: Reader) -> Key {
     Key { name, written, attributes, read }

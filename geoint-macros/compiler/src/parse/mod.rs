@@ -162,7 +162,12 @@ impl Energy {
         self.coordinates.shape.len() as u32
     }
 
-    /// Returns the expressions in the attribute's arguments. They are written in the language of the body.
+    /// Returns the expressions in the attribute's arguments that may read velocities ∂H/∂p.
+    pub(crate) fn expressions_of_velocities(&self) -> impl Iterator<Item = &Expr> {
+        self.options.force.iter().chain(&self.options.rolling)
+    }
+
+    /// Returns the other expressions in the attribute's arguments. They are written in the language of the body.
     pub(crate) fn expressions(&self) -> impl Iterator<Item = &Expr> {
         let Options { damping, rayleigh, constraint, structure, keeps, .. } = &self.options;
         let structure = structure.iter().filter(|form| form.is_expression()).map(|form| &form.expr);
@@ -236,8 +241,8 @@ pub(crate) fn energy(form: Form, args: TokenStream, item: ItemFn) -> Result<Ener
     let coordinates = coordinates(form, &item, &options, &arguments, &mut errors);
     let herglotz = form == Form::Lagrangian && of_role(&arguments, Role::Action).is_some();
     let form = if herglotz { Form::Herglotz } else { form };
-    if herglotz && options.constraint.is_some() {
-        errors.at(&options.constraint, "with an action there are no constraints: leave out this, or the argument `s`");
+    if let (true, Some(constraint)) = (herglotz, options.constraint.as_ref().or(options.rolling.as_ref())) {
+        errors.at(constraint, "with an action there are no constraints: leave out this, or the argument `s`");
     }
     if let (Form::Field, Some(x)) = (form, &coordinates) {
         returns_shape_of(x, &item, &options.outside, &float, &mut errors);

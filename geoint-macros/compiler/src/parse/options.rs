@@ -30,8 +30,10 @@ pub(crate) struct Options {
     pub(crate) rayleigh: Option<Expr>,
     /// Force F without a potential.
     pub(crate) force: Option<Expr>,
-    /// Functions g of constraints g(q) = 0.
+    /// Functions g of constraints g(q, t) = 0.
     pub(crate) constraint: Option<Expr>,
+    /// Functions r of constraints r(q, v, t) = 0 that are linear in velocities.
+    pub(crate) rolling: Option<Expr>,
     /// S of x' = S(x) ∇H.
     pub(crate) structure: Option<StructureForm>,
     /// First integrals of a vector field.
@@ -52,6 +54,11 @@ impl Options {
         self.roles.iter().find(|(other, _)| *other == role).map(|(_, name)| name)
     }
 
+    /// Returns whether there are constraints of positions or velocities.
+    pub(crate) fn is_constrained(&self) -> bool {
+        self.constraint.is_some() || self.rolling.is_some()
+    }
+
     /// Returns the path of the runtime in generated code.
     pub(crate) fn runtime_path(&self) -> TokenStream {
         runtime::path_or(self.runtime.as_ref())
@@ -67,7 +74,7 @@ impl Options {
         let split = self.split.as_ref().and_then(|pieces| pieces.first()).map(Spanned::span);
         let coordinates = self.coordinates.map(|(_, span)| span);
         let parts = coordinates.or(split);
-        let constraint = self.constraint.as_ref().map(Spanned::span);
+        let constraint = self.constraint.as_ref().or(self.rolling.as_ref()).map(Spanned::span);
         let (structured, bodies) = (self.structure.is_some(), attitude.is_some());
         let canonical = !structured && !bodies;
         // An argument conflicts with the others if the condition holds. The first conflict is reported.

@@ -86,7 +86,7 @@ impl Coordinates {
 const UNKNOWN_COORDINATES: &str =
     "the coordinates of bodies that there are: `coordinates = jacobi`, `coordinates = heliocentric`";
 
-/// Refuses an empty array of constraints.
+/// Refuses an empty array of constraints of positions or of velocities.
 pub(super) fn constraint(functions: syn::Expr) -> syn::Result<syn::Expr> {
     match &functions {
         syn::Expr::Array(array) if array.elems.is_empty() => Err(syn::Error::new_spanned(functions, NO_CONSTRAINT)),

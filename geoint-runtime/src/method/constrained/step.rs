@@ -17,7 +17,7 @@ use crate::solving::equation::Solution;
 use crate::solving::newton::Newton;
 use crate::space::vector::{difference, moved, sum};
 use crate::space::{Array, Square};
-use crate::system::{ConstrainedStep, held, on_one_side, tangent};
+use crate::system::{At, ConstrainedStep, held, on_one_side, tangent};
 
 /// The step of the method `M`, whose equation is [`ConstrainedStep`].
 #[derive(Clone, Copy, Debug)]
@@ -133,15 +133,17 @@ impl<S: ConstrainedStep<M, R>, M: ConstrainedMethod, R: Real> ImplicitStep<S, R>
     ) -> Result<Increment<S::Phase, ()>, Failure> {
         let mut increments = from.system.end(coefficients, start, &solution.x);
         let [q, p] = sum(&from.z, &increments);
-        let checked = match momenta::<S, M, R>() {
+        match momenta::<S, M, R>() {
             Momenta::Projected => {
                 increments[1] = difference(&tangent(from.system, from.end, [q, p])?, &from.z[1]);
-                q
+                independent(from, At { t: from.end, q: &q })?;
             }
             // The way to the middle suffices. Newton's matrix contains Ḡ W G₁ᵀ with G₁ at the end, and its determinant was positive. Ḡ is near G in the middle.
-            Momenta::Tangent | Momenta::Carried => moved(&from.z[0], R::from_f64(0.5), &increments[0]),
-        };
-        independent(from, &checked)?;
+            Momenta::Tangent | Momenta::Carried => {
+                let middle = moved(&from.z[0], R::from_f64(0.5), &increments[0]);
+                independent(from, At { t: from.middle(), q: &middle })?;
+            }
+        }
         Ok(Increment::of(increments, ()))
     }
 
@@ -159,12 +161,16 @@ impl<S: ConstrainedStep<M, R>, M: ConstrainedMethod, R: Real> ImplicitStep<S, R>
     /// Returns the dependence of constraints at the start of the step as the reason, if there is one.
     #[cold]
     fn explained(Equation { from, .. }: &Equation<'_, Self, S, R>, (): &(), refusal: Failure) -> Failure {
-        independent(from, &from.z[0]).err().unwrap_or(refusal)
+        independent(from, At { t: from.t, q: &from.z[0] }).err().unwrap_or(refusal)
     }
 }
 
-/// Refuses a step if the sign of det(G W G₁ᵀ) shows that constraints depend on each other at its start, at `q`, or between.
+/// Refuses a step if the sign of det(G W G₁ᵀ) shows that constraints depend on each other at its start, at `later`, or between.
 #[inline(always)]
-fn independent<S: ConstrainedStep<M, R>, M, R: Real>(from: &Departure<'_, S, R>, q: &S::Array) -> Result<(), Failure> {
-    on_one_side(from.system, (from.t, &from.z), [&from.z[0], q]).map_err(|what| Failure::DependentConstraints { what })
+fn independent<S: ConstrainedStep<M, R>, M, R: Real>(
+    from: &Departure<'_, S, R>,
+    later: At<'_, S::Array, R>,
+) -> Result<(), Failure> {
+    let first = At { t: from.t, q: &from.z[0] };
+    on_one_side(from.system, &from.z, [first, later]).map_err(|what| Failure::DependentConstraints { what })
 }

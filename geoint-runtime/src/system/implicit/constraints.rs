@@ -1,8 +1,8 @@
-//! Systems whose positions satisfy g(q) = 0: q' = ∂H/∂p, p' = −∂H/∂q − Gᵀλ with G = ∂g/∂q.
+//! Systems whose velocities satisfy A v + b = 0: q' = ∂H/∂p, p' = −∂H/∂q + Aᵀμ, where A and b are functions of positions and time.
 //!
-//! λ are the multipliers. A state is on a constraint if g(q) = 0, and if the velocity is tangent to it, G ∂H/∂p = 0. This file checks states and steps, and
-//! projects states onto the constraints. Constraints must be independent: the rows of G must not depend on each other. W = ∂²H/∂p², the inverse mass
-//! matrix, measures lengths of gradients.
+//! Some rows are rates of constraints g(q, t) = 0, with A = ∂g/∂q and b = ∂g/∂t. μ are the multipliers. A state obeys a row if its velocity does, and g = 0 if
+//! there is a g. This file checks states and steps, and projects states onto the constraints. The rows of A must not depend on each other. W = ∂²H/∂p², the
+//! inverse mass matrix, measures their lengths.
 
 use crate::scalar::Real;
 use crate::solving::rounding::{Convergence, Correction, Corrections, ROUNDINGS, Stuck, correct};
@@ -12,12 +12,12 @@ use crate::space::vector::{difference, dot, scaled, times};
 use crate::space::{Array, Square, State};
 use crate::system::{Cotangent, PhaseSpace};
 
-/// A system with constraints g(q) = 0.
+/// A system with constraints on its velocities, some of which may be rates of constraints g(q, t) = 0 of positions.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no constraints",
-    label = "this is for systems with `constraint = [g]`"
+    label = "this is for systems with `constraint = [g]` or `rolling = [A·v + b]`"
 )]
-#[doc(alias("DAE", "holonomic constraint"))]
+#[doc(alias("DAE", "holonomic constraint", "nonholonomic constraint"))]
 pub trait Constrained<R: Real = f64>:
     Cotangent<R> + PhaseSpace<R, Action = (), State = State<<Self as Cotangent<R>>::Coordinates>>
 {
@@ -25,18 +25,28 @@ pub trait Constrained<R: Real = f64>:
     type Proof;
     /// One number for each constraint.
     type Multipliers: Array<Real = R>;
-    /// Names for messages, two for each constraint: the formula of g, and its rate G ∂H/∂p.
+    /// Names for messages, two for each constraint: the formula of g, and its rate A ∂H/∂p + b.
     const CONSTRAINTS: &'static [[&'static str; 2]];
     /// True if ∂H/∂p is affine in p. One correction then makes a momentum tangent.
     const QUADRATIC: bool;
 
-    /// Computes g = `values`, and a row of G for each constraint.
-    fn constraints(&self, q: &Self::Array, values: &mut Self::Multipliers, gradients: &mut Gradients<Self, R>);
+    /// Computes g, the rows of A, and b. g is 0 for a row that binds velocities only.
+    fn constraints(
+        &self,
+        t: R,
+        q: &Self::Array,
+        values: &mut Self::Multipliers,
+        gradients: &mut Gradients<Self, R>,
+        drifts: &mut Self::Multipliers,
+    );
     /// Computes ∂H/∂p and W = ∂²H/∂p².
     fn velocity(&self, t: R, z: &Self::Phase, velocity: &mut Self::Array, inverse_mass: &mut Square<Self::Array>);
-    /// Returns two pairs: g with its sizes, and G ∂H/∂p with its sizes. A size is the change of the value by the rounding of coordinates and parameters, in
+    /// Returns two pairs: g with its sizes, and A ∂H/∂p + b with its sizes. A size is the change of the value by the rounding of coordinates and parameters, in
     /// units of the machine epsilon. Sizes of g include the rounding of coordinates that other constraints couple to it.
     fn departure(&self, t: R, z: &Self::Phase) -> [[Self::Multipliers; 2]; 2];
+    /// Returns the multipliers with which a motion through z obeys the constraints: λ of the force −Gᵀλ for constraints of positions, and μ of the force Aᵀμ
+    /// for the others.
+    fn multipliers(&self, t: R, z: &Self::Phase) -> Self::Multipliers;
 }
 
 /// One row of the shape of positions for each constraint.
@@ -109,7 +119,8 @@ pub fn unmet<S: Constrained<R>, R: Real>(system: &S, t: R, h: R, z: &S::Phase) -
             return Some(Unmet::Off(if on { rate } else { formula }));
         }
     }
-    let dependent = on_one_side(system, (t, z), [&z[0], &z[0]]).err()?;
+    let here = At { t, q: &z[0] };
+    let dependent = on_one_side(system, z, [here, here]).err()?;
     Some(Unmet::Dependent(dependent))
 }
 
@@ -131,9 +142,16 @@ pub(crate) fn held<S: Constrained<R>, R: Real>(system: &S, t: R, [before, z]: [&
     Err(Failure::Singular)
 }
 
+/// Positions at a time.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct At<'a, A, R> {
+    pub(crate) t: R,
+    pub(crate) q: &'a A,
+}
+
 /// Checks that the constraints are independent at two positions and between. It is a test, and no proof.
 ///
-/// The test is det(G W G₁ᵀ) > 0 with the gradients G and G₁ at the two positions, and W at `z`. Each row is divided by its diagonal entry of G W Gᵀ. If
+/// The test is det(G W G₁ᵀ) > 0 with the gradients G and G₁ at the two positions, and W at `z` and the first time. Each row is divided by its diagonal entry of G W Gᵀ. If
 /// constraints depend on each other between the positions, the space of their gradients usually changes its orientation, and the determinant its sign. Two
 /// such places between the positions are not found. Rows are not exchanged, so a minor of the first rows that vanishes also fails the test.
 ///
@@ -142,11 +160,11 @@ pub(crate) fn held<S: Constrained<R>, R: Real>(system: &S, t: R, [before, z]: [&
 #[inline(always)]
 pub(crate) fn on_one_side<S: Constrained<R>, R: Real>(
     system: &S,
-    (t, z): (R, &S::Phase),
-    [first, last]: [&S::Array; 2],
+    z: &S::Phase,
+    [first, last]: [At<'_, S::Array, R>; 2],
 ) -> Result<(), &'static str> {
-    let (_, inverse_mass) = velocity(system, t, z);
-    let [first, last] = [first, last].map(|q| gradients(system, q).1);
+    let (_, inverse_mass) = velocity(system, first.t, z);
+    let [first, last] = [first, last].map(|At { t, q }| Rows::of(system, t, q).gradients);
     let mut matrix = S::Multipliers::fill(S::Multipliers::zero());
     let rows = S::Multipliers::entries::<S::Multipliers>(&mut matrix);
     for (row, gradient) in rows.iter_mut().zip(S::Multipliers::entries_of::<S::Array>(&first)) {
@@ -177,20 +195,20 @@ pub(crate) fn on_one_side<S: Constrained<R>, R: Real>(
     if positive { Ok(()) } else { Err(S::CONSTRAINTS[rows.len() - 1][0]) }
 }
 
-/// Returns the momenta p − Gᵀμ, with μ from G ∂H/∂p = 0: the momenta of z = (q, p) without the part that leads away from the constraints.
+/// Returns the momenta p − Aᵀμ, with μ from A ∂H/∂p + b = 0: the momenta of z = (q, p) without the part that leads away from the constraints.
 ///
 /// # Errors
 /// If constraints depend on each other at z, or if Newton's iteration for μ does not converge.
 #[inline(always)]
 pub(crate) fn tangent<S: Constrained<R>, R: Real>(system: &S, t: R, z: S::Phase) -> Result<S::Array, Failure> {
     let none = S::Array::zero();
-    let (_, gradients) = gradients(system, &z[0]);
+    let Rows { gradients, drifts, .. } = Rows::of(system, t, &z[0]);
     let rows = S::Multipliers::entries_of::<S::Array>(&gradients);
     let correction = |p: &S::Array| {
         let (velocity, inverse_mass) = velocity(system, t, &[z[0], *p]);
-        let mut multipliers = S::Multipliers::zero();
+        let mut multipliers = drifts;
         for (multiplier, gradient) in multipliers.as_mut_slice().iter_mut().zip(rows) {
-            *multiplier = dot(gradient, &velocity);
+            *multiplier += dot(gradient, &velocity);
         }
         solve::<S, R>(&gradients, &gradients, &inverse_mass, &mut multipliers)?;
         let mut delta = none;
@@ -213,12 +231,16 @@ pub(crate) fn tangent<S: Constrained<R>, R: Real>(system: &S, t: R, z: S::Phase)
 #[inline(never)]
 pub(crate) fn projected<S: Constrained<R>, R: Real>(system: &S, t: R, z: &S::Phase) -> Result<S::Phase, Failure> {
     let none = S::Array::zero();
-    on_one_side(system, (t, z), [&z[0], &z[0]]).map_err(|what| Failure::DependentConstraints { what })?;
+    let independent = |q: &S::Array| {
+        let here = At { t, q };
+        on_one_side(system, z, [here, here]).map_err(|what| Failure::DependentConstraints { what })
+    };
+    independent(&z[0])?;
     let (_, inverse_mass) = velocity(system, t, z);
-    let (_, start) = gradients(system, &z[0]);
+    let start = Rows::of(system, t, &z[0]).gradients;
     let directions = S::Multipliers::entries_of::<S::Array>(&start);
     let correction = |q: &S::Array| {
-        let (mut multipliers, here) = gradients(system, q);
+        let Rows { values: mut multipliers, gradients: here, .. } = Rows::of(system, t, q);
         solve::<S, R>(&here, &start, &inverse_mass, &mut multipliers)?;
         let mut delta = none;
         for (multiplier, gradient) in multipliers.as_slice().iter().zip(directions) {
@@ -228,7 +250,7 @@ pub(crate) fn projected<S: Constrained<R>, R: Real>(system: &S, t: R, z: &S::Pha
         Ok(Correction { delta, relative })
     };
     let q = correct(z[0], Corrections::of(Convergence::Quadratic), |Stuck { after, .. }| Some(*after), correction)?;
-    on_one_side(system, (t, z), [&q, &q]).map_err(|what| Failure::DependentConstraints { what })?;
+    independent(&q)?;
     Ok([q, tangent(system, t, [q, z[1]])?])
 }
 
@@ -272,10 +294,19 @@ fn velocity<S: Constrained<R>, R: Real>(system: &S, t: R, z: &S::Phase) -> (S::A
     (velocity, inverse_mass)
 }
 
-/// Returns g and G.
-#[inline(always)]
-fn gradients<S: Constrained<R>, R: Real>(system: &S, q: &S::Array) -> (S::Multipliers, Gradients<S, R>) {
-    let (mut values, mut gradients) = (S::Multipliers::zero(), S::Multipliers::fill(S::Array::zero()));
-    system.constraints(q, &mut values, &mut gradients);
-    (values, gradients)
+/// The constraints at a position and a time.
+struct Rows<S: Constrained<R>, R: Real> {
+    values: S::Multipliers,
+    gradients: Gradients<S, R>,
+    drifts: S::Multipliers,
+}
+
+impl<S: Constrained<R>, R: Real> Rows<S, R> {
+    #[inline(always)]
+    fn of(system: &S, t: R, q: &S::Array) -> Self {
+        let none = S::Multipliers::zero();
+        let mut rows = Rows { values: none, gradients: S::Multipliers::fill(S::Array::zero()), drifts: none };
+        system.constraints(t, q, &mut rows.values, &mut rows.gradients, &mut rows.drifts);
+        rows
+    }
 }

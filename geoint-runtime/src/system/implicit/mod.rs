@@ -25,8 +25,8 @@ mod regular; // Check that the mass matrix of a Lagrangian stays regular during 
 mod velocities; // Lagrangians that are solved for velocities.
 
 pub use canonical::CanonicalForm;
+pub(crate) use constraints::{At, held, on_one_side, projected, tangent};
 pub use constraints::{Constrained, ConstrainedStep, Gradients, Unmet, unmet};
-pub(crate) use constraints::{held, on_one_side, projected, tangent};
 pub use fields::{
     Collocation, ContactStages, DiscreteField, EquationOrder, FourthOrderField, Mean, QuadraticField, Span,
 };

@@ -3,7 +3,7 @@
 use super::Missing;
 use super::bodies::BodyKernels;
 use crate::analyze::{Conserved, MeanValue};
-use crate::ir::Id;
+use crate::diff::constraint::Row;
 use crate::schedule::{Kernel, Routine, Scheduler, Space};
 
 /// Kernels of the methods of one form.
@@ -66,16 +66,17 @@ pub(crate) enum Decay {
 /// Constraints, and the steps that keep them.
 #[derive(Debug)]
 pub(crate) struct ConstraintKernels {
-    /// g.
-    pub(crate) constraints: Vec<Id>,
+    pub(crate) rows: Vec<Row>,
     /// True if ∂H/∂p is affine in p.
     pub(crate) quadratic: bool,
-    /// g and G.
+    /// g, A and b.
     pub(crate) values: Routine,
     /// ∂H/∂p and ∂²H/∂p².
     pub(crate) velocity: Routine,
-    /// g and its size, G ∂H/∂p and its size.
+    /// g and its size, A ∂H/∂p + b and its size.
     pub(crate) departure: Routine,
+    /// λ of constraints of positions, and μ of the others.
+    pub(crate) multipliers: Routine,
     /// A step of each method by name: the routines `residual`, `end` and `origin`.
     pub(crate) steps: Vec<(&'static str, StepKernel)>,
 }
@@ -187,8 +188,8 @@ impl Kernels {
                 }
             }
             Kernels::Bodies(kernels) => kernels.schedule(scheduler),
-            Kernels::Constrained(ConstraintKernels { values, velocity, departure, steps, .. }) => {
-                [values, velocity, departure].into_iter().for_each(|routine| routine.schedule(scheduler));
+            Kernels::Constrained(ConstraintKernels { values, velocity, departure, multipliers, steps, .. }) => {
+                [values, velocity, departure, multipliers].into_iter().for_each(|routine| routine.schedule(scheduler));
                 steps.iter_mut().for_each(|(_, step)| step.kernel.schedule(scheduler));
             }
         }

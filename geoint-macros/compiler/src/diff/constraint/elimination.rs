@@ -37,6 +37,16 @@ impl Cholesky {
         (0..x.len()).map(|i| graph.dot(&self.column(i), &x[i..])).collect()
     }
 
+    /// The solution y of C y = x.
+    pub(super) fn solve(&self, graph: &mut Graph, x: &[Id]) -> Vec<Id> {
+        let mut solution: Vec<Id> = vec![];
+        for (i, row) in self.0.iter().enumerate() {
+            let known = graph.dot(&row[..i], &solution);
+            solution.push(graph.build((x[i] - known) / row[i]));
+        }
+        solution
+    }
+
     /// The solution y of Cᵀ y = x.
     pub(super) fn solve_transposed(&self, graph: &mut Graph, x: &[Id]) -> Vec<Id> {
         let mut solution = x.to_vec();

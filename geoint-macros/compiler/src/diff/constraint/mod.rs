@@ -4,6 +4,7 @@
 //! row then has the unit of its multiplier, and the determinant of the iteration is positive near h = 0.
 
 mod elimination;
+mod eliminated;
 mod rows;
 mod steps;
 mod tangent;

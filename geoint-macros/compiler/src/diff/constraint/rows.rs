@@ -3,11 +3,14 @@
 use super::vectors::{ends, moved};
 use crate::diff::forward::jacobian;
 use crate::diff::gradient::discrete_gradient_with_time;
+use crate::ir::substitute::at_zero;
 use crate::ir::{Graph, Id, Number, Symbol};
 
 /// One constraint.
 #[derive(Clone, Debug)]
 pub(crate) struct Row {
+    /// The user's function: g, or A v + b in terms of velocities.
+    pub(crate) written: Id,
     /// g of g(q, t) = 0. Absent if only velocities are bound.
     pub(crate) value: Option<Id>,
     /// A.
@@ -22,7 +25,15 @@ impl Row {
         let symbols: Vec<Symbol> = (0..degrees).map(Symbol::Position).chain([Symbol::Time]).collect();
         let mut gradient = jacobian(graph, &[value], &symbols).remove(0);
         let drift = gradient.pop().unwrap_or(value);
-        Row { value: Some(value), gradient, drift }
+        Row { written: value, value: Some(value), gradient, drift }
+    }
+
+    /// The row of a function that is linear in velocities.
+    pub(crate) fn of_velocities(graph: &mut Graph, function: Id, degrees: u32) -> Row {
+        let symbols: Vec<Symbol> = (0..degrees).map(Symbol::Velocity).collect();
+        let gradient = jacobian(graph, &[function], &symbols).remove(0);
+        let drift = at_zero(graph, function, |symbol| matches!(symbol, Symbol::Velocity(_)));
+        Row { written: function, value: None, gradient, drift }
     }
 
     /// A v + b.

@@ -11,17 +11,17 @@ use quote::{format_ident, quote};
 
 /// Returns `impl ConstrainedSystem`, `impl ConstrainedStep` for each method, and the user's methods.
 pub(super) fn constraints(context: &Context<'_>, kernels: &ConstraintKernels) -> TokenStream {
-    let ConstraintKernels { constraints, quadratic, values, velocity, departure, steps } = kernels;
+    let ConstraintKernels { rows, quadratic, values, velocity, departure, multipliers: at_state, steps } = kernels;
     let (array, phase, parts) = (context.positions_type(), context.phase_type(), context.parts());
-    let multipliers = array_type(&[constraints.len()]);
+    let multipliers = array_type(&[rows.len()]);
     let printer = context.printer();
-    let formulas = constraints.iter().map(|constraint| {
-        let formula = printer.excerpt(*constraint);
-        let rate = format!("the rate of {formula}");
+    let formulas = rows.iter().map(|row| {
+        let formula = printer.excerpt(row.written);
+        let rate = if row.value.is_some() { format!("the rate of {formula}") } else { formula.clone() };
         quote!([#formula, #rate])
     });
     let [values, velocity] = [values, velocity].map(|routine| context.assigned(routine));
-    let departure = context.returned(departure);
+    let [departure, at_state] = [departure, at_state].map(|routine| context.returned(routine));
     let quadratic = flag("QUADRATIC", *quadratic);
     let items = quote! {
         type Multipliers = #multipliers;
@@ -29,7 +29,14 @@ pub(super) fn constraints(context: &Context<'_>, kernels: &ConstraintKernels) ->
         #quadratic
 
         #[inline]
-        fn constraints(&self, q: &#array, values: &mut #multipliers, gradients: &mut Gradients<Self, R>) {
+        fn constraints(
+            &self,
+            t: R,
+            q: &#array,
+            values: &mut #multipliers,
+            gradients: &mut Gradients<Self, R>,
+            drifts: &mut #multipliers,
+        ) {
             #values
         }
         #[inline]
@@ -41,12 +48,16 @@ pub(super) fn constraints(context: &Context<'_>, kernels: &ConstraintKernels) ->
             #parts
             #departure
         }
+        fn multipliers(&self, t: R, z: &#phase) -> #multipliers {
+            #parts
+            #at_state
+        }
     };
     let cotangent = cotangent(context);
     let constrained = proven(context, quote!(ConstrainedSystem<R>), items);
     let solved = methods::solved_by(context, "DiscreteGradient", "MultiplierStep");
     let steps = steps.iter().map(|(method, kernel)| step(context, method, kernel));
-    let inherent = inherent(context);
+    let inherent = inherent(context, rows.len());
     quote!(#cotangent #constrained #solved #(#steps)* #inherent)
 }
 
@@ -92,7 +103,7 @@ fn step(context: &Context<'_>, method: &str, step: &StepKernel) -> TokenStream {
 }
 
 /// Returns the user's methods.
-fn inherent(context: &Context<'_>) -> TokenStream {
+fn inherent(context: &Context<'_>, rows: usize) -> TokenStream {
     let (name, float, coordinates) = (&context.energy.name, &context.energy.float, &context.energy.coordinates.ty);
     quote! {
         impl #name {
@@ -106,6 +117,13 @@ fn inherent(context: &Context<'_>) -> TokenStream {
                 state: &State<#coordinates>,
             ) -> ::core::result::Result<State<#coordinates>, StepError> {
                 state_on_constraint::<Self, #float>(self, state)
+            }
+
+            /// The multipliers of a state, in the order of `constraint` and then `rolling`. Constraints of positions exert the force −Gᵀλ, and those of
+            /// velocities the force Aᵀμ.
+            pub fn multipliers(&self, state: &State<#coordinates>) -> [#float; #rows] {
+                let (t, z, _) = state.parts();
+                ConstrainedSystem::multipliers(self, t, &z)
             }
         }
     }

@@ -1,22 +1,17 @@
 //! Reports H(q, p, t) with constraints.
 
 use super::{Report, friction, plural};
-use crate::analyze::Structure;
-use crate::derive::{Kernels, System};
-use crate::diff::Gradient;
-use crate::ir::{Id, Symbol};
+use crate::analyze::Binding;
+use crate::derive::{ConstrainedFindings, Kernels, System};
+use crate::diff::constraint::Row;
+use crate::ir::Symbol;
 use crate::parse::Role;
 
-/// Reports the equations, conserved functions and steps. `kept` holds the functions that commute with H and with every constraint.
-pub(super) fn report(
-    report: &mut Report<'_>,
-    structure: &Structure,
-    kept: &Structure,
-    constraints: &[Id],
-    gradient: &Gradient,
-    system: &System,
-) {
-    equations(report, structure, constraints, gradient);
+/// Reports the equations, conserved functions and steps.
+pub(super) fn report(report: &mut Report<'_>, found: &ConstrainedFindings, system: &System) {
+    equations(report, found);
+    let rolls = found.rows.iter().any(|row| row.value.is_none());
+    let kept = &found.kept;
     writeln!(report, "\nConserved by the flow and by `DiscreteGradient`, at least");
     let energy = kept.conserves_energy().then(|| "the energy".to_string());
     let cyclic = kept.cyclic.iter().map(|i| {
@@ -26,44 +21,115 @@ pub(super) fn report(
     let momenta = kept.momenta.iter().map(|momentum| report.momentum(momentum));
     let conserved: Vec<String> = energy.into_iter().chain(cyclic).chain(momenta).collect();
     report.conserved(&conserved);
-    steps(report, structure, system);
+    for (k, row) in found.rows.iter().enumerate() {
+        let graph = &report.compilation.graph;
+        if graph.is_zero(row.drift) {
+            continue;
+        }
+        let (drift, multiplier) = (report.excerpt(row.drift), multiplier(&found.rows, k));
+        let sign = if row.value.is_some() { "" } else { "−" };
+        writeln!(report, "- the energy changes by {sign}{multiplier}·({drift}): this constraint moves");
+    }
+    if rolls {
+        writeln!(report, "- no symplectic form: volume in phase space is not kept in general");
+    }
+    steps(report, found, system, rolls);
+}
+
+/// The name of the multiplier of a row: λ[k] for positions, μ[k] for velocities.
+fn multiplier(rows: &[Row], k: usize) -> String {
+    let positions = rows.iter().filter(|row| row.value.is_some()).count();
+    if k < positions { format!("λ[{k}]") } else { format!("μ[{}]", k - positions) }
 }
 
 /// Writes the energy, its gradient, the constraints, and damping.
-fn equations(report: &mut Report<'_>, structure: &Structure, constraints: &[Id], gradient: &Gradient) {
+fn equations(report: &mut Report<'_>, found: &ConstrainedFindings) {
+    let (rows, gradient, structure) = (&found.rows, &found.gradient, &found.structure);
     let (q, p) = (report.name_of(Role::Position), report.name_of(Role::Momentum));
     writeln!(report, "H = {}", report.formula(structure.energy));
     report.derivatives("H", Symbol::Position, &gradient.q, Report::excerpt);
     report.derivatives("H", Symbol::Momentum, &gradient.p, Report::excerpt);
-    writeln!(report, "\nConstraints: {p}' = −∂H/∂{q} − Gᵀλ with G = ∂g/∂{q}");
-    for constraint in constraints {
-        writeln!(report, "- 0 = {}", report.excerpt(*constraint));
+    let (positions, velocities): (Vec<&Row>, Vec<&Row>) = rows.iter().partition(|row| row.value.is_some());
+    if !positions.is_empty() {
+        let others = if velocities.is_empty() { "" } else { " + Aᵀμ" };
+        writeln!(report, "\nConstraints: {p}' = −∂H/∂{q} − Gᵀλ{others} with G = ∂g/∂{q}");
+        for row in &positions {
+            writeln!(report, "- 0 = {}", report.excerpt(row.written));
+        }
     }
-    let (n, m) = (gradient.q.len(), constraints.len());
+    if !velocities.is_empty() {
+        let others = if positions.is_empty() { "" } else { " − Gᵀλ" };
+        let v = report.name_of(Role::Velocity);
+        writeln!(report, "\nRolling: {p}' = −∂H/∂{q}{others} + Aᵀμ with A{v} + b = 0");
+        for row in &velocities {
+            writeln!(report, "- 0 = {}", report.excerpt(row.written));
+        }
+        for binding in &found.bindings {
+            let text = bound(report, binding);
+            writeln!(report, "- {text}");
+        }
+    }
+    let (n, m) = (gradient.q.len(), rows.len());
     let (constraints, free) = (plural(m), plural(n - m));
     writeln!(report, "- {n} coordinates and {m} constraint{constraints}: {} degree{free} of freedom", n - m);
-    writeln!(report, "- a state starts with g = 0 and G ∂H/∂{p} = 0; `state_on_constraint` gives the nearest one");
+    let start = if positions.is_empty() {
+        format!("A{} + b = 0", report.name_of(Role::Velocity))
+    } else {
+        format!("g = 0 and dg/dt = 0 at {p}")
+    };
+    writeln!(report, "- a state starts with {start}; `state_on_constraint` gives the nearest one");
     if let Some(found) = &structure.damping {
         friction::damping(report, found, structure.autonomous);
     }
 }
 
+/// What constraints of velocities say about positions.
+fn bound(report: &Report<'_>, binding: &Binding) -> String {
+    match binding {
+        Binding::Pair { rows: [i, j], factor, function } => {
+            let function = match function {
+                Some(function) => format!(": {} stays constant", report.excerpt(*function)),
+                None => String::new(),
+            };
+            let factor = report.excerpt(*factor);
+            format!("row {i} − {factor}·row {j} is the rate of a function of positions{function}")
+        }
+        Binding::Nonholonomic => {
+            "velocities are bound, positions are not: no function of positions has this rate".into()
+        }
+        Binding::NoPair => "no row, and no combination of two, is the rate of a function of positions".into(),
+    }
+}
+
 /// Writes the costs of steps and the omitted methods.
-fn steps(report: &mut Report<'_>, structure: &Structure, system: &System) {
+fn steps(report: &mut Report<'_>, found: &ConstrainedFindings, system: &System, rolls: bool) {
     let Kernels::Constrained(kernels) = &system.kernels else { return };
     writeln!(report, "\nSteps");
     for (method, step) in &kernels.steps {
         let (unknowns, operations) = (step.unknowns.len(), step.kernel.operations());
         writeln!(report, "- `{method}`, {unknowns} unknown{}, an iteration: {operations}", plural(unknowns));
     }
-    writeln!(report, "- both may be composed: `Suzuki4.of(Rattle)`");
-    writeln!(
-        report,
-        "- momenta of `DiscreteGradient` leave the constraints by O(h²), and come back: read `state_on_constraint()`"
-    );
+    match kernels.steps.last() {
+        Some((method, _)) if rolls => writeln!(report, "- it may be composed: `Suzuki4.of({method})`"),
+        _ => writeln!(report, "- both may be composed: `Suzuki4.of(Rattle)`"),
+    }
+    if kernels.quadratic {
+        writeln!(report, "- momenta are tangent to the constraints at the ends of steps");
+    } else {
+        writeln!(
+            report,
+            "- momenta of `DiscreteGradient` leave the constraints by O(h²), and come back: read `state_on_constraint()`"
+        );
+    }
+    if system.rate.is_some() {
+        writeln!(
+            report,
+            "- `RK4`, `DOP853` and `adaptive`: multipliers are eliminated, and constraints hold to the error of the method"
+        );
+    }
 
     writeln!(report, "\nSkipped");
-    if structure.reduced().is_some() {
+    if found.structure.reduced().is_some() {
         writeln!(report, "- momenta as unknowns: T is quadratic, and nothing is damped");
     }
     writeln!(report, "- other methods: they know no constraints")

@@ -116,9 +116,7 @@ pub(super) fn report(compilation: &Compilation<'_>, derived: &Derived) -> String
     }
     match findings {
         Findings::Canonical { structure, gradient } => canonical::report(&mut report, structure, gradient, system),
-        Findings::Constrained { structure, kept, constraints, gradient } => {
-            constraints::report(&mut report, structure, kept, constraints, gradient, system);
-        }
+        Findings::Constrained(findings) => constraints::report(&mut report, findings, system),
         Findings::Contact { energy, gradient, dissipated } => {
             contact::report(&mut report, *energy, gradient, dissipated.as_ref(), system);
         }

@@ -1,0 +1,38 @@
+//! The multipliers of a state: p' = f + Aᵀμ with (A v + b)' = 0.
+
+use super::Constrained;
+use super::elimination::Cholesky;
+use super::vectors::{combination, sums};
+use crate::diff::forward::along;
+use crate::ir::{Graph, Id, Symbol};
+
+impl Constrained<'_> {
+    /// μ of all rows from (A W Aᵀ) μ = −(A v + b)', with the rate along q' = v, p' = f.
+    pub(crate) fn multipliers(&self, graph: &mut Graph) -> Vec<Id> {
+        let rates = self.rates(graph);
+        let one = graph.integer(1);
+        let changes = along(graph, &rates, |symbol| match symbol {
+            Symbol::Position(i) => Some(self.velocity[i as usize]),
+            Symbol::Momentum(i) => Some(self.force[i as usize]),
+            Symbol::Time => Some(one),
+            _ => None,
+        });
+        let rhs: Vec<Id> = changes.iter().map(|change| graph.neg(*change)).collect();
+        let inertia = self.inertia(graph);
+        let factor = Cholesky::of(graph, &inertia);
+        let half = factor.solve(graph, &rhs);
+        factor.solve_transposed(graph, &half)
+    }
+
+    /// p' with these multipliers.
+    pub(crate) fn bound_force(&self, graph: &mut Graph, multipliers: &[Id]) -> Vec<Id> {
+        let pull = combination(graph, &self.gradients(), multipliers);
+        sums(graph, self.force, &pull)
+    }
+
+    /// The multipliers as users see them: λ of p' = f − Gᵀλ + Aᵀμ for constraints of positions.
+    pub(crate) fn shown(&self, graph: &mut Graph, multipliers: &[Id]) -> Vec<Id> {
+        let shown = self.rows.iter().zip(multipliers);
+        shown.map(|(row, multiplier)| if row.value.is_some() { graph.neg(*multiplier) } else { *multiplier }).collect()
+    }
+}
