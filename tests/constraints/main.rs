@@ -7,3 +7,4 @@ mod figures;
 mod laws;
 mod runs;
 mod refusals;
+mod rolling;
